@@ -1,0 +1,12 @@
+# lgs_target(<target>): what every target of this project is compiled with.
+function(lgs_target target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  if(PROJECT_IS_TOP_LEVEL OR CMAKE_SOURCE_DIR STREQUAL LocalGridSeg_SOURCE_DIR)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+    if(LGS_SANITIZE)
+      target_compile_options(${target} PRIVATE -fsanitize=${LGS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+      target_link_options(${target} PUBLIC -fsanitize=${LGS_SANITIZE})
+    endif()
+  endif()
+endfunction()

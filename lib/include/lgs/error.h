@@ -1,0 +1,52 @@
+// Every reason for which an edit or a question is refused. A refused edit has changed nothing (law 7).
+#pragma once
+
+#include <lgs/ids.h>
+#include <lgs/lattice.h>
+
+#include <cstdint>
+#include <string>
+#include <tl/expected.hpp>
+
+namespace lgs {
+
+/// In the order in which a polygon is checked: the first reason that applies is the one reported.
+enum class ErrorCode : std::uint8_t {
+  cellOutOfRange = 1,  ///< a cell index beyond ±kMaxCell
+  emptyShape,          ///< a shape without polygons
+  tooFewVertices,      ///< fewer than 3 vertices
+  capacity,            ///< more than the engine can hold; see the limits in world.h
+  notFinite,           ///< a coordinate is infinite or not a number
+  outsideCell,         ///< a vertex, once rounded, is not in the closed cell
+  repeatedVertex,      ///< two vertices of one polygon are the same lattice point
+  zeroArea,            ///< the signed area is 0
+  clockwise,           ///< the signed area is negative
+  selfIntersecting,    ///< two edges of one polygon cross, overlap, or touch
+  overlap,             ///< the interior meets that of another polygon of the cell (or of the shape)
+  unknownShape,        ///< a ShapeId that this world did not make
+  staleHandle,         ///< a PolygonHandle that is null, unknown, or whose polygon was removed
+  unknownSegment,      ///< a SegmentId that names no live segment
+};
+
+/// What was refused and where. Fields that do not apply are -1 or null.
+struct Error {
+  ErrorCode code{};
+  Cell cell{};                ///< the cell of the edit; meaningless while a shape is made
+  bool hasCell = false;       ///< whether `cell` applies
+  std::int32_t polygon = -1;  ///< index in the polygons given to this call
+  std::int32_t vertex = -1;   ///< index in that polygon; for an edge, its first vertex
+  std::int32_t vertex2 = -1;  ///< the other vertex or edge involved
+  std::int32_t polygon2 = -1; ///< overlap within one call: the index of the other polygon
+  PolygonHandle other{};      ///< overlap with a placed polygon: that polygon; stale handle: the handle
+};
+
+/// A short name, e.g. "self-intersecting".
+const char* name(ErrorCode code);
+
+/// A whole sentence with cell, polygon and vertex, and what to do about it.
+std::string message(const Error& error);
+
+template <class T>
+using Expected = tl::expected<T, Error>;
+
+}  // namespace lgs

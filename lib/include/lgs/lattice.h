@@ -1,0 +1,71 @@
+// The lattice: every coordinate in LocalGridSeg is an integer.
+//
+// A cell is 65,536 lattice units wide and high. Inside a cell a vertex is a LocalPoint (0 … 65,536 on both axes,
+// the rim included); in the world it is a Point, a 64-bit integer that is also exact as a `double`. All decisions of
+// the engine are made on these integers; there is no epsilon anywhere.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+namespace lgs {
+
+/// Lattice units along one side of a cell.
+inline constexpr std::int32_t kUnitsPerCell = 65'536;
+
+/// Cells run from -kMaxCell to +kMaxCell, both included, on both axes.
+inline constexpr std::int32_t kMaxCell = 1 << 30;
+
+/// A position inside one closed cell, in lattice units from its lower-left corner (y up).
+struct LocalPoint {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  friend constexpr auto operator<=>(const LocalPoint&, const LocalPoint&) = default;
+};
+
+/// A position given in cells (1.0 is the far side of the cell); rounded to the nearest lattice point on entry, halves
+/// away from zero. -0.0 is 0.
+template <class Real>
+struct RealPoint {
+  Real x = 0;
+  Real y = 0;
+};
+using FloatPoint = RealPoint<float>;
+using DoublePoint = RealPoint<double>;
+
+/// A position in the world, in lattice units. At most 2^46 + 2^16 in magnitude.
+struct Point {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+  friend constexpr auto operator<=>(const Point&, const Point&) = default;
+};
+
+/// The unit cell [i, i+1] × [j, j+1].
+struct Cell {
+  std::int32_t i = 0;
+  std::int32_t j = 0;
+  friend constexpr auto operator<=>(const Cell&, const Cell&) = default;
+};
+
+/// All cells from `min` to `max`, both included. Empty where a `max` is below its `min`.
+struct CellRect {
+  Cell min;
+  Cell max;
+  friend constexpr bool operator==(const CellRect&, const CellRect&) = default;
+};
+
+constexpr bool inRange(Cell c) {
+  return c.i >= -kMaxCell && c.i <= kMaxCell && c.j >= -kMaxCell && c.j <= kMaxCell;
+}
+
+constexpr bool contains(const CellRect& r, Cell c) {
+  return c.i >= r.min.i && c.i <= r.max.i && c.j >= r.min.j && c.j <= r.max.j;
+}
+
+constexpr bool isEmpty(const CellRect& r) { return r.max.i < r.min.i || r.max.j < r.min.j; }
+
+constexpr Point toWorld(Cell c, LocalPoint p) {
+  return {std::int64_t{c.i} * kUnitsPerCell + p.x, std::int64_t{c.j} * kUnitsPerCell + p.y};
+}
+
+}  // namespace lgs

@@ -1,0 +1,162 @@
+// A world of unit cells that hold polygons, and its boundary segments with their ghost vertices.
+//
+//   lgs::World world;
+//   auto block = world.shape(lgs::kUnitSquare);      // validate and intern once
+//   auto handle = world.add({3, 4}, *block, 7);       // place it; 7 is your own block id
+//   const lgs::Changes& changes = world.commit();     // exactly what changed
+//   for (lgs::SegmentId id : changes.added) { lgs::Segment s = *world.segment(id); … }
+//
+// Edits are checked at once and refused as a whole (error.h). What they do to the segments becomes visible with
+// commit(); what they do to the polygons at once. A World is one value with one owner: no call is safe beside another
+// call that is not const; const calls are safe beside each other.
+#pragma once
+
+#include <lgs/error.h>
+#include <lgs/ids.h>
+#include <lgs/lattice.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace lgs {
+
+/// Limits. Beyond them an edit is refused with ErrorCode::capacity.
+inline constexpr std::size_t kMaxVerticesPerCell = 4'096;  ///< of all polygons of one cell together
+inline constexpr std::size_t kMaxPolygonsPerCell = 255;
+inline constexpr std::size_t kMaxChunks = (std::size_t{1} << 22) - 1;  ///< of 32×32 cells, ever touched by an edit
+
+/// Says whether the overlap between polygons of these two blocks is kept (true) or cancelled (false). It is always
+/// called with the smaller block first, so any function gives a symmetric relation. It must be pure: the same answer
+/// every time, and no call back into the world. Empty: everything is cancelled.
+using PreserveRelation = std::function<bool(Block, Block)>;
+
+/// A polygon as it stands in a cell. `vertices` is valid until the next edit of the world.
+struct PlacedPolygon {
+  PolygonHandle handle;
+  Block block = 0;
+  std::span<const LocalPoint> vertices;
+};
+
+/// One boundary segment: solid on the left of start→end, outward normal on the right.
+struct Segment {
+  SegmentId id;
+  Point start;
+  Point end;
+  SegmentId predecessor;  ///< null if nothing arrives at `start` that could precede (only under a preserve relation)
+  SegmentId successor;
+  Point ghost1;  ///< the predecessor's start; meaningless where `predecessor` is null
+  Point ghost2;  ///< the successor's end; meaningless where `successor` is null
+  Block block = 0;
+  PolygonHandle polygon;  ///< the polygon hit when this segment is hit
+  Cell cell;              ///< the cell hit
+};
+
+/// What a commit did to the segments. No id is in two lists; a segment whose ends, owner and ghosts are as before is in
+/// none. Ids in `removed` name nothing from here on. Each list is in an order that depends on the edits alone.
+struct Changes {
+  std::vector<SegmentId> removed;
+  std::vector<SegmentId> added;
+  std::vector<SegmentId> relinked;  ///< alive before and after, with another ghost1 or ghost2
+};
+
+/// One closed chain, in the direction of its segments (solid on the left).
+struct Loop {
+  std::vector<Point> vertices;      ///< starts at the least vertex (by x, then y); the last edge leads back to it
+  std::vector<SegmentId> segments;  ///< segments[k] starts at vertices[k]; empty when collinear runs are merged
+};
+
+enum class Collinear : bool { keep, merge };
+
+struct Stats {
+  std::uint64_t polygons = 0;
+  std::uint64_t cells = 0;     ///< cells that hold at least one polygon
+  std::uint64_t segments = 0;  ///< live ones, as of the last commit
+  std::uint64_t shapes = 0;
+  std::uint64_t contents = 0;  ///< distinct interned cell contents
+  std::uint64_t chunks = 0;
+  std::uint64_t bytes = 0;     ///< everything the world has allocated, spare capacity included
+};
+
+class World {
+ public:
+  explicit World(PreserveRelation preserve = {});
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+
+  // --- Shapes -------------------------------------------------------------------------------------------------------
+
+  /// Validates and interns one polygon, or a set of polygons with disjoint interiors: simple, counter-clockwise, inside
+  /// the closed cell, positive area. The same polygons give the same id. Cost: O(n²) the first time, a hash later.
+  Expected<ShapeId> shape(std::span<const LocalPoint> polygon);
+  Expected<ShapeId> shape(std::span<const std::vector<LocalPoint>> polygons);
+
+  // --- Edits --------------------------------------------------------------------------------------------------------
+
+  /// Places every polygon of a shape in a cell, all with this block. Returns the handle of the shape's first polygon;
+  /// `handles`, if not empty, must be as long as the shape and receives them all, in the shape's order.
+  /// Refused: cellOutOfRange, unknownShape, overlap, capacity. Cost: O(1) in a cell that is empty.
+  Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles = {});
+
+  /// The same for a polygon given by its vertices: one that was seen before costs a hash, a new one is validated.
+  Expected<PolygonHandle> add(Cell cell, std::span<const LocalPoint> polygon, Block block);
+  Expected<PolygonHandle> add(Cell cell, std::span<const FloatPoint> polygon, Block block);
+  Expected<PolygonHandle> add(Cell cell, std::span<const DoublePoint> polygon, Block block);
+
+  /// Removes one polygon. Refused: staleHandle.
+  Expected<void> remove(PolygonHandle polygon);
+
+  /// Places a shape in every cell of a rectangle; returns the number of cells. All or nothing: refused as add() is, for
+  /// the first cell (by rows, from min) where add() would be.
+  Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block);
+
+  /// Removes every polygon of every cell of a rectangle; returns the number of polygons removed.
+  Expected<std::uint64_t> clear(const CellRect& cells);
+
+  /// Brings the segments up to date with all edits since the last commit: the two phases, on what those edits touched.
+  /// The result is valid until the next commit. Cost: in proportion to the contents of the edited cells and the eight
+  /// around each. Allocates nothing once the world has reached its size.
+  const Changes& commit();
+
+  // --- Reading ------------------------------------------------------------------------------------------------------
+
+  /// The polygons of a cell, edits not yet committed included. A cell out of range holds none.
+  std::vector<PlacedPolygon> polygons(Cell cell) const;
+  void polygons(Cell cell, std::vector<PlacedPolygon>& out) const;  ///< the same, replacing the content of `out`
+
+  /// Refused: staleHandle.
+  Expected<PlacedPolygon> polygon(PolygonHandle handle) const;
+  Expected<Cell> cellOf(PolygonHandle handle) const;
+
+  /// A segment as of the last commit. Refused: unknownSegment. Its `polygon` is stale if that polygon was removed since.
+  Expected<Segment> segment(SegmentId id) const;
+
+  /// Ids of all live segments, in increasing order.
+  std::vector<SegmentId> segments() const;
+
+  /// Ids of the segments that belong to polygons of these cells, cell by cell in rows from min.
+  std::vector<SegmentId> segments(const CellRect& cells) const;
+
+  /// The closed chains, sorted by their vertices. Under a preserve relation, only chains whose links are all mutual.
+  std::vector<Loop> loops(Collinear collinear = Collinear::keep) const;
+
+  /// The highest SegmentId::value in use so far, for sizing side tables.
+  std::uint32_t maxSegmentId() const;
+
+  Stats stats() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The whole cell as a polygon, for shape().
+inline constexpr std::array<LocalPoint, 4> kUnitSquare{
+    {{0, 0}, {kUnitsPerCell, 0}, {kUnitsPerCell, kUnitsPerCell}, {0, kUnitsPerCell}}};
+
+}  // namespace lgs

@@ -1,0 +1,25 @@
+// An outline: the boundary segments of a scene with their ghost vertices; what the engine, the naive reference and the
+// CGAL oracle each produce, in one form that can be compared.
+#pragma once
+
+#include <lgs/ids.h>
+#include <lgs/lattice.h>
+
+#include <optional>
+#include <vector>
+
+namespace lgs::oracle {
+
+struct OutlineSegment {
+  Point start;
+  Point end;
+  Block block = 0;
+  std::optional<Point> ghost1;
+  std::optional<Point> ghost2;
+  friend auto operator<=>(const OutlineSegment&, const OutlineSegment&) = default;
+};
+
+/// Sorted by start, end, block.
+using Outline = std::vector<OutlineSegment>;
+
+}  // namespace lgs::oracle

@@ -1,0 +1,39 @@
+// A scene: the placed polygons of a world at one moment, as plain values. The references compute from scenes; they
+// share nothing with the engine but the value types of <lgs/lattice.h> and <lgs/ids.h>.
+#pragma once
+
+#include <lgs/ids.h>
+#include <lgs/lattice.h>
+
+#include <utility>
+#include <vector>
+
+namespace lgs::oracle {
+
+/// A polygon in its cell: counter-clockwise, simple, inside the closed cell, interior disjoint from the others'.
+struct ScenePolygon {
+  Cell cell;
+  Block block = 0;
+  std::vector<LocalPoint> vertices;
+  friend bool operator==(const ScenePolygon&, const ScenePolygon&) = default;
+};
+
+/// A symmetric relation on blocks, as a list of pairs. Empty by default.
+class PreservePairs {
+ public:
+  void add(Block a, Block b);  ///< once is enough for both directions; a pair already there is ignored
+  bool operator()(Block a, Block b) const;
+  bool empty() const { return pairs_.empty(); }
+  const std::vector<std::pair<Block, Block>>& pairs() const { return pairs_; }  ///< sorted, the smaller block first
+  friend bool operator==(const PreservePairs&, const PreservePairs&) = default;
+
+ private:
+  std::vector<std::pair<Block, Block>> pairs_;
+};
+
+struct Scene {
+  std::vector<ScenePolygon> polygons;
+  PreservePairs preserve;
+};
+
+}  // namespace lgs::oracle
