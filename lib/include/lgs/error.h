@@ -38,6 +38,7 @@ struct Error {
   std::int32_t vertex2 = -1;  ///< the other vertex or edge involved
   std::int32_t polygon2 = -1; ///< overlap within one call: the index of the other polygon
   PolygonHandle other{};      ///< overlap with a placed polygon: that polygon; stale handle: the handle
+  SegmentId segment{};        ///< unknown segment: the id
 };
 
 /// A short name, e.g. "self-intersecting".

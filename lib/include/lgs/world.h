@@ -139,7 +139,7 @@ class World {
   /// Ids of all live segments, in increasing order.
   std::vector<SegmentId> segments() const;
 
-  /// Ids of the segments that belong to polygons of these cells, cell by cell in rows from min.
+  /// Ids of the segments that belong to polygons of these cells. Cost: in proportion to the cells that exist there.
   std::vector<SegmentId> segments(const CellRect& cells) const;
 
   /// The closed chains, sorted by their vertices. Under a preserve relation, only chains whose links are all mutual.
@@ -150,8 +150,9 @@ class World {
 
   Stats stats() const;
 
+  struct Impl;  ///< of the implementation
+
  private:
-  struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -1,0 +1,30 @@
+// Phase 1 as a pure function: law 1 on the side that two cells share.
+#pragma once
+
+#include "content.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace lgs::detail {
+
+/// The parts of `mine` that stay exposed against `theirs`, the facing side of the neighbour, cut at every vertex of
+/// either, in increasing order: a 1D sweep over both profiles. `preserve(mySlot, theirSlot)` says whether an overlap is
+/// kept; `emit(begin, end, mySlot)` receives the parts. Cost: linear in the two profiles.
+template <class Preserve, class Emit>
+void exposedParts(const Side& mine, const Side& theirs, Preserve&& preserve, Emit&& emit) {
+  auto cut = theirs.points.begin();
+  auto facing = theirs.covered.begin();
+  for (const Interval& interval : mine.covered) {
+    for (std::int32_t at = interval.begin, next; at < interval.end; at = next) {
+      while (cut != theirs.points.end() && cut->at <= at) ++cut;
+      next = cut == theirs.points.end() ? interval.end : std::min(interval.end, cut->at);
+      // Their intervals end at their vertices, so their cover is the same all along [at, next].
+      while (facing != theirs.covered.end() && facing->end <= at) ++facing;
+      const bool overlapped = facing != theirs.covered.end() && facing->begin <= at;
+      if (!overlapped || preserve(interval.slot, facing->slot)) emit(at, next, interval.slot);
+    }
+  }
+}
+
+}  // namespace lgs::detail

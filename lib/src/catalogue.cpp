@@ -1,0 +1,190 @@
+#include "catalogue.h"
+
+#include <lgs/world.h>
+
+#include <algorithm>
+
+namespace lgs::detail {
+namespace {
+
+std::uint64_t hashOf(PolygonView vertices) {
+  std::uint64_t hash = vertices.size();
+  for (const LocalPoint v : vertices)
+    hash = mix(hash, std::uint64_t{static_cast<std::uint32_t>(v.x)} << 32 | static_cast<std::uint32_t>(v.y));
+  return hash;
+}
+
+std::uint64_t hashOf(std::span<const PolygonId> polygons, std::span<const std::pair<Slot, Slot>> preserved) {
+  std::uint64_t hash = polygons.size();
+  for (const PolygonId id : polygons) hash = mix(hash, id);
+  for (const auto& [a, b] : preserved) hash = mix(hash, std::uint64_t{1} << 63 | std::uint64_t{a} << 16 | b);
+  return hash;
+}
+
+tl::unexpected<Error> refuse(ErrorCode code, std::size_t polygon = 0) {
+  Error error;
+  error.code = code;
+  error.polygon = static_cast<std::int32_t>(polygon);
+  return tl::unexpected(error);
+}
+
+/// Takes a free number or the next one, and puts the value there.
+template <class T>
+std::uint32_t store(std::vector<std::unique_ptr<T>>& table, std::vector<std::uint32_t>& free, T&& value) {
+  if (free.empty()) {
+    table.push_back(std::make_unique<T>(std::move(value)));
+    return static_cast<std::uint32_t>(table.size() - 1);
+  }
+  const std::uint32_t id = free.back();
+  free.pop_back();
+  *table[id] = std::move(value);
+  return id;
+}
+
+}  // namespace
+
+Catalogue::Catalogue() {
+  contents_.push_back(std::make_unique<InternedContent>());
+  contents_[kEmptyContent]->users = 1;
+}
+
+const InternedShape* Catalogue::shape(ShapeId id) const {
+  return id.value >= 1 && id.value <= shapes_.size() ? shapes_[id.value - 1].get() : nullptr;
+}
+
+Expected<PolygonId> Catalogue::internPolygon(PolygonView vertices) {
+  const std::uint64_t hash = hashOf(vertices);
+  const std::uint32_t found =
+      polygonIndex_.find(hash, [&](PolygonId id) { return std::ranges::equal(polygons_[id]->vertices, vertices); });
+  if (found != HashIndex::kNone) return found;
+  if (const auto defect = findDefect(vertices)) {
+    auto refusal = refuse(defect->code);
+    refusal.value().vertex = defect->vertex;
+    refusal.value().vertex2 = defect->vertex2;
+    return refusal;
+  }
+  InternedPolygon polygon;
+  polygon.vertices.assign(vertices.begin(), vertices.end());
+  polygon.hash = hash;
+  const PolygonId id = store(polygons_, freePolygons_, std::move(polygon));
+  polygonIndex_.insert(hash, id);
+  ++unused_;
+  return id;
+}
+
+Expected<ContentId> Catalogue::internSole(PolygonId polygon) {
+  if (polygons_[polygon]->sole != kEmptyContent) return polygons_[polygon]->sole;
+  return internContent({&polygon, 1}, {}, {});
+}
+
+Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons, std::span<const std::uint8_t> known,
+                                             std::span<const std::pair<Slot, Slot>> preserved) {
+  const std::uint64_t hash = hashOf(polygons, preserved);
+  const std::uint32_t found = contentIndex_.find(hash, [&](ContentId id) {
+    return std::ranges::equal(contents_[id]->polygons, polygons) && std::ranges::equal(contents_[id]->preserved, preserved);
+  });
+  if (found != HashIndex::kNone) return found;
+
+  std::vector<PolygonView> views;
+  std::size_t vertexCount = 0;
+  for (const PolygonId id : polygons) {
+    views.push_back(vertices(id));
+    vertexCount += views.back().size();
+  }
+  if (polygons.size() > kMaxPolygonsPerCell || vertexCount > kMaxVerticesPerCell) return refuse(ErrorCode::capacity);
+  if (freeContents_.empty() && contents_.size() > kMaxContent) return refuse(ErrorCode::capacity);
+  for (std::size_t a = 0; a < views.size(); ++a) {
+    for (std::size_t b = a + 1; b < views.size(); ++b) {
+      if (!known.empty() && known[a] && known[b]) continue;
+      if (!interiorsMeet(views[a], views[b])) continue;
+      auto refusal = refuse(ErrorCode::overlap, a);
+      refusal.value().polygon2 = static_cast<std::int32_t>(b);
+      return refusal;
+    }
+  }
+
+  InternedContent content{buildContent(views, preserved), {}, {}, hash, 0};
+  content.polygons.assign(polygons.begin(), polygons.end());
+  content.preserved.assign(preserved.begin(), preserved.end());
+  const ContentId id = store(contents_, freeContents_, std::move(content));
+  contentIndex_.insert(hash, id);
+  for (const PolygonId polygon : polygons) acquire(polygons_[polygon]->users);
+  if (polygons.size() == 1) polygons_[polygons[0]]->sole = id;
+  ++unused_;
+  return id;
+}
+
+Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
+  if (polygons.empty()) return refuse(ErrorCode::emptyShape);
+  const std::vector<PolygonId> given(polygons.begin(), polygons.end());
+  if (const auto found = shapeIndex_.find(given); found != shapeIndex_.end()) return found->second;
+
+  std::vector<PolygonId> sorted = given;
+  std::sort(sorted.begin(), sorted.end());
+  auto content = internContent(sorted, {}, {});
+  if (!content) {
+    Error error = content.error();
+    if (error.code == ErrorCode::overlap) {
+      // From slots to the order given. The same polygon twice overlaps itself: then the second place is meant.
+      const auto placeOf = [&](std::int32_t slot, std::size_t from) {
+        const auto at = std::find(given.begin() + static_cast<std::ptrdiff_t>(from), given.end(),
+                                  sorted[static_cast<std::size_t>(slot)]);
+        return static_cast<std::int32_t>(at - given.begin());
+      };
+      const std::int32_t a = placeOf(error.polygon, 0);
+      const bool twice = sorted[static_cast<std::size_t>(error.polygon)] == sorted[static_cast<std::size_t>(error.polygon2)];
+      const std::int32_t b = placeOf(error.polygon2, twice ? static_cast<std::size_t>(a) + 1 : 0);
+      error.polygon = std::max(a, b);
+      error.polygon2 = std::min(a, b);
+    }
+    return tl::unexpected(error);
+  }
+  use(*content);
+  for (const PolygonId id : given) acquire(polygons_[id]->users);
+  shapes_.push_back(std::make_unique<InternedShape>(InternedShape{*content, given}));
+  const ShapeId id{static_cast<std::uint32_t>(shapes_.size())};
+  shapeIndex_.emplace(given, id);
+  return id;
+}
+
+void Catalogue::collect() {
+  const std::size_t held = contents_.size() - freeContents_.size() + polygons_.size() - freePolygons_.size();
+  if (unused_ < 1024 || 2 * unused_ < held) return;
+  for (ContentId id = 1; id < contents_.size(); ++id)
+    if (contents_[id]->users == 0 && !contents_[id]->polygons.empty()) forgetContent(id);
+  for (PolygonId id = 0; id < polygons_.size(); ++id)
+    if (polygons_[id]->users == 0 && !polygons_[id]->vertices.empty()) forgetPolygon(id);
+}
+
+void Catalogue::forgetContent(ContentId id) {
+  InternedContent& content = *contents_[id];
+  contentIndex_.erase(content.hash, id);
+  for (const PolygonId polygon : content.polygons) {
+    drop(polygons_[polygon]->users);
+    if (polygons_[polygon]->sole == id) polygons_[polygon]->sole = kEmptyContent;
+  }
+  content = InternedContent{};
+  --unused_;
+  freeContents_.push_back(id);
+}
+
+void Catalogue::forgetPolygon(PolygonId id) {
+  polygonIndex_.erase(polygons_[id]->hash, id);
+  *polygons_[id] = InternedPolygon{};
+  --unused_;
+  freePolygons_.push_back(id);
+}
+
+std::uint64_t Catalogue::bytes() const {
+  std::uint64_t sum = polygonIndex_.bytes() + contentIndex_.bytes();
+  const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
+  for (const auto& p : polygons_) sum += sizeof p + sizeof *p + of(p->vertices);
+  for (const auto& c : contents_) {
+    sum += sizeof c + sizeof *c + of(c->polygons) + of(c->preserved) + of(c->interior) + of(c->spokes) + of(c->contacts);
+    for (const Side& side : c->sides) sum += of(side.covered) + of(side.points);
+  }
+  for (const auto& s : shapes_) sum += sizeof s + sizeof *s + 2 * of(s->polygons);
+  return sum + of(freePolygons_) + of(freeContents_);
+}
+
+}  // namespace lgs::detail

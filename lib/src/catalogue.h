@@ -1,0 +1,92 @@
+// The interned polygons, cell contents and shapes of a world. Cell contents repeat: a content is validated and worked
+// out once, and a cell stores its number.
+#pragma once
+
+#include "content.h"
+#include "hash_index.h"
+
+#include <lgs/error.h>
+#include <lgs/ids.h>
+
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace lgs::detail {
+
+using PolygonId = std::uint32_t;
+using ContentId = std::uint32_t;
+inline constexpr ContentId kEmptyContent = 0;
+inline constexpr ContentId kMaxContent = (1u << 23) - 1;  ///< a cell's word has 23 bits for it
+
+/// A content with its name: the polygons in order of id, which is the order of slots, and the pairs kept apart.
+struct InternedContent : Content {
+  std::vector<PolygonId> polygons;
+  std::vector<std::pair<Slot, Slot>> preserved;
+  std::uint64_t hash = 0;
+  std::uint32_t users = 0;  ///< cells and shapes; a content without users may be forgotten
+};
+
+struct InternedShape {
+  ContentId content = kEmptyContent;  ///< with nothing preserved
+  std::vector<PolygonId> polygons;    ///< in the order given
+};
+
+class Catalogue {
+ public:
+  Catalogue();
+
+  const InternedContent& content(ContentId id) const { return *contents_[id]; }
+  PolygonView vertices(PolygonId id) const { return polygons_[id]->vertices; }
+  const InternedShape* shape(ShapeId id) const;
+
+  /// The polygon with these vertices, validated if it is new.
+  Expected<PolygonId> internPolygon(PolygonView vertices);
+  /// The content of a cell with only this polygon.
+  Expected<ContentId> internSole(PolygonId polygon);
+  Expected<ShapeId> internShape(std::span<const PolygonId> polygons);
+
+  /// The content with these polygons, in increasing order of id; those marked in `known` are already known to be
+  /// disjoint from each other. An overlap is reported with the slots of both as `polygon` and `polygon2`.
+  Expected<ContentId> internContent(std::span<const PolygonId> polygons, std::span<const std::uint8_t> known,
+                                    std::span<const std::pair<Slot, Slot>> preserved);
+
+  void use(ContentId id, std::uint32_t times = 1) { acquire(contents_[id]->users, times); }
+  void release(ContentId id) { drop(contents_[id]->users); }
+
+  /// Forgets the contents and polygons that nothing uses, once they are many. Amortised O(1) for each that was made.
+  void collect();
+
+  std::uint64_t contentCount() const { return contents_.size() - 1 - freeContents_.size(); }
+  std::uint64_t shapeCount() const { return shapes_.size(); }
+  std::uint64_t bytes() const;
+
+ private:
+  struct InternedPolygon {
+    std::vector<LocalPoint> vertices;
+    std::uint64_t hash = 0;
+    std::uint32_t users = 0;  ///< contents and shapes
+    ContentId sole = kEmptyContent;
+  };
+
+  void acquire(std::uint32_t& users, std::uint32_t times = 1) {
+    unused_ -= users == 0;
+    users += times;
+  }
+  void drop(std::uint32_t& users) { unused_ += --users == 0; }
+  void forgetContent(ContentId id);
+  void forgetPolygon(PolygonId id);
+
+  std::vector<std::unique_ptr<InternedPolygon>> polygons_;
+  std::vector<std::unique_ptr<InternedContent>> contents_;
+  std::vector<std::unique_ptr<InternedShape>> shapes_;
+  std::map<std::vector<PolygonId>, ShapeId> shapeIndex_;
+  HashIndex polygonIndex_;
+  HashIndex contentIndex_;
+  std::vector<PolygonId> freePolygons_;
+  std::vector<ContentId> freeContents_;
+  std::size_t unused_ = 0;  ///< contents and polygons without users
+};
+
+}  // namespace lgs::detail

@@ -1,0 +1,164 @@
+#include "content.h"
+
+#include "predicates.h"
+#include "radial_match.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace lgs::detail {
+namespace {
+
+/// A polygon edge between two neighbouring vertices of the cell.
+struct AtomicEdge {
+  LocalPoint start;
+  LocalPoint end;
+  Slot slot;
+  friend auto operator<=>(const AtomicEdge&, const AtomicEdge&) = default;
+};
+
+std::vector<LocalPoint> allVertices(std::span<const PolygonView> polygons) {
+  std::vector<LocalPoint> vertices;
+  for (const PolygonView polygon : polygons) vertices.insert(vertices.end(), polygon.begin(), polygon.end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+/// Every polygon edge, cut at every vertex that lies on it; sorted by start, then end.
+std::vector<AtomicEdge> atomicEdges(std::span<const PolygonView> polygons, std::span<const LocalPoint> vertices) {
+  std::vector<AtomicEdge> edges;
+  std::vector<LocalPoint> cuts;
+  for (std::size_t slot = 0; slot < polygons.size(); ++slot) {
+    const PolygonView polygon = polygons[slot];
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const LocalPoint a = polygon[i], b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+      cuts.assign({a, b});
+      std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(cuts),
+                   [&](LocalPoint v) { return isInside(v, a, b); });
+      std::sort(cuts.begin(), cuts.end(), [&](auto u, auto v) { return dot(u - a, b - a) < dot(v - a, b - a); });
+      for (std::size_t k = 1; k < cuts.size(); ++k) edges.push_back({cuts[k - 1], cuts[k], static_cast<Slot>(slot)});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+bool isOnSide(unsigned side, LocalPoint p) { return pointAt(side, along(side, p)) == p; }
+
+/// The side that an edge lies along, or kSides.
+unsigned sideOf(const AtomicEdge& edge) {
+  for (unsigned side = 0; side < kSides; ++side)
+    if (isOnSide(side, edge.start) && isOnSide(side, edge.end)) return side;
+  return kSides;
+}
+
+bool isOnRim(LocalPoint p) { return p.x == 0 || p.y == 0 || p.x == kUnitsPerCell || p.y == kUnitsPerCell; }
+
+void fillSides(Content& content, std::span<const AtomicEdge> edges, std::span<const LocalPoint> vertices) {
+  for (unsigned s = 0; s < kSides; ++s) {
+    Side& side = content.sides[s];
+    for (const AtomicEdge& edge : edges) {
+      if (sideOf(edge) != s) continue;
+      const std::int32_t a = along(s, edge.start), b = along(s, edge.end);
+      side.covered.push_back({std::min(a, b), std::max(a, b), edge.slot});
+    }
+    std::sort(side.covered.begin(), side.covered.end(), [](auto& a, auto& b) { return a.begin < b.begin; });
+    for (const LocalPoint v : vertices)
+      if (isOnSide(s, v) && along(s, v) > 0 && along(s, v) < kUnitsPerCell) side.points.push_back({along(s, v), {}});
+    // `vertices` is sorted by x, then y, so the points of each side are in increasing order already.
+    if (side.covered.empty() && side.points.empty())
+      content.cover[s] = Cover::none;
+    else if (side.covered.size() == 1 && side.points.empty())
+      content.cover[s] = Cover::whole;
+    else
+      content.cover[s] = Cover::mixed;
+  }
+}
+
+/// Law 1 inside the cell.
+void fillInterior(Content& content, std::span<const AtomicEdge> edges,
+                  std::span<const std::pair<Slot, Slot>> preserved) {
+  for (const AtomicEdge& edge : edges) {
+    if (sideOf(edge) != kSides) continue;
+    const AtomicEdge reversed{edge.end, edge.start, 0};
+    const auto facing = std::lower_bound(edges.begin(), edges.end(), reversed);
+    if (facing != edges.end() && facing->start == reversed.start && facing->end == reversed.end) {
+      const std::pair<Slot, Slot> contact = std::minmax(edge.slot, facing->slot);
+      content.contacts.push_back(contact);
+      if (!std::binary_search(preserved.begin(), preserved.end(), contact)) continue;
+    }
+    content.interior.push_back({edge.start, edge.end, InteriorSegment::kRim, InteriorSegment::kRim, edge.slot});
+  }
+  auto& contacts = content.contacts;
+  std::sort(contacts.begin(), contacts.end());
+  contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
+}
+
+/// The interior half-edges at a vertex, counter-clockwise from the direction `from`.
+std::vector<Spoke> fanAt(const Content& content, LocalPoint v, Vector from) {
+  struct Directed {
+    Vector direction;
+    Spoke spoke;
+  };
+  std::vector<Directed> directed;
+  for (std::uint32_t k = 0; k < content.interior.size(); ++k) {
+    const InteriorSegment& s = content.interior[k];
+    if (s.start == v) directed.push_back({s.end - v, {k, 0, true}});
+    if (s.end == v) directed.push_back({s.start - v, {k, 0, false}});
+  }
+  // Turn the plane so that `from` lies along the x axis.
+  const auto turned = [&](Vector d) { return Vector{dot(from, d), cross(from, d)}; };
+  std::stable_sort(directed.begin(), directed.end(),
+                   [&](auto& a, auto& b) { return angleLess(turned(a.direction), turned(b.direction)); });
+  std::vector<Spoke> fan;
+  for (std::size_t k = 0; k < directed.size(); ++k) {
+    Spoke spoke = directed[k].spoke;
+    if (k > 0) spoke.direction = fan.back().direction + !sameDirection(directed[k - 1].direction, directed[k].direction);
+    fan.push_back(spoke);
+  }
+  return fan;
+}
+
+SpokeRange storeRimFan(Content& content, LocalPoint v, Vector from) {
+  const auto first = static_cast<std::uint32_t>(content.spokes.size());
+  for (const Spoke& s : fanAt(content, v, from)) content.spokes.push_back({s.segment, s.direction, s.outgoing});
+  return {first, static_cast<std::uint32_t>(content.spokes.size()) - first};
+}
+
+/// Law 2 at the vertices inside the cell.
+void linkInside(Content& content, std::span<const LocalPoint> vertices) {
+  for (const LocalPoint v : vertices) {
+    if (isOnRim(v)) continue;
+    radialMatch(
+        fanAt(content, v, {1, 0}), InteriorSegment::kNone,
+        [&](std::uint32_t s, std::uint32_t other) { content.interior[s].predecessor = other; },
+        [&](std::uint32_t s, std::uint32_t other) { content.interior[s].successor = other; });
+  }
+}
+
+/// At a rim vertex the cell's interior directions start, counter-clockwise, after the side that leaves the vertex
+/// (edges along the rim run counter-clockwise too).
+constexpr std::array<Vector, 4> kSideDirections{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+
+}  // namespace
+
+Content buildContent(std::span<const PolygonView> polygons, std::span<const std::pair<Slot, Slot>> preserved) {
+  const std::vector<LocalPoint> vertices = allVertices(polygons);
+  const std::vector<AtomicEdge> edges = atomicEdges(polygons, vertices);
+  Content content;
+  fillSides(content, edges, vertices);
+  fillInterior(content, edges, preserved);
+  linkInside(content, vertices);
+  for (unsigned s = 0; s < kSides; ++s) {
+    content.corners[s] = storeRimFan(content, kCorners[s], kSideDirections[s]);
+    for (RimPoint& point : content.sides[s].points)
+      point.spokes = storeRimFan(content, pointAt(s, point.at), kSideDirections[s]);
+    content.hasRimPoints |= !content.sides[s].points.empty();
+  }
+  content.coversCell = content.interior.empty() && std::all_of(content.cover.begin(), content.cover.end(),
+                                                               [](Cover c) { return c == Cover::whole; });
+  return content;
+}
+
+}  // namespace lgs::detail

@@ -1,0 +1,108 @@
+// What a cell contains, worked out once for all cells that contain the same: cut, cancelled and linked inside the cell,
+// and prepared for its four sides (phase 1) and the vertices on its rim (phase 2).
+#pragma once
+
+#include "polygon.h"
+
+#include <lgs/lattice.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace lgs::detail {
+
+/// Index of a polygon in its cell's content.
+using Slot = std::uint16_t;
+
+/// The four sides, counter-clockwise; edges along them run in this direction too: south to the right, east up, …
+enum SideIndex : unsigned { kSouth, kEast, kNorth, kWest, kSides };
+
+constexpr unsigned opposite(unsigned side) { return (side + 2) % kSides; }
+constexpr bool isVertical(unsigned side) { return side % 2 == 1; }
+
+/// Corners, counter-clockwise; corner k is where side k starts.
+constexpr std::array<LocalPoint, 4> kCorners{
+    {{0, 0}, {kUnitsPerCell, 0}, {kUnitsPerCell, kUnitsPerCell}, {0, kUnitsPerCell}}};
+
+/// The position along a side (by increasing x or y) of a point on it, and back.
+constexpr std::int32_t along(unsigned side, LocalPoint p) { return isVertical(side) ? p.y : p.x; }
+constexpr LocalPoint pointAt(unsigned side, std::int32_t at) {
+  switch (side) {
+    case kSouth: return {at, 0};
+    case kEast: return {kUnitsPerCell, at};
+    case kNorth: return {at, kUnitsPerCell};
+    default: return {0, at};
+  }
+}
+/// Whether edges along this side run towards increasing x or y.
+constexpr bool runsForward(unsigned side) { return side == kSouth || side == kEast; }
+
+/// An exposed atomic edge that does not lie along the rim.
+struct InteriorSegment {
+  static constexpr std::uint32_t kNone = 0xffff'ffff;  ///< no candidate
+  static constexpr std::uint32_t kRim = 0xffff'fffe;   ///< that end is on the rim: linked at run time
+  LocalPoint start;
+  LocalPoint end;
+  std::uint32_t predecessor = kRim;  ///< index in Content::interior
+  std::uint32_t successor = kRim;
+  Slot slot = 0;
+};
+
+/// A half-edge of an interior segment at a rim vertex.
+struct InteriorSpoke {
+  std::uint32_t segment = 0;    ///< index in Content::interior
+  std::uint32_t direction = 0;  ///< rank among the directions at this vertex
+  bool outgoing = false;
+};
+
+/// Interior half-edges at one rim vertex, counter-clockwise: Content::spokes[first … first + count).
+struct SpokeRange {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
+/// A part of a side covered by one polygon, between two neighbouring vertices.
+struct Interval {
+  std::int32_t begin = 0;
+  std::int32_t end = 0;
+  Slot slot = 0;
+};
+
+/// A vertex in the open side.
+struct RimPoint {
+  std::int32_t at = 0;
+  SpokeRange spokes;
+};
+
+enum class Cover : std::uint8_t {
+  none,   ///< no polygon touches the open side
+  whole,  ///< one edge of one polygon from corner to corner
+  mixed,  ///< anything else
+};
+
+struct Side {
+  std::vector<Interval> covered;  ///< in increasing order, disjoint
+  std::vector<RimPoint> points;   ///< in increasing order
+};
+
+struct Content {
+  std::array<Cover, 4> cover{};
+  bool coversCell = false;  ///< all four sides whole and nothing exposed inside: buried where its neighbours are alike
+  bool hasRimPoints = false;
+  std::array<SpokeRange, 4> corners{};
+  std::vector<InteriorSegment> interior;  ///< sorted by start, then end
+  std::vector<InteriorSpoke> spokes;
+  std::array<Side, 4> sides;
+  std::vector<std::pair<Slot, Slot>> contacts;  ///< polygons that share an edge inside the cell, smaller slot first
+
+  std::span<const InteriorSpoke> at(SpokeRange range) const { return {spokes.data() + range.first, range.count}; }
+};
+
+/// Works out the content of a cell that holds these polygons (without defects, interiors disjoint). Overlaps inside the
+/// cell between the pairs of slots in `preserved` (sorted, smaller first) are kept. Cost: O(n²) in the vertices.
+Content buildContent(std::span<const PolygonView> polygons, std::span<const std::pair<Slot, Slot>> preserved);
+
+}  // namespace lgs::detail

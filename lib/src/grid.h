@@ -1,0 +1,235 @@
+// The cells: sparse chunks of 32×32, found through a hash index and linked to their eight neighbours.
+//
+// What a cell costs follows from what it holds. One word (4 bytes) names the content of a cell with at most one polygon
+// and no segments, buried or empty; the blocks of a chunk are one number while they are all the same, and an array (4
+// bytes a cell) from then on. A cell with segments, with several polygons, or edited more than 255 times has a
+// CellRecord.
+#pragma once
+
+#include "catalogue.h"
+#include "hash_index.h"
+#include "record_arena.h"
+
+#include <lgs/ids.h>
+#include <lgs/lattice.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace lgs::detail {
+
+inline constexpr std::int32_t kChunkSize = 32;
+inline constexpr std::uint32_t kChunkCells = kChunkSize * kChunkSize;
+
+/// Serial numbers of the polygons of one cell start at 1 and are never used twice; a segment has 28 bits for one.
+inline constexpr std::uint32_t kMaxSerial = (1u << 28) - 1;
+
+/// The place of a cell in its chunk.
+constexpr std::uint32_t localOf(Cell cell) {
+  return static_cast<std::uint32_t>((cell.j & (kChunkSize - 1)) * kChunkSize + (cell.i & (kChunkSize - 1)));
+}
+
+using RowMask = std::uint32_t;  ///< one bit a cell of a row of a chunk
+
+struct Chunk {
+  std::int32_t ci = 0;  ///< chunk coordinates: cell >> 5
+  std::int32_t cj = 0;
+  std::uint32_t index = 0;
+  RowMask dirtyRows = 0;  ///< rows with a dirty cell
+  std::array<Chunk*, 9> around{};  ///< [3·(dj+1) + di+1]; null where there is none
+  std::array<RowMask, kChunkSize> dirty{};    ///< edited since the last commit
+  std::array<RowMask, kChunkSize> covered{};  ///< Content::coversCell
+  std::array<RowMask, kChunkSize> rimmed{};   ///< Content::hasRimPoints
+  std::array<RowMask, kChunkSize> live{};     ///< has segments
+  Block commonBlock = 0;  ///< of all compact cells, while `blocks` is null
+  bool hasBlock = false;  ///< commonBlock has been set
+  std::unique_ptr<Block[]> blocks;
+  std::array<std::uint32_t, kChunkCells> cells{};
+
+  Block block(std::uint32_t local) const { return blocks ? blocks[local] : commonBlock; }
+  Cell cell(std::uint32_t local) const {
+    return {ci * kChunkSize + static_cast<std::int32_t>(local % kChunkSize),
+            cj * kChunkSize + static_cast<std::int32_t>(local / kChunkSize)};
+  }
+  std::uint32_t ref(std::uint32_t local) const { return index * kChunkCells + local; }
+};
+
+/// A polygon of a cell.
+struct Placed {
+  std::uint32_t serial = 0;
+  Block block = 0;
+};
+
+/// The parts of a cell's segments, in the order in which its record lists them.
+enum Part : unsigned { kInterior, kSouthPart, kEastPart, kNorthPart, kWestPart, kParts };
+constexpr unsigned partOf(unsigned side) { return side + 1; }
+
+using PartEnds = std::array<std::uint16_t, kParts>;
+
+/// In memory followed by, if `polygons` is not kCompact, the last serial given out and `polygons` × Placed in order of
+/// slots; then by the segment ids, part after part, each part in order of start.
+struct CellRecord {
+  static constexpr std::uint16_t kCompact = 0xffff;
+  std::uint32_t state = 0;  ///< as the word of a cell without record
+  PartEnds end{};           ///< where each part ends among the ids
+  std::uint16_t polygons = kCompact;
+};
+static_assert(sizeof(CellRecord) == 16);
+
+/// A cell of an existing chunk.
+struct CellAt {
+  Chunk* chunk = nullptr;
+  std::uint32_t local = 0;
+
+  std::uint32_t& word() const { return chunk->cells[local]; }
+  std::uint32_t row() const { return local / kChunkSize; }
+  RowMask bit() const { return RowMask{1} << local % kChunkSize; }
+  explicit operator bool() const { return chunk != nullptr; }
+
+};
+
+/// The cell in column x and row y of a chunk; both may be off by one chunk. Without chunk where there is none.
+inline CellAt cellAt(Chunk& chunk, std::int32_t x, std::int32_t y) {
+  const std::int32_t di = x >> 5, dj = y >> 5;
+  return {di == 0 && dj == 0 ? &chunk : chunk.around[static_cast<std::size_t>(3 * dj + di + 4)], localOf({x, y})};
+}
+
+/// The cell across one side.
+inline CellAt across(CellAt at, unsigned side) {
+  constexpr std::array<std::int32_t, 4> di{0, 1, 0, -1}, dj{-1, 0, 1, 0};
+  return cellAt(*at.chunk, static_cast<std::int32_t>(at.local % kChunkSize) + di[side],
+                static_cast<std::int32_t>(at.local / kChunkSize) + dj[side]);
+}
+
+/// The chunks that a rectangle of cells (not empty) reaches.
+struct ChunkRect {
+  explicit ChunkRect(const CellRect& r) : i0(r.min.i >> 5), j0(r.min.j >> 5), i1(r.max.i >> 5), j1(r.max.j >> 5) {}
+  std::int32_t i0, j0, i1, j1;
+  std::uint64_t count() const {
+    return (static_cast<std::uint64_t>(i1 - i0) + 1) * (static_cast<std::uint64_t>(j1 - j0) + 1);
+  }
+};
+
+class Grid {
+ public:
+  CellAt find(Cell cell) const;
+  /// Makes the chunk if need be; no chunk when there are kMaxChunks already.
+  CellAt obtain(Cell cell);
+  /// The cell that a handle or a segment names; no chunk where the number is none of ours.
+  CellAt find(std::uint32_t cellRef) const {
+    const std::uint32_t index = cellRef / kChunkCells;
+    if (index == 0 || index >= chunks_.size()) return {};
+    return {chunks_[index].get(), cellRef % kChunkCells};
+  }
+  Cell cellOf(std::uint32_t cellRef) const { return chunks_[cellRef / kChunkCells]->cell(cellRef % kChunkCells); }
+  std::span<const std::unique_ptr<Chunk>> chunks() const { return std::span(chunks_).subspan(1); }
+
+  /// Calls visit(CellAt, Cell) for the cells of a rectangle whose chunks exist: chunk by chunk, each by rows. Cost: in
+  /// proportion to those cells and to the chunks in the rectangle or in the world, whichever are fewer.
+  template <class Visit>
+  void forEachCell(const CellRect& cells, Visit&& visit) const {
+    const auto visitChunk = [&](Chunk& chunk) {
+      const std::int32_t i = chunk.ci * kChunkSize, j = chunk.cj * kChunkSize;
+      for (Cell c{0, std::max(j, cells.min.j)}; c.j <= std::min(j + kChunkSize - 1, cells.max.j); ++c.j)
+        for (c.i = std::max(i, cells.min.i); c.i <= std::min(i + kChunkSize - 1, cells.max.i); ++c.i)
+          visit(CellAt{&chunk, localOf(c)}, c);
+    };
+    const ChunkRect reach(cells);
+    if (reach.count() > chunks().size()) {
+      for (const auto& chunk : chunks()) visitChunk(*chunk);
+      return;
+    }
+    for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
+      for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci)
+        if (const CellAt at = find(Cell{ci * kChunkSize, cj * kChunkSize})) visitChunk(*at.chunk);
+  }
+
+  // --- The polygons of a cell
+
+  ContentId content(CellAt cell) const { return state(cell) >> kSerialBits; }
+  /// The polygon in a slot of the cell's content.
+  Placed placed(CellAt cell, Slot slot) const {
+    const CellRecord* r = record(cell);
+    if (r && r->polygons != CellRecord::kCompact) return polygonsOf(r)[slot];
+    return {state(cell) & kSerialMask, cell.chunk->block(cell.local)};
+  }
+  /// The last serial given out in the cell.
+  std::uint32_t lastSerial(CellAt cell) const;
+
+  /// Whether placeSole() can make a polygon the cell's only one: it is empty and few were placed there before.
+  bool takesSole(CellAt cell) const {
+    const std::uint32_t s = state(cell);
+    return s < kSerialMask && !isExplicit(cell);
+  }
+  /// Makes `content`, of one polygon, that of a cell that takesSole(). Returns the polygon's serial.
+  std::uint32_t placeSole(CellAt cell, ContentId content, Block block) {
+    std::uint32_t& word = stateWord(cell);
+    word = content << kSerialBits | (word + 1);
+    setBlock(*cell.chunk, cell.local, block);
+    return word & kSerialMask;
+  }
+  /// Makes `content` that of a cell, its slots filled by `polygons`; or empties it.
+  void setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons);
+
+  // --- The segments of a cell, as of the last commit
+
+  bool hasSegments(CellAt cell) const { return (cell.chunk->live[cell.row()] & cell.bit()) != 0; }
+  /// All of them, and where each part ends. The view is valid until the cell changes.
+  std::span<const std::uint32_t> segments(CellAt cell) const;
+  std::span<const std::uint32_t> segments(CellAt cell, unsigned part) const;
+  PartEnds partEnds(CellAt cell) const;
+  void setSegments(CellAt cell, std::span<const std::uint32_t> ids, const PartEnds& ends);
+
+  std::uint64_t bytes() const;
+
+ private:
+  static constexpr std::uint32_t kRecordBit = 1u << 31;  // in a cell's word: the rest is a reference to a CellRecord
+  static constexpr std::uint32_t kSerialBits = 8;        // in a state: the last serial; above it the content
+  static constexpr std::uint32_t kSerialMask = (1u << kSerialBits) - 1;
+  static constexpr std::uint32_t kHeaderWords = sizeof(CellRecord) / sizeof(std::uint32_t);
+
+  CellRecord* record(CellAt cell) const {
+    const std::uint32_t word = cell.word();
+    return word & kRecordBit ? reinterpret_cast<CellRecord*>(records_.at(word & ~kRecordBit)) : nullptr;
+  }
+  std::uint32_t& stateWord(CellAt cell) const {
+    CellRecord* r = record(cell);
+    return r ? r->state : cell.word();
+  }
+  std::uint32_t state(CellAt cell) const { return stateWord(cell); }
+  bool isExplicit(CellAt cell) const {
+    const CellRecord* r = record(cell);
+    return r && r->polygons != CellRecord::kCompact;
+  }
+
+  static std::uint32_t prefixWords(const CellRecord* r) {
+    return kHeaderWords + (r->polygons == CellRecord::kCompact ? 0u : 1u + 2u * r->polygons);
+  }
+  static std::uint32_t* words(const CellRecord* r) {
+    return reinterpret_cast<std::uint32_t*>(const_cast<CellRecord*>(r));
+  }
+  static const Placed* polygonsOf(const CellRecord* r) {
+    return reinterpret_cast<const Placed*>(words(r) + kHeaderWords + 1);
+  }
+
+  static void setBlock(Chunk& chunk, std::uint32_t local, Block block) {
+    if (chunk.blocks) {
+      chunk.blocks[local] = block;
+    } else if (chunk.commonBlock != block || !chunk.hasBlock) {
+      setFirstOtherBlock(chunk, local, block);
+    }
+  }
+  static void setFirstOtherBlock(Chunk& chunk, std::uint32_t local, Block block);
+  void link(Chunk& chunk);
+
+  std::vector<std::unique_ptr<Chunk>> chunks_ = std::vector<std::unique_ptr<Chunk>>(1);  // index 0 names no chunk
+  HashIndex index_;
+  RecordArena records_;
+  mutable Chunk* last_ = nullptr;  // edits come in neighbourhoods
+};
+
+}  // namespace lgs::detail

@@ -1,0 +1,82 @@
+// An open-addressing index from 64-bit hashes to the numbers of things stored elsewhere; linear probing, a power of two
+// of places, at most half of them taken. It serves three tables (polygons, contents, chunks) whose look-ups are on the
+// path of every edit: one cache line each, where std::unordered_map chases nodes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace lgs::detail {
+
+/// Mixes one more word into a hash (the finaliser of MurmurHash3, Appleby 2011).
+constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
+  std::uint64_t h = (hash ^ word) * 0xff51afd7ed558ccdULL;
+  h = (h ^ (h >> 33)) * 0xc4ceb9fe1a85ec53ULL;
+  return h ^ (h >> 33);
+}
+
+class HashIndex {
+ public:
+  static constexpr std::uint32_t kNone = 0xffff'ffff;
+
+  /// The number stored under this hash for which `matches(number)` holds, or kNone.
+  template <class Matches>
+  std::uint32_t find(std::uint64_t hash, Matches&& matches) const {
+    if (places_.empty()) return kNone;
+    for (std::size_t at = hash & mask();; at = (at + 1) & mask()) {
+      const Place& place = places_[at];
+      if (place.number == kNone) return kNone;
+      if (place.hash == hash && matches(place.number)) return place.number;
+    }
+  }
+
+  /// Adds a number that is not there yet.
+  void insert(std::uint64_t hash, std::uint32_t number) {
+    if (2 * (count_ + 1) > places_.size()) grow();
+    place({number, hash});
+    ++count_;
+  }
+
+  /// Removes a number that is there, closing the gap it leaves (Knuth, TAOCP 3, 6.4, Algorithm R).
+  void erase(std::uint64_t hash, std::uint32_t number) {
+    std::size_t gap = hash & mask();
+    while (places_[gap].number != number) gap = (gap + 1) & mask();
+    for (std::size_t at = (gap + 1) & mask(); places_[at].number != kNone; at = (at + 1) & mask()) {
+      const std::size_t home = places_[at].hash & mask();
+      if (((at - home) & mask()) < ((at - gap) & mask())) continue;
+      places_[gap] = places_[at];
+      gap = at;
+    }
+    places_[gap] = Place{};
+    --count_;
+  }
+
+  std::uint64_t bytes() const { return places_.capacity() * sizeof(Place); }
+
+ private:
+  struct Place {
+    std::uint32_t number = kNone;
+    std::uint64_t hash = 0;
+  };
+
+  std::size_t mask() const { return places_.size() - 1; }
+
+  void place(const Place& entry) {
+    std::size_t at = entry.hash & mask();
+    while (places_[at].number != kNone) at = (at + 1) & mask();
+    places_[at] = entry;
+  }
+
+  void grow() {
+    std::vector<Place> old(places_.empty() ? 16 : 2 * places_.size());
+    old.swap(places_);
+    for (const Place& entry : old)
+      if (entry.number != kNone) place(entry);
+  }
+
+  std::vector<Place> places_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace lgs::detail

@@ -1,0 +1,74 @@
+// Memory for small records of varying size, in words of 32 bits, named by 32-bit references that stay valid until
+// released. Pages never move, so growing copies nothing; released records are reused by size, last one first.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+namespace lgs::detail {
+
+class RecordArena {
+ public:
+  using Ref = std::uint32_t;
+  static constexpr std::uint32_t kPageWords = 1u << 16;  ///< the largest record, and no record crosses a page
+  static constexpr std::size_t kMaxPages = (std::size_t{1} << 31) / kPageWords;
+
+  Ref allocate(std::uint32_t words) {
+    const std::uint32_t size = roundUp(words);
+    Ref& head = free_[sizeClass(size)];
+    if (head != kNone) {
+      const Ref ref = head;
+      std::memcpy(&head, at(ref), sizeof head);
+      return ref;
+    }
+    if (pages_.empty() || used_ + size > kPageWords) {
+      if (pages_.size() == kMaxPages) std::abort();  // 8 GiB of records: treated as running out of memory
+      pages_.push_back(std::make_unique_for_overwrite<std::byte[]>(kPageWords * kWord));
+      used_ = 0;
+    }
+    const Ref ref = static_cast<Ref>((pages_.size() - 1) * kPageWords + used_);
+    used_ += size;
+    return ref;
+  }
+
+  void release(Ref ref, std::uint32_t words) {
+    Ref& head = free_[sizeClass(roundUp(words))];
+    std::memcpy(at(ref), &head, sizeof head);
+    head = ref;
+  }
+
+  /// Whether a record of one size can be overwritten by one of the other.
+  static bool sameSize(std::uint32_t a, std::uint32_t b) { return roundUp(a) == roundUp(b); }
+
+  std::byte* at(Ref ref) const { return pages_[ref / kPageWords].get() + (ref % kPageWords) * kWord; }
+
+  std::uint64_t bytes() const { return pages_.size() * (kPageWords * kWord + sizeof pages_[0]); }
+
+ private:
+  static constexpr Ref kNone = 0xffff'ffff;
+  static constexpr std::size_t kWord = sizeof(std::uint32_t);
+  static constexpr std::uint32_t kExact = 32;  // exact sizes up to here, then powers of two
+  static constexpr std::size_t kClasses = kExact + 12;
+
+  static constexpr std::uint32_t roundUp(std::uint32_t words) { return words <= kExact ? words : std::bit_ceil(words); }
+  static constexpr std::size_t sizeClass(std::uint32_t size) {
+    return size <= kExact ? size : kExact + static_cast<std::size_t>(std::bit_width(size)) - 6;
+  }
+  static constexpr std::array<Ref, kClasses> noneFree() {
+    std::array<Ref, kClasses> heads{};
+    heads.fill(kNone);
+    return heads;
+  }
+
+  std::vector<std::unique_ptr<std::byte[]>> pages_;
+  std::uint32_t used_ = 0;
+  std::array<Ref, kClasses> free_ = noneFree();
+};
+
+}  // namespace lgs::detail

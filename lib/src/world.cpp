@@ -1,0 +1,105 @@
+// The public face of a World: forwards to its parts, and turns foreign coordinates into lattice points.
+#include "world_impl.h"
+
+#include <cmath>
+
+namespace lgs {
+namespace {
+
+std::int32_t roundToLattice(double cells) {
+  const double units = std::round(cells * kUnitsPerCell);
+  // Beyond the cell any value is as wrong as another; this one is an int.
+  if (units < 0) return -1;
+  if (units > kUnitsPerCell) return kUnitsPerCell + 1;
+  return static_cast<std::int32_t>(units);
+}
+
+template <class Real>
+Expected<PolygonHandle> addReal(World::Impl& world, Cell cell, std::span<const RealPoint<Real>> polygon, Block block,
+                                std::vector<LocalPoint>& rounded) {
+  rounded.clear();
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const auto [x, y] = polygon[k];
+    // The order of ErrorCode: what comes before notFinite is left to the engine to find.
+    if (inRange(cell) && polygon.size() >= 3 && polygon.size() <= kMaxVerticesPerCell &&
+        !(std::isfinite(x) && std::isfinite(y))) {
+      Error error;
+      error.code = ErrorCode::notFinite;
+      error.cell = cell;
+      error.hasCell = true;
+      error.polygon = 0;
+      error.vertex = static_cast<std::int32_t>(k);
+      return tl::unexpected(error);
+    }
+    rounded.push_back({roundToLattice(x), roundToLattice(y)});
+  }
+  return world.add(cell, rounded, block);
+}
+
+}  // namespace
+
+World::World(PreserveRelation preserve) : impl_(std::make_unique<Impl>(std::move(preserve))) {}
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+Expected<ShapeId> World::shape(std::span<const LocalPoint> polygon) { return impl_->shape({&polygon, 1}); }
+
+Expected<ShapeId> World::shape(std::span<const std::vector<LocalPoint>> polygons) {
+  const std::vector<detail::PolygonView> views(polygons.begin(), polygons.end());
+  return impl_->shape(views);
+}
+
+Expected<PolygonHandle> World::add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
+  return impl_->add(cell, shape, block, handles);
+}
+Expected<PolygonHandle> World::add(Cell cell, std::span<const LocalPoint> polygon, Block block) {
+  return impl_->add(cell, polygon, block);
+}
+Expected<PolygonHandle> World::add(Cell cell, std::span<const FloatPoint> polygon, Block block) {
+  return addReal(*impl_, cell, polygon, block, impl_->rounded);
+}
+Expected<PolygonHandle> World::add(Cell cell, std::span<const DoublePoint> polygon, Block block) {
+  return addReal(*impl_, cell, polygon, block, impl_->rounded);
+}
+Expected<void> World::remove(PolygonHandle polygon) { return impl_->remove(polygon); }
+Expected<std::uint64_t> World::fill(const CellRect& cells, ShapeId shape, Block block) {
+  return impl_->fill(cells, shape, block);
+}
+Expected<std::uint64_t> World::clear(const CellRect& cells) { return impl_->clear(cells); }
+const Changes& World::commit() { return impl_->commit(); }
+
+std::vector<PlacedPolygon> World::polygons(Cell cell) const {
+  std::vector<PlacedPolygon> out;
+  polygons(cell, out);
+  return out;
+}
+void World::polygons(Cell cell, std::vector<PlacedPolygon>& out) const { impl_->polygons(cell, out); }
+
+Expected<PlacedPolygon> World::polygon(PolygonHandle handle) const {
+  if (const auto found = impl_->polygon(handle)) return *found;
+  Error error;
+  error.code = ErrorCode::staleHandle;
+  error.other = handle;
+  return tl::unexpected(error);
+}
+
+Expected<Cell> World::cellOf(PolygonHandle handle) const {
+  return polygon(handle).map([&](const PlacedPolygon&) { return impl_->grid.cellOf(handle.cellRef); });
+}
+
+Expected<Segment> World::segment(SegmentId id) const {
+  if (impl_->segments.isLive(id.value)) return impl_->segment(id.value);
+  Error error;
+  error.code = ErrorCode::unknownSegment;
+  error.segment = id;
+  return tl::unexpected(error);
+}
+
+std::vector<SegmentId> World::segments() const { return impl_->liveSegments(); }
+std::vector<SegmentId> World::segments(const CellRect& cells) const { return impl_->segmentsIn(cells); }
+std::vector<Loop> World::loops(Collinear collinear) const { return impl_->loops(collinear); }
+std::uint32_t World::maxSegmentId() const { return impl_->segments.maxId(); }
+Stats World::stats() const { return impl_->stats(); }
+
+}  // namespace lgs

@@ -1,0 +1,87 @@
+// What a World is made of, and who owns what: the catalogue owns the contents, the grid the cells, the pool the
+// segments. Edits (edit.cpp) change cells and mark them dirty; a commit (commit.cpp) brings the segments up to date;
+// reading (read.cpp) changes nothing.
+#pragma once
+
+#include "catalogue.h"
+#include "grid.h"
+#include "radial_match.h"
+#include "segment_pool.h"
+
+#include <lgs/world.h>
+
+#include <optional>
+#include <vector>
+
+namespace lgs {
+
+struct World::Impl {
+  explicit Impl(PreserveRelation relation) : preserve(std::move(relation)) {}
+
+  // edit.cpp
+  Expected<ShapeId> shape(std::span<const detail::PolygonView> polygons);
+  Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles);
+  Expected<PolygonHandle> add(Cell cell, detail::PolygonView polygon, Block block);
+  Expected<void> remove(PolygonHandle polygon);
+  Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block);
+  Expected<std::uint64_t> clear(const CellRect& cells);
+
+  // commit.cpp
+  const Changes& commit();
+
+  // read.cpp
+  void polygons(Cell cell, std::vector<PlacedPolygon>& out) const;
+  std::optional<PlacedPolygon> polygon(PolygonHandle handle) const;
+  Segment segment(std::uint32_t id) const;
+  std::vector<SegmentId> liveSegments() const;
+  std::vector<SegmentId> segmentsIn(const CellRect& cells) const;
+  std::vector<Loop> loops(Collinear collinear) const;
+  void mergeCollinear(std::vector<Loop>& loops) const;
+  Stats stats() const;
+
+  std::optional<detail::Slot> slotOf(PolygonHandle handle) const;
+  bool keeps(Block a, Block b) const { return preserve && (a < b ? preserve(a, b) : preserve(b, a)); }
+  Point startOf(std::uint32_t id) const { return toWorld(grid.cellOf(segments[id].cellRef), segments[id].start()); }
+  Point endOf(std::uint32_t id) const { return toWorld(grid.cellOf(segments[id].cellRef), segments[id].end()); }
+
+  PreserveRelation preserve;
+  detail::Catalogue catalogue;
+  detail::Grid grid;
+  detail::SegmentPool segments;
+  std::vector<detail::Chunk*> dirtyChunks;  ///< in the order in which edits touched them
+  Changes changes;
+  std::vector<LocalPoint> rounded;  ///< of the polygon being added
+
+ private:
+  struct Contents;
+  /// A polygon of the cell that an edit is about.
+  struct Entry {
+    detail::PolygonId polygon = 0;
+    detail::Placed placed;
+    bool isOld = false;
+    std::int32_t index = 0;  ///< of a new one: its place among those given
+  };
+
+  void readEntries(detail::CellAt at);
+  Expected<detail::ContentId> contentOf();
+  Expected<Contents> withAdded(detail::CellAt at, std::span<const detail::PolygonId> added, Block block);
+  Expected<PolygonHandle> place(detail::CellAt at, Cell cell, std::span<const detail::PolygonId> polygons,
+                                detail::ContentId content, Block block, std::span<PolygonHandle> handles);
+  void apply(detail::CellAt at, const Contents& after);
+  void touch(detail::CellAt at, detail::ContentId content);
+
+  std::size_t workingBytes() const {
+    const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
+    return of(rounded, entries_, ids_, known_, kept_, commitIds_, commitFan_);
+  }
+
+  // Working memory of one edit or commit, kept to spare allocations.
+  std::vector<Entry> entries_;
+  std::vector<detail::PolygonId> ids_;
+  std::vector<std::uint8_t> known_;
+  std::vector<std::pair<detail::Slot, detail::Slot>> kept_;
+  std::vector<std::uint32_t> commitIds_;
+  std::vector<detail::Spoke> commitFan_;
+};
+
+}  // namespace lgs
