@@ -44,7 +44,7 @@ std::uint32_t store(std::vector<std::unique_ptr<T>>& table, std::vector<std::uin
 }  // namespace
 
 Catalogue::Catalogue() {
-  contents_.push_back(std::make_unique<InternedContent>());
+  contents_.push_back(std::make_unique<InternedContent>(InternedContent{buildContent({}, {}), {}, {}, 0, 0}));
   contents_[kEmptyContent]->users = 1;
 }
 
@@ -81,7 +81,8 @@ Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons
                                              std::span<const std::pair<Slot, Slot>> preserved) {
   const std::uint64_t hash = hashOf(polygons, preserved);
   const std::uint32_t found = contentIndex_.find(hash, [&](ContentId id) {
-    return std::ranges::equal(contents_[id]->polygons, polygons) && std::ranges::equal(contents_[id]->preserved, preserved);
+    return std::ranges::equal(contents_[id]->polygons, polygons) &&
+           std::ranges::equal(contents_[id]->preserved, preserved);
   });
   if (found != HashIndex::kNone) return found;
 
@@ -132,7 +133,8 @@ Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
         return static_cast<std::int32_t>(at - given.begin());
       };
       const std::int32_t a = placeOf(error.polygon, 0);
-      const bool twice = sorted[static_cast<std::size_t>(error.polygon)] == sorted[static_cast<std::size_t>(error.polygon2)];
+      const bool twice =
+          sorted[static_cast<std::size_t>(error.polygon)] == sorted[static_cast<std::size_t>(error.polygon2)];
       const std::int32_t b = placeOf(error.polygon2, twice ? static_cast<std::size_t>(a) + 1 : 0);
       error.polygon = std::max(a, b);
       error.polygon2 = std::min(a, b);
@@ -180,7 +182,8 @@ std::uint64_t Catalogue::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   for (const auto& p : polygons_) sum += sizeof p + sizeof *p + of(p->vertices);
   for (const auto& c : contents_) {
-    sum += sizeof c + sizeof *c + of(c->polygons) + of(c->preserved) + of(c->interior) + of(c->spokes) + of(c->contacts);
+    sum +=
+        sizeof c + sizeof *c + of(c->polygons) + of(c->preserved) + of(c->interior) + of(c->spokes) + of(c->contacts);
     for (const Side& side : c->sides) sum += of(side.covered) + of(side.points);
   }
   for (const auto& s : shapes_) sum += sizeof s + sizeof *s + 2 * of(s->polygons);

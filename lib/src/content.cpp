@@ -1,7 +1,6 @@
 #include "content.h"
 
 #include "predicates.h"
-#include "radial_match.h"
 
 #include <algorithm>
 #include <tuple>
@@ -73,6 +72,8 @@ void fillSides(Content& content, std::span<const AtomicEdge> edges, std::span<co
       content.cover[s] = Cover::whole;
     else
       content.cover[s] = Cover::mixed;
+    if (content.cover[s] == Cover::whole) content.wholeSlot[s] = side.covered[0].slot;
+    if (content.cover[s] != Cover::none) content.usedSides[content.usedSideCount++] = static_cast<std::uint8_t>(s);
   }
 }
 
@@ -88,7 +89,8 @@ void fillInterior(Content& content, std::span<const AtomicEdge> edges,
       content.contacts.push_back(contact);
       if (!std::binary_search(preserved.begin(), preserved.end(), contact)) continue;
     }
-    content.interior.push_back({edge.start, edge.end, InteriorSegment::kRim, InteriorSegment::kRim, edge.slot});
+    content.interior.push_back(
+        {PackedEnds::of(edge.start, edge.end), InteriorSegment::kRim, InteriorSegment::kRim, edge.slot});
   }
   auto& contacts = content.contacts;
   std::sort(contacts.begin(), contacts.end());
@@ -103,18 +105,20 @@ std::vector<Spoke> fanAt(const Content& content, LocalPoint v, Vector from) {
   };
   std::vector<Directed> directed;
   for (std::uint32_t k = 0; k < content.interior.size(); ++k) {
-    const InteriorSegment& s = content.interior[k];
-    if (s.start == v) directed.push_back({s.end - v, {k, 0, true}});
-    if (s.end == v) directed.push_back({s.start - v, {k, 0, false}});
+    const LocalPoint start = content.interior[k].ends.start(), end = content.interior[k].ends.end();
+    if (start == v) directed.push_back({end - v, {k, 0, 1}});
+    if (end == v) directed.push_back({start - v, {k, 0, 0}});
   }
   // Turn the plane so that `from` lies along the x axis.
   const auto turned = [&](Vector d) { return Vector{dot(from, d), cross(from, d)}; };
   std::stable_sort(directed.begin(), directed.end(),
                    [&](auto& a, auto& b) { return angleLess(turned(a.direction), turned(b.direction)); });
   std::vector<Spoke> fan;
+  std::uint32_t rank = 0;
   for (std::size_t k = 0; k < directed.size(); ++k) {
     Spoke spoke = directed[k].spoke;
-    if (k > 0) spoke.direction = fan.back().direction + !sameDirection(directed[k - 1].direction, directed[k].direction);
+    if (k > 0 && !sameDirection(directed[k - 1].direction, directed[k].direction)) ++rank;
+    spoke.direction = rank & kMaxDirection;
     fan.push_back(spoke);
   }
   return fan;
@@ -122,7 +126,7 @@ std::vector<Spoke> fanAt(const Content& content, LocalPoint v, Vector from) {
 
 SpokeRange storeRimFan(Content& content, LocalPoint v, Vector from) {
   const auto first = static_cast<std::uint32_t>(content.spokes.size());
-  for (const Spoke& s : fanAt(content, v, from)) content.spokes.push_back({s.segment, s.direction, s.outgoing});
+  for (const Spoke& s : fanAt(content, v, from)) content.spokes.push_back(s);
   return {first, static_cast<std::uint32_t>(content.spokes.size()) - first};
 }
 
@@ -156,6 +160,10 @@ Content buildContent(std::span<const PolygonView> polygons, std::span<const std:
       point.spokes = storeRimFan(content, pointAt(s, point.at), kSideDirections[s]);
     content.hasRimPoints |= !content.sides[s].points.empty();
   }
+  content.spokes.emplace_back();  // so that every range has a first spoke
+  content.isLinkedInside = std::any_of(content.interior.begin(), content.interior.end(), [](const InteriorSegment& s) {
+    return s.predecessor != InteriorSegment::kRim || s.successor != InteriorSegment::kRim;
+  });
   content.coversCell = content.interior.empty() && std::all_of(content.cover.begin(), content.cover.end(),
                                                                [](Cover c) { return c == Cover::whole; });
   return content;

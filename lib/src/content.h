@@ -3,6 +3,8 @@
 #pragma once
 
 #include "polygon.h"
+#include "radial_match.h"
+#include "segment_pool.h"
 
 #include <lgs/lattice.h>
 
@@ -31,10 +33,14 @@ constexpr std::array<LocalPoint, 4> kCorners{
 constexpr std::int32_t along(unsigned side, LocalPoint p) { return isVertical(side) ? p.y : p.x; }
 constexpr LocalPoint pointAt(unsigned side, std::int32_t at) {
   switch (side) {
-    case kSouth: return {at, 0};
-    case kEast: return {kUnitsPerCell, at};
-    case kNorth: return {at, kUnitsPerCell};
-    default: return {0, at};
+    case kSouth:
+      return {at, 0};
+    case kEast:
+      return {kUnitsPerCell, at};
+    case kNorth:
+      return {at, kUnitsPerCell};
+    default:
+      return {0, at};
   }
 }
 /// Whether edges along this side run towards increasing x or y.
@@ -44,18 +50,10 @@ constexpr bool runsForward(unsigned side) { return side == kSouth || side == kEa
 struct InteriorSegment {
   static constexpr std::uint32_t kNone = 0xffff'ffff;  ///< no candidate
   static constexpr std::uint32_t kRim = 0xffff'fffe;   ///< that end is on the rim: linked at run time
-  LocalPoint start;
-  LocalPoint end;
+  PackedEnds ends;
   std::uint32_t predecessor = kRim;  ///< index in Content::interior
   std::uint32_t successor = kRim;
   Slot slot = 0;
-};
-
-/// A half-edge of an interior segment at a rim vertex.
-struct InteriorSpoke {
-  std::uint32_t segment = 0;    ///< index in Content::interior
-  std::uint32_t direction = 0;  ///< rank among the directions at this vertex
-  bool outgoing = false;
 };
 
 /// Interior half-edges at one rim vertex, counter-clockwise: Content::spokes[first … first + count).
@@ -90,16 +88,25 @@ struct Side {
 
 struct Content {
   std::array<Cover, 4> cover{};
+  std::array<Slot, 4> wholeSlot{};          ///< of a whole side: the polygon that covers it
+  std::array<std::uint8_t, 4> usedSides{};  ///< the sides with cover, in order
+  std::uint8_t usedSideCount = 0;
   bool coversCell = false;  ///< all four sides whole and nothing exposed inside: buried where its neighbours are alike
   bool hasRimPoints = false;
-  std::array<SpokeRange, 4> corners{};
+  bool isLinkedInside = false;            ///< some interior segment has an end inside the cell
+  std::array<SpokeRange, 4> corners{};    ///< a range's first spoke can be read even where it is empty
   std::vector<InteriorSegment> interior;  ///< sorted by start, then end
-  std::vector<InteriorSpoke> spokes;
+  std::vector<Spoke> spokes;              ///< `segment` is an index in `interior`, `direction` a rank at that vertex
   std::array<Side, 4> sides;
   std::vector<std::pair<Slot, Slot>> contacts;  ///< polygons that share an edge inside the cell, smaller slot first
 
-  std::span<const InteriorSpoke> at(SpokeRange range) const { return {spokes.data() + range.first, range.count}; }
+  std::span<const Spoke> at(SpokeRange range) const { return {spokes.data() + range.first, range.count}; }
 };
+
+/// A whole side as an edge of the cell it belongs to.
+constexpr std::array<PackedEnds, 4> kWholeSides{
+    {PackedEnds::of(kCorners[0], kCorners[1]), PackedEnds::of(kCorners[1], kCorners[2]),
+     PackedEnds::of(kCorners[2], kCorners[3]), PackedEnds::of(kCorners[3], kCorners[0])}};
 
 /// Works out the content of a cell that holds these polygons (without defects, interiors disjoint). Overlaps inside the
 /// cell between the pairs of slots in `preserved` (sorted, smaller first) are kept. Cost: O(n²) in the vertices.

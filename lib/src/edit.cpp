@@ -63,10 +63,10 @@ void World::Impl::touch(CellAt at, ContentId content) {
   if (chunk.dirtyRows == 0) dirtyChunks.push_back(&chunk);
   chunk.dirtyRows |= detail::RowMask{1} << at.row();
   chunk.dirty[at.row()] |= at.bit();
-  const auto mark = [&](detail::RowMask& row, bool on) { row = on ? row | at.bit() : row & ~at.bit(); };
   const InternedContent& now = catalogue.content(content);
-  mark(chunk.covered[at.row()], now.coversCell);
-  mark(chunk.rimmed[at.row()], now.hasRimPoints);
+  detail::RowMask& covered = chunk.covered[at.row()];
+  covered = now.coversCell ? covered | at.bit() : covered & ~at.bit();
+  chunk.hadRimPoints |= now.hasRimPoints;
 }
 
 /// Interns `entries_`, which are sorted by polygon, as one cell's content; overlaps between them that the relation keeps
@@ -104,12 +104,14 @@ Expected<World::Impl::Contents> World::Impl::withAdded(CellAt at, std::span<cons
     const auto number = static_cast<std::uint32_t>(k);
     entries_.push_back({added[k], {lastSerial + 1 + number, block}, false, static_cast<std::int32_t>(k)});
   }
-  std::stable_sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.polygon < b.polygon; });
+  std::stable_sort(entries_.begin(), entries_.end(),
+                   [](const Entry& a, const Entry& b) { return a.polygon < b.polygon; });
   const auto content = contentOf();
   if (!content) {
     Error error = content.error();
     if (error.code == ErrorCode::overlap) {
-      Entry a = entries_[static_cast<std::size_t>(error.polygon)], b = entries_[static_cast<std::size_t>(error.polygon2)];
+      Entry a = entries_[static_cast<std::size_t>(error.polygon)],
+            b = entries_[static_cast<std::size_t>(error.polygon2)];
       if (a.isOld) std::swap(a, b);
       error.polygon = a.index;
       error.polygon2 = b.isOld ? -1 : b.index;
@@ -162,12 +164,13 @@ Expected<PolygonHandle> World::Impl::add(Cell cell, PolygonView polygon, Block b
 Expected<PolygonHandle> World::Impl::place(CellAt at, Cell cell, std::span<const PolygonId> polygons, ContentId content,
                                            Block block, std::span<PolygonHandle> handles) {
   const std::uint32_t ref = at.chunk->ref(at.local);
-  if (polygons.size() == 1 && grid.takesSole(at)) {
-    catalogue.use(content);
-    const PolygonHandle handle{ref, grid.placeSole(at, content, block)};
-    touch(at, content);
-    if (!handles.empty()) handles[0] = handle;
-    return handle;
+  if (polygons.size() == 1) {
+    if (const std::uint32_t serial = grid.placeSole(at, content, block)) {
+      catalogue.use(content);
+      touch(at, content);
+      if (!handles.empty()) handles[0] = {ref, serial};
+      return PolygonHandle{ref, serial};
+    }
   }
   const auto after = withAdded(at, polygons, block);
   if (!after) return refuse(after.error(), cell);
@@ -220,7 +223,8 @@ Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, 
         i |= detail::kChunkSize - 1;  // on to the next chunk
         continue;
       }
-      if (interned->polygons.size() == 1 && grid.takesSole(at)) continue;
+      if (grid.content(at) == detail::kEmptyContent && grid.lastSerial(at) < detail::kMaxSerial - kMaxPolygonsPerCell)
+        continue;
       const auto after = withAdded(at, interned->polygons, block);
       if (!after) return refuse(after.error(), {i, j});
     }
@@ -228,7 +232,8 @@ Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, 
 
   std::uint64_t count = 0;
   for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
-    for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci) grid.obtain({ci * detail::kChunkSize, cj * detail::kChunkSize});
+    for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci)
+      grid.obtain({ci * detail::kChunkSize, cj * detail::kChunkSize});
   grid.forEachCell(cells, [&](CellAt at, Cell cell) {
     static_cast<void>(place(at, cell, interned->polygons, interned->content, block, {}));
     ++count;

@@ -17,23 +17,32 @@ std::string where(const Error& e) {
 std::string what(const Error& e) {
   const std::string vertex = "vertex " + number(e.vertex);
   switch (e.code) {
-    case ErrorCode::cellOutOfRange: return "the cell is out of range; both indices must be within ±2^30";
-    case ErrorCode::emptyShape: return "a shape needs at least one polygon";
-    case ErrorCode::tooFewVertices: return "a polygon needs at least 3 vertices";
-    case ErrorCode::capacity: return "more than the world can hold; see the limits in lgs/world.h";
-    case ErrorCode::notFinite: return vertex + " is infinite or not a number";
-    case ErrorCode::outsideCell: return vertex + " is outside the cell; coordinates run from 0 to 1 cell, rim included";
+    case ErrorCode::cellOutOfRange:
+      return "the cell is out of range; both indices must be within ±2^30";
+    case ErrorCode::emptyShape:
+      return "a shape needs at least one polygon";
+    case ErrorCode::tooFewVertices:
+      return "a polygon needs at least 3 vertices";
+    case ErrorCode::capacity:
+      return "more than the world can hold; see the limits in lgs/world.h";
+    case ErrorCode::notFinite:
+      return vertex + " is infinite or not a number";
+    case ErrorCode::outsideCell:
+      return vertex + " is outside the cell; coordinates run from 0 to 1 cell, rim included";
     case ErrorCode::repeatedVertex:
       return vertex + " and vertex " + number(e.vertex2) + " are the same lattice point; leave one out";
-    case ErrorCode::zeroArea: return "the polygon has no area";
-    case ErrorCode::clockwise: return "the polygon runs clockwise; reverse its vertices";
+    case ErrorCode::zeroArea:
+      return "the polygon has no area";
+    case ErrorCode::clockwise:
+      return "the polygon runs clockwise; reverse its vertices";
     case ErrorCode::selfIntersecting:
       return "the edge from " + vertex + " crosses or touches the edge from vertex " + number(e.vertex2);
     case ErrorCode::overlap:
       return e.polygon2 >= 0 ? "its interior overlaps that of polygon " + number(e.polygon2)
                              : "its interior overlaps that of a polygon already in the cell (handle " +
                                    number(e.other.cellRef) + ":" + number(e.other.serial) + ")";
-    case ErrorCode::unknownShape: return "this world has no such shape";
+    case ErrorCode::unknownShape:
+      return "this world has no such shape";
     case ErrorCode::staleHandle:
       return "the handle " + number(e.other.cellRef) + ":" + number(e.other.serial) +
              " names no polygon; it was removed, or never existed";
@@ -47,20 +56,34 @@ std::string what(const Error& e) {
 
 const char* name(ErrorCode code) {
   switch (code) {
-    case ErrorCode::cellOutOfRange: return "cell out of range";
-    case ErrorCode::emptyShape: return "empty shape";
-    case ErrorCode::tooFewVertices: return "too few vertices";
-    case ErrorCode::capacity: return "capacity";
-    case ErrorCode::notFinite: return "not finite";
-    case ErrorCode::outsideCell: return "outside the cell";
-    case ErrorCode::repeatedVertex: return "repeated vertex";
-    case ErrorCode::zeroArea: return "zero area";
-    case ErrorCode::clockwise: return "clockwise";
-    case ErrorCode::selfIntersecting: return "self-intersecting";
-    case ErrorCode::overlap: return "overlap";
-    case ErrorCode::unknownShape: return "unknown shape";
-    case ErrorCode::staleHandle: return "stale handle";
-    case ErrorCode::unknownSegment: return "unknown segment";
+    case ErrorCode::cellOutOfRange:
+      return "cell out of range";
+    case ErrorCode::emptyShape:
+      return "empty shape";
+    case ErrorCode::tooFewVertices:
+      return "too few vertices";
+    case ErrorCode::capacity:
+      return "capacity";
+    case ErrorCode::notFinite:
+      return "not finite";
+    case ErrorCode::outsideCell:
+      return "outside the cell";
+    case ErrorCode::repeatedVertex:
+      return "repeated vertex";
+    case ErrorCode::zeroArea:
+      return "zero area";
+    case ErrorCode::clockwise:
+      return "clockwise";
+    case ErrorCode::selfIntersecting:
+      return "self-intersecting";
+    case ErrorCode::overlap:
+      return "overlap";
+    case ErrorCode::unknownShape:
+      return "unknown shape";
+    case ErrorCode::staleHandle:
+      return "stale handle";
+    case ErrorCode::unknownSegment:
+      return "unknown segment";
   }
   return "unknown error";
 }

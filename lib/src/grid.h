@@ -25,9 +25,6 @@ namespace lgs::detail {
 inline constexpr std::int32_t kChunkSize = 32;
 inline constexpr std::uint32_t kChunkCells = kChunkSize * kChunkSize;
 
-/// Serial numbers of the polygons of one cell start at 1 and are never used twice; a segment has 28 bits for one.
-inline constexpr std::uint32_t kMaxSerial = (1u << 28) - 1;
-
 /// The place of a cell in its chunk.
 constexpr std::uint32_t localOf(Cell cell) {
   return static_cast<std::uint32_t>((cell.j & (kChunkSize - 1)) * kChunkSize + (cell.i & (kChunkSize - 1)));
@@ -39,14 +36,14 @@ struct Chunk {
   std::int32_t ci = 0;  ///< chunk coordinates: cell >> 5
   std::int32_t cj = 0;
   std::uint32_t index = 0;
-  RowMask dirtyRows = 0;  ///< rows with a dirty cell
-  std::array<Chunk*, 9> around{};  ///< [3·(dj+1) + di+1]; null where there is none
+  RowMask dirtyRows = 0;                      ///< rows with a dirty cell
+  bool hadRimPoints = false;                  ///< some cell has, or had, a content with rim points
+  std::array<Chunk*, 9> around{};             ///< [3·(dj+1) + di+1]; null where there is none
   std::array<RowMask, kChunkSize> dirty{};    ///< edited since the last commit
   std::array<RowMask, kChunkSize> covered{};  ///< Content::coversCell
-  std::array<RowMask, kChunkSize> rimmed{};   ///< Content::hasRimPoints
   std::array<RowMask, kChunkSize> live{};     ///< has segments
-  Block commonBlock = 0;  ///< of all compact cells, while `blocks` is null
-  bool hasBlock = false;  ///< commonBlock has been set
+  Block commonBlock = 0;                      ///< of all compact cells, while `blocks` is null
+  bool hasBlock = false;                      ///< commonBlock has been set
   std::unique_ptr<Block[]> blocks;
   std::array<std::uint32_t, kChunkCells> cells{};
 
@@ -66,17 +63,28 @@ struct Placed {
 
 /// The parts of a cell's segments, in the order in which its record lists them.
 enum Part : unsigned { kInterior, kSouthPart, kEastPart, kNorthPart, kWestPart, kParts };
+inline constexpr unsigned kAllParts = (1u << kParts) - 1;
 constexpr unsigned partOf(unsigned side) { return side + 1; }
-
-using PartEnds = std::array<std::uint16_t, kParts>;
 
 /// In memory followed by, if `polygons` is not kCompact, the last serial given out and `polygons` × Placed in order of
 /// slots; then by the segment ids, part after part, each part in order of start.
 struct CellRecord {
-  static constexpr std::uint16_t kCompact = 0xffff;
-  std::uint32_t state = 0;  ///< as the word of a cell without record
-  PartEnds end{};           ///< where each part ends among the ids
-  std::uint16_t polygons = kCompact;
+  static constexpr std::uint8_t kCompact = 0xff;
+  std::uint32_t state = 0;                  ///< as the word of a cell without record
+  std::array<std::uint16_t, kParts> end{};  ///< where each part ends among the ids
+  std::uint8_t polygons = kCompact;
+  std::uint8_t touching =
+      0;  ///< bit s: a segment on side s starts where the side does; bit 4 + s: one ends where it does
+
+  std::uint32_t prefixWords() const {
+    return sizeof(CellRecord) / sizeof(std::uint32_t) + (polygons == kCompact ? 0u : 1u + 2u * polygons);
+  }
+  std::uint32_t begin(unsigned part) const { return part == 0 ? 0u : end[part - 1]; }
+  std::uint32_t count() const { return end[kWestPart]; }
+  std::uint32_t* words() { return reinterpret_cast<std::uint32_t*>(this); }
+  const std::uint32_t* words() const { return reinterpret_cast<const std::uint32_t*>(this); }
+  const std::uint32_t* ids() const { return words() + prefixWords(); }
+  std::span<const std::uint32_t> ids(unsigned part) const { return {ids() + begin(part), end[part] - begin(part)}; }
 };
 static_assert(sizeof(CellRecord) == 16);
 
@@ -89,13 +97,12 @@ struct CellAt {
   std::uint32_t row() const { return local / kChunkSize; }
   RowMask bit() const { return RowMask{1} << local % kChunkSize; }
   explicit operator bool() const { return chunk != nullptr; }
-
 };
 
 /// The cell in column x and row y of a chunk; both may be off by one chunk. Without chunk where there is none.
-inline CellAt cellAt(Chunk& chunk, std::int32_t x, std::int32_t y) {
+inline CellAt cellAt(const Chunk& chunk, std::int32_t x, std::int32_t y) {
   const std::int32_t di = x >> 5, dj = y >> 5;
-  return {di == 0 && dj == 0 ? &chunk : chunk.around[static_cast<std::size_t>(3 * dj + di + 4)], localOf({x, y})};
+  return {chunk.around[static_cast<std::size_t>(3 * dj + di + 4)], localOf({x, y})};
 }
 
 /// The cell across one side.
@@ -116,9 +123,10 @@ struct ChunkRect {
 
 class Grid {
  public:
-  CellAt find(Cell cell) const;
+  /// No chunk where there is none yet.
+  CellAt find(Cell cell) const { return {isLast(cell) ? last_ : findChunk(cell), localOf(cell)}; }
   /// Makes the chunk if need be; no chunk when there are kMaxChunks already.
-  CellAt obtain(Cell cell);
+  CellAt obtain(Cell cell) { return {isLast(cell) ? last_ : obtainChunk(cell), localOf(cell)}; }
   /// The cell that a handle or a segment names; no chunk where the number is none of ours.
   CellAt find(std::uint32_t cellRef) const {
     const std::uint32_t index = cellRef / kChunkCells;
@@ -151,23 +159,22 @@ class Grid {
   // --- The polygons of a cell
 
   ContentId content(CellAt cell) const { return state(cell) >> kSerialBits; }
+  static ContentId contentOf(const CellRecord* r) { return r->state >> kSerialBits; }
   /// The polygon in a slot of the cell's content.
   Placed placed(CellAt cell, Slot slot) const {
     const CellRecord* r = record(cell);
-    if (r && r->polygons != CellRecord::kCompact) return polygonsOf(r)[slot];
+    if (r && r->polygons != CellRecord::kCompact) return listed(r)[slot];
     return {state(cell) & kSerialMask, cell.chunk->block(cell.local)};
   }
   /// The last serial given out in the cell.
   std::uint32_t lastSerial(CellAt cell) const;
 
-  /// Whether placeSole() can make a polygon the cell's only one: it is empty and few were placed there before.
-  bool takesSole(CellAt cell) const {
-    const std::uint32_t s = state(cell);
-    return s < kSerialMask && !isExplicit(cell);
-  }
-  /// Makes `content`, of one polygon, that of a cell that takesSole(). Returns the polygon's serial.
+  /// Makes `content`, of one polygon, that of a cell that is empty and had few polygons before. Returns the polygon's
+  /// serial, or 0 and does nothing if the cell is not like that.
   std::uint32_t placeSole(CellAt cell, ContentId content, Block block) {
-    std::uint32_t& word = stateWord(cell);
+    CellRecord* r = writable(cell);
+    std::uint32_t& word = r ? r->state : cell.word();
+    if (word >= kSerialMask || (r && r->polygons != CellRecord::kCompact)) return 0;
     word = content << kSerialBits | (word + 1);
     setBlock(*cell.chunk, cell.local, block);
     return word & kSerialMask;
@@ -178,11 +185,18 @@ class Grid {
   // --- The segments of a cell, as of the last commit
 
   bool hasSegments(CellAt cell) const { return (cell.chunk->live[cell.row()] & cell.bit()) != 0; }
-  /// All of them, and where each part ends. The view is valid until the cell changes.
-  std::span<const std::uint32_t> segments(CellAt cell) const;
-  std::span<const std::uint32_t> segments(CellAt cell, unsigned part) const;
-  PartEnds partEnds(CellAt cell) const;
-  void setSegments(CellAt cell, std::span<const std::uint32_t> ids, const PartEnds& ends);
+  /// All of them, part by part. The view is valid until the cell changes.
+  std::span<const std::uint32_t> segments(CellAt cell) const {
+    const CellRecord* r = record(cell);
+    return r ? std::span(r->ids(), r->count()) : std::span<const std::uint32_t>{};
+  }
+  /// The same with where the parts end; null in a cell without segments.
+  const CellRecord* record(CellAt cell) const {
+    const std::uint32_t word = cell.word();
+    return word & kRecordBit ? reinterpret_cast<const CellRecord*>(records_.at(word & ~kRecordBit)) : nullptr;
+  }
+  void setSegments(CellAt cell, const std::uint32_t* ids, const std::array<std::uint16_t, kParts>& ends,
+                   std::uint8_t touching);
 
   std::uint64_t bytes() const;
 
@@ -190,30 +204,24 @@ class Grid {
   static constexpr std::uint32_t kRecordBit = 1u << 31;  // in a cell's word: the rest is a reference to a CellRecord
   static constexpr std::uint32_t kSerialBits = 8;        // in a state: the last serial; above it the content
   static constexpr std::uint32_t kSerialMask = (1u << kSerialBits) - 1;
-  static constexpr std::uint32_t kHeaderWords = sizeof(CellRecord) / sizeof(std::uint32_t);
 
-  CellRecord* record(CellAt cell) const {
-    const std::uint32_t word = cell.word();
-    return word & kRecordBit ? reinterpret_cast<CellRecord*>(records_.at(word & ~kRecordBit)) : nullptr;
-  }
-  std::uint32_t& stateWord(CellAt cell) const {
-    CellRecord* r = record(cell);
+  CellRecord* writable(CellAt cell) { return const_cast<CellRecord*>(record(cell)); }
+  std::uint32_t& stateWord(CellAt cell) {
+    CellRecord* r = writable(cell);
     return r ? r->state : cell.word();
   }
-  std::uint32_t state(CellAt cell) const { return stateWord(cell); }
+  std::uint32_t state(CellAt cell) const {
+    const CellRecord* r = record(cell);
+    return r ? r->state : cell.word();
+  }
   bool isExplicit(CellAt cell) const {
     const CellRecord* r = record(cell);
     return r && r->polygons != CellRecord::kCompact;
   }
-
-  static std::uint32_t prefixWords(const CellRecord* r) {
-    return kHeaderWords + (r->polygons == CellRecord::kCompact ? 0u : 1u + 2u * r->polygons);
-  }
-  static std::uint32_t* words(const CellRecord* r) {
-    return reinterpret_cast<std::uint32_t*>(const_cast<CellRecord*>(r));
-  }
-  static const Placed* polygonsOf(const CellRecord* r) {
-    return reinterpret_cast<const Placed*>(words(r) + kHeaderWords + 1);
+  /// Of a record that lists its polygons: the last serial, and the polygons by slot.
+  static std::uint32_t listedSerial(const CellRecord* r) { return r->words()[sizeof(CellRecord) / 4]; }
+  static const Placed* listed(const CellRecord* r) {
+    return reinterpret_cast<const Placed*>(r->words() + sizeof(CellRecord) / 4 + 1);
   }
 
   static void setBlock(Chunk& chunk, std::uint32_t local, Block block) {
@@ -224,7 +232,10 @@ class Grid {
     }
   }
   static void setFirstOtherBlock(Chunk& chunk, std::uint32_t local, Block block);
+  Chunk* findChunk(Cell cell) const;
+  Chunk* obtainChunk(Cell cell);
   void link(Chunk& chunk);
+  bool isLast(Cell cell) const { return last_ && last_->ci == cell.i >> 5 && last_->cj == cell.j >> 5; }
 
   std::vector<std::unique_ptr<Chunk>> chunks_ = std::vector<std::unique_ptr<Chunk>>(1);  // index 0 names no chunk
   HashIndex index_;

@@ -31,8 +31,7 @@ std::optional<Defect> findRepeatedVertex(PolygonView p) {
 
 /// Whether the closed segments a–b and c–d, which share no end, have a point in common.
 bool touch(LocalPoint a, LocalPoint b, LocalPoint c, LocalPoint d) {
-  return crossProperly(a, b, c, d) || isInside(c, a, b) || isInside(d, a, b) || isInside(a, c, d) ||
-         isInside(b, c, d);
+  return crossProperly(a, b, c, d) || isInside(c, a, b) || isInside(d, a, b) || isInside(a, c, d) || isInside(b, c, d);
 }
 
 /// The vertices are known to be distinct, so neighbouring edges can meet wrongly only by folding back.

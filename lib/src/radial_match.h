@@ -1,24 +1,24 @@
 // Phase 2 as a pure function: law 2 on the half-edges around one vertex.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace lgs::detail {
 
+inline constexpr std::uint32_t kMaxDirection = (1u << 31) - 1;
+
 /// A half-edge at a vertex: a segment that starts there (outgoing) or ends there (incoming).
 struct Spoke {
   std::uint32_t segment = 0;
-  std::uint32_t direction = 0;  ///< equal exactly where two spokes of one fan point the same way
-  bool outgoing = false;
+  std::uint32_t direction : 31 = 0;  ///< equal exactly where two spokes of one fan point the same way
+  std::uint32_t outgoing : 1 = 0;
 };
 
 /// The spokes around one vertex in counter-clockwise order, coincident ones side by side. Calls
 /// `predecessor(segment, other)` for every outgoing spoke and `successor(segment, other)` for every incoming one, with
 /// the segment met first when turning clockwise and counter-clockwise respectively; `none` where there is no candidate.
-///
-/// Under the empty preserve relation incoming and outgoing spokes alternate, so the first spoke looked at is the match
-/// and the cost is linear.
 template <class Predecessor, class Successor>
 void radialMatch(std::span<const Spoke> fan, std::uint32_t none, Predecessor&& predecessor, Successor&& successor) {
   const std::size_t n = fan.size();
@@ -36,6 +36,19 @@ void radialMatch(std::span<const Spoke> fan, std::uint32_t none, Predecessor&& p
     else
       successor(spoke.segment, match);
   }
+}
+
+/// The same where nothing is preserved: solids do not overlap and their common edges are gone, so free and solid sectors
+/// alternate around the vertex, and with them incoming and outgoing spokes. Each outgoing spoke and the incoming one
+/// before it bound one free sector: calls link(incoming, outgoing) for each such pair. No branch depends on the spokes;
+/// on random terrain that is worth more than anything else here.
+template <class Link>
+void radialMatchAlternating(std::span<const Spoke> fan, Link&& link) {
+  if (fan.empty()) return;
+  const std::size_t first = fan[0].outgoing;  // fan[first] is incoming
+  const std::size_t n = fan.size();
+  for (std::size_t k = first; k + 1 < n; k += 2) link(fan[k].segment, fan[k + 1].segment);
+  if (first == 1) link(fan[n - 1].segment, fan[0].segment);
 }
 
 }  // namespace lgs::detail

@@ -22,7 +22,7 @@ std::size_t leastRotation(const std::vector<Point>& cycle) {
   const std::size_t n = cycle.size();
   const auto less = [&](std::size_t a, std::size_t b) {
     for (std::size_t k = 0; k < n; ++k)
-      if (const Point &p = cycle[(a + k) % n], &q = cycle[(b + k) % n]; p != q) return p < q;
+      if (const Point& p = cycle[(a + k) % n], &q = cycle[(b + k) % n]; p != q) return p < q;
     return false;
   };
   std::size_t best = 0;

@@ -2,6 +2,7 @@
 // a commit the ends of removed segments can still be read.
 #pragma once
 
+#include <lgs/ids.h>
 #include <lgs/lattice.h>
 
 #include <cstdint>
@@ -16,32 +17,48 @@ inline constexpr std::uint32_t kNoSegment = 0;
 /// An id has 31 bits, so that a record has room for two flags.
 inline constexpr std::uint32_t kMaxSegment = (1u << 31) - 1;
 
-/// 28 bytes. A coordinate is 0 … 65,536: sixteen bits, and one more in `high`.
-struct SegmentRecord {
-  std::uint32_t predecessor : 31;
-  std::uint32_t fresh : 1;  ///< added by the commit under way
-  std::uint32_t successor : 31;
-  std::uint32_t listed : 1;  ///< already among the relinked of the commit under way
-  std::uint32_t cellRef;     ///< 0: not alive
-  Block block;
-  std::uint32_t serial : 28;
-  std::uint32_t high : 4;
-  std::uint16_t low[4];
+/// Serial numbers of the polygons of one cell start at 1 and are never used twice; a record has 28 bits for one.
+inline constexpr std::uint32_t kMaxSerial = (1u << 28) - 1;
 
-  LocalPoint start() const { return {coordinate(0), coordinate(1)}; }
-  LocalPoint end() const { return {coordinate(2), coordinate(3)}; }
-  void setEnds(LocalPoint s, LocalPoint e) {
-    const std::int32_t value[4] = {s.x, s.y, e.x, e.y};
-    unsigned highBits = 0;
-    for (unsigned k = 0; k < 4; ++k) {
-      low[k] = static_cast<std::uint16_t>(value[k] & 0xffff);
-      highBits |= (static_cast<unsigned>(value[k]) >> 16) << k;
-    }
-    high = highBits & 0xfu;
+/// The ends of an edge in one cell, in 68 bits: a coordinate is 0 … 65,536, sixteen bits and one more in `high`.
+struct PackedEnds {
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+  std::uint32_t high = 0;
+
+  static constexpr PackedEnds of(LocalPoint start, LocalPoint end) {
+    const auto bits = [](std::int32_t v) { return static_cast<std::uint32_t>(v); };
+    const auto low = [&](LocalPoint p) { return (bits(p.x) & 0xffffu) | (bits(p.y) & 0xffffu) << 16; };
+    return {low(start), low(end),
+            bits(start.x) >> 16 | bits(start.y) >> 16 << 1 | bits(end.x) >> 16 << 2 | bits(end.y) >> 16 << 3};
   }
+  constexpr LocalPoint start() const { return point(from, high); }
+  constexpr LocalPoint end() const { return point(to, high >> 2); }
+  friend constexpr bool operator==(const PackedEnds&, const PackedEnds&) = default;
 
  private:
-  std::int32_t coordinate(unsigned k) const { return static_cast<std::int32_t>(low[k] | (high >> k & 1u) << 16); }
+  static constexpr LocalPoint point(std::uint32_t low, std::uint32_t high) {
+    return {static_cast<std::int32_t>((low & 0xffffu) | (high & 1u) << 16),
+            static_cast<std::int32_t>(low >> 16 | (high >> 1 & 1u) << 16)};
+  }
+};
+
+/// 28 bytes.
+struct SegmentRecord {
+  std::uint32_t predecessor : 31 = kNoSegment;
+  std::uint32_t fresh : 1 = 0;  ///< added by the commit under way
+  std::uint32_t successor : 31 = kNoSegment;
+  std::uint32_t listed : 1 = 0;  ///< already among the relinked of the commit under way
+  std::uint32_t cellRef = 0;     ///< 0: not alive
+  Block block = 0;
+  std::uint32_t serial : 28 = 0;
+  std::uint32_t high : 4 = 0;
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+
+  PackedEnds ends() const { return {from, to, high}; }
+  LocalPoint start() const { return ends().start(); }
+  LocalPoint end() const { return ends().end(); }
 };
 static_assert(sizeof(SegmentRecord) == 28);
 
@@ -50,32 +67,36 @@ class SegmentPool {
   SegmentRecord& operator[](std::uint32_t id) { return pages_[id / kPage][id % kPage]; }
   const SegmentRecord& operator[](std::uint32_t id) const { return pages_[id / kPage][id % kPage]; }
 
-  std::uint32_t allocate() {
-    if (free_ != kNoSegment) {
-      const std::uint32_t id = free_;
-      free_ = (*this)[id].successor;
-      return id;
+  /// The id that the next take() takes; its record can be written before.
+  std::uint32_t next() {
+    if (!free_.empty()) return free_.back();
+    if (top_ / kPage == pages_.size()) {
+      if (top_ > kMaxSegment) std::abort();  // 56 GiB of segments: treated as running out of memory
+      pages_.push_back(std::make_unique_for_overwrite<SegmentRecord[]>(kPage));
     }
-    if (next_ > kMaxSegment) std::abort();  // 56 GiB of segments: treated as running out of memory
-    if (next_ % kPage == 0 || pages_.empty()) pages_.push_back(std::make_unique_for_overwrite<SegmentRecord[]>(kPage));
-    return next_++;
+    return top_;
   }
-
-  /// Makes an id available again. Its slot must have been marked dead (cellRef 0).
-  void recycle(std::uint32_t id) {
-    (*this)[id].successor = free_ & kMaxSegment;
-    free_ = id;
+  /// Takes it, if `really`.
+  void take(bool really) {
+    if (free_.empty())
+      top_ += really;
+    else
+      free_.resize(free_.size() - really);
   }
+  /// Makes an id available again; its record must have been marked as not alive.
+  void recycle(std::uint32_t id) { free_.push_back(id); }
 
-  bool isLive(std::uint32_t id) const { return id != kNoSegment && id < next_ && (*this)[id].cellRef != 0; }
-  std::uint32_t maxId() const { return next_ - 1; }
-  std::uint64_t bytes() const { return pages_.size() * (kPage * sizeof(SegmentRecord) + sizeof pages_[0]); }
+  bool isLive(std::uint32_t id) const { return id != kNoSegment && id < top_ && (*this)[id].cellRef != 0; }
+  std::uint32_t maxId() const { return top_ - 1; }
+  std::uint64_t bytes() const {
+    return pages_.size() * (kPage * sizeof(SegmentRecord) + sizeof pages_[0]) + free_.capacity() * sizeof free_[0];
+  }
 
  private:
   static constexpr std::uint32_t kPage = 4096;
   std::vector<std::unique_ptr<SegmentRecord[]>> pages_;
-  std::uint32_t next_ = 1;  // 0 names no segment
-  std::uint32_t free_ = kNoSegment;
+  std::vector<std::uint32_t> free_;
+  std::uint32_t top_ = 1;  // 0 names no segment
 };
 
 }  // namespace lgs::detail

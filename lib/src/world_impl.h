@@ -15,6 +15,17 @@
 
 namespace lgs {
 
+namespace detail {
+
+/// The working memory of phase 1.
+struct ExposureScratch {
+  std::vector<std::uint32_t> ids;    ///< of the cell being updated
+  std::vector<std::uint32_t> added;  ///< by this commit; longer than addedCount, so that an id can be written ahead
+  std::size_t addedCount = 0;
+};
+
+}  // namespace detail
+
 struct World::Impl {
   explicit Impl(PreserveRelation relation) : preserve(std::move(relation)) {}
 
@@ -50,7 +61,10 @@ struct World::Impl {
   detail::SegmentPool segments;
   std::vector<detail::Chunk*> dirtyChunks;  ///< in the order in which edits touched them
   Changes changes;
+  // Working memory, kept from one call to the next to spare allocations.
   std::vector<LocalPoint> rounded;  ///< of the polygon being added
+  detail::ExposureScratch exposure;
+  std::vector<detail::Spoke> fan;  ///< at the vertex being linked
 
  private:
   struct Contents;
@@ -72,16 +86,14 @@ struct World::Impl {
 
   std::size_t workingBytes() const {
     const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
-    return of(rounded, entries_, ids_, known_, kept_, commitIds_, commitFan_);
+    return of(rounded, exposure.ids, exposure.added, fan, entries_, ids_, known_, kept_);
   }
 
-  // Working memory of one edit or commit, kept to spare allocations.
+  // Working memory of one edit.
   std::vector<Entry> entries_;
   std::vector<detail::PolygonId> ids_;
   std::vector<std::uint8_t> known_;
   std::vector<std::pair<detail::Slot, detail::Slot>> kept_;
-  std::vector<std::uint32_t> commitIds_;
-  std::vector<detail::Spoke> commitFan_;
 };
 
 }  // namespace lgs

@@ -31,14 +31,14 @@ enum class ErrorCode : std::uint8_t {
 /// What was refused and where. Fields that do not apply are -1 or null.
 struct Error {
   ErrorCode code{};
-  Cell cell{};                ///< the cell of the edit; meaningless while a shape is made
-  bool hasCell = false;       ///< whether `cell` applies
-  std::int32_t polygon = -1;  ///< index in the polygons given to this call
-  std::int32_t vertex = -1;   ///< index in that polygon; for an edge, its first vertex
-  std::int32_t vertex2 = -1;  ///< the other vertex or edge involved
-  std::int32_t polygon2 = -1; ///< overlap within one call: the index of the other polygon
-  PolygonHandle other{};      ///< overlap with a placed polygon: that polygon; stale handle: the handle
-  SegmentId segment{};        ///< unknown segment: the id
+  Cell cell{};                 ///< the cell of the edit; meaningless while a shape is made
+  bool hasCell = false;        ///< whether `cell` applies
+  std::int32_t polygon = -1;   ///< index in the polygons given to this call
+  std::int32_t vertex = -1;    ///< index in that polygon; for an edge, its first vertex
+  std::int32_t vertex2 = -1;   ///< the other vertex or edge involved
+  std::int32_t polygon2 = -1;  ///< overlap within one call: the index of the other polygon
+  PolygonHandle other{};       ///< overlap with a placed polygon: that polygon; stale handle: the handle
+  SegmentId segment{};         ///< unknown segment: the id
 };
 
 /// A short name, e.g. "self-intersecting".

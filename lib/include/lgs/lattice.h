@@ -54,9 +54,7 @@ struct CellRect {
   friend constexpr bool operator==(const CellRect&, const CellRect&) = default;
 };
 
-constexpr bool inRange(Cell c) {
-  return c.i >= -kMaxCell && c.i <= kMaxCell && c.j >= -kMaxCell && c.j <= kMaxCell;
-}
+constexpr bool inRange(Cell c) { return c.i >= -kMaxCell && c.i <= kMaxCell && c.j >= -kMaxCell && c.j <= kMaxCell; }
 
 constexpr bool contains(const CellRect& r, Cell c) {
   return c.i >= r.min.i && c.i <= r.max.i && c.j >= r.min.j && c.j <= r.max.j;

@@ -27,7 +27,7 @@ namespace lgs {
 
 /// Limits. Beyond them an edit is refused with ErrorCode::capacity.
 inline constexpr std::size_t kMaxVerticesPerCell = 4'096;  ///< of all polygons of one cell together
-inline constexpr std::size_t kMaxPolygonsPerCell = 255;
+inline constexpr std::size_t kMaxPolygonsPerCell = 254;
 inline constexpr std::size_t kMaxChunks = (std::size_t{1} << 22) - 1;  ///< of 32×32 cells, ever touched by an edit
 
 /// Says whether the overlap between polygons of these two blocks is kept (true) or cancelled (false). It is always
@@ -79,7 +79,7 @@ struct Stats {
   std::uint64_t shapes = 0;
   std::uint64_t contents = 0;  ///< distinct interned cell contents
   std::uint64_t chunks = 0;
-  std::uint64_t bytes = 0;     ///< everything the world has allocated, spare capacity included
+  std::uint64_t bytes = 0;  ///< everything the world has allocated, spare capacity included
 };
 
 class World {

@@ -1,0 +1,37 @@
+// Phase 2 on the world: links the segments at every vertex near an edit.
+#pragma once
+
+#include "world_impl.h"
+
+namespace lgs::detail {
+
+class Linking {
+ public:
+  explicit Linking(World::Impl& world) : world_(world), grid_(world.grid), pool_(world.segments), fan_(world.fan) {}
+
+  /// Links the segments at every vertex in or on the rim of the chunk's dirty cells.
+  void linkChunk(const Chunk& chunk);
+
+ private:
+  class Fan;
+  class SideWalk;
+
+  const InternedContent& contentOf(CellAt at) const {
+    return world_.catalogue.content(at ? grid_.content(at) : kEmptyContent);
+  }
+  void linkInterior(CellAt at);
+  void linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y);
+  void linkSides(CellAt at);
+  void linkSide(CellAt at, unsigned side);
+  void match(std::span<const Spoke> fan);
+  void setPredecessor(std::uint32_t id, std::uint32_t now);
+  void setSuccessor(std::uint32_t id, std::uint32_t now);
+  void list(SegmentRecord& segment, std::uint32_t id);
+
+  World::Impl& world_;
+  Grid& grid_;
+  SegmentPool& pool_;
+  std::vector<Spoke>& fan_;
+};
+
+}  // namespace lgs::detail

@@ -1,0 +1,46 @@
+// Bit rows over the cells of a chunk, by which a commit finds its way without looking at every cell.
+#pragma once
+
+#include "grid.h"
+
+#include <bit>
+#include <cstdint>
+
+namespace lgs::detail {
+
+/// A row of a chunk with a column of its neighbours at either end: bit x + 1 is column x, -1 … 32.
+using WideRow = std::uint64_t;
+inline constexpr WideRow kOwnColumns = WideRow{0xffff'ffff} << 1;
+
+/// Row y (-1 … 32) of one of the chunk's bitmaps, continued into the chunks around.
+template <auto Bitmap>
+WideRow wideRow(const Chunk& chunk, std::int32_t y) {
+  const auto row = static_cast<std::size_t>(y & (kChunkSize - 1));
+  const auto first = static_cast<std::size_t>(3 * ((y >> 5) + 1));
+  const auto bits = [&](const Chunk* c) { return c ? WideRow{(c->*Bitmap)[row]} : 0; };
+  return bits(chunk.around[first]) >> 31 | bits(chunk.around[first + 1]) << 1 |
+         (bits(chunk.around[first + 2]) & 1) << 33;
+}
+
+/// The chunk's own dirty cells in row y, none outside.
+inline WideRow dirtyRow(const Chunk& chunk, std::int32_t y) {
+  return y >= 0 && y < kChunkSize ? WideRow{chunk.dirty[static_cast<std::size_t>(y)]} << 1 : 0;
+}
+
+/// Calls visit(y) for y from -1 to 32 where row y, or one beside it, has a dirty cell.
+template <class Visit>
+void forEachRowNear(RowMask dirtyRows, Visit&& visit) {
+  const WideRow rows = WideRow{dirtyRows} << 1;
+  for (WideRow near = rows | rows << 1 | rows >> 1; near != 0; near &= near - 1) visit(std::countr_zero(near) - 1);
+}
+
+/// Calls visit(x) for every bit of a wide row.
+template <class Visit>
+void forEachColumn(WideRow row, Visit&& visit) {
+  for (; row != 0; row &= row - 1) visit(std::countr_zero(row) - 1);
+}
+
+/// Whether a row has so many bits that finding out which of them can be skipped is worth the while.
+inline bool isCrowded(WideRow row) { return std::popcount(row) > 8; }
+
+}  // namespace lgs::detail

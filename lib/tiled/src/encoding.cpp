@@ -1,0 +1,135 @@
+#include "encoding.h"
+
+#include <algorithm>
+#include <charconv>
+#include <zlib.h>
+#include <zstd.h>
+
+namespace lgs::tiled {
+namespace {
+
+using Bytes = std::vector<unsigned char>;
+
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
+std::string wrongCount(std::size_t found, std::size_t count) {
+  return "holds " + std::to_string(found) + " tiles where its size asks for " + std::to_string(count);
+}
+
+int base64Value(char c) {
+  if (c >= 'A' && c <= 'Z') return c - 'A';
+  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+  if (c >= '0' && c <= '9') return c - '0' + 52;
+  return c == '+' ? 62 : c == '/' ? 63 : -1;
+}
+
+tl::expected<Bytes, std::string> base64Bytes(std::string_view text) {
+  Bytes bytes;
+  bytes.reserve(text.size() / 4 * 3 + 3);
+  std::uint32_t bits = 0;
+  int held = 0;
+  bool ended = false;
+  for (char c : text) {
+    if (isBlank(c)) continue;
+    if (c == '=') {
+      ended = true;
+      continue;
+    }
+    const int value = base64Value(c);
+    if (value < 0 || ended) return tl::unexpected<std::string>("is not valid base64");
+    bits = (bits << 6 | static_cast<std::uint32_t>(value)) & 0xFFFFFF;
+    held += 6;
+    if (held >= 8) {
+      held -= 8;
+      bytes.push_back(static_cast<unsigned char>(bits >> held));
+    }
+  }
+  return bytes;
+}
+
+/// zlib and gzip streams, told apart by zlib itself.
+tl::expected<Bytes, std::string> inflated(const Bytes& packed, std::size_t size) {
+  constexpr std::size_t kBestRatio = 1'032;  // of deflate: what cannot fill `size` gets no memory
+  if (size / kBestRatio > packed.size()) return tl::unexpected<std::string>("is too short for its size");
+  Bytes bytes(size + 1);  // one byte more shows what is too long
+  z_stream stream{};
+  if (inflateInit2(&stream, 15 + 32) != Z_OK) return tl::unexpected<std::string>("cannot be decompressed: no memory");
+  stream.next_in = const_cast<unsigned char*>(packed.data());  // zlib only reads from it
+  stream.avail_in = static_cast<uInt>(packed.size());
+  stream.next_out = bytes.data();
+  stream.avail_out = static_cast<uInt>(bytes.size());
+  const int status = inflate(&stream, Z_FINISH);
+  const std::size_t made = bytes.size() - stream.avail_out;
+  inflateEnd(&stream);
+  if (status != Z_STREAM_END && made <= size) return tl::unexpected<std::string>("cannot be decompressed: damaged");
+  bytes.resize(made);
+  return bytes;
+}
+
+tl::expected<Bytes, std::string> unzstd(const Bytes& packed, std::size_t size) {
+  const auto announced = ZSTD_getFrameContentSize(packed.data(), packed.size());
+  if (announced == ZSTD_CONTENTSIZE_ERROR) return tl::unexpected<std::string>("is not zstd data");
+  if (announced != ZSTD_CONTENTSIZE_UNKNOWN && announced != size) {
+    return tl::unexpected(wrongCount(static_cast<std::size_t>(announced / 4), size / 4));
+  }
+  Bytes bytes(size + 1);
+  const std::size_t made = ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
+  if (ZSTD_isError(made)) {
+    return tl::unexpected(std::string("cannot be decompressed: ") + ZSTD_getErrorName(made));
+  }
+  bytes.resize(made);
+  return bytes;
+}
+
+}  // namespace
+
+tl::expected<Gids, std::string> decodeCsv(std::string_view text, std::size_t count) {
+  Gids gids;
+  gids.reserve(std::min(count, text.size() / 2 + 1));
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  const auto skipBlanks = [&] {
+    while (at != end && isBlank(*at)) ++at;
+  };
+  for (skipBlanks(); at != end; skipBlanks()) {
+    std::uint32_t gid = 0;
+    const auto [next, status] = std::from_chars(at, end, gid);
+    if (status != std::errc{}) {
+      return tl::unexpected("tile " + std::to_string(gids.size() + 1) + " is not a tile number");
+    }
+    if (gids.size() == count) return tl::unexpected("holds more than the " + std::to_string(count) + " tiles of its size");
+    gids.push_back(gid);
+    at = next;
+    skipBlanks();
+    if (at == end) break;
+    if (*at++ != ',') return tl::unexpected("has no comma after tile " + std::to_string(gids.size()));
+  }
+  if (gids.size() != count) return tl::unexpected(wrongCount(gids.size(), count));
+  return gids;
+}
+
+tl::expected<Gids, std::string> decodeBase64(std::string_view text, std::string_view compression, std::size_t count) {
+  auto bytes = base64Bytes(text);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (compression == "zlib" || compression == "gzip") {
+    bytes = inflated(*bytes, count * 4);
+  } else if (compression == "zstd") {
+    bytes = unzstd(*bytes, count * 4);
+  } else if (!compression.empty()) {
+    return tl::unexpected("has the unknown compression '" + std::string(compression) +
+                          "': save the map with zlib, gzip, zstd or none");
+  }
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (bytes->size() > count * 4) {
+    return tl::unexpected("holds more than the " + std::to_string(count) + " tiles of its size");
+  }
+  if (bytes->size() != count * 4) return tl::unexpected(wrongCount(bytes->size() / 4, count));
+  Gids gids(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const unsigned char* b = bytes->data() + 4 * i;
+    gids[i] = std::uint32_t{b[0]} | std::uint32_t{b[1]} << 8 | std::uint32_t{b[2]} << 16 | std::uint32_t{b[3]} << 24;
+  }
+  return gids;
+}
+
+}  // namespace lgs::tiled

@@ -1,0 +1,70 @@
+// Exact plane geometry on the lattice: what the importer needs to cut polygons along the grid and out of each other.
+// All polygons are rings of lattice points; coordinates are relative to one cell and reach at most kMaxReach cells.
+#pragma once
+
+#include <lgs/lattice.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace lgs::tiled {
+
+using Polygon = std::vector<Point>;
+
+/// Twice the signed area of the triangle o, a, b: positive when it turns left.
+constexpr std::int64_t cross(Point o, Point a, Point b) {
+  return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+}
+
+/// Twice the signed area: positive for a counter-clockwise ring.
+std::int64_t doubleArea(const Polygon& ring);
+
+struct Box {
+  Point min, max;
+};
+
+/// The least box around a ring of at least one vertex.
+Box boxOf(const Polygon& ring);
+
+/// The ring without repeated and collinear vertices and without spikes, taken apart where it comes back to a vertex.
+/// Loops without area are dropped; the orientation of each is kept.
+std::vector<Polygon> tidyLoops(Polygon ring);
+
+/// Whether no two edges meet, but for neighbours in their common vertex. O(n²).
+bool isSimple(const Polygon& ring);
+
+enum class Relation : std::uint8_t {
+  apart,   ///< the interiors do not meet (the boundaries may touch)
+  overlap, ///< the interiors meet
+  inside,  ///< a is a part of b, or all of it
+};
+
+/// How a lies to b; both simple and counter-clockwise. O(n·m).
+Relation relation(const Polygon& a, const Polygon& b);
+
+struct Line {
+  Point at;
+  Point direction;
+};
+
+/// Both sides of a polygon that was cut along a line. All pieces are counter-clockwise and tidy.
+struct Halves {
+  std::vector<Polygon> left;
+  std::vector<Polygon> right;
+};
+
+/// Cuts a simple counter-clockwise polygon. The new vertices are rounded to the nearest lattice point that is not on the
+/// line's left; along a horizontal or vertical line only their place on the line is rounded. Rounding can make a piece
+/// touch itself: check isSimple(). The same edge, cut from either of its sides, is cut in the same point.
+/// Limits: any line inside one cell; horizontal and vertical lines of direction ±1 within kMaxReach cells.
+Halves split(const Polygon& ring, const Line& line);
+
+struct Difference {
+  std::vector<Polygon> parts;  ///< simple, counter-clockwise; none overlaps b
+  bool lost = false;           ///< whether a part worth mentioning had to be given up (intricate, or spoilt by rounding)
+};
+
+/// a without b; both simple and counter-clockwise, inside one cell.
+Difference subtract(const Polygon& a, const Polygon& b);
+
+}  // namespace lgs::tiled

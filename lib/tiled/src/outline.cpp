@@ -1,0 +1,75 @@
+#include "outline.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace lgs::tiled {
+namespace {
+
+/// Cosine and sine of an angle in degrees; exact for quarter turns.
+std::pair<double, double> turn(double degrees) {
+  const double rest = std::fmod(degrees, 360.0);
+  const double quarters = rest / 90.0;
+  if (quarters == std::floor(quarters)) {
+    constexpr double kCosines[] = {1, 0, -1, 0};
+    const auto quarter = static_cast<unsigned>(static_cast<int>(quarters) + 4) % 4;
+    return {kCosines[quarter], kCosines[(quarter + 3) % 4]};
+  }
+  const double angle = rest / 180.0 * std::numbers::pi;
+  return {std::cos(angle), std::sin(angle)};
+}
+
+/// A rounded box: quarter circles of kCurveVertices / 4 steps around the four corners of an inner box. It is an ellipse
+/// if the inner box is a point, a capsule if it is a line.
+std::vector<DoublePoint> roundedBox(DoublePoint size, DoublePoint radius) {
+  constexpr int kSteps = kCurveVertices / 4;
+  const DoublePoint inner{size.x - 2 * radius.x, size.y - 2 * radius.y};
+  std::vector<DoublePoint> points;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const DoublePoint centre{radius.x + (quarter == 0 || quarter == 3 ? inner.x : 0),
+                             radius.y + (quarter < 2 ? inner.y : 0)};
+    for (int step = 0; step <= kSteps; ++step) {  // the ends of equal quarters coincide: the tidying drops one
+      const auto [cosine, sine] = turn(90.0 * quarter + 90.0 * step / kSteps);
+      points.push_back({centre.x + radius.x * cosine, centre.y + radius.y * sine});
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<DoublePoint> outline(const CollisionObject& object) {
+  using Kind = CollisionObject::Kind;
+  const DoublePoint size = object.size;
+  std::vector<DoublePoint> points;
+  switch (object.kind) {
+    case Kind::rectangle: points = {{0, 0}, {size.x, 0}, size, {0, size.y}}; break;
+    case Kind::polygon: points = object.points; break;
+    case Kind::ellipse: points = roundedBox(size, {size.x / 2, size.y / 2}); break;
+    case Kind::capsule: {
+      const double radius = std::fmin(size.x, size.y) / 2;
+      points = roundedBox(size, {radius, radius});
+      break;
+    }
+    case Kind::unsupported: break;
+  }
+  const auto [cosine, sine] = turn(object.rotation);
+  for (DoublePoint& p : points) {
+    p = {object.at.x + p.x * cosine - p.y * sine, object.at.y + p.x * sine + p.y * cosine};
+  }
+  return points;
+}
+
+DoublePoint Frame::toCell(DoublePoint p) const {
+  DoublePoint box = image;
+  if (flips.diagonal) {
+    std::swap(p.x, p.y);
+    std::swap(box.x, box.y);
+  }
+  if (flips.horizontal) p.x = box.x - p.x;
+  if (flips.vertical) p.y = box.y - p.y;
+  return {p.x * scale.x + shift.x, (box.y - p.y) * scale.y - shift.y};
+}
+
+}  // namespace lgs::tiled

@@ -1,0 +1,77 @@
+// The cells as they fill up. What a cell holds is interned, and so is each step from one content to the next; so however
+// large the map, polygons are compared only once for each combination that occurs.
+#pragma once
+
+#include "geometry.h"
+
+#include <lgs/tiled/import.h>
+
+#include <map>
+#include <string_view>
+#include <tuple>
+#include <unordered_map>
+
+namespace lgs::tiled {
+
+/// Cells of the map run at most this far; carried parts a little further. Well inside kMaxCell.
+inline constexpr std::int64_t kMaxMapCell = std::int64_t{1} << 29;
+
+class Placer {
+ public:
+  /// A polygon with all that a Placement says of it, but for the cell.
+  struct Entry {
+    std::uint32_t shape = 0;
+    Block block = 1;
+    std::uint32_t tile = 0;
+    std::uint32_t object = 0;
+    std::uint32_t layer = 0;
+    friend auto operator<=>(const Entry&, const Entry&) = default;
+  };
+  using EntryId = std::uint32_t;
+
+  Placer();
+
+  /// The number of a simple counter-clockwise ring inside the cell.
+  std::uint32_t shape(const Polygon& ring);
+
+  EntryId entry(const Entry& entry);
+
+  /// Adds what is not covered yet. What had to be taken away or given up is noted.
+  void place(Cell cell, EntryId entry);
+
+  /// Moves everything into the map: shapes, placements and the counts and notes of the report.
+  void finish(ImportedMap& map);
+
+ private:
+  using ContentId = std::uint32_t;
+  using Content = std::vector<EntryId>;
+
+  struct Step {
+    ContentId to = 0;
+    bool trimmed = false;
+    bool lost = false;     ///< a part was given up
+    bool tooMany = false;  ///< World holds no more in one cell
+  };
+
+  struct CellHash {
+    std::size_t operator()(Cell c) const;
+  };
+
+  Step step(ContentId from, EntryId entry);
+  Step work(const Content& content, EntryId entry);
+  ContentId content(Content content);
+  bool fits(const Content& content, const Polygon& ring) const;
+  void count(EntryId entry, Cell cell, NoteKind kind, std::string_view text);
+
+  std::vector<Polygon> shapes_;
+  std::map<Polygon, std::uint32_t> shapeIds_;
+  std::vector<Entry> entries_;
+  std::map<Entry, EntryId> entryIds_;
+  std::vector<Content> contents_;
+  std::map<Content, ContentId> contentIds_;
+  std::unordered_map<std::uint64_t, Step> steps_;
+  std::unordered_map<Cell, ContentId, CellHash> cells_;
+  std::map<std::tuple<std::uint32_t, std::uint32_t, std::string_view>, Note> notes_;  // by tile, object, text
+};
+
+}  // namespace lgs::tiled
