@@ -1,11 +1,16 @@
-# lgs_target(<target>): what every target of this project is compiled with.
+# lgs_target(<target>): what every target of this project is compiled with. Warnings and sanitizers are for those who
+# work on the project; a game that has it as a subproject keeps its own.
 function(lgs_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  if(PROJECT_IS_TOP_LEVEL OR CMAKE_SOURCE_DIR STREQUAL LocalGridSeg_SOURCE_DIR)
-    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+  if(CMAKE_SOURCE_DIR STREQUAL LocalGridSeg_SOURCE_DIR)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+      # GCC 12 warns of string concatenation where nothing is wrong (its bug 105651, fixed in 13).
+      $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>)
     if(LGS_SANITIZE)
-      target_compile_options(${target} PRIVATE -fsanitize=${LGS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+      target_compile_options(${target} PRIVATE
+        -fsanitize=${LGS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC takes the sanitizers' own code for uses
       target_link_options(${target} PUBLIC -fsanitize=${LGS_SANITIZE})
     endif()
   endif()

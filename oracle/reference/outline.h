@@ -5,6 +5,7 @@
 #include <lgs/ids.h>
 #include <lgs/lattice.h>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -21,5 +22,11 @@ struct OutlineSegment {
 
 /// Sorted by start, end, block.
 using Outline = std::vector<OutlineSegment>;
+
+/// An outline that also knows whose each segment is.
+struct OwnedOutline {
+  Outline outline;
+  std::vector<std::uint32_t> owner;  ///< owner[k]: the polygon of outline[k], an index into Scene::polygons
+};
 
 }  // namespace lgs::oracle

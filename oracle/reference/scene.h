@@ -5,6 +5,8 @@
 #include <lgs/ids.h>
 #include <lgs/lattice.h>
 
+#include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -35,5 +37,17 @@ struct Scene {
   std::vector<ScenePolygon> polygons;
   PreservePairs preserve;
 };
+
+/// A partition of a scene's blocks: within one material every overlap is cancelled, between two none is.
+struct Materials {
+  std::uint32_t count = 0;                                ///< materials are numbered from 0
+  std::vector<std::pair<Block, std::uint32_t>> ofBlocks;  ///< every block of the scene with its material, sorted
+  std::uint32_t of(Block block) const;                    ///< the block must be one of the scene's
+};
+
+/// The scene's materials, or nothing if its preserve relation is no such partition: "not preserved", restricted to the
+/// blocks that the scene's polygons carry, must be an equivalence relation. (With `preserve(1, 2)` alone it is one in a
+/// world of blocks 1 and 2, and none once there is a block 3 that joins both.)
+std::optional<Materials> materials(const Scene& scene);
 
 }  // namespace lgs::oracle

@@ -1,9 +1,10 @@
 #include "encoding.h"
 
-#include <algorithm>
-#include <charconv>
+#define ZLIB_CONST  // zlib then takes its input as const
 #include <zlib.h>
 #include <zstd.h>
+#include <algorithm>
+#include <charconv>
 
 namespace lgs::tiled {
 namespace {
@@ -54,7 +55,7 @@ tl::expected<Bytes, std::string> inflated(const Bytes& packed, std::size_t size)
   Bytes bytes(size + 1);  // one byte more shows what is too long
   z_stream stream{};
   if (inflateInit2(&stream, 15 + 32) != Z_OK) return tl::unexpected<std::string>("cannot be decompressed: no memory");
-  stream.next_in = const_cast<unsigned char*>(packed.data());  // zlib only reads from it
+  stream.next_in = packed.data();
   stream.avail_in = static_cast<uInt>(packed.size());
   stream.next_out = bytes.data();
   stream.avail_out = static_cast<uInt>(bytes.size());
@@ -97,7 +98,8 @@ tl::expected<Gids, std::string> decodeCsv(std::string_view text, std::size_t cou
     if (status != std::errc{}) {
       return tl::unexpected("tile " + std::to_string(gids.size() + 1) + " is not a tile number");
     }
-    if (gids.size() == count) return tl::unexpected("holds more than the " + std::to_string(count) + " tiles of its size");
+    if (gids.size() == count)
+      return tl::unexpected("holds more than the " + std::to_string(count) + " tiles of its size");
     gids.push_back(gid);
     at = next;
     skipBlanks();

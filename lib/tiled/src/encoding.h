@@ -1,4 +1,4 @@
-// The ways in which TMX writes a layer's tile numbers as text. All return exactly `count` numbers, or say what is wrong.
+// The ways in which TMX writes a layer's tile numbers as text. All return exactly `count` numbers or say what is wrong.
 #pragma once
 
 #include <cstddef>

@@ -5,6 +5,7 @@
 #include <lgs/lattice.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace lgs::tiled {
@@ -34,13 +35,21 @@ std::vector<Polygon> tidyLoops(Polygon ring);
 bool isSimple(const Polygon& ring);
 
 enum class Relation : std::uint8_t {
-  apart,   ///< the interiors do not meet (the boundaries may touch)
-  overlap, ///< the interiors meet
-  inside,  ///< a is a part of b, or all of it
+  apart,    ///< the interiors do not meet (the boundaries may touch)
+  overlap,  ///< the interiors meet
+  inside,   ///< a is a part of b, or all of it
 };
 
 /// How a lies to b; both simple and counter-clockwise. O(n·m).
 Relation relation(const Polygon& a, const Polygon& b);
+
+bool strictlyInside(Point p, const Polygon& ring);
+
+/// Whether every vertex of a lies in b or misses it by a lattice unit or two, as rounding may cause. O(n·m).
+bool nearlyInside(const Polygon& a, const Polygon& b);
+
+/// a with those vertices of b put into its outline that its edges pass by a lattice unit or two.
+Polygon bentAround(const Polygon& a, const Polygon& b);
 
 struct Line {
   Point at;
@@ -53,18 +62,23 @@ struct Halves {
   std::vector<Polygon> right;
 };
 
-/// Cuts a simple counter-clockwise polygon. The new vertices are rounded to the nearest lattice point that is not on the
-/// line's left; along a horizontal or vertical line only their place on the line is rounded. Rounding can make a piece
-/// touch itself: check isSimple(). The same edge, cut from either of its sides, is cut in the same point.
+/// The polygons that a cut should not push a piece into.
+using Obstacles = std::span<const Polygon>;
+
+/// Cuts a simple counter-clockwise polygon. The new vertices are rounded to a lattice point beside the exact place: to
+/// an obstacle's vertex if one is that near, else to the nearest that is in no obstacle and not on the line's left.
+/// Along a horizontal or vertical line, without obstacles, only the place on the line is rounded. Rounding can make a
+/// piece touch itself: check isSimple(). The same edge, cut from either of its sides, is cut in the same point.
 /// Limits: any line inside one cell; horizontal and vertical lines of direction ±1 within kMaxReach cells.
-Halves split(const Polygon& ring, const Line& line);
+Halves split(const Polygon& ring, const Line& line, Obstacles obstacles = {});
 
 struct Difference {
   std::vector<Polygon> parts;  ///< simple, counter-clockwise; none overlaps b
-  bool lost = false;           ///< whether a part worth mentioning had to be given up (intricate, or spoilt by rounding)
+  bool lost = false;  ///< whether a part worth mentioning had to be given up (intricate, or spoilt by rounding)
 };
 
-/// a without b; both simple and counter-clockwise, inside one cell.
-Difference subtract(const Polygon& a, const Polygon& b);
+/// a without b; both simple and counter-clockwise, inside one cell. Cuts keep clear of the obstacles, b among them, so
+/// that as a rule the parts overlap none that a did not overlap; check it.
+Difference subtract(const Polygon& a, const Polygon& b, Obstacles obstacles);
 
 }  // namespace lgs::tiled

@@ -7,17 +7,18 @@ namespace lgs::tiled {
 
 /// The grid as the importer sees it.
 struct PixelGrid {
-  DoublePoint tile;         ///< pixels of one cell
-  DoublePoint tolerance;    ///< pixels, on each axis
+  DoublePoint tile;       ///< pixels of one cell
+  DoublePoint tolerance;  ///< pixels, on each axis
 };
 
 /// A polygon put on the lattice, and what that took.
 struct Snapped {
-  Polygon ring;            ///< lattice units from the cell's lower left corner
-  bool tooFar = false;     ///< a vertex is further than kMaxReach cells away: no ring
-  int moved = 0;           ///< coordinates moved to the grid
-  double furthest = 0;     ///< pixels
-  double nearMiss = 0;     ///< pixels by which a vertex on the grid misses a corner, if not by much more than the tolerance
+  Polygon ring;         ///< lattice units from the cell's lower left corner
+  bool tooFar = false;  ///< a vertex is further than kMaxReach cells away: no ring
+  int moved = 0;        ///< coordinates moved to the grid
+  double furthest = 0;  ///< pixels
+  double nearMiss =
+      0;  ///< pixels by which a vertex on the grid misses a corner, if not by much more than the tolerance
 };
 
 /// `outline` in pixels from the cell's lower left corner, y up.

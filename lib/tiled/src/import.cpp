@@ -1,16 +1,14 @@
 // One import from beginning to end: the map's head, its tilesets, its layers tile by tile, then the carried parts.
 #include <lgs/tiled/import.h>
 
+#include "block_numbers.h"
 #include "layers.h"
 #include "placer.h"
 #include "tile_parts.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
-#include <set>
 #include <tuple>
 #include <utility>
 
@@ -20,34 +18,15 @@ namespace {
 constexpr std::uint32_t kHorizontal = 0x8000'0000, kVertical = 0x4000'0000, kDiagonal = 0x2000'0000;
 constexpr std::uint32_t kFlags = 0xF000'0000;  // with that for hexagonal maps, which means nothing here
 
-/// Gives numbers to the names of classes and layers.
-class BlockNumbers {
- public:
-  explicit BlockNumbers(const Options& options) : numbers_(options.blocks) {
-    for (const auto& [name, block] : options.blocks) taken_.insert(block);
-  }
-
-  Block of(const std::string& name) {
-    const auto known = numbers_.find(name);
-    if (known != numbers_.end()) return known->second;
-    while (taken_.contains(next_)) ++next_;
-    taken_.insert(next_);
-    return numbers_[name] = next_;
-  }
-
-  const std::map<std::string, Block>& all() const { return numbers_; }
-
- private:
-  std::map<std::string, Block> numbers_;
-  std::set<Block> taken_;
-  Block next_ = 1;
-};
-
 class Import {
  public:
   Import(const std::string& path, const Options& options, const FileReader& reader)
-      : options_(options), reader_(reader), file_(path, reader, "map", error_), blocks_(options),
-        tilesLeft_(options.maxTiles), placementsLeft_(options.maxPlacements) {
+      : options_(options),
+        reader_(reader),
+        file_(path, reader, "map", error_),
+        blocks_(options),
+        tilesLeft_(options.maxTiles),
+        placementsLeft_(options.maxPlacements) {
     map_.report.file = path;
   }
 
@@ -71,8 +50,8 @@ class Import {
   };
   struct CurrentLayer {
     std::uint32_t index = 0;
-    std::int64_t columns = 0, rows = 0;  // moved by its offset
-    DoublePoint rest;                    // of the offset, pixels
+    std::int64_t columns = 0, rows = 0;                               // moved by its offset
+    DoublePoint rest;                                                 // of the offset, pixels
     std::unordered_map<std::uint32_t, std::vector<Placeable>> ready;  // by tile number with flags
   };
 
@@ -96,7 +75,7 @@ class Import {
   std::size_t tilesLeft_;
   std::size_t placementsLeft_;
   PixelGrid grid_;
-  std::vector<Tileset> tilesets_;  // by firstGid
+  std::vector<Tileset> tilesets_;                                         // by firstGid
   std::map<std::tuple<std::uint32_t, double, double>, TileParts> parts_;  // by tile number with flags, and offset
   std::unordered_map<std::uint32_t, std::uint32_t> reportIndex_;          // by tile number
   std::vector<std::pair<Cell, Placer::EntryId>> carried_;
@@ -151,12 +130,15 @@ void Import::readLayers() {
 void Import::readLayer(const Layer& layer, std::uint32_t index) {
   const auto whole = [](double offset, double tile) { return std::round(offset / tile); };
   const double columns = whole(layer.offset.x, grid_.tile.x), rows = whole(layer.offset.y, grid_.tile.y);
-  constexpr auto kMost = static_cast<double>(kMaxMapCell / 4);
+  constexpr double kMost = 1 << 27;  // with the largest chunk and reach still far inside kMaxCell
   if (!(std::fabs(columns) <= kMost && std::fabs(rows) <= kMost)) {
     return file_.fail(layer.node, "its offset is too large");
   }
-  CurrentLayer current{index, static_cast<std::int64_t>(columns), static_cast<std::int64_t>(rows),
-                       {layer.offset.x - columns * grid_.tile.x, layer.offset.y - rows * grid_.tile.y}, {}};
+  CurrentLayer current{index,
+                       static_cast<std::int64_t>(columns),
+                       static_cast<std::int64_t>(rows),
+                       {layer.offset.x - columns * grid_.tile.x, layer.offset.y - rows * grid_.tile.y},
+                       {}};
   LayerReport& report = map_.report.layers[index];
   if (current.rest.x != 0 || current.rest.y != 0) {
     report.note = "shifted by " + pixels(current.rest.x) + ", " + pixels(current.rest.y) +
@@ -214,7 +196,9 @@ const TileParts& Import::partsOf(const Tileset& tileset, std::uint32_t gid, Doub
   Tile tile = found == tileset.tiles.end() ? Tile{} : found->second;
   if (tile.size.x == 0 || tile.size.y == 0) tile.size = tileset.tileSize;
   if (tile.objects.empty() && options_.solidWithoutShapes) tile.objects.emplace_back().size = tile.size;
-  Frame frame{tile.size, {(gid & kHorizontal) != 0, (gid & kVertical) != 0, (gid & kDiagonal) != 0}, {1, 1},
+  Frame frame{tile.size,
+              {(gid & kHorizontal) != 0, (gid & kVertical) != 0, (gid & kDiagonal) != 0},
+              {1, 1},
               {tileset.offset.x + rest.x, tileset.offset.y + rest.y}};
   if (tileset.fitToGrid) {
     const DoublePoint box = frame.flips.diagonal ? DoublePoint{tile.size.y, tile.size.x} : tile.size;
@@ -270,20 +254,6 @@ void Import::finishReport() {
 }
 
 }  // namespace
-
-tl::expected<std::string, std::string> readFile(const std::string& path) {
-  constexpr std::streamoff kMost = std::streamoff{1} << 30;
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return tl::unexpected<std::string>("it is a folder");
-  std::ifstream in(path, std::ios::binary | std::ios::ate);
-  const std::streamoff size = in ? static_cast<std::streamoff>(in.tellg()) : -1;
-  if (size < 0) return tl::unexpected<std::string>("there is no such file, or it must not be read");
-  if (size > kMost) return tl::unexpected<std::string>("it is larger than 1 GiB");
-  in.seekg(0);
-  std::string text(static_cast<std::size_t>(size), '\0');
-  if (!in.read(text.data(), size)) return tl::unexpected<std::string>("reading stopped half-way");
-  return text;
-}
 
 tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options,
                                                  const FileReader& reader) {

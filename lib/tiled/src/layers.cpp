@@ -8,7 +8,7 @@
 namespace lgs::tiled {
 namespace {
 
-constexpr int kMaxDepth = 64;              // of groups in groups
+constexpr int kMaxDepth = 64;               // of groups in groups
 constexpr std::int64_t kMaxSide = 1 << 28;  // of a layer, and of a chunk's place: far inside kMaxCell
 
 class Lister {
@@ -30,9 +30,11 @@ class Lister {
       const bool group = kind == "group";
       if (!group && kind != "layer" && kind != "objectgroup" && kind != "imagelayer") continue;
       const std::string name = child.attribute("name").value();
-      Parent self{parent.path.empty() ? name : parent.path + "/" + name, false,
+      Parent self{parent.path.empty() ? name : parent.path + "/" + name,
+                  false,
                   {parent.offset.x + file_.real(child, "offsetx"), parent.offset.y + file_.real(child, "offsety")},
-                  parent.parallax || scrollsApart(child), parent.depth + 1};
+                  parent.parallax || scrollsApart(child),
+                  parent.depth + 1};
       const bool asked = fits(name, self.path, group || kind == "layer");
       self.wanted = parent.wanted || asked;
       if (!group) {
@@ -89,7 +91,7 @@ class Lister {
 /// One rectangle of tiles: a whole layer, or a chunk of an infinite one.
 struct TileRect {
   pugi::xml_node node;
-  std::int64_t column, row, width, height;
+  std::int64_t column = 0, row = 0, width = 0, height = 0;
 };
 
 tl::expected<Gids, std::string> decode(const XmlFile& file, pugi::xml_node data, const TileRect& rect) {
@@ -112,7 +114,7 @@ tl::expected<Gids, std::string> decode(const XmlFile& file, pugi::xml_node data,
 }
 
 void readRect(const XmlFile& file, pugi::xml_node data, const TileRect& rect, std::size_t& budget,
-               const TileSink& sink) {
+              const TileSink& sink) {
   if (file.failed()) return;
   const auto count = static_cast<std::uint64_t>(rect.width * rect.height);
   if (count > budget) return file.fail(rect.node, "the map has more tiles than the limit (Options::maxTiles)");

@@ -10,10 +10,10 @@ namespace lgs::tiled {
 /// A tile layer in its place in the tree of groups.
 struct Layer {
   pugi::xml_node node;
-  std::string path;      ///< "Group/Layer"
+  std::string path;  ///< "Group/Layer"
   bool wanted = false;
-  DoublePoint offset;    ///< pixels, y down, with those of the groups
-  std::string remark;    ///< what is special about it, for the report
+  DoublePoint offset;  ///< pixels, y down, with those of the groups
+  std::string remark;  ///< what is special about it, for the report
 };
 
 /// All layers of a map, those passed over included, in the map's order. Keeps an error if a name of `wanted` fits none.

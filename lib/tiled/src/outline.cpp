@@ -44,15 +44,22 @@ std::vector<DoublePoint> outline(const CollisionObject& object) {
   const DoublePoint size = object.size;
   std::vector<DoublePoint> points;
   switch (object.kind) {
-    case Kind::rectangle: points = {{0, 0}, {size.x, 0}, size, {0, size.y}}; break;
-    case Kind::polygon: points = object.points; break;
-    case Kind::ellipse: points = roundedBox(size, {size.x / 2, size.y / 2}); break;
+    case Kind::rectangle:
+      points = {{0, 0}, {size.x, 0}, size, {0, size.y}};
+      break;
+    case Kind::polygon:
+      points = object.points;
+      break;
+    case Kind::ellipse:
+      points = roundedBox(size, {size.x / 2, size.y / 2});
+      break;
     case Kind::capsule: {
       const double radius = std::fmin(size.x, size.y) / 2;
       points = roundedBox(size, {radius, radius});
       break;
     }
-    case Kind::unsupported: break;
+    case Kind::unsupported:
+      break;
   }
   const auto [cosine, sine] = turn(object.rotation);
   for (DoublePoint& p : points) {

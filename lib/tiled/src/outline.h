@@ -5,8 +5,8 @@
 
 namespace lgs::tiled {
 
-/// The outline of an object in pixels from the upper left corner of its tile's image, y down. In either orientation; not
-/// for Kind::unsupported.
+/// The outline of an object in pixels from the upper left corner of its tile's image, y down. In either orientation;
+/// empty for Kind::unsupported.
 std::vector<DoublePoint> outline(const CollisionObject& object);
 
 /// Tiled's flags for a flipped tile: first the diagonal flip (x and y change places), then the others.
@@ -18,10 +18,10 @@ struct Flips {
 
 /// Where a tile's image stands in relation to its cell.
 struct Frame {
-  DoublePoint image;       ///< the size of the image, before flips
+  DoublePoint image;  ///< the size of the image, before flips
   Flips flips;
   DoublePoint scale{1, 1};
-  DoublePoint shift;       ///< pixels, y down: the tileset's offset and what the layer's offset leaves over
+  DoublePoint shift;  ///< pixels, y down: the tileset's offset and what the layer's offset leaves over
 
   /// From the image's upper left corner, y down, to the cell's lower left corner, y up; in pixels.
   DoublePoint toCell(DoublePoint p) const;

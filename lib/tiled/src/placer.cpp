@@ -19,8 +19,8 @@ std::uint32_t asId(std::size_t size) { return static_cast<std::uint32_t>(size); 
 Placer::Placer() : contents_(1), contentIds_{{{}, 0}} {}
 
 std::size_t Placer::CellHash::operator()(Cell c) const {
-  const std::uint64_t both = static_cast<std::uint64_t>(static_cast<std::uint32_t>(c.i)) << 32 |
-                             static_cast<std::uint32_t>(c.j);
+  const std::uint64_t both =
+      static_cast<std::uint64_t>(static_cast<std::uint32_t>(c.i)) << 32 | static_cast<std::uint32_t>(c.j);
   const std::uint64_t mixed = both * 0x9E37'79B9'7F4A'7C15;
   return static_cast<std::size_t>(mixed ^ mixed >> 32);
 }
@@ -63,34 +63,37 @@ Placer::Step Placer::step(ContentId from, EntryId entry) {
   return made;
 }
 
+/// Each part is freed of one polygon after the other until it is apart from all. Cutting rounds and can bring a new
+/// contact with another one, so a part may come round again.
 Placer::Step Placer::work(const Content& content, EntryId entry) {
   Step result;
-  const Polygon whole = shapes_[entries_[entry].shape];
-  std::vector<Polygon> parts{whole};
-  for (const EntryId other : content) {
-    std::vector<Polygon> left;
-    for (const Polygon& part : parts) {
-      Difference difference = subtract(part, shapes_[entries_[other].shape]);
-      result.lost |= difference.lost;
-      for (Polygon& p : difference.parts) left.push_back(std::move(p));
-    }
-    parts = std::move(left);
-  }
-  result.trimmed = parts.size() != 1 || parts[0] != whole;
   Content grown = content;
-  for (const Polygon& part : parts) {
-    // Cutting rounds; whatever that may have done, what goes in is apart from all that is there.
-    const auto touches = [&](EntryId other) {
+  std::vector<Polygon> parts{shapes_[entries_[entry].shape]};
+  std::size_t cutsLeft = 64 + 4 * content.size();
+  while (!parts.empty()) {
+    const Polygon part = std::move(parts.back());
+    parts.pop_back();
+    const auto overlapped = std::find_if(grown.begin(), grown.end(), [&](EntryId other) {
       return relation(part, shapes_[entries_[other].shape]) != Relation::apart;
-    };
-    if (std::any_of(grown.begin(), grown.end(), touches)) {
-      result.lost = true;
-    } else if (!fits(grown, part)) {
-      result.tooMany = true;
-    } else {
+    });
+    if (overlapped == grown.end()) {
+      if (!fits(grown, part)) {
+        result.tooMany = true;
+        continue;
+      }
       Entry added = entries_[entry];
       added.shape = shape(part);
       grown.push_back(this->entry(added));
+    } else if (cutsLeft-- == 0) {
+      result.lost = true;
+      break;
+    } else {
+      result.trimmed = true;
+      std::vector<Polygon> obstacles = parts;
+      for (const EntryId other : grown) obstacles.push_back(shapes_[entries_[other].shape]);
+      Difference difference = subtract(part, shapes_[entries_[*overlapped].shape], obstacles);
+      result.lost |= difference.lost;
+      for (Polygon& p : difference.parts) parts.push_back(std::move(p));
     }
   }
   result.to = this->content(std::move(grown));

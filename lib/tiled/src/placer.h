@@ -1,5 +1,5 @@
-// The cells as they fill up. What a cell holds is interned, and so is each step from one content to the next; so however
-// large the map, polygons are compared only once for each combination that occurs.
+// The cells as they fill up. What a cell holds is interned, and so is each step from one content to the next; so
+// however large the map, polygons are compared only once for each combination that occurs.
 #pragma once
 
 #include "geometry.h"
@@ -12,9 +12,6 @@
 #include <unordered_map>
 
 namespace lgs::tiled {
-
-/// Cells of the map run at most this far; carried parts a little further. Well inside kMaxCell.
-inline constexpr std::int64_t kMaxMapCell = std::int64_t{1} << 29;
 
 class Placer {
  public:

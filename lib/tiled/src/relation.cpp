@@ -3,11 +3,10 @@
 #include "geometry.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace lgs::tiled {
 namespace {
-
-enum class Place : std::uint8_t { outside, inside, on };
 
 Point doubled(Point p) { return {2 * p.x, 2 * p.y}; }
 
@@ -64,7 +63,48 @@ Sight sightOf(const Polygon& a, const Polygon& b) {
   return sight;
 }
 
+/// Whether p lies within two lattice units of r→s.
+bool isNear(Point p, Point r, Point s) {
+  constexpr std::int64_t kSlack = 2;
+  const std::int64_t longer = std::max(std::abs(s.x - r.x), std::abs(s.y - r.y));
+  return p.x >= std::min(r.x, s.x) - kSlack && p.x <= std::max(r.x, s.x) + kSlack &&
+         p.y >= std::min(r.y, s.y) - kSlack && p.y <= std::max(r.y, s.y) + kSlack &&
+         std::abs(cross(r, s, p)) <= kSlack * longer;
+}
+
 }  // namespace
+
+bool strictlyInside(Point p, const Polygon& ring) {
+  Sight sight;
+  look(p, p, ring, sight);
+  return sight.inside;
+}
+
+bool nearlyInside(const Polygon& a, const Polygon& b) {
+  return std::all_of(a.begin(), a.end(), [&](Point p) {
+    if (strictlyInside(p, b)) return true;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      if (isNear(p, b[j], b[(j + 1) % b.size()])) return true;
+    }
+    return false;
+  });
+}
+
+Polygon bentAround(const Polygon& a, const Polygon& b) {
+  Polygon bent;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Point p = a[i], q = a[(i + 1) % a.size()];
+    const auto along = [&](Point r) { return (r.x - p.x) * (q.x - p.x) + (r.y - p.y) * (q.y - p.y); };
+    Polygon passed;
+    for (Point r : b) {
+      if (along(r) > 0 && along(r) < along(q) && isNear(r, p, q)) passed.push_back(r);
+    }
+    std::sort(passed.begin(), passed.end(), [&](Point l, Point r) { return along(l) < along(r); });
+    bent.push_back(p);
+    bent.insert(bent.end(), passed.begin(), passed.end());
+  }
+  return bent;
+}
 
 Relation relation(const Polygon& a, const Polygon& b) {
   const Box boxA = boxOf(a), boxB = boxOf(b);

@@ -92,9 +92,11 @@ std::string toText(const Report& report) {
   appendHead(report, out);
   const auto missing = [](NoteKind kind) { return kind == NoteKind::leftOut || kind == NoteKind::clipped; };
   appendNotes(report, "Left out or cut off:", missing, out);
-  appendNotes(report, "Changed on the way in:",
-              [&](NoteKind kind) { return !missing(kind) && kind != NoteKind::nearMiss; }, out);
-  appendNotes(report, "Worth a look:", [](NoteKind kind) { return kind == NoteKind::nearMiss; }, out);
+  appendNotes(
+      report, "Changed on the way in:", [&](NoteKind kind) { return !missing(kind) && kind != NoteKind::nearMiss; },
+      out);
+  appendNotes(
+      report, "Worth a look:", [](NoteKind kind) { return kind == NoteKind::nearMiss; }, out);
   appendShapeless(report, out);
   return out;
 }

@@ -71,19 +71,18 @@ std::vector<Polygon> tidyLoops(Polygon ring) {
     dropFlatVertices(current);
     if (current.size() < 3) continue;
     std::map<Point, std::size_t> seen;
-    bool whole = true;
-    for (std::size_t i = 0; i < current.size() && whole; ++i) {
-      const auto [before, isNew] = seen.emplace(current[i], i);
-      if (isNew) continue;
-      const auto from = current.begin() + static_cast<std::ptrdiff_t>(before->second);
-      const auto to = current.begin() + static_cast<std::ptrdiff_t>(i);
-      Polygon loop(from, to);
-      current.erase(from, to);
-      todo.push_back(std::move(current));
-      todo.push_back(std::move(loop));
-      whole = false;
+    std::size_t again = 0;  // the first vertex that was there before
+    while (again < current.size() && seen.emplace(current[again], again).second) ++again;
+    if (again == current.size()) {
+      if (doubleArea(current) != 0) loops.push_back(std::move(current));
+      continue;
     }
-    if (whole && doubleArea(current) != 0) loops.push_back(std::move(current));
+    const auto from = current.begin() + static_cast<std::ptrdiff_t>(seen[current[again]]);
+    const auto to = current.begin() + static_cast<std::ptrdiff_t>(again);
+    Polygon loop(from, to);
+    current.erase(from, to);
+    todo.push_back(std::move(current));
+    todo.push_back(std::move(loop));
   }
   return loops;
 }

@@ -15,9 +15,9 @@ __extension__ using Wide = __int128;  // products of an edge's length and two di
 /// A vertex of the outline, or the point where an edge crosses the line.
 struct Node {
   Point point;
-  int side = 0;              // 1: left of the line, -1: right, 0: on it
-  std::int64_t distance = 0; // from the line, scaled; of vertices only
-  Wide num = 0;              // place along the line: num / den, exact even where `point` is rounded
+  int side = 0;               // 1: left of the line, -1: right, 0: on it
+  std::int64_t distance = 0;  // from the line, scaled; of vertices only
+  Wide num = 0;               // place along the line: num / den, exact even where `point` is rounded
   std::int64_t den = 1;
 };
 
@@ -27,7 +27,7 @@ std::int64_t floorDiv(std::int64_t a, std::int64_t b) {  // b > 0
 
 class Cutter {
  public:
-  Cutter(const Polygon& ring, const Line& line) : line_(line) {
+  Cutter(const Polygon& ring, const Line& line, Obstacles obstacles) : line_(line), obstacles_(obstacles) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Node u = vertex(ring[i]), v = vertex(ring[(i + 1) % ring.size()]);
       nodes_.push_back(u);
@@ -68,29 +68,45 @@ class Cutter {
   std::vector<Arc> arcs(int side) const;
   End end(const std::vector<Arc>& all, std::size_t arc, bool arrives, int side) const;
 
+  int price(Point p) const;
+
   Line line_;
+  Obstacles obstacles_;
   std::vector<Node> nodes_;
 };
 
+/// How welcome a lattice point is as a new vertex; less is better.
+int Cutter::price(Point p) const {
+  const auto hits = [&](const Polygon& ring) { return strictlyInside(p, ring); };
+  return 2 * std::any_of(obstacles_.begin(), obstacles_.end(), hits) + (vertex(p).side > 0);
+}
+
 Node Cutter::crossing(const Node& u, const Node& v) const {
   const int flip = u.distance > v.distance ? 1 : -1;
-  const std::int64_t den = flip * (u.distance - v.distance);
+  Node best;
+  best.num = flip * (v.num * u.distance - u.num * v.distance);
+  best.den = flip * (u.distance - v.distance);
   const std::int64_t part = flip * u.distance;  // the crossing is u + (v - u) * part / den
   const std::int64_t stepX = (v.point.x - u.point.x) * part, stepY = (v.point.y - u.point.y) * part;
-  const std::int64_t lowX = floorDiv(stepX, den), lowY = floorDiv(stepY, den);
-  Node best;
-  std::optional<Wide> least;
-  for (int corner = 0; corner < 4; ++corner) {  // the lattice points around it: one of them is not left of the line
-    const std::int64_t x = lowX + (corner & 1), y = lowY + (corner >> 1);
-    const Wide missX = Wide{x} * den - stepX, missY = Wide{y} * den - stepY;
-    const Wide miss = missX * missX + missY * missY;
-    const Node candidate = vertex({u.point.x + x, u.point.y + y});
-    if (candidate.side > 0 || (least && *least <= miss)) continue;
-    least = miss;
-    best.point = candidate.point;
+  const std::int64_t lowX = floorDiv(stepX, best.den), lowY = floorDiv(stepY, best.den);
+  const Point low{u.point.x + lowX, u.point.y + lowY};
+  for (const Polygon& ring : obstacles_) {
+    for (Point p : ring) {
+      if (p.x < low.x - 1 || p.x > low.x + 2 || p.y < low.y - 1 || p.y > low.y + 2) continue;
+      best.point = p;
+      return best;
+    }
   }
-  best.num = flip * (v.num * u.distance - u.num * v.distance);
-  best.den = den;
+  std::optional<std::pair<int, Wide>> least;
+  for (int corner = 0; corner < 4; ++corner) {  // the lattice points around it: one of them is not left of the line
+    const Point step{corner & 1, corner >> 1};
+    const Wide missX = Wide{lowX + step.x} * best.den - stepX, missY = Wide{lowY + step.y} * best.den - stepY;
+    const Point p{low.x + step.x, low.y + step.y};
+    const std::pair<int, Wide> cost{price(p), missX * missX + missY * missY};
+    if (least && *least <= cost) continue;
+    least = cost;
+    best.point = p;
+  }
   return best;
 }
 
@@ -148,8 +164,8 @@ std::vector<Polygon> Cutter::pieces(int side) const {
 
 }  // namespace
 
-Halves split(const Polygon& ring, const Line& line) {
-  const Cutter cutter(ring, line);
+Halves split(const Polygon& ring, const Line& line, Obstacles obstacles) {
+  const Cutter cutter(ring, line, obstacles);
   if (!cutter.reaches(-1)) return {{ring}, {}};
   if (!cutter.reaches(1)) return {{}, {ring}};
   return {cutter.pieces(1), cutter.pieces(-1)};

@@ -44,8 +44,9 @@ class ObjectImport {
   void noteSnapping(const Snapped& snapped) {
     using Kind = CollisionObject::Kind;
     if (object_.kind == Kind::ellipse || object_.kind == Kind::capsule) {
-      note(NoteKind::approximated, 0, std::string(object_.kind == Kind::ellipse ? "an ellipse" : "a capsule") +
-                                          " became a polygon of " + std::to_string(kCurveVertices) + " vertices");
+      note(NoteKind::approximated, 0,
+           std::string(object_.kind == Kind::ellipse ? "an ellipse" : "a capsule") + " became a polygon of " +
+               std::to_string(kCurveVertices) + " vertices");
     }
     if (snapped.moved > 0) {
       note(NoteKind::snapped, snapped.furthest,
@@ -54,7 +55,8 @@ class ObjectImport {
     }
     if (snapped.nearMiss > 0) {
       note(NoteKind::nearMiss, snapped.nearMiss,
-           "a vertex misses a corner by " + pixels(snapped.nearMiss) + ": a larger tolerance would join it");
+           "a vertex misses a corner by " + pixels(snapped.nearMiss) + ": a tolerance of " +
+               pixels(std::ceil(snapped.nearMiss * 10) / 10) + " would join it");
     }
   }
 
@@ -82,8 +84,8 @@ class ObjectImport {
     const double out = reach(loop, grid);
     if (out > 0) {
       note(outside == Outside::carry ? NoteKind::carried : NoteKind::clipped, out,
-           "reaches up to " + pixels(out) + " out of its cell: " +
-               (outside == Outside::carry ? "carried into the neighbouring cells" : "cut off"));
+           "reaches up to " + pixels(out) +
+               " out of its cell: " + (outside == Outside::carry ? "carried into the neighbouring cells" : "cut off"));
     }
     bool tooThin = false;
     for (CellPart& part : cutAlongGrid(loop)) {

@@ -7,8 +7,8 @@
 namespace lgs::tiled {
 namespace {
 
-constexpr std::int64_t kMaxPixels = 1 << 20;        // of a tile
-constexpr std::int64_t kMaxGid = 0x0FFF'FFFF;       // above are the flags for flipping
+constexpr std::int64_t kMaxPixels = 1 << 20;   // of a tile
+constexpr std::int64_t kMaxGid = 0x0FFF'FFFF;  // above are the flags for flipping
 constexpr std::int64_t kMaxId = 0xFFFF'FFFF;
 
 using Kind = CollisionObject::Kind;

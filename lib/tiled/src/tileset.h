@@ -16,7 +16,7 @@ struct CollisionObject {
   std::string className;
   DoublePoint at;
   DoublePoint size;
-  double rotation = 0;  ///< degrees, clockwise, around `at`
+  double rotation = 0;              ///< degrees, clockwise, around `at`
   std::vector<DoublePoint> points;  ///< of a polygon, from `at`
 };
 
@@ -31,8 +31,8 @@ struct Tileset {
   std::uint32_t firstGid = 1;
   std::uint32_t tileCount = 0;  ///< 0: any id may occur (a collection of images, or not said)
   DoublePoint tileSize;
-  DoublePoint offset;         ///< of the drawing, pixels, y down
-  bool fitToGrid = false;     ///< images are scaled to the size of the map's tiles
+  DoublePoint offset;                             ///< of the drawing, pixels, y down
+  bool fitToGrid = false;                         ///< images are scaled to the size of the map's tiles
   std::unordered_map<std::uint32_t, Tile> tiles;  ///< those with anything special
 };
 

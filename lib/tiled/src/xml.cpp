@@ -33,7 +33,8 @@ std::optional<double> parseReal(std::string_view text) {
 std::string quoted(std::string_view text) {
   constexpr std::size_t kMost = 40;
   std::string result(text.substr(0, kMost));
-  std::replace_if(result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
+  std::replace_if(
+      result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
   return "'" + result + (text.size() > kMost ? "…'" : "'");
 }
 

@@ -19,8 +19,6 @@ class XmlFile {
   /// Reads and parses; `error` outlives the file and is shared by the files of one import. `rootName` is what the root
   /// element must be.
   XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error);
-  XmlFile(const XmlFile&) = delete;
-  XmlFile& operator=(const XmlFile&) = delete;
 
   const std::string& name() const { return name_; }
   pugi::xml_node root() const { return document_.document_element(); }

@@ -14,19 +14,21 @@
 // Object layers and image layers are passed over.
 //
 // WHERE THINGS LAND. One tile of the map's grid is one cell. y is turned up: the tile in column c and row r of the map
-// is cell (c, -1 - r), for finite and infinite maps alike. So the top edge of row 0 is y = 0, and a map that grows keeps
-// its cells. A tile whose image is larger than the grid stands on its cell's lower left corner, as Tiled draws it. Layer
-// offsets (with those of their groups) move by whole tiles and by the rest; the rest makes polygons reach out of their
-// cells, see below.
+// is cell (c, -1 - r), for finite and infinite maps alike. So the top edge of row 0 is y = 0, and a map that grows
+// keeps its cells. A tile whose image is larger than the grid stands on its cell's lower left corner, as Tiled draws
+// it. Layer offsets (with those of their groups) move by whole tiles and by the rest; the rest makes polygons reach out
+// of their cells, see below.
 //
-// HAND-DRAWN SHAPES. A coordinate that misses a line of the grid by at most `Options::tolerance` pixels is put on it
-// (a vertex near a corner in both axes lands on the corner); then every coordinate is rounded once, to the lattice. What
+// HAND-DRAWN SHAPES. A coordinate that misses a line of the grid by at most `Options::tolerance` pixels is put on it (a
+// vertex near a corner in both axes lands on the corner); then every coordinate is rounded once, to the lattice. What
 // still reaches out of its cell is cut along the grid and carried into the neighbouring cells, or cut off, as
 // `Options::outside` says.
 //
-// OVERLAPS. Polygons of one cell must not overlap, so what is placed first stays and what comes later loses the part that
-// is covered already. First come the polygons in their own cells, layers in the map's order (bottom to top), then the
-// carried parts. Parts cut along a slanted edge can miss it by one lattice unit (1/65,536 cell), never overlap it.
+// OVERLAPS. Polygons of one cell must not overlap, so what is placed first stays and what comes later loses the part
+// that is covered already. First come the polygons in their own cells, layers in the map's order (bottom to top), then
+// the carried parts. Along slanted edges such a cut is rounded: the result may miss what was drawn by a few lattice units
+// (of 65,536 a cell). Where rounding spoils a part altogether, which takes several slanted outlines that cross in one
+// cell, it is left out, and the report says so.
 //
 // What comes out is exact and complete: every placement is simple, counter-clockwise, in its cell, disjoint from the
 // others of its cell, and within World's limits per cell. So World::add accepts them all.
@@ -77,8 +79,8 @@ struct Options {
   bool solidWithoutShapes = false;  ///< true: a tile without any collision object is a full square; false: it is empty
   BlockFrom blockFrom = BlockFrom::one;
 
-  /// Numbers for names of classes or layers. A name that is not here gets the least unused number from 1 up, in the order
-  /// in which names are first met (layers in map order; in a layer by rows from the top). No class is the name "".
+  /// Numbers for names of classes or layers. A name that is not here gets the least unused number from 1 up, in the
+  /// order in which names are first met (layers in map order; in a layer by rows from the top). No class is the name "".
   /// Unused with BlockFrom::one.
   std::map<std::string, Block> blocks;
 
@@ -134,8 +136,8 @@ struct Note {
 
 /// A tile that the map uses, whichever way flipped.
 struct TileReport {
-  std::string tileset;  ///< its name
-  std::uint32_t id = 0; ///< local id in the tileset
+  std::string tileset;   ///< its name
+  std::uint32_t id = 0;  ///< local id in the tileset
   std::string className;
   std::uint64_t uses = 0;
   bool hasShapes = false;   ///< whether it has any collision object
@@ -162,10 +164,10 @@ struct Report {
   int tileWidth = 0;  ///< of the grid, in pixels
   int tileHeight = 0;
   bool infinite = false;
-  double tolerance = 0;  ///< as used, pixels
-  std::uint64_t cells = 0;      ///< that hold a polygon
+  double tolerance = 0;     ///< as used, pixels
+  std::uint64_t cells = 0;  ///< that hold a polygon
   std::uint64_t polygons = 0;
-  std::uint64_t shapes = 0;     ///< distinct ones
+  std::uint64_t shapes = 0;  ///< distinct ones
   std::vector<LayerReport> layers;
   std::vector<BlockReport> blocks;  ///< those used, by number
   std::vector<TileReport> tiles;    ///< those used, in order of first use

@@ -1,0 +1,25 @@
+# Install rules: the libraries, their headers and the CMake package. Each library has an export file of its own, so that
+# whoever wants the engine alone needs none of the importer's libraries.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(lgs_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/LocalGridSeg)
+
+# lgs_install(<target> <exported name> <export set> <folder with the headers' folder lgs/ in it>)
+function(lgs_install target name export include_dir)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS ${target} EXPORT ${export} COMPONENT development
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT development)
+  install(DIRECTORY ${include_dir}/lgs DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
+    FILES_MATCHING PATTERN "*.h")
+  install(EXPORT ${export} NAMESPACE LocalGridSeg:: DESTINATION ${lgs_package_dir} COMPONENT development)
+endfunction()
+
+configure_package_config_file(
+  ${CMAKE_CURRENT_LIST_DIR}/LocalGridSegConfig.cmake.in ${PROJECT_BINARY_DIR}/LocalGridSegConfig.cmake
+  INSTALL_DESTINATION ${lgs_package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/LocalGridSegConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/LocalGridSegConfig.cmake ${PROJECT_BINARY_DIR}/LocalGridSegConfigVersion.cmake
+  DESTINATION ${lgs_package_dir} COMPONENT development)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)

@@ -1,0 +1,33 @@
+// Block numbers for the names of classes and layers.
+#pragma once
+
+#include <lgs/tiled/import.h>
+
+#include <set>
+
+namespace lgs::tiled {
+
+/// Gives numbers to the names of classes and layers.
+class BlockNumbers {
+ public:
+  explicit BlockNumbers(const Options& options) : numbers_(options.blocks) {
+    for (const auto& [name, block] : options.blocks) taken_.insert(block);
+  }
+
+  Block of(const std::string& name) {
+    const auto known = numbers_.find(name);
+    if (known != numbers_.end()) return known->second;
+    while (taken_.contains(next_)) ++next_;
+    taken_.insert(next_);
+    return numbers_[name] = next_;
+  }
+
+  const std::map<std::string, Block>& all() const { return numbers_; }
+
+ private:
+  std::map<std::string, Block> numbers_;
+  std::set<Block> taken_;
+  Block next_ = 1;
+};
+
+}  // namespace lgs::tiled

@@ -1,0 +1,76 @@
+// Plays a trace and holds the engine against the references after every commit.
+//
+// What is checked:
+//  - each edit: the engine accepts and refuses what the naive rules do, and for the same reason; a refused edit changes
+//    nothing; a stale handle stays stale;
+//  - each commit: the change list is exact (mirror.h); the outline equals that of the naive reference and, where the
+//    preserve relation is a partition, that of CGAL's union; without a preserve relation the canonical loops are equal
+//    too; the polygons of the edited cells read as they were placed;
+//  - the end: a fresh world with the same polygons, added in another order and committed once, has the same outline.
+#pragma once
+
+#include "oracle/reference/outline.h"
+#include "oracle/reference/scene.h"
+#include "oracle/trace/trace.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+namespace lgs::oracle {
+
+struct CheckOptions {
+  bool naive = true;
+  bool cgal = true;
+  bool skipRefused = false;  ///< go on after an edit that is rightly refused; otherwise the trace is bad
+
+  /// Compare the whole world after every this many commits, and at the end; after the others what lies within one cell
+  /// of the edits (window.h). 0: at the end only. Change lists are always checked for the whole world.
+  std::size_t wholeEvery = 1;
+
+  /// Called after each commit that was found right; false stops the check there.
+  std::function<bool(const Scene&)> afterCommit = {};
+};
+
+struct Mismatch {
+  enum class Kind {
+    verdict,  ///< the engine accepts what is bad, refuses what is good, or says another reason
+    refusal,  ///< a refused edit changed something
+    changes,  ///< a change list is wrong
+    reading,  ///< the world's queries contradict each other or the edits
+    naive,    ///< another outline than the naive reference's
+    cgal,     ///< another outline than CGAL's
+    loops,    ///< equal outlines, other loops
+    history,  ///< the outline depends on how it came about
+  };
+  Kind kind{};
+  std::string text;        ///< what differs, and where; whole lines
+  std::size_t edits = 0;   ///< how many edits of the trace had been played
+  std::size_t commit = 0;  ///< after which commit, from 1
+  Scene scene;             ///< as of then
+  Outline expected;        ///< of the reference that disagrees; where none does, as the engine's
+  Outline actual;
+  std::vector<Cell> edited;  ///< since the commit before
+};
+
+/// A phrase for a report: "the outline differs from CGAL's".
+std::string describe(Mismatch::Kind kind);
+
+struct CheckStats {
+  std::uint64_t edits = 0;
+  std::uint64_t refused = 0;
+  std::uint64_t commits = 0;
+  std::uint64_t whole = 0;     ///< comparisons of the whole world
+  std::uint64_t naive = 0;     ///< comparisons with the naive reference
+  std::uint64_t cgal = 0;      ///< comparisons with CGAL
+  std::uint64_t segments = 0;  ///< compared with a reference
+};
+
+/// Checks a trace up to the first mismatch, if there is one; adds to `stats`. An error if an edit is bad.
+tl::expected<std::optional<Mismatch>, TraceError> checkTrace(const Trace& trace, const CheckOptions& options,
+                                                             CheckStats& stats);
+
+}  // namespace lgs::oracle

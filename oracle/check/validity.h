@@ -1,0 +1,21 @@
+// Whether a polygon may be placed: the rules of a placed polygon, the slow and obvious way. The generator makes its
+// scenes by it, and the checker holds the engine's refusals against it.
+#pragma once
+
+#include <lgs/error.h>
+#include <lgs/lattice.h>
+#include <optional>
+#include <vector>
+
+namespace lgs::oracle {
+
+using LocalPolygon = std::vector<LocalPoint>;
+
+/// What is wrong with a polygon by itself, in the order of ErrorCode; nothing if it is simple, counter-clockwise and
+/// inside the closed cell.
+std::optional<ErrorCode> faultOf(const LocalPolygon& polygon);
+
+/// Whether the interiors of two faultless polygons of one cell meet.
+bool overlap(const LocalPolygon& a, const LocalPolygon& b);
+
+}  // namespace lgs::oracle

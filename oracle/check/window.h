@@ -1,0 +1,36 @@
+// Checking the surroundings of an edit instead of the whole world.
+//
+// Let `cells` be some cells. The segments that belong to them, with their ends, blocks and ghosts, depend on no polygon
+// further than one cell away:
+//  - a segment's cuts and cancelling depend on its own cell and those that touch it;
+//  - its links depend on the segments that meet at its ends; these ends lie on the rim of its cell at most, so whatever
+//    meets there, and whatever cancels it, is of cells that touch its own;
+//  - where such a segment ends on its far side depends on its own cell or, on a rim, on the two cells beside that rim,
+//    which both touch the common vertex.
+// So a reference that is given the polygons within one cell of `cells`, and no others, must agree with the engine on
+// the segments of `cells`.
+#pragma once
+
+#include "oracle/check/model.h"
+#include "oracle/reference/outline.h"
+#include "oracle/reference/scene.h"
+
+#include <set>
+
+namespace lgs::oracle {
+
+using CellSet = std::set<Cell>;
+
+/// The cells that touch these, and these.
+CellSet around(const CellSet& cells);
+
+/// The polygons of these cells.
+Scene sceneOf(const Model& model, const PreservePairs& preserve, const CellSet& cells);
+
+/// The cell whose polygon a segment belongs to: the one on the left of it.
+Cell cellOf(const OutlineSegment& segment);
+
+/// The segments that belong to these cells.
+void keepOnly(Outline& outline, const CellSet& cells);
+
+}  // namespace lgs::oracle

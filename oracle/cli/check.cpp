@@ -1,0 +1,240 @@
+#include "oracle/check/features.h"
+#include "oracle/check/generator.h"
+#include "oracle/check/random.h"
+#include "oracle/cli/progress.h"
+#include "oracle/cli/report.h"
+#include "oracle/draw/draw.h"
+#include "oracle/trace/dump.h"
+#include "oracle/trace/player.h"
+
+#include <fmt/format.h>
+#include <charconv>
+#include <chrono>
+
+namespace lgs::oracle {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct CheckArguments {
+  GeneratorOptions world{4, 4, 100};
+  std::size_t edits = 20'000;
+  std::uint64_t seed = 1;
+  std::optional<std::size_t> onlyCase;
+  std::string map;
+  std::string out = ".";
+  std::string svg;
+  double shrinkSeconds = 20;
+  CheckOptions options;
+
+  std::string oracle() const { return options.naive && options.cgal ? "both" : options.naive ? "naive" : "cgal"; }
+};
+
+struct Totals {
+  CheckStats stats;
+  std::size_t cases = 0;
+  std::size_t casesWithRefusals = 0;
+  std::array<std::size_t, static_cast<std::size_t>(Feature::count)> casesWith{};
+};
+
+void printSummary(const CheckArguments& arguments, const Totals& totals, double seconds) {
+  const CheckStats& s = totals.stats;
+  fmt::print("no mismatch\n");
+  fmt::print("edits      {}, {} of them refused as they must be\n", s.edits, s.refused);
+  fmt::print("commits    {}\n", s.commits);
+  fmt::print("compared   {} times with CGAL, {} with the naive reference; {} times the whole world\n", s.cgal, s.naive,
+             s.whole);
+  fmt::print("segments   {} compared\n", s.segments);
+  fmt::print("time       {:.1f} s, {:.0f} edits/s\n", seconds, static_cast<double>(s.edits) / seconds);
+  if (!arguments.map.empty()) return;
+  fmt::print("cases      {}; of these had\n", totals.cases);
+  const auto share = [&](std::size_t count, const char* what) {
+    fmt::print("  {:4.0f}%    {}\n", 100.0 * static_cast<double>(count) / static_cast<double>(totals.cases), what);
+  };
+  for (std::size_t k = 0; k < totals.casesWith.size(); ++k) share(totals.casesWith[k], describe(Feature{k}));
+  share(totals.casesWithRefusals, "edits that are refused");
+}
+
+Status drawEnd(const CheckArguments& arguments, const Scene& scene) {
+  if (arguments.svg.empty()) return Status::fine;
+  // Built anew: history does not matter.
+  Player player(scene.preserve);
+  for (const ScenePolygon& polygon : scene.polygons) {
+    const std::string name = fmt::format("{}", player.scene().polygons.size());
+    if (const auto done = player.apply(Edit::add(name, polygon)); !done) return complain(done.error().text);
+  }
+  player.commit();
+  DrawOptions options;
+  options.title = arguments.map.empty()
+                      ? fmt::format("lgs check, seed {}", arguments.seed)
+                      : fmt::format("{}, dug and refilled by {} edits", arguments.map, arguments.edits);
+  const Status written = write(arguments.svg, drawWorld(scene, outlineOf(player.world()), options));
+  if (written == Status::fine && arguments.svg != "-") fmt::print("picture    {}\n", arguments.svg);
+  return written;
+}
+
+ReportOptions reportOptions(const CheckArguments& arguments, std::string name, std::string reproduce) {
+  return {arguments.out, std::move(name), std::move(reproduce),
+          std::chrono::milliseconds(static_cast<std::int64_t>(arguments.shrinkSeconds * 1'000))};
+}
+
+Status checkMap(const CheckArguments& arguments) {
+  auto start = readWorld(arguments.map);
+  if (!start) return complain(start.error());
+  Player player(start->preserve);
+  if (const auto done = play(*start, player); !done) return complain(message(done.error(), arguments.map));
+  fmt::print("{}: built by {} edits, {} polygons in {} cells; then dug and refilled by {}\n", arguments.map,
+             start->edits.size(), player.world().stats().polygons, player.world().stats().cells, arguments.edits);
+  std::fflush(stdout);
+
+  const Clock::time_point begin = Clock::now();
+  const Trace trace = digIn(std::move(*start), arguments.edits, arguments.seed);
+  CheckOptions options = arguments.options;
+  Totals totals;
+  Scene last;
+  {
+    Progress progress;
+    options.afterCommit = [&](const Scene& scene) {
+      if (progress.isDue()) {
+        progress.show(fmt::format("{} of {} edits, {} commits, no mismatch", totals.stats.edits, trace.edits.size(),
+                                  totals.stats.commits));
+      }
+      if (!arguments.svg.empty()) last = scene;
+      return true;
+    };
+    const auto result = checkTrace(trace, options, totals.stats);
+    if (!result) return complain(message(result.error(), arguments.map));
+    if (*result) {
+      const std::string again =
+          fmt::format("lgs check --map {} --edits {} --seed {} --oracle {} --whole-every {}", arguments.map,
+                      arguments.edits, arguments.seed, arguments.oracle(), arguments.options.wholeEvery);
+      const std::string name = fmt::format("mismatch-map-{}", arguments.seed);
+      return reportMismatch(**result, trace, options, reportOptions(arguments, name, again));
+    }
+  }
+  printSummary(arguments, totals, std::chrono::duration<double>(Clock::now() - begin).count());
+  return drawEnd(arguments, last);
+}
+
+// Cases are independent of each other, so that any one can be run again by itself.
+std::uint64_t caseSeed(std::uint64_t seed, std::size_t number) { return Random(Random(seed).next() + number).next(); }
+
+Status checkRandom(const CheckArguments& arguments) {
+  const Clock::time_point begin = Clock::now();
+  CheckOptions options = arguments.options;
+  options.skipRefused = true;
+  options.wholeEvery = 1;
+  Totals totals;
+  Scene last;
+  Progress progress;
+  for (std::size_t number = arguments.onlyCase.value_or(0); totals.stats.edits < arguments.edits; ++number) {
+    const Trace trace = randomCase(arguments.world, caseSeed(arguments.seed, number));
+    Features features{};
+    std::size_t commits = 0;
+    options.afterCommit = [&](const Scene& scene) {
+      constexpr std::size_t kSample = 8;  // looking for features at each commit would cost as much as the check
+      if (commits++ % kSample == 0) note(scene, features);
+      if (!arguments.svg.empty()) last = scene;
+      return true;
+    };
+    const std::uint64_t refused = totals.stats.refused;
+    const auto result = checkTrace(trace, options, totals.stats);
+    if (!result) return complain(message(result.error(), fmt::format("case {}", number)));
+    if (*result) {
+      const std::string again =
+          fmt::format("lgs check --cells {}x{} --case-edits {} --seed {} --case {} --oracle {}", arguments.world.width,
+                      arguments.world.height, arguments.world.edits, arguments.seed, number, arguments.oracle());
+      const std::string name = fmt::format("mismatch-{}-{}", arguments.seed, number);
+      return reportMismatch(**result, trace, options, reportOptions(arguments, name, again));
+    }
+    ++totals.cases;
+    if (totals.stats.refused != refused) ++totals.casesWithRefusals;
+    for (std::size_t k = 0; k < features.size(); ++k) totals.casesWith[k] += features[k] ? 1 : 0;
+    if (progress.isDue()) {
+      const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+      progress.show(fmt::format("{} of {} edits, {} cases, {:.0f} edits/s, no mismatch", totals.stats.edits,
+                                arguments.edits, totals.cases, static_cast<double>(totals.stats.edits) / seconds));
+    }
+    if (arguments.onlyCase) break;
+  }
+  printSummary(arguments, totals, std::chrono::duration<double>(Clock::now() - begin).count());
+  return drawEnd(arguments, last);
+}
+
+// "12x8"
+void readSize(const std::string& text, GeneratorOptions& options) {
+  constexpr std::int32_t kMost = 256;
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, options.width);
+  const bool separated = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+  const auto height = separated ? std::from_chars(width.ptr + 1, end, options.height) : width;
+  const auto good = [](std::int32_t n) { return 1 <= n && n <= kMost; };
+  if (!separated || height.ec != std::errc() || height.ptr != end || !good(options.width) || !good(options.height)) {
+    throw CLI::ValidationError("--cells", fmt::format("'{}' is not WxH with sizes of 1 to {}", text, kMost));
+  }
+}
+
+}  // namespace
+
+void addCheck(CLI::App& app, Run& chosen) {
+  const auto arguments = std::make_shared<CheckArguments>();
+  arguments->options.wholeEvery = 100;
+  CLI::App& command =
+      *app.add_subcommand("check", "Random edit sequences against the oracle, in degenerate worlds or a map");
+  command
+      .add_option_function<std::string>(
+          "--cells", [arguments](const std::string& text) { readSize(text, arguments->world); },
+          "Size of the random worlds; default 4x4")
+      ->option_text("WxH");
+  command.add_option("--edits", arguments->edits, "How many edits, over all cases; default 20000")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}))
+      ->option_text("N");
+  command.add_option("--seed", arguments->seed, "The same seed gives the same edits everywhere; default 1")
+      ->check(CLI::NonNegativeNumber)
+      ->option_text("S");
+  addOracleOption(command, arguments->options);
+  command.add_option("--case", arguments->onlyCase, "Run only the case of this number, named by a mismatch")
+      ->check(CLI::NonNegativeNumber)
+      ->option_text("K");
+  command.add_option("--case-edits", arguments->world.edits, "Edits of one case, then a new world begins; default 100")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}))
+      ->option_text("N");
+  command
+      .add_option("--map", arguments->map, "Dig in this world instead of random ones: a trace, or a\nTiled map (.tmx)")
+      ->option_text("FILE");
+  command
+      .add_option("--whole-every", arguments->options.wholeEvery,
+                  "With --map: compare the whole world after every K-th commit\n"
+                  "and at the end; 0: at the end only. Default 100")
+      ->check(CLI::NonNegativeNumber)
+      ->option_text("K");
+  command.add_option("--out", arguments->out, "Folder for a mismatch's trace and picture; default .")
+      ->option_text("DIR");
+  command.add_option("--shrink", arguments->shrinkSeconds, "Seconds to spend on shrinking a mismatch; default 20")
+      ->check(CLI::Range(0.0, 86'400.0))
+      ->option_text("SECONDS");
+  command.add_option("--svg", arguments->svg, "Draw the last world to this file, if there is no mismatch")
+      ->option_text("FILE");
+  command.footer(
+      "WHAT IS CHECKED. Each edit is accepted or refused as the rules say, and a refused one changes\n"
+      "nothing. After each commit segments, ghosts and blocks equal those of the naive reference and of\n"
+      "CGAL's union, the canonical loops are equal, links are consistent, and the change list, applied to\n"
+      "a copy of the old output, gives the new one. At the end of a case a fresh world with the same\n"
+      "polygons, added in another order, has the same outline.\n\n"
+      "Random worlds are compared as a whole after every commit. CGAL has no say where the preserve\n"
+      "relation is no partition of the blocks, and under a partition none about links at vertices where\n"
+      "materials meet. The naive reference always has.\n\n"
+      "In a map (--map) the references are given the polygons within two cells of the commit's edits, and\n"
+      "every segment within one cell of the edits must be the same as theirs, ghosts and block included:\n"
+      "by the laws no polygon further away has a say in these. The change list is compared for the whole\n"
+      "world at each commit, so a segment that changes further away is noticed too.\n\n"
+      "A mismatch is shrunk to a minimal trace, printed, saved and drawn, with the line that finds it\n"
+      "again; exit status 1.\n\n"
+      "Examples: lgs check --cells 5x5 --edits 200000 --seed 7\n"
+      "          lgs check --map level.tmx --edits 5000 --svg dug.svg");
+  command.callback([arguments, &chosen] {
+    chosen = [arguments] { return arguments->map.empty() ? checkRandom(*arguments) : checkMap(*arguments); };
+  });
+}
+
+}  // namespace lgs::oracle

@@ -1,0 +1,42 @@
+// What the subcommands of `lgs` share: how they are set up, how they end, how they read and write.
+#pragma once
+
+#include "oracle/check/checker.h"
+#include "oracle/trace/trace.h"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+namespace lgs::oracle {
+
+/// Exit statuses: fixed, other programs read them.
+enum class Status { fine = 0, mismatch = 1, badInput = 2 };
+
+/// Prints a complaint on the standard error.
+Status complain(std::string_view text);
+
+/// Writes a file ("-" is the standard output); complains if that does not work.
+Status write(const std::string& path, std::string_view content);
+
+/// The worse of two.
+inline Status worst(Status a, Status b) { return std::max(a, b); }
+
+/// Reads a trace, or imports a Tiled map with the importer's defaults if the name ends in ".tmx". The error is a whole
+/// complaint, "FILE:LINE: …".
+tl::expected<Trace, std::string> readWorld(const std::string& path);
+
+/// Adds --oracle to a command; it sets `naive` and `cgal`.
+void addOracleOption(CLI::App& command, CheckOptions& options);
+
+/// Adds a subcommand; `run` is called if it is the one chosen and its arguments are good.
+using Run = std::function<Status()>;
+void addReplay(CLI::App& app, Run& run);
+void addCheck(CLI::App& app, Run& run);
+void addImport(CLI::App& app, Run& run);
+void addBench(CLI::App& app, Run& run);
+
+}  // namespace lgs::oracle

@@ -1,0 +1,54 @@
+// What differs between two outlines, and where, in words. A difference keeps both segments, so that it can be drawn.
+#pragma once
+
+#include "oracle/reference/outline.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lgs::oracle {
+
+struct Difference {
+  enum class Kind {
+    missing,  ///< only `expected` is set
+    extra,    ///< only `actual` is set
+    ghost1,   ///< from here on both are set, with the same start and end
+    ghost2,
+    block,
+    owner,
+  };
+  Kind kind;
+  std::optional<OutlineSegment> expected;
+  std::optional<OutlineSegment> actual;
+  std::string note;  ///< what it looks like, where that can be told: "an overlap that should have been cancelled"
+
+  const OutlineSegment& segment() const { return expected ? *expected : *actual; }
+};
+
+/// Every difference in segments, ghosts and blocks, by start, end and kind; empty if there is none. Both outlines must be
+/// sorted (outline.h).
+std::vector<Difference> compare(const Outline& expected, const Outline& actual);
+
+/// The same, and differences in owners as well.
+std::vector<Difference> compare(const OwnedOutline& expected, const OwnedOutline& actual);
+
+/// One difference as a line without an end of line.
+std::string describe(const Difference& difference);
+
+/// One line each; after the first `most`, "... and N more". Every line ends with an end of line.
+std::string describe(const std::vector<Difference>& differences, std::size_t most = 10);
+
+/// Which of a segment's links a reference vouches for.
+struct KnownLinks {
+  bool ghost1 = true;
+  bool ghost2 = true;
+  friend bool operator==(KnownLinks, KnownLinks) = default;
+};
+
+/// `expected` with every link that is not known (known[k] for expected[k]) taken over from the same segment of `actual`,
+/// so that comparing or drawing the two shows differences only where the reference has an opinion.
+Outline withUnknownLinksOf(const Outline& actual, Outline expected, const std::vector<KnownLinks>& known);
+
+}  // namespace lgs::oracle

@@ -1,0 +1,71 @@
+// The naive reference: the laws of linking and exposure, word for word, on 64-bit integers.
+//
+//   1. Cut every polygon edge at every vertex of any polygon that lies on it: atomic edges.
+//   2. The atomic edge u→v of p is exposed unless some polygon q owns v→u and preserve(block p, block q) is false.
+//   3. At a vertex, an outgoing segment's predecessor is the exposed incoming one met first when turning clockwise from
+//      it, an incoming segment's successor the outgoing one met first when turning counter-clockwise; a coincident
+//      direction is skipped.
+//
+// It recomputes everything, for any preserve relation, and knows no more of the grid than that a polygon lies inside its
+// cell. Cost: O(n log n) for n polygons of bounded size spread over the cells.
+#pragma once
+
+#include "oracle/reference/outline.h"
+#include "oracle/reference/scene.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace lgs::oracle {
+
+/// Keeps its buffers from one scene to the next: use one object for many scenes. Scenes must be valid (scene.h).
+class NaiveReference {
+ public:
+  /// The result is the object's own and stays as it is until the next call.
+  const OwnedOutline& operator()(const Scene& scene);
+
+ private:
+  using Index = std::uint32_t;  // of a vertex in vertices_, of an edge in edges_, of a polygon in the scene
+  struct AtomicEdge {
+    Index from;
+    Index to;
+    Index owner;
+    bool exposed;
+  };
+
+  void collectVertices(const Scene& scene);
+  void cutEdges(const Scene& scene);
+  void cutEdge(Point a, Point b, Index owner);
+  void expose(const Scene& scene);
+  void linkAndSort(const Scene& scene);
+
+  std::vector<Point> vertices_;  // distinct; by column of cells, then y, then x
+  std::vector<AtomicEdge> edges_;
+
+  // The edges that leave, and those that arrive at, vertex v: [starts[v], starts[v + 1]) in the list.
+  struct EdgesByVertex {
+    std::vector<Index> starts;
+    std::vector<Index> list;
+    std::span<const Index> operator[](Index v) const {
+      return std::span(list).subspan(starts[v], starts[v + 1] - starts[v]);
+    }
+    void group(const std::vector<AtomicEdge>& edges, Index AtomicEdge::*vertex, std::size_t vertexCount);
+  };
+  EdgesByVertex leaving_;
+  EdgesByVertex arriving_;
+
+  struct Cut {
+    std::int64_t along;  // how far on the edge that is being cut
+    Index vertex;
+  };
+  std::vector<Index> nearby_;  // vertices in the closed cell of the polygon that is being cut
+  std::vector<Cut> cuts_;
+  std::vector<Index> order_;  // exposed edges by start, end
+  OwnedOutline result_;
+};
+
+/// The same for a single scene.
+Outline naiveOutline(const Scene& scene);
+
+}  // namespace lgs::oracle

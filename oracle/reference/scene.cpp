@@ -1,0 +1,52 @@
+#include "oracle/reference/scene.h"
+
+#include <algorithm>
+#include <map>
+
+namespace lgs::oracle {
+
+void PreservePairs::add(Block a, Block b) {
+  const std::pair<Block, Block> pair = std::minmax(a, b);
+  const auto place = std::lower_bound(pairs_.begin(), pairs_.end(), pair);
+  if (place == pairs_.end() || *place != pair) pairs_.insert(place, pair);
+}
+
+bool PreservePairs::operator()(Block a, Block b) const {
+  return !pairs_.empty() &&
+         std::binary_search(pairs_.begin(), pairs_.end(), std::pair<Block, Block>(std::minmax(a, b)));
+}
+
+std::uint32_t Materials::of(Block block) const {
+  return std::lower_bound(ofBlocks.begin(), ofBlocks.end(), std::pair<Block, std::uint32_t>(block, 0))->second;
+}
+
+std::optional<Materials> materials(const Scene& scene) {
+  // Every block present, with its rivals: the blocks present that it is preserved against.
+  std::map<Block, std::vector<Block>> rivalsOf;
+  for (const ScenePolygon& polygon : scene.polygons) rivalsOf[polygon.block];
+  for (const auto& [a, b] : scene.preserve.pairs()) {
+    if (!rivalsOf.contains(a) || !rivalsOf.contains(b)) continue;
+    if (a == b) return std::nullopt;  // not even reflexive
+    rivalsOf[a].push_back(b);
+    rivalsOf[b].push_back(a);
+  }
+  for (auto& entry : rivalsOf) std::sort(entry.second.begin(), entry.second.end());
+
+  // Blocks of one material have the same rivals, so equal lists are the only candidates. They are a material if their
+  // rivals are all the other blocks: none of them is in the list, for no block is its own rival.
+  Materials result;
+  std::map<std::vector<Block>, std::uint32_t> numberOf;
+  std::vector<std::size_t> members;
+  for (const auto& [block, rivals] : rivalsOf) {
+    const auto [entry, isNew] = numberOf.try_emplace(rivals, result.count);
+    if (isNew) ++result.count, members.push_back(0);
+    ++members[entry->second];
+    result.ofBlocks.emplace_back(block, entry->second);
+  }
+  for (const auto& [rivals, number] : numberOf) {
+    if (rivals.size() + members[number] != rivalsOf.size()) return std::nullopt;
+  }
+  return result;
+}
+
+}  // namespace lgs::oracle

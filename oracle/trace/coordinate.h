@@ -1,0 +1,18 @@
+// Coordinates as text: exact rounding on the way in, exact values on the way out.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+namespace lgs::oracle {
+
+/// Lattice units of a decimal or a fraction given in cells, rounded to the nearest, halves away from zero; or what is
+/// wrong with the word.
+tl::expected<std::int32_t, std::string> parseCoordinate(std::string_view word);
+
+/// The exact value in cells: a decimal of up to four places, else a fraction in lowest terms.
+std::string printCoordinate(std::int32_t units);
+
+}  // namespace lgs::oracle

@@ -1,0 +1,22 @@
+// Text files in and out, with errors as values.
+#pragma once
+
+#include "oracle/trace/trace.h"
+
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+namespace lgs::oracle {
+
+/// The content of a file; or why it can not be read.
+tl::expected<std::string, TraceError> readFile(const std::string& path);
+
+/// Replaces a file's content, "-" being the standard output; or why it can not be written.
+tl::expected<void, TraceError> writeFile(const std::string& path, std::string_view content);
+
+/// Reads and parses a trace. The first bad line is the one reported, be it the text or the engine that objects: where
+/// the text breaks off, the edits before it are played to see.
+tl::expected<Trace, TraceError> readTrace(const std::string& path);
+
+}  // namespace lgs::oracle

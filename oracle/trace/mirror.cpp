@@ -1,0 +1,140 @@
+#include "oracle/trace/mirror.h"
+
+#include "oracle/reference/words.h"
+
+#include <fmt/format.h>
+#include <map>
+#include <tuple>
+#include <unordered_set>
+
+namespace lgs::oracle {
+namespace {
+
+std::string show(const Segment& s) {
+  return fmt::format("segment {} (id {}, block {}, {})", inWords(s.start, s.end), s.id.value, s.block,
+                     placeInWords(s.start, s.end));
+}
+
+bool sameGhosts(const Segment& a, const Segment& b) {
+  return bool{a.predecessor} == bool{b.predecessor} && bool{a.successor} == bool{b.successor} &&
+         (!a.predecessor || a.ghost1 == b.ghost1) && (!a.successor || a.ghost2 == b.ghost2);
+}
+
+auto identity(const Segment& s) { return std::tuple(s.start, s.end, s.polygon); }
+
+bool sameSegment(const Segment& a, const Segment& b) {
+  return identity(a) == identity(b) && a.block == b.block && a.cell == b.cell;
+}
+
+bool inCell(const Point& p, Cell cell) {
+  const Point origin = toWorld(cell, {0, 0});
+  return origin.x <= p.x && p.x <= origin.x + kUnitsPerCell && origin.y <= p.y && p.y <= origin.y + kUnitsPerCell;
+}
+
+// Whether a→b lies on u→v, in its direction. All in one cell, so nothing overflows.
+bool liesOn(const Point& a, const Point& b, const Point& u, const Point& v) {
+  const auto dot = [](Point p, Point q) { return p.x * q.x + p.y * q.y; };
+  const auto cross = [](Point p, Point q) { return p.x * q.y - p.y * q.x; };
+  const auto from = [&](Point p) { return Point{p.x - u.x, p.y - u.y}; };
+  const Point edge = from(v);
+  return cross(edge, from(a)) == 0 && cross(edge, from(b)) == 0 && 0 <= dot(edge, from(a)) &&
+         dot(edge, from(a)) < dot(edge, from(b)) && dot(edge, from(b)) <= dot(edge, edge);
+}
+
+std::optional<std::string> checkOwner(const World& world, const Segment& s) {
+  const auto owner = world.polygon(s.polygon);
+  const auto cell = world.cellOf(s.polygon);
+  if (!owner || !cell) return fmt::format("{} names an owner that is not placed", show(s));
+  if (owner->block != s.block || *cell != s.cell) {
+    return fmt::format("{} has an owner of another block or cell", show(s));
+  }
+  if (!inCell(s.start, *cell) || !inCell(s.end, *cell)) return fmt::format("{} lies outside its cell", show(s));
+  const std::size_t n = owner->vertices.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Point u = toWorld(*cell, owner->vertices[k]);
+    const Point v = toWorld(*cell, owner->vertices[(k + 1) % n]);
+    if (liesOn(s.start, s.end, u, v)) return std::nullopt;
+  }
+  return fmt::format("{} lies on no edge of the polygon that owns it", show(s));
+}
+
+std::optional<std::string> checkLinks(const World& world, const Segment& s) {
+  if (s.predecessor) {
+    const auto p = world.segment(s.predecessor);
+    if (!p) return fmt::format("{}: its predecessor, id {}, is not alive", show(s), s.predecessor.value);
+    if (p->end != s.start) return fmt::format("{}: its predecessor, {}, does not end at its start", show(s), show(*p));
+    if (p->start != s.ghost1) return fmt::format("{}: ghost1 is not the start of its predecessor", show(s));
+  }
+  if (s.successor) {
+    const auto n = world.segment(s.successor);
+    if (!n) return fmt::format("{}: its successor, id {}, is not alive", show(s), s.successor.value);
+    if (n->start != s.end) return fmt::format("{}: its successor, {}, does not start at its end", show(s), show(*n));
+    if (n->end != s.ghost2) return fmt::format("{}: ghost2 is not the end of its successor", show(s));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> Mirror::update(const World& world, const Changes& changes) {
+  std::unordered_set<std::uint32_t> listed;
+  const auto listedTwice = [&](SegmentId id) { return !listed.insert(id.value).second; };
+  std::map<decltype(identity(Segment{})), Segment> gone;
+  for (const SegmentId id : changes.removed) {
+    if (listedTwice(id)) return fmt::format("the change list names id {} twice", id.value);
+    const auto old = segments_.find(id.value);
+    if (old == segments_.end()) return fmt::format("reported as removed, but was not there: id {}", id.value);
+    gone.emplace(identity(old->second), old->second);
+    segments_.erase(old);
+  }
+  for (const SegmentId id : changes.relinked) {
+    if (listedTwice(id)) return fmt::format("the change list names id {} twice", id.value);
+    const auto old = segments_.find(id.value);
+    if (old == segments_.end()) return fmt::format("reported as relinked, but was not there: id {}", id.value);
+    const auto now = world.segment(id);
+    if (!now) return fmt::format("reported as relinked, but is gone: {}", show(old->second));
+    if (sameGhosts(*now, old->second)) {
+      return fmt::format("reported as relinked, but its ghosts are as before: {}", show(*now));
+    }
+    if (!sameSegment(*now, old->second)) {
+      return fmt::format("reported as relinked, but is another segment now: {}, was {}", show(*now), show(old->second));
+    }
+    old->second = *now;
+  }
+  for (const SegmentId id : changes.added) {
+    if (listedTwice(id)) return fmt::format("the change list names id {} twice", id.value);
+    const auto now = world.segment(id);
+    if (!now) return fmt::format("reported as added, but is not there: id {}", id.value);
+    if (const auto old = gone.find(identity(*now)); old != gone.end()) {
+      return fmt::format("reported as removed and added, but is the same segment: {}, was {}", show(*now),
+                         show(old->second));
+    }
+    if (!segments_.emplace(id.value, *now).second) {
+      return fmt::format("reported as added, but was there before: {}", show(*now));
+    }
+  }
+
+  const std::vector<SegmentId> alive = world.segments();
+  for (const SegmentId id : alive) {
+    const auto now = world.segment(id);
+    if (!now || now->id != id) return fmt::format("listed as alive, but can not be read: id {}", id.value);
+    const auto old = segments_.find(id.value);
+    if (old == segments_.end()) return fmt::format("new, but not reported as added: {}", show(*now));
+    if (!sameSegment(*now, old->second)) {
+      return fmt::format("changed without a report: {}, was {}", show(*now), show(old->second));
+    }
+    if (!sameGhosts(*now, old->second)) {
+      return fmt::format("has new ghosts, but is not reported as relinked: {}", show(*now));
+    }
+    if (auto problem = checkOwner(world, *now)) return problem;
+    if (auto problem = checkLinks(world, *now)) return problem;
+  }
+  if (alive.size() == segments_.size()) return std::nullopt;
+  const std::unordered_set<SegmentId> aliveSet(alive.begin(), alive.end());
+  for (const auto& [id, segment] : segments_) {
+    if (!aliveSet.contains(SegmentId{id})) return fmt::format("gone, but not reported as removed: {}", show(segment));
+  }
+  return "an id is listed as alive twice";
+}
+
+}  // namespace lgs::oracle

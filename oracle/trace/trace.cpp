@@ -1,0 +1,210 @@
+#include "oracle/trace/trace.h"
+
+#include "oracle/trace/coordinate.h"
+
+#include <fmt/format.h>
+#include <charconv>
+#include <tl/expected.hpp>
+
+namespace lgs::oracle {
+namespace {
+
+constexpr std::size_t kMaxLine = std::size_t{1} << 20;
+
+// Every function below that can find fault returns the fault's text, empty if there is none.
+using Fault = std::string;
+
+std::string quote(std::string_view word) {
+  constexpr std::size_t kShown = 40;
+  return word.size() <= kShown ? fmt::format("'{}'", word) : fmt::format("'{}…'", word.substr(0, kShown));
+}
+
+Fault checkBytes(std::string_view line) {
+  if (line.size() > kMaxLine) return fmt::format("the line is longer than {} bytes", kMaxLine);
+  for (const char c : line) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < 0x20 && c != '\t') || byte == 0x7f) {
+      return fmt::format("byte 0x{:02x} in the line: a trace is plain text", byte);
+    }
+  }
+  return {};
+}
+
+std::vector<std::string_view> splitWords(std::string_view line) {
+  constexpr std::string_view kBlanks = " \t,";
+  std::vector<std::string_view> words;
+  for (std::size_t at = line.find_first_not_of(kBlanks); at != std::string_view::npos;) {
+    if (line[at] == '#') break;
+    const std::size_t end = std::min(line.find_first_of(kBlanks, at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = line.find_first_not_of(kBlanks, end);
+  }
+  return words;
+}
+
+template <class Integer>
+Fault readInteger(std::string_view word, std::string_view what, Integer min, Integer max, Integer& out) {
+  const std::string_view digits = word.starts_with('-') ? word.substr(1) : word;
+  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos) {
+    return fmt::format("the {} {} is not an integer", what, quote(word));
+  }
+  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), out);
+  if (status != std::errc() || end != word.data() + word.size() || out < min || out > max) {
+    return fmt::format("the {} {} is out of range, which is {} to {}", what, quote(word), min, max);
+  }
+  return {};
+}
+
+Fault readBlock(std::string_view word, Block& out) {
+  return readInteger<Block>(word, "block", 0, std::numeric_limits<Block>::max(), out);
+}
+
+class Parser {
+ public:
+  explicit Parser(ParsedTrace& out) : out_(out) {}
+
+  Fault line(std::string_view text, std::size_t number) {
+    if (Fault fault = checkBytes(text); !fault.empty()) return fault;
+    const std::vector<std::string_view> words = splitWords(text);
+    if (words.empty()) return {};
+    if (!sawHeader_) return header(words);
+    Edit edit;
+    edit.line = number;
+    if (words[0] == "preserve") return preserve(words);
+    Fault fault;
+    if (words[0] == "add") {
+      fault = add(words, edit);
+    } else if (words[0] == "remove") {
+      fault = remove(words, edit);
+    } else if (words[0] != "commit") {
+      fault = fmt::format("unknown word {}; a line starts with preserve, add, remove, commit or #", quote(words[0]));
+    } else if (words.size() != 1) {
+      fault = fmt::format("commit stands alone on its line; found {} after it", quote(words[1]));
+    }
+    if (fault.empty()) out_.trace.edits.push_back(std::move(edit));
+    return fault;
+  }
+
+  bool sawHeader() const { return sawHeader_; }
+
+ private:
+  Fault header(const std::vector<std::string_view>& words) {
+    if (words[0] != "lgs-trace") {
+      return fmt::format("not a trace: the first line must be 'lgs-trace 1', not {}", quote(words[0]));
+    }
+    if (words.size() != 2 || words[1] != "1") {
+      return "the first line must be 'lgs-trace 1'; this is the only version there is";
+    }
+    sawHeader_ = true;
+    return {};
+  }
+
+  Fault preserve(const std::vector<std::string_view>& words) {
+    if (!out_.trace.edits.empty()) return "preserve must stand before the first edit";
+    if (words.size() != 3) return fmt::format("preserve needs two blocks; found {}", words.size() - 1);
+    Block a = 0;
+    Block b = 0;
+    if (Fault fault = readBlock(words[1], a); !fault.empty()) return fault;
+    if (Fault fault = readBlock(words[2], b); !fault.empty()) return fault;
+    out_.trace.preserve.add(a, b);
+    return {};
+  }
+
+  static Fault add(const std::vector<std::string_view>& words, Edit& edit) {
+    constexpr std::size_t kFirstCoordinate = 5;
+    if (words.size() < kFirstCoordinate) {
+      return fmt::format("add needs a name, a cell i j and a block before its coordinates; found only {} of these 4",
+                         words.size() - 1);
+    }
+    edit.kind = Edit::Kind::add;
+    edit.name = words[1];
+    Cell& cell = edit.polygon.cell;
+    if (Fault fault = readInteger(words[2], "cell index", -kMaxCell, kMaxCell, cell.i); !fault.empty()) return fault;
+    if (Fault fault = readInteger(words[3], "cell index", -kMaxCell, kMaxCell, cell.j); !fault.empty()) return fault;
+    if (Fault fault = readBlock(words[4], edit.polygon.block); !fault.empty()) return fault;
+    const std::size_t coordinates = words.size() - kFirstCoordinate;
+    if (coordinates % 2 != 0) {
+      return fmt::format("{} coordinates: they come in pairs x y, so one is missing or one too many", coordinates);
+    }
+    edit.polygon.vertices.reserve(coordinates / 2);
+    for (std::size_t k = 0; k < coordinates; ++k) {
+      const std::string_view word = words[kFirstCoordinate + k];
+      const auto units = parseCoordinate(word);
+      if (!units) {
+        return fmt::format("the {} of vertex {}, {}: {}", k % 2 == 0 ? 'x' : 'y', k / 2, quote(word), units.error());
+      }
+      if (k % 2 == 0) {
+        edit.polygon.vertices.push_back({*units, 0});
+      } else {
+        edit.polygon.vertices.back().y = *units;
+      }
+    }
+    return {};
+  }
+
+  static Fault remove(const std::vector<std::string_view>& words, Edit& edit) {
+    if (words.size() != 2) return fmt::format("remove needs one name; found {}", words.size() - 1);
+    edit.kind = Edit::Kind::remove;
+    edit.name = words[1];
+    return {};
+  }
+
+  ParsedTrace& out_;
+  bool sawHeader_ = false;
+};
+
+}  // namespace
+
+std::string message(const TraceError& error, std::string_view file) {
+  return error.line == 0 ? fmt::format("{}: {}", file, error.text)
+                         : fmt::format("{}:{}: {}", file, error.line, error.text);
+}
+
+ParsedTrace parseTrace(std::string_view text) {
+  ParsedTrace parsed;
+  Parser parser(parsed);
+  std::size_t number = 0;
+  while (!text.empty()) {
+    ++number;
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (Fault fault = parser.line(line, number); !fault.empty()) {
+      parsed.error = TraceError{number, std::move(fault), {}};
+      return parsed;
+    }
+  }
+  if (!parser.sawHeader()) {
+    number = std::max<std::size_t>(number, 1);
+    parsed.error = TraceError{number, "the trace ends before its first line, 'lgs-trace 1'", {}};
+  }
+  return parsed;
+}
+
+std::string printTrace(const Trace& trace) {
+  std::string text = "lgs-trace 1\n";
+  const auto out = std::back_inserter(text);
+  for (const auto& [a, b] : trace.preserve.pairs()) fmt::format_to(out, "preserve {} {}\n", a, b);
+  for (const Edit& edit : trace.edits) {
+    switch (edit.kind) {
+      case Edit::Kind::add:
+        fmt::format_to(out, "add {} {} {} {} ", edit.name, edit.polygon.cell.i, edit.polygon.cell.j,
+                       edit.polygon.block);
+        for (const LocalPoint& p : edit.polygon.vertices) {
+          fmt::format_to(out, " {} {}", printCoordinate(p.x), printCoordinate(p.y));
+        }
+        text += '\n';
+        break;
+      case Edit::Kind::remove:
+        fmt::format_to(out, "remove {}\n", edit.name);
+        break;
+      case Edit::Kind::commit:
+        text += "commit\n";
+        break;
+    }
+  }
+  return text;
+}
+
+}  // namespace lgs::oracle

@@ -1,0 +1,73 @@
+// Traces: edits as text. Hand-written, recorded, shrunk, imported and fuzzed edits are all this one format.
+//
+//   lgs-trace 1
+//   # A word that starts with # begins a comment, which runs to the end of the line.
+//   preserve <block> <block>                              only before the first edit
+//   add <name> <i> <j> <block> <x> <y> <x> <y> <x> <y> …  i j: the cell; x y: in cells from its lower-left corner
+//   remove <name>
+//   commit
+//
+// Words are parted by spaces, tabs and commas; a line may end in CR LF. A name is any word, and is unique while its
+// polygon is alive. A coordinate is a decimal (0.25, -1e-3) or a fraction of two integers (1/3), of up to a thousand
+// characters, rounded to the nearest lattice point, halves away from zero. The end of the file commits what is pending.
+//
+// Parsing looks at the words alone. Whether a polygon is good, and whether a name is known, is decided when the trace
+// is played (player.h), and reported with the edit's line.
+#pragma once
+
+#include "oracle/reference/scene.h"
+
+#include <lgs/error.h>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lgs::oracle {
+
+struct Edit {
+  enum class Kind { add, remove, commit };
+  Kind kind = Kind::commit;
+  std::string name;      ///< of add and remove
+  ScenePolygon polygon;  ///< of add
+  std::size_t line = 0;  ///< where it was read; 0 if it was not read from text
+
+  static Edit add(std::string name, ScenePolygon polygon) {
+    return {Kind::add, std::move(name), std::move(polygon), 0};
+  }
+  static Edit remove(std::string name) { return {Kind::remove, std::move(name), {}, 0}; }
+  static Edit commit() { return {}; }
+  /// Where an edit was read is no part of what it is.
+  friend bool operator==(const Edit& a, const Edit& b) {
+    return a.kind == b.kind && a.name == b.name && a.polygon == b.polygon;
+  }
+};
+
+struct Trace {
+  PreservePairs preserve;
+  std::vector<Edit> edits;
+  friend bool operator==(const Trace&, const Trace&) = default;
+};
+
+/// Why a trace is bad.
+struct TraceError {
+  std::size_t line = 0;                   ///< 0: the file as a whole
+  std::string text;                       ///< what is wrong, and what to do about it
+  std::optional<ErrorCode> refusal = {};  ///< set if it was the engine that refused the edit
+};
+
+/// "FILE:LINE: text", or "FILE: text" where no line is to blame.
+std::string message(const TraceError& error, std::string_view file);
+
+struct ParsedTrace {
+  Trace trace;  ///< everything before the first bad line
+  std::optional<TraceError> error;
+};
+
+ParsedTrace parseTrace(std::string_view text);
+
+/// The text that parseTrace() reads back as the same trace.
+std::string printTrace(const Trace& trace);
+
+}  // namespace lgs::oracle

@@ -1,0 +1,157 @@
+// The lgs command as a user meets it: exit statuses, messages, files.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int status = -1;
+  std::string text;
+};
+
+class Command : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() /
+              (std::string("lgs-cli-") + ::testing::UnitTest::GetInstance()->current_test_info()->name() + "-" +
+               std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Outcome lgs(const std::string& arguments, const std::string& errors = "2>&1") const {
+    const std::string line = "cd '" + folder_.string() + "' && '" LGS_COMMAND "' " + arguments + " " + errors;
+    Outcome outcome;
+    std::FILE* const pipe = ::popen(line.c_str(), "r");
+    if (pipe == nullptr) return outcome;
+    std::array<char, 4096> buffer{};
+    while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
+      outcome.text.append(buffer.data(), n);
+    }
+    const int ended = ::pclose(pipe);
+    outcome.status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
+    return outcome;
+  }
+
+  void put(const std::string& name, const std::string& content) const { std::ofstream(folder_ / name) << content; }
+
+  std::string get(const std::string& name) const {
+    std::ostringstream content;
+    content << std::ifstream(folder_ / name).rdbuf();
+    return content.str();
+  }
+
+  void expect(const std::string& arguments, int status, const std::string& part) const {
+    const Outcome outcome = lgs(arguments);
+    EXPECT_EQ(outcome.status, status) << arguments << "\n" << outcome.text;
+    EXPECT_NE(outcome.text.find(part), std::string::npos) << arguments << "\n" << outcome.text;
+  }
+
+  fs::path folder_;
+};
+
+const char* const kTwoSquares = "lgs-trace 1\nadd a 0 0 1  0 0 1 0 1 1 0 1\ncommit\nadd b 1 0 2  0 0 1 0 1 1 0 1\n";
+
+TEST_F(Command, HelpAndVersionAreFine) {
+  expect("--help", 0, "Exit status");
+  expect("--version", 0, "lgs ");
+  for (const std::string command : {"replay", "check", "import", "bench"}) expect(command + " --help", 0, "Example");
+}
+
+TEST_F(Command, BadUsageIsTwo) {
+  put("t", kTwoSquares);
+  expect("", 2, "subcommand");
+  expect("play t", 2, "subcommand");
+  expect("replay", 2, "TRACE");
+  expect("replay t --chek", 2, "--chek");
+  expect("replay t extra", 2, "extra");
+  expect("replay t --check --oracle gods", 2, "gods");
+  expect("check --cells 3by3", 2, "3by3");
+  expect("check --cells 0x3", 2, "0x3");
+  expect("check --cells 3x", 2, "3x");
+  expect("check --edits 0", 2, "--edits");
+  expect("check --edits many", 2, "many");
+  expect("check --seed -1", 2, "--seed");
+  expect("import t.tmx --block colour", 2, "colour");
+  expect("import t.tmx --number water", 2, "NAME=NUMBER");
+  expect("import t.tmx --tolerance -1", 2, "--tolerance");
+  expect("bench --rounds 0", 2, "--rounds");
+}
+
+TEST_F(Command, BadFilesAreTwo) {
+  put("t", kTwoSquares);
+  put("bad", "lgs-trace 1\nadd a 0 0 1  0 0 1 0\nmove a\n");
+  put("worse", "lgs-trace 1\n\nadd a 0 0 1  0 0 1 0 1 1 0 one\n");
+  put("bad.tmx", "<map");
+  expect("replay missing", 2, "missing: cannot open the file");
+  expect("replay .", 2, ".: cannot read the file: Is a directory");
+  expect("replay bad", 2, "bad:2: ");
+  expect("replay bad --check", 2, "bad:2: ");
+  expect("replay worse", 2, "worse:3: the y of vertex 3, 'one': not a number");
+  expect("replay t --dump no/such/folder/x", 2, "no/such/folder/x: cannot write the file");
+  expect("replay t --svg no/such/folder/x", 2, "no/such/folder/x: cannot write the file");
+  expect("check --map missing", 2, "missing: cannot open the file");
+  expect("check --map bad", 2, "bad:2: ");
+  expect("import missing.tmx", 2, "missing.tmx");
+  expect("import bad.tmx", 2, "bad.tmx");
+  expect("check --edits 10 --svg no/such/folder/x", 2, "no/such/folder/x: cannot write the file");
+}
+
+TEST_F(Command, ReplayDumpsAndDraws) {
+  put("t", kTwoSquares);
+  expect("replay t --check --dump d --svg s.svg", 0, "no mismatch");
+  const std::string dump =
+      "segment 0 0 65536 0 0 65536 131072 0 1\n"
+      "segment 0 65536 0 0 65536 65536 65536 0 1\n"
+      "segment 65536 0 131072 0 0 0 131072 65536 2\n"
+      "segment 65536 65536 0 65536 131072 65536 0 0 1\n"
+      "segment 131072 0 131072 65536 65536 0 65536 65536 2\n"
+      "segment 131072 65536 65536 65536 131072 0 0 65536 2\n";
+  EXPECT_EQ(get("d"), dump);
+  EXPECT_NE(get("s.svg").find("<svg"), std::string::npos);
+  EXPECT_EQ(lgs("replay t --dump -", "2>/dev/null").text, dump);  // nothing else on stdout
+}
+
+TEST_F(Command, CheckIsTheSameEachTime) {
+  const auto withoutTime = [](std::string text) {
+    const std::size_t time = text.find("time ");
+    return text.erase(time, text.find('\n', time) - time);
+  };
+  const Outcome first = lgs("check --cells 3x3 --edits 400 --seed 5");
+  EXPECT_EQ(first.status, 0) << first.text;
+  EXPECT_NE(first.text.find("no mismatch"), std::string::npos);
+  EXPECT_EQ(first.text.find('\r'), std::string::npos) << "a progress line in a pipe";
+  EXPECT_EQ(withoutTime(lgs("check --cells 3x3 --edits 400 --seed 5").text), withoutTime(first.text));
+  expect("check --case 3 --seed 5 --edits 1000000", 0, "cases      1;");
+}
+
+TEST_F(Command, CheckDigsInAMap) {
+  put("t", kTwoSquares);
+  expect("check --map t --edits 200 --whole-every 7 --svg s.svg", 0, "no mismatch");
+  EXPECT_NE(get("s.svg").find("<svg"), std::string::npos);
+}
+
+TEST_F(Command, ImportMakesATrace) {
+  put("m.tmx",
+      "<map version='1.10' orientation='orthogonal' width='2' height='1' tilewidth='16' tileheight='16' infinite='0'>"
+      "<tileset firstgid='1' name='t' tilewidth='16' tileheight='16' tilecount='1' columns='1'>"
+      "<tile id='0'><objectgroup><object id='1' x='0' y='8' width='16' height='8'/></objectgroup></tile></tileset>"
+      "<layer id='1' name='l' width='2' height='1'><data encoding='csv'>1,1</data></layer></map>");
+  expect("import m.tmx -o m.trace --svg m.svg", 0, "");
+  EXPECT_NE(get("m.trace").find("add c1_-1_1 1 -1 1 "), std::string::npos) << get("m.trace");
+  expect("replay m.trace --check", 0, "2 polygons in 2 cells, 6 segments, 1 loops");
+  EXPECT_EQ(lgs("import m.tmx", "2>/dev/null").text, get("m.trace"));
+  expect("check --map m.tmx --edits 50", 0, "no mismatch");
+}
+
+}  // namespace

@@ -1,0 +1,91 @@
+// Invariants on big worlds under random edits: where no reference can follow.
+#include "invariants.h"
+#include "oracle/check/random.h"
+#include "random_traces.h"
+#include "scale.h"
+#include "support.h"
+
+#include "oracle/trace/player.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+namespace lgs::engine_test {
+namespace {
+
+using oracle::Random;
+using oracle::Trace;
+
+RC_GTEST_PROP(Invariants, HoldInRandomCases, ()) {
+  forRandomTraces("invariants", 15, {.withPreserve = false}, [](const Trace& original, Random) {
+    Trace trace = original;
+    CellRect cells{{kMaxCell, kMaxCell}, {-9, -9}};
+    for (const oracle::Edit& edit : trace.edits) {
+      if (edit.kind != oracle::Edit::Kind::add) continue;
+      cells.min = {std::min(cells.min.i, edit.polygon.cell.i), std::min(cells.min.j, edit.polygon.cell.j)};
+    }
+    for (oracle::Edit& edit : trace.edits) {  // near the origin, where areas do not overflow
+      if (edit.kind != oracle::Edit::Kind::add) continue;
+      edit.polygon.cell = {edit.polygon.cell.i - cells.min.i - 2, edit.polygon.cell.j - cells.min.j - 2};
+    }
+    oracle::Player player({});
+    std::optional<std::string> problem;
+    const auto played = oracle::play(trace, player, [&](oracle::Player& p, const Changes&) {
+      problem = brokenInvariant(p.world(), {{-2, -2}, {20, 6}});
+      return !problem;
+    });
+    return played ? problem : message(played.error(), "trace");
+  });
+}
+
+TEST(Invariants, HoldInABigWorldUnderRandomEdits) {
+  const auto side = static_cast<std::int32_t>(std::min(1000.0, 260 * std::sqrt(testScale())));
+  const CellRect all{{-side / 2, -side / 3}, {side - side / 2 - 1, side - side / 3 - 1}};
+  Random random(2026);
+  World world;
+  std::vector<ShapeId> shapes;
+  for (const oracle::PaletteShape& shape : oracle::palette()) {
+    const int symmetry = random.below(8);
+    std::vector<LocalPolygon> polygons;
+    for (const LocalPolygon& p : shape.polygons) polygons.push_back(oracle::turned(p, symmetry));
+    shapes.push_back(shapeOf(world, polygons));
+  }
+  const auto randomCell = [&] {
+    const std::int32_t i = all.min.i + random.below(side);
+    const std::int32_t j = all.min.j + random.below(side);
+    return Cell{i, j};
+  };
+  // Half of it random shapes, half of it solid; then holes, refills and rectangles in both.
+  ASSERT_TRUE(world.fill({all.min, {all.max.i, 0}}, shapes[0], 1));
+  for (const Cell& cell : cellsOf({{all.min.i, 1}, all.max})) ASSERT_TRUE(world.add(cell, random.pick(shapes), 2));
+  world.commit();
+  for (int round = 0; round < 4; ++round) {
+    for (int k = 0; k < side * 20; ++k) {
+      const Cell cell = randomCell();
+      if (random.chance(70) || !world.polygons(cell).empty()) removeAll(world, cell);
+      if (random.chance(70) && world.polygons(cell).empty()) {
+        ASSERT_TRUE(world.add(cell, random.pick(shapes), 3));
+      }
+      if (random.chance(50)) world.commit();
+      if (k % 500 != 0) continue;
+      const Cell from = randomCell();
+      const CellRect rect{from, {std::min(all.max.i, from.i + 40), std::min(all.max.j, from.j + 7)}};
+      ASSERT_TRUE(world.clear(rect));
+      if (random.chance(50)) world.commit();
+      ASSERT_TRUE(world.fill(rect, random.pick(shapes), 4));
+    }
+    world.commit();
+    const auto problem = brokenInvariant(world, all);
+    ASSERT_FALSE(problem) << *problem;
+  }
+  ASSERT_TRUE(world.clear(all));
+  world.commit();
+  EXPECT_EQ(world.stats().segments, 0U);
+  const auto problem = brokenInvariant(world, all);
+  EXPECT_FALSE(problem) << *problem;
+}
+
+}  // namespace
+}  // namespace lgs::engine_test

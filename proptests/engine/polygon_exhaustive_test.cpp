@@ -1,0 +1,173 @@
+// Validation by itself, exhausted on tiny lattices: every sequence of three, four or five points against slow rules
+// that can be seen to be right.
+#include "oracle/check/validity.h"
+#include "polygon.h"
+#include "scale.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bitset>
+#include <memory>
+#include <vector>
+
+namespace lgs::detail {
+namespace {
+
+using engine_test::exhausted;
+using engine_test::exhaustStride;
+using oracle::LocalPolygon;
+
+/// The sequence of points with this number, on a lattice of side × side points.
+LocalPolygon sequence(std::int64_t code, int length, int side) {
+  LocalPolygon polygon;
+  const std::int32_t step = kUnitsPerCell / (side - 1);
+  for (int k = 0; k < length; ++k, code /= side * side) {
+    const auto point = static_cast<std::int32_t>(code % (side * side));
+    polygon.push_back({point % side * step, point / side * step});
+  }
+  return polygon;
+}
+
+std::int64_t power(std::int64_t base, int exponent) {
+  std::int64_t result = 1;
+  for (; exponent > 0; --exponent) result *= base;
+  return result;
+}
+
+/// Calls visit for every sequence; how many of those looked at have no defect.
+template <class Visit>
+std::int64_t forAll(int length, int side, Visit&& visit) {
+  const std::int64_t total = power(side * side, length);
+  std::int64_t good = 0;
+  for (std::int64_t code = 0; code < total; code += exhaustStride()) good += visit(sequence(code, length, side));
+  return good;
+}
+
+struct Exhausted {
+  int length, side;
+  std::int64_t total;
+  std::int64_t good;  ///< in any of their rotations
+};
+
+// The second opinion is the harness's own: it shares no code with the engine.
+TEST(FindDefect, GivesTheRightReasonForEverySequence) {
+  for (const Exhausted& e : {Exhausted{2, 3, 81, 0},
+                             {3, 3, 729, 228},
+                             {4, 3, 6'561, 568},
+                             {5, 3, 59'049, 1'200},
+                             {3, 4, 4'096, 1'548},
+                             {4, 4, 65'536, 9'160},
+                             {4, 5, 390'625, 67'144}}) {
+    std::int64_t tried = 0;
+    const std::int64_t good = forAll(e.length, e.side, [&](const LocalPolygon& polygon) {
+      ++tried;
+      const auto defect = findDefect(polygon);
+      const auto fault = oracle::faultOf(polygon);
+      EXPECT_EQ(defect.has_value(), fault.has_value()) << testing::PrintToString(polygon.size());
+      if (defect && fault) {
+        EXPECT_EQ(defect->code, *fault);
+      }
+      return !defect;
+    });
+    EXPECT_EQ(tried, exhausted(e.total));
+    if (exhaustStride() == 1) {
+      EXPECT_EQ(good, e.good) << e.length << " points of " << e.side << "×" << e.side;
+    }
+  }
+}
+
+// Which vertices a defect names.
+TEST(FindDefect, NamesVerticesThatAreToBlame) {
+  for (const int length : {3, 4, 5}) {
+    forAll(length, 3, [&](const LocalPolygon& polygon) {
+      const auto defect = findDefect(polygon);
+      if (!defect) return true;
+      const auto a = static_cast<std::size_t>(defect->vertex), b = static_cast<std::size_t>(defect->vertex2);
+      if (defect->code == ErrorCode::repeatedVertex) {
+        EXPECT_LT(a, b);
+        EXPECT_EQ(polygon[a], polygon[b]);
+      } else if (defect->code == ErrorCode::selfIntersecting) {
+        EXPECT_LT(a, polygon.size());
+        EXPECT_LT(b, polygon.size());
+        EXPECT_NE(a, b);
+      } else {
+        EXPECT_EQ(defect->vertex, -1);
+        EXPECT_EQ(defect->vertex2, -1);
+      }
+      return false;
+    });
+  }
+}
+
+// --- Two polygons
+// ------------------------------------------------------------------------------------------------------
+
+// Points that lie on no line through two lattice points, so dense that every face of the arrangement of all those lines
+// holds one: two interiors meet exactly if they have such a point in common.
+constexpr int kSamples = 160;  // each way
+using Inside = std::bitset<static_cast<std::size_t>(kSamples) * kSamples>;
+
+/// The samples inside, by the crossing rule, on coordinates eight times as fine.
+Inside samplesInside(const LocalPolygon& polygon) {
+  Inside inside;
+  const std::int64_t n = 1021;  // a prime number of steps, so that no sample is on a line of small slope
+  for (int y = 0; y < kSamples; ++y) {
+    for (int x = 0; x < kSamples; ++x) {
+      // In units of 1 / (2n) of a cell.
+      const std::int64_t sx = 2 * (n * x / kSamples) + 3, sy = 2 * (n * y / kSamples) + 5;
+      bool odd = false;
+      for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const auto scaled = [&](LocalPoint p) {
+          return std::pair{2 * n * p.x / kUnitsPerCell, 2 * n * p.y / kUnitsPerCell};
+        };
+        const auto [ax, ay] = scaled(polygon[k]);
+        const auto [bx, by] = scaled(polygon[(k + 1) % polygon.size()]);
+        if ((ay > sy) == (by > sy)) continue;
+        const std::int64_t turn = (bx - ax) * (sy - ay) - (by - ay) * (sx - ax);
+        EXPECT_NE(turn, 0);
+        odd ^= (turn > 0) == (by > ay);
+      }
+      inside[static_cast<std::size_t>(y * kSamples + x)] = odd;
+    }
+  }
+  return inside;
+}
+
+/// All good polygons of up to five vertices on a 3×3 lattice, each once: with its least vertex first.
+std::vector<LocalPolygon> goodPolygons() {
+  std::vector<LocalPolygon> polygons;
+  for (const int length : {3, 4, 5}) {
+    for (std::int64_t code = 0; code < power(9, length); ++code) {
+      LocalPolygon p = sequence(code, length, 3);
+      if (*std::min_element(p.begin(), p.end()) == p[0] && !oracle::faultOf(p)) polygons.push_back(std::move(p));
+    }
+  }
+  return polygons;
+}
+
+TEST(InteriorsMeet, IsRightForAllPairs) {
+  const std::vector<LocalPolygon> polygons = goodPolygons();
+  ASSERT_EQ(polygons.size(), 458U);
+  const auto inside = std::make_unique<Inside[]>(polygons.size());
+  for (std::size_t k = 0; k < polygons.size(); ++k) inside[k] = samplesInside(polygons[k]);
+  std::int64_t pairs = 0, tried = 0, meeting = 0;
+  for (std::size_t a = 0; a < polygons.size(); ++a) {
+    for (std::size_t b = 0; b < polygons.size(); ++b) {
+      if (pairs++ % exhaustStride() != 0) continue;
+      ++tried;
+      const bool meet = interiorsMeet(polygons[a], polygons[b]);
+      meeting += meet;
+      ASSERT_EQ(meet, (inside[a] & inside[b]).any()) << "polygons " << a << " and " << b;
+      ASSERT_EQ(meet, oracle::overlap(polygons[a], polygons[b]));
+    }
+  }
+  EXPECT_EQ(pairs, 209'764);  // 458²
+  EXPECT_EQ(tried, exhausted(pairs));
+  if (exhaustStride() == 1) {
+    EXPECT_EQ(meeting, 194'168);
+  }
+}
+
+}  // namespace
+}  // namespace lgs::detail

@@ -1,0 +1,42 @@
+// Properties over the random cases of oracle/check. RapidCheck chooses size and seed of a case; a case that fails is
+// made small by the project's own shrinker, which knows what an edit is, and is saved as a trace for `lgs replay`.
+#pragma once
+
+#include "oracle/check/random.h"
+#include "oracle/reference/outline.h"
+#include "oracle/trace/trace.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace lgs::engine_test {
+
+/// What is wrong, if anything. It is given traces whose every edit is accepted unless said otherwise, and its own
+/// source of chance, which is the same each time the case is tried.
+using Property = std::function<std::optional<std::string>(const oracle::Trace&, oracle::Random)>;
+
+struct CaseKind {
+  bool withRefused = false;   ///< keep the edits that must be refused
+  bool withPreserve = true;   ///< keep the preserve relation
+  std::size_t maxEdits = 60;  ///< at most
+};
+
+/// To be called in a RapidCheck property: tries this many cases (times the test scale), and fails it with the smallest
+/// trace found.
+void forRandomTraces(const std::string& name, int cases, const CaseKind& kind, const Property& property);
+
+/// A 64-bit number of RapidCheck's that it does not try to make small.
+std::uint64_t anySeed();
+
+/// The trace without the edits that must be refused.
+oracle::Trace withoutRefused(const oracle::Trace& trace);
+
+/// What the engine puts out after all of a trace, which must hold no refused edits.
+oracle::Outline outlineAfter(const oracle::Trace& trace);
+
+/// In words, if there is one. `expected` need not be sorted.
+std::optional<std::string> differenceOf(oracle::Outline expected, const oracle::Outline& actual);
+
+}  // namespace lgs::engine_test

@@ -1,0 +1,194 @@
+// Reading segments and loops: every field, ids, rectangles of cells, what is kept and what is merged.
+#include "support.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace lgs::engine_test {
+namespace {
+
+Segment segmentAt(const World& world, Point start, Point end) {
+  for (const SegmentId id : world.segments()) {
+    const Segment s = *world.segment(id);
+    if (s.start == start && s.end == end) return s;
+  }
+  ADD_FAILURE() << "no segment " << start.x << ' ' << start.y << " to " << end.x << ' ' << end.y;
+  return {};
+}
+
+TEST(Segments, SayAllAboutThemselves) {
+  World world;
+  const PolygonHandle square = place(world, {0, 0}, unitSquare(), 7), slope = place(world, {1, 0}, ramp(), 8);
+  world.commit();
+  // The ramp's wall is on its right, so the square's right side stays: together one loop through (U, 0).
+  ASSERT_EQ(world.segments().size(), 7U);
+  const Segment floor = segmentAt(world, {U, 0}, {2 * U, 0});
+  EXPECT_EQ(floor.block, 8U);
+  EXPECT_EQ(floor.polygon, slope);
+  EXPECT_EQ(floor.cell, (Cell{1, 0}));
+  EXPECT_EQ(floor.ghost1, (Point{0, 0}));
+  EXPECT_EQ(floor.ghost2, (Point{2 * U, U}));
+  const Segment before = *world.segment(floor.predecessor), after = *world.segment(floor.successor);
+  EXPECT_EQ(before.polygon, square);
+  EXPECT_EQ(before.block, 7U);
+  EXPECT_EQ(before.cell, (Cell{0, 0}));
+  EXPECT_EQ(before.end, floor.start);
+  EXPECT_EQ(before.successor, floor.id);
+  EXPECT_EQ(after.start, floor.end);
+  EXPECT_EQ(after.predecessor, floor.id);
+  const Segment wall = segmentAt(world, {U, 0}, {U, U});  // through the wedge between wall and slope
+  EXPECT_EQ(wall.ghost1, (Point{2 * U, U}));
+}
+
+TEST(Segments, OfARectangleAreThoseOfItsCells) {
+  World world;
+  ASSERT_TRUE(world.fill({{-40, -2}, {40, 2}}, shapeOf(world, paletteShape("diamond")), 1));
+  world.commit();
+  EXPECT_EQ(world.segments().size(), 4U * 81U * 5U);
+  for (const CellRect& rect :
+       {CellRect{{-33, -1}, {-31, 0}}, {{30, 2}, {35, 2}}, {{-100, -100}, {100, 100}}, {{5, 3}, {9, 9}}}) {
+    std::set<SegmentId> expected;
+    for (const SegmentId id : world.segments())
+      if (contains(rect, world.segment(id)->cell)) expected.insert(id);
+    const std::vector<SegmentId> actual = world.segments(rect);
+    EXPECT_EQ(std::set<SegmentId>(actual.begin(), actual.end()), expected);
+    EXPECT_EQ(actual.size(), expected.size());
+  }
+  const std::vector<SegmentId> all = world.segments();
+  EXPECT_TRUE(std::is_sorted(all.begin(), all.end()));
+  EXPECT_EQ(all.back().value, world.maxSegmentId());
+}
+
+TEST(Segments, UnknownIdsAreRefused) {
+  World world;
+  place(world, {}, ramp());
+  world.commit();
+  for (const std::uint32_t value : {0U, 4U, 5000U, 0xffff'ffffU}) {
+    const auto refused = world.segment({value});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::unknownSegment);
+    EXPECT_EQ(refused.error().segment, (SegmentId{value}));
+    EXPECT_EQ(message(refused.error()),
+              "segment " + std::to_string(value) + " is not alive; it was removed, or never existed");
+  }
+  EXPECT_TRUE(world.segment({3}));
+  removeAll(world, {});
+  EXPECT_TRUE(world.segment({3})) << "alive until the commit";
+  world.commit();
+  EXPECT_FALSE(world.segment({3}));
+}
+
+TEST(Segments, IdsOfTheRemovedAreUsedAgainOnlyByTheNextCommit) {
+  World world;
+  std::set<SegmentId> lastRemoved;
+  bool reused = false;
+  for (int k = 0; k < 60; ++k) {
+    const Cell cell{k % 4, k % 3};
+    removeAll(world, cell);
+    if (k % 5 != 0) place(world, cell, k % 2 ? ramp() : unitSquare());
+    const Changes& changes = world.commit();
+    for (const SegmentId id : changes.added) {
+      EXPECT_EQ(std::count(changes.removed.begin(), changes.removed.end(), id), 0);
+      reused |= lastRemoved.contains(id);
+    }
+    for (const SegmentId id : changes.removed) EXPECT_FALSE(world.segment(id));
+    lastRemoved = {changes.removed.begin(), changes.removed.end()};
+  }
+  EXPECT_TRUE(reused);
+  EXPECT_LT(world.maxSegmentId(), 120U) << "ids stay dense";
+}
+
+TEST(Segments, StayAsTheyAreWhileEditsAreNotCommitted) {
+  World world;
+  place(world, {}, unitSquare(), 1);
+  world.commit();
+  const Snapshot before = snapshotOf(world, {});
+  place(world, {1, 0}, unitSquare(), 2);
+  place(world, {0, 5}, ramp(), 2);
+  Snapshot after = snapshotOf(world, {});
+  EXPECT_EQ(after.segments, before.segments);
+  EXPECT_EQ(after.loops, before.loops);
+  EXPECT_EQ(after.segmentCount, before.segmentCount);
+  EXPECT_EQ(after.polygonCount, 3U);
+}
+
+TEST(Segments, AnEditTakenBackChangesNothing) {
+  World world;
+  ASSERT_TRUE(world.fill({{0, 0}, {3, 3}}, shapeOf(world, paletteShape("diamond")), 1));
+  world.commit();
+  const Snapshot before = snapshotOf(world, {});
+  ASSERT_TRUE(world.remove(place(world, {9, 1}, unitSquare())));
+  ASSERT_TRUE(world.remove(place(world, {1, 1}, {{0, 0}, {9, 0}, {0, 9}})));
+  const Changes& changes = world.commit();
+  EXPECT_TRUE(changes.added.empty() && changes.removed.empty() && changes.relinked.empty());
+  EXPECT_EQ(snapshotOf(world, {}).segments, before.segments);
+}
+
+TEST(Segments, PreserveKeepsOverlapsAndLeavesLoopsThatAreMutual) {
+  World world([](Block a, Block b) {
+    EXPECT_LE(a, b) << "asked with the smaller block first";
+    return a == 1 && b == 2;
+  });
+  place(world, {0, 0}, unitSquare(), 2);
+  place(world, {1, 0}, unitSquare(), 1);
+  place(world, {2, 0}, unitSquare(), 3);
+  world.commit();
+  EXPECT_EQ(world.segments().size(), 10U);  // 1|2 kept on both sides, 1|3 cancelled
+  for (const Loop& loop : world.loops())
+    for (std::size_t k = 0; k < loop.segments.size(); ++k)
+      EXPECT_EQ(world.segment(loop.segments[k])->successor, loop.segments[(k + 1) % loop.segments.size()]);
+}
+
+TEST(Loops, AreTheFacesIncludingHoles) {
+  World world;
+  ASSERT_TRUE(world.fill({{0, 0}, {2, 2}}, shapeOf(world, {unitSquare()}), 1));
+  removeAll(world, {1, 1});
+  world.commit();
+  const std::vector<Loop> kept = world.loops(), merged = world.loops(Collinear::merge);
+  ASSERT_EQ(kept.size(), 2U);
+  EXPECT_EQ(kept[0].vertices.size(), 12U);
+  EXPECT_EQ(kept[0].segments.size(), 12U);
+  EXPECT_EQ(kept[1].vertices, (std::vector<Point>{{U, U}, {U, 2 * U}, {2 * U, 2 * U}, {2 * U, U}}));  // clockwise
+  for (const Loop& loop : kept)
+    for (std::size_t k = 0; k < loop.segments.size(); ++k)
+      EXPECT_EQ(world.segment(loop.segments[k])->start, loop.vertices[k]);
+  ASSERT_EQ(merged.size(), 2U);
+  EXPECT_EQ(merged[0].vertices, (std::vector<Point>{{0, 0}, {3 * U, 0}, {3 * U, 3 * U}, {0, 3 * U}}));
+  EXPECT_TRUE(merged[0].segments.empty());
+}
+
+TEST(Loops, TurnThroughTheFreeWedgeAndStartAtTheLeastRotation) {
+  // Two squares that touch in a corner, twice: one loop around both, that passes a corner two times.
+  World world;
+  place(world, {0, 0}, unitSquare());
+  place(world, {1, 1}, unitSquare());
+  world.commit();
+  ASSERT_EQ(world.loops().size(), 1U);
+  EXPECT_EQ(world.loops(Collinear::merge)[0].vertices,
+            (std::vector<Point>{{0, 0}, {U, 0}, {U, U}, {2 * U, U}, {2 * U, 2 * U}, {U, 2 * U}, {U, U}, {0, U}}));
+  // Four triangles that meet with their tips in the least vertex of nothing: the loop through it starts elsewhere.
+  World hourglass;
+  place(hourglass, {0, 0}, eighths({{0, 0}, {8, 4}, {0, 2}}));
+  place(hourglass, {0, 0}, eighths({{0, 0}, {2, 0}, {8, 2}}));
+  hourglass.commit();
+  ASSERT_EQ(hourglass.loops().size(), 1U);
+  const std::vector<Point> vertices = hourglass.loops()[0].vertices;
+  ASSERT_EQ(vertices.size(), 6U);
+  EXPECT_EQ(vertices[0], (Point{0, 0}));  // passed twice: the rotation that goes on to the lesser vertex is the first
+  EXPECT_EQ(vertices[1], (Point{U / 4, 0}));
+}
+
+TEST(Loops, MergingKeepsAStraightRunsVertexWhereAnotherLoopPasses) {
+  World world;
+  place(world, {0, 0}, eighths({{0, 0}, {8, 0}, {8, 4}, {0, 4}}));
+  place(world, {0, 0}, eighths({{4, 4}, {5, 8}, {3, 8}}));  // stands with its tip on the flat top
+  world.commit();
+  const std::vector<Loop> merged = world.loops(Collinear::merge);
+  ASSERT_EQ(merged.size(), 1U);
+  EXPECT_EQ(std::count(merged[0].vertices.begin(), merged[0].vertices.end(), (Point{U / 2, U / 2})), 2);
+}
+
+}  // namespace
+}  // namespace lgs::engine_test

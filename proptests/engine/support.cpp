@@ -1,0 +1,83 @@
+#include "support.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace lgs::engine_test {
+
+LocalPolygon eighths(std::initializer_list<LocalPoint> vertices) {
+  LocalPolygon polygon(vertices);
+  for (LocalPoint& p : polygon) p = {p.x * (U / 8), p.y * (U / 8)};
+  return polygon;
+}
+
+LocalPolygon unitSquare() { return {kUnitSquare.begin(), kUnitSquare.end()}; }
+LocalPolygon ramp() { return {{0, 0}, {U, 0}, {U, U}}; }
+
+std::vector<LocalPolygon> paletteShape(std::string_view name) {
+  for (const oracle::PaletteShape& shape : oracle::palette())
+    if (shape.name == name) return shape.polygons;
+  throw std::invalid_argument("no shape of the palette: " + std::string(name));
+}
+
+PolygonHandle place(World& world, Cell cell, const LocalPolygon& polygon, Block block) {
+  const auto handle = world.add(cell, std::span<const LocalPoint>(polygon), block);
+  EXPECT_TRUE(handle) << message(handle.error());
+  return handle.value_or(PolygonHandle{});
+}
+
+ShapeId shapeOf(World& world, const std::vector<LocalPolygon>& polygons) {
+  const auto shape = world.shape(polygons);
+  EXPECT_TRUE(shape) << message(shape.error());
+  return shape.value_or(ShapeId{});
+}
+
+void removeAll(World& world, Cell cell) {
+  for (const PlacedPolygon& p : world.polygons(cell)) EXPECT_TRUE(world.remove(p.handle));
+}
+
+SegmentFields fieldsOf(const Segment& s) {
+  return {s.id,
+          s.start,
+          s.end,
+          s.predecessor,
+          s.successor,
+          s.predecessor ? std::optional(s.ghost1) : std::nullopt,
+          s.successor ? std::optional(s.ghost2) : std::nullopt,
+          s.block,
+          s.polygon,
+          s.cell};
+}
+
+std::vector<PolygonFields> polygonsIn(const World& world, Cell cell) {
+  std::vector<PolygonFields> out;
+  for (const PlacedPolygon& p : world.polygons(cell))
+    out.emplace_back(p.handle, p.block, LocalPolygon(p.vertices.begin(), p.vertices.end()));
+  return out;
+}
+
+Snapshot snapshotOf(const World& world, std::span<const Cell> cells) {
+  Snapshot snapshot;
+  for (const SegmentId id : world.segments()) snapshot.segments.push_back(fieldsOf(*world.segment(id)));
+  for (const Cell& cell : cells) snapshot.polygons[cell] = polygonsIn(world, cell);
+  for (const Loop& loop : world.loops()) snapshot.loops.push_back(loop.vertices);
+  snapshot.maxSegmentId = world.maxSegmentId();
+  const Stats stats = world.stats();
+  snapshot.polygonCount = stats.polygons;
+  snapshot.cellCount = stats.cells;
+  snapshot.segmentCount = stats.segments;
+  snapshot.shapeCount = stats.shapes;
+  snapshot.chunkCount = stats.chunks;
+  return snapshot;
+}
+
+std::vector<Cell> cellsOf(const CellRect& rect) {
+  std::vector<Cell> cells;
+  for (std::int32_t j = rect.min.j; j <= rect.max.j; ++j)
+    for (std::int32_t i = rect.min.i; i <= rect.max.i; ++i) cells.push_back({i, j});
+  return cells;
+}
+
+}  // namespace lgs::engine_test

@@ -1,0 +1,69 @@
+// What the tests of the engine share: shapes in eighths of a cell, shorter calls, and everything that can be seen of a
+// world as one value that can be compared.
+#pragma once
+
+#include "oracle/check/palette.h"
+#include "oracle/check/validity.h"
+
+#include <lgs/world.h>
+
+#include <cstdint>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace lgs::engine_test {
+
+inline constexpr std::int32_t U = kUnitsPerCell;
+using oracle::LocalPolygon;
+
+/// Vertices given in eighths of a cell.
+LocalPolygon eighths(std::initializer_list<LocalPoint> vertices);
+
+LocalPolygon unitSquare();
+LocalPolygon ramp();  ///< the lower right half of the cell
+
+/// The polygons of a shape of the oracle's palette, by its name.
+std::vector<LocalPolygon> paletteShape(std::string_view name);
+
+/// Edits that must succeed.
+PolygonHandle place(World& world, Cell cell, const LocalPolygon& polygon, Block block = 1);
+ShapeId shapeOf(World& world, const std::vector<LocalPolygon>& polygons);
+void removeAll(World& world, Cell cell);
+
+/// What segment() says, as values that compare.
+using SegmentFields = std::tuple<SegmentId, Point, Point, SegmentId, SegmentId, std::optional<Point>,
+                                 std::optional<Point>, Block, PolygonHandle, Cell>;
+SegmentFields fieldsOf(const Segment& segment);
+
+/// What polygons() says.
+using PolygonFields = std::tuple<PolygonHandle, Block, LocalPolygon>;
+std::vector<PolygonFields> polygonsIn(const World& world, Cell cell);
+
+/// Everything that a user can see of a world, memory used and contents interned apart: those are caches.
+struct Snapshot {
+  std::vector<SegmentFields> segments;
+  std::map<Cell, std::vector<PolygonFields>> polygons;
+  std::vector<std::vector<Point>> loops;
+  std::uint32_t maxSegmentId = 0;
+  std::uint64_t polygonCount = 0, cellCount = 0, segmentCount = 0, shapeCount = 0, chunkCount = 0;
+  friend bool operator==(const Snapshot&, const Snapshot&) = default;
+};
+Snapshot snapshotOf(const World& world, std::span<const Cell> cells);
+
+/// Copies of the three lists, to compare.
+struct ChangeLists {
+  std::vector<SegmentId> removed, added, relinked;
+  friend bool operator==(const ChangeLists&, const ChangeLists&) = default;
+};
+inline ChangeLists copyOf(const Changes& c) { return {c.removed, c.added, c.relinked}; }
+
+/// All cells of a rectangle, by rows.
+std::vector<Cell> cellsOf(const CellRect& rect);
+
+}  // namespace lgs::engine_test

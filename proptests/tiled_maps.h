@@ -1,0 +1,130 @@
+// Small Tiled maps written in the tests, and what every imported map must be: acceptable to World, polygon by polygon.
+#pragma once
+
+#include <lgs/tiled/import.h>
+#include <lgs/world.h>
+
+#include <gtest/gtest.h>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lgs::tiled {
+
+using Files = std::map<std::string, std::string>;
+
+/// Tiles 1, 2, … of 32×32 pixels, each with the given objects.
+inline std::string tilesetXml(const std::vector<std::string>& objects, const std::string& attributes = "") {
+  std::string xml = "<tileset firstgid='1' name='set' tilewidth='32' tileheight='32' " + attributes + ">\n";
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    xml += " <tile id='" + std::to_string(i) + "'><objectgroup>" + objects[i] + "</objectgroup></tile>\n";
+  }
+  return xml + "</tileset>\n";
+}
+
+/// A map of 32×32 pixel tiles; `content` is everything inside <map>.
+inline std::string mapXml(const std::string& content, const std::string& attributes = "width='4' height='3'") {
+  return "<?xml version='1.0'?>\n<map orientation='orthogonal' tilewidth='32' tileheight='32' " + attributes + ">\n" +
+         content + "</map>\n";
+}
+
+inline std::string csvLayer(int width, int height, const std::string& csv, const std::string& attributes = "") {
+  return "<layer name='Ground' width='" + std::to_string(width) + "' height='" + std::to_string(height) + "' " +
+         attributes + "><data encoding='csv'>" + csv + "</data></layer>\n";
+}
+
+inline tl::expected<ImportedMap, ImportError> importFiles(Files files, const Options& options = {}) {
+  return importMap("maps/test.tmx", options, [&](const std::string& path) -> tl::expected<std::string, std::string> {
+    const auto file = files.find(path);
+    if (file == files.end()) return tl::unexpected<std::string>("there is no such file");
+    return file->second;
+  });
+}
+
+/// Places everything in a world; that is what the importer promises to be possible.
+inline World worldOf(const ImportedMap& map) {
+  World world;
+  for (const Placement& p : map.placements) {
+    const auto added = world.add(p.cell, map.shapes[p.shape], p.block);
+    EXPECT_TRUE(added) << message(added.error());
+  }
+  world.commit();
+  EXPECT_EQ(map.report.polygons, map.placements.size());
+  EXPECT_EQ(map.report.shapes, map.shapes.size());
+  return world;
+}
+
+inline ImportedMap mustImportFiles(const Files& files, const Options& options = {}) {
+  auto map = importFiles(files, options);
+  if (!map) {
+    ADD_FAILURE() << message(map.error());
+    return {};
+  }
+  worldOf(*map);
+  return std::move(*map);
+}
+
+inline ImportedMap mustImport(const std::string& content, const Options& options = {}) {
+  return mustImportFiles({{"maps/test.tmx", mapXml(content)}}, options);
+}
+
+/// The message of a map that is refused.
+inline std::string refusalOf(const std::string& xml, const Options& options = {}) {
+  const auto map = importFiles({{"maps/test.tmx", xml}}, options);
+  return map ? "accepted" : message(map.error());
+}
+
+/// One tile with these objects, alone in the map's upper left corner: cell (0, -1).
+inline ImportedMap importTile(const std::string& objects, const Options& options = {}) {
+  return mustImport(tilesetXml({objects}) + csvLayer(1, 1, "1"), options);
+}
+
+using Ring = std::vector<LocalPoint>;
+
+/// The polygons of a cell, in order.
+inline std::vector<Ring> ringsIn(const ImportedMap& map, Cell cell) {
+  std::vector<Ring> rings;
+  for (const Placement& p : map.placements) {
+    if (p.cell == cell) rings.push_back(map.shapes[p.shape]);
+  }
+  return rings;
+}
+
+inline std::vector<Cell> cellsOf(const ImportedMap& map) {
+  std::vector<Cell> cells;
+  for (const Placement& p : map.placements) cells.push_back(p.cell);
+  return cells;
+}
+
+/// A ring given in pixels of a 32×32 tile, y up; starts at its least vertex as the importer's rings do.
+inline Ring px(const std::vector<std::pair<double, double>>& points) {
+  Ring ring;
+  for (const auto& [x, y] : points) {
+    ring.push_back({static_cast<std::int32_t>(x * 2048), static_cast<std::int32_t>(y * 2048)});
+  }
+  return ring;
+}
+
+inline double areaInCells(const ImportedMap& map) {
+  double sum = 0;
+  for (const Placement& p : map.placements) {
+    const Ring& ring = map.shapes[p.shape];
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const LocalPoint a = ring[i], b = ring[(i + 1) % ring.size()];
+      sum += static_cast<double>(std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x) / 2;
+    }
+  }
+  return sum / kUnitsPerCell / kUnitsPerCell;
+}
+
+inline std::vector<NoteKind> noteKinds(const ImportedMap& map) {
+  std::vector<NoteKind> kinds;
+  for (const TileReport& tile : map.report.tiles) {
+    for (const Note& note : tile.notes) kinds.push_back(note.kind);
+  }
+  return kinds;
+}
+
+inline const std::string kFullTile = "<object id='1' x='0' y='0' width='32' height='32'/>";
+
+}  // namespace lgs::tiled

@@ -1,0 +1,267 @@
+// Reading Tiled maps: encodings, layers, flips, objects, blocks, and the project's own map.
+#include "tiled_maps.h"
+
+#include <zlib.h>
+#include <zstd.h>
+#include <cstdint>
+
+namespace lgs::tiled {
+namespace {
+
+const Ring kSquare(kUnitSquare.begin(), kUnitSquare.end());
+
+std::string rawTiles(const std::vector<std::uint32_t>& gids) {
+  std::string bytes;
+  for (std::uint32_t gid : gids) {
+    for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>(gid >> shift & 0xFF));
+  }
+  return bytes;
+}
+
+std::string base64(const std::string& bytes) {
+  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    }
+    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? kDigits[bits >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+std::string deflated(const std::string& bytes, int windowBits) {
+  z_stream stream{};
+  deflateInit2(&stream, 9, Z_DEFLATED, windowBits, 8, Z_DEFAULT_STRATEGY);
+  std::string packed(deflateBound(&stream, bytes.size()) + 32, '\0');
+  std::string in = bytes;
+  stream.next_in = reinterpret_cast<Bytef*>(in.data());
+  stream.avail_in = static_cast<uInt>(in.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  return packed;
+}
+
+std::string zstdPacked(const std::string& bytes) {
+  std::string packed(ZSTD_compressBound(bytes.size()), '\0');
+  packed.resize(ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), 3));
+  return packed;
+}
+
+std::string dataLayer(const std::string& data) {
+  return tilesetXml({kFullTile}) + "<layer name='L' width='3' height='2'>" + data + "</layer>";
+}
+
+TEST(TiledEncodings, AllGiveTheSameTiles) {
+  const std::string raw = rawTiles({1, 0, 1, 0, 1, 0});
+  const std::vector<std::string> layers = {
+      "<data encoding='csv'>1,0,1,\n0,1,0\n</data>",
+      "<data><tile gid='1'/><tile/><tile gid='1'/><tile gid='0'/><tile gid='1'/><tile/></data>",
+      "<data encoding='base64'>\n   " + base64(raw) + "\n  </data>",
+      "<data encoding='base64' compression='zlib'>" + base64(deflated(raw, 15)) + "</data>",
+      "<data encoding='base64' compression='gzip'>" + base64(deflated(raw, 15 + 16)) + "</data>",
+      "<data encoding='base64' compression='zstd'>" + base64(zstdPacked(raw)) + "</data>",
+  };
+  for (const std::string& layer : layers) {
+    EXPECT_EQ(cellsOf(mustImport(dataLayer(layer))), (std::vector<Cell>{{1, -2}, {0, -1}, {2, -1}})) << layer;
+  }
+}
+
+TEST(TiledEncodings, BombsAndDamageAreRefused) {
+  const auto refusal = [](const std::string& attributes, const std::string& bytes) {
+    return refusalOf(mapXml(dataLayer("<data encoding='base64' " + attributes + ">" + base64(bytes) + "</data>")));
+  };
+  const std::string bomb(10'000'000, '\0');
+  const std::string zlib = deflated(rawTiles({1, 0, 1, 0, 1, 0}), 15);
+  EXPECT_NE(refusal("compression='zlib'", deflated(bomb, 15)).find("more than the 6 tiles"), std::string::npos);
+  EXPECT_NE(refusal("compression='zstd'", zstdPacked(bomb)).find("2500000 tiles where its size asks for 6"),
+            std::string::npos);
+  EXPECT_NE(refusal("compression='zlib'", zlib.substr(0, 8)).find("damaged"), std::string::npos);
+  EXPECT_NE(refusal("compression='zstd'", zlib).find("not zstd"), std::string::npos);
+  EXPECT_NE(refusal("compression='lzma'", zlib).find("unknown compression 'lzma'"), std::string::npos);
+  EXPECT_NE(refusal("", rawTiles({1, 2})).find("holds 2 tiles where its size asks for 6"), std::string::npos);
+}
+
+TEST(TiledLayers, InfiniteMapsHaveNegativeCells) {
+  const std::string layer =
+      "<layer name='L' width='30' height='20'><data encoding='csv'>"
+      "<chunk x='-16' y='-16' width='2' height='2'>0,0,0,1</chunk><chunk x='0' y='0' width='2' height='1'>1,0</chunk>"
+      "</data></layer>";
+  const auto map = mustImportFiles({{"maps/test.tmx", mapXml(tilesetXml({kFullTile}) + layer, "infinite='1'")}});
+  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{0, -1}, {-15, 14}}));
+  const std::string empty = "<layer name='L' width='30' height='20'><data encoding='csv'/></layer>";
+  EXPECT_TRUE(mustImportFiles({{"maps/test.tmx", mapXml(empty, "infinite='1'")}}).placements.empty());
+}
+
+TEST(TiledLayers, GroupsOffsetsAndChoice) {
+  const std::string content =
+      tilesetXml({kFullTile}) + "<group name='World' offsetx='32'>" +
+      "<layer name='A' width='1' height='1' offsety='-64'><data encoding='csv'>1</data></layer>" +
+      "<layer name='B' width='1' height='1'><data encoding='csv'>1</data></layer></group>" +
+      "<layer name='A' width='1' height='1'><data encoding='csv'>1</data></layer>";
+  Options options;
+  EXPECT_EQ(cellsOf(mustImport(content)), (std::vector<Cell>{{0, -1}, {1, -1}, {1, 1}}));
+  options.layers = {"World/B"};
+  EXPECT_EQ(cellsOf(mustImport(content, options)), (std::vector<Cell>{{1, -1}}));
+  options.layers = {"World"};
+  EXPECT_EQ(cellsOf(mustImport(content, options)), (std::vector<Cell>{{1, -1}, {1, 1}}));
+  options.layers = {"A"};
+  EXPECT_EQ(cellsOf(mustImport(content, options)), (std::vector<Cell>{{0, -1}, {1, 1}}));
+  options.layers = {"C"};
+  EXPECT_NE(refusalOf(mapXml(content), options).find("has no tile layer or group 'C'"), std::string::npos);
+}
+
+TEST(TiledLayers, AShiftAgainstTheGridIsCarried) {
+  const auto map = mustImport(tilesetXml({kFullTile}) + csvLayer(1, 1, "1", "offsetx='8' offsety='0'"));
+  EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{8, 0}, {32, 0}, {32, 32}, {8, 32}})}));
+  EXPECT_EQ(ringsIn(map, {1, -1}), (std::vector<Ring>{px({{0, 0}, {8, 0}, {8, 32}, {0, 32}})}));
+}
+
+TEST(TiledTilesets, ExternalFilesAreFoundBesideTheMap) {
+  const Files files = {
+      {"maps/test.tmx", mapXml("<tileset firstgid='1' source='../sets/a.tsx'/><tileset firstgid='10' source='b.tsx'/>" +
+                               csvLayer(3, 1, "1,10,11"))},
+      {"sets/a.tsx", "<tileset tilewidth='32' tileheight='32'><tile id='0'><objectgroup>" + kFullTile +
+                         "</objectgroup></tile></tileset>"},
+      {"maps/b.tsx", "<tileset name='b' tilewidth='32' tileheight='32'><tile id='1'><objectgroup>" + kFullTile +
+                         "</objectgroup></tile></tileset>"}};
+  const auto map = mustImportFiles(files);
+  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{0, -1}, {2, -1}}));
+  ASSERT_EQ(map.report.tiles.size(), 3U);
+  EXPECT_EQ(map.report.tiles[0].tileset, "a");
+  EXPECT_FALSE(map.report.tiles[1].hasShapes);
+  Options options;
+  options.solidWithoutShapes = true;
+  EXPECT_EQ(cellsOf(mustImportFiles(files, options)), (std::vector<Cell>{{0, -1}, {1, -1}, {2, -1}}));
+}
+
+TEST(TiledTilesets, LargerTilesStandOnTheirCellAndReachIntoOthers) {
+  const std::string large =
+      "<tileset firstgid='1' tilewidth='64' tileheight='48'><tileoffset x='0' y='16'/><tile id='0'>"
+      "<objectgroup><object id='1' x='0' y='0' width='64' height='48'/></objectgroup></tile></tileset>";
+  const auto map = mustImport(large + csvLayer(1, 2, "0,1"));
+  // The image is 48 high and hangs 16 below its cell's lower edge.
+  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{0, -3}, {1, -3}, {0, -2}, {1, -2}}));
+  EXPECT_EQ(ringsIn(map, {1, -3}), (std::vector<Ring>{px({{0, 16}, {32, 16}, {32, 32}, {0, 32}})}));
+  EXPECT_EQ(ringsIn(map, {1, -2}), (std::vector<Ring>{kSquare}));
+  std::string fitted = large;
+  fitted.insert(fitted.find(" firstgid"), " tilerendersize='grid'");
+  fitted.replace(fitted.find("y='16'"), 6, "y='0' ");
+  EXPECT_EQ(ringsIn(mustImport(fitted + csvLayer(1, 1, "1")), {0, -1}), (std::vector<Ring>{kSquare}));
+}
+
+TEST(TiledFlips, AllEight) {
+  const std::string tile =
+      "<object id='1' x='0' y='0'><polygon points='0,32 0,0 8,16'/></object>";  // on the left, wide 8
+  const std::uint32_t h = 0x80000000, v = 0x40000000, d = 0x20000000;
+  const std::vector<std::pair<std::uint32_t, Ring>> cases = {
+      {0, px({{0, 0}, {8, 16}, {0, 32}})},     {h, px({{24, 16}, {32, 0}, {32, 32}})},
+      {v, px({{0, 0}, {8, 16}, {0, 32}})},     {h | v, px({{24, 16}, {32, 0}, {32, 32}})},
+      {d, px({{0, 32}, {16, 24}, {32, 32}})},  {d | h, px({{0, 32}, {16, 24}, {32, 32}})},
+      {d | v, px({{0, 0}, {32, 0}, {16, 8}})}, {d | h | v, px({{0, 0}, {32, 0}, {16, 8}})}};
+  const std::string skew =
+      "<object id='1' x='0' y='0'><polygon points='0,0 16,0 0,8'/></object>";  // tells all eight apart
+  const std::vector<std::pair<std::uint32_t, Ring>> skewCases = {
+      {0, px({{0, 24}, {16, 32}, {0, 32}})},  {h, px({{16, 32}, {32, 24}, {32, 32}})},
+      {v, px({{0, 0}, {16, 0}, {0, 8}})},     {h | v, px({{16, 0}, {32, 0}, {32, 8}})},
+      {d, px({{0, 16}, {8, 32}, {0, 32}})},   {d | h, px({{24, 32}, {32, 16}, {32, 32}})},
+      {d | v, px({{0, 0}, {8, 0}, {0, 16}})}, {d | h | v, px({{24, 0}, {32, 0}, {32, 16}})}};
+  for (const auto& [flags, ring] : cases) {
+    const auto map = mustImport(tilesetXml({tile}) + csvLayer(1, 1, std::to_string(1 + flags)));
+    EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{ring})) << std::hex << flags;
+  }
+  for (const auto& [flags, ring] : skewCases) {
+    const auto map = mustImport(tilesetXml({skew}) + csvLayer(1, 1, std::to_string(1 + flags)));
+    EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{ring})) << std::hex << flags;
+  }
+}
+
+TEST(TiledObjects, OffsetsAndRotation) {
+  const Ring lowerHalf = px({{0, 0}, {32, 0}, {32, 16}, {0, 16}});
+  for (const char* objects :
+       {"<object id='1' x='0' y='16' width='32' height='16'/>",
+        "<object id='1' x='32' y='16' width='16' height='32' rotation='90'/>",
+        "<object id='1' x='32' y='32' width='32' height='16' rotation='-180'/>",
+        "<object id='1' x='0' y='32' width='16' height='32' rotation='270'/>",
+        "<object id='1' x='10' y='26' rotation='360'><polygon points='-10,6 -10,-10 22,-10 22,6'/></object>"}) {
+    EXPECT_EQ(ringsIn(importTile(objects), {0, -1}), (std::vector<Ring>{lowerHalf})) << objects;
+  }
+  const std::string shifted =
+      "<tileset firstgid='1' tilewidth='32' tileheight='32'><tile id='0'><objectgroup offsetx='4' "
+      "offsety='8'><object x='-4' y='8' width='32' height='16'/></objectgroup></tile></tileset>";
+  EXPECT_EQ(ringsIn(mustImport(shifted + csvLayer(1, 1, "1")), {0, -1}), (std::vector<Ring>{lowerHalf}));
+  const auto diamond = importTile("<object id='1' x='16' y='2' width='16' height='16' rotation='45'/>");
+  EXPECT_NEAR(areaInCells(diamond), 0.25, 1e-4);
+}
+
+TEST(TiledObjects, CurvesArePolygonsAndTheRestIsLeftOut) {
+  Options exact;
+  exact.tolerance = 0;
+  const auto ellipse = importTile("<object id='7' x='0' y='8' width='32' height='16'><ellipse/></object>", exact);
+  EXPECT_EQ(ellipse.shapes.at(0).size(), static_cast<std::size_t>(kCurveVertices));
+  EXPECT_NEAR(areaInCells(ellipse), 3.14159 / 8, 0.003);
+  const auto capsule = importTile("<object id='7' x='8' y='0' width='16' height='32'><capsule/></object>", exact);
+  EXPECT_EQ(capsule.shapes.at(0).size(), static_cast<std::size_t>(kCurveVertices) + 2);
+  EXPECT_NEAR(areaInCells(capsule), 0.25 + 3.14159 / 16, 0.003);
+  EXPECT_EQ(noteKinds(capsule), (std::vector<NoteKind>{NoteKind::approximated}));
+  const auto rest = importTile(
+      "<object id='1' x='1' y='1'><point/></object><object id='2'><polyline points='0,0 4,4'/></object>"
+      "<object id='3' width='9' height='9'><text>hi</text></object><object id='4' width='0' height='5'/>"
+      "<object id='5' template='a.tx'/><object id='6' gid='1' width='32' height='32'/>"
+      "<object id='7' x='1e300' width='4' height='4'/><object id='8'><polygon points='0,0 9,9 9,0 0,9'/></object>"
+      "<object id='9'><polygon points='0,0 9,9'/></object>");
+  EXPECT_TRUE(rest.placements.empty());
+  EXPECT_EQ(noteKinds(rest), std::vector<NoteKind>(9, NoteKind::leftOut));
+}
+
+TEST(TiledBlocks, ByClassAndByLayer) {
+  const std::string set =
+      "<tileset firstgid='1' tilewidth='32' tileheight='32'>"
+      "<tile id='0' class='stone'><objectgroup><object id='1' width='32' height='16'/>"
+      "<object id='2' class='ice' y='16' width='32' height='16'/></objectgroup></tile>"
+      "<tile id='1' type='lava'><objectgroup>" +
+      kFullTile +
+      "</objectgroup></tile>"
+      "<tile id='2'><objectgroup>" +
+      kFullTile + "</objectgroup></tile></tileset>";
+  const std::string layers =
+      "<layer name='A' width='3' height='1'><data encoding='csv'>1,2,3</data></layer>"
+      "<layer name='B' width='3' height='2'><data encoding='csv'>0,0,0,2,0,0</data></layer>";
+  const auto blocks = [&](const Options& options) {
+    std::vector<Block> found;
+    for (const Placement& p : mustImport(set + layers, options).placements) found.push_back(p.block);
+    return found;  // the lower row first
+  };
+  Options options;
+  EXPECT_EQ(blocks(options), (std::vector<Block>{1, 1, 1, 1, 1}));
+  options.blockFrom = BlockFrom::tileClass;
+  EXPECT_EQ(blocks(options), (std::vector<Block>{3, 1, 2, 3, 4}));
+  options.blocks = {{"lava", 1}, {"ice", 90}};
+  EXPECT_EQ(blocks(options), (std::vector<Block>{1, 2, 90, 1, 3}));
+  options.blockFrom = BlockFrom::layer;
+  options.blocks = {{"B", 7}};
+  EXPECT_EQ(blocks(options), (std::vector<Block>{7, 1, 1, 1, 1}));
+}
+
+TEST(TiledMap, TheProjectsOwn) {
+  Options options;
+  options.blockFrom = BlockFrom::tileClass;
+  const auto map = importMap(LGS_SOURCE_DIR "/oracle/maps/landscape.tmx", options);
+  ASSERT_TRUE(map) << message(map.error());
+  const World world = worldOf(*map);
+  EXPECT_GE(map->report.width, 150);
+  EXPECT_GE(map->report.height, 40);
+  EXPECT_GT(map->report.polygons, 3'000U);
+  EXPECT_EQ(map->report.blocks.size(), 5U);
+  EXPECT_GT(world.loops().size(), 10U);
+  const std::string text = toText(map->report);
+  EXPECT_NE(text.find("coordinates put on the grid, by up to 0.4 px"), std::string::npos) << text;
+  EXPECT_EQ(text.find("Left out"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace lgs::tiled

@@ -1,0 +1,260 @@
+// The trace and dump formats: what is read, what is refused and how, what is written.
+#include "oracle/trace/trace.h"
+#include "oracle/trace/coordinate.h"
+#include "oracle/trace/dump.h"
+#include "oracle/trace/file.h"
+#include "oracle/trace/player.h"
+
+#include <gtest/gtest.h>
+#include <filesystem>
+#include <string>
+
+namespace lgs::oracle {
+namespace {
+
+using namespace std::string_literals;
+
+// The message that `lgs replay bad.trace` would give, empty if there is none.
+std::string faultOf(const std::string& text) {
+  const ParsedTrace parsed = parseTrace(text);
+  Player player(parsed.trace.preserve);
+  if (const auto played = play(parsed.trace, player); !played) return message(played.error(), "bad.trace");
+  return parsed.error ? message(*parsed.error, "bad.trace") : "";
+}
+
+Trace mustParse(const std::string& text) {
+  ParsedTrace parsed = parseTrace(text);
+  EXPECT_FALSE(parsed.error) << message(*parsed.error, "trace");
+  return std::move(parsed.trace);
+}
+
+TEST(Coordinate, RoundsExactly) {
+  struct Row {
+    std::string word;
+    std::int32_t units;
+  };
+  const std::string nines(900, '9');
+  for (const Row& row : std::vector<Row>{
+           {"0", 0},
+           {"-0", 0},
+           {"-0.0", 0},
+           {"1", 65'536},
+           {"1.0000", 65'536},
+           {"007", 7 * 65'536},
+           {"0.25", 16'384},
+           {".5", 32'768},
+           {"1.", 65'536},
+           {"-1.5", -98'304},
+           {"1/3", 21'845},
+           {"2/3", 43'691},
+           {"-1/3", -21'845},
+           {"0/7", 0},
+           {"12/6", 131'072},
+           {"1/131072", 1},  // half a unit: away from zero
+           {"-1/131072", -1},
+           {"1/131073", 0},  // a little less than half
+           {"3/131072", 2},
+           {"0.00000762939453125", 1},  // 2^-17, exactly half
+           {"0.00000762939453124", 0},
+           {"0.00000762939453124" + nines, 0},
+           {"1.52587890625e-05", 1},  // 2^-16, as Python prints it
+           {"25E-2", 16'384},
+           {"2.5e+0", 163'840},
+           {"1e-1000", 0},
+           {"0." + nines, 65'536},
+           {nines.substr(0, 400) + "/" + nines.substr(0, 400), 65'536},
+           {"32767", 32'767 * 65'536},
+       }) {
+    const auto units = parseCoordinate(row.word);
+    ASSERT_TRUE(units) << row.word << ": " << units.error();
+    EXPECT_EQ(*units, row.units) << row.word;
+  }
+}
+
+TEST(Coordinate, SaysWhatIsWrong) {
+  struct Row {
+    std::string word;
+    std::string fault;
+  };
+  for (const Row& row : std::vector<Row>{
+           {"x", "not a number"},
+           {"", "not a number"},
+           {"-", "not a number"},
+           {"+1", "not a number"},
+           {".", "not a number"},
+           {"1.2.3", "not a number"},
+           {"0x10", "not a number"},
+           {"nan", "not a number"},
+           {"inf", "not a number"},
+           {"1e", "not a number"},
+           {"e5", "not a number"},
+           {"--1", "not a number"},
+           {"1e5.5", "not a number"},
+           {"1/0", "division by zero"},
+           {"0/0", "division by zero"},
+           {"1/000", "division by zero"},
+           {"1/", "a fraction is two integers, like 1/3 or -1/3"},
+           {"/3", "a fraction is two integers, like 1/3 or -1/3"},
+           {"1/-3", "a fraction is two integers, like 1/3 or -1/3"},
+           {"0.5/3", "a fraction is two integers, like 1/3 or -1/3"},
+           {"1/2/3", "a fraction is two integers, like 1/3 or -1/3"},
+           {"32768", "far outside the cell, which is 0 to 1 on both axes"},
+           {"-1e9", "far outside the cell, which is 0 to 1 on both axes"},
+           {"1e1001", "the exponent is beyond 1000"},
+           {"1e99999999999999999999", "the exponent is beyond 1000"},
+           {std::string(1'001, '1'), "a number of more than 1000 characters"},
+       }) {
+    const auto units = parseCoordinate(row.word);
+    ASSERT_FALSE(units) << row.word;
+    EXPECT_EQ(units.error(), row.fault) << row.word;
+  }
+}
+
+TEST(Coordinate, PrintsExactly) {
+  EXPECT_EQ(printCoordinate(0), "0");
+  EXPECT_EQ(printCoordinate(65'536), "1");
+  EXPECT_EQ(printCoordinate(-65'536), "-1");
+  EXPECT_EQ(printCoordinate(32'768), "0.5");
+  EXPECT_EQ(printCoordinate(-4'096), "-0.0625");
+  EXPECT_EQ(printCoordinate(2'048), "1/32");
+  EXPECT_EQ(printCoordinate(21'845), "21845/65536");
+  for (std::int32_t units = -70'000; units <= 70'000; ++units) {
+    ASSERT_EQ(parseCoordinate(printCoordinate(units)), units) << printCoordinate(units);
+  }
+}
+
+TEST(Trace, ReadsEveryLine) {
+  const Trace trace = mustParse(
+      "\n  # before the header\r\nlgs-trace 1 # the header\r\npreserve 2 1\npreserve 1 2\n\t\n"
+      "add a -3 4 4294967295 0 0, 1 0, 1/2 0.5 #no more\n"
+      "  add b#2,0,0,7,0,0,1,0,1,1\ncommit\nremove a\ncommit");
+  EXPECT_EQ(trace.preserve.pairs().size(), 1U);
+  EXPECT_TRUE(trace.preserve(1, 2));
+  ASSERT_EQ(trace.edits.size(), 5U);
+  EXPECT_EQ(trace.edits[0], Edit::add("a", {{-3, 4}, 4'294'967'295, {{0, 0}, {65'536, 0}, {32'768, 32'768}}}));
+  EXPECT_EQ(trace.edits[0].line, 7U);
+  EXPECT_EQ(trace.edits[1].name, "b#2");
+  EXPECT_EQ(trace.edits[2], Edit::commit());
+  EXPECT_EQ(trace.edits[3], Edit::remove("a"));
+  EXPECT_EQ(trace.edits[4].line, 11U);
+}
+
+TEST(Trace, RoundTrips) {
+  const Trace trace = mustParse(
+      "lgs-trace 1\npreserve 9 3\nadd a 1073741824 -1073741824 0 0 0 1/3 0 1 1\nadd b 0 0 4 -5 12 0.1 0.2\n"
+      "commit\ncommit\nremove a\n");
+  const std::string text = printTrace(trace);
+  EXPECT_EQ(mustParse(text), trace) << text;
+  EXPECT_EQ(printTrace(mustParse(text)), text);
+}
+
+TEST(Trace, BadLinesSayFileLineAndReason) {
+  const std::string head = "lgs-trace 1\n";
+  const std::string square = "add p 0 0 1  0 0 1 0 1 1 0 1\n";
+  struct Row {
+    std::string text;
+    std::string begin;  // of the message
+  };
+  for (const Row& row : std::vector<Row>{
+           {"", "bad.trace:1: the trace ends before its first line, 'lgs-trace 1'"},
+           {"# nothing\n\n", "bad.trace:2: the trace ends before its first line"},
+           {"add p 0 0 1 0 0 1 0 1 1\n", "bad.trace:1: not a trace: the first line must be 'lgs-trace 1', not 'add'"},
+           {"lgs-trace\n", "bad.trace:1: the first line must be 'lgs-trace 1'"},
+           {"lgs-trace 2\n", "bad.trace:1: the first line must be 'lgs-trace 1'; this is the only version"},
+           {head + "lgs-trace 1\n", "bad.trace:2: unknown word 'lgs-trace'"},
+           {head + "# fine\nmove p\n", "bad.trace:3: unknown word 'move'; a line starts with"},
+           {head + "ADD p\n", "bad.trace:2: unknown word 'ADD'"},
+           {head + "commit now\n", "bad.trace:2: commit stands alone on its line; found 'now' after it"},
+           {head + "preserve 1\n", "bad.trace:2: preserve needs two blocks; found 1"},
+           {head + "preserve 1 2 3\n", "bad.trace:2: preserve needs two blocks; found 3"},
+           {head + "preserve a 2\n", "bad.trace:2: the block 'a' is not an integer"},
+           {head + square + "preserve 1 2\n", "bad.trace:3: preserve must stand before the first edit"},
+           {head + "add\n",
+            "bad.trace:2: add needs a name, a cell i j and a block before its coordinates; found only 0"},
+           {head + "add p 0 0\n", "bad.trace:2: add needs a name, a cell i j and a block"},
+           {head + "add p 0.5 0 1 0 0 1 0 1 1\n", "bad.trace:2: the cell index '0.5' is not an integer"},
+           {head + "add p 1073741825 0 1 0 0 1 0 1 1\n",
+            "bad.trace:2: the cell index '1073741825' is out of range, which is -1073741824 to 1073741824"},
+           {head + "add p 0 -99999999999999999999 1 0 0 1 0 1 1\n", "bad.trace:2: the cell index '-99999999999999"},
+           {head + "add p 0 0 4294967296 0 0 1 0 1 1\n",
+            "bad.trace:2: the block '4294967296' is out of range, which is 0 to 4294967295"},
+           {head + "add p 0 0 -1 0 0 1 0 1 1\n", "bad.trace:2: the block '-1' is out of range"},
+           {head + "add p 0 0 1 0 0 1 0 1\n", "bad.trace:2: 5 coordinates: they come in pairs x y"},
+           {head + "add p 0 0 1 0 0 1 zero 1 1\n", "bad.trace:2: the y of vertex 1, 'zero': not a number"},
+           {head + "add p 0 0 1 0 0 1/0 0 1 1\n", "bad.trace:2: the x of vertex 1, '1/0': division by zero"},
+           {head + "add p 0 0 1 0 0 1e9 0 1 1\n", "bad.trace:2: the x of vertex 1, '1e9': far outside the cell"},
+           {head + "remove\n", "bad.trace:2: remove needs one name; found 0"},
+           {head + "remove p q\n", "bad.trace:2: remove needs one name; found 2"},
+           {head + "remove p\n", "bad.trace:2: there is no polygon named 'p' to remove"},
+           {head + square + "remove p\nremove p\n", "bad.trace:4: there is no polygon named 'p' to remove"},
+           {head + square + square, "bad.trace:3: the name 'p' is in use"},
+           {head + "remove p\nnonsense\n", "bad.trace:2: there is no polygon named 'p'"},  // the first bad line
+           {head + "add p 0 0 1\n", "bad.trace:2: "},
+           {head + "add p 0 0 1 0 0 1 0\n", "bad.trace:2: "},
+           {head + "add p 0 0 1 0 0 1 0 1 1.5\n", "bad.trace:2: "},
+           {head + "add p 0 0 1 0 0 1 0 1 0 0 1\n", "bad.trace:2: "},
+           {head + "add p 0 0 1 0 0 0.5 0.5 1 1\n", "bad.trace:2: "},
+           {head + "add p 0 0 1 0 0 0 1 1 1\n", "bad.trace:2: "},
+           {head + "add p 0 0 1 0 0 1 1 1 0 0 1\n", "bad.trace:2: "},
+           {head + square + "add q 0 0 1 0 0 1 0 1 1\n", "bad.trace:3: "},
+           {head + "add p\0 0 0 1 0 0 1 0 1 1\n"s, "bad.trace:2: byte 0x00 in the line: a trace is plain text"},
+           {"\x7f\x45LF\x02\x01", "bad.trace:1: byte 0x7f in the line"},
+           {head + "# \x1b[31m\n", "bad.trace:2: byte 0x1b in the line"},
+           {head + "com\rmit\n", "bad.trace:2: byte 0x0d in the line"},
+           {head + std::string(2'000'000, 'x'), "bad.trace:2: the line is longer than 1048576 bytes"},
+           {head + std::string(2'000, 'x'), "bad.trace:2: unknown word 'xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx…'"},
+       }) {
+    const std::string fault = faultOf(row.text);
+    EXPECT_TRUE(fault.starts_with(row.begin)) << "got   " << fault << "\nwant  " << row.begin;
+    EXPECT_GT(fault.size(), row.begin.size() / 2);
+  }
+}
+
+TEST(Trace, FilesThatCanNotBeRead) {
+  const auto missing = readTrace("no/such/file.trace");
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(message(missing.error(), "f"), "f: cannot open the file: No such file or directory");
+  const auto directory = readTrace(std::filesystem::temp_directory_path().string());
+  ASSERT_FALSE(directory);
+  EXPECT_EQ(message(directory.error(), "f"), "f: cannot read the file: Is a directory");
+  EXPECT_FALSE(writeFile("no/such/folder/file", "x"));
+}
+
+TEST(Player, KeepsSceneAndWorldAlike) {
+  const Trace trace = mustParse(
+      "lgs-trace 1\nadd a 0 0 1  0 0 1 0 1 1 0 1\nadd b 1 0 2  0 0 1 0 1 1 0 1\ncommit\nremove a\nadd a 5 5 3 0 0 1 0 "
+      "1 1\n");
+  Player player(trace.preserve);
+  std::vector<std::size_t> segments;
+  ASSERT_TRUE(play(trace, player, [&](Player& p, const Changes&) {
+    segments.push_back(outlineOf(p.world()).size());
+    return true;
+  }));
+  EXPECT_EQ(segments, (std::vector<std::size_t>{6, 7}));  // the end of the trace commits
+  ASSERT_EQ(player.scene().polygons.size(), 2U);
+  EXPECT_EQ(player.scene().polygons[0].block, 2U);
+  EXPECT_EQ(player.scene().polygons[1].cell, (Cell{5, 5}));
+  EXPECT_TRUE(player.isAlive("a"));
+}
+
+TEST(Dump, IsSortedByNumbersAndMarksMissingGhosts) {
+  const Outline outline{{{-65'536, 0}, {0, 0}, 1, Point{-65'536, 65'536}, Point{0, 65'536}},
+                        {{-9, 0}, {0, 0}, 10, {}, Point{1, -2}},
+                        {{0, 0}, {2, 2}, 9, Point{7, 7}, {}}};
+  EXPECT_EQ(dump(outline),
+            "segment -65536 0 0 0 -65536 65536 0 65536 1\n"
+            "segment -9 0 0 0 - - 1 -2 10\n"
+            "segment 0 0 2 2 7 7 - - 9\n");
+
+  const Trace trace = mustParse("lgs-trace 1\nadd a -1 0 1  0 0 1 0 1 1 0 1\n");
+  Player player(trace.preserve);
+  ASSERT_TRUE(play(trace, player));
+  EXPECT_EQ(dump(outlineOf(player.world())),
+            "segment -65536 0 0 0 -65536 65536 0 65536 1\n"
+            "segment -65536 65536 -65536 0 0 65536 0 0 1\n"
+            "segment 0 0 0 65536 -65536 0 -65536 65536 1\n"
+            "segment 0 65536 -65536 65536 0 0 -65536 0 1\n");
+}
+
+}  // namespace
+}  // namespace lgs::oracle
