@@ -21,10 +21,9 @@ std::uint64_t hashOf(std::span<const PolygonId> polygons, std::span<const std::p
   return hash;
 }
 
-tl::unexpected<Error> refuse(ErrorCode code, std::size_t polygon = 0) {
+tl::unexpected<Error> refuse(ErrorCode code) {
   Error error;
   error.code = code;
-  error.polygon = static_cast<std::int32_t>(polygon);
   return tl::unexpected(error);
 }
 
@@ -59,6 +58,7 @@ Expected<PolygonId> Catalogue::internPolygon(PolygonView vertices) {
   if (found != HashIndex::kNone) return found;
   if (const auto defect = findDefect(vertices)) {
     auto refusal = refuse(defect->code);
+    refusal.value().polygon = 0;
     refusal.value().vertex = defect->vertex;
     refusal.value().vertex2 = defect->vertex2;
     return refusal;
@@ -97,10 +97,7 @@ Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons
   for (std::size_t a = 0; a < views.size(); ++a) {
     for (std::size_t b = a + 1; b < views.size(); ++b) {
       if (!known.empty() && known[a] && known[b]) continue;
-      if (!interiorsMeet(views[a], views[b])) continue;
-      auto refusal = refuse(ErrorCode::overlap, a);
-      refusal.value().polygon2 = static_cast<std::int32_t>(b);
-      return refusal;
+      if (interiorsMeet(views[a], views[b])) return refuse(ErrorCode::overlap);
     }
   }
 
@@ -125,19 +122,12 @@ Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
   auto content = internContent(sorted, {}, {});
   if (!content) {
     Error error = content.error();
-    if (error.code == ErrorCode::overlap) {
-      // From slots to the order given. The same polygon twice overlaps itself: then the second place is meant.
-      const auto placeOf = [&](std::int32_t slot, std::size_t from) {
-        const auto at = std::find(given.begin() + static_cast<std::ptrdiff_t>(from), given.end(),
-                                  sorted[static_cast<std::size_t>(slot)]);
-        return static_cast<std::int32_t>(at - given.begin());
-      };
-      const std::int32_t a = placeOf(error.polygon, 0);
-      const bool twice =
-          sorted[static_cast<std::size_t>(error.polygon)] == sorted[static_cast<std::size_t>(error.polygon2)];
-      const std::int32_t b = placeOf(error.polygon2, twice ? static_cast<std::size_t>(a) + 1 : 0);
-      error.polygon = std::max(a, b);
-      error.polygon2 = std::min(a, b);
+    for (std::size_t k = 1; k < given.size() && error.polygon < 0 && error.code == ErrorCode::overlap; ++k) {
+      const auto other = std::find_if(given.begin(), given.begin() + static_cast<std::ptrdiff_t>(k),
+                                      [&](PolygonId id) { return meet(id, given[k]); });
+      if (other == given.begin() + static_cast<std::ptrdiff_t>(k)) continue;
+      error.polygon = static_cast<std::int32_t>(k);
+      error.polygon2 = static_cast<std::int32_t>(other - given.begin());
     }
     return tl::unexpected(error);
   }
@@ -151,7 +141,8 @@ Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
 
 void Catalogue::collect() {
   const std::size_t held = contents_.size() - freeContents_.size() + polygons_.size() - freePolygons_.size();
-  if (unused_ < 1024 || 2 * unused_ < held) return;
+  // A content without users still uses its polygons, so that a catalogue full of garbage is half unused at most.
+  if (unused_ < 1024 || 3 * unused_ < held) return;
   for (ContentId id = 1; id < contents_.size(); ++id)
     if (contents_[id]->users == 0 && !contents_[id]->polygons.empty()) forgetContent(id);
   for (PolygonId id = 0; id < polygons_.size(); ++id)

@@ -48,9 +48,11 @@ class Catalogue {
   Expected<ShapeId> internShape(std::span<const PolygonId> polygons);
 
   /// The content with these polygons, in increasing order of id; those marked in `known` are already known to be
-  /// disjoint from each other. An overlap is reported with the slots of both as `polygon` and `polygon2`.
+  /// disjoint from each other. An overlap is reported without saying of which: see meet().
   Expected<ContentId> internContent(std::span<const PolygonId> polygons, std::span<const std::uint8_t> known,
                                     std::span<const std::pair<Slot, Slot>> preserved);
+
+  bool meet(PolygonId a, PolygonId b) const { return interiorsMeet(vertices(a), vertices(b)); }
 
   void use(ContentId id, std::uint32_t times = 1) { acquire(contents_[id]->users, times); }
   void release(ContentId id) { drop(contents_[id]->users); }

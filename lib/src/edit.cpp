@@ -43,19 +43,15 @@ tl::unexpected<Error> refuseHandle(PolygonHandle handle) {
 
 }  // namespace
 
-/// A cell's polygons after an edit, by slot.
-struct World::Impl::Contents {
-  ContentId content = detail::kEmptyContent;
-  std::vector<Placed> polygons;
-  std::uint32_t lastSerial = 0;
-};
-
-void World::Impl::apply(CellAt at, const Contents& after) {
+/// Makes `entries_`, whose content this is, the polygons of a cell.
+void World::Impl::apply(CellAt at, ContentId after, std::uint32_t lastSerial) {
   const ContentId before = grid.content(at);
-  if (after.content != detail::kEmptyContent) catalogue.use(after.content);
+  if (after != detail::kEmptyContent) catalogue.use(after);
   if (before != detail::kEmptyContent) catalogue.release(before);
-  grid.setPolygons(at, after.content, after.lastSerial, after.polygons);
-  touch(at, after.content);
+  placed_.clear();
+  for (const Entry& e : entries_) placed_.push_back(e.placed);
+  grid.setPolygons(at, after, lastSerial, placed_);
+  touch(at, after);
 }
 
 void World::Impl::touch(CellAt at, ContentId content) {
@@ -92,36 +88,41 @@ void World::Impl::readEntries(CellAt at) {
   entries_.clear();
   const InternedContent& content = catalogue.content(grid.content(at));
   for (std::size_t slot = 0; slot < content.polygons.size(); ++slot)
-    entries_.push_back({content.polygons[slot], grid.placed(at, static_cast<Slot>(slot)), true, 0});
+    entries_.push_back({content.polygons[slot], grid.placed(at, static_cast<Slot>(slot)), true});
 }
 
-/// What the cell holds once these polygons are added too. The new ones get the next serials, in the order given.
-Expected<World::Impl::Contents> World::Impl::withAdded(CellAt at, std::span<const PolygonId> added, Block block) {
+/// The content of a cell once these polygons are added too; leaves its polygons in `entries_`. The new ones get the next
+/// serials, in the order given.
+Expected<ContentId> World::Impl::withAdded(CellAt at, std::span<const PolygonId> added, Block block) {
   const std::uint32_t lastSerial = grid.lastSerial(at);
   if (added.size() > detail::kMaxSerial - lastSerial) return refuse(ErrorCode::capacity);
   readEntries(at);
+  for (std::uint32_t k = 0; k < added.size(); ++k) {
+    const Entry entry{added[k], {lastSerial + 1 + k, block}, false};
+    const auto place = std::upper_bound(entries_.begin(), entries_.end(), entry,
+                                        [](const Entry& a, const Entry& b) { return a.polygon < b.polygon; });
+    entries_.insert(place, entry);
+  }
+  auto content = contentOf();
+  if (!content && content.error().code == ErrorCode::overlap) return describeOverlap(at, added, content.error());
+  return content;
+}
+
+/// Which of these polygons overlaps which one of the cell: of all such pairs the first added one and the oldest there.
+/// That depends on what is placed only, not on how it is stored.
+tl::unexpected<Error> World::Impl::describeOverlap(CellAt at, std::span<const PolygonId> added, Error error) {
+  readEntries(at);
+  std::sort(entries_.begin(), entries_.end(),
+            [](const Entry& a, const Entry& b) { return a.placed.serial < b.placed.serial; });
   for (std::size_t k = 0; k < added.size(); ++k) {
-    const auto number = static_cast<std::uint32_t>(k);
-    entries_.push_back({added[k], {lastSerial + 1 + number, block}, false, static_cast<std::int32_t>(k)});
-  }
-  std::stable_sort(entries_.begin(), entries_.end(),
-                   [](const Entry& a, const Entry& b) { return a.polygon < b.polygon; });
-  const auto content = contentOf();
-  if (!content) {
-    Error error = content.error();
-    if (error.code == ErrorCode::overlap) {
-      Entry a = entries_[static_cast<std::size_t>(error.polygon)],
-            b = entries_[static_cast<std::size_t>(error.polygon2)];
-      if (a.isOld) std::swap(a, b);
-      error.polygon = a.index;
-      error.polygon2 = b.isOld ? -1 : b.index;
-      if (b.isOld) error.other = {at.chunk->ref(at.local), b.placed.serial};
+    for (const Entry& old : entries_) {
+      if (!catalogue.meet(old.polygon, added[k])) continue;
+      error.polygon = static_cast<std::int32_t>(k);
+      error.other = {at.chunk->ref(at.local), old.placed.serial};
+      return tl::unexpected(error);
     }
-    return tl::unexpected(error);
   }
-  Contents after{*content, {}, lastSerial + static_cast<std::uint32_t>(added.size())};
-  for (const Entry& e : entries_) after.polygons.push_back(e.placed);
-  return after;
+  return tl::unexpected(error);
 }
 
 Expected<ShapeId> World::Impl::shape(std::span<const PolygonView> polygons) {
@@ -174,9 +175,10 @@ Expected<PolygonHandle> World::Impl::place(CellAt at, Cell cell, std::span<const
   }
   const auto after = withAdded(at, polygons, block);
   if (!after) return refuse(after.error(), cell);
-  apply(at, *after);
-  const auto first = static_cast<std::uint32_t>(after->lastSerial - polygons.size() + 1);
-  for (std::size_t k = 0; k < handles.size(); ++k) handles[k] = {ref, first + static_cast<std::uint32_t>(k)};
+  const std::uint32_t first = grid.lastSerial(at) + 1;
+  const auto count = static_cast<std::uint32_t>(polygons.size());
+  apply(at, *after, first + count - 1);
+  for (std::uint32_t k = 0; k < std::min<std::size_t>(count, handles.size()); ++k) handles[k] = {ref, first + k};
   return PolygonHandle{ref, first};
 }
 
@@ -193,16 +195,15 @@ Expected<void> World::Impl::remove(PolygonHandle polygon) {
   const auto slot = slotOf(polygon);
   if (!slot) return refuseHandle(polygon);
   const CellAt at = grid.find(polygon.cellRef);
-  Contents after{detail::kEmptyContent, {}, grid.lastSerial(at)};
-  if (catalogue.content(grid.content(at)).polygons.size() > 1) {
-    readEntries(at);
-    entries_.erase(entries_.begin() + *slot);
+  readEntries(at);
+  entries_.erase(entries_.begin() + *slot);
+  ContentId after = detail::kEmptyContent;
+  if (!entries_.empty()) {
     const auto content = contentOf();
     if (!content) return refuse(content.error(), grid.cellOf(polygon.cellRef));
-    after.content = *content;
-    for (const Entry& e : entries_) after.polygons.push_back(e.placed);
+    after = *content;
   }
-  apply(at, after);
+  apply(at, after, grid.lastSerial(at));
   return {};
 }
 
@@ -216,19 +217,15 @@ Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, 
   if (reach.count() > kMaxChunks - grid.chunks().size()) return refuse(ErrorCode::capacity, cells.min);
 
   // First every cell is asked, so that a refusal finds nothing changed; what is worked out stays interned.
-  for (std::int32_t j = cells.min.j; j <= cells.max.j; ++j) {
-    for (std::int32_t i = cells.min.i; i <= cells.max.i; ++i) {
-      const CellAt at = grid.find({i, j});
-      if (!at) {
-        i |= detail::kChunkSize - 1;  // on to the next chunk
-        continue;
-      }
-      if (grid.content(at) == detail::kEmptyContent && grid.lastSerial(at) < detail::kMaxSerial - kMaxPolygonsPerCell)
-        continue;
-      const auto after = withAdded(at, interned->polygons, block);
-      if (!after) return refuse(after.error(), {i, j});
-    }
-  }
+  std::optional<Error> refusal;
+  grid.forEachCell(cells, [&](CellAt at, Cell cell) {
+    if (grid.content(at) == detail::kEmptyContent && grid.lastSerial(at) <= detail::kMaxSerial - kMaxPolygonsPerCell)
+      return;
+    if (refusal && std::pair(refusal->cell.j, refusal->cell.i) < std::pair(cell.j, cell.i)) return;
+    const auto after = withAdded(at, interned->polygons, block);
+    if (!after) refusal = refuse(after.error(), cell).value();
+  });
+  if (refusal) return tl::unexpected(*refusal);
 
   std::uint64_t count = 0;
   for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
@@ -249,7 +246,8 @@ Expected<std::uint64_t> World::Impl::clear(const CellRect& cells) {
   grid.forEachCell(cells, [&](CellAt at, Cell) {
     const std::size_t polygons = catalogue.content(grid.content(at)).polygons.size();
     if (polygons == 0) return;
-    apply(at, {detail::kEmptyContent, {}, grid.lastSerial(at)});
+    entries_.clear();
+    apply(at, detail::kEmptyContent, grid.lastSerial(at));
     count += polygons;
   });
   return count;

@@ -17,12 +17,11 @@ Chunk* Grid::findChunk(Cell cell) const {
   const std::int32_t ci = cell.i >> 5, cj = cell.j >> 5;
   const std::uint32_t found =
       index_.find(hashOf(ci, cj), [&](std::uint32_t k) { return chunks_[k]->ci == ci && chunks_[k]->cj == cj; });
-  if (found == HashIndex::kNone) return nullptr;
-  return last_ = chunks_[found].get();
+  return found == HashIndex::kNone ? nullptr : chunks_[found].get();
 }
 
 Chunk* Grid::obtainChunk(Cell cell) {
-  if (Chunk* found = findChunk(cell)) return found;
+  if (Chunk* found = findChunk(cell)) return last_ = found;
   if (chunks_.size() > kMaxChunks) return nullptr;
   auto chunk = std::make_unique<Chunk>();
   chunk->ci = cell.i >> 5;

@@ -123,6 +123,8 @@ struct ChunkRect {
 
 class Grid {
  public:
+  Grid() { chunks_.push_back(std::make_unique<Chunk>()); }
+
   /// No chunk where there is none yet.
   CellAt find(Cell cell) const { return {isLast(cell) ? last_ : findChunk(cell), localOf(cell)}; }
   /// Makes the chunk if need be; no chunk when there are kMaxChunks already.
@@ -237,10 +239,12 @@ class Grid {
   void link(Chunk& chunk);
   bool isLast(Cell cell) const { return last_ && last_->ci == cell.i >> 5 && last_->cj == cell.j >> 5; }
 
-  std::vector<std::unique_ptr<Chunk>> chunks_ = std::vector<std::unique_ptr<Chunk>>(1);  // index 0 names no chunk
+  // Index 0 is no chunk of the world. Cell 0, where a segment that is not alive says it is, can be read there: a dangling
+  // link, should there ever be one, is wrong and not a crash, and the harness can report it.
+  std::vector<std::unique_ptr<Chunk>> chunks_;
   HashIndex index_;
   RecordArena records_;
-  mutable Chunk* last_ = nullptr;  // edits come in neighbourhoods
+  Chunk* last_ = nullptr;  // found by the last edit: edits come in neighbourhoods
 };
 
 }  // namespace lgs::detail

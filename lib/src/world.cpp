@@ -8,9 +8,9 @@ namespace {
 
 std::int32_t roundToLattice(double cells) {
   const double units = std::round(cells * kUnitsPerCell);
-  // Beyond the cell any value is as wrong as another; this one is an int.
+  // Beyond the cell any value is as wrong as another; these are ints. What is not a number goes with the last.
   if (units < 0) return -1;
-  if (units > kUnitsPerCell) return kUnitsPerCell + 1;
+  if (!(units <= kUnitsPerCell)) return kUnitsPerCell + 1;
   return static_cast<std::int32_t>(units);
 }
 

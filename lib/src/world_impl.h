@@ -67,30 +67,30 @@ struct World::Impl {
   std::vector<detail::Spoke> fan;  ///< at the vertex being linked
 
  private:
-  struct Contents;
   /// A polygon of the cell that an edit is about.
   struct Entry {
     detail::PolygonId polygon = 0;
     detail::Placed placed;
-    bool isOld = false;
-    std::int32_t index = 0;  ///< of a new one: its place among those given
+    bool isOld = false;  ///< it was there before the edit
   };
 
   void readEntries(detail::CellAt at);
   Expected<detail::ContentId> contentOf();
-  Expected<Contents> withAdded(detail::CellAt at, std::span<const detail::PolygonId> added, Block block);
+  Expected<detail::ContentId> withAdded(detail::CellAt at, std::span<const detail::PolygonId> added, Block block);
   Expected<PolygonHandle> place(detail::CellAt at, Cell cell, std::span<const detail::PolygonId> polygons,
                                 detail::ContentId content, Block block, std::span<PolygonHandle> handles);
-  void apply(detail::CellAt at, const Contents& after);
+  void apply(detail::CellAt at, detail::ContentId after, std::uint32_t lastSerial);
+  tl::unexpected<Error> describeOverlap(detail::CellAt at, std::span<const detail::PolygonId> added, Error error);
   void touch(detail::CellAt at, detail::ContentId content);
 
   std::size_t workingBytes() const {
     const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
-    return of(rounded, exposure.ids, exposure.added, fan, entries_, ids_, known_, kept_);
+    return of(rounded, exposure.ids, exposure.added, fan, entries_, placed_, ids_, known_, kept_);
   }
 
   // Working memory of one edit.
   std::vector<Entry> entries_;
+  std::vector<detail::Placed> placed_;
   std::vector<detail::PolygonId> ids_;
   std::vector<std::uint8_t> known_;
   std::vector<std::pair<detail::Slot, detail::Slot>> kept_;

@@ -219,8 +219,8 @@ void addShapes(std::vector<BadEdit>& out) {
   out.push_back(makeShape("shape with a bad polygon", {ramp(), {{0, 0}, {0, 9}, {9, 9}}}, Expect(clockwise).polygon(1),
                           "polygon 1: the polygon runs clockwise; reverse its vertices"));
   out.push_back(makeShape("shape with an overlap", {eighths({{1, 5}, {2, 5}, {2, 6}}), ramp(), unitSquare()},
-                          Expect(overlap).polygon(2).polygon2(1),
-                          "polygon 2: its interior overlaps that of polygon 1"));
+                          Expect(overlap).polygon(2).polygon2(0),
+                          "polygon 2: its interior overlaps that of polygon 0"));
   out.push_back(makeShape("shape with the same twice", {ramp(), ramp()}, Expect(overlap).polygon(1).polygon2(0),
                           "polygon 1: its interior overlaps that of polygon 0"));
   std::vector<LocalPolygon> many;

@@ -74,8 +74,9 @@ RC_GTEST_PROP(Locality, ChangesLieAtTheEdits, ()) {
         edited.clear();
         continue;
       }
-      edited.insert(edit.kind == Edit::Kind::add ? edit.polygon.cell
-                                                 : player.world().cellOf(player.handleOf(edit.name)).value());
+      Cell cell = edit.polygon.cell;
+      if (edit.kind == Edit::Kind::remove) cell = player.world().cellOf(player.handleOf(edit.name)).value();
+      edited.insert(cell);
       if (!player.apply(edit)) return "refused";
     }
     return std::nullopt;
