@@ -25,13 +25,11 @@ tl::unexpected<Error> refuse(ErrorCode code) {
 tl::unexpected<Error> refuse(ErrorCode code, Cell cell) {
   auto refusal = refuse(code);
   refusal.value().cell = cell;
-  refusal.value().hasCell = true;
   return refusal;
 }
 
 tl::unexpected<Error> refuse(Error error, Cell cell) {
   error.cell = cell;
-  error.hasCell = true;
   return tl::unexpected(error);
 }
 

@@ -26,7 +26,6 @@ Expected<PolygonHandle> addReal(World::Impl& world, Cell cell, std::span<const R
       Error error;
       error.code = ErrorCode::notFinite;
       error.cell = cell;
-      error.hasCell = true;
       error.polygon = 0;
       error.vertex = static_cast<std::int32_t>(k);
       return tl::unexpected(error);

@@ -22,7 +22,6 @@ struct Expect {
   explicit Expect(ErrorCode code) { error.code = code; }
   Expect& in(Cell cell) {
     error.cell = cell;
-    error.hasCell = true;
     return *this;
   }
   Expect& polygon(int index) { return error.polygon = index, *this; }

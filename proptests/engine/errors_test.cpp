@@ -15,8 +15,8 @@ TEST(Errors, SayWhatAndWhere) {
     Stage stage = makeStage();
     const Error error = edit.attempt(stage);
     EXPECT_STREQ(name(error.code), name(edit.expected.code));
-    EXPECT_EQ(error.hasCell, edit.expected.hasCell);
-    if (error.hasCell) {
+    EXPECT_EQ(error.hasCell(), edit.expected.hasCell());
+    if (error.hasCell()) {
       EXPECT_EQ(error.cell, edit.expected.cell);
     }
     EXPECT_EQ(error.polygon, edit.expected.polygon);
@@ -56,7 +56,7 @@ TEST(Errors, PolygonsInACellAreLimited) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::capacity);
   EXPECT_EQ(refused.error().cell, Cell{});
-  EXPECT_TRUE(refused.error().hasCell);
+  EXPECT_TRUE(refused.error().hasCell());
   world.commit();
   EXPECT_EQ(world.stats().segments, 3 * kMaxPolygonsPerCell);
   ASSERT_TRUE(world.remove(handles[100]));

@@ -37,7 +37,7 @@ struct Attempt {
 Attempt tryListed(Stage& s, Random& random) {
   for (;;) {
     const BadEdit& bad = random.pick(badEdits());
-    const bool ofStage = (bad.expected.code == ErrorCode::overlap && bad.expected.hasCell) ||
+    const bool ofStage = (bad.expected.code == ErrorCode::overlap && bad.expected.hasCell()) ||
                          (bad.expected.other.cellRef == s.full.cellRef && bad.expected.other.serial != 0);
     if (!ofStage) return {bad.name, bad.attempt(s).code == bad.expected.code};
   }

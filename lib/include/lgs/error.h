@@ -7,11 +7,12 @@
 #include <cstdint>
 #include <string>
 #include <tl/expected.hpp>
+#include <type_traits>
 
 namespace lgs {
 
 /// In the order in which a polygon is checked: the first reason that applies is the one reported.
-enum class ErrorCode : std::uint8_t {
+enum class ErrorCode : std::uint32_t {
   cellOutOfRange = 1,  ///< a cell index beyond ±kMaxCell
   emptyShape,          ///< a shape without polygons
   tooFewVertices,      ///< fewer than 3 vertices
@@ -28,18 +29,24 @@ enum class ErrorCode : std::uint8_t {
   unknownSegment,      ///< a SegmentId that names no live segment
 };
 
-/// What was refused and where. Fields that do not apply are -1 or null.
+/// What was refused and where. Fields that do not apply are kNoCell, -1 or null.
 struct Error {
+  static constexpr Cell kNoCell{INT32_MIN, INT32_MIN};
   ErrorCode code{};
-  Cell cell{};                 ///< the cell of the edit; meaningless while a shape is made
-  bool hasCell = false;        ///< whether `cell` applies
+  Cell cell = kNoCell;         ///< the cell of the edit; kNoCell while a shape is made
   std::int32_t polygon = -1;   ///< index in the polygons given to this call
   std::int32_t vertex = -1;    ///< index in that polygon; for an edge, its first vertex
   std::int32_t vertex2 = -1;   ///< the other vertex or edge involved
   std::int32_t polygon2 = -1;  ///< overlap within one call: the index of the other polygon
   PolygonHandle other{};       ///< overlap with a placed polygon: that polygon; stale handle: the handle
   SegmentId segment{};         ///< unknown segment: the id
+
+  constexpr bool hasCell() const { return cell != kNoCell; }
 };
+
+// No padding: a value that shares its place with padding of the error, in the union inside tl::expected, comes out wrong
+// where GCC 12 takes that union apart (-ftree-sra, on from -O1). Seen with a code of one byte, in a test of cellOf().
+static_assert(std::has_unique_object_representations_v<Error>);
 
 /// A short name, e.g. "self-intersecting".
 const char* name(ErrorCode code);
