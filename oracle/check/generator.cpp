@@ -72,8 +72,13 @@ Trace randomCase(const GeneratorOptions& options, std::uint64_t seed) {
   Habits habits;
   habits.shapes = randomShapes(random);
   habits.blocks = randomBlocks(random);
-  const Cell origin{randomOrigin(random, options.width), randomOrigin(random, options.height)};
-  habits.cells = grid(origin, options.width, options.height);
+  // A commit that finds many edited cells in one row goes another way than one that finds a few: some cases are long
+  // and low, and commit seldom.
+  const bool isLow = random.chance(8);
+  const std::int32_t width = isLow ? 4 * options.width : options.width;
+  const std::int32_t height = isLow ? (options.height + 1) / 2 : options.height;
+  const Cell origin{randomOrigin(random, width), randomOrigin(random, height)};
+  habits.cells = grid(origin, width, height);
   habits.wander = random.chance(20);
   habits.place = 4 + random.below(10);
   habits.lean = random.chance(50) ? random.below(10) : 0;
@@ -83,6 +88,7 @@ Trace randomCase(const GeneratorOptions& options, std::uint64_t seed) {
   habits.replace = random.below(3);
   habits.refused = random.chance(40) ? 1 + random.below(3) : 0;
   habits.commitPercent = random.chance(50) ? 100 : 10 + random.below(60);
+  if (isLow) habits.commitPercent = 3;
   Trace start;
   start.preserve = randomPreserve(random, habits.blocks);
   Editor editor(std::move(start), std::move(habits), random.next());

@@ -13,7 +13,7 @@
 namespace lgs::oracle {
 
 struct GeneratorOptions {
-  std::int32_t width = 4;  ///< cells
+  std::int32_t width = 4;  ///< cells; some cases are four times as wide and half as high
   std::int32_t height = 4;
   std::size_t edits = 100;  ///< adds and removes, refused ones included
 };
