@@ -29,7 +29,7 @@ tl::unexpected<Error> refuse(ErrorCode code) {
 
 /// Takes a free number or the next one, and puts the value there.
 template <class T>
-std::uint32_t store(std::vector<std::unique_ptr<T>>& table, std::vector<std::uint32_t>& free, T&& value) {
+std::uint32_t store(std::vector<std::unique_ptr<T>>& table, std::vector<std::uint32_t>& free, T value) {
   if (free.empty()) {
     table.push_back(std::make_unique<T>(std::move(value)));
     return static_cast<std::uint32_t>(table.size() - 1);

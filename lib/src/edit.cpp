@@ -9,7 +9,6 @@ namespace lgs {
 using detail::CellAt;
 using detail::ContentId;
 using detail::InternedContent;
-using detail::Placed;
 using detail::PolygonId;
 using detail::PolygonView;
 using detail::Slot;

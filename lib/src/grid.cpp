@@ -41,7 +41,7 @@ void Grid::link(Chunk& chunk) {
       const std::uint32_t found =
           index_.find(hashOf(ci, cj), [&](std::uint32_t k) { return chunks_[k]->ci == ci && chunks_[k]->cj == cj; });
       if (found == HashIndex::kNone) continue;
-      const auto there = static_cast<std::size_t>(3 * (dj + 1) + di + 1);
+      const auto there = 3 * static_cast<std::size_t>(dj + 1) + static_cast<std::size_t>(di + 1);
       chunk.around[there] = chunks_[found].get();
       chunks_[found]->around[8 - there] = &chunk;
     }

@@ -111,7 +111,7 @@ void Linking::linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y) {
     const auto first = [&](unsigned side) { return r->end[partOf(side) - 1]; };
     const auto last = [&](unsigned side) { return r->end[partOf(side)] - 1u; };
     fan.add(ids[leaves ? (runsForward(leaving) ? first(leaving) : last(leaving)) : 0], q * kStretch, true, leaves);
-    const Content& content = world_.catalogue.content(grid_.contentOf(r));
+    const Content& content = world_.catalogue.content(Grid::contentOf(r));
     fan.addInterior(content, content.corners[q], ids, q);
     fan.add(ids[arrives ? (runsForward(arriving) ? last(arriving) : first(arriving)) : 0], (q + 1) % 4 * kStretch,
             false, arrives);

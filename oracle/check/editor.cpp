@@ -125,7 +125,7 @@ void Editor::tryRefused(Cell cell) {
   if (model_.in(cell).empty()) return place(cell);
   LocalPolygon polygon = random_.pick(model_.in(cell)).vertices;  // as it is: overlaps itself
   const std::size_t k = random_.below(polygon.size());
-  switch (random_.below(10)) {
+  switch (random_.below(11)) {
     case 0:
       std::reverse(polygon.begin(), polygon.end());
       break;
@@ -153,6 +153,12 @@ void Editor::tryRefused(Cell cell) {
     case 8:
       polygon = random_.pick(random_.pick(habits_.shapes));
       break;
+    case 9: {  // a new corner in the middle of another edge
+      const std::size_t m = random_.below(polygon.size());
+      const LocalPoint a = polygon[m], b = polygon[(m + 1) % polygon.size()];
+      polygon.insert(polygon.begin() + static_cast<std::ptrdiff_t>(k), {(a.x + b.x) / 2, (a.y + b.y) / 2});
+      break;
+    }
     default:
       break;
   }

@@ -72,11 +72,11 @@ Trace randomCase(const GeneratorOptions& options, std::uint64_t seed) {
   Habits habits;
   habits.shapes = randomShapes(random);
   habits.blocks = randomBlocks(random);
-  // A commit that finds many edited cells in one row goes another way than one that finds a few: some cases are long
-  // and low, and commit seldom.
+  // A commit that finds many edited cells in one row goes another way than one that finds a few, and buried cells another
+  // than those that show: some cases are long and low, commit seldom, and are mostly filled.
   const bool isLow = random.chance(8);
   const std::int32_t width = isLow ? 4 * options.width : options.width;
-  const std::int32_t height = isLow ? (options.height + 1) / 2 : options.height;
+  const std::int32_t height = isLow ? std::min(options.height, 3) : options.height;
   const Cell origin{randomOrigin(random, width), randomOrigin(random, height)};
   habits.cells = grid(origin, width, height);
   habits.wander = random.chance(20);
@@ -88,7 +88,11 @@ Trace randomCase(const GeneratorOptions& options, std::uint64_t seed) {
   habits.replace = random.below(3);
   habits.refused = random.chance(40) ? 1 + random.below(3) : 0;
   habits.commitPercent = random.chance(50) ? 100 : 10 + random.below(60);
-  if (isLow) habits.commitPercent = 3;
+  if (isLow) {
+    habits.commitPercent = 3;
+    habits.shapes.insert(habits.shapes.end(), 4 * habits.shapes.size(), palette().front().polygons);
+    habits.place = 30;
+  }
   Trace start;
   start.preserve = randomPreserve(random, habits.blocks);
   Editor editor(std::move(start), std::move(habits), random.next());
