@@ -140,9 +140,9 @@ Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
 }
 
 void Catalogue::collect() {
-  const std::size_t held = contents_.size() - freeContents_.size() + polygons_.size() - freePolygons_.size();
-  // A content without users still uses its polygons, so that a catalogue full of garbage is half unused at most.
-  if (unused_ < 1024 || 3 * unused_ < held) return;
+  // Compared with what is looked through below. A content without users still uses its polygons, so that in a catalogue
+  // full of garbage no more than half is unused.
+  if (unused_ < 1024 || 4 * unused_ < contents_.size() + polygons_.size()) return;
   for (ContentId id = 1; id < contents_.size(); ++id)
     if (contents_[id]->users == 0 && !contents_[id]->polygons.empty()) forgetContent(id);
   for (PolygonId id = 0; id < polygons_.size(); ++id)

@@ -54,7 +54,7 @@ class Catalogue {
 
   bool meet(PolygonId a, PolygonId b) const { return interiorsMeet(vertices(a), vertices(b)); }
 
-  void use(ContentId id, std::uint32_t times = 1) { acquire(contents_[id]->users, times); }
+  void use(ContentId id) { acquire(contents_[id]->users); }
   void release(ContentId id) { drop(contents_[id]->users); }
 
   /// Forgets the contents and polygons that nothing uses, once they are many. Amortised O(1) for each that was made.
@@ -72,10 +72,7 @@ class Catalogue {
     ContentId sole = kEmptyContent;
   };
 
-  void acquire(std::uint32_t& users, std::uint32_t times = 1) {
-    unused_ -= users == 0;
-    users += times;
-  }
+  void acquire(std::uint32_t& users) { unused_ -= users++ == 0; }
   void drop(std::uint32_t& users) { unused_ += --users == 0; }
   void forgetContent(ContentId id);
   void forgetPolygon(PolygonId id);

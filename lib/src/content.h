@@ -99,8 +99,6 @@ struct Content {
   std::vector<Spoke> spokes;              ///< `segment` is an index in `interior`, `direction` a rank at that vertex
   std::array<Side, 4> sides;
   std::vector<std::pair<Slot, Slot>> contacts;  ///< polygons that share an edge inside the cell, smaller slot first
-
-  std::span<const Spoke> at(SpokeRange range) const { return {spokes.data() + range.first, range.count}; }
 };
 
 /// A whole side as an edge of the cell it belongs to.

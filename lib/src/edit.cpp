@@ -64,7 +64,7 @@ void World::Impl::touch(CellAt at, ContentId content) {
 
 /// Interns `entries_`, which are sorted by polygon, as one cell's content; overlaps between them that the relation keeps
 /// are kept.
-Expected<ContentId> World::Impl::contentOf() {
+Expected<ContentId> World::Impl::internEntries() {
   ids_.clear();
   known_.clear();
   for (const Entry& e : entries_) {
@@ -88,19 +88,23 @@ void World::Impl::readEntries(CellAt at) {
     entries_.push_back({content.polygons[slot], grid.placed(at, static_cast<Slot>(slot)), true});
 }
 
+void World::Impl::addEntries(std::span<const PolygonId> added, Block block, std::uint32_t lastSerial) {
+  for (const PolygonId polygon : added) {
+    const Entry entry{polygon, {++lastSerial, block}, false};
+    const auto place = std::upper_bound(entries_.begin(), entries_.end(), entry,
+                                        [](const Entry& a, const Entry& b) { return a.polygon < b.polygon; });
+    entries_.insert(place, entry);
+  }
+}
+
 /// The content of a cell once these polygons are added too; leaves its polygons in `entries_`. The new ones get the next
 /// serials, in the order given.
 Expected<ContentId> World::Impl::withAdded(CellAt at, std::span<const PolygonId> added, Block block) {
   const std::uint32_t lastSerial = grid.lastSerial(at);
   if (added.size() > detail::kMaxSerial - lastSerial) return refuse(ErrorCode::capacity);
   readEntries(at);
-  for (std::uint32_t k = 0; k < added.size(); ++k) {
-    const Entry entry{added[k], {lastSerial + 1 + k, block}, false};
-    const auto place = std::upper_bound(entries_.begin(), entries_.end(), entry,
-                                        [](const Entry& a, const Entry& b) { return a.polygon < b.polygon; });
-    entries_.insert(place, entry);
-  }
-  auto content = contentOf();
+  addEntries(added, block, lastSerial);
+  auto content = internEntries();
   if (!content && content.error().code == ErrorCode::overlap) return describeOverlap(at, added, content.error());
   return content;
 }
@@ -151,14 +155,18 @@ Expected<PolygonHandle> World::Impl::add(Cell cell, PolygonView polygon, Block b
   catalogue.collect();
   const auto id = catalogue.internPolygon(polygon);
   if (!id) return refuse(id.error(), cell);
-  const auto sole = catalogue.internSole(*id);
-  if (!sole) return refuse(sole.error(), cell);
   const CellAt at = grid.obtain(cell);
   if (!at) return refuse(ErrorCode::capacity, cell);
-  return place(at, cell, {&*id, 1}, *sole, block, {});
+  ContentId sole = detail::kEmptyContent;
+  if (grid.content(at) == detail::kEmptyContent) {
+    const auto content = catalogue.internSole(*id);
+    if (!content) return refuse(content.error(), cell);
+    sole = *content;
+  }
+  return place(at, cell, {&*id, 1}, sole, block, {});
 }
 
-/// `content` is that of a cell with just these polygons and nothing preserved.
+/// `content` is that of a cell with just these polygons and nothing preserved; not needed where the cell is not empty.
 Expected<PolygonHandle> World::Impl::place(CellAt at, Cell cell, std::span<const PolygonId> polygons, ContentId content,
                                            Block block, std::span<PolygonHandle> handles) {
   const std::uint32_t ref = at.chunk->ref(at.local);
@@ -196,7 +204,7 @@ Expected<void> World::Impl::remove(PolygonHandle polygon) {
   entries_.erase(entries_.begin() + *slot);
   ContentId after = detail::kEmptyContent;
   if (!entries_.empty()) {
-    const auto content = contentOf();
+    const auto content = internEntries();
     if (!content) return refuse(content.error(), grid.cellOf(polygon.cellRef));
     after = *content;
   }
@@ -211,9 +219,18 @@ Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, 
   const detail::InternedShape* interned = catalogue.shape(shape);
   if (!interned) return refuse(ErrorCode::unknownShape, cells.min);
   const detail::ChunkRect reach(cells);
-  if (reach.count() > kMaxChunks - grid.chunks().size()) return refuse(ErrorCode::capacity, cells.min);
+  if (reach.count() > kMaxChunks - grid.chunks().size()) {  // a look at all chunks only where it is tight
+    const auto isThere = [&](const auto& chunk) { return reach.contains(*chunk); };
+    const auto there = std::count_if(grid.chunks().begin(), grid.chunks().end(), isThere);
+    if (reach.count() - static_cast<std::uint64_t>(there) > kMaxChunks - grid.chunks().size())
+      return refuse(ErrorCode::capacity, cells.min);
+  }
 
-  // First every cell is asked, so that a refusal finds nothing changed; what is worked out stays interned.
+  // First every cell is asked, so that a refusal finds nothing changed; what is worked out stays interned. All empty
+  // cells are alike.
+  entries_.clear();
+  addEntries(interned->polygons, block, 0);
+  if (const auto content = internEntries(); !content) return refuse(content.error(), cells.min);
   std::optional<Error> refusal;
   grid.forEachCell(cells, [&](CellAt at, Cell cell) {
     if (grid.content(at) == detail::kEmptyContent && grid.lastSerial(at) <= detail::kMaxSerial - kMaxPolygonsPerCell)

@@ -24,7 +24,7 @@ std::string what(const Error& e) {
     case ErrorCode::tooFewVertices:
       return "a polygon needs at least 3 vertices";
     case ErrorCode::capacity:
-      return "more than the world can hold; see the limits in lgs/world.h";
+      return "too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 - 1 chunks (lgs/world.h)";
     case ErrorCode::notFinite:
       return vertex + " is infinite or not a number";
     case ErrorCode::outsideCell:
@@ -32,7 +32,7 @@ std::string what(const Error& e) {
     case ErrorCode::repeatedVertex:
       return vertex + " and vertex " + number(e.vertex2) + " are the same lattice point; leave one out";
     case ErrorCode::zeroArea:
-      return "the polygon has no area";
+      return "the polygon has no area, or crosses itself so that its areas cancel";
     case ErrorCode::clockwise:
       return "the polygon runs clockwise; reverse its vertices";
     case ErrorCode::selfIntersecting:

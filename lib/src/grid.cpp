@@ -48,8 +48,7 @@ void Grid::link(Chunk& chunk) {
   }
 }
 
-// The block of an empty cell means nothing, so a chunk keeps one block for all as long as it can: until the first
-// polygon with another one comes while there is a polygon already.
+// The block of an empty cell means nothing, so a chunk keeps one block for all until the first polygon with another one.
 void Grid::setFirstOtherBlock(Chunk& chunk, std::uint32_t local, Block block) {
   if (!chunk.hasBlock) {
     chunk.hasBlock = true;
@@ -74,7 +73,7 @@ void Grid::setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial,
   CellRecord header = old ? *old : CellRecord{};
   header.state = content << kSerialBits;
   header.polygons = static_cast<std::uint8_t>(polygons.size());
-  const RecordArena::Ref ref = records_.allocate(header.prefixWords() + header.count());
+  const RecordArena::Ref ref = records_.allocate(header.sizeWords());
   auto* r = reinterpret_cast<CellRecord*>(records_.at(ref));
   *r = header;
   std::uint32_t* out = r->words() + sizeof(CellRecord) / sizeof(std::uint32_t);
@@ -85,7 +84,7 @@ void Grid::setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial,
   }
   if (old) {
     std::copy_n(old->ids(), old->count(), out);
-    records_.release(cell.word() & ~kRecordBit, old->prefixWords() + old->count());
+    records_.release(cell.word() & ~kRecordBit, old->sizeWords());
   }
   cell.word() = kRecordBit | ref;
 }
@@ -106,14 +105,15 @@ void Grid::setSegments(CellAt cell, const std::uint32_t* ids, const std::array<s
     cell.word() = kRecordBit | ref;
   } else {
     const RecordArena::Ref oldRef = cell.word() & ~kRecordBit;
-    const std::uint32_t prefix = r->prefixWords(), oldSize = prefix + r->count();
+    const std::uint32_t prefix = r->prefixWords(), oldSize = r->sizeWords();
+    const std::uint32_t newSize = prefix + std::max(count, 1u);
     if (count == 0 && r->polygons == CellRecord::kCompact) {
       cell.word() = r->state;
       records_.release(oldRef, oldSize);
       return;
     }
-    if (!RecordArena::sameSize(prefix + count, oldSize)) {
-      const RecordArena::Ref ref = records_.allocate(prefix + count);
+    if (!RecordArena::sameSize(newSize, oldSize)) {
+      const RecordArena::Ref ref = records_.allocate(newSize);
       auto* moved = reinterpret_cast<CellRecord*>(records_.at(ref));
       std::copy_n(r->words(), prefix, moved->words());
       records_.release(oldRef, oldSize);

@@ -2,7 +2,7 @@
 //
 // What a cell costs follows from what it holds. One word (4 bytes) names the content of a cell with at most one polygon
 // and no segments, buried or empty; the blocks of a chunk are one number while they are all the same, and an array (4
-// bytes a cell) from then on. A cell with segments, with several polygons, or edited more than 255 times has a
+// bytes a cell) from then on. A cell with segments, with several polygons, or that was given more than 255 has a
 // CellRecord.
 #pragma once
 
@@ -79,6 +79,8 @@ struct CellRecord {
   std::uint32_t prefixWords() const {
     return sizeof(CellRecord) / sizeof(std::uint32_t) + (polygons == kCompact ? 0u : 1u + 2u * polygons);
   }
+  /// Room for one id at least, so that ids()[0] can be read in any record.
+  std::uint32_t sizeWords() const { return prefixWords() + std::max<std::uint32_t>(count(), 1); }
   std::uint32_t begin(unsigned part) const { return part == 0 ? 0u : end[part - 1]; }
   std::uint32_t count() const { return end[kWestPart]; }
   std::uint32_t* words() { return reinterpret_cast<std::uint32_t*>(this); }
@@ -116,6 +118,7 @@ inline CellAt across(CellAt at, unsigned side) {
 struct ChunkRect {
   explicit ChunkRect(const CellRect& r) : i0(r.min.i >> 5), j0(r.min.j >> 5), i1(r.max.i >> 5), j1(r.max.j >> 5) {}
   std::int32_t i0, j0, i1, j1;
+  bool contains(const Chunk& c) const { return c.ci >= i0 && c.ci <= i1 && c.cj >= j0 && c.cj <= j1; }
   std::uint64_t count() const {
     return (static_cast<std::uint64_t>(i1 - i0) + 1) * (static_cast<std::uint64_t>(j1 - j0) + 1);
   }

@@ -12,13 +12,6 @@ namespace {
 // half-edges, which the contents keep in order. Directions are numbered so that each of these stretches has its own.
 constexpr std::uint32_t kStretch = 1u << 20;
 
-/// What a cell without segments looks like to a vertex.
-struct NoSegments {
-  CellRecord record;
-  std::uint32_t id = kNoSegment;  // ids()[0] can be read as in any cell with segments
-};
-constexpr NoSegments kNoSegments{};
-
 }  // namespace
 
 /// The spokes at one vertex as they are collected. Adding one that is not there costs what adding one costs, and no
@@ -104,7 +97,8 @@ void Linking::linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y) {
   Fan fan(fan_);
   for (unsigned q = 0; q < 4; ++q) {
     const CellAt at = cellAt(chunk, x + dx[q], y + dy[q]);
-    const CellRecord* r = at && grid_.hasSegments(at) ? grid_.record(at) : &kNoSegments.record;
+    const CellRecord* r = at ? grid_.record(at) : nullptr;
+    if (!r) continue;
     const std::uint32_t* ids = r->ids();
     const unsigned leaving = q, arriving = (q + 3) % kSides;
     const bool leaves = r->touching >> leaving & 1u, arrives = r->touching >> (4 + arriving) & 1u;
@@ -130,8 +124,9 @@ class Linking::SideWalk {
   SideWalk(const Linking& linking, CellAt at, unsigned side)
       : pool_(linking.pool_), content_(linking.contentOf(at)), side_(side), points_(content_.sides[side].points) {
     const CellRecord* r = at ? linking.grid_.record(at) : nullptr;
-    interior_ = r ? r->ids() : &kNoSegments.id;
-    if (r) ids_ = r->ids(partOf(side));
+    if (!r) return;
+    interior_ = r->ids();
+    ids_ = r->ids(partOf(side));
   }
   bool done() const { return points_.empty(); }
   std::int32_t next() const { return done() ? kUnitsPerCell : points_.front().at; }
@@ -145,7 +140,7 @@ class Linking::SideWalk {
     }
   }
   void addInteriorSpokes(Fan& fan, std::int32_t vertex, std::uint32_t stretch) const {
-    if (next() == vertex) fan.addInterior(content_, points_.front().spokes, interior_, stretch);
+    if (next() == vertex && interior_) fan.addInterior(content_, points_.front().spokes, interior_, stretch);
   }
   void pass(std::int32_t vertex) {
     if (next() == vertex) points_ = points_.subspan(1);
@@ -160,7 +155,7 @@ class Linking::SideWalk {
   const Content& content_;
   unsigned side_;
   std::span<const RimPoint> points_;
-  const std::uint32_t* interior_;
+  const std::uint32_t* interior_ = nullptr;
   std::span<const std::uint32_t> ids_;
 };
 

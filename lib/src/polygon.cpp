@@ -49,6 +49,14 @@ std::optional<Defect> findSelfIntersection(PolygonView p) {
   return std::nullopt;
 }
 
+/// Twice the signed area.
+std::int64_t doubleArea(PolygonView polygon) {
+  std::int64_t sum = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    sum += cross(polygon[i] - LocalPoint{}, next(polygon, i) - LocalPoint{});
+  return sum;
+}
+
 struct Box {
   LocalPoint min, max;
 };
@@ -111,13 +119,6 @@ bool someBoundaryIsInside(PolygonView p, PolygonView q) {
 }
 
 }  // namespace
-
-std::int64_t doubleArea(PolygonView polygon) {
-  std::int64_t sum = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    sum += cross(polygon[i] - LocalPoint{}, next(polygon, i) - LocalPoint{});
-  return sum;
-}
 
 std::optional<Defect> findDefect(PolygonView polygon) {
   if (polygon.size() < 3) return Defect{ErrorCode::tooFewVertices};

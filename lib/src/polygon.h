@@ -26,7 +26,4 @@ std::optional<Defect> findDefect(PolygonView polygon);
 /// Cost: O(n·m).
 bool interiorsMeet(PolygonView p, PolygonView q);
 
-/// Twice the signed area.
-std::int64_t doubleArea(PolygonView polygon);
-
 }  // namespace lgs::detail

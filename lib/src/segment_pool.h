@@ -72,7 +72,7 @@ class SegmentPool {
     if (!free_.empty()) return free_.back();
     if (top_ / kPage == pages_.size()) {
       if (top_ > kMaxSegment) std::abort();  // 56 GiB of segments: treated as running out of memory
-      pages_.push_back(std::make_unique_for_overwrite<SegmentRecord[]>(kPage));
+      pages_.push_back(std::make_unique<SegmentRecord[]>(kPage));
     }
     return top_;
   }

@@ -14,22 +14,26 @@ std::int32_t roundToLattice(double cells) {
   return static_cast<std::int32_t>(units);
 }
 
+tl::unexpected<Error> refuse(ErrorCode code, Cell cell, std::int32_t vertex) {
+  Error error;
+  error.code = code;
+  error.cell = cell;
+  error.polygon = 0;
+  error.vertex = vertex;
+  return tl::unexpected(error);
+}
+
+/// Finds what must be found before rounding; the rest of ErrorCode, before and after in order, is left to the engine.
 template <class Real>
 Expected<PolygonHandle> addReal(World::Impl& world, Cell cell, std::span<const RealPoint<Real>> polygon, Block block,
                                 std::vector<LocalPoint>& rounded) {
   rounded.clear();
+  const bool isCounted = inRange(cell) && polygon.size() >= 3;
+  if (isCounted && polygon.size() > kMaxVerticesPerCell) return refuse(ErrorCode::capacity, cell, -1);
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const auto [x, y] = polygon[k];
-    // The order of ErrorCode: what comes before notFinite is left to the engine to find.
-    if (inRange(cell) && polygon.size() >= 3 && polygon.size() <= kMaxVerticesPerCell &&
-        !(std::isfinite(x) && std::isfinite(y))) {
-      Error error;
-      error.code = ErrorCode::notFinite;
-      error.cell = cell;
-      error.polygon = 0;
-      error.vertex = static_cast<std::int32_t>(k);
-      return tl::unexpected(error);
-    }
+    if (isCounted && !(std::isfinite(x) && std::isfinite(y)))
+      return refuse(ErrorCode::notFinite, cell, static_cast<std::int32_t>(k));
     rounded.push_back({roundToLattice(x), roundToLattice(y)});
   }
   return world.add(cell, rounded, block);

@@ -75,7 +75,8 @@ struct World::Impl {
   };
 
   void readEntries(detail::CellAt at);
-  Expected<detail::ContentId> contentOf();
+  void addEntries(std::span<const detail::PolygonId> added, Block block, std::uint32_t lastSerial);
+  Expected<detail::ContentId> internEntries();
   Expected<detail::ContentId> withAdded(detail::CellAt at, std::span<const detail::PolygonId> added, Block block);
   Expected<PolygonHandle> place(detail::CellAt at, Cell cell, std::span<const detail::PolygonId> polygons,
                                 detail::ContentId content, Block block, std::span<PolygonHandle> handles);

@@ -156,5 +156,17 @@ RC_GTEST_PROP(Fill, IsTheSameAsSingleEdits, ()) {
   }
 }
 
+// Once read past the end of a page of records: a cell that lists its polygons and has no segments, looked at from a side
+// with rim points. Only the address sanitizer can see it.
+TEST(Fill, BuriesCellsThatListTheirPolygons) {
+  World world;
+  const ShapeId halves = shapeOf(world, paletteShape("two halves"));
+  std::array<PolygonHandle, 2> handles;
+  ASSERT_TRUE(world.add({-500, -500}, halves, 1, handles));
+  ASSERT_TRUE(world.remove(handles[1]));
+  ASSERT_TRUE(world.fill({{0, 0}, {127, 127}}, halves, 1));
+  EXPECT_EQ(world.commit().added.size(), 4U + 2 * 128 + 4 * 128);
+}
+
 }  // namespace
 }  // namespace lgs::engine_test

@@ -21,11 +21,13 @@ using oracle::Trace;
 RC_GTEST_PROP(Invariants, HoldInRandomCases, ()) {
   forRandomTraces("invariants", 15, {.withPreserve = false}, [](const Trace& original, Random) {
     Trace trace = original;
-    CellRect cells{{kMaxCell, kMaxCell}, {-9, -9}};
+    CellRect cells{{kMaxCell, kMaxCell}, {-kMaxCell, -kMaxCell}};
     for (const oracle::Edit& edit : trace.edits) {
       if (edit.kind != oracle::Edit::Kind::add) continue;
       cells.min = {std::min(cells.min.i, edit.polygon.cell.i), std::min(cells.min.j, edit.polygon.cell.j)};
+      cells.max = {std::max(cells.max.i, edit.polygon.cell.i), std::max(cells.max.j, edit.polygon.cell.j)};
     }
+    const CellRect moved{{-2, -2}, {cells.max.i - cells.min.i - 2, cells.max.j - cells.min.j - 2}};
     for (oracle::Edit& edit : trace.edits) {  // near the origin, where areas do not overflow
       if (edit.kind != oracle::Edit::Kind::add) continue;
       edit.polygon.cell = {edit.polygon.cell.i - cells.min.i - 2, edit.polygon.cell.j - cells.min.j - 2};
@@ -33,7 +35,7 @@ RC_GTEST_PROP(Invariants, HoldInRandomCases, ()) {
     oracle::Player player({});
     std::optional<std::string> problem;
     const auto played = oracle::play(trace, player, [&](oracle::Player& p, const Changes&) {
-      problem = brokenInvariant(p.world(), {{-2, -2}, {20, 6}});
+      problem = brokenInvariant(p.world(), moved);
       return !problem;
     });
     return played ? problem : message(played.error(), "trace");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 
@@ -45,6 +46,10 @@ struct SegmentId {
 template <>
 struct std::hash<lgs::PolygonHandle> {
   std::size_t operator()(lgs::PolygonHandle h) const noexcept { return std::hash<std::uint64_t>{}(h.packed()); }
+};
+template <>
+struct std::hash<lgs::ShapeId> {
+  std::size_t operator()(lgs::ShapeId s) const noexcept { return std::hash<std::uint32_t>{}(s.value); }
 };
 template <>
 struct std::hash<lgs::SegmentId> {

@@ -25,17 +25,20 @@
 
 namespace lgs {
 
-/// Limits. Beyond them an edit is refused with ErrorCode::capacity.
+/// Limits. Beyond them an edit is refused with ErrorCode::capacity; so it is beyond 2^23 - 1 distinct contents of cells
+/// and 2^28 - 1 polygons ever placed in one cell. Beyond 8 GiB of records of cells that show, or 2^31 - 1 segments, a
+/// commit ends the program, as running out of memory does.
 inline constexpr std::size_t kMaxVerticesPerCell = 4'096;  ///< of all polygons of one cell together
 inline constexpr std::size_t kMaxPolygonsPerCell = 254;
 inline constexpr std::size_t kMaxChunks = (std::size_t{1} << 22) - 1;  ///< of 32×32 cells, ever touched by an edit
 
 /// Says whether the overlap between polygons of these two blocks is kept (true) or cancelled (false). It is always
 /// called with the smaller block first, so any function gives a symmetric relation. It must be pure: the same answer
-/// every time, and no call back into the world. Empty: everything is cancelled.
+/// every time, no exception, and no call back into the world. Empty: everything is cancelled.
 using PreserveRelation = std::function<bool(Block, Block)>;
 
-/// A polygon as it stands in a cell. `vertices` is valid until the next edit of the world.
+/// A polygon as it stands in a cell. `vertices` is valid until the next edit of the world: to put a polygon back that you
+/// removed, copy them first.
 struct PlacedPolygon {
   PolygonHandle handle;
   Block block = 0;
@@ -77,29 +80,32 @@ struct Stats {
   std::uint64_t cells = 0;     ///< cells that hold at least one polygon
   std::uint64_t segments = 0;  ///< live ones, as of the last commit
   std::uint64_t shapes = 0;
-  std::uint64_t contents = 0;  ///< distinct interned cell contents
+  std::uint64_t contents = 0;  ///< distinct interned cell contents; those without use are forgotten in time
   std::uint64_t chunks = 0;
-  std::uint64_t bytes = 0;  ///< everything the world has allocated, spare capacity included
+  std::uint64_t bytes =
+      0;  ///< what the world has allocated, spare capacity included (the index of shapes is estimated)
 };
 
 class World {
  public:
   explicit World(PreserveRelation preserve = {});
   ~World();
-  World(World&&) noexcept;
+  World(World&&) noexcept;  ///< a world moved from can only be assigned to or destroyed
   World& operator=(World&&) noexcept;
 
   // --- Shapes -------------------------------------------------------------------------------------------------------
 
   /// Validates and interns one polygon, or a set of polygons with disjoint interiors: simple, counter-clockwise, inside
-  /// the closed cell, positive area. The same polygons give the same id. Cost: O(n²) the first time, a hash later.
+  /// the closed cell, positive area. The same polygons, vertex by vertex, give the same id; a shape is never forgotten.
+  /// Cost: O(n²) the first time, a hash later.
   Expected<ShapeId> shape(std::span<const LocalPoint> polygon);
   Expected<ShapeId> shape(std::span<const std::vector<LocalPoint>> polygons);
 
   // --- Edits --------------------------------------------------------------------------------------------------------
 
   /// Places every polygon of a shape in a cell, all with this block. Returns the handle of the shape's first polygon;
-  /// `handles`, if not empty, must be as long as the shape and receives them all, in the shape's order.
+  /// `handles` receives them
+  /// all, in the shape's order, or as many as it has room for.
   /// Refused: cellOutOfRange, unknownShape, overlap, capacity. Cost: O(1) in a cell that is empty.
   Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles = {});
 
@@ -108,11 +114,12 @@ class World {
   Expected<PolygonHandle> add(Cell cell, std::span<const FloatPoint> polygon, Block block);
   Expected<PolygonHandle> add(Cell cell, std::span<const DoublePoint> polygon, Block block);
 
-  /// Removes one polygon. Refused: staleHandle.
+  /// Removes one polygon. Refused: staleHandle; capacity, if what is left in the cell would be one content too many.
   Expected<void> remove(PolygonHandle polygon);
 
   /// Places a shape in every cell of a rectangle; returns the number of cells. All or nothing: refused as add() is, for
-  /// the first cell (by rows, from min) where add() would be.
+  /// the first cell (by rows, from min) where add() would be; cellOutOfRange names the corner that is. An empty rectangle
+  /// is no error.
   Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block);
 
   /// Removes every polygon of every cell of a rectangle; returns the number of polygons removed.
@@ -139,7 +146,8 @@ class World {
   /// Ids of all live segments, in increasing order.
   std::vector<SegmentId> segments() const;
 
-  /// Ids of the segments that belong to polygons of these cells. Cost: in proportion to the cells that exist there.
+  /// Ids of the segments that belong to polygons of these cells, in no particular order. Cost: in proportion to
+  /// the cells of existing chunks there.
   std::vector<SegmentId> segments(const CellRect& cells) const;
 
   /// The closed chains, sorted by their vertices. Under a preserve relation, only chains whose links are all mutual.
@@ -148,6 +156,7 @@ class World {
   /// The highest SegmentId::value in use so far, for sizing side tables.
   std::uint32_t maxSegmentId() const;
 
+  /// Counts by looking at every cell of every chunk.
   Stats stats() const;
 
   struct Impl;  ///< of the implementation
