@@ -71,7 +71,7 @@ TEST_F(Command, HelpAndVersionAreFine) {
 TEST_F(Command, BadUsageIsTwo) {
   put("t", kTwoSquares);
   expect("", 2, "subcommand");
-  expect("play t", 2, "subcommand");
+  expect("play t", 2, "'play' is no command; there are replay, check, import, bench\n");
   expect("replay", 2, "TRACE");
   expect("replay t --chek", 2, "--chek");
   expect("replay t extra", 2, "extra");
@@ -81,11 +81,35 @@ TEST_F(Command, BadUsageIsTwo) {
   expect("check --cells 3x", 2, "3x");
   expect("check --edits 0", 2, "--edits");
   expect("check --edits many", 2, "many");
-  expect("check --seed -1", 2, "--seed");
+  for (const std::string seed : {"x", "-1", "1.5", "18446744073709551616"}) {
+    expect("check --seed " + seed, 2, "'" + seed + "' is not a whole number from 0 to 18446744073709551615\n");
+  }
+  expect("check --case -1", 2, "'-1' is not a whole number from 0");
+  expect("check --map t --whole-every -1", 2, "'-1' is not a whole number from 0");
   expect("import t.tmx --block colour", 2, "colour");
+  expect("import t.tmx --block 1", 2, "1 not in {one,class,layer}");
+  expect("import t.tmx --outside 1", 2, "1 not in {carry,clip}");
   expect("import t.tmx --number water", 2, "NAME=NUMBER");
   expect("import t.tmx --tolerance -1", 2, "--tolerance");
   expect("bench --rounds 0", 2, "--rounds");
+  expect("replay t --oracle cgal", 2, "--oracle requires --check");
+  expect("check --whole-every 5", 2, "--whole-every requires --map");
+  for (const std::string option : {"--cells 3x3", "--case 1", "--case-edits 5"}) {
+    expect("check --map t " + option, 2, " excludes --map");
+  }
+  for (const std::string outputs : {"replay t --dump - --svg -", "import t.tmx --svg -", "import t.tmx --report -"}) {
+    expect(outputs, 2, "only one output can go to the standard output");
+  }
+}
+
+TEST_F(Command, LostOutputIsTwo) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP();
+  put("t", kTwoSquares);
+  for (const std::string arguments : {"--help", "replay t", "replay t --dump -", "check --edits 10"}) {
+    const Outcome outcome = lgs(arguments, "2>&1 >/dev/full");
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    EXPECT_TRUE(outcome.text.ends_with("standard output: cannot write: No space left on device\n")) << outcome.text;
+  }
 }
 
 TEST_F(Command, BadFilesAreTwo) {
@@ -100,6 +124,7 @@ TEST_F(Command, BadFilesAreTwo) {
   expect("replay worse", 2, "worse:3: the y of vertex 3, 'one': not a number");
   expect("replay t --dump no/such/folder/x", 2, "no/such/folder/x: cannot write the file");
   expect("replay t --svg no/such/folder/x", 2, "no/such/folder/x: cannot write the file");
+  expect("check --edits 10 --out t", 2, "mismatch.trace: cannot write the file: Not a directory");
   expect("check --map missing", 2, "missing: cannot open the file");
   expect("check --map bad", 2, "bad:2: ");
   expect("import missing.tmx", 2, "missing.tmx");
@@ -132,11 +157,13 @@ TEST_F(Command, CheckIsTheSameEachTime) {
   EXPECT_NE(first.text.find("no mismatch"), std::string::npos);
   EXPECT_EQ(first.text.find('\r'), std::string::npos) << "a progress line in a pipe";
   EXPECT_EQ(withoutTime(lgs("check --cells 3x3 --edits 400 --seed 5").text), withoutTime(first.text));
+  expect("check --edits 10", 0, "edits      10, ");
   expect("check --case 3 --seed 5 --edits 1000000", 0, "cases      1;");
 }
 
 TEST_F(Command, CheckDigsInAMap) {
   put("t", kTwoSquares);
+  expect("check --map t --edits 30", 0, "built by   2 edits\nedits      30, ");
   expect("check --map t --edits 200 --whole-every 7 --svg s.svg", 0, "no mismatch");
   EXPECT_NE(get("s.svg").find("<svg"), std::string::npos);
 }
@@ -149,7 +176,7 @@ TEST_F(Command, ImportMakesATrace) {
       "<layer id='1' name='l' width='2' height='1'><data encoding='csv'>1,1</data></layer></map>");
   expect("import m.tmx -o m.trace --svg m.svg", 0, "");
   EXPECT_NE(get("m.trace").find("add c1_-1_1 1 -1 1 "), std::string::npos) << get("m.trace");
-  expect("replay m.trace --check", 0, "2 polygons in 2 cells, 6 segments, 1 loops");
+  expect("replay m.trace --check", 0, "2 polygons in 2 cells, 6 segments, 1 loop");
   EXPECT_EQ(lgs("import m.tmx", "2>/dev/null").text, get("m.trace"));
   expect("check --map m.tmx --edits 50", 0, "no mismatch");
 }

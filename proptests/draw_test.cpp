@@ -250,6 +250,17 @@ TEST(DrawMismatch, ZoomsInOnALargeWorld) {
   EXPECT_THAT(drawMismatch(scene, expected, actual), HasSubstr(">2 differences, 1 in this view<"));
 }
 
+TEST(DrawMismatch, ListsSegmentsBeforeGhosts) {
+  Scene scene;
+  scene.polygons = {{{0, 0}, 1, kSquare}, {{1, 0}, 1, kSquare}};
+  const Outline expected = naiveOutline(scene);
+  Outline actual = expected;
+  actual.front().ghost2.reset();
+  actual.pop_back();
+  const std::string svg = drawMismatch(scene, expected, actual);
+  EXPECT_LT(svg.find(">missing segment: "), svg.find(">wrong ghost2 at "));
+}
+
 TEST(DrawMismatch, SaysWhenThereIsNoDifference) {
   const Scene scene = smallScene();
   const Outline outline = naiveOutline(scene);

@@ -19,18 +19,17 @@ Editor::Editor(Trace start, Habits habits, std::uint64_t seed)
 }
 
 void Editor::run(std::size_t edits) {
-  std::size_t commits = 0;
-  for (const std::size_t first = trace_.edits.size(); trace_.edits.size() - first - commits < edits;) {
+  while (edits_ < edits) {
     constexpr std::int32_t kSteps[] = {kUnitsPerCell / 4, kUnitsPerCell / 4, kUnitsPerCell / 8, 1};
     step_ = kSteps[random_.below(4)];
     const Operation operation = pickOperation();
     (this->*operation)(pickCell());
     // An operation may come to nothing; a commit of nothing is worth a try now and then.
     const bool pending = !trace_.edits.empty() && trace_.edits.back().kind != Edit::Kind::commit;
-    if (random_.chance(pending ? habits_.commitPercent : 2)) {
-      push(Edit::commit());
-      ++commits;
-    }
+    if (random_.chance(pending ? habits_.commitPercent : 2)) push(Edit::commit());
+  }
+  for (; edits_ > edits; trace_.edits.pop_back()) {  // the last operation may have made more
+    if (trace_.edits.back().kind != Edit::Kind::commit) --edits_;
   }
   push(Edit::commit());
 }
@@ -180,6 +179,7 @@ void Editor::removeNamed(std::string name) {
 
 void Editor::push(Edit edit) {
   if (model_.judge(edit).accepted) model_.apply(edit);
+  if (edit.kind != Edit::Kind::commit) ++edits_;
   trace_.edits.push_back(std::move(edit));
 }
 

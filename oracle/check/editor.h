@@ -35,7 +35,7 @@ class Editor {
   /// Goes on where `start` ends. The trace must hold no refused edits.
   Editor(Trace start, Habits habits, std::uint64_t seed);
 
-  /// Makes edits until there are this many more than at the start, the last ones committed.
+  /// Makes this many edits, the last ones committed. To be called once.
   void run(std::size_t edits);
 
   Trace takeTrace() { return std::move(trace_); }
@@ -68,6 +68,7 @@ class Editor {
   Model start_;
   Cell at_;
   std::int32_t step_ = 1;  // of the grid for random points
+  std::size_t edits_ = 0;  // made so far, commits not counted
   std::size_t names_ = 0;
   std::string lastRemoved_;
 };

@@ -223,6 +223,7 @@ std::string toJson(std::vector<Row>& rows) {
 }
 
 Status run(const std::string& json, int rounds) {
+  if (const Status bad = tryOutputs({json}); bad != Status::fine) return bad;
   Bench bench(rounds);
   {
     Progress progress;
@@ -261,8 +262,9 @@ void addBench(CLI::App& app, Run& chosen) {
                   "Write the figures: an array of {scenario, subject, median_ns,\n"
                   "p99_ns, cells, segments}; - is stdout, without the table")
       ->option_text("FILE");
-  command.add_option("--rounds", *rounds, "How often the subjects run, one after the other; default 5")
-      ->check(CLI::Range(1, 10'000))
+  addWholeNumber(
+      command, "--rounds", [rounds](std::uint64_t n) { *rounds = static_cast<int>(n); }, {1, 10'000},
+      "How often the subjects run, one after the other; default 5")
       ->option_text("N");
   command.footer(
       "engine-polygons adds each polygon by its vertices, engine-shapes by the id of a shape, engine-fill\n"

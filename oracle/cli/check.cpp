@@ -3,6 +3,7 @@
 #include "oracle/check/random.h"
 #include "oracle/cli/progress.h"
 #include "oracle/cli/report.h"
+#include "oracle/draw/counted.h"
 #include "oracle/draw/draw.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/player.h"
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 #include <charconv>
 #include <chrono>
+#include <filesystem>
 
 namespace lgs::oracle {
 namespace {
@@ -32,6 +34,7 @@ struct CheckArguments {
 
 struct Totals {
   CheckStats stats;
+  std::size_t built = 0;  // of the edits: those that make up a map
   std::size_t cases = 0;
   std::size_t casesWithRefusals = 0;
   std::array<std::size_t, static_cast<std::size_t>(Feature::count)> casesWith{};
@@ -40,12 +43,14 @@ struct Totals {
 void printSummary(const CheckArguments& arguments, const Totals& totals, double seconds) {
   const CheckStats& s = totals.stats;
   fmt::print("no mismatch\n");
-  fmt::print("edits      {}, {} of them refused as they must be\n", s.edits, s.refused);
+  const std::uint64_t edits = s.edits - totals.built;
+  if (totals.built > 0) fmt::print("built by   {}\n", counted(totals.built, "edit"));
+  fmt::print("edits      {}, {} of them refused as they must be\n", edits, s.refused);
   fmt::print("commits    {}\n", s.commits);
   fmt::print("compared   {} times with CGAL, {} with the naive reference; {} times the whole world\n", s.cgal, s.naive,
              s.whole);
   fmt::print("segments   {} compared\n", s.segments);
-  fmt::print("time       {:.1f} s, {:.0f} edits/s\n", seconds, static_cast<double>(s.edits) / seconds);
+  fmt::print("time       {:.1f} s, {:.0f} edits/s\n", seconds, static_cast<double>(edits) / seconds);
   if (!arguments.map.empty()) return;
   fmt::print("cases      {}; of these had\n", totals.cases);
   const auto share = [&](std::size_t count, const char* what) {
@@ -67,7 +72,7 @@ Status drawEnd(const CheckArguments& arguments, const Scene& scene) {
   DrawOptions options;
   options.title = arguments.map.empty()
                       ? fmt::format("lgs check, seed {}", arguments.seed)
-                      : fmt::format("{}, dug and refilled by {} edits", arguments.map, arguments.edits);
+                      : fmt::format("{}, dug and refilled by {}", arguments.map, counted(arguments.edits, "edit"));
   const Status written = write(arguments.svg, drawWorld(scene, outlineOf(player.world()), options));
   if (written == Status::fine && arguments.svg != "-") fmt::print("picture    {}\n", arguments.svg);
   return written;
@@ -83,21 +88,28 @@ Status checkMap(const CheckArguments& arguments) {
   if (!start) return complain(start.error());
   Player player(start->preserve);
   if (const auto done = play(*start, player); !done) return complain(message(done.error(), arguments.map));
-  fmt::print("{}: built by {} edits, {} polygons in {} cells; then dug and refilled by {}\n", arguments.map,
-             start->edits.size(), player.world().stats().polygons, player.world().stats().cells, arguments.edits);
+  fmt::print("{}: built by {}, {} in {}; then dug and refilled by {}\n", arguments.map,
+             counted(editCount(*start), "edit"), counted(player.world().stats().polygons, "polygon"),
+             counted(player.world().stats().cells, "cell"), counted(arguments.edits, "edit"));
   std::fflush(stdout);
 
-  const Clock::time_point begin = Clock::now();
+  Clock::time_point begin = Clock::now();
+  const std::size_t built = editCount(*start);
   const Trace trace = digIn(std::move(*start), arguments.edits, arguments.seed);
   CheckOptions options = arguments.options;
   Totals totals;
+  totals.built = built;
   Scene last;
   {
     Progress progress;
     options.afterCommit = [&](const Scene& scene) {
+      if (totals.stats.edits <= built) {
+        begin = Clock::now();  // only digging is timed
+        return true;
+      }
       if (progress.isDue()) {
-        progress.show(fmt::format("{} of {} edits, {} commits, no mismatch", totals.stats.edits, trace.edits.size(),
-                                  totals.stats.commits));
+        progress.show(fmt::format("{} of {}, {}, no mismatch", totals.stats.edits - built,
+                                  counted(arguments.edits, "edit"), counted(totals.stats.commits, "commit")));
       }
       if (!arguments.svg.empty()) last = scene;
       return true;
@@ -106,7 +118,7 @@ Status checkMap(const CheckArguments& arguments) {
     if (!result) return complain(message(result.error(), arguments.map));
     if (*result) {
       const std::string again =
-          fmt::format("lgs check --map {} --edits {} --seed {} --oracle {} --whole-every {}", arguments.map,
+          fmt::format("lgs check --map '{}' --edits {} --seed {} --oracle {} --whole-every {}", arguments.map,
                       arguments.edits, arguments.seed, arguments.oracle(), arguments.options.wholeEvery);
       const std::string name = fmt::format("mismatch-map-{}", arguments.seed);
       return reportMismatch(**result, trace, options, reportOptions(arguments, name, again));
@@ -114,6 +126,13 @@ Status checkMap(const CheckArguments& arguments) {
   }
   printSummary(arguments, totals, std::chrono::duration<double>(Clock::now() - begin).count());
   return drawEnd(arguments, last);
+}
+
+// A mismatch after hours must not be lost for want of a folder.
+Status tryFiles(const CheckArguments& arguments) {
+  std::error_code ignored;  // the trial will say what is wrong
+  std::filesystem::create_directories(arguments.out, ignored);
+  return tryOutputs({(std::filesystem::path(arguments.out) / "mismatch.trace").string(), arguments.svg});
 }
 
 // Cases are independent of each other, so that any one can be run again by itself.
@@ -128,7 +147,9 @@ Status checkRandom(const CheckArguments& arguments) {
   Scene last;
   Progress progress;
   for (std::size_t number = arguments.onlyCase.value_or(0); totals.stats.edits < arguments.edits; ++number) {
-    const Trace trace = randomCase(arguments.world, caseSeed(arguments.seed, number));
+    GeneratorOptions world = arguments.world;
+    if (!arguments.onlyCase) world.edits = std::min<std::size_t>(world.edits, arguments.edits - totals.stats.edits);
+    const Trace trace = randomCase(world, caseSeed(arguments.seed, number));
     Features features{};
     std::size_t commits = 0;
     options.afterCommit = [&](const Scene& scene) {
@@ -142,8 +163,8 @@ Status checkRandom(const CheckArguments& arguments) {
     if (!result) return complain(message(result.error(), fmt::format("case {}", number)));
     if (*result) {
       const std::string again =
-          fmt::format("lgs check --cells {}x{} --case-edits {} --seed {} --case {} --oracle {}", arguments.world.width,
-                      arguments.world.height, arguments.world.edits, arguments.seed, number, arguments.oracle());
+          fmt::format("lgs check --cells {}x{} --case-edits {} --seed {} --case {} --oracle {}", world.width,
+                      world.height, world.edits, arguments.seed, number, arguments.oracle());
       const std::string name = fmt::format("mismatch-{}-{}", arguments.seed, number);
       return reportMismatch(**result, trace, options, reportOptions(arguments, name, again));
     }
@@ -181,32 +202,42 @@ void addCheck(CLI::App& app, Run& chosen) {
   arguments->options.wholeEvery = 100;
   CLI::App& command =
       *app.add_subcommand("check", "Random edit sequences against the oracle, in degenerate worlds or a map");
-  command
-      .add_option_function<std::string>(
-          "--cells", [arguments](const std::string& text) { readSize(text, arguments->world); },
-          "Size of the random worlds; default 4x4")
-      ->option_text("WxH");
-  command.add_option("--edits", arguments->edits, "How many edits, over all cases; default 20000")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}))
+  CLI::Option* const cells =
+      command
+          .add_option_function<std::string>(
+              "--cells", [arguments](const std::string& text) { readSize(text, arguments->world); },
+              "Size of the random worlds; default 4x4")
+          ->option_text("WxH");
+  addWholeNumber(
+      command, "--edits", [arguments](std::uint64_t n) { arguments->edits = n; }, {1, 1'000'000'000},
+      "How many edits, over all cases; default 20000")
       ->option_text("N");
-  command.add_option("--seed", arguments->seed, "The same seed gives the same edits everywhere; default 1")
-      ->check(CLI::NonNegativeNumber)
+  addWholeNumber(
+      command, "--seed", [arguments](std::uint64_t n) { arguments->seed = n; }, {},
+      "The same seed gives the same edits everywhere; default 1")
       ->option_text("S");
   addOracleOption(command, arguments->options);
-  command.add_option("--case", arguments->onlyCase, "Run only the case of this number, named by a mismatch")
-      ->check(CLI::NonNegativeNumber)
-      ->option_text("K");
-  command.add_option("--case-edits", arguments->world.edits, "Edits of one case, then a new world begins; default 100")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}))
-      ->option_text("N");
-  command
-      .add_option("--map", arguments->map, "Dig in this world instead of random ones: a trace, or a\nTiled map (.tmx)")
-      ->option_text("FILE");
-  command
-      .add_option("--whole-every", arguments->options.wholeEvery,
-                  "With --map: compare the whole world after every K-th commit\n"
-                  "and at the end; 0: at the end only. Default 100")
-      ->check(CLI::NonNegativeNumber)
+  CLI::Option* const onlyCase = addWholeNumber(
+                                    command, "--case", [arguments](std::uint64_t n) { arguments->onlyCase = n; }, {},
+                                    "Run only the case of this number, named by a mismatch")
+                                    ->option_text("K");
+  CLI::Option* const caseEdits =
+      addWholeNumber(
+          command, "--case-edits", [arguments](std::uint64_t n) { arguments->world.edits = n; }, {1, 10'000'000},
+          "Edits of one case, then a new world begins; default 100")
+          ->option_text("N");
+  CLI::Option* const map = command
+                               .add_option("--map", arguments->map,
+                                           "Dig in this world instead of random ones: a trace, or a\nTiled map (.tmx)")
+                               ->option_text("FILE")
+                               ->excludes(cells)
+                               ->excludes(onlyCase)
+                               ->excludes(caseEdits);
+  addWholeNumber(
+      command, "--whole-every", [arguments](std::uint64_t n) { arguments->options.wholeEvery = n; }, {},
+      "With --map: compare the whole world after every K-th commit\n"
+      "and at the end; 0: at the end only. Default 100")
+      ->needs(map)
       ->option_text("K");
   command.add_option("--out", arguments->out, "Folder for a mismatch's trace and picture; default .")
       ->option_text("DIR");
@@ -233,7 +264,10 @@ void addCheck(CLI::App& app, Run& chosen) {
       "Examples: lgs check --cells 5x5 --edits 200000 --seed 7\n"
       "          lgs check --map level.tmx --edits 5000 --svg dug.svg");
   command.callback([arguments, &chosen] {
-    chosen = [arguments] { return arguments->map.empty() ? checkRandom(*arguments) : checkMap(*arguments); };
+    chosen = [arguments] {
+      if (const Status bad = tryFiles(*arguments); bad != Status::fine) return bad;
+      return arguments->map.empty() ? checkRandom(*arguments) : checkMap(*arguments);
+    };
   });
 }
 

@@ -4,6 +4,8 @@
 #include "oracle/trace/file.h"
 
 #include <fmt/format.h>
+#include <algorithm>
+#include <charconv>
 #include <cstdio>
 
 namespace lgs::oracle {
@@ -15,7 +17,18 @@ Status complain(std::string_view text) {
 
 Status write(const std::string& path, std::string_view content) {
   const auto done = writeFile(path, content);
-  return done ? Status::fine : complain(message(done.error(), path));
+  return done ? Status::fine : complain(message(done.error(), path == "-" ? "standard output" : path));
+}
+
+Status tryOutputs(std::initializer_list<std::string> paths) {
+  if (std::count(paths.begin(), paths.end(), "-") > 1) {
+    return complain("only one output can go to the standard output; name a file for the others");
+  }
+  for (const std::string& path : paths) {
+    if (path.empty()) continue;
+    if (const auto done = tryToWrite(path); !done) return complain(message(done.error(), path));
+  }
+  return Status::fine;
 }
 
 tl::expected<Trace, std::string> readWorld(const std::string& path) {
@@ -29,8 +42,22 @@ tl::expected<Trace, std::string> readWorld(const std::string& path) {
   return std::move(*trace);
 }
 
-void addOracleOption(CLI::App& command, CheckOptions& options) {
-  command
+CLI::Option* addWholeNumber(CLI::App& command, const std::string& name, std::function<void(std::uint64_t)> set,
+                            WholeRange range, const std::string& description) {
+  const auto read = [name, set = std::move(set), range](const std::string& text) {
+    std::uint64_t number = 0;
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (status != std::errc() || end != text.data() + text.size() || number < range.min || number > range.max) {
+      throw CLI::ValidationError(name,
+                                 fmt::format("'{}' is not a whole number from {} to {}", text, range.min, range.max));
+    }
+    set(number);
+  };
+  return command.add_option_function<std::string>(name, read, description);
+}
+
+CLI::Option* addOracleOption(CLI::App& command, CheckOptions& options) {
+  return command
       .add_option_function<std::string>(
           "--oracle",
           [&options](const std::string& which) {

@@ -6,7 +6,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
 #include <functional>
+#include <initializer_list>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -22,6 +25,10 @@ Status complain(std::string_view text);
 /// Writes a file ("-" is the standard output); complains if that does not work.
 Status write(const std::string& path, std::string_view content);
 
+/// Complains if one of a command's outputs can not be written, or more than one is the standard output. An empty path is
+/// an output that nobody asked for.
+Status tryOutputs(std::initializer_list<std::string> paths);
+
 /// The worse of two.
 inline Status worst(Status a, Status b) { return std::max(a, b); }
 
@@ -29,8 +36,17 @@ inline Status worst(Status a, Status b) { return std::max(a, b); }
 /// complaint, "FILE:LINE: …".
 tl::expected<Trace, std::string> readWorld(const std::string& path);
 
+/// Adds an option that takes a whole number in decimal digits. CLI11's own conversion reads "010" as eight, saturates, and
+/// has no words for what is wrong.
+struct WholeRange {
+  std::uint64_t min = 0;
+  std::uint64_t max = std::numeric_limits<std::uint64_t>::max();
+};
+CLI::Option* addWholeNumber(CLI::App& command, const std::string& name, std::function<void(std::uint64_t)> set,
+                            WholeRange range, const std::string& description);
+
 /// Adds --oracle to a command; it sets `naive` and `cgal`.
-void addOracleOption(CLI::App& command, CheckOptions& options);
+CLI::Option* addOracleOption(CLI::App& command, CheckOptions& options);
 
 /// Adds a subcommand; `run` is called if it is the one chosen and its arguments are good.
 using Run = std::function<Status()>;

@@ -19,6 +19,8 @@ struct ImportArguments {
 };
 
 Status run(const ImportArguments& arguments) {
+  const Status bad = tryOutputs({arguments.trace, arguments.report, arguments.svg});
+  if (bad != Status::fine) return bad;
   const auto map = tiled::importMap(arguments.map, arguments.options);
   if (!map) return complain(tiled::message(map.error()));
   const Trace trace = traceOf(*map);
@@ -69,17 +71,25 @@ void addImport(CLI::App& app, Run& chosen) {
       ->check(CLI::Range(0.0, 1e6))
       ->option_text("PX");
   command
-      .add_option("--outside", options.outside,
-                  "What reaches out of its tile is carried into the neighbouring\ncells (the default), or clipped")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, tiled::Outside>{{"carry", tiled::Outside::carry}, {"clip", tiled::Outside::clip}}))
+      .add_option_function<std::string>(
+          "--outside",
+          [&options](const std::string& how) {
+            options.outside = how == "clip" ? tiled::Outside::clip : tiled::Outside::carry;
+          },
+          "What reaches out of its tile is carried into the neighbouring\ncells (the default), or clipped")
+      ->check(CLI::IsMember({"carry", "clip"}))
       ->option_text("carry|clip");
   command
-      .add_option("--block", options.blockFrom,
-                  "Where blocks come from: all are block 1 (the default), or each\n"
-                  "class of tiles, or each layer, has its own")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, tiled::BlockFrom>{
-          {"one", tiled::BlockFrom::one}, {"class", tiled::BlockFrom::tileClass}, {"layer", tiled::BlockFrom::layer}}))
+      .add_option_function<std::string>(
+          "--block",
+          [&options](const std::string& from) {
+            options.blockFrom = from == "class"   ? tiled::BlockFrom::tileClass
+                                : from == "layer" ? tiled::BlockFrom::layer
+                                                  : tiled::BlockFrom::one;
+          },
+          "Where blocks come from: all are block 1 (the default), or each\n"
+          "class of tiles, or each layer, has its own")
+      ->check(CLI::IsMember({"one", "class", "layer"}))
       ->option_text("one|class|layer");
   command
       .add_option_function<std::vector<std::string>>(

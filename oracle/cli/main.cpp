@@ -2,7 +2,51 @@
 #include "oracle/cli/command.h"
 
 #include <fmt/format.h>
+#include <cerrno>
+#include <cstdio>
 #include <exception>
+#include <system_error>
+
+namespace lgs::oracle {
+namespace {
+
+// What is wrong with a command that there is not, of which CLI11 says only that a subcommand is missing.
+std::string faultOf(const CLI::App& app, const std::string& name) {
+  std::string known;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == name) return {};
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  }
+  return fmt::format("'{}' is no command; there are {}", name, known);
+}
+
+Status parseAndRun(CLI::App& app, const Run& run, int argc, char** argv) {
+  if (argc > 1 && argv[1][0] != '-') {
+    if (const std::string fault = faultOf(app, argv[1]); !fault.empty()) return complain(fault);
+  }
+  try {
+    app.parse(argc, argv);
+    return run();
+  } catch (const CLI::ParseError& error) {
+    // Help and version are fine; every other status of CLI11's is bad usage.
+    return app.exit(error) == 0 ? Status::fine : Status::badInput;
+  } catch (const std::exception& error) {
+    return complain(fmt::format("lgs: {}", error.what()));
+  }
+}
+
+// Output that was lost, to a full disk say, is no success; but a mismatch remains one.
+Status flushed(Status status) {
+  errno = 0;
+  const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+  if (!lost || status == Status::badInput) return status;  // what is bad has been said
+  const std::string why = errno == 0 ? "" : ": " + std::generic_category().message(errno);
+  const Status bad = complain("standard output: cannot write" + why);
+  return status == Status::fine ? bad : status;
+}
+
+}  // namespace
+}  // namespace lgs::oracle
 
 int main(int argc, char** argv) {
   using namespace lgs::oracle;
@@ -22,13 +66,5 @@ int main(int argc, char** argv) {
   addCheck(app, run);
   addImport(app, run);
   addBench(app, run);
-  try {
-    app.parse(argc, argv);
-    return static_cast<int>(run());
-  } catch (const CLI::ParseError& error) {
-    // Help and version are fine; every other status of CLI11's is bad usage.
-    return app.exit(error) == 0 ? static_cast<int>(Status::fine) : static_cast<int>(Status::badInput);
-  } catch (const std::exception& error) {
-    return static_cast<int>(complain(fmt::format("lgs: {}", error.what())));
-  }
+  return static_cast<int>(flushed(parseAndRun(app, run, argc, argv)));
 }

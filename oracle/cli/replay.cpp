@@ -1,4 +1,5 @@
 #include "oracle/cli/report.h"
+#include "oracle/draw/counted.h"
 #include "oracle/draw/draw.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/file.h"
@@ -19,6 +20,7 @@ struct ReplayArguments {
 };
 
 Status run(const ReplayArguments& arguments) {
+  if (const Status bad = tryOutputs({arguments.dump, arguments.svg}); bad != Status::fine) return bad;
   const auto trace = readTrace(arguments.trace);
   if (!trace) return complain(message(trace.error(), arguments.trace));
   // The summary makes way for a dump or a picture on the standard output.
@@ -33,8 +35,8 @@ Status run(const ReplayArguments& arguments) {
     if (mismatch) {
       fmt::print(out, "MISMATCH {}: {}", arguments.trace, describe(*mismatch, *trace));
     } else {
-      fmt::print(out, "checked {} commits, {} times with CGAL, {} with the naive reference: no mismatch\n",
-                 stats.commits, stats.cgal, stats.naive);
+      fmt::print(out, "checked {}, {} with CGAL, {} with the naive reference: no mismatch\n",
+                 counted(stats.commits, "commit"), counted(stats.cgal, "time"), stats.naive);
     }
   }
   Status status = mismatch ? Status::mismatch : Status::fine;
@@ -45,9 +47,9 @@ Status run(const ReplayArguments& arguments) {
   Player player(trace->preserve);
   if (const auto done = play(*trace, player); !done) return complain(message(done.error(), arguments.trace));
   const Outline outline = outlineOf(player.world());
-  fmt::print(out, "{} edits: {} polygons in {} cells, {} segments, {} loops\n", trace->edits.size(),
-             player.world().stats().polygons, player.world().stats().cells, outline.size(),
-             player.world().loops().size());
+  fmt::print(out, "{}: {} in {}, {}, {}\n", counted(editCount(*trace), "edit"),
+             counted(player.world().stats().polygons, "polygon"), counted(player.world().stats().cells, "cell"),
+             counted(outline.size(), "segment"), counted(player.world().loops().size(), "loop"));
   if (!arguments.dump.empty()) status = worst(status, write(arguments.dump, dump(outline)));
   if (!arguments.svg.empty() && !drawsMismatch) {
     DrawOptions options;
@@ -63,9 +65,10 @@ void addReplay(CLI::App& app, Run& chosen) {
   const auto arguments = std::make_shared<ReplayArguments>();
   CLI::App& command = *app.add_subcommand("replay", "Play a trace; dump, draw or check what comes out");
   command.add_option("TRACE", arguments->trace, "A file in the trace format")->required();
-  command.add_flag("--check", arguments->check,
-                   "Compare with the oracle after every commit; on a mismatch say\nwhat differs, and where");
-  addOracleOption(command, arguments->checkOptions);
+  CLI::Option* const check =
+      command.add_flag("--check", arguments->check,
+                       "Compare with the oracle after every commit; on a mismatch say\nwhat differs, and where");
+  addOracleOption(command, arguments->checkOptions)->needs(check);
   command.add_option("--dump", arguments->dump, "Write the segments after the last commit; - is stdout")
       ->option_text("FILE");
   command.add_option("--svg", arguments->svg, "Draw the world, or the mismatch; - is stdout")->option_text("FILE");

@@ -1,6 +1,7 @@
 #include "oracle/cli/report.h"
 
 #include "oracle/check/shrink.h"
+#include "oracle/draw/counted.h"
 #include "oracle/draw/draw.h"
 
 #include <fmt/format.h>
@@ -48,7 +49,8 @@ std::string describe(const Mismatch& mismatch, const Trace& trace) {
   if (mismatch.edits > 0 && trace.edits[mismatch.edits - 1].line != 0) {
     where += fmt::format(", line {}", trace.edits[mismatch.edits - 1].line);
   }
-  return fmt::format("{} ({} commits): {}:\n{}", where, mismatch.commit, describe(mismatch.kind), mismatch.text);
+  return fmt::format("{} ({}): {}:\n{}", where, counted(mismatch.commit, "commit"), describe(mismatch.kind),
+                     mismatch.text);
 }
 
 std::string draw(const Mismatch& mismatch) {
@@ -75,7 +77,7 @@ std::string draw(const Mismatch& mismatch) {
 Status reportMismatch(const Mismatch& found, const Trace& trace, const CheckOptions& options,
                       const ReportOptions& report) {
   fmt::print("MISMATCH {}", describe(found, trace));
-  if (report.shrinkFor.count() > 0) fmt::print("shrinking the trace of {} edits …\n", found.edits);
+  if (report.shrinkFor.count() > 0) fmt::print("shrinking the trace of {} …\n", counted(found.edits, "line"));
   std::fflush(stdout);
 
   const CheckOptions narrow = only(found.kind, options);

@@ -176,7 +176,8 @@ void drawGround(Svg& svg, const Plot& plot, const Scene& scene, std::span<const 
   drawSolids(svg, plot, scene, strength);
   drawGrid(svg, plot);
   const bool fine = plot.detail() == Detail::lines;
-  const double inset = fine ? 0 : 2;
+  // Well inside the cell: a wall along its rim is what a picture is about.
+  const double inset = fine ? 0 : std::min(6.0, plot.cellSize() / 6);
   Path cells;
   for (const Cell& c : edited) {
     if (!plot.shows(cellsOf(c))) continue;

@@ -155,10 +155,4 @@ std::string shortened(std::string_view title) {
   return std::string(title.substr(0, end)) + "…";
 }
 
-std::string counted(std::size_t n, std::string_view noun) {
-  std::string text = std::to_string(n);
-  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, ",");
-  return text.append(" ").append(noun).append(n == 1 ? "" : "s");
-}
-
 }  // namespace lgs::oracle::drawing

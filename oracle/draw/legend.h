@@ -1,6 +1,7 @@
 // What stands around the panels: heading, legend.
 #pragma once
 
+#include "oracle/draw/counted.h"
 #include "oracle/draw/panel.h"
 #include "oracle/draw/svg.h"
 #include "oracle/reference/scene.h"
@@ -49,6 +50,5 @@ void addOutlines(std::vector<LegendEntry>& entries, const Plot& plot, std::span<
 void drawHeading(Svg& svg, std::string_view title, std::string_view subtitle);
 double headingWidth(std::string_view title, std::string_view subtitle);
 std::string shortened(std::string_view title);
-std::string counted(std::size_t n, std::string_view noun);  ///< "1 segment", "12,345 segments"
 
 }  // namespace lgs::oracle::drawing

@@ -29,7 +29,7 @@ std::vector<std::string> linesOf(const std::vector<Difference>& differences) {
 // Three panels side by side, or one below the other if they are wide.
 struct Layout {
   explicit Layout(const Extent& extent)
-      : sideBySide(extent.columns.length() < 2 * extent.rows.length()),
+      : sideBySide(extent.columns.length() <= 2 * extent.rows.length()),
         cellSize(sideBySide ? fittingCellSize(extent, 1600.0 / 3, 760) : fittingCellSize(extent, 1400, 1100.0 / 3)) {}
   Vec topLeft(int index, const Panel& panel) const {
     const Vec step = sideBySide ? Vec{panel.width + kGap, 0} : Vec{0, panel.height + kPanelHeading + kGap / 2};

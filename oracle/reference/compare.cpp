@@ -95,6 +95,14 @@ void walkBoth(const Outline& expected, const Outline& actual, Missing missing, E
   }
 }
 
+// A segment that should not be there, or is not, explains the wrong ghosts around it: it comes first.
+void sort(std::vector<Difference>& found) {
+  const auto key = [](const Difference& d) {
+    return std::pair(d.kind != Kind::missing && d.kind != Kind::extra, endsOf(d.segment()));
+  };
+  std::stable_sort(found.begin(), found.end(), [&](auto& l, auto& r) { return key(l) < key(r); });
+}
+
 std::string ghostInWords(const std::optional<Point>& ghost) { return ghost ? inWords(*ghost) : "none"; }
 
 }  // namespace
@@ -111,6 +119,7 @@ std::vector<Difference> compare(const Outline& expected, const Outline& actual) 
         found.push_back({Kind::extra, {}, actual[a], noteOnExtra(actual[a], expected, actual)});
       },
       [&](std::size_t e, std::size_t a) { compareSame(expected[e], actual[a], actual, found); });
+  sort(found);
   return found;
 }
 
@@ -123,8 +132,7 @@ std::vector<Difference> compare(const OwnedOutline& expected, const OwnedOutline
     found.push_back({Kind::owner, expected.outline[e], actual.outline[a],
                      fmt::format("expected polygon {} of the scene, got {}", expected.owner[e], actual.owner[a])});
   });
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Difference& l, const Difference& r) { return endsOf(l.segment()) < endsOf(r.segment()); });
+  sort(found);
   return found;
 }
 

@@ -27,8 +27,8 @@ struct Difference {
   const OutlineSegment& segment() const { return expected ? *expected : *actual; }
 };
 
-/// Every difference in segments, ghosts and blocks, by start, end and kind; empty if there is none. Both outlines must be
-/// sorted (outline.h).
+/// Every difference in segments, ghosts and blocks; empty if there is none. Missing and extra segments come first; then
+/// by start, end and kind. Both outlines must be sorted (outline.h).
 std::vector<Difference> compare(const Outline& expected, const Outline& actual);
 
 /// The same, and differences in owners as well.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <system_error>
 
@@ -48,6 +49,18 @@ tl::expected<void, TraceError> writeFile(const std::string& path, std::string_vi
   }
   const File file(std::fopen(path.c_str(), "wb"));
   if (!file || !write(file.get())) return tl::unexpected(systemError("cannot write the file"));
+  return {};
+}
+
+tl::expected<void, TraceError> tryToWrite(const std::string& path) {
+  namespace fs = std::filesystem;
+  if (path == "-") return {};
+  std::error_code ignored;
+  const fs::file_status before = fs::status(path, ignored);
+  // Whoever reads from a pipe would take the trial for the end.
+  if (fs::exists(before) && !fs::is_regular_file(before) && !fs::is_directory(before)) return {};
+  if (!File(std::fopen(path.c_str(), "ab"))) return tl::unexpected(systemError("cannot write the file"));
+  if (!fs::exists(before)) fs::remove(path, ignored);
   return {};
 }
 

@@ -15,6 +15,9 @@ tl::expected<std::string, TraceError> readFile(const std::string& path);
 /// Replaces a file's content, "-" being the standard output; or why it can not be written.
 tl::expected<void, TraceError> writeFile(const std::string& path, std::string_view content);
 
+/// Whether a file could be written; leaves everything as it is. To be asked before a long run.
+tl::expected<void, TraceError> tryToWrite(const std::string& path);
+
 /// Reads and parses a trace. The first bad line is the one reported, be it the text or the engine that objects: where
 /// the text breaks off, the edits before it are played to see.
 tl::expected<Trace, TraceError> readTrace(const std::string& path);

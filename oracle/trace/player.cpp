@@ -12,6 +12,15 @@ PreserveRelation relationOf(const PreservePairs& pairs) {
 
 tl::unexpected<TraceError> nameFault(std::string text) { return tl::unexpected(TraceError{0, std::move(text), {}}); }
 
+// A line of a trace is one polygon, and the engine's handles mean nothing to whoever reads it.
+std::string inTrace(Error error, const std::string& other) {
+  if (error.code == ErrorCode::overlap && !other.empty()) {
+    return fmt::format("cell ({}, {}): its interior overlaps '{}'", error.cell.i, error.cell.j, other);
+  }
+  error.polygon = -1;
+  return message(error);
+}
+
 }  // namespace
 
 Player::Player(PreservePairs preserve) : world_(relationOf(preserve)) { scene_.preserve = std::move(preserve); }
@@ -37,12 +46,11 @@ tl::expected<void, TraceError> Player::add(const std::string& name, const SceneP
   }
   const auto handle = world_.add(polygon.cell, std::span<const LocalPoint>(polygon.vertices), polygon.block);
   if (!handle) {
-    std::string text = message(handle.error());
-    // The engine knows the other polygon by its handle; whoever reads the trace knows it by its name.
-    for (const auto& [other, placed] : placed_) {
-      if (handle.error().other && placed.handle == handle.error().other) text += fmt::format(" ('{}')", other);
+    std::string other;
+    for (const auto& [placedName, placed] : placed_) {
+      if (handle.error().other && placed.handle == handle.error().other) other = placedName;
     }
-    return tl::unexpected(TraceError{0, std::move(text), handle.error().code});
+    return tl::unexpected(TraceError{0, inTrace(handle.error(), other), handle.error().code});
   }
   placed_.emplace(name, Placed{*handle, names_.size()});
   names_.push_back(name);

@@ -164,6 +164,8 @@ ParsedTrace parseTrace(std::string_view text) {
   ParsedTrace parsed;
   Parser parser(parsed);
   std::size_t number = 0;
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // some editors on Windows begin a file with it
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   while (!text.empty()) {
     ++number;
     const std::size_t end = std::min(text.find('\n'), text.size());

@@ -18,6 +18,7 @@
 #include "oracle/reference/scene.h"
 
 #include <lgs/error.h>
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -69,5 +70,11 @@ ParsedTrace parseTrace(std::string_view text);
 
 /// The text that parseTrace() reads back as the same trace.
 std::string printTrace(const Trace& trace);
+
+/// How many adds and removes there are; the rest are commits.
+inline std::size_t editCount(const Trace& trace) {
+  return static_cast<std::size_t>(std::count_if(trace.edits.begin(), trace.edits.end(),
+                                                [](const Edit& edit) { return edit.kind != Edit::Kind::commit; }));
+}
 
 }  // namespace lgs::oracle
