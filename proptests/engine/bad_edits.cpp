@@ -74,8 +74,10 @@ void addVertexFaults(std::vector<BadEdit>& out) {
   out.push_back(addLocal("no vertices", kEmpty, {}, at(tooFewVertices), where + "a polygon needs at least 3 vertices"));
   out.push_back(addLocal("two vertices, one outside", kEmpty, {{0, 0}, {-1, 0}}, at(tooFewVertices),
                          where + "a polygon needs at least 3 vertices"));
-  out.push_back(addLocal("too many vertices", kEmpty, wheel(kMaxVerticesPerCell + 1), at(capacity),
-                         where + "too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 - 1 chunks (lgs/world.h)"));
+  out.push_back(addLocal(
+      "too many vertices", kEmpty, wheel(kMaxVerticesPerCell + 1), at(capacity),
+      where +
+          "too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 - 1 chunks (lgs/world.h)"));
   out.push_back(addLocal("left of the cell", kEmpty, {{0, 0}, {U, 0}, {-1, U}}, at(outsideCell).vertex(2),
                          where + "vertex 2 is outside the cell; coordinates run from 0 to 1 cell, rim included"));
   out.push_back(addLocal("above the cell, and repeated", kEmpty, {{0, 0}, {0, U + 1}, {0, 0}, {5, 5}},
@@ -83,7 +85,8 @@ void addVertexFaults(std::vector<BadEdit>& out) {
                          where + "vertex 1 is outside the cell; coordinates run from 0 to 1 cell, rim included"));
   out.push_back(addLocal("repeated vertex", kEmpty, {{0, 0}, {U, 0}, {U, U}, {U, 0}}, at(repeatedVertex).vertex(1, 3),
                          where + "vertex 1 and vertex 3 are the same lattice point; leave one out"));
-  out.push_back(addLocal("no area", kEmpty, {{0, 0}, {5, 5}, {9, 9}}, at(zeroArea), where + "the polygon has no area, or crosses itself so that its areas cancel"));
+  out.push_back(addLocal("no area", kEmpty, {{0, 0}, {5, 5}, {9, 9}}, at(zeroArea),
+                         where + "the polygon has no area, or crosses itself so that its areas cancel"));
   out.push_back(addLocal("bow tie without area", kEmpty, {{0, 0}, {U, U}, {U, 0}, {0, U}}, at(zeroArea),
                          where + "the polygon has no area, or crosses itself so that its areas cancel"));
   out.push_back(addLocal("clockwise", kEmpty, {{0, 0}, {0, U}, {U, U}}, at(clockwise),
@@ -187,7 +190,8 @@ void addUnknown(std::vector<BadEdit>& out) {
         return s.world.fill({{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}}, s.square, 9);
       },
       Expect(capacity).in({-kMaxCell, -kMaxCell}),
-      "cell (-1073741824, -1073741824): too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 - 1 chunks (lgs/world.h)");
+      "cell (-1073741824, -1073741824): too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 "
+      "- 1 chunks (lgs/world.h)");
   add(
       "clear beyond the range",
       [](Stage& s) {
@@ -225,8 +229,9 @@ void addShapes(std::vector<BadEdit>& out) {
   std::vector<LocalPolygon> many;
   for (std::int32_t k = 0; k <= static_cast<std::int32_t>(kMaxPolygonsPerCell); ++k)
     many.push_back({{2 * k, 0}, {2 * k + 1, 0}, {2 * k + 1, 1}});
-  out.push_back(makeShape("shape of too many", many, Expect(capacity),
-                          "too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 - 1 chunks (lgs/world.h)"));
+  out.push_back(makeShape(
+      "shape of too many", many, Expect(capacity),
+      "too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 - 1 chunks (lgs/world.h)"));
 }
 
 }  // namespace
