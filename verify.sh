@@ -29,7 +29,7 @@ show bench "4. Incremental against full recompute" \
 cat <<END
 
 verify.sh: no mismatch, $SECONDS s
-  the map        $(sed -n 's/^commits *//p' "$logs/dig.log") commits, $(sed -n 's/^segments *//p' "$logs/dig.log")
-  random worlds  $(sed -n 's/^commits *//p' "$logs/worlds.log") commits, $(sed -n 's/^segments *//p' "$logs/worlds.log")
+  the map        $(sed -n 's/^commits *//p' "$logs/dig.log") commits, $(sed -n 's/^segments *\([0-9]*\).*/\1 segments compared/p' "$logs/dig.log")
+  random worlds  $(sed -n 's/^commits *//p' "$logs/worlds.log") commits, $(sed -n 's/^segments *\([0-9]*\).*/\1 segments compared/p' "$logs/worlds.log")
   worth a look   $PWD/$out/dug.svg  (in a browser; the map before the digging: map.svg beside it)
 END
