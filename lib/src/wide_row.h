@@ -40,8 +40,8 @@ void forEachColumn(WideRow row, Visit&& visit) {
   for (; row != 0; row &= row - 1) visit(std::countr_zero(row) - 1);
 }
 
-/// Whether a row has so many bits that finding out which of them can be skipped is worth the while.
-/// A rule of thumb: its bits span more than eight columns.
+/// Whether a row may have so many bits that finding out which of them can be skipped pays. A rule of thumb: they span more
+/// than eight columns.
 inline bool isCrowded(WideRow row) { return row >> std::countr_zero(row | WideRow{1} << 63) >= 256; }
 
 }  // namespace lgs::detail
