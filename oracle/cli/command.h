@@ -54,5 +54,6 @@ void addReplay(CLI::App& app, Run& run);
 void addCheck(CLI::App& app, Run& run);
 void addImport(CLI::App& app, Run& run);
 void addBench(CLI::App& app, Run& run);
+void addPublished(CLI::App& app, Run& run);
 
 }  // namespace lgs::oracle

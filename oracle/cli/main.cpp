@@ -66,5 +66,6 @@ int main(int argc, char** argv) {
   addCheck(app, run);
   addImport(app, run);
   addBench(app, run);
+  addPublished(app, run);
   return static_cast<int>(flushed(parseAndRun(app, run, argc, argv)));
 }

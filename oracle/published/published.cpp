@@ -85,6 +85,7 @@ void Published::insertIntoManifold(PublishedSegment* segment) {
 void Published::removeFromManifold(PublishedSegment* segment) {
   for (const Vec2 vertex : {segment->start, segment->end}) {
     const auto at = vertexManifold_.find(hash(vertex));
+    if (at == vertexManifold_.end()) continue;  // both ends have become one vertex: floats are coarse far away
     std::erase(at->second, segment);
     if (at->second.empty()) vertexManifold_.erase(at);
     dirtyVertices_.insert(hash(vertex));
