@@ -47,10 +47,6 @@ Catalogue::Catalogue() {
   contents_[kEmptyContent]->users = 1;
 }
 
-const InternedShape* Catalogue::shape(ShapeId id) const {
-  return id.value >= 1 && id.value <= shapes_.size() ? shapes_[id.value - 1].get() : nullptr;
-}
-
 Expected<PolygonId> Catalogue::internPolygon(PolygonView vertices) {
   const std::uint64_t hash = hashOf(vertices);
   const std::uint32_t found =
@@ -133,7 +129,7 @@ Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
   }
   use(*content);
   for (const PolygonId id : given) acquire(polygons_[id]->users);
-  shapes_.push_back(std::make_unique<InternedShape>(InternedShape{*content, given}));
+  shapes_.push_back({*content, given.size() == 1 ? *content : kEmptyContent, given});
   const ShapeId id{static_cast<std::uint32_t>(shapes_.size())};
   shapeIndex_.emplace(given, id);
   return id;
@@ -177,8 +173,8 @@ std::uint64_t Catalogue::bytes() const {
         sizeof c + sizeof *c + of(c->polygons) + of(c->preserved) + of(c->interior) + of(c->spokes) + of(c->contacts);
     for (const Side& side : c->sides) sum += of(side.covered) + of(side.points);
   }
-  for (const auto& s : shapes_) sum += sizeof s + sizeof *s + 2 * of(s->polygons);
-  return sum + of(freePolygons_) + of(freeContents_);
+  for (const InternedShape& s : shapes_) sum += 2 * of(s.polygons);
+  return sum + of(shapes_) + of(freePolygons_) + of(freeContents_);
 }
 
 }  // namespace lgs::detail

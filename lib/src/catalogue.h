@@ -30,6 +30,7 @@ struct InternedContent : Content {
 
 struct InternedShape {
   ContentId content = kEmptyContent;  ///< with nothing preserved
+  ContentId sole = kEmptyContent;     ///< the same, if there is but one polygon
   std::vector<PolygonId> polygons;    ///< in the order given
 };
 
@@ -39,7 +40,11 @@ class Catalogue {
 
   const InternedContent& content(ContentId id) const { return *contents_[id]; }
   PolygonView vertices(PolygonId id) const { return polygons_[id]->vertices; }
-  const InternedShape* shape(ShapeId id) const;
+  /// Valid until the next shape is made; null for an id that is none of ours.
+  const InternedShape* shape(ShapeId id) const {
+    const std::size_t index = id.value - std::size_t{1};
+    return index < shapes_.size() ? &shapes_[index] : nullptr;
+  }
 
   /// The polygon with these vertices, validated if it is new.
   Expected<PolygonId> internPolygon(PolygonView vertices);
@@ -79,7 +84,7 @@ class Catalogue {
 
   std::vector<std::unique_ptr<InternedPolygon>> polygons_;
   std::vector<std::unique_ptr<InternedContent>> contents_;
-  std::vector<std::unique_ptr<InternedShape>> shapes_;
+  std::vector<InternedShape> shapes_;
   std::map<std::vector<PolygonId>, ShapeId> shapeIndex_;
   HashIndex polygonIndex_;
   HashIndex contentIndex_;

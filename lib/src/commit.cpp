@@ -23,7 +23,6 @@ const Changes& World::Impl::commit() {
   detail::Linking phase2(*this);
   for (const detail::Chunk* chunk : dirtyChunks) phase2.linkChunk(*chunk);
 
-  for (const SegmentId id : changes.added) segments[id.value].fresh = 0;
   for (const SegmentId id : changes.relinked) segments[id.value].listed = 0;
   for (const SegmentId id : changes.removed) segments[id.value].cellRef = 0;
   for (detail::Chunk* chunk : dirtyChunks) {

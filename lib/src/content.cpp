@@ -141,6 +141,18 @@ void linkInside(Content& content, std::span<const LocalPoint> vertices) {
   }
 }
 
+Facts factsOf(const Content& content) {
+  const bool linkedInside = std::any_of(content.interior.begin(), content.interior.end(), [](const InteriorSegment& s) {
+    return s.predecessor != InteriorSegment::kRim || s.successor != InteriorSegment::kRim;
+  });
+  const bool rimPoints =
+      std::any_of(content.sides.begin(), content.sides.end(), [](const Side& side) { return !side.points.empty(); });
+  unsigned facts = (rimPoints ? kRimPoints : 0u) | (content.interior.empty() ? 0u : kInside) |
+                   (linkedInside ? kLinkedInside : 0u);
+  for (unsigned s = 0; s < kSides; ++s) facts |= (content.cover[s] == Cover::whole ? 1u : 0u) << s;
+  return static_cast<Facts>(facts);
+}
+
 /// At a rim vertex the cell's interior directions start, counter-clockwise, after the side that leaves the vertex
 /// (edges along the rim run counter-clockwise too).
 constexpr std::array<Vector, 4> kSideDirections{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
@@ -158,14 +170,9 @@ Content buildContent(std::span<const PolygonView> polygons, std::span<const std:
     content.corners[s] = storeRimFan(content, kCorners[s], kSideDirections[s]);
     for (RimPoint& point : content.sides[s].points)
       point.spokes = storeRimFan(content, pointAt(s, point.at), kSideDirections[s]);
-    content.hasRimPoints |= !content.sides[s].points.empty();
   }
   content.spokes.emplace_back();  // so that every range has a first spoke
-  content.isLinkedInside = std::any_of(content.interior.begin(), content.interior.end(), [](const InteriorSegment& s) {
-    return s.predecessor != InteriorSegment::kRim || s.successor != InteriorSegment::kRim;
-  });
-  content.coversCell = content.interior.empty() && std::all_of(content.cover.begin(), content.cover.end(),
-                                                               [](Cover c) { return c == Cover::whole; });
+  content.facts = factsOf(content);
   return content;
 }
 

@@ -86,14 +86,20 @@ struct Side {
   std::vector<RimPoint> points;   ///< in increasing order
 };
 
+/// What neighbours and a commit ask of a content first, in one byte that each cell keeps. Bit s says that side s is
+/// whole; the rest follows. Zero for an empty cell.
+using Facts = std::uint8_t;
+inline constexpr Facts kWholeSides = 0x0f;
+inline constexpr Facts kRimPoints = 0x10;     ///< some vertex is in an open side
+inline constexpr Facts kInside = 0x20;        ///< there are interior segments
+inline constexpr Facts kLinkedInside = 0x40;  ///< some interior segment has an end inside the cell
+
 struct Content {
+  Facts facts = 0;
   std::array<Cover, 4> cover{};
   std::array<Slot, 4> wholeSlot{};          ///< of a whole side: the polygon that covers it
   std::array<std::uint8_t, 4> usedSides{};  ///< the sides with cover, in order
   std::uint8_t usedSideCount = 0;
-  bool coversCell = false;  ///< all four sides whole and nothing exposed inside: buried where its neighbours are alike
-  bool hasRimPoints = false;
-  bool isLinkedInside = false;            ///< some interior segment has an end inside the cell
   std::array<SpokeRange, 4> corners{};    ///< a range's first spoke can be read even where it is empty
   std::vector<InteriorSegment> interior;  ///< sorted by start, then end
   std::vector<Spoke> spokes;              ///< `segment` is an index in `interior`, `direction` a rank at that vertex
@@ -102,7 +108,7 @@ struct Content {
 };
 
 /// A whole side as an edge of the cell it belongs to.
-constexpr std::array<PackedEnds, 4> kWholeSides{
+constexpr std::array<PackedEnds, 4> kSideEnds{
     {PackedEnds::of(kCorners[0], kCorners[1]), PackedEnds::of(kCorners[1], kCorners[2]),
      PackedEnds::of(kCorners[2], kCorners[3]), PackedEnds::of(kCorners[3], kCorners[0])}};
 

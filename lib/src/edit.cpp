@@ -51,17 +51,6 @@ void World::Impl::apply(CellAt at, ContentId after, std::uint32_t lastSerial) {
   touch(at, after);
 }
 
-void World::Impl::touch(CellAt at, ContentId content) {
-  detail::Chunk& chunk = *at.chunk;
-  if (chunk.dirtyRows == 0) dirtyChunks.push_back(&chunk);
-  chunk.dirtyRows |= detail::RowMask{1} << at.row();
-  chunk.dirty[at.row()] |= at.bit();
-  const InternedContent& now = catalogue.content(content);
-  detail::RowMask& covered = chunk.covered[at.row()];
-  covered = now.coversCell ? covered | at.bit() : covered & ~at.bit();
-  chunk.hadRimPoints |= now.hasRimPoints;
-}
-
 /// Interns `entries_`, which are sorted by polygon, as one cell's content; overlaps between them that the relation keeps
 /// are kept.
 Expected<ContentId> World::Impl::internEntries() {
@@ -147,7 +136,13 @@ Expected<PolygonHandle> World::Impl::add(Cell cell, ShapeId shape, Block block, 
   if (!interned) return refuse(ErrorCode::unknownShape, cell);
   const CellAt at = grid.obtain(cell);
   if (!at) return refuse(ErrorCode::capacity, cell);
-  return place(at, cell, interned->polygons, interned->content, block, handles);
+  if (interned->polygons.size() == 1) {
+    if (const PolygonHandle handle = placeSole(at, interned->content, block)) {
+      if (!handles.empty()) handles[0] = handle;
+      return handle;
+    }
+  }
+  return place(at, cell, interned->polygons, block, handles);
 }
 
 Expected<PolygonHandle> World::Impl::add(Cell cell, PolygonView polygon, Block block) {
@@ -157,27 +152,26 @@ Expected<PolygonHandle> World::Impl::add(Cell cell, PolygonView polygon, Block b
   if (!id) return refuse(id.error(), cell);
   const CellAt at = grid.obtain(cell);
   if (!at) return refuse(ErrorCode::capacity, cell);
-  ContentId sole = detail::kEmptyContent;
   if (grid.content(at) == detail::kEmptyContent) {
     const auto content = catalogue.internSole(*id);
     if (!content) return refuse(content.error(), cell);
-    sole = *content;
+    if (const PolygonHandle handle = placeSole(at, *content, block)) return handle;
   }
-  return place(at, cell, {&*id, 1}, sole, block, {});
+  return place(at, cell, {&*id, 1}, block, {});
 }
 
-/// `content` is that of a cell with just these polygons and nothing preserved; not needed where the cell is not empty.
-Expected<PolygonHandle> World::Impl::place(CellAt at, Cell cell, std::span<const PolygonId> polygons, ContentId content,
-                                           Block block, std::span<PolygonHandle> handles) {
+/// The usual case: one polygon, whose content this is, into an empty cell. Null, and nothing done, if it is not that case.
+inline PolygonHandle World::Impl::placeSole(CellAt at, ContentId content, Block block) {
+  const std::uint32_t serial = grid.placeSole(at, content, block);
+  if (serial == 0) return {};
+  catalogue.use(content);
+  touch(at, content);
+  return {at.chunk->ref(at.local), serial};
+}
+
+Expected<PolygonHandle> World::Impl::place(CellAt at, Cell cell, std::span<const PolygonId> polygons, Block block,
+                                           std::span<PolygonHandle> handles) {
   const std::uint32_t ref = at.chunk->ref(at.local);
-  if (polygons.size() == 1) {
-    if (const std::uint32_t serial = grid.placeSole(at, content, block)) {
-      catalogue.use(content);
-      touch(at, content);
-      if (!handles.empty()) handles[0] = {ref, serial};
-      return PolygonHandle{ref, serial};
-    }
-  }
   const auto after = withAdded(at, polygons, block);
   if (!after) return refuse(after.error(), cell);
   const std::uint32_t first = grid.lastSerial(at) + 1;
@@ -197,9 +191,15 @@ std::optional<Slot> World::Impl::slotOf(PolygonHandle handle) const {
 }
 
 Expected<void> World::Impl::remove(PolygonHandle polygon) {
+  const CellAt at = grid.find(polygon.cellRef);
+  if (!at) return refuseHandle(polygon);
+  if (const ContentId content = grid.removeSole(at, polygon.serial); content != detail::kEmptyContent) {
+    catalogue.release(content);
+    touch(at, detail::kEmptyContent);
+    return {};
+  }
   const auto slot = slotOf(polygon);
   if (!slot) return refuseHandle(polygon);
-  const CellAt at = grid.find(polygon.cellRef);
   readEntries(at);
   entries_.erase(entries_.begin() + *slot);
   ContentId after = detail::kEmptyContent;
@@ -246,7 +246,8 @@ Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, 
     for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci)
       grid.obtain({ci * detail::kChunkSize, cj * detail::kChunkSize});
   grid.forEachCell(cells, [&](CellAt at, Cell cell) {
-    static_cast<void>(place(at, cell, interned->polygons, interned->content, block, {}));
+    if (interned->polygons.size() > 1 || !placeSole(at, interned->content, block))
+      static_cast<void>(place(at, cell, interned->polygons, block, {}));
     ++count;
   });
   return count;

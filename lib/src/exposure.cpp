@@ -3,6 +3,7 @@
 #include "boundary.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace lgs::detail {
 namespace {
@@ -26,46 +27,63 @@ void Exposure::renewChunk(const Chunk& chunk) {
     if (isCrowded(near)) {
       // What is dirty in another chunk is renewed with that one.
       near &= ~wideRow<&Chunk::dirty>(chunk, y) | (ownRow ? kOwnColumns : 0);
-      if (ownRow && !world_.preserve) near &= ~buried(chunk, y);
+      if (ownRow && !world_.preserve)
+        near &= showingRow(chunk, y) | wideRow<&Chunk::live>(chunk, y) | ~kOwnColumns;
     }
     forEachColumn(near, [&](std::int32_t x) {
       const CellAt at = cellAt(chunk, x, y);
       if (!at) return;
-      const InternedContent& content = contentOf(at);
       const auto bit = [x](WideRow row) { return static_cast<unsigned>(row >> (x + 1) & 1u); };
       const unsigned parts = bit(here) ? kAllParts
                                        : bit(below) << kSouthPart | bit(here >> 1) << kEastPart |
                                              bit(above) << kNorthPart | bit(here << 1) << kWestPart;
-      if (parts == kAllParts && !grid_.hasSegments(at))
-        createAll(at, content);
-      else
-        update(at, content, parts);
+      renew(at, parts);
     });
   });
 }
 
-/// Cells without segments that cover themselves and are enclosed by such: nothing can be exposed.
-WideRow Exposure::buried(const Chunk& chunk, std::int32_t y) const {
-  const WideRow covered = wideRow<&Chunk::covered>(chunk, y);
-  const WideRow enclosed = covered & covered << 1 & covered >> 1 & wideRow<&Chunk::covered>(chunk, y - 1) &
-                           wideRow<&Chunk::covered>(chunk, y + 1);
-  return enclosed & ~wideRow<&Chunk::live>(chunk, y) & kOwnColumns;
+/// These parts of a cell; the others stay as they are.
+void Exposure::renew(CellAt at, unsigned parts) {
+  const bool isEmpty = at.chunk->facts[at.local] == 0;
+  if (!grid_.hasSegments(at)) {
+    if (isEmpty) return;
+    if (parts == kAllParts) {
+      createAll(at, contentOf(at), facing(at));
+      return;
+    }
+  } else if (isEmpty) {
+    removeAll(at);
+    return;
+  }
+  const InternedContent& content = contentOf(at);
+  const Facing sides = facing(at);
+  if (std::has_single_bit(parts) && parts != 1u << kInterior && sides.isSimple)
+    if (updateWholeSide(at, content, sides, static_cast<unsigned>(std::countr_zero(parts)) - 1)) return;
+  update(at, content, sides, parts);
+}
+
+Exposure::Facing Exposure::facing(CellAt at) const {
+  const auto facts = [&](unsigned side) -> unsigned {
+    const CellAt beyond = across(at, side);
+    return beyond ? beyond.chunk->facts[beyond.local] : 0u;
+  };
+  const unsigned south = facts(kSouth), east = facts(kEast), north = facts(kNorth), west = facts(kWest);
+  const unsigned all = at.chunk->facts[at.local] | south | east | north | west;
+  return {hiddenSides(south, east, north, west), !world_.preserve && (all & kRimPoints) == 0};
 }
 
 /// The exposed edges on one side, in order: emit(ends, slot, touching, exposed). In the usual case, an edge from corner
 /// to corner against a side that is whole or free, it is called once with `exposed` true or false, so that there is no
 /// branch to be mispredicted.
 template <class Emit>
-void Exposure::exposeSide(CellAt at, const Content& content, unsigned side, Emit&& emit) {
-  const CellAt beyond = across(at, side);
-  const Content& facing = contentOf(beyond);
-  const Cover theirs = facing.cover[opposite(side)];
-  if (content.cover[side] == Cover::whole && theirs != Cover::mixed && !world_.preserve) {
-    emit(kWholeSides[side], content.wholeSlot[side], bothCorners(side), theirs == Cover::none);
+void Exposure::exposeSide(CellAt at, const Content& content, Facing facing, unsigned side, Emit&& emit) {
+  if (facing.isSimple) {
+    emit(kSideEnds[side], content.wholeSlot[side], bothCorners(side), (facing.hidden >> side & 1u) == 0);
     return;
   }
+  const CellAt beyond = across(at, side);
   exposedParts(
-      content.sides[side], facing.sides[opposite(side)],
+      content.sides[side], contentOf(beyond).sides[opposite(side)],
       [&](Slot a, Slot b) {
         return world_.preserve && world_.keeps(grid_.placed(at, a).block, grid_.placed(beyond, b).block);
       },
@@ -77,8 +95,7 @@ void Exposure::exposeSide(CellAt at, const Content& content, unsigned side, Emit
 }
 
 /// All segments of a cell that has none yet.
-void Exposure::createAll(CellAt at, const InternedContent& content) {
-  if (content.polygons.empty()) return;
+void Exposure::createAll(CellAt at, const InternedContent& content, Facing facing) {
   const std::uint32_t ref = at.chunk->ref(at.local);
   const bool single = content.polygons.size() == 1;
   const Placed first = grid_.placed(at, 0);
@@ -92,7 +109,7 @@ void Exposure::createAll(CellAt at, const InternedContent& content) {
   for (unsigned k = 0; k < content.usedSideCount; ++k) {
     const unsigned side = content.usedSides[k];
     const std::size_t before = scratch_.addedCount;
-    exposeSide(at, content, side, [&](const PackedEnds& ends, Slot slot, std::uint8_t touch, bool exposed) {
+    exposeSide(at, content, facing, side, [&](const PackedEnds& ends, Slot slot, std::uint8_t touch, bool exposed) {
       create(ref, ends, placed(slot), exposed);
       touches |= exposed ? touch : 0u;
     });
@@ -146,10 +163,41 @@ class Exposure::PartUpdate {
   bool changed_ = false;
 };
 
-/// These parts of a cell that may have segments; the others stay as they are.
-void Exposure::update(CellAt at, const InternedContent& content, unsigned parts) {
+void Exposure::removeAll(CellAt at) {
+  for (const std::uint32_t id : grid_.segments(at)) world_.changes.removed.push_back({id});
+  grid_.setSegments(at, nullptr, {}, 0);
+}
+
+/// The usual case of a neighbour: a side that one segment runs along, or none. False: not such a case, nothing done.
+bool Exposure::updateWholeSide(CellAt at, const InternedContent& content, Facing facing, unsigned side) {
+  if (content.cover[side] != Cover::whole) return false;
   const CellRecord* old = grid_.record(at);
-  if (content.polygons.empty() && !old) return;
+  const unsigned part = partOf(side);
+  const std::uint32_t count = old ? old->count() : 0, begin = old ? old->begin(part) : 0;
+  const bool shows = (facing.hidden >> side & 1u) == 0, showed = old && old->end[part] != begin;
+  const unsigned before = old ? old->touching : 0u;
+  if (showed && (old->end[part] - begin != 1 || (before & bothCorners(side)) != bothCorners(side))) return false;
+  if (shows == showed) return true;
+  auto& ids = scratch_.ids;
+  if (ids.size() < count + 1) ids.resize(2 * count + 16);
+  std::array<std::uint16_t, kParts> ends{};
+  if (old) {
+    std::copy_n(old->ids(), begin, ids.data());
+    std::copy_n(old->ids() + begin + showed, count - begin - showed, ids.data() + begin + shows);
+    ends = old->end;
+  }
+  if (shows)
+    ids[begin] = create(at.chunk->ref(at.local), kSideEnds[side], grid_.placed(at, content.wholeSlot[side]), true);
+  else
+    world_.changes.removed.push_back({old->ids()[begin]});
+  for (unsigned p = part; p < kParts; ++p) ends[p] = static_cast<std::uint16_t>(ends[p] + shows - showed);
+  grid_.setSegments(at, ids.data(), ends, static_cast<std::uint8_t>(before ^ bothCorners(side)));
+  return true;
+}
+
+/// The general case: what is there merged with what shows.
+void Exposure::update(CellAt at, const InternedContent& content, Facing facing, unsigned parts) {
+  const CellRecord* old = grid_.record(at);
   auto& ids = scratch_.ids;
   ids.clear();
   std::array<std::uint16_t, kParts> ends{};
@@ -165,7 +213,7 @@ void Exposure::update(CellAt at, const InternedContent& content, unsigned parts)
       if (part == kInterior) {
         for (const InteriorSegment& s : content.interior) merge(s.ends, s.slot);
       } else if (content.cover[part - 1] != Cover::none) {
-        exposeSide(at, content, part - 1, [&](const PackedEnds& e, Slot slot, std::uint8_t touch, bool exposed) {
+        exposeSide(at, content, facing, part - 1, [&](const PackedEnds& e, Slot slot, std::uint8_t touch, bool exposed) {
           if (!exposed) return;
           merge(e, slot);
           touches |= touch;
@@ -181,15 +229,15 @@ void Exposure::update(CellAt at, const InternedContent& content, unsigned parts)
 /// Writes a new segment where the next one goes, and takes the place only if it is exposed.
 std::uint32_t Exposure::create(std::uint32_t cellRef, const PackedEnds& ends, Placed placed, bool exposed) {
   const std::uint32_t id = pool_.next();
-  SegmentRecord& s = pool_[id];
-  s = SegmentRecord{};
-  s.fresh = 1;
-  s.cellRef = exposed ? cellRef : 0;
-  s.block = placed.block;
-  s.serial = placed.serial & kMaxSerial;
-  s.high = ends.high & 0xfu;
-  s.from = ends.from;
-  s.to = ends.to;
+  pool_[id] = {.predecessor = kUnlinked,
+               .successor = kUnlinked,
+               .listed = 0,
+               .cellRef = exposed ? cellRef : 0,
+               .block = placed.block,
+               .serial = placed.serial & kMaxSerial,
+               .high = ends.high & 0xfu,
+               .from = ends.from,
+               .to = ends.to};
   pool_.take(exposed);
   if (scratch_.addedCount == scratch_.added.size()) scratch_.added.resize(2 * scratch_.added.size() + 64);
   scratch_.added[scratch_.addedCount] = id;

@@ -21,14 +21,23 @@ class Exposure {
  private:
   class PartUpdate;
 
-  WideRow buried(const Chunk& chunk, std::int32_t y) const;
+  /// What hides the sides of a cell.
+  struct Facing {
+    unsigned hidden = 0;   ///< bit s: side s is hidden as a whole by one edge
+    bool isSimple = true;  ///< that is all: the others are free as a whole
+  };
+
+  Facing facing(CellAt at) const;
   const InternedContent& contentOf(CellAt at) const {
     return world_.catalogue.content(at ? grid_.content(at) : kEmptyContent);
   }
-  void createAll(CellAt at, const InternedContent& content);
-  void update(CellAt at, const InternedContent& content, unsigned parts);
+  void renew(CellAt at, unsigned parts);
+  void removeAll(CellAt at);
+  void createAll(CellAt at, const InternedContent& content, Facing facing);
+  bool updateWholeSide(CellAt at, const InternedContent& content, Facing facing, unsigned side);
+  void update(CellAt at, const InternedContent& content, Facing facing, unsigned parts);
   template <class Emit>
-  void exposeSide(CellAt at, const Content& content, unsigned side, Emit&& emit);
+  void exposeSide(CellAt at, const Content& content, Facing facing, unsigned side, Emit&& emit);
   std::uint32_t create(std::uint32_t cellRef, const PackedEnds& ends, Placed placed, bool exposed);
 
   World::Impl& world_;

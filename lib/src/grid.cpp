@@ -13,6 +13,12 @@ std::uint64_t hashOf(std::int32_t ci, std::int32_t cj) {
 
 }  // namespace
 
+Grid::Grid() {
+  chunks_.push_back(std::make_unique<Chunk>());
+  last_ = chunks_[0].get();
+  last_->ci = last_->cj = INT32_MIN / kChunkSize;  // no cell in range is there
+}
+
 Chunk* Grid::findChunk(Cell cell) const {
   const std::int32_t ci = cell.i >> 5, cj = cell.j >> 5;
   const std::uint32_t found =
@@ -50,14 +56,14 @@ void Grid::link(Chunk& chunk) {
 
 // The block of an empty cell means nothing, so a chunk keeps one block for all until the first polygon with another one.
 void Grid::setFirstOtherBlock(Chunk& chunk, std::uint32_t local, Block block) {
-  if (!chunk.hasBlock) {
-    chunk.hasBlock = true;
+  if (chunk.commonBlock == Chunk::kNoBlock) {
     chunk.commonBlock = block;
     return;
   }
   chunk.blocks = std::make_unique_for_overwrite<Block[]>(kChunkCells);
-  std::fill_n(chunk.blocks.get(), kChunkCells, chunk.commonBlock);
+  std::fill_n(chunk.blocks.get(), kChunkCells, static_cast<Block>(chunk.commonBlock));
   chunk.blocks[local] = block;
+  chunk.commonBlock = Chunk::kNoBlock;
 }
 
 std::uint32_t Grid::lastSerial(CellAt cell) const {

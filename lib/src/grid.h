@@ -37,17 +37,17 @@ struct Chunk {
   std::int32_t cj = 0;
   std::uint32_t index = 0;
   RowMask dirtyRows = 0;                      ///< rows with a dirty cell
-  bool hadRimPoints = false;                  ///< some cell has, or had, a content with rim points
+  Facts everFacts = 0;                        ///< of all contents that any cell has, or had
   std::array<Chunk*, 9> around{};             ///< [3·(dj+1) + di+1]; null where there is none
   std::array<RowMask, kChunkSize> dirty{};    ///< edited since the last commit
-  std::array<RowMask, kChunkSize> covered{};  ///< Content::coversCell
   std::array<RowMask, kChunkSize> live{};     ///< has segments
-  Block commonBlock = 0;                      ///< of all compact cells, while `blocks` is null
-  bool hasBlock = false;                      ///< commonBlock has been set
+  std::uint64_t commonBlock = kNoBlock;       ///< of all compact cells, while `blocks` is null
   std::unique_ptr<Block[]> blocks;
+  std::array<Facts, kChunkCells> facts{};     ///< of each cell's content
   std::array<std::uint32_t, kChunkCells> cells{};
 
-  Block block(std::uint32_t local) const { return blocks ? blocks[local] : commonBlock; }
+  static constexpr std::uint64_t kNoBlock = std::uint64_t{1} << 32;
+  Block block(std::uint32_t local) const { return blocks ? blocks[local] : static_cast<Block>(commonBlock); }
   Cell cell(std::uint32_t local) const {
     return {ci * kChunkSize + static_cast<std::int32_t>(local % kChunkSize),
             cj * kChunkSize + static_cast<std::int32_t>(local / kChunkSize)};
@@ -126,12 +126,14 @@ struct ChunkRect {
 
 class Grid {
  public:
-  Grid() { chunks_.push_back(std::make_unique<Chunk>()); }
+  Grid();
 
   /// No chunk where there is none yet.
   CellAt find(Cell cell) const { return {isLast(cell) ? last_ : findChunk(cell), localOf(cell)}; }
   /// Makes the chunk if need be; no chunk when there are kMaxChunks already.
   CellAt obtain(Cell cell) { return {isLast(cell) ? last_ : obtainChunk(cell), localOf(cell)}; }
+  /// No chunk where it is not the one that obtain() found last.
+  CellAt findQuickly(Cell cell) const { return {isLast(cell) ? last_ : nullptr, localOf(cell)}; }
   /// The cell that a handle or a segment names; no chunk where the number is none of ours.
   CellAt find(std::uint32_t cellRef) const {
     const std::uint32_t index = cellRef / kChunkCells;
@@ -184,6 +186,25 @@ class Grid {
     setBlock(*cell.chunk, cell.local, block);
     return word & kSerialMask;
   }
+  /// The same without looking further: 0 also if the cell has a record, or if its block has no place yet.
+  static std::uint32_t placeQuickly(CellAt cell, ContentId content, Block block) {
+    std::uint32_t& word = cell.word();
+    Chunk& chunk = *cell.chunk;
+    if (word >= kSerialMask || (chunk.commonBlock != block && !chunk.blocks)) return 0;
+    if (chunk.blocks) chunk.blocks[cell.local] = block;
+    word = content << kSerialBits | (word + 1);
+    return word & kSerialMask;
+  }
+  /// Empties a cell that holds one polygon, this one. Returns the content it had, or kEmptyContent and does nothing if the
+  /// cell is not like that, or keeps a list of its polygons.
+  ContentId removeSole(CellAt cell, std::uint32_t serial) {
+    CellRecord* r = writable(cell);
+    std::uint32_t& word = r ? r->state : cell.word();
+    if ((word & kSerialMask) != serial || (r && r->polygons != CellRecord::kCompact)) return kEmptyContent;
+    const ContentId content = word >> kSerialBits;
+    word = serial;
+    return content;
+  }
   /// Makes `content` that of a cell, its slots filled by `polygons`; or empties it.
   void setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons);
 
@@ -230,24 +251,24 @@ class Grid {
   }
 
   static void setBlock(Chunk& chunk, std::uint32_t local, Block block) {
-    if (chunk.blocks) {
+    if (chunk.commonBlock == block) return;
+    if (chunk.blocks)
       chunk.blocks[local] = block;
-    } else if (chunk.commonBlock != block || !chunk.hasBlock) {
+    else
       setFirstOtherBlock(chunk, local, block);
-    }
   }
   static void setFirstOtherBlock(Chunk& chunk, std::uint32_t local, Block block);
   Chunk* findChunk(Cell cell) const;
   Chunk* obtainChunk(Cell cell);
   void link(Chunk& chunk);
-  bool isLast(Cell cell) const { return last_ && last_->ci == cell.i >> 5 && last_->cj == cell.j >> 5; }
+  bool isLast(Cell cell) const { return last_->ci == cell.i >> 5 && last_->cj == cell.j >> 5; }
 
   // Index 0 is no chunk of the world. Cell 0, where a segment that is not alive says it is, can be read there: a dangling
   // link, should there ever be one, is wrong and not a crash, and the harness can report it.
   std::vector<std::unique_ptr<Chunk>> chunks_;
   HashIndex index_;
   RecordArena records_;
-  Chunk* last_ = nullptr;  // found by the last edit: edits come in neighbourhoods
+  Chunk* last_ = nullptr;  // found by the last edit, or chunk 0: edits come in neighbourhoods
 };
 
 }  // namespace lgs::detail

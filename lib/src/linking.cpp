@@ -44,16 +44,17 @@ class Linking::Fan {
 };
 
 void Linking::linkChunk(const Chunk& chunk) {
-  const bool nearRimPoints =
-      std::any_of(chunk.around.begin(), chunk.around.end(), [](const Chunk* c) { return c && c->hadRimPoints; });
+  const bool nearRimPoints = std::any_of(chunk.around.begin(), chunk.around.end(),
+                                         [](const Chunk* c) { return c && (c->everFacts & kRimPoints) != 0; });
   forEachRowNear(chunk.dirtyRows, [&](std::int32_t y) {
     if (y < 0) return;
     const WideRow here = dirtyRow(chunk, y);
-    forEachColumn(here, [&](std::int32_t x) {
-      const CellAt at = cellAt(chunk, x, y);
-      if (grid_.hasSegments(at)) linkInterior(at);
-      if (nearRimPoints) linkSides(at);
-    });
+    if (y < kChunkSize) {
+      const WideRow live = wideRow<&Chunk::live>(chunk, y);
+      if ((chunk.everFacts & kLinkedInside) != 0)
+        forEachColumn(here & live, [&](std::int32_t x) { linkInterior(cellAt(chunk, x, y)); });
+      if (nearRimPoints) forEachColumn(here, [&](std::int32_t x) { linkSides(cellAt(chunk, x, y)); });
+    }
     // The corners below row y: corner x lies between columns x - 1 and x.
     const WideRow dirty = here | dirtyRow(chunk, y - 1);
     WideRow corners = dirty | dirty << 1;
@@ -67,7 +68,7 @@ void Linking::linkChunk(const Chunk& chunk) {
 
 void Linking::linkInterior(CellAt at) {
   const InternedContent& content = contentOf(at);
-  if (!content.isLinkedInside) return;
+  if ((content.facts & kLinkedInside) == 0) return;
   const std::span<const std::uint32_t> ids = grid_.record(at)->ids(kInterior);
   const auto idOf = [&](std::uint32_t k) { return k == InteriorSegment::kNone ? kNoSegment : ids[k]; };
   for (std::size_t k = 0; k < content.interior.size(); ++k) {
@@ -115,7 +116,7 @@ void Linking::linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y) {
 
 void Linking::linkSides(CellAt at) {
   for (unsigned side = 0; side < kSides; ++side)
-    if (contentOf(at).hasRimPoints || contentOf(across(at, side)).hasRimPoints) linkSide(at, side);
+    if (((contentOf(at).facts | contentOf(across(at, side)).facts) & kRimPoints) != 0) linkSide(at, side);
 }
 
 /// Walks along one cell's side of a boundary, from vertex to vertex.
@@ -185,16 +186,16 @@ void Linking::setPredecessor(std::uint32_t id, std::uint32_t now) {
   SegmentRecord& s = pool_[id];
   const std::uint32_t before = s.predecessor;
   if (before == now) return;
-  s.predecessor = now & kMaxSegment;
-  if (!s.fresh && (!before || !now || world_.startOf(before) != world_.startOf(now))) list(s, id);
+  s.predecessor = now;
+  if (before != kUnlinked && (!before || !now || world_.startOf(before) != world_.startOf(now))) list(s, id);
 }
 
 void Linking::setSuccessor(std::uint32_t id, std::uint32_t now) {
   SegmentRecord& s = pool_[id];
   const std::uint32_t before = s.successor;
   if (before == now) return;
-  s.successor = now & kMaxSegment;
-  if (!s.fresh && (!before || !now || world_.endOf(before) != world_.endOf(now))) list(s, id);
+  s.successor = now & kUnlinked;
+  if (before != kUnlinked && (!before || !now || world_.endOf(before) != world_.endOf(now))) list(s, id);
 }
 
 void Linking::list(SegmentRecord& segment, std::uint32_t id) {

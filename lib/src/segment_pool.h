@@ -14,8 +14,9 @@ namespace lgs::detail {
 
 inline constexpr std::uint32_t kNoSegment = 0;
 
-/// An id has 31 bits, so that a record has room for two flags.
-inline constexpr std::uint32_t kMaxSegment = (1u << 31) - 1;
+/// An id has 31 bits, so that a record has room for a flag; the last one says that a new segment is not linked yet.
+inline constexpr std::uint32_t kUnlinked = (1u << 31) - 1;
+inline constexpr std::uint32_t kMaxSegment = kUnlinked - 1;
 
 /// Serial numbers of the polygons of one cell start at 1 and are never used twice; a record has 28 bits for one.
 inline constexpr std::uint32_t kMaxSerial = (1u << 28) - 1;
@@ -45,16 +46,15 @@ struct PackedEnds {
 
 /// 28 bytes.
 struct SegmentRecord {
-  std::uint32_t predecessor : 31 = kNoSegment;
-  std::uint32_t fresh : 1 = 0;  ///< added by the commit under way
-  std::uint32_t successor : 31 = kNoSegment;
-  std::uint32_t listed : 1 = 0;  ///< already among the relinked of the commit under way
-  std::uint32_t cellRef = 0;     ///< 0: not alive
-  Block block = 0;
-  std::uint32_t serial : 28 = 0;
-  std::uint32_t high : 4 = 0;
-  std::uint32_t from = 0;
-  std::uint32_t to = 0;
+  std::uint32_t predecessor;
+  std::uint32_t successor : 31;
+  std::uint32_t listed : 1;  ///< already among the relinked of the commit under way
+  std::uint32_t cellRef;     ///< 0: not alive
+  Block block;
+  std::uint32_t serial : 28;
+  std::uint32_t high : 4;
+  std::uint32_t from;
+  std::uint32_t to;
 
   PackedEnds ends() const { return {from, to, high}; }
   LocalPoint start() const { return ends().start(); }
@@ -64,6 +64,12 @@ static_assert(sizeof(SegmentRecord) == 28);
 
 class SegmentPool {
  public:
+  SegmentPool() {
+    next();
+    (*this)[kNoSegment] = SegmentRecord{};  // what a dangling link, should there ever be one, finds
+    take(true);
+  }
+
   SegmentRecord& operator[](std::uint32_t id) { return pages_[id / kPage][id % kPage]; }
   const SegmentRecord& operator[](std::uint32_t id) const { return pages_[id / kPage][id % kPage]; }
 
@@ -72,7 +78,7 @@ class SegmentPool {
     if (!free_.empty()) return free_.back();
     if (top_ / kPage == pages_.size()) {
       if (top_ > kMaxSegment) std::abort();  // 56 GiB of segments: treated as running out of memory
-      pages_.push_back(std::make_unique<SegmentRecord[]>(kPage));
+      pages_.push_back(std::make_unique_for_overwrite<SegmentRecord[]>(kPage));
     }
     return top_;
   }
@@ -96,7 +102,7 @@ class SegmentPool {
   static constexpr std::uint32_t kPage = 4096;
   std::vector<std::unique_ptr<SegmentRecord[]>> pages_;
   std::vector<std::uint32_t> free_;
-  std::uint32_t top_ = 1;  // 0 names no segment
+  std::uint32_t top_ = 0;  // 0 names no segment
 };
 
 }  // namespace lgs::detail

@@ -40,6 +40,36 @@ void forEachColumn(WideRow row, Visit&& visit) {
   for (; row != 0; row &= row - 1) visit(std::countr_zero(row) - 1);
 }
 
+/// The sides of a cell that are hidden by whole sides of the cells across: bit s for side s.
+constexpr unsigned hiddenSides(unsigned south, unsigned east, unsigned north, unsigned west) {
+  return (south >> 2 & 1u) | (east >> 2 & 2u) | (north << 2 & 4u) | (west << 2 & 8u);
+}
+
+/// The cells of row y (0 … 31) of which anything may show where nothing is preserved; none of the others shows anything.
+inline WideRow showingRow(const Chunk& chunk, std::int32_t y) {
+  static constexpr std::array<Facts, kChunkSize> kNoFacts{};
+  const auto row = [&](std::int32_t di, std::int32_t yOfRow) {
+    const Chunk* c = chunk.around[static_cast<std::size_t>(3 * (yOfRow >> 5) + di + 4)];
+    return c ? c->facts.data() + (yOfRow & (kChunkSize - 1)) * kChunkSize : kNoFacts.data();
+  };
+  std::array<Facts, kChunkSize + 2> wide;  // with a column of the neighbours at either end
+  wide.front() = row(-1, y)[kChunkSize - 1];
+  std::copy_n(row(0, y), kChunkSize, wide.data() + 1);
+  wide.back() = row(1, y)[0];
+  const Facts *below = row(0, y - 1), *above = row(0, y + 1);
+  std::array<Facts, kChunkSize> shows;
+  for (std::size_t x = 0; x < kChunkSize; ++x)
+    shows[x] = static_cast<Facts>(wide[x + 1] & ~hiddenSides(below[x], wide[x + 2], above[x], wide[x]));
+  WideRow bits = 0;
+  for (std::size_t x = 0; x < kChunkSize; x += 8) {
+    WideRow eight = 0;  // compilers make this one load
+    for (std::size_t k = 0; k < 8; ++k) eight |= WideRow{shows[x + k]} << 8 * k;
+    const WideRow isSet = (eight + 0x7f7f'7f7f'7f7f'7f7f) >> 7 & 0x0101'0101'0101'0101;
+    bits |= (isSet * 0x0102'0408'1020'4080 >> 56) << x;
+  }
+  return bits << 1;
+}
+
 /// Whether a row may have so many bits that finding out which of them can be skipped pays. A rule of thumb: they span more
 /// than eight columns.
 inline bool isCrowded(WideRow row) { return row >> std::countr_zero(row | WideRow{1} << 63) >= 256; }

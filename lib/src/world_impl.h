@@ -31,6 +31,7 @@ struct World::Impl {
 
   // edit.cpp
   Expected<ShapeId> shape(std::span<const detail::PolygonView> polygons);
+  PolygonHandle addQuickly(Cell cell, ShapeId shape, Block block);
   Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles);
   Expected<PolygonHandle> add(Cell cell, detail::PolygonView polygon, Block block);
   Expected<void> remove(PolygonHandle polygon);
@@ -78,11 +79,13 @@ struct World::Impl {
   void addEntries(std::span<const detail::PolygonId> added, Block block, std::uint32_t lastSerial);
   Expected<detail::ContentId> internEntries();
   Expected<detail::ContentId> withAdded(detail::CellAt at, std::span<const detail::PolygonId> added, Block block);
-  Expected<PolygonHandle> place(detail::CellAt at, Cell cell, std::span<const detail::PolygonId> polygons,
-                                detail::ContentId content, Block block, std::span<PolygonHandle> handles);
+  PolygonHandle placeSole(detail::CellAt at, detail::ContentId content, Block block);
+  Expected<PolygonHandle> place(detail::CellAt at, Cell cell, std::span<const detail::PolygonId> polygons, Block block,
+                                std::span<PolygonHandle> handles);
   void apply(detail::CellAt at, detail::ContentId after, std::uint32_t lastSerial);
   tl::unexpected<Error> describeOverlap(detail::CellAt at, std::span<const detail::PolygonId> added, Error error);
   void touch(detail::CellAt at, detail::ContentId content);
+  void mark(detail::CellAt at, detail::ContentId content);
 
   std::size_t workingBytes() const {
     const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
@@ -96,5 +99,35 @@ struct World::Impl {
   std::vector<std::uint8_t> known_;
   std::vector<std::pair<detail::Slot, detail::Slot>> kept_;
 };
+
+/// Notes the content that a cell has from now on.
+inline void World::Impl::touch(detail::CellAt at, detail::ContentId content) {
+  if (at.chunk->dirtyRows == 0) dirtyChunks.push_back(at.chunk);
+  mark(at, content);
+}
+
+/// The same for a cell of a chunk that is among the dirty ones.
+inline void World::Impl::mark(detail::CellAt at, detail::ContentId content) {
+  detail::Chunk& chunk = *at.chunk;
+  chunk.dirtyRows |= detail::RowMask{1} << at.row();
+  chunk.dirty[at.row()] |= at.bit();
+  const detail::Facts facts = catalogue.content(content).facts;
+  chunk.facts[at.local] = facts;
+  chunk.everFacts |= facts;
+}
+
+/// The usual case of add(), ahead of all else and without a call: one polygon into an empty cell, in a dirty chunk that
+/// the last edit found too. Null, and nothing done, if it is not that case.
+inline PolygonHandle World::Impl::addQuickly(Cell cell, ShapeId shape, Block block) {
+  const detail::InternedShape* interned = catalogue.shape(shape);
+  const detail::CellAt at = grid.findQuickly(cell);
+  if (!inRange(cell) || !interned || interned->sole == detail::kEmptyContent || !at || at.chunk->dirtyRows == 0)
+    return {};
+  const std::uint32_t serial = detail::Grid::placeQuickly(at, interned->sole, block);
+  if (serial == 0) return {};
+  catalogue.use(interned->sole);
+  mark(at, interned->sole);
+  return {at.chunk->ref(at.local), serial};
+}
 
 }  // namespace lgs

@@ -26,7 +26,7 @@
 namespace lgs {
 
 /// Limits. Beyond them an edit is refused with ErrorCode::capacity; so it is beyond 2^23 - 1 distinct contents of cells
-/// and 2^28 - 1 polygons ever placed in one cell. Beyond 8 GiB of records of cells that show, or 2^31 - 1 segments, a
+/// and 2^28 - 1 polygons ever placed in one cell. Beyond 8 GiB of records of cells that show, or 2^31 - 2 segments, a
 /// commit ends the program, as running out of memory does.
 inline constexpr std::size_t kMaxVerticesPerCell = 4'096;  ///< of all polygons of one cell together
 inline constexpr std::size_t kMaxPolygonsPerCell = 254;
