@@ -43,8 +43,8 @@ std::uint32_t store(std::vector<std::unique_ptr<T>>& table, std::vector<std::uin
 }  // namespace
 
 Catalogue::Catalogue() {
-  contents_.push_back(std::make_unique<InternedContent>(InternedContent{buildContent({}, {}), {}, {}, 0, 0}));
-  contents_[kEmptyContent]->users = 1;
+  contents_.push_back(std::make_unique<InternedContent>(InternedContent{buildContent({}, {}), {}, {}, 0}));
+  uses_.push_back({.users = 1, .facts = 0});
 }
 
 Expected<PolygonId> Catalogue::internPolygon(PolygonView vertices) {
@@ -97,10 +97,12 @@ Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons
     }
   }
 
-  InternedContent content{buildContent(views, preserved), {}, {}, hash, 0};
+  InternedContent content{buildContent(views, preserved), {}, {}, hash};
   content.polygons.assign(polygons.begin(), polygons.end());
   content.preserved.assign(preserved.begin(), preserved.end());
   const ContentId id = store(contents_, freeContents_, std::move(content));
+  uses_.resize(contents_.size());
+  uses_[id] = {.users = 0, .facts = contents_[id]->facts};
   contentIndex_.insert(hash, id);
   for (const PolygonId polygon : polygons) acquire(polygons_[polygon]->users);
   if (polygons.size() == 1) polygons_[polygons[0]]->sole = id;
@@ -129,7 +131,8 @@ Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
   }
   use(*content);
   for (const PolygonId id : given) acquire(polygons_[id]->users);
-  shapes_.push_back({*content, given.size() == 1 ? *content : kEmptyContent, given});
+  shapes_.push_back({*content, given});
+  soles_.push_back(given.size() == 1 ? *content : kEmptyContent);
   const ShapeId id{static_cast<std::uint32_t>(shapes_.size())};
   shapeIndex_.emplace(given, id);
   return id;
@@ -140,7 +143,7 @@ void Catalogue::collect() {
   // full of garbage no more than half is unused.
   if (unused_ < 1024 || 4 * unused_ < contents_.size() + polygons_.size()) return;
   for (ContentId id = 1; id < contents_.size(); ++id)
-    if (contents_[id]->users == 0 && !contents_[id]->polygons.empty()) forgetContent(id);
+    if (uses_[id].users == 0 && !contents_[id]->polygons.empty()) forgetContent(id);
   for (PolygonId id = 0; id < polygons_.size(); ++id)
     if (polygons_[id]->users == 0 && !polygons_[id]->vertices.empty()) forgetPolygon(id);
 }
@@ -174,7 +177,7 @@ std::uint64_t Catalogue::bytes() const {
     for (const Side& side : c->sides) sum += of(side.covered) + of(side.points);
   }
   for (const InternedShape& s : shapes_) sum += 2 * of(s.polygons);
-  return sum + of(shapes_) + of(freePolygons_) + of(freeContents_);
+  return sum + of(uses_) + of(shapes_) + of(soles_) + of(freePolygons_) + of(freeContents_);
 }
 
 }  // namespace lgs::detail

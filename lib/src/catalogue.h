@@ -25,12 +25,10 @@ struct InternedContent : Content {
   std::vector<PolygonId> polygons;
   std::vector<std::pair<Slot, Slot>> preserved;
   std::uint64_t hash = 0;
-  std::uint32_t users = 0;  ///< cells and shapes; a content without users may be forgotten
 };
 
 struct InternedShape {
   ContentId content = kEmptyContent;  ///< with nothing preserved
-  ContentId sole = kEmptyContent;     ///< the same, if there is but one polygon
   std::vector<PolygonId> polygons;    ///< in the order given
 };
 
@@ -39,12 +37,16 @@ class Catalogue {
   Catalogue();
 
   const InternedContent& content(ContentId id) const { return *contents_[id]; }
+  Facts facts(ContentId id) const { return uses_[id].facts; }
   PolygonView vertices(PolygonId id) const { return polygons_[id]->vertices; }
   /// Valid until the next shape is made; null for an id that is none of ours.
   const InternedShape* shape(ShapeId id) const {
     const std::size_t index = id.value - std::size_t{1};
     return index < shapes_.size() ? &shapes_[index] : nullptr;
   }
+
+  /// The content of a shape of one polygon; kEmptyContent for any other, and for an id that is none of ours.
+  ContentId soleContent(ShapeId id) const { return id.value < soles_.size() ? soles_[id.value] : kEmptyContent; }
 
   /// The polygon with these vertices, validated if it is new.
   Expected<PolygonId> internPolygon(PolygonView vertices);
@@ -59,8 +61,8 @@ class Catalogue {
 
   bool meet(PolygonId a, PolygonId b) const { return interiorsMeet(vertices(a), vertices(b)); }
 
-  void use(ContentId id) { acquire(contents_[id]->users); }
-  void release(ContentId id) { drop(contents_[id]->users); }
+  void use(ContentId id) { acquire(uses_[id].users); }
+  void release(ContentId id) { drop(uses_[id].users); }
 
   /// Forgets the contents and polygons that nothing uses, once they are many. Amortised O(1) for each that was made.
   void collect();
@@ -77,6 +79,12 @@ class Catalogue {
     ContentId sole = kEmptyContent;
   };
 
+  /// What edits ask of a content, apart from the rest so that they touch little memory.
+  struct Use {
+    std::uint32_t users = 0;  ///< cells and shapes; a content without users may be forgotten
+    Facts facts = 0;          ///< as in the content
+  };
+
   void acquire(std::uint32_t& users) { unused_ -= users++ == 0; }
   void drop(std::uint32_t& users) { unused_ += --users == 0; }
   void forgetContent(ContentId id);
@@ -84,7 +92,9 @@ class Catalogue {
 
   std::vector<std::unique_ptr<InternedPolygon>> polygons_;
   std::vector<std::unique_ptr<InternedContent>> contents_;
+  std::vector<Use> uses_;  ///< by content
   std::vector<InternedShape> shapes_;
+  std::vector<ContentId> soles_{kEmptyContent};  ///< by shape: see soleContent()
   std::map<std::vector<PolygonId>, ShapeId> shapeIndex_;
   HashIndex polygonIndex_;
   HashIndex contentIndex_;

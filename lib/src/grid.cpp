@@ -27,7 +27,7 @@ Chunk* Grid::findChunk(Cell cell) const {
 }
 
 Chunk* Grid::obtainChunk(Cell cell) {
-  if (Chunk* found = findChunk(cell)) return last_ = found;
+  if (Chunk* found = findChunk(cell)) return remember(found);
   if (chunks_.size() > kMaxChunks) return nullptr;
   auto chunk = std::make_unique<Chunk>();
   chunk->ci = cell.i >> 5;
@@ -36,7 +36,7 @@ Chunk* Grid::obtainChunk(Cell cell) {
   link(*chunk);
   index_.insert(hashOf(chunk->ci, chunk->cj), chunk->index);
   chunks_.push_back(std::move(chunk));
-  return last_ = chunks_.back().get();
+  return remember(chunks_.back().get());
 }
 
 void Grid::link(Chunk& chunk) {

@@ -132,7 +132,7 @@ class Grid {
   CellAt find(Cell cell) const { return {isLast(cell) ? last_ : findChunk(cell), localOf(cell)}; }
   /// Makes the chunk if need be; no chunk when there are kMaxChunks already.
   CellAt obtain(Cell cell) { return {isLast(cell) ? last_ : obtainChunk(cell), localOf(cell)}; }
-  /// No chunk where it is not the one that obtain() found last.
+  /// No chunk where it is not the one that obtain() found last; never the cell of a chunk that is not in range as a whole.
   CellAt findQuickly(Cell cell) const { return {isLast(cell) ? last_ : nullptr, localOf(cell)}; }
   /// The cell that a handle or a segment names; no chunk where the number is none of ours.
   CellAt find(std::uint32_t cellRef) const {
@@ -188,12 +188,15 @@ class Grid {
   }
   /// The same without looking further: 0 also if the cell has a record, or if its block has no place yet.
   static std::uint32_t placeQuickly(CellAt cell, ContentId content, Block block) {
-    std::uint32_t& word = cell.word();
     Chunk& chunk = *cell.chunk;
-    if (word >= kSerialMask || (chunk.commonBlock != block && !chunk.blocks)) return 0;
-    if (chunk.blocks) chunk.blocks[cell.local] = block;
-    word = content << kSerialBits | (word + 1);
-    return word & kSerialMask;
+    const std::uint32_t lastSerial = cell.word();
+    if (lastSerial >= kSerialMask) return 0;
+    if (chunk.commonBlock != block) {
+      if (!chunk.blocks) return 0;
+      chunk.blocks[cell.local] = block;
+    }
+    cell.word() = content << kSerialBits | (lastSerial + 1);
+    return lastSerial + 1;
   }
   /// Empties a cell that holds one polygon, this one. Returns the content it had, or kEmptyContent and does nothing if the
   /// cell is not like that, or keeps a list of its polygons.
@@ -261,6 +264,10 @@ class Grid {
   Chunk* findChunk(Cell cell) const;
   Chunk* obtainChunk(Cell cell);
   void link(Chunk& chunk);
+  Chunk* remember(Chunk* chunk) {
+    if (inRange(chunk->cell(kChunkCells - 1))) last_ = chunk;
+    return chunk;
+  }
   bool isLast(Cell cell) const { return last_->ci == cell.i >> 5 && last_->cj == cell.j >> 5; }
 
   // Index 0 is no chunk of the world. Cell 0, where a segment that is not alive says it is, can be read there: a dangling
@@ -268,7 +275,7 @@ class Grid {
   std::vector<std::unique_ptr<Chunk>> chunks_;
   HashIndex index_;
   RecordArena records_;
-  Chunk* last_ = nullptr;  // found by the last edit, or chunk 0: edits come in neighbourhoods
+  Chunk* last_ = nullptr;  // found by the last edit that was not at the end of the world, or chunk 0: edits come in neighbourhoods
 };
 
 }  // namespace lgs::detail

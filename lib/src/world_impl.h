@@ -111,7 +111,7 @@ inline void World::Impl::mark(detail::CellAt at, detail::ContentId content) {
   detail::Chunk& chunk = *at.chunk;
   chunk.dirtyRows |= detail::RowMask{1} << at.row();
   chunk.dirty[at.row()] |= at.bit();
-  const detail::Facts facts = catalogue.content(content).facts;
+  const detail::Facts facts = catalogue.facts(content);
   chunk.facts[at.local] = facts;
   chunk.everFacts |= facts;
 }
@@ -119,14 +119,13 @@ inline void World::Impl::mark(detail::CellAt at, detail::ContentId content) {
 /// The usual case of add(), ahead of all else and without a call: one polygon into an empty cell, in a dirty chunk that
 /// the last edit found too. Null, and nothing done, if it is not that case.
 inline PolygonHandle World::Impl::addQuickly(Cell cell, ShapeId shape, Block block) {
-  const detail::InternedShape* interned = catalogue.shape(shape);
+  const detail::ContentId content = catalogue.soleContent(shape);
   const detail::CellAt at = grid.findQuickly(cell);
-  if (!inRange(cell) || !interned || interned->sole == detail::kEmptyContent || !at || at.chunk->dirtyRows == 0)
-    return {};
-  const std::uint32_t serial = detail::Grid::placeQuickly(at, interned->sole, block);
+  if (content == detail::kEmptyContent || !at || at.chunk->dirtyRows == 0) return {};
+  const std::uint32_t serial = detail::Grid::placeQuickly(at, content, block);
   if (serial == 0) return {};
-  catalogue.use(interned->sole);
-  mark(at, interned->sole);
+  catalogue.use(content);
+  mark(at, content);
   return {at.chunk->ref(at.local), serial};
 }
 
