@@ -15,11 +15,11 @@ const Changes& World::Impl::commit() {
   // the ends of removed segments can be read while links are compared.
   for (const SegmentId id : changes.removed) segments.recycle(id.value);
   changes.removed.clear();
+  changes.added.clear();
   changes.relinked.clear();
 
   detail::Exposure phase1(*this);
   for (const detail::Chunk* chunk : dirtyChunks) phase1.renewChunk(*chunk);
-  phase1.finish();
   detail::Linking phase2(*this);
   for (const detail::Chunk* chunk : dirtyChunks) phase2.linkChunk(*chunk);
 

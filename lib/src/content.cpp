@@ -125,9 +125,13 @@ std::vector<Spoke> fanAt(const Content& content, LocalPoint v, Vector from) {
 }
 
 SpokeRange storeRimFan(Content& content, LocalPoint v, Vector from) {
-  const auto first = static_cast<std::uint32_t>(content.spokes.size());
-  for (const Spoke& s : fanAt(content, v, from)) content.spokes.push_back(s);
-  return {first, static_cast<std::uint32_t>(content.spokes.size()) - first};
+  const std::vector<Spoke> fan = fanAt(content, v, from);
+  SpokeRange range{static_cast<std::uint32_t>(fan.size()), static_cast<std::uint32_t>(content.spokes.size()), {}};
+  if (!fan.empty()) {
+    range.first = fan.front();
+    content.spokes.insert(content.spokes.end(), fan.begin() + 1, fan.end());
+  }
+  return range;
 }
 
 /// Law 2 at the vertices inside the cell.
@@ -171,7 +175,6 @@ Content buildContent(std::span<const PolygonView> polygons, std::span<const std:
     for (RimPoint& point : content.sides[s].points)
       point.spokes = storeRimFan(content, pointAt(s, point.at), kSideDirections[s]);
   }
-  content.spokes.emplace_back();  // so that every range has a first spoke
   content.facts = factsOf(content);
   return content;
 }

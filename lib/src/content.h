@@ -56,10 +56,11 @@ struct InteriorSegment {
   Slot slot = 0;
 };
 
-/// Interior half-edges at one rim vertex, counter-clockwise: Content::spokes[first … first + count).
+/// Interior half-edges at one rim vertex, counter-clockwise: `first`, and the others from Content::spokes[rest] on.
 struct SpokeRange {
-  std::uint32_t first = 0;
   std::uint32_t count = 0;
+  std::uint32_t rest = 0;
+  Spoke first;  ///< can be read even where there is none
 };
 
 /// A part of a side covered by one polygon, between two neighbouring vertices.
@@ -100,7 +101,7 @@ struct Content {
   std::array<Slot, 4> wholeSlot{};          ///< of a whole side: the polygon that covers it
   std::array<std::uint8_t, 4> usedSides{};  ///< the sides with cover, in order
   std::uint8_t usedSideCount = 0;
-  std::array<SpokeRange, 4> corners{};    ///< a range's first spoke can be read even where it is empty
+  std::array<SpokeRange, 4> corners{};
   std::vector<InteriorSegment> interior;  ///< sorted by start, then end
   std::vector<Spoke> spokes;              ///< `segment` is an index in `interior`, `direction` a rank at that vertex
   std::array<Side, 4> sides;

@@ -17,7 +17,32 @@ std::uint8_t touching(unsigned side, std::int32_t begin, std::int32_t end) {
   return static_cast<std::uint8_t>((starts ? 0x01u : 0u) << side | (ends ? 0x10u : 0u) << side);
 }
 
+/// CellRecord::end of a cell that has one segment along each of a set of sides.
+constexpr auto kSideCounts = [] {
+  std::array<PartEnds, 16> counts{};
+  for (unsigned sides = 0; sides < 16; ++sides)
+    for (unsigned part = kSouthPart; part < kParts; ++part)
+      counts[sides][part] = static_cast<std::uint16_t>(std::popcount(sides & ((1u << part) - 1)));
+  return counts;
+}();
+
 }  // namespace
+
+/// The next segment of the world.
+inline std::uint32_t Exposure::create(std::uint32_t cellRef, const PackedEnds& ends, Placed placed) {
+  const std::uint32_t id = pool_.take();
+  pool_[id] = {.predecessor = kUnlinked,
+               .successor = kUnlinked,
+               .listed = 0,
+               .cellRef = cellRef,
+               .block = placed.block,
+               .serial = placed.serial & kMaxSerial,
+               .high = ends.high & 0xfu,
+               .from = ends.from,
+               .to = ends.to};
+  world_.changes.added.push_back({id});
+  return id;
+}
 
 void Exposure::renewChunk(const Chunk& chunk) {
   forEachRowNear(chunk.dirtyRows, [&](std::int32_t y) {
@@ -44,41 +69,32 @@ void Exposure::renewChunk(const Chunk& chunk) {
 
 /// These parts of a cell; the others stay as they are.
 void Exposure::renew(CellAt at, unsigned parts) {
-  const bool isEmpty = at.chunk->facts[at.local] == 0;
-  if (!grid_.hasSegments(at)) {
-    if (isEmpty) return;
-    if (parts == kAllParts) {
-      createAll(at, contentOf(at), facing(at));
-      return;
-    }
-  } else if (isEmpty) {
-    removeAll(at);
+  if (at.chunk->facts[at.local] == 0) {
+    if (grid_.hasSegments(at)) removeAll(at);
     return;
   }
   const InternedContent& content = contentOf(at);
   const Facing sides = facing(at);
+  if (parts == kAllParts && sides.isSimple && !grid_.hasSegments(at)) {
+    createAll(at, content, kWholeSides & at.chunk->facts[at.local] & ~sides.hidden);
+    return;
+  }
   if (std::has_single_bit(parts) && parts != 1u << kInterior && sides.isSimple)
     if (updateWholeSide(at, content, sides, static_cast<unsigned>(std::countr_zero(parts)) - 1)) return;
   update(at, content, sides, parts);
 }
 
-Exposure::Facing Exposure::facing(CellAt at) const {
-  const auto facts = [&](unsigned side) -> unsigned {
-    const CellAt beyond = across(at, side);
-    return beyond ? beyond.chunk->facts[beyond.local] : 0u;
-  };
-  const unsigned south = facts(kSouth), east = facts(kEast), north = facts(kNorth), west = facts(kWest);
-  const unsigned all = at.chunk->facts[at.local] | south | east | north | west;
-  return {hiddenSides(south, east, north, west), !world_.preserve && (all & kRimPoints) == 0};
+inline Exposure::Facing Exposure::facing(CellAt at) const {
+  const FactsAround facts = factsAround(at);
+  const unsigned all = at.chunk->facts[at.local] | facts.south | facts.east | facts.north | facts.west;
+  return {hiddenSides(facts.south, facts.east, facts.north, facts.west), !world_.preserve && (all & kRimPoints) == 0};
 }
 
-/// The exposed edges on one side, in order: emit(ends, slot, touching, exposed). In the usual case, an edge from corner
-/// to corner against a side that is whole or free, it is called once with `exposed` true or false, so that there is no
-/// branch to be mispredicted.
+/// The exposed edges on one side, in order: emit(ends, slot, touching).
 template <class Emit>
 void Exposure::exposeSide(CellAt at, const Content& content, Facing facing, unsigned side, Emit&& emit) {
   if (facing.isSimple) {
-    emit(kSideEnds[side], content.wholeSlot[side], bothCorners(side), (facing.hidden >> side & 1u) == 0);
+    if ((facing.hidden >> side & 1u) == 0) emit(kSideEnds[side], content.wholeSlot[side], bothCorners(side));
     return;
   }
   const CellAt beyond = across(at, side);
@@ -90,34 +106,26 @@ void Exposure::exposeSide(CellAt at, const Content& content, Facing facing, unsi
       [&](std::int32_t begin, std::int32_t end, Slot slot) {
         const LocalPoint low = pointAt(side, begin), high = pointAt(side, end);
         emit(runsForward(side) ? PackedEnds::of(low, high) : PackedEnds::of(high, low), slot,
-             touching(side, begin, end), true);
+             touching(side, begin, end));
       });
 }
 
-/// All segments of a cell that has none yet.
-void Exposure::createAll(CellAt at, const InternedContent& content, Facing facing) {
+/// All segments of a cell that has none yet: those inside, and one along each of `sides`.
+void Exposure::createAll(CellAt at, const InternedContent& content, unsigned sides) {
+  const auto inside = static_cast<std::uint16_t>(content.interior.size());
+  if (inside == 0 && sides == 0) return;
+  PartEnds ends = kSideCounts[sides];
+  for (std::uint16_t& end : ends) end = static_cast<std::uint16_t>(end + inside);
   const std::uint32_t ref = at.chunk->ref(at.local);
   const bool single = content.polygons.size() == 1;
   const Placed first = grid_.placed(at, 0);
   const auto placed = [&](Slot slot) { return single ? first : grid_.placed(at, slot); };
-
-  const std::size_t begin = scratch_.addedCount;
-  std::array<std::uint16_t, kParts> counts{};
-  for (const InteriorSegment& s : content.interior) create(ref, s.ends, placed(s.slot), true);
-  counts[kInterior] = static_cast<std::uint16_t>(scratch_.addedCount - begin);
-  unsigned touches = 0;
-  for (unsigned k = 0; k < content.usedSideCount; ++k) {
-    const unsigned side = content.usedSides[k];
-    const std::size_t before = scratch_.addedCount;
-    exposeSide(at, content, facing, side, [&](const PackedEnds& ends, Slot slot, std::uint8_t touch, bool exposed) {
-      create(ref, ends, placed(slot), exposed);
-      touches |= exposed ? touch : 0u;
-    });
-    counts[partOf(side)] = static_cast<std::uint16_t>(scratch_.addedCount - before);
+  std::uint32_t* id = grid_.resizeSegments(at, ends, static_cast<std::uint8_t>(sides | sides << 4));
+  for (const InteriorSegment& s : content.interior) *id++ = create(ref, s.ends, placed(s.slot));
+  for (; sides != 0; sides &= sides - 1) {
+    const auto side = static_cast<unsigned>(std::countr_zero(sides));
+    *id++ = create(ref, kSideEnds[side], placed(content.wholeSlot[side]));
   }
-  for (unsigned part = 1; part < kParts; ++part)
-    counts[part] = static_cast<std::uint16_t>(counts[part] + counts[part - 1]);
-  grid_.setSegments(at, scratch_.added.data() + begin, counts, static_cast<std::uint8_t>(touches));
 }
 
 /// Merges the exposed edges of one part, which come in order, with the segments that are there.
@@ -127,7 +135,7 @@ class Exposure::PartUpdate {
       : exposure_(exposure), at_(at), old_(old) {}
 
   void operator()(const PackedEnds& ends, Slot slot) {
-    auto& ids = exposure_.scratch_.ids;
+    auto& ids = exposure_.ids_;
     const Placed placed = exposure_.grid_.placed(at_, slot);
     const auto edge = std::pair(ends.start(), ends.end());
     for (; !old_.empty(); dropFirst()) {
@@ -140,7 +148,7 @@ class Exposure::PartUpdate {
         return;
       }
     }
-    ids.push_back(exposure_.create(at_.chunk->ref(at_.local), ends, placed, true));
+    ids.push_back(exposure_.create(at_.chunk->ref(at_.local), ends, placed));
     changed_ = true;
   }
 
@@ -165,7 +173,7 @@ class Exposure::PartUpdate {
 
 void Exposure::removeAll(CellAt at) {
   for (const std::uint32_t id : grid_.segments(at)) world_.changes.removed.push_back({id});
-  grid_.setSegments(at, nullptr, {}, 0);
+  grid_.resizeSegments(at, {}, 0);
 }
 
 /// The usual case of a neighbour: a side that one segment runs along, or none. False: not such a case, nothing done.
@@ -178,78 +186,54 @@ bool Exposure::updateWholeSide(CellAt at, const InternedContent& content, Facing
   const unsigned before = old ? old->touching : 0u;
   if (showed && (old->end[part] - begin != 1 || (before & bothCorners(side)) != bothCorners(side))) return false;
   if (shows == showed) return true;
-  auto& ids = scratch_.ids;
-  if (ids.size() < count + 1) ids.resize(2 * count + 16);
-  std::array<std::uint16_t, kParts> ends{};
+  PartEnds ends{};
+  ids_.clear();
   if (old) {
-    std::copy_n(old->ids(), begin, ids.data());
-    std::copy_n(old->ids() + begin + showed, count - begin - showed, ids.data() + begin + shows);
+    ids_.assign(old->ids(), old->ids() + count);
     ends = old->end;
   }
-  if (shows)
-    ids[begin] = create(at.chunk->ref(at.local), kSideEnds[side], grid_.placed(at, content.wholeSlot[side]), true);
-  else
-    world_.changes.removed.push_back({old->ids()[begin]});
+  const auto place = ids_.begin() + static_cast<std::ptrdiff_t>(begin);
+  if (shows) {
+    ids_.insert(place, create(at.chunk->ref(at.local), kSideEnds[side], grid_.placed(at, content.wholeSlot[side])));
+  } else {
+    world_.changes.removed.push_back({*place});
+    ids_.erase(place);
+  }
   for (unsigned p = part; p < kParts; ++p) ends[p] = static_cast<std::uint16_t>(ends[p] + shows - showed);
-  grid_.setSegments(at, ids.data(), ends, static_cast<std::uint8_t>(before ^ bothCorners(side)));
+  std::uint32_t* out = grid_.resizeSegments(at, ends, static_cast<std::uint8_t>(before ^ bothCorners(side)));
+  if (out) std::copy(ids_.begin(), ids_.end(), out);
   return true;
 }
 
 /// The general case: what is there merged with what shows.
 void Exposure::update(CellAt at, const InternedContent& content, Facing facing, unsigned parts) {
   const CellRecord* old = grid_.record(at);
-  auto& ids = scratch_.ids;
-  ids.clear();
-  std::array<std::uint16_t, kParts> ends{};
+  ids_.clear();
+  PartEnds ends{};
   unsigned touches = 0;
   bool changed = false;
   for (unsigned part = 0; part < kParts; ++part) {
     const std::span<const std::uint32_t> before = old ? old->ids(part) : std::span<const std::uint32_t>{};
     if ((parts >> part & 1u) == 0) {
-      ids.insert(ids.end(), before.begin(), before.end());
+      ids_.insert(ids_.end(), before.begin(), before.end());
       if (old && part != kInterior) touches |= old->touching & bothCorners(part - 1);
     } else {
       PartUpdate merge(*this, at, before);
       if (part == kInterior) {
         for (const InteriorSegment& s : content.interior) merge(s.ends, s.slot);
       } else if (content.cover[part - 1] != Cover::none) {
-        exposeSide(at, content, facing, part - 1, [&](const PackedEnds& e, Slot slot, std::uint8_t touch, bool exposed) {
-          if (!exposed) return;
+        exposeSide(at, content, facing, part - 1, [&](const PackedEnds& e, Slot slot, std::uint8_t touch) {
           merge(e, slot);
           touches |= touch;
         });
       }
       changed |= merge.finish();
     }
-    ends[part] = static_cast<std::uint16_t>(ids.size());
+    ends[part] = static_cast<std::uint16_t>(ids_.size());
   }
-  if (changed) grid_.setSegments(at, ids.data(), ends, static_cast<std::uint8_t>(touches));
-}
-
-/// Writes a new segment where the next one goes, and takes the place only if it is exposed.
-std::uint32_t Exposure::create(std::uint32_t cellRef, const PackedEnds& ends, Placed placed, bool exposed) {
-  const std::uint32_t id = pool_.next();
-  pool_[id] = {.predecessor = kUnlinked,
-               .successor = kUnlinked,
-               .listed = 0,
-               .cellRef = exposed ? cellRef : 0,
-               .block = placed.block,
-               .serial = placed.serial & kMaxSerial,
-               .high = ends.high & 0xfu,
-               .from = ends.from,
-               .to = ends.to};
-  pool_.take(exposed);
-  if (scratch_.addedCount == scratch_.added.size()) scratch_.added.resize(2 * scratch_.added.size() + 64);
-  scratch_.added[scratch_.addedCount] = id;
-  scratch_.addedCount += exposed;
-  return id;
-}
-
-void Exposure::finish() {
-  std::vector<SegmentId>& added = world_.changes.added;
-  added.resize(scratch_.addedCount);
-  for (std::size_t k = 0; k < scratch_.addedCount; ++k) added[k] = {scratch_.added[k]};
-  scratch_.addedCount = 0;
+  if (!changed) return;
+  std::uint32_t* out = grid_.resizeSegments(at, ends, static_cast<std::uint8_t>(touches));
+  if (out) std::copy(ids_.begin(), ids_.end(), out);
 }
 
 }  // namespace lgs::detail

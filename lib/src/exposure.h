@@ -9,14 +9,11 @@ namespace lgs::detail {
 class Exposure {
  public:
   explicit Exposure(World::Impl& world)
-      : world_(world), grid_(world.grid), pool_(world.segments), scratch_(world.exposure) {}
+      : world_(world), grid_(world.grid), pool_(world.segments), ids_(world.ids) {}
 
   /// Renews the segments of the chunk's dirty cells, and of the cells beside them on the sides that they share. Segments
   /// that stay the same keep their ids.
   void renewChunk(const Chunk& chunk);
-
-  /// Moves what was added to the list of changes.
-  void finish();
 
  private:
   class PartUpdate;
@@ -33,17 +30,17 @@ class Exposure {
   }
   void renew(CellAt at, unsigned parts);
   void removeAll(CellAt at);
-  void createAll(CellAt at, const InternedContent& content, Facing facing);
+  void createAll(CellAt at, const InternedContent& content, unsigned sides);
   bool updateWholeSide(CellAt at, const InternedContent& content, Facing facing, unsigned side);
   void update(CellAt at, const InternedContent& content, Facing facing, unsigned parts);
   template <class Emit>
   void exposeSide(CellAt at, const Content& content, Facing facing, unsigned side, Emit&& emit);
-  std::uint32_t create(std::uint32_t cellRef, const PackedEnds& ends, Placed placed, bool exposed);
+  std::uint32_t create(std::uint32_t cellRef, const PackedEnds& ends, Placed placed);
 
   World::Impl& world_;
   Grid& grid_;
   SegmentPool& pool_;
-  ExposureScratch& scratch_;
+  std::vector<std::uint32_t>& ids_;
 };
 
 }  // namespace lgs::detail

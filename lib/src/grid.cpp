@@ -95,14 +95,13 @@ void Grid::setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial,
   cell.word() = kRecordBit | ref;
 }
 
-void Grid::setSegments(CellAt cell, const std::uint32_t* ids, const std::array<std::uint16_t, kParts>& ends,
-                       std::uint8_t touching) {
+std::uint32_t* Grid::resizeSegments(CellAt cell, const PartEnds& ends, std::uint8_t touching) {
   const std::uint32_t count = ends[kWestPart];
   RowMask& live = cell.chunk->live[cell.row()];
   live = count == 0 ? live & ~cell.bit() : live | cell.bit();
   CellRecord* r = writable(cell);
   if (!r) {
-    if (count == 0) return;
+    if (count == 0) return nullptr;
     const std::uint32_t state = cell.word();
     const RecordArena::Ref ref = records_.allocate(CellRecord{}.prefixWords() + count);
     r = reinterpret_cast<CellRecord*>(records_.at(ref));
@@ -116,7 +115,7 @@ void Grid::setSegments(CellAt cell, const std::uint32_t* ids, const std::array<s
     if (count == 0 && r->polygons == CellRecord::kCompact) {
       cell.word() = r->state;
       records_.release(oldRef, oldSize);
-      return;
+      return nullptr;
     }
     if (!RecordArena::sameSize(newSize, oldSize)) {
       const RecordArena::Ref ref = records_.allocate(newSize);
@@ -129,7 +128,7 @@ void Grid::setSegments(CellAt cell, const std::uint32_t* ids, const std::array<s
   }
   r->end = ends;
   r->touching = touching;
-  std::copy_n(ids, count, r->words() + r->prefixWords());
+  return r->words() + r->prefixWords();
 }
 
 std::uint64_t Grid::bytes() const {

@@ -30,6 +30,12 @@ constexpr std::uint32_t localOf(Cell cell) {
   return static_cast<std::uint32_t>((cell.j & (kChunkSize - 1)) * kChunkSize + (cell.i & (kChunkSize - 1)));
 }
 
+/// Whether the cells around a cell are all in its chunk.
+constexpr bool isInner(std::uint32_t local) {
+  const std::uint32_t x = local % kChunkSize, y = local / kChunkSize;
+  return x - 1 < kChunkSize - 2 && y - 1 < kChunkSize - 2;
+}
+
 using RowMask = std::uint32_t;  ///< one bit a cell of a row of a chunk
 
 struct Chunk {
@@ -68,10 +74,12 @@ constexpr unsigned partOf(unsigned side) { return side + 1; }
 
 /// In memory followed by, if `polygons` is not kCompact, the last serial given out and `polygons` × Placed in order of
 /// slots; then by the segment ids, part after part, each part in order of start.
+using PartEnds = std::array<std::uint16_t, kParts>;  ///< where each part ends in a list of ids
+
 struct CellRecord {
   static constexpr std::uint8_t kCompact = 0xff;
-  std::uint32_t state = 0;                  ///< as the word of a cell without record
-  std::array<std::uint16_t, kParts> end{};  ///< where each part ends among the ids
+  std::uint32_t state = 0;  ///< as the word of a cell without record
+  PartEnds end{};
   std::uint8_t polygons = kCompact;
   std::uint8_t touching =
       0;  ///< bit s: a segment on side s starts where the side does; bit 4 + s: one ends where it does
@@ -112,6 +120,22 @@ inline CellAt across(CellAt at, unsigned side) {
   constexpr std::array<std::int32_t, 4> di{0, 1, 0, -1}, dj{-1, 0, 1, 0};
   return cellAt(*at.chunk, static_cast<std::int32_t>(at.local % kChunkSize) + di[side],
                 static_cast<std::int32_t>(at.local / kChunkSize) + dj[side]);
+}
+
+/// The facts of the four cells across the sides.
+struct FactsAround {
+  Facts south, east, north, west;
+};
+inline FactsAround factsAround(CellAt at) {
+  if (isInner(at.local)) {
+    const Facts* here = at.chunk->facts.data() + at.local;
+    return {here[-kChunkSize], here[1], here[kChunkSize], here[-1]};
+  }
+  const auto facts = [&](unsigned side) {
+    const CellAt beyond = across(at, side);
+    return beyond ? beyond.chunk->facts[beyond.local] : Facts{0};
+  };
+  return {facts(0), facts(1), facts(2), facts(3)};
 }
 
 /// The chunks that a rectangle of cells (not empty) reaches.
@@ -220,12 +244,12 @@ class Grid {
     return r ? std::span(r->ids(), r->count()) : std::span<const std::uint32_t>{};
   }
   /// The same with where the parts end; null in a cell without segments.
-  const CellRecord* record(CellAt cell) const {
-    const std::uint32_t word = cell.word();
+  const CellRecord* record(CellAt cell) const { return recordOf(cell.word()); }
+  const CellRecord* recordOf(std::uint32_t word) const {
     return word & kRecordBit ? reinterpret_cast<const CellRecord*>(records_.at(word & ~kRecordBit)) : nullptr;
   }
-  void setSegments(CellAt cell, const std::uint32_t* ids, const std::array<std::uint16_t, kParts>& ends,
-                   std::uint8_t touching);
+  /// Makes room for other ones and returns where their ids go. What was there is lost.
+  std::uint32_t* resizeSegments(CellAt cell, const PartEnds& ends, std::uint8_t touching);
 
   std::uint64_t bytes() const;
 

@@ -4,6 +4,7 @@
 #include "wide_row.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace lgs::detail {
 namespace {
@@ -18,29 +19,35 @@ constexpr std::uint32_t kStretch = 1u << 20;
 /// branch.
 class Linking::Fan {
  public:
-  explicit Fan(std::vector<Spoke>& spokes) : spokes_(spokes) { reserve(0); }
+  explicit Fan(std::vector<Spoke>& spokes) : spokes_(spokes) {
+    if (spokes_.size() < kRoom) spokes_.resize(kRoom);
+    end_ = spokes_.data();
+  }
 
-  /// Makes room for this many, and for all that sides can add.
-  void reserve(std::size_t more) {
-    if (spokes_.size() < count_ + more + 16) spokes_.resize(2 * (count_ + more + 16));
-  }
   void add(std::uint32_t segment, std::uint32_t direction, bool outgoing, bool present = true) {
-    spokes_[count_] = {segment, direction & kMaxDirection, outgoing};
-    count_ += present;
+    *end_ = {segment, direction & kMaxDirection, outgoing};
+    end_ += present;
   }
-  void addInterior(const Content& content, SpokeRange range, const std::uint32_t* ids, std::uint32_t stretch) {
-    const Spoke* spoke = content.spokes.data() + range.first;
-    add(ids[spoke->segment], stretch * kStretch + 1 + spoke->direction, spoke->outgoing, range.count > 0);
-    if (range.count <= 1) return;
-    reserve(range.count);
-    for (std::uint32_t k = 1; k < range.count; ++k)
-      add(ids[spoke[k].segment], stretch * kStretch + 1 + spoke[k].direction, spoke[k].outgoing);
+  void addInterior(const Content& content, const SpokeRange& range, const std::uint32_t* ids, std::uint32_t stretch) {
+    add(ids[range.first.segment], stretch * kStretch + 1 + range.first.direction, range.first.outgoing, range.count > 0);
+    if (range.count > 1) [[unlikely]]
+      addRest(content, range, ids, stretch);
   }
-  std::span<const Spoke> spokes() const { return {spokes_.data(), count_}; }
+  std::span<const Spoke> spokes() const { return {spokes_.data(), end_}; }
 
  private:
+  static constexpr std::size_t kRoom = 16;  ///< for all that sides can add, and the first of each range
+
+  void addRest(const Content& content, const SpokeRange& range, const std::uint32_t* ids, std::uint32_t stretch) {
+    const auto count = static_cast<std::size_t>(end_ - spokes_.data());
+    if (spokes_.size() < count + range.count + kRoom) spokes_.resize(2 * (count + range.count + kRoom));
+    end_ = spokes_.data() + count;
+    for (const Spoke& spoke : std::span(content.spokes).subspan(range.rest, range.count - 1))
+      add(ids[spoke.segment], stretch * kStretch + 1 + spoke.direction, spoke.outgoing);
+  }
+
   std::vector<Spoke>& spokes_;
-  std::size_t count_ = 0;
+  Spoke* end_;
 };
 
 void Linking::linkChunk(const Chunk& chunk) {
@@ -66,6 +73,18 @@ void Linking::linkChunk(const Chunk& chunk) {
   });
 }
 
+inline void Linking::setPredecessor(std::uint32_t id, std::uint32_t now) {
+  const std::uint32_t before = std::exchange(pool_[id].predecessor, now);
+  if (before != now && before != kUnlinked) listIfAnotherStart(id, before, now);
+}
+
+inline void Linking::setSuccessor(std::uint32_t id, std::uint32_t now) {
+  SegmentRecord& s = pool_[id];
+  const std::uint32_t before = s.successor;
+  s.successor = now & kUnlinked;
+  if (before != now && before != kUnlinked) listIfAnotherEnd(id, before, now);
+}
+
 void Linking::linkInterior(CellAt at) {
   const InternedContent& content = contentOf(at);
   if ((content.facts & kLinkedInside) == 0) return;
@@ -78,7 +97,7 @@ void Linking::linkInterior(CellAt at) {
   }
 }
 
-void Linking::match(std::span<const Spoke> fan) {
+inline void Linking::match(std::span<const Spoke> fan) {
   if (!world_.preserve) {
     radialMatchAlternating(fan, [&](std::uint32_t incoming, std::uint32_t outgoing) {
       setSuccessor(incoming, outgoing);
@@ -91,26 +110,46 @@ void Linking::match(std::span<const Spoke> fan) {
       [&](std::uint32_t s, std::uint32_t other) { setSuccessor(s, other); });
 }
 
-/// The corner where columns x - 1, x and rows y - 1, y meet. In the cell of quadrant q it is corner q: side q leaves it
-/// there, and the side before arrives.
+/// Adds the spokes at corner `q` of a cell: side q leaves it, the side before arrives.
+template <unsigned q>
+inline void Linking::addQuadrant(Fan& fan, const CellRecord& r) const {
+  constexpr unsigned leaving = q, arriving = (q + 3) % kSides;
+  const std::uint32_t* ids = r.ids();
+  const bool leaves = r.touching >> leaving & 1u, arrives = r.touching >> (4 + arriving) & 1u;
+  const auto first = [&](unsigned side) -> unsigned { return r.end[partOf(side) - 1]; };
+  const auto last = [&](unsigned side) { return r.end[partOf(side)] - 1u; };
+  const unsigned leavingId = runsForward(leaving) ? first(leaving) : last(leaving);
+  const unsigned arrivingId = runsForward(arriving) ? last(arriving) : first(arriving);
+  const Content& content = world_.catalogue.content(Grid::contentOf(&r));
+  fan.add(ids[leaves ? leavingId : 0], q * kStretch, true, leaves);
+  fan.addInterior(content, content.corners[q], ids, q);
+  fan.add(ids[arrives ? arrivingId : 0], (q + 1) % 4 * kStretch, false, arrives);
+}
+
+/// The corner where columns x - 1, x and rows y - 1, y meet. In the cell of quadrant q it is corner q.
 void Linking::linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y) {
-  constexpr std::array<std::int32_t, 4> dx{0, -1, -1, 0}, dy{0, 0, -1, -1};
-  Fan fan(fan_);
-  for (unsigned q = 0; q < 4; ++q) {
-    const CellAt at = cellAt(chunk, x + dx[q], y + dy[q]);
-    const CellRecord* r = at ? grid_.record(at) : nullptr;
-    if (!r) continue;
-    const std::uint32_t* ids = r->ids();
-    const unsigned leaving = q, arriving = (q + 3) % kSides;
-    const bool leaves = r->touching >> leaving & 1u, arrives = r->touching >> (4 + arriving) & 1u;
-    const auto first = [&](unsigned side) { return r->end[partOf(side) - 1]; };
-    const auto last = [&](unsigned side) { return r->end[partOf(side)] - 1u; };
-    fan.add(ids[leaves ? (runsForward(leaving) ? first(leaving) : last(leaving)) : 0], q * kStretch, true, leaves);
-    const Content& content = world_.catalogue.content(Grid::contentOf(r));
-    fan.addInterior(content, content.corners[q], ids, q);
-    fan.add(ids[arrives ? (runsForward(arriving) ? last(arriving) : first(arriving)) : 0], (q + 1) % 4 * kStretch,
-            false, arrives);
+  const CellRecord *r0, *r1, *r2, *r3;
+  if (x > 0 && x < kChunkSize && y > 0 && y < kChunkSize) {
+    const std::uint32_t* cell = chunk.cells.data() + y * kChunkSize + x;
+    r0 = grid_.recordOf(cell[0]);
+    r1 = grid_.recordOf(cell[-1]);
+    r2 = grid_.recordOf(cell[-1 - kChunkSize]);
+    r3 = grid_.recordOf(cell[-kChunkSize]);
+  } else {
+    const auto recordAt = [&](std::int32_t cx, std::int32_t cy) {
+      const CellAt at = cellAt(chunk, cx, cy);
+      return at ? grid_.record(at) : nullptr;
+    };
+    r0 = recordAt(x, y);
+    r1 = recordAt(x - 1, y);
+    r2 = recordAt(x - 1, y - 1);
+    r3 = recordAt(x, y - 1);
   }
+  Fan fan(fan_);
+  if (r0) addQuadrant<0>(fan, *r0);
+  if (r1) addQuadrant<1>(fan, *r1);
+  if (r2) addQuadrant<2>(fan, *r2);
+  if (r3) addQuadrant<3>(fan, *r3);
   match(fan.spokes());
 }
 
@@ -182,25 +221,18 @@ void Linking::linkSide(CellAt at, unsigned side) {
 
 // A link can change without its ghost: another segment with the same far end. Then the segment is as it was (law 6).
 
-void Linking::setPredecessor(std::uint32_t id, std::uint32_t now) {
-  SegmentRecord& s = pool_[id];
-  const std::uint32_t before = s.predecessor;
-  if (before == now) return;
-  s.predecessor = now;
-  if (before != kUnlinked && (!before || !now || world_.startOf(before) != world_.startOf(now))) list(s, id);
+void Linking::listIfAnotherStart(std::uint32_t id, std::uint32_t before, std::uint32_t now) {
+  if (!before || !now || world_.startOf(before) != world_.startOf(now)) list(id);
 }
 
-void Linking::setSuccessor(std::uint32_t id, std::uint32_t now) {
-  SegmentRecord& s = pool_[id];
-  const std::uint32_t before = s.successor;
-  if (before == now) return;
-  s.successor = now & kUnlinked;
-  if (before != kUnlinked && (!before || !now || world_.endOf(before) != world_.endOf(now))) list(s, id);
+void Linking::listIfAnotherEnd(std::uint32_t id, std::uint32_t before, std::uint32_t now) {
+  if (!before || !now || world_.endOf(before) != world_.endOf(now)) list(id);
 }
 
-void Linking::list(SegmentRecord& segment, std::uint32_t id) {
-  if (segment.listed) return;
-  segment.listed = 1;
+void Linking::list(std::uint32_t id) {
+  SegmentRecord& s = pool_[id];
+  if (s.listed) return;
+  s.listed = 1;
   world_.changes.relinked.push_back({id});
 }
 

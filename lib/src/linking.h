@@ -20,13 +20,17 @@ class Linking {
     return world_.catalogue.content(at ? grid_.content(at) : kEmptyContent);
   }
   void linkInterior(CellAt at);
+  template <unsigned q>
+  void addQuadrant(Fan& fan, const CellRecord& r) const;
   void linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y);
   void linkSides(CellAt at);
   void linkSide(CellAt at, unsigned side);
   void match(std::span<const Spoke> fan);
   void setPredecessor(std::uint32_t id, std::uint32_t now);
   void setSuccessor(std::uint32_t id, std::uint32_t now);
-  void list(SegmentRecord& segment, std::uint32_t id);
+  void listIfAnotherStart(std::uint32_t id, std::uint32_t before, std::uint32_t now);
+  void listIfAnotherEnd(std::uint32_t id, std::uint32_t before, std::uint32_t now);
+  void list(std::uint32_t id);
 
   World::Impl& world_;
   Grid& grid_;

@@ -65,29 +65,22 @@ static_assert(sizeof(SegmentRecord) == 28);
 class SegmentPool {
  public:
   SegmentPool() {
-    next();
-    (*this)[kNoSegment] = SegmentRecord{};  // what a dangling link, should there ever be one, finds
-    take(true);
+    const std::uint32_t none = take();
+    (*this)[none] = SegmentRecord{};  // what a dangling link, should there ever be one, finds
   }
 
   SegmentRecord& operator[](std::uint32_t id) { return pages_[id / kPage][id % kPage]; }
   const SegmentRecord& operator[](std::uint32_t id) const { return pages_[id / kPage][id % kPage]; }
 
-  /// The id that the next take() takes; its record can be written before.
-  std::uint32_t next() {
-    if (!free_.empty()) return free_.back();
-    if (top_ / kPage == pages_.size()) {
-      if (top_ > kMaxSegment) std::abort();  // 56 GiB of segments: treated as running out of memory
-      pages_.push_back(std::make_unique_for_overwrite<SegmentRecord[]>(kPage));
+  /// An id for a new segment; its record is to be written.
+  std::uint32_t take() {
+    if (!free_.empty()) {
+      const std::uint32_t id = free_.back();
+      free_.pop_back();
+      return id;
     }
-    return top_;
-  }
-  /// Takes it, if `really`.
-  void take(bool really) {
-    if (free_.empty())
-      top_ += really;
-    else
-      free_.resize(free_.size() - really);
+    if (top_ % kPage == 0) addPage();
+    return top_++;
   }
   /// Makes an id available again; its record must have been marked as not alive.
   void recycle(std::uint32_t id) { free_.push_back(id); }
@@ -100,6 +93,12 @@ class SegmentPool {
 
  private:
   static constexpr std::uint32_t kPage = 4096;
+
+  void addPage() {
+    if (top_ > kMaxSegment) std::abort();  // 56 GiB of segments: treated as running out of memory
+    pages_.push_back(std::make_unique_for_overwrite<SegmentRecord[]>(kPage));
+  }
+
   std::vector<std::unique_ptr<SegmentRecord[]>> pages_;
   std::vector<std::uint32_t> free_;
   std::uint32_t top_ = 0;  // 0 names no segment

@@ -17,13 +17,6 @@ namespace lgs {
 
 namespace detail {
 
-/// The working memory of phase 1.
-struct ExposureScratch {
-  std::vector<std::uint32_t> ids;    ///< of the cell being updated
-  std::vector<std::uint32_t> added;  ///< by this commit; longer than addedCount, so that an id can be written ahead
-  std::size_t addedCount = 0;
-};
-
 }  // namespace detail
 
 struct World::Impl {
@@ -64,7 +57,7 @@ struct World::Impl {
   Changes changes;
   // Working memory, kept from one call to the next to spare allocations.
   std::vector<LocalPoint> rounded;  ///< of the polygon being added
-  detail::ExposureScratch exposure;
+  std::vector<std::uint32_t> ids;  ///< of the cell whose segments change
   std::vector<detail::Spoke> fan;  ///< at the vertex being linked
 
  private:
@@ -89,7 +82,7 @@ struct World::Impl {
 
   std::size_t workingBytes() const {
     const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
-    return of(rounded, exposure.ids, exposure.added, fan, entries_, placed_, ids_, known_, kept_);
+    return of(rounded, ids, fan, entries_, placed_, ids_, known_, kept_);
   }
 
   // Working memory of one edit.
