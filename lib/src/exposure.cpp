@@ -45,6 +45,10 @@ inline std::uint32_t Exposure::create(std::uint32_t cellRef, const PackedEnds& e
 }
 
 void Exposure::renewChunk(const Chunk& chunk) {
+  if (const CellAt only = onlyDirtyCell(chunk)) {
+    renewCell(only);
+    return;
+  }
   forEachRowNear(chunk.dirtyRows, [&](std::int32_t y) {
     const bool ownRow = y >= 0 && y < kChunkSize;
     const WideRow here = dirtyRow(chunk, y), below = dirtyRow(chunk, y - 1), above = dirtyRow(chunk, y + 1);
@@ -58,30 +62,63 @@ void Exposure::renewChunk(const Chunk& chunk) {
     forEachColumn(near, [&](std::int32_t x) {
       const CellAt at = cellAt(chunk, x, y);
       if (!at) return;
-      const auto bit = [x](WideRow row) { return static_cast<unsigned>(row >> (x + 1) & 1u); };
-      const unsigned parts = bit(here) ? kAllParts
-                                       : bit(below) << kSouthPart | bit(here >> 1) << kEastPart |
-                                             bit(above) << kNorthPart | bit(here << 1) << kWestPart;
-      renew(at, parts);
+      const auto bit = [x](WideRow row) { return (row >> (x + 1) & 1u) != 0; };
+      if (bit(here)) {
+        renewAll(at);
+        return;
+      }
+      if (bit(below)) renewSide(at, kSouth);
+      if (bit(here >> 1)) renewSide(at, kEast);
+      if (bit(above)) renewSide(at, kNorth);
+      if (bit(here << 1)) renewSide(at, kWest);
     });
   });
 }
 
-/// These parts of a cell; the others stay as they are.
-void Exposure::renew(CellAt at, unsigned parts) {
-  if (at.chunk->facts[at.local] == 0) {
+/// The only dirty cell of its chunk, and those beside it.
+void Exposure::renewCell(CellAt at) {
+  renewAll(at);
+  for (unsigned side = 0; side < kSides; ++side)
+    if (const CellAt beyond = across(at, side)) renewSide(beyond, opposite(side));
+}
+
+void Exposure::renewAll(CellAt at) {
+  const Facts facts = at.chunk->facts[at.local];
+  if (facts == 0) {
     if (grid_.hasSegments(at)) removeAll(at);
     return;
   }
-  const InternedContent& content = contentOf(at);
   const Facing sides = facing(at);
-  if (parts == kAllParts && sides.isSimple && !grid_.hasSegments(at)) {
-    createAll(at, content, kWholeSides & at.chunk->facts[at.local] & ~sides.hidden);
+  if (sides.isSimple && !grid_.hasSegments(at))
+    createAll(at, contentOf(at), kWholeSides & facts & ~sides.hidden);
+  else
+    update(at, contentOf(at), sides, kAllParts);
+}
+
+/// The segments on one side of a cell whose polygons stay. As a rule one runs along all of it, or none.
+void Exposure::renewSide(CellAt at, unsigned side) {
+  const unsigned facts = at.chunk->facts[at.local];
+  if (facts == 0) return;
+  const CellAt beyond = across(at, side);
+  const unsigned facing = beyond.chunk->facts[beyond.local], part = partOf(side), both = bothCorners(side);
+  const CellRecord* r = grid_.record(at);
+  const std::uint32_t begin = r ? r->begin(part) : 0, before = r ? r->end[part] - begin : 0;
+  if (world_.preserve || ((facts | facing) & kRimPoints) != 0 || before > 1 || (before == 1 && (r->touching & both) != both)) {
+    update(at, contentOf(at), this->facing(at), 1u << part);
     return;
   }
-  if (std::has_single_bit(parts) && parts != 1u << kInterior && sides.isSimple)
-    if (updateWholeSide(at, content, sides, static_cast<unsigned>(std::countr_zero(parts)) - 1)) return;
-  update(at, content, sides, parts);
+  const std::uint32_t now = facts >> side & ~(facing >> opposite(side)) & 1u;
+  if (now == before) return;
+  std::uint32_t id = 0;
+  if (now != 0)
+    id = create(at.chunk->ref(at.local), kSideEnds[side], grid_.placed(at, contentOf(at).wholeSlot[side]));
+  else
+    world_.changes.removed.push_back({r->ids()[begin]});
+  CellRecord* changed = grid_.spliceSegments(at, begin, before, now);
+  if (!changed) return;
+  if (now != 0) changed->ids()[begin] = id;
+  changed->touching = static_cast<std::uint8_t>(changed->touching ^ both);
+  for (unsigned p = part; p < kParts; ++p) changed->end[p] = static_cast<std::uint16_t>(changed->end[p] + now - before);
 }
 
 inline Exposure::Facing Exposure::facing(CellAt at) const {
@@ -120,7 +157,10 @@ void Exposure::createAll(CellAt at, const InternedContent& content, unsigned sid
   const bool single = content.polygons.size() == 1;
   const Placed first = grid_.placed(at, 0);
   const auto placed = [&](Slot slot) { return single ? first : grid_.placed(at, slot); };
-  std::uint32_t* id = grid_.resizeSegments(at, ends, static_cast<std::uint8_t>(sides | sides << 4));
+  CellRecord* r = grid_.spliceSegments(at, 0, 0, ends.back());
+  r->end = ends;
+  r->touching = static_cast<std::uint8_t>(sides | sides << 4);
+  std::uint32_t* id = r->ids();
   for (const InteriorSegment& s : content.interior) *id++ = create(ref, s.ends, placed(s.slot));
   for (; sides != 0; sides &= sides - 1) {
     const auto side = static_cast<unsigned>(std::countr_zero(sides));
@@ -173,36 +213,11 @@ class Exposure::PartUpdate {
 
 void Exposure::removeAll(CellAt at) {
   for (const std::uint32_t id : grid_.segments(at)) world_.changes.removed.push_back({id});
-  grid_.resizeSegments(at, {}, 0);
-}
-
-/// The usual case of a neighbour: a side that one segment runs along, or none. False: not such a case, nothing done.
-bool Exposure::updateWholeSide(CellAt at, const InternedContent& content, Facing facing, unsigned side) {
-  if (content.cover[side] != Cover::whole) return false;
-  const CellRecord* old = grid_.record(at);
-  const unsigned part = partOf(side);
-  const std::uint32_t count = old ? old->count() : 0, begin = old ? old->begin(part) : 0;
-  const bool shows = (facing.hidden >> side & 1u) == 0, showed = old && old->end[part] != begin;
-  const unsigned before = old ? old->touching : 0u;
-  if (showed && (old->end[part] - begin != 1 || (before & bothCorners(side)) != bothCorners(side))) return false;
-  if (shows == showed) return true;
-  PartEnds ends{};
-  ids_.clear();
-  if (old) {
-    ids_.assign(old->ids(), old->ids() + count);
-    ends = old->end;
+  const CellRecord* r = grid_.record(at);
+  if (CellRecord* changed = grid_.spliceSegments(at, 0, r->count(), 0)) {
+    changed->end = {};
+    changed->touching = 0;
   }
-  const auto place = ids_.begin() + static_cast<std::ptrdiff_t>(begin);
-  if (shows) {
-    ids_.insert(place, create(at.chunk->ref(at.local), kSideEnds[side], grid_.placed(at, content.wholeSlot[side])));
-  } else {
-    world_.changes.removed.push_back({*place});
-    ids_.erase(place);
-  }
-  for (unsigned p = part; p < kParts; ++p) ends[p] = static_cast<std::uint16_t>(ends[p] + shows - showed);
-  std::uint32_t* out = grid_.resizeSegments(at, ends, static_cast<std::uint8_t>(before ^ bothCorners(side)));
-  if (out) std::copy(ids_.begin(), ids_.end(), out);
-  return true;
 }
 
 /// The general case: what is there merged with what shows.
@@ -232,8 +247,11 @@ void Exposure::update(CellAt at, const InternedContent& content, Facing facing, 
     ends[part] = static_cast<std::uint16_t>(ids_.size());
   }
   if (!changed) return;
-  std::uint32_t* out = grid_.resizeSegments(at, ends, static_cast<std::uint8_t>(touches));
-  if (out) std::copy(ids_.begin(), ids_.end(), out);
+  CellRecord* r = grid_.spliceSegments(at, 0, old ? old->count() : 0, static_cast<std::uint32_t>(ids_.size()));
+  if (!r) return;
+  std::copy(ids_.begin(), ids_.end(), r->ids());
+  r->end = ends;
+  r->touching = static_cast<std::uint8_t>(touches);
 }
 
 }  // namespace lgs::detail

@@ -28,10 +28,11 @@ class Exposure {
   const InternedContent& contentOf(CellAt at) const {
     return world_.catalogue.content(at ? grid_.content(at) : kEmptyContent);
   }
-  void renew(CellAt at, unsigned parts);
+  void renewCell(CellAt at);
+  void renewAll(CellAt at);
+  void renewSide(CellAt at, unsigned side);
   void removeAll(CellAt at);
   void createAll(CellAt at, const InternedContent& content, unsigned sides);
-  bool updateWholeSide(CellAt at, const InternedContent& content, Facing facing, unsigned side);
   void update(CellAt at, const InternedContent& content, Facing facing, unsigned parts);
   template <class Emit>
   void exposeSide(CellAt at, const Content& content, Facing facing, unsigned side, Emit&& emit);

@@ -3,6 +3,7 @@
 #include <lgs/world.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace lgs::detail {
 namespace {
@@ -95,40 +96,39 @@ void Grid::setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial,
   cell.word() = kRecordBit | ref;
 }
 
-std::uint32_t* Grid::resizeSegments(CellAt cell, const PartEnds& ends, std::uint8_t touching) {
-  const std::uint32_t count = ends[kWestPart];
+CellRecord* Grid::spliceSegments(CellAt cell, std::uint32_t begin, std::uint32_t removed, std::uint32_t added) {
+  CellRecord* const old = writable(cell);
+  const std::uint32_t before = old ? old->count() : 0, count = before - removed + added;
   RowMask& live = cell.chunk->live[cell.row()];
   live = count == 0 ? live & ~cell.bit() : live | cell.bit();
-  CellRecord* r = writable(cell);
-  if (!r) {
+  const RecordArena::Ref oldRef = cell.word() & ~kRecordBit;
+  if (!old) {
     if (count == 0) return nullptr;
-    const std::uint32_t state = cell.word();
     const RecordArena::Ref ref = records_.allocate(CellRecord{}.prefixWords() + count);
-    r = reinterpret_cast<CellRecord*>(records_.at(ref));
-    r->state = state;
-    r->polygons = CellRecord::kCompact;
+    auto* r = reinterpret_cast<CellRecord*>(records_.at(ref));
+    *r = CellRecord{};
+    r->state = cell.word();
     cell.word() = kRecordBit | ref;
-  } else {
-    const RecordArena::Ref oldRef = cell.word() & ~kRecordBit;
-    const std::uint32_t prefix = r->prefixWords(), oldSize = r->sizeWords();
-    const std::uint32_t newSize = prefix + std::max(count, 1u);
-    if (count == 0 && r->polygons == CellRecord::kCompact) {
-      cell.word() = r->state;
-      records_.release(oldRef, oldSize);
-      return nullptr;
-    }
-    if (!RecordArena::sameSize(newSize, oldSize)) {
-      const RecordArena::Ref ref = records_.allocate(newSize);
-      auto* moved = reinterpret_cast<CellRecord*>(records_.at(ref));
-      std::copy_n(r->words(), prefix, moved->words());
-      records_.release(oldRef, oldSize);
-      r = moved;
-      cell.word() = kRecordBit | ref;
-    }
+    return r;
   }
-  r->end = ends;
-  r->touching = touching;
-  return r->words() + r->prefixWords();
+  const std::uint32_t prefix = old->prefixWords(), oldSize = old->sizeWords(), newSize = prefix + std::max(count, 1u);
+  if (count == 0 && old->polygons == CellRecord::kCompact) {
+    cell.word() = old->state;
+    records_.release(oldRef, oldSize);
+    return nullptr;
+  }
+  CellRecord* r = old;
+  const bool moves = !RecordArena::sameSize(newSize, oldSize);
+  if (moves) {
+    const RecordArena::Ref ref = records_.allocate(newSize);
+    r = reinterpret_cast<CellRecord*>(records_.at(ref));
+    std::copy_n(old->words(), prefix + begin, r->words());
+    cell.word() = kRecordBit | ref;
+  }
+  const std::uint32_t* rest = old->ids() + begin + removed;
+  std::memmove(r->ids() + begin + added, rest, (before - begin - removed) * sizeof *rest);
+  if (moves) records_.release(oldRef, oldSize);
+  return r;
 }
 
 std::uint64_t Grid::bytes() const {

@@ -93,6 +93,7 @@ struct CellRecord {
   std::uint32_t count() const { return end[kWestPart]; }
   std::uint32_t* words() { return reinterpret_cast<std::uint32_t*>(this); }
   const std::uint32_t* words() const { return reinterpret_cast<const std::uint32_t*>(this); }
+  std::uint32_t* ids() { return words() + prefixWords(); }
   const std::uint32_t* ids() const { return words() + prefixWords(); }
   std::span<const std::uint32_t> ids(unsigned part) const { return {ids() + begin(part), end[part] - begin(part)}; }
 };
@@ -248,8 +249,9 @@ class Grid {
   const CellRecord* recordOf(std::uint32_t word) const {
     return word & kRecordBit ? reinterpret_cast<const CellRecord*>(records_.at(word & ~kRecordBit)) : nullptr;
   }
-  /// Makes room for other ones and returns where their ids go. What was there is lost.
-  std::uint32_t* resizeSegments(CellAt cell, const PartEnds& ends, std::uint8_t touching);
+  /// Replaces `removed` of the ids, from the one at `begin` on, by room for `added`, which the caller fills and tells the
+  /// record of: where its parts end and what they touch. Null if the cell has no record any more.
+  CellRecord* spliceSegments(CellAt cell, std::uint32_t begin, std::uint32_t removed, std::uint32_t added);
 
   std::uint64_t bytes() const;
 

@@ -50,7 +50,23 @@ class Linking::Fan {
   Spoke* end_;
 };
 
+/// The only dirty cell of its chunk.
+void Linking::linkCell(CellAt at) {
+  const Chunk& chunk = *at.chunk;
+  if ((chunk.facts[at.local] & kLinkedInside) != 0) linkInterior(at);
+  linkSides(at);
+  const auto x = static_cast<std::int32_t>(at.local % kChunkSize), y = static_cast<std::int32_t>(at.local / kChunkSize);
+  linkCorner(chunk, x, y);
+  linkCorner(chunk, x + 1, y);
+  linkCorner(chunk, x, y + 1);
+  linkCorner(chunk, x + 1, y + 1);
+}
+
 void Linking::linkChunk(const Chunk& chunk) {
+  if (const CellAt only = onlyDirtyCell(chunk)) {
+    linkCell(only);
+    return;
+  }
   const bool nearRimPoints = std::any_of(chunk.around.begin(), chunk.around.end(),
                                          [](const Chunk* c) { return c && (c->everFacts & kRimPoints) != 0; });
   forEachRowNear(chunk.dirtyRows, [&](std::int32_t y) {
@@ -154,8 +170,12 @@ void Linking::linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y) {
 }
 
 void Linking::linkSides(CellAt at) {
-  for (unsigned side = 0; side < kSides; ++side)
-    if (((contentOf(at).facts | contentOf(across(at, side)).facts) & kRimPoints) != 0) linkSide(at, side);
+  const unsigned here = at.chunk->facts[at.local];
+  const FactsAround around = factsAround(at);
+  if (((here | around.south) & kRimPoints) != 0) linkSide(at, kSouth);
+  if (((here | around.east) & kRimPoints) != 0) linkSide(at, kEast);
+  if (((here | around.north) & kRimPoints) != 0) linkSide(at, kNorth);
+  if (((here | around.west) & kRimPoints) != 0) linkSide(at, kWest);
 }
 
 /// Walks along one cell's side of a boundary, from vertex to vertex.

@@ -19,6 +19,7 @@ class Linking {
   const InternedContent& contentOf(CellAt at) const {
     return world_.catalogue.content(at ? grid_.content(at) : kEmptyContent);
   }
+  void linkCell(CellAt at);
   void linkInterior(CellAt at);
   template <unsigned q>
   void addQuadrant(Fan& fan, const CellRecord& r) const;

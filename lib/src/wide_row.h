@@ -27,6 +27,14 @@ inline WideRow dirtyRow(const Chunk& chunk, std::int32_t y) {
   return y >= 0 && y < kChunkSize ? WideRow{chunk.dirty[static_cast<std::size_t>(y)]} << 1 : 0;
 }
 
+/// The dirty cell of a chunk that has one only; none if there are more.
+inline CellAt onlyDirtyCell(const Chunk& chunk) {
+  const auto row = static_cast<std::uint32_t>(std::countr_zero(chunk.dirtyRows));
+  const RowMask cells = chunk.dirty[row];
+  if ((chunk.dirtyRows & (chunk.dirtyRows - 1)) != 0 || (cells & (cells - 1)) != 0) return {};
+  return {chunk.around[4], row * kChunkSize + static_cast<std::uint32_t>(std::countr_zero(cells))};
+}
+
 /// Calls visit(y) for y from -1 to 32 where row y, or one beside it, has a dirty cell.
 template <class Visit>
 void forEachRowNear(RowMask dirtyRows, Visit&& visit) {
