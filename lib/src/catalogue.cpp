@@ -101,6 +101,7 @@ Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons
   content.polygons.assign(polygons.begin(), polygons.end());
   content.preserved.assign(preserved.begin(), preserved.end());
   const ContentId id = store(contents_, freeContents_, std::move(content));
+  widestFan_ = std::max(widestFan_, contents_[id]->widestFan);
   uses_.resize(contents_.size());
   uses_[id] = {.users = 0, .facts = contents_[id]->facts};
   contentIndex_.insert(hash, id);

@@ -37,6 +37,8 @@ class Catalogue {
   Catalogue();
 
   const InternedContent& content(ContentId id) const { return *contents_[id]; }
+  /// The most interior half-edges that meet in a rim vertex of a content, of all that there ever were.
+  std::uint32_t widestFan() const { return widestFan_; }
   Facts facts(ContentId id) const { return uses_[id].facts; }
   PolygonView vertices(PolygonId id) const { return polygons_[id]->vertices; }
   /// Valid until the next shape is made; null for an id that is none of ours.
@@ -100,6 +102,7 @@ class Catalogue {
   HashIndex contentIndex_;
   std::vector<PolygonId> freePolygons_;
   std::vector<ContentId> freeContents_;
+  std::uint32_t widestFan_ = 0;
   std::size_t unused_ = 0;  ///< contents and polygons without users
 };
 

@@ -127,6 +127,7 @@ std::vector<Spoke> fanAt(const Content& content, LocalPoint v, Vector from) {
 SpokeRange storeRimFan(Content& content, LocalPoint v, Vector from) {
   const std::vector<Spoke> fan = fanAt(content, v, from);
   SpokeRange range{static_cast<std::uint32_t>(fan.size()), static_cast<std::uint32_t>(content.spokes.size()), {}};
+  content.widestFan = std::max(content.widestFan, range.count);
   if (!fan.empty()) {
     range.first = fan.front();
     content.spokes.insert(content.spokes.end(), fan.begin() + 1, fan.end());

@@ -102,6 +102,7 @@ struct Content {
   std::array<std::uint8_t, 4> usedSides{};  ///< the sides with cover, in order
   std::uint8_t usedSideCount = 0;
   std::array<SpokeRange, 4> corners{};
+  std::uint32_t widestFan = 0;            ///< the longest of the ranges
   std::vector<InteriorSegment> interior;  ///< sorted by start, then end
   std::vector<Spoke> spokes;              ///< `segment` is an index in `interior`, `direction` a rank at that vertex
   std::array<Side, 4> sides;

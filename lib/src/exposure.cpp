@@ -89,10 +89,11 @@ void Exposure::renewAll(CellAt at) {
     return;
   }
   const Facing sides = facing(at);
-  if (sides.isSimple && !grid_.hasSegments(at))
-    createAll(at, contentOf(at), kWholeSides & facts & ~sides.hidden);
+  const InternedContent& content = contentOf(at);
+  if (sides.isSimple && !grid_.hasSegments(at) && content.polygons.size() == 1)
+    createAll(at, content, kWholeSides & facts & ~sides.hidden);
   else
-    update(at, contentOf(at), sides, kAllParts);
+    update(at, content, sides, kAllParts);
 }
 
 /// The segments on one side of a cell whose polygons stay. As a rule one runs along all of it, or none.
@@ -147,25 +148,19 @@ void Exposure::exposeSide(CellAt at, const Content& content, Facing facing, unsi
       });
 }
 
-/// All segments of a cell that has none yet: those inside, and one along each of `sides`.
+/// All segments of a cell with one polygon that has none yet: those inside, and one along each of `sides`.
 void Exposure::createAll(CellAt at, const InternedContent& content, unsigned sides) {
   const auto inside = static_cast<std::uint16_t>(content.interior.size());
   if (inside == 0 && sides == 0) return;
-  PartEnds ends = kSideCounts[sides];
-  for (std::uint16_t& end : ends) end = static_cast<std::uint16_t>(end + inside);
-  const std::uint32_t ref = at.chunk->ref(at.local);
-  const bool single = content.polygons.size() == 1;
-  const Placed first = grid_.placed(at, 0);
-  const auto placed = [&](Slot slot) { return single ? first : grid_.placed(at, slot); };
-  CellRecord* r = grid_.spliceSegments(at, 0, 0, ends.back());
-  r->end = ends;
+  const Placed placed = grid_.placed(at, 0);
+  CellRecord* r = grid_.spliceSegments(at, 0, 0, kSideCounts[sides].back() + std::uint32_t{inside});
+  for (unsigned part = 0; part < kParts; ++part)
+    r->end[part] = static_cast<std::uint16_t>(kSideCounts[sides][part] + inside);
   r->touching = static_cast<std::uint8_t>(sides | sides << 4);
+  const std::uint32_t ref = at.chunk->ref(at.local);
   std::uint32_t* id = r->ids();
-  for (const InteriorSegment& s : content.interior) *id++ = create(ref, s.ends, placed(s.slot));
-  for (; sides != 0; sides &= sides - 1) {
-    const auto side = static_cast<unsigned>(std::countr_zero(sides));
-    *id++ = create(ref, kSideEnds[side], placed(content.wholeSlot[side]));
-  }
+  for (const InteriorSegment& s : content.interior) *id++ = create(ref, s.ends, placed);
+  for (; sides != 0; sides &= sides - 1) *id++ = create(ref, kSideEnds[static_cast<unsigned>(std::countr_zero(sides))], placed);
 }
 
 /// Merges the exposed edges of one part, which come in order, with the segments that are there.

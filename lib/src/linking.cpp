@@ -19,36 +19,32 @@ constexpr std::uint32_t kStretch = 1u << 20;
 /// branch.
 class Linking::Fan {
  public:
-  explicit Fan(std::vector<Spoke>& spokes) : spokes_(spokes) {
-    if (spokes_.size() < kRoom) spokes_.resize(kRoom);
-    end_ = spokes_.data();
-  }
+  explicit Fan(std::vector<Spoke>& spokes) : begin_(spokes.data()), end_(begin_) {}
 
-  void add(std::uint32_t segment, std::uint32_t direction, bool outgoing, bool present = true) {
-    *end_ = {segment, direction & kMaxDirection, outgoing};
+  /// `present` is 1 or 0.
+  void add(std::uint32_t segment, std::uint32_t direction, std::uint32_t outgoing, std::uint32_t present) {
+    *end_ = {segment, direction & kMaxDirection, outgoing & 1u};
     end_ += present;
   }
   void addInterior(const Content& content, const SpokeRange& range, const std::uint32_t* ids, std::uint32_t stretch) {
-    add(ids[range.first.segment], stretch * kStretch + 1 + range.first.direction, range.first.outgoing, range.count > 0);
-    if (range.count > 1) [[unlikely]]
-      addRest(content, range, ids, stretch);
+    const auto addSpoke = [&](const Spoke& spoke, std::uint32_t present) {
+      add(ids[spoke.segment], stretch * kStretch + 1 + spoke.direction, spoke.outgoing, present);
+    };
+    addSpoke(range.first, range.count > 0 ? 1 : 0);
+    for (std::uint32_t k = 1; k < range.count; ++k) addSpoke(content.spokes[range.rest + k - 1], 1);
   }
-  std::span<const Spoke> spokes() const { return {spokes_.data(), end_}; }
+  std::span<const Spoke> spokes() const { return {begin_, end_}; }
 
  private:
-  static constexpr std::size_t kRoom = 16;  ///< for all that sides can add, and the first of each range
-
-  void addRest(const Content& content, const SpokeRange& range, const std::uint32_t* ids, std::uint32_t stretch) {
-    const auto count = static_cast<std::size_t>(end_ - spokes_.data());
-    if (spokes_.size() < count + range.count + kRoom) spokes_.resize(2 * (count + range.count + kRoom));
-    end_ = spokes_.data() + count;
-    for (const Spoke& spoke : std::span(content.spokes).subspan(range.rest, range.count - 1))
-      add(ids[spoke.segment], stretch * kStretch + 1 + spoke.direction, spoke.outgoing);
-  }
-
-  std::vector<Spoke>& spokes_;
+  Spoke* begin_;
   Spoke* end_;
 };
+
+Linking::Linking(World::Impl& world)
+    : world_(world), grid_(world.grid), pool_(world.segments), fan_(world.fan) {
+  constexpr std::size_t kOfSides = 8;  // two to each of four directions
+  fan_.resize(4 * std::size_t{world.catalogue.widestFan()} + kOfSides + 1);  // and one that is written and not there
+}
 
 /// The only dirty cell of its chunk.
 void Linking::linkCell(CellAt at) {
@@ -131,15 +127,14 @@ template <unsigned q>
 inline void Linking::addQuadrant(Fan& fan, const CellRecord& r) const {
   constexpr unsigned leaving = q, arriving = (q + 3) % kSides;
   const std::uint32_t* ids = r.ids();
-  const bool leaves = r.touching >> leaving & 1u, arrives = r.touching >> (4 + arriving) & 1u;
+  const unsigned leaves = r.touching >> leaving & 1u, arrives = r.touching >> (4 + arriving) & 1u;
   const auto first = [&](unsigned side) -> unsigned { return r.end[partOf(side) - 1]; };
   const auto last = [&](unsigned side) { return r.end[partOf(side)] - 1u; };
-  const unsigned leavingId = runsForward(leaving) ? first(leaving) : last(leaving);
-  const unsigned arrivingId = runsForward(arriving) ? last(arriving) : first(arriving);
+  const auto idIf = [ids](unsigned present, unsigned index) { return ids[index & (0u - present)]; };
   const Content& content = world_.catalogue.content(Grid::contentOf(&r));
-  fan.add(ids[leaves ? leavingId : 0], q * kStretch, true, leaves);
+  fan.add(idIf(leaves, runsForward(leaving) ? first(leaving) : last(leaving)), q * kStretch, 1, leaves);
   fan.addInterior(content, content.corners[q], ids, q);
-  fan.add(ids[arrives ? arrivingId : 0], (q + 1) % 4 * kStretch, false, arrives);
+  fan.add(idIf(arrives, runsForward(arriving) ? last(arriving) : first(arriving)), (q + 1) % 4 * kStretch, 0, arrives);
 }
 
 /// The corner where columns x - 1, x and rows y - 1, y meet. In the cell of quadrant q it is corner q.
@@ -196,7 +191,7 @@ class Linking::SideWalk {
     while (!ids_.empty() && bounds(ids_.front()).second < vertex) ids_ = ids_.subspan(1);
     for (const std::uint32_t id : ids_.first(std::min<std::size_t>(ids_.size(), 2))) {
       const auto [low, high] = bounds(id);
-      if ((beyond ? low : high) == vertex) fan.add(id, stretch * kStretch, along(side_, pool_[id].start()) == vertex);
+      if ((beyond ? low : high) == vertex) fan.add(id, stretch * kStretch, along(side_, pool_[id].start()) == vertex ? 1 : 0, 1);
     }
   }
   void addInteriorSpokes(Fan& fan, std::int32_t vertex, std::uint32_t stretch) const {
@@ -241,11 +236,12 @@ void Linking::linkSide(CellAt at, unsigned side) {
 
 // A link can change without its ghost: another segment with the same far end. Then the segment is as it was (law 6).
 
-void Linking::listIfAnotherStart(std::uint32_t id, std::uint32_t before, std::uint32_t now) {
+// Out of the way of building, where no segment had a link before.
+[[gnu::noinline]] void Linking::listIfAnotherStart(std::uint32_t id, std::uint32_t before, std::uint32_t now) {
   if (!before || !now || world_.startOf(before) != world_.startOf(now)) list(id);
 }
 
-void Linking::listIfAnotherEnd(std::uint32_t id, std::uint32_t before, std::uint32_t now) {
+[[gnu::noinline]] void Linking::listIfAnotherEnd(std::uint32_t id, std::uint32_t before, std::uint32_t now) {
   if (!before || !now || world_.endOf(before) != world_.endOf(now)) list(id);
 }
 

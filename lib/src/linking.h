@@ -7,7 +7,7 @@ namespace lgs::detail {
 
 class Linking {
  public:
-  explicit Linking(World::Impl& world) : world_(world), grid_(world.grid), pool_(world.segments), fan_(world.fan) {}
+  explicit Linking(World::Impl& world);
 
   /// Links the segments at every vertex in or on the rim of the chunk's dirty cells.
   void linkChunk(const Chunk& chunk);
