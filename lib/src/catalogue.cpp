@@ -130,10 +130,11 @@ Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
     }
     return tl::unexpected(error);
   }
-  use(*content);
+  unused_ -= uses_[*content].users == 0 ? 1 : 0;
+  uses_[*content].users = kForever;
   for (const PolygonId id : given) acquire(polygons_[id]->users);
   shapes_.push_back({*content, given});
-  soles_.push_back(given.size() == 1 ? *content : kEmptyContent);
+  soles_.push_back(given.size() == 1 ? SoleContent{*content & kMaxContent, facts(*content)} : SoleContent{});
   const ShapeId id{static_cast<std::uint32_t>(shapes_.size())};
   shapeIndex_.emplace(given, id);
   return id;

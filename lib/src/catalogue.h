@@ -27,6 +27,13 @@ struct InternedContent : Content {
   std::uint64_t hash = 0;
 };
 
+/// The content of a shape of one polygon. It is never forgotten, so its users are not counted.
+struct SoleContent {
+  ContentId id : 24 = kEmptyContent;
+  Facts facts = 0;
+};
+static_assert(sizeof(SoleContent) == 4);
+
 struct InternedShape {
   ContentId content = kEmptyContent;  ///< with nothing preserved
   std::vector<PolygonId> polygons;    ///< in the order given
@@ -47,8 +54,8 @@ class Catalogue {
     return index < shapes_.size() ? &shapes_[index] : nullptr;
   }
 
-  /// The content of a shape of one polygon; kEmptyContent for any other, and for an id that is none of ours.
-  ContentId soleContent(ShapeId id) const { return id.value < soles_.size() ? soles_[id.value] : kEmptyContent; }
+  /// Empty for a shape of several polygons, and for an id that is none of ours.
+  SoleContent soleContent(ShapeId id) const { return id.value < soles_.size() ? soles_[id.value] : SoleContent{}; }
 
   /// The polygon with these vertices, validated if it is new.
   Expected<PolygonId> internPolygon(PolygonView vertices);
@@ -63,8 +70,12 @@ class Catalogue {
 
   bool meet(PolygonId a, PolygonId b) const { return interiorsMeet(vertices(a), vertices(b)); }
 
-  void use(ContentId id) { acquire(uses_[id].users); }
-  void release(ContentId id) { drop(uses_[id].users); }
+  void use(ContentId id) {
+    if (uses_[id].users != kForever) acquire(uses_[id].users);
+  }
+  void release(ContentId id) {
+    if (uses_[id].users != kForever) drop(uses_[id].users);
+  }
 
   /// Forgets the contents and polygons that nothing uses, once they are many. Amortised O(1) for each that was made.
   void collect();
@@ -83,9 +94,11 @@ class Catalogue {
 
   /// What edits ask of a content, apart from the rest so that they touch little memory.
   struct Use {
-    std::uint32_t users = 0;  ///< cells and shapes; a content without users may be forgotten
+    std::uint32_t users = 0;  ///< cells; a content without users may be forgotten
     Facts facts = 0;          ///< as in the content
   };
+
+  static constexpr std::uint32_t kForever = 0xffff'ffff;  ///< users of a content that a shape has
 
   void acquire(std::uint32_t& users) { unused_ -= users++ == 0; }
   void drop(std::uint32_t& users) { unused_ += --users == 0; }
@@ -96,7 +109,7 @@ class Catalogue {
   std::vector<std::unique_ptr<InternedContent>> contents_;
   std::vector<Use> uses_;  ///< by content
   std::vector<InternedShape> shapes_;
-  std::vector<ContentId> soles_{kEmptyContent};  ///< by shape: see soleContent()
+  std::vector<SoleContent> soles_{SoleContent{}};  ///< by shape: see soleContent()
   std::map<std::vector<PolygonId>, ShapeId> shapeIndex_;
   HashIndex polygonIndex_;
   HashIndex contentIndex_;

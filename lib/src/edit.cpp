@@ -145,6 +145,8 @@ Expected<PolygonHandle> World::Impl::add(Cell cell, ShapeId shape, Block block, 
   return place(at, cell, interned->polygons, block, handles);
 }
 
+Expected<PolygonHandle> World::Impl::add(Cell cell, ShapeId shape, Block block) { return add(cell, shape, block, {}); }
+
 Expected<PolygonHandle> World::Impl::add(Cell cell, PolygonView polygon, Block block) {
   if (!inRange(cell)) return refuse(ErrorCode::cellOutOfRange, cell);
   catalogue.collect();

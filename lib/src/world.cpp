@@ -53,9 +53,11 @@ Expected<ShapeId> World::shape(std::span<const std::vector<LocalPoint>> polygons
   return impl_->shape(views);
 }
 
+Expected<PolygonHandle> World::add(Cell cell, ShapeId shape, Block block) {
+  if (const PolygonHandle handle = impl_->addQuickly(cell, shape, block)) return handle;
+  return impl_->add(cell, shape, block);
+}
 Expected<PolygonHandle> World::add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
-  if (handles.empty())
-    if (const PolygonHandle handle = impl_->addQuickly(cell, shape, block)) return handle;
   return impl_->add(cell, shape, block, handles);
 }
 Expected<PolygonHandle> World::add(Cell cell, std::span<const LocalPoint> polygon, Block block) {

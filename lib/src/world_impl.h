@@ -25,6 +25,7 @@ struct World::Impl {
   // edit.cpp
   Expected<ShapeId> shape(std::span<const detail::PolygonView> polygons);
   PolygonHandle addQuickly(Cell cell, ShapeId shape, Block block);
+  Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block);
   Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles);
   Expected<PolygonHandle> add(Cell cell, detail::PolygonView polygon, Block block);
   Expected<void> remove(PolygonHandle polygon);
@@ -78,7 +79,7 @@ struct World::Impl {
   void apply(detail::CellAt at, detail::ContentId after, std::uint32_t lastSerial);
   tl::unexpected<Error> describeOverlap(detail::CellAt at, std::span<const detail::PolygonId> added, Error error);
   void touch(detail::CellAt at, detail::ContentId content);
-  void mark(detail::CellAt at, detail::ContentId content);
+  void mark(detail::CellAt at, detail::Facts facts);
 
   std::size_t workingBytes() const {
     const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
@@ -96,15 +97,14 @@ struct World::Impl {
 /// Notes the content that a cell has from now on.
 inline void World::Impl::touch(detail::CellAt at, detail::ContentId content) {
   if (at.chunk->dirtyRows == 0) dirtyChunks.push_back(at.chunk);
-  mark(at, content);
+  mark(at, catalogue.facts(content));
 }
 
 /// The same for a cell of a chunk that is among the dirty ones.
-inline void World::Impl::mark(detail::CellAt at, detail::ContentId content) {
+inline void World::Impl::mark(detail::CellAt at, detail::Facts facts) {
   detail::Chunk& chunk = *at.chunk;
   chunk.dirtyRows |= detail::RowMask{1} << at.row();
   chunk.dirty[at.row()] |= at.bit();
-  const detail::Facts facts = catalogue.facts(content);
   chunk.facts[at.local] = facts;
   chunk.everFacts |= facts;
 }
@@ -112,13 +112,12 @@ inline void World::Impl::mark(detail::CellAt at, detail::ContentId content) {
 /// The usual case of add(), ahead of all else and without a call: one polygon into an empty cell, in a dirty chunk that
 /// the last edit found too. Null, and nothing done, if it is not that case.
 inline PolygonHandle World::Impl::addQuickly(Cell cell, ShapeId shape, Block block) {
-  const detail::ContentId content = catalogue.soleContent(shape);
+  const detail::SoleContent sole = catalogue.soleContent(shape);
   const detail::CellAt at = grid.findQuickly(cell);
-  if (content == detail::kEmptyContent || !at || at.chunk->dirtyRows == 0) return {};
-  const std::uint32_t serial = detail::Grid::placeQuickly(at, content, block);
+  if (sole.id == detail::kEmptyContent || !at || at.chunk->dirtyRows == 0) return {};
+  const std::uint32_t serial = detail::Grid::placeQuickly(at, sole.id, block);
   if (serial == 0) return {};
-  catalogue.use(content);
-  mark(at, content);
+  mark(at, sole.facts);
   return {at.chunk->ref(at.local), serial};
 }
 

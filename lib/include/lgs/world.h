@@ -103,11 +103,12 @@ class World {
 
   // --- Edits --------------------------------------------------------------------------------------------------------
 
-  /// Places every polygon of a shape in a cell, all with this block. Returns the handle of the shape's first polygon;
-  /// `handles` receives them
-  /// all, in the shape's order, or as many as it has room for.
+  /// Places every polygon of a shape in a cell, all with this block. Returns the handle of the shape's first polygon.
   /// Refused: cellOutOfRange, unknownShape, overlap, capacity. Cost: O(1) in a cell that is empty.
-  Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles = {});
+  Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block);
+
+  /// The same; `handles` receives the handles of all polygons, in the shape's order, or as many as it has room for.
+  Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles);
 
   /// The same for a polygon given by its vertices: one that was seen before costs a hash, a new one is validated.
   Expected<PolygonHandle> add(Cell cell, std::span<const LocalPoint> polygon, Block block);
