@@ -247,10 +247,19 @@ Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, 
   for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
     for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci)
       grid.obtain({ci * detail::kChunkSize, cj * detail::kChunkSize});
-  grid.forEachCell(cells, [&](CellAt at, Cell cell) {
-    if (interned->polygons.size() > 1 || !placeSole(at, interned->content, block))
-      static_cast<void>(place(at, cell, interned->polygons, block, {}));
-    ++count;
+  const bool single = interned->polygons.size() == 1;
+  const detail::Facts facts = catalogue.facts(interned->content);
+  grid.forEachRow(cells, [&](CellAt at, Cell cell, std::uint32_t inRow) {
+    count += inRow;
+    if (single && detail::Grid::placeRow(at, inRow, interned->content, block)) {
+      touch(at, interned->content);
+      at.chunk->dirty[at.row()] |= ~detail::RowMask{0} >> (detail::kChunkSize - inRow) << at.local % detail::kChunkSize;
+      std::fill_n(at.chunk->facts.begin() + at.local, inRow, facts);
+      return;
+    }
+    for (; inRow != 0; --inRow, ++at.local, ++cell.i)
+      if (!single || !placeSole(at, interned->content, block))
+        static_cast<void>(place(at, cell, interned->polygons, block, {}));
   });
   return count;
 }

@@ -172,11 +172,19 @@ class Grid {
   /// proportion to those cells and to the chunks in the rectangle or in the world, whichever are fewer.
   template <class Visit>
   void forEachCell(const CellRect& cells, Visit&& visit) const {
+    forEachRow(cells, [&](CellAt at, Cell cell, std::uint32_t count) {
+      for (; count != 0; --count, ++at.local, ++cell.i) visit(at, cell);
+    });
+  }
+  /// The same for the rows that these cells make in each chunk: visit(first CellAt, first Cell, how many).
+  template <class Visit>
+  void forEachRow(const CellRect& cells, Visit&& visit) const {
     const auto visitChunk = [&](Chunk& chunk) {
       const std::int32_t i = chunk.ci * kChunkSize, j = chunk.cj * kChunkSize;
-      for (Cell c{0, std::max(j, cells.min.j)}; c.j <= std::min(j + kChunkSize - 1, cells.max.j); ++c.j)
-        for (c.i = std::max(i, cells.min.i); c.i <= std::min(i + kChunkSize - 1, cells.max.i); ++c.i)
-          visit(CellAt{&chunk, localOf(c)}, c);
+      const std::int32_t first = std::max(i, cells.min.i), last = std::min(i + kChunkSize - 1, cells.max.i);
+      if (first > last) return;
+      for (Cell c{first, std::max(j, cells.min.j)}; c.j <= std::min(j + kChunkSize - 1, cells.max.j); ++c.j)
+        visit(CellAt{&chunk, localOf(c)}, c, static_cast<std::uint32_t>(last - first + 1));
     };
     const ChunkRect reach(cells);
     if (reach.count() > chunks().size()) {
@@ -222,6 +230,14 @@ class Grid {
     }
     cell.word() = content << kSerialBits | (lastSerial + 1);
     return lastSerial + 1;
+  }
+  /// The same for `count` cells of a row, all or none; whether it did.
+  static bool placeRow(CellAt first, std::uint32_t count, ContentId content, Block block) {
+    const std::span words(&first.word(), count);
+    if (std::any_of(words.begin(), words.end(), [](std::uint32_t word) { return word >= kSerialMask; })) return false;
+    for (std::uint32_t k = 0; k < count; ++k) setBlock(*first.chunk, first.local + k, block);
+    for (std::uint32_t& word : words) word = content << kSerialBits | (word + 1);
+    return true;
   }
   /// Empties a cell that holds one polygon, this one. Returns the content it had, or kEmptyContent and does nothing if the
   /// cell is not like that, or keeps a list of its polygons.
