@@ -67,10 +67,11 @@ void Exposure::renewChunk(const Chunk& chunk) {
         renewAll(at);
         return;
       }
-      if (bit(below)) renewSide(at, kSouth);
-      if (bit(here >> 1)) renewSide(at, kEast);
-      if (bit(above)) renewSide(at, kNorth);
-      if (bit(here << 1)) renewSide(at, kWest);
+      const FactsAround facts = factsAround(at);
+      if (bit(below)) renewSide(at, kSouth, facts.south);
+      if (bit(here >> 1)) renewSide(at, kEast, facts.east);
+      if (bit(above)) renewSide(at, kNorth, facts.north);
+      if (bit(here << 1)) renewSide(at, kWest, facts.west);
     });
   });
 }
@@ -79,7 +80,7 @@ void Exposure::renewChunk(const Chunk& chunk) {
 void Exposure::renewCell(CellAt at) {
   renewAll(at);
   for (unsigned side = 0; side < kSides; ++side)
-    if (const CellAt beyond = across(at, side)) renewSide(beyond, opposite(side));
+    if (const CellAt beyond = across(at, side)) renewSide(beyond, opposite(side), at.chunk->facts[at.local]);
 }
 
 void Exposure::renewAll(CellAt at) {
@@ -96,12 +97,12 @@ void Exposure::renewAll(CellAt at) {
     update(at, content, sides, kAllParts);
 }
 
-/// The segments on one side of a cell whose polygons stay. As a rule one runs along all of it, or none.
-void Exposure::renewSide(CellAt at, unsigned side) {
+/// The segments on one side of a cell whose polygons stay, against a cell with these facts. As a rule one runs along all
+/// of it, or none.
+void Exposure::renewSide(CellAt at, unsigned side, unsigned facing) {
   const unsigned facts = at.chunk->facts[at.local];
   if (facts == 0) return;
-  const CellAt beyond = across(at, side);
-  const unsigned facing = beyond.chunk->facts[beyond.local], part = partOf(side), both = bothCorners(side);
+  const unsigned part = partOf(side), both = bothCorners(side);
   const CellRecord* r = grid_.record(at);
   const std::uint32_t begin = r ? r->begin(part) : 0, before = r ? r->end[part] - begin : 0;
   if (world_.preserve || ((facts | facing) & kRimPoints) != 0 || before > 1 || (before == 1 && (r->touching & both) != both)) {

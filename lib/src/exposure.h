@@ -30,7 +30,7 @@ class Exposure {
   }
   void renewCell(CellAt at);
   void renewAll(CellAt at);
-  void renewSide(CellAt at, unsigned side);
+  void renewSide(CellAt at, unsigned side, unsigned facing);
   void removeAll(CellAt at);
   void createAll(CellAt at, const InternedContent& content, unsigned sides);
   void update(CellAt at, const InternedContent& content, Facing facing, unsigned parts);

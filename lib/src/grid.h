@@ -119,6 +119,7 @@ inline CellAt cellAt(const Chunk& chunk, std::int32_t x, std::int32_t y) {
 /// The cell across one side.
 inline CellAt across(CellAt at, unsigned side) {
   constexpr std::array<std::int32_t, 4> di{0, 1, 0, -1}, dj{-1, 0, 1, 0};
+  if (isInner(at.local)) return {at.chunk, at.local + static_cast<std::uint32_t>(dj[side] * kChunkSize + di[side])};
   return cellAt(*at.chunk, static_cast<std::int32_t>(at.local % kChunkSize) + di[side],
                 static_cast<std::int32_t>(at.local / kChunkSize) + dj[side]);
 }

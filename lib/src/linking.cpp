@@ -80,6 +80,10 @@ void Linking::linkChunk(const Chunk& chunk) {
     if (isCrowded(corners)) {
       const WideRow live = wideRow<&Chunk::live>(chunk, y) | wideRow<&Chunk::live>(chunk, y - 1);
       corners &= live | live << 1;
+      if (y == kChunkSize) {  // those at a dirty cell of the chunk above are linked with that one
+        const WideRow above = wideRow<&Chunk::dirty>(chunk, y) & kOwnColumns;
+        corners &= ~(above | above << 1);
+      }
     }
     forEachColumn(corners, [&](std::int32_t x) { linkCorner(chunk, x, y); });
   });
@@ -236,13 +240,24 @@ void Linking::linkSide(CellAt at, unsigned side) {
 
 // A link can change without its ghost: another segment with the same far end. Then the segment is as it was (law 6).
 
+// Most such segments are in one cell, where nothing has to be unpacked.
+inline bool Linking::sameStart(const SegmentRecord& a, const SegmentRecord& b) const {
+  if (a.cellRef == b.cellRef) return a.from == b.from && ((a.high ^ b.high) & 3u) == 0;
+  return toWorld(grid_.cellOf(a.cellRef), a.start()) == toWorld(grid_.cellOf(b.cellRef), b.start());
+}
+
+inline bool Linking::sameEnd(const SegmentRecord& a, const SegmentRecord& b) const {
+  if (a.cellRef == b.cellRef) return a.to == b.to && ((a.high ^ b.high) & 12u) == 0;
+  return toWorld(grid_.cellOf(a.cellRef), a.end()) == toWorld(grid_.cellOf(b.cellRef), b.end());
+}
+
 // Out of the way of building, where no segment had a link before.
 [[gnu::noinline]] void Linking::listIfAnotherStart(std::uint32_t id, std::uint32_t before, std::uint32_t now) {
-  if (!before || !now || world_.startOf(before) != world_.startOf(now)) list(id);
+  if (!before || !now || !sameStart(pool_[before], pool_[now])) list(id);
 }
 
 [[gnu::noinline]] void Linking::listIfAnotherEnd(std::uint32_t id, std::uint32_t before, std::uint32_t now) {
-  if (!before || !now || world_.endOf(before) != world_.endOf(now)) list(id);
+  if (!before || !now || !sameEnd(pool_[before], pool_[now])) list(id);
 }
 
 void Linking::list(std::uint32_t id) {

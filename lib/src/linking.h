@@ -29,6 +29,8 @@ class Linking {
   void match(std::span<const Spoke> fan);
   void setPredecessor(std::uint32_t id, std::uint32_t now);
   void setSuccessor(std::uint32_t id, std::uint32_t now);
+  bool sameStart(const SegmentRecord& a, const SegmentRecord& b) const;
+  bool sameEnd(const SegmentRecord& a, const SegmentRecord& b) const;
   void listIfAnotherStart(std::uint32_t id, std::uint32_t before, std::uint32_t now);
   void listIfAnotherEnd(std::uint32_t id, std::uint32_t before, std::uint32_t now);
   void list(std::uint32_t id);
