@@ -152,8 +152,8 @@ Facts factsOf(const Content& content) {
   });
   const bool rimPoints =
       std::any_of(content.sides.begin(), content.sides.end(), [](const Side& side) { return !side.points.empty(); });
-  unsigned facts = (rimPoints ? kRimPoints : 0u) | (content.interior.empty() ? 0u : kInside) |
-                   (linkedInside ? kLinkedInside : 0u);
+  unsigned facts =
+      (rimPoints ? kRimPoints : 0u) | (content.interior.empty() ? 0u : kInside) | (linkedInside ? kLinkedInside : 0u);
   for (unsigned s = 0; s < kSides; ++s) facts |= (content.cover[s] == Cover::whole ? 1u : 0u) << s;
   return static_cast<Facts>(facts);
 }

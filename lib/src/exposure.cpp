@@ -56,8 +56,7 @@ void Exposure::renewChunk(const Chunk& chunk) {
     if (isCrowded(near)) {
       // What is dirty in another chunk is renewed with that one.
       near &= ~wideRow<&Chunk::dirty>(chunk, y) | (ownRow ? kOwnColumns : 0);
-      if (ownRow && !world_.preserve)
-        near &= showingRow(chunk, y) | wideRow<&Chunk::live>(chunk, y) | ~kOwnColumns;
+      if (ownRow && !world_.preserve) near &= showingRow(chunk, y) | wideRow<&Chunk::live>(chunk, y) | ~kOwnColumns;
     }
     forEachColumn(near, [&](std::int32_t x) {
       const CellAt at = cellAt(chunk, x, y);
@@ -105,7 +104,8 @@ void Exposure::renewSide(CellAt at, unsigned side, unsigned facing) {
   const unsigned part = partOf(side), both = bothCorners(side);
   const CellRecord* r = grid_.record(at);
   const std::uint32_t begin = r ? r->begin(part) : 0, before = r ? r->end[part] - begin : 0;
-  if (world_.preserve || ((facts | facing) & kRimPoints) != 0 || before > 1 || (before == 1 && (r->touching & both) != both)) {
+  if (world_.preserve || ((facts | facing) & kRimPoints) != 0 || before > 1 ||
+      (before == 1 && (r->touching & both) != both)) {
     update(at, contentOf(at), this->facing(at), 1u << part);
     return;
   }
@@ -161,7 +161,8 @@ void Exposure::createAll(CellAt at, const InternedContent& content, unsigned sid
   const std::uint32_t ref = at.chunk->ref(at.local);
   std::uint32_t* id = r->ids();
   for (const InteriorSegment& s : content.interior) *id++ = create(ref, s.ends, placed);
-  for (; sides != 0; sides &= sides - 1) *id++ = create(ref, kSideEnds[static_cast<unsigned>(std::countr_zero(sides))], placed);
+  for (; sides != 0; sides &= sides - 1)
+    *id++ = create(ref, kSideEnds[static_cast<unsigned>(std::countr_zero(sides))], placed);
 }
 
 /// Merges the exposed edges of one part, which come in order, with the segments that are there.

@@ -8,8 +8,7 @@ namespace lgs::detail {
 
 class Exposure {
  public:
-  explicit Exposure(World::Impl& world)
-      : world_(world), grid_(world.grid), pool_(world.segments), ids_(world.ids) {}
+  explicit Exposure(World::Impl& world) : world_(world), grid_(world.grid), pool_(world.segments), ids_(world.ids) {}
 
   /// Renews the segments of the chunk's dirty cells, and of the cells beside them on the sides that they share. Segments
   /// that stay the same keep their ids.

@@ -42,14 +42,14 @@ struct Chunk {
   std::int32_t ci = 0;  ///< chunk coordinates: cell >> 5
   std::int32_t cj = 0;
   std::uint32_t index = 0;
-  RowMask dirtyRows = 0;                      ///< rows with a dirty cell
-  Facts everFacts = 0;                        ///< of all contents that any cell has, or had
-  std::array<Chunk*, 9> around{};             ///< [3·(dj+1) + di+1]; null where there is none
-  std::array<RowMask, kChunkSize> dirty{};    ///< edited since the last commit
-  std::array<RowMask, kChunkSize> live{};     ///< has segments
-  std::uint64_t commonBlock = kNoBlock;       ///< of all compact cells, while `blocks` is null
+  RowMask dirtyRows = 0;                    ///< rows with a dirty cell
+  Facts everFacts = 0;                      ///< of all contents that any cell has, or had
+  std::array<Chunk*, 9> around{};           ///< [3·(dj+1) + di+1]; null where there is none
+  std::array<RowMask, kChunkSize> dirty{};  ///< edited since the last commit
+  std::array<RowMask, kChunkSize> live{};   ///< has segments
+  std::uint64_t commonBlock = kNoBlock;     ///< of all compact cells, while `blocks` is null
   std::unique_ptr<Block[]> blocks;
-  std::array<Facts, kChunkCells> facts{};     ///< of each cell's content
+  std::array<Facts, kChunkCells> facts{};  ///< of each cell's content
   std::array<std::uint32_t, kChunkCells> cells{};
 
   static constexpr std::uint64_t kNoBlock = std::uint64_t{1} << 32;
@@ -318,7 +318,8 @@ class Grid {
   std::vector<std::unique_ptr<Chunk>> chunks_;
   HashIndex index_;
   RecordArena records_;
-  Chunk* last_ = nullptr;  // found by the last edit that was not at the end of the world, or chunk 0: edits come in neighbourhoods
+  Chunk* last_ =
+      nullptr;  // found by the last edit that was not at the end of the world, or chunk 0: edits come in neighbourhoods
 };
 
 }  // namespace lgs::detail

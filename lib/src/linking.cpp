@@ -40,9 +40,8 @@ class Linking::Fan {
   Spoke* end_;
 };
 
-Linking::Linking(World::Impl& world)
-    : world_(world), grid_(world.grid), pool_(world.segments), fan_(world.fan) {
-  constexpr std::size_t kOfSides = 8;  // two to each of four directions
+Linking::Linking(World::Impl& world) : world_(world), grid_(world.grid), pool_(world.segments), fan_(world.fan) {
+  constexpr std::size_t kOfSides = 8;                                        // two to each of four directions
   fan_.resize(4 * std::size_t{world.catalogue.widestFan()} + kOfSides + 1);  // and one that is written and not there
 }
 
@@ -195,7 +194,8 @@ class Linking::SideWalk {
     while (!ids_.empty() && bounds(ids_.front()).second < vertex) ids_ = ids_.subspan(1);
     for (const std::uint32_t id : ids_.first(std::min<std::size_t>(ids_.size(), 2))) {
       const auto [low, high] = bounds(id);
-      if ((beyond ? low : high) == vertex) fan.add(id, stretch * kStretch, along(side_, pool_[id].start()) == vertex ? 1 : 0, 1);
+      if ((beyond ? low : high) == vertex)
+        fan.add(id, stretch * kStretch, along(side_, pool_[id].start()) == vertex ? 1 : 0, 1);
     }
   }
   void addInteriorSpokes(Fan& fan, std::int32_t vertex, std::uint32_t stretch) const {

@@ -15,9 +15,7 @@
 
 namespace lgs {
 
-namespace detail {
-
-}  // namespace detail
+namespace detail {}  // namespace detail
 
 struct World::Impl {
   explicit Impl(PreserveRelation relation) : preserve(std::move(relation)) {}
@@ -58,8 +56,8 @@ struct World::Impl {
   Changes changes;
   // Working memory, kept from one call to the next to spare allocations.
   std::vector<LocalPoint> rounded;  ///< of the polygon being added
-  std::vector<std::uint32_t> ids;  ///< of the cell whose segments change
-  std::vector<detail::Spoke> fan;  ///< at the vertex being linked
+  std::vector<std::uint32_t> ids;   ///< of the cell whose segments change
+  std::vector<detail::Spoke> fan;   ///< at the vertex being linked
 
  private:
   /// A polygon of the cell that an edit is about.
