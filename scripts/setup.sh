@@ -9,6 +9,7 @@ packages=(
   libpugixml-dev zlib1g-dev libzstd-dev          # the Tiled importer
   libcgal-dev libboost-dev libcli11-dev libfmt-dev  # the references and the lgs command
   nlohmann-json3-dev
+  libpolyclipping-dev libgeos-dev libbenchmark-dev  # the timings
   libgtest-dev libgmock-dev librapidcheck-dev    # the tests
 )
 
