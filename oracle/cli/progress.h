@@ -9,13 +9,14 @@ namespace lgs::oracle {
 class Progress {
  public:
   Progress();
-  ~Progress();  ///< wipes the line
+  ~Progress() { wipe(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   /// Whether it is time to show something: the caller makes up its text only then.
   bool isDue();
   void show(std::string_view text);
+  void wipe();  ///< the line, before something is printed
 
  private:
   bool terminal_;

@@ -1,0 +1,170 @@
+#include "bench/comparison.h"
+
+#include "bench/edits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace lgs::bench {
+namespace {
+
+constexpr int kRepeats = 10;                // of an incremental subject, a round: one run says little
+constexpr std::size_t kEdits = 1'000;       // a round
+constexpr Nanoseconds kSlow = 500'000'000;  // what takes longer runs once
+
+// What can not be had in seconds is not even begun, unless it is asked for.
+bool isHopeless(std::string_view subject, const Tiles& tiles) {
+  const bool isSimple = tiles.name == "full";
+  return subject == "boost" && !isSimple && tiles.size() > 1'000;
+}
+
+std::int64_t twiceAreaOf(const Tiles& tiles) {
+  Edges edges;
+  std::vector<std::int64_t> areas;
+  for (const Kind& kind : tiles.kinds) {
+    edges.clear();
+    for (const auto& polygon : kind.polygons) {
+      Ring ring;
+      for (const LocalPoint v : polygon) ring.push_back({v.x, v.y});
+      addRing(std::move(ring), Turn::asItIs, edges);
+    }
+    areas.push_back(boundaryOf(edges).twiceArea);
+  }
+  std::int64_t area = 0;
+  for (const std::uint16_t kind : tiles.at) area += areas[kind];
+  return area;
+}
+
+}  // namespace
+
+struct Comparison::Entry {
+  SubjectInfo info;
+  Row polygons;
+  Row row;
+  std::unique_ptr<Subject> subject;  // kept from round to round, but for the build of an incremental one
+  bool isOut = false;                // refused the input, or came to another boundary
+
+  // From nothing: an incremental subject has to be a new one each time.
+  bool build(const Tiles& tiles) {
+    if (info.isIncremental) subject = makeSubject(info.name).value();
+    if (info.isIncremental || polygons.times.empty()) polygons.times.add(timeOf([&] { subject->prepare(tiles); }));
+    bool isDone = false;
+    row.times.add(timeOf([&] { isDone = subject->build(); }));
+    return isDone;
+  }
+};
+
+void Comparison::note(const std::string& scenario, std::string_view subject, const std::string& text) {
+  notes_.push_back(fmt::format("{}: {}: {}", scenario, subject, text));
+}
+
+std::vector<Comparison::Entry> Comparison::start(const std::string& scenario, const Tiles& tiles,
+                                                 const std::vector<std::string_view>& names) {
+  std::vector<Entry> entries;
+  for (const SubjectInfo& info : subjects()) {
+    if (std::find(names.begin(), names.end(), info.name) == names.end()) continue;
+    if (!options_.slow && isHopeless(info.name, tiles)) {
+      note(scenario, info.name, "skipped, it takes many seconds");
+      continue;
+    }
+    auto made = makeSubject(info.name);
+    if (!made) {
+      note(scenario, info.name, "skipped, " + made.error());
+      continue;
+    }
+    const std::string name(info.name);
+    const std::size_t cells = tiles.size();
+    entries.push_back(
+        {info, {"polygons-" + scenario, name, {}, cells, 0}, {scenario, name, {}, cells, 0}, std::move(*made)});
+  }
+  return entries;
+}
+
+Boundary Comparison::expected(const std::string& scenario, const Tiles& tiles) {
+  const auto engine = makeSubject("engine-shapes").value();
+  engine->prepare(tiles);
+  engine->build();
+  Boundary boundary = boundaryOf(engine->edges());
+  checksum_ = checksum_ * 31 + boundary.checksum();
+  if (boundary.twiceArea != twiceAreaOf(tiles)) {
+    agree_ = false;
+    note(scenario, "engine-shapes", "MISMATCH: the area inside the boundary is not that of the polygons");
+  }
+  return boundary;
+}
+
+void Comparison::check(Entry& entry, const Boundary& expected) {
+  const Edges edges = entry.subject->edges();
+  entry.row.segments = entry.polygons.segments = edges.size();
+  const std::string what = difference(expected, boundaryOf(edges));
+  if (what.empty()) return;
+  entry.isOut = true;
+  agree_ = false;
+  note(entry.row.scenario, entry.info.name, "MISMATCH with the engine: " + what);
+}
+
+void Comparison::take(std::vector<Entry> entries) {
+  for (Entry& entry : entries) {
+    if (entry.isOut) continue;
+    if (!entry.polygons.times.empty()) rows_.push_back(std::move(entry.polygons));
+    rows_.push_back(std::move(entry.row));
+  }
+}
+
+void Comparison::build(const std::string& scenario, const Tiles& tiles, const std::vector<std::string_view>& names) {
+  const Boundary boundary = expected(scenario, tiles);
+  std::vector<Entry> entries = start(scenario, tiles, names);
+  for (int round = 0; round < options_.rounds; ++round) {
+    for (Entry& entry : entries) {
+      const bool isSlow = round > 0 && entry.row.times.max() > kSlow;
+      if (entry.isOut || isSlow) continue;
+      options_.progress(fmt::format("{}, {}", scenario, entry.info.name));
+      for (int k = 0; k < (entry.info.isIncremental ? kRepeats : 1) && !entry.isOut; ++k) {
+        if (!entry.build(tiles)) {
+          entry.isOut = true;
+          note(scenario, entry.info.name, "refuses the input");
+        } else if (k == 0) {
+          check(entry, boundary);
+        }
+      }
+    }
+  }
+  take(std::move(entries));
+}
+
+void Comparison::edit(const std::string& scenario, const Tiles& tiles, const std::vector<std::string_view>& names) {
+  const Boundary boundary = expected(scenario, tiles);
+  std::vector<Entry> entries = start(scenario, tiles, names);
+  for (Entry& entry : entries) {
+    options_.progress(fmt::format("{}, {}", scenario, entry.info.name));
+    entry.subject->prepare(tiles);
+    entry.subject->build();
+  }
+  for (int round = 0; round < options_.rounds; ++round) {
+    const EditPlan plan = planEdits(tiles, kEdits, Where::anywhere, static_cast<std::uint64_t>(round) + 1);
+    for (Entry& entry : entries) {
+      EditTimes times;
+      timeRemovesAndAdds(static_cast<Incremental&>(*entry.subject), tiles, plan, times);
+      entry.row.times.add(times.first);
+      entry.row.times.add(times.back);
+    }
+  }
+  for (Entry& entry : entries) check(entry, boundary);
+  take(std::move(entries));
+}
+
+void Comparison::recomputeInstead(const std::string& from, const std::string& to) {
+  std::vector<Row> again;
+  for (const Row& row : rows_) {
+    const auto isThis = [&](const SubjectInfo& info) { return info.name == row.subject && !info.isIncremental; };
+    if (row.scenario == from && std::any_of(subjects().begin(), subjects().end(), isThis)) again.push_back(row);
+  }
+  const auto isLater = [&](const Row& row) { return row.scenario == to; };
+  const auto at = std::find_if(rows_.rbegin(), rows_.rend(), isLater).base();  // after the last
+  for (Row& row : again) row.scenario = to;
+  rows_.insert(at, again.begin(), again.end());
+}
+
+}  // namespace lgs::bench

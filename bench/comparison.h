@@ -1,0 +1,65 @@
+// Subjects side by side: in one process, one after the other, round by round, so that a slow moment of the machine hits
+// all alike. Before a time counts, the boundary that the subject came to must be that of the first one, the engine's:
+// the same area and the same corners.
+#pragma once
+
+#include "bench/sample.h"
+#include "bench/subjects/subject.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lgs::bench {
+
+struct Row {
+  std::string scenario;
+  std::string subject;
+  Sample times;
+  std::size_t cells = 0;
+  std::size_t segments = 0;  ///< of this subject's boundary; collinear ones are merged by some
+};
+
+struct ComparisonOptions {
+  int rounds = 5;
+  bool slow = false;  ///< also what takes more than some seconds a run
+  std::function<void(const std::string&)> progress = [](const std::string&) {};
+};
+
+class Comparison {
+ public:
+  explicit Comparison(ComparisonOptions options) : options_(std::move(options)) {}
+
+  /// A world from nothing. Rows of `scenario`: computing the boundary; of "polygons-" + scenario: making the polygons.
+  void build(const std::string& scenario, const Tiles& tiles, const std::vector<std::string_view>& subjects);
+
+  /// One polygon removed, or added, and committed. Cells anywhere in the world.
+  void edit(const std::string& scenario, const Tiles& tiles, const std::vector<std::string_view>& subjects);
+
+  /// What an edit costs those that recompute: the world again. Their rows of the build `from` once more, as `to`.
+  void recomputeInstead(const std::string& from, const std::string& to);
+
+  const std::vector<Row>& rows() const { return rows_; }
+  const std::vector<std::string>& notes() const { return notes_; }  ///< what was left out, and why
+  bool agree() const { return agree_; }                             ///< every subject with the first
+  std::uint64_t checksum() const { return checksum_; }              ///< of the boundaries of all scenarios
+
+ private:
+  struct Entry;
+  std::vector<Entry> start(const std::string& scenario, const Tiles& tiles, const std::vector<std::string_view>& names);
+  Boundary expected(const std::string& scenario, const Tiles& tiles);
+  void check(Entry& entry, const Boundary& expected);
+  void take(std::vector<Entry> entries);
+  void note(const std::string& scenario, std::string_view subject, const std::string& text);
+
+  ComparisonOptions options_;
+  std::vector<Row> rows_;
+  std::vector<std::string> notes_;
+  bool agree_ = true;
+  std::uint64_t checksum_ = 0;
+};
+
+}  // namespace lgs::bench

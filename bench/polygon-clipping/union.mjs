@@ -1,0 +1,24 @@
+// Unites polygons with polygon-clipping, on request. Reads lines from the standard input: first all polygons as one JSON
+// array of rings; then, as often as wanted, "build", answered with "built", and "read", answered with the rings of the
+// union as JSON, [[outer, hole, ...], ...].
+import { createInterface } from 'node:readline'
+import polygonClipping from 'polygon-clipping'
+
+let polygons
+let united
+const answers = {
+  build() {
+    united = polygonClipping.union(...polygons)
+    return 'built'
+  },
+  read: () => JSON.stringify(united),
+}
+
+console.log('ready')
+for await (const line of createInterface({ input: process.stdin })) {
+  if (!polygons) {
+    polygons = JSON.parse(line).map((ring) => [ring])
+  } else {
+    console.log(answers[line]())
+  }
+}

@@ -1,0 +1,67 @@
+#include "bench/subjects/subject.h"
+
+#include "bench/subjects/engine.h"
+#include "bench/subjects/libraries.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace lgs::bench {
+namespace {
+
+[[maybe_unused]] Made without(const char* what) { return tl::unexpected(std::string("built without ") + what); }
+
+struct Entry {
+  SubjectInfo info;
+  std::function<Made()> make;
+};
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> all{
+      {{"published-port", true}, [] { return without("it"); }},
+      {{"engine-polygons", true}, []() -> Made { return std::make_unique<Engine>(Engine::By::polygons); }},
+      {{"engine-shapes", true}, []() -> Made { return std::make_unique<Engine>(Engine::By::shapes); }},
+      {{"engine-fill", true}, []() -> Made { return std::make_unique<Engine>(Engine::By::fill); }},
+#ifdef LGS_BENCH_GEOS
+      {{"geos-coverage", false}, makeGeosCoverageUnion},
+      {{"geos", false}, makeGeosUnaryUnion},
+#else
+      {{"geos-coverage", false}, [] { return without("GEOS (libgeos-dev)"); }},
+      {{"geos", false}, [] { return without("GEOS (libgeos-dev)"); }},
+#endif
+#ifdef LGS_BENCH_CLIPPER
+      {{"clipper", false}, makeClipper},
+#else
+      {{"clipper", false}, [] { return without("Clipper (libpolyclipping-dev)"); }},
+#endif
+      {{"boost", false}, makeBoost},
+      {{"cgal", false}, makeCgal},
+      {{"polygon-clipping", false}, makePolygonClipping},
+  };
+  return all;
+}
+
+}  // namespace
+
+const std::vector<SubjectInfo>& subjects() {
+  static const std::vector<SubjectInfo> all = [] {
+    std::vector<SubjectInfo> infos;
+    for (const Entry& entry : entries()) infos.push_back(entry.info);
+    return infos;
+  }();
+  return all;
+}
+
+tl::expected<std::unique_ptr<Subject>, std::string> makeSubject(std::string_view name) {
+  const auto& all = entries();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Entry& e) { return e.info.name == name; });
+  return found == all.end() ? tl::unexpected(std::string("there is no such subject")) : found->make();
+}
+
+tl::expected<std::unique_ptr<Incremental>, std::string> makeIncremental(std::string_view name) {
+  return makeSubject(name).map([](std::unique_ptr<Subject> subject) {
+    return std::unique_ptr<Incremental>(static_cast<Incremental*>(subject.release()));
+  });
+}
+
+}  // namespace lgs::bench
