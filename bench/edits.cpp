@@ -76,6 +76,13 @@ EditPlan planEdits(const Tiles& tiles, std::size_t count, Where where, std::uint
   return plan;
 }
 
+std::vector<std::uint32_t> distinctCells(const Tiles& tiles, std::size_t count, std::uint64_t seed) {
+  Planner planner(tiles, Where::anywhere, seed);
+  std::vector<std::uint32_t> cells;
+  while (cells.size() < count) cells.push_back(planner.next());
+  return cells;
+}
+
 void timeRemovesAndAdds(Incremental& subject, const Tiles& tiles, const EditPlan& plan, EditTimes& times,
                         const std::function<void()>& afterEdit) {
   run(

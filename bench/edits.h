@@ -27,6 +27,9 @@ struct EditPlan {
 /// Of cells that are not empty. `count` edits and as many that undo them.
 EditPlan planEdits(const Tiles& tiles, std::size_t count, Where where, std::uint64_t seed);
 
+/// Cells that are not empty, anywhere, none twice.
+std::vector<std::uint32_t> distinctCells(const Tiles& tiles, std::size_t count, std::uint64_t seed);
+
 struct EditTimes {
   Sample first;  ///< removing, or replacing by another kind
   Sample back;   ///< adding, or replacing by the original kind

@@ -1,0 +1,49 @@
+// Worlds from nothing: time for each cell, memory for each cell and segment. The larger ones once: they take seconds.
+#include "bench/micro/benches.h"
+
+namespace lgs::bench {
+namespace {
+
+void build(benchmark::State& state, const std::string& world, std::int64_t cells, Engine::By by) {
+  const Tiles tiles = makeTiles(world, sizeOf(cells));
+  std::unique_ptr<Engine> engine;
+  for (auto _ : state) {
+    state.PauseTiming();
+    engine.reset();
+    engine = std::make_unique<Engine>(by);
+    engine->prepare(tiles);
+    state.ResumeTiming();
+    engine->build();
+  }
+  const Stats stats = engine->world().stats();
+  state.counters["cells"] = static_cast<double>(stats.cells);
+  state.counters["segments"] = static_cast<double>(stats.segments);
+  state.counters["bytes"] = static_cast<double>(stats.bytes);
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(tiles.size()));
+}
+
+}  // namespace
+
+void registerBuilds(const Scale& scale) {
+  for (const std::int64_t cells : {100L, 10'000L, 1'000'000L, 10'000'000L}) {
+    if (cells > scale.maxCells) continue;
+    const auto add = [&](const std::string& how, const std::string& world, Engine::By by) {
+      const std::string name = "build/" + how + "/" + world + "/" + std::to_string(cells);
+      auto* bench =
+          benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { build(state, world, cells, by); });
+      bench->Unit(benchmark::kMillisecond);
+      if (cells >= 1'000'000) bench->Iterations(1);
+    };
+    for (const std::string world : kWorlds) add("shapes", world, Engine::By::shapes);
+    add("fill", "full", Engine::By::fill);
+  }
+  constexpr std::int64_t kHuge = 100'000'000;
+  if (kHuge <= 10 * scale.maxCells) {
+    benchmark::RegisterBenchmark("build/fill/full/100000000",
+                                 [](benchmark::State& state) { build(state, "full", kHuge, Engine::By::fill); })
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
+}  // namespace lgs::bench
