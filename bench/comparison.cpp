@@ -14,10 +14,10 @@ constexpr int kRepeats = 10;                // of an incremental subject, a roun
 constexpr std::size_t kEdits = 1'000;       // a round
 constexpr Nanoseconds kSlow = 500'000'000;  // what takes longer runs once
 
-// What can not be had in seconds is not even begun, unless it is asked for.
-bool isHopeless(std::string_view subject, const Tiles& tiles) {
-  const bool isSimple = tiles.name == "full";
-  return subject == "boost" && !isSimple && tiles.size() > 1'000;
+// What takes many seconds is not even begun, unless it is asked for.
+bool isSlow(std::string_view subject, const Tiles& tiles) {
+  const std::size_t most = tiles.name == "full" ? 100'000 : subject == "boost" ? 1'100 : 11'000;
+  return (subject == "boost" || subject == "geos") && tiles.size() > most;
 }
 
 std::int64_t twiceAreaOf(const Tiles& tiles) {
@@ -65,7 +65,7 @@ std::vector<Comparison::Entry> Comparison::start(const std::string& scenario, co
   std::vector<Entry> entries;
   for (const SubjectInfo& info : subjects()) {
     if (std::find(names.begin(), names.end(), info.name) == names.end()) continue;
-    if (!options_.slow && isHopeless(info.name, tiles)) {
+    if (!options_.slow && isSlow(info.name, tiles)) {
       note(scenario, info.name, "skipped, it takes many seconds");
       continue;
     }
@@ -118,8 +118,8 @@ void Comparison::build(const std::string& scenario, const Tiles& tiles, const st
   std::vector<Entry> entries = start(scenario, tiles, names);
   for (int round = 0; round < options_.rounds; ++round) {
     for (Entry& entry : entries) {
-      const bool isSlow = round > 0 && entry.row.times.max() > kSlow;
-      if (entry.isOut || isSlow) continue;
+      const bool isEnough = round > 0 && entry.row.times.max() > kSlow;
+      if (entry.isOut || isEnough) continue;
       options_.progress(fmt::format("{}, {}", scenario, entry.info.name));
       for (int k = 0; k < (entry.info.isIncremental ? kRepeats : 1) && !entry.isOut; ++k) {
         if (!entry.build(tiles)) {

@@ -26,11 +26,10 @@ inline constexpr const char* kWorlds[] = {"full", "ramp", "map", "mix"};
 struct Built {
   Tiles tiles;
   Engine engine{Engine::By::shapes};
-  Nanoseconds buildTime = 0;
 };
 Built& built(const std::string& world, std::int64_t cells);
 
-/// Puts median, p99 and maximum of single times into the counters, and their mean into the bench's own time.
+/// Puts median, p99 and maximum of single times into the counters.
 void report(benchmark::State& state, const Sample& sample);
 
 void registerEdits(const Scale& scale);    ///< single edits: add, remove, replace; dig and refill

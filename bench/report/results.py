@@ -1,0 +1,46 @@
+"""What was measured: the comparison's rows (of `lgs bench --json`) and the engine's (of `lgs_bench`)."""
+
+import csv
+import json
+import re
+
+
+class Results:
+    def __init__(self, about, comparison, engine):
+        self.about = about  # machine, compiler, commit, command, date
+        self.comparison = {(row["scenario"], row["subject"]): row for row in comparison}
+        self.engine = {}
+        for row in engine:
+            name = re.sub(r"/iterations:\d+$", "", row["name"])
+            row["real_ns"] = row["real_time"] * {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}[row["time_unit"]]
+            self.engine[name] = row
+
+    def median(self, scenario, subject):
+        """In ns; None if that was not measured."""
+        row = self.comparison.get((scenario, subject))
+        return row and row["median_ns"]
+
+    def of(self, name):
+        """An engine's row; empty if that was not measured."""
+        return self.engine.get(name, {})
+
+    def write_json(self, path):
+        everything = {
+            "about": self.about,
+            "comparison": list(self.comparison.values()),
+            "engine": list(self.engine.values()),
+        }
+        path.write_text(json.dumps(everything, indent=1, ensure_ascii=False) + "\n")
+
+    def write_csv(self, path):
+        with path.open("w", newline="") as file:
+            writer = csv.writer(file)
+            writer.writerow(["scenario", "subject", "figure", "value"])
+            for (scenario, subject), row in self.comparison.items():
+                for figure in ("median_ns", "p99_ns", "cells", "segments"):
+                    writer.writerow([scenario, subject, figure, row[figure]])
+            known = {"family_index", "per_family_instance_index", "repetitions", "threads", "repetition_index"}
+            for name, row in self.engine.items():
+                for figure, value in row.items():
+                    if isinstance(value, (int, float)) and figure not in known:
+                        writer.writerow([name, "engine", figure, value])

@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+"""Measures everything and writes it down: figures as JSON and CSV, plots as SVG, the tables of the docs.
+
+    bench/report/run.py            all of it, some minutes; docs/timings*.svg, docs/timings.md and README.md are refreshed
+    bench/report/run.py --quick    smaller worlds, half a minute; the docs are left alone
+
+Wants a quiet machine. Installs polygon-clipping with npm if Node is here and the package is not.
+"""
+
+import argparse
+import datetime
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+from plots import PLOTS
+from results import Results
+from tables import TABLES
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+DOCS = (ROOT / "docs/timings.md", ROOT / "README.md")
+
+# Rounds of the comparison by side of its worlds, and the sizes of lgs_bench.
+FULL = {"rounds": {10: 5, 32: 5, 316: 1, 100: 5}, "max_cells": 10_000_000, "edits": 20_000, "min_time": 0.3, "all": True}
+QUICK = {"rounds": {10: 3, 32: 3, 100: 3}, "max_cells": 1_000_000, "edits": 5_000, "min_time": 0.05, "all": False}
+TINY = {"rounds": {10: 1}, "max_cells": 100, "edits": 20, "min_time": 0.001, "all": False}
+
+
+def say(text):
+    print(text, flush=True)
+
+
+def run(command, **options):
+    """Runs a command; ends with its message if it fails."""
+    done = subprocess.run([str(word) for word in command], cwd=ROOT, text=True, **options)
+    if done.returncode != 0:
+        if done.stdout:
+            print(done.stdout, file=sys.stderr)
+        sys.exit(f"run.py: that failed, with status {done.returncode}: {' '.join(map(str, command))}")
+    return done.stdout
+
+
+def build():
+    setup = ROOT / "bench/polygon-clipping"
+    if shutil.which("npm") and not (setup / "node_modules").exists():
+        say("installing polygon-clipping")
+        subprocess.run(["npm", "ci", "--silent", "--no-audit", "--no-fund"], cwd=setup, check=False)
+    say("building")
+    quiet = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+    run(["cmake", "--preset", "release"], **quiet)
+    run(["cmake", "--build", "--preset", "release", "--target", "lgs_cli", "lgs_bench"], **quiet)
+    return ROOT / "build/release"
+
+
+def compare(folder, out, scale):
+    """Rows of `lgs bench`, smallest worlds first; those of the last run win where scenarios repeat."""
+    rows = []
+    for side, rounds in scale["rounds"].items():
+        say(f"comparing in worlds of {side}×{side} cells")
+        file = out / f"comparison-{side}.json"
+        command = [folder / "oracle/cli/lgs", "bench", "--side", side, "--rounds", rounds, "--json", file]
+        (out / f"comparison-{side}.txt").write_text(
+            run(command + (["--all"] if scale["all"] and side == 100 else []), stdout=subprocess.PIPE)
+        )
+        rows += json.loads(file.read_text())
+    return rows
+
+
+def measure(folder, out, scale):
+    say(f"measuring the engine in worlds of up to {scale['max_cells']:,} cells")
+    file = out / "engine.json"
+    options = [f"--max_cells={scale['max_cells']}", f"--edits={scale['edits']}"]
+    options += [f"--benchmark_min_time={scale['min_time']}", f"--benchmark_out={file}"]
+    run([folder / "bench/lgs_bench", *options], stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    return json.loads(file.read_text())
+
+
+def machine():
+    model = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
+    return f"{model.group(1) if model else 'unknown processor'}, {os.cpu_count()} cores, {memory:.0f} GiB"
+
+
+def commit():
+    def git(*words):
+        return subprocess.run(["git", *words], cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip()
+
+    own = ["--", ".", ":!docs", ":!README.md"]  # what this program writes itself
+    return (git("rev-parse", "--short=10", "HEAD") or "unknown") + (" and changes" if git("status", "-s", *own) else "")
+
+
+def refresh(results, paths):
+    """Puts each table between its markers, <!-- timings: NAME --> and <!-- end -->."""
+    for path in paths:
+        parts = re.compile(r"(<!-- timings: (\w+) -->\n).*?(<!-- end -->)", re.S)
+        text = path.read_text()
+        path.write_text(parts.sub(lambda m: f"{m[1]}{TABLES[m[2]](results)}\n{m[3]}", text))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    size = parser.add_mutually_exclusive_group()
+    size.add_argument("--quick", action="store_true", help="smaller worlds; the docs are left alone")
+    size.add_argument("--tiny", action="store_true", help="the smallest there are, for the tests; the docs are left alone")
+    parser.add_argument("--build", type=pathlib.Path, metavar="DIR", help="measure what is built there; default: build the release preset")
+    parser.add_argument("--out", type=pathlib.Path, metavar="DIR", default=ROOT / "out/bench", help="for figures and plots; default out/bench")
+    arguments = parser.parse_args()
+    scale = QUICK if arguments.quick else TINY if arguments.tiny else FULL
+
+    out = arguments.out.resolve()
+    out.mkdir(parents=True, exist_ok=True)
+    folder = arguments.build.resolve() if arguments.build else build()
+    comparison = compare(folder, out, scale)
+    engine = measure(folder, out, scale)
+    about = {
+        "machine": machine(),
+        "compiler": engine["context"]["compiler"],
+        "commit": commit(),
+        "command": "bench/report/run.py" + (" --quick" if arguments.quick else " --tiny" if arguments.tiny else ""),
+        "date": datetime.date.today().isoformat(),
+    }
+    results = Results(about, comparison, engine["benchmarks"])
+    results.write_json(out / "results.json")
+    results.write_csv(out / "results.csv")
+    pictures = ROOT / "docs" if scale is FULL else out
+    for name, plot in PLOTS.items():
+        (pictures / f"timings-{name}.svg").write_text(plot(results))
+    docs = [out / path.name for path in DOCS]
+    for source, copy in zip(DOCS, docs):
+        shutil.copy(source, copy)
+    refresh(results, DOCS if scale is FULL else docs)
+    say(f"figures: {out / 'results.json'}, .csv; plots: {pictures}/timings-*.svg; tables: "
+        f"{', '.join(str(path) for path in (DOCS if scale is FULL else docs))}")
+
+
+if __name__ == "__main__":
+    main()

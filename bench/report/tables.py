@@ -1,0 +1,215 @@
+"""The tables of docs/timings.md and README.md, as Markdown, by the names of their places there."""
+
+from words import count, digits, duration, ratio, table
+
+NONE = "–"
+SIZES = (100, 10_000, 1_000_000, 10_000_000)
+WORLDS = {"full": "full blocks", "ramp": "random ramps", "map": "the project's map", "mix": "degenerate mix"}
+NAMES = {
+    "published-port": "published algorithm, ported 1:1",
+    "engine-polygons": "**engine, by polygons**",
+    "engine-shapes": "**engine, by shapes**",
+    "engine-fill": "**engine, by fill**",
+    "geos-coverage": "GEOS CoverageUnion",
+    "geos": "GEOS UnaryUnion",
+    "clipper": "Clipper 6",
+    "boost": "Boost.Geometry",
+    "cgal": "CGAL `Polygon_set_2`, EPECK",
+    "polygon-clipping": "polygon-clipping (JavaScript)",
+}
+RECOMPUTE = ("geos-coverage", "clipper", "boost", "cgal", "polygon-clipping", "geos")
+# In milliseconds: polygons and segments of FullBlock, polygons and segments of RAMP.
+PUBLISHED = {
+    "TypeScript": (11.73, 29.02, 9.57, 43.44),
+    "baseline C++": (1.26, 5.28, 0.85, 23.28),
+    "optimised C++": (0.91, 3.87, 0.68, 18.42),
+}
+
+
+def duration_or_none(ns):
+    return NONE if ns is None else duration(ns)
+
+
+def ratio_or_none(a, b):
+    return NONE if not a or not b else ratio(a / b)
+
+
+def about(results):
+    """One line on what the figures are of."""
+    a = results.about
+    return (
+        f"Measured on {a['date']}: {a['machine']}; {a['compiler']}; commit {a['commit']}; by `{a['command']}`. "
+        "One core; absolute times drift, ratios are of one run."
+    )
+
+
+def article(results):
+    scenarios = ("polygons-full-100", "full-100", "polygons-ramp-100", "ramp-100")
+    rows = [
+        [f"{name}, *published, on another machine*", *(f"{ms} ms" for ms in times), NONE, NONE]
+        for name, times in PUBLISHED.items()
+    ]
+    for subject in ("published-port", "engine-polygons", "engine-shapes", "engine-fill"):
+        times = [results.median(scenario, subject) for scenario in scenarios]
+        if not any(times):
+            continue
+        against = [ratio_or_none(results.median(s, "published-port"), results.median(s, subject)) for s in scenarios[1::2]]
+        rows.append([NAMES[subject], *map(duration_or_none, times), *against])
+    head = ["", "FullBlock, polygons", "FullBlock, segments", "RAMP, polygons", "RAMP, segments"]
+    return table([*head, "port ÷ this, FullBlock", "RAMP"], rows)
+
+
+def recompute(results):
+    rows = []
+    for subject in ("engine-shapes", "published-port", *RECOMPUTE):
+        cells = [NAMES[subject]]
+        for world, edit in (("full-100", "edit-100"), ("ramp-100", "edit-ramp-100")):
+            time = results.median(world, subject)
+            cells += [
+                duration_or_none(time),
+                ratio_or_none(time, results.median(world, "engine-shapes")),
+                ratio_or_none(results.median(edit, subject), results.median(edit, "engine-shapes")),
+            ]
+        rows.append(cells)
+    return table(["", "full blocks", "÷ engine's build", "÷ engine's edit", "ramps", "÷ build", "÷ edit"], rows)
+
+
+def edits(results):
+    rows = []
+    for side in (100, 1000):
+        for subject in ("published-port", "engine-polygons", "engine-shapes"):
+            cells = [f"{count(side * side)} cells: {NAMES[subject]}"]
+            for scenario in (f"edit-{side}", f"edit-ramp-{side}"):
+                row = results.comparison.get((scenario, subject))
+                port = results.median(scenario, "published-port")
+                times = (row["median_ns"], row["p99_ns"]) if row else (None, None)
+                cells += [*map(duration_or_none, times), ratio_or_none(port, row and row["median_ns"])]
+            if set(cells[1:]) != {NONE}:
+                rows.append(cells)
+    return table(["", "full blocks: median", "p99", "port ÷ this", "ramps: median", "p99", "port ÷ this"], rows)
+
+
+def edit_sizes(results):
+    kinds = {
+        "remove": ("remove-add", "first"),
+        "add": ("remove-add", "back"),
+        "replace": ("replace", "first"),
+        "dig nearby": ("dig", "first"),
+        "refill nearby": ("dig", "back"),
+    }
+    rows = []
+    for world, name in WORLDS.items():
+        for kind, (bench, half) in kinds.items():
+            cells = [f"{name}: {kind}"]
+            for size in SIZES:
+                row = results.of(f"edit/{bench}/{world}/{size}")
+                figures = [row.get(f"{half}_{figure}_ns") for figure in ("median", "p99", "max")]
+                cells.append(" / ".join(map(duration_or_none, figures)) if row else NONE)
+            rows.append(cells)
+    return table(["median / p99 / max", *(f"{count(size)} cells" for size in SIZES)], rows)
+
+
+def changes(results):
+    rows = []
+    for world, name in WORLDS.items():
+        row = results.of(f"edit/remove-add/{world}/10000")
+        build = results.of(f"build/shapes/{world}/10000")
+        figures = [digits(row[f]) if f in row else NONE for f in ("removed", "added", "relinked")]
+        segments = digits(build["segments"] / build["cells"]) if build else NONE
+        rows.append([name, *figures, segments])
+    return table(["segments, on average", "removed by an edit", "added", "relinked", "segments a cell"], rows)
+
+
+def batches(results):
+    rows = []
+    for world, name in WORLDS.items():
+        cells = [name]
+        for size in (1, 10, 100, 10_000):
+            row = results.of(f"batch/{world}/{size}")
+            cells.append(duration(1e9 / row["items_per_second"]) if row else NONE)
+        rows.append(cells)
+    return table(["time an edit", "1 a commit", "10", "100", "10,000"], rows)
+
+
+def builds(results):
+    rows = []
+    for world, how in (*((w, "shapes") for w in WORLDS), ("full", "fill")):
+        for size in (*SIZES, 100_000_000):
+            row = results.of(f"build/{how}/{world}/{size}")
+            if not row:
+                continue
+            buried = results.of(f"build/{how}/full/{size}").get("bytes", 0)
+            above = (row["bytes"] - buried) / row["segments"]
+            rows.append(
+                [
+                    f"{WORLDS[world]}, by {how}: {count(size)}",
+                    duration(1e9 / row["items_per_second"]),
+                    duration(size * 1e9 / row["items_per_second"]),
+                    digits(row["bytes"] / size),
+                    digits(row["segments"] / size),
+                    digits(above) if world in ("ramp", "mix") and size >= 10_000 else NONE,
+                ]
+            )
+    head = ["cells", "time a cell", "in all", "bytes a cell", "segments a cell", "bytes a segment, above full blocks"]
+    return table(head, rows)
+
+
+def reads(results):
+    kinds = {"changes": "changes", "segments": "all segments", "loops": "loops", "loops-merged": "loops, merged"}
+    rows = []
+    for world, name in WORLDS.items():
+        found = [results.of(f"read/{kind}/{world}") for kind in kinds]
+        rows.append([name, *(duration(1e9 / row["items_per_second"]) if row else NONE for row in found)])
+    return table(["time a segment", *kinds.values()], rows)
+
+
+def worst(results):
+    texts = {
+        "new-chunk": "first cell of a chunk (32×32 cells)",
+        "new-polygon/4": "polygon never seen before, 4 vertices",
+        "new-polygon/64": "the same, 64 vertices",
+        "new-polygon/1024": "the same, 1,024 vertices",
+        "crowded-cell/4": "one of 4 polygons in a cell, removed or put back",
+        "crowded-cell/225": "one of 225 polygons in a cell",
+        "comb-on-wall/8": "full cell under a comb of 8 teeth",
+        "comb-on-wall/1000": "full cell under a comb of 1,000 teeth",
+        "clear-all": "1,000,000 full cells cleared at once",
+    }
+    rows = []
+    for name, text in texts.items():
+        row = results.of(f"worst/{name}")
+        rows.append([text, *(duration_or_none(row.get(f"{f}_ns")) for f in ("median", "p99", "max"))])
+    return table(["", "median", "p99", "max"], rows)
+
+
+def summary(results):
+    """The README's short table."""
+
+    def row(text, scenario, subjects):
+        times = [results.median(scenario, s) for s in subjects]
+        engine = results.median(scenario, "engine-shapes")
+        return [text, duration_or_none(engine), *(f"{duration_or_none(t)} ({ratio_or_none(t, engine)})" for t in times)]
+
+    fastest = {
+        world: min(
+            (s for s in RECOMPUTE if results.median(world, s)), key=lambda s: results.median(world, s), default="clipper"
+        )
+        for world in ("full-100", "ramp-100")
+    }
+    head = ["10,000 cells", "engine", "published algorithm", "fastest full recompute", "CGAL"]
+    rows = []
+    for text, scenario, world in (
+        ("full blocks, from nothing", "full-100", "full-100"),
+        ("random ramps, from nothing", "ramp-100", "ramp-100"),
+        ("one edit among full blocks", "edit-100", "full-100"),
+        ("one edit among ramps", "edit-ramp-100", "ramp-100"),
+    ):
+        cells = row(text, scenario, ("published-port", fastest[world], "cgal"))
+        cells[3] = f"{NAMES[fastest[world]]} {cells[3]}"
+        rows.append(cells)
+    return table(head, rows)
+
+
+TABLES = {
+    f.__name__: f for f in (about, article, recompute, edits, edit_sizes, changes, batches, builds, reads, worst, summary)
+}
