@@ -134,25 +134,38 @@ void Comparison::build(const std::string& scenario, const Tiles& tiles, const st
   take(std::move(entries));
 }
 
-void Comparison::edit(const std::string& scenario, const Tiles& tiles, const std::vector<std::string_view>& names) {
-  const Boundary boundary = expected(scenario, tiles);
-  std::vector<Entry> entries = start(scenario, tiles, names);
+void Comparison::edit(const std::string& size, const Tiles& tiles, const std::vector<std::string_view>& names) {
+  const Boundary boundary = expected("edit-" + size, tiles);
+  std::vector<Entry> entries = start("edit-" + size, tiles, names);
+  std::vector<Row> nearby;
   for (Entry& entry : entries) {
-    options_.progress(fmt::format("{}, {}", scenario, entry.info.name));
+    options_.progress(fmt::format("edit-{}, {}", size, entry.info.name));
     entry.subject->prepare(tiles);
     entry.subject->build();
+    nearby.push_back(entry.row);
+    nearby.back().scenario = "dig-" + size;
   }
   for (int round = 0; round < options_.rounds; ++round) {
-    const EditPlan plan = planEdits(tiles, kEdits, Where::anywhere, static_cast<std::uint64_t>(round) + 1);
-    for (Entry& entry : entries) {
-      EditTimes times;
-      timeRemovesAndAdds(static_cast<Incremental&>(*entry.subject), tiles, plan, times);
-      entry.row.times.add(times.first);
-      entry.row.times.add(times.back);
+    for (const Where where : {Where::anywhere, Where::nearby}) {
+      const EditPlan plan = planEdits(tiles, kEdits, where, static_cast<std::uint64_t>(round) + 1);
+      for (std::size_t k = 0; k < entries.size(); ++k) {
+        EditTimes times;
+        timeRemovesAndAdds(static_cast<Incremental&>(*entries[k].subject), tiles, plan, times);
+        Sample& sample = where == Where::anywhere ? entries[k].row.times : nearby[k].times;
+        sample.add(times.first);
+        sample.add(times.back);
+      }
     }
   }
-  for (Entry& entry : entries) check(entry, boundary);
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    check(entries[k], boundary);
+    nearby[k].segments = entries[k].row.segments;
+  }
+  for (std::size_t k = entries.size(); k-- > 0;) {
+    if (entries[k].isOut) nearby.erase(nearby.begin() + static_cast<std::ptrdiff_t>(k));
+  }
   take(std::move(entries));
+  rows_.insert(rows_.end(), nearby.begin(), nearby.end());
 }
 
 void Comparison::recomputeInstead(const std::string& from, const std::string& to) {

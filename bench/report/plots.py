@@ -14,6 +14,11 @@ def plain(name):
     return name.replace("*", "").replace("`", "")
 
 
+def decade_in_words(decade):
+    """10 to this, in nanoseconds: '10 µs'."""
+    return duration(10**decade).replace(".0 ", " ")
+
+
 class LogLog:
     """A frame with a logarithmic scale on both axes: decades on the grid, a name beside the end of each line."""
 
@@ -44,7 +49,7 @@ class LogLog:
         for decade in range(self.y0, self.y1 + 1):
             _, y = self._at(10**self.x0, 10**decade)
             self.svg.line([(LEFT, y), (RIGHT, y)], stroke=GRID, stroke_opacity=0.35, stroke_width=0.75)
-            self.svg.text(LEFT - 8, y + 4, duration(10**decade), fill=MUTED, anchor="end")
+            self.svg.text(LEFT - 8, y + 4, decade_in_words(decade), fill=MUTED, anchor="end")
         for decade in range(ceil(self.x0), floor(self.x1) + 1):
             x, _ = self._at(10**decade, 10**self.y0)
             self.svg.line([(x, TOP), (x, BOTTOM)], stroke=GRID, stroke_opacity=0.35, stroke_width=0.75)
@@ -111,7 +116,7 @@ def build_time(results):
     for decade in range(low, high + 1):
         x = left + (decade - low) / (high - low) * (right - left)
         svg.line([(x, top - 8), (x, height - 42)], stroke=GRID, stroke_opacity=0.4, stroke_width=0.75)
-        svg.text(x, height - 24, duration(10**decade), fill=MUTED, anchor="middle")
+        svg.text(x, height - 24, decade_in_words(decade), fill=MUTED, anchor="middle")
     for r, (name, times) in enumerate(rows):
         y = top + step * r
         svg.text(left - 10, y + 17, name, anchor="end")

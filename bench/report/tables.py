@@ -77,15 +77,16 @@ def recompute(results):
 def edits(results):
     rows = []
     for side in (100, 1000):
-        for subject in ("published-port", "engine-polygons", "engine-shapes"):
-            cells = [f"{count(side * side)} cells: {NAMES[subject]}"]
-            for scenario in (f"edit-{side}", f"edit-ramp-{side}"):
-                row = results.comparison.get((scenario, subject))
-                port = results.median(scenario, "published-port")
-                times = (row["median_ns"], row["p99_ns"]) if row else (None, None)
-                cells += [*map(duration_or_none, times), ratio_or_none(port, row and row["median_ns"])]
-            if set(cells[1:]) != {NONE}:
-                rows.append(cells)
+        for where, kind in (("anywhere", "edit"), ("nearby", "dig")):
+            for subject in ("published-port", "engine-polygons", "engine-shapes"):
+                cells = [f"{count(side * side)} cells, {where}: {NAMES[subject]}"]
+                for scenario in (f"{kind}-{side}", f"{kind}-ramp-{side}"):
+                    row = results.comparison.get((scenario, subject))
+                    port = results.median(scenario, "published-port")
+                    times = (row["median_ns"], row["p99_ns"]) if row else (None, None)
+                    cells += [*map(duration_or_none, times), ratio_or_none(port, row and row["median_ns"])]
+                if set(cells[1:]) != {NONE}:
+                    rows.append(cells)
     return table(["", "full blocks: median", "p99", "port ÷ this", "ramps: median", "p99", "port ÷ this"], rows)
 
 
