@@ -1,4 +1,4 @@
-// The subjects that are other people's code. Those whose library is not here are not built (CMakeLists.txt).
+// The subjects but the engine. Those whose library is not here are not built (CMakeLists.txt).
 #pragma once
 
 #include "bench/subjects/subject.h"
@@ -7,6 +7,7 @@ namespace lgs::bench {
 
 using Made = tl::expected<std::unique_ptr<Subject>, std::string>;
 
+Made makePublishedPort();
 Made makeCgal();
 Made makeClipper();
 Made makeGeosUnaryUnion();

@@ -18,7 +18,7 @@ struct Entry {
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
-      {{"published-port", true}, [] { return without("it"); }},
+      {{"published-port", true}, makePublishedPort},
       {{"engine-polygons", true}, []() -> Made { return std::make_unique<Engine>(Engine::By::polygons); }},
       {{"engine-shapes", true}, []() -> Made { return std::make_unique<Engine>(Engine::By::shapes); }},
       {{"engine-fill", true}, []() -> Made { return std::make_unique<Engine>(Engine::By::fill); }},
