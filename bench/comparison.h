@@ -34,11 +34,11 @@ class Comparison {
   explicit Comparison(ComparisonOptions options) : options_(std::move(options)) {}
 
   /// A world from nothing. Rows of `scenario`: computing the boundary; of "polygons-" + scenario: making the polygons.
-  void build(const std::string& scenario, const Tiles& tiles, const std::vector<std::string_view>& subjects);
+  void build(const std::string& scenario, const Tiles& tiles, const std::vector<std::string_view>& names);
 
   /// One polygon removed, or added, and committed. Rows of "edit-" + size: anywhere in the world; of "dig-" + size: each
   /// some cells from the last one.
-  void edit(const std::string& size, const Tiles& tiles, const std::vector<std::string_view>& subjects);
+  void edit(const std::string& size, const Tiles& tiles, const std::vector<std::string_view>& names);
 
   /// What an edit costs those that recompute: the world again. Their rows of the build `from` once more, as `to`.
   void recomputeInstead(const std::string& from, const std::string& to);

@@ -99,7 +99,7 @@ Tiles mapTiles(Size size) {
   tiles.kinds = map.kinds;
   for (std::size_t k = 0; k < tiles.size(); ++k) {
     const Cell cell = tiles.cell(k);
-    tiles.at[k] = map.at[static_cast<std::size_t>(cell.j % map.height * map.width + cell.i % map.width)];
+    tiles.at[k] = map.at[static_cast<std::size_t>(std::int64_t{cell.j % map.height} * map.width + cell.i % map.width)];
   }
   return tiles;
 }

@@ -22,7 +22,7 @@ void batch(benchmark::State& state, const std::string& world, std::int64_t cells
   };
   std::size_t edits = 0;
   std::size_t from = 0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     const auto batch = std::span(all).subspan(from, std::min(size, all.size() - from));
     from = (from + batch.size()) % all.size();
     for (const std::uint32_t cell : batch) {

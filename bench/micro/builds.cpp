@@ -7,7 +7,7 @@ namespace {
 void build(benchmark::State& state, const std::string& world, std::int64_t cells, Engine::By by) {
   const Tiles tiles = makeTiles(world, sizeOf(cells));
   std::unique_ptr<Engine> engine;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     state.PauseTiming();
     engine.reset();
     engine = std::make_unique<Engine>(by);

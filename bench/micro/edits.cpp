@@ -16,7 +16,7 @@ void edits(benchmark::State& state, const Scale& scale, const std::string& world
   std::uint64_t removed = 0;
   std::uint64_t added = 0;
   std::uint64_t relinked = 0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     timeEdits(b.engine, b.tiles, plan, times, [&] {
       const Changes& c = b.engine.changes();
       removed += c.removed.size();

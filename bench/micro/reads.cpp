@@ -21,7 +21,7 @@ void readChanges(benchmark::State& state, const std::string& world, std::int64_t
   b.engine.commit();
   const Changes& changes = b.engine.changes();
   std::int64_t sum = 0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     for (const SegmentId id : changes.added) sum += sumOf(b.engine.world(), id);
     for (const SegmentId id : changes.relinked) sum += sumOf(b.engine.world(), id);
     benchmark::DoNotOptimize(sum);
@@ -36,7 +36,7 @@ void readSegments(benchmark::State& state, const std::string& world, std::int64_
   Built& b = built(world, cells);
   std::int64_t sum = 0;
   std::int64_t count = 0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     for (const SegmentId id : b.engine.world().segments()) {
       sum += sumOf(b.engine.world(), id);
       ++count;
@@ -49,7 +49,7 @@ void readSegments(benchmark::State& state, const std::string& world, std::int64_
 void readLoops(benchmark::State& state, const std::string& world, std::int64_t cells, Collinear collinear) {
   Built& b = built(world, cells);
   std::size_t loops = 0;
-  for (auto _ : state) loops = b.engine.world().loops(collinear).size();
+  while (state.KeepRunning()) loops = b.engine.world().loops(collinear).size();
   benchmark::DoNotOptimize(loops);
   state.counters["loops"] = static_cast<double>(loops);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(b.engine.world().stats().segments));

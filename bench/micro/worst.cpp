@@ -19,7 +19,7 @@ void newChunk(benchmark::State& state, std::int64_t edits) {
   World world;
   const ShapeId square = world.shape(kUnitSquare).value();
   Sample sample;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     for (std::int32_t k = 0; k < static_cast<std::int32_t>(edits); ++k) {
       sample.add(timeOf([&] {
         (void)world.add({64 * k, 0}, square, 1);
@@ -35,7 +35,7 @@ void newChunk(benchmark::State& state, std::int64_t edits) {
 void newPolygon(benchmark::State& state, std::int64_t edits, int vertices) {
   World world;
   Sample sample;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     for (int k = 0; k < static_cast<int>(edits); ++k) {
       Polygon polygon;  // on a circle, each smaller than the last
       for (int v = 0; v < vertices; ++v) {
@@ -75,7 +75,7 @@ void combWall(benchmark::State& state, std::int64_t edits, std::int32_t teeth) {
   place(world, {0, 1}, comb(teeth));
   world.commit();
   Sample sample;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     for (std::int64_t k = 0; k < edits; ++k) {
       PolygonHandle handle;
       sample.add(timeOf([&] {
@@ -106,7 +106,7 @@ void crowdedCell(benchmark::State& state, std::int64_t edits, std::int32_t polyg
   }
   world.commit();
   Sample sample;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     for (std::int64_t k = 0; k < edits; ++k) {
       const auto at = static_cast<std::size_t>(k) % squares.size();
       sample.add(timeOf([&] {
@@ -129,7 +129,7 @@ void clearAll(benchmark::State& state, std::int64_t cells) {
   World world;
   const ShapeId square = world.shape(kUnitSquare).value();
   Sample sample;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     (void)world.fill(all, square, 1);
     world.commit();
     sample.add(timeOf([&] {
