@@ -7,6 +7,7 @@ packages=(
   g++ cmake ninja-build                          # the tool chain
   libexpected-dev                                # the engine
   libpugixml-dev zlib1g-dev libzstd-dev          # the Tiled importer
+  libbox2d-dev                                   # the terrain for Box2D
   libcgal-dev libboost-dev libcli11-dev libfmt-dev  # the references and the lgs command
   nlohmann-json3-dev
   libpolyclipping-dev libgeos-dev libbenchmark-dev  # the timings

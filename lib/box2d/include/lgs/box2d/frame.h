@@ -1,0 +1,61 @@
+// From the lattice to metres. Each chunk is a body whose position is the chunk's lower left corner, and its vertices are
+// relative to that: differences of lattice integers, exact, and only then rounded to `float`. So a vertex is as precise
+// at the far end of the world as at the origin, and the corner is as precise as its distance from the origin allows.
+#pragma once
+
+#include <lgs/lattice.h>
+
+#include <cmath>
+#include <compare>
+#include <cstdint>
+
+namespace lgs::box2d {
+
+/// A square of cells, by its column and row among the squares.
+struct Chunk {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  friend constexpr auto operator<=>(Chunk, Chunk) = default;
+};
+
+struct Metres {
+  float x = 0;
+  float y = 0;
+};
+
+struct Frame {
+  double cellSize = 1;  ///< metres
+  Cell origin;          ///< the cell whose lower left corner is at (0, 0)
+  std::int32_t chunkCells = 16;
+
+  static constexpr std::int32_t floorDiv(std::int32_t a, std::int32_t b) { return a / b - (a % b < 0 ? 1 : 0); }
+
+  constexpr Chunk chunkOf(Cell c) const { return {floorDiv(c.i, chunkCells), floorDiv(c.j, chunkCells)}; }
+  constexpr Point cornerOf(Chunk c) const {
+    const std::int64_t side = std::int64_t{chunkCells} * kUnitsPerCell;
+    return {c.x * side, c.y * side};
+  }
+
+  /// Where something is in the physics world.
+  Metres position(Point p) const { return scaled(p, toWorld(origin, {})); }
+  /// Where it is relative to the body of a chunk.
+  Metres local(Point p, Chunk chunk) const { return scaled(p, cornerOf(chunk)); }
+  /// The cell at a place in the physics world, which must be within the world's range.
+  Cell cellAt(Metres m) const {
+    return {static_cast<std::int32_t>(std::floor(m.x / cellSize) + origin.i),
+            static_cast<std::int32_t>(std::floor(m.y / cellSize) + origin.j)};
+  }
+  /// The least whole number of lattice units that is longer than this, by a tenth: rounding must not make it shorter.
+  std::int64_t unitsOf(double metres) const {
+    return static_cast<std::int64_t>(std::ceil(1.1 * metres / cellSize * kUnitsPerCell));
+  }
+
+ private:
+  Metres scaled(Point p, Point from) const {
+    const double scale = cellSize / kUnitsPerCell;
+    return {static_cast<float>(static_cast<double>(p.x - from.x) * scale),
+            static_cast<float>(static_cast<double>(p.y - from.y) * scale)};
+  }
+};
+
+}  // namespace lgs::box2d

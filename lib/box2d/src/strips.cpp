@@ -1,0 +1,142 @@
+// Rules 1 and 2 of edges.h: from segments to strips to edges.
+#include <lgs/box2d/edges.h>
+
+#include <algorithm>
+
+namespace lgs::box2d {
+
+namespace {
+
+bool isShorter(Point from, Point to, std::int64_t length) {
+  const std::int64_t x = to.x - from.x;
+  const std::int64_t y = to.y - from.y;
+  return x * x + y * y < length * length;
+}
+
+}  // namespace
+
+std::optional<Segment> EdgeSet::before(const Segment& s) const {
+  if (!s.predecessor) return {};
+  const Segment other = read(s.predecessor);
+  return other.successor == s.id ? std::optional(other) : std::nullopt;
+}
+
+std::optional<Segment> EdgeSet::after(const Segment& s) const {
+  if (!s.successor) return {};
+  const Segment other = read(s.successor);
+  return other.predecessor == s.id ? std::optional(other) : std::nullopt;
+}
+
+bool EdgeSet::straight(const Segment& a, const Segment& b) const {
+  const Point u{a.end.x - a.start.x, a.end.y - a.start.y};
+  const Point v{b.end.x - b.start.x, b.end.y - b.start.y};
+  if (u.x * v.y != u.y * v.x || u.x * v.x + u.y * v.y < 0) return false;
+  const Frame frame{1, {}, options_.chunkCells};
+  if (frame.chunkOf(a.cell) != frame.chunkOf(b.cell)) return false;
+  return a.block == b.block || !options_.material || options_.material(a.block) == options_.material(b.block);
+}
+
+Segment EdgeSet::stripBegin(Segment s) const {
+  while (options_.merge) {
+    const std::optional<Segment> previous = before(s);
+    if (!previous || !straight(*previous, s)) break;
+    s = *previous;
+  }
+  return s;
+}
+
+Segment EdgeSet::stripEnd(Segment s) const {
+  while (options_.merge) {
+    const std::optional<Segment> next = after(s);
+    if (!next || !straight(s, *next)) break;
+    s = *next;
+  }
+  return s;
+}
+
+bool EdgeSet::isShort(Point from, Point to) const { return isShorter(from, to, options_.shortest); }
+
+// Works out the edges of the group that a segment is in: one strip that is long enough, or all short ones in a row.
+void EdgeSet::renew(SegmentId id) {
+  gather(id);
+  for (const Segment& s : group_) {
+    Record& record = records_[s.id.value];
+    record.renewed = update_;
+    record.predecessor = s.predecessor.value;
+    record.successor = s.successor.value;
+    retire(record.edge);
+  }
+  ends_.emplace_back(group_.front().id, group_.back().id);
+  const std::size_t last = group_.size() - 1;
+  if (isShort(group_[0].start, group_[last].end) || strips_.size() > 1) {
+    weld();
+  } else {
+    place(0, last, last == 0 ? Fate::single : Fate::merged);
+  }
+}
+
+void EdgeSet::gather(SegmentId id) {
+  group_.clear();
+  strips_.clear();
+  Segment first = stripBegin(read(id));
+  if (!isShort(first.start, stripEnd(first).end)) return gatherStrip(first);
+
+  const SegmentId begin = first.id;
+  bool ring = false;
+  while (const std::optional<Segment> previous = before(first)) {
+    const Segment start = stripBegin(*previous);
+    if (!isShort(start.start, previous->end)) break;
+    ring = start.id == begin;
+    if (ring) break;
+    first = start;
+  }
+  const SegmentId end = ring ? begin : first.id;
+  if (ring) first = read(begin);
+  for (;;) {
+    gatherStrip(first);
+    const std::optional<Segment> next = after(group_.back());
+    if (!next || next->id == end || !isShort(next->start, stripEnd(*next).end)) break;
+    first = *next;
+  }
+  if (ring) startRingAtLeast();
+}
+
+void EdgeSet::gatherStrip(const Segment& first) {
+  const std::size_t begin = group_.size();
+  group_.push_back(first);
+  while (options_.merge) {
+    const std::optional<Segment> next = after(group_.back());
+    if (!next || !straight(group_.back(), *next)) break;
+    group_.push_back(*next);
+  }
+  strips_.push_back({begin, group_.size() - 1});
+}
+
+void EdgeSet::startRingAtLeast() {
+  const auto ends = [&](const Strip& s) { return std::pair(group_[s.first].start, group_[s.first].end); };
+  const auto least = std::min_element(strips_.begin(), strips_.end(),
+                                      [&](const Strip& a, const Strip& b) { return ends(a) < ends(b); });
+  const std::size_t shift = least->first;
+  std::rotate(group_.begin(), group_.begin() + static_cast<std::ptrdiff_t>(shift), group_.end());
+  std::rotate(strips_.begin(), least, strips_.end());
+  for (Strip& s : strips_) {
+    s.first = (s.first + group_.size() - shift) % group_.size();
+    s.last = (s.last + group_.size() - shift) % group_.size();
+  }
+}
+
+void EdgeSet::weld() {
+  std::size_t first = 0;  // of the segments since the last edge
+  for (const Strip& strip : strips_) {
+    if (isShort(group_[first].start, group_[strip.last].end)) continue;
+    place(first, strip.last, Fate::welded);
+    first = strip.last + 1;
+  }
+  for (; first < group_.size(); ++first) {
+    Record& record = records_[group_[first].id.value];
+    record.edge = 0;
+    setFate(record, Fate::leftOut);
+  }
+}
+
+}  // namespace lgs::box2d

@@ -1,0 +1,157 @@
+#include <lgs/box2d/terrain.h>
+#include "nearest.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace lgs::box2d {
+
+namespace {
+
+bool equal(const Material& a, const Material& b) {
+  return a.friction == b.friction && a.restitution == b.restitution &&
+         a.restitutionThreshold == b.restitutionThreshold && a.filter.categoryBits == b.filter.categoryBits &&
+         a.filter.maskBits == b.filter.maskBits && a.filter.groupIndex == b.filter.groupIndex;
+}
+
+b2Vec2 toBox2D(Metres m) { return {m.x, m.y}; }
+
+class Waker : public b2QueryCallback {
+ public:
+  bool ReportFixture(b2Fixture* fixture) override {
+    b2Body& body = *fixture->GetBody();
+    if (body.GetType() != b2_staticBody) body.SetAwake(true);
+    return true;
+  }
+};
+
+}  // namespace
+
+Terrain::Terrain(b2World& physics, const World& world, TerrainOptions options)
+    : physics_(physics),
+      world_(world),
+      frame_{options.cellSize, options.origin, options.chunkCells},
+      materialOf_(std::move(options.material)),
+      edges_({.chunkCells = options.chunkCells,
+              .shortest = frame_.unitsOf(b2_linearSlop),
+              .merge = options.merge,
+              .material = [this](Block block) { return materialNumber(block); }}) {
+  apply(edges_.load(world_));
+}
+
+Terrain::~Terrain() {
+  for (const Chunk& chunk : chunks_) {
+    if (chunk.body != nullptr) physics_.DestroyBody(chunk.body);
+  }
+}
+
+void Terrain::sync(const Changes& changes) { apply(edges_.update(world_, changes)); }
+
+void Terrain::apply(const EdgeChanges& changes) {
+  assert(!physics_.IsLocked());
+  chunks_.resize(edges_.chunkCount());
+  for (const EdgeId id : changes.removed) destroy(id);
+  for (const EdgeId id : changes.added) create(id);
+  for (const EdgeId id : changes.relinked) {
+    auto& shape = static_cast<b2EdgeShape&>(*fixtures_[id.value]->GetShape());
+    const b2EdgeShape with = shapeOf(edges_.edge(id));
+    shape.m_vertex0 = with.m_vertex0;
+    shape.m_vertex3 = with.m_vertex3;
+  }
+  // Box2D wakes what touched a fixture that is destroyed; what touches the others is asked for, if there is anything.
+  if (static_cast<std::size_t>(physics_.GetBodyCount()) > bodyCount_) {
+    for (const EdgeId id : changes.added) wakeAround(*fixtures_[id.value]);
+    for (const EdgeId id : changes.relinked) wakeAround(*fixtures_[id.value]);
+  }
+  for (const EdgeId id : changes.removed) {
+    Chunk& chunk = chunks_[edges_.edge(id).chunk];
+    if (chunk.body == nullptr || chunk.fixtures != 0) continue;
+    physics_.DestroyBody(chunk.body);
+    chunk.body = nullptr;
+    --bodyCount_;
+  }
+}
+
+void Terrain::create(EdgeId id) {
+  const Edge& edge = edges_.edge(id);
+  Chunk& chunk = chunks_[edge.chunk];
+  if (chunk.body == nullptr) {
+    b2BodyDef definition;
+    definition.position = position(frame_.cornerOf(edges_.chunk(edge.chunk)));
+    chunk.body = physics_.CreateBody(&definition);
+    ++bodyCount_;
+  }
+  const b2EdgeShape shape = shapeOf(edge);
+  const Material& material = materials_[materialNumber(edge.block)];
+  b2FixtureDef definition;
+  definition.shape = &shape;
+  definition.userData.pointer = id.value;
+  definition.friction = material.friction;
+  definition.restitution = material.restitution;
+  definition.restitutionThreshold = material.restitutionThreshold;
+  definition.filter = material.filter;
+  if (fixtures_.size() <= id.value) fixtures_.resize(id.value + std::size_t{1}, nullptr);
+  fixtures_[id.value] = chunk.body->CreateFixture(&definition);
+  ++chunk.fixtures;
+}
+
+void Terrain::destroy(EdgeId id) {
+  Chunk& chunk = chunks_[edges_.edge(id).chunk];
+  chunk.body->DestroyFixture(fixtures_[id.value]);
+  fixtures_[id.value] = nullptr;
+  --chunk.fixtures;
+}
+
+// An edge that nothing leads to or from is taken to go straight on.
+b2EdgeShape Terrain::shapeOf(const Edge& edge) const {
+  const lgs::box2d::Chunk chunk = edges_.chunk(edge.chunk);
+  const auto at = [&](Point p) { return toBox2D(frame_.local(p, chunk)); };
+  const b2Vec2 start = at(edge.start);
+  const b2Vec2 end = at(edge.end);
+  b2EdgeShape shape;
+  shape.SetOneSided(edge.ghost1 ? at(*edge.ghost1) : start - (end - start), start, end,
+                    edge.ghost2 ? at(*edge.ghost2) : end + (end - start));
+  return shape;
+}
+
+void Terrain::wakeAround(b2Fixture& fixture) {
+  Waker waker;
+  physics_.QueryAABB(&waker, fixture.GetAABB(0));
+}
+
+std::uint32_t Terrain::materialNumber(Block block) {
+  const auto [entry, isNew] = materialNumbers_.try_emplace(block);
+  if (isNew) {
+    const Material material = materialOf_ ? materialOf_(block) : Material{};
+    const auto known = std::find_if(materials_.begin(), materials_.end(),
+                                    [&](const Material& other) { return equal(material, other); });
+    entry->second = static_cast<std::uint32_t>(known - materials_.begin());
+    if (known == materials_.end()) materials_.push_back(material);
+  }
+  return entry->second;
+}
+
+std::optional<Hit> Terrain::hit(const b2Fixture& fixture) const {
+  const std::uintptr_t id = const_cast<b2Fixture&>(fixture).GetUserData().pointer;  // NOLINT: Box2D's is not const
+  if (id >= fixtures_.size() || fixtures_[id] != &fixture) return {};
+  const Segment s = *world_.segment(edges_.edge({static_cast<std::uint32_t>(id)}).first);
+  return Hit{s.id, s.polygon, s.block, s.cell};
+}
+
+std::optional<Hit> Terrain::hit(const b2Fixture& fixture, const b2Vec2& point) const {
+  const std::optional<Hit> first = hit(fixture);
+  if (!first) return {};
+  const Segment s = nearestSegment(world_, edges_.edge(edges_.edgeOf(first->segment)), frame_, {point.x, point.y});
+  return Hit{s.id, s.polygon, s.block, s.cell};
+}
+
+b2Fixture* Terrain::fixture(SegmentId segment) const {
+  const EdgeId edge = edges_.edgeOf(segment);
+  return edge ? fixtures_[edge.value] : nullptr;
+}
+
+b2Vec2 Terrain::position(Point p) const { return toBox2D(frame_.position(p)); }
+
+Cell Terrain::cellAt(const b2Vec2& p) const { return frame_.cellAt({p.x, p.y}); }
+
+}  // namespace lgs::box2d
