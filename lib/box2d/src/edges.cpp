@@ -49,7 +49,8 @@ const EdgeChanges& EdgeSet::update(const World& world, const Changes& changes) {
       seed(s.successor);
     }
   }
-  for (const SegmentId id : seeds_) {
+  for (std::size_t k = 0; k < seeds_.size(); ++k) {  // renewing may add some
+    const SegmentId id = seeds_[k];
     const Record& record = records_[id.value];
     if (record.fate != Fate::dead && record.renewed != update_) renew(id);
   }

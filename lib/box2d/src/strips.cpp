@@ -59,8 +59,10 @@ bool EdgeSet::isShort(Point from, Point to) const { return isShorter(from, to, o
 // Works out the edges of the group that a segment is in: one strip that is long enough, or all short ones in a row.
 void EdgeSet::renew(SegmentId id) {
   gather(id);
+  bool wasShort = false;
   for (const Segment& s : group_) {
     Record& record = records_[s.id.value];
+    wasShort = wasShort || record.fate == Fate::welded || record.fate == Fate::leftOut;
     record.renewed = update_;
     record.predecessor = s.predecessor.value;
     record.successor = s.successor.value;
@@ -71,6 +73,10 @@ void EdgeSet::renew(SegmentId id) {
   if (isShort(group_[0].start, group_[last].end) || strips_.size() > 1) {
     weld();
   } else {
+    if (wasShort) {  // it has grown: the short ones beside it are now groups by themselves
+      seed(group_.front().predecessor);
+      seed(group_.back().successor);
+    }
     place(0, last, last == 0 ? Fate::single : Fate::merged);
   }
 }

@@ -51,7 +51,8 @@ struct EdgeOptions {
   std::int32_t chunkCells = 16;  ///< cells along the side of a chunk, 1 … 4,096
   std::int64_t shortest = 0;     ///< lattice units, 0 … 2^28
   bool merge = false;
-  std::function<std::uint32_t(Block)> material;  ///< equal numbers: may be merged. Must be pure. Empty: all are equal
+  std::function<std::uint32_t(Block)> material =
+      {};  ///< equal numbers: may be merged. Must be pure. Empty: all are equal
 };
 
 /// What to do to a copy of the edges. No id is in two lists.
@@ -63,11 +64,11 @@ struct EdgeChanges {
 
 struct EdgeCounts {
   std::size_t edges = 0;
-  std::size_t segments = 0;         ///< of the world; the sum of the next four
-  std::size_t single = 0;           ///< segments that are an edge each
-  std::size_t merged = 0;           ///< segments in edges of several, straight
-  std::size_t welded = 0;           ///< short segments in edges that weld them together
-  std::size_t leftOut = 0;          ///< short segments in no edge
+  std::size_t segments = 0;  ///< of the world; the sum of the next four
+  std::size_t single = 0;    ///< segments that are an edge each
+  std::size_t merged = 0;    ///< segments in edges of several, straight
+  std::size_t welded = 0;    ///< short segments in edges that weld them together
+  std::size_t leftOut = 0;   ///< short segments in no edge
   friend bool operator==(const EdgeCounts&, const EdgeCounts&) = default;
 };
 
@@ -83,8 +84,8 @@ class EdgeSet {
   const EdgeChanges& update(const World& world, const Changes& changes);
 
   const Edge& edge(EdgeId id) const { return slots_[id.value].edge; }  ///< of a live id, or one just removed
-  EdgeId edgeOf(SegmentId segment) const;                             ///< null if left out, or no live segment
-  std::vector<EdgeId> edges() const;                                  ///< all live ones, in increasing order
+  EdgeId edgeOf(SegmentId segment) const;                              ///< null if left out, or no live segment
+  std::vector<EdgeId> edges() const;                                   ///< all live ones, in increasing order
   Chunk chunk(std::uint32_t number) const { return chunks_[number]; }
   std::size_t chunkCount() const { return chunks_.size(); }  ///< that ever had an edge
   EdgeCounts counts() const;

@@ -30,10 +30,11 @@ struct Material {
 
 struct TerrainOptions {
   double cellSize = 1;  ///< metres
-  Cell origin = {};     ///< the cell whose lower left corner is at (0, 0) of the physics world: choose one where things happen
-  std::int32_t chunkCells = 16;              ///< cells along the side of the chunk that is one body; docs/box2d.md
-  bool merge = false;                        ///< collinear neighbours of equal material in a chunk become one edge
-  std::function<Material(Block)> material;   ///< asked once for each block. Empty: the defaults for all
+  Cell origin =
+      {};  ///< the cell whose lower left corner is at (0, 0) of the physics world: choose one where things happen
+  std::int32_t chunkCells = 16;                  ///< cells along the side of the chunk that is one body; docs/box2d.md
+  bool merge = false;                            ///< collinear neighbours of equal material in a chunk become one edge
+  std::function<Material(Block)> material = {};  ///< asked once for each block. Empty: the defaults for all
 };
 
 /// What a fixture stands for.
