@@ -1,0 +1,321 @@
+// The terrain in a live Box2D world: fixtures follow the world's segments through every edit, bodies notice, and a
+// fixture knows what it stands for.
+#include "oracle/check/generator.h"
+#include "oracle/check/random.h"
+#include "oracle/trace/player.h"
+
+#include "field.h"
+
+#include <gtest/gtest.h>
+#include <lgs/box2d/terrain.h>
+#include <cmath>
+
+namespace lgs::box2d_test {
+namespace {
+
+using box2d::EdgeId;
+using box2d::Hit;
+using box2d::Terrain;
+using box2d::TerrainOptions;
+
+constexpr float kStep = 1.0F / 60;
+
+b2Body& addBall(b2World& physics, b2Vec2 at, float radius = 0.35F, float friction = 0.5F) {
+  b2BodyDef definition;
+  definition.type = b2_dynamicBody;
+  definition.position = at;
+  b2Body& body = *physics.CreateBody(&definition);
+  b2CircleShape circle;
+  circle.m_radius = radius;
+  body.CreateFixture(&circle, 1)->SetFriction(friction);
+  return body;
+}
+
+void step(b2World& physics, int times) {
+  for (int k = 0; k < times; ++k) physics.Step(kStep, 8, 3);
+}
+
+std::size_t edgesIn(const b2World& physics) {
+  std::size_t edges = 0;
+  for (const b2Body* body = physics.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    for (const b2Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) {
+      edges += f->GetType() == b2Shape::e_edge ? 1 : 0;
+    }
+  }
+  return edges;
+}
+
+// Every fixture is where its edge is, and there are no others.
+void expectFixtures(const b2World& physics, const Terrain& terrain, const TerrainOptions& options) {
+  const box2d::Frame frame{options.cellSize, options.origin, options.chunkCells};
+  const std::vector<EdgeId> edges = terrain.edges().edges();
+  EXPECT_EQ(edgesIn(physics), edges.size());
+  for (const EdgeId id : edges) {
+    const box2d::Edge& e = terrain.edges().edge(id);
+    const box2d::Chunk chunk = terrain.edges().chunk(e.chunk);
+    const auto at = [&](Point p) {
+      const box2d::Metres m = frame.local(p, chunk);
+      return b2Vec2(m.x, m.y);
+    };
+    b2Fixture* fixture = terrain.fixture(id);
+    ASSERT_NE(fixture, nullptr);
+    const auto& shape = static_cast<const b2EdgeShape&>(*fixture->GetShape());
+    EXPECT_TRUE(shape.m_oneSided);
+    EXPECT_EQ(shape.m_vertex1, at(e.start));
+    EXPECT_EQ(shape.m_vertex2, at(e.end));
+    if (e.ghost1) {
+      EXPECT_EQ(shape.m_vertex0, at(*e.ghost1));
+    }
+    if (e.ghost2) {
+      EXPECT_EQ(shape.m_vertex3, at(*e.ghost2));
+    }
+    EXPECT_EQ(fixture->GetBody()->GetPosition(), terrain.position(frame.cornerOf(chunk)));
+  }
+}
+
+// And where nothing is merged or too short, the edges are the segments.
+void expectSegments(const World& world, const Terrain& terrain) {
+  const std::vector<SegmentId> segments = world.segments();
+  EXPECT_EQ(terrain.edges().edges().size(), segments.size());
+  for (const SegmentId id : segments) {
+    const Segment s = *world.segment(id);
+    const box2d::Edge& e = terrain.edges().edge(terrain.edges().edgeOf(id));
+    EXPECT_EQ(std::tie(e.start, e.end), std::tie(s.start, s.end));
+    EXPECT_EQ(e.ghost1, std::optional(s.ghost1));
+    EXPECT_EQ(e.ghost2, std::optional(s.ghost2));
+  }
+}
+
+class Box2dTerrain : public testing::Test {
+ protected:
+  b2World physics{{0, -10}};
+  Field field;
+};
+
+TEST_F(Box2dTerrain, FixturesFollowRandomEdits) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(seed);
+    oracle::Random random(seed);
+    const oracle::Trace trace = oracle::randomCase({.width = 5, .height = 4, .edits = 60}, seed);
+    oracle::Player player(trace.preserve);
+    TerrainOptions options{.cellSize = random.chance(50) ? 1 : 0.02, .chunkCells = 1 + random.below(8)};
+    options.merge = random.chance(50);
+    b2World empty({0, -10});
+    {
+      Terrain terrain(empty, player.world(), options);
+      for (const oracle::Edit& edit : trace.edits) {
+        if (edit.kind == oracle::Edit::Kind::commit) {
+          terrain.sync(player.commit());
+          expectFixtures(empty, terrain, options);
+          if (HasFailure()) return;
+        } else {
+          (void)player.apply(edit);
+        }
+      }
+      terrain.sync(player.commit());
+      expectFixtures(empty, terrain, options);
+      // A terrain made now is the same.
+      b2World other({0, -10});
+      const Terrain anew(other, player.world(), options);
+      EXPECT_EQ(anew.edges().counts(), terrain.edges().counts());
+      EXPECT_EQ(anew.bodyCount(), terrain.bodyCount());
+      EXPECT_EQ(static_cast<std::size_t>(empty.GetBodyCount()), terrain.bodyCount());
+    }
+    EXPECT_EQ(empty.GetBodyCount(), 0);
+  }
+}
+
+TEST_F(Box2dTerrain, ARestingBodyFallsWhenItsCellIsDugAway) {
+  field.addFloor(0, 8);
+  for (std::int32_t i = 0; i <= 8; ++i) field.add({i, -3}, kSquare);
+  field.world.commit();
+  Terrain terrain(physics, field.world);
+  b2Body& ball = addBall(physics, {4.5F, 0.4F});
+  step(physics, 120);
+  ASSERT_FALSE(ball.IsAwake());
+  const b2Vec2 rest = ball.GetPosition();
+
+  // Far from it: it sleeps on.
+  ASSERT_TRUE(field.world.remove(field.world.polygons({0, -1})[0].handle));
+  terrain.sync(field.world.commit());
+  EXPECT_FALSE(ball.IsAwake());
+  step(physics, 10);
+  EXPECT_EQ(ball.GetPosition(), rest);
+
+  ASSERT_TRUE(field.world.remove(field.world.polygons({4, -1})[0].handle));
+  terrain.sync(field.world.commit());
+  EXPECT_TRUE(ball.IsAwake());
+  step(physics, 120);
+  EXPECT_NEAR(ball.GetPosition().y, -2 + 0.35F, 0.02F);
+}
+
+TEST_F(Box2dTerrain, ABodyWakesWhereGroundAppearsOrIsRelinked) {
+  field.addFloor(0, 8);
+  field.world.commit();
+  Terrain terrain(physics, field.world);
+  b2Body& ball = addBall(physics, {4.5F, 0.4F});
+  step(physics, 120);
+  ASSERT_FALSE(ball.IsAwake());
+  field.add({5, -1 + 1}, kSquare);  // beside it: the edge below it has another ghost
+  const Changes& changes = field.world.commit();
+  EXPECT_FALSE(changes.relinked.empty());
+  terrain.sync(changes);
+  EXPECT_TRUE(ball.IsAwake());
+  expectFixtures(physics, terrain, {});
+}
+
+TEST_F(Box2dTerrain, ABallRollsOnOverAGapFilledAheadOfIt) {
+  field.addFloor(-2, 40);
+  ASSERT_TRUE(field.world.remove(field.world.polygons({20, -1})[0].handle));
+  field.world.commit();
+  Terrain terrain(physics, field.world, {.material = [](Block) { return box2d::Material{.friction = 0}; }});
+  b2Body& ball = addBall(physics, {0, 0.36F}, 0.35F, 0);
+  step(physics, 60);
+  ball.SetLinearVelocity({6, 0});
+  bool filled = false;
+  float unrest = 0;
+  while (ball.GetPosition().x < 38) {
+    if (!filled && ball.GetPosition().x > 19.4F) {
+      field.add({20, -1}, kSquare);
+      terrain.sync(field.world.commit());
+      filled = true;
+    }
+    step(physics, 1);
+    unrest = std::max({unrest, std::abs(ball.GetLinearVelocity().y), std::abs(ball.GetLinearVelocity().x - 6)});
+    ASSERT_GT(ball.GetPosition().y, 0.3F);
+  }
+  EXPECT_TRUE(filled);
+  EXPECT_LT(unrest, 1e-4F);
+}
+
+TEST_F(Box2dTerrain, DiggingAndRefillingBesideABallForThousandsOfSteps) {
+  constexpr int kSteps = 4'000;
+  field.addFloor(0, 39);
+  for (std::int32_t i = 0; i < 40; ++i) field.add({i, -2}, kSquare);
+  for (const std::int32_t i : {0, 39}) field.add({i, 0}, kSquare);
+  field.world.commit();
+  const TerrainOptions options{.chunkCells = 8};
+  Terrain terrain(physics, field.world, options);
+  b2Body& ball = addBall(physics, {20, 0.4F});
+  oracle::Random random(1);
+  const std::vector<Polygon> shapes{kSquare, below(8, 4), below(4, 8), below(0, 8), above(4, 4)};
+  std::vector<PolygonHandle> dug;
+  for (int k = 0; k < kSteps; ++k) {
+    ball.SetLinearVelocity({(k / 300) % 2 == 0 ? 3.0F : -3.0F, ball.GetLinearVelocity().y});
+    ball.SetAwake(true);
+    // A cell before or behind it, whether it is there or not; then its neighbour.
+    const Cell at = terrain.cellAt(ball.GetPosition());
+    const Cell cell{at.i + random.pick(std::vector<std::int32_t>{-2, -1, 1, 2}), -1};
+    if (cell.i > 0 && cell.i < 39) {
+      const auto here = field.world.polygons(cell);
+      if (here.empty()) {
+        ASSERT_TRUE(field.world.add(cell, std::span<const LocalPoint>(random.pick(shapes)), 1));
+      } else {
+        ASSERT_TRUE(field.world.remove(here[0].handle));
+      }
+      terrain.sync(field.world.commit());
+    }
+    expectSegments(field.world, terrain);
+    expectFixtures(physics, terrain, options);
+    if (HasFailure()) return;
+    step(physics, 1);
+    ASSERT_GT(ball.GetPosition().y, -1.2F);
+  }
+}
+
+// --- What a fixture stands for -----------------------------------------------------------------------------------------
+
+TEST_F(Box2dTerrain, AFixtureLeadsToSegmentPolygonBlockAndCell) {
+  field.addFloor(0, 3);
+  const PolygonHandle ramp = field.add({4, -1}, below(8, 0), 7);
+  field.world.commit();
+  Terrain terrain(physics, field.world);
+  for (const SegmentId id : field.world.segments()) {
+    const Segment s = *field.world.segment(id);
+    const std::optional<Hit> hit = terrain.hit(*terrain.fixture(id));
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(std::tie(hit->segment, hit->polygon, hit->block, hit->cell), std::tie(s.id, s.polygon, s.block, s.cell));
+    if (hit->block == 7) {
+      EXPECT_EQ(hit->polygon, ramp);
+    }
+  }
+  b2Body& ball = addBall(physics, {1, 2});
+  EXPECT_FALSE(terrain.hit(*ball.GetFixtureList()));
+}
+
+TEST_F(Box2dTerrain, AMergedEdgeIsAskedByPoint) {
+  field.addFloor(0, 9);
+  field.world.commit();
+  Terrain terrain(physics, field.world, {.cellSize = 2, .merge = true});
+  ASSERT_EQ(terrain.edges().counts().edges, 4U);
+  struct Callback : b2RayCastCallback {
+    float ReportFixture(b2Fixture* f, const b2Vec2& p, const b2Vec2&, float fraction) override {
+      fixture = f;
+      point = p;
+      return fraction;
+    }
+    b2Fixture* fixture = nullptr;
+    b2Vec2 point = {0, 0};
+  } callback;
+  physics.RayCast(&callback, {13, 5}, {13, -5});
+  ASSERT_NE(callback.fixture, nullptr);
+  const std::optional<Hit> hit = terrain.hit(*callback.fixture, callback.point);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->cell, (Cell{6, -1}));
+}
+
+TEST_F(Box2dTerrain, MaterialsByBlock) {
+  field.add({0, 0}, kSquare, 1);
+  field.add({1, 0}, kSquare, 2);
+  field.add({2, 0}, kSquare, 3);  // like 2
+  field.world.commit();
+  int asked = 0;
+  TerrainOptions options{.merge = true};
+  options.material = [&asked](Block block) {
+    ++asked;
+    box2d::Material material;
+    material.friction = block == 1 ? 0.9F : 0.1F;
+    material.restitution = 0.5F;
+    material.filter.categoryBits = block == 1 ? 2 : 4;
+    return material;
+  };
+  const Terrain terrain(physics, field.world, options);
+  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(terrain.edges().counts().edges, 6U);
+  for (const EdgeId id : terrain.edges().edges()) {
+    const b2Fixture& f = *terrain.fixture(id);
+    const bool first = terrain.edges().edge(id).block == 1;
+    EXPECT_EQ(f.GetFriction(), first ? 0.9F : 0.1F);
+    EXPECT_EQ(f.GetRestitution(), 0.5F);
+    EXPECT_EQ(f.GetFilterData().categoryBits, first ? 2 : 4);
+  }
+}
+
+TEST_F(Box2dTerrain, ShortSegmentsAreCountedAndHarmless) {
+  field.addFloor(0, 9);
+  // A step of a thousandth of a cell, less than Box2D's slop.
+  field.add({5, 0}, {{0, 0}, {U, 0}, {U, 65}, {0, 65}});
+  field.world.commit();
+  Terrain terrain(physics, field.world);
+  EXPECT_EQ(terrain.edges().counts().leftOut, 2U);
+  b2Body& ball = addBall(physics, {1, 0.36F}, 0.35F, 0);
+  ball.GetFixtureList()->SetFriction(0);
+  step(physics, 60);
+  ball.SetLinearVelocity({4, 0});
+  step(physics, 100);
+  EXPECT_NEAR(ball.GetLinearVelocity().x, 4, 0.1F);
+}
+
+TEST_F(Box2dTerrain, FarAwayIsAsNear) {
+  constexpr Cell kFar{1 << 29, -(1 << 29)};
+  for (std::int32_t i = 0; i < 10; ++i) field.add({kFar.i + i, kFar.j}, kSquare);
+  field.world.commit();
+  Terrain terrain(physics, field.world, {.origin = kFar});
+  b2Body& ball = addBall(physics, {4.25F, 1.4F});
+  step(physics, 120);
+  EXPECT_NEAR(ball.GetPosition().y, 1.35F, 0.01F);
+  EXPECT_EQ(terrain.cellAt({4.25F, 0.5F}), (Cell{kFar.i + 4, kFar.j}));
+}
+
+}  // namespace
+}  // namespace lgs::box2d_test
