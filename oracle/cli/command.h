@@ -55,5 +55,6 @@ void addCheck(CLI::App& app, Run& run);
 void addImport(CLI::App& app, Run& run);
 void addBench(CLI::App& app, Run& run);
 void addPublished(CLI::App& app, Run& run);
+void addRide(CLI::App& app, Run& run);  ///< where Box2D 2.4 is there
 
 }  // namespace lgs::oracle

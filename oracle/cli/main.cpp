@@ -67,5 +67,8 @@ int main(int argc, char** argv) {
   addImport(app, run);
   addBench(app, run);
   addPublished(app, run);
+#ifdef LGS_HAS_RIDE
+  addRide(app, run);
+#endif
   return static_cast<int>(flushed(parseAndRun(app, run, argc, argv)));
 }
