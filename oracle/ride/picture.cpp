@@ -110,6 +110,16 @@ class Rides {
   const RideOptions& options_;
 };
 
+// All cells that a body came through, so that the plot shows them.
+std::vector<Cell> cellsOf(const std::vector<NamedTrack>& tracks, const RideOptions& options) {
+  const box2d::Frame frame{options.terrain.cellSize, options.terrain.origin, options.terrain.chunkCells};
+  std::vector<Cell> cells{frame.cellAt({options.start.x, options.start.y})};
+  for (const NamedTrack& t : tracks) {
+    for (const Sample& s : t.track.samples) cells.push_back(frame.cellAt({s.position.x, s.position.y}));
+  }
+  return cells;
+}
+
 LegendEntry entryOf(std::size_t which, const NamedTrack& t) {
   const std::string kicks =
       t.track.kicks.empty() ? "no kick"
@@ -123,7 +133,7 @@ std::string drawRides(const Scene& scene, const Outline& outline, const std::vec
                       const RideOptions& options, const std::string& title) {
   constexpr double kWidest = 1400;
   constexpr double kHighest = 700;
-  const Extent extent = extentOf(scene, std::array{&outline}, {}, {});
+  const Extent extent = extentOf(scene, std::array{&outline}, cellsOf(tracks, options), {});
   const Panel panel(extent, fittingCellSize(extent, kWidest, kHighest), {kMargin, kMargin + kHeadingHeight});
 
   const std::string subtitle =
