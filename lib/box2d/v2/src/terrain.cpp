@@ -1,4 +1,5 @@
 #include <lgs/box2d/terrain.h>
+#include "local_edge.h"
 #include "nearest.h"
 
 #include <algorithm>
@@ -102,15 +103,10 @@ void Terrain::destroy(EdgeId id) {
   --chunk.fixtures;
 }
 
-// An edge that nothing leads to or from is taken to go straight on.
 b2EdgeShape Terrain::shapeOf(const Edge& edge) const {
-  const lgs::box2d::Chunk chunk = edges_.chunk(edge.chunk);
-  const auto at = [&](Point p) { return toBox2D(frame_.local(p, chunk)); };
-  const b2Vec2 start = at(edge.start);
-  const b2Vec2 end = at(edge.end);
+  const LocalEdge local = localEdge(edge, edges_.chunk(edge.chunk), frame_, b2_linearSlop);
   b2EdgeShape shape;
-  shape.SetOneSided(edge.ghost1 ? at(*edge.ghost1) : start - (end - start), start, end,
-                    edge.ghost2 ? at(*edge.ghost2) : end + (end - start));
+  shape.SetOneSided(toBox2D(local.ghost1), toBox2D(local.start), toBox2D(local.end), toBox2D(local.ghost2));
   return shape;
 }
 

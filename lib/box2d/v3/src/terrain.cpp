@@ -1,0 +1,208 @@
+#include <lgs/box2d/terrain.h>
+#include "local_edge.h"
+#include "nearest.h"
+
+#include <algorithm>
+
+namespace lgs::box2d {
+
+namespace {
+
+float slop() { return 0.005F * b2GetLengthUnitsPerMeter(); }  // B2_LINEAR_SLOP is public from 3.2 on
+
+bool equal(const Material& a, const Material& b) {
+  return a.surface.friction == b.surface.friction && a.surface.restitution == b.surface.restitution &&
+         a.surface.rollingResistance == b.surface.rollingResistance &&
+         a.surface.tangentSpeed == b.surface.tangentSpeed && a.surface.userMaterialId == b.surface.userMaterialId &&
+         a.surface.customColor == b.surface.customColor && a.filter.categoryBits == b.filter.categoryBits &&
+         a.filter.maskBits == b.filter.maskBits && a.filter.groupIndex == b.filter.groupIndex;
+}
+
+b2Vec2 toBox2D(Metres m) { return {m.x, m.y}; }
+
+void* userDataOf(EdgeId id) {
+  return reinterpret_cast<void*>(static_cast<std::uintptr_t>(id.value));  // NOLINT(performance-no-int-to-ptr)
+}
+
+bool wake(b2ShapeId shape, void* /*context*/) {
+  const b2BodyId body = b2Shape_GetBody(shape);
+  if (b2Body_GetType(body) != b2_staticBody) b2Body_SetAwake(body, true);
+  return true;
+}
+
+}  // namespace
+
+Terrain::Terrain(b2WorldId physics, const World& world, TerrainOptions options)
+    : physics_(physics),
+      world_(world),
+      frame_{options.cellSize, options.origin, options.chunkCells},
+      materialOf_(std::move(options.material)),
+      edges_({.chunkCells = options.chunkCells,
+              .shortest = frame_.unitsOf(slop()),
+              .merge = options.merge,
+              .material = [this](Block block) { return materialNumber(block); }}) {
+  apply(edges_.load(world_));
+}
+
+Terrain::~Terrain() {
+  for (const Body& body : bodies_) {
+    if (B2_IS_NON_NULL(body.body)) b2DestroyBody(body.body);
+  }
+}
+
+void Terrain::sync(const Changes& changes) { apply(edges_.update(world_, changes)); }
+
+void Terrain::apply(const EdgeChanges& changes) {
+  bodies_.resize(edges_.chunkCount());
+  const bool empty = static_cast<std::size_t>(b2World_GetCounters(physics_).bodyCount) == bodyCount_;
+  if (!empty) {
+    for (const EdgeId id : changes.removed) wakeAround(id);
+    for (const EdgeId id : changes.added) wakeAround(id);
+    for (const EdgeId id : changes.relinked) wakeAround(id);
+  }
+  for (const EdgeId id : changes.removed) destroy(id);
+  for (const EdgeId id : changes.added) create(id);
+  for (const EdgeId id : changes.relinked) relink(id);
+  for (const EdgeId id : changes.removed) {
+    Body& body = bodies_[edges_.edge(id).chunk];
+    if (B2_IS_NULL(body.body) || body.shapes != 0) continue;
+    b2DestroyBody(body.body);
+    body.body = b2_nullBodyId;
+    --bodyCount_;
+  }
+}
+
+void Terrain::create(EdgeId id) {
+  const std::uint32_t number = edges_.edge(id).chunk;
+  Body& body = bodies_[number];
+  if (B2_IS_NULL(body.body)) {
+    const Metres corner = frame_.position(frame_.cornerOf(edges_.chunk(number)));
+    b2BodyDef definition = b2DefaultBodyDef();
+    definition.position = {corner.x, corner.y};
+    body.body = b2CreateBody(physics_, &definition);
+    ++bodyCount_;
+  }
+  if (shapes_.size() <= id.value) shapes_.resize(id.value + std::size_t{1});
+  make(id, body.body);
+  ++body.shapes;
+}
+
+void Terrain::destroy(EdgeId id) {
+  unmake(id);
+  --bodies_[edges_.edge(id).chunk].shapes;
+}
+
+#ifdef LGS_BOX2D_CHAIN_SEGMENTS
+
+namespace {
+
+b2ChainSegment chainSegment(const LocalEdge& local) {
+  return {toBox2D(local.ghost1), {toBox2D(local.start), toBox2D(local.end)}, toBox2D(local.ghost2), 0};
+}
+
+}  // namespace
+
+void Terrain::make(EdgeId id, b2BodyId body) {
+  const Edge& edge = edges_.edge(id);
+  const Material& material = materials_[materialNumber(edge.block)];
+  b2ShapeDef definition = b2DefaultShapeDef();
+  definition.userData = userDataOf(id);
+  definition.material = material.surface;
+  definition.filter = material.filter;
+  const b2ChainSegment segment = chainSegment(localEdge(edge, edges_.chunk(edge.chunk), frame_, slop()));
+  shapes_[id.value].shape = b2CreateChainSegmentShape(body, &definition, &segment);
+}
+
+void Terrain::unmake(EdgeId id) {
+  b2DestroyShape(shapes_[id.value].shape, false);
+  shapes_[id.value] = {};
+}
+
+void Terrain::relink(EdgeId id) {
+  const Edge& edge = edges_.edge(id);
+  const b2ChainSegment segment = chainSegment(localEdge(edge, edges_.chunk(edge.chunk), frame_, slop()));
+  b2Shape_SetChainSegment(shapes_[id.value].shape, &segment);
+}
+
+#else
+
+void Terrain::make(EdgeId id, b2BodyId body) {
+  const Edge& edge = edges_.edge(id);
+  const Material& material = materials_[materialNumber(edge.block)];
+  const LocalEdge local = localEdge(edge, edges_.chunk(edge.chunk), frame_, slop());
+  const b2Vec2 points[] = {toBox2D(local.ghost1), toBox2D(local.start), toBox2D(local.end), toBox2D(local.ghost2)};
+  b2ChainDef definition = b2DefaultChainDef();
+  definition.userData = userDataOf(id);
+  definition.points = points;
+  definition.count = 4;
+  definition.materials = &material.surface;
+  definition.materialCount = 1;
+  definition.filter = material.filter;
+  Shape& shape = shapes_[id.value];
+  shape.chain = b2CreateChain(body, &definition);
+  b2Chain_GetSegments(shape.chain, &shape.shape, 1);
+}
+
+void Terrain::unmake(EdgeId id) {
+  b2DestroyChain(shapes_[id.value].chain);
+  shapes_[id.value] = {};
+}
+
+void Terrain::relink(EdgeId id) {
+  unmake(id);
+  make(id, bodies_[edges_.edge(id).chunk].body);
+}
+
+#endif
+
+void Terrain::wakeAround(EdgeId id) {
+  const Edge& edge = edges_.edge(id);
+  const Metres a = frame_.position(edge.start);
+  const Metres b = frame_.position(edge.end);
+  const float margin = 0.1F * b2GetLengthUnitsPerMeter();
+  const b2AABB box{{std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin},
+                   {std::max(a.x, b.x) + margin, std::max(a.y, b.y) + margin}};
+#ifdef LGS_BOX2D_CHAIN_SEGMENTS
+  b2World_OverlapAABB(physics_, b2Pos_zero, box, b2DefaultQueryFilter(), wake, nullptr);
+#else
+  b2World_OverlapAABB(physics_, box, b2DefaultQueryFilter(), wake, nullptr);
+#endif
+}
+
+std::uint32_t Terrain::materialNumber(Block block) {
+  const auto [entry, isNew] = materialNumbers_.try_emplace(block);
+  if (isNew) {
+    const Material material = materialOf_ ? materialOf_(block) : Material{};
+    const auto known = std::find_if(materials_.begin(), materials_.end(),
+                                    [&](const Material& other) { return equal(material, other); });
+    entry->second = static_cast<std::uint32_t>(known - materials_.begin());
+    if (known == materials_.end()) materials_.push_back(material);
+  }
+  return entry->second;
+}
+
+std::optional<Hit> Terrain::hit(b2ShapeId shape) const {
+  if (!b2Shape_IsValid(shape)) return {};
+  const auto id = reinterpret_cast<std::uintptr_t>(b2Shape_GetUserData(shape));
+  if (id >= shapes_.size() || !B2_ID_EQUALS(shapes_[id].shape, shape)) return {};
+  const Segment s = *world_.segment(edges_.edge({static_cast<std::uint32_t>(id)}).first);
+  return Hit{s.id, s.polygon, s.block, s.cell};
+}
+
+std::optional<Hit> Terrain::hit(b2ShapeId shape, b2Vec2 point) const {
+  const std::optional<Hit> first = hit(shape);
+  if (!first) return {};
+  const Segment s = nearestSegment(world_, edges_.edge(edges_.edgeOf(first->segment)), frame_, {point.x, point.y});
+  return Hit{s.id, s.polygon, s.block, s.cell};
+}
+
+b2ShapeId Terrain::shape(SegmentId segment) const {
+  const EdgeId edge = edges_.edgeOf(segment);
+  return edge ? shapes_[edge.value].shape : b2_nullShapeId;
+}
+
+b2Vec2 Terrain::position(Point p) const { return toBox2D(frame_.position(p)); }
+
+Cell Terrain::cellAt(b2Vec2 p) const { return frame_.cellAt({p.x, p.y}); }
+
+}  // namespace lgs::box2d
