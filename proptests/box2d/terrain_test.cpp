@@ -63,12 +63,12 @@ void expectFixtures(const b2World& physics, const Terrain& terrain, const Terrai
     EXPECT_TRUE(shape.m_oneSided);
     EXPECT_EQ(shape.m_vertex1, at(e.start));
     EXPECT_EQ(shape.m_vertex2, at(e.end));
-    if (e.ghost1) {
-      EXPECT_EQ(shape.m_vertex0, at(*e.ghost1));
-    }
-    if (e.ghost2) {
-      EXPECT_EQ(shape.m_vertex3, at(*e.ghost2));
-    }
+    // A ghost that is not there, or too close for Box2D, is straight on.
+    const auto ghost = [&](const std::optional<Point>& p, b2Vec2 near, b2Vec2 far) {
+      return p && b2Distance(at(*p), near) > b2_linearSlop ? at(*p) : near + (near - far);
+    };
+    EXPECT_LT(b2Distance(shape.m_vertex0, ghost(e.ghost1, at(e.start), at(e.end))), 1e-5F);
+    EXPECT_LT(b2Distance(shape.m_vertex3, ghost(e.ghost2, at(e.end), at(e.start))), 1e-5F);
     EXPECT_EQ(fixture->GetBody()->GetPosition(), terrain.position(frame.cornerOf(chunk)));
   }
 }
