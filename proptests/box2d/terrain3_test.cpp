@@ -1,0 +1,150 @@
+// The terrain in Box2D 3; built where that is the Box2D that was found.
+#include "oracle/check/generator.h"
+#include "oracle/trace/player.h"
+
+#include "field.h"
+
+#include <gtest/gtest.h>
+#include <lgs/box2d/terrain.h>
+#include <algorithm>
+#include <cmath>
+
+namespace lgs::box2d_test {
+namespace {
+
+using box2d::EdgeId;
+using box2d::Terrain;
+using box2d::TerrainOptions;
+
+class Box2d3Terrain : public testing::Test {
+ protected:
+  Box2d3Terrain() {
+    b2WorldDef definition = b2DefaultWorldDef();
+    definition.gravity = {0, -10};
+    physics = b2CreateWorld(&definition);
+  }
+  ~Box2d3Terrain() override { b2DestroyWorld(physics); }
+  Box2d3Terrain(const Box2d3Terrain&) = delete;
+  Box2d3Terrain& operator=(const Box2d3Terrain&) = delete;
+
+  b2BodyId addBall(b2Vec2 at, float friction) const {
+    b2BodyDef definition = b2DefaultBodyDef();
+    definition.type = b2_dynamicBody;
+    definition.position = {at.x, at.y};
+    const b2BodyId body = b2CreateBody(physics, &definition);
+    b2ShapeDef shape = b2DefaultShapeDef();
+    shape.material.friction = friction;
+    const b2Circle circle{{0, 0}, 0.35F};
+    b2CreateCircleShape(body, &shape, &circle);
+    return body;
+  }
+  void step(int times) const {
+    for (int k = 0; k < times; ++k) b2World_Step(physics, 1.0F / 60, 4);
+  }
+  float heightOf(b2BodyId body) const { return static_cast<float>(b2Body_GetPosition(body).y); }
+
+  b2WorldId physics = b2_nullWorldId;
+  Field field;
+};
+
+void expectNear(b2Vec2 a, box2d::Metres b) {
+  EXPECT_NEAR(a.x, b.x, 1e-5F);
+  EXPECT_NEAR(a.y, b.y, 1e-5F);
+}
+
+// A ghost that is not there, or too close for Box2D, is straight on.
+void expectGhost(b2Vec2 actual, const std::optional<Point>& p, b2Vec2 near, b2Vec2 far, const box2d::Frame& frame,
+                 box2d::Chunk chunk) {
+  if (p) {
+    const box2d::Metres m = frame.local(*p, chunk);
+    if (b2Distance({m.x, m.y}, near) > 0.005F) return expectNear(actual, m);
+  }
+  expectNear(actual, {2 * near.x - far.x, 2 * near.y - far.y});
+}
+
+void expectShapes(b2WorldId physics, const Terrain& terrain, const TerrainOptions& options) {
+  const box2d::Frame frame{options.cellSize, options.origin, options.chunkCells};
+  const std::vector<EdgeId> edges = terrain.edges().edges();
+  // Balls apart, and there are none where this is called without.
+  EXPECT_GE(static_cast<std::size_t>(b2World_GetCounters(physics).shapeCount), edges.size());
+  for (const EdgeId id : edges) {
+    const box2d::Edge& e = terrain.edges().edge(id);
+    const box2d::Chunk chunk = terrain.edges().chunk(e.chunk);
+    ASSERT_TRUE(b2Shape_IsValid(terrain.shape(id)));
+    const b2ChainSegment s = b2Shape_GetChainSegment(terrain.shape(id));
+    expectNear(s.segment.point1, frame.local(e.start, chunk));
+    expectNear(s.segment.point2, frame.local(e.end, chunk));
+    expectGhost(s.ghost1, e.ghost1, s.segment.point1, s.segment.point2, frame, chunk);
+    expectGhost(s.ghost2, e.ghost2, s.segment.point2, s.segment.point1, frame, chunk);
+    EXPECT_TRUE(terrain.hit(terrain.shape(id)));
+  }
+}
+
+TEST_F(Box2d3Terrain, ShapesFollowRandomEdits) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(seed);
+    const oracle::Trace trace = oracle::randomCase({.width = 5, .height = 4, .edits = 60}, seed);
+    oracle::Player player(trace.preserve);
+    TerrainOptions options;
+    options.chunkCells = 1 + static_cast<std::int32_t>(seed % 7);
+    options.merge = seed % 2 == 0;
+    Terrain terrain(physics, player.world(), options);
+    for (const oracle::Edit& edit : trace.edits) {
+      if (edit.kind == oracle::Edit::Kind::commit) {
+        terrain.sync(player.commit());
+        expectShapes(physics, terrain, options);
+        step(1);
+        if (HasFailure()) return;
+      } else {
+        (void)player.apply(edit);
+      }
+    }
+  }
+  EXPECT_EQ(b2World_GetCounters(physics).bodyCount, 0);
+}
+
+TEST_F(Box2d3Terrain, ARestingBodyFallsWhenItsCellIsDugAway) {
+  field.addFloor(0, 8);
+  for (std::int32_t i = 0; i <= 8; ++i) field.add({i, -3}, kSquare);
+  field.world.commit();
+  Terrain terrain(physics, field.world);
+  const b2BodyId ball = addBall({4.5F, 0.4F}, 0.5F);
+  step(200);
+  ASSERT_FALSE(b2Body_IsAwake(ball));
+  ASSERT_TRUE(field.world.remove(field.world.polygons({4, -1})[0].handle));
+  terrain.sync(field.world.commit());
+  EXPECT_TRUE(b2Body_IsAwake(ball));
+  step(120);
+  EXPECT_NEAR(heightOf(ball), -2 + 0.35F, 0.02F);
+}
+
+TEST_F(Box2d3Terrain, AFrictionlessBallOverCellsAndAGapFilledAheadOfIt) {
+  field.addFloor(-2, 60);
+  ASSERT_TRUE(field.world.remove(field.world.polygons({30, -1})[0].handle));
+  field.world.commit();
+  TerrainOptions options;
+  options.chunkCells = 5;
+  Terrain terrain(physics, field.world, options);
+  const b2BodyId ball = addBall({0, 0.36F}, 0);
+  step(60);
+  b2Body_SetLinearVelocity(ball, {4, 0});
+  float unrest = 0;
+  bool filled = false;
+  for (int k = 0; k < 14 * 60; ++k) {
+    if (!filled && b2Body_GetPosition(ball).x > 29.4F) {
+      field.add({30, -1}, kSquare);
+      terrain.sync(field.world.commit());
+      expectShapes(physics, terrain, options);
+      filled = true;
+    }
+    step(1);
+    const b2Vec2 v = b2Body_GetLinearVelocity(ball);
+    unrest = std::max({unrest, std::abs(v.x - 4), std::abs(v.y)});
+  }
+  EXPECT_TRUE(filled);
+  EXPECT_LT(unrest, 1e-3F);
+  EXPECT_GT(b2Body_GetPosition(ball).x, 50);
+}
+
+}  // namespace
+}  // namespace lgs::box2d_test
