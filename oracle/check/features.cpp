@@ -1,5 +1,6 @@
 #include "oracle/check/features.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cstdlib>
 #include <map>
@@ -79,6 +80,8 @@ const char* describe(Feature feature) {
       return "several polygons in a cell";
     case Feature::preserve:
       return "a preserve relation at work";
+    case Feature::refusal:
+      return "edits that are refused";
     case Feature::count:
       break;
   }
@@ -106,6 +109,23 @@ void note(const Scene& scene, Features& features) {
   for (const auto& [a, b] : scene.preserve.pairs()) {
     if (blocks.contains(a) && blocks.contains(b)) noter.mark(Feature::preserve);
   }
+}
+
+void Distribution::add(const Features& features) {
+  ++cases;
+  for (std::size_t k = 0; k < features.size(); ++k) with[k] += features[k] ? 1 : 0;
+}
+
+double Distribution::percent(Feature feature) const {
+  return 100.0 * static_cast<double>(with[static_cast<std::size_t>(feature)]) / static_cast<double>(cases);
+}
+
+std::string table(const Distribution& distribution) {
+  std::string text;
+  for (std::size_t k = 0; k < distribution.with.size(); ++k) {
+    text += fmt::format("  {:4.0f}%    {}\n", distribution.percent(Feature{k}), describe(Feature{k}));
+  }
+  return text;
 }
 
 }  // namespace lgs::oracle

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <string>
 
 namespace lgs::oracle {
 
@@ -16,6 +18,7 @@ enum class Feature : std::size_t {
   fourSolids,      ///< polygons of four cells meet at their common corner
   manyInCell,      ///< two polygons or more in one cell
   preserve,        ///< a preserve relation that applies to blocks present
+  refusal,         ///< an edit that must be refused; no scene shows it
   count
 };
 
@@ -26,5 +29,17 @@ using Features = std::array<bool, static_cast<std::size_t>(Feature::count)>;
 
 /// Marks what the scene holds; leaves the other marks as they are. Meant for scenes of some dozen polygons.
 void note(const Scene& scene, Features& features);
+
+/// Of how many cases how many had each feature.
+struct Distribution {
+  std::uint64_t cases = 0;
+  std::array<std::uint64_t, static_cast<std::size_t>(Feature::count)> with{};
+
+  void add(const Features& features);
+  double percent(Feature feature) const;
+};
+
+/// A line for each feature: its share of the cases, and what it is.
+std::string table(const Distribution& distribution);
 
 }  // namespace lgs::oracle

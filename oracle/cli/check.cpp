@@ -1,5 +1,6 @@
 #include "oracle/check/features.h"
 #include "oracle/check/generator.h"
+#include "oracle/check/isolated.h"
 #include "oracle/check/random.h"
 #include "oracle/cli/progress.h"
 #include "oracle/cli/report.h"
@@ -35,9 +36,7 @@ struct CheckArguments {
 struct Totals {
   CheckStats stats;
   std::size_t built = 0;  // of the edits: those that make up a map
-  std::size_t cases = 0;
-  std::size_t casesWithRefusals = 0;
-  std::array<std::size_t, static_cast<std::size_t>(Feature::count)> casesWith{};
+  Distribution cases;
 };
 
 void printSummary(const CheckArguments& arguments, const Totals& totals, double seconds) {
@@ -52,12 +51,7 @@ void printSummary(const CheckArguments& arguments, const Totals& totals, double 
   fmt::print("segments   {} compared\n", s.segments);
   fmt::print("time       {:.1f} s, {:.0f} edits/s\n", seconds, static_cast<double>(edits) / seconds);
   if (!arguments.map.empty()) return;
-  fmt::print("cases      {}; of these had\n", totals.cases);
-  const auto share = [&](std::size_t count, const char* what) {
-    fmt::print("  {:4.0f}%    {}\n", 100.0 * static_cast<double>(count) / static_cast<double>(totals.cases), what);
-  };
-  for (std::size_t k = 0; k < totals.casesWith.size(); ++k) share(totals.casesWith[k], describe(Feature{k}));
-  share(totals.casesWithRefusals, "edits that are refused");
+  fmt::print("cases      {}; of these had\n{}", totals.cases.cases, table(totals.cases));
 }
 
 Status drawEnd(const CheckArguments& arguments, const Scene& scene) {
@@ -83,49 +77,69 @@ ReportOptions reportOptions(const CheckArguments& arguments, std::string name, s
           std::chrono::milliseconds(static_cast<std::int64_t>(arguments.shrinkSeconds * 1'000))};
 }
 
-Status checkMap(const CheckArguments& arguments) {
-  auto start = readWorld(arguments.map);
-  if (!start) return complain(start.error());
-  Player player(start->preserve);
-  if (const auto done = play(*start, player); !done) return complain(message(done.error(), arguments.map));
+// Runs a check in a process of its own. If the engine brings that down, reports the trace that it was playing.
+struct Failure {
+  Trace trace;
+  std::string name;       // of its files
+  std::string reproduce;  // the command that finds it again
+};
+Status isolated(const CheckArguments& arguments, const CheckOptions& options, const std::function<Status()>& check,
+                const std::function<Failure()>& played) {
+  const Shared<Status> status;
+  const auto crash = crashOf([&] { *status = check(); });
+  if (!crash) return *status;
+  const Failure failure = played();
+  return reportCrash(*crash, failure.trace, options, reportOptions(arguments, failure.name, failure.reproduce));
+}
+
+Status dig(const CheckArguments& arguments, const Trace& start, const Failure& digging) {
+  Player player(start.preserve);
+  if (const auto done = play(start, player); !done) return complain(message(done.error(), arguments.map));
   fmt::print("{}: built by {}, {} in {}; then dug and refilled by {}\n", arguments.map,
-             counted(editCount(*start), "edit"), counted(player.world().stats().polygons, "polygon"),
+             counted(editCount(start), "edit"), counted(player.world().stats().polygons, "polygon"),
              counted(player.world().stats().cells, "cell"), counted(arguments.edits, "edit"));
   std::fflush(stdout);
 
   Clock::time_point begin = Clock::now();
-  const std::size_t built = editCount(*start);
-  const Trace trace = digIn(std::move(*start), arguments.edits, arguments.seed);
   CheckOptions options = arguments.options;
   Totals totals;
-  totals.built = built;
+  totals.built = editCount(start);
   Scene last;
   {
     Progress progress;
     options.afterCommit = [&](const Scene& scene) {
-      if (totals.stats.edits <= built) {
+      stillAlive();
+      if (totals.stats.edits <= totals.built) {
         begin = Clock::now();  // only digging is timed
         return true;
       }
       if (progress.isDue()) {
-        progress.show(fmt::format("{} of {}, {}, no mismatch", totals.stats.edits - built,
+        progress.show(fmt::format("{} of {}, {}, no mismatch", totals.stats.edits - totals.built,
                                   counted(arguments.edits, "edit"), counted(totals.stats.commits, "commit")));
       }
       if (!arguments.svg.empty()) last = scene;
       return true;
     };
-    const auto result = checkTrace(trace, options, totals.stats);
+    const auto result = checkTrace(digging.trace, options, totals.stats);
     if (!result) return complain(message(result.error(), arguments.map));
     if (*result) {
-      const std::string again =
-          fmt::format("lgs check --map '{}' --edits {} --seed {} --oracle {} --whole-every {}", arguments.map,
-                      arguments.edits, arguments.seed, arguments.oracle(), arguments.options.wholeEvery);
-      const std::string name = fmt::format("mismatch-map-{}", arguments.seed);
-      return reportMismatch(**result, trace, options, reportOptions(arguments, name, again));
+      return reportMismatch(**result, digging.trace, options,
+                            reportOptions(arguments, digging.name, digging.reproduce));
     }
   }
   printSummary(arguments, totals, std::chrono::duration<double>(Clock::now() - begin).count());
   return drawEnd(arguments, last);
+}
+
+Status checkMap(const CheckArguments& arguments) {
+  const auto start = readWorld(arguments.map);
+  if (!start) return complain(start.error());
+  const Failure digging{
+      digIn(*start, arguments.edits, arguments.seed), fmt::format("mismatch-map-{}", arguments.seed),
+      fmt::format("lgs check --map '{}' --edits {} --seed {} --oracle {} --whole-every {}", arguments.map,
+                  arguments.edits, arguments.seed, arguments.oracle(), arguments.options.wholeEvery)};
+  return isolated(
+      arguments, arguments.options, [&] { return dig(arguments, *start, digging); }, [&] { return digging; });
 }
 
 // A mismatch after hours must not be lost for want of a folder.
@@ -138,48 +152,68 @@ Status tryFiles(const CheckArguments& arguments) {
 // Cases are independent of each other, so that any one can be run again by itself.
 std::uint64_t caseSeed(std::uint64_t seed, std::size_t number) { return Random(Random(seed).next() + number).next(); }
 
-Status checkRandom(const CheckArguments& arguments) {
+// One case of many; cut short where it is the last one.
+struct Case {
+  std::size_t number = 0;
+  std::size_t edits = 0;
+};
+
+Failure failureOf(const CheckArguments& arguments, const Case& at) {
+  GeneratorOptions world = arguments.world;
+  world.edits = at.edits;
+  return {randomCase(world, caseSeed(arguments.seed, at.number)),
+          fmt::format("mismatch-{}-{}", arguments.seed, at.number),
+          fmt::format("lgs check --cells {}x{} --case-edits {} --seed {} --case {} --oracle {}", world.width,
+                      world.height, world.edits, arguments.seed, at.number, arguments.oracle())};
+}
+
+Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at) {
   const Clock::time_point begin = Clock::now();
-  CheckOptions options = arguments.options;
-  options.skipRefused = true;
-  options.wholeEvery = 1;
   Totals totals;
   Scene last;
   Progress progress;
-  for (std::size_t number = arguments.onlyCase.value_or(0); totals.stats.edits < arguments.edits; ++number) {
-    GeneratorOptions world = arguments.world;
-    if (!arguments.onlyCase) world.edits = std::min<std::size_t>(world.edits, arguments.edits - totals.stats.edits);
-    const Trace trace = randomCase(world, caseSeed(arguments.seed, number));
+  for (at.number = arguments.onlyCase.value_or(0); totals.stats.edits < arguments.edits; ++at.number) {
+    at.edits = arguments.world.edits;
+    if (!arguments.onlyCase) at.edits = std::min<std::size_t>(at.edits, arguments.edits - totals.stats.edits);
+    stillAlive();
+    const Failure played = failureOf(arguments, at);
     Features features{};
     std::size_t commits = 0;
     options.afterCommit = [&](const Scene& scene) {
       constexpr std::size_t kSample = 8;  // looking for features at each commit would cost as much as the check
       if (commits++ % kSample == 0) note(scene, features);
       if (!arguments.svg.empty()) last = scene;
+      stillAlive();
       return true;
     };
     const std::uint64_t refused = totals.stats.refused;
-    const auto result = checkTrace(trace, options, totals.stats);
-    if (!result) return complain(message(result.error(), fmt::format("case {}", number)));
+    const auto result = checkTrace(played.trace, options, totals.stats);
+    if (!result) return complain(message(result.error(), fmt::format("case {}", at.number)));
     if (*result) {
-      const std::string again =
-          fmt::format("lgs check --cells {}x{} --case-edits {} --seed {} --case {} --oracle {}", world.width,
-                      world.height, world.edits, arguments.seed, number, arguments.oracle());
-      const std::string name = fmt::format("mismatch-{}-{}", arguments.seed, number);
-      return reportMismatch(**result, trace, options, reportOptions(arguments, name, again));
+      return reportMismatch(**result, played.trace, options, reportOptions(arguments, played.name, played.reproduce));
     }
-    ++totals.cases;
-    if (totals.stats.refused != refused) ++totals.casesWithRefusals;
-    for (std::size_t k = 0; k < features.size(); ++k) totals.casesWith[k] += features[k] ? 1 : 0;
+    features[static_cast<std::size_t>(Feature::refusal)] = totals.stats.refused != refused;
+    totals.cases.add(features);
     if (progress.isDue()) {
       const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
       progress.show(fmt::format("{} of {} edits, {} cases, {:.0f} edits/s, no mismatch", totals.stats.edits,
-                                arguments.edits, totals.cases, static_cast<double>(totals.stats.edits) / seconds));
+                                arguments.edits, totals.cases.cases,
+                                static_cast<double>(totals.stats.edits) / seconds));
     }
     if (arguments.onlyCase) break;
   }
   printSummary(arguments, totals, std::chrono::duration<double>(Clock::now() - begin).count());
   return drawEnd(arguments, last);
+}
+
+Status checkRandom(const CheckArguments& arguments) {
+  CheckOptions options = arguments.options;
+  options.skipRefused = true;
+  options.wholeEvery = 1;
+  const Shared<Case> at;
+  return isolated(
+      arguments, options, [&] { return playCases(arguments, options, *at); },
+      [&] { return failureOf(arguments, *at); });
 }
 
 // "12x8"
@@ -260,7 +294,7 @@ void addCheck(CLI::App& app, Run& chosen) {
       "by the laws no polygon further away has a say in these. The change list is compared for the whole\n"
       "world at each commit, so a segment that changes further away is noticed too.\n\n"
       "A mismatch is shrunk to a minimal trace, printed, saved and drawn, with the line that finds it\n"
-      "again; exit status 1.\n\n"
+      "again; exit status 1. So is a trace at which the engine crashes, or hangs for a minute.\n\n"
       "Examples: lgs check --cells 5x5 --edits 200000 --seed 7\n"
       "          lgs check --map level.tmx --edits 5000 --svg dug.svg");
   command.callback([arguments, &chosen] {

@@ -1,8 +1,8 @@
 #include "oracle/cli/report.h"
 
+#include "oracle/check/isolated.h"
 #include "oracle/check/shrink.h"
 #include "oracle/draw/counted.h"
-#include "oracle/draw/draw.h"
 
 #include <fmt/format.h>
 #include <cstdio>
@@ -21,58 +21,40 @@ CheckOptions only(Kind kind, CheckOptions options) {
   return options;
 }
 
-std::optional<Mismatch> checkAgain(const Trace& trace, const CheckOptions& options) {
-  CheckStats stats;
-  auto result = checkTrace(trace, options, stats);
-  return result ? std::move(*result) : std::nullopt;
-}
-
 Trace shrunk(const Mismatch& found, Trace trace, const CheckOptions& options, std::chrono::milliseconds budget) {
   trace.edits.resize(found.edits);
   const auto stillFails = [&](const Trace& candidate) {
-    const auto again = checkAgain(candidate, options);
+    stillAlive();
+    const auto again = findMismatch(candidate, options);
     return again && again->kind == found.kind;
   };
   if (!stillFails(trace)) return trace;
   return shrink(std::move(trace), stillFails, budget);
 }
 
-std::string withComment(const std::string& trace, const std::string& comment) {
-  const std::size_t secondLine = trace.find('\n') + 1;
-  return trace.substr(0, secondLine) + "# " + comment + "\n" + trace.substr(secondLine);
+// Writes trace and picture, and says where they are and how to come by them again.
+Status save(const Trace& trace, const std::string& picture, const ReportOptions& report, bool replays) {
+  std::error_code ignored;  // writing will say what is wrong
+  std::filesystem::create_directories(report.folder, ignored);
+  const std::string base = (std::filesystem::path(report.folder) / report.name).string();
+  const Status written =
+      worst(write(base + ".trace", printTrace(trace, report.reproduce)), write(base + ".svg", picture));
+  if (written == Status::fine) fmt::print("\ntrace      {0}.trace\npicture    {0}.svg\n", base);
+  fmt::print("again      {}\n", report.reproduce);
+  if (written == Status::fine && replays) fmt::print("the trace  lgs replay {0}.trace --check --svg {0}.svg\n", base);
+  return Status::mismatch;
+}
+
+void print(const Trace& trace, const std::string& what) {
+  constexpr std::size_t kPrinted = 40;
+  if (trace.edits.size() <= kPrinted) {
+    fmt::print("\n{}\n{}", printTrace(trace), what);
+  } else {
+    fmt::print("\n{} edits are left, too many to print here\n{}", trace.edits.size(), what);
+  }
 }
 
 }  // namespace
-
-std::string describe(const Mismatch& mismatch, const Trace& trace) {
-  std::string where = fmt::format("after edit {}", mismatch.edits);
-  if (mismatch.edits > 0 && trace.edits[mismatch.edits - 1].line != 0) {
-    where += fmt::format(", line {}", trace.edits[mismatch.edits - 1].line);
-  }
-  return fmt::format("{} ({}): {}:\n{}", where, counted(mismatch.commit, "commit"), describe(mismatch.kind),
-                     mismatch.text);
-}
-
-std::string draw(const Mismatch& mismatch) {
-  MismatchOptions options;
-  options.title = describe(mismatch.kind);
-  options.edited = mismatch.edited;
-  switch (mismatch.kind) {
-    case Kind::naive:
-      options.expectedName = "naive reference";
-      break;
-    case Kind::cgal:
-      options.expectedName = "CGAL";
-      break;
-    case Kind::history:
-      options.expectedName = "built at once";
-      break;
-    default:  // no outline is to blame
-      return drawWorld(mismatch.scene, mismatch.actual, options);
-  }
-  options.actualName = "engine";
-  return drawMismatch(mismatch.scene, mismatch.expected, mismatch.actual, options);
-}
 
 Status reportMismatch(const Mismatch& found, const Trace& trace, const CheckOptions& options,
                       const ReportOptions& report) {
@@ -82,30 +64,35 @@ Status reportMismatch(const Mismatch& found, const Trace& trace, const CheckOpti
 
   const CheckOptions narrow = only(found.kind, options);
   const Trace small = shrunk(found, trace, narrow, report.shrinkFor);
-  const auto again = checkAgain(small, narrow);
+  const auto again = findMismatch(small, narrow);
   const Mismatch& shown = again ? *again : found;
-  const std::string text = printTrace(small);
-  constexpr std::size_t kPrinted = 40;
-  if (small.edits.size() <= kPrinted) {
-    fmt::print("\n{}\n{}", text, describe(shown, small));
-  } else {
-    fmt::print("\n{} edits are left, too many to print here\n{}", small.edits.size(), describe(shown, small));
-  }
-
-  std::error_code ignored;  // writing will say what is wrong
-  std::filesystem::create_directories(report.folder, ignored);
-  const std::string base = (std::filesystem::path(report.folder) / report.name).string();
-  const Status written =
-      worst(write(base + ".trace", withComment(text, report.reproduce)), write(base + ".svg", draw(shown)));
-  if (written == Status::fine) fmt::print("\ntrace      {0}.trace\npicture    {0}.svg\n", base);
-  fmt::print("again      {}\n", report.reproduce);
+  print(small, describe(shown, small));
   CheckOptions strict = narrow;
   strict.skipRefused = false;
   strict.wholeEvery = 1;
-  if (written == Status::fine && checkAgain(small, strict)) {
-    fmt::print("the trace  lgs replay {0}.trace --check --svg {0}.svg\n", base);
-  }
-  return Status::mismatch;
+  return save(small, draw(shown), report, findMismatch(small, strict).has_value());
+}
+
+Status reportCrash(const std::string& how, const Trace& trace, const CheckOptions& options,
+                   const ReportOptions& report) {
+  fmt::print("MISMATCH the engine {}\n", how);
+  if (report.shrinkFor.count() > 0) fmt::print("shrinking the trace of {} …\n", counted(trace.edits.size(), "line"));
+  std::fflush(stdout);
+
+  CheckOptions alone = options;
+  alone.afterCommit = {};
+  alone.naive = alone.cgal = false;
+  const auto crash = [&](const Trace& candidate) {
+    return crashOf([&] { static_cast<void>(findMismatch(candidate, alone)); }, {.seconds = 10, .quiet = true});
+  };
+  // Where the engine alone does not crash, a reference did.
+  if (!crash(trace)) alone = options;
+  const auto stillCrashes = [&](const Trace& candidate) { return crash(candidate).has_value(); };
+  const Trace small = stillCrashes(trace) ? shrink(trace, stillCrashes, report.shrinkFor) : trace;
+  const auto again = crash(small);
+  print(small, fmt::format("the engine {}\n", again.value_or(how + ", but not again")));
+  alone.skipRefused = false;
+  return save(small, drawWithoutEngine(small, "the engine " + how), report, stillCrashes(small));
 }
 
 }  // namespace lgs::oracle

@@ -2,19 +2,13 @@
 // again.
 #pragma once
 
-#include "oracle/check/checker.h"
+#include "oracle/check/failure.h"
 #include "oracle/cli/command.h"
 
 #include <chrono>
 #include <string>
 
 namespace lgs::oracle {
-
-/// Which edit it was, what is wrong, and what differs where. Whole lines.
-std::string describe(const Mismatch& mismatch, const Trace& trace);
-
-/// Both boundaries, the ghosts, the difference.
-std::string draw(const Mismatch& mismatch);
 
 struct ReportOptions {
   std::string folder = ".";  ///< where trace and picture go
@@ -26,5 +20,9 @@ struct ReportOptions {
 /// Shrinks the trace, prints all of it, saves trace and picture. `options` are those that found the mismatch.
 Status reportMismatch(const Mismatch& found, const Trace& trace, const CheckOptions& options,
                       const ReportOptions& report);
+
+/// The same for a trace that makes the engine crash or hang: `how` says which, as crashOf() does.
+Status reportCrash(const std::string& how, const Trace& trace, const CheckOptions& options,
+                   const ReportOptions& report);
 
 }  // namespace lgs::oracle

@@ -1,5 +1,6 @@
 // Properties over the random cases of oracle/check. RapidCheck chooses size and seed of a case; a case that fails is
-// made small by the project's own shrinker, which knows what an edit is, and is saved as a trace for `lgs replay`.
+// made small by the project's own shrinker, which knows what an edit is, and is saved as a trace for `lgs replay` and as
+// a picture. Cases run in a child process (isolated.h): an engine that crashes or hangs fails them like any other.
 #pragma once
 
 #include "oracle/check/random.h"
@@ -16,6 +17,19 @@ namespace lgs::engine_test {
 /// What is wrong, if anything. It is given traces whose every edit is accepted unless said otherwise, and its own
 /// source of chance, which is the same each time the case is tried.
 using Property = std::function<std::optional<std::string>(const oracle::Trace&, oracle::Random)>;
+
+/// Many cases by number, and what is wrong with a trace that was made of one of them. Both are called in a child process:
+/// what they find out beyond that they must keep in Shared values.
+struct Cases {
+  std::string name;
+  std::uint64_t count = 0;
+  std::function<oracle::Trace(std::uint64_t)> trace;
+  std::function<std::optional<std::string>(const oracle::Trace&, std::uint64_t)> complaint;
+  std::function<bool(const oracle::Trace&)> mayBe = {};  ///< whether shrinking may come to this trace
+};
+
+/// The first case that fails, if any does: what is wrong, the smallest trace found, where it and its picture are.
+std::optional<std::string> firstFailure(const Cases& cases);
 
 struct CaseKind {
   bool withRefused = false;   ///< keep the edits that must be refused

@@ -1,8 +1,7 @@
 // The engine against the references, after every commit of random cases: all that the checker of `lgs check` compares
 // (naive reference, CGAL's union, change lists on a mirror, refusals, history), and owners besides.
 #include "oracle/check/checker.h"
-#include "oracle/check/features.h"
-#include "oracle/check/generator.h"
+#include "oracle/check/isolated.h"
 #include "oracle/reference/naive.h"
 #include "oracle/trace/player.h"
 #include "random_traces.h"
@@ -12,7 +11,6 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <array>
 
 namespace lgs::engine_test {
 namespace {
@@ -21,18 +19,18 @@ using oracle::Random;
 using oracle::Trace;
 
 RC_GTEST_PROP(References, AgreeWithTheEngineAfterEveryCommit, ()) {
-  static oracle::CheckStats stats;  // of all cases together
+  static const oracle::Shared<oracle::CheckStats> stats;  // of all cases together
   forRandomTraces("references", 80, {.withRefused = true},
                   [](const Trace& trace, Random) -> std::optional<std::string> {
                     oracle::CheckOptions options;
                     options.skipRefused = true;
-                    const auto result = oracle::checkTrace(trace, options, stats);
+                    const auto result = oracle::checkTrace(trace, options, *stats);
                     if (!result || !*result) return std::nullopt;  // an error: a trace cut down too far
                     return oracle::describe((*result)->kind) + "\n" + (*result)->text;
                   });
-  testing::Test::RecordProperty("commits", std::to_string(stats.commits));
-  testing::Test::RecordProperty("comparisons_with_cgal", std::to_string(stats.cgal));
-  testing::Test::RecordProperty("refused", std::to_string(stats.refused));
+  testing::Test::RecordProperty("commits", std::to_string(stats->commits));
+  testing::Test::RecordProperty("comparisons_with_cgal", std::to_string(stats->cgal));
+  testing::Test::RecordProperty("refused", std::to_string(stats->refused));
 }
 
 /// A segment with its owner as a value.
@@ -74,27 +72,6 @@ RC_GTEST_PROP(References, AgreeOnOwners, ()) {
     });
     return played ? problem : message(played.error(), "trace");
   });
-}
-
-// What the random cases are made of: no kind of degenerate contact may be rare.
-TEST(References, MeetEveryKindOfDegenerateContact) {
-  constexpr int kCases = 400;
-  std::array<int, static_cast<std::size_t>(oracle::Feature::count)> counts{};
-  for (std::uint64_t seed = 0; seed < kCases; ++seed) {
-    const Trace trace = withoutRefused(oracle::randomCase({4, 3, 40}, seed));
-    oracle::Player player(trace.preserve);
-    oracle::Features features{};
-    ASSERT_TRUE(oracle::play(trace, player, [&](oracle::Player& p, const Changes&) {
-      oracle::note(p.scene(), features);
-      return true;
-    }));
-    for (std::size_t f = 0; f < counts.size(); ++f) counts[f] += features[f];
-  }
-  for (std::size_t f = 0; f < counts.size(); ++f) {
-    const char* what = oracle::describe(static_cast<oracle::Feature>(f));
-    RecordProperty(what, counts[f]);
-    EXPECT_GE(counts[f], kCases / 100) << what;
-  }
 }
 
 }  // namespace

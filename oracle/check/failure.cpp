@@ -1,0 +1,75 @@
+#include "oracle/check/failure.h"
+
+#include "oracle/check/model.h"
+#include "oracle/draw/counted.h"
+#include "oracle/draw/draw.h"
+#include "oracle/reference/naive.h"
+
+#include <fmt/format.h>
+
+namespace lgs::oracle {
+
+std::string describe(const Mismatch& mismatch, const Trace& trace) {
+  std::string where = fmt::format("after edit {}", mismatch.edits);
+  if (mismatch.edits > 0 && trace.edits[mismatch.edits - 1].line != 0) {
+    where += fmt::format(", line {}", trace.edits[mismatch.edits - 1].line);
+  }
+  return fmt::format("{} ({}): {}:\n{}", where, counted(mismatch.commit, "commit"), describe(mismatch.kind),
+                     mismatch.text);
+}
+
+std::string draw(const Mismatch& mismatch) {
+  MismatchOptions options;
+  options.title = describe(mismatch.kind);
+  options.edited = mismatch.edited;
+  switch (mismatch.kind) {
+    case Mismatch::Kind::naive:
+      options.expectedName = "naive reference";
+      break;
+    case Mismatch::Kind::cgal:
+      options.expectedName = "CGAL";
+      break;
+    case Mismatch::Kind::history:
+      options.expectedName = "built at once";
+      break;
+    default:  // no outline is to blame
+      return drawWorld(mismatch.scene, mismatch.actual, options);
+  }
+  options.actualName = "engine";
+  return drawMismatch(mismatch.scene, mismatch.expected, mismatch.actual, options);
+}
+
+std::string drawWithoutEngine(const Trace& trace, const std::string& title) {
+  Model model;
+  for (const Edit& edit : trace.edits) {
+    if (model.judge(edit).accepted) model.apply(edit);
+  }
+  Scene scene;
+  scene.preserve = trace.preserve;
+  for (const auto& [cell, placed] : model.cells()) {
+    for (const Model::Placed& p : placed) scene.polygons.push_back({cell, p.block, p.vertices});
+  }
+  DrawOptions options;
+  options.title = title;
+  return drawWorld(scene, naiveOutline(scene), options);
+}
+
+std::string printTrace(const Trace& trace, std::string_view comment) {
+  const std::string text = printTrace(trace);
+  const std::size_t secondLine = text.find('\n') + 1;
+  std::string lines;
+  for (std::size_t begin = 0; begin < comment.size();) {
+    const std::size_t end = std::min(comment.find('\n', begin), comment.size());
+    lines += fmt::format("# {}\n", comment.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return text.substr(0, secondLine) + lines + text.substr(secondLine);
+}
+
+std::optional<Mismatch> findMismatch(const Trace& trace, const CheckOptions& options) {
+  CheckStats stats;
+  auto result = checkTrace(trace, options, stats);
+  return result ? std::move(*result) : std::nullopt;
+}
+
+}  // namespace lgs::oracle

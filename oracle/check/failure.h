@@ -1,0 +1,28 @@
+// What a person gets to see of a failure: in words, as a trace that shows it again, and as a picture.
+#pragma once
+
+#include "oracle/check/checker.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace lgs::oracle {
+
+/// Which edit it was, what is wrong, and what differs where. Whole lines.
+std::string describe(const Mismatch& mismatch, const Trace& trace);
+
+/// Both boundaries, the ghosts, the difference.
+std::string draw(const Mismatch& mismatch);
+
+/// The world at the end of a trace as the naive reference sees it, edits that must be refused left out. The engine has no
+/// part in it: for a trace that makes it crash.
+std::string drawWithoutEngine(const Trace& trace, const std::string& title);
+
+/// The trace as text, with a comment of one or more lines after its first.
+std::string printTrace(const Trace& trace, std::string_view comment);
+
+/// The first mismatch, if there is one; none if an edit is bad.
+std::optional<Mismatch> findMismatch(const Trace& trace, const CheckOptions& options);
+
+}  // namespace lgs::oracle

@@ -1,0 +1,65 @@
+#include "oracle/check/isolated.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <system_error>
+
+// The child leaves without running what is registered for the end of the program; a coverage build has to save its counts.
+extern "C" void __gcov_dump()
+    __attribute__((weak));  // NOLINT(bugprone-reserved-identifier,readability-identifier-naming)
+
+namespace lgs::oracle {
+namespace {
+
+unsigned silence = 0;  // seconds that a child may take between two signs of life
+
+void silenceTheChild() {
+  const rlimit none{0, 0};
+  setrlimit(RLIMIT_CORE, &none);  // one crash of many: no core file
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere >= 0) dup2(nowhere, STDERR_FILENO);
+}
+
+[[noreturn]] void runAndLeave(const std::function<void()>& work, const IsolationOptions& options, bool& finished) {
+  if (options.quiet) silenceTheChild();
+  silence = options.seconds;
+  stillAlive();
+  try {
+    work();
+    finished = true;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "an exception: {}\n", error.what());
+  }
+  std::fflush(nullptr);
+  if (__gcov_dump != nullptr) __gcov_dump();
+  _exit(0);
+}
+
+}  // namespace
+
+std::optional<std::string> crashOf(const std::function<void()>& work, const IsolationOptions& options) {
+  const Shared<bool> finished;
+  std::fflush(nullptr);  // or the child would write it again
+  const pid_t child = fork();
+  if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (child == 0) runAndLeave(work, options, *finished);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (*finished) return std::nullopt;
+  if (!WIFSIGNALED(status)) return "crashed";  // a sanitizer or an exception has said more
+  if (WTERMSIG(status) == SIGALRM) return fmt::format("hung for {} s", options.seconds);
+  return fmt::format("crashed: {}", strsignal(WTERMSIG(status)));
+}
+
+void stillAlive() { alarm(silence); }
+
+}  // namespace lgs::oracle
