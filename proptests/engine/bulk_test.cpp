@@ -56,7 +56,7 @@ class Bulk : public testing::TestWithParam<std::int64_t> {
                },
            .complaint = [&](const Trace& trace, std::uint64_t) { return complaint(trace, cgal, *tally); }});
       if (failure) {
-        FAIL() << *failure << "\nagain      LGS_TEST_SEED=" << testSeed() << " LGS_TEST_SCALE=" << testScale()
+        FAIL() << failure->text << "\nagain      LGS_TEST_SEED=" << testSeed() << " LGS_TEST_SCALE=" << testScale()
                << " lgs_engine_tests --gtest_filter='Bulk/*" << name << "/" << GetParam() << "'";
       }
     }

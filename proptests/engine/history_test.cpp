@@ -7,7 +7,6 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <map>
 
 namespace lgs::engine_test {
 namespace {
@@ -18,16 +17,6 @@ using oracle::outlineOf;
 using oracle::Player;
 using oracle::Random;
 using oracle::Trace;
-
-/// What a trace leaves standing, by name.
-std::map<std::string, Edit> survivors(const Trace& trace) {
-  std::map<std::string, Edit> out;
-  for (const Edit& edit : trace.edits) {
-    if (edit.kind == Edit::Kind::add) out[edit.name] = edit;
-    if (edit.kind == Edit::Kind::remove) out.erase(edit.name);
-  }
-  return out;
-}
 
 RC_GTEST_PROP(History, OrderOfEditsDoesNotMatter, ()) {
   forRandomTraces("order", 20, {}, [](const Trace& trace, Random random) {

@@ -1,5 +1,6 @@
 #include "invariants.h"
 
+#include "oracle/check/random.h"
 #include "oracle/reference/vector.h"
 #include "oracle/reference/words.h"
 
@@ -32,6 +33,12 @@ std::uint64_t doubleArea(const std::vector<Point>& cycle) {
     sum += static_cast<std::uint64_t>(a.x * b.y) - static_cast<std::uint64_t>(b.x * a.y);
   }
   return sum;
+}
+
+/// A number for a point, so mixed that sums of them are equal only where the points are.
+std::uint64_t mixed(Point p) {
+  return oracle::Random(oracle::Random(static_cast<std::uint64_t>(p.x)).next() ^ static_cast<std::uint64_t>(p.y))
+      .next();
 }
 
 /// Vertices by the cells that they touch.
@@ -80,12 +87,16 @@ std::optional<std::string> brokenInvariant(const World& world, const CellRect& c
   }
 
   const std::vector<SegmentId> ids = world.segments();
+  std::uint64_t starts = 0, ends = 0;
   for (const SegmentId id : ids) {
     const Segment s = *world.segment(id);
     if (s.id != id) return inWords(s.start, s.end) + " says another id";
     if (auto complaint = brokenLink(world, s)) return complaint;
     if (const auto v = vertices.inside(s)) return inWords(s.start, s.end) + " is not cut at " + inWords(*v);
+    starts += mixed(s.start);
+    ends += mixed(s.end);
   }
+  if (starts != ends) return "at some vertex the in-degree is not the out-degree";
 
   std::uint64_t loopArea = 0;
   std::vector<std::uint8_t> seen(world.maxSegmentId() + std::size_t{1});

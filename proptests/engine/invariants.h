@@ -11,6 +11,7 @@ namespace lgs::engine_test {
 
 /// What is wrong with the output in these cells, which must be all that hold polygons, if anything:
 ///  - links are mutual and lead on from end to start, ghosts are the far ends; ids and counts agree;
+///  - at each vertex as many segments end as start;
 ///  - the loops hold every segment once, each closed;
 ///  - the loops' signed area is the sum of the polygons' areas;
 ///  - no vertex of a polygon or of a segment lies inside a segment.

@@ -43,7 +43,8 @@ RC_GTEST_PROP(Invariants, HoldInRandomCases, ()) {
 }
 
 TEST(Invariants, HoldInABigWorldUnderRandomEdits) {
-  const auto side = static_cast<std::int32_t>(std::min(1000.0, 260 * std::sqrt(testScale())));
+  const auto side = static_cast<std::int32_t>(std::min(1000.0, 1000 * std::sqrt(testScale())));
+  RecordProperty("cells_a_side", side);
   const CellRect all{{-side / 2, -side / 3}, {side - side / 2 - 1, side - side / 3 - 1}};
   Random random(2026);
   World world;

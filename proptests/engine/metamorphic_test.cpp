@@ -1,5 +1,6 @@
 // The world changed as a whole, in ways after which the outline is known from the outline before: shifted by whole
-// cells, turned, mirrored, with other block numbers, with a polygon split in two.
+// cells, turned, mirrored, with other block numbers, with a polygon split in two, with cells and polygons united.
+#include "oracle/check/generator.h"
 #include "random_traces.h"
 #include "support.h"
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 
 namespace lgs::engine_test {
 namespace {
@@ -166,6 +168,100 @@ RC_GTEST_PROP(Metamorphic, SplitAlongAChord, ()) {
     }
     return differenceOf(outlineAfter(trace), outlineAfter(parts));
   });
+}
+
+/// The trace without the polygons that have an odd coordinate: what is left can be drawn at half the size.
+Trace withEvenPolygons(const Trace& trace) {
+  Trace even{trace.preserve, {}};
+  std::set<std::string> dropped;
+  for (const Edit& edit : trace.edits) {
+    if (edit.kind == Edit::Kind::add) {
+      const bool isOdd = std::ranges::any_of(edit.polygon.vertices, [](LocalPoint v) { return (v.x | v.y) & 1; });
+      if (!isOdd) dropped.erase(edit.name);
+      if (isOdd) dropped.insert(edit.name);
+    }
+    if (edit.kind == Edit::Kind::commit || !dropped.contains(edit.name)) even.edits.push_back(edit);
+  }
+  return even;
+}
+
+/// At half the size: four cells become one, and what lay on the rims between them lies inside. Even polygons only.
+Trace withCellsUnited(const Trace& trace) {
+  return mapPolygons(trace, [](oracle::ScenePolygon& p) {
+    for (LocalPoint& v : p.vertices) v = {(v.x + (p.cell.i & 1) * U) / 2, (v.y + (p.cell.j & 1) * U) / 2};
+    p.cell = {p.cell.i >> 1, p.cell.j >> 1};
+  });
+}
+
+RC_GTEST_PROP(Metamorphic, FourCellsUnitedInOne, ()) {
+  forRandomTraces("cells", 20, {}, [](const Trace& original, Random) {
+    const Trace trace = withEvenPolygons(original);
+    return differenceOf(mapPoints(outlineAfter(trace),
+                                  [](Point p) {
+                                    return Point{p.x / 2, p.y / 2};
+                                  }),
+                        outlineAfter(withCellsUnited(trace)));
+  });
+}
+
+/// One polygon of two that share exactly one edge, if that is simple.
+std::optional<LocalPolygon> united(const LocalPolygon& a, const LocalPolygon& b) {
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const LocalPoint from = a[k], to = a[(k + 1) % a.size()];
+    for (std::size_t m = 0; m < b.size(); ++m) {
+      if (b[m] != to || b[(m + 1) % b.size()] != from) continue;
+      LocalPolygon whole;  // all of `a` from `to` on, then what `b` has besides the two
+      for (std::size_t n = 0; n < a.size(); ++n) whole.push_back(a[(k + 1 + n) % a.size()]);
+      for (std::size_t n = 2; n < b.size(); ++n) whole.push_back(b[(m + n) % b.size()]);
+      if (!oracle::faultOf(whole)) return whole;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Unites polygons of one cell and block, as long as there are two that share an edge. Says how many there were.
+int unitePolygons(std::vector<Edit>& adds, const oracle::PreservePairs& preserve) {
+  int count = 0;
+  for (std::size_t k = 0; k < adds.size(); ++k) {
+    for (std::size_t m = 0; m < adds.size(); ++m) {
+      const oracle::ScenePolygon &p = adds[k].polygon, &q = adds[m].polygon;
+      if (m == k || p.cell != q.cell || p.block != q.block || preserve(p.block, p.block)) continue;
+      const auto whole = united(p.vertices, q.vertices);
+      if (!whole) continue;
+      adds[k].polygon.vertices = *whole;
+      adds.erase(adds.begin() + static_cast<std::ptrdiff_t>(m));
+      if (m < k) --k;
+      ++count;
+      m = static_cast<std::size_t>(-1);  // from the start: the new one may share edges with those before
+    }
+  }
+  return count;
+}
+
+// The cells are united first, so that polygons of what were two cells become one.
+std::vector<Edit> survivorsInUnitedCells(const Trace& trace) {
+  std::vector<Edit> adds;
+  for (const auto& [name, edit] : survivors(withCellsUnited(withEvenPolygons(trace)))) adds.push_back(edit);
+  return adds;
+}
+
+RC_GTEST_PROP(Metamorphic, PolygonsOfTwoCellsUnited, ()) {
+  forRandomTraces("union", 20, {}, [](const Trace& trace, Random) {
+    Trace parts{trace.preserve, survivorsInUnitedCells(trace)};
+    Trace whole = parts;
+    unitePolygons(whole.edits, trace.preserve);
+    return differenceOf(outlineAfter(parts), outlineAfter(whole));
+  });
+}
+
+TEST(Metamorphic, PolygonsToUniteAreNotRare) {
+  int cases = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const Trace trace = withoutRefused(oracle::randomCase({3, 3, 30}, seed));
+    std::vector<Edit> adds = survivorsInUnitedCells(trace);
+    if (unitePolygons(adds, trace.preserve) > 0) ++cases;
+  }
+  EXPECT_GE(cases, 20);
 }
 
 }  // namespace

@@ -42,6 +42,15 @@ std::optional<std::string> differenceOf(oracle::Outline expected, const oracle::
   return describe(compare(expected, actual));
 }
 
+std::map<std::string, Edit> survivors(const Trace& trace) {
+  std::map<std::string, Edit> out;
+  for (const Edit& edit : trace.edits) {
+    if (edit.kind == Edit::Kind::add) out[edit.name] = edit;
+    if (edit.kind == Edit::Kind::remove) out.erase(edit.name);
+  }
+  return out;
+}
+
 Trace withoutRefused(const Trace& trace) {
   oracle::Model model;
   Trace good{trace.preserve, {}};
@@ -95,7 +104,7 @@ std::string drawTrace(const Trace& trace, const std::string& file) {
 
 }  // namespace
 
-std::optional<std::string> firstFailure(const Cases& cases) {
+std::optional<Failure> firstFailure(const Cases& cases) {
   const oracle::Shared<Verdict> verdict;
   const auto crash = oracle::crashOf([&] {
     for (verdict->number = 0; verdict->number < cases.count && !verdict->failed; ++verdict->number) {
@@ -113,16 +122,19 @@ std::optional<std::string> firstFailure(const Cases& cases) {
   const auto stillFails = [&](const Trace& t) {
     return (!cases.mayBe || cases.mayBe(t)) && complaintOf(cases, t, number, true).has_value();
   };
-  if (!stillFails(trace)) return cases.name + ": fails once, but not again: " + (crash ? *crash : verdict->text.data());
+  if (!stillFails(trace))
+    return Failure{trace, cases.name + ": fails once, but not again: " + (crash ? *crash : verdict->text.data())};
   const Trace small = oracle::shrink(trace, stillFails, std::chrono::seconds(20));
   const std::string why = complaintOf(cases, small, number, true).value_or("not again");
   std::string file = testing::TempDir() + "lgs-" + cases.name;
   std::replace(file.begin(), file.end(), ' ', '-');
   const bool saved = oracle::writeFile(file + ".trace", oracle::printTrace(small, why)).has_value();
-  return fmt::format(
-      "{}: {}\n{}trace      {}.trace{}\npicture    {}\nlook at it lgs replay {}.trace --check --svg mismatch.svg",
-      cases.name, why, oracle::printTrace(small), file, saved ? "" : " could not be written",
-      drawTrace(small, file + ".svg"), file);
+  return Failure{
+      small,
+      fmt::format(
+          "{}: {}\n{}trace      {}.trace{}\npicture    {}\nlook at it lgs replay {}.trace --check --svg mismatch.svg",
+          cases.name, why, oracle::printTrace(small), file, saved ? "" : " could not be written",
+          drawTrace(small, file + ".svg"), file)};
 }
 
 void forRandomTraces(const std::string& name, int cases, const CaseKind& kind, const Property& property) {
@@ -151,7 +163,7 @@ void forRandomTraces(const std::string& name, int cases, const CaseKind& kind, c
        .trace = traceOf,
        .complaint = [&](const Trace& t, std::uint64_t k) { return property(t, oracle::Random(choices[k].seed)); },
        .mayBe = [&](const Trace& t) { return kind.withRefused || withoutRefused(t).edits.size() == t.edits.size(); }});
-  if (failure) RC_FAIL(*failure);
+  if (failure) RC_FAIL(failure->text);
 }
 
 }  // namespace lgs::engine_test

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -28,8 +29,13 @@ struct Cases {
   std::function<bool(const oracle::Trace&)> mayBe = {};  ///< whether shrinking may come to this trace
 };
 
-/// The first case that fails, if any does: what is wrong, the smallest trace found, where it and its picture are.
-std::optional<std::string> firstFailure(const Cases& cases);
+struct Failure {
+  oracle::Trace trace;  ///< the smallest one found
+  std::string text;     ///< what is wrong, the trace, and the files that it and its picture were saved to
+};
+
+/// The first case that fails, if any does.
+std::optional<Failure> firstFailure(const Cases& cases);
 
 struct CaseKind {
   bool withRefused = false;   ///< keep the edits that must be refused
@@ -43,6 +49,9 @@ void forRandomTraces(const std::string& name, int cases, const CaseKind& kind, c
 
 /// A 64-bit number of RapidCheck's that it does not try to make small.
 std::uint64_t anySeed();
+
+/// The adds of all that a trace leaves standing, by name.
+std::map<std::string, oracle::Edit> survivors(const oracle::Trace& trace);
 
 /// The trace without the edits that must be refused.
 oracle::Trace withoutRefused(const oracle::Trace& trace);
