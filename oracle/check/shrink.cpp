@@ -194,21 +194,29 @@ class Shrinker {
       for (const Edit& edit : best_.edits) {
         if (edit.kind == Edit::Kind::add) used.insert(edit.polygon.cell.*axis);
       }
-      // The first line of cells goes to 0, each further one next to the one before it; what lies beyond moves along.
-      // From the last to the first, so that `used` stays true.
+      // The first line of cells goes to 0, or else to -1, so that a border of chunks comes after it; each further one next
+      // to the one before it; what lies beyond moves along. From the last to the first, so that `used` stays true.
       for (auto line = used.rbegin(); line != used.rend(); ++line) {
         const auto before = std::next(line);
-        const std::int32_t target = before == used.rend() ? 0 : *before + 1;
-        if (*line == target) continue;
-        Trace candidate = best_;
-        for (Edit& edit : candidate.edits) {
-          std::int32_t& index = edit.polygon.cell.*axis;
-          if (edit.kind == Edit::Kind::add && index >= *line) index -= *line - target;
+        if (before != used.rend()) {
+          progress = moveLines(axis, *line, *before + 1) || progress;
+        } else {
+          progress = moveLines(axis, *line, 0) || (*line != 0 && moveLines(axis, *line, -1)) || progress;
         }
-        progress = attempt(std::move(candidate)) || progress;
       }
     }
     return progress;
+  }
+
+  // Moves the cells from one line on so that this line comes to lie at `target`.
+  bool moveLines(std::int32_t Cell::*axis, std::int32_t line, std::int32_t target) {
+    if (line == target) return false;
+    Trace candidate = best_;
+    for (Edit& edit : candidate.edits) {
+      std::int32_t& index = edit.polygon.cell.*axis;
+      if (edit.kind == Edit::Kind::add && index >= line) index -= line - target;
+    }
+    return attempt(std::move(candidate));
   }
 
   Trace best_;
