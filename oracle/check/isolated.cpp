@@ -12,9 +12,9 @@
 #include <exception>
 #include <system_error>
 
-// The child leaves without running what is registered for the end of the program; a coverage build has to save its counts.
-extern "C" void __gcov_dump()
-    __attribute__((weak));  // NOLINT(bugprone-reserved-identifier,readability-identifier-naming)
+// The child leaves without running what is registered for the end of the program; a coverage build has to save its
+// counts. NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
+extern "C" void __gcov_dump() __attribute__((weak));
 
 namespace lgs::oracle {
 namespace {

@@ -86,7 +86,7 @@ struct Failure {
 Status isolated(const CheckArguments& arguments, const CheckOptions& options, const std::function<Status()>& check,
                 const std::function<Failure()>& played) {
   const Shared<Status> status;
-  const auto crash = crashOf([&] { *status = check(); });
+  const auto crash = crashOf([&] { *status = flushed(check()); });
   if (!crash) return *status;
   const Failure failure = played();
   return reportCrash(*crash, failure.trace, options, reportOptions(arguments, failure.name, failure.reproduce));

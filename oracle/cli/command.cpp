@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <system_error>
 
 namespace lgs::oracle {
 
@@ -18,6 +20,15 @@ Status complain(std::string_view text) {
 Status write(const std::string& path, std::string_view content) {
   const auto done = writeFile(path, content);
   return done ? Status::fine : complain(message(done.error(), path == "-" ? "standard output" : path));
+}
+
+Status flushed(Status status) {
+  errno = 0;
+  const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+  if (!lost || status == Status::badInput) return status;  // what is bad has been said
+  const std::string why = errno == 0 ? "" : ": " + std::generic_category().message(errno);
+  const Status bad = complain("standard output: cannot write" + why);
+  return status == Status::fine ? bad : status;
 }
 
 Status tryOutputs(std::initializer_list<std::string> paths) {

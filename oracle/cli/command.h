@@ -25,6 +25,9 @@ Status complain(std::string_view text);
 /// Writes a file ("-" is the standard output); complains if that does not work.
 Status write(const std::string& path, std::string_view content);
 
+/// Output that was lost, to a full disk say, is no success; but a mismatch remains one. To be asked at the end of a process.
+Status flushed(Status status);
+
 /// Complains if one of a command's outputs can not be written, or more than one is the standard output. An empty path is
 /// an output that nobody asked for.
 Status tryOutputs(std::initializer_list<std::string> paths);

@@ -2,10 +2,7 @@
 #include "oracle/cli/command.h"
 
 #include <fmt/format.h>
-#include <cerrno>
-#include <cstdio>
 #include <exception>
-#include <system_error>
 
 namespace lgs::oracle {
 namespace {
@@ -33,16 +30,6 @@ Status parseAndRun(CLI::App& app, const Run& run, int argc, char** argv) {
   } catch (const std::exception& error) {
     return complain(fmt::format("lgs: {}", error.what()));
   }
-}
-
-// Output that was lost, to a full disk say, is no success; but a mismatch remains one.
-Status flushed(Status status) {
-  errno = 0;
-  const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
-  if (!lost || status == Status::badInput) return status;  // what is bad has been said
-  const std::string why = errno == 0 ? "" : ": " + std::generic_category().message(errno);
-  const Status bad = complain("standard output: cannot write" + why);
-  return status == Status::fine ? bad : status;
 }
 
 }  // namespace
