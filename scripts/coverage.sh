@@ -12,7 +12,7 @@ command -v gcovr >/dev/null || { echo "coverage: gcovr is missing: apt-get insta
 build=$PWD/build/coverage
 flags='-O1 -g1 -DNDEBUG --coverage -fno-inline'  # what is inlined counts its branches where it was called
 step configure 'Configure (coverage)' cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
-  "-DCMAKE_CXX_FLAGS_DEBUG=$flags"
+  "-DCMAKE_CXX_FLAGS_DEBUG=$flags" -DCMAKE_EXE_LINKER_FLAGS=-Wl,-u,__gcov_dump  # for child processes: isolated.cpp
 step build 'Build (coverage)' cmake --build "$build" --target lgs_engine_tests lgs_tests
 find "$build" -name '*.gcda' -delete
 
