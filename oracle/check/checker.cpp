@@ -52,8 +52,8 @@ class Check {
       if (auto mismatch = commit()) return mismatch;
       if (stopped_) return std::nullopt;
     }
-    if (!lastWasWhole_) {
-      if (auto mismatch = compareWhole()) return mismatch;
+    if (!lastWasWhole_ || options_.unionAtEnd) {
+      if (auto mismatch = compareWhole(true)) return mismatch;
     }
     return checkHistory();
   }
@@ -74,7 +74,8 @@ class Check {
     const bool isRemoval = edit.kind == Edit::Kind::remove && verdict.accepted;
     const Cell cell = isRemoval ? model_.cellOf(edit.name) : edit.polygon.cell;
     const PolygonHandle handle = isRemoval ? player_.handleOf(edit.name) : PolygonHandle{};
-    const std::uint64_t polygons = player_.world().stats().polygons;
+    // Counting takes long, so only for what the engine is to refuse.
+    const std::uint64_t polygons = verdict.code ? player_.world().stats().polygons : 0;
     const auto done = player_.apply(edit);
     if (done && verdict.accepted) {
       model_.apply(edit);
@@ -98,6 +99,7 @@ class Check {
     }
     if (!options_.skipRefused) return tl::unexpected(error);
     ++stats_.refused;
+    if (!verdict.code) return Result();  // the engine was not asked
     const bool changed =
         player_.world().stats().polygons != polygons || !equalPolygons(player_.world().polygons(cell), model_.in(cell));
     if (changed)
@@ -128,16 +130,16 @@ class Check {
       }
     }
     lastWasWhole_ = options_.wholeEvery != 0 && commits_ % options_.wholeEvery == 0;
-    if (auto found = lastWasWhole_ ? compareWhole() : compareWindow()) return found;
+    if (auto found = lastWasWhole_ ? compareWhole(!options_.unionAtEnd) : compareWindow()) return found;
     edited_.clear();
     stopped_ = options_.afterCommit && !options_.afterCommit(player_.scene());
     return std::nullopt;
   }
 
-  Result compareWhole() {
+  Result compareWhole(bool withUnion) {
     ++stats_.whole;
     const Outline actual = outlineOf(player_.world());
-    const bool compareLoops = trace_.preserve.empty();
+    const bool compareLoops = withUnion && trace_.preserve.empty();
     const Loops loops = compareLoops ? mergedLoops(player_.world()) : Loops();
     const auto differ = [&](Loops expected) {
       return mismatch(
@@ -154,7 +156,7 @@ class Check {
         if (!followed || canonical(*followed) != loops) return differ(followed.value_or(Loops()));
       }
     }
-    if (options_.cgal) {
+    if (withUnion && options_.cgal) {
       if (const auto united = cgalUnion(player_.scene())) {
         ++stats_.cgal;
         const Outline expected = withUnknownLinksOf(actual, united->outline, united->known);

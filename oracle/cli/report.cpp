@@ -21,12 +21,11 @@ CheckOptions only(Kind kind, CheckOptions options) {
   return options;
 }
 
-Trace shrunk(const Mismatch& found, Trace trace, const CheckOptions& options, std::chrono::milliseconds budget) {
+Trace shrunk(const Mismatch& found, Trace trace, const FindAgain& findAgain, std::chrono::milliseconds budget) {
   trace.edits.resize(found.edits);
   const auto stillFails = [&](const Trace& candidate) {
     stillAlive();
-    const auto again = findMismatch(candidate, options);
-    return again && again->kind == found.kind;
+    return findAgain(candidate).has_value();
   };
   if (!stillFails(trace)) return trace;
   return shrink(std::move(trace), stillFails, budget);
@@ -56,21 +55,27 @@ void print(const Trace& trace, const std::string& what) {
 
 }  // namespace
 
-Status reportMismatch(const Mismatch& found, const Trace& trace, const CheckOptions& options,
+Status reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& findAgain,
                       const ReportOptions& report) {
   fmt::print("MISMATCH {}", describe(found, trace));
   if (report.shrinkFor.count() > 0) fmt::print("shrinking the trace of {} …\n", counted(found.edits, "line"));
   std::fflush(stdout);
 
-  const CheckOptions narrow = only(found.kind, options);
-  const Trace small = shrunk(found, trace, narrow, report.shrinkFor);
-  const auto again = findMismatch(small, narrow);
+  const Trace small = shrunk(found, trace, findAgain, report.shrinkFor);
+  const auto again = findAgain(small);
   const Mismatch& shown = again ? *again : found;
   print(small, describe(shown, small));
-  CheckOptions strict = narrow;
-  strict.skipRefused = false;
-  strict.wholeEvery = 1;
-  return save(small, draw(shown), report, findMismatch(small, strict).has_value());
+  return save(small, draw(shown), report, findMismatch(small, CheckOptions()).has_value());
+}
+
+Status reportMismatch(const Mismatch& found, const Trace& trace, const CheckOptions& options,
+                      const ReportOptions& report) {
+  const CheckOptions narrow = only(found.kind, options);
+  const auto findAgain = [&](const Trace& candidate) {
+    auto again = findMismatch(candidate, narrow);
+    return again && again->kind == found.kind ? std::move(again) : std::nullopt;
+  };
+  return reportMismatch(found, trace, findAgain, report);
 }
 
 Status reportCrash(const std::string& how, const Trace& trace, const CheckOptions& options,

@@ -1,11 +1,13 @@
 // What a person gets to see of a mismatch: what differs, the smallest trace that shows it, a picture, and how to see it
-// again.
+// again. A library of its own: the fuzzers report what they find the same way.
 #pragma once
 
 #include "oracle/check/failure.h"
 #include "oracle/cli/command.h"
 
 #include <chrono>
+#include <functional>
+#include <optional>
 #include <string>
 
 namespace lgs::oracle {
@@ -17,7 +19,14 @@ struct ReportOptions {
   std::chrono::milliseconds shrinkFor{};
 };
 
-/// Shrinks the trace, prints all of it, saves trace and picture. `options` are those that found the mismatch.
+/// Finds a mismatch of the same kind in another trace; nothing if it is not there, or the trace is bad.
+using FindAgain = std::function<std::optional<Mismatch>(const Trace&)>;
+
+/// Shrinks the trace, prints all of it, saves trace and picture.
+Status reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& findAgain,
+                      const ReportOptions& report);
+
+/// The same for a mismatch that checkTrace() found with these options.
 Status reportMismatch(const Mismatch& found, const Trace& trace, const CheckOptions& options,
                       const ReportOptions& report);
 

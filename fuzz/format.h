@@ -1,0 +1,62 @@
+// Bytes to edits, and back.
+//
+// An input is a header and records, 16 bytes each; what is short is filled up with zeros, so any bytes are some edits. A
+// record makes one edit, or a few that belong together (a shape's polygons, a rectangle). It says where and what by
+// itself, so a flipped byte changes that edit and leaves the others as they are. Polygons are named by the number of their
+// record: p7, or p7.2 if it places several.
+//
+//   header   0 preserve pairs, used if byte 2 is 3 modulo 4   3 the window of cells   4 where in the world it lies
+//   record   0 low four bits: what; bits 4, 5: no commit follows if both are 0; bits 6, 7: block 1 to 4
+//            1 cell of the window   2 shape, vertices, which one   3 symmetry, blocks, grid   4 … 15 six vertices, x y
+//
+// Records of cells and coordinates at full width hold whatever such short ones can not: every trace of up to kMaxEdits
+// edits has an input (encode), so traces of other origin can be seeds.
+#pragma once
+
+#include "oracle/trace/trace.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+namespace lgs::fuzz {
+
+using Bytes = std::span<const std::uint8_t>;
+
+inline constexpr std::size_t kRecord = 16;       ///< bytes
+inline constexpr std::size_t kMaxEdits = 2'048;  ///< adds and removes of one input; what comes after them is ignored
+inline constexpr std::size_t kMaxVertices = 512;  ///< of one polygon; what comes after them is ignored
+
+/// What a record does: its first byte modulo 16.
+enum class Action : std::uint8_t {
+  replace,        ///< clears the cell and places a shape of the palette, turned
+  replaceB,       ///< the same: what is done most has most numbers
+  replaceC,
+  place,          ///< a shape of the palette beside what is there, or some of its polygons
+  fill,           ///< a shape of the palette in a rectangle of cells
+  spoilt,         ///< a polygon of the palette with something wrong
+  hull,           ///< the convex hull of the vertices
+  hullB,
+  free,           ///< the vertices as they stand; mostly a bad polygon
+  remove,         ///< one polygon of the cell
+  removeRecord,   ///< full width: what record N placed; N in bytes 4 to 7
+  clear,          ///< all polygons of the cell
+  commit,
+  vertices,       ///< full width: three vertices that go before those of the next polygon; 20 bits a coordinate
+  raw,            ///< full width: a polygon of such vertices; cell and block in bytes 4 to 15
+  preserve,       ///< full width: a pair of blocks in bytes 4 to 11
+};
+
+/// Total, and a function of the bytes alone. What it makes may have to be refused.
+oracle::Trace decode(Bytes bytes);
+
+/// Bytes that decode to this trace, but for the polygons' names; or why there are none.
+tl::expected<std::vector<std::uint8_t>, std::string> encode(const oracle::Trace& trace);
+
+/// The trace without the edits that must be refused: what `lgs replay` takes.
+oracle::Trace withoutRefused(const oracle::Trace& trace);
+
+}  // namespace lgs::fuzz

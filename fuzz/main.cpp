@@ -1,0 +1,253 @@
+// lgs_fuzz: the targets without an engine. Runs inputs from files, changes them at random, converts and reports them.
+#include "fuzz/mutate.h"
+#include "fuzz/report.h"
+#include "oracle/cli/command.h"
+#include "oracle/trace/file.h"
+
+#include <sys/resource.h>
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <map>
+
+namespace lgs::fuzz {
+namespace {
+
+using oracle::CheckStats;
+using oracle::complain;
+using oracle::Status;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kMaxSize = 1'024;  // of an input made here; -max_len of the other drivers
+
+const std::map<std::string, const Target*>& targets() {
+  static const std::map<std::string, const Target*> all{
+      {kEdits.name, &kEdits},       {kPolygons.name, &kPolygons}, {kTrace.name, &kTrace}, {kTiled.name, &kTiled},
+#ifdef LGS_FUZZ_BOX2D
+      {kBox2d.name, &kBox2d},
+#endif
+  };
+  return all;
+}
+
+struct Arguments {
+  std::string target;
+  std::vector<std::string> paths;
+  std::string output = "-";
+  std::string folder = "out/fuzz";
+  std::uint64_t repeat = 1;
+  std::uint64_t seed = 1;
+  double seconds = 5;
+  double shrinkSeconds = 20;
+  bool all = false;
+
+  const Target& chosen() const { return *targets().at(target); }
+  Where where() const {
+    return {folder, std::chrono::milliseconds(static_cast<std::int64_t>(shrinkSeconds * 1'000))};
+  }
+};
+
+Bytes bytesOf(const std::string& content) {
+  return {reinterpret_cast<const std::uint8_t*>(content.data()), content.size()};
+}
+
+double cpuSeconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+}
+
+// Files as they are; of folders all files, in order.
+tl::expected<std::vector<std::string>, std::string> readAll(const std::vector<std::string>& paths) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> files;
+  for (const std::string& path : paths) {
+    std::error_code error;
+    if (!fs::is_directory(path, error)) {
+      files.push_back(path);
+      continue;
+    }
+    for (const auto& entry : fs::directory_iterator(path, error)) {
+      if (entry.is_regular_file(error)) files.push_back(entry.path().string());
+    }
+    if (error) return tl::unexpected(path + ": " + error.message());
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<std::string> contents;
+  for (const std::string& file : files) {
+    auto content = oracle::readFile(file);
+    if (!content) return tl::unexpected(message(content.error(), file));
+    contents.push_back(std::move(*content));
+  }
+  return contents;
+}
+
+class Session {
+ public:
+  explicit Session(const Arguments& arguments) : arguments_(arguments), start_(cpuSeconds()) {}
+
+  // False on a finding, which is reported.
+  bool run(Bytes input) {
+    ++inputs_;
+    const auto finding = arguments_.chosen().check(input, stats_);
+    if (finding) report(arguments_.chosen(), input, *finding, arguments_.where(), true);
+    return !finding;
+  }
+
+  void printSummary() const {
+    const double seconds = std::max(cpuSeconds() - start_, 1e-6);
+    fmt::print("{}: no finding\ninputs     {}\nedits      {}, {} of them refused as they must be\ncommits    {}\n",
+               arguments_.target, inputs_, stats_.edits, stats_.refused, stats_.commits);
+    fmt::print("time       {:.2f} s of CPU, {:.0f} inputs/s, {:.0f} commits/s\n", seconds,
+               static_cast<double>(inputs_) / seconds, static_cast<double>(stats_.commits) / seconds);
+  }
+
+ private:
+  const Arguments& arguments_;
+  CheckStats stats_;
+  std::uint64_t inputs_ = 0;
+  double start_;
+};
+
+Status run(const Arguments& arguments) {
+  const auto inputs = readAll(arguments.paths);
+  if (!inputs) return complain(inputs.error());
+  if (inputs->empty()) return complain("no input: the folders are empty");
+  Session session(arguments);
+  for (std::uint64_t round = 0; round < arguments.repeat; ++round) {
+    for (const std::string& input : *inputs) {
+      if (!session.run(bytesOf(input))) return Status::mismatch;
+    }
+  }
+  session.printSummary();
+  return Status::fine;
+}
+
+Status smoke(const Arguments& arguments) {
+  const auto corpus = readAll(arguments.paths);
+  if (!corpus) return complain(corpus.error());
+  Session session(arguments);
+  for (const std::string& input : *corpus) {
+    if (!session.run(bytesOf(input))) return Status::mismatch;
+  }
+  oracle::Random random(arguments.seed);
+  const auto end = Clock::now() + std::chrono::duration<double>(arguments.seconds);
+  while (Clock::now() < end) {
+    Buffer input;
+    if (!corpus->empty() && random.chance(80)) {
+      const Bytes from = bytesOf(random.pick(*corpus));
+      input.assign(from.begin(), from.end());
+    } else {
+      input.resize(random.below(kMaxSize));
+      for (std::uint8_t& byte : input) byte = static_cast<std::uint8_t>(random.below(256));
+    }
+    mutate(arguments.chosen(), input, std::max(kMaxSize, input.size()), random);
+    if (!session.run(input)) return Status::mismatch;
+  }
+  session.printSummary();
+  return Status::fine;
+}
+
+Status reportInput(const Arguments& arguments) {
+  const auto content = oracle::readFile(arguments.paths.front());
+  if (!content) return complain(message(content.error(), arguments.paths.front()));
+  const Bytes input = bytesOf(*content);
+  if (crashes(arguments.chosen(), input)) {
+    reportCrash(arguments.chosen(), input, arguments.where());
+    return Status::mismatch;
+  }
+  Session session(arguments);
+  if (!session.run(input)) return Status::mismatch;
+  session.printSummary();
+  return Status::fine;
+}
+
+Status toTrace(const Arguments& arguments) {
+  const auto content = oracle::readFile(arguments.paths.front());
+  if (!content) return complain(message(content.error(), arguments.paths.front()));
+  const oracle::Trace trace = arguments.chosen().traceOf(bytesOf(*content));
+  return oracle::write(arguments.output, printTrace(arguments.all ? trace : withoutRefused(trace)));
+}
+
+// Not readTrace(): edits that are refused are inputs like others.
+Status toInput(const Arguments& arguments) {
+  const std::string& path = arguments.paths.front();
+  const auto content = oracle::readFile(path);
+  if (!content) return complain(message(content.error(), path));
+  const oracle::ParsedTrace parsed = oracle::parseTrace(*content);
+  if (parsed.error) return complain(message(*parsed.error, path));
+  const auto bytes = encode(parsed.trace);
+  if (!bytes) return complain(path + ": no input can hold this trace: " + bytes.error());
+  return oracle::write(arguments.output, textOf(*bytes));
+}
+
+std::string listOfTargets() {
+  std::string text = "Targets:\n";
+  for (const auto& [name, target] : targets()) text += fmt::format("  {:<10} {}\n", name, target->about);
+  return text;
+}
+
+using Command = Status (*)(const Arguments&);
+
+Status main(int argc, char** argv) {
+  CLI::App app(
+      "The fuzz targets of LocalGridSeg without a fuzzing engine: they run, change, convert and report inputs.",
+      "lgs_fuzz");
+  app.require_subcommand(1);
+  app.footer(listOfTargets() + "\nExit status: 0 fine, 1 a finding, 2 bad input or usage.\nMore: fuzz/README.md");
+  Arguments arguments;
+  Command chosen = nullptr;
+  const auto add = [&](const char* name, const char* about, Command command) {
+    CLI::App* sub = app.add_subcommand(name, about);
+    sub->callback([&chosen, command] { chosen = command; });
+    return sub;
+  };
+  std::vector<std::string> names;
+  for (const auto& entry : targets()) names.push_back(entry.first);
+  const auto withTarget = [&](CLI::App* sub) {
+    sub->add_option("TARGET", arguments.target, "edits, polygons, …: see lgs_fuzz --help")
+        ->required()
+        ->check(CLI::IsMember(names));
+    return sub;
+  };
+  const auto withOut = [&](CLI::App* sub) {
+    sub->add_option("--out", arguments.folder, "Folder for a finding; default out/fuzz");
+    sub->add_option("--shrink", arguments.shrinkSeconds, "Seconds to spend on shrinking; default 20");
+    return sub;
+  };
+
+  CLI::App* sub = withOut(withTarget(add("run", "Run inputs: files, or all files of folders", run)));
+  sub->add_option("PATH", arguments.paths)->required();
+  sub->add_option("--repeat", arguments.repeat, "Run all of them this often, for a timing");
+
+  sub = withOut(withTarget(add("smoke", "Run inputs, then random changes of them and random ones", smoke)));
+  sub->add_option("PATH", arguments.paths, "Files and folders to start from; none: from nothing");
+  sub->add_option("--seconds", arguments.seconds, "For how long; default 5");
+  sub->add_option("--seed", arguments.seed, "Default 1");
+
+  sub = withOut(withTarget(add("report", "Run an input that failed; shrink, save and draw its edits", reportInput)));
+  sub->add_option("INPUT", arguments.paths)->required()->expected(1);
+
+  sub = withTarget(add("to-trace", "Print the edits of an input as a trace", toTrace));
+  sub->add_option("INPUT", arguments.paths)->required()->expected(1);
+  sub->add_option("-o,--output", arguments.output, "Default: standard output");
+  sub->add_flag("--all", arguments.all, "With the edits that must be refused, which lgs replay does not take");
+
+  sub = add("to-input", "Turn a trace into an input of the targets that take edits", toInput);
+  sub->add_option("TRACE", arguments.paths)->required()->expected(1);
+  sub->add_option("-o,--output", arguments.output, "Default: standard output");
+
+  try {
+    app.parse(argc, argv);
+    return chosen(arguments);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? Status::fine : Status::badInput;
+  }
+}
+
+}  // namespace
+}  // namespace lgs::fuzz
+
+int main(int argc, char** argv) { return static_cast<int>(lgs::fuzz::main(argc, argv)); }

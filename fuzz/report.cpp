@@ -1,0 +1,123 @@
+#include "fuzz/report.h"
+
+#include "oracle/check/shrink.h"
+#include "oracle/cli/report.h"
+#include "oracle/draw/draw.h"
+#include "oracle/reference/naive.h"
+#include "oracle/trace/file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+namespace lgs::fuzz {
+namespace {
+
+using oracle::CheckStats;
+using oracle::Trace;
+
+// FNV-1a: the same input has the same name.
+std::uint32_t hashOf(Bytes input) {
+  std::uint32_t hash = 2'166'136'261U;
+  for (const std::uint8_t byte : input) hash = (hash ^ byte) * 16'777'619U;
+  return hash;
+}
+
+std::string nameOf(const Target& target, Bytes input) { return fmt::format("{}-{:08x}", target.name, hashOf(input)); }
+
+std::string again(const Target& target, Bytes input) {
+  return fmt::format("lgs_fuzz report {0} {1}.input", target.name, nameOf(target, input));
+}
+
+void save(const std::string& path, std::string_view content) {
+  if (oracle::write(path, content) == oracle::Status::fine) fmt::print("saved      {}\n", path);
+}
+
+// Whether `run` ends in anything but its end; in a process of its own, silently.
+template <class Run>
+bool dies(Run run) {
+  std::fflush(stdout);
+  std::fflush(stderr);
+  const pid_t child = fork();
+  if (child == 0) {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, 1);
+    dup2(nowhere, 2);
+    alarm(10);  // seconds: too long is a finding as well
+    run();
+    _exit(0);
+  }
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) != child) return false;
+  return !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+}
+
+bool traceDies(const Target& target, const Trace& trace) {
+  return dies([&] {
+    CheckStats stats;
+    target.checkTrace(trace, stats);
+  });
+}
+
+// A picture of the polygons that may stand: what is wrong with the others is said in words.
+std::string drawEdits(const Target& target, const Trace& trace) {
+  oracle::Scene scene;
+  scene.preserve = trace.preserve;
+  for (const oracle::Edit& edit : withoutRefused(trace).edits) {
+    if (edit.kind == oracle::Edit::Kind::add) scene.polygons.push_back(edit.polygon);
+  }
+  oracle::DrawOptions options;
+  options.title = fmt::format("what is added before {} ends", target.name);
+  return drawWorld(scene, oracle::naiveOutline(scene), options);
+}
+
+}  // namespace
+
+void report(const Target& target, Bytes input, const Finding& finding, const Where& where, bool keepInput) {
+  const std::filesystem::path folder = where.folder;
+  std::error_code ignored;  // writing will say what is wrong
+  std::filesystem::create_directories(folder, ignored);
+  fmt::print("FINDING in {} ({})\n", target.name, target.about);
+  if (!finding.mismatch || !target.checkTrace) {
+    fmt::print("{}", finding.text);
+  } else {
+    const auto findAgain = [&](const Trace& trace) {
+      CheckStats stats;
+      auto found = target.checkTrace(trace, stats);
+      const bool same = found && found->mismatch && found->mismatch->kind == finding.mismatch->kind;
+      return same ? std::move(found->mismatch) : std::nullopt;
+    };
+    oracle::reportMismatch(*finding.mismatch, target.traceOf(input), findAgain,
+                           {where.folder, nameOf(target, input), again(target, input), where.shrinkFor});
+  }
+  if (keepInput) save((folder / (nameOf(target, input) + ".input")).string(), textOf(input));
+}
+
+bool crashes(const Target& target, Bytes input) {
+  return dies([&] {
+    CheckStats stats;
+    target.check(input, stats);
+  });
+}
+
+void reportCrash(const Target& target, Bytes input, const Where& where) {
+  fmt::print("FINDING in {}: this input ends the program\n", target.name);
+  const std::string base = (std::filesystem::path(where.folder) / nameOf(target, input)).string();
+  std::error_code ignored;
+  std::filesystem::create_directories(where.folder, ignored);
+  save(base + ".input", textOf(input));
+  Trace trace = target.checkTrace ? target.traceOf(input) : Trace();
+  if (trace.edits.empty() || !traceDies(target, trace)) return;
+  const auto stillDies = [&](const Trace& candidate) { return traceDies(target, candidate); };
+  trace = oracle::shrink(std::move(trace), stillDies, where.shrinkFor);
+  const std::string text = printTrace(trace);
+  fmt::print("\n{}\n", text);
+  save(base + ".trace", text);
+  save(base + ".svg", drawEdits(target, trace));
+}
+
+}  // namespace lgs::fuzz

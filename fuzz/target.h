@@ -1,0 +1,48 @@
+// What is fuzzed: each target is one function from bytes to a finding, or none. The drivers know nothing else of it.
+#pragma once
+
+#include "fuzz/format.h"
+#include "oracle/check/checker.h"
+#include "oracle/trace/trace.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace lgs::fuzz {
+
+struct Finding {
+  std::string text;  ///< what is wrong; whole lines
+  std::optional<oracle::Mismatch> mismatch = {};  ///< of the trace that `traceOf` makes of the input
+};
+
+struct Target {
+  const char* name;
+  const char* about;
+
+  /// Runs an input; counts what was done.
+  std::optional<Finding> (*check)(Bytes input, oracle::CheckStats& stats);
+
+  /// The edits of an input, for a picture and for shrinking. Empty where an input is none.
+  oracle::Trace (*traceOf)(Bytes input);
+
+  /// Runs edits. Null if the target is not about edits.
+  std::optional<Finding> (*checkTrace)(const oracle::Trace& trace, oracle::CheckStats& stats);
+
+  enum class Input { records, text };
+  Input input;                           ///< how inputs are changed to get others
+  std::span<const std::string_view> words;  ///< of text: what it is made of
+};
+
+extern const Target kEdits;     // edits.cpp
+extern const Target kPolygons;  // polygons.cpp
+extern const Target kTrace;     // trace_text.cpp
+extern const Target kTiled;     // tiled.cpp
+#ifdef LGS_FUZZ_BOX2D
+extern const Target kBox2d;  // box2d.cpp
+#endif
+
+inline std::string_view textOf(Bytes input) { return {reinterpret_cast<const char*>(input.data()), input.size()}; }
+
+}  // namespace lgs::fuzz

@@ -1,0 +1,52 @@
+// The text of traces: parsed, played and checked, printed, parsed again.
+#include "fuzz/target.h"
+
+#include <algorithm>
+#include <array>
+
+namespace lgs::fuzz {
+namespace {
+
+using oracle::Edit;
+using oracle::Trace;
+
+constexpr std::array<std::string_view, 26> kWords{
+    "lgs-trace 1\n", "add p 0 0 1 0 0 1 0 1 1\n", "add ", "remove ", "remove p\n", "commit\n", "preserve ", "preserve 1 2\n",
+    "# ",  " ",   ",",   "\n",  "\r\n", "\t",         "-",           "/",
+    "1/3", "0.5", "1e-3", "-0", "1e1000", "1073741824", "-1073741824", "4294967295",
+    "\xef\xbb\xbf", "0 0 1 0 1 1 0 1"};
+
+std::optional<Finding> checkTrace(const Trace& trace, oracle::CheckStats& stats) {
+  const bool large = editCount(trace) > 200 || std::any_of(trace.edits.begin(), trace.edits.end(), [](const Edit& edit) {
+                       return edit.polygon.vertices.size() > 100;
+                     });
+  if (large) return std::nullopt;  // the references take their time
+  oracle::CheckOptions options;
+  options.skipRefused = true;
+  options.cgal = false;
+  auto result = oracle::checkTrace(trace, options, stats);
+  if (!result || !*result) return std::nullopt;
+  return Finding{describe((*result)->kind) + ":\n" + (*result)->text, std::move(*result)};
+}
+
+Trace traceOf(Bytes input) { return oracle::parseTrace(textOf(input)).trace; }
+
+std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) {
+  const oracle::ParsedTrace parsed = oracle::parseTrace(textOf(input));
+  if (parsed.error && (parsed.error->line == 0 || parsed.error->text.empty())) {
+    return Finding{"a bad line without its number, or without a word on what is wrong\n"};
+  }
+  const std::string printed = printTrace(parsed.trace);
+  const oracle::ParsedTrace again = oracle::parseTrace(printed);
+  if (again.error) return Finding{"what was printed can not be parsed: " + message(*again.error, "printed") + "\n"};
+  if (again.trace != parsed.trace) return Finding{"another trace after printing and parsing\n"};
+  if (printTrace(again.trace) != printed) return Finding{"another text after parsing and printing\n"};
+  return checkTrace(parsed.trace, stats);
+}
+
+}  // namespace
+
+const Target kTrace{"trace", "the text of traces, parsed, played and printed", check, traceOf, checkTrace,
+                    Target::Input::text, kWords};
+
+}  // namespace lgs::fuzz
