@@ -186,7 +186,7 @@ class Decoder {
         remove(cell, r[2]);
         break;
       case Action::removeRecord:
-        removeNamed(fmt::format("p{}", little<std::uint32_t>(&r[4])));
+        removeRecord(little<std::uint32_t>(&r[4]));
         break;
       case Action::clear:
         clear(cell);
@@ -278,6 +278,10 @@ class Decoder {
     const auto at = found->second.begin() + static_cast<std::ptrdiff_t>(which % found->second.size());
     removeNamed(std::move(*at));
     found->second.erase(at);
+  }
+
+  void removeRecord(std::uint32_t index) {
+    removeNamed(fmt::format("p{}", index == kNoRecord ? index : index % record_));
   }
 
   void clear(Cell cell) {

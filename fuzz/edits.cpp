@@ -2,8 +2,13 @@
 // at the end CGAL's union, the loops, and the same world built in another order.
 #include "fuzz/target.h"
 
+#include <array>
+
 namespace lgs::fuzz {
 namespace {
+
+constexpr std::array kActions{Action::replace, Action::replace, Action::place,  Action::hull,  Action::hull,
+                              Action::fill,    Action::remove,  Action::remove, Action::clear, Action::commit};
 
 std::optional<Finding> checkTrace(const oracle::Trace& trace, oracle::CheckStats& stats) {
   oracle::CheckOptions options;
@@ -18,6 +23,6 @@ std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) { return ch
 
 }  // namespace
 
-const Target kEdits{"edits", "edit sequences against the references", check, decode, checkTrace, Target::Input::records, {}};
+const Target kEdits{"edits", "edit sequences against the references", check, decode, checkTrace, kActions, {}};
 
 }  // namespace lgs::fuzz

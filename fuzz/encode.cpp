@@ -11,8 +11,6 @@ using oracle::Edit;
 using oracle::Trace;
 using Fault = std::string;
 
-constexpr std::uint32_t kNoRecord = 0xffff'ffff;
-
 class Encoder {
  public:
   Encoder() { bytes_.assign(kRecord, 0); }  // the header: no preserve pairs

@@ -41,7 +41,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
                                                unsigned seed) {
   lgs::oracle::Random random(seed);
   const bool hasOwn = LLVMFuzzerMutate != nullptr;
-  if (hasOwn && random.chance(kTarget.input == lgs::fuzz::Target::Input::records ? 25 : 60)) {
+  if (hasOwn && random.chance(kTarget.words.empty() ? 25 : 60)) {
     return LLVMFuzzerMutate(data, size, maxSize);
   }
   lgs::fuzz::Buffer input(data, data + size);

@@ -26,28 +26,30 @@ namespace lgs::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;
 
-inline constexpr std::size_t kRecord = 16;       ///< bytes
-inline constexpr std::size_t kMaxEdits = 2'048;  ///< adds and removes of one input; what comes after them is ignored
+inline constexpr std::size_t kRecord = 16;        ///< bytes
+inline constexpr std::size_t kMaxEdits = 2'048;   ///< adds and removes of one input; what comes after them is ignored
 inline constexpr std::size_t kMaxVertices = 512;  ///< of one polygon; what comes after them is ignored
+
+inline constexpr std::uint32_t kNoRecord = 0xffff'ffff;  ///< a name that nothing has
 
 /// What a record does: its first byte modulo 16.
 enum class Action : std::uint8_t {
-  replace,        ///< clears the cell and places a shape of the palette, turned
-  replaceB,       ///< the same: what is done most has most numbers
+  replace,   ///< clears the cell and places a shape of the palette, turned
+  replaceB,  ///< the same: what is done most has most numbers
   replaceC,
-  place,          ///< a shape of the palette beside what is there, or some of its polygons
-  fill,           ///< a shape of the palette in a rectangle of cells
-  spoilt,         ///< a polygon of the palette with something wrong
-  hull,           ///< the convex hull of the vertices
+  place,   ///< a shape of the palette beside what is there, or some of its polygons
+  fill,    ///< a shape of the palette in a rectangle of cells
+  spoilt,  ///< a polygon of the palette with something wrong
+  hull,    ///< the convex hull of the vertices
   hullB,
-  free,           ///< the vertices as they stand; mostly a bad polygon
-  remove,         ///< one polygon of the cell
-  removeRecord,   ///< full width: what record N placed; N in bytes 4 to 7
-  clear,          ///< all polygons of the cell
+  free,          ///< the vertices as they stand; mostly a bad polygon
+  remove,        ///< one polygon of the cell
+  removeRecord,  ///< full width: the polygon of a record before it, by number, in bytes 4 to 7; or kNoRecord
+  clear,         ///< all polygons of the cell
   commit,
-  vertices,       ///< full width: three vertices that go before those of the next polygon; 20 bits a coordinate
-  raw,            ///< full width: a polygon of such vertices; cell and block in bytes 4 to 15
-  preserve,       ///< full width: a pair of blocks in bytes 4 to 11
+  vertices,  ///< full width: three vertices that go before those of the next polygon; 20 bits a coordinate
+  raw,       ///< full width: a polygon of such vertices; cell and block in bytes 4 to 15
+  preserve,  ///< full width: a pair of blocks in bytes 4 to 11
 };
 
 /// Total, and a function of the bytes alone. What it makes may have to be refused.

@@ -4,8 +4,8 @@
 #include "oracle/cli/command.h"
 #include "oracle/trace/file.h"
 
-#include <sys/resource.h>
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -24,7 +24,7 @@ constexpr std::size_t kMaxSize = 1'024;  // of an input made here; -max_len of t
 
 const std::map<std::string, const Target*>& targets() {
   static const std::map<std::string, const Target*> all{
-      {kEdits.name, &kEdits},       {kPolygons.name, &kPolygons}, {kTrace.name, &kTrace}, {kTiled.name, &kTiled},
+      {kEdits.name, &kEdits}, {kPolygons.name, &kPolygons}, {kTrace.name, &kTrace}, {kTiled.name, &kTiled},
 #ifdef LGS_FUZZ_BOX2D
       {kBox2d.name, &kBox2d},
 #endif
@@ -44,9 +44,7 @@ struct Arguments {
   bool all = false;
 
   const Target& chosen() const { return *targets().at(target); }
-  Where where() const {
-    return {folder, std::chrono::milliseconds(static_cast<std::int64_t>(shrinkSeconds * 1'000))};
-  }
+  Where where() const { return {folder, std::chrono::milliseconds(static_cast<std::int64_t>(shrinkSeconds * 1'000))}; }
 };
 
 Bytes bytesOf(const std::string& content) {

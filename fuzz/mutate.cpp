@@ -12,7 +12,7 @@ std::uint8_t randomByte(Random& random) { return static_cast<std::uint8_t>(rando
 
 std::ptrdiff_t offset(std::size_t n) { return static_cast<std::ptrdiff_t>(n); }
 
-void mutateRecords(Buffer& input, std::size_t maxSize, Random& random) {
+void mutateRecords(std::span<const Action> actions, Buffer& input, std::size_t maxSize, Random& random) {
   constexpr std::size_t kHeader = kRecord;
   input.resize(std::max((input.size() + kRecord - 1) / kRecord, std::size_t{1}) * kRecord);
   const std::size_t count = input.size() / kRecord - 1;
@@ -26,6 +26,10 @@ void mutateRecords(Buffer& input, std::size_t maxSize, Random& random) {
   const auto fresh = [&] {
     Buffer record(kRecord);
     for (std::uint8_t& byte : record) byte = randomByte(random);
+    if (random.chance(85)) {
+      record[0] =
+          static_cast<std::uint8_t>((record[0] & 0xf0U) | static_cast<unsigned>(actions[random.below(actions.size())]));
+    }
     return record;
   };
   const std::size_t k = count == 0 ? 0 : random.below(count);
@@ -98,8 +102,8 @@ void mutateText(std::span<const std::string_view> words, Buffer& input, std::siz
 
 void mutate(const Target& target, Buffer& input, std::size_t maxSize, Random& random) {
   for (int times = 1 + random.below(4); times > 0; --times) {
-    if (target.input == Target::Input::records) {
-      mutateRecords(input, maxSize, random);
+    if (target.words.empty()) {
+      mutateRecords(target.actions, input, maxSize, random);
     } else {
       mutateText(target.words, input, maxSize, random);
     }

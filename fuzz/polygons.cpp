@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <lgs/world.h>
 #include <algorithm>
+#include <array>
 #include <unordered_map>
 
 namespace lgs::fuzz {
@@ -19,6 +20,9 @@ using oracle::Edit;
 using oracle::LocalPolygon;
 using oracle::Mismatch;
 using oracle::Model;
+
+constexpr std::array kActions{Action::spoilt,   Action::spoilt, Action::spoilt, Action::free,  Action::free,
+                              Action::vertices, Action::raw,    Action::hull,   Action::place, Action::remove};
 
 PreserveRelation relationOf(const oracle::PreservePairs& pairs) {
   if (pairs.empty()) return {};
@@ -163,7 +167,8 @@ class Run {
     const auto done = world_.remove(found->second.handle);
     if (!done) return fail("a polygon that is there can not be removed: " + message(done.error()));
     const auto again = world_.remove(found->second.handle);
-    if (again || again.error().code != ErrorCode::staleHandle) return fail("the handle of a removed polygon is not stale");
+    if (again || again.error().code != ErrorCode::staleHandle)
+      return fail("the handle of a removed polygon is not stale");
     model_.apply(edit);
     const bool last = model_.in(cell).empty();
     if (last && edit_ % 2 == 0) {
@@ -180,7 +185,8 @@ class Run {
     const Changes& changes = world_.commit();
     if (auto problem = mirror_.update(world_, changes)) return fail(std::move(*problem));
     bulk_.commit();
-    if (oracle::outlineOf(bulk_) != oracle::outlineOf(world_)) fail("filled cells have another outline than single polygons");
+    if (oracle::outlineOf(bulk_) != oracle::outlineOf(world_))
+      fail("filled cells have another outline than single polygons");
     oracle::Scene scene = sceneOfModel();
     if (naive_(scene).outline != oracle::outlineOf(world_)) fail("the outline differs from the naive reference's");
   }
@@ -230,7 +236,7 @@ std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) { return ch
 
 }  // namespace
 
-const Target kPolygons{"polygons", "bad polygons: refusals are right and total", check, decode, checkTrace,
-                       Target::Input::records, {}};
+const Target kPolygons{"polygons", "bad polygons: refusals are right and total", check, decode, checkTrace, kActions,
+                       {}};
 
 }  // namespace lgs::fuzz

@@ -9,7 +9,7 @@
 namespace lgs::fuzz {
 
 struct Where {
-  std::string folder = ".";                ///< trace and picture go here
+  std::string folder = ".";  ///< trace and picture go here
   std::chrono::milliseconds shrinkFor{};
 };
 

@@ -13,7 +13,7 @@
 namespace lgs::fuzz {
 
 struct Finding {
-  std::string text;  ///< what is wrong; whole lines
+  std::string text;                               ///< what is wrong; whole lines
   std::optional<oracle::Mismatch> mismatch = {};  ///< of the trace that `traceOf` makes of the input
 };
 
@@ -30,9 +30,9 @@ struct Target {
   /// Runs edits. Null if the target is not about edits.
   std::optional<Finding> (*checkTrace)(const oracle::Trace& trace, oracle::CheckStats& stats);
 
-  enum class Input { records, text };
-  Input input;                           ///< how inputs are changed to get others
-  std::span<const std::string_view> words;  ///< of text: what it is made of
+  /// How inputs are changed to get others. Records: the actions that new ones mostly have. Text: what it is made of.
+  std::span<const Action> actions;
+  std::span<const std::string_view> words;
 };
 
 extern const Target kEdits;     // edits.cpp

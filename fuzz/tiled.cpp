@@ -73,10 +73,9 @@ auto importText(std::string_view text, const tiled::Options& options) {
   const std::size_t cut = std::min(text.find('\f'), text.size());
   const std::string tmx(text.substr(0, cut));
   const std::string tsx(text.substr(std::min(cut + 1, text.size())));
-  return tiled::importMap("map.tmx", options,
-                          [&](const std::string& path) -> tl::expected<std::string, std::string> {
-                            return path == "map.tmx" ? tmx : tsx;
-                          });
+  return tiled::importMap("map.tmx", options, [&](const std::string& path) -> tl::expected<std::string, std::string> {
+    return path == "map.tmx" ? tmx : tsx;
+  });
 }
 
 std::optional<Finding> checkMap(const ImportedMap& map, oracle::CheckStats& stats) {
@@ -120,6 +119,6 @@ oracle::Trace traceOf(Bytes input) {
 
 }  // namespace
 
-const Target kTiled{"tiled", "Tiled maps, TMX and TSX", check, traceOf, nullptr, Target::Input::text, kWords};
+const Target kTiled{"tiled", "Tiled maps, TMX and TSX", check, traceOf, nullptr, {}, kWords};
 
 }  // namespace lgs::fuzz

@@ -10,16 +10,37 @@ namespace {
 using oracle::Edit;
 using oracle::Trace;
 
-constexpr std::array<std::string_view, 26> kWords{
-    "lgs-trace 1\n", "add p 0 0 1 0 0 1 0 1 1\n", "add ", "remove ", "remove p\n", "commit\n", "preserve ", "preserve 1 2\n",
-    "# ",  " ",   ",",   "\n",  "\r\n", "\t",         "-",           "/",
-    "1/3", "0.5", "1e-3", "-0", "1e1000", "1073741824", "-1073741824", "4294967295",
-    "\xef\xbb\xbf", "0 0 1 0 1 1 0 1"};
+constexpr std::array<std::string_view, 26> kWords{"lgs-trace 1\n",
+                                                  "add p 0 0 1 0 0 1 0 1 1\n",
+                                                  "add ",
+                                                  "remove ",
+                                                  "remove p\n",
+                                                  "commit\n",
+                                                  "preserve ",
+                                                  "preserve 1 2\n",
+                                                  "# ",
+                                                  " ",
+                                                  ",",
+                                                  "\n",
+                                                  "\r\n",
+                                                  "\t",
+                                                  "-",
+                                                  "/",
+                                                  "1/3",
+                                                  "0.5",
+                                                  "1e-3",
+                                                  "-0",
+                                                  "1e1000",
+                                                  "1073741824",
+                                                  "-1073741824",
+                                                  "4294967295",
+                                                  "\xef\xbb\xbf",
+                                                  "0 0 1 0 1 1 0 1"};
 
 std::optional<Finding> checkTrace(const Trace& trace, oracle::CheckStats& stats) {
-  const bool large = editCount(trace) > 200 || std::any_of(trace.edits.begin(), trace.edits.end(), [](const Edit& edit) {
-                       return edit.polygon.vertices.size() > 100;
-                     });
+  const bool large =
+      editCount(trace) > 200 || std::any_of(trace.edits.begin(), trace.edits.end(),
+                                            [](const Edit& edit) { return edit.polygon.vertices.size() > 100; });
   if (large) return std::nullopt;  // the references take their time
   oracle::CheckOptions options;
   options.skipRefused = true;
@@ -46,7 +67,6 @@ std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) {
 
 }  // namespace
 
-const Target kTrace{"trace", "the text of traces, parsed, played and printed", check, traceOf, checkTrace,
-                    Target::Input::text, kWords};
+const Target kTrace{"trace", "the text of traces, parsed, played and printed", check, traceOf, checkTrace, {}, kWords};
 
 }  // namespace lgs::fuzz

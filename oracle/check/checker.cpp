@@ -74,8 +74,6 @@ class Check {
     const bool isRemoval = edit.kind == Edit::Kind::remove && verdict.accepted;
     const Cell cell = isRemoval ? model_.cellOf(edit.name) : edit.polygon.cell;
     const PolygonHandle handle = isRemoval ? player_.handleOf(edit.name) : PolygonHandle{};
-    // Counting takes long, so only for what the engine is to refuse.
-    const std::uint64_t polygons = verdict.code ? player_.world().stats().polygons : 0;
     const auto done = player_.apply(edit);
     if (done && verdict.accepted) {
       model_.apply(edit);
@@ -100,10 +98,9 @@ class Check {
     if (!options_.skipRefused) return tl::unexpected(error);
     ++stats_.refused;
     if (!verdict.code) return Result();  // the engine was not asked
-    const bool changed =
-        player_.world().stats().polygons != polygons || !equalPolygons(player_.world().polygons(cell), model_.in(cell));
-    if (changed)
+    if (!equalPolygons(player_.world().polygons(cell), model_.in(cell))) {
       return mismatch(Mismatch::Kind::refusal, fmt::format("the refusal of '{}' changed its cell", edit.name));
+    }
     return Result();
   }
 
@@ -136,6 +133,7 @@ class Check {
     return std::nullopt;
   }
 
+  // With or without what takes longest: the union, the loops and the counts.
   Result compareWhole(bool withUnion) {
     ++stats_.whole;
     const Outline actual = outlineOf(player_.world());
@@ -164,11 +162,16 @@ class Check {
         if (compareLoops && canonical(united->loops) != loops) return differ(united->loops);
       }
     }
-    return checkCells(actual.size());
+    return withUnion ? checkCounts(actual.size()) : std::nullopt;
   }
 
-  // Reading cell by cell gives every segment once, in its cell.
-  Result checkCells(std::size_t total) {
+  // Reading cell by cell gives every segment once, in its cell; and no polygon is there that was not added.
+  Result checkCounts(std::size_t total) {
+    const std::uint64_t polygons = player_.world().stats().polygons;
+    if (polygons != model_.polygons()) {
+      return mismatch(Mismatch::Kind::reading,
+                      fmt::format("{} polygons, but there should be {}", polygons, model_.polygons()));
+    }
     std::size_t count = 0;
     for (const auto& entry : model_.cells()) {
       for (const SegmentId id : player_.world().segments(CellRect{entry.first, entry.first})) {

@@ -31,7 +31,7 @@ struct CheckOptions {
   /// of the edits (window.h). 0: at the end only. Change lists are always checked for the whole world.
   std::size_t wholeEvery = 1;
 
-  /// Compare with CGAL, and the loops, after the last commit only: they cost more than all the rest together.
+  /// Compare with CGAL, the loops, and counts, after the last commit only: they cost more than all the rest together.
   bool unionAtEnd = false;
 
   /// Called after each commit that was found right; false stops the check there.

@@ -58,15 +58,14 @@ std::optional<std::string> checkOwner(const World& world, const Segment& s) {
   return fmt::format("{} lies on no edge of the polygon that owns it", show(s));
 }
 
-std::optional<std::string> checkLinks(const World& world, const Segment& s) {
+// `p` and `n` are the segments that its links name; null if they are not alive.
+std::optional<std::string> checkLinks(const Segment& s, const Segment* p, const Segment* n) {
   if (s.predecessor) {
-    const auto p = world.segment(s.predecessor);
     if (!p) return fmt::format("{}: its predecessor, id {}, is not alive", show(s), s.predecessor.value);
     if (p->end != s.start) return fmt::format("{}: its predecessor, {}, does not end at its start", show(s), show(*p));
     if (p->start != s.ghost1) return fmt::format("{}: ghost1 is not the start of its predecessor", show(s));
   }
   if (s.successor) {
-    const auto n = world.segment(s.successor);
     if (!n) return fmt::format("{}: its successor, id {}, is not alive", show(s), s.successor.value);
     if (n->start != s.end) return fmt::format("{}: its successor, {}, does not start at its end", show(s), show(*n));
     if (n->end != s.ghost2) return fmt::format("{}: ghost2 is not the end of its successor", show(s));
@@ -76,30 +75,35 @@ std::optional<std::string> checkLinks(const World& world, const Segment& s) {
 
 }  // namespace
 
+Segment* Mirror::find(SegmentId id) {
+  return id.value < segments_.size() && segments_[id.value].id ? &segments_[id.value] : nullptr;
+}
+
 std::optional<std::string> Mirror::update(const World& world, const Changes& changes) {
   std::unordered_set<std::uint32_t> listed;
   const auto listedTwice = [&](SegmentId id) { return !listed.insert(id.value).second; };
   std::map<decltype(identity(Segment{})), Segment> gone;
   for (const SegmentId id : changes.removed) {
     if (listedTwice(id)) return fmt::format("the change list names id {} twice", id.value);
-    const auto old = segments_.find(id.value);
-    if (old == segments_.end()) return fmt::format("reported as removed, but was not there: id {}", id.value);
-    gone.emplace(identity(old->second), old->second);
-    segments_.erase(old);
+    Segment* const old = find(id);
+    if (!old) return fmt::format("reported as removed, but was not there: id {}", id.value);
+    gone.emplace(identity(*old), *old);
+    *old = {};
+    --alive_;
   }
   for (const SegmentId id : changes.relinked) {
     if (listedTwice(id)) return fmt::format("the change list names id {} twice", id.value);
-    const auto old = segments_.find(id.value);
-    if (old == segments_.end()) return fmt::format("reported as relinked, but was not there: id {}", id.value);
+    Segment* const old = find(id);
+    if (!old) return fmt::format("reported as relinked, but was not there: id {}", id.value);
     const auto now = world.segment(id);
-    if (!now) return fmt::format("reported as relinked, but is gone: {}", show(old->second));
-    if (sameGhosts(*now, old->second)) {
+    if (!now) return fmt::format("reported as relinked, but is gone: {}", show(*old));
+    if (sameGhosts(*now, *old)) {
       return fmt::format("reported as relinked, but its ghosts are as before: {}", show(*now));
     }
-    if (!sameSegment(*now, old->second)) {
-      return fmt::format("reported as relinked, but is another segment now: {}, was {}", show(*now), show(old->second));
+    if (!sameSegment(*now, *old)) {
+      return fmt::format("reported as relinked, but is another segment now: {}, was {}", show(*now), show(*old));
     }
-    old->second = *now;
+    *old = *now;
   }
   for (const SegmentId id : changes.added) {
     if (listedTwice(id)) return fmt::format("the change list names id {} twice", id.value);
@@ -109,32 +113,41 @@ std::optional<std::string> Mirror::update(const World& world, const Changes& cha
       return fmt::format("reported as removed and added, but is the same segment: {}, was {}", show(*now),
                          show(old->second));
     }
-    if (!segments_.emplace(id.value, *now).second) {
-      return fmt::format("reported as added, but was there before: {}", show(*now));
-    }
+    if (find(id)) return fmt::format("reported as added, but was there before: {}", show(*now));
+    if (id.value >= segments_.size()) segments_.resize(std::size_t{id.value} + 1);
+    segments_[id.value] = *now;
+    ++alive_;
   }
 
   const std::vector<SegmentId> alive = world.segments();
   for (const SegmentId id : alive) {
     const auto now = world.segment(id);
     if (!now || now->id != id) return fmt::format("listed as alive, but can not be read: id {}", id.value);
-    const auto old = segments_.find(id.value);
-    if (old == segments_.end()) return fmt::format("new, but not reported as added: {}", show(*now));
-    if (!sameSegment(*now, old->second)) {
-      return fmt::format("changed without a report: {}, was {}", show(*now), show(old->second));
-    }
-    if (!sameGhosts(*now, old->second)) {
-      return fmt::format("has new ghosts, but is not reported as relinked: {}", show(*now));
+    const Segment* const old = find(id);
+    if (!old) return fmt::format("new, but not reported as added: {}", show(*now));
+    if (!sameSegment(*now, *old)) return fmt::format("changed without a report: {}, was {}", show(*now), show(*old));
+    if (!sameGhosts(*now, *old)) return fmt::format("has new ghosts, but is not reported as relinked: {}", show(*now));
+    if (now->predecessor != old->predecessor || now->successor != old->successor) {
+      // The same ghosts by way of other segments: no news to report, but the links below must be those of now.
+      segments_[id.value] = *now;
     }
     if (auto problem = checkOwner(world, *now)) return problem;
-    if (auto problem = checkLinks(world, *now)) return problem;
   }
-  if (alive.size() == segments_.size()) return std::nullopt;
-  const std::unordered_set<SegmentId> aliveSet(alive.begin(), alive.end());
-  for (const auto& [id, segment] : segments_) {
-    if (!aliveSet.contains(SegmentId{id})) return fmt::format("gone, but not reported as removed: {}", show(segment));
+  if (alive.size() != alive_) {
+    const std::unordered_set<SegmentId> aliveSet(alive.begin(), alive.end());
+    for (const Segment& segment : segments_) {
+      if (segment.id && !aliveSet.contains(segment.id)) {
+        return fmt::format("gone, but not reported as removed: {}", show(segment));
+      }
+    }
+    return "an id is listed as alive twice";
   }
-  return "an id is listed as alive twice";
+  // All segments are as the world has them: the links can be followed here.
+  for (const SegmentId id : alive) {
+    const Segment& s = segments_[id.value];
+    if (auto problem = checkLinks(s, find(s.predecessor), find(s.successor))) return problem;
+  }
+  return std::nullopt;
 }
 
 }  // namespace lgs::oracle

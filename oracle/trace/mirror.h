@@ -3,9 +3,10 @@
 #pragma once
 
 #include <lgs/world.h>
+#include <cstddef>
 #include <optional>
 #include <string>
-#include <unordered_map>
+#include <vector>
 
 namespace lgs::oracle {
 
@@ -21,7 +22,10 @@ class Mirror {
   std::optional<std::string> update(const World& world, const Changes& changes);
 
  private:
-  std::unordered_map<std::uint32_t, Segment> segments_;
+  Segment* find(SegmentId id);  // null if it is not alive
+
+  std::vector<Segment> segments_;  // by id; null ids where there is none
+  std::size_t alive_ = 0;
 };
 
 }  // namespace lgs::oracle
