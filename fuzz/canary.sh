@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# Plants bugs in a copy of the engine, one at a time, and lets a target search for each from nothing: no corpus, one core.
+# Each must be found within a minute.
+#
+#   fuzz/canary.sh [--seconds S] [NAME...]
+#
+# A bug is a substitution in lib/src that must apply. Exit status: 0 all found, 1 one was not found or does not apply.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+# name | target | file in lib/src | text | text instead | law and break
+bugs=(
+  'touch-covers|edits|boundary.h| && facing->begin <= at;|;|1: a neighbour that begins further on counts as covering'
+  'uncut|edits|boundary.h|std::min(interval.end, cut->at)|interval.end|1: an edge is not cut where a corner of the neighbour touches it'
+  'uncut-off-grid|edits|boundary.h|std::min(interval.end, cut->at)|(cut->at % 4096 == 0 ? std::min(interval.end, cut->at) : interval.end)|1: the same, only for corners off the grid of sixteenths that touch a wall'
+  'uncut-slope|edits|content.cpp|return isInside(v, a, b);|return isInside(v, a, b) \&\& (a.x == b.x or a.y == b.y);|1: a slanted edge is not cut where another polygon of the cell touches it'
+  'no-cancel-inside|edits|content.cpp|if (!std::binary_search(preserved.begin(), preserved.end(), contact)) continue;||1: an overlap inside a cell is not cancelled'
+  'coincident|edits|radial_match.h| \|\| fan[at].direction == spoke.direction||2: a coincident direction is not skipped; shows under a preserve relation only'
+  'many-wedges|edits|content.cpp|  std::vector<Spoke> fan;|  if (directed.size() > 6) std::swap(directed[5], directed[6]);  std::vector<Spoke> fan;|2: a rare contact: more than three wedges of one cell meet in one point'
+  'relink|edits|linking.cpp|world_.endOf(before) != world_.endOf(now)|world_.endOf(before) == world_.endOf(now)|6: relinked successors are reported the wrong way round'
+  'self-touch|polygons|polygon.cpp|crossProperly(a, b, c, d) \|\| isInside(c, a, b) \|\| isInside(d, a, b) \|\| isInside(a, c, d) \|\| isInside(b, c, d)|crossProperly(a, b, c, d)|7: a polygon whose vertex touches its own edge is accepted'
+  'swallowed|polygons|polygon.cpp| \|\| someBoundaryIsInside(q, p)||7: a polygon around another is accepted'
+)
+
+seconds=60 wanted=()
+while (($#)); do
+  case $1 in
+    --seconds) seconds=$2; shift ;;
+    -h | --help) sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' "$0"; exit 0 ;;
+    -*) echo "canary.sh: unknown option $1; see --help" >&2; exit 2 ;;
+    *) wanted+=("$1") ;;
+  esac
+  shift
+done
+
+here=$PWD out=$PWD/out/canary
+rm -rf "$out/source"
+mkdir -p "$out/source" "$out/logs"
+tar -c CMakeLists.txt cmake lib oracle fuzz LICENSE | tar -x -C "$out/source"
+cmake -S "$out/source" -B "$out/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ \
+  -DLGS_BUILD_TESTS=OFF -DLGS_BUILD_FUZZERS=ON >/dev/null
+
+# Parts of a line of `bugs`, at bars that no backslash precedes.
+field() { perl -e 'my @f = split /(?<!\\)\|/, $ARGV[0], -1; $_ = $f[$ARGV[1]]; s/\\([|&])/$1/g; print' "$1" "$2"; }
+
+missed=0
+for bug in "${bugs[@]}"; do
+  name=$(field "$bug" 0) target=$(field "$bug" 1) file=$(field "$bug" 2)
+  ((${#wanted[@]} == 0)) || [[ " ${wanted[*]} " == *" $name "* ]] || continue
+  printf '%-18s' "$name"
+  if ! FROM=$(field "$bug" 3) TO=$(field "$bug" 4) perl -0pi -e \
+    'my $n = s/\Q$ENV{FROM}\E/$ENV{TO}/g; END { exit($n ? 0 : 1) }' "$out/source/lib/src/$file"; then
+    echo "DOES NOT APPLY to lib/src/$file: mend fuzz/canary.sh"
+    missed=1
+    continue
+  fi
+  if ! cmake --build "$out/build" --target "fuzz_$target" >"$out/logs/$name-build.log" 2>&1; then
+    echo "does not compile: $out/logs/$name-build.log"
+    missed=1
+  else
+    mkdir -p "$out/$name"
+    began=$SECONDS status=0
+    LGS_FUZZ_OUT=$out/$name LGS_FUZZ_SHRINK=5 "$out/build/fuzz/fuzz_$target" -seed=1 -max_total_time="$seconds" \
+      -max_len=1024 -artifact_prefix="$out/$name/" >"$out/logs/$name.log" 2>&1 || status=$?
+    if ((status)); then
+      printf 'found in %3d s, shrunk to %s edits: %s\n' $((SECONDS - began)) \
+        "$(cat "$out/$name/"*.trace 2>/dev/null | grep -cE '^(add|remove)')" "$(field "$bug" 5)"
+    else
+      echo "NOT FOUND in $seconds s: $(field "$bug" 5)"
+      missed=1
+    fi
+  fi
+  cp -p "$here/lib/src/$file" "$out/source/lib/src/$file"
+  touch "$out/source/lib/src/$file"
+done
+exit "$missed"

@@ -1,0 +1,144 @@
+#!/usr/bin/env bash
+# Fuzzes all targets on all cores with libFuzzer, under the address and undefined-behaviour sanitizers, until as much CPU
+# time is spent as asked for. Ctrl-C at any time: the same command goes on where it stopped.
+#
+#   fuzz/run.sh [--cpu-hours H] [--jobs N] [--slice SECONDS] [--out DIR] [--build DIR] [TARGET...]
+#
+#   --cpu-hours H  over all targets, earlier runs in the same folder included; default 3
+#   --jobs N       processes at a time; default: one a core
+#   --slice S      seconds until a core goes on with the target that had least; default 120
+#   --out DIR      corpus, findings, logs; default out/fuzz. To begin anew, delete it
+#   --build DIR    programs that are built already; default: builds the preset `fuzz`
+#
+# Exit status: 0 no finding, 1 findings, 2 bad usage. More: fuzz/README.md
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+hours=3 jobs=$(nproc) slice=120 out=out/fuzz build= targets=()
+while (($#)); do
+  case $1 in
+    --cpu-hours) hours=$2; shift ;;
+    --jobs) jobs=$2; shift ;;
+    --slice) slice=$2; shift ;;
+    --out) out=$2; shift ;;
+    --build) build=$2; shift ;;
+    -h | --help) sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' "$0"; exit 0 ;;
+    -*) echo "run.sh: unknown option $1; see --help" >&2; exit 2 ;;
+    *) targets+=("$1") ;;
+  esac
+  shift
+done
+if [[ ! $hours =~ ^[0-9]+(\.[0-9]+)?$ || ! $jobs =~ ^[1-9][0-9]*$ || ! $slice =~ ^[1-9][0-9]*$ ]]; then
+  echo "run.sh: --cpu-hours, --jobs and --slice take positive numbers" >&2
+  exit 2
+fi
+if [[ -z $build ]]; then
+  build=build/fuzz
+  cmake --preset fuzz >/dev/null
+  cmake --build --preset fuzz
+fi
+bin=$build/fuzz
+((${#targets[@]})) || for program in "$bin"/fuzz_*; do targets+=("${program##*/fuzz_}"); done
+for target in "${targets[@]}"; do
+  [[ -x $bin/fuzz_$target ]] || { echo "run.sh: there is no $bin/fuzz_$target" >&2; exit 2; }
+done
+
+# A line for each slice: target, CPU seconds, executions, edges at its start and end, exit status.
+table=$out/slices.tsv
+mkdir -p "$out/logs" "$out/findings"
+touch "$table"
+for target in "${targets[@]}"; do
+  mkdir -p "$out/corpus/$target"
+  cp -n "fuzz/corpus/$target/"* "$out/corpus/$target/" 2>/dev/null || true
+done
+export LGS_FUZZ_OUT=$out/findings
+
+# one TARGET SEED: one slice, and its line in the table.
+one() {
+  local target=$1 log=$out/logs/$1-$2.log cpu=$out/logs/$1-$2.cpu status=0 options=()
+  [[ -e fuzz/dictionaries/$target.dict ]] && options+=("-dict=fuzz/dictionaries/$target.dict")
+  TIMEFORMAT='%U %S'
+  { time nice "$bin/fuzz_$target" -seed="$2" -max_total_time="$slice" -max_len=1024 -timeout=20 -rss_limit_mb=2048 \
+    -reload=1 -print_final_stats=1 -artifact_prefix="$out/findings/$target-" "${options[@]}" \
+    "$out/corpus/$target" >"$log" 2>&1; } 2>"$cpu" || status=$?
+  record "$target" "$log" "$cpu" "$status"
+  if ((status)) && [[ -s $log ]]; then
+    local input
+    input=$(sed -n 's/.*Test unit written to //p' "$log" | tail -n 1)
+    [[ -z $input ]] || "$bin/lgs_fuzz" report "$target" "$input" --out "$out/findings" >"$input.txt" 2>&1 || true
+  fi
+}
+
+record() {
+  local executions first last
+  executions=$(sed -n 's/^#\([0-9]*\).*/\1/p; s/^stat::number_of_executed_units: *//p' "$2" | tail -n 1)
+  first=$(sed -n 's/.*INITED cov: \([0-9]*\).*/\1/p' "$2" | head -n 1)
+  last=$(sed -n 's/.* cov: \([0-9]*\) .*/\1/p' "$2" | tail -n 1)
+  printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$1" "$(awk 'END { print $1 + $2 }' "$3")" "${executions:-0}" "${first:-0}" \
+    "${last:-0}" "$4" >>"$table"
+  rm -f "$3"
+}
+
+spent() { awk -F'\t' '{ s += $2 } END { printf "%d", s }' "$table"; }
+
+# The target with the least CPU time; those that run now count as if they had their slice.
+next() {
+  { cat "$table"; for target in "${targets[@]}" "${running[@]}"; do printf '%s\t%s\n' "$target" 0; done
+    for target in "${running[@]}"; do printf '%s\t%s\n' "$target" "$slice"; done; } |
+    awk -F'\t' -v wanted=" ${targets[*]} " 'index(wanted, " " $1 " ") { s[$1] += $2 }
+      END { for (t in s) if (best == "" || s[t] < s[best] || (s[t] == s[best] && t < best)) best = t; print best }'
+}
+
+findings() { find "$out/findings" -type f ! -name '*.*' | wc -l; }
+
+status_line() {
+  local text
+  text=$(printf '%5.1f of %g CPU minutes, %s executions, %s findings; now' \
+    "$(awk -v s="$(spent)" 'BEGIN { print s / 60 }')" "$(awk -v h="$hours" 'BEGIN { print h * 60 }')" \
+    "$(awk -F'\t' '{ s += $3 } END { print s + 0 }' "$table")" "$(findings)")
+  for target in "${running[@]}"; do text+=" $target"; done
+  if [[ -t 1 ]]; then printf '\r\033[K%s' "$text"; else echo "$text"; fi
+}
+
+summary() {
+  printf '\n%-10s %9s %12s %9s %9s %9s %8s\n' target CPU-min executions 'edges: at' 'first' 'now' inputs
+  local target
+  for target in "${targets[@]}"; do
+    awk -F'\t' -v t="$target" -v n="$(find "$out/corpus/$target" -type f | wc -l)" '
+      $1 == t { cpu += $2; runs += $3; if (first == "" && $4 > 0) first = $4; if ($5 > last) last = $5 }
+      END { printf "%-10s %9.1f %12d %9s %9d %9d %8d\n", t, cpu / 60, runs, "", first, last, n }' "$table"
+  done
+  echo "findings   $(findings), in $out/findings"
+}
+
+declare -A slot=()  # process: target
+running=()
+seed=$(($(wc -l <"$table") + 1))
+stop() {
+  trap - INT TERM
+  for process in "${!slot[@]}"; do kill -INT -- "-$process" 2>/dev/null || true; done
+  wait
+  summary
+  exit "$(($(findings) > 0))"
+}
+trap stop INT TERM
+
+set -m  # a group for each slice, so that Ctrl-C stops it after the others are told
+limit=$(awk -v h="$hours" 'BEGIN { printf "%d", h * 3600 }')
+while :; do
+  for process in "${!slot[@]}"; do kill -0 "$process" 2>/dev/null || unset "slot[$process]"; done
+  running=("${slot[@]}")
+  while ((${#slot[@]} < jobs && $(spent) + ${#slot[@]} * slice < limit)); do
+    target=$(next)
+    one "$target" "$seed" &
+    slot[$!]=$target
+    running+=("$target")
+    seed=$((seed + 1))
+  done
+  ((${#slot[@]})) || break
+  status_line
+  if [[ -t 1 ]]; then sleep 1; else sleep "$((slice < 30 ? slice : 30))"; fi
+done
+set +m
+summary
+exit "$(($(findings) > 0))"
