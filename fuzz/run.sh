@@ -101,12 +101,12 @@ status_line() {
 }
 
 summary() {
-  printf '\n%-10s %9s %12s %9s %9s %9s %8s\n' target CPU-min executions 'edges: at' 'first' 'now' inputs
+  printf '\n%-10s %8s %12s %12s %10s %8s\n' target CPU-min executions 'edges first' 'edges now' inputs
   local target
   for target in "${targets[@]}"; do
     awk -F'\t' -v t="$target" -v n="$(find "$out/corpus/$target" -type f | wc -l)" '
       $1 == t { cpu += $2; runs += $3; if (first == "" && $4 > 0) first = $4; if ($5 > last) last = $5 }
-      END { printf "%-10s %9.1f %12d %9s %9d %9d %8d\n", t, cpu / 60, runs, "", first, last, n }' "$table"
+      END { printf "%-10s %8.1f %12d %12d %10d %8d\n", t, cpu / 60, runs, first, last, n }' "$table"
   done
   echo "findings   $(findings), in $out/findings"
 }
