@@ -16,7 +16,7 @@ bugs=(
   'uncut-slope|edits|content.cpp|return isInside(v, a, b);|return isInside(v, a, b) \&\& (a.x == b.x or a.y == b.y);|1: a slanted edge is not cut where another polygon of the cell touches it'
   'no-cancel-inside|edits|content.cpp|if (!std::binary_search(preserved.begin(), preserved.end(), contact)) continue;||1: an overlap inside a cell is not cancelled'
   'coincident|edits|radial_match.h| \|\| fan[at].direction == spoke.direction||2: a coincident direction is not skipped; shows under a preserve relation only'
-  'many-wedges|edits|content.cpp|  std::vector<Spoke> fan;|  if (directed.size() > 6) std::swap(directed[5], directed[6]);  std::vector<Spoke> fan;|2: a rare contact: more than three wedges of one cell meet in one point'
+  'many-wedges|edits|content.cpp|  std::vector<Spoke> fan;|  if (directed.size() > 5) std::swap(directed[4], directed[5]);  std::vector<Spoke> fan;|2: a rare contact: three wedges of one cell meet in one point'
   'relink|edits|linking.cpp|world_.endOf(before) != world_.endOf(now)|world_.endOf(before) == world_.endOf(now)|6: relinked successors are reported the wrong way round'
   'self-touch|polygons|polygon.cpp|crossProperly(a, b, c, d) \|\| isInside(c, a, b) \|\| isInside(d, a, b) \|\| isInside(a, c, d) \|\| isInside(b, c, d)|crossProperly(a, b, c, d)|7: a polygon whose vertex touches its own edge is accepted'
   'swallowed|polygons|polygon.cpp| \|\| someBoundaryIsInside(q, p)||7: a polygon around another is accepted'

@@ -18,6 +18,7 @@ using oracle::Trace;
 constexpr std::int32_t U = kUnitsPerCell;
 constexpr std::size_t kFirstVertex = 4;
 constexpr std::size_t kShortVertices = 6;  // of a record
+constexpr int kMaxFill = 20;               // cells of one record: enough for a crowded row
 
 struct Window {
   std::int32_t width, height;
@@ -234,8 +235,9 @@ class Decoder {
   void fill(const Record& r) {
     const Cell a = cellAt(r[1]);
     const Cell b = cellAt(r[4]);
+    int left = kMaxFill;
     for (std::int32_t j = std::min(a.j, b.j); j <= std::max(a.j, b.j); ++j) {
-      for (std::int32_t i = std::min(a.i, b.i); i <= std::max(a.i, b.i); ++i) place({i, j}, r, 0);
+      for (std::int32_t i = std::min(a.i, b.i); i <= std::max(a.i, b.i) && left > 0; ++i, --left) place({i, j}, r, 0);
     }
   }
 

@@ -38,7 +38,7 @@ enum class Action : std::uint8_t {
   replaceB,  ///< the same: what is done most has most numbers
   replaceC,
   place,   ///< a shape of the palette beside what is there, or some of its polygons
-  fill,    ///< a shape of the palette in a rectangle of cells
+  fill,    ///< a shape of the palette in a rectangle of up to 20 cells
   spoilt,  ///< a polygon of the palette with something wrong
   hull,    ///< the convex hull of the vertices
   hullB,
