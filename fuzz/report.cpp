@@ -1,18 +1,15 @@
 #include "fuzz/report.h"
 
+#include "oracle/check/failure.h"
+#include "oracle/check/isolated.h"
 #include "oracle/check/shrink.h"
 #include "oracle/cli/report.h"
-#include "oracle/draw/draw.h"
-#include "oracle/reference/naive.h"
 #include "oracle/trace/file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
+#include <functional>
 
 namespace lgs::fuzz {
 namespace {
@@ -37,23 +34,9 @@ void save(const std::string& path, std::string_view content) {
   if (oracle::write(path, content) == oracle::Status::fine) fmt::print("saved      {}\n", path);
 }
 
-// Whether `run` ends in anything but its end; in a process of its own, silently.
-template <class Run>
-bool dies(Run run) {
-  std::fflush(stdout);
-  std::fflush(stderr);
-  const pid_t child = fork();
-  if (child == 0) {
-    const int nowhere = open("/dev/null", O_WRONLY);
-    dup2(nowhere, 1);
-    dup2(nowhere, 2);
-    alarm(10);  // seconds: too long is a finding as well
-    run();
-    _exit(0);
-  }
-  int status = 0;
-  if (child < 0 || waitpid(child, &status, 0) != child) return false;
-  return !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+// Whether `work` crashes, or hangs: too long is a finding as well.
+bool dies(const std::function<void()>& work) {
+  return oracle::crashOf(work, {.seconds = 10, .quiet = true}).has_value();
 }
 
 bool traceDies(const Target& target, const Trace& trace) {
@@ -61,18 +44,6 @@ bool traceDies(const Target& target, const Trace& trace) {
     CheckStats stats;
     target.checkTrace(trace, stats);
   });
-}
-
-// A picture of the polygons that may stand: what is wrong with the others is said in words.
-std::string drawEdits(const Target& target, const Trace& trace) {
-  oracle::Scene scene;
-  scene.preserve = trace.preserve;
-  for (const oracle::Edit& edit : withoutRefused(trace).edits) {
-    if (edit.kind == oracle::Edit::Kind::add) scene.polygons.push_back(edit.polygon);
-  }
-  oracle::DrawOptions options;
-  options.title = fmt::format("what is added before {} ends", target.name);
-  return drawWorld(scene, oracle::naiveOutline(scene), options);
 }
 
 }  // namespace
@@ -117,7 +88,7 @@ void reportCrash(const Target& target, Bytes input, const Where& where) {
   const std::string text = printTrace(trace);
   fmt::print("\n{}\n", text);
   save(base + ".trace", text);
-  save(base + ".svg", drawEdits(target, trace));
+  save(base + ".svg", drawWithoutEngine(trace, fmt::format("what is added before {} ends", target.name)));
 }
 
 }  // namespace lgs::fuzz
