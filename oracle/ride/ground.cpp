@@ -38,9 +38,11 @@ class Builder {
   void addPolygons(const Scene& scene) {
     for (const ScenePolygon& p : scene.polygons) {
       std::vector<Point> vertices;
+      vertices.reserve(p.vertices.size());
       for (const LocalPoint v : p.vertices) vertices.push_back(toWorld(p.cell, v));
       if (isConvex(vertices) && vertices.size() <= b2_maxPolygonVertices) {
         std::vector<b2Vec2> points;
+        points.reserve(vertices.size());
         for (const Point v : vertices) points.push_back(at(v));
         b2PolygonShape shape;
         shape.Set(points.data(), static_cast<int32>(points.size()));

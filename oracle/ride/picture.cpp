@@ -67,7 +67,8 @@ class Rides {
                       {"stroke-opacity", 0.35}});
     const double unit = fastest > 8 ? 4 : fastest > 3 ? 2 : 1;
     Path lines;
-    for (double speed = 0; speed <= fastest; speed += unit) {
+    for (int k = 0; k * unit <= fastest; ++k) {
+      const double speed = k * unit;
       lines.line({left, height(speed)}, {left + plot_.width(), height(speed)});
       svg.text({left - 7, height(speed) + 4}, number(speed),
                {{"font-size", kLabelSize}, {"fill", kMuted}, {"text-anchor", "end"}});

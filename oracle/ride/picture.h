@@ -11,7 +11,7 @@
 namespace lgs::oracle {
 
 struct NamedTrack {
-  Way way;
+  Way way = Way::terrain;
   Track track;
 };
 

@@ -51,7 +51,9 @@ class Terrain {
   Terrain(b2World& physics, const World& world, TerrainOptions options = {});
   ~Terrain();  ///< destroys its bodies
   Terrain(const Terrain&) = delete;
+  Terrain(Terrain&&) = delete;
   Terrain& operator=(const Terrain&) = delete;
+  Terrain& operator=(Terrain&&) = delete;
 
   /// Applies a commit: to be called once after each one, before the next edit, not during b2World::Step().
   void sync(const Changes& changes);
