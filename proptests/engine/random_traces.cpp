@@ -126,6 +126,9 @@ std::optional<Failure> firstFailure(const Cases& cases) {
     return Failure{trace, cases.name + ": fails once, but not again: " + (crash ? *crash : verdict->text.data())};
   const Trace small = oracle::shrink(trace, stillFails, std::chrono::seconds(20));
   const std::string why = complaintOf(cases, small, number, true).value_or("not again");
+  // For whoever reads the report of a test run: proptests/bugs/run.py does.
+  testing::Test::RecordProperty("cases", std::to_string(number + 1));
+  testing::Test::RecordProperty("shrunk_edits", std::to_string(editCount(small)));
   std::string file = testing::TempDir() + "lgs-" + cases.name;
   std::replace(file.begin(), file.end(), ' ', '-');
   const bool saved = oracle::writeFile(file + ".trace", oracle::printTrace(small, why)).has_value();

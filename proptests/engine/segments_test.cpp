@@ -159,6 +159,16 @@ TEST(Loops, AreTheFacesIncludingHoles) {
   EXPECT_TRUE(merged[0].segments.empty());
 }
 
+TEST(Loops, AreSortedByTheirVertices) {
+  World world;
+  for (const Cell cell : {Cell{4, 0}, Cell{0, 4}, Cell{-2, 7}, Cell{2, 2}}) place(world, cell, unitSquare());
+  world.commit();
+  std::vector<std::vector<Point>> vertices;
+  for (const Loop& loop : world.loops()) vertices.push_back(loop.vertices);
+  EXPECT_EQ(vertices.size(), 4U);
+  EXPECT_TRUE(std::is_sorted(vertices.begin(), vertices.end()));
+}
+
 TEST(Loops, TurnThroughTheFreeWedgeAndStartAtTheLeastRotation) {
   // Two squares that touch in a corner, twice: one loop around both, that passes a corner two times.
   World world;
