@@ -5,6 +5,7 @@
 #include "oracle/check/shrink.h"
 #include "oracle/cli/command.h"
 #include "oracle/cli/progress.h"
+#include "oracle/draw/counted.h"
 #include "oracle/draw/draw.h"
 #include "oracle/reference/compare.h"
 #include "oracle/trace/file.h"
@@ -30,6 +31,15 @@ std::string drawing(const PublishedRun& run, std::string title) {
   return drawMismatch(run.scene, run.expected, run.published, options);
 }
 
+// A stale ghost shows beside what the algorithm puts out for the same polygons without their past.
+std::string drawingOfThePast(const PublishedRun& run, std::string title) {
+  MismatchOptions options;
+  options.title = std::move(title);
+  options.expectedName = "published, afresh";
+  options.actualName = "after the edits";
+  return drawMismatch(run.scene, run.afresh, run.published, options);
+}
+
 Status compareTrace(const PublishedArguments& arguments) {
   if (const Status bad = tryOutputs({arguments.svg}); bad != Status::fine) return bad;
   const auto trace = readTrace(arguments.trace);
@@ -43,6 +53,8 @@ Status compareTrace(const PublishedArguments& arguments) {
   for (const Departure departure : kDepartures)
     if (shows(*run, departure)) fmt::print(out, "{}: {}\n", nameOf(departure), describe(departure));
   fmt::print(out, "{}", describe(differences));
+  if (const auto past = compare(run->afresh, run->published); !past.empty())
+    fmt::print(out, "from what it puts out for the same polygons without their past:\n{}", describe(past));
   Status status = differences.empty() ? Status::fine : Status::mismatch;
   if (!arguments.svg.empty()) status = worst(status, write(arguments.svg, drawing(*run, arguments.trace)));
   return status;
@@ -81,17 +93,24 @@ Status findAll(const PublishedArguments& arguments) {
   std::filesystem::create_directories(arguments.find, ignored);
   Status status = Status::fine;
   for (const Departure departure : kDepartures) {
-    const auto trace = find(departure, arguments.seed);
-    if (!trace) {
-      fmt::print("{:15} in none of {} random cases\n", nameOf(departure), kCases);
-      continue;
-    }
     const std::string file = (std::filesystem::path(arguments.find) / nameOf(departure)).string();
-    std::string text = printTrace(*trace);
-    text.insert(text.find('\n') + 1, fmt::format("# {}\n", describe(departure)));
-    status = worst(status, write(file + ".trace", text));
-    status = worst(status, write(file + ".svg", drawing(*runPublished(*trace), describe(departure))));
-    fmt::print("{:15} {} edits\n", nameOf(departure), editCount(*trace));
+    auto trace = find(departure, arguments.seed);
+    if (trace) {
+      std::string text = printTrace(*trace);
+      text.insert(text.find('\n') + 1, fmt::format("# {}\n", describe(departure)));
+      status = worst(status, write(file + ".trace", text));
+      fmt::print("{:15} {}\n", nameOf(departure), counted(editCount(*trace), "edit"));
+    } else {
+      const auto kept = readTrace(file + ".trace");
+      fmt::print("{:15} in none of {} random cases; {}\n", nameOf(departure), kCases,
+                 kept ? "the trace in the folder is drawn" : "no trace in the folder to draw");
+      if (kept) trace = *kept;
+    }
+    if (!trace) continue;
+    const auto run = runPublished(*trace);
+    if (!run) return complain(message(run.error(), file + ".trace"));
+    const auto draw = departure == Departure::staleGhosts ? drawingOfThePast : drawing;
+    status = worst(status, write(file + ".svg", draw(*run, describe(departure))));
   }
   return status;
 }
@@ -105,12 +124,13 @@ void addPublished(CLI::App& app, Run& chosen) {
   command.add_option("--svg", arguments->svg, "Draw both, and what differs; - is stdout")
       ->option_text("FILE")
       ->needs(trace);
-  auto* const find = command
-                         .add_option("--find", arguments->find,
-                                     "Search random cases for each known departure; write the smallest\ntrace of each, "
-                                     "and its picture, to a folder")
-                         ->option_text("FOLDER")
-                         ->excludes(trace);
+  auto* const find =
+      command
+          .add_option("--find", arguments->find,
+                      "Search random cases for each known departure; write the smallest\ntrace of each, "
+                      "and its picture, to a folder; one that is not\nfound is drawn from the trace there")
+          ->option_text("FOLDER")
+          ->excludes(trace);
   addWholeNumber(
       command, "--seed", [arguments](std::uint64_t seed) { arguments->seed = seed; }, {}, "Of the search")
       ->needs(find);

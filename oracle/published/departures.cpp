@@ -69,6 +69,24 @@ std::multiset<Edge> endsOf(const Outline& outline) {
   return ends;
 }
 
+bool hasReverse(const std::multiset<Edge>& ends, Edge e) { return ends.contains({e.end, e.start}); }
+
+/// Whether an overlap on a rim is there in one of the two outlines, both ways, and not at all in the other; on a side of
+/// a cell along which no other edges lie, or on one with more. One edge a direction is all that fits in one place.
+bool overlapDiffers(const PublishedRun& run, bool alone) {
+  const std::vector<Edge> edges = edgesOf(run.scene);
+  const auto differs = [&](const Outline& with, const Outline& without) {
+    const std::multiset<Edge> ends = endsOf(with);
+    return std::ranges::any_of(ends, [&](const Edge& e) {
+      const auto liesOnIt = [&](Point p) { return p == e.start || p == e.end || isInside(p, e.start, e.end); };
+      return isOnRim(e.start, e.end) && hasReverse(ends, e) &&
+             std::ranges::none_of(without, [&](auto& s) { return liesOnIt(s.start) && liesOnIt(s.end); }) &&
+             (std::ranges::count_if(edges, [&](Edge o) { return shareSide(o, e.start, e.end); }) == 2) == alone;
+    });
+  };
+  return differs(run.expected, run.published) || (!alone && differs(run.published, run.expected));
+}
+
 /// Whether two outlines have the same segments, and differ.
 bool ghostsDiffer(const Outline& one, const Outline& other) {
   if (one.size() != other.size()) return false;
@@ -87,7 +105,14 @@ bool isShort(const OutlineSegment& s) {
   return std::abs(s.start.x - s.end.x) < kEpsilon && std::abs(s.start.y - s.end.y) < kEpsilon;
 }
 
-bool hasReverse(const std::multiset<Edge>& ends, Edge e) { return ends.contains({e.end, e.start}); }
+Block blockOf(const OutlineSegment& s) { return s.block; }
+
+/// Whether a vertex of the polygon is another lattice point, once it has been a float.
+bool movesAsFloats(const ScenePolygon& polygon) {
+  const std::vector<Vec2> floats = floatVertices(polygon);
+  return !std::ranges::equal(floats, polygon.vertices,
+                             [&](Vec2 f, LocalPoint v) { return toLattice(f) == toWorld(polygon.cell, v); });
+}
 
 }  // namespace
 
@@ -103,12 +128,16 @@ std::string nameOf(Departure departure) {
       return "kept-in-cell";
     case Departure::preservedPair:
       return "preserved-pair";
+    case Departure::preservedSide:
+      return "preserved-side";
     case Departure::otherBlock:
       return "other-block";
     case Departure::nearVertices:
       return "near-vertices";
     case Departure::smallAngle:
       return "small-angle";
+    case Departure::removedOther:
+      return "removed-other";
     case Departure::staleGhosts:
       return "stale-ghosts";
     case Departure::coarseFloats:
@@ -129,12 +158,16 @@ std::string describe(Departure departure) {
       return "an edge shared inside a cell is not cancelled";
     case Departure::preservedPair:
       return "two edges that cancel exactly are dropped though they are to be preserved";
+    case Departure::preservedSide:
+      return "overlaps on one boundary are preserved all or none";
     case Departure::otherBlock:
       return "a swept segment has the block of another polygon";
     case Departure::nearVertices:
       return "vertices nearer to each other than the tolerance are taken for one";
     case Departure::smallAngle:
       return "directions nearer to each other than the tolerance are taken for one";
+    case Departure::removedOther:
+      return "with a polygon goes another's edge that is shorter than the tolerance";
     case Departure::staleGhosts:
       return "a ghost vertex outlives the segment that it was taken from";
     case Departure::coarseFloats:
@@ -171,31 +204,29 @@ bool shows(const PublishedRun& run, Departure departure) {
         return !isOnRim(s.start, s.end) && hasReverse(ends, e) && !right.contains(e);
       });
     }
-    case Departure::preservedPair: {
-      const auto ends = endsOf(published), right = endsOf(run.expected);
-      return std::ranges::any_of(right, [&](const Edge& e) {
-        return isOnRim(e.start, e.end) && hasReverse(right, e) && !ends.contains(e) && !hasReverse(ends, e);
-      });
-    }
+    case Departure::preservedPair:
+      return overlapDiffers(run, true);
+    case Departure::preservedSide:
+      return !run.scene.preserve.empty() && overlapDiffers(run, false);
     case Departure::otherBlock:
-      return std::ranges::any_of(published, [&](const OutlineSegment& s) {
-        const auto same = [&](const OutlineSegment& t) { return t.start == s.start && t.end == s.end; };
-        return std::ranges::any_of(run.expected, same) &&
-               std::ranges::none_of(run.expected, [&](auto& t) { return same(t) && t.block == s.block; });
-      });
+      return endsOf(published) == endsOf(run.expected) &&
+             !std::ranges::equal(published, run.expected, {}, blockOf, blockOf);
     case Departure::nearVertices:
-      return hasShort && ghostsDiffer(run.expected, published) && run.afresh == published;
+      return hasShort && ghostsDiffer(run.expected, published);
     case Departure::smallAngle:
       return !hasShort && run.scene.preserve.empty() && ghostsDiffer(run.expected, published) &&
              run.afresh == published;
-    case Departure::staleGhosts:
-      return !hasShort && ghostsDiffer(run.afresh, published);
-    case Departure::coarseFloats: {
-      const std::vector<Edge> edges = edgesOf(run.scene);
+    case Departure::removedOther: {
+      const auto ends = endsOf(published), right = endsOf(run.expected);
       return std::ranges::any_of(published, [&](const OutlineSegment& s) {
-        return std::ranges::none_of(edges, [&](Edge e) { return e.start == s.start; });
+        const Edge e{s.start, s.end};
+        return isShort(s) && hasReverse(right, e) && !right.contains(e) && !hasReverse(ends, e);
       });
     }
+    case Departure::staleGhosts:
+      return !hasShort && ghostsDiffer(run.afresh, published);
+    case Departure::coarseFloats:
+      return published != run.expected && std::ranges::any_of(run.scene.polygons, movesAsFloats);
   }
   return false;
 }

@@ -18,16 +18,18 @@ enum class Departure {
   uncutInCell,    ///< an edge inside the cell is not cut where another polygon's vertex lies on it
   keptInCell,     ///< an edge shared inside a cell is not cancelled
   preservedPair,  ///< two edges that cancel exactly are dropped though they are to be preserved
-  otherBlock,     ///< a segment has another polygon's block
+  preservedSide,  ///< an overlap is kept because another one on the same boundary is, or not kept because that is not
+  otherBlock,     ///< right segments, and some have another polygon's block
   nearVertices,   ///< right segments, wrong ghosts: vertices nearer than ε count as one
   smallAngle,     ///< right segments, wrong ghosts: directions nearer than ε count as one
+  removedOther,   ///< of two opposite edges shorter than ε, removing a polygon takes the other's away
   staleGhosts,    ///< ghosts depend on what was there before
-  coarseFloats,   ///< far from the origin a float has not the bits for the lattice
+  coarseFloats,   ///< a vertex far from the origin is another lattice point once it is a float
 };
 inline constexpr std::array kDepartures{Departure::uncutSingle,  Departure::uncutSwept,    Departure::uncutInCell,
-                                        Departure::keptInCell,   Departure::preservedPair, Departure::otherBlock,
-                                        Departure::nearVertices, Departure::smallAngle,    Departure::staleGhosts,
-                                        Departure::coarseFloats};
+                                        Departure::keptInCell,   Departure::preservedPair, Departure::preservedSide,
+                                        Departure::otherBlock,   Departure::nearVertices,  Departure::smallAngle,
+                                        Departure::removedOther, Departure::staleGhosts,   Departure::coarseFloats};
 
 /// A name for a file, "uncut-single"; and a sentence without its full stop.
 std::string nameOf(Departure departure);

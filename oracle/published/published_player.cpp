@@ -11,14 +11,14 @@ Published::ShouldPreserve callback(const PreservePairs& preserve) {
   return [preserve](Block a, Block b) { return preserve(a, b); };
 }
 
+std::optional<Point> toLattice(const std::optional<Vec2>& v) { return v ? std::optional(toLattice(*v)) : std::nullopt; }
+
+}  // namespace
+
 Point toLattice(Vec2 v) {
   const auto round = [](float c) { return std::llround(double{c} * kUnitsPerCell); };
   return {round(v.x), round(v.y)};
 }
-
-std::optional<Point> toLattice(const std::optional<Vec2>& v) { return v ? std::optional(toLattice(*v)) : std::nullopt; }
-
-}  // namespace
 
 std::vector<Vec2> floatVertices(const ScenePolygon& polygon) {
   std::vector<Vec2> out;

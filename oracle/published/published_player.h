@@ -15,6 +15,9 @@ namespace lgs::oracle {
 /// has the bits for the lattice; rounded beyond.
 std::vector<Vec2> floatVertices(const ScenePolygon& polygon);
 
+/// The nearest lattice point.
+Point toLattice(Vec2 vertex);
+
 /// Its output on the lattice, sorted.
 Outline outlineOf(const Published& published);
 
