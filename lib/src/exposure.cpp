@@ -1,21 +1,10 @@
 #include "exposure.h"
 
-#include "boundary.h"
-
 #include <algorithm>
 #include <bit>
 
 namespace lgs::detail {
 namespace {
-
-/// CellRecord::touching for a segment along a whole side.
-constexpr std::uint8_t bothCorners(unsigned side) { return static_cast<std::uint8_t>(0x11u << side); }
-
-std::uint8_t touching(unsigned side, std::int32_t begin, std::int32_t end) {
-  const bool low = begin == 0, high = end == kUnitsPerCell;
-  const bool starts = runsForward(side) ? low : high, ends = runsForward(side) ? high : low;
-  return static_cast<std::uint8_t>((starts ? 0x01u : 0u) << side | (ends ? 0x10u : 0u) << side);
-}
 
 /// CellRecord::end of a cell that has one segment along each of a set of sides.
 constexpr auto kSideCounts = [] {
@@ -31,15 +20,7 @@ constexpr auto kSideCounts = [] {
 /// The next segment of the world.
 inline std::uint32_t Exposure::create(std::uint32_t cellRef, const PackedEnds& ends, Placed placed) {
   const std::uint32_t id = pool_.take();
-  pool_[id] = {.predecessor = kUnlinked,
-               .successor = kUnlinked,
-               .listed = 0,
-               .cellRef = cellRef,
-               .block = placed.block,
-               .serial = placed.serial & kMaxSerial,
-               .high = ends.high & 0xfu,
-               .from = ends.from,
-               .to = ends.to};
+  pool_[id] = newSegment(cellRef, ends, placed);
   world_.changes.added.push_back({id});
   return id;
 }
@@ -53,11 +34,10 @@ void Exposure::renewChunk(const Chunk& chunk) {
     const bool ownRow = y >= 0 && y < kChunkSize;
     const WideRow here = dirtyRow(chunk, y), below = dirtyRow(chunk, y - 1), above = dirtyRow(chunk, y + 1);
     WideRow near = here | below | above | here << 1 | here >> 1;
-    if (isCrowded(near)) {
-      // What is dirty in another chunk is renewed with that one.
-      near &= ~wideRow<&Chunk::dirty>(chunk, y) | (ownRow ? kOwnColumns : 0);
-      if (ownRow && !world_.preserve) near &= showingRow(chunk, y) | wideRow<&Chunk::live>(chunk, y) | ~kOwnColumns;
-    }
+    // What is dirty in another chunk is renewed with that one.
+    near &= ~wideRow<&Chunk::dirty>(chunk, y) | (ownRow ? kOwnColumns : 0);
+    if (isCrowded(near) && ownRow && !world_.preserve)
+      near &= showingRow(chunk, y) | wideRow<&Chunk::live>(chunk, y) | ~kOwnColumns;
     forEachColumn(near, [&](std::int32_t x) {
       const CellAt at = cellAt(chunk, x, y);
       if (!at) return;
@@ -75,11 +55,14 @@ void Exposure::renewChunk(const Chunk& chunk) {
   });
 }
 
-/// The only dirty cell of its chunk, and those beside it.
+/// The only dirty cell of its chunk, and those beside it that are not renewed with another chunk.
 void Exposure::renewCell(CellAt at) {
   renewAll(at);
-  for (unsigned side = 0; side < kSides; ++side)
-    if (const CellAt beyond = across(at, side)) renewSide(beyond, opposite(side), at.chunk->facts[at.local]);
+  for (unsigned side = 0; side < kSides; ++side) {
+    const CellAt beyond = across(at, side);
+    if (beyond && (beyond.chunk->dirty[beyond.row()] & beyond.bit()) == 0)
+      renewSide(beyond, opposite(side), at.chunk->facts[at.local]);
+  }
 }
 
 void Exposure::renewAll(CellAt at) {
@@ -88,8 +71,8 @@ void Exposure::renewAll(CellAt at) {
     if (grid_.hasSegments(at)) removeAll(at);
     return;
   }
-  const Facing sides = facing(at);
-  const InternedContent& content = contentOf(at);
+  const Facing sides = exposed_.facing(at);
+  const InternedContent& content = exposed_.contentOf(at);
   if (sides.isSimple && !grid_.hasSegments(at) && content.polygons.size() == 1)
     createAll(at, content, kWholeSides & facts & ~sides.hidden);
   else
@@ -106,14 +89,14 @@ void Exposure::renewSide(CellAt at, unsigned side, unsigned facing) {
   const std::uint32_t begin = r ? r->begin(part) : 0, before = r ? r->end[part] - begin : 0;
   if (world_.preserve || ((facts | facing) & kRimPoints) != 0 || before > 1 ||
       (before == 1 && (r->touching & both) != both)) {
-    update(at, contentOf(at), this->facing(at), 1u << part);
+    update(at, exposed_.contentOf(at), exposed_.facing(at), 1u << part);
     return;
   }
   const std::uint32_t now = facts >> side & ~(facing >> opposite(side)) & 1u;
   if (now == before) return;
   std::uint32_t id = 0;
   if (now != 0)
-    id = create(at.chunk->ref(at.local), kSideEnds[side], grid_.placed(at, contentOf(at).wholeSlot[side]));
+    id = create(at.chunk->ref(at.local), kSideEnds[side], grid_.placed(at, exposed_.contentOf(at).wholeSlot[side]));
   else
     world_.changes.removed.push_back({r->ids()[begin]});
   CellRecord* changed = grid_.spliceSegments(at, begin, before, now);
@@ -121,32 +104,6 @@ void Exposure::renewSide(CellAt at, unsigned side, unsigned facing) {
   if (now != 0) changed->ids()[begin] = id;
   changed->touching = static_cast<std::uint8_t>(changed->touching ^ both);
   for (unsigned p = part; p < kParts; ++p) changed->end[p] = static_cast<std::uint16_t>(changed->end[p] + now - before);
-}
-
-inline Exposure::Facing Exposure::facing(CellAt at) const {
-  const FactsAround facts = factsAround(at);
-  const unsigned all = at.chunk->facts[at.local] | facts.south | facts.east | facts.north | facts.west;
-  return {hiddenSides(facts.south, facts.east, facts.north, facts.west), !world_.preserve && (all & kRimPoints) == 0};
-}
-
-/// The exposed edges on one side, in order: emit(ends, slot, touching).
-template <class Emit>
-void Exposure::exposeSide(CellAt at, const Content& content, Facing facing, unsigned side, Emit&& emit) {
-  if (facing.isSimple) {
-    if ((facing.hidden >> side & 1u) == 0) emit(kSideEnds[side], content.wholeSlot[side], bothCorners(side));
-    return;
-  }
-  const CellAt beyond = across(at, side);
-  exposedParts(
-      content.sides[side], contentOf(beyond).sides[opposite(side)],
-      [&](Slot a, Slot b) {
-        return world_.preserve && world_.keeps(grid_.placed(at, a).block, grid_.placed(beyond, b).block);
-      },
-      [&](std::int32_t begin, std::int32_t end, Slot slot) {
-        const LocalPoint low = pointAt(side, begin), high = pointAt(side, end);
-        emit(runsForward(side) ? PackedEnds::of(low, high) : PackedEnds::of(high, low), slot,
-             touching(side, begin, end));
-      });
 }
 
 /// All segments of a cell with one polygon that has none yet: those inside, and one along each of `sides`.
@@ -231,14 +188,10 @@ void Exposure::update(CellAt at, const InternedContent& content, Facing facing, 
       if (old && part != kInterior) touches |= old->touching & bothCorners(part - 1);
     } else {
       PartUpdate merge(*this, at, before);
-      if (part == kInterior) {
-        for (const InteriorSegment& s : content.interior) merge(s.ends, s.slot);
-      } else if (content.cover[part - 1] != Cover::none) {
-        exposeSide(at, content, facing, part - 1, [&](const PackedEnds& e, Slot slot, std::uint8_t touch) {
-          merge(e, slot);
-          touches |= touch;
-        });
-      }
+      exposed_.forEach(at, content, facing, part, [&](const PackedEnds& e, Slot slot, std::uint8_t touch) {
+        merge(e, slot);
+        touches |= touch;
+      });
       changed |= merge.finish();
     }
     ends[part] = static_cast<std::uint16_t>(ids_.size());

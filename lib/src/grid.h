@@ -67,6 +67,19 @@ struct Placed {
   Block block = 0;
 };
 
+/// The record of a segment that has no links yet.
+inline SegmentRecord newSegment(std::uint32_t cellRef, const PackedEnds& ends, Placed placed) {
+  return {.predecessor = kUnlinked,
+          .successor = kUnlinked,
+          .listed = 0,
+          .cellRef = cellRef,
+          .block = placed.block,
+          .serial = placed.serial & kMaxSerial,
+          .high = ends.high & 0xfu,
+          .from = ends.from,
+          .to = ends.to};
+}
+
 /// The parts of a cell's segments, in the order in which its record lists them.
 enum Part : unsigned { kInterior, kSouthPart, kEastPart, kNorthPart, kWestPart, kParts };
 inline constexpr unsigned kAllParts = (1u << kParts) - 1;
@@ -266,6 +279,8 @@ class Grid {
   const CellRecord* recordOf(std::uint32_t word) const {
     return word & kRecordBit ? reinterpret_cast<const CellRecord*>(records_.at(word & ~kRecordBit)) : nullptr;
   }
+  /// That of a cell with segments, to be written.
+  CellRecord& liveRecord(CellAt cell) { return *writable(cell); }
   /// Replaces `removed` of the ids, from the one at `begin` on, by room for `added`, which the caller fills and tells the
   /// record of: where its parts end and what they touch. Null if the cell has no record any more.
   CellRecord* spliceSegments(CellAt cell, std::uint32_t begin, std::uint32_t removed, std::uint32_t added);

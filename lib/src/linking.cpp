@@ -40,7 +40,8 @@ class Linking::Fan {
   Spoke* end_;
 };
 
-Linking::Linking(World::Impl& world) : world_(world), grid_(world.grid), pool_(world.segments), fan_(world.fan) {
+Linking::Linking(World::Impl& world, std::vector<Spoke>& fan)
+    : world_(world), grid_(world.grid), pool_(world.segments), fan_(fan) {
   constexpr std::size_t kOfSides = 8;                                        // two to each of four directions
   fan_.resize(4 * std::size_t{world.catalogue.widestFan()} + kOfSides + 1);  // and one that is written and not there
 }

@@ -7,7 +7,8 @@ namespace lgs::detail {
 
 class Linking {
  public:
-  explicit Linking(World::Impl& world);
+  /// `fan` is working memory.
+  Linking(World::Impl& world, std::vector<Spoke>& fan);
 
   /// Links the segments at every vertex in or on the rim of the chunk's dirty cells.
   void linkChunk(const Chunk& chunk);

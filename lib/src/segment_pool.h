@@ -86,6 +86,8 @@ class SegmentPool {
   void recycle(std::uint32_t id) { free_.push_back(id); }
 
   bool isLive(std::uint32_t id) const { return id != kNoSegment && id < top_ && (*this)[id].cellRef != 0; }
+  /// Whether no segment is alive, those removed but not recycled yet not counted as dead.
+  bool isEmpty() const { return free_.size() == top_ - 1; }
   std::uint32_t maxId() const { return top_ - 1; }
   std::uint64_t bytes() const {
     return pages_.size() * (kPage * sizeof(SegmentRecord) + sizeof pages_[0]) + free_.capacity() * sizeof free_[0];

@@ -74,7 +74,8 @@ Expected<std::uint64_t> World::fill(const CellRect& cells, ShapeId shape, Block 
   return impl_->fill(cells, shape, block);
 }
 Expected<std::uint64_t> World::clear(const CellRect& cells) { return impl_->clear(cells); }
-const Changes& World::commit() { return impl_->commit(); }
+const Changes& World::commit() { return impl_->commit({}); }
+const Changes& World::commit(const Executor& executor) { return impl_->commit(executor); }
 
 std::vector<PlacedPolygon> World::polygons(Cell cell) const {
   std::vector<PlacedPolygon> out;

@@ -15,8 +15,6 @@
 
 namespace lgs {
 
-namespace detail {}  // namespace detail
-
 struct World::Impl {
   explicit Impl(PreserveRelation relation) : preserve(std::move(relation)) {}
 
@@ -31,7 +29,7 @@ struct World::Impl {
   Expected<std::uint64_t> clear(const CellRect& cells);
 
   // commit.cpp
-  const Changes& commit();
+  const Changes& commit(const Executor& executor);
 
   // read.cpp
   void polygons(Cell cell, std::vector<PlacedPolygon>& out) const;

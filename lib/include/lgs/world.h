@@ -37,6 +37,17 @@ inline constexpr std::size_t kMaxChunks = (std::size_t{1} << 22) - 1;  ///< of 3
 /// every time, no exception, and no call back into the world. Empty: everything is cancelled.
 using PreserveRelation = std::function<bool(Block, Block)>;
 
+/// Calls job(0) … job(count − 1), each exactly once, in any order and on any threads, and returns when all of them have
+/// returned. This is where an application's own threads come in; with C++20 alone:
+///
+///   lgs::Executor twoThreads = [](std::size_t count, const std::function<void(std::size_t)>& job) {
+///     std::atomic<std::size_t> next = 0;
+///     const auto work = [&] { for (std::size_t k; (k = next++) < count;) job(k); };
+///     std::jthread other(work);
+///     work();
+///   };
+using Executor = std::function<void(std::size_t count, const std::function<void(std::size_t)>& job)>;
+
 /// A polygon as it stands in a cell. `vertices` is valid until the next edit of the world: to put a polygon back that you
 /// removed, copy them first.
 struct PlacedPolygon {
@@ -130,6 +141,12 @@ class World {
   /// The result is valid until the next commit. Cost: in proportion to the contents of the edited cells and the eight
   /// around each. Allocates nothing once the world has reached its size.
   const Changes& commit();
+
+  /// The same, to the last id and its place in the lists, with the work spread over the executor's threads where there is
+  /// most of it: in a commit that finds no segments, as the first one of a world does. Any other commit is as above, and
+  /// an empty executor too. The relation, if there is one, is then called from several threads at a time. A job is the
+  /// work on a chunk of 32×32 cells; it throws nothing. Allocates working memory in proportion to the live cells.
+  const Changes& commit(const Executor& executor);
 
   // --- Reading ------------------------------------------------------------------------------------------------------
 
