@@ -1,16 +1,29 @@
 // Worlds from nothing: time for each cell, memory for each cell and segment. The larger ones once: they take seconds.
 #include "bench/micro/benches.h"
 
+#include <atomic>
+#include <thread>
+
 namespace lgs::bench {
 namespace {
 
-void build(benchmark::State& state, const std::string& world, std::int64_t cells, Engine::By by) {
+void onTwoThreads(std::size_t count, const std::function<void(std::size_t)>& job) {
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t k; (k = next++) < count;) job(k);
+  };
+  const std::jthread other(work);
+  work();
+}
+
+void build(benchmark::State& state, const std::string& world, std::int64_t cells, Engine::By by,
+           const Executor& executor) {
   const Tiles tiles = makeTiles(world, sizeOf(cells));
   std::unique_ptr<Engine> engine;
   while (state.KeepRunning()) {
     state.PauseTiming();
     engine.reset();
-    engine = std::make_unique<Engine>(by);
+    engine = std::make_unique<Engine>(by, executor);
     engine->prepare(tiles);
     state.ResumeTiming();
     engine->build();
@@ -27,22 +40,27 @@ void build(benchmark::State& state, const std::string& world, std::int64_t cells
 void registerBuilds(const Scale& scale) {
   for (const std::int64_t cells : {100L, 10'000L, 1'000'000L, 10'000'000L}) {
     if (cells > scale.maxCells) continue;
-    const auto add = [&](const std::string& how, const std::string& world, Engine::By by) {
+    const auto add = [&](const std::string& how, const std::string& world, Engine::By by,
+                         const Executor& executor = {}) {
       const std::string name = "build/" + how + "/" + world + "/" + std::to_string(cells);
-      auto* bench =
-          benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { build(state, world, cells, by); });
-      bench->Unit(benchmark::kMillisecond);
+      auto* bench = benchmark::RegisterBenchmark(
+          name.c_str(), [=](benchmark::State& state) { build(state, world, cells, by, executor); });
+      bench->Unit(benchmark::kMillisecond)->UseRealTime();
       if (cells >= 1'000'000) bench->Iterations(1);
     };
-    for (const std::string world : kWorlds) add("shapes", world, Engine::By::shapes);
+    for (const std::string world : kWorlds) {
+      add("shapes", world, Engine::By::shapes);
+      add("shapes-2-threads", world, Engine::By::shapes, onTwoThreads);
+    }
     add("fill", "full", Engine::By::fill);
   }
   constexpr std::int64_t kHuge = 100'000'000;
   if (kHuge <= 10 * scale.maxCells) {
     benchmark::RegisterBenchmark("build/fill/full/100000000",
-                                 [](benchmark::State& state) { build(state, "full", kHuge, Engine::By::fill); })
+                                 [](benchmark::State& state) { build(state, "full", kHuge, Engine::By::fill, {}); })
         ->Iterations(1)
-        ->Unit(benchmark::kMillisecond);
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
   }
 }
 

@@ -11,7 +11,7 @@ class Results:
         self.comparison = {(row["scenario"], row["subject"]): row for row in comparison}
         self.engine = {}
         for row in engine:
-            name = re.sub(r"/iterations:\d+$", "", row["name"])
+            name = re.sub(r"(/iterations:\d+)?(/real_time)?$", "", row["name"])
             row["real_ns"] = row["real_time"] * {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}[row["time_unit"]]
             self.engine[name] = row
 

@@ -134,7 +134,8 @@ def batches(results):
 
 def builds(results):
     rows = []
-    for world, how in (*((w, "shapes") for w in WORLDS), ("full", "fill")):
+    ways = {"shapes": "by shapes", "shapes-2-threads": "by shapes, 2 threads", "fill": "by fill"}
+    for world, how in (*((w, how) for w in WORLDS for how in ("shapes", "shapes-2-threads")), ("full", "fill")):
         for size in (*SIZES, 100_000_000):
             row = results.of(f"build/{how}/{world}/{size}")
             if not row:
@@ -143,7 +144,7 @@ def builds(results):
             above = (row["bytes"] - buried) / row["segments"]
             rows.append(
                 [
-                    f"{WORLDS[world]}, by {how}: {count(size)}",
+                    f"{WORLDS[world]}, {ways[how]}: {count(size)}",
                     duration(1e9 / row["items_per_second"]),
                     duration(size * 1e9 / row["items_per_second"]),
                     digits(row["bytes"] / size),

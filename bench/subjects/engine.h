@@ -16,7 +16,7 @@ class Engine final : public Incremental {
     shapes,    ///< each cell by the id of a shape that was interned before
     fill,      ///< one rectangle at once: for worlds of one kind only, others are refused
   };
-  explicit Engine(By by) : by_(by) {}
+  explicit Engine(By by, Executor executor = {}) : by_(by), executor_(std::move(executor)) {}
 
   void prepare(const Tiles& tiles) override;
   bool build() override;
@@ -30,7 +30,7 @@ class Engine final : public Incremental {
   // The parts of an edit, for what is not one edit and one commit.
   void removeOnly(std::size_t cell);
   void addOnly(std::size_t cell, std::size_t kind);
-  void commit() { changes_ = &world_.commit(); }
+  void commit() { changes_ = executor_ ? &world_.commit(executor_) : &world_.commit(); }
 
   const Changes& changes() const { return *changes_; }  ///< of the last commit
   const World& world() const { return world_; }
@@ -39,6 +39,7 @@ class Engine final : public Incremental {
   void addAt(std::size_t at, Cell cell, std::size_t kind);
 
   By by_;
+  Executor executor_;
   const Tiles* tiles_ = nullptr;
   World world_;
   std::vector<ShapeId> shapes_;                 // by kind; null for nothing

@@ -10,6 +10,8 @@
 #include "linking.h"
 
 #include <array>
+#include <memory>
+#include <utility>
 
 namespace lgs::detail {
 namespace {
@@ -22,79 +24,107 @@ struct LiveCell {
 
 struct ChunkPlan {
   Chunk* chunk = nullptr;
-  std::vector<LiveCell> cells;  ///< by rows
-  std::size_t first = 0;        ///< where the chunk's segments begin in the list of those added
+  std::span<LiveCell> cells;  ///< by rows
+  std::size_t segments = 0;   ///< of all of them
+  std::size_t first = 0;      ///< where these begin in the list of those added
 };
 
 class Build {
  public:
-  Build(World::Impl& world, const Executor& executor) : world_(world), exposed_(world), executor_(executor) {
-    for (Chunk* chunk : world.dirtyChunks) plans_.push_back({chunk, {}, 0});
+  Build(World::Impl& world, const Executor& executor)
+      : world_(world),
+        exposed_(world),
+        executor_(executor),
+        cells_(std::make_unique_for_overwrite<LiveCell[]>(world.dirtyChunks.size() * kChunkCells)) {
+    plans_.reserve(world.dirtyChunks.size());
+    for (Chunk* chunk : world.dirtyChunks)
+      plans_.push_back({.chunk = chunk, .cells = {cells_.get() + plans_.size() * kChunkCells, 0}});
   }
 
   void run() {
     executor_(plans_.size(), [this](std::size_t k) { count(plans_[k]); });
-    for (ChunkPlan& plan : plans_) allot(plan);
+    allot();
     executor_(plans_.size(), [this](std::size_t k) { create(plans_[k]); });
     link();
   }
 
  private:
-  /// Calls emit(ends, slot, touching) for the exposed edges of one part of a cell after the other, and done(part) after
-  /// each.
-  template <class Emit, class Done>
-  void forEachEdge(CellAt at, Emit&& emit, Done&& done) const {
-    const InternedContent& content = exposed_.contentOf(at);
-    const ExposedEdges::Facing facing = exposed_.facing(at);
-    for (unsigned part = 0; part < kParts; ++part) {
-      exposed_.forEach(at, content, facing, part, emit);
-      done(part);
-    }
-  }
+  /// A cell with all that decides what it shows.
+  struct Look {
+    CellAt at;
+    const InternedContent& content;
+    ExposedEdges::Facing facing;
+    bool isSimple() const { return facing.isSimple && content.polygons.size() == 1; }
+    unsigned sides() const { return at.chunk->facts[at.local] & facing.free; }
+  };
+  Look lookAt(CellAt at) const { return {at, exposed_.contentOf(at), exposed_.facing(at)}; }
 
   void count(ChunkPlan& plan) const {
     const Chunk& chunk = *plan.chunk;
-    forEachRowNear(chunk.dirtyRows, [&](std::int32_t y) {
+    LiveCell* last = plan.cells.data();
+    std::size_t sum = 0;
+    for (std::int32_t y = 0; y < kChunkSize; ++y) {
       WideRow showing = dirtyRow(chunk, y);
-      if (showing == 0) return;
+      if (showing == 0) continue;
       if (!world_.preserve) showing &= showingRow(chunk, y);
       forEachColumn(showing, [&](std::int32_t x) {
         const CellAt at = cellAt(chunk, x, y);
-        std::uint32_t segments = 0;
-        forEachEdge(
-            at, [&](const PackedEnds&, Slot, std::uint8_t) { ++segments; }, [](unsigned) {});
-        if (segments != 0)
-          plan.cells.push_back({static_cast<std::uint16_t>(at.local), static_cast<std::uint16_t>(segments)});
+        const std::uint32_t segments = count(lookAt(at));
+        if (segments == 0) return;
+        *last++ = {static_cast<std::uint16_t>(at.local), static_cast<std::uint16_t>(segments)};
+        sum += segments;
       });
-    });
-  }
-
-  /// Gives ids and records to the segments of a chunk.
-  void allot(ChunkPlan& plan) {
-    std::vector<SegmentId>& added = world_.changes.added;
-    plan.first = added.size();
-    for (const LiveCell cell : plan.cells) {
-      world_.grid.spliceSegments({plan.chunk, cell.local}, 0, 0, cell.segments);
-      for (unsigned k = 0; k < cell.segments; ++k) added.push_back({world_.segments.take()});
     }
+    plan.segments = sum;
+    plan.cells = {plan.cells.data(), last};
   }
 
-  void create(const ChunkPlan& plan) {
+  std::uint32_t count(const Look& cell) const {
+    if (cell.isSimple()) return countSimple(cell.content, cell.sides());
+    std::uint32_t segments = 0;
+    for (unsigned part = 0; part < kParts; ++part)
+      exposed_.forEach(cell.at, cell.content, cell.facing, part, [&](auto&&...) { ++segments; });
+    return segments;
+  }
+
+  /// Gives out records and ids, in the order of the chunks.
+  void allot() {
+    std::vector<SegmentId>& added = world_.changes.added;
+    std::size_t segments = 0;
+    for (ChunkPlan& plan : plans_) plan.first = std::exchange(segments, segments + plan.segments);
+    added.reserve(segments);
+    for (const ChunkPlan& plan : plans_)
+      for (const LiveCell cell : plan.cells) world_.grid.spliceSegments({plan.chunk, cell.local}, 0, 0, cell.segments);
+    for (; segments != 0; --segments) added.push_back({world_.segments.take()});
+  }
+
+  void create(const ChunkPlan& plan) const {
     const SegmentId* next = world_.changes.added.data() + plan.first;
-    for (const LiveCell cell : plan.cells) {
-      const CellAt at{plan.chunk, cell.local};
-      const std::uint32_t ref = plan.chunk->ref(cell.local);
-      CellRecord& r = world_.grid.liveRecord(at);
-      std::uint32_t* id = r.ids();
-      r.touching = 0;
-      forEachEdge(
-          at,
-          [&](const PackedEnds& ends, Slot slot, std::uint8_t touching) {
-            r.touching |= touching;
-            *id = next++->value;
-            world_.segments[*id++] = newSegment(ref, ends, world_.grid.placed(at, slot));
-          },
-          [&](unsigned part) { r.end[part] = static_cast<std::uint16_t>(id - r.ids()); });
+    for (const LiveCell cell : plan.cells) create(lookAt({plan.chunk, cell.local}), next);
+  }
+
+  void create(const Look& cell, const SegmentId*& next) const {
+    CellRecord& r = world_.grid.liveRecord(cell.at);
+    const std::uint32_t ref = cell.at.chunk->ref(cell.at.local);
+    const auto createNext = [&](const PackedEnds& ends, Placed placed) {
+      const std::uint32_t id = next++->value;
+      world_.segments[id] = newSegment(ref, ends, placed);
+      return id;
+    };
+    if (cell.isSimple()) {
+      const Placed placed = world_.grid.placed(cell.at, 0);
+      fillSimple(r, cell.content, cell.sides(), [&](const PackedEnds& ends) { return createNext(ends, placed); });
+      return;
+    }
+    std::uint32_t* id = r.ids();
+    r.touching = 0;
+    for (unsigned part = 0; part < kParts; ++part) {
+      exposed_.forEach(cell.at, cell.content, cell.facing, part,
+                       [&](const PackedEnds& ends, Slot slot, std::uint8_t touching) {
+                         *id++ = createNext(ends, world_.grid.placed(cell.at, slot));
+                         r.touching |= touching;
+                       });
+      r.end[part] = static_cast<std::uint16_t>(id - r.ids());
     }
   }
 
@@ -114,7 +144,8 @@ class Build {
   World::Impl& world_;
   ExposedEdges exposed_;
   const Executor& executor_;
-  std::vector<ChunkPlan> plans_;  ///< of the dirty chunks, in the order in which edits touched them
+  std::unique_ptr<LiveCell[]> cells_;  ///< room for all cells of each chunk; what stays empty costs no memory
+  std::vector<ChunkPlan> plans_;       ///< of the dirty chunks, in the order in which edits touched them
 };
 
 }  // namespace

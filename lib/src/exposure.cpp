@@ -1,21 +1,8 @@
 #include "exposure.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace lgs::detail {
-namespace {
-
-/// CellRecord::end of a cell that has one segment along each of a set of sides.
-constexpr auto kSideCounts = [] {
-  std::array<PartEnds, 16> counts{};
-  for (unsigned sides = 0; sides < 16; ++sides)
-    for (unsigned part = kSouthPart; part < kParts; ++part)
-      counts[sides][part] = static_cast<std::uint16_t>(std::popcount(sides & ((1u << part) - 1)));
-  return counts;
-}();
-
-}  // namespace
 
 /// The next segment of the world.
 inline std::uint32_t Exposure::create(std::uint32_t cellRef, const PackedEnds& ends, Placed placed) {
@@ -74,7 +61,7 @@ void Exposure::renewAll(CellAt at) {
   const Facing sides = exposed_.facing(at);
   const InternedContent& content = exposed_.contentOf(at);
   if (sides.isSimple && !grid_.hasSegments(at) && content.polygons.size() == 1)
-    createAll(at, content, kWholeSides & facts & ~sides.hidden);
+    createAll(at, content, facts & sides.free);
   else
     update(at, content, sides, kAllParts);
 }
@@ -108,18 +95,12 @@ void Exposure::renewSide(CellAt at, unsigned side, unsigned facing) {
 
 /// All segments of a cell with one polygon that has none yet: those inside, and one along each of `sides`.
 void Exposure::createAll(CellAt at, const InternedContent& content, unsigned sides) {
-  const auto inside = static_cast<std::uint16_t>(content.interior.size());
-  if (inside == 0 && sides == 0) return;
+  const std::uint32_t count = countSimple(content, sides);
+  if (count == 0) return;
   const Placed placed = grid_.placed(at, 0);
-  CellRecord* r = grid_.spliceSegments(at, 0, 0, kSideCounts[sides].back() + std::uint32_t{inside});
-  for (unsigned part = 0; part < kParts; ++part)
-    r->end[part] = static_cast<std::uint16_t>(kSideCounts[sides][part] + inside);
-  r->touching = static_cast<std::uint8_t>(sides | sides << 4);
   const std::uint32_t ref = at.chunk->ref(at.local);
-  std::uint32_t* id = r->ids();
-  for (const InteriorSegment& s : content.interior) *id++ = create(ref, s.ends, placed);
-  for (; sides != 0; sides &= sides - 1)
-    *id++ = create(ref, kSideEnds[static_cast<unsigned>(std::countr_zero(sides))], placed);
+  CellRecord* r = grid_.spliceSegments(at, 0, 0, count);
+  fillSimple(*r, content, sides, [&](const PackedEnds& ends) { return create(ref, ends, placed); });
 }
 
 /// Merges the exposed edges of one part, which come in order, with the segments that are there.

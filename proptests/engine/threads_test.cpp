@@ -127,6 +127,12 @@ TEST(Threads, TheExecutorIsAskedWhereThereAreNoSegments) {
   ASSERT_TRUE(world.clear({{3, 3}, {4, 4}}));
   EXPECT_EQ(world.commit(counting).added.size(), 8U);
   EXPECT_EQ(jobs, 3U * 6);
+  ASSERT_TRUE(world.clear({{0, 0}, {95, 63}}));
+  world.commit(counting);
+  EXPECT_EQ(jobs, 3U * 6);
+  ASSERT_TRUE(world.fill({{0, 0}, {31, 31}}, square, 1));
+  EXPECT_EQ(world.commit(counting).added.size(), 4U * 32);
+  EXPECT_EQ(jobs, 3U * (6 + 1));
 }
 
 TEST(Threads, ReadingIsSafeBesideReading) {
