@@ -11,7 +11,9 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace lgs::detail {
 namespace {
@@ -62,7 +64,7 @@ class Build {
   void count(ChunkPlan& plan) const {
     const Chunk& chunk = *plan.chunk;
     LiveCell* last = plan.cells.data();
-    std::size_t sum = 0;
+    std::size_t sum = 0;  // written to the plan once: the plan beside it belongs to another thread
     for (std::int32_t y = 0; y < kChunkSize; ++y) {
       WideRow showing = dirtyRow(chunk, y);
       if (showing == 0) continue;
