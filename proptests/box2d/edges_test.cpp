@@ -99,7 +99,7 @@ void expectLaws(const World& world, const EdgeSet& set) {
 }
 
 EdgeOptions randomOptions(Random& random) {
-  constexpr std::int64_t kShortest[] = {0, 1, 400, U / 8, U / 2, U + 1, 2 * U};
+  constexpr std::int64_t kShortest[] = {0, 1, 400, U / 8, U / 2, U + 1, std::int64_t{2} * U};
   EdgeOptions options;
   options.chunkCells = 1 + random.below(5);
   options.shortest = random.chance(40) ? 0 : kShortest[random.below(std::size(kShortest))];
