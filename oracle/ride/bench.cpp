@@ -8,6 +8,7 @@
 #include <array>
 #include <chrono>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace lgs::oracle {
@@ -51,98 +52,102 @@ struct Field {
 // Box2D looks through everything made since the last step whenever a fixture goes, so a game without steps is none.
 void step(b2World& physics) { physics.Step(1.0F / 60, 8, 3); }
 
-// A world with a body in it: then the terrain looks for bodies to wake.
-struct Populated {
-  b2World physics{{0, -10}};
-  Populated() {
-    b2BodyDef body;
-    body.type = b2_dynamicBody;
-    physics.CreateBody(&body);
-  }
-};
-
-double bestLoad(const Field& field, const box2d::TerrainOptions& options) {
-  double best = std::numeric_limits<double>::max();
-  for (int round = 0; round < kRounds; ++round) {
-    b2World physics({0, -10});
-    std::optional<box2d::Terrain> terrain;
-    best = std::min(best, microseconds([&] { terrain.emplace(physics, field.world, options); }));
-  }
-  return best;
+// The least of some rounds of what `round` measures.
+template <class Round>
+double leastOf(Round round) {
+  double least = std::numeric_limits<double>::max();
+  for (int k = 0; k < kRounds; ++k) least = std::min(least, round());
+  return least;
 }
 
-// The mean of digs and refills of random cells; in a game bodies are about, so that wakening is part of it.
+// A terrain in a world with a body in it, after a step. In a game bodies are about, and the terrain looks for those to wake.
+class Populated {
+ public:
+  Populated(Field& field, const box2d::TerrainOptions& options) : field_(field) {
+    b2BodyDef body;
+    body.type = b2_dynamicBody;
+    physics_.CreateBody(&body);
+    terrain_.emplace(physics_, field.world, options);
+    step(physics_);
+  }
+
+  /// Of the sync alone.
+  double sync() {
+    const Changes& changes = field_.world.commit();
+    const double time = microseconds([&] { terrain_->sync(changes); });
+    step(physics_);
+    return time;
+  }
+
+ private:
+  Field& field_;
+  b2World physics_{{0, -10}};
+  std::optional<box2d::Terrain> terrain_;
+};
+
+double load(const Field& field, const box2d::TerrainOptions& options) {
+  return leastOf([&] {
+    b2World physics({0, -10});
+    std::optional<box2d::Terrain> terrain;
+    return microseconds([&] { terrain.emplace(physics, field.world, options); });
+  });
+}
+
+// The mean of digs and refills of random cells.
 double oneEdit(Field& field, const box2d::TerrainOptions& options) {
   constexpr int kTimes = 300;
-  Populated populated;
-  b2World& physics = populated.physics;
-  box2d::Terrain terrain(physics, field.world, options);
-  step(physics);
-  double best = std::numeric_limits<double>::max();
-  for (int round = 0; round < kRounds; ++round) {
+  Populated populated(field, options);
+  return leastOf([&] {
     double sum = 0;
     for (int k = 0; k < kTimes; ++k) {
       const std::size_t at = field.random.below(field.handles.size());
       field.dig(at);
-      const Changes& dug = field.world.commit();
-      sum += microseconds([&] { terrain.sync(dug); });
-      step(physics);
+      sum += populated.sync();
       field.refill(at);
-      const Changes& refilled = field.world.commit();
-      sum += microseconds([&] { terrain.sync(refilled); });
-      step(physics);
+      sum += populated.sync();
     }
-    best = std::min(best, sum / (2 * kTimes));
-  }
-  return best;
+    return sum / (2 * kTimes);
+  });
 }
 
-double manyEdits(Field& field, const box2d::TerrainOptions& options) {
-  constexpr int kTimes = 1'000;
-  Populated populated;
-  b2World& physics = populated.physics;
-  box2d::Terrain terrain(physics, field.world, options);
-  step(physics);
-  double best = std::numeric_limits<double>::max();
-  for (int round = 0; round < kRounds; ++round) {
-    for (int k = 0; k < kTimes; ++k) field.dig(static_cast<std::size_t>(k) * 9);
-    const Changes& dug = field.world.commit();
-    best = std::min(best, microseconds([&] { terrain.sync(dug); }));
-    step(physics);
-    for (int k = 0; k < kTimes; ++k) field.refill(static_cast<std::size_t>(k) * 9);
-    terrain.sync(field.world.commit());
-    step(physics);
+double thousandDigs(Field& field, const box2d::TerrainOptions& options) {
+  constexpr std::size_t kTimes = 1'000;
+  Populated populated(field, options);
+  return leastOf([&] {
+    for (std::size_t k = 0; k < kTimes; ++k) field.dig(k * 9);
+    const double time = populated.sync();
+    for (std::size_t k = 0; k < kTimes; ++k) field.refill(k * 9);
+    populated.sync();
+    return time;
+  });
+}
+
+std::size_t mostOnABody(const b2World& physics) {
+  std::size_t most = 0;
+  for (const b2Body* body = physics.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    std::size_t count = 0;
+    for (const b2Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) ++count;
+    most = std::max(most, count);
   }
-  return best;
+  return most;
+}
+
+void printLine(bool ramps, std::int32_t chunk, bool merge) {
+  Field field(ramps);
+  const box2d::TerrainOptions options{.chunkCells = chunk, .merge = merge};
+  b2World physics({0, -10});
+  const box2d::Terrain terrain(physics, field.world, options);
+  fmt::print("| {} | {} | {} | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} |\n", ramps ? "ramps" : "full", chunk,
+             merge ? "yes" : "no", terrain.bodyCount(), terrain.edges().counts().edges, mostOnABody(physics),
+             load(field, options) / 1e3, oneEdit(field, options), thousandDigs(field, options) / 1e3);
 }
 
 void run() {
-  fmt::print("{0}×{0} cells. A sync after an edit: the mean of digging random cells away and refilling them.\n\n",
-             kSide);
-  fmt::print(
-      "| world | chunk | merged | bodies | fixtures | most on a body | load, ms | sync after 1 edit, µs | after 1,000 "
-      "digs, ms |\n");
-  fmt::print("|---|---|---|---|---|---|---|---|---|\n");
+  fmt::print("| world | chunk | merged | bodies | fixtures | most on a body | load, ms | sync after 1 edit, µs | ");
+  fmt::print("after 1,000 digs, ms |\n|---|---|---|---|---|---|---|---|---|\n");
   for (const bool ramps : {false, true}) {
     for (const std::int32_t chunk : {1, 4, 8, 16, 32, 100}) {
-      for (const bool merge : {false, true}) {
-        Field field(ramps);
-        const box2d::TerrainOptions options{.chunkCells = chunk, .merge = merge};
-        b2World physics({0, -10});
-        const box2d::Terrain terrain(physics, field.world, options);
-        std::size_t most = 0;
-        for (const b2Body* body = physics.GetBodyList(); body != nullptr; body = body->GetNext()) {
-          std::size_t count = 0;
-          for (const b2Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) ++count;
-          most = std::max(most, count);
-        }
-        const double load = bestLoad(field, options);
-        const double one = oneEdit(field, options);
-        const double many = manyEdits(field, options);
-        fmt::print("| {} | {} | {} | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} |\n", ramps ? "ramps" : "full", chunk,
-                   merge ? "yes" : "no", terrain.bodyCount(), terrain.edges().counts().edges, most, load / 1e3, one,
-                   many / 1e3);
-      }
+      for (const bool merge : {false, true}) printLine(ramps, chunk, merge);
     }
   }
 }

@@ -4,7 +4,6 @@
 #include "oracle/reference/scene.h"
 
 #include <gtest/gtest.h>
-#include <lgs/tiled/import.h>
 #include <lgs/world.h>
 #include <string>
 #include <vector>

@@ -2,10 +2,9 @@
 // and the chunks end; a fixture for each polygon is not.
 #include "oracle/ride/ride.h"
 
-#include "field.h"
+#include "fields.h"
 
 #include <gtest/gtest.h>
-#include <lgs/tiled/import.h>
 #include <algorithm>
 #include <cmath>
 
@@ -41,13 +40,6 @@ Unrest unrestOf(const Track& track, float speed) {
   }
   most.height = high - low;
   return most;
-}
-
-Field floorOf200Cells() {
-  Field field;
-  field.addFloor(-2, 205);
-  field.world.commit();
-  return field;
 }
 
 RideOptions slide(Rider rider, float speed) {
@@ -116,41 +108,6 @@ void expectSamePath(const Field& field, RideOptions options, float tolerance) {
   }
 }
 
-struct Profile {
-  const char* name;
-  std::vector<Polygon> columns;  // repeated; each begins where the last ends, or a cell lower or higher
-  std::vector<std::int32_t> rises;
-};
-
-// Heights in eighths; a rise of 1 after a column lifts the next ones by a cell.
-std::vector<Profile> profiles() {
-  return {{"gentle down and flat",
-           {below(8, 7), below(7, 6), below(6, 6), below(6, 4), below(4, 4), below(4, 0)},
-           {0, 0, 0, 0, 0, -1}},
-          {"steep down and flat", {kSquare, below(8, 0), kSquare, kSquare}, {0, -1, 0, 0}},
-          {"valleys", {below(8, 4), below(4, 2), below(2, 2), below(2, 4), below(4, 8)}, {0, 0, 0, 0, 0}},
-          {"waves with T-contacts", {below(8, 6), below(6, 6), below(6, 8), kSquare}, {0, 0, 0, 0}}};
-}
-
-Field hilly(const Profile& profile, bool ceiling) {
-  Field field;
-  std::int32_t j = 0;
-  for (std::size_t k = 0; k < 120; ++k) {
-    const std::size_t at = k % profile.columns.size();
-    Polygon column = profile.columns[at];
-    if (ceiling) {  // turned by half a turn about the cell's middle, and laid out the other way
-      for (LocalPoint& p : column) p = {U - p.x, U - p.y};
-    }
-    const auto i = static_cast<std::int32_t>(k);
-    field.add(ceiling ? Cell{-i, -j} : Cell{i, j}, column);
-    if (k == 0) field.add(ceiling ? Cell{1, -j - 1} : Cell{-1, j + 1}, kSquare);  // a wall at the beginning
-    field.add(ceiling ? Cell{-i, -j + 1} : Cell{i, j - 1}, kSquare);
-    j += profile.rises[at];
-  }
-  field.world.commit();
-  return field;
-}
-
 TEST(Box2dRide, SlopesAndTransitionsAreAsWithCgal) {
   for (const Profile& profile : profiles()) {
     for (const bool ceiling : {false, true}) {
@@ -174,11 +131,7 @@ TEST(Box2dRide, SlopesAndTransitionsAreAsWithCgal) {
 }
 
 TEST(Box2dRide, TheProjectsMapIsAsWithCgal) {
-  const auto map = tiled::importMap(LGS_SOURCE_DIR "/oracle/maps/landscape.tmx");
-  ASSERT_TRUE(map);
-  Field field;
-  for (const tiled::Placement& p : map->placements) field.add(p.cell, map->shapes[p.shape], p.block);
-  field.world.commit();
+  const Field field = landscape();
   for (const Rider rider : kRiders) {
     for (const float speed : {3.0F, 8.0F}) {
       SCOPED_TRACE(speed);

@@ -118,6 +118,41 @@ TEST_F(Box2d3Terrain, ARestingBodyFallsWhenItsCellIsDugAway) {
   EXPECT_NEAR(heightOf(ball), -2 + 0.35F, 0.02F);
 }
 
+TEST_F(Box2d3Terrain, ABodyOfAnotherCategoryWakesWhereGroundAppearsOrIsRelinked) {
+  constexpr std::uint64_t kGround = 2;
+  constexpr std::uint64_t kBalls = 4;
+  field.addFloor(0, 8);
+  field.world.commit();
+  TerrainOptions options;
+  options.material = [](Block) {
+    box2d::Material material;
+    material.filter.categoryBits = kGround;
+    material.filter.maskBits = kBalls;
+    return material;
+  };
+  Terrain terrain(physics, field.world, options);
+  const b2BodyId ball = addBall({4.5F, 0.4F}, 0.5F);
+  b2ShapeId shape;
+  b2Body_GetShapes(ball, &shape, 1);
+  b2Filter filter = b2DefaultFilter();
+  filter.categoryBits = kBalls;
+  filter.maskBits = kGround;
+  b2Shape_SetFilter(shape, filter);
+  step(200);
+  ASSERT_FALSE(b2Body_IsAwake(ball));
+  EXPECT_NEAR(heightOf(ball), 0.35F, 0.01F);
+  field.add({5, 0}, kSquare);  // beside it: the edge below it has another ghost
+  const Changes& relinked = field.world.commit();
+  EXPECT_FALSE(relinked.relinked.empty());
+  terrain.sync(relinked);
+  EXPECT_TRUE(b2Body_IsAwake(ball));
+  step(200);
+  ASSERT_FALSE(b2Body_IsAwake(ball));
+  field.add({4, 1}, kSquare);  // above it, where nothing touches it
+  terrain.sync(field.world.commit());
+  EXPECT_TRUE(b2Body_IsAwake(ball));
+}
+
 TEST_F(Box2d3Terrain, AFrictionlessBallOverCellsAndAGapFilledAheadOfIt) {
   field.addFloor(-2, 60);
   ASSERT_TRUE(field.world.remove(field.world.polygons({30, -1})[0].handle));

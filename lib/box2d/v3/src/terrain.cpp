@@ -162,10 +162,14 @@ void Terrain::wakeAround(EdgeId id) {
   const float margin = 0.1F * b2GetLengthUnitsPerMeter();
   const b2AABB box{{std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin},
                    {std::max(a.x, b.x) + margin, std::max(a.y, b.y) + margin}};
+  // Every body, whatever it collides with: the default is of one category, which a body's mask may leave out.
+  b2QueryFilter all = b2DefaultQueryFilter();
+  all.categoryBits = UINT64_MAX;
+  all.maskBits = UINT64_MAX;
 #ifdef LGS_BOX2D_CHAIN_SEGMENTS
-  b2World_OverlapAABB(physics_, b2Pos_zero, box, b2DefaultQueryFilter(), wake, nullptr);
+  b2World_OverlapAABB(physics_, b2Pos_zero, box, all, wake, nullptr);
 #else
-  b2World_OverlapAABB(physics_, box, b2DefaultQueryFilter(), wake, nullptr);
+  b2World_OverlapAABB(physics_, box, all, wake, nullptr);
 #endif
 }
 

@@ -1,0 +1,61 @@
+// The worlds that are ridden over, whichever Box2D it is.
+#pragma once
+
+#include "field.h"
+
+#include <lgs/tiled/import.h>
+
+namespace lgs::box2d_test {
+
+inline Field floorOf200Cells() {
+  Field field;
+  field.addFloor(-2, 205);
+  field.world.commit();
+  return field;
+}
+
+struct Profile {
+  const char* name;
+  std::vector<Polygon> columns;  // repeated; each begins where the last ends, or a cell lower or higher
+  std::vector<std::int32_t> rises;
+};
+
+// Heights in eighths; a rise of 1 after a column lifts the next ones by a cell.
+inline std::vector<Profile> profiles() {
+  return {{"gentle down and flat",
+           {below(8, 7), below(7, 6), below(6, 6), below(6, 4), below(4, 4), below(4, 0)},
+           {0, 0, 0, 0, 0, -1}},
+          {"steep down and flat", {kSquare, below(8, 0), kSquare, kSquare}, {0, -1, 0, 0}},
+          {"valleys", {below(8, 4), below(4, 2), below(2, 2), below(2, 4), below(4, 8)}, {0, 0, 0, 0, 0}},
+          {"waves with T-contacts", {below(8, 6), below(6, 6), below(6, 8), kSquare}, {0, 0, 0, 0}}};
+}
+
+inline Field hilly(const Profile& profile, bool ceiling) {
+  Field field;
+  std::int32_t j = 0;
+  for (std::size_t k = 0; k < 120; ++k) {
+    const std::size_t at = k % profile.columns.size();
+    Polygon column = profile.columns[at];
+    if (ceiling) {  // turned by half a turn about the cell's middle, and laid out the other way
+      for (LocalPoint& p : column) p = {U - p.x, U - p.y};
+    }
+    const auto i = static_cast<std::int32_t>(k);
+    field.add(ceiling ? Cell{-i, -j} : Cell{i, j}, column);
+    if (k == 0) field.add(ceiling ? Cell{1, -j - 1} : Cell{-1, j + 1}, kSquare);  // a wall at the beginning
+    field.add(ceiling ? Cell{-i, -j + 1} : Cell{i, j - 1}, kSquare);
+    j += profile.rises[at];
+  }
+  field.world.commit();
+  return field;
+}
+
+inline Field landscape() {
+  const auto map = tiled::importMap(LGS_SOURCE_DIR "/oracle/maps/landscape.tmx");
+  EXPECT_TRUE(map);
+  Field field;
+  for (const tiled::Placement& p : map->placements) field.add(p.cell, map->shapes[p.shape], p.block);
+  field.world.commit();
+  return field;
+}
+
+}  // namespace lgs::box2d_test

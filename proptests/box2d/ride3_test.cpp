@@ -1,0 +1,225 @@
+// Rides in Box2D 3: the floor and the map, as over chains built from CGAL's union of the whole world. A shape for each
+// polygon is the control. What is not held here, and why, is in docs/box2d.md.
+#include "oracle/cgal/cgal_union.h"
+#include "oracle/reference/canonical.h"
+
+#include "fields.h"
+
+#include <lgs/box2d/terrain.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <set>
+
+namespace lgs::box2d_test {
+namespace {
+
+enum class Way { terrain, merged, chains, straight, polygons };
+enum class Rider { circle, box, capsule, polygon };
+constexpr Rider kRiders[] = {Rider::circle, Rider::box, Rider::capsule, Rider::polygon};
+
+struct Ride {
+  Rider rider = Rider::circle;
+  b2Vec2 start = {0, 0};
+  float speed = 3;
+  bool drive = false;  // a force that keeps the speed
+  float gravity = -10;
+  float friction = 0;
+  bool upright = true;
+  int steps = 600;
+  std::int32_t chunkCells = 16;
+};
+
+struct Sample {
+  b2Vec2 position;
+  b2Vec2 velocity;
+  std::set<std::array<long, 4>> touched;  // ends of edges in millimetres
+};
+
+b2Vec2 at(Point p) { return {static_cast<float>(p.x) / U, static_cast<float>(p.y) / U}; }
+
+// The loops of CGAL, each a chain; a body of its own holds them.
+void addChains(b2BodyId body, const Field& field, const b2SurfaceMaterial& material, bool straight) {
+  const auto united = oracle::cgalUnion(field.scene);
+  ASSERT_TRUE(united);
+  for (const std::vector<Point>& loop : straight ? oracle::canonical(united->loops) : united->loops) {
+    std::vector<b2Vec2> points;
+    points.reserve(loop.size());
+    for (const Point p : loop) points.push_back(at(p));
+    b2ChainDef chain = b2DefaultChainDef();
+    chain.points = points.data();
+    chain.count = static_cast<int>(points.size());
+    chain.materials = &material;
+    chain.materialCount = 1;
+    chain.isLoop = true;
+    b2CreateChain(body, &chain);
+  }
+}
+
+void addPolygons(b2BodyId body, const Field& field, const b2ShapeDef& shape) {
+  for (const oracle::ScenePolygon& p : field.scene.polygons) {
+    std::vector<b2Vec2> points;
+    points.reserve(p.vertices.size());
+    for (const LocalPoint v : p.vertices) points.push_back(at(toWorld(p.cell, v)));
+    const b2Hull hull = b2ComputeHull(points.data(), static_cast<int>(points.size()));
+    const b2Polygon polygon = b2MakePolygon(&hull, 0);
+    b2CreatePolygonShape(body, &shape, &polygon);
+  }
+}
+
+void addRider(b2BodyId body, Rider rider, const b2ShapeDef& shape) {
+  constexpr float kHalf = 0.35F;
+  const b2Circle circle{{0, 0}, kHalf};
+  const b2Capsule capsule{{0, -0.4F * kHalf}, {0, 0.4F * kHalf}, 0.6F * kHalf};
+  const b2Polygon box = b2MakeBox(kHalf, kHalf);
+  const std::array<b2Vec2, 6> odd{{{-0.6F * kHalf, -kHalf},
+                                   {0.5F * kHalf, -kHalf},
+                                   {kHalf, -0.5F * kHalf},
+                                   {0.9F * kHalf, 0.7F * kHalf},
+                                   {-0.1F * kHalf, kHalf},
+                                   {-kHalf, 0.3F * kHalf}}};
+  const b2Hull hull = b2ComputeHull(odd.data(), static_cast<int>(odd.size()));
+  const b2Polygon polygon = b2MakePolygon(&hull, 0);
+  if (rider == Rider::circle) b2CreateCircleShape(body, &shape, &circle);
+  if (rider == Rider::capsule) b2CreateCapsuleShape(body, &shape, &capsule);
+  if (rider == Rider::box) b2CreatePolygonShape(body, &shape, &box);
+  if (rider == Rider::polygon) b2CreatePolygonShape(body, &shape, &polygon);
+}
+
+std::set<std::array<long, 4>> touchedBy(b2BodyId body) {
+  std::array<b2ContactData, 16> contacts{};
+  const int count = b2Body_GetContactData(body, contacts.data(), static_cast<int>(contacts.size()));
+  std::set<std::array<long, 4>> touched;
+  for (int k = 0; k < count; ++k) {
+    for (const b2ShapeId shape :
+         {contacts[static_cast<std::size_t>(k)].shapeIdA, contacts[static_cast<std::size_t>(k)].shapeIdB}) {
+      if (b2Shape_GetType(shape) != b2_chainSegmentShape) continue;
+      const b2Segment s = b2Shape_GetChainSegment(shape).segment;
+      const auto corner = b2Body_GetPosition(b2Shape_GetBody(shape));
+      const auto mm = [](auto a, float b) {
+        return std::lround((static_cast<double>(a) + static_cast<double>(b)) * 1000);
+      };
+      touched.insert(
+          {mm(corner.x, s.point1.x), mm(corner.y, s.point1.y), mm(corner.x, s.point2.x), mm(corner.y, s.point2.y)});
+    }
+  }
+  return touched;
+}
+
+std::vector<Sample> ride(const Field& field, Way way, const Ride& options) {
+  b2WorldDef definition = b2DefaultWorldDef();
+  definition.gravity = {0, options.gravity};
+  const b2WorldId physics = b2CreateWorld(&definition);
+  std::vector<Sample> samples;
+  {
+    box2d::Material material;
+    material.surface.friction = options.friction;
+    b2ShapeDef shape = b2DefaultShapeDef();
+    shape.material = material.surface;
+    std::optional<box2d::Terrain> terrain;
+    if (way == Way::terrain || way == Way::merged) {
+      box2d::TerrainOptions how;
+      how.chunkCells = options.chunkCells;
+      how.merge = way == Way::merged;
+      how.material = [&material](Block) { return material; };
+      terrain.emplace(physics, field.world, how);
+    } else {
+      const b2BodyDef ground = b2DefaultBodyDef();
+      const b2BodyId body = b2CreateBody(physics, &ground);
+      if (way == Way::chains || way == Way::straight) addChains(body, field, material.surface, way == Way::straight);
+      if (way == Way::polygons) addPolygons(body, field, shape);
+    }
+    b2BodyDef moving = b2DefaultBodyDef();
+    moving.type = b2_dynamicBody;
+    moving.position = {options.start.x, options.start.y};
+    moving.linearVelocity = {options.speed, 0};
+    moving.enableSleep = false;
+    const b2BodyId body = b2CreateBody(physics, &moving);
+    addRider(body, options.rider, shape);
+    if (options.upright) {
+      b2MassData mass = b2Body_GetMassData(body);
+      mass.rotationalInertia = 0;
+      b2Body_SetMassData(body, mass);
+    }
+    for (int k = 0; k < options.steps; ++k) {
+      if (options.drive) {
+        const float missing = (options.speed - b2Body_GetLinearVelocity(body).x) * 60;
+        b2Body_ApplyForceToCenter(body, {b2Body_GetMass(body) * std::clamp(missing, -10.0F, 10.0F), 0}, true);
+      }
+      b2World_Step(physics, 1.0F / 60, 4);
+      const auto position = b2Body_GetPosition(body);
+      samples.push_back({{static_cast<float>(position.x), static_cast<float>(position.y)},
+                         b2Body_GetLinearVelocity(body),
+                         touchedBy(body)});
+    }
+  }
+  b2DestroyWorld(physics);
+  return samples;
+}
+
+// How far speed and height stray once the body has settled.
+float unrestOf(const std::vector<Sample>& samples, float speed) {
+  float most = 0;
+  for (std::size_t k = 60; k < samples.size(); ++k) {
+    const Sample& s = samples[k];
+    most = std::max({most, std::abs(s.velocity.x - speed), std::abs(s.velocity.y),
+                     std::abs(s.position.y - samples[60].position.y)});
+  }
+  return most;
+}
+
+void expectSamePath(const Field& field, Ride options, float tolerance) {
+  const std::vector<Sample> chains = ride(field, Way::chains, options);
+  for (const std::int32_t chunk : {3, 16}) {
+    SCOPED_TRACE(testing::Message() << "rider " << static_cast<int>(options.rider) << ", chunks of " << chunk);
+    options.chunkCells = chunk;
+    const std::vector<Sample> terrain = ride(field, Way::terrain, options);
+    float apart = 0;
+    std::size_t otherContacts = 0;
+    for (std::size_t k = 0; k < terrain.size(); ++k) {
+      apart = std::max(apart, b2Distance(terrain[k].position, chains[k].position));
+      otherContacts += terrain[k].touched != chains[k].touched ? 1 : 0;
+    }
+    EXPECT_LE(apart, tolerance);
+    EXPECT_LE(otherContacts, terrain.size() / 50);  // rounding decides when a touch begins
+    EXPECT_GT(std::abs(terrain.back().position.x - options.start.x), 15);
+  }
+}
+
+TEST(Box2d3Ride, AFrictionlessFloorOfCellsIsAsSmoothAsOneLongEdge) {
+  const Field field = floorOf200Cells();
+  for (const Rider rider : kRiders) {
+    for (const float speed : {3.0F, 10.0F}) {
+      Ride options{.rider = rider, .start = {1, 0.36F}, .speed = speed, .upright = rider != Rider::circle};
+      options.steps = static_cast<int>(60 * 195 / speed);
+      const float edge = unrestOf(ride(field, Way::straight, options), speed);
+      for (const std::int32_t chunk : {1, 5, 16}) {
+        for (const Way way : {Way::terrain, Way::merged}) {
+          SCOPED_TRACE(testing::Message() << "rider " << static_cast<int>(rider) << ' ' << speed << " m/s, chunks of "
+                                          << chunk << ", way " << static_cast<int>(way));
+          options.chunkCells = chunk;
+          EXPECT_LE(unrestOf(ride(field, way, options), speed), edge + 1e-3F);
+        }
+      }
+    }
+  }
+}
+
+TEST(Box2d3Ride, AShapeForEachPolygonBumps) {
+  const Field field = floorOf200Cells();
+  const Ride options{.start = {1, 0.36F}, .upright = false, .steps = 3'900};
+  EXPECT_GT(unrestOf(ride(field, Way::polygons, options), options.speed), 0.1F);
+}
+
+TEST(Box2d3Ride, TheProjectsMapIsAsWithCgal) {
+  const Field field = landscape();
+  for (const Rider rider : kRiders) {
+    Ride options{.rider = rider, .start = {6, -10}, .drive = true, .friction = 0.5F, .upright = rider != Rider::circle};
+    options.steps = 1'200;
+    expectSamePath(field, options, 5e-3F);
+  }
+}
+
+}  // namespace
+}  // namespace lgs::box2d_test
