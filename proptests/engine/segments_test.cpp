@@ -141,6 +141,24 @@ TEST(Segments, PreserveKeepsOverlapsAndLeavesLoopsThatAreMutual) {
       EXPECT_EQ(world.segment(loop.segments[k])->successor, loop.segments[(k + 1) % loop.segments.size()]);
 }
 
+// Law 2 skips a coincident direction: where nothing else meets a kept wall, its two sides have no neighbours.
+TEST(Segments, OfAKeptWallInsideASolidHaveNoLinks) {
+  World world([](Block a, Block b) { return a == 1 && b == 2; });
+  ASSERT_TRUE(world.fill({{0, 0}, {3, 2}}, shapeOf(world, {unitSquare()}), 3));
+  removeAll(world, {1, 1});
+  removeAll(world, {2, 1});
+  place(world, {1, 1}, unitSquare(), 1);
+  place(world, {2, 1}, unitSquare(), 2);
+  world.commit();
+  EXPECT_EQ(world.stats().segments, 2U * (4U + 3U) + 2U);
+  for (const auto& [start, end] : {std::pair(Point{2 * U, U}, Point{2 * U, 2 * U}), {{2 * U, 2 * U}, {2 * U, U}}}) {
+    const Segment side = segmentAt(world, start, end);
+    EXPECT_FALSE(side.predecessor || side.successor);
+  }
+  ASSERT_EQ(world.loops().size(), 1U);
+  EXPECT_EQ(world.loops()[0].segments.size(), 14U);
+}
+
 TEST(Loops, AreTheFacesIncludingHoles) {
   World world;
   ASSERT_TRUE(world.fill({{0, 0}, {2, 2}}, shapeOf(world, {unitSquare()}), 1));
