@@ -239,6 +239,9 @@ void addShapes(std::vector<BadEdit>& out) {
   std::vector<LocalPolygon> many;
   for (std::int32_t k = 0; k <= static_cast<std::int32_t>(kMaxPolygonsPerCell); ++k)
     many.push_back({{2 * k, 0}, {2 * k + 1, 0}, {2 * k + 1, 1}});
+  out.push_back(makeShape("shape of three that overlap all", {unitSquare(), ramp(), unitSquare()},
+                          Expect(overlap).polygon(1).polygon2(0),
+                          "polygon 1: its interior overlaps that of polygon 0"));
   out.push_back(makeShape(
       "shape of too many", many, Expect(capacity),
       "too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 - 1 chunks (lgs/world.h)"));

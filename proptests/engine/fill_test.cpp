@@ -66,6 +66,7 @@ TEST(Fill, LooksAtItsOwnCellsOnly) {
   const CellRect rect{{-100, -70}, {100, 70}};
   const std::vector<Cell> outside{{-101, 0}, {101, 0}, {0, -71}, {0, 71}, {-500, 3}, {500, -3}, {7, 900}, {7, -900}};
   for (const Cell& cell : outside) place(world, cell, ramp());
+  EXPECT_EQ(world.clear(rect).value(), 0U);
   EXPECT_EQ(world.fill(rect, square, 1).value(), 201U * 141U);
   EXPECT_EQ(world.clear(rect).value(), 201U * 141U);
   for (const Cell& cell : outside) EXPECT_EQ(world.polygons(cell).size(), 1U);

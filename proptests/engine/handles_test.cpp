@@ -46,8 +46,10 @@ TEST(Handles, ThatNoWorldGaveNameNothing) {
   EXPECT_EQ(world.polygons({}).size(), 1U);
 }
 
-TEST(Handles, AndSegmentIdsAreValuesToSortAndHash) {
+TEST(Handles, AndIdsAreValues) {
   World world;
+  EXPECT_TRUE(shapeOf(world, {unitSquare()}));
+  EXPECT_FALSE(ShapeId{});
   std::set<PolygonHandle> sorted;
   for (const Cell cell : {Cell{9, 9}, Cell{0, 0}, Cell{0, 0}})
     sorted.insert(

@@ -46,7 +46,7 @@ std::set<Cycle> cyclesOfMutualLinks(const World& world) {
 }
 
 RC_GTEST_PROP(Loops, AreTheCyclesOfMutualLinks, ()) {
-  forRandomTraces("loops", 20, {}, [](const Trace& trace, Random) -> std::optional<std::string> {
+  forRandomTraces("loops", 60, {}, [](const Trace& trace, Random) -> std::optional<std::string> {
     oracle::Player player(trace.preserve);
     if (!oracle::play(trace, player)) return "refused";
     player.commit();

@@ -180,9 +180,9 @@ TEST(Catalogue, ForgetsOnceAndNeverWhatIsUsed) {
   put(3001, 3010);
   EXPECT_LT(world.stats().contents, 200U);
   expectRight();
-  put(3010, 4300);
-  take(3100, 4300);  // forgotten too, while there are free places left of the first time
-  put(4300, 8000);
+  put(3010, 4700);
+  take(3100, 4700);  // forgotten too, while there are free places left of the first time
+  put(4700, 8000);
   expectRight();
 }
 

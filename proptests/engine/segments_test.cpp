@@ -47,8 +47,11 @@ TEST(Segments, OfARectangleAreThoseOfItsCells) {
   ASSERT_TRUE(world.fill({{-40, -2}, {40, 2}}, shapeOf(world, paletteShape("diamond")), 1));
   world.commit();
   EXPECT_EQ(world.segments().size(), 4U * 81U * 5U);
-  for (const CellRect& rect :
-       {CellRect{{-33, -1}, {-31, 0}}, {{30, 2}, {35, 2}}, {{-100, -100}, {100, 100}}, {{5, 3}, {9, 9}}}) {
+  for (const CellRect& rect : {CellRect{{-33, -1}, {-31, 0}},
+                               {{30, 2}, {35, 2}},
+                               {{-100, -100}, {100, 100}},
+                               {{-33, -100}, {-31, 100}},
+                               {{5, 3}, {9, 9}}}) {
     std::set<SegmentId> expected;
     for (const SegmentId id : world.segments())
       if (contains(rect, world.segment(id)->cell)) expected.insert(id);
