@@ -17,21 +17,15 @@ bugs=(
   'no-cancel-inside|edits|content.cpp|if (!std::binary_search(preserved.begin(), preserved.end(), contact)) continue;||1: an overlap inside a cell is not cancelled'
   'coincident|edits|radial_match.h| \|\| fan[at].direction == spoke.direction||2: a coincident direction is not skipped; shows under a preserve relation only'
   'many-wedges|edits|content.cpp|  std::vector<Spoke> fan;|  if (directed.size() > 5) std::swap(directed[4], directed[5]);  std::vector<Spoke> fan;|2: a rare contact: three wedges of one cell meet in one point'
-  'relink|edits|linking.cpp|world_.endOf(before) != world_.endOf(now)|world_.endOf(before) == world_.endOf(now)|6: relinked successors are reported the wrong way round'
+  'relink|edits|linking.cpp|!sameEnd(pool_[before], pool_[now])|sameEnd(pool_[before], pool_[now])|6: relinked successors are reported the wrong way round'
   'self-touch|polygons|polygon.cpp|crossProperly(a, b, c, d) \|\| isInside(c, a, b) \|\| isInside(d, a, b) \|\| isInside(a, c, d) \|\| isInside(b, c, d)|crossProperly(a, b, c, d)|7: a polygon whose vertex touches its own edge is accepted'
   'swallowed|polygons|polygon.cpp| \|\| someBoundaryIsInside(q, p)||7: a polygon around another is accepted'
 )
 
-seconds=60 wanted=()
-while (($#)); do
-  case $1 in
-    --seconds) seconds=$2; shift ;;
-    -h | --help) sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' "$0"; exit 0 ;;
-    -*) echo "canary.sh: unknown option $1; see --help" >&2; exit 2 ;;
-    *) wanted+=("$1") ;;
-  esac
-  shift
-done
+seconds=60
+declare -A settings=([--seconds]=seconds)
+source fuzz/options.sh
+wanted=("${words[@]}")
 
 here=$PWD out=$PWD/out/canary
 rm -rf "$out/source"

@@ -1,5 +1,4 @@
 #include "fuzz/format.h"
-#include "oracle/check/model.h"
 #include "oracle/check/palette.h"
 
 #include <fmt/format.h>
@@ -312,17 +311,5 @@ class Decoder {
 }  // namespace
 
 Trace decode(Bytes bytes) { return Decoder().run(bytes); }
-
-Trace withoutRefused(const Trace& trace) {
-  Trace accepted;
-  accepted.preserve = trace.preserve;
-  oracle::Model model;
-  for (const Edit& edit : trace.edits) {
-    if (!model.judge(edit).accepted) continue;
-    model.apply(edit);
-    accepted.edits.push_back(edit);
-  }
-  return accepted;
-}
 
 }  // namespace lgs::fuzz

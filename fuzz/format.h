@@ -58,7 +58,4 @@ oracle::Trace decode(Bytes bytes);
 /// Bytes that decode to this trace, but for the polygons' names; or why there are none.
 tl::expected<std::vector<std::uint8_t>, std::string> encode(const oracle::Trace& trace);
 
-/// The trace without the edits that must be refused: what `lgs replay` takes.
-oracle::Trace withoutRefused(const oracle::Trace& trace);
-
 }  // namespace lgs::fuzz

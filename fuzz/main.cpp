@@ -1,6 +1,7 @@
 // lgs_fuzz: the targets without an engine. Runs inputs from files, changes them at random, converts and reports them.
 #include "fuzz/mutate.h"
 #include "fuzz/report.h"
+#include "oracle/check/model.h"
 #include "oracle/cli/command.h"
 #include "oracle/trace/file.h"
 

@@ -14,20 +14,10 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-hours=3 jobs=$(nproc) slice=120 out=out/fuzz build= targets=()
-while (($#)); do
-  case $1 in
-    --cpu-hours) hours=$2; shift ;;
-    --jobs) jobs=$2; shift ;;
-    --slice) slice=$2; shift ;;
-    --out) out=$2; shift ;;
-    --build) build=$2; shift ;;
-    -h | --help) sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' "$0"; exit 0 ;;
-    -*) echo "run.sh: unknown option $1; see --help" >&2; exit 2 ;;
-    *) targets+=("$1") ;;
-  esac
-  shift
-done
+hours=3 jobs=$(nproc) slice=120 out=out/fuzz build=
+declare -A settings=([--cpu-hours]=hours [--jobs]=jobs [--slice]=slice [--out]=out [--build]=build)
+source fuzz/options.sh
+targets=("${words[@]}")
 if [[ ! $hours =~ ^[0-9]+(\.[0-9]+)?$ || ! $jobs =~ ^[1-9][0-9]*$ || ! $slice =~ ^[1-9][0-9]*$ ]]; then
   echo "run.sh: --cpu-hours, --jobs and --slice take positive numbers" >&2
   exit 2

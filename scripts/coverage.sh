@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Which lines and branches of lib/ the tests in proptests/ reach: scripts/coverage.sh [SCALE], SCALE being that of the
-# random work (LGS_TEST_SCALE, default 0.25). Builds into build/coverage and ends with two tables, lines and branches, and
-# the path of a report in HTML. Branches of exceptions are left out: lib/ is compiled without them, but what it inlines of
-# the standard library is not free of them. Assertions are off: their failing is no branch that a test could take.
-# Fails below 99 % of lines or 95 % of branches of the engine. Needs gcovr (Debian: gcovr).
+# random work (LGS_TEST_SCALE, default 0.25). Builds into build/coverage and ends with two tables for each part of lib/,
+# lines and branches, and the path of a report in HTML. Branches of exceptions are left out: lib/ is compiled without them,
+# but what it inlines of the standard library is not free of them. Assertions are off: their failing is no branch that a
+# test could take. Fails below 99 % of lines or 95 % of branches of the engine; docs/coverage.md explains what is missing.
+# Needs gcovr (Debian: gcovr).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/steps.sh
@@ -13,25 +14,29 @@ build=$PWD/build/coverage
 flags='-O1 -g1 -DNDEBUG --coverage -fno-inline'  # what is inlined counts its branches where it was called
 step configure 'Configure (coverage)' cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
   "-DCMAKE_CXX_FLAGS_DEBUG=$flags" -DCMAKE_EXE_LINKER_FLAGS=-Wl,-u,__gcov_dump  # for child processes: isolated.cpp
-step build 'Build (coverage)' cmake --build "$build" --target lgs_engine_tests lgs_tests
+step build 'Build (coverage)' cmake --build "$build" --target lgs_engine_tests lgs_tests lgs_box2d_tests
 find "$build" -name '*.gcda' -delete
 
 export LGS_TEST_SCALE=${1:-0.25}
 step engine 'Tests of the engine' "$build/proptests/lgs_engine_tests"
 step tools 'Tests of the importer' "$build/proptests/lgs_tests" --gtest_filter='Tiled*'
+step box2d 'Tests of the terrain for Box2D' "$build/proptests/lgs_box2d_tests"
 
-# report TITLE FILTER OPTION...: the two tables of the files that match.
+# Gathered once. A report then is two tables of the files that match: lines, and branches.
+gathered=$build/coverage.json
+step gather 'Gather' gcovr --root . --filter lib/ --exclude-throw-branches --exclude-unreachable-branches --json "$gathered" \
+  "$build"
 report() {
   local title=$1 filter=$2
-  shift 2
-  local options=(--root . --filter "$filter" --exclude-throw-branches --exclude-unreachable-branches "$build")
   printf '\n%s: lines\n' "$title"
-  gcovr "${options[@]}"
+  gcovr --root . --add-tracefile "$gathered" --filter "$filter"
   printf '\n%s: branches\n' "$title"
-  gcovr "${options[@]}" --branches "$@"
+  gcovr --root . --add-tracefile "$gathered" --filter "$filter" --branches --print-summary
 }
 mkdir -p out/coverage
 report 'The importer' 'lib/tiled/'
-report 'The engine' 'lib/(src|include)/' --html-details out/coverage/index.html \
-  --fail-under-line 99 --fail-under-branch 95
+report 'The terrain for Box2D' 'lib/box2d/'
+report 'The engine' 'lib/(src|include)/'
 printf '\ncoverage.sh: the engine line by line: %s/out/coverage/index.html\n' "$PWD"
+gcovr --root . --add-tracefile "$gathered" --filter 'lib/(src|include)/' --html-details out/coverage/index.html \
+  --fail-under-line 99 --fail-under-branch 95

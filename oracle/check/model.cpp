@@ -35,4 +35,15 @@ void Model::apply(const Edit& edit) {
   }
 }
 
+Trace withoutRefused(const Trace& trace) {
+  Model model;
+  Trace accepted{trace.preserve, {}};
+  for (const Edit& edit : trace.edits) {
+    if (!model.judge(edit).accepted) continue;
+    model.apply(edit);
+    accepted.edits.push_back(edit);
+  }
+  return accepted;
+}
+
 }  // namespace lgs::oracle

@@ -41,4 +41,7 @@ class Model {
   std::unordered_map<std::string, Cell> cellOf_;
 };
 
+/// The trace without the edits that must be refused: what `lgs replay` takes.
+Trace withoutRefused(const Trace& trace);
+
 }  // namespace lgs::oracle

@@ -60,17 +60,6 @@ Status compareTrace(const PublishedArguments& arguments) {
   return status;
 }
 
-Trace withoutRefused(const Trace& trace) {
-  Model model;
-  Trace good{trace.preserve, {}};
-  for (const Edit& edit : trace.edits) {
-    if (!model.judge(edit).accepted) continue;
-    model.apply(edit);
-    good.edits.push_back(edit);
-  }
-  return good;
-}
-
 constexpr std::uint64_t kCases = 20'000;
 
 // The first random case that departs in this way, made as small as it gets.

@@ -127,6 +127,15 @@ void addRealFaults(std::vector<BadEdit>& out) {
                                 where + "vertex 0 and vertex 2 are the same lattice point; leave one out"));
   out.push_back(addReal<double>("too few, not a number", kEmpty, {{kNan, 0}, {1, 0}}, at(tooFewVertices),
                                 where + "a polygon needs at least 3 vertices"));
+  out.push_back(addReal<double>("not a number, cell too far", kTooFar, {{kNan, 0}, {1, 0}, {1, 1}},
+                                Expect(cellOutOfRange).in(kTooFar),
+                                "cell (1073741825, 0): the cell is out of range; both indices must be within ±2^30"));
+  std::vector<DoublePoint> tooMany(kMaxVerticesPerCell + 1, {0.5, 0.5});
+  tooMany[7].x = kNan;
+  out.push_back(addReal<double>("too many, not a number", kEmpty, tooMany, at(capacity),
+                                where +
+                                    "too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 - 1 "
+                                    "chunks (lgs/world.h)"));
 }
 
 void addOverlaps(std::vector<BadEdit>& out) {
@@ -211,6 +220,7 @@ void addUnknown(std::vector<BadEdit>& out) {
   addStale("removed before", stage.removed);
   addStale("a serial not given out yet", {stage.full.cellRef, stage.full.serial + 1});
   addStale("serial null", {stage.full.cellRef, 0});
+  addStale("serial null where there are several", {stage.upper.cellRef, 0});
   addStale("an empty cell of a chunk that exists", {stage.full.cellRef + 20, 1});
   addStale("a chunk that does not exist", {0xffff'ffff, 1});
   addStale("chunk null", {5, 1});
@@ -229,6 +239,9 @@ void addShapes(std::vector<BadEdit>& out) {
   std::vector<LocalPolygon> many;
   for (std::int32_t k = 0; k <= static_cast<std::int32_t>(kMaxPolygonsPerCell); ++k)
     many.push_back({{2 * k, 0}, {2 * k + 1, 0}, {2 * k + 1, 1}});
+  out.push_back(makeShape("shape of three that overlap all", {unitSquare(), ramp(), unitSquare()},
+                          Expect(overlap).polygon(1).polygon2(0),
+                          "polygon 1: its interior overlaps that of polygon 0"));
   out.push_back(makeShape(
       "shape of too many", many, Expect(capacity),
       "too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 - 1 chunks (lgs/world.h)"));

@@ -41,6 +41,7 @@ TEST(Errors, EveryCodeHasAName) {
     names.insert(name(static_cast<ErrorCode>(code)));
   EXPECT_EQ(names.size(), static_cast<std::size_t>(ErrorCode::unknownSegment));
   EXPECT_FALSE(names.contains(name(ErrorCode{})));
+  EXPECT_EQ(message(Error{}), "unknown error");
 }
 
 TEST(Errors, PolygonsInACellAreLimited) {

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+
 namespace lgs::engine_test {
 namespace {
 
@@ -42,16 +44,33 @@ TEST(Fill, OfNothingIsFine) {
 }
 
 TEST(Fill, IsRefusedForTheFirstCellByRows) {
+  std::vector<Cell> cells{{-40, 5}, {0, 40}, {39, 3}, {40, 3}};
+  do {  // in every order, which is that in which chunks are made and may be looked at
+    World world;
+    const ShapeId square = shapeOf(world, {unitSquare()});
+    for (const Cell cell : cells) place(world, cell, ramp());
+    const Snapshot before = snapshotOf(world, cellsOf({{-45, 0}, {45, 45}}));
+    const auto refused = world.fill({{-45, 0}, {45, 45}}, square, 1);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::overlap);
+    EXPECT_EQ(refused.error().cell, (Cell{39, 3}));
+    EXPECT_EQ(refused.error().other, world.polygons({39, 3})[0].handle);
+    EXPECT_EQ(snapshotOf(world, cellsOf({{-45, 0}, {45, 45}})), before);
+  } while (std::next_permutation(cells.begin(), cells.end()));
+}
+
+// Few chunks in a big rectangle are gone through one and all, those beside it too.
+TEST(Fill, LooksAtItsOwnCellsOnly) {
   World world;
   const ShapeId square = shapeOf(world, {unitSquare()});
-  for (const Cell cell : {Cell{40, 3}, Cell{-40, 5}, Cell{39, 3}, Cell{0, 40}}) place(world, cell, ramp());
-  const Snapshot before = snapshotOf(world, cellsOf({{-45, 0}, {45, 45}}));
-  const auto refused = world.fill({{-45, 0}, {45, 45}}, square, 1);
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::overlap);
-  EXPECT_EQ(refused.error().cell, (Cell{39, 3}));
-  EXPECT_EQ(refused.error().other, world.polygons({39, 3})[0].handle);
-  EXPECT_EQ(snapshotOf(world, cellsOf({{-45, 0}, {45, 45}})), before);
+  const CellRect rect{{-100, -70}, {100, 70}};
+  const std::vector<Cell> outside{{-101, 0}, {101, 0}, {0, -71}, {0, 71}, {-500, 3}, {500, -3}, {7, 900}, {7, -900}};
+  for (const Cell& cell : outside) place(world, cell, ramp());
+  EXPECT_EQ(world.clear(rect).value(), 0U);
+  EXPECT_EQ(world.fill(rect, square, 1).value(), 201U * 141U);
+  EXPECT_EQ(world.clear(rect).value(), 201U * 141U);
+  for (const Cell& cell : outside) EXPECT_EQ(world.polygons(cell).size(), 1U);
+  EXPECT_EQ(world.stats().polygons, outside.size());
 }
 
 TEST(Fill, ReachesTheEndsOfTheRange) {

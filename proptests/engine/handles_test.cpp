@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <unordered_set>
 
 namespace lgs::engine_test {
@@ -33,6 +34,32 @@ TEST(Handles, NameTheirPolygon) {
   EXPECT_EQ(PolygonHandle::unpack(a.packed()), a);
   EXPECT_NE(a.packed(), b.packed());
   EXPECT_EQ((std::unordered_set<PolygonHandle>{a, b, a}).size(), 2U);
+}
+
+TEST(Handles, ThatNoWorldGaveNameNothing) {
+  World world;
+  const PolygonHandle real = place(world, {}, ramp());
+  for (const PolygonHandle forged :
+       {PolygonHandle{}, PolygonHandle{0, real.serial}, PolygonHandle{real.cellRef, 0}, PolygonHandle{1, 1},
+        PolygonHandle{real.cellRef + 1, real.serial}, PolygonHandle{5 * 1024, 1}, PolygonHandle{0xffff'ffff, 1}})
+    expectStale(world, forged);
+  EXPECT_EQ(world.polygons({}).size(), 1U);
+}
+
+TEST(Handles, AndIdsAreValues) {
+  World world;
+  EXPECT_TRUE(shapeOf(world, {unitSquare()}));
+  EXPECT_FALSE(ShapeId{});
+  std::set<PolygonHandle> sorted;
+  for (const Cell cell : {Cell{9, 9}, Cell{0, 0}, Cell{0, 0}})
+    sorted.insert(
+        place(world, cell, cell.i || world.polygons(cell).empty() ? ramp() : eighths({{0, 1}, {6, 8}, {0, 8}})));
+  EXPECT_EQ(sorted.size(), 3U);
+  for (const PolygonHandle a : sorted)
+    for (const PolygonHandle b : sorted) EXPECT_EQ(a < b, a.packed() < b.packed());
+  world.commit();
+  const std::vector<SegmentId> ids = world.segments();
+  EXPECT_EQ(std::unordered_set<SegmentId>(ids.begin(), ids.end()).size(), ids.size());
 }
 
 // Beyond the 255 placements that a compact cell can count; alone in the cell, and beside a polygon that stays.

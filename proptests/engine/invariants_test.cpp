@@ -10,13 +10,53 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace lgs::engine_test {
 namespace {
 
 using oracle::Random;
 using oracle::Trace;
+
+using Cycle = std::vector<SegmentId>;
+
+Cycle fromItsLeast(Cycle cycle) {
+  std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+  return cycle;
+}
+
+/// By the definition: from each segment its successors, as long as each says that it comes from the one before.
+std::set<Cycle> cyclesOfMutualLinks(const World& world) {
+  std::set<Cycle> cycles;
+  const std::vector<SegmentId> ids = world.segments();
+  for (const SegmentId first : ids) {
+    Cycle cycle;
+    SegmentId at = first;
+    do {
+      cycle.push_back(at);
+      const SegmentId next = world.segment(at)->successor;
+      if (!next || world.segment(next)->predecessor != at) break;
+      at = next;
+    } while (at != first && cycle.size() <= ids.size());
+    if (at == first && world.segment(first)->predecessor == cycle.back()) cycles.insert(fromItsLeast(cycle));
+  }
+  return cycles;
+}
+
+RC_GTEST_PROP(Loops, AreTheCyclesOfMutualLinks, ()) {
+  forRandomTraces("loops", 60, {}, [](const Trace& trace, Random) -> std::optional<std::string> {
+    oracle::Player player(trace.preserve);
+    if (!oracle::play(trace, player)) return "refused";
+    player.commit();
+    std::set<Cycle> loops;
+    for (const Loop& loop : player.world().loops())
+      if (!loops.insert(fromItsLeast(loop.segments)).second) return "a loop is there twice";
+    if (loops != cyclesOfMutualLinks(player.world())) return "the loops are not the cycles of mutual links";
+    return std::nullopt;
+  });
+}
 
 RC_GTEST_PROP(Invariants, HoldInRandomCases, ()) {
   forRandomTraces("invariants", 15, {.withPreserve = false}, [](const Trace& original, Random) {

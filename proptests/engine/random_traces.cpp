@@ -51,17 +51,6 @@ std::map<std::string, Edit> survivors(const Trace& trace) {
   return out;
 }
 
-Trace withoutRefused(const Trace& trace) {
-  oracle::Model model;
-  Trace good{trace.preserve, {}};
-  for (const Edit& edit : trace.edits) {
-    if (!model.judge(edit).accepted) continue;
-    model.apply(edit);
-    good.edits.push_back(edit);
-  }
-  return good;
-}
-
 namespace {
 
 /// What a complaint says, in memory that the child shares with its parent.

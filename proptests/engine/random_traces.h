@@ -53,9 +53,6 @@ std::uint64_t anySeed();
 /// The adds of all that a trace leaves standing, by name.
 std::map<std::string, oracle::Edit> survivors(const oracle::Trace& trace);
 
-/// The trace without the edits that must be refused.
-oracle::Trace withoutRefused(const oracle::Trace& trace);
-
 /// What the engine puts out after all of a trace, which must hold no refused edits.
 oracle::Outline outlineAfter(const oracle::Trace& trace);
 

@@ -47,8 +47,11 @@ TEST(Segments, OfARectangleAreThoseOfItsCells) {
   ASSERT_TRUE(world.fill({{-40, -2}, {40, 2}}, shapeOf(world, paletteShape("diamond")), 1));
   world.commit();
   EXPECT_EQ(world.segments().size(), 4U * 81U * 5U);
-  for (const CellRect& rect :
-       {CellRect{{-33, -1}, {-31, 0}}, {{30, 2}, {35, 2}}, {{-100, -100}, {100, 100}}, {{5, 3}, {9, 9}}}) {
+  for (const CellRect& rect : {CellRect{{-33, -1}, {-31, 0}},
+                               {{30, 2}, {35, 2}},
+                               {{-100, -100}, {100, 100}},
+                               {{-33, -100}, {-31, 100}},
+                               {{5, 3}, {9, 9}}}) {
     std::set<SegmentId> expected;
     for (const SegmentId id : world.segments())
       if (contains(rect, world.segment(id)->cell)) expected.insert(id);
@@ -139,6 +142,24 @@ TEST(Segments, PreserveKeepsOverlapsAndLeavesLoopsThatAreMutual) {
   for (const Loop& loop : world.loops())
     for (std::size_t k = 0; k < loop.segments.size(); ++k)
       EXPECT_EQ(world.segment(loop.segments[k])->successor, loop.segments[(k + 1) % loop.segments.size()]);
+}
+
+// Law 2 skips a coincident direction: where nothing else meets a kept wall, its two sides have no neighbours.
+TEST(Segments, OfAKeptWallInsideASolidHaveNoLinks) {
+  World world([](Block a, Block b) { return a == 1 && b == 2; });
+  ASSERT_TRUE(world.fill({{0, 0}, {3, 2}}, shapeOf(world, {unitSquare()}), 3));
+  removeAll(world, {1, 1});
+  removeAll(world, {2, 1});
+  place(world, {1, 1}, unitSquare(), 1);
+  place(world, {2, 1}, unitSquare(), 2);
+  world.commit();
+  EXPECT_EQ(world.stats().segments, 2U * (4U + 3U) + 2U);
+  for (const auto& [start, end] : {std::pair(Point{2 * U, U}, Point{2 * U, 2 * U}), {{2 * U, 2 * U}, {2 * U, U}}}) {
+    const Segment side = segmentAt(world, start, end);
+    EXPECT_FALSE(side.predecessor || side.successor);
+  }
+  ASSERT_EQ(world.loops().size(), 1U);
+  EXPECT_EQ(world.loops()[0].segments.size(), 14U);
 }
 
 TEST(Loops, AreTheFacesIncludingHoles) {

@@ -1,0 +1,190 @@
+// The documented limits that no test can reach by edits alone, reached by going in behind the edits; what the index and the
+// catalogue must do when it gets tight.
+#include "oracle/check/random.h"
+#include "oracle/trace/dump.h"
+#include "scale.h"
+#include "support.h"
+#include "world_impl.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+
+namespace lgs::engine_test {
+namespace {
+
+using detail::kMaxSerial;
+using oracle::Random;
+
+/// A world with cells that have given out nearly all their serials, as after minutes of edits.
+struct WornWorld {
+  World::Impl impl{PreserveRelation()};
+  ShapeId square = shapeOf({unitSquare()});
+  ShapeId halves = shapeOf(paletteShape("two halves"));
+
+  ShapeId shapeOf(const std::vector<LocalPolygon>& polygons) {
+    const std::vector<detail::PolygonView> views(polygons.begin(), polygons.end());
+    return impl.shape(views).value();
+  }
+
+  /// Leaves the cell empty, with so many serials to go.
+  void wear(Cell cell, std::uint32_t left) {
+    const PolygonHandle handle = impl.add(cell, square, 1).value();
+    const detail::CellAt at = impl.grid.find(cell);
+    const detail::Placed last{kMaxSerial - left, 1};
+    impl.grid.setPolygons(at, impl.grid.content(at), last.serial, {&last, 1});
+    EXPECT_TRUE(impl.remove({handle.cellRef, last.serial}));
+    impl.commit();
+  }
+
+  std::size_t polygonsAt(Cell cell) const {
+    std::vector<PlacedPolygon> polygons;
+    impl.polygons(cell, polygons);
+    return polygons.size();
+  }
+};
+
+template <class Result>
+void expectCapacity(const Result& result, Cell cell) {
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::capacity);
+  EXPECT_EQ(result.error().cell, cell);
+}
+
+TEST(Limits, ACellWhoseSerialsAreUsedUpRefuses) {
+  constexpr Cell kCell{3, 4};
+  WornWorld world;
+  world.wear(kCell, 2);
+  std::vector<PolygonHandle> old;
+  for (const std::uint32_t serial : {kMaxSerial - 1, kMaxSerial}) {
+    old.push_back(world.impl.add(kCell, world.square, 1).value());
+    EXPECT_EQ(old.back().serial, serial);
+    EXPECT_EQ(world.impl.commit().added.size(), 4U);
+    EXPECT_TRUE(world.impl.remove(old.back()));
+    EXPECT_EQ(world.impl.commit().removed.size(), 4U);
+  }
+  expectCapacity(world.impl.add(kCell, world.square, 1), kCell);
+  const LocalPolygon unknown{{1, 2}, {30, 4}, {5, 60}};
+  expectCapacity(world.impl.add(kCell, detail::PolygonView(unknown), 1), kCell);
+  for (const PolygonHandle handle : old) EXPECT_FALSE(world.impl.remove(handle)) << "stale for good";
+  EXPECT_EQ(world.polygonsAt(kCell), 0U);
+  EXPECT_TRUE(world.impl.add({4, 4}, world.square, 1)) << "its neighbour has serials of its own";
+}
+
+TEST(Limits, AShapeNeedsASerialForEachOfItsPolygons) {
+  constexpr Cell kCell{-1, 0};
+  WornWorld world;
+  world.wear(kCell, 1);
+  expectCapacity(world.impl.add(kCell, world.halves, 1), kCell);
+  EXPECT_EQ(world.impl.add(kCell, world.square, 1).value().serial, kMaxSerial);
+}
+
+TEST(Limits, AFillThatMeetsAWornCellChangesNothing) {
+  constexpr CellRect kRect{{-3, -3}, {40, 3}};
+  WornWorld world;
+  world.wear({34, 2}, 0);
+  world.wear({-2, 3}, 0);
+  world.wear({1, 1}, 254);  // enough
+  expectCapacity(world.impl.fill(kRect, world.square, 1), {34, 2});
+  for (const Cell& cell : cellsOf(kRect)) EXPECT_EQ(world.polygonsAt(cell), 0U);
+  world.wear({5, 2}, 1);
+  expectCapacity(world.impl.fill({{5, 2}, {33, 2}}, world.halves, 1), {5, 2});
+  EXPECT_EQ(world.impl.fill({{-3, -3}, {33, 2}}, world.square, 1).value(), 37U * 6U);
+  EXPECT_TRUE(world.impl.commit().removed.empty());
+}
+
+// Chosen hashes, so few that most meet others: the real ones are so well spread that two never do.
+TEST(HashIndex, KeepsApartWhatHasTheSameHash) {
+  for (std::int64_t round = 0; round < scaled(200); ++round) {
+    Random random(static_cast<std::uint64_t>(round));
+    detail::HashIndex index;
+    std::map<std::uint32_t, std::uint64_t> hashOf;  // of the numbers that are there
+    const std::uint64_t hashes = 1 + random.below(9U);
+    for (std::uint32_t number = 0; number < 60; ++number) {
+      const std::uint64_t hash = std::uint64_t{random.below(static_cast<std::uint32_t>(hashes))} << random.below(5);
+      index.insert(hash, number);
+      hashOf.emplace(number, hash);
+      while (!hashOf.empty() && random.chance(45)) {
+        const auto gone = std::next(hashOf.begin(), random.below(static_cast<int>(hashOf.size())));
+        index.erase(gone->second, gone->first);
+        hashOf.erase(gone);
+      }
+      for (std::uint32_t n = 0; n <= number; ++n) {
+        const auto there = hashOf.find(n);
+        for (std::uint64_t h = 0; h < hashes; ++h) {
+          const bool isThere = there != hashOf.end() && there->second == h;
+          ASSERT_EQ(index.find(h, [&](std::uint32_t m) { return m == n; }), isThere ? n : detail::HashIndex::kNone);
+        }
+      }
+    }
+  }
+}
+
+TEST(ChunkRect, HoldsTheChunksThatItsCellsReach) {
+  constexpr std::int32_t kAbout[] = {-65, -64, -33, -32, -1, 0, 31, 32, 63};
+  for (const std::int32_t i0 : kAbout)
+    for (const std::int32_t i1 : kAbout)
+      for (const std::int32_t j0 : {-33, 0, 32})
+        for (const std::int32_t j1 : {-32, 31, 33}) {
+          if (i1 < i0 || j1 < j0) continue;
+          const CellRect rect{{i0, j0}, {i1, j1}};
+          std::set<Cell> reached;
+          for (const Cell& c : cellsOf(rect)) reached.insert({c.i >> 5, c.j >> 5});
+          const detail::ChunkRect chunks(rect);
+          EXPECT_EQ(chunks.count(), reached.size());
+          for (const Cell& c : cellsOf({{-4, -4}, {4, 4}})) {
+            detail::Chunk chunk;
+            chunk.ci = c.i;
+            chunk.cj = c.j;
+            EXPECT_EQ(chunks.contains(chunk), reached.contains(c));
+          }
+        }
+}
+
+/// A triangle for each number.
+LocalPolygon numbered(std::int32_t k) { return {{0, 0}, {1 + k % 250, 0}, {0, 1 + k / 250}}; }
+
+// The catalogue forgets what nothing uses, once that is much. What is used it must keep, and what it has forgotten it must
+// not forget again: two contents would get the same place.
+TEST(Catalogue, ForgetsOnceAndNeverWhatIsUsed) {
+  World world;
+  std::map<std::int32_t, PolygonHandle> standing;
+  const auto put = [&](std::int32_t from, std::int32_t to) {
+    for (std::int32_t k = from; k < to; ++k) standing[k] = place(world, {k % 100, k / 100}, numbered(k));
+  };
+  const auto take = [&](std::int32_t from, std::int32_t to) {
+    for (std::int32_t k = from; k < to; ++k) {
+      ASSERT_TRUE(world.remove(standing.at(k)));
+      standing.erase(k);
+    }
+  };
+  const auto expectRight = [&] {
+    World fresh;
+    for (const auto& [k, handle] : standing) {
+      const auto vertices = world.polygon(handle).value().vertices;
+      ASSERT_EQ(LocalPolygon(vertices.begin(), vertices.end()), numbered(k));
+      place(fresh, {k % 100, k / 100}, numbered(k));
+    }
+    world.commit();
+    fresh.commit();
+    ASSERT_EQ(oracle::outlineOf(world), oracle::outlineOf(fresh));
+  };
+  put(0, 3000);
+  take(0, 1200);  // more than a thousand unused, but not enough of all
+  put(3000, 3001);
+  EXPECT_GT(world.stats().contents, 3000U);
+  take(1200, 2900);  // forgotten with the next edit
+  put(3001, 3010);
+  EXPECT_LT(world.stats().contents, 200U);
+  expectRight();
+  put(3010, 4700);
+  take(3100, 4700);  // forgotten too, while there are free places left of the first time
+  put(4700, 8000);
+  expectRight();
+}
+
+}  // namespace
+}  // namespace lgs::engine_test
