@@ -37,7 +37,7 @@ struct WornWorld {
     const detail::Placed last{kMaxSerial - left, 1};
     impl.grid.setPolygons(at, impl.grid.content(at), last.serial, {&last, 1});
     EXPECT_TRUE(impl.remove({handle.cellRef, last.serial}));
-    impl.commit();
+    impl.commit({});
   }
 
   std::size_t polygonsAt(Cell cell) const {
@@ -62,9 +62,9 @@ TEST(Limits, ACellWhoseSerialsAreUsedUpRefuses) {
   for (const std::uint32_t serial : {kMaxSerial - 1, kMaxSerial}) {
     old.push_back(world.impl.add(kCell, world.square, 1).value());
     EXPECT_EQ(old.back().serial, serial);
-    EXPECT_EQ(world.impl.commit().added.size(), 4U);
+    EXPECT_EQ(world.impl.commit({}).added.size(), 4U);
     EXPECT_TRUE(world.impl.remove(old.back()));
-    EXPECT_EQ(world.impl.commit().removed.size(), 4U);
+    EXPECT_EQ(world.impl.commit({}).removed.size(), 4U);
   }
   expectCapacity(world.impl.add(kCell, world.square, 1), kCell);
   const LocalPolygon unknown{{1, 2}, {30, 4}, {5, 60}};
@@ -93,7 +93,7 @@ TEST(Limits, AFillThatMeetsAWornCellChangesNothing) {
   world.wear({5, 2}, 1);
   expectCapacity(world.impl.fill({{5, 2}, {33, 2}}, world.halves, 1), {5, 2});
   EXPECT_EQ(world.impl.fill({{-3, -3}, {33, 2}}, world.square, 1).value(), 37U * 6U);
-  EXPECT_TRUE(world.impl.commit().removed.empty());
+  EXPECT_TRUE(world.impl.commit({}).removed.empty());
 }
 
 // Chosen hashes, so few that most meet others: the real ones are so well spread that two never do.
