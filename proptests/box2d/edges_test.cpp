@@ -291,5 +291,18 @@ TEST(Box2dFrame, FarAwayIsAsPreciseAsNear) {
   EXPECT_EQ(frame.unitsOf(0.005), 721);
 }
 
+#ifndef NDEBUG
+TEST(Box2dOptionsDeathTest, WhatIsOutOfRangeIsAsserted) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  for (const std::int32_t cells : {-1, 0, 4'097}) EXPECT_DEATH(EdgeSet({.chunkCells = cells}), "chunkCells");
+  EXPECT_DEATH(EdgeSet({.shortest = -1}), "shortest");
+  for (const double size : {0.0, -1.0, 1e-6, std::nan(""), HUGE_VAL}) {
+    const Frame frame{size, {}, 16};
+    EXPECT_DEATH((void)frame.unitsOf(0.005), "cellSize");
+  }
+  EXPECT_LE((Frame{2e-6, {}, 16}.unitsOf(0.005)), 1 << 28);
+}
+#endif
+
 }  // namespace
 }  // namespace lgs::box2d

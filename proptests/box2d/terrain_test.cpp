@@ -8,7 +8,10 @@
 
 #include <gtest/gtest.h>
 #include <lgs/box2d/terrain.h>
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace lgs::box2d_test {
 namespace {
@@ -262,6 +265,45 @@ TEST_F(Box2dTerrain, AMergedEdgeIsAskedByPoint) {
   const std::optional<Hit> hit = terrain.hit(*callback.fixture, callback.point);
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->cell, (Cell{6, -1}));
+}
+
+TEST_F(Box2dTerrain, BeforeTheSyncWhatIsGoneIsNotHit) {
+  field.addFloor(0, 9);
+  field.world.commit();
+  for (const bool merge : {false, true}) {
+    SCOPED_TRACE(merge);
+    Terrain terrain(physics, field.world, {.merge = merge});
+    for (const std::int32_t dug : {0, 4, 9}) {  // the first, the last and one between, of each merged edge
+      std::map<b2Fixture*, std::set<SegmentId>> behind;
+      for (const SegmentId id : field.world.segments()) behind[terrain.fixture(id)].insert(id);
+      ASSERT_TRUE(field.world.remove(field.world.polygons({dug, -1})[0].handle));
+      const Changes changes = field.world.commit();
+      ASSERT_FALSE(changes.removed.empty());
+      for (const auto& [fixture, segments] : behind) {
+        const bool gone = std::any_of(changes.removed.begin(), changes.removed.end(),
+                                      [&, &among = segments](SegmentId id) { return among.contains(id); });
+        const std::optional<Hit> first = terrain.hit(*fixture);
+        const std::optional<Hit> nearest = terrain.hit(*fixture, {static_cast<float>(dug), 0});
+        EXPECT_EQ(nearest.has_value(), !gone);
+        if (segments.size() == 1) {
+          EXPECT_EQ(first.has_value(), !gone);
+        }
+        for (const auto& hit : {first, nearest}) {
+          EXPECT_TRUE(!hit || segments.contains(hit->segment));
+        }
+      }
+      terrain.sync(changes);
+      for (const EdgeId id : terrain.edges().edges()) EXPECT_TRUE(terrain.hit(*terrain.fixture(id), {0, 0}));
+      field.add({dug, -1}, kSquare);
+      terrain.sync(field.world.commit());
+    }
+  }
+}
+
+TEST_F(Box2dTerrain, OfNothingThereIsNoFixture) {
+  const Terrain terrain(physics, field.world);
+  EXPECT_EQ(terrain.fixture(EdgeId{}), nullptr);
+  EXPECT_EQ(terrain.fixture(SegmentId{}), nullptr);
 }
 
 TEST_F(Box2dTerrain, MaterialsByBlock) {

@@ -20,13 +20,24 @@ double squaredDistance(const Frame& frame, const Segment& s, Metres point) {
 
 }  // namespace
 
-Segment nearestSegment(const World& world, const Edge& edge, const Frame& frame, Metres point) {
-  Segment s = *world.segment(edge.first);
-  Segment nearest = s;
-  double least = squaredDistance(frame, s, point);
-  while (s.id != edge.last) {
-    s = *world.segment(s.successor);
-    const double distance = squaredDistance(frame, s, point);
+// An id that a commit removes names nothing else before the next commit (ids.h).
+std::optional<Segment> firstSegment(const World& world, const EdgeSet& set, EdgeId id) {
+  const auto s = world.segment(set.edge(id).first);
+  return s ? std::optional(*s) : std::nullopt;
+}
+
+std::optional<Segment> nearestSegment(const World& world, const EdgeSet& set, EdgeId id, const Frame& frame,
+                                      Metres point) {
+  const SegmentId last = set.edge(id).last;
+  std::optional<Segment> s = firstSegment(world, set, id);
+  std::optional<Segment> nearest = s;
+  double least = s ? squaredDistance(frame, *s, point) : 0;
+  // Links that the set has not seen may lead in a circle past the last segment: no walk is longer than there are ids.
+  for (std::uint32_t left = world.maxSegmentId(); s && s->id != last; --left) {
+    const auto next = world.segment(s->successor);
+    if (!next || set.edgeOf(next->id) != id || left == 0) return {};
+    s = *next;
+    const double distance = squaredDistance(frame, *s, point);
     if (distance < least) {
       least = distance;
       nearest = s;

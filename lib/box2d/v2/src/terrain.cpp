@@ -17,6 +17,10 @@ bool equal(const Material& a, const Material& b) {
 
 b2Vec2 toBox2D(Metres m) { return {m.x, m.y}; }
 
+std::optional<Hit> hitOf(const std::optional<Segment>& s) {
+  return s ? std::optional(Hit{s->id, s->polygon, s->block, s->cell}) : std::nullopt;
+}
+
 class Waker : public b2QueryCallback {
  public:
   bool ReportFixture(b2Fixture* fixture) override {
@@ -127,18 +131,20 @@ std::uint32_t Terrain::materialNumber(Block block) {
   return entry->second;
 }
 
-std::optional<Hit> Terrain::hit(const b2Fixture& fixture) const {
+EdgeId Terrain::edgeOf(const b2Fixture& fixture) const {
   const std::uintptr_t id = const_cast<b2Fixture&>(fixture).GetUserData().pointer;  // NOLINT: Box2D's is not const
   if (id >= fixtures_.size() || fixtures_[id] != &fixture) return {};
-  const Segment s = *world_.segment(edges_.edge({static_cast<std::uint32_t>(id)}).first);
-  return Hit{s.id, s.polygon, s.block, s.cell};
+  return EdgeId{static_cast<std::uint32_t>(id)};
+}
+
+std::optional<Hit> Terrain::hit(const b2Fixture& fixture) const {
+  const EdgeId id = edgeOf(fixture);
+  return id ? hitOf(firstSegment(world_, edges_, id)) : std::nullopt;
 }
 
 std::optional<Hit> Terrain::hit(const b2Fixture& fixture, const b2Vec2& point) const {
-  const std::optional<Hit> first = hit(fixture);
-  if (!first) return {};
-  const Segment s = nearestSegment(world_, edges_.edge(edges_.edgeOf(first->segment)), frame_, {point.x, point.y});
-  return Hit{s.id, s.polygon, s.block, s.cell};
+  const EdgeId id = edgeOf(fixture);
+  return id ? hitOf(nearestSegment(world_, edges_, id, frame_, {point.x, point.y})) : std::nullopt;
 }
 
 b2Fixture* Terrain::fixture(SegmentId segment) const {

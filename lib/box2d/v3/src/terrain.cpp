@@ -20,6 +20,10 @@ bool equal(const Material& a, const Material& b) {
 
 b2Vec2 toBox2D(Metres m) { return {m.x, m.y}; }
 
+std::optional<Hit> hitOf(const std::optional<Segment>& s) {
+  return s ? std::optional(Hit{s->id, s->polygon, s->block, s->cell}) : std::nullopt;
+}
+
 void* userDataOf(EdgeId id) {
   return reinterpret_cast<void*>(static_cast<std::uintptr_t>(id.value));  // NOLINT(performance-no-int-to-ptr)
 }
@@ -185,19 +189,21 @@ std::uint32_t Terrain::materialNumber(Block block) {
   return entry->second;
 }
 
-std::optional<Hit> Terrain::hit(b2ShapeId shape) const {
+EdgeId Terrain::edgeOf(b2ShapeId shape) const {
   if (!b2Shape_IsValid(shape)) return {};
   const auto id = reinterpret_cast<std::uintptr_t>(b2Shape_GetUserData(shape));
   if (id >= shapes_.size() || !B2_ID_EQUALS(shapes_[id].shape, shape)) return {};
-  const Segment s = *world_.segment(edges_.edge({static_cast<std::uint32_t>(id)}).first);
-  return Hit{s.id, s.polygon, s.block, s.cell};
+  return EdgeId{static_cast<std::uint32_t>(id)};
+}
+
+std::optional<Hit> Terrain::hit(b2ShapeId shape) const {
+  const EdgeId id = edgeOf(shape);
+  return id ? hitOf(firstSegment(world_, edges_, id)) : std::nullopt;
 }
 
 std::optional<Hit> Terrain::hit(b2ShapeId shape, b2Vec2 point) const {
-  const std::optional<Hit> first = hit(shape);
-  if (!first) return {};
-  const Segment s = nearestSegment(world_, edges_.edge(edges_.edgeOf(first->segment)), frame_, {point.x, point.y});
-  return Hit{s.id, s.polygon, s.block, s.cell};
+  const EdgeId id = edgeOf(shape);
+  return id ? hitOf(nearestSegment(world_, edges_, id, frame_, {point.x, point.y})) : std::nullopt;
 }
 
 b2ShapeId Terrain::shape(SegmentId segment) const {

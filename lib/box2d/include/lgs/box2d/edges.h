@@ -47,6 +47,7 @@ struct Edge {
   friend bool operator==(const Edge&, const Edge&) = default;
 };
 
+/// The ranges are asserted, and not looked at where NDEBUG leaves assertions out.
 struct EdgeOptions {
   std::int32_t chunkCells = 16;  ///< cells along the side of a chunk, 1 … 4,096
   std::int64_t shortest = 0;     ///< lattice units, 0 … 2^28

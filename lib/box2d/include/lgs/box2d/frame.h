@@ -5,6 +5,7 @@
 
 #include <lgs/lattice.h>
 
+#include <cassert>
 #include <cmath>
 #include <compare>
 #include <cstdint>
@@ -47,6 +48,7 @@ struct Frame {
   }
   /// The least whole number of lattice units that is longer than this, by a tenth: rounding must not make it shorter.
   std::int64_t unitsOf(double metres) const {
+    assert(cellSize >= 2e-6 && std::isfinite(cellSize));
     return static_cast<std::int64_t>(std::ceil(1.1 * metres / cellSize * kUnitsPerCell));
   }
 

@@ -28,12 +28,13 @@ struct Material {
   b2Filter filter = {};
 };
 
+/// What is out of range is a mistake of the program: an assertion, or undefined behaviour where NDEBUG leaves those out.
 struct TerrainOptions {
-  double cellSize = 1;  ///< metres
+  double cellSize = 1;  ///< metres; finite, at least 2e-6
   Cell origin =
       {};  ///< the cell whose lower left corner is at (0, 0) of the physics world: choose one where things happen
-  std::int32_t chunkCells = 16;                  ///< cells along the side of the chunk that is one body; docs/box2d.md
-  bool merge = false;                            ///< collinear neighbours of equal material in a chunk become one edge
+  std::int32_t chunkCells = 16;  ///< cells along the side of the chunk that is one body, 1 … 4,096; docs/box2d.md
+  bool merge = false;            ///< collinear neighbours of equal material in a chunk become one edge
   std::function<Material(Block)> material = {};  ///< asked once for each block. Empty: the defaults for all
 };
 
@@ -59,7 +60,8 @@ class Terrain {
   void sync(const Changes& changes);
 
   /// What a fixture of the terrain stands for; nothing if it is not one. Where edges are merged or welded, the segment
-  /// nearest to a point in the physics world, or the first one.
+  /// nearest to a point in the physics world, or the first one. After a commit and before its sync(): nothing where the
+  /// commit took such a segment away.
   std::optional<Hit> hit(const b2Fixture& fixture) const;
   std::optional<Hit> hit(const b2Fixture& fixture, const b2Vec2& point) const;
 
@@ -68,6 +70,7 @@ class Terrain {
 
   /// The edges behind the fixtures: counts, ends, ghosts. A fixture's userData.pointer is its EdgeId; it is the terrain's.
   const EdgeSet& edges() const { return edges_; }
+  /// Of a live edge; null for the null id.
   b2Fixture* fixture(EdgeId edge) const { return fixtures_[edge.value]; }
   std::size_t bodyCount() const { return bodyCount_; }  ///< chunks with at least one fixture
 
@@ -79,6 +82,7 @@ class Terrain {
     b2Body* body = nullptr;
     std::size_t fixtures = 0;
   };
+  EdgeId edgeOf(const b2Fixture& fixture) const;  // null if it is none of the terrain's
   void apply(const EdgeChanges& changes);
   void create(EdgeId id);
   void destroy(EdgeId id);
@@ -93,8 +97,8 @@ class Terrain {
   std::vector<Material> materials_;  // distinct ones
   std::unordered_map<Block, std::uint32_t> materialNumbers_;
   EdgeSet edges_;
-  std::vector<b2Fixture*> fixtures_;  // by EdgeId
-  std::vector<Chunk> chunks_;         // by number
+  std::vector<b2Fixture*> fixtures_ = {nullptr};  // by EdgeId
+  std::vector<Chunk> chunks_;                     // by number
   std::size_t bodyCount_ = 0;
 };
 

@@ -28,10 +28,11 @@ struct Material {
   b2Filter filter = b2DefaultFilter();
 };
 
+/// What is out of range is a mistake of the program: an assertion, or undefined behaviour where NDEBUG leaves those out.
 struct TerrainOptions {
-  double cellSize = 1;                           ///< metres
+  double cellSize = 1;                           ///< metres; finite, at least 2e-6
   Cell origin = {};                              ///< the cell whose lower left corner is at (0, 0) of the physics world
-  std::int32_t chunkCells = 16;                  ///< cells along the side of the chunk that is one body
+  std::int32_t chunkCells = 16;                  ///< cells along the side of the chunk that is one body, 1 … 4,096
   bool merge = false;                            ///< collinear neighbours of equal material in a chunk become one edge
   std::function<Material(Block)> material = {};  ///< asked once for each block. Empty: the defaults for all
 };
@@ -58,7 +59,8 @@ class Terrain {
   void sync(const Changes& changes);
 
   /// What a shape of the terrain stands for; nothing if it is not one. Where edges are merged or welded, the segment
-  /// nearest to a point in the physics world, or the first one.
+  /// nearest to a point in the physics world, or the first one. After a commit and before its sync(): nothing where the
+  /// commit took such a segment away.
   std::optional<Hit> hit(b2ShapeId shape) const;
   std::optional<Hit> hit(b2ShapeId shape, b2Vec2 point) const;
 
@@ -67,6 +69,7 @@ class Terrain {
 
   /// The edges behind the shapes: counts, ends, ghosts. A shape's user data is its EdgeId; it is the terrain's.
   const EdgeSet& edges() const { return edges_; }
+  /// Of a live edge; null for the null id.
   b2ShapeId shape(EdgeId edge) const { return shapes_[edge.value].shape; }
   std::size_t bodyCount() const { return bodyCount_; }  ///< chunks with at least one shape
 
@@ -82,6 +85,7 @@ class Terrain {
     b2ShapeId shape = b2_nullShapeId;
     b2ChainId chain = b2_nullChainId;  // before 3.2: what owns it
   };
+  EdgeId edgeOf(b2ShapeId shape) const;  // null if it is none of the terrain's
   void apply(const EdgeChanges& changes);
   void create(EdgeId id);
   void destroy(EdgeId id);
@@ -98,8 +102,8 @@ class Terrain {
   std::vector<Material> materials_;  // distinct ones
   std::unordered_map<Block, std::uint32_t> materialNumbers_;
   EdgeSet edges_;
-  std::vector<Shape> shapes_;  // by EdgeId
-  std::vector<Body> bodies_;   // by number of chunk
+  std::vector<Shape> shapes_ = std::vector<Shape>(1);  // by EdgeId
+  std::vector<Body> bodies_;                           // by number of chunk
   std::size_t bodyCount_ = 0;
 };
 
