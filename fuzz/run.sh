@@ -6,7 +6,8 @@
 #
 #   --cpu-hours H  over all targets, earlier runs in the same folder included; default 3
 #   --jobs N       processes at a time; default: one a core
-#   --slice S      seconds until a core goes on with the target that had least; default 120
+#   --slice S      seconds until a core goes on with the target that had least; default 600. A slice begins
+#                  by running the whole corpus, which takes the sanitizers up to two minutes
 #   --out DIR      corpus, findings, logs; default out/fuzz. To begin anew, delete it
 #   --build DIR    programs that are built already; default: builds the preset `fuzz`
 #
@@ -14,7 +15,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-hours=3 jobs=$(nproc) slice=120 out=out/fuzz build=
+hours=3 jobs=$(nproc) slice=600 out=out/fuzz build=
 declare -A settings=([--cpu-hours]=hours [--jobs]=jobs [--slice]=slice [--out]=out [--build]=build)
 source fuzz/options.sh
 targets=("${words[@]}")
