@@ -80,7 +80,8 @@ next() {
       END { for (t in s) if (best == "" || s[t] < s[best] || (s[t] == s[best] && t < best)) best = t; print best }'
 }
 
-findings() { find "$out/findings" -type f ! -name '*.*' | wc -l; }
+# Not what libFuzzer only finds slow.
+findings() { find "$out/findings" -type f ! -name '*.*' ! -name '*-slow-unit-*' | wc -l; }
 
 status_line() {
   local text
@@ -116,6 +117,8 @@ trap stop INT TERM
 
 set -m  # a group for each slice, so that Ctrl-C stops it after the others are told
 limit=$(awk -v h="$hours" 'BEGIN { printf "%d", h * 3600 }')
+share=$((limit / (${#targets[@]} > jobs ? ${#targets[@]} : jobs)))  # every target has its turn in a short run
+((slice <= share)) || slice=$((share > 0 ? share : 1))
 while :; do
   for process in "${!slot[@]}"; do kill -0 "$process" 2>/dev/null || unset "slot[$process]"; done
   running=("${slot[@]}")
