@@ -181,5 +181,31 @@ TEST_F(Box2d3Terrain, AFrictionlessBallOverCellsAndAGapFilledAheadOfIt) {
   EXPECT_GT(b2Body_GetPosition(ball).x, 50);
 }
 
+TEST_F(Box2d3Terrain, BeforeTheSyncWhatIsGoneIsNotHit) {
+  field.addFloor(0, 9);
+  field.world.commit();
+  for (const bool merge : {false, true}) {
+    SCOPED_TRACE(merge);
+    TerrainOptions options;
+    options.merge = merge;
+    Terrain terrain(physics, field.world, options);
+    const std::vector<SegmentId> all = field.world.segments();
+    ASSERT_TRUE(field.world.remove(field.world.polygons({4, -1})[0].handle));
+    const Changes changes = field.world.commit();
+    ASSERT_FALSE(changes.removed.empty());
+    for (const SegmentId id : all) {
+      const EdgeId edge = terrain.edges().edgeOf(id);
+      const bool gone = std::any_of(changes.removed.begin(), changes.removed.end(),
+                                    [&](SegmentId other) { return terrain.edges().edgeOf(other) == edge; });
+      EXPECT_EQ(terrain.hit(terrain.shape(id), {4.5F, 0}).has_value(), !gone);
+      EXPECT_TRUE(merge || terrain.hit(terrain.shape(id)).has_value() == !gone);
+    }
+    terrain.sync(changes);
+    for (const EdgeId id : terrain.edges().edges()) EXPECT_TRUE(terrain.hit(terrain.shape(id), {0, 0}));
+    field.add({4, -1}, kSquare);
+    terrain.sync(field.world.commit());
+  }
+}
+
 }  // namespace
 }  // namespace lgs::box2d_test
