@@ -91,7 +91,7 @@ TEST(Box2dRide, AFixtureForEachPolygonBumps) {
   }
 }
 
-// --- Slopes, compared with CGAL ----------------------------------------------------------------------------------------
+// --- Floor, slopes and map, compared with CGAL -----------------------------------------------------------------------
 
 // Compares the terrain with CGAL's chains: the same contacts, the same path within rounding.
 void expectSamePath(const Field& field, RideOptions options, float tolerance) {
@@ -105,6 +105,16 @@ void expectSamePath(const Field& field, RideOptions options, float tolerance) {
     EXPECT_LE(apart.contacts, terrain.samples.size() / 50);  // rounding decides when a touch begins
     EXPECT_EQ(terrain.kicks.size(), chains.kicks.size());
     EXPECT_GT(terrain.length, 15);
+  }
+}
+
+TEST(Box2dRide, AFloorOfCellsIsAsWithCgal) {
+  const Field field = floorOf200Cells();
+  for (const Rider rider : kRiders) {
+    for (const float speed : {3.0F, 10.0F}) {
+      SCOPED_TRACE(speed);
+      expectSamePath(field, slide(rider, speed), 1e-3F);
+    }
   }
 }
 
