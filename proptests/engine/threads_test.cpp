@@ -111,6 +111,18 @@ TEST(Threads, ABuildIsTheSameWithAnyExecutor) {
   EXPECT_GT(segments, 1000U);
 }
 
+// What the random worlds hardly ever have: chunks with one cell each, and a free side between them.
+TEST(Threads, ABuildOfOneCellAChunkIsTheSame) {
+  const auto build = [](const Executor& executor) {
+    World world;
+    place(world, {31, 0}, eighths({{0, 0}, {4, 0}, {0, 4}}));
+    place(world, {32, 0}, unitSquare());
+    ChangeLists changes = copyOf(world.commit(executor));
+    return std::pair(changes, snapshotOf(world, cellsOf({{31, 0}, {32, 0}})));
+  };
+  EXPECT_EQ(build(inOrder), build({}));
+}
+
 TEST(Threads, TheExecutorIsAskedWhereThereAreNoSegments) {
   std::size_t jobs = 0;
   const Executor counting = [&](std::size_t count, const Job& job) {
