@@ -2,7 +2,10 @@
 # Plants bugs in a copy of the engine, one at a time, and lets a target search for each from nothing: no corpus, one core.
 # Each must be found within a minute.
 #
-#   fuzz/canary.sh [--seconds S] [NAME...]
+#   fuzz/canary.sh [--seconds S] [--out DIR] [NAME...]
+#
+#   --seconds S  how long to search for each; default 60. With 0 nothing is built: only whether each applies is seen
+#   --out DIR    for the copy, its build, logs and findings; default out/canary
 #
 # A bug is a substitution in lib/src that must apply. Exit status: 0 all found, 1 one was not found or does not apply.
 set -euo pipefail
@@ -22,17 +25,23 @@ bugs=(
   'swallowed|polygons|polygon.cpp| \|\| someBoundaryIsInside(q, p)||7: a polygon around another is accepted'
 )
 
-seconds=60
-declare -A settings=([--seconds]=seconds)
+seconds=60 out=out/canary
+declare -A settings=([--seconds]=seconds [--out]=out)
 source fuzz/options.sh
 wanted=("${words[@]}")
+if [[ ! $seconds =~ ^[0-9]+$ ]]; then
+  echo "canary.sh: --seconds takes a number" >&2
+  exit 2
+fi
 
-here=$PWD out=$PWD/out/canary
+here=$PWD
+mkdir -p "$out/logs"
+out=$(cd "$out" && pwd)
 rm -rf "$out/source"
-mkdir -p "$out/source" "$out/logs"
-tar -c CMakeLists.txt cmake lib oracle fuzz LICENSE | tar -x -C "$out/source"
-cmake -S "$out/source" -B "$out/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ \
-  -DLGS_BUILD_TESTS=OFF -DLGS_BUILD_FUZZERS=ON >/dev/null
+mkdir "$out/source"
+tar -c CMakeLists.txt cmake lib oracle bench fuzz LICENSE | tar -x -C "$out/source"
+((seconds == 0)) || cmake -S "$out/source" -B "$out/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  -DCMAKE_CXX_COMPILER=clang++ -DLGS_BUILD_TESTS=OFF -DLGS_BUILD_FUZZERS=ON >/dev/null
 
 # Parts of a line of `bugs`, at bars that no backslash precedes.
 field() { perl -e 'my @f = split /(?<!\\)\|/, $ARGV[0], -1; $_ = $f[$ARGV[1]]; s/\\([|&])/$1/g; print' "$1" "$2"; }
@@ -48,19 +57,26 @@ for bug in "${bugs[@]}"; do
     missed=1
     continue
   fi
-  if ! cmake --build "$out/build" --target "fuzz_$target" >"$out/logs/$name-build.log" 2>&1; then
+  if ((seconds == 0)); then
+    echo "applies to lib/src/$file"
+  elif ! cmake --build "$out/build" --target "fuzz_$target" lgs_fuzz >"$out/logs/$name-build.log" 2>&1; then
     echo "does not compile: $out/logs/$name-build.log"
     missed=1
   else
-    mkdir -p "$out/$name"
+    rm -rf "${out:?}/$name"
+    mkdir "$out/$name"
     began=$SECONDS status=0
     LGS_FUZZ_OUT=$out/$name LGS_FUZZ_SHRINK=5 "$out/build/fuzz/fuzz_$target" -seed=1 -max_total_time="$seconds" \
       -max_len=1024 -artifact_prefix="$out/$name/" >"$out/logs/$name.log" 2>&1 || status=$?
-    if ((status)); then
+    input=$(sed -n 's/.*Test unit written to //p' "$out/logs/$name.log" | tail -n 1)
+    if [[ -n $input ]] && ! compgen -G "$out/$name/*.trace" >/dev/null; then  # it crashed: shrunk in child processes
+      "$out/build/fuzz/lgs_fuzz" report "$target" "$input" --out "$out/$name" >>"$out/logs/$name.log" 2>&1 || true
+    fi
+    if ((status)) && [[ -n $(ls -A "$out/$name") ]]; then  # no finding saved: it failed otherwise
       printf 'found in %3d s, shrunk to %s edits: %s\n' $((SECONDS - began)) \
         "$(cat "$out/$name/"*.trace 2>/dev/null | grep -cE '^(add|remove)')" "$(field "$bug" 5)"
     else
-      echo "NOT FOUND in $seconds s: $(field "$bug" 5)"
+      echo "NOT FOUND in $seconds s, see $out/logs/$name.log: $(field "$bug" 5)"
       missed=1
     fi
   fi

@@ -48,7 +48,9 @@ def build():
     setup = ROOT / "bench/polygon-clipping"
     if shutil.which("npm") and not (setup / "node_modules").exists():
         say("installing polygon-clipping")
-        subprocess.run(["npm", "ci", "--silent", "--no-audit", "--no-fund"], cwd=setup, check=False)
+        done = subprocess.run(["npm", "ci", "--silent", "--no-audit", "--no-fund"], cwd=setup, check=False)
+        if done.returncode != 0:
+            say(f"npm failed, with status {done.returncode}: its rows will be missing")
     say("building")
     quiet = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
     run(["cmake", "--preset", "release"], **quiet)
@@ -63,9 +65,11 @@ def compare(folder, out, scale):
         say(f"comparing in worlds of {side}×{side} cells")
         file = out / f"comparison-{side}.json"
         command = [folder / "oracle/cli/lgs", "bench", "--side", side, "--rounds", rounds, "--json", file]
-        (out / f"comparison-{side}.txt").write_text(
-            run(command + (["--all"] if scale["all"] and side == 100 else []), stdout=subprocess.PIPE)
-        )
+        text = run(command + (["--all"] if scale["all"] and side == 100 else []), stdout=subprocess.PIPE)
+        (out / f"comparison-{side}.txt").write_text(text)
+        for line in text.splitlines():
+            if ": skipped, " in line:
+                say(f"  {line}")
         rows += json.loads(file.read_text())
     return rows
 

@@ -6,6 +6,9 @@
 project=$SRC/localgridseg
 build=${WORK:-$SRC}/build
 
+# CXXFLAGS there ask for libc++, but the distribution's libraries, fmt among them, are built for libstdc++.
+CXXFLAGS=${CXXFLAGS/-stdlib=libc++/}
+
 # The flags bring sanitizers and coverage for all code, so the project adds none. CGAL's arrangement casts faces down to
 # a class they are not of, which -fsanitize=vptr, part of `undefined`, would stop.
 cmake -S "$project" -B "$build" -G Ninja \
@@ -33,7 +36,7 @@ for program in $targets; do
     fi
   } >"$OUT/$program.options"
   # The runners have no packages installed: shared libraries go along.
-  ldd "$OUT/$program" | sed -n 's/.*=> \(\/[^ ]*lib\(fmt\|pugixml\|gmp\|mpfr\|zstd\|z\|box2d\)\.[^ ]*\).*/\1/p' |
+  ldd "$OUT/$program" | sed -n 's/.*=> \(\/[^ ]*lib\(stdc++\|gcc_s\|fmt\|pugixml\|gmp\|mpfr\|zstd\|z\|box2d\)\.[^ ]*\).*/\1/p' |
     xargs -r cp -n -t "$OUT/lib"
   patchelf --set-rpath '$ORIGIN/lib' "$OUT/$program"
 done

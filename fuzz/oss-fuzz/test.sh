@@ -23,7 +23,7 @@ ln -sfn "$PWD" "$folder/src/localgridseg"
 
 export SRC=$folder/src OUT=$folder/out WORK=$folder/work CC=clang CXX=clang++ LIB_FUZZING_ENGINE=-fsanitize=fuzzer
 export CFLAGS="-O1 -fno-omit-frame-pointer -gline-tables-only $flags -fsanitize=fuzzer-no-link" CXXFLAGS
-CXXFLAGS=$CFLAGS
+CXXFLAGS="$CFLAGS -stdlib=libc++"
 bash -eu fuzz/oss-fuzz/build.sh
 
 for program in "$OUT"/fuzz_*; do

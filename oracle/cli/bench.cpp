@@ -127,7 +127,7 @@ void addBench(CLI::App& app, Run& chosen) {
       ->option_text("FILE");
   addWholeNumber(
       command, "--rounds", [options](std::uint64_t n) { options->rounds = static_cast<int>(n); }, {1, 10'000},
-      "How often the subjects run, one after the other; default 5.\nWhat takes longer than half a second runs once")
+      "How often the subjects run, one after the other; default 5.\nWhat takes longer than two seconds runs once")
       ->option_text("N");
   addWholeNumber(
       command, "--side", [options](std::uint64_t n) { options->side = static_cast<std::int32_t>(n); }, {4, 316},
