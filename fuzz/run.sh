@@ -49,7 +49,7 @@ one() {
   local target=$1 log=$out/logs/$1-$2.log cpu=$out/logs/$1-$2.cpu status=0 options=()
   [[ -e fuzz/dictionaries/$target.dict ]] && options+=("-dict=fuzz/dictionaries/$target.dict")
   TIMEFORMAT='%U %S'
-  { time nice "$bin/fuzz_$target" -seed="$2" -max_total_time="$slice" -max_len=1024 -timeout=20 -rss_limit_mb=2048 \
+  { time nice "$bin/fuzz_$target" -seed="$2" -max_total_time="$slice" -max_len=1024 -timeout=60 -rss_limit_mb=2048 \
     -reload=1 -print_final_stats=1 -artifact_prefix="$out/findings/$target-" "${options[@]}" \
     "$out/corpus/$target" >"$log" 2>&1; } 2>"$cpu" || status=$?
   record "$target" "$log" "$cpu" "$status"
