@@ -56,7 +56,8 @@ void report(const Target& target, Bytes input, const Finding& finding, const Whe
   if (!finding.mismatch || !target.checkTrace) {
     fmt::print("{}", finding.text);
   } else {
-    const auto findAgain = [&](const Trace& trace) {
+    const auto findAgain = [&](const Trace& trace) -> std::optional<oracle::Mismatch> {
+      if (traceDies(target, trace)) return std::nullopt;  // with fewer edits the same bug may end the program
       CheckStats stats;
       auto found = target.checkTrace(trace, stats);
       const bool same = found && found->mismatch && found->mismatch->kind == finding.mismatch->kind;
