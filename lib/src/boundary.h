@@ -16,7 +16,7 @@ void exposedParts(const Side& mine, const Side& theirs, Preserve&& preserve, Emi
   auto cut = theirs.points.begin();
   auto facing = theirs.covered.begin();
   for (const Interval& interval : mine.covered) {
-    for (std::int32_t at = interval.begin, next; at < interval.end; at = next) {
+    for (std::int32_t at = interval.begin, next = at; at < interval.end; at = next) {
       while (cut != theirs.points.end() && cut->at <= at) ++cut;
       next = cut == theirs.points.end() ? interval.end : std::min(interval.end, cut->at);
       // Their intervals end at their vertices, so their cover is the same all along [at, next].

@@ -133,8 +133,10 @@ class Build {
   /// In four goes, by whether a chunk's coordinates are odd: those of one go do not touch.
   void link() {
     std::array<std::vector<const Chunk*>, 4> apart;
-    for (const ChunkPlan& plan : plans_)
-      apart[static_cast<std::size_t>((plan.chunk->ci & 1) + 2 * (plan.chunk->cj & 1))].push_back(plan.chunk);
+    for (const ChunkPlan& plan : plans_) {
+      const std::int32_t parity = (plan.chunk->ci & 1) + 2 * (plan.chunk->cj & 1);
+      apart[static_cast<std::size_t>(parity)].push_back(plan.chunk);
+    }
     for (const auto& chunks : apart) {
       executor_(chunks.size(), [&](std::size_t k) {
         std::vector<Spoke> fan;

@@ -44,7 +44,7 @@ struct Chunk {
   std::uint32_t index = 0;
   RowMask dirtyRows = 0;                    ///< rows with a dirty cell
   Facts everFacts = 0;                      ///< of all contents that any cell has, or had
-  std::array<Chunk*, 9> around{};           ///< [3·(dj+1) + di+1]; null where there is none
+  std::array<Chunk*, 9> around{};           ///< row by row from the lower left; null where there is none
   std::array<RowMask, kChunkSize> dirty{};  ///< edited since the last commit
   std::array<RowMask, kChunkSize> live{};   ///< has segments
   std::uint64_t commonBlock = kNoBlock;     ///< of all compact cells, while `blocks` is null
@@ -53,6 +53,11 @@ struct Chunk {
   std::array<std::uint32_t, kChunkCells> cells{};
 
   static constexpr std::uint64_t kNoBlock = std::uint64_t{1} << 32;
+  /// The chunk di columns and dj rows away, each -1 … 1.
+  Chunk* neighbour(std::int32_t di, std::int32_t dj) const {
+    const std::int32_t there = 3 * dj + di + 4;
+    return around[static_cast<std::size_t>(there)];
+  }
   Block block(std::uint32_t local) const { return blocks ? blocks[local] : static_cast<Block>(commonBlock); }
   Cell cell(std::uint32_t local) const {
     return {ci * kChunkSize + static_cast<std::int32_t>(local % kChunkSize),
@@ -125,8 +130,7 @@ struct CellAt {
 
 /// The cell in column x and row y of a chunk; both may be off by one chunk. Without chunk where there is none.
 inline CellAt cellAt(const Chunk& chunk, std::int32_t x, std::int32_t y) {
-  const std::int32_t di = x >> 5, dj = y >> 5;
-  return {chunk.around[static_cast<std::size_t>(3 * dj + di + 4)], localOf({x, y})};
+  return {chunk.neighbour(x >> 5, y >> 5), localOf({x, y})};
 }
 
 /// The cell across one side.
@@ -292,7 +296,7 @@ class Grid {
   static constexpr std::uint32_t kSerialBits = 8;        // in a state: the last serial; above it the content
   static constexpr std::uint32_t kSerialMask = (1u << kSerialBits) - 1;
 
-  CellRecord* writable(CellAt cell) { return const_cast<CellRecord*>(record(cell)); }
+  CellRecord* writable(CellAt cell) { return const_cast<CellRecord*>(record(cell)); }  // NOLINT
   std::uint32_t& stateWord(CellAt cell) {
     CellRecord* r = writable(cell);
     return r ? r->state : cell.word();

@@ -143,9 +143,9 @@ inline void Linking::addQuadrant(Fan& fan, const CellRecord& r) const {
 
 /// The corner where columns x - 1, x and rows y - 1, y meet. In the cell of quadrant q it is corner q.
 void Linking::linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y) {
-  const CellRecord *r0, *r1, *r2, *r3;
+  const CellRecord *r0 = nullptr, *r1 = nullptr, *r2 = nullptr, *r3 = nullptr;
   if (x > 0 && x < kChunkSize && y > 0 && y < kChunkSize) {
-    const std::uint32_t* cell = chunk.cells.data() + y * kChunkSize + x;
+    const std::uint32_t* cell = &chunk.cells[localOf({x, y})];
     r0 = grid_.recordOf(cell[0]);
     r1 = grid_.recordOf(cell[-1]);
     r2 = grid_.recordOf(cell[-1 - kChunkSize]);

@@ -13,7 +13,7 @@ using PolygonView = std::span<const LocalPoint>;
 
 /// Why a polygon is refused, and at which vertices (see Error).
 struct Defect {
-  ErrorCode code;
+  ErrorCode code{};
   std::int32_t vertex = -1;
   std::int32_t vertex2 = -1;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 namespace lgs {
 
@@ -49,6 +50,7 @@ std::optional<PlacedPolygon> World::Impl::polygon(PolygonHandle handle) const {
   const auto slot = slotOf(handle);
   if (!slot) return std::nullopt;
   const CellAt at = grid.find(handle.cellRef);
+  assert(at);
   const InternedContent& content = catalogue.content(grid.content(at));
   return PlacedPolygon{handle, grid.placed(at, *slot).block, catalogue.vertices(content.polygons[*slot])};
 }
@@ -150,7 +152,7 @@ Stats World::Impl::stats() const {
   stats.shapes = catalogue.shapeCount();
   stats.contents = catalogue.contentCount();
   stats.chunks = grid.chunks().size();
-  const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
+  const auto of = []<class T>(const std::vector<T>& v) { return v.capacity() * sizeof(T); };
   stats.bytes = sizeof(World) + sizeof *this + grid.bytes() + catalogue.bytes() + segments.bytes() + of(dirtyChunks) +
                 of(changes.removed) + of(changes.added) + of(changes.relinked) + workingBytes();
   return stats;

@@ -86,7 +86,7 @@ class SegmentPool {
   void recycle(std::uint32_t id) { free_.push_back(id); }
 
   bool isLive(std::uint32_t id) const { return id != kNoSegment && id < top_ && (*this)[id].cellRef != 0; }
-  /// Whether no segment is alive, those removed but not recycled yet not counted as dead.
+  /// Whether every id is available: none is of a segment, alive or removed but not recycled yet.
   bool isEmpty() const { return free_.size() == top_ - 1; }
   std::uint32_t maxId() const { return top_ - 1; }
   std::uint64_t bytes() const {

@@ -16,10 +16,10 @@ inline constexpr WideRow kOwnColumns = WideRow{0xffff'ffff} << 1;
 template <auto Bitmap>
 WideRow wideRow(const Chunk& chunk, std::int32_t y) {
   const auto row = static_cast<std::size_t>(y & (kChunkSize - 1));
-  const auto first = static_cast<std::size_t>(3 * ((y >> 5) + 1));
   const auto bits = [&](const Chunk* c) { return c ? WideRow{(c->*Bitmap)[row]} : 0; };
-  return bits(chunk.around[first]) >> 31 | bits(chunk.around[first + 1]) << 1 |
-         (bits(chunk.around[first + 2]) & 1) << 33;
+  const std::int32_t dj = y >> 5;
+  return bits(chunk.neighbour(-1, dj)) >> 31 | bits(chunk.neighbour(0, dj)) << 1 |
+         (bits(chunk.neighbour(1, dj)) & 1) << 33;
 }
 
 /// The chunk's own dirty cells in row y, none outside.
@@ -57,8 +57,8 @@ constexpr unsigned hiddenSides(unsigned south, unsigned east, unsigned north, un
 inline WideRow showingRow(const Chunk& chunk, std::int32_t y) {
   static constexpr std::array<Facts, kChunkSize> kNoFacts{};
   const auto row = [&](std::int32_t di, std::int32_t yOfRow) {
-    const Chunk* c = chunk.around[static_cast<std::size_t>(3 * (yOfRow >> 5) + di + 4)];
-    return c ? c->facts.data() + (yOfRow & (kChunkSize - 1)) * kChunkSize : kNoFacts.data();
+    const Chunk* c = chunk.neighbour(di, yOfRow >> 5);
+    return c ? &c->facts[localOf({0, yOfRow})] : kNoFacts.data();
   };
   std::array<Facts, kChunkSize + 2> wide;  // with a column of the neighbours at either end
   wide.front() = row(-1, y)[kChunkSize - 1];

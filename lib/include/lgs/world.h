@@ -93,14 +93,15 @@ struct Stats {
   std::uint64_t shapes = 0;
   std::uint64_t contents = 0;  ///< distinct interned cell contents; those without use are forgotten in time
   std::uint64_t chunks = 0;
-  std::uint64_t bytes =
-      0;  ///< what the world has allocated, spare capacity included (the index of shapes is estimated)
+  std::uint64_t bytes = 0;  ///< allocated, spare capacity included; the index of shapes is estimated
 };
 
 class World {
  public:
   explicit World(PreserveRelation preserve = {});
   ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
   World(World&&) noexcept;  ///< a world moved from can only be assigned to or destroyed
   World& operator=(World&&) noexcept;
 
