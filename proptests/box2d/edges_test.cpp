@@ -202,6 +202,17 @@ TEST(Box2dEdges, MergedInOneChunkTheyAreTheMergedLoops) {
   }
 }
 
+TEST(Box2dEdges, AnIdThatNeverWasHasNoEdge) {
+  World world;
+  ASSERT_TRUE(world.add({0, 0}, *world.shape(kUnitSquare), 1));
+  world.commit();
+  EdgeSet set({});
+  set.load(world);
+  EXPECT_TRUE(set.edgeOf({world.maxSegmentId()}));
+  EXPECT_FALSE(set.edgeOf({world.maxSegmentId() + 1}));
+  EXPECT_FALSE(set.edgeOf({0xffff'ffff}));
+}
+
 // --- By hand -----------------------------------------------------------------------------------------------------------
 
 class Hand : public testing::Test {
@@ -278,31 +289,6 @@ TEST_F(Box2dEdgesByHand, WhatIsTooSmallAltogetherIsLeftOut) {
   set.load(world);
   EXPECT_EQ(set.counts(), (EdgeCounts{.segments = 3, .leftOut = 3}));
 }
-
-TEST(Box2dFrame, FarAwayIsAsPreciseAsNear) {
-  const Frame frame{0.5, {1'000'000'000, -1'000'000'000}, 16};
-  const Point p = toWorld({1'000'000'003, -1'000'000'002}, {1, 3});
-  EXPECT_EQ(frame.position(p).x, 1.5F + 0.5F / U);
-  EXPECT_EQ(frame.position(p).y, -1.0F + 1.5F / U);
-  const Chunk chunk = frame.chunkOf({-1, -17});
-  EXPECT_EQ(chunk, (Chunk{-1, -2}));
-  EXPECT_EQ(frame.local(toWorld({-1, -17}, {}), chunk).x, 7.5F);
-  EXPECT_EQ(frame.cellAt({1.75F, -0.25F}), (Cell{1'000'000'003, -1'000'000'001}));
-  EXPECT_EQ(frame.unitsOf(0.005), 721);
-}
-
-#ifndef NDEBUG
-TEST(Box2dOptionsDeathTest, WhatIsOutOfRangeIsAsserted) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");
-  for (const std::int32_t cells : {-1, 0, 4'097}) EXPECT_DEATH(EdgeSet({.chunkCells = cells}), "chunkCells");
-  EXPECT_DEATH(EdgeSet({.shortest = -1}), "shortest");
-  for (const double size : {0.0, -1.0, 1e-6, std::nan(""), HUGE_VAL}) {
-    const Frame frame{size, {}, 16};
-    EXPECT_DEATH((void)frame.unitsOf(0.005), "cellSize");
-  }
-  EXPECT_LE((Frame{2e-6, {}, 16}.unitsOf(0.005)), 1 << 28);
-}
-#endif
 
 }  // namespace
 }  // namespace lgs::box2d

@@ -10,14 +10,12 @@
 #include <lgs/box2d/terrain.h>
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
+#include <tuple>
 
 namespace lgs::box2d_test {
 namespace {
 
 using box2d::EdgeId;
-using box2d::Hit;
 using box2d::Terrain;
 using box2d::TerrainOptions;
 
@@ -226,86 +224,6 @@ TEST_F(Box2dTerrain, DiggingAndRefillingBesideABallForThousandsOfSteps) {
   }
 }
 
-// --- What a fixture stands for -----------------------------------------------------------------------------------------
-
-TEST_F(Box2dTerrain, AFixtureLeadsToSegmentPolygonBlockAndCell) {
-  field.addFloor(0, 3);
-  const PolygonHandle ramp = field.add({4, -1}, below(8, 0), 7);
-  field.world.commit();
-  Terrain terrain(physics, field.world);
-  for (const SegmentId id : field.world.segments()) {
-    const Segment s = *field.world.segment(id);
-    const std::optional<Hit> hit = terrain.hit(*terrain.fixture(id));
-    ASSERT_TRUE(hit);
-    EXPECT_EQ(std::tie(hit->segment, hit->polygon, hit->block, hit->cell), std::tie(s.id, s.polygon, s.block, s.cell));
-    if (hit->block == 7) {
-      EXPECT_EQ(hit->polygon, ramp);
-    }
-  }
-  b2Body& ball = addBall(physics, {1, 2});
-  EXPECT_FALSE(terrain.hit(*ball.GetFixtureList()));
-}
-
-TEST_F(Box2dTerrain, AMergedEdgeIsAskedByPoint) {
-  field.addFloor(0, 9);
-  field.world.commit();
-  Terrain terrain(physics, field.world, {.cellSize = 2, .merge = true});
-  ASSERT_EQ(terrain.edges().counts().edges, 4U);
-  struct Callback : b2RayCastCallback {
-    float ReportFixture(b2Fixture* f, const b2Vec2& p, const b2Vec2&, float fraction) override {
-      fixture = f;
-      point = p;
-      return fraction;
-    }
-    b2Fixture* fixture = nullptr;
-    b2Vec2 point = {0, 0};
-  } callback;
-  physics.RayCast(&callback, {13, 5}, {13, -5});
-  ASSERT_NE(callback.fixture, nullptr);
-  const std::optional<Hit> hit = terrain.hit(*callback.fixture, callback.point);
-  ASSERT_TRUE(hit);
-  EXPECT_EQ(hit->cell, (Cell{6, -1}));
-}
-
-TEST_F(Box2dTerrain, BeforeTheSyncWhatIsGoneIsNotHit) {
-  field.addFloor(0, 9);
-  field.world.commit();
-  for (const bool merge : {false, true}) {
-    SCOPED_TRACE(merge);
-    Terrain terrain(physics, field.world, {.merge = merge});
-    for (const std::int32_t dug : {0, 4, 9}) {  // the first, the last and one between, of each merged edge
-      std::map<b2Fixture*, std::set<SegmentId>> behind;
-      for (const SegmentId id : field.world.segments()) behind[terrain.fixture(id)].insert(id);
-      ASSERT_TRUE(field.world.remove(field.world.polygons({dug, -1})[0].handle));
-      const Changes changes = field.world.commit();
-      ASSERT_FALSE(changes.removed.empty());
-      for (const auto& [fixture, segments] : behind) {
-        const bool gone = std::any_of(changes.removed.begin(), changes.removed.end(),
-                                      [&, &among = segments](SegmentId id) { return among.contains(id); });
-        const std::optional<Hit> first = terrain.hit(*fixture);
-        const std::optional<Hit> nearest = terrain.hit(*fixture, {static_cast<float>(dug), 0});
-        EXPECT_EQ(nearest.has_value(), !gone);
-        if (segments.size() == 1) {
-          EXPECT_EQ(first.has_value(), !gone);
-        }
-        for (const auto& hit : {first, nearest}) {
-          EXPECT_TRUE(!hit || segments.contains(hit->segment));
-        }
-      }
-      terrain.sync(changes);
-      for (const EdgeId id : terrain.edges().edges()) EXPECT_TRUE(terrain.hit(*terrain.fixture(id), {0, 0}));
-      field.add({dug, -1}, kSquare);
-      terrain.sync(field.world.commit());
-    }
-  }
-}
-
-TEST_F(Box2dTerrain, OfNothingThereIsNoFixture) {
-  const Terrain terrain(physics, field.world);
-  EXPECT_EQ(terrain.fixture(EdgeId{}), nullptr);
-  EXPECT_EQ(terrain.fixture(SegmentId{}), nullptr);
-}
-
 TEST_F(Box2dTerrain, MaterialsByBlock) {
   field.add({0, 0}, kSquare, 1);
   field.add({1, 0}, kSquare, 2);
@@ -331,6 +249,27 @@ TEST_F(Box2dTerrain, MaterialsByBlock) {
     EXPECT_EQ(f.GetRestitution(), 0.5F);
     EXPECT_EQ(f.GetFilterData().categoryBits, first ? 2 : 4);
   }
+}
+
+TEST_F(Box2dTerrain, MaterialsThatDifferInOneThingAreNotMerged) {
+  for (const Block block : {1U, 2U, 3U, 4U, 5U, 6U}) {  // each beside a plain one
+    field.add({2 * static_cast<std::int32_t>(block), 0}, kSquare, 0);
+    field.add({2 * static_cast<std::int32_t>(block) + 1, 0}, kSquare, block);
+  }
+  field.world.commit();
+  TerrainOptions options{.chunkCells = 64, .merge = true};
+  options.material = [](Block block) {
+    box2d::Material material;
+    if (block == 1) material.friction += 0.5F;
+    if (block == 2) material.restitution += 0.5F;
+    if (block == 3) material.restitutionThreshold += 0.5F;
+    if (block == 4) material.filter.categoryBits ^= 2;
+    if (block == 5) material.filter.maskBits ^= 2;
+    if (block == 6) material.filter.groupIndex += 1;
+    return material;
+  };
+  const Terrain terrain(physics, field.world, options);
+  EXPECT_EQ(terrain.edges().counts().edges, 2U * 12 + 2);
 }
 
 TEST_F(Box2dTerrain, ShortSegmentsAreCountedAndHarmless) {

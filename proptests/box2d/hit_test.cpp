@@ -1,0 +1,132 @@
+// What a fixture stands for: Terrain::hit() before and after a sync, and of fixtures of others.
+#include "field.h"
+
+#include <gtest/gtest.h>
+#include <lgs/box2d/terrain.h>
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace lgs::box2d_test {
+namespace {
+
+using box2d::EdgeId;
+using box2d::Hit;
+using box2d::Terrain;
+
+class Box2dHit : public testing::Test {
+ protected:
+  b2World physics{{0, -10}};
+  Field field;
+};
+
+TEST_F(Box2dHit, AFixtureLeadsToSegmentPolygonBlockAndCell) {
+  field.addFloor(0, 3);
+  const PolygonHandle ramp = field.add({4, -1}, below(8, 0), 7);
+  field.world.commit();
+  Terrain terrain(physics, field.world);
+  for (const SegmentId id : field.world.segments()) {
+    const Segment s = *field.world.segment(id);
+    const std::optional<Hit> hit = terrain.hit(*terrain.fixture(id));
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(std::tie(hit->segment, hit->polygon, hit->block, hit->cell), std::tie(s.id, s.polygon, s.block, s.cell));
+    if (hit->block == 7) {
+      EXPECT_EQ(hit->polygon, ramp);
+    }
+  }
+  const b2BodyDef definition;
+  b2CircleShape circle;
+  circle.m_radius = 0.35F;
+  b2Fixture& foreign = *physics.CreateBody(&definition)->CreateFixture(&circle, 1);
+  EXPECT_FALSE(terrain.hit(foreign));
+  EXPECT_FALSE(terrain.hit(foreign, {1, 2}));
+  for (const std::uintptr_t number : {std::uintptr_t{1}, std::uintptr_t{1'000'000}}) {  // what others keep there
+    foreign.GetUserData().pointer = number;
+    EXPECT_FALSE(terrain.hit(foreign));
+  }
+}
+
+TEST_F(Box2dHit, AMergedEdgeIsAskedByPoint) {
+  field.addFloor(0, 9);
+  field.world.commit();
+  Terrain terrain(physics, field.world, {.cellSize = 2, .merge = true});
+  ASSERT_EQ(terrain.edges().counts().edges, 4U);
+  struct Callback : b2RayCastCallback {
+    float ReportFixture(b2Fixture* f, const b2Vec2& p, const b2Vec2&, float fraction) override {
+      fixture = f;
+      point = p;
+      return fraction;
+    }
+    b2Fixture* fixture = nullptr;
+    b2Vec2 point = {0, 0};
+  } callback;
+  physics.RayCast(&callback, {13, 5}, {13, -5});
+  ASSERT_NE(callback.fixture, nullptr);
+  const std::optional<Hit> hit = terrain.hit(*callback.fixture, callback.point);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->cell, (Cell{6, -1}));
+}
+
+TEST_F(Box2dHit, BeforeTheSyncWhatIsGoneIsNotHit) {
+  field.addFloor(0, 9);
+  field.world.commit();
+  for (const bool merge : {false, true}) {
+    SCOPED_TRACE(merge);
+    Terrain terrain(physics, field.world, {.merge = merge});
+    for (const std::int32_t dug : {0, 4, 9}) {  // the first, the last and one between, of each merged edge
+      std::map<b2Fixture*, std::set<SegmentId>> behind;
+      for (const SegmentId id : field.world.segments()) behind[terrain.fixture(id)].insert(id);
+      ASSERT_TRUE(field.world.remove(field.world.polygons({dug, -1})[0].handle));
+      const Changes changes = field.world.commit();
+      ASSERT_FALSE(changes.removed.empty());
+      for (const auto& [fixture, segments] : behind) {
+        const bool gone = std::any_of(changes.removed.begin(), changes.removed.end(),
+                                      [&, &among = segments](SegmentId id) { return among.contains(id); });
+        const std::optional<Hit> first = terrain.hit(*fixture);
+        const std::optional<Hit> nearest = terrain.hit(*fixture, {static_cast<float>(dug), 0});
+        EXPECT_EQ(nearest.has_value(), !gone);
+        if (segments.size() == 1) {
+          EXPECT_EQ(first.has_value(), !gone);
+        }
+        for (const auto& hit : {first, nearest}) {
+          EXPECT_TRUE(!hit || segments.contains(hit->segment));
+        }
+      }
+      terrain.sync(changes);
+      for (const EdgeId id : terrain.edges().edges()) EXPECT_TRUE(terrain.hit(*terrain.fixture(id), {0, 0}));
+      field.add({dug, -1}, kSquare);
+      terrain.sync(field.world.commit());
+    }
+  }
+}
+
+// A crumb on the corner of a block, welded to what comes after it: without the block it is a ring, which never gets there.
+TEST_F(Box2dHit, BeforeTheSyncARingIsWalkedOnce) {
+  const PolygonHandle block = field.add({0, 0}, {{0, 0}, {U, 0}, {U, U}, {U - 200, U}, {U - 400, U - 10}, {0, U - 10}});
+  field.add({1, 1}, {{0, 0}, {100, 0}, {0, 100}});
+  field.world.commit();
+  Terrain terrain(physics, field.world);
+  SegmentId crumb;
+  for (const SegmentId id : field.world.segments()) {
+    if (field.world.segment(id)->end == Point{U + 100, U}) crumb = id;
+  }
+  b2Fixture* welded = terrain.fixture(crumb);
+  ASSERT_NE(welded, nullptr);
+  EXPECT_EQ(terrain.edges().counts().welded, 5U);
+  ASSERT_TRUE(terrain.hit(*welded, {1, 1}));
+  ASSERT_TRUE(field.world.remove(block));
+  const Changes changes = field.world.commit();
+  EXPECT_EQ(field.world.loops(Collinear::keep).size(), 1U);
+  EXPECT_FALSE(terrain.hit(*welded, {1, 1}));
+  terrain.sync(changes);
+  EXPECT_EQ(terrain.edges().counts().leftOut, 3U);
+}
+
+TEST_F(Box2dHit, OfNothingThereIsNoFixture) {
+  const Terrain terrain(physics, field.world);
+  EXPECT_EQ(terrain.fixture(EdgeId{}), nullptr);
+  EXPECT_EQ(terrain.fixture(SegmentId{}), nullptr);
+}
+
+}  // namespace
+}  // namespace lgs::box2d_test
