@@ -23,21 +23,17 @@ struct PublishedArguments {
   std::uint64_t seed = 1;
 };
 
-std::string drawing(const PublishedRun& run, std::string title) {
-  MismatchOptions options;
-  options.title = std::move(title);
-  options.expectedName = "the laws";
-  options.actualName = "the published algorithm";
-  return drawMismatch(run.scene, run.expected, run.published, options);
-}
+/// What the published algorithm puts out, beside the laws, or beside what it puts out for the same polygons without their
+/// past: that is where a stale ghost shows.
+enum class Beside : bool { laws, freshStart };
 
-// A stale ghost shows beside what the algorithm puts out for the same polygons without their past.
-std::string drawingOfThePast(const PublishedRun& run, std::string title) {
+std::string drawing(const PublishedRun& run, Beside beside, std::string title) {
   MismatchOptions options;
   options.title = std::move(title);
-  options.expectedName = "published, afresh";
-  options.actualName = "after the edits";
-  return drawMismatch(run.scene, run.afresh, run.published, options);
+  const bool laws = beside == Beside::laws;
+  options.expectedName = laws ? "the laws" : "published, afresh";
+  options.actualName = laws ? "the published algorithm" : "after the edits";
+  return drawMismatch(run.scene, laws ? run.expected : run.afresh, run.published, options);
 }
 
 Status compareTrace(const PublishedArguments& arguments) {
@@ -56,7 +52,8 @@ Status compareTrace(const PublishedArguments& arguments) {
   if (const auto past = compare(run->afresh, run->published); !past.empty())
     fmt::print(out, "from what it puts out for the same polygons without their past:\n{}", describe(past));
   Status status = differences.empty() ? Status::fine : Status::mismatch;
-  if (!arguments.svg.empty()) status = worst(status, write(arguments.svg, drawing(*run, arguments.trace)));
+  if (!arguments.svg.empty())
+    status = worst(status, write(arguments.svg, drawing(*run, Beside::laws, arguments.trace)));
   return status;
 }
 
@@ -98,8 +95,8 @@ Status findAll(const PublishedArguments& arguments) {
     if (!trace) continue;
     const auto run = runPublished(*trace);
     if (!run) return complain(message(run.error(), file + ".trace"));
-    const auto draw = departure == Departure::staleGhosts ? drawingOfThePast : drawing;
-    status = worst(status, write(file + ".svg", draw(*run, describe(departure))));
+    const Beside beside = departure == Departure::staleGhosts ? Beside::freshStart : Beside::laws;
+    status = worst(status, write(file + ".svg", drawing(*run, beside, describe(departure))));
   }
   return status;
 }
