@@ -20,7 +20,7 @@ class TiledReadFile : public testing::Test {
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   std::string file(const std::string& content) const {
-    const std::string path = (folder_ / "file").string();
+    std::string path = (folder_ / "file").string();
     std::ofstream(path, std::ios::binary) << content;
     return path;
   }

@@ -95,7 +95,7 @@ TEST(TiledGeometry, RelationsAreAQuestionOfCommonArea) {
 }
 
 TEST(TiledGeometry, HalvesAreWhatLiesLeftAndRight) {
-  constexpr std::int64_t kStep = 840 * 39;  // so that every cut is on the lattice, and no rounding needed
+  constexpr std::int64_t kStep = 32'760;  // a multiple of 1 to 8: every cut is on the lattice, and nothing is rounded
   const std::vector<Polygon> rings = simpleRings(6, 3, kStep);
   std::size_t most = 0;
   forAllRings(2, 3, kStep, [&](const Polygon& line) {
