@@ -46,6 +46,8 @@ TEST(TiledOutlines, ThatCrossOrTouchThemselvesAreLeftOut) {
            "0,32 32,32 32,0 16,32 0,0",                       // a vertex on the lower edge
            "0,8 0,0 32,0 32,32 16,32 16,0 8,0 8,8",           // an edge along another, the same way
            "0,0 32,32 32,0 0,16",                             // a bow tie
+           "0,0 32,32 32,0 0,32",                             // one whose halves are equal: its area is 0
+           "16,16 32,16 32,32 16,16 16,0 0,16 0,0",           // such a one, from the corner of a triangle
            "0,32 32,32 16,12 0,0 32,0 16,12",                 // an hourglass, half of it turned over
            "16,16 8,8 24,8 16,16 4,0 28,0",                   // a triangle in a triangle, from their common tip
            "16,16 24,8 8,8 16,16 4,0 28,0",                   // the same, as a hole

@@ -28,7 +28,7 @@ TEST(TiledReport, HeadLayersBlocksAndNotes) {
   report.layers = {{"Höhle", true, 1, ""},
                    {"Boden", true, 20, "shifted by 8 px, 0 px against the grid: its polygons reach out of their cells"},
                    {"B", false, 7, "an image"},
-                   {"Welt/Stein", true, 0, ""}};
+                   {"Höhle/Wand", true, 0, ""}};
   report.blocks = {{"", 1, 1}, {"stone, ice", 20, 1'234}, {"Wüste", 70'000, 5}};
   report.notes = {"2 tiles belong to no tileset of the map", "and another"};
   EXPECT_EQ(
@@ -38,7 +38,7 @@ TEST(TiledReport, HeadLayersBlocksAndNotes) {
       "  layer Höhle       1 tile\n"
       "  layer Boden       20 tiles; shifted by 8 px, 0 px against the grid: its polygons reach out of their cells\n"
       "  layer B           passed over: an image\n"
-      "  layer Welt/Stein  0 tiles\n"
+      "  layer Höhle/Wand  0 tiles\n"
       "  block 1    1 polygon\n"
       "  block 20   1234 polygons  stone, ice\n"
       "  block 70000 5 polygons  Wüste\n"

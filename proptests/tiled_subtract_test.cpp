@@ -23,7 +23,7 @@ TEST(TiledSubtract, LeavesWhatIsNotCommon) {
   const std::vector<Polygon> rings = simpleRings(5, 3, kUnitsPerCell / 2);
   std::size_t most = 0, lost = 0;
   for (std::size_t i = 0; i < rings.size(); ++i) {
-    for (std::size_t j = i % 4; j < rings.size(); j += 4) {  // a quarter of all pairs
+    for (std::size_t j = i % 8; j < rings.size(); j += 8) {  // an eighth of all pairs
       const Polygon &a = rings[i], &b = rings[j];
       SCOPED_TRACE(text(a) + " without " + text(b));
       const Difference difference = subtract(a, b, {});
@@ -46,7 +46,7 @@ TEST(TiledSubtract, LeavesWhatIsNotCommon) {
     }
   }
   EXPECT_GE(most, 3U);
-  EXPECT_LE(lost, 9U);  // of 52,442; all with one b, "0,1 1,0 2,0 1,1 2,2", which loses nothing if it begins elsewhere
+  EXPECT_LE(lost, 4U);  // of 26,221; all with one b, "0,1 1,0 2,0 1,1 2,2", which loses nothing if it begins elsewhere
 }
 
 /// A simple counter-clockwise ring of 3 to 7 vertices in a square of side × side units.
@@ -60,7 +60,7 @@ Polygon randomRing(oracle::Random& random, std::int64_t side) {
 
 TEST(TiledSubtract, RoundingNeverMakesAnOverlap) {
   std::size_t cut = 0, none = 0;
-  for (std::uint64_t seed = 0; seed < 30'000; ++seed) {
+  for (std::uint64_t seed = 0; seed < 15'000; ++seed) {
     oracle::Random random(seed);
     const std::int64_t side = 4 + random.below(std::int64_t{24});
     const Polygon a = randomRing(random, side), b = randomRing(random, side), c = randomRing(random, side);
