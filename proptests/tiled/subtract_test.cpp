@@ -1,7 +1,7 @@
 // One polygon taken out of another: exhausted on a tiny lattice far apart, then where everything is a few units wide and
 // rounding is at its worst; and what is given up.
 #include "oracle/check/random.h"
-#include "tiled_lattice.h"
+#include "lattice.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Cells as they fill up: what is told apart, and what is given up where too much meets in one cell.
 #include "lib/tiled/src/placer.h"
-#include "tiled_maps.h"
+#include "maps.h"
 
 #include <lgs/world.h>
 

@@ -1,6 +1,6 @@
 // Files and what stands in them: reading from the disk, numbers and names as the messages quote them, packed tiles.
-#include "tiled_maps.h"
-#include "tiled_packed.h"
+#include "maps.h"
+#include "packed.h"
 
 #include <filesystem>
 #include <fstream>

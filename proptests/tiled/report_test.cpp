@@ -1,5 +1,5 @@
 // The report and the errors as text, compared as a whole: a person reads them in a terminal.
-#include "tiled_maps.h"
+#include "maps.h"
 
 namespace lgs::tiled {
 namespace {

@@ -1,7 +1,7 @@
 // Tile numbers packed as Tiled packs them, to write layers in the tests.
 #pragma once
 
-#include "tiled_maps.h"
+#include "maps.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

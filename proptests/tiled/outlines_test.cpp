@@ -1,7 +1,7 @@
 // Outlines as hands draw them: that touch or cross themselves, go there and back, say a vertex twice; and the shapes that
 // are left out, with the words for it.
 #include "lib/tiled/src/outline.h"
-#include "tiled_maps.h"
+#include "maps.h"
 
 namespace lgs::tiled {
 namespace {

@@ -1,5 +1,5 @@
 // Layers of every kind, where their tiles land, and the limits of what is read.
-#include "tiled_maps.h"
+#include "maps.h"
 
 #include <cmath>
 #include <limits>

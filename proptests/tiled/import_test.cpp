@@ -1,6 +1,6 @@
 // Reading Tiled maps: encodings, layers, flips, objects, blocks, and the project's own map.
-#include "tiled_maps.h"
-#include "tiled_packed.h"
+#include "maps.h"
+#include "packed.h"
 
 #include <cstdint>
 
