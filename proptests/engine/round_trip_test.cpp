@@ -1,5 +1,5 @@
 // Ways there and back: a world through a trace's text, coordinates through floats. (Imported maps:
-// tiled_round_trip_test.cpp.)
+// proptests/tiled/round_trip_test.cpp.)
 #include "oracle/check/generator.h"
 #include "oracle/check/model.h"
 #include "oracle/trace/dump.h"

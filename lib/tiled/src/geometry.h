@@ -28,7 +28,7 @@ struct Box {
 Box boxOf(const Polygon& ring);
 
 /// The ring without repeated and collinear vertices and without spikes, taken apart where it comes back to a vertex.
-/// Loops without area are dropped; the orientation of each is kept.
+/// The orientation of each loop is kept; one whose area is 0 crosses itself.
 std::vector<Polygon> tidyLoops(Polygon ring);
 
 /// Whether no two edges meet, but for neighbours in their common vertex. O(n²).

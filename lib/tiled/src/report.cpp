@@ -10,11 +10,14 @@ std::string counted(std::uint64_t n, const char* one, const char* many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-std::string padded(std::string text, std::size_t width) {
-  // Bytes that continue a UTF-8 character take no column.
-  const auto columns = static_cast<std::size_t>(
+// Bytes that continue a UTF-8 character take no column.
+std::size_t columns(const std::string& text) {
+  return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-  if (columns < width) text.append(width - columns, ' ');
+}
+
+std::string padded(std::string text, std::size_t width) {
+  if (const std::size_t taken = columns(text); taken < width) text.append(width - taken, ' ');
   return text;
 }
 
@@ -33,7 +36,7 @@ void appendHead(const Report& report, std::string& out) {
   out += "  " + counted(report.polygons, "polygon", "polygons") + " (" + std::to_string(report.shapes) +
          " distinct) in " + counted(report.cells, "cell", "cells") + "\n";
   std::size_t width = 0;
-  for (const LayerReport& layer : report.layers) width = std::max(width, layer.path.size());
+  for (const LayerReport& layer : report.layers) width = std::max(width, columns(layer.path));
   for (const LayerReport& layer : report.layers) {
     out += "  layer " + padded(layer.path, width) + "  ";
     if (layer.imported) out += counted(layer.tiles, "tile", "tiles");

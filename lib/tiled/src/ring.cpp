@@ -74,7 +74,7 @@ std::vector<Polygon> tidyLoops(Polygon ring) {
     std::size_t again = 0;  // the first vertex that was there before
     while (again < current.size() && seen.emplace(current[again], again).second) ++again;
     if (again == current.size()) {
-      if (doubleArea(current) != 0) loops.push_back(std::move(current));
+      loops.push_back(std::move(current));
       continue;
     }
     const auto from = current.begin() + static_cast<std::ptrdiff_t>(seen[current[again]]);

@@ -98,9 +98,8 @@ Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& r
   }
   std::replace(source.begin(), source.end(), '\\', '/');
   const auto path = (std::filesystem::path(map.name()).parent_path() / source).lexically_normal();
-  const bool failedBefore = error.has_value();
   const XmlFile file(path.generic_string(), reader, "tileset", error);
-  if (!failedBefore && error && error->line == 0) {  // the file itself: the map is to blame for naming it
+  if (error && error->line == 0) {  // the file itself: the map is to blame for naming it
     std::string what = "the tileset's file " + error->file + " " + error->what;
     error.reset();
     map.fail(node, std::move(what));

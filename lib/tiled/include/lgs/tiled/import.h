@@ -27,8 +27,8 @@
 // OVERLAPS. Polygons of one cell must not overlap, so what is placed first stays and what comes later loses the part
 // that is covered already. First come the polygons in their own cells, layers in the map's order (bottom to top), then
 // the carried parts. Along slanted edges such a cut is rounded: the result may miss what was drawn by a few lattice units
-// (of 65,536 a cell). Where rounding spoils a part altogether, which takes several slanted outlines that cross in one
-// cell, it is left out, and the report says so.
+// (of 65,536 a cell). Where rounding spoils a part altogether, which takes slanted outlines that cross in one cell, it is
+// left out, and the report says so.
 //
 // What comes out is exact and complete: every placement is simple, counter-clockwise, in its cell, disjoint from the
 // others of its cell, and within World's limits per cell. So World::add accepts them all.

@@ -1,5 +1,5 @@
 // Maps that cannot be read: every message names the file and line, says what is wrong, and nothing crashes.
-#include "tiled_maps.h"
+#include "maps.h"
 
 #include <random>
 

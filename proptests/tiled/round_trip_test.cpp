@@ -4,7 +4,7 @@
 #include "oracle/cli/imported.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/player.h"
-#include "tiled_maps.h"
+#include "maps.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What becomes of hand-drawn shapes on their way to the lattice: snapped, cut, carried, freed of overlaps, or left out.
-#include "tiled_maps.h"
+#include "maps.h"
 
 #include <algorithm>
 #include <cmath>

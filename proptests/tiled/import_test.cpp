@@ -1,60 +1,13 @@
 // Reading Tiled maps: encodings, layers, flips, objects, blocks, and the project's own map.
-#include "tiled_maps.h"
+#include "maps.h"
+#include "packed.h"
 
-#include <zlib.h>
-#include <zstd.h>
 #include <cstdint>
 
 namespace lgs::tiled {
 namespace {
 
 const Ring kSquare(kUnitSquare.begin(), kUnitSquare.end());
-
-std::string rawTiles(const std::vector<std::uint32_t>& gids) {
-  std::string bytes;
-  for (std::uint32_t gid : gids) {
-    for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>(gid >> shift & 0xFF));
-  }
-  return bytes;
-}
-
-std::string base64(const std::string& bytes) {
-  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? kDigits[bits >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
-std::string deflated(const std::string& bytes, int windowBits) {
-  z_stream stream{};
-  deflateInit2(&stream, 9, Z_DEFLATED, windowBits, 8, Z_DEFAULT_STRATEGY);
-  std::string packed(deflateBound(&stream, bytes.size()) + 32, '\0');
-  std::string in = bytes;
-  stream.next_in = reinterpret_cast<Bytef*>(in.data());
-  stream.avail_in = static_cast<uInt>(in.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
-  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
-  return packed;
-}
-
-std::string zstdPacked(const std::string& bytes) {
-  std::string packed(ZSTD_compressBound(bytes.size()), '\0');
-  packed.resize(ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), 3));
-  return packed;
-}
-
-std::string dataLayer(const std::string& data) {
-  return tilesetXml({kFullTile}) + "<layer name='L' width='3' height='2'>" + data + "</layer>";
-}
 
 TEST(TiledEncodings, AllGiveTheSameTiles) {
   const std::string raw = rawTiles({1, 0, 1, 0, 1, 0});

@@ -1,0 +1,133 @@
+// Outlines as hands draw them: that touch or cross themselves, go there and back, say a vertex twice; and the shapes that
+// are left out, with the words for it.
+#include "lib/tiled/src/outline.h"
+#include "maps.h"
+
+namespace lgs::tiled {
+namespace {
+
+std::string polygon(const std::string& points) { return "<object id='1'><polygon points='" + points + "'/></object>"; }
+
+/// "kind: text" of the notes of an object alone in its tile; kind as in NoteKind.
+std::vector<std::string> notesOf(const ImportedMap& map) {
+  std::vector<std::string> result;
+  for (const Note& note : map.report.tiles.at(0).notes) {
+    result.push_back(std::to_string(static_cast<int>(note.kind)) + ": " + note.text);
+  }
+  return result;
+}
+
+TEST(TiledOutlines, ThatTouchThemselvesInAVertexFallApart) {
+  struct Case {
+    const char* points;
+    std::vector<Ring> rings;
+  };
+  const Ring lower = px({{0, 0}, {32, 0}, {16, 16}}), upper = px({{0, 32}, {16, 16}, {32, 32}});
+  const std::vector<Case> cases = {
+      {"0,32 32,32 16,16 32,0 0,0 16,16", {lower, upper}},              // an hourglass drawn around
+      {"0,32 16,16 0,0 32,0 16,16 32,32", {lower, upper}},              // clockwise
+      {"16,16 0,32 32,32 16,16 32,0 0,0", {lower, upper}},              // begins in the waist
+      {"0,32 32,32 16,16 16,16 32,0 0,0 16,16", {lower, upper}},        // says it twice in a row
+      {"0,32 32,32 16,16 20,16 16,16 32,0 0,0 16,16", {lower, upper}},  // with a spike there
+  };
+  for (const Case& c : cases) {
+    const auto map = importTile(polygon(c.points));
+    std::vector<Ring> rings = ringsIn(map, {0, -1});
+    std::sort(rings.begin(), rings.end());
+    EXPECT_EQ(rings, c.rings) << c.points;
+    EXPECT_TRUE(notesOf(map).empty()) << c.points;
+  }
+}
+
+TEST(TiledOutlines, ThatCrossOrTouchThemselvesAreLeftOut) {
+  for (const char* points : {
+           "0,32 32,32 32,8 20,8 0,12 20,4 32,0",             // an edge through another
+           "4,4 28,4 28,28 16,4 4,28",                        // a vertex on an edge, from inside
+           "0,32 32,32 32,0 16,32 0,0",                       // a vertex on the lower edge
+           "0,8 0,0 32,0 32,32 16,32 16,0 8,0 8,8",           // an edge along another, the same way
+           "0,0 32,32 32,0 0,16",                             // a bow tie
+           "0,0 32,32 32,0 0,32",                             // one whose halves are equal: its area is 0
+           "16,16 32,16 32,32 16,16 16,0 0,16 0,0",           // such a one, from the corner of a triangle
+           "0,32 32,32 16,12 0,0 32,0 16,12",                 // an hourglass, half of it turned over
+           "16,16 8,8 24,8 16,16 4,0 28,0",                   // a triangle in a triangle, from their common tip
+           "16,16 24,8 8,8 16,16 4,0 28,0",                   // the same, as a hole
+           "16,16 0,0 20,0 16,16 12,0 32,0",                  // two triangles that overlap, from their common tip
+           "16,16 0,0 20,0 16,16 12,0 32,0 16,16 14,0 18,0",  // three
+       }) {
+    const auto map = importTile(polygon(points));
+    EXPECT_TRUE(map.placements.empty()) << points;
+    EXPECT_EQ(notesOf(map), (std::vector<std::string>{"0: its outline crosses or touches itself"})) << points;
+  }
+}
+
+TEST(TiledOutlines, WithoutAreaAreLeftOut) {
+  for (const char* points : {"4,4 28,4 4,4", "4,4 4,4 4,4 4,4", "4,4 16,16 28,28", "4,4 28,4 28,20 28,4",
+                             "0,32 8,31.5 16,32" /* snapped to a line */}) {
+    const auto map = importTile(polygon(points));
+    EXPECT_TRUE(map.placements.empty()) << points;
+    EXPECT_EQ(notesOf(map).at(0), "0: it has no area once it is on the grid") << points;
+  }
+}
+
+TEST(TiledOutlines, OfWhatHasNone) {
+  CollisionObject object;
+  object.kind = CollisionObject::Kind::unsupported;
+  object.size = {32, 32};
+  EXPECT_TRUE(outline(object).empty());
+  object.kind = CollisionObject::Kind::rectangle;
+  EXPECT_EQ(outline(object).size(), 4U);
+}
+
+TEST(TiledOutlines, WhatIsLeftOutAndWhy) {
+  const auto reason = [](const std::string& object) {
+    const auto map = importTile(object);
+    EXPECT_TRUE(map.placements.empty()) << object;
+    const std::vector<std::string> notes = notesOf(map);
+    EXPECT_EQ(notes.size(), 1U) << object;
+    return notes.at(0);
+  };
+  const auto vertices = [](int count) {  // a comb that fills the tile
+    std::string points = "0,32 32,32";
+    for (int k = 0; k < count - 2; ++k) points += " " + std::to_string(30 - k / 64.0) + (k % 2 == 0 ? ",8" : ",0");
+    return polygon(points);
+  };
+  EXPECT_EQ(importTile(vertices(1024)).shapes.at(0).size(), 1024U);
+  EXPECT_EQ(reason(vertices(1025)), "0: the polygon has more than 1024 vertices");
+  EXPECT_EQ(reason(polygon("0,0 9,9")), "0: the polygon has fewer than 3 vertices");
+  EXPECT_EQ(reason("<object id='1'><polyline points='0,0 9,9 9,0'/></object>"),
+            "0: a polyline has no area: draw a polygon instead");
+  EXPECT_EQ(reason("<object id='1'><point/></object>"), "0: a point has no area");
+  EXPECT_EQ(reason("<object id='1' width='9' height='9'><text/></object>"), "0: a text is no shape");
+  EXPECT_EQ(reason("<object id='1' template='a.tx'/>"), "0: it comes from an object template: detach it in Tiled");
+  EXPECT_EQ(reason("<object id='1' gid='4'/>"), "0: it is a tile object: draw a shape instead");
+  const std::string flat = "0: it has no area: its width or height is 0";
+  EXPECT_EQ(reason("<object id='1' width='9'/>"), flat);
+  EXPECT_EQ(reason("<object id='1' height='9'/>"), flat);
+  EXPECT_EQ(reason("<object id='1' width='9' height='-9'><ellipse/></object>"), flat);
+  const std::string far = "0: it reaches more than 64 cells out of its cell";
+  EXPECT_EQ(reason("<object id='1' x='2040' width='8.125' height='9'/>"), far);
+  EXPECT_EQ(reason("<object id='1' y='2070' width='9' height='10.125'/>"), far);  // from the lower edge, y = 32
+  EXPECT_EQ(importTile("<object id='1' x='2040' width='8' height='9'/>").placements.size(), 1U);
+  EXPECT_EQ(importTile("<object id='1' y='2070' width='9' height='10'/>").placements.size(), 1U);
+}
+
+TEST(TiledOutlines, APartThatRoundingPressesTogetherIsLeftOut) {
+  // A pixel is a lattice unit here; the right border of the cell is x = 65536. The edges through it come so close to each
+  // other that the new vertices on the border turn them over.
+  const std::string content =
+      "<map width='1' height='1' tilewidth='65536' tileheight='65536'>"
+      "<tileset firstgid='1' tilewidth='65536' tileheight='65536'><tile id='0'><objectgroup><object id='1' y='65536'>"
+      "<polygon points='65537,-101 65533,-109 65543,-107 65529,-110'/></object></objectgroup></tile></tileset>" +
+      csvLayer(1, 1, "1") + "</map>";
+  Options options;
+  options.tolerance = 0;
+  const auto map = mustImportFiles({{"maps/test.tmx", content}}, options);
+  EXPECT_TRUE(ringsIn(map, {0, -1}).empty());
+  EXPECT_EQ(ringsIn(map, {1, -1}), (std::vector<Ring>{{{0, 102}, {1, 101}, {0, 103}}}));
+  EXPECT_EQ(notesOf(map),
+            (std::vector<std::string>{"0: a part is so thin that it cannot be told from a line",
+                                      "2: reaches up to 7 px out of its cell: carried into the neighbouring cells"}));
+}
+
+}  // namespace
+}  // namespace lgs::tiled
