@@ -21,7 +21,7 @@ using oracle::complain;
 using oracle::Status;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMaxSize = 1'024;  // of an input made here; -max_len of the other drivers
+constexpr std::size_t kMaxSize = 1'024;  // of an input made here
 
 const std::map<std::string, const Target*>& targets() {
   static const std::map<std::string, const Target*> all{

@@ -46,11 +46,12 @@ export LGS_FUZZ_OUT=$out/findings
 
 # one TARGET SEED: one slice, and its line in the table.
 one() {
-  local target=$1 log=$out/logs/$1-$2.log cpu=$out/logs/$1-$2.cpu status=0 options=()
-  [[ -e fuzz/dictionaries/$target.dict ]] && options+=("-dict=fuzz/dictionaries/$target.dict")
+  local target=$1 log=$out/logs/$1-$2.log cpu=$out/logs/$1-$2.cpu status=0 dictionary=fuzz/dictionaries/$1.dict
+  local options=(-max_len=1024)  # 64 records; a text needs more to say as much, and what is cut off its end spoils it
+  [[ ! -e $dictionary ]] || options=(-max_len=4096 "-dict=$dictionary")
   TIMEFORMAT='%U %S'
-  { time nice "$bin/fuzz_$target" -seed="$2" -max_total_time="$slice" -max_len=1024 -timeout=60 -rss_limit_mb=2048 \
-    -reload=1 -print_final_stats=1 -artifact_prefix="$out/findings/$target-" "${options[@]}" \
+  { time nice "$bin/fuzz_$target" -seed="$2" -max_total_time="$slice" -timeout=60 -rss_limit_mb=2048 -reload=1 \
+    -print_final_stats=1 -artifact_prefix="$out/findings/$target-" "${options[@]}" \
     "$out/corpus/$target" >"$log" 2>&1; } 2>"$cpu" || status=$?
   record "$target" "$log" "$cpu" "$status"
   if ((status)) && [[ -s $log ]]; then

@@ -28,11 +28,13 @@ for program in $targets; do
   zip -q -j -r "$OUT/${program}_seed_corpus.zip" "$project/fuzz/corpus/$target"
   {
     echo "[libfuzzer]"
-    echo "max_len = 1024"
     echo "timeout = 20"
     if [ -e "$project/fuzz/dictionaries/$target.dict" ]; then
       cp "$project/fuzz/dictionaries/$target.dict" "$OUT/$program.dict"
       echo "dict = $program.dict"
+      echo "max_len = 4096"  # texts, as in fuzz/run.sh
+    else
+      echo "max_len = 1024"
     fi
   } >"$OUT/$program.options"
   # The runners have no packages installed: shared libraries go along.
