@@ -122,6 +122,33 @@ TEST_F(Box2dHit, BeforeTheSyncARingIsWalkedOnce) {
   EXPECT_EQ(terrain.edges().counts().leftOut, 3U);
 }
 
+// A seam that two blocks keep, two cells high. Where a third covers its upper half, the lower half leads nowhere.
+TEST_F(Box2dHit, BeforeTheSyncALinkMayBeGone) {
+  World world([](Block a, Block b) { return a == 1 && b == 2; });
+  const auto put = [&](Cell cell, Block block) { return *world.add(cell, *world.shape(kUnitSquare), block); };
+  put({0, 0}, 1);
+  put({1, 0}, 2);
+  const PolygonHandle upper[] = {put({0, 1}, 1), put({1, 1}, 2)};
+  world.commit();
+  Terrain terrain(physics, world, {.merge = true});
+  SegmentId lower;
+  for (const SegmentId id : world.segments()) {
+    if (world.segment(id)->start == Point{U, 0} && world.segment(id)->end == Point{U, U}) lower = id;
+  }
+  b2Fixture* const seam = terrain.fixture(lower);
+  ASSERT_NE(seam, nullptr);
+  ASSERT_EQ(terrain.edges().edge(terrain.edges().edgeOf(lower)).end, (Point{U, 2 * U}));
+  EXPECT_EQ(terrain.hit(*seam, {1, 1.5F})->cell, (Cell{0, 1}));
+  for (const PolygonHandle handle : upper) ASSERT_TRUE(world.remove(handle));
+  put({0, 1}, 3);
+  put({1, 1}, 3);
+  const Changes changes = world.commit();
+  ASSERT_FALSE(world.segment(lower)->successor);
+  EXPECT_FALSE(terrain.hit(*seam, {1, 0.5F}));
+  terrain.sync(changes);
+  EXPECT_EQ(terrain.hit(*terrain.fixture(lower), {1, 0.5F})->segment, lower);
+}
+
 TEST_F(Box2dHit, OfNothingThereIsNoFixture) {
   const Terrain terrain(physics, field.world);
   EXPECT_EQ(terrain.fixture(EdgeId{}), nullptr);
