@@ -40,10 +40,7 @@ std::multiset<Placed> fixturesOf(const b2World& physics) {
 
 class Run {
  public:
-  explicit Run(const oracle::Trace& trace) : player_(trace.preserve) {
-    options_.cellSize = kCellSize;
-    options_.chunkCells = static_cast<std::int32_t>(1 + editCount(trace) % 5);
-    options_.merge = editCount(trace) % 3 == 0;
+  Run(const oracle::Trace& trace, TerrainOptions options) : player_(trace.preserve), options_(std::move(options)) {
     terrain_.emplace(physics_, player_.world(), options_);
   }
 
@@ -113,8 +110,8 @@ class Run {
   std::optional<Terrain> terrain_;
 };
 
-std::optional<Finding> checkTrace(const oracle::Trace& trace, oracle::CheckStats& stats) {
-  Run run(trace);
+std::optional<Finding> checkWith(TerrainOptions options, const oracle::Trace& trace, oracle::CheckStats& stats) {
+  Run run(trace, std::move(options));
   const auto judge = [&](std::size_t edits) -> std::optional<Finding> {
     ++stats.commits;
     std::string text = run.commit();
@@ -136,6 +133,11 @@ std::optional<Finding> checkTrace(const oracle::Trace& trace, oracle::CheckStats
     }
   }
   return judge(trace.edits.size());
+}
+
+std::optional<Finding> checkTrace(const oracle::Trace& trace, oracle::CheckStats& stats) {
+  auto finding = checkWith({.cellSize = kCellSize, .chunkCells = 1}, trace, stats);
+  return finding ? finding : checkWith({.cellSize = kCellSize, .chunkCells = 3, .merge = true}, trace, stats);
 }
 
 std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) { return checkTrace(decode(input), stats); }

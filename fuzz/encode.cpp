@@ -16,7 +16,7 @@ class Encoder {
   Encoder() { bytes_.assign(kRecord, 0); }  // the header: no preserve pairs
 
   Fault run(const Trace& trace) {
-    if (editCount(trace) > kMaxEdits) return fmt::format("more than {} edits", kMaxEdits);
+    if (editCount(trace) >= kMaxEdits) return fmt::format("{} edits or more", kMaxEdits);
     for (const auto& [a, b] : trace.preserve.pairs()) {
       begin(Action::preserve);
       append(4, a, 4);

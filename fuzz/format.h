@@ -9,8 +9,9 @@
 //   record   0 low four bits: what; bits 4, 5: no commit follows if both are 0; bits 6, 7: block 1 to 4
 //            1 cell of the window   2 shape, vertices, which one   3 symmetry, blocks, grid   4 … 15 six vertices, x y
 //
-// Records of cells and coordinates at full width hold whatever such short ones can not: every trace of up to kMaxEdits
-// edits has an input (encode), so traces of other origin can be seeds.
+// Records of cells and coordinates at full width hold what such short ones can not: a trace of fewer than kMaxEdits edits,
+// whose polygons have at most kMaxVertices vertices and lie near their cells, has an input (encode), so traces of other
+// origin can be seeds.
 #pragma once
 
 #include "oracle/trace/trace.h"

@@ -82,8 +82,15 @@ TEST(FuzzFormat, SaysWhatItCanNotHold) {
   EXPECT_EQ(encode(trace).error(), "'far' has a vertex more than 8 cells away from its cell");
   trace.edits[0].polygon.vertices.assign(kMaxVertices + 1, {0, 0});
   EXPECT_EQ(encode(trace).error(), "'far' has more than 512 vertices");
-  trace.edits.assign(kMaxEdits + 1, Edit::remove("p"));
-  EXPECT_EQ(encode(trace).error(), "more than 2048 edits");
+  trace.edits.assign(kMaxEdits, Edit::remove("p"));
+  EXPECT_EQ(encode(trace).error(), "2048 edits or more");
+  trace.edits.pop_back();
+  trace.edits.push_back(Edit::commit());
+  const auto most = encode(trace);
+  ASSERT_TRUE(most) << most.error();
+  const Trace back = decode(*most);
+  EXPECT_EQ(editCount(back), kMaxEdits - 1);
+  EXPECT_EQ(back.edits.back().kind, Edit::Kind::commit);
 }
 
 TEST(FuzzFormat, AnyBytesDecode) {

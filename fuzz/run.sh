@@ -11,7 +11,7 @@
 #   --out DIR      corpus, findings, logs; default out/fuzz. To begin anew, delete it
 #   --build DIR    programs that are built already; default: builds the preset `fuzz`
 #
-# Exit status: 0 no finding, 1 findings, 2 bad usage. More: fuzz/README.md
+# Exit status: 0 no finding, 1 findings or a target that failed, 2 bad usage. More: fuzz/README.md
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -53,12 +53,18 @@ one() {
   { time nice "$bin/fuzz_$target" -seed="$2" -max_total_time="$slice" -timeout=60 -rss_limit_mb=2048 -reload=1 \
     -print_final_stats=1 -artifact_prefix="$out/findings/$target-" "${options[@]}" \
     "$out/corpus/$target" >"$log" 2>&1; } 2>"$cpu" || status=$?
-  record "$target" "$log" "$cpu" "$status"
-  if ((status)) && [[ -s $log ]]; then
+  if ((status != 0 && status != 72)); then  # 72: interrupted
     local input
     input=$(sed -n 's/.*Test unit written to //p' "$log" | tail -n 1)
-    [[ -z $input ]] || "$bin/lgs_fuzz" report "$target" "$input" --out "$out/findings" >"$input.txt" 2>&1 || true
+    if [[ -n $input ]]; then
+      "$bin/lgs_fuzz" report "$target" "$input" --out "$out/findings" >"$input.txt" 2>&1 || true
+    else
+      { printf '\nrun.sh: %s failed (status %s) and is left out; the end of %s:\n' "$target" "$status" "$log"
+        tail -n 5 "$log"; } >&2
+      status=failed
+    fi
   fi
+  record "$target" "$log" "$cpu" "$status"
 }
 
 record() {
@@ -73,11 +79,16 @@ record() {
 
 spent() { awk -F'\t' '{ s += $2 } END { printf "%d", s }' "$table"; }
 
-# The target with the least CPU time; those that run now count as if they had their slice.
+# Those that failed since this run began.
+failed() { awk -F'\t' -v begin="$begin" 'NR > begin && $6 == "failed" { print $1 }' "$table" | sort -u | xargs; }
+
+# The target with the least CPU time, none if all failed. Those that run now count as if they had their slice, and a slice
+# that ends at once with a finding as if it had a tenth of it, so that the others have their turn.
 next() {
   { cat "$table"; for target in "${targets[@]}" "${running[@]}"; do printf '%s\t%s\n' "$target" 0; done
     for target in "${running[@]}"; do printf '%s\t%s\n' "$target" "$slice"; done; } |
-    awk -F'\t' -v wanted=" ${targets[*]} " 'index(wanted, " " $1 " ") { s[$1] += $2 }
+    awk -F'\t' -v wanted=" ${targets[*]} " -v failed=" $(failed) " -v least="$((slice / 10))" '
+      index(wanted, " " $1 " ") && !index(failed, " " $1 " ") { s[$1] += $6 == "" || $2 > least ? $2 : least }
       END { for (t in s) if (best == "" || s[t] < s[best] || (s[t] == s[best] && t < best)) best = t; print best }'
 }
 
@@ -102,17 +113,23 @@ summary() {
       END { printf "%-10s %8.1f %12d %12d %10d %8d\n", t, cpu / 60, runs, first, last, n }' "$table"
   done
   echo "findings   $(findings), in $out/findings"
+  [[ -z $(failed) ]] || echo "failed     $(failed): see $out/logs"
 }
+
+# The exit status.
+verdict() { (($(findings) == 0)) && [[ -z $(failed) ]]; }
 
 declare -A slot=()  # process: target
 running=()
-seed=$(($(wc -l <"$table") + 1))
+begin=$(wc -l <"$table")
+seed=$((begin + 1))
 stop() {
   trap - INT TERM
   for process in "${!slot[@]}"; do kill -INT -- "-$process" 2>/dev/null || true; done
   wait
   summary
-  exit "$(($(findings) > 0))"
+  verdict
+  exit
 }
 trap stop INT TERM
 
@@ -125,6 +142,7 @@ while :; do
   running=("${slot[@]}")
   while ((${#slot[@]} < jobs && $(spent) + ${#slot[@]} * slice < limit)); do
     target=$(next)
+    [[ -n $target ]] || break
     one "$target" "$seed" &
     slot[$!]=$target
     running+=("$target")
@@ -136,4 +154,4 @@ while :; do
 done
 set +m
 summary
-exit "$(($(findings) > 0))"
+verdict

@@ -28,7 +28,7 @@ for program in $targets; do
   zip -q -j -r "$OUT/${program}_seed_corpus.zip" "$project/fuzz/corpus/$target"
   {
     echo "[libfuzzer]"
-    echo "timeout = 20"
+    echo "timeout = 60"
     if [ -e "$project/fuzz/dictionaries/$target.dict" ]; then
       cp "$project/fuzz/dictionaries/$target.dict" "$OUT/$program.dict"
       echo "dict = $program.dict"

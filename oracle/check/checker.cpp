@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <functional>
 
 namespace lgs::oracle {
 namespace {
@@ -230,7 +231,10 @@ class Check {
         return mismatch(Mismatch::Kind::history, "added in another order, a polygon is refused: " + done.error().text);
       }
     }
-    fresh.commit();
+    // Built in the jobs that several threads would share, the last one first: their order must not matter either.
+    fresh.world().commit([](std::size_t jobs, const std::function<void(std::size_t)>& run) {
+      while (jobs-- > 0) run(jobs);
+    });
     return compareOutlines(Mismatch::Kind::history, player_.scene(), outlineOf(fresh.world()),
                            outlineOf(player_.world()));
   }

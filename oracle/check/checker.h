@@ -6,7 +6,8 @@
 //  - each commit: the change list is exact (mirror.h); the outline equals that of the naive reference and, where the
 //    preserve relation is a partition, that of CGAL's union; without a preserve relation the canonical loops are equal
 //    too; the polygons of the edited cells read as they were placed;
-//  - the end: a fresh world with the same polygons, added in another order and committed once, has the same outline.
+//  - the end: a fresh world with the same polygons, added in another order and committed once, by an executor, has the same
+//    outline.
 #pragma once
 
 #include "oracle/reference/outline.h"
