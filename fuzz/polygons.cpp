@@ -137,7 +137,7 @@ class Run {
     }
   }
 
-  // A rectangle with one cell that refuses: all or nothing, and the cell named is the first by rows.
+  // A rectangle with one cell that refuses: all or nothing.
   void fillAround(const Edit& edit) {
     const Cell cell = edit.polygon.cell;
     const auto shape = bulk_.shape(std::span<const LocalPoint>(edit.polygon.vertices));

@@ -1,4 +1,4 @@
-# Sourced by verify.sh and test.sh: steps with a time each, a log for what is long, and a progress line on a terminal.
+# Sourced by verify.sh, test.sh and others: steps with a time each, a log for what is long, and a progress line on a terminal.
 # shellcheck shell=bash
 # Before sourcing: cd to the project's root. Afterwards: $logs, a folder for the logs of this run.
 

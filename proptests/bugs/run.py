@@ -87,7 +87,8 @@ def state_of(files: list[str]) -> str:
     """Of all that can change a result: the code, its tests, and how they are built."""
     digest = hashlib.sha256()
     for file in sorted(files):
-        if file.startswith(("lib/", "oracle/", "proptests/", "cmake/")) and not file.startswith("proptests/bugs/"):
+        code = file == "CMakeLists.txt" or file.startswith(("lib/", "oracle/", "proptests/", "cmake/"))
+        if code and not file.startswith("proptests/bugs/"):
             digest.update(file.encode() + (ROOT / file).read_bytes())
     return digest.hexdigest()
 
@@ -251,9 +252,11 @@ def table(laws: dict[str, Law], bugs: list[Bug], results: dict[Bug, dict], comma
     lines = ["# Planted bugs", "",
              "Each is planted in `lib/` by itself; then the engine's tests are built and run until one fails: those of "
              "the law that it breaks first, then all others. Made by:", "", f"    {command}", "",
-             f"{len(found)} of {len(bugs)} are found, {by_law} of them by a test of their law. *Case*: the how-many-th "
-             "random case it was; *edits*: how many the case was shrunk to. Tests that go through all there is, or "
-             "through examples, have neither.", ""]
+             f"{len(found)} of {len(bugs)} are found, {by_law} of them by a test of their law.", "",
+             "*Case*: the number of the random case that showed it, within RapidCheck's round (of 20 cases in most tests, "
+             "80 in `References`; it makes up to 100 rounds). *Edits*: how many are left of that case when it is shrunk. "
+             "More than four are left where the bug needs them: two chunks, a crowded row, or a history. Tests that go "
+             "through all there is, or through examples, have neither number.", ""]
     for group, law in laws.items():
         lines += [f"## {law.title}", "", "| bug | in | found by | case | edits |", "|---|---|---|---:|---:|"]
         for bug in bugs:

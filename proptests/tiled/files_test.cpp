@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 namespace lgs::tiled {
 namespace {
@@ -14,7 +15,7 @@ class TiledReadFile : public testing::Test {
   void SetUp() override {
     folder_ = std::filesystem::temp_directory_path() /
               ("lgs_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) +
-               std::to_string(testing::UnitTest::GetInstance()->start_timestamp()));
+               std::to_string(std::random_device()()));
     std::filesystem::create_directories(folder_);
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
@@ -45,7 +46,7 @@ TEST_F(TiledReadFile, GivesTheContentByteForByte) {
 
 TEST_F(TiledReadFile, OrSaysWhyNot) {
   EXPECT_EQ(whyNot(folder()), "it is a folder");
-  EXPECT_EQ(whyNot(folder() + "/none"), "there is no such file, or it must not be read");
+  EXPECT_EQ(whyNot(folder() + "/none"), "there is no such file, or no permission to read it");
   EXPECT_EQ(message(importMap(folder()).error()), folder() + ": cannot be read: it is a folder");
 }
 

@@ -1,6 +1,6 @@
 // The importer's plane geometry by itself, exhausted on tiny lattices against slow rules.
-#include "lib/tiled/src/grid.h"
 #include "lattice.h"
+#include "lib/tiled/src/grid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Imported map → trace → the same world: random maps of shapes that touch, overlap, and reach out of their tiles, and the
 // project's own map.
+#include "maps.h"
 #include "oracle/check/random.h"
 #include "oracle/cli/imported.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/player.h"
-#include "maps.h"
 
 #include <gtest/gtest.h>
 

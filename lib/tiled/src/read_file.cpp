@@ -11,7 +11,7 @@ tl::expected<std::string, std::string> readFile(const std::string& path) {
   if (std::filesystem::is_directory(path, ignored)) return tl::unexpected<std::string>("it is a folder");
   std::ifstream in(path, std::ios::binary | std::ios::ate);
   const std::streamoff size = in ? static_cast<std::streamoff>(in.tellg()) : -1;
-  if (size < 0) return tl::unexpected<std::string>("there is no such file, or it must not be read");
+  if (size < 0) return tl::unexpected<std::string>("there is no such file, or no permission to read it");
   if (size > kMost) return tl::unexpected<std::string>("it is larger than 1 GiB");
   in.seekg(0);
   std::string text(static_cast<std::size_t>(size), '\0');

@@ -44,8 +44,11 @@ void appendHead(const Report& report, std::string& out) {
     if (layer.imported && !layer.note.empty()) out += "; ";
     out += layer.note + "\n";
   }
+  width = 0;
+  for (const BlockReport& block : report.blocks) width = std::max(width, std::to_string(block.block).size());
   for (const BlockReport& block : report.blocks) {
-    out += "  block " + padded(std::to_string(block.block), 4) + " " + counted(block.polygons, "polygon", "polygons");
+    out +=
+        "  block " + padded(std::to_string(block.block), width) + "  " + counted(block.polygons, "polygon", "polygons");
     out += (block.name.empty() ? "" : "  " + block.name) + "\n";
   }
   for (const std::string& note : report.notes) out += "  note: " + note + "\n";

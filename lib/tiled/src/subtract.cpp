@@ -15,7 +15,8 @@ constexpr std::int64_t kSliver = 8 * std::int64_t{kUnitsPerCell};
 
 class Subtraction {
  public:
-  Subtraction(const Polygon& b, Obstacles obstacles) : b_(b), waiting_(obstacles.begin(), obstacles.end()) {}
+  Subtraction(const Polygon& b, Obstacles obstacles, std::int64_t& budget)
+      : b_(b), waiting_(obstacles.begin(), obstacles.end()), budget_(budget) {}
 
   /// Cuts along the edges from `edge` on; each is used once on the way to a part, so the depth is at most b's size.
   void run(const Polygon& a, std::size_t edge) {
@@ -80,15 +81,26 @@ class Subtraction {
   const Polygon& b_;
   std::vector<Polygon> waiting_;  // obstacles, and parts still to be worked on
   Difference result_;
-  std::int64_t budget_ = kBudget;
+  std::int64_t& budget_;
 };
 
 }  // namespace
 
 Difference subtract(const Polygon& a, const Polygon& b, Obstacles obstacles) {
-  Subtraction subtraction(b, obstacles);
-  subtraction.run(a, 0);
-  return subtraction.take();
+  std::int64_t budget = kBudget;
+  const auto differenceBy = [&](const Polygon& ring) {
+    Subtraction subtraction(ring, obstacles, budget);
+    subtraction.run(a, 0);
+    return subtraction.take();
+  };
+  Difference difference = differenceBy(b);
+  // Where rounding spoils a part hangs on the order of the cuts: b may begin at any of its vertices.
+  Polygon turned = b;
+  for (std::size_t k = 1; k < b.size() && difference.lost && budget >= 0; ++k) {
+    std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+    if (Difference other = differenceBy(turned); !other.lost) difference = std::move(other);
+  }
+  return difference;
 }
 
 }  // namespace lgs::tiled
