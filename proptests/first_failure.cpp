@@ -82,7 +82,7 @@ std::optional<Failure> firstFailure(const Cases& cases) {
   const bool again = stillFails(trace);
   const Trace small = again ? oracle::shrink(trace, stillFails, std::chrono::seconds(20)) : trace;
   const std::string why = again ? complaintOf(cases, small, number, true).value_or("not again")
-                                : "fails once, but this trace does not by itself: " +
+                                : "fails in its turn, but not by itself: " +
                                       (crash ? "the engine " + *crash : std::string(verdict->text.data()));
   // For whoever reads the report of a test run: proptests/bugs/run.py does.
   testing::Test::RecordProperty("cases", std::to_string(number + 1));

@@ -27,7 +27,7 @@ struct Failure {
   std::string text;     ///< what is wrong, the trace, and the files that it and its picture were saved to
 };
 
-/// The first case that fails, if any does.
+/// The first case that fails, if any does. One that fails only after those before it is saved as it is, and says so.
 std::optional<Failure> firstFailure(const Cases& cases);
 
 /// The command that runs the current test again; for tests of fixed seeds, as RapidCheck says its own.
