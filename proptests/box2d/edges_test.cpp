@@ -1,9 +1,7 @@
 // The core of the Box2D adapters: rules 1 to 3 of <lgs/box2d/edges.h>, and that edits change nothing but what changed.
-#include "oracle/check/generator.h"
 #include "oracle/check/isolated.h"
 #include "oracle/check/random.h"
 #include "oracle/trace/player.h"
-#include "proptests/first_failure.h"
 
 #include "edge_copy.h"
 #include "naive_edges.h"
@@ -92,14 +90,10 @@ TEST(Box2dEdges, UpdatesEqualTheRulesAndChangesAreExact) {
       seen->leftOut += set.counts().leftOut;
     };
     const auto problem = box2d_test::firstProblem(trace, player, update);
-    return problem ? std::optional(fmt::format("seed {}, {}: {}", seed, inWords(options), *problem)) : std::nullopt;
+    return problem ? std::optional(fmt::format("{}: {}", inWords(options), *problem)) : std::nullopt;
   };
-  const auto failure = test::firstFailure(
-      {.name = "box2d-edges",
-       .count = 300,
-       .trace = [](std::uint64_t k) { return oracle::randomCase({.width = 5, .height = 4, .edits = 60}, k + 1); },
-       .complaint = [&](const oracle::Trace& trace, std::uint64_t k) { return complaint(trace, k + 1); }});
-  if (failure) FAIL() << failure->text << "\nagain      " << test::again("lgs_box2d_tests");
+  box2d_test::forSeeds("box2d-edges", 300, complaint);
+  if (HasFailure()) return;
   // The cases are of use only if they get there.
   EXPECT_GT(seen->merged, 1'000U);
   EXPECT_GT(seen->welded, 1'000U);
@@ -107,22 +101,22 @@ TEST(Box2dEdges, UpdatesEqualTheRulesAndChangesAreExact) {
 }
 
 TEST(Box2dEdges, WithoutMergingEverySegmentIsAnEdge) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    const oracle::Trace trace = oracle::randomCase({.width = 4, .height = 4, .edits = 60}, seed);
+  box2d_test::forSeeds("box2d-single", 60, [](const oracle::Trace& trace, std::uint64_t) {
     Player player(trace.preserve);
-    for (const oracle::Edit& edit : trace.edits) (void)player.apply(edit);
-    player.commit();
-    EdgeSet set({});
-    set.load(player.world());
-    ASSERT_EQ(set.counts().single, player.world().segments().size());
-    for (const SegmentId id : player.world().segments()) {
-      const Segment s = *player.world().segment(id);
-      const Edge& e = set.edge(set.edgeOf(id));
-      EXPECT_EQ(std::pair(e.start, e.end), std::pair(s.start, s.end));
-      EXPECT_EQ(e.ghost1, s.predecessor ? std::optional(s.ghost1) : std::nullopt);
-      EXPECT_EQ(e.ghost2, s.successor ? std::optional(s.ghost2) : std::nullopt);
-    }
-  }
+    return box2d_test::firstProblem(trace, player, [&] {
+      player.commit();
+      EdgeSet set({});
+      set.load(player.world());
+      ASSERT_EQ(set.counts().single, player.world().segments().size());
+      for (const SegmentId id : player.world().segments()) {
+        const Segment s = *player.world().segment(id);
+        const Edge& e = set.edge(set.edgeOf(id));
+        EXPECT_EQ(std::pair(e.start, e.end), std::pair(s.start, s.end));
+        EXPECT_EQ(e.ghost1, s.predecessor ? std::optional(s.ghost1) : std::nullopt);
+        EXPECT_EQ(e.ghost2, s.successor ? std::optional(s.ghost2) : std::nullopt);
+      }
+    });
+  });
 }
 
 // loops() keeps vertices where chains touch, be it on a straight line; an edge goes through there.
@@ -136,35 +130,35 @@ std::vector<Point> cornersOf(const std::vector<Point>& loop) {
 }
 
 TEST(Box2dEdges, MergedInOneChunkTheyAreTheMergedLoops) {
-  std::size_t compared = 0;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    SCOPED_TRACE(seed);
-    const oracle::Trace trace = oracle::randomCase({.width = 4, .height = 4, .edits = 60}, seed);
-    if (!trace.preserve.empty()) continue;  // there are no loops then
-    Player player(trace.preserve);
-    for (const oracle::Edit& edit : trace.edits) {
-      oracle::Edit near = edit;  // cases may lie anywhere; here all is to be in one chunk
-      near.polygon.cell = {near.polygon.cell.i & 1023, near.polygon.cell.j & 1023};
-      (void)player.apply(near);
+  const oracle::Shared<std::size_t> compared;
+  box2d_test::forSeeds("box2d-merged", 60, [&](oracle::Trace trace, std::uint64_t) -> std::optional<std::string> {
+    if (!trace.preserve.empty()) return std::nullopt;  // there are no loops then
+    for (oracle::Edit& edit : trace.edits) {           // cases may lie anywhere; here all is to be in one chunk
+      Cell& cell = edit.polygon.cell;
+      cell = {cell.i & 1023, cell.j & 1023};
     }
-    player.commit();
-    EdgeSet set({.chunkCells = 4'096, .merge = true});
-    set.load(player.world());
-    std::vector<std::pair<Point, Point>> expected;
-    for (const Loop& loop : player.world().loops(Collinear::merge)) {
-      const std::vector<Point> corners = cornersOf(loop.vertices);
-      for (std::size_t k = 0; k < corners.size(); ++k) {
-        expected.emplace_back(corners[k], corners[(k + 1) % corners.size()]);
+    Player player({});
+    return box2d_test::firstProblem(trace, player, [&] {
+      player.commit();
+      EdgeSet set({.chunkCells = 4'096, .merge = true});
+      set.load(player.world());
+      std::vector<std::pair<Point, Point>> expected;
+      for (const Loop& loop : player.world().loops(Collinear::merge)) {
+        const std::vector<Point> corners = cornersOf(loop.vertices);
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+          expected.emplace_back(corners[k], corners[(k + 1) % corners.size()]);
+        }
       }
-    }
-    std::vector<std::pair<Point, Point>> actual;
-    for (const EdgeId id : set.edges()) actual.emplace_back(set.edge(id).start, set.edge(id).end);
-    std::sort(expected.begin(), expected.end());
-    std::sort(actual.begin(), actual.end());
-    EXPECT_EQ(actual, expected);
-    compared += expected.size();
-  }
-  EXPECT_GT(compared, 2'000U);
+      std::vector<std::pair<Point, Point>> actual;
+      for (const EdgeId id : set.edges()) actual.emplace_back(set.edge(id).start, set.edge(id).end);
+      std::sort(expected.begin(), expected.end());
+      std::sort(actual.begin(), actual.end());
+      EXPECT_EQ(actual, expected);
+      *compared += expected.size();
+    });
+  });
+  if (HasFailure()) return;
+  EXPECT_GT(*compared, 70'000U);
 }
 
 TEST(Box2dEdges, AnIdThatNeverWasHasNoEdge) {

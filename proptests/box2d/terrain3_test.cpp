@@ -1,5 +1,4 @@
 // The terrain in Box2D 3; built where that is the Box2D that was found.
-#include "oracle/check/generator.h"
 #include "oracle/trace/player.h"
 #include "proptests/first_failure.h"
 
@@ -100,14 +99,9 @@ TEST_F(Box2d3Terrain, ShapesFollowRandomEdits) {
     }
     if (!problem) problem = test::failedExpectation([&] { EXPECT_EQ(b2World_GetCounters(physics).bodyCount, 0); });
     if (!problem) return std::nullopt;
-    return fmt::format("seed {}, chunks of {} cells, merge {}: {}", seed, options.chunkCells, options.merge, *problem);
+    return fmt::format("chunks of {} cells, merge {}: {}", options.chunkCells, options.merge, *problem);
   };
-  const auto failure = test::firstFailure(
-      {.name = "box2d-terrain",
-       .count = 40,
-       .trace = [](std::uint64_t k) { return oracle::randomCase({.width = 5, .height = 4, .edits = 60}, k + 1); },
-       .complaint = [&](const oracle::Trace& trace, std::uint64_t k) { return complaint(trace, k + 1); }});
-  if (failure) FAIL() << failure->text << "\nagain      " << test::again("lgs_box2d_tests");
+  forSeeds("box2d-terrain", 40, complaint);
 }
 
 TEST_F(Box2d3Terrain, ARestingBodyFallsWhenItsCellIsDugAway) {

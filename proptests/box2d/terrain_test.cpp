@@ -1,6 +1,5 @@
 // The terrain in a live Box2D world: fixtures follow the world's segments through every edit, bodies notice, and a
 // fixture knows what it stands for.
-#include "oracle/check/generator.h"
 #include "oracle/check/random.h"
 #include "oracle/trace/player.h"
 #include "proptests/first_failure.h"
@@ -86,15 +85,10 @@ TEST_F(Box2dTerrain, FixturesFollowRandomEdits) {
     }
     if (!problem) problem = test::failedExpectation([&] { EXPECT_EQ(empty.GetBodyCount(), 0); });
     if (!problem) return std::nullopt;
-    return fmt::format("seed {}, cells of {} m, chunks of {} cells, merge {}: {}", seed, options.cellSize,
-                       options.chunkCells, options.merge, *problem);
+    return fmt::format("cells of {} m, chunks of {} cells, merge {}: {}", options.cellSize, options.chunkCells,
+                       options.merge, *problem);
   };
-  const auto failure = test::firstFailure(
-      {.name = "box2d-terrain",
-       .count = 40,
-       .trace = [](std::uint64_t k) { return oracle::randomCase({.width = 5, .height = 4, .edits = 60}, k + 1); },
-       .complaint = [&](const oracle::Trace& trace, std::uint64_t k) { return complaint(trace, k + 1); }});
-  if (failure) FAIL() << failure->text << "\nagain      " << test::again("lgs_box2d_tests");
+  forSeeds("box2d-terrain", 40, complaint);
 }
 
 TEST_F(Box2dTerrain, ARestingBodyFallsWhenItsCellIsDugAway) {
