@@ -2,8 +2,9 @@
 //
 // An input is a header and records, 16 bytes each; what is short is filled up with zeros, so any bytes are some edits. A
 // record makes one edit, or a few that belong together (a shape's polygons, a rectangle). It says where and what by
-// itself, so a flipped byte changes that edit and leaves the others as they are. Polygons are named by the number of their
-// record: p7, or p7.2 if it places several.
+// itself, so a flipped byte changes that edit and leaves the others as they are, except that later removes in its cells
+// may take other polygons (and that another action may take, or leave, the vertices kept for the next polygon). Polygons
+// are named by the number of their record: p7, or p7.2 if it places several.
 //
 //   header   0 preserve pairs, used if byte 2 is 3 modulo 4   3 the window of cells   4 where in the world it lies
 //   record   0 low four bits: what; bits 4, 5: no commit follows if both are 0; bits 6, 7: block 1 to 4

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <map>
+#include <set>
 
 namespace lgs::fuzz {
 namespace {
@@ -30,16 +31,17 @@ Trace renamed(Trace trace) {
   return trace;
 }
 
-std::size_t recordOf(const Edit& edit) { return std::stoul(edit.name.substr(1)); }
-
 TEST(FuzzFormat, HoldsRandomTraces) {
   constexpr std::uint64_t kCases = 200;
+  std::size_t encoded = 0;
   for (std::uint64_t seed = 1; seed <= kCases; ++seed) {
     const Trace trace = oracle::randomCase({.edits = 60}, seed);
     const auto bytes = encode(trace);
     if (!bytes) continue;  // a polygon far outside its cell, tried in order to be refused
+    ++encoded;
     EXPECT_EQ(renamed(decode(*bytes)), renamed(trace)) << "seed " << seed;
   }
+  EXPECT_GT(encoded, kCases * 9 / 10);
 }
 
 TEST(FuzzFormat, WhatIsDecodedCanBeEncoded) {
@@ -55,25 +57,56 @@ TEST(FuzzFormat, WhatIsDecodedCanBeEncoded) {
   EXPECT_GT(encoded, 100U);
 }
 
+// What a record makes: the edits that the bytes up to its end have more than those up to its beginning.
+std::pair<std::size_t, std::size_t> editsOf(const std::vector<std::uint8_t>& bytes, std::size_t record) {
+  const auto before = [&](std::size_t n) { return decode(Bytes(bytes).first(n * kRecord)).edits.size(); };
+  return {before(record), before(record + 1)};
+}
+
+// Adds and commits of all other records, and removes in cells where the record did nothing: in those where it did,
+// another polygon may be the one that is taken.
 TEST(FuzzFormat, AFlippedByteChangesOneEdit) {
   Random random(2);
-  for (int round = 0; round < 500; ++round) {
-    std::vector<std::uint8_t> bytes = randomBytes(random, 320);
-    const Trace before = decode(bytes);
+  std::size_t removes = 0;
+  for (int round = 0; round < 5'000; ++round) {
+    const std::vector<std::uint8_t> bytes = randomBytes(random, 320);
     const std::size_t at = kRecord + random.below(bytes.size() - kRecord);
+    const std::size_t record = at / kRecord;
     if (at % kRecord == 0) continue;  // another action may take, or leave, the vertices kept for the next polygon
-    if (static_cast<Action>(bytes[at / kRecord * kRecord] % 16) == Action::vertices) continue;
-    bytes[at] = static_cast<std::uint8_t>(bytes[at] ^ (1U << random.below(8U)));
-    const Trace after = decode(bytes);
-    const auto othersAdds = [&](const Trace& trace) {
-      std::map<std::string, oracle::ScenePolygon> adds;
-      for (const Edit& edit : trace.edits) {
-        if (edit.kind == Edit::Kind::add && recordOf(edit) != at / kRecord) adds[edit.name] = edit.polygon;
+    if (static_cast<Action>(bytes[record * kRecord] % 16) == Action::vertices) continue;
+    const std::vector<std::uint8_t> flipped = [&] {
+      auto other = bytes;
+      other[at] = static_cast<std::uint8_t>(other[at] ^ (1U << random.below(8U)));
+      return other;
+    }();
+
+    std::map<std::string, Cell> cellOf;
+    std::set<Cell> touched;
+    for (const auto* input : {&bytes, &flipped}) {
+      const Trace trace = decode(*input);
+      const auto [first, last] = editsOf(*input, record);
+      for (const Edit& edit : trace.edits)
+        if (edit.kind == Edit::Kind::add) cellOf[edit.name] = edit.polygon.cell;
+      for (std::size_t k = first; k < last; ++k)
+        if (cellOf.contains(trace.edits[k].name)) touched.insert(cellOf[trace.edits[k].name]);
+    }
+    const auto others = [&](const std::vector<std::uint8_t>& input) {
+      const Trace trace = decode(input);
+      const auto [first, last] = editsOf(input, record);
+      std::vector<Edit> edits;
+      for (std::size_t k = 0; k < trace.edits.size(); ++k) {
+        const Edit& edit = trace.edits[k];
+        if (k >= first && k < last) continue;
+        if (edit.kind == Edit::Kind::remove && cellOf.contains(edit.name) && touched.contains(cellOf[edit.name]))
+          continue;
+        removes += edit.kind == Edit::Kind::remove ? 1 : 0;
+        edits.push_back(edit);
       }
-      return adds;
+      return edits;
     };
-    EXPECT_EQ(othersAdds(before), othersAdds(after)) << "round " << round << ", byte " << at;
+    EXPECT_EQ(others(bytes), others(flipped)) << "round " << round << ", byte " << at;
   }
+  EXPECT_GT(removes, 30'000U);
 }
 
 TEST(FuzzFormat, SaysWhatItCanNotHold) {

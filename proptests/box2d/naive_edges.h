@@ -1,11 +1,13 @@
 // Rules 1 to 3 of <lgs/box2d/edges.h> the slow and obvious way: whole chains, walked from their beginnings, no updates.
 #pragma once
 
+#include <fmt/format.h>
 #include <lgs/box2d/edges.h>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <ostream>
 #include <tuple>
 #include <vector>
 
@@ -21,6 +23,12 @@ struct PlainEdge {
   std::optional<Point> ghost1;
   std::optional<Point> ghost2;
   friend auto operator<=>(const PlainEdge&, const PlainEdge&) = default;
+  friend void PrintTo(const PlainEdge& e, std::ostream* out) {
+    const auto ghost = [](const std::optional<Point>& p) { return p ? fmt::format("({}, {})", p->x, p->y) : "none"; };
+    *out << fmt::format("({}, {}) to ({}, {}), ghosts {} and {}, segments {} to {}, chunk ({}, {})", e.start.x,
+                        e.start.y, e.end.x, e.end.y, ghost(e.ghost1), ghost(e.ghost2), e.first.value, e.last.value,
+                        e.chunk.x, e.chunk.y);
+  }
 };
 
 struct NaiveEdges {

@@ -1,9 +1,11 @@
 // The terrain in Box2D 3; built where that is the Box2D that was found.
-#include "oracle/check/generator.h"
 #include "oracle/trace/player.h"
+#include "proptests/first_failure.h"
 
 #include "field.h"
+#include "played.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <lgs/box2d/terrain.h>
 #include <algorithm>
@@ -81,26 +83,25 @@ void expectShapes(b2WorldId physics, const Terrain& terrain, const TerrainOption
 }
 
 TEST_F(Box2d3Terrain, ShapesFollowRandomEdits) {
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    SCOPED_TRACE(seed);
-    const oracle::Trace trace = oracle::randomCase({.width = 5, .height = 4, .edits = 60}, seed);
+  const auto complaint = [&](const oracle::Trace& trace, std::uint64_t seed) -> std::optional<std::string> {
     oracle::Player player(trace.preserve);
     TerrainOptions options;
     options.chunkCells = 1 + static_cast<std::int32_t>(seed % 7);
     options.merge = seed % 2 == 0;
-    Terrain terrain(physics, player.world(), options);
-    for (const oracle::Edit& edit : trace.edits) {
-      if (edit.kind == oracle::Edit::Kind::commit) {
+    std::optional<std::string> problem;
+    {
+      Terrain terrain(physics, player.world(), options);
+      problem = firstProblem(trace, player, [&] {
         terrain.sync(player.commit());
         expectShapes(physics, terrain, options);
         step(1);
-        if (HasFailure()) return;
-      } else {
-        (void)player.apply(edit);
-      }
+      });
     }
-  }
-  EXPECT_EQ(b2World_GetCounters(physics).bodyCount, 0);
+    if (!problem) problem = test::failedExpectation([&] { EXPECT_EQ(b2World_GetCounters(physics).bodyCount, 0); });
+    if (!problem) return std::nullopt;
+    return fmt::format("chunks of {} cells, merge {}: {}", options.chunkCells, options.merge, *problem);
+  };
+  forSeeds("box2d-terrain", 40, complaint);
 }
 
 TEST_F(Box2d3Terrain, ARestingBodyFallsWhenItsCellIsDugAway) {

@@ -1,11 +1,14 @@
 // The terrain in a live Box2D world: fixtures follow the world's segments through every edit, bodies notice, and a
 // fixture knows what it stands for.
-#include "oracle/check/generator.h"
 #include "oracle/check/random.h"
 #include "oracle/trace/player.h"
+#include "proptests/first_failure.h"
 
 #include "field.h"
+#include "fixtures.h"
+#include "played.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <lgs/box2d/terrain.h>
 #include <algorithm>
@@ -36,44 +39,6 @@ void step(b2World& physics, int times) {
   for (int k = 0; k < times; ++k) physics.Step(kStep, 8, 3);
 }
 
-std::size_t edgesIn(const b2World& physics) {
-  std::size_t edges = 0;
-  for (const b2Body* body = physics.GetBodyList(); body != nullptr; body = body->GetNext()) {
-    for (const b2Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) {
-      edges += f->GetType() == b2Shape::e_edge ? 1 : 0;
-    }
-  }
-  return edges;
-}
-
-// Every fixture is where its edge is, and there are no others.
-void expectFixtures(const b2World& physics, const Terrain& terrain, const TerrainOptions& options) {
-  const box2d::Frame frame{options.cellSize, options.origin, options.chunkCells};
-  const std::vector<EdgeId> edges = terrain.edges().edges();
-  EXPECT_EQ(edgesIn(physics), edges.size());
-  for (const EdgeId id : edges) {
-    const box2d::Edge& e = terrain.edges().edge(id);
-    const box2d::Chunk chunk = terrain.edges().chunk(e.chunk);
-    const auto at = [&](Point p) {
-      const box2d::Metres m = frame.local(p, chunk);
-      return b2Vec2(m.x, m.y);
-    };
-    b2Fixture* fixture = terrain.fixture(id);
-    ASSERT_NE(fixture, nullptr);
-    const auto& shape = static_cast<const b2EdgeShape&>(*fixture->GetShape());
-    EXPECT_TRUE(shape.m_oneSided);
-    EXPECT_EQ(shape.m_vertex1, at(e.start));
-    EXPECT_EQ(shape.m_vertex2, at(e.end));
-    // A ghost that is not there, or too close for Box2D, is straight on.
-    const auto ghost = [&](const std::optional<Point>& p, b2Vec2 near, b2Vec2 far) {
-      return p && b2Distance(at(*p), near) > b2_linearSlop ? at(*p) : near + (near - far);
-    };
-    EXPECT_LT(b2Distance(shape.m_vertex0, ghost(e.ghost1, at(e.start), at(e.end))), 1e-5F);
-    EXPECT_LT(b2Distance(shape.m_vertex3, ghost(e.ghost2, at(e.end), at(e.start))), 1e-5F);
-    EXPECT_EQ(fixture->GetBody()->GetPosition(), terrain.position(frame.cornerOf(chunk)));
-  }
-}
-
 // And where nothing is merged or too short, the edges are the segments.
 void expectSegments(const World& world, const Terrain& terrain) {
   const std::vector<SegmentId> segments = world.segments();
@@ -94,36 +59,36 @@ class Box2dTerrain : public testing::Test {
 };
 
 TEST_F(Box2dTerrain, FixturesFollowRandomEdits) {
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    SCOPED_TRACE(seed);
+  const auto complaint = [](const oracle::Trace& trace, std::uint64_t seed) -> std::optional<std::string> {
     oracle::Random random(seed);
-    const oracle::Trace trace = oracle::randomCase({.width = 5, .height = 4, .edits = 60}, seed);
     oracle::Player player(trace.preserve);
     TerrainOptions options{.cellSize = random.chance(50) ? 1 : 0.02, .chunkCells = 1 + random.below(8)};
     options.merge = random.chance(50);
     b2World empty({0, -10});
+    std::optional<std::string> problem;
     {
       Terrain terrain(empty, player.world(), options);
-      for (const oracle::Edit& edit : trace.edits) {
-        if (edit.kind == oracle::Edit::Kind::commit) {
-          terrain.sync(player.commit());
-          expectFixtures(empty, terrain, options);
-          if (HasFailure()) return;
-        } else {
-          (void)player.apply(edit);
-        }
-      }
-      terrain.sync(player.commit());
-      expectFixtures(empty, terrain, options);
+      problem = firstProblem(trace, player, [&] {
+        terrain.sync(player.commit());
+        expectFixtures(empty, terrain, options);
+      });
       // A terrain made now is the same.
-      b2World other({0, -10});
-      const Terrain anew(other, player.world(), options);
-      EXPECT_EQ(anew.edges().counts(), terrain.edges().counts());
-      EXPECT_EQ(anew.bodyCount(), terrain.bodyCount());
-      EXPECT_EQ(static_cast<std::size_t>(empty.GetBodyCount()), terrain.bodyCount());
+      if (!problem) {
+        problem = test::failedExpectation([&] {
+          b2World other({0, -10});
+          const Terrain anew(other, player.world(), options);
+          EXPECT_EQ(anew.edges().counts(), terrain.edges().counts());
+          EXPECT_EQ(anew.bodyCount(), terrain.bodyCount());
+          EXPECT_EQ(static_cast<std::size_t>(empty.GetBodyCount()), terrain.bodyCount());
+        });
+      }
     }
-    EXPECT_EQ(empty.GetBodyCount(), 0);
-  }
+    if (!problem) problem = test::failedExpectation([&] { EXPECT_EQ(empty.GetBodyCount(), 0); });
+    if (!problem) return std::nullopt;
+    return fmt::format("cells of {} m, chunks of {} cells, merge {}: {}", options.cellSize, options.chunkCells,
+                       options.merge, *problem);
+  };
+  forSeeds("box2d-terrain", 40, complaint);
 }
 
 TEST_F(Box2dTerrain, ARestingBodyFallsWhenItsCellIsDugAway) {

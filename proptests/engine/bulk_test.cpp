@@ -56,8 +56,8 @@ class Bulk : public testing::TestWithParam<std::int64_t> {
                },
            .complaint = [&](const Trace& trace, std::uint64_t) { return complaint(trace, cgal, *tally); }});
       if (failure) {
-        FAIL() << failure->text << "\nagain      LGS_TEST_SEED=" << testSeed() << " LGS_TEST_SCALE=" << testScale()
-               << " lgs_engine_tests --gtest_filter='Bulk/*" << name << "/" << GetParam() << "'";
+        FAIL() << failure->text << "\nagain      LGS_TEST_SEED=" << testSeed() << ' '
+               << test::again("lgs_engine_tests");
       }
     }
     fmt::print(

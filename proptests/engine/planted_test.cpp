@@ -120,6 +120,21 @@ TEST(Planted, ACrash) {
   EXPECT_NE(failure->text.find("the engine crashed: Aborted"), std::string::npos) << failure->text;
 }
 
+TEST(Planted, AFailureThatTakesTheCasesBeforeItIsSavedAsItIs) {
+  const oracle::Shared<int> tried;
+  const auto traceOf = [](std::uint64_t k) { return withoutRefused(oracle::randomCase({3, 3, 4}, k)); };
+  const auto failure = firstFailure({.name = "planted-history",
+                                     .count = 10,
+                                     .trace = traceOf,
+                                     .complaint = [&](const Trace&, std::uint64_t) -> std::optional<std::string> {
+                                       if (++*tried != 3) return std::nullopt;
+                                       return "the third one";
+                                     }});
+  expectSmall(failure);
+  EXPECT_EQ(failure->trace, traceOf(2));
+  EXPECT_NE(failure->text.find("not by itself: the third one"), std::string::npos) << failure->text;
+}
+
 TEST(Planted, AnEndlessLoop) {
   const oracle::IsolationOptions oneSecond{.seconds = 1, .quiet = true};
   EXPECT_EQ(oracle::crashOf(

@@ -1,11 +1,11 @@
-// Properties over the random cases of oracle/check. RapidCheck chooses size and seed of a case; a case that fails is
-// made small by the project's own shrinker, which knows what an edit is, and is saved as a trace for `lgs replay` and as
-// a picture. Cases run in a child process (isolated.h): an engine that crashes or hangs fails them like any other.
+// Properties over the random cases of oracle/check. RapidCheck chooses size and seed of a case; for what becomes of one
+// that fails see first_failure.h.
 #pragma once
 
 #include "oracle/check/random.h"
 #include "oracle/reference/outline.h"
 #include "oracle/trace/trace.h"
+#include "proptests/first_failure.h"
 
 #include <cstdint>
 #include <functional>
@@ -15,27 +15,12 @@
 
 namespace lgs::engine_test {
 
+using test::Failure;
+using test::firstFailure;
+
 /// What is wrong, if anything. It is given traces whose every edit is accepted unless said otherwise, and its own
 /// source of chance, which is the same each time the case is tried.
 using Property = std::function<std::optional<std::string>(const oracle::Trace&, oracle::Random)>;
-
-/// Many cases by number, and what is wrong with a trace that was made of one of them. Both are called in a child process:
-/// what they find out beyond that they must keep in Shared values.
-struct Cases {
-  std::string name;
-  std::uint64_t count = 0;
-  std::function<oracle::Trace(std::uint64_t)> trace;
-  std::function<std::optional<std::string>(const oracle::Trace&, std::uint64_t)> complaint;
-  std::function<bool(const oracle::Trace&)> mayBe = {};  ///< whether shrinking may come to this trace
-};
-
-struct Failure {
-  oracle::Trace trace;  ///< the smallest one found
-  std::string text;     ///< what is wrong, the trace, and the files that it and its picture were saved to
-};
-
-/// The first case that fails, if any does.
-std::optional<Failure> firstFailure(const Cases& cases);
 
 struct CaseKind {
   bool withRefused = false;   ///< keep the edits that must be refused

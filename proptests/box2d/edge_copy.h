@@ -1,0 +1,70 @@
+// Edges as plain values, and a copy of them that is kept by the reported changes alone.
+#pragma once
+
+#include "naive_edges.h"
+
+#include <gtest/gtest.h>
+#include <lgs/box2d/edges.h>
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+#include <vector>
+
+namespace lgs::box2d_test {
+
+using box2d::Edge;
+using box2d::EdgeChanges;
+using box2d::EdgeId;
+using box2d::EdgeSet;
+
+inline PlainEdge plain(const EdgeSet& set, EdgeId id) {
+  const Edge& e = set.edge(id);
+  return {e.first, e.last, set.chunk(e.chunk), e.start, e.end, e.ghost1, e.ghost2};
+}
+
+inline std::vector<PlainEdge> plain(const EdgeSet& set) {
+  std::vector<PlainEdge> edges;
+  for (const EdgeId id : set.edges()) edges.push_back(plain(set, id));
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// A copy of the edges that is kept by the reported changes alone.
+class Copy {
+ public:
+  void apply(const EdgeSet& set, const EdgeChanges& changes) {
+    std::set<std::tuple<SegmentId, Point, Point>> gone;
+    for (const EdgeId id : changes.removed) {
+      ASSERT_TRUE(edges_.contains(id.value));
+      gone.emplace(set.edge(id).first, set.edge(id).start, set.edge(id).end);
+      const Edge& was = edges_.at(id.value);
+      EXPECT_EQ(std::pair(was.start, was.end), std::pair(set.edge(id).start, set.edge(id).end));
+      edges_.erase(id.value);
+    }
+    for (const EdgeId id : changes.added) {
+      const Edge& edge = set.edge(id);
+      EXPECT_TRUE(edges_.emplace(id.value, edge).second);
+      EXPECT_FALSE(gone.contains({edge.first, edge.start, edge.end}));  // then it should not have been touched
+    }
+    for (const EdgeId id : changes.relinked) {
+      ASSERT_TRUE(edges_.contains(id.value));
+      Edge& edge = edges_.at(id.value);
+      EXPECT_NE(std::pair(edge.ghost1, edge.ghost2), std::pair(set.edge(id).ghost1, set.edge(id).ghost2));
+      edge.ghost1 = set.edge(id).ghost1;
+      edge.ghost2 = set.edge(id).ghost2;
+    }
+    ASSERT_EQ(edges_.size(), set.edges().size());
+    for (const EdgeId id : set.edges()) {
+      ASSERT_TRUE(edges_.contains(id.value));
+      Edge expected = set.edge(id);
+      expected.last = edges_.at(id.value).last;  // may be another of the same end
+      EXPECT_EQ(edges_.at(id.value), expected);
+    }
+  }
+
+ private:
+  std::map<std::uint32_t, Edge> edges_;
+};
+
+}  // namespace lgs::box2d_test
