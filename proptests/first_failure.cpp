@@ -14,6 +14,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <utility>
 
 namespace lgs::test {
 
@@ -62,6 +63,10 @@ std::string drawTrace(const Trace& trace, const std::string& file) {
 }  // namespace
 
 std::optional<Failure> firstFailure(const Cases& cases) {
+  // RapidCheck calls a property up to a hundred times; the number of a case counts all before it.
+  static std::pair<const testing::TestInfo*, std::uint64_t> passed;
+  const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+  if (passed.first != test) passed = {test, 0};
   const oracle::Shared<Verdict> verdict;
   const auto crash = oracle::crashOf([&] {
     for (verdict->number = 0; verdict->number < cases.count && !verdict->failed; ++verdict->number) {
@@ -72,7 +77,10 @@ std::optional<Failure> firstFailure(const Cases& cases) {
       }
     }
   });
-  if (!crash && !verdict->failed) return std::nullopt;
+  if (!crash && !verdict->failed) {
+    passed.second += cases.count;
+    return std::nullopt;
+  }
 
   const std::uint64_t number = verdict->number;
   const Trace trace = cases.trace(number);
@@ -85,7 +93,7 @@ std::optional<Failure> firstFailure(const Cases& cases) {
                                 : "fails in its turn, but not by itself: " +
                                       (crash ? "the engine " + *crash : std::string(verdict->text.data()));
   // For whoever reads the report of a test run: proptests/bugs/run.py does.
-  testing::Test::RecordProperty("cases", std::to_string(number + 1));
+  testing::Test::RecordProperty("cases", std::to_string(passed.second + number + 1));
   if (again) testing::Test::RecordProperty("shrunk_edits", std::to_string(editCount(small)));
   std::string file = testing::TempDir() + "lgs-" + cases.name;
   std::replace(file.begin(), file.end(), ' ', '-');

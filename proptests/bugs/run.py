@@ -253,10 +253,10 @@ def table(laws: dict[str, Law], bugs: list[Bug], results: dict[Bug, dict], comma
              "Each is planted in `lib/` by itself; then the engine's tests are built and run until one fails: those of "
              "the law that it breaks first, then all others. Made by:", "", f"    {command}", "",
              f"{len(found)} of {len(bugs)} are found, {by_law} of them by a test of their law.", "",
-             "*Case*: the number of the random case that showed it, within RapidCheck's round (of 20 cases in most tests, "
-             "80 in `References`; it makes up to 100 rounds). *Edits*: how many are left of that case when it is shrunk. "
-             "More than four are left where the bug needs them: two chunks, a crowded row, or a history. Tests that go "
-             "through all there is, or through examples, have neither number.", ""]
+             "*Case*: the number of the random case that showed it, or of the world in `SmallWorlds`. *Edits*: how many are "
+             "left of that case when it is shrunk. More than four are left where the bug needs them: two chunks, a crowded "
+             "row, or a history. Tests that go through all there is of something other than worlds, or through examples, "
+             "have neither number; nor has a case that fails only after those before it a number of edits.", ""]
     for group, law in laws.items():
         lines += [f"## {law.title}", "", "| bug | in | found by | case | edits |", "|---|---|---|---:|---:|"]
         for bug in bugs:
