@@ -34,11 +34,18 @@ struct Verdict {
   }
 };
 
+/// An expectation that fails in the child process would be lost with it: it is a complaint like any other.
+std::optional<std::string> complaintHere(const Cases& cases, const Trace& trace, std::uint64_t number) {
+  std::optional<std::string> why;
+  const auto failed = failedExpectation([&] { why = cases.complaint(trace, number); });
+  return why ? why : failed;
+}
+
 std::optional<std::string> complaintOf(const Cases& cases, const Trace& trace, std::uint64_t number, bool quiet) {
   const oracle::Shared<Verdict> verdict;
   const auto crash = oracle::crashOf(
       [&] {
-        if (const auto why = cases.complaint(trace, number)) verdict->fail(*why);
+        if (const auto why = complaintHere(cases, trace, number)) verdict->fail(*why);
       },
       {.seconds = 20, .quiet = quiet});
   if (crash) return "the engine " + *crash;
@@ -71,7 +78,7 @@ std::optional<Failure> firstFailure(const Cases& cases) {
   const auto crash = oracle::crashOf([&] {
     for (verdict->number = 0; verdict->number < cases.count && !verdict->failed; ++verdict->number) {
       oracle::stillAlive();
-      if (const auto why = cases.complaint(cases.trace(verdict->number), verdict->number)) {
+      if (const auto why = complaintHere(cases, cases.trace(verdict->number), verdict->number)) {
         verdict->fail(*why);
         return;
       }

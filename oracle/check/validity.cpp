@@ -81,21 +81,13 @@ bool boundaryEnters(const std::vector<P>& a, const std::vector<P>& b) {
   return enters;
 }
 
-bool isSimple(const std::vector<P>& p) {
-  const std::size_t n = p.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i + 1; j < n; ++j) {
-      const P a = p[i], b = p[i + 1], c = p[j], d = p[(j + 1) % n];
-      if (j == i + 1) {
-        if (onSegment(d, a, b) || onSegment(a, c, d)) return false;  // folds back
-      } else if ((j + 1) % n == i) {
-        if (onSegment(c, a, b) || onSegment(b, c, d)) return false;
-      } else if (touch(a, b, c, d)) {
-        return false;
-      }
-    }
-  }
-  return true;
+bool edgesMeet(const std::vector<P>& p, std::size_t i, std::size_t j) {
+  const auto after = [&](std::size_t k) { return (k + 1) % p.size(); };
+  const P a = p[i], b = p[after(i)], c = p[j], d = p[after(j)];
+  if (i == j) return false;
+  if (after(i) == j) return onSegment(d, a, b) || onSegment(a, c, d);  // folds back
+  if (after(j) == i) return onSegment(c, a, b) || onSegment(b, c, d);
+  return touch(a, b, c, d);
 }
 
 }  // namespace
@@ -114,9 +106,13 @@ std::optional<ErrorCode> faultOf(const LocalPolygon& polygon) {
   forEachEdge(points, [&](P a, P b) { area += a.x * b.y - a.y * b.x; });
   if (area == 0) return ErrorCode::zeroArea;
   if (area < 0) return ErrorCode::clockwise;
-  if (!isSimple(points)) return ErrorCode::selfIntersecting;
+  for (std::size_t j = 0; j < polygon.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      if (edgesMeet(points, i, j)) return ErrorCode::selfIntersecting;
   return std::nullopt;
 }
+
+bool edgesMeet(const LocalPolygon& polygon, std::size_t i, std::size_t j) { return edgesMeet(doubled(polygon), i, j); }
 
 bool overlap(const LocalPolygon& a, const LocalPolygon& b) {
   const std::vector<P> p = doubled(a);

@@ -5,6 +5,7 @@
 #include "scale.h"
 #include "support.h"
 
+#include "oracle/trace/mirror.h"
 #include "oracle/trace/player.h"
 
 #include <gtest/gtest.h>
@@ -82,12 +83,8 @@ RC_GTEST_PROP(Invariants, HoldInRandomCases, ()) {
   });
 }
 
-TEST(Invariants, HoldInABigWorldUnderRandomEdits) {
-  const auto side = static_cast<std::int32_t>(std::min(1000.0, 1000 * std::sqrt(testScale())));
-  RecordProperty("cells_a_side", side);
-  const CellRect all{{-side / 2, -side / 3}, {side - side / 2 - 1, side - side / 3 - 1}};
-  Random random(2026);
-  World world;
+/// Every shape of the palette, each turned by chance.
+std::vector<ShapeId> turnedPalette(World& world, Random& random) {
   std::vector<ShapeId> shapes;
   for (const oracle::PaletteShape& shape : oracle::palette()) {
     const int symmetry = random.below(8);
@@ -95,6 +92,16 @@ TEST(Invariants, HoldInABigWorldUnderRandomEdits) {
     for (const LocalPolygon& p : shape.polygons) polygons.push_back(oracle::turned(p, symmetry));
     shapes.push_back(shapeOf(world, polygons));
   }
+  return shapes;
+}
+
+TEST(Invariants, HoldInABigWorldUnderRandomEdits) {
+  const auto side = static_cast<std::int32_t>(std::min(1000.0, 1000 * std::sqrt(testScale())));
+  RecordProperty("cells_a_side", side);
+  const CellRect all{{-side / 2, -side / 3}, {side - side / 2 - 1, side - side / 3 - 1}};
+  Random random(2026);
+  World world;
+  const std::vector<ShapeId> shapes = turnedPalette(world, random);
   const auto randomCell = [&] {
     const std::int32_t i = all.min.i + random.below(side);
     const std::int32_t j = all.min.j + random.below(side);
@@ -128,6 +135,29 @@ TEST(Invariants, HoldInABigWorldUnderRandomEdits) {
   EXPECT_EQ(world.stats().segments, 0U);
   const auto problem = brokenInvariant(world, all);
   EXPECT_FALSE(problem) << *problem;
+}
+
+// The random cases' commits are small; here each adds, removes and relinks thousands of segments.
+TEST(Invariants, ChangesOfBigCommitsAreExact) {
+  Random random(7);
+  World world;
+  oracle::Mirror mirror;
+  const std::vector<ShapeId> shapes = turnedPalette(world, random);
+  for (int round = 0; round < 6; ++round) {
+    for (const Cell& cell : cellsOf({{-40, -30}, {39, 29}})) {
+      if (!random.chance(30)) continue;
+      removeAll(world, cell);
+      if (random.chance(80)) {
+        ASSERT_TRUE(world.add(cell, random.pick(shapes), 1));
+      }
+    }
+    const Changes& changes = world.commit();
+    const auto problem = mirror.update(world, changes);
+    ASSERT_FALSE(problem) << *problem;
+    if (round != 0) {
+      EXPECT_GT(std::min({changes.removed.size(), changes.added.size(), changes.relinked.size()}), 1000U);
+    }
+  }
 }
 
 }  // namespace

@@ -180,6 +180,10 @@ TEST(Catalogue, ForgetsOnceAndNeverWhatIsUsed) {
   put(3001, 3010);
   EXPECT_LT(world.stats().contents, 200U);
   expectRight();
+  put(8000, 10'000);
+  take(8000, 10'000);
+  world.commit();  // a commit forgets, too
+  EXPECT_LT(world.stats().contents, 200U);
   put(3010, 4700);
   take(3100, 4700);  // forgotten too, while there are free places left of the first time
   put(4700, 8000);

@@ -105,6 +105,15 @@ TEST(Planted, AnAddThatIsForgottenWhereTheCellWasEmptied) {
   }));
 }
 
+TEST(Planted, AnExpectationThatFails) {
+  const auto failure = huntedDown("expectation", [](const Trace& trace) {
+    for (const Edit& edit : trace.edits) EXPECT_NE(edit.polygon.vertices.size(), 5U);
+    return outlineAfter(trace);
+  });
+  expectSmall(failure);
+  EXPECT_NE(failure->text.find("edit.polygon.vertices.size()"), std::string::npos) << failure->text;
+}
+
 bool hasCrowdedCell(const Trace& trace) {
   oracle::Model model;
   for (const Edit& edit : trace.edits) model.apply(edit);

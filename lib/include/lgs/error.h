@@ -19,7 +19,7 @@ enum class ErrorCode : std::uint32_t {
   capacity,            ///< more than the engine can hold; see the limits in world.h
   notFinite,           ///< a coordinate is infinite or not a number
   outsideCell,         ///< a vertex, once rounded, is not in the closed cell
-  repeatedVertex,      ///< two vertices of one polygon are the same lattice point
+  repeatedVertex,      ///< two vertices are the same lattice point; vertex2 is the first that repeats an earlier one
   zeroArea,            ///< the signed area is 0
   clockwise,           ///< the signed area is negative
   selfIntersecting,    ///< two edges of one polygon cross, overlap, or touch
