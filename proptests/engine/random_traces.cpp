@@ -24,10 +24,10 @@ std::uint64_t anySeed() {
 }
 
 void failProperty(const Failure& failure) {
-  // The line that RapidCheck prints for this, "reproduce=…", does not say the scale, and with another one it leads to other
-  // cases.
-  RC_FAIL(fmt::format("{}\nagain      RC_PARAMS='seed={}' {}", failure.text,
-                      rc::detail::configuration().testParams.seed, test::again("lgs_engine_tests")));
+  // What RapidCheck prints for this, "reproduce=…", does not say the scale; at another one it leads to other cases.
+  const std::string text = fmt::format("{}\nagain      RC_PARAMS='seed={}' {}", failure.text,
+                                       rc::detail::configuration().testParams.seed, test::again("lgs_engine_tests"));
+  RC_FAIL(text);
 }
 
 oracle::Outline outlineAfter(const Trace& trace) {

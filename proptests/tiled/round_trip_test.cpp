@@ -29,7 +29,7 @@ World worldOf(const oracle::Trace& trace) {
 void comesBack(const oracle::Trace& written, const World& world) {
   const oracle::ParsedTrace read = oracle::parseTrace(oracle::printTrace(written));
   ASSERT_FALSE(read.error) << read.error->text;
-  ASSERT_EQ(read.trace, written);
+  ASSERT_TRUE(read.trace == written) << "another trace is read than was written:\n" << oracle::printTrace(read.trace);
   oracle::Player player(read.trace.preserve);
   const auto played = oracle::play(read.trace, player);
   ASSERT_TRUE(played) << played.error().text;
