@@ -122,14 +122,14 @@ Real anyReal(Random& random) {
   return step == 0 ? real : std::nextafter(real, step < 0 ? Real(-1) : Real(2));
 }
 
-/// What is wrong with `v`, of the lattice, as what became of `real`. It is exact: U is a power of two.
+/// What is wrong with `v`, of the lattice, as what became of `real`. All of it is exact; v - units would not be.
 template <class Real>
 std::optional<std::string> wrongRounding(Real real, std::int32_t v) {
-  const double units = double{real} * U, away = v - units;
-  if (std::abs(away) > 0.5) return fmt::format("{:a} is {} units, and becomes {}", real, units, v);
-  if (std::abs(away) == 0.5 && std::abs(v) < std::abs(units))
-    return fmt::format("{:a} is {} units, and becomes {}: not away from zero", real, units, v);
-  return std::nullopt;
+  const double units = double{real} * U, below = v - 0.5, above = v + 0.5;
+  const bool isNear = below <= units && units <= above;
+  if (isNear && units != (units > 0 ? above : below)) return std::nullopt;
+  return fmt::format("{:a} is {} units, and becomes {}: {}", real, units, v,
+                     isNear ? "not away from zero" : "more than half a unit away");
 }
 
 /// To the lattice and back, which is at most half a unit away; and again, which changes nothing.
