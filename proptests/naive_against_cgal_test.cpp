@@ -146,8 +146,7 @@ std::optional<std::string> disagreement(const Scene& scene, const OwnedOutline& 
   if (united.has_value() != materials(scene).has_value())
     return "CGAL unites where there are no materials, or the reverse";
   if (!united) return std::nullopt;
-  OwnedOutline expected = *united;
-  expected.outline = withUnknownLinksOf(naive.outline, united->outline, united->known);
+  const OwnedOutline expected{withUnknownLinksOf(naive.outline, united->outline, united->known), united->owner};
   const auto differences = compare(expected, naive);
   if (differences.empty()) return std::nullopt;
   return "the naive reference differs from CGAL:\n" + describe(differences);

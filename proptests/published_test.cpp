@@ -154,7 +154,7 @@ TEST(Published, AgreesWithinItsReach) {
     const auto trace = [&](std::uint64_t k) { return randomTrace(first + k); };
     forTraces("published-agrees", kAtOnce, trace, [&](const Trace& t) {
       Agreement agreement;
-      const auto problem = agreement.play(t);
+      auto problem = agreement.play(t);
       seen->compared += agreement.compared;
       for (std::size_t k = 0; k < seen->casesWith.size(); ++k) seen->casesWith[k] += agreement.features[k] ? 1 : 0;
       return problem;
@@ -191,7 +191,7 @@ TEST(Published, AgreesOnTheWorldsOfItsBenchmarks) {
   const Shared<std::size_t> compared;
   forTraces("published-benchmarks", 2, trace, [&](const Trace& t) {
     Agreement agreement;
-    const auto problem = agreement.play(t);
+    auto problem = agreement.play(t);
     *compared += agreement.compared;
     return problem;
   });
