@@ -30,7 +30,7 @@ struct Failure {
 /// The first case that fails, if any does. One that fails only after those before it is saved as it is, and says so.
 std::optional<Failure> firstFailure(const Cases& cases);
 
-/// The command that runs the current test again; for tests of fixed seeds, as RapidCheck says its own.
+/// The command that runs the current test again, at the scale it has now. A seed that it has from outside goes before it.
 std::string again(const std::string& program);
 
 /// What the first expectation (EXPECT_…, ASSERT_…) says that fails in `work`, if one does: for complaints. The test that

@@ -1,16 +1,22 @@
 // The naive reference and CGAL's union against each other, on random degenerate scenes.
 #include "oracle/cgal/cgal_union.h"
+#include "oracle/check/isolated.h"
+#include "oracle/check/model.h"
+#include "oracle/check/random.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
 #include "oracle/reference/scene.h"
-#include "outlines_by_hand.h"
+#include "proptests/first_failure.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <random>
+#include <functional>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -81,7 +87,7 @@ class RandomScenes {
     return result;
   }
 
-  std::uint64_t below(std::uint64_t limit) { return random_() % limit; }
+  std::uint64_t below(std::uint64_t limit) { return random_.below(limit); }
 
  private:
   static std::vector<LocalPoint> transformed(std::vector<LocalPoint> shape, std::uint64_t symmetry) {
@@ -95,89 +101,138 @@ class RandomScenes {
     return shape;
   }
 
-  std::mt19937_64 random_;  // its numbers are the same everywhere; those of the standard's distributions are not
+  Random random_;
 };
 
 constexpr std::array kOrigins = {Cell{0, 0}, Cell{-2, -3}, Cell{kMaxCell - 6, -kMaxCell},
                                  Cell{-kMaxCell, kMaxCell - 6}};
 
-void expectAgreement(const OwnedOutline& naive, const CgalUnion& united) {
-  OwnedOutline expected = united;
-  expected.outline = withUnknownLinksOf(naive.outline, united.outline, united.known);
-  ASSERT_EQ(describe(compare(expected, naive)), "");
+Trace traceOf(const Scene& scene) {
+  Trace trace{scene.preserve, {}};
+  for (const ScenePolygon& polygon : scene.polygons)
+    trace.edits.push_back(Edit::add(fmt::format("p{}", trace.edits.size() + 1), polygon));
+  trace.edits.push_back(Edit::commit());
+  return trace;
+}
+
+/// What the adds of a trace amount to, in their order; there are no removals in these.
+Scene sceneOf(const Trace& trace) {
+  Scene scene;
+  scene.preserve = trace.preserve;
+  for (const Edit& edit : trace.edits)
+    if (edit.kind == Edit::Kind::add) scene.polygons.push_back(edit.polygon);
+  return scene;
+}
+
+using Complaint = std::function<std::optional<std::string>(const Scene&, NaiveReference&)>;
+
+/// Fails the current test with the first of `count` random scenes that there is a complaint about, made small. They share
+/// one reference, which keeps its buffers from one to the next.
+void forScenes(const std::string& name, std::uint64_t count, const std::function<Scene(RandomScenes)>& scene,
+               const Complaint& complaint) {
+  NaiveReference naive;
+  const auto failure = test::firstFailure(
+      {.name = name,
+       .count = count,
+       .trace = [&](std::uint64_t k) { return traceOf(scene(RandomScenes(k))); },
+       .complaint = [&](const Trace& trace, std::uint64_t) { return complaint(sceneOf(trace), naive); },
+       .mayBe = [](const Trace& trace) { return withoutRefused(trace).edits.size() == trace.edits.size(); }});
+  if (failure) FAIL() << failure->text << "\nagain      " << test::again("lgs_tests");
+}
+
+/// Of the two references; none where both say that the relation makes no materials.
+std::optional<std::string> disagreement(const Scene& scene, const OwnedOutline& naive,
+                                        const std::optional<CgalUnion>& united) {
+  if (united.has_value() != materials(scene).has_value())
+    return "CGAL unites where there are no materials, or the reverse";
+  if (!united) return std::nullopt;
+  const OwnedOutline expected{withUnknownLinksOf(naive.outline, united->outline, united->known), united->owner};
+  const auto differences = compare(expected, naive);
+  if (differences.empty()) return std::nullopt;
+  return "the naive reference differs from CGAL:\n" + describe(differences);
 }
 
 TEST(NaiveAgainstCgal, OneMaterial) {
-  RandomScenes random(1);
-  NaiveReference naive;
-  for (int round = 0; round < 1500; ++round) {
-    SCOPED_TRACE(round);
+  const auto scene = [](RandomScenes random) {
     const auto side = static_cast<std::int32_t>(1 + random.below(6));
-    const Scene scene = random.scene(side, kOrigins[random.below(kOrigins.size())], 4);
-    const OwnedOutline& outline = naive(scene);
-    const auto united = cgalUnion(scene);
-    ASSERT_TRUE(united);
-    ASSERT_NO_FATAL_FAILURE(expectAgreement(outline, *united));
+    const Cell origin = kOrigins[random.below(kOrigins.size())];
+    return random.scene(side, origin, 4);
+  };
+  forScenes("naive-one-material", 1500, scene, [](const Scene& s, NaiveReference& naive) -> std::optional<std::string> {
+    const OwnedOutline& outline = naive(s);
+    const auto united = cgalUnion(s);
+    if (auto problem = disagreement(s, outline, united)) return problem;
     const auto loops = followLinks(outline.outline);
-    ASSERT_TRUE(loops) << "links are not mutual";
-    ASSERT_EQ(canonical(*loops), canonical(united->loops));
-  }
+    if (!loops) return "links are not mutual";
+    if (canonical(*loops) != canonical(united->loops)) return "other loops than CGAL's";
+    return std::nullopt;
+  });
 }
 
 TEST(NaiveAgainstCgal, TenThousandCells) {
-  const Scene scene = RandomScenes(5).scene(100, {-50, -50}, 2);
-  ASSERT_GT(scene.polygons.size(), 10'000U);
-  NaiveReference naive;
-  const auto united = cgalUnion(scene);
-  ASSERT_TRUE(united);
-  ASSERT_NO_FATAL_FAILURE(expectAgreement(naive(scene), *united));
+  const auto scene = [](RandomScenes random) { return random.scene(100, {-50, -50}, 2); };
+  EXPECT_GT(scene(RandomScenes(0)).polygons.size(), 10'000U);
+  forScenes("naive-ten-thousand-cells", 1, scene,
+            [](const Scene& s, NaiveReference& naive) { return disagreement(s, naive(s), cgalUnion(s)); });
 }
 
 TEST(NaiveAgainstCgal, SeveralMaterials) {
-  RandomScenes random(2);
-  NaiveReference naive;
-  int known = 0;
-  for (int round = 0; round < 1000; ++round) {
-    SCOPED_TRACE(round);
+  const auto scene = [](RandomScenes random) {
     const auto side = static_cast<std::int32_t>(1 + random.below(4));
-    Scene scene = random.scene(side, kOrigins[random.below(kOrigins.size())], 5);
+    const Cell origin = kOrigins[random.below(kOrigins.size())];
+    Scene result = random.scene(side, origin, 5);
     for (const auto& [a, b] : {std::pair<Block, Block>{0, 1}, {0, 3}, {2, 1}, {2, 3}, {4, 0}, {4, 1}, {4, 2}, {4, 3}}) {
-      scene.preserve.add(a, b);  // materials {0, 2}, {1, 3} and {4}
+      result.preserve.add(a, b);  // materials {0, 2}, {1, 3} and {4}
     }
-    const auto united = cgalUnion(scene);
-    ASSERT_TRUE(united);
-    known += static_cast<int>(std::count(united->known.begin(), united->known.end(), KnownLinks{}));
-    ASSERT_NO_FATAL_FAILURE(expectAgreement(naive(scene), *united));
-  }
-  EXPECT_GT(known, 2000);
+    return result;
+  };
+  struct Seen {
+    int united = 0;
+    std::int64_t known = 0;
+  };
+  const Shared<Seen> seen;
+  forScenes("naive-several-materials", 1000, scene, [&](const Scene& s, NaiveReference& naive) {
+    const auto united = cgalUnion(s);
+    if (united) {
+      ++seen->united;
+      seen->known += std::count(united->known.begin(), united->known.end(), KnownLinks{});
+    }
+    return disagreement(s, naive(s), united);
+  });
+  if (HasFailure()) return;
+  EXPECT_EQ(seen->united, 1000);
+  EXPECT_GT(seen->known, 2000);
 }
 
 TEST(NaiveAgainstCgal, AnyRelationThatHappensToPartition) {
-  RandomScenes random(3);
-  NaiveReference naive;
-  int compared = 0;
-  for (int round = 0; round < 1500; ++round) {
-    SCOPED_TRACE(round);
-    Scene scene = random.scene(2, {0, 0}, 4);
-    scene.preserve = random.anyRelation(4);
-    const auto united = cgalUnion(scene);
-    ASSERT_EQ(united.has_value(), materials(scene).has_value());
-    if (!united) continue;
-    ++compared;
-    ASSERT_NO_FATAL_FAILURE(expectAgreement(naive(scene), *united));
-  }
-  EXPECT_GT(compared, 100);
+  const auto scene = [](RandomScenes random) {
+    Scene result = random.scene(2, {0, 0}, 4);
+    result.preserve = random.anyRelation(4);
+    return result;
+  };
+  const Shared<int> compared;
+  forScenes("naive-any-relation", 1500, scene, [&](const Scene& s, NaiveReference& naive) {
+    const auto united = cgalUnion(s);
+    *compared += united ? 1 : 0;
+    return disagreement(s, naive(s), united);
+  });
+  if (HasFailure()) return;
+  EXPECT_GT(*compared, 100);
 }
 
 TEST(NaiveAgainstCgal, TheOrderOfPolygonsDoesNotMatter) {
-  RandomScenes random(4);
-  for (int round = 0; round < 50; ++round) {
-    Scene scene = random.scene(4, {-1, -1}, 3);
-    scene.preserve = random.anyRelation(3);
-    const Outline outline = naiveOutline(scene);
-    std::reverse(scene.polygons.begin(), scene.polygons.end());
-    ASSERT_EQ(differences(outline, naiveOutline(scene)), "");
-  }
+  const auto scene = [](RandomScenes random) {
+    Scene result = random.scene(4, {-1, -1}, 3);
+    result.preserve = random.anyRelation(3);
+    return result;
+  };
+  forScenes("naive-order", 50, scene, [](Scene s, NaiveReference& naive) -> std::optional<std::string> {
+    const Outline outline = naive(s).outline;
+    std::reverse(s.polygons.begin(), s.polygons.end());
+    const auto differences = compare(outline, naive(s).outline);
+    if (differences.empty()) return std::nullopt;
+    return "the outline depends on the order of the polygons:\n" + describe(differences);
+  });
 }
 
 }  // namespace

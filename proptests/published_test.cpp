@@ -3,6 +3,7 @@
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/check/features.h"
 #include "oracle/check/generator.h"
+#include "oracle/check/isolated.h"
 #include "oracle/check/model.h"
 #include "oracle/check/random.h"
 #include "oracle/check/shrink.h"
@@ -11,12 +12,17 @@
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
 #include "oracle/trace/file.h"
+#include "proptests/first_failure.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <optional>
 #include <set>
+#include <string>
 
 namespace lgs::oracle {
 namespace {
@@ -33,6 +39,18 @@ bool departs(const Trace& trace, Departure departure) {
 }
 
 Trace randomTrace(std::uint64_t seed) { return withoutRefused(randomCase({3, 3, 24}, seed)); }
+
+/// Fails the current test with the first of the traces 0 to `count` - 1 that there is a complaint about, made small.
+void forTraces(const std::string& name, std::uint64_t count, const std::function<Trace(std::uint64_t)>& trace,
+               const std::function<std::optional<std::string>(const Trace&)>& complaint) {
+  const auto failure =
+      test::firstFailure({.name = name,
+                          .count = count,
+                          .trace = trace,
+                          .complaint = [&](const Trace& t, std::uint64_t) { return complaint(t); },
+                          .mayBe = [](const Trace& t) { return withoutRefused(t).edits.size() == t.edits.size(); }});
+  if (failure) FAIL() << failure->text << "\nagain      " << test::again("lgs_tests");
+}
 
 TEST(Published, DepartsAsEachKeptTraceSays) {
   for (const Departure departure : kDepartures)
@@ -64,35 +82,47 @@ TEST(Published, DeparturesAreFoundByTheHarness) {
 
 // Not a law, but what makes the page complete: no way of departing is left that it does not name.
 TEST(Published, DepartsInNoOtherWay) {
-  std::size_t departed = 0;
-  for (std::uint64_t seed = 0; seed < 4'000; ++seed) {
-    const Trace trace = randomTrace(seed);
+  const Shared<std::size_t> departed;
+  forTraces("published-departs", 4'000, randomTrace, [&](const Trace& trace) -> std::optional<std::string> {
     const auto run = runPublished(trace);
-    ASSERT_TRUE(run);
-    if (run->published == run->expected) continue;
-    ++departed;
-    EXPECT_TRUE(std::ranges::any_of(kDepartures, [&](Departure d) { return shows(*run, d); }))
-        << "seed " << seed << '\n'
-        << describe(compare(run->expected, run->published)) << printTrace(trace);
-  }
-  EXPECT_GT(departed, 2'000U);
+    if (!run) return run.error().text;
+    if (run->published == run->expected) return std::nullopt;
+    ++*departed;
+    if (std::ranges::any_of(kDepartures, [&](Departure d) { return shows(*run, d); })) return std::nullopt;
+    return "it departs in a way that has no name:\n" + describe(compare(run->expected, run->published));
+  });
+  if (HasFailure()) return;
+  EXPECT_GT(*departed, 2'000U);
 }
 
 /// The published algorithm and both references, edit by edit.
 class Agreement {
  public:
-  /// Adds or removes a polygon, unless that would lead out of reach. False if the outlines differ then.
-  ::testing::AssertionResult edit(const Edit& edit) {
+  /// All edits of a trace. What differs after one of them, if anything does.
+  std::optional<std::string> play(const Trace& trace) {
+    for (std::size_t k = 0; k < trace.edits.size(); ++k) {
+      if (trace.edits[k].kind == Edit::Kind::commit) continue;
+      if (const auto problem = edit(trace.edits[k])) return fmt::format("after edit {}:\n{}", k + 1, *problem);
+    }
+    return std::nullopt;
+  }
+
+  std::size_t compared = 0;
+  Features features{};
+
+ private:
+  /// Adds or removes a polygon, unless that would lead out of reach. What differs then, if anything does.
+  std::optional<std::string> edit(const Edit& edit) {
     std::map<std::string, ScenePolygon> next = placed_;
     if (edit.kind == Edit::Kind::add) {
       next[edit.name] = edit.polygon;
       next[edit.name].block = 1;
     } else if (next.erase(edit.name) == 0) {
-      return ::testing::AssertionSuccess();  // it was not let in
+      return std::nullopt;  // it was not let in
     }
     Scene scene;
     for (const auto& [name, polygon] : next) scene.polygons.push_back(polygon);
-    if (!isWithinItsReach(scene)) return ::testing::AssertionSuccess();
+    if (!isWithinItsReach(scene)) return std::nullopt;
 
     const ScenePolygon& polygon = (edit.kind == Edit::Kind::add ? next : placed_).at(edit.name);
     const auto apply = edit.kind == Edit::Kind::add ? &Published::add : &Published::remove;
@@ -104,36 +134,37 @@ class Agreement {
 
     const Outline outline = outlineOf(published_);
     for (const Outline& expected : {naiveOutline(scene), Outline(cgalUnion(scene)->outline)}) {
-      if (outline != expected) return ::testing::AssertionFailure() << describe(compare(expected, outline));
+      if (outline != expected) return describe(compare(expected, outline));
     }
-    return ::testing::AssertionSuccess();
+    return std::nullopt;
   }
 
-  std::size_t compared = 0;
-  Features features{};
-
- private:
   Published published_;
   std::map<std::string, ScenePolygon> placed_;
 };
 
 TEST(Published, AgreesWithinItsReach) {
-  std::size_t compared = 0;
-  std::array<std::size_t, std::tuple_size_v<Features>> casesWith{};
-  for (std::uint64_t seed = 0; compared < 10'000; ++seed) {
-    const Trace trace = randomTrace(seed);
-    Agreement agreement;
-    for (const Edit& edit : trace.edits) {
-      if (edit.kind == Edit::Kind::commit) continue;
-      ASSERT_TRUE(agreement.edit(edit)) << "seed " << seed << '\n' << printTrace(trace);
-    }
-    compared += agreement.compared;
-    for (std::size_t k = 0; k < casesWith.size(); ++k) casesWith[k] += agreement.features[k] ? 1 : 0;
+  struct Seen {
+    std::size_t compared = 0;
+    std::array<std::size_t, std::tuple_size_v<Features>> casesWith{};
+  };
+  const Shared<Seen> seen;
+  constexpr std::uint64_t kAtOnce = 50;
+  for (std::uint64_t first = 0; seen->compared < 10'000; first += kAtOnce) {
+    const auto trace = [&](std::uint64_t k) { return randomTrace(first + k); };
+    forTraces("published-agrees", kAtOnce, trace, [&](const Trace& t) {
+      Agreement agreement;
+      auto problem = agreement.play(t);
+      seen->compared += agreement.compared;
+      for (std::size_t k = 0; k < seen->casesWith.size(); ++k) seen->casesWith[k] += agreement.features[k] ? 1 : 0;
+      return problem;
+    });
+    if (HasFailure()) return;
   }
   // Its reach is not only what is easy: contacts that the sweep has to cut at are in it.
   for (const Feature feature : {Feature::midEdge, Feature::partialOverlap, Feature::fourSolids, Feature::manyInCell})
-    EXPECT_GT(casesWith[static_cast<std::size_t>(feature)], 50U) << describe(feature);
-  EXPECT_EQ(casesWith[static_cast<std::size_t>(Feature::sharedSlope)], 0U);
+    EXPECT_GT(seen->casesWith[static_cast<std::size_t>(feature)], 50U) << describe(feature);
+  EXPECT_EQ(seen->casesWith[static_cast<std::size_t>(Feature::sharedSlope)], 0U);
 }
 
 // Section 5: worlds of full blocks, and worlds of right triangles, each turned at random. Every contact there is of whole
@@ -143,20 +174,29 @@ TEST(Published, AgreesOnTheWorldsOfItsBenchmarks) {
   const std::vector<std::vector<LocalPoint>> full{{{0, 0}, {U, 0}, {U, U}, {0, U}}};
   const std::vector<std::vector<LocalPoint>> ramps{
       {{0, 0}, {U, 0}, {U, U}}, {{0, 0}, {U, 0}, {0, U}}, {{0, 0}, {U, U}, {0, U}}, {{U, 0}, {U, U}, {0, U}}};
-  for (const auto& shapes : {full, ramps}) {
+  const auto trace = [&](std::uint64_t k) {
     Random random(1);
-    Agreement agreement;
     std::set<std::string> placed;
-    for (int k = 0; k < 1'000; ++k) {
+    Trace result;
+    for (int edit = 0; edit < 1'000; ++edit) {
       const Cell cell{random.below(kSide), random.below(kSide)};
       const std::string name = std::to_string(cell.i * kSide + cell.j);
       const bool there = placed.erase(name) > 0;
       if (!there) placed.insert(name);
-      const Edit edit = there ? Edit::remove(name) : Edit::add(name, {cell, 1, random.pick(shapes)});
-      ASSERT_TRUE(agreement.edit(edit)) << "edit " << k;
+      result.edits.push_back(there ? Edit::remove(name)
+                                   : Edit::add(name, {cell, 1, random.pick(k == 0 ? full : ramps)}));
     }
-    EXPECT_EQ(agreement.compared, 1'000U);
-  }
+    return result;
+  };
+  const Shared<std::size_t> compared;
+  forTraces("published-benchmarks", 2, trace, [&](const Trace& t) {
+    Agreement agreement;
+    auto problem = agreement.play(t);
+    *compared += agreement.compared;
+    return problem;
+  });
+  if (HasFailure()) return;
+  EXPECT_EQ(*compared, 2'000U);
 }
 
 TEST(Published, ForgetsWhatIsRemoved) {

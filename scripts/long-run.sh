@@ -5,6 +5,14 @@
 # a GTEST_SHARD_INDEX of its own.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+usage() { sed -n '2,/^set /{/^#/s/^# \?//p}' scripts/long-run.sh; }
+wrong() { printf 'long-run.sh: %s\n\n' "$1" >&2; usage >&2; exit 2; }
+[[ ${1:-} == -h || ${1:-} == --help ]] && { usage; exit; }
+(($# <= 2)) || wrong "two arguments at most, not $#"
+[[ ${1:-25} =~ ^[0-9]{1,6}(\.[0-9]+)?$ && ${1:-25} =~ [1-9] ]] ||
+  wrong "SCALE is a number above 0 and below 1000000, such as 0.2 or 25, not '$1'"
+[[ ${2:-1} =~ ^[0-9]{1,19}$ ]] || wrong "SEED is a whole number of at most 19 digits, not '$2'"
 source scripts/steps.sh
 
 export LGS_TEST_SCALE=${1:-25} LGS_TEST_SEED=${2:-1}

@@ -273,19 +273,39 @@ def table(laws: dict[str, Law], bugs: list[Bug], results: dict[Bug, dict], comma
     return "\n".join(lines)
 
 
+def regex(text: str) -> re.Pattern:
+    try:
+        return re.compile(text)
+    except re.error as error:
+        raise argparse.ArgumentTypeError(f"'{text}' is no regular expression: {error}") from None
+
+
+def jobs(text: str) -> int:
+    if not re.fullmatch(r"0*[1-9]\d*", text):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from 1 on")
+    return int(text)
+
+
+def report_file(text: str) -> Path:
+    path = Path(text)
+    if path.is_dir() or not os.access(path if path.exists() else path.parent, os.W_OK):
+        raise argparse.ArgumentTypeError(f"'{text}' can not be written")
+    return path
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0], epilog=__doc__.split("\n\n", 1)[1],
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--only", metavar="REGEX", default="", help="bugs whose group or name matches")
+    parser.add_argument("--only", metavar="REGEX", type=regex, default="", help="bugs whose group or name matches")
     parser.add_argument("--list", action="store_true", help="list the bugs, see that each applies, and build nothing")
     parser.add_argument("--fresh", action="store_true", help="forget the results of earlier runs")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="processes at once (default: all cores)")
-    parser.add_argument("--seed", type=int, default=1, help="of the random cases (default: 1)")
-    parser.add_argument("--report", metavar="FILE", type=Path, help="write the table there, as Markdown")
+    parser.add_argument("--jobs", metavar="N", type=jobs, default=os.cpu_count(), help="processes at once (default: all cores)")
+    parser.add_argument("--seed", metavar="N", type=int, default=1, help="of the random cases (default: 1)")
+    parser.add_argument("--report", metavar="FILE", type=report_file, help="write the table there, as Markdown")
     arguments = parser.parse_args()
 
     laws, everything = read_bugs()
-    bugs = [b for b in everything if re.search(arguments.only, f"{b.group}: {b.name}")]
+    bugs = [b for b in everything if arguments.only.search(f"{b.group}: {b.name}")]
     if not bugs:
         parser.error("no bug's name matches that")
     if arguments.list:
@@ -337,7 +357,7 @@ def main() -> int:
             show(stored[key]["output"])
 
     if arguments.report:
-        only = f" --only '{arguments.only}'" if arguments.only else ""
+        only = f" --only '{arguments.only.pattern}'" if arguments.only.pattern else ""
         command = f"proptests/bugs/run.py --seed {arguments.seed}{only} --report {arguments.report}"
         arguments.report.write_text(table(laws, bugs, results, command))
     verdicts = [r["verdict"] for r in results.values()]

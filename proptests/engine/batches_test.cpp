@@ -74,7 +74,7 @@ void checkBatches(const std::string& name, const oracle::PreservePairs& preserve
                       const auto mismatch = oracle::findMismatch(t, {.cgal = false, .unionAtEnd = true});
                       return mismatch ? std::optional(oracle::describe(*mismatch, t)) : std::nullopt;
                     }});
-  if (failure) RC_FAIL(failure->text);
+  if (failure) failProperty(*failure);
 }
 
 RC_GTEST_PROP(Batches, AgreeWithTheNaiveReference, ()) { checkBatches("batches", {}); }

@@ -15,7 +15,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <string>
 
 namespace lgs::engine_test {
@@ -23,11 +22,6 @@ namespace {
 
 using oracle::Feature;
 using oracle::Trace;
-
-std::uint64_t testSeed() {
-  const char* text = std::getenv("LGS_TEST_SEED");
-  return text ? std::strtoull(text, nullptr, 10) : 1;
-}
 
 struct Tally {
   oracle::CheckStats stats;

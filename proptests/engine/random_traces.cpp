@@ -7,6 +7,7 @@
 #include "oracle/trace/player.h"
 #include "scale.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -20,6 +21,13 @@ using oracle::Trace;
 
 std::uint64_t anySeed() {
   return *rc::gen::noShrink(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
+}
+
+void failProperty(const Failure& failure) {
+  // What RapidCheck prints for this, "reproduce=…", does not say the scale; at another one it leads to other cases.
+  const std::string text = fmt::format("{}\nagain      RC_PARAMS='seed={}' {}", failure.text,
+                                       rc::detail::configuration().testParams.seed, test::again("lgs_engine_tests"));
+  RC_FAIL(text);
 }
 
 oracle::Outline outlineAfter(const Trace& trace) {
@@ -70,7 +78,7 @@ void forRandomTraces(const std::string& name, int cases, const CaseKind& kind, c
        .trace = traceOf,
        .complaint = [&](const Trace& t, std::uint64_t k) { return property(t, oracle::Random(choices[k].seed)); },
        .mayBe = [&](const Trace& t) { return kind.withRefused || withoutRefused(t).edits.size() == t.edits.size(); }});
-  if (failure) RC_FAIL(failure->text);
+  if (failure) failProperty(*failure);
 }
 
 }  // namespace lgs::engine_test

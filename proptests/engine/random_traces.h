@@ -32,6 +32,9 @@ struct CaseKind {
 /// trace found.
 void forRandomTraces(const std::string& name, int cases, const CaseKind& kind, const Property& property);
 
+/// Fails a RapidCheck property by what firstFailure() found, with the command that finds it again.
+void failProperty(const Failure& failure);
+
 /// A 64-bit number of RapidCheck's that it does not try to make small.
 std::uint64_t anySeed();
 

@@ -8,10 +8,13 @@
 #include "scale.h"
 #include "support.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 
 namespace lgs::engine_test {
@@ -93,7 +96,7 @@ void realsComeBack(const LocalPolygon& polygon, Random& random, double below) {
   }
 }
 
-RC_GTEST_PROP(RoundTrip, FloatsToLatticeToFloats, ()) {
+RC_GTEST_PROP(RoundTrip, LatticeToFloatsToLattice, ()) {
   Random random(anySeed());
   for (std::int64_t k = 0; k < scaled(5); ++k) {
     for (const Edit& edit : withoutRefused(oracle::randomCase({1, 1, 8}, random.next())).edits) {
@@ -101,6 +104,59 @@ RC_GTEST_PROP(RoundTrip, FloatsToLatticeToFloats, ()) {
       realsComeBack<float>(edit.polygon.vertices, random, 0.49);  // it has room for at least 1/256 of a unit
       realsComeBack<double>(edit.polygon.vertices, random, 0.499'999);
     }
+  }
+}
+
+/// A coordinate that rounds to one of the cell's lattice points, often one where rounding is easily wrong.
+template <class Real>
+Real anyReal(Random& random) {
+  constexpr Real kEnds[] = {0, Real(-0.0), 1, std::numeric_limits<Real>::denorm_min(),
+                            -std::numeric_limits<Real>::denorm_min()};
+  if (random.chance(15)) return kEnds[random.below(std::size(kEnds))];
+  if (random.chance(30)) return static_cast<Real>(random.next() >> 11) / static_cast<Real>(std::uint64_t{1} << 53);
+  // A lattice point, or between two of them (half a unit outside the cell, too), or one step of Real from there.
+  const std::int32_t halves = random.chance(50) ? random.below(2 * U + 3) - 1
+                                                : random.pick(std::vector{-1, 1, 2, 3, 2 * U - 1, 2 * U, 2 * U + 1});
+  const Real real = static_cast<Real>(halves) / (2 * U);
+  const int step = halves == -1 ? 1 : halves == 2 * U + 1 ? -1 : random.below(3) - 1;  // what lies outside: inwards
+  return step == 0 ? real : std::nextafter(real, step < 0 ? Real(-1) : Real(2));
+}
+
+/// What is wrong with `v`, of the lattice, as what became of `real`. All of it is exact; v - units would not be.
+template <class Real>
+std::optional<std::string> wrongRounding(Real real, std::int32_t v) {
+  const double units = double{real} * U, below = v - 0.5, above = v + 0.5;
+  const bool isNear = below <= units && units <= above;
+  if (isNear && units != (units > 0 ? above : below)) return std::nullopt;
+  return fmt::format("{:a} is {} units, and becomes {}: {}", real, units, v,
+                     isNear ? "not away from zero" : "more than half a unit away");
+}
+
+/// To the lattice and back, which is at most half a unit away; and again, which changes nothing.
+template <class Real>
+void realsAreRounded(World& world, Random& random) {
+  const RealPoint<Real> p{anyReal<Real>(random), anyReal<Real>(random)};
+  // A triangle with that side of the cell, lower or upper, that is farther from it.
+  const Real side = p.y < Real(0.5) ? 1 : 0;
+  const std::vector<RealPoint<Real>> polygon{p, {side, side}, {1 - side, side}};
+  const auto rounded = onLattice<Real>(world, polygon);
+  if (!rounded) RC_FAIL(fmt::format("({:a}, {:a}): {}", p.x, p.y, message(rounded.error())));
+  const LocalPoint v = (*rounded)[0];
+  for (const auto& problem : {wrongRounding(p.x, v.x), wrongRounding(p.y, v.y)})
+    if (problem) RC_FAIL(*problem);
+  std::vector<RealPoint<Real>> back;
+  for (const LocalPoint& q : *rounded) back.push_back({static_cast<Real>(q.x) / U, static_cast<Real>(q.y) / U});
+  const auto again = onLattice<Real>(world, back);
+  RC_ASSERT(again.has_value());
+  RC_ASSERT(*again == *rounded);
+}
+
+RC_GTEST_PROP(RoundTrip, FloatsToLatticeToFloats, ()) {
+  World world;
+  Random random(anySeed());
+  for (std::int64_t k = 0; k < scaled(200); ++k) {
+    realsAreRounded<float>(world, random);
+    realsAreRounded<double>(world, random);
   }
 }
 

@@ -1,21 +1,45 @@
 // How much the tests of the engine do. LGS_TEST_SCALE multiplies the number of random cases (default 1; 0.05 under
 // sanitizers, 100 for a long run). Below 1 it also thins out the exhaustive tests, which then say so by their counts.
+// LGS_TEST_SEED is where the cases of the bulk tests begin. A value that is none ends the program: a long run of something
+// else would be worse.
 #pragma once
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <limits>
+#include <string_view>
+#include <system_error>
 
 namespace lgs::engine_test {
 
+/// What an environment variable says, `otherwise` where it is not set. `range` is least … most in words.
+template <class Number>
+Number fromEnvironment(const char* variable, Number otherwise, Number least, Number most, const char* range) {
+  const char* const value = std::getenv(variable);
+  if (value == nullptr) return otherwise;
+  const std::string_view text = value;
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc() && end == text.data() + text.size() && number >= least && number <= most) return number;
+  std::fprintf(stderr, "%s is '%s'; it may be %s\n", variable, value, range);
+  std::exit(2);
+}
+
 inline double testScale() {
-  static const double scale = [] {
-    const char* text = std::getenv("LGS_TEST_SCALE");
-    const double value = text ? std::atof(text) : 1.0;
-    return value > 0 ? value : 1.0;
-  }();
+  static const double scale =
+      fromEnvironment("LGS_TEST_SCALE", 1.0, 1e-6, 1e6, "a number from 0.000001 to 1000000, such as 0.05 or 25");
   return scale;
+}
+
+inline std::uint64_t testSeed() {
+  static const auto seed =
+      fromEnvironment<std::uint64_t>("LGS_TEST_SEED", 1, 0, std::numeric_limits<std::uint64_t>::max(),
+                                     "a whole number from 0 to 18446744073709551615");
+  return seed;
 }
 
 /// `count` random cases at scale 1, at least one.
