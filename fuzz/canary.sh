@@ -50,6 +50,12 @@ tar -c CMakeLists.txt cmake lib oracle bench fuzz LICENSE | tar -x -C "$out/sour
 # Parts of a line of `bugs`, at bars that no backslash precedes.
 field() { perl -e 'my @f = split /(?<!\\)\|/, $ARGV[0], -1; $_ = $f[$ARGV[1]]; s/\\([|&])/$1/g; print' "$1" "$2"; }
 
+# Whether the log of $name has the report of what was found, and names the trace if one is saved.
+reported() {
+  grep -q '^FINDING in ' "$out/logs/$name.log" || return 1
+  ! compgen -G "$out/$name/*.trace" >/dev/null || grep -qE '^(trace|saved) .*\.trace$' "$out/logs/$name.log"
+}
+
 missed=0
 for bug in "${bugs[@]}"; do
   name=$(field "$bug" 0) target=$(field "$bug" 1) file=$(field "$bug" 2)
@@ -78,12 +84,15 @@ for bug in "${bugs[@]}"; do
     if [[ -n $input ]] && ! compgen -G "$out/$name/*.trace" >/dev/null; then  # it crashed: shrunk in child processes
       "$out/build/fuzz/lgs_fuzz" report "$target" "$input" --out "$out/$name" >>"$out/logs/$name.log" 2>&1 || true
     fi
-    if ((status)) && [[ -n $(ls -A "$out/$name") ]]; then  # no finding saved: it failed otherwise
-      printf 'found in %3d s, shrunk to %s edits: %s\n' $((SECONDS - began)) \
-        "$(cat "$out/$name/"*.trace 2>/dev/null | grep -cE '^(add|remove)')" "$(field "$bug" 5)"
-    else
+    if ((status == 0)) || [[ -z $(ls -A "$out/$name") ]]; then  # nothing saved: it failed otherwise
       echo "NOT FOUND in $seconds s, see $out/logs/$name.log: $(field "$bug" 5)"
       missed=1
+    elif ! reported; then
+      echo "found, but its report is lost: $out/logs/$name.log"
+      missed=1
+    else
+      printf 'found in %3d s, shrunk to %s edits: %s\n' $((SECONDS - began)) \
+        "$(cat "$out/$name/"*.trace 2>/dev/null | grep -cE '^(add|remove)')" "$(field "$bug" 5)"
     fi
   fi
   cp "$file" "$out/source/$file"

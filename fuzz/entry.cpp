@@ -5,6 +5,7 @@
 #include "fuzz/report.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 
 // libFuzzer's own mutations; not there under other engines.
@@ -30,7 +31,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto seconds = std::strtoll(environment("LGS_FUZZ_SHRINK", "10").c_str(), nullptr, 10);
     lgs::fuzz::report(kTarget, input, *finding, {environment("LGS_FUZZ_OUT", "."), std::chrono::seconds(seconds)},
                       false);
-    std::abort();  // the engine saves the input
+    std::fflush(nullptr);  // which std::abort() does not
+    std::abort();          // the engine saves the input
   }
   return 0;
 }
