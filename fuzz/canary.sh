@@ -23,6 +23,7 @@ bugs=(
   'many-wedges|edits|lib/src/content.cpp|  std::vector<Spoke> fan;|  if (directed.size() > 5) std::swap(directed[4], directed[5]);  std::vector<Spoke> fan;|2: a rare contact: three wedges of one cell meet in one point'
   'relink|edits|lib/src/linking.cpp|!sameEnd(pool_[before], pool_[now])|sameEnd(pool_[before], pool_[now])|6: relinked successors are reported the wrong way round'
   'self-touch|polygons|lib/src/polygon.cpp|crossProperly(a, b, c, d) \|\| isInside(c, a, b) \|\| isInside(d, a, b) \|\| isInside(a, c, d) \|\| isInside(b, c, d)|crossProperly(a, b, c, d)|7: a polygon whose vertex touches its own edge is accepted'
+  'blame|polygons|lib/src/polygon.cpp|order[k - 1], order[k]};|order[k - 1], order[k] - 1};|7: a refusal names a vertex that is not repeated'
   'swallowed|polygons|lib/src/polygon.cpp| \|\| someBoundaryIsInside(q, p)||7: a polygon around another is accepted'
   'executor|edits|lib/src/build.cpp|r.touching \|= touching;|r.touching = touching;|4: a build by an executor forgets all but the last corner touched'
   'round-trip|trace|oracle/trace/trace.cpp|"preserve {} {}\n", a, b)|"preserve {} {}\n", a, a)|trace: a pair that is preserved is printed wrong'
