@@ -3,6 +3,7 @@
 #include "fuzz/report.h"
 #include "oracle/check/model.h"
 #include "oracle/cli/command.h"
+#include "oracle/cli/report.h"
 #include "oracle/trace/file.h"
 
 #include <fmt/format.h>
@@ -34,6 +35,7 @@ const std::map<std::string, const Target*>& targets() {
 }
 
 struct Arguments {
+  std::string program;  // as a shell takes it
   std::string target;
   std::vector<std::string> paths;
   std::string output = "-";
@@ -45,7 +47,10 @@ struct Arguments {
   bool all = false;
 
   const Target& chosen() const { return *targets().at(target); }
-  Where where() const { return {folder, std::chrono::milliseconds(static_cast<std::int64_t>(shrinkSeconds * 1'000))}; }
+  Where where() const {
+    return {folder, std::chrono::milliseconds(static_cast<std::int64_t>(shrinkSeconds * 1'000)),
+            fmt::format("{} report {}", program, target)};
+  }
 };
 
 Bytes bytesOf(const std::string& content) {
@@ -91,7 +96,7 @@ class Session {
   bool run(Bytes input) {
     ++inputs_;
     const auto finding = arguments_.chosen().check(input, stats_);
-    if (finding) report(arguments_.chosen(), input, *finding, arguments_.where(), true);
+    if (finding) report(arguments_.chosen(), input, *finding, arguments_.where());
     return !finding;
   }
 
@@ -221,6 +226,7 @@ Status main(int argc, char** argv) {
   sub->add_option("PATH", arguments.paths)->required();
   sub->add_option("--repeat", arguments.repeat, "Run all of them this often, for a timing");
 
+  arguments.program = oracle::shellWord(argv[0]);
   sub = withOut(withTarget(add("smoke", "Run inputs, then random changes of them and random ones", smoke)));
   sub->add_option("PATH", arguments.paths, "Files and folders to start from; none: from nothing");
   sub->add_option("--seconds", arguments.seconds, "For how long; default 5");
