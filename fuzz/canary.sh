@@ -8,7 +8,7 @@
 #   --seconds S  how long to search for each; default 60. With 0 nothing is built: only whether each applies is seen
 #   --out DIR    for the copy, its build, logs and findings; default out/canary
 #
-# A bug is a substitution that must apply. Exit status: 0 all found, 1 one was not found or does not apply.
+# A bug is a substitution that must apply. Exit status: 0 all found, 1 one was not found or does not apply, 2 bad usage.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -39,6 +39,9 @@ if [[ ! $seconds =~ ^[0-9]+$ ]]; then
   echo "canary.sh: --seconds takes a number" >&2
   exit 2
 fi
+for name in "${wanted[@]}"; do
+  [[ " ${bugs[*]%%|*} " == *" $name "* ]] || { echo "canary.sh: no bug $name; there are ${bugs[*]%%|*}" >&2; exit 2; }
+done
 
 mkdir -p "$out/logs"
 out=$(cd "$out" && pwd)

@@ -19,10 +19,15 @@ hours=3 jobs=$(nproc) slice=600 out=out/fuzz build=
 declare -A settings=([--cpu-hours]=hours [--jobs]=jobs [--slice]=slice [--out]=out [--build]=build)
 source fuzz/options.sh
 targets=("${words[@]}")
-if [[ ! $hours =~ ^[0-9]+(\.[0-9]+)?$ || ! $jobs =~ ^[1-9][0-9]*$ || ! $slice =~ ^[1-9][0-9]*$ ]]; then
+if [[ ! $hours =~ ^[0-9]+(\.[0-9]+)?$ || ! $hours =~ [1-9] || \
+  ! $jobs =~ ^[1-9][0-9]*$ || ! $slice =~ ^[1-9][0-9]*$ ]]; then
   echo "run.sh: --cpu-hours, --jobs and --slice take positive numbers" >&2
   exit 2
 fi
+for target in "${targets[@]}"; do
+  [[ -d fuzz/corpus/$target ]] ||
+    { echo "run.sh: no target $target; there are $(cd fuzz/corpus && echo *)" >&2; exit 2; }
+done
 if [[ -z $build ]]; then
   build=build/fuzz
   cmake --preset fuzz >/dev/null
