@@ -8,7 +8,7 @@
 #   --seconds S  how long to search for each; default 60. With 0 nothing is built: only whether each applies is seen
 #   --out DIR    for the copy, its build, logs and findings; default out/canary
 #
-# A bug is a substitution that must apply. Exit status: 0 all found, 1 one was not found or does not apply.
+# A bug is a substitution that must apply. Exit status: 0 all found, 1 one was not found or does not apply, 2 bad usage.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -23,6 +23,7 @@ bugs=(
   'many-wedges|edits|lib/src/content.cpp|  std::vector<Spoke> fan;|  if (directed.size() > 5) std::swap(directed[4], directed[5]);  std::vector<Spoke> fan;|2: a rare contact: three wedges of one cell meet in one point'
   'relink|edits|lib/src/linking.cpp|!sameEnd(pool_[before], pool_[now])|sameEnd(pool_[before], pool_[now])|6: relinked successors are reported the wrong way round'
   'self-touch|polygons|lib/src/polygon.cpp|crossProperly(a, b, c, d) \|\| isInside(c, a, b) \|\| isInside(d, a, b) \|\| isInside(a, c, d) \|\| isInside(b, c, d)|crossProperly(a, b, c, d)|7: a polygon whose vertex touches its own edge is accepted'
+  'blame|polygons|lib/src/polygon.cpp|order[k - 1], order[k]};|order[k - 1], order[k] - 1};|7: a refusal names a vertex that is not repeated'
   'swallowed|polygons|lib/src/polygon.cpp| \|\| someBoundaryIsInside(q, p)||7: a polygon around another is accepted'
   'executor|edits|lib/src/build.cpp|r.touching \|= touching;|r.touching = touching;|4: a build by an executor forgets all but the last corner touched'
   'round-trip|trace|oracle/trace/trace.cpp|"preserve {} {}\n", a, b)|"preserve {} {}\n", a, a)|trace: a pair that is preserved is printed wrong'
@@ -38,6 +39,9 @@ if [[ ! $seconds =~ ^[0-9]+$ ]]; then
   echo "canary.sh: --seconds takes a number" >&2
   exit 2
 fi
+for name in "${wanted[@]}"; do
+  [[ " ${bugs[*]%%|*} " == *" $name "* ]] || { echo "canary.sh: no bug $name; there are ${bugs[*]%%|*}" >&2; exit 2; }
+done
 
 mkdir -p "$out/logs"
 out=$(cd "$out" && pwd)
@@ -49,6 +53,12 @@ tar -c CMakeLists.txt cmake lib oracle bench fuzz LICENSE | tar -x -C "$out/sour
 
 # Parts of a line of `bugs`, at bars that no backslash precedes.
 field() { perl -e 'my @f = split /(?<!\\)\|/, $ARGV[0], -1; $_ = $f[$ARGV[1]]; s/\\([|&])/$1/g; print' "$1" "$2"; }
+
+# Whether the log of $name has the report of what was found, and names the trace if one is saved.
+reported() {
+  grep -q '^FINDING in ' "$out/logs/$name.log" || return 1
+  ! compgen -G "$out/$name/*.trace" >/dev/null || grep -qE '^(trace|saved) .*\.trace$' "$out/logs/$name.log"
+}
 
 missed=0
 for bug in "${bugs[@]}"; do
@@ -78,12 +88,15 @@ for bug in "${bugs[@]}"; do
     if [[ -n $input ]] && ! compgen -G "$out/$name/*.trace" >/dev/null; then  # it crashed: shrunk in child processes
       "$out/build/fuzz/lgs_fuzz" report "$target" "$input" --out "$out/$name" >>"$out/logs/$name.log" 2>&1 || true
     fi
-    if ((status)) && [[ -n $(ls -A "$out/$name") ]]; then  # no finding saved: it failed otherwise
-      printf 'found in %3d s, shrunk to %s edits: %s\n' $((SECONDS - began)) \
-        "$(cat "$out/$name/"*.trace 2>/dev/null | grep -cE '^(add|remove)')" "$(field "$bug" 5)"
-    else
+    if ((status == 0)) || [[ -z $(ls -A "$out/$name") ]]; then  # nothing saved: it failed otherwise
       echo "NOT FOUND in $seconds s, see $out/logs/$name.log: $(field "$bug" 5)"
       missed=1
+    elif ! reported; then
+      echo "found, but its report is lost: $out/logs/$name.log"
+      missed=1
+    else
+      printf 'found in %3d s, shrunk to %s edits: %s\n' $((SECONDS - began)) \
+        "$(cat "$out/$name/"*.trace 2>/dev/null | grep -cE '^(add|remove)')" "$(field "$bug" 5)"
     fi
   fi
   cp "$file" "$out/source/$file"

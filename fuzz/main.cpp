@@ -3,6 +3,7 @@
 #include "fuzz/report.h"
 #include "oracle/check/model.h"
 #include "oracle/cli/command.h"
+#include "oracle/cli/report.h"
 #include "oracle/trace/file.h"
 
 #include <fmt/format.h>
@@ -34,6 +35,7 @@ const std::map<std::string, const Target*>& targets() {
 }
 
 struct Arguments {
+  std::string program;  // as a shell takes it
   std::string target;
   std::vector<std::string> paths;
   std::string output = "-";
@@ -45,7 +47,10 @@ struct Arguments {
   bool all = false;
 
   const Target& chosen() const { return *targets().at(target); }
-  Where where() const { return {folder, std::chrono::milliseconds(static_cast<std::int64_t>(shrinkSeconds * 1'000))}; }
+  Where where() const {
+    return {folder, std::chrono::milliseconds(static_cast<std::int64_t>(shrinkSeconds * 1'000)),
+            fmt::format("{} report {}", program, target)};
+  }
 };
 
 Bytes bytesOf(const std::string& content) {
@@ -55,7 +60,10 @@ Bytes bytesOf(const std::string& content) {
 double cpuSeconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 // Files as they are; of folders all files, in order.
@@ -91,7 +99,7 @@ class Session {
   bool run(Bytes input) {
     ++inputs_;
     const auto finding = arguments_.chosen().check(input, stats_);
-    if (finding) report(arguments_.chosen(), input, *finding, arguments_.where(), true);
+    if (finding) report(arguments_.chosen(), input, *finding, arguments_.where());
     return !finding;
   }
 
@@ -166,8 +174,16 @@ Status reportInput(const Arguments& arguments) {
 Status toTrace(const Arguments& arguments) {
   const auto content = oracle::readFile(arguments.paths.front());
   if (!content) return complain(message(content.error(), arguments.paths.front()));
-  const oracle::Trace trace = arguments.chosen().traceOf(bytesOf(*content));
-  return oracle::write(arguments.output, printTrace(arguments.all ? trace : withoutRefused(trace)));
+  const Target& target = arguments.chosen();
+  const oracle::Trace all = target.traceOf(bytesOf(*content));
+  const oracle::Trace trace = arguments.all ? all : withoutRefused(all);
+  if (trace.edits.empty()) {
+    std::string why = "too short for an edit";
+    if (target.whyEmpty) why = target.whyEmpty(bytesOf(*content));
+    if (!all.edits.empty()) why = "every edit must be refused; --all prints them";
+    return complain(fmt::format("{}: no trace: {}", arguments.paths.front(), why));
+  }
+  return oracle::write(arguments.output, printTrace(trace));
 }
 
 // Not readTrace(): edits that are refused are inputs like others.
@@ -188,6 +204,19 @@ std::string listOfTargets() {
   return text;
 }
 
+// CLI11's ranges let "nan" pass.
+CLI::Validator seconds(bool orZero) {
+  return {[orZero](const std::string& text) {
+            double value = 0;
+            const bool good =
+                CLI::detail::lexical_cast(text, value) && (value > 0 || (orZero && value == 0)) && value <= 1e6;
+            return good
+                       ? ""
+                       : fmt::format("'{}' is no {}number of seconds up to a million", text, orZero ? "" : "positive ");
+          },
+          "SECONDS"};
+}
+
 using Command = Status (*)(const Arguments&);
 
 Status main(int argc, char** argv) {
@@ -197,6 +226,7 @@ Status main(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(listOfTargets() + "\nExit status: 0 fine, 1 a finding, 2 bad input or usage.\nMore: fuzz/README.md");
   Arguments arguments;
+  arguments.program = oracle::shellWord(argv[0]);
   Command chosen = nullptr;
   const auto add = [&](const char* name, const char* about, Command command) {
     CLI::App* sub = app.add_subcommand(name, about);
@@ -213,18 +243,24 @@ Status main(int argc, char** argv) {
   };
   const auto withOut = [&](CLI::App* sub) {
     sub->add_option("--out", arguments.folder, "Folder for a finding; default out/fuzz");
-    sub->add_option("--shrink", arguments.shrinkSeconds, "Seconds to spend on shrinking; default 20");
+    sub->add_option("--shrink", arguments.shrinkSeconds, "Seconds to spend on shrinking; default 20")
+        ->check(seconds(true));
     return sub;
   };
 
   CLI::App* sub = withOut(withTarget(add("run", "Run inputs: files, or all files of folders", run)));
   sub->add_option("PATH", arguments.paths)->required();
-  sub->add_option("--repeat", arguments.repeat, "Run all of them this often, for a timing");
+  oracle::addWholeNumber(
+      *sub, "--repeat", [&](std::uint64_t n) { arguments.repeat = n; }, {.min = 1, .max = 1'000'000'000},
+      "Run all of them this often, for a timing")
+      ->option_text("N");
 
   sub = withOut(withTarget(add("smoke", "Run inputs, then random changes of them and random ones", smoke)));
   sub->add_option("PATH", arguments.paths, "Files and folders to start from; none: from nothing");
-  sub->add_option("--seconds", arguments.seconds, "For how long; default 5");
-  sub->add_option("--seed", arguments.seed, "Default 1");
+  sub->add_option("--seconds", arguments.seconds, "For how long; default 5")->check(seconds(false));
+  oracle::addWholeNumber(
+      *sub, "--seed", [&](std::uint64_t n) { arguments.seed = n; }, {}, "Default 1")
+      ->option_text("N");
 
   sub = withOut(withTarget(add("report", "Run an input that failed; shrink, save and draw its edits", reportInput)));
   sub->add_option("INPUT", arguments.paths)->required()->expected(1);

@@ -1,8 +1,10 @@
 // Arbitrary polygons, most of them bad. What the slow validator (oracle/check/validity.h) says is held against every way
 // into the engine: add() by lattice points and by doubles, shape(), fill(). A refusal is total: the world reads as before,
-// to the last segment and handle. Two worlds are kept: one edited cell by cell, one with rectangles filled at once.
+// to the last segment and handle; what an error names is to blame. Two worlds are kept: one edited cell by cell, one with rectangles filled at once.
+#include "fuzz/blame.h"
 #include "fuzz/target.h"
 #include "oracle/check/model.h"
+#include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/mirror.h"
@@ -20,6 +22,7 @@ using oracle::Edit;
 using oracle::LocalPolygon;
 using oracle::Mismatch;
 using oracle::Model;
+using Kind = oracle::Mismatch::Kind;
 
 constexpr std::array kActions{Action::spoilt,   Action::spoilt, Action::spoilt, Action::free,  Action::free,
                               Action::vertices, Action::raw,    Action::hull,   Action::place, Action::remove};
@@ -37,7 +40,7 @@ class Run {
       : trace_(trace), stats_(stats), world_(relationOf(trace.preserve)), bulk_(relationOf(trace.preserve)) {}
 
   std::optional<Finding> run() {
-    for (edit_ = 0; edit_ < trace_.edits.size() && text_.empty() && !full_; ++edit_) {
+    for (edit_ = 0; edit_ < trace_.edits.size() && !found_ && !full_; ++edit_) {
       const Edit& edit = trace_.edits[edit_];
       if (edit.kind == Edit::Kind::add) {
         add(edit);
@@ -47,9 +50,10 @@ class Run {
         commit();
       }
     }
-    if (text_.empty() && !full_) commit();
-    if (text_.empty()) return std::nullopt;
-    return Finding{text_, mismatch()};
+    if (!found_ && !full_) commit();
+    if (!found_) return std::nullopt;
+    found_->edits = edit_;  // the last of them included
+    return Finding{describe(found_->kind) + ":\n" + found_->text, std::move(found_)};
   }
 
  private:
@@ -82,14 +86,23 @@ class Run {
     judgeShape(vertices);
     const Reading before = verdict.accepted ? Reading() : readingOf(world_, cell);
     const auto done = addInTurn(cell, vertices, block);
-    if (done ? !judge(edit, verdict, std::nullopt) : !judge(edit, verdict, done.error())) return;
+    if (done) {
+      if (!verdict.accepted)
+        return fail(Kind::verdict,
+                    fmt::format("'{}' is accepted, but must be refused as {}", edit.name, name(*verdict.code)));
+    } else {
+      judge(fmt::format("'{}'", edit.name), done.error(), verdict.code, world_, cell, vertices);
+      if (found_ || full_) return;
+    }
     if (!done) {
       ++stats_.refused;
-      if (readingOf(world_, cell) != before) fail(fmt::format("the refusal of '{}' changed the world", edit.name));
+      if (readingOf(world_, cell) != before) {
+        fail(Kind::refusal, fmt::format("the refusal of '{}' changed the world", edit.name));
+      }
       return fillAround(edit);
     }
     const auto filled = bulk_.fill({cell, cell}, *bulk_.shape(std::span<const LocalPoint>(vertices)), block);
-    if (!filled) return fail("fill() refuses what add() accepts: " + message(filled.error()));
+    if (!filled) return fail(Kind::verdict, "fill() refuses what add() accepts: " + message(filled.error()));
     placed_[edit.name] = {*done, newestIn(bulk_, cell)};
     model_.apply(edit);
   }
@@ -102,26 +115,33 @@ class Run {
     return world_.add(cell, std::span<const DoublePoint>(points), block);
   }
 
-  bool judge(const Edit& edit, const Model::Verdict& verdict, const std::optional<Error>& error) {
-    if (error && tooMany(error->code)) {
+  // A refusal, against the reason there is, if any; `cell` is the one it must name.
+  void judge(const std::string& who, const Error& error, std::optional<ErrorCode> reason, const World& world, Cell cell,
+             const LocalPolygon& vertices) {
+    if (tooMany(error.code)) {
       full_ = true;
-    } else if (error && (message(*error).empty() || (error->hasCell() && error->cell != edit.polygon.cell))) {
-      fail(fmt::format("refused in another cell than it was meant for: '{}': {}", edit.name, message(*error)));
-    } else if (verdict.accepted == error.has_value() || (error && error->code != verdict.code)) {
-      fail(fmt::format("'{}' {}, but must be {}", edit.name, error ? "is refused: " + message(*error) : "is accepted",
-                       verdict.accepted ? "accepted" : fmt::format("refused as {}", name(*verdict.code))));
-    } else if (error && error->code == ErrorCode::overlap) {
-      judgeOther(edit, *error);
+    } else if (error.code != reason) {
+      fail(Kind::verdict,
+           fmt::format("{} is refused, but must be {}: {}", who,
+                       reason ? fmt::format("refused as {}", name(*reason)) : "accepted", message(error)));
+    } else if (error.cell != cell || message(error).empty()) {
+      fail(Kind::verdict,
+           fmt::format("the refusal of {} names another cell, or says nothing: {}", who, message(error)));
+    } else if (const std::string wrong = wrongBlame(error, vertices); !wrong.empty()) {
+      fail(Kind::verdict, fmt::format("the refusal of {} {}: {}", who, wrong, message(error)));
+    } else if (error.code == ErrorCode::overlap) {
+      judgeOther(who, error, world, cell, vertices);
     }
-    return text_.empty() && !full_;
   }
 
   // The polygon that is named as overlapped must be.
-  void judgeOther(const Edit& edit, const Error& error) {
-    const auto other = world_.polygon(error.other);
-    if (!other) return fail(fmt::format("'{}' overlaps a polygon that is not there", edit.name));
-    if (!oracle::overlap({other->vertices.begin(), other->vertices.end()}, edit.polygon.vertices)) {
-      fail(fmt::format("'{}' is said to overlap a polygon that it does not overlap", edit.name));
+  void judgeOther(const std::string& who, const Error& error, const World& world, Cell cell,
+                  const LocalPolygon& vertices) {
+    const auto other = world.polygon(error.other);
+    if (!other || world.cellOf(error.other) != cell) {
+      fail(Kind::verdict, fmt::format("{} is said to overlap a polygon that is not in its cell", who));
+    } else if (!oracle::overlap({other->vertices.begin(), other->vertices.end()}, vertices)) {
+      fail(Kind::verdict, fmt::format("{} is said to overlap a polygon that it does not overlap", who));
     }
   }
 
@@ -129,28 +149,37 @@ class Run {
   void judgeShape(const LocalPolygon& vertices) {
     const auto fault = oracle::faultOf(vertices);
     const auto shape = bulk_.shape(std::span<const LocalPoint>(vertices));
-    if (!shape && tooMany(shape.error().code)) {
-      full_ = true;
-    } else if (shape.has_value() == fault.has_value() || (!shape && shape.error().code != *fault)) {
-      fail(fmt::format("shape(): {}, but must be {}", shape ? "accepted" : message(shape.error()),
-                       fault ? name(*fault) : "accepted"));
+    if (!shape) {
+      judge("shape()", shape.error(), fault, bulk_, Error::kNoCell, vertices);
+    } else if (fault) {
+      fail(Kind::verdict, fmt::format("shape() accepts what must be refused as {}", name(*fault)));
     }
   }
 
-  // A rectangle with one cell that refuses: all or nothing.
+  // A rectangle with one cell that refuses: all or nothing, and the first cell that refuses is named.
   void fillAround(const Edit& edit) {
     const Cell cell = edit.polygon.cell;
-    const auto shape = bulk_.shape(std::span<const LocalPoint>(edit.polygon.vertices));
+    const LocalPolygon& vertices = edit.polygon.vertices;
+    const auto shape = bulk_.shape(std::span<const LocalPoint>(vertices));
     if (!shape || !inRange(cell)) return;
-    const CellRect rect{{cell.i - 1, cell.j}, {cell.i + 1, cell.j + 1}};
+    const CellRect rect{{cell.i - 1, cell.j}, {cell.i + 1, cell.j}};
     const std::uint64_t polygons = bulk_.stats().polygons;
     const auto filled = bulk_.fill(rect, *shape, edit.polygon.block);
-    if (filled) return fail("fill() accepts a rectangle with a cell that refuses");
-    if (bulk_.stats().polygons != polygons) return fail("a refused fill() changed the world");
-    const bool reachesOut = !inRange(rect.min) || !inRange(rect.max);
-    if (reachesOut ? filled.error().code != ErrorCode::cellOutOfRange : filled.error().code != ErrorCode::overlap) {
-      fail("fill() is refused for another reason than add(): " + message(filled.error()));
+    if (filled) return fail(Kind::verdict, "fill() accepts a rectangle with a cell that refuses");
+    if (bulk_.stats().polygons != polygons) return fail(Kind::refusal, "a refused fill() changed the world");
+    if (!inRange(rect.min) || !inRange(rect.max)) {
+      const Cell corner = inRange(rect.min) ? rect.max : rect.min;
+      return judge("fill()", filled.error(), ErrorCode::cellOutOfRange, bulk_, corner, vertices);
     }
+    Cell first = rect.min;
+    while (first != cell && !refuses(first, vertices)) ++first.i;
+    judge("fill()", filled.error(), ErrorCode::overlap, bulk_, first, vertices);
+  }
+
+  bool refuses(Cell cell, const LocalPolygon& vertices) const {
+    const auto& placed = model_.in(cell);
+    return std::any_of(placed.begin(), placed.end(),
+                       [&](const Model::Placed& p) { return oracle::overlap(vertices, p.vertices); });
   }
 
   static PolygonHandle newestIn(const World& world, Cell cell) {
@@ -165,30 +194,36 @@ class Run {
     if (found == placed_.end()) return;
     const Cell cell = model_.cellOf(edit.name);
     const auto done = world_.remove(found->second.handle);
-    if (!done) return fail("a polygon that is there can not be removed: " + message(done.error()));
+    if (!done) return fail(Kind::verdict, "a polygon that is there can not be removed: " + message(done.error()));
     const auto again = world_.remove(found->second.handle);
     if (again || again.error().code != ErrorCode::staleHandle)
-      return fail("the handle of a removed polygon is not stale");
+      return fail(Kind::verdict, "the handle of a removed polygon is not stale");
     model_.apply(edit);
     const bool last = model_.in(cell).empty();
     if (last && edit_ % 2 == 0) {
       const auto cleared = bulk_.clear({cell, cell});
-      if (!cleared || *cleared != 1) return fail("clear() does not remove the one polygon of a cell");
+      if (!cleared || *cleared != 1) return fail(Kind::verdict, "clear() does not remove the one polygon of a cell");
     } else if (const auto removed = bulk_.remove(found->second.inBulk); !removed) {
-      return fail("a polygon that was filled can not be removed: " + message(removed.error()));
+      return fail(Kind::verdict, "a polygon that was filled can not be removed: " + message(removed.error()));
     }
     placed_.erase(found);
   }
 
   void commit() {
     ++stats_.commits;
+    ++commits_;
     const Changes& changes = world_.commit();
-    if (auto problem = mirror_.update(world_, changes)) return fail(std::move(*problem));
+    if (auto problem = mirror_.update(world_, changes)) return fail(Kind::changes, std::move(*problem));
     bulk_.commit();
-    if (oracle::outlineOf(bulk_) != oracle::outlineOf(world_))
-      fail("filled cells have another outline than single polygons");
-    oracle::Scene scene = sceneOfModel();
-    if (naive_(scene).outline != oracle::outlineOf(world_)) fail("the outline differs from the naive reference's");
+    const oracle::Outline actual = oracle::outlineOf(world_);
+    compareOutlines(Kind::naive, naive_(sceneOfModel()).outline, actual);
+    compareOutlines(Kind::history, oracle::outlineOf(bulk_), actual);  // as rectangles, filled at once
+  }
+
+  void compareOutlines(Kind kind, const oracle::Outline& expected, const oracle::Outline& actual) {
+    if (found_ || expected == actual) return;
+    fail(kind, oracle::describe(oracle::compare(expected, actual)));
+    found_->expected = expected;
   }
 
   oracle::Scene sceneOfModel() const {
@@ -200,19 +235,12 @@ class Run {
     return scene;
   }
 
-  void fail(std::string text) {
-    if (text_.empty()) text_ = std::move(text) + "\n";
-  }
-
-  Mismatch mismatch() const {
-    Mismatch result;
-    result.kind = Mismatch::Kind::refusal;
-    result.text = text_;
-    result.edits = edit_;
-    result.scene = sceneOfModel();
-    result.actual = oracle::outlineOf(world_);
-    result.expected = result.actual;
-    return result;
+  // The first failure is the one that counts.
+  void fail(Kind kind, std::string text) {
+    if (found_) return;
+    if (!text.ends_with('\n')) text += '\n';
+    const oracle::Outline outline = oracle::outlineOf(world_);
+    found_ = Mismatch{kind, std::move(text), edit_, commits_, sceneOfModel(), outline, outline, {}};
   }
 
   const oracle::Trace& trace_;
@@ -224,7 +252,8 @@ class Run {
   oracle::NaiveReference naive_;
   std::unordered_map<std::string, Placed> placed_;
   std::size_t edit_ = 0;
-  std::string text_;
+  std::size_t commits_ = 0;
+  std::optional<Mismatch> found_;
   bool full_ = false;
 };
 

@@ -26,12 +26,17 @@ std::uint32_t hashOf(Bytes input) {
 
 std::string nameOf(const Target& target, Bytes input) { return fmt::format("{}-{:08x}", target.name, hashOf(input)); }
 
-std::string again(const Target& target, Bytes input) {
-  return fmt::format("lgs_fuzz report {0} {1}.input", target.name, nameOf(target, input));
-}
-
 void save(const std::string& path, std::string_view content) {
   if (oracle::write(path, content) == oracle::Status::fine) fmt::print("saved      {}\n", path);
+}
+
+// The input, and the command that runs it again.
+std::string saveInput(const Target& target, Bytes input, const Where& where) {
+  std::error_code ignored;  // writing will say what is wrong
+  std::filesystem::create_directories(where.folder, ignored);
+  const std::string path = (std::filesystem::path(where.folder) / (nameOf(target, input) + ".input")).string();
+  save(path, textOf(input));
+  return fmt::format("{} {}", where.again, oracle::shellWord(path));
 }
 
 // Whether `work` crashes, or hangs: too long is a finding as well.
@@ -48,13 +53,11 @@ bool traceDies(const Target& target, const Trace& trace) {
 
 }  // namespace
 
-void report(const Target& target, Bytes input, const Finding& finding, const Where& where, bool keepInput) {
-  const std::filesystem::path folder = where.folder;
-  std::error_code ignored;  // writing will say what is wrong
-  std::filesystem::create_directories(folder, ignored);
+void report(const Target& target, Bytes input, const Finding& finding, const Where& where) {
   fmt::print("FINDING in {} ({})\n", target.name, target.about);
+  const std::string again = saveInput(target, input, where);
   if (!finding.mismatch || !target.checkTrace) {
-    fmt::print("{}", finding.text);
+    fmt::print("{}again      {}\n", finding.text, again);
   } else {
     const auto findAgain = [&](const Trace& trace) -> std::optional<oracle::Mismatch> {
       if (traceDies(target, trace)) return std::nullopt;  // with fewer edits the same bug may end the program
@@ -64,9 +67,8 @@ void report(const Target& target, Bytes input, const Finding& finding, const Whe
       return same ? std::move(found->mismatch) : std::nullopt;
     };
     oracle::reportMismatch(*finding.mismatch, target.traceOf(input), findAgain,
-                           {where.folder, nameOf(target, input), again(target, input), where.shrinkFor});
+                           {where.folder, nameOf(target, input), again, where.shrinkFor});
   }
-  if (keepInput) save((folder / (nameOf(target, input) + ".input")).string(), textOf(input));
 }
 
 bool crashes(const Target& target, Bytes input) {
@@ -78,10 +80,8 @@ bool crashes(const Target& target, Bytes input) {
 
 void reportCrash(const Target& target, Bytes input, const Where& where) {
   fmt::print("FINDING in {}: this input ends the program\n", target.name);
+  fmt::print("again      {}\n", saveInput(target, input, where));
   const std::string base = (std::filesystem::path(where.folder) / nameOf(target, input)).string();
-  std::error_code ignored;
-  std::filesystem::create_directories(where.folder, ignored);
-  save(base + ".input", textOf(input));
   Trace trace = target.checkTrace ? target.traceOf(input) : Trace();
   if (trace.edits.empty() || !traceDies(target, trace)) return;
   const auto stillDies = [&](const Trace& candidate) { return traceDies(target, candidate); };

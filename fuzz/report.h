@@ -9,13 +9,14 @@
 namespace lgs::fuzz {
 
 struct Where {
-  std::string folder = ".";  ///< trace and picture go here
+  std::string folder = ".";  ///< trace, picture and input go here
   std::chrono::milliseconds shrinkFor{};
+  std::string again;  ///< the command that runs an input again; its path follows
 };
 
-/// Prints the finding, shrinks its edits as long as the target finds the same kind of mismatch, saves them and a picture;
-/// and saves the input, if `keepInput`.
-void report(const Target& target, Bytes input, const Finding& finding, const Where& where, bool keepInput);
+/// Prints the finding, shrinks its edits as long as the target finds the same kind of mismatch, saves them, a
+/// picture, and the input.
+void report(const Target& target, Bytes input, const Finding& finding, const Where& where);
 
 /// The same for an input that ends the process: a failed assertion, a sanitizer's complaint, a crash. Every candidate runs
 /// in a process of its own.

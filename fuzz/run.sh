@@ -19,10 +19,15 @@ hours=3 jobs=$(nproc) slice=600 out=out/fuzz build=
 declare -A settings=([--cpu-hours]=hours [--jobs]=jobs [--slice]=slice [--out]=out [--build]=build)
 source fuzz/options.sh
 targets=("${words[@]}")
-if [[ ! $hours =~ ^[0-9]+(\.[0-9]+)?$ || ! $jobs =~ ^[1-9][0-9]*$ || ! $slice =~ ^[1-9][0-9]*$ ]]; then
+if [[ ! $hours =~ ^[0-9]+(\.[0-9]+)?$ || ! $hours =~ [1-9] || \
+  ! $jobs =~ ^[1-9][0-9]*$ || ! $slice =~ ^[1-9][0-9]*$ ]]; then
   echo "run.sh: --cpu-hours, --jobs and --slice take positive numbers" >&2
   exit 2
 fi
+for target in "${targets[@]}"; do
+  [[ -d fuzz/corpus/$target ]] ||
+    { echo "run.sh: no target $target; there are $(cd fuzz/corpus && echo *)" >&2; exit 2; }
+done
 if [[ -z $build ]]; then
   build=build/fuzz
   cmake --preset fuzz >/dev/null
@@ -95,11 +100,23 @@ next() {
 # Not what libFuzzer only finds slow.
 findings() { find "$out/findings" -type f ! -name '*.*' ! -name '*-slow-unit-*' | wc -l; }
 
+# What the slices that run now, each a process group, have done so far: CPU seconds, executions.
+seconds_now() {
+  ps -eo pgid=,cputimes= |
+    awk -v groups=" ${!slot[*]} " 'index(groups, " " $1 " ") { s += $2 } END { print s + 0 }'
+}
+executions_now() {
+  for slice_name in "${slot[@]}"; do
+    awk '/^#[0-9]+\t/ { n = substr($1, 2) } END { print n + 0 }' "$out/logs/$slice_name.log" 2>/dev/null
+  done | awk '{ s += $1 } END { print s + 0 }'
+}
+
 status_line() {
   local text
   text=$(printf '%5.1f of %g CPU minutes, %s executions, %s findings; now' \
-    "$(awk -v s="$(spent)" 'BEGIN { print s / 60 }')" "$(awk -v h="$hours" 'BEGIN { print h * 60 }')" \
-    "$(awk -F'\t' '{ s += $3 } END { print s + 0 }' "$table")" "$(findings)")
+    "$(awk -v s="$(($(spent) + $(seconds_now)))" 'BEGIN { print s / 60 }')" \
+    "$(awk -v h="$hours" 'BEGIN { print h * 60 }')" \
+    "$(awk -F'\t' -v now="$(executions_now)" '{ s += $3 } END { print s + now }' "$table")" "$(findings)")
   for target in "${running[@]}"; do text+=" $target"; done
   if [[ -t 1 ]]; then printf '\r\033[K%s' "$text"; else echo "$text"; fi
 }
@@ -119,10 +136,11 @@ summary() {
 # The exit status.
 verdict() { (($(findings) == 0)) && [[ -z $(failed) ]]; }
 
-declare -A slot=()  # process: target
+declare -A slot=()  # process: TARGET-SEED, the name of its slice
 running=()
 begin=$(wc -l <"$table")
 seed=$((begin + 1))
+due=0  # when to print the status next, where it is no terminal
 stop() {
   trap - INT TERM
   for process in "${!slot[@]}"; do kill -INT -- "-$process" 2>/dev/null || true; done
@@ -133,25 +151,28 @@ stop() {
 }
 trap stop INT TERM
 
-set -m  # a group for each slice, so that Ctrl-C stops it after the others are told
 limit=$(awk -v h="$hours" 'BEGIN { printf "%d", h * 3600 }')
 share=$((limit / (${#targets[@]} > jobs ? ${#targets[@]} : jobs)))  # every target has its turn in a short run
 ((slice <= share)) || slice=$((share > 0 ? share : 1))
 while :; do
   for process in "${!slot[@]}"; do kill -0 "$process" 2>/dev/null || unset "slot[$process]"; done
-  running=("${slot[@]}")
+  running=("${slot[@]%-*}")
   while ((${#slot[@]} < jobs && $(spent) + ${#slot[@]} * slice < limit)); do
     target=$(next)
     [[ -n $target ]] || break
+    set -m  # a group for each slice, so that Ctrl-C stops it after the others are told
     one "$target" "$seed" &
-    slot[$!]=$target
+    set +m  # or bash would print of each that it is done
+    slot[$!]=$target-$seed
     running+=("$target")
     seed=$((seed + 1))
   done
   ((${#slot[@]})) || break
-  status_line
-  if [[ -t 1 ]]; then sleep 1; else sleep "$((slice < 30 ? slice : 30))"; fi
+  if [[ -t 1 ]] || ((SECONDS >= due)); then
+    status_line
+    due=$((SECONDS + 30))
+  fi
+  sleep 1
 done
-set +m
 summary
 verdict

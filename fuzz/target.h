@@ -33,6 +33,9 @@ struct Target {
   /// How inputs are changed to get others. Records: the actions that new ones mostly have. Text: what it is made of.
   std::span<const Action> actions;
   std::span<const std::string_view> words;
+
+  /// Why an input has no edits. Null if any bytes can have some.
+  std::string (*whyEmpty)(Bytes input) = nullptr;
 };
 
 extern const Target kEdits;     // edits.cpp

@@ -117,8 +117,13 @@ oracle::Trace traceOf(Bytes input) {
   return map ? oracle::traceOf(*map) : oracle::Trace();
 }
 
+std::string whyEmpty(Bytes input) {
+  const auto map = importText(textOf(input), allOptions()[0]);
+  return map ? "the map has no solid tiles" : message(map.error());
+}
+
 }  // namespace
 
-const Target kTiled{"tiled", "Tiled maps, TMX and TSX", check, traceOf, nullptr, {}, kWords};
+const Target kTiled{"tiled", "Tiled maps, TMX and TSX", check, traceOf, nullptr, {}, kWords, whyEmpty};
 
 }  // namespace lgs::fuzz

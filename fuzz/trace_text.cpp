@@ -52,6 +52,11 @@ std::optional<Finding> checkTrace(const Trace& trace, oracle::CheckStats& stats)
 
 Trace traceOf(Bytes input) { return oracle::parseTrace(textOf(input)).trace; }
 
+std::string whyEmpty(Bytes input) {
+  const oracle::ParsedTrace parsed = oracle::parseTrace(textOf(input));
+  return parsed.error ? message(*parsed.error, "the text") : "the trace has no edits";
+}
+
 std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) {
   const oracle::ParsedTrace parsed = oracle::parseTrace(textOf(input));
   if (parsed.error && (parsed.error->line == 0 || parsed.error->text.empty())) {
@@ -67,6 +72,7 @@ std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) {
 
 }  // namespace
 
-const Target kTrace{"trace", "the text of traces, parsed, played and printed", check, traceOf, checkTrace, {}, kWords};
+const Target kTrace{"trace", "the text of traces, parsed, played and printed", check, traceOf, checkTrace, {}, kWords,
+                    whyEmpty};
 
 }  // namespace lgs::fuzz

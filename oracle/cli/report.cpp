@@ -5,6 +5,7 @@
 #include "oracle/draw/counted.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -40,7 +41,9 @@ Status save(const Trace& trace, const std::string& picture, const ReportOptions&
       worst(write(base + ".trace", printTrace(trace, report.reproduce)), write(base + ".svg", picture));
   if (written == Status::fine) fmt::print("\ntrace      {0}.trace\npicture    {0}.svg\n", base);
   fmt::print("again      {}\n", report.reproduce);
-  if (written == Status::fine && replays) fmt::print("the trace  lgs replay {0}.trace --check --svg {0}.svg\n", base);
+  if (written == Status::fine && replays) {
+    fmt::print("the trace  lgs replay {} --check --svg {}\n", shellWord(base + ".trace"), shellWord(base + ".svg"));
+  }
   return Status::mismatch;
 }
 
@@ -54,6 +57,17 @@ void print(const Trace& trace, const std::string& what) {
 }
 
 }  // namespace
+
+std::string shellWord(std::string_view word) {
+  const auto isPlain = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+           std::string_view("_-./,:=+@%").find(c) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), isPlain)) return std::string(word);
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
 
 Status reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& findAgain,
                       const ReportOptions& report) {

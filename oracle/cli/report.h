@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace lgs::oracle {
 
@@ -18,6 +19,9 @@ struct ReportOptions {
   std::string reproduce;     ///< the command that finds the mismatch again
   std::chrono::milliseconds shrinkFor{};
 };
+
+/// A word as a shell takes it: in quotes if it has to be.
+std::string shellWord(std::string_view word);
 
 /// Finds a mismatch of the same kind in another trace; nothing if it is not there, or the trace is bad.
 using FindAgain = std::function<std::optional<Mismatch>(const Trace&)>;
