@@ -1,5 +1,5 @@
-// Whether what an error names is to blame. error.h does not promise which vertices an error names where several would do,
-// so any that are truly to blame are right, and no others.
+// Whether what an error names is to blame. Where error.h does not promise which of several vertices or edges an error
+// names, any that are truly to blame are right, and no others.
 #pragma once
 
 #include "oracle/check/validity.h"

@@ -1,4 +1,4 @@
-// Which vertices an error may name: of several that are to blame any, of the others none.
+// Which vertices an error may name: of several that are to blame any, unless error.h says which; of the others none.
 #include "fuzz/blame.h"
 
 #include <gtest/gtest.h>
@@ -35,9 +35,8 @@ TEST(FuzzBlame, AnyVertexOutside) {
             (Pairs{{1, -1}, {3, -1}}));
 }
 
-TEST(FuzzBlame, AnyPairOfEqualVertices) {
-  EXPECT_EQ(allowed(ErrorCode::repeatedVertex, {{0, 0}, {8, 0}, {0, 0}, {8, 8}, {8, 0}}),
-            (Pairs{{0, 2}, {2, 0}, {1, 4}, {4, 1}}));
+TEST(FuzzBlame, TheFirstVertexThatRepeatsAnother) {
+  EXPECT_EQ(allowed(ErrorCode::repeatedVertex, {{0, 0}, {8, 0}, {0, 0}, {8, 8}, {8, 0}}), (Pairs{{0, 2}}));
 }
 
 TEST(FuzzBlame, EdgesThatCross) {
