@@ -18,6 +18,7 @@ import re
 import shutil
 import subprocess
 import sys
+import textwrap
 import threading
 import time
 import tomllib
@@ -249,14 +250,19 @@ def say(result: dict) -> str:
 def table(laws: dict[str, Law], bugs: list[Bug], results: dict[Bug, dict], command: str) -> str:
     found = [r for r in results.values() if r["verdict"] == "found"]
     by_law = sum(r["by_law"] for r in found)
-    lines = ["# Planted bugs", "",
-             "Each is planted in `lib/` by itself; then the engine's tests are built and run until one fails: those of "
-             "the law that it breaks first, then all others. Made by:", "", f"    {command}", "",
-             f"{len(found)} of {len(bugs)} are found, {by_law} of them by a test of their law.", "",
-             "*Case*: the number of the random case that showed it, or of the world in `SmallWorlds`. *Edits*: how many are "
-             "left of that case when it is shrunk. More than four are left where the bug needs them: two chunks, a crowded "
-             "row, or a history. Tests that go through all there is of something other than worlds, or through examples, "
-             "have neither number; nor has a case that fails only after those before it a number of edits.", ""]
+    prose = [
+        "Each is planted in `lib/` by itself; then the engine's tests are built and run until one fails: those of the law "
+        "that it breaks first, then all others. Made by:",
+        f"    {command}",
+        f"{len(found)} of {len(bugs)} are found, {by_law} of them by a test of their law.",
+        "*Case*: the number of the random case that showed it, or of the world in `SmallWorlds`. *Edits*: how many are left "
+        "of that case when it is shrunk. More than four are left where the bug needs them: two chunks, a crowded row, or a "
+        "history. Tests that go through all there is of something other than worlds, or through examples, have neither "
+        "number; nor has a case that fails only after those before it a number of edits.",
+    ]
+    lines = ["# Planted bugs", ""]
+    for paragraph in prose:
+        lines += [paragraph if paragraph.startswith(" ") else textwrap.fill(paragraph, 120), ""]
     for group, law in laws.items():
         lines += [f"## {law.title}", "", "| bug | in | found by | case | edits |", "|---|---|---|---:|---:|"]
         for bug in bugs:
