@@ -1,6 +1,7 @@
-// Arbitrary polygons, most of them bad. What the slow validator (oracle/check/validity.h) says is held against every way
-// into the engine: add() by lattice points and by doubles, shape(), fill(). A refusal is total: the world reads as before,
-// to the last segment and handle; what an error names is to blame. Two worlds are kept: one edited cell by cell, one with rectangles filled at once.
+// Arbitrary polygons, most of them bad. What the slow validator (oracle/check/validity.h) says is held against every
+// way into the engine: add() by lattice points and by doubles, shape(), fill(). A refusal is total: the world reads
+// as before, to the last segment and handle; what an error names is to blame. Two worlds are kept: one edited cell by
+// cell, one with rectangles filled at once.
 #include "fuzz/blame.h"
 #include "fuzz/target.h"
 #include "oracle/check/model.h"
