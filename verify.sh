@@ -6,8 +6,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 source scripts/steps.sh
 
-map=oracle/maps/landscape.tmx
-lgs=build/release/oracle/cli/lgs
+map=examples/maps/landscape.tmx
+lgs=build/release/cli/lgs
 out=out/verify
 rm -rf "$out"
 mkdir -p "$out"

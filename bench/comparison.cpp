@@ -1,6 +1,6 @@
 #include "bench/comparison.h"
 
-#include "bench/edits.h"
+#include "bench/edit_times.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "bench/tiles.h"
 
-#include "oracle/check/palette.h"
-#include "oracle/check/random.h"
+#include "oracle/generate/random.h"
+#include "oracle/generate/shapes.h"
 
 #include <lgs/tiled/import.h>
 #include <lgs/world.h>
@@ -31,7 +31,7 @@ const Kind kRamps[] = {{{{{0, 0}, {U, 0}, {U, U}}}},
 tiled::ImportedMap importLandscape() {
   tiled::Options options;
   options.blockFrom = tiled::BlockFrom::tileClass;
-  auto map = tiled::importMap(LGS_SOURCE_DIR "/oracle/maps/landscape.tmx", options);
+  auto map = tiled::importMap(LGS_SOURCE_DIR "/examples/maps/landscape.tmx", options);
   if (!map) throw std::runtime_error(tiled::message(map.error()));
   return std::move(*map);
 }
@@ -107,7 +107,7 @@ Tiles mapTiles(Size size) {
 Tiles mixTiles(Size size) {
   Tiles tiles = emptyTiles("mix", size);
   tiles.kinds.emplace_back();
-  for (const oracle::PaletteShape& shape : oracle::palette()) {
+  for (const oracle::NamedShape& shape : oracle::degenerateShapes()) {
     for (int symmetry = 0; symmetry < 8; ++symmetry) {
       Kind& kind = tiles.kinds.emplace_back();
       for (const auto& polygon : shape.polygons) kind.polygons.push_back(oracle::turned(polygon, symmetry));

@@ -52,7 +52,7 @@ Tiles rampTiles(Size size);
 /// The project's map, repeated as often as it takes.
 Tiles mapTiles(Size size);
 
-/// The oracle's palette of degenerate shapes, turned at random; one cell in eight is empty.
+/// Degenerate shapes of the generator, turned at random; one cell in eight is empty.
 Tiles mixTiles(Size size);
 
 /// All four, by name: "full", "ramp", "map", "mix".

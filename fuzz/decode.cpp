@@ -1,5 +1,5 @@
 #include "fuzz/format.h"
-#include "oracle/check/palette.h"
+#include "oracle/generate/shapes.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -213,8 +213,8 @@ class Decoder {
     return {origin_.i + at % window_.width, origin_.j + at / window_.width};
   }
 
-  static const oracle::PaletteShape& shape(const Record& r) {
-    return oracle::palette()[r[2] % oracle::palette().size()];
+  static const oracle::NamedShape& shape(const Record& r) {
+    return oracle::degenerateShapes()[r[2] % oracle::degenerateShapes().size()];
   }
 
   // One block for all of a shape's polygons, or one after the other.

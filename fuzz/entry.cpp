@@ -1,9 +1,9 @@
 // The entry points of libFuzzer, and of all that speak its language: AFL++, Honggfuzz, ClusterFuzz. One program a target.
 //   LGS_FUZZ_OUT     folder for a finding's trace, picture and input; default: where the program runs
 //   LGS_FUZZ_SHRINK  seconds to spend on shrinking; default 10
+#include "fuzz/finding.h"
 #include "fuzz/mutate.h"
-#include "fuzz/report.h"
-#include "oracle/cli/report.h"
+#include "oracle/check/report.h"
 
 #include <algorithm>
 #include <cstdio>

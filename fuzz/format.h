@@ -36,12 +36,12 @@ inline constexpr std::uint32_t kNoRecord = 0xffff'ffff;  ///< a name that nothin
 
 /// What a record does: its first byte modulo 16.
 enum class Action : std::uint8_t {
-  replace,   ///< clears the cell and places a shape of the palette, turned
+  replace,   ///< clears the cell and places one of the degenerate shapes, turned
   replaceB,  ///< the same: what is done most has most numbers
   replaceC,
-  place,   ///< a shape of the palette beside what is there, or some of its polygons
-  fill,    ///< a shape of the palette in a rectangle of up to 20 cells
-  spoilt,  ///< a polygon of the palette with something wrong
+  place,   ///< one of the degenerate shapes beside what is there, or some of its polygons
+  fill,    ///< one of the degenerate shapes in a rectangle of up to 20 cells
+  spoilt,  ///< a polygon of a degenerate shape with something wrong
   hull,    ///< the convex hull of the vertices
   hullB,
   free,          ///< the vertices as they stand; mostly a bad polygon

@@ -1,10 +1,10 @@
 // lgs_fuzz: the targets without an engine. Runs inputs from files, changes them at random, converts and reports them.
+#include "cli/command.h"
+#include "fuzz/finding.h"
 #include "fuzz/mutate.h"
-#include "fuzz/report.h"
-#include "oracle/check/model.h"
-#include "oracle/cli/command.h"
-#include "oracle/cli/report.h"
+#include "oracle/check/report.h"
 #include "oracle/trace/file.h"
+#include "oracle/trace/model.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>

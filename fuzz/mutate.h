@@ -3,7 +3,7 @@
 #pragma once
 
 #include "fuzz/target.h"
-#include "oracle/check/random.h"
+#include "oracle/generate/random.h"
 
 #include <cstdint>
 #include <vector>

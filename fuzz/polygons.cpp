@@ -1,14 +1,14 @@
-// Arbitrary polygons, most of them bad. What the slow validator (oracle/check/validity.h) says is held against every
+// Arbitrary polygons, most of them bad. What the slow validator (oracle/reference/validity.h) says is held against every
 // way into the engine: add() by lattice points and by doubles, shape(), fill(). A refusal is total: the world reads
 // as before, to the last segment and handle; what an error names is to blame. Two worlds are kept: one edited cell by
 // cell, one with rectangles filled at once.
-#include "fuzz/blame.h"
 #include "fuzz/target.h"
-#include "oracle/check/model.h"
+#include "oracle/reference/blame.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/mirror.h"
+#include "oracle/trace/model.h"
 
 #include <fmt/format.h>
 #include <lgs/world.h>
@@ -128,7 +128,7 @@ class Run {
     } else if (error.cell != cell || message(error).empty()) {
       fail(Kind::verdict,
            fmt::format("the refusal of {} names another cell, or says nothing: {}", who, message(error)));
-    } else if (const std::string wrong = wrongBlame(error, vertices); !wrong.empty()) {
+    } else if (const std::string wrong = oracle::wrongBlame(error, vertices); !wrong.empty()) {
       fail(Kind::verdict, fmt::format("the refusal of {} {}: {}", who, wrong, message(error)));
     } else if (error.code == ErrorCode::overlap) {
       judgeOther(who, error, world, cell, vertices);

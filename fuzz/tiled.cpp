@@ -1,8 +1,8 @@
 // Tiled maps. An input is a TMX file; what follows a form feed in it is the TSX file that any tileset's source names.
 // Whatever is accepted keeps the importer's promise: sorted, counted, and placed by World without a refusal.
+#include "cli/imported.h"
 #include "fuzz/target.h"
-#include "oracle/check/validity.h"
-#include "oracle/cli/imported.h"
+#include "oracle/reference/validity.h"
 
 #include <fmt/format.h>
 #include <lgs/tiled/import.h>

@@ -1,11 +1,11 @@
-// The harness itself: the palette and the naive rules, the generator, the shrinker, the window.
+// The harness itself: the degenerate shapes and the naive rules, the generator, the shrinker, the window.
 #include "oracle/check/checker.h"
-#include "oracle/check/generator.h"
-#include "oracle/check/model.h"
-#include "oracle/check/palette.h"
 #include "oracle/check/shrink.h"
 #include "oracle/check/window.h"
+#include "oracle/generate/generator.h"
+#include "oracle/generate/shapes.h"
 #include "oracle/trace/dump.h"
+#include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 constexpr std::int32_t U = kUnitsPerCell;
 
 TEST(Palette, ShapesAreGoodInEverySymmetry) {
-  for (const PaletteShape& shape : palette()) {
+  for (const NamedShape& shape : degenerateShapes()) {
     for (int symmetry = 0; symmetry < 8; ++symmetry) {
       for (const LocalPolygon& a : shape.polygons) {
         EXPECT_FALSE(faultOf(turned(a, symmetry))) << shape.name;

@@ -1,11 +1,11 @@
 // The naive reference and CGAL's union against each other, on random degenerate scenes.
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/check/isolated.h"
-#include "oracle/check/model.h"
-#include "oracle/check/random.h"
+#include "oracle/generate/random.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
 #include "oracle/reference/scene.h"
+#include "oracle/trace/model.h"
 #include "proptests/first_failure.h"
 
 #include <fmt/format.h>

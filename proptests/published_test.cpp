@@ -1,17 +1,17 @@
 // The published algorithm under the harness: it departs from the laws in the ways that docs/departures.md shows, and in
 // no way on scenes within its reach.
+#include "bench/published/departures.h"
+#include "bench/published/published_player.h"
 #include "oracle/cgal/cgal_union.h"
-#include "oracle/check/features.h"
-#include "oracle/check/generator.h"
 #include "oracle/check/isolated.h"
-#include "oracle/check/model.h"
-#include "oracle/check/random.h"
 #include "oracle/check/shrink.h"
-#include "oracle/published/departures.h"
-#include "oracle/published/published_player.h"
+#include "oracle/generate/features.h"
+#include "oracle/generate/generator.h"
+#include "oracle/generate/random.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
 #include "oracle/trace/file.h"
+#include "oracle/trace/model.h"
 #include "proptests/first_failure.h"
 
 #include <fmt/format.h>

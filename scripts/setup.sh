@@ -4,7 +4,7 @@
 set -euo pipefail
 
 packages=(
-  g++ cmake ninja-build                          # the tool chain
+  g++ cmake ninja-build python3                  # the tool chain
   libexpected-dev                                # the engine
   libpugixml-dev zlib1g-dev libzstd-dev          # the Tiled importer
   libbox2d-dev                                   # the terrain for Box2D

@@ -1,6 +1,6 @@
 // Many edits with one commit: what one of them costs then. A batch digs cells anywhere, the next one refills them; all
 // batch sizes go through the same cells.
-#include "bench/edits.h"
+#include "bench/edit_times.h"
 #include "bench/micro/benches.h"
 
 #include <algorithm>

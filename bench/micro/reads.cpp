@@ -1,5 +1,5 @@
 // Reading: what a commit changed, all segments, all loops. Per segment read.
-#include "bench/edits.h"
+#include "bench/edit_times.h"
 #include "bench/micro/benches.h"
 
 namespace lgs::bench {

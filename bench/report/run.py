@@ -64,7 +64,7 @@ def compare(folder, out, scale):
     for side, rounds in scale["rounds"].items():
         say(f"comparing in worlds of {side}×{side} cells")
         file = out / f"comparison-{side}.json"
-        command = [folder / "oracle/cli/lgs", "bench", "--side", side, "--rounds", rounds, "--json", file]
+        command = [folder / "cli/lgs", "bench", "--side", side, "--rounds", rounds, "--json", file]
         text = run(command + (["--all"] if scale["all"] and side == 100 else []), stdout=subprocess.PIPE)
         (out / f"comparison-{side}.txt").write_text(text)
         for line in text.splitlines():

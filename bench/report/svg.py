@@ -1,4 +1,4 @@
-"""A small SVG writer, in the colours of the project's other pictures (oracle/draw/palette.h)."""
+"""A small SVG writer, in the colours of the project's other pictures (oracle/draw/colours.h)."""
 
 from html import escape
 

@@ -1,7 +1,7 @@
 // The published algorithm, ported word for word (oracle/published), in worlds of one polygon a cell. Its vertices are
 // floats in cells: made beforehand, and exact, for all are corners of cells.
+#include "bench/published/published_player.h"
 #include "bench/subjects/libraries.h"
-#include "oracle/published/published_player.h"
 #include "oracle/reference/outline.h"
 
 #include <algorithm>

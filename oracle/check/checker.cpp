@@ -1,14 +1,14 @@
 #include "oracle/check/checker.h"
 
 #include "oracle/cgal/cgal_union.h"
-#include "oracle/check/model.h"
-#include "oracle/check/random.h"
 #include "oracle/check/window.h"
+#include "oracle/generate/random.h"
 #include "oracle/reference/canonical.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/mirror.h"
+#include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
 
 #include <fmt/format.h>

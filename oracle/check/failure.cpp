@@ -1,9 +1,9 @@
 #include "oracle/check/failure.h"
 
-#include "oracle/check/model.h"
 #include "oracle/draw/counted.h"
 #include "oracle/draw/draw.h"
 #include "oracle/reference/naive.h"
+#include "oracle/trace/model.h"
 
 #include <fmt/format.h>
 

@@ -11,9 +11,9 @@
 // the segments of `cells`.
 #pragma once
 
-#include "oracle/check/model.h"
 #include "oracle/reference/outline.h"
 #include "oracle/reference/scene.h"
+#include "oracle/trace/model.h"
 
 #include <set>
 

@@ -1,6 +1,6 @@
 #include "oracle/draw/legend.h"
 
-#include "oracle/draw/palette.h"
+#include "oracle/draw/colours.h"
 
 #include <algorithm>
 #include <numbers>

@@ -1,6 +1,6 @@
+#include "oracle/draw/colours.h"
 #include "oracle/draw/difference.h"
 #include "oracle/draw/draw.h"
-#include "oracle/draw/palette.h"
 #include "oracle/draw/panel.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "oracle/draw/palette.h"
+#include "oracle/draw/colours.h"
 #include "oracle/draw/panel.h"
 #include "oracle/reference/words.h"
 

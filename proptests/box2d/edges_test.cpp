@@ -1,6 +1,6 @@
 // The core of the Box2D adapters: rules 1 to 3 of <lgs/box2d/edges.h>, and that edits change nothing but what changed.
 #include "oracle/check/isolated.h"
-#include "oracle/check/random.h"
+#include "oracle/generate/random.h"
 #include "oracle/trace/player.h"
 
 #include "edge_copy.h"

@@ -50,7 +50,7 @@ inline Field hilly(const Profile& profile, bool ceiling) {
 }
 
 inline Field landscape() {
-  const auto map = tiled::importMap(LGS_SOURCE_DIR "/oracle/maps/landscape.tmx");
+  const auto map = tiled::importMap(LGS_SOURCE_DIR "/examples/maps/landscape.tmx");
   EXPECT_TRUE(map);
   Field field;
   for (const tiled::Placement& p : map->placements) field.add(p.cell, map->shapes[p.shape], p.block);

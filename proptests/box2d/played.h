@@ -1,7 +1,7 @@
 // Random edits with something of Box2D's that must follow them.
 #pragma once
 
-#include "oracle/check/generator.h"
+#include "oracle/generate/generator.h"
 #include "oracle/trace/player.h"
 #include "proptests/first_failure.h"
 

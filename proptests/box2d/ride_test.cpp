@@ -1,6 +1,6 @@
 // Rides in Box2D 2.4: the terrain is as smooth as chains built from CGAL's union of the whole world, wherever the cells
 // and the chunks end; a fixture for each polygon is not.
-#include "oracle/ride/ride.h"
+#include "bench/ride/ride.h"
 
 #include "fields.h"
 

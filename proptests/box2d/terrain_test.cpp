@@ -1,6 +1,6 @@
 // The terrain in a live Box2D world: fixtures follow the world's segments through every edit, bodies notice, and a
 // fixture knows what it stands for.
-#include "oracle/check/random.h"
+#include "oracle/generate/random.h"
 #include "oracle/trace/player.h"
 #include "proptests/first_failure.h"
 

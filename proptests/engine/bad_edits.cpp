@@ -257,7 +257,7 @@ const std::vector<Cell>& Stage::cells() {
 Stage makeStage() {
   Stage s;
   s.square = shapeOf(s.world, {unitSquare()});
-  s.twoRamps = shapeOf(s.world, paletteShape("two ramps"));
+  s.twoRamps = shapeOf(s.world, shapeNamed("two ramps"));
   s.full = place(s.world, kFull, unitSquare(), 1);
   s.ramp = place(s.world, kRamp, ramp(), 2);
   s.removed = place(s.world, kRamp, eighths({{0, 2}, {6, 8}, {0, 8}}), 3);

@@ -1,8 +1,8 @@
 // Commits of many edits at once, in rows across the borders of chunks: a commit then goes by whole rows of cells, and
 // passes over what is buried. Against the naive reference, and by change lists on a mirror.
 #include "oracle/check/failure.h"
-#include "oracle/check/palette.h"
-#include "oracle/check/random.h"
+#include "oracle/generate/random.h"
+#include "oracle/generate/shapes.h"
 #include "random_traces.h"
 #include "scale.h"
 #include "support.h"
@@ -46,9 +46,9 @@ class Strip {
     for (const std::string& name : there_[cell]) trace_.edits.push_back(Edit::remove(name));
     there_[cell].clear();
     if (random_.chance(15)) return;
-    const oracle::PaletteShape& any = random_.pick(oracle::palette());
+    const oracle::NamedShape& any = random_.pick(oracle::degenerateShapes());
     const std::vector<LocalPolygon>& shape =
-        random_.chance(solidPercent_) ? oracle::palette()[0].polygons : any.polygons;
+        random_.chance(solidPercent_) ? oracle::degenerateShapes()[0].polygons : any.polygons;
     for (const LocalPolygon& polygon : shape) {
       const std::string name = fmt::format("p{}", ++named_);
       trace_.edits.push_back(Edit::add(name, {cell, random_.below(3U), polygon}));

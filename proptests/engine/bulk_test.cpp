@@ -6,9 +6,9 @@
 //
 // LGS_TEST_SCALE is how many times as many blocks there are; no two blocks of a run have a case in common.
 #include "oracle/check/checker.h"
-#include "oracle/check/features.h"
-#include "oracle/check/generator.h"
 #include "oracle/check/isolated.h"
+#include "oracle/generate/features.h"
+#include "oracle/generate/generator.h"
 #include "random_traces.h"
 #include "scale.h"
 

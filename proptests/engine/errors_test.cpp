@@ -84,7 +84,7 @@ TEST(Errors, VerticesInACellAreLimitedAllTogether) {
 
 TEST(Errors, OverlapIsFoundBeforeAnythingElseInTheCellChanges) {
   World world;
-  const std::vector<LocalPolygon> halves = paletteShape("two halves");
+  const std::vector<LocalPolygon> halves = shapeNamed("two halves");
   const ShapeId shape = shapeOf(world, halves);
   const PolygonHandle upper = place(world, {3, 3}, halves[1]);
   std::array<PolygonHandle, 2> handles{PolygonHandle{1, 2}, PolygonHandle{3, 4}};

@@ -1,5 +1,5 @@
 // fill() and clear(): the same as single edits, all or nothing, across chunks, at negative cells and the range's ends.
-#include "oracle/check/random.h"
+#include "oracle/generate/random.h"
 #include "oracle/trace/dump.h"
 #include "scale.h"
 #include "support.h"
@@ -17,7 +17,7 @@ using oracle::Random;
 
 TEST(Fill, CountsCellsAndClearCountsPolygons) {
   World world;
-  const ShapeId halves = shapeOf(world, paletteShape("two halves"));
+  const ShapeId halves = shapeOf(world, shapeNamed("two halves"));
   EXPECT_EQ(world.fill({{-40, -33}, {35, 2}}, halves, 3).value(), 76U * 36U);
   EXPECT_EQ(world.stats().polygons, 2U * 76U * 36U);
   EXPECT_EQ(world.stats().cells, 76U * 36U);
@@ -89,7 +89,7 @@ TEST(Fill, OfOtherShapesWhereItWasSolid) {
   World world, fresh;
   const CellRect all{{-20, -20}, {20, 20}}, inner{{-12, -9}, {11, 8}};
   const auto squareIn = [](World& w) { return shapeOf(w, {unitSquare()}); };
-  const auto diamondIn = [](World& w) { return shapeOf(w, paletteShape("diamond")); };
+  const auto diamondIn = [](World& w) { return shapeOf(w, shapeNamed("diamond")); };
   ASSERT_TRUE(world.fill(all, squareIn(world), 1));
   world.commit();
   ASSERT_TRUE(world.clear(inner));
@@ -108,7 +108,7 @@ TEST(Fill, OfOtherShapesWhereItWasSolid) {
 
 TEST(Fill, AddsToCellsThatHoldOthersAlready) {
   World world;
-  const auto halves = paletteShape("two halves");
+  const auto halves = shapeNamed("two halves");
   place(world, {3, 3}, halves[0], 5);
   ASSERT_TRUE(world.fill({{2, 2}, {4, 4}}, shapeOf(world, {halves[1]}), 6));
   world.commit();
@@ -143,7 +143,7 @@ RC_GTEST_PROP(Fill, IsTheSameAsSingleEdits, ()) {
       }
       RC_ASSERT(whole.clear(rect).value() == count);
     } else {
-      const std::vector<LocalPolygon>& polygons = random.pick(oracle::palette()).polygons;
+      const std::vector<LocalPolygon>& polygons = random.pick(oracle::degenerateShapes()).polygons;
       const ShapeId a = shapeOf(whole, polygons), b = shapeOf(single, polygons);
       const Block block = random.below(4U);
       const auto filled = whole.fill(rect, a, block);
@@ -179,7 +179,7 @@ RC_GTEST_PROP(Fill, IsTheSameAsSingleEdits, ()) {
 // with rim points. Only the address sanitizer can see it.
 TEST(Fill, BuriesCellsThatListTheirPolygons) {
   World world;
-  const ShapeId halves = shapeOf(world, paletteShape("two halves"));
+  const ShapeId halves = shapeOf(world, shapeNamed("two halves"));
   std::array<PolygonHandle, 2> handles;
   ASSERT_TRUE(world.add({-500, -500}, halves, 1, handles));
   ASSERT_TRUE(world.remove(handles[1]));

@@ -111,7 +111,7 @@ TEST(Handles, SegmentsKeepTheHandleOfARemovedPolygonUntilTheCommit) {
 
 TEST(Handles, OfAShapeComeInItsOrder) {
   World world;
-  std::vector<LocalPolygon> parts = paletteShape("four around the middle");
+  std::vector<LocalPolygon> parts = shapeNamed("four around the middle");
   for (int turn = 0; turn < 4; ++turn) {
     const ShapeId shape = shapeOf(world, parts);
     std::array<PolygonHandle, 4> handles;
@@ -131,7 +131,7 @@ TEST(Handles, OfAShapeComeInItsOrder) {
 
 TEST(Handles, SurviveTheRemovalOfOthersInTheCell) {
   World world;
-  const std::vector<LocalPolygon> parts = paletteShape("four around the middle");
+  const std::vector<LocalPolygon> parts = shapeNamed("four around the middle");
   std::array<PolygonHandle, 4> handles;
   ASSERT_TRUE(world.add({}, shapeOf(world, parts), 1, handles));
   for (const std::size_t gone : {2U, 0U, 3U}) {

@@ -1,6 +1,6 @@
 #include "invariants.h"
 
-#include "oracle/check/random.h"
+#include "oracle/generate/random.h"
 #include "oracle/reference/vector.h"
 #include "oracle/reference/words.h"
 

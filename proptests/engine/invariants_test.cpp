@@ -1,6 +1,6 @@
 // Invariants on big worlds under random edits: where no reference can follow.
 #include "invariants.h"
-#include "oracle/check/random.h"
+#include "oracle/generate/random.h"
 #include "random_traces.h"
 #include "scale.h"
 #include "support.h"
@@ -83,10 +83,10 @@ RC_GTEST_PROP(Invariants, HoldInRandomCases, ()) {
   });
 }
 
-/// Every shape of the palette, each turned by chance.
+/// Every degenerate shape, each turned by chance.
 std::vector<ShapeId> turnedPalette(World& world, Random& random) {
   std::vector<ShapeId> shapes;
-  for (const oracle::PaletteShape& shape : oracle::palette()) {
+  for (const oracle::NamedShape& shape : oracle::degenerateShapes()) {
     const int symmetry = random.below(8);
     std::vector<LocalPolygon> polygons;
     for (const LocalPolygon& p : shape.polygons) polygons.push_back(oracle::turned(p, symmetry));

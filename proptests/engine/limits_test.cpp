@@ -1,6 +1,6 @@
 // The documented limits that no test can reach by edits alone, reached by going in behind the edits; what the index and the
 // catalogue must do when it gets tight.
-#include "oracle/check/random.h"
+#include "oracle/generate/random.h"
 #include "oracle/trace/dump.h"
 #include "scale.h"
 #include "support.h"
@@ -23,7 +23,7 @@ using oracle::Random;
 struct WornWorld {
   World::Impl impl{PreserveRelation()};
   ShapeId square = shapeOf({unitSquare()});
-  ShapeId halves = shapeOf(paletteShape("two halves"));
+  ShapeId halves = shapeOf(shapeNamed("two halves"));
 
   ShapeId shapeOf(const std::vector<LocalPolygon>& polygons) {
     const std::vector<detail::PolygonView> views(polygons.begin(), polygons.end());

@@ -1,6 +1,6 @@
 // What a world costs: the statistics against what is really allocated, and no allocation in the steady state.
 #include "allocations.h"
-#include "oracle/check/random.h"
+#include "oracle/generate/random.h"
 #include "scale.h"
 #include "support.h"
 
@@ -41,7 +41,7 @@ TEST(Memory, ABuriedFullCellCostsAtMostEightBytes) {
 
 TEST(Memory, GrowsWithWhatIsThere) {
   Measured m;
-  const ShapeId square = shapeOf(m.world, {unitSquare()}), diamond = shapeOf(m.world, paletteShape("diamond"));
+  const ShapeId square = shapeOf(m.world, {unitSquare()}), diamond = shapeOf(m.world, shapeNamed("diamond"));
   const std::uint64_t empty = m.world.stats().bytes;
   ASSERT_TRUE(m.world.fill({{0, 0}, {99, 99}}, square, 1));
   m.world.commit();
@@ -65,7 +65,7 @@ TEST(Memory, StatsAreHonestWithManyShapesAndPolygons) {
   Measured m;
   Random random(5);
   for (int k = 0; k < 3000; ++k) {
-    const oracle::PaletteShape& shape = random.pick(oracle::palette());
+    const oracle::NamedShape& shape = random.pick(oracle::degenerateShapes());
     std::vector<LocalPolygon> polygons;
     const int symmetry = random.below(8);
     for (const LocalPolygon& p : shape.polygons) polygons.push_back(oracle::turned(p, symmetry));
@@ -147,7 +147,7 @@ class SteadyState {
 };
 
 std::vector<std::vector<LocalPolygon>> singleShapes() {
-  return {{unitSquare()}, {ramp()}, paletteShape("comb"), paletteShape("diamond"), paletteShape("gentle, low")};
+  return {{unitSquare()}, {ramp()}, shapeNamed("comb"), shapeNamed("diamond"), shapeNamed("gentle, low")};
 }
 
 TEST(Memory, TheSteadyStateAllocatesNothing) {
@@ -167,8 +167,7 @@ TEST(Memory, TheSteadyStateAllocatesNothing) {
 // With several polygons in a cell what commit() promises still holds.
 TEST(Memory, CommitsAllocateNothingWithSeveralPolygonsInACell) {
   for (const bool byVertices : {false, true}) {
-    SteadyState state({}, {paletteShape("two ramps"), paletteShape("four around the middle"), {unitSquare()}},
-                      byVertices);
+    SteadyState state({}, {shapeNamed("two ramps"), shapeNamed("four around the middle"), {unitSquare()}}, byVertices);
     state.grow();
     state.run(20'000, 1);
     const auto [ofEdits, ofCommits] = state.run(10'000, 2);

@@ -1,7 +1,7 @@
 // The world changed as a whole, in ways after which the outline is known from the outline before: shifted by whole
 // cells, turned, mirrored, with other block numbers, with a polygon split in two, with cells and polygons united.
-#include "oracle/check/generator.h"
-#include "oracle/check/model.h"
+#include "oracle/generate/generator.h"
+#include "oracle/trace/model.h"
 #include "random_traces.h"
 #include "support.h"
 

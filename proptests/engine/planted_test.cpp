@@ -1,10 +1,10 @@
 // The tests' own tools on bugs planted here, in what the engine puts out or is given: each is found in random cases and
 // shrinks to a few edits; what was found is saved and drawn. A crash is such a bug. (proptests/bugs plants them in lib/.)
-#include "oracle/check/generator.h"
 #include "oracle/check/isolated.h"
-#include "oracle/check/model.h"
+#include "oracle/generate/generator.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/file.h"
+#include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
 #include "random_traces.h"
 

@@ -1,6 +1,6 @@
 // Validation by itself, exhausted on tiny lattices: every sequence of three, four or five points against slow rules
 // that can be seen to be right.
-#include "oracle/check/validity.h"
+#include "oracle/reference/validity.h"
 #include "polygon.h"
 #include "scale.h"
 

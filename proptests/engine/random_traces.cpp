@@ -1,9 +1,9 @@
 #include "random_traces.h"
 
-#include "oracle/check/generator.h"
-#include "oracle/check/model.h"
+#include "oracle/generate/generator.h"
 #include "oracle/reference/compare.h"
 #include "oracle/trace/dump.h"
+#include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
 #include "scale.h"
 

@@ -2,7 +2,7 @@
 // that fails see first_failure.h.
 #pragma once
 
-#include "oracle/check/random.h"
+#include "oracle/generate/random.h"
 #include "oracle/reference/outline.h"
 #include "oracle/trace/trace.h"
 #include "proptests/first_failure.h"

@@ -1,7 +1,7 @@
 // Law 7, refusal is total: after any bad edit the world, its ids, its handles and all it does later are as if the
 // edit had not been tried.
 #include "bad_edits.h"
-#include "oracle/check/random.h"
+#include "oracle/generate/random.h"
 #include "scale.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ std::uint64_t goodEdit(Stage& s, std::uint64_t seed) {
   const Cell cell = random.pick(cells);
   const std::vector<PlacedPolygon> there = s.world.polygons(cell);
   if (there.empty()) {
-    const oracle::PaletteShape& shape = random.pick(oracle::palette());
+    const oracle::NamedShape& shape = random.pick(oracle::degenerateShapes());
     const ShapeId id = shapeOf(s.world, shape.polygons);
     return s.world.add(cell, id, random.below(3U)).value().packed();
   }
@@ -47,7 +47,7 @@ Attempt tryListed(Stage& s, Random& random) {
 Attempt overlapSomething(Stage& s, Random& random) {
   const std::vector<Cell> cells = cellsOf({{-1, -1}, {3, 1}});
   const Cell cell = random.pick(cells);
-  const oracle::PaletteShape& shape = random.pick(oracle::palette());
+  const oracle::NamedShape& shape = random.pick(oracle::degenerateShapes());
   const int symmetry = random.below(8);
   const LocalPolygon polygon = oracle::turned(random.pick(shape.polygons), symmetry);
   for (const PlacedPolygon& there : s.world.polygons(cell)) {

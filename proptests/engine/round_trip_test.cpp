@@ -1,8 +1,8 @@
 // Ways there and back: a world through a trace's text, coordinates through floats. (Imported maps:
 // proptests/tiled/round_trip_test.cpp.)
-#include "oracle/check/generator.h"
-#include "oracle/check/model.h"
+#include "oracle/generate/generator.h"
 #include "oracle/trace/dump.h"
+#include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
 #include "random_traces.h"
 #include "scale.h"

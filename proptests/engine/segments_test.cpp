@@ -44,7 +44,7 @@ TEST(Segments, SayAllAboutThemselves) {
 
 TEST(Segments, OfARectangleAreThoseOfItsCells) {
   World world;
-  ASSERT_TRUE(world.fill({{-40, -2}, {40, 2}}, shapeOf(world, paletteShape("diamond")), 1));
+  ASSERT_TRUE(world.fill({{-40, -2}, {40, 2}}, shapeOf(world, shapeNamed("diamond")), 1));
   world.commit();
   EXPECT_EQ(world.segments().size(), 4U * 81U * 5U);
   for (const CellRect& rect : {CellRect{{-33, -1}, {-31, 0}},
@@ -119,7 +119,7 @@ TEST(Segments, StayAsTheyAreWhileEditsAreNotCommitted) {
 
 TEST(Segments, AnEditTakenBackChangesNothing) {
   World world;
-  ASSERT_TRUE(world.fill({{0, 0}, {3, 3}}, shapeOf(world, paletteShape("diamond")), 1));
+  ASSERT_TRUE(world.fill({{0, 0}, {3, 3}}, shapeOf(world, shapeNamed("diamond")), 1));
   world.commit();
   const Snapshot before = snapshotOf(world, {});
   ASSERT_TRUE(world.remove(place(world, {9, 1}, unitSquare())));

@@ -1,4 +1,4 @@
-// All worlds of 2×2 cells over a palette of degenerate shapes, each against the naive reference: segments, ghosts,
+// All worlds of 2×2 cells over some degenerate shapes, each against the naive reference: segments, ghosts,
 // blocks and owners; without a preserve relation, with one that makes two materials, and with one that is not
 // transitive.
 #include "oracle/check/failure.h"
@@ -46,7 +46,7 @@ const std::vector<Polygons>& smallPalette() {
     std::vector<Polygons> out{{}};
     for (const auto& [name, symmetry] : names) {
       out.emplace_back();
-      for (const LocalPolygon& p : paletteShape(name)) out.back().push_back(oracle::turned(p, symmetry));
+      for (const LocalPolygon& p : shapeNamed(name)) out.back().push_back(oracle::turned(p, symmetry));
     }
     return out;
   }();

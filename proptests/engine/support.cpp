@@ -16,10 +16,10 @@ LocalPolygon eighths(std::initializer_list<LocalPoint> vertices) {
 LocalPolygon unitSquare() { return {kUnitSquare.begin(), kUnitSquare.end()}; }
 LocalPolygon ramp() { return {{0, 0}, {U, 0}, {U, U}}; }
 
-std::vector<LocalPolygon> paletteShape(std::string_view name) {
-  for (const oracle::PaletteShape& shape : oracle::palette())
+std::vector<LocalPolygon> shapeNamed(std::string_view name) {
+  for (const oracle::NamedShape& shape : oracle::degenerateShapes())
     if (shape.name == name) return shape.polygons;
-  throw std::invalid_argument("no shape of the palette: " + std::string(name));
+  throw std::invalid_argument("no degenerate shape of this name: " + std::string(name));
 }
 
 PolygonHandle place(World& world, Cell cell, const LocalPolygon& polygon, Block block) {

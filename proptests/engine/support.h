@@ -2,8 +2,8 @@
 // world as one value that can be compared.
 #pragma once
 
-#include "oracle/check/palette.h"
-#include "oracle/check/validity.h"
+#include "oracle/generate/shapes.h"
+#include "oracle/reference/validity.h"
 
 #include <lgs/world.h>
 
@@ -28,8 +28,8 @@ LocalPolygon eighths(std::initializer_list<LocalPoint> vertices);
 LocalPolygon unitSquare();
 LocalPolygon ramp();  ///< the lower right half of the cell
 
-/// The polygons of a shape of the oracle's palette, by its name.
-std::vector<LocalPolygon> paletteShape(std::string_view name);
+/// The polygons of one of the degenerate shapes, by its name.
+std::vector<LocalPolygon> shapeNamed(std::string_view name);
 
 /// Edits that must succeed.
 PolygonHandle place(World& world, Cell cell, const LocalPolygon& polygon, Block block = 1);

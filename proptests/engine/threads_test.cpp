@@ -1,6 +1,6 @@
 // Threads: a build with an executor gives what a build without gives, to the last id, whatever the executor does; and
 // reading is safe beside reading. Built a second time with the thread sanitizer, which sees races that change nothing.
-#include "oracle/check/random.h"
+#include "oracle/generate/random.h"
 #include "scale.h"
 #include "support.h"
 
@@ -54,7 +54,7 @@ struct Edits {
   void make(World& world) const {
     Random random(seed);
     std::vector<ShapeId> shapes;
-    for (const oracle::PaletteShape& shape : oracle::palette()) {
+    for (const oracle::NamedShape& shape : oracle::degenerateShapes()) {
       std::vector<LocalPolygon> polygons;
       const int symmetry = random.below(8);
       for (const LocalPolygon& p : shape.polygons) polygons.push_back(oracle::turned(p, symmetry));

@@ -31,7 +31,7 @@ TEST(World, KeepsEachBlock) {
     for (std::size_t k = 0; k < blocks.size(); ++k) {
       const auto i = static_cast<std::int32_t>(k);
       place(world, {i, 0}, unitSquare(), blocks[k]);
-      for (const LocalPolygon& half : paletteShape("two halves")) place(world, {i, 2}, half, blocks[k] ^ 1U);
+      for (const LocalPolygon& half : shapeNamed("two halves")) place(world, {i, 2}, half, blocks[k] ^ 1U);
     }
     world.commit();
     for (std::size_t k = 0; k < blocks.size(); ++k) {
@@ -59,7 +59,7 @@ TEST(World, ABlockCanChangeWhenACellIsRefilled) {
 
 TEST(World, HoldsSeveralPolygonsInACellEachWithItsBlock) {
   World world;
-  const std::vector<LocalPolygon> parts = paletteShape("four around the middle");
+  const std::vector<LocalPolygon> parts = shapeNamed("four around the middle");
   for (std::size_t k = 0; k < parts.size(); ++k) place(world, {-1, -1}, parts[k], static_cast<Block>(k));
   const std::vector<PlacedPolygon> there = world.polygons({-1, -1});
   ASSERT_EQ(there.size(), 4U);
@@ -143,7 +143,7 @@ TEST(World, ShapesAreInternedOnce) {
   EXPECT_EQ(world.shape(ramp()).value(), a);
   EXPECT_EQ(shapeOf(world, {ramp()}), a);
   EXPECT_NE(world.shape(unitSquare()).value(), a);
-  std::vector<LocalPolygon> halves = paletteShape("two halves");
+  std::vector<LocalPolygon> halves = shapeNamed("two halves");
   const ShapeId both = shapeOf(world, halves);
   std::swap(halves[0], halves[1]);
   EXPECT_NE(shapeOf(world, halves), both);  // handles come in another order
@@ -156,7 +156,7 @@ TEST(World, AShapeOutlivesWhatIsMadeOfIt) {
   // Enough contents come and go for the unused ones to be forgotten; those of two polygons are more than the polygons.
   const LocalPolygon above = eighths({{0, 4}, {8, 4}, {0, 8}});
   // A polygon that stays, as a part of a shape, while its content as the only one in a cell goes.
-  const std::vector<LocalPolygon> halves = paletteShape("two halves");
+  const std::vector<LocalPolygon> halves = shapeNamed("two halves");
   const ShapeId both = shapeOf(world, halves);
   ASSERT_TRUE(world.remove(place(world, {3, 3}, halves[1])));
   for (std::int32_t k = 0; k < 5000; ++k) {
@@ -212,7 +212,7 @@ TEST(World, TheSameEditsGiveTheSameIds) {
   const auto run = [] {
     World world;
     std::vector<ChangeLists> lists;
-    const auto& shapes = oracle::palette();
+    const auto& shapes = oracle::degenerateShapes();
     for (std::size_t k = 0; k < 400; ++k) {
       const Cell cell{static_cast<std::int32_t>(k * 7 % 11) - 5, static_cast<std::int32_t>(k * 5 % 9) - 4};
       removeAll(world, cell);

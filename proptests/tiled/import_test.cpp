@@ -203,7 +203,7 @@ TEST(TiledBlocks, ByClassAndByLayer) {
 TEST(TiledMap, TheProjectsOwn) {
   Options options;
   options.blockFrom = BlockFrom::tileClass;
-  const auto map = importMap(LGS_SOURCE_DIR "/oracle/maps/landscape.tmx", options);
+  const auto map = importMap(LGS_SOURCE_DIR "/examples/maps/landscape.tmx", options);
   ASSERT_TRUE(map) << message(map.error());
   const World world = worldOf(*map);
   EXPECT_GE(map->report.width, 150);

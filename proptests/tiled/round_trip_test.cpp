@@ -1,10 +1,10 @@
 // Imported map → trace → the same world: random maps of shapes that touch, overlap, and reach out of their tiles, and the
 // project's own map.
+#include "cli/imported.h"
 #include "maps.h"
-#include "oracle/check/model.h"
-#include "oracle/check/random.h"
-#include "oracle/cli/imported.h"
+#include "oracle/generate/random.h"
 #include "oracle/trace/dump.h"
+#include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
 #include "proptests/first_failure.h"
 
@@ -81,7 +81,7 @@ TEST(TiledRoundTrip, RandomMaps) {
 }
 
 TEST(TiledRoundTrip, TheProjectsOwnMap) {
-  const auto map = importMap(LGS_SOURCE_DIR "/oracle/maps/landscape.tmx");
+  const auto map = importMap(LGS_SOURCE_DIR "/examples/maps/landscape.tmx");
   ASSERT_TRUE(map) << message(map.error());
   comesBack(oracle::traceOf(*map), worldOf(*map));
 }

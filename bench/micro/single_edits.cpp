@@ -1,0 +1,63 @@
+// Single edits, each with its commit, each timed by itself.
+#include "bench/edit_times.h"
+
+#include "bench/micro/benches.h"
+
+namespace lgs::bench {
+namespace {
+
+using TimeEdits = decltype(timeRemovesAndAdds)*;
+
+void edits(benchmark::State& state, const Scale& scale, const std::string& world, std::int64_t cells, Where where,
+           TimeEdits timeEdits) {
+  Built& b = built(world, cells);
+  const EditPlan plan = planEdits(b.tiles, static_cast<std::size_t>(scale.edits), where, 1);
+  EditTimes times;
+  std::uint64_t removed = 0;
+  std::uint64_t added = 0;
+  std::uint64_t relinked = 0;
+  while (state.KeepRunning()) {
+    timeEdits(b.engine, b.tiles, plan, times, [&] {
+      const Changes& c = b.engine.changes();
+      removed += c.removed.size();
+      added += c.added.size();
+      relinked += c.relinked.size();
+    });
+  }
+  benchmark::DoNotOptimize(removed + added + relinked);
+  const auto put = [&](const std::string& name, double value) { state.counters[name] = value; };
+  const auto putTimes = [&](const std::string& name, const Sample& sample) {
+    put(name + "_median_ns", static_cast<double>(sample.median()));
+    put(name + "_p99_ns", static_cast<double>(sample.percentile(99)));
+    put(name + "_max_ns", static_cast<double>(sample.max()));
+  };
+  putTimes("first", times.first);
+  putTimes("back", times.back);
+  const auto count = static_cast<double>(times.first.size() + times.back.size());
+  put("removed", static_cast<double>(removed) / count);
+  put("added", static_cast<double>(added) / count);
+  put("relinked", static_cast<double>(relinked) / count);
+  state.SetItemsProcessed(static_cast<std::int64_t>(count));
+}
+
+}  // namespace
+
+void registerEdits(const Scale& scale) {
+  // By size and world first, so that a world is built once.
+  for (const std::int64_t cells : {100L, 10'000L, 1'000'000L, 10'000'000L}) {
+    if (cells > scale.maxCells) continue;
+    for (const std::string world : kWorlds) {
+      const auto add = [&](const std::string& what, Where where, TimeEdits timeEdits) {
+        const std::string name = "edit/" + what + "/" + world + "/" + std::to_string(cells);
+        benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
+          edits(state, scale, world, cells, where, timeEdits);
+        })->Iterations(1);
+      };
+      add("remove-add", Where::anywhere, timeRemovesAndAdds);
+      add("replace", Where::anywhere, timeReplaces);
+      add("dig", Where::nearby, timeRemovesAndAdds);
+    }
+  }
+}
+
+}  // namespace lgs::bench

@@ -1,0 +1,257 @@
+#include "bench/published/departures.h"
+
+#include "bench/published/published_player.h"
+#include "oracle/reference/naive.h"
+#include "oracle/trace/player.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+namespace lgs::oracle {
+namespace {
+
+constexpr std::int64_t kCell = kUnitsPerCell;
+
+struct Edge {
+  Point start;
+  Point end;
+  friend auto operator<=>(const Edge&, const Edge&) = default;
+};
+
+std::vector<Edge> edgesOf(const Scene& scene) {
+  std::vector<Edge> edges;
+  for (const ScenePolygon& p : scene.polygons)
+    for (std::size_t k = 0; k < p.vertices.size(); ++k)
+      edges.push_back({toWorld(p.cell, p.vertices[k]), toWorld(p.cell, p.vertices[(k + 1) % p.vertices.size()])});
+  return edges;
+}
+
+/// Whether p lies on the open edge a–b. Edges are at most a cell long, so once p is known to be near nothing overflows.
+bool isInside(Point p, Point a, Point b) {
+  if (p == a || p == b) return false;
+  if (p.x < std::min(a.x, b.x) || p.x > std::max(a.x, b.x) || p.y < std::min(a.y, b.y) || p.y > std::max(a.y, b.y))
+    return false;
+  return (b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x);
+}
+
+bool isOnRim(Point a, Point b) { return (a.x == b.x && a.x % kCell == 0) || (a.y == b.y && a.y % kCell == 0); }
+
+/// Whether two edges along a rim lie on the same side of a cell.
+bool shareSide(Edge e, Point a, Point b) {
+  const auto floorOf = [](std::int64_t v) { return v >= 0 ? v / kCell : -((-v + kCell - 1) / kCell); };
+  const auto side = [&](Point p, Point q) {
+    const bool vertical = p.x == q.x && p.x % kCell == 0;
+    return vertical ? std::tuple(vertical, p.x, floorOf(std::min(p.y, q.y)))
+                    : std::tuple(vertical, p.y, floorOf(std::min(p.x, q.x)));
+  };
+  return isOnRim(e.start, e.end) && side(e.start, e.end) == side(a, b);
+}
+
+template <class Predicate>
+bool anyUncut(const PublishedRun& run, Predicate&& predicate) {
+  const std::vector<Edge> edges = edgesOf(run.scene);
+  return std::ranges::any_of(run.published, [&](const OutlineSegment& s) {
+    return std::ranges::any_of(edges, [&](Edge e) { return isInside(e.start, s.start, s.end); }) && predicate(s, edges);
+  });
+}
+
+bool uncutOnRim(const PublishedRun& run, bool single) {
+  return anyUncut(run, [&](const OutlineSegment& s, const std::vector<Edge>& edges) {
+    return isOnRim(s.start, s.end) &&
+           (std::ranges::count_if(edges, [&](Edge e) { return shareSide(e, s.start, s.end); }) == 1) == single;
+  });
+}
+
+std::multiset<Edge> endsOf(const Outline& outline) {
+  std::multiset<Edge> ends;
+  for (const OutlineSegment& s : outline) ends.insert({s.start, s.end});
+  return ends;
+}
+
+bool hasReverse(const std::multiset<Edge>& ends, Edge e) { return ends.contains({e.end, e.start}); }
+
+/// Whether an overlap on a rim is there in one of the two outlines, both ways, and not at all in the other; on a side of
+/// a cell along which no other edges lie, or on one with more. One edge a direction is all that fits in one place.
+bool overlapDiffers(const PublishedRun& run, bool alone) {
+  const std::vector<Edge> edges = edgesOf(run.scene);
+  const auto differs = [&](const Outline& with, const Outline& without) {
+    const std::multiset<Edge> ends = endsOf(with);
+    return std::ranges::any_of(ends, [&](const Edge& e) {
+      const auto liesOnIt = [&](Point p) { return p == e.start || p == e.end || isInside(p, e.start, e.end); };
+      return isOnRim(e.start, e.end) && hasReverse(ends, e) &&
+             std::ranges::none_of(without, [&](auto& s) { return liesOnIt(s.start) && liesOnIt(s.end); }) &&
+             (std::ranges::count_if(edges, [&](Edge o) { return shareSide(o, e.start, e.end); }) == 2) == alone;
+    });
+  };
+  return differs(run.expected, run.published) || (!alone && differs(run.published, run.expected));
+}
+
+/// Whether two outlines have the same segments, and differ.
+bool ghostsDiffer(const Outline& one, const Outline& other) {
+  if (one.size() != other.size()) return false;
+  bool differ = false;
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    const OutlineSegment &a = one[k], &b = other[k];
+    if (a.start != b.start || a.end != b.end || a.block != b.block) return false;
+    differ |= a != b;
+  }
+  return differ;
+}
+
+/// An ε of 10⁻³ cells, in lattice units.
+bool isShort(const OutlineSegment& s) {
+  constexpr std::int64_t kEpsilon = kCell / 1000 + 1;
+  return std::abs(s.start.x - s.end.x) < kEpsilon && std::abs(s.start.y - s.end.y) < kEpsilon;
+}
+
+Block blockOf(const OutlineSegment& s) { return s.block; }
+
+/// Whether a vertex of the polygon is another lattice point, once it has been a float.
+bool movesAsFloats(const ScenePolygon& polygon) {
+  const std::vector<Vec2> floats = floatVertices(polygon);
+  return !std::ranges::equal(floats, polygon.vertices,
+                             [&](Vec2 f, LocalPoint v) { return toLattice(f) == toWorld(polygon.cell, v); });
+}
+
+}  // namespace
+
+std::string nameOf(Departure departure) {
+  switch (departure) {
+    case Departure::uncutSingle:
+      return "uncut-single";
+    case Departure::uncutSwept:
+      return "uncut-swept";
+    case Departure::uncutInCell:
+      return "uncut-in-cell";
+    case Departure::keptInCell:
+      return "kept-in-cell";
+    case Departure::preservedPair:
+      return "preserved-pair";
+    case Departure::preservedSide:
+      return "preserved-side";
+    case Departure::otherBlock:
+      return "other-block";
+    case Departure::nearVertices:
+      return "near-vertices";
+    case Departure::smallAngle:
+      return "small-angle";
+    case Departure::removedOther:
+      return "removed-other";
+    case Departure::staleGhosts:
+      return "stale-ghosts";
+    case Departure::coarseFloats:
+      return "coarse-floats";
+  }
+  return {};
+}
+
+std::string describe(Departure departure) {
+  switch (departure) {
+    case Departure::uncutSingle:
+      return "an edge alone on its boundary is not cut where a corner touches it";
+    case Departure::uncutSwept:
+      return "an edge is not cut where a corner touches it, though its boundary is swept";
+    case Departure::uncutInCell:
+      return "an edge inside a cell is not cut where another polygon touches it";
+    case Departure::keptInCell:
+      return "an edge shared inside a cell is not cancelled";
+    case Departure::preservedPair:
+      return "two edges that cancel exactly are dropped though they are to be preserved";
+    case Departure::preservedSide:
+      return "overlaps on one boundary are preserved all or none";
+    case Departure::otherBlock:
+      return "a swept segment has the block of another polygon";
+    case Departure::nearVertices:
+      return "vertices nearer to each other than the tolerance are taken for one";
+    case Departure::smallAngle:
+      return "directions nearer to each other than the tolerance are taken for one";
+    case Departure::removedOther:
+      return "with a polygon goes another's edge that is shorter than the tolerance";
+    case Departure::staleGhosts:
+      return "a ghost vertex outlives the segment that it was taken from";
+    case Departure::coarseFloats:
+      return "far from the origin vertices move, as a float has too few bits";
+  }
+  return {};
+}
+
+tl::expected<PublishedRun, TraceError> runPublished(const Trace& trace) {
+  Player player(trace.preserve);
+  if (const auto played = play(trace, player); !played) return tl::unexpected(played.error());
+  PublishedRun run;
+  run.scene = player.scene();
+  run.expected = naiveOutline(run.scene);
+  run.published = publishedOutline(trace);
+  run.afresh = publishedOutline(run.scene);
+  return run;
+}
+
+bool shows(const PublishedRun& run, Departure departure) {
+  const auto& published = run.published;
+  const bool hasShort = std::ranges::any_of(run.expected, isShort);
+  switch (departure) {
+    case Departure::uncutSingle:
+      return uncutOnRim(run, true);
+    case Departure::uncutSwept:
+      return uncutOnRim(run, false);
+    case Departure::uncutInCell:
+      return anyUncut(run, [](const OutlineSegment& s, const auto&) { return !isOnRim(s.start, s.end); });
+    case Departure::keptInCell: {
+      const auto ends = endsOf(published), right = endsOf(run.expected);
+      return std::ranges::any_of(published, [&](const OutlineSegment& s) {
+        const Edge e{s.start, s.end};
+        return !isOnRim(s.start, s.end) && hasReverse(ends, e) && !right.contains(e);
+      });
+    }
+    case Departure::preservedPair:
+      return overlapDiffers(run, true);
+    case Departure::preservedSide:
+      return !run.scene.preserve.empty() && overlapDiffers(run, false);
+    case Departure::otherBlock:
+      return endsOf(published) == endsOf(run.expected) &&
+             !std::ranges::equal(published, run.expected, {}, blockOf, blockOf);
+    case Departure::nearVertices:
+      return hasShort && ghostsDiffer(run.expected, published);
+    case Departure::smallAngle:
+      return !hasShort && run.scene.preserve.empty() && ghostsDiffer(run.expected, published) &&
+             run.afresh == published;
+    case Departure::removedOther: {
+      const auto ends = endsOf(published), right = endsOf(run.expected);
+      return std::ranges::any_of(published, [&](const OutlineSegment& s) {
+        const Edge e{s.start, s.end};
+        return isShort(s) && hasReverse(right, e) && !right.contains(e) && !hasReverse(ends, e);
+      });
+    }
+    case Departure::staleGhosts:
+      return !hasShort && ghostsDiffer(run.afresh, published);
+    case Departure::coarseFloats:
+      return published != run.expected && std::ranges::any_of(run.scene.polygons, movesAsFloats);
+  }
+  return false;
+}
+
+bool isWithinItsReach(const Scene& scene) {
+  if (!scene.preserve.empty()) return false;
+  const std::vector<Edge> edges = edgesOf(scene);
+  for (const ScenePolygon& p : scene.polygons) {
+    if (p.block != scene.polygons[0].block) return false;
+    if (std::abs(p.cell.i) >= 127 || std::abs(p.cell.j) >= 127) return false;
+    for (const LocalPoint v : p.vertices)
+      if (v.x % (kCell / 8) != 0 || v.y % (kCell / 8) != 0) return false;
+  }
+  for (const Edge& e : edges) {
+    const bool rim = isOnRim(e.start, e.end);
+    for (const Edge& other : edges) {
+      if (!rim && other.start == e.end && other.end == e.start) return false;
+      if (!isInside(other.start, e.start, e.end)) continue;
+      const auto endsThere = [&](Edge o) {
+        return (o.start == other.start || o.end == other.start) && shareSide(o, e.start, e.end);
+      };
+      if (!rim || std::ranges::none_of(edges, endsThere)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace lgs::oracle

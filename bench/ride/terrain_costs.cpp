@@ -1,0 +1,158 @@
+// What the terrain costs: fixtures and bodies against the size of a chunk, the initial load of 100×100 cells, a sync after
+// one edit and after 1,000. Times are of one core, the least of some rounds, and comparable only within one run.
+#include "oracle/generate/random.h"
+
+#include <fmt/format.h>
+#include <lgs/box2d/terrain.h>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace lgs::oracle {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::int32_t kSide = 100;
+constexpr std::int32_t U = kUnitsPerCell;
+constexpr int kRounds = 3;
+
+template <class Work>
+double microseconds(Work work) {
+  const Clock::time_point begin = Clock::now();
+  work();
+  return std::chrono::duration<double, std::micro>(Clock::now() - begin).count();
+}
+
+struct Field {
+  World world;
+  std::vector<ShapeId> shapes;
+  std::vector<PolygonHandle> handles;
+  Random random{1};
+
+  explicit Field(bool ramps) {
+    constexpr std::array<LocalPoint, 3> kRamps[] = {
+        {{{0, 0}, {U, 0}, {U, U}}}, {{{0, 0}, {U, 0}, {0, U}}}, {{{0, 0}, {U, U}, {0, U}}}, {{{U, 0}, {U, U}, {0, U}}}};
+    for (const auto& ramp : kRamps) shapes.push_back(*world.shape(std::span<const LocalPoint>(ramp)));
+    if (!ramps) shapes = {*world.shape(kUnitSquare)};
+    for (std::int32_t k = 0; k < kSide * kSide; ++k) handles.push_back(add({k % kSide, k / kSide}));
+    world.commit();
+  }
+  PolygonHandle add(Cell cell) { return *world.add(cell, random.pick(shapes), 1); }
+
+  void dig(std::size_t at) { (void)world.remove(handles[at]); }
+  void refill(std::size_t at) {
+    const auto index = static_cast<std::int32_t>(at);
+    handles[at] = add({index % kSide, index / kSide});
+  }
+};
+
+// Box2D looks through everything made since the last step whenever a fixture goes, so a game without steps is none.
+void step(b2World& physics) { physics.Step(1.0F / 60, 8, 3); }
+
+// The least of some rounds of what `round` measures.
+template <class Round>
+double leastOf(Round round) {
+  double least = std::numeric_limits<double>::max();
+  for (int k = 0; k < kRounds; ++k) least = std::min(least, round());
+  return least;
+}
+
+// A terrain in a world with a body in it, after a step. In a game bodies are about, and the terrain looks for those to wake.
+class Populated {
+ public:
+  Populated(Field& field, const box2d::TerrainOptions& options) : field_(field) {
+    b2BodyDef body;
+    body.type = b2_dynamicBody;
+    physics_.CreateBody(&body);
+    terrain_.emplace(physics_, field.world, options);
+    step(physics_);
+  }
+
+  /// Of the sync alone.
+  double sync() {
+    const Changes& changes = field_.world.commit();
+    const double time = microseconds([&] { terrain_->sync(changes); });
+    step(physics_);
+    return time;
+  }
+
+ private:
+  Field& field_;
+  b2World physics_{{0, -10}};
+  std::optional<box2d::Terrain> terrain_;
+};
+
+double load(const Field& field, const box2d::TerrainOptions& options) {
+  return leastOf([&] {
+    b2World physics({0, -10});
+    std::optional<box2d::Terrain> terrain;
+    return microseconds([&] { terrain.emplace(physics, field.world, options); });
+  });
+}
+
+// The mean of digs and refills of random cells.
+double oneEdit(Field& field, const box2d::TerrainOptions& options) {
+  constexpr int kTimes = 300;
+  Populated populated(field, options);
+  return leastOf([&] {
+    double sum = 0;
+    for (int k = 0; k < kTimes; ++k) {
+      const std::size_t at = field.random.below(field.handles.size());
+      field.dig(at);
+      sum += populated.sync();
+      field.refill(at);
+      sum += populated.sync();
+    }
+    return sum / (2 * kTimes);
+  });
+}
+
+double thousandDigs(Field& field, const box2d::TerrainOptions& options) {
+  constexpr std::size_t kTimes = 1'000;
+  Populated populated(field, options);
+  return leastOf([&] {
+    for (std::size_t k = 0; k < kTimes; ++k) field.dig(k * 9);
+    const double time = populated.sync();
+    for (std::size_t k = 0; k < kTimes; ++k) field.refill(k * 9);
+    populated.sync();
+    return time;
+  });
+}
+
+std::size_t mostOnABody(const b2World& physics) {
+  std::size_t most = 0;
+  for (const b2Body* body = physics.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    std::size_t count = 0;
+    for (const b2Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) ++count;
+    most = std::max(most, count);
+  }
+  return most;
+}
+
+void printLine(bool ramps, std::int32_t chunk, bool merge) {
+  Field field(ramps);
+  const box2d::TerrainOptions options{.chunkCells = chunk, .merge = merge};
+  b2World physics({0, -10});
+  const box2d::Terrain terrain(physics, field.world, options);
+  fmt::print("| {} | {} | {} | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} |\n", ramps ? "ramps" : "full", chunk,
+             merge ? "yes" : "no", terrain.bodyCount(), terrain.edges().counts().edges, mostOnABody(physics),
+             load(field, options) / 1e3, oneEdit(field, options), thousandDigs(field, options) / 1e3);
+}
+
+void run() {
+  fmt::print("| world | chunk | merged | bodies | fixtures | most on a body | load, ms | sync after 1 edit, µs | ");
+  fmt::print("after 1,000 digs, ms |\n|---|---|---|---|---|---|---|---|---|\n");
+  for (const bool ramps : {false, true}) {
+    for (const std::int32_t chunk : {1, 4, 8, 16, 32, 100}) {
+      for (const bool merge : {false, true}) printLine(ramps, chunk, merge);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lgs::oracle
+
+int main() { lgs::oracle::run(); }

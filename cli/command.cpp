@@ -1,0 +1,83 @@
+#include "cli/command.h"
+
+#include "cli/imported.h"
+#include "oracle/trace/file.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <system_error>
+
+namespace lgs::oracle {
+
+Status complain(std::string_view text) {
+  fmt::print(stderr, "{}\n", text);
+  return Status::badInput;
+}
+
+Status write(const std::string& path, std::string_view content) {
+  const auto done = writeFile(path, content);
+  return done ? Status::fine : complain(message(done.error(), path == "-" ? "standard output" : path));
+}
+
+Status flushed(Status status) {
+  errno = 0;
+  const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+  if (!lost || status == Status::badInput) return status;  // what is bad has been said
+  const std::string why = errno == 0 ? "" : ": " + std::generic_category().message(errno);
+  const Status bad = complain("standard output: cannot write" + why);
+  return status == Status::fine ? bad : status;
+}
+
+Status tryOutputs(std::initializer_list<std::string> paths) {
+  if (std::count(paths.begin(), paths.end(), "-") > 1) {
+    return complain("only one output can go to the standard output; name a file for the others");
+  }
+  for (const std::string& path : paths) {
+    if (path.empty()) continue;
+    if (const auto done = tryToWrite(path); !done) return complain(message(done.error(), path));
+  }
+  return Status::fine;
+}
+
+tl::expected<Trace, std::string> readWorld(const std::string& path) {
+  if (path.ends_with(".tmx")) {
+    const auto map = tiled::importMap(path);
+    if (!map) return tl::unexpected(tiled::message(map.error()));
+    return traceOf(*map);
+  }
+  auto trace = readTrace(path);
+  if (!trace) return tl::unexpected(message(trace.error(), path));
+  return std::move(*trace);
+}
+
+CLI::Option* addWholeNumber(CLI::App& command, const std::string& name, std::function<void(std::uint64_t)> set,
+                            WholeRange range, const std::string& description) {
+  const auto read = [name, set = std::move(set), range](const std::string& text) {
+    std::uint64_t number = 0;
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (status != std::errc() || end != text.data() + text.size() || number < range.min || number > range.max) {
+      throw CLI::ValidationError(name,
+                                 fmt::format("'{}' is not a whole number from {} to {}", text, range.min, range.max));
+    }
+    set(number);
+  };
+  return command.add_option_function<std::string>(name, read, description);
+}
+
+CLI::Option* addOracleOption(CLI::App& command, CheckOptions& options) {
+  return command
+      .add_option_function<std::string>(
+          "--oracle",
+          [&options](const std::string& which) {
+            options.naive = which != "cgal";
+            options.cgal = which != "naive";
+          },
+          "cgal: the exact union of all polygons; naive: the laws word\nby word; default both")
+      ->check(CLI::IsMember({"cgal", "naive", "both"}))
+      ->option_text("cgal|naive|both");
+}
+
+}  // namespace lgs::oracle

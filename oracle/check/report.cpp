@@ -1,0 +1,122 @@
+#include "oracle/check/report.h"
+
+#include "oracle/check/isolated.h"
+#include "oracle/check/shrink.h"
+#include "oracle/draw/counted.h"
+#include "oracle/trace/file.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+namespace lgs::oracle {
+namespace {
+
+using Kind = Mismatch::Kind;
+
+// What is needed to find a mismatch of this kind again, and no more: shrinking asks many times.
+CheckOptions only(Kind kind, CheckOptions options) {
+  options.afterCommit = {};
+  options.naive = options.naive && (kind == Kind::naive || kind == Kind::loops);
+  options.cgal = options.cgal && (kind == Kind::cgal || kind == Kind::loops);
+  return options;
+}
+
+Trace shrunk(const Mismatch& found, Trace trace, const FindAgain& findAgain, std::chrono::milliseconds budget) {
+  trace.edits.resize(found.edits);
+  const auto stillFails = [&](const Trace& candidate) {
+    stillAlive();
+    return findAgain(candidate).has_value();
+  };
+  if (!stillFails(trace)) return trace;
+  return shrink(std::move(trace), stillFails, budget);
+}
+
+// Writes trace and picture, and says where they are and how to come by them again.
+void save(const Trace& trace, const std::string& picture, const ReportOptions& report, bool replays) {
+  std::error_code ignored;  // writing will say what is wrong
+  std::filesystem::create_directories(report.folder, ignored);
+  const std::string base = (std::filesystem::path(report.folder) / report.name).string();
+  const bool traceWritten = writeOrComplain(base + ".trace", printTrace(trace, report.reproduce));
+  const bool written = writeOrComplain(base + ".svg", picture) && traceWritten;
+  if (written) fmt::print("\ntrace      {0}.trace\npicture    {0}.svg\n", base);
+  fmt::print("again      {}\n", report.reproduce);
+  if (written && replays) {
+    fmt::print("the trace  lgs replay {} --check --svg {}\n", shellWord(base + ".trace"), shellWord(base + ".svg"));
+  }
+}
+
+void print(const Trace& trace, const std::string& what) {
+  constexpr std::size_t kPrinted = 40;
+  if (trace.edits.size() <= kPrinted) {
+    fmt::print("\n{}\n{}", printTrace(trace), what);
+  } else {
+    fmt::print("\n{} edits are left, too many to print here\n{}", trace.edits.size(), what);
+  }
+}
+
+}  // namespace
+
+bool writeOrComplain(const std::string& path, std::string_view content) {
+  const auto done = writeFile(path, content);
+  if (!done) fmt::print(stderr, "{}\n", message(done.error(), path));
+  return done.has_value();
+}
+
+std::string shellWord(std::string_view word) {
+  const auto isPlain = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+           std::string_view("_-./,:=+@%").find(c) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), isPlain)) return std::string(word);
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+void reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& findAgain,
+                    const ReportOptions& report) {
+  fmt::print("MISMATCH {}", describe(found, trace));
+  if (report.shrinkFor.count() > 0) fmt::print("shrinking the trace of {} …\n", counted(found.edits, "line"));
+  std::fflush(stdout);
+
+  const Trace small = shrunk(found, trace, findAgain, report.shrinkFor);
+  const auto again = findAgain(small);
+  const Mismatch& shown = again ? *again : found;
+  print(small, describe(shown, small));
+  save(small, draw(shown), report, findMismatch(small, CheckOptions()).has_value());
+}
+
+void reportMismatch(const Mismatch& found, const Trace& trace, const CheckOptions& options,
+                    const ReportOptions& report) {
+  const CheckOptions narrow = only(found.kind, options);
+  const auto findAgain = [&](const Trace& candidate) {
+    auto again = findMismatch(candidate, narrow);
+    return again && again->kind == found.kind ? std::move(again) : std::nullopt;
+  };
+  reportMismatch(found, trace, findAgain, report);
+}
+
+void reportCrash(const std::string& how, const Trace& trace, const CheckOptions& options, const ReportOptions& report) {
+  fmt::print("MISMATCH the engine {}\n", how);
+  if (report.shrinkFor.count() > 0) fmt::print("shrinking the trace of {} …\n", counted(trace.edits.size(), "line"));
+  std::fflush(stdout);
+
+  CheckOptions alone = options;
+  alone.afterCommit = {};
+  alone.naive = alone.cgal = false;
+  const auto crash = [&](const Trace& candidate) {
+    return crashOf([&] { static_cast<void>(findMismatch(candidate, alone)); }, {.seconds = 10, .quiet = true});
+  };
+  // Where the engine alone does not crash, a reference did.
+  if (!crash(trace)) alone = options;
+  const auto stillCrashes = [&](const Trace& candidate) { return crash(candidate).has_value(); };
+  const Trace small = stillCrashes(trace) ? shrink(trace, stillCrashes, report.shrinkFor) : trace;
+  const auto again = crash(small);
+  print(small, fmt::format("the engine {}\n", again.value_or(how + ", but not again")));
+  alone.skipRefused = false;
+  save(small, drawWithoutEngine(small, "the engine " + how), report, stillCrashes(small));
+}
+
+}  // namespace lgs::oracle

@@ -1,0 +1,41 @@
+// What a person gets to see of a mismatch: what differs, the smallest trace that shows it, a picture, and how to see it
+// again. For the lgs command and the fuzzers.
+#pragma once
+
+#include "oracle/check/failure.h"
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace lgs::oracle {
+
+struct ReportOptions {
+  std::string folder = ".";  ///< where trace and picture go
+  std::string name;          ///< of these files, without folder and extension
+  std::string reproduce;     ///< the command that finds the mismatch again
+  std::chrono::milliseconds shrinkFor{};
+};
+
+/// A word as a shell takes it: in quotes if it has to be.
+std::string shellWord(std::string_view word);
+
+/// Writes a file; complains on the standard error if that does not work. Whether it did.
+bool writeOrComplain(const std::string& path, std::string_view content);
+
+/// Finds a mismatch of the same kind in another trace; nothing if it is not there, or the trace is bad.
+using FindAgain = std::function<std::optional<Mismatch>(const Trace&)>;
+
+/// Shrinks the trace, prints all of it, saves trace and picture.
+void reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& findAgain, const ReportOptions& report);
+
+/// The same for a mismatch that checkTrace() found with these options.
+void reportMismatch(const Mismatch& found, const Trace& trace, const CheckOptions& options,
+                    const ReportOptions& report);
+
+/// The same for a trace that makes the engine crash or hang: `how` says which, as crashOf() does.
+void reportCrash(const std::string& how, const Trace& trace, const CheckOptions& options, const ReportOptions& report);
+
+}  // namespace lgs::oracle

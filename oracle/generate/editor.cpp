@@ -1,0 +1,211 @@
+#include "oracle/generate/editor.h"
+
+#include "oracle/generate/shapes.h"
+
+#include <fmt/format.h>
+#include <lgs/world.h>
+#include <algorithm>
+#include <numeric>
+
+namespace lgs::oracle {
+
+// A call has at most one random argument: compilers differ in the order in which they evaluate arguments.
+
+Editor::Editor(Trace start, Habits habits, std::uint64_t seed)
+    : trace_(std::move(start)), habits_(std::move(habits)), random_(seed) {
+  for (const Edit& edit : trace_.edits) model_.apply(edit);
+  start_ = model_;
+  at_ = random_.pick(habits_.cells);
+}
+
+void Editor::run(std::size_t edits) {
+  while (edits_ < edits) {
+    constexpr std::int32_t kSteps[] = {kUnitsPerCell / 4, kUnitsPerCell / 4, kUnitsPerCell / 8, 1};
+    step_ = kSteps[random_.below(4)];
+    const Operation operation = pickOperation();
+    (this->*operation)(pickCell());
+    // An operation may come to nothing; a commit of nothing is worth a try now and then.
+    const bool pending = !trace_.edits.empty() && trace_.edits.back().kind != Edit::Kind::commit;
+    if (random_.chance(pending ? habits_.commitPercent : 2)) push(Edit::commit());
+  }
+  for (; edits_ > edits; trace_.edits.pop_back()) {  // the last operation may have made more
+    if (trace_.edits.back().kind != Edit::Kind::commit) --edits_;
+  }
+  push(Edit::commit());
+}
+
+Editor::Operation Editor::pickOperation() {
+  const std::pair<int, Operation> weighted[] = {
+      {habits_.place, &Editor::place},     {habits_.lean, &Editor::lean},          {habits_.scatter, &Editor::scatter},
+      {habits_.restore, &Editor::restore}, {habits_.remove, &Editor::remove},      {habits_.clear, &Editor::clear},
+      {habits_.replace, &Editor::replace}, {habits_.refused, &Editor::tryRefused},
+  };
+  int total = 0;
+  for (const auto& entry : weighted) total += entry.first;
+  int ticket = random_.below(total);
+  for (const auto& [weight, operation] : weighted) {
+    if (ticket < weight) return operation;
+    ticket -= weight;
+  }
+  return &Editor::place;
+}
+
+Cell Editor::pickCell() {
+  if (!habits_.wander || random_.chance(3)) return at_ = random_.pick(habits_.cells);
+  const Cell next{at_.i + random_.below(3) - 1, at_.j + random_.below(3) - 1};
+  if (std::binary_search(habits_.cells.begin(), habits_.cells.end(), next)) at_ = next;
+  return at_;
+}
+
+void Editor::place(Cell cell) {
+  const std::vector<LocalPolygon>& shape = random_.pick(habits_.shapes);
+  const int symmetry = habits_.turnShapes ? random_.below(8) : 0;
+  const bool all = random_.chance(70);
+  const bool oneBlock = random_.chance(60);
+  const Block block = random_.pick(habits_.blocks);
+  for (const LocalPolygon& polygon : shape) {
+    if (!all && random_.chance(50)) continue;
+    addIfGood(cell, oneBlock ? block : random_.pick(habits_.blocks), turned(polygon, symmetry));
+  }
+}
+
+void Editor::lean(Cell cell) {
+  if (model_.in(cell).empty()) return place(cell);
+  const LocalPolygon polygon = random_.pick(model_.in(cell)).vertices;
+  const std::size_t k = random_.below(polygon.size());
+  const LocalPoint a = polygon[k];
+  const LocalPoint b = polygon[(k + 1) % polygon.size()];
+  // The edge's lattice points are a + n·(b-a)/pieces; mostly take quarters of it, if there are.
+  std::int32_t pieces = std::gcd(b.x - a.x, b.y - a.y);
+  if (pieces % 4 == 0 && random_.chance(80)) pieces = 4;
+  const auto pointAt = [&](std::int32_t n) {
+    return LocalPoint{a.x + (b.x - a.x) / pieces * n, a.y + (b.y - a.y) / pieces * n};
+  };
+  const Block block = random_.pick(habits_.blocks);
+  constexpr int kAttempts = 8;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    std::int32_t from = 0;
+    std::int32_t to = pieces;
+    if (random_.chance(50)) {
+      from = random_.below(pieces);
+      to = from + 1 + random_.below(pieces - from);
+    }
+    if (addIfGood(cell, block, {pointAt(to), pointAt(from), randomPoint()})) return;
+  }
+}
+
+void Editor::scatter(Cell cell) {
+  const Block block = random_.pick(habits_.blocks);
+  addIfGood(cell, block, randomPolygon());
+}
+
+void Editor::restore(Cell cell) {
+  for (const Model::Placed& placed : start_.in(cell)) addIfGood(cell, placed.block, placed.vertices);
+}
+
+void Editor::remove(Cell cell) {
+  if (!model_.in(cell).empty()) removeNamed(random_.pick(model_.in(cell)).name);
+}
+
+void Editor::clear(Cell cell) {
+  while (!model_.in(cell).empty()) removeNamed(model_.in(cell).back().name);
+}
+
+void Editor::replace(Cell cell) {
+  if (model_.in(cell).empty()) return;
+  const Model::Placed old = random_.pick(model_.in(cell));
+  removeNamed(old.name);
+  if (random_.chance(30)) push(Edit::commit());
+  const Block block = random_.chance(70) ? old.block : random_.pick(habits_.blocks);
+  addIfGood(cell, block, old.vertices);
+}
+
+void Editor::tryRefused(Cell cell) {
+  if (model_.in(cell).empty()) return place(cell);
+  LocalPolygon polygon = random_.pick(model_.in(cell)).vertices;  // as it is: overlaps itself
+  const std::size_t k = random_.below(polygon.size());
+  switch (random_.below(11)) {
+    case 0:
+      std::reverse(polygon.begin(), polygon.end());
+      break;
+    case 1:
+      polygon.resize(random_.below(3U));
+      break;
+    case 2:
+      polygon[k].x = random_.chance(50) ? -1 : kUnitsPerCell + 1;
+      break;
+    case 3:
+      polygon.push_back(polygon[k]);
+      break;
+    case 4:
+      std::swap(polygon[k], polygon[random_.below(polygon.size())]);
+      break;
+    case 5:
+      polygon = {{0, 0}, {step_, step_}, {3 * step_, 3 * step_}};
+      break;
+    case 6:
+      polygon[k] = randomPoint();
+      break;
+    case 7:
+      polygon = {kUnitSquare.begin(), kUnitSquare.end()};  // around what is there
+      break;
+    case 8:
+      polygon = random_.pick(random_.pick(habits_.shapes));
+      break;
+    case 9: {  // a new corner in the middle of another edge
+      const std::size_t m = random_.below(polygon.size());
+      const LocalPoint a = polygon[m], b = polygon[(m + 1) % polygon.size()];
+      polygon.insert(polygon.begin() + static_cast<std::ptrdiff_t>(k), {(a.x + b.x) / 2, (a.y + b.y) / 2});
+      break;
+    }
+    default:
+      break;
+  }
+  const Block block = random_.pick(habits_.blocks);
+  push(Edit::add(freshName(), {cell, block, std::move(polygon)}));
+}
+
+bool Editor::addIfGood(Cell cell, Block block, LocalPolygon vertices) {
+  Edit edit = Edit::add(freshName(), {cell, block, std::move(vertices)});
+  if (!model_.judge(edit).accepted) return false;
+  push(std::move(edit));
+  return true;
+}
+
+void Editor::removeNamed(std::string name) {
+  lastRemoved_ = name;
+  push(Edit::remove(std::move(name)));
+}
+
+void Editor::push(Edit edit) {
+  if (model_.judge(edit).accepted) model_.apply(edit);
+  if (edit.kind != Edit::Kind::commit) ++edits_;
+  trace_.edits.push_back(std::move(edit));
+}
+
+std::string Editor::freshName() {
+  if (!lastRemoved_.empty() && !model_.isAlive(lastRemoved_) && random_.chance(20)) return lastRemoved_;
+  std::string name;
+  do name = fmt::format("p{}", ++names_);
+  while (model_.isAlive(name));
+  return name;
+}
+
+LocalPoint Editor::randomPoint() {
+  const std::int32_t lines = kUnitsPerCell / step_ + 1;
+  return {random_.below(lines) * step_, random_.below(lines) * step_};
+}
+
+LocalPolygon Editor::randomPolygon() {
+  LocalPolygon polygon{randomPoint(), randomPoint(), randomPoint()};
+  if (faultOf(polygon) == ErrorCode::clockwise) std::swap(polygon[0], polygon[1]);
+  for (int more = random_.below(8); more > 0; --more) {
+    LocalPolygon larger = polygon;
+    const auto at = static_cast<std::ptrdiff_t>(random_.below(larger.size()));
+    larger.insert(larger.begin() + at, randomPoint());
+    if (!faultOf(larger)) polygon = std::move(larger);
+  }
+  return polygon;
+}
+
+}  // namespace lgs::oracle

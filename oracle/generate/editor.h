@@ -1,0 +1,76 @@
+// Makes random edits, one operation at a time, with given habits. What it puts into the trace is accepted by the Model,
+// except for what it tries in order to be refused.
+#pragma once
+
+#include "oracle/generate/random.h"
+#include "oracle/trace/model.h"
+#include "oracle/trace/trace.h"
+
+#include <vector>
+
+namespace lgs::oracle {
+
+/// What an editor likes to do; the weights are relative to each other.
+struct Habits {
+  std::vector<std::vector<LocalPolygon>> shapes;  ///< at least one
+  bool turnShapes = true;                         ///< by the symmetries of the cell
+  std::vector<Block> blocks;                      ///< at least one
+  std::vector<Cell> cells;                        ///< at least one
+  bool wander = false;                            ///< the next cell is near the last one
+
+  int place = 0;    ///< a shape, or some of its polygons
+  int lean = 0;     ///< a triangle on an edge in the cell, or on a part of it
+  int scatter = 0;  ///< a random polygon, on a coarse or a fine grid
+  int restore = 0;  ///< what stood in the cell at the start
+  int remove = 0;   ///< one polygon
+  int clear = 0;    ///< the whole cell
+  int replace = 0;  ///< takes a polygon away and puts it back
+  int refused = 0;  ///< something that must be refused
+
+  int commitPercent = 100;  ///< chance of a commit after an operation
+};
+
+class Editor {
+ public:
+  /// Goes on where `start` ends. The trace must hold no refused edits.
+  Editor(Trace start, Habits habits, std::uint64_t seed);
+
+  /// Makes this many edits, the last ones committed. To be called once.
+  void run(std::size_t edits);
+
+  Trace takeTrace() { return std::move(trace_); }
+
+ private:
+  using Operation = void (Editor::*)(Cell);
+  Operation pickOperation();
+  Cell pickCell();
+
+  void place(Cell cell);
+  void lean(Cell cell);
+  void scatter(Cell cell);
+  void restore(Cell cell);
+  void remove(Cell cell);
+  void clear(Cell cell);
+  void replace(Cell cell);
+  void tryRefused(Cell cell);
+
+  bool addIfGood(Cell cell, Block block, LocalPolygon vertices);
+  void removeNamed(std::string name);
+  void push(Edit edit);
+  std::string freshName();
+  LocalPolygon randomPolygon();
+  LocalPoint randomPoint();
+
+  Trace trace_;
+  Habits habits_;
+  Random random_;
+  Model model_;
+  Model start_;
+  Cell at_;
+  std::int32_t step_ = 1;  // of the grid for random points
+  std::size_t edits_ = 0;  // made so far, commits not counted
+  std::size_t names_ = 0;
+  std::string lastRemoved_;
+};
+
+}  // namespace lgs::oracle

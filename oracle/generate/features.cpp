@@ -1,0 +1,131 @@
+#include "oracle/generate/features.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <set>
+
+namespace lgs::oracle {
+namespace {
+
+struct Edge {
+  Point from;
+  Point to;
+};
+
+// Neighbours only, so that nothing overflows: see note().
+std::int64_t cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
+
+bool between(Point p, Point a, Point b) {
+  return cross(a, b, p) == 0 && p != a && p != b && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
+         std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
+}
+
+std::vector<Edge> edgesOf(const ScenePolygon& polygon) {
+  std::vector<Edge> edges;
+  const std::size_t n = polygon.vertices.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    edges.push_back({toWorld(polygon.cell, polygon.vertices[k]), toWorld(polygon.cell, polygon.vertices[(k + 1) % n])});
+  }
+  return edges;
+}
+
+class Noter {
+ public:
+  explicit Noter(Features& features) : features_(features) {}
+
+  void mark(Feature feature) { features_[static_cast<std::size_t>(feature)] = true; }
+
+  void pair(const ScenePolygon& p, const ScenePolygon& q) {
+    const bool sameCell = p.cell == q.cell;
+    if (sameCell) mark(Feature::manyInCell);
+    for (const Edge& a : edgesOf(p)) {
+      for (const Edge& b : edgesOf(q)) edges(a, b, sameCell);
+    }
+  }
+
+ private:
+  void edges(const Edge& a, const Edge& b, bool sameCell) {
+    const bool aCut = between(b.from, a.from, a.to) || between(b.to, a.from, a.to);
+    const bool bCut = between(a.from, b.from, b.to) || between(a.to, b.from, b.to);
+    if ((aCut || bCut) && !sameCell) mark(Feature::midEdge);
+    const bool collinear = cross(a.from, a.to, b.from) == 0 && cross(a.from, a.to, b.to) == 0;
+    const bool equal = a.from == b.to && a.to == b.from;
+    // Collinear and cut: they share a part, except where they run the same way, which two solids do end to end only.
+    if (!collinear || (!equal && !aCut && !bCut)) return;
+    if (!equal) mark(Feature::partialOverlap);
+    if (sameCell) mark(Feature::sharedInCell);
+    if (sameCell && a.from.x != a.to.x && a.from.y != a.to.y) mark(Feature::sharedSlope);
+  }
+
+  Features& features_;
+};
+
+}  // namespace
+
+const char* describe(Feature feature) {
+  switch (feature) {
+    case Feature::midEdge:
+      return "a vertex in mid-edge of a neighbour";
+    case Feature::partialOverlap:
+      return "edges that overlap in part";
+    case Feature::sharedInCell:
+      return "an edge shared inside a cell";
+    case Feature::sharedSlope:
+      return "a slanted edge shared inside a cell";
+    case Feature::fourSolids:
+      return "four solids at a corner";
+    case Feature::manyInCell:
+      return "several polygons in a cell";
+    case Feature::preserve:
+      return "a preserve relation at work";
+    case Feature::refusal:
+      return "edits that are refused";
+    case Feature::count:
+      break;
+  }
+  return "";
+}
+
+void note(const Scene& scene, Features& features) {
+  Noter noter(features);
+  std::map<Point, std::set<Cell>> corners;
+  std::set<Block> blocks;
+  for (std::size_t k = 0; k < scene.polygons.size(); ++k) {
+    const ScenePolygon& p = scene.polygons[k];
+    blocks.insert(p.block);
+    for (const LocalPoint& v : p.vertices) {
+      if (v.x % kUnitsPerCell == 0 && v.y % kUnitsPerCell == 0) corners[toWorld(p.cell, v)].insert(p.cell);
+    }
+    for (std::size_t l = 0; l < k; ++l) {
+      const ScenePolygon& q = scene.polygons[l];
+      if (std::abs(p.cell.i - q.cell.i) <= 1 && std::abs(p.cell.j - q.cell.j) <= 1) noter.pair(p, q);
+    }
+  }
+  for (const auto& entry : corners) {
+    if (entry.second.size() == 4) noter.mark(Feature::fourSolids);
+  }
+  for (const auto& [a, b] : scene.preserve.pairs()) {
+    if (blocks.contains(a) && blocks.contains(b)) noter.mark(Feature::preserve);
+  }
+}
+
+void Distribution::add(const Features& features) {
+  ++cases;
+  for (std::size_t k = 0; k < features.size(); ++k) with[k] += features[k] ? 1 : 0;
+}
+
+double Distribution::percent(Feature feature) const {
+  return 100.0 * static_cast<double>(with[static_cast<std::size_t>(feature)]) / static_cast<double>(cases);
+}
+
+std::string table(const Distribution& distribution) {
+  std::string text;
+  for (std::size_t k = 0; k < distribution.with.size(); ++k) {
+    text += fmt::format("  {:4.0f}%    {}\n", distribution.percent(Feature{k}), describe(Feature{k}));
+  }
+  return text;
+}
+
+}  // namespace lgs::oracle

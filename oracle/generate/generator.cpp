@@ -1,0 +1,143 @@
+#include "oracle/generate/generator.h"
+
+#include "oracle/generate/editor.h"
+#include "oracle/generate/shapes.h"
+
+#include <algorithm>
+#include <set>
+
+namespace lgs::oracle {
+namespace {
+
+// Where the grid of a case lies: about the origin, across the borders of chunks, at the ends of the world, anywhere.
+std::int32_t randomOrigin(Random& random, std::int32_t size) {
+  switch (random.below(6)) {
+    case 0:
+    case 1:
+      return -random.below(size + 1);
+    case 2:
+      return 32 * (random.below(9) - 4) - random.below(size + 1);
+    case 3:
+      return kMaxCell - size + 1;
+    case 4:
+      return -kMaxCell;
+    default:
+      return random.below(2'000'000) - 1'000'000;
+  }
+}
+
+std::vector<Cell> grid(Cell origin, std::int32_t width, std::int32_t height) {
+  std::vector<Cell> cells;
+  for (std::int32_t i = 0; i < width; ++i) {
+    for (std::int32_t j = 0; j < height; ++j) cells.push_back({origin.i + i, origin.j + j});
+  }
+  return cells;
+}
+
+std::vector<std::vector<LocalPolygon>> randomShapes(Random& random) {
+  std::vector<std::vector<LocalPolygon>> shapes;
+  const int percent = random.chance(50) ? 15 : 60;
+  for (const NamedShape& shape : degenerateShapes()) {
+    if (random.chance(percent)) shapes.push_back(shape.polygons);
+  }
+  if (shapes.empty()) shapes.push_back(random.pick(degenerateShapes()).polygons);
+  return shapes;
+}
+
+std::vector<Block> randomBlocks(Random& random) {
+  const std::vector<Block> all{1, 2, 3, 0, 0xffff'ffff};
+  return {all.begin(), all.begin() + 1 + random.below(5)};
+}
+
+// None, or a partition of the blocks into materials, or any pairs at all.
+PreservePairs randomPreserve(Random& random, const std::vector<Block>& blocks) {
+  PreservePairs pairs;
+  const int kind = random.below(4);
+  if (kind < 2) return pairs;
+  std::vector<int> material;
+  for (std::size_t k = 0; k < blocks.size(); ++k) material.push_back(random.below(3));
+  for (std::size_t a = 0; a < blocks.size(); ++a) {
+    for (std::size_t b = 0; b <= a; ++b) {
+      const bool kept = kind == 2 ? material[a] != material[b] : random.chance(30);
+      if (kept) pairs.add(blocks[a], blocks[b]);
+    }
+  }
+  return pairs;
+}
+
+}  // namespace
+
+Trace randomCase(const GeneratorOptions& options, std::uint64_t seed) {
+  Random random(seed);
+  Habits habits;
+  habits.shapes = randomShapes(random);
+  habits.blocks = randomBlocks(random);
+  // A commit that finds many edited cells in one row goes another way than one that finds a few, and buried cells another
+  // than those that show: some cases are long and low, commit seldom, and are mostly filled.
+  const bool isLow = random.chance(8);
+  const std::int32_t width = isLow ? 4 * options.width : options.width;
+  const std::int32_t height = isLow ? std::min(options.height, 3) : options.height;
+  const Cell origin{randomOrigin(random, width), randomOrigin(random, height)};
+  habits.cells = grid(origin, width, height);
+  habits.wander = random.chance(20);
+  habits.place = 4 + random.below(10);
+  habits.lean = random.chance(50) ? random.below(10) : 0;
+  habits.scatter = random.chance(50) ? random.below(10) : 0;
+  habits.remove = 1 + random.below(6);
+  habits.clear = random.below(3);
+  habits.replace = random.below(3);
+  habits.refused = random.chance(40) ? 1 + random.below(3) : 0;
+  habits.commitPercent = random.chance(50) ? 100 : 10 + random.below(60);
+  if (isLow) {
+    habits.commitPercent = 3;
+    habits.shapes.insert(habits.shapes.end(), 4 * habits.shapes.size(), degenerateShapes().front().polygons);
+    habits.place = 30;
+  }
+  Trace start;
+  start.preserve = randomPreserve(random, habits.blocks);
+  Editor editor(std::move(start), std::move(habits), random.next());
+  editor.run(options.edits);
+  return editor.takeTrace();
+}
+
+Trace digIn(Trace start, std::size_t edits, std::uint64_t seed) {
+  start.edits.push_back(Edit::commit());
+  Model world;
+  for (const Edit& edit : start.edits) world.apply(edit);
+
+  Habits habits;
+  std::set<std::vector<LocalPolygon>> contents;
+  std::set<Block> blocks;
+  std::set<Cell> cells;
+  for (const auto& [cell, placed] : world.cells()) {
+    std::vector<LocalPolygon> polygons;
+    for (const Model::Placed& p : placed) {
+      polygons.push_back(p.vertices);
+      blocks.insert(p.block);
+    }
+    contents.insert(std::move(polygons));
+    for (const Cell& near : grid({cell.i - 1, cell.j - 1}, 3, 3)) {
+      if (inRange(near)) cells.insert(near);
+    }
+  }
+  habits.shapes.assign(contents.begin(), contents.end());
+  for (const NamedShape& shape : degenerateShapes()) habits.shapes.push_back(shape.polygons);
+  habits.blocks.assign(blocks.begin(), blocks.end());
+  if (blocks.empty()) habits.blocks = {1};
+  habits.cells.assign(cells.begin(), cells.end());
+  if (cells.empty()) habits.cells = grid({0, 0}, 4, 4);
+  habits.wander = true;
+  habits.turnShapes = false;
+  habits.place = 2;
+  habits.lean = 1;
+  habits.restore = 5;
+  habits.remove = 4;
+  habits.clear = 4;
+  habits.replace = 1;
+  habits.commitPercent = 60;
+  Editor editor(std::move(start), std::move(habits), seed);
+  editor.run(edits);
+  return editor.takeTrace();
+}
+
+}  // namespace lgs::oracle

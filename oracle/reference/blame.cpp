@@ -1,0 +1,52 @@
+#include "oracle/reference/blame.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cstdint>
+
+namespace lgs::oracle {
+namespace {
+
+bool isOutside(LocalPoint p) { return p.x < 0 || p.x > kUnitsPerCell || p.y < 0 || p.y > kUnitsPerCell; }
+
+bool areVerticesToBlame(const Error& error, const LocalPolygon& polygon) {
+  const auto exists = [&](std::int32_t k) { return k >= 0 && static_cast<std::size_t>(k) < polygon.size(); };
+  const auto at = [&](std::int32_t k) { return polygon[static_cast<std::size_t>(k)]; };
+  const auto firstLike = [&](std::int32_t k) {
+    return static_cast<std::int32_t>(std::find(polygon.begin(), polygon.end(), at(k)) - polygon.begin());
+  };
+  const auto hasRepeatBefore = [&](std::int32_t end) {
+    for (std::int32_t k = 0; k < end; ++k)
+      if (firstLike(k) != k) return true;
+    return false;
+  };
+  const std::int32_t a = error.vertex;
+  const std::int32_t b = error.vertex2;
+  switch (error.code) {
+    case ErrorCode::outsideCell:
+      return exists(a) && isOutside(at(a)) && b == -1;
+    case ErrorCode::repeatedVertex:
+      return exists(a) && exists(b) && firstLike(b) == a && a != b && !hasRepeatBefore(b);
+    case ErrorCode::selfIntersecting:
+      return exists(a) && exists(b) && edgesMeet(polygon, static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+    default:  // no vertex is
+      return a == -1 && b == -1;
+  }
+}
+
+}  // namespace
+
+std::string wrongBlame(const Error& error, const LocalPolygon& polygon) {
+  if (!areVerticesToBlame(error, polygon)) {
+    return fmt::format("names vertices {} and {}, which are not to blame", error.vertex, error.vertex2);
+  }
+  const std::int32_t index = error.code == ErrorCode::cellOutOfRange ? -1 : 0;
+  if (error.polygon != index) return fmt::format("names polygon {} instead of {}", error.polygon, index);
+  const bool isOverlap = error.code == ErrorCode::overlap;
+  if (error.polygon2 != -1 || (!isOverlap && error.other != PolygonHandle{}) || error.segment != SegmentId{}) {
+    return "sets a field that does not apply";
+  }
+  return {};
+}
+
+}  // namespace lgs::oracle

@@ -1,0 +1,156 @@
+#!/usr/bin/env python3
+"""Checks that no include goes up: each room may include only the rooms that the table names.
+
+    scripts/layers.py            # exit status 0: all is well; 1: an include goes up, and which; 2: a file has no room
+    scripts/layers.py --test     # the check finds includes that go up, planted in a copy of the table's rooms
+
+A *room* is a folder. Its public headers and its sources are one room, except in lib/, where headers and sources of the
+engine are told apart: the references and the tools may see public headers only, so that a bug can not stand on both sides.
+"""
+import argparse
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+# What a room may include, beside itself. Rooms further down may include rooms further up, never the other way round.
+ENGINE = ["lib/include"]
+REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/trace"]
+ORACLE = REFERENCES + ["oracle/draw", "oracle/generate", "oracle/check"]
+TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include"]
+ADAPTERS = ["lib/tiled/include"] + TERRAIN
+ROOMS = {
+    "lib/include": [],
+    "lib/src": ["lib/include"],
+    "lib/tiled/include": ["lib/include"],
+    "lib/tiled/src": ["lib/include", "lib/tiled/include"],
+    "lib/box2d/include": ["lib/include"],
+    "lib/box2d/src": ["lib/include", "lib/box2d/include"],
+    "lib/box2d/v2/include": ["lib/include", "lib/box2d/include"],
+    "lib/box2d/v2/src": ["lib/include", "lib/box2d/include", "lib/box2d/src", "lib/box2d/v2/include"],
+    "lib/box2d/v3/include": ["lib/include", "lib/box2d/include"],
+    "lib/box2d/v3/src": ["lib/include", "lib/box2d/include", "lib/box2d/src", "lib/box2d/v3/include"],
+    "oracle/reference": ENGINE,
+    "oracle/cgal": ENGINE + ["oracle/reference"],
+    "oracle/draw": ENGINE + ["oracle/reference"],
+    "oracle/trace": ENGINE + ["oracle/reference"],
+    "oracle/generate": ENGINE + ["oracle/reference", "oracle/trace"],
+    "oracle/check": ENGINE + REFERENCES + ["oracle/draw", "oracle/generate"],
+    "bench/published": ENGINE + REFERENCES,
+    "bench/ride": ENGINE + ADAPTERS + ORACLE,
+    "bench": ENGINE + ADAPTERS + ORACLE + ["bench/published"],
+    "cli": ENGINE + ADAPTERS + ORACLE + ["bench", "bench/published", "bench/ride"],
+    "examples": ENGINE + ADAPTERS,
+    "fuzz": ENGINE + ADAPTERS + ORACLE + ["cli"],
+    # Unit tests of the engine's and the importer's parts look inside.
+    "proptests": ENGINE + ADAPTERS + ORACLE + ["lib/src", "lib/tiled/src", "lib/box2d/src", "bench/published", "bench/ride",
+                                               "cli"],
+    "proptests/consumer": ENGINE + ADAPTERS,  # a project of its own, as a game would be
+}
+# The folders from which a header is found by a path without its room.
+INCLUDE_FOLDERS = ["", "lib/include", "lib/src", "lib/tiled/include", "lib/tiled/src", "lib/box2d/include", "lib/box2d/src",
+                   "lib/box2d/v2/include", "lib/box2d/v3/include"]
+# What no file below a folder may include, whatever its room: lib/ is MIT and goes into games.
+FOREIGN = {"lib": re.compile(r"CGAL/|rapidcheck|gtest|gmock|fmt/|CLI/")}
+INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
+
+
+def room_of(path):
+    """The longest folder of the table that holds the file, or None."""
+    folders = [str(parent) for parent in path.parents]
+    return next((folder for folder in folders if folder in ROOMS), None)
+
+
+def rooms_of_include(root, path, name, quoted):
+    """The rooms that have the file that an include names: none where it is another library's, two where there are two
+    versions of it."""
+    folders = ([str(path.parent)] if quoted else []) + INCLUDE_FOLDERS
+    return [room_of(pathlib.Path(folder, name)) for folder in folders if (root / folder / name).is_file()]
+
+
+def complaints(root, files):
+    for path in files:
+        room = room_of(path)
+        if room is None:
+            yield f"{path}: this folder has no room in the table of scripts/layers.py"
+            continue
+        for number, line in enumerate((root / path).read_text(encoding="utf-8").splitlines(), 1):
+            include = INCLUDE.match(line)
+            if not include:
+                continue
+            quote, name = include.groups()
+            for folder, foreign in FOREIGN.items():
+                if path.is_relative_to(folder) and foreign.match(name):
+                    yield f"{path}:{number}: {folder}/ must not include {name}"
+            there = rooms_of_include(root, path, name, quote == '"')
+            if there and not any(other == room or other in ROOMS[room] for other in there):
+                yield f"{path}:{number}: {room} must not include {there[0]}: {line.strip()}"
+
+
+def circles():
+    """Rooms that may include each other, if only by a detour: the table itself would be wrong."""
+    for start in ROOMS:
+        seen, todo = set(), list(ROOMS[start])
+        while todo:
+            room = todo.pop()
+            if room == start:
+                yield f"the table lets {start} include itself by a detour"
+                break
+            if room not in seen:
+                seen.add(room)
+                todo += ROOMS[room]
+
+
+def sources(root):
+    listed = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard", "*.h", "*.cpp"], cwd=root,
+                            capture_output=True, text=True, check=False)
+    if listed.returncode == 0 and listed.stdout:
+        return [pathlib.Path(line) for line in listed.stdout.splitlines() if (root / line).is_file()]
+    found = [path.relative_to(root) for kind in ("*.h", "*.cpp") for path in root.rglob(kind)]  # an archive, no clone
+    return [path for path in found if path.parts[0] not in ("build", "out")]
+
+
+def test():
+    """Plants includes that go up, one for each rule, and expects each to be found."""
+    planted = {
+        "lib/src/edit.cpp": '#include "oracle/trace/trace.h"',
+        "oracle/reference/naive.cpp": '#include "oracle/trace/trace.h"',
+        "oracle/check/checker.cpp": '#include "linking.h"',
+        "bench/tiles.cpp": '#include "cli/command.h"',
+        "lib/tiled/src/import.cpp": "#include <CGAL/enum.h>",
+        "attic/old.cpp": "",
+    }
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        for name in ["oracle/trace/trace.h", "lib/src/linking.h", "cli/command.h"]:
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).touch()
+        for name, line in planted.items():
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).write_text(line + "\n", encoding="utf-8")
+        found = list(complaints(root, [pathlib.Path(name) for name in planted]))
+    missed = [name for name in planted if not any(complaint.startswith(name) for complaint in found)]
+    for name in missed:
+        print(f"layers: not found: {name}: {planted[name]}")
+    return 1 if missed else 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Checks that no include goes up; the table is in this file.")
+    parser.add_argument("--test", action="store_true", help="check the check: plant includes that go up")
+    if parser.parse_args().test:
+        return test()
+    root = pathlib.Path(__file__).resolve().parent.parent
+    files = sources(root)
+    found = list(complaints(root, files)) + list(circles())
+    for complaint in found:
+        print(complaint)
+    if found:
+        return 2 if any("no room" in complaint for complaint in found) else 1
+    print(f"layers: no include goes up in {len(files)} files of {len(ROOMS)} rooms")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
