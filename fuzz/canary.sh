@@ -47,7 +47,7 @@ mkdir -p "$out/logs"
 out=$(cd "$out" && pwd)
 rm -rf "$out/source"
 mkdir "$out/source"
-tar -c CMakeLists.txt cmake lib oracle bench fuzz LICENSE | tar -x -C "$out/source"
+tar -c CMakeLists.txt cmake lib oracle bench cli fuzz LICENSE | tar -x -C "$out/source"
 ((seconds == 0)) || cmake -S "$out/source" -B "$out/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_CXX_COMPILER=clang++ -DLGS_BUILD_TESTS=OFF -DLGS_BUILD_FUZZERS=ON >/dev/null
 

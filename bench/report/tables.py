@@ -1,5 +1,7 @@
 """The tables of docs/timings.md and README.md, as Markdown, by the names of their places there."""
 
+import textwrap
+
 from words import count, digits, duration, ratio, table
 
 NONE = "–"
@@ -35,11 +37,14 @@ def ratio_or_none(a, b):
 
 
 def about(results):
-    """One line on what the figures are of."""
+    """What the figures are of."""
     a = results.about
-    return (
+    return textwrap.fill(
         f"Measured on {a['date']}: {a['machine']}; {a['compiler']}; commit {a['commit']}; by `{a['command']}`. "
-        "One core; absolute times drift, ratios are of one run."
+        "One core; absolute times drift, ratios are of one run.",
+        120,
+        break_long_words=False,
+        break_on_hyphens=False,
     )
 
 

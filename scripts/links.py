@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+"""Checks what the Markdown documents point at: links lead to files and headings, and files named in `code` exist.
+
+    scripts/links.py           # exit status 0: all is well; 1: what leads nowhere, with file and line
+    scripts/links.py --test    # the check finds broken links and names, planted in a folder of its own
+
+A word of `code`, or of a block of code, is taken for a file's name if it has a slash or ends as the project's sources
+do. The name may be cut short from the left (`src/grid.h`) or stand for several files (`*_test.cpp`). It may also lie in
+a build folder: for `build/release/cli/lgs` the folder `cli/` must exist.
+"""
+import argparse
+import fnmatch
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
+CODE = re.compile(r"`([^`\n]+)`")
+NAME = re.compile(r"(?<![\w/.$:<>{}-])[A-Za-z_*][\w.*+-]*(?:/[\w.*+-]+)*/?(?![\w/<>{}(])")
+# Names without a slash that are looked for. Those of traces, pictures and maps are mostly the reader's own.
+SOURCE = re.compile(r".*\.(h|cpp|py|sh|md|toml|cmake)$")
+# What has a slash and is no file of the project: what running something makes, and what the reader is to fill in.
+OTHER = re.compile(r"out/|build/bugs/|fuzz/all$|origin/|projects/localgridseg/|.*/(?:NAME|name)\b")
+HEADING = re.compile(r"#+ +(.*?) *$")
+
+
+def anchor(heading):
+    """The name that GitHub gives to a heading."""
+    return re.sub(r"[^\w\- ]", "", heading.replace("`", "").lower()).replace(" ", "-")
+
+
+def tracked(root):
+    listed = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard"], cwd=root,
+                            capture_output=True, text=True, check=False)
+    if listed.returncode == 0 and listed.stdout:
+        return [pathlib.PurePosixPath(line) for line in listed.stdout.splitlines() if (root / line).is_file()]
+    found = [path.relative_to(root) for path in root.rglob("*") if path.is_file()]  # an archive, no clone
+    return [pathlib.PurePosixPath(path) for path in found if not {"build", "out", "node_modules"} & {*path.parts}]
+
+
+def ends_of(files):
+    """Every file and folder, whole and cut short from the left."""
+    paths = {path for file in files for path in (file, *file.parents)}
+    return {"/".join(path.parts[k:]) for path in paths for k in range(len(path.parts))}
+
+
+def exists(name, ends):
+    parts = name.rstrip("/").split("/")
+    if parts[0] == "build":
+        return len(parts) < 3 or parts[2] in ends  # build/PRESET/FOLDER/PROGRAM
+    name = "/".join(parts)
+    return name in ends or ("*" in name and any(fnmatch.fnmatchcase(end, name) for end in ends))
+
+
+def prose_and_code(text):
+    """The two halves of a document, each with the other's lines empty. Code is indented, or between fences."""
+    prose, code, is_fenced = [], [], False
+    for line in text.splitlines():
+        if line.lstrip().startswith("```"):
+            is_fenced = not is_fenced
+        is_code = is_fenced or bool(re.match(r"    [^ |*-]", line))
+        prose.append("" if is_code else line)
+        code.append(line if is_code else "")
+    return "\n".join(prose), "\n".join(code)
+
+
+def names_in(prose, code):
+    """Each name of a file, with its line."""
+    spans = [(code, 0)] + [(span[1], prose.count("\n", 0, span.start())) for span in CODE.finditer(prose)]
+    for text, line in spans:
+        for found in NAME.finditer(text):
+            if ("/" in found[0] or SOURCE.match(found[0])) and not OTHER.match(found[0]):
+                yield found[0], line + text.count("\n", 0, found.start()) + 1
+
+
+def complaints(root, files):
+    ends = ends_of(files)
+    for file in [file for file in files if file.suffix == ".md"]:
+        prose, code = prose_and_code((root / file).read_text(encoding="utf-8"))
+        found = []
+        for link in LINK.finditer(prose):
+            fault = fault_of_link(root, file, link[1])
+            if fault:
+                found.append((prose.count("\n", 0, link.start()) + 1, f"{fault}: {link[1]}"))
+        for name, line in names_in(prose, code):
+            if not exists(name, ends):
+                found.append((line, f"there is no such file: {name}"))
+        for line, complaint in sorted(found):
+            yield f"{file}:{line}: {complaint}"
+
+
+def fault_of_link(root, file, target):
+    if re.match(r"[a-z]+:", target):
+        return None
+    path, _, fragment = target.partition("#")
+    there = root / file.parent / path if path else root / file
+    if not there.exists():
+        return "the link leads nowhere"
+    if fragment:
+        headings = [HEADING.match(line) for line in there.read_text(encoding="utf-8").splitlines()]
+        if fragment not in [anchor(heading[1]) for heading in headings if heading]:
+            return "the link leads to no heading"
+    return None
+
+
+def test():
+    """Plants links and names that lead nowhere, and some that are right; expects the first to be found and no other."""
+    wrong = ["[a](b.md)", "[a](#none)", "[a](src/grid.h#none)", "`src/grid.cpp`", "`lib/grid.h`", "`*_test.cpp`",
+             "`README.md`", "    build/release/oracle/lgs check"]
+    right = ["    build/release/lib/lgs check my.trace",
+             "[a](src/grid.h), [a](#a-heading-c-and-more), [a](note.md#a-heading-c-and-more)",
+             "`src/grid.h`, `grid.h`, `lib/src/`, `gr*.h`, `out/file`, 1/2 and/or, `1/2`, <https://example.org/b.md>"]
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        (root / "lib/src").mkdir(parents=True)
+        (root / "lib/src/grid.h").touch()
+        text = "\n".join(["## A heading: `C++`, and more", *wrong, *right])
+        (root / "lib/note.md").write_text(text, encoding="utf-8")
+        found = [complaint.split(":")[1] for complaint in complaints(root, tracked(root))]
+    expected = [str(2 + k) for k in range(len(wrong))]
+    if found != expected:
+        print(f"links: found in lines {' '.join(found)}, expected in lines {' '.join(expected)}")
+        return 1
+    return 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Checks that links and names of files in *.md lead to what exists.")
+    parser.add_argument("--test", action="store_true", help="check the check: plant links and names that lead nowhere")
+    if parser.parse_args().test:
+        return test()
+    root = pathlib.Path(__file__).resolve().parent.parent
+    files = tracked(root)
+    found = list(complaints(root, files))
+    for complaint in found:
+        print(complaint)
+    if not found:
+        print(f"links: all lead somewhere in {sum(file.suffix == '.md' for file in files)} documents")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
