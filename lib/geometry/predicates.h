@@ -1,13 +1,13 @@
 // Exact predicates on lattice points: every answer is a sign of integers, so none is ever a little wrong.
 //
-// Private to lib/: the engine, the importer and the terrain share these headers, and none of them is installed. They need
-// nothing but <lgs/lattice.h>.
+// Private to lib/: the engine, the importer and the terrain share these headers, and none of them is installed. They
+// need nothing but <lgs/lattice.h>.
 //
-// Units and range. A point is a LocalPoint or a Point, in lattice units or in halves of them. The points of one call lie
-// at most 2^30 units apart on either axis. So each product of two differences is at most 2^60, a sum of two such products
-// is at most 2^61, and all of it fits in 64 bits. The callers keep far below that: points of one cell are 2^16 units
-// apart, points of the importer 2^23 (its polygons reach at most 64 cells from the cell's corner), and doubling adds one
-// bit.
+// Units and range. A point is a LocalPoint or a Point, in lattice units or in halves of them. The points of one call
+// lie at most 2^30 units apart on either axis. So each product of two differences is at most 2^60, a sum of two such
+// products is at most 2^61, and all of it fits in 64 bits. The callers keep far below that: points of one cell are 2^16
+// units apart, points of the importer 2^23 (its polygons reach at most 64 cells from the cell's corner), and doubling
+// adds one bit.
 #pragma once
 
 #include <lgs/lattice.h>

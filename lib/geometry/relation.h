@@ -1,5 +1,6 @@
-// How two polygons lie to each other. Where no edges cross, each edge of one polygon, cut at the vertices of the other, lies
-// as a whole inside, outside or on the boundary of the other one. So the middle of each piece tells where the piece is.
+// How two polygons lie to each other. Where no edges cross, each edge of one polygon, cut at the vertices of the other,
+// lies as a whole inside, outside or on the boundary of the other one. So the middle of each piece tells where the
+// piece is.
 #pragma once
 
 #include "ring.h"
@@ -74,8 +75,8 @@ Relation relation(const Ring& a, const Ring& b) {
   if (anyCrossing(a, b)) return Relation::overlap;
   const Sight ofA = sightOf(a, b);
   if (!ofA.outside && (ofA.inside || ofA.sameWay)) return Relation::inside;
-  // If no part of either boundary is inside the other polygon, the interior of a avoids the boundary of b: it is inside b
-  // or outside b as a whole, and the other way round. Inside both ways means that a is b, which was seen above.
+  // If no part of either boundary is inside the other polygon, the interior of a avoids the boundary of b: it is inside
+  // b or outside b as a whole, and the other way round. Inside both ways means that a is b, which was seen above.
   if (ofA.inside || ofA.sameWay || sightOf(b, a).inside) return Relation::overlap;
   return Relation::apart;
 }

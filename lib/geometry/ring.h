@@ -1,5 +1,5 @@
-// Polygons as rings of lattice points: the last vertex is followed by the first. A ring is any range of LocalPoint or Point
-// with an index, such as std::vector or std::span. Ranges of coordinates are those of predicates.h.
+// Polygons as rings of lattice points: the last vertex is followed by the first. A ring is any range of LocalPoint or
+// Point with an index, such as std::vector or std::span. Ranges of coordinates are those of predicates.h.
 #pragma once
 
 #include "predicates.h"
@@ -20,8 +20,8 @@ constexpr PointOf<Ring> nextVertex(const Ring& ring, std::size_t i) {
   return ring[i + 1 == ring.size() ? 0 : i + 1];
 }
 
-/// Twice the signed area: positive for a counter-clockwise ring. It fits in 64 bits while the number of vertices times the
-/// square of the ring's extent is below 2^62: 65,536 vertices for the importer's 2^23 units.
+/// Twice the signed area: positive for a counter-clockwise ring. It fits in 64 bits while the number of vertices times
+/// the square of the ring's extent is below 2^62: 65,536 vertices for the importer's 2^23 units.
 template <class Ring>
 constexpr std::int64_t doubleArea(const Ring& ring) {
   std::int64_t sum = 0;

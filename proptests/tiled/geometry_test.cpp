@@ -1,6 +1,6 @@
 // The importer's plane geometry by itself, exhausted on tiny lattices against slow rules.
 #include "lattice.h"
-#include "lib/tiled/src/grid.h"
+#include "lib/tiled/src/pixel_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Cutting a polygon along a line.
 #pragma once
 
-#include "polygon.h"
+#include "loops.h"
 
 namespace lgs::tiled {
 
@@ -10,20 +10,24 @@ struct Line {
   Vector direction;
 };
 
-/// Both sides of a polygon that was cut along a line. All pieces are counter-clockwise and tidy.
+/// The pieces of a polygon on both sides of a line. All are counter-clockwise and tidy.
 struct Halves {
   std::vector<Polygon> left;
   std::vector<Polygon> right;
 };
 
-/// The polygons that a cut should not push a piece into.
+/// The polygons that a piece should not be pushed into when its new vertices are rounded.
 using Obstacles = std::span<const Polygon>;
 
-/// Cuts a simple counter-clockwise polygon. The new vertices are rounded to a lattice point beside the exact place: to
-/// an obstacle's vertex if one is that near, else to the nearest that is in no obstacle and not on the line's left.
-/// Along a horizontal or vertical line, without obstacles, only the place on the line is rounded. Rounding can make a
-/// piece touch itself: check isSimple(). The same edge, cut from either of its sides, is cut in the same point.
-/// Limits: any line inside one cell; horizontal and vertical lines of direction ±1 within kMaxReach cells.
+/// Cuts a simple counter-clockwise polygon along a line.
+///
+/// A new vertex is rounded to a lattice point beside the exact place. If an obstacle has a vertex that near, it is that
+/// one. Otherwise it is the nearest point that is in no obstacle and not on the left of the line, as far as there is
+/// such a point. Along a horizontal or vertical line, without obstacles, the new vertices stay on the line. An edge is
+/// cut in the same point from both of its sides. Rounding can make a piece touch itself, so check isSimple().
+///
+/// Range: inside one cell any line between lattice points of the cell. Up to kMaxReach cells away only horizontal and
+/// vertical lines, with a direction of length 1.
 Halves split(const Polygon& ring, const Line& line, Obstacles obstacles = {});
 
 }  // namespace lgs::tiled

@@ -1,5 +1,5 @@
-// The importer's polygons: rings of lattice points. The origin is the lower left corner of a cell, and no vertex is further
-// than kMaxReach cells (2^22 units) from it on either axis.
+// The importer's polygons, which are rings of lattice points, and how such a ring falls into loops. The origin is the
+// lower left corner of a cell. No vertex is further from it than kMaxReach cells (2^22 units) on either axis.
 #pragma once
 
 #include "geometry/relation.h"
@@ -27,8 +27,9 @@ using detail::relation;
 using detail::sign;
 using detail::Vector;
 
-/// The ring without repeated and collinear vertices and without spikes, taken apart where it comes back to a vertex.
-/// The orientation of each loop is kept; one whose area is 0 crosses itself.
+/// Drops vertices that repeat their neighbour, lie straight between their neighbours, or are the tip of a spike. Then
+/// takes the ring apart wherever it comes back to a vertex. Each loop keeps its direction. A loop of area 0 crosses
+/// itself.
 std::vector<Polygon> tidyLoops(Polygon ring);
 
 }  // namespace lgs::tiled

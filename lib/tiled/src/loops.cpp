@@ -1,4 +1,4 @@
-#include "polygon.h"
+#include "loops.h"
 
 #include <algorithm>
 #include <map>
