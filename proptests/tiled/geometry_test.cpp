@@ -1,6 +1,7 @@
 // The importer's plane geometry by itself, exhausted on tiny lattices against slow rules.
 #include "lattice.h"
-#include "lib/tiled/src/grid.h"
+#include "lib/tiled/src/fraction.h"
+#include "lib/tiled/src/pixel_grid.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +10,39 @@
 
 namespace lgs::tiled {
 namespace {
+
+TEST(TiledGeometry, FractionsCompareAsTheirProducts) {
+  constexpr std::int64_t kMost = 12;
+  for (std::int64_t a = -kMost; a <= kMost; ++a) {
+    for (std::int64_t b = 1; b <= kMost; ++b) {
+      for (std::int64_t c = -kMost; c <= kMost; ++c) {
+        for (std::int64_t d = 1; d <= kMost; ++d) {
+          ASSERT_EQ(fraction(a, b) < fraction(c, d), a * d < c * b) << a << "/" << b << " " << c << "/" << d;
+          ASSERT_EQ(fraction(a, b) == fraction(c, d), a * d == c * b) << a << "/" << b << " " << c << "/" << d;
+        }
+      }
+    }
+  }
+}
+
+TEST(TiledGeometry, FractionsOfProductsThatDoNotFit) {
+  constexpr std::int64_t kMost = std::int64_t{1} << 40;
+  for (const std::int64_t less : {1, 2, 1'000}) {
+    // n · (n - less) / (n + less) = n - 2 · less + 2 · less² / (n + less)
+    for (const std::int64_t n : {std::int64_t{4'321}, kMost / 3, kMost - less}) {
+      const Fraction f = fractionOfProduct(n, n - less, n + less);
+      EXPECT_EQ(f, (Fraction{n - 2 * less + 2 * less * less / (n + less), 2 * less * less % (n + less), n + less}));
+      const Fraction negative = fractionOfProduct(-n, n - less, n + less);
+      EXPECT_LT(negative, Fraction{-f.whole});
+      EXPECT_LT(Fraction{-f.whole - 1}, negative);
+      EXPECT_EQ(negative.rest, f.divisor - f.rest);
+    }
+  }
+  // Neighbours in a Farey sequence: as near to each other as fractions with such divisors can be.
+  EXPECT_LT(fraction(kMost - 2, kMost - 1), fraction(kMost - 1, kMost));
+  EXPECT_LT(fraction(1 - kMost, kMost), fraction(2 - kMost, kMost - 1));
+  EXPECT_EQ(fraction(kMost - 2, kMost), fraction(kMost / 2 - 1, kMost / 2));
+}
 
 TEST(TiledGeometry, SimpleRings) {
   struct Exhausted {
@@ -32,7 +66,7 @@ TEST(TiledGeometry, SimpleRings) {
 bool isTidy(const Polygon& loop) {
   const std::size_t n = loop.size();
   for (std::size_t i = 0; i < n; ++i) {
-    if (cross(loop[i], loop[(i + 1) % n], loop[(i + 2) % n]) == 0) return false;
+    if (orientation(loop[i], loop[(i + 1) % n], loop[(i + 2) % n]) == 0) return false;
   }
   return n >= 3 && std::set<Point>(loop.begin(), loop.end()).size() == n;
 }
@@ -42,8 +76,8 @@ int winding(const Polygon& ring, Point at) {
   int turns = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-    if (a.y <= at.y && b.y > at.y && cross(a, b, at) > 0) ++turns;
-    if (a.y > at.y && b.y <= at.y && cross(a, b, at) < 0) --turns;
+    if (a.y <= at.y && b.y > at.y && orientation(a, b, at) > 0) ++turns;
+    if (a.y > at.y && b.y <= at.y && orientation(a, b, at) < 0) --turns;
   }
   return turns;
 }
@@ -101,12 +135,12 @@ TEST(TiledGeometry, HalvesAreWhatLiesLeftAndRight) {
       for (const Polygon& piece : halves.left) {
         left += doubleArea(piece);
         ASSERT_TRUE(isSimpleByRule(piece) && doubleArea(piece) > 0);
-        ASSERT_TRUE(std::all_of(piece.begin(), piece.end(), [&](Point p) { return cross(from, to, p) >= 0; }));
+        ASSERT_TRUE(std::all_of(piece.begin(), piece.end(), [&](Point p) { return orientation(from, to, p) >= 0; }));
       }
       for (const Polygon& piece : halves.right) {
         right += doubleArea(piece);
         ASSERT_TRUE(isSimpleByRule(piece) && doubleArea(piece) > 0);
-        ASSERT_TRUE(std::all_of(piece.begin(), piece.end(), [&](Point p) { return cross(from, to, p) <= 0; }));
+        ASSERT_TRUE(std::all_of(piece.begin(), piece.end(), [&](Point p) { return orientation(from, to, p) <= 0; }));
       }
       ASSERT_NEAR(static_cast<double>(left), 2 * areaOf(leftOf(realRing(ring), from, to)), 10);
       ASSERT_EQ(left + right, doubleArea(ring));

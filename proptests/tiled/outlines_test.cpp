@@ -1,6 +1,6 @@
 // Outlines as hands draw them: that touch or cross themselves, go there and back, say a vertex twice; and the shapes that
 // are left out, with the words for it.
-#include "lib/tiled/src/outline.h"
+#include "lib/tiled/src/object_outline.h"
 #include "maps.h"
 
 namespace lgs::tiled {

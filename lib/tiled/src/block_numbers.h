@@ -7,7 +7,7 @@
 
 namespace lgs::tiled {
 
-/// Gives numbers to the names of classes and layers.
+/// Those that Options::blocks has keep their numbers. Other names get the least unused numbers from 1 up, as they come.
 class BlockNumbers {
  public:
   explicit BlockNumbers(const Options& options) : numbers_(options.blocks) {

@@ -50,9 +50,9 @@ tl::expected<Bytes, std::string> base64Bytes(std::string_view text) {
 
 /// zlib and gzip streams, told apart by zlib itself.
 tl::expected<Bytes, std::string> inflated(const Bytes& packed, std::size_t size) {
-  constexpr std::size_t kBestRatio = 1'032;  // of deflate: what cannot fill `size` gets no memory
+  constexpr std::size_t kBestRatio = 1'032;  // of deflate. A stream that is too short for `size` gets no memory
   if (size / kBestRatio > packed.size()) return tl::unexpected<std::string>("is too short for its size");
-  Bytes bytes(size + 1);  // one byte more shows what is too long
+  Bytes bytes(size + 1);  // a stream that fills the extra byte is too long
   z_stream stream{};
   if (inflateInit2(&stream, 15 + 32) != Z_OK) return tl::unexpected<std::string>("cannot be decompressed: no memory");
   stream.next_in = packed.data();

@@ -1,4 +1,5 @@
-// The ways in which TMX writes a layer's tile numbers as text. All return exactly `count` numbers or say what is wrong.
+// TMX writes the tile numbers of a layer as text. These functions read it back. Each returns exactly `count` numbers,
+// or says what is wrong.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +15,8 @@ using Gids = std::vector<std::uint32_t>;
 
 tl::expected<Gids, std::string> decodeCsv(std::string_view text, std::size_t count);
 
-/// `compression` is "", "zlib", "gzip" or "zstd". Never takes more memory than `count` numbers and the text need.
+/// `compression` is "", "zlib", "gzip" or "zstd". Takes memory in proportion to `count` and to the text, whatever the
+/// text announces.
 tl::expected<Gids, std::string> decodeBase64(std::string_view text, std::string_view compression, std::size_t count);
 
 }  // namespace lgs::tiled

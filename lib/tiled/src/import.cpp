@@ -1,4 +1,5 @@
-// One import from beginning to end: the map's head, its tilesets, its layers tile by tile, then the carried parts.
+// One import from its beginning to its end: the map's head, the tilesets, the layers tile by tile, then the carried
+// parts.
 #include <lgs/tiled/import.h>
 
 #include "block_numbers.h"
@@ -16,7 +17,7 @@ namespace lgs::tiled {
 namespace {
 
 constexpr std::uint32_t kHorizontal = 0x8000'0000, kVertical = 0x4000'0000, kDiagonal = 0x2000'0000;
-constexpr std::uint32_t kFlags = 0xF000'0000;  // with that for hexagonal maps, which means nothing here
+constexpr std::uint32_t kFlags = 0xF000'0000;  // and the one that only hexagonal maps use
 
 class Import {
  public:
@@ -43,15 +44,15 @@ class Import {
   }
 
  private:
-  /// A tile's parts as they go into one layer.
+  /// A part of a tile, ready to be placed in one layer.
   struct Placeable {
     Cell shift;
     Placer::EntryId entry;
   };
   struct CurrentLayer {
     std::uint32_t index = 0;
-    std::int64_t columns = 0, rows = 0;                               // moved by its offset
-    DoublePoint rest;                                                 // of the offset, pixels
+    std::int64_t columns = 0, rows = 0;                               // the whole tiles of its offset
+    DoublePoint rest;                                                 // the rest of the offset, pixels
     std::unordered_map<std::uint32_t, std::vector<Placeable>> ready;  // by tile number with flags
   };
 
@@ -130,7 +131,7 @@ void Import::readLayers() {
 void Import::readLayer(const Layer& layer, std::uint32_t index) {
   const auto whole = [](double offset, double tile) { return std::round(offset / tile); };
   const double columns = whole(layer.offset.x, grid_.tile.x), rows = whole(layer.offset.y, grid_.tile.y);
-  constexpr double kMost = 1 << 27;  // with the largest chunk and reach still far inside kMaxCell
+  constexpr double kMost = 1 << 27;  // together with the largest place of a chunk it stays below kMaxCell
   if (!(std::fabs(columns) <= kMost && std::fabs(rows) <= kMost)) {
     return file_.fail(layer.node, "its offset is too large");
   }
@@ -196,16 +197,16 @@ const TileParts& Import::partsOf(const Tileset& tileset, std::uint32_t gid, Doub
   Tile tile = found == tileset.tiles.end() ? Tile{} : found->second;
   if (tile.size.x == 0 || tile.size.y == 0) tile.size = tileset.tileSize;
   if (tile.objects.empty() && options_.solidWithoutShapes) tile.objects.emplace_back().size = tile.size;
-  Frame frame{tile.size,
-              {(gid & kHorizontal) != 0, (gid & kVertical) != 0, (gid & kDiagonal) != 0},
-              {1, 1},
-              {tileset.offset.x + rest.x, tileset.offset.y + rest.y}};
+  ImageFrame frame{tile.size,
+                   {(gid & kHorizontal) != 0, (gid & kVertical) != 0, (gid & kDiagonal) != 0},
+                   {1, 1},
+                   {tileset.offset.x + rest.x, tileset.offset.y + rest.y}};
   if (tileset.fitToGrid) {
     const DoublePoint box = frame.flips.diagonal ? DoublePoint{tile.size.y, tile.size.x} : tile.size;
     frame.scale = {grid_.tile.x / box.x, grid_.tile.y / box.y};
   }
   at->second = tileParts(tile, frame, grid_, options_);
-  if (report.notes.empty()) report.notes = at->second.notes;  // other flips tell the same story
+  if (report.notes.empty()) report.notes = at->second.notes;  // the same tile flipped another way has the same notes
   return at->second;
 }
 

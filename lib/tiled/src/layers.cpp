@@ -9,8 +9,9 @@ namespace lgs::tiled {
 namespace {
 
 constexpr int kMaxDepth = 64;               // of groups in groups
-constexpr std::int64_t kMaxSide = 1 << 28;  // of a layer, and of a chunk's place: far inside kMaxCell
+constexpr std::int64_t kMaxSide = 1 << 28;  // of a layer, and of a chunk's place; far below kMaxCell
 
+/// Goes through the tree of groups.
 class Lister {
  public:
   Lister(const XmlFile& file, const std::vector<std::string>& names)
@@ -88,7 +89,7 @@ class Lister {
   std::vector<Layer> layers_;
 };
 
-/// One rectangle of tiles: a whole layer, or a chunk of an infinite one.
+/// A rectangle of tiles: a whole layer, or a chunk of an infinite one.
 struct TileRect {
   pugi::xml_node node;
   std::int64_t column = 0, row = 0, width = 0, height = 0;

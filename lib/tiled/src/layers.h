@@ -1,4 +1,4 @@
-// The layers of a map: which are wanted, how they are shifted, and their tiles in order.
+// The layers of a map: which of them are wanted, how they are shifted, and which tiles they hold.
 #pragma once
 
 #include "xml.h"
@@ -7,22 +7,23 @@
 
 namespace lgs::tiled {
 
-/// A tile layer in its place in the tree of groups.
 struct Layer {
   pugi::xml_node node;
   std::string path;  ///< "Group/Layer"
   bool wanted = false;
-  DoublePoint offset;  ///< pixels, y down, with those of the groups
-  std::string remark;  ///< what is special about it, for the report
+  DoublePoint offset;  ///< pixels, y down; the sum of its own and those of its groups
+  std::string remark;  ///< for the report: why it is passed over, or what is special about it
 };
 
-/// All layers of a map, those passed over included, in the map's order. Keeps an error if a name of `wanted` fits none.
+/// All layers of a map in the map's order, with those that are passed over. If a name of `wanted` fits no layer, the
+/// file keeps an error.
 std::vector<Layer> listLayers(const XmlFile& file, const std::vector<std::string>& wanted);
 
-/// Receives the tiles that are not empty, by rows; the number still holds the flags for flipping.
+/// Receives the tiles that are not empty, row by row. The number still holds the flags for flipping.
 using TileSink = std::function<void(std::int64_t column, std::int64_t row, std::uint32_t gid)>;
 
-/// Reads a layer's data. `budget` is the number of tiles that may still be read, and is counted down.
+/// Reads the tiles of a layer. `budget` says how many tiles may still be read; it goes down by the layer's, empty ones
+/// too.
 void readTiles(const XmlFile& file, const Layer& layer, std::size_t& budget, const TileSink& sink);
 
 }  // namespace lgs::tiled

@@ -1,5 +1,7 @@
 #include "placer.h"
 
+#include "subtract.h"
+
 #include <lgs/world.h>
 
 #include <algorithm>
@@ -63,8 +65,9 @@ Placer::Step Placer::step(ContentId from, EntryId entry) {
   return made;
 }
 
-/// Each part is freed of one polygon after the other until it is apart from all. Cutting rounds and can bring a new
-/// contact with another one, so a part may come round again.
+/// Works out what a content becomes. Each part of the entry's polygon loses what one polygon of the cell covers, then
+/// what the next one covers, until it is apart from all. A cut is rounded, which can make the part overlap a polygon
+/// that it was apart from. So a part is compared with all of them again, and the number of cuts is limited.
 Placer::Step Placer::work(const Content& content, EntryId entry) {
   Step result;
   Content grown = content;

@@ -1,8 +1,8 @@
-// The cells as they fill up. What a cell holds is interned, and so is each step from one content to the next; so
-// however large the map, polygons are compared only once for each combination that occurs.
+// The cells as they fill up. The content of a cell is interned, and so is each step from one content to the next. So
+// polygons are compared once for each combination that occurs, however large the map is.
 #pragma once
 
-#include "geometry.h"
+#include "loops.h"
 
 #include <lgs/tiled/import.h>
 
@@ -15,7 +15,7 @@ namespace lgs::tiled {
 
 class Placer {
  public:
-  /// A polygon with all that a Placement says of it, but for the cell.
+  /// A Placement without its cell.
   struct Entry {
     std::uint32_t shape = 0;
     Block block = 1;
@@ -28,15 +28,16 @@ class Placer {
 
   Placer();
 
-  /// The number of a simple counter-clockwise ring inside the cell.
+  /// The number of a ring, whichever vertex it begins with. It is simple, counter-clockwise and inside the cell.
   std::uint32_t shape(const Polygon& ring);
 
+  /// The number of an entry. Equal entries have the same number.
   EntryId entry(const Entry& entry);
 
-  /// Adds what is not covered yet. What had to be taken away or given up is noted.
+  /// Adds to the cell what no polygon there covers yet. A note says what was taken away or given up.
   void place(Cell cell, EntryId entry);
 
-  /// Moves everything into the map: shapes, placements and the counts and notes of the report.
+  /// Moves everything into the map: the shapes, the placements, and the counts and notes of the report.
   void finish(ImportedMap& map);
 
  private:

@@ -1,35 +1,31 @@
-// Cutting a simple polygon along a line. On each side the polygon's outline falls into arcs that begin and end on the
-// line. Just beside the line, going along it, the arcs' ends alternate between entering and leaving the interior; each
-// pair is joined by a stretch of the line, which closes the arcs to the pieces. No degenerate bridges appear.
-#include "geometry.h"
+// On each side of the line the outline of the polygon falls into arcs, which begin and end on the line. Walk along the
+// line, just beside it: at the ends of the arcs you enter and leave the interior by turns. A stretch of the line joins
+// each entrance to the exit that follows. These stretches close the arcs to the pieces.
+#include "split.h"
+
+#include "fraction.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <utility>
 
 namespace lgs::tiled {
 namespace {
 
-__extension__ using Wide = __int128;  // products of an edge's length and two distances from a line need up to 104 bits
-
 /// A vertex of the outline, or the point where an edge crosses the line.
 struct Node {
   Point point;
-  int side = 0;               // 1: left of the line, -1: right, 0: on it
-  std::int64_t distance = 0;  // from the line, scaled; of vertices only
-  Wide num = 0;               // place along the line: num / den, exact even where `point` is rounded
-  std::int64_t den = 1;
+  int side = 0;               // 1: left of the line, -1: right of it, 0: on it
+  std::int64_t distance = 0;  // from the line, times the length of its direction; of vertices only
+  Fraction place;             // along the line, scaled alike; exact even where `point` is rounded
 };
-
-std::int64_t floorDiv(std::int64_t a, std::int64_t b) {  // b > 0
-  return a / b - (a % b < 0);
-}
 
 class Cutter {
  public:
   Cutter(const Polygon& ring, const Line& line, Obstacles obstacles) : line_(line), obstacles_(obstacles) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Node u = vertex(ring[i]), v = vertex(ring[(i + 1) % ring.size()]);
+      const Node u = vertex(ring[i]), v = vertex(nextVertex(ring, i));
       nodes_.push_back(u);
       if (u.side * v.side < 0) nodes_.push_back(u.point < v.point ? crossing(u, v) : crossing(v, u));
     }
@@ -43,25 +39,19 @@ class Cutter {
 
  private:
   struct Arc {
-    std::size_t first, last;  // nodes on the line; all between them are on the side in question
+    std::size_t first, last;  // nodes on the line; all nodes between them are on one side of it
   };
   struct End {
     std::size_t arc;
-    bool arrives;  // the outline comes to the line here; otherwise it leaves
-    Wide num;
-    std::int64_t den;
-    Wide slopeNum;  // progress along the line per distance from it
-    std::int64_t slopeDen;
-    bool operator<(const End& other) const {
-      const Wide l = num * other.den, r = other.num * den;
-      return l != r ? l < r : slopeNum * other.slopeDen < other.slopeNum * slopeDen;
-    }
+    bool arrives;    // the outline comes to the line here; otherwise it leaves the line
+    Fraction place;  // along the line
+    Fraction slope;  // of the arc: how far it goes along the line, per distance from it
   };
 
   Node vertex(Point p) const {
-    const Point d = line_.direction;
-    const std::int64_t distance = cross({0, 0}, d, {p.x - line_.at.x, p.y - line_.at.y});
-    return {p, (distance > 0) - (distance < 0), distance, Wide{d.x} * p.x + Wide{d.y} * p.y, 1};
+    const Vector d = line_.direction;
+    const std::int64_t distance = cross(d, p - line_.at);
+    return {p, sign(distance), distance, {dot(d, p - Point{})}};
   }
 
   Node crossing(const Node& u, const Node& v) const;
@@ -75,21 +65,20 @@ class Cutter {
   std::vector<Node> nodes_;
 };
 
-/// How welcome a lattice point is as a new vertex; less is better.
+/// How bad a lattice point is as a new vertex.
 int Cutter::price(Point p) const {
-  const auto hits = [&](const Polygon& ring) { return strictlyInside(p, ring); };
+  const auto hits = [&](const Polygon& ring) { return isStrictlyInside(p, ring); };
   return 2 * std::any_of(obstacles_.begin(), obstacles_.end(), hits) + (vertex(p).side > 0);
 }
 
 Node Cutter::crossing(const Node& u, const Node& v) const {
-  const int flip = u.distance > v.distance ? 1 : -1;
+  // The crossing is u + (v - u) · part / whole.
+  const std::int64_t part = std::abs(u.distance), whole = part + std::abs(v.distance);
   Node best;
-  best.num = flip * (v.num * u.distance - u.num * v.distance);
-  best.den = flip * (u.distance - v.distance);
-  const std::int64_t part = flip * u.distance;  // the crossing is u + (v - u) * part / den
-  const std::int64_t stepX = (v.point.x - u.point.x) * part, stepY = (v.point.y - u.point.y) * part;
-  const std::int64_t lowX = floorDiv(stepX, best.den), lowY = floorDiv(stepY, best.den);
-  const Point low{u.point.x + lowX, u.point.y + lowY};
+  best.place = fractionOfProduct(v.place.whole - u.place.whole, part, whole);
+  best.place.whole += u.place.whole;
+  const Quotient x = divide((v.point.x - u.point.x) * part, whole), y = divide((v.point.y - u.point.y) * part, whole);
+  const Point low{u.point.x + x.whole, u.point.y + y.whole};
   for (const Polygon& ring : obstacles_) {
     for (Point p : ring) {
       if (p.x < low.x - 1 || p.x > low.x + 2 || p.y < low.y - 1 || p.y > low.y + 2) continue;
@@ -97,12 +86,12 @@ Node Cutter::crossing(const Node& u, const Node& v) const {
       return best;
     }
   }
-  std::optional<std::pair<int, Wide>> least;
-  for (int corner = 0; corner < 4; ++corner) {  // the lattice points around it: one of them is not left of the line
-    const Point step{corner & 1, corner >> 1};
-    const Wide missX = Wide{lowX + step.x} * best.den - stepX, missY = Wide{lowY + step.y} * best.den - stepY;
+  // Of the four lattice points around it at least one is not left of the line. By how much the square of a point's
+  // distance exceeds that of `low` is a multiple of `whole`; so it is enough to compare the multiples.
+  std::optional<std::pair<int, std::int64_t>> least;
+  for (const Point step : {Point{0, 0}, Point{1, 0}, Point{0, 1}, Point{1, 1}}) {
     const Point p{low.x + step.x, low.y + step.y};
-    const std::pair<int, Wide> cost{price(p), missX * missX + missY * missY};
+    const std::pair cost{price(p), step.x * (whole - 2 * x.rest) + step.y * (whole - 2 * y.rest)};
     if (least && *least <= cost) continue;
     least = cost;
     best.point = p;
@@ -125,11 +114,10 @@ std::vector<Cutter::Arc> Cutter::arcs(int side) const {
 Cutter::End Cutter::end(const std::vector<Arc>& all, std::size_t arc, bool arrives, int side) const {
   const std::size_t n = nodes_.size();
   const Node& node = nodes_[(arrives ? all[arc].last : all[arc].first) % n];
-  End result{arc, arrives, side * node.num, node.den, 0, 1};
-  if (node.den == 1) {  // a vertex: others can lie there too, told apart by their slopes
+  End result{arc, arrives, node.place, {}};
+  if (node.place.divisor == 1) {  // a vertex. Other arcs can end there, too; then the slopes decide
     const Node& next = nodes_[(arrives ? all[arc].last - 1 : all[arc].first + 1) % n];
-    result.slopeNum = side * (next.num - node.num);
-    result.slopeDen = side * next.distance;
+    result.slope = fraction(side * (next.place.whole - node.place.whole), std::abs(next.distance));
   }
   return result;
 }
@@ -141,7 +129,11 @@ std::vector<Polygon> Cutter::pieces(int side) const {
     ends.push_back(end(all, i, true, side));
     ends.push_back(end(all, i, false, side));
   }
-  std::sort(ends.begin(), ends.end());
+  // Seen from the right, the line runs the other way.
+  std::sort(ends.begin(), ends.end(), [&](const End& a, const End& b) {
+    if (a.place != b.place) return side > 0 ? a.place < b.place : b.place < a.place;
+    return a.slope < b.slope;
+  });
   std::vector<std::size_t> next(all.size(), all.size());
   for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
     if (!ends[i].arrives || ends[i + 1].arrives) return {};  // not simple: no pieces rather than wrong ones
@@ -156,7 +148,7 @@ std::vector<Polygon> Cutter::pieces(int side) const {
       for (std::size_t i = all[arc].first; i <= all[arc].last; ++i) ring.push_back(nodes_[i % nodes_.size()].point);
     }
     for (Polygon& loop : tidyLoops(std::move(ring))) {
-      if (doubleArea(loop) > 0) result.push_back(std::move(loop));  // the others are turned over by rounding: too thin
+      if (doubleArea(loop) > 0) result.push_back(std::move(loop));  // rounding turned the others over: too thin
     }
   }
   return result;

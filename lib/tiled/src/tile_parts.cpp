@@ -10,7 +10,7 @@ namespace {
 
 /// How far a ring reaches out of its home cell, in pixels.
 double reach(const Polygon& ring, const PixelGrid& grid) {
-  const Box box = boxOf(ring);
+  const Box box = boundingBox(ring);
   const auto out = [](std::int64_t min, std::int64_t max, double tile) {
     const std::int64_t units = std::max({std::int64_t{0}, -min, max - kUnitsPerCell});
     return static_cast<double>(units) / kUnitsPerCell * tile;
@@ -18,13 +18,13 @@ double reach(const Polygon& ring, const PixelGrid& grid) {
   return std::max(out(box.min.x, box.max.x, grid.tile.x), out(box.min.y, box.max.y, grid.tile.y));
 }
 
-/// Works on one object; the notes and parts go to the tile's.
+/// Imports one object. Its parts and notes go to those of the tile.
 class ObjectImport {
  public:
   ObjectImport(const Tile& tile, const CollisionObject& object, TileParts& result)
       : tile_(tile), object_(object), result_(result) {}
 
-  void run(const Frame& frame, const PixelGrid& grid, const Options& options) {
+  void run(const ImageFrame& frame, const PixelGrid& grid, const Options& options) {
     if (object_.kind == CollisionObject::Kind::unsupported) return note(NoteKind::leftOut, 0, object_.unsupported);
     std::vector<DoublePoint> points = outline(object_);
     for (DoublePoint& p : points) p = frame.toCell(p);
@@ -60,7 +60,8 @@ class ObjectImport {
     }
   }
 
-  /// The outline as simple counter-clockwise loops; several where it touches itself in a vertex.
+  /// The outline as simple counter-clockwise loops; there are several if it touches itself in a vertex. None if it
+  /// crosses itself or has no area, with a note.
   std::vector<Polygon> checkedLoops(Polygon ring) {
     std::vector<Polygon> loops = tidyLoops(std::move(ring));
     if (loops.empty()) note(NoteKind::leftOut, 0, "it has no area once it is on the grid");
@@ -107,7 +108,7 @@ class ObjectImport {
 
 }  // namespace
 
-TileParts tileParts(const Tile& tile, const Frame& frame, const PixelGrid& grid, const Options& options) {
+TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& grid, const Options& options) {
   TileParts result;
   for (const CollisionObject& object : tile.objects) ObjectImport(tile, object, result).run(frame, grid, options);
   return result;

@@ -1,15 +1,15 @@
-// What a tile, flipped one way, puts into its own cell and its neighbours.
+// The polygons that a tile, flipped in one way, puts into its own cell and into the neighbouring cells.
 #pragma once
 
-#include "grid.h"
-#include "outline.h"
+#include "object_outline.h"
+#include "pixel_grid.h"
 
 namespace lgs::tiled {
 
 struct TilePart {
   CellPart part;
-  std::uint32_t object = 0;  ///< id
-  std::string className;     ///< the object's own, or the tile's
+  std::uint32_t object = 0;  ///< id of the collision object
+  std::string className;     ///< of the object, or of the tile if the object has none
 };
 
 struct TileParts {
@@ -17,10 +17,10 @@ struct TileParts {
   std::vector<Note> notes;
 };
 
-/// Outlines, snaps, checks and cuts every object of a tile.
-TileParts tileParts(const Tile& tile, const Frame& frame, const PixelGrid& grid, const Options& options);
+/// Outlines each object of a tile, snaps the outline to the grid, checks it, and cuts it along the grid.
+TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& grid, const Options& options);
 
-/// The notes' numbers: pixels with two decimals at most.
+/// A number of pixels as the notes write it, with at most two decimals: "1.25 px".
 std::string pixels(double value);
 
 }  // namespace lgs::tiled

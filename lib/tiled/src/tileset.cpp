@@ -13,7 +13,7 @@ constexpr std::int64_t kMaxId = 0xFFFF'FFFF;
 
 using Kind = CollisionObject::Kind;
 
-/// The kind of an object, and for what has no area the reason why it is left out.
+/// Reads the kind of an object, and for Kind::unsupported the reason.
 void readKind(const XmlFile& file, pugi::xml_node node, CollisionObject& object) {
   const auto leaveOut = [&](const char* reason) {
     object.kind = Kind::unsupported;
@@ -62,7 +62,7 @@ Tile readTile(const XmlFile& file, pugi::xml_node node) {
   return tile;
 }
 
-/// The content of a <tileset> element, wherever it stands.
+/// Reads what is in a <tileset> element, be it in the map or in a file of its own.
 void readContent(const XmlFile& file, pugi::xml_node node, Tileset& tileset) {
   tileset.name = node.attribute("name").value();
   if (tileset.name.empty()) tileset.name = std::filesystem::path(file.name()).stem().string();
@@ -99,7 +99,7 @@ Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& r
   std::replace(source.begin(), source.end(), '\\', '/');
   const auto path = (std::filesystem::path(map.name()).parent_path() / source).lexically_normal();
   const XmlFile file(path.generic_string(), reader, "tileset", error);
-  if (error && error->line == 0) {  // the file itself: the map is to blame for naming it
+  if (error && error->line == 0) {  // no line: the file could not be read, and the map is to blame for naming it
     std::string what = "the tileset's file " + error->file + " " + error->what;
     error.reset();
     map.fail(node, std::move(what));

@@ -29,7 +29,7 @@ std::optional<double> parseReal(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-/// What a message quotes of the file: short, and without control characters.
+/// A piece of the file as a message quotes it: short, and without control characters.
 std::string quoted(std::string_view text) {
   constexpr std::size_t kMost = 40;
   std::string result(text.substr(0, kMost));

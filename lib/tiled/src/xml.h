@@ -1,5 +1,5 @@
-// One XML file with its name and lines, and typed access to attributes. The first thing found wrong is kept and
-// everything after it yields defaults, so readers run straight through and look at failed() where it matters.
+// An XML file with its name and lines, and its attributes as numbers. The first problem is kept; after it, all
+// functions return defaults. So code that reads a file need not look at failed() after each attribute.
 #pragma once
 
 #include <lgs/tiled/import.h>
@@ -16,26 +16,28 @@ namespace lgs::tiled {
 
 class XmlFile {
  public:
-  /// Reads and parses; `error` outlives the file and is shared by the files of one import. `rootName` is what the root
-  /// element must be.
+  /// Reads and parses a file whose root element must be `rootName`. All files of an import share `error`, which must
+  /// outlive them.
   XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error);
 
   const std::string& name() const { return name_; }
   pugi::xml_node root() const { return document_.document_element(); }
   bool failed() const { return error_.has_value(); }
+  /// The line of a node, from 1; 0 if it has none.
   int line(pugi::xml_node node) const;
 
-  /// Keeps the error, if it is the first.
+  /// Keeps this error, if it is the first.
   void fail(pugi::xml_node node, std::string what) const;
 
-  /// A whole number from min to max. Without `fallback` the attribute must be there.
+  /// The value of an attribute that is a whole number from min to max. If the attribute is missing: the fallback, or an
+  /// error if there is none.
   std::int64_t integer(pugi::xml_node node, const char* attribute, std::optional<std::int64_t> fallback,
                        std::int64_t min, std::int64_t max) const;
 
-  /// A finite number; 0 where the attribute is missing.
+  /// The value of an attribute that is a finite number; 0 if the attribute is missing.
   double real(pugi::xml_node node, const char* attribute) const;
 
-  /// The pairs of a list like "0,0 12.5,-3".
+  /// The value of an attribute that is a list of pairs, such as "0,0 12.5,-3".
   std::vector<DoublePoint> points(pugi::xml_node node, const char* attribute) const;
 
  private:
@@ -48,7 +50,7 @@ class XmlFile {
   std::optional<ImportError>& error_;
 };
 
-/// The class of a tile or object: "type" before Tiled 1.9 and from 1.10 on, "class" in 1.9.
+/// The class of a tile or object. Tiled 1.9 writes it as "class", all other versions as "type".
 std::string classOf(pugi::xml_node node);
 
 }  // namespace lgs::tiled

@@ -6,35 +6,39 @@
 //   world.commit();
 //   puts(lgs::tiled::toText(map->report).c_str());
 //
-// WHAT IS READ. Orthogonal maps, finite or infinite; tilesets inside the map or in TSX files; layers as CSV, base64
-// (plain, zlib, gzip, zstd) or <tile> elements, in groups or not; flipped and rotated tiles; the collision shapes of
-// each tile (Tiled's "Tile Collision Editor"): rectangles and polygons, with offsets and rotation. Ellipses and
-// capsules become polygons of kCurveVertices vertices. Points, polylines, texts, tile objects and templates have no
-// area or are not supported: left out, and the report says so. Hidden layers and objects count like visible ones.
-// Object layers and image layers are passed over.
+// WHAT IS READ. The importer reads orthogonal maps, finite and infinite. Tilesets stand in the map or in TSX files.
+// Layers are CSV, base64 (plain, zlib, gzip or zstd) or <tile> elements, and may be in groups. Tiles may be flipped and
+// rotated. Each tile brings the collision shapes that were drawn in Tiled's "Tile Collision Editor": rectangles and
+// polygons, with offsets and rotations. Ellipses and capsules become polygons of kCurveVertices vertices.
+//   The importer leaves out what has no area or is not supported: points, polylines, texts, tile objects and templates.
+// The report names them. The importer passes over object layers and image layers. Hidden layers and objects count like
+// visible ones.
 //
-// WHERE THINGS LAND. One tile of the map's grid is one cell. y is turned up: the tile in column c and row r of the map
-// is cell (c, -1 - r), for finite and infinite maps alike. So the top edge of row 0 is y = 0, and a map that grows
-// keeps its cells. A tile whose image is larger than the grid stands on its cell's lower left corner, as Tiled draws
-// it. Layer offsets (with those of their groups) move by whole tiles and by the rest; the rest makes polygons reach out
-// of their cells, see below.
+// WHERE THINGS LAND. One tile of the map's grid is one cell. y points up: the tile in column c and row r of the map is
+// cell (c, -1 - r). So the top edge of row 0 is y = 0, and cells keep their numbers when the map grows. This holds for
+// finite and infinite maps alike. If a tile's image is larger than the grid, its lower left corner is that of its cell,
+// as Tiled draws it. The offset of a layer includes those of its groups. The whole tiles in it move the layer by as
+// many cells. The rest makes the layer's polygons reach out of their cells.
 //
-// HAND-DRAWN SHAPES. A coordinate that misses a line of the grid by at most `Options::tolerance` pixels is put on it (a
-// vertex near a corner in both axes lands on the corner); then every coordinate is rounded once, to the lattice. What
-// still reaches out of its cell is cut along the grid and carried into the neighbouring cells, or cut off, as
-// `Options::outside` says.
+// HAND-DRAWN SHAPES. A coordinate that misses a grid line by at most `Options::tolerance` pixels moves onto the line.
+// Both coordinates of a vertex do so independently, so a vertex near a corner lands on the corner. Then each coordinate
+// is rounded once, to the nearest lattice unit. If a polygon still reaches out of its cell, it is cut along the grid.
+// The parts outside go into the neighbouring cells, or they are dropped, as `Options::outside` says.
 //
-// OVERLAPS. Polygons of one cell must not overlap, so what is placed first stays and what comes later loses the part
-// that is covered already. First come the polygons in their own cells, layers in the map's order (bottom to top), then
-// the carried parts. Along slanted edges such a cut is rounded: the result may miss what was drawn by a few lattice units
-// (of 65,536 a cell). Where rounding spoils a part altogether, which takes slanted outlines that cross in one cell, it is
-// left out, and the report says so.
+// OVERLAPS. Polygons of one cell must not overlap. So what is placed first stays, and what comes later loses the part
+// that is covered already. First come the polygons in their own cells, layer by layer from the bottom to the top; then
+// come the carried parts. A cut along a slanted edge is rounded, so the result may miss what was drawn by a few lattice
+// units (a cell has 65,536). Where slanted outlines cross in one cell, rounding can spoil a part altogether. Such a
+// part is left out, and the report says so.
 //
-// What comes out is exact and complete: every placement is simple, counter-clockwise, in its cell, disjoint from the
-// others of its cell, and within World's limits per cell. So World::add accepts them all.
+// WHAT COMES OUT. Every placement is simple, counter-clockwise, inside its cell, disjoint from the others of its cell,
+// and within World's limits for a cell. So World::add accepts all of them.
 //
-// No function throws (short of running out of memory); the library is usable with -fno-exceptions -fno-rtti.
-// Cost: linear in the number of tiles; each combination of tiles that meet in a cell is worked out once.
+// ERRORS. No function throws, except when memory runs out; the library compiles with -fno-exceptions -fno-rtti. An
+// error is a value. Maps need not be trusted: sizes are checked before memory is taken, and nothing recurses without a
+// limit.
+//
+// COST. Linear in the number of tiles. Polygons are compared once for each combination of tiles that meet in a cell.
 #pragma once
 
 #include <lgs/ids.h>
@@ -50,53 +54,55 @@
 
 namespace lgs::tiled {
 
-/// Vertices of the polygon that stands for an ellipse; it is inscribed, so it errs inwards, by 0.5% of the radius.
-/// A capsule gets two more.
+/// An ellipse becomes an inscribed polygon of this many vertices, a capsule one with two more. Such a polygon lies
+/// inside the curve, by up to 0.5 % of the radius.
 inline constexpr int kCurveVertices = 32;
 
-/// A polygon that has a vertex further than this from its cell, in cells, is left out.
+/// A polygon is left out if a vertex is further than this many cells from the lower left corner of its cell, on either
+/// axis.
 inline constexpr int kMaxReach = 64;
 
 /// A polygon with more vertices than this is left out.
 inline constexpr std::size_t kMaxObjectVertices = 1'024;
 
-/// What happens to a part of a polygon that reaches out of its cell.
+/// What happens to the part of a polygon that lies outside its cell.
 enum class Outside : std::uint8_t {
   carry,  ///< it becomes a polygon of the cell that it lies in
-  clip,   ///< it is cut off
+  clip,   ///< it is dropped
 };
 
 /// Where a polygon's block comes from.
 enum class BlockFrom : std::uint8_t {
   one,        ///< every polygon gets block 1
-  tileClass,  ///< the class ("type" before Tiled 1.9) of the collision object, or if it has none that of its tile
+  tileClass,  ///< the class of the collision object ("type" before Tiled 1.9); if it has none, the class of its tile
   layer,      ///< the path of the layer, "Group/Layer"
 };
 
 struct Options {
-  double tolerance = 1.0;  ///< pixels, 0 or more; never more than a quarter of a tile is used
+  double tolerance = 1.0;  ///< pixels, finite, 0 or more; at most a quarter of a tile is used
   Outside outside = Outside::carry;
-  bool solidWithoutShapes = false;  ///< true: a tile without any collision object is a full square; false: it is empty
+  bool solidWithoutShapes = false;  ///< a tile without any collision object is a full square (true) or empty (false)
   BlockFrom blockFrom = BlockFrom::one;
 
-  /// Numbers for names of classes or layers. A name that is not here gets the least unused number from 1 up, in the
-  /// order in which names are first met (layers in map order; in a layer by rows from the top). No class is the name "".
-  /// Unused with BlockFrom::one.
+  /// The block for each name of a class or layer; unused with BlockFrom::one. "" stands for no class. Other names get
+  /// the least unused numbers from 1 up, in the order in which the import meets them: layers in the map's order, and
+  /// tiles in a layer by rows from the top.
   std::map<std::string, Block> blocks;
 
-  /// Layers to import: names or paths ("Group/Layer") of layers or groups. Empty: all tile layers. A name that fits no
-  /// layer is an error.
+  /// Layers to import: names or paths ("Group/Layer") of layers or groups. Empty means all tile layers. A name that
+  /// fits none is an error.
   std::vector<std::string> layers;
 
-  std::size_t maxTiles = std::size_t{1} << 24;       ///< tiles of all layers together, empty ones included
-  std::size_t maxPlacements = std::size_t{1} << 24;  ///< polygons placed
+  /// Limits. A map that goes beyond one of them is an error.
+  std::size_t maxTiles = std::size_t{1} << 24;       ///< of the imported layers together, with the empty ones
+  std::size_t maxPlacements = std::size_t{1} << 24;  ///< polygons before overlaps are taken away
 };
 
-/// Why a map could not be read. What can be left out without spoiling the rest is no error but a note in the report.
+/// Why a map could not be read. If only a part is unusable, it is left out, and the report has a note instead.
 struct ImportError {
   std::string file;     ///< the TMX or TSX file
-  int line = 0;         ///< from 1; 0 if no line is to blame
-  std::string element;  ///< e.g. "<layer> 'Ground'"; may be empty
+  int line = 0;         ///< from 1; 0: no line is to blame
+  std::string element;  ///< such as "<layer> 'Ground'"; may be empty
   std::string what;     ///< what is wrong and what to do
 };
 
@@ -113,15 +119,15 @@ struct Placement {
   std::uint32_t layer = 0;   ///< index in Report::layers
 };
 
-/// In the order in which a reader cares.
+/// The kinds of notes, those that matter most first.
 enum class NoteKind : std::uint8_t {
   leftOut,       ///< the object, or a part of it, is not in the result
   clipped,       ///< a part that reached out of the cell was cut off
-  carried,       ///< a part that reached out of the cell went into a neighbour
-  trimmed,       ///< a part lay on solid that was there before, and was taken away
+  carried,       ///< a part that reached out of the cell went into a neighbouring cell
+  trimmed,       ///< a part lay on a polygon that was there before, and was taken away
   approximated,  ///< a curve became a polygon
-  snapped,       ///< coordinates were put on the grid
-  nearMiss,      ///< a vertex on the grid misses a corner by a little more than the tolerance; it was not moved
+  snapped,       ///< coordinates moved onto grid lines
+  nearMiss,      ///< a vertex on a grid line misses a corner by little more than the tolerance, and was not moved
 };
 
 /// Something that happened to one collision object of a tile.
@@ -129,15 +135,15 @@ struct Note {
   NoteKind kind{};
   std::uint32_t object = 0;  ///< id of the collision object
   double pixels = 0;         ///< snapped: the furthest move; carried, clipped: the furthest reach; nearMiss: the miss
-  std::uint64_t places = 0;  ///< trimmed, and leftOut where it depends on the place: how often; otherwise 0
-  Cell cell;                 ///< the first of these places
+  std::uint64_t places = 0;  ///< in how many cells; 0 for notes that hold wherever the tile is used
+  Cell cell;                 ///< the first of these cells
   std::string text;          ///< the note in words, without the object's number
 };
 
-/// A tile that the map uses, whichever way flipped.
+/// A tile that the map uses. Flipped and rotated ones count as the same tile.
 struct TileReport {
-  std::string tileset;   ///< its name
-  std::uint32_t id = 0;  ///< local id in the tileset
+  std::string tileset;   ///< name
+  std::uint32_t id = 0;  ///< in the tileset, from 0
   std::string className;
   std::uint64_t uses = 0;
   bool hasShapes = false;   ///< whether it has any collision object
@@ -148,49 +154,50 @@ struct LayerReport {
   std::string path;  ///< "Group/Layer"
   bool imported = false;
   std::uint64_t tiles = 0;  ///< tiles that are not empty
-  std::string note;         ///< why it was passed over, or what is special; may be empty
+  std::string note;         ///< why it was passed over, or what is special about it; may be empty
 };
 
 struct BlockReport {
-  std::string name;  ///< class or layer path; empty: tiles without class, or everything
+  std::string name;  ///< of the class or the path of the layer, several with commas; empty with BlockFrom::one
   Block block = 1;
   std::uint64_t polygons = 0;
 };
 
 struct Report {
   std::string file;
-  int width = 0;  ///< of the map, in tiles, as its file says
+  int width = 0;  ///< of the map, tiles; what its file says
   int height = 0;
   int tileWidth = 0;  ///< of the grid, in pixels
   int tileHeight = 0;
   bool infinite = false;
-  double tolerance = 0;     ///< as used, pixels
+  double tolerance = 0;     ///< pixels, as used
   std::uint64_t cells = 0;  ///< that hold a polygon
   std::uint64_t polygons = 0;
-  std::uint64_t shapes = 0;  ///< distinct ones
+  std::uint64_t shapes = 0;  ///< distinct polygons
   std::vector<LayerReport> layers;
-  std::vector<BlockReport> blocks;  ///< those used, by number
-  std::vector<TileReport> tiles;    ///< those used, in order of first use
+  std::vector<BlockReport> blocks;  ///< that are used, by number
+  std::vector<TileReport> tiles;    ///< that are used, in the order of their first use
   std::vector<std::string> notes;   ///< about the map as a whole
 };
 
-/// The report for a terminal: what came in, what was left out, what was changed, tile by tile.
+/// The report for a terminal: what came in, then what was left out and what was changed, tile by tile.
 std::string toText(const Report& report);
 
 struct ImportedMap {
-  std::vector<std::vector<LocalPoint>> shapes;  ///< distinct polygons; World::shape() each once, then place the ids
-  std::vector<Placement> placements;            ///< sorted by cell (j, then i), then in order of precedence
+  std::vector<std::vector<LocalPoint>> shapes;  ///< distinct polygons; for World::shape() or World::add()
+  std::vector<Placement> placements;            ///< sorted by cell (j, then i), and in a cell as they were placed
   Report report;
 };
 
-/// Hands over a file's content, or says why not. Called with the map's path and then with the paths of its tilesets,
-/// made relative to the map's folder. With one that reads from memory an import touches no file.
+/// Returns the content of a file, or says why it can not. importMap() calls it with the map's path, and then with the
+/// path of each tileset: the tileset's name in the map, appended to the map's folder. A reader of your own can serve
+/// files from memory; then an import touches no file.
 using FileReader = std::function<tl::expected<std::string, std::string>(const std::string& path)>;
 
-/// Reads a file from the disk, up to 1 GiB.
+/// Reads a file of at most 1 GiB from the disk.
 tl::expected<std::string, std::string> readFile(const std::string& path);
 
-/// Reads a map. Safe on hostile input: sizes are checked before memory is taken, nothing recurses without a limit.
+/// Reads a map and its tilesets. The first problem that spoils the map is the error.
 tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options = {},
                                                  const FileReader& reader = readFile);
 

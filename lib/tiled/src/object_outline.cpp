@@ -1,4 +1,4 @@
-#include "outline.h"
+#include "object_outline.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,7 +7,8 @@
 namespace lgs::tiled {
 namespace {
 
-/// Cosine and sine of an angle in degrees; exact for quarter turns.
+/// Cosine and sine of an angle in degrees. They are exact for quarter turns, so that turned rectangles stay on the
+/// grid.
 std::pair<double, double> turn(double degrees) {
   const double rest = std::fmod(degrees, 360.0);
   const double quarters = rest / 90.0;
@@ -20,8 +21,8 @@ std::pair<double, double> turn(double degrees) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// A rounded box: quarter circles of kCurveVertices / 4 steps around the four corners of an inner box. It is an ellipse
-/// if the inner box is a point, a capsule if it is a line.
+/// A rounded box: quarter circles of kCurveVertices / 4 steps around the four corners of an inner box. If the inner box
+/// is a point, the result is an ellipse; if it is a line, a capsule.
 std::vector<DoublePoint> roundedBox(DoublePoint size, DoublePoint radius) {
   constexpr int kSteps = kCurveVertices / 4;
   const DoublePoint inner{size.x - 2 * radius.x, size.y - 2 * radius.y};
@@ -29,7 +30,7 @@ std::vector<DoublePoint> roundedBox(DoublePoint size, DoublePoint radius) {
   for (int quarter = 0; quarter < 4; ++quarter) {
     const DoublePoint centre{radius.x + (quarter == 0 || quarter == 3 ? inner.x : 0),
                              radius.y + (quarter < 2 ? inner.y : 0)};
-    for (int step = 0; step <= kSteps; ++step) {  // the ends of equal quarters coincide: the tidying drops one
+    for (int step = 0; step <= kSteps; ++step) {  // the ends of two quarters can coincide; tidyLoops() drops one
       const auto [cosine, sine] = turn(90.0 * quarter + 90.0 * step / kSteps);
       points.push_back({centre.x + radius.x * cosine, centre.y + radius.y * sine});
     }
@@ -68,7 +69,7 @@ std::vector<DoublePoint> outline(const CollisionObject& object) {
   return points;
 }
 
-DoublePoint Frame::toCell(DoublePoint p) const {
+DoublePoint ImageFrame::toCell(DoublePoint p) const {
   DoublePoint box = image;
   if (flips.diagonal) {
     std::swap(p.x, p.y);

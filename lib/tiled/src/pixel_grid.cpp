@@ -1,4 +1,6 @@
-#include "grid.h"
+#include "pixel_grid.h"
+
+#include "split.h"
 
 #include <lgs/tiled/import.h>
 
@@ -9,12 +11,13 @@
 namespace lgs::tiled {
 namespace {
 
-constexpr double kNoise = 1e-6;  // pixels: what arithmetic on doubles may add to a coordinate; not worth a note
+/// Pixels. Arithmetic on doubles may move a coordinate by this much, which is not worth a note.
+constexpr double kNoise = 1e-6;
 
 struct Snap {
   std::int64_t value = 0;  // lattice units
-  double moved = 0;        // pixels, if it was put on the grid
-  double miss = 0;         // pixels to the nearest line of the grid, if it was not
+  double moved = 0;        // pixels, if it snapped to a grid line
+  double miss = 0;         // pixels to the nearest grid line, if it did not
 };
 
 Snap snapOne(double pixels, double tile, double tolerance) {
@@ -26,14 +29,15 @@ Snap snapOne(double pixels, double tile, double tolerance) {
 
 std::int64_t cellOf(std::int64_t v) { return (v - (v < 0 ? kUnitsPerCell - 1 : 0)) / kUnitsPerCell; }
 
-/// Cuts a ring into stripes one cell wide, upright ones (axis x) or level ones, and hands each part to the sink.
+/// Cuts a ring into stripes one cell wide, columns (`upright`) or rows, and hands each part with its stripe to the
+/// sink.
 template <class Sink>
 void slice(const Polygon& ring, bool upright, Sink&& sink) {
   std::vector<Polygon> rest{ring};
   while (!rest.empty()) {
     const Polygon part = std::move(rest.back());
     rest.pop_back();
-    const Box box = boxOf(part);
+    const Box box = boundingBox(part);
     const std::int64_t first = cellOf(upright ? box.min.x : box.min.y);
     const std::int64_t end = (first + 1) * kUnitsPerCell;
     // The line's left is the lower side.
@@ -48,14 +52,14 @@ void slice(const Polygon& ring, bool upright, Sink&& sink) {
 Snapped snap(const std::vector<DoublePoint>& outline, const PixelGrid& grid) {
   Snapped result;
   const auto isNear = [&](double missX, double missY) {
-    // On one line, off the other by up to twice the tolerance, and by so little that it is hardly meant.
+    // It is on one line and misses the other by at most twice the tolerance, and by so little that it is hardly meant.
     const double miss = std::fmax(missX, missY);
     const double tolerance = missX > 0 ? grid.tolerance.x : grid.tolerance.y;
     const double tile = missX > 0 ? grid.tile.x : grid.tile.y;
     return std::fmin(missX, missY) == 0 && miss > 0 && miss <= std::fmin(2 * tolerance, tile / 32);
   };
   for (const DoublePoint& p : outline) {
-    // Written so that not-a-number, from huge coordinates, is too far as well.
+    // Huge coordinates can become not-a-number. The comparison is false for it, so that it counts as too far.
     if (!(std::fabs(p.x) <= kMaxReach * grid.tile.x && std::fabs(p.y) <= kMaxReach * grid.tile.y)) {
       result.tooFar = true;
       result.ring.clear();
