@@ -2,7 +2,7 @@
 #include "cli/progress.h"
 #include "oracle/check/isolated.h"
 #include "oracle/check/report.h"
-#include "oracle/draw/counted.h"
+#include "oracle/reference/words.h"
 #include "oracle/draw/draw.h"
 #include "oracle/generate/features.h"
 #include "oracle/generate/generator.h"

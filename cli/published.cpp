@@ -3,7 +3,7 @@
 #include "cli/command.h"
 #include "cli/progress.h"
 #include "oracle/check/shrink.h"
-#include "oracle/draw/counted.h"
+#include "oracle/reference/words.h"
 #include "oracle/draw/draw.h"
 #include "oracle/generate/generator.h"
 #include "oracle/reference/compare.h"

@@ -1,6 +1,6 @@
 #include "cli/command.h"
 #include "oracle/check/report.h"
-#include "oracle/draw/counted.h"
+#include "oracle/reference/words.h"
 #include "oracle/draw/draw.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/file.h"

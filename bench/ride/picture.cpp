@@ -3,6 +3,7 @@
 #include "oracle/draw/colours.h"
 #include "oracle/draw/legend.h"
 #include "oracle/draw/panel.h"
+#include "oracle/reference/words.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -149,7 +150,7 @@ std::string drawRides(const Scene& scene, const Outline& outline, const std::vec
 
   Svg svg(width + 2 * kMargin, legendTop + legend.height() + kMargin - 8, title, subtitle, kPage);
   drawHeading(svg, title, subtitle);
-  drawGround(svg, panel.plot, scene, {}, 0.8);
+  drawBackdrop(svg, panel.plot, scene, {}, 0.8);
   beginClip(svg, panel.plot);
   svg.path(segmentPath(panel.plot, outline), {{"stroke", kInk}, {"stroke-linecap", "round"}, {"stroke-width", 1.4}});
   endClip(svg);
