@@ -25,11 +25,12 @@ Status complain(std::string_view text);
 /// Writes a file ("-" is the standard output); complains if that does not work.
 Status write(const std::string& path, std::string_view content);
 
-/// Output that was lost, to a full disk say, is no success; but a mismatch remains one. To be asked at the end of a process.
+/// Output that was lost, to a full disk say, is no success; but a mismatch remains one. To be asked at the end of a
+/// process.
 Status flushed(Status status);
 
-/// Complains if one of a command's outputs can not be written, or more than one is the standard output. An empty path is
-/// an output that nobody asked for.
+/// Complains if one of a command's outputs can not be written, or more than one is the standard output. An empty path
+/// is an output that nobody asked for.
 Status tryOutputs(std::initializer_list<std::string> paths);
 
 /// The worse of two.
@@ -39,8 +40,8 @@ inline Status worst(Status a, Status b) { return std::max(a, b); }
 /// complaint, "FILE:LINE: …".
 tl::expected<Trace, std::string> readWorld(const std::string& path);
 
-/// Adds an option that takes a whole number in decimal digits. CLI11's own conversion reads "010" as eight, saturates, and
-/// has no words for what is wrong.
+/// Adds an option that takes a whole number in decimal digits. CLI11's own conversion reads "010" as eight, saturates,
+/// and has no words for what is wrong.
 struct WholeRange {
   std::uint64_t min = 0;
   std::uint64_t max = std::numeric_limits<std::uint64_t>::max();

@@ -23,8 +23,8 @@ struct PublishedArguments {
   std::uint64_t seed = 1;
 };
 
-/// What the published algorithm puts out, beside the laws, or beside what it puts out for the same polygons without their
-/// past: that is where a stale ghost shows.
+/// What the published algorithm puts out, beside the laws, or beside what it puts out for the same polygons without
+/// their past: that is where a stale ghost shows.
 enum class Beside : bool { laws, freshStart };
 
 std::string drawing(const PublishedRun& run, Beside beside, std::string title) {

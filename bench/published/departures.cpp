@@ -71,8 +71,8 @@ std::multiset<Edge> endsOf(const Outline& outline) {
 
 bool hasReverse(const std::multiset<Edge>& ends, Edge e) { return ends.contains({e.end, e.start}); }
 
-/// Whether an overlap on a rim is there in one of the two outlines, both ways, and not at all in the other; on a side of
-/// a cell along which no other edges lie, or on one with more. One edge a direction is all that fits in one place.
+/// Whether an overlap on a rim is there in one of the two outlines, both ways, and not at all in the other; on a side
+/// of a cell along which no other edges lie, or on one with more. One edge a direction is all that fits in one place.
 bool overlapDiffers(const PublishedRun& run, bool alone) {
   const std::vector<Edge> edges = edgesOf(run.scene);
   const auto differs = [&](const Outline& with, const Outline& without) {

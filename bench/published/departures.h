@@ -1,5 +1,5 @@
-// Where the published algorithm departs from the laws: each way, as something that can be recognised in the outcome of a
-// trace. See docs/departures.md.
+// Where the published algorithm departs from the laws: each way, as something that can be recognised in the outcome of
+// a trace. See docs/departures.md.
 #pragma once
 
 #include "oracle/reference/outline.h"
@@ -48,9 +48,10 @@ tl::expected<PublishedRun, TraceError> runPublished(const Trace& trace);
 
 bool shows(const PublishedRun& run, Departure departure);
 
-/// Whether a scene keeps to what the published algorithm gets right, as far as contacts go: one block, nothing preserved,
-/// within 128 cells of the origin, vertices on eighths of a cell; no edge shared inside a cell; and a vertex in the middle
-/// of an edge only on a rim, where an edge along that rim ends in it as well, so that the sweep cuts there.
+/// Whether a scene keeps to what the published algorithm gets right, as far as contacts go: one block, nothing
+/// preserved, within 128 cells of the origin, vertices on eighths of a cell; no edge shared inside a cell; and a vertex
+/// in the middle of an edge only on a rim, where an edge along that rim ends in it as well, so that the sweep cuts
+/// there.
 bool isWithinItsReach(const Scene& scene);
 
 }  // namespace lgs::oracle

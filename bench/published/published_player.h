@@ -11,8 +11,8 @@
 
 namespace lgs::oracle {
 
-/// The vertices of a polygon as the published algorithm wants them. Exact up to 128 cells from the origin, where a float
-/// has the bits for the lattice; rounded beyond.
+/// The vertices of a polygon as the published algorithm wants them. Exact up to 128 cells from the origin, where a
+/// float has the bits for the lattice; rounded beyond.
 std::vector<Vec2> floatVertices(const ScenePolygon& polygon);
 
 /// The nearest lattice point.

@@ -52,7 +52,8 @@ void addRider(b2Body& body, const RideOptions& options) {
   }
 }
 
-// Measures the pushes of a step. Where a contact pushes is known before the solver moves the bodies, how hard afterwards.
+// Measures the pushes of a step. Where a contact pushes is known before the solver moves the bodies, how hard
+// afterwards.
 class Listener : public b2ContactListener {
  public:
   Listener(const Surface& surface, const b2Body& rider) : surface_(surface), rider_(rider) {}

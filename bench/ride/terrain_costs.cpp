@@ -1,5 +1,5 @@
-// What the terrain costs: fixtures and bodies against the size of a chunk, the initial load of 100×100 cells, a sync after
-// one edit and after 1,000. Times are of one core, the least of some rounds, and comparable only within one run.
+// What the terrain costs: fixtures and bodies against the size of a chunk, the initial load of 100×100 cells, a sync
+// after one edit and after 1,000. Times are of one core, the least of some rounds, and comparable only within one run.
 #include "oracle/generate/random.h"
 
 #include <fmt/format.h>
@@ -60,7 +60,8 @@ double leastOf(Round round) {
   return least;
 }
 
-// A terrain in a world with a body in it, after a step. In a game bodies are about, and the terrain looks for those to wake.
+// A terrain in a world with a body in it, after a step. In a game bodies are about, and the terrain looks for those to
+// wake.
 class Populated {
  public:
   Populated(Field& field, const box2d::TerrainOptions& options) : field_(field) {

@@ -1,5 +1,5 @@
-// The published algorithm, ported word for word (oracle/published), in worlds of one polygon a cell. Its vertices are
-// floats in cells: made beforehand, and exact, for all are corners of cells.
+// The published algorithm, ported word for word (bench/published), in worlds with one polygon in each cell. Its
+// vertices are floats, in cells. They are made beforehand, and they are exact, because all are corners of cells.
 #include "bench/published/published_player.h"
 #include "bench/subjects/libraries.h"
 #include "oracle/reference/outline.h"

@@ -1,5 +1,5 @@
-// Finds out what CGAL's union does not carry: the owner of a segment, and where an edge is cut. It uses exact arithmetic
-// on the scene's polygons alone.
+// Finds out what CGAL's union does not carry: the owner of a segment, and where an edge is cut. It uses exact
+// arithmetic on the scene's polygons alone.
 #pragma once
 
 #include "oracle/reference/scene.h"

@@ -21,7 +21,8 @@ struct Panel {
 inline constexpr double kLabelSize = 11;
 double textWidth(std::string_view text, double size);  ///< a generous guess, because the viewer chooses the font
 
-/// Draws paper, solids, edited cells, grid and axes. `strength` is 1, or less where something more important comes on top.
+/// Draws paper, solids, edited cells, grid and axes. `strength` is 1, or less where something more important comes on
+/// top.
 void drawBackdrop(Svg& svg, const Plot& plot, const Scene& scene, std::span<const Cell> edited, double strength);
 
 /// What is drawn between these two is cut off at the rim of the paper.

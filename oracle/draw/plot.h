@@ -1,7 +1,8 @@
-// Where the points of the world land on the picture: which cells are shown, which stretches are folded away. y is flipped.
+// Where the points of the world land on the picture: which cells are shown, which stretches are folded away. y is
+// flipped.
 //
-// All decisions are made on integers. Only the position relative to a nearby cell becomes a `double`, so cells at the far
-// ends of the world are drawn as exactly as those at the origin.
+// All decisions are made on integers. Only the position relative to a nearby cell becomes a `double`, so cells at the
+// far ends of the world are drawn as exactly as those at the origin.
 #pragma once
 
 #include "oracle/draw/svg.h"

@@ -12,9 +12,9 @@ namespace lgs::oracle {
 /// Closed chains, each as its vertices in order; the last leads back to the first.
 using Loops = std::vector<std::vector<Point>>;
 
-/// Follows each segment's successor and returns the chains. Returns nothing if a chain does not close, because a link is
-/// missing, leads to no segment of the outline, or is not mutual. (With an empty preserve relation all chains close.) The
-/// outline must be sorted.
+/// Follows each segment's successor and returns the chains. Returns nothing if a chain does not close, because a link
+/// is missing, leads to no segment of the outline, or is not mutual. (With an empty preserve relation all chains
+/// close.) The outline must be sorted.
 std::optional<Loops> followLinks(const Outline& outline);
 
 /// Drops the vertices of degree 2 (visited once by all loops together) in straight runs, starts every loop at its

@@ -48,8 +48,8 @@ struct KnownLinks {
   friend bool operator==(KnownLinks, KnownLinks) = default;
 };
 
-/// Returns `expected`, but each link that the reference does not know (known[k] for expected[k]) is copied from the same
-/// segment of `actual`. Comparing or drawing the two then shows differences in known links only.
+/// Returns `expected`, but each link that the reference does not know (known[k] for expected[k]) is copied from the
+/// same segment of `actual`. Comparing or drawing the two then shows differences in known links only.
 Outline withUnknownLinksOf(const Outline& actual, Outline expected, const std::vector<KnownLinks>& known);
 
 }  // namespace lgs::oracle

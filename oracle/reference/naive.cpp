@@ -9,8 +9,8 @@
 namespace lgs::oracle {
 namespace {
 
-// The order of vertices: by column of cells, then from bottom to top. Bisection then finds those near a cell. This makes
-// the reference fast, and does not change what it computes.
+// The order of vertices: by column of cells, then from bottom to top. Bisection then finds those near a cell. This
+// makes the reference fast, and does not change what it computes.
 bool byColumnThenHeight(Point a, Point b) {
   return std::tuple(cellIndex(a.x), a.y, a.x) < std::tuple(cellIndex(b.x), b.y, b.x);
 }

@@ -6,8 +6,8 @@
 //      it, an incoming segment's successor the outgoing one met first when turning counter-clockwise; a coincident
 //      direction is skipped.
 //
-// It recomputes everything, and takes any preserve relation. Of the grid it uses only that a polygon lies inside its cell.
-// Cost: O(n log n) for n polygons of bounded size spread over the cells.
+// It recomputes everything, and takes any preserve relation. Of the grid it uses only that a polygon lies inside its
+// cell. Cost: O(n log n) for n polygons of bounded size spread over the cells.
 #pragma once
 
 #include "oracle/reference/outline.h"

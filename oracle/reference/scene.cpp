@@ -32,8 +32,8 @@ std::optional<Materials> materials(const Scene& scene) {
   }
   for (auto& entry : rivalsOf) std::sort(entry.second.begin(), entry.second.end());
 
-  // Blocks of one material have the same rivals, so each group of blocks with equal lists is a candidate. It is a material
-  // if its rivals are all the blocks outside the group. (No rival is inside: a block is never its own rival.)
+  // Blocks of one material have the same rivals, so each group of blocks with equal lists is a candidate. It is a
+  // material if its rivals are all the blocks outside the group. (No rival is inside: a block is never its own rival.)
   Materials result;
   std::map<std::vector<Block>, std::uint32_t> numberOf;
   std::vector<std::size_t> members;

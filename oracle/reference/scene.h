@@ -1,5 +1,5 @@
-// A scene: the placed polygons of a world at one moment, as plain values. The references compute from scenes. They share
-// nothing with the engine but the value types of <lgs/lattice.h> and <lgs/ids.h>.
+// A scene: the placed polygons of a world at one moment, as plain values. The references compute from scenes. They
+// share nothing with the engine but the value types of <lgs/lattice.h> and <lgs/ids.h>.
 #pragma once
 
 #include <lgs/ids.h>
@@ -46,8 +46,8 @@ struct Materials {
 };
 
 /// The scene's materials, or nothing if its preserve relation does not partition the blocks. It does if "not preserved"
-/// is an equivalence relation on the blocks of the scene's polygons. (With `preserve(1, 2)` alone it is one in a world of
-/// blocks 1 and 2. A block 3 would join both, so then it is none.)
+/// is an equivalence relation on the blocks of the scene's polygons. (With `preserve(1, 2)` alone it is one in a world
+/// of blocks 1 and 2. A block 3 would join both, so then it is none.)
 std::optional<Materials> materials(const Scene& scene);
 
 }  // namespace lgs::oracle

@@ -48,7 +48,8 @@ void forEachEdge(const std::vector<Doubled>& polygon, Visit visit) {
 
 enum class Position { inside, alongBoundary, againstBoundary, outside };
 
-// Where the middle of the directed edge a→b lies in relation to a polygon. The polygon's boundary must not cross the edge.
+// Where the middle of the directed edge a→b lies in relation to a polygon. The polygon's boundary must not cross the
+// edge.
 Position positionOf(Doubled a, Doubled b, const std::vector<Doubled>& polygon) {
   const Doubled middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
   Position position = Position::outside;

@@ -16,8 +16,9 @@ using LocalPolygon = std::vector<LocalPoint>;
 /// inside the closed cell.
 std::optional<ErrorCode> faultOf(const LocalPolygon& polygon);
 
-/// Whether two edges of a polygon have a point in common that they must not have. Edges that follow each other may share
-/// the vertex between them, and nothing else. An edge has the number of its first vertex; the vertices are distinct.
+/// Whether two edges of a polygon have a point in common that they must not have. Edges that follow each other may
+/// share the vertex between them, and nothing else. An edge has the number of its first vertex; the vertices are
+/// distinct.
 bool edgesMeet(const LocalPolygon& polygon, std::size_t i, std::size_t j);
 
 /// Whether the interiors of two faultless polygons of one cell meet.
