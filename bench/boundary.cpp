@@ -11,17 +11,17 @@
 namespace lgs::bench {
 namespace {
 
-// Unsigned, so that what goes beyond 64 bits in between comes back in the end.
+// Unsigned, because partial sums may go beyond 64 bits. The sum is right modulo 2^64.
 std::uint64_t twiceAreaLeftOf(Point a, Point b) {
   const auto u = [](std::int64_t v) { return static_cast<std::uint64_t>(v); };
   return u(a.x) * u(b.y) - u(a.y) * u(b.x);
 }
 
-// An edge on its directed line: equal directions and offsets are one line.
+// An edge on its directed line. Edges with equal directions and offsets are on the same line.
 struct OnLine {
-  std::int64_t dx, dy;    // shortest integer vector
-  std::int64_t offset;    // cross product of that with any point of the line
-  std::int64_t from, to;  // along the axis that the direction has most of, growing
+  std::int64_t dx, dy;  // the direction, as the shortest integer vector
+  std::int64_t offset;  // the cross product of the direction with any point of the line
+  std::int64_t from;    // where the edge starts, measured along the line
   Edge edge;
   auto key() const { return std::tuple(dx, dy, offset, from); }
 };
@@ -30,19 +30,19 @@ OnLine onLine(const Edge& edge) {
   const oracle::Vector d = oracle::direction({edge.end.x - edge.start.x, edge.end.y - edge.start.y});
   const auto along = [&](Point p) { return d.x != 0 ? (d.x > 0 ? p.x : -p.x) : (d.y > 0 ? p.y : -p.y); };
   const std::int64_t offset = d.x * edge.start.y - d.y * edge.start.x;
-  return {d.x, d.y, offset, along(edge.start), along(edge.end), edge};
+  return {d.x, d.y, offset, along(edge.start), edge};
 }
 
 }  // namespace
 
-void addRing(Ring ring, Turn turn, Edges& edges) {
+void addRing(Ring ring, Winding winding, Edges& edges) {
   ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
   while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
   if (ring.size() < 3) return;
   std::uint64_t twiceArea = 0;
   for (std::size_t k = 0; k < ring.size(); ++k) twiceArea += twiceAreaLeftOf(ring[k], ring[(k + 1) % ring.size()]);
   const bool isCounterClockwise = static_cast<std::int64_t>(twiceArea) > 0;
-  if (turn != Turn::asItIs && isCounterClockwise != (turn == Turn::counterClockwise)) {
+  if (winding != Winding::asItIs && isCounterClockwise != (winding == Winding::counterClockwise)) {
     std::reverse(ring.begin(), ring.end());
   }
   for (std::size_t k = 0; k < ring.size(); ++k) edges.push_back({ring[k], ring[(k + 1) % ring.size()]});
@@ -77,7 +77,7 @@ Boundary boundaryOf(const Edges& edges) {
 }
 
 std::uint64_t Boundary::checksum() const {
-  std::uint64_t sum = 0xcbf29ce484222325U;  // FNV-1a, by words
+  std::uint64_t sum = 0xcbf29ce484222325U;  // FNV-1a, but of whole words instead of bytes
   const auto mix = [&](std::int64_t v) { sum = (sum ^ static_cast<std::uint64_t>(v)) * 0x100000001b3U; };
   for (const Edge& e : straight) {
     for (const std::int64_t v : {e.start.x, e.start.y, e.end.x, e.end.y}) mix(v);

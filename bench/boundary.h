@@ -1,6 +1,6 @@
-// A boundary that can be compared, whoever computed it. The libraries chain their rings differently where solids touch in
-// one point, and keep or drop vertices in straight runs. Both are gone when all edges are taken apart, put on their
-// lines, and joined wherever one goes on where another ends: what is left are the corners.
+// A boundary that can be compared, whoever computed it. The libraries differ in two ways: how they chain rings where
+// solids touch in one point, and whether they keep vertices in straight runs. So all rings are taken apart into edges,
+// and an edge that goes on straight where another one ends is joined to it. What is left are the corners.
 #pragma once
 
 #include <lgs/lattice.h>
@@ -20,22 +20,22 @@ struct Edge {
 using Edges = std::vector<Edge>;
 using Ring = std::vector<Point>;
 
-/// The edges of a ring; turned round where it does not run in the direction asked for. Repeated vertices are skipped.
-enum class Turn { asItIs, counterClockwise, clockwise };
-void addRing(Ring ring, Turn turn, Edges& edges);
+/// Adds the edges of a ring. Turns the ring round if it does not wind as asked for, and skips repeated vertices.
+enum class Winding { asItIs, counterClockwise, clockwise };
+void addRing(Ring ring, Winding winding, Edges& edges);
 
 struct Boundary {
-  Edges straight;              ///< each as long as it can be; sorted
-  std::int64_t twiceArea = 0;  ///< of the solids, in lattice units; modulo 2^64
+  Edges straight;              ///< each as long as possible; sorted
+  std::int64_t twiceArea = 0;  ///< twice the area of the solids, in square lattice units, modulo 2^64
   friend bool operator==(const Boundary&, const Boundary&) = default;
 
   std::uint64_t checksum() const;
 };
 
-/// Edges need not be sorted, and must not overlap.
+/// The edges may come in any order. They must not overlap.
 Boundary boundaryOf(const Edges& edges);
 
-/// What differs, in a few words; empty if nothing does.
+/// Says in a few words what differs; empty if nothing does.
 std::string difference(const Boundary& expected, const Boundary& actual);
 
 }  // namespace lgs::bench

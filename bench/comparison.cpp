@@ -10,11 +10,11 @@
 namespace lgs::bench {
 namespace {
 
-constexpr int kRepeats = 10;                  // of an incremental subject, a round: one run says little
-constexpr std::size_t kEdits = 1'000;         // a round
-constexpr Nanoseconds kSlow = 2'000'000'000;  // what takes longer runs once; Node compiles during its first
+constexpr int kRepeats = 10;                  // builds of an incremental subject in each round; one build says little
+constexpr std::size_t kEdits = 1'000;         // edits in each round
+constexpr Nanoseconds kSlow = 2'000'000'000;  // what takes longer runs only once
 
-// What takes many seconds is not even begun, unless it is asked for.
+// Whether a subject takes many seconds. Then it runs only with ComparisonOptions::slow.
 bool isSlow(std::string_view subject, const Tiles& tiles) {
   const std::size_t most = tiles.name == "full" ? 100'000 : subject == "boost" ? 1'100 : 11'000;
   return (subject == "boost" || subject == "geos") && tiles.size() > most;
@@ -28,7 +28,7 @@ std::int64_t twiceAreaOf(const Tiles& tiles) {
     for (const auto& polygon : kind.polygons) {
       Ring ring;
       for (const LocalPoint v : polygon) ring.push_back({v.x, v.y});
-      addRing(std::move(ring), Turn::asItIs, edges);
+      addRing(std::move(ring), Winding::asItIs, edges);
     }
     areas.push_back(boundaryOf(edges).twiceArea);
   }
@@ -43,10 +43,10 @@ struct Comparison::Entry {
   SubjectInfo info;
   Row polygons;
   Row row;
-  std::unique_ptr<Subject> subject;  // kept from round to round, but for the build of an incremental one
-  bool isOut = false;                // refused the input, or came to another boundary
+  std::unique_ptr<Subject> subject;  // kept from round to round, unless it is incremental and builds
+  bool isOut = false;                // it refused the input, or came to another boundary
 
-  // From nothing: an incremental subject has to be a new one each time.
+  // Builds from nothing, so an incremental subject has to be a new one each time. False if it refuses the input.
   bool build(const Tiles& tiles) {
     if (info.isIncremental) subject = makeSubject(info.name).value();
     if (info.isIncremental || polygons.times.empty()) polygons.times.add(timeOf([&] { subject->prepare(tiles); }));
@@ -151,9 +151,9 @@ void Comparison::edit(const std::string& size, const Tiles& tiles, const std::ve
       for (std::size_t k = 0; k < entries.size(); ++k) {
         EditTimes times;
         timeRemovesAndAdds(static_cast<Incremental&>(*entries[k].subject), tiles, plan, times);
-        Sample& sample = where == Where::anywhere ? entries[k].row.times : nearby[k].times;
-        sample.add(times.first);
-        sample.add(times.back);
+        Times& all = where == Where::anywhere ? entries[k].row.times : nearby[k].times;
+        all.add(times.first);
+        all.add(times.back);
       }
     }
   }
@@ -174,8 +174,8 @@ void Comparison::recomputeInstead(const std::string& from, const std::string& to
     const auto isThis = [&](const SubjectInfo& info) { return info.name == row.subject && !info.isIncremental; };
     if (row.scenario == from && std::any_of(subjects().begin(), subjects().end(), isThis)) again.push_back(row);
   }
-  const auto isLater = [&](const Row& row) { return row.scenario == to; };
-  const auto at = std::find_if(rows_.rbegin(), rows_.rend(), isLater).base();  // after the last
+  const auto isThere = [&](const Row& row) { return row.scenario == to; };
+  const auto at = std::find_if(rows_.rbegin(), rows_.rend(), isThere).base();  // after the last row of `to`
   for (Row& row : again) row.scenario = to;
   rows_.insert(at, again.begin(), again.end());
 }

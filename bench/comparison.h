@@ -1,10 +1,10 @@
-// Subjects side by side: in one process, one after the other, round by round, so that a slow moment of the machine hits
-// all alike. Before a time counts, the boundary that the subject came to must be that of the first one, the engine's:
-// the same area and the same corners.
+// Compares subjects side by side: in one process, one after the other, round by round, so that a slow moment of the
+// machine hits all alike. A time counts only if the subject's boundary has the same area and the same corners as the
+// engine's.
 #pragma once
 
-#include "bench/sample.h"
 #include "bench/subjects/subject.h"
+#include "bench/times.h"
 
 #include <cstdint>
 #include <functional>
@@ -18,14 +18,14 @@ namespace lgs::bench {
 struct Row {
   std::string scenario;
   std::string subject;
-  Sample times;
+  Times times;
   std::size_t cells = 0;
-  std::size_t segments = 0;  ///< of this subject's boundary; collinear ones are merged by some
+  std::size_t segments = 0;  ///< of this subject's boundary; some subjects merge collinear ones
 };
 
 struct ComparisonOptions {
   int rounds = 5;
-  bool slow = false;  ///< also what takes more than some seconds a run
+  bool slow = false;  ///< run also what takes many seconds
   std::function<void(const std::string&)> progress = [](const std::string&) {};
 };
 
@@ -36,8 +36,8 @@ class Comparison {
   /// A world from nothing. Rows of `scenario`: computing the boundary; of "polygons-" + scenario: making the polygons.
   void build(const std::string& scenario, const Tiles& tiles, const std::vector<std::string_view>& names);
 
-  /// One polygon removed, or added, and committed. Rows of "edit-" + size: anywhere in the world; of "dig-" + size: each
-  /// some cells from the last one.
+  /// One polygon removed, or added, and committed. Rows of "edit-" + size: anywhere in the world; of "dig-" + size:
+  /// each some cells from the last one.
   void edit(const std::string& size, const Tiles& tiles, const std::vector<std::string_view>& names);
 
   /// What an edit costs those that recompute: the world again. Their rows of the build `from` once more, as `to`.

@@ -11,7 +11,7 @@ using oracle::Random;
 
 constexpr std::size_t kLagAnywhere = 1'000;
 constexpr std::size_t kLagNearby = 50;
-constexpr std::int32_t kReach = 3;  // cells that a digging player reaches
+constexpr std::int32_t kReach = 3;  // how far a digging player reaches, in cells
 
 class Planner {
  public:
@@ -52,9 +52,9 @@ void run(Incremental& subject, const EditPlan& plan, EditTimes& times, const std
          First first, Back back) {
   times.first.reserve(plan.cells.size());
   times.back.reserve(plan.cells.size());
-  const auto edit = [&](Sample& sample, std::size_t cell, auto& work) {
+  const auto edit = [&](Times& taken, std::size_t cell, auto& work) {
     subject.find(cell);
-    sample.add(timeOf([&] { work(cell); }));
+    taken.add(timeOf([&] { work(cell); }));
     if (afterEdit) afterEdit();
   };
   for (std::size_t k = 0; k < plan.cells.size() + plan.lag; ++k) {

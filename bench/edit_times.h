@@ -1,12 +1,12 @@
-// Sequences of single edits, the same for every subject, each edit timed by itself.
+// Sequences of single edits, the same for every subject. Each edit is timed by itself.
 //
-// An edit comes back: the cell that was dug is refilled, the one that was given another content gets its own again,
-// `lag` edits later. So the world is the same in the end, and almost the same all the time; and a cell is not edited
-// while all it needs is still in the cache from just before, unless the lag says so.
+// Each edit is undone `lag` edits later: a cell that was dug is refilled, one with another content gets its own again.
+// So the world is the same in the end, and almost the same all the time. With a long lag, the memory that undoing an
+// edit needs has left the cache again.
 #pragma once
 
-#include "bench/sample.h"
 #include "bench/subjects/subject.h"
+#include "bench/times.h"
 
 #include <cstdint>
 #include <functional>
@@ -15,27 +15,27 @@
 namespace lgs::bench {
 
 enum class Where {
-  anywhere,  ///< each cell at random in the whole world: nothing is in the cache
-  nearby,    ///< each cell some cells from the one before, as a player digs
+  anywhere,  ///< each cell is random in the whole world, so nothing is in the cache
+  nearby,    ///< each cell is some cells from the one before, as a player digs
 };
 
 struct EditPlan {
-  std::vector<std::uint32_t> cells;  ///< none occurs again while it is away
+  std::vector<std::uint32_t> cells;  ///< no cell occurs again before it is back
   std::size_t lag = 0;
 };
 
-/// Of cells that are not empty. `count` edits and as many that undo them.
+/// Plans `count` edits, and as many that undo them, in cells that are not empty.
 EditPlan planEdits(const Tiles& tiles, std::size_t count, Where where, std::uint64_t seed);
 
-/// Cells that are not empty, anywhere, none twice.
+/// Picks random cells that are not empty, none twice.
 std::vector<std::uint32_t> distinctCells(const Tiles& tiles, std::size_t count, std::uint64_t seed);
 
 struct EditTimes {
-  Sample first;  ///< removing, or replacing by another kind
-  Sample back;   ///< adding, or replacing by the original kind
+  Times first;  ///< removing, or replacing by another kind
+  Times back;   ///< adding, or replacing by the original kind
 };
 
-/// Removes and adds. `afterEdit`, if given, is called after each edit, outside its time.
+/// Removes and adds. `afterEdit` is called after each edit, and is not timed.
 void timeRemovesAndAdds(Incremental& subject, const Tiles& tiles, const EditPlan& plan, EditTimes& times,
                         const std::function<void()>& afterEdit = {});
 

@@ -36,14 +36,14 @@ tiled::ImportedMap importLandscape() {
   return std::move(*map);
 }
 
-// As it is in the file.
+// The project's map as it is in the file.
 Tiles landscape() {
   const tiled::ImportedMap map = importLandscape();
   std::map<Cell, Kind> cells;
   for (const tiled::Placement& p : map.placements) {
     Kind& kind = cells[p.cell];
     kind.polygons.push_back(map.shapes[p.shape]);
-    kind.block = p.block;  // a cell's polygons are of one tile, but where layers overlap
+    kind.block = p.block;  // one block for the cell; only where layers overlap it could have several
   }
   Cell min = cells.begin()->first;
   Cell max = min;

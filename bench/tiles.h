@@ -1,5 +1,5 @@
-// Worlds to measure: a rectangle of cells, each with one of a few contents, as a tile map has them. Small enough to be
-// held at 10 million cells, and turned into whatever a subject takes.
+// The worlds that are measured: a rectangle of cells, each with one of a few contents, as in a tile map. This form is
+// small even for 10 million cells, and every subject turns it into its own.
 #pragma once
 
 #include "oracle/reference/scene.h"
@@ -13,7 +13,7 @@
 
 namespace lgs::bench {
 
-/// What can stand in a cell. No polygons: nothing.
+/// What can stand in a cell. Without polygons it is an empty cell.
 struct Kind {
   std::vector<std::vector<LocalPoint>> polygons;
   Block block = 1;
@@ -24,7 +24,7 @@ struct Tiles {
   std::string name;
   std::int32_t width = 0;  ///< cells
   std::int32_t height = 0;
-  std::vector<Kind> kinds;        ///< all that occur, and perhaps one more to put in their place
+  std::vector<Kind> kinds;        ///< all that occur; in a world of one kind also another, to replace it by
   std::vector<std::uint16_t> at;  ///< the kind in each cell, by rows
 
   std::size_t size() const { return at.size(); }
@@ -52,13 +52,13 @@ Tiles rampTiles(Size size);
 /// The project's map, repeated as often as it takes.
 Tiles mapTiles(Size size);
 
-/// Degenerate shapes of the generator, turned at random; one cell in eight is empty.
+/// The generator's degenerate shapes, turned at random. One cell in eight is empty.
 Tiles mixTiles(Size size);
 
-/// All four, by name: "full", "ramp", "map", "mix".
+/// One of the four, by its name: "full", "ramp", "map" or "mix".
 Tiles makeTiles(const std::string& name, Size size);
 
-/// The size of a world of this many cells: a square, but for 10 million.
+/// The size of a world of this many cells. It is a square, except for 10 million cells.
 Size sizeOf(std::int64_t cells);
 
 }  // namespace lgs::bench

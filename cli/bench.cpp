@@ -4,23 +4,24 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
-namespace lgs::oracle {
+namespace lgs::cli {
 namespace {
 
 using bench::Comparison;
 using bench::Row;
 
-constexpr std::int32_t kLargestSide = 1'000;  // of the worlds in which only edits are timed
+constexpr std::int32_t kLargestSide = 1'000;  // of worlds in which only edits are timed
 
-struct BenchOptions {
+struct BenchArguments {
   std::string json;
   int rounds = 5;
   std::int32_t side = 100;
   bool all = false;
 };
 
-void runScenarios(Comparison& comparison, const BenchOptions& options) {
+void runScenarios(Comparison& comparison, const BenchArguments& arguments) {
   const auto namesOf = [](auto&& isWanted) {
     std::vector<std::string_view> names;
     for (const bench::SubjectInfo& info : bench::subjects()) {
@@ -33,14 +34,14 @@ void runScenarios(Comparison& comparison, const BenchOptions& options) {
   const auto editing = namesOf([](auto& info) { return info.isIncremental && info.name != "engine-fill"; });
   const auto far = namesOf([&](auto& info) {
     return info.name == "engine-polygons" || info.name == "engine-shapes" ||
-           (options.all && info.name == "published-port");
+           (arguments.all && info.name == "published-port");
   });
 
   const auto editBoth = [&](std::int32_t side, const std::vector<std::string_view>& names) {
     comparison.edit(fmt::format("{}", side), bench::fullTiles({side, side}), names);
     comparison.edit(fmt::format("ramp-{}", side), bench::rampTiles({side, side}), names);
   };
-  const std::int32_t side = options.side;
+  const std::int32_t side = arguments.side;
   const std::string full = fmt::format("full-{}", side);
   const std::string ramp = fmt::format("ramp-{}", side);
   comparison.build(full, bench::fullTiles({side, side}), everyone);
@@ -76,21 +77,25 @@ void printTable(const std::vector<Row>& rows) {
 }
 
 std::string toJson(const std::vector<Row>& rows) {
-  std::string text;
+  auto figures = nlohmann::ordered_json::array();
   for (const Row& row : rows) {
-    text += text.empty() ? "[\n" : ",\n";
-    text += fmt::format(
-        R"(  {{"scenario": "{}", "subject": "{}", "median_ns": {}, "p99_ns": {}, "cells": {}, "segments": {}}})",
-        row.scenario, row.subject, row.times.median(), row.times.percentile(99), row.cells, row.segments);
+    figures.push_back({{"scenario", row.scenario},
+                       {"subject", row.subject},
+                       {"median_ns", row.times.median()},
+                       {"p99_ns", row.times.percentile(99)},
+                       {"cells", row.cells},
+                       {"segments", row.segments}});
   }
-  return text + "\n]\n";
+  return figures.dump(1) + "\n";
 }
 
-void printReport(const Comparison& comparison, const BenchOptions& options) {
+void printReport(const Comparison& comparison, const BenchArguments& arguments) {
   fmt::print(
-      "full-N, ramp-N: N×N cells from nothing. edit-N, edit-ramp-N: one polygon of such a world removed or added, and\n"
-      "committed, anywhere; dig-…: near the last one. A library that recomputes takes as long for an edit as for "
-      "all.\n\n");
+      "full-N and ramp-N build N×N cells from nothing: full blocks, random ramps. edit-N and edit-ramp-N remove or "
+      "add\n"
+      "one polygon of such a world, anywhere, and commit; dig-… does it near the last place. A library that "
+      "recomputes\n"
+      "needs as long for an edit as for all.\n\n");
   printTable(comparison.rows());
   fmt::print("\n");
   for (const std::string& note : comparison.notes()) fmt::print("{}\n", note);
@@ -98,52 +103,57 @@ void printReport(const Comparison& comparison, const BenchOptions& options) {
              comparison.agree() ? "All subjects came to the same area and corners."
                                 : "MISMATCH: not all subjects came to the same area and corners.",
              comparison.checksum());
-  if (options.json.empty()) fmt::print("With --json FILE: the same as figures, and the time to make the polygons.\n");
+  if (arguments.json.empty()) fmt::print("With --json FILE: the same as figures, and the time to make the polygons.\n");
 }
 
-Status run(const BenchOptions& options) {
-  if (const Status bad = tryOutputs({options.json}); bad != Status::fine) return bad;
+Status run(const BenchArguments& arguments) {
+  if (const Status bad = tryOutputs({arguments.json}); bad != Status::fine) return bad;
   Progress progress;
-  Comparison comparison({options.rounds, options.all, [&](const std::string& what) {
+  Comparison comparison({arguments.rounds, arguments.all, [&](const std::string& what) {
                            if (progress.isDue()) progress.show(what);
                          }});
-  runScenarios(comparison, options);
+  runScenarios(comparison, arguments);
   progress.wipe();
-  if (options.json != "-") printReport(comparison, options);
-  const Status written = options.json.empty() ? Status::fine : write(options.json, toJson(comparison.rows()));
+  if (arguments.json != "-") printReport(comparison, arguments);
+  const Status written = arguments.json.empty() ? Status::fine : write(arguments.json, toJson(comparison.rows()));
   return worst(written, comparison.agree() ? Status::fine : Status::mismatch);
 }
 
+constexpr const char* kHelp =
+    "THE SUBJECTS. The engine runs in three ways: engine-polygons adds each polygon by its vertices, engine-shapes\n"
+    "by the id of a shape, engine-fill fills the world at once. published-port is the published algorithm, ported\n"
+    "word for word. The libraries are Clipper, Boost.Geometry, CGAL, polygon-clipping (under Node) and GEOS:\n"
+    "geos-coverage is its CoverageUnion, geos its UnaryUnion. What is missing here is skipped with a word.\n\n"
+    "A time counts only if the subject comes to the same area and corners as the others; if one does not, the\n"
+    "exit status is 1. Making the polygons is timed apart, in rows polygons-… of the JSON; only cgal's other rows\n"
+    "include it. All times are of one core. Compare times of one run only.\n\n"
+    "Example: lgs bench --json bench.json";
+
 }  // namespace
 
-void addBench(CLI::App& app, Run& chosen) {
-  const auto options = std::make_shared<BenchOptions>();
+void addBench(CLI::App& app, Action& chosen) {
+  const auto arguments = std::make_shared<BenchArguments>();
   CLI::App& command =
-      *app.add_subcommand("bench", "Incremental against full recompute by five libraries, as a table of ratios");
+      *app.add_subcommand("bench", "Time the engine, the published algorithm and five polygon libraries, side by side");
   command
-      .add_option("--json", options->json,
+      .add_option("--json", arguments->json,
                   "Write the figures: an array of {scenario, subject, median_ns,\n"
                   "p99_ns, cells, segments}; - is stdout, without the table")
       ->option_text("FILE");
   addWholeNumber(
-      command, "--rounds", [options](std::uint64_t n) { options->rounds = static_cast<int>(n); }, {1, 10'000},
-      "How often the subjects run, one after the other; default 5.\nWhat takes longer than two seconds runs once")
+      command, "--rounds", [arguments](std::uint64_t n) { arguments->rounds = static_cast<int>(n); }, {1, 10'000},
+      "How often each subject runs; default 5. A subject that takes\nlonger than two seconds runs once")
       ->option_text("N");
   addWholeNumber(
-      command, "--side", [options](std::uint64_t n) { options->side = static_cast<std::int32_t>(n); }, {4, 316},
-      "Cells along one side of the worlds; default 100. Edits are also\ntimed in worlds of ten times that, up to 1000")
+      command, "--side", [arguments](std::uint64_t n) { arguments->side = static_cast<std::int32_t>(n); }, {4, 316},
+      "The worlds have NxN cells; default 100. If N is at most 100,\nedits are timed in worlds of ten times that side, "
+      "too")
       ->option_text("N");
-  command.add_flag("--all", options->all,
-                   "Also what takes long: Boost.Geometry on ramps, the published\nalgorithm in the larger worlds");
-  command.footer(
-      "engine-polygons adds each polygon by its vertices, engine-shapes by the id of a shape, engine-fill all at\n"
-      "once; published-port is the published algorithm, ported word for word; geos-coverage is CoverageUnion,\n"
-      "geos UnaryUnion. Rows polygons-… in the JSON are the time to make the polygons, which is in no other row\n"
-      "(but cgal's). Every subject of a scenario must come to the same area and corners, else its time does not\n"
-      "count and the exit status is 1; what is missing here is skipped with a word. Times are of one core, and\n"
-      "comparable only within one run.\n\n"
-      "Example: lgs bench --json bench.json");
-  command.callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command.add_flag(
+      "--all", arguments->all,
+      "Run also what takes long: Boost.Geometry on ramps, and the\npublished algorithm in the larger worlds");
+  command.footer(kHelp);
+  command.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
 }
 
-}  // namespace lgs::oracle
+}  // namespace lgs::cli

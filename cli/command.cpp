@@ -4,13 +4,12 @@
 #include "oracle/trace/file.h"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
 #include <system_error>
 
-namespace lgs::oracle {
+namespace lgs::cli {
 
 Status complain(std::string_view text) {
   fmt::print(stderr, "{}\n", text);
@@ -18,14 +17,14 @@ Status complain(std::string_view text) {
 }
 
 Status write(const std::string& path, std::string_view content) {
-  const auto done = writeFile(path, content);
+  const auto done = oracle::writeFile(path, content);
   return done ? Status::fine : complain(message(done.error(), path == "-" ? "standard output" : path));
 }
 
 Status flushed(Status status) {
   errno = 0;
   const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
-  if (!lost || status == Status::badInput) return status;  // what is bad has been said
+  if (!lost || status == Status::badInput) return status;  // bad input has had its complaint
   const std::string why = errno == 0 ? "" : ": " + std::generic_category().message(errno);
   const Status bad = complain("standard output: cannot write" + why);
   return status == Status::fine ? bad : status;
@@ -37,18 +36,18 @@ Status tryOutputs(std::initializer_list<std::string> paths) {
   }
   for (const std::string& path : paths) {
     if (path.empty()) continue;
-    if (const auto done = tryToWrite(path); !done) return complain(message(done.error(), path));
+    if (const auto done = oracle::tryToWrite(path); !done) return complain(message(done.error(), path));
   }
   return Status::fine;
 }
 
-tl::expected<Trace, std::string> readWorld(const std::string& path) {
+tl::expected<oracle::Trace, std::string> readWorld(const std::string& path) {
   if (path.ends_with(".tmx")) {
     const auto map = tiled::importMap(path);
     if (!map) return tl::unexpected(tiled::message(map.error()));
     return traceOf(*map);
   }
-  auto trace = readTrace(path);
+  auto trace = oracle::readTrace(path);
   if (!trace) return tl::unexpected(message(trace.error(), path));
   return std::move(*trace);
 }
@@ -67,7 +66,7 @@ CLI::Option* addWholeNumber(CLI::App& command, const std::string& name, std::fun
   return command.add_option_function<std::string>(name, read, description);
 }
 
-CLI::Option* addOracleOption(CLI::App& command, CheckOptions& options) {
+CLI::Option* addOracleOption(CLI::App& command, oracle::CheckOptions& options) {
   return command
       .add_option_function<std::string>(
           "--oracle",
@@ -75,9 +74,11 @@ CLI::Option* addOracleOption(CLI::App& command, CheckOptions& options) {
             options.naive = which != "cgal";
             options.cgal = which != "naive";
           },
-          "cgal: the exact union of all polygons; naive: the laws word\nby word; default both")
+          "Which references compare: CGAL's exact union of all polygons;\n"
+          "the naive one, which follows the laws word by word; or both\n"
+          "(the default)")
       ->check(CLI::IsMember({"cgal", "naive", "both"}))
       ->option_text("cgal|naive|both");
 }
 
-}  // namespace lgs::oracle
+}  // namespace lgs::cli

@@ -6,21 +6,21 @@
 #include <fmt/format.h>
 #include <lgs/tiled/import.h>
 
-namespace lgs::oracle {
+namespace lgs::cli {
 
-/// One add for each polygon, named by its cell ("c12_-3_1" is the first in cell (12, -3)), and a commit.
-inline Trace traceOf(const tiled::ImportedMap& map) {
-  Trace trace;
+/// One `add` for each polygon, and a commit. Names tell the cell: "c12_-3_1" is the first polygon in cell (12, -3).
+inline oracle::Trace traceOf(const tiled::ImportedMap& map) {
+  oracle::Trace trace;
   Cell cell;
   int count = 0;
   for (const tiled::Placement& p : map.placements) {  // sorted by cell
     count = count == 0 || p.cell != cell ? 1 : count + 1;
     cell = p.cell;
     trace.edits.push_back(
-        Edit::add(fmt::format("c{}_{}_{}", cell.i, cell.j, count), {cell, p.block, map.shapes[p.shape]}));
+        oracle::Edit::add(fmt::format("c{}_{}_{}", cell.i, cell.j, count), {cell, p.block, map.shapes[p.shape]}));
   }
-  trace.edits.push_back(Edit::commit());
+  trace.edits.push_back(oracle::Edit::commit());
   return trace;
 }
 
-}  // namespace lgs::oracle
+}  // namespace lgs::cli

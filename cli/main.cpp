@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <exception>
 
-namespace lgs::oracle {
+namespace lgs::cli {
 namespace {
 
-// What is wrong with a command that there is not, of which CLI11 says only that a subcommand is missing.
+// What is wrong with a command of this name; empty if it exists. CLI11 would only say that a subcommand is required.
 std::string faultOf(const CLI::App& app, const std::string& name) {
   std::string known;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -17,30 +17,26 @@ std::string faultOf(const CLI::App& app, const std::string& name) {
   return fmt::format("'{}' is no command; there are {}", name, known);
 }
 
-Status parseAndRun(CLI::App& app, const Run& run, int argc, char** argv) {
+Status parseAndRun(CLI::App& app, const Action& chosen, int argc, char** argv) {
   if (argc > 1 && argv[1][0] != '-') {
     if (const std::string fault = faultOf(app, argv[1]); !fault.empty()) return complain(fault);
   }
   try {
     app.parse(argc, argv);
-    return run();
+    return chosen();
   } catch (const CLI::ParseError& error) {
-    // Help and version are fine; every other status of CLI11's is bad usage.
+    // CLI11 has a status of its own for each kind of bad usage. Help and version have 0.
     return app.exit(error) == 0 ? Status::fine : Status::badInput;
   } catch (const std::exception& error) {
     return complain(fmt::format("lgs: {}", error.what()));
   }
 }
 
-}  // namespace
-}  // namespace lgs::oracle
-
-int main(int argc, char** argv) {
-  using namespace lgs::oracle;
+Status run(int argc, char** argv) {
   CLI::App app(
-      "LocalGridSeg: boundary segments and ghost vertices of a grid of polygons, kept up to date at the cost of the "
-      "edit.\n"
-      "This command plays, checks, imports, draws and times; the library is what a game links.",
+      "LocalGridSeg keeps the outline of a grid of polygons up to date, edit by edit: its segments, with the ghost\n"
+      "vertices that a physics engine needs. A game links the library. This command plays edits, checks the engine,\n"
+      "imports maps, draws and times.",
       "lgs");
   app.set_version_flag("--version", "lgs " LGS_VERSION);
   app.require_subcommand(1);
@@ -48,14 +44,19 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit status: 0 fine, 1 a mismatch was found, 2 bad input or usage.\n"
       "More about a command: lgs COMMAND --help");
-  Run run;
-  addReplay(app, run);
-  addCheck(app, run);
-  addImport(app, run);
-  addBench(app, run);
-  addPublished(app, run);
+  Action chosen;
+  addReplay(app, chosen);
+  addCheck(app, chosen);
+  addImport(app, chosen);
+  addBench(app, chosen);
+  addPublished(app, chosen);
 #ifdef LGS_HAS_RIDE
-  addRide(app, run);
+  addRide(app, chosen);
 #endif
-  return static_cast<int>(flushed(parseAndRun(app, run, argc, argv)));
+  return flushed(parseAndRun(app, chosen, argc, argv));
 }
+
+}  // namespace
+}  // namespace lgs::cli
+
+int main(int argc, char** argv) { return static_cast<int>(lgs::cli::run(argc, argv)); }

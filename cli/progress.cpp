@@ -4,7 +4,7 @@
 #include <unistd.h>
 #include <cstdio>
 
-namespace lgs::oracle {
+namespace lgs::cli {
 
 using namespace std::chrono_literals;
 
@@ -27,4 +27,4 @@ void Progress::wipe() {
   shown_ = false;
 }
 
-}  // namespace lgs::oracle
+}  // namespace lgs::cli

@@ -1,10 +1,10 @@
-// A progress line on the standard error, if that is a terminal; in a pipe nothing.
+// A progress line on the standard error. It is shown only on a terminal, not in a pipe.
 #pragma once
 
 #include <chrono>
 #include <string_view>
 
-namespace lgs::oracle {
+namespace lgs::cli {
 
 class Progress {
  public:
@@ -13,10 +13,10 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Whether it is time to show something: the caller makes up its text only then.
+  /// Whether it is time to show something. Only then does the caller need to make up a text.
   bool isDue();
   void show(std::string_view text);
-  void wipe();  ///< the line, before something is printed
+  void wipe();  ///< clears the line, so that something else can be printed
 
  private:
   bool terminal_;
@@ -24,4 +24,4 @@ class Progress {
   std::chrono::steady_clock::time_point last_{};
 };
 
-}  // namespace lgs::oracle
+}  // namespace lgs::cli

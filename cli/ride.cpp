@@ -1,5 +1,4 @@
 #include "bench/ride/ride.h"
-
 #include "bench/ride/picture.h"
 #include "cli/command.h"
 #include "oracle/trace/dump.h"
@@ -9,7 +8,14 @@
 #include <algorithm>
 #include <map>
 
-namespace lgs::oracle {
+namespace lgs::cli {
+
+using bench::RideOptions;
+using bench::Rider;
+using bench::Way;
+using oracle::Scene;
+using oracle::ScenePolygon;
+
 namespace {
 
 struct RideArguments {
@@ -23,7 +29,7 @@ struct RideArguments {
   RideOptions options;
 };
 
-// Metres from the lower left corner of the scene; a cell is a metre.
+// Where the body starts, in metres from the lower left corner of the scene. A cell is a metre.
 b2Vec2 startOf(const RideArguments& arguments, const Scene& scene, Cell origin) {
   if (!arguments.from.empty()) {
     return {static_cast<float>(arguments.from[0] - origin.i), static_cast<float>(arguments.from[1] - origin.j)};
@@ -41,17 +47,17 @@ Cell lowerLeft(const Scene& scene) {
   return least;
 }
 
-// A ride ends where the body has left the ground behind, or below.
+// A ride ends when the body is beside the ground, or below it.
 auto stillAbove(const Scene& scene, Cell origin) {
   std::int32_t columns = 0;
   for (const ScenePolygon& p : scene.polygons) columns = std::max(columns, p.cell.i - origin.i + 1);
-  return [columns](int, const b2Body& body, Ground&) {
+  return [columns](int, const b2Body& body, bench::Ground&) {
     const b2Vec2 at = body.GetPosition();
     return at.x >= 0 && at.x <= static_cast<float>(columns) && at.y >= 0;
   };
 }
 
-void printTable(const std::vector<NamedTrack>& tracks, double startX) {
+void printTable(const std::vector<bench::NamedTrack>& tracks, double startX) {
   fmt::print("{:<34} {:>8} {:>7} {:>17} {:>14} {:>10}\n", "the ground as", "path, m", "kicks", "per 1,000 cells",
              "strongest, m/s", "came to x");
   for (const auto& [way, track] : tracks) {
@@ -65,7 +71,7 @@ Status run(RideArguments arguments) {
   if (const Status bad = tryOutputs({arguments.svg}); bad != Status::fine) return bad;
   const auto trace = readWorld(arguments.file);
   if (!trace) return complain(trace.error());
-  Player player(trace->preserve);
+  oracle::Player player(trace->preserve);
   if (const auto done = play(*trace, player); !done) return complain(message(done.error(), arguments.file));
   const Scene& scene = player.scene();
   if (scene.polygons.empty()) return complain(arguments.file + ": nothing to ride on; the world is empty at its end");
@@ -80,7 +86,7 @@ Status run(RideArguments arguments) {
   options.velocity = {static_cast<float>(arguments.speed), 0};
   options.drive = arguments.coast ? 0 : arguments.speed;
 
-  std::vector<NamedTrack> tracks;
+  std::vector<bench::NamedTrack> tracks;
   for (const Way way : {Way::terrain, Way::loose, Way::polygons, Way::merged, Way::chains}) {
     if (way == Way::chains && !materials(scene)) continue;  // CGAL can not unite it
     tracks.push_back({way, ride(player.world(), scene, way, options)});
@@ -88,55 +94,74 @@ Status run(RideArguments arguments) {
   if (arguments.svg != "-") printTable(tracks, options.start.x);
   if (arguments.svg.empty()) return Status::fine;
   tracks.resize(3);
-  return write(arguments.svg, drawRides(scene, outlineOf(player.world()), tracks, options,
+  return write(arguments.svg, drawRides(scene, oracle::outlineOf(player.world()), tracks, options,
                                         arguments.title.empty() ? arguments.file : arguments.title));
 }
 
-}  // namespace
-
-void addRide(CLI::App& app, Run& chosen) {
-  const auto arguments = std::make_shared<RideArguments>();
-  RideOptions& options = arguments->options;
-  CLI::App& command = *app.add_subcommand("ride", "Let a body ride over a world in Box2D, with and without ghosts");
-  command.add_option("FILE", arguments->file, "A trace, of which the end is ridden, or a Tiled map (.tmx)")->required();
+void addBodyOptions(CLI::App& command, RideArguments& arguments) {
+  RideOptions& options = arguments.options;
   static const std::map<std::string, Rider> kRiders{
       {"circle", Rider::circle}, {"box", Rider::box}, {"capsule", Rider::capsule}, {"polygon", Rider::polygon}};
   command
-      .add_option("--rider", options.rider, "circle, box, capsule (a box and two circles) or polygon;\ndefault circle")
+      .add_option("--rider", options.rider,
+                  "The body: circle, box, capsule (a box and two circles) or\npolygon; default circle")
       ->transform(CLI::CheckedTransformer(kRiders).description(""))
       ->option_text("KIND");
-  command.add_option("--size", options.size, "Of the body, in cells; default 0.7")
+  command.add_option("--size", options.size, "The size of the body, in cells; default 0.7")
       ->check(CLI::Range(0.05, 10.0))
       ->option_text("CELLS");
-  command.add_option("--from", arguments->from, "Where its centre starts, in cells; by default above the\nleft end")
+  command.add_flag("--upright", options.fixedRotation, "Do not let the body turn");
+  command.add_option("--friction", options.friction, "The friction of the body; default 0")
+      ->check(CLI::Range(0.0, 10.0))
+      ->option_text("F");
+  command.add_option("--ground-friction", arguments.groundFriction, "The friction of the ground; default 0.2")
+      ->check(CLI::Range(0.0, 10.0))
+      ->option_text("F");
+}
+
+void addCourseOptions(CLI::App& command, RideArguments& arguments) {
+  RideOptions& options = arguments.options;
+  command
+      .add_option("--from", arguments.from,
+                  "Where the body's centre starts, in cells; default above the\nleft end of the ground")
       ->expected(2)
       ->option_text("X Y");
   command
-      .add_option("--speed", arguments->speed, "Cells a second to the right, at the start and driven to;\ndefault 4")
+      .add_option("--speed", arguments.speed,
+                  "The speed to the right at the start, in cells a second; a force\nkeeps it up; default 4")
       ->check(CLI::Range(-50.0, 50.0))
       ->option_text("V");
-  command.add_flag("--coast", arguments->coast, "Do not drive: it rolls or slides as it will");
-  command.add_flag("--upright", options.fixedRotation, "It does not turn");
-  command.add_option("--friction", options.friction, "Of the body; default 0")
-      ->check(CLI::Range(0.0, 10.0))
-      ->option_text("F");
-  command.add_option("--ground-friction", arguments->groundFriction, "Of the ground; default 0.2")
-      ->check(CLI::Range(0.0, 10.0))
-      ->option_text("F");
+  command.add_flag("--coast", arguments.coast, "No force: let the body roll or slide");
   addWholeNumber(
       command, "--steps", [&options](std::uint64_t n) { options.steps = static_cast<int>(n); }, {1, 1'000'000},
-      "Of 1/60 second, at most; it ends where the ground does;\ndefault 600")
+      "How many steps of 1/60 second at most; default 600. The ride also\nends where the ground ends")
       ->option_text("N");
+}
+
+constexpr const char* kHelp =
+    "The ground is given to Box2D in five ways, and the same body rides over each: as the library's terrain,\n"
+    "as the same edges without ghosts, as a fixture for each polygon, as the terrain with straight runs\n"
+    "merged, and as chains of the loops of CGAL's union. The table counts the kicks of each ride. A kick is\n"
+    "a push of at least 0.01 m/s in a direction that the ground does not have there, to within a degree. That\n"
+    "is a ghost collision. A cell is a metre. The picture shows the first three ways.\n\n"
+    "Example: lgs ride level.tmx --rider capsule --upright --speed 5 --steps 1800 --svg ride.svg";
+
+}  // namespace
+
+void addRide(CLI::App& app, Action& chosen) {
+  const auto arguments = std::make_shared<RideArguments>();
+  CLI::App& command =
+      *app.add_subcommand("ride", "Let a body ride over a world in Box2D, with and without ghost vertices");
+  command.add_option("FILE", arguments->file, "A trace, whose last world is ridden, or a Tiled map (.tmx)")
+      ->required()
+      ->option_text("(required)");
+  addBodyOptions(command, *arguments);
+  addCourseOptions(command, *arguments);
   command.add_option("--svg", arguments->svg, "Draw the paths; - is stdout, without the table")->option_text("FILE");
-  command.add_option("--title", arguments->title, "Of the picture; by default the file's name")->option_text("TEXT");
-  command.footer(
-      "The same ride over the same ground, given to Box2D in five ways: as the library's terrain, as the\n"
-      "same edges without ghosts, as a fixture for each polygon, as the terrain with straight runs merged,\n"
-      "and as chains of the loops of CGAL's union. A kick is a push of at least 0.01 m/s in a direction\n"
-      "that the ground does not have there, to within a degree: a ghost collision. A cell is a metre.\n"
-      "The picture shows the first three.\n\n"
-      "Example: lgs ride level.tmx --rider capsule --upright --speed 5 --steps 1800 --svg ride.svg");
+  command.add_option("--title", arguments->title, "The title of the picture; default the file's name")
+      ->option_text("TEXT");
+  command.footer(kHelp);
   command.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
 }
 
-}  // namespace lgs::oracle
+}  // namespace lgs::cli

@@ -17,9 +17,9 @@
 namespace lgs::fuzz {
 namespace {
 
+using cli::complain;
+using cli::Status;
 using oracle::CheckStats;
-using oracle::complain;
-using oracle::Status;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMaxSize = 1'024;  // of an input made here
@@ -183,7 +183,7 @@ Status toTrace(const Arguments& arguments) {
     if (!all.edits.empty()) why = "every edit must be refused; --all prints them";
     return complain(fmt::format("{}: no trace: {}", arguments.paths.front(), why));
   }
-  return oracle::write(arguments.output, printTrace(trace));
+  return cli::write(arguments.output, printTrace(trace));
 }
 
 // Not readTrace(): edits that are refused are inputs like others.
@@ -195,7 +195,7 @@ Status toInput(const Arguments& arguments) {
   if (parsed.error) return complain(message(*parsed.error, path));
   const auto bytes = encode(parsed.trace);
   if (!bytes) return complain(path + ": no input can hold this trace: " + bytes.error());
-  return oracle::write(arguments.output, textOf(*bytes));
+  return cli::write(arguments.output, textOf(*bytes));
 }
 
 std::string listOfTargets() {
@@ -250,7 +250,7 @@ Status main(int argc, char** argv) {
 
   CLI::App* sub = withOut(withTarget(add("run", "Run inputs: files, or all files of folders", run)));
   sub->add_option("PATH", arguments.paths)->required();
-  oracle::addWholeNumber(
+  cli::addWholeNumber(
       *sub, "--repeat", [&](std::uint64_t n) { arguments.repeat = n; }, {.min = 1, .max = 1'000'000'000},
       "Run all of them this often, for a timing")
       ->option_text("N");
@@ -258,7 +258,7 @@ Status main(int argc, char** argv) {
   sub = withOut(withTarget(add("smoke", "Run inputs, then random changes of them and random ones", smoke)));
   sub->add_option("PATH", arguments.paths, "Files and folders to start from; none: from nothing");
   sub->add_option("--seconds", arguments.seconds, "For how long; default 5")->check(seconds(false));
-  oracle::addWholeNumber(
+  cli::addWholeNumber(
       *sub, "--seed", [&](std::uint64_t n) { arguments.seed = n; }, {}, "Default 1")
       ->option_text("N");
 

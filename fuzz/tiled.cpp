@@ -114,7 +114,7 @@ std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) {
 
 oracle::Trace traceOf(Bytes input) {
   const auto map = importText(textOf(input), allOptions()[0]);
-  return map ? oracle::traceOf(*map) : oracle::Trace();
+  return map ? cli::traceOf(*map) : oracle::Trace();
 }
 
 std::string whyEmpty(Bytes input) {

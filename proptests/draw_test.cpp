@@ -8,18 +8,27 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
+#include <pugixml.hpp>
 #include <random>
-#include <regex>
-#include <set>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lgs::oracle {
 namespace {
 
+using testing::AllOf;
+using testing::Contains;
+using testing::Each;
+using testing::ElementsAre;
+using testing::Gt;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
+using testing::Lt;
 using testing::Not;
+using testing::StartsWith;
 
 constexpr std::int32_t U = kUnitsPerCell;
 using Local = std::vector<LocalPoint>;
@@ -28,65 +37,56 @@ const Local kRamp{{0, 0}, {U, 0}, {U, U}};
 const Local kSlope{{0, 0}, {U, 0}, {0, U}};
 const Local kDiamond{{U / 2, 0}, {U, U / 2}, {U / 2, U}, {0, U / 2}};
 
-// Reads just enough XML: returns what is wrong first, or nothing.
-std::string wrongWith(const std::string& xml) {
-  static const std::regex kTag(R"(</?([a-z]+)((?: [a-zA-Z:-]+="[^"<]*")*)(/?)>)");
-  static const std::regex kText(R"((?:[^&<>]|&(?:amp|lt|gt|quot);)*)");
-  std::vector<std::string> open;
-  std::set<std::string> roots;
-  std::size_t at = 0;
-  while (at < xml.size()) {
-    if (xml[at] != '<') {
-      const std::size_t end = std::min(xml.find('<', at), xml.size());
-      if (!std::regex_match(xml.substr(at, end - at), kText)) return "text at " + std::to_string(at);
-      at = end;
-      continue;
-    }
-    const std::size_t end = xml.find('>', at);
-    if (end == std::string::npos) return "an open tag at the end";
-    const std::string tag = xml.substr(at, end - at + 1);
-    at = end + 1;
-    const bool closes = tag[1] == '/';
-    const std::string name = tag.substr(closes ? 2 : 1, tag.find_first_of(" />", 2) - (closes ? 2 : 1));
-    // The regular expression recurses for each character, so the long paths are looked at less closely.
-    std::smatch match;
-    if (tag.size() < 2'000 && !std::regex_match(tag, match, kTag)) return "tag " + tag;
-    if (std::count(tag.begin(), tag.end(), '"') % 2 != 0) return "quotes in " + tag.substr(0, 100);
-    if (closes) {
-      if (open.empty() || open.back() != name) return "unexpected " + tag;
-      open.pop_back();
-    } else if (tag[tag.size() - 2] != '/') {
-      if (open.empty()) roots.insert(name);
-      open.push_back(name);
+// The numbers of a path, in their order.
+std::vector<double> numbersOf(std::string path) {
+  const auto isOfNumber = [](char c) { return std::string_view("-.0123456789").find(c) != std::string_view::npos; };
+  std::replace_if(
+      path.begin(), path.end(), [&](char c) { return !isOfNumber(c); }, ' ');
+  std::istringstream in(path);
+  return {std::istream_iterator<double>(in), {}};
+}
+
+// A picture as a viewer reads it. Whatever is not well-formed fails the test.
+class Picture {
+ public:
+  explicit Picture(const std::string& svg) {
+    const pugi::xml_parse_result parsed = document_.load_buffer(svg.data(), svg.size());
+    EXPECT_TRUE(parsed) << parsed.description() << " at " << parsed.offset;
+    const auto roots = document_.children();
+    EXPECT_EQ(std::distance(roots.begin(), roots.end()), 1);
+    EXPECT_STREQ(document_.first_child().name(), "svg");
+    // pugixml lets an ampersand pass that begins no entity.
+    for (std::size_t at = svg.find('&'); at != std::string::npos; at = svg.find('&', at + 1)) {
+      const std::string_view rest = std::string_view(svg).substr(at);
+      const auto begins = [&](std::string_view entity) { return rest.starts_with(entity); };
+      EXPECT_TRUE(begins("&amp;") || begins("&lt;") || begins("&gt;") || begins("&quot;")) << rest.substr(0, 40);
     }
   }
-  if (!open.empty()) return open.back() + " not closed";
-  return roots == std::set<std::string>{"svg"} ? "" : "no single svg element";
-}
 
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++n;
-  return n;
-}
-
-// The number of pieces of the path that draws the outline: the only one with round ends in a picture of a world.
-std::size_t drawnSegments(const std::string& svg) {
-  const std::size_t mark = svg.find("stroke-linecap=\"round\"");
-  if (mark == std::string::npos) return 0;
-  const std::string path = svg.substr(svg.rfind("<path", mark), mark - svg.rfind("<path", mark));
-  return static_cast<std::size_t>(std::count(path.begin(), path.end(), 'M'));
-}
-
-// The largest number anywhere in a path.
-double largestCoordinate(const std::string& svg) {
-  static const std::regex kNumber(R"([ML](-?[0-9.]+) (-?[0-9.]+))");
-  double largest = 0;
-  for (std::sregex_iterator it(svg.begin(), svg.end(), kNumber), end; it != end; ++it) {
-    for (const std::size_t group : {1u, 2u}) largest = std::max(largest, std::abs(std::stod((*it)[group].str())));
+  /// The texts of all elements, or the values of all attributes, that an XPath selects.
+  std::vector<std::string> all(const char* xpath) const {
+    std::vector<std::string> values;
+    for (const pugi::xpath_node& found : document_.select_nodes(xpath)) {
+      values.emplace_back(found.attribute() ? found.attribute().value() : found.node().child_value());
+    }
+    return values;
   }
-  return largest;
-}
+  std::vector<std::string> texts() const { return all("//text"); }
+  std::vector<std::string> tooltips() const { return all("//path/title"); }
+  std::vector<std::string> paths() const { return all("//path/@d"); }
+
+  /// The pieces of the path that draws the outline: the only one with round ends in a picture of a world.
+  std::size_t segments() const {
+    std::size_t count = 0;
+    for (const std::string& path : all("//path[@stroke-linecap='round']/@d")) {
+      count += static_cast<std::size_t>(std::count(path.begin(), path.end(), 'M'));
+    }
+    return count;
+  }
+
+ private:
+  pugi::xml_document document_;
+};
 
 Scene smallScene() {
   Scene scene;
@@ -110,34 +110,32 @@ Scene randomScene(std::int32_t width, std::int32_t height) {
 TEST(DrawWorld, ShowsEverySegmentOfASmallWorldWithATooltip) {
   const Scene scene = smallScene();
   const Outline outline = naiveOutline(scene);
-  const std::string svg = drawWorld(scene, outline);
-  EXPECT_EQ(wrongWith(svg), "");
-  EXPECT_EQ(drawnSegments(svg), outline.size());
+  const Picture picture(drawWorld(scene, outline));
+  EXPECT_EQ(picture.segments(), outline.size());
   for (const OutlineSegment& s : outline) {
-    EXPECT_THAT(svg, HasSubstr("<title>" + inWords(s.start, s.end) + ", block " + std::to_string(s.block) + "; "));
+    EXPECT_THAT(picture.tooltips(),
+                Contains(StartsWith(inWords(s.start, s.end) + ", block " + std::to_string(s.block) + "; ")));
   }
-  for (const char* label : {">block 1<", ">block 4<", ">-1<", ">3<", ">link to the next segment<"}) {
-    EXPECT_THAT(svg, HasSubstr(label));
-  }
-  EXPECT_THAT(svg, Not(HasSubstr("edited cell")));
-  EXPECT_THAT(svg, Not(HasSubstr("not mutual")));
+  EXPECT_THAT(picture.texts(), IsSupersetOf({"block 1", "block 4", "-1", "3", "link to the next segment"}));
+  EXPECT_THAT(picture.texts(), Not(Contains("edited cell")));
+  EXPECT_THAT(picture.texts(), Not(Contains(HasSubstr("not mutual"))));
 }
 
 TEST(DrawWorld, TellsLinksThatAreNotMutual) {
   Scene scene = smallScene();
   scene.preserve.add(1, 4);
   scene.polygons.push_back({{2, 0}, 1, kSquare});
-  EXPECT_THAT(drawWorld(scene, naiveOutline(scene)), HasSubstr("link that is not mutual"));
+  EXPECT_THAT(Picture(drawWorld(scene, naiveOutline(scene))).texts(), Contains("link that is not mutual"));
 }
 
 TEST(DrawWorld, ShowsEverySegmentOfALargeWorldInASmallFile) {
   const Scene scene = randomScene(300, 30);
   const Outline outline = naiveOutline(scene);
   const std::string svg = drawWorld(scene, outline);
-  EXPECT_EQ(wrongWith(svg), "");
+  const Picture picture(svg);
   EXPECT_LT(svg.size(), 3'000'000u);
-  EXPECT_EQ(drawnSegments(svg), outline.size());
-  EXPECT_LT(count(svg, "<path"), 30u);  // one for each block, not for each polygon
+  EXPECT_EQ(picture.segments(), outline.size());
+  EXPECT_LT(picture.paths().size(), 30u);  // one for each block, not for each polygon
 }
 
 TEST(DrawWorld, IsTheSameEveryTime) {
@@ -149,51 +147,35 @@ TEST(DrawWorld, IsTheSameEveryTime) {
 TEST(DrawWorld, EscapesTheTitle) {
   DrawOptions options;
   options.title = "a<b> & \"c\"\x01 ü";
-  const std::string svg = drawWorld({}, {}, options);
-  EXPECT_EQ(wrongWith(svg), "");
-  EXPECT_THAT(svg, HasSubstr("<title>a&lt;b&gt; &amp; &quot;c&quot;  ü</title>"));
+  EXPECT_THAT(Picture(drawWorld({}, {}, options)).all("/svg/title"), ElementsAre("a<b> & \"c\"  ü"));
 }
 
-TEST(DrawWorld, DrawsAnEmptyWorld) {
-  const std::string svg = drawWorld({}, {});
-  EXPECT_EQ(wrongWith(svg), "");
-  EXPECT_THAT(svg, HasSubstr("empty world"));
-}
+TEST(DrawWorld, DrawsAnEmptyWorld) { EXPECT_THAT(Picture(drawWorld({}, {})).texts(), Contains("empty world")); }
 
 TEST(DrawWorld, HighlightsEditedCells) {
   DrawOptions options;
   options.edited = {{5, 5}};
-  const std::string svg = drawWorld({}, {}, options);
-  EXPECT_THAT(svg, HasSubstr("edited cell"));
-  EXPECT_THAT(svg, HasSubstr(">6<"));
+  EXPECT_THAT(Picture(drawWorld({}, {}, options)).texts(), IsSupersetOf({"edited cell", "6"}));
 }
 
 TEST(DrawWorld, FoldsWhatIsEmptyBetweenTheEndsOfTheWorld) {
   Scene scene;
   scene.polygons = {{{-kMaxCell, -kMaxCell}, 1, kDiamond}, {{kMaxCell, kMaxCell}, 2, kRamp}};
   const Outline outline = naiveOutline(scene);
-  const std::string svg = drawWorld(scene, outline);
-  EXPECT_EQ(wrongWith(svg), "");
-  EXPECT_EQ(drawnSegments(svg), outline.size());
-  EXPECT_LT(largestCoordinate(svg), 1'000);
-  EXPECT_THAT(svg, HasSubstr(">-1073741824<"));
-  EXPECT_THAT(svg, HasSubstr(">1073741825<"));
+  const Picture picture(drawWorld(scene, outline));
+  EXPECT_EQ(picture.segments(), outline.size());
+  for (const std::string& path : picture.paths()) EXPECT_THAT(numbersOf(path), Each(AllOf(Gt(-1'000), Lt(1'000))));
+  EXPECT_THAT(picture.texts(), IsSupersetOf({"-1073741824", "1073741825"}));
 }
 
 TEST(DrawWorld, DrawsFarCellsAsItDrawsNearOnes) {
   const auto drawnAt = [](std::int32_t i) {
     Scene scene;
     scene.polygons = {{{i, i}, 1, {{0, 0}, {1, 0}, {21'845, U}}}};
-    const std::string svg = drawWorld(scene, naiveOutline(scene));
-    const std::size_t mark = svg.find("<path", svg.find("fill-opacity"));  // the solid
-    std::vector<double> numbers;
-    const std::regex kPoint(R"([ML]([0-9.]+) )");
-    const std::string path = svg.substr(mark, svg.find('>', mark) - mark);
-    for (std::sregex_iterator it(path.begin(), path.end(), kPoint), end; it != end; ++it) {
-      numbers.push_back(std::stod((*it)[1].str()));
-    }
+    const Picture picture(drawWorld(scene, naiveOutline(scene)));
+    const std::vector<double> solid = numbersOf(picture.all("//g[@fill-opacity]/path/@d").at(0));  // x y x y x y
     // Not the positions themselves: they depend on the width of the axis labels.
-    return std::vector{numbers.at(1) - numbers.at(0), numbers.at(2) - numbers.at(0)};
+    return std::vector{solid.at(2) - solid.at(0), solid.at(4) - solid.at(0)};
   };
   const std::vector<double> near = drawnAt(0);
   const std::vector<double> far = drawnAt(kMaxCell);
@@ -215,12 +197,10 @@ TEST(DrawMismatch, ShowsEveryKindOfDifference) {
   options.expectedName = "CGAL";
   options.actualName = "engine <1>";
   const std::string svg = drawMismatch(scene, expected, actual, options);
-  EXPECT_EQ(wrongWith(svg), "");
-  for (const char* text : {">5 differences<", ">CGAL<", ">engine &lt;1&gt;<", ">missing segment<", ">extra segment<",
-                           ">wrong block or owner<", ">vertex with a wrong link<", ">link as expected<"}) {
-    EXPECT_THAT(svg, HasSubstr(text));
-  }
-  EXPECT_THAT(svg, HasSubstr("extra segment: (5, 5) → (6, 5)"));
+  const Picture picture(svg);
+  EXPECT_THAT(picture.texts(), IsSupersetOf({"5 differences", "CGAL", "engine <1>", "missing segment", "extra segment",
+                                             "wrong block or owner", "vertex with a wrong link", "link as expected"}));
+  EXPECT_THAT(picture.texts(), Contains(StartsWith("extra segment: (5, 5) → (6, 5)")));
   EXPECT_EQ(svg, drawMismatch(scene, expected, actual, options));
 }
 
@@ -230,9 +210,8 @@ TEST(DrawMismatch, SeesWrongOwners) {
   const OwnedOutline expected = reference(scene);
   OwnedOutline actual = expected;
   actual.owner[0] += 1;
-  const std::string svg = drawMismatch(scene, expected, actual);
-  EXPECT_THAT(svg, HasSubstr(">1 difference<"));
-  EXPECT_THAT(svg, HasSubstr(">wrong block or owner<"));
+  EXPECT_THAT(Picture(drawMismatch(scene, expected, actual)).texts(),
+              IsSupersetOf({"1 difference", "wrong block or owner"}));
 }
 
 TEST(DrawMismatch, ZoomsInOnALargeWorld) {
@@ -241,13 +220,13 @@ TEST(DrawMismatch, ZoomsInOnALargeWorld) {
   Outline actual = expected;
   actual.erase(actual.begin() + static_cast<std::ptrdiff_t>(actual.size() / 2));
   const std::string svg = drawMismatch(scene, expected, actual);
-  EXPECT_EQ(wrongWith(svg), "");
+  const Picture picture(svg);
   EXPECT_LT(svg.size(), 200'000u);
-  EXPECT_THAT(svg, HasSubstr(">1 difference<"));
-  EXPECT_THAT(svg, HasSubstr("<title>(" + std::to_string(expected[actual.size() / 2].start.x / U)));
+  EXPECT_THAT(picture.texts(), Contains("1 difference"));
+  EXPECT_THAT(picture.tooltips(), Contains(StartsWith("(" + std::to_string(expected[actual.size() / 2].start.x / U))));
 
-  actual.erase(actual.begin());  // at the other end of the world: one of both is left to the list
-  EXPECT_THAT(drawMismatch(scene, expected, actual), HasSubstr(">2 differences, 1 in this view<"));
+  actual.erase(actual.begin());  // at the other end of the world, so only the list shows it
+  EXPECT_THAT(Picture(drawMismatch(scene, expected, actual)).texts(), Contains("2 differences, 1 in this view"));
 }
 
 TEST(DrawMismatch, ListsSegmentsBeforeGhosts) {
@@ -257,14 +236,18 @@ TEST(DrawMismatch, ListsSegmentsBeforeGhosts) {
   Outline actual = expected;
   actual.front().ghost2.reset();
   actual.pop_back();
-  const std::string svg = drawMismatch(scene, expected, actual);
-  EXPECT_LT(svg.find(">missing segment: "), svg.find(">wrong ghost2 at "));
+  const std::vector<std::string> texts = Picture(drawMismatch(scene, expected, actual)).texts();
+  const auto first = [&](std::string_view beginning) {
+    return std::ranges::find_if(texts, [&](const std::string& text) { return text.starts_with(beginning); });
+  };
+  ASSERT_NE(first("wrong ghost2 at "), texts.end());
+  EXPECT_LT(first("missing segment: "), first("wrong ghost2 at "));
 }
 
 TEST(DrawMismatch, SaysWhenThereIsNoDifference) {
   const Scene scene = smallScene();
   const Outline outline = naiveOutline(scene);
-  EXPECT_THAT(drawMismatch(scene, outline, outline), HasSubstr(">no difference<"));
+  EXPECT_THAT(Picture(drawMismatch(scene, outline, outline)).texts(), Contains("no difference"));
 }
 
 }  // namespace

@@ -24,7 +24,10 @@
 #include <set>
 #include <string>
 
-namespace lgs::oracle {
+namespace lgs::bench {
+
+using namespace oracle;
+
 namespace {
 
 Trace keptTrace(Departure departure) {
@@ -222,4 +225,4 @@ TEST(Published, ZeroHasTwoNames) {
 }
 
 }  // namespace
-}  // namespace lgs::oracle
+}  // namespace lgs::bench

@@ -1,5 +1,5 @@
-// Many edits with one commit: what one of them costs then. A batch digs cells anywhere, the next one refills them; all
-// batch sizes go through the same cells.
+// Many edits with one commit: what each edit costs then. One batch digs cells anywhere, and the next one refills them.
+// All batch sizes edit the same cells.
 #include "bench/edit_times.h"
 #include "bench/micro/benches.h"
 

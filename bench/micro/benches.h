@@ -1,9 +1,9 @@
-// The benches of the engine by itself, on Google Benchmark. Each file registers its own; all take their sizes from here.
+// The benches of the engine alone, on Google Benchmark. Each file registers its own benches.
 #pragma once
 
-#include "bench/sample.h"
 #include "bench/subjects/engine.h"
 #include "bench/tiles.h"
+#include "bench/times.h"
 
 #include <benchmark/benchmark.h>
 
@@ -14,23 +14,23 @@
 namespace lgs::bench {
 
 struct Scale {
-  std::int64_t maxCells = 10'000'000;  ///< no world is larger
-  std::int64_t edits = 20'000;         ///< timed one by one, in each row
+  std::int64_t maxCells = 10'000'000;  ///< no world has more cells
+  std::int64_t edits = 20'000;         ///< how many single edits a bench times
 };
 
 /// The worlds' names, see tiles.h.
 inline constexpr const char* kWorlds[] = {"full", "ramp", "map", "mix"};
 
-/// A world with its engine, by shapes. One at a time is kept: benches in a row that ask for the same one share it, and
-/// leave it as it was.
+/// A world in an engine, built by shapes. The last one is kept, so that benches in a row can share it. Each leaves it
+/// as it was.
 struct Built {
   Tiles tiles;
   Engine engine{Engine::By::shapes};
 };
 Built& built(const std::string& world, std::int64_t cells);
 
-/// Puts median, p99 and maximum of single times into the counters.
-void report(benchmark::State& state, const Sample& sample);
+/// Puts median, p99 and maximum into the counters; their names begin with the prefix.
+void putTimes(benchmark::State& state, const Times& times, const std::string& prefix = {});
 
 void registerEdits(const Scale& scale);    ///< single edits: add, remove, replace; dig and refill
 void registerBatches(const Scale& scale);  ///< many edits with one commit

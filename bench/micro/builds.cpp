@@ -1,4 +1,5 @@
-// Worlds from nothing: time for each cell, memory for each cell and segment. The larger ones once: they take seconds.
+// Worlds from nothing: the time of each cell, the memory of each cell and segment. The larger worlds are built only
+// once, because they take seconds.
 #include "bench/micro/benches.h"
 
 #include <atomic>

@@ -1,11 +1,11 @@
-// Reading: what a commit changed, all segments, all loops. Per segment read.
+// Reading what a commit changed, all segments, and all loops. Times are for each segment that is read.
 #include "bench/edit_times.h"
 #include "bench/micro/benches.h"
 
 namespace lgs::bench {
 namespace {
 
-// What a game hands on to its physics engine.
+// Reads what a game hands on to its physics engine.
 std::int64_t sumOf(const World& world, SegmentId id) {
   const Segment s = *world.segment(id);
   return s.start.x + s.end.y + s.ghost1.x + s.ghost2.y + s.block;

@@ -1,6 +1,5 @@
-// Single edits, each with its commit, each timed by itself.
+// Single edits, each with its commit, and each timed by itself.
 #include "bench/edit_times.h"
-
 #include "bench/micro/benches.h"
 
 namespace lgs::bench {
@@ -24,26 +23,19 @@ void edits(benchmark::State& state, const Scale& scale, const std::string& world
       relinked += c.relinked.size();
     });
   }
-  benchmark::DoNotOptimize(removed + added + relinked);
-  const auto put = [&](const std::string& name, double value) { state.counters[name] = value; };
-  const auto putTimes = [&](const std::string& name, const Sample& sample) {
-    put(name + "_median_ns", static_cast<double>(sample.median()));
-    put(name + "_p99_ns", static_cast<double>(sample.percentile(99)));
-    put(name + "_max_ns", static_cast<double>(sample.max()));
-  };
-  putTimes("first", times.first);
-  putTimes("back", times.back);
+  putTimes(state, times.first, "first_");
+  putTimes(state, times.back, "back_");
   const auto count = static_cast<double>(times.first.size() + times.back.size());
-  put("removed", static_cast<double>(removed) / count);
-  put("added", static_cast<double>(added) / count);
-  put("relinked", static_cast<double>(relinked) / count);
+  state.counters["removed"] = static_cast<double>(removed) / count;
+  state.counters["added"] = static_cast<double>(added) / count;
+  state.counters["relinked"] = static_cast<double>(relinked) / count;
   state.SetItemsProcessed(static_cast<std::int64_t>(count));
 }
 
 }  // namespace
 
 void registerEdits(const Scale& scale) {
-  // By size and world first, so that a world is built once.
+  // The outer loops go by size and world, so that each world is built once.
   for (const std::int64_t cells : {100L, 10'000L, 1'000'000L, 10'000'000L}) {
     if (cells > scale.maxCells) continue;
     for (const std::string world : kWorlds) {

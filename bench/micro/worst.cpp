@@ -1,4 +1,4 @@
-// The edits that cost most, by name. Each is timed by itself; where it has an opposite, that is not timed.
+// The edits that cost most, by name. Each edit is timed by itself.
 #include "bench/micro/benches.h"
 
 #include <cmath>
@@ -14,30 +14,30 @@ PolygonHandle place(World& world, Cell cell, const Polygon& polygon) {
   return world.add(cell, std::span<const LocalPoint>(polygon), 1).value();
 }
 
-// A cell in a chunk (32×32 cells) where there was none: its memory, and from time to time a larger table of chunks.
+// The first cell of a new chunk (32×32 cells). The chunk needs memory, and from time to time the table of chunks grows.
 void newChunk(benchmark::State& state, std::int64_t edits) {
   World world;
   const ShapeId square = world.shape(kUnitSquare).value();
-  Sample sample;
+  Times times;
   while (state.KeepRunning()) {
     for (std::int32_t k = 0; k < static_cast<std::int32_t>(edits); ++k) {
-      sample.add(timeOf([&] {
+      times.add(timeOf([&] {
         (void)world.add({64 * k, 0}, square, 1);
         world.commit();
       }));
     }
   }
   state.counters["chunks"] = static_cast<double>(world.stats().chunks);
-  report(state, sample);
+  putTimes(state, times);
 }
 
-// A polygon that was never seen before has to be validated, by n² comparisons of its edges.
+// A polygon that the engine has never seen. It has to be validated, by n² comparisons of its edges.
 void newPolygon(benchmark::State& state, std::int64_t edits, int vertices) {
   World world;
-  Sample sample;
+  Times times;
   while (state.KeepRunning()) {
     for (int k = 0; k < static_cast<int>(edits); ++k) {
-      Polygon polygon;  // on a circle, each smaller than the last
+      Polygon polygon;  // on a circle that is smaller each time, so that no polygon comes twice
       for (int v = 0; v < vertices; ++v) {
         const double angle = 2 * std::numbers::pi * v / vertices;
         const double radius = U / 2.0 - 1 - k;
@@ -45,7 +45,7 @@ void newPolygon(benchmark::State& state, std::int64_t edits, int vertices) {
                            static_cast<std::int32_t>(std::lround(U / 2.0 + radius * std::sin(angle)))});
       }
       PolygonHandle handle;
-      sample.add(timeOf([&] {
+      times.add(timeOf([&] {
         handle = place(world, {0, 0}, polygon);
         world.commit();
       }));
@@ -53,10 +53,10 @@ void newPolygon(benchmark::State& state, std::int64_t edits, int vertices) {
       world.commit();
     }
   }
-  report(state, sample);
+  putTimes(state, times);
 }
 
-// Teeth that stand on a wall, close to each other: a side that is cut into many parts.
+// Teeth that stand side by side on a wall, and cut it into many parts.
 Polygon comb(std::int32_t teeth) {
   const std::int32_t step = U / (2 * teeth) * 2;
   Polygon polygon{{0, U}};
@@ -68,30 +68,30 @@ Polygon comb(std::int32_t teeth) {
   return polygon;
 }
 
-// The full cell under such a comb goes and comes: its top is one segment, or as many as there are gaps.
+// The full cell under such a comb comes and goes. Its top is cut into as many segments as the comb has gaps.
 void combWall(benchmark::State& state, std::int64_t edits, std::int32_t teeth) {
   World world;
   const ShapeId square = world.shape(kUnitSquare).value();
   place(world, {0, 1}, comb(teeth));
   world.commit();
-  Sample sample;
+  Times times;
   while (state.KeepRunning()) {
     for (std::int64_t k = 0; k < edits; ++k) {
       PolygonHandle handle;
-      sample.add(timeOf([&] {
+      times.add(timeOf([&] {
         handle = world.add({0, 0}, square, 1).value();
         world.commit();
       }));
-      sample.add(timeOf([&] {
+      times.add(timeOf([&] {
         (void)world.remove(handle);
         world.commit();
       }));
     }
   }
-  report(state, sample);
+  putTimes(state, times);
 }
 
-// One of many polygons in a cell goes and comes: the cell's content is another one each time.
+// One of many polygons in a cell goes and comes back. Each time the cell has another content.
 void crowdedCell(benchmark::State& state, std::int64_t edits, std::int32_t polygons) {
   World world;
   const std::int32_t rows = static_cast<std::int32_t>(std::sqrt(polygons));
@@ -105,39 +105,39 @@ void crowdedCell(benchmark::State& state, std::int64_t edits, std::int32_t polyg
     handles.push_back(place(world, {0, 0}, squares.back()));
   }
   world.commit();
-  Sample sample;
+  Times times;
   while (state.KeepRunning()) {
     for (std::int64_t k = 0; k < edits; ++k) {
       const auto at = static_cast<std::size_t>(k) % squares.size();
-      sample.add(timeOf([&] {
+      times.add(timeOf([&] {
         (void)world.remove(handles[at]);
         world.commit();
       }));
-      sample.add(timeOf([&] {
+      times.add(timeOf([&] {
         handles[at] = place(world, {0, 0}, squares[at]);
         world.commit();
       }));
     }
   }
-  report(state, sample);
+  putTimes(state, times);
 }
 
-// A commit that has the whole world to look at.
+// A commit that has to look at the whole world.
 void clearAll(benchmark::State& state, std::int64_t cells) {
   const Size size = sizeOf(cells);
   const CellRect all{{0, 0}, {size.width - 1, size.height - 1}};
   World world;
   const ShapeId square = world.shape(kUnitSquare).value();
-  Sample sample;
+  Times times;
   while (state.KeepRunning()) {
     (void)world.fill(all, square, 1);
     world.commit();
-    sample.add(timeOf([&] {
+    times.add(timeOf([&] {
       (void)world.clear(all);
       world.commit();
     }));
   }
-  report(state, sample);
+  putTimes(state, times);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// Unites polygons with polygon-clipping, on request. Reads lines from the standard input: first all polygons as one JSON
-// array of rings; then, as often as wanted, "build", answered with "built", and "read", answered with the rings of the
-// union as JSON, [[outer, hole, ...], ...].
+// Unites polygons with polygon-clipping, on request. It says "ready" and then reads lines from the standard input. The
+// first line is all polygons, as one JSON array of rings. Then it answers each "build" with "built", and each "read" with
+// the rings of the union as JSON: [[outer, hole, ...], ...].
 import { createInterface } from 'node:readline'
 import polygonClipping from 'polygon-clipping'
 

@@ -2,14 +2,22 @@
 
 #include "bench/published/published_player.h"
 #include "oracle/reference/naive.h"
+#include "oracle/reference/vector.h"
 #include "oracle/trace/player.h"
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <set>
+#include <string_view>
 
-namespace lgs::oracle {
+namespace lgs::bench {
 namespace {
+
+using oracle::Outline;
+using oracle::OutlineSegment;
+using oracle::Scene;
+using oracle::ScenePolygon;
 
 constexpr std::int64_t kCell = kUnitsPerCell;
 
@@ -27,23 +35,21 @@ std::vector<Edge> edgesOf(const Scene& scene) {
   return edges;
 }
 
-/// Whether p lies on the open edge a–b. Edges are at most a cell long, so once p is known to be near nothing overflows.
+/// Whether p lies inside the edge a–b. An edge is at most a cell long, so the products of isOnSegment() can overflow
+/// only where p is far away.
 bool isInside(Point p, Point a, Point b) {
-  if (p == a || p == b) return false;
-  if (p.x < std::min(a.x, b.x) || p.x > std::max(a.x, b.x) || p.y < std::min(a.y, b.y) || p.y > std::max(a.y, b.y))
-    return false;
-  return (b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x);
+  const bool isNear = std::abs(p.x - a.x) <= kCell && std::abs(p.y - a.y) <= kCell;
+  return isNear && p != a && p != b && oracle::isOnSegment(p, a, b);
 }
 
 bool isOnRim(Point a, Point b) { return (a.x == b.x && a.x % kCell == 0) || (a.y == b.y && a.y % kCell == 0); }
 
-/// Whether two edges along a rim lie on the same side of a cell.
+/// Whether an edge lies along a rim, on the same side of a cell as the rim edge a–b.
 bool shareSide(Edge e, Point a, Point b) {
-  const auto floorOf = [](std::int64_t v) { return v >= 0 ? v / kCell : -((-v + kCell - 1) / kCell); };
   const auto side = [&](Point p, Point q) {
     const bool vertical = p.x == q.x && p.x % kCell == 0;
-    return vertical ? std::tuple(vertical, p.x, floorOf(std::min(p.y, q.y)))
-                    : std::tuple(vertical, p.y, floorOf(std::min(p.x, q.x)));
+    return vertical ? std::tuple(vertical, p.x, oracle::cellIndex(std::min(p.y, q.y)))
+                    : std::tuple(vertical, p.y, oracle::cellIndex(std::min(p.x, q.x)));
   };
   return isOnRim(e.start, e.end) && side(e.start, e.end) == side(a, b);
 }
@@ -71,8 +77,9 @@ std::multiset<Edge> endsOf(const Outline& outline) {
 
 bool hasReverse(const std::multiset<Edge>& ends, Edge e) { return ends.contains({e.end, e.start}); }
 
-/// Whether an overlap on a rim is there in one of the two outlines, both ways, and not at all in the other; on a side of
-/// a cell along which no other edges lie, or on one with more. One edge a direction is all that fits in one place.
+/// Whether one of the two outlines has an overlap on a rim, both ways, and the other has no piece of it. With `alone`,
+/// only these two edges may lie on that side of the cell; without it there must be more. (No third edge can lie on the
+/// overlap itself.)
 bool overlapDiffers(const PublishedRun& run, bool alone) {
   const std::vector<Edge> edges = edgesOf(run.scene);
   const auto differs = [&](const Outline& with, const Outline& without) {
@@ -87,7 +94,7 @@ bool overlapDiffers(const PublishedRun& run, bool alone) {
   return differs(run.expected, run.published) || (!alone && differs(run.published, run.expected));
 }
 
-/// Whether two outlines have the same segments, and differ.
+/// Whether two outlines have the same segments, but not the same ghosts.
 bool ghostsDiffer(const Outline& one, const Outline& other) {
   if (one.size() != other.size()) return false;
   bool differ = false;
@@ -99,7 +106,7 @@ bool ghostsDiffer(const Outline& one, const Outline& other) {
   return differ;
 }
 
-/// An ε of 10⁻³ cells, in lattice units.
+/// Whether a segment is shorter than the algorithm's ε of 10⁻³ cells.
 bool isShort(const OutlineSegment& s) {
   constexpr std::int64_t kEpsilon = kCell / 1000 + 1;
   return std::abs(s.start.x - s.end.x) < kEpsilon && std::abs(s.start.y - s.end.y) < kEpsilon;
@@ -107,77 +114,46 @@ bool isShort(const OutlineSegment& s) {
 
 Block blockOf(const OutlineSegment& s) { return s.block; }
 
-/// Whether a vertex of the polygon is another lattice point, once it has been a float.
+/// Whether a vertex of the polygon comes back as another lattice point after it was a float.
 bool movesAsFloats(const ScenePolygon& polygon) {
   const std::vector<Vec2> floats = floatVertices(polygon);
   return !std::ranges::equal(floats, polygon.vertices,
                              [&](Vec2 f, LocalPoint v) { return toLattice(f) == toWorld(polygon.cell, v); });
 }
 
+struct Words {
+  Departure departure;
+  std::string_view name;
+  std::string_view sentence;
+};
+constexpr Words kWords[] = {
+    {Departure::uncutSingle, "uncut-single", "an edge alone on its boundary is not cut where a corner touches it"},
+    {Departure::uncutSwept, "uncut-swept",
+     "an edge is not cut where a corner touches it, though its boundary is swept"},
+    {Departure::uncutInCell, "uncut-in-cell", "an edge inside a cell is not cut where another polygon touches it"},
+    {Departure::keptInCell, "kept-in-cell", "an edge shared inside a cell is not cancelled"},
+    {Departure::preservedPair, "preserved-pair",
+     "two edges that cancel exactly are dropped though they are to be preserved"},
+    {Departure::preservedSide, "preserved-side", "overlaps on one boundary are preserved all or none"},
+    {Departure::otherBlock, "other-block", "a swept segment has the block of another polygon"},
+    {Departure::nearVertices, "near-vertices", "vertices nearer to each other than the tolerance are taken for one"},
+    {Departure::smallAngle, "small-angle", "directions nearer to each other than the tolerance are taken for one"},
+    {Departure::removedOther, "removed-other", "with a polygon goes another's edge that is shorter than the tolerance"},
+    {Departure::staleGhosts, "stale-ghosts", "a ghost vertex outlives the segment that it was taken from"},
+    {Departure::coarseFloats, "coarse-floats", "far from the origin vertices move, as a float has too few bits"},
+};
+static_assert(std::size(kWords) == kDepartures.size());
+
+const Words& wordsFor(Departure departure) { return *std::ranges::find(kWords, departure, &Words::departure); }
+
 }  // namespace
 
-std::string nameOf(Departure departure) {
-  switch (departure) {
-    case Departure::uncutSingle:
-      return "uncut-single";
-    case Departure::uncutSwept:
-      return "uncut-swept";
-    case Departure::uncutInCell:
-      return "uncut-in-cell";
-    case Departure::keptInCell:
-      return "kept-in-cell";
-    case Departure::preservedPair:
-      return "preserved-pair";
-    case Departure::preservedSide:
-      return "preserved-side";
-    case Departure::otherBlock:
-      return "other-block";
-    case Departure::nearVertices:
-      return "near-vertices";
-    case Departure::smallAngle:
-      return "small-angle";
-    case Departure::removedOther:
-      return "removed-other";
-    case Departure::staleGhosts:
-      return "stale-ghosts";
-    case Departure::coarseFloats:
-      return "coarse-floats";
-  }
-  return {};
-}
+std::string nameOf(Departure departure) { return std::string(wordsFor(departure).name); }
 
-std::string describe(Departure departure) {
-  switch (departure) {
-    case Departure::uncutSingle:
-      return "an edge alone on its boundary is not cut where a corner touches it";
-    case Departure::uncutSwept:
-      return "an edge is not cut where a corner touches it, though its boundary is swept";
-    case Departure::uncutInCell:
-      return "an edge inside a cell is not cut where another polygon touches it";
-    case Departure::keptInCell:
-      return "an edge shared inside a cell is not cancelled";
-    case Departure::preservedPair:
-      return "two edges that cancel exactly are dropped though they are to be preserved";
-    case Departure::preservedSide:
-      return "overlaps on one boundary are preserved all or none";
-    case Departure::otherBlock:
-      return "a swept segment has the block of another polygon";
-    case Departure::nearVertices:
-      return "vertices nearer to each other than the tolerance are taken for one";
-    case Departure::smallAngle:
-      return "directions nearer to each other than the tolerance are taken for one";
-    case Departure::removedOther:
-      return "with a polygon goes another's edge that is shorter than the tolerance";
-    case Departure::staleGhosts:
-      return "a ghost vertex outlives the segment that it was taken from";
-    case Departure::coarseFloats:
-      return "far from the origin vertices move, as a float has too few bits";
-  }
-  return {};
-}
+std::string describe(Departure departure) { return std::string(wordsFor(departure).sentence); }
 
-tl::expected<PublishedRun, TraceError> runPublished(const Trace& trace) {
-  Player player(trace.preserve);
+tl::expected<PublishedRun, oracle::TraceError> runPublished(const oracle::Trace& trace) {
+  oracle::Player player(trace.preserve);
   if (const auto played = play(trace, player); !played) return tl::unexpected(played.error());
   PublishedRun run;
   run.scene = player.scene();
@@ -254,4 +230,4 @@ bool isWithinItsReach(const Scene& scene) {
   return true;
 }
 
-}  // namespace lgs::oracle
+}  // namespace lgs::bench

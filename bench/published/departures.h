@@ -1,5 +1,5 @@
-// Where the published algorithm departs from the laws: each way, as something that can be recognised in the outcome of a
-// trace. See docs/departures.md.
+// The ways in which the published algorithm departs from the laws, and how to recognise each in the outcome of a trace.
+// docs/departures.md shows them.
 #pragma once
 
 #include "oracle/reference/outline.h"
@@ -10,47 +10,48 @@
 #include <string>
 #include <tl/expected.hpp>
 
-namespace lgs::oracle {
+namespace lgs::bench {
 
 enum class Departure {
-  uncutSingle,    ///< a rim edge, alone on its boundary, is not cut where a corner touches it in mid-edge
-  uncutSwept,     ///< the same on a boundary that was swept
+  uncutSingle,    ///< an edge that is alone on its boundary is not cut where a corner touches it in mid-edge
+  uncutSwept,     ///< the same of an edge on a boundary that was swept
   uncutInCell,    ///< an edge inside the cell is not cut where another polygon's vertex lies on it
   keptInCell,     ///< an edge shared inside a cell is not cancelled
   preservedPair,  ///< two edges that cancel exactly are dropped though they are to be preserved
-  preservedSide,  ///< an overlap is kept because another one on the same boundary is, or not kept because that is not
-  otherBlock,     ///< right segments, and some have another polygon's block
-  nearVertices,   ///< right segments, wrong ghosts: vertices nearer than ε count as one
-  smallAngle,     ///< right segments, wrong ghosts: directions nearer than ε count as one
-  removedOther,   ///< of two opposite edges shorter than ε, removing a polygon takes the other's away
+  preservedSide,  ///< the overlaps on one boundary are all kept, or all cancelled, as one of them should be
+  otherBlock,     ///< the segments are right, but some have another polygon's block
+  nearVertices,   ///< the segments are right, the ghosts are not: vertices nearer than ε count as one
+  smallAngle,     ///< the segments are right, the ghosts are not: directions nearer than ε count as one
+  removedOther,   ///< of two opposite edges shorter than ε, removing one polygon removes the other's edge
   staleGhosts,    ///< ghosts depend on what was there before
-  coarseFloats,   ///< a vertex far from the origin is another lattice point once it is a float
+  coarseFloats,   ///< a vertex far from the origin becomes another lattice point when it is made a float
 };
 inline constexpr std::array kDepartures{Departure::uncutSingle,  Departure::uncutSwept,    Departure::uncutInCell,
                                         Departure::keptInCell,   Departure::preservedPair, Departure::preservedSide,
                                         Departure::otherBlock,   Departure::nearVertices,  Departure::smallAngle,
                                         Departure::removedOther, Departure::staleGhosts,   Departure::coarseFloats};
 
-/// A name for a file, "uncut-single"; and a sentence without its full stop.
-std::string nameOf(Departure departure);
-std::string describe(Departure departure);
+std::string nameOf(Departure departure);    ///< a name for files: "uncut-single"
+std::string describe(Departure departure);  ///< a sentence without its full stop
 
-/// The end of a trace, three times.
+/// The world at the end of a trace, computed in three ways.
 struct PublishedRun {
-  Scene scene;
-  Outline expected;   ///< by the laws: the naive reference
-  Outline published;  ///< by the published algorithm, edit by edit
-  Outline afresh;     ///< by the same, from the scene alone
+  oracle::Scene scene;
+  oracle::Outline expected;   ///< by the laws: the naive reference
+  oracle::Outline published;  ///< by the published algorithm, edit by edit
+  oracle::Outline afresh;     ///< by the published algorithm, from the scene alone
 };
 
 /// Runs a trace; an error if one of its edits is bad.
-tl::expected<PublishedRun, TraceError> runPublished(const Trace& trace);
+tl::expected<PublishedRun, oracle::TraceError> runPublished(const oracle::Trace& trace);
 
+/// Whether the outcome departs in this way.
 bool shows(const PublishedRun& run, Departure departure);
 
-/// Whether a scene keeps to what the published algorithm gets right, as far as contacts go: one block, nothing preserved,
-/// within 128 cells of the origin, vertices on eighths of a cell; no edge shared inside a cell; and a vertex in the middle
-/// of an edge only on a rim, where an edge along that rim ends in it as well, so that the sweep cuts there.
-bool isWithinItsReach(const Scene& scene);
+/// Whether a scene has only contacts that the published algorithm gets right. There is one block, and nothing is
+/// preserved. Vertices are on eighths of a cell, within 128 cells of the origin. No edge is shared inside a cell. Where
+/// a vertex lies in the middle of an edge, it is on a rim, and an edge along that rim ends in it as well, so that the
+/// sweep cuts there.
+bool isWithinItsReach(const oracle::Scene& scene);
 
-}  // namespace lgs::oracle
+}  // namespace lgs::bench

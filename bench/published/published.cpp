@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace lgs::oracle {
+namespace lgs::bench {
 namespace {
 
 // Section 5.2: "only for equality comparisons".
@@ -18,14 +18,14 @@ Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
 
 bool isInteger(float v) { return v == std::floor(v); }
 
-/// The signed angular distance, normalised to [0, 2π).
+/// The angle from one direction to the other, normalised to [0, 2π).
 double directionalAngle(Vec2 from, Vec2 to, bool clockwise) {
   const double a = std::atan2(from.y, from.x), b = std::atan2(to.y, to.x);
   const double angle = clockwise ? a - b : b - a;
   return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
-/// Section 3.2. Silent: how near to 0 is "≈ 0"; the one ε that the article names is used.
+/// Section 3.2. Silent: how near to 0 is "≈ 0". Here it is the one ε that the article names.
 PublishedSegment* findBestMatch(Vec2 targetDir, std::span<PublishedSegment* const> candidates, Vec2 vertex,
                                 bool clockwise) {
   PublishedSegment* best = nullptr;
@@ -53,8 +53,8 @@ Published::Hash Published::hash(Cell cell) {
   return Hash{static_cast<std::uint32_t>(cell.i)} << 32 | static_cast<std::uint32_t>(cell.j);
 }
 
-// Section 4.1. "If both endpoints lie on a cell boundary" holds of a ramp's diagonal too, which fits neither of the two
-// cases below it. Silent: the diagonal is an interior edge then; the article's own RAMP benchmark needs it to be.
+// Section 4.1. "If both endpoints lie on a cell boundary" is true of a ramp's diagonal too, but the diagonal is neither
+// horizontal nor vertical. Silent: what it is then. Here it is an interior edge, as the article's RAMP benchmark needs.
 Published::Place Published::placeOf(Cell cell, Vec2 start, Vec2 end) {
   if (start.y == end.y && isInteger(start.y)) {
     const Cell boundary{cell.i, static_cast<std::int32_t>(start.y)};
@@ -85,7 +85,7 @@ void Published::insertIntoManifold(PublishedSegment* segment) {
 void Published::removeFromManifold(PublishedSegment* segment) {
   for (const Vec2 vertex : {segment->start, segment->end}) {
     const auto at = vertexManifold_.find(hash(vertex));
-    if (at == vertexManifold_.end()) continue;  // both ends have become one vertex: floats are coarse far away
+    if (at == vertexManifold_.end()) continue;  // far away floats are coarse, so both ends can be one vertex
     std::erase(at->second, segment);
     if (at->second.empty()) vertexManifold_.erase(at);
     dirtyVertices_.insert(hash(vertex));
@@ -139,7 +139,8 @@ void Published::remove(Cell cell, std::span<const Vec2> polygon, Block block) {
   }
 }
 
-// Section 3.1, resolveHorizontalBoundary(); "identical in concept" for the vertical ones, so `axis` says along which.
+// Section 3.1, resolveHorizontalBoundary(). The article calls the vertical case "identical in concept", so `axis` says
+// which of the two it is.
 void Published::resolveBoundary(const SegmentMap& boundary, SegmentMap& resolved, Hash boundaryHash,
                                 float Vec2::*axis) {
   const auto at = boundary.find(boundaryHash);
@@ -165,13 +166,13 @@ void Published::resolveBoundary(const SegmentMap& boundary, SegmentMap& resolved
   }
   std::sort(candidates_.begin(), candidates_.end(), [](auto& a, auto& b) { return a.val < b.val; });
 
-  // Silent: about which two blocks shouldPreserve is asked; here the first of either direction.
+  // Silent: about which two blocks shouldPreserve is asked. Here it is the first of each direction.
   const auto up = std::find_if_not(segs.begin(), segs.end(), isForward);
   const auto down = std::find_if(segs.begin(), segs.end(), isForward);
   const bool preserved =
       shouldPreserve_ && up != segs.end() && down != segs.end() && shouldPreserve_((*up)->ogBlock, (*down)->ogBlock);
 
-  // Sweep. Silent: whose a result is; here the first segment's.
+  // Sweep. Silent: which polygon owns a result. Here it is that of the first segment.
   int activeUp = 0, activeDown = 0;
   Segments results;
   const auto push = [&](float from, float to) {
@@ -226,10 +227,4 @@ void Published::compute() {
   dirtyVertices_.clear();
 }
 
-std::vector<PublishedSegment> Published::segments() const {
-  std::vector<PublishedSegment> out;
-  forEachSegment([&](const PublishedSegment& segment) { out.push_back(segment); });
-  return out;
-}
-
-}  // namespace lgs::oracle
+}  // namespace lgs::bench

@@ -1,9 +1,9 @@
-// The published algorithm, "An Algorithm for Local Grid Segmentation", as its article gives it: the same five maps, the
-// same two phases, float vertices, `atan2`. It is here to be compared with: what it gets wrong is shown in
-// docs/departures.md, and its time is the baseline of the bench. Nothing else builds on it.
+// The published algorithm, as its article "An Algorithm for Local Grid Segmentation" gives it: the same five maps, the
+// same two phases, float vertices, `atan2`. The engine is compared with it: docs/departures.md shows what it gets
+// wrong, and its time is the baseline of the bench. Nothing else builds on it.
 //
-// Names and order follow the article's pseudo-code, so that the two can be read side by side. A comment that begins
-// with "Silent:" marks what the article leaves open, and what was chosen: always what serves it best.
+// Names and order follow the article's pseudo-code, so that the two can be read side by side. "Silent:" marks what the
+// article leaves open. What was chosen there is always what is best for the algorithm.
 #pragma once
 
 #include <lgs/ids.h>
@@ -18,7 +18,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace lgs::oracle {
+namespace lgs::bench {
 
 /// World coordinates, one unit a cell.
 struct Vec2 {
@@ -40,19 +40,17 @@ class Published {
  public:
   using ShouldPreserve = std::function<bool(Block, Block)>;
 
-  /// Silent: nothing is said of an empty callback; it preserves nothing.
+  /// Silent: what an empty callback means. Here it preserves nothing.
   explicit Published(ShouldPreserve shouldPreserve = {}) : shouldPreserve_(std::move(shouldPreserve)) {}
 
-  /// Section 4.1. The polygon is counter-clockwise and lies in its cell; nothing is checked.
+  /// Section 4.1. The polygon must be counter-clockwise and lie in its cell. Nothing is checked.
   void add(Cell cell, std::span<const Vec2> polygon, Block block);
-  /// Section 4.2. Takes away a polygon that was added like this.
+  /// Section 4.2. Removes a polygon that was added with the same arguments.
   void remove(Cell cell, std::span<const Vec2> polygon, Block block);
   /// Section 4.3.
   void compute();
 
-  /// Every segment of `vertexManifold` once, in no order to rely on.
-  std::vector<PublishedSegment> segments() const;
-  /// The same without a copy; for the bench.
+  /// Visits every segment of `vertexManifold` once, in no particular order.
   template <class Visit>
   void forEachSegment(Visit&& visit) const {
     for (const auto& [vertexHash, segments] : vertexManifold_)
@@ -62,7 +60,7 @@ class Published {
 
  private:
   using Hash = std::uint64_t;
-  /// A 64-bit key spread over the table: identity, as std::hash is, would put whole rows of cells into one bucket.
+  /// Spreads keys over the table. std::hash is the identity, which would put whole rows of cells into one bucket.
   struct Spread {
     std::size_t operator()(Hash key) const { return key * 0x9e3779b97f4a7c15ULL >> 20; }
   };
@@ -73,7 +71,7 @@ class Published {
   static Hash hash(Vec2 vertex);
   static Hash hash(Cell cell);
 
-  /// Which map an edge belongs to, and under which cell.
+  /// The map that an edge belongs to, and the cell that is its key there.
   struct Place {
     SegmentMap* boundary = nullptr;  ///< null for an interior edge
     SegmentMap* resolved = nullptr;
@@ -96,17 +94,17 @@ class Published {
   SegmentMap resolvedHorizontal_, resolvedVertical_;
   HashSet dirtyHorizontal_, dirtyVertical_, dirtyVertices_;
 
-  // Silent: where the segments live. The original's are objects of a garbage-collected heap; these are pooled, which is
-  // the quickest that does not change the algorithm.
+  // Silent: where the segments live. The original's are objects of a garbage-collected heap. Here they are in a pool,
+  // which is the quickest way that does not change the algorithm.
   std::deque<PublishedSegment> pool_;
   Segments free_;
   struct Candidate {
     float val;
-    bool forward;  ///< the article's DOWN, or LEFT: along increasing coordinates
+    bool forward;  ///< along increasing coordinates; the article's DOWN, or LEFT
     int delta;
   };
   std::vector<Candidate> candidates_;  // working memory
   Segments outgoing_, incoming_;
 };
 
-}  // namespace lgs::oracle
+}  // namespace lgs::bench

@@ -2,11 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <unordered_map>
 
-namespace lgs::oracle {
+namespace lgs::bench {
 namespace {
 
-Published::ShouldPreserve callback(const PreservePairs& preserve) {
+using oracle::Edit;
+using oracle::Outline;
+using oracle::Scene;
+using oracle::ScenePolygon;
+
+Published::ShouldPreserve callback(const oracle::PreservePairs& preserve) {
   if (preserve.empty()) return {};
   return [preserve](Block a, Block b) { return preserve(a, b); };
 }
@@ -39,7 +46,7 @@ Outline outlineOf(const Published& published) {
   return out;
 }
 
-Outline publishedOutline(const Trace& trace) {
+Outline publishedOutline(const oracle::Trace& trace) {
   Published published(callback(trace.preserve));
   std::unordered_map<std::string, const ScenePolygon*> placed;
   for (const Edit& edit : trace.edits) {
@@ -69,4 +76,4 @@ Outline publishedOutline(const Scene& scene) {
   return outlineOf(published);
 }
 
-}  // namespace lgs::oracle
+}  // namespace lgs::bench

@@ -1,4 +1,4 @@
-// The published algorithm under the project's harness: traces go in, outlines come out.
+// Plays traces with the published algorithm, and reads its output as outlines.
 #pragma once
 
 #include "bench/published/published.h"
@@ -6,26 +6,25 @@
 #include "oracle/reference/scene.h"
 #include "oracle/trace/trace.h"
 
-#include <string>
-#include <unordered_map>
+#include <vector>
 
-namespace lgs::oracle {
+namespace lgs::bench {
 
-/// The vertices of a polygon as the published algorithm wants them. Exact up to 128 cells from the origin, where a float
-/// has the bits for the lattice; rounded beyond.
-std::vector<Vec2> floatVertices(const ScenePolygon& polygon);
+/// The vertices of a polygon as floats. They are exact up to 128 cells from the origin, and rounded beyond, because a
+/// float has too few bits there.
+std::vector<Vec2> floatVertices(const oracle::ScenePolygon& polygon);
 
-/// The nearest lattice point.
+/// The lattice point nearest to a vertex.
 Point toLattice(Vec2 vertex);
 
-/// Its output on the lattice, sorted.
-Outline outlineOf(const Published& published);
+/// The algorithm's output on the lattice, sorted.
+oracle::Outline outlineOf(const Published& published);
 
-/// What it puts out for the edits of a trace, each commit computed. The edits must be good ones: play them on a world
+/// What it puts out for the edits of a trace; each commit is computed. No edit may be bad, so play them on a world
 /// first (player.h).
-Outline publishedOutline(const Trace& trace);
+oracle::Outline publishedOutline(const oracle::Trace& trace);
 
-/// The same for a scene, in one go.
-Outline publishedOutline(const Scene& scene);
+/// What it puts out for a scene that is added in one go.
+oracle::Outline publishedOutline(const oracle::Scene& scene);
 
-}  // namespace lgs::oracle
+}  // namespace lgs::bench

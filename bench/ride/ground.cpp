@@ -6,9 +6,11 @@
 #include <stdexcept>
 #include <vector>
 
-namespace lgs::oracle {
-
+namespace lgs::bench {
 namespace {
+
+using oracle::Scene;
+using oracle::ScenePolygon;
 
 class Builder {
  public:
@@ -27,11 +29,11 @@ class Builder {
     }
   }
 
-  // The loops carry no blocks: they get the material of the scene's first.
+  // The loops carry no blocks, so all get the material of the scene's first one.
   void addChains(const Scene& scene, bool straight) {
-    const auto united = cgalUnion(scene);
+    const auto united = oracle::cgalUnion(scene);
     if (!united) throw std::invalid_argument("CGAL can not unite this world: its preserve relation is no partition");
-    for (const std::vector<Point>& loop : straight ? canonical(united->loops) : united->loops)
+    for (const std::vector<Point>& loop : straight ? oracle::canonical(united->loops) : united->loops)
       addLoop(loop, scene.polygons[0].block);
   }
 
@@ -59,7 +61,7 @@ class Builder {
     return {m.x, m.y};
   }
 
-  // Box2D aborts on vertices that are closer than its slop.
+  // Leaves out vertices that are closer than Box2D's slop, because Box2D aborts on them.
   void addLoop(const std::vector<Point>& loop, Block block) {
     std::vector<b2Vec2> points;
     const auto isFar = [](b2Vec2 a, b2Vec2 b) { return b2Distance(a, b) > 1.1F * b2_linearSlop; };
@@ -132,4 +134,4 @@ Ground::Ground(b2World& physics, const World& world, const Scene& scene, Way way
   if (way == Way::polygons) builder.addPolygons(scene);
 }
 
-}  // namespace lgs::oracle
+}  // namespace lgs::bench

@@ -3,15 +3,16 @@
 #include "oracle/draw/colours.h"
 #include "oracle/draw/legend.h"
 #include "oracle/draw/panel.h"
+#include "oracle/reference/words.h"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace lgs::oracle {
+namespace lgs::bench {
 
-using namespace drawing;
+using namespace oracle::drawing;
 
 namespace {
 
@@ -49,7 +50,7 @@ class Rides {
     endClip(svg);
   }
 
-  // The speed to the right over the place, below the plot.
+  // Below the plot: the speed to the right at each place.
   void drawSpeeds(Svg& svg, double top) const {
     float fastest = 1;
     for (const NamedTrack& t : tracks_) {
@@ -111,7 +112,7 @@ class Rides {
   const RideOptions& options_;
 };
 
-// All cells that a body came through, so that the plot shows them.
+// The cells that the bodies came through, so that the plot shows all of them.
 std::vector<Cell> cellsOf(const std::vector<NamedTrack>& tracks, const RideOptions& options) {
   const box2d::Frame frame{options.terrain.cellSize, options.terrain.origin, options.terrain.chunkCells};
   std::vector<Cell> cells{frame.cellAt({options.start.x, options.start.y})};
@@ -122,15 +123,15 @@ std::vector<Cell> cellsOf(const std::vector<NamedTrack>& tracks, const RideOptio
 }
 
 LegendEntry entryOf(std::size_t which, const NamedTrack& t) {
-  const std::string kicks =
-      t.track.kicks.empty() ? "no kick"
-                            : counted(t.track.kicks.size(), "kick") + ", up to " + number(t.track.strongest()) + " m/s";
+  const std::string kicks = t.track.kicks.empty() ? "no kick"
+                                                  : oracle::counted(t.track.kicks.size(), "kick") + ", up to " +
+                                                        number(t.track.strongest()) + " m/s";
   return lineEntry(fmt::format("{}: {}", name(t.way), kicks), kStyles[which].colour, kStyles[which].width);
 }
 
 }  // namespace
 
-std::string drawRides(const Scene& scene, const Outline& outline, const std::vector<NamedTrack>& tracks,
+std::string drawRides(const oracle::Scene& scene, const oracle::Outline& outline, const std::vector<NamedTrack>& tracks,
                       const RideOptions& options, const std::string& title) {
   constexpr double kWidest = 1400;
   constexpr double kHighest = 700;
@@ -139,7 +140,7 @@ std::string drawRides(const Scene& scene, const Outline& outline, const std::vec
 
   const std::string subtitle =
       fmt::format("A {} of {:.2g} m over {} in Box2D 2.4; a ring is a kick, a push that the ground can not give",
-                  name(options.rider), options.size, counted(scene.polygons.size(), "polygon"));
+                  name(options.rider), options.size, oracle::counted(scene.polygons.size(), "polygon"));
   std::vector<LegendEntry> entries;
   for (std::size_t k = 0; k < tracks.size(); ++k) entries.push_back(entryOf(k, tracks[k]));
   const double width = std::max(panel.width, headingWidth(title, subtitle));
@@ -149,7 +150,7 @@ std::string drawRides(const Scene& scene, const Outline& outline, const std::vec
 
   Svg svg(width + 2 * kMargin, legendTop + legend.height() + kMargin - 8, title, subtitle, kPage);
   drawHeading(svg, title, subtitle);
-  drawGround(svg, panel.plot, scene, {}, 0.8);
+  drawBackdrop(svg, panel.plot, scene, {}, 0.8);
   beginClip(svg, panel.plot);
   svg.path(segmentPath(panel.plot, outline), {{"stroke", kInk}, {"stroke-linecap", "round"}, {"stroke-width", 1.4}});
   endClip(svg);
@@ -160,4 +161,4 @@ std::string drawRides(const Scene& scene, const Outline& outline, const std::vec
   return std::move(svg).finish();
 }
 
-}  // namespace lgs::oracle
+}  // namespace lgs::bench

@@ -1,4 +1,4 @@
-// Rides as a picture: the ground, the path of each, a ring where one was kicked, and the speeds below.
+// Rides as a picture: the ground, the path of each ride with a ring at each kick, and the speeds below.
 #pragma once
 
 #include "bench/ride/ride.h"
@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-namespace lgs::oracle {
+namespace lgs::bench {
 
 struct NamedTrack {
   Way way = Way::terrain;
   Track track;
 };
 
-/// The first track is drawn last, on top. At most three.
-std::string drawRides(const Scene& scene, const Outline& outline, const std::vector<NamedTrack>& tracks,
+/// Draws up to three tracks. The first one is on top.
+std::string drawRides(const oracle::Scene& scene, const oracle::Outline& outline, const std::vector<NamedTrack>& tracks,
                       const RideOptions& options, const std::string& title);
 
-}  // namespace lgs::oracle
+}  // namespace lgs::bench

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <map>
 
-namespace lgs::oracle {
-
+namespace lgs::bench {
 namespace {
 
 constexpr float kStep = 1.0F / 60;
@@ -52,7 +51,8 @@ void addRider(b2Body& body, const RideOptions& options) {
   }
 }
 
-// Measures the pushes of a step. Where a contact pushes is known before the solver moves the bodies, how hard afterwards.
+// Measures the pushes of a step. Where a contact pushes is known before the solver moves the bodies; how hard it pushes
+// is known afterwards.
 class Listener : public b2ContactListener {
  public:
   Listener(const Surface& surface, const b2Body& rider) : surface_(surface), rider_(rider) {}
@@ -130,11 +130,11 @@ double Track::strongest() const {
   return most;
 }
 
-Track ride(const World& world, const Scene& scene, Way way, const RideOptions& options) {
+Track ride(const World& world, const oracle::Scene& scene, Way way, const RideOptions& options) {
   b2World physics(options.gravity);
   Ground ground(physics, world, scene, way, options.terrain);
   const box2d::Frame frame{options.terrain.cellSize, options.terrain.origin, options.terrain.chunkCells};
-  // Edits may change the surface under way; then only what the samples say is of use.
+  // This is the surface before any edits. In a ride with edits the kicks mean nothing, only the samples do.
   const Surface surface(world, frame);
 
   b2BodyDef definition;
@@ -178,4 +178,4 @@ Deviation deviation(const Track& a, const Track& b) {
   return most;
 }
 
-}  // namespace lgs::oracle
+}  // namespace lgs::bench

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lgs::oracle {
-
+namespace lgs::bench {
 namespace {
 
-constexpr float kNear = 0.06F;          // metres: a few times the skin of Box2D's polygons
-constexpr float kSine = 0.0174524064F;  // of a degree
+constexpr float kNear = 0.06F;          // metres; a few times the skin of Box2D's polygons
+constexpr float kSine = 0.0174524064F;  // the sine of a degree
 
 b2Vec2 normalOf(b2Vec2 start, b2Vec2 end) {
   b2Vec2 normal(end.y - start.y, start.x - end.x);
@@ -22,7 +21,7 @@ float distance(b2Vec2 a, b2Vec2 b, b2Vec2 p) {
   return b2Distance(p, a + t * u);
 }
 
-// Between two normals, the second counter-clockwise of the first, or nearly.
+// Whether n lies between two normals, or less than a degree outside. `to` is counter-clockwise of `from`.
 bool isBetween(b2Vec2 from, b2Vec2 n, b2Vec2 to) {
   if (b2Dot(from, n) > 0 && std::abs(b2Cross(from, n)) <= kSine) return true;
   if (b2Dot(to, n) > 0 && std::abs(b2Cross(to, n)) <= kSine) return true;
@@ -65,4 +64,4 @@ bool Surface::faces(b2Vec2 point, b2Vec2 normal) const {
   return false;
 }
 
-}  // namespace lgs::oracle
+}  // namespace lgs::bench

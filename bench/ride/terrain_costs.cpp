@@ -1,5 +1,5 @@
-// What the terrain costs: fixtures and bodies against the size of a chunk, the initial load of 100×100 cells, a sync after
-// one edit and after 1,000. Times are of one core, the least of some rounds, and comparable only within one run.
+// What the terrain costs, by the size of a chunk: bodies and fixtures, loading 100×100 cells, a sync after one edit and
+// after 1,000. Each time is the least of some rounds on one core. Compare times of one run only.
 #include "oracle/generate/random.h"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace lgs::oracle {
+namespace lgs::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -30,7 +30,7 @@ struct Field {
   World world;
   std::vector<ShapeId> shapes;
   std::vector<PolygonHandle> handles;
-  Random random{1};
+  oracle::Random random{1};
 
   explicit Field(bool ramps) {
     constexpr std::array<LocalPoint, 3> kRamps[] = {
@@ -49,10 +49,11 @@ struct Field {
   }
 };
 
-// Box2D looks through everything made since the last step whenever a fixture goes, so a game without steps is none.
+// Whenever a fixture goes, Box2D looks through everything that was made since the last step. A game takes steps, so
+// this must too.
 void step(b2World& physics) { physics.Step(1.0F / 60, 8, 3); }
 
-// The least of some rounds of what `round` measures.
+// Calls `round` a few times, and returns the least that it measured.
 template <class Round>
 double leastOf(Round round) {
   double least = std::numeric_limits<double>::max();
@@ -60,7 +61,8 @@ double leastOf(Round round) {
   return least;
 }
 
-// A terrain in a world with a body in it, after a step. In a game bodies are about, and the terrain looks for those to wake.
+// A terrain in a world with a body in it, after a step. A game has bodies too, and the terrain looks for those that it
+// must wake.
 class Populated {
  public:
   Populated(Field& field, const box2d::TerrainOptions& options) : field_(field) {
@@ -71,7 +73,7 @@ class Populated {
     step(physics_);
   }
 
-  /// Of the sync alone.
+  /// Commits and syncs; returns the time of the sync alone.
   double sync() {
     const Changes& changes = field_.world.commit();
     const double time = microseconds([&] { terrain_->sync(changes); });
@@ -93,7 +95,7 @@ double load(const Field& field, const box2d::TerrainOptions& options) {
   });
 }
 
-// The mean of digs and refills of random cells.
+// The mean time of digging and refilling random cells.
 double oneEdit(Field& field, const box2d::TerrainOptions& options) {
   constexpr int kTimes = 300;
   Populated populated(field, options);
@@ -153,6 +155,6 @@ void run() {
 }
 
 }  // namespace
-}  // namespace lgs::oracle
+}  // namespace lgs::bench
 
-int main() { lgs::oracle::run(); }
+int main() { lgs::bench::run(); }

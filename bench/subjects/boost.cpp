@@ -1,4 +1,4 @@
-// Boost.Geometry: unions of two by two, of what came of them two by two, and so on.
+// Boost.Geometry, which unites two polygons at a time: first in pairs, then the results in pairs, and so on.
 #include "bench/subjects/libraries.h"
 
 #include <boost/geometry.hpp>
@@ -49,8 +49,8 @@ class Boost final : public Subject {
   Edges edges() const override {
     Edges edges;
     for (const BoostPolygon& polygon : united_) {
-      addRing(ringOf(polygon.outer()), Turn::counterClockwise, edges);
-      for (const auto& hole : polygon.inners()) addRing(ringOf(hole), Turn::clockwise, edges);
+      addRing(ringOf(polygon.outer()), Winding::counterClockwise, edges);
+      for (const auto& hole : polygon.inners()) addRing(ringOf(hole), Winding::clockwise, edges);
     }
     return edges;
   }

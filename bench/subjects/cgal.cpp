@@ -1,4 +1,4 @@
-// CGAL, the oracle's way: the time includes turning the polygons into CGAL's, and reading segments, links and owners.
+// CGAL, as the oracle uses it: the time includes making CGAL's polygons, and reading segments, links and owners.
 #include "bench/subjects/libraries.h"
 #include "oracle/cgal/cgal_union.h"
 

@@ -29,7 +29,7 @@ class Clipper final : public Subject {
     for (const ClipperLib::Path& path : united_) {
       Ring ring;
       for (const ClipperLib::IntPoint& p : path) ring.push_back({p.X, p.Y});
-      addRing(std::move(ring), Turn::asItIs, edges);  // holes are clockwise already
+      addRing(std::move(ring), Winding::asItIs, edges);  // holes are clockwise already
     }
     return edges;
   }

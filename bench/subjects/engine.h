@@ -12,9 +12,9 @@ namespace lgs::bench {
 class Engine final : public Incremental {
  public:
   enum class By {
-    polygons,  ///< each polygon by its vertices, to be validated and interned
-    shapes,    ///< each cell by the id of a shape that was interned before
-    fill,      ///< one rectangle at once: for worlds of one kind only, others are refused
+    polygons,  ///< adds each polygon by its vertices, which the engine validates and interns
+    shapes,    ///< adds the content of each cell by the id of a shape that was interned before
+    fill,      ///< fills one rectangle at once; refuses worlds of more than one kind
   };
   explicit Engine(By by, Executor executor = {}) : by_(by), executor_(std::move(executor)) {}
 
@@ -27,7 +27,7 @@ class Engine final : public Incremental {
   void add(std::size_t cell, std::size_t kind) override;
   void replace(std::size_t cell, std::size_t kind) override;
 
-  // The parts of an edit, for what is not one edit and one commit.
+  // The parts of an edit, for batches: many edits with one commit.
   void removeOnly(std::size_t cell);
   void addOnly(std::size_t cell, std::size_t kind);
   void commit() { changes_ = executor_ ? &world_.commit(executor_) : &world_.commit(); }
@@ -42,12 +42,12 @@ class Engine final : public Incremental {
   Executor executor_;
   const Tiles* tiles_ = nullptr;
   World world_;
-  std::vector<ShapeId> shapes_;                 // by kind; null for nothing
-  std::vector<PolygonHandle> handles_;          // by cell: its first polygon
-  std::vector<oracle::ScenePolygon> polygons_;  // by polygons: all of the world, as the caller holds them
-  std::vector<std::uint32_t> cellOf_;           // of polygons_
+  std::vector<ShapeId> shapes_;                 // of each kind; null for an empty cell
+  std::vector<PolygonHandle> handles_;          // of each cell: its last polygon
+  std::vector<oracle::ScenePolygon> polygons_;  // By::polygons only: all of the world, as a caller would hold them
+  std::vector<std::uint32_t> cellOf_;           // the cell of each of polygons_
   PolygonHandle found_;
-  bool hasSingles_ = false;  // one polygon in a cell at most: it is removed by its handle, else the cell is cleared
+  bool hasSingles_ = false;  // no cell has more than one polygon, so it can be removed by its handle
   const Changes* changes_ = nullptr;
 };
 

@@ -1,5 +1,5 @@
-// GEOS, by its C interface: UnaryUnion, a cascade of unions; CoverageUnion, which trusts that polygons share whole edges
-// and refuses a union that is not what it takes for valid.
+// GEOS, by its C interface. UnaryUnion is a cascade of unions. CoverageUnion trusts that polygons share whole edges,
+// and refuses a union that it finds not valid.
 #include "bench/subjects/libraries.h"
 
 #include <geos_c.h>
@@ -39,10 +39,10 @@ class Geos final : public Subject {
     const int parts = GEOSGetNumGeometries_r(context_, united_);
     for (int k = 0; k < parts; ++k) {
       const GEOSGeometry* part = GEOSGetGeometryN_r(context_, united_, k);
-      addRing(ringOf(GEOSGetExteriorRing_r(context_, part)), Turn::counterClockwise, edges);
+      addRing(ringOf(GEOSGetExteriorRing_r(context_, part)), Winding::counterClockwise, edges);
       const int holes = GEOSGetNumInteriorRings_r(context_, part);
       for (int h = 0; h < holes; ++h) {
-        addRing(ringOf(GEOSGetInteriorRingN_r(context_, part, h)), Turn::clockwise, edges);
+        addRing(ringOf(GEOSGetInteriorRingN_r(context_, part, h)), Winding::clockwise, edges);
       }
     }
     return edges;

@@ -1,4 +1,4 @@
-// The subjects but the engine. Those whose library is not here are not built (CMakeLists.txt).
+// The subjects other than the engine. CMakeLists.txt leaves out those whose library is missing.
 #pragma once
 
 #include "bench/subjects/subject.h"

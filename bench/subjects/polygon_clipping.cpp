@@ -1,5 +1,5 @@
-// polygon-clipping, an npm package, in a child process that runs under Node for as long as the subject lives. The
-// time of a build includes two short messages, some 50 µs.
+// polygon-clipping, an npm package. It runs under Node in a child process, for as long as the subject lives. The time
+// of a build includes two short messages, some 50 µs.
 #include "bench/subjects/libraries.h"
 
 #include <fcntl.h>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* kScript = LGS_SOURCE_DIR "/bench/polygon-clipping/union.mjs";
 
-// A child that answers lines with lines.
+// A child process that answers each line with a line.
 class Node {
  public:
   Node() {
@@ -103,7 +103,7 @@ class PolygonClipping final : public Subject {
         for (const auto& point : polygon[k]) {
           ring.push_back({std::llround(point[0].get<double>()), std::llround(point[1].get<double>())});
         }
-        addRing(std::move(ring), k == 0 ? Turn::counterClockwise : Turn::clockwise, edges);
+        addRing(std::move(ring), k == 0 ? Winding::counterClockwise : Winding::clockwise, edges);
       }
     }
     return edges;

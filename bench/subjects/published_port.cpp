@@ -1,5 +1,5 @@
-// The published algorithm, ported word for word (oracle/published), in worlds of one polygon a cell. Its vertices are
-// floats in cells: made beforehand, and exact, for all are corners of cells.
+// The published algorithm, ported word for word (bench/published), in worlds with one polygon in each cell. Its
+// vertices are floats, in cells. They are made beforehand, and they are exact, because all are corners of cells.
 #include "bench/published/published_player.h"
 #include "bench/subjects/libraries.h"
 #include "oracle/reference/outline.h"
@@ -30,7 +30,7 @@ class PublishedPort final : public Incremental {
 
   Edges edges() const override {
     Edges edges;
-    for (const oracle::OutlineSegment& s : oracle::outlineOf(world_)) edges.push_back({s.start, s.end});
+    for (const oracle::OutlineSegment& s : outlineOf(world_)) edges.push_back({s.start, s.end});
     return edges;
   }
 
@@ -51,21 +51,21 @@ class PublishedPort final : public Incremental {
 
  private:
   struct Placed {
-    std::vector<oracle::Vec2> vertices;
+    std::vector<Vec2> vertices;
     std::size_t kind = 0;
   };
 
   void place(std::size_t cell, std::size_t kind) {
     const Kind& content = tiles_->kinds[kind];
     if (content.polygons.empty()) return;
-    polygons_[cell] = {oracle::floatVertices({tiles_->cell(cell), content.block, content.polygons.front()}), kind};
+    polygons_[cell] = {floatVertices({tiles_->cell(cell), content.block, content.polygons.front()}), kind};
   }
   Block blockOf(std::size_t cell) const { return tiles_->kinds[polygons_[cell].kind].block; }
 
   const Tiles* tiles_ = nullptr;
   std::vector<Placed> polygons_;  // by cell
   Cell at_;
-  oracle::Published world_;
+  Published world_;
 };
 
 }  // namespace

@@ -58,10 +58,4 @@ tl::expected<std::unique_ptr<Subject>, std::string> makeSubject(std::string_view
   return found == all.end() ? tl::unexpected(std::string("there is no such subject")) : found->make();
 }
 
-tl::expected<std::unique_ptr<Incremental>, std::string> makeIncremental(std::string_view name) {
-  return makeSubject(name).map([](std::unique_ptr<Subject> subject) {
-    return std::unique_ptr<Incremental>(static_cast<Incremental*>(subject.release()));
-  });
-}
-
 }  // namespace lgs::bench

@@ -1,7 +1,8 @@
-// What is measured, all in one form: something that takes a world of tiles and comes to its boundary.
+// A subject is what is measured: it takes a world of tiles and computes its boundary.
 //
-// Its three steps are timed apart: prepare() puts the polygons into the subject's own types (the article's "buildPolys"),
-// build() computes the boundary from nothing ("initSegs"), and edges() reads it, to be checked.
+// It does so in three steps, so that they can be timed apart. prepare() puts the polygons into the subject's own types
+// (the article's "buildPolys"), build() computes the boundary from nothing ("initSegs"), and edges() reads it, so that
+// it can be checked.
 #pragma once
 
 #include "bench/boundary.h"
@@ -24,18 +25,18 @@ class Subject {
   Subject(const Subject&) = delete;
   Subject& operator=(const Subject&) = delete;
 
-  virtual void prepare(const Tiles& tiles) = 0;  ///< to be called once; the tiles must outlive the subject
+  virtual void prepare(const Tiles& tiles) = 0;  ///< called once; the tiles must outlive the subject
 
-  /// False where the subject refuses the input. After prepare(); one that only recomputes may be called again.
+  /// Called after prepare(). A subject that recomputes may be called again. False if it refuses the input.
   virtual bool build() = 0;
 
-  virtual Edges edges() const = 0;  ///< of a subject that did not refuse
+  virtual Edges edges() const = 0;  ///< called only if build() was true
 };
 
-/// One that keeps its boundary up to date. Every edit ends with its commit. Cells are numbered as in Tiles.
+/// A subject that keeps its boundary up to date. Every edit ends with its commit. Cells are numbered as in Tiles.
 class Incremental : public Subject {
  public:
-  /// Finds what is needed to name a cell's content: not timed, since a game has it in hand when it edits.
+  /// Looks up the handle of a cell's content. This is not timed, because a game has it in hand when it edits.
   virtual void find(std::size_t cell) = 0;
   virtual void remove(std::size_t cell) = 0;
   virtual void add(std::size_t cell, std::size_t kind) = 0;
@@ -50,10 +51,7 @@ struct SubjectInfo {
 /// In the order of tables: the published port and the engine first, then those that recompute the world.
 const std::vector<SubjectInfo>& subjects();
 
-/// A fresh one; or why there is none here.
+/// A new subject, or the reason why there is none.
 tl::expected<std::unique_ptr<Subject>, std::string> makeSubject(std::string_view name);
-
-/// The same for one that isIncremental.
-tl::expected<std::unique_ptr<Incremental>, std::string> makeIncremental(std::string_view name);
 
 }  // namespace lgs::bench

@@ -53,9 +53,10 @@ class Frame {
   Point origin_;
 };
 
-// All at once. CGAL overlays up to kSweepAtOnce arrangements in one sweep and divides what is more. Its own choice is 5;
-// with 100 a world of 3×3 to 8×8 cells is a single sweep, which takes half to two thirds of the time. (A single sweep
-// over 10,000 polygons takes many times as long.) Polygon_set_2 hides the parameter, its base class does not.
+// Unites all polygons in one call. CGAL overlays up to kSweepAtOnce arrangements in one sweep, and splits a longer
+// list. Its default is 5. With 100 a world of 3×3 to 8×8 cells is a single sweep, which takes half to two thirds of the
+// time. (A single sweep over 10,000 polygons takes many times as long.) Polygon_set_2 hides the parameter, its base
+// class does not.
 PolygonSet unite(const std::vector<Polygon>& polygons) {
   constexpr unsigned kSweepAtOnce = 100;
   PolygonSet result;
@@ -64,11 +65,11 @@ PolygonSet unite(const std::vector<Polygon>& polygons) {
   return result;
 }
 
-// A halfedge has its face on its left. It is part of the boundary if there is solid on its left and none on its right.
+// A halfedge has its face on its left. It is part of the boundary if its left is solid and its right is free.
 bool isBoundary(Halfedge h) { return h->face()->contained() && !h->twin()->face()->contained(); }
 
-// The neighbours of a boundary halfedge along the free face on its right: the next one is what the walk around that
-// face, which goes the other way, came from.
+// The neighbours of a boundary halfedge along the free face on its right. The walk around that face goes the other way,
+// so the successor is what that walk came from.
 Halfedge successor(Halfedge h) { return h->twin()->prev()->twin(); }
 Halfedge predecessor(Halfedge h) { return h->twin()->next()->twin(); }
 
@@ -104,7 +105,7 @@ void nameOwners(const Scene& scene, const SceneEdges& edges, CgalUnion& result) 
   }
 }
 
-// A link is known where all segments at its vertex are of one material.
+// A link is known if all segments at its vertex are of one material.
 void markKnownLinks(const Materials& materials, CgalUnion& result) {
   result.known.resize(result.outline.size());
   if (materials.count <= 1) return;

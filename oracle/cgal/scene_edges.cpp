@@ -33,7 +33,7 @@ SceneEdges::SceneEdges(const Scene& scene) : scene_(scene) {
 
 template <class Visit>
 void SceneEdges::forPolygonsNear(Point point, Visit visit) const {
-  // On a line between cells, both sides of it.
+  // A point on a line between cells belongs to both sides.
   const auto left = static_cast<std::int32_t>(cellIndex(point.x - 1));
   const auto right = static_cast<std::int32_t>(cellIndex(point.x));
   const auto below = static_cast<std::int32_t>(cellIndex(point.y - 1));
@@ -59,14 +59,15 @@ std::vector<Point> SceneEdges::cutOutline(const ScenePolygon& polygon) const {
     const Point from = toWorld(polygon.cell, polygon.vertices[k]);
     const Point to = toWorld(polygon.cell, polygon.vertices[(k + 1) % polygon.vertices.size()]);
     std::vector<Point> cuts;
-    // An edge with a vertex of another cell inside it runs along a side of both cells, so both contain its start.
+    // Where a vertex of another cell lies inside this edge, the edge runs along a side of both cells. So both cells
+    // contain its start, and looking there is enough.
     forPolygonsNear(from, [&](std::uint32_t p) {
       for (const LocalPoint v : scene_.polygons[p].vertices) {
         const Point vertex = toWorld(scene_.polygons[p].cell, v);
         if (vertex != from && vertex != to) cuts.push_back(vertex);
       }
     });
-    // Only those inside the edge, in its order.
+    // Keep only those inside the edge, in its order.
     const auto key = [&](Point v) { return dot(v - from, to - from); };
     cuts.erase(std::remove_if(cuts.begin(), cuts.end(), [&](Point v) { return !isOnSegment(v, from, to); }),
                cuts.end());

@@ -1,4 +1,5 @@
-// Looks things up in a scene's polygon edges, by exact arithmetic on the input alone: what CGAL's union does not carry.
+// Finds out what CGAL's union does not carry: the owner of a segment, and where an edge is cut. It uses exact
+// arithmetic on the scene's polygons alone.
 #pragma once
 
 #include "oracle/reference/scene.h"
@@ -22,7 +23,7 @@ class SceneEdges {
 
  private:
   template <class Visit>
-  void forPolygonsNear(Point point, Visit visit) const;  // in the cells whose closure contains the point
+  void forPolygonsNear(Point point, Visit visit) const;  // those of the closed cells that contain the point
 
   const Scene& scene_;
   std::vector<std::pair<Cell, std::uint32_t>> byCell_;  // sorted

@@ -1,8 +1,8 @@
 #include "oracle/check/failure.h"
 
-#include "oracle/draw/counted.h"
 #include "oracle/draw/draw.h"
 #include "oracle/reference/naive.h"
+#include "oracle/reference/words.h"
 #include "oracle/trace/model.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "oracle/check/isolated.h"
 #include "oracle/check/shrink.h"
-#include "oracle/draw/counted.h"
+#include "oracle/reference/words.h"
 #include "oracle/trace/file.h"
 
 #include <fmt/format.h>

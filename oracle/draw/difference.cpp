@@ -1,6 +1,7 @@
 #include "oracle/draw/difference.h"
 
 #include "oracle/draw/colours.h"
+#include "oracle/draw/distinct.h"
 #include "oracle/draw/panel.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ constexpr std::string_view kDashes = "7 4";
 constexpr TurnStyle kExpectedLink{kExpected, 2, "4 2"};
 constexpr TurnStyle kActualLink{kActual, 2};
 
-// What is drawn for a list of differences.
+// What is to be drawn for a list of differences.
 struct Signs {
   explicit Signs(std::span<const Difference> differences) {
     for (const Difference& d : differences) {
@@ -40,9 +41,9 @@ struct Signs {
           break;
       }
     }
-    once(rings);  // a link is wrong at both of its segments
-    once(expectedLinks);
-    once(actualLinks);
+    makeDistinct(rings);  // a wrong link is a difference of both its segments
+    makeDistinct(expectedLinks);
+    makeDistinct(actualLinks);
   }
 
   std::vector<OutlineSegment> missing;
@@ -51,13 +52,6 @@ struct Signs {
   std::vector<Point> rings;
   std::vector<Link> expectedLinks;
   std::vector<Link> actualLinks;
-
- private:
-  template <class T>
-  static void once(std::vector<T>& v) {
-    std::sort(v.begin(), v.end());
-    v.erase(std::unique(v.begin(), v.end()), v.end());
-  }
 };
 
 Path headPath(const Plot& plot, std::span<const OutlineSegment> segments) {
@@ -112,7 +106,7 @@ void drawDifference(Svg& svg, const Plot& plot, const Outline& actual, std::span
            {{"stroke", kExpected}, {"stroke-width", 3}, {"stroke-dasharray", kDashes}});
   svg.path(headPath(plot, signs.missing), {{"fill", kExpected}});
   svg.path(rings, {{"fill", "none"}, {"stroke", kInk}, {"stroke-width", 1.5}});
-  drawLinks(svg, plot, signs.actualLinks, 9, kActualLink);  // two radii: they may well lie in the same wedge
+  drawLinks(svg, plot, signs.actualLinks, 9, kActualLink);  // two radii, because both may lie in the same wedge
   drawLinks(svg, plot, signs.expectedLinks, 14, kExpectedLink);
   endClip(svg);
 }

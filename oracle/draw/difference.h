@@ -1,4 +1,4 @@
-// The difference of two outlines, drawn on top of a plot.
+// Draws the difference of two outlines on top of a plot.
 #pragma once
 
 #include "oracle/draw/legend.h"
@@ -11,13 +11,13 @@
 
 namespace lgs::oracle::drawing {
 
-/// The neighbourhood of the differences: all of them, or those around the first if they are too far apart for one
-/// picture. Nothing (show everything) without differences.
+/// The cells around the differences. If these are too far apart for one picture, only those near the first one count.
+/// Nothing if there are no differences: show the whole world.
 std::optional<CellRect> viewOf(std::span<const Difference> differences);
 
 void drawDifference(Svg& svg, const Plot& plot, const Outline& actual, std::span<const Difference> differences);
 
-/// The signs that occur in these differences.
+/// Adds the signs that drawDifference() uses for these differences.
 void addSigns(std::vector<LegendEntry>& entries, std::span<const Difference> differences);
 
 }  // namespace lgs::oracle::drawing

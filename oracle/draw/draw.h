@@ -5,9 +5,9 @@
 //   up to 28 across   every segment with its direction, its outward normal and its links; vertices; tooltips;
 //   up to 125 across  segments with direction and normal where there is room, vertices;
 //   more              fine lines.
-// (In a mismatch a third of that.) All solids of a block are one path, so that the file stays small.
-// Numbers at the axes are world coordinates in cells; y is up. Long stretches without content are folded away, so two
-// cells at opposite ends of the world still make a readable picture.
+// (The picture of a mismatch has three panels, so a third of that fits.) All solids of a block are one path, so that
+// the file stays small. Numbers at the axes are world coordinates in cells; y is up. Long stretches without content are
+// folded away, so two cells at opposite ends of the world still make a readable picture.
 #pragma once
 
 #include "oracle/reference/outline.h"
@@ -27,8 +27,8 @@ struct DrawOptions {
   std::optional<CellRect> view;  ///< the cells to show; by default everything, or what surrounds the differences
 };
 
-/// The solids of a scene, and an outline: exposed segments, their normals and links. The outline is drawn as it is
-/// given, right or wrong.
+/// Draws the solids of a scene, and an outline with its normals and links. The outline is drawn as it is given, right
+/// or wrong.
 std::string drawWorld(const Scene& scene, const Outline& outline, const DrawOptions& options = {});
 
 struct MismatchOptions : DrawOptions {
@@ -36,8 +36,9 @@ struct MismatchOptions : DrawOptions {
   std::string actualName = "actual";      ///< heading of the second panel, e.g. "engine"
 };
 
-/// Two outlines of one scene and what differs (compare.h): three panels (expected, actual, the difference), of the
-/// neighbourhood of the differences if the world is large, and the first few differences in words. In the third panel
+/// Draws two outlines of one scene and what differs (compare.h): three panels (expected, actual, the difference), and
+/// the first few differences in words. Of a large world the panels show the cells around the differences. In the third
+/// panel
 ///   a segment that is missing from `actual` is blue and dashed, one that only `actual` has is orange;
 ///   a vertex where links differ has a ring, with the expected link (blue, dashed) and the actual one (orange).
 std::string drawMismatch(const Scene& scene, const Outline& expected, const Outline& actual,

@@ -1,6 +1,7 @@
 #include "oracle/draw/legend.h"
 
 #include "oracle/draw/colours.h"
+#include "oracle/reference/words.h"
 
 #include <algorithm>
 #include <numbers>
@@ -94,7 +95,8 @@ LegendEntry ringEntry(std::string label) {
           }};
 }
 
-void addGround(std::vector<LegendEntry>& entries, const Plot& plot, const Scene& scene, std::span<const Cell> edited) {
+void addBackdrop(std::vector<LegendEntry>& entries, const Plot& plot, const Scene& scene,
+                 std::span<const Cell> edited) {
   constexpr std::size_t kMost = 12;
   std::set<Block> blocks;
   for (const ScenePolygon& p : scene.polygons) {

@@ -1,7 +1,6 @@
 // What stands around the panels: heading, legend.
 #pragma once
 
-#include "oracle/draw/counted.h"
 #include "oracle/draw/panel.h"
 #include "oracle/draw/svg.h"
 #include "oracle/reference/scene.h"
@@ -40,15 +39,16 @@ LegendEntry lineEntry(std::string label, std::string_view colour, double width, 
 LegendEntry linkEntry(std::string label, const TurnStyle& style);
 LegendEntry ringEntry(std::string label);
 
-/// What drawGround shows: a swatch for each block in view, as many as leave the legend a legend, and the edited cells.
-void addGround(std::vector<LegendEntry>& entries, const Plot& plot, const Scene& scene, std::span<const Cell> edited);
+/// Adds what drawBackdrop() shows: a swatch for each block in view, up to a dozen, and the edited cells.
+void addBackdrop(std::vector<LegendEntry>& entries, const Plot& plot, const Scene& scene, std::span<const Cell> edited);
 
-/// What drawOutline shows of these outlines.
+/// Adds what drawOutline() shows of these outlines.
 void addOutlines(std::vector<LegendEntry>& entries, const Plot& plot, std::span<const Outline* const> outlines);
 
-/// At the upper left of the page. A title too long for any page is cut.
+/// Draws a heading at the upper left of the page.
 void drawHeading(Svg& svg, std::string_view title, std::string_view subtitle);
 double headingWidth(std::string_view title, std::string_view subtitle);
+/// Cuts a title that is too long for any page.
 std::string shortened(std::string_view title);
 
 }  // namespace lgs::oracle::drawing

@@ -1,18 +1,11 @@
 #include "oracle/draw/links.h"
 
+#include "oracle/draw/distinct.h"
+
 #include <algorithm>
 #include <iterator>
 
 namespace lgs::oracle::drawing {
-
-namespace {
-
-void sortOnce(std::vector<Link>& links) {
-  std::sort(links.begin(), links.end());
-  links.erase(std::unique(links.begin(), links.end()), links.end());
-}
-
-}  // namespace
 
 Links linksOf(const Outline& outline) {
   std::vector<Link> toPredecessor;
@@ -21,8 +14,8 @@ Links linksOf(const Outline& outline) {
     if (s.ghost1) toPredecessor.push_back({*s.ghost1, s.start, s.end});
     if (s.ghost2) toSuccessor.push_back({s.start, s.end, *s.ghost2});
   }
-  sortOnce(toPredecessor);
-  sortOnce(toSuccessor);
+  makeDistinct(toPredecessor);
+  makeDistinct(toSuccessor);
   Links links;
   std::set_intersection(toPredecessor.begin(), toPredecessor.end(), toSuccessor.begin(), toSuccessor.end(),
                         std::back_inserter(links.mutual));

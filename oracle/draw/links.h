@@ -7,7 +7,7 @@
 
 namespace lgs::oracle::drawing {
 
-/// A chain that arrives along from→at and goes on along at→to.
+/// A turn of a chain, which arrives along from→at and goes on along at→to.
 struct Link {
   Point from;
   Point at;
@@ -17,10 +17,10 @@ struct Link {
 
 struct Links {
   std::vector<Link> mutual;    ///< both segments name each other
-  std::vector<Link> oneSided;  ///< only one does, as may be under a preserve relation
+  std::vector<Link> oneSided;  ///< only one names the other, which a preserve relation allows
 };
 
-/// All links that the segments name by their ghosts; each once, sorted.
+/// All links that the segments name by their ghosts: each once, sorted.
 Links linksOf(const Outline& outline);
 
 }  // namespace lgs::oracle::drawing

@@ -2,6 +2,7 @@
 #include "oracle/draw/difference.h"
 #include "oracle/draw/draw.h"
 #include "oracle/draw/panel.h"
+#include "oracle/reference/words.h"
 
 #include <algorithm>
 #include <array>
@@ -26,7 +27,7 @@ std::vector<std::string> linesOf(const std::vector<Difference>& differences) {
   return lines;
 }
 
-// Three panels side by side, or one below the other if they are wide.
+// Where the three panels go: side by side, or one below the other if they are wide.
 struct Layout {
   explicit Layout(const Extent& extent)
       : sideBySide(extent.columns.length() <= 2 * extent.rows.length()),
@@ -60,7 +61,7 @@ std::string draw(const Scene& scene, const Outline& expected, const Outline& act
   std::vector<LegendEntry> entries;
   addSigns(entries, inView);
   addOutlines(entries, first.plot, outlines);
-  addGround(entries, first.plot, scene, options.edited);
+  addBackdrop(entries, first.plot, scene, options.edited);
 
   const std::vector<std::string> lines = linesOf(differences);
   const Vec last = layout.topLeft(2, first);
@@ -77,7 +78,7 @@ std::string draw(const Scene& scene, const Outline& expected, const Outline& act
     const Vec topLeft = layout.topLeft(index, first);
     const Panel placed(extent, layout.cellSize, topLeft + Vec{0, kPanelHeading});
     svg.text(topLeft + Vec{0, 13}, name, {{"font-size", 14}, {"font-weight", "600"}, {"fill", colour}});
-    drawGround(svg, placed.plot, scene, options.edited, strength);
+    drawBackdrop(svg, placed.plot, scene, options.edited, strength);
     return placed.plot;
   };
   drawOutline(svg, panel(0, options.expectedName, kExpected, 1), expected);

@@ -1,4 +1,5 @@
 #include "oracle/draw/colours.h"
+#include "oracle/draw/distinct.h"
 #include "oracle/draw/panel.h"
 #include "oracle/reference/words.h"
 
@@ -11,7 +12,7 @@ namespace lgs::oracle::drawing {
 
 namespace {
 
-// From one lattice point to another, in pixels. Not by positions on the picture: what is far outside is moved there.
+// From one lattice point to another, in pixels. Positions on the picture would not do: Axis moves what is far outside.
 Vec offset(const Plot& plot, Point from, Point to) {
   const double scale = plot.cellSize() / kUnitsPerCell;
   return {static_cast<double>(to.x - from.x) * scale, -static_cast<double>(to.y - from.y) * scale};
@@ -41,15 +42,12 @@ void drawVertices(Svg& svg, const Plot& plot, std::span<const OutlineSegment> se
     vertices.push_back(s.start);
     vertices.push_back(s.end);
   }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  makeDistinct(vertices);
   const bool full = plot.detail() == Detail::full;
   Path dots;
   for (const Point& p : vertices) dots.circle(plot.at(p), full ? 2.9 : 1.8);
   svg.path(dots, {{"fill", full ? kPaper : kInk}, {"stroke", kInk}, {"stroke-width", full ? 1.4 : 0}});
 }
-
-std::string ghostInWords(const std::optional<Point>& ghost) { return ghost ? inWords(*ghost) : "none"; }
 
 void drawTooltips(Svg& svg, const Plot& plot, std::span<const OutlineSegment> segments) {
   svg.open("g", {{"stroke", kInk}, {"stroke-opacity", "0"}, {"stroke-width", 12}});
@@ -66,7 +64,7 @@ void drawTooltips(Svg& svg, const Plot& plot, std::span<const OutlineSegment> se
 
 void addArrowHead(Path& heads, Vec start, Vec end, double size) {
   const Vec back = unit(end - start) * -size;
-  // Beyond the middle, so that the heads of two opposite segments (preserve relation) stand apart.
+  // The tip is beyond the middle, so that the heads of two opposite segments (of a preserve relation) stand apart.
   const Vec tip = start + (end - start) * 0.64 - back * 0.5;
   const Vec side{-back.y * 0.42, back.x * 0.42};
   heads.moveTo(tip).lineTo(tip + back + side).lineTo(tip + back * 0.75).lineTo(tip + back - side).close();
@@ -79,7 +77,7 @@ void addNormal(Path& normals, Vec start, Vec end, double size) {
 }
 
 void Turns::add(Vec at, double fromAngle, double turn, double radius) {
-  // A little short of both segments, so that it is seen on which side of them the link runs.
+  // The arc ends a little short of both segments, so that one sees on which side of them the link runs.
   const double gap = std::min(2.5 / radius, turn / 6);
   const double sweep = turn - 2 * gap;
   const double last = fromAngle + gap + sweep;
@@ -118,11 +116,11 @@ void drawLinks(Svg& svg, const Plot& plot, std::span<const Link> links, double r
     if (!plot.shows(link.at)) continue;
     const Vec from = offset(plot, link.at, link.from);
     const Vec to = offset(plot, link.at, link.to);
-    // Through the free side: counter-clockwise from where the chain comes from to where it goes.
+    // The arc runs through the free side: counter-clockwise from where the chain comes from to where it goes.
     const double fromAngle = std::atan2(-from.y, from.x);
     double turn = std::atan2(-to.y, to.x) - fromAngle;
     if (turn <= 1e-12) turn += 2 * std::numbers::pi;
-    const double roomy = radius / std::clamp(turn / 1.5, 0.5, 1.0);  // sharp corners have room only further out
+    const double roomy = radius / std::clamp(turn / 1.5, 0.5, 1.0);  // a sharp corner has room only further out
     const double fitting = std::min({roomy, length(from) * 0.3, length(to) * 0.3});
     if (fitting >= 2) turns.add(plot.at(link.at), fromAngle, turn, fitting);
   }
@@ -138,7 +136,7 @@ void drawOutline(Svg& svg, const Plot& plot, const Outline& outline) {
   if (plot.detail() != Detail::lines) drawDirections(svg, plot, segments);
   if (plot.detail() == Detail::full) {
     constexpr double kRadius = 12;
-    const Links links = linksOf(outline);  // of all segments: a neighbour may be out of view
+    const Links links = linksOf(outline);  // of the whole outline, because a neighbour may be out of view
     drawLinks(svg, plot, links.mutual, kRadius, {kLink, 1.4});
     drawLinks(svg, plot, links.oneSided, kRadius, {kLink, 1.4, kNotMutual});
   }

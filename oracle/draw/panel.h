@@ -10,7 +10,7 @@
 
 namespace lgs::oracle::drawing {
 
-/// Where a plot goes in its panel, and how large the panel is. Refers to the extent.
+/// Where a plot goes in its panel, and how large the panel is. The extent must outlive it.
 struct Panel {
   Panel(const Extent& extent, double cellSize, Vec topLeft);
   Plot plot;
@@ -19,16 +19,17 @@ struct Panel {
 };
 
 inline constexpr double kLabelSize = 11;
-double textWidth(std::string_view text, double size);  ///< generously, since the viewer chooses the font
+double textWidth(std::string_view text, double size);  ///< a generous guess, because the viewer chooses the font
 
-/// Paper, solids, edited cells, grid and axes. `strength` is 1, or less to leave the stage to what comes on top.
-void drawGround(Svg& svg, const Plot& plot, const Scene& scene, std::span<const Cell> edited, double strength);
+/// Draws paper, solids, edited cells, grid and axes. `strength` is 1, or less where something more important comes on
+/// top.
+void drawBackdrop(Svg& svg, const Plot& plot, const Scene& scene, std::span<const Cell> edited, double strength);
 
-/// Begins and ends drawing that is cut off at the rim of the paper.
+/// What is drawn between these two is cut off at the rim of the paper.
 void beginClip(Svg& svg, const Plot& plot);
 void endClip(Svg& svg);
 
-/// The segments and, where there is room, their directions, normals, links, vertices and tooltips.
+/// Draws the segments and, where there is room, their directions, normals, links, vertices and tooltips.
 void drawOutline(Svg& svg, const Plot& plot, const Outline& outline);
 
 /// A link as an arc around its vertex, with a head at its end.
@@ -47,7 +48,7 @@ class Turns {
   Path heads_;
 };
 
-/// The pieces of the above, for legends and for differences.
+/// Pieces of the above, for legends and for differences.
 Outline segmentsInView(const Plot& plot, const Outline& outline);
 Path segmentPath(const Plot& plot, std::span<const OutlineSegment> segments);
 void drawLinks(Svg& svg, const Plot& plot, std::span<const Link> links, double radius, const TurnStyle& style);

@@ -1,5 +1,7 @@
 #include "oracle/draw/plot.h"
 
+#include "oracle/reference/vector.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,8 +9,9 @@ namespace lgs::oracle::drawing {
 
 namespace {
 
-std::int64_t cellAfter(std::int64_t lattice) { return lattice >> 16; }         // the one that begins at or holds it
-std::int64_t cellBefore(std::int64_t lattice) { return (lattice - 1) >> 16; }  // the one that ends at or holds it
+// The cells on both sides of a coordinate; the same one twice unless it is on a grid line.
+std::int64_t cellAfter(std::int64_t lattice) { return cellIndex(lattice); }
+std::int64_t cellBefore(std::int64_t lattice) { return cellIndex(lattice - 1); }
 
 Band bandOf(std::int64_t a, std::int64_t b, bool solidBefore) {
   if (a == b) {
@@ -21,7 +24,7 @@ Band bandOf(std::int64_t a, std::int64_t b, bool solidBefore) {
 double endOf(const Axis::Stretch& s) { return s.position + static_cast<double>(s.last - s.first + 1); }
 
 Axis axisOf(std::vector<Band> used) {
-  if (used.empty()) used = {{-1, 1}};  // an empty world: a little empty grid around the origin
+  if (used.empty()) used = {{-1, 1}};  // an empty world is shown as a small empty grid around the origin
   return Axis(std::move(used));
 }
 
@@ -45,7 +48,7 @@ Axis::Axis(std::vector<Band> used) {
   }
   double cells = 0;
   for (const Stretch& s : stretches_) cells += endOf(s) - s.position;
-  fold_ = std::max(1.0, cells / 40);  // so that it is seen in a large picture too
+  fold_ = std::max(1.0, cells / 40);  // wide enough to be seen in a large picture too
   for (std::size_t k = 1; k < stretches_.size(); ++k) stretches_[k].position = endOf(stretches_[k - 1]) + fold_;
 }
 
@@ -61,7 +64,8 @@ double Axis::position(std::int64_t lattice) const {
   const double inCell = static_cast<double>(lattice - cell * kUnitsPerCell) / kUnitsPerCell;
   const auto next = std::upper_bound(stretches_.begin(), stretches_.end(), cell,
                                      [](std::int64_t c, const Stretch& s) { return c < s.first; });
-  // What lies outside is only ever drawn as the hidden end of a line; renderers overflow on very large numbers.
+  // What lies outside is only drawn as the hidden end of a line. It is moved nearer, because renderers overflow on very
+  // large numbers.
   constexpr double kFarOutside = 100;
   if (next == stretches_.begin()) {
     return std::max(static_cast<double>(cell - next->first) + inCell, -kFarOutside);

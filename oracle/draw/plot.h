@@ -1,6 +1,7 @@
-// Where the points of the world land on the picture: which cells are shown, where stretches are folded away, y flipped.
+// Where the points of the world land on the picture: which cells are shown, which stretches are folded away. y is
+// flipped.
 //
-// All decisions are made on integers; only the position relative to a nearby cell becomes a `double`, so cells at the
+// All decisions are made on integers. Only the position relative to a nearby cell becomes a `double`, so cells at the
 // far ends of the world are drawn as exactly as those at the origin.
 #pragma once
 
@@ -21,7 +22,7 @@ struct Band {
   std::int64_t last = 0;
 };
 
-/// The cells whose closed areas hold a segment. One that runs along a grid line belongs to its solid's side.
+/// The cells whose closed areas hold a segment. A segment on a grid line belongs to the side where its solid is.
 struct CellBox {
   Band columns;
   Band rows;
@@ -29,10 +30,10 @@ struct CellBox {
 CellBox cellsOf(const OutlineSegment& segment);
 CellBox cellsOf(Cell cell);
 
-/// One axis of a picture, in cells from its beginning.
+/// One axis of a picture. Positions are in cells from its beginning.
 class Axis {
  public:
-  /// Shows these bands and the gaps between them; a gap longer than kLongestGap is folded, to the width fold().
+  /// Shows these bands and the gaps between them. A gap longer than kLongestGap is folded to the width fold().
   explicit Axis(std::vector<Band> used);
 
   struct Stretch : Band {
@@ -63,7 +64,7 @@ Extent extentOf(const Scene& scene, std::span<const Outline* const> outlines, st
 /// How much is drawn; see draw.h.
 enum class Detail { lines, shapes, full };
 
-/// An extent at a place on the picture. Refers to the extent.
+/// An extent at a place on the picture. The extent must outlive it.
 class Plot {
  public:
   Plot(const Extent& extent, double cellSize, Vec corner) : extent_(&extent), cellSize_(cellSize), corner_(corner) {}
@@ -79,7 +80,7 @@ class Plot {
   double cellSize() const { return cellSize_; }
   const Extent& extent() const { return *extent_; }
   bool shows(const CellBox& box) const { return extent_->columns.shows(box.columns) && extent_->rows.shows(box.rows); }
-  bool shows(Point p) const;  ///< on the rim counts
+  bool shows(Point p) const;  ///< also on the rim
   Detail detail() const;
 
  private:
@@ -88,7 +89,7 @@ class Plot {
   Vec corner_;
 };
 
-/// The size of a cell in pixels that makes a plot fit in this area; whole numbers where possible, for crisp edges.
+/// The size of a cell in pixels with which a plot fits in this area. A whole number where possible, for crisp edges.
 double fittingCellSize(const Extent& extent, double width, double height);
 
 }  // namespace lgs::oracle::drawing

@@ -14,7 +14,7 @@ Vec unit(Vec v) {
 }
 
 std::string number(double value) {
-  // By integers: printf would depend on the locale and print "-0".
+  // Integers, because printf depends on the locale and prints "-0".
   const long long hundredths = std::llround(value * 100);
   const long long magnitude = std::llabs(hundredths);
   std::string text = hundredths < 0 ? "-" : "";

@@ -22,7 +22,7 @@ Vec unit(Vec v);  ///< zero stays zero
 /// At most two decimals, no trailing zeros: "3", "0.25", "-1.5".
 std::string number(double value);
 
-/// Text for an element or an attribute; control characters, which XML can not hold, become blanks.
+/// Text for an element or an attribute. Control characters become blanks, because XML can not hold them.
 std::string escape(std::string_view text);
 
 /// The `d` of a path.
@@ -60,9 +60,9 @@ class Svg {
   void open(std::string_view tag, Attributes attributes);
   void close();
   void leaf(std::string_view tag, Attributes attributes);
-  void path(const Path& path, Attributes attributes);  ///< nothing at all for an empty path
+  void path(const Path& path, Attributes attributes);  ///< writes nothing for an empty path
   void text(Vec at, std::string_view content, Attributes attributes);
-  void tooltip(const Path& path, std::string_view content);  ///< a path that shows text to whoever points at it
+  void tooltip(const Path& path, std::string_view content);  ///< a path that shows text when the mouse is on it
 
   std::string finish() &&;
 

@@ -2,6 +2,7 @@
 #include "oracle/draw/draw.h"
 #include "oracle/draw/legend.h"
 #include "oracle/draw/panel.h"
+#include "oracle/reference/words.h"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +23,7 @@ std::string drawWorld(const Scene& scene, const Outline& outline, const DrawOpti
           ? "empty world"
           : counted(scene.polygons.size(), "polygon") + ", " + counted(outline.size(), "boundary segment");
   std::vector<LegendEntry> entries;
-  addGround(entries, panel.plot, scene, options.edited);
+  addBackdrop(entries, panel.plot, scene, options.edited);
   addOutlines(entries, panel.plot, std::array{&outline});
 
   constexpr double kNarrowest = 460;
@@ -32,7 +33,7 @@ std::string drawWorld(const Scene& scene, const Outline& outline, const DrawOpti
 
   Svg svg(width + 2 * kMargin, legendTop + legend.height() + kMargin - 8, title, subtitle, kPage);
   drawHeading(svg, title, subtitle);
-  drawGround(svg, panel.plot, scene, options.edited, 1);
+  drawBackdrop(svg, panel.plot, scene, options.edited, 1);
   drawOutline(svg, panel.plot, outline);
   legend.draw(svg, {kMargin, legendTop});
   return std::move(svg).finish();

@@ -29,7 +29,7 @@ bool areVerticesToBlame(const Error& error, const LocalPolygon& polygon) {
       return exists(a) && exists(b) && firstLike(b) == a && a != b && !hasRepeatBefore(b);
     case ErrorCode::selfIntersecting:
       return exists(a) && exists(b) && edgesMeet(polygon, static_cast<std::size_t>(a), static_cast<std::size_t>(b));
-    default:  // no vertex is
+    default:  // no vertex is to blame
       return a == -1 && b == -1;
   }
 }

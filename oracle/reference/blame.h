@@ -1,5 +1,5 @@
-// Whether what an error names is to blame. Where error.h does not promise which of several vertices or edges an error
-// names, any that are truly to blame are right, and no others.
+// Judges what an error names. error.h does not always promise which of several vertices or edges an error names. Then
+// any of them is right that is truly to blame, and no other.
 #pragma once
 
 #include "oracle/reference/validity.h"
@@ -8,8 +8,8 @@
 
 namespace lgs::oracle {
 
-/// What is wrong with the fields of an error whose code is right for this polygon, the only one of its call; empty if
-/// nothing is. The cell, and the other polygon of an overlap, are the caller's to judge.
-std::string wrongBlame(const Error& error, const oracle::LocalPolygon& polygon);
+/// Says which fields of an error are wrong; empty if none is. The error's code must be right for this polygon, and the
+/// polygon must be the only one of its call. The caller judges the cell, and the other polygon of an overlap.
+std::string wrongBlame(const Error& error, const LocalPolygon& polygon);
 
 }  // namespace lgs::oracle

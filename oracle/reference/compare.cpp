@@ -37,7 +37,7 @@ const OutlineSegment* otherLength(const Outline& outline, const OutlineSegment& 
   return nullptr;
 }
 
-// Whether v, of the same direction as w, is shorter. Of vectors of one direction each component tells.
+// Whether v is shorter than w. Both have the same direction, so the sum of their components tells.
 bool isShorter(Vector v, Vector w) { return std::abs(v.x) + std::abs(v.y) < std::abs(w.x) + std::abs(w.y); }
 
 std::string noteOnMissing(const OutlineSegment& missing, const Outline& expected, const Outline& actual) {
@@ -65,7 +65,7 @@ std::string noteOnExtra(const OutlineSegment& extra, const Outline& expected, co
   return has(actual, extra.end, extra.start) ? "an overlap that should have been cancelled" : "";
 }
 
-// A ghost must be the far end of a segment that is there.
+// A right ghost is the far end of a segment of the outline.
 std::string noteOnGhost(bool ghostIsThere) { return ghostIsThere ? "" : "no segment of the outline leads there"; }
 
 void compareSame(const OutlineSegment& e, const OutlineSegment& a, const Outline& actual,
@@ -79,7 +79,7 @@ void compareSame(const OutlineSegment& e, const OutlineSegment& a, const Outline
   if (e.block != a.block) found.push_back({Kind::block, e, a, ""});
 }
 
-// Calls missing(e), extra(a) or same(e, a), indices into the two outlines, for all of both in their order.
+// Walks through both outlines in their order. Calls missing(e), extra(a) or same(e, a) with indices into the two.
 template <class Missing, class Extra, class Same>
 void walkBoth(const Outline& expected, const Outline& actual, Missing missing, Extra extra, Same same) {
   std::size_t e = 0;
@@ -95,15 +95,13 @@ void walkBoth(const Outline& expected, const Outline& actual, Missing missing, E
   }
 }
 
-// A segment that should not be there, or is not, explains the wrong ghosts around it: it comes first.
-void sort(std::vector<Difference>& found) {
+// A missing or extra segment explains the wrong ghosts around it, so it comes first.
+void sortForReading(std::vector<Difference>& found) {
   const auto key = [](const Difference& d) {
     return std::pair(d.kind != Kind::missing && d.kind != Kind::extra, endsOf(d.segment()));
   };
   std::stable_sort(found.begin(), found.end(), [&](auto& l, auto& r) { return key(l) < key(r); });
 }
-
-std::string ghostInWords(const std::optional<Point>& ghost) { return ghost ? inWords(*ghost) : "none"; }
 
 }  // namespace
 
@@ -119,7 +117,7 @@ std::vector<Difference> compare(const Outline& expected, const Outline& actual) 
         found.push_back({Kind::extra, {}, actual[a], noteOnExtra(actual[a], expected, actual)});
       },
       [&](std::size_t e, std::size_t a) { compareSame(expected[e], actual[a], actual, found); });
-  sort(found);
+  sortForReading(found);
   return found;
 }
 
@@ -132,7 +130,7 @@ std::vector<Difference> compare(const OwnedOutline& expected, const OwnedOutline
     found.push_back({Kind::owner, expected.outline[e], actual.outline[a],
                      fmt::format("expected polygon {} of the scene, got {}", expected.owner[e], actual.owner[a])});
   });
-  sort(found);
+  sortForReading(found);
   return found;
 }
 

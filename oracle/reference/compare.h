@@ -1,4 +1,5 @@
-// What differs between two outlines, and where, in words. A difference keeps both segments, so that it can be drawn.
+// Compares two outlines, and says in words what differs and where. A difference keeps both segments, so that it can be
+// drawn.
 #pragma once
 
 #include "oracle/reference/outline.h"
@@ -22,7 +23,7 @@ struct Difference {
   Kind kind;
   std::optional<OutlineSegment> expected;
   std::optional<OutlineSegment> actual;
-  std::string note;  ///< what it looks like, where that can be told: "an overlap that should have been cancelled"
+  std::string note;  ///< what probably went wrong: "an overlap that should have been cancelled"; often empty
 
   const OutlineSegment& segment() const { return expected ? *expected : *actual; }
 };
@@ -40,15 +41,15 @@ std::string describe(const Difference& difference);
 /// One line each; after the first `most`, "... and N more". Every line ends with an end of line.
 std::string describe(const std::vector<Difference>& differences, std::size_t most = 10);
 
-/// Which of a segment's links a reference vouches for.
+/// Which of a segment's links a reference knows.
 struct KnownLinks {
   bool ghost1 = true;
   bool ghost2 = true;
   friend bool operator==(KnownLinks, KnownLinks) = default;
 };
 
-/// `expected` with every link that is not known (known[k] for expected[k]) taken over from the same segment of `actual`,
-/// so that comparing or drawing the two shows differences only where the reference has an opinion.
+/// Returns `expected`, but each link that the reference does not know (known[k] for expected[k]) is copied from the
+/// same segment of `actual`. Comparing or drawing the two then shows differences in known links only.
 Outline withUnknownLinksOf(const Outline& actual, Outline expected, const std::vector<KnownLinks>& known);
 
 }  // namespace lgs::oracle

@@ -9,8 +9,8 @@
 namespace lgs::oracle {
 namespace {
 
-// Vertices are kept by columns of cells, and from bottom to top within a column, so that those near a cell are found by
-// bisection. It makes the reference fast and has no part in what it computes.
+// The order of vertices: by column of cells, then from bottom to top. Bisection then finds those near a cell. This
+// makes the reference fast, and does not change what it computes.
 bool byColumnThenHeight(Point a, Point b) {
   return std::tuple(cellIndex(a.x), a.y, a.x) < std::tuple(cellIndex(b.x), b.y, b.x);
 }
@@ -28,7 +28,7 @@ bool isMetBefore(Turn turn, Vector from, Vector a, Vector b) {
 
 bool coincide(Vector a, Vector b) { return cross(a, b) == 0 && dot(a, b) > 0; }
 
-// Of the far ends, the one met first when turning about `vertex` from the direction of `own` by an angle in (0, 2π).
+// Finds the far end that is met first when turning about `vertex`, from the direction of `own`, by an angle in (0, 2π).
 class FirstMet {
  public:
   FirstMet(Turn turn, Point vertex, Point own) : turn_(turn), vertex_(vertex), from_(own - vertex) {}

@@ -6,7 +6,7 @@
 //      it, an incoming segment's successor the outgoing one met first when turning counter-clockwise; a coincident
 //      direction is skipped.
 //
-// It recomputes everything, for any preserve relation, and knows no more of the grid than that a polygon lies inside its
+// It recomputes everything, and takes any preserve relation. Of the grid it uses only that a polygon lies inside its
 // cell. Cost: O(n log n) for n polygons of bounded size spread over the cells.
 #pragma once
 
@@ -19,10 +19,10 @@
 
 namespace lgs::oracle {
 
-/// Keeps its buffers from one scene to the next: use one object for many scenes. Scenes must be valid (scene.h).
+/// Keeps its buffers from one scene to the next, so use one object for many scenes. Scenes must be valid (scene.h).
 class NaiveReference {
  public:
-  /// The result is the object's own and stays as it is until the next call.
+  /// The result belongs to the object and stays valid until the next call.
   const OwnedOutline& operator()(const Scene& scene);
 
  private:
@@ -43,7 +43,7 @@ class NaiveReference {
   std::vector<Point> vertices_;  // distinct; by column of cells, then y, then x
   std::vector<AtomicEdge> edges_;
 
-  // The edges that leave, and those that arrive at, vertex v: [starts[v], starts[v + 1]) in the list.
+  // The edges that leave a vertex v, or those that arrive there: list[starts[v]] up to, but not, list[starts[v + 1]].
   struct EdgesByVertex {
     std::vector<Index> starts;
     std::vector<Index> list;

@@ -1,5 +1,5 @@
-// An outline: the boundary segments of a scene with their ghost vertices; what the engine, the naive reference and the
-// CGAL oracle each produce, in one form that can be compared.
+// An outline: the boundary segments of a scene, with their ghost vertices. The engine, the naive reference and CGAL are
+// all read into this form, so that they can be compared.
 #pragma once
 
 #include <lgs/ids.h>
@@ -23,7 +23,7 @@ struct OutlineSegment {
 /// Sorted by start, end, block.
 using Outline = std::vector<OutlineSegment>;
 
-/// An outline that also knows whose each segment is.
+/// An outline, and the owner of each segment.
 struct OwnedOutline {
   Outline outline;
   std::vector<std::uint32_t> owner;  ///< owner[k]: the polygon of outline[k], an index into Scene::polygons

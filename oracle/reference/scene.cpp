@@ -21,7 +21,7 @@ std::uint32_t Materials::of(Block block) const {
 }
 
 std::optional<Materials> materials(const Scene& scene) {
-  // Every block present, with its rivals: the blocks present that it is preserved against.
+  // Each block of the scene, with its rivals: the other blocks of the scene that it is preserved against.
   std::map<Block, std::vector<Block>> rivalsOf;
   for (const ScenePolygon& polygon : scene.polygons) rivalsOf[polygon.block];
   for (const auto& [a, b] : scene.preserve.pairs()) {
@@ -32,14 +32,17 @@ std::optional<Materials> materials(const Scene& scene) {
   }
   for (auto& entry : rivalsOf) std::sort(entry.second.begin(), entry.second.end());
 
-  // Blocks of one material have the same rivals, so equal lists are the only candidates. They are a material if their
-  // rivals are all the other blocks: none of them is in the list, for no block is its own rival.
+  // Blocks of one material have the same rivals, so each group of blocks with equal lists is a candidate. It is a
+  // material if its rivals are all the blocks outside the group. (No rival is inside: a block is never its own rival.)
   Materials result;
   std::map<std::vector<Block>, std::uint32_t> numberOf;
   std::vector<std::size_t> members;
   for (const auto& [block, rivals] : rivalsOf) {
     const auto [entry, isNew] = numberOf.try_emplace(rivals, result.count);
-    if (isNew) ++result.count, members.push_back(0);
+    if (isNew) {
+      ++result.count;
+      members.push_back(0);
+    }
     ++members[entry->second];
     result.ofBlocks.emplace_back(block, entry->second);
   }

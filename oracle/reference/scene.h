@@ -1,4 +1,4 @@
-// A scene: the placed polygons of a world at one moment, as plain values. The references compute from scenes; they
+// A scene: the placed polygons of a world at one moment, as plain values. The references compute from scenes. They
 // share nothing with the engine but the value types of <lgs/lattice.h> and <lgs/ids.h>.
 #pragma once
 
@@ -45,9 +45,9 @@ struct Materials {
   std::uint32_t of(Block block) const;                    ///< the block must be one of the scene's
 };
 
-/// The scene's materials, or nothing if its preserve relation is no such partition: "not preserved", restricted to the
-/// blocks that the scene's polygons carry, must be an equivalence relation. (With `preserve(1, 2)` alone it is one in a
-/// world of blocks 1 and 2, and none once there is a block 3 that joins both.)
+/// The scene's materials, or nothing if its preserve relation does not partition the blocks. It does if "not preserved"
+/// is an equivalence relation on the blocks of the scene's polygons. (With `preserve(1, 2)` alone it is one in a world
+/// of blocks 1 and 2. A block 3 would join both, so then it is none.)
 std::optional<Materials> materials(const Scene& scene);
 
 }  // namespace lgs::oracle

@@ -6,88 +6,91 @@
 namespace lgs::oracle {
 namespace {
 
-// Coordinates are doubled, so that the midpoint of two lattice points is an integer.
-struct P {
+// A lattice point with doubled coordinates, so that the middle of two points has integer coordinates as well.
+struct Doubled {
   std::int64_t x;
   std::int64_t y;
-  friend auto operator<=>(const P&, const P&) = default;
+  friend auto operator<=>(const Doubled&, const Doubled&) = default;
 };
 
-std::vector<P> doubled(const LocalPolygon& polygon) {
-  std::vector<P> points;
+std::vector<Doubled> doubled(const LocalPolygon& polygon) {
+  std::vector<Doubled> points;
   for (const LocalPoint& p : polygon) points.push_back({2 * std::int64_t{p.x}, 2 * std::int64_t{p.y}});
   return points;
 }
 
 // Positive: c is on the left of a→b.
-std::int64_t orientation(P a, P b, P c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+std::int64_t orientation(Doubled a, Doubled b, Doubled c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
 
 int sign(std::int64_t v) { return (v > 0) - (v < 0); }
 
-bool onSegment(P p, P a, P b) {
+bool onSegment(Doubled p, Doubled a, Doubled b) {
   return orientation(a, b, p) == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
          std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
 }
 
-// In one point, inside both.
-bool cross(P a, P b, P c, P d) {
+// Whether two edges cross in one point that is inside both.
+bool doCross(Doubled a, Doubled b, Doubled c, Doubled d) {
   return sign(orientation(a, b, c)) * sign(orientation(a, b, d)) < 0 &&
          sign(orientation(c, d, a)) * sign(orientation(c, d, b)) < 0;
 }
 
-bool touch(P a, P b, P c, P d) {
-  return cross(a, b, c, d) || onSegment(a, c, d) || onSegment(b, c, d) || onSegment(c, a, b) || onSegment(d, a, b);
+bool doTouch(Doubled a, Doubled b, Doubled c, Doubled d) {
+  return doCross(a, b, c, d) || onSegment(a, c, d) || onSegment(b, c, d) || onSegment(c, a, b) || onSegment(d, a, b);
 }
 
 template <class Visit>
-void forEachEdge(const std::vector<P>& polygon, Visit visit) {
+void forEachEdge(const std::vector<Doubled>& polygon, Visit visit) {
   for (std::size_t k = 0; k < polygon.size(); ++k) visit(polygon[k], polygon[(k + 1) % polygon.size()]);
 }
 
-enum class Side { inside, sameBoundary, oppositeBoundary, outside };
+enum class Position { inside, alongBoundary, againstBoundary, outside };
 
-// Where the middle of the directed edge a→b lies, seen from a polygon whose boundary does not cross it.
-Side sideOf(P a, P b, const std::vector<P>& polygon) {
-  const P middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
-  Side side = Side::outside;
+// Where the middle of the directed edge a→b lies in relation to a polygon. The polygon's boundary must not cross the
+// edge.
+Position positionOf(Doubled a, Doubled b, const std::vector<Doubled>& polygon) {
+  const Doubled middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+  Position position = Position::outside;
   bool odd = false;
-  forEachEdge(polygon, [&](P u, P v) {
+  forEachEdge(polygon, [&](Doubled u, Doubled v) {
     if (onSegment(middle, u, v)) {
       const bool same = (b.x - a.x) * (v.x - u.x) + (b.y - a.y) * (v.y - u.y) > 0;
-      side = same ? Side::sameBoundary : Side::oppositeBoundary;
+      position = same ? Position::alongBoundary : Position::againstBoundary;
     }
     // A ray to the right; the half-open rule counts a vertex once.
     if ((u.y > middle.y) != (v.y > middle.y) && (orientation(u, v, middle) > 0) == (v.y > u.y)) odd = !odd;
   });
-  return side == Side::outside && odd ? Side::inside : side;
+  return position == Position::outside && odd ? Position::inside : position;
 }
 
-// Whether a piece of a's boundary lies inside b, or on b's boundary with the solid on the same side.
-bool boundaryEnters(const std::vector<P>& a, const std::vector<P>& b) {
+// Whether a piece of a's boundary lies inside b, or along b's boundary with the solid on the same side.
+bool boundaryEnters(const std::vector<Doubled>& a, const std::vector<Doubled>& b) {
   bool enters = false;
-  forEachEdge(a, [&](P from, P to) {
-    std::vector<P> cuts{from, to};
-    for (const P& p : b) {
+  forEachEdge(a, [&](Doubled from, Doubled to) {
+    std::vector<Doubled> cuts{from, to};
+    for (const Doubled& p : b) {
       if (onSegment(p, from, to)) cuts.push_back(p);
     }
     std::sort(cuts.begin(), cuts.end());
     if (to < from) std::reverse(cuts.begin(), cuts.end());
     for (std::size_t k = 1; k < cuts.size(); ++k) {
       if (cuts[k - 1] == cuts[k]) continue;
-      const Side side = sideOf(cuts[k - 1], cuts[k], b);
-      if (side == Side::inside || side == Side::sameBoundary) enters = true;
+      const Position position = positionOf(cuts[k - 1], cuts[k], b);
+      if (position == Position::inside || position == Position::alongBoundary) enters = true;
     }
   });
   return enters;
 }
 
-bool edgesMeet(const std::vector<P>& p, std::size_t i, std::size_t j) {
+bool edgesMeet(const std::vector<Doubled>& p, std::size_t i, std::size_t j) {
   const auto after = [&](std::size_t k) { return (k + 1) % p.size(); };
-  const P a = p[i], b = p[after(i)], c = p[j], d = p[after(j)];
+  const Doubled a = p[i], b = p[after(i)], c = p[j], d = p[after(j)];
   if (i == j) return false;
   if (after(i) == j) return onSegment(d, a, b) || onSegment(a, c, d);  // folds back
   if (after(j) == i) return onSegment(c, a, b) || onSegment(b, c, d);
-  return touch(a, b, c, d);
+  return doTouch(a, b, c, d);
 }
 
 }  // namespace
@@ -101,9 +104,9 @@ std::optional<ErrorCode> faultOf(const LocalPolygon& polygon) {
   LocalPolygon sorted = polygon;
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return ErrorCode::repeatedVertex;
-  const std::vector<P> points = doubled(polygon);
+  const std::vector<Doubled> points = doubled(polygon);
   std::int64_t area = 0;
-  forEachEdge(points, [&](P a, P b) { area += a.x * b.y - a.y * b.x; });
+  forEachEdge(points, [&](Doubled a, Doubled b) { area += a.x * b.y - a.y * b.x; });
   if (area == 0) return ErrorCode::zeroArea;
   if (area < 0) return ErrorCode::clockwise;
   for (std::size_t j = 0; j < polygon.size(); ++j)
@@ -115,10 +118,12 @@ std::optional<ErrorCode> faultOf(const LocalPolygon& polygon) {
 bool edgesMeet(const LocalPolygon& polygon, std::size_t i, std::size_t j) { return edgesMeet(doubled(polygon), i, j); }
 
 bool overlap(const LocalPolygon& a, const LocalPolygon& b) {
-  const std::vector<P> p = doubled(a);
-  const std::vector<P> q = doubled(b);
+  const std::vector<Doubled> p = doubled(a);
+  const std::vector<Doubled> q = doubled(b);
   bool crossing = false;
-  forEachEdge(p, [&](P s, P t) { forEachEdge(q, [&](P u, P v) { crossing = crossing || cross(s, t, u, v); }); });
+  forEachEdge(p, [&](Doubled s, Doubled t) {
+    forEachEdge(q, [&](Doubled u, Doubled v) { crossing = crossing || doCross(s, t, u, v); });
+  });
   return crossing || boundaryEnters(p, q) || boundaryEnters(q, p);
 }
 

@@ -1,5 +1,5 @@
-// Whether a polygon may be placed: the rules of a placed polygon, the slow and obvious way. The generator makes its
-// scenes by it, and the checker holds the engine's refusals against it.
+// Whether a polygon may be placed: the rules, checked the slow and obvious way. The generator makes its scenes by these
+// rules, and the checker compares the engine's refusals with them.
 #pragma once
 
 #include <lgs/error.h>
@@ -16,8 +16,9 @@ using LocalPolygon = std::vector<LocalPoint>;
 /// inside the closed cell.
 std::optional<ErrorCode> faultOf(const LocalPolygon& polygon);
 
-/// Whether two edges of a polygon of distinct vertices, each named by its first one, have a point in common that they must
-/// not have: any but the vertex between them, if they follow each other.
+/// Whether two edges of a polygon have a point in common that they must not have. Edges that follow each other may
+/// share the vertex between them, and nothing else. An edge has the number of its first vertex; the vertices are
+/// distinct.
 bool edgesMeet(const LocalPolygon& polygon, std::size_t i, std::size_t j);
 
 /// Whether the interiors of two faultless polygons of one cell meet.

@@ -1,5 +1,5 @@
-// Differences of points, and the two products that decide everything. Exact as long as a vector stays inside a cell or
-// a few thousand cells: components up to 2^30.
+// Differences of points, and the two products that decide everything. The products are exact for components up to 2^30,
+// which is 16,384 cells.
 #pragma once
 
 #include <lgs/lattice.h>
@@ -34,7 +34,7 @@ constexpr Vector direction(Vector v) {
   return divisor == 0 ? v : Vector{v.x / divisor, v.y / divisor};
 }
 
-/// The index of the cell, or of the column or row, that a world coordinate lies in; on a line: the upper one.
+/// The column or row of cells that a world coordinate lies in. On a line between two it is the upper one.
 constexpr std::int64_t cellIndex(std::int64_t coordinate) {
   return (coordinate >= 0 ? coordinate : coordinate - (kUnitsPerCell - 1)) / kUnitsPerCell;
 }

@@ -49,4 +49,12 @@ std::string placeInWords(Point start, Point end) {
   return fmt::format("{} cell ({}, {})", where, i, j);
 }
 
+std::string ghostInWords(const std::optional<Point>& ghost) { return ghost ? inWords(*ghost) : "none"; }
+
+std::string counted(std::uint64_t n, std::string_view noun) {
+  std::string text = std::to_string(n);
+  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, ",");
+  return text.append(" ").append(noun).append(n == 1 ? "" : "s");
+}
+
 }  // namespace lgs::oracle

@@ -11,11 +11,11 @@
 namespace lgs::box2d_test {
 namespace {
 
-using oracle::Deviation;
-using oracle::RideOptions;
-using oracle::Rider;
-using oracle::Track;
-using oracle::Way;
+using bench::Deviation;
+using bench::RideOptions;
+using bench::Rider;
+using bench::Track;
+using bench::Way;
 
 constexpr Rider kRiders[] = {Rider::circle, Rider::box, Rider::capsule, Rider::polygon};
 
@@ -32,7 +32,7 @@ Unrest unrestOf(const Track& track, float speed) {
   float low = track.samples[kSettled].position.y;
   float high = low;
   for (std::size_t k = kSettled; k < track.samples.size(); ++k) {
-    const oracle::Sample& s = track.samples[k];
+    const bench::Sample& s = track.samples[k];
     most.along = std::max(most.along, std::abs(s.velocity.x - speed));
     most.vertical = std::max(most.vertical, std::abs(s.velocity.y));
     low = std::min(low, s.position.y);

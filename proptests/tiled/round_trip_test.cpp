@@ -63,14 +63,14 @@ TEST(TiledRoundTrip, RandomMaps) {
   const auto failure =
       test::firstFailure({.name = "tiled-round-trip",
                           .count = 60,
-                          .trace = [](std::uint64_t seed) { return oracle::traceOf(randomMap(seed)); },
+                          .trace = [](std::uint64_t seed) { return cli::traceOf(randomMap(seed)); },
                           .complaint =
                               [](const oracle::Trace& trace, std::uint64_t seed) {
                                 return test::failedExpectation([&] {
                                   const ImportedMap map = randomMap(seed);
                                   ASSERT_GT(map.report.polygons, 0U);
                                   // Made small, the trace is of no map any more: what it places has to come back all the same.
-                                  comesBack(trace, trace == oracle::traceOf(map) ? worldOf(map) : worldOf(trace));
+                                  comesBack(trace, trace == cli::traceOf(map) ? worldOf(map) : worldOf(trace));
                                 });
                               },
                           .mayBe =
@@ -83,7 +83,7 @@ TEST(TiledRoundTrip, RandomMaps) {
 TEST(TiledRoundTrip, TheProjectsOwnMap) {
   const auto map = importMap(LGS_SOURCE_DIR "/examples/maps/landscape.tmx");
   ASSERT_TRUE(map) << message(map.error());
-  comesBack(oracle::traceOf(*map), worldOf(*map));
+  comesBack(cli::traceOf(*map), worldOf(*map));
 }
 
 }  // namespace

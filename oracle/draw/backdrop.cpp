@@ -12,7 +12,7 @@ namespace {
 constexpr double kAxisGap = 7;      // between the paper and its labels
 constexpr double kAxisHeight = 22;  // below the paper
 
-// Room between the rim cells and the rim of the paper, where arrows and links of the outermost segments go.
+// The room between the outermost cells and the rim of the paper. Arrows and links of the outermost segments go there.
 double padding(Detail detail) { return detail == Detail::full ? 22 : 8; }
 
 double axisLabelWidth(const Axis& axis) {
@@ -67,7 +67,7 @@ void drawSolids(Svg& svg, const Plot& plot, const Scene& scene, double strength)
     for (std::size_t k = 1; k < p.vertices.size(); ++k) path.lineTo(plot.at(toWorld(p.cell, p.vertices[k])));
     path.close();
   }
-  // Seams between polygons are worth seeing where there is room for them, and would be noise elsewhere.
+  // Seams between polygons are drawn where there is room for them. Elsewhere they would be noise.
   const double seams = plot.detail() == Detail::lines ? 0 : 0.16 * strength;
   const auto fills = fillsOf(scene);
   svg.open("g", {{"fill-opacity", strength}, {"stroke", kInk}, {"stroke-opacity", seams}});
@@ -120,7 +120,7 @@ void drawAxes(Svg& svg, const Plot& plot, const Paper& paper) {
   const Axis& columns = plot.extent().columns;
   const double width = axisLabelWidth(columns);
   const double below = paper.corner.y + paper.height + kAxisGap + kLabelSize * 0.8;
-  double free = 0;  // where the next label may begin: on both sides of a fold they can come close
+  double free = 0;  // where the next label may begin; labels on both sides of a fold can come too close
   svg.open("g", {{"font-size", kLabelSize}, {"fill", kMuted}, {"text-anchor", "middle"}});
   for (const std::int64_t line : linesOf(columns, labelStep(plot.cellSize(), width + 14))) {
     const double x = plot.column(line * kUnitsPerCell);
@@ -162,7 +162,7 @@ Panel::Panel(const Extent& extent, double cellSize, Vec topLeft)
       width(plot.corner().x - topLeft.x + plot.width() + padding(plot.detail())),
       height(plot.height() + 2 * padding(plot.detail()) + kAxisHeight) {}
 
-void drawGround(Svg& svg, const Plot& plot, const Scene& scene, std::span<const Cell> edited, double strength) {
+void drawBackdrop(Svg& svg, const Plot& plot, const Scene& scene, std::span<const Cell> edited, double strength) {
   const Paper paper(plot);
   svg.leaf("rect", {{"x", paper.corner.x},
                     {"y", paper.corner.y},
@@ -176,7 +176,7 @@ void drawGround(Svg& svg, const Plot& plot, const Scene& scene, std::span<const 
   drawSolids(svg, plot, scene, strength);
   drawGrid(svg, plot);
   const bool fine = plot.detail() == Detail::lines;
-  // Well inside the cell: a wall along its rim is what a picture is about.
+  // The mark stays well inside the cell, so that it does not hide walls along the rim.
   const double inset = fine ? 0 : std::min(6.0, plot.cellSize() / 6);
   Path cells;
   for (const Cell& c : edited) {
@@ -195,7 +195,7 @@ void drawGround(Svg& svg, const Plot& plot, const Scene& scene, std::span<const 
 }
 
 void beginClip(Svg& svg, const Plot& plot) {
-  // A nested picture rather than a clip path: a clip path needs an id, which clashes when pictures share a page.
+  // A nested picture, not a clip path: that needs an id, and ids clash where pictures share a page.
   const Paper paper(plot);
   svg.open("svg", {{"x", paper.corner.x},
                    {"y", paper.corner.y},

@@ -1,9 +1,9 @@
 // Times: how one is taken, and what is said of many.
 //
-// A single edit takes some hundred nanoseconds, and reading the clock some twenty. So timeOf() takes off what it
-// measures for no work at all (the median of many such measurements, taken at the start). What a processor does of the
-// work while the clock is still being read is lost in that, so single times of less than some 50 ns mean little;
-// Google Benchmark's means over many edits, which read the clock seldom, are there to compare with.
+// A single edit takes some hundred nanoseconds, and reading the clock takes some twenty. So timeOf() subtracts what it
+// measures for no work at all: the median of many such measurements, taken at the start. A processor may begin the work
+// while it still reads the clock, and that part is lost. So single times of less than some 50 ns mean little. Google
+// Benchmark reads the clock seldom; its means over many edits are there to compare with.
 #pragma once
 
 #include <algorithm>
@@ -17,15 +17,15 @@ namespace lgs::bench {
 using Clock = std::chrono::steady_clock;
 using Nanoseconds = std::int64_t;
 
-class Sample {
+class Times {
  public:
   void add(Nanoseconds time) { times_.push_back(time); }
-  void add(const Sample& other) { times_.insert(times_.end(), other.times_.begin(), other.times_.end()); }
+  void add(const Times& other) { times_.insert(times_.end(), other.times_.begin(), other.times_.end()); }
   void reserve(std::size_t count) { times_.reserve(times_.size() + count); }
   std::size_t size() const { return times_.size(); }
   bool empty() const { return times_.empty(); }
 
-  /// Of a sample that is not empty: the least time that `percent` of all do not exceed.
+  /// The least time that `percent` of all do not exceed. There must be times.
   Nanoseconds percentile(std::size_t percent) const {
     std::vector<Nanoseconds> times = times_;
     const std::size_t rank = std::max<std::size_t>(1, (times.size() * percent + 99) / 100);
@@ -47,12 +47,12 @@ inline Nanoseconds nanoseconds(Clock::duration time) {
 /// What taking a time costs by itself.
 inline Nanoseconds clockCost() {
   static const Nanoseconds cost = [] {
-    Sample sample;
+    Times times;
     for (int k = 0; k < 10'001; ++k) {
       const Clock::time_point begin = Clock::now();
-      sample.add(nanoseconds(Clock::now() - begin));
+      times.add(nanoseconds(Clock::now() - begin));
     }
-    return sample.median();
+    return times.median();
   }();
   return cost;
 }

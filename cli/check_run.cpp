@@ -1,0 +1,68 @@
+#include "cli/check_run.h"
+
+#include "oracle/check/isolated.h"
+#include "oracle/draw/draw.h"
+#include "oracle/reference/words.h"
+#include "oracle/trace/dump.h"
+#include "oracle/trace/player.h"
+
+#include <fmt/format.h>
+
+namespace lgs::cli {
+
+using namespace oracle;
+
+namespace {
+
+void printSummary(const CheckArguments& arguments, const Totals& totals) {
+  const CheckStats& s = totals.stats;
+  fmt::print("no mismatch\n");
+  const std::uint64_t edits = s.edits - totals.built;
+  const double seconds = totals.seconds();
+  if (totals.built > 0) fmt::print("built by   {}\n", counted(totals.built, "edit"));
+  fmt::print("edits      {}, {} of them refused as they must be\n", edits, s.refused);
+  fmt::print("commits    {}\n", s.commits);
+  fmt::print("compared   {} times with CGAL, {} with the naive reference; {} times the whole world\n", s.cgal, s.naive,
+             s.whole);
+  fmt::print("segments   {} compared\n", s.segments);
+  fmt::print("time       {:.1f} s, {:.0f} edits/s\n", seconds, static_cast<double>(edits) / seconds);
+  if (!arguments.map.empty()) return;
+  fmt::print("cases      {}; of these had\n{}", totals.cases.cases, table(totals.cases));
+}
+
+}  // namespace
+
+ReportOptions reportOptions(const CheckArguments& arguments, const Checked& checked) {
+  return {arguments.out, checked.name, checked.reproduce,
+          std::chrono::milliseconds(static_cast<std::int64_t>(arguments.shrinkSeconds * 1'000))};
+}
+
+Status isolated(const CheckArguments& arguments, const CheckOptions& options, const std::function<Status()>& check,
+                const std::function<Checked()>& playing) {
+  const Shared<Status> status;
+  const auto crash = crashOf([&] { *status = flushed(check()); });
+  if (!crash) return *status;
+  const Checked checked = playing();
+  reportCrash(*crash, checked.trace, options, reportOptions(arguments, checked));
+  return Status::mismatch;
+}
+
+Status finish(const CheckArguments& arguments, const Totals& totals, const Scene& last) {
+  printSummary(arguments, totals);
+  if (arguments.svg.empty()) return Status::fine;
+  Player player(last.preserve);  // builds the world anew, because history does not matter
+  for (const ScenePolygon& polygon : last.polygons) {
+    const std::string name = fmt::format("{}", player.scene().polygons.size());
+    if (const auto done = player.apply(Edit::add(name, polygon)); !done) return complain(done.error().text);
+  }
+  player.commit();
+  DrawOptions options;
+  options.title = arguments.map.empty()
+                      ? fmt::format("lgs check, seed {}", arguments.seed)
+                      : fmt::format("{}, dug and refilled by {}", arguments.map, counted(arguments.edits, "edit"));
+  const Status written = write(arguments.svg, drawWorld(last, outlineOf(player.world()), options));
+  if (written == Status::fine && arguments.svg != "-") fmt::print("picture    {}\n", arguments.svg);
+  return written;
+}
+
+}  // namespace lgs::cli

@@ -1,0 +1,66 @@
+// What the two kinds of runs of `lgs check` share: their arguments, their ends, and what is said of them.
+#pragma once
+
+#include "cli/command.h"
+#include "oracle/check/report.h"
+#include "oracle/generate/features.h"
+#include "oracle/generate/generator.h"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace lgs::cli {
+
+struct CheckArguments {
+  oracle::GeneratorOptions world{4, 4, 100};
+  std::size_t edits = 20'000;
+  std::uint64_t seed = 1;
+  std::optional<std::size_t> onlyCase;
+  std::string map;
+  std::string out = ".";
+  std::string svg;
+  double shrinkSeconds = 20;
+  oracle::CheckOptions options;
+
+  std::string oracleName() const { return options.naive && options.cgal ? "both" : options.naive ? "naive" : "cgal"; }
+};
+
+/// Checks random worlds, one case after the other.
+Status checkRandom(const CheckArguments& arguments);
+
+/// Digs in a given world.
+Status checkMap(const CheckArguments& arguments);
+
+/// A trace to check.
+struct Checked {
+  oracle::Trace trace;
+  std::string name;       ///< of the files that are written if it fails
+  std::string reproduce;  ///< the command that checks it again
+};
+
+/// How to report a mismatch in this trace.
+oracle::ReportOptions reportOptions(const CheckArguments& arguments, const Checked& checked);
+
+/// Runs a check in a process of its own. If the engine makes that crash or hang, reports the trace that was being
+/// played: `playing` returns it.
+Status isolated(const CheckArguments& arguments, const oracle::CheckOptions& options,
+                const std::function<Status()>& check, const std::function<Checked()>& playing);
+
+/// The clock of a run, and what it counts.
+struct Totals {
+  oracle::CheckStats stats;
+  std::size_t built = 0;  ///< how many of the edits make up the map
+  oracle::Distribution cases;
+  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); }
+};
+
+/// Ends a run without a mismatch: prints a summary and draws the last world, if that was asked for.
+Status finish(const CheckArguments& arguments, const Totals& totals, const oracle::Scene& last);
+
+}  // namespace lgs::cli
