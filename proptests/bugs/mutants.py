@@ -4,8 +4,8 @@
 A mutant is the code with one small change: an operator for another, a constant one more or less, a condition negated,
 a statement dropped, two arguments swapped (rules.py). If the tests that are built with it are the same program as
 without it, it is none. Any other is given to the tests of its component, at a small scale, the quick ones first. What
-lives is printed as a diff; what is listed in equivalent.toml, with the reason why no test can tell it from the code, does
-not count.
+lives is printed as a diff; what is listed in equivalent.toml, with the reason why no test can tell it from the code,
+does not count.
 
 The score is killed / (killed + living). A mutant on which the tests run out of CPU time is neither. Results are kept in
 out/bugs/mutants.jsonl as they come, so that an interrupted run goes on where it was; they hold for the state of the
