@@ -1,7 +1,7 @@
-# Sourced by run.sh, canary.sh and coverage.sh, with their arguments: takes the options apart.
+# Sourced by run.sh and coverage.sh, with their arguments: takes the options apart.
 # shellcheck shell=bash
 # Before sourcing: the comment at the script's top is its help, and `settings` names the variable that each option sets,
-# as declare -A settings=([--seconds]=seconds). Afterwards: those are set, and what is no option is in `words`.
+# as declare -A settings=([--build]=build). Afterwards: those are set, and what is no option is in `words`.
 
 words=()
 while (($#)); do

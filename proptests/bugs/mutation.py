@@ -1,0 +1,174 @@
+"""Mutants: where they come from, and what the tests make of them."""
+
+import argparse
+import functools
+import hashlib
+import threading
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+
+import pool
+import programs
+from components import COMPONENTS
+from results import Results
+from rules import Change, changes_of
+from search import AtFault
+from workshop import ROOT, DoesNotBuild, Workshop
+
+VERDICTS = ("killed", "lives", "time-out", "same code", "does not compile")
+QUICK = (0.05, 0.5)  # seconds: tests that take less are run before the others
+EXPLAINED = Path(__file__).parent / "equivalent.toml"
+
+
+@functools.cache
+def text_of(file: str) -> str:
+    return (ROOT / file).read_text()
+
+
+@dataclass(frozen=True)
+class Mutant:
+    component: str
+    file: str
+    change: Change
+
+    def text(self) -> str:
+        text = text_of(self.file)
+        return text[:self.change.start] + self.change.text + text[self.change.end:]
+
+    def lines(self) -> tuple[str, str]:
+        """The lines that are changed: before, and after."""
+        text = text_of(self.file)
+        first = text.rfind("\n", 0, self.change.start) + 1
+        last = text.find("\n", self.change.end)
+        return text[first:last], text[first:self.change.start] + self.change.text + text[self.change.end:last]
+
+    def place(self) -> str:
+        return f"{self.file}:{text_of(self.file).count(chr(10), 0, self.change.start) + 1}"
+
+    def diff(self) -> str:
+        before, after = self.lines()
+        shown = [f"-{line}" for line in before.splitlines()] + [f"+{line}" for line in after.splitlines()]
+        return "\n".join([f"{self.place()} {self.change.rule}", *shown])
+
+    def words(self) -> list:
+        """What a result depends on, beside the state of the code."""
+        return [self.file, self.change.start, self.change.end, self.change.text]
+
+
+def mutants_of(component: str) -> list[Mutant]:
+    files = sorted(str(path.relative_to(ROOT)) for folder in COMPONENTS[component].folders
+                   for path in (ROOT / folder).rglob("*") if path.suffix in (".h", ".cpp"))
+    return [Mutant(component, file, change) for file in files for change in changes_of(text_of(file))]
+
+
+# --- Those that are explained -----------------------------------------------------------------------------------------
+
+
+def squeezed(text: str) -> str:
+    return " ".join(text.split())
+
+
+class Explained:
+    """equivalent.toml: mutants that no test can tell from the code, and why."""
+
+    def __init__(self):
+        listed = tomllib.loads(EXPLAINED.read_text()).get("mutant", [])
+        self.why = {(m["file"], squeezed(m["was"]), squeezed(m["is"])): m["why"] for m in listed}
+
+    def of(self, mutant: Mutant) -> str | None:
+        before, after = mutant.lines()
+        return self.why.get((mutant.file, squeezed(before), squeezed(after)))
+
+    def stale(self) -> list[str]:
+        """Entries whose line is no more."""
+        return [f"{file}: {was}" for file, was, _ in self.why
+                if not (ROOT / file).is_file() or was not in squeezed(text_of(file))]
+
+
+# --- The tests --------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Batch:
+    """Tests that one process runs."""
+    tests: tuple[str, ...]
+    limit: float  # seconds of CPU
+
+
+class Bench:
+    """A workshop and how to try a mutant there."""
+
+    preparing = threading.Lock()
+    batches: dict[str, list[Batch]] = {}  # by component
+
+    def __init__(self, workshop: Workshop, seed: int, scale: float):
+        self.workshop = workshop
+        self.environment = {"LGS_TEST_SCALE": str(scale), "RC_PARAMS": f"seed={seed} noshrink=1"}
+        self.clean: dict[str, bytes] = {}  # digests of programs without a mutant
+
+    def program(self, name: str) -> Path:
+        return self.workshop.program("tests", COMPONENTS[name].program)
+
+    def digest(self, name: str) -> bytes:
+        return hashlib.sha256(self.program(name).read_bytes()).digest()
+
+    def prepare(self, name: str) -> None:
+        if name in self.clean:
+            return
+        try:
+            self.workshop.build("tests", COMPONENTS[name].program)
+        except DoesNotBuild as error:
+            raise AtFault(f"without any mutant {COMPONENTS[name].program} does not build:\n{error}") from error
+        self.clean[name] = self.digest(name)
+        with self.preparing:
+            if name not in self.batches:
+                self.batches[name] = self.measure(name)
+
+    def measure(self, name: str) -> list[Batch]:
+        """The tests by how long they take."""
+        result = programs.run_tests(self.program(name), COMPONENTS[name].tests, self.workshop.folder, 3_600,
+                                    self.environment)
+        if result["verdict"] != "passes":
+            raise AtFault(f"without any mutant {result['test']} fails; mend that first")
+        times = programs.times(self.workshop.folder)
+        a_second = result["cpu"] / max(sum(times.values()), 0.01)  # of the clock, in CPU seconds
+        batches, least = [], 0.0
+        for most in (*QUICK, 1e9):
+            tests = tuple(t for t in sorted(times, key=times.get) if least <= times[t] < most)
+            if tests:
+                batches.append(Batch(tests, 10 + 5 * a_second * sum(times[t] for t in tests)))
+            least = most
+        return batches
+
+    def try_mutant(self, mutant: Mutant) -> dict:
+        self.prepare(mutant.component)
+        with self.workshop.changed(mutant.file, mutant.text()):
+            try:
+                self.workshop.build("tests", COMPONENTS[mutant.component].program)
+            except DoesNotBuild:
+                return {"verdict": "does not compile"}
+            if self.digest(mutant.component) == self.clean[mutant.component]:
+                return {"verdict": "same code"}
+            for batch in self.batches[mutant.component]:
+                result = programs.run_tests(self.program(mutant.component), ":".join(batch.tests), self.workshop.folder,
+                                            batch.limit, self.environment)
+                if result["verdict"] != "passes":
+                    return {**result, "verdict": "killed" if result["verdict"] == "found" else "time-out"}
+        return {"verdict": "lives"}
+
+
+def run(mutants: list[Mutant], files: list[str], results: Results, arguments: argparse.Namespace, show) -> None:
+    """show(mutant, result) for each: those that are known first."""
+    waiting = []
+    for mutant in mutants:
+        known = results.get(*mutant.words())
+        if known and known["verdict"] != arguments.again:
+            show(mutant, known)
+        else:
+            waiting.append(mutant)
+
+    def done(mutant: Mutant, result: dict) -> None:
+        show(mutant, results.put(result, *mutant.words()))
+
+    pool.spread(waiting, files, arguments.jobs, lambda w: Bench(w, arguments.seed, arguments.scale).try_mutant, done)

@@ -1,0 +1,89 @@
+"""Copies of the project in which its code can be changed without harm, each with a build of its own."""
+
+import contextlib
+import hashlib
+import shutil
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+FOLDER = ROOT / "build" / "bugs"
+
+
+def sources() -> list[str]:
+    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, check=True, text=True,
+                            capture_output=True).stdout.splitlines()
+    return [f for f in listed if (ROOT / f).is_file()]
+
+
+def state_of(files: list[str]) -> str:
+    """Of all that can change a result: the code, what tests it, and how they are built."""
+    digest = hashlib.sha256()
+    folders = ("lib/", "oracle/", "proptests/", "fuzz/", "cmake/", "bench/ride/")
+    for file in sorted(files):
+        if (file == "CMakeLists.txt" or file.startswith(folders)) and not file.startswith("proptests/bugs/"):
+            digest.update(file.encode() + (ROOT / file).read_bytes())
+    return digest.hexdigest()
+
+
+class DoesNotBuild(Exception):
+    pass
+
+
+class Workshop:
+    """A copy of the project. Its tests are built with optimisation and without assertions; its fuzz targets, with clang
+    and for libFuzzer, only when they are asked for."""
+
+    def __init__(self, number: int, files: list[str], jobs: int):
+        self.folder = FOLDER / str(number)
+        self.tree = self.folder / "tree"
+        self.jobs = jobs
+        self.copy(files)
+
+    def copy(self, files: list[str]) -> None:
+        """Writes only what differs, so that little has to be built again."""
+        wanted = set(files)
+        for stale in self.tree.rglob("*"):
+            if stale.is_file() and str(stale.relative_to(self.tree)) not in wanted:
+                stale.unlink()
+        for file in files:
+            source, target = ROOT / file, self.tree / file
+            if target.exists() and target.read_bytes() == source.read_bytes():
+                continue
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(source, target)
+
+    def configure(self, kind: str) -> Path:
+        build = self.folder / kind
+        if (build / "build.ninja").exists():
+            return build
+        options = {
+            "tests": ["-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",
+                      f"-DCMAKE_PROJECT_LocalGridSeg_INCLUDE={self.tree}/proptests/bugs/precompiled.cmake"],
+            "fuzz": ["-DCMAKE_CXX_COMPILER=clang++", "-DLGS_BUILD_TESTS=OFF", "-DLGS_BUILD_FUZZERS=ON"],
+        }
+        done = subprocess.run(["cmake", "-S", self.tree, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                               *options[kind]], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        if done.returncode != 0:
+            raise DoesNotBuild(done.stdout[-4000:])
+        return build
+
+    def build(self, kind: str, *targets: str) -> None:
+        done = subprocess.run(["cmake", "--build", self.configure(kind), "-j", str(self.jobs), "--target", *targets],
+                              text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        if done.returncode != 0:
+            raise DoesNotBuild(done.stdout[-4000:])
+
+    def program(self, kind: str, name: str) -> Path:
+        return next(p for p in (self.folder / kind).rglob(name) if p.is_file())
+
+    @contextlib.contextmanager
+    def changed(self, file: str, text: str):
+        """While it lasts, a file has another text."""
+        target = self.tree / file
+        original = target.read_text()
+        target.write_text(text)
+        try:
+            yield
+        finally:
+            target.write_text(original)
