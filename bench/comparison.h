@@ -33,19 +33,21 @@ class Comparison {
  public:
   explicit Comparison(ComparisonOptions options) : options_(std::move(options)) {}
 
-  /// A world from nothing. Rows of `scenario`: computing the boundary; of "polygons-" + scenario: making the polygons.
+  /// Times a world from nothing. Adds rows of `scenario` for computing the boundary, and of "polygons-" + scenario for
+  /// making the polygons.
   void build(const std::string& scenario, const Tiles& tiles, const std::vector<std::string_view>& names);
 
-  /// One polygon removed, or added, and committed. Rows of "edit-" + size: anywhere in the world; of "dig-" + size:
-  /// each some cells from the last one.
+  /// Times removing or adding one polygon, with its commit. Adds rows of "edit-" + size for edits anywhere in the
+  /// world, and of "dig-" + size for edits some cells from the last one.
   void edit(const std::string& size, const Tiles& tiles, const std::vector<std::string_view>& names);
 
-  /// What an edit costs those that recompute: the world again. Their rows of the build `from` once more, as `to`.
+  /// An edit costs a subject that recomputes as much as the whole world. So this repeats its rows of the build `from`
+  /// as rows of `to`.
   void recomputeInstead(const std::string& from, const std::string& to);
 
   const std::vector<Row>& rows() const { return rows_; }
   const std::vector<std::string>& notes() const { return notes_; }  ///< what was left out, and why
-  bool agree() const { return agree_; }                             ///< every subject with the first
+  bool agree() const { return agree_; }                             ///< whether all subjects agree with the engine
   std::uint64_t checksum() const { return checksum_; }              ///< of the boundaries of all scenarios
 
  private:

@@ -43,7 +43,7 @@ Tiles landscape() {
   for (const tiled::Placement& p : map.placements) {
     Kind& kind = cells[p.cell];
     kind.polygons.push_back(map.shapes[p.shape]);
-    kind.block = p.block;  // one block for the cell; only where layers overlap it could have several
+    kind.block = p.block;  // a cell has one block here, even where layers overlap
   }
   Cell min = cells.begin()->first;
   Cell max = min;

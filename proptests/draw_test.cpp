@@ -229,6 +229,18 @@ TEST(DrawMismatch, ZoomsInOnALargeWorld) {
   EXPECT_THAT(Picture(drawMismatch(scene, expected, actual)).texts(), Contains("2 differences, 1 in this view"));
 }
 
+TEST(DrawMismatch, KeepsCoordinatesSmallWhereASegmentLeavesTheView) {
+  const Scene scene = smallScene();
+  const Outline expected = naiveOutline(scene);
+  Outline actual = expected;
+  actual.push_back({{5 * U, 5 * U}, {std::int64_t{kMaxCell} * U, 5 * U}, 1, {}, {}});
+  MismatchOptions options;
+  options.view = CellRect{{-1, -1}, {6, 6}};
+  for (const std::string& path : Picture(drawMismatch(scene, expected, actual, options)).paths()) {
+    EXPECT_THAT(numbersOf(path), Each(Lt(20'000)));
+  }
+}
+
 TEST(DrawMismatch, ListsSegmentsBeforeGhosts) {
   Scene scene;
   scene.polygons = {{{0, 0}, 1, kSquare}, {{1, 0}, 1, kSquare}};

@@ -1,4 +1,4 @@
-"""What was measured: the comparison's rows (of `lgs bench --json`) and the engine's (of `lgs_bench`)."""
+"""What was measured: the rows of the comparison (`lgs bench --json`) and of the engine (`lgs_bench`)."""
 
 import csv
 import json
@@ -16,12 +16,12 @@ class Results:
             self.engine[name] = row
 
     def median(self, scenario, subject):
-        """In ns; None if that was not measured."""
+        """A median in ns, or None if it was not measured."""
         row = self.comparison.get((scenario, subject))
         return row and row["median_ns"]
 
     def of(self, name):
-        """An engine's row; empty if that was not measured."""
+        """A row of the engine, empty if it was not measured."""
         return self.engine.get(name, {})
 
     def write_json(self, path):

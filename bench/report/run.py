@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
 """Measures everything and writes it down: figures as JSON and CSV, plots as SVG, the tables of the docs.
 
-    bench/report/run.py            all of it, some minutes; docs/timings*.svg, docs/timings.md and README.md are refreshed
-    bench/report/run.py --quick    smaller worlds, half a minute; the docs are left alone
+    bench/report/run.py            all of it, some minutes; refreshes docs/timings*.svg, docs/timings.md and README.md
+    bench/report/run.py --quick    smaller worlds, half a minute; leaves the docs alone
 
-Wants a quiet machine. Installs polygon-clipping with npm if Node is here and the package is not.
+The figures need a quiet machine, the plots need matplotlib (Debian: python3-matplotlib). If Node is here and
+polygon-clipping is not, npm installs it.
 """
 
 import argparse
 import datetime
+import importlib
+import importlib.util
 import json
 import os
 import pathlib
@@ -17,17 +20,22 @@ import shutil
 import subprocess
 import sys
 
-from plots import PLOTS
 from results import Results
 from tables import TABLES
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DOCS = (ROOT / "docs/timings.md", ROOT / "README.md")
 
-# Rounds of the comparison by side of its worlds, and the sizes of lgs_bench.
-FULL = {"rounds": {10: 5, 32: 5, 316: 1, 100: 5}, "max_cells": 10_000_000, "edits": 20_000, "min_time": 0.3, "all": True}
-QUICK = {"rounds": {10: 3, 32: 3, 100: 3}, "max_cells": 1_000_000, "edits": 5_000, "min_time": 0.05, "all": False}
-TINY = {"rounds": {10: 1}, "max_cells": 100, "edits": 20, "min_time": 0.001, "all": False}
+# For `lgs bench`: how many rounds, by the side of the worlds, and whether all subjects run. The rest is for lgs_bench.
+FULL = {
+    "rounds": {10: 5, 32: 5, 316: 1, 100: 5}, "all": True, "max_cells": 10_000_000, "edits": 20_000, "min_time": 0.3,
+}
+QUICK = {
+    "rounds": {10: 3, 32: 3, 100: 3}, "all": False, "max_cells": 1_000_000, "edits": 5_000, "min_time": 0.05,
+}
+TINY = {
+    "rounds": {10: 1}, "all": False, "max_cells": 100, "edits": 20, "min_time": 0.001,
+}
 
 
 def say(text):
@@ -59,7 +67,7 @@ def build():
 
 
 def compare(folder, out, scale):
-    """Rows of `lgs bench`, smallest worlds first; those of the last run win where scenarios repeat."""
+    """The rows of `lgs bench`. Where two runs have the same scenario, the later run wins."""
     rows = []
     for side, rounds in scale["rounds"].items():
         say(f"comparing in worlds of {side}×{side} cells")
@@ -105,15 +113,33 @@ def refresh(results, paths):
         path.write_text(parts.sub(lambda m: f"{m[1]}{TABLES[m[2]](results)}\n{m[3]}", text))
 
 
-def main():
+def load_plots(scale):
+    """The module of the plots, or None where matplotlib is missing. The docs can not be refreshed without it."""
+    if importlib.util.find_spec("matplotlib"):
+        return importlib.import_module("plots")
+    missing = "the plots need matplotlib (Debian: python3-matplotlib)"
+    if scale is FULL:
+        sys.exit(f"run.py: {missing}")
+    say(f"no plots: {missing}")
+    return None
+
+
+def read_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     size = parser.add_mutually_exclusive_group()
-    size.add_argument("--quick", action="store_true", help="smaller worlds; the docs are left alone")
-    size.add_argument("--tiny", action="store_true", help="the smallest there are, for the tests; the docs are left alone")
-    parser.add_argument("--build", type=pathlib.Path, metavar="DIR", help="measure what is built there; default: build the release preset")
-    parser.add_argument("--out", type=pathlib.Path, metavar="DIR", default=ROOT / "out/bench", help="for figures and plots; default out/bench")
-    arguments = parser.parse_args()
+    size.add_argument("--quick", action="store_true", help="measure smaller worlds; leave the docs alone")
+    size.add_argument("--tiny", action="store_true", help="measure the smallest worlds, for the tests")
+    parser.add_argument("--build", type=pathlib.Path, metavar="DIR",
+                        help="measure what is built there; default: build the release preset")
+    parser.add_argument("--out", type=pathlib.Path, metavar="DIR", default=ROOT / "out/bench",
+                        help="for figures and plots; default out/bench")
+    return parser.parse_args()
+
+
+def main():
+    arguments = read_arguments()
     scale = QUICK if arguments.quick else TINY if arguments.tiny else FULL
+    plots = load_plots(scale)
 
     out = arguments.out.resolve()
     out.mkdir(parents=True, exist_ok=True)
@@ -130,15 +156,18 @@ def main():
     results = Results(about, comparison, engine["benchmarks"])
     results.write_json(out / "results.json")
     results.write_csv(out / "results.csv")
-    pictures = ROOT / "docs" if scale is FULL else out
-    for name, plot in PLOTS.items():
-        (pictures / f"timings-{name}.svg").write_text(plot(results))
-    docs = [out / path.name for path in DOCS]
-    for source, copy in zip(DOCS, docs):
-        shutil.copy(source, copy)
-    refresh(results, DOCS if scale is FULL else docs)
-    say(f"figures: {out / 'results.json'}, .csv; plots: {pictures}/timings-*.svg; tables: "
-        f"{', '.join(str(path) for path in (DOCS if scale is FULL else docs))}")
+    say(f"figures: {out / 'results.json'}, .csv")
+    if plots:
+        pictures = ROOT / "docs" if scale is FULL else out
+        plots.draw(results, pictures)
+        say(f"plots: {pictures}/timings-*.svg")
+    docs = DOCS
+    if scale is not FULL:
+        docs = [out / path.name for path in DOCS]
+        for source, copy in zip(DOCS, docs):
+            shutil.copy(source, copy)
+    refresh(results, docs)
+    say(f"tables: {', '.join(str(path) for path in docs)}")
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ NAMES = {
     "polygon-clipping": "polygon-clipping (JavaScript)",
 }
 RECOMPUTE = ("geos-coverage", "clipper", "boost", "cgal", "polygon-clipping", "geos")
-# In milliseconds: polygons and segments of FullBlock, polygons and segments of RAMP.
+# The article's figures in milliseconds: polygons and segments of FullBlock, polygons and segments of RAMP.
 PUBLISHED = {
     "TypeScript": (11.73, 29.02, 9.57, 43.44),
     "baseline C++": (1.26, 5.28, 0.85, 23.28),
@@ -37,7 +37,7 @@ def ratio_or_none(a, b):
 
 
 def about(results):
-    """What the figures are of."""
+    """Where the figures come from."""
     a = results.about
     return textwrap.fill(
         f"Measured on {a['date']}: {a['machine']}; {a['compiler']}; commit {a['commit']}; by `{a['command']}`. "
@@ -58,7 +58,8 @@ def article(results):
         times = [results.median(scenario, subject) for scenario in scenarios]
         if not any(times):
             continue
-        against = [ratio_or_none(results.median(s, "published-port"), results.median(s, subject)) for s in scenarios[1::2]]
+        segments = scenarios[1::2]
+        against = [ratio_or_none(results.median(s, "published-port"), results.median(s, subject)) for s in segments]
         rows.append([NAMES[subject], *map(duration_or_none, times), *against])
     head = ["", "FullBlock, polygons", "FullBlock, segments", "RAMP, polygons", "RAMP, segments"]
     return table([*head, "port ÷ this, FullBlock", "RAMP"], rows)
@@ -197,12 +198,10 @@ def summary(results):
         engine = results.median(scenario, "engine-shapes")
         return [text, duration_or_none(engine), *(f"{duration_or_none(t)} ({ratio_or_none(t, engine)})" for t in times)]
 
-    fastest = {
-        world: min(
-            (s for s in RECOMPUTE if results.median(world, s)), key=lambda s: results.median(world, s), default="clipper"
-        )
-        for world in ("full-100", "ramp-100")
-    }
+    def fastest(world):
+        known = [s for s in RECOMPUTE if results.median(world, s)]
+        return min(known, key=lambda s: results.median(world, s), default="clipper")
+
     head = ["10,000 cells", "engine", "published algorithm", "fastest full recompute", "CGAL"]
     rows = []
     for text, scenario, world in (
@@ -211,12 +210,11 @@ def summary(results):
         ("one edit among full blocks", "edit-100", "full-100"),
         ("one edit among ramps", "edit-ramp-100", "ramp-100"),
     ):
-        cells = row(text, scenario, ("published-port", fastest[world], "cgal"))
-        cells[3] = f"{NAMES[fastest[world]]} {cells[3]}"
+        cells = row(text, scenario, ("published-port", fastest(world), "cgal"))
+        cells[3] = f"{NAMES[fastest(world)]} {cells[3]}"
         rows.append(cells)
     return table(head, rows)
 
 
-TABLES = {
-    f.__name__: f for f in (about, article, recompute, edits, edit_sizes, changes, batches, builds, reads, worst, summary)
-}
+ALL = (about, article, recompute, edits, edit_sizes, changes, batches, builds, reads, worst, summary)
+TABLES = {table_of.__name__: table_of for table_of in ALL}

@@ -10,7 +10,7 @@ def duration(ns):
 
 
 def digits(value):
-    """Three digits, and no more than are there."""
+    """Three digits: '412', '12.5', '3.41'. Below 10 there are no zeros at the end."""
     if value >= 100:
         return f"{value:,.0f}"
     return f"{value:.1f}" if value >= 10 else f"{value:.2f}".rstrip("0").rstrip(".") if value else "0"
@@ -25,7 +25,7 @@ def ratio(value):
 
 
 def count(value):
-    """'10²' for powers of ten, as the issue of how large a world is goes by powers."""
+    """'10²' for a power of ten from 100 on, '32' for another number."""
     text = str(int(value))
     if text.strip("0") == "1" and len(text) > 2:
         return "10" + "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(d)] for d in str(len(text) - 1))
@@ -33,7 +33,7 @@ def count(value):
 
 
 def table(head, rows):
-    """A Markdown table; every column but the first is set to the right."""
+    """A Markdown table. All columns but the first are aligned to the right."""
     lines = ["| " + " | ".join(head) + " |", "|---|" + "---:|" * (len(head) - 1)]
     lines += ["| " + " | ".join(row) + " |" for row in rows]
     return "\n".join(lines)

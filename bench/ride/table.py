@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints the table of kicks of docs/box2d.md: runs `lgs ride` once for each line.
+"""Prints the table of kicks of docs/box2d.md. It runs `lgs ride` once for each line.
 
     bench/ride/table.py build/release/cli/lgs
 """
@@ -32,7 +32,7 @@ RIDES = [
 
 
 def ride(lgs, file, options):
-    """The kicks per 1,000 cells and the last place, by the way in which Box2D was given the ground."""
+    """For each way of giving Box2D the ground: the kicks per 1,000 cells, and how far the ride came."""
     run = subprocess.run([lgs, "ride", file, *options.split()], capture_output=True, text=True, check=False)
     if run.returncode != 0:
         sys.exit(run.stderr)

@@ -43,7 +43,7 @@ class Engine final : public Incremental {
   const Tiles* tiles_ = nullptr;
   World world_;
   std::vector<ShapeId> shapes_;                 // of each kind; null for an empty cell
-  std::vector<PolygonHandle> handles_;          // of each cell: its last polygon
+  std::vector<PolygonHandle> handles_;          // of the polygon in each cell; of use with hasSingles_ only
   std::vector<oracle::ScenePolygon> polygons_;  // By::polygons only: all of the world, as a caller would hold them
   std::vector<std::uint32_t> cellOf_;           // the cell of each of polygons_
   PolygonHandle found_;

@@ -43,7 +43,7 @@ class NaiveReference {
   std::vector<Point> vertices_;  // distinct; by column of cells, then y, then x
   std::vector<AtomicEdge> edges_;
 
-  // The edges that leave a vertex v, or those that arrive there: list[starts[v]] up to, but not, list[starts[v + 1]].
+  // The edges that leave a vertex v, or those that arrive there, are list[starts[v]] to list[starts[v + 1] - 1].
   struct EdgesByVertex {
     std::vector<Index> starts;
     std::vector<Index> list;

@@ -47,7 +47,7 @@ struct Materials {
 
 /// The scene's materials, or nothing if its preserve relation does not partition the blocks. It does if "not preserved"
 /// is an equivalence relation on the blocks of the scene's polygons. (With `preserve(1, 2)` alone it is one in a world
-/// of blocks 1 and 2. A block 3 would join both, so then it is none.)
+/// of blocks 1 and 2, but not once there is a block 3, which belongs with both.)
 std::optional<Materials> materials(const Scene& scene);
 
 }  // namespace lgs::oracle
