@@ -1,4 +1,5 @@
-// A ball rolls over a floor of cells in Box2D 2.4; the cell that it touches at column 12 is dug away under it.
+// A ball rolls over a floor of cells in Box2D 2.4. As soon as it touches a cell of column 12 or later, that cell is dug
+// away under it.
 #include <box2d/box2d.h>
 #include <lgs/box2d/terrain.h>
 #include <lgs/world.h>
@@ -30,7 +31,7 @@ int main() {
   for (int step = 0; step < 300; ++step) {
     physics.Step(1.0F / 60, 8, 3);
     for (const b2ContactEdge* c = ball->GetContactList(); c != nullptr && !dug; c = c->next) {
-      const auto hit = terrain.hit(*c->contact->GetFixtureA());  // of the two, the terrain's was there first
+      const auto hit = terrain.hit(*c->contact->GetFixtureA());  // the terrain's, because it was made before the ball's
       if (!hit || !c->contact->IsTouching() || hit->cell.i < 12) continue;
       std::printf("at %.2f m it touches cell (%d, %d) of block %u: dig\n", static_cast<double>(ball->GetPosition().x),
                   hit->cell.i, hit->cell.j, hit->block);

@@ -18,7 +18,28 @@ const EdgeChanges& EdgeSet::load(const World& world) {
   return update(world, all);
 }
 
+// An update has three steps. The first one collects the segments where something can have changed. The second one works
+// out the strips and edges around each of them; edges that were there before keep their ids. The third one works out
+// ghosts.
 const EdgeChanges& EdgeSet::update(const World& world, const Changes& changes) {
+  begin(world);
+  seedAll(changes);
+  for (std::size_t k = 0; k < seeds_.size(); ++k) {  // renewing may add seeds
+    const SegmentId id = seeds_[k];
+    const Record& record = records_[id.value];
+    if (record.fate != Fate::dead && record.renewed != update_) renew(id);
+  }
+  removeRetired();
+  for (const std::uint32_t edge : placed_) relink(edge);
+  for (const auto& [first, last] : ends_) {
+    relinkNearest(first, Way::before);
+    relinkNearest(last, Way::after);
+  }
+  world_ = nullptr;
+  return changes_;
+}
+
+void EdgeSet::begin(const World& world) {
   world_ = &world;
   ++update_;
   for (const EdgeId id : changes_.removed) free_.push_back(id.value);
@@ -30,8 +51,11 @@ const EdgeChanges& EdgeSet::update(const World& world, const Changes& changes) {
   placed_.clear();
   ends_.clear();
   records_.resize(std::max(records_.size(), std::size_t{world.maxSegmentId()} + 1));
+}
 
-  // What can change lies in the edges of what was reported, and of what was or is linked to it.
+// A commit can change the edges of the segments that it reports, and the edges of segments that are linked to those, or
+// were linked to them before.
+void EdgeSet::seedAll(const Changes& changes) {
   for (const SegmentId id : changes.removed) {
     Record& record = records_[id.value];
     seedLinks(record);
@@ -49,21 +73,6 @@ const EdgeChanges& EdgeSet::update(const World& world, const Changes& changes) {
       seed(s.successor);
     }
   }
-  for (std::size_t k = 0; k < seeds_.size(); ++k) {  // renewing may add some
-    const SegmentId id = seeds_[k];
-    const Record& record = records_[id.value];
-    if (record.fate != Fate::dead && record.renewed != update_) renew(id);
-  }
-  for (const std::uint32_t edge : retired_) {
-    Slot& slot = slots_[edge];
-    if (slot.kept == update_) continue;
-    slot.live = false;
-    changes_.removed.push_back({edge});
-  }
-  for (const std::uint32_t edge : placed_) relink(edge);
-  for (const auto& [first, last] : ends_) relinkAround(first, last);
-  world_ = nullptr;
-  return changes_;
 }
 
 EdgeId EdgeSet::edgeOf(SegmentId segment) const {
@@ -107,6 +116,15 @@ void EdgeSet::retire(std::uint32_t edge) {
   retired_.push_back(edge);
 }
 
+void EdgeSet::removeRetired() {
+  for (const std::uint32_t edge : retired_) {
+    Slot& slot = slots_[edge];
+    if (slot.kept == update_) continue;
+    slot.live = false;
+    changes_.removed.push_back({edge});
+  }
+}
+
 std::uint32_t EdgeSet::chunkNumber(Cell cell) {
   const Chunk chunk = Frame{1, {}, options_.chunkCells}.chunkOf(cell);
   const auto key = std::uint64_t{static_cast<std::uint32_t>(chunk.x)} << 32 | static_cast<std::uint32_t>(chunk.y);
@@ -115,7 +133,17 @@ std::uint32_t EdgeSet::chunkNumber(Cell cell) {
   return entry->second;
 }
 
-// An edge with the same ends and the same first segment is the same edge.
+std::uint32_t EdgeSet::newSlot() {
+  if (free_.empty()) {
+    slots_.emplace_back();
+    return static_cast<std::uint32_t>(slots_.size() - 1);
+  }
+  const std::uint32_t edge = free_.back();
+  free_.pop_back();
+  return edge;
+}
+
+// Makes an edge of segments of the group. If there was an edge with the same first segment and the same end, it stays.
 void EdgeSet::place(std::size_t first, std::size_t last, Fate fate) {
   const Segment& head = group_[first];
   const Segment& tail = group_[last];
@@ -124,13 +152,7 @@ void EdgeSet::place(std::size_t first, std::size_t last, Fate fate) {
     slots_[edge].edge.last = tail.id;
     slots_[edge].kept = update_;
   } else {
-    if (free_.empty()) {
-      edge = static_cast<std::uint32_t>(slots_.size());
-      slots_.emplace_back();
-    } else {
-      edge = free_.back();
-      free_.pop_back();
-    }
+    edge = newSlot();
     slots_[edge] = {{head.id, tail.id, chunkNumber(head.cell), head.block, head.start, tail.end, {}, {}}, true};
     slots_[edge].made = update_;
     changes_.added.push_back({edge});
@@ -147,51 +169,32 @@ void EdgeSet::relink(std::uint32_t edge) {
   Slot& slot = slots_[edge];
   if (slot.linked == update_) return;
   slot.linked = update_;
-  const std::optional<Point> ghost1 = ghost1Of(edge);
-  const std::optional<Point> ghost2 = ghost2Of(edge);
+  const std::optional<Point> ghost1 = ghostOf(edge, Way::before);
+  const std::optional<Point> ghost2 = ghostOf(edge, Way::after);
   if (slot.edge.ghost1 == ghost1 && slot.edge.ghost2 == ghost2) return;
   slot.edge.ghost1 = ghost1;
   slot.edge.ghost2 = ghost2;
   if (slot.made != update_) changes_.relinked.push_back({edge});
 }
 
-// The nearest edges before and after a group look at its ends.
-void EdgeSet::relinkAround(SegmentId first, SegmentId last) {
-  for (auto s = before(read(first)); s && s->id != first; s = before(*s)) {
-    if (const std::uint32_t edge = records_[s->id.value].edge; edge != 0) {
-      relink(edge);
-      break;
-    }
-  }
-  for (auto s = after(read(last)); s && s->id != last; s = after(*s)) {
-    if (const std::uint32_t edge = records_[s->id.value].edge; edge != 0) {
-      relink(edge);
-      break;
-    }
+// The ghost of the nearest edge beside a group is an end of the group's edges.
+void EdgeSet::relinkNearest(SegmentId from, Way way) {
+  for (auto s = neighbour(read(from), way); s && s->id != from; s = neighbour(*s, way)) {
+    if (const std::uint32_t edge = records_[s->id.value].edge; edge != 0) return relink(edge);
   }
 }
 
-// These end: a ring leads back to the edge itself, which is then alone in it.
-std::optional<Point> EdgeSet::ghost1Of(std::uint32_t edge) const {
-  for (Segment s = read(slots_[edge].edge.first);;) {
-    if (!s.predecessor) return {};
-    const std::optional<Segment> previous = before(s);
-    if (!previous) return s.ghost1;
-    const std::uint32_t other = records_[previous->id.value].edge;
-    if (other == edge) return {};
-    if (other != 0) return slots_[other].edge.start;
-    s = *previous;
-  }
-}
-
-std::optional<Point> EdgeSet::ghost2Of(std::uint32_t edge) const {
-  for (Segment s = read(slots_[edge].edge.last);;) {
-    if (!s.successor) return {};
-    const std::optional<Segment> next = after(s);
-    if (!next) return s.ghost2;
+// This ends: a ring leads back to the edge itself, which then has no other edge beside it.
+std::optional<Point> EdgeSet::ghostOf(std::uint32_t edge, Way way) const {
+  const bool isBefore = way == Way::before;
+  const Edge& own = slots_[edge].edge;
+  for (Segment s = read(isBefore ? own.first : own.last);;) {
+    if (!(isBefore ? s.predecessor : s.successor)) return {};
+    const std::optional<Segment> next = neighbour(s, way);
+    if (!next) return isBefore ? s.ghost1 : s.ghost2;
     const std::uint32_t other = records_[next->id.value].edge;
     if (other == edge) return {};
-    if (other != 0) return slots_[other].edge.end;
+    if (other != 0) return isBefore ? slots_[other].edge.start : slots_[other].edge.end;
     s = *next;
   }
 }

@@ -1,4 +1,4 @@
-// An edge as the body of its chunk sees it: what both adapters hand on.
+// An edge as both adapters give it to Box2D: in metres, relative to the body of its chunk.
 #pragma once
 
 #include <lgs/box2d/edges.h>
@@ -12,7 +12,8 @@ struct LocalEdge {
   Metres ghost2;
 };
 
-/// A ghost that is not there, or closer than `shortest` metres to its end of the edge (a welded zigzag), is put straight on.
+/// Box2D needs both ghosts, and needs them further from the edge than `shortest` metres. A ghost that is missing, or
+/// that is nearer because the edge welds a zigzag, is replaced by one straight on.
 inline LocalEdge localEdge(const Edge& edge, Chunk chunk, const Frame& frame, float shortest) {
   const Metres start = frame.local(edge.start, chunk);
   const Metres end = frame.local(edge.end, chunk);

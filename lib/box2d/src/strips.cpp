@@ -1,4 +1,4 @@
-// Rules 1 and 2 of edges.h: from segments to strips to edges.
+// Rules 1 and 2 of edges.h: from segments to strips, from strips to edges.
 #include "geometry/predicates.h"
 
 #include <lgs/box2d/edges.h>
@@ -9,18 +9,15 @@ namespace lgs::box2d {
 
 using detail::operator-;
 
-std::optional<Segment> EdgeSet::before(const Segment& s) const {
-  if (!s.predecessor) return {};
-  const Segment other = read(s.predecessor);
-  return other.successor == s.id ? std::optional(other) : std::nullopt;
+std::optional<Segment> EdgeSet::neighbour(const Segment& s, Way way) const {
+  const SegmentId id = way == Way::before ? s.predecessor : s.successor;
+  if (!id) return {};
+  const Segment other = read(id);
+  const SegmentId back = way == Way::before ? other.successor : other.predecessor;
+  return back == s.id ? std::optional(other) : std::nullopt;
 }
 
-std::optional<Segment> EdgeSet::after(const Segment& s) const {
-  if (!s.successor) return {};
-  const Segment other = read(s.successor);
-  return other.predecessor == s.id ? std::optional(other) : std::nullopt;
-}
-
+// Whether two neighbours belong to one strip.
 bool EdgeSet::straight(const Segment& a, const Segment& b) const {
   if (!detail::sameDirection(a.end - a.start, b.end - b.start)) return false;
   const Frame frame{1, {}, options_.chunkCells};
@@ -28,30 +25,24 @@ bool EdgeSet::straight(const Segment& a, const Segment& b) const {
   return a.block == b.block || !options_.material || options_.material(a.block) == options_.material(b.block);
 }
 
-Segment EdgeSet::stripBegin(Segment s) const {
+// The first or the last segment of the strip that s is in.
+Segment EdgeSet::stripEnd(Segment s, Way way) const {
   while (options_.merge) {
-    const std::optional<Segment> previous = before(s);
-    if (!previous || !straight(*previous, s)) break;
-    s = *previous;
-  }
-  return s;
-}
-
-Segment EdgeSet::stripEnd(Segment s) const {
-  while (options_.merge) {
-    const std::optional<Segment> next = after(s);
+    const std::optional<Segment> next = neighbour(s, way);
     if (!next || !straight(s, *next)) break;
     s = *next;
   }
   return s;
 }
 
+// One strip spans at most a chunk, and strips since the last edge hardly more than `shortest`: squares fit in 64 bits.
 bool EdgeSet::isShort(Point from, Point to) const {
   const detail::Vector v = to - from;
   return dot(v, v) < options_.shortest * options_.shortest;
 }
 
-// Works out the edges of the group that a segment is in: one strip that is long enough, or all short ones in a row.
+// Works out the edges of the group that a segment is in. A group is one strip that is long enough, or all short strips
+// in a row.
 void EdgeSet::renew(SegmentId id) {
   gather(id);
   bool wasShort = false;
@@ -65,10 +56,10 @@ void EdgeSet::renew(SegmentId id) {
   }
   ends_.emplace_back(group_.front().id, group_.back().id);
   const std::size_t last = group_.size() - 1;
-  if (isShort(group_[0].start, group_[last].end) || strips_.size() > 1) {
+  if (strips_.size() > 1 || isShort(group_[0].start, group_[last].end)) {
     weld();
   } else {
-    if (wasShort) {  // it has grown: the short ones beside it are now groups by themselves
+    if (wasShort) {  // the strip has grown. The short strips beside it were of its group and are not any more
       seed(group_.front().predecessor);
       seed(group_.back().successor);
     }
@@ -76,16 +67,17 @@ void EdgeSet::renew(SegmentId id) {
   }
 }
 
+// Fills group_ and strips_ with the group that a segment is in.
 void EdgeSet::gather(SegmentId id) {
   group_.clear();
   strips_.clear();
-  Segment first = stripBegin(read(id));
-  if (!isShort(first.start, stripEnd(first).end)) return gatherStrip(first);
+  Segment first = stripEnd(read(id), Way::before);
+  if (!isShort(first.start, stripEnd(first, Way::after).end)) return gatherStrip(first);
 
   const SegmentId begin = first.id;
   bool ring = false;
-  while (const std::optional<Segment> previous = before(first)) {
-    const Segment start = stripBegin(*previous);
+  while (const std::optional<Segment> previous = neighbour(first, Way::before)) {
+    const Segment start = stripEnd(*previous, Way::before);
     if (!isShort(start.start, previous->end)) break;
     ring = start.id == begin;
     if (ring) break;
@@ -95,8 +87,8 @@ void EdgeSet::gather(SegmentId id) {
   if (ring) first = read(begin);
   for (;;) {
     gatherStrip(first);
-    const std::optional<Segment> next = after(group_.back());
-    if (!next || next->id == end || !isShort(next->start, stripEnd(*next).end)) break;
+    const std::optional<Segment> next = neighbour(group_.back(), Way::after);
+    if (!next || next->id == end || !isShort(next->start, stripEnd(*next, Way::after).end)) break;
     first = *next;
   }
   if (ring) startRingAtLeast();
@@ -106,13 +98,14 @@ void EdgeSet::gatherStrip(const Segment& first) {
   const std::size_t begin = group_.size();
   group_.push_back(first);
   while (options_.merge) {
-    const std::optional<Segment> next = after(group_.back());
+    const std::optional<Segment> next = neighbour(group_.back(), Way::after);
     if (!next || !straight(group_.back(), *next)) break;
     group_.push_back(*next);
   }
   strips_.push_back({begin, group_.size() - 1});
 }
 
+// A ring of short strips has no first one. It begins with the least, so that the edges do not depend on the seed.
 void EdgeSet::startRingAtLeast() {
   const auto ends = [&](const Strip& s) { return std::pair(group_[s.first].start, group_[s.first].end); };
   const auto least = std::min_element(strips_.begin(), strips_.end(),

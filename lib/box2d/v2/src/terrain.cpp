@@ -1,6 +1,6 @@
 #include <lgs/box2d/terrain.h>
+#include "find_hit.h"
 #include "local_edge.h"
-#include "nearest.h"
 
 #include <algorithm>
 #include <cassert>
@@ -9,17 +9,7 @@ namespace lgs::box2d {
 
 namespace {
 
-bool equal(const Material& a, const Material& b) {
-  return a.friction == b.friction && a.restitution == b.restitution &&
-         a.restitutionThreshold == b.restitutionThreshold && a.filter.categoryBits == b.filter.categoryBits &&
-         a.filter.maskBits == b.filter.maskBits && a.filter.groupIndex == b.filter.groupIndex;
-}
-
 b2Vec2 toBox2D(Metres m) { return {m.x, m.y}; }
-
-std::optional<Hit> hitOf(const std::optional<Segment>& s) {
-  return s ? std::optional(Hit{s->id, s->polygon, s->block, s->cell}) : std::nullopt;
-}
 
 class Waker : public b2QueryCallback {
  public:
@@ -32,21 +22,27 @@ class Waker : public b2QueryCallback {
 
 }  // namespace
 
+bool operator==(const Material& a, const Material& b) {
+  return a.friction == b.friction && a.restitution == b.restitution &&
+         a.restitutionThreshold == b.restitutionThreshold && a.filter.categoryBits == b.filter.categoryBits &&
+         a.filter.maskBits == b.filter.maskBits && a.filter.groupIndex == b.filter.groupIndex;
+}
+
 Terrain::Terrain(b2World& physics, const World& world, TerrainOptions options)
     : physics_(physics),
       world_(world),
       frame_{options.cellSize, options.origin, options.chunkCells},
-      materialOf_(std::move(options.material)),
+      materials_(std::move(options.material)),
       edges_({.chunkCells = options.chunkCells,
               .shortest = frame_.unitsOf(b2_linearSlop),
               .merge = options.merge,
-              .material = [this](Block block) { return materialNumber(block); }}) {
+              .material = [this](Block block) { return materials_.number(block); }}) {
   apply(edges_.load(world_));
 }
 
 Terrain::~Terrain() {
-  for (const Chunk& chunk : chunks_) {
-    if (chunk.body != nullptr) physics_.DestroyBody(chunk.body);
+  for (const Body& body : bodies_) {
+    if (body.body != nullptr) physics_.DestroyBody(body.body);
   }
 }
 
@@ -54,7 +50,7 @@ void Terrain::sync(const Changes& changes) { apply(edges_.update(world_, changes
 
 void Terrain::apply(const EdgeChanges& changes) {
   assert(!physics_.IsLocked());
-  chunks_.resize(edges_.chunkCount());
+  bodies_.resize(edges_.chunkCount());
   for (const EdgeId id : changes.removed) destroy(id);
   for (const EdgeId id : changes.added) create(id);
   for (const EdgeId id : changes.relinked) {
@@ -63,31 +59,32 @@ void Terrain::apply(const EdgeChanges& changes) {
     shape.m_vertex0 = with.m_vertex0;
     shape.m_vertex3 = with.m_vertex3;
   }
-  // Box2D wakes what touched a fixture that is destroyed; what touches the others is asked for, if there is anything.
+  // Box2D itself wakes what touched a fixture that is destroyed. For the other changes the terrain has to ask what is
+  // there, unless there are no bodies but its own.
   if (static_cast<std::size_t>(physics_.GetBodyCount()) > bodyCount_) {
     for (const EdgeId id : changes.added) wakeAround(*fixtures_[id.value]);
     for (const EdgeId id : changes.relinked) wakeAround(*fixtures_[id.value]);
   }
   for (const EdgeId id : changes.removed) {
-    Chunk& chunk = chunks_[edges_.edge(id).chunk];
-    if (chunk.body == nullptr || chunk.fixtures != 0) continue;
-    physics_.DestroyBody(chunk.body);
-    chunk.body = nullptr;
+    Body& body = bodies_[edges_.edge(id).chunk];
+    if (body.body == nullptr || body.fixtures != 0) continue;
+    physics_.DestroyBody(body.body);
+    body.body = nullptr;
     --bodyCount_;
   }
 }
 
 void Terrain::create(EdgeId id) {
   const Edge& edge = edges_.edge(id);
-  Chunk& chunk = chunks_[edge.chunk];
-  if (chunk.body == nullptr) {
+  Body& body = bodies_[edge.chunk];
+  if (body.body == nullptr) {
     b2BodyDef definition;
     definition.position = position(frame_.cornerOf(edges_.chunk(edge.chunk)));
-    chunk.body = physics_.CreateBody(&definition);
+    body.body = physics_.CreateBody(&definition);
     ++bodyCount_;
   }
   const b2EdgeShape shape = shapeOf(edge);
-  const Material& material = materials_[materialNumber(edge.block)];
+  const Material& material = materials_.of(edge.block);
   b2FixtureDef definition;
   definition.shape = &shape;
   definition.userData.pointer = id.value;
@@ -96,15 +93,15 @@ void Terrain::create(EdgeId id) {
   definition.restitutionThreshold = material.restitutionThreshold;
   definition.filter = material.filter;
   if (fixtures_.size() <= id.value) fixtures_.resize(id.value + std::size_t{1}, nullptr);
-  fixtures_[id.value] = chunk.body->CreateFixture(&definition);
-  ++chunk.fixtures;
+  fixtures_[id.value] = body.body->CreateFixture(&definition);
+  ++body.fixtures;
 }
 
 void Terrain::destroy(EdgeId id) {
-  Chunk& chunk = chunks_[edges_.edge(id).chunk];
-  chunk.body->DestroyFixture(fixtures_[id.value]);
+  Body& body = bodies_[edges_.edge(id).chunk];
+  body.body->DestroyFixture(fixtures_[id.value]);
   fixtures_[id.value] = nullptr;
-  --chunk.fixtures;
+  --body.fixtures;
 }
 
 b2EdgeShape Terrain::shapeOf(const Edge& edge) const {
@@ -119,18 +116,6 @@ void Terrain::wakeAround(b2Fixture& fixture) {
   physics_.QueryAABB(&waker, fixture.GetAABB(0));
 }
 
-std::uint32_t Terrain::materialNumber(Block block) {
-  const auto [entry, isNew] = materialNumbers_.try_emplace(block);
-  if (isNew) {
-    const Material material = materialOf_ ? materialOf_(block) : Material{};
-    const auto known = std::find_if(materials_.begin(), materials_.end(),
-                                    [&](const Material& other) { return equal(material, other); });
-    entry->second = static_cast<std::uint32_t>(known - materials_.begin());
-    if (known == materials_.end()) materials_.push_back(material);
-  }
-  return entry->second;
-}
-
 EdgeId Terrain::edgeOf(const b2Fixture& fixture) const {
   const std::uintptr_t id = const_cast<b2Fixture&>(fixture).GetUserData().pointer;  // NOLINT: Box2D's is not const
   if (id >= fixtures_.size() || fixtures_[id] != &fixture) return {};
@@ -139,12 +124,12 @@ EdgeId Terrain::edgeOf(const b2Fixture& fixture) const {
 
 std::optional<Hit> Terrain::hit(const b2Fixture& fixture) const {
   const EdgeId id = edgeOf(fixture);
-  return id ? hitOf(firstSegment(world_, edges_, id)) : std::nullopt;
+  return id ? firstHit(world_, edges_, id) : std::nullopt;
 }
 
 std::optional<Hit> Terrain::hit(const b2Fixture& fixture, const b2Vec2& point) const {
   const EdgeId id = edgeOf(fixture);
-  return id ? hitOf(nearestSegment(world_, edges_, id, frame_, {point.x, point.y})) : std::nullopt;
+  return id ? nearestHit(world_, edges_, id, frame_, {point.x, point.y}) : std::nullopt;
 }
 
 b2Fixture* Terrain::fixture(SegmentId segment) const {

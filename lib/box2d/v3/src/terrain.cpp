@@ -1,6 +1,6 @@
 #include <lgs/box2d/terrain.h>
+#include "find_hit.h"
 #include "local_edge.h"
-#include "nearest.h"
 
 #include <algorithm>
 
@@ -10,19 +10,7 @@ namespace {
 
 float slop() { return 0.005F * b2GetLengthUnitsPerMeter(); }  // B2_LINEAR_SLOP is public from 3.2 on
 
-bool equal(const Material& a, const Material& b) {
-  return a.surface.friction == b.surface.friction && a.surface.restitution == b.surface.restitution &&
-         a.surface.rollingResistance == b.surface.rollingResistance &&
-         a.surface.tangentSpeed == b.surface.tangentSpeed && a.surface.userMaterialId == b.surface.userMaterialId &&
-         a.surface.customColor == b.surface.customColor && a.filter.categoryBits == b.filter.categoryBits &&
-         a.filter.maskBits == b.filter.maskBits && a.filter.groupIndex == b.filter.groupIndex;
-}
-
 b2Vec2 toBox2D(Metres m) { return {m.x, m.y}; }
-
-std::optional<Hit> hitOf(const std::optional<Segment>& s) {
-  return s ? std::optional(Hit{s->id, s->polygon, s->block, s->cell}) : std::nullopt;
-}
 
 void* userDataOf(EdgeId id) {
   return reinterpret_cast<void*>(static_cast<std::uintptr_t>(id.value));  // NOLINT(performance-no-int-to-ptr)
@@ -36,15 +24,23 @@ bool wake(b2ShapeId shape, void* /*context*/) {
 
 }  // namespace
 
+bool operator==(const Material& a, const Material& b) {
+  return a.surface.friction == b.surface.friction && a.surface.restitution == b.surface.restitution &&
+         a.surface.rollingResistance == b.surface.rollingResistance &&
+         a.surface.tangentSpeed == b.surface.tangentSpeed && a.surface.userMaterialId == b.surface.userMaterialId &&
+         a.surface.customColor == b.surface.customColor && a.filter.categoryBits == b.filter.categoryBits &&
+         a.filter.maskBits == b.filter.maskBits && a.filter.groupIndex == b.filter.groupIndex;
+}
+
 Terrain::Terrain(b2WorldId physics, const World& world, TerrainOptions options)
     : physics_(physics),
       world_(world),
       frame_{options.cellSize, options.origin, options.chunkCells},
-      materialOf_(std::move(options.material)),
+      materials_(std::move(options.material)),
       edges_({.chunkCells = options.chunkCells,
               .shortest = frame_.unitsOf(slop()),
               .merge = options.merge,
-              .material = [this](Block block) { return materialNumber(block); }}) {
+              .material = [this](Block block) { return materials_.number(block); }}) {
   apply(edges_.load(world_));
 }
 
@@ -108,7 +104,7 @@ b2ChainSegment chainSegment(const LocalEdge& local) {
 
 void Terrain::make(EdgeId id, b2BodyId body) {
   const Edge& edge = edges_.edge(id);
-  const Material& material = materials_[materialNumber(edge.block)];
+  const Material& material = materials_.of(edge.block);
   b2ShapeDef definition = b2DefaultShapeDef();
   definition.userData = userDataOf(id);
   definition.material = material.surface;
@@ -132,7 +128,7 @@ void Terrain::relink(EdgeId id) {
 
 void Terrain::make(EdgeId id, b2BodyId body) {
   const Edge& edge = edges_.edge(id);
-  const Material& material = materials_[materialNumber(edge.block)];
+  const Material& material = materials_.of(edge.block);
   const LocalEdge local = localEdge(edge, edges_.chunk(edge.chunk), frame_, slop());
   const b2Vec2 points[] = {toBox2D(local.ghost1), toBox2D(local.start), toBox2D(local.end), toBox2D(local.ghost2)};
   b2ChainDef definition = b2DefaultChainDef();
@@ -166,7 +162,7 @@ void Terrain::wakeAround(EdgeId id) {
   const float margin = 0.1F * b2GetLengthUnitsPerMeter();
   const b2AABB box{{std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin},
                    {std::max(a.x, b.x) + margin, std::max(a.y, b.y) + margin}};
-  // Every body, whatever it collides with: the default is of one category, which a body's mask may leave out.
+  // The filter must find every body. The default has one category, which the mask of a body may leave out.
   b2QueryFilter all = b2DefaultQueryFilter();
   all.categoryBits = UINT64_MAX;
   all.maskBits = UINT64_MAX;
@@ -175,18 +171,6 @@ void Terrain::wakeAround(EdgeId id) {
 #else
   b2World_OverlapAABB(physics_, box, all, wake, nullptr);
 #endif
-}
-
-std::uint32_t Terrain::materialNumber(Block block) {
-  const auto [entry, isNew] = materialNumbers_.try_emplace(block);
-  if (isNew) {
-    const Material material = materialOf_ ? materialOf_(block) : Material{};
-    const auto known = std::find_if(materials_.begin(), materials_.end(),
-                                    [&](const Material& other) { return equal(material, other); });
-    entry->second = static_cast<std::uint32_t>(known - materials_.begin());
-    if (known == materials_.end()) materials_.push_back(material);
-  }
-  return entry->second;
 }
 
 EdgeId Terrain::edgeOf(b2ShapeId shape) const {
@@ -198,12 +182,12 @@ EdgeId Terrain::edgeOf(b2ShapeId shape) const {
 
 std::optional<Hit> Terrain::hit(b2ShapeId shape) const {
   const EdgeId id = edgeOf(shape);
-  return id ? hitOf(firstSegment(world_, edges_, id)) : std::nullopt;
+  return id ? firstHit(world_, edges_, id) : std::nullopt;
 }
 
 std::optional<Hit> Terrain::hit(b2ShapeId shape, b2Vec2 point) const {
   const EdgeId id = edgeOf(shape);
-  return id ? hitOf(nearestSegment(world_, edges_, id, frame_, {point.x, point.y})) : std::nullopt;
+  return id ? nearestHit(world_, edges_, id, frame_, {point.x, point.y}) : std::nullopt;
 }
 
 b2ShapeId Terrain::shape(SegmentId segment) const {

@@ -1,19 +1,22 @@
-// What the adapters for Box2D share, and no Box2D in it: which edges a physics engine is to be given for the segments of
-// a World, in which chunk, with which ghosts, and what a commit changes about them.
+// What the adapters for Box2D share. It knows no Box2D. An EdgeSet says which edges a physics engine is to get for the
+// segments of a World, in which chunk and with which ghosts; and after a commit, what is to change about them.
 //
-// The edges are a function of the world's segments and the options, never of how they came about:
+// The edges are a function of the world's segments and of the options. The edits that led there play no part.
 //
-//  1. Strips. With `merge`, segments that follow each other straight on, in one chunk and of equal material, are one
-//     strip. Without it, each segment is one. (Two segments follow each other where they are successor and predecessor
-//     of each other.)
-//  2. Short strips. A strip that is at least `shortest` long is an edge. Strips shorter than that which follow each other
-//     are taken together, from the first one on (in a ring of nothing else, from its least one): as soon as the distance
-//     from where the last edge ended reaches `shortest`, the strips since then are *welded* into one straight edge. What
+//  1. Strips. Two segments follow each other if one is the successor of the other, and the other its predecessor. With
+//     `merge`, segments make one strip if they follow each other straight on, in one chunk, with equal materials.
+//     Without `merge`, each segment is a strip.
+//  2. Edges. A strip that is at least `shortest` long is an edge. Shorter strips that follow each other are taken
+//     together, from the first one on (from the least one if they go round in a ring). As soon as the distance from
+//     the end of the last edge reaches `shortest`, all strips since then are *welded* into one straight edge. What
 //     remains at the end is *left out*: a gap shorter than `shortest`. No vertex ever moves.
-//  3. Ghosts. The ghosts of an edge are the far ends of the edges before and after it, whatever is left out between them;
-//     where the links are not mutual (under a preserve relation) they are the segment's own; where there is none, none.
+//  3. Ghosts. The ghosts of an edge are the far ends of the edges before and after it, whatever is left out between
+//     them. Under a preserve relation a link can lead one way only; there the ghost of the segment is that of the edge.
+//     Where there is no link, there is no ghost.
 //
-// An edge belongs to the chunk of its first segment's cell, and ends in it unless it is welded.
+// An edge belongs to the chunk of its first segment's cell. It ends in that chunk, too, unless it is welded.
+//
+// No function fails. Functions of edges and segments cost O(1), unless it is said otherwise.
 #pragma once
 
 #include <lgs/box2d/frame.h>
@@ -28,17 +31,20 @@
 
 namespace lgs::box2d {
 
-/// A small dense number, good as an index. An id that was removed may name a new edge after the next update. Zero is null.
+/// A small dense number, good as an index. Zero is null. An id that an update reported as removed may name a new edge
+/// from the next update on.
 struct EdgeId {
   std::uint32_t value = 0;
   constexpr explicit operator bool() const { return value != 0; }
   friend constexpr auto operator<=>(EdgeId, EdgeId) = default;
 };
 
+/// A straight edge, with the solid on the left of start→end. It stands for one segment or for several that follow each
+/// other.
 struct Edge {
-  SegmentId first;  ///< of the segments that it stands for; the others follow it as successors
+  SegmentId first;
   SegmentId last;
-  std::uint32_t chunk = 0;  ///< a dense number; EdgeSet::chunk() says which
+  std::uint32_t chunk = 0;  ///< number of the chunk; EdgeSet::chunk() says where it is
   Block block = 0;          ///< of the first segment
   Point start;
   Point end;
@@ -47,29 +53,30 @@ struct Edge {
   friend bool operator==(const Edge&, const Edge&) = default;
 };
 
-/// The ranges are asserted, and not looked at where NDEBUG leaves assertions out.
+/// A value outside its range is a mistake of the program: an assertion fails. With NDEBUG the behaviour is undefined.
 struct EdgeOptions {
   std::int32_t chunkCells = 16;  ///< cells along the side of a chunk, 1 … 4,096
   std::int64_t shortest = 0;     ///< lattice units, 0 … 2^28
   bool merge = false;
-  std::function<std::uint32_t(Block)> material =
-      {};  ///< equal numbers: may be merged. Must be pure. Empty: all are equal
+  /// Segments may be merged if this gives their blocks the same number. It must always give the same answer for a
+  /// block. Empty: all segments may be merged.
+  std::function<std::uint32_t(Block)> material = {};
 };
 
-/// What to do to a copy of the edges. No id is in two lists.
+/// What to do to a copy of the edges: first remove, then add, then relink. No id is in two lists.
 struct EdgeChanges {
-  std::vector<EdgeId> removed;   ///< edge() still says what they were, until the next update
-  std::vector<EdgeId> added;     ///< to be made after the removed ones are gone
-  std::vector<EdgeId> relinked;  ///< same ends, another ghost
+  std::vector<EdgeId> removed;  ///< edge() still says what they were, until the next update
+  std::vector<EdgeId> added;
+  std::vector<EdgeId> relinked;  ///< edges with the same ends as before and another ghost
 };
 
 struct EdgeCounts {
   std::size_t edges = 0;
-  std::size_t segments = 0;  ///< of the world; the sum of the next four
-  std::size_t single = 0;    ///< segments that are an edge each
-  std::size_t merged = 0;    ///< segments in edges of several, straight
-  std::size_t welded = 0;    ///< short segments in edges that weld them together
-  std::size_t leftOut = 0;   ///< short segments in no edge
+  std::size_t segments = 0;  ///< of the world: the sum of the next four
+  std::size_t single = 0;    ///< segments that are an edge by themselves
+  std::size_t merged = 0;    ///< segments in strips of several that are an edge
+  std::size_t welded = 0;    ///< segments in welded edges
+  std::size_t leftOut = 0;   ///< segments in no edge
   friend bool operator==(const EdgeCounts&, const EdgeCounts&) = default;
 };
 
@@ -77,54 +84,62 @@ class EdgeSet {
  public:
   explicit EdgeSet(EdgeOptions options);
 
-  /// Takes over all segments of a world; to be called once, before any update.
+  /// Takes over all segments of a world. Call it once, before any update. Cost: O(segments).
   const EdgeChanges& load(const World& world);
 
-  /// Brings the edges up to date with what a commit of that world reported. To be called after each commit, before the
-  /// next edit. Cost: in proportion to the changes, times the segments of an edge. Valid until the next update.
+  /// Brings the edges up to date with what a commit of that world reported. Call it after each commit, before the next
+  /// edit. The result is valid until the next update. Cost: the number of changes, times the segments of the edges near
+  /// them.
   const EdgeChanges& update(const World& world, const Changes& changes);
 
-  const Edge& edge(EdgeId id) const { return slots_[id.value].edge; }  ///< of a live id, or one just removed
-  EdgeId edgeOf(SegmentId segment) const;                              ///< null if left out, or no live segment
-  std::vector<EdgeId> edges() const;                                   ///< all live ones, in increasing order
+  /// The edge of a live id, or of one that the last update removed.
+  const Edge& edge(EdgeId id) const { return slots_[id.value].edge; }
+  /// The edge that stands for a segment; null if the segment is left out or is no live segment.
+  EdgeId edgeOf(SegmentId segment) const;
+  /// All live edges, in increasing order. Cost: O(edges).
+  std::vector<EdgeId> edges() const;
+  /// Where the chunk with a number is. Numbers run from 0 to chunkCount() - 1: one for each chunk that ever had an
+  /// edge.
   Chunk chunk(std::uint32_t number) const { return chunks_[number]; }
-  std::size_t chunkCount() const { return chunks_.size(); }  ///< that ever had an edge
+  std::size_t chunkCount() const { return chunks_.size(); }
   EdgeCounts counts() const;
   const EdgeOptions& options() const { return options_; }
 
  private:
   enum class Fate : std::uint8_t { dead, pending, single, merged, welded, leftOut };
-  struct Record {  // of a segment
+  enum class Way : bool { before, after };  // against the direction of the segments, and along it
+  struct Record {                           // of a segment
     std::uint32_t edge = 0;
-    std::uint32_t predecessor = 0;  // as of when it was last looked at: those to look at when it goes
+    std::uint32_t predecessor = 0;  // when it was last looked at; if the segment goes, those two are to be looked at
     std::uint32_t successor = 0;
-    std::uint32_t renewed = 0;  // in which update
+    std::uint32_t renewed = 0;  // number of an update
     Fate fate = Fate::dead;
   };
-  struct Slot {
+  struct Slot {  // of an edge; the last four are numbers of updates
     Edge edge;
     bool live = false;
-    std::uint32_t retired = 0;  // in which update
+    std::uint32_t retired = 0;
     std::uint32_t kept = 0;
     std::uint32_t linked = 0;
     std::uint32_t made = 0;
   };
-  struct Strip {
-    std::size_t first;  // indices into group_
+  struct Strip {  // indices into group_
+    std::size_t first;
     std::size_t last;
   };
 
+  void begin(const World& world);
   void seed(SegmentId id);
   void seedLinks(const Record& record);
+  void seedAll(const Changes& changes);
   void setFate(Record& record, Fate fate);
   void retire(std::uint32_t edge);
+  void removeRetired();
 
   Segment read(SegmentId id) const { return *world_->segment(id); }
-  std::optional<Segment> before(const Segment& s) const;  // where the link is mutual
-  std::optional<Segment> after(const Segment& s) const;
+  std::optional<Segment> neighbour(const Segment& s, Way way) const;
   bool straight(const Segment& a, const Segment& b) const;
-  Segment stripBegin(Segment s) const;
-  Segment stripEnd(Segment s) const;
+  Segment stripEnd(Segment s, Way way) const;
   bool isShort(Point from, Point to) const;
 
   void renew(SegmentId id);
@@ -132,30 +147,30 @@ class EdgeSet {
   void gatherStrip(const Segment& first);
   void startRingAtLeast();
   void weld();
+  std::uint32_t newSlot();
   void place(std::size_t first, std::size_t last, Fate fate);
-  void relinkAround(SegmentId first, SegmentId last);
+  void relinkNearest(SegmentId from, Way way);
   void relink(std::uint32_t edge);
-  std::optional<Point> ghost1Of(std::uint32_t edge) const;
-  std::optional<Point> ghost2Of(std::uint32_t edge) const;
+  std::optional<Point> ghostOf(std::uint32_t edge, Way way) const;
   std::uint32_t chunkNumber(Cell cell);
 
   EdgeOptions options_;
   const World* world_ = nullptr;  // during an update
-  std::uint32_t update_ = 0;
-  std::vector<Record> records_;  // by SegmentId
-  std::vector<Slot> slots_;      // by EdgeId
+  std::uint32_t update_ = 0;      // number of the update
+  std::vector<Record> records_;   // by SegmentId
+  std::vector<Slot> slots_;       // by EdgeId
   std::vector<std::uint32_t> free_;
   std::vector<Chunk> chunks_;
   std::unordered_map<std::uint64_t, std::uint32_t> chunkNumbers_;
   std::size_t fates_[6] = {};
   EdgeChanges changes_;
-  // Scratch, kept for its memory.
-  std::vector<SegmentId> seeds_;
-  std::vector<std::uint32_t> retired_;
-  std::vector<Segment> group_;
+  // Of the update. They are members so that their memory is used again.
+  std::vector<SegmentId> seeds_;        // segments to look at
+  std::vector<std::uint32_t> retired_;  // edges that go unless they are placed again
+  std::vector<std::uint32_t> placed_;   // edges that were placed
+  std::vector<Segment> group_;          // the strips that are being worked on
   std::vector<Strip> strips_;
-  std::vector<std::uint32_t> placed_;
-  std::vector<std::pair<SegmentId, SegmentId>> ends_;  // of the groups renewed
+  std::vector<std::pair<SegmentId, SegmentId>> ends_;  // the first and last segment of each group
 };
 
 }  // namespace lgs::box2d

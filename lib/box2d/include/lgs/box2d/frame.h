@@ -1,6 +1,7 @@
-// From the lattice to metres. Each chunk is a body whose position is the chunk's lower left corner, and its vertices are
-// relative to that: differences of lattice integers, exact, and only then rounded to `float`. So a vertex is as precise
-// at the far end of the world as at the origin, and the corner is as precise as its distance from the origin allows.
+// From the lattice to metres. Each chunk is a body, placed where the chunk's lower left corner is. Its vertices are
+// relative to that corner: the difference is taken on the lattice, where it is exact, and then rounded to `float`. So a
+// vertex is as precise at the far end of the world as at the origin. The place of the corner is rounded, too, and less
+// precise the further it is from the origin.
 #pragma once
 
 #include <lgs/lattice.h>
@@ -12,7 +13,7 @@
 
 namespace lgs::box2d {
 
-/// A square of cells, by its column and row among the squares.
+/// A square of cells, named by its column and row among the squares.
 struct Chunk {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -25,9 +26,9 @@ struct Metres {
 };
 
 struct Frame {
-  double cellSize = 1;  ///< metres
-  Cell origin;          ///< the cell whose lower left corner is at (0, 0)
-  std::int32_t chunkCells = 16;
+  double cellSize = 1;           ///< metres
+  Cell origin;                   ///< its lower left corner is (0, 0) of the physics world
+  std::int32_t chunkCells = 16;  ///< cells along the side of a chunk
 
   static constexpr std::int32_t floorDiv(std::int32_t a, std::int32_t b) { return a / b - (a % b < 0 ? 1 : 0); }
 
@@ -37,16 +38,18 @@ struct Frame {
     return {c.x * side, c.y * side};
   }
 
-  /// Where something is in the physics world.
+  /// Where a lattice point is in the physics world.
   Metres position(Point p) const { return scaled(p, toWorld(origin, {})); }
-  /// Where it is relative to the body of a chunk.
+  /// Where a lattice point is relative to the body of a chunk.
   Metres local(Point p, Chunk chunk) const { return scaled(p, cornerOf(chunk)); }
-  /// The cell at a place in the physics world, which must be within the world's range.
+  /// The cell at a place in the physics world. It must be in the range of cells (inRange()).
   Cell cellAt(Metres m) const {
     return {static_cast<std::int32_t>(std::floor(m.x / cellSize) + origin.i),
             static_cast<std::int32_t>(std::floor(m.y / cellSize) + origin.j)};
   }
-  /// The least whole number of lattice units that is longer than this, by a tenth: rounding must not make it shorter.
+  /// A length in lattice units, rounded up. It is a tenth longer than asked for, so that what is at least as long on
+  /// the lattice is still long enough after rounding to `float`. Asserts that the cell size is finite and at least
+  /// 2e-6.
   std::int64_t unitsOf(double metres) const {
     assert(cellSize >= 2e-6 && std::isfinite(cellSize));
     return static_cast<std::int64_t>(std::ceil(1.1 * metres / cellSize * kUnitsPerCell));

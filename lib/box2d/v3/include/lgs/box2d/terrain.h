@@ -1,5 +1,5 @@
-// The boundary of a lgs::World as terrain in a Box2D 3 world: static bodies, one per chunk of cells, with a chain segment
-// and its ghost vertices for each segment, brought up to date with exactly what each commit changed.
+// The boundary of a lgs::World as terrain in a Box2D 3 world. Each chunk of cells is a static body, and each segment is
+// a chain segment with its ghost vertices. After a commit sync() changes exactly those shapes that the commit changed.
 //
 //   lgs::box2d::Terrain terrain(physics, world, {.cellSize = 0.5});
 //   …
@@ -8,15 +8,19 @@
 //   …
 //   if (auto hit = terrain.hit(event.shapeIdA)) dig(hit->cell);
 //
-// From Box2D 3.2 on the segments are loose ones (b2CreateChainSegmentShape), and a ghost that changes is set in place;
-// before, each is an open chain of four points, and made anew. Bodies that rest on changed ground, or where new ground
-// appears, wake up. Nothing else is touched.
+// From Box2D 3.2 on the chain segments are loose (b2CreateChainSegmentShape), and a ghost that changes is written in
+// place. Before 3.2 each is an open chain of four points, which is made anew when a ghost changes.
+//
+// Bodies that rest on changed ground wake up, and so do bodies where new ground appears. Nothing else is touched.
+//
+// No function fails. To be called from one thread at a time, and not during b2World_Step().
 #pragma once
 
 #include <box2d/box2d.h>
 #include <lgs/box2d/edges.h>
+#include <lgs/box2d/hit.h>
+#include <lgs/box2d/materials.h>
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -26,28 +30,15 @@ namespace lgs::box2d {
 struct Material {
   b2SurfaceMaterial surface = b2DefaultSurfaceMaterial();
   b2Filter filter = b2DefaultFilter();
+  friend bool operator==(const Material& a, const Material& b);
 };
 
-/// What is out of range is a mistake of the program: an assertion, or undefined behaviour where NDEBUG leaves those out.
-struct TerrainOptions {
-  double cellSize = 1;                           ///< metres; finite, at least 2e-6
-  Cell origin = {};                              ///< the cell whose lower left corner is at (0, 0) of the physics world
-  std::int32_t chunkCells = 16;                  ///< cells along the side of the chunk that is one body, 1 … 4,096
-  bool merge = false;                            ///< collinear neighbours of equal material in a chunk become one edge
-  std::function<Material(Block)> material = {};  ///< asked once for each block. Empty: the defaults for all
-};
-
-/// What a shape stands for.
-struct Hit {
-  SegmentId segment;
-  PolygonHandle polygon;
-  Block block = 0;
-  Cell cell;
-};
+using TerrainOptions = BasicTerrainOptions<Material>;
 
 class Terrain {
  public:
-  /// Makes the terrain of what the world held at its last commit. Both worlds must outlive it, and `world` stay in place.
+  /// Makes the terrain of what the world held at its last commit. Both worlds must outlive it, and `world` must stay
+  /// where it is. Cost: O(segments).
   Terrain(b2WorldId physics, const World& world, TerrainOptions options = {});
   ~Terrain();  ///< destroys its bodies
   Terrain(const Terrain&) = delete;
@@ -55,26 +46,28 @@ class Terrain {
   Terrain& operator=(const Terrain&) = delete;
   Terrain& operator=(Terrain&&) = delete;
 
-  /// Applies a commit: to be called once after each one, before the next edit, not during b2World_Step().
+  /// Applies a commit. Call it once after each commit, before the next edit. Cost: the number of changes, times the
+  /// segments of an edge.
   void sync(const Changes& changes);
 
-  /// What a shape of the terrain stands for; nothing if it is not one. Where edges are merged or welded, the segment
-  /// nearest to a point in the physics world, or the first one. After a commit and before its sync(): nothing where the
-  /// commit took such a segment away.
+  /// What a shape stands for; nothing if it is none of the terrain's. If it stands for several segments, merged or
+  /// welded, this is the one nearest to a point of the physics world; without a point, the first one. Between a commit
+  /// and its sync(): nothing if the commit changed those segments.
   std::optional<Hit> hit(b2ShapeId shape) const;
   std::optional<Hit> hit(b2ShapeId shape, b2Vec2 point) const;
 
-  /// The shape that stands for a segment; null if it was left out as too short.
+  /// The shape that stands for a segment; null if the segment is left out, because it is too short, or is not alive.
   b2ShapeId shape(SegmentId segment) const;
 
-  /// The edges behind the shapes: counts, ends, ghosts. A shape's user data is its EdgeId; it is the terrain's.
+  /// The edges behind the shapes: counts, ends, ghosts. A shape's user data is its EdgeId. The terrain needs it; do not
+  /// write there.
   const EdgeSet& edges() const { return edges_; }
-  /// Of a live edge; null for the null id.
+  /// The shape of a live edge; null for the null id.
   b2ShapeId shape(EdgeId edge) const { return shapes_[edge.value].shape; }
   std::size_t bodyCount() const { return bodyCount_; }  ///< chunks with at least one shape
 
   b2Vec2 position(Point p) const;  ///< where a lattice point is in the physics world
-  Cell cellAt(b2Vec2 p) const;     ///< which cell that is
+  Cell cellAt(b2Vec2 p) const;     ///< the cell at a place in the physics world
 
  private:
   struct Body {
@@ -83,7 +76,7 @@ class Terrain {
   };
   struct Shape {
     b2ShapeId shape = b2_nullShapeId;
-    b2ChainId chain = b2_nullChainId;  // before 3.2: what owns it
+    b2ChainId chain = b2_nullChainId;  // before 3.2: the chain that the shape is part of
   };
   EdgeId edgeOf(b2ShapeId shape) const;  // null if it is none of the terrain's
   void apply(const EdgeChanges& changes);
@@ -93,17 +86,14 @@ class Terrain {
   void unmake(EdgeId id);
   void relink(EdgeId id);
   void wakeAround(EdgeId id);
-  std::uint32_t materialNumber(Block block);
 
   b2WorldId physics_;
   const World& world_;
   Frame frame_;
-  std::function<Material(Block)> materialOf_;
-  std::vector<Material> materials_;  // distinct ones
-  std::unordered_map<Block, std::uint32_t> materialNumbers_;
+  Materials<Material> materials_;
   EdgeSet edges_;
   std::vector<Shape> shapes_ = std::vector<Shape>(1);  // by EdgeId
-  std::vector<Body> bodies_;                           // by number of chunk
+  std::vector<Body> bodies_;                           // by number of the chunk
   std::size_t bodyCount_ = 0;
 };
 

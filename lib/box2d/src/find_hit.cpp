@@ -1,4 +1,4 @@
-#include "nearest.h"
+#include "find_hit.h"
 
 #include <algorithm>
 
@@ -18,32 +18,34 @@ double squaredDistance(const Frame& frame, const Segment& s, Metres point) {
   return x * x + y * y;
 }
 
+Hit hitOf(const Segment& s) { return {s.id, s.polygon, s.block, s.cell}; }
+
 }  // namespace
 
 // An id that a commit removes names nothing else before the next commit (ids.h).
-std::optional<Segment> firstSegment(const World& world, const EdgeSet& set, EdgeId id) {
+std::optional<Hit> firstHit(const World& world, const EdgeSet& set, EdgeId id) {
   const auto s = world.segment(set.edge(id).first);
-  return s ? std::optional(*s) : std::nullopt;
+  return s ? std::optional(hitOf(*s)) : std::nullopt;
 }
 
-std::optional<Segment> nearestSegment(const World& world, const EdgeSet& set, EdgeId id, const Frame& frame,
-                                      Metres point) {
+std::optional<Hit> nearestHit(const World& world, const EdgeSet& set, EdgeId id, const Frame& frame, Metres point) {
   const SegmentId last = set.edge(id).last;
-  std::optional<Segment> s = firstSegment(world, set, id);
-  std::optional<Segment> nearest = s;
-  double least = s ? squaredDistance(frame, *s, point) : 0;
-  // Links that the set has not seen may lead in a circle past the last segment: no walk is longer than there are ids.
-  for (std::uint32_t left = world.maxSegmentId(); s && s->id != last; --left) {
-    const auto next = world.segment(s->successor);
-    if (!next || set.edgeOf(next->id) != id || left == 0) return {};
-    s = *next;
+  auto s = world.segment(set.edge(id).first);
+  if (!s) return {};
+  Segment nearest = *s;
+  double least = squaredDistance(frame, *s, point);
+  // Links that the set has not seen may lead in a circle that misses the last segment. No honest walk is longer than
+  // there are ids.
+  for (std::uint32_t left = world.maxSegmentId(); s->id != last; --left) {
+    s = world.segment(s->successor);
+    if (!s || set.edgeOf(s->id) != id || left == 0) return {};
     const double distance = squaredDistance(frame, *s, point);
     if (distance < least) {
       least = distance;
-      nearest = s;
+      nearest = *s;
     }
   }
-  return nearest;
+  return hitOf(nearest);
 }
 
 }  // namespace lgs::box2d
