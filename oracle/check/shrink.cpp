@@ -11,7 +11,6 @@ namespace lgs::oracle {
 namespace {
 
 using Polygon = std::vector<LocalPoint>;
-using Clock = std::chrono::steady_clock;
 
 // Every polygon gets a name of its own, p1, p2, … in order; so an add can go without touching another's removal.
 Trace renamed(Trace trace) {
@@ -82,152 +81,151 @@ std::vector<Polygon> simplerPolygons(const Polygon& polygon) {
   return result;
 }
 
-class Shrinker {
- public:
-  Shrinker(Trace trace, const StillFails& stillFails, std::chrono::milliseconds budget)
-      : best_(std::move(trace)), stillFails_(stillFails), deadline_(Clock::now() + budget) {}
+}  // namespace
 
-  Trace run() {
-    attempt(renamed(best_));
-    for (bool progress = true; progress && !timeIsUp();) {
-      progress = dropEdits();
-      progress = simplifyPolygons() || progress;
-      progress = simplifyBlocks() || progress;
-      progress = moveCells() || progress;
+const std::vector<ShrinkWalk::Pass>& ShrinkWalk::passes() {
+  using W = ShrinkWalk;
+  static const std::vector<Pass> kPasses{&W::rename,      &W::dropEdits,      &W::simplifyPolygons,
+                                         &W::dropPairs,   &W::renumberBlocks, &W::oneBlock,
+                                         &W::moveColumns, &W::moveRows,       &W::rename};
+  return kPasses;
+}
+
+std::optional<Trace> ShrinkWalk::next() {
+  constexpr std::size_t kFirstOfRound = 1;
+  const std::size_t endOfRound = passes().size() - 1;
+  while (pass_ < passes().size()) {
+    if (auto candidate = (this->*passes()[pass_])()) {
+      if (*candidate != best_) return candidate;
+      continue;
     }
-    attempt(renamed(best_));
-    return std::move(best_);
+    ++pass_;
+    if (pass_ == endOfRound && isSmaller_) pass_ = kFirstOfRound;
+    if (pass_ == kFirstOfRound) isSmaller_ = false;
+    at_ = variant_ = 0;
+    length_ = std::max<std::size_t>(best_.edits.size() / 2, 1);
   }
+  return std::nullopt;
+}
 
- private:
-  bool timeIsUp() const { return Clock::now() >= deadline_; }
+void ShrinkWalk::accept(Trace candidate) {
+  at_ -= best_.edits.size() - candidate.edits.size();  // what was dropped is no longer behind
+  variant_ = 0;
+  isSmaller_ = true;
+  best_ = std::move(candidate);
+}
 
-  bool attempt(Trace candidate) {
-    if (timeIsUp() || candidate == best_ || !stillFails_(candidate)) return false;
-    best_ = std::move(candidate);
-    return true;
+std::optional<Trace> ShrinkWalk::rename() {
+  if (variant_++ != 0) return std::nullopt;
+  return renamed(best_);
+}
+
+std::optional<Trace> ShrinkWalk::dropEdits() {
+  const std::size_t size = best_.edits.size();
+  if (at_ >= size) {
+    at_ = 0;
+    length_ /= 2;
   }
+  if (length_ == 0 || size == 0) return std::nullopt;
+  // From the end: what comes later depends on what came before.
+  const std::size_t end = size - at_;
+  const std::size_t begin = end > length_ ? end - length_ : 0;
+  at_ = size - begin;
+  Trace candidate = best_;
+  candidate.edits.erase(candidate.edits.begin() + static_cast<std::ptrdiff_t>(begin),
+                        candidate.edits.begin() + static_cast<std::ptrdiff_t>(end));
+  dropOrphans(candidate);
+  return candidate;
+}
 
-  bool dropEdits() {
-    bool progress = false;
-    for (std::size_t length = std::max<std::size_t>(best_.edits.size() / 2, 1); length > 0; length /= 2) {
-      // From the end: what comes later depends on what came before.
-      for (std::size_t end = best_.edits.size(); end > 0 && !timeIsUp();) {
-        end = std::min(end, best_.edits.size());
-        const std::size_t begin = end > length ? end - length : 0;
-        Trace candidate = best_;
-        candidate.edits.erase(candidate.edits.begin() + static_cast<std::ptrdiff_t>(begin),
-                              candidate.edits.begin() + static_cast<std::ptrdiff_t>(end));
-        dropOrphans(candidate);
-        progress = attempt(std::move(candidate)) || progress;
-        end = begin;
-      }
-    }
-    return progress;
-  }
-
-  bool simplifyPolygons() {
-    bool progress = false;
-    for (std::size_t k = 0; k < best_.edits.size(); ++k) {
-      if (best_.edits[k].kind != Edit::Kind::add) continue;
-      while (simplifyPolygon(k)) progress = true;
-    }
-    return progress;
-  }
-
-  bool simplifyPolygon(std::size_t k) {
-    for (Polygon& polygon : simplerPolygons(best_.edits[k].polygon.vertices)) {
-      Trace candidate = best_;
-      candidate.edits[k].polygon.vertices = std::move(polygon);
-      if (attempt(std::move(candidate))) return true;
-    }
-    return false;
-  }
-
-  bool simplifyBlocks() {
-    bool progress = false;
-    for (std::size_t drop = 0; drop < best_.preserve.pairs().size();) {
-      Trace candidate = best_;
-      candidate.preserve = {};
-      for (std::size_t k = 0; k < best_.preserve.pairs().size(); ++k) {
-        const auto& [a, b] = best_.preserve.pairs()[k];
-        if (k != drop) candidate.preserve.add(a, b);
-      }
-      if (attempt(std::move(candidate))) {
-        progress = true;
-      } else {
-        ++drop;
-      }
-    }
-    progress = renumberBlocks() || progress;
-    for (std::size_t k = 0; k < best_.edits.size(); ++k) {
-      if (best_.edits[k].kind != Edit::Kind::add || best_.edits[k].polygon.block == 1) continue;
-      Trace candidate = best_;
-      candidate.edits[k].polygon.block = 1;
-      progress = attempt(std::move(candidate)) || progress;
-    }
-    return progress;
-  }
-
-  // Blocks become 1, 2, … in order of first use.
-  bool renumberBlocks() {
+std::optional<Trace> ShrinkWalk::simplifyPolygons() {
+  for (; at_ < best_.edits.size(); ++at_, variant_ = 0) {
+    if (best_.edits[at_].kind != Edit::Kind::add) continue;
+    std::vector<Polygon> simpler = simplerPolygons(best_.edits[at_].polygon.vertices);
+    if (variant_ >= simpler.size()) continue;
     Trace candidate = best_;
-    std::map<Block, Block> numberOf;
-    const auto number = [&](Block block) {
-      return numberOf.try_emplace(block, static_cast<Block>(numberOf.size() + 1)).first->second;
-    };
-    for (Edit& edit : candidate.edits) {
-      if (edit.kind == Edit::Kind::add) edit.polygon.block = number(edit.polygon.block);
-    }
-    candidate.preserve = {};
-    for (const auto& [a, b] : best_.preserve.pairs()) {
-      const Block first = number(a);
-      candidate.preserve.add(first, number(b));
-    }
-    return attempt(std::move(candidate));
+    candidate.edits[at_].polygon.vertices = std::move(simpler[variant_++]);
+    return candidate;
   }
+  return std::nullopt;
+}
 
-  bool moveCells() {
-    bool progress = false;
-    for (const auto axis : {&Cell::i, &Cell::j}) {
-      std::set<std::int32_t> used;
-      for (const Edit& edit : best_.edits) {
-        if (edit.kind == Edit::Kind::add) used.insert(edit.polygon.cell.*axis);
-      }
-      // The first line of cells goes to 0, or else to -1, so that a border of chunks comes after it; each further one next
-      // to the one before it; what lies beyond moves along. From the last to the first, so that `used` stays true.
-      for (auto line = used.rbegin(); line != used.rend(); ++line) {
-        const auto before = std::next(line);
-        if (before != used.rend()) {
-          progress = moveLines(axis, *line, *before + 1) || progress;
-        } else {
-          progress = moveLines(axis, *line, 0) || (*line != 0 && moveLines(axis, *line, -1)) || progress;
-        }
-      }
-    }
-    return progress;
+std::optional<Trace> ShrinkWalk::dropPairs() {
+  if (variant_++ != 0) {
+    ++at_;
+    variant_ = 1;
   }
+  const auto& pairs = best_.preserve.pairs();
+  if (at_ >= pairs.size()) return std::nullopt;
+  Trace candidate = best_;
+  candidate.preserve = {};
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    if (k != at_) candidate.preserve.add(pairs[k].first, pairs[k].second);
+  return candidate;
+}
 
-  // Moves the cells from one line on so that this line comes to lie at `target`.
-  bool moveLines(std::int32_t Cell::*axis, std::int32_t line, std::int32_t target) {
-    if (line == target) return false;
+// Blocks become 1, 2, … in order of first use.
+std::optional<Trace> ShrinkWalk::renumberBlocks() {
+  if (variant_++ != 0) return std::nullopt;
+  Trace candidate = best_;
+  std::map<Block, Block> numberOf;
+  const auto number = [&](Block block) {
+    return numberOf.try_emplace(block, static_cast<Block>(numberOf.size() + 1)).first->second;
+  };
+  for (Edit& edit : candidate.edits) {
+    if (edit.kind == Edit::Kind::add) edit.polygon.block = number(edit.polygon.block);
+  }
+  candidate.preserve = {};
+  for (const auto& [a, b] : best_.preserve.pairs()) {
+    const Block first = number(a);
+    candidate.preserve.add(first, number(b));
+  }
+  return candidate;
+}
+
+std::optional<Trace> ShrinkWalk::oneBlock() {
+  while (at_ < best_.edits.size() && best_.edits[at_].kind != Edit::Kind::add) ++at_;
+  if (at_ >= best_.edits.size()) return std::nullopt;
+  Trace candidate = best_;
+  candidate.edits[at_++].polygon.block = 1;
+  return candidate;
+}
+
+// The first line of cells goes to 0, or else to -1, so that a border of chunks comes after it; each further one next to the
+// one before it; what lies beyond moves along. From the last line to the first, so that those before stay where they are.
+std::optional<Trace> ShrinkWalk::moveCells(std::int32_t Cell::*axis) {
+  std::set<std::int32_t> used;
+  for (const Edit& edit : best_.edits) {
+    if (edit.kind == Edit::Kind::add) used.insert(edit.polygon.cell.*axis);
+  }
+  const std::vector<std::int32_t> lines(used.begin(), used.end());
+  const auto movedTo = [&](std::int32_t line, std::int32_t target) {
     Trace candidate = best_;
     for (Edit& edit : candidate.edits) {
       std::int32_t& index = edit.polygon.cell.*axis;
       if (edit.kind == Edit::Kind::add && index >= line) index -= line - target;
     }
-    return attempt(std::move(candidate));
+    return candidate;
+  };
+  if (at_ >= lines.size()) return std::nullopt;
+  const std::size_t k = lines.size() - 1 - at_;
+  if (k != 0) {
+    ++at_;
+    return movedTo(lines[k], lines[k - 1] + 1);
   }
-
-  Trace best_;
-  const StillFails& stillFails_;
-  Clock::time_point deadline_;
-};
-
-}  // namespace
+  if (variant_ == 2 || lines[0] == 0) return std::nullopt;
+  return movedTo(lines[0], variant_++ == 0 ? 0 : -1);
+}
 
 Trace shrink(Trace trace, const StillFails& stillFails, std::chrono::milliseconds budget) {
-  return Shrinker(std::move(trace), stillFails, budget).run();
+  const auto deadline = std::chrono::steady_clock::now() + budget;
+  ShrinkWalk walk(std::move(trace));
+  while (std::chrono::steady_clock::now() < deadline) {
+    auto candidate = walk.next();
+    if (!candidate) break;
+    if (stillFails(*candidate)) walk.accept(std::move(*candidate));
+  }
+  return walk.best();
 }
 
 }  // namespace lgs::oracle

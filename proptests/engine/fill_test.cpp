@@ -1,19 +1,15 @@
-// fill() and clear(): the same as single edits, all or nothing, across chunks, at negative cells and the range's ends.
-#include "oracle/generate/random.h"
+// fill() and clear() by examples: all or nothing, across chunks, at negative cells and the range's ends.
 #include "oracle/trace/dump.h"
-#include "scale.h"
-#include "support.h"
+#include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 
-namespace lgs::engine_test {
+namespace lgs::test {
 namespace {
 
 using oracle::outlineOf;
-using oracle::Random;
 
 TEST(Fill, CountsCellsAndClearCountsPolygons) {
   World world;
@@ -117,64 +113,6 @@ TEST(Fill, AddsToCellsThatHoldOthersAlready) {
   EXPECT_EQ(world.polygons({2, 2}).size(), 1U);
 }
 
-// Rectangles filled and cleared, in one world as a whole, in the other cell by cell.
-RC_GTEST_PROP(Fill, IsTheSameAsSingleEdits, ()) {
-  const auto seed = *rc::gen::noShrink(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
-  const int steps = static_cast<int>(scaled(*rc::gen::inRange(1, 12)));
-  Random random(seed);
-  const auto keeps = [](Block a, Block b) { return a != b && b != 2; };
-  const PreserveRelation relation = random.chance(50) ? PreserveRelation(keeps) : PreserveRelation();
-  World whole(relation), single(relation);
-  const std::vector<std::int32_t> origins{0, -4, 28, -36, kMaxCell - 9, -kMaxCell};
-  const std::int32_t oi = random.pick(origins);
-  const std::int32_t oj = random.pick(origins);
-  const CellRect all{{oi, oj}, {oi + 9, oj + 9}};
-  for (int step = 0; step < steps; ++step) {
-    CellRect rect;
-    rect.min.i = oi + random.below(10);
-    rect.min.j = oj + random.below(10);
-    rect.max.i = std::min(all.max.i, rect.min.i + random.below(6));
-    rect.max.j = std::min(all.max.j, rect.min.j + random.below(6));
-    if (random.chance(35)) {
-      std::uint64_t count = 0;
-      for (const Cell& cell : cellsOf(rect)) {
-        count += single.polygons(cell).size();
-        removeAll(single, cell);
-      }
-      RC_ASSERT(whole.clear(rect).value() == count);
-    } else {
-      const std::vector<LocalPolygon>& polygons = random.pick(oracle::degenerateShapes()).polygons;
-      const ShapeId a = shapeOf(whole, polygons), b = shapeOf(single, polygons);
-      const Block block = random.below(4U);
-      const auto filled = whole.fill(rect, a, block);
-      std::vector<PolygonHandle> made(polygons.size()), done;
-      bool refused = false;
-      for (const Cell& cell : cellsOf(rect)) {
-        const auto added = single.add(cell, b, block, made);
-        refused = !added;
-        if (refused) {
-          RC_ASSERT(!filled);
-          RC_ASSERT(filled.error().cell == cell);
-          RC_ASSERT(filled.error().code == added.error().code);
-          break;
-        }
-        done.insert(done.end(), made.begin(), made.end());
-      }
-      RC_ASSERT(refused == !filled);
-      if (refused)
-        for (const PolygonHandle handle : done) RC_ASSERT(single.remove(handle).has_value());
-      else
-        RC_ASSERT(*filled == cellsOf(rect).size());
-    }
-    if (random.chance(60)) {
-      whole.commit();
-      single.commit();
-      RC_ASSERT(outlineOf(whole) == outlineOf(single));
-    }
-    for (const Cell& cell : cellsOf(all)) RC_ASSERT(whole.polygons(cell).size() == single.polygons(cell).size());
-  }
-}
-
 // Once read past the end of a page of records: a cell that lists its polygons and has no segments, looked at from a side
 // with rim points. Only the address sanitizer can see it.
 TEST(Fill, BuriesCellsThatListTheirPolygons) {
@@ -188,4 +126,4 @@ TEST(Fill, BuriesCellsThatListTheirPolygons) {
 }
 
 }  // namespace
-}  // namespace lgs::engine_test
+}  // namespace lgs::test

@@ -1,5 +1,5 @@
 // Handles: one for each polygon, stale for good once it is removed, never another polygon.
-#include "support.h"
+#include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 #include <unordered_set>
 
-namespace lgs::engine_test {
+namespace lgs::test {
 namespace {
 
 void expectStale(World& world, PolygonHandle handle) {
@@ -149,4 +149,4 @@ TEST(Handles, SurviveTheRemovalOfOthersInTheCell) {
 }
 
 }  // namespace
-}  // namespace lgs::engine_test
+}  // namespace lgs::test

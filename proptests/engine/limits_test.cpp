@@ -2,8 +2,8 @@
 // catalogue must do when it gets tight.
 #include "oracle/generate/random.h"
 #include "oracle/trace/dump.h"
-#include "scale.h"
-#include "support.h"
+#include "proptests/support/scale.h"
+#include "proptests/support/worlds.h"
 #include "world_impl.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include <map>
 #include <set>
 
-namespace lgs::engine_test {
+namespace lgs::test {
 namespace {
 
 using detail::kMaxSerial;
@@ -191,4 +191,4 @@ TEST(Catalogue, ForgetsOnceAndNeverWhatIsUsed) {
 }
 
 }  // namespace
-}  // namespace lgs::engine_test
+}  // namespace lgs::test

@@ -1,13 +1,13 @@
 // Placing and reading: blocks, several polygons in a cell, the ends of the range, coordinates that are rounded.
 #include "oracle/trace/dump.h"
-#include "support.h"
+#include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
 
 #include <future>
 #include <limits>
 
-namespace lgs::engine_test {
+namespace lgs::test {
 namespace {
 
 TEST(World, IsEmptyAtFirst) {
@@ -227,4 +227,4 @@ TEST(World, TheSameEditsGiveTheSameIds) {
 }
 
 }  // namespace
-}  // namespace lgs::engine_test
+}  // namespace lgs::test

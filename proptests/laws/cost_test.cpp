@@ -1,0 +1,216 @@
+// What a world costs: the statistics against what is really allocated, and no allocation in the steady state.
+#include "allocations.h"
+#include "oracle/generate/random.h"
+#include "proptests/support/scale.h"
+#include "proptests/support/worlds.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lgs::test {
+namespace {
+
+using oracle::Random;
+
+/// A world of this many cells each way; what it allocated, measured.
+struct Measured {
+  std::int64_t start = allocations().bytes;
+  World world;
+  double bytes() const { return static_cast<double>(allocations().bytes - start); }
+};
+
+void expectHonestStats(const Measured& m) {
+  const double said = static_cast<double>(m.world.stats().bytes);
+  EXPECT_NEAR(said / m.bytes(), 1.0, 0.03) << said << " bytes said, " << m.bytes() << " allocated";
+}
+
+TEST(Memory, ABuriedFullCellCostsAtMostEightBytes) {
+  const auto side = static_cast<std::int32_t>(1000 * std::min(1.0, std::sqrt(testScale())));
+  Measured m;
+  const ShapeId square = shapeOf(m.world, {unitSquare()});
+  ASSERT_TRUE(m.world.fill({{0, 0}, {side - 1, side - 1}}, square, 1));
+  m.world.commit();
+  EXPECT_EQ(m.world.stats().segments, 4U * static_cast<unsigned>(side));
+  if (side == 1000) {
+    EXPECT_LT(m.bytes() / 1e6, 8.0);
+  }
+  RecordProperty("bytes_per_buried_cell", std::to_string(m.bytes() / side / side));
+  expectHonestStats(m);
+}
+
+TEST(Memory, GrowsWithWhatIsThere) {
+  Measured m;
+  const ShapeId square = shapeOf(m.world, {unitSquare()}), diamond = shapeOf(m.world, shapeNamed("diamond"));
+  const std::uint64_t empty = m.world.stats().bytes;
+  ASSERT_TRUE(m.world.fill({{0, 0}, {99, 99}}, square, 1));
+  m.world.commit();
+  const std::uint64_t full = m.world.stats().bytes;
+  EXPECT_GT(full, empty);
+  ASSERT_TRUE(m.world.clear({{0, 0}, {99, 99}}));
+  ASSERT_TRUE(m.world.fill({{0, 0}, {99, 99}}, diamond, 1));
+  m.world.commit();
+  const Stats stats = m.world.stats();
+  EXPECT_GT(stats.bytes, full + 40'000 * 28);
+  EXPECT_EQ(stats.polygons, 10'000U);
+  EXPECT_EQ(stats.cells, 10'000U);
+  EXPECT_EQ(stats.segments, 40'000U);
+  EXPECT_EQ(stats.shapes, 2U);
+  EXPECT_EQ(stats.contents, 2U);
+  EXPECT_EQ(stats.chunks, 16U);
+  expectHonestStats(m);
+}
+
+TEST(Memory, StatsAreHonestWithManyShapesAndPolygons) {
+  Measured m;
+  Random random(5);
+  for (int k = 0; k < 3000; ++k) {
+    const oracle::NamedShape& shape = random.pick(oracle::degenerateShapes());
+    std::vector<LocalPolygon> polygons;
+    const int symmetry = random.below(8);
+    for (const LocalPolygon& p : shape.polygons) polygons.push_back(oracle::turned(p, symmetry));
+    const ShapeId id = shapeOf(m.world, polygons);
+    static_cast<void>(m.world.add({k % 60, k / 60}, id, random.below(3U)));
+  }
+  m.world.commit();
+  expectHonestStats(m);
+}
+
+/// Edits a grown world, as often as it takes to reach its size, and then counts allocations.
+class SteadyState {
+ public:
+  explicit SteadyState(PreserveRelation preserve, std::vector<std::vector<LocalPolygon>> shapes, bool byVertices)
+      : world_(std::move(preserve)), shapes_(std::move(shapes)), byVertices_(byVertices) {
+    for (const auto& polygons : shapes_) ids_.push_back(shapeOf(world_, polygons));
+    isTaken_.resize(kSide * kSide);
+  }
+
+  /// Allocations of `edits` edits, and of the commits after them.
+  std::pair<std::uint64_t, std::uint64_t> run(int edits, std::uint64_t seed) {
+    Random random(seed);
+    std::uint64_t ofEdits = 0, ofCommits = 0;
+    for (int k = 0; k < edits; ++k) {
+      const std::uint64_t before = allocations().count;
+      edit(random);
+      const std::uint64_t edited = allocations().count;
+      if (random.chance(70)) world_.commit();
+      ofEdits += edited - before;
+      ofCommits += allocations().count - edited;
+    }
+    return {ofEdits, ofCommits};
+  }
+
+  /// The most there can be: every cell with the shape that has the most segments.
+  void grow() {
+    const auto cells = cellsOf({{0, 0}, {kSide - 1, kSide - 1}});
+    for (std::size_t s = 0; s < shapes_.size(); ++s) {
+      for (std::size_t k = 0; k < cells.size(); ++k) {
+        EXPECT_TRUE(world_.clear({cells[k], cells[k]}));
+        isTaken_[k] = false;
+      }
+      world_.commit();
+      for (std::size_t k = 0; k < cells.size(); k += 1 + k % 2)
+        isTaken_[k] = world_.add(cells[k], ids_[s], 1).has_value();
+      world_.commit();
+    }
+  }
+
+ private:
+  static constexpr std::int32_t kSide = 40;  // beyond one chunk
+
+  void edit(Random& random) {
+    const std::int32_t i = random.below(kSide);
+    const std::int32_t j = random.below(kSide);
+    const Cell cell{i, j};
+    const auto k = static_cast<std::size_t>(j * kSide + i);
+    isTaken_[k] = !isTaken_[k];
+    if (!isTaken_[k]) {
+      world_.polygons(cell, polygons_);
+      for (const PlacedPolygon& p : polygons_) EXPECT_TRUE(world_.remove(p.handle));
+      return;
+    }
+    const std::size_t s = random.below(shapes_.size());
+    const Block block = random.below(3U);
+    if (byVertices_) {
+      for (const LocalPolygon& p : shapes_[s]) EXPECT_TRUE(world_.add(cell, std::span<const LocalPoint>(p), block));
+    } else {
+      EXPECT_TRUE(world_.add(cell, ids_[s], block));
+    }
+  }
+
+  World world_;
+  std::vector<std::vector<LocalPolygon>> shapes_;
+  std::vector<ShapeId> ids_;
+  std::vector<bool> isTaken_;
+  std::vector<PlacedPolygon> polygons_;
+  bool byVertices_;
+};
+
+std::vector<std::vector<LocalPolygon>> singleShapes() {
+  return {{unitSquare()}, {ramp()}, shapeNamed("comb"), shapeNamed("diamond"), shapeNamed("gentle, low")};
+}
+
+TEST(Memory, TheSteadyStateAllocatesNothing) {
+  const auto keeps = [](Block a, Block b) { return a != b; };
+  for (const bool byVertices : {false, true}) {
+    for (const bool preserve : {false, true}) {
+      SteadyState state(preserve ? PreserveRelation(keeps) : PreserveRelation(), singleShapes(), byVertices);
+      state.grow();
+      state.run(20'000, 1);
+      const auto [ofEdits, ofCommits] = state.run(10'000, 2);
+      EXPECT_EQ(ofEdits, 0U) << "by vertices: " << byVertices << ", preserve: " << preserve;
+      EXPECT_EQ(ofCommits, 0U) << "by vertices: " << byVertices << ", preserve: " << preserve;
+    }
+  }
+}
+
+// With several polygons in a cell what commit() promises still holds.
+TEST(Memory, CommitsAllocateNothingWithSeveralPolygonsInACell) {
+  for (const bool byVertices : {false, true}) {
+    SteadyState state({}, {shapeNamed("two ramps"), shapeNamed("four around the middle"), {unitSquare()}}, byVertices);
+    state.grow();
+    state.run(20'000, 1);
+    const auto [ofEdits, ofCommits] = state.run(10'000, 2);
+    EXPECT_EQ(ofCommits, 0U) << "by vertices: " << byVertices;
+    RecordProperty(byVertices ? "allocations_of_edits_by_vertices" : "allocations_of_edits_by_shape",
+                   std::to_string(ofEdits));
+  }
+}
+
+// Beyond the 255 placements that a compact cell can count.
+TEST(Memory, AFewCellsEditedForLongAllocateNothing) {
+  World world;
+  const ShapeId shape = shapeOf(world, {ramp()});
+  const auto run = [&](int edits) {
+    const std::uint64_t before = allocations().count;
+    for (int k = 0; k < edits; ++k) {
+      const Cell cell{k % 3, 0};
+      const auto handle = world.add(cell, shape, 1);
+      world.commit();
+      EXPECT_TRUE(world.remove(*handle));
+      world.commit();
+    }
+    return allocations().count - before;
+  };
+  run(1000);
+  EXPECT_EQ(run(1000), 0U);
+}
+
+// Polygons that never come again must not stay for ever.
+TEST(Memory, ForgetsThePolygonsThatNothingUses) {
+  Measured m;
+  const auto run = [&](std::int32_t from) {
+    for (std::int32_t k = from; k < from + 5000; ++k) {
+      EXPECT_TRUE(m.world.remove(place(m.world, {k % 7, 0}, {{0, 0}, {k + 2, 0}, {0, 5}})));
+      if (k % 64 == 0) m.world.commit();
+    }
+    return m.bytes();
+  };
+  const double once = run(0);
+  run(5000);
+  EXPECT_LT(run(10'000), 1.5 * once);
+  EXPECT_LT(m.world.stats().contents, 5000U);
+}
+
+}  // namespace
+}  // namespace lgs::test

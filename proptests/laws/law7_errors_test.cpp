@@ -1,0 +1,102 @@
+// What an error says: code, fields, message; and that the first reason in the order of ErrorCode is the one reported.
+#include "bad_edits.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <set>
+
+namespace lgs::test {
+namespace {
+
+TEST(Errors, SayWhatAndWhere) {
+  for (const BadEdit& edit : badEdits()) {
+    SCOPED_TRACE(edit.name);
+    Stage stage = makeStage();
+    const Error error = edit.attempt(stage);
+    EXPECT_STREQ(name(error.code), name(edit.expected.code));
+    EXPECT_EQ(error.hasCell(), edit.expected.hasCell());
+    if (error.hasCell()) {
+      EXPECT_EQ(error.cell, edit.expected.cell);
+    }
+    EXPECT_EQ(error.polygon, edit.expected.polygon);
+    EXPECT_EQ(error.vertex, edit.expected.vertex);
+    EXPECT_EQ(error.vertex2, edit.expected.vertex2);
+    EXPECT_EQ(error.polygon2, edit.expected.polygon2);
+    EXPECT_EQ(error.other, edit.expected.other);
+    EXPECT_EQ(error.segment, SegmentId{});
+    EXPECT_EQ(message(error), edit.text);
+  }
+}
+
+TEST(Errors, EveryCodeIsTried) {
+  std::set<ErrorCode> tried{ErrorCode::unknownSegment};  // no edit: segments_test.cpp
+  for (const BadEdit& edit : badEdits()) tried.insert(edit.expected.code);
+  EXPECT_EQ(tried.size(), static_cast<std::size_t>(ErrorCode::unknownSegment));
+}
+
+TEST(Errors, EveryCodeHasAName) {
+  std::set<std::string> names;
+  for (int code = 1; code <= static_cast<int>(ErrorCode::unknownSegment); ++code)
+    names.insert(name(static_cast<ErrorCode>(code)));
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(ErrorCode::unknownSegment));
+  EXPECT_FALSE(names.contains(name(ErrorCode{})));
+  EXPECT_EQ(message(Error{}), "unknown error");
+}
+
+TEST(Errors, PolygonsInACellAreLimited) {
+  World world;
+  const auto tile = [](std::size_t k) {
+    const auto x = static_cast<std::int32_t>(2 * k);
+    return LocalPolygon{{x, 0}, {x + 1, 0}, {x + 1, 1}};
+  };
+  std::vector<PolygonHandle> handles;
+  for (std::size_t k = 0; k < kMaxPolygonsPerCell; ++k) handles.push_back(place(world, {}, tile(k)));
+  const LocalPolygon more = tile(kMaxPolygonsPerCell);
+  const auto refused = world.add({}, std::span<const LocalPoint>(more), 1);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::capacity);
+  EXPECT_EQ(refused.error().cell, Cell{});
+  EXPECT_TRUE(refused.error().hasCell());
+  world.commit();
+  EXPECT_EQ(world.stats().segments, 3 * kMaxPolygonsPerCell);
+  ASSERT_TRUE(world.remove(handles[100]));
+  place(world, {}, more);
+}
+
+TEST(Errors, VerticesInACellAreLimitedAllTogether) {
+  World world;
+  const auto comb = [](std::int32_t floor, std::size_t vertices) {
+    LocalPolygon polygon;
+    for (std::size_t k = 0; k + 1 < vertices; ++k) polygon.push_back({static_cast<std::int32_t>(k), floor});
+    polygon.push_back({0, floor + 10});
+    return polygon;
+  };
+  place(world, {}, comb(0, kMaxVerticesPerCell - 4));
+  place(world, {}, comb(100, 3));
+  const LocalPolygon three = comb(200, 3);
+  const auto refused = world.add({}, std::span<const LocalPoint>(three), 1);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::capacity);
+  EXPECT_EQ(world.polygons({}).size(), 2U);
+  EXPECT_EQ(world.stats().polygons, 2U);
+}
+
+TEST(Errors, OverlapIsFoundBeforeAnythingElseInTheCellChanges) {
+  World world;
+  const std::vector<LocalPolygon> halves = shapeNamed("two halves");
+  const ShapeId shape = shapeOf(world, halves);
+  const PolygonHandle upper = place(world, {3, 3}, halves[1]);
+  std::array<PolygonHandle, 2> handles{PolygonHandle{1, 2}, PolygonHandle{3, 4}};
+  const auto refused = world.add({3, 3}, shape, 5, handles);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::overlap);
+  EXPECT_EQ(refused.error().polygon, 1);
+  EXPECT_EQ(refused.error().other, upper);
+  EXPECT_EQ(refused.error().polygon2, -1);
+  EXPECT_EQ(handles[0], (PolygonHandle{1, 2})) << "a refused edit writes no handles";
+  EXPECT_EQ(world.polygons({3, 3}).size(), 1U);
+}
+
+}  // namespace
+}  // namespace lgs::test

@@ -1,0 +1,240 @@
+// The world changed as a whole, in ways after which the outline is known from the outline before: shifted by whole
+// cells, turned, mirrored, with other block numbers, with a polygon split in two, with cells and polygons united.
+#include "oracle/generate/generator.h"
+#include "oracle/trace/model.h"
+#include "proptests/support/law.h"
+#include "proptests/support/played.h"
+#include "proptests/support/traces.h"
+#include "proptests/support/worlds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+namespace lgs::test {
+namespace {
+
+using oracle::Edit;
+using oracle::Outline;
+using oracle::OutlineSegment;
+using oracle::Random;
+using oracle::Trace;
+
+Outline mapPoints(Outline outline, const std::function<Point(Point)>& map) {
+  for (OutlineSegment& s : outline) {
+    s.start = map(s.start);
+    s.end = map(s.end);
+    if (s.ghost1) s.ghost1 = map(*s.ghost1);
+    if (s.ghost2) s.ghost2 = map(*s.ghost2);
+  }
+  return outline;
+}
+
+template <class Map>
+Trace mapPolygons(Trace trace, Map&& map) {
+  for (Edit& edit : trace.edits)
+    if (edit.kind == Edit::Kind::add) map(edit.polygon);
+  return trace;
+}
+
+LGS_LAW(Metamorphic, ShiftedByWholeCells, 2'000, (const GoodTrace& trace, Chance chance)) {
+  const CellRect bounds = boundsOf(trace);
+  if (isEmpty(bounds)) return;
+  const auto target = [&](std::int32_t size) {
+    const std::vector<std::int32_t> starts{
+        0,         -size,           32 - chance.below(size + 1), -64 - chance.below(size + 1),
+        -kMaxCell, kMaxCell - size, chance.below(1 << 20)};
+    return chance.pick(starts);
+  };
+  const std::int32_t i = target(bounds.max.i - bounds.min.i);
+  const std::int32_t j = target(bounds.max.j - bounds.min.j);
+  const std::int64_t dx = (std::int64_t{i} - bounds.min.i) * U, dy = (std::int64_t{j} - bounds.min.j) * U;
+  const auto shifted = [=](Point p) { return Point{p.x + dx, p.y + dy}; };
+  expectSame(mapPoints(outlineAfter(trace), shifted), outlineAfter(movedTo(trace, {i, j})));
+}
+
+/// About the origin and the corners of the chunks there, so that a turn or a mirror leads across them.
+Trace nearTheOrigin(const Trace& trace, Chance& chance) {
+  const std::int32_t i = chance.below(40) - 36;
+  return movedTo(trace, {i, chance.below(40) - 36});
+}
+
+LGS_LAW(Metamorphic, TurnedByAQuarter, 2'000, (const GoodTrace& anywhere, Chance chance)) {
+  const Trace trace = nearTheOrigin(anywhere, chance);
+  const Trace turned = mapPolygons(trace, [](oracle::ScenePolygon& p) {
+    p.cell = {-p.cell.j - 1, p.cell.i};
+    for (LocalPoint& v : p.vertices) v = {U - v.y, v.x};
+  });
+  const auto turn = [](Point p) { return Point{-p.y, p.x}; };
+  expectSame(mapPoints(outlineAfter(trace), turn), outlineAfter(turned));
+}
+
+LGS_LAW(Metamorphic, Mirrored, 2'000, (const GoodTrace& anywhere, Chance chance)) {
+  const Trace trace = nearTheOrigin(anywhere, chance);
+  const Trace mirrored = mapPolygons(trace, [](oracle::ScenePolygon& p) {
+    p.cell.i = -p.cell.i - 1;
+    for (LocalPoint& v : p.vertices) v.x = U - v.x;
+    std::reverse(p.vertices.begin(), p.vertices.end());
+  });
+  Outline expected = mapPoints(outlineAfter(trace), [](Point p) { return Point{-p.x, p.y}; });
+  for (OutlineSegment& s : expected) {
+    std::swap(s.start, s.end);
+    std::swap(s.ghost1, s.ghost2);
+  }
+  expectSame(expected, outlineAfter(mirrored));
+}
+
+LGS_LAW(Metamorphic, BlocksRenamed, 2'000, (const GoodTrace& trace, Chance chance)) {
+  const Block factor = 2 * chance.below(1U << 31) + 1;  // odd: no two blocks become one
+  const Block offset = chance.below(0xffff'ffffU);
+  const auto rename = [=](Block b) { return b * factor + offset; };
+  Trace renamed = mapPolygons(trace, [&](oracle::ScenePolygon& p) { p.block = rename(p.block); });
+  renamed.preserve = {};
+  for (const auto& [a, b] : trace.preserve.pairs()) renamed.preserve.add(rename(a), rename(b));
+  Outline expected = outlineAfter(trace);
+  for (OutlineSegment& s : expected) s.block = rename(s.block);
+  expectSame(expected, outlineAfter(renamed));
+}
+
+LGS_LAW(Metamorphic, VerticesStartElsewhere, 1'000, (const GoodTrace& trace, Chance chance)) {
+  const Trace rotated = mapPolygons(trace, [&](oracle::ScenePolygon& p) {
+    const auto by = static_cast<std::ptrdiff_t>(chance.below(p.vertices.size()));
+    std::rotate(p.vertices.begin(), p.vertices.begin() + by, p.vertices.end());
+  });
+  expectSame(outlineAfter(trace), outlineAfter(rotated));
+}
+
+/// Two polygons that a chord between two vertices makes of one, if there is such a chord; a random one.
+std::optional<std::pair<LocalPolygon, LocalPolygon>> split(const LocalPolygon& polygon, Random& random) {
+  using D = std::ptrdiff_t;
+  const std::size_t n = polygon.size();
+  for (int attempt = 0; attempt < 6 && n > 3; ++attempt) {
+    std::size_t a = random.below(n);
+    std::size_t b = random.below(n);
+    if (a > b) std::swap(a, b);
+    if (b - a < 2 || n - (b - a) < 2) continue;
+    const LocalPolygon one(polygon.begin() + static_cast<D>(a), polygon.begin() + static_cast<D>(b) + 1);
+    LocalPolygon two(polygon.begin() + static_cast<D>(b), polygon.end());
+    two.insert(two.end(), polygon.begin(), polygon.begin() + static_cast<D>(a) + 1);
+    if (oracle::faultOf(one) || oracle::faultOf(two) || oracle::overlap(one, two)) continue;
+    return std::pair(one, two);
+  }
+  return std::nullopt;
+}
+
+/// Some of the polygons in two halves, except where a polygon keeps its overlap with its own block.
+Trace withPolygonsSplit(const Trace& trace, Random& random) {
+  Trace parts{trace.preserve, {}};
+  std::vector<std::string> halved;
+  for (const Edit& edit : trace.edits) {
+    const bool isHalved = std::erase(halved, edit.name) > 0;
+    if (isHalved && edit.kind == Edit::Kind::remove) parts.edits.push_back(Edit::remove(edit.name + "'"));
+    const Block block = edit.polygon.block;
+    const bool maySplit = edit.kind == Edit::Kind::add && !trace.preserve(block, block);
+    const auto halves = maySplit ? split(edit.polygon.vertices, random) : std::nullopt;
+    if (!halves) {
+      parts.edits.push_back(edit);
+      continue;
+    }
+    parts.edits.push_back(Edit::add(edit.name, {edit.polygon.cell, block, halves->first}));
+    parts.edits.push_back(Edit::add(edit.name + "'", {edit.polygon.cell, block, halves->second}));
+    halved.push_back(edit.name);
+  }
+  return parts;
+}
+
+LGS_LAW(Metamorphic, SplitAlongAChord, 2'000, (const GoodTrace& trace, Chance chance)) {
+  expectSame(outlineAfter(trace), outlineAfter(withPolygonsSplit(trace, chance)));
+}
+
+/// The trace without the polygons that have an odd coordinate: what is left can be drawn at half the size.
+Trace withEvenPolygons(const Trace& trace) {
+  Trace even{trace.preserve, {}};
+  std::set<std::string> dropped;
+  for (const Edit& edit : trace.edits) {
+    if (edit.kind == Edit::Kind::add) {
+      const bool isOdd = std::ranges::any_of(edit.polygon.vertices, [](LocalPoint v) { return (v.x | v.y) & 1; });
+      if (!isOdd) dropped.erase(edit.name);
+      if (isOdd) dropped.insert(edit.name);
+    }
+    if (edit.kind == Edit::Kind::commit || !dropped.contains(edit.name)) even.edits.push_back(edit);
+  }
+  return even;
+}
+
+/// At half the size: four cells become one, and what lay on the rims between them lies inside. Even polygons only.
+Trace withCellsUnited(const Trace& trace) {
+  return mapPolygons(trace, [](oracle::ScenePolygon& p) {
+    for (LocalPoint& v : p.vertices) v = {(v.x + (p.cell.i & 1) * U) / 2, (v.y + (p.cell.j & 1) * U) / 2};
+    p.cell = {p.cell.i >> 1, p.cell.j >> 1};
+  });
+}
+
+LGS_LAW(Metamorphic, FourCellsUnitedInOne, 2'000, (const GoodTrace& any)) {
+  const Trace trace = withEvenPolygons(any);
+  const auto halve = [](Point p) { return Point{p.x / 2, p.y / 2}; };
+  expectSame(mapPoints(outlineAfter(trace), halve), outlineAfter(withCellsUnited(trace)));
+}
+
+/// One polygon of two that share exactly one edge, if that is simple.
+std::optional<LocalPolygon> united(const LocalPolygon& a, const LocalPolygon& b) {
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const LocalPoint from = a[k], to = a[(k + 1) % a.size()];
+    for (std::size_t m = 0; m < b.size(); ++m) {
+      if (b[m] != to || b[(m + 1) % b.size()] != from) continue;
+      LocalPolygon whole;  // all of `a` from `to` on, then what `b` has besides the two
+      for (std::size_t n = 0; n < a.size(); ++n) whole.push_back(a[(k + 1 + n) % a.size()]);
+      for (std::size_t n = 2; n < b.size(); ++n) whole.push_back(b[(m + n) % b.size()]);
+      if (!oracle::faultOf(whole)) return whole;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Unites polygons of one cell and block, as long as there are two that share an edge. Says how many there were.
+int unitePolygons(std::vector<Edit>& adds, const oracle::PreservePairs& preserve) {
+  int count = 0;
+  for (std::size_t k = 0; k < adds.size(); ++k) {
+    for (std::size_t m = 0; m < adds.size(); ++m) {
+      const oracle::ScenePolygon &p = adds[k].polygon, &q = adds[m].polygon;
+      if (m == k || p.cell != q.cell || p.block != q.block || preserve(p.block, p.block)) continue;
+      const auto whole = united(p.vertices, q.vertices);
+      if (!whole) continue;
+      adds[k].polygon.vertices = *whole;
+      adds.erase(adds.begin() + static_cast<std::ptrdiff_t>(m));
+      if (m < k) --k;
+      ++count;
+      m = static_cast<std::size_t>(-1);  // from the start: the new one may share edges with those before
+    }
+  }
+  return count;
+}
+
+// The cells are united first, so that polygons of what were two cells become one.
+std::vector<Edit> survivorsInUnitedCells(const Trace& trace) {
+  std::vector<Edit> adds;
+  for (const auto& [name, edit] : survivors(withCellsUnited(withEvenPolygons(trace)))) adds.push_back(edit);
+  return adds;
+}
+
+LGS_LAW(Metamorphic, PolygonsOfTwoCellsUnited, 2'000, (const GoodTrace& trace)) {
+  const Trace parts{trace.preserve, survivorsInUnitedCells(trace)};
+  Trace whole = parts;
+  unitePolygons(whole.edits, trace.preserve);
+  expectSame(outlineAfter(parts), outlineAfter(whole));
+}
+
+TEST(Metamorphic, PolygonsToUniteAreNotRare) {
+  int cases = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const Trace trace = withoutRefused(oracle::randomCase({3, 3, 30}, seed));
+    std::vector<Edit> adds = survivorsInUnitedCells(trace);
+    if (unitePolygons(adds, trace.preserve) > 0) ++cases;
+  }
+  EXPECT_GE(cases, 20);
+}
+
+}  // namespace
+}  // namespace lgs::test

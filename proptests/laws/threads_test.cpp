@@ -1,0 +1,216 @@
+// Threads: a build with an executor gives what a build without gives, to the last id, whatever the executor does; and
+// reading is safe beside reading. Built a second time with the thread sanitizer, which sees races that change nothing.
+#include "oracle/check/isolated.h"
+#include "oracle/generate/random.h"
+#include "proptests/support/law.h"
+#include "proptests/support/worlds.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/state.h>
+
+#include <ostream>
+#include <thread>
+
+namespace lgs::test {
+namespace {
+
+using oracle::Random;
+using Job = std::function<void(std::size_t)>;
+
+/// Thread t of n does the jobs t, t + n, …, without a word to the others: a shared counter would order what they do, and
+/// hide races from the sanitizer.
+template <std::size_t n>
+void onThreads(std::size_t count, const Job& job) {
+  std::vector<std::jthread> threads;
+  for (std::size_t t = 0; t < n; ++t)
+    threads.emplace_back([&, t] {
+      for (std::size_t k = t; k < count; k += n) job(k);
+    });
+}
+
+void inOrder(std::size_t count, const Job& job) {
+  for (std::size_t k = 0; k < count; ++k) job(k);
+}
+
+void backwards(std::size_t count, const Job& job) {
+  for (std::size_t k = count; k-- > 0;) job(k);
+}
+
+/// What a world shows after each commit.
+struct Story {
+  std::vector<ChangeLists> changes;
+  std::vector<Snapshot> snapshots;
+  friend bool operator==(const Story&, const Story&) = default;
+};
+
+/// A world that is built, changed, emptied, and built again, always with one executor.
+struct Building {
+  World world;
+  Executor executor;
+  std::vector<Cell> cells;  // that were sown
+  Story story;
+
+  void commit() {
+    story.changes.push_back(copyOf(world.commit(executor)));
+    story.snapshots.push_back(snapshotOf(world, cells));
+  }
+};
+
+struct NoModel {};
+using Step = rc::state::Command<NoModel, Building>;
+
+/// Many edits on some chunks on both sides of zero, the same each time that they are made.
+struct Sow : Step {
+  std::int32_t i = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-100, 40));
+  std::int32_t j = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-100, 40));
+  std::int32_t width = *rc::gen::inRange(1, 101), height = *rc::gen::inRange(1, 72);
+  int percent = *rc::gen::oneOf(rc::gen::just(100), rc::gen::inRange(1, 61));  // of the cells that get something
+  bool isMix = *rc::gen::weightedElement<bool>({{7, true}, {3, false}});       // of all kinds, else squares alone
+  std::uint64_t seed = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::uint64_t>(0, 1'000'000));
+
+  void run(const NoModel&, Building& building) const override {
+    World& world = building.world;
+    Random random(seed);
+    const std::vector<ShapeId> shapes = turnedShapes(world, random);
+    const ShapeId square = shapeOf(world, {unitSquare()});
+    for (const Cell cell : cellsOf({{i, j}, {i + width - 1, j + height - 1}})) {
+      if (!random.chance(percent)) continue;
+      building.cells.push_back(cell);
+      // Where polygons overlap, the second is refused, which is as good an edit as any.
+      for (int times = random.chance(20) ? 2 : 1; times != 0; --times)
+        static_cast<void>(world.add(cell, isMix ? random.pick(shapes) : square, random.below(3U)));
+    }
+  }
+  void show(std::ostream& out) const override {
+    out << fmt::format("sow {} x {} cells from ({}, {}), {} %, {}, seed {}", width, height, i, j, percent,
+                       isMix ? "any shapes" : "squares", seed);
+  }
+};
+
+struct Dig : Step {
+  std::uint64_t seed = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::uint64_t>(0, 1'000'000));
+
+  void run(const NoModel&, Building& building) const override {
+    Random random(seed);
+    for (int k = 0; k < 20 && !building.cells.empty(); ++k) removeAll(building.world, random.pick(building.cells));
+  }
+  void show(std::ostream& out) const override { out << "dig 20 times, seed " << seed; }
+};
+
+struct Empty : Step {
+  void run(const NoModel&, Building& building) const override {
+    failUnless(building.world.clear({{-200, -200}, {200, 200}}).has_value(), "it can not be cleared");
+    building.commit();  // the next commit finds no segments: it is a build
+  }
+  void show(std::ostream& out) const override { out << "clear all, and commit"; }
+};
+
+struct Commit : Step {
+  void run(const NoModel&, Building& building) const override { building.commit(); }
+  void show(std::ostream& out) const override { out << "commit"; }
+};
+
+struct Steps {
+  rc::state::Commands<Step> list;
+};
+
+void showValue(const Steps& steps, std::ostream& out) {
+  for (const auto& step : steps.list) {
+    step->show(out);
+    out << '\n';
+  }
+  out << "commit";
+}
+
+rc::Gen<Steps> anySteps() {
+  const auto one = [](const NoModel&) { return rc::state::gen::execOneOfWithArgs<Sow, Sow, Dig, Empty, Commit>()(); };
+  return rc::gen::withSize([=](int size) {
+    // A tenth as many steps, which are no smaller for that.
+    const auto fullSize = [=](const NoModel& model) { return rc::gen::resize(size, one(model)); };
+    return rc::gen::map(rc::gen::resize(1 + size / 10, rc::state::gen::commands(NoModel(), fullSize)),
+                        [](const rc::state::Commands<Step>& list) { return Steps{list}; });
+  });
+}
+
+rc::Gen<PreserveRelation> anyRelation() {
+  return rc::gen::weightedElement<PreserveRelation>({{55, PreserveRelation()},
+                                                     {30, [](Block a, Block b) { return a != b; }},
+                                                     {15, [](Block a, Block b) { return (a + b) % 3 == 0; }}});
+}
+
+Story storyOf(const Steps& steps, const PreserveRelation& relation, const Executor& executor) {
+  Building building{World(relation), executor, {}, {}};
+  rc::state::runAll(steps.list, NoModel(), building);
+  building.commit();
+  return building.story;
+}
+
+TEST(Threads, ABuildIsTheSameWithAnyExecutor) {
+  const oracle::Shared<std::size_t> segments;
+  const auto law = [&](const Steps& steps, const PreserveRelation& relation) {
+    const Story alone = storyOf(steps, relation, {});
+    for (const ChangeLists& changes : alone.changes) *segments += changes.added.size();
+    failUnless(storyOf(steps, relation, inOrder) == alone, "another one where the jobs are done in order");
+    failUnless(storyOf(steps, relation, backwards) == alone, "another one where the jobs are done backwards");
+    failUnless(storyOf(steps, relation, onThreads<2>) == alone, "another one on two threads");
+    failUnless(storyOf(steps, relation, onThreads<5>) == alone, "another one on five threads");
+  };
+  forAll(60, law, anySteps(), anyRelation());
+  EXPECT_GT(*segments, 1000U);
+}
+
+// What the random worlds hardly ever have: chunks with one cell each, and a free side between them.
+TEST(Threads, ABuildOfOneCellAChunkIsTheSame) {
+  const auto build = [](const Executor& executor) {
+    World world;
+    place(world, {31, 0}, eighths({{0, 0}, {4, 0}, {0, 4}}));
+    place(world, {32, 0}, unitSquare());
+    ChangeLists changes = copyOf(world.commit(executor));
+    return std::pair(changes, snapshotOf(world, cellsOf({{31, 0}, {32, 0}})));
+  };
+  EXPECT_EQ(build(inOrder), build({}));
+}
+
+TEST(Threads, TheExecutorIsAskedWhereThereAreNoSegments) {
+  std::size_t jobs = 0;
+  const Executor counting = [&](std::size_t count, const Job& job) {
+    jobs += count;
+    inOrder(count, job);
+  };
+  World world;
+  world.commit(counting);
+  EXPECT_EQ(jobs, 0U);
+  const ShapeId square = shapeOf(world, {unitSquare()});
+  ASSERT_TRUE(world.fill({{0, 0}, {95, 63}}, square, 1));
+  EXPECT_EQ(world.commit(counting).added.size(), 2U * (96 + 64));
+  EXPECT_EQ(jobs, 3U * 6) << "count, create, link for each of six chunks";
+  ASSERT_TRUE(world.clear({{3, 3}, {4, 4}}));
+  EXPECT_EQ(world.commit(counting).added.size(), 8U);
+  EXPECT_EQ(jobs, 3U * 6);
+  ASSERT_TRUE(world.clear({{0, 0}, {95, 63}}));
+  world.commit(counting);
+  EXPECT_EQ(jobs, 3U * 6);
+  ASSERT_TRUE(world.fill({{0, 0}, {31, 31}}, square, 1));
+  EXPECT_EQ(world.commit(counting).added.size(), 4U * 32);
+  EXPECT_EQ(jobs, 3U * (6 + 1));
+}
+
+TEST(Threads, ReadingIsSafeBesideReading) {
+  World world([](Block a, Block b) { return a != b; });
+  Random random(3);
+  const std::vector<ShapeId> shapes = turnedShapes(world, random);
+  const CellRect rect{{-60, -40}, {20, 30}};
+  const std::vector<Cell> cells = cellsOf(rect);
+  for (const Cell cell : cells) ASSERT_TRUE(world.add(cell, random.pick(shapes), random.below(3U)));
+  world.commit();
+  const Snapshot expected = snapshotOf(world, cells);
+  std::vector<int> isSame(3);
+  onThreads<3>(isSame.size(), [&](std::size_t k) {
+    isSame[k] = snapshotOf(world, cells) == expected && world.segments(rect).size() == expected.segments.size();
+  });
+  EXPECT_EQ(isSame, std::vector<int>(3, 1));
+}
+
+}  // namespace
+}  // namespace lgs::test

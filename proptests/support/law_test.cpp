@@ -1,0 +1,203 @@
+// The tests' own tools on bugs planted here, in what the engine puts out or is given: each is found in random cases and
+// shrinks to a few edits; what was found is saved and drawn. A crash is such a bug. (proptests/bugs plants them in lib/.)
+#include "proptests/support/law.h"
+
+#include "oracle/check/isolated.h"
+#include "oracle/trace/dump.h"
+#include "oracle/trace/file.h"
+#include "oracle/trace/model.h"
+#include "oracle/trace/player.h"
+#include "proptests/support/exhaust.h"
+#include "proptests/support/played.h"
+#include "proptests/support/traces.h"
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <set>
+
+namespace lgs::test {
+namespace {
+
+using oracle::Edit;
+using oracle::Outline;
+using oracle::OutlineSegment;
+using oracle::Trace;
+using Failure = std::optional<std::string>;
+using TraceLaw = std::function<void(const GoodTrace&)>;
+
+/// What a faulty engine makes of a trace.
+using FaultyEngine = std::function<Outline(const Trace&)>;
+
+Failure huntedDown(const FaultyEngine& engine) {
+  const auto law = [&](const GoodTrace& t) { expectSame(outlineAfter(t), engine(t)); };
+  return falsified({.cases = 1'000, .seed = 1}, casesOf(TraceLaw(law)));
+}
+
+/// What stands after a word at the start of a line.
+std::string after(const std::string& word, const std::string& text) {
+  const std::size_t at = text.find("\n" + word);
+  if (at == std::string::npos) return {};
+  const std::size_t begin = text.find_first_not_of(' ', at + 1 + word.size());
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+void expectTold(const Failure& failure, std::size_t mostEdits) {
+  ASSERT_TRUE(failure) << "not found";
+  const std::string file = after("trace", *failure);
+  const auto saved = oracle::readTrace(file);
+  ASSERT_TRUE(saved) << *failure;
+  EXPECT_LE(editCount(*saved), mostEdits) << *failure;
+  EXPECT_NE(failure->find(printTrace(*saved)), std::string::npos) << *failure;
+  const auto picture = oracle::readFile(after("picture", *failure));
+  ASSERT_TRUE(picture) << *failure;
+  EXPECT_NE(picture->find("</svg>"), std::string::npos);
+  EXPECT_NE(file.find(testing::UnitTest::GetInstance()->current_test_info()->name()), std::string::npos);
+  EXPECT_TRUE(after("again", *failure).starts_with("LGS_TEST_SEED=")) << *failure;
+}
+
+void expectSmall(const Failure& failure) { expectTold(failure, 4); }
+
+bool isStraight(Point a, Point b, Point c) { return (a.x == b.x && b.x == c.x) || (a.y == b.y && b.y == c.y); }
+
+TEST(Planted, AWallThatIsNotCut) {
+  expectSmall(huntedDown([](const Trace& trace) {
+    const Outline right = outlineAfter(trace);
+    Outline wrong;
+    for (const OutlineSegment& s : right) {
+      const auto before = [&](const OutlineSegment& t) {
+        return t.end == s.start && s.ghost1 == t.start && t.block == s.block && isStraight(t.start, s.start, s.end);
+      };
+      const auto found = std::find_if(wrong.begin(), wrong.end(), before);
+      if (found == wrong.end()) {
+        wrong.push_back(s);
+      } else {
+        found->end = s.end;
+        found->ghost2 = s.ghost2;
+      }
+    }
+    return wrong;
+  }));
+}
+
+TEST(Planted, AWrongTurnWhereSolidsTouch) {
+  expectSmall(huntedDown([](const Trace& trace) {
+    Outline wrong = outlineAfter(trace);
+    std::map<Point, std::vector<OutlineSegment*>> arriving;
+    for (OutlineSegment& s : wrong) arriving[s.end].push_back(&s);
+    for (auto& [at, segments] : arriving)
+      if (segments.size() == 2) std::swap(segments[0]->ghost2, segments[1]->ghost2);
+    return wrong;
+  }));
+}
+
+TEST(Planted, APreserveRelationThatIsNotAsked) {
+  expectSmall(huntedDown([](const Trace& trace) { return outlineAfter({{}, trace.edits}); }));
+}
+
+TEST(Planted, AnAddThatIsForgottenWhereTheCellWasEmptied) {
+  expectSmall(huntedDown([](const Trace& trace) {
+    oracle::Player player(trace.preserve);
+    std::map<std::string, Cell> cellOf;
+    std::set<Cell> emptied;  // since the last commit
+    for (Edit edit : trace.edits) {
+      if (edit.kind == Edit::Kind::commit) emptied.clear();
+      if (edit.kind == Edit::Kind::remove) emptied.insert(cellOf[edit.name]);
+      if (edit.kind == Edit::Kind::add && emptied.contains(cellOf[edit.name] = edit.polygon.cell)) continue;
+      if (edit.kind != Edit::Kind::commit) static_cast<void>(player.apply(edit));
+    }
+    player.commit();
+    return oracle::outlineOf(player.world());
+  }));
+}
+
+TEST(Planted, AnExpectationThatFails) {
+  const Failure failure = huntedDown([](const Trace& trace) {
+    for (const Edit& edit : trace.edits) EXPECT_NE(edit.polygon.vertices.size(), 5U);
+    return outlineAfter(trace);
+  });
+  expectSmall(failure);
+  EXPECT_NE(failure->find("edit.polygon.vertices.size()"), std::string::npos) << *failure;
+}
+
+bool hasCrowdedCell(const Trace& trace) {
+  oracle::Model model;
+  for (const Edit& edit : trace.edits) model.apply(edit);
+  return std::ranges::any_of(model.cells(), [](const auto& entry) { return entry.second.size() >= 2; });
+}
+
+TEST(Planted, ACrash) {
+  const Failure failure = huntedDown([](const Trace& trace) {
+    if (hasCrowdedCell(trace)) std::abort();
+    return outlineAfter(trace);
+  });
+  expectSmall(failure);
+  EXPECT_NE(failure->find("the engine crashed: Aborted"), std::string::npos) << *failure;
+}
+
+// It is no bug of the engine's, so a replay can not show it; then the text must not say so.
+TEST(Planted, ABugThatNoReplayShows) {
+  const Failure failure = huntedDown([](const Trace&) { return Outline(); });
+  expectSmall(failure);
+  EXPECT_EQ(failure->find("look at it"), std::string::npos) << *failure;
+  EXPECT_NE(failure->find("shows nothing wrong"), std::string::npos) << *failure;
+}
+
+TEST(Planted, AFailureThatTakesTheCasesBeforeItIsToldAsItIs) {
+  const oracle::Shared<int> tried;
+  const auto law = [&](const GoodTrace&) {
+    if (++*tried == 30) failIf("the thirtieth");
+  };
+  const Failure failure = falsified({.cases = 100, .seed = 1}, casesOf(TraceLaw(law)));
+  expectTold(failure, 60);
+  EXPECT_NE(failure->find("does not hold for case 30 of 100"), std::string::npos) << *failure;
+  EXPECT_NE(failure->find("not by itself: the thirtieth"), std::string::npos) << *failure;
+}
+
+TEST(Planted, EqualEffortsMakeEqualCases) {
+  const auto casesOf64 = [](std::uint64_t seed) {
+    const oracle::Shared<std::uint64_t> sum;
+    const auto law = [&](Chance chance) { *sum = 3 * *sum + chance.seed; };
+    EXPECT_FALSE(falsified({.cases = 64, .seed = seed}, casesOf(std::function<void(Chance)>(law))));
+    return *sum;
+  };
+  EXPECT_EQ(casesOf64(1), casesOf64(1));
+  EXPECT_NE(casesOf64(1), casesOf64(2));
+}
+
+TEST(Planted, AnEndlessLoop) {
+  const oracle::IsolationOptions oneSecond{.seconds = 1, .quiet = true};
+  EXPECT_EQ(oracle::crashOf(
+                [] {
+                  for (;;) pause();
+                },
+                oneSecond),
+            "hung for 1 s");
+  EXPECT_EQ(oracle::crashOf([] {}, oneSecond), std::nullopt);
+}
+
+TEST(Exhaust, DrawsEveryCombinationOnce) {
+  std::set<std::vector<int>> seen;
+  int count = 0;
+  Exhaust all;
+  while (all.next()) {
+    std::vector<int> drawn{all.below(3)};
+    for (int k = 0; k < drawn[0]; ++k) drawn.push_back(all.below(2 + k));  // as many as the first says, and so far
+    seen.insert(drawn);
+    ++count;
+  }
+  EXPECT_EQ(count, 1 + 2 + 2 * 3);
+  EXPECT_EQ(seen.size(), 9U);
+}
+
+TEST(Exhaust, OfNothingIsOneCombination) {
+  Exhaust all;
+  EXPECT_TRUE(all.next());
+  EXPECT_FALSE(all.next());
+}
+
+}  // namespace
+}  // namespace lgs::test

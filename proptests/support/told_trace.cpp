@@ -1,0 +1,71 @@
+// What a person gets to see of a trace that breaks a law.
+#include "oracle/check/failure.h"
+#include "oracle/check/isolated.h"
+#include "oracle/trace/file.h"
+#include "proptests/support/law.h"
+#include "proptests/support/traces.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+namespace lgs::oracle {
+namespace {
+
+/// What `lgs replay --check` comes to.
+bool replayShows(const Trace& trace) {
+  const Shared<bool> shows;
+  const auto crash = crashOf([&] { *shows = findMismatch(trace, {}).has_value(); }, {.seconds = 20, .quiet = true});
+  return crash || *shows;
+}
+
+/// Draws the mismatch that the checker finds in a trace; the world alone where it finds none, or crashes.
+bool draw(const Trace& trace, const std::string& file) {
+  const Shared<bool> drawn;
+  CheckOptions options;
+  options.skipRefused = true;
+  const auto write = [&](const std::string& svg) { *drawn = writeFile(file, svg).has_value(); };
+  static_cast<void>(crashOf(
+      [&] {
+        if (const auto mismatch = findMismatch(trace, options)) write(draw(*mismatch));
+      },
+      {.quiet = true}));
+  if (!*drawn) write(drawWithoutEngine(trace, "the world at the end of the trace"));
+  return *drawn;
+}
+
+/// Saves a trace and its picture, and says where.
+std::string save(const Trace& trace, const std::string& base) {
+  const bool written = writeFile(base + ".trace", printTrace(trace, test::told().why)).has_value();
+  const bool isDrawn = draw(trace, base + ".svg");
+  constexpr const char* kNot = " (could not be written)";
+  return fmt::format("{}\ntrace      {}.trace{}\npicture    {}.svg{}\n", printTrace(trace), base, written ? "" : kNot,
+                     base, isDrawn ? "" : kNot);
+}
+
+std::string lookAt(const std::string& base) {
+  return fmt::format("look at it '{}' replay '{}.trace' --check --svg '{}.replay.svg'\n", LGS_COMMAND, base, base);
+}
+
+}  // namespace
+
+void showValue(const Trace& trace, std::ostream& out) {
+  testing::Test::RecordProperty("shrunk_edits", std::to_string(editCount(trace)));  // for a report, as in law.cpp
+  const std::string base = test::fileBase();
+  out << save(trace, base);
+  if (replayShows(trace)) {
+    out << lookAt(base);
+    return;
+  }
+  for (const std::string& text : test::told().kept) {
+    const ParsedTrace other = parseTrace(text);
+    if (other.error || !replayShows(other.trace)) continue;
+    out << "A replay of it shows nothing wrong; of this one, which the law makes of it, it does:\n"
+        << save(other.trace, base + "-2") << lookAt(base + "-2");
+    return;
+  }
+  out << "A replay of it shows nothing wrong: it takes the test itself.\n";
+}
+
+}  // namespace lgs::oracle

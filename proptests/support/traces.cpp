@@ -1,0 +1,128 @@
+#include "proptests/support/traces.h"
+
+#include "oracle/check/shrink.h"
+#include "oracle/generate/generator.h"
+#include "oracle/trace/model.h"
+
+#include <ostream>
+#include <utility>
+
+namespace lgs::test {
+namespace {
+
+using oracle::Edit;
+using oracle::Random;
+using oracle::ShrinkWalk;
+using oracle::Trace;
+using MayBe = std::function<bool(const Trace&)>;
+
+/// A trace, and RapidCheck's way from it to simpler ones: the walk of the project's shrinker. RapidCheck asks a sequence
+/// for one candidate after the other; one that still fails is where it goes on.
+class Simpler {
+ public:
+  Simpler(ShrinkWalk walk, MayBe mayBe) : walk_(std::move(walk)), mayBe_(std::move(mayBe)) {}
+
+  Trace value() const { return walk_.best(); }
+  rc::Seq<rc::Shrinkable<Trace>> shrinks() const { return rc::makeSeq<Candidates>(walk_, mayBe_); }
+
+ private:
+  struct Candidates {
+    Candidates(ShrinkWalk w, MayBe m) : walk(std::move(w)), mayBe(std::move(m)) {}
+    rc::Maybe<rc::Shrinkable<Trace>> operator()() {
+      while (auto candidate = walk.next()) {
+        if (mayBe && !mayBe(*candidate)) continue;
+        ShrinkWalk accepted = walk;
+        accepted.accept(std::move(*candidate));
+        return rc::makeShrinkable<Simpler>(std::move(accepted), mayBe);
+      }
+      return rc::Nothing;
+    }
+    ShrinkWalk walk;
+    MayBe mayBe;
+  };
+
+  ShrinkWalk walk_;
+  MayBe mayBe_;
+};
+
+Trace randomTrace(int size, Random random) {
+  oracle::GeneratorOptions options;
+  // A commit goes another way where a row has many dirty cells: so every third case is a wide and low one.
+  const bool isWide = random.below(3) == 0;
+  options.width = isWide ? 8 + random.below(12) : 1 + random.below(5);
+  options.height = 1 + random.below(isWide ? 3 : 4);
+  constexpr std::size_t kMostEdits = 60;
+  options.edits = 1 + random.below(1 + kMostEdits * static_cast<std::size_t>(size) / 100);
+  return oracle::randomCase(options, random.next());
+}
+
+Trace goodTrace(int size, Random random) { return withoutRefused(randomTrace(size, random)); }
+
+Trace plainTrace(int size, Random random) {
+  Trace trace = randomTrace(size, random);
+  trace.preserve = {};
+  return withoutRefused(trace);
+}
+
+template <class Kind>
+rc::Gen<Kind> ofKind(rc::Gen<Trace> traces) {
+  return rc::gen::map(std::move(traces), [](Trace&& trace) { return Kind{std::move(trace)}; });
+}
+
+}  // namespace
+
+bool isGood(const Trace& trace) { return withoutRefused(trace).edits.size() == trace.edits.size(); }
+
+rc::Gen<Trace> traces(std::function<Trace(int, Random)> make, MayBe mayBe) {
+  return [=](rc::Random random, int size) {
+    return rc::makeShrinkable<Simpler>(ShrinkWalk(make(size, Random(random.next()))), mayBe);
+  };
+}
+
+std::map<std::string, Edit> survivors(const Trace& trace) {
+  std::map<std::string, Edit> out;
+  for (const Edit& edit : trace.edits) {
+    if (edit.kind == Edit::Kind::add) out[edit.name] = edit;
+    if (edit.kind == Edit::Kind::remove) out.erase(edit.name);
+  }
+  return out;
+}
+
+CellRect boundsOf(const Trace& trace) {
+  CellRect r{{kMaxCell, kMaxCell}, {-kMaxCell, -kMaxCell}};
+  for (const Edit& edit : trace.edits) {
+    if (edit.kind != Edit::Kind::add) continue;
+    const Cell c = edit.polygon.cell;
+    r = {{std::min(r.min.i, c.i), std::min(r.min.j, c.j)}, {std::max(r.max.i, c.i), std::max(r.max.j, c.j)}};
+  }
+  return r;
+}
+
+Trace movedTo(Trace trace, Cell target) {
+  const CellRect bounds = boundsOf(trace);
+  for (Edit& edit : trace.edits)
+    if (edit.kind == Edit::Kind::add)
+      edit.polygon.cell = {edit.polygon.cell.i - bounds.min.i + target.i,
+                           edit.polygon.cell.j - bounds.min.j + target.j};
+  return trace;
+}
+
+void showValue(const Chance& chance, std::ostream& out) { out << "chance " << chance.seed; }
+
+}  // namespace lgs::test
+
+namespace rc {
+
+using namespace lgs::test;
+
+Gen<AnyTrace> Arbitrary<AnyTrace>::arbitrary() { return ofKind<AnyTrace>(traces(randomTrace, {})); }
+Gen<GoodTrace> Arbitrary<GoodTrace>::arbitrary() { return ofKind<GoodTrace>(traces(goodTrace)); }
+Gen<PlainTrace> Arbitrary<PlainTrace>::arbitrary() {
+  return ofKind<PlainTrace>(
+      traces(plainTrace, [](const lgs::oracle::Trace& t) { return t.preserve.empty() && isGood(t); }));
+}
+Gen<Chance> Arbitrary<Chance>::arbitrary() {
+  return [](Random random, int) { return shrinkable::just(Chance(random.next())); };
+}
+
+}  // namespace rc

@@ -1,0 +1,80 @@
+// Random traces as arguments of laws: degenerate on purpose (oracle/generate), made small by the project's own shrinker,
+// which knows what an edit is, and told with the files that the trace and its picture were saved to.
+#pragma once
+
+#include "oracle/generate/random.h"
+#include "oracle/trace/trace.h"
+
+#include <rapidcheck.h>
+
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <map>
+#include <string>
+
+namespace lgs::test {
+
+/// Any edits, those among them that must be refused; in some cases a preserve relation.
+struct AnyTrace : oracle::Trace {};
+
+/// Every edit is good.
+struct GoodTrace : oracle::Trace {};
+
+/// Every edit is good, and nothing is preserved.
+struct PlainTrace : oracle::Trace {};
+
+/// A source of chance of a law's own, the same each time that a case is tried.
+struct Chance : oracle::Random {
+  explicit Chance(std::uint64_t s) : Random(s), seed(s) {}
+  std::uint64_t seed;
+};
+void showValue(const Chance& chance, std::ostream& out);
+
+/// Whether every edit is good.
+bool isGood(const oracle::Trace& trace);
+
+/// The adds of all that a trace leaves standing, by name.
+std::map<std::string, oracle::Edit> survivors(const oracle::Trace& trace);
+
+/// The cells that it adds to. Empty if there are none.
+CellRect boundsOf(const oracle::Trace& trace);
+
+/// The trace with its lower left cell at this one.
+oracle::Trace movedTo(oracle::Trace trace, Cell target);
+
+/// Traces that `make` makes for a size, which is 0 to 100, with a source of chance. They are made no smaller than `mayBe`
+/// allows.
+rc::Gen<oracle::Trace> traces(std::function<oracle::Trace(int size, oracle::Random random)> make,
+                              std::function<bool(const oracle::Trace&)> mayBe = isGood);
+
+}  // namespace lgs::test
+
+namespace lgs::oracle {
+
+/// Prints the trace, saves it and its picture, and says how to look at it: at another one that the law kept (law.h), if
+/// a replay of this one shows nothing.
+void showValue(const Trace& trace, std::ostream& out);
+
+}  // namespace lgs::oracle
+
+namespace rc {
+
+template <>
+struct Arbitrary<lgs::test::AnyTrace> {
+  static Gen<lgs::test::AnyTrace> arbitrary();
+};
+template <>
+struct Arbitrary<lgs::test::GoodTrace> {
+  static Gen<lgs::test::GoodTrace> arbitrary();
+};
+template <>
+struct Arbitrary<lgs::test::PlainTrace> {
+  static Gen<lgs::test::PlainTrace> arbitrary();
+};
+template <>
+struct Arbitrary<lgs::test::Chance> {
+  static Gen<lgs::test::Chance> arbitrary();
+};
+
+}  // namespace rc

@@ -1,0 +1,85 @@
+// What tests of worlds share: shapes in eighths of a cell, shorter calls, and everything that can be seen of a world as one
+// value that can be compared.
+#pragma once
+
+#include "oracle/generate/random.h"
+#include "oracle/generate/shapes.h"
+#include "oracle/reference/validity.h"
+
+#include <lgs/world.h>
+
+#include <cstdint>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lgs::test {
+
+inline constexpr std::int32_t U = kUnitsPerCell;
+using oracle::LocalPolygon;
+
+/// Vertices given in eighths of a cell.
+LocalPolygon eighths(std::initializer_list<LocalPoint> vertices);
+
+LocalPolygon unitSquare();
+LocalPolygon ramp();  ///< the lower right half of the cell
+
+/// The polygons of one of the degenerate shapes, by its name.
+std::vector<LocalPolygon> shapeNamed(std::string_view name);
+
+/// Edits that must succeed.
+PolygonHandle place(World& world, Cell cell, const LocalPolygon& polygon, Block block = 1);
+ShapeId shapeOf(World& world, const std::vector<LocalPolygon>& polygons);
+void removeAll(World& world, Cell cell);
+
+/// Every degenerate shape, each turned by chance.
+std::vector<ShapeId> turnedShapes(World& world, oracle::Random& random);
+
+/// What segment() says, as a value that compares: without ghosts where there are no links.
+struct SegmentFields {
+  SegmentId id;
+  Point start, end;
+  SegmentId predecessor, successor;
+  std::optional<Point> ghost1, ghost2;
+  Block block = 0;
+  PolygonHandle polygon;
+  Cell cell;
+  friend bool operator==(const SegmentFields&, const SegmentFields&) = default;
+};
+SegmentFields fieldsOf(const Segment& segment);
+
+/// What polygons() says, as values.
+struct PolygonFields {
+  PolygonHandle handle;
+  Block block = 0;
+  LocalPolygon vertices;
+  friend bool operator==(const PolygonFields&, const PolygonFields&) = default;
+};
+std::vector<PolygonFields> polygonsIn(const World& world, Cell cell);
+
+/// Everything that a user can see of a world, memory used and contents interned apart: those are caches.
+struct Snapshot {
+  std::vector<SegmentFields> segments;
+  std::map<Cell, std::vector<PolygonFields>> polygons;
+  std::vector<std::vector<Point>> loops;
+  std::uint32_t maxSegmentId = 0;
+  std::uint64_t polygonCount = 0, cellCount = 0, segmentCount = 0, shapeCount = 0, chunkCount = 0;
+  friend bool operator==(const Snapshot&, const Snapshot&) = default;
+};
+Snapshot snapshotOf(const World& world, std::span<const Cell> cells);
+
+/// Copies of the three lists, to compare.
+struct ChangeLists {
+  std::vector<SegmentId> removed, added, relinked;
+  friend bool operator==(const ChangeLists&, const ChangeLists&) = default;
+};
+inline ChangeLists copyOf(const Changes& c) { return {c.removed, c.added, c.relinked}; }
+
+/// All cells of a rectangle, by rows.
+std::vector<Cell> cellsOf(const CellRect& rect);
+
+}  // namespace lgs::test
