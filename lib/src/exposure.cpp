@@ -37,7 +37,7 @@ void Exposure::renewChunk(const Chunk& chunk) {
 }
 
 /// The only dirty cell of its chunk, and those beside it that are not renewed with another chunk.
-void Exposure::renewCell(CellAt at) {
+inline void Exposure::renewCell(CellAt at) {
   renewAll(at);
   for (unsigned side = 0; side < kSides; ++side) {
     const CellAt beyond = across(at, side);

@@ -56,14 +56,13 @@ void Grid::link(Chunk& chunk) {
 }
 
 // The block of an empty cell means nothing, so a chunk keeps one block for all until the first polygon with another one.
-void Grid::setFirstOtherBlock(Chunk& chunk, std::uint32_t local, Block block) {
+void Grid::makeRoomForFirstBlock(Chunk& chunk, Block block) {
   if (chunk.commonBlock == Chunk::kNoBlock) {
     chunk.commonBlock = block;
     return;
   }
   chunk.blocks = std::make_unique_for_overwrite<Block[]>(kChunkCells);
   std::fill_n(chunk.blocks.get(), kChunkCells, static_cast<Block>(chunk.commonBlock));
-  chunk.blocks[local] = block;
   chunk.commonBlock = Chunk::kNoBlock;
 }
 
@@ -72,13 +71,13 @@ std::uint32_t Grid::lastSerial(CellAt cell) const {
 }
 
 void Grid::setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
-  const CellRecord* old = record(cell);
-  if (polygons.empty() && !isExplicit(cell)) {
-    stateWord(cell) = content << kSerialBits | lastSerial;
+  if (std::uint32_t* state = compactState(cell); state && polygons.empty()) {
+    *state = stateOf(content, lastSerial);
     return;
   }
+  const CellRecord* old = record(cell);
   CellRecord header = old ? *old : CellRecord{};
-  header.state = content << kSerialBits;
+  header.state = stateOf(content, 0);
   header.polygons = static_cast<std::uint8_t>(polygons.size());
   const RecordArena::Ref ref = records_.allocate(header.sizeWords());
   auto* r = reinterpret_cast<CellRecord*>(records_.at(ref));

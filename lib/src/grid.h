@@ -7,6 +7,8 @@
 #pragma once
 
 #include "catalogue.h"
+#include "cell_record.h"
+#include "chunk.h"
 #include "hash_index.h"
 #include "record_arena.h"
 
@@ -14,165 +16,13 @@
 #include <lgs/lattice.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace lgs::detail {
-
-inline constexpr std::int32_t kChunkSize = 32;
-inline constexpr std::uint32_t kChunkCells = kChunkSize * kChunkSize;
-
-/// The place of a cell in its chunk.
-constexpr std::uint32_t localOf(Cell cell) {
-  return static_cast<std::uint32_t>((cell.j & (kChunkSize - 1)) * kChunkSize + (cell.i & (kChunkSize - 1)));
-}
-
-/// Whether the cells around a cell are all in its chunk.
-constexpr bool isInner(std::uint32_t local) {
-  const std::uint32_t x = local % kChunkSize, y = local / kChunkSize;
-  return x - 1 < kChunkSize - 2 && y - 1 < kChunkSize - 2;
-}
-
-using RowMask = std::uint32_t;  ///< one bit a cell of a row of a chunk
-
-struct Chunk {
-  std::int32_t ci = 0;  ///< chunk coordinates: cell >> 5
-  std::int32_t cj = 0;
-  std::uint32_t index = 0;
-  RowMask dirtyRows = 0;                    ///< rows with a dirty cell
-  Facts everFacts = 0;                      ///< of all contents that any cell has, or had
-  std::array<Chunk*, 9> around{};           ///< row by row from the lower left; null where there is none
-  std::array<RowMask, kChunkSize> dirty{};  ///< edited since the last commit
-  std::array<RowMask, kChunkSize> live{};   ///< has segments
-  std::uint64_t commonBlock = kNoBlock;     ///< of all compact cells, while `blocks` is null
-  std::unique_ptr<Block[]> blocks;
-  std::array<Facts, kChunkCells> facts{};  ///< of each cell's content
-  std::array<std::uint32_t, kChunkCells> cells{};
-
-  static constexpr std::uint64_t kNoBlock = std::uint64_t{1} << 32;
-  /// The chunk di columns and dj rows away, each -1 … 1.
-  Chunk* neighbour(std::int32_t di, std::int32_t dj) const {
-    const std::int32_t there = 3 * dj + di + 4;
-    return around[static_cast<std::size_t>(there)];
-  }
-  Block block(std::uint32_t local) const { return blocks ? blocks[local] : static_cast<Block>(commonBlock); }
-  Cell cell(std::uint32_t local) const {
-    return {ci * kChunkSize + static_cast<std::int32_t>(local % kChunkSize),
-            cj * kChunkSize + static_cast<std::int32_t>(local / kChunkSize)};
-  }
-  std::uint32_t ref(std::uint32_t local) const { return index * kChunkCells + local; }
-};
-
-/// A polygon of a cell.
-struct Placed {
-  std::uint32_t serial = 0;
-  Block block = 0;
-};
-
-/// The polygons of a cell by slot. Valid until the cell changes.
-struct PlacedBySlot {
-  const Placed* listed = nullptr;  ///< null where the cell has one polygon at most
-  Placed sole;                     ///< that one
-  Placed operator[](Slot slot) const { return listed ? listed[slot] : sole; }
-};
-
-/// The record of a segment that has no links yet.
-inline SegmentRecord newSegment(std::uint32_t cellRef, const PackedEnds& ends, Placed placed) {
-  return {.predecessor = kUnlinked,
-          .successor = kUnlinked,
-          .listed = 0,
-          .cellRef = cellRef,
-          .block = placed.block,
-          .serial = placed.serial & kMaxSerial,
-          .high = ends.high & 0xfu,
-          .from = ends.from,
-          .to = ends.to};
-}
-
-/// The parts of a cell's segments, in the order in which its record lists them.
-enum Part : unsigned { kInterior, kSouthPart, kEastPart, kNorthPart, kWestPart, kParts };
-inline constexpr unsigned kAllParts = (1u << kParts) - 1;
-constexpr unsigned partOf(unsigned side) { return side + 1; }
-
-/// In memory followed by, if `polygons` is not kCompact, the last serial given out and `polygons` × Placed in order of
-/// slots; then by the segment ids, part after part, each part in order of start.
-using PartEnds = std::array<std::uint16_t, kParts>;  ///< where each part ends in a list of ids
-
-struct CellRecord {
-  static constexpr std::uint8_t kCompact = 0xff;
-  std::uint32_t state = 0;  ///< as the word of a cell without record
-  PartEnds end{};
-  std::uint8_t polygons = kCompact;
-  std::uint8_t touching =
-      0;  ///< bit s: a segment on side s starts where the side does; bit 4 + s: one ends where it does
-
-  std::uint32_t prefixWords() const {
-    return sizeof(CellRecord) / sizeof(std::uint32_t) + (polygons == kCompact ? 0u : 1u + 2u * polygons);
-  }
-  /// Room for one id at least, so that ids()[0] can be read in any record.
-  std::uint32_t sizeWords() const { return prefixWords() + std::max<std::uint32_t>(count(), 1); }
-  std::uint32_t begin(unsigned part) const { return part == 0 ? 0u : end[part - 1]; }
-  std::uint32_t count() const { return end[kWestPart]; }
-  std::uint32_t* words() { return reinterpret_cast<std::uint32_t*>(this); }
-  const std::uint32_t* words() const { return reinterpret_cast<const std::uint32_t*>(this); }
-  std::uint32_t* ids() { return words() + prefixWords(); }
-  const std::uint32_t* ids() const { return words() + prefixWords(); }
-  std::span<const std::uint32_t> ids(unsigned part) const { return {ids() + begin(part), end[part] - begin(part)}; }
-};
-static_assert(sizeof(CellRecord) == 16);
-
-/// A cell of an existing chunk.
-struct CellAt {
-  Chunk* chunk = nullptr;
-  std::uint32_t local = 0;
-
-  std::uint32_t& word() const { return chunk->cells[local]; }
-  std::uint32_t row() const { return local / kChunkSize; }
-  RowMask bit() const { return RowMask{1} << local % kChunkSize; }
-  explicit operator bool() const { return chunk != nullptr; }
-};
-
-/// The cell in column x and row y of a chunk; both may be off by one chunk. Without chunk where there is none.
-inline CellAt cellAt(const Chunk& chunk, std::int32_t x, std::int32_t y) {
-  return {chunk.neighbour(x >> 5, y >> 5), localOf({x, y})};
-}
-
-/// The cell across one side.
-inline CellAt across(CellAt at, unsigned side) {
-  constexpr std::array<std::int32_t, 4> di{0, 1, 0, -1}, dj{-1, 0, 1, 0};
-  if (isInner(at.local)) return {at.chunk, at.local + static_cast<std::uint32_t>(dj[side] * kChunkSize + di[side])};
-  return cellAt(*at.chunk, static_cast<std::int32_t>(at.local % kChunkSize) + di[side],
-                static_cast<std::int32_t>(at.local / kChunkSize) + dj[side]);
-}
-
-/// The facts of the four cells across the sides.
-struct FactsAround {
-  Facts south, east, north, west;
-};
-inline FactsAround factsAround(CellAt at) {
-  if (isInner(at.local)) {
-    const Facts* here = at.chunk->facts.data() + at.local;
-    return {here[-kChunkSize], here[1], here[kChunkSize], here[-1]};
-  }
-  const auto facts = [&](unsigned side) {
-    const CellAt beyond = across(at, side);
-    return beyond ? beyond.chunk->facts[beyond.local] : Facts{0};
-  };
-  return {facts(0), facts(1), facts(2), facts(3)};
-}
-
-/// The chunks that a rectangle of cells (not empty) reaches.
-struct ChunkRect {
-  explicit ChunkRect(const CellRect& r) : i0(r.min.i >> 5), j0(r.min.j >> 5), i1(r.max.i >> 5), j1(r.max.j >> 5) {}
-  std::int32_t i0, j0, i1, j1;
-  bool contains(const Chunk& c) const { return c.ci >= i0 && c.ci <= i1 && c.cj >= j0 && c.cj <= j1; }
-  std::uint64_t count() const {
-    return (static_cast<std::uint64_t>(i1 - i0) + 1) * (static_cast<std::uint64_t>(j1 - j0) + 1);
-  }
-};
 
 class Grid {
  public:
@@ -237,42 +87,31 @@ class Grid {
   /// Makes `content`, of one polygon, that of a cell that is empty and had few polygons before. Returns the polygon's
   /// serial, or 0 and does nothing if the cell is not like that.
   std::uint32_t placeSole(CellAt cell, ContentId content, Block block) {
-    CellRecord* r = writable(cell);
-    std::uint32_t& word = r ? r->state : cell.word();
-    if (word >= kSerialMask || (r && r->polygons != CellRecord::kCompact)) return 0;
-    word = content << kSerialBits | (word + 1);
-    setBlock(*cell.chunk, cell.local, block);
-    return word & kSerialMask;
+    std::uint32_t* state = compactState(cell);
+    if (!state || *state >= kSerialMask) return 0;
+    makeRoomForBlock(*cell.chunk, block);
+    return place(cell, *state, content, block);
   }
-  /// The same without looking further: 0 also if the cell has a record, or if its block has no place yet.
+  /// The same without looking further: 0 also if the cell has a record, or if its chunk has no room for the block yet.
   static std::uint32_t placeQuickly(CellAt cell, ContentId content, Block block) {
-    Chunk& chunk = *cell.chunk;
-    const std::uint32_t lastSerial = cell.word();
-    if (lastSerial >= kSerialMask) return 0;
-    if (chunk.commonBlock != block) {
-      if (!chunk.blocks) return 0;
-      chunk.blocks[cell.local] = block;
-    }
-    cell.word() = content << kSerialBits | (lastSerial + 1);
-    return lastSerial + 1;
+    return place(cell, cell.word(), content, block);
   }
-  /// The same for `count` cells of a row, all or none; whether it did.
+  /// The same for `count` cells of a row without records, all or none; whether it did.
   static bool placeRow(CellAt first, std::uint32_t count, ContentId content, Block block) {
-    const std::span words(&first.word(), count);
-    if (std::any_of(words.begin(), words.end(), [](std::uint32_t word) { return word >= kSerialMask; })) return false;
-    for (std::uint32_t k = 0; k < count; ++k) setBlock(*first.chunk, first.local + k, block);
-    for (std::uint32_t& word : words) word = content << kSerialBits | (word + 1);
+    const std::span states(&first.word(), count);
+    if (std::any_of(states.begin(), states.end(), [](std::uint32_t state) { return state >= kSerialMask; }))
+      return false;
+    makeRoomForBlock(*first.chunk, block);
+    if (first.chunk->blocks) std::fill_n(&first.chunk->blocks[first.local], count, block);
+    for (std::uint32_t& state : states) state = stateOf(content, state + 1);
     return true;
   }
   /// Empties a cell that holds one polygon, this one. Returns the content it had, or kEmptyContent and does nothing if the
   /// cell is not like that, or keeps a list of its polygons.
   ContentId removeSole(CellAt cell, std::uint32_t serial) {
-    CellRecord* r = writable(cell);
-    std::uint32_t& word = r ? r->state : cell.word();
-    if ((word & kSerialMask) != serial || (r && r->polygons != CellRecord::kCompact)) return kEmptyContent;
-    const ContentId content = word >> kSerialBits;
-    word = serial;
-    return content;
+    std::uint32_t* state = compactState(cell);
+    if (!state || (*state & kSerialMask) != serial) return kEmptyContent;
+    return std::exchange(*state, serial) >> kSerialBits;
   }
   /// Makes `content` that of a cell, its slots filled by `polygons`; or empties it.
   void setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons);
@@ -304,9 +143,11 @@ class Grid {
   static constexpr std::uint32_t kSerialMask = (1u << kSerialBits) - 1;
 
   CellRecord* writable(CellAt cell) { return const_cast<CellRecord*>(record(cell)); }  // NOLINT
-  std::uint32_t& stateWord(CellAt cell) {
+  /// Null if the cell lists its polygons.
+  std::uint32_t* compactState(CellAt cell) {
     CellRecord* r = writable(cell);
-    return r ? r->state : cell.word();
+    if (!r) return &cell.word();
+    return r->polygons == CellRecord::kCompact ? &r->state : nullptr;
   }
   std::uint32_t state(CellAt cell) const {
     const CellRecord* r = record(cell);
@@ -322,14 +163,23 @@ class Grid {
     return reinterpret_cast<const Placed*>(r->words() + sizeof(CellRecord) / 4 + 1);
   }
 
-  static void setBlock(Chunk& chunk, std::uint32_t local, Block block) {
-    if (chunk.commonBlock == block) return;
-    if (chunk.blocks)
-      chunk.blocks[local] = block;
-    else
-      setFirstOtherBlock(chunk, local, block);
+  static constexpr std::uint32_t stateOf(ContentId content, std::uint32_t lastSerial) {
+    return content << kSerialBits | lastSerial;
   }
-  static void setFirstOtherBlock(Chunk& chunk, std::uint32_t local, Block block);
+  static std::uint32_t place(CellAt cell, std::uint32_t& state, ContentId content, Block block) {
+    const std::uint32_t lastSerial = state;  // if the cell is empty
+    if (lastSerial >= kSerialMask) return 0;
+    if (cell.chunk->commonBlock != block) {
+      if (!cell.chunk->blocks) return 0;
+      cell.chunk->blocks[cell.local] = block;
+    }
+    state = stateOf(content, lastSerial + 1);
+    return lastSerial + 1;
+  }
+  static void makeRoomForBlock(Chunk& chunk, Block block) {
+    if (chunk.commonBlock != block && !chunk.blocks) makeRoomForFirstBlock(chunk, block);
+  }
+  static void makeRoomForFirstBlock(Chunk& chunk, Block block);
   Chunk* findChunk(Cell cell) const;
   Chunk* obtainChunk(Cell cell);
   void link(Chunk& chunk);

@@ -1,6 +1,8 @@
 // Phase 2 on the world: links the segments at every vertex near an edit.
 #pragma once
 
+#include "fan.h"
+#include "links.h"
 #include "world_impl.h"
 
 namespace lgs::detail {
@@ -14,9 +16,6 @@ class Linking {
   void linkChunk(const Chunk& chunk);
 
  private:
-  class Fan;
-  class SideWalk;
-
   void linkCell(CellAt at);
   void linkInterior(CellAt at);
   template <unsigned q>
@@ -25,17 +24,10 @@ class Linking {
   void linkSides(CellAt at);
   void linkSide(CellAt at, unsigned side);
   void match(std::span<const Spoke> fan);
-  void setPredecessor(std::uint32_t id, std::uint32_t now);
-  void setSuccessor(std::uint32_t id, std::uint32_t now);
-  bool sameStart(const SegmentRecord& a, const SegmentRecord& b) const;
-  bool sameEnd(const SegmentRecord& a, const SegmentRecord& b) const;
-  void listIfAnotherStart(std::uint32_t id, std::uint32_t before, std::uint32_t now);
-  void listIfAnotherEnd(std::uint32_t id, std::uint32_t before, std::uint32_t now);
-  void list(std::uint32_t id);
 
   World::Impl& world_;
   Grid& grid_;
-  SegmentPool& pool_;
+  Links links_;
   std::vector<Spoke>& fan_;
 };
 

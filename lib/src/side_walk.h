@@ -1,0 +1,57 @@
+// Linking along a side: the vertices in the open side of one of the two cells, and the spokes at each.
+#pragma once
+
+#include "fan.h"
+#include "world_impl.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+namespace lgs::detail {
+
+/// Walks along one cell's side of a boundary, from vertex to vertex.
+class SideWalk {
+ public:
+  /// `at` may be without chunk.
+  SideWalk(const World::Impl& world, CellAt at, unsigned side)
+      : pool_(world.segments), content_(world.contentOf(at)), side_(side), points_(content_.sides[side].points) {
+    const CellRecord* r = at ? world.grid.record(at) : nullptr;
+    if (!r) return;
+    interior_ = r->ids();
+    ids_ = r->ids(partOf(side));
+  }
+  bool done() const { return points_.empty(); }
+  std::int32_t next() const { return done() ? kUnitsPerCell : points_.front().at; }
+
+  /// The segment that lies beyond the vertex (in the direction of increasing coordinates) or before it.
+  void addSideSpokes(Fan& fan, std::int32_t vertex, bool beyond, std::uint32_t stretch) {
+    while (!ids_.empty() && bounds(ids_.front()).second < vertex) ids_ = ids_.subspan(1);
+    for (const std::uint32_t id : ids_.first(std::min<std::size_t>(ids_.size(), 2))) {
+      const auto [low, high] = bounds(id);
+      if ((beyond ? low : high) == vertex)
+        fan.add(id, stretch * kStretch, along(side_, pool_[id].start()) == vertex ? 1 : 0, 1);
+    }
+  }
+  void addInteriorSpokes(Fan& fan, std::int32_t vertex, std::uint32_t stretch) const {
+    if (next() == vertex && interior_) fan.addInterior(content_, points_.front().spokes, interior_, stretch);
+  }
+  void pass(std::int32_t vertex) {
+    if (next() == vertex) points_ = points_.subspan(1);
+  }
+
+ private:
+  std::pair<std::int32_t, std::int32_t> bounds(std::uint32_t id) const {
+    return std::minmax(along(side_, pool_[id].start()), along(side_, pool_[id].end()));
+  }
+
+  const SegmentPool& pool_;
+  const Content& content_;
+  unsigned side_;
+  std::span<const RimPoint> points_;
+  const std::uint32_t* interior_ = nullptr;
+  std::span<const std::uint32_t> ids_;
+};
+
+}  // namespace lgs::detail
