@@ -1,4 +1,5 @@
-// The core of the Box2D adapters: rules 1 to 3 of <lgs/box2d/edges.h>, and that edits change nothing but what changed.
+// The core of the Box2D adapters: rules 1 to 3 of <lgs/box2d/edges.h>, and that an update reports no more than what
+// changed.
 #include "oracle/check/isolated.h"
 #include "oracle/generate/random.h"
 #include "oracle/trace/player.h"
@@ -25,7 +26,7 @@ using box2d_test::NaiveBuilder;
 using box2d_test::NaiveEdges;
 using box2d_test::plain;
 
-// What holds of any set of edges, whatever the options.
+// Expects what holds for any set of edges and any options.
 void expectLaws(const World& world, const EdgeSet& set) {
   const EdgeCounts counts = set.counts();
   EXPECT_EQ(counts.segments, world.segments().size());
@@ -94,7 +95,7 @@ TEST(Box2dEdges, UpdatesEqualTheRulesAndChangesAreExact) {
   };
   box2d_test::forSeeds("box2d-edges", 300, complaint);
   if (HasFailure()) return;
-  // The cases are of use only if they get there.
+  // The random cases must reach all of these.
   EXPECT_GT(seen->merged, 1'000U);
   EXPECT_GT(seen->welded, 1'000U);
   EXPECT_GT(seen->leftOut, 1'000U);
@@ -119,7 +120,7 @@ TEST(Box2dEdges, WithoutMergingEverySegmentIsAnEdge) {
   });
 }
 
-// loops() keeps vertices where chains touch, be it on a straight line; an edge goes through there.
+// loops() keeps the vertices where chains touch, even on a straight line. An edge goes through there.
 std::vector<Point> cornersOf(const std::vector<Point>& loop) {
   std::vector<Point> corners;
   for (std::size_t k = 0; k < loop.size(); ++k) {
@@ -133,7 +134,7 @@ TEST(Box2dEdges, MergedInOneChunkTheyAreTheMergedLoops) {
   const oracle::Shared<std::size_t> compared;
   box2d_test::forSeeds("box2d-merged", 60, [&](oracle::Trace trace, std::uint64_t) -> std::optional<std::string> {
     if (!trace.preserve.empty()) return std::nullopt;  // there are no loops then
-    for (oracle::Edit& edit : trace.edits) {           // cases may lie anywhere; here all is to be in one chunk
+    for (oracle::Edit& edit : trace.edits) {           // cases lie anywhere; here all must be in one chunk
       Cell& cell = edit.polygon.cell;
       cell = {cell.i & 1023, cell.j & 1023};
     }
@@ -172,7 +173,7 @@ TEST(Box2dEdges, AnIdThatNeverWasHasNoEdge) {
   EXPECT_FALSE(set.edgeOf({0xffff'ffff}));
 }
 
-// --- By hand -----------------------------------------------------------------------------------------------------------
+// --- By hand ---------------------------------------------------------------------------------------------------------
 
 class Hand : public testing::Test {
  protected:
@@ -190,7 +191,7 @@ TEST_F(Box2dEdgesByHand, ALongFloorIsOneEdgeAChunkAndMaterial) {
   world.commit();
   EdgeSet one({.chunkCells = 4, .merge = true});
   one.load(world);
-  EXPECT_EQ(one.counts().edges, 6U);  // top and bottom in two chunks, and the sides
+  EXPECT_EQ(one.counts().edges, 6U);  // top and bottom of two chunks, and the sides
   EdgeSet two({.chunkCells = 4, .merge = true, .material = [](Block block) { return block; }});
   two.load(world);
   EXPECT_EQ(two.counts().edges, 8U);  // the second chunk has two materials

@@ -1,4 +1,4 @@
-// Random edits with something of Box2D's that must follow them.
+// Random edits that an edge set or a terrain must follow.
 #pragma once
 
 #include "oracle/generate/generator.h"
@@ -15,13 +15,14 @@
 
 namespace lgs::box2d_test {
 
-/// Plays a trace; edits that are refused are left out. `commit` is called at each of its commits and at its end, to commit
-/// the player's world and say with expectations what must hold then. What the first that fails says, if one does.
+/// Plays a trace. Edits that are refused are left out. Calls `commit` at each commit of the trace and at its end; it is
+/// to commit the player's world and to expect what must hold then. Returns the message of the first expectation that
+/// fails.
 inline std::optional<std::string> firstProblem(const oracle::Trace& trace, oracle::Player& player,
                                                const std::function<void()>& commit) {
   for (const oracle::Edit& edit : trace.edits) {
     if (edit.kind != oracle::Edit::Kind::commit) {
-      static_cast<void>(player.apply(edit));  // some are there to be refused
+      static_cast<void>(player.apply(edit));  // some edits are made to be refused
     } else if (auto problem = test::failedExpectation(commit)) {
       return problem;
     }
@@ -29,7 +30,8 @@ inline std::optional<std::string> firstProblem(const oracle::Trace& trace, oracl
   return test::failedExpectation(commit);
 }
 
-/// Fails the current test with the first of the random cases of seeds 1 to `cases` that there is a complaint about.
+/// Tries the random cases of seeds 1 to `cases`. The current test fails with the first one that there is a complaint
+/// about.
 inline void forSeeds(const std::string& name, std::uint64_t cases,
                      const std::function<std::optional<std::string>(const oracle::Trace&, std::uint64_t)>& complaint) {
   const auto failure = test::firstFailure(

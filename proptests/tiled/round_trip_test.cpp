@@ -1,5 +1,5 @@
-// Imported map → trace → the same world: random maps of shapes that touch, overlap, and reach out of their tiles, and the
-// project's own map.
+// An imported map becomes a trace, and the trace becomes the same world again. This holds for the project's own map and
+// for random maps, with shapes that touch, overlap, and reach out of their tiles.
 #include "cli/imported.h"
 #include "maps.h"
 #include "oracle/generate/random.h"
@@ -13,7 +13,7 @@
 namespace lgs::tiled {
 namespace {
 
-/// The adds of a trace, placed one by one.
+/// The world that the add edits of a trace make.
 World worldOf(const oracle::Trace& trace) {
   World world;
   for (const oracle::Edit& edit : trace.edits) {
@@ -25,7 +25,7 @@ World worldOf(const oracle::Trace& trace) {
   return world;
 }
 
-/// A trace, written and read again, gives this world.
+/// Expects that a trace is still the same, and makes this world, after it was written and read.
 void comesBack(const oracle::Trace& written, const World& world) {
   const oracle::ParsedTrace read = oracle::parseTrace(oracle::printTrace(written));
   ASSERT_FALSE(read.error) << read.error->text;
@@ -69,7 +69,7 @@ TEST(TiledRoundTrip, RandomMaps) {
                                 return test::failedExpectation([&] {
                                   const ImportedMap map = randomMap(seed);
                                   ASSERT_GT(map.report.polygons, 0U);
-                                  // Made small, the trace is of no map any more: what it places has to come back all the same.
+                                  // A trace that was shrunk is of no map any more. Its own world has to come back.
                                   comesBack(trace, trace == cli::traceOf(map) ? worldOf(map) : worldOf(trace));
                                 });
                               },
