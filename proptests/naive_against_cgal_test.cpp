@@ -5,8 +5,10 @@
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
 #include "oracle/reference/scene.h"
-#include "oracle/trace/model.h"
-#include "proptests/first_failure.h"
+#include "oracle/trace/trace.h"
+#include "proptests/support/law.h"
+#include "proptests/support/scale.h"
+#include "proptests/support/traces.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -16,7 +18,6 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -59,7 +60,7 @@ const std::vector<Content> kPalette = {
 
 class RandomScenes {
  public:
-  explicit RandomScenes(std::uint64_t seed) : random_(seed) {}
+  explicit RandomScenes(Random random) : random_(random) {}
 
   Scene scene(std::int32_t side, Cell origin, Block blocks) {
     Scene result;
@@ -124,32 +125,20 @@ Scene sceneOf(const Trace& trace) {
   return scene;
 }
 
-using Complaint = std::function<std::optional<std::string>(const Scene&, NaiveReference&)>;
-
-/// Fails the current test with the first of `count` random scenes that there is a complaint about, made small. They share
-/// one reference, which keeps its buffers from one to the next.
-void forScenes(const std::string& name, std::uint64_t count, const std::function<Scene(RandomScenes)>& scene,
-               const Complaint& complaint) {
-  NaiveReference naive;
-  const auto failure = test::firstFailure(
-      {.name = name,
-       .count = count,
-       .trace = [&](std::uint64_t k) { return traceOf(scene(RandomScenes(k))); },
-       .complaint = [&](const Trace& trace, std::uint64_t) { return complaint(sceneOf(trace), naive); },
-       .mayBe = [](const Trace& trace) { return withoutRefused(trace).edits.size() == trace.edits.size(); }});
-  if (failure) FAIL() << failure->text << "\nagain      " << test::again("lgs_tests");
+/// Scenes as traces, so that they can be made small.
+rc::Gen<Trace> tracesOf(const std::function<Scene(RandomScenes)>& scene) {
+  return test::traces([=](int, Random random) { return traceOf(scene(RandomScenes(random))); });
 }
 
-/// Of the two references; none where both say that the relation makes no materials.
-std::optional<std::string> disagreement(const Scene& scene, const OwnedOutline& naive,
-                                        const std::optional<CgalUnion>& united) {
-  if (united.has_value() != materials(scene).has_value())
-    return "CGAL unites where there are no materials, or the reverse";
-  if (!united) return std::nullopt;
+/// Fails the case that is running where the two references disagree; also where one of them says that the relation makes no
+/// materials.
+void expectAgreement(const Scene& scene, const OwnedOutline& naive, const std::optional<CgalUnion>& united) {
+  test::failUnless(united.has_value() == materials(scene).has_value(),
+                   "CGAL unites where there are no materials, or the reverse");
+  if (!united) return;
   const OwnedOutline expected{withUnknownLinksOf(naive.outline, united->outline, united->known), united->owner};
   const auto differences = compare(expected, naive);
-  if (differences.empty()) return std::nullopt;
-  return "the naive reference differs from CGAL:\n" + describe(differences);
+  if (!differences.empty()) test::failIf("the naive reference differs from CGAL:\n" + describe(differences));
 }
 
 TEST(NaiveAgainstCgal, OneMaterial) {
@@ -158,22 +147,28 @@ TEST(NaiveAgainstCgal, OneMaterial) {
     const Cell origin = kOrigins[random.below(kOrigins.size())];
     return random.scene(side, origin, 4);
   };
-  forScenes("naive-one-material", 1500, scene, [](const Scene& s, NaiveReference& naive) -> std::optional<std::string> {
+  NaiveReference naive;  // one for all scenes: it keeps its buffers from one to the next
+  const auto law = [&](const Trace& trace) {
+    const Scene s = sceneOf(trace);
     const OwnedOutline& outline = naive(s);
     const auto united = cgalUnion(s);
-    if (auto problem = disagreement(s, outline, united)) return problem;
+    expectAgreement(s, outline, united);
     const auto loops = followLinks(outline.outline);
-    if (!loops) return "links are not mutual";
-    if (canonical(*loops) != canonical(united->loops)) return "other loops than CGAL's";
-    return std::nullopt;
-  });
+    test::failUnless(loops.has_value(), "links are not mutual");
+    test::failUnless(canonical(*loops) == canonical(united->loops), "other loops than CGAL's");
+  };
+  test::forAll(1'500, law, tracesOf(scene));
 }
 
 TEST(NaiveAgainstCgal, TenThousandCells) {
   const auto scene = [](RandomScenes random) { return random.scene(100, {-50, -50}, 2); };
-  EXPECT_GT(scene(RandomScenes(0)).polygons.size(), 10'000U);
-  forScenes("naive-ten-thousand-cells", 1, scene,
-            [](const Scene& s, NaiveReference& naive) { return disagreement(s, naive(s), cgalUnion(s)); });
+  EXPECT_GT(scene(RandomScenes(Random(0))).polygons.size(), 10'000U);
+  const auto law = [](const Trace& trace) {
+    const Scene s = sceneOf(trace);
+    NaiveReference naive;
+    expectAgreement(s, naive(s), cgalUnion(s));
+  };
+  test::forAll({.cases = 1}, law, tracesOf(scene));
 }
 
 TEST(NaiveAgainstCgal, SeveralMaterials) {
@@ -187,21 +182,24 @@ TEST(NaiveAgainstCgal, SeveralMaterials) {
     return result;
   };
   struct Seen {
-    int united = 0;
+    std::int64_t united = 0;
     std::int64_t known = 0;
   };
   const Shared<Seen> seen;
-  forScenes("naive-several-materials", 1000, scene, [&](const Scene& s, NaiveReference& naive) {
+  NaiveReference naive;
+  const auto law = [&](const Trace& trace) {
+    const Scene s = sceneOf(trace);
     const auto united = cgalUnion(s);
     if (united) {
       ++seen->united;
       seen->known += std::count(united->known.begin(), united->known.end(), KnownLinks{});
     }
-    return disagreement(s, naive(s), united);
-  });
+    expectAgreement(s, naive(s), united);
+  };
+  test::forAll(1'000, law, tracesOf(scene));
   if (HasFailure()) return;
-  EXPECT_EQ(seen->united, 1000);
-  EXPECT_GT(seen->known, 2000);
+  EXPECT_EQ(seen->united, test::scaled(1'000));
+  EXPECT_GT(seen->known, 2 * test::scaled(1'000));
 }
 
 TEST(NaiveAgainstCgal, AnyRelationThatHappensToPartition) {
@@ -210,13 +208,16 @@ TEST(NaiveAgainstCgal, AnyRelationThatHappensToPartition) {
     result.preserve = random.anyRelation(4);
     return result;
   };
-  const Shared<int> compared;
-  forScenes("naive-any-relation", 1500, scene, [&](const Scene& s, NaiveReference& naive) {
+  const Shared<std::int64_t> compared;
+  NaiveReference naive;
+  const auto law = [&](const Trace& trace) {
+    const Scene s = sceneOf(trace);
     const auto united = cgalUnion(s);
     *compared += united ? 1 : 0;
-    return disagreement(s, naive(s), united);
-  });
-  if (HasFailure()) return;
+    expectAgreement(s, naive(s), united);
+  };
+  test::forAll(1'500, law, tracesOf(scene));
+  if (HasFailure() || test::testScale() < 1) return;
   EXPECT_GT(*compared, 100);
 }
 
@@ -226,13 +227,16 @@ TEST(NaiveAgainstCgal, TheOrderOfPolygonsDoesNotMatter) {
     result.preserve = random.anyRelation(3);
     return result;
   };
-  forScenes("naive-order", 50, scene, [](Scene s, NaiveReference& naive) -> std::optional<std::string> {
+  NaiveReference naive;
+  const auto law = [&](const Trace& trace) {
+    Scene s = sceneOf(trace);
     const Outline outline = naive(s).outline;
     std::reverse(s.polygons.begin(), s.polygons.end());
     const auto differences = compare(outline, naive(s).outline);
-    if (differences.empty()) return std::nullopt;
-    return "the outline depends on the order of the polygons:\n" + describe(differences);
-  });
+    if (!differences.empty())
+      test::failIf("the outline depends on the order of the polygons:\n" + describe(differences));
+  };
+  test::forAll(50, law, tracesOf(scene));
 }
 
 }  // namespace

@@ -12,7 +12,9 @@
 #include "oracle/reference/naive.h"
 #include "oracle/trace/file.h"
 #include "oracle/trace/model.h"
-#include "proptests/first_failure.h"
+#include "proptests/support/law.h"
+#include "proptests/support/scale.h"
+#include "proptests/support/traces.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -43,16 +45,8 @@ bool departs(const Trace& trace, Departure departure) {
 
 Trace randomTrace(std::uint64_t seed) { return withoutRefused(randomCase({3, 3, 24}, seed)); }
 
-/// Fails the current test with the first of the traces 0 to `count` - 1 that there is a complaint about, made small.
-void forTraces(const std::string& name, std::uint64_t count, const std::function<Trace(std::uint64_t)>& trace,
-               const std::function<std::optional<std::string>(const Trace&)>& complaint) {
-  const auto failure =
-      test::firstFailure({.name = name,
-                          .count = count,
-                          .trace = trace,
-                          .complaint = [&](const Trace& t, std::uint64_t) { return complaint(t); },
-                          .mayBe = [](const Trace& t) { return withoutRefused(t).edits.size() == t.edits.size(); }});
-  if (failure) FAIL() << failure->text << "\nagain      " << test::again("lgs_tests");
+rc::Gen<Trace> randomTraces() {
+  return test::traces([](int, Random random) { return randomTrace(random.next()); });
 }
 
 TEST(Published, DepartsAsEachKeptTraceSays) {
@@ -85,17 +79,18 @@ TEST(Published, DeparturesAreFoundByTheHarness) {
 
 // Not a law, but what makes the page complete: no way of departing is left that it does not name.
 TEST(Published, DepartsInNoOtherWay) {
-  const Shared<std::size_t> departed;
-  forTraces("published-departs", 4'000, randomTrace, [&](const Trace& trace) -> std::optional<std::string> {
+  const Shared<std::int64_t> departed;
+  const auto law = [&](const Trace& trace) {
     const auto run = runPublished(trace);
-    if (!run) return run.error().text;
-    if (run->published == run->expected) return std::nullopt;
+    if (!run) test::failIf(run.error().text);
+    if (run->published == run->expected) return;
     ++*departed;
-    if (std::ranges::any_of(kDepartures, [&](Departure d) { return shows(*run, d); })) return std::nullopt;
-    return "it departs in a way that has no name:\n" + describe(compare(run->expected, run->published));
-  });
-  if (HasFailure()) return;
-  EXPECT_GT(*departed, 2'000U);
+    if (std::ranges::any_of(kDepartures, [&](Departure d) { return shows(*run, d); })) return;
+    test::failIf("it departs in a way that has no name:\n" + describe(compare(run->expected, run->published)));
+  };
+  test::forAll(4'000, law, randomTraces());
+  if (HasFailure() || test::testScale() < 1) return;
+  EXPECT_GT(*departed, 2'000);
 }
 
 /// The published algorithm and both references, edit by edit.
@@ -152,16 +147,15 @@ TEST(Published, AgreesWithinItsReach) {
     std::array<std::size_t, std::tuple_size_v<Features>> casesWith{};
   };
   const Shared<Seen> seen;
-  constexpr std::uint64_t kAtOnce = 50;
-  for (std::uint64_t first = 0; seen->compared < 10'000; first += kAtOnce) {
-    const auto trace = [&](std::uint64_t k) { return randomTrace(first + k); };
-    forTraces("published-agrees", kAtOnce, trace, [&](const Trace& t) {
-      Agreement agreement;
-      auto problem = agreement.play(t);
-      seen->compared += agreement.compared;
-      for (std::size_t k = 0; k < seen->casesWith.size(); ++k) seen->casesWith[k] += agreement.features[k] ? 1 : 0;
-      return problem;
-    });
+  const auto law = [&](const Trace& trace) {
+    Agreement agreement;
+    const auto problem = agreement.play(trace);
+    seen->compared += agreement.compared;
+    for (std::size_t k = 0; k < seen->casesWith.size(); ++k) seen->casesWith[k] += agreement.features[k] ? 1 : 0;
+    test::failIf(problem);
+  };
+  for (std::uint64_t seed = test::testSeed(); seen->compared < 10'000; ++seed) {
+    test::forAll({.cases = 50, .seed = seed}, law, randomTraces());
     if (HasFailure()) return;
   }
   // Its reach is not only what is easy: contacts that the sweep has to cut at are in it.
@@ -177,7 +171,7 @@ TEST(Published, AgreesOnTheWorldsOfItsBenchmarks) {
   const std::vector<std::vector<LocalPoint>> full{{{0, 0}, {U, 0}, {U, U}, {0, U}}};
   const std::vector<std::vector<LocalPoint>> ramps{
       {{0, 0}, {U, 0}, {U, U}}, {{0, 0}, {U, 0}, {0, U}}, {{0, 0}, {U, U}, {0, U}}, {{U, 0}, {U, U}, {0, U}}};
-  const auto trace = [&](std::uint64_t k) {
+  const auto digging = [](const std::vector<std::vector<LocalPoint>>& shapes) {
     Random random(1);
     std::set<std::string> placed;
     Trace result;
@@ -186,18 +180,19 @@ TEST(Published, AgreesOnTheWorldsOfItsBenchmarks) {
       const std::string name = std::to_string(cell.i * kSide + cell.j);
       const bool there = placed.erase(name) > 0;
       if (!there) placed.insert(name);
-      result.edits.push_back(there ? Edit::remove(name)
-                                   : Edit::add(name, {cell, 1, random.pick(k == 0 ? full : ramps)}));
+      result.edits.push_back(there ? Edit::remove(name) : Edit::add(name, {cell, 1, random.pick(shapes)}));
     }
     return result;
   };
   const Shared<std::size_t> compared;
-  forTraces("published-benchmarks", 2, trace, [&](const Trace& t) {
+  const auto law = [&](const Trace& trace) {
     Agreement agreement;
-    auto problem = agreement.play(t);
+    const auto problem = agreement.play(trace);
     *compared += agreement.compared;
-    return problem;
-  });
+    test::failIf(problem);
+  };
+  for (const auto& shapes : {full, ramps})
+    test::forAll({.cases = 1}, law, test::traces([&](int, Random) { return digging(shapes); }));
   if (HasFailure()) return;
   EXPECT_EQ(*compared, 2'000U);
 }

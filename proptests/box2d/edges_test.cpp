@@ -7,6 +7,7 @@
 #include "edge_copy.h"
 #include "naive_edges.h"
 #include "played.h"
+#include "proptests/support/scale.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -68,9 +69,9 @@ std::string inWords(const EdgeOptions& options) {
 
 TEST(Box2dEdges, UpdatesEqualTheRulesAndChangesAreExact) {
   const oracle::Shared<EdgeCounts> seen;
-  const auto complaint = [&](const oracle::Trace& trace, std::uint64_t seed) -> std::optional<std::string> {
-    Random random(seed);
+  const auto law = [&](const oracle::Trace& trace, box2d_test::Chance random) {
     const EdgeOptions options = randomOptions(random);
+    SCOPED_TRACE(inWords(options));
     Player player(trace.preserve);
     EdgeSet set(options);
     Copy copy;
@@ -90,21 +91,20 @@ TEST(Box2dEdges, UpdatesEqualTheRulesAndChangesAreExact) {
       seen->welded += set.counts().welded;
       seen->leftOut += set.counts().leftOut;
     };
-    const auto problem = box2d_test::firstProblem(trace, player, update);
-    return problem ? std::optional(fmt::format("{}: {}", inWords(options), *problem)) : std::nullopt;
+    box2d_test::playAll(trace, player, update);
   };
-  box2d_test::forSeeds("box2d-edges", 300, complaint);
-  if (HasFailure()) return;
-  // The random cases must reach all of these.
+  box2d_test::forAllEdits(300, law);
+  if (HasFailure() || test::testScale() < 1) return;
+  // The cases are of use only if they get there.
   EXPECT_GT(seen->merged, 1'000U);
   EXPECT_GT(seen->welded, 1'000U);
   EXPECT_GT(seen->leftOut, 1'000U);
 }
 
 TEST(Box2dEdges, WithoutMergingEverySegmentIsAnEdge) {
-  box2d_test::forSeeds("box2d-single", 60, [](const oracle::Trace& trace, std::uint64_t) {
+  box2d_test::forAllEdits(60, [](const oracle::Trace& trace, box2d_test::Chance) {
     Player player(trace.preserve);
-    return box2d_test::firstProblem(trace, player, [&] {
+    box2d_test::playAll(trace, player, [&] {
       player.commit();
       EdgeSet set({});
       set.load(player.world());
@@ -132,14 +132,14 @@ std::vector<Point> cornersOf(const std::vector<Point>& loop) {
 
 TEST(Box2dEdges, MergedInOneChunkTheyAreTheMergedLoops) {
   const oracle::Shared<std::size_t> compared;
-  box2d_test::forSeeds("box2d-merged", 60, [&](oracle::Trace trace, std::uint64_t) -> std::optional<std::string> {
-    if (!trace.preserve.empty()) return std::nullopt;  // there are no loops then
-    for (oracle::Edit& edit : trace.edits) {           // cases lie anywhere; here all must be in one chunk
+  box2d_test::forAllEdits(60, [&](oracle::Trace trace, box2d_test::Chance) {
+    if (!trace.preserve.empty()) return;      // there are no loops then
+    for (oracle::Edit& edit : trace.edits) {  // cases may lie anywhere; here all is to be in one chunk
       Cell& cell = edit.polygon.cell;
       cell = {cell.i & 1023, cell.j & 1023};
     }
     Player player({});
-    return box2d_test::firstProblem(trace, player, [&] {
+    box2d_test::playAll(trace, player, [&] {
       player.commit();
       EdgeSet set({.chunkCells = 4'096, .merge = true});
       set.load(player.world());
@@ -158,7 +158,7 @@ TEST(Box2dEdges, MergedInOneChunkTheyAreTheMergedLoops) {
       *compared += expected.size();
     });
   });
-  if (HasFailure()) return;
+  if (HasFailure() || test::testScale() < 1) return;
   EXPECT_GT(*compared, 70'000U);
 }
 

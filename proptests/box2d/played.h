@@ -3,46 +3,38 @@
 
 #include "oracle/generate/generator.h"
 #include "oracle/trace/player.h"
-#include "proptests/first_failure.h"
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
+#include "proptests/support/law.h"
+#include "proptests/support/traces.h"
 
 #include <cstdint>
 #include <functional>
-#include <optional>
-#include <string>
+#include <utility>
 
 namespace lgs::box2d_test {
 
-/// Plays a trace. Edits that are refused are left out. Calls `commit` at each commit of the trace and at its end; it is
-/// to commit the player's world and to expect what must hold then. Returns the message of the first expectation that
-/// fails.
-inline std::optional<std::string> firstProblem(const oracle::Trace& trace, oracle::Player& player,
-                                               const std::function<void()>& commit) {
-  for (const oracle::Edit& edit : trace.edits) {
-    if (edit.kind != oracle::Edit::Kind::commit) {
-      static_cast<void>(player.apply(edit));  // some edits are made to be refused
-    } else if (auto problem = test::failedExpectation(commit)) {
-      return problem;
-    }
-  }
-  return test::failedExpectation(commit);
+using oracle::Trace;
+using test::Chance;
+
+/// Fails the running test with the first case that a law, of a trace and a source of chance, does not hold for. Some of the
+/// edits are there to be refused.
+template <class Law>
+void forAllEdits(std::int64_t cases, Law law) {
+  const auto edits = [](int, oracle::Random random) {
+    return oracle::randomCase({.width = 5, .height = 4, .edits = 60}, random.next());
+  };
+  test::forAll(cases, std::move(law), test::traces(edits, {}), rc::gen::arbitrary<Chance>());
 }
 
-/// Tries the random cases of seeds 1 to `cases`. The current test fails with the first one that there is a complaint
-/// about.
-inline void forSeeds(const std::string& name, std::uint64_t cases,
-                     const std::function<std::optional<std::string>(const oracle::Trace&, std::uint64_t)>& complaint) {
-  const auto failure = test::firstFailure(
-      {.name = name,
-       .count = cases,
-       .trace = [](std::uint64_t k) { return oracle::randomCase({.width = 5, .height = 4, .edits = 60}, k + 1); },
-       .complaint = [&](const oracle::Trace& trace, std::uint64_t k) -> std::optional<std::string> {
-         const auto problem = complaint(trace, k + 1);
-         return problem ? std::optional(fmt::format("seed {}, {}", k + 1, *problem)) : std::nullopt;
-       }});
-  if (failure) FAIL() << failure->text << "\nagain      " << test::again("lgs_box2d_tests");
+/// Plays a trace; edits that are refused are left out. `commit` is called at each of its commits and at its end, to commit
+/// the player's world and say with expectations what must hold then. The first that fails ends the case.
+inline void playAll(const Trace& trace, oracle::Player& player, const std::function<void()>& commit) {
+  for (const oracle::Edit& edit : trace.edits) {
+    if (edit.kind == oracle::Edit::Kind::commit)
+      test::failIf(test::failedExpectation(commit));
+    else
+      static_cast<void>(player.apply(edit));
+  }
+  test::failIf(test::failedExpectation(commit));
 }
 
 }  // namespace lgs::box2d_test

@@ -1,6 +1,5 @@
 // The terrain in Box2D 3. It is built if that is the Box2D that was found.
 #include "oracle/trace/player.h"
-#include "proptests/first_failure.h"
 
 #include "field.h"
 #include "played.h"
@@ -83,25 +82,22 @@ void expectShapes(b2WorldId physics, const Terrain& terrain, const TerrainOption
 }
 
 TEST_F(Box2d3Terrain, ShapesFollowRandomEdits) {
-  const auto complaint = [&](const oracle::Trace& trace, std::uint64_t seed) -> std::optional<std::string> {
+  forAllEdits(40, [&](const Trace& trace, Chance random) {
     oracle::Player player(trace.preserve);
     TerrainOptions options;
-    options.chunkCells = 1 + static_cast<std::int32_t>(seed % 7);
-    options.merge = seed % 2 == 0;
-    std::optional<std::string> problem;
+    options.chunkCells = 1 + random.below(7);
+    options.merge = random.chance(50);
+    SCOPED_TRACE(fmt::format("chunks of {} cells, merge {}", options.chunkCells, options.merge));
     {
       Terrain terrain(physics, player.world(), options);
-      problem = firstProblem(trace, player, [&] {
+      playAll(trace, player, [&] {
         terrain.sync(player.commit());
         expectShapes(physics, terrain, options);
         step(1);
       });
     }
-    if (!problem) problem = test::failedExpectation([&] { EXPECT_EQ(b2World_GetCounters(physics).bodyCount, 0); });
-    if (!problem) return std::nullopt;
-    return fmt::format("chunks of {} cells, merge {}: {}", options.chunkCells, options.merge, *problem);
-  };
-  forSeeds("box2d-terrain", 40, complaint);
+    EXPECT_EQ(b2World_GetCounters(physics).bodyCount, 0);
+  });
 }
 
 TEST_F(Box2d3Terrain, ARestingBodyFallsWhenItsCellIsDugAway) {

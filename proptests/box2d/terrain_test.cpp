@@ -2,7 +2,6 @@
 // a fixture knows what it stands for.
 #include "oracle/generate/random.h"
 #include "oracle/trace/player.h"
-#include "proptests/first_failure.h"
 
 #include "field.h"
 #include "fixtures.h"
@@ -59,36 +58,28 @@ class Box2dTerrain : public testing::Test {
 };
 
 TEST_F(Box2dTerrain, FixturesFollowRandomEdits) {
-  const auto complaint = [](const oracle::Trace& trace, std::uint64_t seed) -> std::optional<std::string> {
-    oracle::Random random(seed);
+  forAllEdits(40, [](const Trace& trace, Chance random) {
     oracle::Player player(trace.preserve);
     TerrainOptions options{.cellSize = random.chance(50) ? 1 : 0.02, .chunkCells = 1 + random.below(8)};
     options.merge = random.chance(50);
+    SCOPED_TRACE(fmt::format("cells of {} m, chunks of {} cells, merge {}", options.cellSize, options.chunkCells,
+                             options.merge));
     b2World empty({0, -10});
-    std::optional<std::string> problem;
     {
       Terrain terrain(empty, player.world(), options);
-      problem = firstProblem(trace, player, [&] {
+      playAll(trace, player, [&] {
         terrain.sync(player.commit());
         expectFixtures(empty, terrain, options);
       });
-      // A terrain that is made now is the same.
-      if (!problem) {
-        problem = test::failedExpectation([&] {
-          b2World other({0, -10});
-          const Terrain anew(other, player.world(), options);
-          EXPECT_EQ(anew.edges().counts(), terrain.edges().counts());
-          EXPECT_EQ(anew.bodyCount(), terrain.bodyCount());
-          EXPECT_EQ(static_cast<std::size_t>(empty.GetBodyCount()), terrain.bodyCount());
-        });
-      }
+      // A terrain made now is the same.
+      b2World other({0, -10});
+      const Terrain anew(other, player.world(), options);
+      EXPECT_EQ(anew.edges().counts(), terrain.edges().counts());
+      EXPECT_EQ(anew.bodyCount(), terrain.bodyCount());
+      EXPECT_EQ(static_cast<std::size_t>(empty.GetBodyCount()), terrain.bodyCount());
     }
-    if (!problem) problem = test::failedExpectation([&] { EXPECT_EQ(empty.GetBodyCount(), 0); });
-    if (!problem) return std::nullopt;
-    return fmt::format("cells of {} m, chunks of {} cells, merge {}: {}", options.cellSize, options.chunkCells,
-                       options.merge, *problem);
-  };
-  forSeeds("box2d-terrain", 40, complaint);
+    EXPECT_EQ(empty.GetBodyCount(), 0);
+  });
 }
 
 TEST_F(Box2dTerrain, ARestingBodyFallsWhenItsCellIsDugAway) {

@@ -2,30 +2,19 @@
 // for random maps, with shapes that touch, overlap, and reach out of their tiles.
 #include "cli/imported.h"
 #include "maps.h"
-#include "oracle/generate/random.h"
 #include "oracle/trace/dump.h"
-#include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
-#include "proptests/first_failure.h"
+#include "proptests/support/law.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ostream>
 
 namespace lgs::tiled {
 namespace {
 
-/// The world that the add edits of a trace make.
-World worldOf(const oracle::Trace& trace) {
-  World world;
-  for (const oracle::Edit& edit : trace.edits) {
-    if (edit.kind != oracle::Edit::Kind::add) continue;
-    const auto& [cell, block, vertices] = edit.polygon;
-    EXPECT_TRUE(world.add(cell, std::span<const LocalPoint>(vertices), block));
-  }
-  world.commit();
-  return world;
-}
-
-/// Expects that a trace is still the same, and makes this world, after it was written and read.
+/// A trace, written and read again, gives this world.
 void comesBack(const oracle::Trace& written, const World& world) {
   const oracle::ParsedTrace read = oracle::parseTrace(oracle::printTrace(written));
   ASSERT_FALSE(read.error) << read.error->text;
@@ -36,7 +25,15 @@ void comesBack(const oracle::Trace& written, const World& world) {
   ASSERT_EQ(oracle::dump(oracle::outlineOf(player.world())), oracle::dump(oracle::outlineOf(world)));
 }
 
-ImportedMap randomMap(std::uint64_t seed) {
+constexpr std::size_t kWidth = 6, kHeight = 5;
+
+/// Tiles of shapes that touch, overlap, and reach out of their tiles.
+struct AnyMap {
+  std::vector<std::uint32_t> tiles;  ///< by rows; with the flips in their upper bits; 0 is none
+  Outside outside{};
+};
+
+std::string xmlOf(const AnyMap& map) {
   static const std::vector<std::string> kObjects{
       "<object id='1' x='0' y='0' width='32' height='32'/>",
       "<object id='1' x='0' y='16' width='32' height='16'/>",
@@ -46,38 +43,38 @@ ImportedMap randomMap(std::uint64_t seed) {
       "<object id='1' x='4' y='4' width='24' height='24'><ellipse/></object>",
       "<object id='1' x='16' y='0' width='20' height='20' rotation='30'/>",
       "<object id='1' x='0' y='0' width='10' height='10'/><object id='2' x='10' y='5' width='22' height='9'/>"};
-  oracle::Random random(seed);
   std::string csv;
-  for (int k = 0; k < 6 * 5; ++k) {
-    const std::uint32_t tile = random.below(static_cast<std::uint32_t>(kObjects.size()) + 1);
-    const std::uint32_t flips = tile == 0 ? 0 : random.below(8U) << 29;
-    csv += (k == 0 ? "" : ",") + std::to_string(tile | flips);
-  }
-  const std::string map = mapXml(tilesetXml(kObjects) + csvLayer(6, 5, csv), "width='6' height='5'");
-  Options options;
-  options.outside = random.chance(70) ? Outside::carry : Outside::clip;
-  return mustImportFiles({{"maps/test.tmx", map}}, options);
+  for (const std::uint32_t tile : map.tiles) csv += (csv.empty() ? "" : ",") + std::to_string(tile);
+  return mapXml(tilesetXml(kObjects) + csvLayer(kWidth, kHeight, csv), "width='6' height='5'");
+}
+
+void showValue(const AnyMap& map, std::ostream& out) {
+  out << (map.outside == Outside::carry ? "carried" : "clipped") << " where it reaches out of its tile:\n"
+      << xmlOf(map);
+}
+
+rc::Gen<AnyMap> anyMap() {
+  const auto tile = rc::gen::map(rc::gen::pair(rc::gen::inRange(0U, 9U), rc::gen::inRange(0U, 8U)),
+                                 [](std::pair<std::uint32_t, std::uint32_t> drawn) {
+                                   return drawn.first == 0 ? 0 : drawn.first | drawn.second << 29;
+                                 });
+  const auto tiles = rc::gen::container<std::vector<std::uint32_t>>(kWidth * kHeight, tile);
+  const auto outside = rc::gen::weightedElement<Outside>({{7, Outside::carry}, {3, Outside::clip}});
+  return rc::gen::resize(rc::kNominalSize, rc::gen::map(rc::gen::pair(tiles, outside), [](const auto& drawn) {
+                           return AnyMap{drawn.first, drawn.second};
+                         }));
 }
 
 TEST(TiledRoundTrip, RandomMaps) {
-  const auto failure =
-      test::firstFailure({.name = "tiled-round-trip",
-                          .count = 60,
-                          .trace = [](std::uint64_t seed) { return cli::traceOf(randomMap(seed)); },
-                          .complaint =
-                              [](const oracle::Trace& trace, std::uint64_t seed) {
-                                return test::failedExpectation([&] {
-                                  const ImportedMap map = randomMap(seed);
-                                  ASSERT_GT(map.report.polygons, 0U);
-                                  // A trace that was shrunk is of no map any more. Its own world has to come back.
-                                  comesBack(trace, trace == cli::traceOf(map) ? worldOf(map) : worldOf(trace));
-                                });
-                              },
-                          .mayBe =
-                              [](const oracle::Trace& trace) {
-                                return oracle::withoutRefused(trace).edits.size() == trace.edits.size();
-                              }});
-  if (failure) FAIL() << failure->text << "\nagain      " << test::again("lgs_tests");
+  const auto law = [](const AnyMap& any) {
+    Options options;
+    options.outside = any.outside;
+    const ImportedMap map = mustImportFiles({{"maps/test.tmx", xmlOf(any)}}, options);
+    const bool isEmpty = std::ranges::all_of(any.tiles, [](std::uint32_t tile) { return tile == 0; });
+    ASSERT_EQ(map.report.polygons == 0, isEmpty);
+    comesBack(cli::traceOf(map), worldOf(map));
+  };
+  test::forAll(60, law, anyMap());
 }
 
 TEST(TiledRoundTrip, TheProjectsOwnMap) {
