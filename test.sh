@@ -7,12 +7,15 @@ source scripts/steps.sh
 
 scripts/setup.sh
 summary=
-for preset in release asan; do
-  build "$preset" all
-  show "ctest-$preset" "Tests ($preset)" ctest --preset "$preset" -j2
+# check PRESET TARGET CTEST-OPTION...: builds the target, and runs the tests on all cores.
+check() {
+  local preset=$1 target=$2
+  shift 2
+  build "$preset" "$target"
+  show "ctest-$preset" "Tests ($preset)" ctest --preset "$preset" -j "$(nproc)" "$@"
   summary+="$preset $(sed -n 's/.* out of //p' "$logs/ctest-$preset.log"), "
-done
-build tsan lgs_thread_tests
-show ctest-tsan "Tests (tsan)" ctest --preset tsan -R '^tsan\.'
-summary+="tsan $(sed -n 's/.* out of //p' "$logs/ctest-tsan.log"), "
+}
+check release all
+check asan lgs_tested
+check tsan lgs_thread_tests -R '^tsan\.'
 printf '\ntest.sh: all tests passed (%s) in %d s\n' "${summary%, }" "$SECONDS"

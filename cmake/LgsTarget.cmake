@@ -15,3 +15,10 @@ function(lgs_target target)
     endif()
   endif()
 endfunction()
+
+# lgs_quick_to_build(<target> <headers>...): for code whose own speed does not matter, as tests and commands, where all that
+# takes long is in libraries. Little optimisation, and the headers that take longest to read are read once.
+function(lgs_quick_to_build target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_precompile_headers(${target} PRIVATE ${ARGN})
+endfunction()

@@ -34,7 +34,11 @@ const std::vector<Entry>& entries() {
 #else
       {{"clipper", false}, [] { return without("Clipper (libpolyclipping-dev)"); }},
 #endif
+#ifdef LGS_BENCH_BOOST
       {{"boost", false}, makeBoost},
+#else
+      {{"boost", false}, [] { return without("Boost.Geometry"); }},
+#endif
       {{"cgal", false}, makeCgal},
       {{"polygon-clipping", false}, makePolygonClipping},
   };
