@@ -44,8 +44,9 @@ struct Error {
   constexpr bool hasCell() const { return cell != kNoCell; }
 };
 
-// No padding: a value that shares its place with padding of the error, in the union inside tl::expected, comes out wrong
-// where GCC 12 takes that union apart (-ftree-sra, on from -O1). Seen with a code of one byte, in a test of cellOf().
+// No padding: a value that shares its place with padding of the error, in the union inside tl::expected, comes out
+// wrong where GCC 12 takes that union apart (-ftree-sra, on from -O1). Seen with a code of one byte, in a test of
+// cellOf().
 static_assert(std::has_unique_object_representations_v<Error>);
 
 /// A short name, e.g. "self-intersecting".

@@ -19,9 +19,9 @@ struct ShapeId {
   friend constexpr auto operator<=>(ShapeId, ShapeId) = default;
 };
 
-/// One placed polygon. Generational: once the polygon is removed its handle is stale for good, and using it is an error,
-/// never another polygon. Zero is null. `cellRef` and `serial` are the world's own; packed() is for storage, e.g. in a
-/// physics engine's user data.
+/// One placed polygon. Generational: once the polygon is removed its handle is stale for good, and using it is an
+/// error, never another polygon. Zero is null. `cellRef` and `serial` are the world's own; packed() is for storage,
+/// e.g. in a physics engine's user data.
 struct PolygonHandle {
   std::uint32_t cellRef = 0;
   std::uint32_t serial = 0;

@@ -48,8 +48,8 @@ using PreserveRelation = std::function<bool(Block, Block)>;
 ///   };
 using Executor = std::function<void(std::size_t count, const std::function<void(std::size_t)>& job)>;
 
-/// A polygon as it stands in a cell. `vertices` is valid until the next edit of the world: to put a polygon back that you
-/// removed, copy them first.
+/// A polygon as it stands in a cell. `vertices` is valid until the next edit of the world: to put a polygon back that
+/// you removed, copy them first.
 struct PlacedPolygon {
   PolygonHandle handle;
   Block block = 0;
@@ -131,8 +131,8 @@ class World {
   Expected<void> remove(PolygonHandle polygon);
 
   /// Places a shape in every cell of a rectangle; returns the number of cells. All or nothing: refused as add() is, for
-  /// the first cell (by rows, from min) where add() would be; cellOutOfRange names the corner that is. An empty rectangle
-  /// is no error.
+  /// the first cell (by rows, from min) where add() would be; cellOutOfRange names the corner that is. An empty
+  /// rectangle is no error.
   Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block);
 
   /// Removes every polygon of every cell of a rectangle; returns the number of polygons removed.
@@ -143,10 +143,10 @@ class World {
   /// around each. Allocates nothing once the world has reached its size.
   const Changes& commit();
 
-  /// The same, to the last id and its place in the lists, with the work spread over the executor's threads where there is
-  /// most of it: in a commit that finds no segments, as the first one of a world does. Any other commit is as above, and
-  /// an empty executor too. The relation, if there is one, is then called from several threads at a time. A job is the
-  /// work on a chunk of 32×32 cells; it throws nothing. Allocates working memory in proportion to the live cells.
+  /// The same, to the last id and its place in the lists, with the work spread over the executor's threads where there
+  /// is most of it: in a commit that finds no segments, as the first one of a world does. Any other commit is as above,
+  /// and an empty executor too. The relation, if there is one, is then called from several threads at a time. A job is
+  /// the work on a chunk of 32×32 cells; it throws nothing. Allocates working memory in proportion to the live cells.
   const Changes& commit(const Executor& executor);
 
   // --- Reading ------------------------------------------------------------------------------------------------------
@@ -159,7 +159,8 @@ class World {
   Expected<PlacedPolygon> polygon(PolygonHandle handle) const;
   Expected<Cell> cellOf(PolygonHandle handle) const;
 
-  /// A segment as of the last commit. Refused: unknownSegment. Its `polygon` is stale if that polygon was removed since.
+  /// A segment as of the last commit. Refused: unknownSegment. Its `polygon` is stale if that polygon was removed
+  /// since.
   Expected<Segment> segment(SegmentId id) const;
 
   /// Ids of all live segments, in increasing order.
