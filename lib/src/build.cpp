@@ -1,8 +1,8 @@
-// What makes the result the same on any number of threads: the segments of each cell are counted first, so that ids and
-// records can be given out in order before the threads fill them in.
+// The result is the same on any number of threads, because the segments of each cell are counted first. So records and
+// ids can be given out in order, before the threads fill them in.
 //
-// No thread writes what another one reads or writes. Counting writes nothing of the world. When segments are created, each
-// job writes the records of its own chunk's cells and their segments, and of the cells around reads only which polygons
+// No thread writes what another one reads or writes. Counting writes nothing of the world. To create segments, a job
+// writes to the records of its own chunk and to the segments in them. Of the cells around it reads only which polygons
 // they hold. Linking writes across the rim of a chunk, so chunks that touch are never linked at the same time.
 #include "build.h"
 
@@ -22,14 +22,14 @@ namespace {
 /// A cell that shows something.
 struct LiveCell {
   std::uint16_t local;
-  std::uint16_t segments;  ///< how many
+  std::uint16_t segments;  ///< how many it shows
 };
 
 struct ChunkPlan {
   Chunk* chunk = nullptr;
   std::span<LiveCell> cells;  ///< by rows
-  std::size_t segments = 0;   ///< of all of them
-  std::size_t first = 0;      ///< where these begin in the list of those added
+  std::size_t segments = 0;   ///< how many these cells show together
+  std::size_t first = 0;      ///< where they begin in the list of added segments
 };
 
 class Build {
@@ -54,7 +54,7 @@ class Build {
   void count(ChunkPlan& plan) const {
     const Chunk& chunk = *plan.chunk;
     LiveCell* last = plan.cells.data();
-    std::size_t sum = 0;  // written to the plan once: the plan beside it belongs to another thread
+    std::size_t sum = 0;  // written to the plan only once, as the plan beside it belongs to another thread
     for (std::int32_t y = 0; y < kChunkSize; ++y) {
       WideRow showing = dirtyRow(chunk, y);
       if (showing == 0) continue;
@@ -95,7 +95,7 @@ class Build {
     }
   }
 
-  /// In four goes, by whether a chunk's coordinates are odd: those of one go do not touch.
+  /// In four goes, by which coordinates of a chunk are odd. The chunks of one go do not touch.
   void link() {
     std::array<std::vector<const Chunk*>, 4> apart;
     for (const ChunkPlan& plan : plans_) {
@@ -112,8 +112,8 @@ class Build {
 
   World::Impl& world_;
   const Executor& executor_;
-  std::unique_ptr<LiveCell[]> cells_;  ///< room for all cells of each chunk; what stays empty costs no memory
-  std::vector<ChunkPlan> plans_;       ///< of the dirty chunks, in the order in which edits touched them
+  std::unique_ptr<LiveCell[]> cells_;  ///< room for all cells of each chunk; the system gives memory for what is used
+  std::vector<ChunkPlan> plans_;       ///< in the order in which edits touched the chunks
 };
 
 }  // namespace

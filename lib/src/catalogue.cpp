@@ -23,7 +23,7 @@ std::uint64_t hashOf(std::span<const PolygonId> polygons, std::span<const std::p
   return hash;
 }
 
-/// Takes a free number or the next one, and puts the value there.
+/// Puts the value at a free number, or at the next one.
 template <class T>
 std::uint32_t store(std::vector<std::unique_ptr<T>>& table, std::vector<std::uint32_t>& free, T value) {
   if (free.empty()) {
@@ -112,7 +112,7 @@ Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
   std::sort(sorted.begin(), sorted.end());
   const auto content = internContent(sorted, {}, {});
   if (!content) return refuse(content.error().code == ErrorCode::overlap ? overlapAmong(given) : content.error());
-  // The content keeps its polygons, so the shape need not be a user of them too.
+  // The content is never forgotten from here on, and it uses the polygons: so the shape need not be their user too.
   unused_ -= uses_[*content].users == 0 ? 1 : 0;
   uses_[*content].users = kForever;
   shapes_.push_back({*content, given});
@@ -136,8 +136,8 @@ Error Catalogue::overlapAmong(std::span<const PolygonId> polygons) const {
 }
 
 void Catalogue::collect() {
-  // Compared with what is looked through below. A content without users still uses its polygons, so that in a catalogue
-  // full of garbage no more than half is unused.
+  // To look through the whole catalogue pays once a quarter of it has no users. It can not be much more than half, as
+  // contents without users still use their polygons.
   if (unused_ < 1024 || 4 * unused_ < contents_.size() + polygons_.size()) return;
   for (ContentId id = 1; id < contents_.size(); ++id)
     if (uses_[id].users == 0 && !contents_[id]->polygons.empty()) forgetContent(id);

@@ -1,5 +1,5 @@
-// The interned polygons, cell contents and shapes of a world. Cell contents repeat: a content is validated and worked
-// out once, and a cell stores its number.
+// The polygons, contents and shapes of a world. Contents repeat from cell to cell. So each is validated and worked out
+// once, and a cell stores its number.
 #pragma once
 
 #include "content.h"
@@ -20,14 +20,14 @@ using ContentId = std::uint32_t;
 inline constexpr ContentId kEmptyContent = 0;
 inline constexpr ContentId kMaxContent = (1u << 23) - 1;  ///< a cell's word has 23 bits for it
 
-/// A content with its name: the polygons in order of id, which is the order of slots, and the pairs kept apart.
+/// A content, and what it was worked out from.
 struct InternedContent : Content {
-  std::vector<PolygonId> polygons;
-  std::vector<std::pair<Slot, Slot>> preserved;
+  std::vector<PolygonId> polygons;               ///< by slot, in increasing order
+  std::vector<std::pair<Slot, Slot>> preserved;  ///< the overlaps that are kept
   std::uint64_t hash = 0;
 };
 
-/// The content of a shape of one polygon. Both fields have one type, as Microsoft's compiler packs no others.
+/// The content of a shape of one polygon. Both bit-fields have one type: Microsoft's compiler packs no others together.
 struct SoleContent {
   std::uint32_t id : 24 = kEmptyContent;
   std::uint32_t facts : 8 = 0;
@@ -44,27 +44,27 @@ class Catalogue {
   Catalogue();
 
   const InternedContent& content(ContentId id) const { return *contents_[id]; }
-  /// The most interior half-edges that meet in a rim vertex of a content, of all that there ever were.
+  /// How many interior half-edges meet at most in one vertex on the rim, in all contents that there ever were.
   std::uint32_t widestFan() const { return widestFan_; }
   Facts facts(ContentId id) const { return uses_[id].facts; }
   PolygonView vertices(PolygonId id) const { return polygons_[id]->vertices; }
-  /// Valid until the next shape is made; null for an id that is none of ours.
+  /// Valid until the next shape is made. Null if the id is none of ours.
   const InternedShape* shape(ShapeId id) const {
     const std::size_t index = id.value - std::size_t{1};
     return index < shapes_.size() ? &shapes_[index] : nullptr;
   }
 
-  /// Empty for a shape of several polygons, and for an id that is none of ours.
+  /// The empty content if the shape has several polygons, or if the id is none of ours.
   const SoleContent& soleContent(ShapeId id) const { return soles_[id.value < soles_.size() ? id.value : 0]; }
 
-  /// The polygon with these vertices, validated if it is new.
+  /// The polygon with these vertices. It is validated if it is new.
   Expected<PolygonId> internPolygon(PolygonView vertices);
   /// The content of a cell with only this polygon.
   Expected<ContentId> internSole(PolygonId polygon);
   Expected<ShapeId> internShape(std::span<const PolygonId> polygons);
 
-  /// The content with these polygons, in increasing order of id; those marked in `known` are already known to be
-  /// disjoint from each other. An overlap is reported without saying of which: see meet().
+  /// The content with these polygons, which are in increasing order. Those marked in `known` are known to be disjoint
+  /// from each other. A refusal for an overlap does not say which polygons are to blame: ask meet().
   Expected<ContentId> internContent(std::span<const PolygonId> polygons, std::span<const std::uint8_t> known,
                                     std::span<const std::pair<Slot, Slot>> preserved);
 
@@ -77,7 +77,7 @@ class Catalogue {
     if (uses_[id].users != kForever) drop(uses_[id].users);
   }
 
-  /// Forgets the contents and polygons that nothing uses, once they are many. Amortised O(1) for each that was made.
+  /// Once many contents and polygons have no users, forgets them. Cost: O(1) for each that was made, amortised.
   void collect();
 
   std::uint64_t contentCount() const { return contents_.size() - 1 - freeContents_.size(); }
@@ -92,16 +92,17 @@ class Catalogue {
     ContentId sole = kEmptyContent;
   };
 
-  /// What edits ask of a content, apart from the rest so that they touch little memory.
+  /// What edits ask of a content. It stands apart from the rest, so that they touch little memory.
   struct Use {
-    std::uint32_t users = 0;  ///< cells; a content without users may be forgotten
+    std::uint32_t users = 0;  ///< cells, or kForever; a content without users may be forgotten
     Facts facts = 0;          ///< as in the content
   };
 
-  /// Users of a content that a shape has. It is never forgotten, so the quick way of an edit need not count its cells.
+  /// The users of a content that a shape has. Shapes are never forgotten, so nobody counts the cells of such a content:
+  /// that saves the usual edit a look-up.
   static constexpr std::uint32_t kForever = 0xffff'ffff;
 
-  /// Says which of these polygons is to blame: the first that overlaps one before it.
+  /// Blames the first of these polygons that overlaps one before it.
   Error overlapAmong(std::span<const PolygonId> polygons) const;
   void acquire(std::uint32_t& users) { unused_ -= users++ == 0; }
   void drop(std::uint32_t& users) { unused_ += --users == 0; }

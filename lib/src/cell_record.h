@@ -1,4 +1,4 @@
-// What a cell keeps where one word is not enough: its polygons and its segments.
+// The record of a cell for which one word is not enough: the polygons that it holds, and the segments that it shows.
 #pragma once
 
 #include "content.h"
@@ -13,7 +13,7 @@
 
 namespace lgs::detail {
 
-/// A polygon of a cell.
+/// A polygon in a cell.
 struct Placed {
   std::uint32_t serial = 0;
   Block block = 0;
@@ -21,7 +21,7 @@ struct Placed {
 
 /// The polygons of a cell by slot. Valid until the cell changes.
 struct PlacedBySlot {
-  const Placed* listed = nullptr;  ///< null where the cell has one polygon at most
+  const Placed* listed = nullptr;  ///< null if the cell keeps no list, as it has one polygon at most
   Placed sole;                     ///< that one
   Placed operator[](Slot slot) const { return listed ? listed[slot] : sole; }
 };
@@ -39,27 +39,28 @@ inline SegmentRecord newSegment(std::uint32_t cellRef, const PackedEnds& ends, P
           .to = ends.to};
 }
 
-/// The parts of a cell's segments, in the order in which its record lists them.
+/// The segments of a cell come in parts: those inside it, then those on each side.
 enum Part : unsigned { kInterior, kSouthPart, kEastPart, kNorthPart, kWestPart, kParts };
 inline constexpr unsigned kAllParts = (1u << kParts) - 1;
 constexpr unsigned partOf(unsigned side) { return side + 1; }
 
-/// In memory followed by, if `polygons` is not kCompact, the last serial given out and `polygons` × Placed in order of
-/// slots; then by the segment ids, part after part, each part in order of start.
 using PartEnds = std::array<std::uint16_t, kParts>;  ///< where each part ends in a list of ids
 
+/// More words follow it in memory. If the record lists the cell's polygons, these are the serial given out last and a
+/// Placed for each slot. Then come the ids of the segments, part by part, each part in order of start.
 struct CellRecord {
   static constexpr std::uint8_t kCompact = 0xff;
-  std::uint32_t state = 0;  ///< as the word of a cell without record
+  std::uint32_t state = 0;  ///< as a cell without record has it for its word
   PartEnds end{};
-  std::uint8_t polygons = kCompact;
-  std::uint8_t touching =
-      0;  ///< bit s: a segment on side s starts where the side does; bit 4 + s: one ends where it does
+  std::uint8_t polygons = kCompact;  ///< how many it lists; kCompact if it keeps no list
+  /// Bit s: a segment on side s starts where the side starts. Bit 4 + s: one ends where the side ends.
+  std::uint8_t touching = 0;
 
-  std::uint32_t prefixWords() const {
-    return sizeof(CellRecord) / sizeof(std::uint32_t) + (polygons == kCompact ? 0u : 1u + 2u * polygons);
-  }
-  /// Room for one id at least, so that ids()[0] can be read in any record.
+  static constexpr std::uint32_t kHeaderWords = 4;
+
+  bool isCompact() const { return polygons == kCompact; }
+  std::uint32_t prefixWords() const { return kHeaderWords + (isCompact() ? 0u : 1u + 2u * polygons); }
+  /// There is room for one id at least, so that ids()[0] can be read in any record.
   std::uint32_t sizeWords() const { return prefixWords() + std::max<std::uint32_t>(count(), 1); }
   std::uint32_t begin(unsigned part) const { return part == 0 ? 0u : end[part - 1]; }
   std::uint32_t count() const { return end[kWestPart]; }
@@ -68,7 +69,12 @@ struct CellRecord {
   std::uint32_t* ids() { return words() + prefixWords(); }
   const std::uint32_t* ids() const { return words() + prefixWords(); }
   std::span<const std::uint32_t> ids(unsigned part) const { return {ids() + begin(part), end[part] - begin(part)}; }
+
+  // Only of a record that is not compact.
+  std::uint32_t lastSerial() const { return words()[kHeaderWords]; }
+  const Placed* placed() const { return reinterpret_cast<const Placed*>(words() + kHeaderWords + 1); }
 };
-static_assert(sizeof(CellRecord) == 16);
+static_assert(sizeof(CellRecord) == CellRecord::kHeaderWords * sizeof(std::uint32_t));
+static_assert(sizeof(Placed) == 2 * sizeof(std::uint32_t));
 
 }  // namespace lgs::detail

@@ -1,4 +1,4 @@
-// A chunk: 32×32 cells, and the ways from one to the next.
+// A chunk of 32×32 cells, and the ways from one cell to the next.
 #pragma once
 
 #include "content.h"
@@ -20,27 +20,27 @@ constexpr std::uint32_t localOf(Cell cell) {
   return static_cast<std::uint32_t>((cell.j & (kChunkSize - 1)) * kChunkSize + (cell.i & (kChunkSize - 1)));
 }
 
-/// Whether the cells around a cell are all in its chunk.
+/// Whether all eight cells around a cell are in its chunk.
 constexpr bool isInner(std::uint32_t local) {
   const std::uint32_t x = local % kChunkSize, y = local / kChunkSize;
   return x - 1 < kChunkSize - 2 && y - 1 < kChunkSize - 2;
 }
 
-using RowMask = std::uint32_t;  ///< one bit a cell of a row of a chunk
+using RowMask = std::uint32_t;  ///< a bit for each cell in a row of a chunk
 
 struct Chunk {
-  std::int32_t ci = 0;  ///< chunk coordinates: cell >> 5
+  std::int32_t ci = 0;  ///< coordinates in chunks: those of any of its cells >> 5
   std::int32_t cj = 0;
   std::uint32_t index = 0;
-  RowMask dirtyRows = 0;                    ///< rows with a dirty cell
-  Facts everFacts = 0;                      ///< of all contents that any cell has, or had
+  RowMask dirtyRows = 0;                    ///< the rows that have a dirty cell
+  Facts everFacts = 0;                      ///< of all contents that any of its cells has or had
   std::array<Chunk*, 9> around{};           ///< row by row from the lower left; null where there is none
-  std::array<RowMask, kChunkSize> dirty{};  ///< edited since the last commit
-  std::array<RowMask, kChunkSize> live{};   ///< has segments
-  std::uint64_t commonBlock = kNoBlock;     ///< of all compact cells, while `blocks` is null
+  std::array<RowMask, kChunkSize> dirty{};  ///< cells edited since the last commit
+  std::array<RowMask, kChunkSize> live{};   ///< cells that have segments
+  std::uint64_t commonBlock = kNoBlock;     ///< of all cells that list no polygons, while `blocks` is null
   std::unique_ptr<Block[]> blocks;
-  std::array<Facts, kChunkCells> facts{};  ///< of each cell's content
-  std::array<std::uint32_t, kChunkCells> cells{};
+  std::array<Facts, kChunkCells> facts{};          ///< of each cell's content
+  std::array<std::uint32_t, kChunkCells> cells{};  ///< the word of each cell; see grid.h
 
   static constexpr std::uint64_t kNoBlock = std::uint64_t{1} << 32;
   /// The chunk di columns and dj rows away, each -1 … 1.
@@ -67,12 +67,13 @@ struct CellAt {
   explicit operator bool() const { return chunk != nullptr; }
 };
 
-/// The cell in column x and row y of a chunk; both may be off by one chunk. Without chunk where there is none.
+/// The cell in column x and row y of a chunk, -32 … 63 each: it may be in a chunk beside this one. If there is no such
+/// chunk, the result has none.
 inline CellAt cellAt(const Chunk& chunk, std::int32_t x, std::int32_t y) {
   return {chunk.neighbour(x >> 5, y >> 5), localOf({x, y})};
 }
 
-/// The cell across one side.
+/// The cell across a side.
 inline CellAt across(CellAt at, unsigned side) {
   constexpr std::array<std::int32_t, 4> di{0, 1, 0, -1}, dj{-1, 0, 1, 0};
   if (isInner(at.local)) return {at.chunk, at.local + static_cast<std::uint32_t>(dj[side] * kChunkSize + di[side])};
@@ -96,7 +97,7 @@ inline FactsAround factsAround(CellAt at) {
   return {facts(0), facts(1), facts(2), facts(3)};
 }
 
-/// The chunks that a rectangle of cells (not empty) reaches.
+/// The chunks that have cells of a rectangle, which is not empty.
 struct ChunkRect {
   explicit ChunkRect(const CellRect& r) : i0(r.min.i >> 5), j0(r.min.j >> 5), i1(r.max.i >> 5), j1(r.max.j >> 5) {}
   std::int32_t i0, j0, i1, j1;

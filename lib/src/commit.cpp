@@ -1,7 +1,7 @@
-// A commit: phase 1 (exposure.h) decides for every cell near an edit which parts of its edges are exposed, phase 2
-// (linking.h) links the segments at every vertex that this can have changed. Both visit the dirty cells chunk by chunk,
-// in the order in which edits touched the chunks, and both can visit a cell or a vertex twice without harm: what they
-// write depends on the cells alone. Where there is nothing yet, threads can do it (build.h).
+// A commit. Phase 1 (exposure.h) renews the segments of every cell near an edit. Phase 2 (linking.h) links the segments
+// at every vertex near an edit. Both visit the dirty cells chunk by chunk, in the order in which edits touched the
+// chunks. Both can visit a cell or a vertex twice without harm, as what they write depends on the cells alone. While
+// there are no segments, threads can do both (build.h).
 #include "build.h"
 #include "exposure.h"
 #include "linking.h"
@@ -12,7 +12,7 @@
 namespace lgs {
 
 const Changes& World::Impl::commit(const Executor& executor) {
-  // Ids removed by the last commit become available now and not then, so that none is in two lists of one commit and
+  // Ids that the last commit removed become available now, and not then. So no id is in two lists of one commit, and
   // the ends of removed segments can be read while links are compared.
   for (const SegmentId id : changes.removed) segments.recycle(id.value);
   changes.removed.clear();

@@ -8,7 +8,7 @@
 namespace lgs::detail {
 namespace {
 
-/// A polygon edge between two neighbouring vertices of the cell.
+/// A piece of a polygon edge without a vertex in between.
 struct AtomicEdge {
   LocalPoint start;
   LocalPoint end;
@@ -24,7 +24,7 @@ std::vector<LocalPoint> allVertices(std::span<const PolygonView> polygons) {
   return vertices;
 }
 
-/// Every polygon edge, cut at every vertex that lies on it; sorted by start, then end.
+/// Every polygon edge, cut at every vertex on it. Sorted by start, then end.
 std::vector<AtomicEdge> atomicEdges(std::span<const PolygonView> polygons, std::span<const LocalPoint> vertices) {
   std::vector<AtomicEdge> edges;
   std::vector<LocalPoint> cuts;
@@ -97,7 +97,7 @@ std::vector<Spoke> fanAt(const Content& content, LocalPoint v, Vector from) {
     if (start == v) directed.push_back({end - v, {k, 0, 1}});
     if (end == v) directed.push_back({start - v, {k, 0, 0}});
   }
-  // Turn the plane so that `from` lies along the x axis.
+  // The plane is turned so that `from` is the x axis.
   const auto turned = [&](Vector d) { return Vector{dot(from, d), cross(from, d)}; };
   std::stable_sort(directed.begin(), directed.end(),
                    [&](auto& a, auto& b) { return angleLess(turned(a.direction), turned(b.direction)); });
@@ -134,7 +134,7 @@ void linkInside(Content& content, std::span<const LocalPoint> vertices) {
   }
 }
 
-/// Whether one edge of one polygon runs along it from corner to corner: nothing else is one interval and has no vertex.
+/// One interval without a rim point can only run from corner to corner.
 bool isWhole(const Side& side) { return side.covered.size() == 1 && side.points.empty(); }
 
 Facts factsOf(const Content& content) {
@@ -149,8 +149,7 @@ Facts factsOf(const Content& content) {
   return static_cast<Facts>(facts);
 }
 
-/// At a rim vertex the cell's interior directions start, counter-clockwise, after the side that leaves the vertex
-/// (edges along the rim run counter-clockwise too).
+/// The direction of each side. At a vertex on the side, the cell's interior directions follow it counter-clockwise.
 constexpr std::array<Vector, 4> kSideDirections{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 }  // namespace

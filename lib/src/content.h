@@ -1,5 +1,6 @@
-// What a cell contains, worked out once for all cells that contain the same: cut, cancelled and linked inside the cell,
-// and prepared for its four sides (phase 1) and the vertices on its rim (phase 2).
+// What can be known of a cell from its own polygons. It is worked out once for all cells that hold the same: the edges
+// are cut, cancelled and linked inside the cell, and prepared for its four sides (phase 1) and the vertices on them
+// (phase 2).
 #pragma once
 
 #include "polygon.h"
@@ -19,17 +20,17 @@ namespace lgs::detail {
 /// Index of a polygon in its cell's content.
 using Slot = std::uint16_t;
 
-/// The four sides, counter-clockwise; edges along them run in this direction too: south to the right, east up, …
+/// The four sides, counter-clockwise. Edges along them run counter-clockwise too: to the right along the south side.
 enum SideIndex : unsigned { kSouth, kEast, kNorth, kWest, kSides };
 
 constexpr unsigned opposite(unsigned side) { return (side + 2) % kSides; }
 constexpr bool isVertical(unsigned side) { return side % 2 == 1; }
 
-/// Corners, counter-clockwise; corner k is where side k starts.
+/// The corners, counter-clockwise. Side k starts at corner k.
 constexpr std::array<LocalPoint, 4> kCorners{
     {{0, 0}, {kUnitsPerCell, 0}, {kUnitsPerCell, kUnitsPerCell}, {0, kUnitsPerCell}}};
 
-/// The position along a side (by increasing x or y) of a point on it, and back.
+/// Where on a side a point is, by its x or its y; and the point there.
 constexpr std::int32_t along(unsigned side, LocalPoint p) { return isVertical(side) ? p.y : p.x; }
 constexpr LocalPoint pointAt(unsigned side, std::int32_t at) {
   switch (side) {
@@ -46,50 +47,53 @@ constexpr LocalPoint pointAt(unsigned side, std::int32_t at) {
 /// Whether edges along this side run towards increasing x or y.
 constexpr bool runsForward(unsigned side) { return side == kSouth || side == kEast; }
 
-/// An exposed atomic edge that does not lie along the rim.
+/// An exposed atomic edge that lies along no side.
 struct InteriorSegment {
   static constexpr std::uint32_t kNone = 0xffff'ffff;  ///< no candidate
-  static constexpr std::uint32_t kRim = 0xffff'fffe;   ///< that end is on the rim: linked at run time
+  static constexpr std::uint32_t kRim = 0xffff'fffe;   ///< that end is on the rim, and a commit links it
   PackedEnds ends;
   std::uint32_t predecessor = kRim;  ///< index in Content::interior
   std::uint32_t successor = kRim;
   Slot slot = 0;
 };
 
-/// Interior half-edges at one rim vertex, counter-clockwise: `first`, and the others from Content::spokes[rest] on.
+/// The interior half-edges at a vertex on the rim, counter-clockwise. Most have one or none, so the first is stored
+/// here.
 struct SpokeRange {
   std::uint32_t count = 0;
-  std::uint32_t rest = 0;
-  Spoke first;  ///< can be read even where there is none
+  std::uint32_t rest = 0;  ///< where the others begin in Content::spokes
+  Spoke first;             ///< can be read even if there is none
 };
 
-/// A part of a side covered by one polygon, between two neighbouring vertices.
+/// A stretch of a side that one polygon covers. No vertex of the cell lies inside it.
 struct Interval {
   std::int32_t begin = 0;
   std::int32_t end = 0;
   Slot slot = 0;
 };
 
-/// A vertex in the open side.
+/// A vertex on a side that is not a corner.
 struct RimPoint {
   std::int32_t at = 0;
   SpokeRange spokes;
 };
 
+/// The profile of a side.
 struct Side {
   std::vector<Interval> covered;  ///< in increasing order, disjoint
   std::vector<RimPoint> points;   ///< in increasing order
 };
 
-/// What neighbours and a commit ask of a content first, in one byte that each cell keeps. Bit s says that side s is
-/// whole; the rest follows. Zero for an empty cell.
+/// What a commit asks first of a content, and of those beside it. Each cell keeps this byte. Zero if the cell is empty.
 using Facts = std::uint8_t;
-inline constexpr Facts kWholeSides = 0x0f;
-inline constexpr Facts kRimPoints = 0x10;     ///< some vertex is in an open side
+inline constexpr Facts kWholeSides = 0x0f;    ///< bit s: side s is whole, one edge runs from corner to corner
+inline constexpr Facts kRimPoints = 0x10;     ///< there are rim points
 inline constexpr Facts kInside = 0x20;        ///< there are interior segments
 inline constexpr Facts kLinkedInside = 0x40;  ///< some interior segment has an end inside the cell
+inline constexpr Facts kAllFacts = kWholeSides | kRimPoints | kInside | kLinkedInside;
 
-/// The sides of a cell that whole sides of the cells across hide: bit s for side s.
+/// The sides of a cell that are hidden by whole sides of the cells across them, by the facts of those: bit s for side
+/// s.
 constexpr unsigned hiddenSides(unsigned south, unsigned east, unsigned north, unsigned west) {
   return (south >> 2 & 1u) | (east >> 2 & 2u) | (north << 2 & 4u) | (west << 2 & 8u);
 }
@@ -101,19 +105,20 @@ struct Content {
   std::vector<InteriorSegment> interior;  ///< sorted by start, then end
   std::vector<Spoke> spokes;              ///< `segment` is an index in `interior`, `direction` a rank at that vertex
   std::array<Side, 4> sides;
-  std::vector<std::pair<Slot, Slot>> contacts;  ///< polygons that share an edge inside the cell, smaller slot first
+  std::vector<std::pair<Slot, Slot>> contacts;  ///< polygons with a common edge inside the cell, smaller slot first
 
   /// The polygon that covers a whole side.
   Slot wholeSlot(unsigned side) const { return sides[side].covered.front().slot; }
 };
 
-/// A whole side as an edge of the cell it belongs to.
+/// The edge along a whole side, as its cell has it.
 constexpr std::array<PackedEnds, 4> kSideEnds{
     {PackedEnds::of(kCorners[0], kCorners[1]), PackedEnds::of(kCorners[1], kCorners[2]),
      PackedEnds::of(kCorners[2], kCorners[3]), PackedEnds::of(kCorners[3], kCorners[0])}};
 
-/// Works out the content of a cell that holds these polygons (without defects, interiors disjoint). Overlaps inside the
-/// cell between the pairs of slots in `preserved` (sorted, smaller first) are kept. Cost: O(n²) in the vertices.
+/// Works out the content of a cell with these polygons, which have no defects and disjoint interiors. `preserved` lists
+/// pairs of slots, sorted, the smaller slot first: overlaps between them inside the cell are kept. Cost: O(n²) in the
+/// vertices.
 Content buildContent(std::span<const PolygonView> polygons, std::span<const std::pair<Slot, Slot>> preserved);
 
 }  // namespace lgs::detail

@@ -1,5 +1,5 @@
-// Edits: each is checked against the cells as they are, then changes them and marks them dirty. Nothing here looks at
-// segments.
+// Edits. Each is checked against the cells as they are, then changes them and marks them dirty. Segments are left to
+// the commit.
 #include "refusal.h"
 #include "world_impl.h"
 
@@ -15,7 +15,7 @@ using detail::PolygonView;
 using detail::refuse;
 using detail::Slot;
 
-/// Makes `entries_`, whose content this is, the polygons of a cell.
+/// Makes `entries_` the polygons of a cell. Their content is `after`.
 void World::Impl::apply(CellAt at, ContentId after, std::uint32_t lastSerial) {
   const ContentId before = grid.content(at);
   if (after != detail::kEmptyContent) catalogue.use(after);
@@ -26,8 +26,8 @@ void World::Impl::apply(CellAt at, ContentId after, std::uint32_t lastSerial) {
   touch(at, after);
 }
 
-/// Interns `entries_`, which are sorted by polygon, as one cell's content; overlaps between them that the relation keeps
-/// are kept.
+/// The content of a cell with the polygons in `entries_`, which are sorted by polygon. Overlaps between them are kept
+/// where the preserve relation says so.
 Expected<ContentId> World::Impl::internEntries() {
   ids_.clear();
   known_.clear();
@@ -61,8 +61,8 @@ void World::Impl::addEntries(std::span<const PolygonId> added, Block block, std:
   }
 }
 
-/// The content of a cell once these polygons are added too; leaves its polygons in `entries_`. The new ones get the next
-/// serials, in the order given.
+/// The content of a cell with these polygons added, which get the next serials in the order given. Leaves all its
+/// polygons in `entries_`.
 Expected<ContentId> World::Impl::withAdded(CellAt at, std::span<const PolygonId> added, Block block) {
   const std::uint32_t lastSerial = grid.lastSerial(at);
   if (added.size() > detail::kMaxSerial - lastSerial) return refuse({.code = ErrorCode::capacity});
@@ -73,8 +73,8 @@ Expected<ContentId> World::Impl::withAdded(CellAt at, std::span<const PolygonId>
   return content;
 }
 
-/// Which of these polygons overlaps which one of the cell: of all such pairs the first added one and the oldest there.
-/// That depends on what is placed only, not on how it is stored.
+/// Blames the first of these polygons that overlaps one of the cell, and of those the oldest. So the refusal depends on
+/// what is placed, and not on how it is stored.
 Error World::Impl::overlapWith(CellAt at, std::span<const PolygonId> added) {
   readEntries(at);
   std::sort(entries_.begin(), entries_.end(),
@@ -138,7 +138,8 @@ Expected<PolygonHandle> World::Impl::add(Cell cell, PolygonView polygon, Block b
   return place(at, cell, {&*id, 1}, block, {});
 }
 
-/// The usual case: one polygon, whose content this is, into an empty cell. Null, and nothing done, if it is not that case.
+/// The usual case: one polygon, which has this content, into an empty cell. Null, and nothing is done, in any other
+/// case.
 inline PolygonHandle World::Impl::placeSole(CellAt at, ContentId content, Block block) {
   const std::uint32_t serial = grid.placeSole(at, content, block);
   if (serial == 0) return {};
@@ -197,15 +198,15 @@ Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, 
   const detail::InternedShape* interned = catalogue.shape(shape);
   if (!interned) return refuse({.code = ErrorCode::unknownShape, .cell = cells.min});
   const detail::ChunkRect reach(cells);
-  if (reach.count() > kMaxChunks - grid.chunks().size()) {  // a look at all chunks only where it is tight
+  if (reach.count() > kMaxChunks - grid.chunks().size()) {  // it may be too many: all chunks are looked at
     const auto isThere = [&](const auto& chunk) { return reach.contains(*chunk); };
     const auto there = std::count_if(grid.chunks().begin(), grid.chunks().end(), isThere);
     if (reach.count() - static_cast<std::uint64_t>(there) > kMaxChunks - grid.chunks().size())
       return refuse({.code = ErrorCode::capacity, .cell = cells.min});
   }
 
-  // First every cell is asked, so that a refusal finds nothing changed; what is worked out stays interned. All empty
-  // cells are alike.
+  // First every cell is asked, so that nothing is changed if one refuses. What is worked out stays interned. All empty
+  // cells are alike, so one of them is asked for all.
   entries_.clear();
   addEntries(interned->polygons, block, 0);
   if (const auto content = internEntries(); !content) return refuse(content.error(), cells.min);

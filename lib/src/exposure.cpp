@@ -15,7 +15,7 @@ void Exposure::renewChunk(const Chunk& chunk) {
     const bool ownRow = y >= 0 && y < kChunkSize;
     const WideRow here = dirtyRow(chunk, y), below = dirtyRow(chunk, y - 1), above = dirtyRow(chunk, y + 1);
     WideRow near = here | below | above | here << 1 | here >> 1;
-    // What is dirty in another chunk is renewed with that one.
+    // A cell that is dirty in another chunk is renewed with that one.
     near &= ~wideRow<&Chunk::dirty>(chunk, y) | (ownRow ? kOwnColumns : 0);
     if (isCrowded(near) && ownRow && !world_.preserve)
       near &= showingRow(chunk, y) | wideRow<&Chunk::live>(chunk, y) | ~kOwnColumns;
@@ -36,7 +36,8 @@ void Exposure::renewChunk(const Chunk& chunk) {
   });
 }
 
-/// The only dirty cell of its chunk, and those beside it that are not renewed with another chunk.
+/// Renews the only dirty cell of its chunk, and the cells beside it. Those dirty in another chunk are renewed with
+/// that.
 inline void Exposure::renewCell(CellAt at) {
   renewAll(at);
   for (unsigned side = 0; side < kSides; ++side) {
@@ -46,17 +47,18 @@ inline void Exposure::renewCell(CellAt at) {
   }
 }
 
+/// Renews all segments of a cell. As a rule it had none or shows none now, and so there is nothing to merge.
 void Exposure::renewAll(CellAt at) {
   const Facts facts = at.chunk->facts[at.local];
   const bool isLive = grid_.hasSegments(at);
-  if (facts == 0) {
+  if (facts == 0) {  // it holds no polygon
     if (isLive) removeAll(at);
-  } else if (isLive || (facts & kRimPoints) != 0 || !createSimple(at)) {
+  } else if (isLive || (facts & kRimPoints) != 0 || !createSimple(at)) {  // with rim points no cell is simple
     update(at, kAllParts);
   }
 }
 
-/// Makes all segments of a cell that has none yet. False, and nothing done, if the cell is not simple.
+/// Makes all segments of a cell that has none yet. False, and nothing is done, if the cell is not simple.
 inline bool Exposure::createSimple(CellAt at) {
   const Look look(world_, at);
   if (!look.isSimple()) return false;
@@ -68,8 +70,8 @@ inline bool Exposure::createSimple(CellAt at) {
   return true;
 }
 
-/// The segments on one side of a cell whose polygons stay, against a cell with these facts. As a rule one runs along all
-/// of it, or none.
+/// Renews the segments on one side of a cell whose polygons stay, given the facts of the cell beyond. As a rule there
+/// is a segment along the whole side or none, before and now.
 void Exposure::renewSide(CellAt at, unsigned side, unsigned beyond) {
   const unsigned facts = at.chunk->facts[at.local];
   if (facts == 0) return;
@@ -95,7 +97,8 @@ void Exposure::renewSide(CellAt at, unsigned side, unsigned beyond) {
   for (unsigned p = part; p < kParts; ++p) changed->end[p] = static_cast<std::uint16_t>(changed->end[p] + now - before);
 }
 
-/// What update() would do with a cell that is empty now, in a fifth of the instructions.
+/// Removes all segments of a cell that is empty now. update() would do it too, but every second edit comes here, and
+/// would take 6 % more instructions.
 void Exposure::removeAll(CellAt at) {
   for (const std::uint32_t id : grid_.segments(at)) world_.changes.removed.push_back({id});
   const CellRecord* r = grid_.record(at);

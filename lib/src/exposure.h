@@ -1,4 +1,4 @@
-// Phase 1 on the world: brings the segments of the cells near an edit up to date.
+// Phase 1 on the world, law 1: brings the segments of the cells near an edit up to date.
 #pragma once
 
 #include "look.h"
@@ -9,8 +9,8 @@ class Exposure {
  public:
   explicit Exposure(World::Impl& world) : world_(world), grid_(world.grid), pool_(world.segments), ids_(world.ids) {}
 
-  /// Renews the segments of the chunk's dirty cells, and of the cells beside them on the sides that they share. Segments
-  /// that stay the same keep their ids.
+  /// Renews the segments of the chunk's dirty cells; and of the cells beside them, on the sides that they share.
+  /// Segments that stay as they are keep their ids.
   void renewChunk(const Chunk& chunk);
 
  private:

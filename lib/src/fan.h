@@ -1,4 +1,4 @@
-// The spokes around one vertex of a rim, as linking collects them.
+// Collects the spokes around one vertex on the rims of cells.
 #pragma once
 
 #include "content.h"
@@ -10,15 +10,17 @@
 
 namespace lgs::detail {
 
-/// The grid gives the order around a rim vertex: directions along the sides, and between two of them the half-edges
-/// inside one cell, which its content keeps in order. A *stretch* is a direction along a side with the half-edges that
-/// follow it. Directions of stretch k are numbered from k × kStretch on.
+/// The grid gives the order around such a vertex: a direction along a side, the half-edges inside one cell, the next
+/// direction along a side, and so on. The content keeps the half-edges inside its cell in order. A *stretch* is a
+/// direction along a side and the half-edges that follow it. The directions of stretch k are numbered from k · kStretch
+/// on.
 inline constexpr std::uint32_t kStretch = 1u << 20;
 
-/// Adding a spoke that is not there costs what adding one costs: on random terrain a branch would be a coin toss.
+/// A spoke that may be absent is always written, and then counted if it is there. On random terrain a branch instead
+/// would be a coin toss for the processor.
 class Fan {
  public:
-  /// `spokes` has room for one more than will be there, as one that is not there is written too.
+  /// `spokes` must have room for all of them and one more, which may be written and not counted.
   explicit Fan(std::vector<Spoke>& spokes) : begin_(spokes.data()), end_(begin_) {}
 
   /// `present` is 1 or 0.
@@ -26,7 +28,7 @@ class Fan {
     *end_ = {segment, direction & kMaxDirection, outgoing & 1u};
     end_ += present;
   }
-  /// Half-edges inside a cell with this content; `ids` are those of its segments.
+  /// Adds half-edges inside a cell with this content. `ids` are those of its segments inside.
   void addInterior(const Content& content, const SpokeRange& range, const std::uint32_t* ids, std::uint32_t stretch) {
     const auto addSpoke = [&](const Spoke& spoke, std::uint32_t present) {
       add(ids[spoke.segment], stretch * kStretch + 1 + spoke.direction, spoke.outgoing, present);

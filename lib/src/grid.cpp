@@ -17,7 +17,7 @@ std::uint64_t hashOf(std::int32_t ci, std::int32_t cj) {
 Grid::Grid() {
   chunks_.push_back(std::make_unique<Chunk>());
   last_ = chunks_[0].get();
-  last_->ci = last_->cj = INT32_MIN / kChunkSize;  // no cell in range is there
+  last_->ci = last_->cj = INT32_MIN / kChunkSize;  // none of its cells is in range
 }
 
 Chunk* Grid::findChunk(Cell cell) const {
@@ -55,7 +55,7 @@ void Grid::link(Chunk& chunk) {
   }
 }
 
-// The block of an empty cell means nothing, so a chunk keeps one block for all until the first polygon with another one.
+// The block of an empty cell means nothing. So one number does until a polygon with another block comes.
 void Grid::makeRoomForFirstBlock(Chunk& chunk, Block block) {
   if (chunk.commonBlock == Chunk::kNoBlock) {
     chunk.commonBlock = block;
@@ -67,7 +67,8 @@ void Grid::makeRoomForFirstBlock(Chunk& chunk, Block block) {
 }
 
 std::uint32_t Grid::lastSerial(CellAt cell) const {
-  return isExplicit(cell) ? listedSerial(record(cell)) : state(cell) & kSerialMask;
+  const CellRecord* r = record(cell);
+  return r && !r->isCompact() ? r->lastSerial() : state(cell) & kSerialMask;
 }
 
 void Grid::setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
@@ -82,7 +83,7 @@ void Grid::setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial,
   const RecordArena::Ref ref = records_.allocate(header.sizeWords());
   auto* r = reinterpret_cast<CellRecord*>(records_.at(ref));
   *r = header;
-  std::uint32_t* out = r->words() + sizeof(CellRecord) / sizeof(std::uint32_t);
+  std::uint32_t* out = r->words() + CellRecord::kHeaderWords;
   *out++ = lastSerial;
   for (const Placed& placed : polygons) {
     *out++ = placed.serial;
@@ -111,7 +112,7 @@ CellRecord* Grid::spliceSegments(CellAt cell, std::uint32_t begin, std::uint32_t
     return r;
   }
   const std::uint32_t prefix = old->prefixWords(), oldSize = old->sizeWords(), newSize = prefix + std::max(count, 1u);
-  if (count == 0 && old->polygons == CellRecord::kCompact) {
+  if (count == 0 && old->isCompact()) {
     cell.word() = old->state;
     records_.release(oldRef, oldSize);
     return nullptr;

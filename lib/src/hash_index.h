@@ -1,6 +1,6 @@
-// An open-addressing index from 64-bit hashes to the numbers of things stored elsewhere; linear probing, a power of two
-// of places, at most half of them taken. It serves three tables (polygons, contents, chunks) whose look-ups are on the
-// path of every edit: one cache line each, where std::unordered_map chases nodes.
+// An index from 64-bit hashes to the numbers of things that are stored elsewhere: polygons, contents, chunks. It uses
+// open addressing with linear probing. The number of places is a power of two, and at most half of them are taken.
+// Edits look things up all the time. Here that touches one cache line, while std::unordered_map follows pointers.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ class HashIndex {
  public:
   static constexpr std::uint32_t kNone = 0xffff'ffff;
 
-  /// The number stored under this hash for which `matches(number)` holds, or kNone.
+  /// The number that was inserted with this hash and for which `matches(number)` holds, or kNone.
   template <class Matches>
   std::uint32_t find(std::uint64_t hash, Matches&& matches) const {
     if (places_.empty()) return kNone;
@@ -38,7 +38,7 @@ class HashIndex {
     ++count_;
   }
 
-  /// Removes a number that is there, closing the gap it leaves (Knuth, TAOCP 3, 6.4, Algorithm R).
+  /// Removes a number that is there, and closes the gap that it leaves (Knuth, TAOCP 3, 6.4, Algorithm R).
   void erase(std::uint64_t hash, std::uint32_t number) {
     std::size_t gap = hash & mask();
     while (places_[gap].number != number) gap = (gap + 1) & mask();

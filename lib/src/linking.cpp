@@ -8,13 +8,14 @@
 #include <algorithm>
 
 namespace lgs::detail {
+
 Linking::Linking(World::Impl& world, std::vector<Spoke>& fan)
     : world_(world), grid_(world.grid), links_(world), fan_(fan) {
-  constexpr std::size_t kOfSides = 8;                                        // two to each of four directions
-  fan_.resize(4 * std::size_t{world.catalogue.widestFan()} + kOfSides + 1);  // and one that is written and not there
+  constexpr std::size_t kAlongSides = 8;  // two in each of four directions
+  fan_.resize(4 * std::size_t{world.catalogue.widestFan()} + kAlongSides + 1);
 }
 
-/// The only dirty cell of its chunk.
+/// Links at the only dirty cell of its chunk.
 void Linking::linkCell(CellAt at) {
   const Chunk& chunk = *at.chunk;
   if ((chunk.facts[at.local] & kLinkedInside) != 0) linkInterior(at);
@@ -48,7 +49,7 @@ void Linking::linkChunk(const Chunk& chunk) {
     if (isCrowded(corners)) {
       const WideRow live = wideRow<&Chunk::live>(chunk, y) | wideRow<&Chunk::live>(chunk, y - 1);
       corners &= live | live << 1;
-      if (y == kChunkSize) {  // those at a dirty cell of the chunk above are linked with that one
+      if (y == kChunkSize) {  // corners at a dirty cell of the chunk above are linked with that chunk
         const WideRow above = wideRow<&Chunk::dirty>(chunk, y) & kOwnColumns;
         corners &= ~(above | above << 1);
       }
@@ -82,7 +83,7 @@ inline void Linking::match(std::span<const Spoke> fan) {
       [&](std::uint32_t s, std::uint32_t other) { links_.setSuccessor(s, other); });
 }
 
-/// Adds the spokes at corner `q` of a cell: side q leaves it, the side before arrives.
+/// Adds the spokes at corner q of a cell. Side q leaves the corner, the side before arrives there.
 template <unsigned q>
 inline void Linking::addQuadrant(Fan& fan, const CellRecord& r) const {
   constexpr unsigned leaving = q, arriving = (q + 3) % kSides;
@@ -97,7 +98,7 @@ inline void Linking::addQuadrant(Fan& fan, const CellRecord& r) const {
   fan.add(idIf(arrives, runsForward(arriving) ? last(arriving) : first(arriving)), (q + 1) % 4 * kStretch, 0, arrives);
 }
 
-/// The corner where columns x - 1, x and rows y - 1, y meet. In the cell of quadrant q it is corner q.
+/// Links at the vertex where columns x - 1, x and rows y - 1, y meet. To the cell of quadrant q it is corner q.
 void Linking::linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y) {
   const CellRecord *r0 = nullptr, *r1 = nullptr, *r2 = nullptr, *r3 = nullptr;
   if (x > 0 && x < kChunkSize && y > 0 && y < kChunkSize) {
@@ -133,13 +134,13 @@ void Linking::linkSides(CellAt at) {
   if (((here | around.west) & kRimPoints) != 0) linkSide(at, kWest);
 }
 
-/// All vertices in the open side of a cell.
+/// Links at all vertices in the open side of a cell.
 void Linking::linkSide(CellAt at, unsigned side) {
   SideWalk mine(world_, at, side), theirs(world_, across(at, side), opposite(side));
   const bool forward = runsForward(side);
   while (!mine.done() || !theirs.done()) {
     const std::int32_t vertex = std::min(mine.next(), theirs.next());
-    // Counter-clockwise from the direction in which my edges run: my half-edges, the other direction, theirs.
+    // Counter-clockwise: the direction in which my edges run, my half-edges, the other direction, theirs.
     Fan fan(fan_);
     mine.addSideSpokes(fan, vertex, forward, 0);
     theirs.addSideSpokes(fan, vertex, forward, 0);

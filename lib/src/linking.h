@@ -1,4 +1,4 @@
-// Phase 2 on the world: links the segments at every vertex near an edit.
+// Phase 2 on the world, law 2: links the segments at every vertex near an edit.
 #pragma once
 
 #include "fan.h"

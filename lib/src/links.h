@@ -1,4 +1,4 @@
-// Writes links, and lists the segments whose ghost is another point now (law 6).
+// Writes the links of segments, and lists those whose ghost has moved (law 6).
 #pragma once
 
 #include "world_impl.h"
@@ -24,8 +24,8 @@ class Links {
   }
 
  private:
-  // A link can change without its ghost: another segment with the same far end. Then the segment is as it was. Building
-  // never asks, as no segment had a link before; so this is kept out of its way, in another file.
+  // A link can change and the ghost stay: the other segment has the same far end. Then nothing is listed. These are in
+  // another file, so that they are not inlined: a first build never needs them, as no segment had a link before.
   void listIfAnotherStart(std::uint32_t id, std::uint32_t before, std::uint32_t now);
   void listIfAnotherEnd(std::uint32_t id, std::uint32_t before, std::uint32_t now);
   bool sameStart(const SegmentRecord& a, const SegmentRecord& b) const;

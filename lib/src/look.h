@@ -1,4 +1,4 @@
-// What a cell shows: law 1 inside it and on its four sides. Reads only.
+// What a cell shows by law 1, inside and on its four sides. Nothing here changes the world.
 #pragma once
 
 #include "boundary.h"
@@ -9,17 +9,17 @@
 
 namespace lgs::detail {
 
-/// CellRecord::touching for a segment along a whole side.
+/// CellRecord::touching of a segment along a whole side.
 constexpr std::uint8_t bothCorners(unsigned side) { return static_cast<std::uint8_t>(0x11u << side); }
 
-/// The same for one along a part of it.
+/// The same of a segment along a part of the side.
 constexpr std::uint8_t touching(unsigned side, std::int32_t begin, std::int32_t end) {
   const bool low = begin == 0, high = end == kUnitsPerCell;
   const bool starts = runsForward(side) ? low : high, ends = runsForward(side) ? high : low;
   return static_cast<std::uint8_t>((starts ? 0x01u : 0u) << side | (ends ? 0x10u : 0u) << side);
 }
 
-/// CellRecord::end of a cell that has one segment along each of a set of sides.
+/// CellRecord::end of a cell with one segment along each of these sides and none inside.
 inline constexpr auto kSideCounts = [] {
   std::array<PartEnds, 16> counts{};
   for (unsigned sides = 0; sides < 16; ++sides)
@@ -28,7 +28,7 @@ inline constexpr auto kSideCounts = [] {
   return counts;
 }();
 
-/// What a simple cell shows: the edges inside it, and one along each of some sides. All are of one polygon.
+/// What a simple cell shows: the edges inside, and one along each of these sides. All are of one polygon.
 struct SimpleLook {
   const Content& content;
   unsigned sides = 0;
@@ -37,7 +37,7 @@ struct SimpleLook {
     return static_cast<std::uint32_t>(content.interior.size()) + kSideCounts[sides].back();
   }
 
-  /// Fills the cell's record, which has room for them all; create(ends) returns the next segment's id.
+  /// Fills the cell's record, which has room for all. create(ends) returns the id of the next segment.
   template <class Create>
   void fill(CellRecord& r, Create&& create) const {
     const auto inside = static_cast<std::uint16_t>(content.interior.size());
@@ -51,7 +51,7 @@ struct SimpleLook {
   }
 };
 
-/// A cell with all that decides what it shows: its content, and what lies across its sides.
+/// What any cell shows. Two things decide it: the cell's content, and what lies across its sides.
 class Look {
  public:
   Look(const World::Impl& world, CellAt at) : world_(world), at_(at), content_(world.contentOf(at)) {
@@ -62,7 +62,7 @@ class Look {
     sides_ = here & kWholeSides & ~hiddenSides(around.south, around.east, around.north, around.west);
   }
 
-  /// One polygon of which each side shows as a whole or not at all. Most cells are like that.
+  /// Most cells are simple: they have one polygon, and each of their sides shows as a whole or not at all.
   bool isSimple() const { return hasWholeSides_ && content_.polygons.size() == 1; }
   SimpleLook simple() const { return {content_, sides_}; }
 
@@ -75,19 +75,19 @@ class Look {
     return count;
   }
 
-  /// Fills the cell's record, which has room for them all; create(ends, placed) returns the next segment's id.
+  /// Fills the cell's record, which has room for all. create(ends, placed) returns the id of the next segment.
   template <class Create>
   void fill(CellRecord& r, Create&& create) const {
     const PlacedBySlot placed = Grid::placed(at_, &r);
     if (!isSimple()) {
-      fillMerged(r, placed, create);
+      fillParts(r, placed, create);
       return;
     }
     const Placed sole = placed[0];
     simple().fill(r, [&](const PackedEnds& ends) { return create(ends, sole); });
   }
 
-  /// What one part of the cell shows, in order: emit(ends, slot, touching).
+  /// Calls emit(ends, slot, touching) for the edges that one part of the cell shows, in order of start.
   template <class Emit>
   void forEach(unsigned part, Emit&& emit) const {
     if (part == kInterior) {
@@ -119,7 +119,7 @@ class Look {
   }
 
   template <class Create>
-  void fillMerged(CellRecord& r, const PlacedBySlot& placed, Create& create) const {
+  void fillParts(CellRecord& r, const PlacedBySlot& placed, Create& create) const {
     std::uint32_t* id = r.ids();
     unsigned touches = 0;
     for (unsigned part = 0; part < kParts; ++part) {
@@ -135,8 +135,8 @@ class Look {
   const World::Impl& world_;
   CellAt at_;
   const InternedContent& content_;
-  unsigned sides_ = 0;          ///< those that show as a whole, if
   bool hasWholeSides_ = false;  ///< each side shows as a whole or not at all
+  unsigned sides_ = 0;          ///< then these show
 };
 
 }  // namespace lgs::detail

@@ -12,13 +12,15 @@ inline constexpr std::uint32_t kMaxDirection = (1u << 31) - 1;
 /// A half-edge at a vertex: a segment that starts there (outgoing) or ends there (incoming).
 struct Spoke {
   std::uint32_t segment = 0;
-  std::uint32_t direction : 31 = 0;  ///< equal exactly where two spokes of one fan point the same way
+  std::uint32_t direction : 31 = 0;  ///< equal exactly for two spokes of one fan that point the same way
   std::uint32_t outgoing : 1 = 0;
 };
+static_assert(sizeof(Spoke) == 8);
 
-/// The spokes around one vertex in counter-clockwise order, coincident ones side by side. Calls
-/// `predecessor(segment, other)` for every outgoing spoke and `successor(segment, other)` for every incoming one, with
-/// the segment met first when turning clockwise and counter-clockwise respectively; `none` where there is no candidate.
+/// The fan is the spokes around one vertex, counter-clockwise, coincident ones side by side. Calls
+/// `predecessor(segment, other)` for every outgoing spoke, with the incoming one met first when turning clockwise, and
+/// `successor(segment, other)` for every incoming spoke, with the outgoing one met first when turning
+/// counter-clockwise. `other` is `none` if there is no candidate.
 template <class Predecessor, class Successor>
 void radialMatch(std::span<const Spoke> fan, std::uint32_t none, Predecessor&& predecessor, Successor&& successor) {
   const std::size_t n = fan.size();
@@ -38,10 +40,10 @@ void radialMatch(std::span<const Spoke> fan, std::uint32_t none, Predecessor&& p
   }
 }
 
-/// The same where nothing is preserved: solids do not overlap and their common edges are gone, so free and solid sectors
-/// alternate around the vertex, and with them incoming and outgoing spokes. Each outgoing spoke and the incoming one
-/// before it bound one free sector: calls link(incoming, outgoing) for each such pair. No branch depends on the spokes;
-/// on random terrain that is worth more than anything else here.
+/// The same if nothing is preserved. Then solids do not overlap and their common edges are gone. So free and solid
+/// sectors alternate around the vertex, and incoming and outgoing spokes with them. An outgoing spoke and the incoming
+/// one before it bound one free sector: calls link(incoming, outgoing) for each such pair. No branch depends on the
+/// spokes, as on random terrain the processor could not foresee it.
 template <class Link>
 void radialMatchAlternating(std::span<const Spoke> fan, Link&& link) {
   if (fan.empty()) return;

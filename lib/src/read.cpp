@@ -1,4 +1,4 @@
-// Reading a world. Nothing here changes it.
+// Reads a world, and never changes it.
 #include "geometry/predicates.h"
 #include "world_impl.h"
 
@@ -17,7 +17,7 @@ using detail::Slot;
 
 namespace {
 
-/// Where to start a cyclic sequence so that it is lexicographically least.
+/// Where a cycle must start to be the least sequence, in lexicographic order.
 std::size_t leastRotation(const std::vector<Point>& cycle) {
   const std::size_t n = cycle.size();
   const auto less = [&](std::size_t a, std::size_t b) {
@@ -117,7 +117,7 @@ std::vector<Loop> World::Impl::loops(Collinear collinear) const {
 
 /// Drops the vertices where one segment arrives and one leaves in the same direction.
 void World::Impl::mergeCollinear(std::vector<Loop>& loops) const {
-  std::vector<Point> starts;  // as many segments leave a vertex as arrive, so counting the leaving ones is enough
+  std::vector<Point> starts;  // as many segments arrive at a vertex as leave it, so these are enough to count
   for (const SegmentId id : liveSegments()) starts.push_back(startOf(id.value));
   std::sort(starts.begin(), starts.end());
   const auto isShared = [&](Point v) {

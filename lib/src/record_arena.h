@@ -1,5 +1,6 @@
-// Memory for small records of varying size, in words of 32 bits, named by 32-bit references that stay valid until
-// released. Pages never move, so growing copies nothing; released records are reused by size, last one first.
+// Memory for small records of any size, in words of 32 bits. A reference of 32 bits names a record until it is
+// released. Pages never move, so nothing is copied when the arena grows. Released records are reused by size, the last
+// one first.
 #pragma once
 
 #include <array>
@@ -16,7 +17,7 @@ namespace lgs::detail {
 class RecordArena {
  public:
   using Ref = std::uint32_t;
-  static constexpr std::uint32_t kPageWords = 1u << 16;  ///< the largest record, and no record crosses a page
+  static constexpr std::uint32_t kPageWords = 1u << 16;  ///< no record is larger, and none crosses a page
   static constexpr std::size_t kMaxPages = (std::size_t{1} << 31) / kPageWords;
 
   Ref allocate(std::uint32_t words) {
@@ -28,7 +29,7 @@ class RecordArena {
       return ref;
     }
     if (pages_.empty() || used_ + size > kPageWords) {
-      if (pages_.size() == kMaxPages) std::abort();  // 8 GiB of records: treated as running out of memory
+      if (pages_.size() == kMaxPages) std::abort();  // with 8 GiB of records, as if memory had run out
       pages_.push_back(std::make_unique_for_overwrite<std::byte[]>(kPageWords * kWord));
       used_ = 0;
     }
@@ -43,7 +44,7 @@ class RecordArena {
     head = ref;
   }
 
-  /// Whether a record of one size can be overwritten by one of the other.
+  /// Whether a record of one size has room for one of the other.
   static bool sameSize(std::uint32_t a, std::uint32_t b) { return roundUp(a) == roundUp(b); }
 
   std::byte* at(Ref ref) const { return pages_[ref / kPageWords].get() + (ref % kPageWords) * kWord; }
@@ -53,7 +54,7 @@ class RecordArena {
  private:
   static constexpr Ref kNone = 0xffff'ffff;
   static constexpr std::size_t kWord = sizeof(std::uint32_t);
-  static constexpr std::uint32_t kExact = 32;  // exact sizes up to here, then powers of two
+  static constexpr std::uint32_t kExact = 32;  // every size has a class up to here, then powers of two
   static constexpr std::size_t kClasses = kExact + 12;
 
   static constexpr std::uint32_t roundUp(std::uint32_t words) { return words <= kExact ? words : std::bit_ceil(words); }

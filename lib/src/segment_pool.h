@@ -1,5 +1,5 @@
-// The segments by id. Ids are dense, pages never move, and a slot keeps its data until it is used again, so that during
-// a commit the ends of removed segments can still be read.
+// The segments by id. Ids are dense, and pages never move. A removed segment keeps its data until its id is used again,
+// so that a commit can still read its ends.
 #pragma once
 
 #include <lgs/ids.h>
@@ -14,14 +14,15 @@ namespace lgs::detail {
 
 inline constexpr std::uint32_t kNoSegment = 0;
 
-/// An id has 31 bits, so that a record has room for a flag; the last one says that a new segment is not linked yet.
+/// An id has 31 bits, so that a record has room for a flag. The greatest is no id: it is the link of a segment that is
+/// new and has none yet.
 inline constexpr std::uint32_t kUnlinked = (1u << 31) - 1;
 inline constexpr std::uint32_t kMaxSegment = kUnlinked - 1;
 
-/// Serial numbers of the polygons of one cell start at 1 and are never used twice; a record has 28 bits for one.
+/// The polygons of one cell have serial numbers, from 1 on, none used twice. A record has 28 bits for one.
 inline constexpr std::uint32_t kMaxSerial = (1u << 28) - 1;
 
-/// The ends of an edge in one cell, in 68 bits: a coordinate is 0 … 65,536, sixteen bits and one more in `high`.
+/// The ends of an edge in one cell. A coordinate is 0 … 65,536. Its 17th bit is in `high`.
 struct PackedEnds {
   std::uint32_t from = 0;
   std::uint32_t to = 0;
@@ -44,7 +45,6 @@ struct PackedEnds {
   }
 };
 
-/// 28 bytes.
 struct SegmentRecord {
   std::uint32_t predecessor;
   std::uint32_t successor : 31;
@@ -66,13 +66,13 @@ class SegmentPool {
  public:
   SegmentPool() {
     const std::uint32_t none = take();
-    (*this)[none] = SegmentRecord{};  // what a dangling link, should there ever be one, finds
+    (*this)[none] = SegmentRecord{};  // so that a dangling link, should there ever be one, can be followed
   }
 
   SegmentRecord& operator[](std::uint32_t id) { return pages_[id / kPage][id % kPage]; }
   const SegmentRecord& operator[](std::uint32_t id) const { return pages_[id / kPage][id % kPage]; }
 
-  /// An id for a new segment; its record is to be written.
+  /// An id for a new segment. The caller writes its record.
   std::uint32_t take() {
     if (!free_.empty()) {
       const std::uint32_t id = free_.back();
@@ -82,11 +82,11 @@ class SegmentPool {
     if (top_ % kPage == 0) addPage();
     return top_++;
   }
-  /// Makes an id available again; its record must have been marked as not alive.
+  /// Makes an id available again. Its record must say that it is not alive.
   void recycle(std::uint32_t id) { free_.push_back(id); }
 
   bool isLive(std::uint32_t id) const { return id != kNoSegment && id < top_ && (*this)[id].cellRef != 0; }
-  /// Whether every id is available: none is of a segment, alive or removed but not recycled yet.
+  /// Whether every id is available: no segment is alive, and none was removed without being recycled.
   bool isEmpty() const { return free_.size() == top_ - 1; }
   std::uint32_t maxId() const { return top_ - 1; }
   std::uint64_t bytes() const {
@@ -97,7 +97,7 @@ class SegmentPool {
   static constexpr std::uint32_t kPage = 4096;
 
   void addPage() {
-    if (top_ > kMaxSegment) std::abort();  // 56 GiB of segments: treated as running out of memory
+    if (top_ > kMaxSegment) std::abort();  // with 56 GiB of segments, as if memory had run out
     pages_.push_back(std::make_unique_for_overwrite<SegmentRecord[]>(kPage));
   }
 

@@ -1,4 +1,4 @@
-// Linking along a side: the vertices in the open side of one of the two cells, and the spokes at each.
+// Finds the spokes at the vertices in an open side, of the cell on one hand of it.
 #pragma once
 
 #include "fan.h"
@@ -11,7 +11,7 @@
 
 namespace lgs::detail {
 
-/// Walks along one cell's side of a boundary, from vertex to vertex.
+/// Walks along a side of a cell, from vertex to vertex, by increasing coordinate.
 class SideWalk {
  public:
   /// `at` may be without chunk.
@@ -25,7 +25,7 @@ class SideWalk {
   bool done() const { return points_.empty(); }
   std::int32_t next() const { return done() ? kUnitsPerCell : points_.front().at; }
 
-  /// The segment that lies beyond the vertex (in the direction of increasing coordinates) or before it.
+  /// Adds the cell's segment along the side that lies beyond the vertex, or the one before it.
   void addSideSpokes(Fan& fan, std::int32_t vertex, bool beyond, std::uint32_t stretch) {
     while (!ids_.empty() && bounds(ids_.front()).second < vertex) ids_ = ids_.subspan(1);
     for (const std::uint32_t id : ids_.first(std::min<std::size_t>(ids_.size(), 2))) {

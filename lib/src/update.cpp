@@ -1,11 +1,12 @@
-// The general way to renew a cell's segments: those that are there are merged with what shows now.
+// The general way to renew the segments of a cell: those that are there are merged with the edges that show now.
 #include "exposure.h"
 
 #include <algorithm>
 
 namespace lgs::detail {
 
-/// Walks along the segments of one part that are there, and along the edges that show. Both are in the same order.
+/// Walks along the segments that are there, part by part, and along the edges that show now. Both are in the same
+/// order.
 class Exposure::Merge {
  public:
   Merge(Exposure& exposure, CellAt at)
@@ -14,7 +15,7 @@ class Exposure::Merge {
   /// Takes up the next part.
   void begin(std::span<const std::uint32_t> old) { old_ = old; }
 
-  /// The next edge that shows: the segment that is there already, or a new one.
+  /// The next edge that shows. Its segment is there already, or is made.
   void show(const PackedEnds& ends, Slot slot) {
     const Placed placed = placed_[slot];
     const auto edge = std::pair(ends.start(), ends.end());

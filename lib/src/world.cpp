@@ -1,4 +1,4 @@
-// The public face of a World: forwards to its parts, and turns foreign coordinates into lattice points.
+// The public face of a World. It forwards to the parts of Impl, and rounds coordinates that are not lattice points.
 #include "refusal.h"
 #include "world_impl.h"
 
@@ -12,13 +12,15 @@ namespace {
 
 std::int32_t roundToLattice(double cells) {
   const double units = std::round(cells * kUnitsPerCell);
-  // Beyond the cell any value is as wrong as another; these are ints. What is not a number goes with the last.
+  // Outside the cell one value is as wrong as another, so two that fit an int stand for all of them. Whatever compares
+  // false, as what is not a number does, is taken for too great.
   if (units < 0) return -1;
   if (!(units <= kUnitsPerCell)) return kUnitsPerCell + 1;
   return static_cast<std::int32_t>(units);
 }
 
-/// Finds what must be found before rounding; the rest of ErrorCode, before and after in order, is left to the engine.
+/// Finds the errors that rounding would hide, and only if no earlier one in the order of ErrorCode applies. The rest is
+/// left to the engine.
 template <class Real>
 Expected<PolygonHandle> addReal(World::Impl& world, Cell cell, std::span<const RealPoint<Real>> polygon, Block block,
                                 std::vector<LocalPoint>& rounded) {

@@ -1,6 +1,6 @@
-// What a World is made of, and who owns what: the catalogue owns the contents, the grid the cells, the pool the
-// segments. Edits (edit.cpp) change cells and mark them dirty; a commit (commit.cpp) brings the segments up to date;
-// reading (read.cpp) changes nothing.
+// What a World is made of. The catalogue owns the contents, the grid owns the cells, the pool owns the segments. Edits
+// (edit.cpp) change cells and mark them dirty. A commit (commit.cpp) brings the segments up to date. Reading (read.cpp)
+// changes nothing.
 #pragma once
 
 #include "catalogue.h"
@@ -41,7 +41,7 @@ struct World::Impl {
   void mergeCollinear(std::vector<Loop>& loops) const;
   Stats stats() const;
 
-  /// That of no polygons where there is no chunk.
+  /// The empty content if there is no chunk.
   const detail::InternedContent& contentOf(detail::CellAt at) const {
     return catalogue.content(at ? grid.content(at) : detail::kEmptyContent);
   }
@@ -56,13 +56,13 @@ struct World::Impl {
   detail::SegmentPool segments;
   std::vector<detail::Chunk*> dirtyChunks;  ///< in the order in which edits touched them
   Changes changes;
-  // Working memory, kept from one call to the next to spare allocations.
+  // Working memory. It is kept from one call to the next, to spare allocations.
   std::vector<LocalPoint> rounded;  ///< of the polygon being added
-  std::vector<std::uint32_t> ids;   ///< of the cell whose segments change
+  std::vector<std::uint32_t> ids;   ///< of the segments of the cell that is updated
   std::vector<detail::Spoke> fan;   ///< at the vertex being linked
 
  private:
-  /// A polygon of the cell that an edit is about.
+  /// A polygon of the cell that is edited.
   struct Entry {
     detail::PolygonId polygon = 0;
     detail::Placed placed;
@@ -109,8 +109,8 @@ inline void World::Impl::mark(detail::CellAt at, detail::Facts facts) {
   chunk.everFacts |= facts;
 }
 
-/// The usual case of add(), ahead of all else and without a call: one polygon into an empty cell, in a dirty chunk that
-/// the last edit found too. Null, and nothing done, if it is not that case.
+/// The usual case of add(), which is tried first and needs no call: one polygon into an empty cell, in the chunk of the
+/// edit before, which is dirty already. Null, and nothing is done, in any other case.
 inline PolygonHandle World::Impl::addQuickly(Cell cell, ShapeId shape, Block block) {
   const detail::SoleContent& sole = catalogue.soleContent(shape);
   const detail::CellAt at = grid.findQuickly(cell);

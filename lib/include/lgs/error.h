@@ -1,4 +1,4 @@
-// Every reason for which an edit or a question is refused. A refused edit has changed nothing (law 7).
+// The reasons for which an edit or a question is refused. A refused edit has changed nothing (law 7).
 #pragma once
 
 #include <lgs/ids.h>
@@ -11,7 +11,7 @@
 
 namespace lgs {
 
-/// In the order in which a polygon is checked: the first reason that applies is the one reported.
+/// A polygon is checked in this order. The first reason that applies is reported.
 enum class ErrorCode : std::uint32_t {
   cellOutOfRange = 1,  ///< a cell index beyond ±kMaxCell
   emptyShape,          ///< a shape without polygons
@@ -29,7 +29,7 @@ enum class ErrorCode : std::uint32_t {
   unknownSegment,      ///< a SegmentId that names no live segment
 };
 
-/// What was refused and where. Fields that do not apply are kNoCell, -1 or null.
+/// Says what was refused, and where. A field that does not apply is kNoCell, -1 or null.
 struct Error {
   static constexpr Cell kNoCell{INT32_MIN, INT32_MIN};
   ErrorCode code{};
@@ -39,19 +39,20 @@ struct Error {
   std::int32_t vertex2 = -1;   ///< the other vertex or edge involved
   std::int32_t polygon2 = -1;  ///< overlap within one call: the index of the other polygon
   PolygonHandle other{};       ///< overlap with a placed polygon: that polygon; stale handle: the handle
-  SegmentId segment{};         ///< unknown segment: the id
+  SegmentId segment{};         ///< unknown segment: that id
 
   constexpr bool hasCell() const { return cell != kNoCell; }
 };
 
-// No padding: a value that shares its place with padding of the error, in the union inside tl::expected, comes out wrong
-// where GCC 12 takes that union apart (-ftree-sra, on from -O1). Seen with a code of one byte, in a test of cellOf().
+// There is no padding. tl::expected has the error and the value in a union. If the error has padding where the value
+// has data, GCC 12 gets the value wrong as it takes the union apart (-ftree-sra, on from -O1). A test of cellOf()
+// showed it with a code of one byte.
 static_assert(std::has_unique_object_representations_v<Error>);
 
 /// A short name, e.g. "self-intersecting".
 const char* name(ErrorCode code);
 
-/// A whole sentence with cell, polygon and vertex, and what to do about it.
+/// A whole sentence: the cell, the polygon, the vertex, what is wrong there, and what to do about it.
 std::string message(const Error& error);
 
 template <class T>

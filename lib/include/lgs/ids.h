@@ -1,4 +1,4 @@
-// Names for things in a world. All are plain values: copy, compare, hash and store them as you like.
+// Names for the things in a world. All are plain values: copy, compare, hash and store them as you like.
 #pragma once
 
 #include <compare>
@@ -8,10 +8,11 @@
 
 namespace lgs {
 
-/// An opaque number of the user's that a polygon carries: a material, a tile kind, an entity.
+/// A number of yours that a polygon carries, say of a material, a kind of tile or an entity. The world does not read
+/// it.
 using Block = std::uint32_t;
 
-/// A set of local polygons that a World has validated and interned. Valid for the world that made it, as long as that
+/// A set of polygons that a World has validated and stored. It is valid for the world that made it, as long as that
 /// world lives. Zero is null.
 struct ShapeId {
   std::uint32_t value = 0;
@@ -19,9 +20,9 @@ struct ShapeId {
   friend constexpr auto operator<=>(ShapeId, ShapeId) = default;
 };
 
-/// One placed polygon. Generational: once the polygon is removed its handle is stale for good, and using it is an error,
-/// never another polygon. Zero is null. `cellRef` and `serial` are the world's own; packed() is for storage, e.g. in a
-/// physics engine's user data.
+/// One placed polygon. Once the polygon is removed its handle is stale for good: to use it is an error, and it never
+/// names another polygon. Zero is null. `cellRef` and `serial` mean something to the world only. packed() is for
+/// storage, say in the user data of a physics engine.
 struct PolygonHandle {
   std::uint32_t cellRef = 0;
   std::uint32_t serial = 0;
@@ -33,8 +34,9 @@ struct PolygonHandle {
   friend constexpr auto operator<=>(PolygonHandle, PolygonHandle) = default;
 };
 
-/// One boundary segment. Ids are small dense integers, so an array indexed by `value` is a good side table. An id stays
-/// with its segment until a commit reports it removed; from the next commit on it may name a new segment. Zero is null.
+/// One boundary segment. Ids are small dense integers, so an array indexed by `value` can hold what you know of
+/// segments. An id stays with its segment until a commit reports it as removed. From the next commit on it may name a
+/// new segment. Zero is null.
 struct SegmentId {
   std::uint32_t value = 0;
   constexpr explicit operator bool() const { return value != 0; }

@@ -1,8 +1,8 @@
 // The lattice: every coordinate in LocalGridSeg is an integer.
 //
-// A cell is 65,536 lattice units wide and high. Inside a cell a vertex is a LocalPoint (0 … 65,536 on both axes,
-// the rim included); in the world it is a Point, a 64-bit integer that is also exact as a `double`. All decisions of
-// the engine are made on these integers; there is no epsilon anywhere.
+// A cell is 65,536 lattice units wide and high. In its cell a vertex is a LocalPoint, 0 … 65,536 on both axes, the rim
+// included. In the world it is a Point. Its 64-bit coordinates are exact as `double` too. The engine makes all
+// decisions on these integers, and there is no epsilon anywhere.
 #pragma once
 
 #include <compare>
@@ -23,8 +23,8 @@ struct LocalPoint {
   friend constexpr auto operator<=>(const LocalPoint&, const LocalPoint&) = default;
 };
 
-/// A position given in cells (1.0 is the far side of the cell); rounded to the nearest lattice point on entry, halves
-/// away from zero. -0.0 is 0.
+/// A position in its cell, in cells: 1.0 is the far side. It is rounded to the nearest lattice point where it enters,
+/// halves away from zero. -0.0 is 0.
 template <class Real>
 struct RealPoint {
   Real x = 0;
@@ -47,7 +47,7 @@ struct Cell {
   friend constexpr auto operator<=>(const Cell&, const Cell&) = default;
 };
 
-/// All cells from `min` to `max`, both included. Empty where a `max` is below its `min`.
+/// All cells from `min` to `max`, both included. Empty if an index of `max` is below that of `min`.
 struct CellRect {
   Cell min;
   Cell max;
