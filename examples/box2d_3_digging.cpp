@@ -1,5 +1,5 @@
-// A ball rolls over a floor of cells in Box2D 3. As soon as it touches a cell of column 12 or later, that cell is dug away
-// under it.
+// A ball rolls over a floor of cells in Box2D 3. As soon as it touches a cell of column 12 or later, that cell is dug
+// away under it.
 #include <box2d/box2d.h>
 #include <lgs/box2d/terrain.h>
 #include <lgs/world.h>

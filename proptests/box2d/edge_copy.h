@@ -45,7 +45,7 @@ class Copy {
     for (const EdgeId id : changes.added) {
       const Edge& edge = set.edge(id);
       EXPECT_TRUE(edges_.emplace(id.value, edge).second);
-      EXPECT_FALSE(gone.contains({edge.first, edge.start, edge.end}));  // then it should not have been touched
+      EXPECT_FALSE(gone.contains({edge.first, edge.start, edge.end}));  // such an edge should have stayed
     }
     for (const EdgeId id : changes.relinked) {
       ASSERT_TRUE(edges_.contains(id.value));
@@ -58,7 +58,7 @@ class Copy {
     for (const EdgeId id : set.edges()) {
       ASSERT_TRUE(edges_.contains(id.value));
       Edge expected = set.edge(id);
-      expected.last = edges_.at(id.value).last;  // may be another of the same end
+      expected.last = edges_.at(id.value).last;  // another segment with the same end may have taken its place
       EXPECT_EQ(edges_.at(id.value), expected);
     }
   }

@@ -119,7 +119,7 @@ TEST(Box2dEdges, WithoutMergingEverySegmentIsAnEdge) {
   });
 }
 
-// loops() keeps vertices where chains touch, be it on a straight line; an edge goes through there.
+// loops() keeps the vertices where chains touch, even on a straight line. An edge goes through there.
 std::vector<Point> cornersOf(const std::vector<Point>& loop) {
   std::vector<Point> corners;
   for (std::size_t k = 0; k < loop.size(); ++k) {
@@ -172,7 +172,7 @@ TEST(Box2dEdges, AnIdThatNeverWasHasNoEdge) {
   EXPECT_FALSE(set.edgeOf({0xffff'ffff}));
 }
 
-// --- By hand -----------------------------------------------------------------------------------------------------------
+// --- By hand ---------------------------------------------------------------------------------------------------------
 
 class Hand : public testing::Test {
  protected:
@@ -190,7 +190,7 @@ TEST_F(Box2dEdgesByHand, ALongFloorIsOneEdgeAChunkAndMaterial) {
   world.commit();
   EdgeSet one({.chunkCells = 4, .merge = true});
   one.load(world);
-  EXPECT_EQ(one.counts().edges, 6U);  // top and bottom in two chunks, and the sides
+  EXPECT_EQ(one.counts().edges, 6U);  // top and bottom of two chunks, and the sides
   EdgeSet two({.chunkCells = 4, .merge = true, .material = [](Block block) { return block; }});
   two.load(world);
   EXPECT_EQ(two.counts().edges, 8U);  // the second chunk has two materials

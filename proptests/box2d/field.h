@@ -1,4 +1,4 @@
-// A world and its scene, made side by side, for rides.
+// A world and its scene, which are made side by side, for rides.
 #pragma once
 
 #include "oracle/reference/scene.h"
@@ -15,7 +15,7 @@ inline constexpr std::int32_t U = kUnitsPerCell;
 
 inline const Polygon kSquare{{0, 0}, {U, 0}, {U, U}, {0, U}};
 
-/// Solid below a line from one height at the left side to another at the right side, in eighths of a cell.
+/// Solid below a straight line. The heights at the left and at the right side are in eighths of a cell.
 inline Polygon below(std::int32_t left, std::int32_t right) {
   Polygon polygon{{0, 0}, {U, 0}};
   if (right > 0) polygon.push_back({U, right * U / 8});

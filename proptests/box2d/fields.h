@@ -1,4 +1,4 @@
-// The worlds that are ridden over, whichever Box2D it is.
+// The worlds for the rides, for both generations of Box2D.
 #pragma once
 
 #include "field.h"
@@ -16,7 +16,7 @@ inline Field floorOf200Cells() {
 
 struct Profile {
   const char* name;
-  std::vector<Polygon> columns;  // repeated; each begins where the last ends, or a cell lower or higher
+  std::vector<Polygon> columns;  // repeated; each begins at the height where the last one ends, up to whole cells
   std::vector<std::int32_t> rises;
 };
 
@@ -36,7 +36,7 @@ inline Field hilly(const Profile& profile, bool ceiling) {
   for (std::size_t k = 0; k < 120; ++k) {
     const std::size_t at = k % profile.columns.size();
     Polygon column = profile.columns[at];
-    if (ceiling) {  // turned by half a turn about the cell's middle, and laid out the other way
+    if (ceiling) {  // half a turn about the middle of the cell, and in the other order
       for (LocalPoint& p : column) p = {U - p.x, U - p.y};
     }
     const auto i = static_cast<std::int32_t>(k);

@@ -1,4 +1,4 @@
-// What the fixtures of a terrain must be, given its edges.
+// The fixtures of a terrain must agree with its edges.
 #pragma once
 
 #include <box2d/box2d.h>
@@ -18,7 +18,7 @@ inline std::size_t edgesIn(const b2World& physics) {
   return edges;
 }
 
-/// Every fixture is where its edge is, and there are no others.
+/// Expects each fixture where its edge is, and no other fixtures.
 inline void expectFixtures(const b2World& physics, const box2d::Terrain& terrain,
                            const box2d::TerrainOptions& options) {
   const box2d::Frame frame{options.cellSize, options.origin, options.chunkCells};
@@ -37,7 +37,7 @@ inline void expectFixtures(const b2World& physics, const box2d::Terrain& terrain
     EXPECT_TRUE(shape.m_oneSided);
     EXPECT_EQ(shape.m_vertex1, at(e.start));
     EXPECT_EQ(shape.m_vertex2, at(e.end));
-    // A ghost that is not there, or too close for Box2D, is straight on.
+    // A ghost that is missing, or too close for Box2D, is straight on.
     const auto ghost = [&](const std::optional<Point>& p, b2Vec2 near, b2Vec2 far) {
       return p && b2Distance(at(*p), near) > b2_linearSlop ? at(*p) : near + (near - far);
     };

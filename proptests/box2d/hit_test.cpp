@@ -1,4 +1,4 @@
-// What a fixture stands for: Terrain::hit() before and after a sync, and of fixtures of others.
+// What a fixture stands for: Terrain::hit() before and after a sync, and for fixtures that are not the terrain's.
 #include "field.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST_F(Box2dHit, AFixtureLeadsToSegmentPolygonBlockAndCell) {
   b2Fixture& foreign = *physics.CreateBody(&definition)->CreateFixture(&circle, 1);
   EXPECT_FALSE(terrain.hit(foreign));
   EXPECT_FALSE(terrain.hit(foreign, {1, 2}));
-  for (const std::uintptr_t number : {std::uintptr_t{1}, std::uintptr_t{1'000'000}}) {  // what others keep there
+  for (const std::uintptr_t number : {std::uintptr_t{1}, std::uintptr_t{1'000'000}}) {  // user data of others
     foreign.GetUserData().pointer = number;
     EXPECT_FALSE(terrain.hit(foreign));
   }
@@ -100,7 +100,8 @@ TEST_F(Box2dHit, BeforeTheSyncWhatIsGoneIsNotHit) {
   }
 }
 
-// A crumb on the corner of a block, welded to what comes after it: without the block it is a ring, which never gets there.
+// A crumb on the corner of a block is welded to the edge after it. Without the block it is a ring, and a walk along its
+// links never comes to that edge.
 TEST_F(Box2dHit, BeforeTheSyncARingIsWalkedOnce) {
   const PolygonHandle block = field.add({0, 0}, {{0, 0}, {U, 0}, {U, U}, {U - 200, U}, {U - 400, U - 10}, {0, U - 10}});
   field.add({1, 1}, {{0, 0}, {100, 0}, {0, 100}});
@@ -122,7 +123,8 @@ TEST_F(Box2dHit, BeforeTheSyncARingIsWalkedOnce) {
   EXPECT_EQ(terrain.edges().counts().leftOut, 3U);
 }
 
-// A seam that two blocks keep, two cells high. Where a third covers its upper half, the lower half leads nowhere.
+// A seam that two blocks preserve is two cells high. When a third block covers its upper half, the lower half leads
+// nowhere.
 TEST_F(Box2dHit, BeforeTheSyncALinkMayBeGone) {
   World world([](Block a, Block b) { return a == 1 && b == 2; });
   const auto put = [&](Cell cell, Block block) { return *world.add(cell, *world.shape(kUnitSquare), block); };

@@ -1,4 +1,5 @@
-// Rules 1 to 3 of <lgs/box2d/edges.h> the slow and obvious way: whole chains, walked from their beginnings, no updates.
+// Rules 1 to 3 of <lgs/box2d/edges.h> in the slow and obvious way: whole chains, from their beginnings, without
+// updates.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@
 
 namespace lgs::box2d_test {
 
-/// An edge without the numbers that depend on how it came about.
+/// An edge without the numbers that depend on the edits.
 struct PlainEdge {
   SegmentId first;
   SegmentId last;
@@ -43,7 +44,7 @@ class NaiveBuilder {
   }
 
   NaiveEdges build() {
-    for (const auto& [id, segment] : segments_) {  // first those chains that begin somewhere, then the rings
+    for (const auto& [id, segment] : segments_) {  // first the chains that have a beginning, then the rings
       if (!before(segment)) addChain(id, false);
     }
     for (const auto& [id, segment] : segments_) {
@@ -127,7 +128,7 @@ class NaiveBuilder {
     result_.edges.insert(result_.edges.end(), edges.begin(), edges.end());
   }
 
-  // So that no row of short strips goes over the end; of nothing but short ones, the least is first.
+  // Begins the ring so that no row of short strips runs over its end. If all strips are short, the least one is first.
   void rotateRing(std::vector<Strip>& strips) const {
     const auto isLong = [&](const Strip& s) { return !isShort(s); };
     auto first = std::find_if(strips.begin(), strips.end(), isLong);

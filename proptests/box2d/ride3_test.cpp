@@ -1,5 +1,5 @@
-// Rides in Box2D 3: the floor and the map, as over chains built from CGAL's union of the whole world. A shape for each
-// polygon is the control. What is not held here, and why, is in docs/box2d.md.
+// Rides in Box2D 3: the floor and the map are as smooth as chains built from CGAL's union of the whole world. The
+// control is a shape for each polygon. docs/box2d.md says what is not tested here, and why.
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/reference/canonical.h"
 
@@ -30,7 +30,7 @@ struct Ride {
   bool upright = true;
   int steps = 600;
   std::int32_t chunkCells = 16;
-  b2Vec2 ground = {0, 0};  // where the body of the chains is; their vertices stay where they are
+  b2Vec2 ground = {0, 0};  // where the body of the chains is; in the world the vertices stay where they are
 };
 
 struct Sample {
@@ -41,7 +41,7 @@ struct Sample {
 
 b2Vec2 at(Point p) { return {static_cast<float>(p.x) / U, static_cast<float>(p.y) / U}; }
 
-// The loops of CGAL, each a chain; a body of its own holds them.
+// CGAL's loops as chains on a body of their own.
 void addChains(b2BodyId body, const Field& field, const b2SurfaceMaterial& material, bool straight, b2Vec2 corner) {
   const auto united = oracle::cgalUnion(field.scene);
   ASSERT_TRUE(united);
@@ -163,7 +163,7 @@ std::vector<Sample> ride(const Field& field, Way way, const Ride& options) {
   return samples;
 }
 
-// How far speed and height stray once the body has settled.
+// How far speed and height stray after the body has settled.
 float unrestOf(const std::vector<Sample>& samples, float speed) {
   float most = 0;
   for (std::size_t k = 60; k < samples.size(); ++k) {
@@ -176,7 +176,7 @@ float unrestOf(const std::vector<Sample>& samples, float speed) {
 
 struct Deviation {
   float apart = 0;           // the most, in metres
-  std::size_t contacts = 0;  // steps in which other edges are touched
+  std::size_t contacts = 0;  // steps in which the two rides touch different edges
 };
 
 Deviation deviation(const std::vector<Sample>& a, const std::vector<Sample>& b) {
@@ -213,7 +213,7 @@ TEST(Box2d3Ride, AShapeForEachPolygonBumps) {
   EXPECT_GT(unrestOf(ride(field, Way::polygons, options), options.speed), 0.1F);
 }
 
-// What many rides deviate from those over the chains.
+// How far many rides deviate from the rides over the chains.
 struct Tally {
   float most = 0;
   std::size_t mostContacts = 0;
@@ -233,9 +233,9 @@ struct Tally {
   }
 };
 
-// Rounding decides when an edge is touched first, and Box2D 3 answers a touch that comes a step later with another path:
-// centimetres apart. So the measure is what the chains deviate from themselves when nothing but their body's origin, or
-// the start by a thousandth of a millimetre, is another.
+// Rounding decides in which step an edge is first touched. If the touch comes a step later, Box2D 3 takes a path that
+// is centimetres away. So the measure is how far a ride over the chains deviates from itself, if their body has another
+// origin or the ride starts a thousandth of a millimetre further on.
 TEST(Box2d3Ride, OnSlopesTheTerrainDiffersFromCgalsChainsNoMoreThanTheyFromThemselves) {
   Tally terrain;
   Tally moved;

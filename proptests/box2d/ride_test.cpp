@@ -1,5 +1,5 @@
-// Rides in Box2D 2.4: the terrain is as smooth as chains built from CGAL's union of the whole world, wherever the cells
-// and the chunks end; a fixture for each polygon is not.
+// Rides in Box2D 2.4: the terrain is as smooth as chains built from CGAL's union of the whole world, wherever cells and
+// chunks end. A fixture for each polygon is not.
 #include "bench/ride/ride.h"
 
 #include "fields.h"
@@ -19,7 +19,7 @@ using oracle::Way;
 
 constexpr Rider kRiders[] = {Rider::circle, Rider::box, Rider::capsule, Rider::polygon};
 
-// The most that speed and height change once the body has settled.
+// The most that speed and height change after the body has settled.
 struct Unrest {
   float along = 0;
   float vertical = 0;
@@ -77,7 +77,7 @@ TEST(Box2dRide, AFrictionlessFloorOfCellsIsAsSmoothAsOneLongEdge) {
   }
 }
 
-// The control: were there no bumps here either, the rides would show nothing.
+// The control. If there were no bumps here, the other rides would prove nothing.
 TEST(Box2dRide, AFixtureForEachPolygonBumps) {
   const Field field = floorOf200Cells();
   for (const Way way : {Way::polygons, Way::loose}) {
@@ -93,7 +93,7 @@ TEST(Box2dRide, AFixtureForEachPolygonBumps) {
 
 // --- Floor, slopes and map, compared with CGAL -----------------------------------------------------------------------
 
-// Compares the terrain with CGAL's chains: the same contacts, the same path within rounding.
+// Compares the terrain with CGAL's chains: the contacts are the same, and the path is the same within rounding.
 void expectSamePath(const Field& field, RideOptions options, float tolerance) {
   const Track chains = ride(field.world, field.scene, Way::chains, options);
   for (const std::int32_t chunk : {3, 16}) {
@@ -151,7 +151,7 @@ TEST(Box2dRide, TheProjectsMapIsAsWithCgal) {
       options.velocity = {speed, 0};
       options.drive = speed;
       options.friction = 0.5F;
-      // Tumbling over its ends, these two double the rounding at each fall.
+      // These two tumble over their ends and double the rounding at each fall.
       options.fixedRotation = rider == Rider::polygon || rider == Rider::capsule;
       options.steps = 1'200;
       expectSamePath(field, options, 5e-3F);

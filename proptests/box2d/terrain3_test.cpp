@@ -1,4 +1,4 @@
-// The terrain in Box2D 3; built where that is the Box2D that was found.
+// The terrain in Box2D 3. It is built if that is the Box2D that was found.
 #include "oracle/trace/player.h"
 #include "proptests/first_failure.h"
 
@@ -54,7 +54,7 @@ void expectNear(b2Vec2 a, box2d::Metres b) {
   EXPECT_NEAR(a.y, b.y, 1e-5F);
 }
 
-// A ghost that is not there, or too close for Box2D, is straight on.
+// A ghost that is missing, or too close for Box2D, is straight on.
 void expectGhost(b2Vec2 actual, const std::optional<Point>& p, b2Vec2 near, b2Vec2 far, const box2d::Frame& frame,
                  box2d::Chunk chunk) {
   if (p) {
@@ -67,7 +67,7 @@ void expectGhost(b2Vec2 actual, const std::optional<Point>& p, b2Vec2 near, b2Ve
 void expectShapes(b2WorldId physics, const Terrain& terrain, const TerrainOptions& options) {
   const box2d::Frame frame{options.cellSize, options.origin, options.chunkCells};
   const std::vector<EdgeId> edges = terrain.edges().edges();
-  // Balls apart, and there are none where this is called without.
+  // The world may hold balls, too.
   EXPECT_GE(static_cast<std::size_t>(b2World_GetCounters(physics).shapeCount), edges.size());
   for (const EdgeId id : edges) {
     const box2d::Edge& e = terrain.edges().edge(id);
@@ -142,14 +142,14 @@ TEST_F(Box2d3Terrain, ABodyOfAnotherCategoryWakesWhereGroundAppearsOrIsRelinked)
   step(200);
   ASSERT_FALSE(b2Body_IsAwake(ball));
   EXPECT_NEAR(heightOf(ball), 0.35F, 0.01F);
-  field.add({5, 0}, kSquare);  // beside it: the edge below it has another ghost
+  field.add({5, 0}, kSquare);  // beside the ball: the edge below the ball gets another ghost
   const Changes& relinked = field.world.commit();
   EXPECT_FALSE(relinked.relinked.empty());
   terrain.sync(relinked);
   EXPECT_TRUE(b2Body_IsAwake(ball));
   step(200);
   ASSERT_FALSE(b2Body_IsAwake(ball));
-  field.add({4, 1}, kSquare);  // above it, where nothing touches it
+  field.add({4, 1}, kSquare);  // above the ball, which does not touch it
   terrain.sync(field.world.commit());
   EXPECT_TRUE(b2Body_IsAwake(ball));
 }

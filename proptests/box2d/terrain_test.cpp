@@ -39,7 +39,7 @@ void step(b2World& physics, int times) {
   for (int k = 0; k < times; ++k) physics.Step(kStep, 8, 3);
 }
 
-// And where nothing is merged or too short, the edges are the segments.
+// If nothing is merged and nothing too short, the edges are the segments.
 void expectSegments(const World& world, const Terrain& terrain) {
   const std::vector<SegmentId> segments = world.segments();
   EXPECT_EQ(terrain.edges().edges().size(), segments.size());
@@ -101,7 +101,7 @@ TEST_F(Box2dTerrain, ARestingBodyFallsWhenItsCellIsDugAway) {
   ASSERT_FALSE(ball.IsAwake());
   const b2Vec2 rest = ball.GetPosition();
 
-  // Far from it: it sleeps on.
+  // The ball is far from the change and sleeps on.
   ASSERT_TRUE(field.world.remove(field.world.polygons({0, -1})[0].handle));
   terrain.sync(field.world.commit());
   EXPECT_FALSE(ball.IsAwake());
@@ -122,7 +122,7 @@ TEST_F(Box2dTerrain, ABodyWakesWhereGroundAppearsOrIsRelinked) {
   b2Body& ball = addBall(physics, {4.5F, 0.4F});
   step(physics, 120);
   ASSERT_FALSE(ball.IsAwake());
-  field.add({5, -1 + 1}, kSquare);  // beside it: the edge below it has another ghost
+  field.add({5, 0}, kSquare);  // beside the ball: the edge below the ball gets another ghost
   const Changes& changes = field.world.commit();
   EXPECT_FALSE(changes.relinked.empty());
   terrain.sync(changes);
@@ -192,7 +192,7 @@ TEST_F(Box2dTerrain, DiggingAndRefillingBesideABallForThousandsOfSteps) {
 TEST_F(Box2dTerrain, MaterialsByBlock) {
   field.add({0, 0}, kSquare, 1);
   field.add({1, 0}, kSquare, 2);
-  field.add({2, 0}, kSquare, 3);  // like 2
+  field.add({2, 0}, kSquare, 3);  // the same material as block 2
   field.world.commit();
   int asked = 0;
   TerrainOptions options{.merge = true};
@@ -217,7 +217,7 @@ TEST_F(Box2dTerrain, MaterialsByBlock) {
 }
 
 TEST_F(Box2dTerrain, MaterialsThatDifferInOneThingAreNotMerged) {
-  for (const Block block : {1U, 2U, 3U, 4U, 5U, 6U}) {  // each beside a plain one
+  for (const Block block : {1U, 2U, 3U, 4U, 5U, 6U}) {  // each beside a block with the default material
     field.add({2 * static_cast<std::int32_t>(block), 0}, kSquare, 0);
     field.add({2 * static_cast<std::int32_t>(block) + 1, 0}, kSquare, block);
   }
@@ -239,7 +239,7 @@ TEST_F(Box2dTerrain, MaterialsThatDifferInOneThingAreNotMerged) {
 
 TEST_F(Box2dTerrain, ShortSegmentsAreCountedAndHarmless) {
   field.addFloor(0, 9);
-  // A step of a thousandth of a cell, less than Box2D's slop.
+  // A step of a thousandth of a cell is less than Box2D's slop.
   field.add({5, 0}, {{0, 0}, {U, 0}, {U, 65}, {0, 65}});
   field.world.commit();
   Terrain terrain(physics, field.world);

@@ -1,4 +1,4 @@
-// The values that the adapters for Box2D share: what makes two of them equal, and the frame from the lattice to metres.
+// The values that the adapters for Box2D share: when two of them are equal, and the frame from the lattice to metres.
 #include <gtest/gtest.h>
 #include <lgs/box2d/edges.h>
 #include <cmath>

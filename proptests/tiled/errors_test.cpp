@@ -1,4 +1,4 @@
-// Maps that cannot be read: every message names the file and line, says what is wrong, and nothing crashes.
+// Maps that cannot be read: each message names the file and the line and says what is wrong.
 #include "maps.h"
 
 #include <random>
@@ -89,7 +89,7 @@ TEST(TiledErrors, APolygonTooManyForACell) {
   }
   Options options;
   options.tolerance = 0;
-  // Not placed in a World one by one: filling a single cell like this takes it quadratic time.
+  // The polygons are not placed in a World. That takes quadratic time if so many share a cell.
   const auto map = importFiles({{"maps/test.tmx", mapXml(tilesetXml({objects}) + csvLayer(1, 1, "1"))}}, options);
   ASSERT_TRUE(map);
   EXPECT_EQ(map->placements.size(), kMaxPolygonsPerCell);

@@ -1,4 +1,4 @@
-// Files and what stands in them: reading from the disk, numbers and names as the messages quote them, packed tiles.
+// Files and their content: reading from the disk, numbers, names as messages quote them, packed tiles.
 #include "maps.h"
 #include "packed.h"
 
@@ -9,7 +9,7 @@
 namespace lgs::tiled {
 namespace {
 
-/// A folder of this test, gone when the test ends.
+/// A folder for one test. It is removed when the test ends.
 class TiledReadFile : public testing::Test {
  protected:
   void SetUp() override {
@@ -53,13 +53,13 @@ TEST_F(TiledReadFile, OrSaysWhyNot) {
 TEST_F(TiledReadFile, UpToAGigabyte) {
   const std::string path = file("");
   std::error_code failed;
-  std::filesystem::resize_file(path, (std::uintmax_t{1} << 30) + 1, failed);  // takes no room: all of it is a hole
+  std::filesystem::resize_file(path, (std::uintmax_t{1} << 30) + 1, failed);  // sparse: takes no room on the disk
   if (failed) GTEST_SKIP() << "no files of that size here: " << failed.message();
   EXPECT_EQ(whyNot(path), "it is larger than 1 GiB");
 }
 
 TEST_F(TiledReadFile, NoticesThatAFileEndsEarly) {
-  const std::string path = "/sys/devices/system/cpu/online";  // a few characters, in a file that says it has 4096
+  const std::string path = "/sys/devices/system/cpu/online";  // it says that it has 4096 characters, and has a few
   std::error_code failed;
   if (std::filesystem::file_size(path, failed) != 4'096 || failed) GTEST_SKIP() << "no such file here";
   EXPECT_EQ(whyNot(path), "reading stopped half-way");
@@ -73,7 +73,7 @@ TEST(TiledEncodings, ListsOfNumbersMayBeEmptyOrEndWithAComma) {
   EXPECT_EQ(refusalOf(mapXml(csv(","))), "maps/test.tmx:6: <data> tile 1 is not a tile number");
 }
 
-/// A layer of 100×100 tiles; what is said of its packed data.
+/// The message about a layer of 100×100 tiles with this packed data.
 std::string refusalOfPacked(const std::string& compression, const std::string& bytes) {
   return refusalOf(mapXml("<layer name='L' width='100' height='100'><data encoding='base64' compression='" +
                           compression + "'>" + base64(bytes) + "</data></layer>"));

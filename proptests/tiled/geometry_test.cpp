@@ -1,4 +1,4 @@
-// The importer's plane geometry by itself, exhausted on tiny lattices against slow rules.
+// The importer's plane geometry by itself. All cases of tiny lattices are compared with slow rules.
 #include "lattice.h"
 #include "lib/tiled/src/fraction.h"
 #include "lib/tiled/src/pixel_grid.h"
@@ -38,7 +38,7 @@ TEST(TiledGeometry, FractionsOfProductsThatDoNotFit) {
       EXPECT_EQ(negative.rest, f.divisor - f.rest);
     }
   }
-  // Neighbours in a Farey sequence: as near to each other as fractions with such divisors can be.
+  // As near to each other as two fractions with such divisors can be.
   EXPECT_LT(fraction(kMost - 2, kMost - 1), fraction(kMost - 1, kMost));
   EXPECT_LT(fraction(1 - kMost, kMost), fraction(2 - kMost, kMost - 1));
   EXPECT_EQ(fraction(kMost - 2, kMost), fraction(kMost / 2 - 1, kMost / 2));
@@ -62,7 +62,7 @@ TEST(TiledGeometry, SimpleRings) {
   }
 }
 
-/// Tidy: no vertex twice, none flat.
+/// Whether no vertex comes twice and none lies straight between its neighbours.
 bool isTidy(const Polygon& loop) {
   const std::size_t n = loop.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -71,7 +71,7 @@ bool isTidy(const Polygon& loop) {
   return n >= 3 && std::set<Point>(loop.begin(), loop.end()).size() == n;
 }
 
-/// How often a ring goes around a place that is on no edge.
+/// How often a ring goes around a place. The place is on no edge.
 int winding(const Polygon& ring, Point at) {
   int turns = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -91,7 +91,7 @@ TEST(TiledGeometry, TidyLoopsKeepWhatTheRingGoesAround) {
   }
   for (std::size_t length = 1; length <= 6; ++length) {
     forAllRings(length, 3, kStep, [&](const Polygon& ring) {
-      if (length == 6 && (ring[0] != Point{0, 0} || ring[1].x != 0)) return;  // enough
+      if (length == 6 && (ring[0] != Point{0, 0} || ring[1].x != 0)) return;  // a part is enough
       const std::vector<Polygon> loops = tidyLoops(ring);
       std::int64_t area = 0;
       for (const Polygon& loop : loops) {
@@ -113,7 +113,7 @@ TEST(TiledGeometry, RelationsAreAQuestionOfCommonArea) {
   for (const Polygon& a : rings) {
     const double all = static_cast<double>(doubleArea(a)) / 2;
     for (const Polygon& b : rings) {
-      const double area = commonArea(a, b);  // in steps far larger than what floating point adds
+      const double area = commonArea(a, b);  // it differs by steps that are far larger than rounding errors
       const Relation expected = area < 1e-3         ? Relation::apart
                                 : area > all - 1e-3 ? Relation::inside
                                                     : Relation::overlap;
@@ -159,7 +159,7 @@ TEST(TiledGeometry, NoHalvesOfWhatIsNotSimple) {
     EXPECT_TRUE(halves.left.empty()) << text(ring);
     EXPECT_TRUE(halves.right.empty()) << text(ring);
   }
-  // What the line does not cut is handed back as it is.
+  // A polygon that the line does not cut comes back unchanged.
   EXPECT_EQ(split(clockwise, {{20, 0}, {0, 1}}).left, (std::vector<Polygon>{clockwise}));
   EXPECT_EQ(split(clockwise, {{0, 0}, {0, 1}}).right, (std::vector<Polygon>{clockwise}));
 }

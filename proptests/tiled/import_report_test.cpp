@@ -1,4 +1,4 @@
-// The report and the errors as text, compared as a whole: a person reads them in a terminal.
+// The report and the errors as text. They are compared as a whole, since a person reads them in a terminal.
 #include "maps.h"
 
 namespace lgs::tiled {
@@ -117,7 +117,7 @@ TEST(TiledReport, MessagesOfErrors) {
   EXPECT_EQ(message(ImportError{"", 3, "<map>", "is wrong"}), "the map:3: <map> is wrong");
 }
 
-/// A map in which something of every kind happens, and what is said of it.
+/// A map in which something of every kind happens, and the report about it.
 TEST(TiledReport, OfAWholeImport) {
   const std::string tiles = "<tile id='0' class='rock'><objectgroup>" + kFullTile + "</objectgroup></tile>" +
                             "<tile id='1' type='slope'><objectgroup>"

@@ -109,7 +109,7 @@ TEST(TiledTilesets, LargerTilesStandOnTheirCellAndReachIntoOthers) {
 
 TEST(TiledFlips, AllEight) {
   const std::string tile =
-      "<object id='1' x='0' y='0'><polygon points='0,32 0,0 8,16'/></object>";  // on the left, wide 8
+      "<object id='1' x='0' y='0'><polygon points='0,32 0,0 8,16'/></object>";  // on the left side, 8 wide
   const std::uint32_t h = 0x80000000, v = 0x40000000, d = 0x20000000;
   const std::vector<std::pair<std::uint32_t, Ring>> cases = {
       {0, px({{0, 0}, {8, 16}, {0, 32}})},     {h, px({{24, 16}, {32, 0}, {32, 32}})},
@@ -117,7 +117,7 @@ TEST(TiledFlips, AllEight) {
       {d, px({{0, 32}, {16, 24}, {32, 32}})},  {d | h, px({{0, 32}, {16, 24}, {32, 32}})},
       {d | v, px({{0, 0}, {32, 0}, {16, 8}})}, {d | h | v, px({{0, 0}, {32, 0}, {16, 8}})}};
   const std::string skew =
-      "<object id='1' x='0' y='0'><polygon points='0,0 16,0 0,8'/></object>";  // tells all eight apart
+      "<object id='1' x='0' y='0'><polygon points='0,0 16,0 0,8'/></object>";  // it looks different in all eight flips
   const std::vector<std::pair<std::uint32_t, Ring>> skewCases = {
       {0, px({{0, 24}, {16, 32}, {0, 32}})},  {h, px({{16, 32}, {32, 24}, {32, 32}})},
       {v, px({{0, 0}, {16, 0}, {0, 8}})},     {h | v, px({{16, 0}, {32, 0}, {32, 8}})},

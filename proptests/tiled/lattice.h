@@ -1,4 +1,4 @@
-// All polygons of a tiny lattice, and slow rules for them that can be seen to be right.
+// All polygons of a tiny lattice, and slow rules for them that are plainly right.
 #pragma once
 
 #include "lib/tiled/src/subtract.h"
@@ -20,8 +20,8 @@ inline std::string text(const Polygon& ring) {
   return result;
 }
 
-/// Calls visit for every sequence of `length` points of a lattice of side × side points, `step` units apart; until an
-/// assertion fails.
+/// Calls visit for every sequence of `length` points of a lattice of side × side points, `step` units apart. Stops when
+/// an assertion fails.
 template <class Visit>
 void forAllRings(std::size_t length, std::int64_t side, std::int64_t step, Visit&& visit) {
   std::int64_t total = 1;
@@ -37,7 +37,7 @@ void forAllRings(std::size_t length, std::int64_t side, std::int64_t step, Visit
   }
 }
 
-/// How many points two closed segments share: 0, 1, or 2 for infinitely many.
+/// How many points two closed segments have in common: 0, 1, or 2 for infinitely many.
 inline int common(Point a, Point b, Point c, Point d) {
   const auto det = [](Point p, Point q) { return p.x * q.y - p.y * q.x; };
   const Point u{b.x - a.x, b.y - a.y}, v{d.x - c.x, d.y - c.y}, w{c.x - a.x, c.y - a.y};
@@ -51,7 +51,7 @@ inline int common(Point a, Point b, Point c, Point d) {
   return low == high ? 1 : low < high ? 2 : 0;
 }
 
-/// Edges are no points; neighbours share their vertex and nothing more; others share nothing.
+/// Whether each edge has a length, neighbours have one point in common, and other edges none.
 inline bool isSimpleByRule(const Polygon& ring) {
   const std::size_t n = ring.size();
   if (n < 3) return false;
@@ -97,7 +97,8 @@ inline double areaOf(const RealRing& ring) {
   return sum;
 }
 
-/// What of a ring lies left of a line, after Sutherland and Hodgman: connected along the line, but of the right area.
+/// The part of a ring on the left of a line, by the algorithm of Sutherland and Hodgman. Its pieces are joined along
+/// the line, but its area is right.
 inline RealRing leftOf(const RealRing& ring, Point from, Point to) {
   const double fromX = static_cast<double>(from.x), fromY = static_cast<double>(from.y);
   const double dx = static_cast<double>(to.x) - fromX, dy = static_cast<double>(to.y) - fromY;
@@ -115,7 +116,7 @@ inline RealRing leftOf(const RealRing& ring, Point from, Point to) {
   return result;
 }
 
-/// The area that two simple counter-clockwise rings have in common; b as a sum of signed triangles.
+/// The area that two simple counter-clockwise rings have in common. b is taken as a sum of signed triangles.
 inline double commonArea(const Polygon& a, const Polygon& b) {
   double sum = 0;
   for (std::size_t i = 1; i + 1 < b.size(); ++i) {

@@ -9,7 +9,7 @@ namespace {
 
 const Ring kSquare(kUnitSquare.begin(), kUnitSquare.end());
 
-/// "Path: note" of each layer, those passed over in brackets.
+/// "Path: note" of each layer; layers that are passed over are in brackets.
 std::vector<std::string> remarks(const ImportedMap& map) {
   std::vector<std::string> result;
   for (const LayerReport& layer : map.report.layers) {
@@ -40,7 +40,7 @@ TEST(TiledLayers, WhatIsSaidOfThem) {
   EXPECT_EQ(remarks(mustImport(content, options)),
             (std::vector<std::string>{"[A: not chosen]", "B" + slow, "[C: not chosen]", "[O" + objects, "[I: an image]",
                                       "[G/D: not chosen]", "[G/O" + objects, "G/H/A" + slow}));
-  for (const char* name : {"O", "G/O", "I", ""}) {  // there, but with nothing to import
+  for (const char* name : {"O", "G/O", "I", ""}) {  // these exist, but have nothing to import
     options.layers = {name};
     EXPECT_EQ(refusalOf(mapXml(content), options),
               "maps/test.tmx:2: <map> has no tile layer or group '" + std::string(name) + "'");
@@ -105,7 +105,7 @@ TEST(TiledLimits, TilesOfAllLayers) {
 }
 
 TEST(TiledLimits, PolygonsPlacedAndCarried) {
-  // Two polygons of each tile: one in its cell, one carried.
+  // Each tile has two polygons: one in its cell, one that is carried.
   const std::string content =
       tilesetXml({"<object id='1' x='16' width='32' height='8'/>"}) + csvLayer(4, 1, "1,0,1,1") + csvLayer(1, 1, "1");
   Options options;
@@ -119,7 +119,7 @@ TEST(TiledLimits, PolygonsPlacedAndCarried) {
 }
 
 TEST(TiledTilesets, ImagesOfTheirOwnSizes) {
-  // A collection of images: a tile's size is its own, or else its image's, or else the tileset's.
+  // A collection of images. The size of a tile is its own; if it has none, that of its image; else that of the tileset.
   const std::string set =
       "<tileset firstgid='1' tilewidth='64' tileheight='64'>"
       "<tile id='0' width='16' height='32'/><tile id='1'><image source='a' width='32' height='16'/></tile>"

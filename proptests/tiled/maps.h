@@ -1,4 +1,4 @@
-// Small Tiled maps written in the tests, and what every imported map must be: acceptable to World, polygon by polygon.
+// Small Tiled maps for the tests, and what holds for each imported map: World accepts every polygon.
 #pragma once
 
 #include "oracle/reference/validity.h"
@@ -102,7 +102,7 @@ inline std::vector<Cell> cellsOf(const ImportedMap& map) {
   return cells;
 }
 
-/// A ring given in pixels of a 32×32 tile, y up; starts at its least vertex as the importer's rings do.
+/// A ring in pixels of a 32×32 tile, y up. Begin with its least vertex, as the importer's rings do.
 inline Ring px(const std::vector<std::pair<double, double>>& points) {
   Ring ring;
   for (const auto& [x, y] : points) {

@@ -1,5 +1,5 @@
-// Outlines as hands draw them: that touch or cross themselves, go there and back, say a vertex twice; and the shapes that
-// are left out, with the words for it.
+// Outlines as people draw them: they touch or cross themselves, go there and back, or repeat a vertex. And the shapes
+// that are left out, with the reason in words.
 #include "lib/tiled/src/object_outline.h"
 #include "maps.h"
 
@@ -8,7 +8,7 @@ namespace {
 
 std::string polygon(const std::string& points) { return "<object id='1'><polygon points='" + points + "'/></object>"; }
 
-/// "kind: text" of the notes of an object alone in its tile; kind as in NoteKind.
+/// The notes of an object that is alone in its tile, as "kind: text" with the number of the NoteKind.
 std::vector<std::string> notesOf(const ImportedMap& map) {
   std::vector<std::string> result;
   for (const Note& note : map.report.tiles.at(0).notes) {
@@ -24,10 +24,10 @@ TEST(TiledOutlines, ThatTouchThemselvesInAVertexFallApart) {
   };
   const Ring lower = px({{0, 0}, {32, 0}, {16, 16}}), upper = px({{0, 32}, {16, 16}, {32, 32}});
   const std::vector<Case> cases = {
-      {"0,32 32,32 16,16 32,0 0,0 16,16", {lower, upper}},              // an hourglass drawn around
+      {"0,32 32,32 16,16 32,0 0,0 16,16", {lower, upper}},              // an hourglass, drawn along its outline
       {"0,32 16,16 0,0 32,0 16,16 32,32", {lower, upper}},              // clockwise
       {"16,16 0,32 32,32 16,16 32,0 0,0", {lower, upper}},              // begins in the waist
-      {"0,32 32,32 16,16 16,16 32,0 0,0 16,16", {lower, upper}},        // says it twice in a row
+      {"0,32 32,32 16,16 16,16 32,0 0,0 16,16", {lower, upper}},        // names the waist twice in a row
       {"0,32 32,32 16,16 20,16 16,16 32,0 0,0 16,16", {lower, upper}},  // with a spike there
   };
   for (const Case& c : cases) {
@@ -46,12 +46,12 @@ TEST(TiledOutlines, ThatCrossOrTouchThemselvesAreLeftOut) {
            "0,32 32,32 32,0 16,32 0,0",                       // a vertex on the lower edge
            "0,8 0,0 32,0 32,32 16,32 16,0 8,0 8,8",           // an edge along another, the same way
            "0,0 32,32 32,0 0,16",                             // a bow tie
-           "0,0 32,32 32,0 0,32",                             // one whose halves are equal: its area is 0
-           "16,16 32,16 32,32 16,16 16,0 0,16 0,0",           // such a one, from the corner of a triangle
+           "0,0 32,32 32,0 0,32",                             // a bow tie with equal halves: its area is 0
+           "16,16 32,16 32,32 16,16 16,0 0,16 0,0",           // such a bow tie at the corner of a triangle
            "0,32 32,32 16,12 0,0 32,0 16,12",                 // an hourglass, half of it turned over
-           "16,16 8,8 24,8 16,16 4,0 28,0",                   // a triangle in a triangle, from their common tip
+           "16,16 8,8 24,8 16,16 4,0 28,0",                   // a triangle in a triangle, with a common tip
            "16,16 24,8 8,8 16,16 4,0 28,0",                   // the same, as a hole
-           "16,16 0,0 20,0 16,16 12,0 32,0",                  // two triangles that overlap, from their common tip
+           "16,16 0,0 20,0 16,16 12,0 32,0",                  // two triangles that overlap, with a common tip
            "16,16 0,0 20,0 16,16 12,0 32,0 16,16 14,0 18,0",  // three
        }) {
     const auto map = importTile(polygon(points));
@@ -112,8 +112,8 @@ TEST(TiledOutlines, WhatIsLeftOutAndWhy) {
 }
 
 TEST(TiledOutlines, APartThatRoundingPressesTogetherIsLeftOut) {
-  // A pixel is a lattice unit here; the right border of the cell is x = 65536. The edges through it come so close to each
-  // other that the new vertices on the border turn them over.
+  // A pixel is a lattice unit here, and the right border of the cell is x = 65536. Where the edges cross the border
+  // they are so close to each other that the rounded vertices turn the part over.
   const std::string content =
       "<map width='1' height='1' tilewidth='65536' tileheight='65536'>"
       "<tileset firstgid='1' tilewidth='65536' tileheight='65536'><tile id='0'><objectgroup><object id='1' y='65536'>"

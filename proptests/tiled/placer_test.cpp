@@ -1,4 +1,4 @@
-// Cells as they fill up: what is told apart, and what is given up where too much meets in one cell.
+// Cells as they fill up: which entries are equal, and what is given up if too much meets in one cell.
 #include "lib/tiled/src/placer.h"
 #include "maps.h"
 
@@ -8,7 +8,7 @@ namespace lgs::tiled {
 namespace {
 
 TEST(TiledPlacer, EntriesAreToldApartByEveryField) {
-  // Twice all combinations of three values, once from the least up and once from the greatest down.
+  // All combinations of three values, once upwards and once downwards.
   std::vector<Placer::Entry> entries;
   for (std::uint32_t code = 0; code < 243; ++code) {
     entries.push_back({code % 3, static_cast<Block>(code / 3 % 3), code / 9 % 3, code / 27 % 3, code / 81});
@@ -32,7 +32,7 @@ TEST(TiledPlacer, TheSameRingIsOneShapeWhereverItBegins) {
   EXPECT_EQ(placer.shape({{0, 0}, {9, 0}, {9, 8}}), 1U);
 }
 
-/// As importTile(), but without placing the polygons in a World, which takes its time where hundreds share a cell.
+/// As importTile(), but without a World, which is slow if hundreds of polygons share a cell.
 ImportedMap importAlone(const std::string& objects, const Options& options) {
   auto map = importFiles({{"maps/test.tmx", mapXml(tilesetXml({objects}) + csvLayer(1, 1, "1"))}}, options);
   if (!map) {
@@ -42,9 +42,9 @@ ImportedMap importAlone(const std::string& objects, const Options& options) {
   return std::move(*map);
 }
 
-/// Objects of one tile: `lying` level bars on the left, the highest first, and `standing` upright ones on the right; then
-/// the whole square. The lines along the level bars cut the rest of the square into stripes, so each upright bar has to be
-/// taken out of each of them.
+/// Objects of one tile: `lying` level bars on the left, the highest first; `standing` upright bars on the right; then
+/// the whole square. The lines along the level bars cut the rest of the square into stripes. So each upright bar has to
+/// be taken out of each stripe.
 std::string barsAndSquare(int lying, int standing) {
   std::string objects;
   const auto add = [&](double x, double y, double width, double height) {

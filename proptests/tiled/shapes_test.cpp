@@ -1,4 +1,4 @@
-// What becomes of hand-drawn shapes on their way to the lattice: snapped, cut, carried, freed of overlaps, or left out.
+// Hand-drawn shapes on their way to the lattice: they are snapped, cut, carried, freed of overlaps, or left out.
 #include "maps.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 const Ring kSquare(kUnitSquare.begin(), kUnitSquare.end());
 
-/// A map of 128 pixel tiles: 1 is a full square, 2 a slope drawn a little off at all three corners.
+/// A map of tiles of 128×128 pixels. Tile 1 is a full square, tile 2 a slope that misses its three corners a little.
 std::string slopeMap() {
   return "<map tilewidth='128' tileheight='128' width='4' height='2'><tileset firstgid='1' tilewidth='128' "
          "tileheight='128'>"
@@ -33,7 +33,7 @@ TEST(TiledSnapping, SlopesJoinTheFlatGroundWithoutAStep) {
   EXPECT_NE(toText(map.report).find("6 coordinates put on the grid, by up to 0.8 px"), std::string::npos);
 
   Options strict;
-  strict.tolerance = 0.5;  // the slope's foot, 0.8 px too high, stays where it is
+  strict.tolerance = 0.5;  // the foot of the slope is 0.8 px too high and stays there
   const auto steps = mustImportFiles({{"maps/test.tmx", slopeMap()}}, strict);
   EXPECT_GT(worldOf(steps).loops(Collinear::merge).at(0).vertices.size(), 6U);
   EXPECT_EQ(noteKinds(steps), (std::vector<NoteKind>{NoteKind::snapped, NoteKind::nearMiss}));
@@ -46,7 +46,7 @@ TEST(TiledSnapping, OnlyWithinTheTolerance) {
   options.tolerance = 3;
   EXPECT_EQ(ringsIn(importTile(objects, options), {0, -1}),
             (std::vector<Ring>{px({{0, 13}, {32, 13}, {32, 32}, {0, 32}})}));
-  options.tolerance = 1000;  // a quarter of the tile at most
+  options.tolerance = 1000;  // a quarter of the tile is used
   const auto map = importTile("<object id='1' x='9' y='7' width='15' height='17.5'/>", options);
   EXPECT_EQ(map.report.tolerance, 8);
   EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{9, 0}, {32, 0}, {32, 32}, {9, 32}})}));
@@ -77,7 +77,7 @@ TEST(TiledReach, AConcavePolygonFallsIntoPieces) {
   EXPECT_EQ(ringsIn(map, {0, -1}),
             (std::vector<Ring>{px({{0, 24}, {24, 24}, {24, 28}, {0, 28}}), px({{0, 4}, {16, 4}, {16, 8}, {0, 8}})}));
   EXPECT_EQ(ringsIn(map, {-1, -1}).size(), 1U);
-  // An arm that touches the grid with a side is cut there too.
+  // An arm whose side lies on the grid is cut there, too.
   const auto touching =
       importTile("<object id='1'><polygon points='-8,4 24,4 24,8 0,8 0,24 16,24 16,28 -8,28'/></object>");
   EXPECT_EQ(ringsIn(touching, {0, -1}).size(), 2U);
@@ -109,7 +109,7 @@ TEST(TiledOverlaps, WhatComesLaterYields) {
   EXPECT_EQ(ringsIn(corner, {0, -1}),
             (std::vector<Ring>{px({{0, 0}, {32, 0}, {32, 16}, {0, 16}}), px({{0, 16}, {16, 16}, {16, 32}, {0, 32}})}));
   EXPECT_EQ(noteKinds(corner), (std::vector<NoteKind>{NoteKind::trimmed}));
-  // The same tile on two layers, and a carried part under solid ground: nothing twice.
+  // The same tile on two layers, and a carried part under solid ground: nothing is placed twice.
   const auto twice = mustImport(tilesetXml({kFullTile}) + csvLayer(1, 1, "1") + csvLayer(1, 1, "1"));
   EXPECT_EQ(ringsIn(twice, {0, -1}), (std::vector<Ring>{kSquare}));
   EXPECT_EQ(twice.report.tiles[0].notes.at(0).places, 1U);
@@ -123,7 +123,7 @@ TEST(TiledOverlaps, WhatComesLaterYields) {
 
 using Outline = std::vector<DoublePoint>;
 
-/// A star around a point: simple, as pointed as it likes.
+/// A star around a point. It is simple and may be very pointed.
 Outline randomStar(std::mt19937& random) {
   const auto real = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(random() % 4096) / 4095;
@@ -169,7 +169,8 @@ TEST(TiledProperty, CoverageIsTheUnionOfTheObjects) {
     }
     const auto map = importTile(objects, options);
     const auto kinds = noteKinds(map);
-    if (std::count(kinds.begin(), kinds.end(), NoteKind::leftOut) > 0) {  // spoilt by rounding, and it says so
+    if (std::count(kinds.begin(), kinds.end(), NoteKind::leftOut) >
+        0) {  // rounding spoilt a part, and the report says so
       ++leftOut;
       continue;
     }

@@ -1,5 +1,5 @@
-// One polygon taken out of another: exhausted on a tiny lattice far apart, then where everything is a few units wide and
-// rounding is at its worst; and what is given up.
+// One polygon is taken out of another: all pairs on a tiny lattice of wide steps; then polygons that are a few units
+// wide, where rounding is at its worst; and what is given up.
 #include "lattice.h"
 #include "oracle/generate/random.h"
 
@@ -8,7 +8,7 @@
 namespace lgs::tiled {
 namespace {
 
-/// What holds of every difference, spoilt by rounding or not.
+/// Expects what holds for every difference, whether rounding spoilt a part or not.
 void expectSound(const Difference& difference, const Polygon& b) {
   for (const Polygon& part : difference.parts) {
     ASSERT_TRUE(isSimpleByRule(part)) << text(part);
