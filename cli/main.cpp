@@ -2,6 +2,7 @@
 #include "cli/command.h"
 
 #include <fmt/format.h>
+#include <cstdio>
 #include <exception>
 
 namespace lgs::cli {
@@ -27,8 +28,6 @@ Status parseAndRun(CLI::App& app, const Action& chosen, int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     // CLI11 has a status of its own for each kind of bad usage. Help and version have 0.
     return app.exit(error) == 0 ? Status::fine : Status::badInput;
-  } catch (const std::exception& error) {
-    return complain(fmt::format("lgs: {}", error.what()));
   }
 }
 
@@ -59,4 +58,11 @@ Status run(int argc, char** argv) {
 }  // namespace
 }  // namespace lgs::cli
 
-int main(int argc, char** argv) { return static_cast<int>(lgs::cli::run(argc, argv)); }
+int main(int argc, char** argv) {
+  try {
+    return static_cast<int>(lgs::cli::run(argc, argv));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "lgs: %s\n", error.what());
+    return static_cast<int>(lgs::cli::Status::badInput);
+  }
+}

@@ -43,7 +43,7 @@ std::vector<double> numbersOf(std::string path) {
   std::replace_if(
       path.begin(), path.end(), [&](char c) { return !isOfNumber(c); }, ' ');
   std::istringstream in(path);
-  return {std::istream_iterator<double>(in), {}};
+  return {std::istream_iterator<double>(in), std::istream_iterator<double>()};
 }
 
 // A picture as a viewer reads it. Whatever is not well-formed fails the test.

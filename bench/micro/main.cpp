@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <exception>
 #include <vector>
 
 namespace lgs::bench {
@@ -60,4 +61,11 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace lgs::bench
 
-int main(int argc, char** argv) { return lgs::bench::run(argc, argv); }
+int main(int argc, char** argv) {
+  try {
+    return lgs::bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "lgs_bench: %s\n", error.what());
+    return 2;
+  }
+}
