@@ -23,8 +23,7 @@ from components import COMPONENTS
 from mutation import Mutant
 from options import add_common, positive, regex, whole_number
 from results import Results
-from search import AtFault
-from workshop import sources, state_of
+from workshop import AtFault, sources, state_of
 
 
 def parser() -> argparse.ArgumentParser:

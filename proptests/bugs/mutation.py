@@ -13,8 +13,7 @@ import programs
 from components import COMPONENTS
 from results import Results
 from rules import Change, changes_of
-from search import AtFault
-from workshop import ROOT, DoesNotBuild, Workshop
+from workshop import ROOT, AtFault, DoesNotBuild, Workshop
 
 VERDICTS = ("killed", "lives", "time-out", "same code", "does not compile")
 QUICK = (0.05, 0.5)  # seconds: tests that take less are run before the others

@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 
-from workshop import Workshop
+from workshop import Workshop, alone
 
 
 def spread(pieces: Iterable, files: list[str], jobs: int, bench: Callable, done: Callable) -> None:
@@ -29,6 +29,8 @@ def spread(pieces: Iterable, files: list[str], jobs: int, bench: Callable, done:
             if waiting:
                 stop.set()
 
-    with ThreadPoolExecutor(max(1, jobs)) as threads:
+    if not waiting:
+        return
+    with alone(), ThreadPoolExecutor(jobs) as threads:
         for future in [threads.submit(work, number) for number in range(jobs)]:
             future.result()

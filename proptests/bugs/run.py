@@ -20,7 +20,7 @@ import tables
 from listed import Bug, Group, faults, read_list
 from options import add_common, regex, report_file, whole_number
 from results import Results
-from workshop import sources, state_of
+from workshop import AtFault, sources, state_of
 
 
 def method(text: str) -> str:
@@ -81,7 +81,7 @@ def main() -> int:
 
     try:
         results = try_all(arguments, groups, bugs)
-    except search.AtFault as error:
+    except AtFault as error:
         print(f"run.py: {error}", file=sys.stderr)
         return 2
     if arguments.report:

@@ -7,14 +7,10 @@ import pool
 import programs
 from listed import Bug, Group
 from results import Results
-from workshop import DoesNotBuild, Workshop
+from workshop import AtFault, DoesNotBuild, Workshop
 
 TEST_LIMIT = 300  # seconds of CPU for the tests of one prefix, and for a case in a process of its own
 FUZZ_LIMIT = 1_800  # for all executions
-
-
-class AtFault(Exception):
-    """The code fails without any bug, or the list does not fit it."""
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,8 @@ def say(result: dict) -> str:
     text += "" if result.get("by_law", True) else " (of another law)"
     text += f", {result['how']}" if "how" in result else ""
     text += f", case {result['cases']}" if "cases" in result else ""
-    text += f", after {result['executions']} executions" if "executions" in result else ""
+    if "executions" in result:
+        text += f", after {result['executions']} executions" if result["executions"] else ", in its corpus"
     return text + (f", shrunk to {result['shrunk_edits']} edits" if "shrunk_edits" in result else "")
 
 

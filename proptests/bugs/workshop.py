@@ -26,8 +26,25 @@ def state_of(files: list[str]) -> str:
     return digest.hexdigest()
 
 
+class AtFault(Exception):
+    """Nothing can be tried: the code fails as it is, or the list does not fit it."""
+
+
 class DoesNotBuild(Exception):
-    pass
+    """What the compiler said."""
+
+
+@contextlib.contextmanager
+def alone():
+    """The workshops are used by one run at a time."""
+    import fcntl  # not where there is Windows, which can list the bugs
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    with (FOLDER / "lock").open("w") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError as error:
+            raise AtFault(f"another run is at work in {FOLDER}") from error
+        yield
 
 
 class Workshop:
