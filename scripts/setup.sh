@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what the project is built with, on Debian 12 and its relatives: only what is missing, with apt-get.
-# Nothing missing: it says so and is done at once. Never asks a question.
+# Nothing missing: it says so and is done at once. Never asks a question. Arguments: further packages to install.
 set -euo pipefail
 
 packages=(
@@ -12,6 +12,7 @@ packages=(
   nlohmann-json3-dev
   libpolyclipping-dev libgeos-dev libbenchmark-dev  # the timings
   libgtest-dev libgmock-dev librapidcheck-dev    # the tests
+  "$@"                                           # what a script needs beyond that
 )
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
