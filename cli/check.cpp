@@ -26,7 +26,7 @@ struct CheckArguments {
   std::uint64_t seed = 1;
   std::optional<std::size_t> onlyCase;
   std::string map;
-  std::string out = ".";
+  std::string out = "out";
   std::string svg;
   double shrinkSeconds = 20;
   CheckOptions options;
@@ -50,6 +50,7 @@ void printSummary(const CheckArguments& arguments, const Totals& totals, double 
   fmt::print("compared   {} times with CGAL, {} with the naive reference; {} times the whole world\n", s.cgal, s.naive,
              s.whole);
   fmt::print("segments   {} compared\n", s.segments);
+  fmt::print("doors      {}\n", doorsInWords(s));
   fmt::print("time       {:.1f} s, {:.0f} edits/s\n", seconds, static_cast<double>(edits) / seconds);
   if (!arguments.map.empty()) return;
   fmt::print("cases      {}; of these had\n{}", totals.cases.cases, table(totals.cases));
@@ -75,7 +76,7 @@ Status drawEnd(const CheckArguments& arguments, const Scene& scene) {
 
 ReportOptions reportOptions(const CheckArguments& arguments, std::string name, std::string reproduce) {
   return {arguments.out, std::move(name), std::move(reproduce),
-          std::chrono::milliseconds(static_cast<std::int64_t>(arguments.shrinkSeconds * 1'000))};
+          std::chrono::milliseconds(static_cast<std::int64_t>(arguments.shrinkSeconds * 1'000)), thisProgram("lgs")};
 }
 
 // Runs a check in a process of its own. If the engine brings that down, reports the trace that it was playing.
@@ -136,19 +137,29 @@ Status dig(const CheckArguments& arguments, const Trace& start, const Failure& d
 Status checkMap(const CheckArguments& arguments) {
   const auto start = readWorld(arguments.map);
   if (!start) return complain(start.error());
-  const Failure digging{
-      digIn(*start, arguments.edits, arguments.seed), fmt::format("mismatch-map-{}", arguments.seed),
-      fmt::format("lgs check --map '{}' --edits {} --seed {} --oracle {} --whole-every {}", arguments.map,
-                  arguments.edits, arguments.seed, arguments.oracle(), arguments.options.wholeEvery)};
+  const Failure digging{digIn(*start, arguments.edits, arguments.seed), fmt::format("mismatch-map-{}", arguments.seed),
+                        fmt::format("{} check --map {} --edits {} --seed {} --oracle {} --whole-every {}",
+                                    thisProgram("lgs"), shellPath(arguments.map), arguments.edits, arguments.seed,
+                                    arguments.oracle(), arguments.options.wholeEvery)};
   return isolated(
       arguments, arguments.options, [&] { return dig(arguments, *start, digging); }, [&] { return digging; });
 }
 
-// A mismatch after hours must not be lost for want of a folder.
+// A mismatch after hours must not be lost for want of a folder. Where there is none yet, it is made for the trial only.
 Status tryFiles(const CheckArguments& arguments) {
+  namespace fs = std::filesystem;
+  const fs::path out = arguments.out;
+  fs::path made;  // the first folder of the path that is not there
+  for (const fs::path& part : out) {
+    made /= part;
+    if (!fs::exists(made)) break;
+  }
+  const bool isNew = !fs::exists(made);
   std::error_code ignored;  // the trial will say what is wrong
-  std::filesystem::create_directories(arguments.out, ignored);
-  return tryOutputs({(std::filesystem::path(arguments.out) / "mismatch.trace").string(), arguments.svg});
+  fs::create_directories(out, ignored);
+  const Status status = tryOutputs({(out / "mismatch.trace").string(), arguments.svg});
+  for (fs::path at = out; isNew && fs::remove(at, ignored) && at != made;) at = at.parent_path();
+  return status;
 }
 
 // Cases are independent of each other, so that any one can be run again by itself.
@@ -163,10 +174,10 @@ struct Case {
 Failure failureOf(const CheckArguments& arguments, const Case& at) {
   GeneratorOptions world = arguments.world;
   world.edits = at.edits;
-  return {randomCase(world, caseSeed(arguments.seed, at.number)),
+  return {caseOf(at.number, world, caseSeed(arguments.seed, at.number)),
           fmt::format("mismatch-{}-{}", arguments.seed, at.number),
-          fmt::format("lgs check --cells {}x{} --case-edits {} --seed {} --case {} --oracle {}", world.width,
-                      world.height, world.edits, arguments.seed, at.number, arguments.oracle())};
+          fmt::format("{} check --cells {}x{} --case-edits {} --seed {} --case {} --oracle {}", thisProgram("lgs"),
+                      world.width, world.height, world.edits, arguments.seed, at.number, arguments.oracle())};
 }
 
 Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at) {
@@ -176,7 +187,8 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
   Progress progress;
   for (at.number = arguments.onlyCase.value_or(0); totals.stats.edits < arguments.edits; ++at.number) {
     at.edits = arguments.world.edits;
-    if (!arguments.onlyCase) at.edits = std::min<std::size_t>(at.edits, arguments.edits - totals.stats.edits);
+    if (!arguments.onlyCase)
+      at.edits = std::min<std::size_t>(editsOf(at.number, at.edits), arguments.edits - totals.stats.edits);
     stillAlive();
     const Failure played = failureOf(arguments, at);
     Features features{};
@@ -276,7 +288,7 @@ void addCheck(CLI::App& app, Run& chosen) {
       "and at the end; 0: at the end only. Default 100")
       ->needs(map)
       ->option_text("K");
-  command.add_option("--out", arguments->out, "Folder for a mismatch's trace and picture; default .")
+  command.add_option("--out", arguments->out, "Folder for a mismatch's trace and picture; default out")
       ->option_text("DIR");
   command.add_option("--shrink", arguments->shrinkSeconds, "Seconds to spend on shrinking a mismatch; default 20")
       ->check(CLI::Range(0.0, 86'400.0))

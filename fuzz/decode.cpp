@@ -1,5 +1,6 @@
 #include "fuzz/format.h"
 #include "oracle/generate/shapes.h"
+#include "oracle/trace/step.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -54,7 +55,7 @@ std::int32_t inner(std::uint8_t byte, int grid) {
   }
 }
 
-// A few of the coordinates that are no good, and are apt to overflow something.
+// Inside the cell, but for a few bytes: those give coordinates outside it, some so large that arithmetic may overflow.
 std::int32_t anywhere(std::uint8_t byte, int grid) {
   constexpr std::array<std::int32_t, 6> kOutside{-1, U + 1, 2 * U, -U, 32'767 * U, -32'767 * U};
   return byte >= 250 && grid >= 2 ? kOutside[byte - 250U] : inner(byte, grid);
@@ -267,7 +268,7 @@ class Decoder {
     ++edits_;
     const std::size_t index = placedBy_ == record_ ? ++placed_ : placed_ = 1;
     placedBy_ = record_;
-    std::string name = index == 1 ? fmt::format("p{}", record_) : fmt::format("p{}.{}", record_, index);
+    std::string name = nameOf(record_, index);
     inCell_[cell].push_back(name);
     trace_.edits.push_back(Edit::add(std::move(name), ScenePolygon{cell, block, std::move(vertices)}));
   }
@@ -281,8 +282,12 @@ class Decoder {
     found->second.erase(at);
   }
 
-  void removeRecord(std::uint32_t index) {
-    removeNamed(fmt::format("p{}", index == kNoRecord ? index : index % record_));
+  void removeRecord(std::uint32_t index) { removeNamed(index == kNoRecord ? "none" : nameOf(index % record_, 1)); }
+
+  // The letters decide which door the edit takes.
+  static std::string nameOf(std::size_t record, std::size_t index) {
+    const std::string letters = oracle::randomLetters(record);
+    return index == 1 ? fmt::format("p{}{}", record, letters) : fmt::format("p{}.{}{}", record, index, letters);
   }
 
   void clear(Cell cell) {

@@ -28,7 +28,7 @@ std::string environment(const char* name, const char* fallback) {
 
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv);
 extern "C" int LLVMFuzzerInitialize(int* /*argc*/, char*** argv) {
-  program = lgs::oracle::shellWord((*argv)[0]);
+  program = lgs::oracle::thisProgram((*argv)[0]);
   return 0;
 }
 

@@ -1,18 +1,22 @@
 // Bytes to edits, and back.
 //
-// An input is a header and records, 16 bytes each; what is short is filled up with zeros, so any bytes are some edits. A
-// record makes one edit, or a few that belong together (a shape's polygons, a rectangle). It says where and what by
-// itself, so a flipped byte changes that edit and leaves the others as they are, except that later removes in its cells
-// may take other polygons (and that another action may take, or leave, the vertices kept for the next polygon). Polygons
-// are named by the number of their record: p7, or p7.2 if it places several.
+// An input is a header and records of 16 bytes each. What is short is filled up with zeros, so any bytes are some edits. A
+// record makes one edit, or a few that belong together: a shape's polygons, a rectangle. It says where and what by itself.
+// So a flipped byte changes that edit and leaves the others as they are. There are two exceptions: later removes in its
+// cells may take other polygons, and another action may take, or leave, the vertices kept for the next polygon. Polygons
+// are named by the number of their record, and by letters that follow from it: p7haa, or p7.2haa if it places several.
 //
-//   header   0 preserve pairs, used if byte 2 is 3 modulo 4   3 the window of cells   4 where in the world it lies
-//   record   0 low four bits: what; bits 4, 5: no commit follows if both are 0; bits 6, 7: block 1 to 4
-//            1 cell of the window   2 shape, vertices, which one   3 symmetry, blocks, grid   4 … 15 six vertices, x y
+//   header  byte 0, 1  preserve pairs, a bit each; used if byte 2 is 3 modulo 4
+//           byte 3     the window of cells
+//           byte 4     where in the world it lies
+//   record  byte 0     low four bits: the action; bits 4, 5: no commit follows if both are 0; bits 6, 7: block 1 to 4
+//           byte 1     cell of the window
+//           byte 2     shape; how many vertices; which polygon to remove
+//           byte 3     bits 0 to 2: symmetry; bits 3, 4: grid of the vertices; bit 7: one block or several
+//           byte 4 …   six vertices, x and y
 //
-// Records of cells and coordinates at full width hold what such short ones can not: a trace of fewer than kMaxEdits edits,
-// whose polygons have at most kMaxVertices vertices and lie near their cells, has an input (encode), so traces of other
-// origin can be seeds.
+// Other records have cells and coordinates at full width. So a trace from elsewhere has an input too (encode) and can be a
+// seed, if it has fewer than kMaxEdits edits, whose polygons have at most kMaxVertices vertices and lie near their cells.
 #pragma once
 
 #include "oracle/trace/trace.h"

@@ -226,7 +226,7 @@ Status main(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(listOfTargets() + "\nExit status: 0 fine, 1 a finding, 2 bad input or usage.\nMore: fuzz/README.md");
   Arguments arguments;
-  arguments.program = oracle::shellWord(argv[0]);
+  arguments.program = oracle::thisProgram(argv[0]);
   Command chosen = nullptr;
   const auto add = [&](const char* name, const char* about, Command command) {
     CLI::App* sub = app.add_subcommand(name, about);

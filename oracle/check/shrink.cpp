@@ -1,5 +1,7 @@
 #include "oracle/check/shrink.h"
 
+#include "oracle/trace/step.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <map>
@@ -13,12 +15,14 @@ namespace {
 using Polygon = std::vector<LocalPoint>;
 using Clock = std::chrono::steady_clock;
 
-// Every polygon gets a name of its own, p1, p2, … in order; so an add can go without touching another's removal.
-Trace renamed(Trace trace) {
+// Every polygon gets a name of its own, p1, p2, … in order; so an add can go without touching another's removal. The
+// letters of a name decide which door its edit takes (step.h): they stay, or they go.
+Trace renamed(Trace trace, bool withLetters) {
   std::map<std::string, std::string> nameOf;
   std::size_t count = 0;
   for (Edit& edit : trace.edits) {
-    if (edit.kind == Edit::Kind::add) nameOf[edit.name] = fmt::format("p{}", ++count);
+    if (edit.kind == Edit::Kind::add)
+      nameOf[edit.name] = fmt::format("p{}{}", ++count, withLetters ? lettersOf(edit.name) : "");
     if (edit.kind != Edit::Kind::commit) edit.name = nameOf[edit.name];
   }
   return trace;
@@ -88,14 +92,14 @@ class Shrinker {
       : best_(std::move(trace)), stillFails_(stillFails), deadline_(Clock::now() + budget) {}
 
   Trace run() {
-    attempt(renamed(best_));
+    rename();
     for (bool progress = true; progress && !timeIsUp();) {
       progress = dropEdits();
       progress = simplifyPolygons() || progress;
       progress = simplifyBlocks() || progress;
       progress = moveCells() || progress;
     }
-    attempt(renamed(best_));
+    rename();
     return std::move(best_);
   }
 
@@ -106,6 +110,20 @@ class Shrinker {
     if (timeIsUp() || candidate == best_ || !stillFails_(candidate)) return false;
     best_ = std::move(candidate);
     return true;
+  }
+
+  // Plain doors, or else the plain door of as many edits as can do with it.
+  void rename() {
+    if (attempt(renamed(best_, false))) return;
+    attempt(renamed(best_, true));
+    for (std::size_t k = 0; k < best_.edits.size(); ++k) {
+      const std::string name = best_.edits[k].name;
+      if (best_.edits[k].kind != Edit::Kind::add || lettersOf(name).empty()) continue;
+      Trace candidate = best_;
+      for (Edit& edit : candidate.edits)
+        if (edit.name == name) edit.name.resize(name.size() - lettersOf(name).size());
+      attempt(std::move(candidate));
+    }
   }
 
   bool dropEdits() {

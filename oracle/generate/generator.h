@@ -21,6 +21,18 @@ struct GeneratorOptions {
 /// A case of its own. The trace may hold edits that must be refused; see CheckOptions::skipRefused.
 Trace randomCase(const GeneratorOptions& options, std::uint64_t seed);
 
+/// A case about the limits of <lgs/world.h>: a cell is filled until it holds as many polygons, or vertices, as it may.
+enum class Crowd : std::uint8_t { none, polygons, vertices };
+Trace crowdedCase(Crowd of, std::size_t edits, std::uint64_t seed);
+inline constexpr std::size_t kCrowdedEdits = 300;  ///< enough for any
+
+/// Of many cases, those of some numbers are crowded ones.
+Crowd crowdOf(std::uint64_t number);
+Trace caseOf(std::uint64_t number, const GeneratorOptions& options, std::uint64_t seed);
+
+/// How many edits the case of a number needs, where others have `edits`.
+std::size_t editsOf(std::uint64_t number, std::size_t edits);
+
 /// Digs in the world of a trace, and refills: wanders about, takes polygons away, puts them back, or puts others of the
 /// same world or degenerate ones in their place. Returns the trace, committed, with `edits` more.
 Trace digIn(Trace start, std::size_t edits, std::uint64_t seed);

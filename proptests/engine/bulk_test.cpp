@@ -46,7 +46,9 @@ class Bulk : public testing::TestWithParam<std::int64_t> {
            .trace =
                [&](std::uint64_t k) {
                  constexpr oracle::GeneratorOptions kSizes[] = {{2, 2, 40}, {3, 3, 60}, {4, 3, 80}, {1, 5, 40}};
-                 return oracle::randomCase(kSizes[(first + k) % 4], caseSeed(k));
+                 oracle::GeneratorOptions options = kSizes[(first + k) % 4];
+                 options.edits = oracle::editsOf(first + k, options.edits);
+                 return oracle::caseOf(first + k, options, caseSeed(k));
                },
            .complaint = [&](const Trace& trace, std::uint64_t) { return complaint(trace, cgal, *tally); }});
       if (failure) {
@@ -55,11 +57,18 @@ class Bulk : public testing::TestWithParam<std::int64_t> {
       }
     }
     fmt::print(
-        "{} commits, {} compared with CGAL, {} with the naive reference; {} edits, {} refused; {} cases, of these\n{}",
+        "{} commits, {} compared with CGAL, {} with the naive reference; {} edits, {} refused; {}\n"
+        "{} calls refused for a limit; all read {} times; {} cells worn; {} cases, of these\n{}",
         tally->stats.commits, tally->stats.cgal, tally->stats.naive, tally->stats.edits, tally->stats.refused,
-        tally->cases.cases, table(tally->cases));
+        doorsInWords(tally->stats), tally->stats.full, tally->stats.read, tally->stats.worn, tally->cases.cases,
+        table(tally->cases));
     for (std::size_t f = 0; f < tally->cases.with.size(); ++f) {
       EXPECT_GE(tally->cases.percent(Feature{f}), 1) << describe(Feature{f});
+    }
+    EXPECT_GT(tally->stats.full, 0U);
+    EXPECT_GT(tally->stats.worn, 0U);
+    for (std::size_t door = 0; door < oracle::kDoors; ++door) {
+      EXPECT_GE(100 * tally->stats.doors[door], tally->stats.edits) << describe(static_cast<oracle::Door>(door));
     }
   }
 
@@ -78,7 +87,7 @@ class Bulk : public testing::TestWithParam<std::int64_t> {
     };
     const std::uint64_t refused = tally.stats.refused;
     const auto result = oracle::checkTrace(trace, options, tally.stats);
-    if (!result) return std::nullopt;  // a trace cut down too far
+    if (!result) return "an edit can not be judged: " + result.error().text;
     if (*result) return oracle::describe((*result)->kind) + "\n" + (*result)->text;
     features[static_cast<std::size_t>(Feature::refusal)] = tally.stats.refused != refused;
     tally.cases.add(features);

@@ -25,7 +25,8 @@ RC_GTEST_PROP(References, AgreeWithTheEngineAfterEveryCommit, ()) {
                     oracle::CheckOptions options;
                     options.skipRefused = true;
                     const auto result = oracle::checkTrace(trace, options, *stats);
-                    if (!result || !*result) return std::nullopt;  // an error: a trace cut down too far
+                    if (!result) return "an edit can not be judged: " + result.error().text;
+                    if (!*result) return std::nullopt;
                     return oracle::describe((*result)->kind) + "\n" + (*result)->text;
                   });
   testing::Test::RecordProperty("commits", std::to_string(stats->commits));
