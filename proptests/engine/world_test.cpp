@@ -208,23 +208,5 @@ TEST(World, CanBeMoved) {
   EXPECT_EQ(world.commit().removed.size(), 3U);
 }
 
-TEST(World, TheSameEditsGiveTheSameIds) {
-  const auto run = [] {
-    World world;
-    std::vector<ChangeLists> lists;
-    const auto& shapes = oracle::degenerateShapes();
-    for (std::size_t k = 0; k < 400; ++k) {
-      const Cell cell{static_cast<std::int32_t>(k * 7 % 11) - 5, static_cast<std::int32_t>(k * 5 % 9) - 4};
-      removeAll(world, cell);
-      if (k % 3 != 0) {
-        EXPECT_TRUE(world.add(cell, shapeOf(world, shapes[k % shapes.size()].polygons), k % 4));
-      }
-      if (k % 2 == 0) lists.push_back(copyOf(world.commit()));
-    }
-    return std::pair(lists, snapshotOf(world, cellsOf({{-5, -4}, {5, 4}})));
-  };
-  EXPECT_EQ(run(), run());
-}
-
 }  // namespace
 }  // namespace lgs::test

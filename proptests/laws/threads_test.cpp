@@ -156,7 +156,7 @@ TEST(Threads, ABuildIsTheSameWithAnyExecutor) {
     failUnless(storyOf(steps, relation, onThreads<2>) == alone, "another one on two threads");
     failUnless(storyOf(steps, relation, onThreads<5>) == alone, "another one on five threads");
   };
-  forAll(60, law, anySteps(), anyRelation());
+  forAll(120, law, anySteps(), anyRelation());
   EXPECT_GT(*segments, 1000U) << "worlds of nearly nothing";
 }
 

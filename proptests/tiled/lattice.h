@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/tiled/src/geometry.h"
+#include "proptests/support/exhaust.h"
 
 #include <gtest/gtest.h>
 
@@ -24,14 +25,12 @@ inline std::string text(const Polygon& ring) {
 /// assertion fails.
 template <class Visit>
 void forAllRings(std::size_t length, std::int64_t side, std::int64_t step, Visit&& visit) {
-  std::int64_t total = 1;
-  for (std::size_t k = 0; k < length; ++k) total *= side * side;
   Polygon ring(length);
-  for (std::int64_t code = 0; code < total && !testing::Test::HasFatalFailure(); ++code) {
-    std::int64_t rest = code;
+  test::Exhaust all;
+  while (all.next() && !testing::Test::HasFatalFailure()) {
     for (Point& p : ring) {
-      p = {rest % side * step, rest / side % side * step};
-      rest /= side * side;
+      p.x = all.below(side) * step;
+      p.y = all.below(side) * step;
     }
     visit(std::as_const(ring));
   }
