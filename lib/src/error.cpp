@@ -48,6 +48,8 @@ std::string what(const Error& e) {
              " names no polygon; it was removed, or never existed";
     case ErrorCode::unknownSegment:
       return "segment " + number(e.segment.value) + " is not alive; it was removed, or never existed";
+    case ErrorCode::outOfReach:
+      return "a point lies beyond the last cell, or a radius or ray is too long (lgs/questions.h)";
   }
   return "unknown error";
 }
@@ -84,6 +86,8 @@ const char* name(ErrorCode code) {
       return "stale handle";
     case ErrorCode::unknownSegment:
       return "unknown segment";
+    case ErrorCode::outOfReach:
+      return "out of reach";
   }
   return "unknown error";
 }

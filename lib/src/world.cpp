@@ -84,6 +84,25 @@ std::vector<PlacedPolygon> World::polygons(Cell cell) const {
 }
 void World::polygons(Cell cell, std::vector<PlacedPolygon>& out) const { impl_->polygons(cell, out); }
 
+bool World::isEmpty(Cell cell) const {
+  const detail::CellAt at = impl_->grid.find(cell);
+  return !at || impl_->grid.content(at) == detail::kEmptyContent;
+}
+void World::forEachPolygon(const Visit& visit) const { impl_->forEachPolygon(detail::kWholeWorld, visit); }
+void World::forEachPolygon(const CellRect& cells, const Visit& visit) const { impl_->forEachPolygon(cells, visit); }
+std::optional<CellRect> World::bounds() const { return impl_->bounds(); }
+Expected<std::vector<std::span<const LocalPoint>>> World::polygons(ShapeId shape) const {
+  const detail::InternedShape* interned = impl_->catalogue.shape(shape);
+  if (!interned) return detail::refuse(ErrorCode::unknownShape);
+  std::vector<std::span<const LocalPoint>> out;
+  for (const detail::PolygonId id : interned->polygons) out.push_back(impl_->catalogue.vertices(id));
+  return out;
+}
+
+Spot World::at(Point point) const { return impl_->at(point); }
+Expected<Nearest> World::nearest(Point point, double radius) const { return impl_->nearest(point, radius); }
+Expected<RayHit> World::rayCast(Point from, Point to) const { return impl_->rayCast(from, to); }
+
 Expected<PlacedPolygon> World::polygon(PolygonHandle handle) const {
   if (const auto found = impl_->polygon(handle)) return *found;
   Error error;

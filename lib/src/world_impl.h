@@ -41,6 +41,13 @@ struct World::Impl {
   void mergeCollinear(std::vector<Loop>& loops) const;
   Stats stats() const;
 
+  // questions.cpp
+  void forEachPolygon(const CellRect& cells, const World::Visit& visit) const;
+  std::optional<CellRect> bounds() const;
+  Spot at(Point p) const;
+  Expected<Nearest> nearest(Point p, double radius) const;
+  Expected<RayHit> rayCast(Point from, Point to) const;
+
   std::optional<detail::Slot> slotOf(PolygonHandle handle) const;
   bool keeps(Block a, Block b) const { return preserve && (a < b ? preserve(a, b) : preserve(b, a)); }
   Point startOf(std::uint32_t id) const { return toWorld(grid.cellOf(segments[id].cellRef), segments[id].start()); }
@@ -64,6 +71,10 @@ struct World::Impl {
     detail::Placed placed;
     bool isOld = false;  ///< it was there before the edit
   };
+
+  template <class Visit>
+  void forEachEdge(std::int64_t i, std::int64_t j, Visit&& visit) const;
+  bool comesFirst(std::uint32_t a, std::uint32_t b) const;
 
   void readEntries(detail::CellAt at);
   void addEntries(std::span<const detail::PolygonId> added, Block block, std::uint32_t lastSerial);

@@ -27,6 +27,7 @@ enum class ErrorCode : std::uint32_t {
   unknownShape,        ///< a ShapeId that this world did not make
   staleHandle,         ///< a PolygonHandle that is null, unknown, or whose polygon was removed
   unknownSegment,      ///< a SegmentId that names no live segment
+  outOfReach,          ///< a point, radius or ray of a question goes beyond what questions.h allows
 };
 
 /// What was refused and where. Fields that do not apply are kNoCell, -1 or null.

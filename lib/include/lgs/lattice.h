@@ -12,6 +12,7 @@ namespace lgs {
 
 /// Lattice units along one side of a cell.
 inline constexpr std::int32_t kUnitsPerCell = 65'536;
+inline constexpr int kCellBits = 16;  ///< kUnitsPerCell is 2 to this power
 
 /// Cells run from -kMaxCell to +kMaxCell, both included, on both axes.
 inline constexpr std::int32_t kMaxCell = 1 << 30;
@@ -64,6 +65,19 @@ constexpr bool isEmpty(const CellRect& r) { return r.max.i < r.min.i || r.max.j 
 
 constexpr Point toWorld(Cell c, LocalPoint p) {
   return {std::int64_t{c.i} * kUnitsPerCell + p.x, std::int64_t{c.j} * kUnitsPerCell + p.y};
+}
+
+/// The cell in which a point lies. Cells are half-open here, [i, i+1) × [j, j+1): a point on a common side belongs to the
+/// cell to its right or above it.
+constexpr Cell cellOf(Point p) {
+  return {static_cast<std::int32_t>(p.x >> kCellBits), static_cast<std::int32_t>(p.y >> kCellBits)};
+}
+
+/// Points beyond this on either axis lie in no cell.
+inline constexpr std::int64_t kMaxCoordinate = (std::int64_t{kMaxCell} + 1) * kUnitsPerCell;
+
+constexpr bool inRange(Point p) {
+  return p.x >= -kMaxCoordinate && p.x <= kMaxCoordinate && p.y >= -kMaxCoordinate && p.y <= kMaxCoordinate;
 }
 
 }  // namespace lgs

@@ -14,12 +14,14 @@
 #include <lgs/error.h>
 #include <lgs/ids.h>
 #include <lgs/lattice.h>
+#include <lgs/questions.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -68,6 +70,9 @@ struct Segment {
   Block block = 0;
   PolygonHandle polygon;  ///< the polygon hit when this segment is hit
   Cell cell;              ///< the cell hit
+
+  double length() const;       ///< in cells
+  DoublePoint normal() const;  ///< outward, of length 1
 };
 
 /// What a commit did to the segments. No id is in two lists; a segment whose ends, owner and ghosts are as before is in
@@ -155,6 +160,22 @@ class World {
   std::vector<PlacedPolygon> polygons(Cell cell) const;
   void polygons(Cell cell, std::vector<PlacedPolygon>& out) const;  ///< the same, replacing the content of `out`
 
+  /// Whether a cell holds no polygon. A cell out of range holds none.
+  bool isEmpty(Cell cell) const;
+
+  /// Calls visit(cell, polygon) for every placed polygon, buried ones too: chunk by chunk in the order in which edits first
+  /// reached them, each by rows, each cell by handle. The second form visits the cells of a rectangle only. `visit` must
+  /// not change the world. Cost: in proportion to the cells of existing chunks there.
+  using Visit = std::function<void(Cell, const PlacedPolygon&)>;
+  void forEachPolygon(const Visit& visit) const;
+  void forEachPolygon(const CellRect& cells, const Visit& visit) const;
+
+  /// The least rectangle of cells with all placed polygons; nothing in an empty world. Cost: as forEachPolygon().
+  std::optional<CellRect> bounds() const;
+
+  /// The polygons of a shape, in its order. Valid until the next shape is made. Refused: unknownShape.
+  Expected<std::vector<std::span<const LocalPoint>>> polygons(ShapeId shape) const;
+
   /// Refused: staleHandle.
   Expected<PlacedPolygon> polygon(PolygonHandle handle) const;
   Expected<Cell> cellOf(PolygonHandle handle) const;
@@ -171,6 +192,23 @@ class World {
 
   /// The closed chains, sorted by their vertices. Under a preserve relation, only chains whose links are all mutual.
   std::vector<Loop> loops(Collinear collinear = Collinear::keep) const;
+
+  // --- Questions about places; the answers are in questions.h ---------------------------------------------------------
+
+  /// Which polygon is at a point, edits not yet committed included. A point out of range is outside. Cost: in proportion to
+  /// the vertices in the cell (on a common side: in both cells, in a corner: in four).
+  Spot at(Point point) const;
+
+  /// The segment nearest to a point, as of the last commit, at most `radius` cells away. Of several at the same distance
+  /// the least by start, end, block. Refused: outOfReach, if the point is out of range, or the radius is not from 0 to
+  /// kMaxRadius. Cost: in proportion to the cells within the distance found; where nothing is found, within the radius.
+  Expected<Nearest> nearest(Point point, double radius) const;
+
+  /// The first segment that a ray meets on its outward side, as of the last commit. A ray that starts in a solid leaves it
+  /// without a hit, and one that runs along a segment does not hit it; the ends of a segment count. Of several at the same
+  /// place the least by start, end, block. Refused: outOfReach, if an end is out of range, or the ray is longer than
+  /// kMaxRay cells on an axis. Cost: in proportion to the cells that the ray touches, up to the hit.
+  Expected<RayHit> rayCast(Point from, Point to) const;
 
   /// The highest SegmentId::value in use so far, for sizing side tables.
   std::uint32_t maxSegmentId() const;

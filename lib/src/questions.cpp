@@ -1,0 +1,219 @@
+// What a world answers about places. Reads only; every comparison is one of integers or of their fractions.
+#include "predicates.h"
+#include "segment_geometry.h"
+#include "world_impl.h"
+
+#include <lgs/questions.h>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+namespace lgs {
+
+using detail::CellAt;
+using detail::Edge;
+using detail::Fraction;
+using detail::InternedContent;
+using detail::PolygonView;
+using detail::Slot;
+
+namespace {
+
+double inCells(double units) { return units / kUnitsPerCell; }
+
+/// A part of the way from one point to another, in cells.
+DoublePoint pointOn(Point from, Point to, double part) {
+  return {inCells(static_cast<double>(from.x) + part * static_cast<double>(to.x - from.x)),
+          inCells(static_cast<double>(from.y) + part * static_cast<double>(to.y - from.y))};
+}
+
+constexpr CellRect kWholeWorld{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
+
+/// A cell that may lie just beyond the last one: nothing is there.
+struct CellIndex {
+  std::int64_t i = 0;
+  std::int64_t j = 0;
+};
+
+/// Where a point lies as to one polygon: a crossing count along the ray to the right.
+Spot::Where locate(PolygonView polygon, LocalPoint p) {
+  bool inside = false;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const LocalPoint a = polygon[k], b = polygon[k + 1 == polygon.size() ? 0 : k + 1];
+    if (a == p || detail::isInside(p, a, b)) return Spot::Where::edge;
+    if ((a.y > p.y) != (b.y > p.y)) inside ^= (detail::orientation(a, b, p) > 0) == (b.y > a.y);
+  }
+  return inside ? Spot::Where::inside : Spot::Where::outside;
+}
+
+/// The square ring of cells at a distance of `ring` cells from the one in the middle.
+template <class Visit>
+void forEachOfRing(CellIndex middle, std::int64_t ring, Visit&& visit) {
+  for (std::int64_t j = middle.j - ring; j <= middle.j + ring; ++j) {
+    const bool isWholeRow = j == middle.j - ring || j == middle.j + ring;
+    for (std::int64_t i = middle.i - ring; i <= middle.i + ring; i += isWholeRow || ring == 0 ? 1 : 2 * ring)
+      visit(CellIndex{i, j});
+  }
+}
+
+/// Rounded down.
+constexpr std::int64_t floorOf(std::int64_t numerator, std::int64_t denominator) {
+  return numerator / denominator - (numerator % denominator < 0 ? 1 : 0);
+}
+
+/// The closed cells that a ray touches, slab by slab: a slab is a column where the ray is wider than high, a row where it is
+/// higher than wide. Calls visit(cell) for the cells of a slab, then slabDone(), which says whether to go on.
+template <class Visit, class SlabDone>
+void walk(const detail::Ray& ray, Visit&& visit, SlabDone&& slabDone) {
+  const std::int64_t width = ray.to.x - ray.from.x, height = ray.to.y - ray.from.y;
+  const bool byColumns = std::abs(width) >= std::abs(height);
+  const std::int64_t from = byColumns ? ray.from.x : ray.from.y, to = byColumns ? ray.to.x : ray.to.y;
+  const std::int64_t otherFrom = byColumns ? ray.from.y : ray.from.x, otherTo = byColumns ? ray.to.y : ray.to.x;
+  const std::int64_t length = std::abs(to - from), slope = otherTo - otherFrom, step = to < from ? -1 : 1;
+  // A point on a common side is in the cells on both sides of it.
+  const auto lowest = [](std::int64_t at) { return (at - 1) >> kCellBits; };
+  const auto highest = [](std::int64_t at) { return at >> kCellBits; };
+  const std::int64_t first = step > 0 ? lowest(from) : highest(from), last = step > 0 ? highest(to) : lowest(to);
+  for (std::int64_t slab = first; slab != last + step; slab += step) {
+    // The part of the ray that is in this slab, as distances from its start; then how far across it gets there.
+    const std::int64_t low = slab << kCellBits, high = low + kUnitsPerCell;
+    const std::int64_t enter = std::max<std::int64_t>(0, step > 0 ? low - from : from - high);
+    const std::int64_t leave = std::min(length, step > 0 ? high - from : from - low);
+    const auto across = [&](std::int64_t distance) {
+      return length == 0 ? otherFrom : otherFrom + floorOf(slope * distance, length);
+    };
+    const std::int64_t a = across(enter), b = across(leave);
+    for (std::int64_t other = lowest(std::min(a, b)); other <= highest(std::max(a, b) + 1); ++other)
+      visit(byColumns ? CellIndex{slab, other} : CellIndex{other, slab});
+    if (!slabDone(leave, length)) return;
+  }
+}
+
+}  // namespace
+
+double Segment::length() const {
+  return inCells(std::hypot(static_cast<double>(end.x - start.x), static_cast<double>(end.y - start.y)));
+}
+
+DoublePoint Segment::normal() const {
+  const auto x = static_cast<double>(end.y - start.y), y = static_cast<double>(start.x - end.x);
+  const double length = std::hypot(x, y);
+  return {x / length, y / length};
+}
+
+/// Calls visit(id, edge) for every segment of a cell.
+template <class Visit>
+void World::Impl::forEachEdge(std::int64_t i, std::int64_t j, Visit&& visit) const {
+  if (std::abs(i) > kMaxCell || std::abs(j) > kMaxCell) return;
+  const CellAt at = grid.find(Cell{static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)});
+  if (!at) return;
+  for (const std::uint32_t id : grid.segments(at)) visit(id, Edge{startOf(id), endOf(id)});
+}
+
+Spot World::Impl::at(Point p) const {
+  Spot spot;
+  if (!inRange(p)) return spot;
+  spot.cell = cellOf(p);
+  std::vector<PlacedPolygon> polygons;
+  // On a common side a point is in the closed cells on both sides of it.
+  const Cell low = cellOf({p.x - 1, p.y - 1}), high = cellOf(p);
+  for (Cell cell = low; cell.j <= high.j; ++cell.j) {
+    for (cell.i = low.i; cell.i <= high.i; ++cell.i) {
+      this->polygons(cell, polygons);
+      const Point origin = toWorld(cell, {});
+      const LocalPoint local{static_cast<std::int32_t>(p.x - origin.x), static_cast<std::int32_t>(p.y - origin.y)};
+      for (const PlacedPolygon& polygon : polygons) {
+        const Spot::Where where = locate(polygon.vertices, local);
+        if (where == Spot::Where::outside || spot.where == where) continue;
+        spot = {where, polygon.handle, polygon.block, cell};
+        if (where == Spot::Where::inside) return spot;
+      }
+    }
+  }
+  return spot;
+}
+
+Expected<Nearest> World::Impl::nearest(Point p, double radius) const {
+  if (!inRange(p) || !(radius >= 0 && radius <= kMaxRadius)) return detail::refuse(ErrorCode::outOfReach);
+  const auto reach = static_cast<std::uint64_t>(std::llround(radius * kUnitsPerCell));
+  const CellIndex middle{p.x >> kCellBits, p.y >> kCellBits};
+  detail::SquaredDistance best{{0, reach * reach}, 1};
+  std::uint32_t nearest = detail::kNoSegment;
+  Edge edgeOfBest{};
+  detail::Along along;
+  for (std::int64_t ring = 0; ring == 0 || static_cast<std::uint64_t>(ring - 1) * kUnitsPerCell <= reach; ++ring) {
+    forEachOfRing(middle, ring, [&](CellIndex cell) {
+      forEachEdge(cell.i, cell.j, [&](std::uint32_t id, const Edge& edge) {
+        const detail::NearestOnEdge here = detail::nearestOnEdge(edge, p);
+        const auto order = here.squared <=> best;
+        if (order > 0) return;
+        if (order == 0 && nearest != detail::kNoSegment && !comesFirst(id, nearest)) return;
+        best = here.squared;
+        nearest = id;
+        edgeOfBest = edge;
+        along = here.along;
+      });
+    });
+    // What is in the next ring is at least so far away.
+    const std::uint64_t beyond = static_cast<std::uint64_t>(ring) * kUnitsPerCell;
+    if (nearest != detail::kNoSegment && best < detail::SquaredDistance{{0, beyond * beyond}, 1}) break;
+  }
+  if (nearest == detail::kNoSegment) return Nearest{};
+  const double part = static_cast<double>(along.numerator) / static_cast<double>(along.denominator);
+  return Nearest{{nearest}, pointOn(edgeOfBest.start, edgeOfBest.end, part), inCells(std::sqrt(best.value()))};
+}
+
+Expected<RayHit> World::Impl::rayCast(Point from, Point to) const {
+  constexpr std::int64_t kMax = std::int64_t{kMaxRay} * kUnitsPerCell;
+  if (!inRange(from) || !inRange(to) || std::abs(to.x - from.x) > kMax || std::abs(to.y - from.y) > kMax)
+    return detail::refuse(ErrorCode::outOfReach);
+  const detail::Ray ray{from, to};
+  Fraction best;
+  std::uint32_t first = detail::kNoSegment;
+  walk(
+      ray,
+      [&](CellIndex cell) {
+        forEachEdge(cell.i, cell.j, [&](std::uint32_t id, const Edge& edge) {
+          Fraction at;
+          if (id == first || !detail::meets(ray, edge, at)) return;
+          const auto order = at <=> best;
+          if (first != detail::kNoSegment && (order > 0 || (order == 0 && !comesFirst(id, first)))) return;
+          best = at;
+          first = id;
+        });
+      },
+      [&](std::int64_t passed, std::int64_t length) {  // what comes later is met there at the earliest
+        return first == detail::kNoSegment || !(best < Fraction{passed, length});
+      });
+  if (first == detail::kNoSegment) return RayHit{};
+  const double fraction = static_cast<double>(best.numerator) / static_cast<double>(best.denominator);
+  return RayHit{{first}, fraction, pointOn(from, to, fraction), segment(first).normal()};
+}
+
+/// Of two segments that a question can not tell apart: the order that no history has a part in.
+bool World::Impl::comesFirst(std::uint32_t a, std::uint32_t b) const {
+  return std::tuple(startOf(a), endOf(a), segments[a].block) < std::tuple(startOf(b), endOf(b), segments[b].block);
+}
+
+void World::Impl::forEachPolygon(const CellRect& cells, const World::Visit& visit) const {
+  if (isEmpty(cells)) return;
+  std::vector<PlacedPolygon> polygons;
+  grid.forEachCell(cells, [&](CellAt, Cell cell) {
+    this->polygons(cell, polygons);
+    for (const PlacedPolygon& polygon : polygons) visit(cell, polygon);
+  });
+}
+
+std::optional<CellRect> World::Impl::bounds() const {
+  std::optional<CellRect> bounds;
+  grid.forEachCell(kWholeWorld, [&](CellAt at, Cell cell) {
+    if (grid.content(at) == detail::kEmptyContent) return;
+    if (!bounds) bounds = CellRect{cell, cell};
+    bounds->min = {std::min(bounds->min.i, cell.i), std::min(bounds->min.j, cell.j)};
+    bounds->max = {std::max(bounds->max.i, cell.i), std::max(bounds->max.j, cell.j)};
+  });
+  return bounds;
+}
+
+}  // namespace lgs
