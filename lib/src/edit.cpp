@@ -215,7 +215,7 @@ Expected<void> World::Impl::remove(PolygonHandle polygon) {
 }
 
 Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, Block block) {
-  if (isEmpty(cells)) return 0;
+  if (lgs::isEmpty(cells)) return 0;
   for (const Cell corner : {cells.min, cells.max})
     if (!inRange(corner)) return refuse(ErrorCode::cellOutOfRange, corner);
   const detail::InternedShape* interned = catalogue.shape(shape);
@@ -265,7 +265,7 @@ Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, 
 }
 
 Expected<std::uint64_t> World::Impl::clear(const CellRect& cells) {
-  if (isEmpty(cells)) return 0;
+  if (lgs::isEmpty(cells)) return 0;
   for (const Cell corner : {cells.min, cells.max})
     if (!inRange(corner)) return refuse(ErrorCode::cellOutOfRange, corner);
   std::uint64_t count = 0;

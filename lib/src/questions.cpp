@@ -20,6 +20,12 @@ using detail::Slot;
 
 namespace {
 
+tl::unexpected<Error> refuse(ErrorCode code) {
+  Error error;
+  error.code = code;
+  return tl::unexpected(error);
+}
+
 double inCells(double units) { return units / kUnitsPerCell; }
 
 /// A part of the way from one point to another, in cells.
@@ -47,14 +53,13 @@ Spot::Where locate(PolygonView polygon, LocalPoint p) {
   return inside ? Spot::Where::inside : Spot::Where::outside;
 }
 
-/// The square ring of cells at a distance of `ring` cells from the one in the middle.
-template <class Visit>
-void forEachOfRing(CellIndex middle, std::int64_t ring, Visit&& visit) {
-  for (std::int64_t j = middle.j - ring; j <= middle.j + ring; ++j) {
-    const bool isWholeRow = j == middle.j - ring || j == middle.j + ring;
-    for (std::int64_t i = middle.i - ring; i <= middle.i + ring; i += isWholeRow || ring == 0 ? 1 : 2 * ring)
-      visit(CellIndex{i, j});
-  }
+/// The cells of the world whose closed squares are at most `reach` lattice units away from a point on each axis.
+CellRect cellsWithin(Point p, std::int64_t reach) {
+  const auto clamped = [](std::int64_t at) { return std::clamp<std::int64_t>(at >> kCellBits, -kMaxCell, kMaxCell); };
+  const auto cell = [&](std::int64_t x, std::int64_t y) {
+    return Cell{static_cast<std::int32_t>(clamped(x)), static_cast<std::int32_t>(clamped(y))};
+  };
+  return {cell(p.x - reach - 1, p.y - reach - 1), cell(p.x + reach, p.y + reach)};
 }
 
 /// Rounded down.
@@ -102,22 +107,13 @@ DoublePoint Segment::normal() const {
   return {x / length, y / length};
 }
 
-/// Calls visit(id, edge) for every segment of a cell.
-template <class Visit>
-void World::Impl::forEachEdge(std::int64_t i, std::int64_t j, Visit&& visit) const {
-  if (std::abs(i) > kMaxCell || std::abs(j) > kMaxCell) return;
-  const CellAt at = grid.find(Cell{static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)});
-  if (!at) return;
-  for (const std::uint32_t id : grid.segments(at)) visit(id, Edge{startOf(id), endOf(id)});
-}
-
 Spot World::Impl::at(Point p) const {
   Spot spot;
   if (!inRange(p)) return spot;
-  spot.cell = cellOf(p);
+  spot.cell = cellAt(p);
   std::vector<PlacedPolygon> polygons;
   // On a common side a point is in the closed cells on both sides of it.
-  const Cell low = cellOf({p.x - 1, p.y - 1}), high = cellOf(p);
+  const Cell low = cellAt({p.x - 1, p.y - 1}), high = cellAt(p);
   for (Cell cell = low; cell.j <= high.j; ++cell.j) {
     for (cell.i = low.i; cell.i <= high.i; ++cell.i) {
       this->polygons(cell, polygons);
@@ -134,54 +130,57 @@ Spot World::Impl::at(Point p) const {
   return spot;
 }
 
+// Looks at ever larger squares around the point: what is found in one is the answer if nothing outside can be nearer.
 Expected<Nearest> World::Impl::nearest(Point p, double radius) const {
-  if (!inRange(p) || !(radius >= 0 && radius <= kMaxRadius)) return detail::refuse(ErrorCode::outOfReach);
-  const auto reach = static_cast<std::uint64_t>(std::llround(radius * kUnitsPerCell));
-  const CellIndex middle{p.x >> kCellBits, p.y >> kCellBits};
-  detail::SquaredDistance best{{0, reach * reach}, 1};
+  if (!inRange(p) || !(radius >= 0 && radius <= kMaxRadius)) return refuse(ErrorCode::outOfReach);
+  const auto squared = [](std::int64_t distance) {
+    return detail::SquaredDistance{{0, static_cast<std::uint64_t>(distance * distance)}, 1};
+  };
+  const std::int64_t most = std::llround(radius * kUnitsPerCell);
   std::uint32_t nearest = detail::kNoSegment;
-  Edge edgeOfBest{};
-  detail::Along along;
-  for (std::int64_t ring = 0; ring == 0 || static_cast<std::uint64_t>(ring - 1) * kUnitsPerCell <= reach; ++ring) {
-    forEachOfRing(middle, ring, [&](CellIndex cell) {
-      forEachEdge(cell.i, cell.j, [&](std::uint32_t id, const Edge& edge) {
-        const detail::NearestOnEdge here = detail::nearestOnEdge(edge, p);
-        const auto order = here.squared <=> best;
-        if (order > 0) return;
-        if (order == 0 && nearest != detail::kNoSegment && !comesFirst(id, nearest)) return;
-        best = here.squared;
+  detail::NearestOnEdge best{squared(most), {}};
+  for (std::int64_t reach = std::min<std::int64_t>(most, kUnitsPerCell);; reach = std::min(most, 2 * reach)) {
+    grid.forEachCell(cellsWithin(p, reach), [&](CellAt at, Cell) {
+      for (const std::uint32_t id : grid.segments(at)) {
+        const detail::NearestOnEdge here = detail::nearestOnEdge(edgeOf(id), p);
+        const auto order = here.squared <=> best.squared;
+        if (order > 0) continue;
+        if (order == 0 && nearest != detail::kNoSegment && !comesFirst(id, nearest)) continue;
+        best = here;
         nearest = id;
-        edgeOfBest = edge;
-        along = here.along;
-      });
+      }
     });
-    // What is in the next ring is at least so far away.
-    const std::uint64_t beyond = static_cast<std::uint64_t>(ring) * kUnitsPerCell;
-    if (nearest != detail::kNoSegment && best < detail::SquaredDistance{{0, beyond * beyond}, 1}) break;
+    if (reach == most || (nearest != detail::kNoSegment && best.squared <= squared(reach))) break;
   }
   if (nearest == detail::kNoSegment) return Nearest{};
-  const double part = static_cast<double>(along.numerator) / static_cast<double>(along.denominator);
-  return Nearest{{nearest}, pointOn(edgeOfBest.start, edgeOfBest.end, part), inCells(std::sqrt(best.value()))};
+  const double part = static_cast<double>(best.along.numerator) / static_cast<double>(best.along.denominator);
+  return Nearest{{nearest}, pointOn(startOf(nearest), endOf(nearest), part), inCells(std::sqrt(best.squared.value()))};
 }
 
 Expected<RayHit> World::Impl::rayCast(Point from, Point to) const {
   constexpr std::int64_t kMax = std::int64_t{kMaxRay} * kUnitsPerCell;
   if (!inRange(from) || !inRange(to) || std::abs(to.x - from.x) > kMax || std::abs(to.y - from.y) > kMax)
-    return detail::refuse(ErrorCode::outOfReach);
+    return refuse(ErrorCode::outOfReach);
   const detail::Ray ray{from, to};
+  const auto find = [&](CellIndex cell) {
+    if (std::abs(cell.i) > kMaxCell || std::abs(cell.j) > kMaxCell) return CellAt{};
+    return grid.find(Cell{static_cast<std::int32_t>(cell.i), static_cast<std::int32_t>(cell.j)});
+  };
   Fraction best;
   std::uint32_t first = detail::kNoSegment;
   walk(
       ray,
       [&](CellIndex cell) {
-        forEachEdge(cell.i, cell.j, [&](std::uint32_t id, const Edge& edge) {
+        const CellAt here = find(cell);
+        if (!here) return;
+        for (const std::uint32_t id : grid.segments(here)) {
           Fraction at;
-          if (id == first || !detail::meets(ray, edge, at)) return;
+          if (!detail::meets(ray, edgeOf(id), at)) continue;
           const auto order = at <=> best;
-          if (first != detail::kNoSegment && (order > 0 || (order == 0 && !comesFirst(id, first)))) return;
+          if (first != detail::kNoSegment && (order > 0 || (order == 0 && !comesFirst(id, first)))) continue;
           best = at;
           first = id;
-        });
+        }
       },
       [&](std::int64_t passed, std::int64_t length) {  // what comes later is met there at the earliest
         return first == detail::kNoSegment || !(best < Fraction{passed, length});
@@ -196,8 +195,8 @@ bool World::Impl::comesFirst(std::uint32_t a, std::uint32_t b) const {
   return std::tuple(startOf(a), endOf(a), segments[a].block) < std::tuple(startOf(b), endOf(b), segments[b].block);
 }
 
-void World::Impl::forEachPolygon(const CellRect& cells, const World::Visit& visit) const {
-  if (isEmpty(cells)) return;
+void World::Impl::forEachPolygon(const CellRect& cells, const World::PolygonVisitor& visit) const {
+  if (lgs::isEmpty(cells)) return;
   std::vector<PlacedPolygon> polygons;
   grid.forEachCell(cells, [&](CellAt, Cell cell) {
     this->polygons(cell, polygons);

@@ -80,7 +80,7 @@ std::vector<SegmentId> World::Impl::liveSegments() const {
 
 std::vector<SegmentId> World::Impl::segmentsIn(const CellRect& cells) const {
   std::vector<SegmentId> out;
-  if (isEmpty(cells)) return out;
+  if (lgs::isEmpty(cells)) return out;
   grid.forEachCell(cells, [&](CellAt at, Cell) {
     for (const std::uint32_t id : grid.segments(at)) out.push_back({id});
   });

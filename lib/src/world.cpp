@@ -88,12 +88,16 @@ bool World::isEmpty(Cell cell) const {
   const detail::CellAt at = impl_->grid.find(cell);
   return !at || impl_->grid.content(at) == detail::kEmptyContent;
 }
-void World::forEachPolygon(const Visit& visit) const { impl_->forEachPolygon(detail::kWholeWorld, visit); }
-void World::forEachPolygon(const CellRect& cells, const Visit& visit) const { impl_->forEachPolygon(cells, visit); }
+void World::forEachPolygon(const PolygonVisitor& visit) const {
+  impl_->forEachPolygon({{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}}, visit);
+}
+void World::forEachPolygon(const CellRect& cells, const PolygonVisitor& visit) const {
+  impl_->forEachPolygon(cells, visit);
+}
 std::optional<CellRect> World::bounds() const { return impl_->bounds(); }
 Expected<std::vector<std::span<const LocalPoint>>> World::polygons(ShapeId shape) const {
   const detail::InternedShape* interned = impl_->catalogue.shape(shape);
-  if (!interned) return detail::refuse(ErrorCode::unknownShape);
+  if (!interned) return refuse(ErrorCode::unknownShape, Error::kNoCell, -1);
   std::vector<std::span<const LocalPoint>> out;
   for (const detail::PolygonId id : interned->polygons) out.push_back(impl_->catalogue.vertices(id));
   return out;

@@ -6,6 +6,7 @@
 #include "catalogue.h"
 #include "grid.h"
 #include "radial_match.h"
+#include "segment_geometry.h"
 #include "segment_pool.h"
 
 #include <lgs/world.h>
@@ -42,7 +43,7 @@ struct World::Impl {
   Stats stats() const;
 
   // questions.cpp
-  void forEachPolygon(const CellRect& cells, const World::Visit& visit) const;
+  void forEachPolygon(const CellRect& cells, const World::PolygonVisitor& visit) const;
   std::optional<CellRect> bounds() const;
   Spot at(Point p) const;
   Expected<Nearest> nearest(Point p, double radius) const;
@@ -72,8 +73,7 @@ struct World::Impl {
     bool isOld = false;  ///< it was there before the edit
   };
 
-  template <class Visit>
-  void forEachEdge(std::int64_t i, std::int64_t j, Visit&& visit) const;
+  detail::Edge edgeOf(std::uint32_t id) const { return {startOf(id), endOf(id)}; }
   bool comesFirst(std::uint32_t a, std::uint32_t b) const;
 
   void readEntries(detail::CellAt at);

@@ -69,7 +69,7 @@ constexpr Point toWorld(Cell c, LocalPoint p) {
 
 /// The cell in which a point lies. Cells are half-open here, [i, i+1) × [j, j+1): a point on a common side belongs to the
 /// cell to its right or above it.
-constexpr Cell cellOf(Point p) {
+constexpr Cell cellAt(Point p) {
   return {static_cast<std::int32_t>(p.x >> kCellBits), static_cast<std::int32_t>(p.y >> kCellBits)};
 }
 

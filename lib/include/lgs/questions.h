@@ -24,16 +24,17 @@ struct Spot {
     inside,   ///< in the interior of one polygon
   };
   Where where = Where::outside;
-  PolygonHandle polygon{};  ///< null outside; on an edge the first of those that have it, by cell (j, then i) and handle
-  Block block = 0;          ///< of that polygon
-  Cell cell{};              ///< of that polygon; outside: the cell of the point, see cellOf(Point)
+  PolygonHandle
+      polygon{};    ///< null outside; on an edge the first of those that have it, by cell (j, then i) and handle
+  Block block = 0;  ///< of that polygon
+  Cell cell{};      ///< of that polygon; outside: the cell of the point, see cellAt(Point)
 };
 
 /// The segment nearest to a point.
 struct Nearest {
-  SegmentId segment{};   ///< null: no segment within the radius
-  DoublePoint point{};   ///< the nearest point of that segment, in cells
-  double distance = 0;   ///< to it, in cells
+  SegmentId segment{};  ///< null: no segment within the radius
+  DoublePoint point{};  ///< the nearest point of that segment, in cells
+  double distance = 0;  ///< to it, in cells
 };
 
 /// What a ray meets first.

@@ -166,9 +166,9 @@ class World {
   /// Calls visit(cell, polygon) for every placed polygon, buried ones too: chunk by chunk in the order in which edits first
   /// reached them, each by rows, each cell by handle. The second form visits the cells of a rectangle only. `visit` must
   /// not change the world. Cost: in proportion to the cells of existing chunks there.
-  using Visit = std::function<void(Cell, const PlacedPolygon&)>;
-  void forEachPolygon(const Visit& visit) const;
-  void forEachPolygon(const CellRect& cells, const Visit& visit) const;
+  using PolygonVisitor = std::function<void(Cell, const PlacedPolygon&)>;
+  void forEachPolygon(const PolygonVisitor& visit) const;
+  void forEachPolygon(const CellRect& cells, const PolygonVisitor& visit) const;
 
   /// The least rectangle of cells with all placed polygons; nothing in an empty world. Cost: as forEachPolygon().
   std::optional<CellRect> bounds() const;
@@ -201,7 +201,7 @@ class World {
 
   /// The segment nearest to a point, as of the last commit, at most `radius` cells away. Of several at the same distance
   /// the least by start, end, block. Refused: outOfReach, if the point is out of range, or the radius is not from 0 to
-  /// kMaxRadius. Cost: in proportion to the cells within the distance found; where nothing is found, within the radius.
+  /// kMaxRadius. Cost: in proportion to the cells of existing chunks within twice the distance found, or within the radius.
   Expected<Nearest> nearest(Point point, double radius) const;
 
   /// The first segment that a ray meets on its outward side, as of the last commit. A ray that starts in a solid leaves it
