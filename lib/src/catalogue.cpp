@@ -1,5 +1,7 @@
 #include "catalogue.h"
 
+#include "refusal.h"
+
 #include <lgs/world.h>
 
 #include <algorithm>
@@ -19,12 +21,6 @@ std::uint64_t hashOf(std::span<const PolygonId> polygons, std::span<const std::p
   for (const PolygonId id : polygons) hash = mix(hash, id);
   for (const auto& [a, b] : preserved) hash = mix(hash, std::uint64_t{1} << 63 | std::uint64_t{a} << 16 | b);
   return hash;
-}
-
-tl::unexpected<Error> refuse(ErrorCode code) {
-  Error error;
-  error.code = code;
-  return tl::unexpected(error);
 }
 
 /// Takes a free number or the next one, and puts the value there.
@@ -52,13 +48,8 @@ Expected<PolygonId> Catalogue::internPolygon(PolygonView vertices) {
   const std::uint32_t found =
       polygonIndex_.find(hash, [&](PolygonId id) { return std::ranges::equal(polygons_[id]->vertices, vertices); });
   if (found != HashIndex::kNone) return found;
-  if (const auto defect = findDefect(vertices)) {
-    auto refusal = refuse(defect->code);
-    refusal.value().polygon = 0;
-    refusal.value().vertex = defect->vertex;
-    refusal.value().vertex2 = defect->vertex2;
-    return refusal;
-  }
+  if (const auto defect = findDefect(vertices))
+    return refuse({.code = defect->code, .polygon = 0, .vertex = defect->vertex, .vertex2 = defect->vertex2});
   InternedPolygon polygon;
   polygon.vertices.assign(vertices.begin(), vertices.end());
   polygon.hash = hash;
@@ -88,12 +79,13 @@ Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons
     views.push_back(vertices(id));
     vertexCount += views.back().size();
   }
-  if (polygons.size() > kMaxPolygonsPerCell || vertexCount > kMaxVerticesPerCell) return refuse(ErrorCode::capacity);
-  if (freeContents_.empty() && contents_.size() > kMaxContent) return refuse(ErrorCode::capacity);
+  if (polygons.size() > kMaxPolygonsPerCell || vertexCount > kMaxVerticesPerCell)
+    return refuse({.code = ErrorCode::capacity});
+  if (freeContents_.empty() && contents_.size() > kMaxContent) return refuse({.code = ErrorCode::capacity});
   for (std::size_t a = 0; a < views.size(); ++a) {
     for (std::size_t b = a + 1; b < views.size(); ++b) {
       if (!known.empty() && known[a] && known[b]) continue;
-      if (interiorsMeet(views[a], views[b])) return refuse(ErrorCode::overlap);
+      if (interiorsMeet(views[a], views[b])) return refuse({.code = ErrorCode::overlap});
     }
   }
 
@@ -112,32 +104,35 @@ Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons
 }
 
 Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
-  if (polygons.empty()) return refuse(ErrorCode::emptyShape);
+  if (polygons.empty()) return refuse({.code = ErrorCode::emptyShape});
   const std::vector<PolygonId> given(polygons.begin(), polygons.end());
   if (const auto found = shapeIndex_.find(given); found != shapeIndex_.end()) return found->second;
 
   std::vector<PolygonId> sorted = given;
   std::sort(sorted.begin(), sorted.end());
-  auto content = internContent(sorted, {}, {});
-  if (!content) {
-    Error error = content.error();
-    for (std::size_t k = 1; k < given.size() && error.polygon < 0 && error.code == ErrorCode::overlap; ++k) {
-      const auto other = std::find_if(given.begin(), given.begin() + static_cast<std::ptrdiff_t>(k),
-                                      [&](PolygonId id) { return meet(id, given[k]); });
-      if (other == given.begin() + static_cast<std::ptrdiff_t>(k)) continue;
-      error.polygon = static_cast<std::int32_t>(k);
-      error.polygon2 = static_cast<std::int32_t>(other - given.begin());
-    }
-    return tl::unexpected(error);
-  }
+  const auto content = internContent(sorted, {}, {});
+  if (!content) return refuse(content.error().code == ErrorCode::overlap ? overlapAmong(given) : content.error());
+  // The content keeps its polygons, so the shape need not be a user of them too.
   unused_ -= uses_[*content].users == 0 ? 1 : 0;
   uses_[*content].users = kForever;
-  for (const PolygonId id : given) acquire(polygons_[id]->users);
   shapes_.push_back({*content, given});
   soles_.push_back(given.size() == 1 ? SoleContent{*content & kMaxContent, facts(*content)} : SoleContent{});
   const ShapeId id{static_cast<std::uint32_t>(shapes_.size())};
   shapeIndex_.emplace(given, id);
   return id;
+}
+
+Error Catalogue::overlapAmong(std::span<const PolygonId> polygons) const {
+  Error error{.code = ErrorCode::overlap};
+  for (std::size_t k = 1; k < polygons.size(); ++k) {
+    const auto earlier = polygons.first(k);
+    const auto other = std::ranges::find_if(earlier, [&](PolygonId id) { return meet(id, polygons[k]); });
+    if (other == earlier.end()) continue;
+    error.polygon = static_cast<std::int32_t>(k);
+    error.polygon2 = static_cast<std::int32_t>(other - earlier.begin());
+    break;
+  }
+  return error;
 }
 
 void Catalogue::collect() {

@@ -27,10 +27,10 @@ struct InternedContent : Content {
   std::uint64_t hash = 0;
 };
 
-/// The content of a shape of one polygon. It is never forgotten, so its users are not counted.
+/// The content of a shape of one polygon. Both fields have one type, as Microsoft's compiler packs no others.
 struct SoleContent {
-  ContentId id : 24 = kEmptyContent;
-  Facts facts = 0;
+  std::uint32_t id : 24 = kEmptyContent;
+  std::uint32_t facts : 8 = 0;
 };
 static_assert(sizeof(SoleContent) == 4);
 
@@ -55,7 +55,7 @@ class Catalogue {
   }
 
   /// Empty for a shape of several polygons, and for an id that is none of ours.
-  SoleContent soleContent(ShapeId id) const { return id.value < soles_.size() ? soles_[id.value] : SoleContent{}; }
+  const SoleContent& soleContent(ShapeId id) const { return soles_[id.value < soles_.size() ? id.value : 0]; }
 
   /// The polygon with these vertices, validated if it is new.
   Expected<PolygonId> internPolygon(PolygonView vertices);
@@ -88,7 +88,7 @@ class Catalogue {
   struct InternedPolygon {
     std::vector<LocalPoint> vertices;
     std::uint64_t hash = 0;
-    std::uint32_t users = 0;  ///< contents and shapes
+    std::uint32_t users = 0;  ///< contents
     ContentId sole = kEmptyContent;
   };
 
@@ -98,8 +98,11 @@ class Catalogue {
     Facts facts = 0;          ///< as in the content
   };
 
-  static constexpr std::uint32_t kForever = 0xffff'ffff;  ///< users of a content that a shape has
+  /// Users of a content that a shape has. It is never forgotten, so the quick way of an edit need not count its cells.
+  static constexpr std::uint32_t kForever = 0xffff'ffff;
 
+  /// Says which of these polygons is to blame: the first that overlaps one before it.
+  Error overlapAmong(std::span<const PolygonId> polygons) const;
   void acquire(std::uint32_t& users) { unused_ -= users++ == 0; }
   void drop(std::uint32_t& users) { unused_ += --users == 0; }
   void forgetContent(ContentId id);

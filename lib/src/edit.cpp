@@ -1,5 +1,6 @@
 // Edits: each is checked against the cells as they are, then changes them and marks them dirty. Nothing here looks at
 // segments.
+#include "refusal.h"
 #include "world_impl.h"
 
 #include <algorithm>
@@ -11,34 +12,8 @@ using detail::ContentId;
 using detail::InternedContent;
 using detail::PolygonId;
 using detail::PolygonView;
+using detail::refuse;
 using detail::Slot;
-
-namespace {
-
-tl::unexpected<Error> refuse(ErrorCode code) {
-  Error error;
-  error.code = code;
-  return tl::unexpected(error);
-}
-
-tl::unexpected<Error> refuse(ErrorCode code, Cell cell) {
-  auto refusal = refuse(code);
-  refusal.value().cell = cell;
-  return refusal;
-}
-
-tl::unexpected<Error> refuse(Error error, Cell cell) {
-  error.cell = cell;
-  return tl::unexpected(error);
-}
-
-tl::unexpected<Error> refuseHandle(PolygonHandle handle) {
-  auto refusal = refuse(ErrorCode::staleHandle);
-  refusal.value().other = handle;
-  return refusal;
-}
-
-}  // namespace
 
 /// Makes `entries_`, whose content this is, the polygons of a cell.
 void World::Impl::apply(CellAt at, ContentId after, std::uint32_t lastSerial) {
@@ -72,7 +47,7 @@ Expected<ContentId> World::Impl::internEntries() {
 
 void World::Impl::readEntries(CellAt at) {
   entries_.clear();
-  const InternedContent& content = catalogue.content(grid.content(at));
+  const InternedContent& content = contentOf(at);
   for (std::size_t slot = 0; slot < content.polygons.size(); ++slot)
     entries_.push_back({content.polygons[slot], grid.placed(at, static_cast<Slot>(slot)), true});
 }
@@ -90,29 +65,30 @@ void World::Impl::addEntries(std::span<const PolygonId> added, Block block, std:
 /// serials, in the order given.
 Expected<ContentId> World::Impl::withAdded(CellAt at, std::span<const PolygonId> added, Block block) {
   const std::uint32_t lastSerial = grid.lastSerial(at);
-  if (added.size() > detail::kMaxSerial - lastSerial) return refuse(ErrorCode::capacity);
+  if (added.size() > detail::kMaxSerial - lastSerial) return refuse({.code = ErrorCode::capacity});
   readEntries(at);
   addEntries(added, block, lastSerial);
   auto content = internEntries();
-  if (!content && content.error().code == ErrorCode::overlap) return describeOverlap(at, added, content.error());
+  if (!content && content.error().code == ErrorCode::overlap) return refuse(overlapWith(at, added));
   return content;
 }
 
 /// Which of these polygons overlaps which one of the cell: of all such pairs the first added one and the oldest there.
 /// That depends on what is placed only, not on how it is stored.
-tl::unexpected<Error> World::Impl::describeOverlap(CellAt at, std::span<const PolygonId> added, Error error) {
+Error World::Impl::overlapWith(CellAt at, std::span<const PolygonId> added) {
   readEntries(at);
   std::sort(entries_.begin(), entries_.end(),
             [](const Entry& a, const Entry& b) { return a.placed.serial < b.placed.serial; });
+  Error error{.code = ErrorCode::overlap};
   for (std::size_t k = 0; k < added.size(); ++k) {
     for (const Entry& old : entries_) {
       if (!catalogue.meet(old.polygon, added[k])) continue;
       error.polygon = static_cast<std::int32_t>(k);
       error.other = {at.chunk->ref(at.local), old.placed.serial};
-      return tl::unexpected(error);
+      return error;
     }
   }
-  return tl::unexpected(error);
+  return error;
 }
 
 Expected<ShapeId> World::Impl::shape(std::span<const PolygonView> polygons) {
@@ -123,7 +99,7 @@ Expected<ShapeId> World::Impl::shape(std::span<const PolygonView> polygons) {
     if (!id) {
       Error error = id.error();
       error.polygon = static_cast<std::int32_t>(k);
-      return tl::unexpected(error);
+      return refuse(error);
     }
     interned.push_back(*id);
   }
@@ -131,11 +107,11 @@ Expected<ShapeId> World::Impl::shape(std::span<const PolygonView> polygons) {
 }
 
 Expected<PolygonHandle> World::Impl::add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
-  if (!inRange(cell)) return refuse(ErrorCode::cellOutOfRange, cell);
+  if (!inRange(cell)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = cell});
   const detail::InternedShape* interned = catalogue.shape(shape);
-  if (!interned) return refuse(ErrorCode::unknownShape, cell);
+  if (!interned) return refuse({.code = ErrorCode::unknownShape, .cell = cell});
   const CellAt at = grid.obtain(cell);
-  if (!at) return refuse(ErrorCode::capacity, cell);
+  if (!at) return refuse({.code = ErrorCode::capacity, .cell = cell});
   if (interned->polygons.size() == 1) {
     if (const PolygonHandle handle = placeSole(at, interned->content, block)) {
       if (!handles.empty()) handles[0] = handle;
@@ -148,12 +124,12 @@ Expected<PolygonHandle> World::Impl::add(Cell cell, ShapeId shape, Block block, 
 Expected<PolygonHandle> World::Impl::add(Cell cell, ShapeId shape, Block block) { return add(cell, shape, block, {}); }
 
 Expected<PolygonHandle> World::Impl::add(Cell cell, PolygonView polygon, Block block) {
-  if (!inRange(cell)) return refuse(ErrorCode::cellOutOfRange, cell);
+  if (!inRange(cell)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = cell});
   catalogue.collect();
   const auto id = catalogue.internPolygon(polygon);
   if (!id) return refuse(id.error(), cell);
   const CellAt at = grid.obtain(cell);
-  if (!at) return refuse(ErrorCode::capacity, cell);
+  if (!at) return refuse({.code = ErrorCode::capacity, .cell = cell});
   if (grid.content(at) == detail::kEmptyContent) {
     const auto content = catalogue.internSole(*id);
     if (!content) return refuse(content.error(), cell);
@@ -186,7 +162,7 @@ Expected<PolygonHandle> World::Impl::place(CellAt at, Cell cell, std::span<const
 std::optional<Slot> World::Impl::slotOf(PolygonHandle handle) const {
   const CellAt at = grid.find(handle.cellRef);
   if (!at) return std::nullopt;
-  const std::size_t count = catalogue.content(grid.content(at)).polygons.size();
+  const std::size_t count = contentOf(at).polygons.size();
   for (Slot slot = 0; slot < count; ++slot)
     if (grid.placed(at, slot).serial == handle.serial) return slot;
   return std::nullopt;
@@ -194,14 +170,14 @@ std::optional<Slot> World::Impl::slotOf(PolygonHandle handle) const {
 
 Expected<void> World::Impl::remove(PolygonHandle polygon) {
   const CellAt at = grid.find(polygon.cellRef);
-  if (!at) return refuseHandle(polygon);
+  if (!at) return refuse({.code = ErrorCode::staleHandle, .other = polygon});
   if (const ContentId content = grid.removeSole(at, polygon.serial); content != detail::kEmptyContent) {
     catalogue.release(content);
     touch(at, detail::kEmptyContent);
     return {};
   }
   const auto slot = slotOf(polygon);
-  if (!slot) return refuseHandle(polygon);
+  if (!slot) return refuse({.code = ErrorCode::staleHandle, .other = polygon});
   readEntries(at);
   entries_.erase(entries_.begin() + *slot);
   ContentId after = detail::kEmptyContent;
@@ -217,15 +193,15 @@ Expected<void> World::Impl::remove(PolygonHandle polygon) {
 Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, Block block) {
   if (lgs::isEmpty(cells)) return 0;
   for (const Cell corner : {cells.min, cells.max})
-    if (!inRange(corner)) return refuse(ErrorCode::cellOutOfRange, corner);
+    if (!inRange(corner)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = corner});
   const detail::InternedShape* interned = catalogue.shape(shape);
-  if (!interned) return refuse(ErrorCode::unknownShape, cells.min);
+  if (!interned) return refuse({.code = ErrorCode::unknownShape, .cell = cells.min});
   const detail::ChunkRect reach(cells);
   if (reach.count() > kMaxChunks - grid.chunks().size()) {  // a look at all chunks only where it is tight
     const auto isThere = [&](const auto& chunk) { return reach.contains(*chunk); };
     const auto there = std::count_if(grid.chunks().begin(), grid.chunks().end(), isThere);
     if (reach.count() - static_cast<std::uint64_t>(there) > kMaxChunks - grid.chunks().size())
-      return refuse(ErrorCode::capacity, cells.min);
+      return refuse({.code = ErrorCode::capacity, .cell = cells.min});
   }
 
   // First every cell is asked, so that a refusal finds nothing changed; what is worked out stays interned. All empty
@@ -241,7 +217,7 @@ Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, 
     const auto after = withAdded(at, interned->polygons, block);
     if (!after) refusal = refuse(after.error(), cell).value();
   });
-  if (refusal) return tl::unexpected(*refusal);
+  if (refusal) return refuse(*refusal);
 
   std::uint64_t count = 0;
   for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
@@ -267,10 +243,10 @@ Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, 
 Expected<std::uint64_t> World::Impl::clear(const CellRect& cells) {
   if (lgs::isEmpty(cells)) return 0;
   for (const Cell corner : {cells.min, cells.max})
-    if (!inRange(corner)) return refuse(ErrorCode::cellOutOfRange, corner);
+    if (!inRange(corner)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = corner});
   std::uint64_t count = 0;
   grid.forEachCell(cells, [&](CellAt at, Cell) {
-    const std::size_t polygons = catalogue.content(grid.content(at)).polygons.size();
+    const std::size_t polygons = contentOf(at).polygons.size();
     if (polygons == 0) return;
     entries_.clear();
     apply(at, detail::kEmptyContent, grid.lastSerial(at));

@@ -217,7 +217,7 @@ class Grid {
   // --- The polygons of a cell
 
   ContentId content(CellAt cell) const { return state(cell) >> kSerialBits; }
-  static ContentId contentOf(const CellRecord* r) { return r->state >> kSerialBits; }
+  static ContentId content(const CellRecord& r) { return r.state >> kSerialBits; }
   /// The polygon in a slot of the cell's content.
   Placed placed(CellAt cell, Slot slot) const {
     const CellRecord* r = record(cell);

@@ -102,7 +102,7 @@ inline void Linking::setSuccessor(std::uint32_t id, std::uint32_t now) {
 }
 
 void Linking::linkInterior(CellAt at) {
-  const InternedContent& content = contentOf(at);
+  const InternedContent& content = world_.contentOf(at);
   if ((content.facts & kLinkedInside) == 0) return;
   const std::span<const std::uint32_t> ids = grid_.record(at)->ids(kInterior);
   const auto idOf = [&](std::uint32_t k) { return k == InteriorSegment::kNone ? kNoSegment : ids[k]; };
@@ -135,7 +135,7 @@ inline void Linking::addQuadrant(Fan& fan, const CellRecord& r) const {
   const auto first = [&](unsigned side) -> unsigned { return r.end[partOf(side) - 1]; };
   const auto last = [&](unsigned side) { return r.end[partOf(side)] - 1u; };
   const auto idIf = [ids](unsigned present, unsigned index) { return ids[index & (0u - present)]; };
-  const Content& content = world_.catalogue.content(Grid::contentOf(&r));
+  const Content& content = world_.catalogue.content(Grid::content(r));
   fan.add(idIf(leaves, runsForward(leaving) ? first(leaving) : last(leaving)), q * kStretch, 1, leaves);
   fan.addInterior(content, content.corners[q], ids, q);
   fan.add(idIf(arrives, runsForward(arriving) ? last(arriving) : first(arriving)), (q + 1) % 4 * kStretch, 0, arrives);
@@ -181,7 +181,10 @@ void Linking::linkSides(CellAt at) {
 class Linking::SideWalk {
  public:
   SideWalk(const Linking& linking, CellAt at, unsigned side)
-      : pool_(linking.pool_), content_(linking.contentOf(at)), side_(side), points_(content_.sides[side].points) {
+      : pool_(linking.pool_),
+        content_(linking.world_.contentOf(at)),
+        side_(side),
+        points_(content_.sides[side].points) {
     const CellRecord* r = at ? linking.grid_.record(at) : nullptr;
     if (!r) return;
     interior_ = r->ids();

@@ -17,9 +17,6 @@ class Linking {
   class Fan;
   class SideWalk;
 
-  const InternedContent& contentOf(CellAt at) const {
-    return world_.catalogue.content(at ? grid_.content(at) : kEmptyContent);
-  }
   void linkCell(CellAt at);
   void linkInterior(CellAt at);
   template <unsigned q>

@@ -38,7 +38,7 @@ void World::Impl::polygons(Cell cell, std::vector<PlacedPolygon>& out) const {
   out.clear();
   const CellAt at = grid.find(cell);
   if (!at) return;
-  const InternedContent& content = catalogue.content(grid.content(at));
+  const InternedContent& content = contentOf(at);
   for (std::size_t slot = 0; slot < content.polygons.size(); ++slot) {
     const Placed placed = grid.placed(at, static_cast<Slot>(slot));
     out.push_back({{at.chunk->ref(at.local), placed.serial}, placed.block, catalogue.vertices(content.polygons[slot])});
@@ -51,7 +51,7 @@ std::optional<PlacedPolygon> World::Impl::polygon(PolygonHandle handle) const {
   if (!slot) return std::nullopt;
   const CellAt at = grid.find(handle.cellRef);
   assert(at);
-  const InternedContent& content = catalogue.content(grid.content(at));
+  const InternedContent& content = contentOf(at);
   return PlacedPolygon{handle, grid.placed(at, *slot).block, catalogue.vertices(content.polygons[*slot])};
 }
 
@@ -143,7 +143,7 @@ Stats World::Impl::stats() const {
   for (const auto& chunk : grid.chunks()) {
     for (std::uint32_t local = 0; local < detail::kChunkCells; ++local) {
       const CellAt at{chunk.get(), local};
-      const std::size_t polygons = catalogue.content(grid.content(at)).polygons.size();
+      const std::size_t polygons = contentOf(at).polygons.size();
       stats.polygons += polygons;
       stats.cells += polygons > 0;
       stats.segments += grid.segments(at).size();

@@ -1,9 +1,13 @@
 // The public face of a World: forwards to its parts, and turns foreign coordinates into lattice points.
+#include "refusal.h"
 #include "world_impl.h"
 
 #include <cmath>
 
 namespace lgs {
+
+using detail::refuse;
+
 namespace {
 
 std::int32_t roundToLattice(double cells) {
@@ -14,26 +18,18 @@ std::int32_t roundToLattice(double cells) {
   return static_cast<std::int32_t>(units);
 }
 
-tl::unexpected<Error> refuse(ErrorCode code, Cell cell, std::int32_t vertex) {
-  Error error;
-  error.code = code;
-  error.cell = cell;
-  error.polygon = 0;
-  error.vertex = vertex;
-  return tl::unexpected(error);
-}
-
 /// Finds what must be found before rounding; the rest of ErrorCode, before and after in order, is left to the engine.
 template <class Real>
 Expected<PolygonHandle> addReal(World::Impl& world, Cell cell, std::span<const RealPoint<Real>> polygon, Block block,
                                 std::vector<LocalPoint>& rounded) {
   rounded.clear();
   const bool isCounted = inRange(cell) && polygon.size() >= 3;
-  if (isCounted && polygon.size() > kMaxVerticesPerCell) return refuse(ErrorCode::capacity, cell, -1);
+  if (isCounted && polygon.size() > kMaxVerticesPerCell)
+    return refuse({.code = ErrorCode::capacity, .cell = cell, .polygon = 0});
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const auto [x, y] = polygon[k];
     if (isCounted && !(std::isfinite(x) && std::isfinite(y)))
-      return refuse(ErrorCode::notFinite, cell, static_cast<std::int32_t>(k));
+      return refuse({.code = ErrorCode::notFinite, .cell = cell, .polygon = 0, .vertex = static_cast<std::int32_t>(k)});
     rounded.push_back({roundToLattice(x), roundToLattice(y)});
   }
   return world.add(cell, rounded, block);
@@ -109,10 +105,7 @@ Expected<RayHit> World::rayCast(Point from, Point to) const { return impl_->rayC
 
 Expected<PlacedPolygon> World::polygon(PolygonHandle handle) const {
   if (const auto found = impl_->polygon(handle)) return *found;
-  Error error;
-  error.code = ErrorCode::staleHandle;
-  error.other = handle;
-  return tl::unexpected(error);
+  return refuse({.code = ErrorCode::staleHandle, .other = handle});
 }
 
 Expected<Cell> World::cellOf(PolygonHandle handle) const {
@@ -121,10 +114,7 @@ Expected<Cell> World::cellOf(PolygonHandle handle) const {
 
 Expected<Segment> World::segment(SegmentId id) const {
   if (impl_->segments.isLive(id.value)) return impl_->segment(id.value);
-  Error error;
-  error.code = ErrorCode::unknownSegment;
-  error.segment = id;
-  return tl::unexpected(error);
+  return refuse({.code = ErrorCode::unknownSegment, .segment = id});
 }
 
 std::vector<SegmentId> World::segments() const { return impl_->liveSegments(); }

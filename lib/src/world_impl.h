@@ -49,6 +49,10 @@ struct World::Impl {
   Expected<Nearest> nearest(Point p, double radius) const;
   Expected<RayHit> rayCast(Point from, Point to) const;
 
+  /// That of no polygons where there is no chunk.
+  const detail::InternedContent& contentOf(detail::CellAt at) const {
+    return catalogue.content(at ? grid.content(at) : detail::kEmptyContent);
+  }
   std::optional<detail::Slot> slotOf(PolygonHandle handle) const;
   bool keeps(Block a, Block b) const { return preserve && (a < b ? preserve(a, b) : preserve(b, a)); }
   Point startOf(std::uint32_t id) const { return toWorld(grid.cellOf(segments[id].cellRef), segments[id].start()); }
@@ -84,7 +88,7 @@ struct World::Impl {
   Expected<PolygonHandle> place(detail::CellAt at, Cell cell, std::span<const detail::PolygonId> polygons, Block block,
                                 std::span<PolygonHandle> handles);
   void apply(detail::CellAt at, detail::ContentId after, std::uint32_t lastSerial);
-  tl::unexpected<Error> describeOverlap(detail::CellAt at, std::span<const detail::PolygonId> added, Error error);
+  Error overlapWith(detail::CellAt at, std::span<const detail::PolygonId> added);
   void touch(detail::CellAt at, detail::ContentId content);
   void mark(detail::CellAt at, detail::Facts facts);
 
@@ -119,7 +123,7 @@ inline void World::Impl::mark(detail::CellAt at, detail::Facts facts) {
 /// The usual case of add(), ahead of all else and without a call: one polygon into an empty cell, in a dirty chunk that
 /// the last edit found too. Null, and nothing done, if it is not that case.
 inline PolygonHandle World::Impl::addQuickly(Cell cell, ShapeId shape, Block block) {
-  const detail::SoleContent sole = catalogue.soleContent(shape);
+  const detail::SoleContent& sole = catalogue.soleContent(shape);
   const detail::CellAt at = grid.findQuickly(cell);
   if (sole.id == detail::kEmptyContent || !at || at.chunk->dirtyRows == 0) return {};
   const std::uint32_t serial = detail::Grid::placeQuickly(at, sole.id, block);
