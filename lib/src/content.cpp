@@ -1,6 +1,6 @@
 #include "content.h"
 
-#include "predicates.h"
+#include "geometry/ring.h"
 
 #include <algorithm>
 #include <tuple>
@@ -31,11 +31,7 @@ std::vector<AtomicEdge> atomicEdges(std::span<const PolygonView> polygons, std::
   for (std::size_t slot = 0; slot < polygons.size(); ++slot) {
     const PolygonView polygon = polygons[slot];
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const LocalPoint a = polygon[i], b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-      cuts.assign({a, b});
-      std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(cuts),
-                   [&](LocalPoint v) { return isInside(v, a, b); });
-      std::sort(cuts.begin(), cuts.end(), [&](auto u, auto v) { return dot(u - a, b - a) < dot(v - a, b - a); });
+      cutEdge(polygon[i], nextVertex(polygon, i), vertices, cuts);
       for (std::size_t k = 1; k < cuts.size(); ++k) edges.push_back({cuts[k - 1], cuts[k], static_cast<Slot>(slot)});
     }
   }

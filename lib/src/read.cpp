@@ -1,5 +1,5 @@
 // Reading a world. Nothing here changes it.
-#include "predicates.h"
+#include "geometry/predicates.h"
 #include "world_impl.h"
 
 #include <algorithm>
@@ -10,13 +10,12 @@ namespace lgs {
 
 using detail::CellAt;
 using detail::InternedContent;
+using detail::operator-;
 using detail::Placed;
 using detail::SegmentRecord;
 using detail::Slot;
 
 namespace {
-
-detail::Vector operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
 
 /// Where to start a cyclic sequence so that it is lexicographically least.
 std::size_t leastRotation(const std::vector<Point>& cycle) {

@@ -1,5 +1,6 @@
 #include "oracle/trace/mirror.h"
 
+#include "oracle/reference/vector.h"
 #include "oracle/reference/words.h"
 
 #include <fmt/format.h>
@@ -32,13 +33,8 @@ bool inCell(const Point& p, Cell cell) {
 }
 
 // Whether a→b lies on u→v, in its direction. All in one cell, so nothing overflows.
-bool liesOn(const Point& a, const Point& b, const Point& u, const Point& v) {
-  const auto dot = [](Point p, Point q) { return p.x * q.x + p.y * q.y; };
-  const auto cross = [](Point p, Point q) { return p.x * q.y - p.y * q.x; };
-  const auto from = [&](Point p) { return Point{p.x - u.x, p.y - u.y}; };
-  const Point edge = from(v);
-  return cross(edge, from(a)) == 0 && cross(edge, from(b)) == 0 && 0 <= dot(edge, from(a)) &&
-         dot(edge, from(a)) < dot(edge, from(b)) && dot(edge, from(b)) <= dot(edge, edge);
+bool liesOn(Point a, Point b, Point u, Point v) {
+  return isOnSegment(a, u, v) && isOnSegment(b, u, v) && dot(v - u, b - a) > 0;
 }
 
 std::optional<std::string> checkOwner(const World& world, const Segment& s) {

@@ -32,7 +32,7 @@ TEST(TiledGeometry, SimpleRings) {
 bool isTidy(const Polygon& loop) {
   const std::size_t n = loop.size();
   for (std::size_t i = 0; i < n; ++i) {
-    if (cross(loop[i], loop[(i + 1) % n], loop[(i + 2) % n]) == 0) return false;
+    if (orientation(loop[i], loop[(i + 1) % n], loop[(i + 2) % n]) == 0) return false;
   }
   return n >= 3 && std::set<Point>(loop.begin(), loop.end()).size() == n;
 }
@@ -42,8 +42,8 @@ int winding(const Polygon& ring, Point at) {
   int turns = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-    if (a.y <= at.y && b.y > at.y && cross(a, b, at) > 0) ++turns;
-    if (a.y > at.y && b.y <= at.y && cross(a, b, at) < 0) --turns;
+    if (a.y <= at.y && b.y > at.y && orientation(a, b, at) > 0) ++turns;
+    if (a.y > at.y && b.y <= at.y && orientation(a, b, at) < 0) --turns;
   }
   return turns;
 }
@@ -101,12 +101,12 @@ TEST(TiledGeometry, HalvesAreWhatLiesLeftAndRight) {
       for (const Polygon& piece : halves.left) {
         left += doubleArea(piece);
         ASSERT_TRUE(isSimpleByRule(piece) && doubleArea(piece) > 0);
-        ASSERT_TRUE(std::all_of(piece.begin(), piece.end(), [&](Point p) { return cross(from, to, p) >= 0; }));
+        ASSERT_TRUE(std::all_of(piece.begin(), piece.end(), [&](Point p) { return orientation(from, to, p) >= 0; }));
       }
       for (const Polygon& piece : halves.right) {
         right += doubleArea(piece);
         ASSERT_TRUE(isSimpleByRule(piece) && doubleArea(piece) > 0);
-        ASSERT_TRUE(std::all_of(piece.begin(), piece.end(), [&](Point p) { return cross(from, to, p) <= 0; }));
+        ASSERT_TRUE(std::all_of(piece.begin(), piece.end(), [&](Point p) { return orientation(from, to, p) <= 0; }));
       }
       ASSERT_NEAR(static_cast<double>(left), 2 * areaOf(leftOf(realRing(ring), from, to)), 10);
       ASSERT_EQ(left + right, doubleArea(ring));

@@ -1,7 +1,7 @@
 // All polygons of a tiny lattice, and slow rules for them that can be seen to be right.
 #pragma once
 
-#include "lib/tiled/src/geometry.h"
+#include "lib/tiled/src/subtract.h"
 
 #include <gtest/gtest.h>
 
@@ -120,7 +120,7 @@ inline double commonArea(const Polygon& a, const Polygon& b) {
   double sum = 0;
   for (std::size_t i = 1; i + 1 < b.size(); ++i) {
     Point u = b[i], v = b[i + 1];
-    const std::int64_t turn = cross(b[0], u, v);
+    const int turn = orientation(b[0], u, v);
     if (turn == 0) continue;
     if (turn < 0) std::swap(u, v);
     const double area = areaOf(leftOf(leftOf(leftOf(realRing(a), b[0], u), u, v), v, b[0]));

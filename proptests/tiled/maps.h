@@ -1,6 +1,8 @@
 // Small Tiled maps written in the tests, and what every imported map must be: acceptable to World, polygon by polygon.
 #pragma once
 
+#include "oracle/reference/validity.h"
+
 #include <lgs/tiled/import.h>
 #include <lgs/world.h>
 
@@ -41,12 +43,16 @@ inline tl::expected<ImportedMap, ImportError> importFiles(Files files, const Opt
   });
 }
 
-/// Places everything in a world; that is what the importer promises to be possible.
+/// Places everything in a world; that is what the importer promises to be possible. World decides what overlaps by the
+/// code that the importer uses, so the reference is asked, too.
 inline World worldOf(const ImportedMap& map) {
   World world;
-  for (const Placement& p : map.placements) {
-    const auto added = world.add(p.cell, map.shapes[p.shape], p.block);
+  for (auto p = map.placements.begin(); p != map.placements.end(); ++p) {
+    const auto added = world.add(p->cell, map.shapes[p->shape], p->block);
     EXPECT_TRUE(added) << message(added.error());
+    for (auto q = map.placements.begin(); q != p; ++q) {
+      EXPECT_FALSE(q->cell == p->cell && oracle::overlap(map.shapes[q->shape], map.shapes[p->shape]));
+    }
   }
   world.commit();
   EXPECT_EQ(map.report.polygons, map.placements.size());

@@ -1,19 +1,13 @@
 // Rules 1 and 2 of edges.h: from segments to strips to edges.
+#include "geometry/predicates.h"
+
 #include <lgs/box2d/edges.h>
 
 #include <algorithm>
 
 namespace lgs::box2d {
 
-namespace {
-
-bool isShorter(Point from, Point to, std::int64_t length) {
-  const std::int64_t x = to.x - from.x;
-  const std::int64_t y = to.y - from.y;
-  return x * x + y * y < length * length;
-}
-
-}  // namespace
+using detail::operator-;
 
 std::optional<Segment> EdgeSet::before(const Segment& s) const {
   if (!s.predecessor) return {};
@@ -28,9 +22,7 @@ std::optional<Segment> EdgeSet::after(const Segment& s) const {
 }
 
 bool EdgeSet::straight(const Segment& a, const Segment& b) const {
-  const Point u{a.end.x - a.start.x, a.end.y - a.start.y};
-  const Point v{b.end.x - b.start.x, b.end.y - b.start.y};
-  if (u.x * v.y != u.y * v.x || u.x * v.x + u.y * v.y < 0) return false;
+  if (!detail::sameDirection(a.end - a.start, b.end - b.start)) return false;
   const Frame frame{1, {}, options_.chunkCells};
   if (frame.chunkOf(a.cell) != frame.chunkOf(b.cell)) return false;
   return a.block == b.block || !options_.material || options_.material(a.block) == options_.material(b.block);
@@ -54,7 +46,10 @@ Segment EdgeSet::stripEnd(Segment s) const {
   return s;
 }
 
-bool EdgeSet::isShort(Point from, Point to) const { return isShorter(from, to, options_.shortest); }
+bool EdgeSet::isShort(Point from, Point to) const {
+  const detail::Vector v = to - from;
+  return dot(v, v) < options_.shortest * options_.shortest;
+}
 
 // Works out the edges of the group that a segment is in: one strip that is long enough, or all short ones in a row.
 void EdgeSet::renew(SegmentId id) {

@@ -1,5 +1,7 @@
 #include "grid.h"
 
+#include "split.h"
+
 #include <lgs/tiled/import.h>
 
 #include <algorithm>
@@ -33,7 +35,7 @@ void slice(const Polygon& ring, bool upright, Sink&& sink) {
   while (!rest.empty()) {
     const Polygon part = std::move(rest.back());
     rest.pop_back();
-    const Box box = boxOf(part);
+    const Box box = boundingBox(part);
     const std::int64_t first = cellOf(upright ? box.min.x : box.min.y);
     const std::int64_t end = (first + 1) * kUnitsPerCell;
     // The line's left is the lower side.

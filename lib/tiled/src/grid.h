@@ -1,7 +1,7 @@
 // The step from pixels to the lattice: snapping to the grid, rounding, and cutting along the grid.
 #pragma once
 
-#include "geometry.h"
+#include "polygon.h"
 
 namespace lgs::tiled {
 

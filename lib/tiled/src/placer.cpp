@@ -1,5 +1,7 @@
 #include "placer.h"
 
+#include "subtract.h"
+
 #include <lgs/world.h>
 
 #include <algorithm>

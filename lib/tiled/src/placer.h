@@ -2,7 +2,7 @@
 // however large the map, polygons are compared only once for each combination that occurs.
 #pragma once
 
-#include "geometry.h"
+#include "polygon.h"
 
 #include <lgs/tiled/import.h>
 

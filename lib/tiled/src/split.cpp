@@ -1,7 +1,7 @@
 // Cutting a simple polygon along a line. On each side the polygon's outline falls into arcs that begin and end on the
 // line. Just beside the line, going along it, the arcs' ends alternate between entering and leaving the interior; each
 // pair is joined by a stretch of the line, which closes the arcs to the pieces. No degenerate bridges appear.
-#include "geometry.h"
+#include "split.h"
 
 #include <algorithm>
 #include <optional>
@@ -29,7 +29,7 @@ class Cutter {
  public:
   Cutter(const Polygon& ring, const Line& line, Obstacles obstacles) : line_(line), obstacles_(obstacles) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Node u = vertex(ring[i]), v = vertex(ring[(i + 1) % ring.size()]);
+      const Node u = vertex(ring[i]), v = vertex(nextVertex(ring, i));
       nodes_.push_back(u);
       if (u.side * v.side < 0) nodes_.push_back(u.point < v.point ? crossing(u, v) : crossing(v, u));
     }
@@ -59,9 +59,9 @@ class Cutter {
   };
 
   Node vertex(Point p) const {
-    const Point d = line_.direction;
-    const std::int64_t distance = cross({0, 0}, d, {p.x - line_.at.x, p.y - line_.at.y});
-    return {p, (distance > 0) - (distance < 0), distance, Wide{d.x} * p.x + Wide{d.y} * p.y, 1};
+    const Vector d = line_.direction;
+    const std::int64_t distance = cross(d, p - line_.at);
+    return {p, sign(distance), distance, dot(d, p - Point{}), 1};
   }
 
   Node crossing(const Node& u, const Node& v) const;
@@ -77,7 +77,7 @@ class Cutter {
 
 /// How welcome a lattice point is as a new vertex; less is better.
 int Cutter::price(Point p) const {
-  const auto hits = [&](const Polygon& ring) { return strictlyInside(p, ring); };
+  const auto hits = [&](const Polygon& ring) { return isStrictlyInside(p, ring); };
   return 2 * std::any_of(obstacles_.begin(), obstacles_.end(), hits) + (vertex(p).side > 0);
 }
 

@@ -1,7 +1,10 @@
 // Taking one polygon out of another: the first is cut along the second's edges until each part is inside or apart.
-#include "geometry.h"
+#include "subtract.h"
+
+#include "rounding.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace lgs::tiled {
@@ -32,9 +35,9 @@ class Subtraction {
         break;
     }
     for (; edge < b_.size(); ++edge) {
-      const Point from = b_[edge], to = b_[(edge + 1) % b_.size()];
+      const Point from = b_[edge], to = nextVertex(b_, edge);
       if (!nearby(a, from, to)) continue;
-      Halves halves = split(a, {from, {to.x - from.x, to.y - from.y}}, obstacles());
+      Halves halves = split(a, {from, to - from}, obstacles());
       if (halves.left.empty() || halves.right.empty()) continue;
       // Where one half is cut again, on the line that they share, the new vertex must not push it into the other.
       const std::size_t before = waiting_.size();
@@ -73,9 +76,7 @@ class Subtraction {
 
   /// Whether the edge can run through the inside of a, judged by their boxes: others need not cut it.
   static bool nearby(const Polygon& a, Point from, Point to) {
-    const Box box = boxOf(a);
-    return std::min(from.x, to.x) < box.max.x && std::max(from.x, to.x) > box.min.x &&
-           std::min(from.y, to.y) < box.max.y && std::max(from.y, to.y) > box.min.y;
+    return interiorsMeet(boundingBox(std::array{from, to}), boundingBox(a));
   }
 
   const Polygon& b_;

@@ -10,7 +10,7 @@ namespace {
 
 /// How far a ring reaches out of its home cell, in pixels.
 double reach(const Polygon& ring, const PixelGrid& grid) {
-  const Box box = boxOf(ring);
+  const Box box = boundingBox(ring);
   const auto out = [](std::int64_t min, std::int64_t max, double tile) {
     const std::int64_t units = std::max({std::int64_t{0}, -min, max - kUnitsPerCell});
     return static_cast<double>(units) / kUnitsPerCell * tile;
