@@ -12,7 +12,7 @@ namespace lgs::detail {
 /// either, in increasing order: a 1D sweep over both profiles. `preserve(mySlot, theirSlot)` says whether an overlap is
 /// kept; `emit(begin, end, mySlot)` receives the parts. Cost: linear in the two profiles.
 template <class Preserve, class Emit>
-void exposedParts(const Side& mine, const Side& theirs, Preserve&& preserve, Emit&& emit) {
+void exposedIntervals(const Side& mine, const Side& theirs, Preserve&& preserve, Emit&& emit) {
   auto cut = theirs.points.begin();
   auto facing = theirs.covered.begin();
   for (const Interval& interval : mine.covered) {

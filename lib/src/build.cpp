@@ -6,8 +6,9 @@
 // they hold. Linking writes across the rim of a chunk, so chunks that touch are never linked at the same time.
 #include "build.h"
 
-#include "exposed_edges.h"
 #include "linking.h"
+#include "look.h"
+#include "wide_row.h"
 
 #include <array>
 #include <memory>
@@ -35,7 +36,6 @@ class Build {
  public:
   Build(World::Impl& world, const Executor& executor)
       : world_(world),
-        exposed_(world),
         executor_(executor),
         cells_(std::make_unique_for_overwrite<LiveCell[]>(world.dirtyChunks.size() * kChunkCells)) {
     plans_.reserve(world.dirtyChunks.size());
@@ -51,16 +51,6 @@ class Build {
   }
 
  private:
-  /// A cell with all that decides what it shows.
-  struct Look {
-    CellAt at;
-    const InternedContent& content;
-    ExposedEdges::Facing facing;
-    bool isSimple() const { return facing.isSimple && content.polygons.size() == 1; }
-    unsigned sides() const { return at.chunk->facts[at.local] & facing.free; }
-  };
-  Look lookAt(CellAt at) const { return {at, exposed_.contentOf(at), exposed_.facing(at)}; }
-
   void count(ChunkPlan& plan) const {
     const Chunk& chunk = *plan.chunk;
     LiveCell* last = plan.cells.data();
@@ -71,7 +61,7 @@ class Build {
       if (!world_.preserve) showing &= showingRow(chunk, y);
       forEachColumn(showing, [&](std::int32_t x) {
         const CellAt at = cellAt(chunk, x, y);
-        const std::uint32_t segments = count(lookAt(at));
+        const std::uint32_t segments = Look(world_, at).count();
         if (segments == 0) return;
         *last++ = {static_cast<std::uint16_t>(at.local), static_cast<std::uint16_t>(segments)};
         sum += segments;
@@ -79,14 +69,6 @@ class Build {
     }
     plan.segments = sum;
     plan.cells = {plan.cells.data(), last};
-  }
-
-  std::uint32_t count(const Look& cell) const {
-    if (cell.isSimple()) return countSimple(cell.content, cell.sides());
-    std::uint32_t segments = 0;
-    for (unsigned part = 0; part < kParts; ++part)
-      exposed_.forEach(cell.at, cell.content, cell.facing, part, [&](auto&&...) { ++segments; });
-    return segments;
   }
 
   /// Gives out records and ids, in the order of the chunks.
@@ -102,31 +84,13 @@ class Build {
 
   void create(const ChunkPlan& plan) const {
     const SegmentId* next = world_.changes.added.data() + plan.first;
-    for (const LiveCell cell : plan.cells) create(lookAt({plan.chunk, cell.local}), next);
-  }
-
-  void create(const Look& cell, const SegmentId*& next) const {
-    CellRecord& r = world_.grid.liveRecord(cell.at);
-    const std::uint32_t ref = cell.at.chunk->ref(cell.at.local);
-    const auto createNext = [&](const PackedEnds& ends, Placed placed) {
-      const std::uint32_t id = next++->value;
-      world_.segments[id] = newSegment(ref, ends, placed);
-      return id;
-    };
-    if (cell.isSimple()) {
-      const Placed placed = world_.grid.placed(cell.at, 0);
-      fillSimple(r, cell.content, cell.sides(), [&](const PackedEnds& ends) { return createNext(ends, placed); });
-      return;
-    }
-    std::uint32_t* id = r.ids();
-    r.touching = 0;
-    for (unsigned part = 0; part < kParts; ++part) {
-      exposed_.forEach(cell.at, cell.content, cell.facing, part,
-                       [&](const PackedEnds& ends, Slot slot, std::uint8_t touching) {
-                         *id++ = createNext(ends, world_.grid.placed(cell.at, slot));
-                         r.touching |= touching;
-                       });
-      r.end[part] = static_cast<std::uint16_t>(id - r.ids());
+    for (const LiveCell cell : plan.cells) {
+      const CellAt at{plan.chunk, cell.local};
+      Look(world_, at).fill(world_.grid.liveRecord(at), [&](const PackedEnds& ends, Placed placed) {
+        const std::uint32_t id = next++->value;
+        world_.segments[id] = newSegment(at.chunk->ref(at.local), ends, placed);
+        return id;
+      });
     }
   }
 
@@ -146,7 +110,6 @@ class Build {
   }
 
   World::Impl& world_;
-  ExposedEdges exposed_;
   const Executor& executor_;
   std::unique_ptr<LiveCell[]> cells_;  ///< room for all cells of each chunk; what stays empty costs no memory
   std::vector<ChunkPlan> plans_;       ///< of the dirty chunks, in the order in which edits touched them

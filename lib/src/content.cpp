@@ -62,14 +62,6 @@ void fillSides(Content& content, std::span<const AtomicEdge> edges, std::span<co
     for (const LocalPoint v : vertices)
       if (isOnSide(s, v) && along(s, v) > 0 && along(s, v) < kUnitsPerCell) side.points.push_back({along(s, v), {}});
     // `vertices` is sorted by x, then y, so the points of each side are in increasing order already.
-    if (side.covered.empty() && side.points.empty())
-      content.cover[s] = Cover::none;
-    else if (side.covered.size() == 1 && side.points.empty())
-      content.cover[s] = Cover::whole;
-    else
-      content.cover[s] = Cover::mixed;
-    if (content.cover[s] == Cover::whole) content.wholeSlot[s] = side.covered[0].slot;
-    if (content.cover[s] != Cover::none) content.usedSides[content.usedSideCount++] = static_cast<std::uint8_t>(s);
   }
 }
 
@@ -79,9 +71,9 @@ void fillInterior(Content& content, std::span<const AtomicEdge> edges,
   for (const AtomicEdge& edge : edges) {
     if (sideOf(edge) != kSides) continue;
     const AtomicEdge reversed{edge.end, edge.start, 0};
-    const auto facing = std::lower_bound(edges.begin(), edges.end(), reversed);
-    if (facing != edges.end() && facing->start == reversed.start && facing->end == reversed.end) {
-      const std::pair<Slot, Slot> contact = std::minmax(edge.slot, facing->slot);
+    const auto found = std::lower_bound(edges.begin(), edges.end(), reversed);
+    if (found != edges.end() && found->start == reversed.start && found->end == reversed.end) {
+      const std::pair<Slot, Slot> contact = std::minmax(edge.slot, found->slot);
       content.contacts.push_back(contact);
       if (!std::binary_search(preserved.begin(), preserved.end(), contact)) continue;
     }
@@ -142,6 +134,9 @@ void linkInside(Content& content, std::span<const LocalPoint> vertices) {
   }
 }
 
+/// Whether one edge of one polygon runs along it from corner to corner: nothing else is one interval and has no vertex.
+bool isWhole(const Side& side) { return side.covered.size() == 1 && side.points.empty(); }
+
 Facts factsOf(const Content& content) {
   const bool linkedInside = std::any_of(content.interior.begin(), content.interior.end(), [](const InteriorSegment& s) {
     return s.predecessor != InteriorSegment::kRim || s.successor != InteriorSegment::kRim;
@@ -150,7 +145,7 @@ Facts factsOf(const Content& content) {
       std::any_of(content.sides.begin(), content.sides.end(), [](const Side& side) { return !side.points.empty(); });
   unsigned facts =
       (rimPoints ? kRimPoints : 0u) | (content.interior.empty() ? 0u : kInside) | (linkedInside ? kLinkedInside : 0u);
-  for (unsigned s = 0; s < kSides; ++s) facts |= (content.cover[s] == Cover::whole ? 1u : 0u) << s;
+  for (unsigned s = 0; s < kSides; ++s) facts |= (isWhole(content.sides[s]) ? 1u : 0u) << s;
   return static_cast<Facts>(facts);
 }
 

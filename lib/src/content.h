@@ -76,12 +76,6 @@ struct RimPoint {
   SpokeRange spokes;
 };
 
-enum class Cover : std::uint8_t {
-  none,   ///< no polygon touches the open side
-  whole,  ///< one edge of one polygon from corner to corner
-  mixed,  ///< anything else
-};
-
 struct Side {
   std::vector<Interval> covered;  ///< in increasing order, disjoint
   std::vector<RimPoint> points;   ///< in increasing order
@@ -95,18 +89,22 @@ inline constexpr Facts kRimPoints = 0x10;     ///< some vertex is in an open sid
 inline constexpr Facts kInside = 0x20;        ///< there are interior segments
 inline constexpr Facts kLinkedInside = 0x40;  ///< some interior segment has an end inside the cell
 
+/// The sides of a cell that whole sides of the cells across hide: bit s for side s.
+constexpr unsigned hiddenSides(unsigned south, unsigned east, unsigned north, unsigned west) {
+  return (south >> 2 & 1u) | (east >> 2 & 2u) | (north << 2 & 4u) | (west << 2 & 8u);
+}
+
 struct Content {
   Facts facts = 0;
-  std::array<Cover, 4> cover{};
-  std::array<Slot, 4> wholeSlot{};          ///< of a whole side: the polygon that covers it
-  std::array<std::uint8_t, 4> usedSides{};  ///< the sides with cover, in order
-  std::uint8_t usedSideCount = 0;
   std::array<SpokeRange, 4> corners{};
   std::uint32_t widestFan = 0;            ///< the longest of the ranges
   std::vector<InteriorSegment> interior;  ///< sorted by start, then end
   std::vector<Spoke> spokes;              ///< `segment` is an index in `interior`, `direction` a rank at that vertex
   std::array<Side, 4> sides;
   std::vector<std::pair<Slot, Slot>> contacts;  ///< polygons that share an edge inside the cell, smaller slot first
+
+  /// The polygon that covers a whole side.
+  Slot wholeSlot(unsigned side) const { return sides[side].covered.front().slot; }
 };
 
 /// A whole side as an edge of the cell it belongs to.

@@ -49,7 +49,7 @@ void World::Impl::readEntries(CellAt at) {
   entries_.clear();
   const InternedContent& content = contentOf(at);
   for (std::size_t slot = 0; slot < content.polygons.size(); ++slot)
-    entries_.push_back({content.polygons[slot], grid.placed(at, static_cast<Slot>(slot)), true});
+    entries_.push_back({content.polygons[slot], grid.placed(at)[static_cast<Slot>(slot)], true});
 }
 
 void World::Impl::addEntries(std::span<const PolygonId> added, Block block, std::uint32_t lastSerial) {
@@ -164,7 +164,7 @@ std::optional<Slot> World::Impl::slotOf(PolygonHandle handle) const {
   if (!at) return std::nullopt;
   const std::size_t count = contentOf(at).polygons.size();
   for (Slot slot = 0; slot < count; ++slot)
-    if (grid.placed(at, slot).serial == handle.serial) return slot;
+    if (grid.placed(at)[slot].serial == handle.serial) return slot;
   return std::nullopt;
 }
 

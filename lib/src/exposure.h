@@ -1,15 +1,13 @@
 // Phase 1 on the world: brings the segments of the cells near an edit up to date.
 #pragma once
 
-#include "exposed_edges.h"
-#include "wide_row.h"
+#include "look.h"
 
 namespace lgs::detail {
 
 class Exposure {
  public:
-  explicit Exposure(World::Impl& world)
-      : world_(world), grid_(world.grid), pool_(world.segments), exposed_(world), ids_(world.ids) {}
+  explicit Exposure(World::Impl& world) : world_(world), grid_(world.grid), pool_(world.segments), ids_(world.ids) {}
 
   /// Renews the segments of the chunk's dirty cells, and of the cells beside them on the sides that they share. Segments
   /// that stay the same keep their ids.
@@ -18,20 +16,23 @@ class Exposure {
  private:
   class PartUpdate;
 
-  using Facing = ExposedEdges::Facing;
-
   void renewCell(CellAt at);
   void renewAll(CellAt at);
-  void renewSide(CellAt at, unsigned side, unsigned facing);
+  void renewSide(CellAt at, unsigned side, unsigned beyond);
   void removeAll(CellAt at);
-  void createAll(CellAt at, const InternedContent& content, unsigned sides);
-  void update(CellAt at, const InternedContent& content, Facing facing, unsigned parts);
-  std::uint32_t create(std::uint32_t cellRef, const PackedEnds& ends, Placed placed);
+  void update(CellAt at, unsigned parts);
+
+  /// The next segment of the world.
+  std::uint32_t create(std::uint32_t cellRef, const PackedEnds& ends, Placed placed) {
+    const std::uint32_t id = pool_.take();
+    pool_[id] = newSegment(cellRef, ends, placed);
+    world_.changes.added.push_back({id});
+    return id;
+  }
 
   World::Impl& world_;
   Grid& grid_;
   SegmentPool& pool_;
-  ExposedEdges exposed_;
   std::vector<std::uint32_t>& ids_;
 };
 

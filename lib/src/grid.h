@@ -72,6 +72,13 @@ struct Placed {
   Block block = 0;
 };
 
+/// The polygons of a cell by slot. Valid until the cell changes.
+struct PlacedBySlot {
+  const Placed* listed = nullptr;  ///< null where the cell has one polygon at most
+  Placed sole;                     ///< that one
+  Placed operator[](Slot slot) const { return listed ? listed[slot] : sole; }
+};
+
 /// The record of a segment that has no links yet.
 inline SegmentRecord newSegment(std::uint32_t cellRef, const PackedEnds& ends, Placed placed) {
   return {.predecessor = kUnlinked,
@@ -218,11 +225,11 @@ class Grid {
 
   ContentId content(CellAt cell) const { return state(cell) >> kSerialBits; }
   static ContentId content(const CellRecord& r) { return r.state >> kSerialBits; }
-  /// The polygon in a slot of the cell's content.
-  Placed placed(CellAt cell, Slot slot) const {
-    const CellRecord* r = record(cell);
-    if (r && r->polygons != CellRecord::kCompact) return listed(r)[slot];
-    return {state(cell) & kSerialMask, cell.chunk->block(cell.local)};
+  PlacedBySlot placed(CellAt cell) const { return placed(cell, record(cell)); }
+  /// The same of a cell with this record, or null.
+  static PlacedBySlot placed(CellAt cell, const CellRecord* r) {
+    if (r && r->polygons != CellRecord::kCompact) return {listed(r), {}};
+    return {nullptr, {(r ? r->state : cell.word()) & kSerialMask, cell.chunk->block(cell.local)}};
   }
   /// The last serial given out in the cell.
   std::uint32_t lastSerial(CellAt cell) const;

@@ -39,7 +39,7 @@ void World::Impl::polygons(Cell cell, std::vector<PlacedPolygon>& out) const {
   if (!at) return;
   const InternedContent& content = contentOf(at);
   for (std::size_t slot = 0; slot < content.polygons.size(); ++slot) {
-    const Placed placed = grid.placed(at, static_cast<Slot>(slot));
+    const Placed placed = grid.placed(at)[static_cast<Slot>(slot)];
     out.push_back({{at.chunk->ref(at.local), placed.serial}, placed.block, catalogue.vertices(content.polygons[slot])});
   }
   std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.handle < b.handle; });
@@ -51,7 +51,7 @@ std::optional<PlacedPolygon> World::Impl::polygon(PolygonHandle handle) const {
   const CellAt at = grid.find(handle.cellRef);
   assert(at);
   const InternedContent& content = contentOf(at);
-  return PlacedPolygon{handle, grid.placed(at, *slot).block, catalogue.vertices(content.polygons[*slot])};
+  return PlacedPolygon{handle, grid.placed(at)[*slot].block, catalogue.vertices(content.polygons[*slot])};
 }
 
 Segment World::Impl::segment(std::uint32_t id) const {

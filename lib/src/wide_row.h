@@ -48,11 +48,6 @@ void forEachColumn(WideRow row, Visit&& visit) {
   for (; row != 0; row &= row - 1) visit(std::countr_zero(row) - 1);
 }
 
-/// The sides of a cell that are hidden by whole sides of the cells across: bit s for side s.
-constexpr unsigned hiddenSides(unsigned south, unsigned east, unsigned north, unsigned west) {
-  return (south >> 2 & 1u) | (east >> 2 & 2u) | (north << 2 & 4u) | (west << 2 & 8u);
-}
-
 /// The cells of row y (0 … 31) of which anything may show where nothing is preserved; none of the others shows anything.
 inline WideRow showingRow(const Chunk& chunk, std::int32_t y) {
   static constexpr std::array<Facts, kChunkSize> kNoFacts{};

@@ -86,7 +86,7 @@ TEST(Exposure, IsLaw1OnAllPairsOfSideProfiles) {
       if (pairs++ % exhaustStride() != 0) continue;
       for (unsigned relation = 0; relation < 16; ++relation, ++tried) {
         parts.clear();
-        exposedParts(
+        exposedIntervals(
             mine.side, theirs.side, [&](Slot a, Slot b) { return (relation >> (2 * a + b) & 1U) != 0; },
             [&](std::int32_t begin, std::int32_t end, Slot slot) { parts.emplace_back(begin, end, slot); });
         ASSERT_EQ(parts, slowlyExposed(mine, theirs, relation)) << "pair " << pairs - 1 << ", relation " << relation;
