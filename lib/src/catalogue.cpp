@@ -122,6 +122,14 @@ Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
   return id;
 }
 
+void Catalogue::forgetShapes(std::uint64_t count) {
+  while (shapes_.size() > count) {
+    shapeIndex_.erase(shapes_.back().polygons);
+    shapes_.pop_back();
+    soles_.pop_back();
+  }
+}
+
 Error Catalogue::overlapAmong(std::span<const PolygonId> polygons) const {
   Error error{.code = ErrorCode::overlap};
   for (std::size_t k = 1; k < polygons.size(); ++k) {

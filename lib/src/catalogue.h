@@ -82,6 +82,11 @@ class Catalogue {
 
   std::uint64_t contentCount() const { return contents_.size() - 1 - freeContents_.size(); }
   std::uint64_t shapeCount() const { return shapes_.size(); }
+  /// Forgets the shapes made last, down to a count. Their contents stay, as what is worked out once.
+  void forgetShapes(std::uint64_t count);
+  /// Numbers beyond those of all contents and polygons.
+  std::size_t contentLimit() const { return contents_.size(); }
+  std::size_t polygonLimit() const { return polygons_.size(); }
   std::uint64_t bytes() const;
 
  private:

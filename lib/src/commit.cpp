@@ -14,6 +14,7 @@ namespace lgs {
 const Changes& World::Impl::commit(const Executor& executor) {
   // Ids removed by the last commit become available now and not then, so that none is in two lists of one commit and
   // the ends of removed segments can be read while links are compared.
+  if (journal.isOpen()) journal.noteCommit(*this);
   for (const SegmentId id : changes.removed) segments.recycle(id.value);
   changes.removed.clear();
   changes.added.clear();
@@ -30,14 +31,19 @@ const Changes& World::Impl::commit(const Executor& executor) {
 
   for (const SegmentId id : changes.relinked) segments[id.value].listed = 0;
   for (const SegmentId id : changes.removed) segments[id.value].cellRef = 0;
+  forgetDirty();
+  if (journal.isOpen()) journal.noteChanges(changes);
+  catalogue.collect();
+  return changes;
+}
+
+void World::Impl::forgetDirty() {
   for (detail::Chunk* chunk : dirtyChunks) {
     for (detail::RowMask rows = chunk->dirtyRows; rows != 0; rows &= rows - 1)
       chunk->dirty[static_cast<std::size_t>(std::countr_zero(rows))] = 0;
     chunk->dirtyRows = 0;
   }
   dirtyChunks.clear();
-  catalogue.collect();
-  return changes;
 }
 
 }  // namespace lgs

@@ -48,6 +48,10 @@ std::string what(const Error& e) {
              " names no polygon; it was removed, or never existed";
     case ErrorCode::unknownSegment:
       return "segment " + number(e.segment.value) + " is not alive; it was removed, or never existed";
+    case ErrorCode::unknownMark:
+      return "this world has no such mark; it was forgotten, or made after a moment that the world went back to";
+    case ErrorCode::uncommitted:
+      return "the world has edits that are not committed; call commit() before save()";
     case ErrorCode::outOfReach:
       return "a point lies beyond the last cell, or a radius or ray is too long (lgs/questions.h)";
   }
@@ -86,6 +90,10 @@ const char* name(ErrorCode code) {
       return "stale handle";
     case ErrorCode::unknownSegment:
       return "unknown segment";
+    case ErrorCode::unknownMark:
+      return "unknown mark";
+    case ErrorCode::uncommitted:
+      return "uncommitted";
     case ErrorCode::outOfReach:
       return "out of reach";
   }

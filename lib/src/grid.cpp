@@ -68,32 +68,52 @@ void Grid::setFirstOtherBlock(Chunk& chunk, std::uint32_t local, Block block) {
 }
 
 std::uint32_t Grid::lastSerial(CellAt cell) const {
-  return isExplicit(cell) ? listedSerial(record(cell)) : state(cell) & kSerialMask;
+  return listsPolygons(cell) ? listedSerial(record(cell)) : state(cell) & kSerialMask;
 }
 
-void Grid::setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
-  const CellRecord* old = record(cell);
-  if (polygons.empty() && !isExplicit(cell)) {
+void Grid::setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons,
+                       bool isListed) {
+  const bool wasListed = listsPolygons(cell);
+  if (!isListed && !wasListed) {
     stateWord(cell) = content << kSerialBits | lastSerial;
+    if (!polygons.empty()) setBlock(*cell.chunk, cell.local, polygons[0].block);
     return;
   }
+  const CellRecord* old = record(cell);
   CellRecord header = old ? *old : CellRecord{};
-  header.state = content << kSerialBits;
-  header.polygons = static_cast<std::uint8_t>(polygons.size());
-  const RecordArena::Ref ref = records_.allocate(header.sizeWords());
-  auto* r = reinterpret_cast<CellRecord*>(records_.at(ref));
-  *r = header;
-  std::uint32_t* out = r->words() + sizeof(CellRecord) / sizeof(std::uint32_t);
-  *out++ = lastSerial;
-  for (const Placed& placed : polygons) {
-    *out++ = placed.serial;
-    *out++ = placed.block;
+  header.state = content << kSerialBits | (isListed ? 0 : lastSerial);
+  header.polygons = isListed ? static_cast<std::uint8_t>(polygons.size()) : CellRecord::kCompact;
+  if (!isListed && !polygons.empty()) setBlock(*cell.chunk, cell.local, polygons[0].block);
+  const std::uint32_t oldWord = cell.word();
+  if (!isListed && header.count() == 0) {
+    cell.word() = header.state;
+  } else {
+    const RecordArena::Ref ref = records_.allocate(header.sizeWords());
+    auto* r = reinterpret_cast<CellRecord*>(records_.at(ref));
+    *r = header;
+    if (isListed) {
+      std::uint32_t* out = r->words() + sizeof(CellRecord) / sizeof(std::uint32_t);
+      *out++ = lastSerial;
+      for (const Placed& placed : polygons) {
+        *out++ = placed.serial;
+        *out++ = placed.block;
+      }
+    }
+    if (old) std::copy_n(old->ids(), old->count(), r->ids());
+    cell.word() = kRecordBit | ref;
   }
-  if (old) {
-    std::copy_n(old->ids(), old->count(), out);
-    records_.release(cell.word() & ~kRecordBit, old->sizeWords());
+  if (old) records_.release(oldWord & ~kRecordBit, old->sizeWords());
+}
+
+void Grid::forgetChunks(std::size_t count) {
+  while (chunks().size() > count) {
+    Chunk& chunk = *chunks_.back();
+    for (std::size_t k = 0; k < chunk.around.size(); ++k)
+      if (Chunk* beside = chunk.around[k]; beside && beside != &chunk) beside->around[8 - k] = nullptr;
+    if (last_ == &chunk) last_ = chunks_[0].get();
+    index_.erase(hashOf(chunk.ci, chunk.cj), chunk.index);
+    chunks_.pop_back();
   }
-  cell.word() = kRecordBit | ref;
 }
 
 CellRecord* Grid::spliceSegments(CellAt cell, std::uint32_t begin, std::uint32_t removed, std::uint32_t added) {

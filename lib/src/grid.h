@@ -274,8 +274,24 @@ class Grid {
     word = serial;
     return content;
   }
-  /// Makes `content` that of a cell, its slots filled by `polygons`; or empties it.
-  void setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons);
+  /// Makes `content` that of a cell, its slots filled by `polygons`; or empties it. `isListed` says whether the record
+  /// lists them: see mustList().
+  void setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons,
+                   bool isListed);
+  /// Whether the cell's record lists its polygons. Once it does, it always will: their serials must never come back.
+  bool listsPolygons(CellAt cell) const {
+    const CellRecord* r = record(cell);
+    return r && r->polygons != CellRecord::kCompact;
+  }
+  /// Whether it has to, if these are to be the polygons.
+  bool mustList(CellAt cell, std::uint32_t lastSerial, std::span<const Placed> polygons) const {
+    const bool fits = polygons.empty() || (polygons.size() == 1 && polygons[0].serial == lastSerial);
+    return listsPolygons(cell) || !fits || lastSerial > kMaxCompactSerial;
+  }
+  static constexpr std::uint32_t kMaxCompactSerial = 255;  ///< of a cell that does not list its polygons
+
+  /// Takes away the chunks made last, down to a count of chunks(). Their cells must be as new.
+  void forgetChunks(std::size_t count);
 
   // --- The segments of a cell, as of the last commit
 
@@ -301,7 +317,7 @@ class Grid {
  private:
   static constexpr std::uint32_t kRecordBit = 1u << 31;  // in a cell's word: the rest is a reference to a CellRecord
   static constexpr std::uint32_t kSerialBits = 8;        // in a state: the last serial; above it the content
-  static constexpr std::uint32_t kSerialMask = (1u << kSerialBits) - 1;
+  static constexpr std::uint32_t kSerialMask = kMaxCompactSerial;
 
   CellRecord* writable(CellAt cell) { return const_cast<CellRecord*>(record(cell)); }  // NOLINT
   std::uint32_t& stateWord(CellAt cell) {
@@ -311,10 +327,6 @@ class Grid {
   std::uint32_t state(CellAt cell) const {
     const CellRecord* r = record(cell);
     return r ? r->state : cell.word();
-  }
-  bool isExplicit(CellAt cell) const {
-    const CellRecord* r = record(cell);
-    return r && r->polygons != CellRecord::kCompact;
   }
   /// Of a record that lists its polygons: the last serial, and the polygons by slot.
   static std::uint32_t listedSerial(const CellRecord* r) { return r->words()[sizeof(CellRecord) / 4]; }

@@ -150,7 +150,13 @@ class Load {
     if (isEmpty && serial == 0) return;
     if (!isEmpty && (serial == 0 || world_.catalogue.content(content).polygons.size() != 1)) in_.fail(What::badNumber);
     const Block block = isEmpty ? 0 : static_cast<Block>(blocks.next());
-    if (!in_.failed() && place(at, content)) world_.grid.setCompact(at, content, static_cast<std::uint32_t>(serial), block);
+    if (!in_.failed() && place(at, content))
+      setPolygons(at, content, static_cast<std::uint32_t>(serial), isEmpty, block);
+  }
+
+  void setPolygons(CellAt at, ContentId content, std::uint32_t serial, bool isEmpty, Block block) {
+    const detail::Placed placed{serial, block};
+    world_.grid.setPolygons(at, content, serial, {&placed, isEmpty ? 0u : 1u}, false);
   }
 
   void listedCell(CellAt at, ContentId content) {
@@ -164,7 +170,7 @@ class Load {
     }
     std::sort(serials_.begin(), serials_.end());
     if (!isIncreasing(serials_) || (!serials_.empty() && serials_.front() == 0)) in_.fail(What::badNumber);
-    if (!in_.failed() && place(at, content)) world_.grid.setListed(at, content, lastSerial, placed_);
+    if (!in_.failed() && place(at, content)) world_.grid.setPolygons(at, content, lastSerial, placed_, true);
   }
 
   /// Notes that a cell will have this content, and makes it dirty, so that link() comes by.

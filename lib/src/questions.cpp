@@ -1,5 +1,6 @@
 // What a world answers about places. Reads only; every comparison is one of integers or of their fractions.
-#include "predicates.h"
+#include "geometry/relation.h"
+#include "refusal.h"
 #include "segment_geometry.h"
 #include "world_impl.h"
 
@@ -20,12 +21,6 @@ using detail::Slot;
 
 namespace {
 
-tl::unexpected<Error> refuse(ErrorCode code) {
-  Error error;
-  error.code = code;
-  return tl::unexpected(error);
-}
-
 double inCells(double units) { return units / kUnitsPerCell; }
 
 /// A part of the way from one point to another, in cells.
@@ -42,15 +37,12 @@ struct CellIndex {
   std::int64_t j = 0;
 };
 
-/// Where a point lies as to one polygon: a crossing count along the ray to the right.
+/// Where a point lies as to one polygon.
 Spot::Where locate(PolygonView polygon, LocalPoint p) {
-  bool inside = false;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const LocalPoint a = polygon[k], b = polygon[k + 1 == polygon.size() ? 0 : k + 1];
-    if (a == p || detail::isInside(p, a, b)) return Spot::Where::edge;
-    if ((a.y > p.y) != (b.y > p.y)) inside ^= (detail::orientation(a, b, p) > 0) == (b.y > a.y);
-  }
-  return inside ? Spot::Where::inside : Spot::Where::outside;
+  detail::Sight sight;
+  detail::look(p, p, polygon, sight);
+  if (sight.inside) return Spot::Where::inside;
+  return sight.outside ? Spot::Where::outside : Spot::Where::edge;
 }
 
 /// The cells of the world whose closed squares are at most `reach` lattice units away from a point on each axis.
@@ -132,7 +124,7 @@ Spot World::Impl::at(Point p) const {
 
 // Looks at ever larger squares around the point: what is found in one is the answer if nothing outside can be nearer.
 Expected<Nearest> World::Impl::nearest(Point p, double radius) const {
-  if (!inRange(p) || !(radius >= 0 && radius <= kMaxRadius)) return refuse(ErrorCode::outOfReach);
+  if (!inRange(p) || !(radius >= 0 && radius <= kMaxRadius)) return detail::refuse({.code = ErrorCode::outOfReach});
   const auto squared = [](std::int64_t distance) {
     return detail::SquaredDistance{{0, static_cast<std::uint64_t>(distance * distance)}, 1};
   };
@@ -160,7 +152,7 @@ Expected<Nearest> World::Impl::nearest(Point p, double radius) const {
 Expected<RayHit> World::Impl::rayCast(Point from, Point to) const {
   constexpr std::int64_t kMax = std::int64_t{kMaxRay} * kUnitsPerCell;
   if (!inRange(from) || !inRange(to) || std::abs(to.x - from.x) > kMax || std::abs(to.y - from.y) > kMax)
-    return refuse(ErrorCode::outOfReach);
+    return detail::refuse({.code = ErrorCode::outOfReach});
   const detail::Ray ray{from, to};
   const auto find = [&](CellIndex cell) {
     if (std::abs(cell.i) > kMaxCell || std::abs(cell.j) > kMaxCell) return CellAt{};

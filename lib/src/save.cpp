@@ -3,6 +3,11 @@
 #include "snapshot_bytes.h"
 #include "world_impl.h"
 
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
 namespace lgs {
 namespace {
 
@@ -11,10 +16,11 @@ using detail::Chunk;
 using detail::ContentId;
 using detail::InternedContent;
 using detail::PolygonId;
+using detail::Slot;
 using detail::SnapshotWriter;
 
-/// Numbers the contents that cells have, and the polygons of these and of the shapes. Polygons keep their order, which is
-/// that of the slots.
+/// Numbers the contents that cells have, by first use, and the polygons of these and of the shapes, by their vertices. So
+/// worlds that can not be told apart give the same bytes, however they came to be as they are.
 class Numbers {
  public:
   explicit Numbers(const World::Impl& world) : world_(world) {
@@ -24,18 +30,29 @@ class Numbers {
       for (std::uint32_t local = 0; local < detail::kChunkCells; ++local) use(world.grid.content({chunk.get(), local}));
     for (std::uint32_t k = 1; const detail::InternedShape* shape = world.catalogue.shape(ShapeId{k}); ++k)
       for (const PolygonId polygon : shape->polygons) ofPolygon_[polygon] = 0;
-    for (PolygonId id = 0; id < ofPolygon_.size(); ++id) {
-      if (ofPolygon_[id] == kNone) continue;
-      ofPolygon_[id] = static_cast<std::uint32_t>(polygons_.size());
-      polygons_.push_back(id);
-    }
+    for (PolygonId id = 0; id < ofPolygon_.size(); ++id)
+      if (ofPolygon_[id] != kNone) polygons_.push_back(id);
+    std::ranges::sort(polygons_, [&](PolygonId a, PolygonId b) {
+      return std::ranges::lexicographical_compare(world.catalogue.vertices(a), world.catalogue.vertices(b));
+    });
+    for (std::uint32_t number = 0; number < polygons_.size(); ++number) ofPolygon_[polygons_[number]] = number;
+  }
+
+  /// The slots of a content by the numbers of their polygons: the slots that the content will have in a loaded world.
+  std::vector<Slot> slots(const InternedContent& content) const {
+    std::vector<Slot> slots(content.polygons.size());
+    std::iota(slots.begin(), slots.end(), Slot{0});
+    std::ranges::sort(slots, {}, [&](Slot slot) { return of(content.polygons[slot]); });
+    return slots;
   }
 
   const std::vector<PolygonId>& polygons() const { return polygons_; }
   const std::vector<ContentId>& contents() const { return contents_; }
   std::uint32_t of(PolygonId polygon) const { return ofPolygon_[polygon]; }
   /// From 1; the empty content is 0.
-  std::uint32_t ofContent(ContentId content) const { return content == detail::kEmptyContent ? 0 : ofContent_[content]; }
+  std::uint32_t ofContent(ContentId content) const {
+    return content == detail::kEmptyContent ? 0 : ofContent_[content];
+  }
 
  private:
   static constexpr std::uint32_t kNone = 0xffff'ffff;
@@ -88,9 +105,18 @@ class Save {
     out_.number(numbers_.contents().size());
     for (const ContentId id : numbers_.contents()) {
       const InternedContent& content = world_.catalogue.content(id);
-      list(content.polygons);
-      out_.number(content.preserved.size());
-      for (const auto& [a, b] : content.preserved) {
+      const std::vector<Slot> slots = numbers_.slots(content);
+      std::vector<Slot> after(slots.size());  // the new slot of an old one
+      out_.number(slots.size());
+      for (std::size_t k = 0; k < slots.size(); ++k) {
+        after[slots[k]] = static_cast<Slot>(k);
+        out_.number(numbers_.of(content.polygons[slots[k]]));
+      }
+      std::vector<std::pair<Slot, Slot>> preserved;
+      for (const auto& [a, b] : content.preserved) preserved.push_back(std::minmax(after[a], after[b]));
+      std::sort(preserved.begin(), preserved.end());
+      out_.number(preserved.size());
+      for (const auto& [a, b] : preserved) {
         out_.number(a);
         out_.number(b);
       }
@@ -99,12 +125,11 @@ class Save {
 
   void shapes() {
     out_.number(world_.catalogue.shapeCount());
-    for (std::uint32_t k = 1; k <= world_.catalogue.shapeCount(); ++k) list(world_.catalogue.shape(ShapeId{k})->polygons);
-  }
-
-  void list(std::span<const PolygonId> polygons) {
-    out_.number(polygons.size());
-    for (const PolygonId id : polygons) out_.number(numbers_.of(id));
+    for (std::uint32_t k = 1; k <= world_.catalogue.shapeCount(); ++k) {
+      const std::vector<PolygonId>& polygons = world_.catalogue.shape(ShapeId{k})->polygons;
+      out_.number(polygons.size());
+      for (const PolygonId id : polygons) out_.number(numbers_.of(id));
+    }
   }
 
   void chunks() {
@@ -141,9 +166,8 @@ class Save {
     forEachCell(chunk, [&](CellAt at) {
       if (!grid.listsPolygons(at)) return;
       out_.number(grid.lastSerial(at));
-      const std::size_t count = world_.contentOf(at).polygons.size();
-      for (std::size_t slot = 0; slot < count; ++slot) {
-        const detail::Placed placed = grid.placed(at)[static_cast<detail::Slot>(slot)];
+      for (const Slot slot : numbers_.slots(world_.contentOf(at))) {
+        const detail::Placed placed = grid.placed(at)[slot];
         out_.number(placed.serial);
         out_.number(placed.block);
       }

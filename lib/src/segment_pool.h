@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace lgs::detail {
@@ -79,11 +80,29 @@ class SegmentPool {
       free_.pop_back();
       return id;
     }
-    if (top_ % kPage == 0) addPage();
+    if (top_ / kPage == pages_.size()) addPage();
     return top_++;
   }
   /// Makes an id available again; its record must have been marked as not alive.
   void recycle(std::uint32_t id) { free_.push_back(id); }
+
+  /// Undoes a commit: `taken` were taken, in this order, after `recycled` ids were recycled; before, ids ended at `top`.
+  template <class Ids>
+  void giveBack(const Ids& taken, std::uint32_t top, std::size_t recycled) {
+    for (auto id = taken.rbegin(); id != taken.rend(); ++id)
+      if (id->value < top) free_.push_back(id->value);
+    free_.resize(free_.size() - recycled);
+    top_ = top;
+  }
+
+  /// The ids that are available, the next one last.
+  const std::vector<std::uint32_t>& free() const { return free_; }
+
+  /// Makes the pool one of `count` ids, none of them alive, of which these are free. It must be new.
+  void reset(std::uint32_t count, std::vector<std::uint32_t> free) {
+    while (top_ <= count) (*this)[take()].cellRef = 0;
+    free_ = std::move(free);
+  }
 
   bool isLive(std::uint32_t id) const { return id != kNoSegment && id < top_ && (*this)[id].cellRef != 0; }
   /// Whether every id is available: none is of a segment, alive or removed but not recycled yet.

@@ -138,7 +138,9 @@ class SnapshotReader {
     return failed_ ? 0 : value;
   }
   /// A count of things of which each takes a byte at least: so no count is believed that the rest can not hold.
-  std::size_t count(std::uint64_t most) { return static_cast<std::size_t>(number(std::min<std::uint64_t>(most, left()))); }
+  std::size_t count(std::uint64_t most) {
+    return static_cast<std::size_t>(number(std::min<std::uint64_t>(most, left())));
+  }
 
  private:
   std::span<const std::byte> bytes_;

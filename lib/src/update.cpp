@@ -19,7 +19,7 @@ class Exposure::PartUpdate {
       const SegmentRecord& first = exposure_.pool_[old_.front()];
       const auto order = std::pair(first.start(), first.end()) <=> edge;
       if (order > 0) break;
-      if (order == 0 && first.serial == placed.serial) {
+      if (order == 0 && first.serial == placed.serial && first.block == placed.block) {
         ids.push_back(old_.front());
         old_ = old_.subspan(1);
         return;

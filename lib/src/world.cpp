@@ -3,6 +3,7 @@
 #include "world_impl.h"
 
 #include <cmath>
+#include <utility>
 
 namespace lgs {
 
@@ -70,8 +71,39 @@ Expected<std::uint64_t> World::fill(const CellRect& cells, ShapeId shape, Block 
   return impl_->fill(cells, shape, block);
 }
 Expected<std::uint64_t> World::clear(const CellRect& cells) { return impl_->clear(cells); }
+Expected<PolygonHandle> World::replace(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
+  return impl_->replace(cell, shape, block, handles);
+}
+Expected<void> World::setBlock(PolygonHandle polygon, Block block) { return impl_->setBlock(polygon, block); }
 const Changes& World::commit() { return impl_->commit({}); }
 const Changes& World::commit(const Executor& executor) { return impl_->commit(executor); }
+
+Mark World::checkpoint() { return impl_->journal.mark(*impl_); }
+
+Expected<void> World::rollBack(Mark mark) {
+  if (!impl_->journal.knows(mark)) return detail::refuse({.code = ErrorCode::unknownMark});
+  impl_->journal.rollBack(*impl_, mark, impl_->rolledBack);
+  return {};
+}
+
+const Changes& World::changesOfRollBack() const { return impl_->rolledBack; }
+
+Expected<void> World::forget(Mark mark) {
+  if (!impl_->journal.knows(mark)) return detail::refuse({.code = ErrorCode::unknownMark});
+  impl_->journal.forget(*impl_, mark);
+  return {};
+}
+
+void Transaction::keep() {
+  if (mark_) static_cast<void>(world_->forget(std::exchange(mark_, {})));
+}
+
+// A commit has handed out what was edited, so that can not be taken back in silence.
+Transaction::~Transaction() {
+  if (!mark_) return;
+  if (!world_->impl_->journal.committedSince(mark_)) static_cast<void>(world_->rollBack(mark_));
+  static_cast<void>(world_->forget(mark_));
+}
 
 std::vector<PlacedPolygon> World::polygons(Cell cell) const {
   std::vector<PlacedPolygon> out;
@@ -93,7 +125,7 @@ void World::forEachPolygon(const CellRect& cells, const PolygonVisitor& visit) c
 std::optional<CellRect> World::bounds() const { return impl_->bounds(); }
 Expected<std::vector<std::span<const LocalPoint>>> World::polygons(ShapeId shape) const {
   const detail::InternedShape* interned = impl_->catalogue.shape(shape);
-  if (!interned) return refuse(ErrorCode::unknownShape, Error::kNoCell, -1);
+  if (!interned) return detail::refuse({.code = ErrorCode::unknownShape});
   std::vector<std::span<const LocalPoint>> out;
   for (const detail::PolygonId id : interned->polygons) out.push_back(impl_->catalogue.vertices(id));
   return out;

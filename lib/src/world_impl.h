@@ -5,6 +5,7 @@
 
 #include "catalogue.h"
 #include "grid.h"
+#include "journal.h"
 #include "radial_match.h"
 #include "segment_geometry.h"
 #include "segment_pool.h"
@@ -26,11 +27,14 @@ struct World::Impl {
   Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles);
   Expected<PolygonHandle> add(Cell cell, detail::PolygonView polygon, Block block);
   Expected<void> remove(PolygonHandle polygon);
+  Expected<PolygonHandle> replace(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles);
+  Expected<void> setBlock(PolygonHandle polygon, Block block);
   Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block);
   Expected<std::uint64_t> clear(const CellRect& cells);
 
   // commit.cpp
   const Changes& commit(const Executor& executor);
+  void forgetDirty();
 
   // read.cpp
   void polygons(Cell cell, std::vector<PlacedPolygon>& out) const;
@@ -53,6 +57,7 @@ struct World::Impl {
   const detail::InternedContent& contentOf(detail::CellAt at) const {
     return catalogue.content(at ? grid.content(at) : detail::kEmptyContent);
   }
+  void touch(detail::CellAt at, detail::ContentId content);
   std::optional<detail::Slot> slotOf(PolygonHandle handle) const;
   bool keeps(Block a, Block b) const { return preserve && (a < b ? preserve(a, b) : preserve(b, a)); }
   Point startOf(std::uint32_t id) const { return toWorld(grid.cellOf(segments[id].cellRef), segments[id].start()); }
@@ -63,7 +68,9 @@ struct World::Impl {
   detail::Grid grid;
   detail::SegmentPool segments;
   std::vector<detail::Chunk*> dirtyChunks;  ///< in the order in which edits touched them
-  Changes changes;
+  Changes changes;     ///< of the last commit; the ids in `removed` become available with the next one
+  Changes rolledBack;  ///< of the last roll-back
+  detail::Journal journal;
   // Working memory, kept from one call to the next to spare allocations.
   std::vector<LocalPoint> rounded;  ///< of the polygon being added
   std::vector<std::uint32_t> ids;   ///< of the cell whose segments change
@@ -89,7 +96,6 @@ struct World::Impl {
                                 std::span<PolygonHandle> handles);
   void apply(detail::CellAt at, detail::ContentId after, std::uint32_t lastSerial);
   Error overlapWith(detail::CellAt at, std::span<const detail::PolygonId> added);
-  void touch(detail::CellAt at, detail::ContentId content);
   void mark(detail::CellAt at, detail::Facts facts);
 
   std::size_t workingBytes() const {
@@ -125,6 +131,7 @@ inline void World::Impl::mark(detail::CellAt at, detail::Facts facts) {
 inline PolygonHandle World::Impl::addQuickly(Cell cell, ShapeId shape, Block block) {
   const detail::SoleContent& sole = catalogue.soleContent(shape);
   const detail::CellAt at = grid.findQuickly(cell);
+  if (journal.isOpen()) return {};
   if (sole.id == detail::kEmptyContent || !at || at.chunk->dirtyRows == 0) return {};
   const std::uint32_t serial = detail::Grid::placeQuickly(at, sole.id, block);
   if (serial == 0) return {};

@@ -27,6 +27,8 @@ enum class ErrorCode : std::uint32_t {
   unknownShape,        ///< a ShapeId that this world did not make
   staleHandle,         ///< a PolygonHandle that is null, unknown, or whose polygon was removed
   unknownSegment,      ///< a SegmentId that names no live segment
+  unknownMark,         ///< a Mark that this world did not make, or that was forgotten, or rolled back
+  uncommitted,         ///< a world with edits that are not committed can not be saved
   outOfReach,          ///< a point, radius or ray of a question goes beyond what questions.h allows
 };
 

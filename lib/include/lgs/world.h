@@ -15,6 +15,7 @@
 #include <lgs/ids.h>
 #include <lgs/lattice.h>
 #include <lgs/questions.h>
+#include <lgs/snapshot.h>
 
 #include <array>
 #include <cstddef>
@@ -101,6 +102,8 @@ struct Stats {
   std::uint64_t bytes = 0;  ///< allocated, spare capacity included; the index of shapes is estimated
 };
 
+class Transaction;
+
 class World {
  public:
   explicit World(PreserveRelation preserve = {});
@@ -143,6 +146,18 @@ class World {
   /// Removes every polygon of every cell of a rectangle; returns the number of polygons removed.
   Expected<std::uint64_t> clear(const CellRect& cells);
 
+  /// Puts a shape in the place of all polygons of a cell, which may be empty: all or nothing. Returns the handle of the
+  /// shape's first polygon; `handles` receives all of them, as with add(). Refused: as add() is, but for overlap.
+  Expected<PolygonHandle> replace(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles = {});
+
+  /// Gives a polygon another block. It keeps its handle and its place. At the next commit its segments are removed and
+  /// added again, as another block is another owner; all others keep their ids. Refused: staleHandle; capacity, if a
+  /// preserve relation makes of the cell one content too many.
+  Expected<void> setBlock(PolygonHandle polygon, Block block);
+
+  /// Removes every polygon of a cell; returns how many. A cell out of range is refused: cellOutOfRange.
+  Expected<std::uint64_t> clear(Cell cell) { return clear(CellRect{cell, cell}); }
+
   /// Brings the segments up to date with all edits since the last commit: the two phases, on what those edits touched.
   /// The result is valid until the next commit. Cost: in proportion to the contents of the edited cells and the eight
   /// around each. Allocates nothing once the world has reached its size.
@@ -153,6 +168,40 @@ class World {
   /// an empty executor too. The relation, if there is one, is then called from several threads at a time. A job is the
   /// work on a chunk of 32×32 cells; it throws nothing. Allocates working memory in proportion to the live cells.
   const Changes& commit(const Executor& executor);
+
+  // --- Going back ----------------------------------------------------------------------------------------------------
+  //
+  // Law 12, restore and replay is never having left: after going back to a mark, every later output, id and list is as if
+  // the edits and commits after the mark had not been made. So handles, shapes, segment ids and marks made after it name
+  // nothing, until they are given out again. While there are marks, an edit costs some more, and what is needed to undo it
+  // is kept, in proportion to the edits since the oldest mark.
+
+  /// Notes the present moment. Edits that are not committed may be pending. Cost: O(1).
+  [[nodiscard]] Mark checkpoint();
+
+  /// Goes back to a mark. It stays, so that one can go back to it again; later marks are void. changesOfRollBack() then
+  /// says what this did to the segments. Refused: unknownMark. Cost: in proportion to the edits since the mark.
+  Expected<void> rollBack(Mark mark);
+
+  /// What the last rollBack() did to the segments, as those know them who followed all commits: the three lists of a
+  /// commit, by id. One thing is different: an id that named one segment and names another now is removed, and then added.
+  const Changes& changesOfRollBack() const;
+
+  /// Lets go of a mark; other marks stay. Refused: unknownMark.
+  Expected<void> forget(Mark mark);
+
+  // --- Saving --------------------------------------------------------------------------------------------------------
+
+  /// Writes the world as bytes: polygons, handles, shapes, segment ids; not the marks, and not the preserve relation, which
+  /// is a function. Refused: uncommitted. Cost: in proportion to the world. Full blocks take less than a byte a cell, ramps
+  /// some four.
+  Expected<void> save(const ByteSink& sink) const;
+
+  /// The world that was saved. It continues exactly: the same edits give the same ids and lists as if it had never been
+  /// saved (law 12). `preserve` must be the relation that it was saved with, or none if it had none. Bytes that are cut,
+  /// damaged or made up are refused, and take no more memory than a constant for each of them. Cost: in proportion to the
+  /// world, and quadratic in the vertices of a cell content, as shape() is.
+  static tl::expected<World, SnapshotError> load(std::span<const std::byte> snapshot, PreserveRelation preserve = {});
 
   // --- Reading ------------------------------------------------------------------------------------------------------
 
@@ -216,11 +265,38 @@ class World {
   /// Counts by looking at every cell of every chunk.
   Stats stats() const;
 
+  /// Begins a group of edits that happens as a whole or not at all.
+  [[nodiscard]] Transaction edit();
+
   struct Impl;  ///< of the implementation
 
  private:
+  friend class Transaction;
   std::unique_ptr<Impl> impl_;
 };
+
+/// A group of edits. Unless keep() is called they are undone when it ends, as if they had not been made:
+///
+///   auto group = world.edit();
+///   if (!world.remove(door) || !world.add(cell, wall, kStone)) return;  // all is as it was
+///   group.keep();
+///
+/// A commit within the group keeps what was edited before it, and ends the group: what follows is not undone.
+class Transaction {
+ public:
+  explicit Transaction(World& world) : world_(&world), mark_(world.checkpoint()) {}
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+
+  void keep();
+
+ private:
+  World* world_;
+  Mark mark_;
+};
+
+inline Transaction World::edit() { return Transaction(*this); }
 
 /// The whole cell as a polygon, for shape().
 inline constexpr std::array<LocalPoint, 4> kUnitSquare{
