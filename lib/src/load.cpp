@@ -86,6 +86,10 @@ class Load {
       if (polygons.empty() || !isIncreasing(polygons) || !isIncreasing(preserved)) return in_.fail(What::badNumber);
       const auto content = world_.catalogue.internContent(polygons, {}, preserved);
       if (!content) return in_.fail(content.error().code == ErrorCode::capacity ? What::capacity : What::badPolygon);
+      // Only an overlap that is there can be preserved, and only by a relation.
+      const auto& contacts = world_.catalogue.content(*content).contacts;
+      if (!std::ranges::includes(contacts, preserved) || (!preserved.empty() && !world_.preserve))
+        return in_.fail(What::badNumber);
       contents_.push_back(*content);
     }
   }
@@ -187,55 +191,51 @@ class Load {
   /// or was freed by the last commit.
   void segments() {
     std::vector<std::uint32_t> free = idsNotInUse(), removed = idsNotInUse();
-    std::uint64_t count = free.size() + removed.size();
-    forEachPlacedCell([&](CellAt at) { count += detail::Look(world_, at).count(); });
+    std::uint64_t count = free.size() + removed.size(), shown = 0;
+    forEachPlacedCell([&](CellAt at) {
+      if (shown <= in_.left()) shown += detail::Look(world_, at).count();
+    });
+    count += shown;
+    if (shown > in_.left()) in_.fail(What::cut);  // an id takes a byte at least
+    if (count >= detail::kMaxSegment) in_.fail(What::capacity);
     if (in_.failed()) return;
-    if (count >= detail::kMaxSegment) return in_.fail(What::capacity);
     world_.segments.reset(static_cast<std::uint32_t>(count), free);
     std::vector<bool> seen(count + 1);
     for (const auto* ids : {&free, &removed})
       for (const std::uint32_t id : *ids) see(id, seen);
     for (const std::uint32_t id : removed) world_.changes.removed.push_back({id});
-    std::int64_t last = 0;
-    for (const auto& chunk : world_.grid.chunks()) {
-      RunReader distances(in_, 4 * std::uint64_t{detail::kMaxSegment});
-      forEachPlacedCell(*chunk, [&](CellAt at) {
-        const detail::Look look(world_, at);
-        const std::uint32_t shown = look.count();
-        if (shown == 0 || in_.failed()) return;
-        detail::CellRecord& record = *world_.grid.spliceSegments(at, 0, 0, shown);
-        look.fill(record, [&](const detail::PackedEnds& ends, detail::Placed placed) {
-          last += detail::unfolded(distances.next()) + 1;
-          const std::uint32_t id = see(last, seen) ? static_cast<std::uint32_t>(last) : detail::kNoSegment;
-          if (id != detail::kNoSegment) world_.segments[id] = newSegment(at.chunk->ref(at.local), ends, placed);
-          return id;
-        });
-      });
-      distances.end();
-      if (in_.failed()) return;
-    }
+    forEachPlacedCell([&](CellAt at) {
+      const detail::Look look(world_, at);
+      const std::uint32_t here = look.count();
+      if (here == 0 || in_.failed()) return;
+      look.fill(*world_.grid.spliceSegments(at, 0, 0, here),
+                [&](const detail::PackedEnds& ends, detail::Placed placed) {
+                  const std::uint32_t id = readId();
+                  if (see(id, seen)) world_.segments[id] = newSegment(at.chunk->ref(at.local), ends, placed);
+                  return id;
+                });
+    });
   }
 
   std::vector<std::uint32_t> idsNotInUse() {
     std::vector<std::uint32_t> ids(in_.count(detail::kMaxSegment));
-    std::int64_t last = 0;
-    for (std::uint32_t& id : ids) {
-      last += detail::unfolded(in_.number(4 * std::uint64_t{detail::kMaxSegment})) + 1;
-      if (last < 1 || last > detail::kMaxSegment) in_.fail(What::badSegments);
-      if (in_.failed()) break;
-      id = static_cast<std::uint32_t>(last);
-    }
+    for (std::uint32_t& id : ids) id = readId();
     return ids;
   }
 
+  /// An id, or 0 where there is none.
+  std::uint32_t readId() {
+    lastId_ += detail::unfolded(in_.number(4 * std::uint64_t{detail::kMaxSegment})) + 1;
+    if (lastId_ < 1 || lastId_ > detail::kMaxSegment) in_.fail(What::badSegments);
+    if (in_.failed()) lastId_ = detail::kNoSegment;
+    return static_cast<std::uint32_t>(lastId_);
+  }
+
   /// Whether an id may be used, and was not yet.
-  bool see(std::int64_t id, std::vector<bool>& seen) {
-    const bool isGood = id >= 1 && id < static_cast<std::int64_t>(seen.size()) && !seen[static_cast<std::size_t>(id)];
-    if (isGood)
-      seen[static_cast<std::size_t>(id)] = true;
-    else
-      in_.fail(What::badSegments);
-    return isGood && !in_.failed();
+  bool see(std::uint32_t id, std::vector<bool>& seen) {
+    if (id == detail::kNoSegment || id >= seen.size() || seen[id]) in_.fail(What::badSegments);
+    if (!in_.failed()) seen[id] = true;
+    return !in_.failed();
   }
 
   template <class Visit>
@@ -261,6 +261,7 @@ class Load {
   std::vector<ContentId> contents_;
   std::vector<detail::Placed> placed_;
   std::vector<std::uint32_t> serials_;
+  std::int64_t lastId_ = 0;
 };
 
 /// What can be told before anything is made of the bytes: whether they are a snapshot, whole and undamaged.

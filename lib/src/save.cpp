@@ -174,28 +174,24 @@ class Save {
     });
   }
 
-  /// The ids of a chunk's segments, each as its distance from the one after the one before. All else follows from the
-  /// polygons.
+  /// The ids of a chunk's segments; all else about them follows from the polygons.
   void segments(const Chunk& chunk) {
-    std::vector<std::uint64_t> distances;
     forEachCell(chunk, [&](CellAt at) {
-      for (const std::uint32_t id : world_.grid.segments(at)) {
-        distances.push_back(detail::folded(std::int64_t{id} - lastId_ - 1));
-        lastId_ = id;
-      }
+      for (const std::uint32_t id : world_.grid.segments(at)) writeId(id);
     });
-    out_.runs(distances);
   }
 
-  /// A list whose order matters. A byte for each at least, so that no short file can ask for many.
   template <class Ids, class Value>
   void ids(const Ids& ids, Value&& value) {
     out_.number(ids.size());
-    std::int64_t last = 0;
-    for (const auto id : ids) {
-      out_.number(detail::folded(value(id) - last - 1));
-      last = value(id);
-    }
+    for (const auto id : ids) writeId(value(id));
+  }
+
+  /// As its distance from the one after the one before: mostly one byte, and never less, so that no short file can ask for
+  /// many segments.
+  void writeId(std::uint32_t id) {
+    out_.number(detail::folded(std::int64_t{id} - lastId_ - 1));
+    lastId_ = id;
   }
 
   const World::Impl& world_;

@@ -33,6 +33,16 @@ void expectNoDifference(World& stayed, World& left, Random& random) {
   EXPECT_TRUE(saved(stayed) == saved(left)) << "saved worlds differ";
 }
 
+/// Gives bytes the checksum that they should have.
+void seal(std::vector<std::byte>& bytes) {
+  std::uint32_t sum = 0xffff'ffff;
+  for (std::size_t k = 0; k + 4 < bytes.size(); ++k) {
+    sum ^= std::to_integer<std::uint32_t>(bytes[k]);
+    for (int bit = 0; bit < 8; ++bit) sum = sum >> 1 ^ (0xedb8'8320u & (0u - (sum & 1u)));
+  }
+  for (std::size_t k = 0; k < 4; ++k) bytes[bytes.size() - 4 + k] = static_cast<std::byte>(~sum >> 8 * k & 0xffu);
+}
+
 class GoingBack : public testing::Test {
  protected:
   template <class Property>
@@ -153,6 +163,34 @@ TEST_F(GoingBack, BytesThatWereNotWrittenAreRefused) {
     EXPECT_LE(loaded.error().offset, wrong.size());
     EXPECT_FALSE(message(loaded.error()).empty());
   });
+}
+
+/// Bytes of ill will have the right checksum: what they say is read, and must be good or be refused.
+TEST_F(GoingBack, BytesOfIllWillAreRefusedOrAreAWorld) {
+  int refused = 0;
+  forSeeds(600, [&](Random& random, std::uint64_t) {
+    World world = someWorld({}, random);
+    world.commit();
+    std::vector<std::byte> bytes = saved(world);
+    constexpr std::size_t kHead = 8, kTail = 4;
+    for (int k = 1 + random.below(3); k > 0; --k) {
+      const std::size_t at = kHead + random.below(bytes.size() - kHead - kTail);
+      bytes[at] = std::byte{
+          random.pick<unsigned char>({0, 1, 2, 3, 0x7f, 0x80, 0xff, static_cast<unsigned char>(random.below(256))})};
+    }
+    seal(bytes);
+    auto loaded = World::load(bytes);
+    if (!loaded) {
+      ++refused;
+      EXPECT_LE(loaded.error().offset, bytes.size());
+      return;
+    }
+    const std::vector<std::byte> again = saved(*loaded);
+    auto twin = World::load(again);
+    ASSERT_TRUE(twin) << message(twin.error());
+    expectNoDifference(*loaded, *twin, random);
+  });
+  EXPECT_GT(refused, 0);
 }
 
 TEST(GoingBackByHand, MarksThatAreNoneAreRefused) {
