@@ -1,5 +1,6 @@
-# lgs_target(<target>): what every target of this project is compiled with. Warnings and sanitizers are for those who
-# work on the project; a game that has it as a subproject keeps its own.
+# lgs_target(<target> [NOT_SANITIZED]): what every target of this project is compiled with. Warnings and sanitizers are
+# for those who work on the project; a game that has it as a subproject keeps its own. NOT_SANITIZED is for code that is
+# little beside the headers that it includes (CGAL, CLI11, JSON): with sanitizers these take minutes to compile.
 function(lgs_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
@@ -8,17 +9,24 @@ function(lgs_target target)
       # GCC 12 warns of string concatenation where nothing is wrong (its bug 105651, fixed in 13).
       $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>)
     if(LGS_SANITIZE)
-      target_compile_options(${target} PRIVATE
-        -fsanitize=${LGS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
-        $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC takes the sanitizers' own code for uses
+      if(NOT "NOT_SANITIZED" IN_LIST ARGN)
+        target_compile_options(${target} PRIVATE
+          -fsanitize=${LGS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
+          $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC takes the sanitizers' own code for uses
+      endif()
       target_link_options(${target} PUBLIC -fsanitize=${LGS_SANITIZE})
     endif()
   endif()
 endfunction()
 
-# lgs_quick_to_build(<target> <headers>...): for code whose own speed does not matter, as tests and commands, where all that
-# takes long is in libraries. Little optimisation, and the headers that take longest to read are read once.
+# lgs_quick_to_build(<target> <headers>...), lgs_quick_to_build(<target> REUSE_FROM <other>): for code whose own speed
+# does not matter, as tests and commands, where all that takes long is in libraries. It is optimised little, and the
+# headers that take longest to read are read once, here or for the other target.
 function(lgs_quick_to_build target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-  target_precompile_headers(${target} PRIVATE ${ARGN})
+  if(ARGV1 STREQUAL "REUSE_FROM")
+    target_precompile_headers(${target} ${ARGN})
+  else()
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+  endif()
 endfunction()

@@ -168,7 +168,6 @@ void addUnknown(std::vector<BadEdit>& out) {
   using enum ErrorCode;
   const std::string noShape = "this world has no such shape";
   const std::string far = "the cell is out of range; both indices must be within ±2^30";
-  const std::string stale = "the handle @ names no polygon; it was removed, or never existed";
   const auto add = [&](std::string name, auto attempt, const Expect& expected, std::string text) {
     out.push_back({std::move(name), [attempt](Stage& s) { return errorOf(attempt(s)); }, expected.error, text});
   };
@@ -207,23 +206,26 @@ void addUnknown(std::vector<BadEdit>& out) {
         return s.world.clear({kTooLow, kFull});
       },
       Expect(cellOutOfRange).in(kTooLow), "cell (0, -1073741825): " + far);
-  const auto addStale = [&](std::string name, PolygonHandle handle) {
-    Expect expected(staleHandle);
+}
+
+void addStaleHandles(std::vector<BadEdit>& out) {
+  const auto add = [&](std::string name, PolygonHandle handle) {
+    Expect expected(ErrorCode::staleHandle);
     expected.error.other = handle;
-    std::string text = stale;
-    text.replace(text.find('@'), 1, std::to_string(handle.cellRef) + ":" + std::to_string(handle.serial));
-    add(
-        std::move(name), [handle](Stage& s) { return s.world.remove(handle); }, expected, text);
+    const std::string text = "the handle " + std::to_string(handle.cellRef) + ":" + std::to_string(handle.serial) +
+                             " names no polygon; it was removed, or never existed";
+    out.push_back(
+        {std::move(name), [handle](Stage& s) { return errorOf(s.world.remove(handle)); }, expected.error, text});
   };
   const Stage stage = makeStage();
-  addStale("null handle", {});
-  addStale("removed before", stage.removed);
-  addStale("a serial not given out yet", {stage.full.cellRef, stage.full.serial + 1});
-  addStale("serial null", {stage.full.cellRef, 0});
-  addStale("serial null where there are several", {stage.upper.cellRef, 0});
-  addStale("an empty cell of a chunk that exists", {stage.full.cellRef + 20, 1});
-  addStale("a chunk that does not exist", {0xffff'ffff, 1});
-  addStale("chunk null", {5, 1});
+  add("null handle", {});
+  add("removed before", stage.removed);
+  add("a serial not given out yet", {stage.full.cellRef, stage.full.serial + 1});
+  add("serial null", {stage.full.cellRef, 0});
+  add("serial null where there are several", {stage.upper.cellRef, 0});
+  add("an empty cell of a chunk that exists", {stage.full.cellRef + 20, 1});
+  add("a chunk that does not exist", {0xffff'ffff, 1});
+  add("chunk null", {5, 1});
 }
 
 void addShapes(std::vector<BadEdit>& out) {
@@ -276,6 +278,7 @@ const std::vector<BadEdit>& badEdits() {
     addRealFaults(out);
     addOverlaps(out);
     addUnknown(out);
+    addStaleHandles(out);
     addShapes(out);
     return out;
   }();

@@ -61,7 +61,7 @@ Gen<Fan> Arbitrary<Fan>::arbitrary() {
     Fan fan;
     for (const auto& [x, y, isOutgoing] : drawn.first) {
       const HalfEdge edge{{x, y}, isOutgoing};
-      const auto isSame = [&](const HalfEdge& e) { return e.isOutgoing == isOutgoing && pointAlike(e, edge); };
+      const auto isSame = [&](const HalfEdge& e) { return e.isOutgoing == edge.isOutgoing && pointAlike(e, edge); };
       if ((x != 0 || y != 0) && std::ranges::none_of(fan.edges, isSame)) fan.edges.push_back(edge);
     }
     std::stable_sort(fan.edges.begin(), fan.edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
