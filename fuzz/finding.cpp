@@ -36,7 +36,7 @@ std::string saveInput(const Target& target, Bytes input, const Where& where) {
   std::filesystem::create_directories(where.folder, ignored);
   const std::string path = (std::filesystem::path(where.folder) / (nameOf(target, input) + ".input")).string();
   save(path, textOf(input));
-  return fmt::format("{} {}", where.again, oracle::shellWord(path));
+  return fmt::format("{} {}", where.again, oracle::shellPath(path));
 }
 
 // Whether `work` crashes, or hangs: too long is a finding as well.

@@ -43,7 +43,8 @@ void save(const Trace& trace, const std::string& picture, const ReportOptions& r
   if (written) fmt::print("\ntrace      {0}.trace\npicture    {0}.svg\n", base);
   fmt::print("again      {}\n", report.reproduce);
   if (written && replays) {
-    fmt::print("the trace  lgs replay {} --check --svg {}\n", shellWord(base + ".trace"), shellWord(base + ".svg"));
+    fmt::print("look at it {} replay {} --check --svg {}\n", report.lgs, shellPath(base + ".trace"),
+               shellPath(base + ".svg"));
   }
 }
 
@@ -73,6 +74,14 @@ std::string shellWord(std::string_view word) {
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return text + "'";
+}
+
+std::string shellPath(const std::string& path) { return shellWord(std::filesystem::absolute(path).string()); }
+
+std::string thisProgram(std::string_view otherwise) {
+  std::error_code none;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
+  return none ? shellWord(otherwise) : shellWord(program.string());
 }
 
 void reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& findAgain,

@@ -1,5 +1,7 @@
 #include "oracle/check/shrink.h"
 
+#include "oracle/trace/step.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <map>
@@ -12,12 +14,14 @@ namespace {
 
 using Polygon = std::vector<LocalPoint>;
 
-// Every polygon gets a name of its own, p1, p2, … in order; so an add can go without touching another's removal.
-Trace renamed(Trace trace) {
+// Every polygon gets a name of its own, p1, p2, … in order; so an add can go without touching another's removal. The
+// letters of a name decide which door its edit takes (step.h): they stay, or they go.
+Trace renamed(Trace trace, bool withLetters) {
   std::map<std::string, std::string> nameOf;
   std::size_t count = 0;
   for (Edit& edit : trace.edits) {
-    if (edit.kind == Edit::Kind::add) nameOf[edit.name] = fmt::format("p{}", ++count);
+    if (edit.kind == Edit::Kind::add)
+      nameOf[edit.name] = fmt::format("p{}{}", ++count, withLetters ? lettersOf(edit.name) : "");
     if (edit.kind != Edit::Kind::commit) edit.name = nameOf[edit.name];
   }
   return trace;
@@ -85,9 +89,9 @@ std::vector<Polygon> simplerPolygons(const Polygon& polygon) {
 
 const std::vector<ShrinkWalk::Pass>& ShrinkWalk::passes() {
   using W = ShrinkWalk;
-  static const std::vector<Pass> kPasses{&W::rename,      &W::dropEdits,      &W::simplifyPolygons,
-                                         &W::dropPairs,   &W::renumberBlocks, &W::oneBlock,
-                                         &W::moveColumns, &W::moveRows,       &W::rename};
+  static const std::vector<Pass> kPasses{&W::rename,         &W::dropEdits, &W::simplifyPolygons, &W::dropPairs,
+                                         &W::renumberBlocks, &W::oneBlock,  &W::moveColumns,      &W::moveRows,
+                                         &W::plainDoors,     &W::rename};
   return kPasses;
 }
 
@@ -116,8 +120,23 @@ void ShrinkWalk::accept(Trace candidate) {
 }
 
 std::optional<Trace> ShrinkWalk::rename() {
-  if (variant_++ != 0) return std::nullopt;
-  return renamed(best_);
+  if (variant_ == 2) return std::nullopt;
+  return renamed(best_, variant_++ != 0);
+}
+
+// One edit after the other takes the plain door, and its removal with it.
+std::optional<Trace> ShrinkWalk::plainDoors() {
+  for (; at_ < best_.edits.size(); ++at_) {
+    const Edit& plain = best_.edits[at_];
+    const std::size_t length = plain.name.size() - lettersOf(plain.name).size();
+    if (plain.kind != Edit::Kind::add || length == 0 || length == plain.name.size()) continue;
+    Trace candidate = best_;
+    for (Edit& edit : candidate.edits)
+      if (edit.name == plain.name) edit.name.resize(length);
+    ++at_;
+    return candidate;
+  }
+  return std::nullopt;
 }
 
 std::optional<Trace> ShrinkWalk::dropEdits() {
@@ -191,8 +210,9 @@ std::optional<Trace> ShrinkWalk::oneBlock() {
   return candidate;
 }
 
-// The first line of cells goes to 0, or else to -1, so that a border of chunks comes after it; each further one next to the
-// one before it; what lies beyond moves along. From the last line to the first, so that those before stay where they are.
+// The first line of cells goes to 0, or else to -1, so that a border of chunks comes after it; each further one next to
+// the one before it; what lies beyond moves along. From the last line to the first, so that those before stay where
+// they are.
 std::optional<Trace> ShrinkWalk::moveCells(std::int32_t Cell::*axis) {
   std::set<std::int32_t> used;
   for (const Edit& edit : best_.edits) {

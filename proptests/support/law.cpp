@@ -1,6 +1,7 @@
 #include "proptests/support/law.h"
 
 #include "oracle/check/isolated.h"
+#include "oracle/check/report.h"
 #include "proptests/support/scale.h"
 
 #include <fmt/format.h>
@@ -12,7 +13,6 @@
 #include <chrono>
 #include <cstring>
 #include <filesystem>
-#include <system_error>
 
 // A race that the thread sanitizer sees in a child has to end it: a child leaves without telling how it went.
 // NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
@@ -142,14 +142,10 @@ Smallest madeSmall(const Effort& effort, const rc::Gen<Case>& cases, std::int64_
 const testing::TestInfo& runningTest() { return *testing::UnitTest::GetInstance()->current_test_info(); }
 std::string nameOf(const testing::TestInfo& test) { return fmt::format("{}.{}", test.test_suite_name(), test.name()); }
 
-std::string inQuotes(const std::string& text) { return "'" + text + "'"; }
-
 /// The command that runs the current test again, wherever it is given.
 std::string again() {
-  std::error_code error;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
   return fmt::format("LGS_TEST_SEED={} LGS_TEST_SCALE={} {} --gtest_filter={}", testSeed(), testScale(),
-                     error ? "the tests' program" : inQuotes(program.string()), inQuotes(nameOf(runningTest())));
+                     oracle::thisProgram("the tests' program"), oracle::shellWord(nameOf(runningTest())));
 }
 
 }  // namespace
