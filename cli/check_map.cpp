@@ -1,6 +1,7 @@
 #include "cli/check_run.h"
 #include "cli/progress.h"
 #include "oracle/check/isolated.h"
+#include "oracle/check/shell.h"
 #include "oracle/reference/words.h"
 #include "oracle/trace/model.h"
 #include "oracle/trace/player.h"

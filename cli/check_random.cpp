@@ -1,6 +1,7 @@
 #include "cli/check_run.h"
 #include "cli/progress.h"
 #include "oracle/check/isolated.h"
+#include "oracle/check/shell.h"
 #include "oracle/generate/random.h"
 
 #include <fmt/format.h>

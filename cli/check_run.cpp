@@ -1,6 +1,7 @@
 #include "cli/check_run.h"
 
 #include "oracle/check/isolated.h"
+#include "oracle/check/shell.h"
 #include "oracle/draw/draw.h"
 #include "oracle/reference/words.h"
 #include "oracle/trace/dump.h"

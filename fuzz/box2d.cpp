@@ -32,15 +32,18 @@ constexpr double kCellSize = 64;  // metres: a lattice unit is a fifth of what B
 // v0, v1, v2, v3 and where the body is.
 using Placed = std::array<float, 10>;
 
+Placed placeOf(const b2Fixture& fixture) {
+  const auto& edge = static_cast<const b2EdgeShape&>(*fixture.GetShape());
+  const b2Vec2 body = fixture.GetBody()->GetPosition();
+  return {edge.m_vertex0.x, edge.m_vertex0.y, edge.m_vertex1.x, edge.m_vertex1.y, edge.m_vertex2.x,
+          edge.m_vertex2.y, edge.m_vertex3.x, edge.m_vertex3.y, body.x,           body.y};
+}
+
 std::multiset<Placed> fixturesOf(const b2World& physics) {
   std::multiset<Placed> all;
-  for (const b2Body* body = physics.GetBodyList(); body; body = body->GetNext()) {
-    for (const b2Fixture* fixture = body->GetFixtureList(); fixture; fixture = fixture->GetNext()) {
-      const auto& edge = static_cast<const b2EdgeShape&>(*fixture->GetShape());
-      all.insert({edge.m_vertex0.x, edge.m_vertex0.y, edge.m_vertex1.x, edge.m_vertex1.y, edge.m_vertex2.x,
-                  edge.m_vertex2.y, edge.m_vertex3.x, edge.m_vertex3.y, body->GetPosition().x, body->GetPosition().y});
-    }
-  }
+  for (const b2Body* body = physics.GetBodyList(); body; body = body->GetNext())
+    for (const b2Fixture* fixture = body->GetFixtureList(); fixture; fixture = fixture->GetNext())
+      all.insert(placeOf(*fixture));
   return all;
 }
 
@@ -63,6 +66,7 @@ std::string name(const Segment& s) { return fmt::format("segment {} ({}, {})", s
 struct Complaint {
   std::string text;
   oracle::Outline about = {};
+  oracle::Mismatch::Kind kind = oracle::Mismatch::Kind::terrain;
 };
 using MayComplain = std::optional<Complaint>;
 
@@ -102,7 +106,15 @@ class Run {
     const Terrain fresh(physics, player_.world(), options_);
     const std::multiset<Placed> here = fixturesOf(physics_), there = fixturesOf(physics);
     if (here != there) {
-      return Complaint{fmt::format("{} fixtures, {} in a terrain made anew, or others\n", here.size(), there.size())};
+      Complaint complaint{
+          fmt::format("{} fixtures, {} in a terrain made anew, or others\n", here.size(), there.size())};
+      for (const Segment& s : segments_) {
+        const b2Fixture* const ours = terrain_->fixture(s.id);
+        const b2Fixture* const theirs = fresh.fixture(s.id);
+        if (ours && theirs ? placeOf(*ours) != placeOf(*theirs) : ours || theirs)
+          complaint.about.push_back(oracle::outlineSegment(s));
+      }
+      return complaint;
     }
     const auto bodies = static_cast<std::size_t>(physics_.GetBodyCount());
     if (terrain_->bodyCount() == fresh.bodyCount() && bodies == fresh.bodyCount()) return std::nullopt;
@@ -208,13 +220,14 @@ class Session {
     if (!step.isTrial) stats_.edits += step.edits.size();
     if (!done && !step.verdict.accepted && !step.isTrial) ++stats_.refused;
     if (done.has_value() == step.verdict.accepted) return std::nullopt;
-    return Complaint{done ? "an edit is accepted that must be refused\n"
-                          : fmt::format("an edit is refused that is good: {}\n", done.error().text)};
+    const std::string text = done ? "an edit is accepted that must be refused\n"
+                                  : fmt::format("an edit is refused that is good: {}\n", done.error().text);
+    return Complaint{text, {}, oracle::Mismatch::Kind::verdict};
   }
 
   Finding finding(Complaint complaint) {
     oracle::Mismatch mismatch;
-    mismatch.kind = oracle::Mismatch::Kind::changes;
+    mismatch.kind = complaint.kind;
     mismatch.text = complaint.text;
     mismatch.edits = edits_;
     mismatch.commit = commits_;

@@ -4,7 +4,7 @@
 //   LGS_FUZZ_SHRINK  seconds to spend on shrinking; default 10
 #include "fuzz/finding.h"
 #include "fuzz/mutate.h"
-#include "oracle/check/report.h"
+#include "oracle/check/shell.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -3,6 +3,7 @@
 #include "oracle/check/failure.h"
 #include "oracle/check/isolated.h"
 #include "oracle/check/report.h"
+#include "oracle/check/shell.h"
 #include "oracle/check/shrink.h"
 #include "oracle/trace/file.h"
 
@@ -66,8 +67,9 @@ void report(const Target& target, Bytes input, const Finding& finding, const Whe
       const bool same = found && found->mismatch && found->mismatch->kind == finding.mismatch->kind;
       return same ? std::move(found->mismatch) : std::nullopt;
     };
-    oracle::reportMismatch(*finding.mismatch, target.traceOf(input), findAgain,
-                           {where.folder, nameOf(target, input), again, where.shrinkFor});
+    oracle::reportMismatch(
+        *finding.mismatch, target.traceOf(input), findAgain,
+        {where.folder, nameOf(target, input), again, where.shrinkFor, oracle::shellWord(LGS_COMMAND)});
   }
 }
 

@@ -2,7 +2,7 @@
 #include "cli/command.h"
 #include "fuzz/finding.h"
 #include "fuzz/mutate.h"
-#include "oracle/check/report.h"
+#include "oracle/check/shell.h"
 #include "oracle/trace/file.h"
 #include "oracle/trace/model.h"
 

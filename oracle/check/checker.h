@@ -53,6 +53,7 @@ struct Mismatch {
     cgal,     ///< another outline than CGAL's
     loops,    ///< equal outlines, other loops
     history,  ///< the outline depends on how it came about
+    terrain,  ///< a physics engine's copy is not that of the world; the checker itself knows no such copy
   };
   Kind kind{};
   std::string text;        ///< what differs, and where; whole lines

@@ -1,12 +1,12 @@
 #include "oracle/check/report.h"
 
 #include "oracle/check/isolated.h"
+#include "oracle/check/shell.h"
 #include "oracle/check/shrink.h"
 #include "oracle/reference/words.h"
 #include "oracle/trace/file.h"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -63,25 +63,6 @@ bool writeOrComplain(const std::string& path, std::string_view content) {
   const auto done = writeFile(path, content);
   if (!done) fmt::print(stderr, "{}\n", message(done.error(), path));
   return done.has_value();
-}
-
-std::string shellWord(std::string_view word) {
-  const auto isPlain = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
-           std::string_view("_-./,:=+@%").find(c) != std::string_view::npos;
-  };
-  if (!word.empty() && std::all_of(word.begin(), word.end(), isPlain)) return std::string(word);
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
-std::string shellPath(const std::string& path) { return shellWord(std::filesystem::absolute(path).string()); }
-
-std::string thisProgram(std::string_view otherwise) {
-  std::error_code none;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
-  return none ? shellWord(otherwise) : shellWord(program.string());
 }
 
 void reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& findAgain,

@@ -20,15 +20,6 @@ struct ReportOptions {
   std::string lgs = "lgs";  ///< the lgs command, as a shell takes it
 };
 
-/// A word as a shell takes it: in quotes if it has to be.
-std::string shellWord(std::string_view word);
-
-/// The path of a file as a shell takes it, in any folder.
-std::string shellPath(const std::string& path);
-
-/// This program as a shell takes it, in any folder; `otherwise` where the system does not say.
-std::string thisProgram(std::string_view otherwise);
-
 /// Writes a file; complains on the standard error if that does not work. Whether it did.
 bool writeOrComplain(const std::string& path, std::string_view content);
 

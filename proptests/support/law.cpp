@@ -1,7 +1,7 @@
 #include "proptests/support/law.h"
 
 #include "oracle/check/isolated.h"
-#include "oracle/check/report.h"
+#include "oracle/check/shell.h"
 #include "proptests/support/scale.h"
 
 #include <fmt/format.h>
