@@ -108,6 +108,15 @@ TEST(Shrink, KeepsRemovalsThatMatter) {
   EXPECT_EQ(small.edits.size(), 4U) << printTrace(small);
 }
 
+TEST(Shrink, CopesWithThousandsOfVertices) {
+  LocalPolygon comb{{0, U}, {0, 0}};
+  for (std::int32_t k = 1; k < 4'000; ++k) comb.push_back({7 * k, k % 2});
+  const Trace trace{{}, {Edit::add("comb", {{0, 0}, 1, comb})}};
+  const auto hasFive = [](const Trace& t) { return !t.edits.empty() && t.edits[0].polygon.vertices.size() >= 5; };
+  const Trace small = shrink(trace, hasFive, 60s);
+  EXPECT_EQ(small.edits.at(0).polygon.vertices.size(), 5U);
+}
+
 TEST(Shrink, StopsWhenTimeIsUp) {
   const Trace trace = randomCase({}, 1);
   EXPECT_EQ(shrink(
