@@ -127,7 +127,8 @@ class Run {
     const box2d::EdgeSet& edges = terrain_->edges();
     for (const EdgeId id : edges.edges()) chunks_.insert(edges.chunk(edges.edge(id).chunk));
     if (edges.chunkCount() == chunks_.size()) return std::nullopt;
-    return Complaint{fmt::format("{} chunks ever had an edge, but {} did\n", edges.chunkCount(), chunks_.size())};
+    return Complaint{
+        fmt::format("chunkCount() is {}, but {} chunks ever had an edge\n", edges.chunkCount(), chunks_.size())};
   }
 
   // Each segment is found behind its fixture: the first one without a point, and each at a point in its middle.

@@ -9,8 +9,10 @@ constexpr std::int32_t U = kUnitsPerCell;
 using Polygon = std::vector<LocalPoint>;
 const Polygon kRamp{{0, 0}, {U, 0}, {U, U}};
 const Polygon kLower{{0, 0}, {U, 0}, {U, U / 2}, {0, U / 2}};
-constexpr std::int32_t kAlike = 60;  // rows; above them each cell holds something else, so a larger world knows more
 const Polygon kUpper{{0, U / 2}, {U, U / 2}, {U, U}, {0, U}};
+const Polygon kRare{{1, 2}, {30'000, 4}, {5, 60'000}};
+
+constexpr std::int32_t kAlike = 60;  // rows; above them each cell is unlike all others
 
 template <class T>
 T good(const Expected<T>& result) {
@@ -64,6 +66,10 @@ Costs costsOf(Ground& ground, const std::function<void(const Changes&)>& sync) {
     count("fill", [&] { good(world.fill(Ground::kField, square, 2)); });
     commit("fill");
     good(world.clear({Ground::kPlace, Ground::kPlace}));
+    const PolygonHandle rare = good(world.add(Ground::kPlace, std::span<const LocalPoint>(kRare), 1));
+    sync(world.commit());
+    EXPECT_TRUE(world.remove(rare));
+    commit("a polygon went that no other cell has");
     count("add by points", [&] { good(world.add(Ground::kPlace, std::span<const LocalPoint>(kRamp), 1)); });
     commit("another polygon in its place");
     commit("nothing");
