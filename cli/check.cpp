@@ -3,15 +3,32 @@
 #include <fmt/format.h>
 #include <charconv>
 #include <filesystem>
+#include <optional>
 
 namespace lgs::cli {
 namespace {
 
-// A mismatch after hours must not be lost because its files can not be written.
+namespace fs = std::filesystem;
+
+// The first folder of a path that does not exist; nothing if all do.
+std::optional<fs::path> firstMissing(const fs::path& folder) {
+  fs::path path;
+  for (const fs::path& part : folder) {
+    path /= part;
+    if (!fs::exists(path)) return path;
+  }
+  return std::nullopt;
+}
+
+// A mismatch after hours must not be lost because its files can not be written. Folders are made for the trial only.
 Status tryFiles(const CheckArguments& arguments) {
+  const fs::path out = (fs::path(arguments.out) / "").parent_path();  // without a slash at the end
+  const auto made = firstMissing(out);
   std::error_code ignored;  // the trial will say what is wrong
-  std::filesystem::create_directories(arguments.out, ignored);
-  return tryOutputs({(std::filesystem::path(arguments.out) / "mismatch.trace").string(), arguments.svg});
+  fs::create_directories(out, ignored);
+  const Status status = tryOutputs({(out / "mismatch.trace").string()});
+  for (fs::path at = out; made && fs::remove(at, ignored) && at != *made;) at = at.parent_path();
+  return status == Status::fine ? tryOutputs({arguments.svg}) : status;
 }
 
 // Reads "12x8".
@@ -70,7 +87,7 @@ void addWorldOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& a
 }
 
 void addOutputOptions(CLI::App& command, CheckArguments& arguments) {
-  command.add_option("--out", arguments.out, "Folder for the trace and the picture of a mismatch; default .")
+  command.add_option("--out", arguments.out, "Folder for the trace and the picture of a mismatch; default out")
       ->option_text("DIR");
   command.add_option("--shrink", arguments.shrinkSeconds, "Seconds to spend on shrinking a mismatch; default 20")
       ->check(CLI::Range(0.0, 86'400.0))

@@ -1,7 +1,9 @@
 #include "cli/check_run.h"
 #include "cli/progress.h"
 #include "oracle/check/isolated.h"
+#include "oracle/check/shell.h"
 #include "oracle/reference/words.h"
+#include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
 
 #include <fmt/format.h>
@@ -15,7 +17,9 @@ namespace {
 
 Status dig(const CheckArguments& arguments, const Trace& start, const Checked& digging) {
   Player player(start.preserve);
-  if (const auto done = play(start, player); !done) return complain(message(done.error(), arguments.map));
+  const auto done = play(start, player);
+  const bool isBad = withoutRefused(start).edits.size() != start.edits.size();  // if not, the check finds what is wrong
+  if (!done && isBad) return complain(message(done.error(), arguments.map));
   fmt::print("{}: built by {}, {} in {}; then dug and refilled by {}\n", arguments.map,
              counted(editCount(start), "edit"), counted(player.world().stats().polygons, "polygon"),
              counted(player.world().stats().cells, "cell"), counted(arguments.edits, "edit"));
@@ -54,10 +58,10 @@ Status dig(const CheckArguments& arguments, const Trace& start, const Checked& d
 Status checkMap(const CheckArguments& arguments) {
   const auto start = readWorld(arguments.map);
   if (!start) return complain(start.error());
-  const Checked digging{
-      digIn(*start, arguments.edits, arguments.seed), fmt::format("mismatch-map-{}", arguments.seed),
-      fmt::format("lgs check --map '{}' --edits {} --seed {} --oracle {} --whole-every {}", arguments.map,
-                  arguments.edits, arguments.seed, arguments.oracleName(), arguments.options.wholeEvery)};
+  const Checked digging{digIn(*start, arguments.edits, arguments.seed), fmt::format("mismatch-map-{}", arguments.seed),
+                        fmt::format("{} check --map {} --edits {} --seed {} --oracle {} --whole-every {}",
+                                    thisProgram("lgs"), shellPath(arguments.map), arguments.edits, arguments.seed,
+                                    arguments.oracleName(), arguments.options.wholeEvery)};
   return isolated(
       arguments, arguments.options, [&] { return dig(arguments, *start, digging); }, [&] { return digging; });
 }

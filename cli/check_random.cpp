@@ -1,6 +1,7 @@
 #include "cli/check_run.h"
 #include "cli/progress.h"
 #include "oracle/check/isolated.h"
+#include "oracle/check/shell.h"
 #include "oracle/generate/random.h"
 
 #include <fmt/format.h>
@@ -24,10 +25,10 @@ struct Case {
 Checked traceOf(const CheckArguments& arguments, const Case& at) {
   GeneratorOptions world = arguments.world;
   world.edits = at.edits;
-  return {randomCase(world, caseSeed(arguments.seed, at.number)),
+  return {caseOf(at.number, world, caseSeed(arguments.seed, at.number)),
           fmt::format("mismatch-{}-{}", arguments.seed, at.number),
-          fmt::format("lgs check --cells {}x{} --case-edits {} --seed {} --case {} --oracle {}", world.width,
-                      world.height, world.edits, arguments.seed, at.number, arguments.oracleName())};
+          fmt::format("{} check --cells {}x{} --case-edits {} --seed {} --case {} --oracle {}", thisProgram("lgs"),
+                      world.width, world.height, world.edits, arguments.seed, at.number, arguments.oracleName())};
 }
 
 Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at) {
@@ -36,7 +37,8 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
   Progress progress;
   for (at.number = arguments.onlyCase.value_or(0); totals.stats.edits < arguments.edits; ++at.number) {
     at.edits = arguments.world.edits;
-    if (!arguments.onlyCase) at.edits = std::min<std::size_t>(at.edits, arguments.edits - totals.stats.edits);
+    if (!arguments.onlyCase)
+      at.edits = std::min<std::size_t>(editsOf(at.number, at.edits), arguments.edits - totals.stats.edits);
     stillAlive();
     const Checked checked = traceOf(arguments, at);
     Features features{};

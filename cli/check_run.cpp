@@ -1,6 +1,7 @@
 #include "cli/check_run.h"
 
 #include "oracle/check/isolated.h"
+#include "oracle/check/shell.h"
 #include "oracle/draw/draw.h"
 #include "oracle/reference/words.h"
 #include "oracle/trace/dump.h"
@@ -25,6 +26,7 @@ void printSummary(const CheckArguments& arguments, const Totals& totals) {
   fmt::print("compared   {} times with CGAL, {} with the naive reference; {} times the whole world\n", s.cgal, s.naive,
              s.whole);
   fmt::print("segments   {} compared\n", s.segments);
+  fmt::print("doors      {}\n", doorsInWords(s));
   fmt::print("time       {:.1f} s, {:.0f} edits/s\n", seconds, static_cast<double>(edits) / seconds);
   if (!arguments.map.empty()) return;
   fmt::print("cases      {}; of these had\n{}", totals.cases.cases, table(totals.cases));
@@ -34,7 +36,7 @@ void printSummary(const CheckArguments& arguments, const Totals& totals) {
 
 ReportOptions reportOptions(const CheckArguments& arguments, const Checked& checked) {
   return {arguments.out, checked.name, checked.reproduce,
-          std::chrono::milliseconds(static_cast<std::int64_t>(arguments.shrinkSeconds * 1'000))};
+          std::chrono::milliseconds(static_cast<std::int64_t>(arguments.shrinkSeconds * 1'000)), thisProgram("lgs")};
 }
 
 Status isolated(const CheckArguments& arguments, const CheckOptions& options, const std::function<Status()>& check,

@@ -21,7 +21,7 @@ struct CheckArguments {
   std::uint64_t seed = 1;
   std::optional<std::size_t> onlyCase;
   std::string map;
-  std::string out = ".";
+  std::string out = "out";
   std::string svg;
   double shrinkSeconds = 20;
   oracle::CheckOptions options;

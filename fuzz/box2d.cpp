@@ -1,7 +1,10 @@
 // The Box2D adapter: after every commit the fixtures are the world's segments, vertex by vertex, with their ghosts, no
-// more and no fewer. Where segments are too short for Box2D, or merged, the rules of <lgs/box2d/edges.h> say what stands
-// for them: then the terrain that was kept up to date must equal one made anew.
+// more and no fewer, and a fixture that is hit says which segment that is. Where segments are too short for Box2D, or
+// merged, the rules of <lgs/box2d/edges.h> say what stands for them: then the terrain that was kept up to date must
+// equal one made anew.
 #include "fuzz/target.h"
+#include "oracle/generate/steps.h"
+#include "oracle/trace/dump.h"
 #include "oracle/trace/player.h"
 
 #include <box2d/box2d.h>
@@ -9,12 +12,15 @@
 #include <lgs/box2d/terrain.h>
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
-#include <tuple>
 
 namespace lgs::fuzz {
 namespace {
 
+using box2d::Edge;
+using box2d::EdgeId;
+using box2d::Hit;
 using box2d::Terrain;
 using box2d::TerrainOptions;
 
@@ -26,16 +32,46 @@ constexpr double kCellSize = 64;  // metres: a lattice unit is a fifth of what B
 // v0, v1, v2, v3 and where the body is.
 using Placed = std::array<float, 10>;
 
+Placed placeOf(const b2Fixture& fixture) {
+  const auto& edge = static_cast<const b2EdgeShape&>(*fixture.GetShape());
+  const b2Vec2 body = fixture.GetBody()->GetPosition();
+  return {edge.m_vertex0.x, edge.m_vertex0.y, edge.m_vertex1.x, edge.m_vertex1.y, edge.m_vertex2.x,
+          edge.m_vertex2.y, edge.m_vertex3.x, edge.m_vertex3.y, body.x,           body.y};
+}
+
 std::multiset<Placed> fixturesOf(const b2World& physics) {
   std::multiset<Placed> all;
-  for (const b2Body* body = physics.GetBodyList(); body; body = body->GetNext()) {
-    for (const b2Fixture* fixture = body->GetFixtureList(); fixture; fixture = fixture->GetNext()) {
-      const auto& edge = static_cast<const b2EdgeShape&>(*fixture->GetShape());
-      all.insert({edge.m_vertex0.x, edge.m_vertex0.y, edge.m_vertex1.x, edge.m_vertex1.y, edge.m_vertex2.x,
-                  edge.m_vertex2.y, edge.m_vertex3.x, edge.m_vertex3.y, body->GetPosition().x, body->GetPosition().y});
-    }
-  }
+  for (const b2Body* body = physics.GetBodyList(); body; body = body->GetNext())
+    for (const b2Fixture* fixture = body->GetFixtureList(); fixture; fixture = fixture->GetNext())
+      all.insert(placeOf(*fixture));
   return all;
+}
+
+bool isShorter(const Segment& s, std::int64_t length) {
+  const std::int64_t x = s.end.x - s.start.x;
+  const std::int64_t y = s.end.y - s.start.y;
+  return x * x + y * y < length * length;
+}
+
+bool isParallel(const Segment& s, const Edge& edge) {
+  return (s.end.x - s.start.x) * (edge.end.y - edge.start.y) == (s.end.y - s.start.y) * (edge.end.x - edge.start.x);
+}
+
+bool isHit(const std::optional<Hit>& hit, const Segment& s) {
+  return hit && hit->segment == s.id && hit->polygon == s.polygon && hit->block == s.block && hit->cell == s.cell;
+}
+
+std::string name(const Segment& s) { return fmt::format("segment {} ({}, {})", s.id.value, s.start.x, s.start.y); }
+
+struct Complaint {
+  std::string text;
+  oracle::Outline about = {};
+  oracle::Mismatch::Kind kind = oracle::Mismatch::Kind::terrain;
+};
+using MayComplain = std::optional<Complaint>;
+
+Complaint about(const Segment& s, const std::string& text) {
+  return {fmt::format("{}{}\n", name(s), text), {oracle::outlineSegment(s)}};
 }
 
 class Run {
@@ -44,46 +80,94 @@ class Run {
     terrain_.emplace(physics_, player_.world(), options_);
   }
 
-  std::string commit() {
+  MayComplain commit() {
     terrain_->sync(player_.commit());
-    const World& world = player_.world();
-    const std::multiset<Placed> fixtures = fixturesOf(physics_);
-    b2World otherPhysics({0, 0});
-    const Terrain fresh(otherPhysics, world, options_);
-    if (fixtures != fixturesOf(otherPhysics)) {
-      return fmt::format("{} fixtures, {} in a terrain made anew, or others\n", fixtures.size(),
-                         fixturesOf(otherPhysics).size());
-    }
-    if (options_.merge) return {};
+    segments_.clear();
+    for (const SegmentId id : player_.world().segments()) segments_.push_back(*player_.world().segment(id));
+    if (auto complaint = compareWithFresh()) return complaint;
+    if (auto complaint = countChunks()) return complaint;
+    if (auto complaint = hitEach()) return complaint;
     const std::int64_t shortest = terrain_->edges().options().shortest;
-    std::vector<Segment> segments;
-    for (const SegmentId id : world.segments()) segments.push_back(*world.segment(id));
-    const auto isShort = [&](const Segment& s) {
-      const std::int64_t x = s.end.x - s.start.x;
-      const std::int64_t y = s.end.y - s.start.y;
-      return x * x + y * y < shortest * shortest;
-    };
-    if (std::any_of(segments.begin(), segments.end(), isShort)) return {};
-    if (fixtures.size() != segments.size()) {
-      return fmt::format("{} fixtures for {} segments\n", fixtures.size(), segments.size());
-    }
-    for (const Segment& s : segments) {
-      if (std::string text = compare(s); !text.empty()) return text;
-    }
-    return {};
+    const auto isShort = [&](const Segment& s) { return isShorter(s, shortest); };
+    if (options_.merge || std::any_of(segments_.begin(), segments_.end(), isShort)) return std::nullopt;
+    for (const Segment& s : segments_)
+      if (auto complaint = compare(s)) return complaint;
+    const std::size_t fixtures = terrain_->edges().edges().size();
+    if (fixtures == segments_.size()) return std::nullopt;
+    return Complaint{fmt::format("{} fixtures for {} segments\n", fixtures, segments_.size())};
   }
 
   oracle::Player& player() { return player_; }
 
  private:
-  std::string compare(const Segment& s) {
-    const b2Fixture* const fixture = terrain_->fixture(s.id);
-    const auto name = [&] { return fmt::format("segment {} ({}, {})", s.id.value, s.start.x, s.start.y); };
-    if (!fixture) return name() + " has no fixture\n";
-    const auto hit = terrain_->hit(*fixture);
-    if (!hit || hit->segment != s.id || hit->polygon != s.polygon || hit->block != s.block || hit->cell != s.cell) {
-      return name() + ": its fixture stands for another one\n";
+  // A terrain made anew has the same bodies and fixtures.
+  MayComplain compareWithFresh() {
+    b2World physics({0, 0});
+    const Terrain fresh(physics, player_.world(), options_);
+    const std::multiset<Placed> here = fixturesOf(physics_), there = fixturesOf(physics);
+    if (here != there) {
+      Complaint complaint{
+          fmt::format("{} fixtures, {} in a terrain made anew, or others\n", here.size(), there.size())};
+      for (const Segment& s : segments_) {
+        const b2Fixture* const ours = terrain_->fixture(s.id);
+        const b2Fixture* const theirs = fresh.fixture(s.id);
+        if (ours && theirs ? placeOf(*ours) != placeOf(*theirs) : ours || theirs)
+          complaint.about.push_back(oracle::outlineSegment(s));
+      }
+      return complaint;
     }
+    const auto bodies = static_cast<std::size_t>(physics_.GetBodyCount());
+    if (terrain_->bodyCount() == fresh.bodyCount() && bodies == fresh.bodyCount()) return std::nullopt;
+    return Complaint{fmt::format("{} bodies, said to be {}, and {} in a terrain made anew\n", bodies,
+                                 terrain_->bodyCount(), fresh.bodyCount())};
+  }
+
+  // Those that ever had an edge.
+  MayComplain countChunks() {
+    const box2d::EdgeSet& edges = terrain_->edges();
+    for (const EdgeId id : edges.edges()) chunks_.insert(edges.chunk(edges.edge(id).chunk));
+    if (edges.chunkCount() == chunks_.size()) return std::nullopt;
+    return Complaint{
+        fmt::format("chunkCount() is {}, but {} chunks ever had an edge\n", edges.chunkCount(), chunks_.size())};
+  }
+
+  // Each segment is found behind its fixture: the first one without a point, and each at a point in its middle.
+  MayComplain hitEach() {
+    const box2d::EdgeSet& edges = terrain_->edges();
+    std::map<EdgeId, bool> isStraight;  // welded ones are not
+    for (const Segment& s : segments_) {
+      const EdgeId id = edges.edgeOf(s.id);
+      if (id) isStraight.emplace(id, true).first->second &= isParallel(s, edges.edge(id));
+    }
+    for (const Segment& s : segments_) {
+      const EdgeId id = edges.edgeOf(s.id);
+      if (!id) continue;
+      const b2Fixture* const fixture = terrain_->fixture(s.id);
+      if (!fixture || fixture != terrain_->fixture(id)) return about(s, " has no fixture, or another edge's");
+      if (edges.edge(id).first == s.id && !isHit(terrain_->hit(*fixture), s))
+        return about(s, ": its fixture stands for another one");
+      const Point middle{s.start.x + (s.end.x - s.start.x) / 2, s.start.y + (s.end.y - s.start.y) / 2};
+      const auto hit = terrain_->hit(*fixture, terrain_->position(middle));
+      if (!hit || edges.edgeOf(hit->segment) != id) return about(s, ": what is hit there is not of its fixture");
+      if (isStraight[id] && isDistinct(s) && !isHit(hit, s))
+        return about(s, fmt::format(": in its middle segment {} is hit", hit->segment.value));
+    }
+    return std::nullopt;
+  }
+
+  // Whether a float of Box2D's tells its middle from its ends: it is not too short, and not too far away.
+  bool isDistinct(const Segment& s) const {
+    constexpr std::int64_t kLong = 16;  // lattice units
+    constexpr std::int32_t kNear = 100;
+    const Cell o = options_.origin;
+    const CellRect near{{o.i - kNear, o.j - kNear}, {o.i + kNear, o.j + kNear}};
+    return !isShorter(s, kLong) && contains(near, s.cell);
+  }
+
+  // The fixture of a segment, where each has one.
+  MayComplain compare(const Segment& s) {
+    const b2Fixture* const fixture = terrain_->fixture(s.id);
+    if (!fixture) return about(s, " has no fixture");
     const auto& edge = static_cast<const b2EdgeShape&>(*fixture->GetShape());
     const auto down = [&](std::int32_t index) {
       const std::int32_t n = options_.chunkCells;
@@ -95,49 +179,85 @@ class Run {
       };
       return v.x == metres(p.x - down(s.cell.i)) && v.y == metres(p.y - down(s.cell.j));
     };
-    if (!edge.m_oneSided || !is(edge.m_vertex1, s.start) || !is(edge.m_vertex2, s.end)) {
-      return name() + ": its fixture lies elsewhere\n";
-    }
-    if ((s.predecessor && !is(edge.m_vertex0, s.ghost1)) || (s.successor && !is(edge.m_vertex3, s.ghost2))) {
-      return name() + ": its fixture has another ghost\n";
-    }
-    return {};
+    if (!edge.m_oneSided || !is(edge.m_vertex1, s.start) || !is(edge.m_vertex2, s.end))
+      return about(s, ": its fixture lies elsewhere");
+    if ((s.predecessor && !is(edge.m_vertex0, s.ghost1)) || (s.successor && !is(edge.m_vertex3, s.ghost2)))
+      return about(s, ": its fixture has another ghost");
+    return std::nullopt;
   }
 
   oracle::Player player_;
   b2World physics_{{0, 0}};
   TerrainOptions options_;
   std::optional<Terrain> terrain_;
+  std::vector<Segment> segments_;
+  std::set<box2d::Chunk> chunks_;
 };
 
-std::optional<Finding> checkWith(TerrainOptions options, const oracle::Trace& trace, oracle::CheckStats& stats) {
-  Run run(trace, std::move(options));
-  const auto judge = [&](std::size_t edits) -> std::optional<Finding> {
-    ++stats.commits;
-    std::string text = run.commit();
-    if (text.empty()) return std::nullopt;
-    oracle::Mismatch mismatch;
-    mismatch.kind = oracle::Mismatch::Kind::changes;
-    mismatch.text = text;
-    mismatch.edits = edits;
-    mismatch.scene = run.player().scene();
-    return Finding{std::move(text), std::move(mismatch)};
-  };
-  for (std::size_t k = 0; k < trace.edits.size(); ++k) {
-    const oracle::Edit& edit = trace.edits[k];
-    if (edit.kind != oracle::Edit::Kind::commit) {
-      ++stats.edits;
-      if (!run.player().apply(edit)) ++stats.refused;
-    } else if (auto finding = judge(k + 1)) {
-      return finding;
+class Session {
+ public:
+  Session(const oracle::Trace& trace, TerrainOptions options, oracle::CheckStats& stats)
+      : steps_(trace), run_(trace, std::move(options)), stats_(stats) {}
+
+  std::optional<Finding> run() {
+    while (const auto step = steps_.next()) {
+      edits_ = step->end;
+      MayComplain complaint = step->isCommit() ? commit() : apply(*step);
+      if (complaint) return finding(*complaint);
     }
+    if (const MayComplain complaint = commit()) return finding(*complaint);
+    return std::nullopt;
   }
-  return judge(trace.edits.size());
+
+ private:
+  MayComplain commit() {
+    ++stats_.commits;
+    ++commits_;
+    return run_.commit();
+  }
+
+  MayComplain apply(const oracle::Step& step) {
+    const auto done = run_.player().apply(step);
+    if (!step.isTrial) stats_.edits += step.edits.size();
+    if (!done && !step.verdict.accepted && !step.isTrial) ++stats_.refused;
+    if (done.has_value() == step.verdict.accepted) return std::nullopt;
+    const std::string text = done ? "an edit is accepted that must be refused\n"
+                                  : fmt::format("an edit is refused that is good: {}\n", done.error().text);
+    return Complaint{text, {}, oracle::Mismatch::Kind::verdict};
+  }
+
+  Finding finding(Complaint complaint) {
+    oracle::Mismatch mismatch;
+    mismatch.kind = complaint.kind;
+    mismatch.text = complaint.text;
+    mismatch.edits = edits_;
+    mismatch.commit = commits_;
+    mismatch.scene = run_.player().scene();
+    mismatch.expected = mismatch.actual = oracle::outlineOf(run_.player().world());
+    mismatch.marked = std::move(complaint.about);
+    return Finding{std::move(complaint.text), std::move(mismatch)};
+  }
+
+  oracle::Steps steps_;
+  Run run_;
+  oracle::CheckStats& stats_;
+  std::size_t edits_ = 0;
+  std::size_t commits_ = 0;
+};
+
+// Where the edits are, so that floats of the physics world tell their segments apart.
+Cell originOf(const oracle::Trace& trace) {
+  for (const oracle::Edit& edit : trace.edits)
+    if (edit.kind == oracle::Edit::Kind::add && inRange(edit.polygon.cell)) return edit.polygon.cell;
+  return {};
 }
 
 std::optional<Finding> checkTrace(const oracle::Trace& trace, oracle::CheckStats& stats) {
-  auto finding = checkWith({.cellSize = kCellSize, .chunkCells = 1}, trace, stats);
-  return finding ? finding : checkWith({.cellSize = kCellSize, .chunkCells = 3, .merge = true}, trace, stats);
+  TerrainOptions options{.cellSize = kCellSize, .origin = originOf(trace), .chunkCells = 1};
+  if (auto finding = Session(trace, options, stats).run()) return finding;
+  options.chunkCells = 3;
+  options.merge = true;
+  return Session(trace, options, stats).run();
 }
 
 std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) { return checkTrace(decode(input), stats); }

@@ -1,5 +1,6 @@
 #include "fuzz/format.h"
 #include "oracle/generate/shapes.h"
+#include "oracle/trace/step.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -54,13 +55,15 @@ std::int32_t inner(std::uint8_t byte, int grid) {
   }
 }
 
-// A few of the coordinates that are no good, and are apt to overflow something.
+// Most bytes give a coordinate inside the cell. The last six give one outside it. Some of these are so large that
+// arithmetic may overflow.
 std::int32_t anywhere(std::uint8_t byte, int grid) {
   constexpr std::array<std::int32_t, 6> kOutside{-1, U + 1, 2 * U, -U, 32'767 * U, -32'767 * U};
   return byte >= 250 && grid >= 2 ? kOutside[byte - 250U] : inner(byte, grid);
 }
 
-// Andrew's monotone chain; counter-clockwise, without collinear vertices. Fewer than three points if they are collinear.
+// Andrew's monotone chain; counter-clockwise, without collinear vertices. Fewer than three points if they are
+// collinear.
 LocalPolygon hullOf(LocalPolygon points) {
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -267,12 +270,12 @@ class Decoder {
     ++edits_;
     const std::size_t index = placedBy_ == record_ ? ++placed_ : placed_ = 1;
     placedBy_ = record_;
-    std::string name = index == 1 ? fmt::format("p{}", record_) : fmt::format("p{}.{}", record_, index);
+    std::string name = nameOf(record_, index);
     inCell_[cell].push_back(name);
     trace_.edits.push_back(Edit::add(std::move(name), ScenePolygon{cell, block, std::move(vertices)}));
   }
 
-  // One that was refused may be among them: the bytes alone do not say.
+  // The polygon may be one that is refused when it is added. The bytes alone do not say that.
   void remove(Cell cell, std::size_t which) {
     const auto found = inCell_.find(cell);
     if (found == inCell_.end() || found->second.empty()) return;
@@ -281,8 +284,12 @@ class Decoder {
     found->second.erase(at);
   }
 
-  void removeRecord(std::uint32_t index) {
-    removeNamed(fmt::format("p{}", index == kNoRecord ? index : index % record_));
+  void removeRecord(std::uint32_t index) { removeNamed(index == kNoRecord ? "none" : nameOf(index % record_, 1)); }
+
+  // The letters decide which door the edit takes.
+  static std::string nameOf(std::size_t record, std::size_t index) {
+    const std::string letters = oracle::randomLetters(record);
+    return index == 1 ? fmt::format("p{}{}", record, letters) : fmt::format("p{}.{}{}", record, index, letters);
   }
 
   void clear(Cell cell) {

@@ -1,9 +1,10 @@
-// The entry points of libFuzzer, and of all that speak its language: AFL++, Honggfuzz, ClusterFuzz. One program a target.
+// The entry points of libFuzzer, and of all that speak its language: AFL++, Honggfuzz, ClusterFuzz. One program a
+// target.
 //   LGS_FUZZ_OUT     folder for a finding's trace, picture and input; default: where the program runs
 //   LGS_FUZZ_SHRINK  seconds to spend on shrinking; default 10
 #include "fuzz/finding.h"
 #include "fuzz/mutate.h"
-#include "oracle/check/report.h"
+#include "oracle/check/shell.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -28,7 +29,7 @@ std::string environment(const char* name, const char* fallback) {
 
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv);
 extern "C" int LLVMFuzzerInitialize(int* /*argc*/, char*** argv) {
-  program = lgs::oracle::shellWord((*argv)[0]);
+  program = lgs::oracle::thisProgram((*argv)[0]);
   return 0;
 }
 

@@ -3,6 +3,7 @@
 #include "oracle/check/failure.h"
 #include "oracle/check/isolated.h"
 #include "oracle/check/report.h"
+#include "oracle/check/shell.h"
 #include "oracle/check/shrink.h"
 #include "oracle/trace/file.h"
 
@@ -36,7 +37,7 @@ std::string saveInput(const Target& target, Bytes input, const Where& where) {
   std::filesystem::create_directories(where.folder, ignored);
   const std::string path = (std::filesystem::path(where.folder) / (nameOf(target, input) + ".input")).string();
   save(path, textOf(input));
-  return fmt::format("{} {}", where.again, oracle::shellWord(path));
+  return fmt::format("{} {}", where.again, oracle::shellPath(path));
 }
 
 // Whether `work` crashes, or hangs: too long is a finding as well.
@@ -66,8 +67,9 @@ void report(const Target& target, Bytes input, const Finding& finding, const Whe
       const bool same = found && found->mismatch && found->mismatch->kind == finding.mismatch->kind;
       return same ? std::move(found->mismatch) : std::nullopt;
     };
-    oracle::reportMismatch(*finding.mismatch, target.traceOf(input), findAgain,
-                           {where.folder, nameOf(target, input), again, where.shrinkFor});
+    oracle::reportMismatch(
+        *finding.mismatch, target.traceOf(input), findAgain,
+        {where.folder, nameOf(target, input), again, where.shrinkFor, oracle::shellWord(LGS_COMMAND)});
   }
 }
 

@@ -1,18 +1,34 @@
 // Bytes to edits, and back.
 //
-// An input is a header and records, 16 bytes each; what is short is filled up with zeros, so any bytes are some edits. A
-// record makes one edit, or a few that belong together (a shape's polygons, a rectangle). It says where and what by
-// itself, so a flipped byte changes that edit and leaves the others as they are, except that later removes in its cells
-// may take other polygons (and that another action may take, or leave, the vertices kept for the next polygon). Polygons
-// are named by the number of their record: p7, or p7.2 if it places several.
+// An input is a header and records of 16 bytes each. What is short is filled up with zeros, so any bytes are some
+// edits. A record makes one edit, or a few that belong together: a shape's polygons, a rectangle. It says where and
+// what by itself. So a flipped byte changes that edit and leaves the others as they are. There are two exceptions:
+//   - later removes in its cells may take other polygons;
+//   - another action may take, or leave, the vertices kept for the next polygon.
 //
-//   header   0 preserve pairs, used if byte 2 is 3 modulo 4   3 the window of cells   4 where in the world it lies
-//   record   0 low four bits: what; bits 4, 5: no commit follows if both are 0; bits 6, 7: block 1 to 4
-//            1 cell of the window   2 shape, vertices, which one   3 symmetry, blocks, grid   4 … 15 six vertices, x y
+//   header  byte  bits  meaning
+//           0, 1        preserve pairs, a bit each
+//           2     0, 1  3: the preserve pairs count
+//           3           the window of cells
+//           4           where in the world the window lies
 //
-// Records of cells and coordinates at full width hold what such short ones can not: a trace of fewer than kMaxEdits edits,
-// whose polygons have at most kMaxVertices vertices and lie near their cells, has an input (encode), so traces of other
-// origin can be seeds.
+//   record  byte  bits  meaning
+//           0     0-3   the action
+//           0     4, 5  0: no commit follows; otherwise one does
+//           0     6, 7  the block, 1 to 4
+//           1           the cell of the window
+//           2           the shape; or how many vertices; or which polygon to remove
+//           3     0-2   the symmetry
+//           3     3, 4  the grid of the vertices
+//           3     7     0: one block for a shape's polygons; 1: one block after the other
+//           4-15        six vertices, x and y
+//
+// The actions that are called *full width* below read the bytes in another way. They hold cells and coordinates of any
+// size. So a trace from elsewhere has an input too (encode) and can be a seed. It must have fewer than kMaxEdits edits.
+// Its polygons must have at most kMaxVertices vertices, and lie near their cells.
+//
+// A polygon's name is the number of its record, and letters that follow from the number: p7haa, or p7.2haa for the
+// second polygon of a record. The letters choose the door of the edit (oracle/trace/step.h).
 #pragma once
 
 #include "oracle/trace/trace.h"

@@ -2,7 +2,7 @@
 #include "cli/command.h"
 #include "fuzz/finding.h"
 #include "fuzz/mutate.h"
-#include "oracle/check/report.h"
+#include "oracle/check/shell.h"
 #include "oracle/trace/file.h"
 #include "oracle/trace/model.h"
 
@@ -219,70 +219,99 @@ CLI::Validator seconds(bool orZero) {
 
 using Command = Status (*)(const Arguments&);
 
-Status main(int argc, char** argv) {
-  CLI::App app(
-      "The fuzz targets of LocalGridSeg without a fuzzing engine: they run, change, convert and report inputs.",
-      "lgs_fuzz");
-  app.require_subcommand(1);
-  app.footer(listOfTargets() + "\nExit status: 0 fine, 1 a finding, 2 bad input or usage.\nMore: fuzz/README.md");
-  Arguments arguments;
-  arguments.program = oracle::shellWord(argv[0]);
-  Command chosen = nullptr;
-  const auto add = [&](const char* name, const char* about, Command command) {
-    CLI::App* sub = app.add_subcommand(name, about);
-    sub->callback([&chosen, command] { chosen = command; });
+class CommandLine {
+ public:
+  explicit CommandLine(Arguments& arguments) : arguments_(arguments) {
+    app_.require_subcommand(1);
+    app_.footer(listOfTargets() + "\nExit status: 0 fine, 1 a finding, 2 bad input or usage.\nMore: fuzz/README.md");
+    addRun();
+    addSmoke();
+    addReport();
+    addToTrace();
+    addToInput();
+  }
+
+  Status run(int argc, char** argv) {
+    try {
+      app_.parse(argc, argv);
+      return chosen_(arguments_);
+    } catch (const CLI::ParseError& error) {
+      return app_.exit(error) == 0 ? Status::fine : Status::badInput;
+    }
+  }
+
+ private:
+  CLI::App& add(const char* name, const char* about, Command command) {
+    CLI::App& sub = *app_.add_subcommand(name, about);
+    sub.callback([this, command] { chosen_ = command; });
     return sub;
-  };
-  std::vector<std::string> names;
-  for (const auto& entry : targets()) names.push_back(entry.first);
-  const auto withTarget = [&](CLI::App* sub) {
-    sub->add_option("TARGET", arguments.target, "edits, polygons, …: see lgs_fuzz --help")
+  }
+  void addTarget(CLI::App& sub) {
+    std::vector<std::string> names;
+    for (const auto& entry : targets()) names.push_back(entry.first);
+    sub.add_option("TARGET", arguments_.target, "edits, polygons, …: see lgs_fuzz --help")
         ->required()
         ->check(CLI::IsMember(names));
-    return sub;
-  };
-  const auto withOut = [&](CLI::App* sub) {
-    sub->add_option("--out", arguments.folder, "Folder for a finding; default out/fuzz");
-    sub->add_option("--shrink", arguments.shrinkSeconds, "Seconds to spend on shrinking; default 20")
-        ->check(seconds(true));
-    return sub;
-  };
-
-  CLI::App* sub = withOut(withTarget(add("run", "Run inputs: files, or all files of folders", run)));
-  sub->add_option("PATH", arguments.paths)->required();
-  cli::addWholeNumber(
-      *sub, "--repeat", [&](std::uint64_t n) { arguments.repeat = n; }, {.min = 1, .max = 1'000'000'000},
-      "Run all of them this often, for a timing")
-      ->option_text("N");
-
-  sub = withOut(withTarget(add("smoke", "Run inputs, then random changes of them and random ones", smoke)));
-  sub->add_option("PATH", arguments.paths, "Files and folders to start from; none: from nothing");
-  sub->add_option("--seconds", arguments.seconds, "For how long; default 5")->check(seconds(false));
-  cli::addWholeNumber(
-      *sub, "--seed", [&](std::uint64_t n) { arguments.seed = n; }, {}, "Default 1")
-      ->option_text("N");
-
-  sub = withOut(withTarget(add("report", "Run an input that failed; shrink, save and draw its edits", reportInput)));
-  sub->add_option("INPUT", arguments.paths)->required()->expected(1);
-
-  sub = withTarget(add("to-trace", "Print the edits of an input as a trace", toTrace));
-  sub->add_option("INPUT", arguments.paths)->required()->expected(1);
-  sub->add_option("-o,--output", arguments.output, "Default: standard output");
-  sub->add_flag("--all", arguments.all, "With the edits that must be refused, which lgs replay does not take");
-
-  sub = add("to-input", "Turn a trace into an input of the targets that take edits", toInput);
-  sub->add_option("TRACE", arguments.paths)->required()->expected(1);
-  sub->add_option("-o,--output", arguments.output, "Default: standard output");
-
-  try {
-    app.parse(argc, argv);
-    return chosen(arguments);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? Status::fine : Status::badInput;
   }
-}
+  void addOut(CLI::App& sub) {
+    sub.add_option("--out", arguments_.folder, "Folder for a finding; default out/fuzz");
+    sub.add_option("--shrink", arguments_.shrinkSeconds, "Seconds to spend on shrinking; default 20")
+        ->check(seconds(true));
+  }
+  void addOneFile(CLI::App& sub, const char* name) { sub.add_option(name, arguments_.paths)->required()->expected(1); }
+  void addOutput(CLI::App& sub) { sub.add_option("-o,--output", arguments_.output, "Default: standard output"); }
+
+  void addRun() {
+    CLI::App& sub = add("run", "Run inputs: files, or all files of folders", fuzz::run);
+    addTarget(sub);
+    addOut(sub);
+    sub.add_option("PATH", arguments_.paths)->required();
+    cli::addWholeNumber(
+        sub, "--repeat", [this](std::uint64_t n) { arguments_.repeat = n; }, {.min = 1, .max = 1'000'000'000},
+        "Run all of them this often, for a timing")
+        ->option_text("N");
+  }
+  void addSmoke() {
+    CLI::App& sub = add("smoke", "Run inputs, then random changes of them and random ones", smoke);
+    addTarget(sub);
+    addOut(sub);
+    sub.add_option("PATH", arguments_.paths, "Files and folders to start from; none: from nothing");
+    sub.add_option("--seconds", arguments_.seconds, "For how long; default 5")->check(seconds(false));
+    cli::addWholeNumber(
+        sub, "--seed", [this](std::uint64_t n) { arguments_.seed = n; }, {}, "Default 1")
+        ->option_text("N");
+  }
+  void addReport() {
+    CLI::App& sub = add("report", "Run an input that failed; shrink, save and draw its edits", reportInput);
+    addTarget(sub);
+    addOut(sub);
+    addOneFile(sub, "INPUT");
+  }
+  void addToTrace() {
+    CLI::App& sub = add("to-trace", "Print the edits of an input as a trace", toTrace);
+    addTarget(sub);
+    addOneFile(sub, "INPUT");
+    addOutput(sub);
+    sub.add_flag("--all", arguments_.all, "With the edits that must be refused, which lgs replay does not take");
+  }
+  void addToInput() {
+    CLI::App& sub = add("to-input", "Turn a trace into an input of the targets that take edits", toInput);
+    addOneFile(sub, "TRACE");
+    addOutput(sub);
+  }
+
+  CLI::App app_{
+      "The fuzz targets of LocalGridSeg without a fuzzing engine: they run, change, convert and report inputs.",
+      "lgs_fuzz"};
+  Arguments& arguments_;
+  Command chosen_ = nullptr;
+};
 
 }  // namespace
 }  // namespace lgs::fuzz
 
-int main(int argc, char** argv) { return static_cast<int>(lgs::fuzz::main(argc, argv)); }
+int main(int argc, char** argv) {
+  lgs::fuzz::Arguments arguments;
+  arguments.program = lgs::oracle::thisProgram(argv[0]);
+  return static_cast<int>(lgs::fuzz::CommandLine(arguments).run(argc, argv));
+}

@@ -39,7 +39,7 @@ struct Target {
 };
 
 extern const Target kEdits;     // edits.cpp
-extern const Target kPolygons;  // polygons.cpp
+extern const Target kPolygons;  // edits.cpp
 extern const Target kTrace;     // trace_text.cpp
 extern const Target kTiled;     // tiled.cpp
 #ifdef LGS_FUZZ_BOX2D

@@ -1,5 +1,5 @@
 // The text of traces: parsed, played and checked, printed, parsed again.
-#include "fuzz/target.h"
+#include "fuzz/check_edits.h"
 
 #include <algorithm>
 #include <array>
@@ -42,12 +42,7 @@ std::optional<Finding> checkTrace(const Trace& trace, oracle::CheckStats& stats)
       editCount(trace) > 200 || std::any_of(trace.edits.begin(), trace.edits.end(),
                                             [](const Edit& edit) { return edit.polygon.vertices.size() > 100; });
   if (large) return std::nullopt;  // the references take their time
-  oracle::CheckOptions options;
-  options.skipRefused = true;
-  options.cgal = false;
-  auto result = oracle::checkTrace(trace, options, stats);
-  if (!result || !*result) return std::nullopt;
-  return Finding{describe((*result)->kind) + ":\n" + (*result)->text, std::move(*result)};
+  return checkEdits(trace, {.cgal = false}, stats);
 }
 
 Trace traceOf(Bytes input) { return oracle::parseTrace(textOf(input)).trace; }

@@ -159,6 +159,7 @@ TEST_F(Command, CheckIsTheSameEachTime) {
   EXPECT_EQ(withoutTime(lgs("check --cells 3x3 --edits 400 --seed 5").text), withoutTime(first.text));
   expect("check --edits 10", 0, "edits      10, ");
   expect("check --case 3 --seed 5 --edits 1000000", 0, "cases      1;");
+  EXPECT_TRUE(fs::is_empty(folder_)) << "a folder was made though there is no mismatch";
 }
 
 TEST_F(Command, CheckDigsInAMap) {

@@ -1,14 +1,16 @@
 #include "oracle/check/checker.h"
 
 #include "oracle/cgal/cgal_union.h"
+#include "oracle/check/reads.h"
+#include "oracle/check/refusal.h"
 #include "oracle/check/window.h"
 #include "oracle/generate/random.h"
+#include "oracle/generate/steps.h"
 #include "oracle/reference/canonical.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/mirror.h"
-#include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
 
 #include <fmt/format.h>
@@ -18,99 +20,132 @@
 namespace lgs::oracle {
 namespace {
 
-Loops mergedLoops(const World& world) {
-  Loops loops;
-  for (Loop& loop : world.loops(Collinear::merge)) loops.push_back(std::move(loop.vertices));
-  return canonical(std::move(loops));
+std::string nameOf(std::optional<ErrorCode> code) { return code ? name(*code) : "a bad name"; }
+
+std::string inWords(const Step& step) {
+  std::string text = fmt::format("{} of '{}'", describe(step.door), step.edits.front().name);
+  if (step.edits.size() > 1) text += fmt::format(" to '{}'", step.edits.back().name);
+  return text;
 }
 
-bool equalPolygons(std::vector<PlacedPolygon> actual, const std::vector<Model::Placed>& expected) {
-  return actual.size() == expected.size() && std::all_of(expected.begin(), expected.end(), [&](const Model::Placed& e) {
-           return std::any_of(actual.begin(), actual.end(), [&](const PlacedPolygon& a) {
-             return a.block == e.block &&
-                    std::is_permutation(a.vertices.begin(), a.vertices.end(), e.vertices.begin(), e.vertices.end());
-           });
-         });
+// Whether a refusal left all counts as they were. It may leave new shapes.
+bool sameCounts(const Stats& a, const Stats& b) {
+  return a.polygons == b.polygons && a.cells == b.cells && a.segments == b.segments && a.chunks == b.chunks;
+}
+
+// A trace that adds the polygons of a scene, cell by cell.
+Trace inAnotherOrder(const Scene& scene) {
+  std::vector<ScenePolygon> polygons = scene.polygons;
+  Random random(polygons.size());
+  random.shuffle(polygons);
+  std::ranges::stable_sort(polygons, std::greater(), &ScenePolygon::cell);
+  Trace trace{scene.preserve, {}};
+  for (ScenePolygon& polygon : polygons) {
+    const std::string name = fmt::format("p{}{}", trace.edits.size(), randomLetters(random.next()));
+    trace.edits.push_back(Edit::add(name, std::move(polygon)));
+  }
+  return trace;
 }
 
 class Check {
  public:
   Check(const Trace& trace, const CheckOptions& options, CheckStats& stats)
-      : trace_(trace), options_(options), stats_(stats), player_(trace.preserve) {}
+      : trace_(trace), options_(options), stats_(stats), player_(trace.preserve), steps_(trace) {}
 
   tl::expected<std::optional<Mismatch>, TraceError> run() {
-    for (const Edit& edit : trace_.edits) {
-      ++edits_;
-      if (edit.kind == Edit::Kind::commit) {
-        if (auto mismatch = commit()) return mismatch;
+    while (const auto step = steps_.next()) {
+      edits_ = step->end;
+      if (step->isCommit()) {
+        if (auto found = commit()) return found;
         if (stopped_) return std::nullopt;
       } else {
-        auto mismatch = apply(edit);
-        if (!mismatch || *mismatch) return mismatch;
+        auto found = apply(*step);
+        if (!found || *found) return found;
       }
     }
     if (player_.pending()) {
-      if (auto mismatch = commit()) return mismatch;
+      if (auto found = commit()) return found;
       if (stopped_) return std::nullopt;
     }
     if (!lastWasWhole_ || options_.unionAtEnd) {
-      if (auto mismatch = compareWhole(true)) return mismatch;
+      if (auto found = compareWhole(true)) return found;
     }
+    if (auto found = readAll()) return found;
     return checkHistory();
   }
 
  private:
   using Result = std::optional<Mismatch>;
 
+  const Model& model() const { return steps_.model(); }
+
   Mismatch mismatch(Mismatch::Kind kind, std::string text) const {
     if (!text.ends_with('\n')) text += '\n';
     Outline outline = outlineOf(player_.world());
     return {
-        kind, std::move(text), edits_, commits_, player_.scene(), outline, outline, {edited_.begin(), edited_.end()}};
+        kind, std::move(text), edits_, commits_, player_.scene(), outline, outline, {edited_.begin(), edited_.end()},
+        {}};
   }
 
-  tl::expected<Result, TraceError> apply(const Edit& edit) {
-    ++stats_.edits;
-    const Model::Verdict verdict = model_.judge(edit);
-    const bool isRemoval = edit.kind == Edit::Kind::remove && verdict.accepted;
-    const Cell cell = isRemoval ? model_.cellOf(edit.name) : edit.polygon.cell;
-    const PolygonHandle handle = isRemoval ? player_.handleOf(edit.name) : PolygonHandle{};
-    const auto done = player_.apply(edit);
-    if (done && verdict.accepted) {
-      model_.apply(edit);
-      edited_.insert(cell);
-      if (isRemoval) return checkStale(handle);
-      return Result();
+  tl::expected<Result, TraceError> apply(const Step& step) {
+    std::vector<PolygonHandle> removed;
+    std::vector<Cell> cells;
+    for (const Edit& edit : step.edits) {
+      const bool isRemoval = step.verdict.accepted && edit.kind == Edit::Kind::remove;
+      if (isRemoval && player_.isAlive(edit.name)) removed.push_back(player_.handleOf(edit.name));
+      cells.push_back(isRemoval ? player_.cellOf(edit.name) : edit.polygon.cell);
     }
+    const Stats before = step.verdict.accepted ? Stats() : player_.world().stats();
+    const auto done = player_.apply(step);
+    if (!step.isTrial) stats_.edits += step.edits.size();
+    if (!step.verdict.accepted) return judgeRefusal(step, done, before);
+    if (!done) {
+      const char* const how = done.error().refusal ? "refused, but is good" : "answered wrongly";
+      return mismatch(Mismatch::Kind::verdict, fmt::format("{}: {}: {}", how, inWords(step), done.error().text));
+    }
+    stats_.doors[static_cast<std::size_t>(step.door)] += step.edits.size();
+    stats_.worn += step.worn == 0 ? 0 : 1;
+    edited_.insert(cells.begin(), cells.end());
+    return checkStale(removed);
+  }
+
+  tl::expected<Result, TraceError> judgeRefusal(const Step& step, const tl::expected<void, TraceError>& done,
+                                                const Stats& before) {
+    const std::optional<ErrorCode> code = step.verdict.code;
     if (done) {
       return mismatch(Mismatch::Kind::verdict,
-                      fmt::format("accepted, but must be refused as {}: add '{}'", nameOf(verdict.code), edit.name));
+                      fmt::format("accepted, but must be refused as {}: {}", nameOf(code), inWords(step)));
     }
     const TraceError& error = done.error();
-    if (error.refusal == ErrorCode::capacity) return tl::unexpected(error);  // limits are the engine's own
-    if (verdict.accepted) {
-      return mismatch(Mismatch::Kind::verdict, fmt::format("refused, but is good: '{}': {}", edit.name, error.text));
+    if (error.refusal.has_value() != code.has_value()) {
+      return mismatch(Mismatch::Kind::verdict, fmt::format("must be refused as {}, but is answered: {}: {}",
+                                                           nameOf(code), inWords(step), error.text));
     }
-    if (error.refusal != verdict.code) {
-      return mismatch(Mismatch::Kind::verdict,
-                      fmt::format("refused as {}, but must be as {}: '{}': {}", nameOf(error.refusal),
-                                  nameOf(verdict.code), edit.name, error.text));
+    if (code) {
+      if (const std::string text = wrongRefusal(*error.refusal, step, model(), player_.world()); !text.empty()) {
+        return mismatch(Mismatch::Kind::verdict,
+                        fmt::format("the refusal {}: {}: {}", text, inWords(step), error.text));
+      }
+      const Cell cell = step.edits.front().polygon.cell;
+      if (readCell(player_, model(), cell) || !sameCounts(player_.world().stats(), before))
+        return mismatch(Mismatch::Kind::refusal, fmt::format("the refusal changed something: {}", inWords(step)));
     }
-    if (!options_.skipRefused) return tl::unexpected(error);
-    ++stats_.refused;
-    if (!verdict.code) return Result();  // the engine was not asked
-    if (!equalPolygons(player_.world().polygons(cell), model_.in(cell))) {
-      return mismatch(Mismatch::Kind::refusal, fmt::format("the refusal of '{}' changed its cell", edit.name));
+    if (!step.isTrial) {
+      if (!options_.skipRefused) return tl::unexpected(error);
+      ++stats_.refused;
     }
+    stats_.full += code == ErrorCode::capacity ? 1 : 0;
     return Result();
   }
 
-  static std::string nameOf(std::optional<ErrorCode> code) { return code ? name(*code) : "a bad name"; }
-
-  tl::expected<Result, TraceError> checkStale(PolygonHandle handle) {
-    const auto again = player_.world().remove(handle);
-    if (again || again.error().code != ErrorCode::staleHandle || player_.world().polygon(handle)) {
-      return mismatch(Mismatch::Kind::verdict, "the handle of a removed polygon is not stale");
+  tl::expected<Result, TraceError> checkStale(const std::vector<PolygonHandle>& handles) {
+    for (const PolygonHandle handle : handles) {
+      const auto again = player_.world().remove(handle);
+      if (again || again.error().code != ErrorCode::staleHandle || again.error().other != handle ||
+          player_.world().polygon(handle) || player_.world().cellOf(handle)) {
+        return mismatch(Mismatch::Kind::verdict, "the handle of a removed polygon is not stale");
+      }
+      stale_.push_back(handle);
     }
     return Result();
   }
@@ -120,73 +155,72 @@ class Check {
     ++commits_;
     ++stats_.commits;
     if (auto problem = mirror_.update(player_.world(), changes)) {
-      return mismatch(Mismatch::Kind::changes, std::move(*problem));
+      Mismatch found = mismatch(Mismatch::Kind::changes, std::move(*problem));
+      found.marked = mirror_.blamed();
+      return found;
     }
-    for (const Cell& cell : edited_) {
-      if (!equalPolygons(player_.world().polygons(cell), model_.in(cell))) {
-        return mismatch(Mismatch::Kind::reading, fmt::format("cell ({}, {}) does not read as edited", cell.i, cell.j));
-      }
-    }
+    for (const Cell& cell : edited_)
+      if (auto found = reading(readCell(player_, model(), cell))) return found;
     lastWasWhole_ = options_.wholeEvery != 0 && commits_ % options_.wholeEvery == 0;
     if (auto found = lastWasWhole_ ? compareWhole(!options_.unionAtEnd) : compareWindow()) return found;
+    constexpr std::size_t kReadEvery = 8;  // it takes half as long as all the rest of a commit
+    if (lastWasWhole_ && stats_.whole % kReadEvery == 0) {
+      if (auto found = readAll()) return found;
+    }
     edited_.clear();
     stopped_ = options_.afterCommit && !options_.afterCommit(player_.scene());
     return std::nullopt;
   }
 
-  // With or without what takes longest: the union, the loops and the counts.
+  // Asks the world everything. To be called after a commit.
+  Result readAll() {
+    ++stats_.read;
+    const World& world = player_.world();
+    const auto isThere = [&](PolygonHandle handle) { return world.polygon(handle).has_value(); };
+    if (std::ranges::any_of(stale_, isThere))
+      return mismatch(Mismatch::Kind::reading, "the handle of a removed polygon names another one now");
+    if (auto found = reading(readPolygons(player_, model()))) return found;
+    if (auto found = reading(readSegments(world, mirror_.segments()))) return found;
+    return reading(readLoops(world, mirror_.segments()));
+  }
+
+  Result reading(std::optional<WrongRead> wrong) const {
+    if (!wrong) return std::nullopt;
+    Mismatch found = mismatch(Mismatch::Kind::reading, std::move(wrong->text));
+    found.marked = std::move(wrong->about);
+    return found;
+  }
+
+  // The union and the loops take longest, so they can be left out.
   Result compareWhole(bool withUnion) {
     ++stats_.whole;
     const Outline actual = outlineOf(player_.world());
-    const bool compareLoops = withUnion && trace_.preserve.empty();
-    const Loops loops = compareLoops ? mergedLoops(player_.world()) : Loops();
-    const auto differ = [&](Loops expected) {
-      return mismatch(
-          Mismatch::Kind::loops,
-          fmt::format("{} loops where there should be {}, or others, though all segments and links are right",
-                      loops.size(), expected.size()));
-    };
     if (options_.naive) {
       ++stats_.naive;
       const Outline& expected = naive_(player_.scene()).outline;
       if (auto found = compareOutlines(Mismatch::Kind::naive, player_.scene(), expected, actual)) return found;
-      if (compareLoops) {
-        const auto followed = followLinks(expected);
-        if (!followed || canonical(*followed) != loops) return differ(followed.value_or(Loops()));
-      }
     }
-    if (withUnion && options_.cgal) {
-      if (const auto united = cgalUnion(player_.scene())) {
-        ++stats_.cgal;
-        const Outline expected = withUnknownLinksOf(actual, united->outline, united->known);
-        if (auto found = compareOutlines(Mismatch::Kind::cgal, player_.scene(), expected, actual)) return found;
-        if (compareLoops && canonical(united->loops) != loops) return differ(united->loops);
-      }
-    }
-    return withUnion ? checkCounts(actual.size()) : std::nullopt;
+    if (!withUnion || !options_.cgal) return std::nullopt;
+    const auto united = cgalUnion(player_.scene());
+    if (!united) return std::nullopt;  // a preserve relation that is no partition: CGAL has no say
+    ++stats_.cgal;
+    const Outline expected = withUnknownLinksOf(actual, united->outline, united->known);
+    if (auto found = compareOutlines(Mismatch::Kind::cgal, player_.scene(), expected, actual)) return found;
+    return trace_.preserve.empty() ? compareLoops(canonical(united->loops)) : std::nullopt;
   }
 
-  // Reading cell by cell gives every segment once, in its cell; and no polygon is there that was not added.
-  Result checkCounts(std::size_t total) {
-    const std::uint64_t polygons = player_.world().stats().polygons;
-    if (polygons != model_.polygons()) {
-      return mismatch(Mismatch::Kind::reading,
-                      fmt::format("{} polygons, but there should be {}", polygons, model_.polygons()));
-    }
-    std::size_t count = 0;
-    for (const auto& entry : model_.cells()) {
-      for (const SegmentId id : player_.world().segments(CellRect{entry.first, entry.first})) {
-        const auto segment = player_.world().segment(id);
-        if (segment && segment->cell == entry.first) ++count;
-      }
-    }
-    if (count == total) return std::nullopt;
-    return mismatch(Mismatch::Kind::reading, fmt::format("{} segments in all, but {} cell by cell", total, count));
+  Result compareLoops(const Loops& expected) {
+    Loops actual;
+    for (Loop& loop : player_.world().loops(Collinear::merge)) actual.push_back(std::move(loop.vertices));
+    if (actual == expected) return std::nullopt;
+    return mismatch(Mismatch::Kind::loops,
+                    fmt::format("{} loops where there should be {}, or others, though all segments and links are right",
+                                actual.size(), expected.size()));
   }
 
   Result compareWindow() {
     const CellSet judged = around(edited_);
-    const Scene scene = sceneOf(model_, trace_.preserve, around(judged));
+    const Scene scene = sceneOf(model(), trace_.preserve, around(judged));
     Outline actual;
     for (const Cell& cell : judged) {
       for (const SegmentId id : player_.world().segments(CellRect{cell, cell})) {
@@ -222,16 +256,14 @@ class Check {
   }
 
   Result checkHistory() {
+    const Trace another = inAnotherOrder(player_.scene());
     Player fresh(trace_.preserve);
-    std::vector<ScenePolygon> polygons = player_.scene().polygons;
-    Random(polygons.size()).shuffle(polygons);
-    std::size_t count = 0;
-    for (ScenePolygon& polygon : polygons) {
-      if (const auto done = fresh.apply(Edit::add(std::to_string(++count), std::move(polygon))); !done) {
+    Steps steps(another);
+    while (const auto step = steps.next()) {
+      if (const auto done = fresh.apply(*step); !done)
         return mismatch(Mismatch::Kind::history, "added in another order, a polygon is refused: " + done.error().text);
-      }
     }
-    // Built in the jobs that several threads would share, the last one first: their order must not matter either.
+    // Threads would share the jobs of this executor. It runs the last one first: their order must not matter either.
     fresh.world().commit([](std::size_t jobs, const std::function<void(std::size_t)>& run) {
       while (jobs-- > 0) run(jobs);
     });
@@ -243,9 +275,10 @@ class Check {
   const CheckOptions& options_;
   CheckStats& stats_;
   Player player_;
-  Model model_;
+  Steps steps_;
   Mirror mirror_;
   NaiveReference naive_;
+  std::vector<PolygonHandle> stale_;  // of all polygons that were removed
   CellSet edited_;
   std::size_t edits_ = 0;
   std::size_t commits_ = 0;
@@ -254,28 +287,6 @@ class Check {
 };
 
 }  // namespace
-
-std::string describe(Mismatch::Kind kind) {
-  switch (kind) {
-    case Mismatch::Kind::verdict:
-      return "an edit was not judged as it must be";
-    case Mismatch::Kind::refusal:
-      return "a refused edit changed something";
-    case Mismatch::Kind::changes:
-      return "the change list is wrong";
-    case Mismatch::Kind::reading:
-      return "the world does not read as it was edited";
-    case Mismatch::Kind::naive:
-      return "the outline differs from the naive reference's";
-    case Mismatch::Kind::cgal:
-      return "the outline differs from CGAL's";
-    case Mismatch::Kind::loops:
-      return "the loops are wrong";
-    case Mismatch::Kind::history:
-      return "the outline depends on the order of the edits";
-  }
-  return {};
-}
 
 tl::expected<std::optional<Mismatch>, TraceError> checkTrace(const Trace& trace, const CheckOptions& options,
                                                              CheckStats& stats) {

@@ -32,7 +32,8 @@ std::string draw(const Mismatch& mismatch) {
     case Mismatch::Kind::history:
       options.expectedName = "built at once";
       break;
-    default:  // no outline is to blame
+    default:  // no outline differs; perhaps some segments are to blame
+      options.marked = mismatch.marked;
       return drawWorld(mismatch.scene, mismatch.actual, options);
   }
   options.actualName = "engine";

@@ -1,12 +1,12 @@
 #include "oracle/check/report.h"
 
 #include "oracle/check/isolated.h"
+#include "oracle/check/shell.h"
 #include "oracle/check/shrink.h"
 #include "oracle/reference/words.h"
 #include "oracle/trace/file.h"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -43,7 +43,8 @@ void save(const Trace& trace, const std::string& picture, const ReportOptions& r
   if (written) fmt::print("\ntrace      {0}.trace\npicture    {0}.svg\n", base);
   fmt::print("again      {}\n", report.reproduce);
   if (written && replays) {
-    fmt::print("the trace  lgs replay {} --check --svg {}\n", shellWord(base + ".trace"), shellWord(base + ".svg"));
+    fmt::print("look at it {} replay {} --check --svg {}\n", report.lgs, shellPath(base + ".trace"),
+               shellPath(base + ".svg"));
   }
 }
 
@@ -62,17 +63,6 @@ bool writeOrComplain(const std::string& path, std::string_view content) {
   const auto done = writeFile(path, content);
   if (!done) fmt::print(stderr, "{}\n", message(done.error(), path));
   return done.has_value();
-}
-
-std::string shellWord(std::string_view word) {
-  const auto isPlain = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
-           std::string_view("_-./,:=+@%").find(c) != std::string_view::npos;
-  };
-  if (!word.empty() && std::all_of(word.begin(), word.end(), isPlain)) return std::string(word);
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
 }
 
 void reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& findAgain,

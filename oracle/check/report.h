@@ -15,12 +15,10 @@ namespace lgs::oracle {
 struct ReportOptions {
   std::string folder = ".";  ///< where trace and picture go
   std::string name;          ///< of these files, without folder and extension
-  std::string reproduce;     ///< the command that finds the mismatch again
+  std::string reproduce;     ///< the command that finds the mismatch again, from any folder
   std::chrono::milliseconds shrinkFor{};
+  std::string lgs = "lgs";  ///< the lgs command, as a shell takes it
 };
-
-/// A word as a shell takes it: in quotes if it has to be.
-std::string shellWord(std::string_view word);
 
 /// Writes a file; complains on the standard error if that does not work. Whether it did.
 bool writeOrComplain(const std::string& path, std::string_view content);

@@ -1,23 +1,25 @@
 #include "oracle/check/shrink.h"
 
+#include "oracle/check/simpler.h"
+#include "oracle/trace/step.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 #include <unordered_set>
 
 namespace lgs::oracle {
 namespace {
 
-using Polygon = std::vector<LocalPoint>;
-
-// Every polygon gets a name of its own, p1, p2, … in order; so an add can go without touching another's removal.
-Trace renamed(Trace trace) {
+// Every polygon gets a name of its own, p1, p2, … in order; so an add can go without touching another's removal. The
+// letters of a name decide which door its edit takes (step.h): they stay, or they go.
+Trace renamed(Trace trace, bool withLetters) {
   std::map<std::string, std::string> nameOf;
   std::size_t count = 0;
   for (Edit& edit : trace.edits) {
-    if (edit.kind == Edit::Kind::add) nameOf[edit.name] = fmt::format("p{}", ++count);
+    if (edit.kind == Edit::Kind::add)
+      nameOf[edit.name] = fmt::format("p{}{}", ++count, withLetters ? lettersOf(edit.name) : "");
     if (edit.kind != Edit::Kind::commit) edit.name = nameOf[edit.name];
   }
   return trace;
@@ -32,62 +34,13 @@ void dropOrphans(Trace& trace) {
   });
 }
 
-// How much there is to say about a coordinate: 0 for 0, 1 for 1, 2 for a half, … 17 for an odd number of units.
-int costOf(std::int32_t v) {
-  if (v == 0 || v == kUnitsPerCell) return v == 0 ? 0 : 1;
-  int cost = 18;
-  for (std::int32_t units = std::gcd(v, kUnitsPerCell); units > 0; units /= 2) --cost;
-  return cost;
-}
-
-// A polygon is simpler than another if it has fewer vertices or, with as many, rounder coordinates.
-std::size_t costOf(const Polygon& polygon) {
-  std::size_t cost = 1'000 * polygon.size();
-  for (const LocalPoint& p : polygon) cost += static_cast<std::size_t>(costOf(p.x) + costOf(p.y));
-  return cost;
-}
-
-std::vector<std::int32_t> simplerCoordinates(std::int32_t v) {
-  std::vector<std::int32_t> result;
-  for (std::int32_t step = kUnitsPerCell; step >= 2; step /= 2) {
-    const std::int32_t below = v / step * step;
-    for (const std::int32_t candidate : {below, below + step}) {
-      if (candidate <= kUnitsPerCell && costOf(candidate) < costOf(v)) result.push_back(candidate);
-    }
-  }
-  return result;
-}
-
-std::vector<Polygon> simplerPolygons(const Polygon& polygon) {
-  constexpr std::int32_t U = kUnitsPerCell;
-  std::vector<Polygon> result{{{0, 0}, {U, 0}, {U, U}, {0, U}},
-                              {{0, 0}, {U, 0}, {U, U}},
-                              {{0, 0}, {U, 0}, {0, U}},
-                              {{0, 0}, {U, U}, {0, U}},
-                              {{U, 0}, {U, U}, {0, U}}};
-  for (std::size_t k = 0; k < polygon.size() && polygon.size() > 3; ++k) {
-    result.push_back(polygon);
-    result.back().erase(result.back().begin() + static_cast<std::ptrdiff_t>(k));
-  }
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    for (const auto axis : {&LocalPoint::x, &LocalPoint::y}) {
-      for (const std::int32_t v : simplerCoordinates(polygon[k].*axis)) {
-        result.push_back(polygon);
-        result.back()[k].*axis = v;
-      }
-    }
-  }
-  std::erase_if(result, [&](const Polygon& candidate) { return costOf(candidate) >= costOf(polygon); });
-  return result;
-}
-
 }  // namespace
 
 const std::vector<ShrinkWalk::Pass>& ShrinkWalk::passes() {
   using W = ShrinkWalk;
-  static const std::vector<Pass> kPasses{&W::rename,      &W::dropEdits,      &W::simplifyPolygons,
-                                         &W::dropPairs,   &W::renumberBlocks, &W::oneBlock,
-                                         &W::moveColumns, &W::moveRows,       &W::rename};
+  static const std::vector<Pass> kPasses{&W::rename,         &W::dropEdits, &W::simplifyPolygons, &W::dropPairs,
+                                         &W::renumberBlocks, &W::oneBlock,  &W::moveColumns,      &W::moveRows,
+                                         &W::plainDoors,     &W::rename};
   return kPasses;
 }
 
@@ -116,8 +69,23 @@ void ShrinkWalk::accept(Trace candidate) {
 }
 
 std::optional<Trace> ShrinkWalk::rename() {
-  if (variant_++ != 0) return std::nullopt;
-  return renamed(best_);
+  if (variant_ == 2) return std::nullopt;
+  return renamed(best_, variant_++ != 0);
+}
+
+// One edit after the other takes the plain door, and its removal with it.
+std::optional<Trace> ShrinkWalk::plainDoors() {
+  for (; at_ < best_.edits.size(); ++at_) {
+    const Edit& plain = best_.edits[at_];
+    const std::size_t length = plain.name.size() - lettersOf(plain.name).size();
+    if (plain.kind != Edit::Kind::add || length == 0 || length == plain.name.size()) continue;
+    Trace candidate = best_;
+    for (Edit& edit : candidate.edits)
+      if (edit.name == plain.name) edit.name.resize(length);
+    ++at_;
+    return candidate;
+  }
+  return std::nullopt;
 }
 
 std::optional<Trace> ShrinkWalk::dropEdits() {
@@ -141,11 +109,14 @@ std::optional<Trace> ShrinkWalk::dropEdits() {
 std::optional<Trace> ShrinkWalk::simplifyPolygons() {
   for (; at_ < best_.edits.size(); ++at_, variant_ = 0) {
     if (best_.edits[at_].kind != Edit::Kind::add) continue;
-    std::vector<Polygon> simpler = simplerPolygons(best_.edits[at_].polygon.vertices);
-    if (variant_ >= simpler.size()) continue;
-    Trace candidate = best_;
-    candidate.edits[at_].polygon.vertices = std::move(simpler[variant_++]);
-    return candidate;
+    const LocalPolygon& polygon = best_.edits[at_].polygon.vertices;
+    while (variant_ < variantsOf(polygon)) {
+      auto simpler = simplerPolygon(polygon, variant_++);
+      if (!simpler) continue;
+      Trace candidate = best_;
+      candidate.edits[at_].polygon.vertices = std::move(*simpler);
+      return candidate;
+    }
   }
   return std::nullopt;
 }
@@ -191,8 +162,9 @@ std::optional<Trace> ShrinkWalk::oneBlock() {
   return candidate;
 }
 
-// The first line of cells goes to 0, or else to -1, so that a border of chunks comes after it; each further one next to the
-// one before it; what lies beyond moves along. From the last line to the first, so that those before stay where they are.
+// The first line of cells goes to 0, or else to -1, so that a border of chunks comes after it; each further one next to
+// the one before it; what lies beyond moves along. From the last line to the first, so that those before stay where
+// they are.
 std::optional<Trace> ShrinkWalk::moveCells(std::int32_t Cell::*axis) {
   std::set<std::int32_t> used;
   for (const Edit& edit : best_.edits) {

@@ -15,7 +15,8 @@ namespace lgs::oracle {
 /// A walk from a trace to ever smaller ones, for whoever decides at each step whether it still fails. In this order:
 ///   edits dropped in chunks, then one by one (a polygon takes its removal with it); commits dropped;
 ///   polygons with fewer vertices, on rounder coordinates, or replaced by a full square or half of one;
-///   blocks small, preserve pairs dropped, cells near the origin and near each other; names p1, p2, …
+///   blocks small, preserve pairs dropped, cells near the origin and near each other; plain doors (step.h);
+///   names p1, p2, …
 /// and again from the start while that helps. A candidate may be bad (a polygon made simpler may overlap another).
 /// A walk is a value: a copy goes its own way.
 class ShrinkWalk {
@@ -36,6 +37,7 @@ class ShrinkWalk {
   using Pass = std::optional<Trace> (ShrinkWalk::*)();
   static const std::vector<Pass>& passes();
   std::optional<Trace> rename();
+  std::optional<Trace> plainDoors();
   std::optional<Trace> dropEdits();
   std::optional<Trace> simplifyPolygons();
   std::optional<Trace> dropPairs();

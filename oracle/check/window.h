@@ -3,10 +3,10 @@
 // Let `cells` be some cells. The segments that belong to them, with their ends, blocks and ghosts, depend on no polygon
 // further than one cell away:
 //  - a segment's cuts and cancelling depend on its own cell and those that touch it;
-//  - its links depend on the segments that meet at its ends; these ends lie on the rim of its cell at most, so whatever
-//    meets there, and whatever cancels it, is of cells that touch its own;
-//  - where such a segment ends on its far side depends on its own cell or, on a rim, on the two cells beside that rim,
-//    which both touch the common vertex.
+//  - its links depend on the segments that meet at its ends. An end lies in its cell or on the rim of it, so what meets
+//    there, and what cancels that, belongs to cells that touch its own;
+//  - its ghosts are the far ends of those segments. A far end depends on the cell of its segment or, on a rim, on the
+//    two cells beside the rim. All of these touch the common vertex.
 // So a reference that is given the polygons within one cell of `cells`, and no others, must agree with the engine on
 // the segments of `cells`.
 #pragma once

@@ -25,6 +25,7 @@ struct DrawOptions {
   std::string title;             ///< any text, UTF-8; empty: a plain default
   std::vector<Cell> edited;      ///< cells to highlight, e.g. those edited last; any order, may be empty
   std::optional<CellRect> view;  ///< the cells to show; by default everything, or what surrounds the differences
+  Outline marked;                ///< segments to point out; drawWorld() only
 };
 
 /// Draws the solids of a scene, and an outline with its normals and links. The outline is drawn as it is given, right

@@ -14,7 +14,7 @@ using namespace drawing;
 std::string drawWorld(const Scene& scene, const Outline& outline, const DrawOptions& options) {
   constexpr double kWidest = 1500;
   constexpr double kHighest = 960;
-  const Extent extent = extentOf(scene, std::array{&outline}, options.edited, options.view);
+  const Extent extent = extentOf(scene, std::array{&outline, &options.marked}, options.edited, options.view);
   const Panel panel(extent, fittingCellSize(extent, kWidest, kHighest), {kMargin, kMargin + kHeadingHeight});
 
   const std::string title = shortened(options.title.empty() ? "World" : options.title);
@@ -25,6 +25,7 @@ std::string drawWorld(const Scene& scene, const Outline& outline, const DrawOpti
   std::vector<LegendEntry> entries;
   addBackdrop(entries, panel.plot, scene, options.edited);
   addOutlines(entries, panel.plot, std::array{&outline});
+  if (!options.marked.empty()) entries.push_back(lineEntry("what is wrong", kActual, 5));
 
   constexpr double kNarrowest = 460;
   const double width = std::max({panel.width, headingWidth(title, subtitle), kNarrowest});
@@ -35,6 +36,11 @@ std::string drawWorld(const Scene& scene, const Outline& outline, const DrawOpti
   drawHeading(svg, title, subtitle);
   drawBackdrop(svg, panel.plot, scene, options.edited, 1);
   drawOutline(svg, panel.plot, outline);
+  if (!options.marked.empty()) {
+    beginClip(svg, panel.plot);
+    svg.path(segmentPath(panel.plot, options.marked), {{"stroke", kActual}, {"stroke-width", 5}});
+    endClip(svg);
+  }
   legend.draw(svg, {kMargin, legendTop});
   return std::move(svg).finish();
 }

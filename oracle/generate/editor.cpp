@@ -36,9 +36,9 @@ void Editor::run(std::size_t edits) {
 
 Editor::Operation Editor::pickOperation() {
   const std::pair<int, Operation> weighted[] = {
-      {habits_.place, &Editor::place},     {habits_.lean, &Editor::lean},          {habits_.scatter, &Editor::scatter},
-      {habits_.restore, &Editor::restore}, {habits_.remove, &Editor::remove},      {habits_.clear, &Editor::clear},
-      {habits_.replace, &Editor::replace}, {habits_.refused, &Editor::tryRefused},
+      {habits_.place, &Editor::place},     {habits_.fill, &Editor::fill},       {habits_.lean, &Editor::lean},
+      {habits_.scatter, &Editor::scatter}, {habits_.restore, &Editor::restore}, {habits_.remove, &Editor::remove},
+      {habits_.clear, &Editor::clear},     {habits_.replace, &Editor::replace}, {habits_.refused, &Editor::tryRefused},
   };
   int total = 0;
   for (const auto& entry : weighted) total += entry.first;
@@ -66,6 +66,20 @@ void Editor::place(Cell cell) {
   for (const LocalPolygon& polygon : shape) {
     if (!all && random_.chance(50)) continue;
     addIfGood(cell, oneBlock ? block : random_.pick(habits_.blocks), turned(polygon, symmetry));
+  }
+}
+
+// Clears the cells first, as a rule. If it does not, and polygons are in the way, the whole rectangle must be refused.
+void Editor::fill(Cell cell) {
+  const std::vector<LocalPolygon>& shape = random_.pick(habits_.shapes);
+  const int symmetry = habits_.turnShapes ? random_.below(8) : 0;
+  const Block block = random_.pick(habits_.blocks);
+  const std::vector<Cell> cells = rectangleAt(cell);
+  const bool isRefused = habits_.refused > 0 && random_.chance(20);
+  if (!isRefused)
+    for (const Cell& at : cells) empty(at);
+  for (const Cell& at : cells) {
+    for (const LocalPolygon& polygon : shape) push(Edit::add(freshName(), {at, block, turned(polygon, symmetry)}));
   }
 }
 
@@ -108,7 +122,8 @@ void Editor::remove(Cell cell) {
 }
 
 void Editor::clear(Cell cell) {
-  while (!model_.in(cell).empty()) removeNamed(model_.in(cell).back().name);
+  if (random_.chance(50)) return empty(cell);
+  for (const Cell& at : rectangleAt(cell)) empty(at);
 }
 
 void Editor::replace(Cell cell) {
@@ -165,6 +180,24 @@ void Editor::tryRefused(Cell cell) {
   push(Edit::add(freshName(), {cell, block, std::move(polygon)}));
 }
 
+// The cells of a rectangle, nine at most, as far as they are the editor's.
+std::vector<Cell> Editor::rectangleAt(Cell cell) {
+  const std::int32_t width = 1 + random_.below(3);
+  const std::int32_t height = 1 + random_.below(3);
+  std::vector<Cell> cells;
+  for (std::int32_t j = 0; j < height; ++j) {
+    for (std::int32_t i = 0; i < width; ++i) {
+      const Cell at{cell.i + i, cell.j + j};
+      if (std::binary_search(habits_.cells.begin(), habits_.cells.end(), at)) cells.push_back(at);
+    }
+  }
+  return cells;
+}
+
+void Editor::empty(Cell cell) {
+  while (!model_.in(cell).empty()) removeNamed(model_.in(cell).back().name);
+}
+
 bool Editor::addIfGood(Cell cell, Block block, LocalPolygon vertices) {
   Edit edit = Edit::add(freshName(), {cell, block, std::move(vertices)});
   if (!model_.judge(edit).accepted) return false;
@@ -186,7 +219,8 @@ void Editor::push(Edit edit) {
 std::string Editor::freshName() {
   if (!lastRemoved_.empty() && !model_.isAlive(lastRemoved_) && random_.chance(20)) return lastRemoved_;
   std::string name;
-  do name = fmt::format("p{}", ++names_);
+  const std::string letters = randomLetters(random_.next());
+  do name = fmt::format("p{}{}", ++names_, letters);
   while (model_.isAlive(name));
   return name;
 }

@@ -1,5 +1,5 @@
-// Makes random edits, one operation at a time, with given habits. What it puts into the trace is accepted by the Model,
-// except for what it tries in order to be refused.
+// Makes random edits, one operation at a time, with given habits. The model accepts them, except for those that the
+// editor makes in order to be refused.
 #pragma once
 
 #include "oracle/generate/random.h"
@@ -19,11 +19,12 @@ struct Habits {
   bool wander = false;                            ///< the next cell is near the last one
 
   int place = 0;    ///< a shape, or some of its polygons
+  int fill = 0;     ///< a shape in each cell of a rectangle
   int lean = 0;     ///< a triangle on an edge in the cell, or on a part of it
   int scatter = 0;  ///< a random polygon, on a coarse or a fine grid
   int restore = 0;  ///< what stood in the cell at the start
   int remove = 0;   ///< one polygon
-  int clear = 0;    ///< the whole cell
+  int clear = 0;    ///< the whole cell, or a rectangle
   int replace = 0;  ///< takes a polygon away and puts it back
   int refused = 0;  ///< something that must be refused
 
@@ -46,6 +47,7 @@ class Editor {
   Cell pickCell();
 
   void place(Cell cell);
+  void fill(Cell cell);
   void lean(Cell cell);
   void scatter(Cell cell);
   void restore(Cell cell);
@@ -54,6 +56,8 @@ class Editor {
   void replace(Cell cell);
   void tryRefused(Cell cell);
 
+  std::vector<Cell> rectangleAt(Cell cell);
+  void empty(Cell cell);
   bool addIfGood(Cell cell, Block block, LocalPolygon vertices);
   void removeNamed(std::string name);
   void push(Edit edit);

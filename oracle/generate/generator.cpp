@@ -72,8 +72,8 @@ Trace randomCase(const GeneratorOptions& options, std::uint64_t seed) {
   Habits habits;
   habits.shapes = randomShapes(random);
   habits.blocks = randomBlocks(random);
-  // A commit that finds many edited cells in one row goes another way than one that finds a few, and buried cells another
-  // than those that show: some cases are long and low, commit seldom, and are mostly filled.
+  // A commit that finds many edited cells in one row goes another way than one that finds a few, and buried cells
+  // another than those that show: some cases are long and low, commit seldom, and are mostly filled.
   const bool isLow = random.chance(8);
   const std::int32_t width = isLow ? 4 * options.width : options.width;
   const std::int32_t height = isLow ? std::min(options.height, 3) : options.height;
@@ -81,6 +81,7 @@ Trace randomCase(const GeneratorOptions& options, std::uint64_t seed) {
   habits.cells = grid(origin, width, height);
   habits.wander = random.chance(20);
   habits.place = 4 + random.below(10);
+  habits.fill = random.below(3);
   habits.lean = random.chance(50) ? random.below(10) : 0;
   habits.scatter = random.chance(50) ? random.below(10) : 0;
   habits.remove = 1 + random.below(6);
@@ -98,6 +99,20 @@ Trace randomCase(const GeneratorOptions& options, std::uint64_t seed) {
   Editor editor(std::move(start), std::move(habits), random.next());
   editor.run(options.edits);
   return editor.takeTrace();
+}
+
+Crowd crowdOf(std::uint64_t number) {
+  if (number % 256 == 7) return Crowd::polygons;
+  return number % 1024 == 23 ? Crowd::vertices : Crowd::none;  // they take longest
+}
+
+std::size_t editsOf(std::uint64_t number, std::size_t edits) {
+  return crowdOf(number) == Crowd::none ? edits : std::max(edits, kCrowdedEdits);
+}
+
+Trace caseOf(std::uint64_t number, const GeneratorOptions& options, std::uint64_t seed) {
+  const Crowd crowd = crowdOf(number);
+  return crowd == Crowd::none ? randomCase(options, seed) : crowdedCase(crowd, options.edits, seed);
 }
 
 Trace digIn(Trace start, std::size_t edits, std::uint64_t seed) {
@@ -129,6 +144,7 @@ Trace digIn(Trace start, std::size_t edits, std::uint64_t seed) {
   habits.wander = true;
   habits.turnShapes = false;
   habits.place = 2;
+  habits.fill = 1;
   habits.lean = 1;
   habits.restore = 5;
   habits.remove = 4;

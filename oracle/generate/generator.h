@@ -1,9 +1,11 @@
-// Random sequences of edits, degenerate on purpose, the same for the same seed everywhere.
+// Random sequences of edits. They are degenerate on purpose, and the same seed gives the same ones everywhere.
 //
-// A *case* is one sequence, starting from an empty world or from a given trace. Each case draws its own habits: which
-// shapes of the degenerate ones it uses, how often it removes, leans a new polygon on an edge that is there, or tries an edit
-// that must be refused; how it groups edits into commits; where in the world it lies; which blocks and which preserve
-// relation it has. Habits that are rare on average thus dominate some cases.
+// A *case* is one sequence. It starts from an empty world or from a given trace. Each case draws its own habits:
+//  - which of the degenerate shapes it uses, which blocks, and which preserve relation;
+//  - how often it removes, leans a new polygon on an edge that is there, or tries an edit that must be refused;
+//  - how many edits it makes before it commits;
+//  - where in the world it lies.
+// So there are cases that mostly do what is rare on average.
 #pragma once
 
 #include "oracle/trace/trace.h"
@@ -21,8 +23,20 @@ struct GeneratorOptions {
 /// A case of its own. The trace may hold edits that must be refused; see CheckOptions::skipRefused.
 Trace randomCase(const GeneratorOptions& options, std::uint64_t seed);
 
-/// Digs in the world of a trace, and refills: wanders about, takes polygons away, puts them back, or puts others of the
-/// same world or degenerate ones in their place. Returns the trace, committed, with `edits` more.
+/// A case about the limits of <lgs/world.h>: it fills a cell until no polygon, or no vertex, may be added.
+enum class Crowd : std::uint8_t { none, polygons, vertices };
+Trace crowdedCase(Crowd of, std::size_t edits, std::uint64_t seed);
+inline constexpr std::size_t kCrowdedEdits = 300;  ///< enough for any
+
+/// In a row of cases, some are crowded: those with certain numbers.
+Crowd crowdOf(std::uint64_t number);
+Trace caseOf(std::uint64_t number, const GeneratorOptions& options, std::uint64_t seed);
+
+/// How many edits the case with this number has. It is `edits`, unless the case is crowded.
+std::size_t editsOf(std::uint64_t number, std::size_t edits);
+
+/// Digs in the world of a trace, and refills it: wanders about, takes polygons away, and puts back the same ones,
+/// others of that world, or degenerate ones. Returns the trace with a commit and `edits` more edits.
 Trace digIn(Trace start, std::size_t edits, std::uint64_t seed);
 
 }  // namespace lgs::oracle

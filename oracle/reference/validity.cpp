@@ -1,5 +1,6 @@
 #include "oracle/reference/validity.h"
 
+#include <lgs/world.h>
 #include <algorithm>
 #include <cstdint>
 
@@ -84,6 +85,13 @@ bool boundaryEnters(const std::vector<Doubled>& a, const std::vector<Doubled>& b
   return enters;
 }
 
+// Whether one polygon is over when the other begins, along one axis.
+bool areApart(const LocalPolygon& a, const LocalPolygon& b, std::int32_t LocalPoint::*axis) {
+  const auto [minA, maxA] = std::ranges::minmax(a, {}, axis);
+  const auto [minB, maxB] = std::ranges::minmax(b, {}, axis);
+  return maxA.*axis <= minB.*axis || maxB.*axis <= minA.*axis;
+}
+
 bool edgesMeet(const std::vector<Doubled>& p, std::size_t i, std::size_t j) {
   const auto after = [&](std::size_t k) { return (k + 1) % p.size(); };
   const Doubled a = p[i], b = p[after(i)], c = p[j], d = p[after(j)];
@@ -97,6 +105,7 @@ bool edgesMeet(const std::vector<Doubled>& p, std::size_t i, std::size_t j) {
 
 std::optional<ErrorCode> faultOf(const LocalPolygon& polygon) {
   if (polygon.size() < 3) return ErrorCode::tooFewVertices;
+  if (polygon.size() > kMaxVerticesPerCell) return ErrorCode::capacity;
   const auto outside = [](std::int32_t v) { return v < 0 || v > kUnitsPerCell; };
   for (const LocalPoint& p : polygon) {
     if (outside(p.x) || outside(p.y)) return ErrorCode::outsideCell;
@@ -118,6 +127,7 @@ std::optional<ErrorCode> faultOf(const LocalPolygon& polygon) {
 bool edgesMeet(const LocalPolygon& polygon, std::size_t i, std::size_t j) { return edgesMeet(doubled(polygon), i, j); }
 
 bool overlap(const LocalPolygon& a, const LocalPolygon& b) {
+  if (areApart(a, b, &LocalPoint::x) || areApart(a, b, &LocalPoint::y)) return false;
   const std::vector<Doubled> p = doubled(a);
   const std::vector<Doubled> q = doubled(b);
   bool crossing = false;

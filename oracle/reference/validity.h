@@ -12,8 +12,8 @@ namespace lgs::oracle {
 
 using LocalPolygon = std::vector<LocalPoint>;
 
-/// What is wrong with a polygon by itself, in the order of ErrorCode; nothing if it is simple, counter-clockwise and
-/// inside the closed cell.
+/// What is wrong with a polygon by itself, in the order of ErrorCode; nothing if it is simple, counter-clockwise,
+/// inside the closed cell and small enough for one.
 std::optional<ErrorCode> faultOf(const LocalPolygon& polygon);
 
 /// Whether two edges of a polygon have a point in common that they must not have. Edges that follow each other may

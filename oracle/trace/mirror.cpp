@@ -2,11 +2,9 @@
 
 #include "oracle/reference/vector.h"
 #include "oracle/reference/words.h"
+#include "oracle/trace/dump.h"
 
 #include <fmt/format.h>
-#include <map>
-#include <tuple>
-#include <unordered_set>
 
 namespace lgs::oracle {
 namespace {
@@ -21,10 +19,8 @@ bool sameGhosts(const Segment& a, const Segment& b) {
          (!a.predecessor || a.ghost1 == b.ghost1) && (!a.successor || a.ghost2 == b.ghost2);
 }
 
-auto identity(const Segment& s) { return std::tuple(s.start, s.end, s.polygon); }
-
 bool sameSegment(const Segment& a, const Segment& b) {
-  return identity(a) == identity(b) && a.block == b.block && a.cell == b.cell;
+  return a.start == b.start && a.end == b.end && a.polygon == b.polygon && a.block == b.block && a.cell == b.cell;
 }
 
 bool inCell(const Point& p, Cell cell) {
@@ -75,73 +71,109 @@ Segment* Mirror::find(SegmentId id) {
   return id.value < segments_.size() && segments_[id.value].id ? &segments_[id.value] : nullptr;
 }
 
+Mirror::Complaint Mirror::about(const Segment& segment, std::string text) {
+  blamed_.push_back(outlineSegment(segment));
+  return text;
+}
+
 std::optional<std::string> Mirror::update(const World& world, const Changes& changes) {
-  std::unordered_set<std::uint32_t> listed;
-  const auto listedTwice = [&](SegmentId id) { return !listed.insert(id.value).second; };
-  std::map<decltype(identity(Segment{})), Segment> gone;
-  for (const SegmentId id : changes.removed) {
-    if (listedTwice(id)) return fmt::format("the change list names id {} twice", id.value);
+  listed_.clear();
+  gone_.clear();
+  for (const auto* ids : {&changes.removed, &changes.relinked, &changes.added}) {
+    for (const SegmentId id : *ids)
+      if (!listed_.insert(id.value).second) return fmt::format("the change list names id {} twice", id.value);
+  }
+  if (auto complaint = remove(changes.removed)) return complaint;
+  if (auto complaint = relink(world, changes.relinked)) return complaint;
+  if (auto complaint = add(world, changes.added)) return complaint;
+  return compareAll(world);
+}
+
+Mirror::Complaint Mirror::remove(const std::vector<SegmentId>& ids) {
+  for (const SegmentId id : ids) {
     Segment* const old = find(id);
     if (!old) return fmt::format("reported as removed, but was not there: id {}", id.value);
-    gone.emplace(identity(*old), *old);
+    gone_.emplace(identityOf(*old), *old);
     *old = {};
     --alive_;
   }
-  for (const SegmentId id : changes.relinked) {
-    if (listedTwice(id)) return fmt::format("the change list names id {} twice", id.value);
+  return std::nullopt;
+}
+
+Mirror::Complaint Mirror::relink(const World& world, const std::vector<SegmentId>& ids) {
+  for (const SegmentId id : ids) {
     Segment* const old = find(id);
     if (!old) return fmt::format("reported as relinked, but was not there: id {}", id.value);
     const auto now = world.segment(id);
-    if (!now) return fmt::format("reported as relinked, but is gone: {}", show(*old));
+    if (!now) return about(*old, fmt::format("reported as relinked, but is gone: {}", show(*old)));
     if (sameGhosts(*now, *old)) {
-      return fmt::format("reported as relinked, but its ghosts are as before: {}", show(*now));
+      return about(*now, fmt::format("reported as relinked, but its ghosts are as before: {}", show(*now)));
     }
     if (!sameSegment(*now, *old)) {
-      return fmt::format("reported as relinked, but is another segment now: {}, was {}", show(*now), show(*old));
+      return about(*now,
+                   fmt::format("reported as relinked, but is another segment now: {}, was {}", show(*now), show(*old)));
     }
     *old = *now;
   }
-  for (const SegmentId id : changes.added) {
-    if (listedTwice(id)) return fmt::format("the change list names id {} twice", id.value);
+  return std::nullopt;
+}
+
+Mirror::Complaint Mirror::add(const World& world, const std::vector<SegmentId>& ids) {
+  for (const SegmentId id : ids) {
     const auto now = world.segment(id);
     if (!now) return fmt::format("reported as added, but is not there: id {}", id.value);
-    if (const auto old = gone.find(identity(*now)); old != gone.end()) {
-      return fmt::format("reported as removed and added, but is the same segment: {}, was {}", show(*now),
-                         show(old->second));
+    if (const auto old = gone_.find(identityOf(*now)); old != gone_.end()) {
+      return about(*now, fmt::format("reported as removed and added, but is the same segment: {}, was {}", show(*now),
+                                     show(old->second)));
     }
-    if (find(id)) return fmt::format("reported as added, but was there before: {}", show(*now));
+    if (find(id)) return about(*now, fmt::format("reported as added, but was there before: {}", show(*now)));
     if (id.value >= segments_.size()) segments_.resize(std::size_t{id.value} + 1);
     segments_[id.value] = *now;
     ++alive_;
   }
+  return std::nullopt;
+}
 
+// `id` is one that the world lists as alive.
+Mirror::Complaint Mirror::compare(const World& world, SegmentId id) {
+  const auto now = world.segment(id);
+  if (!now || now->id != id) return fmt::format("listed as alive, but can not be read: id {}", id.value);
+  const Segment* const old = find(id);
+  if (!old) return about(*now, fmt::format("new, but not reported as added: {}", show(*now)));
+  if (!sameSegment(*now, *old)) {
+    return about(*now, fmt::format("changed without a report: {}, was {}", show(*now), show(*old)));
+  }
+  if (!sameGhosts(*now, *old)) {
+    return about(*now, fmt::format("has new ghosts, but is not reported as relinked: {}", show(*now)));
+  }
+  if (now->predecessor != old->predecessor || now->successor != old->successor) {
+    // The ghosts are the same, but other segments lead there. A commit does not report that.
+    segments_[id.value] = *now;
+  }
+  auto complaint = checkOwner(world, *now);
+  return complaint ? about(*now, std::move(*complaint)) : std::nullopt;
+}
+
+Mirror::Complaint Mirror::compareAll(const World& world) {
   const std::vector<SegmentId> alive = world.segments();
-  for (const SegmentId id : alive) {
-    const auto now = world.segment(id);
-    if (!now || now->id != id) return fmt::format("listed as alive, but can not be read: id {}", id.value);
-    const Segment* const old = find(id);
-    if (!old) return fmt::format("new, but not reported as added: {}", show(*now));
-    if (!sameSegment(*now, *old)) return fmt::format("changed without a report: {}, was {}", show(*now), show(*old));
-    if (!sameGhosts(*now, *old)) return fmt::format("has new ghosts, but is not reported as relinked: {}", show(*now));
-    if (now->predecessor != old->predecessor || now->successor != old->successor) {
-      // The same ghosts by way of other segments: no news to report, but the links below must be those of now.
-      segments_[id.value] = *now;
-    }
-    if (auto problem = checkOwner(world, *now)) return problem;
+  for (const SegmentId id : alive)
+    if (auto complaint = compare(world, id)) return complaint;
+  for (std::size_t k = 1; k < alive.size(); ++k) {
+    if (alive[k] <= alive[k - 1])
+      return fmt::format("id {} is listed as alive after {}", alive[k].value, alive[k - 1].value);
   }
   if (alive.size() != alive_) {
     const std::unordered_set<SegmentId> aliveSet(alive.begin(), alive.end());
     for (const Segment& segment : segments_) {
       if (segment.id && !aliveSet.contains(segment.id)) {
-        return fmt::format("gone, but not reported as removed: {}", show(segment));
+        return about(segment, fmt::format("gone, but not reported as removed: {}", show(segment)));
       }
     }
-    return "an id is listed as alive twice";
   }
-  // All segments are as the world has them: the links can be followed here.
+  // By now all segments here are those of the world, so their links can be followed here.
   for (const SegmentId id : alive) {
     const Segment& s = segments_[id.value];
-    if (auto problem = checkLinks(s, find(s.predecessor), find(s.successor))) return problem;
+    if (auto complaint = checkLinks(s, find(s.predecessor), find(s.successor))) return about(s, std::move(*complaint));
   }
   return std::nullopt;
 }

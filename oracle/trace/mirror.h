@@ -1,31 +1,58 @@
-// A mirror of a world's output that is kept up to date by change lists alone (law 6). If the mirror and the world ever
-// differ, a change list was wrong.
+// A mirror is a copy of a world's segments that only change lists keep up to date (law 6). If it ever differs from the
+// world, a change list was wrong.
 #pragma once
+
+#include "oracle/reference/outline.h"
 
 #include <lgs/world.h>
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <tuple>
+#include <unordered_set>
 #include <vector>
 
 namespace lgs::oracle {
 
 class Mirror {
  public:
-  /// Applies what a commit reported and compares with the world it is about. Says what is wrong, if anything:
+  /// Applies what a commit reported, and compares with the world. Says what is wrong, if anything is. This must hold:
   ///  - removed ids were alive, added ones were not, relinked ones are the same segments with other ghosts;
-  ///    no id in two lists or twice in one; nothing removed comes back under another id;
-  ///  - everything else is exactly as before, and the live ids are those the world says;
-  ///  - each segment lies on an edge of the polygon that owns it, which is placed, with that polygon's cell and block;
+  ///  - no id is listed twice, and no removed segment comes back with another id;
+  ///  - all other segments are exactly as before; the world lists the live ids in increasing order;
+  ///  - each segment lies on an edge of its polygon, which is placed; it has the polygon's cell and block;
   ///  - predecessor and successor are live segments that meet this one, and the ghosts are their far ends.
   /// After a complaint the mirror is of no further use.
   std::optional<std::string> update(const World& world, const Changes& changes);
 
+  /// The segments that the complaint is about, for a picture.
+  const Outline& blamed() const { return blamed_; }
+
+  /// All segments by id, up to the highest id that ever was. Dead ones have a null id.
+  std::span<const Segment> segments() const { return segments_; }
+
  private:
+  using Complaint = std::optional<std::string>;
+  using Identity = std::tuple<Point, Point, PolygonHandle>;  // start, end, owner
+
+  Complaint remove(const std::vector<SegmentId>& ids);
+  Complaint relink(const World& world, const std::vector<SegmentId>& ids);
+  Complaint add(const World& world, const std::vector<SegmentId>& ids);
+  Complaint compare(const World& world, SegmentId id);
+  Complaint compareAll(const World& world);
+  Complaint about(const Segment& segment, std::string text);
+
+  static Identity identityOf(const Segment& s) { return {s.start, s.end, s.polygon}; }
   Segment* find(SegmentId id);  // null if it is not alive
 
-  std::vector<Segment> segments_;  // by id; null ids where there is none
+  std::vector<Segment> segments_ = {{}};  // by id
   std::size_t alive_ = 0;
+  Outline blamed_;
+  // Of the update.
+  std::unordered_set<std::uint32_t> listed_;
+  std::map<Identity, Segment> gone_;
 };
 
 }  // namespace lgs::oracle

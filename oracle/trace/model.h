@@ -1,12 +1,18 @@
-// The naive world: what stands in which cell, by name, and whether an edit is good. It knows the rules of edits and
-// nothing of segments.
+// The naive world: it knows by name what stands in which cell, and says whether an edit is good. It knows the rules of
+// edits and the limits of <lgs/world.h>, and nothing of segments.
+//
+// No trace can reach two of the limits: 2^28 polygons placed in one cell, and 2^23 contents. An engine that refuses an
+// edit for one of them is wrong.
 #pragma once
 
 #include "oracle/reference/validity.h"
+#include "oracle/trace/step.h"
 #include "oracle/trace/trace.h"
 
 #include <lgs/ids.h>
 #include <map>
+#include <set>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -21,25 +27,29 @@ class Model {
     LocalPolygon vertices;
   };
 
-  /// What an edit must be refused for; nothing if it must be accepted.
-  struct Verdict {
-    bool accepted = true;
-    std::optional<ErrorCode> code = {};  ///< none where the name is to blame
-  };
   Verdict judge(const Edit& edit) const;
 
-  void apply(const Edit& edit);  ///< one that is accepted; a commit does nothing
+  /// Why a good shape must be refused in this cell; nothing if it must be accepted.
+  std::optional<ErrorCode> refusalIn(Cell cell, std::span<const LocalPolygon> shape) const;
+
+  void apply(const Edit& edit);  ///< the edit must be one that is accepted; a commit does nothing
 
   const std::vector<Placed>& in(Cell cell) const;  ///< what stands in a cell, in order of adding
   const std::map<Cell, std::vector<Placed>>& cells() const { return cells_; }  ///< those that are not empty
+  std::size_t polygonsIn(const CellRect& cells) const;
   bool isAlive(const std::string& name) const { return cellOf_.contains(name); }
   Cell cellOf(const std::string& name) const { return cellOf_.at(name); }  ///< of a name alive
   std::size_t polygons() const { return cellOf_.size(); }
+  std::size_t chunks() const { return chunks_.size(); }  ///< of 32×32 cells, ever edited
 
  private:
   std::map<Cell, std::vector<Placed>> cells_;
   std::unordered_map<std::string, Cell> cellOf_;
+  std::set<Cell> chunks_;
 };
+
+/// Why shape() must refuse a set of polygons; nothing if it is good.
+std::optional<ErrorCode> faultOf(std::span<const LocalPolygon> shape);
 
 /// The trace without the edits that must be refused: what `lgs replay` takes.
 Trace withoutRefused(const Trace& trace);

@@ -1,11 +1,17 @@
-// Plays a trace into a World, edit by edit, and keeps beside it the scene that the edits so far amount to.
+// Plays a trace into a World, edit by edit or step by step. Beside the world it keeps the scene of what is placed.
+//
+// It is an error without a refusal if the engine accepts an edit but answers it wrongly, for instance with the handle
+// of another polygon. So is a name that is taken, or unknown.
 #pragma once
 
 #include "oracle/reference/scene.h"
+#include "oracle/trace/step.h"
 #include "oracle/trace/trace.h"
 
 #include <lgs/world.h>
 #include <functional>
+#include <map>
+#include <set>
 #include <string>
 #include <tl/expected.hpp>
 #include <unordered_map>
@@ -16,9 +22,14 @@ class Player {
  public:
   explicit Player(PreservePairs preserve);
 
-  /// Applies an edit of kind add or remove; commits are commit()'s. A refused one leaves everything as it was.
+  /// Applies an edit through the door that its name chooses. The edit is no commit: there is commit() for that. If it
+  /// is refused, everything stays as it was.
   tl::expected<void, TraceError> apply(const Edit& edit);
 
+  /// The same for all edits of a step, by one call.
+  tl::expected<void, TraceError> apply(const Step& step);
+
+  /// Commits, with or without an executor. The name of the edit before it decides that.
   const Changes& commit();
 
   World& world() { return world_; }
@@ -27,20 +38,38 @@ class Player {
   bool pending() const { return pending_; }      ///< edits since the last commit
   bool isAlive(const std::string& name) const { return placed_.contains(name); }
   PolygonHandle handleOf(const std::string& name) const { return placed_.at(name).handle; }  ///< of a name alive
+  Cell cellOf(const std::string& name) const { return scene_.polygons[placed_.at(name).index].cell; }
+  std::size_t shapes() const { return shapes_.size(); }  ///< the number of different ones that the world has made
 
  private:
   struct Placed {
     PolygonHandle handle;
     std::size_t index;  // in scene_.polygons and names_
   };
-  tl::expected<void, TraceError> add(const std::string& name, const ScenePolygon& polygon);
-  tl::expected<void, TraceError> remove(const std::string& name);
+  using Shape = std::vector<std::vector<LocalPoint>>;
+  using Done = tl::expected<void, TraceError>;
+  using Handles = tl::expected<std::vector<PolygonHandle>, TraceError>;
+
+  Done add(const Step& step);
+  Done remove(const Step& step);
+  Handles call(const Step& step);
+  Handles addByPoints(const Step& step);
+  Handles addByShape(const Step& step);
+  Handles fill(const Step& step);
+  tl::expected<ShapeId, TraceError> checked(const Expected<ShapeId>& id, const Shape& shape, Cell cell);
+  Done wear(Cell cell, unsigned times);
+  PolygonHandle find(const ScenePolygon& polygon) const;
+  tl::unexpected<TraceError> refused(const Error& error) const;
+  void forget(const std::string& name);
 
   World world_;
   Scene scene_;
   std::vector<std::string> names_;
   std::unordered_map<std::string, Placed> placed_;
+  std::map<Shape, ShapeId> shapes_;
+  std::set<ShapeId> shapeIds_;
   bool pending_ = false;
+  std::uint64_t chance_ = 0;  // of the last step
 };
 
 /// Called after each commit; false stops the play.

@@ -53,9 +53,9 @@ struct Trace {
 
 /// Why a trace is bad.
 struct TraceError {
-  std::size_t line = 0;                   ///< 0: the file as a whole
-  std::string text;                       ///< what is wrong, and what to do about it
-  std::optional<ErrorCode> refusal = {};  ///< set if it was the engine that refused the edit
+  std::size_t line = 0;               ///< 0: the file as a whole
+  std::string text;                   ///< what is wrong, and what to do about it
+  std::optional<Error> refusal = {};  ///< what the engine said, if it refused an edit
 };
 
 /// "FILE:LINE: text", or "FILE: text" where no line is to blame.

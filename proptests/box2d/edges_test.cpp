@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <lgs/box2d/edges.h>
 #include <algorithm>
+#include <set>
 
 namespace lgs::box2d {
 namespace {
@@ -75,10 +76,13 @@ TEST(Box2dEdges, UpdatesEqualTheRulesAndChangesAreExact) {
     Player player(trace.preserve);
     EdgeSet set(options);
     Copy copy;
+    std::set<Chunk> chunks;  // that ever had an edge
     copy.apply(set, set.load(player.world()));
     const auto update = [&] {
       const Changes& changes = player.commit();
       copy.apply(set, set.update(player.world(), changes));
+      for (const EdgeId id : set.edges()) chunks.insert(set.chunk(set.edge(id).chunk));
+      EXPECT_EQ(set.chunkCount(), chunks.size());
       EdgeSet fresh(options);
       fresh.load(player.world());
       EXPECT_EQ(plain(set), plain(fresh));

@@ -1,9 +1,11 @@
 // What a fixture stands for: Terrain::hit() before and after a sync, and for fixtures that are not the terrain's.
 #include "field.h"
+#include "played.h"
 
 #include <gtest/gtest.h>
 #include <lgs/box2d/terrain.h>
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <set>
 
@@ -13,6 +15,7 @@ namespace {
 using box2d::EdgeId;
 using box2d::Hit;
 using box2d::Terrain;
+using box2d::TerrainOptions;
 
 class Box2dHit : public testing::Test {
  protected:
@@ -65,6 +68,54 @@ TEST_F(Box2dHit, AMergedEdgeIsAskedByPoint) {
   const std::optional<Hit> hit = terrain.hit(*callback.fixture, callback.point);
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->cell, (Cell{6, -1}));
+}
+
+bool isParallel(const Segment& s, const box2d::Edge& edge) {
+  return (s.end.x - s.start.x) * (edge.end.y - edge.start.y) == (s.end.y - s.start.y) * (edge.end.x - edge.start.x);
+}
+
+// A float tells the middle of a segment from its ends.
+bool isLong(const Segment& s) {
+  constexpr std::int64_t kLong = 64;  // lattice units
+  return std::abs(s.end.x - s.start.x) + std::abs(s.end.y - s.start.y) >= kLong;
+}
+
+// Each segment is hit at its middle, unless it is too short to tell. Where segments are welded, one of them is hit.
+void expectHits(const World& world, const Terrain& terrain) {
+  const box2d::EdgeSet& edges = terrain.edges();
+  std::set<EdgeId> bent;
+  for (const SegmentId id : world.segments())
+    if (const EdgeId edge = edges.edgeOf(id); edge && !isParallel(*world.segment(id), edges.edge(edge)))
+      bent.insert(edge);
+  for (const SegmentId id : world.segments()) {
+    const EdgeId edge = edges.edgeOf(id);
+    if (!edge) continue;  // left out
+    const Segment s = *world.segment(id);
+    const Point middle{s.start.x + (s.end.x - s.start.x) / 2, s.start.y + (s.end.y - s.start.y) / 2};
+    const std::optional<Hit> hit = terrain.hit(*terrain.fixture(id), terrain.position(middle));
+    ASSERT_TRUE(hit);
+    const Segment behind = *world.segment(hit->segment);
+    EXPECT_EQ(edges.edgeOf(behind.id), edge);
+    EXPECT_EQ(std::tie(hit->polygon, hit->block, hit->cell), std::tie(behind.polygon, behind.block, behind.cell));
+    if (isLong(s) && !bent.contains(edge)) {
+      EXPECT_EQ(hit->segment, id);
+    }
+  }
+}
+
+TEST_F(Box2dHit, EachSegmentIsHitAtItsMiddle) {
+  forAllEdits(400, [](const Trace& trace, Chance random) {
+    TerrainOptions options{.cellSize = random.chance(50) ? 1.0 : 3.0, .chunkCells = 1 + random.below(6)};
+    options.merge = random.chance(80);
+    if (!trace.edits.empty()) options.origin = test::boundsOf(trace).min;  // near enough for floats
+    oracle::Player player(trace.preserve);
+    b2World still({0, 0});
+    Terrain terrain(still, player.world(), options);
+    playAll(trace, player, [&] {
+      terrain.sync(player.commit());
+      expectHits(player.world(), terrain);
+    });
+  });
 }
 
 TEST_F(Box2dHit, BeforeTheSyncWhatIsGoneIsNotHit) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "oracle/generate/generator.h"
+#include "oracle/generate/steps.h"
 #include "oracle/trace/player.h"
 #include "proptests/support/law.h"
 #include "proptests/support/traces.h"
@@ -15,8 +16,8 @@ namespace lgs::box2d_test {
 using oracle::Trace;
 using test::Chance;
 
-/// Fails the running test with the first case that a law, of a trace and a source of chance, does not hold for. Some of the
-/// edits are there to be refused.
+/// Fails the running test with the first case that a law, of a trace and a source of chance, does not hold for. Some of
+/// the edits are there to be refused.
 template <class Law>
 void forAllEdits(std::int64_t cases, Law law) {
   const auto edits = [](int, oracle::Random random) {
@@ -25,14 +26,16 @@ void forAllEdits(std::int64_t cases, Law law) {
   test::forAll(cases, std::move(law), test::traces(edits, {}), rc::gen::arbitrary<Chance>());
 }
 
-/// Plays a trace; edits that are refused are left out. `commit` is called at each of its commits and at its end, to commit
-/// the player's world and say with expectations what must hold then. The first that fails ends the case.
+/// Plays a trace, of which some edits may have to be refused. `commit` is called at each of its commits and at its end,
+/// to commit the player's world and say with expectations what must hold then. The first that fails ends the case.
 inline void playAll(const Trace& trace, oracle::Player& player, const std::function<void()>& commit) {
-  for (const oracle::Edit& edit : trace.edits) {
-    if (edit.kind == oracle::Edit::Kind::commit)
+  oracle::Steps steps(trace);
+  while (const auto step = steps.next()) {
+    if (step->isCommit())
       test::failIf(test::failedExpectation(commit));
     else
-      static_cast<void>(player.apply(edit));
+      test::failUnless(player.apply(*step).has_value() == step->verdict.accepted,
+                       "an edit is not judged as it must be");
   }
   test::failIf(test::failedExpectation(commit));
 }

@@ -1,6 +1,6 @@
 // The bulk of the random work, in blocks: the engine against the references after every commit of random cases, until a
-// block has made its number of comparisons. A block draws its cases from LGS_TEST_SEED (default 1) and its own number, so
-// that it is the same wherever it runs, and blocks are what CTest and GoogleTest's sharding share out:
+// block has made its number of comparisons. A block draws its cases from LGS_TEST_SEED (default 1) and its own number,
+// so that it is the same wherever it runs, and blocks are what CTest and GoogleTest's sharding share out:
 //
 //   GTEST_TOTAL_SHARDS=50 GTEST_SHARD_INDEX=7 LGS_TEST_SCALE=25 lgs_engine_tests --gtest_filter='Bulk*'
 //
@@ -52,24 +52,42 @@ Trace anyTrace(int, Random random) {
   return oracle::randomCase(kSizes[random.below(4)], random.next());
 }
 
+Trace crowdedTrace(int, Random random) {
+  const oracle::Crowd crowd = random.chance(25) ? oracle::Crowd::vertices : oracle::Crowd::polygons;
+  return oracle::crowdedCase(crowd, oracle::kCrowdedEdits, random.next());
+}
+
 class Bulk : public testing::TestWithParam<std::int64_t> {
  protected:
   /// Tries cases until `counter` has come to `goal`.
   void agrees(bool cgal, std::uint64_t oracle::CheckStats::*counter, std::uint64_t goal) {
     const oracle::Shared<Tally> tally;
     Random seeds(Random(testSeed() ^ (cgal ? 0 : 0x5eed)).next() + static_cast<std::uint64_t>(GetParam()));
-    while ((*tally).stats.*counter < goal && !HasFailure()) {
+    const auto law = [&](const Trace& trace) { agreesWithTheReferences(trace, cgal, *tally); };
+    for (int batch = 0; (*tally).stats.*counter < goal && !HasFailure(); ++batch) {
       constexpr std::int64_t kAtOnce = 64;
-      const auto law = [&](const Trace& trace) { agreesWithTheReferences(trace, cgal, *tally); };
       forAll({.cases = kAtOnce, .seed = seeds.next()}, law, traces(anyTrace, {}));
+      if (batch % 4 == 0) forAll({.cases = 1, .seed = seeds.next()}, law, traces(crowdedTrace, {}));
     }
-    if (HasFailure()) return;
+    if (!HasFailure()) expectVariety(*tally);
+  }
+
+ private:
+  /// No kind of world, edit or door is missing.
+  static void expectVariety(const Tally& tally) {
+    const oracle::CheckStats& stats = tally.stats;
     fmt::print(
-        "{} commits, {} compared with CGAL, {} with the naive reference; {} edits, {} refused; {} cases, of these\n{}",
-        tally->stats.commits, tally->stats.cgal, tally->stats.naive, tally->stats.edits, tally->stats.refused,
-        tally->cases.cases, table(tally->cases));
-    for (std::size_t f = 0; f < tally->cases.with.size(); ++f) {
-      EXPECT_GE(tally->cases.percent(Feature{f}), 1) << describe(Feature{f});
+        "{} commits, {} compared with CGAL, {} with the naive reference; {} edits, {} refused; by door: {}\n"
+        "{} calls refused for a limit; all read {} times; {} cells worn; {} cases, of these\n{}",
+        stats.commits, stats.cgal, stats.naive, stats.edits, stats.refused, doorsInWords(stats), stats.full, stats.read,
+        stats.worn, tally.cases.cases, table(tally.cases));
+    for (std::size_t f = 0; f < tally.cases.with.size(); ++f) {
+      EXPECT_GE(tally.cases.percent(Feature{f}), 1) << describe(Feature{f});
+    }
+    EXPECT_GT(stats.full, 0U);
+    EXPECT_GT(stats.worn, 0U);
+    for (std::size_t door = 0; door < oracle::kDoors; ++door) {
+      EXPECT_GE(100 * stats.doors[door], stats.edits) << describe(oracle::Door{static_cast<std::uint8_t>(door)});
     }
   }
 };

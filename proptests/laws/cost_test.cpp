@@ -70,7 +70,7 @@ TEST(Memory, StatsAreHonestWithManyShapesAndPolygons) {
     const int symmetry = random.below(8);
     for (const LocalPolygon& p : shape.polygons) polygons.push_back(oracle::turned(p, symmetry));
     const ShapeId id = shapeOf(m.world, polygons);
-    static_cast<void>(m.world.add({k % 60, k / 60}, id, random.below(3U)));
+    EXPECT_TRUE(m.world.add({k % 60, k / 60}, id, random.below(3U)));
   }
   m.world.commit();
   expectHonestStats(m);

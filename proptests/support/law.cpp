@@ -1,7 +1,9 @@
 #include "proptests/support/law.h"
 
 #include "oracle/check/isolated.h"
+#include "oracle/check/shell.h"
 #include "proptests/support/scale.h"
+#include "proptests/support/time_limit.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest-spi.h>
@@ -12,7 +14,6 @@
 #include <chrono>
 #include <cstring>
 #include <filesystem>
-#include <system_error>
 
 // A race that the thread sanitizer sees in a child has to end it: a child leaves without telling how it went.
 // NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
@@ -45,6 +46,7 @@ struct Verdict {
 
 Verdict* keeper = nullptr;  // of the case that runs, where what it keeps will be read
 Told theTold;
+Clock::time_point deadline = Clock::time_point::max();  // to make a case small
 
 std::vector<std::string> textsIn(const Verdict& verdict) {
   std::vector<std::string> texts;
@@ -124,13 +126,13 @@ struct Smallest {
 
 /// Makes a case small: RapidCheck comes by all those before it, which are not run again, and then tries simpler ones.
 Smallest madeSmall(const Effort& effort, const rc::Gen<Case>& cases, std::int64_t number) {
-  const auto deadline = Clock::now() + std::chrono::seconds(20);
+  deadline = Clock::now() + std::chrono::seconds(20);
   Smallest best;
   std::int64_t come = 0;
   tryCases(effort, cases, true, [&](const Case& theCase) {
     ++come;
     if (come == number) best.theCase = theCase;
-    if (come < number || (come > number && !best.failed) || Clock::now() > deadline) return true;
+    if (come < number || (come > number && !best.failed) || isTimeUp()) return true;
     auto failed = failureInChild(theCase);
     if (!failed) return true;
     best = {theCase, std::move(failed)};
@@ -142,14 +144,10 @@ Smallest madeSmall(const Effort& effort, const rc::Gen<Case>& cases, std::int64_
 const testing::TestInfo& runningTest() { return *testing::UnitTest::GetInstance()->current_test_info(); }
 std::string nameOf(const testing::TestInfo& test) { return fmt::format("{}.{}", test.test_suite_name(), test.name()); }
 
-std::string inQuotes(const std::string& text) { return "'" + text + "'"; }
-
 /// The command that runs the current test again, wherever it is given.
 std::string again() {
-  std::error_code error;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
   return fmt::format("LGS_TEST_SEED={} LGS_TEST_SCALE={} {} --gtest_filter={}", testSeed(), testScale(),
-                     error ? "the tests' program" : inQuotes(program.string()), inQuotes(nameOf(runningTest())));
+                     oracle::thisProgram("the tests' program"), oracle::shellWord(nameOf(runningTest())));
 }
 
 }  // namespace
@@ -186,6 +184,8 @@ void failUnless(bool holds, const char* complaint) {
 void keep(const std::function<std::string()>& text) {
   if (keeper != nullptr) keeper->keep(text());
 }
+
+bool isTimeUp() { return Clock::now() > deadline; }
 
 const Told& told() { return theTold; }
 

@@ -2,6 +2,7 @@
 #include "oracle/check/failure.h"
 #include "oracle/check/isolated.h"
 #include "oracle/trace/file.h"
+#include "oracle/trace/model.h"
 #include "proptests/support/law.h"
 #include "proptests/support/traces.h"
 
@@ -9,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <ostream>
+#include <utility>
+#include <vector>
 
 namespace lgs::oracle {
 namespace {
@@ -58,11 +61,13 @@ void showValue(const Trace& trace, std::ostream& out) {
     out << lookAt(base);
     return;
   }
-  for (const std::string& text : test::told().kept) {
-    const ParsedTrace other = parseTrace(text);
-    if (other.error || !replayShows(other.trace)) continue;
-    out << "A replay of it shows nothing wrong; of this one, which the law makes of it, it does:\n"
-        << save(other.trace, base + "-2") << lookAt(base + "-2");
+  std::vector<Trace> others{withoutRefused(trace)};  // a replay stops at an edit that must be refused
+  for (const std::string& text : test::told().kept)
+    if (ParsedTrace kept = parseTrace(text); !kept.error) others.push_back(std::move(kept.trace));
+  for (const Trace& other : others) {
+    if (!replayShows(other)) continue;
+    out << "A replay of it shows nothing wrong; of this one, which is made of it, it does:\n"
+        << save(other, base + "-2") << lookAt(base + "-2");
     return;
   }
   out << "A replay of it shows nothing wrong: it takes the test itself.\n";

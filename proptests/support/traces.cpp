@@ -3,6 +3,7 @@
 #include "oracle/check/shrink.h"
 #include "oracle/generate/generator.h"
 #include "oracle/trace/model.h"
+#include "proptests/support/time_limit.h"
 
 #include <ostream>
 #include <utility>
@@ -29,7 +30,9 @@ class Simpler {
   struct Candidates {
     Candidates(ShrinkWalk w, MayBe m) : walk(std::move(w)), mayBe(std::move(m)) {}
     rc::Maybe<rc::Shrinkable<Trace>> operator()() {
-      while (auto candidate = walk.next()) {
+      while (!isTimeUp()) {
+        auto candidate = walk.next();
+        if (!candidate) break;
         if (mayBe && !mayBe(*candidate)) continue;
         ShrinkWalk accepted = walk;
         accepted.accept(std::move(*candidate));

@@ -1,0 +1,119 @@
+#include "oracle/check/reads.h"
+
+#include "oracle/generate/random.h"
+#include "oracle/trace/dump.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+namespace lgs::oracle {
+namespace {
+
+std::string inWords(const CellRect& r) {
+  return fmt::format("({}, {}) to ({}, {})", r.min.i, r.min.j, r.max.i, r.max.j);
+}
+
+bool isPlaced(const PlacedPolygon& polygon, const Model::Placed& as) {
+  return polygon.block == as.block && std::ranges::equal(polygon.vertices, as.vertices);
+}
+
+// All cells, none, one cell with segments, some that hold others, and a rectangle that reaches into empty chunks.
+std::vector<CellRect> someRects(std::span<const Segment> segments) {
+  constexpr CellRect kAll{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
+  constexpr CellRect kNone{{1, 0}, {0, 5}};
+  std::vector<CellRect> rects{kAll, kNone};
+  std::vector<Cell> cells;
+  for (const Segment& s : segments)
+    if (s.id) cells.push_back(s.cell);
+  if (cells.empty()) return rects;
+  Random random(cells.size() + segments.size());
+  for (int k = 0; k < 3; ++k) {
+    const Cell a = random.pick(cells);
+    const Cell b = k == 0 ? a : random.pick(cells);
+    rects.push_back({{std::min(a.i, b.i), std::min(a.j, b.j)}, {std::max(a.i, b.i), std::max(a.j, b.j)}});
+  }
+  rects.push_back({{cells[0].i - 40, cells[0].j}, {cells[0].i, cells[0].j + 40}});  // other chunks, and none
+  return rects;
+}
+
+std::optional<WrongRead> readRect(const World& world, std::span<const Segment> segments, const CellRect& rect) {
+  std::vector<SegmentId> expected;
+  for (const Segment& s : segments)
+    if (s.id && contains(rect, s.cell)) expected.push_back(s.id);
+  std::vector<SegmentId> actual = world.segments(rect);
+  std::sort(actual.begin(), actual.end());
+  if (actual == expected) return std::nullopt;
+  WrongRead wrong{fmt::format("{} segments in cells {}, but there should be {}, or others", actual.size(),
+                              inWords(rect), expected.size())};
+  std::vector<SegmentId> differing;
+  std::set_symmetric_difference(actual.begin(), actual.end(), expected.begin(), expected.end(),
+                                std::back_inserter(differing));
+  for (const SegmentId id : differing)
+    if (const auto s = world.segment(id)) wrong.about.push_back(outlineSegment(*s));
+  return wrong;
+}
+
+}  // namespace
+
+std::optional<WrongRead> readCell(const Player& player, const Model& model, Cell cell) {
+  const World& world = player.world();
+  const auto wrong = [&](const std::string& text) {
+    return WrongRead{fmt::format("cell ({}, {}) {}", cell.i, cell.j, text)};
+  };
+  const std::vector<PlacedPolygon> there = world.polygons(cell);
+  const std::vector<Model::Placed>& expected = model.in(cell);
+  if (there.size() != expected.size())
+    return wrong(fmt::format("has {} polygons, but should have {}", there.size(), expected.size()));
+  std::vector<PlacedPolygon> again(3);
+  world.polygons(cell, again);
+  if (again.size() != there.size()) return wrong("reads otherwise into a list that was not empty");
+  for (const Model::Placed& placed : expected) {
+    const PolygonHandle handle = player.handleOf(placed.name);
+    const auto isIt = [&](const PlacedPolygon& p) { return p.handle == handle && isPlaced(p, placed); };
+    if (std::none_of(there.begin(), there.end(), isIt) || std::none_of(again.begin(), again.end(), isIt))
+      return wrong(fmt::format("does not hold '{}' as it was placed", placed.name));
+    const auto polygon = world.polygon(handle);
+    const auto where = world.cellOf(handle);
+    if (!polygon || !isIt(*polygon) || !where || *where != cell)
+      return wrong(fmt::format("holds '{}', which its handle does not find", placed.name));
+  }
+  return std::nullopt;
+}
+
+std::optional<WrongRead> readPolygons(const Player& player, const Model& model) {
+  for (const auto& entry : model.cells())
+    if (auto wrong = readCell(player, model, entry.first)) return wrong;
+  const Stats stats = player.world().stats();
+  const auto differs = [](const char* of, std::uint64_t actual, std::uint64_t expected) {
+    return WrongRead{fmt::format("stats() counts {} {}, but there should be {}", actual, of, expected)};
+  };
+  if (stats.polygons != model.polygons()) return differs("polygons", stats.polygons, model.polygons());
+  if (stats.cells != model.cells().size()) return differs("cells", stats.cells, model.cells().size());
+  if (stats.chunks != model.chunks()) return differs("chunks", stats.chunks, model.chunks());
+  if (stats.shapes != player.shapes()) return differs("shapes", stats.shapes, player.shapes());
+  return std::nullopt;
+}
+
+std::optional<WrongRead> readSegments(const World& world, std::span<const Segment> segments) {
+  const auto most = static_cast<std::uint32_t>(segments.size() - 1);
+  if (world.maxSegmentId() != most)
+    return WrongRead{fmt::format("the highest id is said to be {}, but {} was", world.maxSegmentId(), most)};
+  std::uint64_t alive = 0;
+  for (std::uint32_t id = 0; id <= most + 2; ++id) {
+    if (id <= most && segments[id].id) {
+      ++alive;  // the mirror has read it
+      continue;
+    }
+    const auto none = world.segment({id});
+    if (none || none.error().code != ErrorCode::unknownSegment || none.error().segment != SegmentId{id})
+      return WrongRead{fmt::format("id {} names no segment, but can be read", id)};
+  }
+  if (world.segment({UINT32_MAX})) return WrongRead{"an id that was never used can be read"};
+  if (const std::uint64_t counted = world.stats().segments; counted != alive)
+    return WrongRead{fmt::format("stats() counts {} segments, but there should be {}", counted, alive)};
+  for (const CellRect& rect : someRects(segments))
+    if (auto wrong = readRect(world, segments, rect)) return wrong;
+  return std::nullopt;
+}
+
+}  // namespace lgs::oracle

@@ -1,0 +1,32 @@
+// Compares everything that a world can be asked with what must be there. That is the polygons that were placed, and the
+// segments of a mirror, which were compared with the references.
+#pragma once
+
+#include "oracle/reference/outline.h"
+#include "oracle/trace/mirror.h"
+#include "oracle/trace/model.h"
+#include "oracle/trace/player.h"
+
+#include <optional>
+#include <string>
+
+namespace lgs::oracle {
+
+struct WrongRead {
+  std::string text;
+  Outline about = {};  ///< the segments that are read wrongly, for a picture
+};
+
+/// The polygons of a cell, asked for by cell and by handle.
+std::optional<WrongRead> readCell(const Player& player, const Model& model, Cell cell);
+
+/// The polygons of all cells, and how many there are.
+std::optional<WrongRead> readPolygons(const Player& player, const Model& model);
+
+/// Segments by id, dead ids too; and by rectangle, for a few rectangles.
+std::optional<WrongRead> readSegments(const World& world, std::span<const Segment> segments);
+
+/// The loops, with and without collinear vertices.
+std::optional<WrongRead> readLoops(const World& world, std::span<const Segment> segments);
+
+}  // namespace lgs::oracle

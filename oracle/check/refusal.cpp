@@ -1,0 +1,42 @@
+#include "oracle/check/refusal.h"
+
+#include "oracle/reference/blame.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+namespace lgs::oracle {
+namespace {
+
+std::string inWords(Cell cell) { return cell == Error::kNoCell ? "no cell" : fmt::format("({}, {})", cell.i, cell.j); }
+
+// The polygon that is named as overlapped must be there, and must be overlapped.
+std::string wrongOther(const Error& error, const Step& step, const Model& model, const World& world) {
+  const auto other = world.polygon(error.other);
+  if (!other || world.cellOf(error.other) != error.cell) return "names a polygon that is not in the cell";
+  const LocalPolygon there(other->vertices.begin(), other->vertices.end());
+  const auto& placed = model.in(error.cell);
+  if (std::none_of(placed.begin(), placed.end(), [&](const Model::Placed& p) { return p.vertices == there; }))
+    return "names a polygon that was not placed";
+  if (error.polygon < 0 || static_cast<std::size_t>(error.polygon) >= step.inCell) return "does not say which polygon";
+  const Edit& edit = step.edits[static_cast<std::size_t>(error.polygon)];
+  return overlap(there, edit.polygon.vertices) ? "" : "names a polygon that is not overlapped";
+}
+
+}  // namespace
+
+std::string wrongRefusal(const Error& error, const Step& step, const Model& model, const World& world) {
+  const Verdict& verdict = step.verdict;
+  if (error.code != verdict.code) return fmt::format("says {} instead of {}", name(error.code), name(*verdict.code));
+  if (error.cell != verdict.cell)
+    return fmt::format("names cell {} instead of {}", inWords(error.cell), inWords(verdict.cell));
+  if (message(error).empty()) return "says nothing";
+  if (error.code == ErrorCode::capacity) return error.vertex == -1 ? "" : "names a vertex, which is not to blame";
+  if (step.edits.size() == 1) {
+    if (std::string wrong = wrongBlame(error, step.edits.front().polygon.vertices); !wrong.empty()) return wrong;
+  }
+  const bool withPlaced = error.code == ErrorCode::overlap && error.cell != Error::kNoCell;
+  return withPlaced ? wrongOther(error, step, model, world) : "";
+}
+
+}  // namespace lgs::oracle

@@ -1,0 +1,244 @@
+#include "oracle/generate/steps.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+
+namespace lgs::oracle {
+namespace {
+
+constexpr std::size_t kLongest = 300;  // edits of one call: enough to fill a cell
+
+// What a name decides here, in bits of chanceOf(); all 0 is the plain way. The lowest three are doorOf()'s, the upper
+// half is the player's.
+unsigned bits(std::uint64_t chance, unsigned first, unsigned count) {
+  return static_cast<unsigned>(chance >> first) & ((1U << count) - 1);
+}
+bool wantsTogether(std::uint64_t chance) { return bits(chance, 3, 2) != 0; }
+bool wantsClear(std::uint64_t chance) { return bits(chance, 3, 1) != 0; }
+bool wantsFillFirst(std::uint64_t chance) { return bits(chance, 5, 1) != 0; }
+std::size_t mostInShape(std::uint64_t chance) {
+  constexpr std::array<std::size_t, 4> kMost{3, kLongest, kLongest, kLongest};
+  return kMost[bits(chance, 6, 2)];
+}
+std::int32_t wider(std::uint64_t chance, unsigned side) {
+  constexpr std::array<std::int32_t, 4> kCells{0, 0, 1, 40};
+  return kCells[bits(chance, 8 + 2 * side, 2)];
+}
+bool wantsWear(std::uint64_t chance) { return bits(chance, 16, 6) == 63; }
+unsigned howWorn(std::uint64_t chance) { return 250 + bits(chance, 22, 4); }
+
+void include(CellRect& box, Cell cell) {
+  box.min = {std::min(box.min.i, cell.i), std::min(box.min.j, cell.j)};
+  box.max = {std::max(box.max.i, cell.i), std::max(box.max.j, cell.j)};
+}
+
+std::uint64_t areaOf(const CellRect& box) {
+  const auto length = [](std::int32_t min, std::int32_t max) {
+    return static_cast<std::uint64_t>(std::int64_t{max} - min + 1);
+  };
+  return length(box.min.i, box.max.i) * length(box.min.j, box.max.j);
+}
+
+bool isByShape(Door door) {
+  return door == Door::shape || door == Door::handles || door == Door::several || door == Door::fill;
+}
+
+std::vector<LocalPolygon> shapeOf(const Step& step) {
+  std::vector<LocalPolygon> shape;
+  for (const Edit& edit : step.edits.first(step.inCell)) shape.push_back(edit.polygon.vertices);
+  return shape;
+}
+
+}  // namespace
+
+std::optional<Step> Steps::next() {
+  if (at_ == edits_.size()) return std::nullopt;
+  switch (edits_[at_].kind) {
+    case Edit::Kind::add:
+      return addition();
+    case Edit::Kind::remove:
+      return removal();
+    case Edit::Kind::commit:
+      break;
+  }
+  return take(1, Door{});
+}
+
+Step Steps::take(std::size_t count, Door door) {
+  Step step;
+  step.door = door;
+  step.edits = edits_.subspan(at_, count);
+  step.chance = chanceOf(step.edits.front().name);
+  at_ += count;
+  step.end = at_;
+  return step;
+}
+
+Step Steps::addition() {
+  const Edit& edit = edits_[at_];
+  const std::uint64_t chance = chanceOf(edit.name);
+  if (at_ >= oneByOne_ && wantsTogether(chance)) {
+    const bool fillFirst = wantsFillFirst(chance);
+    for (const Door door : {fillFirst ? Door::fill : Door::several, fillFirst ? Door::several : Door::fill})
+      if (auto step = together(door)) return *step;
+  }
+  Step step = take(1, doorOf(edit));
+  step.cells = {edit.polygon.cell, edit.polygon.cell};
+  step.verdict = model_.judge(edit);
+  if (step.verdict.accepted) {
+    wear(step);
+    model_.apply(edit);
+  } else if (step.verdict.code) {
+    step.verdict = judgeTrial(step);
+  }
+  return step;
+}
+
+Step Steps::removal() {
+  const Edit& edit = edits_[at_];
+  const Verdict verdict = model_.judge(edit);
+  CellRect cells;
+  const bool clears = verdict.accepted && wantsClear(chanceOf(edit.name));
+  const std::size_t count = clears ? emptying(cells) : 0;
+  Step step = take(std::max<std::size_t>(count, 1), count > 0 ? Door::clear : Door::remove);
+  step.verdict = verdict;
+  if (!verdict.accepted) return step;
+  for (const Edit& gone : step.edits) model_.apply(gone);
+  step.cells = cells;
+  if (count > 0) widen(step.cells, step.chance);
+  return step;
+}
+
+// The adds from the next one on that can be one call, which may have to be refused. Nothing if there is only one.
+std::optional<Step> Steps::together(Door door) {
+  const Edit& first = edits_[at_];
+  CellRect cells{first.polygon.cell, first.polygon.cell};
+  std::size_t inCell = inOneCell();
+  std::size_t count = inCell;
+  if (door == Door::fill) {
+    count = inRectangle(inCell, cells);
+    if (count == inCell) return std::nullopt;
+  } else {
+    count = inCell = std::min(inCell, mostInShape(chanceOf(first.name)));
+    if (count < 2) return std::nullopt;
+  }
+  Step step = take(count, door);
+  step.cells = cells;
+  step.inCell = inCell;
+  wear(step);
+  if (makes(step)) return step;
+  step.worn = 0;
+  step.isTrial = true;
+  step.verdict = judgeTrial(step);
+  at_ -= count;
+  oneByOne_ = step.end;
+  return step;
+}
+
+// How many adds from the next one on are to its cell, and of its block.
+std::size_t Steps::inOneCell() const {
+  const ScenePolygon& first = edits_[at_].polygon;
+  std::set<std::string_view> names;
+  std::size_t count = 0;
+  for (const Edit& edit : edits_.subspan(at_, std::min(kLongest, edits_.size() - at_))) {
+    const bool goesOn = edit.kind == Edit::Kind::add && edit.polygon.cell == first.cell &&
+                        edit.polygon.block == first.block && !model_.isAlive(edit.name) &&
+                        names.insert(edit.name).second;
+    if (!goesOn) break;
+    ++count;
+  }
+  return std::max<std::size_t>(count, 1);
+}
+
+// How many adds from the next one on put the same polygons into each cell of a rectangle, which is written to `cells`.
+std::size_t Steps::inRectangle(std::size_t inCell, CellRect& cells) const {
+  const std::span<const Edit> all = edits_.subspan(at_, std::min(kLongest, edits_.size() - at_));
+  std::set<std::string_view> names;
+  std::set<Cell> seen;
+  CellRect box = cells;
+  std::size_t best = inCell;
+  for (std::size_t begin = 0; begin + inCell <= all.size(); begin += inCell) {
+    const Cell cell = all[begin].polygon.cell;
+    for (std::size_t k = 0; k < inCell; ++k) {
+      const Edit& edit = all[begin + k];
+      const ScenePolygon& like = all[k].polygon;
+      const bool goesOn = edit.kind == Edit::Kind::add && edit.polygon.cell == cell &&
+                          edit.polygon.block == like.block && edit.polygon.vertices == like.vertices &&
+                          !model_.isAlive(edit.name) && names.insert(edit.name).second;
+      if (!goesOn) return best;
+    }
+    if (!seen.insert(cell).second) return best;
+    include(box, cell);
+    if (areaOf(box) != seen.size()) continue;
+    best = begin + inCell;
+    cells = box;
+  }
+  return best;
+}
+
+// How many removes from the next one on leave nothing in a rectangle, which is written to `cells`; 0 if none do.
+std::size_t Steps::emptying(CellRect& cells) const {
+  CellRect box{model_.cellOf(edits_[at_].name), model_.cellOf(edits_[at_].name)};
+  std::set<std::string_view> names;
+  std::size_t best = 0;
+  for (const Edit& edit : edits_.subspan(at_, std::min(kLongest, edits_.size() - at_))) {
+    const bool goesOn = edit.kind == Edit::Kind::remove && model_.isAlive(edit.name) && names.insert(edit.name).second;
+    if (!goesOn) break;
+    include(box, model_.cellOf(edit.name));
+    if (model_.polygonsIn(box) != names.size()) continue;
+    best = names.size();
+    cells = box;
+  }
+  return best;
+}
+
+// Makes all edits of a step in the model, or none if one of them must be refused. Returns whether it made them.
+bool Steps::makes(const Step& step) {
+  for (std::size_t k = 0; k < step.edits.size(); ++k) {
+    if (model_.judge(step.edits[k]).accepted) {
+      model_.apply(step.edits[k]);
+      continue;
+    }
+    for (const Edit& edit : step.edits.first(k)) model_.apply(Edit::remove(edit.name));
+    return false;
+  }
+  return true;
+}
+
+// Why a call must be refused, and which cell the refusal must name. A shape is judged first, and names no cell.
+Verdict Steps::judgeTrial(const Step& step) const {
+  const std::vector<LocalPolygon> shape = shapeOf(step);
+  if (!isByShape(step.door)) return model_.judge(step.edits.front());
+  if (const auto fault = faultOf(shape)) return {false, fault, Error::kNoCell};
+  for (const Cell corner : {step.cells.min, step.cells.max})
+    if (!inRange(corner)) return {false, ErrorCode::cellOutOfRange, corner};
+  for (std::int32_t j = step.cells.min.j; j <= step.cells.max.j; ++j) {
+    for (std::int32_t i = step.cells.min.i; i <= step.cells.max.i; ++i) {
+      if (const auto refusal = model_.refusalIn({i, j}, shape)) return {false, refusal, {i, j}};
+    }
+  }
+  return {};
+}
+
+// Now and then more polygons come and go in an empty cell than a compact cell can count.
+void Steps::wear(Step& step) const {
+  const Cell cell = step.edits.front().polygon.cell;
+  if (wantsWear(step.chance) && inRange(cell) && model_.in(cell).empty()) step.worn = howWorn(step.chance);
+}
+
+// Makes a rectangle larger where that adds no polygons to it.
+void Steps::widen(CellRect& cells, std::uint64_t chance) const {
+  for (unsigned side = 0; side < 4; ++side) {
+    CellRect larger = cells;
+    const std::int32_t by = wider(chance, side);
+    if (side == 0) larger.min.i -= by;
+    if (side == 1) larger.min.j -= by;
+    if (side == 2) larger.max.i += by;
+    if (side == 3) larger.max.j += by;
+    if (inRange(larger.min) && inRange(larger.max) && model_.polygonsIn(larger) == 0) cells = larger;
+  }
+}
+
+}  // namespace lgs::oracle

@@ -1,0 +1,27 @@
+// The edges for Box2D follow a commit at a cost in proportion to what it changed.
+#include "ground.h"
+
+#include <gtest/gtest.h>
+#include <lgs/box2d/edges.h>
+
+namespace lgs::cost_test {
+namespace {
+
+Costs costsOfEdges(std::int32_t side, bool merge) {
+  Ground ground(side);
+  box2d::EdgeSet edges({.chunkCells = 8, .shortest = kUnitsPerCell / 16, .merge = merge});
+  edges.load(ground.world);
+  return costsOf(ground, [&](const Changes& changes) { edges.update(ground.world, changes); });
+}
+
+TEST(Cost, OfAnUpdateOfEdgesIsNoMoreInALargerWorld) {
+  for (const bool merge : {false, true}) {
+    SCOPED_TRACE(merge ? "merged" : "not merged");
+    const Costs small = costsOfEdges(kSmall, merge);
+    for (const auto& [what, cost] : small) EXPECT_GT(cost, 0U) << what;
+    expectNoMore(small, costsOfEdges(kLarge, merge));
+  }
+}
+
+}  // namespace
+}  // namespace lgs::cost_test
