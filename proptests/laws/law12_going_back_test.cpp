@@ -1,5 +1,7 @@
 // Law 12: to go back to a mark, to load what was saved, or to copy a world is never having left.
+#include "oracle/trace/dump.h"
 #include "proptests/support/law.h"
+#include "proptests/support/scale.h"
 #include "proptests/support/traces.h"
 #include "twins.h"
 
@@ -10,19 +12,6 @@
 
 namespace lgs::test {
 namespace {
-
-PreserveRelation relation(bool preserves) {
-  if (!preserves) return {};
-  return [](Block a, Block b) { return a != b; };
-}
-
-/// A world in the middle of its life.
-World grown(bool preserves, const Seeds& seeds) {
-  World world(relation(preserves));
-  shapeOf(world, {unitSquare()});
-  makeAll(world, seeds);
-  return world;
-}
 
 /// Edits a world, makes marks on the way, goes back to them and lets go of them.
 void wander(World& world, const Seeds& seeds) {
@@ -60,7 +49,7 @@ LGS_LAW(GoingBack, IsNeverHavingLeft, 1'000,
   }
 }
 
-LGS_LAW(GoingBack, ReportsExactlyWhatItDoesToTheSegments, 1'000,
+LGS_LAW(GoingBack, ReportsExactlyWhatItDoesToTheSegments, 200,
         (const Seeds& before, const std::vector<Seeds>& away, bool preserves)) {
   World world = grown(preserves, before);
   world.commit();
@@ -86,7 +75,7 @@ LGS_LAW(GoingBack, ReportsExactlyWhatItDoesToTheSegments, 1'000,
 
 /// A game with prediction: the world of the server makes each frame once. The client guesses each frame, goes back, and
 /// makes it as the server did; then the two are the same to the last byte.
-LGS_LAW(GoingBack, APredictionThatWasWrongLeavesNoTrace, 300,
+LGS_LAW(GoingBack, APredictionThatWasWrongLeavesNoTrace, 60,
         (const std::vector<Seeds>& frames, const std::vector<Seeds>& guesses, bool preserves)) {
   World server = grown(preserves, {}), client = grown(preserves, {});
   for (std::size_t k = 0; k < frames.size(); ++k) {
@@ -98,6 +87,7 @@ LGS_LAW(GoingBack, APredictionThatWasWrongLeavesNoTrace, 300,
     ASSERT_TRUE(client.rollBack(confirmed));
     EXPECT_TRUE(client.forget(confirmed));
     ASSERT_NO_FATAL_FAILURE(expectNoDifference(server, client, frames[k]));
+    EXPECT_EQ(oracle::outlineOf(client), outlineByLaws(client, preserves));
   }
 }
 
@@ -198,6 +188,31 @@ LGS_LAW(GoingBack, BytesOfIllWillAreRefusedOrAreAWorld, 2'000,
   auto twin = World::load(saved(*loaded));
   ASSERT_TRUE(twin) << message(twin.error());
   expectNoDifference(*loaded, *twin, after);
+}
+
+/// One long game, in which cells are edited more than 255 times. A long run of it is a soak: docs/long-runs.md.
+TEST(GoingBack, ALongGameOfPredictionsStaysInStep) {
+  World server = grown(true, {}), client = grown(true, {});
+  const std::int64_t frames = scaled(1'500);
+  for (std::int64_t frame = 0; frame < frames; ++frame) {
+    Chance chance(testSeed() + static_cast<std::uint64_t>(frame));
+    const auto edits = [&chance] {
+      Seeds seeds(chance.below(6U));
+      for (std::uint32_t& seed : seeds) seed = static_cast<std::uint32_t>(chance.next());
+      return seeds;
+    };
+    const Mark confirmed = client.checkpoint();
+    for (int ahead = chance.below(4); ahead > 0; --ahead) {
+      makeAll(client, edits());
+      client.commit();
+    }
+    ASSERT_TRUE(client.rollBack(confirmed));
+    ASSERT_TRUE(client.forget(confirmed));
+    ASSERT_NO_FATAL_FAILURE(expectNoDifference(server, client, edits())) << "in frame " << frame;
+    if (frame % 16 != 0) continue;
+    ASSERT_EQ(oracle::outlineOf(client), outlineByLaws(client, true)) << "in frame " << frame;
+    if (client.stats().shapes > 200) server = client = grown(true, {});  // shapes are never forgotten
+  }
 }
 
 TEST(GoingBackByHand, MarksThatAreNoneAreRefused) {

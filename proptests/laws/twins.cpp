@@ -1,5 +1,7 @@
 #include "twins.h"
 
+#include "oracle/reference/naive.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +13,7 @@ namespace {
 using oracle::Random;
 
 constexpr std::int32_t kSide = 4;
+constexpr Block kBlocks = 3;
 
 Cell someCell(Random& random) { return {30 + random.below(kSide), -2 + random.below(kSide)}; }
 
@@ -20,7 +23,7 @@ AnyEdit randomEdit(const World& world, Random& random) {
   using Kind = AnyEdit::Kind;
   AnyEdit edit;
   edit.cell = someCell(random);
-  edit.block = 1 + random.below(Block{3});
+  edit.block = 1 + random.below(kBlocks);
   edit.shape = {1 + random.below(static_cast<std::uint32_t>(world.stats().shapes + 1))};
   edit.polygons = random.pick(oracle::degenerateShapes()).polygons;
   for (LocalPolygon& polygon : edit.polygons) polygon = oracle::turned(polygon, static_cast<int>(edit.block));
@@ -76,6 +79,29 @@ Outcome make(World& world, const AnyEdit& edit) {
       break;
   }
   return copyOf(world.commit());
+}
+
+PreserveRelation relation(bool preserves) {
+  if (!preserves) return {};
+  return [](Block a, Block b) { return a != b; };
+}
+
+World grown(bool preserves, const Seeds& seeds) {
+  World world(relation(preserves));
+  shapeOf(world, {unitSquare()});
+  makeAll(world, seeds);
+  return world;
+}
+
+oracle::Outline outlineByLaws(const World& world, bool preserves) {
+  oracle::Scene scene;
+  world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
+    scene.polygons.push_back({cell, p.block, LocalPolygon(p.vertices.begin(), p.vertices.end())});
+  });
+  if (preserves)
+    for (Block a = 1; a <= kBlocks; ++a)
+      for (Block b = a + 1; b <= kBlocks; ++b) scene.preserve.add(a, b);
+  return oracle::NaiveReference()(scene).outline;
 }
 
 void makeAll(World& world, const Seeds& seeds) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "oracle/generate/random.h"
+#include "oracle/reference/outline.h"
 #include "proptests/support/worlds.h"
 
 #include <lgs/world.h>
@@ -42,6 +43,15 @@ void makeAll(World& world, const Seeds& seeds);
 
 /// Makes the same edits in both worlds, which must answer the same, report the same and be saved as the same bytes.
 void expectNoDifference(World& stayed, World& left, const Seeds& seeds);
+
+/// A relation that keeps the overlap of different blocks, or none.
+PreserveRelation relation(bool preserves);
+
+/// A world in the middle of its life, under such a relation.
+World grown(bool preserves, const Seeds& seeds);
+
+/// What the laws make of a world's polygons, by the naive reference.
+oracle::Outline outlineByLaws(const World& world, bool preserves);
 
 /// Segments that follow the change lists alone.
 class Follower {

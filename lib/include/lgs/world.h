@@ -242,6 +242,9 @@ class World {
   /// than kMaxRay cells on an axis. Cost: in proportion to the cells that the ray touches, up to the hit.
   Expected<RayHit> rayCast(Point from, Point to) const;
 
+  /// The relation that the world was made with; empty if it preserves nothing.
+  const PreserveRelation& preserveRelation() const;
+
   /// The highest SegmentId::value in use so far: an array for what you know of segments needs one place more.
   std::uint32_t maxSegmentId() const;
 
