@@ -4,9 +4,12 @@
 #include "oracle/trace/file.h"
 
 #include <fmt/format.h>
+#include <lgs/debug.h>
+#include <lgs/world.h>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <span>
 #include <system_error>
 
 namespace lgs::cli {
@@ -41,12 +44,26 @@ Status tryOutputs(std::initializer_list<std::string> paths) {
   return Status::fine;
 }
 
+namespace {
+
+// The polygons of a saved world, as edits that make them.
+tl::expected<oracle::Trace, std::string> readSaved(const std::string& path) {
+  const auto bytes = oracle::readFile(path);
+  if (!bytes) return tl::unexpected(message(bytes.error(), path));
+  const auto world = World::load(std::as_bytes(std::span(*bytes)));
+  if (!world) return tl::unexpected(path + ": " + message(world.error()));
+  return oracle::parseTrace(writeTrace(*world)).trace;
+}
+
+}  // namespace
+
 tl::expected<oracle::Trace, std::string> readWorld(const std::string& path) {
   if (path.ends_with(".tmx")) {
     const auto map = tiled::importMap(path);
     if (!map) return tl::unexpected(tiled::message(map.error()));
     return traceOf(*map);
   }
+  if (path.ends_with(".lgs")) return readSaved(path);
   auto trace = oracle::readTrace(path);
   if (!trace) return tl::unexpected(message(trace.error(), path));
   return std::move(*trace);

@@ -43,8 +43,8 @@ std::string drawRun(const PublishedRun& run, Beside beside, std::string title) {
 
 Status compareTrace(const PublishedArguments& arguments) {
   if (const Status bad = tryOutputs({arguments.svg}); bad != Status::fine) return bad;
-  const auto trace = readTrace(arguments.trace);
-  if (!trace) return complain(message(trace.error(), arguments.trace));
+  const auto trace = readWorld(arguments.trace);
+  if (!trace) return complain(trace.error());
   const auto run = bench::runPublished(*trace);
   if (!run) return complain(message(run.error(), arguments.trace));
   std::FILE* const out = arguments.svg == "-" ? stderr : stdout;

@@ -3,11 +3,12 @@
 #include "oracle/draw/draw.h"
 #include "oracle/reference/words.h"
 #include "oracle/trace/dump.h"
-#include "oracle/trace/file.h"
 #include "oracle/trace/player.h"
 
 #include <fmt/format.h>
+#include <cstddef>
 #include <cstdio>
+#include <span>
 
 namespace lgs::cli {
 
@@ -21,9 +22,19 @@ struct ReplayArguments {
   CheckOptions checkOptions;
   std::string dump;
   std::string svg;
+  std::string save;
 };
 
-// Plays the trace to its end; says, dumps and draws what comes out.
+// Saves a world, or complains.
+Status save(const World& world, const std::string& path) {
+  std::string bytes;
+  const auto done = world.save([&bytes](std::span<const std::byte> piece) {
+    bytes.append(reinterpret_cast<const char*>(piece.data()), piece.size());
+  });
+  return done ? write(path, bytes) : complain(path + ": " + message(done.error()));
+}
+
+// Plays the trace to its end; says, dumps, saves and draws what comes out.
 Status showEnd(const ReplayArguments& arguments, const Trace& trace, bool draws, std::FILE* out) {
   Player player(trace.preserve);
   if (const auto done = play(trace, player); !done) return complain(message(done.error(), arguments.trace));
@@ -33,6 +44,7 @@ Status showEnd(const ReplayArguments& arguments, const Trace& trace, bool draws,
              counted(outline.size(), "segment"), counted(player.world().loops().size(), "loop"));
   Status status = Status::fine;
   if (!arguments.dump.empty()) status = write(arguments.dump, dump(outline));
+  if (!arguments.save.empty()) status = worst(status, save(player.world(), arguments.save));
   if (!draws) return status;
   DrawOptions options;
   options.title = arguments.trace;
@@ -40,11 +52,12 @@ Status showEnd(const ReplayArguments& arguments, const Trace& trace, bool draws,
 }
 
 Status run(const ReplayArguments& arguments) {
-  if (const Status bad = tryOutputs({arguments.dump, arguments.svg}); bad != Status::fine) return bad;
-  const auto trace = readTrace(arguments.trace);
-  if (!trace) return complain(message(trace.error(), arguments.trace));
-  // A dump or a picture may need the standard output; then the summary goes to the standard error.
-  std::FILE* const out = arguments.dump == "-" || arguments.svg == "-" ? stderr : stdout;
+  if (const Status bad = tryOutputs({arguments.dump, arguments.svg, arguments.save}); bad != Status::fine) return bad;
+  const auto trace = readWorld(arguments.trace);
+  if (!trace) return complain(trace.error());
+  // A dump, a picture or a saved world may need the standard output; then the summary goes to the standard error.
+  const bool isTaken = arguments.dump == "-" || arguments.svg == "-" || arguments.save == "-";
+  std::FILE* const out = isTaken ? stderr : stdout;
   const bool draws = !arguments.svg.empty();
   if (!arguments.check) return showEnd(arguments, *trace, draws, out);
 
@@ -80,7 +93,10 @@ constexpr const char* kHelp =
 void addReplay(CLI::App& app, Action& chosen) {
   const auto arguments = std::make_shared<ReplayArguments>();
   CLI::App& command = *app.add_subcommand("replay", "Play a trace, a list of edits; check, dump or draw the result");
-  command.add_option("TRACE", arguments->trace, "A file in the trace format")->required()->option_text("(required)");
+  command
+      .add_option("TRACE", arguments->trace, "A file in the trace format, a Tiled map (.tmx), or a saved\nworld (.lgs)")
+      ->required()
+      ->option_text("(required)");
   CLI::Option* const check =
       command.add_flag("--check", arguments->check,
                        "Compare with the references after every commit; on a mismatch\nsay what differs, and where");
@@ -89,6 +105,8 @@ void addReplay(CLI::App& app, Action& chosen) {
       ->option_text("FILE");
   command.add_option("--svg", arguments->svg, "Draw the world, or the mismatch if there is one; - is stdout")
       ->option_text("FILE");
+  command.add_option("--save", arguments->save, "Save the world after the last commit, for World::load(); - is stdout")
+      ->option_text("FILE.lgs");
   command.footer(kHelp);
   command.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
 }

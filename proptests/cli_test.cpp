@@ -147,6 +147,26 @@ TEST_F(Command, ReplayDumpsAndDraws) {
   EXPECT_EQ(lgs("replay t --dump -", "2>/dev/null").text, dump);  // nothing else on stdout
 }
 
+TEST_F(Command, ASavedWorldIsTakenWhereATraceIs) {
+  put("t", kTwoSquares);
+  expect("replay t --save w.lgs", 0, "2 polygons in 2 cells, 6 segments, 1 loop");
+  EXPECT_EQ(get("w.lgs").substr(0, 7), "lgssnap");
+  EXPECT_EQ(lgs("replay w.lgs --check --dump -", "2>/dev/null").text, lgs("replay t --dump -", "2>/dev/null").text);
+  expect("replay w.lgs --check", 0, "no mismatch");
+  expect("replay w.lgs --save again.lgs", 0, "6 segments");
+  EXPECT_LT(lgs("published w.lgs").status, 2) << "read, whatever it finds";
+  EXPECT_EQ(lgs("replay t --save -", "2>/dev/null").text, get("w.lgs"));
+  expect("replay t --save no/such/folder/w.lgs", 2, "cannot write the file");
+  expect("replay t --dump - --save -", 2, "only one output");
+  put("cut.lgs", get("w.lgs").substr(0, 40));
+  expect("replay cut.lgs", 2, "cut.lgs: byte 36: the snapshot is damaged, or cut: its checksum does not fit");
+  put("none.lgs", kTwoSquares);
+  expect("replay none.lgs", 2, "none.lgs: byte 3: this is no snapshot of a world");
+  put("p", "lgs-trace 1\npreserve 1 2\nadd a 0 0 1  0 0 1 0 1 1 0 1\n");
+  expect("replay p --save p.lgs", 0, "1 polygon");
+  expect("replay p.lgs", 2, "preserve relation");
+}
+
 TEST_F(Command, CheckIsTheSameEachTime) {
   const auto withoutTime = [](std::string text) {
     const std::size_t time = text.find("time ");

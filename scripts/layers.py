@@ -19,11 +19,13 @@ ENGINE = ["lib/include"]
 REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/trace"]
 ORACLE = REFERENCES + ["oracle/draw", "oracle/generate", "oracle/check"]
 TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include"]
-ADAPTERS = ["lib/tiled/include"] + TERRAIN
+ADAPTERS = ["lib/debug/include", "lib/tiled/include"] + TERRAIN
 ROOMS = {
     "lib/include": [],
     "lib/geometry": ["lib/include"],
     "lib/src": ["lib/include", "lib/geometry"],
+    "lib/debug/include": ["lib/include"],
+    "lib/debug/src": ["lib/include", "lib/debug/include"],
     "lib/tiled/include": ["lib/include"],
     "lib/tiled/src": ["lib/include", "lib/geometry", "lib/tiled/include"],
     "lib/box2d/include": ["lib/include"],
@@ -50,7 +52,8 @@ ROOMS = {
     "proptests/consumer": ENGINE + ADAPTERS,  # a project of its own, as a game would be
 }
 # The folders from which a header is found by a path without its room.
-INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/src", "lib/tiled/include", "lib/tiled/src", "lib/box2d/include", "lib/box2d/src",
+INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/src", "lib/debug/include", "lib/tiled/include", "lib/tiled/src",
+                   "lib/box2d/include", "lib/box2d/src",
                    "lib/box2d/v2/include", "lib/box2d/v3/include"]
 # What no file below a folder may include, whatever its room: lib/ is MIT and goes into games.
 FOREIGN = {"lib": re.compile(r"CGAL/|rapidcheck|gtest|gmock|fmt/|CLI/")}

@@ -25,9 +25,9 @@ std::uint64_t hashOf(std::span<const PolygonId> polygons, std::span<const std::p
 
 /// Puts the value at a free number, or at the next one.
 template <class T>
-std::uint32_t store(std::vector<std::unique_ptr<T>>& table, std::vector<std::uint32_t>& free, T value) {
+std::uint32_t store(std::vector<Owned<T>>& table, std::vector<std::uint32_t>& free, T value) {
   if (free.empty()) {
-    table.push_back(std::make_unique<T>(std::move(value)));
+    table.emplace_back(std::make_unique<T>(std::move(value)));
     return static_cast<std::uint32_t>(table.size() - 1);
   }
   const std::uint32_t id = free.back();
@@ -39,7 +39,7 @@ std::uint32_t store(std::vector<std::unique_ptr<T>>& table, std::vector<std::uin
 }  // namespace
 
 Catalogue::Catalogue() {
-  contents_.push_back(std::make_unique<InternedContent>(InternedContent{buildContent({}, {}), {}, {}, 0}));
+  contents_.emplace_back(std::make_unique<InternedContent>(InternedContent{buildContent({}, {}), {}, {}, 0}));
   uses_.push_back({.users = 1, .facts = 0});
 }
 
@@ -120,6 +120,14 @@ Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
   const ShapeId id{static_cast<std::uint32_t>(shapes_.size())};
   shapeIndex_.emplace(given, id);
   return id;
+}
+
+void Catalogue::forgetShapes(std::uint64_t count) {
+  while (shapes_.size() > count) {
+    shapeIndex_.erase(shapes_.back().polygons);
+    shapes_.pop_back();
+    soles_.pop_back();
+  }
 }
 
 Error Catalogue::overlapAmong(std::span<const PolygonId> polygons) const {

@@ -4,12 +4,12 @@
 
 #include "content.h"
 #include "hash_index.h"
+#include "owned.h"
 
 #include <lgs/error.h>
 #include <lgs/ids.h>
 
 #include <map>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -82,6 +82,11 @@ class Catalogue {
 
   std::uint64_t contentCount() const { return contents_.size() - 1 - freeContents_.size(); }
   std::uint64_t shapeCount() const { return shapes_.size(); }
+  /// Forgets the shapes made last, down to a count. Their contents stay, as they are worked out already.
+  void forgetShapes(std::uint64_t count);
+  /// One more than the greatest number of a content, and of a polygon.
+  std::size_t contentLimit() const { return contents_.size(); }
+  std::size_t polygonLimit() const { return polygons_.size(); }
   std::uint64_t bytes() const;
 
  private:
@@ -109,8 +114,8 @@ class Catalogue {
   void forgetContent(ContentId id);
   void forgetPolygon(PolygonId id);
 
-  std::vector<std::unique_ptr<InternedPolygon>> polygons_;
-  std::vector<std::unique_ptr<InternedContent>> contents_;
+  std::vector<Owned<InternedPolygon>> polygons_;
+  std::vector<Owned<InternedContent>> contents_;
   std::vector<Use> uses_;  ///< by content
   std::vector<InternedShape> shapes_;
   std::vector<SoleContent> soles_{SoleContent{}};  ///< by shape: see soleContent()

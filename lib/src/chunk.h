@@ -2,13 +2,13 @@
 #pragma once
 
 #include "content.h"
+#include "owned.h"
 
 #include <lgs/ids.h>
 #include <lgs/lattice.h>
 
 #include <array>
 #include <cstdint>
-#include <memory>
 
 namespace lgs::detail {
 
@@ -38,7 +38,7 @@ struct Chunk {
   std::array<RowMask, kChunkSize> dirty{};  ///< cells edited since the last commit
   std::array<RowMask, kChunkSize> live{};   ///< cells that have segments
   std::uint64_t commonBlock = kNoBlock;     ///< of all cells that list no polygons, while `blocks` is null
-  std::unique_ptr<Block[]> blocks;
+  Owned<std::array<Block, kChunkCells>> blocks;
   std::array<Facts, kChunkCells> facts{};          ///< of each cell's content
   std::array<std::uint32_t, kChunkCells> cells{};  ///< the word of each cell; see grid.h
 
@@ -48,7 +48,7 @@ struct Chunk {
     const std::int32_t there = 3 * dj + di + 4;
     return around[static_cast<std::size_t>(there)];
   }
-  Block block(std::uint32_t local) const { return blocks ? blocks[local] : static_cast<Block>(commonBlock); }
+  Block block(std::uint32_t local) const { return blocks ? (*blocks)[local] : static_cast<Block>(commonBlock); }
   Cell cell(std::uint32_t local) const {
     return {ci * kChunkSize + static_cast<std::int32_t>(local % kChunkSize),
             cj * kChunkSize + static_cast<std::int32_t>(local / kChunkSize)};

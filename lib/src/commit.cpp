@@ -7,11 +7,11 @@
 #include "linking.h"
 #include "world_impl.h"
 
-#include <bit>
-
 namespace lgs {
 
 const Changes& World::Impl::commit(const Executor& executor) {
+  const bool isNoted = journal.isOpen();
+  if (isNoted) journal.noteCommit(*this);
   // Ids that the last commit removed become available now, and not then. So no id is in two lists of one commit, and
   // the ends of removed segments can be read while links are compared.
   for (const SegmentId id : changes.removed) segments.recycle(id.value);
@@ -30,12 +30,8 @@ const Changes& World::Impl::commit(const Executor& executor) {
 
   for (const SegmentId id : changes.relinked) segments[id.value].listed = 0;
   for (const SegmentId id : changes.removed) segments[id.value].cellRef = 0;
-  for (detail::Chunk* chunk : dirtyChunks) {
-    for (detail::RowMask rows = chunk->dirtyRows; rows != 0; rows &= rows - 1)
-      chunk->dirty[static_cast<std::size_t>(std::countr_zero(rows))] = 0;
-    chunk->dirtyRows = 0;
-  }
-  dirtyChunks.clear();
+  forgetDirty();
+  if (isNoted) journal.noteChanges(changes);
   catalogue.collect();
   return changes;
 }

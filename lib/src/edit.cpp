@@ -17,12 +17,13 @@ using detail::Slot;
 
 /// Makes `entries_` the polygons of a cell. Their content is `after`.
 void World::Impl::apply(CellAt at, ContentId after, std::uint32_t lastSerial) {
+  if (journal.isOpen()) journal.noteCell(*this, at);
   const ContentId before = grid.content(at);
   if (after != detail::kEmptyContent) catalogue.use(after);
   if (before != detail::kEmptyContent) catalogue.release(before);
   placed_.clear();
   for (const Entry& e : entries_) placed_.push_back(e.placed);
-  grid.setPolygons(at, after, lastSerial, placed_);
+  grid.setPolygons(at, after, lastSerial, placed_, grid.mustList(at, lastSerial, placed_));
   touch(at, after);
 }
 
@@ -85,6 +86,7 @@ Error World::Impl::overlapWith(CellAt at, std::span<const PolygonId> added) {
       if (!catalogue.meet(old.polygon, added[k])) continue;
       error.polygon = static_cast<std::int32_t>(k);
       error.other = {at.chunk->ref(at.local), old.placed.serial};
+      error.otherBlock = old.placed.block;
       return error;
     }
   }
@@ -139,8 +141,9 @@ Expected<PolygonHandle> World::Impl::add(Cell cell, PolygonView polygon, Block b
 }
 
 /// The usual case: one polygon, which has this content, into an empty cell. Null, and nothing is done, in any other
-/// case.
+/// case, and while the journal notes what is edited.
 inline PolygonHandle World::Impl::placeSole(CellAt at, ContentId content, Block block) {
+  if (journal.isOpen()) return {};
   const std::uint32_t serial = grid.placeSole(at, content, block);
   if (serial == 0) return {};
   catalogue.use(content);
@@ -172,10 +175,12 @@ std::optional<Slot> World::Impl::slotOf(PolygonHandle handle) const {
 Expected<void> World::Impl::remove(PolygonHandle polygon) {
   const CellAt at = grid.find(polygon.cellRef);
   if (!at) return refuse({.code = ErrorCode::staleHandle, .other = polygon});
-  if (const ContentId content = grid.removeSole(at, polygon.serial); content != detail::kEmptyContent) {
-    catalogue.release(content);
-    touch(at, detail::kEmptyContent);
-    return {};
+  if (!journal.isOpen()) {
+    if (const ContentId content = grid.removeSole(at, polygon.serial); content != detail::kEmptyContent) {
+      catalogue.release(content);
+      touch(at, detail::kEmptyContent);
+      return {};
+    }
   }
   const auto slot = slotOf(polygon);
   if (!slot) return refuse({.code = ErrorCode::staleHandle, .other = polygon});
@@ -191,8 +196,39 @@ Expected<void> World::Impl::remove(PolygonHandle polygon) {
   return {};
 }
 
+Expected<PolygonHandle> World::Impl::replace(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
+  if (!inRange(cell)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = cell});
+  const detail::InternedShape* interned = catalogue.shape(shape);
+  if (!interned) return refuse({.code = ErrorCode::unknownShape, .cell = cell});
+  const CellAt at = grid.obtain(cell);
+  if (!at) return refuse({.code = ErrorCode::capacity, .cell = cell});
+  const std::uint32_t ref = at.chunk->ref(at.local), last = grid.lastSerial(at);
+  const auto count = static_cast<std::uint32_t>(interned->polygons.size());
+  if (count > detail::kMaxSerial - last) return refuse({.code = ErrorCode::capacity, .cell = cell});
+  entries_.clear();
+  addEntries(interned->polygons, block, last);
+  const auto content = internEntries();
+  if (!content) return refuse(content.error(), cell);
+  apply(at, *content, last + count);
+  for (std::uint32_t k = 0; k < std::min<std::size_t>(count, handles.size()); ++k) handles[k] = {ref, last + 1 + k};
+  return PolygonHandle{ref, last + 1};
+}
+
+Expected<void> World::Impl::setBlock(PolygonHandle polygon, Block block) {
+  const auto slot = slotOf(polygon);
+  if (!slot) return refuse({.code = ErrorCode::staleHandle, .other = polygon});
+  const CellAt at = grid.find(polygon.cellRef);
+  readEntries(at);
+  if (entries_[*slot].placed.block == block) return {};
+  entries_[*slot].placed.block = block;
+  const auto content = internEntries();  // with another block another overlap may be preserved
+  if (!content) return refuse(content.error(), grid.cellOf(polygon.cellRef));
+  apply(at, *content, grid.lastSerial(at));
+  return {};
+}
+
 Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, Block block) {
-  if (isEmpty(cells)) return 0;
+  if (lgs::isEmpty(cells)) return 0;
   for (const Cell corner : {cells.min, cells.max})
     if (!inRange(corner)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = corner});
   const detail::InternedShape* interned = catalogue.shape(shape);
@@ -228,7 +264,7 @@ Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, 
   const detail::Facts facts = catalogue.facts(interned->content);
   grid.forEachRow(cells, [&](CellAt at, Cell cell, std::uint32_t inRow) {
     count += inRow;
-    if (single && detail::Grid::placeRow(at, inRow, interned->content, block)) {
+    if (single && !journal.isOpen() && detail::Grid::placeRow(at, inRow, interned->content, block)) {
       touch(at, interned->content);
       at.chunk->dirty[at.row()] |= ~detail::RowMask{0} >> (detail::kChunkSize - inRow) << at.local % detail::kChunkSize;
       std::fill_n(at.chunk->facts.begin() + at.local, inRow, facts);
@@ -242,7 +278,7 @@ Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, 
 }
 
 Expected<std::uint64_t> World::Impl::clear(const CellRect& cells) {
-  if (isEmpty(cells)) return 0;
+  if (lgs::isEmpty(cells)) return 0;
   for (const Cell corner : {cells.min, cells.max})
     if (!inRange(corner)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = corner});
   std::uint64_t count = 0;

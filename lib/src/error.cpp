@@ -16,6 +16,7 @@ std::string where(const Error& e) {
 
 std::string what(const Error& e) {
   const std::string vertex = "vertex " + number(e.vertex);
+  const std::string handle = number(e.other.cellRef) + ":" + number(e.other.serial);
   switch (e.code) {
     case ErrorCode::cellOutOfRange:
       return "the cell is out of range; both indices must be within ±2^30";
@@ -36,18 +37,25 @@ std::string what(const Error& e) {
     case ErrorCode::clockwise:
       return "the polygon runs clockwise; reverse its vertices";
     case ErrorCode::selfIntersecting:
-      return "the edge from " + vertex + " crosses or touches the edge from vertex " + number(e.vertex2);
+      return "the polygon crosses itself, or touches itself: the edge from " + vertex + " meets the edge from vertex " +
+             number(e.vertex2);
     case ErrorCode::overlap:
       return e.polygon2 >= 0 ? "its interior overlaps that of polygon " + number(e.polygon2)
-                             : "its interior overlaps that of a polygon already in the cell (handle " +
-                                   number(e.other.cellRef) + ":" + number(e.other.serial) + ")";
+                             : "its interior overlaps that of a polygon of block " + number(e.otherBlock) +
+                                   " that is already in this cell (handle " + handle + ")";
     case ErrorCode::unknownShape:
       return "this world has no such shape";
     case ErrorCode::staleHandle:
-      return "the handle " + number(e.other.cellRef) + ":" + number(e.other.serial) +
-             " names no polygon; it was removed, or never existed";
+      if (!e.other) return "the handle is null, and names no polygon; add() may have refused to give one";
+      return "the handle " + handle + " names no polygon; it was removed, or never existed";
     case ErrorCode::unknownSegment:
       return "segment " + number(e.segment.value) + " is not alive; it was removed, or never existed";
+    case ErrorCode::unknownMark:
+      return "this world has no such mark; it was forgotten, or the world went back to a moment before it";
+    case ErrorCode::uncommitted:
+      return "the world has edits that are not committed; call commit() before save()";
+    case ErrorCode::outOfReach:
+      return "a point is beyond the last cell, or a radius or a ray is too long (lgs/questions.h)";
   }
   return "unknown error";
 }
@@ -84,6 +92,12 @@ const char* name(ErrorCode code) {
       return "stale handle";
     case ErrorCode::unknownSegment:
       return "unknown segment";
+    case ErrorCode::unknownMark:
+      return "unknown mark";
+    case ErrorCode::uncommitted:
+      return "uncommitted";
+    case ErrorCode::outOfReach:
+      return "out of reach";
   }
   return "unknown error";
 }

@@ -15,9 +15,17 @@ std::uint64_t hashOf(std::int32_t ci, std::int32_t cj) {
 }  // namespace
 
 Grid::Grid() {
-  chunks_.push_back(std::make_unique<Chunk>());
+  chunks_.emplace_back(std::make_unique<Chunk>());
   last_ = chunks_[0].get();
   last_->ci = last_->cj = INT32_MIN / kChunkSize;  // none of its cells is in range
+}
+
+Grid::Grid(const Grid& other) : chunks_(other.chunks_), index_(other.index_), records_(other.records_) {
+  for (const auto& chunk : chunks_)
+    for (Chunk*& beside : chunk->around)
+      if (beside) beside = chunks_[beside->index].get();
+  last_ = chunks_[other.last_->index].get();
+  remembers_ = other.remembers_;
 }
 
 Chunk* Grid::findChunk(Cell cell) const {
@@ -36,7 +44,7 @@ Chunk* Grid::obtainChunk(Cell cell) {
   chunk->index = static_cast<std::uint32_t>(chunks_.size());
   link(*chunk);
   index_.insert(hashOf(chunk->ci, chunk->cj), chunk->index);
-  chunks_.push_back(std::move(chunk));
+  chunks_.emplace_back(std::move(chunk));
   return remember(chunks_.back().get());
 }
 
@@ -61,8 +69,8 @@ void Grid::makeRoomForFirstBlock(Chunk& chunk, Block block) {
     chunk.commonBlock = block;
     return;
   }
-  chunk.blocks = std::make_unique_for_overwrite<Block[]>(kChunkCells);
-  std::fill_n(chunk.blocks.get(), kChunkCells, static_cast<Block>(chunk.commonBlock));
+  chunk.blocks = Owned(std::make_unique_for_overwrite<std::array<Block, kChunkCells>>());
+  chunk.blocks->fill(static_cast<Block>(chunk.commonBlock));
   chunk.commonBlock = Chunk::kNoBlock;
 }
 
@@ -71,29 +79,52 @@ std::uint32_t Grid::lastSerial(CellAt cell) const {
   return r && !r->isCompact() ? r->lastSerial() : state(cell) & kSerialMask;
 }
 
-void Grid::setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
-  if (std::uint32_t* state = compactState(cell); state && polygons.empty()) {
+void Grid::setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons,
+                       bool isListed) {
+  if (!isListed && !polygons.empty()) {
+    makeRoomForBlock(*cell.chunk, polygons[0].block);
+    if (cell.chunk->blocks) (*cell.chunk->blocks)[cell.local] = polygons[0].block;
+  }
+  if (std::uint32_t* state = compactState(cell); state && !isListed) {
     *state = stateOf(content, lastSerial);
     return;
   }
   const CellRecord* old = record(cell);
+  const RecordArena::Ref oldRef = cell.word() & ~kRecordBit;
   CellRecord header = old ? *old : CellRecord{};
-  header.state = stateOf(content, 0);
-  header.polygons = static_cast<std::uint8_t>(polygons.size());
-  const RecordArena::Ref ref = records_.allocate(header.sizeWords());
-  auto* r = reinterpret_cast<CellRecord*>(records_.at(ref));
-  *r = header;
-  std::uint32_t* out = r->words() + CellRecord::kHeaderWords;
+  header.state = stateOf(content, isListed ? 0 : lastSerial);
+  header.polygons = isListed ? static_cast<std::uint8_t>(polygons.size()) : CellRecord::kCompact;
+  if (!isListed && header.count() == 0) {
+    cell.word() = header.state;
+  } else {
+    const RecordArena::Ref ref = records_.allocate(header.sizeWords());
+    auto* r = reinterpret_cast<CellRecord*>(records_.at(ref));
+    *r = header;
+    if (isListed) writeList(*r, lastSerial, polygons);
+    if (old) std::copy_n(old->ids(), old->count(), r->ids());
+    cell.word() = kRecordBit | ref;
+  }
+  if (old) records_.release(oldRef, old->sizeWords());
+}
+
+void Grid::writeList(CellRecord& r, std::uint32_t lastSerial, std::span<const Placed> polygons) {
+  std::uint32_t* out = r.words() + CellRecord::kHeaderWords;
   *out++ = lastSerial;
   for (const Placed& placed : polygons) {
     *out++ = placed.serial;
     *out++ = placed.block;
   }
-  if (old) {
-    std::copy_n(old->ids(), old->count(), out);
-    records_.release(cell.word() & ~kRecordBit, old->sizeWords());
+}
+
+void Grid::forgetChunks(std::size_t count) {
+  while (chunks().size() > count) {
+    const Chunk& chunk = *chunks_.back();
+    for (std::size_t k = 0; k < chunk.around.size(); ++k)
+      if (Chunk* beside = chunk.around[k]; beside && beside != &chunk) beside->around[8 - k] = nullptr;
+    if (last_ == &chunk) last_ = chunks_[0].get();
+    index_.erase(hashOf(chunk.ci, chunk.cj), chunk.index);
+    chunks_.pop_back();
   }
-  cell.word() = kRecordBit | ref;
 }
 
 CellRecord* Grid::spliceSegments(CellAt cell, std::uint32_t begin, std::uint32_t removed, std::uint32_t added) {

@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -28,6 +27,9 @@ namespace lgs::detail {
 class Grid {
  public:
   Grid();
+  Grid(const Grid& other);
+  Grid& operator=(const Grid&) = delete;
+  ~Grid() = default;
 
   /// Without chunk if there is none yet.
   CellAt find(Cell cell) const { return {isLast(cell) ? last_ : findChunk(cell), localOf(cell)}; }
@@ -35,6 +37,11 @@ class Grid {
   CellAt obtain(Cell cell) { return {isLast(cell) ? last_ : obtainChunk(cell), localOf(cell)}; }
   /// Without chunk unless it is the one that obtain() found last. All cells of that chunk are in range.
   CellAt findQuickly(Cell cell) const { return {isLast(cell) ? last_ : nullptr, localOf(cell)}; }
+  /// Whether obtain() remembers a chunk for findQuickly(). If it does not, every edit takes the long way.
+  void setRemembers(bool remembers) {
+    remembers_ = remembers;
+    if (!remembers) last_ = chunks_[0].get();
+  }
   /// The cell that a handle or a segment names. Without chunk if the number is none of ours.
   CellAt find(std::uint32_t cellRef) const {
     const std::uint32_t index = cellRef / kChunkCells;
@@ -42,7 +49,7 @@ class Grid {
     return {chunks_[index].get(), cellRef % kChunkCells};
   }
   Cell cellOf(std::uint32_t cellRef) const { return chunks_[cellRef / kChunkCells]->cell(cellRef % kChunkCells); }
-  std::span<const std::unique_ptr<Chunk>> chunks() const { return std::span(chunks_).subspan(1); }
+  std::span<const Owned<Chunk>> chunks() const { return std::span(chunks_).subspan(1); }
 
   /// Calls visit(CellAt, Cell) for the cells of a rectangle that have a chunk: chunk by chunk, each by rows. Cost: in
   /// proportion to those cells, and to the chunks in the rectangle or in the world, whichever are fewer.
@@ -104,7 +111,7 @@ class Grid {
     if (std::any_of(states.begin(), states.end(), [](std::uint32_t state) { return state >= kSerialMask; }))
       return false;
     makeRoomForBlock(*first.chunk, block);
-    if (first.chunk->blocks) std::fill_n(&first.chunk->blocks[first.local], count, block);
+    if (first.chunk->blocks) std::fill_n(&(*first.chunk->blocks)[first.local], count, block);
     for (std::uint32_t& state : states) state = stateOf(content, state + 1);
     return true;
   }
@@ -115,8 +122,24 @@ class Grid {
     if (!state || (*state & kSerialMask) != serial) return kEmptyContent;
     return std::exchange(*state, serial) >> kSerialBits;
   }
-  /// Gives a cell this content and these polygons, by slot, or empties it if there are none.
-  void setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons);
+  /// Gives a cell this content and these polygons, by slot, or empties it if there are none. Its record lists them if
+  /// `isListed`: see mustList().
+  void setPolygons(CellAt cell, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons,
+                   bool isListed);
+  /// Whether the cell's record lists its polygons.
+  bool listsPolygons(CellAt cell) const {
+    const CellRecord* r = record(cell);
+    return r && !r->isCompact();
+  }
+  /// Whether it has to, if these are to be the polygons. Once a cell keeps a list it always will.
+  bool mustList(CellAt cell, std::uint32_t lastSerial, std::span<const Placed> polygons) const {
+    const bool fits = polygons.empty() || (polygons.size() == 1 && polygons[0].serial == lastSerial);
+    return !fits || lastSerial > kMaxCompactSerial || listsPolygons(cell);
+  }
+  static constexpr std::uint32_t kMaxCompactSerial = 255;  ///< the last one of a cell without a list
+
+  /// Takes away the chunks made last, down to a count. Their cells must be as new.
+  void forgetChunks(std::size_t count);
 
   // --- The segments of a cell, as of the last commit
 
@@ -143,6 +166,7 @@ class Grid {
   static constexpr std::uint32_t kRecordBit = 1u << 31;  // in a word: the rest refers to a CellRecord
   static constexpr std::uint32_t kSerialBits = 8;        // in a state: above them is the content
   static constexpr std::uint32_t kSerialMask = (1u << kSerialBits) - 1;
+  static_assert(kSerialMask == kMaxCompactSerial);
 
   CellRecord* writable(CellAt cell) { return const_cast<CellRecord*>(record(cell)); }  // NOLINT
   /// Null if the cell lists its polygons.
@@ -166,11 +190,12 @@ class Grid {
     if (lastSerial >= kSerialMask) return 0;
     if (cell.chunk->commonBlock != block) {
       if (!cell.chunk->blocks) return 0;
-      cell.chunk->blocks[cell.local] = block;
+      (*cell.chunk->blocks)[cell.local] = block;
     }
     state = stateOf(content, lastSerial + 1);
     return lastSerial + 1;
   }
+  static void writeList(CellRecord& r, std::uint32_t lastSerial, std::span<const Placed> polygons);
   static void makeRoomForBlock(Chunk& chunk, Block block) {
     if (chunk.commonBlock != block && !chunk.blocks) makeRoomForFirstBlock(chunk, block);
   }
@@ -179,7 +204,7 @@ class Grid {
   Chunk* obtainChunk(Cell cell);
   void link(Chunk& chunk);
   Chunk* remember(Chunk* chunk) {
-    if (inRange(chunk->cell(kChunkCells - 1))) last_ = chunk;
+    if (remembers_ && inRange(chunk->cell(kChunkCells - 1))) last_ = chunk;
     return chunk;
   }
   bool isLast(Cell cell) const { return last_->ci == cell.i >> 5 && last_->cj == cell.j >> 5; }
@@ -187,12 +212,13 @@ class Grid {
   // Index 0 is no chunk of the world. A segment that is not alive says that it is in cell 0, and that is there. So a
   // link to one, should there ever be such a link, can be followed: the harness then reports it, where a crash says
   // little.
-  std::vector<std::unique_ptr<Chunk>> chunks_;
+  std::vector<Owned<Chunk>> chunks_;
   HashIndex index_;
   RecordArena records_;
   // Edits come in neighbourhoods, so the chunk that obtain() found last is tried first. It is never a chunk with cells
   // out of range: so findQuickly() need not ask. Chunk 0 if there is none.
   Chunk* last_ = nullptr;
+  bool remembers_ = true;
 };
 
 }  // namespace lgs::detail

@@ -37,9 +37,9 @@ std::optional<Defect> findDefect(PolygonView polygon) {
   if (const auto repeated = findRepeatedVertex(polygon)) return repeated;
   const std::int64_t area = doubleArea(polygon);
   if (area == 0) return Defect{ErrorCode::zeroArea};
-  if (area < 0) return Defect{ErrorCode::clockwise};
   if (const auto edges = findSelfIntersection(polygon))
     return Defect{ErrorCode::selfIntersecting, index(edges->first), index(edges->second)};
+  if (area < 0) return Defect{ErrorCode::clockwise};
   return std::nullopt;
 }
 

@@ -79,7 +79,7 @@ std::vector<SegmentId> World::Impl::liveSegments() const {
 
 std::vector<SegmentId> World::Impl::segmentsIn(const CellRect& cells) const {
   std::vector<SegmentId> out;
-  if (isEmpty(cells)) return out;
+  if (lgs::isEmpty(cells)) return out;
   grid.forEachCell(cells, [&](CellAt at, Cell) {
     for (const std::uint32_t id : grid.segments(at)) out.push_back({id});
   });
@@ -137,6 +137,32 @@ void World::Impl::mergeCollinear(std::vector<Loop>& loops) const {
   }
 }
 
+/// Whether every polygon of another world is here too.
+bool World::Impl::holdsPolygonsOf(const Impl& other) const {
+  using Vertices = std::vector<LocalPoint>;
+  std::vector<PlacedPolygon> placed;
+  const auto read = [&placed](const Impl& world, Cell cell) {
+    std::vector<std::pair<Vertices, Block>> out;
+    world.polygons(cell, placed);
+    for (const PlacedPolygon& p : placed) {
+      Vertices vertices(p.vertices.begin(), p.vertices.end());
+      std::rotate(vertices.begin(), std::min_element(vertices.begin(), vertices.end()), vertices.end());
+      out.emplace_back(std::move(vertices), p.block);
+    }
+    std::sort(out.begin(), out.end());
+    return out;
+  };
+  const auto chunks = other.grid.chunks();
+  return std::all_of(chunks.begin(), chunks.end(), [&](const auto& chunk) {
+    for (std::uint32_t local = 0; local < detail::kChunkCells; ++local) {
+      if (other.grid.content({chunk.get(), local}) == detail::kEmptyContent) continue;
+      const Cell cell = chunk->cell(local);
+      if (read(*this, cell) != read(other, cell)) return false;
+    }
+    return true;
+  });
+}
+
 Stats World::Impl::stats() const {
   Stats stats;
   for (const auto& chunk : grid.chunks()) {
@@ -153,7 +179,8 @@ Stats World::Impl::stats() const {
   stats.chunks = grid.chunks().size();
   const auto of = []<class T>(const std::vector<T>& v) { return v.capacity() * sizeof(T); };
   stats.bytes = sizeof(World) + sizeof *this + grid.bytes() + catalogue.bytes() + segments.bytes() + of(dirtyChunks) +
-                of(changes.removed) + of(changes.added) + of(changes.relinked) + workingBytes();
+                of(changes.removed) + of(changes.added) + of(changes.relinked) + of(changesOfRollBack.removed) +
+                of(changesOfRollBack.added) + of(changesOfRollBack.relinked) + journal.bytes() + workingBytes();
   return stats;
 }
 

@@ -3,6 +3,8 @@
 // one first.
 #pragma once
 
+#include "owned.h"
+
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -30,7 +32,7 @@ class RecordArena {
     }
     if (pages_.empty() || used_ + size > kPageWords) {
       if (pages_.size() == kMaxPages) std::abort();  // with 8 GiB of records, as if memory had run out
-      pages_.push_back(std::make_unique_for_overwrite<std::byte[]>(kPageWords * kWord));
+      pages_.push_back(Owned(std::make_unique_for_overwrite<Page>()));
       used_ = 0;
     }
     const Ref ref = static_cast<Ref>((pages_.size() - 1) * kPageWords + used_);
@@ -47,13 +49,14 @@ class RecordArena {
   /// Whether a record of one size has room for one of the other.
   static bool sameSize(std::uint32_t a, std::uint32_t b) { return roundUp(a) == roundUp(b); }
 
-  std::byte* at(Ref ref) const { return pages_[ref / kPageWords].get() + (ref % kPageWords) * kWord; }
+  std::byte* at(Ref ref) const { return pages_[ref / kPageWords]->data() + (ref % kPageWords) * kWord; }
 
   std::uint64_t bytes() const { return pages_.size() * (kPageWords * kWord + sizeof pages_[0]); }
 
  private:
   static constexpr Ref kNone = 0xffff'ffff;
   static constexpr std::size_t kWord = sizeof(std::uint32_t);
+  using Page = std::array<std::byte, kPageWords * kWord>;
   static constexpr std::uint32_t kExact = 32;  // every size has a class up to here, then powers of two
   static constexpr std::size_t kClasses = kExact + 12;
 
@@ -67,7 +70,7 @@ class RecordArena {
     return heads;
   }
 
-  std::vector<std::unique_ptr<std::byte[]>> pages_;
+  std::vector<Owned<Page>> pages_;
   std::uint32_t used_ = 0;
   std::array<Ref, kClasses> free_ = noneFree();
 };

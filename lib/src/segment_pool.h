@@ -2,12 +2,16 @@
 // so that a commit can still read its ends.
 #pragma once
 
+#include "owned.h"
+
 #include <lgs/ids.h>
 #include <lgs/lattice.h>
 
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace lgs::detail {
@@ -69,8 +73,8 @@ class SegmentPool {
     (*this)[none] = SegmentRecord{};  // so that a dangling link, should there ever be one, can be followed
   }
 
-  SegmentRecord& operator[](std::uint32_t id) { return pages_[id / kPage][id % kPage]; }
-  const SegmentRecord& operator[](std::uint32_t id) const { return pages_[id / kPage][id % kPage]; }
+  SegmentRecord& operator[](std::uint32_t id) { return (*pages_[id / kPage])[id % kPage]; }
+  const SegmentRecord& operator[](std::uint32_t id) const { return (*pages_[id / kPage])[id % kPage]; }
 
   /// An id for a new segment. The caller writes its record.
   std::uint32_t take() {
@@ -85,6 +89,25 @@ class SegmentPool {
   /// Makes an id available again. Its record must say that it is not alive.
   void recycle(std::uint32_t id) { free_.push_back(id); }
 
+  /// Undoes a commit. It took the ids `taken`, in this order, after it had recycled `recycled` ids. Before it, `top`
+  /// was one more than the greatest id.
+  template <class Ids>
+  void giveBack(const Ids& taken, std::uint32_t top, std::size_t recycled) {
+    for (auto id = taken.rbegin(); id != taken.rend(); ++id)
+      if (id->value < top) free_.push_back(id->value);
+    free_.resize(free_.size() - recycled);
+    top_ = top;
+  }
+
+  /// The ids that are available. The last one is taken next.
+  const std::vector<std::uint32_t>& free() const { return free_; }
+
+  /// Makes a new pool one of `count` ids, of which none is alive and these are free.
+  void reset(std::uint32_t count, std::vector<std::uint32_t> free) {
+    while (top_ <= count) (*this)[take()].cellRef = 0;
+    free_ = std::move(free);
+  }
+
   bool isLive(std::uint32_t id) const { return id != kNoSegment && id < top_ && (*this)[id].cellRef != 0; }
   /// Whether every id is available: no segment is alive, and none was removed without being recycled.
   bool isEmpty() const { return free_.size() == top_ - 1; }
@@ -95,13 +118,15 @@ class SegmentPool {
 
  private:
   static constexpr std::uint32_t kPage = 4096;
+  using Page = std::array<SegmentRecord, kPage>;
 
   void addPage() {
-    if (top_ > kMaxSegment) std::abort();  // with 56 GiB of segments, as if memory had run out
-    pages_.push_back(std::make_unique_for_overwrite<SegmentRecord[]>(kPage));
+    if (top_ / kPage < pages_.size()) return;  // it is still there, after giveBack()
+    if (top_ > kMaxSegment) std::abort();      // with 56 GiB of segments, as if memory had run out
+    pages_.push_back(Owned(std::make_unique_for_overwrite<Page>()));
   }
 
-  std::vector<std::unique_ptr<SegmentRecord[]>> pages_;
+  std::vector<Owned<Page>> pages_;
   std::vector<std::uint32_t> free_;
   std::uint32_t top_ = 0;  // 0 names no segment
 };

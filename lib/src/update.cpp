@@ -23,7 +23,7 @@ class Exposure::Merge {
       const SegmentRecord& first = exposure_.pool_[old_.front()];
       const auto order = std::pair(first.start(), first.end()) <=> edge;
       if (order > 0) break;
-      if (order == 0 && first.serial == placed.serial) {
+      if (order == 0 && first.serial == placed.serial && first.block == placed.block) {
         exposure_.ids_.push_back(old_.front());
         old_ = old_.subspan(1);
         return;

@@ -5,11 +5,14 @@
 
 #include "catalogue.h"
 #include "grid.h"
+#include "journal.h"
 #include "radial_match.h"
+#include "segment_geometry.h"
 #include "segment_pool.h"
 
 #include <lgs/world.h>
 
+#include <bit>
 #include <optional>
 #include <vector>
 
@@ -17,6 +20,10 @@ namespace lgs {
 
 struct World::Impl {
   explicit Impl(PreserveRelation relation) : preserve(std::move(relation)) {}
+  Impl(const Impl& other) = default;  // useOwnChunks() then
+  Impl& operator=(const Impl&) = delete;
+  ~Impl() = default;
+  void useOwnChunks();
 
   // edit.cpp
   Expected<ShapeId> shape(std::span<const detail::PolygonView> polygons);
@@ -25,11 +32,14 @@ struct World::Impl {
   Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles);
   Expected<PolygonHandle> add(Cell cell, detail::PolygonView polygon, Block block);
   Expected<void> remove(PolygonHandle polygon);
+  Expected<PolygonHandle> replace(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles);
+  Expected<void> setBlock(PolygonHandle polygon, Block block);
   Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block);
   Expected<std::uint64_t> clear(const CellRect& cells);
 
   // commit.cpp
   const Changes& commit(const Executor& executor);
+  void forgetDirty();
 
   // read.cpp
   void polygons(Cell cell, std::vector<PlacedPolygon>& out) const;
@@ -39,12 +49,21 @@ struct World::Impl {
   std::vector<SegmentId> segmentsIn(const CellRect& cells) const;
   std::vector<Loop> loops(Collinear collinear) const;
   void mergeCollinear(std::vector<Loop>& loops) const;
+  bool holdsPolygonsOf(const Impl& other) const;
   Stats stats() const;
+
+  // questions.cpp
+  void forEachPolygon(const CellRect& cells, const World::PolygonVisitor& visit) const;
+  std::optional<CellRect> bounds() const;
+  Spot at(Point p) const;
+  Expected<Nearest> nearest(Point p, double radius) const;
+  Expected<RayHit> rayCast(Point from, Point to) const;
 
   /// The empty content if there is no chunk.
   const detail::InternedContent& contentOf(detail::CellAt at) const {
     return catalogue.content(at ? grid.content(at) : detail::kEmptyContent);
   }
+  void touch(detail::CellAt at, detail::ContentId content);
   std::optional<detail::Slot> slotOf(PolygonHandle handle) const;
   bool keeps(Block a, Block b) const { return preserve && (a < b ? preserve(a, b) : preserve(b, a)); }
   Point startOf(std::uint32_t id) const { return toWorld(grid.cellOf(segments[id].cellRef), segments[id].start()); }
@@ -55,7 +74,9 @@ struct World::Impl {
   detail::Grid grid;
   detail::SegmentPool segments;
   std::vector<detail::Chunk*> dirtyChunks;  ///< in the order in which edits touched them
-  Changes changes;
+  Changes changes;                          ///< of the last commit; ids in `removed` are available with the next one
+  detail::Journal journal;
+  Changes changesOfRollBack;
   // Working memory. It is kept from one call to the next, to spare allocations.
   std::vector<LocalPoint> rounded;  ///< of the polygon being added
   std::vector<std::uint32_t> ids;   ///< of the segments of the cell that is updated
@@ -69,6 +90,9 @@ struct World::Impl {
     bool isOld = false;  ///< it was there before the edit
   };
 
+  detail::Edge edgeOf(std::uint32_t id) const { return {startOf(id), endOf(id)}; }
+  bool comesFirst(std::uint32_t a, std::uint32_t b) const;
+
   void readEntries(detail::CellAt at);
   void addEntries(std::span<const detail::PolygonId> added, Block block, std::uint32_t lastSerial);
   Expected<detail::ContentId> internEntries();
@@ -78,7 +102,6 @@ struct World::Impl {
                                 std::span<PolygonHandle> handles);
   void apply(detail::CellAt at, detail::ContentId after, std::uint32_t lastSerial);
   Error overlapWith(detail::CellAt at, std::span<const detail::PolygonId> added);
-  void touch(detail::CellAt at, detail::ContentId content);
   void mark(detail::CellAt at, detail::Facts facts);
 
   std::size_t workingBytes() const {
@@ -107,6 +130,15 @@ inline void World::Impl::mark(detail::CellAt at, detail::Facts facts) {
   chunk.dirty[at.row()] |= at.bit();
   chunk.facts[at.local] = facts;
   chunk.everFacts |= facts;
+}
+
+inline void World::Impl::forgetDirty() {
+  for (detail::Chunk* chunk : dirtyChunks) {
+    for (detail::RowMask rows = chunk->dirtyRows; rows != 0; rows &= rows - 1)
+      chunk->dirty[static_cast<std::size_t>(std::countr_zero(rows))] = 0;
+    chunk->dirtyRows = 0;
+  }
+  dirtyChunks.clear();
 }
 
 /// The usual case of add(), which is tried first and needs no call: one polygon into an empty cell, in the chunk of the

@@ -117,10 +117,10 @@ std::optional<ErrorCode> faultOf(const LocalPolygon& polygon) {
   std::int64_t area = 0;
   forEachEdge(points, [&](Doubled a, Doubled b) { area += a.x * b.y - a.y * b.x; });
   if (area == 0) return ErrorCode::zeroArea;
-  if (area < 0) return ErrorCode::clockwise;
   for (std::size_t j = 0; j < polygon.size(); ++j)
     for (std::size_t i = 0; i < j; ++i)
       if (edgesMeet(points, i, j)) return ErrorCode::selfIntersecting;
+  if (area < 0) return ErrorCode::clockwise;
   return std::nullopt;
 }
 

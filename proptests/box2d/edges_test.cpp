@@ -105,6 +105,40 @@ TEST(Box2dEdges, UpdatesEqualTheRulesAndChangesAreExact) {
   EXPECT_GT(seen->leftOut, 1'000U);
 }
 
+// What a roll-back reports may name an id twice: removed, then added. Edges follow it as they follow a commit.
+TEST(Box2dEdges, FollowAWorldThatGoesBack) {
+  box2d_test::forAllEdits(100, [](const oracle::Trace& trace, box2d_test::Chance random) {
+    const EdgeOptions options = randomOptions(random);
+    SCOPED_TRACE(inWords(options));
+    Player player(trace.preserve);
+    World& world = player.world();
+    const ShapeId square = world.shape(kUnitSquare).value();
+    EdgeSet set(options);
+    Copy copy;
+    copy.apply(set, set.load(world));
+    box2d_test::playAll(trace, player, [&] {
+      copy.apply(set, set.update(world, player.commit()));
+      const Mark mark = world.checkpoint();
+      for (int guesses = random.below(4); guesses > 0; --guesses) {
+        const CellRect all = world.bounds().value_or(CellRect{});
+        const Cell cell{all.min.i + random.below(4), all.min.j + random.below(4)};
+        if (random.chance(50)) {
+          EXPECT_TRUE(world.replace(cell, square, 7));
+        } else {
+          EXPECT_TRUE(world.clear(cell));
+        }
+        copy.apply(set, set.update(world, world.commit()));
+      }
+      ASSERT_TRUE(world.rollBack(mark));
+      ASSERT_TRUE(world.forget(mark));
+      copy.apply(set, set.update(world, world.changesOfRollBack()));
+      const NaiveEdges naive = NaiveBuilder(world, options).build();
+      EXPECT_EQ(plain(set), naive.edges);
+      EXPECT_EQ(set.counts(), naive.counts);
+    });
+  });
+}
+
 TEST(Box2dEdges, WithoutMergingEverySegmentIsAnEdge) {
   box2d_test::forAllEdits(60, [](const oracle::Trace& trace, box2d_test::Chance) {
     Player player(trace.preserve);

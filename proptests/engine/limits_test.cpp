@@ -35,7 +35,7 @@ struct WornWorld {
     const PolygonHandle handle = impl.add(cell, square, 1).value();
     const detail::CellAt at = impl.grid.find(cell);
     const detail::Placed last{kMaxSerial - left, 1};
-    impl.grid.setPolygons(at, impl.grid.content(at), last.serial, {&last, 1});
+    impl.grid.setPolygons(at, impl.grid.content(at), last.serial, {&last, 1}, true);
     EXPECT_TRUE(impl.remove({handle.cellRef, last.serial}));
     impl.commit({});
   }

@@ -47,12 +47,14 @@ BadEdit makeShape(std::string name, std::vector<LocalPolygon> polygons, const Ex
   return {std::move(name), [=](Stage& s) { return errorOf(s.world.shape(polygons)); }, expected.error, std::move(text)};
 }
 
-/// The same edit where `expected.other` is one of the stage's handles.
-BadEdit withOther(BadEdit edit, PolygonHandle Stage::*other) {
+/// The same edit where `expected.other` is one of the stage's handles, and its polygon has this block.
+BadEdit withOther(BadEdit edit, PolygonHandle Stage::*other, Block block) {
   edit.expected.other = makeStage().*other;  // every stage is the same
+  edit.expected.otherBlock = block;
   const std::string handle =
       std::to_string(edit.expected.other.cellRef) + ":" + std::to_string(edit.expected.other.serial);
   edit.text.replace(edit.text.find('@'), 1, handle);
+  edit.text.replace(edit.text.find('#'), 1, std::to_string(block));
   return edit;
 }
 
@@ -91,16 +93,15 @@ void addVertexFaults(std::vector<BadEdit>& out) {
                          where + "the polygon has no area, or crosses itself so that its areas cancel"));
   out.push_back(addLocal("clockwise", kEmpty, {{0, 0}, {0, U}, {U, U}}, at(clockwise),
                          where + "the polygon runs clockwise; reverse its vertices"));
-  out.push_back(addLocal("clockwise, crossing itself", kEmpty, {{0, 0}, {0, U}, {U, 0}, {U, U / 2}}, at(clockwise),
-                         where + "the polygon runs clockwise; reverse its vertices"));
+  const std::string crosses = where + "the polygon crosses itself, or touches itself: the edge from vertex ";
+  out.push_back(addLocal("bow tie, clockwise on the whole", kEmpty, {{0, 0}, {0, U}, {U, 0}, {U, U / 2}},
+                         at(selfIntersecting).vertex(1, 3), crosses + "1 meets the edge from vertex 3"));
   out.push_back(addLocal("edges cross", kEmpty, {{0, 0}, {U, 0}, {U / 8, U / 2}, {U, U}},
-                         at(selfIntersecting).vertex(1, 3),
-                         where + "the edge from vertex 1 crosses or touches the edge from vertex 3"));
+                         at(selfIntersecting).vertex(1, 3), crosses + "1 meets the edge from vertex 3"));
   out.push_back(addLocal("touches itself", kEmpty, {{0, 0}, {8, 0}, {8, 8}, {4, 0}, {0, 8}},
-                         at(selfIntersecting).vertex(0, 2),
-                         where + "the edge from vertex 0 crosses or touches the edge from vertex 2"));
+                         at(selfIntersecting).vertex(0, 2), crosses + "0 meets the edge from vertex 2"));
   out.push_back(addLocal("folds back", kEmpty, {{0, 0}, {9, 0}, {5, 0}, {5, 5}}, at(selfIntersecting).vertex(0, 1),
-                         where + "the edge from vertex 0 crosses or touches the edge from vertex 1"));
+                         crosses + "0 meets the edge from vertex 1"));
 }
 
 void addRealFaults(std::vector<BadEdit>& out) {
@@ -140,28 +141,29 @@ void addRealFaults(std::vector<BadEdit>& out) {
 
 void addOverlaps(std::vector<BadEdit>& out) {
   using enum ErrorCode;
-  const std::string overlaps = "its interior overlaps that of a polygon already in the cell (handle @)";
+  const std::string overlaps =
+      "its interior overlaps that of a polygon of block # that is already in this cell (handle @)";
   out.push_back(withOther(addLocal("the same again", kFull, unitSquare(), Expect(overlap).in(kFull).polygon(0),
                                    "cell (0, 0), polygon 0: " + overlaps),
-                          &Stage::full));
+                          &Stage::full, 1));
   out.push_back(withOther(addLocal("a new one inside", kFull, {{77, 77}, {99, 77}, {99, 98}},
                                    Expect(overlap).in(kFull).polygon(0), "cell (0, 0), polygon 0: " + overlaps),
-                          &Stage::full));
+                          &Stage::full, 1));
   out.push_back(withOther(addLocal("across the ramp", kRamp, {{0, 0}, {U, 0}, {0, U}},
                                    Expect(overlap).in(kRamp).polygon(0), "cell (1, 0), polygon 0: " + overlaps),
-                          &Stage::ramp));
+                          &Stage::ramp, 2));
   out.push_back(withOther(addLocal("one of two", kTwo, eighths({{0, 6}, {8, 6}, {8, 8}}),
                                    Expect(overlap).in(kTwo).polygon(0), "cell (2, 0), polygon 0: " + overlaps),
-                          &Stage::upper));
+                          &Stage::upper, 2));
   BadEdit byShape{"the first of a shape", [](Stage& s) { return errorOf(s.world.add(kRamp, s.twoRamps, 9)); },
                   Expect(overlap).in(kRamp).polygon(0).error, "cell (1, 0), polygon 0: " + overlaps};
-  out.push_back(withOther(std::move(byShape), &Stage::ramp));
+  out.push_back(withOther(std::move(byShape), &Stage::ramp, 2));
   BadEdit fill{"the last cell of a fill",
                [](Stage& s) {
                  return errorOf(s.world.fill({{-40, -1}, {0, 0}}, s.square, 9));
                },
                Expect(overlap).in(kFull).polygon(0).error, "cell (0, 0), polygon 0: " + overlaps};
-  out.push_back(withOther(std::move(fill), &Stage::full));
+  out.push_back(withOther(std::move(fill), &Stage::full, 1));
 }
 
 void addUnknown(std::vector<BadEdit>& out) {
@@ -179,6 +181,12 @@ void addUnknown(std::vector<BadEdit>& out) {
       "cell (5, -3): " + noShape);
   add(
       "unknown shape, cell too far", [](Stage& s) { return s.world.add(kTooFar, ShapeId{4711}, 9); },
+      Expect(cellOutOfRange).in(kTooFar), "cell (1073741825, 0): " + far);
+  add(
+      "null shape in the place of what stands", [](Stage& s) { return s.world.replace(kTwo, ShapeId{}, 9); },
+      Expect(unknownShape).in(kTwo), "cell (2, 0): " + noShape);
+  add(
+      "replacing in a cell too far", [](Stage& s) { return s.world.replace(kTooFar, s.square, 9); },
       Expect(cellOutOfRange).in(kTooFar), "cell (1073741825, 0): " + far);
   add(
       "fill with an unknown shape",
@@ -209,27 +217,48 @@ void addUnknown(std::vector<BadEdit>& out) {
 }
 
 void addStaleHandles(std::vector<BadEdit>& out) {
-  const auto add = [&](std::string name, PolygonHandle handle) {
+  const auto add = [&](const std::string& name, PolygonHandle handle, const std::string& text) {
     Expect expected(ErrorCode::staleHandle);
     expected.error.other = handle;
-    const std::string text = "the handle " + std::to_string(handle.cellRef) + ":" + std::to_string(handle.serial) +
-                             " names no polygon; it was removed, or never existed";
-    out.push_back(
-        {std::move(name), [handle](Stage& s) { return errorOf(s.world.remove(handle)); }, expected.error, text});
+    out.push_back({name, [handle](Stage& s) { return errorOf(s.world.remove(handle)); }, expected.error, text});
+    out.push_back({name + ", for setBlock()", [handle](Stage& s) { return errorOf(s.world.setBlock(handle, 9)); },
+                   expected.error, text});
+  };
+  const auto addStale = [&](const std::string& name, PolygonHandle handle) {
+    add(name, handle,
+        "the handle " + std::to_string(handle.cellRef) + ":" + std::to_string(handle.serial) +
+            " names no polygon; it was removed, or never existed");
   };
   const Stage stage = makeStage();
-  add("null handle", {});
-  add("removed before", stage.removed);
-  add("a serial not given out yet", {stage.full.cellRef, stage.full.serial + 1});
-  add("serial null", {stage.full.cellRef, 0});
-  add("serial null where there are several", {stage.upper.cellRef, 0});
-  add("an empty cell of a chunk that exists", {stage.full.cellRef + 20, 1});
-  add("a chunk that does not exist", {0xffff'ffff, 1});
-  add("chunk null", {5, 1});
+  add("null handle", {}, "the handle is null, and names no polygon; add() may have refused to give one");
+  addStale("removed before", stage.removed);
+  addStale("a serial not given out yet", {stage.full.cellRef, stage.full.serial + 1});
+  addStale("serial null", {stage.full.cellRef, 0});
+  addStale("serial null where there are several", {stage.upper.cellRef, 0});
+  addStale("an empty cell of a chunk that exists", {stage.full.cellRef + 20, 1});
+  addStale("a chunk that does not exist", {0xffff'ffff, 1});
+  addStale("chunk null", {5, 1});
+}
+
+template <class Real>
+BadEdit makeRealShape(std::string name, std::vector<RealPoint<Real>> polygon, const Expect& expected,
+                      std::string text) {
+  return {std::move(name), [=](Stage& s) { return errorOf(s.world.shape(std::span<const RealPoint<Real>>(polygon))); },
+          expected.error, std::move(text)};
 }
 
 void addShapes(std::vector<BadEdit>& out) {
   using enum ErrorCode;
+  out.push_back(makeRealShape<double>("shape that is no number", {{0, 0}, {1, 0}, {1, kNan}},
+                                      Expect(notFinite).polygon(0).vertex(2),
+                                      "polygon 0: vertex 2 is infinite or not a number"));
+  out.push_back(makeRealShape<float>("shape of floats that is too large", {{0, 0}, {kHugeFloat, 0}, {1, 1}},
+                                     Expect(outsideCell).polygon(0).vertex(1),
+                                     "polygon 0: vertex 1 is outside the cell; coordinates run from 0 to 1 cell, rim "
+                                     "included"));
+  out.push_back(makeRealShape<double>("shape of two vertices, one no number", {{kNan, 0}, {1, 0}},
+                                      Expect(tooFewVertices).polygon(0),
+                                      "polygon 0: a polygon needs at least 3 vertices"));
   out.push_back(makeShape("empty shape", {}, Expect(emptyShape), "a shape needs at least one polygon"));
   out.push_back(makeShape("shape with a bad polygon", {ramp(), {{0, 0}, {0, 9}, {9, 9}}}, Expect(clockwise).polygon(1),
                           "polygon 1: the polygon runs clockwise; reverse its vertices"));

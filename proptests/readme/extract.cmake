@@ -1,5 +1,6 @@
-# cmake -DREADME=… -DCPP=… -DTEXT=… -P extract.cmake
-# Writes the README's first ```cpp block to CPP, and the ```text block that follows it, the output it promises, to TEXT.
+# cmake -DREADME=… -DHEADING=… -DCPP=… -DTEXT=… -P extract.cmake
+# Writes the first ```cpp block below a heading of the README to CPP, and the ```text block that follows it, the output
+# that it promises, to TEXT.
 function(take_block text language out_block out_rest)
   string(FIND "${text}" "\n```${language}\n" begin)
   if(begin EQUAL -1)
@@ -20,7 +21,12 @@ function(take_block text language out_block out_rest)
 endfunction()
 
 file(READ "${README}" readme)
+string(FIND "${readme}" "\n## ${HEADING}\n" begin)
+if(begin EQUAL -1)
+  message(FATAL_ERROR "${README}: there is no heading ${HEADING}")
+endif()
+string(SUBSTRING "${readme}" ${begin} -1 readme)
 take_block("${readme}" cpp cpp rest)
 take_block("\n${rest}" text text rest)
-file(WRITE "${CPP}" "// From README.md, by proptests/readme/extract.cmake.\n#line 1 \"README.md, the example\"\n${cpp}")
+file(WRITE "${CPP}" "// From README.md, by proptests/readme/extract.cmake.\n#line 1 \"README.md, ${HEADING}\"\n${cpp}")
 file(WRITE "${TEXT}" "${text}")

@@ -21,12 +21,15 @@ enum class ErrorCode : std::uint32_t {
   outsideCell,         ///< a vertex, once rounded, is not in the closed cell
   repeatedVertex,      ///< two vertices are the same lattice point; vertex2 is the first that repeats an earlier one
   zeroArea,            ///< the signed area is 0
-  clockwise,           ///< the signed area is negative
   selfIntersecting,    ///< two edges of one polygon cross, overlap, or touch
+  clockwise,           ///< the signed area is negative
   overlap,             ///< the interior meets that of another polygon of the cell (or of the shape)
   unknownShape,        ///< a ShapeId that this world did not make
   staleHandle,         ///< a PolygonHandle that is null, unknown, or whose polygon was removed
   unknownSegment,      ///< a SegmentId that names no live segment
+  unknownMark,         ///< a Mark that this world did not make, or that was forgotten, or gone back beyond
+  uncommitted,         ///< a world with edits that are not committed can not be saved
+  outOfReach,          ///< a point, a radius or a ray of a question goes beyond what questions.h allows
 };
 
 /// Says what was refused, and where. A field that does not apply is kNoCell, -1 or null.
@@ -39,6 +42,7 @@ struct Error {
   std::int32_t vertex2 = -1;   ///< the other vertex or edge involved
   std::int32_t polygon2 = -1;  ///< overlap within one call: the index of the other polygon
   PolygonHandle other{};       ///< overlap with a placed polygon: that polygon; stale handle: the handle
+  Block otherBlock = 0;        ///< overlap with a placed polygon: its block; it is in `cell`
   SegmentId segment{};         ///< unknown segment: that id
 
   constexpr bool hasCell() const { return cell != kNoCell; }

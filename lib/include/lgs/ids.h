@@ -43,6 +43,13 @@ struct SegmentId {
   friend constexpr auto operator<=>(SegmentId, SegmentId) = default;
 };
 
+/// A moment to which a world can go back: see World::checkpoint(). Zero is null.
+struct Mark {
+  std::uint32_t value = 0;
+  constexpr explicit operator bool() const { return value != 0; }
+  friend constexpr auto operator<=>(Mark, Mark) = default;
+};
+
 }  // namespace lgs
 
 template <>

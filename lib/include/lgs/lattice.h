@@ -12,6 +12,7 @@ namespace lgs {
 
 /// Lattice units along one side of a cell.
 inline constexpr std::int32_t kUnitsPerCell = 65'536;
+inline constexpr int kCellBits = 16;  ///< kUnitsPerCell is 2 to this power
 
 /// Cells run from -kMaxCell to +kMaxCell, both included, on both axes.
 inline constexpr std::int32_t kMaxCell = 1 << 30;
@@ -21,6 +22,13 @@ struct LocalPoint {
   std::int32_t x = 0;
   std::int32_t y = 0;
   friend constexpr auto operator<=>(const LocalPoint&, const LocalPoint&) = default;
+};
+
+/// A box in one closed cell.
+struct LocalBox {
+  LocalPoint min;
+  LocalPoint max;
+  friend constexpr bool operator==(const LocalBox&, const LocalBox&) = default;
 };
 
 /// A position in its cell, in cells: 1.0 is the far side. It is rounded to the nearest lattice point where it enters,
@@ -64,6 +72,20 @@ constexpr bool isEmpty(const CellRect& r) { return r.max.i < r.min.i || r.max.j 
 
 constexpr Point toWorld(Cell c, LocalPoint p) {
   return {std::int64_t{c.i} * kUnitsPerCell + p.x, std::int64_t{c.j} * kUnitsPerCell + p.y};
+}
+
+/// Points beyond this on either axis lie in no cell.
+inline constexpr std::int64_t kMaxCoordinate = (std::int64_t{kMaxCell} + 1) * kUnitsPerCell;
+
+constexpr bool inRange(Point p) {
+  return p.x >= -kMaxCoordinate && p.x <= kMaxCoordinate && p.y >= -kMaxCoordinate && p.y <= kMaxCoordinate;
+}
+
+/// The cell in which a point lies. Cells are half-open here, [i, i+1) × [j, j+1): a point on a common side belongs to
+/// the cell on its right, or above it. So a point on the upper or right rim of the last cell is in none that is in
+/// range.
+constexpr Cell cellAt(Point p) {
+  return {static_cast<std::int32_t>(p.x >> kCellBits), static_cast<std::int32_t>(p.y >> kCellBits)};
 }
 
 }  // namespace lgs

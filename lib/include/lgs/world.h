@@ -14,12 +14,17 @@
 #include <lgs/error.h>
 #include <lgs/ids.h>
 #include <lgs/lattice.h>
+#include <lgs/questions.h>
+#include <lgs/segment.h>
+#include <lgs/snapshot.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -56,36 +61,6 @@ struct PlacedPolygon {
   std::span<const LocalPoint> vertices;
 };
 
-/// One boundary segment. The solid is on the left of start→end, the outward normal on the right.
-struct Segment {
-  SegmentId id;
-  Point start;
-  Point end;
-  SegmentId predecessor;  ///< null if nothing that could precede arrives at `start`: only under a preserve relation
-  SegmentId successor;
-  Point ghost1;  ///< the predecessor's start; means nothing if `predecessor` is null
-  Point ghost2;  ///< the successor's end; means nothing if `successor` is null
-  Block block = 0;
-  PolygonHandle polygon;  ///< the polygon hit when this segment is hit
-  Cell cell;              ///< the cell hit
-};
-
-/// What a commit did to the segments. No id is in two lists. A segment whose ends, owner and ghosts are as before is in
-/// none. Ids in `removed` name nothing from now on. The order of each list depends on the edits alone.
-struct Changes {
-  std::vector<SegmentId> removed;
-  std::vector<SegmentId> added;
-  std::vector<SegmentId> relinked;  ///< alive before and after, with another ghost1 or ghost2
-};
-
-/// One closed chain, in the direction of its segments (solid on the left).
-struct Loop {
-  std::vector<Point> vertices;      ///< from the least one on, by x, then y; the last edge leads back to it
-  std::vector<SegmentId> segments;  ///< segments[k] starts at vertices[k]; empty if collinear ones were merged
-};
-
-enum class Collinear : bool { keep, merge };
-
 struct Stats {
   std::uint64_t polygons = 0;
   std::uint64_t cells = 0;     ///< cells that hold at least one polygon
@@ -96,12 +71,16 @@ struct Stats {
   std::uint64_t bytes = 0;  ///< allocated, with spare capacity; an estimate for the index of shapes
 };
 
+class Transaction;
+
 class World {
  public:
   explicit World(PreserveRelation preserve = {});
   ~World();
-  World(const World&) = delete;
-  World& operator=(const World&) = delete;
+  /// A copy has the same polygons, handles, shapes, segments, marks and edits that are not committed. From then on the
+  /// same edits give the same ids and lists in both. Cost: in proportion to the world.
+  World(const World&);
+  World& operator=(const World&);
   World(World&&) noexcept;  ///< a world that was moved from can only be assigned to or destroyed
   World& operator=(World&&) noexcept;
 
@@ -110,34 +89,58 @@ class World {
   /// Validates and stores one polygon, or a set of polygons with disjoint interiors. Each must be simple, run
   /// counter-clockwise, have a positive area and be inside the closed cell. The same polygons, vertex by vertex, give
   /// the same id. A shape is never forgotten. Cost: O(n²) the first time, a hash later.
-  Expected<ShapeId> shape(std::span<const LocalPoint> polygon);
-  Expected<ShapeId> shape(std::span<const std::vector<LocalPoint>> polygons);
+  [[nodiscard]] Expected<ShapeId> shape(std::span<const LocalPoint> polygon);
+  [[nodiscard]] Expected<ShapeId> shape(std::initializer_list<LocalPoint> polygon);
+  [[nodiscard]] Expected<ShapeId> shape(std::span<const FloatPoint> polygon);
+  [[nodiscard]] Expected<ShapeId> shape(std::span<const DoublePoint> polygon);
+  [[nodiscard]] Expected<ShapeId> shape(std::span<const std::vector<LocalPoint>> polygons);
+
+  /// The polygons of a shape, in its order. Valid until the next shape is made. Refused: unknownShape.
+  Expected<std::vector<std::span<const LocalPoint>>> polygonsOf(ShapeId shape) const;
+
+  /// The least box around the polygons of a shape. Refused: unknownShape. Cost: it looks at each vertex.
+  Expected<LocalBox> boundingBox(ShapeId shape) const;
 
   // --- Edits --------------------------------------------------------------------------------------------------------
 
   /// Places every polygon of a shape in a cell, all with this block. Returns the handle of the shape's first polygon.
   /// Refused: cellOutOfRange, unknownShape, overlap, capacity. Cost: O(1) in a cell that is empty.
-  Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block);
+  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block);
 
   /// The same. `handles` receives the handles of all polygons in the shape's order, or as many as it has room for.
-  Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles);
+  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles);
 
   /// The same for a polygon given by its vertices. If it was seen before this costs a hash, otherwise it is validated.
-  Expected<PolygonHandle> add(Cell cell, std::span<const LocalPoint> polygon, Block block);
-  Expected<PolygonHandle> add(Cell cell, std::span<const FloatPoint> polygon, Block block);
-  Expected<PolygonHandle> add(Cell cell, std::span<const DoublePoint> polygon, Block block);
+  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::span<const LocalPoint> polygon, Block block);
+  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::initializer_list<LocalPoint> polygon, Block block);
+  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::span<const FloatPoint> polygon, Block block);
+  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::span<const DoublePoint> polygon, Block block);
 
   /// Removes one polygon. Refused: staleHandle; capacity, if what is left in the cell would be a content too many.
-  Expected<void> remove(PolygonHandle polygon);
+  [[nodiscard]] Expected<void> remove(PolygonHandle polygon);
+
+  /// Puts a shape in the place of all polygons of a cell, which may be empty: both happen, or neither. Returns the
+  /// handle of the shape's first polygon; `handles` is as for add(). Refused: as by add(), but never for overlap.
+  [[nodiscard]] Expected<PolygonHandle> replace(Cell cell, ShapeId shape, Block block,
+                                                std::span<PolygonHandle> handles = {});
+
+  /// Gives a polygon another block. It keeps its handle and its place. The next commit removes its segments and adds
+  /// them again, as another block is another owner; all others keep their ids. Refused: staleHandle; capacity, if a
+  /// preserve relation makes one content too many of the cell.
+  [[nodiscard]] Expected<void> setBlock(PolygonHandle polygon, Block block);
 
   /// Places a shape in every cell of a rectangle, or in none. Returns the number of cells. Refused as add() would be
   /// for the first cell, by rows from `min`, that add() would refuse; but cellOutOfRange names a corner of the
   /// rectangle that is out of range. An empty rectangle is no error.
-  Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block);
+  [[nodiscard]] Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block);
 
   /// Removes every polygon in every cell of a rectangle. Returns the number of polygons removed. Refused:
   /// cellOutOfRange, with a corner of the rectangle that is out of range.
   Expected<std::uint64_t> clear(const CellRect& cells);
+  Expected<std::uint64_t> clear(Cell cell) { return clear(CellRect{cell, cell}); }
+
+  /// Begins a group of edits that happens as a whole or not at all.
+  [[nodiscard]] Transaction edit();
 
   /// Brings the segments up to date with all edits since the last commit. The result is valid until the next commit.
   /// Cost: in proportion to the contents of the edited cells and of the eight around each. Allocates nothing once the
@@ -150,11 +153,59 @@ class World {
   /// of 32×32 cells, and throws nothing. Allocates working memory in proportion to the cells with segments.
   const Changes& commit(const Executor& executor);
 
+  // --- Going back ---------------------------------------------------------------------------------------------------
+  //
+  // Law 12, restore and replay is never having left: once the world is back at a mark, every later output, id and list
+  // is as if the edits and commits after the mark had not been made. So handles, shapes and segment ids that were given
+  // out after it name nothing until they are given out again. While there are marks an edit costs some more, and what
+  // is needed to undo it is kept: memory in proportion to the edits since the oldest mark.
+
+  /// Notes this moment. Edits may be pending. No two marks of a world are the same. Cost: O(1).
+  [[nodiscard]] Mark checkpoint();
+
+  /// Goes back to a mark. The mark stays, so that the world can go back to it again; later ones are void.
+  /// changesOfRollBack() then says what this did to the segments. Refused: unknownMark. Cost: in proportion to the
+  /// edits since the mark.
+  [[nodiscard]] Expected<void> rollBack(Mark mark);
+
+  /// What the last rollBack() did to the segments, for those who followed all commits: the three lists of a commit, by
+  /// id. One thing is different: an id that named one segment and names another one now is removed, and then added.
+  const Changes& changesOfRollBack() const;
+
+  /// Lets go of a mark. Other marks stay. Refused: unknownMark.
+  Expected<void> forget(Mark mark);
+
+  // --- Saving -------------------------------------------------------------------------------------------------------
+
+  /// Writes the world as bytes: polygons, handles, shapes and segment ids. Marks are not written, nor is the preserve
+  /// relation, which is a function. Refused: uncommitted. Cost: in proportion to the world. Full blocks take less than
+  /// a byte for each cell, ramps some four.
+  [[nodiscard]] Expected<void> save(const ByteSink& sink) const;
+
+  /// The world that was saved. It goes on exactly: the same edits give the same ids and lists as if it had never been
+  /// saved (law 12). `preserve` must be the relation that it was saved with, or empty if it had none. Bytes that are
+  /// cut, damaged or made up are refused; they take no more memory than a constant for each byte. Cost: in proportion
+  /// to the world, and quadratic in the vertices of each content of a cell, as shape() is.
+  static tl::expected<World, SnapshotError> load(std::span<const std::byte> snapshot, PreserveRelation preserve = {});
+
   // --- Reading ------------------------------------------------------------------------------------------------------
 
   /// The polygons of a cell, after all edits, committed or not. A cell out of range holds none.
   std::vector<PlacedPolygon> polygons(Cell cell) const;
   void polygons(Cell cell, std::vector<PlacedPolygon>& out) const;  ///< the same, replacing the content of `out`
+
+  /// Whether a cell holds no polygon. A cell out of range holds none.
+  bool isEmpty(Cell cell) const;
+
+  /// Calls visit(cell, polygon) for every placed polygon, buried ones too: chunk by chunk, in the order in which edits
+  /// first reached the chunks; each by rows, each cell by handle. The second form visits the cells of a rectangle, and
+  /// chunks in any order. `visit` must not change the world. Cost: in proportion to the cells that have a chunk.
+  using PolygonVisitor = std::function<void(Cell, const PlacedPolygon&)>;
+  void forEachPolygon(const PolygonVisitor& visit) const;
+  void forEachPolygon(const CellRect& cells, const PolygonVisitor& visit) const;
+
+  /// The least rectangle of cells with all placed polygons; nothing in an empty world. Cost: as of forEachPolygon().
+  std::optional<CellRect> bounds() const;
 
   /// Refused: staleHandle.
   Expected<PlacedPolygon> polygon(PolygonHandle handle) const;
@@ -173,6 +224,27 @@ class World {
   /// The closed chains, sorted by their vertices. Under a preserve relation only those whose links are all mutual.
   std::vector<Loop> loops(Collinear collinear = Collinear::keep) const;
 
+  // --- Questions about places: questions.h has the answers --------------------------------------------------------
+
+  /// Which polygon is at a point, after all edits, committed or not. A point out of range is outside. Cost: in
+  /// proportion to the vertices in the cell; on a common side in both cells, in a corner in all four.
+  Spot at(Point point) const;
+
+  /// The segment nearest to a point, as of the last commit, at most `radius` cells away. Of several at the same
+  /// distance the least by start, end and block. Refused: outOfReach, if the point is out of range or the radius is not
+  /// from 0 to kMaxRadius. Cost: in proportion to the cells with a chunk within twice the distance found, or within the
+  /// radius.
+  Expected<Nearest> nearest(Point point, double radius) const;
+
+  /// The first segment that a ray meets on its outward side, as of the last commit. A ray that starts in a solid leaves
+  /// it without a hit. One that runs along a segment does not hit it. The ends of a segment count. Of several at the
+  /// same place the least by start, end and block. Refused: outOfReach, if an end is out of range or the ray is longer
+  /// than kMaxRay cells on an axis. Cost: in proportion to the cells that the ray touches, up to the hit.
+  Expected<RayHit> rayCast(Point from, Point to) const;
+
+  /// The relation that the world was made with; empty if it preserves nothing.
+  const PreserveRelation& preserveRelation() const;
+
   /// The highest SegmentId::value in use so far: an array for what you know of segments needs one place more.
   std::uint32_t maxSegmentId() const;
 
@@ -182,8 +254,39 @@ class World {
   struct Impl;  ///< of the implementation
 
  private:
+  friend class Transaction;
+  friend bool samePolygons(const World& a, const World& b);
   std::unique_ptr<Impl> impl_;
 };
+
+/// Whether two worlds hold the same polygons with the same blocks in the same cells, after all edits, committed or not.
+/// It does not matter with which vertex a polygon begins, nor which handles, shapes, ids, marks and relations the
+/// worlds have. Cost: in proportion to the cells that have a chunk.
+bool samePolygons(const World& a, const World& b);
+
+/// A group of edits. They are undone when it ends, as if they had not been made, unless keep() is called:
+///
+///   auto group = world.edit();
+///   if (!world.remove(door) || !world.add(cell, wall, kStone)) return;  // all is as it was
+///   group.keep();
+///
+/// A commit keeps what was edited before it, and ends the group: what follows is not undone. The world must not be
+/// moved or destroyed before the group ends.
+class Transaction {
+ public:
+  explicit Transaction(World& world) : world_(&world), mark_(world.checkpoint()) {}
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+
+  void keep();
+
+ private:
+  World* world_;
+  Mark mark_;
+};
+
+inline Transaction World::edit() { return Transaction(*this); }
 
 /// The whole cell as a polygon, for shape().
 inline constexpr std::array<LocalPoint, 4> kUnitSquare{

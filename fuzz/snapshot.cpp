@@ -1,0 +1,118 @@
+// Bytes that claim to be a saved world. The checksum is made right, so that what follows it is read. Then the bytes are
+// refused, or are a world like any other: its outline is the naive reference's, it can be saved and loaded again, edited
+// and emptied.
+#include "fuzz/target.h"
+#include "oracle/reference/compare.h"
+#include "oracle/reference/naive.h"
+#include "oracle/trace/dump.h"
+
+#include <fmt/format.h>
+#include <lgs/world.h>
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace lgs::fuzz {
+namespace {
+
+using namespace std::string_view_literals;
+
+// Numbers as a snapshot has them, and the beginnings of runs.
+constexpr std::array kWords{"\0"sv,
+                            "\1"sv,
+                            "\2"sv,
+                            "\3"sv,
+                            "\4"sv,
+                            "\x81\x10"sv,
+                            "\x80\x10"sv,
+                            "\xff\x7f"sv,
+                            "\x80\x80\4"sv,
+                            "\x80\x80\2"sv,
+                            "\x80\0"sv,
+                            "\xff\xff\xff\xff\x0f"sv,
+                            "\xff\xff\xff\xff\xff\xff\xff\xff\x7f"sv,
+                            "lgssnap\1"sv};
+
+constexpr std::size_t kHead = 8, kTail = 4;  // letters and version; checksum
+constexpr std::uint64_t kManyPolygons = 200;
+
+using Snapshot = std::vector<std::byte>;
+
+/// CRC-32, bit by bit.
+std::uint32_t checksumOf(std::span<const std::byte> bytes) {
+  std::uint32_t sum = 0xffff'ffff;
+  for (const std::byte byte : bytes) {
+    sum ^= std::to_integer<std::uint32_t>(byte);
+    for (int bit = 0; bit < 8; ++bit) sum = sum >> 1 ^ (0xedb8'8320U & (0U - (sum & 1U)));
+  }
+  return ~sum;
+}
+
+Snapshot sealed(Bytes input) {
+  Snapshot bytes(input.size());
+  std::transform(input.begin(), input.end(), bytes.begin(), [](std::uint8_t byte) { return std::byte{byte}; });
+  if (bytes.size() < kHead + kTail) return bytes;
+  const std::uint32_t sum = checksumOf(std::span(bytes).first(bytes.size() - kTail));
+  for (unsigned k = 0; k < kTail; ++k) bytes[bytes.size() - kTail + k] = static_cast<std::byte>(sum >> 8 * k & 0xffU);
+  return bytes;
+}
+
+Snapshot saved(const World& world) {
+  Snapshot bytes;
+  const auto done =
+      world.save([&](std::span<const std::byte> piece) { bytes.insert(bytes.end(), piece.begin(), piece.end()); });
+  return done ? bytes : Snapshot();
+}
+
+/// What is wrong with the outline, in words.
+std::string differenceByLaws(const World& world) {
+  oracle::Scene scene;
+  world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
+    scene.polygons.push_back({cell, p.block, {p.vertices.begin(), p.vertices.end()}});
+  });
+  const oracle::Outline expected = oracle::NaiveReference()(scene).outline, actual = oracle::outlineOf(world);
+  return expected == actual ? "" : oracle::describe(oracle::compare(expected, actual));
+}
+
+std::optional<Finding> checkWorld(World world, bool preserves, std::size_t size) {
+  const Stats stats = world.stats();
+  if (stats.bytes > 4'000'000 + 2'000 * size) return Finding{fmt::format("{} bytes for {}\n", stats.bytes, size)};
+  const Snapshot again = saved(world);
+  const auto twin = World::load(again, world.preserveRelation());
+  if (!twin) return Finding{"what was saved again can not be loaded: " + message(twin.error()) + "\n"};
+  if (saved(*twin) != again) return Finding{"saved, loaded and saved again it is other bytes\n"};
+  if (!samePolygons(world, *twin)) return Finding{"saved and loaded again it has other polygons\n"};
+  if (stats.polygons > kManyPolygons) return std::nullopt;  // the reference takes its time
+  if (!preserves)
+    if (const std::string difference = differenceByLaws(world); !difference.empty()) return Finding{difference};
+  if (!world.clear(world.bounds().value_or(CellRect{}))) return Finding{"it can not be emptied\n"};
+  const std::size_t removed = world.commit().removed.size();
+  if (removed != stats.segments || !world.segments().empty()) return Finding{"emptied it still has segments\n"};
+  return std::nullopt;
+}
+
+std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) {
+  const Snapshot bytes = sealed(input);
+  for (const bool preserves : {false, true}) {
+    PreserveRelation relation;
+    if (preserves) relation = [](Block a, Block b) { return a != b; };
+    auto world = World::load(bytes, std::move(relation));
+    ++stats.edits;
+    if (world) {
+      if (auto finding = checkWorld(std::move(*world), preserves, bytes.size())) return finding;
+    } else if (world.error().offset > bytes.size() || message(world.error()).empty()) {
+      return Finding{"it is refused at a byte that is not there, or without a word\n"};
+    }
+  }
+  return std::nullopt;
+}
+
+oracle::Trace traceOf(Bytes) { return {}; }
+
+std::string whyEmpty(Bytes) { return "a saved world has no edits; `lgs replay` takes it as it is"; }
+
+}  // namespace
+
+const Target kSnapshot{"snapshot", "saved worlds, as bytes", check, traceOf, nullptr, {}, kWords, whyEmpty};
+
+}  // namespace lgs::fuzz

@@ -1,0 +1,49 @@
+// What a commit makes: segments of the outline with their ghost vertices, the lists of what changed, and whole loops.
+#pragma once
+
+#include <lgs/ids.h>
+#include <lgs/lattice.h>
+
+#include <vector>
+
+namespace lgs {
+
+/// One boundary segment. The solid is on the left of start→end, the outward normal on the right.
+struct Segment {
+  SegmentId id;
+  Point start;
+  Point end;
+  SegmentId predecessor;  ///< null if nothing that could precede arrives at `start`: only under a preserve relation
+  SegmentId successor;
+  Point ghost1;  ///< the predecessor's start; means nothing if `predecessor` is null
+  Point ghost2;  ///< the successor's end; means nothing if `successor` is null
+  Block block = 0;
+  PolygonHandle polygon;  ///< the polygon hit when this segment is hit
+  Cell cell;              ///< the cell hit
+
+  double length() const;       ///< in cells
+  DoublePoint normal() const;  ///< outward, of length 1
+};
+
+/// What a commit did to the segments. No id is in two lists. A segment whose ends, owner and ghosts are as before is in
+/// none. Ids in `removed` name nothing from now on. The order of each list follows from the edits since the last
+/// commit, in their order: the same edits in another order may give the same segments other ids and places. Whoever
+/// needs an order of their own sorts.
+struct Changes {
+  std::vector<SegmentId> removed;
+  std::vector<SegmentId> added;
+  std::vector<SegmentId> relinked;  ///< alive before and after, with another ghost1 or ghost2
+};
+
+/// One closed chain, in the direction of its segments (solid on the left).
+struct Loop {
+  std::vector<Point> vertices;      ///< from the least one on, by x, then y; the last edge leads back to it
+  std::vector<SegmentId> segments;  ///< segments[k] starts at vertices[k]; empty if collinear ones were merged
+};
+
+/// What loops() does with a vertex where the outline goes straight on. merge drops it, but for a vertex that another
+/// passage of the outline shares, of the same loop or of another one: two solids touch there, and a drawing or an
+/// export that lost the vertex would lose the contact.
+enum class Collinear : bool { keep, merge };
+
+}  // namespace lgs

@@ -1,0 +1,38 @@
+// Snapshots: a world as bytes, and a world from bytes. See World::save() and World::load(). docs/snapshot.md has the
+// format, byte by byte.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+
+namespace lgs {
+
+/// Takes the bytes of a snapshot, piece by piece, in order. It must not change the world.
+using ByteSink = std::function<void(std::span<const std::byte>)>;
+
+/// Why a snapshot is refused, and where.
+struct SnapshotError {
+  enum class What : std::uint8_t {
+    notASnapshot,    ///< it does not begin as one
+    unknownVersion,  ///< it was written by a newer version of this library
+    cut,             ///< it ends too early
+    damaged,         ///< its checksum does not fit
+    tooLong,         ///< bytes follow its end
+    relation,        ///< it was saved with a preserve relation and is loaded without one, or the reverse
+    badNumber,       ///< a number is out of its range
+    badPolygon,      ///< a polygon is none, or two of one cell overlap
+    badSegments,     ///< the ids of the segments are not those of this world's segments, or one occurs twice
+    capacity,        ///< more than the engine can hold
+  };
+  What what{};
+  std::uint64_t offset = 0;  ///< the byte at which it was noticed
+  friend constexpr bool operator==(const SnapshotError&, const SnapshotError&) = default;
+};
+
+/// A whole sentence.
+std::string message(const SnapshotError& error);
+
+}  // namespace lgs

@@ -1,0 +1,220 @@
+#include "journal.h"
+
+#include "wide_row.h"
+#include "world_impl.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <map>
+#include <optional>
+#include <tuple>
+
+namespace lgs::detail {
+namespace {
+
+/// The cells whose segments a commit can change: the dirty ones and those around, each once, by reference.
+std::vector<std::uint32_t> cellsOfCommit(std::span<Chunk* const> dirtyChunks) {
+  std::vector<std::uint32_t> cells;
+  for (const Chunk* chunk : dirtyChunks) {
+    forEachRowNear(chunk->dirtyRows, [&](std::int32_t y) {
+      const WideRow dirty = dirtyRow(*chunk, y - 1) | dirtyRow(*chunk, y) | dirtyRow(*chunk, y + 1);
+      forEachColumn(dirty | dirty << 1 | dirty >> 1, [&](std::int32_t x) {
+        if (const CellAt at = cellAt(*chunk, x, y)) cells.push_back(at.chunk->ref(at.local));
+      });
+    });
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+bool sameEdge(const Segment& a, const Segment& b) {
+  return std::tie(a.start, a.end, a.polygon, a.block) == std::tie(b.start, b.end, b.polygon, b.block);
+}
+
+/// A ghost, where there is one.
+std::optional<Point> ghost(SegmentId link, Point at) { return link ? std::optional(at) : std::nullopt; }
+
+bool sameGhosts(const Segment& a, const Segment& b) {
+  return ghost(a.predecessor, a.ghost1) == ghost(b.predecessor, b.ghost1) &&
+         ghost(a.successor, a.ghost2) == ghost(b.successor, b.ghost2);
+}
+
+/// The segments of some ids, where they are alive, by id.
+using Segments = std::map<std::uint32_t, std::optional<Segment>>;
+
+void read(const World::Impl& world, Segments& segments) {
+  for (auto& [id, segment] : segments)
+    segment = world.segments.isLive(id) ? std::optional(world.segment(id)) : std::nullopt;
+}
+
+/// What became of some segments.
+void compare(const Segments& before, const Segments& after, Changes& changes) {
+  for (auto then = before.begin(), now = after.begin(); then != before.end(); ++then, ++now) {
+    const SegmentId id{then->first};
+    const bool same = then->second && now->second && sameEdge(*then->second, *now->second);
+    if (then->second && !same) changes.removed.push_back(id);
+    if (now->second && !same) changes.added.push_back(id);
+    if (same && !sameGhosts(*then->second, *now->second)) changes.relinked.push_back(id);
+  }
+}
+
+}  // namespace
+
+void Journal::setOpen(World::Impl& world, bool open) {
+  isOpen_ = open;
+  world.grid.setRemembers(!open);
+}
+
+Mark Journal::mark(World::Impl& world) {
+  setOpen(world, true);
+  const Mark mark{++lastMark_};
+  marks_.push_back({mark, forgotten_ + entries_.size(), world.grid.chunks().size(), world.catalogue.shapeCount()});
+  return mark;
+}
+
+std::size_t Journal::positionOf(Mark mark) const {
+  const auto found = std::ranges::lower_bound(marks_, mark, {}, &MarkEntry::mark);
+  return static_cast<std::size_t>((found != marks_.end() && found->mark == mark ? found : marks_.end()) -
+                                  marks_.begin());
+}
+
+void Journal::forget(World::Impl& world, Mark mark) {
+  marks_.erase(marks_.begin() + static_cast<std::ptrdiff_t>(positionOf(mark)));
+  setOpen(world, !marks_.empty());
+  const std::uint64_t needed = marks_.empty() ? forgotten_ + entries_.size() : marks_.front().position;
+  for (; forgotten_ < needed; ++forgotten_) {
+    drop(world, entries_.front());
+    entries_.pop_front();
+  }
+}
+
+bool Journal::committedSince(Mark mark) const {
+  const auto since = static_cast<std::ptrdiff_t>(marks_[positionOf(mark)].position - forgotten_);
+  return std::any_of(entries_.begin() + since, entries_.end(),
+                     [](const Entry& entry) { return std::holds_alternative<CommitEntry>(entry); });
+}
+
+void Journal::drop(World::Impl& world, const Entry& entry) {
+  if (const auto* cell = std::get_if<CellEntry>(&entry); cell && cell->content != kEmptyContent)
+    world.catalogue.release(cell->content);
+}
+
+void Journal::noteCell(World::Impl& world, CellAt at) {
+  CellEntry entry;
+  entry.cellRef = at.chunk->ref(at.local);
+  entry.content = world.grid.content(at);
+  entry.lastSerial = world.grid.lastSerial(at);
+  entry.isListed = world.grid.listsPolygons(at);
+  entry.wasDirty = (at.chunk->dirty[at.row()] & at.bit()) != 0;
+  const std::size_t count = world.contentOf(at).polygons.size();
+  for (std::size_t slot = 0; slot < count; ++slot)
+    entry.polygons.push_back(world.grid.placed(at)[static_cast<Slot>(slot)]);
+  if (entry.content != kEmptyContent) world.catalogue.use(entry.content);
+  entries_.push_back(std::move(entry));
+}
+
+void Journal::noteCommit(const World::Impl& world) {
+  CommitEntry entry;
+  for (const Chunk* chunk : world.dirtyChunks) entry.dirty.push_back({chunk->index, chunk->dirty});
+  for (const std::uint32_t cellRef : cellsOfCommit(world.dirtyChunks)) {
+    const CellAt at = world.grid.find(cellRef);
+    CellSegments cell{cellRef, {}, 0};
+    if (const CellRecord* r = world.grid.record(at)) {
+      cell.end = r->end;
+      cell.touching = r->touching;
+    }
+    entry.cells.push_back(cell);
+    for (const std::uint32_t id : world.grid.segments(at)) {
+      entry.ids.push_back(id);
+      entry.segments.push_back(world.segments[id]);
+    }
+  }
+  entry.removedBefore = world.changes.removed;
+  entry.topBefore = world.segments.maxId() + 1;
+  entries_.push_back(std::move(entry));
+}
+
+void Journal::noteChanges(const Changes& changes) { std::get<CommitEntry>(entries_.back()).changes = changes; }
+
+void Journal::rollBack(World::Impl& world, Mark mark, Changes& changes) {
+  const std::size_t index = positionOf(mark);
+  const MarkEntry to = marks_[index];
+  Segments before;
+  for (std::size_t k = static_cast<std::size_t>(to.position - forgotten_); k < entries_.size(); ++k) {
+    const auto* commit = std::get_if<CommitEntry>(&entries_[k]);
+    if (!commit) continue;
+    for (const auto* ids : {&commit->changes.removed, &commit->changes.added, &commit->changes.relinked})
+      for (const SegmentId id : *ids) before.try_emplace(id.value);
+  }
+  Segments after = before;
+  read(world, before);
+  while (forgotten_ + entries_.size() > to.position) {
+    std::visit([&](const auto& entry) { undo(world, entry); }, entries_.back());
+    drop(world, entries_.back());
+    entries_.pop_back();
+  }
+  marks_.resize(index + 1);
+  world.grid.forgetChunks(to.chunks);
+  world.catalogue.forgetShapes(to.shapes);
+  read(world, after);
+  changes = {};
+  compare(before, after, changes);
+}
+
+void Journal::undo(World::Impl& world, const CellEntry& entry) {
+  const CellAt at = world.grid.find(entry.cellRef);
+  if (entry.content != kEmptyContent) world.catalogue.use(entry.content);
+  if (const ContentId now = world.grid.content(at); now != kEmptyContent) world.catalogue.release(now);
+  world.grid.setPolygons(at, entry.content, entry.lastSerial, entry.polygons, entry.isListed);
+  at.chunk->facts[at.local] = world.catalogue.facts(entry.content);
+  if (entry.wasDirty) return;
+  at.chunk->dirty[at.row()] &= ~at.bit();
+  if (at.chunk->dirty[at.row()] == 0) at.chunk->dirtyRows &= ~(RowMask{1} << at.row());
+  if (at.chunk->dirtyRows != 0) return;
+  assert(world.dirtyChunks.back() == at.chunk);  // the edit was the first in its chunk
+  world.dirtyChunks.pop_back();
+}
+
+void Journal::undo(World::Impl& world, const CommitEntry& entry) {
+  assert(world.dirtyChunks.empty());  // later edits are undone
+  for (const SegmentId id : entry.changes.added) world.segments[id.value].cellRef = 0;
+  std::size_t k = 0;
+  for (const CellSegments& cell : entry.cells) {
+    const CellAt at = world.grid.find(cell.cellRef);
+    const auto now = static_cast<std::uint32_t>(world.grid.segments(at).size());
+    const std::uint32_t count = cell.end.back();
+    CellRecord* r = now == 0 && count == 0 ? nullptr : world.grid.spliceSegments(at, 0, now, count);
+    if (r) {
+      r->end = cell.end;
+      r->touching = cell.touching;
+      std::copy_n(entry.ids.begin() + static_cast<std::ptrdiff_t>(k), count, r->ids());
+    }
+    k += count;
+  }
+  for (k = 0; k < entry.ids.size(); ++k) world.segments[entry.ids[k]] = entry.segments[k];
+  world.segments.giveBack(entry.changes.added, entry.topBefore, entry.removedBefore.size());
+  world.changes.removed = entry.removedBefore;
+  for (const DirtyChunk& dirty : entry.dirty) {
+    Chunk& chunk = *world.grid.chunks()[dirty.index - 1];
+    chunk.dirty = dirty.rows;
+    for (std::uint32_t y = 0; y < kChunkSize; ++y)
+      if (dirty.rows[y] != 0) chunk.dirtyRows |= RowMask{1} << y;
+    world.dirtyChunks.push_back(&chunk);
+  }
+}
+
+std::uint64_t Journal::bytes() const {
+  const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
+  std::uint64_t sum = entries_.size() * sizeof(Entry) + of(marks_);
+  for (const Entry& entry : entries_) {
+    if (const auto* cell = std::get_if<CellEntry>(&entry)) sum += of(cell->polygons);
+    if (const auto* c = std::get_if<CommitEntry>(&entry))
+      sum += of(c->dirty, c->cells, c->ids, c->segments, c->removedBefore, c->changes.removed, c->changes.added,
+                c->changes.relinked);
+  }
+  return sum;
+}
+
+}  // namespace lgs::detail

@@ -1,0 +1,45 @@
+// A pointer to a value of its own that is copied with it: so a class with values that must not move can be copied
+// member by member.
+#pragma once
+
+#include <cstring>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace lgs::detail {
+
+template <class T>
+class Owned {
+ public:
+  Owned() = default;
+  explicit Owned(std::unique_ptr<T> value) : value_(std::move(value)) {}
+  Owned(const Owned& other) : value_(other.value_ ? copyOf(*other.value_) : nullptr) {}
+  Owned(Owned&&) noexcept = default;
+  Owned& operator=(Owned other) noexcept {
+    value_.swap(other.value_);
+    return *this;
+  }
+  ~Owned() = default;
+
+  T* get() const { return value_.get(); }
+  T& operator*() const { return *value_; }
+  T* operator->() const { return value_.get(); }
+  explicit operator bool() const { return value_ != nullptr; }
+
+ private:
+  /// Plain data may be a page of which only a part was ever written. Its bytes can be copied all the same.
+  static std::unique_ptr<T> copyOf(const T& value) {
+    if constexpr (std::is_trivially_copyable_v<T>) {
+      auto copy = std::make_unique_for_overwrite<T>();
+      std::memcpy(copy.get(), &value, sizeof value);
+      return copy;
+    } else {
+      return std::make_unique<T>(value);
+    }
+  }
+
+  std::unique_ptr<T> value_;
+};
+
+}  // namespace lgs::detail

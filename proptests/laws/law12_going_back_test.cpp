@@ -1,0 +1,299 @@
+// Law 12: to go back to a mark, to load what was saved, or to copy a world is never having left.
+#include "oracle/trace/dump.h"
+#include "proptests/support/law.h"
+#include "proptests/support/scale.h"
+#include "proptests/support/traces.h"
+#include "twins.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace lgs::test {
+namespace {
+
+/// Edits a world, makes marks on the way, goes back to them and lets go of them.
+void wander(World& world, const Seeds& seeds) {
+  std::vector<Mark> marks;
+  for (const std::uint32_t seed : seeds) {
+    Chance chance(seed);
+    make(world, randomEdit(world, chance));
+    if (chance.chance(20)) marks.push_back(world.checkpoint());
+    if (marks.empty()) continue;
+    const std::size_t k = chance.below(marks.size());
+    if (chance.chance(15)) {
+      EXPECT_TRUE(world.rollBack(marks[k]));
+      marks.resize(k + 1);
+    }
+    if (chance.chance(15)) {
+      EXPECT_TRUE(world.forget(marks[k]));
+      marks.erase(marks.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+  }
+}
+
+LGS_LAW(GoingBack, IsNeverHavingLeft, 1'000,
+        (const Seeds& before, const Seeds& away, const Seeds& after, bool preserves, bool forgets)) {
+  World stayed = grown(preserves, before), left = grown(preserves, before);
+  for (int visits = 0; visits < 2; ++visits) {
+    const Mark mark = left.checkpoint();
+    wander(left, away);
+    const Mark inner = left.checkpoint();
+    ASSERT_TRUE(left.rollBack(mark));
+    EXPECT_FALSE(left.rollBack(inner)) << "a mark that was made after the moment that the world went back to";
+    if (forgets) {
+      EXPECT_TRUE(left.forget(mark));
+    }
+    ASSERT_NO_FATAL_FAILURE(expectNoDifference(stayed, left, after));
+  }
+}
+
+LGS_LAW(GoingBack, ReportsExactlyWhatItDoesToTheSegments, 200,
+        (const Seeds& before, const std::vector<Seeds>& away, bool preserves)) {
+  World world = grown(preserves, before);
+  world.commit();
+  Follower follower(world);
+  const Mark mark = world.checkpoint();
+  for (const Seeds& seeds : away) {
+    for (const std::uint32_t seed : seeds) {
+      Chance chance(seed);
+      const AnyEdit edit = randomEdit(world, chance);
+      if (edit.kind == AnyEdit::Kind::commit)
+        follower.follow(world, world.commit());
+      else
+        make(world, edit);
+    }
+    ASSERT_TRUE(world.rollBack(mark));
+    const Changes& changes = world.changesOfRollBack();
+    follower.follow(world, changes);
+    EXPECT_TRUE(follower.agrees(world));
+    for (const auto* ids : {&changes.removed, &changes.added, &changes.relinked})
+      EXPECT_TRUE(std::is_sorted(ids->begin(), ids->end()));
+  }
+}
+
+/// A game with prediction: the world of the server makes each frame once. The client guesses each frame, goes back, and
+/// makes it as the server did; then the two are the same to the last byte.
+LGS_LAW(GoingBack, APredictionThatWasWrongLeavesNoTrace, 60,
+        (const std::vector<Seeds>& frames, const std::vector<Seeds>& guesses, bool preserves)) {
+  World server = grown(preserves, {}), client = grown(preserves, {});
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const Mark confirmed = client.checkpoint();
+    for (std::size_t ahead = k; ahead < std::min(k + 3, guesses.size()); ++ahead) {
+      makeAll(client, guesses[ahead]);
+      client.commit();
+    }
+    ASSERT_TRUE(client.rollBack(confirmed));
+    EXPECT_TRUE(client.forget(confirmed));
+    ASSERT_NO_FATAL_FAILURE(expectNoDifference(server, client, frames[k]));
+    EXPECT_EQ(oracle::outlineOf(client), outlineByLaws(client, preserves));
+  }
+}
+
+LGS_LAW(GoingBack, LoadingIsNeverHavingLeft, 1'000, (const Seeds& before, const Seeds& after, bool preserves)) {
+  World stayed = grown(preserves, before);
+  stayed.commit();
+  const std::vector<std::byte> bytes = saved(stayed);
+  auto loaded = World::load(bytes, relation(preserves));
+  ASSERT_TRUE(loaded) << message(loaded.error());
+  EXPECT_TRUE(saved(*loaded) == bytes) << "saved again, a loaded world gives other bytes";
+  EXPECT_EQ(snapshotOf(*loaded, {}), snapshotOf(stayed, {}));
+  expectNoDifference(stayed, *loaded, after);
+}
+
+LGS_LAW(GoingBack, ACopyIsNeverHavingLeft, 1'000, (const Seeds& before, const Seeds& after, bool preserves)) {
+  World stayed = grown(preserves, before);
+  const Mark mark = stayed.checkpoint();
+  makeAll(stayed, before);
+  World copy = stayed;  // with edits that are not committed
+  {
+    World other = grown(preserves, after);
+    other = copy;
+    makeAll(other, before);
+    EXPECT_TRUE(other.rollBack(mark));
+  }  // nothing of the copies is shared
+  ASSERT_NO_FATAL_FAILURE(expectNoDifference(stayed, copy, after));
+  EXPECT_TRUE(stayed.rollBack(mark));
+  EXPECT_TRUE(copy.rollBack(mark));
+  expectNoDifference(stayed, copy, after);
+}
+
+LGS_LAW(GoingBack, ATransactionIsUndoneUnlessItIsKept, 500,
+        (const Seeds& before, const Seeds& edits, const Seeds& after)) {
+  World stayed = grown(false, before), left = grown(false, before);
+  const auto withoutCommits = [](World& world, const Seeds& seeds) {
+    for (const std::uint32_t seed : seeds) {
+      Chance chance(seed);
+      const AnyEdit edit = randomEdit(world, chance);
+      if (edit.kind != AnyEdit::Kind::commit) make(world, edit);
+    }
+  };
+  {
+    const Transaction group = left.edit();
+    withoutCommits(left, edits);
+  }
+  {
+    Transaction group = left.edit();
+    withoutCommits(left, after);
+    group.keep();
+  }
+  withoutCommits(stayed, after);
+  expectNoDifference(stayed, left, edits);
+}
+
+/// Gives bytes the checksum that they should have.
+void seal(std::vector<std::byte>& bytes) {
+  std::uint32_t sum = 0xffff'ffff;
+  for (std::size_t k = 0; k + 4 < bytes.size(); ++k) {
+    sum ^= std::to_integer<std::uint32_t>(bytes[k]);
+    for (int bit = 0; bit < 8; ++bit) sum = sum >> 1 ^ (0xedb8'8320u & (0u - (sum & 1u)));
+  }
+  for (std::size_t k = 0; k < 4; ++k) bytes[bytes.size() - 4 + k] = static_cast<std::byte>(~sum >> 8 * k & 0xffu);
+}
+
+LGS_LAW(GoingBack, BytesThatWereNotWrittenAreRefused, 500, (const Seeds& before, Chance chance)) {
+  World world = grown(false, before);
+  world.commit();
+  std::vector<std::byte> wrong = saved(world);
+  if (chance.chance(50)) {
+    wrong.resize(chance.below(wrong.size()));
+  } else {
+    wrong[chance.below(wrong.size())] ^= std::byte{1} << chance.below(8);
+  }
+  const auto loaded = World::load(wrong);
+  ASSERT_FALSE(loaded);
+  EXPECT_LE(loaded.error().offset, wrong.size());
+  EXPECT_FALSE(message(loaded.error()).empty());
+}
+
+/// Bytes of ill will have the right checksum. So they are read; what they say must be good, or be refused.
+LGS_LAW(GoingBack, BytesOfIllWillAreRefusedOrAreAWorld, 2'000,
+        (const Seeds& before, const Seeds& after, Chance chance)) {
+  World world = grown(false, before);
+  world.commit();
+  std::vector<std::byte> bytes = saved(world);
+  constexpr std::size_t kHead = 8, kTail = 4;
+  for (int k = 1 + chance.below(3); k > 0; --k) {
+    const std::size_t at = kHead + chance.below(bytes.size() - kHead - kTail);
+    bytes[at] = std::byte{
+        chance.pick<unsigned char>({0, 1, 2, 3, 0x7f, 0x80, 0xff, static_cast<unsigned char>(chance.below(256))})};
+  }
+  seal(bytes);
+  auto loaded = World::load(bytes);
+  if (!loaded) {
+    EXPECT_LE(loaded.error().offset, bytes.size());
+    return;
+  }
+  auto twin = World::load(saved(*loaded));
+  ASSERT_TRUE(twin) << message(twin.error());
+  expectNoDifference(*loaded, *twin, after);
+}
+
+/// One long game, in which cells are edited more than 255 times. A long run of it is a soak: docs/long-runs.md.
+TEST(GoingBack, ALongGameOfPredictionsStaysInStep) {
+  World server = grown(true, {}), client = grown(true, {});
+  const std::int64_t frames = scaled(1'500);
+  for (std::int64_t frame = 0; frame < frames; ++frame) {
+    Chance chance(testSeed() + static_cast<std::uint64_t>(frame));
+    const auto edits = [&chance] {
+      Seeds seeds(chance.below(6U));
+      for (std::uint32_t& seed : seeds) seed = static_cast<std::uint32_t>(chance.next());
+      return seeds;
+    };
+    const Mark confirmed = client.checkpoint();
+    for (int ahead = chance.below(4); ahead > 0; --ahead) {
+      makeAll(client, edits());
+      client.commit();
+    }
+    ASSERT_TRUE(client.rollBack(confirmed));
+    ASSERT_TRUE(client.forget(confirmed));
+    ASSERT_NO_FATAL_FAILURE(expectNoDifference(server, client, edits())) << "in frame " << frame;
+    if (frame % 16 != 0) continue;
+    ASSERT_EQ(oracle::outlineOf(client), outlineByLaws(client, true)) << "in frame " << frame;
+    if (client.stats().shapes > 200) server = client = grown(true, {});  // shapes are never forgotten
+  }
+}
+
+TEST(GoingBackByHand, MarksThatAreNoneAreRefused) {
+  World world;
+  EXPECT_EQ(world.rollBack({}).error().code, ErrorCode::unknownMark);
+  EXPECT_EQ(world.forget(Mark{7}).error().code, ErrorCode::unknownMark);
+  const Mark mark = world.checkpoint();
+  EXPECT_TRUE(world.forget(mark));
+  const auto refused = world.rollBack(mark);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::unknownMark);
+  EXPECT_EQ(message(refused.error()),
+            "this world has no such mark; it was forgotten, or the world went back to a moment before it");
+  EXPECT_NE(world.checkpoint(), mark);
+}
+
+TEST(GoingBackByHand, AWorldWithPendingEditsIsNotSaved) {
+  World world;
+  place(world, {}, unitSquare());
+  const auto refused = world.save([](std::span<const std::byte>) { FAIL() << "nothing is written"; });
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::uncommitted);
+  EXPECT_EQ(message(refused.error()), "the world has edits that are not committed; call commit() before save()");
+}
+
+TEST(GoingBackByHand, ATransactionThatWasCommittedInStays) {
+  World world;
+  {
+    const Transaction group = world.edit();
+    place(world, {}, unitSquare());
+    world.commit();
+    place(world, {1, 0}, unitSquare());
+  }
+  EXPECT_FALSE(world.isEmpty({}));
+  EXPECT_FALSE(world.isEmpty({1, 0}));
+}
+
+TEST(GoingBackByHand, ATransactionThatWasGoneBackBeyondEnds) {
+  World world;
+  const Mark mark = world.checkpoint();
+  {
+    const Transaction group = world.edit();
+    place(world, {}, unitSquare());
+    ASSERT_TRUE(world.rollBack(mark));
+    place(world, {1, 0}, unitSquare());
+  }
+  EXPECT_TRUE(world.isEmpty({}));
+  EXPECT_FALSE(world.isEmpty({1, 0}));
+}
+
+TEST(GoingBackByHand, NothingIsKeptWithoutMarks) {
+  World world;
+  const ShapeId square = shapeOf(world, {unitSquare()});
+  const auto work = [&] {
+    for (int k = 0; k < 100; ++k) {
+      ASSERT_TRUE(world.fill({{0, 0}, {20, 20}}, square, 1));
+      world.commit();
+      ASSERT_TRUE(world.clear(CellRect{{0, 0}, {20, 20}}));
+      world.commit();
+    }
+  };
+  work();
+  const std::uint64_t bytes = world.stats().bytes;
+  const Mark mark = world.checkpoint();
+  work();
+  EXPECT_GT(world.stats().bytes, bytes + 1'000'000);
+  EXPECT_TRUE(world.forget(mark));
+  work();
+  EXPECT_LT(world.stats().bytes, bytes + 10'000);
+}
+
+TEST(GoingBackByHand, FilesAreSmall) {
+  World blocks, ramps;
+  ASSERT_TRUE(blocks.fill({{0, 0}, {99, 99}}, shapeOf(blocks, {unitSquare()}), 1));
+  oracle::Random random(1);
+  for (const Cell cell : cellsOf({{0, 0}, {99, 99}})) place(ramps, cell, oracle::turned(ramp(), random.below(8)), 1);
+  blocks.commit();
+  ramps.commit();
+  EXPECT_LT(saved(blocks).size(), 10'000U);
+  EXPECT_LT(saved(ramps).size(), 40'000U);
+}
+
+}  // namespace
+}  // namespace lgs::test
