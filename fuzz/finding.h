@@ -18,8 +18,8 @@ struct Where {
 /// picture, and the input.
 void report(const Target& target, Bytes input, const Finding& finding, const Where& where);
 
-/// The same for an input that ends the process: a failed assertion, a sanitizer's complaint, a crash. Every candidate runs
-/// in a process of its own.
+/// The same for an input that ends the process: a failed assertion, a sanitizer's complaint, a crash. Every candidate
+/// runs in a process of its own.
 void reportCrash(const Target& target, Bytes input, const Where& where);
 
 /// Whether an input, or edits, end the process.

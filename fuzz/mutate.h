@@ -1,5 +1,5 @@
-// Changes an input a little: by whole records where inputs are records, by words of the format where they are text. Used
-// by the plain driver, and by libFuzzer beside its own ways.
+// Changes an input a little: by whole records where inputs are records, by words of the format where they are text.
+// Used by the plain driver, and by libFuzzer beside its own ways.
 #pragma once
 
 #include "fuzz/target.h"

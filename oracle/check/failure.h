@@ -15,8 +15,8 @@ std::string describe(const Mismatch& mismatch, const Trace& trace);
 /// Both boundaries, the ghosts, the difference.
 std::string draw(const Mismatch& mismatch);
 
-/// The world at the end of a trace as the naive reference sees it, edits that must be refused left out. The engine has no
-/// part in it: for a trace that makes it crash.
+/// The world at the end of a trace as the naive reference sees it, edits that must be refused left out. The engine has
+/// no part in it: for a trace that makes it crash.
 std::string drawWithoutEngine(const Trace& trace, const std::string& title);
 
 /// The trace as text, with a comment of one or more lines after its first.

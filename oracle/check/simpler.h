@@ -11,8 +11,9 @@ namespace lgs::oracle {
 /// How many variants of a polygon there are to try, the simplest ones first.
 std::size_t variantsOf(const LocalPolygon& polygon);
 
-/// The variant with this number; nothing if it is not simpler. It is made only here, as a polygon of thousands of vertices
-/// has too many variants to keep. A variant is simpler if it has fewer vertices or, with as many, rounder coordinates.
+/// The variant with this number; nothing if it is not simpler. It is made only here, as a polygon of thousands of
+/// vertices has too many variants to keep. A variant is simpler if it has fewer vertices or, with as many, rounder
+/// coordinates.
 std::optional<LocalPolygon> simplerPolygon(const LocalPolygon& polygon, std::size_t variant);
 
 }  // namespace lgs::oracle

@@ -1,6 +1,6 @@
-// Counts how much the library does, and not how long it takes. For these tests it is compiled so that it counts the basic
-// blocks that it runs through (-fsanitize-coverage=trace-pc). A loop counts each time it goes round. Calls into other
-// libraries do not count.
+// Counts how much the library does, and not how long it takes. For these tests it is compiled so that it counts the
+// basic blocks that it runs through (-fsanitize-coverage=trace-pc). A loop counts each time it goes round. Calls into
+// other libraries do not count.
 #pragma once
 
 #include <cstdint>
