@@ -1,6 +1,6 @@
 // Bytes that claim to be a saved world. The checksum is made right, so that what follows it is read. Then the bytes are
-// refused, or are a world like any other: its outline is the naive reference's, it can be saved and loaded again, edited
-// and emptied.
+// refused, or are a world like any other: its outline is the naive reference's, it can be saved and loaded again,
+// edited and emptied.
 #include "fuzz/target.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"

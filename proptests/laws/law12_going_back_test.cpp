@@ -185,6 +185,7 @@ LGS_LAW(GoingBack, BytesOfIllWillAreRefusedOrAreAWorld, 2'000,
     EXPECT_LE(loaded.error().offset, bytes.size());
     return;
   }
+  EXPECT_EQ(oracle::outlineOf(*loaded), outlineByLaws(*loaded, false));
   auto twin = World::load(saved(*loaded));
   ASSERT_TRUE(twin) << message(twin.error());
   expectNoDifference(*loaded, *twin, after);
@@ -227,6 +228,39 @@ TEST(GoingBackByHand, MarksThatAreNoneAreRefused) {
   EXPECT_EQ(message(refused.error()),
             "this world has no such mark; it was forgotten, or the world went back to a moment before it");
   EXPECT_NE(world.checkpoint(), mark);
+}
+
+// The bytes of a world with one square end with its serial, its block, no free id, no id just removed, the ids of its four
+// segments and the checksum (docs/snapshot.md).
+TEST(GoingBackByHand, MadeUpBytesAreRefusedForTheirReason) {
+  using What = SnapshotError::What;
+  World world;
+  place(world, {}, unitSquare());
+  world.commit();
+  const std::vector<std::byte> good = saved(world);
+  const std::size_t end = good.size() - 4, serial = end - 12;
+  ASSERT_EQ(good[serial], std::byte{1});
+  const auto expect = [&](std::size_t at, unsigned char value, What what, std::uint64_t offset) {
+    std::vector<std::byte> bytes = good;
+    bytes[at] = std::byte{value};
+    seal(bytes);
+    const auto loaded = World::load(bytes);
+    ASSERT_FALSE(loaded) << "byte " << at;
+    EXPECT_EQ(loaded.error(), (SnapshotError{what, offset})) << message(loaded.error());
+  };
+  expect(3, 'S', What::notASnapshot, 3);
+  expect(7, 2, What::unknownVersion, 7);
+  expect(8, 1, What::relation, 9);
+  expect(serial, 0, What::badNumber, end - 8);
+  expect(end - 1, 1, What::badSegments, end);  // the third id again
+  expect(end - 1, 2, What::badSegments, end);  // the fifth id
+  expect(end - 5, 1, What::cut, end - 3);      // three ids are left for four segments
+  std::vector<std::byte> longer = good;
+  longer.insert(longer.end() - 4, std::byte{});
+  seal(longer);
+  const auto loaded = World::load(longer);
+  ASSERT_FALSE(loaded);
+  EXPECT_EQ(loaded.error().what, What::tooLong);
 }
 
 TEST(GoingBackByHand, AWorldWithPendingEditsIsNotSaved) {
