@@ -16,10 +16,8 @@ class Owned {
   explicit Owned(std::unique_ptr<T> value) : value_(std::move(value)) {}
   Owned(const Owned& other) : value_(other.value_ ? copyOf(*other.value_) : nullptr) {}
   Owned(Owned&&) noexcept = default;
-  Owned& operator=(Owned other) noexcept {
-    value_.swap(other.value_);
-    return *this;
-  }
+  Owned& operator=(const Owned& other) { return *this = Owned(other); }
+  Owned& operator=(Owned&&) noexcept = default;
   ~Owned() = default;
 
   T* get() const { return value_.get(); }

@@ -71,12 +71,13 @@ inline WideRow showingRow(const Chunk& chunk, std::int32_t y) {
     const Chunk* c = chunk.neighbour(di, yOfRow >> 5);
     return c ? &c->facts[localOf({0, yOfRow})] : kNoFacts.data();
   };
+  // Both arrays are filled at once. NOLINTBEGIN(cppcoreguidelines-pro-type-member-init)
   std::array<Facts, kChunkSize + 2> wide;  // with a column of the neighbours at either end
   wide.front() = row(-1, y)[kChunkSize - 1];
   std::copy_n(row(0, y), kChunkSize, wide.data() + 1);
   wide.back() = row(1, y)[0];
   const Facts *below = row(0, y - 1), *above = row(0, y + 1);
-  std::array<Facts, kChunkSize> shows;
+  std::array<Facts, kChunkSize> shows;  // NOLINTEND(cppcoreguidelines-pro-type-member-init)
   for (std::size_t x = 0; x < kChunkSize; ++x)
     shows[x] = static_cast<Facts>(wide[x + 1] & ~hiddenSides(below[x], wide[x + 2], above[x], wide[x]));
   WideRow bits = 0;

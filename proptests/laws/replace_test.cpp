@@ -54,20 +54,21 @@ LGS_LAW(SetBlock, ChangesTheBlockAlone, 1'000, (const Seeds& seeds, bool preserv
   World world = grown(preserves, seeds);
   world.commit();
   const AnyEdit edit = editOf(Kind::setBlock, world, chance);
-  const std::vector<PolygonFields> before = polygonsIn(world, edit.cell);
+  const auto cell = world.cellOf(edit.polygon);
   const World untouched = world;
   if (!world.setBlock(edit.polygon, edit.block)) {
-    EXPECT_TRUE(before.empty());
+    EXPECT_FALSE(cell);
     return;
   }
+  ASSERT_TRUE(cell);
   bool changed = false;
-  std::vector<PolygonFields> expected = before;
+  std::vector<PolygonFields> expected = polygonsIn(untouched, *cell);
   for (PolygonFields& p : expected) {
     if (p.handle != edit.polygon) continue;
     changed = p.block != edit.block;
     p.block = edit.block;
   }
-  EXPECT_EQ(polygonsIn(world, edit.cell), expected);
+  EXPECT_EQ(polygonsIn(world, *cell), expected);
   EXPECT_EQ(samePolygons(world, untouched), !changed);
   EXPECT_EQ(samePolygons(untouched, world), !changed);
   const Changes& changes = world.commit();
