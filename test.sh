@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Runs all tests: in Release, then with the address and undefined-behaviour sanitizers; those of threads with the thread
-# sanitizer too. Installs what is missing first.
+# Runs all tests: in Release with g++, then with clang++ and the address and undefined-behaviour sanitizers; those of
+# threads with the thread sanitizer too. Installs what is missing first.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 source scripts/steps.sh
 
-scripts/setup.sh
+scripts/setup.sh clang libclang-rt-dev
 summary=
 # check PRESET TARGET CTEST-OPTION...: builds the target, and runs the tests on all cores.
 check() {

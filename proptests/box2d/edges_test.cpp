@@ -198,7 +198,7 @@ TEST(Box2dEdges, MergedInOneChunkTheyAreTheMergedLoops) {
     });
   });
   if (HasFailure() || test::testScale() < 1) return;
-  EXPECT_GT(*compared, 70'000U);
+  EXPECT_GT(*compared, 50'000U);
 }
 
 TEST(Box2dEdges, AnIdThatNeverWasHasNoEdge) {
