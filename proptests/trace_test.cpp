@@ -157,7 +157,6 @@ void expectFaults(const std::vector<BadText>& rows) {
   for (const BadText& row : rows) {
     const std::string fault = faultOf(row.text);
     EXPECT_TRUE(fault.starts_with(row.begin)) << "got   " << fault << "\nwant  " << row.begin;
-    EXPECT_GT(fault.size(), row.begin.size() / 2);
   }
 }
 
@@ -204,12 +203,13 @@ TEST(Trace, BadEditsSayFileLineAndReason) {
       {kHead + "remove\n", "bad.trace:2: remove needs one name; found 0"},
       {kHead + kSquare + kSquare, "bad.trace:3: the name 'p' is in use"},
       {kHead + "add p 0 0 1\n", "bad.trace:2: cell (0, 0): a polygon needs"},
-      {kHead + "add p 0 0 1 0 0 1 0\n", "bad.trace:2: "},
-      {kHead + "add p 0 0 1 0 0 1 0 1 1.5\n", "bad.trace:2: "},
-      {kHead + "add p 0 0 1 0 0 1 0 1 0 0 1\n", "bad.trace:2: "},
-      {kHead + "add p 0 0 1 0 0 0.5 0.5 1 1\n", "bad.trace:2: "},
-      {kHead + "add p 0 0 1 0 0 0 1 1 1\n", "bad.trace:2: "},
-      {kHead + "add p 0 0 1 0 0 1 1 1 0 0 1\n", "bad.trace:2: "},
+      {kHead + "add p 0 0 1 0 0 1 0\n", "bad.trace:2: cell (0, 0): a polygon needs at least 3 vertices"},
+      {kHead + "add p 0 0 1 0 0 1 0 1 1.5\n", "bad.trace:2: cell (0, 0): vertex 2 is outside the cell"},
+      {kHead + "add p 0 0 1 0 0 1 0 1 0 0 1\n",
+       "bad.trace:2: cell (0, 0): vertex 1 and vertex 2 are the same lattice point"},
+      {kHead + "add p 0 0 1 0 0 0.5 0.5 1 1\n", "bad.trace:2: cell (0, 0): the polygon has no area"},
+      {kHead + "add p 0 0 1 0 0 0 1 1 1\n", "bad.trace:2: cell (0, 0): the polygon runs clockwise"},
+      {kHead + "add p 0 0 1 0 0 1 1 1 0 0 1\n", "bad.trace:2: cell (0, 0): the polygon has no area"},
       {kHead + kSquare + "add q 0 0 1 0 0 1 0 1 1\n", "bad.trace:3: cell (0, 0): its interior overlaps 'p'"},
   });
 }
