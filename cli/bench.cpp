@@ -119,7 +119,7 @@ Status run(const BenchArguments& arguments) {
   return worst(written, comparison.agree() ? Status::fine : Status::mismatch);
 }
 
-constexpr const char* kHelp =
+constexpr const char* kBenchHelp =
     "THE SUBJECTS. The engine runs in three ways: engine-polygons adds each polygon by its vertices, engine-shapes\n"
     "by the id of a shape, engine-fill fills the world at once. published-port is the published algorithm, ported\n"
     "word for word. The libraries are Clipper, Boost.Geometry, CGAL, polygon-clipping (under Node) and GEOS:\n"
@@ -152,7 +152,7 @@ void addBench(CLI::App& app, Action& chosen) {
   command.add_flag(
       "--all", arguments->all,
       "Run also what takes long: Boost.Geometry on ramps, and the\npublished algorithm in the larger worlds");
-  command.footer(kHelp);
+  command.footer(kBenchHelp);
   command.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
 }
 

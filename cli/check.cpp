@@ -96,7 +96,7 @@ void addOutputOptions(CLI::App& command, CheckArguments& arguments) {
       ->option_text("FILE");
 }
 
-constexpr const char* kHelp =
+constexpr const char* kCheckHelp =
     "WHAT IS CHECKED. Every edit must be accepted or refused as the rules say, and a refused edit must\n"
     "change nothing. After every commit\n"
     "  - segments, ghosts and blocks must be those of the naive reference and of CGAL's union;\n"
@@ -125,7 +125,7 @@ void addCheck(CLI::App& app, Action& chosen) {
   addEditOptions(command, arguments);
   addWorldOptions(command, arguments);
   addOutputOptions(command, *arguments);
-  command.footer(kHelp);
+  command.footer(kCheckHelp);
   command.callback([arguments, &chosen] {
     chosen = [arguments] {
       if (const Status bad = tryFiles(*arguments); bad != Status::fine) return bad;

@@ -22,7 +22,7 @@ struct Case {
   std::size_t edits = 0;
 };
 
-Checked traceOf(const CheckArguments& arguments, const Case& at) {
+Checked caseOf(const CheckArguments& arguments, const Case& at) {
   GeneratorOptions world = arguments.world;
   world.edits = at.edits;
   return {caseOf(at.number, world, caseSeed(arguments.seed, at.number)),
@@ -40,7 +40,7 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
     if (!arguments.onlyCase)
       at.edits = std::min<std::size_t>(editsOf(at.number, at.edits), arguments.edits - totals.stats.edits);
     stillAlive();
-    const Checked checked = traceOf(arguments, at);
+    const Checked checked = caseOf(arguments, at);
     Features features{};
     std::size_t commits = 0;
     options.afterCommit = [&](const Scene& scene) {
@@ -79,7 +79,7 @@ Status checkRandom(const CheckArguments& arguments) {
   options.wholeEvery = 1;
   const Shared<Case> at;
   return isolated(
-      arguments, options, [&] { return playCases(arguments, options, *at); }, [&] { return traceOf(arguments, *at); });
+      arguments, options, [&] { return playCases(arguments, options, *at); }, [&] { return caseOf(arguments, *at); });
 }
 
 }  // namespace lgs::cli

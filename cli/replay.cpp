@@ -76,7 +76,7 @@ Status run(const ReplayArguments& arguments) {
   return status;
 }
 
-constexpr const char* kHelp =
+constexpr const char* kReplayHelp =
     "A trace is a list of edits:\n"
     "  lgs-trace 1\n"
     "  add floor 0 0 7  0 0  1 0  1 0.5  0 0.5    # name, cell i j, block, then x y in cells\n"
@@ -107,7 +107,7 @@ void addReplay(CLI::App& app, Action& chosen) {
       ->option_text("FILE");
   command.add_option("--save", arguments->save, "Save the world after the last commit, for World::load(); - is stdout")
       ->option_text("FILE.lgs");
-  command.footer(kHelp);
+  command.footer(kReplayHelp);
   command.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
 }
 

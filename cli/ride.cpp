@@ -138,7 +138,7 @@ void addCourseOptions(CLI::App& command, RideArguments& arguments) {
       ->option_text("N");
 }
 
-constexpr const char* kHelp =
+constexpr const char* kRideHelp =
     "The ground is given to Box2D in five ways, and the same body rides over each: as the library's terrain,\n"
     "as the same edges without ghosts, as a fixture for each polygon, as the terrain with straight runs\n"
     "merged, and as chains of the loops of CGAL's union. The table counts the kicks of each ride. A kick is\n"
@@ -160,7 +160,7 @@ void addRide(CLI::App& app, Action& chosen) {
   command.add_option("--svg", arguments->svg, "Draw the paths; - is stdout, without the table")->option_text("FILE");
   command.add_option("--title", arguments->title, "The title of the picture; default the file's name")
       ->option_text("TEXT");
-  command.footer(kHelp);
+  command.footer(kRideHelp);
   command.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
 }
 

@@ -7,6 +7,7 @@
 #include "oracle/trace/dump.h"
 #include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
+#include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace lgs::oracle {
 namespace {
 
 using namespace std::chrono_literals;
-constexpr std::int32_t U = kUnitsPerCell;
+using test::U;
 
 TEST(Palette, ShapesAreGoodInEverySymmetry) {
   for (const NamedShape& shape : degenerateShapes()) {

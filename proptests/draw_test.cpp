@@ -1,5 +1,6 @@
 // The pictures: well-formed, complete, repeatable, and of a size that a viewer opens at once.
 #include "oracle/draw/draw.h"
+#include "proptests/support/worlds.h"
 
 #include "oracle/reference/naive.h"
 #include "oracle/reference/words.h"
@@ -30,7 +31,7 @@ using testing::Lt;
 using testing::Not;
 using testing::StartsWith;
 
-constexpr std::int32_t U = kUnitsPerCell;
+using test::U;
 using Local = std::vector<LocalPoint>;
 const Local kSquare{{0, 0}, {U, 0}, {U, U}, {0, U}};
 const Local kRamp{{0, 0}, {U, 0}, {U, U}};

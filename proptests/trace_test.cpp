@@ -160,8 +160,8 @@ void expectFaults(const std::vector<BadText>& rows) {
   }
 }
 
-const std::string kHead = "lgs-trace 1\n";
-const std::string kSquare = "add p 0 0 1  0 0 1 0 1 1 0 1\n";
+const std::string kHeadLine = "lgs-trace 1\n";
+const std::string kSquareLine = "add p 0 0 1  0 0 1 0 1 1 0 1\n";
 
 TEST(Trace, BadWordsSayFileLineAndReason) {
   expectFaults({
@@ -170,59 +170,60 @@ TEST(Trace, BadWordsSayFileLineAndReason) {
       {"add p 0 0 1 0 0 1 0 1 1\n", "bad.trace:1: not a trace: the first line must be 'lgs-trace 1', not 'add'"},
       {"lgs-trace\n", "bad.trace:1: the first line must be 'lgs-trace 1'"},
       {"lgs-trace 2\n", "bad.trace:1: the first line must be 'lgs-trace 1'; this is the only version"},
-      {kHead + "lgs-trace 1\n", "bad.trace:2: unknown word 'lgs-trace'"},
-      {kHead + "# fine\nmove p\n", "bad.trace:3: unknown word 'move'; a line starts with"},
-      {kHead + "ADD p\n", "bad.trace:2: unknown word 'ADD'"},
-      {kHead + "commit now\n", "bad.trace:2: commit stands alone on its line; found 'now' after it"},
-      {kHead + "preserve 1\n", "bad.trace:2: preserve needs two blocks; found 1"},
-      {kHead + "preserve 1 2 3\n", "bad.trace:2: preserve needs two blocks; found 3"},
-      {kHead + "preserve a 2\n", "bad.trace:2: the block 'a' is not an integer"},
-      {kHead + kSquare + "preserve 1 2\n", "bad.trace:3: preserve must stand before the first edit"},
-      {kHead + "remove p q\n", "bad.trace:2: remove needs one name; found 2"},
-      {kHead + "remove p\n", "bad.trace:2: there is no polygon named 'p' to remove"},
-      {kHead + kSquare + "remove p\nremove p\n", "bad.trace:4: there is no polygon named 'p' to remove"},
-      {kHead + "remove p\nnonsense\n", "bad.trace:2: there is no polygon named 'p'"},  // the first bad line
+      {kHeadLine + "lgs-trace 1\n", "bad.trace:2: unknown word 'lgs-trace'"},
+      {kHeadLine + "# fine\nmove p\n", "bad.trace:3: unknown word 'move'; a line starts with"},
+      {kHeadLine + "ADD p\n", "bad.trace:2: unknown word 'ADD'"},
+      {kHeadLine + "commit now\n", "bad.trace:2: commit stands alone on its line; found 'now' after it"},
+      {kHeadLine + "preserve 1\n", "bad.trace:2: preserve needs two blocks; found 1"},
+      {kHeadLine + "preserve 1 2 3\n", "bad.trace:2: preserve needs two blocks; found 3"},
+      {kHeadLine + "preserve a 2\n", "bad.trace:2: the block 'a' is not an integer"},
+      {kHeadLine + kSquareLine + "preserve 1 2\n", "bad.trace:3: preserve must stand before the first edit"},
+      {kHeadLine + "remove p q\n", "bad.trace:2: remove needs one name; found 2"},
+      {kHeadLine + "remove p\n", "bad.trace:2: there is no polygon named 'p' to remove"},
+      {kHeadLine + kSquareLine + "remove p\nremove p\n", "bad.trace:4: there is no polygon named 'p' to remove"},
+      {kHeadLine + "remove p\nnonsense\n", "bad.trace:2: there is no polygon named 'p'"},  // the first bad line
   });
 }
 
 TEST(Trace, BadEditsSayFileLineAndReason) {
   expectFaults({
-      {kHead + "add\n", "bad.trace:2: add needs a name, a cell i j and a block before its coordinates; found only 0"},
-      {kHead + "add p 0 0\n", "bad.trace:2: add needs a name, a cell i j and a block"},
-      {kHead + "add p 0.5 0 1 0 0 1 0 1 1\n", "bad.trace:2: the cell index '0.5' is not an integer"},
-      {kHead + "add p 1073741825 0 1 0 0 1 0 1 1\n",
+      {kHeadLine + "add\n",
+       "bad.trace:2: add needs a name, a cell i j and a block before its coordinates; found only 0"},
+      {kHeadLine + "add p 0 0\n", "bad.trace:2: add needs a name, a cell i j and a block"},
+      {kHeadLine + "add p 0.5 0 1 0 0 1 0 1 1\n", "bad.trace:2: the cell index '0.5' is not an integer"},
+      {kHeadLine + "add p 1073741825 0 1 0 0 1 0 1 1\n",
        "bad.trace:2: the cell index '1073741825' is out of range, which is -1073741824 to 1073741824"},
-      {kHead + "add p 0 -99999999999999999999 1 0 0 1 0 1 1\n", "bad.trace:2: the cell index '-99999999999999"},
-      {kHead + "add p 0 0 4294967296 0 0 1 0 1 1\n",
+      {kHeadLine + "add p 0 -99999999999999999999 1 0 0 1 0 1 1\n", "bad.trace:2: the cell index '-99999999999999"},
+      {kHeadLine + "add p 0 0 4294967296 0 0 1 0 1 1\n",
        "bad.trace:2: the block '4294967296' is out of range, which is 0 to 4294967295"},
-      {kHead + "add p 0 0 -1 0 0 1 0 1 1\n", "bad.trace:2: the block '-1' is out of range"},
-      {kHead + "add p 0 0 1 0 0 1 0 1\n", "bad.trace:2: 5 coordinates: they come in pairs x y"},
-      {kHead + "add p 0 0 1 0 0 1 zero 1 1\n", "bad.trace:2: the y of vertex 1, 'zero': not a number"},
-      {kHead + "add p 0 0 1 0 0 1/0 0 1 1\n", "bad.trace:2: the x of vertex 1, '1/0': division by zero"},
-      {kHead + "add p 0 0 1 0 0 1e9 0 1 1\n", "bad.trace:2: the x of vertex 1, '1e9': far outside the cell"},
-      {kHead + "remove\n", "bad.trace:2: remove needs one name; found 0"},
-      {kHead + kSquare + kSquare, "bad.trace:3: the name 'p' is in use"},
-      {kHead + "add p 0 0 1\n", "bad.trace:2: cell (0, 0): a polygon needs"},
-      {kHead + "add p 0 0 1 0 0 1 0\n", "bad.trace:2: cell (0, 0): a polygon needs at least 3 vertices"},
-      {kHead + "add p 0 0 1 0 0 1 0 1 1.5\n", "bad.trace:2: cell (0, 0): vertex 2 is outside the cell"},
-      {kHead + "add p 0 0 1 0 0 1 0 1 0 0 1\n",
+      {kHeadLine + "add p 0 0 -1 0 0 1 0 1 1\n", "bad.trace:2: the block '-1' is out of range"},
+      {kHeadLine + "add p 0 0 1 0 0 1 0 1\n", "bad.trace:2: 5 coordinates: they come in pairs x y"},
+      {kHeadLine + "add p 0 0 1 0 0 1 zero 1 1\n", "bad.trace:2: the y of vertex 1, 'zero': not a number"},
+      {kHeadLine + "add p 0 0 1 0 0 1/0 0 1 1\n", "bad.trace:2: the x of vertex 1, '1/0': division by zero"},
+      {kHeadLine + "add p 0 0 1 0 0 1e9 0 1 1\n", "bad.trace:2: the x of vertex 1, '1e9': far outside the cell"},
+      {kHeadLine + "remove\n", "bad.trace:2: remove needs one name; found 0"},
+      {kHeadLine + kSquareLine + kSquareLine, "bad.trace:3: the name 'p' is in use"},
+      {kHeadLine + "add p 0 0 1\n", "bad.trace:2: cell (0, 0): a polygon needs"},
+      {kHeadLine + "add p 0 0 1 0 0 1 0\n", "bad.trace:2: cell (0, 0): a polygon needs at least 3 vertices"},
+      {kHeadLine + "add p 0 0 1 0 0 1 0 1 1.5\n", "bad.trace:2: cell (0, 0): vertex 2 is outside the cell"},
+      {kHeadLine + "add p 0 0 1 0 0 1 0 1 0 0 1\n",
        "bad.trace:2: cell (0, 0): vertex 1 and vertex 2 are the same lattice point"},
-      {kHead + "add p 0 0 1 0 0 0.5 0.5 1 1\n", "bad.trace:2: cell (0, 0): the polygon has no area"},
-      {kHead + "add p 0 0 1 0 0 0 1 1 1\n", "bad.trace:2: cell (0, 0): the polygon runs clockwise"},
-      {kHead + "add p 0 0 1 0 0 1 1 1 0 0 1\n", "bad.trace:2: cell (0, 0): the polygon has no area"},
-      {kHead + kSquare + "add q 0 0 1 0 0 1 0 1 1\n", "bad.trace:3: cell (0, 0): its interior overlaps 'p'"},
+      {kHeadLine + "add p 0 0 1 0 0 0.5 0.5 1 1\n", "bad.trace:2: cell (0, 0): the polygon has no area"},
+      {kHeadLine + "add p 0 0 1 0 0 0 1 1 1\n", "bad.trace:2: cell (0, 0): the polygon runs clockwise"},
+      {kHeadLine + "add p 0 0 1 0 0 1 1 1 0 0 1\n", "bad.trace:2: cell (0, 0): the polygon has no area"},
+      {kHeadLine + kSquareLine + "add q 0 0 1 0 0 1 0 1 1\n", "bad.trace:3: cell (0, 0): its interior overlaps 'p'"},
   });
 }
 
 TEST(Trace, BytesThatAreNoTextAreRefused) {
   expectFaults({
-      {"\xef\xbb\xbf" + kHead + "move p\n", "bad.trace:2: unknown word"},
-      {kHead + "add p\0 0 0 1 0 0 1 0 1 1\n"s, "bad.trace:2: byte 0x00 in the line: a trace is plain text"},
+      {"\xef\xbb\xbf" + kHeadLine + "move p\n", "bad.trace:2: unknown word"},
+      {kHeadLine + "add p\0 0 0 1 0 0 1 0 1 1\n"s, "bad.trace:2: byte 0x00 in the line: a trace is plain text"},
       {"\x7f\x45LF\x02\x01", "bad.trace:1: byte 0x7f in the line"},
-      {kHead + "# \x1b[31m\n", "bad.trace:2: byte 0x1b in the line"},
-      {kHead + "com\rmit\n", "bad.trace:2: byte 0x0d in the line"},
-      {kHead + std::string(2'000'000, 'x'), "bad.trace:2: the line is longer than 1048576 bytes"},
-      {kHead + std::string(2'000, 'x'), "bad.trace:2: unknown word 'xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx…'"},
+      {kHeadLine + "# \x1b[31m\n", "bad.trace:2: byte 0x1b in the line"},
+      {kHeadLine + "com\rmit\n", "bad.trace:2: byte 0x0d in the line"},
+      {kHeadLine + std::string(2'000'000, 'x'), "bad.trace:2: the line is longer than 1048576 bytes"},
+      {kHeadLine + std::string(2'000, 'x'), "bad.trace:2: unknown word 'xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx…'"},
   });
 }
 

@@ -100,7 +100,7 @@ class Journal {
   std::uint64_t forgotten_ = 0;  ///< entries that were dropped at the front
   std::vector<MarkEntry> marks_;
   bool isOpen_ = false;
-  std::uint32_t lastMark_ = 0;
+  std::uint64_t lastMark_ = 0;
 };
 
 }  // namespace lgs::detail

@@ -117,7 +117,7 @@ class Load {
     for (std::size_t k = 0; k < count && !in_.failed(); ++k) {
       ci += detail::unfolded(in_.number(8 * kFarthest));
       cj += detail::unfolded(in_.number(8 * kFarthest));
-      if (ci < -kFarthest - 1 || ci > kFarthest || cj < -kFarthest - 1 || cj > kFarthest) in_.fail(What::badNumber);
+      if (std::max(std::abs(ci), std::abs(cj)) > kFarthest) in_.fail(What::badNumber);
       if (in_.failed()) return;
       const CellAt at = world_.grid.obtain(
           {static_cast<std::int32_t>(ci * detail::kChunkSize), static_cast<std::int32_t>(cj * detail::kChunkSize)});
@@ -174,7 +174,16 @@ class Load {
     }
     std::sort(serials_.begin(), serials_.end());
     if (!isIncreasing(serials_) || (!serials_.empty() && serials_.front() == 0)) in_.fail(What::badNumber);
+    if (!in_.failed() && !isPreservedAsHere(world_.catalogue.content(content))) in_.fail(What::relation);
     if (!in_.failed() && place(at, content)) world_.grid.setPolygons(at, content, lastSerial, placed_, true);
+  }
+
+  /// Whether the overlaps in a cell with these polygons are preserved as this world's relation wants it.
+  bool isPreservedAsHere(const detail::InternedContent& content) const {
+    return std::ranges::all_of(content.contacts, [&](const auto& contact) {
+      return world_.keeps(placed_[contact.first].block, placed_[contact.second].block) ==
+             std::ranges::binary_search(content.preserved, contact);
+    });
   }
 
   /// Notes that a cell will have this content, and makes it dirty, so that link() comes by.
@@ -307,7 +316,7 @@ std::string message(const SnapshotError& error) {
       case What::tooLong:
         return "bytes follow the end of the snapshot";
       case What::relation:
-        return "the world was saved with a preserve relation and is loaded without one, or the other way round";
+        return "the world was saved with another preserve relation than it is loaded with";
       case What::badNumber:
         return "a number is out of its range";
       case What::badPolygon:

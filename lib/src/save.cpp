@@ -20,7 +20,7 @@ using detail::Slot;
 using detail::SnapshotWriter;
 
 /// Numbers the contents that cells have, by first use, and the polygons of these and of the shapes, by their vertices.
-/// So worlds that can not be told apart give the same bytes, however they came to be as they are.
+/// So worlds that look alike give the same bytes, however they came to be as they are.
 class Numbers {
  public:
   explicit Numbers(const World::Impl& world) : world_(world) {

@@ -138,8 +138,10 @@ void Transaction::keep() {
 // A commit has handed out what was edited before it, so that can not be taken back in silence.
 Transaction::~Transaction() {
   if (!mark_ || !world_->impl_->journal.knows(mark_)) return;  // kept; or the world went back to a moment before it
-  if (!world_->impl_->journal.committedSince(mark_)) static_cast<void>(world_->rollBack(mark_));
-  static_cast<void>(world_->forget(mark_));
+  detail::Journal& journal = world_->impl_->journal;
+  Changes none;  // there was no commit; and changesOfRollBack() stays as it is
+  if (!journal.committedSince(mark_)) journal.rollBack(*world_->impl_, mark_, none);
+  journal.forget(*world_->impl_, mark_);
 }
 
 std::vector<PlacedPolygon> World::polygons(Cell cell) const {

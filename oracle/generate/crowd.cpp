@@ -11,7 +11,6 @@
 namespace lgs::oracle {
 namespace {
 
-constexpr std::int32_t U = kUnitsPerCell;
 constexpr std::int32_t kRows = 16;  // and columns: 256 places, a few more than a cell may hold polygons
 
 struct Box {
@@ -19,7 +18,7 @@ struct Box {
 };
 
 Box placeOf(std::int32_t place) {
-  constexpr std::int32_t kSide = U / kRows;
+  constexpr std::int32_t kSide = kUnitsPerCell / kRows;
   const std::int32_t x = place % kRows * kSide, y = place / kRows * kSide;
   return {x, y, x + kSide, y + kSide};
 }
@@ -71,7 +70,8 @@ class Crowder {
     constexpr std::size_t kEach = 68;
     const auto boxAt = [](std::int32_t k) {
       const Box first = placeOf(k / kColumns * kRows), last = placeOf((k / kColumns + 1) * kRows - 1);
-      return Box{U / kColumns * (k % kColumns), first.floor, U / kColumns * (k % kColumns + 1), last.top};
+      return Box{kUnitsPerCell / kColumns * (k % kColumns), first.floor, kUnitsPerCell / kColumns * (k % kColumns + 1),
+                 last.top};
     };
     std::int32_t at = 0;
     for (; at < kColumns * (kRows - 1); ++at) add(polygonIn(boxAt(at), kEach), 1);

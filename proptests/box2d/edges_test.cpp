@@ -8,6 +8,7 @@
 #include "naive_edges.h"
 #include "played.h"
 #include "proptests/support/scale.h"
+#include "proptests/support/worlds.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ namespace {
 using oracle::Player;
 using oracle::Random;
 
-constexpr std::int32_t U = kUnitsPerCell;
+using test::U;
 
 using box2d_test::Copy;
 using box2d_test::NaiveBuilder;

@@ -1,4 +1,6 @@
 // The values that the adapters for Box2D share: when two of them are equal, and the frame from the lattice to metres.
+#include "proptests/support/worlds.h"
+
 #include <gtest/gtest.h>
 #include <lgs/box2d/edges.h>
 #include <cmath>
@@ -7,7 +9,7 @@
 namespace lgs::box2d {
 namespace {
 
-constexpr std::int32_t U = kUnitsPerCell;
+using test::U;
 
 TEST(Box2dValues, EveryMemberCounts) {
   const Edge edge{{1}, {2}, 3, 4, {5, 6}, {7, 8}, Point{9, 10}, Point{11, 12}};

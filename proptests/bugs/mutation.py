@@ -103,7 +103,7 @@ class Bench:
 
     def __init__(self, workshop: Workshop, seed: int, scale: float):
         self.workshop = workshop
-        self.environment = {"LGS_TEST_SCALE": str(scale), "RC_PARAMS": f"seed={seed} noshrink=1"}
+        self.environment = {"LGS_TEST_SCALE": str(scale), "LGS_TEST_SEED": str(seed)}
         self.clean: dict[str, bytes] = {}  # digests of programs without a mutant
 
     def program(self, name: str) -> Path:

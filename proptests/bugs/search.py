@@ -82,7 +82,7 @@ class Bench:
         return {**result, "by_law": pattern in own}
 
     def run_tests(self, program, pattern: str) -> dict:
-        environment = {"RC_PARAMS": f"seed={self.plan.seed}"}
+        environment = {"LGS_TEST_SEED": str(self.plan.seed)}
         return programs.run_tests(program, pattern, self.workshop.folder, TEST_LIMIT, environment)
 
     def see_it_pass(self, program: str, test: str) -> None:

@@ -92,15 +92,15 @@ class Bulk : public testing::TestWithParam<std::int64_t> {
   }
 };
 
-constexpr std::int64_t kBlocks = 16;
+constexpr std::int64_t kShards = 16;
 constexpr std::uint64_t kCgalBlock = 12'500;   // 200,000 in a run at scale 1
 constexpr std::uint64_t kNaiveBlock = 50'000;  // 800,000
-static_assert(static_cast<std::uint64_t>(kBlocks) * kCgalBlock >= 200'000);
+static_assert(static_cast<std::uint64_t>(kShards) * kCgalBlock >= 200'000);
 
 TEST_P(Bulk, AgreesWithBothReferences) { agrees(true, &oracle::CheckStats::cgal, kCgalBlock); }
 TEST_P(Bulk, AgreesWithTheNaiveReference) { agrees(false, &oracle::CheckStats::naive, kNaiveBlock); }
 
-INSTANTIATE_TEST_SUITE_P(Bulk, Bulk, testing::Range<std::int64_t>(0, scaled(kBlocks)));
+INSTANTIATE_TEST_SUITE_P(Bulk, Bulk, testing::Range<std::int64_t>(0, scaled(kShards)));
 
 }  // namespace
 }  // namespace lgs::test

@@ -18,7 +18,7 @@ void wander(World& world, const Seeds& seeds) {
   std::vector<Mark> marks;
   for (const std::uint32_t seed : seeds) {
     Chance chance(seed);
-    make(world, randomEdit(world, chance));
+    makeEdit(world, randomEdit(world, chance));
     if (chance.chance(20)) marks.push_back(world.checkpoint());
     if (marks.empty()) continue;
     const std::size_t k = chance.below(marks.size());
@@ -62,7 +62,7 @@ LGS_LAW(GoingBack, ReportsExactlyWhatItDoesToTheSegments, 200,
       if (edit.kind == AnyEdit::Kind::commit)
         follower.follow(world, world.commit());
       else
-        make(world, edit);
+        makeEdit(world, edit);
     }
     ASSERT_TRUE(world.rollBack(mark));
     const Changes& changes = world.changesOfRollBack();
@@ -126,7 +126,7 @@ LGS_LAW(GoingBack, ATransactionIsUndoneUnlessItIsKept, 500,
     for (const std::uint32_t seed : seeds) {
       Chance chance(seed);
       const AnyEdit edit = randomEdit(world, chance);
-      if (edit.kind != AnyEdit::Kind::commit) make(world, edit);
+      if (edit.kind != AnyEdit::Kind::commit) makeEdit(world, edit);
     }
   };
   {
@@ -261,6 +261,32 @@ TEST(GoingBackByHand, MadeUpBytesAreRefusedForTheirReason) {
   const auto loaded = World::load(longer);
   ASSERT_FALSE(loaded);
   EXPECT_EQ(loaded.error().what, What::tooLong);
+}
+
+TEST(GoingBackByHand, AnotherRelationIsRefused) {
+  World world(relation(true));
+  place(world, {0, 0}, eighths({{0, 0}, {8, 0}, {8, 4}, {0, 4}}), 1);
+  place(world, {0, 0}, eighths({{0, 4}, {8, 4}, {8, 8}, {0, 8}}), 2);
+  world.commit();
+  EXPECT_TRUE(World::load(saved(world), relation(true)));
+  const auto other = World::load(saved(world), [](Block, Block) { return false; });
+  ASSERT_FALSE(other);
+  EXPECT_EQ(other.error().what, SnapshotError::What::relation);
+}
+
+TEST(GoingBackByHand, AFailedGroupLeavesWhatARollBackReported) {
+  World world;
+  const Mark mark = world.checkpoint();
+  place(world, {0, 0}, unitSquare(), 1);
+  world.commit();
+  ASSERT_TRUE(world.rollBack(mark));
+  const Changes reported = world.changesOfRollBack();
+  EXPECT_EQ(reported.removed.size(), 4U);
+  {
+    const Transaction group = world.edit();
+    place(world, {0, 0}, unitSquare(), 1);
+  }
+  EXPECT_EQ(copyOf(world.changesOfRollBack()), copyOf(reported));
 }
 
 TEST(GoingBackByHand, AWorldWithPendingEditsIsNotSaved) {

@@ -89,7 +89,7 @@ LGS_LAW(SamePolygons, DoNotDependOnHowTheyCame, 500, (const Seeds& seeds, bool p
   chance.shuffle(all);
   for (auto& [cell, polygon] : all) {
     EXPECT_FALSE(samePolygons(world, other) || samePolygons(other, world)) << "something is still missing";
-    std::ranges::rotate(polygon.vertices, polygon.vertices.begin() + chance.below(3));
+    std::rotate(polygon.vertices.begin(), polygon.vertices.begin() + chance.below(3), polygon.vertices.end());
     place(other, cell, polygon.vertices, polygon.block);
   }
   EXPECT_TRUE(samePolygons(world, other) && samePolygons(other, world));

@@ -106,7 +106,7 @@ struct Empty : Step {
   void show(std::ostream& out) const override { out << "clear all, and commit"; }
 };
 
-struct Commit : Step {
+struct JustCommit : Step {
   void run(const NoModel&, Building& building) const override { building.commit(); }
   void show(std::ostream& out) const override { out << "commit"; }
 };
@@ -124,7 +124,9 @@ void showValue(const Steps& steps, std::ostream& out) {
 }
 
 rc::Gen<Steps> anySteps() {
-  const auto one = [](const NoModel&) { return rc::state::gen::execOneOfWithArgs<Sow, Sow, Dig, Empty, Commit>()(); };
+  const auto one = [](const NoModel&) {
+    return rc::state::gen::execOneOfWithArgs<Sow, Sow, Dig, Empty, JustCommit>()();
+  };
   return rc::gen::withSize([=](int size) {
     // A tenth as many steps, which are no smaller for that.
     const auto fullSize = [=](const NoModel& model) { return rc::gen::resize(size, one(model)); };

@@ -57,7 +57,7 @@ Outcome outcomeOf(const Expected<T>& result) {
 
 }  // namespace
 
-Outcome make(World& world, const AnyEdit& edit) {
+Outcome makeEdit(World& world, const AnyEdit& edit) {
   switch (edit.kind) {
     case AnyEdit::Kind::shape:
       return outcomeOf(world.shape(edit.polygons));
@@ -107,7 +107,7 @@ oracle::Outline outlineByLaws(const World& world, bool preserves) {
 void makeAll(World& world, const Seeds& seeds) {
   for (const std::uint32_t seed : seeds) {
     Random random(seed);
-    make(world, randomEdit(world, random));
+    makeEdit(world, randomEdit(world, random));
   }
 }
 
@@ -115,7 +115,7 @@ void expectNoDifference(World& stayed, World& left, const Seeds& seeds) {
   for (const std::uint32_t seed : seeds) {
     Random random(seed);
     const AnyEdit edit = randomEdit(stayed, random);
-    const Outcome one = make(stayed, edit), other = make(left, edit);
+    const Outcome one = makeEdit(stayed, edit), other = makeEdit(left, edit);
     ASSERT_EQ(one, other) << "an edit of kind " << static_cast<int>(edit.kind);
   }
   EXPECT_EQ(copyOf(stayed.commit()), copyOf(left.commit()));

@@ -33,7 +33,7 @@ AnyEdit randomEdit(const World& world, oracle::Random& random);
 
 /// What an edit returned or reported.
 using Outcome = std::variant<ErrorCode, std::uint64_t, PolygonHandle, ShapeId, ChangeLists>;
-Outcome make(World& world, const AnyEdit& edit);
+Outcome makeEdit(World& world, const AnyEdit& edit);
 
 /// An edit for each seed. RapidCheck makes the list small by taking some away.
 using Seeds = std::vector<std::uint32_t>;

@@ -7,8 +7,6 @@
 namespace lgs::tiled {
 namespace {
 
-const Ring kSquare(kUnitSquare.begin(), kUnitSquare.end());
-
 TEST(TiledEncodings, AllGiveTheSameTiles) {
   const std::string raw = rawTiles({1, 0, 1, 0, 1, 0});
   const std::vector<std::string> layers = {

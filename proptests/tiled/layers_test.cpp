@@ -7,8 +7,6 @@
 namespace lgs::tiled {
 namespace {
 
-const Ring kSquare(kUnitSquare.begin(), kUnitSquare.end());
-
 /// "Path: note" of each layer; layers that are passed over are in brackets.
 std::vector<std::string> remarks(const ImportedMap& map) {
   std::vector<std::string> result;

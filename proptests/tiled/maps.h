@@ -86,6 +86,7 @@ inline ImportedMap importTile(const std::string& objects, const Options& options
 }
 
 using Ring = std::vector<LocalPoint>;
+inline const Ring kSquare(kUnitSquare.begin(), kUnitSquare.end());
 
 /// The polygons of a cell, in order.
 inline std::vector<Ring> ringsIn(const ImportedMap& map, Cell cell) {

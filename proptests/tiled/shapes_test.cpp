@@ -8,8 +8,6 @@
 namespace lgs::tiled {
 namespace {
 
-const Ring kSquare(kUnitSquare.begin(), kUnitSquare.end());
-
 /// A map of tiles of 128×128 pixels. Tile 1 is a full square, tile 2 a slope that misses its three corners a little.
 std::string slopeMap() {
   return "<map tilewidth='128' tileheight='128' width='4' height='2'><tileset firstgid='1' tilewidth='128' "

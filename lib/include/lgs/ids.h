@@ -45,7 +45,7 @@ struct SegmentId {
 
 /// A moment to which a world can go back: see World::checkpoint(). Zero is null.
 struct Mark {
-  std::uint32_t value = 0;
+  std::uint64_t value = 0;
   constexpr explicit operator bool() const { return value != 0; }
   friend constexpr auto operator<=>(Mark, Mark) = default;
 };

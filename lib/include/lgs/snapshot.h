@@ -7,6 +7,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <type_traits>
 
 namespace lgs {
 
@@ -15,13 +16,13 @@ using ByteSink = std::function<void(std::span<const std::byte>)>;
 
 /// Why a snapshot is refused, and where.
 struct SnapshotError {
-  enum class What : std::uint8_t {
+  enum class What : std::uint64_t {
     notASnapshot,    ///< it does not begin as one
     unknownVersion,  ///< it was written by a newer version of this library
     cut,             ///< it ends too early
     damaged,         ///< its checksum does not fit
     tooLong,         ///< bytes follow its end
-    relation,        ///< it was saved with a preserve relation and is loaded without one, or the reverse
+    relation,        ///< it was saved with another preserve relation, as far as its cells show
     badNumber,       ///< a number is out of its range
     badPolygon,      ///< a polygon is none, or two of one cell overlap
     badSegments,     ///< the ids of the segments are not those of this world's segments, or one occurs twice
@@ -31,6 +32,7 @@ struct SnapshotError {
   std::uint64_t offset = 0;  ///< the byte at which it was noticed
   friend constexpr bool operator==(const SnapshotError&, const SnapshotError&) = default;
 };
+static_assert(std::has_unique_object_representations_v<SnapshotError>);  // no padding: error.h says why
 
 /// A whole sentence.
 std::string message(const SnapshotError& error);

@@ -142,9 +142,9 @@ class World {
   /// Begins a group of edits that happens as a whole or not at all.
   [[nodiscard]] Transaction edit();
 
-  /// Brings the segments up to date with all edits since the last commit. The result is valid until the next commit.
-  /// Cost: in proportion to the contents of the edited cells and of the eight around each. Allocates nothing once the
-  /// world has reached its size.
+  /// Brings the segments up to date with all edits since the last commit. The result is valid until the next commit
+  /// or roll-back. Cost: in proportion to the contents of the edited cells and of the eight around each. Allocates
+  /// nothing once the world has reached its size.
   const Changes& commit();
 
   /// The same to the last id and its place in the lists, on the executor's threads if the world has no segments yet, as
@@ -158,7 +158,8 @@ class World {
   // Law 12, restore and replay is never having left: once the world is back at a mark, every later output, id and list
   // is as if the edits and commits after the mark had not been made. So handles, shapes and segment ids that were given
   // out after it name nothing until they are given out again. While there are marks an edit costs some more, and what
-  // is needed to undo it is kept: memory in proportion to the edits since the oldest mark.
+  // is needed to undo it is kept: memory in proportion to the edits and commits since the oldest mark. What a shape that
+  // was made after the mark holds stays in memory.
 
   /// Notes this moment. Edits may be pending. No two marks of a world are the same. Cost: O(1).
   [[nodiscard]] Mark checkpoint();
@@ -186,7 +187,8 @@ class World {
   /// saved (law 12). `preserve` must be the relation that it was saved with, or empty if it had none. Bytes that are
   /// cut, damaged or made up are refused; they take no more memory than a constant for each byte. Cost: in proportion
   /// to the world, and quadratic in the vertices of each content of a cell, as shape() is.
-  static tl::expected<World, SnapshotError> load(std::span<const std::byte> snapshot, PreserveRelation preserve = {});
+  [[nodiscard]] static tl::expected<World, SnapshotError> load(std::span<const std::byte> snapshot,
+                                                               PreserveRelation preserve = {});
 
   // --- Reading ------------------------------------------------------------------------------------------------------
 
@@ -230,8 +232,8 @@ class World {
   /// proportion to the vertices in the cell; on a common side in both cells, in a corner in all four.
   Spot at(Point point) const;
 
-  /// The segment nearest to a point, as of the last commit, at most `radius` cells away. Of several at the same
-  /// distance the least by start, end and block. Refused: outOfReach, if the point is out of range or the radius is not
+  /// The segment nearest to a point, as of the last commit, at most `radius` cells away, rounded to the lattice. Of
+  /// several at the same distance the least by start, end and block. Refused: outOfReach, if the point is out of range or the radius is not
   /// from 0 to kMaxRadius. Cost: in proportion to the cells with a chunk within twice the distance found, or within the
   /// radius.
   Expected<Nearest> nearest(Point point, double radius) const;
@@ -245,7 +247,8 @@ class World {
   /// The relation that the world was made with; empty if it preserves nothing.
   const PreserveRelation& preserveRelation() const;
 
-  /// The highest SegmentId::value in use so far: an array for what you know of segments needs one place more.
+  /// The highest SegmentId::value in use so far: an array for what you know of segments needs one place more. Only
+  /// rollBack() lowers it, and changesOfRollBack().removed then names higher ones.
   std::uint32_t maxSegmentId() const;
 
   /// Counts what there is. Cost: it looks at every cell of every chunk.
@@ -271,7 +274,7 @@ bool samePolygons(const World& a, const World& b);
 ///   group.keep();
 ///
 /// A commit keeps what was edited before it, and ends the group: what follows is not undone. The world must not be
-/// moved or destroyed before the group ends.
+/// moved, assigned to or destroyed before the group ends, nor copied: the copy would keep the group's mark for ever.
 class Transaction {
  public:
   explicit Transaction(World& world) : world_(&world), mark_(world.checkpoint()) {}
