@@ -63,8 +63,8 @@ std::pair<std::size_t, std::size_t> editsOf(const std::vector<std::uint8_t>& byt
   return {before(record), before(record + 1)};
 }
 
-// Adds and commits of all other records, and removes in cells where the record did nothing: in those where it did,
-// another polygon may be the one that is taken.
+// The adds and commits of all other records stay. So do their removes, except in cells that the changed record edits:
+// there a remove may take another polygon.
 TEST(FuzzFormat, AFlippedByteChangesOneEdit) {
   Random random(2);
   std::size_t removes = 0;

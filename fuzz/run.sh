@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Fuzzes all targets on all cores with libFuzzer, under the address and undefined-behaviour sanitizers, until as much CPU
-# time is spent as asked for. Ctrl-C at any time: the same command goes on where it stopped.
+# Fuzzes all targets on all cores with libFuzzer, under the address and undefined-behaviour sanitizers, until as much
+# CPU time is spent as asked for. Ctrl-C at any time: the same command goes on where it stopped.
 #
 #   fuzz/run.sh [--cpu-hours H] [--jobs N] [--slice SECONDS] [--out DIR] [--build DIR] [TARGET...]
 #
@@ -87,8 +87,8 @@ spent() { awk -F'\t' '{ s += $2 } END { printf "%d", s }' "$table"; }
 # Those that failed since this run began.
 failed() { awk -F'\t' -v begin="$begin" 'NR > begin && $6 == "failed" { print $1 }' "$table" | sort -u | xargs; }
 
-# The target with the least CPU time, none if all failed. Those that run now count as if they had their slice, and a slice
-# that ends at once with a finding as if it had a tenth of it, so that the others have their turn.
+# The target with the least CPU time, none if all failed. Those that run now count as if they had their slice, and a
+# slice that ends at once with a finding as if it had a tenth of it, so that the others have their turn.
 next() {
   { cat "$table"; for target in "${targets[@]}" "${running[@]}"; do printf '%s\t%s\n' "$target" 0; done
     for target in "${running[@]}"; do printf '%s\t%s\n' "$target" "$slice"; done; } |

@@ -1,4 +1,5 @@
-// Which vertices an error may name: of several that are to blame any, unless error.h says which; of the others none.
+// Which vertices an error may name. If several are to blame, it may be any of them, unless error.h says which. It is
+// never another.
 #include "oracle/reference/blame.h"
 
 #include <gtest/gtest.h>

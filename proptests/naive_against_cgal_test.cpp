@@ -130,8 +130,8 @@ rc::Gen<Trace> tracesOf(const std::function<Scene(RandomScenes)>& scene) {
   return test::traces([=](int, Random random) { return traceOf(scene(RandomScenes(random))); });
 }
 
-/// Fails the case that is running where the two references disagree; also where one of them says that the relation makes no
-/// materials.
+/// Fails the case that is running where the two references disagree; also where one of them says that the relation
+/// makes no materials.
 void expectAgreement(const Scene& scene, const OwnedOutline& naive, const std::optional<CgalUnion>& united) {
   test::failUnless(united.has_value() == materials(scene).has_value(),
                    "CGAL unites where there are no materials, or the reverse");

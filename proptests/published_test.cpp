@@ -164,8 +164,8 @@ TEST(Published, AgreesWithinItsReach) {
   EXPECT_EQ(seen->casesWith[static_cast<std::size_t>(Feature::sharedSlope)], 0U);
 }
 
-// Section 5: worlds of full blocks, and worlds of right triangles, each turned at random. Every contact there is of whole
-// edges, or of vertices.
+// Section 5: worlds of full blocks, and worlds of right triangles, each turned at random. Every contact there is of
+// whole edges, or of vertices.
 TEST(Published, AgreesOnTheWorldsOfItsBenchmarks) {
   constexpr std::int32_t kSide = 6, U = kUnitsPerCell;
   const std::vector<std::vector<LocalPoint>> full{{{0, 0}, {U, 0}, {U, U}, {0, U}}};

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Which lines and branches of lib/ the tests in proptests/ reach: scripts/coverage.sh [SCALE], SCALE being that of the
 # random work (LGS_TEST_SCALE, default 0.25). Builds into build/coverage and ends with two tables for each part of lib/,
-# lines and branches, and the path of a report in HTML. Branches of exceptions are left out: lib/ is compiled without them,
-# but what it inlines of the standard library is not free of them. Assertions are off: their failing is no branch that a
-# test could take. Fails below 99 % of lines or 95 % of branches; docs/coverage.md explains what is missing.
+# lines and branches, and the path of a report in HTML. Branches of exceptions are left out: lib/ is compiled without
+# them, but what it inlines of the standard library is not free of them. Assertions are off: their failing is no branch
+# that a test could take. Fails below 99 % of lines or 95 % of branches; docs/coverage.md explains what is missing.
 # Needs gcovr (Debian: gcovr).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -1,6 +1,6 @@
-# Sourced by verify.sh, test.sh and others: steps with a time each, a log for what is long, and a progress line on a terminal.
-# shellcheck shell=bash
-# Before sourcing: cd to the project's root. Afterwards: $logs, a folder for the logs of this run.
+# Sourced by verify.sh, test.sh and others: steps with a time each, a log for what is long, and a progress line on a
+# terminal. shellcheck shell=bash Before sourcing: cd to the project's root. Afterwards: $logs, a folder for the logs of
+# this run.
 
 logs=$PWD/out/logs/$(basename "$0" .sh)
 rm -rf "$logs"

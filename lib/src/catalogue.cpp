@@ -144,7 +144,7 @@ Error Catalogue::overlapAmong(std::span<const PolygonId> polygons) const {
 }
 
 void Catalogue::collect() {
-  // To look through the whole catalogue pays once a quarter of it has no users. It can not be much more than half, as
+  // Looking through the catalogue is worth it once a quarter has no users. That share hardly passes a half, since
   // contents without users still use their polygons.
   if (unused_ < 1024 || 4 * unused_ < contents_.size() + polygons_.size()) return;
   for (ContentId id = 1; id < contents_.size(); ++id)

@@ -22,8 +22,8 @@ namespace lgs::detail {
 
 class Journal {
  public:
-  /// Whether there are marks. World::Impl::addQuickly() does not ask: the grid remembers no chunk then, so it does not
-  /// come into question.
+  /// Whether there are marks. World::Impl::addQuickly() need not ask: while there are, the grid remembers no chunk, and
+  /// addQuickly() does nothing.
   bool isOpen() const { return isOpen_; }
 
   Mark mark(World::Impl& world);

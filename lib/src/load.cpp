@@ -56,7 +56,7 @@ class Load {
       }
       if (in_.failed()) return;
       const auto id = world_.catalogue.internPolygon(vertices);
-      // They are new, so their numbers grow: a second one of the same vertices is none that was written.
+      // save() writes each polygon once, so each is new here, and gets the next number.
       if (!id || *id != polygons_.size()) return in_.fail(What::badPolygon);
       polygons_.push_back(*id);
     }

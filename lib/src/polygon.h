@@ -18,8 +18,8 @@ struct Defect {
   std::int32_t vertex2 = -1;
 };
 
-/// The first defect in the order of ErrorCode, or nothing: simple, counter-clockwise, in the closed cell, positive area.
-/// Cost: O(n²).
+/// The first defect in the order of ErrorCode, or nothing: simple, counter-clockwise, in the closed cell, positive
+/// area. Cost: O(n²).
 std::optional<Defect> findDefect(PolygonView polygon);
 
 /// Whether the interiors of two polygons without defects meet. Touching in points or along edges is not meeting.

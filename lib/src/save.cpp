@@ -19,8 +19,8 @@ using detail::PolygonId;
 using detail::Slot;
 using detail::SnapshotWriter;
 
-/// Numbers the contents that cells have, by first use, and the polygons of these and of the shapes, by their vertices.
-/// So worlds that look alike give the same bytes, however they came to be as they are.
+/// Numbers the contents of cells by their first use, and polygons by their vertices. So worlds that look alike give the
+/// same bytes, whatever their history.
 class Numbers {
  public:
   explicit Numbers(const World::Impl& world) : world_(world) {
@@ -187,8 +187,8 @@ class Save {
     for (const auto id : ids) writeId(value(id));
   }
 
-  /// As its distance from one more than the id before. That is mostly one byte, and never less: so no short file can
-  /// ask for many segments.
+  /// Writes an id as its distance from the previous id + 1. That is mostly one byte, and never less. So a short file
+  /// cannot ask for many segments.
   void writeId(std::uint32_t id) {
     out_.number(detail::folded(std::int64_t{id} - lastId_ - 1));
     lastId_ = id;

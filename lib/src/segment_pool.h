@@ -102,7 +102,7 @@ class SegmentPool {
   /// The ids that are available. The last one is taken next.
   const std::vector<std::uint32_t>& free() const { return free_; }
 
-  /// Makes a new pool one of `count` ids, of which none is alive and these are free.
+  /// Gives a new pool `count` ids. None is alive; those in `free` can be taken.
   void reset(std::uint32_t count, std::vector<std::uint32_t> free) {
     while (top_ <= count) (*this)[take()].cellRef = 0;
     free_ = std::move(free);

@@ -1,4 +1,5 @@
-// Finds the spokes at the vertices in an open side, of the cell on one hand of it.
+// A side lies between two cells. This walks along it, and finds the spokes of one of the two at each vertex between
+// the corners.
 #pragma once
 
 #include "fan.h"

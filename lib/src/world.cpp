@@ -15,8 +15,8 @@ namespace {
 
 std::int32_t roundToLattice(double cells) {
   const double units = std::round(cells * kUnitsPerCell);
-  // Outside the cell one value is as wrong as another, so two that fit an int stand for all of them. Whatever compares
-  // false, as what is not a number does, is taken for too great.
+  // Outside the cell one value is as wrong as another, so two that fit an int stand for all of them. What is not
+  // a number compares false, and so counts as too great.
   if (units < 0) return -1;
   if (!(units <= kUnitsPerCell)) return kUnitsPerCell + 1;
   return static_cast<std::int32_t>(units);

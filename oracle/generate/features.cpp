@@ -52,7 +52,7 @@ class Noter {
     if ((aCut || bCut) && !sameCell) mark(Feature::midEdge);
     const bool collinear = cross(a.from, a.to, b.from) == 0 && cross(a.from, a.to, b.to) == 0;
     const bool equal = a.from == b.to && a.to == b.from;
-    // Collinear and cut: they share a part, except where they run the same way, which two solids do end to end only.
+    // Edges that are collinear and cut share a part. If they run the same way they do not: two solids meet end to end.
     if (!collinear || (!equal && !aCut && !bCut)) return;
     if (!equal) mark(Feature::partialOverlap);
     if (sameCell) mark(Feature::sharedInCell);

@@ -111,7 +111,7 @@ Step Steps::removal() {
   return step;
 }
 
-// The adds from the next one on that can be one call, which may have to be refused. Nothing if there is only one.
+// Takes as many of the next adds as one call can make; it may have to be refused. Nothing if only one add fits.
 std::optional<Step> Steps::together(Door door) {
   const Edit& first = edits_[at_];
   CellRect cells{first.polygon.cell, first.polygon.cell};

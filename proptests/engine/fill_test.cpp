@@ -113,8 +113,8 @@ TEST(Fill, AddsToCellsThatHoldOthersAlready) {
   EXPECT_EQ(world.polygons({2, 2}).size(), 1U);
 }
 
-// Once read past the end of a page of records: a cell that lists its polygons and has no segments, looked at from a side
-// with rim points. Only the address sanitizer can see it.
+// Once read past the end of a page of records: a cell that lists its polygons and has no segments, looked at from a
+// side with rim points. Only the address sanitizer can see it.
 TEST(Fill, BuriesCellsThatListTheirPolygons) {
   World world;
   const ShapeId halves = shapeOf(world, shapeNamed("two halves"));

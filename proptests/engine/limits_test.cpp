@@ -1,5 +1,5 @@
-// The documented limits that no test can reach by edits alone, reached by going in behind the edits; what the index and the
-// catalogue must do when it gets tight.
+// The documented limits that no test can reach by edits alone, reached by going in behind the edits; what the index and
+// the catalogue must do when it gets tight.
 #include "oracle/generate/random.h"
 #include "oracle/trace/dump.h"
 #include "proptests/support/scale.h"
@@ -147,8 +147,8 @@ TEST(ChunkRect, HoldsTheChunksThatItsCellsReach) {
 /// A triangle for each number.
 LocalPolygon numbered(std::int32_t k) { return {{0, 0}, {1 + k % 250, 0}, {0, 1 + k / 250}}; }
 
-// The catalogue forgets what nothing uses, once that is much. What is used it must keep, and what it has forgotten it must
-// not forget again: two contents would get the same place.
+// The catalogue forgets what nothing uses, once that is much. What is used it must keep, and what it has forgotten it
+// must not forget again: two contents would get the same place.
 TEST(Catalogue, ForgetsOnceAndNeverWhatIsUsed) {
   World world;
   std::map<std::int32_t, PolygonHandle> standing;

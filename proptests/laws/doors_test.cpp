@@ -1,5 +1,5 @@
-// Edits come through many doors, and mean the same through each: a polygon by its vertices, in lattice units or reals; a shape
-// of one or several polygons; a rectangle of cells.
+// Edits come through many doors, and mean the same through each: a polygon by its vertices, in lattice units or reals;
+// a shape of one or several polygons; a rectangle of cells.
 #include "proptests/support/law.h"
 #include "site.h"
 

@@ -230,8 +230,8 @@ TEST(GoingBackByHand, MarksThatAreNoneAreRefused) {
   EXPECT_NE(world.checkpoint(), mark);
 }
 
-// The bytes of a world with one square end with its serial, its block, no free id, no id just removed, the ids of its four
-// segments and the checksum (docs/snapshot.md).
+// The bytes of a world with one square end with its serial, its block, no free id, no id just removed, the ids of its
+// four segments and the checksum (docs/snapshot.md).
 TEST(GoingBackByHand, MadeUpBytesAreRefusedForTheirReason) {
   using What = SnapshotError::What;
   World world;

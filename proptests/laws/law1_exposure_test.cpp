@@ -18,7 +18,7 @@
 namespace lgs::test {
 namespace {
 
-// --- The engine's output ------------------------------------------------------------------------------------------------
+// --- The engine's output ---------------------------------------------------------------------------------------------
 
 /// A segment without its links, and its owner as a value.
 using Exposed = std::tuple<Point, Point, Block, Cell, LocalPolygon>;
@@ -58,8 +58,9 @@ LGS_LAW(Exposure, IsOfTheCutEdgesThatNoOtherPolygonHas, 2'000, (const GoodTrace&
   });
 }
 
-// --- The pure function for a side between two cells: all pairs of profiles of a side of four units, with up to two polygons
-// on each and all vertices that there can be besides, under all 16 relations between those polygons ------------------------
+// --- The pure function for a side between two cells: all pairs of profiles of a side of four units, with up to two
+// polygons on each and all vertices that there can be besides, under all 16 relations between those polygons
+// ------------------------
 
 using detail::Side;
 using detail::Slot;

@@ -1,6 +1,6 @@
 // Law 2, linking: a segment's predecessor is the incoming segment met first when turning clockwise from it around its
-// start, its successor the outgoing one met first when turning counter-clockwise around its end. A coincident direction is
-// skipped; where there is no candidate there is no link.
+// start, its successor the outgoing one met first when turning counter-clockwise around its end. A coincident direction
+// is skipped; where there is no candidate there is no link.
 #include "oracle/reference/vector.h"
 #include "proptests/support/exhaust.h"
 #include "proptests/support/fan.h"
@@ -22,7 +22,7 @@ namespace {
 using oracle::OutlineSegment;
 using oracle::operator-;
 
-// --- The engine's output ------------------------------------------------------------------------------------------------
+// --- The engine's output ---------------------------------------------------------------------------------------------
 
 LGS_LAW(Linking, IsToTheSegmentMetFirst, 2'000, (const GoodTrace& trace)) {
   const oracle::Outline outline = outlineAfter(trace);
@@ -43,7 +43,7 @@ LGS_LAW(Linking, IsToTheSegmentMetFirst, 2'000, (const GoodTrace& trace)) {
   expectSame(expected, outline);
 }
 
-// --- The pure functions for the half-edges around one vertex --------------------------------------------------------------
+// --- The pure functions for the half-edges around one vertex ---------------------------------------------------------
 
 using detail::Spoke;
 constexpr std::uint32_t kNone = 0xffff'ffff;
@@ -91,8 +91,8 @@ LGS_LAW(RadialMatch, IsLaw2OnAnyFan, 20'000, (const Fan& fan)) {
 /// Counter-clockwise; unequal angles on purpose.
 constexpr oracle::Vector kRing[] = {{1, 0}, {5, 1}, {1, 3}, {0, 1}, {-2, 1}, {-1, 0}, {-1, -3}, {3, -1}};
 
-// In each direction nothing, one incoming, one outgoing, or both in either order; under a preserve relation all of these
-// occur.
+// In each direction nothing, one incoming, one outgoing, or both in either order; under a preserve relation all of
+// these occur.
 TEST(RadialMatch, IsLaw2OnAllFans) {
   std::int64_t tried = 0, rotations = 0;
   Exhaust all;

@@ -1,5 +1,5 @@
-// Law 3, loops: without a preserve relation links are mutual, and following them gives closed loops. Where two solids touch
-// in one point the chain turns through the free wedge, from one solid to the other.
+// Law 3, loops: without a preserve relation links are mutual, and following them gives closed loops. Where two solids
+// touch in one point the chain turns through the free wedge, from one solid to the other.
 #include "proptests/support/law.h"
 #include "proptests/support/played.h"
 #include "proptests/support/traces.h"
@@ -102,8 +102,8 @@ TEST(Loops, TurnThroughTheFreeWedge) {
 }
 
 TEST(Loops, StartAtTheLeastRotation) {
-  // Two triangles that touch with their tips in the loop's least vertex, which it passes twice. Of the two rotations that
-  // start there, the one that goes on to the lesser vertex is the least.
+  // Two triangles that touch with their tips in the loop's least vertex, which it passes twice. Of the two rotations
+  // that start there, the one that goes on to the lesser vertex is the least.
   World world;
   place(world, {0, 0}, eighths({{0, 0}, {8, 4}, {0, 2}}));
   place(world, {0, 0}, eighths({{0, 0}, {2, 0}, {8, 2}}));

@@ -1,5 +1,5 @@
-// Law 5, locality: a commit changes only segments that lie in, or end on the rim of, an edited cell, and links at that rim's
-// vertices.
+// Law 5, locality: a commit changes only segments that lie in, or end on the rim of, an edited cell, and links at that
+// rim's vertices.
 #include "oracle/trace/player.h"
 #include "proptests/support/law.h"
 #include "proptests/support/played.h"

@@ -1,5 +1,5 @@
-// Law 7, total refusal: a bad edit returns an error that says what is wrong and where, and changes nothing. After any bad edit the world, its ids, its handles and all it does later are as if the
-// edit had not been tried.
+// Law 7, total refusal: a bad edit returns an error that says what is wrong and where, and changes nothing. After any
+// bad edit the world, its ids, its handles and all it does later are as if the edit had not been tried.
 #include "bad_edits.h"
 #include "proptests/support/law.h"
 #include "proptests/support/worlds.h"

@@ -1,5 +1,5 @@
-// Law 7, what is refused: validation by itself, exhausted on tiny lattices. Every sequence of two to five points against
-// slow rules that can be seen to be right.
+// Law 7, what is refused: validation by itself, exhausted on tiny lattices. Every sequence of two to five points
+// against slow rules that can be seen to be right.
 #include "oracle/reference/validity.h"
 #include "polygon.h"
 #include "proptests/support/exhaust.h"
@@ -94,7 +94,7 @@ TEST(FindDefect, NamesVerticesThatAreToBlame) {
   }
 }
 
-// --- Two polygons -------------------------------------------------------------------------------------------------------
+// --- Two polygons ----------------------------------------------------------------------------------------------------
 
 // Points that lie on no line through two lattice points, so dense that every face of the arrangement of all those lines
 // holds one: two interiors meet exactly if they have such a point in common.

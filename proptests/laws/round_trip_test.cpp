@@ -19,7 +19,7 @@ namespace {
 using oracle::Edit;
 using oracle::Trace;
 
-// --- Text ---------------------------------------------------------------------------------------------------------------
+// --- Text ------------------------------------------------------------------------------------------------------------
 
 /// What stands in these cells, as the world itself says, in the form of a trace.
 Trace traceOf(const World& world, const std::set<Cell>& cells, const oracle::PreservePairs& preserve) {
@@ -55,7 +55,7 @@ LGS_LAW(RoundTrip, WorldToTraceToWorld, 2'000, (const GoodTrace& trace)) {
   expectSame(oracle::outlineOf(player.world()), oracle::outlineOf(again.world()));
 }
 
-// --- Coordinates --------------------------------------------------------------------------------------------------------
+// --- Coordinates -----------------------------------------------------------------------------------------------------
 
 /// Places a polygon of real coordinates, and takes it away. What it was on the lattice.
 template <class Real>

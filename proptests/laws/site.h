@@ -1,6 +1,6 @@
-// A site: some cells of a world under edits of all kinds, through every door that World has. What no trace can say is among
-// them: shapes of several polygons, reals, rectangles, stale handles, and all else that must be refused. RapidCheck makes
-// the edits and makes them few; each must come to what a model says.
+// A site: some cells of a world under edits of all kinds, through every door that World has. What no trace can say is
+// among them: shapes of several polygons, reals, rectangles, stale handles, and all else that must be refused.
+// RapidCheck makes the edits and makes them few; each must come to what a model says.
 #pragma once
 
 #include "bad_edits.h"
@@ -73,7 +73,7 @@ struct SiteEdits {
 };
 void showValue(const SiteEdits& edits, std::ostream& out);
 
-/// Makes the edits on a new site, and fails the case that is running where one does not come to what the model says.
+/// Makes the edits on a new site. Fails the running case when an edit does not do what the model says.
 Site::Story storyOf(const SiteEdits& edits, const Setting& setting, Manner manner = Manner::asTheyAre);
 
 }  // namespace lgs::test

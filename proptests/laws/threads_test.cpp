@@ -18,8 +18,8 @@ namespace {
 using oracle::Random;
 using Job = std::function<void(std::size_t)>;
 
-/// Thread t of n does the jobs t, t + n, …, without a word to the others: a shared counter would order what they do, and
-/// hide races from the sanitizer.
+/// Thread t of n does the jobs t, t + n, …, without a word to the others: a shared counter would order what they do,
+/// and hide races from the sanitizer.
 template <std::size_t n>
 void onThreads(std::size_t count, const Job& job) {
   std::vector<std::jthread> threads;

@@ -12,8 +12,8 @@ using oracle::Vector;
 
 namespace {
 
-/// Whether turning counter-clockwise from `from`, `a` is met before `b`. By angles in (0, 2π): what points like `from` is
-/// met last.
+/// Whether turning counter-clockwise from `from`, `a` is met before `b`. By angles in (0, 2π): what points like `from`
+/// is met last.
 bool isMetBefore(Vector from, Vector a, Vector b) {
   const auto half = [&](Vector v) {  // 0: less than half a turn, 1: half a turn or more, 2: a whole turn
     if (cross(from, v) > 0) return 0;

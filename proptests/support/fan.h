@@ -23,8 +23,8 @@ bool pointAlike(const HalfEdge& a, const HalfEdge& b);
 /// In any order, unless it is said otherwise; no two that are both outgoing or both incoming point alike.
 using HalfEdges = std::vector<HalfEdge>;
 
-/// The one of the other kind met first, turning clockwise from an outgoing one and counter-clockwise from an incoming one.
-/// Those that point alike are skipped.
+/// The one of the other kind met first, turning clockwise from an outgoing one and counter-clockwise from an incoming
+/// one. Those that point alike are skipped.
 std::optional<HalfEdge> metFirst(const HalfEdges& around, const HalfEdge& from);
 
 /// Any half-edges in counter-clockwise order, beginning anywhere: even between two that point alike.

@@ -124,7 +124,7 @@ struct Smallest {
   std::optional<Told> failed;  ///< none if the case holds by itself
 };
 
-/// Makes a case small: RapidCheck comes by all those before it, which are not run again, and then tries simpler ones.
+/// Makes a case small. RapidCheck generates the earlier cases again, but they are not run. Then it tries simpler ones.
 Smallest madeSmall(const Effort& effort, const rc::Gen<Case>& cases, std::int64_t number) {
   deadline = Clock::now() + std::chrono::seconds(20);
   Smallest best;

@@ -1,13 +1,13 @@
 // Laws, and what becomes of a case that breaks one. A law is a function of its case:
 //
 //   LGS_LAW(History, OrderOfEditsDoesNotMatter, 2'000, (const GoodTrace& trace, Chance chance)) {
-//     expectSameOutline(trace, reordered(trace, chance.random()));
+//     expectSame(outlineAfter(trace), outlineAfter(reordered(trace, chance)));
 //   }
 //
 // RapidCheck makes the cases (from the rc::Arbitrary of each argument's type; 2,000 of them, times LGS_TEST_SCALE) and
-// makes one that fails small. A case fails by an expectation of GoogleTest's, an assertion of RapidCheck's, or failIf().
-// Cases run in a child process (isolated.h), so one that crashes or hangs fails like any other; what a body finds out
-// beyond that it must keep in oracle::Shared values. It draws nothing itself: that would not be made small.
+// makes one that fails small. A case fails by an expectation of GoogleTest's, an assertion of RapidCheck's, or
+// failIf(). Cases run in a child process (isolated.h), so one that crashes or hangs fails like any other; what a body
+// finds out beyond that it must keep in oracle::Shared values. It draws nothing itself: that would not be made small.
 #pragma once
 
 #include <rapidcheck.h>
@@ -57,8 +57,8 @@ struct Told {
 };
 const Told& told();
 
-/// What the first expectation (EXPECT_…, ASSERT_…) says that fails in `work`, if one does. The test that is running does
-/// not fail by it.
+/// What the first expectation (EXPECT_…, ASSERT_…) says that fails in `work`, if one does. The test that is running
+/// does not fail by it.
 std::optional<std::string> failedExpectation(const std::function<void()>& work);
 
 /// The start of the names of all files that a failure of the running test is saved to: absolute, and its own.
@@ -83,8 +83,8 @@ rc::Gen<Case> casesOf(std::function<void(Args...)> law) {
   return casesOf(std::move(law), rc::gen::arbitrary<std::decay_t<Args>>()...);
 }
 
-/// Fails the running test with the first case that a law does not hold for. `law` is a function or a lambda; its arguments
-/// are arbitrary where no generators are given.
+/// Fails the running test with the first case that a law does not hold for. `law` is a function or a lambda; its
+/// arguments are arbitrary where no generators are given.
 template <class Law, class... Ts>
 void forAll(const Effort& effort, Law law, rc::Gen<Ts>... arguments) {
   check(effort, casesOf(std::function{std::move(law)}, std::move(arguments)...));

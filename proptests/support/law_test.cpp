@@ -1,5 +1,6 @@
 // The tests' own tools on bugs planted here, in what the engine puts out or is given: each is found in random cases and
-// shrinks to a few edits; what was found is saved and drawn. A crash is such a bug. (proptests/bugs plants them in lib/.)
+// shrinks to a few edits; what was found is saved and drawn. A crash is such a bug. (proptests/bugs plants them in
+// lib/.)
 #include "proptests/support/law.h"
 
 #include "oracle/check/isolated.h"

@@ -1,7 +1,7 @@
 // How much the tests of the engine do. LGS_TEST_SCALE multiplies the number of random cases (default 1; 0.05 under
 // sanitizers, 100 for a long run). Below 1 it also thins out the exhaustive tests, which then say so by their counts.
-// LGS_TEST_SEED is where the cases of the bulk tests begin. A value that is none ends the program: a long run of something
-// else would be worse.
+// LGS_TEST_SEED picks other cases. A value that is no number ends the program: a long run of something else would be
+// worse.
 #pragma once
 
 #include <algorithm>

@@ -17,8 +17,8 @@ using oracle::ShrinkWalk;
 using oracle::Trace;
 using MayBe = std::function<bool(const Trace&)>;
 
-/// A trace, and RapidCheck's way from it to simpler ones: the walk of the project's shrinker. RapidCheck asks a sequence
-/// for one candidate after the other; one that still fails is where it goes on.
+/// A trace, and RapidCheck's way from it to simpler ones: the walk of the project's shrinker. RapidCheck asks a
+/// sequence for one candidate after the other; one that still fails is where it goes on.
 class Simpler {
  public:
   Simpler(ShrinkWalk walk, MayBe mayBe) : walk_(std::move(walk)), mayBe_(std::move(mayBe)) {}

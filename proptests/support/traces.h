@@ -1,5 +1,5 @@
-// Random traces as arguments of laws: degenerate on purpose (oracle/generate), made small by the project's own shrinker,
-// which knows what an edit is, and told with the files that the trace and its picture were saved to.
+// Random traces as arguments of laws: degenerate on purpose (oracle/generate), made small by the project's own
+// shrinker, which knows what an edit is, and told with the files that the trace and its picture were saved to.
 #pragma once
 
 #include "oracle/generate/random.h"
@@ -43,8 +43,8 @@ CellRect boundsOf(const oracle::Trace& trace);
 /// The trace with its lower left cell at this one.
 oracle::Trace movedTo(oracle::Trace trace, Cell target);
 
-/// Traces that `make` makes for a size, which is 0 to 100, with a source of chance. They are made no smaller than `mayBe`
-/// allows.
+/// Traces that `make` makes for a size, which is 0 to 100, with a source of chance. They are made no smaller than
+/// `mayBe` allows.
 rc::Gen<oracle::Trace> traces(std::function<oracle::Trace(int size, oracle::Random random)> make,
                               std::function<bool(const oracle::Trace&)> mayBe = isGood);
 

@@ -1,5 +1,5 @@
-// What tests of worlds share: shapes in eighths of a cell, shorter calls, and everything that can be seen of a world as one
-// value that can be compared.
+// What tests of worlds share: shapes in eighths of a cell, shorter calls, and everything that can be seen of a world as
+// one value that can be compared.
 #pragma once
 
 #include "oracle/generate/random.h"

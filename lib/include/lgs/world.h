@@ -158,8 +158,8 @@ class World {
   // Law 12, restore and replay is never having left: once the world is back at a mark, every later output, id and list
   // is as if the edits and commits after the mark had not been made. So handles, shapes and segment ids that were given
   // out after it name nothing until they are given out again. While there are marks an edit costs some more, and what
-  // is needed to undo it is kept: memory in proportion to the edits and commits since the oldest mark. What a shape that
-  // was made after the mark holds stays in memory.
+  // is needed to undo it is kept: memory in proportion to the edits and commits since the oldest mark. What a shape
+  // that was made after the mark holds stays in memory.
 
   /// Notes this moment. Edits may be pending. No two marks of a world are the same. Cost: O(1).
   [[nodiscard]] Mark checkpoint();
@@ -233,9 +233,9 @@ class World {
   Spot at(Point point) const;
 
   /// The segment nearest to a point, as of the last commit, at most `radius` cells away, rounded to the lattice. Of
-  /// several at the same distance the least by start, end and block. Refused: outOfReach, if the point is out of range or the radius is not
-  /// from 0 to kMaxRadius. Cost: in proportion to the cells with a chunk within twice the distance found, or within the
-  /// radius.
+  /// several at the same distance the least by start, end and block. Refused: outOfReach, if the point is out of range
+  /// or the radius is not from 0 to kMaxRadius. Cost: in proportion to the cells with a chunk within twice the distance
+  /// found, or within the radius.
   Expected<Nearest> nearest(Point point, double radius) const;
 
   /// The first segment that a ray meets on its outward side, as of the last commit. A ray that starts in a solid leaves
