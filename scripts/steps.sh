@@ -1,6 +1,6 @@
 # Sourced by verify.sh, test.sh and others: steps with a time each, a log for what is long, and a progress line on a
-# terminal. shellcheck shell=bash Before sourcing: cd to the project's root. Afterwards: $logs, a folder for the logs of
-# this run.
+# terminal. Before sourcing: cd to the project's root. Afterwards: $logs, a folder for the logs of this run.
+# shellcheck shell=bash
 
 logs=$PWD/out/logs/$(basename "$0" .sh)
 rm -rf "$logs"
@@ -63,5 +63,5 @@ build() {
   local preset=$1
   shift
   step "configure-$preset" "Configure ($preset)" cmake --preset "$preset"
-  step "build-$preset" "Build ($preset)" cmake --build --preset "$preset" --target "$@"
+  step "build-$preset" "Build ($preset)" cmake --build --preset "$preset" -j "$(nproc)" --target "$@"
 }
