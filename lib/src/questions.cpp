@@ -13,9 +13,7 @@
 namespace lgs {
 
 using detail::CellAt;
-using detail::Edge;
 using detail::Fraction;
-using detail::InternedContent;
 using detail::PolygonView;
 using detail::Slot;
 
