@@ -1,6 +1,7 @@
 // Law 12, saved worlds: to load what was saved is never having left. Bytes that were not written are refused.
 #include "oracle/trace/dump.h"
 #include "proptests/support/law.h"
+#include "proptests/support/traces.h"
 #include "twins.h"
 
 #include <gtest/gtest.h>
