@@ -58,10 +58,10 @@ Status dig(const CheckArguments& arguments, const Trace& start, const Checked& d
 Status checkMap(const CheckArguments& arguments) {
   const auto start = readWorld(arguments.map);
   if (!start) return complain(start.error());
-  const Checked digging{digIn(*start, arguments.edits, arguments.seed), fmt::format("mismatch-map-{}", arguments.seed),
-                        fmt::format("{} check --map {} --edits {} --seed {} --oracle {} --whole-every {}",
-                                    thisProgram("lgs"), shellPath(arguments.map), arguments.edits, arguments.seed,
-                                    arguments.oracleName(), arguments.options.wholeEvery)};
+  Checked digging{digIn(*start, arguments.edits, arguments.seed), fmt::format("mismatch-map-{}", arguments.seed),
+                  fmt::format("{} check --map {} --edits {} --seed {} --oracle {} --whole-every {}", thisProgram("lgs"),
+                              shellPath(arguments.map), arguments.edits, arguments.seed, arguments.oracleName(),
+                              arguments.options.wholeEvery)};
   return isolated(
       arguments, arguments.options, [&] { return dig(arguments, *start, digging); }, [&] { return digging; });
 }

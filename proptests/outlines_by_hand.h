@@ -44,7 +44,7 @@ inline Outline chain(std::vector<At> vertices, std::vector<Block> blocks = {0}) 
   return result;
 }
 
-inline Outline together(std::vector<Outline> parts) {
+inline Outline together(const std::vector<Outline>& parts) {
   Outline result;
   for (const Outline& part : parts) result.insert(result.end(), part.begin(), part.end());
   std::sort(result.begin(), result.end());

@@ -14,15 +14,14 @@
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace lgs::oracle {
 namespace {
 
 // Both references give the chains, with every link known, and CGAL's boundary cycles are those that the links make.
-void expectChains(const Scene& scene, std::vector<Outline> chains) {
-  const Outline expected = together(std::move(chains));
+void expectChains(const Scene& scene, const std::vector<Outline>& chains) {
+  const Outline expected = together(chains);
   EXPECT_EQ(differences(expected, naiveOutline(scene)), "") << "naive";
   const auto united = cgalUnion(scene);
   ASSERT_TRUE(united);

@@ -2,6 +2,8 @@
 // once, because they take seconds.
 #include "bench/micro/benches.h"
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <thread>
 
@@ -11,7 +13,7 @@ namespace {
 void onTwoThreads(std::size_t count, const std::function<void(std::size_t)>& job) {
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
-    for (std::size_t k; (k = next++) < count;) job(k);
+    for (std::size_t k = next++; k < count; k = next++) job(k);
   };
   const std::jthread other(work);
   work();
@@ -43,7 +45,7 @@ void registerBuilds(const Scale& scale) {
     if (cells > scale.maxCells) continue;
     const auto add = [&](const std::string& how, const std::string& world, Engine::By by,
                          const Executor& executor = {}) {
-      const std::string name = "build/" + how + "/" + world + "/" + std::to_string(cells);
+      const std::string name = fmt::format("build/{}/{}/{}", how, world, cells);
       auto* bench = benchmark::RegisterBenchmark(
           name.c_str(), [=](benchmark::State& state) { build(state, world, cells, by, executor); });
       bench->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -2,6 +2,8 @@
 #include "bench/edit_times.h"
 #include "bench/micro/benches.h"
 
+#include <fmt/format.h>
+
 namespace lgs::bench {
 namespace {
 
@@ -61,7 +63,7 @@ void registerReads(const Scale& scale) {
   const std::int64_t cells = std::min<std::int64_t>(scale.maxCells, 10'000);
   for (const std::string world : kWorlds) {
     const auto add = [&](const std::string& what, auto read) {
-      benchmark::RegisterBenchmark(("read/" + what + "/" + world).c_str(),
+      benchmark::RegisterBenchmark(fmt::format("read/{}/{}", what, world).c_str(),
                                    [=](benchmark::State& state) { read(state, world, cells); });
     };
     add("changes", readChanges);

@@ -2,6 +2,8 @@
 #include "bench/edit_times.h"
 #include "bench/micro/benches.h"
 
+#include <fmt/format.h>
+
 namespace lgs::bench {
 namespace {
 
@@ -40,7 +42,7 @@ void registerEdits(const Scale& scale) {
     if (cells > scale.maxCells) continue;
     for (const std::string world : kWorlds) {
       const auto add = [&](const std::string& what, Where where, TimeEdits timeEdits) {
-        const std::string name = "edit/" + what + "/" + world + "/" + std::to_string(cells);
+        const std::string name = fmt::format("edit/{}/{}/{}", what, world, cells);
         benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
           edits(state, scale, world, cells, where, timeEdits);
         })->Iterations(1);

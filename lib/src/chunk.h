@@ -8,6 +8,7 @@
 #include <lgs/lattice.h>
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 
 namespace lgs::detail {
@@ -61,7 +62,10 @@ struct CellAt {
   Chunk* chunk = nullptr;
   std::uint32_t local = 0;
 
-  std::uint32_t& word() const { return chunk->cells[local]; }
+  std::uint32_t& word() const {
+    assert(chunk);
+    return chunk->cells[local];
+  }
   std::uint32_t row() const { return local / kChunkSize; }
   RowMask bit() const { return RowMask{1} << local % kChunkSize; }
   explicit operator bool() const { return chunk != nullptr; }

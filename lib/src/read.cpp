@@ -10,7 +10,7 @@ namespace lgs {
 
 using detail::CellAt;
 using detail::InternedContent;
-using detail::operator-;
+using detail::operator-;  // NOLINT(misc-unused-using-decls): a template below uses it
 using detail::Placed;
 using detail::SegmentRecord;
 using detail::Slot;
@@ -177,7 +177,9 @@ Stats World::Impl::stats() const {
   stats.shapes = catalogue.shapeCount();
   stats.contents = catalogue.contentCount();
   stats.chunks = grid.chunks().size();
-  const auto of = []<class T>(const std::vector<T>& v) { return v.capacity() * sizeof(T); };
+  const auto of = []<class T>(const std::vector<T>& v) {
+    return v.capacity() * sizeof(T);  // NOLINT(bugprone-sizeof-expression): of pointers too
+  };
   stats.bytes = sizeof(World) + sizeof *this + grid.bytes() + catalogue.bytes() + segments.bytes() + of(dirtyChunks) +
                 of(changes.removed) + of(changes.added) + of(changes.relinked) + of(changesOfRollBack.removed) +
                 of(changesOfRollBack.added) + of(changesOfRollBack.relinked) + journal.bytes() + workingBytes();

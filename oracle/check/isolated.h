@@ -35,8 +35,8 @@ class Shared {
     new (place_) T();
   }
   ~Shared() { munmap(place_, sizeof(T)); }
-  Shared(Shared&&) = delete;
-  Shared& operator=(Shared&&) = delete;
+  Shared(const Shared&) = delete;
+  Shared& operator=(const Shared&) = delete;
 
   T& operator*() const { return *static_cast<T*>(place_); }
   T* operator->() const { return static_cast<T*>(place_); }

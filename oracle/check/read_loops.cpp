@@ -26,6 +26,7 @@ std::vector<SegmentId> closedChain(std::span<const Segment> segments, SegmentId 
 // Turned so that the vertices are the least they can be.
 Chain turned(std::span<const Segment> segments, const std::vector<SegmentId>& ids) {
   std::vector<Point> vertices;
+  vertices.reserve(ids.size());
   for (const SegmentId id : ids) vertices.push_back(segments[id.value].start);
   const Point least = *std::min_element(vertices.begin(), vertices.end());
   std::optional<Chain> best;

@@ -51,7 +51,7 @@ class Crowder {
  private:
   // Most of them have one block, so that few calls add them. The others come one by one, until there is no room.
   void fillWithPolygons() {
-    std::vector<std::int32_t> places(kRows * kRows);
+    std::vector<std::int32_t> places(std::size_t{kRows} * kRows);
     std::iota(places.begin(), places.end(), 0);
     if (random_.chance(50)) random_.shuffle(places);
     const std::size_t vertices = random_.chance(50) ? 3 : 4;

@@ -21,6 +21,7 @@ unsigned bits(std::uint64_t chance, unsigned first, unsigned count) {
 template <class Real>
 std::vector<RealPoint<Real>> realPoints(const std::vector<LocalPoint>& vertices, double off) {
   std::vector<RealPoint<Real>> points;
+  points.reserve(vertices.size());
   for (const LocalPoint& p : vertices)
     points.push_back({static_cast<Real>((p.x + off) / kUnitsPerCell), static_cast<Real>((p.y - off) / kUnitsPerCell)});
   return points;
@@ -77,7 +78,7 @@ Player::Done Player::add(const Step& step) {
     if (!isAlive(edit.name)) continue;
     return wrong(fmt::format("the name '{}' is in use; remove that polygon first, or choose another", edit.name));
   }
-  if (const auto done = wear(step.edits.front().polygon.cell, step.worn); !done) return done;
+  if (auto done = wear(step.edits.front().polygon.cell, step.worn); !done) return done;
   const Handles handles = call(step);
   if (!handles) return tl::unexpected(handles.error());
   for (std::size_t k = 0; k < step.edits.size(); ++k) {
@@ -253,7 +254,7 @@ tl::expected<void, TraceError> play(const Trace& trace, Player& player, const Co
   for (const Edit& edit : trace.edits) {
     if (edit.kind == Edit::Kind::commit) {
       if (!commit()) return {};
-    } else if (const auto done = player.apply(edit); !done) {
+    } else if (auto done = player.apply(edit); !done) {
       return done;
     }
   }

@@ -1,4 +1,4 @@
-// Counts what this program allocates: the global operator new is replaced (allocations.cpp).
+// Counts what the calling thread allocates: the global operator new is replaced (allocations.cpp).
 #pragma once
 
 #include <cstdint>

@@ -29,7 +29,7 @@ struct Expect {
   Expect& polygon2(int index) { return error.polygon2 = index, *this; }
 };
 
-BadEdit addLocal(std::string name, Cell cell, LocalPolygon polygon, const Expect& expected, std::string text) {
+BadEdit addLocal(std::string name, Cell cell, const LocalPolygon& polygon, const Expect& expected, std::string text) {
   return {std::move(name),
           [=](Stage& s) { return errorOf(s.world.add(cell, std::span<const LocalPoint>(polygon), 9)); }, expected.error,
           std::move(text)};
@@ -43,7 +43,8 @@ BadEdit addReal(std::string name, Cell cell, std::vector<RealPoint<Real>> polygo
           expected.error, std::move(text)};
 }
 
-BadEdit makeShape(std::string name, std::vector<LocalPolygon> polygons, const Expect& expected, std::string text) {
+BadEdit makeShape(std::string name, const std::vector<LocalPolygon>& polygons, const Expect& expected,
+                  std::string text) {
   return {std::move(name), [=](Stage& s) { return errorOf(s.world.shape(polygons)); }, expected.error, std::move(text)};
 }
 

@@ -82,7 +82,7 @@ class SteadyState {
   explicit SteadyState(PreserveRelation preserve, std::vector<std::vector<LocalPolygon>> shapes, bool byVertices)
       : world_(std::move(preserve)), shapes_(std::move(shapes)), byVertices_(byVertices) {
     for (const auto& polygons : shapes_) ids_.push_back(shapeOf(world_, polygons));
-    isTaken_.resize(kSide * kSide);
+    isTaken_.resize(std::size_t{kSide} * kSide);
   }
 
   /// Allocations of `edits` edits, and of the commits after them.
@@ -122,7 +122,7 @@ class SteadyState {
     const std::int32_t i = random.below(kSide);
     const std::int32_t j = random.below(kSide);
     const Cell cell{i, j};
-    const auto k = static_cast<std::size_t>(j * kSide + i);
+    const auto k = static_cast<std::size_t>(j) * kSide + static_cast<std::size_t>(i);
     isTaken_[k] = !isTaken_[k];
     if (!isTaken_[k]) {
       world_.polygons(cell, polygons_);

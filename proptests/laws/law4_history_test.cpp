@@ -18,6 +18,7 @@ using oracle::Trace;
 
 std::vector<Edit> shuffled(const std::map<std::string, Edit>& adds, Chance& chance) {
   std::vector<Edit> out;
+  out.reserve(adds.size());
   for (const auto& [name, add] : adds) out.push_back(add);
   chance.shuffle(out);
   return out;

@@ -121,7 +121,7 @@ Inside samplesInside(const LocalPolygon& polygon) {
         EXPECT_NE(turn, 0);
         odd ^= (turn > 0) == (by > ay);
       }
-      inside[static_cast<std::size_t>(y * kSamples + x)] = odd;
+      inside[static_cast<std::size_t>(y) * kSamples + static_cast<std::size_t>(x)] = odd;
     }
   }
   return inside;

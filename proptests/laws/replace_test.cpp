@@ -18,7 +18,7 @@ using Kind = AnyEdit::Kind;
 /// A random edit of one kind.
 AnyEdit editOf(Kind kind, const World& world, Chance& chance) {
   for (;;)
-    if (const AnyEdit edit = randomEdit(world, chance); edit.kind == kind) return edit;
+    if (AnyEdit edit = randomEdit(world, chance); edit.kind == kind) return edit;
 }
 
 LGS_LAW(AnyEdits, ComeToTheOutlineOfTheLaws, 1'000, (const Seeds& seeds, bool preserves)) {

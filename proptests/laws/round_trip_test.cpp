@@ -64,7 +64,7 @@ LocalPolygon onLattice(const std::vector<RealPoint<Real>>& polygon) {
   const auto handle = world.add({}, std::span<const RealPoint<Real>>(polygon), 1);
   if (!handle) failIf(message(handle.error()));
   const auto vertices = world.polygon(*handle)->vertices;
-  const LocalPolygon result(vertices.begin(), vertices.end());
+  LocalPolygon result(vertices.begin(), vertices.end());
   failUnless(world.remove(*handle).has_value(), "it can not be removed");
   return result;
 }

@@ -161,7 +161,7 @@ void expectAllRight(const oracle::PreservePairs& preserve) {
     EXPECT_EQ(last->tried, exhausted(65'536));
     return;
   }
-  const Trace trace = fromOneToTheNext(last->before, last->shapes, preserve);
+  Trace trace = fromOneToTheNext(last->before, last->shapes, preserve);
   const auto agrees = [](const Trace& t) { expectNoMismatch(t, {.cgal = false, .unionAtEnd = true}); };
   forAll({.cases = 1}, agrees, traces([&](int, oracle::Random) { return trace; }));
   testing::Test::RecordProperty("cases", std::to_string(last->tried));

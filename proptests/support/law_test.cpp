@@ -104,7 +104,7 @@ TEST(Planted, AnAddThatIsForgottenWhereTheCellWasEmptied) {
     oracle::Player player(trace.preserve);
     std::map<std::string, Cell> cellOf;
     std::set<Cell> emptied;  // since the last commit
-    for (Edit edit : trace.edits) {
+    for (const Edit& edit : trace.edits) {
       if (edit.kind == Edit::Kind::commit) emptied.clear();
       if (edit.kind == Edit::Kind::remove) emptied.insert(cellOf[edit.name]);
       if (edit.kind == Edit::Kind::add && emptied.contains(cellOf[edit.name] = edit.polygon.cell)) continue;

@@ -76,7 +76,7 @@ rc::Gen<Kind> ofKind(rc::Gen<Trace> traces) {
 
 bool isGood(const Trace& trace) { return withoutRefused(trace).edits.size() == trace.edits.size(); }
 
-rc::Gen<Trace> traces(std::function<Trace(int, Random)> make, MayBe mayBe) {
+rc::Gen<Trace> traces(const std::function<Trace(int, Random)>& make, const MayBe& mayBe) {
   return [=](rc::Random random, int size) {
     return rc::makeShrinkable<Simpler>(ShrinkWalk(make(size, Random(random.next()))), mayBe);
   };

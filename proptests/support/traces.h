@@ -45,8 +45,8 @@ oracle::Trace movedTo(oracle::Trace trace, Cell target);
 
 /// Traces that `make` makes for a size, which is 0 to 100, with a source of chance. They are made no smaller than
 /// `mayBe` allows.
-rc::Gen<oracle::Trace> traces(std::function<oracle::Trace(int size, oracle::Random random)> make,
-                              std::function<bool(const oracle::Trace&)> mayBe = isGood);
+rc::Gen<oracle::Trace> traces(const std::function<oracle::Trace(int size, oracle::Random random)>& make,
+                              const std::function<bool(const oracle::Trace&)>& mayBe = isGood);
 
 }  // namespace lgs::test
 

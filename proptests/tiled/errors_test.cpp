@@ -83,7 +83,8 @@ TEST(TiledErrors, DeepGroupsAndStrayTiles) {
 TEST(TiledErrors, APolygonTooManyForACell) {
   std::string objects;
   for (int i = 0; i < 300; ++i) {
-    const double x = 1.5 + i % 20 * 1.4, y = 1.5 + i / 20 * 1.4;
+    const int row = i / 20;
+    const double x = 1.5 + i % 20 * 1.4, y = 1.5 + row * 1.4;
     objects += "<object id='" + std::to_string(i + 1) + "' x='" + std::to_string(x) + "' y='" + std::to_string(y) +
                "' width='1' height='1'/>";
   }

@@ -7,7 +7,7 @@
 
 namespace lgs::box2d {
 
-using detail::operator-;
+using detail::operator-;  // NOLINT(misc-unused-using-decls): a template below uses it
 
 std::optional<Segment> EdgeSet::neighbour(const Segment& s, Way way) const {
   const SegmentId id = way == Way::before ? s.predecessor : s.successor;
