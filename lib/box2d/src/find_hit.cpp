@@ -1,6 +1,7 @@
 #include "find_hit.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lgs::box2d {
 
@@ -46,6 +47,25 @@ std::optional<Hit> nearestHit(const World& world, const EdgeSet& set, EdgeId id,
     }
   }
   return hitOf(nearest);
+}
+
+Metres normalOf(const Edge& edge) {
+  const auto x = static_cast<double>(edge.end.x - edge.start.x);
+  const auto y = static_cast<double>(edge.end.y - edge.start.y);
+  const double length = std::hypot(x, y);
+  return {static_cast<float>(y / length), static_cast<float>(-x / length)};
+}
+
+std::optional<NearestOnFrame> nearestTo(const World& world, const Frame& frame, Metres point, float radius) {
+  const double cells = std::min(radius / frame.cellSize, double{kMaxRadius});
+  const auto nearest = world.nearest(frame.latticePoint(point), cells);
+  if (!nearest || !nearest->segment) return {};
+  const Segment s = *world.segment(nearest->segment);
+  const DoublePoint normal = s.normal();
+  return NearestOnFrame{hitOf(s),
+                        frame.position(nearest->point),
+                        {static_cast<float>(normal.x), static_cast<float>(normal.y)},
+                        static_cast<float>(nearest->distance * frame.cellSize)};
 }
 
 }  // namespace lgs::box2d

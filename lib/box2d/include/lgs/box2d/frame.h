@@ -5,6 +5,7 @@
 #pragma once
 
 #include <lgs/lattice.h>
+#include <lgs/questions.h>
 
 #include <cassert>
 #include <cmath>
@@ -40,12 +41,20 @@ struct Frame {
 
   /// Where a lattice point is in the physics world.
   Metres position(Point p) const { return scaled(p, toWorld(origin, {})); }
+  /// Where a position in cells is in the physics world.
+  Metres position(DoublePoint p) const {
+    return {static_cast<float>((p.x - origin.i) * cellSize), static_cast<float>((p.y - origin.j) * cellSize)};
+  }
   /// Where a lattice point is relative to the body of a chunk.
   Metres local(Point p, Chunk chunk) const { return scaled(p, cornerOf(chunk)); }
   /// The cell at a place in the physics world. It must be in the range of cells (inRange()).
   Cell cellAt(Metres m) const {
     return {static_cast<std::int32_t>(std::floor(m.x / cellSize) + origin.i),
             static_cast<std::int32_t>(std::floor(m.y / cellSize) + origin.j)};
+  }
+  /// The lattice point nearest to a place in the physics world; not inRange() if that is beyond the last cell.
+  Point latticePoint(Metres m) const {
+    return lgs::latticePoint({m.x / cellSize + origin.i, m.y / cellSize + origin.j});
   }
   /// A length in lattice units, rounded up. It is a tenth longer than asked for, so that what is at least as long on
   /// the lattice is still long enough after rounding to `float`. Asserts that the cell size is finite and at least
