@@ -1,13 +1,12 @@
 #include <lgs/box2d/terrain.h>
 #include "local_edge.h"
+#include "to_box2d.h"
 
 #include <cassert>
 
 namespace lgs::box2d {
 
 namespace {
-
-b2Vec2 toBox2D(Metres m) { return {m.x, m.y}; }
 
 class Waker : public b2QueryCallback {
  public:

@@ -1,14 +1,13 @@
 // What the terrain answers: what was hit, what is near, who is there.
 #include <lgs/box2d/terrain.h>
 #include "find_hit.h"
+#include "to_box2d.h"
 
 #include <algorithm>
 
 namespace lgs::box2d {
 
 namespace {
-
-b2Vec2 toBox2D(Metres m) { return {m.x, m.y}; }
 
 /// The middle of where a contact touches, or else of its second fixture.
 b2Vec2 middleOf(b2Contact& contact, const b2Fixture& second) {
