@@ -13,6 +13,6 @@ std::optional<Hit> firstHit(const World& world, const EdgeSet& set, EdgeId id);
 
 /// The segment nearest to a point of the physics world, among those that an edge stands for. Nothing if a commit that
 /// the set does not know yet took one of them away or gave it other links. Cost: the segments of the edge.
-std::optional<Hit> nearestHit(const World& world, const EdgeSet& set, EdgeId id, const Frame& frame, Metres point);
+std::optional<Hit> nearestHit(const World& world, const EdgeSet& set, EdgeId id, const Frame& frame, Place point);
 
 }  // namespace lgs::box2d

@@ -10,6 +10,7 @@ namespace lgs::box2d {
 namespace {
 
 b2Vec2 toBox2D(Metres m) { return {m.x, m.y}; }
+b2Vec2 toBox2D(Place p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 class Waker : public b2QueryCallback {
  public:
