@@ -4,8 +4,8 @@
 #include "oracle/reference/canonical.h"
 
 #include "fields.h"
+#include "physics3.h"
 
-#include <lgs/box2d/terrain.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -50,11 +50,9 @@ void addChains(b2BodyId body, const Field& field, const b2SurfaceMaterial& mater
     points.reserve(loop.size());
     for (const Point p : loop) points.push_back(b2Sub(at(p), corner));
     b2ChainDef chain = b2DefaultChainDef();
-    chain.points = points.data();
-    chain.count = static_cast<int>(points.size());
+    setPoints(chain, points, true);
     chain.materials = &material;
     chain.materialCount = 1;
-    chain.isLoop = true;
     b2CreateChain(body, &chain);
   }
 }

@@ -7,9 +7,9 @@ namespace lgs::box2d {
 
 namespace {
 
-double squaredDistance(const Frame& frame, const Segment& s, Metres point) {
-  const Metres a = frame.position(s.start);
-  const Metres b = frame.position(s.end);
+double squaredDistance(const Frame& frame, const Segment& s, Place point) {
+  const Place a = frame.position(s.start);
+  const Place b = frame.position(s.end);
   const double ux = b.x - a.x;
   const double uy = b.y - a.y;
   const double along = ((point.x - a.x) * ux + (point.y - a.y) * uy) / std::max(ux * ux + uy * uy, 1e-30);
@@ -29,7 +29,7 @@ std::optional<Hit> firstHit(const World& world, const EdgeSet& set, EdgeId id) {
   return s ? std::optional(hitOf(*s)) : std::nullopt;
 }
 
-std::optional<Hit> nearestHit(const World& world, const EdgeSet& set, EdgeId id, const Frame& frame, Metres point) {
+std::optional<Hit> nearestHit(const World& world, const EdgeSet& set, EdgeId id, const Frame& frame, Place point) {
   const SegmentId last = set.edge(id).last;
   auto s = world.segment(set.edge(id).first);
   if (!s) return {};
@@ -56,7 +56,7 @@ Metres normalOf(const Edge& edge) {
   return {static_cast<float>(y / length), static_cast<float>(-x / length)};
 }
 
-std::optional<NearestOnFrame> nearestTo(const World& world, const Frame& frame, Metres point, float radius) {
+std::optional<NearestOnFrame> nearestTo(const World& world, const Frame& frame, Place point, float radius) {
   const double cells = std::min(radius / frame.cellSize, double{kMaxRadius});
   const auto nearest = world.nearest(frame.latticePoint(point), cells);
   if (!nearest || !nearest->segment) return {};

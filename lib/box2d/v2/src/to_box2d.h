@@ -6,5 +6,6 @@
 namespace lgs::box2d {
 
 inline b2Vec2 toBox2D(Metres m) { return {m.x, m.y}; }
+inline b2Vec2 toBox2D(Place p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 }  // namespace lgs::box2d

@@ -1,4 +1,4 @@
-// The boundary of a lgs::World as terrain in a Box2D 3 world. Each chunk of cells is a static body, and each segment is
+// The boundary of a lgs::World as terrain in a world of Box2D 3.1 or later. Each chunk of cells is a static body, and each segment is
 // a chain segment with its ghost vertices. After a commit sync() changes exactly those shapes that the commit changed.
 //
 //   lgs::box2d::Terrain terrain(physics, world, {.cellSize = 0.5});
@@ -26,14 +26,30 @@
 
 namespace lgs::box2d {
 
-/// What a block is like. The defaults are Box2D's.
+/// A place in the physics world: b2Pos, which is b2Vec2 unless Box2D was built with BOX2D_DOUBLE_PRECISION. Before 3.2
+/// Box2D has b2Vec2 alone.
+using Position = decltype(b2BodyDef::position);
+
+/// What a block is like. The defaults are Box2D's. The flags are those of b2ShapeDef. Sensor events need
+/// theirs on both shapes, the others on one of the two. (In 2.4 listeners hear of every contact without a flag.)
 struct Material {
   b2SurfaceMaterial surface = b2DefaultSurfaceMaterial();
   b2Filter filter = b2DefaultFilter();
+  bool enableSensorEvents = false;  ///< sensors see the block
+  bool enableContactEvents = false;
+  bool enableHitEvents = false;
+  bool enablePreSolveEvents = false;
+  bool enableCustomFiltering = false;  ///< before 3.2 Box2D asks the custom filter about all shapes
   friend bool operator==(const Material& a, const Material& b);
 };
 
 using TerrainOptions = BasicTerrainOptions<Material>;
+
+/// A segment in Box2D. Before 3.2 it is part of a chain.
+struct SegmentShape {
+  b2ShapeId shape = b2_nullShapeId;
+  b2ChainId chain = b2_nullChainId;
+};
 
 class Terrain {
  public:
@@ -54,7 +70,7 @@ class Terrain {
   /// welded, this is the one nearest to a point of the physics world; without a point, the first one. Between a commit
   /// and its sync(): nothing if the commit changed those segments.
   std::optional<Hit> hit(b2ShapeId shape) const;
-  std::optional<Hit> hit(b2ShapeId shape, b2Vec2 point) const;
+  std::optional<Hit> hit(b2ShapeId shape, Position point) const;
 
   /// The shape that stands for a segment; null if the segment is left out, because it is too short, or is not alive.
   b2ShapeId shape(SegmentId segment) const;
@@ -66,25 +82,21 @@ class Terrain {
   b2ShapeId shape(EdgeId edge) const { return shapes_[edge.value].shape; }
   std::size_t bodyCount() const { return bodyCount_; }  ///< chunks with at least one shape
 
-  b2Vec2 position(Point p) const;  ///< where a lattice point is in the physics world
-  Cell cellAt(b2Vec2 p) const;     ///< the cell at a place in the physics world
+  Position position(Point p) const;  ///< where a lattice point is in the physics world
+  Cell cellAt(Position p) const;     ///< the cell at a place in the physics world
 
  private:
   struct Body {
     b2BodyId body = b2_nullBodyId;
     std::size_t shapes = 0;
   };
-  struct Shape {
-    b2ShapeId shape = b2_nullShapeId;
-    b2ChainId chain = b2_nullChainId;  // before 3.2: the chain that the shape is part of
-  };
   EdgeId edgeOf(b2ShapeId shape) const;  // null if it is none of the terrain's
   void apply(const EdgeChanges& changes);
   void create(EdgeId id);
   void destroy(EdgeId id);
-  void make(EdgeId id, b2BodyId body);
-  void unmake(EdgeId id);
   void relink(EdgeId id);
+  b2ShapeDef definitionOf(EdgeId id);
+  b2ChainSegment segmentOf(EdgeId id) const;
   void wakeAround(EdgeId id);
 
   b2WorldId physics_;
@@ -92,8 +104,8 @@ class Terrain {
   Frame frame_;
   Materials<Material> materials_;
   EdgeSet edges_;
-  std::vector<Shape> shapes_ = std::vector<Shape>(1);  // by EdgeId
-  std::vector<Body> bodies_;                           // by number of the chunk
+  std::vector<SegmentShape> shapes_ = std::vector<SegmentShape>(1);  // by EdgeId
+  std::vector<Body> bodies_;                                         // by number of the chunk
   std::size_t bodyCount_ = 0;
 };
 
