@@ -79,4 +79,16 @@ void forEachShapeIn(b2WorldId physics, Corner corner, b2AABB box, b2QueryFilter 
   }
 }
 
+/// Calls a function for each shape that overlaps another one, whose points are relative to `corner`.
+template <class Corner, class Proxy>
+void forEachShapeOver(b2WorldId physics, Corner corner, Proxy over, b2QueryFilter filter, b2OverlapResultFcn* call,
+                      void* context) {
+  if constexpr (requires { b2World_OverlapShape(physics, corner, &over, filter, call, context); }) {
+    b2World_OverlapShape(physics, corner, &over, filter, call, context);
+  } else {
+    for (int k = 0; k < over.count; ++k) over.points[k] = b2Add(over.points[k], corner);
+    b2World_OverlapShape(physics, &over, filter, call, context);
+  }
+}
+
 }  // namespace lgs::box2d

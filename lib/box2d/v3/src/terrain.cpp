@@ -1,22 +1,14 @@
 #include <lgs/box2d/terrain.h>
-#include "find_hit.h"
 #include "local_edge.h"
 #include "segment_shape.h"
+#include "to_box2d.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace lgs::box2d {
 
 namespace {
-
-float slop() { return 0.005F * b2GetLengthUnitsPerMeter(); }  // B2_LINEAR_SLOP is public from 3.2 on
-
-b2Vec2 toBox2D(Metres m) { return {m.x, m.y}; }
-
-Position toBox2D(Place p) {
-  using Real = decltype(Position::x);
-  return {static_cast<Real>(p.x), static_cast<Real>(p.y)};
-}
 
 void* userDataOf(EdgeId id) {
   return reinterpret_cast<void*>(static_cast<std::uintptr_t>(id.value));  // NOLINT(performance-no-int-to-ptr)
@@ -59,7 +51,30 @@ Terrain::~Terrain() {
   }
 }
 
-void Terrain::sync(const Changes& changes) { apply(edges_.update(world_, changes)); }
+tl::expected<void, SyncError> Terrain::commit(World& world) {
+  const bool isOwn = &world == &world_;
+  assert(isOwn);
+  if (!isOwn) return tl::unexpected(SyncError::notTheLast);
+  return sync(world.commit());
+}
+
+tl::expected<void, SyncError> Terrain::sync(const Changes& changes) {
+  const std::optional<SyncError> misfit = edges_.misfit(world_, changes);
+  assert(!misfit);
+  if (misfit) return tl::unexpected(*misfit);
+  apply(edges_.update(world_, changes));
+  return {};
+}
+
+void Terrain::resync() { apply(edges_.load(world_)); }
+
+void Terrain::moveOrigin(Cell origin) {
+  frame_.origin = origin;
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    if (B2_IS_NON_NULL(bodies_[k].body))
+      b2Body_SetTransform(bodies_[k].body, positionOf(static_cast<std::uint32_t>(k)), b2Rot_identity);
+  }
+}
 
 void Terrain::apply(const EdgeChanges& changes) {
   bodies_.resize(edges_.chunkCount());
@@ -86,7 +101,7 @@ void Terrain::create(EdgeId id) {
   Body& body = bodies_[number];
   if (B2_IS_NULL(body.body)) {
     b2BodyDef definition = b2DefaultBodyDef();
-    definition.position = position(frame_.cornerOf(edges_.chunk(number)));
+    definition.position = positionOf(number);
     body.body = b2CreateBody(physics_, &definition);
     ++bodyCount_;
   }
@@ -137,24 +152,7 @@ void Terrain::wakeAround(EdgeId id) {
   b2QueryFilter all = b2DefaultQueryFilter();
   all.categoryBits = UINT64_MAX;
   all.maskBits = UINT64_MAX;
-  forEachShapeIn(physics_, position(frame_.cornerOf(chunk)), box, all, wake);
-}
-
-EdgeId Terrain::edgeOf(b2ShapeId shape) const {
-  if (!b2Shape_IsValid(shape)) return {};
-  const auto id = reinterpret_cast<std::uintptr_t>(b2Shape_GetUserData(shape));
-  if (id >= shapes_.size() || !B2_ID_EQUALS(shapes_[id].shape, shape)) return {};
-  return EdgeId{static_cast<std::uint32_t>(id)};
-}
-
-std::optional<Hit> Terrain::hit(b2ShapeId shape) const {
-  const EdgeId id = edgeOf(shape);
-  return id ? firstHit(world_, edges_, id) : std::nullopt;
-}
-
-std::optional<Hit> Terrain::hit(b2ShapeId shape, Position point) const {
-  const EdgeId id = edgeOf(shape);
-  return id ? nearestHit(world_, edges_, id, frame_, {point.x, point.y}) : std::nullopt;
+  forEachShapeIn(physics_, positionOf(edge.chunk), box, all, wake);
 }
 
 b2ShapeId Terrain::shape(SegmentId segment) const {
@@ -163,6 +161,8 @@ b2ShapeId Terrain::shape(SegmentId segment) const {
 }
 
 Position Terrain::position(Point p) const { return toBox2D(frame_.position(p)); }
+
+Position Terrain::positionOf(std::uint32_t chunk) const { return position(frame_.cornerOf(edges_.chunk(chunk))); }
 
 Cell Terrain::cellAt(Position p) const { return frame_.cellAt({p.x, p.y}); }
 
