@@ -1,9 +1,8 @@
-// What a terrain answers about contacts, places and cells, against the slow way.
+// What a terrain answers about contacts and cells in Box2D 2.4, against the slow way.
 #include "oracle/check/isolated.h"
 
+#include "distances.h"
 #include "field.h"
-#include "fixtures.h"
-#include "overlap.h"
 #include "played.h"
 #include "proptests/support/scale.h"
 
@@ -53,14 +52,6 @@ class Box2dQuestions : public testing::Test {
   Field field;
 };
 
-float between(Chance& random, float from, float to) {
-  return from + (to - from) * static_cast<float>(random.below(100'001)) / 100'000;
-}
-
-double distanceTo(const Terrain& terrain, const Segment& s, b2Vec2 p) {
-  return distanceToEdge({p.x, p.y}, terrain.position(s.start), terrain.position(s.end));
-}
-
 // --- hit(contact) ----------------------------------------------------------------------------------------------------
 
 // The middle of a contact's points, from its manifold by hand.
@@ -88,7 +79,7 @@ void expectTouch(const World& world, const Terrain& terrain, b2Contact& contact)
   const b2Vec2 middle = middleOf(contact);
   double least = std::numeric_limits<double>::infinity(), found = least;
   for (const Segment& s : segments) {
-    const double distance = distanceTo(terrain, s, middle);
+    const double distance = distanceTo(terrain, s, placeOf(middle));
     least = std::min(least, distance);
     if (s.id == touch->hit.segment) found = distance;
     if (s.id != touch->hit.segment) continue;
@@ -148,64 +139,25 @@ TEST_F(Box2dQuestions, ABoxOnAMergedFloorTouchesTheCellBelowItsMiddle) {
   EXPECT_EQ(touches, 1);
 }
 
-// --- nearest() -------------------------------------------------------------------------------------------------------
-
-TEST_F(Box2dQuestions, NearestIsTheLeastOfAllDistances) {
-  forAllEdits(60, [](const Trace& trace, Chance random) {
-    TerrainOptions options{.cellSize = random.pick(std::vector<double>{0.3, 1, 7}), .merge = random.chance(50)};
-    if (!trace.edits.empty()) options.origin = test::boundsOf(trace).min;
-    oracle::Player player(trace.preserve);
-    b2World still({0, 0});
-    Terrain terrain(still, player.world(), options);
-    const auto size = static_cast<float>(options.cellSize);
-    playAll(trace, player, [&] {
-      terrain.commit(player.world());
-      const b2Vec2 p{between(random, -3, 8) * size, between(random, -3, 8) * size};
-      const float radius = between(random, 0, 4) * size;
-      if (!inRange(box2d::Frame{options.cellSize, options.origin}.latticePoint({p.x, p.y}))) {
-        EXPECT_FALSE(terrain.nearest(p, radius));
-        return;
-      }
-      double least = std::numeric_limits<double>::infinity();
-      for (const SegmentId id : player.world().segments())
-        least = std::min(least, distanceTo(terrain, *player.world().segment(id), p));
-      const double slack = 1e-3 * options.cellSize;
-      if (std::abs(least - radius) < slack) return;
-      const auto nearest = terrain.nearest(p, radius);
-      ASSERT_EQ(nearest.has_value(), least < radius);
-      if (!nearest) return;
-      EXPECT_NEAR(nearest->distance, least, slack);
-      EXPECT_NEAR(b2Distance(nearest->point, p), least, slack);
-      const Segment s = *player.world().segment(nearest->hit.segment);
-      EXPECT_NEAR(distanceTo(terrain, s, nearest->point), 0, slack);
-      EXPECT_EQ(std::tie(nearest->hit.polygon, nearest->hit.block, nearest->hit.cell),
-                std::tie(s.polygon, s.block, s.cell));
-      EXPECT_NEAR(nearest->normal.x, s.normal().x, 1e-6);
-      EXPECT_NEAR(nearest->normal.y, s.normal().y, 1e-6);
-    });
-  });
-}
-
-TEST_F(Box2dQuestions, NearestFarAwayAndOutOfReach) {
-  constexpr Cell kFar{1 << 29, -(1 << 29)};
-  field.add(kFar, kSquare, 5);
-  field.world.commit();
-  const Terrain terrain(physics, field.world, {.cellSize = 0.5, .origin = kFar});
-  const auto nearest = terrain.nearest({0.25F, 0.75F}, 1'000'000);  // more than kMaxRadius cells
-  ASSERT_TRUE(nearest);
-  EXPECT_EQ(nearest->point, b2Vec2(0.25F, 0.5F));
-  EXPECT_EQ(nearest->normal, b2Vec2(0, 1));
-  EXPECT_EQ(nearest->distance, 0.25F);
-  EXPECT_EQ(nearest->hit.block, 5U);
-  EXPECT_FALSE(terrain.nearest({0.25F, 0.75F}, 0.2F));
-  EXPECT_FALSE(terrain.nearest({0.25F, 0.75F}, -1));
-  const float notANumber = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_FALSE(terrain.nearest({0.25F, notANumber}, 1));
-  EXPECT_FALSE(terrain.nearest({0.25F, 0.75F}, notANumber));
-  EXPECT_FALSE(terrain.nearest({1e30F, 0}, 1));
-}
-
 // --- bodiesIn() ------------------------------------------------------------------------------------------------------
+
+// From a body of circles and polygons with their skin, sensors apart: less than 0 if one reaches into the cell.
+double distanceFrom(const b2Body& body, const Convex& cell) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const b2Fixture* f = body.GetFixtureList(); f != nullptr; f = f->GetNext()) {
+    if (f->IsSensor()) continue;
+    if (f->GetType() == b2Shape::e_circle) {
+      const auto& circle = static_cast<const b2CircleShape&>(*f->GetShape());
+      least = std::min(least, distanceBetween(placeOf(body.GetWorldPoint(circle.m_p)), cell) - circle.m_radius);
+      continue;
+    }
+    const auto& polygon = static_cast<const b2PolygonShape&>(*f->GetShape());
+    Convex corners;
+    for (int k = 0; k < polygon.m_count; ++k) corners.push_back(placeOf(body.GetWorldPoint(polygon.m_vertices[k])));
+    least = std::min(least, distanceBetween(corners, cell) - b2_polygonRadius);
+  }
+  return least;
+}
 
 TEST_F(Box2dQuestions, BodiesInACellAreThoseThatReachIntoIt) {
   const oracle::Shared<std::size_t> found;
@@ -233,10 +185,9 @@ TEST_F(Box2dQuestions, BodiesInACellAreThoseThatReachIntoIt) {
         const Cell cell{random.below(5), -1 + random.below(5)};
         const std::vector<b2Body*> in = terrain.bodiesIn(cell);
         EXPECT_EQ(std::set(in.begin(), in.end()).size(), in.size()) << "a body is there twice";
-        const Box box{terrain.position(toWorld(cell, {})), terrain.position(toWorld({cell.i + 1, cell.j + 1}, {}))};
         std::size_t expected = 0;
         for (b2Body* body : bodies) {
-          const double distance = distanceBetween(*body, box);
+          const double distance = distanceFrom(*body, convexOf(terrain, cell));
           if (std::abs(distance) < 1e-4) return;  // too near to tell
           expected += distance < 0 ? 1 : 0;
           EXPECT_EQ(std::count(in.begin(), in.end(), body), distance < 0 ? 1 : 0) << distance;
@@ -274,25 +225,6 @@ TEST_F(Box2dQuestions, EachPartOfAChainIsLookedAt) {
   chain.CreateChain(vertices, 3, {-6, 0}, {1, 0.5F});
   body.CreateFixture(&chain, 1);
   EXPECT_EQ(terrain.bodiesIn({0, 0}), std::vector<b2Body*>{&body});
-}
-
-// --- moveOrigin() ----------------------------------------------------------------------------------------------------
-
-TEST_F(Box2dQuestions, AfterTheOriginMovedAllIsAsInATerrainMadeThere) {
-  forAllEdits(40, [](const Trace& trace, Chance random) {
-    TerrainOptions options{.cellSize = random.chance(50) ? 1 : 0.3, .chunkCells = 1 + random.below(5)};
-    oracle::Player player(trace.preserve);
-    b2World still({0, 0});
-    Terrain terrain(still, player.world(), options);
-    playAll(trace, player, [&] {
-      terrain.commit(player.world());
-      const CellRect all = player.world().bounds().value_or(CellRect{});
-      options.origin = {all.min.i - random.below(1'000), all.min.j + random.below(1'000)};
-      terrain.moveOrigin(options.origin);
-      expectFixtures(still, terrain, options);
-      EXPECT_EQ(terrain.cellAt({0, 0}), options.origin);
-    });
-  });
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // A terrain that was not told all changes notices it, and resync() repairs it.
-#include "field.h"
-#include "fixtures.h"
+#include "either.h"
 #include "played.h"
 
 #include <gtest/gtest.h>
@@ -27,19 +26,18 @@ void expectNoticed([[maybe_unused]] SyncError error, Misuse misuse) {
 #endif
 }
 
-class Box2dTerrainSync : public testing::Test {
+class Box2dTerrainSync : public EitherBox2d {
  protected:
   void dig(Cell cell) { ASSERT_TRUE(field.world.clear(cell)); }
   void expectCurrent(const Terrain& terrain) {
     EXPECT_TRUE(terrain.isCurrent());
-    expectFixtures(physics, terrain, {});
-    b2World other({0, -10});
-    const Terrain fresh(other, field.world);
-    EXPECT_EQ(terrain.edges().counts(), fresh.edges().counts());
-    EXPECT_EQ(terrain.bodyCount(), fresh.bodyCount());
+    expectEdges(terrain, {});
+    box2d::EdgeSet fresh(terrain.edges().options());
+    fresh.load(field.world);
+    EXPECT_EQ(terrain.edges().counts(), fresh.counts());
+    EXPECT_EQ(terrain.bodyCount(), fresh.chunkCount());
+    EXPECT_EQ(bodyCount(), fresh.chunkCount());
   }
-  b2World physics{{0, -10}};
-  Field field;
 };
 
 using Box2dTerrainSyncDeathTest = Box2dTerrainSync;
@@ -68,7 +66,7 @@ TEST_F(Box2dTerrainSyncDeathTest, ChangesThatWereForgottenAreNoticed) {
   const std::vector<EdgeId> before = terrain.edges().edges();
   expectNoticed(SyncError::leftOut, [&] { return terrain.sync(changes); });
   EXPECT_EQ(terrain.edges().edges(), before);
-  EXPECT_EQ(edgesIn(physics), before.size());
+  expectEdges(terrain, {});
   expectNoticed(SyncError::leftOut, [&] { return terrain.commit(field.world); });
   terrain.resync();
   expectCurrent(terrain);
@@ -154,29 +152,28 @@ TEST_F(Box2dTerrainSyncDeathTest, AWorldThatIsAssignedToIsNoticed) {
   }
 }
 
-// Their materials are those of the world that the terrain shows now.
+// Materials are those of the world that the terrain shows now.
 TEST_F(Box2dTerrainSync, AResyncFollowsAnyWorld) {
-  forAllEdits(30, [](const Trace& trace, Chance random) {
+  forAllEdits(30, [&](const Trace& trace, Chance random) {
     TerrainOptions options{.chunkCells = 1 + random.below(8), .merge = random.chance(50)};
-    options.material = [](Block block) { return box2d::Material{.friction = static_cast<float>(block)}; };
+    options.material = [](Block block) { return withFriction(static_cast<float>(block)); };
     std::vector<World> worlds(1);
     oracle::Player player(trace.preserve);
     playAll(trace, player, [&] {
       player.commit();
       worlds.push_back(player.world());
     });
-    b2World empty({0, -10});
     World world;
-    Terrain terrain(empty, world, options);
+    Terrain terrain(physics, world, options);
     for (int k = 0; k < 6; ++k) {
       world = random.pick(worlds);
       terrain.resync();
       EXPECT_TRUE(terrain.isCurrent());
-      expectFixtures(empty, terrain, options);
-      EXPECT_EQ(static_cast<std::size_t>(empty.GetBodyCount()), terrain.bodyCount());
+      expectEdges(terrain, options);
+      EXPECT_EQ(bodyCount(), terrain.bodyCount());
       for (const EdgeId id : terrain.edges().edges()) {
         const Block block = world.segment(terrain.edges().edge(id).first)->block;
-        EXPECT_EQ(terrain.fixture(id)->GetFriction(), static_cast<float>(block));
+        EXPECT_EQ(frictionOf(terrain, id), static_cast<float>(block));
       }
     }
   });
@@ -186,24 +183,18 @@ TEST_F(Box2dTerrainSync, BodiesSleepOnOverAResyncThatChangesNothingBelowThem) {
   field.addFloor(0, 20);
   field.world.commit();
   Terrain terrain(physics, field.world);
-  b2BodyDef definition;
-  definition.type = b2_dynamicBody;
-  definition.position = {4.5F, 0.4F};
-  b2Body& ball = *physics.CreateBody(&definition);
-  b2CircleShape circle;
-  circle.m_radius = 0.35F;
-  ball.CreateFixture(&circle, 1);
-  for (int k = 0; k < 120; ++k) physics.Step(1.0F / 60, 8, 3);
-  ASSERT_FALSE(ball.IsAwake());
+  const Body ball = addBall({4.5F, 0.4F});
+  step(120);
+  ASSERT_FALSE(isAwake(ball));
   dig({15, -1});
   field.world.commit();
   terrain.resync();
-  EXPECT_FALSE(ball.IsAwake());
+  EXPECT_FALSE(isAwake(ball));
   dig({4, -1});
   field.world.commit();
   terrain.resync();
-  EXPECT_TRUE(ball.IsAwake());
-  expectFixtures(physics, terrain, {});
+  EXPECT_TRUE(isAwake(ball));
+  expectEdges(terrain, {});
 }
 
 }  // namespace
