@@ -59,8 +59,10 @@ TEST_F(Box2dPlaces, NearestFarAwayAndOutOfReach) {
   const Terrain terrain(physics, field.world, {.cellSize = 0.5, .origin = kFar});
   const auto nearest = terrain.nearest({0.25F, 0.75F}, 1'000'000);  // more than kMaxRadius cells
   ASSERT_TRUE(nearest);
-  EXPECT_EQ(std::pair(nearest->point.x, nearest->point.y), std::pair(0.25F, 0.5F));
-  EXPECT_EQ(std::pair(nearest->normal.x, nearest->normal.y), std::pair(0.0F, 1.0F));
+  EXPECT_EQ(nearest->point.x, 0.25F);
+  EXPECT_EQ(nearest->point.y, 0.5F);
+  EXPECT_EQ(nearest->normal.x, 0);
+  EXPECT_EQ(nearest->normal.y, 1);
   EXPECT_EQ(nearest->distance, 0.25F);
   EXPECT_EQ(nearest->hit.block, 5U);
   EXPECT_FALSE(terrain.nearest({0.25F, 0.75F}, 0.2F));

@@ -74,6 +74,9 @@ void Terrain::moveOrigin(Cell origin) {
     if (B2_IS_NON_NULL(bodies_[k].body))
       b2Body_SetTransform(bodies_[k].body, positionOf(static_cast<std::uint32_t>(k)), b2Rot_identity);
   }
+  // Box2D puts shapes that move back into its tree one by one. After some moves the tree would be so deep that Box2D
+  // does not find all of them.
+  b2World_RebuildStaticTree(physics_);
 }
 
 void Terrain::apply(const EdgeChanges& changes) {
