@@ -30,7 +30,7 @@ class Box2dRecipes : public Recipes {
     for (const Form form : {Form::ball, Form::box}) {
       const Body body = addBody({1, 2.36F}, form, 0);
       step(30);
-      const auto height = positionOf(body).y;
+      const double height = positionOf(body).y;
       setVelocity(body, {5, 0});
       step(150, [&] {
         EXPECT_NEAR(velocityOf(body).x, 5, 1e-3F);
@@ -57,9 +57,9 @@ TEST_F(Box2dRecipes, APlatformIsPassedFromBelowAndHoldsFromAbove) {
         SCOPED_TRACE(testing::Message() << (form == Form::box ? "box" : "ball") << " at " << x << ", aside " << aside);
         const Body body = addBody({x, 0.4F}, form, 0);
         setVelocity(body, {aside, 9});
-        float highest = 0;
+        double highest = 0;
         step(40, [&] {
-          highest = std::max(highest, positionOf(body).y);
+          highest = std::max(highest, double{positionOf(body).y});
           EXPECT_NEAR(velocityOf(body).x, aside, 1e-4F) << "it was kicked at y = " << positionOf(body).y;
         });
         EXPECT_GT(highest, 4);  // as high as without a platform
@@ -79,8 +79,8 @@ TEST_F(Box2dRecipes, AJumpThatIsTooLowFallsBack) {
   for (const float speed : {4.0F, 5.0F, 5.8F, 6.0F, 6.4F, 6.6F}) {
     const Body body = addBody({7.9F, 0.4F}, Form::box, 0);
     setVelocity(body, {0, speed});
-    float highest = 0;
-    step(150, [&] { highest = std::max(highest, positionOf(body).y); });
+    double highest = 0;
+    step(150, [&] { highest = std::max(highest, double{positionOf(body).y}); });
     EXPECT_LT(highest, 0.41F + speed * speed / 20);  // nothing pushes it up
     EXPECT_NEAR(positionOf(body).y, highest > 2.36F ? 2.35F : 0.35F, 0.03F) << speed;
     destroy(body);
@@ -122,7 +122,7 @@ TEST_F(Box2dRecipes, SeamsOfConveyorsAndIceDoNotKick) {
   const Body box = addBody({4, 0.37F}, Form::box, 0.8F);
   step(30);
   setVelocity(box, {8, 0});
-  const float height = positionOf(box).y;
+  const double height = positionOf(box).y;
   float onBelt = 0, onIce = 0;
   step(1'200, [&] {
     EXPECT_NEAR(positionOf(box).y, height, 2e-3F);
@@ -213,7 +213,7 @@ TEST_F(Box2dRecipes, AWorldThatMovesItsOrigin) {
   setVelocity(ball, {40, 0});
   Cell origin;
   int moves = 0;
-  const float height = positionOf(ball).y;
+  const double height = positionOf(ball).y;
   while (terrain->cellAt(positionOf(ball)).i < kCells - 200) {
     const Cell before = origin;
     const Cell at = terrain->cellAt(positionOf(ball));

@@ -24,6 +24,7 @@ TEST_F(Box2d3Terrain, ShapesFollowRandomEdits) {
     TerrainOptions options;
     options.chunkCells = 1 + random.below(7);
     options.merge = random.chance(50);
+    options.origin = firstCell(trace);
     SCOPED_TRACE(fmt::format("chunks of {} cells, merge {}", options.chunkCells, options.merge));
     {
       Terrain terrain(physics, player.world(), options);

@@ -20,7 +20,7 @@ using Box2dPlaces = EitherBox2d;
 TEST_F(Box2dPlaces, NearestIsTheLeastOfAllDistances) {
   forAllEdits(60, [&](const Trace& trace, Chance random) {
     TerrainOptions options{.cellSize = random.pick(std::vector<double>{0.3, 1, 7}), .merge = random.chance(50)};
-    if (!trace.edits.empty()) options.origin = test::boundsOf(trace).min;
+    options.origin = firstCell(trace);
     oracle::Player player(trace.preserve);
     Terrain terrain(physics, player.world(), options);
     const auto size = static_cast<float>(options.cellSize);
@@ -76,13 +76,13 @@ TEST_F(Box2dPlaces, NearestFarAwayAndOutOfReach) {
 TEST_F(Box2dPlaces, AfterTheOriginMovedAllIsAsInATerrainMadeThere) {
   forAllEdits(40, [&](const Trace& trace, Chance random) {
     TerrainOptions options{.cellSize = random.chance(50) ? 1 : 0.3, .chunkCells = 1 + random.below(5)};
-    if (!trace.edits.empty()) options.origin = test::boundsOf(trace).min;
+    options.origin = firstCell(trace);
     oracle::Player player(trace.preserve);
     Terrain terrain(physics, player.world(), options);
     playAll(trace, player, [&] {
       terrain.commit(player.world());
-      const CellRect all = player.world().bounds().value_or(CellRect{});
-      options.origin = {all.min.i - random.below(1'000), all.min.j + random.below(1'000)};
+      const Cell first = firstCell(trace);
+      options.origin = {first.i - random.below(1'000), first.j + random.below(1'000)};
       terrain.moveOrigin(options.origin);
       expectEdges(terrain, options);
       EXPECT_EQ(terrain.cellAt({0, 0}), options.origin);

@@ -91,7 +91,7 @@ TEST_F(Box2d3Questions, AContactLeadsToWhatItTouches) {
   forAllEdits(60, [&](const Trace& trace, Chance random) {
     // No segment is short, so that none is welded.
     TerrainOptions options{.cellSize = 1'000, .chunkCells = 1 + random.below(6), .merge = random.chance(70)};
-    if (!trace.edits.empty()) options.origin = test::boundsOf(trace).min;
+    options.origin = firstCell(trace);
     oracle::Player player(trace.preserve);
     Terrain terrain(physics, player.world(), options);
     std::vector<b2BodyId> bodies;

@@ -154,7 +154,7 @@ TEST_F(Box2dTerrainSyncDeathTest, AWorldThatIsAssignedToIsNoticed) {
 // Materials are those of the world that the terrain shows now.
 TEST_F(Box2dTerrainSync, AResyncFollowsAnyWorld) {
   forAllEdits(30, [&](const Trace& trace, Chance random) {
-    TerrainOptions options{.chunkCells = 1 + random.below(8), .merge = random.chance(50)};
+    TerrainOptions options{.origin = firstCell(trace), .chunkCells = 1 + random.below(8), .merge = random.chance(50)};
     options.material = [](Block block) { return withFriction(static_cast<float>(block)); };
     std::vector<World> worlds(1);
     oracle::Player player(trace.preserve);
