@@ -26,9 +26,10 @@ inline lgs::box2d::Material materialOf(lgs::Block block) {
   return material;
 }
 
-/// One-way platforms: they hold from above only. What comes from above is hardly deeper in a platform than it falls in a
-/// step. What comes from below is deep in it when Box2D notices the contact: not before its middle is above the top.
-/// Box2D can call this from several threads at a time. In 3.1 the result is whether there is a contact; later it is void.
+/// One-way platforms: they hold from above only. What comes from above is hardly deeper in a platform than it falls in
+/// a step. What comes from below is deep in it when Box2D notices the contact: not before its middle is above the top.
+/// Box2D can call this from several threads at a time. In 3.1 the result is whether there is a contact; later it is
+/// void.
 template <class Result>
 Result holdFromAbove(b2ShapeId platform, b2ShapeId other, b2Manifold* manifold, void* terrain) {
   const auto hit = static_cast<const lgs::box2d::Terrain*>(terrain)->hit(platform);
@@ -85,8 +86,8 @@ inline bool dig(lgs::World& world, lgs::box2d::Terrain& terrain, const lgs::Cell
   return world.clear(cells) && terrain.commit(world);
 }
 
-/// Keeps the origin near the first of these bodies, which are all that move. Steps of 1,024 cells: so the bodies move by
-/// a float, to the last bit, if the cells' size is one that floats have, like 1, 0.5 or 0.75.
+/// Keeps the origin near the first of these bodies, which are all that move. Steps of 1,024 cells: so the bodies move
+/// by a float, to the last bit, if the cells' size is one that floats have, like 1, 0.5 or 0.75.
 inline void follow(lgs::box2d::Terrain& terrain, lgs::Cell& origin, std::span<const b2BodyId> bodies) {
   constexpr std::int32_t kFar = 1'024;
   const lgs::Cell cell = terrain.cellAt(b2Body_GetPosition(bodies.front()));

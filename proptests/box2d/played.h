@@ -26,8 +26,8 @@ void forAllEdits(std::int64_t cases, Law law) {
   test::forAll(cases, std::move(law), test::traces(edits, {}), rc::gen::arbitrary<Chance>());
 }
 
-/// Where a trace places its first polygon. That may be at the rim of the world, and Box2D 3 in float asserts that nothing
-/// is 100 km from its origin.
+/// Where a trace places its first polygon. That may be at the rim of the world, and Box2D 3 in float asserts that
+/// nothing is 100 km from its origin.
 inline Cell firstCell(const Trace& trace) {
   oracle::Steps steps(trace);
   while (const auto step = steps.next()) {

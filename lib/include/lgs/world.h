@@ -248,9 +248,9 @@ class World {
   const PreserveRelation& preserveRelation() const;
 
   /// The version of the segments, as of the last commit. Each commit that changes any makes a new one, and no world of
-  /// this process ever makes the same one. A copy has the version of its original, until one of them changes. rollBack()
-  /// brings back that of the mark. A loaded world has a new one. Versions say nothing else: the same edits make other
-  /// ones in another run, and law 12 does not hold for them.
+  /// this process ever makes the same one. A copy has the version of its original, until one of them changes.
+  /// rollBack() brings back that of the mark, unless it changes no segment. A loaded world has a new one. Versions say
+  /// nothing else: the same edits make other ones in another run, and law 12 does not hold for them.
   std::uint64_t version() const;
 
   /// The highest SegmentId::value in use so far: an array for what you know of segments needs one place more. Only

@@ -73,8 +73,8 @@ class Terrain {
   tl::expected<void, SyncError> sync(const Changes& changes);
 
   /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world: changes
-  /// were left out, or another world was assigned to it, loaded or copied. Fixtures that are right as they are stay, and
-  /// bodies on them sleep on. Cost: O(segments).
+  /// were left out, or another world was assigned to it, loaded or copied. Fixtures that are right as they are stay,
+  /// and bodies on them sleep on. Cost: O(segments).
   void resync();
 
   /// Whether the terrain is up to date with the last commit.
@@ -96,9 +96,9 @@ class Terrain {
   /// solid. Segments that are too short for an edge count as well. Cost: as of World::nearest().
   std::optional<NearestHit> nearest(const b2Vec2& point, float radius) const;
 
-  /// The bodies that reach into a cell, but for the terrain's; each once, in no particular order. Sensors are not looked
-  /// at. Ask before you place a block: edges are one-sided, so a body whose middle is behind them falls through the
-  /// ground (docs/box2d.md says what to do). Box2D's skin of a polygon counts: bodies that are less than 1 cm
+  /// The bodies that reach into a cell, but for the terrain's; each once, in no particular order. Sensors are not
+  /// looked at. Ask before you place a block: edges are one-sided, so a body whose middle is behind them falls through
+  /// the ground (docs/box2d.md says what to do). Box2D's skin of a polygon counts: bodies that are less than 1 cm
   /// (b2_polygonRadius) away are found, but not those that just rest beside the cell. Cost: the fixtures near the cell.
   std::vector<b2Body*> bodiesIn(Cell cell) const;
 

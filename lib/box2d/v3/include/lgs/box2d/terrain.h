@@ -101,8 +101,8 @@ class Terrain {
   std::optional<Hit> hit(b2ShapeId shape) const;
   std::optional<Hit> hit(b2ShapeId shape, Position point) const;
 
-  /// What a contact touches of the terrain; nothing if it is none of the terrain's, or has no points. If the edge stands
-  /// for several segments, the hit is the one nearest to the middle of the points.
+  /// What a contact touches of the terrain; nothing if it is none of the terrain's, or has no points. If the edge
+  /// stands for several segments, the hit is the one nearest to the middle of the points.
   std::optional<Touch> hit(const b2ContactData& contact) const;
 
   /// The segment of the outline nearest to a point of the physics world, as of the last commit; nothing if none is
@@ -110,15 +110,15 @@ class Terrain {
   /// solid. Segments that are too short for an edge count as well. Cost: as of World::nearest().
   std::optional<NearestHit> nearest(Position point, float radius) const;
 
-  /// The bodies that reach into a cell, but for the terrain's; each once, in no particular order. Sensors are not looked
-  /// at. Ask before you place a block: edges are one-sided, so a body whose middle is behind them falls through the
-  /// ground (docs/box2d.md says what to do). Bodies that just rest beside the cell are not found: it counts as smaller
-  /// by Box2D's slop, half a centimetre, on each side. Cost: the shapes near the cell.
+  /// The bodies that reach into a cell, but for the terrain's; each once, in no particular order. Sensors are not
+  /// looked at. Ask before you place a block: edges are one-sided, so a body whose middle is behind them falls through
+  /// the ground (docs/box2d.md says what to do). Bodies that just rest beside the cell are not found: it counts as
+  /// smaller by Box2D's slop, half a centimetre, on each side. Cost: the shapes near the cell.
   std::vector<b2BodyId> bodiesIn(Cell cell) const;
 
   /// Makes the corner of another cell (0, 0) of the physics world, for a world that keeps its origin near the player.
-  /// Moves the terrain's bodies. The game moves its own, by the place that the corner had before. Cost: in proportion to
-  /// the shapes.
+  /// Moves the terrain's bodies. The game moves its own, by the place that the corner had before. Cost: in proportion
+  /// to the shapes.
   void moveOrigin(Cell origin);
 
   /// The shape that stands for a segment; null if the segment is left out, because it is too short, or is not alive.
