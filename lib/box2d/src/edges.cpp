@@ -20,7 +20,7 @@ const EdgeChanges& EdgeSet::load(const World& world) {
   }
   for (const SegmentId id : world.segments()) {
     setFate(records_[id.value], Fate::pending);
-    seed(id);
+    seedAround(id);
   }
   for (Record& record : records_) {
     if (record.fate == Fate::dead) record.edge = 0;
@@ -88,12 +88,7 @@ void EdgeSet::seedAll(const Changes& changes) {
   for (const SegmentId id : changes.relinked) seedLinks(records_[id.value]);
   for (const SegmentId id : changes.added) setFate(records_[id.value], Fate::pending);
   for (const auto* ids : {&changes.added, &changes.relinked}) {
-    for (const SegmentId id : *ids) {
-      const Segment s = read(id);
-      seed(id);
-      seed(s.predecessor);
-      seed(s.successor);
-    }
+    for (const SegmentId id : *ids) seedAround(id);
   }
 }
 
@@ -119,6 +114,14 @@ EdgeCounts EdgeSet::counts() const {
 
 void EdgeSet::seed(SegmentId id) {
   if (id) seeds_.push_back(id);
+}
+
+// Neighbours in a row get ids in a row.
+void EdgeSet::seedAround(SegmentId id) {
+  const Segment s = read(id);
+  seed(id);
+  seed(s.predecessor);
+  seed(s.successor);
 }
 
 void EdgeSet::seedLinks(const Record& record) {

@@ -139,6 +139,7 @@ class EdgeSet {
   void begin(const World& world);
   const EdgeChanges& renewAll();
   void seed(SegmentId id);
+  void seedAround(SegmentId id);
   void seedLinks(const Record& record);
   void seedAll(const Changes& changes);
   void setFate(Record& record, Fate fate);
