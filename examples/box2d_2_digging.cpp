@@ -31,12 +31,12 @@ int main() {
   for (int step = 0; step < 300; ++step) {
     physics.Step(1.0F / 60, 8, 3);
     for (const b2ContactEdge* c = ball->GetContactList(); c != nullptr && !dug; c = c->next) {
-      const auto hit = terrain.hit(*c->contact->GetFixtureA());  // the terrain's, because it was made before the ball's
-      if (!hit || !c->contact->IsTouching() || hit->cell.i < 12) continue;
+      const auto touch = terrain.hit(*c->contact);
+      if (!touch || !c->contact->IsTouching() || touch->hit.cell.i < 12) continue;
       std::printf("at %.2f m it touches cell (%d, %d) of block %u: dig\n", static_cast<double>(ball->GetPosition().x),
-                  hit->cell.i, hit->cell.j, hit->block);
-      if (!ground.remove(hit->polygon)) return 1;
-      terrain.sync(ground.commit());  // exactly the fixtures that changed
+                  touch->hit.cell.i, touch->hit.cell.j, touch->hit.block);
+      if (!ground.remove(touch->hit.polygon)) return 1;
+      terrain.commit(ground);  // exactly the fixtures that changed
       dug = true;
       break;
     }

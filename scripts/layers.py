@@ -47,7 +47,7 @@ ROOMS = {
     "examples": ENGINE + ADAPTERS,
     "fuzz": ENGINE + ADAPTERS + ORACLE + ["cli"],
     # Unit tests of the engine's and the importer's parts look inside.
-    "proptests": ENGINE + ADAPTERS + ORACLE + ["lib/geometry", "lib/src", "lib/tiled/src", "lib/box2d/src",
+    "proptests": ENGINE + ADAPTERS + ORACLE + ["examples", "lib/geometry", "lib/src", "lib/tiled/src", "lib/box2d/src",
                                                "bench/published", "bench/ride", "cli"],
     "proptests/consumer": ENGINE + ADAPTERS,  # a project of its own, as a game would be
 }

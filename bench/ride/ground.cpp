@@ -57,8 +57,8 @@ class Builder {
 
  private:
   b2Vec2 at(Point p) const {
-    const box2d::Metres m = frame_.position(p);
-    return {m.x, m.y};
+    const box2d::Place m = frame_.position(p);
+    return {static_cast<float>(m.x), static_cast<float>(m.y)};
   }
 
   // Leaves out vertices that are closer than Box2D's slop, because Box2D aborts on them.

@@ -32,8 +32,8 @@ bool isBetween(b2Vec2 from, b2Vec2 n, b2Vec2 to) {
 
 Surface::Surface(const World& world, const box2d::Frame& frame) : frame_(frame) {
   const auto at = [&](Point p) {
-    const box2d::Metres m = frame.position(p);
-    return b2Vec2(m.x, m.y);
+    const box2d::Place m = frame.position(p);
+    return b2Vec2(static_cast<float>(m.x), static_cast<float>(m.y));
   };
   for (const SegmentId id : world.segments()) {
     const Segment s = *world.segment(id);

@@ -1,6 +1,8 @@
-// What the terrain costs, by the size of a chunk: bodies and fixtures, loading 100×100 cells, a sync after one edit and
+// What the terrain costs, by the size of a chunk: bodies and shapes, loading 100×100 cells, a sync after one edit and
 // after 1,000. Each time is the least of some rounds on one core. Compare times of one run only.
 #include "oracle/generate/random.h"
+
+#include "physics.h"
 
 #include <fmt/format.h>
 #include <lgs/box2d/terrain.h>
@@ -49,10 +51,6 @@ struct Field {
   }
 };
 
-// Whenever a fixture goes, Box2D looks through everything that was made since the last step. A game takes steps, so
-// this must too.
-void step(b2World& physics) { physics.Step(1.0F / 60, 8, 3); }
-
 // Calls `round` a few times, and returns the least that it measured.
 template <class Round>
 double leastOf(Round round) {
@@ -62,36 +60,35 @@ double leastOf(Round round) {
 }
 
 // A terrain in a world with a body in it, after a step. A game has bodies too, and the terrain looks for those that it
-// must wake.
+// must wake. Whenever a fixture goes, Box2D 2.4 looks through everything that was made since the last step. A game takes
+// steps, so this must too.
 class Populated {
  public:
   Populated(Field& field, const box2d::TerrainOptions& options) : field_(field) {
-    b2BodyDef body;
-    body.type = b2_dynamicBody;
-    physics_.CreateBody(&body);
-    terrain_.emplace(physics_, field.world, options);
-    step(physics_);
+    physics_.addBody();
+    terrain_.emplace(physics_.world(), field.world, options);
+    physics_.step();
   }
 
   /// Commits and syncs; returns the time of the sync alone.
   double sync() {
     const Changes& changes = field_.world.commit();
     const double time = microseconds([&] { terrain_->sync(changes); });
-    step(physics_);
+    physics_.step();
     return time;
   }
 
  private:
   Field& field_;
-  b2World physics_{{0, -10}};
+  Physics physics_;
   std::optional<box2d::Terrain> terrain_;
 };
 
 double load(const Field& field, const box2d::TerrainOptions& options) {
   return leastOf([&] {
-    b2World physics({0, -10});
+    Physics physics;
     std::optional<box2d::Terrain> terrain;
-    return microseconds([&] { terrain.emplace(physics, field.world, options); });
+    return microseconds([&] { terrain.emplace(physics.world(), field.world, options); });
   });
 }
 
@@ -124,28 +121,24 @@ double thousandDigs(Field& field, const box2d::TerrainOptions& options) {
   });
 }
 
-std::size_t mostOnABody(const b2World& physics) {
-  std::size_t most = 0;
-  for (const b2Body* body = physics.GetBodyList(); body != nullptr; body = body->GetNext()) {
-    std::size_t count = 0;
-    for (const b2Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) ++count;
-    most = std::max(most, count);
-  }
-  return most;
+std::size_t mostOnABody(const box2d::EdgeSet& edges) {
+  std::vector<std::size_t> counts(edges.chunkCount());
+  for (const box2d::EdgeId id : edges.edges()) ++counts[edges.edge(id).chunk];
+  return *std::max_element(counts.begin(), counts.end());
 }
 
 void printLine(bool ramps, std::int32_t chunk, bool merge) {
   Field field(ramps);
   const box2d::TerrainOptions options{.chunkCells = chunk, .merge = merge};
-  b2World physics({0, -10});
-  const box2d::Terrain terrain(physics, field.world, options);
+  Physics physics;
+  const box2d::Terrain terrain(physics.world(), field.world, options);
   fmt::print("| {} | {} | {} | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} |\n", ramps ? "ramps" : "full", chunk,
-             merge ? "yes" : "no", terrain.bodyCount(), terrain.edges().counts().edges, mostOnABody(physics),
+             merge ? "yes" : "no", terrain.bodyCount(), terrain.edges().counts().edges, mostOnABody(terrain.edges()),
              load(field, options) / 1e3, oneEdit(field, options), thousandDigs(field, options) / 1e3);
 }
 
 void run() {
-  fmt::print("| world | chunk | merged | bodies | fixtures | most on a body | load, ms | sync after 1 edit, µs | ");
+  fmt::print("| world | chunk | merged | bodies | shapes | most on a body | load, ms | sync after 1 edit, µs | ");
   fmt::print("after 1,000 digs, ms |\n|---|---|---|---|---|---|---|---|---|\n");
   for (const bool ramps : {false, true}) {
     for (const std::int32_t chunk : {1, 4, 8, 16, 32, 100}) {

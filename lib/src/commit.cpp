@@ -31,6 +31,9 @@ const Changes& World::Impl::commit(const Executor& executor) {
   for (const SegmentId id : changes.relinked) segments[id.value].listed = 0;
   for (const SegmentId id : changes.removed) segments[id.value].cellRef = 0;
   forgetDirty();
+  changes.before = version;
+  if (!changes.removed.empty() || !changes.added.empty() || !changes.relinked.empty()) version = versions.next();
+  changes.after = version;
   if (isNoted) journal.noteChanges(changes);
   catalogue.collect();
   return changes;

@@ -70,7 +70,8 @@ void Journal::setOpen(World::Impl& world, bool open) {
 Mark Journal::mark(World::Impl& world) {
   setOpen(world, true);
   const Mark mark{++lastMark_};
-  marks_.push_back({mark, forgotten_ + entries_.size(), world.grid.chunks().size(), world.catalogue.shapeCount()});
+  marks_.push_back(
+      {mark, forgotten_ + entries_.size(), world.grid.chunks().size(), world.catalogue.shapeCount(), world.version});
   return mark;
 }
 
@@ -161,6 +162,9 @@ void Journal::rollBack(World::Impl& world, Mark mark, Changes& changes) {
   read(world, after);
   changes = {};
   compare(before, after, changes);
+  changes.before = world.version;
+  if (!changes.removed.empty() || !changes.added.empty() || !changes.relinked.empty()) world.version = to.version;
+  changes.after = world.version;
 }
 
 void Journal::undo(World::Impl& world, const CellEntry& entry) {

@@ -88,6 +88,7 @@ class Journal {
     std::uint64_t position = 0;  ///< how many entries there ever were before it
     std::size_t chunks = 0;
     std::uint64_t shapes = 0;
+    std::uint64_t version = 0;  ///< of the segments
   };
 
   void setOpen(World::Impl& world, bool open);

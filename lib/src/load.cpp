@@ -262,6 +262,7 @@ class Load {
     detail::Linking phase2(world_, world_.fan);
     for (const Chunk* chunk : world_.dirtyChunks) phase2.linkChunk(*chunk);
     world_.forgetDirty();
+    world_.version = world_.versions.next();
   }
 
   World::Impl& world_;

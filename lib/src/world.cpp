@@ -209,6 +209,7 @@ std::vector<SegmentId> World::segments() const { return impl_->liveSegments(); }
 std::vector<SegmentId> World::segments(const CellRect& cells) const { return impl_->segmentsIn(cells); }
 std::vector<Loop> World::loops(Collinear collinear) const { return impl_->loops(collinear); }
 const PreserveRelation& World::preserveRelation() const { return impl_->preserve; }
+std::uint64_t World::version() const { return impl_->version; }
 std::uint32_t World::maxSegmentId() const { return impl_->segments.maxId(); }
 Stats World::stats() const { return impl_->stats(); }
 

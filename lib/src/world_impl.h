@@ -9,6 +9,7 @@
 #include "radial_match.h"
 #include "segment_geometry.h"
 #include "segment_pool.h"
+#include "versions.h"
 
 #include <lgs/world.h>
 
@@ -75,6 +76,8 @@ struct World::Impl {
   detail::SegmentPool segments;
   std::vector<detail::Chunk*> dirtyChunks;  ///< in the order in which edits touched them
   Changes changes;                          ///< of the last commit; ids in `removed` are available with the next one
+  detail::Versions versions;
+  std::uint64_t version = 0;  ///< of the segments
   detail::Journal journal;
   Changes changesOfRollBack;
   // Working memory. It is kept from one call to the next, to spare allocations.

@@ -26,6 +26,17 @@ void forAllEdits(std::int64_t cases, Law law) {
   test::forAll(cases, std::move(law), test::traces(edits, {}), rc::gen::arbitrary<Chance>());
 }
 
+/// Where a trace places its first polygon. That may be at the rim of the world, and Box2D 3 in float asserts that
+/// nothing is 100 km from its origin.
+inline Cell firstCell(const Trace& trace) {
+  oracle::Steps steps(trace);
+  while (const auto step = steps.next()) {
+    const oracle::Edit& edit = step->edits.front();
+    if (edit.kind == oracle::Edit::Kind::add && step->verdict.accepted) return edit.polygon.cell;
+  }
+  return {};
+}
+
 /// Plays a trace, of which some edits may have to be refused. `commit` is called at each of its commits and at its end,
 /// to commit the player's world and say with expectations what must hold then. The first that fails ends the case.
 inline void playAll(const Trace& trace, oracle::Player& player, const std::function<void()>& commit) {

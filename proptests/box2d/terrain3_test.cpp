@@ -1,12 +1,11 @@
 // The terrain in Box2D 3. It is built if that is the Box2D that was found.
 #include "oracle/trace/player.h"
 
-#include "field.h"
+#include "physics3.h"
 #include "played.h"
+#include "shapes3.h"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-#include <lgs/box2d/terrain.h>
 #include <algorithm>
 #include <cmath>
 
@@ -17,69 +16,7 @@ using box2d::EdgeId;
 using box2d::Terrain;
 using box2d::TerrainOptions;
 
-class Box2d3Terrain : public testing::Test {
- protected:
-  Box2d3Terrain() {
-    b2WorldDef definition = b2DefaultWorldDef();
-    definition.gravity = {0, -10};
-    physics = b2CreateWorld(&definition);
-  }
-  ~Box2d3Terrain() override { b2DestroyWorld(physics); }
-  Box2d3Terrain(const Box2d3Terrain&) = delete;
-  Box2d3Terrain& operator=(const Box2d3Terrain&) = delete;
-
-  b2BodyId addBall(b2Vec2 at, float friction) const {
-    b2BodyDef definition = b2DefaultBodyDef();
-    definition.type = b2_dynamicBody;
-    definition.position = {at.x, at.y};
-    const b2BodyId body = b2CreateBody(physics, &definition);
-    b2ShapeDef shape = b2DefaultShapeDef();
-    shape.material.friction = friction;
-    const b2Circle circle{{0, 0}, 0.35F};
-    b2CreateCircleShape(body, &shape, &circle);
-    return body;
-  }
-  void step(int times) const {
-    for (int k = 0; k < times; ++k) b2World_Step(physics, 1.0F / 60, 4);
-  }
-  float heightOf(b2BodyId body) const { return static_cast<float>(b2Body_GetPosition(body).y); }
-
-  b2WorldId physics = b2_nullWorldId;
-  Field field;
-};
-
-void expectNear(b2Vec2 a, box2d::Metres b) {
-  EXPECT_NEAR(a.x, b.x, 1e-5F);
-  EXPECT_NEAR(a.y, b.y, 1e-5F);
-}
-
-// A ghost that is missing, or too close for Box2D, is straight on.
-void expectGhost(b2Vec2 actual, const std::optional<Point>& p, b2Vec2 near, b2Vec2 far, const box2d::Frame& frame,
-                 box2d::Chunk chunk) {
-  if (p) {
-    const box2d::Metres m = frame.local(*p, chunk);
-    if (b2Distance({m.x, m.y}, near) > 0.005F) return expectNear(actual, m);
-  }
-  expectNear(actual, {2 * near.x - far.x, 2 * near.y - far.y});
-}
-
-void expectShapes(b2WorldId physics, const Terrain& terrain, const TerrainOptions& options) {
-  const box2d::Frame frame{options.cellSize, options.origin, options.chunkCells};
-  const std::vector<EdgeId> edges = terrain.edges().edges();
-  // The world may hold balls, too.
-  EXPECT_GE(static_cast<std::size_t>(b2World_GetCounters(physics).shapeCount), edges.size());
-  for (const EdgeId id : edges) {
-    const box2d::Edge& e = terrain.edges().edge(id);
-    const box2d::Chunk chunk = terrain.edges().chunk(e.chunk);
-    ASSERT_TRUE(b2Shape_IsValid(terrain.shape(id)));
-    const b2ChainSegment s = b2Shape_GetChainSegment(terrain.shape(id));
-    expectNear(s.segment.point1, frame.local(e.start, chunk));
-    expectNear(s.segment.point2, frame.local(e.end, chunk));
-    expectGhost(s.ghost1, e.ghost1, s.segment.point1, s.segment.point2, frame, chunk);
-    expectGhost(s.ghost2, e.ghost2, s.segment.point2, s.segment.point1, frame, chunk);
-    EXPECT_TRUE(terrain.hit(terrain.shape(id)));
-  }
-}
+class Box2d3Terrain : public Physics3 {};
 
 TEST_F(Box2d3Terrain, ShapesFollowRandomEdits) {
   forAllEdits(40, [&](const Trace& trace, Chance random) {
@@ -87,6 +24,7 @@ TEST_F(Box2d3Terrain, ShapesFollowRandomEdits) {
     TerrainOptions options;
     options.chunkCells = 1 + random.below(7);
     options.merge = random.chance(50);
+    options.origin = firstCell(trace);
     SCOPED_TRACE(fmt::format("chunks of {} cells, merge {}", options.chunkCells, options.merge));
     {
       Terrain terrain(physics, player.world(), options);
@@ -98,6 +36,31 @@ TEST_F(Box2d3Terrain, ShapesFollowRandomEdits) {
     }
     EXPECT_EQ(b2World_GetCounters(physics).bodyCount, 0);
   });
+}
+
+// Box2D's own way to say it: an open chain of the same four vertices.
+TEST_F(Box2d3Terrain, AShapeIsWhatBox2dMakesOfAnOpenChain) {
+  field.add({0, 0}, below(3, 8));
+  field.add({1, 0}, kSquare);
+  field.add({2, 0}, below(8, 2));
+  field.add({0, 1}, above(5, 1));
+  field.world.commit();
+  const Terrain terrain(physics, field.world);
+  b2BodyDef definition = b2DefaultBodyDef();
+  const b2BodyId body = b2CreateBody(physics, &definition);
+  for (const EdgeId id : terrain.edges().edges()) {
+    const b2ChainSegment own = b2Shape_GetChainSegment(terrain.shape(id));
+    b2ChainDef chain = b2DefaultChainDef();
+    const std::vector<b2Vec2> points{own.ghost1, own.segment.point1, own.segment.point2, own.ghost2};
+    setPoints(chain, points, false);
+    b2ShapeId shape;
+    ASSERT_EQ(b2Chain_GetSegments(b2CreateChain(body, &chain), &shape, 1), 1);
+    const b2ChainSegment theirs = b2Shape_GetChainSegment(shape);
+    EXPECT_EQ(b2Distance(own.ghost1, theirs.ghost1), 0);
+    EXPECT_EQ(b2Distance(own.segment.point1, theirs.segment.point1), 0);
+    EXPECT_EQ(b2Distance(own.segment.point2, theirs.segment.point2), 0);
+    EXPECT_EQ(b2Distance(own.ghost2, theirs.ghost2), 0);
+  }
 }
 
 TEST_F(Box2d3Terrain, ARestingBodyFallsWhenItsCellIsDugAway) {

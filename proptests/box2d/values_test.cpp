@@ -52,6 +52,15 @@ TEST(Box2dFrame, FarAwayIsAsPreciseAsNear) {
   EXPECT_EQ(frame.unitsOf(0.005), 721);
 }
 
+// A Box2D with positions in double gets them unrounded: float would be a quarter of a metre off.
+TEST(Box2dFrame, PlacesAreInDouble) {
+  const Frame frame{0.3, {}, 16};
+  const Place p = frame.position(toWorld({10'000'001, -10'000'001}, {U / 2, U / 2}));
+  EXPECT_NEAR(p.x, 3'000'000.45, 1e-8);
+  EXPECT_NEAR(p.y, -3'000'000.15, 1e-8);
+  EXPECT_EQ(frame.cellAt(p), (Cell{10'000'001, -10'000'001}));
+}
+
 #ifndef NDEBUG
 TEST(Box2dOptionsDeathTest, WhatIsOutOfRangeIsAsserted) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");

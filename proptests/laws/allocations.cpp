@@ -50,8 +50,6 @@ void operator delete[](void* p, const std::nothrow_t&) noexcept { release(p); }
 
 namespace lgs::test {
 
-Allocations allocations() {
-  return {newCalls, liveBytes};
-}
+Allocations allocations() { return {newCalls, liveBytes}; }
 
 }  // namespace lgs::test

@@ -11,19 +11,40 @@ EdgeSet::EdgeSet(EdgeOptions options) : options_(std::move(options)), slots_(1) 
   assert(options_.shortest >= 0 && options_.shortest <= std::int64_t{1} << 28);
 }
 
+// What an id named before says nothing about what it names now. So every edge goes, unless the same is placed again.
 const EdgeChanges& EdgeSet::load(const World& world) {
-  assert(counts().segments == 0);
-  Changes all;
-  all.added = world.segments();
-  return update(world, all);
+  begin(world);
+  for (Record& record : records_) {
+    retire(record.edge);
+    setFate(record, Fate::dead);
+  }
+  for (const SegmentId id : world.segments()) {
+    setFate(records_[id.value], Fate::pending);
+    seedAround(id);
+  }
+  for (Record& record : records_) {
+    if (record.fate == Fate::dead) record.edge = 0;
+  }
+  return renewAll();
+}
+
+std::optional<SyncError> EdgeSet::misfit(const World& world, const Changes& changes) const {
+  if (changes.after != world.version()) return SyncError::notTheLast;
+  if (changes.before == version_) return {};
+  return changes.after == version_ ? SyncError::shownAlready : SyncError::leftOut;
 }
 
 // An update has three steps. The first one collects the segments where something can have changed. The second one works
 // out the strips and edges around each of them; edges that were there before keep their ids. The third one works out
 // ghosts.
 const EdgeChanges& EdgeSet::update(const World& world, const Changes& changes) {
+  assert(!misfit(world, changes));
   begin(world);
   seedAll(changes);
+  return renewAll();
+}
+
+const EdgeChanges& EdgeSet::renewAll() {
   for (std::size_t k = 0; k < seeds_.size(); ++k) {  // renewing may add seeds
     const SegmentId id = seeds_[k];
     const Record& record = records_[id.value];
@@ -41,6 +62,7 @@ const EdgeChanges& EdgeSet::update(const World& world, const Changes& changes) {
 
 void EdgeSet::begin(const World& world) {
   world_ = &world;
+  version_ = world.version();
   ++update_;
   for (const EdgeId id : changes_.removed) free_.push_back(id.value);
   changes_.removed.clear();
@@ -66,12 +88,7 @@ void EdgeSet::seedAll(const Changes& changes) {
   for (const SegmentId id : changes.relinked) seedLinks(records_[id.value]);
   for (const SegmentId id : changes.added) setFate(records_[id.value], Fate::pending);
   for (const auto* ids : {&changes.added, &changes.relinked}) {
-    for (const SegmentId id : *ids) {
-      const Segment s = read(id);
-      seed(id);
-      seed(s.predecessor);
-      seed(s.successor);
-    }
+    for (const SegmentId id : *ids) seedAround(id);
   }
 }
 
@@ -97,6 +114,14 @@ EdgeCounts EdgeSet::counts() const {
 
 void EdgeSet::seed(SegmentId id) {
   if (id) seeds_.push_back(id);
+}
+
+// Neighbours in a row get ids in a row.
+void EdgeSet::seedAround(SegmentId id) {
+  const Segment s = read(id);
+  seed(id);
+  seed(s.predecessor);
+  seed(s.successor);
 }
 
 void EdgeSet::seedLinks(const Record& record) {
@@ -143,12 +168,20 @@ std::uint32_t EdgeSet::newSlot() {
   return edge;
 }
 
+// Whether an edge begins with a segment and ends at a point. Only a load() finds the id of the segment with another
+// start, block or place.
+bool EdgeSet::isEdge(std::uint32_t number, const Segment& head, Point end) const {
+  const Edge& edge = slots_[number].edge;
+  return edge.first == head.id && edge.start == head.start && edge.end == end && edge.block == head.block &&
+         chunks_[edge.chunk] == Frame{1, {}, options_.chunkCells}.chunkOf(head.cell);
+}
+
 // Makes an edge of segments of the group. If there was an edge with the same first segment and the same end, it stays.
 void EdgeSet::place(std::size_t first, std::size_t last, Fate fate) {
   const Segment& head = group_[first];
   const Segment& tail = group_[last];
   std::uint32_t edge = records_[head.id.value].edge;
-  if (edge != 0 && slots_[edge].edge.first == head.id && slots_[edge].edge.end == tail.end) {
+  if (edge != 0 && isEdge(edge, head, tail.end)) {
     slots_[edge].edge.last = tail.id;
     slots_[edge].kept = update_;
   } else {

@@ -1,14 +1,15 @@
 #include "find_hit.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lgs::box2d {
 
 namespace {
 
-double squaredDistance(const Frame& frame, const Segment& s, Metres point) {
-  const Metres a = frame.position(s.start);
-  const Metres b = frame.position(s.end);
+double squaredDistance(const Frame& frame, const Segment& s, Place point) {
+  const Place a = frame.position(s.start);
+  const Place b = frame.position(s.end);
   const double ux = b.x - a.x;
   const double uy = b.y - a.y;
   const double along = ((point.x - a.x) * ux + (point.y - a.y) * uy) / std::max(ux * ux + uy * uy, 1e-30);
@@ -28,7 +29,7 @@ std::optional<Hit> firstHit(const World& world, const EdgeSet& set, EdgeId id) {
   return s ? std::optional(hitOf(*s)) : std::nullopt;
 }
 
-std::optional<Hit> nearestHit(const World& world, const EdgeSet& set, EdgeId id, const Frame& frame, Metres point) {
+std::optional<Hit> nearestHit(const World& world, const EdgeSet& set, EdgeId id, const Frame& frame, Place point) {
   const SegmentId last = set.edge(id).last;
   auto s = world.segment(set.edge(id).first);
   if (!s) return {};
@@ -46,6 +47,25 @@ std::optional<Hit> nearestHit(const World& world, const EdgeSet& set, EdgeId id,
     }
   }
   return hitOf(nearest);
+}
+
+Metres normalOf(const Edge& edge) {
+  const auto x = static_cast<double>(edge.end.x - edge.start.x);
+  const auto y = static_cast<double>(edge.end.y - edge.start.y);
+  const double length = std::hypot(x, y);
+  return {static_cast<float>(y / length), static_cast<float>(-x / length)};
+}
+
+std::optional<NearestOnFrame> nearestTo(const World& world, const Frame& frame, Place point, float radius) {
+  const double cells = std::min(radius / frame.cellSize, double{kMaxRadius});
+  const auto nearest = world.nearest(frame.latticePoint(point), cells);
+  if (!nearest || !nearest->segment) return {};
+  const Segment s = *world.segment(nearest->segment);
+  const DoublePoint normal = s.normal();
+  return NearestOnFrame{hitOf(s),
+                        frame.position(nearest->point),
+                        {static_cast<float>(normal.x), static_cast<float>(normal.y)},
+                        static_cast<float>(nearest->distance * frame.cellSize)};
 }
 
 }  // namespace lgs::box2d

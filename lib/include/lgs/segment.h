@@ -4,6 +4,7 @@
 #include <lgs/ids.h>
 #include <lgs/lattice.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace lgs {
@@ -29,10 +30,16 @@ struct Segment {
 /// none. Ids in `removed` name nothing from now on. The order of each list follows from the edits since the last
 /// commit, in their order: the same edits in another order may give the same segments other ids and places. Whoever
 /// needs an order of their own sorts.
+///
+/// The lists lead from one World::version() to another. Whoever keeps a copy of the segments keeps the version, too.
+/// The lists fit the copy if `before` is that version; then `after` is the new one. So it shows when lists were left
+/// out, applied twice, or are those of another world. If all three lists are empty, both versions are the same.
 struct Changes {
   std::vector<SegmentId> removed;
   std::vector<SegmentId> added;
   std::vector<SegmentId> relinked;  ///< alive before and after, with another ghost1 or ghost2
+  std::uint64_t before = 0;
+  std::uint64_t after = 0;
 };
 
 /// One closed chain, in the direction of its segments (solid on the left).

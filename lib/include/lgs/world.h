@@ -247,6 +247,12 @@ class World {
   /// The relation that the world was made with; empty if it preserves nothing.
   const PreserveRelation& preserveRelation() const;
 
+  /// The version of the segments, as of the last commit. Each commit that changes any makes a new one, and no world of
+  /// this process ever makes the same one. A copy has the version of its original, until one of them changes.
+  /// rollBack() brings back that of the mark, unless it changes no segment. A loaded world has a new one. Versions say
+  /// nothing else: the same edits make other ones in another run, and law 12 does not hold for them.
+  std::uint64_t version() const;
+
   /// The highest SegmentId::value in use so far: an array for what you know of segments needs one place more. Only
   /// rollBack() lowers it, and changesOfRollBack().removed then names higher ones.
   std::uint32_t maxSegmentId() const;

@@ -1,15 +1,12 @@
 #include <lgs/box2d/terrain.h>
-#include "find_hit.h"
 #include "local_edge.h"
+#include "to_box2d.h"
 
-#include <algorithm>
 #include <cassert>
 
 namespace lgs::box2d {
 
 namespace {
-
-b2Vec2 toBox2D(Metres m) { return {m.x, m.y}; }
 
 class Waker : public b2QueryCallback {
  public:
@@ -46,7 +43,30 @@ Terrain::~Terrain() {
   }
 }
 
-void Terrain::sync(const Changes& changes) { apply(edges_.update(world_, changes)); }
+tl::expected<void, SyncError> Terrain::commit(World& world) {
+  const bool isOwn = &world == &world_;
+  assert(isOwn);
+  if (!isOwn) return tl::unexpected(SyncError::notTheLast);
+  return sync(world.commit());
+}
+
+tl::expected<void, SyncError> Terrain::sync(const Changes& changes) {
+  const std::optional<SyncError> misfit = edges_.misfit(world_, changes);
+  assert(!misfit);
+  if (misfit) return tl::unexpected(*misfit);
+  apply(edges_.update(world_, changes));
+  return {};
+}
+
+void Terrain::resync() { apply(edges_.load(world_)); }
+
+void Terrain::moveOrigin(Cell origin) {
+  assert(!physics_.IsLocked());
+  frame_.origin = origin;
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    if (bodies_[k].body != nullptr) bodies_[k].body->SetTransform(positionOf(static_cast<std::uint32_t>(k)), 0);
+  }
+}
 
 void Terrain::apply(const EdgeChanges& changes) {
   assert(!physics_.IsLocked());
@@ -79,7 +99,7 @@ void Terrain::create(EdgeId id) {
   Body& body = bodies_[edge.chunk];
   if (body.body == nullptr) {
     b2BodyDef definition;
-    definition.position = position(frame_.cornerOf(edges_.chunk(edge.chunk)));
+    definition.position = positionOf(edge.chunk);
     body.body = physics_.CreateBody(&definition);
     ++bodyCount_;
   }
@@ -116,28 +136,14 @@ void Terrain::wakeAround(b2Fixture& fixture) {
   physics_.QueryAABB(&waker, fixture.GetAABB(0));
 }
 
-EdgeId Terrain::edgeOf(const b2Fixture& fixture) const {
-  const std::uintptr_t id = const_cast<b2Fixture&>(fixture).GetUserData().pointer;  // NOLINT: Box2D's is not const
-  if (id >= fixtures_.size() || fixtures_[id] != &fixture) return {};
-  return EdgeId{static_cast<std::uint32_t>(id)};
-}
-
-std::optional<Hit> Terrain::hit(const b2Fixture& fixture) const {
-  const EdgeId id = edgeOf(fixture);
-  return id ? firstHit(world_, edges_, id) : std::nullopt;
-}
-
-std::optional<Hit> Terrain::hit(const b2Fixture& fixture, const b2Vec2& point) const {
-  const EdgeId id = edgeOf(fixture);
-  return id ? nearestHit(world_, edges_, id, frame_, {point.x, point.y}) : std::nullopt;
-}
-
 b2Fixture* Terrain::fixture(SegmentId segment) const {
   const EdgeId edge = edges_.edgeOf(segment);
   return edge ? fixtures_[edge.value] : nullptr;
 }
 
 b2Vec2 Terrain::position(Point p) const { return toBox2D(frame_.position(p)); }
+
+b2Vec2 Terrain::positionOf(std::uint32_t chunk) const { return position(frame_.cornerOf(edges_.chunk(chunk))); }
 
 Cell Terrain::cellAt(const b2Vec2& p) const { return frame_.cellAt({p.x, p.y}); }
 

@@ -1,16 +1,14 @@
 #include <lgs/box2d/terrain.h>
-#include "find_hit.h"
 #include "local_edge.h"
+#include "segment_shape.h"
+#include "to_box2d.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace lgs::box2d {
 
 namespace {
-
-float slop() { return 0.005F * b2GetLengthUnitsPerMeter(); }  // B2_LINEAR_SLOP is public from 3.2 on
-
-b2Vec2 toBox2D(Metres m) { return {m.x, m.y}; }
 
 void* userDataOf(EdgeId id) {
   return reinterpret_cast<void*>(static_cast<std::uintptr_t>(id.value));  // NOLINT(performance-no-int-to-ptr)
@@ -29,7 +27,10 @@ bool operator==(const Material& a, const Material& b) {
          a.surface.rollingResistance == b.surface.rollingResistance &&
          a.surface.tangentSpeed == b.surface.tangentSpeed && a.surface.userMaterialId == b.surface.userMaterialId &&
          a.surface.customColor == b.surface.customColor && a.filter.categoryBits == b.filter.categoryBits &&
-         a.filter.maskBits == b.filter.maskBits && a.filter.groupIndex == b.filter.groupIndex;
+         a.filter.maskBits == b.filter.maskBits && a.filter.groupIndex == b.filter.groupIndex &&
+         a.enableSensorEvents == b.enableSensorEvents && a.enableContactEvents == b.enableContactEvents &&
+         a.enableHitEvents == b.enableHitEvents && a.enablePreSolveEvents == b.enablePreSolveEvents &&
+         a.enableCustomFiltering == b.enableCustomFiltering;
 }
 
 Terrain::Terrain(b2WorldId physics, const World& world, TerrainOptions options)
@@ -50,7 +51,33 @@ Terrain::~Terrain() {
   }
 }
 
-void Terrain::sync(const Changes& changes) { apply(edges_.update(world_, changes)); }
+tl::expected<void, SyncError> Terrain::commit(World& world) {
+  const bool isOwn = &world == &world_;
+  assert(isOwn);
+  if (!isOwn) return tl::unexpected(SyncError::notTheLast);
+  return sync(world.commit());
+}
+
+tl::expected<void, SyncError> Terrain::sync(const Changes& changes) {
+  const std::optional<SyncError> misfit = edges_.misfit(world_, changes);
+  assert(!misfit);
+  if (misfit) return tl::unexpected(*misfit);
+  apply(edges_.update(world_, changes));
+  return {};
+}
+
+void Terrain::resync() { apply(edges_.load(world_)); }
+
+void Terrain::moveOrigin(Cell origin) {
+  frame_.origin = origin;
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    if (B2_IS_NON_NULL(bodies_[k].body))
+      b2Body_SetTransform(bodies_[k].body, positionOf(static_cast<std::uint32_t>(k)), b2Rot_identity);
+  }
+  // Box2D puts shapes that move back into its tree one by one. After some moves the tree would be so deep that Box2D
+  // does not find all of them.
+  b2World_RebuildStaticTree(physics_);
+}
 
 void Terrain::apply(const EdgeChanges& changes) {
   bodies_.resize(edges_.chunkCount());
@@ -76,89 +103,51 @@ void Terrain::create(EdgeId id) {
   const std::uint32_t number = edges_.edge(id).chunk;
   Body& body = bodies_[number];
   if (B2_IS_NULL(body.body)) {
-    const Metres corner = frame_.position(frame_.cornerOf(edges_.chunk(number)));
     b2BodyDef definition = b2DefaultBodyDef();
-    definition.position = {corner.x, corner.y};
+    definition.position = positionOf(number);
     body.body = b2CreateBody(physics_, &definition);
     ++bodyCount_;
   }
   if (shapes_.size() <= id.value) shapes_.resize(id.value + std::size_t{1});
-  make(id, body.body);
+  shapes_[id.value] = makeSegment(body.body, definitionOf(id), segmentOf(id));
   ++body.shapes;
 }
 
 void Terrain::destroy(EdgeId id) {
-  unmake(id);
+  destroySegment(shapes_[id.value]);
+  shapes_[id.value] = {};
   --bodies_[edges_.edge(id).chunk].shapes;
 }
 
-#ifdef LGS_BOX2D_CHAIN_SEGMENTS
-
-namespace {
-
-b2ChainSegment chainSegment(const LocalEdge& local) {
-  return {toBox2D(local.ghost1), {toBox2D(local.start), toBox2D(local.end)}, toBox2D(local.ghost2), 0};
+void Terrain::relink(EdgeId id) {
+  changeSegment(shapes_[id.value], bodies_[edges_.edge(id).chunk].body, definitionOf(id), segmentOf(id));
 }
 
-}  // namespace
-
-void Terrain::make(EdgeId id, b2BodyId body) {
-  const Edge& edge = edges_.edge(id);
-  const Material& material = materials_.of(edge.block);
+b2ShapeDef Terrain::definitionOf(EdgeId id) {
+  const Material& material = materials_.of(edges_.edge(id).block);
   b2ShapeDef definition = b2DefaultShapeDef();
   definition.userData = userDataOf(id);
   definition.material = material.surface;
   definition.filter = material.filter;
-  const b2ChainSegment segment = chainSegment(localEdge(edge, edges_.chunk(edge.chunk), frame_, slop()));
-  shapes_[id.value].shape = b2CreateChainSegmentShape(body, &definition, &segment);
+  definition.enableSensorEvents = material.enableSensorEvents;
+  definition.enableContactEvents = material.enableContactEvents;
+  definition.enableHitEvents = material.enableHitEvents;
+  definition.enablePreSolveEvents = material.enablePreSolveEvents;
+  setCustomFiltering(definition, material.enableCustomFiltering);
+  return definition;
 }
 
-void Terrain::unmake(EdgeId id) {
-  b2DestroyShape(shapes_[id.value].shape, false);
-  shapes_[id.value] = {};
-}
-
-void Terrain::relink(EdgeId id) {
+b2ChainSegment Terrain::segmentOf(EdgeId id) const {
   const Edge& edge = edges_.edge(id);
-  const b2ChainSegment segment = chainSegment(localEdge(edge, edges_.chunk(edge.chunk), frame_, slop()));
-  b2Shape_SetChainSegment(shapes_[id.value].shape, &segment);
-}
-
-#else
-
-void Terrain::make(EdgeId id, b2BodyId body) {
-  const Edge& edge = edges_.edge(id);
-  const Material& material = materials_.of(edge.block);
   const LocalEdge local = localEdge(edge, edges_.chunk(edge.chunk), frame_, slop());
-  const b2Vec2 points[] = {toBox2D(local.ghost1), toBox2D(local.start), toBox2D(local.end), toBox2D(local.ghost2)};
-  b2ChainDef definition = b2DefaultChainDef();
-  definition.userData = userDataOf(id);
-  definition.points = points;
-  definition.count = 4;
-  definition.materials = &material.surface;
-  definition.materialCount = 1;
-  definition.filter = material.filter;
-  Shape& shape = shapes_[id.value];
-  shape.chain = b2CreateChain(body, &definition);
-  b2Chain_GetSegments(shape.chain, &shape.shape, 1);
+  return {toBox2D(local.ghost1), {toBox2D(local.start), toBox2D(local.end)}, toBox2D(local.ghost2), 0};
 }
-
-void Terrain::unmake(EdgeId id) {
-  b2DestroyChain(shapes_[id.value].chain);
-  shapes_[id.value] = {};
-}
-
-void Terrain::relink(EdgeId id) {
-  unmake(id);
-  make(id, bodies_[edges_.edge(id).chunk].body);
-}
-
-#endif
 
 void Terrain::wakeAround(EdgeId id) {
   const Edge& edge = edges_.edge(id);
-  const Metres a = frame_.position(edge.start);
-  const Metres b = frame_.position(edge.end);
+  const Chunk chunk = edges_.chunk(edge.chunk);
+  const Metres a = frame_.local(edge.start, chunk);
+  const Metres b = frame_.local(edge.end, chunk);
   const float margin = 0.1F * b2GetLengthUnitsPerMeter();
   const b2AABB box{{std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin},
                    {std::max(a.x, b.x) + margin, std::max(a.y, b.y) + margin}};
@@ -166,28 +155,7 @@ void Terrain::wakeAround(EdgeId id) {
   b2QueryFilter all = b2DefaultQueryFilter();
   all.categoryBits = UINT64_MAX;
   all.maskBits = UINT64_MAX;
-#ifdef LGS_BOX2D_CHAIN_SEGMENTS
-  b2World_OverlapAABB(physics_, b2Pos_zero, box, all, wake, nullptr);
-#else
-  b2World_OverlapAABB(physics_, box, all, wake, nullptr);
-#endif
-}
-
-EdgeId Terrain::edgeOf(b2ShapeId shape) const {
-  if (!b2Shape_IsValid(shape)) return {};
-  const auto id = reinterpret_cast<std::uintptr_t>(b2Shape_GetUserData(shape));
-  if (id >= shapes_.size() || !B2_ID_EQUALS(shapes_[id].shape, shape)) return {};
-  return EdgeId{static_cast<std::uint32_t>(id)};
-}
-
-std::optional<Hit> Terrain::hit(b2ShapeId shape) const {
-  const EdgeId id = edgeOf(shape);
-  return id ? firstHit(world_, edges_, id) : std::nullopt;
-}
-
-std::optional<Hit> Terrain::hit(b2ShapeId shape, b2Vec2 point) const {
-  const EdgeId id = edgeOf(shape);
-  return id ? nearestHit(world_, edges_, id, frame_, {point.x, point.y}) : std::nullopt;
+  forEachShapeIn(physics_, positionOf(edge.chunk), box, all, wake);
 }
 
 b2ShapeId Terrain::shape(SegmentId segment) const {
@@ -195,8 +163,10 @@ b2ShapeId Terrain::shape(SegmentId segment) const {
   return edge ? shapes_[edge.value].shape : b2_nullShapeId;
 }
 
-b2Vec2 Terrain::position(Point p) const { return toBox2D(frame_.position(p)); }
+Position Terrain::position(Point p) const { return toBox2D(frame_.position(p)); }
 
-Cell Terrain::cellAt(b2Vec2 p) const { return frame_.cellAt({p.x, p.y}); }
+Position Terrain::positionOf(std::uint32_t chunk) const { return position(frame_.cornerOf(edges_.chunk(chunk))); }
+
+Cell Terrain::cellAt(Position p) const { return frame_.cellAt({p.x, p.y}); }
 
 }  // namespace lgs::box2d

@@ -20,6 +20,7 @@
 #pragma once
 
 #include <lgs/box2d/frame.h>
+#include <lgs/box2d/sync_error.h>
 #include <lgs/world.h>
 
 #include <cstddef>
@@ -84,13 +85,20 @@ class EdgeSet {
  public:
   explicit EdgeSet(EdgeOptions options);
 
-  /// Takes over all segments of a world. Call it once, before any update. Cost: O(segments).
+  /// Brings the edges up to date with a world, whatever they were before. Edges that the world has as well stay. The
+  /// result is valid until the next load or update. Cost: O(segments).
   const EdgeChanges& load(const World& world);
 
-  /// Brings the edges up to date with what a commit of that world reported. Call it after each commit, before the next
-  /// edit. The result is valid until the next update. Cost: the number of changes, times the segments of the edges near
-  /// them.
+  /// The same with what a commit or roll-back of the loaded world reported. Call it after each of them, before the next
+  /// edit. That nothing speaks against it (misfit()) is asserted. Cost: the number of changes, times the segments of
+  /// the edges near them.
   const EdgeChanges& update(const World& world, const Changes& changes);
+
+  /// What speaks against an update with these changes, if anything does.
+  std::optional<SyncError> misfit(const World& world, const Changes& changes) const;
+
+  /// The World::version() that the edges are up to date with.
+  std::uint64_t version() const { return version_; }
 
   /// The edge of a live id, or of one that the last update removed.
   const Edge& edge(EdgeId id) const { return slots_[id.value].edge; }
@@ -129,7 +137,9 @@ class EdgeSet {
   };
 
   void begin(const World& world);
+  const EdgeChanges& renewAll();
   void seed(SegmentId id);
+  void seedAround(SegmentId id);
   void seedLinks(const Record& record);
   void seedAll(const Changes& changes);
   void setFate(Record& record, Fate fate);
@@ -147,6 +157,7 @@ class EdgeSet {
   void gatherStrip(const Segment& first);
   void startRingAtLeast();
   void weld();
+  bool isEdge(std::uint32_t number, const Segment& head, Point end) const;
   std::uint32_t newSlot();
   void place(std::size_t first, std::size_t last, Fate fate);
   void relinkNearest(SegmentId from, Way way);
@@ -156,9 +167,10 @@ class EdgeSet {
 
   EdgeOptions options_;
   const World* world_ = nullptr;  // during an update
-  std::uint32_t update_ = 0;      // number of the update
-  std::vector<Record> records_;   // by SegmentId
-  std::vector<Slot> slots_;       // by EdgeId
+  std::uint64_t version_ = 0;
+  std::uint32_t update_ = 0;     // number of the update
+  std::vector<Record> records_;  // by SegmentId
+  std::vector<Slot> slots_;      // by EdgeId
   std::vector<std::uint32_t> free_;
   std::vector<Chunk> chunks_;
   std::unordered_map<std::uint64_t, std::uint32_t> chunkNumbers_;

@@ -1,10 +1,11 @@
 // From the lattice to metres. Each chunk is a body, placed where the chunk's lower left corner is. Its vertices are
 // relative to that corner: the difference is taken on the lattice, where it is exact, and then rounded to `float`. So a
-// vertex is as precise at the far end of the world as at the origin. The place of the corner is rounded, too, and less
-// precise the further it is from the origin.
+// vertex is as precise at the far end of the world as at the origin. The place of the corner is a `double` here. Where
+// Box2D's positions are `float` it is rounded, and is less precise the further it is from the origin.
 #pragma once
 
 #include <lgs/lattice.h>
+#include <lgs/questions.h>
 
 #include <cassert>
 #include <cmath>
@@ -20,9 +21,16 @@ struct Chunk {
   friend constexpr auto operator<=>(Chunk, Chunk) = default;
 };
 
+/// Relative to the body of a chunk.
 struct Metres {
   float x = 0;
   float y = 0;
+};
+
+/// In the physics world, in metres.
+struct Place {
+  double x = 0;
+  double y = 0;
 };
 
 struct Frame {
@@ -39,13 +47,22 @@ struct Frame {
   }
 
   /// Where a lattice point is in the physics world.
-  Metres position(Point p) const { return scaled(p, toWorld(origin, {})); }
+  Place position(Point p) const { return scaled(p, toWorld(origin, {})); }
+  /// Where a position in cells is in the physics world.
+  Place position(DoublePoint p) const { return {(p.x - origin.i) * cellSize, (p.y - origin.j) * cellSize}; }
   /// Where a lattice point is relative to the body of a chunk.
-  Metres local(Point p, Chunk chunk) const { return scaled(p, cornerOf(chunk)); }
+  Metres local(Point p, Chunk chunk) const {
+    const Place m = scaled(p, cornerOf(chunk));
+    return {static_cast<float>(m.x), static_cast<float>(m.y)};
+  }
   /// The cell at a place in the physics world. It must be in the range of cells (inRange()).
-  Cell cellAt(Metres m) const {
-    return {static_cast<std::int32_t>(std::floor(m.x / cellSize) + origin.i),
-            static_cast<std::int32_t>(std::floor(m.y / cellSize) + origin.j)};
+  Cell cellAt(Place p) const {
+    return {static_cast<std::int32_t>(std::floor(p.x / cellSize) + origin.i),
+            static_cast<std::int32_t>(std::floor(p.y / cellSize) + origin.j)};
+  }
+  /// The lattice point nearest to a place in the physics world; not inRange() if that is beyond the last cell.
+  Point latticePoint(Place p) const {
+    return lgs::latticePoint({p.x / cellSize + origin.i, p.y / cellSize + origin.j});
   }
   /// A length in lattice units, rounded up. It is a tenth longer than asked for, so that what is at least as long on
   /// the lattice is still long enough after rounding to `float`. Asserts that the cell size is finite and at least
@@ -56,10 +73,9 @@ struct Frame {
   }
 
  private:
-  Metres scaled(Point p, Point from) const {
+  Place scaled(Point p, Point from) const {
     const double scale = cellSize / kUnitsPerCell;
-    return {static_cast<float>(static_cast<double>(p.x - from.x) * scale),
-            static_cast<float>(static_cast<double>(p.y - from.y) * scale)};
+    return {static_cast<double>(p.x - from.x) * scale, static_cast<double>(p.y - from.y) * scale};
   }
 };
 

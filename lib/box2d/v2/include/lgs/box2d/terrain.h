@@ -5,13 +5,14 @@
 //   lgs::box2d::Terrain terrain(physics, world, {.cellSize = 0.5F});
 //   …
 //   world.remove(handle);
-//   terrain.sync(world.commit());
+//   terrain.commit(world);
 //   …
-//   if (auto hit = terrain.hit(*contact->GetFixtureA())) dig(hit->cell);
+//   if (auto touch = terrain.hit(*contact)) dig(touch->hit.cell);
 //
 // Bodies that rest on changed ground wake up, and so do bodies where new ground appears. Nothing else is touched.
 //
-// No function fails. To be called from one thread at a time, and not during b2World::Step().
+// To be called from one thread at a time, and not during b2World::Step(), but for functions that are const. Nothing
+// fails, unless it is said.
 #pragma once
 
 #include <box2d/box2d.h>
@@ -35,10 +36,25 @@ struct Material {
 
 using TerrainOptions = BasicTerrainOptions<Material>;
 
+/// A contact of the terrain.
+struct Touch {
+  Hit hit;
+  b2Vec2 normal;               ///< outward unit normal of the terrain's edge
+  b2Fixture* other = nullptr;  ///< what touches it
+};
+
+/// The ground nearest to a point.
+struct NearestHit {
+  Hit hit;
+  b2Vec2 point;
+  b2Vec2 normal;       ///< outward unit normal of the segment
+  float distance = 0;  ///< metres
+};
+
 class Terrain {
  public:
-  /// Makes the terrain of what the world held at its last commit. Both worlds must outlive it and stay where they are.
-  /// Cost: O(segments).
+  /// Makes the terrain of what the world held at its last commit. Both worlds must outlive it and stay where they are;
+  /// resync() if `world` is assigned to. Cost: O(segments).
   Terrain(b2World& physics, const World& world, TerrainOptions options = {});
   ~Terrain();  ///< destroys its bodies
   Terrain(const Terrain&) = delete;
@@ -46,15 +62,54 @@ class Terrain {
   Terrain& operator=(const Terrain&) = delete;
   Terrain& operator=(Terrain&&) = delete;
 
-  /// Applies a commit. Call it once after each commit, before the next edit. Cost: the number of changes, times the
-  /// segments of an edge; and for each fixture that goes the fixtures of its body, because Box2D looks for it there.
-  void sync(const Changes& changes);
+  /// Commits the edits of its world, and syncs. The error is that of sync(): `world` may be another one, which is not
+  /// committed then.
+  tl::expected<void, SyncError> commit(World& world);
+
+  /// Applies a commit, or what a roll-back reports. Call it once after each of them, before the next edit. Changes that
+  /// are not the next ones are a mistake of the program. An assertion fails; with NDEBUG nothing is changed, and the
+  /// error says why. resync() repairs it. Cost: the number of changes, times the segments of an edge; and for each
+  /// fixture that goes the fixtures of its body, because Box2D looks for it there.
+  tl::expected<void, SyncError> sync(const Changes& changes);
+
+  /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world: changes
+  /// were left out, or another world was assigned to it, loaded or copied. Fixtures that are right as they are stay,
+  /// and bodies on them sleep on. Cost: O(segments).
+  void resync();
+
+  /// Whether the terrain is up to date with the last commit.
+  bool isCurrent() const { return edges_.version() == world_.version(); }
 
   /// What a fixture stands for; nothing if it is none of the terrain's. If it stands for several segments, merged or
   /// welded, this is the one nearest to a point of the physics world; without a point, the first one. Between a commit
   /// and its sync(): nothing if the commit changed those segments.
   std::optional<Hit> hit(const b2Fixture& fixture) const;
   std::optional<Hit> hit(const b2Fixture& fixture, const b2Vec2& point) const;
+
+  /// What a contact touches of the terrain; nothing if neither fixture is the terrain's. If the edge stands for several
+  /// segments, the hit is the one nearest to the middle of the contact's points; without points, as with a sensor, to
+  /// the middle of the other fixture. Can be called in a b2ContactListener.
+  std::optional<Touch> hit(b2Contact& contact) const;
+
+  /// The segment of the outline nearest to a point of the physics world, as of the last commit; nothing if none is
+  /// within `radius` metres, or kMaxRadius cells, or if the point is beyond the last cell. The point may be in the
+  /// solid. Segments that are too short for an edge count as well. Cost: as of World::nearest().
+  std::optional<NearestHit> nearest(const b2Vec2& point, float radius) const;
+
+  /// The bodies that reach into a cell, but for the terrain's; each once, in no particular order. Sensors are not
+  /// looked at. Ask before you place a block: edges are one-sided, so a body whose middle is behind them falls through
+  /// the ground (docs/box2d.md says what to do). Box2D's skin of a polygon counts: bodies that are less than 1 cm
+  /// (b2_polygonRadius) away are found, but not those that just rest beside the cell. Cost: the fixtures near the cell.
+  std::vector<b2Body*> bodiesIn(Cell cell) const;
+
+  /// Makes the corner of another cell (0, 0) of the physics world, for a world that keeps its origin near the player.
+  /// Moves the terrain's bodies, and no others:
+  ///
+  ///   physics.ShiftOrigin(terrain.position(lgs::toWorld(cell, {})));
+  ///   terrain.moveOrigin(cell);
+  ///
+  /// Cost: in proportion to the fixtures.
+  void moveOrigin(Cell origin);
 
   /// The fixture that stands for a segment; null if the segment is left out, because it is too short, or is not alive.
   b2Fixture* fixture(SegmentId segment) const;
@@ -79,6 +134,7 @@ class Terrain {
   void create(EdgeId id);
   void destroy(EdgeId id);
   b2EdgeShape shapeOf(const Edge& edge) const;
+  b2Vec2 positionOf(std::uint32_t chunk) const;
   void wakeAround(b2Fixture& fixture);
 
   b2World& physics_;

@@ -1,19 +1,20 @@
-// The boundary of a lgs::World as terrain in a Box2D 3 world. Each chunk of cells is a static body, and each segment is
-// a chain segment with its ghost vertices. After a commit sync() changes exactly those shapes that the commit changed.
+// The boundary of a lgs::World as terrain in a world of Box2D 3.1 or later. Each chunk of cells is a static body, and
+// each segment is a chain segment with its ghost vertices. After a commit sync() changes exactly those shapes that the
+// commit changed.
 //
 //   lgs::box2d::Terrain terrain(physics, world, {.cellSize = 0.5});
 //   …
 //   world.remove(handle);
-//   terrain.sync(world.commit());
+//   terrain.commit(world);
 //   …
-//   if (auto hit = terrain.hit(event.shapeIdA)) dig(hit->cell);
+//   if (auto touch = terrain.hit(contactData)) dig(touch->hit.cell);
 //
 // From Box2D 3.2 on the chain segments are loose (b2CreateChainSegmentShape), and a ghost that changes is written in
 // place. Before 3.2 each is an open chain of four points, which is made anew when a ghost changes.
 //
 // Bodies that rest on changed ground wake up, and so do bodies where new ground appears. Nothing else is touched.
 //
-// No function fails. To be called from one thread at a time, and not during b2World_Step().
+// To be called from one thread at a time, and not during b2World_Step(). Nothing fails, unless it is said.
 #pragma once
 
 #include <box2d/box2d.h>
@@ -26,19 +27,50 @@
 
 namespace lgs::box2d {
 
-/// What a block is like. The defaults are Box2D's.
+/// A place in the physics world: b2Pos, which is b2Vec2 unless Box2D was built with BOX2D_DOUBLE_PRECISION. Before 3.2
+/// Box2D has b2Vec2 alone.
+using Position = decltype(b2BodyDef::position);
+
+/// What a block is like. The defaults are Box2D's. The flags are those of b2ShapeDef. Sensor events need
+/// theirs on both shapes, the others on one of the two. (In 2.4 listeners hear of every contact without a flag.)
 struct Material {
   b2SurfaceMaterial surface = b2DefaultSurfaceMaterial();
   b2Filter filter = b2DefaultFilter();
+  bool enableSensorEvents = false;  ///< sensors see the block
+  bool enableContactEvents = false;
+  bool enableHitEvents = false;
+  bool enablePreSolveEvents = false;
+  bool enableCustomFiltering = false;  ///< before 3.2 Box2D asks the custom filter about all shapes
   friend bool operator==(const Material& a, const Material& b);
 };
 
 using TerrainOptions = BasicTerrainOptions<Material>;
 
+/// A contact of the terrain.
+struct Touch {
+  Hit hit;
+  b2Vec2 normal;                     ///< outward unit normal of the terrain's edge
+  b2ShapeId other = b2_nullShapeId;  ///< what touches it
+};
+
+/// The ground nearest to a point.
+struct NearestHit {
+  Hit hit;
+  Position point;
+  b2Vec2 normal;       ///< outward unit normal of the segment
+  float distance = 0;  ///< metres
+};
+
+/// A segment in Box2D. Before 3.2 it is part of a chain.
+struct SegmentShape {
+  b2ShapeId shape = b2_nullShapeId;
+  b2ChainId chain = b2_nullChainId;
+};
+
 class Terrain {
  public:
   /// Makes the terrain of what the world held at its last commit. Both worlds must outlive it, and `world` must stay
-  /// where it is. Cost: O(segments).
+  /// where it is; resync() if it is assigned to. Cost: O(segments).
   Terrain(b2WorldId physics, const World& world, TerrainOptions options = {});
   ~Terrain();  ///< destroys its bodies
   Terrain(const Terrain&) = delete;
@@ -46,15 +78,48 @@ class Terrain {
   Terrain& operator=(const Terrain&) = delete;
   Terrain& operator=(Terrain&&) = delete;
 
-  /// Applies a commit. Call it once after each commit, before the next edit. Cost: the number of changes, times the
-  /// segments of an edge.
-  void sync(const Changes& changes);
+  /// Commits the edits of its world, and syncs. The error is that of sync(): `world` may be another one, which is not
+  /// committed then.
+  tl::expected<void, SyncError> commit(World& world);
+
+  /// Applies a commit, or what a roll-back reports. Call it once after each of them, before the next edit. Changes that
+  /// are not the next ones are a mistake of the program. An assertion fails; with NDEBUG nothing is changed, and the
+  /// error says why. resync() repairs it. Cost: the number of changes, times the segments of an edge.
+  tl::expected<void, SyncError> sync(const Changes& changes);
+
+  /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world: changes
+  /// were left out, or another world was assigned to it, loaded or copied. Shapes that are right as they are stay, and
+  /// bodies on them sleep on. Cost: O(segments).
+  void resync();
+
+  /// Whether the terrain is up to date with the last commit.
+  bool isCurrent() const { return edges_.version() == world_.version(); }
 
   /// What a shape stands for; nothing if it is none of the terrain's. If it stands for several segments, merged or
   /// welded, this is the one nearest to a point of the physics world; without a point, the first one. Between a commit
   /// and its sync(): nothing if the commit changed those segments.
   std::optional<Hit> hit(b2ShapeId shape) const;
-  std::optional<Hit> hit(b2ShapeId shape, b2Vec2 point) const;
+  std::optional<Hit> hit(b2ShapeId shape, Position point) const;
+
+  /// What a contact touches of the terrain; nothing if it is none of the terrain's, or has no points. If the edge
+  /// stands for several segments, the hit is the one nearest to the middle of the points.
+  std::optional<Touch> hit(const b2ContactData& contact) const;
+
+  /// The segment of the outline nearest to a point of the physics world, as of the last commit; nothing if none is
+  /// within `radius` metres, or kMaxRadius cells, or if the point is beyond the last cell. The point may be in the
+  /// solid. Segments that are too short for an edge count as well. Cost: as of World::nearest().
+  std::optional<NearestHit> nearest(Position point, float radius) const;
+
+  /// The bodies that reach into a cell, but for the terrain's; each once, in no particular order. Sensors are not
+  /// looked at. Ask before you place a block: edges are one-sided, so a body whose middle is behind them falls through
+  /// the ground (docs/box2d.md says what to do). Bodies that just rest beside the cell are not found: it counts as
+  /// smaller by Box2D's slop, half a centimetre, on each side. Cost: the shapes near the cell.
+  std::vector<b2BodyId> bodiesIn(Cell cell) const;
+
+  /// Makes the corner of another cell (0, 0) of the physics world, for a world that keeps its origin near the player.
+  /// Moves the terrain's bodies. The game moves its own, by the place that the corner had before. Cost: in proportion
+  /// to the shapes.
+  void moveOrigin(Cell origin);
 
   /// The shape that stands for a segment; null if the segment is left out, because it is too short, or is not alive.
   b2ShapeId shape(SegmentId segment) const;
@@ -66,25 +131,22 @@ class Terrain {
   b2ShapeId shape(EdgeId edge) const { return shapes_[edge.value].shape; }
   std::size_t bodyCount() const { return bodyCount_; }  ///< chunks with at least one shape
 
-  b2Vec2 position(Point p) const;  ///< where a lattice point is in the physics world
-  Cell cellAt(b2Vec2 p) const;     ///< the cell at a place in the physics world
+  Position position(Point p) const;  ///< where a lattice point is in the physics world
+  Cell cellAt(Position p) const;     ///< the cell at a place in the physics world
 
  private:
   struct Body {
     b2BodyId body = b2_nullBodyId;
     std::size_t shapes = 0;
   };
-  struct Shape {
-    b2ShapeId shape = b2_nullShapeId;
-    b2ChainId chain = b2_nullChainId;  // before 3.2: the chain that the shape is part of
-  };
   EdgeId edgeOf(b2ShapeId shape) const;  // null if it is none of the terrain's
   void apply(const EdgeChanges& changes);
   void create(EdgeId id);
   void destroy(EdgeId id);
-  void make(EdgeId id, b2BodyId body);
-  void unmake(EdgeId id);
   void relink(EdgeId id);
+  Position positionOf(std::uint32_t chunk) const;
+  b2ShapeDef definitionOf(EdgeId id);
+  b2ChainSegment segmentOf(EdgeId id) const;
   void wakeAround(EdgeId id);
 
   b2WorldId physics_;
@@ -92,8 +154,8 @@ class Terrain {
   Frame frame_;
   Materials<Material> materials_;
   EdgeSet edges_;
-  std::vector<Shape> shapes_ = std::vector<Shape>(1);  // by EdgeId
-  std::vector<Body> bodies_;                           // by number of the chunk
+  std::vector<SegmentShape> shapes_ = std::vector<SegmentShape>(1);  // by EdgeId
+  std::vector<Body> bodies_;                                         // by number of the chunk
   std::size_t bodyCount_ = 0;
 };
 

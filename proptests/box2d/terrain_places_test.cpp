@@ -1,0 +1,94 @@
+// What is near a place, and places after the origin moved: for whichever Box2D there is.
+#include "distances.h"
+#include "either.h"
+#include "played.h"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+namespace lgs::box2d_test {
+namespace {
+
+using box2d::Terrain;
+using box2d::TerrainOptions;
+
+using Box2dPlaces = EitherBox2d;
+
+TEST_F(Box2dPlaces, NearestIsTheLeastOfAllDistances) {
+  forAllEdits(60, [&](const Trace& trace, Chance random) {
+    TerrainOptions options{.cellSize = random.pick(std::vector<double>{0.3, 1, 7}), .merge = random.chance(50)};
+    options.origin = firstCell(trace);
+    oracle::Player player(trace.preserve);
+    Terrain terrain(physics, player.world(), options);
+    const auto size = static_cast<float>(options.cellSize);
+    playAll(trace, player, [&] {
+      terrain.commit(player.world());
+      const Position p{between(random, -3, 8) * size, between(random, -3, 8) * size};
+      const float radius = between(random, 0, 4) * size;
+      if (!inRange(box2d::Frame{options.cellSize, options.origin}.latticePoint(placeOf(p)))) {
+        EXPECT_FALSE(terrain.nearest(p, radius));
+        return;
+      }
+      double least = std::numeric_limits<double>::infinity();
+      for (const SegmentId id : player.world().segments())
+        least = std::min(least, distanceTo(terrain, *player.world().segment(id), placeOf(p)));
+      const double slack = 1e-3 * options.cellSize;
+      if (std::abs(least - radius) < slack) return;
+      const auto nearest = terrain.nearest(p, radius);
+      ASSERT_EQ(nearest.has_value(), least < radius);
+      if (!nearest) return;
+      EXPECT_NEAR(nearest->distance, least, slack);
+      EXPECT_NEAR(std::hypot(nearest->point.x - p.x, nearest->point.y - p.y), least, slack);
+      const Segment s = *player.world().segment(nearest->hit.segment);
+      EXPECT_NEAR(distanceTo(terrain, s, placeOf(nearest->point)), 0, slack);
+      EXPECT_EQ(std::tie(nearest->hit.polygon, nearest->hit.block, nearest->hit.cell),
+                std::tie(s.polygon, s.block, s.cell));
+      EXPECT_NEAR(nearest->normal.x, s.normal().x, 1e-6);
+      EXPECT_NEAR(nearest->normal.y, s.normal().y, 1e-6);
+    });
+  });
+}
+
+TEST_F(Box2dPlaces, NearestFarAwayAndOutOfReach) {
+  constexpr Cell kFar{1 << 29, -(1 << 29)};
+  field.add(kFar, kSquare, 5);
+  field.world.commit();
+  const Terrain terrain(physics, field.world, {.cellSize = 0.5, .origin = kFar});
+  const auto nearest = terrain.nearest({0.25F, 0.75F}, 1'000'000);  // more than kMaxRadius cells
+  ASSERT_TRUE(nearest);
+  EXPECT_EQ(nearest->point.x, 0.25F);
+  EXPECT_EQ(nearest->point.y, 0.5F);
+  EXPECT_EQ(nearest->normal.x, 0);
+  EXPECT_EQ(nearest->normal.y, 1);
+  EXPECT_EQ(nearest->distance, 0.25F);
+  EXPECT_EQ(nearest->hit.block, 5U);
+  EXPECT_FALSE(terrain.nearest({0.25F, 0.75F}, 0.2F));
+  EXPECT_FALSE(terrain.nearest({0.25F, 0.75F}, -1));
+  const float notANumber = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(terrain.nearest({0.25F, notANumber}, 1));
+  EXPECT_FALSE(terrain.nearest({0.25F, 0.75F}, notANumber));
+  EXPECT_FALSE(terrain.nearest({1e30F, 0}, 1));
+}
+
+TEST_F(Box2dPlaces, AfterTheOriginMovedAllIsAsInATerrainMadeThere) {
+  forAllEdits(40, [&](const Trace& trace, Chance random) {
+    TerrainOptions options{.cellSize = random.chance(50) ? 1 : 0.3, .chunkCells = 1 + random.below(5)};
+    options.origin = firstCell(trace);
+    oracle::Player player(trace.preserve);
+    Terrain terrain(physics, player.world(), options);
+    playAll(trace, player, [&] {
+      terrain.commit(player.world());
+      const Cell first = firstCell(trace);
+      options.origin = {first.i - random.below(1'000), first.j + random.below(1'000)};
+      terrain.moveOrigin(options.origin);
+      expectEdges(terrain, options);
+      EXPECT_EQ(terrain.cellAt({0, 0}), options.origin);
+    });
+  });
+}
+
+}  // namespace
+}  // namespace lgs::box2d_test

@@ -1,0 +1,200 @@
+// A terrain that was not told all changes notices it, and resync() repairs it.
+#include "either.h"
+#include "played.h"
+
+#include <gtest/gtest.h>
+#include <lgs/box2d/terrain.h>
+#include <vector>
+
+namespace lgs::box2d_test {
+namespace {
+
+using box2d::EdgeId;
+using box2d::SyncError;
+using box2d::Terrain;
+using box2d::TerrainOptions;
+
+// An assertion tells of a misuse. Without assertions the error does, and nothing is done.
+template <class Misuse>
+void expectNoticed([[maybe_unused]] SyncError error, Misuse misuse) {
+#ifdef NDEBUG
+  const tl::expected<void, SyncError> done = misuse();
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error(), error);
+#else
+  EXPECT_DEATH(static_cast<void>(misuse()), "misfit|isOwn");
+#endif
+}
+
+class Box2dTerrainSync : public EitherBox2d {
+ protected:
+  void dig(Cell cell) { ASSERT_TRUE(field.world.clear(cell)); }
+  void expectCurrent(const Terrain& terrain) {
+    EXPECT_TRUE(terrain.isCurrent());
+    expectEdges(terrain, {});
+    box2d::EdgeSet fresh(terrain.edges().options());
+    fresh.load(field.world);
+    EXPECT_EQ(terrain.edges().counts(), fresh.counts());
+    EXPECT_EQ(terrain.bodyCount(), fresh.chunkCount());
+    EXPECT_EQ(bodyCount(), fresh.chunkCount());
+  }
+};
+
+using Box2dTerrainSyncDeathTest = Box2dTerrainSync;
+
+TEST_F(Box2dTerrainSync, ACommitOfTheTerrainCommitsAndSyncs) {
+  field.addFloor(0, 5);
+  Terrain terrain(physics, field.world);
+  EXPECT_TRUE(terrain.edges().edges().empty());
+  EXPECT_TRUE(terrain.commit(field.world));
+  EXPECT_EQ(terrain.edges().counts().edges, 14U);
+  dig({2, -1});
+  EXPECT_TRUE(terrain.commit(field.world));
+  EXPECT_TRUE(terrain.commit(field.world));  // of nothing
+  expectCurrent(terrain);
+}
+
+TEST_F(Box2dTerrainSyncDeathTest, ChangesThatWereForgottenAreNoticed) {
+  field.addFloor(0, 5);
+  field.world.commit();
+  Terrain terrain(physics, field.world);
+  dig({1, -1});
+  field.world.commit();
+  EXPECT_FALSE(terrain.isCurrent());
+  dig({3, -1});
+  const Changes changes = field.world.commit();
+  const std::vector<EdgeId> before = terrain.edges().edges();
+  expectNoticed(SyncError::leftOut, [&] { return terrain.sync(changes); });
+  EXPECT_EQ(terrain.edges().edges(), before);
+  expectNoticed(SyncError::leftOut, [&] { return terrain.commit(field.world); });
+  terrain.resync();
+  expectCurrent(terrain);
+  dig({5, -1});
+  EXPECT_TRUE(terrain.commit(field.world));
+  expectCurrent(terrain);
+}
+
+TEST_F(Box2dTerrainSyncDeathTest, ChangesThatAreHandedOnTwiceAreNoticed) {
+  field.addFloor(0, 5);
+  field.world.commit();
+  Terrain terrain(physics, field.world);
+  dig({1, -1});
+  const Changes first = field.world.commit();
+  EXPECT_TRUE(terrain.sync(first));
+  expectNoticed(SyncError::shownAlready, [&] { return terrain.sync(first); });
+  expectCurrent(terrain);
+  dig({3, -1});
+  EXPECT_TRUE(terrain.commit(field.world));
+  expectNoticed(SyncError::notTheLast, [&] { return terrain.sync(first); });
+  expectCurrent(terrain);
+}
+
+TEST_F(Box2dTerrainSyncDeathTest, ChangesOfAnotherWorldAreNoticed) {
+  field.addFloor(0, 5);
+  field.world.commit();
+  Terrain terrain(physics, field.world);
+  World other = field.world;
+  for (World* world : {&field.world, &other}) ASSERT_TRUE(world->clear(Cell{1, -1}));
+  expectNoticed(SyncError::notTheLast, [&] { return terrain.commit(other); });
+  field.world.commit();
+  expectNoticed(SyncError::notTheLast, [&] { return terrain.sync(other.commit()); });
+  EXPECT_FALSE(terrain.isCurrent());
+  terrain.resync();
+  expectCurrent(terrain);
+}
+
+TEST_F(Box2dTerrainSync, ARollBackIsSynced) {
+  field.addFloor(0, 5);
+  Terrain terrain(physics, field.world);
+  EXPECT_TRUE(terrain.commit(field.world));
+  const Mark mark = field.world.checkpoint();
+  dig({3, -1});
+  EXPECT_TRUE(terrain.commit(field.world));
+  ASSERT_TRUE(field.world.rollBack(mark));
+  EXPECT_TRUE(terrain.sync(field.world.changesOfRollBack()));
+  expectCurrent(terrain);
+}
+
+// What a terrain never saw it need not see undone.
+TEST_F(Box2dTerrainSync, AGuessThatIsTakenBackUnseenNeedsNoSync) {
+  field.addFloor(0, 5);
+  Terrain terrain(physics, field.world);
+  EXPECT_TRUE(terrain.commit(field.world));
+  const Mark mark = field.world.checkpoint();
+  dig({3, -1});
+  field.world.commit();
+  EXPECT_FALSE(terrain.isCurrent());
+  ASSERT_TRUE(field.world.rollBack(mark));
+  expectCurrent(terrain);
+  dig({4, -1});
+  EXPECT_TRUE(terrain.commit(field.world));
+  expectCurrent(terrain);
+}
+
+TEST_F(Box2dTerrainSyncDeathTest, AWorldThatIsAssignedToIsNoticed) {
+  field.addFloor(0, 5);
+  field.world.commit();
+  Terrain terrain(physics, field.world);
+  std::vector<std::byte> file;
+  ASSERT_TRUE(field.world.save([&](auto bytes) { file.insert(file.end(), bytes.begin(), bytes.end()); }));
+  const World before = field.world;
+  dig({1, -1});
+  EXPECT_TRUE(terrain.commit(field.world));
+  for (const bool loads : {true, false}) {
+    field.world = loads ? World::load(file).value() : before;
+    EXPECT_FALSE(terrain.isCurrent());
+    dig({3, -1});
+    expectNoticed(SyncError::leftOut, [&] { return terrain.commit(field.world); });
+    field.world.commit();
+    terrain.resync();
+    expectCurrent(terrain);
+  }
+}
+
+// Materials are those of the world that the terrain shows now.
+TEST_F(Box2dTerrainSync, AResyncFollowsAnyWorld) {
+  forAllEdits(30, [&](const Trace& trace, Chance random) {
+    TerrainOptions options{.origin = firstCell(trace), .chunkCells = 1 + random.below(8), .merge = random.chance(50)};
+    options.material = [](Block block) { return withFriction(static_cast<float>(block)); };
+    std::vector<World> worlds(1);
+    oracle::Player player(trace.preserve);
+    playAll(trace, player, [&] {
+      player.commit();
+      worlds.push_back(player.world());
+    });
+    World world;
+    Terrain terrain(physics, world, options);
+    for (int k = 0; k < 6; ++k) {
+      world = random.pick(worlds);
+      terrain.resync();
+      EXPECT_TRUE(terrain.isCurrent());
+      expectEdges(terrain, options);
+      EXPECT_EQ(bodyCount(), terrain.bodyCount());
+      for (const EdgeId id : terrain.edges().edges()) {
+        const Block block = world.segment(terrain.edges().edge(id).first)->block;
+        EXPECT_EQ(frictionOf(terrain, id), static_cast<float>(block));
+      }
+    }
+  });
+}
+
+TEST_F(Box2dTerrainSync, BodiesSleepOnOverAResyncThatChangesNothingBelowThem) {
+  field.addFloor(0, 20);
+  field.world.commit();
+  Terrain terrain(physics, field.world);
+  const Body ball = addBody({4.5F, 0.4F}, Form::ball, 0.5F);
+  step(120);
+  ASSERT_FALSE(isAwake(ball));
+  dig({15, -1});
+  field.world.commit();
+  terrain.resync();
+  EXPECT_FALSE(isAwake(ball));
+  dig({4, -1});
+  field.world.commit();
+  terrain.resync();
+  EXPECT_TRUE(isAwake(ball));
+  expectEdges(terrain, {});
+}
+
+}  // namespace
+}  // namespace lgs::box2d_test
