@@ -41,12 +41,12 @@ int main() {
       b2ContactData contacts[8];
       const int count = b2Body_GetContactData(ball, contacts, 8);
       for (int k = 0; k < count && !dug; ++k) {
-        auto hit = terrain.hit(contacts[k].shapeIdA);
-        if (!hit) hit = terrain.hit(contacts[k].shapeIdB);
-        if (!hit || hit->cell.i < 12) continue;
-        std::printf("it touches cell (%d, %d) of block %u: dig\n", hit->cell.i, hit->cell.j, hit->block);
-        if (!ground.remove(hit->polygon)) return 1;
-        terrain.sync(ground.commit());  // exactly the shapes that changed
+        const auto touch = terrain.hit(contacts[k]);
+        if (!touch || touch->hit.cell.i < 12) continue;
+        std::printf("it touches cell (%d, %d) of block %u: dig\n", touch->hit.cell.i, touch->hit.cell.j,
+                    touch->hit.block);
+        if (!ground.remove(touch->hit.polygon)) return 1;
+        terrain.commit(ground);  // exactly the shapes that changed
         dug = true;
       }
     }
