@@ -69,7 +69,7 @@ void Journal::setOpen(World::Impl& world, bool open) {
 
 Mark Journal::mark(World::Impl& world) {
   setOpen(world, true);
-  const Mark mark{++lastMark_};
+  const Mark mark{world.versions.next()};  // greater than all before, also in a copy
   marks_.push_back(
       {mark, forgotten_ + entries_.size(), world.grid.chunks().size(), world.catalogue.shapeCount(), world.version});
   return mark;
@@ -95,6 +95,10 @@ bool Journal::committedSince(Mark mark) const {
   const auto since = static_cast<std::ptrdiff_t>(marks_[positionOf(mark)].position - forgotten_);
   return std::any_of(entries_.begin() + since, entries_.end(),
                      [](const Entry& entry) { return std::holds_alternative<CommitEntry>(entry); });
+}
+
+bool Journal::endsWithCommit() const {
+  return marks_.back().position < forgotten_ + entries_.size() && std::holds_alternative<CommitEntry>(entries_.back());
 }
 
 void Journal::drop(World::Impl& world, const Entry& entry) {

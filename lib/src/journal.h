@@ -39,6 +39,10 @@ class Journal {
   /// Whether a commit was made since a mark, which must be known.
   bool committedSince(Mark mark) const;
 
+  /// Whether nothing happened since the last commit, and no mark was made. A commit that finds nothing to do then
+  /// leaves no trace: a game commits in every frame, and marks can stay long.
+  bool endsWithCommit() const;
+
   /// Before the polygons of a cell change.
   void noteCell(World::Impl& world, CellAt at);
 
@@ -101,7 +105,6 @@ class Journal {
   std::uint64_t forgotten_ = 0;  ///< entries that were dropped at the front
   std::vector<MarkEntry> marks_;
   bool isOpen_ = false;
-  std::uint64_t lastMark_ = 0;
 };
 
 }  // namespace lgs::detail

@@ -232,11 +232,10 @@ class Load {
     return ids;
   }
 
-  /// An id, or 0 where there is none.
+  /// An id; once reading has failed, any number.
   std::uint32_t readId() {
     lastId_ += detail::unfolded(in_.number(4 * std::uint64_t{detail::kMaxSegment})) + 1;
     if (lastId_ < 1 || lastId_ > detail::kMaxSegment) in_.fail(What::badSegments);
-    if (in_.failed()) lastId_ = detail::kNoSegment;
     return static_cast<std::uint32_t>(lastId_);
   }
 

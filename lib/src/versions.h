@@ -1,4 +1,4 @@
-// The versions that a world gives its segments. No two worlds give the same one.
+// Numbers for moments of a world: versions of its segments, and marks. No two worlds of a process give the same one.
 #pragma once
 
 #include <atomic>

@@ -194,6 +194,16 @@ TEST(QuestionsByHand, FarApartAndFarAway) {
   EXPECT_EQ(world.bounds(), (CellRect{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}}));
 }
 
+TEST(QuestionsByHand, APlaceBeyondTheWorldIsNoLatticePoint) {
+  constexpr Point kBeyond{kMaxCoordinate + 1, kMaxCoordinate + 1};
+  constexpr auto kLast = static_cast<double>(kMaxCoordinate) / kUnitsPerCell;
+  const double notANumber = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(latticePoint({kLast, -kLast}), (Point{kMaxCoordinate, -kMaxCoordinate}));
+  EXPECT_EQ(latticePoint({kLast + 1, -kLast - 1}), kBeyond);
+  EXPECT_EQ(latticePoint({1e300, -1e300}), kBeyond);
+  EXPECT_EQ(latticePoint({notANumber, notANumber}), kBeyond);
+}
+
 TEST(QuestionsByHand, BeyondTheWorldIsRefused) {
   const World world;
   const std::int64_t beyond = kMaxCoordinate + 1, longest = std::int64_t{kMaxRay} * U;

@@ -170,6 +170,22 @@ TEST(GoingBackByHand, MarksThatAreNoneAreRefused) {
   EXPECT_NE(world.checkpoint(), mark);
 }
 
+TEST(GoingBackByHand, MarksAreForOneWorldAndItsCopies) {
+  World world;
+  const Mark before = world.checkpoint();
+  place(world, {}, unitSquare());
+  world.commit();
+  World copy = world;
+  World loaded = *World::load(saved(world), {});
+  const Mark ofWorld = world.checkpoint(), ofCopy = copy.checkpoint(), ofLoaded = loaded.checkpoint();
+  for (const Mark mark : {before, ofWorld, ofCopy}) EXPECT_FALSE(loaded.rollBack(mark));
+  for (const Mark mark : {ofCopy, ofLoaded}) EXPECT_FALSE(world.rollBack(mark));
+  for (const Mark mark : {ofWorld, ofLoaded}) EXPECT_FALSE(copy.rollBack(mark));
+  EXPECT_TRUE(copy.rollBack(before));
+  EXPECT_TRUE(copy.isEmpty({}));
+  EXPECT_FALSE(world.isEmpty({}));
+}
+
 TEST(GoingBackByHand, AFailedGroupLeavesWhatARollBackReported) {
   World world;
   const Mark mark = world.checkpoint();
@@ -229,6 +245,39 @@ TEST(GoingBackByHand, NothingIsKeptWithoutMarks) {
   EXPECT_TRUE(world.forget(mark));
   work();
   EXPECT_LT(world.stats().bytes, bytes + 10'000);
+}
+
+TEST(GoingBackByHand, WhatCellsHeldIsForgottenWithTheMark) {
+  World world;
+  const auto work = [&] {
+    for (std::int32_t k = 1; k <= 3'000; ++k) {
+      place(world, {}, {{0, 0}, {k, 0}, {0, k}});
+      world.commit();
+      removeAll(world, {});
+      world.commit();
+    }
+  };
+  const Mark mark = world.checkpoint();
+  work();
+  EXPECT_GE(world.stats().contents, 3'000U);
+  ASSERT_TRUE(world.rollBack(mark));
+  work();
+  ASSERT_TRUE(world.forget(mark));
+  world.commit();
+  EXPECT_EQ(world.stats().contents, 0U);
+}
+
+TEST(GoingBackByHand, NothingIsKeptOfCommitsThatFindNothing) {
+  World world;
+  const Mark mark = world.checkpoint();
+  place(world, {}, unitSquare());
+  world.commit();
+  world.commit();
+  const std::uint64_t bytes = world.stats().bytes;
+  for (int k = 0; k < 1'000; ++k) world.commit();
+  EXPECT_EQ(world.stats().bytes, bytes);
+  ASSERT_TRUE(world.rollBack(mark));
+  EXPECT_EQ(world.changesOfRollBack().removed.size(), 4U);
 }
 
 }  // namespace

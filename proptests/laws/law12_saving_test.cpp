@@ -22,6 +22,9 @@ LGS_LAW(GoingBack, LoadingIsNeverHavingLeft, 1'000, (const Seeds& before, const 
   expectNoDifference(stayed, *loaded, after);
 }
 
+// Of a snapshot, in bytes: letters and version; checksum.
+constexpr std::size_t kHead = 8, kTail = 4;
+
 /// Gives bytes the checksum that they should have.
 void seal(std::vector<std::byte>& bytes) {
   std::uint32_t sum = 0xffff'ffff;
@@ -53,7 +56,6 @@ LGS_LAW(GoingBack, BytesOfIllWillAreRefusedOrAreAWorld, 2'000,
   World world = grown(false, before);
   world.commit();
   std::vector<std::byte> bytes = saved(world);
-  constexpr std::size_t kHead = 8, kTail = 4;
   for (int k = 1 + chance.below(3); k > 0; --k) {
     const std::size_t at = kHead + chance.below(bytes.size() - kHead - kTail);
     bytes[at] = std::byte{
@@ -102,6 +104,126 @@ TEST(GoingBackByHand, MadeUpBytesAreRefusedForTheirReason) {
   const auto loaded = World::load(longer);
   ASSERT_FALSE(loaded);
   EXPECT_EQ(loaded.error().what, What::tooLong);
+}
+
+// --- Numbers beyond their range --------------------------------------------------------------------------------------
+
+using Numbers = std::vector<std::uint64_t>;
+
+/// The numbers of a snapshot, from its version on.
+Numbers numbersOf(const std::vector<std::byte>& bytes) {
+  Numbers numbers;
+  unsigned shift = 0;
+  for (std::size_t k = kHead - 1; k < bytes.size() - kTail; ++k) {
+    const auto byte = std::to_integer<std::uint64_t>(bytes[k]);
+    if (shift == 0) numbers.push_back(0);
+    numbers.back() |= (byte & 0x7fu) << shift;
+    shift = byte < 0x80 ? 0 : shift + 7;
+  }
+  return numbers;
+}
+
+std::vector<std::byte> bytesOf(const Numbers& numbers) {
+  std::vector<std::byte> bytes;
+  for (const char c : std::string("lgssnap")) bytes.push_back(static_cast<std::byte>(c));
+  for (std::uint64_t number : numbers) {
+    for (; number >= 0x80; number >>= 7) bytes.push_back(static_cast<std::byte>(number | 0x80u));
+    bytes.push_back(static_cast<std::byte>(number));
+  }
+  bytes.resize(bytes.size() + kTail);
+  seal(bytes);
+  return bytes;
+}
+
+/// A square, two triangles that are one shape, and two squares that are gone: the last commit removed the second one.
+World smallWorld() {
+  constexpr auto kUnit = kUnitsPerCell;
+  World world;
+  const ShapeId square = shapeOf(world, {unitSquare()});
+  const ShapeId halves = shapeOf(world, {{{0, 0}, {kUnit, 0}, {0, kUnit}}, {{kUnit, 0}, {kUnit, kUnit}, {0, kUnit}}});
+  for (const Cell cell : {Cell{0, 0}, Cell{2, 0}}) EXPECT_TRUE(world.add(cell, square, 5));
+  EXPECT_TRUE(world.add({32, 0}, halves, 7));
+  EXPECT_TRUE(world.add({0, 40}, square, 5));
+  world.commit();
+  removeAll(world, {2, 0});
+  world.commit();
+  world.commit();  // now its ids are free
+  removeAll(world, {0, 40});
+  world.commit();
+  return world;
+}
+
+// Each group of numbers as docs/snapshot.md has it; the indices below count from the first one.
+const Numbers kSmallWorld{
+    1, 0,  // 0: version, relation
+    3, 3,     0,    0,     65536, 0,    0,     65536, 4,    0, 0,  65536, 0, 65536, 65536,
+    0, 65536,                                                                           // 2: polygons 0 and 1
+    3, 65536, 0,    65536, 65536, 0,    65536,                                          // 19: polygon 2
+    2, 1,     1,    0,     2,     0,    2,     0,                                       // 26: contents
+    2, 1,     1,    2,     0,     2,                                                    // 34: shapes
+    3, 0,     0,    2,     2,     2047, 0,     6,     1,    0, 1,  2043,  0, 2,     5,  // 40: chunks, the first
+    2, 0,     2,    5,     2047,  0,    2047,  0,     2,    1, 7,  2,     7,            // 55: the second
+    1, 2,     2049, 0,     513,   0,    2,     1,     1535, 0,                          // 68: the third
+    4, 8,     0,    0,     0,     4,    8,     0,     0,    0, 31, 0,     0, 0,     8,
+    0, 0,     0};  // 78: ids: free, removed, used
+
+TEST(GoingBackByHand, SnapshotsAreAsDocumented) {
+  EXPECT_EQ(numbersOf(saved(smallWorld())), kSmallWorld);
+  EXPECT_TRUE(bytesOf(kSmallWorld) == saved(smallWorld()));
+}
+
+/// What becomes of the snapshot with other numbers in place of some.
+std::optional<SnapshotError::What> reasonWith(std::size_t at, std::size_t count, const Numbers& instead) {
+  Numbers numbers = kSmallWorld;
+  const auto begin = numbers.begin() + static_cast<std::ptrdiff_t>(at);
+  numbers.insert(numbers.erase(begin, begin + static_cast<std::ptrdiff_t>(count)), instead.begin(), instead.end());
+  const auto loaded = World::load(bytesOf(numbers));
+  return loaded ? std::nullopt : std::optional(loaded.error().what);
+}
+
+TEST(GoingBackByHand, EveryNumberBeyondItsRangeIsRefused) {
+  using What = SnapshotError::What;
+  constexpr std::uint64_t kFarChunk = 2 * (kMaxCell / 32), kMuch = 1'000'000'000;
+  const auto one = [](std::size_t at, std::uint64_t number) { return reasonWith(at, 1, {number}); };
+  EXPECT_EQ(one(2, kMuch), What::badNumber) << "more polygons than bytes";
+  EXPECT_EQ(one(4, 65'537), What::badNumber) << "a coordinate";
+  EXPECT_EQ(reasonWith(19, 7, {3, 0, 0, 65'536, 0, 0, 65'536}), What::badPolygon) << "polygon 0 again";
+
+  EXPECT_EQ(one(26, kMuch), What::badNumber) << "more contents than bytes";
+  EXPECT_EQ(one(28, 3), What::badNumber) << "a polygon that is not there";
+  EXPECT_EQ(one(32, 0), What::badNumber) << "a polygon twice in a content";
+  EXPECT_EQ(reasonWith(31, 2, {2, 0}), What::badNumber) << "polygons that do not increase";
+  EXPECT_EQ(one(32, 1), What::badPolygon) << "polygons that overlap";
+  EXPECT_EQ(reasonWith(30, 3, {0}), What::badNumber) << "an empty content";
+  EXPECT_EQ(reasonWith(33, 1, {1, 0, 1}), What::badNumber) << "a preserved overlap without a relation";
+
+  EXPECT_EQ(one(36, 3), What::badNumber) << "a polygon that is not there, in a shape";
+  EXPECT_EQ(reasonWith(37, 3, {1, 1}), What::badPolygon) << "a shape again";
+  EXPECT_EQ(one(39, 1), What::badPolygon) << "a shape whose polygons overlap";
+
+  EXPECT_EQ(one(55, 0), What::badNumber) << "a chunk again";
+  EXPECT_EQ(one(55, kFarChunk), std::nullopt) << "the farthest chunk";
+  EXPECT_EQ(reasonWith(55, 6, {kFarChunk, 0, 4, 0, 5, 2'045, 0}), What::badNumber) << "a cell beyond the farthest";
+  EXPECT_EQ(one(55, kFarChunk + 2), What::badNumber) << "a chunk beyond the farthest";
+  EXPECT_EQ(one(44, 6), What::badNumber) << "a content that is not there";
+  EXPECT_EQ(one(44, 4), What::badNumber) << "two polygons in a cell that does not list them";
+  EXPECT_EQ(one(45, 2'049), What::badNumber) << "more contents than cells";
+  EXPECT_EQ(one(48, 0), What::badNumber) << "a polygon without a serial";
+  EXPECT_EQ(one(48, 255), std::nullopt) << "the last serial";
+  EXPECT_EQ(one(48, 256), What::badNumber) << "a serial that needs a list";
+  EXPECT_EQ(one(63, 1), What::badNumber) << "a serial that was not given out yet";
+  EXPECT_EQ(one(64, 0), What::badNumber) << "no serial";
+  EXPECT_EQ(one(66, 1), What::badNumber) << "a serial twice";
+  EXPECT_EQ(one(63, std::uint64_t{1} << 32), What::badNumber) << "a serial of too many bits";
+
+  EXPECT_EQ(one(78, kMuch), What::badNumber) << "more free ids than bytes";
+  EXPECT_EQ(one(79, 1), What::badSegments) << "id 0, free";
+  EXPECT_EQ(one(79, 3), What::badSegments) << "id -1, free";
+  EXPECT_EQ(one(79, kMuch), What::badSegments) << "a free id beyond all";
+  EXPECT_EQ(one(79, 24), What::badSegments) << "free ids that were just removed";
+  EXPECT_EQ(one(84, 1), What::badSegments) << "id 0, just removed";
+  EXPECT_EQ(one(88, 33), What::badSegments) << "id 0 of a segment";
+  EXPECT_EQ(one(95, 2), What::badSegments) << "an id beyond those that there are";
 }
 
 TEST(GoingBackByHand, AnotherRelationIsRefused) {

@@ -144,6 +144,8 @@ TEST(TiledReport, OfAWholeImport) {
       "  block 1  6 polygons  slope\n"
       "  block 2  2 polygons  ice\n"
       "  block 3  1 polygon  rock\n"
+      "  note: blocks are numbered in the order of their first use: slope, ice, rock. An edit of the map may change the "
+      "numbers. Choose them, or look them up by name\n"
       "\n"
       "Left out or cut off:\n"
       "  Höhle #1 'slope', 3 uses\n"

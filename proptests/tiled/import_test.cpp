@@ -198,6 +198,38 @@ TEST(TiledBlocks, ByClassAndByLayer) {
   EXPECT_EQ(blocks(options), (std::vector<Block>{7, 1, 1, 1, 1}));
 }
 
+TEST(TiledBlocks, AreFoundByName) {
+  const std::string set =
+      "<tileset firstgid='1' tilewidth='16' tileheight='16' tilecount='2'>"
+      "<tile id='0' class='ice'><objectgroup>" +
+      kFullTile + "</objectgroup></tile><tile id='1'><objectgroup>" + kFullTile + "</objectgroup></tile></tileset>";
+  const auto import = [&](const std::string& tiles, const Options& options) {
+    return mustImport(set + "<layer name='A' width='2' height='1'><data encoding='csv'>" + tiles + "</data></layer>",
+                      options);
+  };
+  Options options;
+  options.blocks = {{"lava", 5}};
+  EXPECT_EQ(import("1,2", options).block("lava"), std::nullopt) << "all are of one block";
+  EXPECT_TRUE(import("1,2", options).report.notes.empty());
+
+  options.blockFrom = BlockFrom::tileClass;
+  for (const char* tiles : {"1,2", "2,1"}) {  // whichever comes first
+    const ImportedMap map = import(tiles, options);
+    for (const Placement& p : map.placements)
+      EXPECT_EQ(p.block, map.block((tiles[0] == '1') == (p.cell.i == 0) ? "ice" : ""));
+    EXPECT_NE(map.block("ice"), map.block(""));
+    EXPECT_EQ(map.block("lava"), 5U) << "the map does not use it";
+    EXPECT_EQ(map.block("water"), std::nullopt);
+  }
+  EXPECT_EQ(
+      import("1,2", options).report.notes,
+      (std::vector<std::string>{"blocks are numbered in the order of their first use: ice, (no class). An edit of "
+                                "the map may change the numbers. Choose them, or look them up by name"}));
+  options.blocks = {{"", 2}, {"ice", 7}};
+  EXPECT_EQ(import("1,2", options).block("ice"), 7U);
+  EXPECT_TRUE(import("1,2", options).report.notes.empty()) << "all numbers were chosen";
+}
+
 TEST(TiledMap, TheProjectsOwn) {
   Options options;
   options.blockFrom = BlockFrom::tileClass;

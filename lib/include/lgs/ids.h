@@ -20,9 +20,10 @@ struct ShapeId {
   friend constexpr auto operator<=>(ShapeId, ShapeId) = default;
 };
 
-/// One placed polygon. Once the polygon is removed its handle is stale for good: to use it is an error, and it never
-/// names another polygon. Zero is null. `cellRef` and `serial` mean something to the world only. packed() is for
-/// storage, say in the user data of a physics engine.
+/// One placed polygon. Once the polygon is removed its handle is stale: to use it is an error, and it never names
+/// another polygon, unless the world goes back to a time before that polygon was (World::rollBack()). Zero is null.
+/// `cellRef` and `serial` mean something to the world only. packed() is for storage, say in the user data of a physics
+/// engine.
 struct PolygonHandle {
   std::uint32_t cellRef = 0;
   std::uint32_t serial = 0;

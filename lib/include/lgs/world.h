@@ -161,7 +161,8 @@ class World {
   // is needed to undo it is kept: memory in proportion to the edits and commits since the oldest mark. What a shape
   // that was made after the mark holds stays in memory.
 
-  /// Notes this moment. Edits may be pending. No two marks of a world are the same. Cost: O(1).
+  /// Notes this moment. Edits may be pending. A mark is for this world and its later copies; no other world of this
+  /// process ever makes the same one. Its number says nothing else, and is another one in another run. Cost: O(1).
   [[nodiscard]] Mark checkpoint();
 
   /// Goes back to a mark. The mark stays, so that the world can go back to it again; later ones are void.
@@ -184,7 +185,8 @@ class World {
   [[nodiscard]] Expected<void> save(const ByteSink& sink) const;
 
   /// The world that was saved. It goes on exactly: the same edits give the same ids and lists as if it had never been
-  /// saved (law 12). `preserve` must be the relation that it was saved with, or empty if it had none. Bytes that are
+  /// saved (law 12). It has no marks. `snapshot` is what save() wrote and nothing more: a file with more in it says how
+  /// long this part is. `preserve` must be the relation that it was saved with, or empty if it had none. Bytes that are
   /// cut, damaged or made up are refused; they take no more memory than a constant for each byte. Cost: in proportion
   /// to the world, and quadratic in the vertices of each content of a cell, as shape() is.
   [[nodiscard]] static tl::expected<World, SnapshotError> load(std::span<const std::byte> snapshot,

@@ -10,8 +10,9 @@ namespace lgs::tiled {
 /// Those that Options::blocks has keep their numbers. Other names get the least unused numbers from 1 up, as they come.
 class BlockNumbers {
  public:
-  explicit BlockNumbers(const Options& options) : numbers_(options.blocks) {
-    for (const auto& [name, block] : options.blocks) taken_.insert(block);
+  explicit BlockNumbers(const Options& options) {
+    if (options.blockFrom != BlockFrom::one) numbers_ = options.blocks;
+    for (const auto& [name, block] : numbers_) taken_.insert(block);
   }
 
   Block of(const std::string& name) {
@@ -19,14 +20,18 @@ class BlockNumbers {
     if (known != numbers_.end()) return known->second;
     while (taken_.contains(next_)) ++next_;
     taken_.insert(next_);
+    asTheyCame_.push_back(name);
     return numbers_[name] = next_;
   }
 
   const std::map<std::string, Block>& all() const { return numbers_; }
+  /// The names that Options::blocks does not have.
+  const std::vector<std::string>& asTheyCame() const { return asTheyCame_; }
 
  private:
   std::map<std::string, Block> numbers_;
   std::set<Block> taken_;
+  std::vector<std::string> asTheyCame_;
   Block next_ = 1;
 };
 

@@ -67,6 +67,7 @@ class Import {
   const Tileset* tilesetOf(std::uint32_t number) const;
   std::uint32_t reportOf(const Tileset& tileset, std::uint32_t number);
   void finishReport();
+  void reportBlocks();
 
   const Options& options_;
   const FileReader& reader_;
@@ -243,18 +244,37 @@ void Import::finishReport() {
       return std::pair(a.kind, a.object) < std::pair(b.kind, b.object);
     });
   }
+  reportBlocks();
+}
+
+void Import::reportBlocks() {
+  Report& report = map_.report;
+  map_.blocks = blocks_.all();
+  const auto listed = [](std::string& names, const std::string& name) {
+    names += (names.empty() ? "" : ", ") + (name.empty() ? "(no class)" : name);
+  };
+  if (std::string names; !blocks_.asTheyCame().empty()) {
+    for (const std::string& name : blocks_.asTheyCame()) listed(names, name);
+    report.notes.push_back("blocks are numbered in the order of their first use: " + names +
+                           ". An edit of the map may change the numbers. Choose them, or look them up by name");
+  }
   std::map<Block, std::uint64_t> polygons;
   for (const Placement& placement : map_.placements) ++polygons[placement.block];
   for (const auto& [block, count] : polygons) {
     std::string names;
     for (const auto& [name, number] : blocks_.all()) {
-      if (number == block) names += (names.empty() ? "" : ", ") + (name.empty() ? "(no class)" : name);
+      if (number == block) listed(names, name);
     }
     report.blocks.push_back({std::move(names), block, count});
   }
 }
 
 }  // namespace
+
+std::optional<Block> ImportedMap::block(const std::string& name) const {
+  const auto found = blocks.find(name);
+  return found == blocks.end() ? std::nullopt : std::optional(found->second);
+}
 
 tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options,
                                                  const FileReader& reader) {

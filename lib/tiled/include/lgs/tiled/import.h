@@ -48,6 +48,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -86,7 +87,8 @@ struct Options {
 
   /// The block for each name of a class or layer; unused with BlockFrom::one. "" stands for no class. Other names get
   /// the least unused numbers from 1 up, in the order in which the import meets them: layers in the map's order, and
-  /// tiles in a layer by rows from the top.
+  /// tiles in a layer by rows from the top. Such numbers may change with an edit of the map, and the report warns of
+  /// them. A game that knows a class gives it a number here, or asks for it: ImportedMap::block("ice").
   std::map<std::string, Block> blocks;
 
   /// Layers to import: names or paths ("Group/Layer") of layers or groups. Empty means all tile layers. A name that
@@ -186,7 +188,12 @@ std::string toText(const Report& report);
 struct ImportedMap {
   std::vector<std::vector<LocalPoint>> shapes;  ///< distinct polygons; for World::shape() or World::add()
   std::vector<Placement> placements;            ///< sorted by cell (j, then i), and in a cell as they were placed
+  std::map<std::string, Block> blocks;          ///< of all names in Options::blocks, and of those that the import met
   Report report;
+
+  /// The block of a class, or of a layer by its path; "" stands for no class. Nothing if the map does not use the name
+  /// and Options::blocks does not have it; with BlockFrom::one there are no names.
+  std::optional<Block> block(const std::string& name) const;
 };
 
 /// Returns the content of a file, or says why it can not. importMap() calls it with the map's path, and then with the
