@@ -3,6 +3,7 @@
 #include "oracle/check/isolated.h"
 #include "oracle/generate/random.h"
 #include "proptests/support/law.h"
+#include "proptests/support/scale.h"
 #include "proptests/support/worlds.h"
 
 #include <fmt/format.h>
@@ -159,6 +160,7 @@ TEST(Threads, ABuildIsTheSameWithAnyExecutor) {
     failUnless(storyOf(steps, relation, onThreads<5>) == alone, "another one on five threads");
   };
   forAll(60, law, anySteps(), anyRelation());
+  if (testScale() < 1) return;  // a few cases may have nearly nothing
   EXPECT_GT(*segments, 1000U) << "worlds of nearly nothing";
 }
 
