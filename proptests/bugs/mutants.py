@@ -43,13 +43,13 @@ def parser() -> argparse.ArgumentParser:
 
 
 def sample(arguments: argparse.Namespace) -> list[Mutant]:
-    """By file, so that one change after the other has to compile little."""
+    """By file, so that one change after the other has to compile little; headers, which take longest, at the end."""
     everything = [m for name in arguments.of for m in mutation.mutants_of(name)]
     count = min(arguments.sample or len(everything), len(everything))
     chosen = random.Random(arguments.seed).sample(everything, count)
     if arguments.only:
         chosen = [m for m in chosen if arguments.only.search(m.diff())]
-    return sorted(chosen, key=lambda m: (m.component, m.file, m.change.start, m.change.text))
+    return sorted(chosen, key=lambda m: (m.file.endswith(".h"), m.component, m.file, m.change.start, m.change.text))
 
 
 def main() -> int:

@@ -104,29 +104,33 @@ class Bench:
     def __init__(self, workshop: Workshop, seed: int, scale: float):
         self.workshop = workshop
         self.environment = {"LGS_TEST_SCALE": str(scale), "LGS_TEST_SEED": str(seed)}
-        self.clean: dict[str, bytes] = {}  # digests of programs without a mutant
+        self.ready: set[tuple[str, str]] = set()  # kinds of builds, and components
+        self.clean: dict[Path, bytes] = {}  # digests of programs without a mutant
 
-    def program(self, name: str) -> Path:
-        return self.workshop.program("tests", COMPONENTS[name].program)
+    def build(self, kind: str, name: str) -> Path:
+        """The program with the tests of a component."""
+        self.workshop.build(kind, COMPONENTS[name].program)
+        return self.workshop.program(kind, COMPONENTS[name].program)
 
-    def digest(self, name: str) -> bytes:
-        return hashlib.sha256(self.program(name).read_bytes()).digest()
+    def digest(self, program: Path) -> bytes:
+        return hashlib.sha256(program.read_bytes()).digest()
 
-    def prepare(self, name: str) -> None:
-        if name in self.clean:
+    def prepare(self, kind: str, name: str) -> None:
+        if (kind, name) in self.ready:
             return
         try:
-            self.workshop.build("tests", COMPONENTS[name].program)
+            program = self.build(kind, name)
         except DoesNotBuild as error:
             raise AtFault(f"without any mutant {COMPONENTS[name].program} does not build:\n{error}") from error
-        self.clean[name] = self.digest(name)
+        self.ready.add((kind, name))
+        self.clean[program] = self.digest(program)
         with self.preparing:
             if name not in self.batches:
-                self.batches[name] = self.measure(name)
+                self.batches[name] = self.measure(name, program)
 
-    def measure(self, name: str) -> list[Batch]:
+    def measure(self, name: str, program: Path) -> list[Batch]:
         """The tests by how long they take."""
-        result = programs.run_tests(self.program(name), COMPONENTS[name].tests, self.workshop.folder, 3_600,
+        result = programs.run_tests(program, COMPONENTS[name].tests, self.workshop.folder, 3_600,
                                     self.environment)
         if result["verdict"] != "passes":
             raise AtFault(f"without any mutant {result['test']} fails; mend that first")
@@ -141,17 +145,18 @@ class Bench:
         return batches
 
     def try_mutant(self, mutant: Mutant) -> dict:
-        self.prepare(mutant.component)
+        kind = "batches" if mutant.file.endswith(".h") else "tests"
+        self.prepare(kind, mutant.component)
         with self.workshop.changed(mutant.file, mutant.text()):
             try:
-                self.workshop.build("tests", COMPONENTS[mutant.component].program)
+                program = self.build(kind, mutant.component)
             except DoesNotBuild:
                 return {"verdict": "does not compile"}
-            if self.digest(mutant.component) == self.clean[mutant.component]:
+            if self.digest(program) == self.clean[program]:
                 return {"verdict": "same code"}
             for batch in self.batches[mutant.component]:
-                result = programs.run_tests(self.program(mutant.component), ":".join(batch.tests), self.workshop.folder,
-                                            batch.limit, self.environment)
+                result = programs.run_tests(program, ":".join(batch.tests), self.workshop.folder, batch.limit,
+                                            self.environment)
                 if result["verdict"] != "passes":
                     return {**result, "verdict": "killed" if result["verdict"] == "found" else "time-out"}
         return {"verdict": "lives"}
