@@ -198,6 +198,28 @@ TEST(TiledBlocks, ByClassAndByLayer) {
   EXPECT_EQ(blocks(options), (std::vector<Block>{7, 1, 1, 1, 1}));
 }
 
+TEST(TiledMap, SidesAreWholeNumbersFromNothingOn) {
+  const std::string content = tilesetXml({kFullTile}) + csvLayer(1, 1, "1");
+  for (const char* size : {"width='1' height='1'", "width='0' height='0'", ""})
+    EXPECT_EQ(refusalOf(mapXml(content, size)), "accepted") << size;
+  for (const char* size : {"width='-1' height='1'", "width='1' height='-1'", "width='1.5' height='1'"})
+    EXPECT_NE(refusalOf(mapXml(content, size)).find("should be a whole number from 0 to "), std::string::npos) << size;
+}
+
+TEST(TiledMap, TilesetsMayComeInAnyOrder) {
+  const auto tileset = [](int first, const std::string& object) {
+    return "<tileset firstgid='" + std::to_string(first) + "' tilewidth='32' tileheight='32' tilecount='2'>" +
+           "<tile id='1'><objectgroup>" + object + "</objectgroup></tile></tileset>";
+  };
+  const std::string first = tileset(1, kFullTile), half = "<object id='1' width='32' height='16'/>";
+  const std::string second = tileset(3, half), third = tileset(5, kFullTile), layer = csvLayer(3, 1, "2,4,6");
+  const ImportedMap sorted = mustImport(first + second + third + layer);
+  ASSERT_EQ(ringsIn(sorted, {0, -1}), std::vector<Ring>{kSquare});
+  ASSERT_NE(ringsIn(sorted, {1, -1}), std::vector<Ring>{kSquare});
+  const ImportedMap turned = mustImport(third + second + first + layer);
+  for (const std::int32_t i : {0, 1, 2}) EXPECT_EQ(ringsIn(turned, {i, -1}), ringsIn(sorted, {i, -1})) << i;
+}
+
 TEST(TiledBlocks, AreFoundByName) {
   const std::string set =
       "<tileset firstgid='1' tilewidth='16' tileheight='16' tilecount='2'>"
