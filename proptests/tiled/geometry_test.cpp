@@ -2,6 +2,7 @@
 #include "lattice.h"
 #include "lib/tiled/src/fraction.h"
 #include "lib/tiled/src/pixel_grid.h"
+#include "lib/tiled/src/rounding.h"
 
 #include <gtest/gtest.h>
 
@@ -105,6 +106,18 @@ TEST(TiledGeometry, TidyLoopsKeepWhatTheRingGoesAround) {
         ASSERT_EQ(turns, winding(ring, at)) << text(ring);
       }
     });
+  }
+}
+
+TEST(TiledGeometry, NearlyInsideIsUpToTwoUnitsBeyondAnEdge) {
+  const Polygon square{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
+  // A needle from the middle beyond each side, and beyond each corner.
+  for (const Point way : {Point{0, -1}, Point{1, 0}, Point{0, 1}, Point{-1, 0}, Point{1, 1}, Point{-1, -1}}) {
+    const auto needle = [&](std::int64_t beyond) {
+      return Polygon{{50, 50}, {50 + way.x * (50 + beyond), 50 + way.y * (50 + beyond)}, {51, 52}};
+    };
+    for (const std::int64_t beyond : {-1, 0, 1, 2}) EXPECT_TRUE(nearlyInside(needle(beyond), square)) << beyond;
+    for (const std::int64_t beyond : {3, 4}) EXPECT_FALSE(nearlyInside(needle(beyond), square)) << beyond;
   }
 }
 

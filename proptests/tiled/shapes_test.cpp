@@ -37,6 +37,18 @@ TEST(TiledSnapping, SlopesJoinTheFlatGroundWithoutAStep) {
   EXPECT_EQ(noteKinds(steps), (std::vector<NoteKind>{NoteKind::snapped, NoteKind::nearMiss}));
 }
 
+TEST(TiledSnapping, AVertexNearACornerIsNotedUpToA32thOfATile) {
+  const auto kindsOf = [](const std::string& miss) {
+    Options options;
+    options.tolerance = 0.75;  // pixels, of 32
+    return noteKinds(importTile("<object id='1'><polygon points='0,32 32,32 32," + miss + "'/></object>", options));
+  };
+  EXPECT_EQ(kindsOf("0.74"), (std::vector<NoteKind>{NoteKind::snapped}));
+  EXPECT_EQ(kindsOf("0.76"), (std::vector<NoteKind>{NoteKind::nearMiss}));
+  EXPECT_EQ(kindsOf("1"), (std::vector<NoteKind>{NoteKind::nearMiss}));
+  EXPECT_EQ(kindsOf("1.02"), std::vector<NoteKind>());
+}
+
 TEST(TiledSnapping, OnlyWithinTheTolerance) {
   const std::string objects = "<object id='1' x='2.5' y='-1' width='29' height='20'/>";
   EXPECT_EQ(ringsIn(importTile(objects), {0, -1}), (std::vector<Ring>{px({{2.5, 13}, {32, 13}, {32, 32}, {2.5, 32}})}));
