@@ -38,11 +38,14 @@ TEST(TiledSnapping, SlopesJoinTheFlatGroundWithoutAStep) {
 }
 
 TEST(TiledSnapping, AVertexNearACornerIsNotedUpToA32thOfATile) {
-  const auto kindsOf = [](const std::string& miss) {
+  const auto imported = [](const std::string& miss) {
     Options options;
     options.tolerance = 0.75;  // pixels, of 32
-    return noteKinds(importTile("<object id='1'><polygon points='0,32 32,32 32," + miss + "'/></object>", options));
+    return importTile("<object id='1'><polygon points='0,32 32,32 32," + miss + "'/></object>", options);
   };
+  const auto kindsOf = [&](const std::string& miss) { return noteKinds(imported(miss)); };
+  EXPECT_EQ(imported("0.83").report.tiles.at(0).notes.at(0).text,
+            "a vertex misses a corner by 0.83 px: a tolerance of 0.9 px would join it");
   EXPECT_EQ(kindsOf("0.74"), (std::vector<NoteKind>{NoteKind::snapped}));
   EXPECT_EQ(kindsOf("0.76"), (std::vector<NoteKind>{NoteKind::nearMiss}));
   EXPECT_EQ(kindsOf("1"), (std::vector<NoteKind>{NoteKind::nearMiss}));

@@ -110,6 +110,8 @@ TEST(TiledSubtract, GivesUpWhatIsNotSimpleAndMentionsItIfItIsLarge) {
   const Difference small = subtract(hooked(100, 100), b, {});
   EXPECT_TRUE(small.parts.empty());
   EXPECT_FALSE(small.lost);
+  EXPECT_TRUE(subtract(hooked(530, 500), b, {}).lost) << "more than 4 lattice units across a cell";
+  EXPECT_FALSE(subtract(hooked(524, 500), b, {}).lost);
 }
 
 }  // namespace
