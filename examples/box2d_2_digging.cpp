@@ -32,7 +32,7 @@ int main() {
     physics.Step(1.0F / 60, 8, 3);
     for (const b2ContactEdge* c = ball->GetContactList(); c != nullptr && !dug; c = c->next) {
       const auto touch = terrain.hit(*c->contact);
-      if (!touch || !c->contact->IsTouching() || touch->hit.cell.i < 12) continue;
+      if (!touch || touch->hit.cell.i < 12) continue;
       std::printf("at %.2f m it touches cell (%d, %d) of block %u: dig\n", static_cast<double>(ball->GetPosition().x),
                   touch->hit.cell.i, touch->hit.cell.j, touch->hit.block);
       if (!ground.remove(touch->hit.polygon)) return 1;

@@ -6,8 +6,11 @@
 #include <lgs/box2d/terrain.h>
 #include <lgs/world.h>
 
+#include <cstddef>
 #include <cstdlib>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace recipes {
 
@@ -52,7 +55,7 @@ class Ground : public b2ContactListener {
 /// A foot is a sensor below a body. Ask; do not count begins and ends: edges come and go under a foot that stands.
 inline bool stands(b2Fixture& foot, const lgs::box2d::Terrain& terrain) {
   for (b2ContactEdge* c = foot.GetBody()->GetContactList(); c != nullptr; c = c->next) {
-    if (c->contact->GetFixtureB() != &foot || !c->contact->IsTouching()) continue;
+    if (c->contact->GetFixtureB() != &foot) continue;
     if (const auto touch = terrain.hit(*c->contact); touch && touch->normal.y > 0.7F) return true;
   }
   return false;
@@ -89,6 +92,39 @@ inline bool placeBelow(lgs::World& world, lgs::box2d::Terrain& terrain, lgs::Cel
 /// Digs a rectangle. Bodies that rest on it wake up by themselves, and wake what rests on them.
 inline bool dig(lgs::World& world, lgs::box2d::Terrain& terrain, const lgs::CellRect& cells) {
   return world.clear(cells) && terrain.commit(world);
+}
+
+/// A step that can be undone: how the world was before it, and all cells that were edited since.
+struct Step {
+  lgs::Mark before;
+  std::vector<lgs::CellRect> edited;
+};
+
+/// Undoes a step if no body is where it was edited: what was dug there comes back, and a body in it would fall through
+/// the ground. A game may rather wait, or lift the bodies.
+inline bool undo(lgs::World& world, lgs::box2d::Terrain& terrain, const Step& step) {
+  for (const lgs::CellRect& cells : step.edited)
+    if (!terrain.bodiesIn(cells).empty()) return false;
+  return world.rollBack(step.before) && terrain.sync(world.changesOfRollBack());
+}
+
+/// What was saved: a world, and where the bodies were.
+struct Saved {
+  std::vector<std::byte> world;
+  std::vector<std::pair<b2Body*, b2Transform>> bodies;
+};
+
+/// Loads. Bodies go back before the next step: a body of now could be inside a block of then.
+inline bool load(lgs::World& world, lgs::box2d::Terrain& terrain, const Saved& saved) {
+  tl::expected<lgs::World, lgs::SnapshotError> loaded = lgs::World::load(saved.world, keepsWalls);
+  if (!loaded) return false;
+  world = std::move(*loaded);
+  for (const auto& [body, at] : saved.bodies) {
+    body->SetTransform(at.p, at.q.GetAngle());
+    body->SetAwake(true);
+  }
+  terrain.resync();
+  return true;
 }
 
 /// Keeps the origin near a body. Steps of 1,024 cells: so the physics world moves by a float, to the last bit, if the

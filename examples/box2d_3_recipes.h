@@ -1,4 +1,4 @@
-// Recipes for the terrain in Box2D 3. docs/box2d.md says why they are as they are; proptests/box2d/recipes3_test.cpp
+// Recipes for the terrain in Box2D 3. docs/box2d.md says why they are as they are; proptests/box2d/recipes_test.cpp
 // tries them.
 #pragma once
 
@@ -6,8 +6,10 @@
 #include <lgs/box2d/terrain.h>
 #include <lgs/world.h>
 
+#include <cstddef>
 #include <cstdlib>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace recipes {
@@ -84,6 +86,40 @@ inline bool placeBelow(lgs::World& world, lgs::box2d::Terrain& terrain, lgs::Cel
 /// Digs a rectangle. Bodies that rest on it wake up by themselves, and wake what rests on them.
 inline bool dig(lgs::World& world, lgs::box2d::Terrain& terrain, const lgs::CellRect& cells) {
   return world.clear(cells) && terrain.commit(world);
+}
+
+/// A step that can be undone: how the world was before it, and all cells that were edited since.
+struct Step {
+  lgs::Mark before;
+  std::vector<lgs::CellRect> edited;
+};
+
+/// Undoes a step if no body is where it was edited: what was dug there comes back, and a body in it would fall through
+/// the ground. A game may rather wait, or lift the bodies.
+inline bool undo(lgs::World& world, lgs::box2d::Terrain& terrain, const Step& step) {
+  for (const lgs::CellRect& cells : step.edited)
+    if (!terrain.bodiesIn(cells).empty()) return false;
+  return world.rollBack(step.before) && terrain.sync(world.changesOfRollBack());
+}
+
+/// What was saved: a world, and where the bodies were. The type of a transform depends on Box2D's precision.
+using Transform = decltype(b2Body_GetTransform(b2_nullBodyId));
+struct Saved {
+  std::vector<std::byte> world;
+  std::vector<std::pair<b2BodyId, Transform>> bodies;
+};
+
+/// Loads. Bodies go back before the next step: a body of now could be inside a block of then.
+inline bool load(lgs::World& world, lgs::box2d::Terrain& terrain, const Saved& saved) {
+  tl::expected<lgs::World, lgs::SnapshotError> loaded = lgs::World::load(saved.world, keepsWalls);
+  if (!loaded) return false;
+  world = std::move(*loaded);
+  for (const auto& [body, at] : saved.bodies) {
+    b2Body_SetTransform(body, at.p, at.q);
+    b2Body_SetAwake(body, true);
+  }
+  terrain.resync();
+  return true;
 }
 
 /// Keeps the origin near the first of these bodies, which are all that move. Steps of 1,024 cells: so the bodies move

@@ -69,10 +69,10 @@ inline double distanceBetween(Place p, const Convex& polygon) {
   return isInside ? 0 : least;
 }
 
-/// A cell, smaller by `skin` on each side.
-inline Convex convexOf(const box2d::Terrain& terrain, Cell cell, double skin = 0) {
-  const Place min = placeOf(terrain.position(toWorld(cell, {})));
-  const Place max = placeOf(terrain.position(toWorld(cell, {kUnitsPerCell, kUnitsPerCell})));
+/// A rectangle of cells, smaller by `skin` on each side.
+inline Convex convexOf(const box2d::Terrain& terrain, const CellRect& cells, double skin = 0) {
+  const Place min = placeOf(terrain.position(toWorld(cells.min, {})));
+  const Place max = placeOf(terrain.position(toWorld(cells.max, {kUnitsPerCell, kUnitsPerCell})));
   return {{min.x + skin, min.y + skin},
           {max.x - skin, min.y + skin},
           {max.x - skin, max.y - skin},

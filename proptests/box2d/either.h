@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 #include <lgs/box2d/terrain.h>
+#include <span>
+#include <vector>
 
 namespace lgs::box2d_test {
 enum class Form { ball, box };
@@ -48,6 +50,19 @@ class EitherBox2d : public testing::Test {
     for (int k = 0; k < times; ++k) physics.Step(1.0F / 60, 8, 3);
   }
   static bool isAwake(Body body) { return body->IsAwake(); }
+  static b2Transform transformOf(Body body) { return body->GetTransform(); }
+  /// All contacts of a body, also with what is only near.
+  static std::size_t contactCount(Body body) {
+    std::size_t count = 0;
+    for (const b2ContactEdge* c = body->GetContactList(); c != nullptr; c = c->next) ++count;
+    return count;
+  }
+  static std::vector<Cell> touchedCells(const box2d::Terrain& terrain, Body body) {
+    std::vector<Cell> cells;
+    for (const b2ContactEdge* c = body->GetContactList(); c != nullptr; c = c->next)
+      if (const auto touch = terrain.hit(*c->contact)) cells.push_back(touch->hit.cell);
+    return cells;
+  }
   std::size_t bodyCount() const { return static_cast<std::size_t>(physics.GetBodyCount()); }
   void expectEdges(const box2d::Terrain& terrain, const box2d::TerrainOptions& options) {
     expectFixtures(physics, terrain, options);
@@ -111,6 +126,17 @@ class EitherBox2d : public Physics3 {
     b2Body_SetAwake(body, true);
   }
   static bool isAwake(Body body) { return b2Body_IsAwake(body); }
+  static auto transformOf(Body body) { return b2Body_GetTransform(body); }
+  /// All contacts of a body, also with what is only near.
+  static std::size_t contactCount(Body body) { return static_cast<std::size_t>(b2Body_GetContactCapacity(body)); }
+  static std::vector<Cell> touchedCells(const box2d::Terrain& terrain, Body body) {
+    std::vector<b2ContactData> contacts(contactCount(body));
+    const int count = b2Body_GetContactData(body, contacts.data(), static_cast<int>(contacts.size()));
+    std::vector<Cell> cells;
+    for (const b2ContactData& contact : std::span(contacts).first(static_cast<std::size_t>(count)))
+      if (const auto touch = terrain.hit(contact)) cells.push_back(touch->hit.cell);
+    return cells;
+  }
   std::size_t bodyCount() const { return static_cast<std::size_t>(b2World_GetCounters(physics).bodyCount); }
   void expectEdges(const box2d::Terrain& terrain, const box2d::TerrainOptions& options) {
     expectShapes(physics, terrain, options);

@@ -53,6 +53,13 @@ class Recipes : public EitherBox2d {
   }
 #endif
 
+  recipes::Saved save(std::span<const Body> bodies) const {
+    recipes::Saved saved;
+    EXPECT_TRUE(world.save([&](auto bytes) { saved.world.insert(saved.world.end(), bytes.begin(), bytes.end()); }));
+    for (const Body body : bodies) saved.bodies.emplace_back(body, transformOf(body));
+    return saved;
+  }
+
   World world{recipes::keepsWalls};
   std::optional<box2d::Terrain> terrain;
 };

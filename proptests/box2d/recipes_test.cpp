@@ -200,6 +200,64 @@ TEST_F(Box2dRecipes, DiggingUnderASleepingStack) {
     EXPECT_NEAR(positionOf(stack[k]).y, -3 + 0.35F + 0.7F * static_cast<float>(k), 0.1F) << k;
 }
 
+TEST_F(Box2dRecipes, UndoingADigWaitsForTheBodyInTheHole) {
+  fill({{0, -4}, {9, -1}}, recipes::kStone);
+  ground();
+  const recipes::Step first{world.checkpoint(), {{{4, -2}, {4, -1}}}};
+  ASSERT_TRUE(recipes::dig(world, *terrain, first.edited[0]));
+  const recipes::Step second{world.checkpoint(), {{{7, -1}, {7, -1}}, {{8, 0}, {8, 0}}}};
+  ASSERT_TRUE(recipes::dig(world, *terrain, second.edited[0]));
+  ASSERT_TRUE(recipes::placeIfFree(world, *terrain, {8, 0}, square, recipes::kStone));
+  const Body ball = addBody({4.5F, 0.4F}, Form::ball, 0);
+  step(120);
+  EXPECT_NEAR(positionOf(ball).y, -1.65F, 0.02F);  // in the hole
+  EXPECT_TRUE(recipes::undo(world, *terrain, second));
+  EXPECT_TRUE(terrain->isCurrent());
+  EXPECT_FALSE(recipes::undo(world, *terrain, first));
+  EXPECT_TRUE(world.isEmpty({4, -1}));
+  moveTo(ball, {4.5F, 0.4F});
+  EXPECT_TRUE(recipes::undo(world, *terrain, first));
+  EXPECT_TRUE(terrain->isCurrent());
+  EXPECT_EQ(terrain->edges().counts().edges, 28U);  // around 10 × 4 cells
+  step(60);
+  EXPECT_NEAR(positionOf(ball).y, 0.35F, 0.02F);
+}
+
+// Why to ask: the hole is filled around the body.
+TEST_F(Box2dRecipes, WhoUndoesADigWithoutAskingLosesABody) {
+  fill({{0, -4}, {9, -1}}, recipes::kStone);
+  ground();
+  const Mark mark = world.checkpoint();
+  ASSERT_TRUE(recipes::dig(world, *terrain, {{4, -2}, {4, -1}}));
+  const Body ball = addBody({4.5F, -1.6F}, Form::ball, 0);
+  step(60);
+  ASSERT_TRUE(world.rollBack(mark));
+  ASSERT_TRUE(terrain->sync(world.changesOfRollBack()));
+  step(180);
+  EXPECT_LT(positionOf(ball).y, -5);
+}
+
+TEST_F(Box2dRecipes, ALoadPutsBodiesWhereTheyWere) {
+  fill({{0, -4}, {9, -1}}, recipes::kStone);
+  ground();
+  const Body ball = addBody({4.5F, 0.4F}, Form::ball, 0.5F);
+  const Body far = addBody({8.5F, 0.4F}, Form::ball, 0.5F);
+  step(120);
+  const recipes::Saved saved = save(std::vector{ball, far});
+  ASSERT_TRUE(recipes::dig(world, *terrain, {{4, -2}, {4, -1}}));
+  step(120);
+  ASSERT_NEAR(positionOf(ball).y, -1.65F, 0.02F);
+  ASSERT_TRUE(recipes::load(world, *terrain, saved));
+  EXPECT_TRUE(terrain->isCurrent());
+  EXPECT_FALSE(world.isEmpty({4, -1}));
+  step(120);
+  for (const Body body : {ball, far}) EXPECT_NEAR(positionOf(body).y, 0.35F, 0.02F);
+  recipes::Saved cut = saved;
+  cut.world.pop_back();
+  EXPECT_FALSE(recipes::load(world, *terrain, cut));
+  EXPECT_TRUE(terrain->isCurrent());
+}
+
 // Ten thousand cells; the origin moves nine times.
 TEST_F(Box2dRecipes, AWorldThatMovesItsOrigin) {
   constexpr std::int32_t kCells = 10'000;

@@ -2,6 +2,7 @@
 #include "distances.h"
 #include "either.h"
 #include "played.h"
+#include "proptests/support/scale.h"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -88,6 +89,46 @@ TEST_F(Box2dPlaces, AfterTheOriginMovedAllIsAsInATerrainMadeThere) {
       EXPECT_EQ(terrain.cellAt({0, 0}), options.origin);
     });
   });
+}
+
+// Within 100 cells of the origin a float tells all lattice points apart.
+TEST_F(Box2dPlaces, TheLatticePointOfAPositionIsThePoint) {
+  test::forAll(
+      100,
+      [&](Chance random) {
+        const auto coordinate = [&](std::int32_t most) { return random.below(2 * most + 1) - most; };
+        const double size = random.pick(std::vector<double>{0.01, 0.3, 0.5, 1, 7});
+        Cell origin{coordinate(kMaxCell - 1'000), coordinate(kMaxCell - 1'000)};
+        Terrain terrain(physics, field.world, {.cellSize = size, .origin = origin});
+        for (const bool moves : {false, true}) {
+          if (moves) {
+            origin = {origin.i + coordinate(1'000), origin.j + coordinate(1'000)};
+            terrain.moveOrigin(origin);
+          }
+          for (int k = 0; k < 20; ++k) {
+            const Cell cell{origin.i + coordinate(99), origin.j + coordinate(99)};
+            const Point p = toWorld(cell, {random.below(U + 1), random.below(U + 1)});
+            EXPECT_EQ(terrain.latticePoint(terrain.position(p)), p) << "cells of " << size << " m";
+          }
+        }
+      },
+      rc::gen::arbitrary<Chance>());
+}
+
+TEST_F(Box2dPlaces, AClickLeadsToThePolygonThere) {
+  field.addFloor(0, 5);
+  const PolygonHandle ramp = field.add({2, 0}, below(0, 8), 7);
+  field.world.commit();
+  Terrain terrain(physics, field.world, {.cellSize = 0.5});
+  const auto clicked = [&](float x, float y) { return field.world.at(terrain.latticePoint({x, y})); };
+  EXPECT_EQ(clicked(1.4F, 0.1F).polygon, ramp);
+  EXPECT_EQ(clicked(1.4F, 0.1F).block, 7U);
+  EXPECT_EQ(clicked(1.1F, 0.4F).where, Spot::Where::outside);  // above the ramp
+  terrain.moveOrigin({2, -1});
+  EXPECT_EQ(clicked(0.4F, 0.6F).polygon, ramp);
+  EXPECT_EQ(clicked(1.4F, 0.1F).cell, (Cell{4, -1}));
+  EXPECT_FALSE(inRange(terrain.latticePoint({1e30F, 0})));
+  EXPECT_FALSE(inRange(terrain.latticePoint({0, std::numeric_limits<float>::quiet_NaN()})));
 }
 
 }  // namespace

@@ -154,7 +154,7 @@ double distanceFrom3(b2BodyId body, const Part& part, const Convex& cell) {
   return distanceBetween(corners, cell) == 0 ? -1 : distanceBetween(corners, cell);
 }
 
-TEST_F(Box2d3Questions, BodiesInACellAreThoseThatReachIntoIt) {
+TEST_F(Box2d3Questions, BodiesInCellsAreThoseThatReachIntoThem) {
   const oracle::Shared<std::size_t> found;
   const auto law = [&](Chance random) {
     const double size = random.pick(std::vector<double>{0.5, 1, 2});
@@ -163,7 +163,8 @@ TEST_F(Box2d3Questions, BodiesInACellAreThoseThatReachIntoIt) {
     ground.world.commit();
     const Terrain terrain(physics, ground.world, {.cellSize = size});
     const Cell cell{random.below(5), -1 + random.below(5)};
-    const Convex smaller = convexOf(terrain, cell, 0.005);
+    const CellRect cells{cell, {cell.i + random.below(3), cell.j + random.below(3)}};
+    const Convex smaller = convexOf(terrain, cells, 0.005);
     std::vector<b2BodyId> bodies;
     std::vector<double> distances;
     for (int k = 0; k < 8; ++k) {
@@ -179,7 +180,7 @@ TEST_F(Box2d3Questions, BodiesInACellAreThoseThatReachIntoIt) {
       }
       distances.push_back(least);
     }
-    const std::vector<b2BodyId> in = terrain.bodiesIn(cell);
+    const std::vector<b2BodyId> in = terrain.bodiesIn(cells);
     const bool isClear = std::none_of(distances.begin(), distances.end(), [](double d) { return std::abs(d) < 1e-3; });
     std::size_t expected = 0;
     for (std::size_t k = 0; k < bodies.size() && isClear; ++k) {
@@ -208,10 +209,12 @@ TEST_F(Box2d3Questions, BodiesThatRestBesideACellAreNotInIt) {
   const b2BodyId ball = addMoving(physics, {1.5F, 0.4F}, 0);
   addShape(ball, true, {0.35F, 0});
   step(120);
-  ASSERT_EQ(terrain.bodiesIn({3, 0}).size(), 1U);
-  EXPECT_TRUE(B2_ID_EQUALS(terrain.bodiesIn({3, 0})[0], box));
-  ASSERT_EQ(terrain.bodiesIn({1, 0}).size(), 1U);
-  EXPECT_TRUE(B2_ID_EQUALS(terrain.bodiesIn({1, 0})[0], ball));
+  ASSERT_EQ(terrain.bodiesIn(Cell{3, 0}).size(), 1U);
+  EXPECT_TRUE(B2_ID_EQUALS(terrain.bodiesIn(Cell{3, 0})[0], box));
+  ASSERT_EQ(terrain.bodiesIn(Cell{1, 0}).size(), 1U);
+  EXPECT_TRUE(B2_ID_EQUALS(terrain.bodiesIn(Cell{1, 0})[0], ball));
+  EXPECT_EQ(terrain.bodiesIn({{0, -1}, {5, 1}}).size(), 2U);
+  EXPECT_TRUE(terrain.bodiesIn({{3, 0}, {2, 0}}).empty()) << "of no cells";
   for (const Cell cell : {Cell{1, -1}, {3, -1}, {4, 0}, {0, 0}, {1, 1}})
     EXPECT_TRUE(terrain.bodiesIn(cell).empty()) << cell.i << ", " << cell.j;
 }

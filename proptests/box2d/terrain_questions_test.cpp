@@ -72,7 +72,7 @@ void expectTouch(const World& world, const Terrain& terrain, b2Contact& contact)
     if (const b2Fixture* fixture = terrain.fixture(id)) behind[fixture].push_back(*world.segment(id));
   const bool first = behind.contains(contact.GetFixtureA());
   const std::optional<Touch> touch = terrain.hit(contact);
-  ASSERT_EQ(touch.has_value(), first || behind.contains(contact.GetFixtureB()));
+  ASSERT_EQ(touch.has_value(), contact.IsTouching() && (first || behind.contains(contact.GetFixtureB())));
   if (!touch) return;
   EXPECT_EQ(touch->other, first ? contact.GetFixtureB() : contact.GetFixtureA());
   const std::vector<Segment>& segments = behind[first ? contact.GetFixtureA() : contact.GetFixtureB()];
@@ -111,7 +111,7 @@ TEST_F(Box2dQuestions, AContactLeadsToWhatItTouches) {
       still.Step(1.0F / 60, 8, 3);
       for (b2Contact* contact = still.GetContactList(); contact != nullptr; contact = contact->GetNext()) {
         expectTouch(player.world(), terrain, *contact);
-        if (contact->IsTouching() && terrain.hit(*contact)) ++*touched;
+        if (terrain.hit(*contact)) ++*touched;
       }
     });
   });
@@ -128,9 +128,9 @@ TEST_F(Box2dQuestions, ABoxOnAMergedFloorTouchesTheCellBelowItsMiddle) {
   step(60);
   int touches = 0;
   for (b2ContactEdge* c = box.GetContactList(); c != nullptr; c = c->next) {
-    if (!c->contact->IsTouching()) continue;
     const std::optional<Touch> touch = terrain.hit(*c->contact);
-    ASSERT_TRUE(touch);
+    ASSERT_EQ(touch.has_value(), c->contact->IsTouching());
+    if (!touch) continue;
     ++touches;
     EXPECT_EQ(touch->hit.cell, (Cell{5, -1}));
     EXPECT_EQ(touch->normal, b2Vec2(0, 1));
@@ -159,7 +159,7 @@ double distanceFrom(const b2Body& body, const Convex& cell) {
   return least;
 }
 
-TEST_F(Box2dQuestions, BodiesInACellAreThoseThatReachIntoIt) {
+TEST_F(Box2dQuestions, BodiesInCellsAreThoseThatReachIntoThem) {
   const oracle::Shared<std::size_t> found;
   test::forAll(
       300,
@@ -183,11 +183,12 @@ TEST_F(Box2dQuestions, BodiesInACellAreThoseThatReachIntoIt) {
           bodies.push_back(&body);
         }
         const Cell cell{random.below(5), -1 + random.below(5)};
-        const std::vector<b2Body*> in = terrain.bodiesIn(cell);
+        const CellRect cells{cell, {cell.i + random.below(3), cell.j + random.below(3)}};
+        const std::vector<b2Body*> in = terrain.bodiesIn(cells);
         EXPECT_EQ(std::set(in.begin(), in.end()).size(), in.size()) << "a body is there twice";
         std::size_t expected = 0;
         for (b2Body* body : bodies) {
-          const double distance = distanceFrom(*body, convexOf(terrain, cell));
+          const double distance = distanceFrom(*body, convexOf(terrain, cells));
           if (std::abs(distance) < 1e-4) return;  // too near to tell
           expected += distance < 0 ? 1 : 0;
           EXPECT_EQ(std::count(in.begin(), in.end(), body), distance < 0 ? 1 : 0) << distance;
@@ -210,8 +211,10 @@ TEST_F(Box2dQuestions, BodiesThatRestBesideACellAreNotInIt) {
   b2Body& ball = addBody(physics, {1.5F, 0.4F});
   addCircle(ball, 0.35F);
   step(120);
-  EXPECT_EQ(terrain.bodiesIn({3, 0}), std::vector<b2Body*>{&box});
-  EXPECT_EQ(terrain.bodiesIn({1, 0}), std::vector<b2Body*>{&ball});
+  EXPECT_EQ(terrain.bodiesIn(Cell{3, 0}), std::vector<b2Body*>{&box});
+  EXPECT_EQ(terrain.bodiesIn(Cell{1, 0}), std::vector<b2Body*>{&ball});
+  EXPECT_EQ(terrain.bodiesIn({{0, -1}, {5, 1}}).size(), 2U);
+  EXPECT_TRUE(terrain.bodiesIn({{3, 0}, {2, 0}}).empty()) << "of no cells";
   for (const Cell cell : {Cell{1, -1}, {3, -1}, {4, 0}, {0, 0}, {1, 1}})
     EXPECT_TRUE(terrain.bodiesIn(cell).empty()) << cell.i << ", " << cell.j;
 }
@@ -224,7 +227,7 @@ TEST_F(Box2dQuestions, EachPartOfAChainIsLookedAt) {
   b2ChainShape chain;
   chain.CreateChain(vertices, 3, {-6, 0}, {1, 0.5F});
   body.CreateFixture(&chain, 1);
-  EXPECT_EQ(terrain.bodiesIn({0, 0}), std::vector<b2Body*>{&body});
+  EXPECT_EQ(terrain.bodiesIn(Cell{0, 0}), std::vector<b2Body*>{&body});
 }
 
 }  // namespace

@@ -42,6 +42,13 @@ class Box2dTerrainSync : public EitherBox2d {
 
 using Box2dTerrainSyncDeathTest = Box2dTerrainSync;
 
+/// Whether misuses are done in this process; with assertions a child process does them.
+#ifdef NDEBUG
+constexpr bool kIsDone = true;
+#else
+constexpr bool kIsDone = false;
+#endif
+
 TEST_F(Box2dTerrainSync, ACommitOfTheTerrainCommitsAndSyncs) {
   field.addFloor(0, 5);
   Terrain terrain(physics, field.world);
@@ -66,7 +73,12 @@ TEST_F(Box2dTerrainSyncDeathTest, ChangesThatWereForgottenAreNoticed) {
   const std::vector<EdgeId> before = terrain.edges().edges();
   expectNoticed(SyncError::leftOut, [&] { return terrain.sync(changes); });
   EXPECT_EQ(terrain.edges().edges(), before);
+  dig({0, -1});
+  const std::uint64_t version = field.world.version();
   expectNoticed(SyncError::leftOut, [&] { return terrain.commit(field.world); });
+  EXPECT_EQ(field.world.version() != version, kIsDone) << "the world is committed";
+  EXPECT_EQ(terrain.edges().edges(), before);
+  field.world.commit();
   terrain.resync();
   expectCurrent(terrain);
   dig({5, -1});
@@ -96,6 +108,8 @@ TEST_F(Box2dTerrainSyncDeathTest, ChangesOfAnotherWorldAreNoticed) {
   World other = field.world;
   for (World* world : {&field.world, &other}) ASSERT_TRUE(world->clear(Cell{1, -1}));
   expectNoticed(SyncError::notTheLast, [&] { return terrain.commit(other); });
+  EXPECT_EQ(other.version(), field.world.version()) << "nothing is committed";
+  EXPECT_TRUE(terrain.isCurrent());
   field.world.commit();
   expectNoticed(SyncError::notTheLast, [&] { return terrain.sync(other.commit()); });
   EXPECT_FALSE(terrain.isCurrent());
@@ -113,6 +127,35 @@ TEST_F(Box2dTerrainSync, ARollBackIsSynced) {
   ASSERT_TRUE(field.world.rollBack(mark));
   EXPECT_TRUE(terrain.sync(field.world.changesOfRollBack()));
   expectCurrent(terrain);
+}
+
+// Each roll-back reports from the one before. So several steps are undone by one roll-back, or with a sync after each.
+TEST_F(Box2dTerrainSyncDeathTest, TwoRollBacksWithOneSyncAreNoticed) {
+  for (const bool atOnce : {true, false}) {
+    Field two;
+    two.addFloor(0, 5);
+    Terrain terrain(physics, two.world);
+    EXPECT_TRUE(terrain.commit(two.world));
+    std::vector<Mark> marks;
+    for (const std::int32_t i : {1, 3}) {
+      marks.push_back(two.world.checkpoint());
+      ASSERT_TRUE(two.world.clear(Cell{i, -1}));
+      EXPECT_TRUE(terrain.commit(two.world));
+    }
+    if (!atOnce) {
+      ASSERT_TRUE(two.world.rollBack(marks[1]));
+    }
+    ASSERT_TRUE(two.world.rollBack(marks[0]));
+    const auto sync = [&] { return terrain.sync(two.world.changesOfRollBack()); };
+    if (atOnce) {
+      EXPECT_TRUE(sync());
+    } else {
+      expectNoticed(SyncError::leftOut, sync);
+      terrain.resync();
+    }
+    EXPECT_TRUE(terrain.isCurrent());
+    EXPECT_EQ(terrain.edges().counts().edges, 14U);
+  }
 }
 
 // What a terrain never saw it need not see undone.

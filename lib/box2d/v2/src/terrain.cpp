@@ -145,6 +145,8 @@ b2Vec2 Terrain::position(Point p) const { return toBox2D(frame_.position(p)); }
 
 b2Vec2 Terrain::positionOf(std::uint32_t chunk) const { return position(frame_.cornerOf(edges_.chunk(chunk))); }
 
+Point Terrain::latticePoint(const b2Vec2& p) const { return frame_.latticePoint({p.x, p.y}); }
+
 Cell Terrain::cellAt(const b2Vec2& p) const { return frame_.cellAt({p.x, p.y}); }
 
 }  // namespace lgs::box2d

@@ -58,7 +58,7 @@ std::optional<Hit> Terrain::hit(const b2Fixture& fixture, const b2Vec2& point) c
 // In Box2D an edge is always fixture A: edges touch circles and polygons, and are before both in the order of types.
 std::optional<Touch> Terrain::hit(b2Contact& contact) const {
   const EdgeId id = edgeOf(*contact.GetFixtureA());
-  if (!id) return {};
+  if (!id || !contact.IsTouching()) return {};
   b2Fixture& other = *contact.GetFixtureB();
   const std::optional<Hit> found = hit(*contact.GetFixtureA(), middleOf(contact, other));
   if (!found) return {};
@@ -71,11 +71,12 @@ std::optional<NearestHit> Terrain::nearest(const b2Vec2& point, float radius) co
   return NearestHit{found->hit, toBox2D(found->point), toBox2D(found->normal), found->distance};
 }
 
-std::vector<b2Body*> Terrain::bodiesIn(Cell cell) const {
-  const b2AABB bounds{position(toWorld(cell, {})), position(toWorld(cell, {kUnitsPerCell, kUnitsPerCell}))};
+std::vector<b2Body*> Terrain::bodiesIn(const CellRect& cells) const {
+  if (isEmpty(cells)) return {};
+  const b2AABB bounds{position(toWorld(cells.min, {})), position(toWorld(cells.max, {kUnitsPerCell, kUnitsPerCell}))};
   b2PolygonShape box;
   box.SetAsBox(bounds.GetExtents().x, bounds.GetExtents().y, bounds.GetCenter(), 0);
-  box.m_radius = 0;  // the cell as it is, without a skin
+  box.m_radius = 0;  // the cells as they are, without a skin
   Collector near;
   physics_.QueryAABB(&near, bounds);
   std::vector<b2Body*> bodies;

@@ -167,6 +167,8 @@ Position Terrain::position(Point p) const { return toBox2D(frame_.position(p)); 
 
 Position Terrain::positionOf(std::uint32_t chunk) const { return position(frame_.cornerOf(edges_.chunk(chunk))); }
 
+Point Terrain::latticePoint(Position p) const { return frame_.latticePoint({p.x, p.y}); }
+
 Cell Terrain::cellAt(Position p) const { return frame_.cellAt({p.x, p.y}); }
 
 }  // namespace lgs::box2d

@@ -57,15 +57,19 @@ std::optional<NearestHit> Terrain::nearest(Position point, float radius) const {
   return NearestHit{found->hit, toBox2D(found->point), toBox2D(found->normal), found->distance};
 }
 
-std::vector<b2BodyId> Terrain::bodiesIn(Cell cell) const {
-  const auto side = static_cast<float>(frame_.cellSize);
-  const float from = std::min(slop(), side / 4), to = side - from;
-  const b2Vec2 corners[] = {{from, from}, {to, from}, {to, to}, {from, to}};
+std::vector<b2BodyId> Terrain::bodiesIn(const CellRect& cells) const {
+  if (isEmpty(cells)) return {};
+  const auto metres = [&](std::int32_t from, std::int32_t to) {
+    return static_cast<float>((1.0 + to - from) * frame_.cellSize);
+  };
+  const float skin = std::min(slop(), metres(0, 0) / 4);
+  const float right = metres(cells.min.i, cells.max.i) - skin, top = metres(cells.min.j, cells.max.j) - skin;
+  const b2Vec2 corners[] = {{skin, skin}, {right, skin}, {right, top}, {skin, top}};
   b2QueryFilter all = b2DefaultQueryFilter();
   all.categoryBits = UINT64_MAX;
   all.maskBits = UINT64_MAX;
   std::vector<b2ShapeId> shapes;
-  forEachShapeOver(physics_, position(toWorld(cell, {})), b2MakeProxy(corners, 4, 0), all, collect, &shapes);
+  forEachShapeOver(physics_, position(toWorld(cells.min, {})), b2MakeProxy(corners, 4, 0), all, collect, &shapes);
   std::vector<b2BodyId> bodies;
   for (const b2ShapeId shape : shapes) {
     if (b2Shape_IsSensor(shape) || edgeOf(shape)) continue;

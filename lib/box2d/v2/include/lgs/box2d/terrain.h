@@ -4,10 +4,15 @@
 //
 //   lgs::box2d::Terrain terrain(physics, world, {.cellSize = 0.5F});
 //   …
-//   world.remove(handle);
-//   terrain.commit(world);
+//   if (world.remove(handle)) terrain.commit(world);
 //   …
-//   if (auto touch = terrain.hit(*contact)) dig(touch->hit.cell);
+//   void BeginContact(b2Contact* contact) override {  // of a listener
+//     if (auto touch = terrain.hit(*contact)) touched.push_back(touch->hit.cell);
+//   }
+//   …
+//   physics.Step(1.0F / 60, 8, 3);  // a listener only notes what to dig: nothing may change during the step
+//   for (lgs::Cell cell : touched) world.clear(cell);
+//   terrain.commit(world);
 //
 // Bodies that rest on changed ground wake up, and so do bodies where new ground appears. Nothing else is touched.
 //
@@ -62,13 +67,14 @@ class Terrain {
   Terrain& operator=(const Terrain&) = delete;
   Terrain& operator=(Terrain&&) = delete;
 
-  /// Commits the edits of its world, and syncs. The error is that of sync(): `world` may be another one, which is not
-  /// committed then.
+  /// Commits the edits of its world, and syncs. Errors as of sync(). `world` must be the terrain's own; if it is another
+  /// one, the error is `notTheLast`, and nothing is committed. After `leftOut` the world is committed.
   tl::expected<void, SyncError> commit(World& world);
 
   /// Applies a commit, or what a roll-back reports. Call it once after each of them, before the next edit. Changes that
-  /// are not the next ones are a mistake of the program. An assertion fails; with NDEBUG nothing is changed, and the
-  /// error says why. resync() repairs it. Cost: the number of changes, times the segments of an edge; and for each
+  /// are not the next ones are a mistake of the program: an assertion fails. With NDEBUG the terrain stays as it was,
+  /// and the error says why. After `leftOut` call resync(). After `shownAlready` there is nothing to do. After
+  /// `notTheLast` call resync() unless isCurrent(). Cost: the number of changes, times the segments of an edge; and for each
   /// fixture that goes the fixtures of its body, because Box2D looks for it there.
   tl::expected<void, SyncError> sync(const Changes& changes);
 
@@ -86,9 +92,11 @@ class Terrain {
   std::optional<Hit> hit(const b2Fixture& fixture) const;
   std::optional<Hit> hit(const b2Fixture& fixture, const b2Vec2& point) const;
 
-  /// What a contact touches of the terrain; nothing if neither fixture is the terrain's. If the edge stands for several
-  /// segments, the hit is the one nearest to the middle of the contact's points; without points, as with a sensor, to
-  /// the middle of the other fixture. Can be called in a b2ContactListener.
+  /// What a contact touches of the terrain; nothing if neither fixture is the terrain's, or if the contact does not
+  /// touch: Box2D has contacts also of fixtures that are only near. If the edge stands for several segments, the hit is
+  /// the one nearest to the middle of the contact's points; without points, as with a sensor, to the middle of the other
+  /// fixture. Can be called in a b2ContactListener: in BeginContact, PreSolve and PostSolve every contact touches. In
+  /// EndContact use hit(fixture), because a contact that ends does not touch any more.
   std::optional<Touch> hit(b2Contact& contact) const;
 
   /// The segment of the outline nearest to a point of the physics world, as of the last commit; nothing if none is
@@ -96,11 +104,12 @@ class Terrain {
   /// solid. Segments that are too short for an edge count as well. Cost: as of World::nearest().
   std::optional<NearestHit> nearest(const b2Vec2& point, float radius) const;
 
-  /// The bodies that reach into a cell, but for the terrain's; each once, in no particular order. Sensors are not
-  /// looked at. Ask before you place a block: edges are one-sided, so a body whose middle is behind them falls through
+  /// The bodies that reach into a rectangle of cells, but for the terrain's; each once, in no particular order. Sensors
+  /// are not looked at. Ask before you place a block or roll back: edges are one-sided, so a body whose middle is behind them falls through
   /// the ground (docs/box2d.md says what to do). Box2D's skin of a polygon counts: bodies that are less than 1 cm
-  /// (b2_polygonRadius) away are found, but not those that just rest beside the cell. Cost: the fixtures near the cell.
-  std::vector<b2Body*> bodiesIn(Cell cell) const;
+  /// (b2_polygonRadius) away are found, but not those that just rest beside the cells. Cost: the fixtures near the cells.
+  std::vector<b2Body*> bodiesIn(const CellRect& cells) const;
+  std::vector<b2Body*> bodiesIn(Cell cell) const { return bodiesIn(CellRect{cell, cell}); }
 
   /// Makes the corner of another cell (0, 0) of the physics world, for a world that keeps its origin near the player.
   /// Moves the terrain's bodies, and no others:
@@ -121,7 +130,10 @@ class Terrain {
   b2Fixture* fixture(EdgeId edge) const { return fixtures_[edge.value]; }
   std::size_t bodyCount() const { return bodyCount_; }  ///< chunks with at least one fixture
 
-  b2Vec2 position(Point p) const;      ///< where a lattice point is in the physics world
+  b2Vec2 position(Point p) const;  ///< where a lattice point is in the physics world
+  /// The lattice point nearest to a place in the physics world; not inRange() if that is beyond the last cell. It leads
+  /// from a click to a polygon: world.at(terrain.latticePoint(mouse)).
+  Point latticePoint(const b2Vec2& p) const;
   Cell cellAt(const b2Vec2& p) const;  ///< the cell at a place in the physics world
 
  private:

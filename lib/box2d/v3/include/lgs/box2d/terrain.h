@@ -4,10 +4,12 @@
 //
 //   lgs::box2d::Terrain terrain(physics, world, {.cellSize = 0.5});
 //   …
-//   world.remove(handle);
-//   terrain.commit(world);
+//   if (world.remove(handle)) terrain.commit(world);
 //   …
-//   if (auto touch = terrain.hit(contactData)) dig(touch->hit.cell);
+//   const int count = b2Body_GetContactData(body, contacts, capacity);  // after a step
+//   for (int k = 0; k < count; ++k)
+//     if (auto touch = terrain.hit(contacts[k])) world.clear(touch->hit.cell);
+//   terrain.commit(world);
 //
 // From Box2D 3.2 on the chain segments are loose (b2CreateChainSegmentShape), and a ghost that changes is written in
 // place. Before 3.2 each is an open chain of four points, which is made anew when a ghost changes.
@@ -78,13 +80,14 @@ class Terrain {
   Terrain& operator=(const Terrain&) = delete;
   Terrain& operator=(Terrain&&) = delete;
 
-  /// Commits the edits of its world, and syncs. The error is that of sync(): `world` may be another one, which is not
-  /// committed then.
+  /// Commits the edits of its world, and syncs. Errors as of sync(). `world` must be the terrain's own; if it is another
+  /// one, the error is `notTheLast`, and nothing is committed. After `leftOut` the world is committed.
   tl::expected<void, SyncError> commit(World& world);
 
   /// Applies a commit, or what a roll-back reports. Call it once after each of them, before the next edit. Changes that
-  /// are not the next ones are a mistake of the program. An assertion fails; with NDEBUG nothing is changed, and the
-  /// error says why. resync() repairs it. Cost: the number of changes, times the segments of an edge.
+  /// are not the next ones are a mistake of the program: an assertion fails. With NDEBUG the terrain stays as it was,
+  /// and the error says why. After `leftOut` call resync(). After `shownAlready` there is nothing to do. After
+  /// `notTheLast` call resync() unless isCurrent(). Cost: the number of changes, times the segments of an edge.
   tl::expected<void, SyncError> sync(const Changes& changes);
 
   /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world: changes
@@ -102,7 +105,9 @@ class Terrain {
   std::optional<Hit> hit(b2ShapeId shape, Position point) const;
 
   /// What a contact touches of the terrain; nothing if it is none of the terrain's, or has no points. If the edge
-  /// stands for several segments, the hit is the one nearest to the middle of the points.
+  /// stands for several segments, the hit is the one nearest to the middle of the points. Box2D gives out the data of
+  /// contacts that touch, and of no others. But it looks ahead: what is less than four slops (2 cm) away touches for it,
+  /// and a point's `separation` is greater than 0 then.
   std::optional<Touch> hit(const b2ContactData& contact) const;
 
   /// The segment of the outline nearest to a point of the physics world, as of the last commit; nothing if none is
@@ -110,11 +115,12 @@ class Terrain {
   /// solid. Segments that are too short for an edge count as well. Cost: as of World::nearest().
   std::optional<NearestHit> nearest(Position point, float radius) const;
 
-  /// The bodies that reach into a cell, but for the terrain's; each once, in no particular order. Sensors are not
-  /// looked at. Ask before you place a block: edges are one-sided, so a body whose middle is behind them falls through
-  /// the ground (docs/box2d.md says what to do). Bodies that just rest beside the cell are not found: it counts as
-  /// smaller by Box2D's slop, half a centimetre, on each side. Cost: the shapes near the cell.
-  std::vector<b2BodyId> bodiesIn(Cell cell) const;
+  /// The bodies that reach into a rectangle of cells, but for the terrain's; each once, in no particular order. Sensors
+  /// are not looked at. Ask before you place a block or roll back: edges are one-sided, so a body whose middle is behind them falls through
+  /// the ground (docs/box2d.md says what to do). Bodies that just rest beside the cells are not found: the rectangle
+  /// counts as smaller by Box2D's slop, half a centimetre, on each side. Cost: the shapes near the cells.
+  std::vector<b2BodyId> bodiesIn(const CellRect& cells) const;
+  std::vector<b2BodyId> bodiesIn(Cell cell) const { return bodiesIn(CellRect{cell, cell}); }
 
   /// Makes the corner of another cell (0, 0) of the physics world, for a world that keeps its origin near the player.
   /// Moves the terrain's bodies. The game moves its own, by the place that the corner had before. Cost: in proportion
@@ -132,7 +138,10 @@ class Terrain {
   std::size_t bodyCount() const { return bodyCount_; }  ///< chunks with at least one shape
 
   Position position(Point p) const;  ///< where a lattice point is in the physics world
-  Cell cellAt(Position p) const;     ///< the cell at a place in the physics world
+  /// The lattice point nearest to a place in the physics world; not inRange() if that is beyond the last cell. It leads
+  /// from a click to a polygon: world.at(terrain.latticePoint(mouse)).
+  Point latticePoint(Position p) const;
+  Cell cellAt(Position p) const;  ///< the cell at a place in the physics world
 
  private:
   struct Body {
