@@ -206,6 +206,15 @@ TEST(TiledMap, SidesAreWholeNumbersFromNothingOn) {
     EXPECT_NE(refusalOf(mapXml(content, size)).find("should be a whole number from 0 to "), std::string::npos) << size;
 }
 
+TEST(TiledMap, TilesetsMayBeEmptyAndTilesAPixel) {
+  EXPECT_EQ(refusalOf(mapXml("<tileset firstgid='1' tilewidth='1' tileheight='1' tilecount='0'/>")), "accepted");
+  for (const char* wrong : {"tilewidth='0' tileheight='1' tilecount='1'", "tilewidth='1' tileheight='0' tilecount='1'",
+                            "tilewidth='1' tileheight='1' tilecount='-1'"})
+    EXPECT_NE(refusalOf(mapXml("<tileset firstgid='1' " + std::string(wrong) + "/>")).find("should be a whole number"),
+              std::string::npos)
+        << wrong;
+}
+
 TEST(TiledMap, TilesetsMayComeInAnyOrder) {
   const auto tileset = [](int first, const std::string& object) {
     return "<tileset firstgid='" + std::to_string(first) + "' tilewidth='32' tileheight='32' tilecount='2'>" +
