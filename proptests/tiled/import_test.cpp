@@ -207,10 +207,12 @@ TEST(TiledMap, SidesAreWholeNumbersFromNothingOn) {
 }
 
 TEST(TiledMap, TilesetsMayBeEmptyAndTilesAPixel) {
-  EXPECT_EQ(refusalOf(mapXml("<tileset firstgid='1' tilewidth='1' tileheight='1' tilecount='0'/>")), "accepted");
+  EXPECT_EQ(refusalOf(mapXml("<tileset firstgid='1' tilewidth='1' tileheight='1' tilecount='0'><image/></tileset>")),
+            "accepted");
   for (const char* wrong : {"tilewidth='0' tileheight='1' tilecount='1'", "tilewidth='1' tileheight='0' tilecount='1'",
                             "tilewidth='1' tileheight='1' tilecount='-1'"})
-    EXPECT_NE(refusalOf(mapXml("<tileset firstgid='1' " + std::string(wrong) + "/>")).find("should be a whole number"),
+    EXPECT_NE(refusalOf(mapXml("<tileset firstgid='1' " + std::string(wrong) + "><image/></tileset>"))
+                  .find("should be a whole number"),
               std::string::npos)
         << wrong;
 }
