@@ -10,9 +10,7 @@
 namespace lgs {
 
 const Changes& World::Impl::commit(const Executor& executor) {
-  const bool hasWork = !dirtyChunks.empty() || !changes.removed.empty();
-  const bool isNoted = journal.isOpen() && (hasWork || !journal.endsWithCommit());
-  if (isNoted) journal.noteCommit(*this);
+  const bool isNoted = journal.isOpen() && journal.noteCommit(*this);
   // Ids that the last commit removed become available now, and not then. So no id is in two lists of one commit, and
   // the ends of removed segments can be read while links are compared.
   for (const SegmentId id : changes.removed) segments.recycle(id.value);

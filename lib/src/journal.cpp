@@ -120,7 +120,8 @@ void Journal::noteCell(World::Impl& world, CellAt at) {
   entries_.push_back(std::move(entry));
 }
 
-void Journal::noteCommit(const World::Impl& world) {
+bool Journal::noteCommit(const World::Impl& world) {
+  if (world.dirtyChunks.empty() && world.changes.removed.empty() && endsWithCommit()) return false;
   CommitEntry entry;
   for (const Chunk* chunk : world.dirtyChunks) entry.dirty.push_back({chunk->index, chunk->dirty});
   for (const std::uint32_t cellRef : cellsOfCommit(world.dirtyChunks)) {
@@ -139,6 +140,7 @@ void Journal::noteCommit(const World::Impl& world) {
   entry.removedBefore = world.changes.removed;
   entry.topBefore = world.segments.maxId() + 1;
   entries_.push_back(std::move(entry));
+  return true;
 }
 
 void Journal::noteChanges(const Changes& changes) { std::get<CommitEntry>(entries_.back()).changes = changes; }

@@ -39,15 +39,12 @@ class Journal {
   /// Whether a commit was made since a mark, which must be known.
   bool committedSince(Mark mark) const;
 
-  /// Whether nothing happened since the last commit, and no mark was made. A commit that finds nothing to do then
-  /// leaves no trace: a game commits in every frame, and marks can stay long.
-  bool endsWithCommit() const;
-
   /// Before the polygons of a cell change.
   void noteCell(World::Impl& world, CellAt at);
 
-  /// Before a commit, and after it.
-  void noteCommit(const World::Impl& world);
+  /// Before a commit, and after it. False, and there is nothing to note after it, if it finds nothing to do and follows
+  /// another one: a game commits in every frame, and marks can stay long.
+  bool noteCommit(const World::Impl& world);
   void noteChanges(const Changes& changes);
 
   std::uint64_t bytes() const;
@@ -96,6 +93,8 @@ class Journal {
   };
 
   void setOpen(World::Impl& world, bool open);
+  /// Whether nothing happened since the last commit, and no mark was made.
+  bool endsWithCommit() const;
   std::size_t positionOf(Mark mark) const;
   void drop(World::Impl& world, const Entry& entry);
   void undo(World::Impl& world, const CellEntry& entry);
