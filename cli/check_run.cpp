@@ -27,6 +27,7 @@ void printSummary(const CheckArguments& arguments, const Totals& totals) {
              s.whole);
   fmt::print("segments   {} compared\n", s.segments);
   fmt::print("doors      {}\n", doorsInWords(s));
+  fmt::print("detours    {}\n", detoursInWords(s));
   fmt::print("time       {:.1f} s, {:.0f} edits/s\n", seconds, static_cast<double>(edits) / seconds);
   if (!arguments.map.empty()) return;
   fmt::print("cases      {}; of these had\n{}", totals.cases.cases, table(totals.cases));

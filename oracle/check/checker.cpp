@@ -11,7 +11,6 @@
 #include "oracle/reference/naive.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/mirror.h"
-#include "oracle/trace/player.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -74,6 +73,8 @@ class Check {
     return checkHistory();
   }
 
+  const Detours& detours() const { return player_.detours(); }
+
  private:
   using Result = std::optional<Mismatch>;
 
@@ -92,7 +93,7 @@ class Check {
     std::vector<Cell> cells;
     for (const Edit& edit : step.edits) {
       const bool isRemoval = step.verdict.accepted && edit.kind == Edit::Kind::remove;
-      if (isRemoval && player_.isAlive(edit.name)) removed.push_back(player_.handleOf(edit.name));
+      if (isRemoval && step.door != Door::setBlock) removed.push_back(player_.handleOf(edit.name));
       cells.push_back(isRemoval ? player_.cellOf(edit.name) : edit.polygon.cell);
     }
     const Stats before = step.verdict.accepted ? Stats() : player_.world().stats();
@@ -290,7 +291,10 @@ class Check {
 
 tl::expected<std::optional<Mismatch>, TraceError> checkTrace(const Trace& trace, const CheckOptions& options,
                                                              CheckStats& stats) {
-  return Check(trace, options, stats).run();
+  Check check(trace, options, stats);
+  auto result = check.run();
+  stats.detours += check.detours();
+  return result;
 }
 
 }  // namespace lgs::oracle

@@ -13,6 +13,7 @@
 
 #include "oracle/reference/outline.h"
 #include "oracle/reference/scene.h"
+#include "oracle/trace/player.h"
 #include "oracle/trace/step.h"
 #include "oracle/trace/trace.h"
 
@@ -81,10 +82,14 @@ struct CheckStats {
   std::uint64_t full = 0;                     ///< calls refused because of a limit
   std::uint64_t worn = 0;                     ///< cells in which hundreds of polygons came and went
   std::array<std::uint64_t, kDoors> doors{};  ///< edits through each
+  Detours detours = {};
 };
 
 /// "points 20%, floats 10%, …": the share of the edits that took each door.
 std::string doorsInWords(const CheckStats& stats);
+
+/// The same for what happened beside the edits, in numbers.
+std::string detoursInWords(const CheckStats& stats);
 
 /// Checks a trace up to the first mismatch, if there is one; adds to `stats`. An error if an edit is rightly refused
 /// and `skipRefused` is not set, and for no other reason.

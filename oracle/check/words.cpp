@@ -42,4 +42,10 @@ std::string doorsInWords(const CheckStats& stats) {
   return text;
 }
 
+std::string detoursInWords(const CheckStats& stats) {
+  const Detours& d = stats.detours;
+  return fmt::format("saved and loaded {}, undone {}, marks {}, groups {}, other block first {}", d.saved, d.undone,
+                     d.marked, d.grouped, d.repainted);
+}
+
 }  // namespace lgs::oracle

@@ -12,22 +12,21 @@ constexpr std::size_t kLongest = 300;  // edits of one call: enough to fill a ce
 
 // What a name decides here, in bits of chanceOf(); all 0 is the plain way. The lowest three are doorOf()'s, the upper
 // half is the player's.
-unsigned bits(std::uint64_t chance, unsigned first, unsigned count) {
-  return static_cast<unsigned>(chance >> first) & ((1U << count) - 1);
-}
-bool wantsTogether(std::uint64_t chance) { return bits(chance, 3, 2) != 0; }
-bool wantsClear(std::uint64_t chance) { return bits(chance, 3, 1) != 0; }
-bool wantsFillFirst(std::uint64_t chance) { return bits(chance, 5, 1) != 0; }
+bool wantsTogether(std::uint64_t chance) { return bitsOf(chance, 3, 2) != 0; }
+bool wantsClear(std::uint64_t chance) { return bitsOf(chance, 3, 1) != 0; }
+bool wantsFillFirst(std::uint64_t chance) { return bitsOf(chance, 5, 1) != 0; }
 std::size_t mostInShape(std::uint64_t chance) {
   constexpr std::array<std::size_t, 4> kMost{3, kLongest, kLongest, kLongest};
-  return kMost[bits(chance, 6, 2)];
+  return kMost[bitsOf(chance, 6, 2)];
 }
 std::int32_t wider(std::uint64_t chance, unsigned side) {
   constexpr std::array<std::int32_t, 4> kCells{0, 0, 1, 40};
-  return kCells[bits(chance, 8 + 2 * side, 2)];
+  return kCells[bitsOf(chance, 8 + 2 * side, 2)];
 }
-bool wantsWear(std::uint64_t chance) { return bits(chance, 16, 6) == 63; }
-unsigned howWorn(std::uint64_t chance) { return 250 + bits(chance, 22, 4); }
+bool wantsWear(std::uint64_t chance) { return bitsOf(chance, 16, 6) == 63; }
+unsigned howWorn(std::uint64_t chance) { return 250 + bitsOf(chance, 22, 4); }
+bool wantsReplace(std::uint64_t chance) { return bitsOf(chance, 26, 1) != 0; }
+bool wantsSetBlock(std::uint64_t chance) { return bitsOf(chance, 27, 1) != 0; }
 
 void include(CellRect& box, Cell cell) {
   box.min = {std::min(box.min.i, cell.i), std::min(box.min.j, cell.j)};
@@ -42,7 +41,8 @@ std::uint64_t areaOf(const CellRect& box) {
 }
 
 bool isByShape(Door door) {
-  return door == Door::shape || door == Door::handles || door == Door::several || door == Door::fill;
+  return door == Door::shape || door == Door::handles || door == Door::several || door == Door::fill ||
+         door == Door::replace;
 }
 
 std::vector<LocalPolygon> shapeOf(const Step& step) {
@@ -84,7 +84,7 @@ Step Steps::addition() {
     for (const Door door : {fillFirst ? Door::fill : Door::several, fillFirst ? Door::several : Door::fill})
       if (auto step = together(door)) return *step;
   }
-  Step step = take(1, doorOf(edit));
+  Step step = take(1, orReplace(doorOf(edit)));
   step.cells = {edit.polygon.cell, edit.polygon.cell};
   step.verdict = model_.judge(edit);
   if (step.verdict.accepted) {
@@ -99,6 +99,10 @@ Step Steps::addition() {
 Step Steps::removal() {
   const Edit& edit = edits_[at_];
   const Verdict verdict = model_.judge(edit);
+  if (verdict.accepted) {
+    if (auto step = setBlock()) return *step;
+    if (auto step = replacement()) return *step;
+  }
   CellRect cells;
   const bool clears = verdict.accepted && wantsClear(chanceOf(edit.name));
   const std::size_t count = clears ? emptying(cells) : 0;
@@ -108,6 +112,58 @@ Step Steps::removal() {
   for (const Edit& gone : step.edits) model_.apply(gone);
   step.cells = cells;
   if (count > 0) widen(step.cells, step.chance);
+  return step;
+}
+
+// What an empty cell gets may as well replace what is there.
+Door Steps::orReplace(Door door) const {
+  const Edit& edit = edits_[at_];
+  const bool isPossible = isByShape(door) && door != Door::fill && model_.in(edit.polygon.cell).empty();
+  return isPossible && wantsReplace(chanceOf(edit.name)) ? Door::replace : door;
+}
+
+// Takes a remove, and an add of the same polygon.
+std::optional<Step> Steps::setBlock() {
+  const Edit& old = edits_[at_];
+  if (!wantsSetBlock(chanceOf(old.name)) || at_ + 1 == edits_.size()) return std::nullopt;
+  const Edit& next = edits_[at_ + 1];
+  if (next.kind != Edit::Kind::add || next.polygon.cell != model_.cellOf(old.name)) return std::nullopt;
+  if (next.name != old.name && model_.isAlive(next.name)) return std::nullopt;
+  const auto& there = model_.in(next.polygon.cell);
+  const auto placed = std::ranges::find(there, old.name, &Model::Placed::name);
+  if (placed->vertices != next.polygon.vertices) return std::nullopt;
+  return taken(2, Door::setBlock);
+}
+
+// Takes the removes of all that a cell holds, and the adds of one block to it.
+std::optional<Step> Steps::replacement() {
+  if (!wantsReplace(chanceOf(edits_[at_].name))) return std::nullopt;
+  const Cell cell = model_.cellOf(edits_[at_].name);
+  const std::span<const Edit> all = edits_.subspan(at_, std::min(kLongest, edits_.size() - at_));
+  std::set<std::string_view> gone, names;
+  for (const Edit& edit : all) {
+    if (edit.kind != Edit::Kind::remove || !model_.isAlive(edit.name) || model_.cellOf(edit.name) != cell) break;
+    if (!gone.insert(edit.name).second) break;
+  }
+  if (gone.size() != model_.in(cell).size()) return std::nullopt;
+  std::vector<LocalPolygon> shape;
+  for (const Edit& edit : all.subspan(gone.size())) {
+    const bool goesOn = edit.kind == Edit::Kind::add && edit.polygon.cell == cell &&
+                        edit.polygon.block == all[gone.size()].polygon.block &&
+                        (gone.contains(edit.name) || !model_.isAlive(edit.name)) && names.insert(edit.name).second;
+    if (!goesOn) break;
+    shape.push_back(edit.polygon.vertices);
+  }
+  if (shape.empty() || faultOf(shape)) return std::nullopt;
+  Step step = taken(gone.size() + shape.size(), Door::replace);
+  step.inCell = shape.size();
+  return step;
+}
+
+// Takes the next edits, all of them good, and makes them in the model.
+Step Steps::taken(std::size_t count, Door door) {
+  Step step = take(count, door);
+  for (const Edit& edit : step.edits) model_.apply(edit);
   return step;
 }
 
@@ -124,7 +180,7 @@ std::optional<Step> Steps::together(Door door) {
     count = inCell = std::min(inCell, mostInShape(chanceOf(first.name)));
     if (count < 2) return std::nullopt;
   }
-  Step step = take(count, door);
+  Step step = take(count, orReplace(door));
   step.cells = cells;
   step.inCell = inCell;
   wear(step);

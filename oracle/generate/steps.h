@@ -3,6 +3,8 @@
 //   several  adds of one block to one cell
 //   fill     adds of the same polygons and one block to each cell of a rectangle
 //   clear    removes that leave nothing in a rectangle
+//   replace  removes that leave nothing in a cell, then adds of one block to it; or such adds to an empty cell
+//   setBlock a remove, then an add of the same polygon
 //
 // If one add of a row must be refused, so must the call that makes them all. The call is tried, and then the edits of
 // the row come one by one.
@@ -30,6 +32,10 @@ class Steps {
   Step take(std::size_t count, Door door);
   Step addition();
   Step removal();
+  Door orReplace(Door door) const;
+  std::optional<Step> setBlock();
+  std::optional<Step> replacement();
+  Step taken(std::size_t count, Door door);
   std::optional<Step> together(Door door);
   std::size_t inOneCell() const;
   std::size_t inRectangle(std::size_t inCell, CellRect& cells) const;

@@ -35,7 +35,7 @@ class Mirror {
 
  private:
   using Complaint = std::optional<std::string>;
-  using Identity = std::tuple<Point, Point, PolygonHandle>;  // start, end, owner
+  using Identity = std::tuple<Point, Point, PolygonHandle, Block>;  // start, end, owner
 
   Complaint remove(const std::vector<SegmentId>& ids);
   Complaint relink(const World& world, const std::vector<SegmentId>& ids);
@@ -44,7 +44,7 @@ class Mirror {
   Complaint compareAll(const World& world);
   Complaint about(const Segment& segment, std::string text);
 
-  static Identity identityOf(const Segment& s) { return {s.start, s.end, s.polygon}; }
+  static Identity identityOf(const Segment& s) { return {s.start, s.end, s.polygon, s.block}; }
   Segment* find(SegmentId id);  // null if it is not alive
 
   std::vector<Segment> segments_ = {{}};  // by id

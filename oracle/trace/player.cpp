@@ -1,5 +1,8 @@
 #include "oracle/trace/player.h"
 
+#include "oracle/trace/choices.h"
+#include "oracle/trace/detour.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 
@@ -9,22 +12,6 @@ namespace {
 PreserveRelation relationOf(const PreservePairs& pairs) {
   if (pairs.empty()) return {};
   return [pairs](Block a, Block b) { return pairs(a, b); };
-}
-
-tl::unexpected<TraceError> wrong(std::string text) { return tl::unexpected(TraceError{0, std::move(text), {}}); }
-
-// The player uses the upper half of a step's chance; steps.cpp uses the lower half.
-unsigned bits(std::uint64_t chance, unsigned first, unsigned count) {
-  return static_cast<unsigned>(chance >> first) & ((1U << count) - 1);
-}
-
-template <class Real>
-std::vector<RealPoint<Real>> realPoints(const std::vector<LocalPoint>& vertices, double off) {
-  std::vector<RealPoint<Real>> points;
-  points.reserve(vertices.size());
-  for (const LocalPoint& p : vertices)
-    points.push_back({static_cast<Real>((p.x + off) / kUnitsPerCell), static_cast<Real>((p.y - off) / kUnitsPerCell)});
-  return points;
 }
 
 // Runs the jobs from the last to the first; with `apart` the even ones, then the odd ones.
@@ -51,7 +38,8 @@ tl::expected<void, TraceError> Player::apply(const Edit& edit) {
 }
 
 tl::expected<void, TraceError> Player::apply(const Step& step) {
-  auto done = step.edits.front().kind == Edit::Kind::add ? add(step) : remove(step);
+  auto done = step.isTrial ? Done() : leaveAndComeBack(step);
+  if (done) done = wantsGroup(step.chance) ? inGroup(step) : make(step);
   if (done) {
     pending_ = true;
     chance_ = step.chance;
@@ -61,110 +49,55 @@ tl::expected<void, TraceError> Player::apply(const Step& step) {
   return done;
 }
 
+// What nobody may notice: the world is saved and loaded, edited wrongly and brought back, or keeps a mark for a while.
+Player::Done Player::leaveAndComeBack(const Step& step) {
+  constexpr std::size_t kSmall = 200;  // polygons: it costs in proportion to the world
+  const auto told = [](std::optional<std::string> complaint) -> Done {
+    return complaint ? Done(wrong(std::move(*complaint))) : Done();
+  };
+  if (wantsSaving(step.chance) && !pending_ && scene_.polygons.size() <= kSmall) {
+    ++detours_.saved;
+    mark_.reset();  // it is not saved
+    if (auto done = told(saveAndLoad(world_)); !done) return done;
+  }
+  if (mark_ && !pending_) {  // it has seen a commit
+    if (!world_.forget(*mark_)) return wrong("a mark is forgotten too early");
+    mark_.reset();
+  }
+  if (wantsMark(step.chance) && !mark_) {
+    ++detours_.marked;
+    mark_ = world_.checkpoint();
+  }
+  const Edit& first = step.edits.front();
+  const Cell cell = isAlive(first.name) ? cellOf(first.name) : first.polygon.cell;
+  if (!wantsDetour(step.chance) || !inRange(cell)) return {};
+  ++detours_.undone;
+  return told(editAndGoBack(world_, cell, detour(step.chance)));
+}
+
+Player::Done Player::inGroup(const Step& step) {
+  ++detours_.grouped;
+  Transaction group = world_.edit();
+  const auto done = make(step);
+  group.keep();  // if the edit is refused, there is nothing to undo
+  return done;
+}
+
+Player::Done Player::make(const Step& step) {
+  if (step.door == Door::setBlock) return setBlock(step);
+  return step.adds().empty() ? remove(step) : add(step);
+}
+
 const Changes& Player::commit() {
   pending_ = false;
-  switch (bits(chance_, 40, 2)) {
+  switch (executor(chance_)) {
     case 0:
       return world_.commit();
     case 1:
       return world_.commit(Executor());
     default:
-      return world_.commit(executorOf(bits(chance_, 40, 1) != 0));
+      return world_.commit(executorOf(executor(chance_) % 2 != 0));
   }
-}
-
-Player::Done Player::add(const Step& step) {
-  for (const Edit& edit : step.edits) {
-    if (!isAlive(edit.name)) continue;
-    return wrong(fmt::format("the name '{}' is in use; remove that polygon first, or choose another", edit.name));
-  }
-  if (auto done = wear(step.edits.front().polygon.cell, step.worn); !done) return done;
-  const Handles handles = call(step);
-  if (!handles) return tl::unexpected(handles.error());
-  for (std::size_t k = 0; k < step.edits.size(); ++k) {
-    const auto& [kind, name, polygon, line] = step.edits[k];
-    const PolygonHandle handle = find(polygon);
-    if (!handle) return wrong(fmt::format("{}: '{}' is accepted, but not in its cell", describe(step.door), name));
-    if (k < handles->size() && (*handles)[k] != handle)
-      return wrong(fmt::format("{}: the handle of '{}' is another polygon's", describe(step.door), name));
-    placed_.emplace(name, Placed{handle, names_.size()});
-    names_.push_back(name);
-    scene_.polygons.push_back(polygon);
-  }
-  return {};
-}
-
-// Returns the handles that the call gives, in the order of the edits. Some calls give only the first, and fill() gives
-// none.
-Player::Handles Player::call(const Step& step) {
-  switch (step.door) {
-    case Door::points:
-    case Door::floats:
-    case Door::doubles:
-      return addByPoints(step);
-    case Door::shape:
-    case Door::handles:
-    case Door::several:
-      return addByShape(step);
-    default:
-      return fill(step);
-  }
-}
-
-Player::Handles Player::addByPoints(const Step& step) {
-  const auto& [cell, block, vertices] = step.edits.front().polygon;
-  constexpr std::array kOff{0.0, 0.25, -0.25, 0.49};  // rounded, all are the same
-  Expected<PolygonHandle> handle;
-  if (step.door == Door::points) {
-    handle = world_.add(cell, std::span<const LocalPoint>(vertices), block);
-  } else if (step.door == Door::floats) {
-    const std::vector<FloatPoint> points = realPoints<float>(vertices, 0);
-    handle = world_.add(cell, std::span<const FloatPoint>(points), block);
-  } else {
-    const std::vector<DoublePoint> points = realPoints<double>(vertices, kOff[bits(step.chance, 32, 2)]);
-    handle = world_.add(cell, std::span<const DoublePoint>(points), block);
-  }
-  if (!handle) return refused(handle.error());
-  return std::vector{*handle};
-}
-
-Player::Handles Player::addByShape(const Step& step) {
-  const auto& [cell, block, vertices] = step.edits.front().polygon;
-  Shape polygons;
-  for (const Edit& edit : step.edits) polygons.push_back(edit.polygon.vertices);
-  const bool isOne = polygons.size() == 1;
-  const auto made = isOne ? world_.shape(std::span<const LocalPoint>(vertices)) : world_.shape(polygons);
-  const auto shape = checked(made, polygons, cell);
-  if (!shape) return tl::unexpected(shape.error());
-  const unsigned room = step.door == Door::shape ? 0 : bits(step.chance, 34, 2);
-  if (room == 0) {
-    const auto handle = world_.add(cell, *shape, block);
-    if (!handle) return refused(handle.error());
-    return std::vector{*handle};
-  }
-  // There is room for all handles, for one fewer, or for one more. The last one must then stay as it is.
-  constexpr PolygonHandle kUntouched{7, 7};
-  std::vector<PolygonHandle> handles(polygons.size() + room - 2, kUntouched);
-  const auto handle = world_.add(cell, *shape, block, handles);
-  if (!handle) return refused(handle.error());
-  if (!handles.empty() && handles.front() != *handle) return wrong("add() returns another handle than its first one");
-  if (handles.size() > polygons.size() && handles.back() != kUntouched)
-    return wrong("add() writes more handles than there are polygons");
-  handles.resize(std::min(handles.size(), polygons.size()));
-  return handles;
-}
-
-Player::Handles Player::fill(const Step& step) {
-  const auto& [cell, block, vertices] = step.edits.front().polygon;
-  Shape polygons;
-  for (const Edit& edit : step.edits.first(step.inCell)) polygons.push_back(edit.polygon.vertices);
-  const auto shape = checked(world_.shape(polygons), polygons, cell);
-  if (!shape) return tl::unexpected(shape.error());
-  const auto filled = world_.fill(step.cells, *shape, block);
-  if (!filled) return refused(filled.error());
-  const std::size_t cells = step.edits.size() / step.inCell;
-  if (*filled != cells) return wrong(fmt::format("fill() of {} cells says that it filled {}", cells, *filled));
-  return std::vector<PolygonHandle>();
 }
 
 // A shape always gets the same id, and no two shapes get one id.
@@ -202,20 +135,48 @@ PolygonHandle Player::find(const ScenePolygon& polygon) const {
   return {};
 }
 
-Player::Done Player::remove(const Step& step) {
-  for (const Edit& edit : step.edits) {
+Player::Done Player::checkNames(const Step& step) const {
+  for (const Edit& edit : step.removes())
     if (!isAlive(edit.name)) return wrong(fmt::format("there is no polygon named '{}' to remove", edit.name));
+  for (const Edit& edit : step.adds()) {
+    const auto goes = [&](const Edit& remove) { return remove.name == edit.name; };
+    if (isAlive(edit.name) && std::ranges::none_of(step.removes(), goes))
+      return wrong(fmt::format("the name '{}' is in use; remove that polygon first, or choose another", edit.name));
   }
+  return {};
+}
+
+Player::Done Player::remove(const Step& step) {
+  if (auto done = checkNames(step); !done) return done;
   if (step.door == Door::clear) {
-    const auto count = world_.clear(step.cells);
+    const bool isOneCell = step.cells.min == step.cells.max && wantsOverload(step.chance);
+    const auto count = isOneCell ? world_.clear(step.cells.min) : world_.clear(step.cells);
     if (!count) return refused(count.error());
     if (*count != step.edits.size())
       return wrong(fmt::format("clear() of {} polygons says that it removed {}", step.edits.size(), *count));
-  } else if (const auto done = world_.remove(handleOf(step.edits.front().name)); !done) {
+  } else if (auto done = world_.remove(handleOf(step.edits.front().name)); !done) {
     return refused(done.error());
   }
   for (const Edit& edit : step.edits) forget(edit.name);
   return {};
+}
+
+// The polygon keeps its handle, and gets the name of the add.
+Player::Done Player::setBlock(const Step& step) {
+  if (auto done = checkNames(step); !done) return done;
+  const Edit &old = step.removes().front(), &next = step.adds().front();
+  const PolygonHandle handle = handleOf(old.name);
+  if (auto done = world_.setBlock(handle, next.polygon.block); !done) return refused(done.error());
+  forget(old.name);
+  if (find(next.polygon) != handle) return wrong("setBlock() does not give the polygon its block, or not only that");
+  note(next, handle);
+  return {};
+}
+
+void Player::note(const Edit& add, PolygonHandle handle) {
+  placed_.emplace(add.name, Placed{handle, names_.size()});
+  names_.push_back(add.name);
+  scene_.polygons.push_back(add.polygon);
 }
 
 // The last polygon of the scene takes the place of the one that goes.

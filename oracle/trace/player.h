@@ -18,6 +18,27 @@
 
 namespace lgs::oracle {
 
+/// What happened beside the edits, to find out whether anybody notices: how often, by the names that chose it.
+struct Detours {
+  std::uint64_t saved = 0;      ///< the world was saved, and the one that was loaded took its place
+  std::uint64_t undone = 0;     ///< the world was edited wrongly, and went back
+  std::uint64_t marked = 0;     ///< a mark was made, to which the world never goes back
+  std::uint64_t grouped = 0;    ///< the edit was a group
+  std::uint64_t repainted = 0;  ///< a polygon had another block at first
+
+  Detours& operator+=(const Detours& other) {
+    saved += other.saved;
+    undone += other.undone;
+    marked += other.marked;
+    grouped += other.grouped;
+    repainted += other.repainted;
+    return *this;
+  }
+};
+
+/// An error without a refusal.
+inline tl::unexpected<TraceError> wrong(std::string text) { return tl::unexpected(TraceError{0, std::move(text), {}}); }
+
 class Player {
  public:
   explicit Player(PreservePairs preserve);
@@ -39,6 +60,7 @@ class Player {
   bool isAlive(const std::string& name) const { return placed_.contains(name); }
   PolygonHandle handleOf(const std::string& name) const { return placed_.at(name).handle; }  ///< of a name alive
   Cell cellOf(const std::string& name) const { return scene_.polygons[placed_.at(name).index].cell; }
+  const Detours& detours() const { return detours_; }
   std::size_t shapes() const { return shapes_.size(); }  ///< the number of different ones that the world has made
 
  private:
@@ -50,16 +72,23 @@ class Player {
   using Done = tl::expected<void, TraceError>;
   using Handles = tl::expected<std::vector<PolygonHandle>, TraceError>;
 
+  Done leaveAndComeBack(const Step& step);
+  Done inGroup(const Step& step);
+  Done make(const Step& step);
   Done add(const Step& step);
   Done remove(const Step& step);
-  Handles call(const Step& step);
-  Handles addByPoints(const Step& step);
-  Handles addByShape(const Step& step);
-  Handles fill(const Step& step);
+  Done setBlock(const Step& step);
+  Done checkNames(const Step& step) const;
+  Handles call(const Step& step, Block block);
+  Handles addByPoints(const Step& step, Block block);
+  Handles addByShape(const Step& step, Block block);
+  Handles fill(const Step& step, Block block);
+  Expected<ShapeId> made(const Shape& polygons, std::uint64_t chance);
   tl::expected<ShapeId, TraceError> checked(const Expected<ShapeId>& id, const Shape& shape, Cell cell);
   Done wear(Cell cell, unsigned times);
   PolygonHandle find(const ScenePolygon& polygon) const;
   tl::unexpected<TraceError> refused(const Error& error) const;
+  void note(const Edit& add, PolygonHandle handle);
   void forget(const std::string& name);
 
   World world_;
@@ -70,6 +99,8 @@ class Player {
   std::set<ShapeId> shapeIds_;
   bool pending_ = false;
   std::uint64_t chance_ = 0;  // of the last step
+  std::optional<Mark> mark_;
+  Detours detours_;
 };
 
 /// Called after each commit; false stops the play.

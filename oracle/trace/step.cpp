@@ -1,5 +1,6 @@
 #include "oracle/trace/step.h"
 
+#include <algorithm>
 #include <string>
 
 namespace lgs::oracle {
@@ -24,6 +25,10 @@ const char* describe(Door door) {
       return "remove";
     case Door::clear:
       return "clear";
+    case Door::replace:
+      return "replace";
+    case Door::setBlock:
+      return "setBlock";
   }
   return "";
 }
@@ -53,6 +58,11 @@ Door doorOf(const Edit& edit) {
   constexpr std::array kDoorsOfOne{Door::points, Door::points, Door::floats,  Door::doubles,
                                    Door::shape,  Door::shape,  Door::handles, Door::fill};
   return kDoorsOfOne[chanceOf(edit.name) % kDoorsOfOne.size()];
+}
+
+std::span<const Edit> Step::removes() const {
+  const auto isRemove = [](const Edit& edit) { return edit.kind == Edit::Kind::remove; };
+  return {edits.begin(), std::find_if_not(edits.begin(), edits.end(), isRemove)};
 }
 
 }  // namespace lgs::oracle

@@ -29,8 +29,10 @@ enum class Door : std::uint8_t {
   fill,     ///< a rectangle of equal cells
   remove,   ///< remove()
   clear,    ///< clear() of a rectangle that holds nothing else
+  replace,  ///< polygons of one cell and one block as one shape, in the place of all that stands there
+  setBlock  ///< a polygon goes and comes back at once, perhaps with another block
 };
-inline constexpr std::size_t kDoors = 9;
+inline constexpr std::size_t kDoors = 11;
 
 /// In a word, that of its constant.
 const char* describe(Door door);
@@ -38,6 +40,11 @@ const char* describe(Door door);
 /// What a name decides: a number that looks random and is the same everywhere. It is 0 without letters after the last
 /// digit.
 std::uint64_t chanceOf(std::string_view name);
+
+/// Some bits of it.
+inline unsigned bitsOf(std::uint64_t chance, unsigned first, unsigned count) {
+  return static_cast<unsigned>(chance >> first) & ((1U << count) - 1);
+}
 
 /// These letters of a name.
 std::string_view lettersOf(std::string_view name);
@@ -57,9 +64,9 @@ struct Verdict {
 
 struct Step {
   Door door{};
-  std::span<const Edit> edits;  ///< of one kind; a commit stands alone. For several and fill: cell by cell
+  std::span<const Edit> edits;  ///< removes, then adds; a commit stands alone. For several and fill: cell by cell
   CellRect cells;               ///< for fill and clear
-  std::size_t inCell = 1;       ///< for several and fill: how many polygons a cell gets
+  std::size_t inCell = 1;       ///< for several, fill and replace: how many polygons a cell gets
   std::uint64_t chance = 0;     ///< chanceOf() the first name
   unsigned worn = 0;            ///< so many polygons come and go in the first cell before the call
   std::size_t end = 0;          ///< where the step ends: the number of edits up to its last one
@@ -67,6 +74,8 @@ struct Step {
   bool isTrial = false;  ///< the call must be refused; then its edits come again, one by one
 
   bool isCommit() const { return edits.front().kind == Edit::Kind::commit; }
+  std::span<const Edit> removes() const;
+  std::span<const Edit> adds() const { return edits.subspan(removes().size()); }
 };
 
 }  // namespace lgs::oracle
