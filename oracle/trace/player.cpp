@@ -26,7 +26,9 @@ Executor executorOf(bool apart) {
 
 }  // namespace
 
-Player::Player(PreservePairs preserve) : world_(relationOf(preserve)) { scene_.preserve = std::move(preserve); }
+Player::Player(PreservePairs preserve, Loads loads) : world_(relationOf(preserve)), loads_(loads) {
+  scene_.preserve = std::move(preserve);
+}
 
 tl::expected<void, TraceError> Player::apply(const Edit& edit) {
   Step step;
@@ -55,7 +57,7 @@ Player::Done Player::leaveAndComeBack(const Step& step) {
   const auto told = [](std::optional<std::string> complaint) -> Done {
     return complaint ? Done(wrong(std::move(*complaint))) : Done();
   };
-  if (wantsSaving(step.chance) && !pending_ && scene_.polygons.size() <= kSmall) {
+  if (loads_ == Loads::sometimes && wantsSaving(step.chance) && !pending_ && scene_.polygons.size() <= kSmall) {
     ++detours_.saved;
     mark_.reset();  // it is not saved
     if (auto done = told(saveAndLoad(world_)); !done) return done;

@@ -39,9 +39,13 @@ struct Detours {
 /// An error without a refusal.
 inline tl::unexpected<TraceError> wrong(std::string text) { return tl::unexpected(TraceError{0, std::move(text), {}}); }
 
+/// Whether a player may save its world and go on with what it loads. Ids and handles stay, and World::version() does
+/// not: for those who follow the changes of one world.
+enum class Loads : bool { never, sometimes };
+
 class Player {
  public:
-  explicit Player(PreservePairs preserve);
+  explicit Player(PreservePairs preserve, Loads loads = Loads::sometimes);
 
   /// Applies an edit through the door that its name chooses. The edit is no commit: there is commit() for that. If it
   /// is refused, everything stays as it was.
@@ -100,6 +104,7 @@ class Player {
   bool pending_ = false;
   std::uint64_t chance_ = 0;  // of the last step
   std::optional<Mark> mark_;
+  Loads loads_;
   Detours detours_;
 };
 

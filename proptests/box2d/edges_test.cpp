@@ -74,7 +74,7 @@ TEST(Box2dEdges, UpdatesEqualTheRulesAndChangesAreExact) {
   const auto law = [&](const oracle::Trace& trace, box2d_test::Chance random) {
     const EdgeOptions options = randomOptions(random);
     SCOPED_TRACE(inWords(options));
-    Player player(trace.preserve);
+    Player player(trace.preserve, oracle::Loads::never);
     EdgeSet set(options);
     Copy copy;
     std::set<Chunk> chunks;  // that ever had an edge
@@ -111,7 +111,7 @@ TEST(Box2dEdges, FollowAWorldThatGoesBack) {
   box2d_test::forAllEdits(100, [](const oracle::Trace& trace, box2d_test::Chance random) {
     const EdgeOptions options = randomOptions(random);
     SCOPED_TRACE(inWords(options));
-    Player player(trace.preserve);
+    Player player(trace.preserve, oracle::Loads::never);
     World& world = player.world();
     const ShapeId square = world.shape(kUnitSquare).value();
     EdgeSet set(options);
@@ -143,7 +143,7 @@ TEST(Box2dEdges, FollowAWorldThatGoesBack) {
 
 TEST(Box2dEdges, WithoutMergingEverySegmentIsAnEdge) {
   box2d_test::forAllEdits(60, [](const oracle::Trace& trace, box2d_test::Chance) {
-    Player player(trace.preserve);
+    Player player(trace.preserve, oracle::Loads::never);
     box2d_test::playAll(trace, player, [&] {
       player.commit();
       EdgeSet set({});
@@ -178,7 +178,7 @@ TEST(Box2dEdges, MergedInOneChunkTheyAreTheMergedLoops) {
       Cell& cell = edit.polygon.cell;
       cell = {cell.i & 1023, cell.j & 1023};
     }
-    Player player({});
+    Player player({}, oracle::Loads::never);
     box2d_test::playAll(trace, player, [&] {
       player.commit();
       EdgeSet set({.chunkCells = 4'096, .merge = true});

@@ -43,10 +43,12 @@ TEST_F(Box2dHit, AFixtureLeadsToSegmentPolygonBlockAndCell) {
   b2Fixture& foreign = *physics.CreateBody(&definition)->CreateFixture(&circle, 1);
   EXPECT_FALSE(terrain.hit(foreign));
   EXPECT_FALSE(terrain.hit(foreign, {1, 2}));
-  for (const std::uintptr_t number : {std::uintptr_t{1}, std::uintptr_t{1'000'000}}) {  // user data of others
+  for (std::uintptr_t number = 0; number < 200; ++number) {  // user data of others
     foreign.GetUserData().pointer = number;
     EXPECT_FALSE(terrain.hit(foreign));
   }
+  foreign.GetUserData().pointer = ~std::uintptr_t{0};
+  EXPECT_FALSE(terrain.hit(foreign));
 }
 
 TEST_F(Box2dHit, AMergedEdgeIsAskedByPoint) {
@@ -68,6 +70,27 @@ TEST_F(Box2dHit, AMergedEdgeIsAskedByPoint) {
   const std::optional<Hit> hit = terrain.hit(*callback.fixture, callback.point);
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->cell, (Cell{6, -1}));
+}
+
+// Each slope lies in one chunk, as merged edges end with theirs.
+TEST_F(Box2dHit, AMergedSlopeIsAskedByPoint) {
+  for (std::int32_t k = 0; k < 10; ++k) {
+    field.add({k, k}, below(0, 8));
+    field.add({48 + k, 12 - k}, below(8, 0));
+  }
+  field.world.commit();
+  const Terrain terrain(physics, field.world, {.cellSize = 2, .merge = true});
+  for (const SegmentId id : field.world.segments()) {
+    const Segment s = *field.world.segment(id);
+    if (s.start.x == s.end.x || s.start.y == s.end.y) continue;
+    for (std::int32_t k = 0; k < 10; ++k) {  // each segment of a slope leads to the one edge of all
+      const Cell cell = s.cell.i < 40 ? Cell{k, k} : Cell{48 + k, 12 - k};
+      const b2Vec2 middle(static_cast<float>(2 * cell.i + 1), static_cast<float>(2 * cell.j + 1));
+      const std::optional<Hit> hit = terrain.hit(*terrain.fixture(id), middle);
+      ASSERT_TRUE(hit);
+      EXPECT_EQ(hit->cell, cell);
+    }
+  }
 }
 
 bool isParallel(const Segment& s, const box2d::Edge& edge) {
@@ -108,7 +131,7 @@ TEST_F(Box2dHit, EachSegmentIsHitAtItsMiddle) {
     TerrainOptions options{.cellSize = random.chance(50) ? 1.0 : 3.0, .chunkCells = 1 + random.below(6)};
     options.merge = random.chance(80);
     if (!trace.edits.empty()) options.origin = test::boundsOf(trace).min;  // near enough for floats
-    oracle::Player player(trace.preserve);
+    oracle::Player player(trace.preserve, oracle::Loads::never);
     b2World still({0, 0});
     Terrain terrain(still, player.world(), options);
     playAll(trace, player, [&] {

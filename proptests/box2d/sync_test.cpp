@@ -118,7 +118,7 @@ class Careless {
 
 TEST(Box2dSync, EachMisuseIsNoticedAndALoadRepairs) {
   forAllEdits(300, [](const Trace& trace, Chance random) {
-    oracle::Player player(trace.preserve);
+    oracle::Player player(trace.preserve, oracle::Loads::never);
     World& world = player.world();
     Careless careless(world, randomOptions(random));
     playAll(trace, player, [&] {
@@ -144,7 +144,7 @@ TEST(Box2dSync, ALoadTakesOverAnyOtherWorld) {
   forAllEdits(200, [](const Trace& trace, Chance random) {
     const EdgeOptions options = randomOptions(random);
     std::vector<World> worlds(1);
-    oracle::Player player(trace.preserve);
+    oracle::Player player(trace.preserve, oracle::Loads::never);
     playAll(trace, player, [&] {
       player.commit();
       worlds.push_back(player.world());

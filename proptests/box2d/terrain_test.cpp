@@ -59,7 +59,7 @@ class Box2dTerrain : public testing::Test {
 
 TEST_F(Box2dTerrain, FixturesFollowRandomEdits) {
   forAllEdits(40, [](const Trace& trace, Chance random) {
-    oracle::Player player(trace.preserve);
+    oracle::Player player(trace.preserve, oracle::Loads::never);
     TerrainOptions options{.cellSize = random.chance(50) ? 1 : 0.02, .chunkCells = 1 + random.below(8)};
     options.merge = random.chance(50);
     SCOPED_TRACE(fmt::format("cells of {} m, chunks of {} cells, merge {}", options.cellSize, options.chunkCells,
