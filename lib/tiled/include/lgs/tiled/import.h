@@ -2,7 +2,10 @@
 //
 //   auto map = lgs::tiled::importMap("level1.tmx");
 //   if (!map) { puts(lgs::tiled::message(map.error()).c_str()); return; }
-//   for (const auto& p : map->placements) world.add(p.cell, map->shapes[p.shape], p.block);
+//   for (const auto& p : map->placements) {
+//     const auto handle = world.add(p.cell, map->shapes[p.shape], p.block);
+//     if (handle) tiles[*handle] = p.tile;  // tells the tile of a hit, which names the polygon; saved worlds keep handles
+//   }
 //   world.commit();
 //   puts(lgs::tiled::toText(map->report).c_str());
 //
