@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The terrain with an installed Box2D 3: scripts/box2d3.sh PREFIX. CMake finds Box2D below PREFIX, as a game's CMake
-# would. Builds into build/box2d3, and runs the tests of the terrain, the example, a game that uses the installed package,
-# and with --costs the table of costs. Another PREFIX may follow: only what needs Box2D is compiled again.
+# would. Builds into build/box2d3, and runs the tests of the terrain, the example, a game that uses the installed
+# package, and with --costs the table of costs. Another PREFIX may follow: only what needs Box2D is compiled again.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 costs=

@@ -60,8 +60,8 @@ double leastOf(Round round) {
 }
 
 // A terrain in a world with a body in it, after a step. A game has bodies too, and the terrain looks for those that it
-// must wake. Whenever a fixture goes, Box2D 2.4 looks through everything that was made since the last step. A game takes
-// steps, so this must too.
+// must wake. Whenever a fixture goes, Box2D 2.4 looks through everything that was made since the last step. A game
+// takes steps, so this must too.
 class Populated {
  public:
   Populated(Field& field, const box2d::TerrainOptions& options) : field_(field) {

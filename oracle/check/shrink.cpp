@@ -162,8 +162,8 @@ std::optional<Trace> ShrinkWalk::oneBlock() {
   return candidate;
 }
 
-// Moves the first line of cells to 0, or else to -1, so that a border of chunks follows it. Then it moves each line next
-// to the one before it. It goes from the last line to the first, so that earlier lines stay where they are.
+// Moves the first line of cells to 0, or else to -1, so that a border of chunks follows it. Then it moves each line
+// next to the one before it. It goes from the last line to the first, so that earlier lines stay where they are.
 std::optional<Trace> ShrinkWalk::moveCells(std::int32_t Cell::*axis) {
   std::set<std::int32_t> used;
   for (const Edit& edit : best_.edits) {

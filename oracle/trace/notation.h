@@ -19,6 +19,7 @@ enum class Notation {
 template <class Real>
 std::vector<RealPoint<Real>> realPoints(const std::vector<LocalPoint>& vertices, double off) {
   std::vector<RealPoint<Real>> points;
+  points.reserve(vertices.size());
   for (const LocalPoint& p : vertices)
     points.push_back({static_cast<Real>((p.x + off) / kUnitsPerCell), static_cast<Real>((p.y - off) / kUnitsPerCell)});
   return points;

@@ -80,7 +80,7 @@ Player::Done Player::leaveAndComeBack(const Step& step) {
 Player::Done Player::inGroup(const Step& step) {
   ++detours_.grouped;
   Transaction group = world_.edit();
-  const auto done = make(step);
+  auto done = make(step);
   group.keep();  // if the edit is refused, there is nothing to undo
   return done;
 }

@@ -1,4 +1,5 @@
-// World::version(): it names a state of the segments, in whichever world, and lists of changes lead from one to another.
+// World::version(): it names a state of the segments, in whichever world, and lists of changes lead from one to
+// another.
 #include "proptests/support/law.h"
 #include "proptests/support/traces.h"
 #include "twins.h"

@@ -4,7 +4,7 @@
 //   if (!map) { puts(lgs::tiled::message(map.error()).c_str()); return; }
 //   for (const auto& p : map->placements) {
 //     const auto handle = world.add(p.cell, map->shapes[p.shape], p.block);
-//     if (handle) tiles[*handle] = p.tile;  // tells the tile of a hit, which names the polygon; saved worlds keep handles
+//     if (handle) tiles[*handle] = p.tile;  // a hit names the polygon, and so the tile; saved worlds keep handles
 //   }
 //   world.commit();
 //   puts(lgs::tiled::toText(map->report).c_str());

@@ -67,15 +67,15 @@ class Terrain {
   Terrain& operator=(const Terrain&) = delete;
   Terrain& operator=(Terrain&&) = delete;
 
-  /// Commits the edits of its world, and syncs. Errors as of sync(). `world` must be the terrain's own; if it is another
-  /// one, the error is `notTheLast`, and nothing is committed. After `leftOut` the world is committed.
+  /// Commits the edits of its world, and syncs. Errors as of sync(). `world` must be the terrain's own; if it is
+  /// another one, the error is `notTheLast`, and nothing is committed. After `leftOut` the world is committed.
   tl::expected<void, SyncError> commit(World& world);
 
   /// Applies a commit, or what a roll-back reports. Call it once after each of them, before the next edit. Changes that
   /// are not the next ones are a mistake of the program: an assertion fails. With NDEBUG the terrain stays as it was,
   /// and the error says why. After `leftOut` call resync(). After `shownAlready` there is nothing to do. After
-  /// `notTheLast` call resync() unless isCurrent(). Cost: the number of changes, times the segments of an edge; and for each
-  /// fixture that goes the fixtures of its body, because Box2D looks for it there.
+  /// `notTheLast` call resync() unless isCurrent(). Cost: the number of changes, times the segments of an edge; and for
+  /// each fixture that goes the fixtures of its body, because Box2D looks for it there.
   tl::expected<void, SyncError> sync(const Changes& changes);
 
   /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world: changes
@@ -94,9 +94,9 @@ class Terrain {
 
   /// What a contact touches of the terrain; nothing if neither fixture is the terrain's, or if the contact does not
   /// touch: Box2D has contacts also of fixtures that are only near. If the edge stands for several segments, the hit is
-  /// the one nearest to the middle of the contact's points; without points, as with a sensor, to the middle of the other
-  /// fixture. Can be called in a b2ContactListener: in BeginContact, PreSolve and PostSolve every contact touches. In
-  /// EndContact use hit(fixture), because a contact that ends does not touch any more.
+  /// the one nearest to the middle of the contact's points; without points, as with a sensor, to the middle of the
+  /// other fixture. Can be called in a b2ContactListener: in BeginContact, PreSolve and PostSolve every contact
+  /// touches. In EndContact use hit(fixture), because a contact that ends does not touch any more.
   std::optional<Touch> hit(b2Contact& contact) const;
 
   /// The segment of the outline nearest to a point of the physics world, as of the last commit; nothing if none is
@@ -105,9 +105,10 @@ class Terrain {
   std::optional<NearestHit> nearest(const b2Vec2& point, float radius) const;
 
   /// The bodies that reach into a rectangle of cells, but for the terrain's; each once, in no particular order. Sensors
-  /// are not looked at. Ask before you place a block or roll back: edges are one-sided, so a body whose middle is behind them falls through
-  /// the ground (docs/box2d.md says what to do). Box2D's skin of a polygon counts: bodies that are less than 1 cm
-  /// (b2_polygonRadius) away are found, but not those that just rest beside the cells. Cost: the fixtures near the cells.
+  /// are not looked at. Ask before you place a block or roll back: edges are one-sided, so a body whose middle is
+  /// behind them falls through the ground (docs/box2d.md says what to do). Box2D's skin of a polygon counts: bodies
+  /// that are less than 1 cm (b2_polygonRadius) away are found, but not those that just rest beside the cells. Cost:
+  /// the fixtures near the cells.
   std::vector<b2Body*> bodiesIn(const CellRect& cells) const;
   std::vector<b2Body*> bodiesIn(Cell cell) const { return bodiesIn(CellRect{cell, cell}); }
 

@@ -80,8 +80,8 @@ class Terrain {
   Terrain& operator=(const Terrain&) = delete;
   Terrain& operator=(Terrain&&) = delete;
 
-  /// Commits the edits of its world, and syncs. Errors as of sync(). `world` must be the terrain's own; if it is another
-  /// one, the error is `notTheLast`, and nothing is committed. After `leftOut` the world is committed.
+  /// Commits the edits of its world, and syncs. Errors as of sync(). `world` must be the terrain's own; if it is
+  /// another one, the error is `notTheLast`, and nothing is committed. After `leftOut` the world is committed.
   tl::expected<void, SyncError> commit(World& world);
 
   /// Applies a commit, or what a roll-back reports. Call it once after each of them, before the next edit. Changes that
@@ -106,8 +106,8 @@ class Terrain {
 
   /// What a contact touches of the terrain; nothing if it is none of the terrain's, or has no points. If the edge
   /// stands for several segments, the hit is the one nearest to the middle of the points. Box2D gives out the data of
-  /// contacts that touch, and of no others. But it looks ahead: what is less than four slops (2 cm) away touches for it,
-  /// and a point's `separation` is greater than 0 then.
+  /// contacts that touch, and of no others. But it looks ahead: what is less than four slops (2 cm) away touches for
+  /// it, and a point's `separation` is greater than 0 then.
   std::optional<Touch> hit(const b2ContactData& contact) const;
 
   /// The segment of the outline nearest to a point of the physics world, as of the last commit; nothing if none is
@@ -116,9 +116,10 @@ class Terrain {
   std::optional<NearestHit> nearest(Position point, float radius) const;
 
   /// The bodies that reach into a rectangle of cells, but for the terrain's; each once, in no particular order. Sensors
-  /// are not looked at. Ask before you place a block or roll back: edges are one-sided, so a body whose middle is behind them falls through
-  /// the ground (docs/box2d.md says what to do). Bodies that just rest beside the cells are not found: the rectangle
-  /// counts as smaller by Box2D's slop, half a centimetre, on each side. Cost: the shapes near the cells.
+  /// are not looked at. Ask before you place a block or roll back: edges are one-sided, so a body whose middle is
+  /// behind them falls through the ground (docs/box2d.md says what to do). Bodies that just rest beside the cells are
+  /// not found: the rectangle counts as smaller by Box2D's slop, half a centimetre, on each side. Cost: the shapes near
+  /// the cells.
   std::vector<b2BodyId> bodiesIn(const CellRect& cells) const;
   std::vector<b2BodyId> bodiesIn(Cell cell) const { return bodiesIn(CellRect{cell, cell}); }
 
