@@ -1,5 +1,5 @@
-// What a name decides in the player beside the door, in bits of chanceOf(). All 0 is the plain way. The lower half of the
-// bits is that of steps.cpp.
+// What a name decides in the player beside the door, in bits of chanceOf(). All 0 is the plain way. The lower half of
+// the bits is that of steps.cpp.
 #pragma once
 
 #include "oracle/trace/notation.h"
