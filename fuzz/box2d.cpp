@@ -3,6 +3,7 @@
 // merged, the rules of <lgs/box2d/edges.h> say what stands for them: then the terrain that was kept up to date must
 // equal one made anew.
 #include "fuzz/target.h"
+#include "oracle/check/refusal.h"
 #include "oracle/generate/steps.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/player.h"
@@ -221,10 +222,9 @@ class Session {
     const auto done = run_.player().apply(step);
     if (!step.isTrial) stats_.edits += step.edits.size();
     if (!done && !step.verdict.accepted && !step.isTrial) ++stats_.refused;
-    if (done.has_value() == step.verdict.accepted) return std::nullopt;
-    const std::string text = done ? "an edit is accepted that must be refused\n"
-                                  : fmt::format("an edit is refused that is good: {}\n", done.error().text);
-    return Complaint{text, {}, oracle::Mismatch::Kind::verdict};
+    const std::string wrong = oracle::wrongAnswer(step, done, steps_.model(), run_.player().world());
+    if (wrong.empty()) return std::nullopt;
+    return Complaint{wrong + '\n', {}, oracle::Mismatch::Kind::verdict};
   }
 
   Finding finding(Complaint complaint) {

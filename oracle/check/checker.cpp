@@ -19,14 +19,6 @@
 namespace lgs::oracle {
 namespace {
 
-std::string nameOf(std::optional<ErrorCode> code) { return code ? name(*code) : "a bad name"; }
-
-std::string inWords(const Step& step) {
-  std::string text = fmt::format("{} of '{}'", describe(step.door), step.edits.front().name);
-  if (step.edits.size() > 1) text += fmt::format(" to '{}'", step.edits.back().name);
-  return text;
-}
-
 // Whether a refusal left all counts as they were. It may leave new shapes.
 bool sameCounts(const Stats& a, const Stats& b) {
   return a.polygons == b.polygons && a.cells == b.cells && a.segments == b.segments && a.chunks == b.chunks;
@@ -99,34 +91,17 @@ class Check {
     const Stats before = step.verdict.accepted ? Stats() : player_.world().stats();
     const auto done = player_.apply(step);
     if (!step.isTrial) stats_.edits += step.edits.size();
-    if (!step.verdict.accepted) return judgeRefusal(step, done, before);
-    if (!done) {
-      const char* const how = done.error().refusal ? "refused, but is good" : "answered wrongly";
-      return mismatch(Mismatch::Kind::verdict, fmt::format("{}: {}: {}", how, inWords(step), done.error().text));
-    }
+    if (std::string wrong = wrongAnswer(step, done, model(), player_.world()); !wrong.empty())
+      return mismatch(Mismatch::Kind::verdict, std::move(wrong));
+    if (!step.verdict.accepted) return afterRefusal(step, done.error(), before);
     stats_.doors[static_cast<std::size_t>(step.door)] += step.edits.size();
     stats_.worn += step.worn == 0 ? 0 : 1;
     edited_.insert(cells.begin(), cells.end());
     return checkStale(removed);
   }
 
-  tl::expected<Result, TraceError> judgeRefusal(const Step& step, const tl::expected<void, TraceError>& done,
-                                                const Stats& before) {
-    const std::optional<ErrorCode> code = step.verdict.code;
-    if (done) {
-      return mismatch(Mismatch::Kind::verdict,
-                      fmt::format("accepted, but must be refused as {}: {}", nameOf(code), inWords(step)));
-    }
-    const TraceError& error = done.error();
-    if (error.refusal.has_value() != code.has_value()) {
-      return mismatch(Mismatch::Kind::verdict, fmt::format("must be refused as {}, but is answered: {}: {}",
-                                                           nameOf(code), inWords(step), error.text));
-    }
-    if (code) {
-      if (const std::string text = wrongRefusal(*error.refusal, step, model(), player_.world()); !text.empty()) {
-        return mismatch(Mismatch::Kind::verdict,
-                        fmt::format("the refusal {}: {}: {}", text, inWords(step), error.text));
-      }
+  tl::expected<Result, TraceError> afterRefusal(const Step& step, const TraceError& error, const Stats& before) {
+    if (error.refusal) {
       const Cell cell = step.edits.front().polygon.cell;
       if (readCell(player_, model(), cell) || !sameCounts(player_.world().stats(), before))
         return mismatch(Mismatch::Kind::refusal, fmt::format("the refusal changed something: {}", inWords(step)));
@@ -135,7 +110,7 @@ class Check {
       if (!options_.skipRefused) return tl::unexpected(error);
       ++stats_.refused;
     }
-    stats_.full += code == ErrorCode::capacity ? 1 : 0;
+    stats_.full += step.verdict.code == ErrorCode::capacity ? 1 : 0;
     return Result();
   }
 

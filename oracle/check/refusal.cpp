@@ -10,10 +10,13 @@ namespace {
 
 std::string inWords(Cell cell) { return cell == Error::kNoCell ? "no cell" : fmt::format("({}, {})", cell.i, cell.j); }
 
+std::string nameOf(std::optional<ErrorCode> code) { return code ? name(*code) : "a bad name"; }
+
 // The polygon that is named as overlapped must be there, and must be overlapped.
 std::string wrongOther(const Error& error, const Step& step, const Model& model, const World& world) {
   const auto other = world.polygon(error.other);
   if (!other || world.cellOf(error.other) != error.cell) return "names a polygon that is not in the cell";
+  if (other->block != error.otherBlock) return "names another block than that of the polygon";
   const LocalPolygon there(other->vertices.begin(), other->vertices.end());
   const auto& placed = model.in(error.cell);
   if (std::none_of(placed.begin(), placed.end(), [&](const Model::Placed& p) { return p.vertices == there; }))
@@ -22,8 +25,6 @@ std::string wrongOther(const Error& error, const Step& step, const Model& model,
   const Edit& edit = step.edits[static_cast<std::size_t>(error.polygon)];
   return overlap(there, edit.polygon.vertices) ? "" : "names a polygon that is not overlapped";
 }
-
-}  // namespace
 
 std::string wrongRefusal(const Error& error, const Step& step, const Model& model, const World& world) {
   const Verdict& verdict = step.verdict;
@@ -37,6 +38,30 @@ std::string wrongRefusal(const Error& error, const Step& step, const Model& mode
   }
   const bool withPlaced = error.code == ErrorCode::overlap && error.cell != Error::kNoCell;
   return withPlaced ? wrongOther(error, step, model, world) : "";
+}
+
+}  // namespace
+
+std::string inWords(const Step& step) {
+  std::string text = fmt::format("{} of '{}'", describe(step.door), step.edits.front().name);
+  if (step.edits.size() > 1) text += fmt::format(" to '{}'", step.edits.back().name);
+  return text;
+}
+
+std::string wrongAnswer(const Step& step, const tl::expected<void, TraceError>& done, const Model& model,
+                        const World& world) {
+  const auto& [accepted, code, cell] = step.verdict;
+  if (accepted) {
+    if (done) return "";
+    const char* const how = done.error().refusal ? "refused, but is good" : "answered wrongly";
+    return fmt::format("{}: {}: {}", how, inWords(step), done.error().text);
+  }
+  if (done) return fmt::format("accepted, but must be refused as {}: {}", nameOf(code), inWords(step));
+  const auto& [line, text, refusal] = done.error();
+  if (refusal.has_value() != code.has_value())
+    return fmt::format("must be refused as {}, but is answered: {}: {}", nameOf(code), inWords(step), text);
+  const std::string wrong = refusal ? wrongRefusal(*refusal, step, model, world) : "";
+  return wrong.empty() ? "" : fmt::format("the refusal {}: {}: {}", wrong, inWords(step), text);
 }
 
 }  // namespace lgs::oracle

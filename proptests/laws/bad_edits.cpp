@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <array>
 #include <limits>
+#include <tuple>
 
 namespace lgs::test {
 namespace {
@@ -313,6 +314,13 @@ const std::vector<BadEdit>& badEdits() {
     return out;
   }();
   return edits;
+}
+
+bool areAlike(const Error& a, const Error& b) {
+  const auto fields = [](const Error& e) {
+    return std::tie(e.code, e.cell, e.polygon, e.vertex, e.vertex2, e.polygon2, e.other, e.otherBlock, e.segment);
+  };
+  return fields(a) == fields(b);
 }
 
 const std::vector<BadEdit>& badAnywhere() {

@@ -78,9 +78,18 @@ struct Sow : Step {
     for (const Cell cell : cellsOf({{i, j}, {i + width - 1, j + height - 1}})) {
       if (!random.chance(percent)) continue;
       building.cells.push_back(cell);
-      // Where polygons overlap, the second is refused, which is as good an edit as any.
-      for (int times = random.chance(20) ? 2 : 1; times != 0; --times)
-        static_cast<void>(world.add(cell, isMix ? random.pick(shapes) : square, random.below(3U)));
+      for (int times = random.chance(20) ? 2 : 1; times != 0; --times) {
+        const bool isEmpty = world.isEmpty(cell);
+        const ShapeId shape = isMix ? random.pick(shapes) : square;
+        const auto added = world.add(cell, shape, random.below(3U));
+        if (added) {
+          failUnless(isEmpty || shape != square, "a square is accepted where something stands");
+        } else {  // as good an edit as any
+          failUnless(!isEmpty, "refused in an empty cell");
+          failUnless(added.error().code == ErrorCode::overlap && added.error().cell == cell,
+                     "refused for another reason than an overlap, or with another cell");
+        }
+      }
     }
   }
   void show(std::ostream& out) const override {
