@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <cerrno>
@@ -19,7 +20,7 @@ extern "C" void __gcov_dump() __attribute__((weak));
 namespace lgs::oracle {
 namespace {
 
-unsigned silence = 0;  // seconds that a child may take between two signs of life
+IsolationOptions limits{.seconds = 0, .asleep = 0};  // between two signs of life; the parent has none
 
 void silenceTheChild() {
   const rlimit none{0, 0};
@@ -30,7 +31,7 @@ void silenceTheChild() {
 
 [[noreturn]] void runAndLeave(const std::function<void()>& work, const IsolationOptions& options, bool& finished) {
   if (options.quiet) silenceTheChild();
-  silence = options.seconds;
+  limits = options;
   stillAlive();
   try {
     work();
@@ -56,10 +57,15 @@ std::optional<std::string> crashOf(const std::function<void()>& work, const Isol
   }
   if (*finished) return std::nullopt;
   if (!WIFSIGNALED(status)) return "crashed";  // a sanitizer or an exception has said more
-  if (WTERMSIG(status) == SIGALRM) return fmt::format("hung for {} s", options.seconds);
+  if (WTERMSIG(status) == SIGPROF) return fmt::format("hung for {} s of CPU time", options.seconds);
+  if (WTERMSIG(status) == SIGALRM) return fmt::format("hung asleep for {} s", options.asleep);
   return fmt::format("crashed: {}", strsignal(WTERMSIG(status)));
 }
 
-void stillAlive() { alarm(silence); }
+void stillAlive() {
+  const itimerval busy{{}, {static_cast<time_t>(limits.seconds), 0}};
+  setitimer(ITIMER_PROF, &busy, nullptr);
+  alarm(limits.asleep);
+}
 
 }  // namespace lgs::oracle

@@ -13,7 +13,10 @@
 namespace lgs::oracle {
 
 struct IsolationOptions {
-  unsigned seconds = 60;  ///< of silence (see stillAlive()) after which the child counts as hung and is ended
+  // After so much silence (see stillAlive()) the child counts as hung and is ended. A busy machine is no reason: it takes
+  // nobody's CPU time away. Only a child that sleeps is ended by the clock on the wall.
+  unsigned seconds = 60;  ///< of CPU time
+  unsigned asleep = 600;  ///< seconds on the wall
   bool quiet = false;     ///< drop what the child writes to the standard error
 };
 

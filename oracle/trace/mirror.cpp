@@ -76,23 +76,31 @@ Mirror::Complaint Mirror::about(const Segment& segment, std::string text) {
   return text;
 }
 
+// Shows the segment as it was known, or else as the world has it, which may know none of this id.
+Mirror::Complaint Mirror::about(const World& world, SegmentId id, std::string text) {
+  if (const Segment* const old = find(id)) return about(*old, std::move(text));
+  const auto now = world.segment(id);
+  return now ? about(*now, std::move(text)) : std::move(text);
+}
+
 std::optional<std::string> Mirror::update(const World& world, const Changes& changes) {
   listed_.clear();
   gone_.clear();
   for (const auto* ids : {&changes.removed, &changes.relinked, &changes.added}) {
     for (const SegmentId id : *ids)
-      if (!listed_.insert(id.value).second) return fmt::format("the change list names id {} twice", id.value);
+      if (!listed_.insert(id.value).second)
+        return about(world, id, fmt::format("the change list names id {} twice", id.value));
   }
-  if (auto complaint = remove(changes.removed)) return complaint;
+  if (auto complaint = remove(world, changes.removed)) return complaint;
   if (auto complaint = relink(world, changes.relinked)) return complaint;
   if (auto complaint = add(world, changes.added)) return complaint;
   return compareAll(world);
 }
 
-Mirror::Complaint Mirror::remove(const std::vector<SegmentId>& ids) {
+Mirror::Complaint Mirror::remove(const World& world, const std::vector<SegmentId>& ids) {
   for (const SegmentId id : ids) {
     Segment* const old = find(id);
-    if (!old) return fmt::format("reported as removed, but was not there: id {}", id.value);
+    if (!old) return about(world, id, fmt::format("reported as removed, but was not there: id {}", id.value));
     gone_.emplace(identityOf(*old), *old);
     *old = {};
     --alive_;
@@ -103,7 +111,7 @@ Mirror::Complaint Mirror::remove(const std::vector<SegmentId>& ids) {
 Mirror::Complaint Mirror::relink(const World& world, const std::vector<SegmentId>& ids) {
   for (const SegmentId id : ids) {
     Segment* const old = find(id);
-    if (!old) return fmt::format("reported as relinked, but was not there: id {}", id.value);
+    if (!old) return about(world, id, fmt::format("reported as relinked, but was not there: id {}", id.value));
     const auto now = world.segment(id);
     if (!now) return about(*old, fmt::format("reported as relinked, but is gone: {}", show(*old)));
     if (sameGhosts(*now, *old)) {
@@ -121,7 +129,7 @@ Mirror::Complaint Mirror::relink(const World& world, const std::vector<SegmentId
 Mirror::Complaint Mirror::add(const World& world, const std::vector<SegmentId>& ids) {
   for (const SegmentId id : ids) {
     const auto now = world.segment(id);
-    if (!now) return fmt::format("reported as added, but is not there: id {}", id.value);
+    if (!now) return about(world, id, fmt::format("reported as added, but is not there: id {}", id.value));
     if (const auto old = gone_.find(identityOf(*now)); old != gone_.end()) {
       return about(*now, fmt::format("reported as removed and added, but is the same segment: {}, was {}", show(*now),
                                      show(old->second)));
@@ -160,7 +168,8 @@ Mirror::Complaint Mirror::compareAll(const World& world) {
     if (auto complaint = compare(world, id)) return complaint;
   for (std::size_t k = 1; k < alive.size(); ++k) {
     if (alive[k] <= alive[k - 1])
-      return fmt::format("id {} is listed as alive after {}", alive[k].value, alive[k - 1].value);
+      return about(world, alive[k],
+                   fmt::format("id {} is listed as alive after {}", alive[k].value, alive[k - 1].value));
   }
   if (alive.size() != alive_) {
     const std::unordered_set<SegmentId> aliveSet(alive.begin(), alive.end());

@@ -37,12 +37,13 @@ class Mirror {
   using Complaint = std::optional<std::string>;
   using Identity = std::tuple<Point, Point, PolygonHandle, Block>;  // start, end, owner
 
-  Complaint remove(const std::vector<SegmentId>& ids);
+  Complaint remove(const World& world, const std::vector<SegmentId>& ids);
   Complaint relink(const World& world, const std::vector<SegmentId>& ids);
   Complaint add(const World& world, const std::vector<SegmentId>& ids);
   Complaint compare(const World& world, SegmentId id);
   Complaint compareAll(const World& world);
   Complaint about(const Segment& segment, std::string text);
+  Complaint about(const World& world, SegmentId id, std::string text);
 
   static Identity identityOf(const Segment& s) { return {s.start, s.end, s.polygon, s.block}; }
   Segment* find(SegmentId id);  // null if it is not alive

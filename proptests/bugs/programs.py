@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 # What a test says of a case that used up its time, or the program's: not that the code is wrong.
-TIME_OUT = re.compile(r"hung for \d+ s|CPU time limit exceeded")
+TIME_OUT = re.compile(r"hung (asleep )?for \d+ s|CPU time limit exceeded")
 REPORT = "report.json"  # of the tests that ran last in a folder
 MEMORY = 6_000_000  # KiB that a process may have: a bug may ask for all there is
 

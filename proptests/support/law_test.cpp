@@ -171,13 +171,21 @@ TEST(Planted, EqualEffortsMakeEqualCases) {
 
 TEST(Planted, AnEndlessLoop) {
   const oracle::IsolationOptions oneSecond{.seconds = 1, .quiet = true};
-  EXPECT_EQ(oracle::crashOf(
-                [] {
-                  for (;;) pause();
-                },
-                oneSecond),
-            "hung for 1 s");
+  volatile bool forEver = true;
+  const auto spin = [&] {
+    while (forEver) {
+    }
+  };
+  EXPECT_EQ(oracle::crashOf(spin, oneSecond), "hung for 1 s of CPU time");
   EXPECT_EQ(oracle::crashOf([] {}, oneSecond), std::nullopt);
+}
+
+TEST(Planted, ASleepWithoutEnd) {
+  const oracle::IsolationOptions oneSecond{.asleep = 1, .quiet = true};
+  const auto sleep = [] {
+    for (;;) pause();
+  };
+  EXPECT_EQ(oracle::crashOf(sleep, oneSecond), "hung asleep for 1 s");
 }
 
 TEST(Exhaust, DrawsEveryCombinationOnce) {

@@ -1,6 +1,7 @@
 // What a person gets to see of a trace that breaks a law.
 #include "oracle/check/failure.h"
 #include "oracle/check/isolated.h"
+#include "oracle/check/shell.h"
 #include "oracle/trace/file.h"
 #include "oracle/trace/model.h"
 #include "proptests/support/law.h"
@@ -48,7 +49,8 @@ std::string save(const Trace& trace, const std::string& base) {
 }
 
 std::string lookAt(const std::string& base) {
-  return fmt::format("look at it '{}' replay '{}.trace' --check --svg '{}.replay.svg'\n", LGS_COMMAND, base, base);
+  return fmt::format("look at it {} replay {} --check --svg {}\n", oracle::shellWord(LGS_COMMAND),
+                     oracle::shellWord(base + ".trace"), oracle::shellWord(base + ".replay.svg"));
 }
 
 }  // namespace
