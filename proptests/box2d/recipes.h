@@ -26,7 +26,7 @@ class Recipes : public EitherBox2d {
   }
 
 #ifndef B2_IS_NULL
-  ~Recipes() override { physics.SetContactListener(nullptr); }  // the terrain ends contacts when it goes
+  void TearDown() override { physics.SetContactListener(nullptr); }  // the terrain ends contacts when it goes
   void listen() {
     listener.emplace(*terrain);
     physics.SetContactListener(&*listener);

@@ -187,6 +187,7 @@ TEST_F(Box2dRecipes, DiggingUnderASleepingStack) {
   fill({{0, -4}, {20, -1}}, recipes::kStone);
   ground();
   std::vector<Body> stack;
+  stack.reserve(5);
   for (int k = 0; k < 5; ++k) stack.push_back(addBody({10.5F, 0.36F + 0.72F * static_cast<float>(k)}, Form::box, 0.5F));
   const Body far = addBody({3.5F, 0.36F}, Form::box, 0);
   step(300);

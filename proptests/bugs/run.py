@@ -18,7 +18,7 @@ import sys
 import search
 import tables
 from listed import Bug, Group, faults, read_list
-from options import add_common, regex, report_file, whole_number
+from options import add_common, positive, regex, report_file, whole_number
 from results import Results
 from workshop import AtFault, sources, state_of
 
@@ -40,6 +40,7 @@ def parser() -> argparse.ArgumentParser:
     result.add_argument("--executions", metavar="N", type=whole_number, default=100_000,
                         help="of a fuzz target, for each bug (default: 100000)")
     result.add_argument("--report", metavar="FILE", type=report_file, help="write the table there, as Markdown")
+    result.add_argument("--scale", metavar="X", type=positive, default=1.0, help="LGS_TEST_SCALE (default: 1)")
     add_common(result)
     return result
 
@@ -52,7 +53,7 @@ def select(arguments: argparse.Namespace, bugs: list[Bug]) -> list[Bug]:
 def try_all(arguments: argparse.Namespace, groups: dict[str, Group], bugs: list[Bug]) -> dict[Bug, dict]:
     files = sources()
     results = Results("results", state_of(files), arguments.fresh)
-    plan = search.Plan(arguments.method, arguments.seed, arguments.executions, groups)
+    plan = search.Plan(arguments.method, arguments.seed, arguments.scale, arguments.executions, groups)
     done: dict[Bug, dict] = {}
 
     def show(bug: Bug, result: dict) -> None:

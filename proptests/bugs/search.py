@@ -17,6 +17,7 @@ FUZZ_LIMIT = 1_800  # for all executions
 class Plan:
     method: str  # tests, fuzz, fuzz:TARGET
     seed: int
+    scale: float
     executions: int
     groups: dict[str, Group]
 
@@ -25,7 +26,7 @@ class Plan:
 
     def words(self, bug: Bug) -> list:
         """What a result depends on, beside the state of the code."""
-        by = [self.seed] if self.method == "tests" else [self.target(bug), self.executions]
+        by = [self.seed, self.scale] if self.method == "tests" else [self.target(bug), self.executions]
         return [*by, bug.group, bug.file, bug.find, bug.replace]
 
 
@@ -82,11 +83,11 @@ class Bench:
         return {**result, "by_law": pattern in own}
 
     def run_tests(self, program, pattern: str) -> dict:
-        environment = {"LGS_TEST_SEED": str(self.plan.seed)}
+        environment = {"LGS_TEST_SEED": str(self.plan.seed), "LGS_TEST_SCALE": str(self.plan.scale)}
         return programs.run_tests(program, pattern, self.workshop.folder, TEST_LIMIT, environment)
 
     def see_it_pass(self, program: str, test: str) -> None:
-        words = ["clean", program, test, self.plan.seed]
+        words = ["clean", program, test, self.plan.seed, self.plan.scale]
         result = self.results.get(*words) or self.results.put(self.run_tests(self.clean / program, test), *words)
         if result["verdict"] != "passes":
             raise AtFault(f"without any bug {test} fails; mend that first")

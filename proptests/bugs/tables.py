@@ -29,6 +29,7 @@ def say(result: dict) -> str:
 def command(name: str, arguments: argparse.Namespace) -> str:
     given = [f"--only {shlex.quote(arguments.only.pattern)}"] if arguments.only else []
     given += [f"--with {arguments.method}"] if arguments.method != "tests" else []
+    given += [f"--scale {arguments.scale:g}"] if arguments.scale != 1 else []
     return " ".join([f"proptests/bugs/{name} --seed {arguments.seed}", *given, f"--report {arguments.report}"])
 
 
