@@ -56,6 +56,7 @@ class Workshop:
         self.folder = FOLDER / str(number)
         self.tree = self.folder / "tree"
         self.jobs = jobs
+        self.configured: set[str] = set()
         self.copy(files)
 
     def copy(self, files: list[str]) -> None:
@@ -73,7 +74,7 @@ class Workshop:
 
     def configure(self, kind: str) -> Path:
         build = self.folder / kind
-        if (build / "build.ninja").exists():
+        if kind in self.configured:
             return build
         tests = ["-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",
                  f"-DCMAKE_PROJECT_LocalGridSeg_INCLUDE={self.tree}/proptests/bugs/quick_library.cmake"]
@@ -86,6 +87,7 @@ class Workshop:
                                *options[kind]], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         if done.returncode != 0:
             raise DoesNotBuild(done.stdout[-4000:])
+        self.configured.add(kind)
         return build
 
     def build(self, kind: str, *targets: str) -> None:
