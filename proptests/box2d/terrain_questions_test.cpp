@@ -17,7 +17,6 @@
 namespace lgs::box2d_test {
 namespace {
 
-using box2d::EdgeId;
 using box2d::Terrain;
 using box2d::TerrainOptions;
 using box2d::Touch;

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <future>
 #include <limits>
+#include <vector>
 
 namespace lgs::test {
 namespace {
@@ -90,6 +92,31 @@ TEST(World, ReachesTheEndsOfTheRange) {
       for (const SegmentId id : world.segments({{i, j}, {i, j}})) EXPECT_EQ(world.segment(id)->cell, (Cell{i, j}));
       EXPECT_EQ(world.segments({{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}}).size(), count);
       EXPECT_EQ(world.loops()[0].vertices[0].x, std::min(toWorld({i, j}, {}).x, toWorld(in, {}).x));
+    }
+  }
+}
+
+TEST(World, FindsACellWhateverCellWasEditedBefore) {
+  World world;
+  const ShapeId square = shapeOf(world, {unitSquare()});
+  std::vector<std::int32_t> places{0};
+  for (std::int32_t far = kMaxCell; far > 0; far /= 2) places.insert(places.end(), {-far, far});
+  const auto expectPlaced = [&](Cell cell) {
+    const auto handle = world.add(cell, square, 1);
+    ASSERT_TRUE(handle);
+    EXPECT_EQ(*world.cellOf(*handle), cell);
+    EXPECT_EQ(world.polygons(cell).size(), 1U);
+  };
+  for (const std::int32_t a : places) {
+    for (const std::int32_t b : places) {
+      const std::array<std::array<Cell, 2>, 2> pairs{{{Cell{a, 7}, Cell{b, 7}}, {Cell{7, a}, Cell{7, b}}}};
+      for (const auto& [before, cell] : pairs) {
+        expectPlaced(before);
+        if (cell != before) expectPlaced(cell);
+        removeAll(world, before);
+        removeAll(world, cell);
+      }
+      ASSERT_FALSE(HasFailure()) << "cell " << b << " after cell " << a;
     }
   }
 }

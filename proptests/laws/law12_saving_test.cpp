@@ -246,6 +246,19 @@ TEST(GoingBackByHand, AWorldWithPendingEditsIsNotSaved) {
   EXPECT_EQ(message(refused.error()), "the world has edits that are not committed; call commit() before save()");
 }
 
+TEST(GoingBackByHand, ASnapshotComesInSmallPieces) {
+  World world;
+  for (const Cell cell : cellsOf({{0, 0}, {39, 39}})) place(world, cell, ramp(), static_cast<Block>(cell.i * cell.j));
+  world.commit();
+  std::size_t largest = 0, pieces = 0;
+  ASSERT_TRUE(world.save([&](std::span<const std::byte> piece) {
+    largest = std::max(largest, piece.size());
+    ++pieces;
+  }));
+  EXPECT_LE(largest, 4'096U);
+  EXPECT_GT(pieces, 1U);
+}
+
 TEST(GoingBackByHand, FilesAreSmall) {
   World blocks, ramps;
   ASSERT_TRUE(blocks.fill({{0, 0}, {99, 99}}, shapeOf(blocks, {unitSquare()}), 1));

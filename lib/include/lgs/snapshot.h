@@ -11,7 +11,7 @@
 
 namespace lgs {
 
-/// Takes the bytes of a snapshot, piece by piece, in order. It must not change the world.
+/// Takes the bytes of a snapshot in order, in pieces of at most 4,096. It must not change the world.
 using ByteSink = std::function<void(std::span<const std::byte>)>;
 
 /// Why a snapshot is refused, and where.
