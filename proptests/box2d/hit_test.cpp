@@ -84,11 +84,15 @@ TEST_F(Box2dHit, AMergedSlopeIsAskedByPoint) {
     const Segment s = *field.world.segment(id);
     if (s.start.x == s.end.x || s.start.y == s.end.y) continue;
     for (std::int32_t k = 0; k < 10; ++k) {  // each segment of a slope leads to the one edge of all
-      const Cell cell = s.cell.i < 40 ? Cell{k, k} : Cell{48 + k, 12 - k};
-      const b2Vec2 middle(static_cast<float>(2 * cell.i + 1), static_cast<float>(2 * cell.j + 1));
-      const std::optional<Hit> hit = terrain.hit(*terrain.fixture(id), middle);
-      ASSERT_TRUE(hit);
-      EXPECT_EQ(hit->cell, cell);
+      const bool rises = s.cell.i < 40;
+      const Cell cell = rises ? Cell{k, k} : Cell{48 + k, 12 - k};
+      for (const float along : {0.25F, 0.5F, 0.75F}) {
+        const b2Vec2 point(2 * (static_cast<float>(cell.i) + along),
+                           2 * (static_cast<float>(cell.j) + (rises ? along : 1 - along)));
+        const std::optional<Hit> hit = terrain.hit(*terrain.fixture(id), point);
+        ASSERT_TRUE(hit);
+        EXPECT_EQ(hit->cell, cell);
+      }
     }
   }
 }
