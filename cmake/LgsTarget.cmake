@@ -12,6 +12,7 @@ function(lgs_target target)
       if(NOT "NOT_SANITIZED" IN_LIST ARGN)
         target_compile_options(${target} PRIVATE
           -fsanitize=${LGS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
+          -D_GLIBCXX_ASSERTIONS  # an index beyond a vector's end may be within its memory
           $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC takes the sanitizers' own code for uses
       endif()
       target_link_options(${target} PUBLIC -fsanitize=${LGS_SANITIZE})

@@ -135,21 +135,35 @@ LGS_LAW(Questions, WhatIsAtAPoint, 200, (const GoodTrace& trace, Chance chance))
   });
 }
 
+void expectNearest(const World& world, Point p, double radius) {
+  const auto actual = world.nearest(p, radius);
+  ASSERT_TRUE(actual);
+  const SlowNearest expected = slowNearest(world, p, std::llround(radius * U));
+  ASSERT_EQ(bool{actual->segment}, expected.segment.has_value()) << p.x << ' ' << p.y << " within " << radius;
+  if (!expected.segment) return;
+  EXPECT_EQ(nameOf(*world.segment(actual->segment)), nameOf(*expected.segment)) << p.x << ' ' << p.y;
+  EXPECT_DOUBLE_EQ(actual->distance, std::sqrt(expected.squared.convert_to<double>()) / U);
+  const double dx = actual->point.x - static_cast<double>(p.x) / U, dy = actual->point.y - static_cast<double>(p.y) / U;
+  EXPECT_NEAR(std::hypot(dx, dy), actual->distance, 1e-6);
+}
+
 LGS_LAW(Questions, WhichSegmentIsNearest, 200, (const GoodTrace& trace, Chance chance)) {
   askAbout(trace, chance, [](const World& world, oracle::Random& random) {
-    const Point p = somePoint(world, random);
-    const double radius = random.pick<double>({0, 1.0 / U, 0.25, 1, 3, 40});
-    const auto actual = world.nearest(p, radius);
-    ASSERT_TRUE(actual);
-    const SlowNearest expected = slowNearest(world, p, std::llround(radius * U));
-    ASSERT_EQ(bool{actual->segment}, expected.segment.has_value()) << p.x << ' ' << p.y << " within " << radius;
-    if (!expected.segment) return;
-    EXPECT_EQ(nameOf(*world.segment(actual->segment)), nameOf(*expected.segment)) << p.x << ' ' << p.y;
-    EXPECT_DOUBLE_EQ(actual->distance, std::sqrt(expected.squared.convert_to<double>()) / U);
-    const double dx = actual->point.x - static_cast<double>(p.x) / U,
-                 dy = actual->point.y - static_cast<double>(p.y) / U;
-    EXPECT_NEAR(std::hypot(dx, dy), actual->distance, 1e-6);
+    expectNearest(world, somePoint(world, random), random.pick<double>({0, 1.0 / U, 0.25, 1, 3, 40}));
   });
+}
+
+// A search that goes from the near to the far may end too soon only where little is near.
+LGS_LAW(Questions, WhichOfAFewFarApartIsNearest, 500, (Chance chance)) {
+  constexpr std::int32_t kSide = 7, kSize = U / 8;
+  World world;
+  for (int k = 0; k < 3; ++k) {
+    const Cell cell{chance.below(kSide), chance.below(kSide)};
+    const std::int32_t x = chance.below(8) * kSize, y = chance.below(8) * kSize;
+    if (world.isEmpty(cell)) place(world, cell, {{x, y}, {x + kSize, y}, {x, y + kSize}});
+  }
+  world.commit();
+  for (int k = 0; k < 10; ++k) expectNearest(world, {chance.below(kSide * U), chance.below(kSide * U)}, 40);
 }
 
 LGS_LAW(Questions, WhatARayHits, 200, (const GoodTrace& trace, Chance chance)) {
