@@ -33,7 +33,7 @@ def parser() -> argparse.ArgumentParser:
     first, rest = __doc__.split("\n\n", 1)
     result = argparse.ArgumentParser(description=first, epilog=rest,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    result.add_argument("--only", metavar="REGEX", type=regex, default="", help="bugs whose group or name matches")
+    result.add_argument("--only", metavar="REGEX", type=regex, help="bugs whose group or name matches")
     result.add_argument("--with", metavar="WHAT", type=method, default="tests", dest="method",
                         help="tests (default); fuzz: each bug's own fuzz target, for those that have one; fuzz:TARGET")
     result.add_argument("--list", action="store_true", help="list the bugs, see that each applies, and build nothing")

@@ -149,7 +149,8 @@ void expectNearest(const World& world, Point p, double radius) {
 
 LGS_LAW(Questions, WhichSegmentIsNearest, 200, (const GoodTrace& trace, Chance chance)) {
   askAbout(trace, chance, [](const World& world, oracle::Random& random) {
-    expectNearest(world, somePoint(world, random), random.pick<double>({0, 1.0 / U, 0.25, 1, 3, 40}));
+    const Point p = somePoint(world, random);
+    expectNearest(world, p, random.pick<double>({0, 1.0 / U, 0.25, 1, 3, 40}));
   });
 }
 
