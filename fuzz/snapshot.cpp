@@ -66,23 +66,22 @@ Snapshot saved(const World& world) {
   return done ? bytes : Snapshot();
 }
 
-bool isIn(const CellRect& cells, Cell c) {
-  return c.i >= cells.min.i && c.i <= cells.max.i && c.j >= cells.min.j && c.j <= cells.max.j;
+/// So many cells more on each side, but none outside of `all`.
+CellRect grown(const CellRect& cells, std::int32_t by, const CellRect& all) {
+  return {{std::max(all.min.i, cells.min.i - by), std::max(all.min.j, cells.min.j - by)},
+          {std::min(all.max.i, cells.max.i + by), std::min(all.max.j, cells.max.j + by)}};
 }
 
 /// All cells of a world; or some, about one of its polygons, if it has many.
-CellRect judgedCells(const World& world) {
-  const CellRect all = world.bounds().value_or(CellRect{});
+CellRect judgedCells(const World& world, const CellRect& all) {
   if (world.stats().polygons <= kManyPolygons) return all;
-  constexpr std::int32_t kReach = 3;
   Cell last{};
   world.forEachPolygon([&](Cell cell, const PlacedPolygon&) { last = cell; });
-  return {{std::max(all.min.i, last.i - kReach), std::max(all.min.j, last.j - kReach)},
-          {std::min(all.max.i, last.i + kReach), std::min(all.max.j, last.j + kReach)}};
+  return grown({last, last}, 3, all);
 }
 
-/// The polygons that the segments of some cells depend on. The relation preserves all that differs, or nothing.
-oracle::Scene sceneAround(const World& world, const CellRect& cells, bool preserves) {
+/// The polygons of some cells. The relation preserves all that differs, or nothing.
+oracle::Scene sceneOf(const World& world, const CellRect& cells, bool preserves) {
   oracle::Scene scene;
   std::set<Block> blocks;
   const auto add = [&](Cell cell, const PlacedPolygon& p) {
@@ -91,21 +90,19 @@ oracle::Scene sceneAround(const World& world, const CellRect& cells, bool preser
     for (const Block other : blocks)
       if (other != p.block) scene.preserve.add(other, p.block);
   };
-  const CellRect all = *world.bounds();
-  world.forEachPolygon(CellRect{{std::max(all.min.i, cells.min.i - 1), std::max(all.min.j, cells.min.j - 1)},
-                                {std::min(all.max.i, cells.max.i + 1), std::min(all.max.j, cells.max.j + 1)}},
-                       add);
+  world.forEachPolygon(cells, add);
   return scene;
 }
 
 /// What is wrong with the outline, in words.
 std::string differenceByLaws(const World& world, bool preserves) {
-  if (!world.bounds()) return "";
-  const CellRect cells = judgedCells(world);
-  const oracle::Scene scene = sceneAround(world, cells, preserves);
+  const auto all = world.bounds();
+  if (!all) return "";
+  const CellRect cells = judgedCells(world, *all);
+  const oracle::Scene scene = sceneOf(world, grown(cells, 1, *all), preserves);  // see oracle/check/window.h
   if (scene.polygons.size() > kManyPolygons) return "";
   oracle::Outline expected = oracle::NaiveReference()(scene).outline, actual;
-  std::erase_if(expected, [&](const oracle::OutlineSegment& s) { return !isIn(cells, oracle::cellOf(s)); });
+  std::erase_if(expected, [&](const oracle::OutlineSegment& s) { return !contains(cells, oracle::cellOf(s)); });
   for (const SegmentId id : world.segments(cells)) actual.push_back(oracle::outlineSegment(*world.segment(id)));
   std::ranges::sort(actual);
   return expected == actual ? "" : oracle::describe(oracle::compare(expected, actual));

@@ -5,6 +5,7 @@
 #include "oracle/generate/generator.h"
 #include "oracle/generate/shapes.h"
 #include "oracle/trace/dump.h"
+#include "oracle/trace/mirror.h"
 #include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
 #include "proptests/support/worlds.h"
@@ -149,6 +150,24 @@ TEST(Checker, StopsAtBadEditsUnlessTold) {
   lenient.skipRefused = true;
   EXPECT_TRUE(checkTrace(trace, lenient, stats));
   EXPECT_EQ(stats.refused, 1U);
+}
+
+TEST(Mirror, ShowsTheSegmentThatABadListNames) {
+  World world;
+  ASSERT_TRUE(world.add({}, kUnitSquare, 1));
+  const Changes good = world.commit();
+  const SegmentId known = good.added[0], unknown{99};
+  using Ids = std::vector<SegmentId>;
+  const auto shown = [&](const Ids& removed, const Ids& added, const Ids& relinked) {
+    Mirror mirror;
+    EXPECT_TRUE(mirror.update(world, {removed, added, relinked, 0, 1}));
+    return mirror.blamed();
+  };
+  const Outline one{outlineSegment(*world.segment(known))};
+  EXPECT_EQ(shown({}, {known, known}, {}), one) << "twice";
+  EXPECT_EQ(shown({known}, {}, {}), one) << "was not there";
+  EXPECT_EQ(shown({}, {}, {known}), one) << "was not there";
+  EXPECT_EQ(shown({}, {unknown}, {}), Outline()) << "nobody knows it";
 }
 
 }  // namespace

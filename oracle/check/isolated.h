@@ -13,8 +13,8 @@
 namespace lgs::oracle {
 
 struct IsolationOptions {
-  // After so much silence (see stillAlive()) the child counts as hung and is ended. A busy machine is no reason: it takes
-  // nobody's CPU time away. Only a child that sleeps is ended by the clock on the wall.
+  // After so much silence (see stillAlive()) the child counts as hung and is ended. Its own CPU time counts, so that a
+  // busy machine is no reason; only a child that sleeps is ended by the clock on the wall.
   unsigned seconds = 60;  ///< of CPU time
   unsigned asleep = 600;  ///< seconds on the wall
   bool quiet = false;     ///< drop what the child writes to the standard error

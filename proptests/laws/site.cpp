@@ -37,7 +37,7 @@ rc::Gen<Block> anyBlock() { return gen::resize(rc::kNominalSize, gen::inRange<Bl
 
 std::string inWords(Cell c) { return fmt::format("({}, {})", c.i, c.j); }
 
-/// The polygon that is overlapped stands in the cell, with that block, and the one that overlaps it is one of the shape's.
+/// The polygon that is overlapped stands in the cell, with that block. The one that overlaps it is one of the shape's.
 bool namesAnOverlap(const Site& site, const Error& error, const Shape& shape) {
   const auto other = site.stage.world.polygon(error.other);
   if (!other || site.stage.world.cellOf(error.other) != error.cell || other->block != error.otherBlock) return false;

@@ -1,6 +1,6 @@
-// A site: some cells of a world under edits of all kinds, through every door that World has: shapes of several polygons,
-// reals, rectangles, stale handles, and all else that must be refused. RapidCheck makes the edits and makes them few;
-// each must come to what a model says.
+// A site: some cells of a world under edits of all kinds, through every door that World has: shapes of several
+// polygons, reals, rectangles, stale handles, and all else that must be refused. RapidCheck makes the edits and makes
+// them few; each must come to what a model says.
 #pragma once
 
 #include "bad_edits.h"
