@@ -67,7 +67,7 @@ TEST(Published, KeptTracesAreMinimal) {
 
 TEST(Published, DeparturesAreFoundByTheHarness) {
   for (const Departure departure : kDepartures) {
-    if (departure == Departure::smallAngle) continue;  // no wedge of the random worlds is that narrow
+    if (departure == Departure::smallAngle) continue;  // few wedges of the random worlds are that narrow
     std::uint64_t seed = 0;
     while (seed < 5'000 && !departs(randomTrace(seed), departure)) ++seed;
     ASSERT_LT(seed, 5'000U) << nameOf(departure);

@@ -97,7 +97,7 @@ class Bulk : public testing::TestWithParam<std::int64_t> {
 
 constexpr std::int64_t kShards = 16;
 constexpr std::uint64_t kCgalBlock = 12'500;   // 200,000 in a run at scale 1
-constexpr std::uint64_t kNaiveBlock = 50'000;  // 800,000
+constexpr std::uint64_t kNaiveBlock = 25'000;  // 400,000
 static_assert(static_cast<std::uint64_t>(kShards) * kCgalBlock >= 200'000);
 
 TEST_P(Bulk, AgreesWithBothReferences) { agrees(true, &oracle::CheckStats::cgal, kCgalBlock); }

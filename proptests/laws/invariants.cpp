@@ -16,12 +16,14 @@ using oracle::operator-;
 using Complaint = std::optional<std::string>;
 
 Complaint brokenLink(const World& world, const Segment& s) {
-  const std::string what = inWords(s.start, s.end);
+  const auto complaint = [&](const char* what) { return inWords(s.start, s.end) + what; };
   const auto before = world.segment(s.predecessor), after = world.segment(s.successor);
-  if (!before || !after) return what + " has a link to nothing";
-  if (before->successor != s.id || after->predecessor != s.id) return what + " has a link that is not mutual";
-  if (before->end != s.start || after->start != s.end) return what + " has a link to a segment that does not meet it";
-  if (before->start != s.ghost1 || after->end != s.ghost2) return what + " has a ghost that is not its neighbour's end";
+  if (!before || !after) return complaint(" has a link to nothing");
+  if (before->successor != s.id || after->predecessor != s.id) return complaint(" has a link that is not mutual");
+  if (before->end != s.start || after->start != s.end)
+    return complaint(" has a link to a segment that does not meet it");
+  if (before->start != s.ghost1 || after->end != s.ghost2)
+    return complaint(" has a ghost that is not its neighbour's end");
   return std::nullopt;
 }
 

@@ -211,6 +211,24 @@ std::string fileBase() {
   return std::filesystem::absolute(testing::TempDir() + "lgs-" + name).string();
 }
 
+rc::Gen<Case> casesOf(std::function<void(const Arguments&)> law, const std::vector<rc::Gen<Argument>>& arguments) {
+  rc::Gen<Arguments> all = rc::gen::just(Arguments());
+  for (const rc::Gen<Argument>& next : arguments) {
+    all = rc::gen::map(rc::gen::pair(all, next), [](std::pair<Arguments, Argument>&& drawn) {
+      drawn.first.push_back(std::move(drawn.second));
+      return std::move(drawn.first);
+    });
+  }
+  return rc::gen::map(all, [law = std::move(law)](Arguments&& drawn) {
+    const auto tell = [drawn] {
+      std::string text;
+      for (const Argument& each : drawn) text += each.told();
+      return text;
+    };
+    return Case{[law, drawn] { law(drawn); }, tell};
+  });
+}
+
 void check(const Effort& effort, const rc::Gen<Case>& cases) {
   const auto failure = falsified(effort, cases);
   if (failure) ADD_FAILURE_AT(runningTest().file(), runningTest().line()) << *failure;

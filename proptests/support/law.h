@@ -17,7 +17,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -67,15 +66,32 @@ std::string fileBase();
 /// Fails the running test with the first case that fails, if there is one.
 void check(const Effort& effort, const rc::Gen<Case>& cases);
 
+/// An argument of a law. The type is forgotten so that RapidCheck's templates are compiled for each type of argument, and
+/// not again for each law.
+struct Argument {
+  std::shared_ptr<const void> value;
+  std::function<std::string()> told;
+};
+using Arguments = std::vector<Argument>;
+
+template <class T>
+rc::Gen<Argument> argument(rc::Gen<T> values) {
+  return rc::gen::map(std::move(values), [](T&& drawn) {
+    const auto value = std::make_shared<const T>(std::move(drawn));
+    return Argument{value, [value] { return rc::toString(*value) + '\n'; }};
+  });
+}
+
 /// The cases of a law whose arguments these generators make.
+rc::Gen<Case> casesOf(std::function<void(const Arguments&)> law, const std::vector<rc::Gen<Argument>>& arguments);
+
 template <class... Args>
 rc::Gen<Case> casesOf(std::function<void(Args...)> law, rc::Gen<std::decay_t<Args>>... arguments) {
-  using Arguments = std::tuple<std::decay_t<Args>...>;
-  return rc::gen::map(rc::gen::tuple(std::move(arguments)...), [law](Arguments&& drawn) {
-    const auto shared = std::make_shared<const Arguments>(std::move(drawn));
-    const auto tell = [](const auto&... each) { return (std::string() + ... + (rc::toString(each) + '\n')); };
-    return Case{[=] { std::apply(law, *shared); }, [=] { return std::apply(tell, *shared); }};
-  });
+  const auto call = [law = std::move(law)]<std::size_t... I>(const Arguments& drawn, std::index_sequence<I...>) {
+    law(*static_cast<const std::decay_t<Args>*>(drawn[I].value.get())...);
+  };
+  return casesOf([call](const Arguments& drawn) { call(drawn, std::index_sequence_for<Args...>()); },
+                 {argument(std::move(arguments))...});
 }
 
 template <class... Args>
