@@ -14,6 +14,7 @@
 namespace lgs::bench {
 namespace {
 
+using oracle::operator-;
 using oracle::Outline;
 using oracle::OutlineSegment;
 using oracle::Scene;
@@ -41,6 +42,8 @@ bool isInside(Point p, Point a, Point b) {
   const bool isNear = std::abs(p.x - a.x) <= kCell && std::abs(p.y - a.y) <= kCell;
   return isNear && p != a && p != b && oracle::isOnSegment(p, a, b);
 }
+
+bool isOnEdge(Point p, Edge e) { return p == e.start || p == e.end || isInside(p, e.start, e.end); }
 
 bool isOnRim(Point a, Point b) { return (a.x == b.x && a.x % kCell == 0) || (a.y == b.y && a.y % kCell == 0); }
 
@@ -85,9 +88,8 @@ bool overlapDiffers(const PublishedRun& run, bool alone) {
   const auto differs = [&](const Outline& with, const Outline& without) {
     const std::multiset<Edge> ends = endsOf(with);
     return std::ranges::any_of(ends, [&](const Edge& e) {
-      const auto liesOnIt = [&](Point p) { return p == e.start || p == e.end || isInside(p, e.start, e.end); };
       return isOnRim(e.start, e.end) && hasReverse(ends, e) &&
-             std::ranges::none_of(without, [&](auto& s) { return liesOnIt(s.start) && liesOnIt(s.end); }) &&
+             std::ranges::none_of(without, [&](auto& s) { return isOnEdge(s.start, e) && isOnEdge(s.end, e); }) &&
              (std::ranges::count_if(edges, [&](Edge o) { return shareSide(o, e.start, e.end); }) == 2) == alone;
     });
   };
@@ -197,10 +199,12 @@ bool shows(const PublishedRun& run, Departure departure) {
     case Departure::smallAngle:
       return !hasShort && ghostsDiffer(run.expected, published) && run.afresh == published && preservesNothing(run);
     case Departure::removedOther: {
-      const auto ends = endsOf(published), right = endsOf(run.expected);
+      const std::vector<Edge> edges = edgesOf(run.scene);
       return std::ranges::any_of(published, [&](const OutlineSegment& s) {
-        const Edge e{s.start, s.end};
-        return isShort(s) && hasReverse(right, e) && !right.contains(e) && !hasReverse(ends, e);
+        const auto has = [&](Edge e) {
+          return isOnEdge(s.start, e) && isOnEdge(s.end, e) && oracle::dot(s.end - s.start, e.end - e.start) > 0;
+        };
+        return isShort(s) && std::ranges::none_of(edges, has);
       });
     }
     case Departure::staleGhosts:

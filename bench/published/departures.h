@@ -22,7 +22,7 @@ enum class Departure {
   otherBlock,     ///< the segments are right, but some have another polygon's block
   nearVertices,   ///< the segments are right, the ghosts are not: vertices nearer than ε count as one
   smallAngle,     ///< the segments are right, the ghosts are not: directions nearer than ε count as one
-  removedOther,   ///< of two opposite edges shorter than ε, removing one polygon removes the other's edge
+  removedOther,   ///< of two edges nearer than ε, each shorter, removing one polygon removes the other's
   staleGhosts,    ///< ghosts depend on what was there before
   coarseFloats,   ///< a vertex far from the origin becomes another lattice point when it is made a float
 };
