@@ -1,7 +1,7 @@
 # Compares the symbols that the shared library shows with symbols.txt: -DNM=… -DLIBRARY=… -DLIST=…
 execute_process(COMMAND ${NM} -D --defined-only ${LIBRARY} OUTPUT_VARIABLE shown COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "[^\n]+" lines "${shown}")
-list(TRANSFORM lines REPLACE "^[0-9a-fA-F]+ " "")
+list(TRANSFORM lines REPLACE "^[0-9a-f]+ " "")
 list(SORT lines)
 list(JOIN lines "\n" found)
 file(READ ${LIST} expected)
