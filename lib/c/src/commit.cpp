@@ -6,12 +6,25 @@ using namespace lgs::c;
 namespace {
 
 /// Keeps the lists, and tells where they are.
-lgs_changes keep(const lgs::Changes& changes, lgs_change_lists& lists) {
-  copyBytes(changes.removed.data(), changes.removed.size(), lists.removed);
-  copyBytes(changes.added.data(), changes.added.size(), lists.added);
-  copyBytes(changes.relinked.data(), changes.relinked.size(), lists.relinked);
-  return {lists.removed.data(), lists.added.data(),    lists.relinked.data(), lists.removed.size(),
-          lists.added.size(),   lists.relinked.size(), changes.before,        changes.after};
+lgs_changes keep(const lgs::Changes& changes, std::vector<lgs_segment_id>& kept) {
+  const std::size_t count = changes.removed.size() + changes.added.size() + changes.relinked.size();
+  if (kept.size() < count) kept.resize(count);
+  lgs_segment_id* to = kept.data();
+  const auto copy = [&to](const std::vector<lgs::SegmentId>& list) {
+    const lgs_segment_id* const first = to;
+    for (const lgs::SegmentId id : list) *to++ = toC(id);
+    return first;
+  };
+  lgs_changes out;
+  out.removed = copy(changes.removed);
+  out.added = copy(changes.added);
+  out.relinked = copy(changes.relinked);
+  out.removed_count = changes.removed.size();
+  out.added_count = changes.added.size();
+  out.relinked_count = changes.relinked.size();
+  out.before = changes.before;
+  out.after = changes.after;
+  return out;
 }
 
 }  // namespace
@@ -19,7 +32,7 @@ lgs_changes keep(const lgs::Changes& changes, lgs_change_lists& lists) {
 lgs_status lgs_commit(lgs_world* world, lgs_changes* changes) noexcept {
   if (!world) return LGS_BAD_ARGUMENT;
   const lgs::Changes& made = world->world.commit();
-  put(changes, keep(made, world->lists));
+  if (changes) *changes = keep(made, world->changed);
   return LGS_OK;
 }
 
@@ -31,7 +44,7 @@ lgs_status lgs_commit_with(lgs_world* world, lgs_executor_fn executor, void* use
     executor(
         user, count, [](void* work, size_t index) noexcept { (*static_cast<Job*>(work))(index); }, &copy);
   });
-  put(changes, keep(made, world->lists));
+  if (changes) *changes = keep(made, world->changed);
   return LGS_OK;
 }
 
@@ -44,7 +57,7 @@ lgs_status lgs_checkpoint(lgs_world* world, lgs_mark* mark) noexcept {
 lgs_status lgs_roll_back(lgs_world* world, lgs_mark mark, lgs_changes* changes, lgs_error* error) noexcept {
   if (!world) return refuse(LGS_BAD_ARGUMENT, error);
   if (const auto done = world->world.rollBack(fromC(mark)); !done) return refuse(done.error(), error);
-  put(changes, keep(world->world.changesOfRollBack(), world->lists));
+  if (changes) *changes = keep(world->world.changesOfRollBack(), world->changed);
   return LGS_OK;
 }
 

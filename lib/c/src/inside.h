@@ -12,16 +12,12 @@
 #include <utility>
 #include <vector>
 
-/// The lists of a commit or a roll-back.
-struct lgs_change_lists {
-  std::vector<lgs_segment_id> removed, added, relinked;
-};
-
 struct lgs_world {
   explicit lgs_world(lgs::World w) : world(std::move(w)) {}
 
   lgs::World world;
-  lgs_change_lists lists;
+  std::vector<lgs_segment_id>
+      changed;  ///< the lists of the last commit or roll-back, one after the other; it only grows
   // Working memory. It is kept from one call to the next, to spare allocations.
   std::vector<lgs::LocalPoint> points;
   std::vector<lgs::FloatPoint> floats;

@@ -3,6 +3,8 @@
 #ifndef LGS_C_EDIT_H
 #define LGS_C_EDIT_H
 
+/* NOLINTBEGIN(modernize-use-using): it is C */
+
 #include <lgs/c/world.h>
 
 #ifdef __cplusplus
@@ -152,5 +154,7 @@ LGS_API lgs_status lgs_forget(lgs_world* world, lgs_mark mark, lgs_error* error)
 #ifdef __cplusplus
 }
 #endif
+
+/* NOLINTEND(modernize-use-using) */
 
 #endif

@@ -3,6 +3,8 @@
 #ifndef LGS_C_READ_H
 #define LGS_C_READ_H
 
+/* NOLINTBEGIN(modernize-use-using): it is C */
+
 #include <lgs/c/world.h>
 
 #ifdef __cplusplus
@@ -189,5 +191,7 @@ LGS_API lgs_status lgs_ray_cast(const lgs_world* world, lgs_point from, lgs_poin
 #ifdef __cplusplus
 }
 #endif
+
+/* NOLINTEND(modernize-use-using) */
 
 #endif

@@ -2,6 +2,8 @@
 #ifndef LGS_C_VALUES_H
 #define LGS_C_VALUES_H
 
+/* NOLINTBEGIN(modernize-use-using): it is C */
+
 #include <stddef.h>
 #include <stdint.h>
 
@@ -199,5 +201,7 @@ LGS_API uint32_t lgs_version(void) LGS_NOTHROW;
 #ifdef __cplusplus
 }
 #endif
+
+/* NOLINTEND(modernize-use-using) */
 
 #endif

@@ -2,6 +2,8 @@
 #ifndef LGS_C_WORLD_H
 #define LGS_C_WORLD_H
 
+/* NOLINTBEGIN(modernize-use-using): it is C */
+
 #include <lgs/c/values.h>
 
 #ifdef __cplusplus
@@ -90,5 +92,7 @@ LGS_API uint32_t lgs_max_segment_id(const lgs_world* world) LGS_NOTHROW;
 #ifdef __cplusplus
 }
 #endif
+
+/* NOLINTEND(modernize-use-using) */
 
 #endif
