@@ -217,6 +217,35 @@ static void saving(void) {
   lgs_free(world);
 }
 
+/* A world of several pieces goes into a buffer of any size, and not beyond. */
+static void savingInPieces(void) {
+  const lgs_local_point upper[3] = {{0, 0}, {U, U}, {0, U}};
+  lgs_world* world = newWorld();
+  uint32_t random = 1;
+  uint8_t *whole, *part;
+  size_t count = 0, size = 0, written;
+  int32_t k;
+  for (k = 0; k < 10000; ++k) {
+    random = random * UINT32_C(1664525) + UINT32_C(1013904223);
+    CHECK(lgs_add_points(world, cellAt(k % 100, k / 100), random >> 31 ? kRamp : upper, 3, 1, NULL, NULL) == LGS_OK);
+  }
+  CHECK(lgs_commit(world, NULL) == LGS_OK);
+  CHECK(lgs_save_to_buffer(world, NULL, 0, &size, NULL) == LGS_SHORT_BUFFER && size > 3 * 4096);
+  whole = (uint8_t*)malloc(size);
+  part = (uint8_t*)malloc(size);
+  CHECK(whole && part);
+  CHECK(lgs_save_to_buffer(world, whole, size, &count, NULL) == LGS_OK && count == size);
+  for (written = 4000; written < size; written += 4096) {
+    memset(part, 0x55, size);
+    CHECK(lgs_save_to_buffer(world, part, written, &count, NULL) == LGS_SHORT_BUFFER && count == size);
+    CHECK(memcmp(part, whole, written) == 0);
+    for (count = written; count < size; ++count) CHECK(part[count] == 0x55);
+  }
+  free(part);
+  free(whole);
+  lgs_free(world);
+}
+
 /* Puts the checksum of docs/snapshot.md at the end. */
 static void seal(File* file) {
   uint32_t sum = UINT32_MAX;
@@ -349,6 +378,7 @@ int main(void) {
   groups();
   goingBack();
   saving();
+  savingInPieces();
   madeUp();
   integers();
   sentences();
