@@ -190,10 +190,29 @@ static void questions(void) {
   lgs_free(world);
 }
 
+/* Whatever is not wanted may be left out. */
+static void outputsLeftOut(void) {
+  lgs_polygon_id ids[3];
+  lgs_world* world = ground(ids);
+  lgs_segment_id segment = {1};
+  lgs_shape_id shape = squareOf(world);
+  CHECK(lgs_at(world, pointAt(0, 0), NULL) == LGS_OK && lgs_nearest(world, pointAt(0, 0), 1, NULL, NULL) == LGS_OK);
+  CHECK(lgs_ray_cast(world, pointAt(0, 0), pointAt(9, 9), NULL, NULL) == LGS_OK);
+  CHECK(lgs_is_empty(world, cellAt(0, 0), NULL) == LGS_OK && lgs_bounds(world, NULL) == LGS_OK);
+  CHECK(lgs_polygon_of(world, ids[0], NULL, NULL) == LGS_OK && lgs_owner(world, segment, NULL, NULL) == LGS_OK);
+  CHECK(lgs_polygon_vertices(world, ids[0], NULL, 0, NULL, NULL) == LGS_SHORT_BUFFER);
+  CHECK(lgs_polygons_in(world, cellAt(9, 9), NULL, 0, NULL) == LGS_OK);
+  CHECK(lgs_shape_polygons(world, shape, NULL) == LGS_OK && lgs_shape_box(world, shape, NULL) == LGS_OK);
+  CHECK(lgs_same_polygons(world, world, NULL) == LGS_OK);
+  CHECK(lgs_segments_in(world, rectOf(9, 9, 9, 9), NULL, 0, NULL) == LGS_OK);
+  lgs_free(world);
+}
+
 int main(void) {
   segments();
   polygons();
   loops();
   questions();
+  outputsLeftOut();
   return 0;
 }

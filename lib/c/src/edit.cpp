@@ -68,7 +68,7 @@ template <class Edit>
 lgs_status withHandles(lgs_world* world, lgs_polygon_id* out, std::size_t capacity, lgs_error* error, Edit&& edit) {
   if (!world || !isArray(out, capacity)) return refuse(LGS_BAD_ARGUMENT, error);
   std::vector<PolygonHandle> handles(std::min(capacity, lgs::kMaxPolygonsPerCell));
-  const Expected<PolygonHandle> done = edit(std::span(handles));
+  const Expected<PolygonHandle> done = edit(world->world, std::span(handles));
   if (!done) return refuse(done.error(), error);
   for (std::size_t k = 0; k < handles.size() && handles[k]; ++k) out[k] = toC(handles[k]);
   return LGS_OK;
@@ -138,8 +138,8 @@ lgs_status lgs_add(lgs_world* world, lgs_cell cell, lgs_shape_id shape, lgs_bloc
 
 lgs_status lgs_add_several(lgs_world* world, lgs_cell cell, lgs_shape_id shape, lgs_block block,
                            lgs_polygon_id* polygons, size_t capacity, lgs_error* error) noexcept {
-  return withHandles(world, polygons, capacity, error, [&](std::span<PolygonHandle> handles) {
-    return world->world.add(fromC(cell), fromC(shape), block, handles);
+  return withHandles(world, polygons, capacity, error, [&](lgs::World& w, std::span<PolygonHandle> handles) {
+    return w.add(fromC(cell), fromC(shape), block, handles);
   });
 }
 
@@ -164,7 +164,7 @@ lgs_status lgs_add_many(lgs_world* world, const lgs_placement* placements, size_
   copyBytes(placements, count, all);
   std::vector<PolygonHandle> handles(polygons ? count : 0);
   const auto done = world->world.addMany(all, handles);
-  for (std::size_t k = 0; k < handles.size(); ++k) polygons[k] = toC(handles[k]);
+  for (std::size_t k = 0; polygons && k < count; ++k) polygons[k] = toC(handles[k]);
   return answer(done, error);
 }
 
@@ -183,8 +183,8 @@ lgs_status lgs_remove_many(lgs_world* world, const lgs_polygon_id* polygons, siz
 
 lgs_status lgs_replace(lgs_world* world, lgs_cell cell, lgs_shape_id shape, lgs_block block, lgs_polygon_id* polygons,
                        size_t capacity, lgs_error* error) noexcept {
-  return withHandles(world, polygons, capacity, error, [&](std::span<PolygonHandle> handles) {
-    return world->world.replace(fromC(cell), fromC(shape), block, handles);
+  return withHandles(world, polygons, capacity, error, [&](lgs::World& w, std::span<PolygonHandle> handles) {
+    return w.replace(fromC(cell), fromC(shape), block, handles);
   });
 }
 

@@ -15,13 +15,14 @@
  *
  * - Result. A function that can be refused returns a lgs_status: LGS_OK, which is 0, or why it was refused. Whatever is
  *   not LGS_OK has changed nothing in the world.
- * - Arguments. The world is the first one, what the function writes comes last. A pointer through which a function
- *   writes may be NULL: then that is not wanted. Any other pointer must not be NULL, unless the text says so; an array
- *   of no elements may be. A NULL that must not be is refused as LGS_BAD_ARGUMENT, and so is a number that is none of
- *   the constants for it. Functions that return no status take a NULL world for an empty one.
+ * - Arguments. The world is the first one, what the function writes comes last. A pointer to a value that is written
+ *   may be NULL: then the value is not wanted. It must not be where nothing else leads to what was made: a world, a
+ *   group, a list of loops, a mark. An array may be NULL if it has no elements. Any other pointer must not be NULL,
+ *   unless the text says so. A NULL that must not be is refused as LGS_BAD_ARGUMENT, and so is a number that is none
+ *   of the constants for it. Functions that return no status take a NULL world for an empty one.
  *   Not checked: that a pointer leads to as much memory as it should, and that a world, a group or a list of loops was
  *   not freed. An output that was refused is as it was, if the text does not say otherwise.
- * - Errors. The last argument of an edit is a lgs_error*, or NULL. It is written only if the call is refused.
+ * - Errors. If the last argument is a lgs_error*, it may be NULL. It is written only if the result is not LGS_OK.
  *   lgs_message() makes a sentence of it.
  * - Buffers. Where the text says "as a list", the function writes at most `capacity` elements and tells in *count how
  *   many there are. If these are more, the first ones are written, and the result is LGS_SHORT_BUFFER.

@@ -63,7 +63,7 @@ typedef struct lgs_placement {
 } lgs_placement;
 
 /* Places many shapes, each as lgs_add() would, one after the other: all of them or none. polygons[k] receives the id of
- * the first polygon of placements[k]; null ids, if the call is refused. Refused as by lgs_add(), and the error's
+ * the first polygon of placements[k]; null ids, if the call is refused; it may be NULL. Refused as by lgs_add(), and the error's
  * `index` says for which one; LGS_CAPACITY without an index, if there are more than 2^31 - 1. */
 LGS_API lgs_status lgs_add_many(lgs_world* world, const lgs_placement* placements, size_t count,
                                 lgs_polygon_id* polygons, lgs_error* error) LGS_NOTHROW;
