@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-/* --- Shapes -------------------------------------------------------------------------------------------------------- */
+/* --- Shapes ------------------------------------------------------------------------------------------------------ */
 
 /* Validates and stores one polygon. It must be simple, run counter-clockwise, have a positive area and be inside the
  * closed cell. The same polygon, vertex by vertex, gives the same id. A shape is never forgotten. Refused: the statuses
@@ -35,7 +35,7 @@ LGS_API lgs_status lgs_shape_vertices(const lgs_world* world, lgs_shape_id shape
                                       lgs_local_point* vertices, size_t capacity, size_t* count) LGS_NOTHROW;
 LGS_API lgs_status lgs_shape_box(const lgs_world* world, lgs_shape_id shape, lgs_local_box* box) LGS_NOTHROW;
 
-/* --- Edits --------------------------------------------------------------------------------------------------------- */
+/* --- Edits ------------------------------------------------------------------------------------------------------- */
 
 /* Places every polygon of a shape in a cell, all with this block. `polygon` receives the id of the first one. Refused:
  * LGS_CELL_OUT_OF_RANGE, LGS_UNKNOWN_SHAPE, LGS_OVERLAP, LGS_CAPACITY. Cost: O(1) in a cell that is empty. */
@@ -63,8 +63,8 @@ typedef struct lgs_placement {
 } lgs_placement;
 
 /* Places many shapes, each as lgs_add() would, one after the other: all of them or none. polygons[k] receives the id of
- * the first polygon of placements[k]; null ids, if the call is refused; it may be NULL. Refused as by lgs_add(), and the error's
- * `index` says for which one; LGS_CAPACITY without an index, if there are more than 2^31 - 1. */
+ * the first polygon of placements[k]; null ids, if the call is refused. It may be NULL. Refused as by lgs_add(), and
+ * the error's `index` says for which one; LGS_CAPACITY without an index, if there are more than 2^31 - 1. */
 LGS_API lgs_status lgs_add_many(lgs_world* world, const lgs_placement* placements, size_t count,
                                 lgs_polygon_id* polygons, lgs_error* error) LGS_NOTHROW;
 
@@ -86,8 +86,8 @@ LGS_API lgs_status lgs_replace(lgs_world* world, lgs_cell cell, lgs_shape_id sha
 LGS_API lgs_status lgs_set_block(lgs_world* world, lgs_polygon_id polygon, lgs_block block,
                                  lgs_error* error) LGS_NOTHROW;
 
-/* Places a shape in every cell of a rectangle, or in none. `cells` receives their number. Refused as lgs_add() would be
- * for the first cell, by rows from min, that it would refuse; but LGS_CELL_OUT_OF_RANGE names a corner of the
+/* Places a shape in every cell of a rectangle, or in none. `filled` receives their number. Refused as lgs_add() would
+ * be for the first cell, by rows from min, that it would refuse; but LGS_CELL_OUT_OF_RANGE names a corner of the
  * rectangle. An empty rectangle is no error. */
 LGS_API lgs_status lgs_fill(lgs_world* world, lgs_cell_rect cells, lgs_shape_id shape, lgs_block block,
                             uint64_t* filled, lgs_error* error) LGS_NOTHROW;
@@ -105,7 +105,7 @@ LGS_API lgs_status lgs_begin(lgs_world* world, lgs_group** group) LGS_NOTHROW;
 LGS_API void lgs_keep(lgs_group* group) LGS_NOTHROW;
 LGS_API void lgs_undo(lgs_group* group) LGS_NOTHROW;
 
-/* --- Commits ------------------------------------------------------------------------------------------------------- */
+/* --- Commits ----------------------------------------------------------------------------------------------------- */
 
 /* What a commit did to the segments. No id is in two lists. A segment whose ends, owner and ghosts are as before is in
  * none. Ids in `removed` name nothing from now on. The lists lead from one lgs_segments_version() to another: whoever
@@ -136,7 +136,7 @@ typedef void (*lgs_executor_fn)(void* user, size_t count, lgs_job_fn run, void* 
 LGS_API lgs_status lgs_commit_with(lgs_world* world, lgs_executor_fn executor, void* user,
                                    lgs_changes* changes) LGS_NOTHROW;
 
-/* --- Going back ---------------------------------------------------------------------------------------------------- */
+/* --- Going back -------------------------------------------------------------------------------------------------- */
 
 /* Notes this moment. Edits may be pending. A mark is for this world and its later copies. While there are marks an edit
  * costs some more, and memory grows with the edits and commits since the oldest one. Cost: O(1). */

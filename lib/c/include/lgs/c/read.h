@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-/* --- Segments, as of the last commit ------------------------------------------------------------------------------- */
+/* --- Segments, as of the last commit ----------------------------------------------------------------------------- */
 
 /* One boundary segment. The solid is on the left of start to end, the outward normal on the right. ghost1 is the start
  * of the predecessor, ghost2 the end of the successor; each means nothing if that one is null, which happens only under
@@ -75,7 +75,7 @@ LGS_API lgs_status lgs_all_segments(const lgs_world* world, lgs_segment_id* ids,
 LGS_API lgs_status lgs_segments_in(const lgs_world* world, lgs_cell_rect cells, lgs_segment_id* ids, size_t capacity,
                                    size_t* count) LGS_NOTHROW;
 
-/* --- Polygons, after all edits, committed or not ------------------------------------------------------------------- */
+/* --- Polygons, after all edits, committed or not ----------------------------------------------------------------- */
 
 typedef struct lgs_polygon {
   lgs_polygon_id id;
@@ -114,7 +114,7 @@ LGS_API lgs_status lgs_visit_polygons(const lgs_world* world, lgs_cell_rect cell
  * in proportion to the cells that have a chunk. */
 LGS_API lgs_status lgs_bounds(const lgs_world* world, lgs_cell_rect* cells) LGS_NOTHROW;
 
-/* --- Loops --------------------------------------------------------------------------------------------------------- */
+/* --- Loops ------------------------------------------------------------------------------------------------------- */
 
 /* What happens to a vertex where the outline goes straight on. LGS_MERGE drops it, but for a vertex that another
  * passage of the outline shares. */
@@ -138,7 +138,7 @@ LGS_API size_t lgs_loops_count(const lgs_loops* loops) LGS_NOTHROW;
 LGS_API lgs_status lgs_loops_get(const lgs_loops* loops, size_t index, lgs_loop* loop) LGS_NOTHROW;
 LGS_API void lgs_loops_free(lgs_loops* loops) LGS_NOTHROW;
 
-/* --- Questions about places ---------------------------------------------------------------------------------------- */
+/* --- Questions about places -------------------------------------------------------------------------------------- */
 
 /* All comparisons are exact. Only what is handed out as double is rounded, at the very end. */
 

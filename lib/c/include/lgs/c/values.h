@@ -32,7 +32,7 @@ extern "C" {
 #define LGS_VERSION_MINOR 1
 #define LGS_VERSION_PATCH 0
 
-/* --- Limits and units ---------------------------------------------------------------------------------------------- */
+/* --- Limits and units -------------------------------------------------------------------------------------------- */
 
 #define LGS_UNITS_PER_CELL 65536   /* lattice units along one side of a cell */
 #define LGS_MAX_CELL 1073741824    /* cells run from -LGS_MAX_CELL to +LGS_MAX_CELL on both axes */
@@ -42,7 +42,7 @@ extern "C" {
 #define LGS_MAX_RADIUS 4096    /* of lgs_nearest(), in cells */
 #define LGS_MAX_RAY 16384      /* of lgs_ray_cast(), in cells on each axis */
 
-/* --- Status -------------------------------------------------------------------------------------------------------- */
+/* --- Status ------------------------------------------------------------------------------------------------------ */
 
 typedef int32_t lgs_status;
 
@@ -82,7 +82,7 @@ enum {
   LGS_SAVE_CAPACITY = 209         /* more than the engine can hold */
 };
 
-/* --- Ids ----------------------------------------------------------------------------------------------------------- */
+/* --- Ids --------------------------------------------------------------------------------------------------------- */
 
 /* A number of yours that a polygon carries. The world does not read it. */
 typedef uint32_t lgs_block;
@@ -120,7 +120,7 @@ LGS_API lgs_polygon_id lgs_load_polygon(uint64_t stored) LGS_NOTHROW;
 LGS_API lgs_segment_id lgs_load_segment(uint64_t stored) LGS_NOTHROW;
 LGS_API lgs_mark lgs_load_mark(uint64_t stored) LGS_NOTHROW;
 
-/* --- Places -------------------------------------------------------------------------------------------------------- */
+/* --- Places ------------------------------------------------------------------------------------------------------ */
 
 /* The unit cell [i, i+1] x [j, j+1]. */
 typedef struct lgs_cell {
@@ -170,7 +170,7 @@ LGS_API lgs_point lgs_lattice_point(lgs_double_point position) LGS_NOTHROW;
  * or above it. The point must be in range; another one gives any cell. */
 LGS_API lgs_cell lgs_cell_at(lgs_point point) LGS_NOTHROW;
 
-/* --- Errors -------------------------------------------------------------------------------------------------------- */
+/* --- Errors ------------------------------------------------------------------------------------------------------ */
 
 /* What was refused, and where. A number that does not apply is -1 (the cell INT32_MIN), an id null. */
 typedef struct lgs_error {

@@ -43,7 +43,7 @@ LGS_API lgs_status lgs_copy(const lgs_world* world, lgs_world** copy) LGS_NOTHRO
  * Cost: in proportion to the cells that have a chunk. */
 LGS_API lgs_status lgs_same_polygons(const lgs_world* a, const lgs_world* b, int32_t* same) LGS_NOTHROW;
 
-/* --- Saving -------------------------------------------------------------------------------------------------------- */
+/* --- Saving ------------------------------------------------------------------------------------------------------ */
 
 /* Takes the bytes of a saved world in order, in pieces of at most 4,096. It may read the world. */
 typedef void (*lgs_write_fn)(void* user, const uint8_t* bytes, size_t count);
@@ -64,7 +64,7 @@ LGS_API lgs_status lgs_save_to_buffer(const lgs_world* world, uint8_t* bytes, si
 LGS_API lgs_status lgs_load(const uint8_t* bytes, size_t count, const lgs_world_options* options, lgs_world** world,
                             lgs_error* error) LGS_NOTHROW;
 
-/* --- What there is ------------------------------------------------------------------------------------------------- */
+/* --- What there is ----------------------------------------------------------------------------------------------- */
 
 typedef struct lgs_stats {
   uint64_t polygons;
