@@ -66,6 +66,13 @@ static inline lgs_polygon_id placed(lgs_world* world, lgs_cell cell, lgs_shape_i
   return polygon;
 }
 
+/* A preserve relation that keeps the overlap of different blocks. It counts how often it is asked. */
+static inline int32_t keepsOthers(void* user, lgs_block smaller, lgs_block greater) {
+  CHECK(smaller <= greater);
+  ++*(int*)user;
+  return smaller != greater;
+}
+
 /* Whether the world has the same polygons as that copy, and no edit since its commit that a save would refuse. */
 static inline int isUnchanged(const lgs_world* world, const lgs_world* copy) {
   int32_t same = 0;

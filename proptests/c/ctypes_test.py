@@ -147,7 +147,8 @@ def check(library, command, seed):
     with tempfile.NamedTemporaryFile("w", suffix=".trace") as file:
         file.write(trace.text())
         file.flush()
-        done = subprocess.run([command, "replay", file.name, "--dump", "-"], capture_output=True, text=True, check=False)
+        replay = [command, "replay", file.name, "--dump", "-"]
+        done = subprocess.run(replay, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         return f"seed {seed}: lgs replay: {done.stderr}\n{trace.text()}"
     expected = done.stdout.splitlines()

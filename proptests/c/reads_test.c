@@ -19,7 +19,6 @@ static void segments(void) {
   lgs_segment all[64];
   lgs_segment_float floats[64];
   lgs_segment_double doubles[64];
-  lgs_error error;
   size_t count = 0, k;
   CHECK(lgs_all_segments(world, ids, 64, &count) == LGS_OK && count == 9);
   CHECK(lgs_all_segments(world, some, 2, &count) == LGS_SHORT_BUFFER && count == 9 && some[1].value == ids[1].value);
@@ -55,7 +54,20 @@ static void segments(void) {
     CHECK(f->start.x == (float)d->start.x && f->end.y == (float)d->end.y && f->ghost1.y == (float)d->ghost1.y);
     CHECK(f->ghost2.x == (float)d->ghost2.x && f->id.value == d->id.value && f->block == d->block);
   }
+  lgs_free(world);
+}
 
+static void refusedSegments(void) {
+  lgs_polygon_id polygons[3];
+  lgs_world* world = ground(polygons);
+  lgs_segment_id ids[64];
+  lgs_segment all[64];
+  lgs_segment_float floats[64];
+  lgs_segment_double doubles[64];
+  lgs_error error;
+  size_t count = 0, k;
+  CHECK(lgs_all_segments(world, ids, 64, &count) == LGS_OK && count == 9);
+  for (k = 9; k < 64; ++k) ids[k] = ids[k % 9];
   ids[40].value = 4711;
   memset(all, 0, sizeof all);
   REFUSED(LGS_UNKNOWN_SEGMENT, lgs_segments(world, ids, 64, all, &error));
@@ -210,6 +222,7 @@ static void outputsLeftOut(void) {
 
 int main(void) {
   segments();
+  refusedSegments();
   polygons();
   loops();
   questions();
