@@ -236,7 +236,7 @@ class World {
   /// A segment as of the last commit. Its `polygon` is stale if that was removed since. Refused: unknownSegment.
   Expected<Segment> segment(SegmentId id) const;
 
-  /// Many segments: out[k] is that of ids[k], for as many as `out` has room for. The other forms give them in cells from
+  /// Many segments: out[k] is that of ids[k], for as many as `out` has room for. The others give them in cells from
   /// an origin: differences are exact before they are rounded, and `double` is exact. Refused: unknownSegment, where
   /// Error::index says for which one, and what comes before it is in `out`; outOfReach, if the origin is out of range.
   Expected<void> segments(std::span<const SegmentId> ids, std::span<Segment> out) const;
