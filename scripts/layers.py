@@ -19,11 +19,13 @@ ENGINE = ["lib/include"]
 REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/trace"]
 ORACLE = REFERENCES + ["oracle/draw", "oracle/generate", "oracle/check"]
 TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include"]
-ADAPTERS = ["lib/debug/include", "lib/tiled/include"] + TERRAIN
+ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/tiled/include"] + TERRAIN
 ROOMS = {
     "lib/include": [],
     "lib/geometry": ["lib/include"],
     "lib/src": ["lib/include", "lib/geometry"],
+    "lib/c/include": [],
+    "lib/c/src": ["lib/include", "lib/c/include"],
     "lib/debug/include": ["lib/include"],
     "lib/debug/src": ["lib/include", "lib/debug/include"],
     "lib/tiled/include": ["lib/include"],
@@ -52,11 +54,12 @@ ROOMS = {
     "proptests/consumer": ENGINE + ADAPTERS,  # a project of its own, as a game would be
 }
 # The folders from which a header is found by a path without its room.
-INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/src", "lib/debug/include", "lib/tiled/include", "lib/tiled/src",
-                   "lib/box2d/include", "lib/box2d/src",
+INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/src", "lib/c/include", "lib/debug/include", "lib/tiled/include",
+                   "lib/tiled/src", "lib/box2d/include", "lib/box2d/src",
                    "lib/box2d/v2/include", "lib/box2d/v3/include"]
 # What no file below a folder may include, whatever its room: lib/ is MIT and goes into games.
 FOREIGN = {"lib": re.compile(r"CGAL/|rapidcheck|gtest|gmock|fmt/|CLI/")}
+KINDS = ["*.h", "*.c", "*.cpp"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 
 
@@ -107,11 +110,11 @@ def circles():
 
 
 def sources(root):
-    listed = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard", "*.h", "*.cpp"], cwd=root,
+    listed = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard", *KINDS], cwd=root,
                             capture_output=True, text=True, check=False)
     if listed.returncode == 0 and listed.stdout:
         return [pathlib.Path(line) for line in listed.stdout.splitlines() if (root / line).is_file()]
-    found = [path.relative_to(root) for kind in ("*.h", "*.cpp") for path in root.rglob(kind)]  # an archive, no clone
+    found = [path.relative_to(root) for kind in KINDS for path in root.rglob(kind)]  # an archive, no clone
     return [path for path in found if path.parts[0] not in ("build", "out")]
 
 

@@ -32,10 +32,11 @@ Built& built(const std::string& world, std::int64_t cells);
 /// Puts median, p99 and maximum into the counters; their names begin with the prefix.
 void putTimes(benchmark::State& state, const Times& times, const std::string& prefix = {});
 
-void registerEdits(const Scale& scale);    ///< single edits: add, remove, replace; dig and refill
-void registerBatches(const Scale& scale);  ///< many edits with one commit
-void registerBuilds(const Scale& scale);   ///< time and memory of a world from nothing
-void registerReads(const Scale& scale);    ///< changes, segments, loops
-void registerWorst(const Scale& scale);    ///< the edits that cost most
+void registerEdits(const Scale& scale);       ///< single edits: add, remove, replace; dig and refill
+void registerBatches(const Scale& scale);     ///< many edits with one commit
+void registerBuilds(const Scale& scale);      ///< time and memory of a world from nothing
+void registerReads(const Scale& scale);       ///< changes, segments, loops
+void registerWorst(const Scale& scale);       ///< the edits that cost most
+void registerInterfaces(const Scale& scale);  ///< by C++ and by C
 
 }  // namespace lgs::bench

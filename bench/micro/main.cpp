@@ -53,6 +53,9 @@ int run(int argc, char** argv) {
   registerBatches(scale);
   registerReads(scale);
   registerWorst(scale);
+#ifdef LGS_BENCH_C
+  registerInterfaces(scale);
+#endif
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

@@ -141,9 +141,12 @@ Expected<PolygonHandle> World::Impl::add(Cell cell, PolygonView polygon, Block b
 }
 
 /// The usual case: one polygon, which has this content, into an empty cell. Null, and nothing is done, in any other
-/// case, and while the journal notes what is edited.
+/// case.
 inline PolygonHandle World::Impl::placeSole(CellAt at, ContentId content, Block block) {
-  if (journal.isOpen()) return {};
+  if (journal.isOpen()) {
+    if (!grid.takesSole(at)) return {};
+    journal.noteCell(*this, at);
+  }
   const std::uint32_t serial = grid.placeSole(at, content, block);
   if (serial == 0) return {};
   catalogue.use(content);
@@ -175,12 +178,11 @@ std::optional<Slot> World::Impl::slotOf(PolygonHandle handle) const {
 Expected<void> World::Impl::remove(PolygonHandle polygon) {
   const CellAt at = grid.find(polygon.cellRef);
   if (!at) return refuse({.code = ErrorCode::staleHandle, .other = polygon});
-  if (!journal.isOpen()) {
-    if (const ContentId content = grid.removeSole(at, polygon.serial); content != detail::kEmptyContent) {
-      catalogue.release(content);
-      touch(at, detail::kEmptyContent);
-      return {};
-    }
+  if (journal.isOpen() && grid.holdsSole(at, polygon.serial)) journal.noteCell(*this, at);
+  if (const ContentId content = grid.removeSole(at, polygon.serial); content != detail::kEmptyContent) {
+    catalogue.release(content);
+    touch(at, detail::kEmptyContent);
+    return {};
   }
   const auto slot = slotOf(polygon);
   if (!slot) return refuse({.code = ErrorCode::staleHandle, .other = polygon});

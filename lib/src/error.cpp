@@ -9,8 +9,10 @@ std::string number(std::int64_t v) { return std::to_string(v); }
 
 std::string where(const Error& e) {
   std::string s;
-  if (e.hasCell()) s += "cell (" + number(e.cell.i) + ", " + number(e.cell.j) + ")";
-  if (e.polygon >= 0) s += (s.empty() ? "polygon " : ", polygon ") + number(e.polygon);
+  const auto add = [&s](const std::string& part) { s += (s.empty() ? "" : ", ") + part; };
+  if (e.index >= 0) add("entry " + number(e.index));
+  if (e.hasCell()) add("cell (" + number(e.cell.i) + ", " + number(e.cell.j) + ")");
+  if (e.polygon >= 0) add("polygon " + number(e.polygon));
   return s.empty() ? s : s + ": ";
 }
 

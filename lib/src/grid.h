@@ -92,6 +92,14 @@ class Grid {
   /// The serial given out last in the cell.
   std::uint32_t lastSerial(CellAt cell) const;
 
+  /// Whether placeSole(), or removeSole() of this serial, will do something.
+  bool takesSole(CellAt cell) const {
+    const CellRecord* r = record(cell);
+    return (!r || r->isCompact()) && state(cell) < kSerialMask;
+  }
+  bool holdsSole(CellAt cell, std::uint32_t serial) const {
+    return !listsPolygons(cell) && content(cell) != kEmptyContent && (state(cell) & kSerialMask) == serial;
+  }
   /// Gives a cell this content, which has one polygon. The cell must be empty and keep no list, and its state must have
   /// room for another serial. Returns the polygon's serial; 0, and nothing is done, if the cell is not like that.
   std::uint32_t placeSole(CellAt cell, ContentId content, Block block) {

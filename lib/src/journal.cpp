@@ -86,7 +86,7 @@ void Journal::forget(World::Impl& world, Mark mark) {
   setOpen(world, !marks_.empty());
   const std::uint64_t needed = marks_.empty() ? forgotten_ + entries_.size() : marks_.front().position;
   for (; forgotten_ < needed; ++forgotten_) {
-    drop(world, entries_.front());
+    placed_.erase(placed_.begin(), placed_.begin() + drop(world, entries_.front()));
     entries_.pop_front();
   }
 }
@@ -94,16 +94,19 @@ void Journal::forget(World::Impl& world, Mark mark) {
 bool Journal::committedSince(Mark mark) const {
   const auto since = static_cast<std::ptrdiff_t>(marks_[positionOf(mark)].position - forgotten_);
   return std::any_of(entries_.begin() + since, entries_.end(),
-                     [](const Entry& entry) { return std::holds_alternative<CommitEntry>(entry); });
+                     [](const Entry& entry) { return std::holds_alternative<Owned<CommitEntry>>(entry); });
 }
 
 bool Journal::endsWithCommit() const {
-  return marks_.back().position < forgotten_ + entries_.size() && std::holds_alternative<CommitEntry>(entries_.back());
+  return marks_.back().position < forgotten_ + entries_.size() &&
+         std::holds_alternative<Owned<CommitEntry>>(entries_.back());
 }
 
-void Journal::drop(World::Impl& world, const Entry& entry) {
-  if (const auto* cell = std::get_if<CellEntry>(&entry); cell && cell->content != kEmptyContent)
-    world.catalogue.release(cell->content);
+std::ptrdiff_t Journal::drop(World::Impl& world, const Entry& entry) {
+  const auto* cell = std::get_if<CellEntry>(&entry);
+  if (!cell) return 0;
+  if (cell->content != kEmptyContent) world.catalogue.release(cell->content);
+  return cell->polygons;
 }
 
 void Journal::noteCell(World::Impl& world, CellAt at) {
@@ -113,16 +116,19 @@ void Journal::noteCell(World::Impl& world, CellAt at) {
   entry.lastSerial = world.grid.lastSerial(at);
   entry.isListed = world.grid.listsPolygons(at);
   entry.wasDirty = (at.chunk->dirty[at.row()] & at.bit()) != 0;
-  const std::size_t count = world.contentOf(at).polygons.size();
-  for (std::size_t slot = 0; slot < count; ++slot)
-    entry.polygons.push_back(world.grid.placed(at)[static_cast<Slot>(slot)]);
-  if (entry.content != kEmptyContent) world.catalogue.use(entry.content);
-  entries_.push_back(std::move(entry));
+  if (entry.content != kEmptyContent) {
+    world.catalogue.use(entry.content);
+    entry.polygons = static_cast<std::uint32_t>(world.catalogue.content(entry.content).polygons.size());
+    for (std::uint32_t slot = 0; slot < entry.polygons; ++slot)
+      placed_.push_back(world.grid.placed(at)[static_cast<Slot>(slot)]);
+  }
+  entries_.emplace_back(entry);
 }
 
 bool Journal::noteCommit(const World::Impl& world) {
   if (world.dirtyChunks.empty() && world.changes.removed.empty() && endsWithCommit()) return false;
-  CommitEntry entry;
+  auto made = std::make_unique<CommitEntry>();
+  CommitEntry& entry = *made;
   for (const Chunk* chunk : world.dirtyChunks) entry.dirty.push_back({chunk->index, chunk->dirty});
   for (const std::uint32_t cellRef : cellsOfCommit(world.dirtyChunks)) {
     const CellAt at = world.grid.find(cellRef);
@@ -139,27 +145,28 @@ bool Journal::noteCommit(const World::Impl& world) {
   }
   entry.removedBefore = world.changes.removed;
   entry.topBefore = world.segments.maxId() + 1;
-  entries_.push_back(std::move(entry));
+  entries_.emplace_back(Owned(std::move(made)));
   return true;
 }
 
-void Journal::noteChanges(const Changes& changes) { std::get<CommitEntry>(entries_.back()).changes = changes; }
+void Journal::noteChanges(const Changes& changes) { std::get<Owned<CommitEntry>>(entries_.back())->changes = changes; }
 
 void Journal::rollBack(World::Impl& world, Mark mark, Changes& changes) {
   const std::size_t index = positionOf(mark);
   const MarkEntry to = marks_[index];
   Segments before;
   for (std::size_t k = static_cast<std::size_t>(to.position - forgotten_); k < entries_.size(); ++k) {
-    const auto* commit = std::get_if<CommitEntry>(&entries_[k]);
+    const auto* commit = std::get_if<Owned<CommitEntry>>(&entries_[k]);
     if (!commit) continue;
-    for (const auto* ids : {&commit->changes.removed, &commit->changes.added, &commit->changes.relinked})
+    const Changes& then = (*commit)->changes;
+    for (const auto* ids : {&then.removed, &then.added, &then.relinked})
       for (const SegmentId id : *ids) before.try_emplace(id.value);
   }
   Segments after = before;
   read(world, before);
   while (forgotten_ + entries_.size() > to.position) {
     std::visit([&](const auto& entry) { undo(world, entry); }, entries_.back());
-    drop(world, entries_.back());
+    placed_.erase(placed_.end() - drop(world, entries_.back()), placed_.end());
     entries_.pop_back();
   }
   marks_.resize(index + 1);
@@ -177,7 +184,8 @@ void Journal::undo(World::Impl& world, const CellEntry& entry) {
   const CellAt at = world.grid.find(entry.cellRef);
   if (entry.content != kEmptyContent) world.catalogue.use(entry.content);
   if (const ContentId now = world.grid.content(at); now != kEmptyContent) world.catalogue.release(now);
-  world.grid.setPolygons(at, entry.content, entry.lastSerial, entry.polygons, entry.isListed);
+  const std::vector<Placed> polygons(placed_.end() - entry.polygons, placed_.end());
+  world.grid.setPolygons(at, entry.content, entry.lastSerial, polygons, entry.isListed);
   at.chunk->facts[at.local] = world.catalogue.facts(entry.content);
   if (entry.wasDirty) return;
   at.chunk->dirty[at.row()] &= ~at.bit();
@@ -187,7 +195,8 @@ void Journal::undo(World::Impl& world, const CellEntry& entry) {
   world.dirtyChunks.pop_back();
 }
 
-void Journal::undo(World::Impl& world, const CommitEntry& entry) {
+void Journal::undo(World::Impl& world, const Owned<CommitEntry>& owned) {
+  const CommitEntry& entry = *owned;
   assert(world.dirtyChunks.empty());  // later edits are undone
   for (const SegmentId id : entry.changes.added) world.segments[id.value].cellRef = 0;
   std::size_t k = 0;
@@ -217,12 +226,15 @@ void Journal::undo(World::Impl& world, const CommitEntry& entry) {
 
 std::uint64_t Journal::bytes() const {
   const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
-  std::uint64_t sum = entries_.size() * sizeof(Entry) + of(marks_);
+  // An empty deque has a block, too: of 512 bytes, in libstdc++.
+  const auto ofDeque = [](const auto& d) { return 512 + d.size() * sizeof(d[0]); };
+  std::uint64_t sum = ofDeque(entries_) + ofDeque(placed_) + of(marks_);
   for (const Entry& entry : entries_) {
-    if (const auto* cell = std::get_if<CellEntry>(&entry)) sum += of(cell->polygons);
-    if (const auto* c = std::get_if<CommitEntry>(&entry))
-      sum += of(c->dirty, c->cells, c->ids, c->segments, c->removedBefore, c->changes.removed, c->changes.added,
-                c->changes.relinked);
+    const auto* commit = std::get_if<Owned<CommitEntry>>(&entry);
+    if (!commit) continue;
+    const CommitEntry& c = **commit;
+    sum += sizeof c + of(c.dirty, c.cells, c.ids, c.segments, c.removedBefore, c.changes.removed, c.changes.added,
+                         c.changes.relinked);
   }
   return sum;
 }

@@ -8,6 +8,7 @@
 
 #include "catalogue.h"
 #include "grid.h"
+#include "owned.h"
 #include "segment_pool.h"
 
 #include <lgs/world.h>
@@ -55,7 +56,7 @@ class Journal {
     std::uint32_t cellRef = 0;
     ContentId content = kEmptyContent;  ///< in use as long as the entry is there
     std::uint32_t lastSerial = 0;
-    std::vector<Placed> polygons;  ///< by slot
+    std::uint32_t polygons = 0;  ///< how many: they are in placed_
     bool isListed = false;
     bool wasDirty = false;
   };
@@ -82,7 +83,7 @@ class Journal {
     std::uint32_t topBefore = 0;           ///< one more than the greatest id
     Changes changes;
   };
-  using Entry = std::variant<CellEntry, CommitEntry>;
+  using Entry = std::variant<CellEntry, Owned<CommitEntry>>;  // many are of cells, so they are small
 
   struct MarkEntry {
     Mark mark;
@@ -96,11 +97,13 @@ class Journal {
   /// Whether nothing happened since the last commit, and no mark was made.
   bool endsWithCommit() const;
   std::size_t positionOf(Mark mark) const;
-  void drop(World::Impl& world, const Entry& entry);
+  /// Lets go of what an entry holds. Returns how many of placed_ are its own.
+  static std::ptrdiff_t drop(World::Impl& world, const Entry& entry);
   void undo(World::Impl& world, const CellEntry& entry);
-  void undo(World::Impl& world, const CommitEntry& entry);
+  static void undo(World::Impl& world, const Owned<CommitEntry>& owned);
 
   std::deque<Entry> entries_;
+  std::deque<Placed> placed_;    ///< the polygons of the cells' entries, by slot, entry by entry
   std::uint64_t forgotten_ = 0;  ///< entries that were dropped at the front
   std::vector<MarkEntry> marks_;
   bool isOpen_ = false;

@@ -318,7 +318,8 @@ const std::vector<BadEdit>& badEdits() {
 
 bool areAlike(const Error& a, const Error& b) {
   const auto fields = [](const Error& e) {
-    return std::tie(e.code, e.cell, e.polygon, e.vertex, e.vertex2, e.polygon2, e.other, e.otherBlock, e.segment);
+    return std::tie(e.code, e.cell, e.polygon, e.vertex, e.vertex2, e.polygon2, e.other, e.otherBlock, e.segment,
+                    e.index);
   };
   return fields(a) == fields(b);
 }

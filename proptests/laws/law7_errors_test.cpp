@@ -28,6 +28,7 @@ TEST(Errors, SayWhatAndWhere) {
     EXPECT_EQ(error.other, edit.expected.other);
     EXPECT_EQ(error.otherBlock, edit.expected.otherBlock);
     EXPECT_EQ(error.segment, SegmentId{});
+    EXPECT_EQ(error.index, edit.expected.index);
     EXPECT_EQ(message(error), edit.text);
   }
 }

@@ -44,6 +44,7 @@ struct Error {
   PolygonHandle other{};       ///< overlap with a placed polygon: that polygon; stale handle: the handle
   Block otherBlock = 0;        ///< overlap with a placed polygon: its block; it is in `cell`
   SegmentId segment{};         ///< unknown segment: that id
+  std::int32_t index = -1;     ///< a call that takes many: index of the one that is refused, in what was given
 
   constexpr bool hasCell() const { return cell != kNoCell; }
 };

@@ -26,6 +26,23 @@ struct Segment {
   DoublePoint normal() const;  ///< outward, of length 1
 };
 
+/// The same in cells, from an origin of your choice: World::segments() writes it. Ghosts are those of Segment.
+template <class Real>
+struct RealSegment {
+  SegmentId id;
+  RealPoint<Real> start;
+  RealPoint<Real> end;
+  SegmentId predecessor;
+  SegmentId successor;
+  RealPoint<Real> ghost1;
+  RealPoint<Real> ghost2;
+  Block block = 0;
+  PolygonHandle polygon;
+  Cell cell;
+};
+using FloatSegment = RealSegment<float>;
+using DoubleSegment = RealSegment<double>;
+
 /// What a commit did to the segments. No id is in two lists. A segment whose ends, owner and ghosts are as before is in
 /// none. Ids in `removed` name nothing from now on. The order of each list follows from the edits since the last
 /// commit, in their order: the same edits in another order may give the same segments other ids and places. Whoever

@@ -61,6 +61,13 @@ struct PlacedPolygon {
   std::span<const LocalPoint> vertices;
 };
 
+/// A shape and where it shall be: for World::addMany().
+struct Placement {
+  Cell cell;
+  ShapeId shape;
+  Block block = 0;
+};
+
 struct Stats {
   std::uint64_t polygons = 0;
   std::uint64_t cells = 0;     ///< cells that hold at least one polygon
@@ -116,8 +123,19 @@ class World {
   [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::span<const FloatPoint> polygon, Block block);
   [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::span<const DoublePoint> polygon, Block block);
 
+  /// Places many shapes, each as add() would, one after the other: all of them or none. `handles` receives what add()
+  /// would return for each, or as many as it has room for; null handles, if the call is refused. Refused as by add(),
+  /// and Error::index says for which one; capacity without an index, if there are more than 2^31 - 1. Cost: as of
+  /// single edits while there is a mark.
+  [[nodiscard]] Expected<void> addMany(std::span<const Placement> placements, std::span<PolygonHandle> handles = {});
+
   /// Removes one polygon. Refused: staleHandle; capacity, if what is left in the cell would be a content too many.
   [[nodiscard]] Expected<void> remove(PolygonHandle polygon);
+
+  /// Removes many polygons: all of them or none. Refused as by remove(), so for a handle that comes twice, and
+  /// Error::index says for which one; capacity without an index, if there are more than 2^31 - 1. Cost: as of
+  /// addMany().
+  [[nodiscard]] Expected<void> removeMany(std::span<const PolygonHandle> polygons);
 
   /// Puts a shape in the place of all polygons of a cell, which may be empty: both happen, or neither. Returns the
   /// handle of the shape's first polygon; `handles` is as for add(). Refused: as by add(), but never for overlap.
@@ -217,6 +235,13 @@ class World {
 
   /// A segment as of the last commit. Its `polygon` is stale if that was removed since. Refused: unknownSegment.
   Expected<Segment> segment(SegmentId id) const;
+
+  /// Many segments: out[k] is that of ids[k], for as many as `out` has room for. The others give them in cells from
+  /// an origin: differences are exact before they are rounded, and `double` is exact. Refused: unknownSegment, where
+  /// Error::index says for which one, and what comes before it is in `out`; outOfReach, if the origin is out of range.
+  Expected<void> segments(std::span<const SegmentId> ids, std::span<Segment> out) const;
+  Expected<void> segments(std::span<const SegmentId> ids, Point origin, std::span<FloatSegment> out) const;
+  Expected<void> segments(std::span<const SegmentId> ids, Point origin, std::span<DoubleSegment> out) const;
 
   /// The ids of all segments, in increasing order.
   std::vector<SegmentId> segments() const;

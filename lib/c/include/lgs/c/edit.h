@@ -1,0 +1,160 @@
+/* Shapes, edits, commits and going back. Edits change the polygons at once, and the segments with the next commit.
+ * lgs/lgs.h has the rules. */
+#ifndef LGS_C_EDIT_H
+#define LGS_C_EDIT_H
+
+/* NOLINTBEGIN(modernize-use-using): it is C */
+
+#include <lgs/c/world.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* --- Shapes ------------------------------------------------------------------------------------------------------ */
+
+/* Validates and stores one polygon. It must be simple, run counter-clockwise, have a positive area and be inside the
+ * closed cell. The same polygon, vertex by vertex, gives the same id. A shape is never forgotten. Refused: the statuses
+ * from LGS_TOO_FEW_VERTICES to LGS_CLOCKWISE. Cost: O(n^2) the first time, a hash later. */
+LGS_API lgs_status lgs_shape(lgs_world* world, const lgs_local_point* vertices, size_t count, lgs_shape_id* shape,
+                             lgs_error* error) LGS_NOTHROW;
+LGS_API lgs_status lgs_shape_floats(lgs_world* world, const lgs_float_point* vertices, size_t count,
+                                    lgs_shape_id* shape, lgs_error* error) LGS_NOTHROW;
+LGS_API lgs_status lgs_shape_doubles(lgs_world* world, const lgs_double_point* vertices, size_t count,
+                                     lgs_shape_id* shape, lgs_error* error) LGS_NOTHROW;
+
+/* The same for several polygons with disjoint interiors. counts[k] says how many vertices polygon k has; all vertices
+ * stand one after the other. Refused also: LGS_EMPTY_SHAPE, LGS_OVERLAP. */
+LGS_API lgs_status lgs_shape_of_several(lgs_world* world, const lgs_local_point* vertices, const uint32_t* counts,
+                                        size_t polygons, lgs_shape_id* shape, lgs_error* error) LGS_NOTHROW;
+
+/* How many polygons a shape has; the vertices of one of them, as a list; the least box around all. Refused:
+ * LGS_UNKNOWN_SHAPE; LGS_BAD_ARGUMENT, if the shape has no polygon of this index. */
+LGS_API lgs_status lgs_shape_polygons(const lgs_world* world, lgs_shape_id shape, size_t* count) LGS_NOTHROW;
+LGS_API lgs_status lgs_shape_vertices(const lgs_world* world, lgs_shape_id shape, size_t polygon,
+                                      lgs_local_point* vertices, size_t capacity, size_t* count) LGS_NOTHROW;
+LGS_API lgs_status lgs_shape_box(const lgs_world* world, lgs_shape_id shape, lgs_local_box* box) LGS_NOTHROW;
+
+/* --- Edits ------------------------------------------------------------------------------------------------------- */
+
+/* Places every polygon of a shape in a cell, all with this block. `polygon` receives the id of the first one. Refused:
+ * LGS_CELL_OUT_OF_RANGE, LGS_UNKNOWN_SHAPE, LGS_OVERLAP, LGS_CAPACITY. Cost: O(1) in a cell that is empty. */
+LGS_API lgs_status lgs_add(lgs_world* world, lgs_cell cell, lgs_shape_id shape, lgs_block block,
+                           lgs_polygon_id* polygon, lgs_error* error) LGS_NOTHROW;
+
+/* The same. `polygons` receives the ids of all polygons in the shape's order, or as many as it has room for. */
+LGS_API lgs_status lgs_add_several(lgs_world* world, lgs_cell cell, lgs_shape_id shape, lgs_block block,
+                                   lgs_polygon_id* polygons, size_t capacity, lgs_error* error) LGS_NOTHROW;
+
+/* The same for one polygon given by its vertices: refused as by lgs_shape(), too. If it was seen before this costs a
+ * hash, otherwise it is validated. */
+LGS_API lgs_status lgs_add_points(lgs_world* world, lgs_cell cell, const lgs_local_point* vertices, size_t count,
+                                  lgs_block block, lgs_polygon_id* polygon, lgs_error* error) LGS_NOTHROW;
+LGS_API lgs_status lgs_add_floats(lgs_world* world, lgs_cell cell, const lgs_float_point* vertices, size_t count,
+                                  lgs_block block, lgs_polygon_id* polygon, lgs_error* error) LGS_NOTHROW;
+LGS_API lgs_status lgs_add_doubles(lgs_world* world, lgs_cell cell, const lgs_double_point* vertices, size_t count,
+                                   lgs_block block, lgs_polygon_id* polygon, lgs_error* error) LGS_NOTHROW;
+
+/* A shape and where it shall be. */
+typedef struct lgs_placement {
+  lgs_cell cell;
+  lgs_shape_id shape;
+  lgs_block block;
+} lgs_placement;
+
+/* Places many shapes, each as lgs_add() would, one after the other: all of them or none. polygons[k] receives the id of
+ * the first polygon of placements[k]; null ids, if the call is refused. It may be NULL. Refused as by lgs_add(), and
+ * the error's `index` says for which one; LGS_CAPACITY without an index, if there are more than 2^31 - 1. */
+LGS_API lgs_status lgs_add_many(lgs_world* world, const lgs_placement* placements, size_t count,
+                                lgs_polygon_id* polygons, lgs_error* error) LGS_NOTHROW;
+
+/* Refused: LGS_STALE_HANDLE; LGS_CAPACITY, if what is left in the cell would be a content too many. */
+LGS_API lgs_status lgs_remove(lgs_world* world, lgs_polygon_id polygon, lgs_error* error) LGS_NOTHROW;
+
+/* Removes many polygons: all of them or none. Refused as by lgs_remove(), so for an id that comes twice, and the
+ * error's `index` says for which one. */
+LGS_API lgs_status lgs_remove_many(lgs_world* world, const lgs_polygon_id* polygons, size_t count,
+                                   lgs_error* error) LGS_NOTHROW;
+
+/* Puts a shape in the place of all polygons of a cell, which may be empty: both happen, or neither. `polygons` is as
+ * for lgs_add_several(). Refused as by lgs_add(), but never for overlap. */
+LGS_API lgs_status lgs_replace(lgs_world* world, lgs_cell cell, lgs_shape_id shape, lgs_block block,
+                               lgs_polygon_id* polygons, size_t capacity, lgs_error* error) LGS_NOTHROW;
+
+/* Gives a polygon another block. It keeps its id and its place; its segments get new ids with the next commit. Refused:
+ * LGS_STALE_HANDLE; LGS_CAPACITY, if a preserve relation makes one content too many of the cell. */
+LGS_API lgs_status lgs_set_block(lgs_world* world, lgs_polygon_id polygon, lgs_block block,
+                                 lgs_error* error) LGS_NOTHROW;
+
+/* Places a shape in every cell of a rectangle, or in none. `filled` receives their number. Refused as lgs_add() would
+ * be for the first cell, by rows from min, that it would refuse; but LGS_CELL_OUT_OF_RANGE names a corner of the
+ * rectangle. An empty rectangle is no error. */
+LGS_API lgs_status lgs_fill(lgs_world* world, lgs_cell_rect cells, lgs_shape_id shape, lgs_block block,
+                            uint64_t* filled, lgs_error* error) LGS_NOTHROW;
+
+/* Removes every polygon in every cell of a rectangle. `removed` receives the number of polygons. Refused:
+ * LGS_CELL_OUT_OF_RANGE, with a corner of the rectangle. */
+LGS_API lgs_status lgs_clear(lgs_world* world, lgs_cell_rect cells, uint64_t* removed, lgs_error* error) LGS_NOTHROW;
+
+/* A group of edits, which happens as a whole or not at all. lgs_undo() takes back the edits since lgs_begin(), as if
+ * they had not been made, and lgs_keep() lets them be; each ends the group and frees it. A commit keeps what was edited
+ * before it, and what follows is not undone. A world that went back to a mark older than the group has undone it. Of
+ * groups within groups the inner one ends first. The world must live until then. NULL is no error. */
+typedef struct lgs_group lgs_group;
+LGS_API lgs_status lgs_begin(lgs_world* world, lgs_group** group) LGS_NOTHROW;
+LGS_API void lgs_keep(lgs_group* group) LGS_NOTHROW;
+LGS_API void lgs_undo(lgs_group* group) LGS_NOTHROW;
+
+/* --- Commits ----------------------------------------------------------------------------------------------------- */
+
+/* What a commit did to the segments. No id is in two lists. A segment whose ends, owner and ghosts are as before is in
+ * none. Ids in `removed` name nothing from now on. The lists lead from one lgs_segments_version() to another: whoever
+ * keeps a copy of the segments can see that none were left out. A list that is empty may be NULL. */
+typedef struct lgs_changes {
+  const lgs_segment_id* removed;
+  const lgs_segment_id* added;
+  const lgs_segment_id* relinked; /* alive before and after, with another ghost */
+  size_t removed_count;
+  size_t added_count;
+  size_t relinked_count;
+  uint64_t before;
+  uint64_t after;
+} lgs_changes;
+
+/* Brings the segments up to date with all edits since the last commit. Cost: in proportion to the contents of the
+ * edited cells and of the eight around each. Allocates nothing once the world has reached its size. */
+LGS_API lgs_status lgs_commit(lgs_world* world, lgs_changes* changes) LGS_NOTHROW;
+
+/* Work that may run on any thread. */
+typedef void (*lgs_job_fn)(void* job, size_t index);
+
+/* Calls run(job, 0) ... run(job, count - 1), each exactly once, in any order and on any threads, and returns when all
+ * of them have returned. So the application lends its own threads to a commit. */
+typedef void (*lgs_executor_fn)(void* user, size_t count, lgs_job_fn run, void* job);
+
+/* The same to the last id, on the executor's threads if the world has no segments yet, as in its first commit. */
+LGS_API lgs_status lgs_commit_with(lgs_world* world, lgs_executor_fn executor, void* user,
+                                   lgs_changes* changes) LGS_NOTHROW;
+
+/* --- Going back -------------------------------------------------------------------------------------------------- */
+
+/* Notes this moment. Edits may be pending. A mark is for this world and its later copies. While there are marks an edit
+ * costs some more, and memory grows with the edits and commits since the oldest one. Cost: O(1). */
+LGS_API lgs_status lgs_checkpoint(lgs_world* world, lgs_mark* mark) LGS_NOTHROW;
+
+/* Goes back to a mark: every later output, id and list is as if the edits and commits after it had not been made. The
+ * mark stays; later ones are void. `changes` receives what this did to the segments: the lists of a commit, by id, but
+ * an id that named one segment and names another one now is removed, and then added. Refused: LGS_UNKNOWN_MARK. Cost:
+ * in proportion to the edits since the mark. */
+LGS_API lgs_status lgs_roll_back(lgs_world* world, lgs_mark mark, lgs_changes* changes, lgs_error* error) LGS_NOTHROW;
+
+/* Lets go of a mark. Other marks stay. Refused: LGS_UNKNOWN_MARK. */
+LGS_API lgs_status lgs_forget(lgs_world* world, lgs_mark mark, lgs_error* error) LGS_NOTHROW;
+
+#ifdef __cplusplus
+}
+#endif
+
+/* NOLINTEND(modernize-use-using) */
+
+#endif

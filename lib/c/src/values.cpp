@@ -1,0 +1,137 @@
+// Ids, errors and their sentences.
+#include "inside.h"
+
+#include <cstdint>
+#include <string>
+
+namespace lgs::c {
+namespace {
+
+constexpr lgs_error kNoError{
+    LGS_OK, {INT32_MIN, INT32_MIN}, -1, -1, -1, -1, {0, 0}, 0, {0}, -1, 0, {0, 0, 0, 0},
+};
+constexpr lgs_status kFirstOfSnapshots = LGS_SAVE_NO_SNAPSHOT;
+
+static_assert(static_cast<lgs_status>(ErrorCode::outOfReach) == LGS_OUT_OF_REACH);
+static_assert(kFirstOfSnapshots + static_cast<lgs_status>(SnapshotError::What::capacity) == LGS_SAVE_CAPACITY);
+static_assert(kUnitsPerCell == LGS_UNITS_PER_CELL && kMaxCell == LGS_MAX_CELL && kMaxChunks == LGS_MAX_CHUNKS);
+static_assert(kMaxVerticesPerCell == LGS_MAX_CELL_VERTICES && kMaxPolygonsPerCell == LGS_MAX_CELL_POLYGONS);
+static_assert(kMaxRadius == LGS_MAX_RADIUS && kMaxRay == LGS_MAX_RAY);
+
+bool isOfWorld(lgs_status status) { return status >= LGS_CELL_OUT_OF_RANGE && status <= LGS_OUT_OF_REACH; }
+bool isOfSnapshot(lgs_status status) { return status >= kFirstOfSnapshots && status <= LGS_SAVE_CAPACITY; }
+
+std::string sentence(const lgs_error& e) {
+  if (e.code == LGS_OK) return "no error";
+  if (e.code == LGS_BAD_ARGUMENT) return "an argument is NULL where it must not be, or a number that means nothing";
+  if (e.code == LGS_SHORT_BUFFER) return "there is more than the buffer has room for";
+  if (isOfSnapshot(e.code))
+    return message(SnapshotError{static_cast<SnapshotError::What>(e.code - kFirstOfSnapshots), e.offset});
+  if (!isOfWorld(e.code)) return "unknown error";
+  return message(Error{.code = static_cast<ErrorCode>(e.code),
+                       .cell = fromC(e.cell),
+                       .polygon = e.polygon,
+                       .vertex = e.vertex,
+                       .vertex2 = e.vertex2,
+                       .polygon2 = e.polygon2,
+                       .other = fromC(e.other),
+                       .otherBlock = e.other_block,
+                       .segment = fromC(e.segment),
+                       .index = e.index});
+}
+
+const char* nameOfSnapshot(lgs_status status) {
+  switch (status) {
+    case LGS_SAVE_NO_SNAPSHOT:
+      return "no saved world";
+    case LGS_SAVE_UNKNOWN_VERSION:
+      return "saved by a newer version";
+    case LGS_SAVE_CUT:
+      return "cut";
+    case LGS_SAVE_DAMAGED:
+      return "damaged";
+    case LGS_SAVE_TOO_LONG:
+      return "too long";
+    case LGS_SAVE_RELATION:
+      return "another preserve relation";
+    case LGS_SAVE_BAD_NUMBER:
+      return "bad number";
+    case LGS_SAVE_BAD_POLYGON:
+      return "bad polygon";
+    case LGS_SAVE_BAD_SEGMENTS:
+      return "bad segments";
+    default:
+      return "saved world too large";
+  }
+}
+
+}  // namespace
+
+lgs_status refuse(lgs_status status, lgs_error* out) {
+  if (out) {
+    *out = kNoError;
+    out->code = status;
+  }
+  return status;
+}
+
+lgs_status refuse(const SnapshotError& error, lgs_error* out) {
+  const lgs_status status = refuse(kFirstOfSnapshots + static_cast<lgs_status>(error.what), out);
+  if (out) out->offset = error.offset;
+  return status;
+}
+
+lgs_status refuse(const Error& e, lgs_error* out) {
+  const lgs_status status = refuse(static_cast<lgs_status>(e.code), out);
+  if (!out) return status;
+  out->cell = toC(e.cell);
+  out->polygon = e.polygon;
+  out->vertex = e.vertex;
+  out->vertex2 = e.vertex2;
+  out->polygon2 = e.polygon2;
+  out->other = toC(e.other);
+  out->other_block = e.otherBlock;
+  out->segment = toC(e.segment);
+  out->index = e.index;
+  return status;
+}
+
+}  // namespace lgs::c
+
+using namespace lgs::c;
+
+uint64_t lgs_store_shape(lgs_shape_id shape) noexcept { return shape.value; }
+uint64_t lgs_store_polygon(lgs_polygon_id polygon) noexcept { return fromC(polygon).packed(); }
+uint64_t lgs_store_segment(lgs_segment_id segment) noexcept { return segment.value; }
+uint64_t lgs_store_mark(lgs_mark mark) noexcept { return mark.value; }
+lgs_shape_id lgs_load_shape(uint64_t stored) noexcept { return {static_cast<std::uint32_t>(stored)}; }
+lgs_polygon_id lgs_load_polygon(uint64_t stored) noexcept { return toC(lgs::PolygonHandle::unpack(stored)); }
+lgs_segment_id lgs_load_segment(uint64_t stored) noexcept { return {static_cast<std::uint32_t>(stored)}; }
+lgs_mark lgs_load_mark(uint64_t stored) noexcept { return {stored}; }
+
+lgs_point lgs_lattice_point(lgs_double_point position) noexcept { return toC(lgs::latticePoint(fromC(position))); }
+lgs_cell lgs_cell_at(lgs_point point) noexcept { return toC(lgs::cellAt(fromC(point))); }
+
+const char* lgs_status_name(lgs_status status) noexcept {
+  if (status == LGS_OK) return "fine";
+  if (status == LGS_BAD_ARGUMENT) return "bad argument";
+  if (status == LGS_SHORT_BUFFER) return "short buffer";
+  if (isOfSnapshot(status)) return nameOfSnapshot(status);
+  return lgs::name(isOfWorld(status) ? static_cast<lgs::ErrorCode>(status) : lgs::ErrorCode{});
+}
+
+lgs_status lgs_message(const lgs_error* error, char* buffer, size_t capacity, size_t* count) noexcept {
+  if (!error || !isArray(buffer, capacity)) return LGS_BAD_ARGUMENT;
+  const std::string text = sentence(*error);
+  put(count, text.size());
+  if (capacity != 0) {
+    const std::size_t room = std::min(text.size(), capacity - 1);
+    std::memcpy(buffer, text.data(), room);
+    buffer[room] = '\0';
+  }
+  return text.size() < capacity ? LGS_OK : LGS_SHORT_BUFFER;
+}
+
+uint32_t lgs_version(void) noexcept {
+  return std::uint32_t{LGS_VERSION_MAJOR} << 16 | std::uint32_t{LGS_VERSION_MINOR} << 8 | LGS_VERSION_PATCH;
+}

@@ -1,0 +1,85 @@
+// Calls that take many at once. Edits are all made or none: they are a group, which the journal undoes.
+#include "refusal.h"
+#include "world_impl.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace lgs {
+
+using detail::refuse;
+
+namespace {
+
+constexpr std::size_t kMost = std::numeric_limits<std::int32_t>::max();  // for Error::index
+
+tl::unexpected<Error> refuseAt(Error error, std::size_t index) {
+  error.index = static_cast<std::int32_t>(index);
+  return tl::unexpected(error);
+}
+
+/// Writes what `convert` makes of each segment.
+template <class Out, class Convert>
+Expected<void> write(const World::Impl& world, std::span<const SegmentId> ids, std::span<Out> out, Convert&& convert) {
+  const std::size_t count = std::min(ids.size(), out.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!world.segments.isLive(ids[k].value))
+      return refuseAt({.code = ErrorCode::unknownSegment, .segment = ids[k]}, k);
+    out[k] = convert(world.segment(ids[k].value));
+  }
+  return {};
+}
+
+template <class Real>
+Expected<void> writeReals(const World::Impl& world, std::span<const SegmentId> ids, Point origin,
+                          std::span<RealSegment<Real>> out) {
+  if (!inRange(origin)) return refuse({.code = ErrorCode::outOfReach});
+  const auto cells = [&](Point p) {
+    const auto part = [](std::int64_t units) { return static_cast<Real>(static_cast<double>(units) / kUnitsPerCell); };
+    return RealPoint<Real>{part(p.x - origin.x), part(p.y - origin.y)};
+  };
+  return write(world, ids, out, [&](const Segment& s) {
+    return RealSegment<Real>{s.id,        cells(s.start),  cells(s.end),    s.predecessor,
+                             s.successor, cells(s.ghost1), cells(s.ghost2), s.block,
+                             s.polygon,   s.cell};
+  });
+}
+
+}  // namespace
+
+Expected<void> World::addMany(std::span<const Placement> placements, std::span<PolygonHandle> handles) {
+  if (placements.size() > kMost) return refuse({.code = ErrorCode::capacity});
+  Transaction group = edit();
+  for (std::size_t k = 0; k < placements.size(); ++k) {
+    const auto& [cell, shape, block] = placements[k];
+    const auto handle = impl_->add(cell, shape, block);
+    if (!handle) {
+      std::fill(handles.begin(), handles.end(), PolygonHandle{});
+      return refuseAt(handle.error(), k);
+    }
+    if (k < handles.size()) handles[k] = *handle;
+  }
+  group.keep();
+  return {};
+}
+
+Expected<void> World::removeMany(std::span<const PolygonHandle> polygons) {
+  if (polygons.size() > kMost) return refuse({.code = ErrorCode::capacity});
+  Transaction group = edit();
+  for (std::size_t k = 0; k < polygons.size(); ++k)
+    if (const auto done = impl_->remove(polygons[k]); !done) return refuseAt(done.error(), k);
+  group.keep();
+  return {};
+}
+
+Expected<void> World::segments(std::span<const SegmentId> ids, std::span<Segment> out) const {
+  return write(*impl_, ids, out, [](const Segment& s) { return s; });
+}
+Expected<void> World::segments(std::span<const SegmentId> ids, Point origin, std::span<FloatSegment> out) const {
+  return writeReals(*impl_, ids, origin, out);
+}
+Expected<void> World::segments(std::span<const SegmentId> ids, Point origin, std::span<DoubleSegment> out) const {
+  return writeReals(*impl_, ids, origin, out);
+}
+
+}  // namespace lgs

@@ -1,0 +1,181 @@
+#!/usr/bin/env python3
+"""The shared library by Python's ctypes: plays random traces, and compares with `lgs replay --dump`.
+
+    proptests/c/ctypes_test.py LIBLGS LGS [--traces N] [--seed S]
+
+Exit status 1 and the trace, if an outline is another one. The traces go through several calls that mean the same edit,
+so a binding that has a struct or an argument wrong shows.
+"""
+import argparse
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "examples"))
+import lgs_ctypes as lgs  # noqa: E402  (it stands with the examples)
+
+U = lgs.UNITS_PER_CELL
+H = U // 2
+# Shapes whose corners lie on each other's walls and meet in points, as the harness likes them.
+SHAPES = [
+    [(0, 0), (U, 0), (U, U), (0, U)],
+    [(0, 0), (U, 0), (U, U)],
+    [(0, 0), (U, U), (0, U)],
+    [(0, 0), (U, 0), (U, H), (0, H)],
+    [(0, H), (U, H), (U, U), (0, U)],
+    [(H, 0), (U, H), (H, U), (0, H)],
+    [(0, 0), (H, H), (0, U)],
+    [(U, 0), (U, U), (H, H)],
+    [(0, 0), (U // 4, 0), (U // 4, U)],
+]
+
+
+class Trace:
+    """The same edits as text and in a world."""
+
+    def __init__(self, library, chance):
+        self.chance = chance
+        self.blocks = chance.random() < 0.3  # whether other blocks keep the edges between them
+        self.world = lgs.World(library, (lambda a, b: a != b) if self.blocks else None)
+        self.lines = ["lgs-trace 1"]
+        if self.blocks:
+            self.lines += ["preserve 1 2", "preserve 1 3", "preserve 2 3"]
+        self.placed = {}
+        self.copy = {}  # the segments by the change lists alone
+        self.count = 0
+
+    def text(self):
+        return "\n".join(self.lines) + "\n"
+
+    def note_add(self, polygon, cell, block, vertices):
+        name = f"p{self.count}"
+        self.count += 1
+        self.placed[name] = polygon
+        points = "  ".join(f"{x}/{U} {y}/{U}" for x, y in vertices)
+        self.lines.append(f"add {name} {cell[0]} {cell[1]} {block}  {points}")
+
+    def note_remove(self, name):
+        del self.placed[name]
+        self.lines.append(f"remove {name}")
+
+    def some_add(self):
+        chance = self.chance
+        cell = (chance.randrange(-2, 3), chance.randrange(30, 34))
+        return cell, chance.choice(SHAPES), chance.randrange(1, 4)
+
+    def add(self):
+        cell, vertices, block = self.some_add()
+        way = self.chance.randrange(3)
+        try:
+            if way == 0:
+                polygon = self.world.add_points(cell, vertices, block)
+            elif way == 1:
+                polygon = self.world.add_doubles(cell, [(x / U, y / U) for x, y in vertices], block)
+            else:
+                polygon = self.world.add(cell, self.world.shape(vertices), block)
+        except lgs.Refused as refused:
+            assert refused.error.code == lgs.OVERLAP and tuple(refused.error.cell) == cell, refused
+        else:
+            self.note_add(polygon, cell, block, vertices)
+
+    def add_many(self):
+        some = [self.some_add() for _ in range(self.chance.randrange(4))]
+        placements = [(cell, self.world.shape(vertices), block) for cell, vertices, block in some]
+        try:
+            polygons = self.world.add_many(placements)
+        except lgs.Refused as refused:
+            assert 0 <= refused.error.index < len(some), refused
+        else:
+            for polygon, (cell, vertices, block) in zip(polygons, some):
+                self.note_add(polygon, cell, block, vertices)
+
+    def remove(self):
+        if self.placed:
+            name = self.chance.choice(sorted(self.placed))
+            self.world.remove(self.placed[name])
+            self.note_remove(name)
+
+    def remove_many(self):
+        names = [name for name in sorted(self.placed) if self.chance.random() < 0.2]
+        self.world.remove_many([self.placed[name] for name in names])
+        for name in names:
+            self.note_remove(name)
+
+    def commit(self):
+        removed, added, relinked = self.world.commit()
+        for segment in removed:
+            del self.copy[segment]
+        for segment in self.world.segments(added + relinked):
+            self.copy[segment.id.value] = segment
+        assert set(added).isdisjoint(relinked)
+        self.lines.append("commit")
+
+    def detour(self):
+        """Nobody may notice it: edits that are undone, or a world that is saved and loaded."""
+        if self.chance.random() < 0.5:
+            mark = self.world.checkpoint()
+            self.world.clear((-9, -9), (40, 40))
+            self.world.commit()
+            self.world.roll_back(mark)
+        else:
+            self.commit()
+            self.world.load(self.world.save())
+
+    def play(self):
+        ways = [self.add] * 10 + [self.add_many] * 3 + [self.remove] * 4 + [self.remove_many, self.detour]
+        for _ in range(self.chance.randrange(1, 60)):
+            self.chance.choice(ways)()
+            if self.chance.random() < 0.25:
+                self.commit()
+        self.commit()
+
+    def dump(self, segments):
+        lines = []
+        for s in segments:
+            ghosts = [(s.ghost1.x, s.ghost1.y) if s.predecessor else ("-", "-"),
+                      (s.ghost2.x, s.ghost2.y) if s.successor else ("-", "-")]
+            key = (s.start.x, s.start.y, s.end.x, s.end.y, s.block)
+            lines.append((key, " ".join(map(str, ("segment", *key[:4], *ghosts[0], *ghosts[1], s.block)))))
+        return [line for _, line in sorted(lines)]
+
+
+def check(library, command, seed):
+    trace = Trace(library, random.Random(seed))
+    trace.play()
+    with tempfile.NamedTemporaryFile("w", suffix=".trace") as file:
+        file.write(trace.text())
+        file.flush()
+        replay = [command, "replay", file.name, "--dump", "-"]
+        done = subprocess.run(replay, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        return f"seed {seed}: lgs replay: {done.stderr}\n{trace.text()}"
+    expected = done.stdout.splitlines()
+    for what, segments in (("all segments", trace.world.segments(trace.world.all_segments())),
+                           ("the copy that follows the changes", trace.copy.values())):
+        found = trace.dump(segments)
+        if found != expected:
+            missing, extra = set(expected) - set(found), set(found) - set(expected)
+            return f"seed {seed}, {what}: missing {sorted(missing)}, extra {sorted(extra)}\n{trace.text()}"
+    return None
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Plays random traces by ctypes, and compares with lgs replay.")
+    parser.add_argument("library")
+    parser.add_argument("command")
+    parser.add_argument("--traces", type=int, default=60)
+    parser.add_argument("--seed", type=int, default=1)
+    arguments = parser.parse_args()
+    for seed in range(arguments.seed, arguments.seed + arguments.traces):
+        complaint = check(arguments.library, arguments.command, seed)
+        if complaint:
+            print(complaint)
+            return 1
+    print(f"{arguments.traces} traces: the same outlines as lgs replay's")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+"""What the headers of the C interface declare, against a committed list: constants, types, functions.
+
+    proptests/c/interface.py             # exit status 1, and a diff, if interface.txt says something else
+    proptests/c/interface.py --write     # writes interface.txt: from 1.0 on only with more lines than before
+
+symbols.txt has the names that the library shows, and layout.txt where the fields of structs lie; neither knows the
+arguments of a function, nor the number behind a constant.
+"""
+import difflib
+import pathlib
+import re
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+HEADERS = HERE.parents[1] / "lib" / "c" / "include" / "lgs" / "c"
+
+
+def declarations(text):
+    """One line for each, without comments, and with single blanks."""
+    text = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
+    for name, value in re.findall(r"^#define (LGS_(?!API|NOTHROW|C_)\w+) (\S+)", text, flags=re.M):
+        yield f"#define {name} {value}"
+    text = re.sub(r"^\s*#.*$", "", text, flags=re.M)
+    text = re.sub(r'extern "C" \{|^\}$', "", text, flags=re.M)
+    text = text.replace("LGS_API ", "").replace(" LGS_NOTHROW", "")
+    text = re.sub(r"\{[^}]*\}", lambda body: body.group(0).replace(";", "\0"), text)  # a struct is one declaration
+    for declaration in text.split(";"):
+        line = " ".join(declaration.replace("\0", ";").split())
+        if line:
+            yield line
+
+
+def main():
+    found = [line for name in ("values", "world", "edit", "read")
+             for line in declarations((HEADERS / f"{name}.h").read_text(encoding="utf-8"))]
+    text = "\n".join(found) + "\n"
+    listed = HERE / "interface.txt"
+    if sys.argv[1:] == ["--write"]:
+        listed.write_text(text, encoding="utf-8")
+        return 0
+    expected = listed.read_text(encoding="utf-8")
+    if text == expected:
+        print(f"{len(found)} declarations: as interface.txt says")
+        return 0
+    print("The headers declare something else than proptests/c/interface.txt says:")
+    print("\n".join(difflib.unified_diff(expected.splitlines(), found, "listed", "declared", lineterm="", n=0)))
+    return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,241 @@
+/* Worlds as a whole: options, copies, commits, groups, going back; ids as integers; errors as sentences. */
+#include "check.h"
+
+static void options(void) {
+  lgs_world* world = NULL;
+  lgs_world_options options;
+  lgs_changes changes;
+  lgs_shape_id square;
+  int calls = 0;
+  memset(&options, 0x55, sizeof options);
+  lgs_default_world_options(&options, sizeof options);
+  lgs_default_world_options(NULL, sizeof options);
+  CHECK(options.size == sizeof options && options.reserved == 0 && !options.preserve && !options.user);
+  options.preserve = keepsOthers;
+  options.user = &calls;
+  CHECK(lgs_new(&options, &world) == LGS_OK);
+  square = squareOf(world);
+  placed(world, cellAt(0, 0), square, 2);
+  placed(world, cellAt(1, 0), square, 1);
+  placed(world, cellAt(2, 0), square, 1);
+  CHECK(lgs_commit(world, &changes) == LGS_OK && changes.added_count == 10 && calls > 0);
+  lgs_free(world);
+
+  world = NULL;
+  options.size = sizeof options + 8;
+  CHECK(lgs_new(&options, &world) == LGS_BAD_ARGUMENT && !world);
+  options.size = 4;
+  CHECK(lgs_new(&options, &world) == LGS_BAD_ARGUMENT);
+  lgs_default_world_options(&options, sizeof options);
+  options.reserved = 1;
+  CHECK(lgs_new(&options, &world) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_new(NULL, NULL) == LGS_BAD_ARGUMENT);
+  options.preserve = keepsOthers;
+  lgs_default_world_options(&options, 4); /* of a caller with a smaller struct: the rest is not touched */
+  CHECK(options.size == 4 && options.preserve == keepsOthers);
+  lgs_free(NULL);
+}
+
+static void copies(void) {
+  lgs_world *world = newWorld(), *copy = NULL;
+  const lgs_shape_id square = squareOf(world);
+  lgs_polygon_id here, there;
+  lgs_stats stats;
+  int32_t same = 7;
+  placed(world, cellAt(0, 0), square, 1);
+  CHECK(lgs_commit(world, NULL) == LGS_OK && lgs_copy(world, &copy) == LGS_OK);
+  CHECK(lgs_segments_version(world) == lgs_segments_version(copy));
+  CHECK(lgs_same_polygons(world, copy, &same) == LGS_OK && same == 1);
+  here = placed(world, cellAt(1, 0), square, 1);
+  CHECK(lgs_same_polygons(world, copy, &same) == LGS_OK && same == 0);
+  there = placed(copy, cellAt(1, 0), square, 1);
+  CHECK(samePolygon(here, there));
+  CHECK(lgs_commit(world, NULL) == LGS_OK && lgs_segments_version(world) != lgs_segments_version(copy));
+  CHECK(lgs_max_segment_id(world) >= 6 && lgs_max_segment_id(copy) == 4);
+  CHECK(lgs_count(world, &stats) == LGS_OK);
+  CHECK(stats.polygons == 2 && stats.cells == 2 && stats.segments == 6 && stats.shapes == 1 && stats.chunks == 1);
+  CHECK(stats.contents >= 1 && stats.bytes > 1000 && stats.reserved[4] == 0);
+  CHECK(lgs_count(world, NULL) == LGS_OK && lgs_count(NULL, &stats) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_copy(NULL, &copy) == LGS_BAD_ARGUMENT && lgs_copy(world, NULL) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_same_polygons(NULL, copy, &same) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_same_polygons(world, NULL, &same) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_segments_version(NULL) == 0 && lgs_max_segment_id(NULL) == 0);
+  lgs_free(copy);
+  lgs_free(world);
+}
+
+/* The jobs from the last to the first. */
+static void backwards(void* user, size_t count, lgs_job_fn run, void* job) {
+  *(size_t*)user += count;
+  while (count-- > 0) run(job, count);
+}
+
+static void commits(void) {
+  lgs_world *world = newWorld(), *other = newWorld();
+  const lgs_shape_id square = squareOf(world);
+  lgs_changes changes, expected;
+  size_t jobs = 0, k;
+  squareOf(other);
+  CHECK(lgs_fill(world, rectOf(0, 0, 99, 0), square, 1, NULL, NULL) == LGS_OK);
+  CHECK(lgs_fill(other, rectOf(0, 0, 99, 0), square, 1, NULL, NULL) == LGS_OK);
+  CHECK(lgs_commit_with(world, backwards, &jobs, &changes) == LGS_OK && jobs > 0);
+  CHECK(lgs_commit(other, &expected) == LGS_OK && expected.added_count == 202 && changes.added_count == 202);
+  for (k = 0; k < 202; ++k) CHECK(changes.added[k].value == expected.added[k].value);
+  CHECK(changes.removed_count == 0 && changes.relinked_count == 0);
+  CHECK(changes.before == 0 && changes.after == lgs_segments_version(world));
+
+  CHECK(lgs_clear(world, rectOf(50, 0, 50, 0), NULL, NULL) == LGS_OK);
+  CHECK(lgs_commit(world, &changes) == LGS_OK);
+  CHECK(changes.removed_count == 2 && changes.added_count == 2 && changes.relinked_count == 4);
+  CHECK(changes.before == expected.after || changes.before != changes.after);
+  CHECK(lgs_commit_with(world, backwards, &jobs, NULL) == LGS_OK);
+  CHECK(lgs_commit(NULL, NULL) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_commit_with(NULL, backwards, NULL, NULL) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_commit_with(world, NULL, NULL, NULL) == LGS_BAD_ARGUMENT);
+  lgs_free(other);
+  lgs_free(world);
+}
+
+static void groups(void) {
+  lgs_world* world = newWorld();
+  const lgs_shape_id square = squareOf(world);
+  lgs_group *group = NULL, *inner = NULL;
+  int32_t isEmpty = 7;
+  CHECK(lgs_begin(world, &group) == LGS_OK);
+  placed(world, cellAt(0, 0), square, 1);
+  CHECK(lgs_begin(world, &inner) == LGS_OK);
+  placed(world, cellAt(1, 0), square, 1);
+  lgs_undo(inner);
+  lgs_keep(group);
+  CHECK(lgs_is_empty(world, cellAt(0, 0), &isEmpty) == LGS_OK && isEmpty == 0);
+  CHECK(lgs_is_empty(world, cellAt(1, 0), &isEmpty) == LGS_OK && isEmpty == 1);
+  lgs_undo(NULL);
+  lgs_keep(NULL);
+  CHECK(lgs_begin(NULL, &group) == LGS_BAD_ARGUMENT && lgs_begin(world, NULL) == LGS_BAD_ARGUMENT);
+  lgs_free(world);
+}
+
+static void goingBack(void) {
+  lgs_world* world = newWorld();
+  const lgs_shape_id square = squareOf(world);
+  lgs_mark mark = {0}, later = {0};
+  lgs_changes changes;
+  lgs_error error;
+  uint64_t version;
+  placed(world, cellAt(0, 0), square, 1);
+  CHECK(lgs_commit(world, NULL) == LGS_OK);
+  version = lgs_segments_version(world);
+  CHECK(lgs_checkpoint(world, &mark) == LGS_OK && mark.value != 0);
+  placed(world, cellAt(1, 0), square, 1);
+  CHECK(lgs_commit(world, NULL) == LGS_OK && lgs_checkpoint(world, &later) == LGS_OK);
+  CHECK(lgs_roll_back(world, mark, &changes, NULL) == LGS_OK);
+  CHECK(changes.removed_count == 3 && changes.added_count == 1 && changes.after == version);
+  CHECK(lgs_roll_back(world, mark, NULL, NULL) == LGS_OK);
+  REFUSED(LGS_UNKNOWN_MARK, lgs_roll_back(world, later, &changes, &error));
+  CHECK(lgs_forget(world, mark, NULL) == LGS_OK);
+  REFUSED(LGS_UNKNOWN_MARK, lgs_forget(world, mark, &error));
+  REFUSED(LGS_BAD_ARGUMENT, lgs_forget(NULL, mark, &error));
+  REFUSED(LGS_BAD_ARGUMENT, lgs_roll_back(NULL, mark, NULL, &error));
+  CHECK(lgs_checkpoint(NULL, &mark) == LGS_BAD_ARGUMENT && lgs_checkpoint(world, NULL) == LGS_BAD_ARGUMENT);
+  lgs_free(world);
+}
+
+static void integers(void) {
+  lgs_polygon_id polygon = {0x12345678, 0x9abcdef0};
+  lgs_shape_id shape = {7};
+  lgs_segment_id segment = {8};
+  lgs_mark mark = {UINT64_C(1) << 40};
+  CHECK(lgs_store_polygon(polygon) == UINT64_C(0x123456789abcdef0));
+  CHECK(samePolygon(lgs_load_polygon(lgs_store_polygon(polygon)), polygon));
+  CHECK(lgs_load_shape(lgs_store_shape(shape)).value == 7);
+  CHECK(lgs_load_segment(lgs_store_segment(segment)).value == 8);
+  CHECK(lgs_load_mark(lgs_store_mark(mark)).value == mark.value);
+  CHECK(lgs_load_polygon(0).cell_ref == 0 && lgs_load_polygon(0).serial == 0);
+  CHECK(lgs_version() == LGS_EXPECTED_VERSION);
+}
+
+static void statuses(void) {
+  static const lgs_status all[] = {LGS_OK,
+                                   LGS_CELL_OUT_OF_RANGE,
+                                   LGS_EMPTY_SHAPE,
+                                   LGS_TOO_FEW_VERTICES,
+                                   LGS_CAPACITY,
+                                   LGS_NOT_FINITE,
+                                   LGS_OUTSIDE_CELL,
+                                   LGS_REPEATED_VERTEX,
+                                   LGS_ZERO_AREA,
+                                   LGS_SELF_INTERSECTING,
+                                   LGS_CLOCKWISE,
+                                   LGS_OVERLAP,
+                                   LGS_UNKNOWN_SHAPE,
+                                   LGS_STALE_HANDLE,
+                                   LGS_UNKNOWN_SEGMENT,
+                                   LGS_UNKNOWN_MARK,
+                                   LGS_UNCOMMITTED,
+                                   LGS_OUT_OF_REACH,
+                                   LGS_BAD_ARGUMENT,
+                                   LGS_SHORT_BUFFER,
+                                   LGS_SAVE_NO_SNAPSHOT,
+                                   LGS_SAVE_UNKNOWN_VERSION,
+                                   LGS_SAVE_CUT,
+                                   LGS_SAVE_DAMAGED,
+                                   LGS_SAVE_TOO_LONG,
+                                   LGS_SAVE_RELATION,
+                                   LGS_SAVE_BAD_NUMBER,
+                                   LGS_SAVE_BAD_POLYGON,
+                                   LGS_SAVE_BAD_SEGMENTS,
+                                   LGS_SAVE_CAPACITY};
+  enum { kAll = sizeof all / sizeof all[0] };
+  static const lgs_status none[] = {-1, 18, 99, 102, 199, 210, INT32_MAX, INT32_MIN};
+  static char texts[kAll][200];
+  lgs_error error;
+  char text[200] = "";
+  size_t a, b;
+  for (a = 0; a < kAll; ++a) {
+    memset(&error, 0, sizeof error);
+    error.code = all[a];
+    error.polygon = error.polygon2 = error.vertex = error.vertex2 = error.index = -1;
+    CHECK(lgs_message(&error, texts[a], sizeof texts[a], NULL) == LGS_OK);
+    CHECK(strcmp(texts[a], "unknown error") != 0 && strcmp(lgs_status_name(all[a]), "unknown error") != 0);
+    for (b = 0; b < a; ++b) {
+      CHECK(strcmp(texts[a], texts[b]) != 0);
+      CHECK(strcmp(lgs_status_name(all[a]), lgs_status_name(all[b])) != 0);
+    }
+  }
+  for (a = 0; a < sizeof none / sizeof none[0]; ++a) {
+    error.code = none[a];
+    CHECK(strcmp(lgs_status_name(none[a]), "unknown error") == 0);
+    CHECK(lgs_message(&error, text, sizeof text, NULL) == LGS_OK && strcmp(text, "unknown error") == 0);
+  }
+}
+
+static void sentences(void) {
+  lgs_world* world = newWorld();
+  lgs_error error;
+  char text[200] = "";
+  char small[8] = "xxxxxxx";
+  size_t count = 0;
+  placed(world, cellAt(3, -4), squareOf(world), 7);
+  REFUSED(LGS_OVERLAP, lgs_add_points(world, cellAt(3, -4), kRamp, 3, 1, NULL, &error));
+  CHECK(lgs_message(&error, text, sizeof text, &count) == LGS_OK && count == strlen(text));
+  CHECK(strstr(text, "cell (3, -4), polygon 0: its interior overlaps that of a polygon of block 7 ") == text);
+  CHECK(lgs_message(&error, small, 5, &count) == LGS_SHORT_BUFFER && count == strlen(text));
+  CHECK(memcmp(small, "cell\0xx", 8) == 0);
+  CHECK(lgs_message(&error, text, count, NULL) == LGS_SHORT_BUFFER);
+  CHECK(lgs_message(&error, NULL, 0, &count) == LGS_SHORT_BUFFER && count == strlen(text) + 1);
+  CHECK(lgs_message(&error, NULL, 1, NULL) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_message(NULL, text, sizeof text, NULL) == LGS_BAD_ARGUMENT);
+  lgs_free(world);
+}
+
+int main(void) {
+  options();
+  copies();
+  commits();
+  groups();
+  goingBack();
+  integers();
+  statuses();
+  sentences();
+  return 0;
+}
