@@ -15,6 +15,12 @@ std::string describe(const Mismatch& mismatch, const Trace& trace);
 /// Both boundaries, the ghosts, the difference.
 std::string draw(const Mismatch& mismatch);
 
+/// A page that steps through the trace, for a browser; at the end both boundaries, and what differs in words.
+std::string page(const Mismatch& mismatch, const Trace& trace);
+
+/// The same without a mismatch, for a trace that was found right, or that makes the engine crash.
+std::string page(const Trace& trace, const std::string& title);
+
 /// The world at the end of a trace as the naive reference sees it, edits that must be refused left out. The engine has
 /// no part in it: for a trace that makes it crash.
 std::string drawWithoutEngine(const Trace& trace, const std::string& title);
