@@ -113,7 +113,8 @@ void addReplay(CLI::App& app, Action& chosen) {
       ->option_text("FILE");
   command
       .add_option("--html", arguments->html,
-                  "Write a page that steps through the edits, for a browser: both\noutlines, their links, and the mismatch if there is one; - is\nstdout")
+                  "Write a page that steps through the edits, for a browser: both\noutlines, their links, and the "
+                  "mismatch if there is one; - is\nstdout")
       ->option_text("FILE")
       ->needs(check);
   command.add_option("--save", arguments->save, "Save the world after the last commit, for World::load(); - is stdout")

@@ -29,7 +29,8 @@ function statesOf(steps) {
     isCommit = step.expected !== undefined;
     if (isCommit) pairs = pairsOf(step.expected, step.actual ?? step.expected);
     if (isCommit && index > 0) ++commits;
-    return { step, index, polygons: [...standing], added, removed, edited: [...edited.values()], pairs, commits, isCommit };
+    const polygons = [...standing];
+    return { step, index, polygons, added, removed, edited: [...edited.values()], pairs, commits, isCommit };
   });
 }
 

@@ -26,7 +26,8 @@ const kindInWords = {
 
 const wordsOf = (pair) => {
   const segment = anyOf(pair);
-  return `${endsInWords(segment)}, ${segment.place}, block ${segment.block}, ${ownerOf(segment)}; ${kindInWords[kindOf(pair)]}`;
+  const where = `${endsInWords(segment)}, ${segment.place}, block ${segment.block}, ${ownerOf(segment)}`;
+  return `${where}; ${kindInWords[kindOf(pair)]}`;
 };
 
 const rows = {
@@ -46,7 +47,8 @@ function showSegment(pair) {
   const sides = kindOf(pair) === "same" ? ["expected"] : ["expected", "actual"].filter((side) => pair[side]);
   const table = html("table");
   if (sides.length === 2) {
-    table.append(html("tr", {}, html("td"), ...sides.map((side) => html("th", { scope: "col", class: side }, sideNames[side]))));
+    const heads = sides.map((side) => html("th", { scope: "col", class: side }, sideNames[side]));
+    table.append(html("tr", {}, html("td"), ...heads));
   }
   for (const [name, words] of Object.entries(rows)) {
     const values = sides.map((side) => words(pair[side]));
@@ -68,7 +70,7 @@ function showDifferences(state) {
     const words = [html("strong", { class: kind }, title), `: ${rest.join(": ")}`];
     return html("li", {}, html("button", { type: "button", "data-about": keyOfDifference(difference) }, ...words));
   });
-  if (state.step.more > 0) items.push(html("li", { class: "quiet" }, `… and ${counted(state.step.more, "more difference")}`));
+  if (state.step.more > 0) items.push(html("li", { class: "quiet" }, `… and ${state.step.more} more`));
   if (items.length === 0) items.push(html("li", { class: "quiet" }, noDifference(state)));
   byId("differences").replaceChildren(...items);
   const number = found.length + (state.step.more ?? 0);
@@ -84,18 +86,22 @@ function noDifference(state) {
 function showStatus(state) {
   const words = [`Step ${state.index} of ${states.length - 1}`];
   if (state.isCommit && state.index > 0) words.push(`commit ${state.commits}`);
-  if (!state.isCommit) words.push(state.commits === 0 ? "not committed" : `not committed: the outline is of commit ${state.commits}`);
+  if (!state.isCommit) words.push("not committed" + (state.commits > 0 ? `: the outline is of commit ${state.commits}` : ""));
   words.push(counted(state.polygons.length, "polygon"), counted(state.pairs.size, "segment"));
   const found = differencesOf(state).length + (state.step.more ?? 0);
   if (found > 0) words.push(counted(found, "difference"));
   byId("status").textContent = words.join(" · ");
 }
 
-const nameOfStep = ({ edit }, index) => edit || (index === 0 ? (data.note ? "the world before" : "an empty world") : "the end");
+function nameOfStep({ edit }, index) {
+  if (index > 0) return edit || "the end";
+  return data.note === "" ? "an empty world" : "the world before";
+}
 
 function makeEdits() {
   byId("edits").append(...data.steps.map((step, index) => {
-    const button = html("button", { type: "button", "data-step": index, tabindex: -1 }, html("code", {}, nameOfStep(step, index)));
+    const name = html("code", {}, nameOfStep(step, index));
+    const button = html("button", { type: "button", "data-step": index, tabindex: -1 }, name);
     if (step.note) button.append(html("span", { class: "quiet" }, ` ${step.note}`));
     if (step.wrong) button.append(html("strong", { class: "wrong" }, " Here it goes wrong."));
     return html("li", {}, button);
@@ -112,9 +118,9 @@ function showCurrentEdit(state) {
     else button.removeAttribute("aria-current");
     // The list alone is scrolled, never the page.
     if (!isCurrent) return;
-    const { offsetTop, offsetHeight } = button.parentElement;
-    if (offsetTop < list.scrollTop) list.scrollTop = offsetTop;
-    if (offsetTop + offsetHeight > list.scrollTop + list.clientHeight) list.scrollTop = offsetTop + offsetHeight - list.clientHeight;
+    const { offsetTop: top, offsetHeight } = button.parentElement;
+    const bottom = top + offsetHeight;
+    list.scrollTop = Math.min(top, Math.max(list.scrollTop, bottom - list.clientHeight));
   });
 }
 

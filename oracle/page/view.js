@@ -43,7 +43,8 @@ function placeBox(state) {
   if (segments.length > 0) return boxOf(pointsOf(segments.flatMap(({ start, end }) => [start, end])));
   const polygons = [...state.added, ...state.removed];
   if (state.index > 0 && polygons.length > 0) return boxOf(cornersOf(polygons));
-  return boxOf(state.edited.flatMap(([i, j]) => [{ x: i * unit, y: j * unit }, { x: (i + 1) * unit, y: (j + 1) * unit }]));
+  const corner = (i, j) => ({ x: i * unit, y: j * unit });
+  return boxOf(state.edited.flatMap(([i, j]) => [corner(i, j), corner(i + 1, j + 1)]));
 }
 
 // Shows a box with some room around it, in cells.
@@ -68,8 +69,8 @@ function isInView(box) {
 
 // Whether something between these pixels may be seen.
 const touchesView = (pixels, margin = 40) => {
-  const box = boxOf(pixels);
-  return box.left <= view.width + margin && box.right >= -margin && box.bottom <= view.height + margin && box.top >= -margin;
+  const { left, right, bottom, top } = boxOf(pixels);
+  return left <= view.width + margin && right >= -margin && bottom <= view.height + margin && top >= -margin;
 };
 
 function pan(dx, dy) {

@@ -77,8 +77,11 @@ PageCase markup() {
   const std::string name = "</script><img/src=x/onerror=window.broken=1>&amp;\"'`${1}{{data}}";
   PageCase made{"markup",
                 parseTrace(fmt::format("lgs-trace 1\nadd {} 0 0 1  0 0 1 0 0 1\n", name)).trace,
-                {name + " <!-- \x01\xff ü", "the report: " + name + "\nits second line\n", "<b>expected</b>",
-                 "<i>actual</i>", {}}};
+                {name + " <!-- \x01\xff ü",
+                 "the report: " + name + "\nits second line\n",
+                 "<b>expected</b>",
+                 "<i>actual</i>",
+                 {}}};
   return made;
 }
 
@@ -132,8 +135,6 @@ PageCase longTrace() {
   return made;
 }
 
-std::vector<PageCase> pageCases() {
-  return {uncutWall(), markup(), endsOfTheWorld(), wrongRefusal(), longTrace()};
-}
+std::vector<PageCase> pageCases() { return {uncutWall(), markup(), endsOfTheWorld(), wrongRefusal(), longTrace()}; }
 
 }  // namespace lgs::oracle::test
