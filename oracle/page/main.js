@@ -137,6 +137,14 @@ function listenToPointers() {
   }, { passive: false });
 }
 
+// Whether the drawing has another size than before.
+function measure() {
+  const { clientWidth: width, clientHeight: height } = drawing;
+  const isOther = width !== view.width || height !== view.height;
+  Object.assign(view, { width, height });
+  return isOther;
+}
+
 function begin() {
   showFixedTexts();
   for (const [id, action] of Object.entries(actions)) byId(id).addEventListener("click", action);
@@ -147,17 +155,12 @@ function begin() {
   listenToKeys();
   listenToHighlights();
   listenToPointers();
-  let isFirst = true;
-  new ResizeObserver(([{ contentRect }]) => {
-    view.width = contentRect.width;
-    view.height = contentRect.height;
-    if (isFirst) fitWhole();
-    const kSmall = 24; // pixels a cell: with less one sees little of a step
-    if (isFirst && view.scale < kSmall) fitPlace(current());
-    isFirst = false;
-    draw();
-  }).observe(drawing);
+  measure();
+  fitWhole();
+  const kSmall = 24; // pixels a cell: with less one sees little of a step
+  if (view.scale < kSmall) fitPlace(current());
   go(states.length - 1);
+  new ResizeObserver(() => measure() && draw()).observe(drawing);
 }
 
 begin();

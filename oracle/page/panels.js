@@ -86,7 +86,8 @@ function noDifference(state) {
 function showStatus(state) {
   const words = [`Step ${state.index} of ${states.length - 1}`];
   if (state.isCommit && state.index > 0) words.push(`commit ${state.commits}`);
-  if (!state.isCommit) words.push("not committed" + (state.commits > 0 ? `: the outline is of commit ${state.commits}` : ""));
+  const before = state.commits > 0 ? `: the outline is of commit ${state.commits}` : "";
+  if (!state.isCommit) words.push(`not committed${before}`);
   words.push(counted(state.polygons.length, "polygon"), counted(state.pairs.size, "segment"));
   const found = differencesOf(state).length + (state.step.more ?? 0);
   if (found > 0) words.push(counted(found, "difference"));

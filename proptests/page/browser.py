@@ -84,12 +84,14 @@ class Browser:
         """What the browser has logged: errors of scripts, what the page's policy forbids."""
         return [entry["message"] for entry in self.call("/se/log", {"type": "browser"})]
 
-    def screenshot(self):
-        return base64.b64decode(self.call("/screenshot", method="GET"))
+    def screenshot(self, x, y, width, height):
+        """A part of the page as a PNG."""
+        clip = {"x": x, "y": y, "width": width, "height": height, "scale": 1}
+        return base64.b64decode(self.cdp("Page.captureScreenshot", clip=clip)["data"])
 
 
-def pixels(png):
-    """A function from x, y to (red, green, blue) of a PNG with eight bits a channel, not interlaced, as browsers write."""
+def colours_of(png):
+    """The colours in a PNG, as a set of (red, green, blue). Eight bits a channel, not interlaced, as browsers write."""
     chunks, at = {}, 8
     while at < len(png):
         length, kind = struct.unpack(">I4s", png[at:at + 8])
@@ -98,15 +100,16 @@ def pixels(png):
     width, height, _, colour = struct.unpack(">IIBB", chunks[b"IHDR"][:10])
     size = {2: 3, 6: 4}[colour]
     raw, stride = zlib.decompress(chunks[b"IDAT"]), width * size
-    rows = [bytearray(stride)]
+    colours, above = set(), bytearray(stride)
     for y in range(height):
         filtered = raw[y * (stride + 1)]
-        row, above = bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)]), rows[-1]
+        row = bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
         for x in range(stride):
             left, corner = (row[x - size], above[x - size]) if x >= size else (0, 0)
             row[x] = (row[x] + predicted(filtered, left, above[x], corner)) & 255
-        rows.append(row)
-    return lambda x, y: tuple(rows[round(y) + 1][round(x) * size:round(x) * size + 3])
+        colours.update(tuple(row[x:x + 3]) for x in range(0, stride, size))
+        above = row
+    return colours
 
 
 def predicted(kind, left, above, corner):
