@@ -67,6 +67,10 @@ std::string page(const Trace& trace, const std::string& title) {
   return writePage(trace, {title, "", "naive reference", "engine", {}});
 }
 
+std::string pageWithoutEngine(const Trace& trace, const std::string& title) {
+  return writePage(trace, {title, "", "naive reference", "", {}});
+}
+
 std::string drawWithoutEngine(const Trace& trace, const std::string& title) {
   Model model;
   for (const Edit& edit : trace.edits) {

@@ -114,7 +114,7 @@ void reportCrash(const std::string& how, const Trace& trace, const CheckOptions&
   print(small, fmt::format("the engine {}\n", again.value_or(how + ", but not again")));
   alone.skipRefused = false;
   const std::string title = "the engine " + how;
-  save(small, {drawWithoutEngine(small, title), page(small, title)}, report, stillCrashes(small));
+  save(small, {drawWithoutEngine(small, title), pageWithoutEngine(small, title)}, report, stillCrashes(small));
 }
 
 }  // namespace lgs::oracle

@@ -1,47 +1,52 @@
 // What is pointed out while a segment, or a sentence about one, has the pointer or the focus.
 
-const sideNames = { expected: data.expectedName, actual: data.actualName };
-
-function dot(point, kind, text, above) {
-  const where = pixelsOf(point);
-  const words = label(move(where, { x: 0, y: 1 }, above ? -12 : 20), text, { "text-anchor": "middle" });
-  return [svg("circle", { class: `dot ${kind}`, cx: round(where.x), cy: round(where.y), r: 5 }), words];
+// The ghosts of a segment: each once where both outlines have the same, else that of each outline which is shown.
+function ghostsOf(pair, show) {
+  const sides = ["expected", "actual"].filter((side) => pair[side] && (show === "both" || show === side));
+  return [["ghost1", "start"], ["ghost2", "end"]].flatMap(([name, end]) => {
+    const isSame = sides.length < 2 ? kindOf(pair) === "same" : pair.expected[name] === pair.actual[name];
+    if (isSame) return [{ kind: "plain", words: name, ghost: anyOf(pair)[name], vertex: anyOf(pair)[end] }];
+    return sides.map((side) => ({
+      kind: side === "expected" ? "missing" : "extra",
+      words: `${name} ${side}`,
+      ghost: pair[side][name],
+      vertex: pair[side][end],
+    }));
+  }).filter(({ ghost }) => ghost !== null);
 }
 
-// A segment's ghosts, and the way to them.
-function ghostsOf(segment, kind, name) {
-  const of = name ? `, ${name}` : "";
-  const signs = [];
-  const add = (ghost, vertex, text, above) => {
-    if (ghost === null) return;
-    signs.push(svg("path", { class: `way ${kind}`, d: linePath(pixelsOf(ghost), pixelsOf(vertex)) }));
-    signs.push(...dot(ghost, kind, text + of, above));
-  };
-  add(segment.ghost1, segment.start, "ghost1", kind === "missing");
-  add(segment.ghost2, segment.end, "ghost2", kind === "missing");
-  return signs;
+// A label above or below a vertex, moved so that no part of it is outside of the drawing.
+function vertexLabel(vertex, words, isAbove) {
+  const { x, y } = pixelsOf(vertex);
+  const half = words.length * 3.6;
+  const where = { x: Math.max(half, Math.min(view.width - half, x)), y: y + (isAbove ? -12 : 22) };
+  return label(where, words, { "text-anchor": "middle" });
 }
 
-// Where both outlines have the same ghosts there is one of each; else those of the two, by name.
-function pointOut({ under, over }, pair) {
-  const { expected, actual } = pair;
+function pointOut({ under, over }, pair, show) {
   const { start, end } = anyOf(pair);
   under.append(svg("path", { class: "halo", d: linePath(pixelsOf(start), pixelsOf(end)) }));
-  const same = expected && actual && expected.ghost1 === actual.ghost1 && expected.ghost2 === actual.ghost2;
-  if (same) {
-    over.append(...ghostsOf(expected, "plain", ""));
-  } else {
-    if (expected) over.append(...ghostsOf(expected, "missing", data.expectedName));
-    if (actual) over.append(...ghostsOf(actual, "extra", data.actualName));
+  const ghosts = ghostsOf(pair, show);
+  const labels = new Map();
+  for (const { kind, words, ghost, vertex } of ghosts) {
+    over.append(svg("path", { class: `way ${kind}`, d: linePath(pixelsOf(ghost), pixelsOf(vertex)) }));
+    const key = `${ghost} ${kind === "missing"}`;
+    if (!labels.has(key)) labels.set(key, { ghost, isAbove: kind === "missing", words: [] });
+    labels.get(key).words.push(words);
   }
+  for (const { kind, ghost } of ghosts) {
+    const { x, y } = pixelsOf(ghost);
+    over.append(svg("circle", { class: `dot ${kind}`, cx: round(x), cy: round(y), r: kind === "missing" ? 7 : 4 }));
+  }
+  for (const { ghost, isAbove, words } of labels.values()) over.append(vertexLabel(ghost, words.join(", "), isAbove));
 }
 
 // Highlights a segment by its key, and the sentences about it; nothing if there is no such segment.
-function highlight(groups, state, key) {
+function highlight(groups, state, key, show) {
   groups.under.replaceChildren();
   groups.over.replaceChildren();
   const pair = state.pairs.get(key);
-  if (pair) pointOut(groups, pair);
+  if (pair) pointOut(groups, pair, show);
   document.querySelectorAll("#differences button").forEach((button) => {
     button.classList.toggle("lit", key !== null && button.dataset.about === key);
   });

@@ -5,7 +5,7 @@ const current = () => states[shown.index];
 
 function draw() {
   shown.groups = drawStep(current(), shown.show);
-  highlight(shown.groups, current(), shown.key);
+  highlight(shown.groups, current(), shown.key, shown.show);
 }
 
 function go(index) {
@@ -92,7 +92,7 @@ function listenToHighlights() {
   const set = (key) => {
     if (shown.key === key) return;
     shown.key = key;
-    highlight(shown.groups, current(), key);
+    highlight(shown.groups, current(), key, shown.show);
   };
   const keyAt = (element) => element?.dataset?.key ?? element?.closest?.("[data-about]")?.dataset.about ?? null;
   const rest = () => set(keyAt(document.activeElement));

@@ -32,7 +32,7 @@ struct PageOptions {
   std::string title;   ///< any text, UTF-8
   std::string report;  ///< what went wrong, in words; whole lines; may be empty
   std::string expectedName = "expected";
-  std::string actualName = "actual";
+  std::string actualName = "actual";  ///< empty: there is no other outline than the expected one
   std::optional<PageEnd> end;  ///< nothing: all went well, and the page shows the whole trace
 };
 

@@ -37,6 +37,8 @@ const rows = {
   ghost2: ({ ghost2 }) => textOf(ghost2),
 };
 
+const sideNames = { expected: data.expectedName, actual: data.actualName };
+
 // All that is known of a segment, for one outline or for both where they differ.
 function showSegment(pair) {
   if (!pair) {
@@ -80,6 +82,7 @@ function showDifferences(state) {
 function noDifference(state) {
   if (state.step.wrong) return "The outlines agree. What is wrong instead is in the report.";
   if (!state.isCommit) return "Not committed yet.";
+  if (data.actualName === "") return `There is only one outline, that of the ${data.expectedName}.`;
   return `None: ${data.actualName} is as ${data.expectedName}.`;
 }
 
@@ -132,6 +135,7 @@ function showFixedTexts() {
   byId("note").hidden = data.note === "";
   byId("expected").textContent = data.expectedName;
   byId("actual").textContent = data.actualName;
+  byId("expected").parentElement.hidden = data.actualName === "";
   byId("report-box").hidden = data.report === "";
   byId("report-box").open = differencesOf(states[states.length - 1]).length === 0;
   byId("preserve").hidden = data.preserve.length === 0;

@@ -36,6 +36,9 @@ class Page(unittest.TestCase):
     def text(self, selector):
         return self.run_script("document.querySelector(arguments[0]).innerText", selector)
 
+    def texts(self, selector):
+        return self.run_script("[...document.querySelectorAll(arguments[0])].map(element => element.textContent)", selector)
+
     def count(self, selector):
         return self.run_script("document.querySelectorAll(arguments[0]).length", selector)
 
@@ -118,7 +121,10 @@ class Page(unittest.TestCase):
                      "(0.5, 1)", "(1, 1)", "ghost2", "naive reference", "engine"):
             self.assertIn(part, words)
         self.assertEqual(self.count(".halo"), 1)
-        self.assertEqual(self.count(".dot"), 4)  # two ghosts as expected, two as they are
+        self.assertEqual(self.texts(".highlight text"), ["ghost1 expected", "ghost1 actual", "ghost2"])
+        self.assertEqual([self.count(f".dot.{kind}") for kind in ("missing", "extra", "plain")], [1, 1, 1])
+        self.browser.press("1")
+        self.assertEqual(self.texts(".highlight text"), ["ghost1 expected", "ghost2 expected"])
         self.browser.pointer(("move", 5, 5))
         self.assertEqual(self.count(".halo") + self.count(".dot"), 0)
 
@@ -163,6 +169,12 @@ class Page(unittest.TestCase):
         self.assertIn("add c is refused", self.text("#report"))
         self.assertEqual(self.text("#preserve"), "preserve 1 2")
         self.assertGreater(self.count(".link.one-sided"), 0)
+
+    def test_says_when_there_is_one_outline_only(self):
+        self.open("crash")
+        self.assertEqual(self.text("#differences"), "There is only one outline, that of the naive reference.")
+        self.assertEqual(self.count("#drawing .segment.same"), 8)
+        self.assertFalse(self.run_script("document.querySelector('#expected').checkVisibility()"))
 
     # --- The view ---
 

@@ -135,6 +135,12 @@ PageCase longTrace() {
   return made;
 }
 
-std::vector<PageCase> pageCases() { return {uncutWall(), markup(), endsOfTheWorld(), wrongRefusal(), longTrace()}; }
+PageCase crash() {
+  return {"crash", uncutWall().trace, {"the engine crashed: Segmentation fault", "", "naive reference", "", {}}};
+}
+
+std::vector<PageCase> pageCases() {
+  return {uncutWall(), markup(), endsOfTheWorld(), wrongRefusal(), longTrace(), crash()};
+}
 
 }  // namespace lgs::oracle::test

@@ -31,6 +31,9 @@ PageCase wrongRefusal();
 /// Far more edits than get a step, in far more cells than are shown.
 PageCase longTrace();
 
+/// A trace that makes the engine crash: there is one outline only.
+PageCase crash();
+
 std::vector<PageCase> pageCases();
 
 }  // namespace lgs::oracle::test
