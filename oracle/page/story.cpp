@@ -219,7 +219,7 @@ class Story {
   std::string note() const {
     if (!excerpt_.cells) return "";
     const auto& [low, high] = *excerpt_.cells;
-    const auto early = std::count(excerpt_.parts.begin(), excerpt_.parts.end(), Part::early);
+    const auto early = static_cast<std::size_t>(std::ranges::count(excerpt_.parts, Part::early));
     std::string text = fmt::format("The trace is too long to show all of it ({}): here are cells ({}, {}) to ({}, {}).",
                                    counted(excerpt_.parts.size(), "line"), low.i, low.j, high.i, high.j);
     if (early > 0) text += fmt::format(" The page begins after the first {} there.", counted(early, "line"));

@@ -1,10 +1,14 @@
 // What a page holds: its data, step by step; and that no text can become markup. How it behaves: browser_test.py.
 #include "oracle/check/failure.h"
+#include "oracle/check/report.h"
 #include "proptests/page/cases.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -56,8 +60,8 @@ TEST(Page, HasAStepForEachEdit) {
               ElementsAre("", StartsWith("add floor 0 0 1 "), "commit", StartsWith("add wall 1 0 3"),
                           StartsWith("add bad "), "add tooth 0 1 2  0 1 0.5 0 1 0.5", "remove wall", "commit"));
   EXPECT_THAT(texts(steps, "note"), ElementsAre("", "", "", "", HasSubstr("must be refused"), "", "", ""));
-  EXPECT_EQ(steps[1]["added"], Json({0}));
-  EXPECT_EQ(steps[6]["removed"], Json({1}));
+  EXPECT_EQ(steps[1]["added"], Json::array({0}));
+  EXPECT_EQ(steps[6]["removed"], Json::array({1}));
   EXPECT_FALSE(steps[4].contains("added"));
   EXPECT_EQ(data["polygons"].size(), 3u);
   EXPECT_EQ(data["polygons"][2]["name"], "tooth");
@@ -169,8 +173,8 @@ TEST(Page, IsTheSameEveryTime) {
   EXPECT_EQ(writePage(made.trace, made.options), writePage(made.trace, made.options));
 }
 
-TEST(Page, ShowsAMismatchOfTheChecker) {
-  const test::PageCase made = test::uncutWall();
+// What the checker would find at the end of a page's trace.
+Mismatch mismatchOf(const test::PageCase& made) {
   Mismatch mismatch;
   mismatch.kind = Mismatch::Kind::cgal;
   mismatch.text = "it differs\n";
@@ -178,6 +182,12 @@ TEST(Page, ShowsAMismatchOfTheChecker) {
   mismatch.scene.polygons.resize(made.options.end->polygons);
   mismatch.expected = made.options.end->expected;
   mismatch.actual = made.options.end->actual;
+  return mismatch;
+}
+
+TEST(Page, ShowsAMismatchOfTheChecker) {
+  const test::PageCase made = test::uncutWall();
+  Mismatch mismatch = mismatchOf(made);
   const Json data = dataOf(page(mismatch, made.trace));
   EXPECT_EQ(data["expectedName"], "CGAL");
   EXPECT_THAT(data["report"].get<std::string>(), HasSubstr("after edit 7, line 8"));
@@ -185,6 +195,21 @@ TEST(Page, ShowsAMismatchOfTheChecker) {
   mismatch.kind = Mismatch::Kind::verdict;
   mismatch.edits = 1;
   EXPECT_EQ(dataOf(page(mismatch, made.trace))["steps"].size(), 2u);
+}
+
+TEST(Page, IsSavedBesideThePicture) {
+  const test::PageCase made = test::uncutWall();
+  const Mismatch mismatch = mismatchOf(made);
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "lgs-page-test";
+  ::testing::internal::CaptureStdout();
+  reportMismatch(mismatch, made.trace, [](const Trace&) { return std::nullopt; },
+                 {folder.string(), "found", "again", {}});
+  const std::string said = ::testing::internal::GetCapturedStdout();
+  EXPECT_THAT(said, HasSubstr("found.svg\npage       "));
+  std::ostringstream saved;
+  saved << std::ifstream(folder / "found.html").rdbuf();
+  EXPECT_EQ(saved.str(), page(mismatch, made.trace));
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Page, NeedsNothingFromOutside) {
