@@ -11,10 +11,13 @@ namespace {
 
 using paging::Json;
 
+// What is no UTF-8 becomes a sign that says so.
+std::string dumped(const Json& data) { return data.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 // JSON that stands in a script element: nothing in it may end the element, or begin a comment.
 std::string inScript(const Json& data) {
   std::string out;
-  for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+  for (const char c : dumped(data)) {
     if (c == '<') {
       out += "\\u003c";  // outside of strings JSON has none
     } else {
@@ -25,12 +28,13 @@ std::string inScript(const Json& data) {
 }
 
 // Text in an element. Lines stay lines.
-std::string inElement(std::string_view text) {
+std::string inElement(const std::string& any) {
+  const auto text = Json::parse(dumped(any)).get<std::string>();
   std::string out;
   for (std::size_t begin = 0;;) {
     const std::size_t end = text.find('\n', begin);
-    out += drawing::escape(text.substr(begin, end - begin));
-    if (end == std::string_view::npos) return out;
+    out += drawing::escape(std::string_view(text).substr(begin, end - begin));
+    if (end == std::string::npos) return out;
     out += '\n';
     begin = end + 1;
   }
@@ -42,9 +46,9 @@ std::string writePage(const Trace& trace, const PageOptions& options) {
   std::string page;
   const std::string_view all = paging::kTemplate;
   std::size_t done = 0;
-  // Each place once, in order: what is put in is not looked through for places again.
+  // What is put in is not looked through for places again.
   const auto fill = [&](std::string_view place, const std::string& text) {
-    const std::size_t at = all.find(place, done);
+    const std::size_t at = all.find(place);
     page.append(all.substr(done, at - done)).append(text);
     done = at + place.size();
   };

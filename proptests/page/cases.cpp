@@ -126,6 +126,7 @@ PageCase longTrace() {
     const int at = 30 * kWide + 20 + k % 20;
     text += fmt::format("{} p{}{}\ncommit\n", k % 40 < 20 ? "remove" : "add", at,
                         k % 40 < 20 ? "" : fmt::format(" {} 30 7  0 0 1 0 0 1", 20 + k % 20));
+    if (k % 10 == 0) text += fmt::format("add far{} 70 {} 1  0 0 1 0 0 1\ncommit\n", k, k);
   }
   PageCase made{"long", parseTrace(text).trace, {"a long trace", "", "naive reference", "engine", {}}};
   made.options.end = rightEnd(made.trace);
