@@ -34,10 +34,11 @@ class Page(unittest.TestCase):
         return self.browser.run(f"return {expression}", *arguments)
 
     def text(self, selector):
+        self.assertTrue(self.run_script("document.querySelector(arguments[0]).checkVisibility()", selector), selector)
         return self.run_script("document.querySelector(arguments[0]).innerText", selector)
 
     def texts(self, selector):
-        return self.run_script("[...document.querySelectorAll(arguments[0])].map(element => element.textContent)", selector)
+        return self.run_script("[...document.querySelectorAll(arguments[0])].map((found) => found.textContent)", selector)
 
     def count(self, selector):
         return self.run_script("document.querySelectorAll(arguments[0]).length", selector)
@@ -263,18 +264,26 @@ class Page(unittest.TestCase):
                 self.assertGreater(ratio, 4.5, f"{selector}, {scheme}")  # WCAG AA
 
     def test_honours_reduced_motion(self):
-        moves = "getComputedStyle(document.querySelector('.added')).animationName"
-        for motion, name in (("no-preference", "arrive"), ("reduce", "none")):
-            self.open(reduced_motion=motion)
+        self.open()
+        self.browser.run("""
+            window.moves = [];
+            addEventListener("animationstart", ({ animationName }) => moves.push(animationName));""")
+        frames = """
+            new Promise((done) => {
+              requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)));
+            })"""
+        for motion, moves in (("no-preference", ["arrive"]), ("reduce", ["arrive"])):
+            self.browser.window(1200, 900, reduced_motion=motion)
             self.browser.press("Home", "Right")
-            self.assertEqual(self.run_script(moves), name)
+            self.run_script(frames.strip())  # an animation begins with a frame
+            self.assertEqual(self.run_script("moves"), moves, motion)
 
     def test_the_screen_shows_what_differs(self):
         self.open()
         x, y = map(round, self.middle(self.hit("(0.5, 1) → (0, 1)")))
         for key, there, other in (("1", BLUE, ORANGE), ("2", ORANGE, BLUE)):
             self.browser.press(key)
-            seen = colours_of(self.browser.screenshot(x - 12, y - 3, 25, 6))
+            seen = colours_of(self.browser.screenshot(x + 14, y - 3, 14, 6))  # beside the arrows
             self.assertIn(there, seen, key)
             self.assertNotIn(other, seen, key)
 
