@@ -38,7 +38,7 @@ class Page(unittest.TestCase):
         return self.run_script("document.querySelector(arguments[0]).innerText", selector)
 
     def texts(self, selector):
-        return self.run_script("[...document.querySelectorAll(arguments[0])].map((found) => found.textContent)", selector)
+        return self.run_script("[...document.querySelectorAll(arguments[0])].map((e) => e.textContent)", selector)
 
     def count(self, selector):
         return self.run_script("document.querySelectorAll(arguments[0]).length", selector)
