@@ -111,8 +111,8 @@ constexpr const char* kCheckHelp =
     "be as theirs. By the laws no polygon further away matters there. The change list is always compared\n"
     "for the whole world, so a segment that changes further away is noticed too.\n\n"
     "A mismatch is shrunk to a minimal trace, printed, saved and drawn (a picture, and a page that steps\n"
-    "through it in a browser), with the command that finds it again; the exit status is 1. The same is done if the "
-    "engine crashes, or hangs for a minute.\n\n"
+    "through it in a browser), with the command that finds it again; the exit status is 1. The same is\n"
+    "done if the engine crashes, or hangs for a minute.\n\n"
     "Examples: lgs check --cells 5x5 --edits 200000 --seed 7\n"
     "          lgs check --map level.tmx --edits 5000 --svg dug.svg";
 

@@ -52,11 +52,11 @@ std::string draw(const Mismatch& mismatch) {
 
 std::string page(const Mismatch& mismatch, const Trace& trace) {
   const char* const expectedName = nameOfExpected(mismatch.kind);
-  PageOptions options{describe(mismatch.kind),
-                      describe(mismatch, trace),
-                      expectedName == nullptr ? "naive reference" : expectedName,
-                      "engine",
-                      {}};
+  PageOptions options{describe(mismatch.kind), describe(mismatch, trace), "engine", "", {}};
+  if (expectedName != nullptr) {
+    options.expectedName = expectedName;
+    options.actualName = "engine";
+  }
   const bool committed = mismatch.kind != Mismatch::Kind::verdict && mismatch.kind != Mismatch::Kind::refusal;
   options.end = PageEnd{mismatch.edits,    committed,       mismatch.scene.polygons.size(),
                         mismatch.expected, mismatch.actual, mismatch.marked};

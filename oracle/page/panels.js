@@ -80,7 +80,7 @@ function showDifferences(state) {
 }
 
 function noDifference(state) {
-  if (state.step.wrong) return "The outlines agree. What is wrong instead is in the report.";
+  if (state.step.wrong) return "No outline differs. What is wrong is in the report.";
   if (!state.isCommit) return "Not committed yet.";
   if (data.actualName === "") return `There is only one outline, that of the ${data.expectedName}.`;
   return `None: ${data.actualName} is as ${data.expectedName}.`;

@@ -108,7 +108,7 @@ PageCase wrongRefusal() {
                            "commit\n"
                            "add c 1 1 2  0 0 1 0 1 1\n")
                     .trace,
-                {"the engine refuses a good edit", "add c is refused: overlap\n", "naive reference", "engine", {}}};
+                {"the engine refuses a good edit", "add c is refused: overlap\n", "engine", "", {}}};
   made.options.end = rightEnd(made.trace);
   PageEnd& end = *made.options.end;
   end.committed = false;

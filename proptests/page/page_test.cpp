@@ -216,7 +216,10 @@ TEST(Page, ShowsAMismatchOfTheChecker) {
   EXPECT_EQ(data["steps"].back()["differences"].size(), 7u);
   mismatch.kind = Mismatch::Kind::verdict;
   mismatch.edits = 1;
-  EXPECT_EQ(dataOf(page(mismatch, made.trace))["steps"].size(), 2u);
+  const Json first = dataOf(page(mismatch, made.trace));
+  EXPECT_EQ(first["steps"].size(), 2u);
+  EXPECT_EQ(first["expectedName"], "engine") << "there is no other outline";
+  EXPECT_EQ(first["actualName"], "");
 }
 
 TEST(Page, IsSavedBesideThePicture) {
