@@ -87,7 +87,7 @@ void addWorldOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& a
 }
 
 void addOutputOptions(CLI::App& command, CheckArguments& arguments) {
-  command.add_option("--out", arguments.out, "Folder for the trace and the picture of a mismatch; default out")
+  command.add_option("--out", arguments.out, "Folder for the trace, picture and page of a mismatch; default out")
       ->option_text("DIR");
   command.add_option("--shrink", arguments.shrinkSeconds, "Seconds to spend on shrinking a mismatch; default 20")
       ->check(CLI::Range(0.0, 86'400.0))
@@ -110,8 +110,9 @@ constexpr const char* kCheckHelp =
     "edits: the references get the polygons within two cells of them, and every segment within one cell must\n"
     "be as theirs. By the laws no polygon further away matters there. The change list is always compared\n"
     "for the whole world, so a segment that changes further away is noticed too.\n\n"
-    "A mismatch is shrunk to a minimal trace, printed, saved and drawn, with the command that finds it\n"
-    "again; the exit status is 1. The same is done if the engine crashes, or hangs for a minute.\n\n"
+    "A mismatch is shrunk to a minimal trace, printed, saved and drawn (a picture, and a page that steps\n"
+    "through it in a browser), with the command that finds it again; the exit status is 1. The same is\n"
+    "done if the engine crashes, or hangs for a minute.\n\n"
     "Examples: lgs check --cells 5x5 --edits 200000 --seed 7\n"
     "          lgs check --map level.tmx --edits 5000 --svg dug.svg";
 

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <span>
+#include <tuple>
 
 namespace lgs::cli {
 
@@ -22,6 +23,7 @@ struct ReplayArguments {
   CheckOptions checkOptions;
   std::string dump;
   std::string svg;
+  std::string html;
   std::string save;
 };
 
@@ -52,13 +54,14 @@ Status showEnd(const ReplayArguments& arguments, const Trace& trace, bool draws,
 }
 
 Status run(const ReplayArguments& arguments) {
-  if (const Status bad = tryOutputs({arguments.dump, arguments.svg, arguments.save}); bad != Status::fine) return bad;
+  const auto& [dump, svg, html, save] = std::tie(arguments.dump, arguments.svg, arguments.html, arguments.save);
+  if (const Status bad = tryOutputs({dump, svg, html, save}); bad != Status::fine) return bad;
   const auto trace = readWorld(arguments.trace);
   if (!trace) return complain(trace.error());
   // A dump, a picture or a saved world may need the standard output; then the summary goes to the standard error.
-  const bool isTaken = arguments.dump == "-" || arguments.svg == "-" || arguments.save == "-";
+  const bool isTaken = dump == "-" || svg == "-" || html == "-" || save == "-";
   std::FILE* const out = isTaken ? stderr : stdout;
-  const bool draws = !arguments.svg.empty();
+  const bool draws = !svg.empty();
   if (!arguments.check) return showEnd(arguments, *trace, draws, out);
 
   CheckStats stats;
@@ -67,12 +70,14 @@ Status run(const ReplayArguments& arguments) {
   if (!*mismatch) {
     fmt::print(out, "checked {}, {} with CGAL, {} with the naive reference: no mismatch\n",
                counted(stats.commits, "commit"), counted(stats.cgal, "time"), stats.naive);
-    return showEnd(arguments, *trace, draws, out);
+    const Status status = showEnd(arguments, *trace, draws, out);
+    return html.empty() ? status : worst(status, write(html, page(*trace, arguments.trace)));
   }
   fmt::print(out, "MISMATCH {}: {}", arguments.trace, describe(**mismatch, *trace));
   Status status = Status::mismatch;
-  if (draws) status = worst(status, write(arguments.svg, draw(**mismatch)));  // instead of the end
-  if (!arguments.dump.empty()) status = worst(status, showEnd(arguments, *trace, false, out));
+  if (draws) status = worst(status, write(svg, draw(**mismatch)));  // instead of the end
+  if (!html.empty()) status = worst(status, write(html, page(**mismatch, *trace)));
+  if (!dump.empty()) status = worst(status, showEnd(arguments, *trace, false, out));
   return status;
 }
 
@@ -86,7 +91,8 @@ constexpr const char* kReplayHelp =
     "The end of the file commits what is pending.\n\n"
     "A line of a dump is: segment <start> <end> <ghost1> <ghost2> <block>. Each of the four points is two\n"
     "numbers, in lattice units of 1/65536 cell; a ghost that is missing is - -.\n\n"
-    "Example: lgs replay world.trace --check --dump - --svg world.svg";
+    "Example: lgs replay world.trace --check --dump - --svg world.svg\n"
+    "         lgs replay world.trace --check --html world.html";
 
 }  // namespace
 
@@ -105,6 +111,12 @@ void addReplay(CLI::App& app, Action& chosen) {
       ->option_text("FILE");
   command.add_option("--svg", arguments->svg, "Draw the world, or the mismatch if there is one; - is stdout")
       ->option_text("FILE");
+  command
+      .add_option("--html", arguments->html,
+                  "Write a page that steps through the edits, for a browser: both\noutlines, their links, and the "
+                  "mismatch if there is one; - is\nstdout")
+      ->option_text("FILE")
+      ->needs(check);
   command.add_option("--save", arguments->save, "Save the world after the last commit, for World::load(); - is stdout")
       ->option_text("FILE.lgs");
   command.footer(kReplayHelp);

@@ -91,7 +91,9 @@ void reportCrash(const Target& target, Bytes input, const Where& where) {
   const std::string text = printTrace(trace);
   fmt::print("\n{}\n", text);
   save(base + ".trace", text);
-  save(base + ".svg", drawWithoutEngine(trace, fmt::format("what is added before {} ends", target.name)));
+  const std::string title = fmt::format("what is added before {} ends", target.name);
+  save(base + ".svg", drawWithoutEngine(trace, title));
+  save(base + ".html", pageWithoutEngine(trace, title));
 }
 
 }  // namespace lgs::fuzz

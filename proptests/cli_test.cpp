@@ -93,6 +93,7 @@ TEST_F(Command, BadUsageIsTwo) {
   expect("import t.tmx --tolerance -1", 2, "--tolerance");
   expect("bench --rounds 0", 2, "--rounds");
   expect("replay t --oracle cgal", 2, "--oracle requires --check");
+  expect("replay t --html h", 2, "--html requires --check");
   expect("check --whole-every 5", 2, "--whole-every requires --map");
   for (const std::string option : {"--cells 3x3", "--case 1", "--case-edits 5"}) {
     expect("check --map t " + option, 2, " excludes --map");
@@ -134,7 +135,7 @@ TEST_F(Command, BadFilesAreTwo) {
 
 TEST_F(Command, ReplayDumpsAndDraws) {
   put("t", kTwoSquares);
-  expect("replay t --check --dump d --svg s.svg", 0, "no mismatch");
+  expect("replay t --check --dump d --svg s.svg --html h.html", 0, "no mismatch");
   const std::string dump =
       "segment 0 0 65536 0 0 65536 131072 0 1\n"
       "segment 0 65536 0 0 65536 65536 65536 0 1\n"
@@ -144,6 +145,7 @@ TEST_F(Command, ReplayDumpsAndDraws) {
       "segment 131072 65536 65536 65536 131072 0 0 65536 2\n";
   EXPECT_EQ(get("d"), dump);
   EXPECT_NE(get("s.svg").find("<svg"), std::string::npos);
+  EXPECT_NE(get("h.html").find("add b 1 0 2"), std::string::npos);
   EXPECT_EQ(lgs("replay t --dump -", "2>/dev/null").text, dump);  // nothing else on stdout
 }
 

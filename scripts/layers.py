@@ -17,7 +17,7 @@ import tempfile
 # What a room may include, beside itself. Rooms further down may include rooms further up, never the other way round.
 ENGINE = ["lib/include"]
 REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/trace"]
-ORACLE = REFERENCES + ["oracle/draw", "oracle/generate", "oracle/check"]
+ORACLE = REFERENCES + ["oracle/draw", "oracle/page", "oracle/generate", "oracle/check"]
 TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include"]
 ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/tiled/include"] + TERRAIN
 ROOMS = {
@@ -40,8 +40,9 @@ ROOMS = {
     "oracle/cgal": ENGINE + ["oracle/reference"],
     "oracle/draw": ENGINE + ["oracle/reference"],
     "oracle/trace": ENGINE + ["oracle/reference"],
+    "oracle/page": ENGINE + ["oracle/reference", "oracle/trace", "oracle/draw"],
     "oracle/generate": ENGINE + ["oracle/reference", "oracle/trace"],
-    "oracle/check": ENGINE + REFERENCES + ["oracle/draw", "oracle/generate"],
+    "oracle/check": ENGINE + REFERENCES + ["oracle/draw", "oracle/page", "oracle/generate"],
     "bench/published": ENGINE + REFERENCES,
     "bench/ride": ENGINE + ADAPTERS + ORACLE,
     "bench": ENGINE + ADAPTERS + ORACLE + ["bench/published"],

@@ -1,6 +1,7 @@
 #include "oracle/check/failure.h"
 
 #include "oracle/draw/draw.h"
+#include "oracle/page/page.h"
 #include "oracle/reference/naive.h"
 #include "oracle/reference/words.h"
 #include "oracle/trace/model.h"
@@ -8,6 +9,23 @@
 #include <fmt/format.h>
 
 namespace lgs::oracle {
+namespace {
+
+// Who says what is expected; nothing where no outline differs.
+const char* nameOfExpected(Mismatch::Kind kind) {
+  switch (kind) {
+    case Mismatch::Kind::naive:
+      return "naive reference";
+    case Mismatch::Kind::cgal:
+      return "CGAL";
+    case Mismatch::Kind::history:
+      return "built at once";
+    default:
+      return nullptr;
+  }
+}
+
+}  // namespace
 
 std::string describe(const Mismatch& mismatch, const Trace& trace) {
   std::string where = fmt::format("after edit {}", mismatch.edits);
@@ -22,22 +40,35 @@ std::string draw(const Mismatch& mismatch) {
   MismatchOptions options;
   options.title = describe(mismatch.kind);
   options.edited = mismatch.edited;
-  switch (mismatch.kind) {
-    case Mismatch::Kind::naive:
-      options.expectedName = "naive reference";
-      break;
-    case Mismatch::Kind::cgal:
-      options.expectedName = "CGAL";
-      break;
-    case Mismatch::Kind::history:
-      options.expectedName = "built at once";
-      break;
-    default:  // no outline differs; perhaps some segments are to blame
-      options.marked = mismatch.marked;
-      return drawWorld(mismatch.scene, mismatch.actual, options);
+  const char* const expectedName = nameOfExpected(mismatch.kind);
+  if (expectedName == nullptr) {  // perhaps some segments are to blame
+    options.marked = mismatch.marked;
+    return drawWorld(mismatch.scene, mismatch.actual, options);
   }
+  options.expectedName = expectedName;
   options.actualName = "engine";
   return drawMismatch(mismatch.scene, mismatch.expected, mismatch.actual, options);
+}
+
+std::string page(const Mismatch& mismatch, const Trace& trace) {
+  const char* const expectedName = nameOfExpected(mismatch.kind);
+  PageOptions options{describe(mismatch.kind), describe(mismatch, trace), "engine", "", {}};
+  if (expectedName != nullptr) {
+    options.expectedName = expectedName;
+    options.actualName = "engine";
+  }
+  const bool committed = mismatch.kind != Mismatch::Kind::verdict && mismatch.kind != Mismatch::Kind::refusal;
+  options.end = PageEnd{mismatch.edits,    committed,       mismatch.scene.polygons.size(),
+                        mismatch.expected, mismatch.actual, mismatch.marked};
+  return writePage(trace, options);
+}
+
+std::string page(const Trace& trace, const std::string& title) {
+  return writePage(trace, {title, "", "naive reference", "engine", {}});
+}
+
+std::string pageWithoutEngine(const Trace& trace, const std::string& title) {
+  return writePage(trace, {title, "", "naive reference", "", {}});
 }
 
 std::string drawWithoutEngine(const Trace& trace, const std::string& title) {

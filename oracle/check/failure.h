@@ -15,9 +15,16 @@ std::string describe(const Mismatch& mismatch, const Trace& trace);
 /// Both boundaries, the ghosts, the difference.
 std::string draw(const Mismatch& mismatch);
 
+/// A page that steps through the trace, for a browser; at the end both boundaries, and what differs in words.
+std::string page(const Mismatch& mismatch, const Trace& trace);
+
+/// The same for a trace that was found right.
+std::string page(const Trace& trace, const std::string& title);
+
 /// The world at the end of a trace as the naive reference sees it, edits that must be refused left out. The engine has
 /// no part in it: for a trace that makes it crash.
 std::string drawWithoutEngine(const Trace& trace, const std::string& title);
+std::string pageWithoutEngine(const Trace& trace, const std::string& title);
 
 /// The trace as text, with a comment of one or more lines after its first.
 std::string printTrace(const Trace& trace, std::string_view comment);

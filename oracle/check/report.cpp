@@ -33,14 +33,21 @@ Trace shrunk(const Mismatch& found, Trace trace, const FindAgain& findAgain, std
   return shrink(std::move(trace), stillFails, budget);
 }
 
-// Writes trace and picture, and says where they are and how to come by them again.
-void save(const Trace& trace, const std::string& picture, const ReportOptions& report, bool replays) {
+// What shows a finding: an SVG picture, and a page for a browser.
+struct Views {
+  std::string picture;
+  std::string page;
+};
+
+// Writes trace, picture and page, and says where they are and how to come by them again.
+void save(const Trace& trace, const Views& views, const ReportOptions& report, bool replays) {
   std::error_code ignored;  // writing will say what is wrong
   std::filesystem::create_directories(report.folder, ignored);
   const std::string base = (std::filesystem::path(report.folder) / report.name).string();
   const bool traceWritten = writeOrComplain(base + ".trace", printTrace(trace, report.reproduce));
-  const bool written = writeOrComplain(base + ".svg", picture) && traceWritten;
-  if (written) fmt::print("\ntrace      {0}.trace\npicture    {0}.svg\n", base);
+  const bool pageWritten = writeOrComplain(base + ".html", views.page);
+  const bool written = writeOrComplain(base + ".svg", views.picture) && pageWritten && traceWritten;
+  if (written) fmt::print("\ntrace      {0}.trace\npicture    {0}.svg\npage       {0}.html\n", base);
   fmt::print("again      {}\n", report.reproduce);
   if (written && replays) {
     fmt::print("look at it {} replay {} --check --svg {}\n", report.lgs, shellPath(base + ".trace"),
@@ -75,7 +82,7 @@ void reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& 
   const auto again = findAgain(small);
   const Mismatch& shown = again ? *again : found;
   print(small, describe(shown, small));
-  save(small, draw(shown), report, findMismatch(small, CheckOptions()).has_value());
+  save(small, {draw(shown), page(shown, small)}, report, findMismatch(small, CheckOptions()).has_value());
 }
 
 void reportMismatch(const Mismatch& found, const Trace& trace, const CheckOptions& options,
@@ -106,7 +113,8 @@ void reportCrash(const std::string& how, const Trace& trace, const CheckOptions&
   const auto again = crash(small);
   print(small, fmt::format("the engine {}\n", again.value_or(how + ", but not again")));
   alone.skipRefused = false;
-  save(small, drawWithoutEngine(small, "the engine " + how), report, stillCrashes(small));
+  const std::string title = "the engine " + how;
+  save(small, {drawWithoutEngine(small, title), pageWithoutEngine(small, title)}, report, stillCrashes(small));
 }
 
 }  // namespace lgs::oracle

@@ -13,7 +13,7 @@
 namespace lgs::oracle {
 
 struct ReportOptions {
-  std::string folder = ".";  ///< where trace and picture go
+  std::string folder = ".";  ///< where trace, picture and page go
   std::string name;          ///< of these files, without folder and extension
   std::string reproduce;     ///< the command that finds the mismatch again, from any folder
   std::chrono::milliseconds shrinkFor{};
@@ -26,7 +26,7 @@ bool writeOrComplain(const std::string& path, std::string_view content);
 /// Finds a mismatch of the same kind in another trace; nothing if it is not there, or the trace is bad.
 using FindAgain = std::function<std::optional<Mismatch>(const Trace&)>;
 
-/// Shrinks the trace, prints all of it, saves trace and picture.
+/// Shrinks the trace, prints all of it, saves trace, picture and page.
 void reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& findAgain, const ReportOptions& report);
 
 /// The same for a mismatch that checkTrace() found with these options.

@@ -184,28 +184,20 @@ ParsedTrace parseTrace(std::string_view text) {
   return parsed;
 }
 
+std::string printEdit(const Edit& edit) {
+  if (edit.kind == Edit::Kind::commit) return "commit";
+  if (edit.kind == Edit::Kind::remove) return "remove " + edit.name;
+  const ScenePolygon& polygon = edit.polygon;
+  std::string text = fmt::format("add {} {} {} {} ", edit.name, polygon.cell.i, polygon.cell.j, polygon.block);
+  for (const LocalPoint& p : polygon.vertices)
+    text += fmt::format(" {} {}", printCoordinate(p.x), printCoordinate(p.y));
+  return text;
+}
+
 std::string printTrace(const Trace& trace) {
   std::string text = "lgs-trace 1\n";
-  const auto out = std::back_inserter(text);
-  for (const auto& [a, b] : trace.preserve.pairs()) fmt::format_to(out, "preserve {} {}\n", a, b);
-  for (const Edit& edit : trace.edits) {
-    switch (edit.kind) {
-      case Edit::Kind::add:
-        fmt::format_to(out, "add {} {} {} {} ", edit.name, edit.polygon.cell.i, edit.polygon.cell.j,
-                       edit.polygon.block);
-        for (const LocalPoint& p : edit.polygon.vertices) {
-          fmt::format_to(out, " {} {}", printCoordinate(p.x), printCoordinate(p.y));
-        }
-        text += '\n';
-        break;
-      case Edit::Kind::remove:
-        fmt::format_to(out, "remove {}\n", edit.name);
-        break;
-      case Edit::Kind::commit:
-        text += "commit\n";
-        break;
-    }
-  }
+  for (const auto& [a, b] : trace.preserve.pairs()) text += fmt::format("preserve {} {}\n", a, b);
+  for (const Edit& edit : trace.edits) text += printEdit(edit) + '\n';
   return text;
 }
 

@@ -71,6 +71,9 @@ ParsedTrace parseTrace(std::string_view text);
 /// The text that parseTrace() reads back as the same trace.
 std::string printTrace(const Trace& trace);
 
+/// The line of one edit, without an end of line.
+std::string printEdit(const Edit& edit);
+
 /// How many adds and removes there are; the rest are commits.
 inline std::size_t editCount(const Trace& trace) {
   return static_cast<std::size_t>(std::count_if(trace.edits.begin(), trace.edits.end(),

@@ -67,7 +67,7 @@ class Bulk : public testing::TestWithParam<std::int64_t> {
     for (int batch = 0; (*tally).stats.*counter < goal && !HasFailure(); ++batch) {
       constexpr std::int64_t kAtOnce = 64;
       forAll({.cases = kAtOnce, .seed = seeds.next()}, law, traces(anyTrace, {}));
-      if (batch % 4 == 0) forAll({.cases = 1, .seed = seeds.next()}, law, traces(crowdedTrace, {}));
+      if (batch % 2 == 0) forAll({.cases = 1, .seed = seeds.next()}, law, traces(crowdedTrace, {}));
     }
     if (!HasFailure()) expectVariety(*tally);
   }

@@ -56,6 +56,9 @@ void expectTold(const Failure& failure, std::size_t mostEdits) {
   const auto picture = oracle::readFile(after("picture", *failure));
   ASSERT_TRUE(picture) << *failure;
   EXPECT_NE(picture->find("</svg>"), std::string::npos);
+  const auto page = oracle::readFile(after("page", *failure));
+  ASSERT_TRUE(page) << *failure;
+  EXPECT_NE(page->find("</html>"), std::string::npos);
   EXPECT_NE(file.find(testing::UnitTest::GetInstance()->current_test_info()->name()), std::string::npos);
   EXPECT_TRUE(after("again", *failure).starts_with("LGS_TEST_SEED=")) << *failure;
 }

@@ -24,28 +24,33 @@ bool replayShows(const Trace& trace) {
   return crash || *shows;
 }
 
-/// Draws the mismatch that the checker finds in a trace; the world alone where it finds none, or crashes.
-bool draw(const Trace& trace, const std::string& file) {
+/// Draws the mismatch that the checker finds in a trace, as a picture and as a page; the world alone where it finds
+/// none, or crashes.
+bool draw(const Trace& trace, const std::string& base) {
   const Shared<bool> drawn;
   CheckOptions options;
   options.skipRefused = true;
-  const auto write = [&](const std::string& svg) { *drawn = writeFile(file, svg).has_value(); };
+  const auto write = [&](const std::string& svg, const std::string& html) {
+    const bool isDrawn = writeFile(base + ".svg", svg).has_value();
+    *drawn = writeFile(base + ".html", html).has_value() && isDrawn;
+  };
   static_cast<void>(crashOf(
       [&] {
-        if (const auto mismatch = findMismatch(trace, options)) write(draw(*mismatch));
+        if (const auto mismatch = findMismatch(trace, options)) write(draw(*mismatch), page(*mismatch, trace));
       },
       {.quiet = true}));
-  if (!*drawn) write(drawWithoutEngine(trace, "the world at the end of the trace"));
+  constexpr const char* kTitle = "the world at the end of the trace";
+  if (!*drawn) write(drawWithoutEngine(trace, kTitle), pageWithoutEngine(trace, kTitle));
   return *drawn;
 }
 
-/// Saves a trace and its picture, and says where.
+/// Saves a trace, its picture and its page, and says where.
 std::string save(const Trace& trace, const std::string& base) {
   const bool written = writeFile(base + ".trace", printTrace(trace, test::told().why)).has_value();
-  const bool isDrawn = draw(trace, base + ".svg");
+  const bool isDrawn = draw(trace, base);
   constexpr const char* kNot = " (could not be written)";
-  return fmt::format("{}\ntrace      {}.trace{}\npicture    {}.svg{}\n", printTrace(trace), base, written ? "" : kNot,
-                     base, isDrawn ? "" : kNot);
+  return fmt::format("{0}\ntrace      {1}.trace{2}\npicture    {1}.svg{3}\npage       {1}.html{3}\n", printTrace(trace),
+                     base, written ? "" : kNot, isDrawn ? "" : kNot);
 }
 
 std::string lookAt(const std::string& base) {
