@@ -17,7 +17,7 @@ import tempfile
 # What a room may include, beside itself. Rooms further down may include rooms further up, never the other way round.
 ENGINE = ["lib/include"]
 REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/trace"]
-ORACLE = REFERENCES + ["oracle/draw", "oracle/generate", "oracle/check"]
+ORACLE = REFERENCES + ["oracle/draw", "oracle/engine", "oracle/generate", "oracle/check"]
 TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include"]
 ADAPTERS = ["lib/debug/include", "lib/tiled/include"] + TERRAIN
 ROOMS = {
@@ -38,8 +38,9 @@ ROOMS = {
     "oracle/cgal": ENGINE + ["oracle/reference"],
     "oracle/draw": ENGINE + ["oracle/reference"],
     "oracle/trace": ENGINE + ["oracle/reference"],
-    "oracle/generate": ENGINE + ["oracle/reference", "oracle/trace"],
-    "oracle/check": ENGINE + REFERENCES + ["oracle/draw", "oracle/generate"],
+    "oracle/engine": ENGINE + ["oracle/reference", "oracle/trace"],
+    "oracle/generate": ENGINE + ["oracle/reference", "oracle/trace", "oracle/engine"],
+    "oracle/check": ENGINE + REFERENCES + ["oracle/draw", "oracle/engine", "oracle/generate"],
     "bench/published": ENGINE + REFERENCES,
     "bench/ride": ENGINE + ADAPTERS + ORACLE,
     "bench": ENGINE + ADAPTERS + ORACLE + ["bench/published"],
