@@ -96,6 +96,17 @@ void addOutputOptions(CLI::App& command, CheckArguments& arguments) {
       ->option_text("FILE");
 }
 
+Status run(CheckArguments& arguments) {
+  if (const Status bad = tryFiles(arguments); bad != Status::fine) return bad;
+  const auto check = arguments.map.empty() ? checkRandom : checkMap;
+  if (!arguments.engine.isGiven()) return check(arguments);
+  const auto engine = startEngine(arguments.engine, stdout);
+  if (!engine) return Status::mismatch;
+  arguments.options.engine = engine.get();
+  arguments.world.can = engine->can();
+  return finishEngine(*engine, check(arguments), stdout);
+}
+
 constexpr const char* kCheckHelp =
     "WHAT IS CHECKED. Every edit must be accepted or refused as the rules say, and a refused edit must\n"
     "change nothing. After every commit\n"
@@ -111,9 +122,12 @@ constexpr const char* kCheckHelp =
     "be as theirs. By the laws no polygon further away matters there. The change list is always compared\n"
     "for the whole world, so a segment that changes further away is noticed too.\n\n"
     "A mismatch is shrunk to a minimal trace, printed, saved and drawn, with the command that finds it\n"
-    "again; the exit status is 1. The same is done if the engine crashes, or hangs for a minute.\n\n"
-    "Examples: lgs check --cells 5x5 --edits 200000 --seed 7\n"
-    "          lgs check --map level.tmx --edits 5000 --svg dug.svg";
+    "again; the exit status is 1. The same is done if the engine crashes, or hangs for a minute.\n\n";
+
+constexpr const char* kCheckExamples =
+    "\n\nExamples: lgs check --cells 5x5 --edits 200000 --seed 7\n"
+    "          lgs check --map level.tmx --edits 5000 --svg dug.svg\n"
+    "          lgs check --engine 'python3 my_engine.py' --edits 2000";
 
 }  // namespace
 
@@ -125,13 +139,9 @@ void addCheck(CLI::App& app, Action& chosen) {
   addEditOptions(command, arguments);
   addWorldOptions(command, arguments);
   addOutputOptions(command, *arguments);
-  command.footer(kCheckHelp);
-  command.callback([arguments, &chosen] {
-    chosen = [arguments] {
-      if (const Status bad = tryFiles(*arguments); bad != Status::fine) return bad;
-      return arguments->map.empty() ? checkRandom(*arguments) : checkMap(*arguments);
-    };
-  });
+  addEngineOptions(command, arguments->engine);
+  command.footer(std::string(kCheckHelp) + kEngineHelp + kCheckExamples);
+  command.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
 }
 
 }  // namespace lgs::cli

@@ -1,7 +1,6 @@
 #include "cli/check_run.h"
 #include "cli/progress.h"
 #include "oracle/check/isolated.h"
-#include "oracle/check/shell.h"
 #include "oracle/generate/random.h"
 
 #include <fmt/format.h>
@@ -27,7 +26,7 @@ Checked caseOf(const CheckArguments& arguments, const Case& at) {
   world.edits = at.edits;
   return {caseOf(at.number, world, caseSeed(arguments.seed, at.number)),
           fmt::format("mismatch-{}-{}", arguments.seed, at.number),
-          fmt::format("{} check --cells {}x{} --case-edits {} --seed {} --case {} --oracle {}", thisProgram("lgs"),
+          fmt::format("{} --cells {}x{} --case-edits {} --seed {} --case {} --oracle {}", commandAgain(arguments),
                       world.width, world.height, world.edits, arguments.seed, at.number, arguments.oracleName())};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/command.h"
+#include "cli/engine.h"
 #include "oracle/check/report.h"
 #include "oracle/generate/features.h"
 #include "oracle/generate/generator.h"
@@ -25,6 +26,7 @@ struct CheckArguments {
   std::string svg;
   double shrinkSeconds = 20;
   oracle::CheckOptions options;
+  EngineArguments engine;
 
   std::string oracleName() const { return options.naive && options.cgal ? "both" : options.naive ? "naive" : "cgal"; }
 };
@@ -34,6 +36,9 @@ Status checkRandom(const CheckArguments& arguments);
 
 /// Digs in a given world.
 Status checkMap(const CheckArguments& arguments);
+
+/// How the command begins that does such a check again, from any folder: "lgs check".
+std::string commandAgain(const CheckArguments& arguments);
 
 /// A trace to check.
 struct Checked {

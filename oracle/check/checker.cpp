@@ -92,7 +92,8 @@ class Check {
     constexpr std::array kKinds{Mismatch::Kind::crash, Mismatch::Kind::hang, Mismatch::Kind::protocol};
     const Outline& right = naive_(scene()).outline;
     return {kKinds[static_cast<std::size_t>(failure.kind)],
-            fmt::format("the engine {}\n", failure.text),
+            fmt::format("the engine {} after edit {}\n", failure.text, edits_) +
+                (failure.log.empty() ? "" : fmt::format("its log ends:\n{}\n", failure.log)),
             edits_,
             commits_,
             scene(),

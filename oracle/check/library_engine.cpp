@@ -22,11 +22,6 @@ std::optional<Complaint> reading(std::optional<WrongRead> wrong) {
 
 }  // namespace
 
-const Capabilities& LibraryEngine::can() const {
-  static const Capabilities kAll = Capabilities::all();
-  return kAll;
-}
-
 void LibraryEngine::reset(const PreservePairs& preserve) {
   player_.emplace(preserve);
   mirror_ = {};

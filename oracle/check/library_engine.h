@@ -9,6 +9,7 @@
 #include "oracle/check/reads.h"
 #include "oracle/check/window.h"
 #include "oracle/engine/engine.h"
+#include "oracle/reference/canonical.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/mirror.h"
 #include "oracle/trace/player.h"
@@ -30,7 +31,8 @@ struct Complaint {
 class LibraryEngine : public Engine {
  public:
   std::string name() const override { return "LocalGridSeg"; }
-  const Capabilities& can() const override;
+  const Capabilities& can() const override { return can_; }
+  void assume(const Capabilities& can) override { can_ = can; }
   void reset(const PreservePairs& preserve) override;
   void add(const std::string& name, const ScenePolygon& polygon) override;
   void remove(const std::string& name) override;
@@ -62,6 +64,7 @@ class LibraryEngine : public Engine {
                                         const Model& model) const;
   std::optional<Complaint> checkStale(const std::vector<PolygonHandle>& handles);
 
+  Capabilities can_ = Capabilities::all();
   std::optional<Player> player_;
   Mirror mirror_;
   const Changes* changes_ = nullptr;  // of the last commit

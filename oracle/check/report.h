@@ -18,6 +18,7 @@ struct ReportOptions {
   std::string reproduce;     ///< the command that finds the mismatch again, from any folder
   std::chrono::milliseconds shrinkFor{};
   std::string lgs = "lgs";  ///< the lgs command, as a shell takes it
+  std::string engine = {};  ///< the options that name the engine, with a blank before; empty for this library's
 };
 
 /// Writes a file; complains on the standard error if that does not work. Whether it did.

@@ -27,7 +27,8 @@ struct Failure {
     protocol,  ///< an answer that is none
   };
   Kind kind{};
-  std::string text;  ///< what it did: "crashed with SIGSEGV"
+  std::string text;      ///< what it did: "crashed with SIGSEGV"
+  std::string log = {};  ///< the last lines of its own log
 };
 
 class Engine {
@@ -41,6 +42,7 @@ class Engine {
 
   virtual std::string name() const = 0;
   virtual const Capabilities& can() const = 0;
+  virtual void assume(const Capabilities& can) = 0;  ///< whatever it says
 
   /// Forgets everything: a new, empty world. Heals an engine that has failed, where that is possible.
   virtual void reset(const PreservePairs& preserve) = 0;
@@ -56,6 +58,9 @@ class Engine {
 
   /// Begins anew from nothing, so that nothing of the past is left. For engines whose reset() may not be trusted.
   virtual void restart() {}
+
+  /// Whether it is given up on sooner than it says: while a hang is looked for again and again.
+  virtual void hurry(bool /*isInHurry*/) {}
 
   /// No world is wanted any more. What is wrong with how the engine ends, if anything is.
   virtual std::optional<Failure> finish() { return std::nullopt; }

@@ -1,0 +1,94 @@
+#include "cli/engine.h"
+
+#include "oracle/check/shell.h"
+#include "oracle/engine/process_engine.h"
+
+#include <fmt/format.h>
+
+namespace lgs::cli {
+
+using namespace oracle;
+
+namespace {
+
+Status told(const Failure& failure, std::string_view when, std::FILE* out) {
+  fmt::print(out, "MISMATCH the engine {}{}\n", failure.text, when);
+  if (!failure.log.empty()) fmt::print(out, "its log ends:\n{}\n", failure.log);
+  return Status::mismatch;
+}
+
+}  // namespace
+
+std::string EngineArguments::print() const {
+  if (!isGiven()) return "";
+  std::string text = fmt::format(" --engine {} --engine-timeout {}", shellWord(command), timeout);
+  return assumed ? text + fmt::format(" --assume {}", shellWord(oracle::print(*assumed))) : text;
+}
+
+CLI::Option* addEngineOptions(CLI::App& command, EngineArguments& arguments) {
+  CLI::Option* const engine =
+      command
+          .add_option("--engine", arguments.command,
+                      "Check another engine instead of this library's: a command for\n/bin/sh that speaks the protocol")
+          ->option_text("COMMAND");
+  command
+      .add_option("--engine-timeout", arguments.timeout, "Seconds that an answer of the engine may take; default 10")
+      ->check(CLI::Range(0.01, 3'600.0))
+      ->option_text("SECONDS")
+      ->needs(engine);
+  command
+      .add_option_function<std::string>(
+          "--assume",
+          [&arguments](const std::string& words) {
+            auto can = parseCapabilities(words);
+            if (!can) throw CLI::ValidationError("--assume", can.error());
+            arguments.assumed = *can;
+          },
+          "What the engine can do, whatever it says: words of the protocol")
+      ->option_text("'WORD …'")
+      ->needs(engine);
+  command.add_flag("--verbose", arguments.verbose, "Show the engine's comments and its own log")->needs(engine);
+  return engine;
+}
+
+std::unique_ptr<Engine> startEngine(const EngineArguments& arguments, std::FILE* out) {
+  auto started =
+      ProcessEngine::start({arguments.command, std::chrono::duration<double>(arguments.timeout), arguments.verbose});
+  if (!started) {
+    told(started.error(), " when it was greeted", out);
+    return nullptr;
+  }
+  Engine& engine = **started;
+  if (arguments.assumed) engine.assume(*arguments.assumed);
+  fmt::print(out, "engine     {}: {} are compared\nworlds     {}\n", engine.name(), comparedInWords(engine.can()),
+             worldsInWords(engine.can()));
+  std::fflush(out);
+  return std::move(*started);
+}
+
+Status finishEngine(Engine& engine, Status status, std::FILE* out) {
+  const auto failure = engine.finish();
+  return failure ? worst(status, told(*failure, "", out)) : status;
+}
+
+const char* const kEngineHelp =
+    "AN ENGINE OF YOUR OWN (--engine) is a program that reads edits and writes outlines, line by line:\n"
+    "  it reads                           it writes\n"
+    "  lgs-engine 1                       lgs-engine 1 NAME [CAPABILITY ...]\n"
+    "  reset                              nothing: the world is empty now\n"
+    "  preserve B1 B2                     nothing; only right after reset\n"
+    "  add NAME I J BLOCK X Y X Y ...     nothing; coordinates are exact decimals\n"
+    "  remove NAME                        nothing\n"
+    "  commit                             'refused NAME REASON' for each refused edit; the whole outline as lines\n"
+    "                                     of a dump, in any order; then 'end'\n"
+    "  the end of its input               nothing, and ends with status 0\n"
+    "It flushes after each answer. Lines that begin with # are comments. Capabilities say what it can, and only\n"
+    "that is asked of it:\n"
+    "  ghosts, blocks     it puts these out          several    several polygons a cell\n"
+    "  slants             edges of any direction     preserve   a preserve relation\n"
+    "  refuses            it refuses bad edits       squares    (only) whole squares\n"
+    "  merged             it joins collinear neighbours\n"
+    "  lattice=N          (only) coordinates in 1/N cell        cells=N  (only) cells within ±N\n"
+    "A wrong line, a late answer, an end or a crash is a mismatch like any other.";
+
+}  // namespace lgs::cli
