@@ -104,6 +104,7 @@ Status run(CheckArguments& arguments) {
   if (!engine) return Status::mismatch;
   arguments.options.engine = engine.get();
   arguments.world.can = engine->can();
+  arguments.world.crowds = false;
   return finishEngine(*engine, check(arguments), stdout);
 }
 
@@ -141,7 +142,10 @@ void addCheck(CLI::App& app, Action& chosen) {
   addOutputOptions(command, *arguments);
   addEngineOptions(command, arguments->engine);
   command.footer(std::string(kCheckHelp) + kEngineHelp + kCheckExamples);
-  command.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+  command.callback([arguments, &chosen] {
+    arguments->engine.checkUse();
+    chosen = [arguments] { return run(*arguments); };
+  });
 }
 
 }  // namespace lgs::cli

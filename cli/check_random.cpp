@@ -37,7 +37,7 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
   for (at.number = arguments.onlyCase.value_or(0); totals.stats.edits < arguments.edits; ++at.number) {
     at.edits = arguments.world.edits;
     if (!arguments.onlyCase)
-      at.edits = std::min<std::size_t>(editsOf(at.number, at.edits), arguments.edits - totals.stats.edits);
+      at.edits = std::min<std::size_t>(editsOf(at.number, arguments.world), arguments.edits - totals.stats.edits);
     stillAlive();
     const Checked checked = caseOf(arguments, at);
     Features features{};

@@ -8,6 +8,7 @@
 #include "oracle/trace/player.h"
 
 #include <fmt/format.h>
+#include <cmath>
 
 namespace lgs::cli {
 
@@ -52,9 +53,11 @@ std::string commandAgain(const CheckArguments& arguments) {
 
 Status isolated(const CheckArguments& arguments, const CheckOptions& options, const std::function<Status()>& check,
                 const std::function<Checked()>& playing) {
-  if (arguments.engine.isGiven()) return check();  // it is isolated enough
+  if (arguments.engine.isProcess()) return check();  // it is isolated enough
   const Shared<Status> status;
-  const auto crash = crashOf([&] { *status = flushed(check()); });
+  IsolationOptions limits;
+  if (arguments.engine.isGiven()) limits.seconds = static_cast<unsigned>(std::ceil(arguments.engine.patience()));
+  const auto crash = crashOf([&] { *status = flushed(check()); }, limits);
   if (!crash) return *status;
   const Checked checked = playing();
   reportCrash(*crash, checked.trace, options, reportOptions(arguments, checked));

@@ -2,6 +2,7 @@
 
 #include "oracle/check/shell.h"
 #include "oracle/engine/process_engine.h"
+#include "oracle/engine/table_engine.h"
 
 #include <fmt/format.h>
 
@@ -21,21 +22,35 @@ Status told(const Failure& failure, std::string_view when, std::FILE* out) {
 
 std::string EngineArguments::print() const {
   if (!isGiven()) return "";
-  std::string text = fmt::format(" --engine {} --engine-timeout {}", shellWord(command), timeout);
+  std::string text =
+      isProcess() ? fmt::format(" --engine {}", shellWord(command)) : fmt::format(" --engine-so {}", shellPath(file));
+  if (timeout) text += fmt::format(" --engine-timeout {}", *timeout);
   return assumed ? text + fmt::format(" --assume {}", shellWord(oracle::print(*assumed))) : text;
 }
 
-CLI::Option* addEngineOptions(CLI::App& command, EngineArguments& arguments) {
+void EngineArguments::checkUse() const {
+  if (!isGiven() && (timeout || assumed)) throw CLI::RequiredError("--engine or --engine-so");
+}
+
+void addEngineOptions(CLI::App& command, EngineArguments& arguments, CLI::Option* needed) {
   CLI::Option* const engine =
       command
           .add_option("--engine", arguments.command,
                       "Check another engine instead of this library's: a command for\n/bin/sh that speaks the protocol")
           ->option_text("COMMAND");
+  CLI::Option* const file =
+      command
+          .add_option("--engine-so", arguments.file, "The same for a shared object that exports what lgs_engine.h says")
+          ->option_text("FILE.so")
+          ->excludes(engine);
+  for (CLI::Option* const option : {engine, file})
+    if (needed != nullptr) option->needs(needed);
   command
-      .add_option("--engine-timeout", arguments.timeout, "Seconds that an answer of the engine may take; default 10")
+      .add_option("--engine-timeout", arguments.timeout,
+                  "Seconds that an answer of the engine may take; default 10. For a\n"
+                  "shared object: of CPU time, with the comparison")
       ->check(CLI::Range(0.01, 3'600.0))
-      ->option_text("SECONDS")
-      ->needs(engine);
+      ->option_text("SECONDS");
   command
       .add_option_function<std::string>(
           "--assume",
@@ -45,25 +60,27 @@ CLI::Option* addEngineOptions(CLI::App& command, EngineArguments& arguments) {
             arguments.assumed = *can;
           },
           "What the engine can do, whatever it says: words of the protocol")
-      ->option_text("'WORD …'")
-      ->needs(engine);
+      ->option_text("'WORD …'");
   command.add_flag("--verbose", arguments.verbose, "Show the engine's comments and its own log")->needs(engine);
-  return engine;
 }
 
 std::unique_ptr<Engine> startEngine(const EngineArguments& arguments, std::FILE* out) {
-  auto started =
-      ProcessEngine::start({arguments.command, std::chrono::duration<double>(arguments.timeout), arguments.verbose});
-  if (!started) {
-    told(started.error(), " when it was greeted", out);
-    return nullptr;
+  std::unique_ptr<Engine> engine;
+  if (arguments.isProcess()) {
+    auto started = ProcessEngine::start(
+        {arguments.command, std::chrono::duration<double>(arguments.patience()), arguments.verbose});
+    if (!started) return told(started.error(), " when it was greeted", out), nullptr;
+    engine = std::move(*started);
+  } else {
+    auto loaded = TableEngine::load(arguments.file);
+    if (!loaded) return fmt::print(out, "MISMATCH no engine: {}\n", loaded.error()), nullptr;
+    engine = std::move(*loaded);
   }
-  Engine& engine = **started;
-  if (arguments.assumed) engine.assume(*arguments.assumed);
-  fmt::print(out, "engine     {}: {} are compared\nworlds     {}\n", engine.name(), comparedInWords(engine.can()),
-             worldsInWords(engine.can()));
+  if (arguments.assumed) engine->assume(*arguments.assumed);
+  fmt::print(out, "engine     {}: {} are compared\nworlds     {}\n", engine->name(), comparedInWords(engine->can()),
+             worldsInWords(engine->can()));
   std::fflush(out);
-  return std::move(*started);
+  return engine;
 }
 
 Status finishEngine(Engine& engine, Status status, std::FILE* out) {

@@ -12,17 +12,21 @@
 namespace lgs::cli {
 
 struct EngineArguments {
-  std::string command;  ///< of a process; empty: this library's engine
-  double timeout = 10;  ///< seconds
+  std::string command;            ///< of a process; or empty
+  std::string file;               ///< of a shared object; both empty: this library's engine
+  std::optional<double> timeout;  ///< seconds
   std::optional<oracle::Capabilities> assumed;
   bool verbose = false;
 
-  bool isGiven() const { return !command.empty(); }
+  bool isGiven() const { return isProcess() || !file.empty(); }
+  bool isProcess() const { return !command.empty(); }
+  double patience() const { return timeout.value_or(10); }
+  void checkUse() const;      ///< throws CLI::RequiredError if something is said of an engine, and no engine is given
   std::string print() const;  ///< as options, with a blank before each; empty for this library's engine
 };
 
-/// Adds --engine and what belongs to it.
-CLI::Option* addEngineOptions(CLI::App& command, EngineArguments& arguments);
+/// Adds --engine, --engine-so and what belongs to them. `needed` is the option that they need, if there is one.
+void addEngineOptions(CLI::App& command, EngineArguments& arguments, CLI::Option* needed = nullptr);
 
 /// Starts the engine. Says what it is, what is compared, and in which worlds. If it does not start, says why: then there
 /// is none.

@@ -119,7 +119,7 @@ void addReplay(CLI::App& app, Action& chosen) {
       command.add_flag("--check", arguments->check,
                        "Compare with the references after every commit; on a mismatch\nsay what differs, and where");
   addOracleOption(command, arguments->checkOptions)->needs(check);
-  addEngineOptions(command, arguments->engine)->needs(check);
+  addEngineOptions(command, arguments->engine, check);
   command.add_option("--dump", arguments->dump, "Write the segments after the last commit; - is stdout")
       ->option_text("FILE");
   command.add_option("--svg", arguments->svg, "Draw the world, or the mismatch if there is one; - is stdout")
@@ -127,7 +127,10 @@ void addReplay(CLI::App& app, Action& chosen) {
   command.add_option("--save", arguments->save, "Save the world after the last commit, for World::load(); - is stdout")
       ->option_text("FILE.lgs");
   command.footer(kReplayHelp);
-  command.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+  command.callback([arguments, &chosen] {
+    arguments->engine.checkUse();
+    chosen = [arguments] { return run(*arguments); };
+  });
 }
 
 }  // namespace lgs::cli

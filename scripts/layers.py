@@ -24,6 +24,7 @@ ROOMS = {
     "lib/include": [],
     "lib/geometry": ["lib/include"],
     "lib/src": ["lib/include", "lib/geometry"],
+    "lib/c/include": ["lib/include"],
     "lib/debug/include": ["lib/include"],
     "lib/debug/src": ["lib/include", "lib/debug/include"],
     "lib/tiled/include": ["lib/include"],
@@ -38,14 +39,14 @@ ROOMS = {
     "oracle/cgal": ENGINE + ["oracle/reference"],
     "oracle/draw": ENGINE + ["oracle/reference"],
     "oracle/trace": ENGINE + ["oracle/reference"],
-    "oracle/engine": ENGINE + ["oracle/reference", "oracle/trace"],
+    "oracle/engine": ENGINE + ["lib/c/include", "oracle/reference", "oracle/trace"],
     "oracle/generate": ENGINE + ["oracle/reference", "oracle/trace", "oracle/engine"],
     "oracle/check": ENGINE + REFERENCES + ["oracle/draw", "oracle/engine", "oracle/generate"],
     "bench/published": ENGINE + REFERENCES,
     "bench/ride": ENGINE + ADAPTERS + ORACLE,
     "bench": ENGINE + ADAPTERS + ORACLE + ["bench/published"],
     "cli": ENGINE + ADAPTERS + ORACLE + ["bench", "bench/published", "bench/ride"],
-    "examples": ENGINE + ADAPTERS,
+    "examples": ENGINE + ADAPTERS + ["lib/c/include"],
     "fuzz": ENGINE + ADAPTERS + ORACLE + ["cli"],
     # Unit tests of the engine's and the importer's parts look inside.
     "proptests": ENGINE + ADAPTERS + ORACLE + ["examples", "lib/geometry", "lib/src", "lib/tiled/src", "lib/box2d/src",
@@ -53,7 +54,7 @@ ROOMS = {
     "proptests/consumer": ENGINE + ADAPTERS,  # a project of its own, as a game would be
 }
 # The folders from which a header is found by a path without its room.
-INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/src", "lib/debug/include", "lib/tiled/include", "lib/tiled/src",
+INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/c/include", "lib/src", "lib/debug/include", "lib/tiled/include", "lib/tiled/src",
                    "lib/box2d/include", "lib/box2d/src",
                    "lib/box2d/v2/include", "lib/box2d/v3/include"]
 # What no file below a folder may include, whatever its room: lib/ is MIT and goes into games.

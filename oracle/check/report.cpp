@@ -142,7 +142,8 @@ void reportCrash(const std::string& how, const Trace& trace, const CheckOptions&
   CheckOptions alone = options;
   alone.afterCommit = {};
   alone.naive = alone.cgal = false;
-  const auto crash = [&](const Trace& candidate) {
+  const auto crash = [&](const Trace& candidate) -> std::optional<std::string> {
+    if (options.engine != nullptr && !whyNot(candidate, options.engine->can()).empty()) return std::nullopt;
     return crashOf([&] { static_cast<void>(findMismatch(candidate, alone)); }, {.seconds = 10, .quiet = true});
   };
   // Where the engine alone does not crash, a reference did.

@@ -136,13 +136,13 @@ Crowd crowdOf(std::uint64_t number) {
   return number % 1024 == 23 ? Crowd::vertices : Crowd::none;  // they take longest
 }
 
-std::size_t editsOf(std::uint64_t number, std::size_t edits) {
-  return crowdOf(number) == Crowd::none ? edits : std::max(edits, kCrowdedEdits);
+std::size_t editsOf(std::uint64_t number, const GeneratorOptions& options) {
+  const bool isCrowded = options.crowds && crowdOf(number) != Crowd::none;
+  return isCrowded ? std::max(options.edits, kCrowdedEdits) : options.edits;
 }
 
 Trace caseOf(std::uint64_t number, const GeneratorOptions& options, std::uint64_t seed) {
-  // The limits of a cell are this library's, so there is no crowd for an engine that can not do all.
-  const Crowd crowd = options.can == Capabilities::all() ? crowdOf(number) : Crowd::none;
+  const Crowd crowd = options.crowds ? crowdOf(number) : Crowd::none;
   return crowd == Crowd::none ? randomCase(options, seed) : crowdedCase(crowd, options.edits, seed);
 }
 

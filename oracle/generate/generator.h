@@ -21,6 +21,7 @@ struct GeneratorOptions {
   std::int32_t height = 4;
   std::size_t edits = 100;                 ///< adds and removes, refused ones included
   Capabilities can = Capabilities::all();  ///< what the worlds must be fit for
+  bool crowds = true;  ///< the limits of a cell are this library's: other engines need not know them
 };
 
 /// A case of its own. The trace may hold edits that must be refused; see CheckOptions::skipRefused.
@@ -35,8 +36,8 @@ inline constexpr std::size_t kCrowdedEdits = 300;  ///< enough for any
 Crowd crowdOf(std::uint64_t number);
 Trace caseOf(std::uint64_t number, const GeneratorOptions& options, std::uint64_t seed);
 
-/// How many edits the case with this number has. It is `edits`, unless the case is crowded.
-std::size_t editsOf(std::uint64_t number, std::size_t edits);
+/// How many edits the case with this number has: as many as asked for, unless it is crowded.
+std::size_t editsOf(std::uint64_t number, const GeneratorOptions& options);
 
 /// Digs in the world of a trace, and refills it: wanders about, takes polygons away, and puts back the same ones,
 /// others of that world, or degenerate ones. Returns the trace with a commit and `edits` more edits.

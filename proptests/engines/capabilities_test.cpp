@@ -45,7 +45,7 @@ TEST(Capabilities, OnlyFitWorldsAreMade) {
     const Capabilities can = canDo(words);
     std::size_t edits = 0;
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
-      const Trace trace = caseOf(seed, {4, 4, 60, can}, seed);
+      const Trace trace = caseOf(seed, {4, 4, 60, can, false}, seed);
       EXPECT_EQ(whyNot(trace, can), "") << words;
       edits += editCount(trace);
       EXPECT_EQ(whyNot(digIn(withoutRefused(trace), 20, seed, can), can), "") << words;
@@ -58,7 +58,7 @@ TEST(Capabilities, OnlyFitWorldsAreMade) {
 TEST(Capabilities, AreUsedWhereTheyAreThere) {
   const auto isMadeWith = [](const std::string& words, const std::string& without) {
     for (std::uint64_t seed = 0; seed < 60; ++seed)
-      if (!whyNot(caseOf(seed, {4, 4, 60, canDo(words)}, seed), canDo(without)).empty()) return true;
+      if (!whyNot(caseOf(seed, {4, 4, 60, canDo(words), false}, seed), canDo(without)).empty()) return true;
     return false;
   };
   EXPECT_TRUE(isMadeWith("several", ""));
@@ -114,7 +114,7 @@ TEST(Checker, HoldsAnEngineToWhatItCan) {
     CheckOptions options{.engine = engine, .skipRefused = true};
     CheckStats stats;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-      const auto found = checkTrace(caseOf(seed, {3, 3, 40, engine->can()}, seed), options, stats);
+      const auto found = checkTrace(caseOf(seed, {3, 3, 40, engine->can(), false}, seed), options, stats);
       ASSERT_TRUE(found) << found.error().text;
       EXPECT_FALSE(*found) << (*found)->text;
     }
