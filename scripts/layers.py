@@ -42,7 +42,7 @@ ROOMS = {
     "oracle/engine": ENGINE + ["lib/c/include", "oracle/reference", "oracle/trace"],
     "oracle/generate": ENGINE + ["oracle/reference", "oracle/trace", "oracle/engine"],
     "oracle/check": ENGINE + REFERENCES + ["oracle/draw", "oracle/engine", "oracle/generate"],
-    "bench/published": ENGINE + REFERENCES,
+    "bench/published": ENGINE + REFERENCES + ["lib/c/include", "oracle/engine"],
     "bench/ride": ENGINE + ADAPTERS + ORACLE,
     "bench": ENGINE + ADAPTERS + ORACLE + ["bench/published"],
     "cli": ENGINE + ADAPTERS + ORACLE + ["bench", "bench/published", "bench/ride"],
@@ -54,8 +54,8 @@ ROOMS = {
     "proptests/consumer": ENGINE + ADAPTERS,  # a project of its own, as a game would be
 }
 # The folders from which a header is found by a path without its room.
-INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/c/include", "lib/src", "lib/debug/include", "lib/tiled/include", "lib/tiled/src",
-                   "lib/box2d/include", "lib/box2d/src",
+INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/c/include", "lib/src", "lib/debug/include", "lib/tiled/include",
+                   "lib/tiled/src", "lib/box2d/include", "lib/box2d/src",
                    "lib/box2d/v2/include", "lib/box2d/v3/include"]
 # What no file below a folder may include, whatever its room: lib/ is MIT and goes into games.
 FOREIGN = {"lib": re.compile(r"CGAL/|rapidcheck|gtest|gmock|fmt/|CLI/")}

@@ -53,6 +53,7 @@ class Joining {
 
   // The segment that is joined to the end of this one.
   std::size_t nextOf(std::size_t k) const {
+    if (outline_[k].start == outline_[k].end) return kNoSegment;  // an engine may put out anything
     const Vertex& there = at_.at(outline_[k].end);
     const Vector along = directionOf(k), back{-along.x, -along.y};
     std::size_t next = kNoSegment, same = 0;

@@ -46,7 +46,8 @@ constexpr const char* kSegment = "a segment needs four points of two integers, g
 
 tl::expected<Hello, std::string> parseHello(std::string_view line) {
   constexpr std::string_view kWord = "lgs-engine ";
-  if (!line.starts_with(kWord)) return tl::unexpected<std::string>("the first line must be 'lgs-engine 1 NAME [CAPABILITY …]'");
+  if (!line.starts_with(kWord))
+    return tl::unexpected<std::string>("the first line must be 'lgs-engine 1 NAME [CAPABILITY …]'");
   line.remove_prefix(kWord.size());
   if (nextWord(line) != "1") return tl::unexpected<std::string>("there is only version 1 of the protocol");
   Hello hello;
@@ -72,7 +73,8 @@ tl::expected<bool, std::string> AnswerReader::take(std::string_view line) {
     return false;
   }
   if (line == "end") return true;
-  if (word != "refused") return tl::unexpected<std::string>("a line of an answer is refused, segment, end or a comment");
+  if (word != "refused")
+    return tl::unexpected<std::string>("a line of an answer is refused, segment, end or a comment");
   if (!outline.empty()) return tl::unexpected<std::string>("refusals come before the segments");
   const std::string name(nextWord(rest));
   if (name.empty() || rest.empty()) return tl::unexpected<std::string>("a refusal needs a name and a reason");
@@ -81,7 +83,6 @@ tl::expected<bool, std::string> AnswerReader::take(std::string_view line) {
 }
 
 std::string faultOf(const OutlineSegment& segment) {
-  if (segment.start == segment.end) return "a segment of no length";
   const bool isFar = !isInTheWorld(segment.start) || !isInTheWorld(segment.end) ||
                      !isInTheWorld(segment.ghost1.value_or(Point())) || !isInTheWorld(segment.ghost2.value_or(Point()));
   return isFar ? "beyond the end of the world, which is 2^30 cells away" : "";

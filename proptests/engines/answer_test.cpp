@@ -22,26 +22,12 @@ TEST(Answers, AreReadLineByLine) {
 }
 
 TEST(Answers, WrongLinesAreTold) {
-  for (const std::string line : {"",
-                                 " ",
-                                 "End",
-                                 "end ",
-                                 "segment",
-                                 "segment 0 0 1 1 - - - -",
-                                 "segment 0 0 1 1 - - - - 1 ",
-                                 "segment 0 0 1 1 - - - - x",
-                                 "segment 0 0 1 1 - - - - -1",
-                                 "segment  0 0 1 1 - - - - 1",
-                                 "segment 0 0 1 1 - 1 - - 1",
-                                 "segment 0 0 1.5 1 - - - - 1",
-                                 "segment 0 0 0 0 - - - - 1",
-                                 "segment 0 0 99999999999999999 1 - - - - 1",
-                                 "segment 0 0 99999999999999 1 - - - - 1",
-                                 "segment 0 0 1 1 - - - - 1\r",
-                                 "refused",
-                                 "refused p1",
-                                 "refused p1 ",
-                                 "commit"}) {
+  for (const std::string line :
+       {"", " ", "End", "end ", "segment", "segment 0 0 1 1 - - - -", "segment 0 0 1 1 - - - - 1 ",
+        "segment 0 0 1 1 - - - - x", "segment 0 0 1 1 - - - - -1", "segment  0 0 1 1 - - - - 1",
+        "segment 0 0 1 1 - 1 - - 1", "segment 0 0 1.5 1 - - - - 1", "segment 0 0 99999999999999999 1 - - - - 1",
+        "segment 0 0 99999999999999 1 - - - - 1", "segment 0 0 1 1 - - - - 1\r", "refused", "refused p1", "refused p1 ",
+        "commit"}) {
     AnswerReader reader(Capabilities::all());
     EXPECT_FALSE(reader.take(line)) << line;
   }
