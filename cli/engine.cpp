@@ -60,8 +60,10 @@ void addEngineOptions(CLI::App& command, EngineArguments& arguments, CLI::Option
             arguments.assumed = *can;
           },
           "What the engine can do, whatever it says: words of the protocol")
-      ->option_text("'WORD …'");
-  command.add_flag("--verbose", arguments.verbose, "Show the engine's comments and its own log")->needs(engine);
+      ->option_text("'WORD ...'");
+  command.add_flag("--verbose", arguments.verbose, "Show the engine's comments and its own log")
+      ->needs(engine)
+      ->option_text(" ");
 }
 
 std::unique_ptr<Engine> startEngine(const EngineArguments& arguments, std::FILE* out) {
@@ -106,6 +108,7 @@ const char* const kEngineHelp =
     "  refuses            it refuses bad edits       squares    (only) whole squares\n"
     "  merged             it joins collinear neighbours\n"
     "  lattice=N          (only) coordinates in 1/N cell        cells=N  (only) cells within ±N\n"
-    "A wrong line, a late answer, an end or a crash is a mismatch like any other.";
+    "Its refusals and its outline are compared. A wrong line, a late answer, an end or a crash is a mismatch\n"
+    "like any other.";
 
 }  // namespace lgs::cli
