@@ -96,8 +96,23 @@ void addOutputOptions(CLI::App& command, CheckArguments& arguments) {
       ->option_text("FILE");
 }
 
+void addReportOption(CLI::App& command, CheckArguments& arguments) {
+  command
+      .add_option("--report", arguments.report,
+                  "With an engine: go on after a mismatch, and write a report of\n"
+                  "all kinds with their smallest traces to this folder")
+      ->option_text("DIR")
+      ->excludes("--map");
+}
+
 Status run(CheckArguments& arguments) {
   if (const Status bad = tryFiles(arguments); bad != Status::fine) return bad;
+  if (!arguments.report.empty()) {
+    std::error_code ignored;  // the trial will say what is wrong
+    fs::create_directories(arguments.report, ignored);
+    if (const Status bad = tryOutputs({(fs::path(arguments.report) / "report.md").string()}); bad != Status::fine)
+      return bad;
+  }
   const auto check = arguments.map.empty() ? checkRandom : checkMap;
   if (!arguments.engine.isGiven()) return check(arguments);
   const auto engine = startEngine(arguments.engine, stdout);
@@ -141,9 +156,11 @@ void addCheck(CLI::App& app, Action& chosen) {
   addWorldOptions(command, arguments);
   addOutputOptions(command, *arguments);
   addEngineOptions(command, arguments->engine);
+  addReportOption(command, *arguments);
   command.footer(std::string(kCheckHelp) + kEngineHelp + kCheckExamples);
   command.callback([arguments, &chosen] {
     arguments->engine.checkUse();
+    if (!arguments->report.empty() && !arguments->engine.isGiven()) throw CLI::RequiredError("--engine or --engine-so");
     chosen = [arguments] { return run(*arguments); };
   });
 }

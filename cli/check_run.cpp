@@ -38,6 +38,10 @@ void printSummary(const CheckArguments& arguments, const Totals& totals) {
 
 }  // namespace
 
+std::chrono::milliseconds shrinkTime(const CheckArguments& arguments) {
+  return std::chrono::milliseconds(static_cast<std::int64_t>(arguments.shrinkSeconds * 1'000));
+}
+
 ReportOptions reportOptions(const CheckArguments& arguments, const Checked& checked) {
   return {arguments.out,      checked.name,
           checked.reproduce,  std::chrono::milliseconds(static_cast<std::int64_t>(arguments.shrinkSeconds * 1'000)),

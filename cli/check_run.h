@@ -24,6 +24,7 @@ struct CheckArguments {
   std::string map;
   std::string out = "out";
   std::string svg;
+  std::string report;  ///< folder of a report on the whole engine; empty: the first mismatch ends the run
   double shrinkSeconds = 20;
   oracle::CheckOptions options;
   EngineArguments engine;
@@ -46,6 +47,9 @@ struct Checked {
   std::string name;       ///< of the files that are written if it fails
   std::string reproduce;  ///< the command that checks it again
 };
+
+/// How long a mismatch may be shrunk.
+std::chrono::milliseconds shrinkTime(const CheckArguments& arguments);
 
 /// How to report a mismatch in this trace.
 oracle::ReportOptions reportOptions(const CheckArguments& arguments, const Checked& checked);

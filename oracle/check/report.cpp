@@ -46,19 +46,6 @@ class Hurry {
   Engine& engine_;
 };
 
-// Shrinks with an engine that lives on from trial to trial. What is left must fail in a new one; if it does not, the
-// engine keeps something over a reset, and each trial needs a new one.
-Trace shrunkAfresh(const Mismatch& found, const Trace& trace, Engine& engine, const FindAgain& findAgain,
-                   std::chrono::milliseconds budget) {
-  const auto findAfresh = [&](const Trace& candidate) {
-    engine.restart();
-    return findAgain(candidate);
-  };
-  const Hurry hurry(engine, found.kind);
-  Trace small = shrunk(found, trace, findAgain, budget);
-  return findAfresh(small) ? small : shrunk(found, trace, findAfresh, budget);
-}
-
 // Writes trace and picture, and says where they are and how to come by them again.
 void save(const Trace& trace, const std::string& picture, const ReportOptions& report, bool replays) {
   std::error_code ignored;  // writing will say what is wrong
@@ -85,6 +72,17 @@ void print(const Trace& trace, const std::string& what) {
 }
 
 }  // namespace
+
+Trace shrinkWithEngine(const Mismatch& found, const Trace& trace, Engine& engine, const FindAgain& findAgain,
+                       std::chrono::milliseconds budget) {
+  const auto findAfresh = [&](const Trace& candidate) {
+    engine.restart();
+    return findAgain(candidate);
+  };
+  const Hurry hurry(engine, found.kind);
+  Trace small = shrunk(found, trace, findAgain, budget);
+  return findAfresh(small) ? small : shrunk(found, trace, findAfresh, budget);
+}
 
 bool writeOrComplain(const std::string& path, std::string_view content) {
   const auto done = writeFile(path, content);
@@ -129,7 +127,7 @@ void reportMismatch(const Mismatch& found, const Trace& trace, const CheckOption
   };
   if (options.engine == nullptr) return reportMismatch(found, trace, findAgain, reporting);
   const auto makeSmall = [&](const Trace& t) {
-    return shrunkAfresh(found, t, *options.engine, findAgain, reporting.shrinkFor);
+    return shrinkWithEngine(found, t, *options.engine, findAgain, reporting.shrinkFor);
   };
   report(found, trace, makeSmall, findAgain, options.engine, reporting);
 }

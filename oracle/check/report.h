@@ -27,6 +27,11 @@ bool writeOrComplain(const std::string& path, std::string_view content);
 /// Finds a mismatch of the same kind in another trace; nothing if it is not there, or the trace is bad.
 using FindAgain = std::function<std::optional<Mismatch>(const Trace&)>;
 
+/// Shrinks with an engine that lives on from trial to trial. What is left must fail in a new one; if it does not, the
+/// engine keeps something over a reset, and each trial gets a new one.
+Trace shrinkWithEngine(const Mismatch& found, const Trace& trace, Engine& engine, const FindAgain& findAgain,
+                       std::chrono::milliseconds budget);
+
 /// Shrinks the trace, prints all of it, saves trace and picture.
 void reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& findAgain, const ReportOptions& report);
 

@@ -25,7 +25,7 @@ struct Capabilities {
   friend bool operator==(const Capabilities&, const Capabilities&) = default;
 
   /// What the laws ask for: everything.
-  static Capabilities all() {
+  static constexpr Capabilities all() {
     return {.ghosts = true, .blocks = true, .several = true, .slants = true, .preserve = true, .refuses = true};
   }
 

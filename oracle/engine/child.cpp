@@ -172,22 +172,20 @@ void Child::write(std::string_view& unsent) {
 }
 
 std::optional<Failure> Child::readOutput() {
-  std::array<char, 65'536> buffer;
-  const ssize_t n = read(output_, buffer.data(), buffer.size());
+  const ssize_t n = read(output_, buffer_.data(), buffer_.size());
   if (n == 0 || (n < 0 && errno != EAGAIN && errno != EINTR)) closeEnd(output_);
   if (n <= 0) return std::nullopt;
-  lines_.append(buffer.data(), static_cast<std::size_t>(n));
+  lines_.append(buffer_.data(), static_cast<std::size_t>(n));
   answered_ += static_cast<std::size_t>(n);
   if (answered_ > kLongestAnswer) return protocol("answers without end: more than 64 MiB");
   return std::nullopt;
 }
 
 std::optional<Failure> Child::readLog() {
-  std::array<char, 65'536> buffer;
-  const ssize_t n = read(log_, buffer.data(), buffer.size());
+  const ssize_t n = read(log_, buffer_.data(), buffer_.size());
   if (n == 0 || (n < 0 && errno != EAGAIN && errno != EINTR)) closeEnd(log_);
   if (n <= 0) return std::nullopt;
-  const std::string_view text(buffer.data(), static_cast<std::size_t>(n));
+  const std::string_view text(buffer_.data(), static_cast<std::size_t>(n));
   if (verbose_) std::fwrite(text.data(), 1, text.size(), stderr);
   tail_ += text;
   if (tail_.size() > kTail) tail_.erase(0, tail_.size() - kTail);

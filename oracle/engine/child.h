@@ -5,6 +5,7 @@
 #include "oracle/engine/engine.h"
 #include "oracle/engine/guard.h"
 
+#include <array>
 #include <chrono>
 #include <functional>
 #include <optional>
@@ -53,7 +54,8 @@ class Child {
   std::string lines_;                        // read and not yet taken
   std::size_t taken_ = 0;                    // of lines_
   std::string tail_;                         // of the log
-  std::size_t answered_ = 0, logged_ = 0;    // bytes since the last question
+  std::array<char, 65'536> buffer_{};
+  std::size_t answered_ = 0, logged_ = 0;  // bytes since the last question
 };
 
 }  // namespace lgs::oracle
