@@ -96,6 +96,33 @@ void addOutputOptions(CLI::App& command, CheckArguments& arguments) {
       ->option_text("FILE");
 }
 
+void addReportOption(CLI::App& command, CheckArguments& arguments) {
+  command
+      .add_option("--report", arguments.report,
+                  "With an engine: go on after a mismatch, and write a report of\n"
+                  "all kinds with their smallest traces to this folder")
+      ->option_text("DIR")
+      ->excludes("--map");
+}
+
+Status run(CheckArguments& arguments) {
+  if (const Status bad = tryFiles(arguments); bad != Status::fine) return bad;
+  if (!arguments.report.empty()) {
+    std::error_code ignored;  // the trial will say what is wrong
+    fs::create_directories(arguments.report, ignored);
+    if (const Status bad = tryOutputs({(fs::path(arguments.report) / "report.md").string()}); bad != Status::fine)
+      return bad;
+  }
+  const auto check = arguments.map.empty() ? checkRandom : checkMap;
+  if (!arguments.engine.isGiven()) return check(arguments);
+  const auto engine = startEngine(arguments.engine, stdout);
+  if (!engine) return Status::mismatch;
+  arguments.options.engine = engine.get();
+  arguments.world.can = engine->can();
+  arguments.world.crowds = false;
+  return finishEngine(*engine, check(arguments), stdout);
+}
+
 constexpr const char* kCheckHelp =
     "WHAT IS CHECKED. Every edit must be accepted or refused as the rules say, and a refused edit must\n"
     "change nothing. After every commit\n"
@@ -112,9 +139,12 @@ constexpr const char* kCheckHelp =
     "for the whole world, so a segment that changes further away is noticed too.\n\n"
     "A mismatch is shrunk to a minimal trace, printed, saved and drawn (a picture, and a page that steps\n"
     "through it in a browser), with the command that finds it again; the exit status is 1. The same is\n"
-    "done if the engine crashes, or hangs for a minute.\n\n"
-    "Examples: lgs check --cells 5x5 --edits 200000 --seed 7\n"
-    "          lgs check --map level.tmx --edits 5000 --svg dug.svg";
+    "done if the engine crashes, or hangs for a minute.\n\n";
+
+constexpr const char* kCheckExamples =
+    "\n\nExamples: lgs check --cells 5x5 --edits 200000 --seed 7\n"
+    "          lgs check --map level.tmx --edits 5000 --svg dug.svg\n"
+    "          lgs check --engine 'python3 my_engine.py' --edits 2000";
 
 }  // namespace
 
@@ -126,12 +156,13 @@ void addCheck(CLI::App& app, Action& chosen) {
   addEditOptions(command, arguments);
   addWorldOptions(command, arguments);
   addOutputOptions(command, *arguments);
-  command.footer(kCheckHelp);
+  addEngineOptions(command, arguments->engine);
+  addReportOption(command, *arguments);
+  command.footer(std::string(kCheckHelp) + kEngineHelp + kCheckExamples);
   command.callback([arguments, &chosen] {
-    chosen = [arguments] {
-      if (const Status bad = tryFiles(*arguments); bad != Status::fine) return bad;
-      return arguments->map.empty() ? checkRandom(*arguments) : checkMap(*arguments);
-    };
+    arguments->engine.checkUse();
+    if (!arguments->report.empty() && !arguments->engine.isGiven()) throw CLI::RequiredError("--engine or --engine-so");
+    chosen = [arguments] { return run(*arguments); };
   });
 }
 

@@ -58,8 +58,11 @@ Status dig(const CheckArguments& arguments, const Trace& start, const Checked& d
 Status checkMap(const CheckArguments& arguments) {
   const auto start = readWorld(arguments.map);
   if (!start) return complain(start.error());
-  Checked digging{digIn(*start, arguments.edits, arguments.seed), fmt::format("mismatch-map-{}", arguments.seed),
-                  fmt::format("{} check --map {} --edits {} --seed {} --oracle {} --whole-every {}", thisProgram("lgs"),
+  const Capabilities& can = arguments.world.can;
+  if (const std::string why = whyNot(withoutRefused(*start), can); !why.empty())
+    return complain(fmt::format("{}: the engine can not have it: {}", arguments.map, why));
+  Checked digging{digIn(*start, arguments.edits, arguments.seed, can), fmt::format("mismatch-map-{}", arguments.seed),
+                  fmt::format("{} --map {} --edits {} --seed {} --oracle {} --whole-every {}", commandAgain(arguments),
                               shellPath(arguments.map), arguments.edits, arguments.seed, arguments.oracleName(),
                               arguments.options.wholeEvery)};
   return isolated(

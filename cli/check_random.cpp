@@ -2,6 +2,7 @@
 #include "cli/progress.h"
 #include "oracle/check/isolated.h"
 #include "oracle/check/shell.h"
+#include "oracle/check/survey.h"
 #include "oracle/generate/random.h"
 
 #include <fmt/format.h>
@@ -27,18 +28,31 @@ Checked caseOf(const CheckArguments& arguments, const Case& at) {
   world.edits = at.edits;
   return {caseOf(at.number, world, caseSeed(arguments.seed, at.number)),
           fmt::format("mismatch-{}-{}", arguments.seed, at.number),
-          fmt::format("{} check --cells {}x{} --case-edits {} --seed {} --case {} --oracle {}", thisProgram("lgs"),
+          fmt::format("{} --cells {}x{} --case-edits {} --seed {} --case {} --oracle {}", commandAgain(arguments),
                       world.width, world.height, world.edits, arguments.seed, at.number, arguments.oracleName())};
+}
+
+Status finishSurvey(const CheckArguments& arguments, const Survey& survey, const Totals& totals) {
+  const std::string again =
+      fmt::format("{} --cells {}x{} --case-edits {} --edits {} --seed {} --oracle {} --report {}",
+                  commandAgain(arguments), arguments.world.width, arguments.world.height, arguments.world.edits,
+                  arguments.edits, arguments.seed, arguments.oracleName(), shellPath(arguments.report));
+  if (!survey.write(totals.stats, again)) return Status::badInput;
+  fmt::print("{}\nreport     {}/report.md, report.html\n",
+             survey.isEmpty() ? "no mismatch" : "MISMATCHES of some kinds", arguments.report);
+  return survey.isEmpty() ? Status::fine : Status::mismatch;
 }
 
 Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at) {
   Totals totals;
   Scene last;
   Progress progress;
+  std::optional<Survey> survey;
+  if (!arguments.report.empty()) survey.emplace(options, arguments.report, shrinkTime(arguments));
   for (at.number = arguments.onlyCase.value_or(0); totals.stats.edits < arguments.edits; ++at.number) {
     at.edits = arguments.world.edits;
     if (!arguments.onlyCase)
-      at.edits = std::min<std::size_t>(editsOf(at.number, at.edits), arguments.edits - totals.stats.edits);
+      at.edits = std::min<std::size_t>(editsOf(at.number, arguments.world), arguments.edits - totals.stats.edits);
     stillAlive();
     const Checked checked = caseOf(arguments, at);
     Features features{};
@@ -53,6 +67,11 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
     const std::uint64_t refused = totals.stats.refused;
     const auto mismatch = checkTrace(checked.trace, options, totals.stats);
     if (!mismatch) return complain(message(mismatch.error(), fmt::format("case {}", at.number)));
+    if (*mismatch && survey) {
+      survey->add(**mismatch, checked.trace);
+      if (arguments.onlyCase) break;
+      continue;
+    }
     if (*mismatch) {
       progress.wipe();
       reportMismatch(**mismatch, checked.trace, options, reportOptions(arguments, checked));
@@ -68,6 +87,7 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
     if (arguments.onlyCase) break;
   }
   progress.wipe();
+  if (survey) return finishSurvey(arguments, *survey, totals);
   return finish(arguments, totals, last);
 }
 

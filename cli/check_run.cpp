@@ -8,6 +8,7 @@
 #include "oracle/trace/player.h"
 
 #include <fmt/format.h>
+#include <cmath>
 
 namespace lgs::cli {
 
@@ -26,8 +27,10 @@ void printSummary(const CheckArguments& arguments, const Totals& totals) {
   fmt::print("compared   {} times with CGAL, {} with the naive reference; {} times the whole world\n", s.cgal, s.naive,
              s.whole);
   fmt::print("segments   {} compared\n", s.segments);
-  fmt::print("doors      {}\n", doorsInWords(s));
-  fmt::print("detours    {}\n", detoursInWords(s));
+  if (!arguments.engine.isGiven()) {
+    fmt::print("doors      {}\n", doorsInWords(s));
+    fmt::print("detours    {}\n", detoursInWords(s));
+  }
   fmt::print("time       {:.1f} s, {:.0f} edits/s\n", seconds, static_cast<double>(edits) / seconds);
   if (!arguments.map.empty()) return;
   fmt::print("cases      {}; of these had\n{}", totals.cases.cases, table(totals.cases));
@@ -35,15 +38,30 @@ void printSummary(const CheckArguments& arguments, const Totals& totals) {
 
 }  // namespace
 
+std::chrono::milliseconds shrinkTime(const CheckArguments& arguments) {
+  return std::chrono::milliseconds(static_cast<std::int64_t>(arguments.shrinkSeconds * 1'000));
+}
+
 ReportOptions reportOptions(const CheckArguments& arguments, const Checked& checked) {
-  return {arguments.out, checked.name, checked.reproduce,
-          std::chrono::milliseconds(static_cast<std::int64_t>(arguments.shrinkSeconds * 1'000)), thisProgram("lgs")};
+  return {arguments.out,      checked.name,
+          checked.reproduce,  std::chrono::milliseconds(static_cast<std::int64_t>(arguments.shrinkSeconds * 1'000)),
+          thisProgram("lgs"), arguments.engine.print()};
+}
+
+// The command of an engine may mean files of this folder.
+std::string commandAgain(const CheckArguments& arguments) {
+  const std::string lgs = thisProgram("lgs") + " check";
+  if (!arguments.engine.isGiven()) return lgs;
+  return fmt::format("cd {} && {}{}", thisFolder(), lgs, arguments.engine.print());
 }
 
 Status isolated(const CheckArguments& arguments, const CheckOptions& options, const std::function<Status()>& check,
                 const std::function<Checked()>& playing) {
+  if (arguments.engine.isProcess()) return check();  // it is isolated enough
   const Shared<Status> status;
-  const auto crash = crashOf([&] { *status = flushed(check()); });
+  IsolationOptions limits;
+  if (arguments.engine.isGiven()) limits.seconds = static_cast<unsigned>(std::ceil(arguments.engine.patience()));
+  const auto crash = crashOf([&] { *status = flushed(check()); }, limits);
   if (!crash) return *status;
   const Checked checked = playing();
   reportCrash(*crash, checked.trace, options, reportOptions(arguments, checked));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/command.h"
+#include "cli/engine.h"
 #include "oracle/check/report.h"
 #include "oracle/generate/features.h"
 #include "oracle/generate/generator.h"
@@ -23,8 +24,10 @@ struct CheckArguments {
   std::string map;
   std::string out = "out";
   std::string svg;
+  std::string report;  ///< folder of a report on the whole engine; empty: the first mismatch ends the run
   double shrinkSeconds = 20;
   oracle::CheckOptions options;
+  EngineArguments engine;
 
   std::string oracleName() const { return options.naive && options.cgal ? "both" : options.naive ? "naive" : "cgal"; }
 };
@@ -35,12 +38,18 @@ Status checkRandom(const CheckArguments& arguments);
 /// Digs in a given world.
 Status checkMap(const CheckArguments& arguments);
 
+/// How the command begins that does such a check again, from any folder: "lgs check".
+std::string commandAgain(const CheckArguments& arguments);
+
 /// A trace to check.
 struct Checked {
   oracle::Trace trace;
   std::string name;       ///< of the files that are written if it fails
   std::string reproduce;  ///< the command that checks it again
 };
+
+/// How long a mismatch may be shrunk.
+std::chrono::milliseconds shrinkTime(const CheckArguments& arguments);
 
 /// How to report a mismatch in this trace.
 oracle::ReportOptions reportOptions(const CheckArguments& arguments, const Checked& checked);

@@ -1,8 +1,11 @@
 #include "cli/command.h"
+#include "cli/engine.h"
 #include "oracle/check/report.h"
 #include "oracle/draw/draw.h"
+#include "oracle/generate/generator.h"
 #include "oracle/reference/words.h"
 #include "oracle/trace/dump.h"
+#include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
 
 #include <fmt/format.h>
@@ -21,6 +24,7 @@ struct ReplayArguments {
   std::string trace;
   bool check = false;
   CheckOptions checkOptions;
+  EngineArguments engine;
   std::string dump;
   std::string svg;
   std::string html;
@@ -53,6 +57,27 @@ Status showEnd(const ReplayArguments& arguments, const Trace& trace, bool draws,
   return worst(status, write(arguments.svg, drawWorld(player.scene(), outline, options)));
 }
 
+Status check(const ReplayArguments& arguments, const Trace& trace, const CheckOptions& options, std::FILE* out) {
+  CheckStats stats;
+  const auto mismatch = checkTrace(trace, options, stats);
+  if (!mismatch) return complain(message(mismatch.error(), arguments.trace));
+  const bool draws = !arguments.svg.empty();
+  const std::string& html = arguments.html;
+  if (!*mismatch) {
+    fmt::print(out, "checked {}, {} with CGAL, {} with the naive reference: no mismatch\n",
+               counted(stats.commits, "commit"), counted(stats.cgal, "time"), stats.naive);
+    const Trace good = options.skipRefused ? withoutRefused(trace) : trace;
+    const Status status = showEnd(arguments, good, draws, out);
+    return html.empty() ? status : worst(status, write(html, page(good, arguments.trace)));
+  }
+  fmt::print(out, "MISMATCH {}: {}", arguments.trace, describe(**mismatch, trace));
+  Status status = Status::mismatch;
+  if (draws) status = worst(status, write(arguments.svg, draw(**mismatch)));  // instead of the end
+  if (!html.empty()) status = worst(status, write(html, page(**mismatch, trace)));
+  if (!arguments.dump.empty()) status = worst(status, showEnd(arguments, trace, false, out));
+  return status;
+}
+
 Status run(const ReplayArguments& arguments) {
   const auto& [dump, svg, html, save] = std::tie(arguments.dump, arguments.svg, arguments.html, arguments.save);
   if (const Status bad = tryOutputs({dump, svg, html, save}); bad != Status::fine) return bad;
@@ -64,21 +89,15 @@ Status run(const ReplayArguments& arguments) {
   const bool draws = !svg.empty();
   if (!arguments.check) return showEnd(arguments, *trace, draws, out);
 
-  CheckStats stats;
-  const auto mismatch = checkTrace(*trace, arguments.checkOptions, stats);
-  if (!mismatch) return complain(message(mismatch.error(), arguments.trace));
-  if (!*mismatch) {
-    fmt::print(out, "checked {}, {} with CGAL, {} with the naive reference: no mismatch\n",
-               counted(stats.commits, "commit"), counted(stats.cgal, "time"), stats.naive);
-    const Status status = showEnd(arguments, *trace, draws, out);
-    return html.empty() ? status : worst(status, write(html, page(*trace, arguments.trace)));
-  }
-  fmt::print(out, "MISMATCH {}: {}", arguments.trace, describe(**mismatch, *trace));
-  Status status = Status::mismatch;
-  if (draws) status = worst(status, write(svg, draw(**mismatch)));  // instead of the end
-  if (!html.empty()) status = worst(status, write(html, page(**mismatch, *trace)));
-  if (!dump.empty()) status = worst(status, showEnd(arguments, *trace, false, out));
-  return status;
+  if (!arguments.engine.isGiven()) return check(arguments, *trace, arguments.checkOptions, out);
+  const auto engine = startEngine(arguments.engine, out);
+  if (!engine) return Status::mismatch;
+  if (const std::string why = whyNot(*trace, engine->can()); !why.empty())
+    return complain(fmt::format("{}: the engine can not have it: {}", arguments.trace, why));
+  CheckOptions options = arguments.checkOptions;
+  options.engine = engine.get();
+  options.skipRefused = engine->can().refuses;
+  return finishEngine(*engine, check(arguments, *trace, options, out), out);
 }
 
 constexpr const char* kReplayHelp =
@@ -91,6 +110,7 @@ constexpr const char* kReplayHelp =
     "The end of the file commits what is pending.\n\n"
     "A line of a dump is: segment <start> <end> <ghost1> <ghost2> <block>. Each of the four points is two\n"
     "numbers, in lattice units of 1/65536 cell; a ghost that is missing is - -.\n\n"
+    "With --engine the edits are played by that engine, and its outlines are compared (lgs check --help).\n\n"
     "Example: lgs replay world.trace --check --dump - --svg world.svg\n"
     "         lgs replay world.trace --check --html world.html";
 
@@ -107,6 +127,7 @@ void addReplay(CLI::App& app, Action& chosen) {
       command.add_flag("--check", arguments->check,
                        "Compare with the references after every commit; on a mismatch\nsay what differs, and where");
   addOracleOption(command, arguments->checkOptions)->needs(check);
+  addEngineOptions(command, arguments->engine, check);
   command.add_option("--dump", arguments->dump, "Write the segments after the last commit; - is stdout")
       ->option_text("FILE");
   command.add_option("--svg", arguments->svg, "Draw the world, or the mismatch if there is one; - is stdout")
@@ -120,7 +141,10 @@ void addReplay(CLI::App& app, Action& chosen) {
   command.add_option("--save", arguments->save, "Save the world after the last commit, for World::load(); - is stdout")
       ->option_text("FILE.lgs");
   command.footer(kReplayHelp);
-  command.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+  command.callback([arguments, &chosen] {
+    arguments->engine.checkUse();
+    chosen = [arguments] { return run(*arguments); };
+  });
 }
 
 }  // namespace lgs::cli

@@ -1,7 +1,7 @@
 // The published algorithm under the harness: it departs from the laws in the ways that docs/departures.md shows, and in
 // no way on scenes within its reach.
 #include "bench/published/departures.h"
-#include "bench/published/published_player.h"
+#include "bench/published/published_lattice.h"
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/check/isolated.h"
 #include "oracle/check/shrink.h"

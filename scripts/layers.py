@@ -17,7 +17,7 @@ import tempfile
 # What a room may include, beside itself. Rooms further down may include rooms further up, never the other way round.
 ENGINE = ["lib/include"]
 REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/trace"]
-ORACLE = REFERENCES + ["oracle/draw", "oracle/page", "oracle/generate", "oracle/check"]
+ORACLE = REFERENCES + ["oracle/draw", "oracle/engine", "oracle/page", "oracle/generate", "oracle/check"]
 TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include"]
 ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/tiled/include"] + TERRAIN
 ROOMS = {
@@ -41,13 +41,14 @@ ROOMS = {
     "oracle/draw": ENGINE + ["oracle/reference"],
     "oracle/trace": ENGINE + ["oracle/reference"],
     "oracle/page": ENGINE + ["oracle/reference", "oracle/trace", "oracle/draw"],
-    "oracle/generate": ENGINE + ["oracle/reference", "oracle/trace"],
-    "oracle/check": ENGINE + REFERENCES + ["oracle/draw", "oracle/page", "oracle/generate"],
-    "bench/published": ENGINE + REFERENCES,
+    "oracle/engine": ENGINE + ["lib/c/include", "oracle/reference", "oracle/trace"],
+    "oracle/generate": ENGINE + ["oracle/reference", "oracle/trace", "oracle/engine"],
+    "oracle/check": ENGINE + REFERENCES + ["oracle/draw", "oracle/engine", "oracle/page", "oracle/generate"],
+    "bench/published": ENGINE + REFERENCES + ["lib/c/include", "oracle/engine"],
     "bench/ride": ENGINE + ADAPTERS + ORACLE,
     "bench": ENGINE + ADAPTERS + ORACLE + ["bench/published"],
     "cli": ENGINE + ADAPTERS + ORACLE + ["bench", "bench/published", "bench/ride"],
-    "examples": ENGINE + ADAPTERS,
+    "examples": ENGINE + ADAPTERS + ["lib/c/include"],
     "fuzz": ENGINE + ADAPTERS + ORACLE + ["cli"],
     # Unit tests of the engine's and the importer's parts look inside.
     "proptests": ENGINE + ADAPTERS + ORACLE + ["examples", "lib/geometry", "lib/src", "lib/tiled/src", "lib/box2d/src",

@@ -1,6 +1,9 @@
 #include "bench/published/departures.h"
 
-#include "bench/published/published_player.h"
+#include "bench/published/published_engine.h"
+#include "bench/published/published_lattice.h"
+#include "oracle/engine/play.h"
+#include "oracle/engine/table_engine.h"
 #include "oracle/reference/naive.h"
 #include "oracle/reference/vector.h"
 #include "oracle/trace/player.h"
@@ -159,6 +162,11 @@ std::string nameOf(Departure departure) { return std::string(wordsFor(departure)
 
 std::string describe(Departure departure) { return std::string(wordsFor(departure).sentence); }
 
+Outline publishedOutline(const oracle::Trace& trace) {
+  const auto engine = oracle::TableEngine::make(publishedEngine());
+  return oracle::play(trace, **engine).value();
+}
+
 tl::expected<PublishedRun, oracle::TraceError> runPublished(const oracle::Trace& trace) {
   oracle::Player player(trace.preserve);
   if (const auto played = play(trace, player); !played) return tl::unexpected(played.error());
@@ -166,7 +174,10 @@ tl::expected<PublishedRun, oracle::TraceError> runPublished(const oracle::Trace&
   run.scene = player.scene();
   run.expected = naiveOutline(run.scene);
   run.published = publishedOutline(trace);
-  run.afresh = publishedOutline(run.scene);
+  oracle::Trace scene{trace.preserve, {}};
+  for (const ScenePolygon& polygon : run.scene.polygons)
+    scene.edits.push_back(oracle::Edit::add(std::to_string(scene.edits.size()), polygon));
+  run.afresh = publishedOutline(scene);
   return run;
 }
 

@@ -42,6 +42,9 @@ struct PublishedRun {
   oracle::Outline afresh;     ///< by the published algorithm, from the scene alone
 };
 
+/// What the published algorithm puts out at the end of a trace. No edit may be bad.
+oracle::Outline publishedOutline(const oracle::Trace& trace);
+
 /// Runs a trace; an error if one of its edits is bad.
 tl::expected<PublishedRun, oracle::TraceError> runPublished(const oracle::Trace& trace);
 

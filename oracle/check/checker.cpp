@@ -1,7 +1,8 @@
 #include "oracle/check/checker.h"
 
 #include "oracle/cgal/cgal_union.h"
-#include "oracle/check/reads.h"
+#include "oracle/check/comparable.h"
+#include "oracle/check/library_engine.h"
 #include "oracle/check/refusal.h"
 #include "oracle/check/window.h"
 #include "oracle/generate/random.h"
@@ -9,8 +10,7 @@
 #include "oracle/reference/canonical.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
-#include "oracle/trace/dump.h"
-#include "oracle/trace/mirror.h"
+#include "oracle/trace/named_scene.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -18,11 +18,6 @@
 
 namespace lgs::oracle {
 namespace {
-
-// Whether a refusal left all counts as they were. It may leave new shapes.
-bool sameCounts(const Stats& a, const Stats& b) {
-  return a.polygons == b.polygons && a.cells == b.cells && a.segments == b.segments && a.chunks == b.chunks;
-}
 
 // A trace that adds the polygons of a scene, cell by cell.
 Trace inAnotherOrder(const Scene& scene) {
@@ -41,9 +36,16 @@ Trace inAnotherOrder(const Scene& scene) {
 class Check {
  public:
   Check(const Trace& trace, const CheckOptions& options, CheckStats& stats)
-      : trace_(trace), options_(options), stats_(stats), player_(trace.preserve), steps_(trace) {}
+      : trace_(trace),
+        options_(options),
+        stats_(stats),
+        library_(options.engine ? nullptr : &own_),
+        engine_(options.engine ? *options.engine : own_),
+        placed_(trace.preserve),
+        steps_(trace) {}
 
   tl::expected<std::optional<Mismatch>, TraceError> run() {
+    engine_.reset(trace_.preserve);
     while (const auto step = steps_.next()) {
       edits_ = step->end;
       if (step->isCommit()) {
@@ -54,7 +56,7 @@ class Check {
         if (!found || *found) return found;
       }
     }
-    if (player_.pending()) {
+    if (pending_) {
       if (auto found = commit()) return found;
       if (stopped_) return std::nullopt;
     }
@@ -65,129 +67,140 @@ class Check {
     return checkHistory();
   }
 
-  const Detours& detours() const { return player_.detours(); }
+  void addDetours() { stats_.detours += own_.detours(); }
 
  private:
   using Result = std::optional<Mismatch>;
 
   const Model& model() const { return steps_.model(); }
+  const Scene& scene() const { return placed_.scene(); }
 
   Mismatch mismatch(Mismatch::Kind kind, std::string text) const {
     if (!text.ends_with('\n')) text += '\n';
-    Outline outline = outlineOf(player_.world());
-    return {
-        kind, std::move(text), edits_, commits_, player_.scene(), outline, outline, {edited_.begin(), edited_.end()},
-        {}};
+    Outline outline = engine_.outline();
+    return {kind, std::move(text), edits_, commits_, scene(), outline, outline, {edited_.begin(), edited_.end()}, {}};
+  }
+
+  Mismatch mismatch(Complaint complaint) const {
+    Mismatch found = mismatch(complaint.kind, std::move(complaint.text));
+    found.marked = std::move(complaint.marked);
+    return found;
+  }
+
+  // An engine that gave no answer has no outline. The picture shows what it should have answered.
+  Mismatch mismatch(const Failure& failure) {
+    constexpr std::array kKinds{Mismatch::Kind::crash, Mismatch::Kind::hang, Mismatch::Kind::protocol};
+    const Outline& right = naive_(scene()).outline;
+    return {kKinds[static_cast<std::size_t>(failure.kind)],
+            fmt::format("the engine {} after edit {}\n", failure.text, edits_) +
+                (failure.log.empty() ? "" : fmt::format("its log ends:\n{}\n", failure.log)),
+            edits_,
+            commits_,
+            scene(),
+            right,
+            right,
+            {edited_.begin(), edited_.end()},
+            {}};
   }
 
   tl::expected<Result, TraceError> apply(const Step& step) {
-    std::vector<PolygonHandle> removed;
-    std::vector<Cell> cells;
-    for (const Edit& edit : step.edits) {
-      const bool isRemoval = step.verdict.accepted && edit.kind == Edit::Kind::remove;
-      if (isRemoval && step.door != Door::setBlock) removed.push_back(player_.handleOf(edit.name));
-      cells.push_back(isRemoval ? player_.cellOf(edit.name) : edit.polygon.cell);
-    }
-    const Stats before = step.verdict.accepted ? Stats() : player_.world().stats();
-    const auto done = player_.apply(step);
     if (!step.isTrial) stats_.edits += step.edits.size();
-    if (std::string wrong = wrongAnswer(step, done, model(), player_.world()); !wrong.empty())
-      return mismatch(Mismatch::Kind::verdict, std::move(wrong));
-    if (!step.verdict.accepted) return afterRefusal(step, done.error(), before);
-    stats_.doors[static_cast<std::size_t>(step.door)] += step.edits.size();
-    stats_.worn += step.worn == 0 ? 0 : 1;
-    edited_.insert(cells.begin(), cells.end());
-    return checkStale(removed);
+    if (step.verdict.accepted) note(step);
+    if (library_ != nullptr) return applyByDoor(step);
+    return step.isTrial ? Result() : applyOneByOne(step);
   }
 
-  tl::expected<Result, TraceError> afterRefusal(const Step& step, const TraceError& error, const Stats& before) {
-    if (error.refusal) {
-      const Cell cell = step.edits.front().polygon.cell;
-      if (readCell(player_, model(), cell) || !sameCounts(player_.world().stats(), before))
-        return mismatch(Mismatch::Kind::refusal, fmt::format("the refusal changed something: {}", inWords(step)));
+  void note(const Step& step) {
+    stats_.doors[static_cast<std::size_t>(step.door)] += step.edits.size();
+    stats_.worn += step.worn == 0 ? 0 : 1;
+    pending_ = true;
+    for (const Edit& edit : step.removes()) {
+      edited_.insert(placed_[edit.name].cell);
+      placed_.remove(edit.name);
     }
-    if (!step.isTrial) {
-      if (!options_.skipRefused) return tl::unexpected(error);
-      ++stats_.refused;
+    for (const Edit& edit : step.adds()) {
+      edited_.insert(edit.polygon.cell);
+      placed_.add(edit.name, edit.polygon);
     }
+  }
+
+  tl::expected<Result, TraceError> applyByDoor(const Step& step) {
     stats_.full += step.verdict.code == ErrorCode::capacity ? 1 : 0;
+    auto complaint = library_->apply(step, model());
+    if (!complaint) return refused(step, complaint.error());
+    if (*complaint) return mismatch(std::move(**complaint));
     return Result();
   }
 
-  tl::expected<Result, TraceError> checkStale(const std::vector<PolygonHandle>& handles) {
-    for (const PolygonHandle handle : handles) {
-      const auto again = player_.world().remove(handle);
-      if (again || again.error().code != ErrorCode::staleHandle || again.error().other != handle ||
-          player_.world().polygon(handle) || player_.world().cellOf(handle)) {
-        return mismatch(Mismatch::Kind::verdict, "the handle of a removed polygon is not stale");
-      }
-      stale_.push_back(handle);
+  // The limits of a cell are this library's: other engines never see an edit that is refused for them.
+  tl::expected<Result, TraceError> applyOneByOne(const Step& step) {
+    const auto& [accepted, code, cell] = step.verdict;
+    if (accepted || (engine_.can().refuses && code != ErrorCode::capacity)) {
+      for (const Edit& edit : step.edits)
+        edit.kind == Edit::Kind::add ? engine_.add(edit.name, edit.polygon) : engine_.remove(edit.name);
+    } else if (options_.skipRefused) {
+      return Result();
     }
+    if (accepted) return Result();
+    pending_ = true;  // the refusal comes with the next commit
+    return refused(step, {step.edits.front().line, "must be refused: " + inWords(step), {}});
+  }
+
+  tl::expected<Result, TraceError> refused(const Step& step, const TraceError& error) {
+    if (!options_.skipRefused) return tl::unexpected(error);
+    ++stats_.refused;
+    const auto& code = step.verdict.code;
+    expected_.push_back({step.edits.front().name, code ? lgs::name(*code) : "a bad name"});
     return Result();
   }
 
   Result commit() {
-    const Changes& changes = player_.commit();
+    const auto refusals = engine_.commit();
     ++commits_;
     ++stats_.commits;
-    if (auto problem = mirror_.update(player_.world(), changes)) {
-      Mismatch found = mismatch(Mismatch::Kind::changes, std::move(*problem));
-      found.marked = mirror_.blamed();
-      return found;
+    pending_ = false;
+    if (!refusals) return mismatch(refusals.error());
+    if (std::string wrong = wrongRefusals(std::exchange(expected_, {}), *refusals); !wrong.empty())
+      return mismatch(Mismatch::Kind::verdict, std::move(wrong));
+    if (library_ != nullptr) {
+      if (auto complaint = library_->afterCommit(edited_, model())) return mismatch(std::move(*complaint));
     }
-    for (const Cell& cell : edited_)
-      if (auto found = reading(readCell(player_, model(), cell))) return found;
-    lastWasWhole_ = options_.wholeEvery != 0 && commits_ % options_.wholeEvery == 0;
+    // A joined segment belongs to many cells, so nothing can be said of some of them.
+    lastWasWhole_ = engine_.can().merged || (options_.wholeEvery != 0 && commits_ % options_.wholeEvery == 0);
     if (auto found = lastWasWhole_ ? compareWhole(!options_.unionAtEnd) : compareWindow()) return found;
     constexpr std::size_t kReadEvery = 8;  // it takes half as long as all the rest of a commit
     if (lastWasWhole_ && stats_.whole % kReadEvery == 0) {
       if (auto found = readAll()) return found;
     }
     edited_.clear();
-    stopped_ = options_.afterCommit && !options_.afterCommit(player_.scene());
+    stopped_ = options_.afterCommit && !options_.afterCommit(scene());
     return std::nullopt;
   }
 
-  // Asks the world everything. To be called after a commit.
   Result readAll() {
+    if (library_ == nullptr) return std::nullopt;
     ++stats_.read;
-    const World& world = player_.world();
-    const auto isThere = [&](PolygonHandle handle) { return world.polygon(handle).has_value(); };
-    if (std::ranges::any_of(stale_, isThere))
-      return mismatch(Mismatch::Kind::reading, "the handle of a removed polygon names another one now");
-    if (auto found = reading(readPolygons(player_, model()))) return found;
-    if (auto found = reading(readSegments(world, mirror_.segments()))) return found;
-    return reading(readLoops(world, mirror_.segments()));
-  }
-
-  Result reading(std::optional<WrongRead> wrong) const {
-    if (!wrong) return std::nullopt;
-    Mismatch found = mismatch(Mismatch::Kind::reading, std::move(wrong->text));
-    found.marked = std::move(wrong->about);
-    return found;
+    auto complaint = library_->readAll(model());
+    return complaint ? Result(mismatch(std::move(*complaint))) : std::nullopt;
   }
 
   // The union and the loops take longest, so they can be left out.
   Result compareWhole(bool withUnion) {
     ++stats_.whole;
-    const Outline actual = outlineOf(player_.world());
+    const Outline actual = engine_.outline();
     if (options_.naive) {
       ++stats_.naive;
-      const Outline& expected = naive_(player_.scene()).outline;
-      if (auto found = compareOutlines(Mismatch::Kind::naive, player_.scene(), expected, actual)) return found;
+      if (auto found = compareOutlines(Mismatch::Kind::naive, scene(), naive_(scene()).outline, actual)) return found;
     }
     if (!withUnion || !options_.cgal) return std::nullopt;
-    const auto united = cgalUnion(player_.scene());
+    const auto united = cgalUnion(scene());
     if (!united) return std::nullopt;  // a preserve relation that is no partition: CGAL has no say
-    ++stats_.cgal;
-    const Outline expected = withUnknownLinksOf(actual, united->outline, united->known);
-    if (auto found = compareOutlines(Mismatch::Kind::cgal, player_.scene(), expected, actual)) return found;
-    return trace_.preserve.empty() ? compareLoops(canonical(united->loops)) : std::nullopt;
+    if (auto found = compareUnion(scene(), *united, actual, nullptr)) return found;
+    return library_ != nullptr && trace_.preserve.empty() ? compareLoops(canonical(united->loops)) : std::nullopt;
   }
 
   Result compareLoops(const Loops& expected) {
-    Loops actual;
-    for (Loop& loop : player_.world().loops(Collinear::merge)) actual.push_back(std::move(loop.vertices));
+    const Loops actual = library_->loops();
     if (actual == expected) return std::nullopt;
     return mismatch(Mismatch::Kind::loops,
                     fmt::format("{} loops where there should be {}, or others, though all segments and links are right",
@@ -196,68 +209,78 @@ class Check {
 
   Result compareWindow() {
     const CellSet judged = around(edited_);
-    const Scene scene = sceneOf(model(), trace_.preserve, around(judged));
-    Outline actual;
-    for (const Cell& cell : judged) {
-      for (const SegmentId id : player_.world().segments(CellRect{cell, cell})) {
-        if (const auto segment = player_.world().segment(id)) actual.push_back(outlineSegment(*segment));
-      }
-    }
-    std::sort(actual.begin(), actual.end());
+    const Scene near = sceneOf(model(), trace_.preserve, around(judged));
+    Outline actual = library_ != nullptr ? library_->outlineIn(judged) : engine_.outline();
+    if (library_ == nullptr) keepOnly(actual, judged);
     if (options_.naive) {
       ++stats_.naive;
-      Outline expected = naive_(scene).outline;
+      Outline expected = naive_(near).outline;
       keepOnly(expected, judged);
-      if (auto found = compareOutlines(Mismatch::Kind::naive, scene, expected, actual)) return found;
+      if (auto found = compareOutlines(Mismatch::Kind::naive, near, expected, actual)) return found;
     }
-    if (options_.cgal) {
-      if (const auto united = cgalUnion(scene)) {
-        ++stats_.cgal;
-        Outline expected = withUnknownLinksOf(actual, united->outline, united->known);
-        keepOnly(expected, judged);
-        if (auto found = compareOutlines(Mismatch::Kind::cgal, scene, expected, actual)) return found;
-      }
-    }
-    return std::nullopt;
+    if (!options_.cgal) return std::nullopt;
+    const auto united = cgalUnion(near);
+    return united ? compareUnion(near, *united, actual, &judged) : std::nullopt;
+  }
+
+  // With CGAL, which does not know all links. It can not be asked which of those of joined segments it knows.
+  Result compareUnion(const Scene& scene, const CgalUnion& united, const Outline& actual, const CellSet* judged) {
+    ++stats_.cgal;
+    Outline expected = withUnknownLinksOf(actual, united.outline, united.known);
+    if (judged != nullptr) keepOnly(expected, *judged);
+    Capabilities can = engine_.can();
+    can.ghosts = can.ghosts && (!can.merged || scene.preserve.empty());
+    return compareOutlines(Mismatch::Kind::cgal, scene, expected, actual, can);
   }
 
   Result compareOutlines(Mismatch::Kind kind, const Scene& scene, const Outline& expected, const Outline& actual) {
+    return compareOutlines(kind, scene, expected, actual, engine_.can());
+  }
+
+  Result compareOutlines(Mismatch::Kind kind, const Scene& scene, const Outline& expected, const Outline& actual,
+                         const Capabilities& can) {
     stats_.segments += expected.size();
     if (expected == actual) return std::nullopt;
-    Mismatch found = mismatch(kind, describe(compare(expected, actual)));
+    Mismatch found = mismatch(kind, "");
+    found.expected = can.putsOutAll() ? expected : comparable(expected, can);
+    found.actual = can.putsOutAll() ? actual : comparable(actual, can);
+    if (found.expected == found.actual) return std::nullopt;
+    found.text = describe(compare(found.expected, found.actual));
     found.scene = scene;
-    found.expected = expected;
-    found.actual = actual;
     return found;
   }
 
   Result checkHistory() {
-    const Trace another = inAnotherOrder(player_.scene());
-    Player fresh(trace_.preserve);
-    Steps steps(another);
-    while (const auto step = steps.next()) {
-      if (const auto done = fresh.apply(*step); !done)
-        return mismatch(Mismatch::Kind::history, "added in another order, a polygon is refused: " + done.error().text);
+    const Trace another = inAnotherOrder(scene());
+    const Outline before = engine_.outline();
+    if (library_ != nullptr) {
+      const auto afresh = LibraryEngine::outlineAtOnce(another);
+      if (afresh) return compareOutlines(Mismatch::Kind::history, scene(), *afresh, before);
+      return mismatch(Mismatch::Kind::history, "added in another order, a polygon is refused: " + afresh.error().text);
     }
-    // Threads would share the jobs of this executor. It runs the last one first: their order must not matter either.
-    fresh.world().commit([](std::size_t jobs, const std::function<void(std::size_t)>& run) {
-      while (jobs-- > 0) run(jobs);
-    });
-    return compareOutlines(Mismatch::Kind::history, player_.scene(), outlineOf(fresh.world()),
-                           outlineOf(player_.world()));
+    engine_.reset(another.preserve);
+    for (const Edit& edit : another.edits) engine_.add(edit.name, edit.polygon);
+    const auto refusals = engine_.commit();
+    if (!refusals) return mismatch(refusals.error());
+    if (std::string wrong = wrongRefusals({}, *refusals); !wrong.empty())
+      return mismatch(Mismatch::Kind::history, "added in another order: " + wrong);
+    return compareOutlines(Mismatch::Kind::history, scene(), engine_.outline(), before);
   }
 
   const Trace& trace_;
   const CheckOptions& options_;
   CheckStats& stats_;
-  Player player_;
+  LibraryEngine own_;
+  LibraryEngine* const library_;  // null, if another engine is checked
+  Engine& engine_;
+  NamedScene placed_;
   Steps steps_;
-  Mirror mirror_;
   NaiveReference naive_;
-  std::vector<PolygonHandle> stale_;  // of all polygons that were removed
+  std::vector<RefusedEdit> expected_;  // what must be refused since the last commit, and why
   CellSet edited_;
   std::size_t edits_ = 0;
   std::size_t commits_ = 0;
+  bool pending_ = false;
   bool lastWasWhole_ = false;
   bool stopped_ = false;
 };
@@ -268,7 +291,7 @@ tl::expected<std::optional<Mismatch>, TraceError> checkTrace(const Trace& trace,
                                                              CheckStats& stats) {
   Check check(trace, options, stats);
   auto result = check.run();
-  stats.detours += check.detours();
+  if (options.engine == nullptr) check.addDetours();
   return result;
 }
 

@@ -1,16 +1,16 @@
-// Plays a trace and compares the engine with the references after every commit.
+// Plays a trace into an engine, and compares it with the references after every commit.
 //
-// What is checked:
-//  - each edit, through one of its doors (step.h): the engine accepts and refuses what the naive rules do, for the same
-//    reason, and names what is to blame; a refused edit changes nothing; a stale handle stays stale;
-//  - each commit: the change list is exact (mirror.h); the outline equals the naive reference's; if the preserve
-//    relation is a partition, it equals that of CGAL's union; without a preserve relation the loops are equal too; the
-//    polygons of the edited cells read as they were placed;
-//  - some commits, and the last one: everything else that a world can be asked (reads.h);
-//  - the end: a new world with the same polygons has the same outline. They are added in another order, and committed
-//    at once, by an executor.
+// What is checked of any engine:
+//  - each edit: the engine accepts and refuses what the naive rules do;
+//  - each commit: the outline equals the naive reference's; if the preserve relation is a partition, it equals that of
+//    CGAL's union;
+//  - the end: a new world with the same polygons, added in another order and committed at once, has the same outline.
+//
+// This library's engine shows more, so more is checked of it: doors, reasons, change lists, reads (library_engine.h),
+// and the loops.
 #pragma once
 
+#include "oracle/engine/engine.h"
 #include "oracle/reference/outline.h"
 #include "oracle/reference/scene.h"
 #include "oracle/trace/player.h"
@@ -28,6 +28,7 @@
 namespace lgs::oracle {
 
 struct CheckOptions {
+  Engine* engine = nullptr;  ///< whom to check; null: this library's engine, and all that it shows
   bool naive = true;
   bool cgal = true;
   bool skipRefused = false;  ///< go on after an edit that is rightly refused; if false, the trace is bad
@@ -46,15 +47,18 @@ struct CheckOptions {
 
 struct Mismatch {
   enum class Kind {
-    verdict,  ///< the engine accepts what is bad, refuses what is good, or says another reason
-    refusal,  ///< a refused edit changed something
-    changes,  ///< a change list is wrong
-    reading,  ///< the world's queries contradict each other or the edits
-    naive,    ///< another outline than the naive reference's
-    cgal,     ///< another outline than CGAL's
-    loops,    ///< equal outlines, other loops
-    history,  ///< the outline depends on how it came about
-    terrain,  ///< a physics engine's copy is not that of the world; the checker itself knows no such copy
+    verdict,   ///< the engine accepts what is bad, refuses what is good, or says another reason
+    refusal,   ///< a refused edit changed something
+    changes,   ///< a change list is wrong
+    reading,   ///< the world's queries contradict each other or the edits
+    naive,     ///< another outline than the naive reference's
+    cgal,      ///< another outline than CGAL's
+    loops,     ///< equal outlines, other loops
+    history,   ///< the outline depends on how it came about
+    terrain,   ///< a physics engine's copy is not that of the world; the checker itself knows no such copy
+    crash,     ///< the engine ended
+    hang,      ///< the engine gave no answer in time
+    protocol,  ///< the engine gave an answer that is none
   };
   Kind kind{};
   std::string text;        ///< what differs, and where; whole lines

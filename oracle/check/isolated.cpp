@@ -2,6 +2,9 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/resource.h>
 #include <sys/time.h>
 #include <sys/wait.h>
@@ -30,6 +33,9 @@ void silenceTheChild() {
 }
 
 [[noreturn]] void runAndLeave(const std::function<void()>& work, const IsolationOptions& options, bool& finished) {
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // who interrupts the parent means the child as well
+#endif
   if (options.quiet) silenceTheChild();
   limits = options;
   stillAlive();

@@ -3,6 +3,7 @@
 #include "oracle/check/isolated.h"
 #include "oracle/check/shell.h"
 #include "oracle/check/shrink.h"
+#include "oracle/generate/generator.h"
 #include "oracle/reference/words.h"
 #include "oracle/trace/file.h"
 
@@ -33,6 +34,18 @@ Trace shrunk(const Mismatch& found, Trace trace, const FindAgain& findAgain, std
   return shrink(std::move(trace), stillFails, budget);
 }
 
+// While it lives, an engine is given up on sooner, if what is looked for again is a hang.
+class Hurry {
+ public:
+  Hurry(Engine& engine, Kind kind) : engine_(engine) { engine_.hurry(kind == Kind::hang); }
+  ~Hurry() { engine_.hurry(false); }
+  Hurry(const Hurry&) = delete;
+  Hurry& operator=(const Hurry&) = delete;
+
+ private:
+  Engine& engine_;
+};
+
 // What shows a finding: an SVG picture, and a page for a browser.
 struct Views {
   std::string picture;
@@ -50,8 +63,9 @@ void save(const Trace& trace, const Views& views, const ReportOptions& report, b
   if (written) fmt::print("\ntrace      {0}.trace\npicture    {0}.svg\npage       {0}.html\n", base);
   fmt::print("again      {}\n", report.reproduce);
   if (written && replays) {
-    fmt::print("look at it {} replay {} --check --svg {}\n", report.lgs, shellPath(base + ".trace"),
-               shellPath(base + ".svg"));
+    const std::string cd = report.engine.empty() ? "" : fmt::format("cd {} && ", thisFolder());
+    fmt::print("look at it {}{} replay {} --check{} --svg {}\n", cd, report.lgs, shellPath(base + ".trace"),
+               report.engine, shellPath(base + ".svg"));
   }
 }
 
@@ -66,33 +80,64 @@ void print(const Trace& trace, const std::string& what) {
 
 }  // namespace
 
+Trace shrinkWithEngine(const Mismatch& found, const Trace& trace, Engine& engine, const FindAgain& findAgain,
+                       std::chrono::milliseconds budget) {
+  const auto findAfresh = [&](const Trace& candidate) {
+    engine.restart();
+    return findAgain(candidate);
+  };
+  const Hurry hurry(engine, found.kind);
+  Trace small = shrunk(found, trace, findAgain, budget);
+  return findAfresh(small) ? small : shrunk(found, trace, findAfresh, budget);
+}
+
 bool writeOrComplain(const std::string& path, std::string_view content) {
   const auto done = writeFile(path, content);
   if (!done) fmt::print(stderr, "{}\n", message(done.error(), path));
   return done.has_value();
 }
 
-void reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& findAgain,
-                    const ReportOptions& report) {
+namespace {
+
+using Shrink = std::function<Trace(const Trace&)>;
+
+void report(const Mismatch& found, const Trace& trace, const Shrink& makeSmall, const FindAgain& findAgain,
+            const Engine* engine, const ReportOptions& report) {
   fmt::print("MISMATCH {}", describe(found, trace));
   if (report.shrinkFor.count() > 0) fmt::print("shrinking the trace of {} …\n", counted(found.edits, "line"));
   std::fflush(stdout);
 
-  const Trace small = shrunk(found, trace, findAgain, report.shrinkFor);
+  const Trace small = makeSmall(trace);
   const auto again = findAgain(small);
   const Mismatch& shown = again ? *again : found;
   print(small, describe(shown, small));
-  save(small, {draw(shown), page(shown, small)}, report, findMismatch(small, CheckOptions()).has_value());
+  if (!again && engine != nullptr) fmt::print("but not again: the engine does not always do the same\n");
+  save(small, {draw(shown), page(shown, small)}, report,
+       engine != nullptr || findMismatch(small, CheckOptions()).has_value());
+}
+
+}  // namespace
+
+void reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& findAgain,
+                    const ReportOptions& options) {
+  const auto makeSmall = [&](const Trace& t) { return shrunk(found, t, findAgain, options.shrinkFor); };
+  report(found, trace, makeSmall, findAgain, nullptr, options);
 }
 
 void reportMismatch(const Mismatch& found, const Trace& trace, const CheckOptions& options,
-                    const ReportOptions& report) {
+                    const ReportOptions& reporting) {
   const CheckOptions narrow = only(found.kind, options);
   const auto findAgain = [&](const Trace& candidate) {
+    if (options.engine != nullptr && !whyNot(candidate, options.engine->can()).empty())
+      return std::optional<Mismatch>();
     auto again = findMismatch(candidate, narrow);
     return again && again->kind == found.kind ? std::move(again) : std::nullopt;
   };
-  reportMismatch(found, trace, findAgain, report);
+  if (options.engine == nullptr) return reportMismatch(found, trace, findAgain, reporting);
+  const auto makeSmall = [&](const Trace& t) {
+    return shrinkWithEngine(found, t, *options.engine, findAgain, reporting.shrinkFor);
+  };
+  report(found, trace, makeSmall, findAgain, options.engine, reporting);
 }
 
 void reportCrash(const std::string& how, const Trace& trace, const CheckOptions& options, const ReportOptions& report) {
@@ -103,7 +148,8 @@ void reportCrash(const std::string& how, const Trace& trace, const CheckOptions&
   CheckOptions alone = options;
   alone.afterCommit = {};
   alone.naive = alone.cgal = false;
-  const auto crash = [&](const Trace& candidate) {
+  const auto crash = [&](const Trace& candidate) -> std::optional<std::string> {
+    if (options.engine != nullptr && !whyNot(candidate, options.engine->can()).empty()) return std::nullopt;
     return crashOf([&] { static_cast<void>(findMismatch(candidate, alone)); }, {.seconds = 10, .quiet = true});
   };
   // Where the engine alone does not crash, a reference did.

@@ -18,6 +18,7 @@ struct ReportOptions {
   std::string reproduce;     ///< the command that finds the mismatch again, from any folder
   std::chrono::milliseconds shrinkFor{};
   std::string lgs = "lgs";  ///< the lgs command, as a shell takes it
+  std::string engine = {};  ///< the options that name the engine, with a blank before; empty for this library's
 };
 
 /// Writes a file; complains on the standard error if that does not work. Whether it did.
@@ -25,6 +26,11 @@ bool writeOrComplain(const std::string& path, std::string_view content);
 
 /// Finds a mismatch of the same kind in another trace; nothing if it is not there, or the trace is bad.
 using FindAgain = std::function<std::optional<Mismatch>(const Trace&)>;
+
+/// Shrinks with an engine that lives on from trial to trial. What is left must fail in a new one; if it does not, the
+/// engine keeps something over a reset, and each trial gets a new one.
+Trace shrinkWithEngine(const Mismatch& found, const Trace& trace, Engine& engine, const FindAgain& findAgain,
+                       std::chrono::milliseconds budget);
 
 /// Shrinks the trace, prints all of it, saves trace, picture and page.
 void reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& findAgain, const ReportOptions& report);

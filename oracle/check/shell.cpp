@@ -19,6 +19,8 @@ std::string shellWord(std::string_view word) {
 
 std::string shellPath(const std::string& path) { return shellWord(std::filesystem::absolute(path).string()); }
 
+std::string thisFolder() { return shellWord(std::filesystem::current_path().string()); }
+
 std::string thisProgram(std::string_view otherwise) {
   std::error_code none;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);

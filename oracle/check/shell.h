@@ -12,6 +12,9 @@ std::string shellWord(std::string_view word);
 /// The path of a file as a shell takes it, in any folder.
 std::string shellPath(const std::string& path);
 
+/// The folder that commands run in now, as a shell takes it.
+std::string thisFolder();
+
 /// This program as a shell takes it, in any folder; `otherwise` where the system does not say.
 std::string thisProgram(std::string_view otherwise);
 

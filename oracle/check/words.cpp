@@ -26,6 +26,12 @@ std::string describe(Mismatch::Kind kind) {
       return "the outline depends on the order of the edits";
     case Mismatch::Kind::terrain:
       return "the terrain is not that of the world";
+    case Mismatch::Kind::crash:
+      return "the engine ended";
+    case Mismatch::Kind::hang:
+      return "the engine does not answer";
+    case Mismatch::Kind::protocol:
+      return "the engine does not keep to the protocol";
   }
   return {};
 }

@@ -21,7 +21,7 @@ Editor::Editor(Trace start, Habits habits, std::uint64_t seed)
 void Editor::run(std::size_t edits) {
   while (edits_ < edits) {
     constexpr std::int32_t kSteps[] = {kUnitsPerCell / 4, kUnitsPerCell / 4, kUnitsPerCell / 8, 1};
-    step_ = kSteps[random_.below(4)];
+    step_ = std::max(kSteps[random_.below(4)], kUnitsPerCell / habits_.can.lattice);
     const Operation operation = pickOperation();
     (this->*operation)(pickCell());
     // An operation may come to nothing; a commit of nothing is worth a try now and then.
@@ -75,7 +75,7 @@ void Editor::fill(Cell cell) {
   const int symmetry = habits_.turnShapes ? random_.below(8) : 0;
   const Block block = random_.pick(habits_.blocks);
   const std::vector<Cell> cells = rectangleAt(cell);
-  const bool isRefused = habits_.refused > 0 && random_.chance(20);
+  const bool isRefused = habits_.refused > 0 && random_.chance(20) && habits_.can.several;
   if (!isRefused)
     for (const Cell& at : cells) empty(at);
   for (const Cell& at : cells) {
@@ -84,7 +84,7 @@ void Editor::fill(Cell cell) {
 }
 
 void Editor::lean(Cell cell) {
-  if (model_.in(cell).empty()) return place(cell);
+  if (model_.in(cell).empty() || !habits_.can.slants || !habits_.can.several) return place(cell);
   const LocalPolygon polygon = random_.pick(model_.in(cell)).vertices;
   const std::size_t k = random_.below(polygon.size());
   const LocalPoint a = polygon[k];
@@ -177,7 +177,8 @@ void Editor::tryRefused(Cell cell) {
       break;
   }
   const Block block = random_.pick(habits_.blocks);
-  push(Edit::add(freshName(), {cell, block, std::move(polygon)}));
+  Edit edit = Edit::add(freshName(), {cell, block, std::move(polygon)});
+  if (isFit(edit)) push(std::move(edit));
 }
 
 // The cells of a rectangle, nine at most, as far as they are the editor's.
@@ -198,9 +199,15 @@ void Editor::empty(Cell cell) {
   while (!model_.in(cell).empty()) removeNamed(model_.in(cell).back().name);
 }
 
+// Whether the engine can have it. An engine of one polygon a cell may be asked for a second one that it must refuse.
+bool Editor::isFit(const Edit& add) const {
+  if (!whyNot(add.polygon, habits_.can).empty()) return false;
+  return habits_.can.several || model_.in(add.polygon.cell).empty() || !model_.judge(add).accepted;
+}
+
 bool Editor::addIfGood(Cell cell, Block block, LocalPolygon vertices) {
   Edit edit = Edit::add(freshName(), {cell, block, std::move(vertices)});
-  if (!model_.judge(edit).accepted) return false;
+  if (!model_.judge(edit).accepted || !isFit(edit)) return false;
   push(std::move(edit));
   return true;
 }
@@ -230,7 +237,15 @@ LocalPoint Editor::randomPoint() {
   return {random_.below(lines) * step_, random_.below(lines) * step_};
 }
 
+LocalPolygon Editor::randomBox() {
+  const LocalPoint a = randomPoint(), b = randomPoint();
+  const auto [left, right] = std::minmax(a.x, b.x);
+  const auto [floor, top] = std::minmax(a.y, b.y);
+  return {{left, floor}, {right, floor}, {right, top}, {left, top}};
+}
+
 LocalPolygon Editor::randomPolygon() {
+  if (!habits_.can.slants) return randomBox();
   LocalPolygon polygon{randomPoint(), randomPoint(), randomPoint()};
   if (faultOf(polygon) == ErrorCode::clockwise) std::swap(polygon[0], polygon[1]);
   for (int more = random_.below(8); more > 0; --more) {

@@ -2,6 +2,7 @@
 // editor makes in order to be refused.
 #pragma once
 
+#include "oracle/engine/capabilities.h"
 #include "oracle/generate/random.h"
 #include "oracle/trace/model.h"
 #include "oracle/trace/trace.h"
@@ -29,6 +30,8 @@ struct Habits {
   int refused = 0;  ///< something that must be refused
 
   int commitPercent = 100;  ///< chance of a commit after an operation
+
+  Capabilities can = Capabilities::all();  ///< what edits must be fit for; the shapes must be, too
 };
 
 class Editor {
@@ -58,11 +61,13 @@ class Editor {
 
   std::vector<Cell> rectangleAt(Cell cell);
   void empty(Cell cell);
+  bool isFit(const Edit& add) const;
   bool addIfGood(Cell cell, Block block, LocalPolygon vertices);
   void removeNamed(std::string name);
   void push(Edit edit);
   std::string freshName();
   LocalPolygon randomPolygon();
+  LocalPolygon randomBox();
   LocalPoint randomPoint();
 
   Trace trace_;

@@ -3,6 +3,7 @@
 #include "oracle/generate/editor.h"
 #include "oracle/generate/shapes.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <set>
 
@@ -26,6 +27,13 @@ std::int32_t randomOrigin(Random& random, std::int32_t size) {
   }
 }
 
+// A first column or row from which `size` of them are within ±most; so many must fit.
+std::int32_t within(std::int32_t most, std::int32_t size, std::int32_t origin) {
+  if (origin >= -most && origin + size - 1 <= most) return origin;
+  const std::int64_t places = 2 * std::int64_t{most} + 2 - size;
+  return static_cast<std::int32_t>(-most + (std::int64_t{origin} + most) % places + (origin < -most ? places - 1 : 0));
+}
+
 std::vector<Cell> grid(Cell origin, std::int32_t width, std::int32_t height) {
   std::vector<Cell> cells;
   for (std::int32_t i = 0; i < width; ++i) {
@@ -34,13 +42,29 @@ std::vector<Cell> grid(Cell origin, std::int32_t width, std::int32_t height) {
   return cells;
 }
 
-std::vector<std::vector<LocalPolygon>> randomShapes(Random& random) {
+// The degenerate shapes that an engine can have; polygon by polygon, if it can have only one in a cell.
+std::vector<std::vector<LocalPolygon>> shapesFor(const Capabilities& can) {
+  std::vector<std::vector<LocalPolygon>> shapes;
+  const auto fits = [&](const LocalPolygon& polygon) { return whyNot({{}, 0, polygon}, can).empty(); };
+  for (const NamedShape& shape : degenerateShapes()) {
+    if (!std::ranges::all_of(shape.polygons, fits)) continue;
+    if (can.several) {
+      shapes.push_back(shape.polygons);
+    } else {
+      for (const LocalPolygon& polygon : shape.polygons) shapes.push_back({polygon});
+    }
+  }
+  return shapes;  // never empty: the full square is fit for all
+}
+
+std::vector<std::vector<LocalPolygon>> randomShapes(Random& random, const Capabilities& can) {
+  const auto all = shapesFor(can);
   std::vector<std::vector<LocalPolygon>> shapes;
   const int percent = random.chance(50) ? 15 : 60;
-  for (const NamedShape& shape : degenerateShapes()) {
-    if (random.chance(percent)) shapes.push_back(shape.polygons);
+  for (const auto& shape : all) {
+    if (random.chance(percent)) shapes.push_back(shape);
   }
-  if (shapes.empty()) shapes.push_back(random.pick(degenerateShapes()).polygons);
+  if (shapes.empty()) shapes.push_back(random.pick(all));
   return shapes;
 }
 
@@ -70,14 +94,18 @@ PreservePairs randomPreserve(Random& random, const std::vector<Block>& blocks) {
 Trace randomCase(const GeneratorOptions& options, std::uint64_t seed) {
   Random random(seed);
   Habits habits;
-  habits.shapes = randomShapes(random);
+  habits.can = options.can;
+  habits.shapes = randomShapes(random, options.can);
   habits.blocks = randomBlocks(random);
   // A commit that finds many edited cells in one row goes another way than one that finds a few, and buried cells
   // another than those that show: some cases are long and low, commit seldom, and are mostly filled.
   const bool isLow = random.chance(8);
-  const std::int32_t width = isLow ? 4 * options.width : options.width;
-  const std::int32_t height = isLow ? std::min(options.height, 3) : options.height;
-  const Cell origin{randomOrigin(random, width), randomOrigin(random, height)};
+  const std::int64_t most = 2 * std::int64_t{options.can.cells} + 1;
+  const auto width = static_cast<std::int32_t>(std::min<std::int64_t>(isLow ? 4 * options.width : options.width, most));
+  const auto height =
+      static_cast<std::int32_t>(std::min<std::int64_t>(isLow ? std::min(options.height, 3) : options.height, most));
+  Cell origin{randomOrigin(random, width), randomOrigin(random, height)};
+  origin = {within(options.can.cells, width, origin.i), within(options.can.cells, height, origin.j)};
   habits.cells = grid(origin, width, height);
   habits.wander = random.chance(20);
   habits.place = 4 + random.below(10);
@@ -88,6 +116,7 @@ Trace randomCase(const GeneratorOptions& options, std::uint64_t seed) {
   habits.clear = random.below(3);
   habits.replace = random.below(3);
   habits.refused = random.chance(40) ? 1 + random.below(3) : 0;
+  if (!options.can.refuses) habits.refused = 0;
   habits.commitPercent = random.chance(50) ? 100 : 10 + random.below(60);
   if (isLow) {
     habits.commitPercent = 3;
@@ -96,6 +125,7 @@ Trace randomCase(const GeneratorOptions& options, std::uint64_t seed) {
   }
   Trace start;
   start.preserve = randomPreserve(random, habits.blocks);
+  if (!options.can.preserve) start.preserve = {};
   Editor editor(std::move(start), std::move(habits), random.next());
   editor.run(options.edits);
   return editor.takeTrace();
@@ -106,21 +136,40 @@ Crowd crowdOf(std::uint64_t number) {
   return number % 1024 == 23 ? Crowd::vertices : Crowd::none;  // they take longest
 }
 
-std::size_t editsOf(std::uint64_t number, std::size_t edits) {
-  return crowdOf(number) == Crowd::none ? edits : std::max(edits, kCrowdedEdits);
+std::size_t editsOf(std::uint64_t number, const GeneratorOptions& options) {
+  const bool isCrowded = options.crowds && crowdOf(number) != Crowd::none;
+  return isCrowded ? std::max(options.edits, kCrowdedEdits) : options.edits;
 }
 
 Trace caseOf(std::uint64_t number, const GeneratorOptions& options, std::uint64_t seed) {
-  const Crowd crowd = crowdOf(number);
+  const Crowd crowd = options.crowds ? crowdOf(number) : Crowd::none;
   return crowd == Crowd::none ? randomCase(options, seed) : crowdedCase(crowd, options.edits, seed);
 }
 
-Trace digIn(Trace start, std::size_t edits, std::uint64_t seed) {
+std::string whyNot(const Trace& trace, const Capabilities& can) {
+  if (!can.preserve && !trace.preserve.empty()) return "it has a preserve relation";
+  Model model;
+  for (std::size_t k = 0; k < trace.edits.size(); ++k) {
+    const Edit& edit = trace.edits[k];
+    const bool isGood = model.judge(edit).accepted;
+    const bool isAdd = edit.kind == Edit::Kind::add;
+    std::string why = isAdd ? whyNot(edit.polygon, can) : "";
+    if (why.empty() && !isGood && !can.refuses) why = "it must be refused";
+    if (why.empty() && isGood && isAdd && !can.several && !model.in(edit.polygon.cell).empty())
+      why = "its cell has a polygon already";
+    if (!why.empty()) return fmt::format("edit {}, '{}': {}", k + 1, edit.name, why);
+    if (isGood) model.apply(edit);
+  }
+  return "";
+}
+
+Trace digIn(Trace start, std::size_t edits, std::uint64_t seed, const Capabilities& can) {
   start.edits.push_back(Edit::commit());
   Model world;
   for (const Edit& edit : start.edits) world.apply(edit);
 
   Habits habits;
+  habits.can = can;
   std::set<std::vector<LocalPolygon>> contents;
   std::set<Block> blocks;
   std::set<Cell> cells;
@@ -132,15 +181,16 @@ Trace digIn(Trace start, std::size_t edits, std::uint64_t seed) {
     }
     contents.insert(std::move(polygons));
     for (const Cell& near : grid({cell.i - 1, cell.j - 1}, 3, 3)) {
-      if (inRange(near)) cells.insert(near);
+      const auto isWithin = [&](std::int32_t index) { return -can.cells <= index && index <= can.cells; };
+      if (inRange(near) && isWithin(near.i) && isWithin(near.j)) cells.insert(near);
     }
   }
   habits.shapes.assign(contents.begin(), contents.end());
-  for (const NamedShape& shape : degenerateShapes()) habits.shapes.push_back(shape.polygons);
+  for (const auto& shape : shapesFor(can)) habits.shapes.push_back(shape);
   habits.blocks.assign(blocks.begin(), blocks.end());
   if (blocks.empty()) habits.blocks = {1};
   habits.cells.assign(cells.begin(), cells.end());
-  if (cells.empty()) habits.cells = grid({0, 0}, 4, 4);
+  if (cells.empty()) habits.cells = grid({0, 0}, std::min(4, can.cells + 1), std::min(4, can.cells + 1));
   habits.wander = true;
   habits.turnShapes = false;
   habits.place = 2;

@@ -8,16 +8,20 @@
 // So there are cases that mostly do what is rare on average.
 #pragma once
 
+#include "oracle/engine/capabilities.h"
 #include "oracle/trace/trace.h"
 
 #include <cstdint>
+#include <string>
 
 namespace lgs::oracle {
 
 struct GeneratorOptions {
   std::int32_t width = 4;  ///< cells; some cases are four times as wide and half as high
   std::int32_t height = 4;
-  std::size_t edits = 100;  ///< adds and removes, refused ones included
+  std::size_t edits = 100;                 ///< adds and removes, refused ones included
+  Capabilities can = Capabilities::all();  ///< what the worlds must be fit for
+  bool crowds = true;  ///< the limits of a cell are this library's: other engines need not know them
 };
 
 /// A case of its own. The trace may hold edits that must be refused; see CheckOptions::skipRefused.
@@ -32,11 +36,14 @@ inline constexpr std::size_t kCrowdedEdits = 300;  ///< enough for any
 Crowd crowdOf(std::uint64_t number);
 Trace caseOf(std::uint64_t number, const GeneratorOptions& options, std::uint64_t seed);
 
-/// How many edits the case with this number has. It is `edits`, unless the case is crowded.
-std::size_t editsOf(std::uint64_t number, std::size_t edits);
+/// How many edits the case with this number has: as many as asked for, unless it is crowded.
+std::size_t editsOf(std::uint64_t number, const GeneratorOptions& options);
 
 /// Digs in the world of a trace, and refills it: wanders about, takes polygons away, and puts back the same ones,
 /// others of that world, or degenerate ones. Returns the trace with a commit and `edits` more edits.
-Trace digIn(Trace start, std::size_t edits, std::uint64_t seed);
+Trace digIn(Trace start, std::size_t edits, std::uint64_t seed, const Capabilities& can = Capabilities::all());
+
+/// Why an engine can not play a trace, as a phrase that names the edit; empty if it can.
+std::string whyNot(const Trace& trace, const Capabilities& can);
 
 }  // namespace lgs::oracle

@@ -15,4 +15,7 @@ tl::expected<std::int32_t, std::string> parseCoordinate(std::string_view word);
 /// The exact value in cells: a decimal of up to four places, else a fraction in lowest terms.
 std::string printCoordinate(std::int32_t units);
 
+/// Appends the exact value in cells as a decimal, of up to sixteen places.
+void printDecimal(std::int32_t units, std::string& text);
+
 }  // namespace lgs::oracle

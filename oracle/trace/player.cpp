@@ -26,9 +26,8 @@ Executor executorOf(bool apart) {
 
 }  // namespace
 
-Player::Player(PreservePairs preserve, Loads loads) : world_(relationOf(preserve)), loads_(loads) {
-  scene_.preserve = std::move(preserve);
-}
+Player::Player(PreservePairs preserve, Loads loads)
+    : world_(relationOf(preserve)), placed_(std::move(preserve)), loads_(loads) {}
 
 tl::expected<void, TraceError> Player::apply(const Edit& edit) {
   Step step;
@@ -57,7 +56,7 @@ Player::Done Player::leaveAndComeBack(const Step& step) {
   const auto told = [](std::optional<std::string> complaint) -> Done {
     return complaint ? Done(wrong(std::move(*complaint))) : Done();
   };
-  if (loads_ == Loads::sometimes && wantsSaving(step.chance) && !pending_ && scene_.polygons.size() <= kSmall) {
+  if (loads_ == Loads::sometimes && wantsSaving(step.chance) && !pending_ && scene().polygons.size() <= kSmall) {
     ++detours_.saved;
     mark_.reset();  // it is not saved
     if (auto done = told(saveAndLoad(world_)); !done) return done;
@@ -176,30 +175,20 @@ Player::Done Player::setBlock(const Step& step) {
 }
 
 void Player::note(const Edit& add, PolygonHandle handle) {
-  placed_.emplace(add.name, Placed{handle, names_.size()});
-  names_.push_back(add.name);
-  scene_.polygons.push_back(add.polygon);
+  placed_.add(add.name, add.polygon);
+  handles_.emplace(add.name, handle);
 }
 
-// The last polygon of the scene takes the place of the one that goes.
 void Player::forget(const std::string& name) {
-  const auto found = placed_.find(name);
-  const std::size_t hole = found->second.index;
-  placed_.erase(found);
-  if (hole + 1 < names_.size()) {
-    placed_.at(names_.back()).index = hole;
-    names_[hole] = std::move(names_.back());
-    scene_.polygons[hole] = std::move(scene_.polygons.back());
-  }
-  names_.pop_back();
-  scene_.polygons.pop_back();
+  placed_.remove(name);
+  handles_.erase(name);
 }
 
 // Names the polygon that is overlapped: a reader of the trace knows names, and not the engine's handles.
 tl::unexpected<TraceError> Player::refused(const Error& error) const {
   TraceError refusal{0, {}, error};
-  for (const auto& [name, placed] : placed_) {
-    if (error.code != ErrorCode::overlap || !error.other || placed.handle != error.other) continue;
+  for (const auto& [name, handle] : handles_) {
+    if (error.code != ErrorCode::overlap || !error.other || handle != error.other) continue;
     refusal.text = fmt::format("cell ({}, {}): its interior overlaps '{}'", error.cell.i, error.cell.j, name);
     return tl::unexpected(std::move(refusal));
   }

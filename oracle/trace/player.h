@@ -4,7 +4,7 @@
 // of another polygon. So is a name that is taken, or unknown.
 #pragma once
 
-#include "oracle/reference/scene.h"
+#include "oracle/trace/named_scene.h"
 #include "oracle/trace/step.h"
 #include "oracle/trace/trace.h"
 
@@ -59,19 +59,15 @@ class Player {
 
   World& world() { return world_; }
   const World& world() const { return world_; }
-  const Scene& scene() const { return scene_; }  ///< uncommitted edits included; in no particular order
-  bool pending() const { return pending_; }      ///< edits since the last commit
+  const Scene& scene() const { return placed_.scene(); }  ///< uncommitted edits included; in no particular order
+  bool pending() const { return pending_; }               ///< edits since the last commit
   bool isAlive(const std::string& name) const { return placed_.contains(name); }
-  PolygonHandle handleOf(const std::string& name) const { return placed_.at(name).handle; }  ///< of a name alive
-  Cell cellOf(const std::string& name) const { return scene_.polygons[placed_.at(name).index].cell; }
+  PolygonHandle handleOf(const std::string& name) const { return handles_.at(name); }  ///< of a name alive
+  Cell cellOf(const std::string& name) const { return placed_[name].cell; }
   const Detours& detours() const { return detours_; }
   std::size_t shapes() const { return shapes_.size(); }  ///< the number of different ones that the world has made
 
  private:
-  struct Placed {
-    PolygonHandle handle;
-    std::size_t index;  // in scene_.polygons and names_
-  };
   using Shape = std::vector<std::vector<LocalPoint>>;
   using Done = tl::expected<void, TraceError>;
   using Handles = tl::expected<std::vector<PolygonHandle>, TraceError>;
@@ -96,9 +92,8 @@ class Player {
   void forget(const std::string& name);
 
   World world_;
-  Scene scene_;
-  std::vector<std::string> names_;
-  std::unordered_map<std::string, Placed> placed_;
+  NamedScene placed_;
+  std::unordered_map<std::string, PolygonHandle> handles_;
   std::map<Shape, ShapeId> shapes_;
   std::set<ShapeId> shapeIds_;
   bool pending_ = false;

@@ -1,10 +1,9 @@
-// Plays traces with the published algorithm, and reads its output as outlines.
+// The published algorithm has vertices of floats: polygons as floats, and its output on the lattice.
 #pragma once
 
 #include "bench/published/published.h"
 #include "oracle/reference/outline.h"
 #include "oracle/reference/scene.h"
-#include "oracle/trace/trace.h"
 
 #include <vector>
 
@@ -19,12 +18,5 @@ Point toLattice(Vec2 vertex);
 
 /// The algorithm's output on the lattice, sorted.
 oracle::Outline outlineOf(const Published& published);
-
-/// What it puts out for the edits of a trace; each commit is computed. No edit may be bad, so play them on a world
-/// first (player.h).
-oracle::Outline publishedOutline(const oracle::Trace& trace);
-
-/// What it puts out for a scene that is added in one go.
-oracle::Outline publishedOutline(const oracle::Scene& scene);
 
 }  // namespace lgs::bench

@@ -1,0 +1,114 @@
+#include "cli/engine.h"
+
+#include "oracle/check/shell.h"
+#include "oracle/engine/process_engine.h"
+#include "oracle/engine/table_engine.h"
+
+#include <fmt/format.h>
+
+namespace lgs::cli {
+
+using namespace oracle;
+
+namespace {
+
+Status told(const Failure& failure, std::string_view when, std::FILE* out) {
+  fmt::print(out, "MISMATCH the engine {}{}\n", failure.text, when);
+  if (!failure.log.empty()) fmt::print(out, "its log ends:\n{}\n", failure.log);
+  return Status::mismatch;
+}
+
+}  // namespace
+
+std::string EngineArguments::print() const {
+  if (!isGiven()) return "";
+  std::string text =
+      isProcess() ? fmt::format(" --engine {}", shellWord(command)) : fmt::format(" --engine-so {}", shellPath(file));
+  if (timeout) text += fmt::format(" --engine-timeout {}", *timeout);
+  return assumed ? text + fmt::format(" --assume {}", shellWord(oracle::print(*assumed))) : text;
+}
+
+void EngineArguments::checkUse() const {
+  if (!isGiven() && (timeout || assumed)) throw CLI::RequiredError("--engine or --engine-so");
+}
+
+void addEngineOptions(CLI::App& command, EngineArguments& arguments, CLI::Option* needed) {
+  CLI::Option* const engine =
+      command
+          .add_option("--engine", arguments.command,
+                      "Check another engine instead of this library's: a command for\n/bin/sh that speaks the protocol")
+          ->option_text("COMMAND");
+  CLI::Option* const file =
+      command
+          .add_option("--engine-so", arguments.file, "The same for a shared object that exports what lgs_engine.h says")
+          ->option_text("FILE.so")
+          ->excludes(engine);
+  for (CLI::Option* const option : {engine, file})
+    if (needed != nullptr) option->needs(needed);
+  command
+      .add_option("--engine-timeout", arguments.timeout,
+                  "Seconds that an answer of the engine may take; default 10. For a\n"
+                  "shared object: of CPU time, with the comparison")
+      ->check(CLI::Range(0.01, 3'600.0))
+      ->option_text("SECONDS");
+  command
+      .add_option_function<std::string>(
+          "--assume",
+          [&arguments](const std::string& words) {
+            auto can = parseCapabilities(words);
+            if (!can) throw CLI::ValidationError("--assume", can.error());
+            arguments.assumed = *can;
+          },
+          "What the engine can do, whatever it says: words of the protocol")
+      ->option_text("'WORD ...'");
+  command.add_flag("--verbose", arguments.verbose, "Show the engine's comments and its own log")
+      ->needs(engine)
+      ->option_text(" ");
+}
+
+std::unique_ptr<Engine> startEngine(const EngineArguments& arguments, std::FILE* out) {
+  std::unique_ptr<Engine> engine;
+  if (arguments.isProcess()) {
+    auto started = ProcessEngine::start(
+        {arguments.command, std::chrono::duration<double>(arguments.patience()), arguments.verbose});
+    if (!started) return told(started.error(), " when it was greeted", out), nullptr;
+    engine = std::move(*started);
+  } else {
+    auto loaded = TableEngine::load(arguments.file);
+    if (!loaded) return fmt::print(out, "MISMATCH no engine: {}\n", loaded.error()), nullptr;
+    engine = std::move(*loaded);
+  }
+  if (arguments.assumed) engine->assume(*arguments.assumed);
+  fmt::print(out, "engine     {}: {} are compared\nworlds     {}\n", engine->name(), comparedInWords(engine->can()),
+             worldsInWords(engine->can()));
+  std::fflush(out);
+  return engine;
+}
+
+Status finishEngine(Engine& engine, Status status, std::FILE* out) {
+  const auto failure = engine.finish();
+  return failure ? worst(status, told(*failure, "", out)) : status;
+}
+
+const char* const kEngineHelp =
+    "AN ENGINE OF YOUR OWN (--engine) is a program that reads edits and writes outlines, line by line:\n"
+    "  it reads                           it writes\n"
+    "  lgs-engine 1                       lgs-engine 1 NAME [CAPABILITY ...]\n"
+    "  reset                              nothing: the world is empty now\n"
+    "  preserve B1 B2                     nothing; only right after reset\n"
+    "  add NAME I J BLOCK X Y X Y ...     nothing; coordinates are exact decimals\n"
+    "  remove NAME                        nothing\n"
+    "  commit                             'refused NAME REASON' for each refused edit; the whole outline as lines\n"
+    "                                     of a dump, in any order; then 'end'\n"
+    "  the end of its input               nothing, and ends with status 0\n"
+    "It flushes after each answer. Lines that begin with # are comments. Capabilities say what it can, and only\n"
+    "that is asked of it:\n"
+    "  ghosts, blocks     it puts these out          several    several polygons a cell\n"
+    "  slants             edges of any direction     preserve   a preserve relation\n"
+    "  refuses            it refuses bad edits       squares    (only) whole squares\n"
+    "  merged             it joins collinear neighbours\n"
+    "  lattice=N          (only) coordinates in 1/N cell        cells=N  (only) cells within ±N\n"
+    "Its refusals and its outline are compared. A wrong line, a late answer, an end or a crash is a mismatch\n"
+    "like any other.";
+
+}  // namespace lgs::cli

@@ -1,0 +1,130 @@
+#include "oracle/check/library_engine.h"
+
+#include "oracle/check/refusal.h"
+#include "oracle/generate/steps.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <functional>
+
+namespace lgs::oracle {
+namespace {
+
+// Whether a refusal left all counts as they were. It may leave new shapes.
+bool sameCounts(const Stats& a, const Stats& b) {
+  return a.polygons == b.polygons && a.cells == b.cells && a.segments == b.segments && a.chunks == b.chunks;
+}
+
+std::optional<Complaint> reading(std::optional<WrongRead> wrong) {
+  if (!wrong) return std::nullopt;
+  return Complaint{Mismatch::Kind::reading, std::move(wrong->text), std::move(wrong->about)};
+}
+
+}  // namespace
+
+void LibraryEngine::reset(const PreservePairs& preserve) {
+  player_.emplace(preserve);
+  mirror_ = {};
+  stale_.clear();
+  refused_.clear();
+}
+
+void LibraryEngine::add(const std::string& name, const ScenePolygon& polygon) {
+  if (const auto done = player_->apply(Edit::add(name, polygon)); !done) refused_.push_back({name, done.error().text});
+}
+
+void LibraryEngine::remove(const std::string& name) {
+  if (const auto done = player_->apply(Edit::remove(name)); !done) refused_.push_back({name, done.error().text});
+}
+
+Engine::Refusals LibraryEngine::commit() {
+  changes_ = &player_->commit();
+  return std::exchange(refused_, {});
+}
+
+Outline LibraryEngine::outlineIn(const CellSet& cells) const {
+  Outline outline;
+  for (const Cell& cell : cells) {
+    for (const SegmentId id : player_->world().segments(CellRect{cell, cell})) {
+      if (const auto segment = player_->world().segment(id)) outline.push_back(outlineSegment(*segment));
+    }
+  }
+  std::sort(outline.begin(), outline.end());
+  return outline;
+}
+
+tl::expected<std::optional<Complaint>, TraceError> LibraryEngine::apply(const Step& step, const Model& model) {
+  std::vector<PolygonHandle> removed;
+  for (const Edit& edit : step.edits) {
+    const bool isRemoval = step.verdict.accepted && edit.kind == Edit::Kind::remove;
+    if (isRemoval && step.door != Door::setBlock) removed.push_back(player_->handleOf(edit.name));
+  }
+  const Stats before = step.verdict.accepted ? Stats() : player_->world().stats();
+  const auto done = player_->apply(step);
+  if (std::string wrong = wrongAnswer(step, done, model, player_->world()); !wrong.empty())
+    return Complaint{Mismatch::Kind::verdict, std::move(wrong)};
+  if (step.verdict.accepted) return checkStale(removed);
+  if (auto complaint = afterRefusal(step, done.error(), before, model)) return complaint;
+  if (step.isTrial) return std::nullopt;
+  refused_.push_back({step.edits.front().name, done.error().text});
+  return tl::unexpected(done.error());
+}
+
+std::optional<Complaint> LibraryEngine::afterRefusal(const Step& step, const TraceError& error, const Stats& before,
+                                                     const Model& model) const {
+  if (!error.refusal) return std::nullopt;
+  const Cell cell = step.edits.front().polygon.cell;
+  if (!readCell(*player_, model, cell) && sameCounts(player_->world().stats(), before)) return std::nullopt;
+  return Complaint{Mismatch::Kind::refusal, fmt::format("the refusal changed something: {}", inWords(step))};
+}
+
+std::optional<Complaint> LibraryEngine::checkStale(const std::vector<PolygonHandle>& handles) {
+  World& world = player_->world();
+  for (const PolygonHandle handle : handles) {
+    const auto again = world.remove(handle);
+    if (again || again.error().code != ErrorCode::staleHandle || again.error().other != handle ||
+        world.polygon(handle) || world.cellOf(handle)) {
+      return Complaint{Mismatch::Kind::verdict, "the handle of a removed polygon is not stale"};
+    }
+    stale_.push_back(handle);
+  }
+  return std::nullopt;
+}
+
+std::optional<Complaint> LibraryEngine::afterCommit(const CellSet& edited, const Model& model) {
+  if (auto problem = mirror_.update(player_->world(), *changes_))
+    return Complaint{Mismatch::Kind::changes, std::move(*problem), mirror_.blamed()};
+  for (const Cell& cell : edited)
+    if (auto complaint = reading(readCell(*player_, model, cell))) return complaint;
+  return std::nullopt;
+}
+
+std::optional<Complaint> LibraryEngine::readAll(const Model& model) const {
+  const World& world = player_->world();
+  const auto isThere = [&](PolygonHandle handle) { return world.polygon(handle).has_value(); };
+  if (std::ranges::any_of(stale_, isThere))
+    return Complaint{Mismatch::Kind::reading, "the handle of a removed polygon names another one now"};
+  if (auto complaint = reading(readPolygons(*player_, model))) return complaint;
+  if (auto complaint = reading(readSegments(world, mirror_.segments()))) return complaint;
+  return reading(readLoops(world, mirror_.segments()));
+}
+
+Loops LibraryEngine::loops() const {
+  Loops loops;
+  for (Loop& loop : player_->world().loops(Collinear::merge)) loops.push_back(std::move(loop.vertices));
+  return loops;
+}
+
+tl::expected<Outline, TraceError> LibraryEngine::outlineAtOnce(const Trace& trace) {
+  Player fresh(trace.preserve);
+  Steps steps(trace);
+  while (const auto step = steps.next())
+    if (const auto done = fresh.apply(*step); !done) return tl::unexpected(done.error());
+  // Threads would share the jobs of this executor. It runs the last one first: their order must not matter either.
+  fresh.world().commit([](std::size_t jobs, const std::function<void(std::size_t)>& run) {
+    while (jobs-- > 0) run(jobs);
+  });
+  return outlineOf(fresh.world());
+}
+
+}  // namespace lgs::oracle

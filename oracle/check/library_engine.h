@@ -1,0 +1,75 @@
+// This library's engine as an engine, and what is checked of it beyond refusals and the outline:
+//  - each step goes through one of its doors (step.h): the refusal has the right reason, and names what is to blame; a
+//    refused step changes nothing; a stale handle stays stale;
+//  - each commit: the change list is exact (mirror.h); the polygons of the edited cells read as they were placed;
+//  - now and then: everything else that a world can be asked (reads.h).
+#pragma once
+
+#include "oracle/check/checker.h"
+#include "oracle/check/reads.h"
+#include "oracle/check/window.h"
+#include "oracle/engine/engine.h"
+#include "oracle/reference/canonical.h"
+#include "oracle/trace/dump.h"
+#include "oracle/trace/mirror.h"
+#include "oracle/trace/player.h"
+
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+namespace lgs::oracle {
+
+/// What is wrong, beside the outline.
+struct Complaint {
+  Mismatch::Kind kind{};
+  std::string text;
+  Outline marked = {};  ///< segments to point out
+};
+
+class LibraryEngine : public Engine {
+ public:
+  std::string name() const override { return "LocalGridSeg"; }
+  const Capabilities& can() const override { return can_; }
+  void assume(const Capabilities& can) override { can_ = can; }
+  void reset(const PreservePairs& preserve) override;
+  void add(const std::string& name, const ScenePolygon& polygon) override;
+  void remove(const std::string& name) override;
+  Refusals commit() override;
+  Outline outline() const override { return outlineOf(player_->world()); }
+
+  /// The segments of these cells.
+  Outline outlineIn(const CellSet& cells) const;
+
+  /// Makes a step by one call. `model` is as after the step. The error is that of an edit that is rightly refused.
+  tl::expected<std::optional<Complaint>, TraceError> apply(const Step& step, const Model& model);
+
+  /// To be called after each commit, with the cells edited since the one before.
+  std::optional<Complaint> afterCommit(const CellSet& edited, const Model& model);
+
+  /// Asks the world everything. To be called after a commit.
+  std::optional<Complaint> readAll(const Model& model) const;
+
+  /// The loops, collinear vertices dropped.
+  Loops loops() const;
+
+  /// The outline of a world that plays a trace and commits once, by an executor. An error if an edit is refused.
+  static tl::expected<Outline, TraceError> outlineAtOnce(const Trace& trace);
+
+  const Detours& detours() const { return player_->detours(); }
+
+ private:
+  std::optional<Complaint> afterRefusal(const Step& step, const TraceError& error, const Stats& before,
+                                        const Model& model) const;
+  std::optional<Complaint> checkStale(const std::vector<PolygonHandle>& handles);
+
+  Capabilities can_ = Capabilities::all();
+  std::optional<Player> player_;
+  Mirror mirror_;
+  const Changes* changes_ = nullptr;  // of the last commit
+  std::vector<PolygonHandle> stale_;  // of all polygons that were removed
+  std::vector<RefusedEdit> refused_;  // since the last commit
+};
+
+}  // namespace lgs::oracle

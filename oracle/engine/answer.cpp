@@ -1,0 +1,91 @@
+#include "oracle/engine/answer.h"
+
+#include <array>
+#include <charconv>
+#include <limits>
+
+namespace lgs::oracle {
+namespace {
+
+// Takes the next word of a line of words that single spaces part. Empty if there is none.
+std::string_view nextWord(std::string_view& line) {
+  const std::size_t end = std::min(line.find(' '), line.size());
+  const std::string_view word = line.substr(0, end);
+  line.remove_prefix(std::min(end + 1, line.size()));
+  return word;
+}
+
+template <class Integer>
+bool readInteger(std::string_view word, Integer& out) {
+  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), out);
+  return !word.empty() && status == std::errc() && end == word.data() + word.size();
+}
+
+bool readPoint(std::string_view& line, Point& out) {
+  const std::string_view x = nextWord(line), y = nextWord(line);
+  return readInteger(x, out.x) && readInteger(y, out.y);
+}
+
+bool readGhost(std::string_view& line, std::optional<Point>& out) {
+  if (line.starts_with("- - ")) {
+    line.remove_prefix(4);
+    return true;
+  }
+  out.emplace();
+  return readPoint(line, *out);
+}
+
+bool isInTheWorld(Point p) {
+  constexpr std::int64_t kFar = (std::int64_t{kMaxCell} + 1) * kUnitsPerCell;
+  return -kFar <= p.x && p.x <= kFar && -kFar <= p.y && p.y <= kFar;
+}
+
+constexpr const char* kSegment = "a segment needs four points of two integers, ghosts may be - -, and a block";
+
+}  // namespace
+
+tl::expected<Hello, std::string> parseHello(std::string_view line) {
+  constexpr std::string_view kWord = "lgs-engine ";
+  if (!line.starts_with(kWord))
+    return tl::unexpected<std::string>("the first line must be 'lgs-engine 1 NAME [CAPABILITY …]'");
+  line.remove_prefix(kWord.size());
+  if (nextWord(line) != "1") return tl::unexpected<std::string>("there is only version 1 of the protocol");
+  Hello hello;
+  hello.name = nextWord(line);
+  if (hello.name.empty()) return tl::unexpected<std::string>("a name must follow 'lgs-engine 1'");
+  auto can = parseCapabilities(line);
+  if (!can) return tl::unexpected(can.error());
+  hello.can = *can;
+  return hello;
+}
+
+tl::expected<bool, std::string> AnswerReader::take(std::string_view line) {
+  std::string_view rest = line;
+  const std::string_view word = nextWord(rest);
+  if (word == "segment") {
+    OutlineSegment s;
+    const bool isRead =
+        readPoint(rest, s.start) && readPoint(rest, s.end) && readGhost(rest, s.ghost1) && readGhost(rest, s.ghost2);
+    const bool hasBlock = readInteger(rest, s.block) || (!can_.blocks && rest.find(' ') == std::string_view::npos);
+    if (!isRead || !hasBlock) return tl::unexpected<std::string>(kSegment);
+    if (std::string fault = faultOf(s); !fault.empty()) return tl::unexpected(std::move(fault));
+    outline.push_back(s);
+    return false;
+  }
+  if (line == "end") return true;
+  if (word != "refused")
+    return tl::unexpected<std::string>("a line of an answer is refused, segment, end or a comment");
+  if (!outline.empty()) return tl::unexpected<std::string>("refusals come before the segments");
+  const std::string name(nextWord(rest));
+  if (name.empty() || rest.empty()) return tl::unexpected<std::string>("a refusal needs a name and a reason");
+  refused.push_back({name, std::string(rest)});
+  return false;
+}
+
+std::string faultOf(const OutlineSegment& segment) {
+  const bool isFar = !isInTheWorld(segment.start) || !isInTheWorld(segment.end) ||
+                     !isInTheWorld(segment.ghost1.value_or(Point())) || !isInTheWorld(segment.ghost2.value_or(Point()));
+  return isFar ? "beyond the end of the world, which is 2^30 cells away" : "";
+}
+
+}  // namespace lgs::oracle

@@ -1,0 +1,40 @@
+// An engine's answers as text, line by line.
+#pragma once
+
+#include "oracle/engine/engine.h"
+
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+namespace lgs::oracle {
+
+/// The first answer: "lgs-engine 1 NAME [CAPABILITY …]".
+struct Hello {
+  std::string name;
+  Capabilities can;
+};
+
+/// Reads it; or says what is wrong.
+tl::expected<Hello, std::string> parseHello(std::string_view line);
+
+/// Reads the answer to a commit.
+class AnswerReader {
+ public:
+  explicit AnswerReader(const Capabilities& can) : can_(can) {}
+
+  /// Takes the next line. Whether the answer is complete with it; or what is wrong with the line.
+  tl::expected<bool, std::string> take(std::string_view line);
+
+  std::vector<RefusedEdit> refused;
+  Outline outline;  ///< as it came
+
+ private:
+  Capabilities can_;
+};
+
+/// What is wrong with a segment by itself, whatever the world; empty if nothing is.
+std::string faultOf(const OutlineSegment& segment);
+
+}  // namespace lgs::oracle

@@ -1,0 +1,69 @@
+// An engine: what the harness checks. A world's edits go in; refusals and the outline come out. This library's engine is
+// one (oracle/check/library_engine.h), a process that speaks the protocol another, a shared object a third.
+#pragma once
+
+#include "oracle/engine/capabilities.h"
+#include "oracle/reference/outline.h"
+#include "oracle/reference/scene.h"
+
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+namespace lgs::oracle {
+
+/// An edit that an engine refused.
+struct RefusedEdit {
+  std::string name;
+  std::string reason;
+};
+
+/// Why an engine gave no answer.
+struct Failure {
+  enum class Kind {
+    crash,     ///< it ended
+    hang,      ///< no answer in time
+    protocol,  ///< an answer that is none
+  };
+  Kind kind{};
+  std::string text;      ///< what it did: "crashed with SIGSEGV"
+  std::string log = {};  ///< the last lines of its own log
+};
+
+class Engine {
+ public:
+  using Refusals = tl::expected<std::vector<RefusedEdit>, Failure>;
+
+  Engine() = default;
+  virtual ~Engine() = default;
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  virtual std::string name() const = 0;
+  virtual const Capabilities& can() const = 0;
+  virtual void assume(const Capabilities& can) = 0;  ///< whatever it says
+
+  /// Forgets everything: a new, empty world. Heals an engine that has failed, where that is possible.
+  virtual void reset(const PreservePairs& preserve) = 0;
+  virtual void add(const std::string& name, const ScenePolygon& polygon) = 0;
+  virtual void remove(const std::string& name) = 0;
+
+  /// Makes the edits since the last commit. Returns those that were refused, in their order; or why there is no answer.
+  /// After a failure only reset() may be called.
+  virtual Refusals commit() = 0;
+
+  /// The output of the last commit, sorted.
+  virtual Outline outline() const = 0;
+
+  /// Begins anew from nothing, so that nothing of the past is left. For engines whose reset() may not be trusted.
+  virtual void restart() {}
+
+  /// Whether it is given up on sooner than it says: while a hang is looked for again and again.
+  virtual void hurry(bool /*isInHurry*/) {}
+
+  /// No world is wanted any more. What is wrong with how the engine ends, if anything is.
+  virtual std::optional<Failure> finish() { return std::nullopt; }
+};
+
+}  // namespace lgs::oracle

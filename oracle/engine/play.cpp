@@ -1,0 +1,20 @@
+#include "oracle/engine/play.h"
+
+namespace lgs::oracle {
+
+tl::expected<Outline, Failure> play(const Trace& trace, Engine& engine) {
+  engine.reset(trace.preserve);
+  for (const Edit& edit : trace.edits) {
+    if (edit.kind == Edit::Kind::add) {
+      engine.add(edit.name, edit.polygon);
+    } else if (edit.kind == Edit::Kind::remove) {
+      engine.remove(edit.name);
+    } else if (const auto done = engine.commit(); !done) {
+      return tl::unexpected(done.error());
+    }
+  }
+  if (const auto done = engine.commit(); !done) return tl::unexpected(done.error());
+  return engine.outline();
+}
+
+}  // namespace lgs::oracle

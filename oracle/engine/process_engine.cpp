@@ -1,0 +1,97 @@
+#include "oracle/engine/process_engine.h"
+
+#include "oracle/engine/answer.h"
+#include "oracle/trace/coordinate.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+namespace lgs::oracle {
+
+tl::expected<std::unique_ptr<ProcessEngine>, Failure> ProcessEngine::start(const ProcessOptions& options) {
+  std::unique_ptr<ProcessEngine> engine(new ProcessEngine(options));
+  if (auto failure = engine->begin()) return tl::unexpected(std::move(*failure));
+  return engine;
+}
+
+std::optional<Failure> ProcessEngine::begin() {
+  child_.emplace(options_.command, options_.verbose);
+  const bool isFirst = name_.empty();
+  const auto take = [&](std::string_view line) -> tl::expected<bool, std::string> {
+    auto hello = parseHello(line);
+    if (!hello) return tl::unexpected(hello.error());
+    if (isFirst) {
+      name_ = hello->name;
+      can_ = hello->can;
+    }
+    return true;
+  };
+  return ask("lgs-engine 1\n", take);
+}
+
+std::optional<Failure> ProcessEngine::ask(std::string_view text, const Child::Take& take) {
+  const Clock::time_point begin = Clock::now();
+  auto failure = child_->ask(text, take, patience());
+  if (failure) {
+    child_.reset();
+  } else {
+    slowest_ = std::max(slowest_, Clock::now() - begin);
+  }
+  return failure;
+}
+
+// A hang is shrunk by trial, and each trial waits in vain. So then the engine gets little more time than it has needed.
+Child::Clock::duration ProcessEngine::patience() const {
+  using namespace std::chrono_literals;
+  constexpr int kTimes = 5;
+  const auto timeout = std::chrono::duration_cast<Clock::duration>(options_.timeout);
+  return isInHurry_ ? std::min<Clock::duration>(timeout, std::max<Clock::duration>(200ms, kTimes * slowest_)) : timeout;
+}
+
+void ProcessEngine::reset(const PreservePairs& preserve) {
+  failure_.reset();
+  if (!child_) failure_ = begin();
+  unsent_ = "reset\n";
+  for (const auto& [a, b] : preserve.pairs()) fmt::format_to(std::back_inserter(unsent_), "preserve {} {}\n", a, b);
+  outline_.clear();
+}
+
+void ProcessEngine::add(const std::string& name, const ScenePolygon& polygon) {
+  const auto out = std::back_inserter(unsent_);
+  fmt::format_to(out, "add {} {} {} {}", name, polygon.cell.i, polygon.cell.j, polygon.block);
+  for (const LocalPoint& p : polygon.vertices) {
+    unsent_ += ' ';
+    printDecimal(p.x, unsent_);
+    unsent_ += ' ';
+    printDecimal(p.y, unsent_);
+  }
+  unsent_ += '\n';
+}
+
+void ProcessEngine::remove(const std::string& name) {
+  fmt::format_to(std::back_inserter(unsent_), "remove {}\n", name);
+}
+
+Engine::Refusals ProcessEngine::commit() {
+  if (failure_) return tl::unexpected(*failure_);
+  unsent_ += "commit\n";
+  AnswerReader reader(can_);
+  auto failure = ask(unsent_, [&](std::string_view line) { return reader.take(line); });
+  unsent_.clear();
+  if (failure) {
+    failure_ = failure;
+    return tl::unexpected(std::move(*failure));
+  }
+  outline_ = std::move(reader.outline);
+  std::sort(outline_.begin(), outline_.end());
+  return std::move(reader.refused);
+}
+
+std::optional<Failure> ProcessEngine::finish() {
+  if (!child_) return std::nullopt;
+  auto failure = child_->finish(patience());
+  child_.reset();
+  return failure;
+}
+
+}  // namespace lgs::oracle

@@ -1,0 +1,57 @@
+// An engine that is a process and speaks the protocol: edits as the lines of the trace format, answers as those of the
+// dump format, over its standard input and output.
+#pragma once
+
+#include "oracle/engine/child.h"
+#include "oracle/engine/engine.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace lgs::oracle {
+
+struct ProcessOptions {
+  std::string command;  ///< for /bin/sh
+  std::chrono::duration<double> timeout{10};
+  bool verbose = false;  ///< show its comments and its log
+};
+
+class ProcessEngine : public Engine {
+ public:
+  /// Starts the process and asks what it can.
+  static tl::expected<std::unique_ptr<ProcessEngine>, Failure> start(const ProcessOptions& options);
+
+  std::string name() const override { return name_; }
+  const Capabilities& can() const override { return can_; }
+  void assume(const Capabilities& can) override { can_ = can; }
+  void reset(const PreservePairs& preserve) override;
+  void add(const std::string& name, const ScenePolygon& polygon) override;
+  void remove(const std::string& name) override;
+  Refusals commit() override;
+  Outline outline() const override { return outline_; }
+  void restart() override { child_.reset(); }
+  void hurry(bool isInHurry) override { isInHurry_ = isInHurry; }
+  std::optional<Failure> finish() override;
+
+ private:
+  using Clock = Child::Clock;
+
+  explicit ProcessEngine(const ProcessOptions& options) : options_(options) {}
+  std::optional<Failure> begin();
+  std::optional<Failure> ask(std::string_view text, const Child::Take& take);
+  Clock::duration patience() const;
+
+  ProcessOptions options_;
+  std::string name_;
+  Capabilities can_;
+  std::optional<Child> child_;
+  std::optional<Failure> failure_;  // to start
+  std::string unsent_;
+  Outline outline_;
+  bool isInHurry_ = false;
+  Clock::duration slowest_{};  // answer, starts included
+};
+
+}  // namespace lgs::oracle

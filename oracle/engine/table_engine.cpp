@@ -1,0 +1,102 @@
+#include "oracle/engine/table_engine.h"
+
+#include "oracle/engine/answer.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <algorithm>
+#include <bit>
+#include <exception>
+#include <span>
+
+namespace lgs::oracle {
+namespace {
+
+static_assert(sizeof(LocalPoint) == 2 * sizeof(std::int32_t), "polygons are passed on as they are");
+
+struct Answer {
+  std::vector<RefusedEdit> refused;
+  Outline outline;
+  std::string fault;  // of the first bad segment
+};
+
+void takeRefused(void* to, const char* name, const char* reason) {
+  static_cast<Answer*>(to)->refused.push_back({name, reason});
+}
+
+Point pointOf(const std::int64_t (&p)[2]) { return {p[0], p[1]}; }
+
+void takeSegments(void* to, const lgs_engine_segment* segments, std::size_t count) {
+  Answer& answer = *static_cast<Answer*>(to);
+  for (const lgs_engine_segment& s : std::span(segments, count)) {
+    OutlineSegment segment{pointOf(s.start), pointOf(s.end), s.block, {}, {}};
+    if ((s.missing & 1U) == 0) segment.ghost1 = pointOf(s.ghost1);
+    if ((s.missing & 2U) == 0) segment.ghost2 = pointOf(s.ghost2);
+    if (std::string fault = faultOf(segment); !fault.empty()) {
+      if (answer.fault.empty()) answer.fault = std::move(fault);
+    } else {
+      answer.outline.push_back(segment);
+    }
+  }
+}
+
+}  // namespace
+
+tl::expected<std::unique_ptr<TableEngine>, std::string> TableEngine::make(const lgs_engine_table* table) {
+  if (table == nullptr) return tl::unexpected<std::string>("lgs_engine() returns null");
+  if (table->version != LGS_ENGINE_VERSION)
+    return tl::unexpected(fmt::format("it is of version {}; there is only {}", table->version, LGS_ENGINE_VERSION));
+  const auto can = parseCapabilities(table->capabilities);
+  if (!can) return tl::unexpected(can.error());
+  std::unique_ptr<TableEngine> engine(new TableEngine(table));
+  engine->can_ = *can;
+  return engine;
+}
+
+tl::expected<std::unique_ptr<TableEngine>, std::string> TableEngine::load(const std::string& file) {
+  const bool isPath = file.find('/') != std::string::npos;
+  void* const library = dlopen((isPath ? file : "./" + file).c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) return tl::unexpected<std::string>(dlerror());
+  using Function = const lgs_engine_table*();
+  void* const symbol = dlsym(library, "lgs_engine");
+  if (symbol == nullptr) return tl::unexpected(file + ": it does not export lgs_engine()");
+  auto engine = make(std::bit_cast<Function*>(symbol)());
+  return engine ? std::move(engine) : tl::unexpected(file + ": " + engine.error());
+}
+
+void TableEngine::restart() {
+  if (self_ != nullptr) table_->destroy(self_);
+  self_ = nullptr;
+}
+
+void TableEngine::reset(const PreservePairs& preserve) {
+  outline_.clear();
+  if (self_ == nullptr) self_ = table_->create();
+  if (self_ == nullptr) return;  // commit() says so
+  table_->reset(self_);
+  for (const auto& [a, b] : preserve.pairs()) table_->preserve(self_, a, b);
+}
+
+void TableEngine::add(const std::string& name, const ScenePolygon& polygon) {
+  if (self_ == nullptr) return;
+  const auto& [cell, block, vertices] = polygon;
+  const std::int32_t* const xy = vertices.empty() ? nullptr : &vertices.front().x;
+  table_->add(self_, name.c_str(), cell.i, cell.j, block, xy, vertices.size());
+}
+
+void TableEngine::remove(const std::string& name) {
+  if (self_ != nullptr) table_->remove(self_, name.c_str());
+}
+
+Engine::Refusals TableEngine::commit() {
+  if (self_ == nullptr) return tl::unexpected(Failure{Failure::Kind::crash, "can not be created"});
+  Answer answer;
+  const lgs_engine_answer taking{&answer, takeRefused, takeSegments};
+  table_->commit(self_, &taking);
+  if (!answer.fault.empty()) return tl::unexpected(Failure{Failure::Kind::protocol, "put out " + answer.fault});
+  outline_ = std::move(answer.outline);
+  std::sort(outline_.begin(), outline_.end());
+  return std::move(answer.refused);
+}
+
+}  // namespace lgs::oracle

@@ -1,0 +1,41 @@
+// An engine that is a table of functions (lgs/lgs_engine.h): linked in, or loaded from a shared object.
+#pragma once
+
+#include "oracle/engine/engine.h"
+
+#include <lgs/lgs_engine.h>
+#include <memory>
+#include <string>
+#include <tl/expected.hpp>
+
+namespace lgs::oracle {
+
+class TableEngine : public Engine {
+ public:
+  /// Makes an engine of a table; or says what is wrong with the table.
+  static tl::expected<std::unique_ptr<TableEngine>, std::string> make(const lgs_engine_table* table);
+
+  /// Loads a shared object, which then stays loaded.
+  static tl::expected<std::unique_ptr<TableEngine>, std::string> load(const std::string& file);
+
+  ~TableEngine() override { restart(); }
+  std::string name() const override { return table_->name; }
+  const Capabilities& can() const override { return can_; }
+  void assume(const Capabilities& can) override { can_ = can; }
+  void reset(const PreservePairs& preserve) override;
+  void add(const std::string& name, const ScenePolygon& polygon) override;
+  void remove(const std::string& name) override;
+  Refusals commit() override;
+  Outline outline() const override { return outline_; }
+  void restart() override;
+
+ private:
+  explicit TableEngine(const lgs_engine_table* table) : table_(table) {}
+
+  const lgs_engine_table* table_;
+  Capabilities can_;
+  void* self_ = nullptr;  // null: to be made by the next reset()
+  Outline outline_;
+};
+
+}  // namespace lgs::oracle

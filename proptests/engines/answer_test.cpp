@@ -1,0 +1,67 @@
+// The answers of engines as text.
+#include "oracle/engine/answer.h"
+#include "oracle/trace/coordinate.h"
+
+#include <gtest/gtest.h>
+
+namespace lgs::oracle {
+namespace {
+
+TEST(Answers, AreReadLineByLine) {
+  AnswerReader reader(Capabilities::all());
+  EXPECT_EQ(reader.take("refused p1 it is bad").value(), false);
+  EXPECT_EQ(reader.take("segment 0 -65536 65536 -65536 - - 1 2 4294967295").value(), false);
+  EXPECT_EQ(reader.take("segment 1 2 3 4 5 6 - - 0").value(), false);
+  EXPECT_EQ(reader.take("end").value(), true);
+  ASSERT_EQ(reader.refused.size(), 1U);
+  EXPECT_EQ(reader.refused[0].name, "p1");
+  EXPECT_EQ(reader.refused[0].reason, "it is bad");
+  const Outline expected{{{0, -65'536}, {65'536, -65'536}, 4'294'967'295, {}, Point{1, 2}},
+                         {{1, 2}, {3, 4}, 0, Point{5, 6}, {}}};
+  EXPECT_EQ(reader.outline, expected);
+}
+
+TEST(Answers, WrongLinesAreTold) {
+  for (const std::string line :
+       {"", " ", "End", "end ", "segment", "segment 0 0 1 1 - - - -", "segment 0 0 1 1 - - - - 1 ",
+        "segment 0 0 1 1 - - - - x", "segment 0 0 1 1 - - - - -1", "segment  0 0 1 1 - - - - 1",
+        "segment 0 0 1 1 - 1 - - 1", "segment 0 0 1.5 1 - - - - 1", "segment 0 0 99999999999999999 1 - - - - 1",
+        "segment 0 0 99999999999999 1 - - - - 1", "segment 0 0 1 1 - - - - 1\r", "refused", "refused p1", "refused p1 ",
+        "commit"}) {
+    AnswerReader reader(Capabilities::all());
+    EXPECT_FALSE(reader.take(line)) << line;
+  }
+  AnswerReader late(Capabilities::all());
+  EXPECT_TRUE(late.take("segment 0 0 1 1 - - - - 1"));
+  EXPECT_FALSE(late.take("refused p1 too late"));
+  AnswerReader without(Capabilities{});
+  EXPECT_TRUE(without.take("segment 0 0 1 1 - - - - -")) << "without blocks any word is good";
+}
+
+TEST(Answers, AnEngineGreets) {
+  EXPECT_EQ(parseHello("lgs-engine 1 mine ghosts lattice=8").value().name, "mine");
+  EXPECT_EQ(parseHello("lgs-engine 1 mine ghosts lattice=8").value().can.lattice, 8);
+  EXPECT_TRUE(parseHello("lgs-engine 1 mine"));
+  for (const std::string line :
+       {"", "lgs-engine", "lgs-engine 1", "lgs-engine 2 mine", "lgs-engine 1 mine flies", "hello"})
+    EXPECT_FALSE(parseHello(line)) << line;
+}
+
+TEST(Answers, DecimalsAreExact) {
+  const auto text = [](std::int32_t units) {
+    std::string decimal;
+    printDecimal(units, decimal);
+    return decimal;
+  };
+  EXPECT_EQ(text(0), "0");
+  EXPECT_EQ(text(32'768), "0.5");
+  EXPECT_EQ(text(65'536), "1");
+  EXPECT_EQ(text(21'845), "0.3333282470703125");
+  EXPECT_EQ(text(-1), "-0.0000152587890625");
+  EXPECT_EQ(text(-65'536 * 3 - 16'384), "-3.25");
+  for (std::int32_t units = -70'000; units < 140'000; units += 7)
+    EXPECT_EQ(parseCoordinate(text(units)).value(), units);
+}
+
+}  // namespace
+}  // namespace lgs::oracle

@@ -1,0 +1,103 @@
+// Engines that misbehave: each is found out in time, nothing hangs, and no process is left behind.
+#include "proptests/engines/workbench.h"
+
+namespace lgs::test {
+namespace {
+
+class BadEngines : public Workbench {
+ protected:
+  void expectTold(const std::string& engine, const std::string& part) const {
+    const Outcome outcome = check(engine, "--edits 200 --shrink 1");
+    EXPECT_EQ(outcome.status, 1) << outcome.text;
+    EXPECT_NE(outcome.text.find(part), std::string::npos) << part << "\n" << outcome.text;
+    EXPECT_LT(outcome.seconds, 30) << "timeout, shrinking, looking again";
+    EXPECT_FALSE(isAnyoneLeft());
+  }
+};
+
+TEST_F(BadEngines, Hangs) { expectTold(naiveThat("time.sleep(1000)"), "has not answered within 2 s after edit"); }
+
+TEST_F(BadEngines, IsBusyForEver) { expectTold(naiveThat("while True: pass"), "has not answered within 2 s"); }
+
+TEST_F(BadEngines, Dies) { expectTold(naiveThat("os._exit(3)"), "the engine ended with status 3 after edit"); }
+
+TEST_F(BadEngines, EndsWithoutAnAnswer) {
+  expectTold(naiveThat("return"), "the engine ended with status 0 before it has answered after edit");
+}
+
+TEST_F(BadEngines, Crashes) {
+  expectTold(naiveThat("os.kill(os.getpid(), signal.SIGSEGV)"), "the engine crashed with SIGSEGV after edit");
+}
+
+TEST_F(BadEngines, TellsWhyInItsLog) { expectTold(naiveThat("raise ValueError('my fault')"), "ValueError: my fault"); }
+
+TEST_F(BadEngines, PrintsGarbage) {
+  expectTold(naiveThat("print('\\1garbage', flush=True)"), "the engine answered '?garbage': a line of an answer is");
+}
+
+TEST_F(BadEngines, PrintsALineWithoutEnd) {
+  expectTold(naiveThat("\n            while True: print('x' * 9999, end='')"), "a line of more than 1 MiB");
+}
+
+TEST_F(BadEngines, AnswersWithoutEnd) {
+  expectTold(naiveThat("\n            while True: print('# again ' * 9)"), "the engine ");
+}
+
+TEST_F(BadEngines, AnswersTooMuch) { expectTold(naiveThat("print('end')"), "it was not asked"); }
+
+TEST_F(BadEngines, ClosesItsOutput) {
+  expectTold(naiveThat("os.close(1); time.sleep(1000)"), "closed its output, and lives on");
+}
+
+TEST_F(BadEngines, FloodsItsLog) {
+  expectTold(naiveThat("\n            while True: sys.stderr.write('x' * 65536)"), "floods its log");
+}
+
+TEST_F(BadEngines, DoesNotRead) {
+  expectTold(naiveWith("for line in sys.stdin:", "for line in [\"lgs-engine 1\"]:"), "the engine ended with status 0");
+}
+
+TEST_F(BadEngines, DoesNotGreet) {
+  expectTold(naiveWith("\"lgs-engine 1 naive.py", "\"hello 1 naive.py"), "the first line must be 'lgs-engine 1 NAME");
+}
+
+TEST_F(BadEngines, ClaimsWhatNobodyKnows) {
+  expectTold(naiveWith("several preserve", "several magic"), "'magic' is no capability");
+}
+
+TEST_F(BadEngines, DoesNotEnd) {
+  expectTold(naiveWith("\n\nmain()", "\n\nmain()\nimport time; time.sleep(1000)"),
+             "does not end at the end of its input");
+}
+
+TEST_F(BadEngines, EndsBadly) {
+  expectTold(naiveWith("\n\nmain()", "\n\nmain()\nsys.exit(4)"), "ended with status 4 at the end of its input");
+}
+
+TEST_F(BadEngines, LeavesProcessesBehind) {
+  expectTold(naiveThat("os.fork() or time.sleep(1000)\n            os._exit(0)"), "the engine ");
+}
+
+// Whatever ends lgs, the engine goes as well.
+TEST_F(BadEngines, GoWhenTheHarnessGoes) {
+  const std::string engine = naiveThat("time.sleep(1000)");
+  for (const std::string signal : {"HUP", "TERM", "KILL"}) {
+    const Outcome outcome = sh("" LGS_COMMAND " check --engine '" + engine + "' > log 2>&1 & p=$!; sleep 0.7; kill -" +
+                               signal + " $p; wait $p; echo status $?");
+    EXPECT_NE(outcome.text.find("status 1"), std::string::npos)
+        << outcome.text << signal;  // 128 and more: by the signal
+    EXPECT_LT(outcome.seconds, 5) << signal;
+    EXPECT_FALSE(isAnyoneLeft()) << signal;
+  }
+}
+
+TEST_F(BadEngines, AGoodOneMaySayMuchAndBeSlowAndCareless) {
+  const Outcome outcome =
+      check(naiveThat("print('# comment'); sys.stderr.write('log' * 9999); time.sleep(0.01)"), "--edits 100 --verbose");
+  EXPECT_EQ(outcome.status, 0) << outcome.text.substr(0, 2000);
+  EXPECT_NE(outcome.text.find("# comment\n"), std::string::npos);
+  EXPECT_NE(outcome.text.find("loglog"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lgs::test

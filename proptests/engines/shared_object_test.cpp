@@ -1,0 +1,106 @@
+// Engines as tables of functions: this library's as a shared object, and one that is wrong.
+#include "oracle/check/failure.h"
+#include "oracle/engine/table_engine.h"
+#include "oracle/generate/generator.h"
+#include "oracle/trace/dump.h"
+#include "oracle/trace/player.h"
+#include "proptests/engines/workbench.h"
+
+namespace lgs::oracle {
+namespace {
+
+TEST(SharedObject, OfThisLibraryAnswersLikeThisLibrary) {
+  const auto loaded = TableEngine::load(LGS_ENGINE_SO);
+  ASSERT_TRUE(loaded) << loaded.error();
+  Engine& engine = **loaded;
+  EXPECT_EQ(engine.name(), "LocalGridSeg");
+  EXPECT_EQ(engine.can(), Capabilities::all());
+  CheckStats stats;
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const auto found = checkTrace(randomCase({3, 3, 50}, seed), {.engine = &engine, .skipRefused = true}, stats);
+    ASSERT_TRUE(found) << found.error().text;
+    EXPECT_FALSE(*found) << (*found)->text;
+  }
+  EXPECT_GT(stats.refused, 10U);
+}
+
+// A table of one's own: it keeps nothing, and puts out what it is told to.
+struct Fake {
+  static inline lgs_engine_segment segment;
+  static inline bool refuses = false;
+  static void* create() { return &segment; }
+  static void nothing(void*) {}
+  static void preserve(void*, std::uint32_t, std::uint32_t) {}
+  static void add(void*, const char*, std::int32_t, std::int32_t, std::uint32_t, const std::int32_t*, std::size_t) {}
+  static void remove(void*, const char*) {}
+  static void commit(void*, const lgs_engine_answer* answer) {
+    if (refuses) answer->refused(answer->to, "a", "why?");
+    answer->segments(answer->to, &segment, 1);
+  }
+  static constexpr lgs_engine_table kTable{LGS_ENGINE_VERSION, "fake", "ghosts blocks", create, nothing, nothing,
+                                           preserve,           add,    remove,          commit};
+};
+
+Mismatch::Kind kindOfFinding(const lgs_engine_segment& segment, bool refuses) {
+  Fake::segment = segment;
+  Fake::refuses = refuses;
+  const auto engine = TableEngine::make(&Fake::kTable);
+  EXPECT_TRUE(engine);
+  const Trace trace{{}, {Edit::add("a", {{}, 1, {{0, 0}, {65'536, 0}, {0, 65'536}}})}};
+  const auto found = findMismatch(trace, {.engine = engine->get()});
+  EXPECT_TRUE(found);
+  return found->kind;
+}
+
+TEST(SharedObject, ItsFaultsAreFound) {
+  EXPECT_EQ(kindOfFinding({{0, 0}, {65'536, 0}, {0, 1}, {2, 2}, 1, 0}, false), Mismatch::Kind::naive);
+  EXPECT_EQ(kindOfFinding({{0, 0}, {65'536, 0}, {0, 1}, {2, 2}, 1, 0}, true), Mismatch::Kind::verdict);
+  EXPECT_EQ(kindOfFinding({{0, 0}, {0, 0}, {0, 1}, {2, 2}, 1, 0}, false), Mismatch::Kind::naive) << "no length";
+  EXPECT_EQ(kindOfFinding({{0, 0}, {INT64_MAX, 0}, {0, 1}, {2, 2}, 1, 0}, false), Mismatch::Kind::protocol);
+  EXPECT_EQ(kindOfFinding({{0, 0}, {1, 0}, {INT64_MIN, 1}, {2, 2}, 1, 3}, false), Mismatch::Kind::naive) << "missing";
+}
+
+TEST(SharedObject, BadTablesAreTold) {
+  lgs_engine_table table = Fake::kTable;
+  EXPECT_FALSE(TableEngine::make(nullptr));
+  table.version = 2;
+  EXPECT_EQ(TableEngine::make(&table).error(), "it is of version 2; there is only 1");
+  table = Fake::kTable;
+  table.capabilities = "ghosts magic";
+  EXPECT_FALSE(TableEngine::make(&table));
+  EXPECT_FALSE(TableEngine::load("no-such.so"));
+}
+
+}  // namespace
+}  // namespace lgs::oracle
+
+namespace lgs::test {
+namespace {
+
+using SharedObjects = Workbench;
+
+TEST_F(SharedObjects, AreCheckedByTheCommand) {
+  const Outcome good = sh("lgs check --engine-so '" LGS_ENGINE_SO "' --edits 500");
+  EXPECT_EQ(good.status, 0) << good.text;
+  EXPECT_NE(good.text.find("engine     LocalGridSeg: segments, ghosts and blocks are compared"), std::string::npos);
+  const Outcome joined = sh("lgs check --engine-so '" LGS_ENGINE_SO "' --assume 'ghosts merged' --edits 300");
+  EXPECT_EQ(joined.status, 0) << joined.text;
+  EXPECT_EQ(sh("lgs check --engine-so ./missing.so --edits 10").status, 1);
+  EXPECT_EQ(sh("lgs check --engine-so a.so --engine b").status, 2);
+  EXPECT_EQ(sh("lgs check --engine-timeout 3").status, 2);
+  EXPECT_EQ(sh("lgs check --engine-so a.so --assume magic").status, 2);
+}
+
+// The published algorithm departs from the laws (docs/departures.md); in worlds of squares it does not.
+TEST_F(SharedObjects, ThePublishedAlgorithmIsOne) {
+  const Outcome departs = sh("lgs check --engine-so '" LGS_PUBLISHED_SO "' --edits 1000");
+  EXPECT_EQ(departs.status, 1) << departs.text;
+  EXPECT_NE(departs.text.find("engine     published: "), std::string::npos) << departs.text;
+  EXPECT_LE(editsOfMismatch(), 4U) << departs.text;
+  const Outcome squares =
+      sh("lgs check --engine-so '" LGS_PUBLISHED_SO "' --assume 'ghosts squares cells=100' --edits 1000");
+  EXPECT_EQ(squares.status, 0) << squares.text;
+}
+
+}  // namespace
+}  // namespace lgs::test

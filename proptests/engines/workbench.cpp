@@ -1,0 +1,99 @@
+#include "proptests/engines/workbench.h"
+
+#include "oracle/check/shell.h"
+#include "oracle/trace/file.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <thread>
+
+namespace lgs::test {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+namespace {
+
+std::string contentOf(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+void Workbench::SetUp() {
+  folder_ = fs::temp_directory_path() /
+            ("lgs-engines-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + "-" +
+             std::to_string(::getpid()));
+  fs::create_directories(folder_);
+}
+
+void Workbench::TearDown() {
+  EXPECT_FALSE(isAnyoneLeft());
+  fs::remove_all(folder_);
+}
+
+std::string Workbench::naiveWith(const std::string& piece, const std::string& instead) const {
+  std::string text = contentOf(LGS_SOURCE_DIR "/examples/engines/naive.py");
+  const std::size_t at = text.find(piece);
+  EXPECT_NE(at, std::string::npos) << piece;
+  if (at != std::string::npos) text.replace(at, piece.size(), instead);
+  EXPECT_EQ(text.find(piece, at + instead.size()), std::string::npos) << piece << " is there twice";
+  const std::string file = (folder_ / "engine.py").string();
+  std::ofstream(file) << text;
+  return "exec " LGS_PYTHON " -S " + oracle::shellWord(file);
+}
+
+std::string Workbench::naiveThat(const std::string& statement) const {
+  const std::string line = "        elif word == \"commit\":\n";
+  return naiveWith(line, line + "            import os, signal, time\n            " + statement + "\n");
+}
+
+Workbench::Outcome Workbench::sh(const std::string& line) const {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::string all = "cd " + oracle::shellWord(folder_.string()) + " && lgs() { " +
+                          oracle::shellWord(LGS_COMMAND) + " \"$@\"; }; { " + line + "; } 2>&1";
+  Outcome outcome;
+  std::FILE* const pipe = ::popen(all.c_str(), "r");
+  if (pipe == nullptr) return outcome;
+  std::array<char, 4096> buffer{};
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) outcome.text.append(buffer.data(), n);
+  const int ended = ::pclose(pipe);
+  outcome.status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return outcome;
+}
+
+Workbench::Outcome Workbench::check(const std::string& engine, const std::string& arguments) const {
+  return sh("lgs check --engine " + oracle::shellWord(engine) + " --engine-timeout 2 " + arguments);
+}
+
+bool Workbench::isAnyoneLeft() const {
+  const auto isThere = [&] {
+    std::error_code gone;
+    for (const auto& entry : fs::directory_iterator("/proc", gone))
+      if (contentOf(entry.path() / "cmdline").find(folder_.string() + "/engine.py") != std::string::npos) return true;
+    return false;
+  };
+  for (int k = 0; k < 100; ++k, std::this_thread::sleep_for(20ms))
+    if (!isThere()) return false;
+  return true;
+}
+
+std::size_t Workbench::editsOfMismatch() const {
+  for (const auto& entry : fs::directory_iterator(folder_ / "out")) {
+    if (entry.path().extension() != ".trace") continue;
+    const auto parsed = oracle::parseTrace(contentOf(entry.path()));
+    EXPECT_FALSE(parsed.error);
+    return oracle::editCount(parsed.trace);
+  }
+  ADD_FAILURE() << "no mismatch was saved";
+  return 0;
+}
+
+}  // namespace lgs::test

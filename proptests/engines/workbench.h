@@ -1,0 +1,42 @@
+// A folder in which engines are made by changing a line of a good one, and are checked by the lgs command.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <filesystem>
+#include <string>
+
+namespace lgs::test {
+
+class Workbench : public ::testing::Test {
+ protected:
+  struct Outcome {
+    int status = -1;
+    std::string text;
+    double seconds = 0;
+  };
+
+  void SetUp() override;
+  void TearDown() override;
+
+  /// examples/engines/naive.py with one piece of it changed; the command that runs it. The piece must be there once.
+  std::string naiveWith(const std::string& piece, const std::string& instead) const;
+
+  /// The same with a statement that runs before each answer to a commit.
+  std::string naiveThat(const std::string& statement) const;
+
+  /// Runs a command in the folder, with `lgs` for the command of that name.
+  Outcome sh(const std::string& line) const;
+
+  /// Checks an engine. The time that an answer may take is short.
+  Outcome check(const std::string& engine, const std::string& arguments) const;
+
+  /// Whether any process was started from the folder and lives on. They get a moment to go.
+  bool isAnyoneLeft() const;
+
+  /// How many edits and commits a saved mismatch has; commits at its end do not count.
+  std::size_t editsOfMismatch() const;
+
+  std::filesystem::path folder_;
+};
+
+}  // namespace lgs::test
