@@ -18,7 +18,7 @@ Pair pairOf(Block a, Block b) { return {std::min(a, b), std::max(a, b)}; }
 struct Placed {
   Cell cell;
   std::vector<Vec2> vertices;
-  Block block;
+  Block block = 0;
 };
 
 struct World {

@@ -25,7 +25,8 @@ bool isRightAfresh(const Mismatch& mismatch, Engine& engine) {
 // By the notes of compare(), which say what probably went wrong.
 std::string kindOf(const std::vector<Difference>& differences) {
   const auto says = [&](std::string_view words) {
-    return std::ranges::any_of(differences, [&](const Difference& d) { return d.note.find(words) != d.note.npos; });
+    return std::ranges::any_of(differences,
+                               [&](const Difference& d) { return d.note.find(words) != std::string::npos; });
   };
   const auto isA = [&](Kind kind) {
     return std::ranges::find(differences, kind, &Difference::kind) != differences.end();

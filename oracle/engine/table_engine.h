@@ -19,6 +19,9 @@ class TableEngine : public Engine {
   static tl::expected<std::unique_ptr<TableEngine>, std::string> load(const std::string& file);
 
   ~TableEngine() override { restart(); }
+  TableEngine(const TableEngine&) = delete;
+  TableEngine& operator=(const TableEngine&) = delete;
+
   std::string name() const override { return table_->name; }
   const Capabilities& can() const override { return can_; }
   void assume(const Capabilities& can) override { can_ = can; }

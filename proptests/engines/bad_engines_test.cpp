@@ -40,7 +40,7 @@ TEST_F(BadEngines, PrintsALineWithoutEnd) {
 }
 
 TEST_F(BadEngines, AnswersWithoutEnd) {
-  expectTold(naiveThat("\n            while True: print('# again ' * 9)"), "the engine ");
+  expectTold(naiveThat("\n            while True: print('# ' + 'x' * 9999)"), "answers without end: more than 64 MiB");
 }
 
 TEST_F(BadEngines, AnswersTooMuch) { expectTold(naiveThat("print('end')"), "it was not asked"); }
@@ -75,7 +75,8 @@ TEST_F(BadEngines, EndsBadly) {
 }
 
 TEST_F(BadEngines, LeavesProcessesBehind) {
-  expectTold(naiveThat("os.fork() or time.sleep(1000)\n            os._exit(0)"), "the engine ");
+  expectTold(naiveThat("os.fork() or time.sleep(1000)\n            os._exit(0)"),
+             "the engine ended with status 0 after edit");
 }
 
 // Whatever ends lgs, the engine goes as well.
