@@ -6,6 +6,7 @@
 import pathlib
 import subprocess
 import sys
+import threading
 import unittest
 
 README = pathlib.Path(__file__).resolve().parents[2] / "README.md"
@@ -18,13 +19,16 @@ class Oracle:
 
     def __init__(self, *arguments):
         self.process = subprocess.Popen([LGS, "oracle", *arguments], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        self.limit = threading.Timer(20, self.process.kill)  # a read that waits in vain fails then
+        self.limit.daemon = True
+        self.limit.start()
 
     def write(self, *lines):
         self.process.stdin.write("".join(line + "\n" for line in lines).encode())
         self.process.stdin.flush()
 
     def read(self):
-        """The next line. The input stays open, so this hangs if the oracle does not flush."""
+        """The next line. The input stays open, so there is none if the oracle does not flush."""
         return self.process.stdout.readline().decode().rstrip("\n")
 
     def answer(self):
@@ -41,7 +45,8 @@ class Oracle:
 
     def end(self):
         """The exit status, and what was left to read."""
-        rest, _ = self.process.communicate(timeout=60)
+        rest, _ = self.process.communicate()
+        self.limit.cancel()
         return self.process.returncode, rest.decode()
 
 
