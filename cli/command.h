@@ -57,6 +57,7 @@ CLI::Option* addOracleOption(CLI::App& command, oracle::CheckOptions& options);
 using Action = std::function<Status()>;
 void addReplay(CLI::App& app, Action& chosen);
 void addCheck(CLI::App& app, Action& chosen);
+void addOracle(CLI::App& app, Action& chosen);
 void addImport(CLI::App& app, Action& chosen);
 void addBench(CLI::App& app, Action& chosen);
 void addPublished(CLI::App& app, Action& chosen);

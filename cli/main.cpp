@@ -46,6 +46,7 @@ Status run(int argc, char** argv) {
   Action chosen;
   addReplay(app, chosen);
   addCheck(app, chosen);
+  addOracle(app, chosen);
   addImport(app, chosen);
   addBench(app, chosen);
   addPublished(app, chosen);

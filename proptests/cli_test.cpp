@@ -71,7 +71,7 @@ TEST_F(Command, HelpAndVersionAreFine) {
 TEST_F(Command, BadUsageIsTwo) {
   put("t", kTwoSquares);
   expect("", 2, "subcommand");
-  expect("play t", 2, "'play' is no command; there are replay, check, import, bench");
+  expect("play t", 2, "'play' is no command; there are replay, check, oracle, import, bench");
   expect("replay", 2, "TRACE");
   expect("replay t --chek", 2, "--chek");
   expect("replay t extra", 2, "extra");

@@ -1,0 +1,63 @@
+#include "oracle/check/reference_engine.h"
+
+#include "oracle/cgal/cgal_union.h"
+#include "oracle/reference/compare.h"
+
+#include <utility>
+
+namespace lgs::oracle {
+
+ReferenceEngine::ReferenceEngine(bool naive, bool cgal) : isNaive_(naive), isCgal_(cgal) { can_.preserve = naive; }
+
+void ReferenceEngine::reset(const PreservePairs& preserve) {
+  model_ = {};
+  placed_ = NamedScene(isNaive_ ? preserve : PreservePairs());
+  outline_.clear();
+  refused_.clear();
+}
+
+void ReferenceEngine::add(const std::string& name, const ScenePolygon& polygon) {
+  const Edit edit = Edit::add(name, polygon);
+  if (!accepts(edit)) return;
+  model_.apply(edit);
+  placed_.add(name, polygon);
+}
+
+void ReferenceEngine::remove(const std::string& name) {
+  const Edit edit = Edit::remove(name);
+  if (!accepts(edit)) return;
+  model_.apply(edit);
+  placed_.remove(name);
+}
+
+// Notes the refusal, if the edit must be refused.
+bool ReferenceEngine::accepts(const Edit& edit) {
+  const Verdict verdict = model_.judge(edit);
+  if (verdict.accepted) return true;
+  const char* const ofName = edit.kind == Edit::Kind::add ? "name in use" : "unknown name";
+  refused_.push_back({edit.name, verdict.code ? lgs::name(*verdict.code) : ofName});
+  return false;
+}
+
+Engine::Refusals ReferenceEngine::commit() {
+  if (isNaive_) outline_ = naive_(placed_.scene()).outline;
+  if (isCgal_) {
+    if (auto failure = unite()) return tl::unexpected(std::move(*failure));
+  }
+  return std::exchange(refused_, {});
+}
+
+std::optional<Failure> ReferenceEngine::unite() {
+  auto united = cgalUnion(placed_.scene());
+  if (!isNaive_) {  // then there is no preserve relation, so CGAL knows everything
+    outline_ = std::move(united->outline);
+    return std::nullopt;
+  }
+  if (!united) return std::nullopt;  // a preserve relation that is no partition: CGAL has no say
+  const Outline expected = withUnknownLinksOf(outline_, std::move(united->outline), united->known);
+  if (expected == outline_) return std::nullopt;
+  return Failure{Failure::Kind::protocol,
+                 "the naive reference's outline differs from CGAL's:\n" + describe(compare(expected, outline_))};
+}
+
+}  // namespace lgs::oracle
