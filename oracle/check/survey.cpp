@@ -28,6 +28,9 @@ std::string escaped(std::string_view text) {
   return html;
 }
 
+/// Fewer edits first, then less to read: cells near the origin, round coordinates.
+std::pair<std::size_t, std::size_t> sizeOf(const Trace& trace) { return {editCount(trace), printTrace(trace).size()}; }
+
 }  // namespace
 
 void Survey::add(const Mismatch& found, const Trace& trace) {
@@ -49,7 +52,7 @@ void Survey::keep(const std::string& kind, Entry& entry, const Mismatch& found, 
                                                                                        : std::nullopt;
   };
   const Trace small = shrinkWithEngine(found, trace, engine, findAgain, shrinkFor_);
-  if (entry.count > 1 && small.edits.size() >= entry.trace.edits.size()) return;
+  if (entry.count > 1 && sizeOf(small) >= sizeOf(entry.trace)) return;
   const auto again = findAgain(small);
   const Mismatch& shown = again ? *again : found;
   entry.trace = small;
@@ -57,6 +60,7 @@ void Survey::keep(const std::string& kind, Entry& entry, const Mismatch& found, 
   const std::string base = (std::filesystem::path(folder_) / fileOf(kind)).string();
   writeOrComplain(base + ".trace", printTrace(small, kind));
   writeOrComplain(base + ".svg", draw(shown));
+  writeOrComplain(base + ".html", page(shown, small));
 }
 
 bool Survey::write(const CheckStats& stats, const std::string& again) const {
@@ -67,18 +71,22 @@ bool Survey::write(const CheckStats& stats, const std::string& again) const {
   std::string md = fmt::format("# {}\n\n{}\n\n    {}\n\n", title, facts, again);
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<meta charset=\"utf-8\">\n<title>{0}</title>\n"
-      "<style>body {{ font-family: sans-serif; max-width: 60em; margin: auto }} img {{ max-width: 100% }}</style>\n"
+      "<style>body {{ font-family: sans-serif; max-width: 60em; margin: auto }} img {{ max-width: 100% }}\n"
+      "pre {{ white-space: pre-wrap }} th, td {{ text-align: left; padding-right: 1em }}</style>\n"
       "<h1>{0}</h1>\n<p>{1}</p>\n<pre>{2}</pre>\n",
       escaped(title), escaped(facts), escaped(again));
-  md += kinds_.empty() ? "No mismatch.\n" : "| kind | how often | minimal trace | picture |\n|---|---:|---|---|\n";
-  html += kinds_.empty() ? "<p>No mismatch.</p>\n" : "<table>\n<tr><th>kind<th>how often<th>minimal trace<th>picture\n";
+  md += kinds_.empty() ? "No mismatch.\n"
+                       : "| kind | how often | minimal trace | picture | step by step |\n|---|---:|---|---|---|\n";
+  html += kinds_.empty() ? "<p>No mismatch.</p>\n"
+                         : "<table>\n<tr><th>kind<th>how often<th>minimal trace<th>picture<th>step by step\n";
   std::string mdTexts, htmlTexts;
   for (const auto& [kind, entry] : kinds_) {
     const std::string file = fileOf(kind), edits = counted(editCount(entry.trace), "edit");
-    md += fmt::format("| {0} | {1} | [{2}]({3}.trace) | [{3}.svg]({3}.svg) |\n", kind, entry.count, edits, file);
+    md += fmt::format("| {0} | {1} | [{2}]({3}.trace) | [{3}.svg]({3}.svg) | [{3}.html]({3}.html) |\n", kind,
+                      entry.count, edits, file);
     html += fmt::format(
         "<tr><td><a href=\"#{3}\">{0}</a><td>{1}<td><a href=\"{3}.trace\">{2}</a><td><a "
-        "href=\"{3}.svg\">{3}.svg</a>\n",
+        "href=\"{3}.svg\">{3}.svg</a><td><a href=\"{3}.html\">{3}.html</a>\n",
         kind, entry.count, edits, file);
     const std::string text = printTrace(entry.trace) + "\n" + entry.text;
     mdTexts += fmt::format("\n## {}\n\n```\n{}```\n\n![{}]({}.svg)\n", kind, text, kind, file);

@@ -12,11 +12,11 @@ namespace lgs::oracle {
 
 class Survey {
  public:
-  /// `options` names the engine. Traces and pictures go to the folder as they are found.
+  /// `options` names the engine. Traces, pictures and pages go to the folder as they are found.
   Survey(CheckOptions options, std::string folder, std::chrono::milliseconds shrinkFor)
       : options_(std::move(options)), folder_(std::move(folder)), shrinkFor_(shrinkFor) {}
 
-  /// Takes a mismatch that checkTrace() has found. The first ones of a kind are shrunk.
+  /// Takes a mismatch that checkTrace() has found. The first ones of a kind are shrunk; the smallest is kept.
   void add(const Mismatch& found, const Trace& trace);
 
   bool isEmpty() const { return kinds_.empty(); }

@@ -14,7 +14,7 @@ class Reports : public Workbench {
     return oracle::readFile((folder_ / "report" / name).string()).value_or("");
   }
 
-  /// Makes a report on an engine. It must have these kinds, each with a small trace and a picture.
+  /// Makes a report on an engine. It must have these kinds, each with a small trace, a picture and a page.
   void expectKinds(const std::string& engine, const std::vector<std::string>& kinds, int status = 1) const {
     const Outcome outcome = sh("lgs check " + engine + " --engine-timeout 1 --edits 1000 --shrink 5 --report report");
     EXPECT_EQ(outcome.status, status) << outcome.text;
@@ -26,6 +26,7 @@ class Reports : public Workbench {
       EXPECT_FALSE(parsed.error) << kind;
       EXPECT_LE(oracle::editCount(parsed.trace), 4U) << kind << "\n" << page(kind + ".trace");
       EXPECT_NE(page(kind + ".svg").find("<svg"), std::string::npos) << kind;
+      EXPECT_NE(page(kind + ".html").find("<script"), std::string::npos) << kind;
     }
   }
 };
