@@ -11,7 +11,7 @@ using detail::refuse;
 
 namespace {
 
-constexpr std::size_t kMost = std::numeric_limits<std::int32_t>::max();  // for Error::index
+constexpr std::size_t kMaxEntries = std::numeric_limits<std::int32_t>::max();  // for Error::index
 
 tl::unexpected<Error> refuseAt(Error error, std::size_t index) {
   error.index = static_cast<std::int32_t>(index);
@@ -48,7 +48,7 @@ Expected<void> writeReals(const World::Impl& world, std::span<const SegmentId> i
 }  // namespace
 
 Expected<void> World::addMany(std::span<const Placement> placements, std::span<PolygonHandle> handles) {
-  if (placements.size() > kMost) return refuse({.code = ErrorCode::capacity});
+  if (placements.size() > kMaxEntries) return refuse({.code = ErrorCode::capacity});
   Transaction group = edit();
   for (std::size_t k = 0; k < placements.size(); ++k) {
     const auto& [cell, shape, block] = placements[k];
@@ -64,7 +64,7 @@ Expected<void> World::addMany(std::span<const Placement> placements, std::span<P
 }
 
 Expected<void> World::removeMany(std::span<const PolygonHandle> polygons) {
-  if (polygons.size() > kMost) return refuse({.code = ErrorCode::capacity});
+  if (polygons.size() > kMaxEntries) return refuse({.code = ErrorCode::capacity});
   Transaction group = edit();
   for (std::size_t k = 0; k < polygons.size(); ++k)
     if (const auto done = impl_->remove(polygons[k]); !done) return refuseAt(done.error(), k);
