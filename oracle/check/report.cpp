@@ -8,6 +8,7 @@
 #include "oracle/trace/file.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -97,6 +98,11 @@ bool writeOrComplain(const std::string& path, std::string_view content) {
   return done.has_value();
 }
 
+Trace untilFound(Trace trace, const Mismatch& found) {
+  trace.edits.resize(std::min(trace.edits.size(), found.edits));
+  return trace;
+}
+
 namespace {
 
 using Shrink = std::function<Trace(const Trace&)>;
@@ -107,8 +113,9 @@ void report(const Mismatch& found, const Trace& trace, const Shrink& makeSmall, 
   if (report.shrinkFor.count() > 0) fmt::print("shrinking the trace of {} …\n", counted(found.edits, "line"));
   std::fflush(stdout);
 
-  const Trace small = makeSmall(trace);
+  Trace small = makeSmall(trace);
   const auto again = findAgain(small);
+  if (!again) small = untilFound(trace, found);
   const Mismatch& shown = again ? *again : found;
   print(small, describe(shown, small));
   if (!again && engine != nullptr) fmt::print("but not again: the engine does not always do the same\n");

@@ -32,6 +32,9 @@ using FindAgain = std::function<std::optional<Mismatch>(const Trace&)>;
 Trace shrinkWithEngine(const Mismatch& found, const Trace& trace, Engine& engine, const FindAgain& findAgain,
                        std::chrono::milliseconds budget);
 
+/// The trace up to where the mismatch was found: to tell it by, when it is not found again.
+Trace untilFound(Trace trace, const Mismatch& found);
+
 /// Shrinks the trace, prints all of it, saves trace, picture and page.
 void reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& findAgain, const ReportOptions& report);
 

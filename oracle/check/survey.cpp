@@ -51,9 +51,10 @@ void Survey::keep(const std::string& kind, Entry& entry, const Mismatch& found, 
     return again && again->kind == found.kind && kindOfFinding(*again, engine) == kind ? std::move(again)
                                                                                        : std::nullopt;
   };
-  const Trace small = shrinkWithEngine(found, trace, engine, findAgain, shrinkFor_);
-  if (entry.count > 1 && sizeOf(small) >= sizeOf(entry.trace)) return;
+  Trace small = shrinkWithEngine(found, trace, engine, findAgain, shrinkFor_);
   const auto again = findAgain(small);
+  if (!again) small = untilFound(trace, found);
+  if (entry.count > 1 && sizeOf(small) >= sizeOf(entry.trace)) return;
   const Mismatch& shown = again ? *again : found;
   entry.trace = small;
   entry.text = describe(shown, small);

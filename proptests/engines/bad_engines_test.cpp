@@ -43,7 +43,15 @@ TEST_F(BadEngines, AnswersWithoutEnd) {
   expectTold(naiveThat("\n            while True: print('# ' + 'x' * 9999)"), "answers without end: more than 64 MiB");
 }
 
-TEST_F(BadEngines, AnswersTooMuch) { expectTold(naiveThat("print('end')"), "it was not asked"); }
+TEST_F(BadEngines, AnswersTooMuch) {
+  expectTold(naiveThat("os.write(1, b'end\\nend\\n')"), "it was not asked");  // at once, so that both are read at once
+}
+
+TEST_F(BadEngines, AreWrongForAWhileOnly) {
+  const char* const forAWhile =
+      "log = open('commits', 'a+'); log.write('x'); log.seek(0); len(log.read()) < 20 and print('end')";
+  expectTold(naiveThat(forAWhile), "but not again: the engine does not always do the same");
+}
 
 TEST_F(BadEngines, ClosesItsOutput) {
   expectTold(naiveThat("os.close(1); time.sleep(1000)"), "closed its output, and lives on");
