@@ -30,9 +30,8 @@ struct Complaint {
 
 class LibraryEngine : public Engine {
  public:
-  std::string name() const override { return "LocalGridSeg"; }
-  const Capabilities& can() const override { return can_; }
-  void assume(const Capabilities& can) override { can_ = can; }
+  LibraryEngine() { introduce("LocalGridSeg", Capabilities::all()); }
+
   void reset(const PreservePairs& preserve) override;
   void add(const std::string& name, const ScenePolygon& polygon) override;
   void remove(const std::string& name) override;
@@ -64,7 +63,6 @@ class LibraryEngine : public Engine {
                                         const Model& model) const;
   std::optional<Complaint> checkStale(const std::vector<PolygonHandle>& handles);
 
-  Capabilities can_ = Capabilities::all();
   std::optional<Player> player_;
   Mirror mirror_;
   const Changes* changes_ = nullptr;  // of the last commit

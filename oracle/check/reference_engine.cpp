@@ -7,7 +7,11 @@
 
 namespace lgs::oracle {
 
-ReferenceEngine::ReferenceEngine(bool naive, bool cgal) : isNaive_(naive), isCgal_(cgal) { can_.preserve = naive; }
+ReferenceEngine::ReferenceEngine(bool naive, bool cgal) : isNaive_(naive), isCgal_(cgal) {
+  Capabilities can = Capabilities::all();
+  can.preserve = naive;
+  introduce("oracle", can);
+}
 
 void ReferenceEngine::reset(const PreservePairs& preserve) {
   model_ = {};

@@ -18,9 +18,6 @@ class ReferenceEngine : public Engine {
  public:
   ReferenceEngine(bool naive, bool cgal);
 
-  std::string name() const override { return "oracle"; }
-  const Capabilities& can() const override { return can_; }
-  void assume(const Capabilities& can) override { can_ = can; }
   void reset(const PreservePairs& preserve) override;
   void add(const std::string& name, const ScenePolygon& polygon) override;
   void remove(const std::string& name) override;
@@ -36,7 +33,6 @@ class ReferenceEngine : public Engine {
 
   bool isNaive_;
   bool isCgal_;
-  Capabilities can_ = Capabilities::all();
   Model model_;
   NamedScene placed_;
   NaiveReference naive_;

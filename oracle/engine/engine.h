@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
+#include <utility>
 #include <vector>
 
 namespace lgs::oracle {
@@ -40,9 +41,9 @@ class Engine {
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  virtual std::string name() const = 0;
-  virtual const Capabilities& can() const = 0;
-  virtual void assume(const Capabilities& can) = 0;  ///< whatever it says
+  const std::string& name() const { return name_; }
+  const Capabilities& can() const { return can_; }
+  void assume(const Capabilities& can) { can_ = can; }  ///< whatever it says
 
   /// Forgets everything: a new, empty world. Heals an engine that has failed, where that is possible.
   virtual void reset(const PreservePairs& preserve) = 0;
@@ -64,6 +65,17 @@ class Engine {
 
   /// No world is wanted any more. What is wrong with how the engine ends, if anything is.
   virtual std::optional<Failure> finish() { return std::nullopt; }
+
+ protected:
+  /// Says what it is, before it is asked.
+  void introduce(std::string name, const Capabilities& can) {
+    name_ = std::move(name);
+    can_ = can;
+  }
+
+ private:
+  std::string name_;
+  Capabilities can_;
 };
 
 }  // namespace lgs::oracle

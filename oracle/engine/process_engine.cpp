@@ -16,14 +16,11 @@ tl::expected<std::unique_ptr<ProcessEngine>, Failure> ProcessEngine::start(const
 
 std::optional<Failure> ProcessEngine::begin() {
   child_.emplace(options_.command, options_.verbose);
-  const bool isFirst = name_.empty();
+  const bool isFirst = name().empty();
   const auto take = [&](std::string_view line) -> tl::expected<bool, std::string> {
     auto hello = parseHello(line);
     if (!hello) return tl::unexpected(hello.error());
-    if (isFirst) {
-      name_ = hello->name;
-      can_ = hello->can;
-    }
+    if (isFirst) introduce(hello->name, hello->can);
     return true;
   };
   return ask("lgs-engine 1\n", take);
@@ -75,7 +72,7 @@ void ProcessEngine::remove(const std::string& name) {
 Engine::Refusals ProcessEngine::commit() {
   if (failure_) return tl::unexpected(*failure_);
   unsent_ += "commit\n";
-  AnswerReader reader(can_);
+  AnswerReader reader(can());
   auto failure = ask(unsent_, [&](std::string_view line) { return reader.take(line); });
   unsent_.clear();
   if (failure) {

@@ -23,9 +23,6 @@ class ProcessEngine : public Engine {
   /// Starts the process and asks what it can.
   static tl::expected<std::unique_ptr<ProcessEngine>, Failure> start(const ProcessOptions& options);
 
-  std::string name() const override { return name_; }
-  const Capabilities& can() const override { return can_; }
-  void assume(const Capabilities& can) override { can_ = can; }
   void reset(const PreservePairs& preserve) override;
   void add(const std::string& name, const ScenePolygon& polygon) override;
   void remove(const std::string& name) override;
@@ -44,8 +41,6 @@ class ProcessEngine : public Engine {
   Clock::duration patience() const;
 
   ProcessOptions options_;
-  std::string name_;
-  Capabilities can_;
   std::optional<Child> child_;
   std::optional<Failure> failure_;  // to start
   std::string unsent_;

@@ -12,8 +12,6 @@
 namespace lgs::oracle {
 namespace {
 
-static_assert(sizeof(LocalPoint) == 2 * sizeof(std::int32_t), "polygons are passed on as they are");
-
 struct Answer {
   std::vector<RefusedEdit> refused;
   Outline outline;
@@ -49,7 +47,7 @@ tl::expected<std::unique_ptr<TableEngine>, std::string> TableEngine::make(const 
   const auto can = parseCapabilities(table->capabilities);
   if (!can) return tl::unexpected(can.error());
   std::unique_ptr<TableEngine> engine(new TableEngine(table));
-  engine->can_ = *can;
+  engine->introduce(table->name, *can);
   return engine;
 }
 
@@ -80,8 +78,9 @@ void TableEngine::reset(const PreservePairs& preserve) {
 void TableEngine::add(const std::string& name, const ScenePolygon& polygon) {
   if (self_ == nullptr) return;
   const auto& [cell, block, vertices] = polygon;
-  const std::int32_t* const xy = vertices.empty() ? nullptr : &vertices.front().x;
-  table_->add(self_, name.c_str(), cell.i, cell.j, block, xy, vertices.size());
+  xy_.clear();
+  for (const LocalPoint v : vertices) xy_.insert(xy_.end(), {v.x, v.y});
+  table_->add(self_, name.c_str(), cell.i, cell.j, block, xy_.data(), vertices.size());
 }
 
 void TableEngine::remove(const std::string& name) {

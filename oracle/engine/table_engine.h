@@ -4,9 +4,11 @@
 #include "oracle/engine/engine.h"
 
 #include <lgs/lgs_engine.h>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 namespace lgs::oracle {
 
@@ -22,9 +24,6 @@ class TableEngine : public Engine {
   TableEngine(const TableEngine&) = delete;
   TableEngine& operator=(const TableEngine&) = delete;
 
-  std::string name() const override { return table_->name; }
-  const Capabilities& can() const override { return can_; }
-  void assume(const Capabilities& can) override { can_ = can; }
   void reset(const PreservePairs& preserve) override;
   void add(const std::string& name, const ScenePolygon& polygon) override;
   void remove(const std::string& name) override;
@@ -36,8 +35,8 @@ class TableEngine : public Engine {
   explicit TableEngine(const lgs_engine_table* table) : table_(table) {}
 
   const lgs_engine_table* table_;
-  Capabilities can_;
-  void* self_ = nullptr;  // null: to be made by the next reset()
+  void* self_ = nullptr;          // null: to be made by the next reset()
+  std::vector<std::int32_t> xy_;  // of the polygon that is being added
   Outline outline_;
 };
 
