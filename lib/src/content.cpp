@@ -24,6 +24,14 @@ std::vector<LocalPoint> allVertices(std::span<const PolygonView> polygons) {
   return vertices;
 }
 
+/// Those of the vertices, which are sorted by x, that may lie on the edge a→b.
+std::span<const LocalPoint> candidates(LocalPoint a, LocalPoint b, std::span<const LocalPoint> vertices) {
+  const auto [low, high] = std::minmax(a.x, b.x);
+  const auto first = std::ranges::lower_bound(vertices, low, {}, &LocalPoint::x);
+  const auto last = std::ranges::upper_bound(first, vertices.end(), high, {}, &LocalPoint::x);
+  return {first, last};
+}
+
 /// Every polygon edge, cut at every vertex on it. Sorted by start, then end.
 std::vector<AtomicEdge> atomicEdges(std::span<const PolygonView> polygons, std::span<const LocalPoint> vertices) {
   std::vector<AtomicEdge> edges;
@@ -31,7 +39,8 @@ std::vector<AtomicEdge> atomicEdges(std::span<const PolygonView> polygons, std::
   for (std::size_t slot = 0; slot < polygons.size(); ++slot) {
     const PolygonView polygon = polygons[slot];
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      cutEdge(polygon[i], nextVertex(polygon, i), vertices, cuts);
+      const LocalPoint a = polygon[i], b = nextVertex(polygon, i);
+      cutEdge(a, b, candidates(a, b, vertices), cuts);
       for (std::size_t k = 1; k < cuts.size(); ++k) edges.push_back({cuts[k - 1], cuts[k], static_cast<Slot>(slot)});
     }
   }

@@ -135,10 +135,14 @@ void Editor::replace(Cell cell) {
   addIfGood(cell, block, old.vertices);
 }
 
+// Half of what is spoilt takes the place of the polygon that it is made of: then nothing but its own fault is wrong
+// with it, and an engine that knows only of overlaps accepts it.
 void Editor::tryRefused(Cell cell) {
   if (model_.in(cell).empty()) return place(cell);
-  LocalPolygon polygon = random_.pick(model_.in(cell)).vertices;  // as it is: overlaps itself
+  const Model::Placed model = random_.pick(model_.in(cell));
+  LocalPolygon polygon = model.vertices;  // as it is: overlaps itself
   const std::size_t k = random_.below(polygon.size());
+  bool isSpoilt = true;
   switch (random_.below(11)) {
     case 0:
       std::reverse(polygon.begin(), polygon.end());
@@ -161,22 +165,26 @@ void Editor::tryRefused(Cell cell) {
     case 6:
       polygon[k] = randomPoint();
       break;
-    case 7:
-      polygon = {kUnitSquare.begin(), kUnitSquare.end()};  // around what is there
-      break;
-    case 8:
-      polygon = random_.pick(random_.pick(habits_.shapes));
-      break;
-    case 9: {  // a new corner in the middle of another edge
+    case 7: {  // a new corner in the middle of another edge
       const std::size_t m = random_.below(polygon.size());
       const LocalPoint a = polygon[m], b = polygon[(m + 1) % polygon.size()];
       polygon.insert(polygon.begin() + static_cast<std::ptrdiff_t>(k), {(a.x + b.x) / 2, (a.y + b.y) / 2});
       break;
     }
+    case 8:
+      polygon = {kUnitSquare.begin(), kUnitSquare.end()};  // around what is there
+      isSpoilt = false;
+      break;
+    case 9:
+      polygon = random_.pick(random_.pick(habits_.shapes));
+      isSpoilt = false;
+      break;
     default:
+      isSpoilt = false;
       break;
   }
   const Block block = random_.pick(habits_.blocks);
+  if (isSpoilt && random_.chance(50)) removeNamed(model.name);
   Edit edit = Edit::add(freshName(), {cell, block, std::move(polygon)});
   if (isFit(edit)) push(std::move(edit));
 }
