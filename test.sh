@@ -7,12 +7,12 @@ source scripts/steps.sh
 
 scripts/setup.sh clang libclang-rt-dev chromium-driver python3-shapely
 summary=
-# check PRESET TARGET CTEST-OPTION...: builds the target, and runs the tests on all cores.
+# check PRESET TARGET CTEST-OPTION...: builds the target, and runs the tests on all cores. Some of them mostly wait.
 check() {
   local preset=$1 target=$2
   shift 2
   build "$preset" "$target"
-  show "ctest-$preset" "Tests ($preset)" ctest --preset "$preset" -j "$(nproc)" "$@"
+  show "ctest-$preset" "Tests ($preset)" ctest --preset "$preset" -j "$(($(nproc) + 1))" "$@"
   summary+="$preset $(sed -n 's/.* out of //p' "$logs/ctest-$preset.log"), "
 }
 # CTest knows no label of a program that is not built: it has one test, which says so.

@@ -1,6 +1,7 @@
-# lgs_target(<target> [NOT_SANITIZED]): what every target of this project is compiled with. Warnings and sanitizers are
-# for those who work on the project; a game that has it as a subproject keeps its own. NOT_SANITIZED is for code that is
-# little beside the headers that it includes (CGAL, CLI11, JSON): with sanitizers these take minutes to compile.
+# lgs_target(<target> [NOT_SANITIZED] [SELDOM_RUN]): what every target of this project is compiled with. Warnings and
+# sanitizers are for those who work on the project; a game that has it as a subproject keeps its own. NOT_SANITIZED is
+# for code that is little beside the headers that it includes (CGAL, CLI11, JSON): with sanitizers these take minutes to
+# compile. SELDOM_RUN is for libraries in which tests spend little time: tests with sanitizers do not optimise them.
 function(lgs_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
@@ -14,6 +15,9 @@ function(lgs_target target)
           -fsanitize=${LGS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
           -D_GLIBCXX_ASSERTIONS  # an index beyond a vector's end may be within its memory
           $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC takes the sanitizers' own code for uses
+      endif()
+      if("SELDOM_RUN" IN_LIST ARGN AND LGS_BUILD_TESTS)
+        target_compile_options(${target} PRIVATE -O0)
       endif()
       target_link_options(${target} PUBLIC -fsanitize=${LGS_SANITIZE})
     endif()

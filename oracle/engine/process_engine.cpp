@@ -49,13 +49,12 @@ void ProcessEngine::reset(const PreservePairs& preserve) {
   failure_.reset();
   if (!child_) failure_ = begin();
   unsent_ = "reset\n";
-  for (const auto& [a, b] : preserve.pairs()) fmt::format_to(std::back_inserter(unsent_), "preserve {} {}\n", a, b);
+  for (const auto& [a, b] : preserve.pairs()) unsent_ += fmt::format("preserve {} {}\n", a, b);
   outline_.clear();
 }
 
 void ProcessEngine::add(const std::string& name, const ScenePolygon& polygon) {
-  const auto out = std::back_inserter(unsent_);
-  fmt::format_to(out, "add {} {} {} {}", name, polygon.cell.i, polygon.cell.j, polygon.block);
+  unsent_ += fmt::format("add {} {} {} {}", name, polygon.cell.i, polygon.cell.j, polygon.block);
   for (const LocalPoint& p : polygon.vertices) {
     unsent_ += ' ';
     printDecimal(p.x, unsent_);
@@ -65,9 +64,7 @@ void ProcessEngine::add(const std::string& name, const ScenePolygon& polygon) {
   unsent_ += '\n';
 }
 
-void ProcessEngine::remove(const std::string& name) {
-  fmt::format_to(std::back_inserter(unsent_), "remove {}\n", name);
-}
+void ProcessEngine::remove(const std::string& name) { unsent_ += fmt::format("remove {}\n", name); }
 
 Engine::Refusals ProcessEngine::commit() {
   if (failure_) return tl::unexpected(*failure_);

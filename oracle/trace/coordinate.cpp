@@ -99,10 +99,10 @@ std::string printCoordinate(std::int32_t units) {
 void printDecimal(std::int32_t units, std::string& text) {
   const std::int64_t magnitude = std::abs(std::int64_t{units});
   if (units < 0) text += '-';
-  fmt::format_to(std::back_inserter(text), "{}", magnitude / kUnitsPerCell);
+  text += fmt::format("{}", magnitude / kUnitsPerCell);
   if (magnitude % kUnitsPerCell == 0) return;
   constexpr std::int64_t kUnit = 152'587'890'625;  // 10^16 / 65,536
-  fmt::format_to(std::back_inserter(text), ".{:016}", magnitude % kUnitsPerCell * kUnit);
+  text += fmt::format(".{:016}", magnitude % kUnitsPerCell * kUnit);
   text.erase(text.find_last_not_of('0') + 1);
 }
 

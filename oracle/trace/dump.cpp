@@ -23,8 +23,7 @@ Outline outlineOf(const World& world) {
 
 std::string dump(const Outline& outline) {
   std::string text;
-  const auto out = std::back_inserter(text);
-  const auto point = [&](const Point& p) { fmt::format_to(out, " {} {}", p.x, p.y); };
+  const auto point = [&](const Point& p) { text += fmt::format(" {} {}", p.x, p.y); };
   const auto ghost = [&](const std::optional<Point>& p) {
     if (p) {
       point(*p);
@@ -38,7 +37,7 @@ std::string dump(const Outline& outline) {
     point(s.end);
     ghost(s.ghost1);
     ghost(s.ghost2);
-    fmt::format_to(out, " {}\n", s.block);
+    text += fmt::format(" {}\n", s.block);
   }
   return text;
 }

@@ -1,6 +1,7 @@
 // Law 7, what is refused: validation by itself, exhausted on tiny lattices. Every sequence of two to five points
 // against slow rules that can be seen to be right.
 #include "oracle/reference/validity.h"
+#include "oracle/reference/vector.h"
 #include "polygon.h"
 #include "proptests/support/exhaust.h"
 #include "proptests/support/shapes.h"
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bitset>
 #include <memory>
 #include <optional>
@@ -19,6 +21,7 @@ namespace {
 using detail::findDefect;
 using detail::interiorsMeet;
 using oracle::LocalPolygon;
+using oracle::Vector;
 
 /// Any sequence of points of a lattice of side × side points.
 LocalPolygon anySequence(Exhaust& all, int length, int side) {
@@ -101,29 +104,29 @@ TEST(FindDefect, NamesVerticesThatAreToBlame) {
 constexpr int kSamples = 160;  // each way
 using Inside = std::bitset<static_cast<std::size_t>(kSamples) * kSamples>;
 
-/// The samples inside, by the crossing rule, on coordinates eight times as fine.
+/// The samples inside, by the crossing rule, in units of 1 / (2 · 1021) of a cell.
 Inside samplesInside(const LocalPolygon& polygon) {
-  Inside inside;
-  const std::int64_t n = 1021;  // a prime number of steps, so that no sample is on a line of small slope
-  for (int y = 0; y < kSamples; ++y) {
-    for (int x = 0; x < kSamples; ++x) {
-      // In units of 1 / (2n) of a cell.
-      const std::int64_t sx = 2 * (n * x / kSamples) + 3, sy = 2 * (n * y / kSamples) + 5;
-      bool odd = false;
-      for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const auto scaled = [&](LocalPoint p) {
-          return std::pair{2 * n * p.x / kUnitsPerCell, 2 * n * p.y / kUnitsPerCell};
-        };
-        const auto [ax, ay] = scaled(polygon[k]);
-        const auto [bx, by] = scaled(polygon[(k + 1) % polygon.size()]);
-        if ((ay > sy) == (by > sy)) continue;
-        const std::int64_t turn = (bx - ax) * (sy - ay) - (by - ay) * (sx - ax);
-        EXPECT_NE(turn, 0);
-        odd ^= (turn > 0) == (by > ay);
-      }
-      inside[static_cast<std::size_t>(y) * kSamples + static_cast<std::size_t>(x)] = odd;
-    }
+  constexpr std::int64_t kSteps = 1021;  // a prime number, so that no sample is on a line of small slope
+  std::array<Vector, 5> corners{};
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    corners[k] = {2 * kSteps * polygon[k].x / kUnitsPerCell, 2 * kSteps * polygon[k].y / kUnitsPerCell};
   }
+  Inside inside;
+  bool onALine = false;
+  for (std::size_t sample = 0; sample < inside.size(); ++sample) {
+    const auto x = static_cast<std::int64_t>(sample % kSamples), y = static_cast<std::int64_t>(sample / kSamples);
+    const std::int64_t sx = 2 * (kSteps * x / kSamples) + 3, sy = 2 * (kSteps * y / kSamples) + 5;
+    bool odd = false;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Vector a = corners[k], b = corners[k + 1 == polygon.size() ? 0 : k + 1];
+      if ((a.y > sy) == (b.y > sy)) continue;
+      const std::int64_t turn = (b.x - a.x) * (sy - a.y) - (b.y - a.y) * (sx - a.x);
+      onALine |= turn == 0;
+      odd ^= (turn > 0) == (b.y > a.y);
+    }
+    inside[sample] = odd;
+  }
+  EXPECT_FALSE(onALine);
   return inside;
 }
 
