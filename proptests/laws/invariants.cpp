@@ -5,7 +5,6 @@
 #include "oracle/reference/words.h"
 
 #include <algorithm>
-#include <unordered_map>
 #include <vector>
 
 namespace lgs::test {
@@ -43,35 +42,45 @@ std::uint64_t mixed(Point p) {
       .next();
 }
 
-/// Vertices by the cells that they touch.
+/// Vertices by the cells of a rectangle that they touch.
 class Vertices {
  public:
+  explicit Vertices(const CellRect& cells)
+      : min_(cells.min),
+        columns_(std::int64_t{cells.max.i} - min_.i + 1),
+        rows_(std::int64_t{cells.max.j} - min_.j + 1),
+        touching_(static_cast<std::size_t>(columns_ * rows_)) {}
+
   void add(Point p) {
     const auto i = oracle::cellIndex(p.x), j = oracle::cellIndex(p.y);
     const bool onColumn = p.x == i * kUnitsPerCell, onRow = p.y == j * kUnitsPerCell;
     for (std::int64_t di = onColumn ? -1 : 0; di <= 0; ++di)
-      for (std::int64_t dj = onRow ? -1 : 0; dj <= 0; ++dj) cells_[key(i + di, j + dj)].push_back(p);
+      for (std::int64_t dj = onRow ? -1 : 0; dj <= 0; ++dj)
+        if (const auto k = indexOf(i + di, j + dj)) touching_[*k].push_back(p);
   }
   /// One inside the segment, which lies in this cell.
   std::optional<Point> inside(const Segment& s) const {
-    const auto found = cells_.find(key(s.cell.i, s.cell.j));
-    if (found == cells_.end()) return std::nullopt;
-    for (const Point& p : found->second)
-      if (p != s.start && p != s.end && oracle::isOnSegment(p, s.start, s.end)) return p;
+    if (const auto k = indexOf(s.cell.i, s.cell.j))
+      for (const Point& p : touching_[*k])
+        if (p != s.start && p != s.end && oracle::isOnSegment(p, s.start, s.end)) return p;
     return std::nullopt;
   }
 
  private:
-  static std::uint64_t key(std::int64_t i, std::int64_t j) {
-    return static_cast<std::uint64_t>(i) << 32 ^ (static_cast<std::uint64_t>(j) & 0xffff'ffff);
+  std::optional<std::size_t> indexOf(std::int64_t i, std::int64_t j) const {
+    const std::int64_t column = i - min_.i, row = j - min_.j;
+    if (column < 0 || column >= columns_ || row < 0 || row >= rows_) return std::nullopt;
+    return static_cast<std::size_t>(row * columns_ + column);
   }
-  std::unordered_map<std::uint64_t, std::vector<Point>> cells_;
+  Cell min_;
+  std::int64_t columns_, rows_;
+  std::vector<std::vector<Point>> touching_;
 };
 
 }  // namespace
 
 std::optional<std::string> brokenInvariant(const World& world, const CellRect& cells) {
-  Vertices vertices;
+  Vertices vertices(cells);
   std::uint64_t polygonArea = 0, polygonCount = 0;
   std::vector<PlacedPolygon> polygons;
   std::vector<Point> points;
