@@ -309,10 +309,10 @@ bool samePolygons(const World& a, const World& b);
 ///   group.keep();
 ///
 /// A commit keeps what was edited before it, and ends the group: what follows is not undone. The world must not be
-/// moved, assigned to or destroyed before the group ends, nor copied: the copy would keep the group's mark for ever.
+/// moved, assigned to or destroyed before the group ends. A copy of it has the edits made so far, and no group.
 class Transaction {
  public:
-  explicit Transaction(World& world) : world_(&world), mark_(world.checkpoint()) {}
+  explicit Transaction(World& world);
   ~Transaction();
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
