@@ -12,10 +12,9 @@ static int refused(const lgs_error* error) {
   return 1;
 }
 
-int main(void) {
+static int dig(lgs_world* world) {
   const lgs_local_point corners[] = {{0, 0}, {U, 0}, {U, U}, {0, U}};
   const lgs_point origin = {0, 0};
-  lgs_world* world;
   lgs_shape_id square;
   lgs_placement placements[10];
   lgs_polygon_id floor[10];
@@ -24,7 +23,6 @@ int main(void) {
   lgs_error error;
   size_t k;
 
-  if (lgs_new(NULL, &world) != LGS_OK) return 1;
   if (lgs_shape(world, corners, 4, &square, &error) != LGS_OK) return refused(&error);
   for (k = 0; k < 10; ++k) {
     placements[k].cell.i = (int32_t)k;
@@ -48,6 +46,14 @@ int main(void) {
     printf("a segment of block %u from (%g, %g) to (%g, %g)\n", (unsigned)s->block, s->start.x, s->start.y, s->end.x,
            s->end.y);
   }
-  lgs_free(world);
   return k == 2 ? 0 : 1;
+}
+
+int main(void) {
+  lgs_world* world;
+  int status;
+  if (lgs_new(NULL, &world) != LGS_OK) return 1;
+  status = dig(world);
+  lgs_free(world);
+  return status;
 }

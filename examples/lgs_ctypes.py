@@ -36,7 +36,7 @@ Segment = struct("Segment", id=Id, predecessor=Id, successor=Id, block=c_uint32,
                  start=Point, end=Point, ghost1=Point, ghost2=Point)
 Error = struct("Error", code=c_int32, cell=Cell, polygon=c_int32, vertex=c_int32, vertex2=c_int32, polygon2=c_int32,
                other=PolygonId, other_block=c_uint32, segment=Id, index=c_int32, offset=c_uint64,
-               reserved=c_uint32 * 4)
+               index2=c_int32, reserved=c_uint32 * 3)
 Changes = struct("Changes", removed=POINTER(c_uint32), added=POINTER(c_uint32), relinked=POINTER(c_uint32),
                  removed_count=c_size_t, added_count=c_size_t, relinked_count=c_size_t, before=c_uint64,
                  after=c_uint64)

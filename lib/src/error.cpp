@@ -27,7 +27,9 @@ std::string what(const Error& e) {
     case ErrorCode::tooFewVertices:
       return "a polygon needs at least 3 vertices";
     case ErrorCode::capacity:
-      return "too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 - 1 chunks (lgs/world.h)";
+      return "too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 - 1 chunks of 32x32 cells, "
+             "a "
+             "call 2^31 - 1 entries";
     case ErrorCode::notFinite:
       return vertex + " is infinite or not a number";
     case ErrorCode::outsideCell:
@@ -42,22 +44,26 @@ std::string what(const Error& e) {
       return "the polygon crosses itself, or touches itself: the edge from " + vertex + " meets the edge from vertex " +
              number(e.vertex2);
     case ErrorCode::overlap:
-      return e.polygon2 >= 0 ? "its interior overlaps that of polygon " + number(e.polygon2)
-                             : "its interior overlaps that of a polygon of block " + number(e.otherBlock) +
-                                   " that is already in this cell (handle " + handle + ")";
+      if (e.polygon2 >= 0) return "its interior overlaps that of polygon " + number(e.polygon2);
+      return "its interior overlaps that of a polygon of block " + number(e.otherBlock) +
+             (e.index2 >= 0 ? " that entry " + number(e.index2) + " places in this cell"
+                            : " that is already in this cell (handle " + handle + ")");
     case ErrorCode::unknownShape:
       return "this world has no such shape";
     case ErrorCode::staleHandle:
-      if (!e.other) return "the handle is null, and names no polygon; add() may have refused to give one";
+      if (!e.other) return "the handle is null, and names no polygon; was the edit refused that should have given it?";
+      if (e.index2 >= 0) return "the handle " + handle + " comes twice: entry " + number(e.index2) + " has it, too";
       return "the handle " + handle + " names no polygon; it was removed, or never existed";
     case ErrorCode::unknownSegment:
       return "segment " + number(e.segment.value) + " is not alive; it was removed, or never existed";
     case ErrorCode::unknownMark:
       return "this world has no such mark; it was forgotten, or the world went back to a moment before it";
     case ErrorCode::uncommitted:
-      return "the world has edits that are not committed; call commit() before save()";
+      return "the world has edits that are not committed; commit them before it is saved";
     case ErrorCode::outOfReach:
-      return "a point is beyond the last cell, or a radius or a ray is too long (lgs/questions.h)";
+      return "a point is beyond the last cell, or a radius is not from 0 to 4,096 cells, or a ray is longer than "
+             "16,384 "
+             "cells on an axis";
   }
   return "unknown error";
 }

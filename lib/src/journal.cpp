@@ -67,11 +67,11 @@ void Journal::setOpen(World::Impl& world, bool open) {
   world.grid.setRemembers(!open);
 }
 
-Mark Journal::mark(World::Impl& world) {
+Mark Journal::mark(World::Impl& world, bool ofGroup) {
   setOpen(world, true);
   const Mark mark{world.versions.next()};  // greater than all before, also in a copy
-  marks_.push_back(
-      {mark, forgotten_ + entries_.size(), world.grid.chunks().size(), world.catalogue.shapeCount(), world.version});
+  marks_.push_back({mark, forgotten_ + entries_.size(), world.grid.chunks().size(), world.catalogue.shapeCount(),
+                    world.version, ofGroup});
   return mark;
 }
 
@@ -89,6 +89,12 @@ void Journal::forget(World::Impl& world, Mark mark) {
     placed_.erase(placed_.begin(), placed_.begin() + drop(world, entries_.front()));
     entries_.pop_front();
   }
+}
+
+void Journal::forgetGroups(World::Impl& world) {
+  const std::vector<MarkEntry> marks = marks_;
+  for (const MarkEntry& entry : marks)
+    if (entry.ofGroup) forget(world, entry.mark);
 }
 
 bool Journal::committedSince(Mark mark) const {

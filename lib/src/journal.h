@@ -27,11 +27,14 @@ class Journal {
   /// addQuickly() does nothing.
   bool isOpen() const { return isOpen_; }
 
-  Mark mark(World::Impl& world);
+  Mark mark(World::Impl& world, bool ofGroup = false);
   bool knows(Mark mark) const { return positionOf(mark) < marks_.size(); }
 
   /// Drops a mark, and the entries that no older mark needs.
   void forget(World::Impl& world, Mark mark);
+
+  /// Drops the marks of groups. A copy of the world does so: nobody could end them there.
+  void forgetGroups(World::Impl& world);
 
   /// Brings the world back to a mark, which stays. Later marks are void. `changes` receives what this does to the
   /// segments, by id.
@@ -91,6 +94,7 @@ class Journal {
     std::size_t chunks = 0;
     std::uint64_t shapes = 0;
     std::uint64_t version = 0;  ///< of the segments
+    bool ofGroup = false;
   };
 
   void setOpen(World::Impl& world, bool open);

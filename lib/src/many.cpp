@@ -3,7 +3,6 @@
 #include "world_impl.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace lgs {
 
@@ -11,17 +10,37 @@ using detail::refuse;
 
 namespace {
 
-constexpr std::size_t kMaxEntries = std::numeric_limits<std::int32_t>::max();  // for Error::index
-
 tl::unexpected<Error> refuseAt(Error error, std::size_t index) {
   error.index = static_cast<std::int32_t>(index);
   return tl::unexpected(error);
+}
+
+/// The entry that placed a polygon, or -1 if it was there before them. The last serials of a cell are of the last
+/// entries that placed something in it.
+std::int32_t entryThatPlaced(const World::Impl& world, std::span<const Placement> placed, PolygonHandle polygon) {
+  const detail::CellAt at = world.grid.find(polygon.cellRef);
+  const Cell cell = world.grid.cellOf(polygon.cellRef);
+  std::size_t before = world.grid.lastSerial(at);
+  for (std::size_t k = placed.size(); k-- != 0;) {
+    if (placed[k].cell != cell) continue;
+    before -= world.catalogue.shape(placed[k].shape)->polygons.size();
+    if (polygon.serial > before) return static_cast<std::int32_t>(k);
+  }
+  return -1;
+}
+
+/// Nobody keeps the handle of a polygon that this call placed and takes back: the entry that placed it says which.
+void nameEntry(const World::Impl& world, std::span<const Placement> placed, Error& error) {
+  if (!error.other) return;
+  error.index2 = entryThatPlaced(world, placed, error.other);
+  if (error.index2 >= 0) error.other = {};
 }
 
 /// Writes what `convert` makes of each segment.
 template <class Out, class Convert>
 Expected<void> write(const World::Impl& world, std::span<const SegmentId> ids, std::span<Out> out, Convert&& convert) {
   const std::size_t count = std::min(ids.size(), out.size());
+  if (count > kMaxEntries) return refuse({.code = ErrorCode::capacity});
   for (std::size_t k = 0; k < count; ++k) {
     if (!world.segments.isLive(ids[k].value))
       return refuseAt({.code = ErrorCode::unknownSegment, .segment = ids[k]}, k);
@@ -52,8 +71,9 @@ Expected<void> World::addMany(std::span<const Placement> placements, std::span<P
   Transaction group = edit();
   for (std::size_t k = 0; k < placements.size(); ++k) {
     const auto& [cell, shape, block] = placements[k];
-    const auto handle = impl_->add(cell, shape, block);
+    auto handle = impl_->add(cell, shape, block);
     if (!handle) {
+      nameEntry(*impl_, placements.first(k), handle.error());
       std::fill(handles.begin(), handles.end(), PolygonHandle{});
       return refuseAt(handle.error(), k);
     }
@@ -66,8 +86,13 @@ Expected<void> World::addMany(std::span<const Placement> placements, std::span<P
 Expected<void> World::removeMany(std::span<const PolygonHandle> polygons) {
   if (polygons.size() > kMaxEntries) return refuse({.code = ErrorCode::capacity});
   Transaction group = edit();
-  for (std::size_t k = 0; k < polygons.size(); ++k)
-    if (const auto done = impl_->remove(polygons[k]); !done) return refuseAt(done.error(), k);
+  for (std::size_t k = 0; k < polygons.size(); ++k) {
+    auto done = impl_->remove(polygons[k]);
+    if (done) continue;
+    const auto twin = std::ranges::find(polygons.first(k), polygons[k]);
+    if (twin != polygons.first(k).end()) done.error().index2 = static_cast<std::int32_t>(twin - polygons.begin());
+    return refuseAt(done.error(), k);
+  }
   group.keep();
   return {};
 }

@@ -59,7 +59,10 @@ Expected<PolygonHandle> addReals(World::Impl& world, Cell cell, std::span<const 
 
 World::World(PreserveRelation preserve) : impl_(std::make_unique<Impl>(std::move(preserve))) {}
 World::~World() = default;
-World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) { impl_->useOwnChunks(); }
+World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) {
+  impl_->useOwnChunks();
+  impl_->journal.forgetGroups(*impl_);
+}
 World& World::operator=(const World& other) {
   World copy(other);
   impl_.swap(copy.impl_);
@@ -130,6 +133,8 @@ Expected<void> World::forget(Mark mark) {
   impl_->journal.forget(*impl_, mark);
   return {};
 }
+
+Transaction::Transaction(World& world) : world_(&world), mark_(world.impl_->journal.mark(*world.impl_, true)) {}
 
 void Transaction::keep() {
   if (mark_) static_cast<void>(world_->forget(std::exchange(mark_, {})));

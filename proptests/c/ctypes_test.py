@@ -4,9 +4,11 @@
     proptests/c/ctypes_test.py LIBLGS LGS [--traces N] [--seed S]
 
 Exit status 1 and the trace, if an outline is another one. The traces go through several calls that mean the same edit,
-so a binding that has a struct or an argument wrong shows.
+so a binding that has a struct or an argument wrong shows. Which edits must be refused, and what the error says, is
+worked out here: a library that refuses all would have the right outline of nothing.
 """
 import argparse
+import collections
 import pathlib
 import random
 import subprocess
@@ -32,11 +34,31 @@ SHAPES = [
 ]
 
 
-class Trace:
-    """The same edits as text and in a world."""
+# A polygon that is placed, or that an entry of a call with many places.
+Placed = collections.namedtuple("Placed", "cell vertices block polygon entry")
 
-    def __init__(self, library, chance):
+
+def has_on_the_right(p, q):
+    """Whether an edge of p has all of q on its right, or on its line. Both are convex and run counter-clockwise."""
+    return any(all((x1 - x0) * (y - y0) <= (y1 - y0) * (x - x0) for x, y in q)
+               for (x0, y0), (x1, y1) in zip(p, p[1:] + p[:1]))
+
+
+def overlap(p, q):
+    return not has_on_the_right(p, q) and not has_on_the_right(q, p)
+
+
+def in_the_way(placed, cell, vertices):
+    """The oldest polygon that this one overlaps, or None."""
+    return next((other for other in placed if other.cell == cell and overlap(other.vertices, vertices)), None)
+
+
+class Trace:
+    """The same edits as text and in a world. `answers` counts them, by call and answer."""
+
+    def __init__(self, library, chance, answers):
         self.chance = chance
+        self.answers = answers
         self.blocks = chance.random() < 0.3  # whether other blocks keep the edges between them
         self.world = lgs.World(library, (lambda a, b: a != b) if self.blocks else None)
         self.lines = ["lgs-trace 1"]
@@ -52,7 +74,7 @@ class Trace:
     def note_add(self, polygon, cell, block, vertices):
         name = f"p{self.count}"
         self.count += 1
-        self.placed[name] = polygon
+        self.placed[name] = Placed(cell, vertices, block, polygon, -1)
         points = "  ".join(f"{x}/{U} {y}/{U}" for x, y in vertices)
         self.lines.append(f"add {name} {cell[0]} {cell[1]} {block}  {points}")
 
@@ -65,8 +87,17 @@ class Trace:
         cell = (chance.randrange(-2, 3), chance.randrange(30, 34))
         return cell, chance.choice(SHAPES), chance.randrange(1, 4)
 
+    def note_refusal(self, call, refused, cell, other, index=-1):
+        self.answers[call, "refused"] += 1
+        error = refused.error
+        assert other, f"{call}: refused, and nothing is in the way: {refused}"
+        assert error.code == lgs.OVERLAP and tuple(error.cell) == cell and error.index == index, refused
+        assert error.other_block == other.block and error.index2 == other.entry, refused
+        assert tuple(error.other) == (tuple(other.polygon) if other.polygon else (0, 0)), refused
+
     def add(self):
         cell, vertices, block = self.some_add()
+        other = in_the_way(self.placed.values(), cell, vertices)
         way = self.chance.randrange(3)
         try:
             if way == 0:
@@ -76,30 +107,41 @@ class Trace:
             else:
                 polygon = self.world.add(cell, self.world.shape(vertices), block)
         except lgs.Refused as refused:
-            assert refused.error.code == lgs.OVERLAP and tuple(refused.error.cell) == cell, refused
+            self.note_refusal("add", refused, cell, other)
         else:
+            assert not other, f"placed over {other}"
+            self.answers["add", "done"] += 1
             self.note_add(polygon, cell, block, vertices)
 
     def add_many(self):
         some = [self.some_add() for _ in range(self.chance.randrange(4))]
         placements = [(cell, self.world.shape(vertices), block) for cell, vertices, block in some]
+        placed = list(self.placed.values())
+        refusal = None
+        for index, (cell, vertices, block) in enumerate(some):
+            if other := in_the_way(placed, cell, vertices):
+                refusal = cell, other, index
+                break
+            placed.append(Placed(cell, vertices, block, None, index))
         try:
             polygons = self.world.add_many(placements)
         except lgs.Refused as refused:
-            assert 0 <= refused.error.index < len(some), refused
+            self.note_refusal("add_many", refused, *(refusal or (None, None)))
         else:
+            assert not refusal, f"placed over {refusal}"
+            self.answers["add_many", "done"] += len(some) > 1
             for polygon, (cell, vertices, block) in zip(polygons, some):
                 self.note_add(polygon, cell, block, vertices)
 
     def remove(self):
         if self.placed:
             name = self.chance.choice(sorted(self.placed))
-            self.world.remove(self.placed[name])
+            self.world.remove(self.placed[name].polygon)
             self.note_remove(name)
 
     def remove_many(self):
         names = [name for name in sorted(self.placed) if self.chance.random() < 0.2]
-        self.world.remove_many([self.placed[name] for name in names])
+        self.world.remove_many([self.placed[name].polygon for name in names])
         for name in names:
             self.note_remove(name)
 
@@ -141,9 +183,12 @@ class Trace:
         return [line for _, line in sorted(lines)]
 
 
-def check(library, command, seed):
-    trace = Trace(library, random.Random(seed))
-    trace.play()
+def check(library, command, seed, answers):
+    trace = Trace(library, random.Random(seed), answers)
+    try:
+        trace.play()
+    except AssertionError as wrong:
+        return f"seed {seed}: {wrong}\n{trace.text()}"
     with tempfile.NamedTemporaryFile("w", suffix=".trace") as file:
         file.write(trace.text())
         file.flush()
@@ -168,12 +213,18 @@ def main():
     parser.add_argument("--traces", type=int, default=60)
     parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
+    answers = collections.Counter()
     for seed in range(arguments.seed, arguments.seed + arguments.traces):
-        complaint = check(arguments.library, arguments.command, seed)
+        complaint = check(arguments.library, arguments.command, seed, answers)
         if complaint:
             print(complaint)
             return 1
-    print(f"{arguments.traces} traces: the same outlines as lgs replay's")
+    counts = {f"{call} {answer}": answers[call, answer]
+              for call in ("add", "add_many") for answer in ("done", "refused")}
+    print(f"{arguments.traces} traces: the same outlines as lgs replay's;", counts)
+    if min(counts.values()) < arguments.traces // 2:
+        print("An answer came too seldom to say anything.")
+        return 1
     return 0
 
 

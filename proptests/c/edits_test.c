@@ -88,6 +88,54 @@ static void badPolygons(void) {
   lgs_free(world);
 }
 
+/* A count that nobody has memory for is refused like any other that is too great; and nothing of it is kept. */
+static void tooMuch(void) {
+  lgs_world* world = newWorld();
+  static lgs_local_point points[LGS_MAX_CELL_VERTICES + 1];
+  static lgs_float_point floats[LGS_MAX_CELL_VERTICES + 1];
+  static lgs_double_point doubles[LGS_MAX_CELL_VERTICES + 1];
+  uint32_t count = UINT32_MAX;
+  lgs_error error;
+  lgs_stats before, after;
+  CHECK(lgs_count(world, &before) == LGS_OK);
+  REFUSED(LGS_CAPACITY, lgs_shape(world, points, SIZE_MAX, NULL, &error));
+  CHECK(error.polygon == 0);
+  REFUSED(LGS_CAPACITY, lgs_shape_floats(world, floats, SIZE_MAX, NULL, &error));
+  REFUSED(LGS_CAPACITY, lgs_shape_doubles(world, doubles, SIZE_MAX, NULL, &error));
+  REFUSED(LGS_CAPACITY, lgs_add_points(world, cellAt(5, 6), points, SIZE_MAX, 1, NULL, &error));
+  CHECK(error.cell.i == 5 && error.polygon == 0);
+  REFUSED(LGS_CELL_OUT_OF_RANGE, lgs_add_points(world, cellAt(INT32_MAX, 0), points, SIZE_MAX, 1, NULL, &error));
+  REFUSED(LGS_CAPACITY, lgs_shape_of_several(world, points, &count, 1, NULL, &error));
+  CHECK(error.polygon == 0);
+  REFUSED(LGS_CAPACITY, lgs_shape_of_several(world, points, &count, SIZE_MAX / 2, NULL, &error));
+  CHECK(error.polygon == -1);
+  CHECK(lgs_count(world, &after) == LGS_OK);
+  /* Working memory is kept and counted: a cell's worth of each kind of point, and not much more. */
+  CHECK(after.bytes - before.bytes >= sizeof points + sizeof floats + sizeof doubles);
+  CHECK(after.bytes - before.bytes < 2 * (sizeof points + sizeof floats + sizeof doubles));
+  lgs_free(world);
+}
+
+/* As many polygons as a cell holds, and one more. */
+static void severalAtMost(void) {
+  lgs_world* world = newWorld();
+  static lgs_local_point points[3 * (LGS_MAX_CELL_POLYGONS + 1)];
+  static uint32_t counts[LGS_MAX_CELL_POLYGONS + 1];
+  lgs_shape_id shape = {0};
+  lgs_error error;
+  size_t count = 0;
+  int32_t k;
+  for (k = 0; k <= LGS_MAX_CELL_POLYGONS; ++k) {
+    const lgs_local_point triangle[3] = {{2 * k, 0}, {2 * k + 1, 0}, {2 * k + 1, 1}};
+    memcpy(points + 3 * k, triangle, sizeof triangle);
+    counts[k] = 3;
+  }
+  CHECK(lgs_shape_of_several(world, points, counts, LGS_MAX_CELL_POLYGONS, &shape, NULL) == LGS_OK);
+  CHECK(lgs_shape_polygons(world, shape, &count) == LGS_OK && count == LGS_MAX_CELL_POLYGONS);
+  REFUSED(LGS_CAPACITY, lgs_shape_of_several(world, points, counts, LGS_MAX_CELL_POLYGONS + 1, &shape, &error));
+  lgs_free(world);
+}
+
 static void adding(void) {
   lgs_world* world = newWorld();
   const lgs_shape_id square = squareOf(world);
@@ -160,6 +208,7 @@ static void many(void) {
   lgs_placement placements[3];
   lgs_polygon_id polygons[3] = {{0, 0}, {0, 0}, {0, 0}};
   lgs_error error;
+  char text[200] = "";
   int k;
   for (k = 0; k < 3; ++k) {
     placements[k].cell = cellAt(k, 0);
@@ -173,8 +222,14 @@ static void many(void) {
   placements[0].cell = cellAt(7, 7);
   REFUSED(LGS_OVERLAP, lgs_add_many(world, placements, 3, polygons, &error));
   CHECK(error.index == 1 && error.cell.i == 1 && polygons[0].cell_ref == 0 && polygons[2].cell_ref == 0);
+  CHECK(error.index2 == -1 && error.other.cell_ref != 0 && error.other_block == 1);
   REFUSED(LGS_CAPACITY, lgs_add_many(world, placements, (size_t)INT32_MAX + 1, polygons, &error));
   CHECK(error.index == -1);
+  placements[1].cell = cellAt(8, 8);
+  placements[2].cell = cellAt(7, 7);
+  REFUSED(LGS_OVERLAP, lgs_add_many(world, placements, 3, NULL, &error));
+  CHECK(error.index == 2 && error.index2 == 0 && error.other.cell_ref == 0 && error.other_block == 0);
+  CHECK(lgs_message(&error, text, sizeof text, NULL) == LGS_OK && strstr(text, "block 0 that entry 0 places"));
   CHECK(isUnchanged(world, copy));
 
   CHECK(lgs_replace(world, cellAt(0, 0), square, 1, polygons, 1, NULL) == LGS_OK);
@@ -185,6 +240,7 @@ static void many(void) {
   CHECK(lgs_copy(world, &copy) == LGS_OK);
   REFUSED(LGS_STALE_HANDLE, lgs_remove_many(world, polygons, 3, &error));
   CHECK(error.index == 2 && samePolygon(error.other, polygons[0]) && isUnchanged(world, copy));
+  CHECK(error.index2 == 0 && lgs_message(&error, text, sizeof text, NULL) == LGS_OK && strstr(text, "comes twice"));
   REFUSED(LGS_CAPACITY, lgs_remove_many(world, polygons, (size_t)INT32_MAX + 1, &error));
   CHECK(lgs_remove_many(world, polygons, 2, NULL) == LGS_OK);
   CHECK(lgs_remove_many(world, NULL, 0, NULL) == LGS_OK);
@@ -232,6 +288,8 @@ static void nulls(void) {
 int main(void) {
   shapes();
   badPolygons();
+  tooMuch();
+  severalAtMost();
   adding();
   changing();
   many();

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the headers of the C interface declare, against a committed list: constants, types, functions.
+"""What the C headers declare, against a committed list: constants, types, functions. lgs_engine.h is among them.
 
     proptests/c/interface.py             # exit status 1, and a diff, if interface.txt says something else
     proptests/c/interface.py --write     # writes interface.txt: from 1.0 on only with more lines than before
@@ -13,17 +13,18 @@ import re
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-HEADERS = HERE.parents[1] / "lib" / "c" / "include" / "lgs" / "c"
+HEADERS = HERE.parents[1] / "lib" / "c" / "include" / "lgs"
 
 
 def declarations(text):
     """One line for each, without comments, and with single blanks."""
     text = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
-    for name, value in re.findall(r"^#define (LGS_(?!API|NOTHROW|C_)\w+) (\S+)", text, flags=re.M):
+    for name, value in re.findall(r"^#define (LGS_(?!API|NOTHROW|C_|ENGINE_H|ENGINE_EXPORT)\w+) (\S+)", text, flags=re.M):
         yield f"#define {name} {value}"
     text = re.sub(r"^\s*#.*$", "", text, flags=re.M)
     text = re.sub(r'extern "C" \{|^\}$', "", text, flags=re.M)
-    text = text.replace("LGS_API ", "").replace(" LGS_NOTHROW", "")
+    for mark in ("LGS_API ", "LGS_ENGINE_EXPORT ", " LGS_NOTHROW"):
+        text = text.replace(mark, "")
     text = re.sub(r"\{[^}]*\}", lambda body: body.group(0).replace(";", "\0"), text)  # a struct is one declaration
     for declaration in text.split(";"):
         line = " ".join(declaration.replace("\0", ";").split())
@@ -32,7 +33,7 @@ def declarations(text):
 
 
 def main():
-    found = [line for name in ("values", "world", "edit", "read")
+    found = [line for name in ("c/values", "c/world", "c/edit", "c/read", "lgs_engine")
              for line in declarations((HEADERS / f"{name}.h").read_text(encoding="utf-8"))]
     text = "\n".join(found) + "\n"
     listed = HERE / "interface.txt"

@@ -1,6 +1,7 @@
-/* Prints the layout of every struct of the C interface: its size, then the offset of each field. CTest compares it with
+/* Prints the layout of every struct of the C headers: its size, then the offset of each field. CTest compares it with
  * layout.txt, which is for machines with pointers of 64 bits; elsewhere the program ends with 77: skipped. */
 #include <lgs/lgs.h>
+#include <lgs/lgs_engine.h>
 #include <stdio.h>
 
 #define STRUCT(type) printf("%s %d\n", #type, (int)sizeof(type))
@@ -50,6 +51,7 @@ int main(void) {
   FIELD(lgs_error, segment);
   FIELD(lgs_error, index);
   FIELD(lgs_error, offset);
+  FIELD(lgs_error, index2);
   FIELD(lgs_error, reserved);
   STRUCT(lgs_world_options);
   FIELD(lgs_world_options, size);
@@ -136,5 +138,27 @@ int main(void) {
   FIELD(lgs_ray_hit, fraction);
   FIELD(lgs_ray_hit, point);
   FIELD(lgs_ray_hit, normal);
+  STRUCT(lgs_engine_segment);
+  FIELD(lgs_engine_segment, start);
+  FIELD(lgs_engine_segment, end);
+  FIELD(lgs_engine_segment, ghost1);
+  FIELD(lgs_engine_segment, ghost2);
+  FIELD(lgs_engine_segment, block);
+  FIELD(lgs_engine_segment, missing);
+  STRUCT(lgs_engine_answer);
+  FIELD(lgs_engine_answer, to);
+  FIELD(lgs_engine_answer, refused);
+  FIELD(lgs_engine_answer, segments);
+  STRUCT(lgs_engine_table);
+  FIELD(lgs_engine_table, version);
+  FIELD(lgs_engine_table, name);
+  FIELD(lgs_engine_table, capabilities);
+  FIELD(lgs_engine_table, create);
+  FIELD(lgs_engine_table, destroy);
+  FIELD(lgs_engine_table, reset);
+  FIELD(lgs_engine_table, preserve);
+  FIELD(lgs_engine_table, add);
+  FIELD(lgs_engine_table, remove);
+  FIELD(lgs_engine_table, commit);
   return 0;
 }

@@ -76,6 +76,10 @@ static void refusedSegments(void) {
   CHECK(error.index == 40);
   REFUSED(LGS_OUT_OF_REACH, lgs_segments_double(world, NULL, 0, pointAt(INT64_MAX, 0), NULL, &error));
   REFUSED(LGS_OUT_OF_REACH, lgs_segments_float(world, ids, 64, pointAt(0, INT64_MIN), floats, &error));
+  REFUSED(LGS_CAPACITY, lgs_segments(world, ids, (size_t)LGS_MAX_ENTRIES + 1, all, &error));
+  CHECK(error.index == -1);
+  REFUSED(LGS_CAPACITY, lgs_segments_float(world, ids, SIZE_MAX, pointAt(0, 0), floats, &error));
+  REFUSED(LGS_CAPACITY, lgs_segments_double(world, ids, SIZE_MAX, pointAt(0, 0), doubles, &error));
   CHECK(lgs_segments(world, NULL, 0, NULL, NULL) == LGS_OK);
   REFUSED(LGS_BAD_ARGUMENT, lgs_segments(world, NULL, 1, all, &error));
   REFUSED(LGS_BAD_ARGUMENT, lgs_segments(world, ids, 1, NULL, &error));
@@ -142,6 +146,8 @@ static void polygons(void) {
   CHECK(lgs_segments_in(world, rectOf(3, 5, 3, 5), &segment, 1, NULL) == LGS_SHORT_BUFFER);
   CHECK(lgs_owner(world, segment, &found[0], NULL) == LGS_OK);
   CHECK(samePolygon(found[0].id, ids[2]) && found[0].vertices == 3 && found[0].cell.j == 5 && found[0].block == 3);
+  CHECK(lgs_set_block(world, ids[2], 4, NULL) == LGS_OK && lgs_owner(world, segment, &found[0], NULL) == LGS_OK);
+  CHECK(found[0].vertices == 3 && found[0].block == 3); /* as of the last commit */
   CHECK(lgs_clear(world, rectOf(0, 0, 9, 9), NULL, NULL) == LGS_OK);
   CHECK(lgs_owner(world, segment, &found[0], NULL) == LGS_OK && found[0].vertices == 0 && found[0].block == 3);
   CHECK(lgs_bounds(world, &bounds) == LGS_OK && bounds.max.i == -1 && bounds.min.i == 0);

@@ -6,6 +6,7 @@ static void options(void) {
   lgs_world_options options;
   lgs_changes changes;
   lgs_shape_id square;
+  int32_t preserves = 7;
   int calls = 0;
   memset(&options, 0x55, sizeof options);
   lgs_default_world_options(&options, sizeof options);
@@ -19,6 +20,13 @@ static void options(void) {
   placed(world, cellAt(1, 0), square, 1);
   placed(world, cellAt(2, 0), square, 1);
   CHECK(lgs_commit(world, &changes) == LGS_OK && changes.added_count == 10 && calls > 0);
+  CHECK(lgs_preserves(world, 2, 1, &preserves) == LGS_OK && preserves == 1); /* it asks for the smaller one first */
+  CHECK(lgs_preserves(world, 2, 2, &preserves) == LGS_OK && preserves == 0);
+  lgs_free(world);
+  world = newWorld();
+  preserves = 7;
+  CHECK(lgs_preserves(world, 1, 2, &preserves) == LGS_OK && preserves == 0);
+  CHECK(lgs_preserves(world, 1, 2, NULL) == LGS_OK && lgs_preserves(NULL, 1, 2, &preserves) == LGS_BAD_ARGUMENT);
   lgs_free(world);
 
   world = NULL;
@@ -37,10 +45,11 @@ static void options(void) {
 }
 
 static void copies(void) {
-  lgs_world *world = newWorld(), *copy = NULL;
+  lgs_world *world = newWorld(), *copy = NULL, *other = NULL;
   const lgs_shape_id square = squareOf(world);
   lgs_polygon_id here, there;
-  lgs_stats stats;
+  lgs_changes changes;
+  lgs_stats stats, others;
   int32_t same = 7;
   placed(world, cellAt(0, 0), square, 1);
   CHECK(lgs_commit(world, NULL) == LGS_OK && lgs_copy(world, &copy) == LGS_OK);
@@ -55,6 +64,13 @@ static void copies(void) {
   CHECK(lgs_count(world, &stats) == LGS_OK);
   CHECK(stats.polygons == 2 && stats.cells == 2 && stats.segments == 6 && stats.shapes == 1 && stats.chunks == 1);
   CHECK(stats.contents >= 1 && stats.bytes > 1000 && stats.reserved[4] == 0);
+  CHECK(lgs_clear(world, rectOf(0, 0, 1, 0), NULL, NULL) == LGS_OK && lgs_commit(world, NULL) == LGS_OK);
+  CHECK(lgs_fill(world, rectOf(0, 0, 9999, 0), square, 1, NULL, NULL) == LGS_OK);
+  CHECK(lgs_copy(world, &other) == LGS_OK && lgs_commit(world, &changes) == LGS_OK &&
+        lgs_commit(other, NULL) == LGS_OK);
+  CHECK(lgs_count(world, &stats) == LGS_OK && lgs_count(other, &others) == LGS_OK);
+  CHECK(stats.bytes >= others.bytes + changes.added_count * sizeof(lgs_segment_id)); /* the lists that it keeps */
+  lgs_free(other);
   CHECK(lgs_count(world, NULL) == LGS_OK && lgs_count(NULL, &stats) == LGS_BAD_ARGUMENT);
   CHECK(lgs_copy(NULL, &copy) == LGS_BAD_ARGUMENT && lgs_copy(world, NULL) == LGS_BAD_ARGUMENT);
   CHECK(lgs_same_polygons(NULL, copy, &same) == LGS_BAD_ARGUMENT);
@@ -74,7 +90,8 @@ static void commits(void) {
   lgs_world *world = newWorld(), *other = newWorld();
   const lgs_shape_id square = squareOf(world);
   lgs_changes changes, expected;
-  size_t jobs = 0, k;
+  uint64_t version;
+  size_t jobs = 0, before, k;
   squareOf(other);
   CHECK(lgs_fill(world, rectOf(0, 0, 99, 0), square, 1, NULL, NULL) == LGS_OK);
   CHECK(lgs_fill(other, rectOf(0, 0, 99, 0), square, 1, NULL, NULL) == LGS_OK);
@@ -82,13 +99,17 @@ static void commits(void) {
   CHECK(lgs_commit(other, &expected) == LGS_OK && expected.added_count == 202 && changes.added_count == 202);
   for (k = 0; k < 202; ++k) CHECK(changes.added[k].value == expected.added[k].value);
   CHECK(changes.removed_count == 0 && changes.relinked_count == 0);
-  CHECK(changes.before == 0 && changes.after == lgs_segments_version(world));
+  version = lgs_segments_version(world);
+  CHECK(changes.before == 0 && version != 0 && changes.after == version);
 
   CHECK(lgs_clear(world, rectOf(50, 0, 50, 0), NULL, NULL) == LGS_OK);
   CHECK(lgs_commit(world, &changes) == LGS_OK);
   CHECK(changes.removed_count == 2 && changes.added_count == 2 && changes.relinked_count == 4);
-  CHECK(changes.before == expected.after || changes.before != changes.after);
-  CHECK(lgs_commit_with(world, backwards, &jobs, NULL) == LGS_OK);
+  CHECK(changes.before == version && changes.after != version && changes.after == lgs_segments_version(world));
+  before = jobs;
+  CHECK(lgs_clear(world, rectOf(10, 0, 10, 0), NULL, NULL) == LGS_OK);
+  CHECK(lgs_commit_with(world, backwards, &jobs, &changes) == LGS_OK && changes.added_count == 2);
+  CHECK(jobs == before); /* there are segments, so there is little to spread */
   CHECK(lgs_commit(NULL, NULL) == LGS_BAD_ARGUMENT);
   CHECK(lgs_commit_with(NULL, backwards, NULL, NULL) == LGS_BAD_ARGUMENT);
   CHECK(lgs_commit_with(world, NULL, NULL, NULL) == LGS_BAD_ARGUMENT);
@@ -112,6 +133,27 @@ static void groups(void) {
   lgs_undo(NULL);
   lgs_keep(NULL);
   CHECK(lgs_begin(NULL, &group) == LGS_BAD_ARGUMENT && lgs_begin(world, NULL) == LGS_BAD_ARGUMENT);
+  lgs_free(world);
+}
+
+/* A copy has the edits of a group that is open, and nothing to undo them. */
+static void copiesOfGroups(void) {
+  lgs_world *world = newWorld(), *during = NULL, *after = NULL;
+  const lgs_shape_id square = squareOf(world);
+  lgs_group* group = NULL;
+  lgs_stats a, b;
+  int32_t same = 0;
+  CHECK(lgs_begin(world, &group) == LGS_OK);
+  placed(world, cellAt(0, 0), square, 1);
+  CHECK(lgs_copy(world, &during) == LGS_OK);
+  lgs_keep(group);
+  CHECK(lgs_copy(world, &after) == LGS_OK && lgs_same_polygons(during, after, &same) == LGS_OK && same == 1);
+  CHECK(lgs_fill(during, rectOf(0, 1, 31, 31), square, 1, NULL, NULL) == LGS_OK && lgs_commit(during, NULL) == LGS_OK);
+  CHECK(lgs_fill(after, rectOf(0, 1, 31, 31), square, 1, NULL, NULL) == LGS_OK && lgs_commit(after, NULL) == LGS_OK);
+  CHECK(lgs_count(during, &a) == LGS_OK && lgs_count(after, &b) == LGS_OK);
+  CHECK(a.bytes < b.bytes + 1000); /* it had room for a mark; 992 edits would take more */
+  lgs_free(during);
+  lgs_free(after);
   lgs_free(world);
 }
 
@@ -233,6 +275,7 @@ int main(void) {
   copies();
   commits();
   groups();
+  copiesOfGroups();
   goingBack();
   integers();
   statuses();

@@ -11,6 +11,9 @@ namespace {
 constexpr Cell kFull{0, 0}, kRamp{1, 0}, kTwo{2, 0}, kEmpty{5, -3}, kTooFar{kMaxCell + 1, 0}, kTooLow{0, -kMaxCell - 1};
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
 constexpr float kHugeFloat = std::numeric_limits<float>::max();
+constexpr const char* kTooMuch =
+    "too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 - 1 chunks of 32x32 cells, a call "
+    "2^31 - 1 entries";
 
 template <class T>
 Error errorOf(const Expected<T>& result) {
@@ -78,10 +81,7 @@ void addVertexFaults(std::vector<BadEdit>& out) {
   out.push_back(addLocal("no vertices", kEmpty, {}, at(tooFewVertices), where + "a polygon needs at least 3 vertices"));
   out.push_back(addLocal("two vertices, one outside", kEmpty, {{0, 0}, {-1, 0}}, at(tooFewVertices),
                          where + "a polygon needs at least 3 vertices"));
-  out.push_back(addLocal(
-      "too many vertices", kEmpty, wheel(kMaxVerticesPerCell + 1), at(capacity),
-      where +
-          "too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 - 1 chunks (lgs/world.h)"));
+  out.push_back(addLocal("too many vertices", kEmpty, wheel(kMaxVerticesPerCell + 1), at(capacity), where + kTooMuch));
   out.push_back(addLocal("left of the cell", kEmpty, {{0, 0}, {U, 0}, {-1, U}}, at(outsideCell).vertex(2),
                          where + "vertex 2 is outside the cell; coordinates run from 0 to 1 cell, rim included"));
   out.push_back(addLocal("above the cell, and repeated", kEmpty, {{0, 0}, {0, U + 1}, {0, 0}, {5, 5}},
@@ -135,10 +135,7 @@ void addRealFaults(std::vector<BadEdit>& out) {
                                 "cell (1073741825, 0): the cell is out of range; both indices must be within ±2^30"));
   std::vector<DoublePoint> tooMany(kMaxVerticesPerCell + 1, {0.5, 0.5});
   tooMany[7].x = kNan;
-  out.push_back(addReal<double>("too many, not a number", kEmpty, tooMany, at(capacity),
-                                where +
-                                    "too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 - 1 "
-                                    "chunks (lgs/world.h)"));
+  out.push_back(addReal<double>("too many, not a number", kEmpty, tooMany, at(capacity), where + kTooMuch));
 }
 
 void addOverlaps(std::vector<BadEdit>& out) {
@@ -207,9 +204,7 @@ void addUnknown(std::vector<BadEdit>& out) {
       [](Stage& s) {
         return s.world.fill({{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}}, s.square, 9);
       },
-      Expect(capacity).in({-kMaxCell, -kMaxCell}),
-      "cell (-1073741824, -1073741824): too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 "
-      "- 1 chunks (lgs/world.h)");
+      Expect(capacity).in({-kMaxCell, -kMaxCell}), std::string("cell (-1073741824, -1073741824): ") + kTooMuch);
   add(
       "clear beyond the range",
       [](Stage& s) {
@@ -232,7 +227,7 @@ void addStaleHandles(std::vector<BadEdit>& out) {
             " names no polygon; it was removed, or never existed");
   };
   const Stage stage = makeStage();
-  add("null handle", {}, "the handle is null, and names no polygon; add() may have refused to give one");
+  add("null handle", {}, "the handle is null, and names no polygon; was the edit refused that should have given it?");
   addStale("removed before", stage.removed);
   addStale("a serial not given out yet", {stage.full.cellRef, stage.full.serial + 1});
   addStale("serial null", {stage.full.cellRef, 0});
@@ -275,9 +270,7 @@ void addShapes(std::vector<BadEdit>& out) {
   out.push_back(makeShape("shape of three that overlap all", {unitSquare(), ramp(), unitSquare()},
                           Expect(overlap).polygon(1).polygon2(0),
                           "polygon 1: its interior overlaps that of polygon 0"));
-  out.push_back(makeShape(
-      "shape of too many", many, Expect(capacity),
-      "too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 - 1 chunks (lgs/world.h)"));
+  out.push_back(makeShape("shape of too many", many, Expect(capacity), kTooMuch));
 }
 
 }  // namespace

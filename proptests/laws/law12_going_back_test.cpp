@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace lgs::test {
@@ -184,6 +185,30 @@ TEST(GoingBackByHand, MarksAreForOneWorldAndItsCopies) {
   EXPECT_TRUE(copy.rollBack(before));
   EXPECT_TRUE(copy.isEmpty({}));
   EXPECT_FALSE(world.isEmpty({}));
+}
+
+TEST(GoingBackByHand, ACopyHasNoGroup) {
+  World world;
+  const Mark mark = world.checkpoint();
+  std::optional<World> during;
+  {
+    Transaction group = world.edit();
+    place(world, {}, unitSquare());
+    Transaction inner = world.edit();
+    place(world, {1, 0}, unitSquare());
+    during = world;
+    inner.keep();
+    group.keep();
+  }
+  World after = world;
+  EXPECT_TRUE(samePolygons(*during, after)) << "it has the edits that were made";
+  for (World* copy : {&*during, &after}) {
+    ASSERT_TRUE(copy->forget(mark));
+    for (const Cell cell : cellsOf({{0, 2}, {31, 31}})) place(*copy, cell, ramp());
+    copy->commit();
+  }
+  // It had room for two marks. To undo 960 edits would take more.
+  EXPECT_LT(during->stats().bytes, after.stats().bytes + 1'000) << "it keeps what is needed to undo the group";
 }
 
 TEST(GoingBackByHand, AFailedGroupLeavesWhatARollBackReported) {

@@ -245,7 +245,7 @@ TEST(GoingBackByHand, AWorldWithPendingEditsIsNotSaved) {
   const auto refused = world.save([](std::span<const std::byte>) { FAIL() << "nothing is written"; });
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::uncommitted);
-  EXPECT_EQ(message(refused.error()), "the world has edits that are not committed; call commit() before save()");
+  EXPECT_EQ(message(refused.error()), "the world has edits that are not committed; commit them before it is saved");
 }
 
 TEST(GoingBackByHand, ASnapshotComesInSmallPieces) {

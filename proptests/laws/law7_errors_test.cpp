@@ -29,6 +29,7 @@ TEST(Errors, SayWhatAndWhere) {
     EXPECT_EQ(error.otherBlock, edit.expected.otherBlock);
     EXPECT_EQ(error.segment, SegmentId{});
     EXPECT_EQ(error.index, edit.expected.index);
+    EXPECT_EQ(error.index2, -1);
     EXPECT_EQ(message(error), edit.text);
   }
 }

@@ -7,12 +7,15 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace lgs::test {
 namespace {
 
-/// What the single calls come to: the handles up to the first refusal, and that one.
+/// What the single calls come to: the handles up to the first refusal, and that one. An entry is the group of single
+/// calls that made, or removed, the other polygon of the error.
 struct OneByOne {
   std::vector<PolygonHandle> handles;
   std::optional<Error> refusal;
@@ -21,10 +24,18 @@ struct OneByOne {
 void expectSameError(const Error& many, const OneByOne& singles) {
   Error error = *singles.refusal;
   error.index = static_cast<std::int32_t>(singles.handles.size());
+  for (std::size_t k = 0; k < singles.handles.size(); ++k) {
+    const PolygonHandle first = singles.handles[k];
+    const bool placedIt = first.cellRef == error.other.cellRef && first.serial <= error.other.serial;
+    if (error.code == ErrorCode::overlap ? placedIt : first == error.other) error.index2 = static_cast<std::int32_t>(k);
+  }
+  if (error.code == ErrorCode::overlap && error.index2 >= 0) error.other = {};  // a polygon that is undone
   EXPECT_EQ(message(many), message(error));
   EXPECT_EQ(many.code, error.code);
   EXPECT_EQ(many.other, error.other);
+  EXPECT_EQ(many.otherBlock, error.otherBlock);
   EXPECT_EQ(many.index, error.index);
+  EXPECT_EQ(many.index2, error.index2);
 }
 
 /// Random placements, as a rule good ones.
@@ -167,13 +178,20 @@ TEST(ManySegments, AreAsExactFarOutAsNearBy) {
 }
 
 TEST(ManyEdits, HaveAnIndexThatFits) {
-  constexpr std::size_t kTooMany = std::size_t{std::numeric_limits<std::int32_t>::max()} + 1;
+  static_assert(kMaxEntries == std::numeric_limits<decltype(Error::index)>::max());
+  constexpr std::size_t kTooMany = kMaxEntries + 1;
   World world;
   const Placement placement;
   const PolygonHandle handle;
   const auto added = world.addMany({&placement, kTooMany}), removed = world.removeMany({&handle, kTooMany});
   ASSERT_TRUE(!added && !removed);
-  for (const Error& error : {added.error(), removed.error()}) {
+  const SegmentId id{4711};
+  Segment segment;
+  DoubleSegment real;
+  const auto read = world.segments({&id, kTooMany}, {&segment, kTooMany});
+  const auto realRead = world.segments({&id, kTooMany}, {}, std::span(&real, kTooMany));
+  ASSERT_TRUE(!read && !realRead);
+  for (const Error& error : {added.error(), removed.error(), read.error(), realRead.error()}) {
     EXPECT_EQ(error.code, ErrorCode::capacity);
     EXPECT_EQ(error.index, -1);
   }
@@ -186,11 +204,40 @@ TEST(ManyEdits, OfOneCellGoTogether) {
   const auto refused = stage.world.addMany(twice, handles);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().index, 1);
-  EXPECT_EQ(message(refused.error()).find("entry 1, cell (9, 9), polygon 0: its interior overlaps"), 0U);
+  EXPECT_EQ(refused.error().other, PolygonHandle{}) << "the next polygon of this cell gets that handle";
+  EXPECT_EQ(
+      message(refused.error()),
+      "entry 1, cell (9, 9), polygon 0: its interior overlaps that of a polygon of block 1 that entry 0 places in "
+      "this cell");
   EXPECT_TRUE(stage.world.isEmpty({9, 9}));
   const PolygonHandle both[] = {stage.upper, stage.lower, stage.upper};
-  EXPECT_EQ(stage.world.removeMany(both).error().index, 2);
+  const auto again = stage.world.removeMany(both);
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().index, 2);
+  EXPECT_EQ(message(again.error()), "entry 2: the handle " + std::to_string(stage.upper.cellRef) + ":" +
+                                        std::to_string(stage.upper.serial) + " comes twice: entry 0 has it, too");
   EXPECT_TRUE(stage.world.removeMany(std::span(both).first(2)));
+}
+
+TEST(ManyEdits, NameTheEntryThatPlacedTheOtherPolygon) {
+  Stage stage = makeStage();
+  const LocalPolygon sliver = eighths({{0, 0}, {1, 0}, {1, 1}});
+  const ShapeId small = shapeOf(stage.world, {sliver});
+  const Cell cell{9, 9}, other{10, 9};
+  const PolygonHandle old = place(stage.world, cell, sliver, 5);
+  const LocalPolygon rest = eighths({{1, 0}, {8, 0}, {8, 8}});
+  const ShapeId two = shapeOf(stage.world, {rest, eighths({{0, 1}, {7, 8}, {0, 8}})});
+  const auto refusal = [&](ShapeId last) {
+    const Placement entries[] = {{other, stage.twoRamps, 1}, {cell, two, 2}, {other, small, 3}, {cell, last, 4}};
+    return stage.world.addMany(std::span(entries).subspan(1)).error();
+  };
+  const Error ofNew = refusal(shapeOf(stage.world, {eighths({{0, 6}, {1, 7}, {0, 8}})}));
+  EXPECT_EQ(ofNew.index2, 0) << "its second polygon";
+  EXPECT_EQ(ofNew.otherBlock, 2U);
+  EXPECT_EQ(ofNew.other, PolygonHandle{});
+  const Error ofOld = refusal(small);
+  EXPECT_EQ(ofOld.index2, -1);
+  EXPECT_EQ(ofOld.other, old);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "inside.h"
 
 #include <cstddef>
-#include <limits>
 
 using namespace lgs::c;
 using lgs::Expected;
@@ -14,20 +13,22 @@ namespace {
 static_assert(offsetof(lgs_placement, shape) == offsetof(lgs::Placement, shape) &&
               offsetof(lgs_placement, block) == offsetof(lgs::Placement, block));
 
-constexpr std::size_t kMost = std::numeric_limits<std::int32_t>::max();  // for lgs_error::index
+/// The vertices of a polygon as C++ has them. Of too many it takes one too many: that is enough to refuse them.
+template <class From, class To>
+std::span<const To> copied(const From* vertices, std::size_t count, std::vector<To>& to) {
+  copyBytes(vertices, std::min(count, lgs::kMaxVerticesPerCell + 1), to);
+  return to;
+}
 
-// The working memory for points of each kind, and the points in it.
+// The same in the working memory for points of each kind.
 auto pointsOf(lgs_world& w, const lgs_local_point* vertices, std::size_t count) {
-  copyBytes(vertices, count, w.points);
-  return std::span<const lgs::LocalPoint>(w.points);
+  return copied(vertices, count, w.points);
 }
 auto pointsOf(lgs_world& w, const lgs_float_point* vertices, std::size_t count) {
-  copyBytes(vertices, count, w.floats);
-  return std::span<const lgs::FloatPoint>(w.floats);
+  return copied(vertices, count, w.floats);
 }
 auto pointsOf(lgs_world& w, const lgs_double_point* vertices, std::size_t count) {
-  copyBytes(vertices, count, w.doubles);
-  return std::span<const lgs::DoublePoint>(w.doubles);
+  return copied(vertices, count, w.doubles);
 }
 
 lgs_status answer(const Expected<ShapeId>& made, lgs_shape_id* out, lgs_error* error) {
@@ -94,10 +95,11 @@ lgs_status lgs_shape_doubles(lgs_world* world, const lgs_double_point* vertices,
 lgs_status lgs_shape_of_several(lgs_world* world, const lgs_local_point* vertices, const uint32_t* counts,
                                 size_t polygons, lgs_shape_id* shape, lgs_error* error) noexcept {
   if (!world || !isArray(counts, polygons)) return refuse(LGS_BAD_ARGUMENT, error);
+  if (polygons > lgs::kMaxPolygonsPerCell) return refuse(LGS_CAPACITY, error);
   std::vector<std::vector<lgs::LocalPoint>> all(polygons);
   for (std::size_t k = 0; k < polygons; ++k) {
     if (!isArray(vertices, counts[k])) return refuse(LGS_BAD_ARGUMENT, error);
-    copyBytes(vertices, counts[k], all[k]);
+    copied(vertices, counts[k], all[k]);
     if (counts[k] != 0) vertices += counts[k];
   }
   return answer(world->world.shape(std::span<const std::vector<lgs::LocalPoint>>(all)), shape, error);
@@ -159,7 +161,7 @@ lgs_status lgs_add_doubles(lgs_world* world, lgs_cell cell, const lgs_double_poi
 lgs_status lgs_add_many(lgs_world* world, const lgs_placement* placements, size_t count, lgs_polygon_id* polygons,
                         lgs_error* error) noexcept {
   if (!world || !isArray(placements, count)) return refuse(LGS_BAD_ARGUMENT, error);
-  if (count > kMost) return refuse(LGS_CAPACITY, error);  // before it is copied
+  if (count > lgs::kMaxEntries) return refuse(LGS_CAPACITY, error);  // before it is copied
   std::vector<lgs::Placement> all;
   copyBytes(placements, count, all);
   std::vector<PolygonHandle> handles(polygons ? count : 0);
@@ -175,7 +177,7 @@ lgs_status lgs_remove(lgs_world* world, lgs_polygon_id polygon, lgs_error* error
 
 lgs_status lgs_remove_many(lgs_world* world, const lgs_polygon_id* polygons, size_t count, lgs_error* error) noexcept {
   if (!world || !isArray(polygons, count)) return refuse(LGS_BAD_ARGUMENT, error);
-  if (count > kMost) return refuse(LGS_CAPACITY, error);
+  if (count > lgs::kMaxEntries) return refuse(LGS_CAPACITY, error);
   std::vector<PolygonHandle> all;
   copyBytes(polygons, count, all);
   return answer(world->world.removeMany(all), error);

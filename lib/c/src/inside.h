@@ -16,8 +16,8 @@ struct lgs_world {
   explicit lgs_world(lgs::World w) : world(std::move(w)) {}
 
   lgs::World world;
-  std::vector<lgs_segment_id>
-      changed;  ///< the lists of the last commit or roll-back, one after the other; it only grows
+  /// The lists of the last commit or roll-back, one after the other. It only grows.
+  std::vector<lgs_segment_id> changed;
   // Working memory. It is kept from one call to the next, to spare allocations.
   std::vector<lgs::LocalPoint> points;
   std::vector<lgs::FloatPoint> floats;
@@ -72,14 +72,18 @@ bool isArray(const T* first, std::size_t count) {
   return first || count == 0;
 }
 
-/// Writes what there is room for, as a list.
-template <class Values, class Out>
-lgs_status putList(const Values& values, Out* out, std::size_t capacity, std::size_t* count) {
+/// Writes what there is room for, as a list. `convert` makes a value of C of each.
+template <class Values, class Out, class Convert>
+lgs_status putList(const Values& values, Out* out, std::size_t capacity, std::size_t* count, Convert&& convert) {
   if (!isArray(out, capacity)) return LGS_BAD_ARGUMENT;
   put(count, values.size());
   const std::size_t room = std::min(values.size(), capacity);
-  for (std::size_t k = 0; k < room; ++k) out[k] = toC(values[k]);
+  for (std::size_t k = 0; k < room; ++k) out[k] = convert(values[k]);
   return values.size() <= capacity ? LGS_OK : LGS_SHORT_BUFFER;
+}
+template <class Values, class Out>
+lgs_status putList(const Values& values, Out* out, std::size_t capacity, std::size_t* count) {
+  return putList(values, out, capacity, count, [](const auto& value) { return toC(value); });
 }
 
 /// What a polygon shows of itself.

@@ -3,8 +3,9 @@
 
 using namespace lgs::c;
 
-static_assert(static_cast<int>(lgs::Spot::Where::inside) == LGS_INSIDE);
+static_assert(static_cast<int>(lgs::Spot::Where::outside) == LGS_OUTSIDE);
 static_assert(static_cast<int>(lgs::Spot::Where::edge) == LGS_EDGE);
+static_assert(static_cast<int>(lgs::Spot::Where::inside) == LGS_INSIDE);
 
 // --- Loops -----------------------------------------------------------------------------------------------------------
 

@@ -1,6 +1,8 @@
 // Segments and polygons, one or many.
 #include "inside.h"
 
+#include <array>
+
 using namespace lgs::c;
 using lgs::CellRect;
 using lgs::PlacedPolygon;
@@ -23,37 +25,36 @@ Out converted(const In& s) {
           toC(s.cell), toC(s.start),       toC(s.end),       toC(s.ghost1), toC(s.ghost2)};
 }
 
-/// Reads some segments at a time, in a small array on the stack: so nothing is allocated, and several threads can read.
-/// `read` fills it.
+/// Reads a few segments, then the next few, in a small array on the stack: so nothing is allocated, and several threads
+/// can read. `read` fills it.
 template <class In, class Out, class Read>
 lgs_status readSegments(const lgs_world* world, const lgs_segment_id* ids, std::size_t count, Out* out,
                         lgs_error* error, Read&& read) {
   if (!world || !isArray(ids, count) || !isArray(out, count)) return refuse(LGS_BAD_ARGUMENT, error);
-  constexpr std::size_t kAtOnce = 32;
-  SegmentId some[kAtOnce];
-  In segments[kAtOnce];
-  std::size_t from = 0;
-  do {  // once at least, to check the origin
+  if (count > lgs::kMaxEntries) return refuse(LGS_CAPACITY, error);
+  constexpr std::size_t kAtOnce = 8;
+  std::array<SegmentId, kAtOnce> some;
+  std::array<In, kAtOnce> segments;
+  if (const auto origin = read(std::span(some).first(0), std::span(segments)); !origin)
+    return refuse(origin.error(), error);
+  for (std::size_t from = 0; from < count; from += kAtOnce) {
     const std::size_t size = std::min(kAtOnce, count - from);
     for (std::size_t k = 0; k < size; ++k) some[k] = fromC(ids[from + k]);
-    const auto done = read(std::span<const SegmentId>(some, size), std::span<In>(segments, size));
-    const std::size_t fine = done || done.error().index < 0 ? size : static_cast<std::size_t>(done.error().index);
-    if (!done && done.error().index < 0) return refuse(done.error(), error);
+    const auto done = read(std::span(some).first(size), std::span(segments));
+    const std::size_t fine = done ? size : static_cast<std::size_t>(done.error().index);
     for (std::size_t k = 0; k < fine; ++k) out[from + k] = converted<Out>(segments[k]);
-    if (!done) {
-      lgs::Error moved = done.error();
-      moved.index += static_cast<std::int32_t>(from);
-      return refuse(moved, error);
-    }
-    from += size;
-  } while (from < count);
+    if (done) continue;
+    lgs::Error moved = done.error();
+    moved.index += static_cast<std::int32_t>(from);
+    return refuse(moved, error);
+  }
   return LGS_OK;
 }
 
 template <class In, class Out>
 lgs_status readReals(const lgs_world* world, const lgs_segment_id* ids, std::size_t count, lgs_point origin, Out* out,
                      lgs_error* error) {
-  return readSegments<In>(world, ids, count, out, error, [&](auto some, auto segments) {
+  return readSegments<In>(world, ids, count, out, error, [&](auto some, std::span<In> segments) {
     return world->world.segments(some, fromC(origin), segments);
   });
 }
@@ -62,8 +63,9 @@ lgs_status readReals(const lgs_world* world, const lgs_segment_id* ids, std::siz
 
 lgs_status lgs_segments(const lgs_world* world, const lgs_segment_id* ids, size_t count, lgs_segment* segments,
                         lgs_error* error) noexcept {
-  return readSegments<lgs::Segment>(world, ids, count, segments, error,
-                                    [&](auto some, auto out) { return world->world.segments(some, out); });
+  return readSegments<lgs::Segment>(world, ids, count, segments, error, [&](auto some, std::span<lgs::Segment> out) {
+    return world->world.segments(some, out);
+  });
 }
 lgs_status lgs_segments_float(const lgs_world* world, const lgs_segment_id* ids, size_t count, lgs_point origin,
                               lgs_segment_float* segments, lgs_error* error) noexcept {
@@ -108,19 +110,17 @@ lgs_status lgs_owner(const lgs_world* world, lgs_segment_id segment, lgs_polygon
   if (!world) return refuse(LGS_BAD_ARGUMENT, error);
   const auto found = world->world.segment(fromC(segment));
   if (!found) return refuse(found.error(), error);
-  const auto polygon = world->world.polygon(found->polygon);
-  put(owner, lgs_polygon{toC(found->polygon), toC(found->cell), found->block,
-                         polygon ? static_cast<std::uint32_t>(polygon->vertices.size()) : 0});
+  PlacedPolygon polygon{found->polygon, found->block, {}};
+  if (const auto placed = world->world.polygon(found->polygon)) polygon.vertices = placed->vertices;
+  put(owner, described(found->cell, polygon));
   return LGS_OK;
 }
 
 lgs_status lgs_polygons_in(const lgs_world* world, lgs_cell cell, lgs_polygon* polygons, size_t capacity,
                            size_t* count) noexcept {
-  if (!world || !isArray(polygons, capacity)) return LGS_BAD_ARGUMENT;
-  const std::vector<PlacedPolygon> all = world->world.polygons(fromC(cell));
-  put(count, all.size());
-  for (std::size_t k = 0; k < std::min(all.size(), capacity); ++k) polygons[k] = described(fromC(cell), all[k]);
-  return all.size() <= capacity ? LGS_OK : LGS_SHORT_BUFFER;
+  if (!world) return LGS_BAD_ARGUMENT;
+  return putList(world->world.polygons(fromC(cell)), polygons, capacity, count,
+                 [&](const PlacedPolygon& polygon) { return described(fromC(cell), polygon); });
 }
 
 lgs_status lgs_is_empty(const lgs_world* world, lgs_cell cell, int32_t* is_empty) noexcept {

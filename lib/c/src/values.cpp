@@ -8,15 +8,44 @@ namespace lgs::c {
 namespace {
 
 constexpr lgs_error kNoError{
-    LGS_OK, {INT32_MIN, INT32_MIN}, -1, -1, -1, -1, {0, 0}, 0, {0}, -1, 0, {0, 0, 0, 0},
+    LGS_OK, {INT32_MIN, INT32_MIN}, -1, -1, -1, -1, {0, 0}, 0, {0}, -1, 0, -1, {0, 0, 0},
 };
 constexpr lgs_status kFirstOfSnapshots = LGS_SAVE_NO_SNAPSHOT;
 
-static_assert(static_cast<lgs_status>(ErrorCode::outOfReach) == LGS_OUT_OF_REACH);
-static_assert(kFirstOfSnapshots + static_cast<lgs_status>(SnapshotError::What::capacity) == LGS_SAVE_CAPACITY);
+constexpr lgs_status statusOf(ErrorCode code) { return static_cast<lgs_status>(code); }
+constexpr lgs_status statusOf(SnapshotError::What what) { return kFirstOfSnapshots + static_cast<lgs_status>(what); }
+
+// Every number that both sides have is the same.
+static_assert(statusOf(ErrorCode::cellOutOfRange) == LGS_CELL_OUT_OF_RANGE);
+static_assert(statusOf(ErrorCode::emptyShape) == LGS_EMPTY_SHAPE);
+static_assert(statusOf(ErrorCode::tooFewVertices) == LGS_TOO_FEW_VERTICES);
+static_assert(statusOf(ErrorCode::capacity) == LGS_CAPACITY);
+static_assert(statusOf(ErrorCode::notFinite) == LGS_NOT_FINITE);
+static_assert(statusOf(ErrorCode::outsideCell) == LGS_OUTSIDE_CELL);
+static_assert(statusOf(ErrorCode::repeatedVertex) == LGS_REPEATED_VERTEX);
+static_assert(statusOf(ErrorCode::zeroArea) == LGS_ZERO_AREA);
+static_assert(statusOf(ErrorCode::selfIntersecting) == LGS_SELF_INTERSECTING);
+static_assert(statusOf(ErrorCode::clockwise) == LGS_CLOCKWISE);
+static_assert(statusOf(ErrorCode::overlap) == LGS_OVERLAP);
+static_assert(statusOf(ErrorCode::unknownShape) == LGS_UNKNOWN_SHAPE);
+static_assert(statusOf(ErrorCode::staleHandle) == LGS_STALE_HANDLE);
+static_assert(statusOf(ErrorCode::unknownSegment) == LGS_UNKNOWN_SEGMENT);
+static_assert(statusOf(ErrorCode::unknownMark) == LGS_UNKNOWN_MARK);
+static_assert(statusOf(ErrorCode::uncommitted) == LGS_UNCOMMITTED);
+static_assert(statusOf(ErrorCode::outOfReach) == LGS_OUT_OF_REACH);
+static_assert(statusOf(SnapshotError::What::notASnapshot) == LGS_SAVE_NO_SNAPSHOT);
+static_assert(statusOf(SnapshotError::What::unknownVersion) == LGS_SAVE_UNKNOWN_VERSION);
+static_assert(statusOf(SnapshotError::What::cut) == LGS_SAVE_CUT);
+static_assert(statusOf(SnapshotError::What::damaged) == LGS_SAVE_DAMAGED);
+static_assert(statusOf(SnapshotError::What::tooLong) == LGS_SAVE_TOO_LONG);
+static_assert(statusOf(SnapshotError::What::relation) == LGS_SAVE_RELATION);
+static_assert(statusOf(SnapshotError::What::badNumber) == LGS_SAVE_BAD_NUMBER);
+static_assert(statusOf(SnapshotError::What::badPolygon) == LGS_SAVE_BAD_POLYGON);
+static_assert(statusOf(SnapshotError::What::badSegments) == LGS_SAVE_BAD_SEGMENTS);
+static_assert(statusOf(SnapshotError::What::capacity) == LGS_SAVE_CAPACITY);
 static_assert(kUnitsPerCell == LGS_UNITS_PER_CELL && kMaxCell == LGS_MAX_CELL && kMaxChunks == LGS_MAX_CHUNKS);
 static_assert(kMaxVerticesPerCell == LGS_MAX_CELL_VERTICES && kMaxPolygonsPerCell == LGS_MAX_CELL_POLYGONS);
-static_assert(kMaxRadius == LGS_MAX_RADIUS && kMaxRay == LGS_MAX_RAY);
+static_assert(kMaxEntries == LGS_MAX_ENTRIES && kMaxRadius == LGS_MAX_RADIUS && kMaxRay == LGS_MAX_RAY);
 
 bool isOfWorld(lgs_status status) { return status >= LGS_CELL_OUT_OF_RANGE && status <= LGS_OUT_OF_REACH; }
 bool isOfSnapshot(lgs_status status) { return status >= kFirstOfSnapshots && status <= LGS_SAVE_CAPACITY; }
@@ -37,7 +66,8 @@ std::string sentence(const lgs_error& e) {
                        .other = fromC(e.other),
                        .otherBlock = e.other_block,
                        .segment = fromC(e.segment),
-                       .index = e.index});
+                       .index = e.index,
+                       .index2 = e.index2});
 }
 
 const char* nameOfSnapshot(lgs_status status) {
@@ -76,13 +106,13 @@ lgs_status refuse(lgs_status status, lgs_error* out) {
 }
 
 lgs_status refuse(const SnapshotError& error, lgs_error* out) {
-  const lgs_status status = refuse(kFirstOfSnapshots + static_cast<lgs_status>(error.what), out);
+  const lgs_status status = refuse(statusOf(error.what), out);
   if (out) out->offset = error.offset;
   return status;
 }
 
 lgs_status refuse(const Error& e, lgs_error* out) {
-  const lgs_status status = refuse(static_cast<lgs_status>(e.code), out);
+  const lgs_status status = refuse(statusOf(e.code), out);
   if (!out) return status;
   out->cell = toC(e.cell);
   out->polygon = e.polygon;
@@ -93,6 +123,7 @@ lgs_status refuse(const Error& e, lgs_error* out) {
   out->other_block = e.otherBlock;
   out->segment = toC(e.segment);
   out->index = e.index;
+  out->index2 = e.index2;
   return status;
 }
 

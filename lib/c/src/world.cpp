@@ -25,6 +25,12 @@ lgs::PreserveRelation relationOf(const lgs_world_options* options) {
   };
 }
 
+/// What the C side of a world takes, beside the world.
+std::uint64_t ownBytes(const lgs_world& w) {
+  const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
+  return sizeof w - sizeof w.world + of(w.changed, w.points, w.floats, w.doubles);
+}
+
 }  // namespace
 
 void lgs_default_world_options(lgs_world_options* options, size_t size) noexcept {
@@ -51,6 +57,13 @@ lgs_status lgs_copy(const lgs_world* world, lgs_world** copy) noexcept {
 lgs_status lgs_same_polygons(const lgs_world* a, const lgs_world* b, int32_t* same) noexcept {
   if (!a || !b) return LGS_BAD_ARGUMENT;
   put(same, std::int32_t{lgs::samePolygons(a->world, b->world)});
+  return LGS_OK;
+}
+
+lgs_status lgs_preserves(const lgs_world* world, lgs_block a, lgs_block b, int32_t* preserves) noexcept {
+  if (!world) return LGS_BAD_ARGUMENT;
+  const lgs::PreserveRelation& relation = world->world.preserveRelation();
+  put(preserves, std::int32_t{relation && relation(std::min(a, b), std::max(a, b))});
   return LGS_OK;
 }
 
@@ -87,7 +100,8 @@ lgs_status lgs_load(const uint8_t* bytes, size_t count, const lgs_world_options*
 lgs_status lgs_count(const lgs_world* world, lgs_stats* stats) noexcept {
   if (!world) return LGS_BAD_ARGUMENT;
   const lgs::Stats s = world->world.stats();
-  put(stats, lgs_stats{s.polygons, s.cells, s.segments, s.shapes, s.contents, s.chunks, s.bytes, {}});
+  put(stats,
+      lgs_stats{s.polygons, s.cells, s.segments, s.shapes, s.contents, s.chunks, s.bytes + ownBytes(*world), {}});
   return LGS_OK;
 }
 

@@ -41,10 +41,13 @@ struct Error {
   std::int32_t vertex = -1;    ///< index in that polygon; for an edge, its first vertex
   std::int32_t vertex2 = -1;   ///< the other vertex or edge involved
   std::int32_t polygon2 = -1;  ///< overlap within one call: the index of the other polygon
-  PolygonHandle other{};       ///< overlap with a placed polygon: that polygon; stale handle: the handle
+  PolygonHandle other{};       ///< overlap with a placed polygon: that polygon, see index2; stale handle: the handle
   Block otherBlock = 0;        ///< overlap with a placed polygon: its block; it is in `cell`
   SegmentId segment{};         ///< unknown segment: that id
   std::int32_t index = -1;     ///< a call that takes many: index of the one that is refused, in what was given
+  /// A call that takes many: index of the other one involved. It placed the other polygon, which is undone, so that
+  /// `other` is null; or it has the same handle.
+  std::int32_t index2 = -1;
 
   constexpr bool hasCell() const { return cell != kNoCell; }
 };

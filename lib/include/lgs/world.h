@@ -36,6 +36,7 @@ namespace lgs {
 inline constexpr std::size_t kMaxVerticesPerCell = 4'096;  ///< of all polygons of one cell together
 inline constexpr std::size_t kMaxPolygonsPerCell = 254;
 inline constexpr std::size_t kMaxChunks = (std::size_t{1} << 22) - 1;  ///< of 32×32 cells, ever touched by an edit
+inline constexpr std::size_t kMaxEntries = 0x7fff'ffff;                ///< of a call that takes many
 
 /// Says whether the overlap between polygons of these two blocks is kept (true) or cancelled (false). The smaller block
 /// always comes first, so any function gives a symmetric relation. It must give the same answer every time, throw
@@ -124,17 +125,17 @@ class World {
   [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::span<const DoublePoint> polygon, Block block);
 
   /// Places many shapes, each as add() would, one after the other: all of them or none. `handles` receives what add()
-  /// would return for each, or as many as it has room for; null handles, if the call is refused. Refused as by add(),
-  /// and Error::index says for which one; capacity without an index, if there are more than 2^31 - 1. Cost: as of
-  /// single edits while there is a mark.
+  /// would return for each, or as many as it has room for; null handles, if an entry is refused. Refused as by add(),
+  /// and Error::index says for which one; if it overlaps an earlier one, index2 says which. Refused without an index:
+  /// capacity, if there are more than kMaxEntries. Cost: as of single edits while there is a mark.
   [[nodiscard]] Expected<void> addMany(std::span<const Placement> placements, std::span<PolygonHandle> handles = {});
 
   /// Removes one polygon. Refused: staleHandle; capacity, if what is left in the cell would be a content too many.
   [[nodiscard]] Expected<void> remove(PolygonHandle polygon);
 
-  /// Removes many polygons: all of them or none. Refused as by remove(), so for a handle that comes twice, and
-  /// Error::index says for which one; capacity without an index, if there are more than 2^31 - 1. Cost: as of
-  /// addMany().
+  /// Removes many polygons: all of them or none. Refused as by remove(), and Error::index says for which one; so for a
+  /// handle that comes twice, and index2 says where it came first. Refused without an index: capacity, if there are
+  /// more than kMaxEntries. Cost: as of addMany().
   [[nodiscard]] Expected<void> removeMany(std::span<const PolygonHandle> polygons);
 
   /// Puts a shape in the place of all polygons of a cell, which may be empty: both happen, or neither. Returns the
@@ -238,7 +239,8 @@ class World {
 
   /// Many segments: out[k] is that of ids[k], for as many as `out` has room for. The others give them in cells from
   /// an origin: differences are exact before they are rounded, and `double` is exact. Refused: unknownSegment, where
-  /// Error::index says for which one, and what comes before it is in `out`; outOfReach, if the origin is out of range.
+  /// Error::index says for which one, and what comes before it is in `out`; outOfReach, if the origin is out of range;
+  /// capacity, if these are more than kMaxEntries.
   Expected<void> segments(std::span<const SegmentId> ids, std::span<Segment> out) const;
   Expected<void> segments(std::span<const SegmentId> ids, Point origin, std::span<FloatSegment> out) const;
   Expected<void> segments(std::span<const SegmentId> ids, Point origin, std::span<DoubleSegment> out) const;
@@ -307,10 +309,10 @@ bool samePolygons(const World& a, const World& b);
 ///   group.keep();
 ///
 /// A commit keeps what was edited before it, and ends the group: what follows is not undone. The world must not be
-/// moved, assigned to or destroyed before the group ends, nor copied: the copy would keep the group's mark for ever.
+/// moved, assigned to or destroyed before the group ends. A copy of it has the edits made so far, and no group.
 class Transaction {
  public:
-  explicit Transaction(World& world) : world_(&world), mark_(world.checkpoint()) {}
+  explicit Transaction(World& world);
   ~Transaction();
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;

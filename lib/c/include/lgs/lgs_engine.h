@@ -5,8 +5,8 @@
  * commit the engine tells which edits it refused, and puts out the whole outline.
  *
  * Rules. The harness calls from one thread. What it passes belongs to it, and is valid during the call; what the engine
- * passes to an answer is read during that call. No exception may leave a function. Coordinates are lattice units, 65,536
- * a cell: those of polygons from their cell's lower-left corner, those of segments in the world. */
+ * passes to an answer is read during that call. No exception may leave a function. Coordinates are lattice units,
+ * 65,536 a cell: those of polygons from their cell's lower-left corner, those of segments in the world. */
 #ifndef LGS_ENGINE_H
 #define LGS_ENGINE_H
 

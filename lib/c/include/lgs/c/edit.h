@@ -24,12 +24,14 @@ LGS_API lgs_status lgs_shape_doubles(lgs_world* world, const lgs_double_point* v
                                      lgs_shape_id* shape, lgs_error* error) LGS_NOTHROW;
 
 /* The same for several polygons with disjoint interiors. counts[k] says how many vertices polygon k has; all vertices
- * stand one after the other. Refused also: LGS_EMPTY_SHAPE, LGS_OVERLAP. */
+ * stand one after the other. Refused also: LGS_EMPTY_SHAPE, LGS_OVERLAP. LGS_CAPACITY comes first if there are more
+ * polygons than LGS_MAX_CELL_POLYGONS. */
 LGS_API lgs_status lgs_shape_of_several(lgs_world* world, const lgs_local_point* vertices, const uint32_t* counts,
                                         size_t polygons, lgs_shape_id* shape, lgs_error* error) LGS_NOTHROW;
 
 /* How many polygons a shape has; the vertices of one of them, as a list; the least box around all. Refused:
- * LGS_UNKNOWN_SHAPE; LGS_BAD_ARGUMENT, if the shape has no polygon of this index. */
+ * LGS_UNKNOWN_SHAPE; LGS_BAD_ARGUMENT, if the shape has no polygon of this index. Cost of the box: it looks at each
+ * vertex. */
 LGS_API lgs_status lgs_shape_polygons(const lgs_world* world, lgs_shape_id shape, size_t* count) LGS_NOTHROW;
 LGS_API lgs_status lgs_shape_vertices(const lgs_world* world, lgs_shape_id shape, size_t polygon,
                                       lgs_local_point* vertices, size_t capacity, size_t* count) LGS_NOTHROW;
@@ -63,16 +65,18 @@ typedef struct lgs_placement {
 } lgs_placement;
 
 /* Places many shapes, each as lgs_add() would, one after the other: all of them or none. polygons[k] receives the id of
- * the first polygon of placements[k]; null ids, if the call is refused. It may be NULL. Refused as by lgs_add(), and
- * the error's `index` says for which one; LGS_CAPACITY without an index, if there are more than 2^31 - 1. */
+ * the first polygon of placements[k]; null ids, if an entry is refused. It may be NULL. Refused as by lgs_add(), and
+ * the error's `index` says for which one; if it overlaps an earlier one, `index2` says which. Refused without an index:
+ * LGS_CAPACITY, if there are more than LGS_MAX_ENTRIES. Cost: as of single edits while there is a mark. */
 LGS_API lgs_status lgs_add_many(lgs_world* world, const lgs_placement* placements, size_t count,
                                 lgs_polygon_id* polygons, lgs_error* error) LGS_NOTHROW;
 
 /* Refused: LGS_STALE_HANDLE; LGS_CAPACITY, if what is left in the cell would be a content too many. */
 LGS_API lgs_status lgs_remove(lgs_world* world, lgs_polygon_id polygon, lgs_error* error) LGS_NOTHROW;
 
-/* Removes many polygons: all of them or none. Refused as by lgs_remove(), so for an id that comes twice, and the
- * error's `index` says for which one. */
+/* Removes many polygons: all of them or none. Refused as by lgs_remove(), and the error's `index` says for which one;
+ * so for an id that comes twice, and `index2` says where it came first. Refused without an index, and cost: as of
+ * lgs_add_many(). */
 LGS_API lgs_status lgs_remove_many(lgs_world* world, const lgs_polygon_id* polygons, size_t count,
                                    lgs_error* error) LGS_NOTHROW;
 
@@ -81,19 +85,20 @@ LGS_API lgs_status lgs_remove_many(lgs_world* world, const lgs_polygon_id* polyg
 LGS_API lgs_status lgs_replace(lgs_world* world, lgs_cell cell, lgs_shape_id shape, lgs_block block,
                                lgs_polygon_id* polygons, size_t capacity, lgs_error* error) LGS_NOTHROW;
 
-/* Gives a polygon another block. It keeps its id and its place; its segments get new ids with the next commit. Refused:
- * LGS_STALE_HANDLE; LGS_CAPACITY, if a preserve relation makes one content too many of the cell. */
+/* Gives a polygon another block. It keeps its id and its place. The next commit removes its segments and adds them
+ * again, as another block is another owner; all others keep their ids. Refused: LGS_STALE_HANDLE; LGS_CAPACITY, if a
+ * preserve relation makes one content too many of the cell. */
 LGS_API lgs_status lgs_set_block(lgs_world* world, lgs_polygon_id polygon, lgs_block block,
                                  lgs_error* error) LGS_NOTHROW;
 
 /* Places a shape in every cell of a rectangle, or in none. `filled` receives their number. Refused as lgs_add() would
  * be for the first cell, by rows from min, that it would refuse; but LGS_CELL_OUT_OF_RANGE names a corner of the
- * rectangle. An empty rectangle is no error. */
+ * rectangle that is out of range. An empty rectangle is no error. */
 LGS_API lgs_status lgs_fill(lgs_world* world, lgs_cell_rect cells, lgs_shape_id shape, lgs_block block,
                             uint64_t* filled, lgs_error* error) LGS_NOTHROW;
 
 /* Removes every polygon in every cell of a rectangle. `removed` receives the number of polygons. Refused:
- * LGS_CELL_OUT_OF_RANGE, with a corner of the rectangle. */
+ * LGS_CELL_OUT_OF_RANGE, with a corner of the rectangle that is out of range. */
 LGS_API lgs_status lgs_clear(lgs_world* world, lgs_cell_rect cells, uint64_t* removed, lgs_error* error) LGS_NOTHROW;
 
 /* A group of edits, which happens as a whole or not at all. lgs_undo() takes back the edits since lgs_begin(), as if
@@ -108,8 +113,13 @@ LGS_API void lgs_undo(lgs_group* group) LGS_NOTHROW;
 /* --- Commits ----------------------------------------------------------------------------------------------------- */
 
 /* What a commit did to the segments. No id is in two lists. A segment whose ends, owner and ghosts are as before is in
- * none. Ids in `removed` name nothing from now on. The lists lead from one lgs_segments_version() to another: whoever
- * keeps a copy of the segments can see that none were left out. A list that is empty may be NULL. */
+ * none. Ids in `removed` name nothing from now on. The order of each list follows from the edits since the last commit,
+ * in their order: the same edits in another order may give the same segments other ids and places. A list that is empty
+ * may be NULL.
+ *
+ * The lists lead from one lgs_segments_version() to another. Whoever keeps a copy of the segments keeps the version,
+ * too. The lists fit the copy if `before` is that version; then `after` is the new one. So it shows when lists were
+ * left out, applied twice, or are those of another world. If all three lists are empty, both versions are the same. */
 typedef struct lgs_changes {
   const lgs_segment_id* removed;
   const lgs_segment_id* added;
@@ -129,23 +139,29 @@ LGS_API lgs_status lgs_commit(lgs_world* world, lgs_changes* changes) LGS_NOTHRO
 typedef void (*lgs_job_fn)(void* job, size_t index);
 
 /* Calls run(job, 0) ... run(job, count - 1), each exactly once, in any order and on any threads, and returns when all
- * of them have returned. So the application lends its own threads to a commit. */
+ * of them have returned. So the application lends its own threads to a commit. A commit may call it several times, and
+ * `count` may be 0. */
 typedef void (*lgs_executor_fn)(void* user, size_t count, lgs_job_fn run, void* job);
 
-/* The same to the last id, on the executor's threads if the world has no segments yet, as in its first commit. */
+/* The same to the last id, on the executor's threads if the world has no segments yet, as in its first commit. Then
+ * there is most work to spread; any other commit is as above. A job is the work on a chunk of 32x32 cells. Allocates
+ * working memory in proportion to the cells with segments. */
 LGS_API lgs_status lgs_commit_with(lgs_world* world, lgs_executor_fn executor, void* user,
                                    lgs_changes* changes) LGS_NOTHROW;
 
 /* --- Going back -------------------------------------------------------------------------------------------------- */
 
-/* Notes this moment. Edits may be pending. A mark is for this world and its later copies. While there are marks an edit
- * costs some more, and memory grows with the edits and commits since the oldest one. Cost: O(1). */
+/* Notes this moment. Edits may be pending. A mark is for this world and its later copies; no other world of this
+ * process ever makes the same one. Its number says nothing else, and is another one in another run. While there are
+ * marks an edit costs some more, and memory grows with the edits and commits since the oldest one. Cost: O(1). */
 LGS_API lgs_status lgs_checkpoint(lgs_world* world, lgs_mark* mark) LGS_NOTHROW;
 
-/* Goes back to a mark: every later output, id and list is as if the edits and commits after it had not been made. The
- * mark stays; later ones are void. `changes` receives what this did to the segments: the lists of a commit, by id, but
- * an id that named one segment and names another one now is removed, and then added. Refused: LGS_UNKNOWN_MARK. Cost:
- * in proportion to the edits since the mark. */
+/* Goes back to a mark: every later output, id and list is as if the edits and commits after it had not been made. So
+ * ids that were given out after it name nothing until they are given out again. What a shape that was made after it
+ * holds stays in memory. The mark stays, so that the world can go back to it again; later ones are void. `changes`
+ * receives what this did to the segments: the lists of a commit, by id, but an id that named one segment and names
+ * another one now is removed, and then added. Refused: LGS_UNKNOWN_MARK. Cost: in proportion to the edits since the
+ * mark. */
 LGS_API lgs_status lgs_roll_back(lgs_world* world, lgs_mark mark, lgs_changes* changes, lgs_error* error) LGS_NOTHROW;
 
 /* Lets go of a mark. Other marks stay. Refused: LGS_UNKNOWN_MARK. */

@@ -15,7 +15,8 @@ extern "C" {
 
 /* One boundary segment. The solid is on the left of start to end, the outward normal on the right. ghost1 is the start
  * of the predecessor, ghost2 the end of the successor; each means nothing if that one is null, which happens only under
- * a preserve relation. */
+ * a preserve relation. With x = end.x - start.x and y = end.y - start.y its length in cells is hypot(x, y) / 65536, and
+ * its normal of length 1 is (y / hypot(x, y), -x / hypot(x, y)). */
 typedef struct lgs_segment {
   lgs_segment_id id;
   lgs_segment_id predecessor;
@@ -58,7 +59,8 @@ typedef struct lgs_segment_double {
 
 /* Many segments: segments[k] is that of ids[k]. In cells, the differences from the origin are exact before they are
  * rounded, and double is exact. Refused: LGS_UNKNOWN_SEGMENT, the error's `index` says for which one, and what comes
- * before it was written; LGS_OUT_OF_REACH, if the origin is out of range. */
+ * before it was written; LGS_OUT_OF_REACH, if the origin is out of range; LGS_CAPACITY, if there are more than
+ * LGS_MAX_ENTRIES. */
 LGS_API lgs_status lgs_segments(const lgs_world* world, const lgs_segment_id* ids, size_t count, lgs_segment* segments,
                                 lgs_error* error) LGS_NOTHROW;
 LGS_API lgs_status lgs_segments_float(const lgs_world* world, const lgs_segment_id* ids, size_t count, lgs_point origin,
@@ -90,8 +92,8 @@ LGS_API lgs_status lgs_polygon_of(const lgs_world* world, lgs_polygon_id id, lgs
 LGS_API lgs_status lgs_polygon_vertices(const lgs_world* world, lgs_polygon_id id, lgs_local_point* vertices,
                                         size_t capacity, size_t* count, lgs_error* error) LGS_NOTHROW;
 
-/* The polygon that a segment belongs to: which tile was hit? If that was removed since the last commit, `vertices` is
- * 0. Refused: LGS_UNKNOWN_SEGMENT. */
+/* The polygon that a segment belongs to: which tile was hit? Its block is that of the last commit. If it was removed
+ * since then, `vertices` is 0. Refused: LGS_UNKNOWN_SEGMENT. */
 LGS_API lgs_status lgs_owner(const lgs_world* world, lgs_segment_id segment, lgs_polygon* owner,
                              lgs_error* error) LGS_NOTHROW;
 
@@ -117,7 +119,7 @@ LGS_API lgs_status lgs_bounds(const lgs_world* world, lgs_cell_rect* cells) LGS_
 /* --- Loops ------------------------------------------------------------------------------------------------------- */
 
 /* What happens to a vertex where the outline goes straight on. LGS_MERGE drops it, but for a vertex that another
- * passage of the outline shares. */
+ * passage of the outline shares, of the same loop or of another one: two solids touch there. */
 enum { LGS_KEEP = 0, LGS_MERGE = 1 };
 
 /* Closed chains of segments, as they were when the list was made. */
@@ -166,10 +168,10 @@ typedef struct lgs_nearest_segment {
   double distance;        /* to it, in cells */
 } lgs_nearest_segment;
 
-/* The segment nearest to a point, as of the last commit, at most `radius` cells away. Of several at the same distance
- * the least by start, end and block. Refused: LGS_OUT_OF_REACH, if the point is out of range or the radius is not from
- * 0 to LGS_MAX_RADIUS. Cost: in proportion to the cells with a chunk within twice the distance found, or within the
- * radius. */
+/* The segment nearest to a point, as of the last commit, at most `radius` cells away, rounded to the lattice. Of
+ * several at the same distance the least by start, end and block. Refused: LGS_OUT_OF_REACH, if the point is out of
+ * range or the radius is not from 0 to LGS_MAX_RADIUS. Cost: in proportion to the cells with a chunk within twice the
+ * distance found, or within the radius. */
 LGS_API lgs_status lgs_nearest(const lgs_world* world, lgs_point point, double radius, lgs_nearest_segment* nearest,
                                lgs_error* error) LGS_NOTHROW;
 

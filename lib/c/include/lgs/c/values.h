@@ -34,13 +34,17 @@ extern "C" {
 
 /* --- Limits and units -------------------------------------------------------------------------------------------- */
 
+/* An edit beyond a limit is refused as LGS_CAPACITY. Two more refuse in this way: 2^23 - 1 distinct contents of cells,
+ * and 2^28 - 1 polygons ever placed in one cell. A commit that needs more than 8 GiB for the records of cells with
+ * segments, or more than 2^31 - 2 segments, ends the program, as it does when memory runs out. */
 #define LGS_UNITS_PER_CELL 65536   /* lattice units along one side of a cell */
 #define LGS_MAX_CELL 1073741824    /* cells run from -LGS_MAX_CELL to +LGS_MAX_CELL on both axes */
 #define LGS_MAX_CELL_VERTICES 4096 /* of all polygons of one cell together */
 #define LGS_MAX_CELL_POLYGONS 254
-#define LGS_MAX_CHUNKS 4194303 /* of 32x32 cells, ever touched by an edit */
-#define LGS_MAX_RADIUS 4096    /* of lgs_nearest(), in cells */
-#define LGS_MAX_RAY 16384      /* of lgs_ray_cast(), in cells on each axis */
+#define LGS_MAX_CHUNKS 4194303     /* of 32x32 cells, ever touched by an edit */
+#define LGS_MAX_ENTRIES 2147483647 /* of a call that takes many */
+#define LGS_MAX_RADIUS 4096        /* of lgs_nearest(), in cells */
+#define LGS_MAX_RAY 16384          /* of lgs_ray_cast(), in cells on each axis */
 
 /* --- Status ------------------------------------------------------------------------------------------------------ */
 
@@ -52,10 +56,10 @@ enum {
   LGS_CELL_OUT_OF_RANGE = 1, /* a cell index beyond LGS_MAX_CELL */
   LGS_EMPTY_SHAPE = 2,       /* a shape without polygons */
   LGS_TOO_FEW_VERTICES = 3,  /* fewer than 3 vertices */
-  LGS_CAPACITY = 4,          /* more than the engine can hold */
+  LGS_CAPACITY = 4,          /* more than the engine can hold; see the limits */
   LGS_NOT_FINITE = 5,        /* a coordinate is infinite or not a number */
   LGS_OUTSIDE_CELL = 6,      /* a vertex, once rounded, is not in the closed cell */
-  LGS_REPEATED_VERTEX = 7,   /* two vertices are the same lattice point; vertex2 repeats the earlier one */
+  LGS_REPEATED_VERTEX = 7,   /* two vertices are the same lattice point; vertex2 is the first that repeats another */
   LGS_ZERO_AREA = 8,         /* the signed area is 0 */
   LGS_SELF_INTERSECTING = 9, /* two edges of one polygon cross, overlap or touch */
   LGS_CLOCKWISE = 10,        /* the signed area is negative */
@@ -75,16 +79,17 @@ enum {
   LGS_SAVE_CUT = 202,             /* it ends too early */
   LGS_SAVE_DAMAGED = 203,         /* its checksum does not fit */
   LGS_SAVE_TOO_LONG = 204,        /* bytes follow its end */
-  LGS_SAVE_RELATION = 205,        /* it was saved with another preserve relation */
+  LGS_SAVE_RELATION = 205,        /* it was saved with another preserve relation, as far as its cells show */
   LGS_SAVE_BAD_NUMBER = 206,      /* a number is out of its range */
   LGS_SAVE_BAD_POLYGON = 207,     /* a polygon is none, or two of one cell overlap */
-  LGS_SAVE_BAD_SEGMENTS = 208,    /* the ids of the segments are not those of its segments */
+  LGS_SAVE_BAD_SEGMENTS = 208,    /* the ids of the segments are not those of its segments, or one occurs twice */
   LGS_SAVE_CAPACITY = 209         /* more than the engine can hold */
 };
 
 /* --- Ids --------------------------------------------------------------------------------------------------------- */
 
-/* A number of yours that a polygon carries. The world does not read it. */
+/* A number of yours that a polygon carries, say of a material, a kind of tile or an entity. The world does not read
+ * it. */
 typedef uint32_t lgs_block;
 
 /* Polygons that a world has validated and stored. Valid for that world, as long as it lives. */
@@ -93,7 +98,7 @@ typedef struct lgs_shape_id {
 } lgs_shape_id;
 
 /* One placed polygon. Once it is removed its id is stale: that is an error, and never another polygon, unless the world
- * goes back to a time before that polygon was. */
+ * goes back to a time before that polygon was. The fields mean something to the world only. */
 typedef struct lgs_polygon_id {
   uint32_t cell_ref;
   uint32_t serial;
@@ -145,13 +150,13 @@ typedef struct lgs_local_box {
   lgs_local_point max;
 } lgs_local_box;
 
-/* In the world, in lattice units. */
+/* In the world, in lattice units. At most 2^46 + 2^16 in magnitude. */
 typedef struct lgs_point {
   int64_t x;
   int64_t y;
 } lgs_point;
 
-/* In cells. Where one enters it is rounded to the nearest lattice point, halves away from zero. */
+/* In cells: 1.0 is the far side. Where one enters it is rounded to the nearest lattice point, halves away from zero. */
 typedef struct lgs_float_point {
   float x;
   float y;
@@ -162,12 +167,13 @@ typedef struct lgs_double_point {
   double y;
 } lgs_double_point;
 
-/* The lattice point nearest to a position of the world in cells. If that is beyond the last cell, or no number, every
- * question refuses the result as LGS_OUT_OF_REACH, and lgs_at() finds nothing there. */
+/* The lattice point nearest to a position of the world in cells, halves away from zero. If the position is beyond the
+ * last cell, or no number, every question refuses the result as LGS_OUT_OF_REACH, and lgs_at() finds nothing there. */
 LGS_API lgs_point lgs_lattice_point(lgs_double_point position) LGS_NOTHROW;
 
 /* The cell in which a point lies. Cells are half-open here: a point on a common side belongs to the cell on its right,
- * or above it. The point must be in range; another one gives any cell. */
+ * or above it. So one on the upper or right rim of the last cell is in none that is in range. The point must be in
+ * range; another one gives any cell. */
 LGS_API lgs_cell lgs_cell_at(lgs_point point) LGS_NOTHROW;
 
 /* --- Errors ------------------------------------------------------------------------------------------------------ */
@@ -175,17 +181,19 @@ LGS_API lgs_cell lgs_cell_at(lgs_point point) LGS_NOTHROW;
 /* What was refused, and where. A number that does not apply is -1 (the cell INT32_MIN), an id null. */
 typedef struct lgs_error {
   lgs_status code;
-  lgs_cell cell;          /* the cell of the edit */
+  lgs_cell cell;          /* the cell of the edit; none while a shape is made */
   int32_t polygon;        /* index in the polygons given to the call */
   int32_t vertex;         /* index in that polygon; for an edge, its first vertex */
   int32_t vertex2;        /* the other vertex or edge involved */
   int32_t polygon2;       /* overlap within one call: the index of the other polygon */
-  lgs_polygon_id other;   /* overlap with a placed polygon: that polygon; stale handle: the handle */
+  lgs_polygon_id other;   /* overlap with a placed polygon: that polygon, see index2; stale handle: the handle */
   lgs_block other_block;  /* overlap with a placed polygon: its block; it is in `cell` */
   lgs_segment_id segment; /* unknown segment: that id */
   int32_t index;          /* a call that takes many: index of the one that is refused */
   uint64_t offset;        /* a saved world: the byte */
-  uint32_t reserved[4];
+  int32_t index2;         /* a call that takes many: index of the other one involved. It placed the other polygon, which
+                             is undone, so that `other` is null; or it has the same handle. */
+  uint32_t reserved[3];
 } lgs_error;
 
 /* A short name, in English, e.g. "self-intersecting". "unknown error" for a number that is no status. It stays. */
