@@ -50,3 +50,18 @@ function(lgs_link_first program)
     target_link_options(${program} PRIVATE "LINKER:--whole-archive,${files},--no-whole-archive")
   endif()
 endfunction()
+
+# lgs_loads_a_library(<test>): for tests in which Python loads a library of this project. A library with the address
+# sanitizer needs the sanitizer's own library to be there first. What Python itself leaks is no finding.
+function(lgs_loads_a_library test)
+  set_tests_properties(${test} PROPERTIES LABELS tools)
+  if(LGS_SANITIZE MATCHES "address")
+    set(runtime libasan.so)
+    if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+      set(runtime libclang_rt.asan-${CMAKE_SYSTEM_PROCESSOR}.so)
+    endif()
+    execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=${runtime}
+      OUTPUT_VARIABLE runtime OUTPUT_STRIP_TRAILING_WHITESPACE)
+    set_tests_properties(${test} PROPERTIES ENVIRONMENT "LD_PRELOAD=${runtime};ASAN_OPTIONS=detect_leaks=0")
+  endif()
+endfunction()

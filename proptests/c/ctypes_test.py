@@ -9,6 +9,7 @@ worked out here: a library that refuses all would have the right outline of noth
 """
 import argparse
 import collections
+import os
 import pathlib
 import random
 import subprocess
@@ -18,6 +19,8 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "examples"))
 import lgs_ctypes as lgs  # noqa: E402  (it stands with the examples)
 
+# A library with sanitizers has theirs loaded before Python; a command has its own.
+ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "LD_PRELOAD"}
 U = lgs.UNITS_PER_CELL
 H = U // 2
 # Shapes whose corners lie on each other's walls and meet in points, as the harness likes them.
@@ -193,7 +196,7 @@ def check(library, command, seed, answers):
         file.write(trace.text())
         file.flush()
         replay = [command, "replay", file.name, "--dump", "-"]
-        done = subprocess.run(replay, capture_output=True, text=True, check=False)
+        done = subprocess.run(replay, capture_output=True, text=True, check=False, env=ENVIRONMENT)
     if done.returncode != 0:
         return f"seed {seed}: lgs replay: {done.stderr}\n{trace.text()}"
     expected = done.stdout.splitlines()
