@@ -94,7 +94,7 @@ static void tooMuch(void) {
   static lgs_local_point points[LGS_MAX_CELL_VERTICES + 1];
   static lgs_float_point floats[LGS_MAX_CELL_VERTICES + 1];
   static lgs_double_point doubles[LGS_MAX_CELL_VERTICES + 1];
-  uint32_t count = UINT32_MAX;
+  const uint32_t counts[2] = {UINT32_MAX, 3};
   lgs_error error;
   lgs_stats before, after;
   CHECK(lgs_count(world, &before) == LGS_OK);
@@ -105,9 +105,9 @@ static void tooMuch(void) {
   REFUSED(LGS_CAPACITY, lgs_add_points(world, cellAt(5, 6), points, SIZE_MAX, 1, NULL, &error));
   CHECK(error.cell.i == 5 && error.polygon == 0);
   REFUSED(LGS_CELL_OUT_OF_RANGE, lgs_add_points(world, cellAt(INT32_MAX, 0), points, SIZE_MAX, 1, NULL, &error));
-  REFUSED(LGS_CAPACITY, lgs_shape_of_several(world, points, &count, 1, NULL, &error));
+  REFUSED(LGS_CAPACITY, lgs_shape_of_several(world, points, counts, 2, NULL, &error));
   CHECK(error.polygon == 0);
-  REFUSED(LGS_CAPACITY, lgs_shape_of_several(world, points, &count, SIZE_MAX / 2, NULL, &error));
+  REFUSED(LGS_CAPACITY, lgs_shape_of_several(world, points, counts, SIZE_MAX / 2, NULL, &error));
   CHECK(error.polygon == -1);
   CHECK(lgs_count(world, &after) == LGS_OK);
   /* Working memory is kept and counted: a cell's worth of each kind of point, and not much more. */
@@ -223,8 +223,9 @@ static void many(void) {
   REFUSED(LGS_OVERLAP, lgs_add_many(world, placements, 3, polygons, &error));
   CHECK(error.index == 1 && error.cell.i == 1 && polygons[0].cell_ref == 0 && polygons[2].cell_ref == 0);
   CHECK(error.index2 == -1 && error.other.cell_ref != 0 && error.other_block == 1);
+  polygons[0].serial = 7;
   REFUSED(LGS_CAPACITY, lgs_add_many(world, placements, (size_t)INT32_MAX + 1, polygons, &error));
-  CHECK(error.index == -1);
+  CHECK(error.index == -1 && polygons[0].serial == 7);
   placements[1].cell = cellAt(8, 8);
   placements[2].cell = cellAt(7, 7);
   REFUSED(LGS_OVERLAP, lgs_add_many(world, placements, 3, NULL, &error));

@@ -19,7 +19,7 @@ HEADERS = HERE.parents[1] / "lib" / "c" / "include" / "lgs"
 def declarations(text):
     """One line for each, without comments, and with single blanks."""
     text = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
-    for name, value in re.findall(r"^#define (LGS_(?!API|NOTHROW|C_|ENGINE_H|ENGINE_EXPORT)\w+) (\S+)", text, flags=re.M):
+    for name, value in re.findall(r"^#define (LGS_(?!API|NOTHROW|C_|ENGINE_EXPORT)\w+) (\S+)", text, flags=re.M):
         yield f"#define {name} {value}"
     text = re.sub(r"^\s*#.*$", "", text, flags=re.M)
     text = re.sub(r'extern "C" \{|^\}$', "", text, flags=re.M)

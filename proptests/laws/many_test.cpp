@@ -183,8 +183,10 @@ TEST(ManyEdits, HaveAnIndexThatFits) {
   World world;
   const Placement placement;
   const PolygonHandle handle;
-  const auto added = world.addMany({&placement, kTooMany}), removed = world.removeMany({&handle, kTooMany});
+  PolygonHandle kept{1, 1};
+  const auto added = world.addMany({&placement, kTooMany}, {&kept, 1}), removed = world.removeMany({&handle, kTooMany});
   ASSERT_TRUE(!added && !removed);
+  EXPECT_EQ(kept, (PolygonHandle{1, 1})) << "no entry was looked at";
   const SegmentId id{4711};
   Segment segment;
   DoubleSegment real;

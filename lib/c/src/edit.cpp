@@ -96,10 +96,11 @@ lgs_status lgs_shape_of_several(lgs_world* world, const lgs_local_point* vertice
                                 size_t polygons, lgs_shape_id* shape, lgs_error* error) noexcept {
   if (!world || !isArray(counts, polygons)) return refuse(LGS_BAD_ARGUMENT, error);
   if (polygons > lgs::kMaxPolygonsPerCell) return refuse(LGS_CAPACITY, error);
-  std::vector<std::vector<lgs::LocalPoint>> all(polygons);
+  std::vector<std::vector<lgs::LocalPoint>> all;
   for (std::size_t k = 0; k < polygons; ++k) {
     if (!isArray(vertices, counts[k])) return refuse(LGS_BAD_ARGUMENT, error);
-    copied(vertices, counts[k], all[k]);
+    copied(vertices, counts[k], all.emplace_back());
+    if (counts[k] > lgs::kMaxVerticesPerCell) break;  // it is refused: what follows is of no interest
     if (counts[k] != 0) vertices += counts[k];
   }
   return answer(world->world.shape(std::span<const std::vector<lgs::LocalPoint>>(all)), shape, error);

@@ -44,7 +44,8 @@ inline constexpr std::size_t kMaxEntries = 0x7fff'ffff;                ///< of a
 using PreserveRelation = std::function<bool(Block, Block)>;
 
 /// Calls job(0) … job(count − 1), each exactly once, in any order and on any threads. Returns when all of them have
-/// returned. So the application lends its own threads to a commit. With C++20 alone:
+/// returned. So the application lends its own threads to a commit, which may call it several times; `count` may be 0.
+/// With C++20 alone:
 ///
 ///   lgs::Executor twoThreads = [](std::size_t count, const std::function<void(std::size_t)>& job) {
 ///     std::atomic<std::size_t> next = 0;
