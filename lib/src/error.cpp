@@ -27,9 +27,8 @@ std::string what(const Error& e) {
     case ErrorCode::tooFewVertices:
       return "a polygon needs at least 3 vertices";
     case ErrorCode::capacity:
-      return "too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 - 1 chunks of 32x32 cells, "
-             "a "
-             "call 2^31 - 1 entries";
+      return "too much: a cell holds at most 254 polygons with 4,096 vertices, "
+             "a world 2^22 - 1 chunks of 32x32 cells, a call 2^31 - 1 entries";
     case ErrorCode::notFinite:
       return vertex + " is infinite or not a number";
     case ErrorCode::outsideCell:
@@ -61,9 +60,8 @@ std::string what(const Error& e) {
     case ErrorCode::uncommitted:
       return "the world has edits that are not committed; commit them before it is saved";
     case ErrorCode::outOfReach:
-      return "a point is beyond the last cell, or a radius is not from 0 to 4,096 cells, or a ray is longer than "
-             "16,384 "
-             "cells on an axis";
+      return "a point is beyond the last cell, or a radius is not from 0 to 4,096 cells, "
+             "or a ray is longer than 16,384 cells on an axis";
   }
   return "unknown error";
 }
