@@ -60,7 +60,6 @@ void addCheck(CLI::App& app, Action& chosen);
 void addOracle(CLI::App& app, Action& chosen);
 void addImport(CLI::App& app, Action& chosen);
 void addBench(CLI::App& app, Action& chosen);
-void addPublished(CLI::App& app, Action& chosen);
 void addRide(CLI::App& app, Action& chosen);  ///< only with Box2D 2.4
 
 }  // namespace lgs::cli

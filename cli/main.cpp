@@ -49,7 +49,6 @@ Status run(int argc, char** argv) {
   addOracle(app, chosen);
   addImport(app, chosen);
   addBench(app, chosen);
-  addPublished(app, chosen);
 #ifdef LGS_HAS_RIDE
   addRide(app, chosen);
 #endif

@@ -44,10 +44,10 @@ ROOMS = {
     "oracle/engine": ENGINE + ["lib/c/include", "oracle/reference", "oracle/trace"],
     "oracle/generate": ENGINE + ["oracle/reference", "oracle/trace", "oracle/engine"],
     "oracle/check": ENGINE + REFERENCES + ["oracle/draw", "oracle/engine", "oracle/page", "oracle/generate"],
-    "bench/published": ENGINE + REFERENCES + ["lib/c/include", "oracle/engine"],
+    "bench/published": ENGINE + ["lib/c/include", "oracle/reference"],
     "bench/ride": ENGINE + ADAPTERS + ORACLE,
     "bench": ENGINE + ADAPTERS + ORACLE + ["bench/published"],
-    "cli": ENGINE + ADAPTERS + ORACLE + ["bench", "bench/published", "bench/ride"],
+    "cli": ENGINE + ADAPTERS + ORACLE + ["bench", "bench/ride"],
     "examples": ENGINE + ADAPTERS + ["lib/c/include"],
     "fuzz": ENGINE + ADAPTERS + ORACLE + ["cli"],
     # Unit tests of the engine's and the importer's parts look inside.

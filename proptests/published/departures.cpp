@@ -1,4 +1,4 @@
-#include "bench/published/departures.h"
+#include "proptests/published/departures.h"
 
 #include "bench/published/published_engine.h"
 #include "bench/published/published_lattice.h"
@@ -131,36 +131,37 @@ bool movesAsFloats(const ScenePolygon& polygon) {
                              [&](Vec2 f, LocalPoint v) { return toLattice(f) == toWorld(polygon.cell, v); });
 }
 
-struct Words {
-  Departure departure;
-  std::string_view name;
-  std::string_view sentence;
-};
-constexpr Words kWords[] = {
-    {Departure::uncutSingle, "uncut-single", "an edge alone on its boundary is not cut where a corner touches it"},
-    {Departure::uncutSwept, "uncut-swept",
-     "an edge is not cut where a corner touches it, though its boundary is swept"},
-    {Departure::uncutInCell, "uncut-in-cell", "an edge inside a cell is not cut where another polygon touches it"},
-    {Departure::keptInCell, "kept-in-cell", "an edge shared inside a cell is not cancelled"},
-    {Departure::preservedPair, "preserved-pair",
-     "two edges that cancel exactly are dropped though they are to be preserved"},
-    {Departure::preservedSide, "preserved-side", "overlaps on one boundary are preserved all or none"},
-    {Departure::otherBlock, "other-block", "a swept segment has the block of another polygon"},
-    {Departure::nearVertices, "near-vertices", "vertices nearer to each other than the tolerance are taken for one"},
-    {Departure::smallAngle, "small-angle", "directions nearer to each other than the tolerance are taken for one"},
-    {Departure::removedOther, "removed-other", "with a polygon goes another's edge that is shorter than the tolerance"},
-    {Departure::staleGhosts, "stale-ghosts", "a ghost vertex outlives the segment that it was taken from"},
-    {Departure::coarseFloats, "coarse-floats", "far from the origin vertices move, as a float has too few bits"},
-};
-static_assert(std::size(kWords) == kDepartures.size());
-
-const Words& wordsFor(Departure departure) { return *std::ranges::find(kWords, departure, &Words::departure); }
-
 }  // namespace
 
-std::string nameOf(Departure departure) { return std::string(wordsFor(departure).name); }
-
-std::string describe(Departure departure) { return std::string(wordsFor(departure).sentence); }
+std::string_view nameOf(Departure departure) {
+  switch (departure) {
+    case Departure::uncutSingle:
+      return "uncut-single";
+    case Departure::uncutSwept:
+      return "uncut-swept";
+    case Departure::uncutInCell:
+      return "uncut-in-cell";
+    case Departure::keptInCell:
+      return "kept-in-cell";
+    case Departure::preservedPair:
+      return "preserved-pair";
+    case Departure::preservedSide:
+      return "preserved-side";
+    case Departure::otherBlock:
+      return "other-block";
+    case Departure::nearVertices:
+      return "near-vertices";
+    case Departure::smallAngle:
+      return "small-angle";
+    case Departure::removedOther:
+      return "removed-other";
+    case Departure::staleGhosts:
+      return "stale-ghosts";
+    case Departure::coarseFloats:
+      return "coarse-floats";
+  }
+  return "";
+}
 
 Outline publishedOutline(const oracle::Trace& trace) {
   const auto engine = oracle::TableEngine::make(publishedEngine());

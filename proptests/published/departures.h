@@ -7,7 +7,7 @@
 #include "oracle/trace/trace.h"
 
 #include <array>
-#include <string>
+#include <string_view>
 #include <tl/expected.hpp>
 
 namespace lgs::bench {
@@ -31,8 +31,7 @@ inline constexpr std::array kDepartures{Departure::uncutSingle,  Departure::uncu
                                         Departure::otherBlock,   Departure::nearVertices,  Departure::smallAngle,
                                         Departure::removedOther, Departure::staleGhosts,   Departure::coarseFloats};
 
-std::string nameOf(Departure departure);    ///< a name for files: "uncut-single"
-std::string describe(Departure departure);  ///< a sentence without its full stop
+std::string_view nameOf(Departure departure);  ///< a name for files: "uncut-single"
 
 /// The world at the end of a trace, computed in three ways.
 struct PublishedRun {

@@ -1,6 +1,5 @@
 // The published algorithm under the harness: it departs from the laws in the ways that docs/departures.md shows, and in
 // no way on scenes within its reach.
-#include "bench/published/departures.h"
 #include "bench/published/published_lattice.h"
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/check/isolated.h"
@@ -12,6 +11,7 @@
 #include "oracle/reference/naive.h"
 #include "oracle/trace/file.h"
 #include "oracle/trace/model.h"
+#include "proptests/published/departures.h"
 #include "proptests/support/law.h"
 #include "proptests/support/scale.h"
 #include "proptests/support/traces.h"
@@ -33,7 +33,7 @@ using namespace oracle;
 namespace {
 
 Trace keptTrace(Departure departure) {
-  const auto trace = readTrace(LGS_SOURCE_DIR "/docs/departures/" + nameOf(departure) + ".trace");
+  const auto trace = readTrace(fmt::format("{}/docs/departures/{}.trace", LGS_SOURCE_DIR, nameOf(departure)));
   EXPECT_TRUE(trace) << nameOf(departure);
   return trace.value_or(Trace{});
 }
