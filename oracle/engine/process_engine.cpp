@@ -4,6 +4,7 @@
 #include "oracle/trace/coordinate.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 #include <algorithm>
 
 namespace lgs::oracle {
@@ -15,7 +16,8 @@ tl::expected<std::unique_ptr<ProcessEngine>, Failure> ProcessEngine::start(const
 }
 
 std::optional<Failure> ProcessEngine::begin() {
-  child_.emplace(options_.command, options_.verbose);
+  const auto shell = [&] { execl("/bin/sh", "sh", "-c", options_.command.c_str(), nullptr); };
+  child_.emplace(shell, options_.verbose);
   const bool isFirst = name().empty();
   const auto take = [&](std::string_view line) -> tl::expected<bool, std::string> {
     auto hello = parseHello(line);

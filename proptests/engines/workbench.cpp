@@ -69,8 +69,9 @@ Workbench::Outcome Workbench::sh(const std::string& line) const {
   return outcome;
 }
 
-Workbench::Outcome Workbench::check(const std::string& engine, const std::string& arguments) const {
-  return sh("lgs check --engine " + oracle::shellWord(engine) + " --engine-timeout 2 " + arguments);
+Workbench::Outcome Workbench::check(const std::string& engine, const std::string& arguments, int timeout) const {
+  return sh("lgs check --engine " + oracle::shellWord(engine) + " --engine-timeout " + std::to_string(timeout) + " " +
+            arguments);
 }
 
 bool Workbench::isAnyoneLeft() const {

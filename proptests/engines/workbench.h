@@ -27,8 +27,8 @@ class Workbench : public ::testing::Test {
   /// Runs a command in the folder, with `lgs` for the command of that name.
   Outcome sh(const std::string& line) const;
 
-  /// Checks an engine. The time that an answer may take is short.
-  Outcome check(const std::string& engine, const std::string& arguments) const;
+  /// Checks an engine. The time that an answer may take is short, in seconds.
+  Outcome check(const std::string& engine, const std::string& arguments, int timeout = 2) const;
 
   /// Whether any process was started from the folder and lives on. They get a moment to go.
   bool isAnyoneLeft() const;
