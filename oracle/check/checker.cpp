@@ -2,6 +2,7 @@
 
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/check/comparable.h"
+#include "oracle/check/failure.h"
 #include "oracle/check/library_engine.h"
 #include "oracle/check/refusal.h"
 #include "oracle/check/window.h"
@@ -92,8 +93,7 @@ class Check {
     constexpr std::array kKinds{Mismatch::Kind::crash, Mismatch::Kind::hang, Mismatch::Kind::protocol};
     const Outline& right = naive_(scene()).outline;
     return {kKinds[static_cast<std::size_t>(failure.kind)],
-            fmt::format("the engine {} after edit {}\n", failure.text, edits_) +
-                (failure.log.empty() ? "" : fmt::format("its log ends:\n{}\n", failure.log)),
+            inWords(failure, fmt::format(" after edit {}", edits_)),
             edits_,
             commits_,
             scene(),

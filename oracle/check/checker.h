@@ -69,6 +69,8 @@ struct Mismatch {
   Outline actual;
   std::vector<Cell> edited;  ///< since the commit before
   Outline marked;            ///< segments to point out, if neither outline shows what is wrong
+
+  bool isNoAnswer() const { return kind == Kind::crash || kind == Kind::hang || kind == Kind::protocol; }
 };
 
 /// A phrase for a report: "the outline differs from CGAL's".

@@ -36,6 +36,11 @@ std::string describe(const Mismatch& mismatch, const Trace& trace) {
                      mismatch.text);
 }
 
+std::string inWords(const Failure& failure, std::string_view when) {
+  return fmt::format("the engine {}{}\n", failure.text, when) +
+         (failure.log.empty() ? "" : fmt::format("its log ends:\n{}\n", failure.log));
+}
+
 std::string draw(const Mismatch& mismatch) {
   MismatchOptions options;
   options.title = describe(mismatch.kind);

@@ -114,7 +114,8 @@ void killAll(pid_t program) {
   if (process < 0) _exit(1);
   setpgid(process, process);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) ::signal(signal, SIG_IGN);
-  closeAllBut(line);  // or pipes of others would stay open as long as the guard lives
+  line = dup2(line, 0);
+  closeFrom(1);  // or pipes of others would stay open as long as the guard lives
   const pid_t listener = startListening(line);
   if (listener > 0) {
     const siginfo_t info = firstToEnd(process, listener);
@@ -140,10 +141,9 @@ Ends kept(Ends ends) {
   return ends;
 }
 
-void closeAllBut(int first, int second, int third) {
+void closeFrom(int first) {
   const auto most = static_cast<int>(std::clamp(sysconf(_SC_OPEN_MAX), 256L, 4096L));
-  for (int file = 0; file < most; ++file)
-    if (file != first && file != second && file != third) close(file);
+  for (int file = first; file < most; ++file) close(file);
 }
 
 Guard::Guard(const Program& program, const Files& files) {

@@ -48,7 +48,7 @@ using Ends = std::array<int, 2>;
 /// standard files closed; what it prints would go into a pipe.
 Ends kept(Ends ends);
 
-/// Closes all files but these: for a process that was forked and runs no other program.
-void closeAllBut(int first, int second = -1, int third = -1);
+/// Closes all files from this one on: for a process that was forked and runs no other program.
+void closeFrom(int first);
 
 }  // namespace lgs::oracle

@@ -9,6 +9,10 @@
 
 namespace lgs::oracle {
 
+Guard::Program shell(std::string command) {
+  return [command = std::move(command)] { execl("/bin/sh", "sh", "-c", command.c_str(), nullptr); };
+}
+
 tl::expected<std::unique_ptr<ProcessEngine>, Failure> ProcessEngine::start(const ProcessOptions& options) {
   std::unique_ptr<ProcessEngine> engine(new ProcessEngine(options));
   if (auto failure = engine->begin()) return tl::unexpected(std::move(*failure));
@@ -16,8 +20,7 @@ tl::expected<std::unique_ptr<ProcessEngine>, Failure> ProcessEngine::start(const
 }
 
 std::optional<Failure> ProcessEngine::begin() {
-  const auto shell = [&] { execl("/bin/sh", "sh", "-c", options_.command.c_str(), nullptr); };
-  child_.emplace(shell, options_.verbose);
+  child_.emplace(options_.program, options_.verbose);
   const bool isFirst = name().empty();
   const auto take = [&](std::string_view line) -> tl::expected<bool, std::string> {
     auto hello = parseHello(line);

@@ -85,12 +85,12 @@ TEST_F(BadEngines, EndsBadly) {
 // Its output stays open in the process that it leaves. Nobody waits for that.
 TEST_F(BadEngines, LeavesProcessesBehind) {
   expectTold(naiveThat("os.fork() or time.sleep(1000)\n            os._exit(0)"),
-             "the engine ended with status 0 before it has answered after edit", 7);
+             "the engine ended with status 0 before it has answered after edit", 5);
 }
 
 TEST_F(BadEngines, LeavesASessionBehind) {
   expectTold(naiveThat("os.fork() or (os.setsid(), os.fork(), time.sleep(1000))\n            os._exit(0)"),
-             "the engine ended with status 0 before it has answered after edit", 7);
+             "the engine ended with status 0 before it has answered after edit", 5);
   expectTold("true; timeout 100 " + naiveThat("time.sleep(1000)").substr(5) + "; true", "has not answered within 1 s");
 }
 
@@ -105,12 +105,16 @@ TEST_F(BadEngines, KillsItsParent) {
 
 // Whatever ends lgs, the engine goes as well.
 TEST_F(BadEngines, GoWhenTheHarnessGoes) {
-  const std::string engine = naiveThat("time.sleep(1000)");
-  for (const std::string signal : {"HUP", "TERM", "KILL"}) {
-    const Outcome outcome = sh("" LGS_COMMAND " check --engine '" + engine + "' > log 2>&1 & p=$!; sleep 0.7; kill -" +
-                               signal + " $p; wait $p; echo status $?");
-    EXPECT_NE(outcome.text.find("status 1"), std::string::npos)
-        << outcome.text << signal;  // 128 and more: by the signal
+  const std::string engine = naiveThat("open('here', 'w').close(); time.sleep(1000)");
+  for (const auto& [signal, status] :
+       {std::pair<std::string, std::string>{"HUP", "129"}, {"TERM", "143"}, {"KILL", "137"}}) {
+    const Outcome outcome = sh(
+        "rm -f here; '" LGS_COMMAND "' check --engine '" + engine +
+        "' > log 2>&1 & p=$!; for k in $(seq 40); do sleep 0.05; test -e here && break; done; test -e here && echo it "
+        "was there; kill -" +
+        signal + " $p; wait $p; echo status $?");
+    EXPECT_NE(outcome.text.find("status " + status + "\n"), std::string::npos) << outcome.text;
+    EXPECT_NE(outcome.text.find("it was there"), std::string::npos) << outcome.text;
     EXPECT_LT(outcome.seconds, 5) << signal;
     EXPECT_FALSE(isAnyoneLeft()) << signal;
   }
