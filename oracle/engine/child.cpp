@@ -39,7 +39,10 @@ Failure protocol(std::string text) { return {Failure::Kind::protocol, std::move(
 
 std::string shortened(std::string_view line) {
   constexpr std::size_t kShown = 80;
-  std::string text(line.substr(0, kShown));
+  std::size_t shown = std::min(line.size(), kShown);
+  const auto isInside = [&](std::size_t k) { return (static_cast<unsigned char>(line[k]) & 0xc0U) == 0x80; };
+  while (shown > 0 && shown < line.size() && isInside(shown)) --shown;  // no half of a character
+  std::string text(line.substr(0, shown));
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
   return line.size() > kShown ? text + "…" : text;

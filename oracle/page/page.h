@@ -13,6 +13,7 @@
 #include "oracle/trace/trace.h"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,6 +36,9 @@ struct PageOptions {
   std::string expectedName = "expected";
   std::string actualName = "actual";  ///< empty: there is no other outline than the expected one
   std::optional<PageEnd> end;         ///< nothing: all went well, and the page shows the whole trace
+
+  /// What of an outline is compared, if not all of it: the outlines of all steps are shown so, as those of the end are.
+  std::function<Outline(Outline)> asCompared = {};
 };
 
 /// Text from anywhere: what is no UTF-8 becomes a sign that says so, and control characters become blanks,

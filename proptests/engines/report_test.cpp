@@ -1,11 +1,15 @@
 // The report on a whole engine: kinds of findings, how often, and the smallest trace of each.
+#include "oracle/check/comparable.h"
 #include "oracle/check/survey.h"
+#include "oracle/reference/compare.h"
+#include "oracle/reference/naive.h"
 #include "oracle/trace/file.h"
 #include "proptests/engines/workbench.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <regex>
 #include <utility>
 #include <vector>
 
@@ -20,8 +24,8 @@ class Reports : public Workbench {
 
   /// Makes a report on an engine. It must have these kinds, each with a small trace, a picture and a page.
   void expectKinds(const std::string& engine, const std::vector<std::string>& kinds, int status = 1) const {
-    const Outcome outcome = sh("lgs check " + engine + " --engine-timeout 1 --shrink 2 --report report" +
-                               (engine.find("--edits") == std::string::npos ? " --edits 300" : ""));
+    const Outcome outcome = sh("lgs check " + engine + " --engine-timeout 1 --shrink 1 --report report" +
+                               (engine.find("--edits") == std::string::npos ? " --edits 200" : ""));
     EXPECT_EQ(outcome.status, status) << outcome.text;
     EXPECT_LT(outcome.seconds, 60);
     for (const std::string& kind : kinds) expectKind(kind);
@@ -88,6 +92,7 @@ TEST_F(Reports, ShowWhatAnEngineSays) {
   expectKinds(
       "--engine \"" + naiveThat("sys.stderr.reconfigure(errors='surrogateescape'); sys.exit(" + text + ")") + "\"",
       {"crash"});
+  EXPECT_NE(page("report.md").find("| crash | 2 |"), std::string::npos) << "each world is tried once";
   const std::string md = page("report.md"), html = page("report.html");
   EXPECT_NE(md.find("\n    <b>\n    ```\n     [1m\xef\xbf\xbd\n"), std::string::npos) << md;
   EXPECT_NE(html.find("\n&lt;b&gt;\n```\n [1m\xef\xbf\xbd\n"), std::string::npos) << html;
@@ -111,9 +116,56 @@ TEST_F(Reports, OnAGoodEngine) {
   EXPECT_NE(page("report.md").find("No mismatch."), std::string::npos);
 }
 
+TEST_F(Reports, AreOfOneCaseToo) {
+  const std::string lgs = "lgs check --engine-so '" LGS_PUBLISHED_SO "' --case 3 --shrink 0 --report report";
+  EXPECT_EQ(sh(lgs).status, 1);
+  const std::string md = page("report.md"), command = afterWord(md, "    cd ");
+  EXPECT_NE(command.find(" --case 3 "), std::string::npos) << command;
+  EXPECT_EQ(sh("cd " + command + " --shrink 0").status, 1);
+  EXPECT_EQ(page("report.md"), md);
+}
+
 TEST_F(Reports, NeedAnEngineAndAFolder) {
   EXPECT_EQ(sh("lgs check --report r --edits 10").status, 2);
   EXPECT_EQ(sh("touch f; lgs check --engine-so '" LGS_ENGINE_SO "' --report f --edits 10").status, 2);
+}
+
+// An engine may put out very much: the picture and the page stay small, and say so. None of it takes quadratic time.
+TEST_F(Reports, StaySmall) {
+  oracle::Mismatch found;
+  found.kind = oracle::Mismatch::Kind::naive;
+  for (std::int64_t k = 1; k <= 100'000; ++k) {
+    found.actual.push_back({{0, 0}, {k, 1}, 1, {}, {}});
+    found.actual.push_back({{k, 1}, {0, 0}, 1, {}, {}});
+  }
+  std::ranges::sort(found.actual);
+  for (const std::string& shown : {oracle::draw(found), oracle::page(found, oracle::Trace())}) {
+    EXPECT_NE(shown.find("(198,000 segments more that differ are left out)"), std::string::npos);
+    EXPECT_LT(shown.size(), 4'000'000U);
+  }
+  EXPECT_EQ(oracle::compare(found.expected, found.actual).size(), 200'000U);
+}
+
+// The steps before the last one show no more than the last: nothing that the engine does not put out.
+TEST_F(Reports, PagesShowWhatIsCompared) {
+  const auto square = [](Cell cell) {
+    constexpr std::int32_t U = kUnitsPerCell;
+    return oracle::ScenePolygon{cell, 1, {{0, 0}, {U, 0}, {U, U}, {0, U}}};
+  };
+  const oracle::Trace trace{{},
+                            {oracle::Edit::add("a", square({0, 0})), oracle::Edit::commit(),
+                             oracle::Edit::add("b", square({1, 0})), oracle::Edit::commit()}};
+  oracle::Mismatch found;
+  found.kind = oracle::Mismatch::Kind::naive;
+  found.edits = trace.edits.size();
+  found.scene.polygons = {square({0, 0}), square({1, 0})};
+  for (const bool ghosts : {true, false}) {
+    found.can.ghosts = ghosts;
+    found.expected = oracle::comparable(oracle::naiveOutline(found.scene), found.can);
+    std::smatch ghost;
+    const std::string html = oracle::page(found, trace);
+    EXPECT_EQ(std::regex_search(html, ghost, std::regex("\"ghost1\":[0-9]")), ghosts) << ghost.str();
+  }
 }
 
 // It never answers.

@@ -69,6 +69,15 @@ TEST(SharedObject, BadTablesAreTold) {
   table.capabilities = "ghosts magic";
   EXPECT_FALSE(TableEngine::make(&table));
   EXPECT_FALSE(TableEngine::load("no-such.so"));
+  const auto withNull = [](auto lgs_engine_table::*pointer) {
+    lgs_engine_table one = Fake::kTable;
+    one.*pointer = nullptr;
+    return TableEngine::make(&one).has_value();
+  };
+  using T = lgs_engine_table;
+  EXPECT_FALSE(withNull(&T::name) || withNull(&T::capabilities) || withNull(&T::create) || withNull(&T::destroy));
+  EXPECT_FALSE(withNull(&T::reset) || withNull(&T::preserve) || withNull(&T::add) || withNull(&T::remove));
+  EXPECT_FALSE(withNull(&T::commit));
 }
 
 }  // namespace
