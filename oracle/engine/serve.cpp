@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
+#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,17 @@ namespace lgs::oracle {
 namespace {
 
 constexpr std::string_view kNothing = "lgs-trace 1\n";
+
+// Whether there is one more line. Its end stays with it.
+bool readLine(std::FILE* input, std::string& line) {
+  std::array<char, 4096> piece{};
+  line.clear();
+  while (std::fgets(piece.data(), static_cast<int>(piece.size()), input) != nullptr) {
+    line += piece.data();
+    if (line.ends_with('\n')) return true;
+  }
+  return false;
+}
 
 // Edits are lines of a trace, so the lines between two commits are read as one.
 std::string answerTo(const Trace& edits, Engine& engine) {
@@ -31,10 +43,7 @@ std::string answerTo(const Trace& edits, Engine& engine) {
 void serve(Engine& engine, std::FILE* input, std::FILE* output) noexcept {
   std::string edits(kNothing);
   bool isNew = false;
-  char* line = nullptr;
-  std::size_t size = 0;
-  for (ssize_t n = 0; (n = getline(&line, &size, input)) > 0;) {
-    const std::string_view asked(line, static_cast<std::size_t>(n));
+  for (std::string asked; readLine(input, asked);) {
     if (asked == "lgs-engine 1\n") {
       fmt::print(output, "lgs-engine 1 {} {}\n", engine.name(), print(engine.can()));
     } else if (asked == "reset\n") {
@@ -49,7 +58,6 @@ void serve(Engine& engine, std::FILE* input, std::FILE* output) noexcept {
     }
     std::fflush(output);
   }
-  free(line);
 }
 
 Guard::Program serving(std::shared_ptr<Engine> engine) {
