@@ -1,11 +1,17 @@
 #include "cli/check_run.h"
+#include "oracle/check/isolated.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
 namespace lgs::cli {
+
+using namespace oracle;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -105,7 +111,44 @@ void addReportOption(CLI::App& command, CheckArguments& arguments) {
       ->excludes("--map");
 }
 
-Status run(CheckArguments& arguments) {
+Status check(const CheckArguments& arguments) {
+  return arguments.map.empty() ? checkRandom(arguments) : checkMap(arguments);
+}
+
+Status checkWith(CheckArguments arguments, Engine& engine) {
+  introduce(engine, stdout);
+  arguments.options.engine = &engine;
+  arguments.world.can = engine.can();
+  arguments.world.crowds = false;
+  return check(arguments);
+}
+
+// The engine answers in a process of its own.
+Status checkApart(const CheckArguments& arguments) {
+  const auto engine = startEngine(arguments.engine);
+  if (engine) return finishEngine(**engine, checkWith(arguments, **engine), stdout);
+  tell(engine.error(), stdout);
+  if (arguments.report.empty()) return Status::mismatch;
+  Survey survey = surveyFor(arguments);
+  survey.add(engine.error());
+  return finishSurvey(arguments, survey, {});
+}
+
+// A shared object is called in the process that compares, which is quickest. If it crashes or hangs there, or if that is
+// slow, all is done once more with the engine in a process of its own: what it did can be told and shrunk there.
+Status checkQuickly(const CheckArguments& arguments) {
+  const Shared<Status> status;
+  const auto patience = static_cast<unsigned>(std::ceil(std::max(1.0, arguments.engine.patience())));
+  const auto how = crashOf([&] { *status = flushed(checkWith(arguments, *arguments.engine.loaded)); },
+                           {.seconds = patience, .asleep = patience + 1});
+  if (!how) return *status;
+  fmt::print("\nthe engine {}: once more, with the engine in a process of its own\n", *how);
+  const Status apart = checkApart(arguments);
+  if (apart != Status::fine || how->starts_with("hung")) return apart;
+  return tell({Failure::Kind::crash, *how + ", but not in a process of its own"}, stdout);
+}
+
+Status run(const CheckArguments& arguments) {
   if (const Status bad = tryFiles(arguments); bad != Status::fine) return bad;
   if (!arguments.report.empty()) {
     std::error_code ignored;  // the trial will say what is wrong
@@ -113,14 +156,8 @@ Status run(CheckArguments& arguments) {
     if (const Status bad = tryOutputs({(fs::path(arguments.report) / "report.md").string()}); bad != Status::fine)
       return bad;
   }
-  const auto check = arguments.map.empty() ? checkRandom : checkMap;
   if (!arguments.engine.isGiven()) return check(arguments);
-  const auto engine = startEngine(arguments.engine, stdout);
-  if (!engine) return Status::mismatch;
-  arguments.options.engine = engine.get();
-  arguments.world.can = engine->can();
-  arguments.world.crowds = false;
-  return finishEngine(*engine, check(arguments), stdout);
+  return arguments.engine.loaded && arguments.report.empty() ? checkQuickly(arguments) : checkApart(arguments);
 }
 
 constexpr const char* kCheckHelp =
@@ -160,7 +197,7 @@ void addCheck(CLI::App& app, Action& chosen) {
   addReportOption(command, *arguments);
   command.footer(std::string(kCheckHelp) + kEngineHelp + kCheckExamples);
   command.callback([arguments, &chosen] {
-    arguments->engine.checkUse();
+    arguments->engine.prepare();
     if (!arguments->report.empty() && !arguments->engine.isGiven()) throw CLI::RequiredError("--engine or --engine-so");
     chosen = [arguments] { return run(*arguments); };
   });

@@ -32,15 +32,20 @@ Checked caseOf(const CheckArguments& arguments, const Case& at) {
                       world.width, world.height, world.edits, arguments.seed, at.number, arguments.oracleName())};
 }
 
-Status finishSurvey(const CheckArguments& arguments, const Survey& survey, const Totals& totals) {
-  const std::string again =
-      fmt::format("{} --cells {}x{} --case-edits {} --edits {} --seed {} --oracle {} --report {}",
-                  commandAgain(arguments), arguments.world.width, arguments.world.height, arguments.world.edits,
-                  arguments.edits, arguments.seed, arguments.oracleName(), shellPath(arguments.report));
-  if (!survey.write(totals.stats, again)) return Status::badInput;
-  fmt::print("{}\nreport     {}/report.md, report.html\n",
-             survey.isEmpty() ? "no mismatch" : "MISMATCHES of some kinds", arguments.report);
-  return survey.isEmpty() ? Status::fine : Status::mismatch;
+// A report has what went wrong at the end, too.
+Status endOf(const CheckArguments& arguments, Survey& survey, const CheckStats& stats) {
+  if (const auto failure = arguments.options.engine->finish()) {
+    tell(*failure, stdout);
+    survey.add(*failure);
+  }
+  return finishSurvey(arguments, survey, stats);
+}
+
+void show(Progress& progress, const CheckArguments& arguments, const Totals& totals, bool isWrong) {
+  if (!progress.isDue()) return;
+  progress.show(fmt::format("{} of {} edits, {} cases, {:.0f} edits/s, {}", totals.stats.edits, arguments.edits,
+                            totals.cases.cases, static_cast<double>(totals.stats.edits) / totals.seconds(),
+                            isWrong ? "mismatches" : "no mismatch"));
 }
 
 Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at) {
@@ -48,11 +53,14 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
   Scene last;
   Progress progress;
   std::optional<Survey> survey;
-  if (!arguments.report.empty()) survey.emplace(options, arguments.report, shrinkTime(arguments));
-  for (at.number = arguments.onlyCase.value_or(0); totals.stats.edits < arguments.edits; ++at.number) {
+  if (!arguments.report.empty()) survey.emplace(surveyFor(arguments));
+  std::uint64_t lost = 0;  // edits that were not made, because the engine gave no answer to some before them
+  const auto isLast = [&] { return arguments.onlyCase || totals.stats.edits + lost >= arguments.edits; };
+  for (at.number = arguments.onlyCase.value_or(0);; ++at.number) {
     at.edits = arguments.world.edits;
     if (!arguments.onlyCase)
-      at.edits = std::min<std::size_t>(editsOf(at.number, arguments.world), arguments.edits - totals.stats.edits);
+      at.edits =
+          std::min<std::size_t>(editsOf(at.number, arguments.world), arguments.edits - totals.stats.edits - lost);
     stillAlive();
     const Checked checked = caseOf(arguments, at);
     Features features{};
@@ -64,39 +72,30 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
       stillAlive();
       return true;
     };
-    const std::uint64_t refused = totals.stats.refused;
+    const std::uint64_t edits = totals.stats.edits, refused = totals.stats.refused;
     const auto mismatch = checkTrace(checked.trace, options, totals.stats);
     if (!mismatch) return complain(message(mismatch.error(), fmt::format("case {}", at.number)));
     if (*mismatch && survey) {
-      survey->add(**mismatch, checked.trace);
-      if (arguments.onlyCase) break;
-      continue;
-    }
-    if (*mismatch) {
+      survey->add(**mismatch, checked.trace, totals.stats);
+      lost += (*mismatch)->isNoAnswer() ? at.edits - (totals.stats.edits - edits) : 0;
+    } else if (*mismatch) {
       progress.wipe();
       reportMismatch(**mismatch, checked.trace, options, reportOptions(arguments, checked));
       return Status::mismatch;
     }
     features[static_cast<std::size_t>(Feature::refusal)] = totals.stats.refused != refused;
     totals.cases.add(features);
-    if (progress.isDue()) {
-      progress.show(fmt::format("{} of {} edits, {} cases, {:.0f} edits/s, no mismatch", totals.stats.edits,
-                                arguments.edits, totals.cases.cases,
-                                static_cast<double>(totals.stats.edits) / totals.seconds()));
-    }
-    if (arguments.onlyCase) break;
+    show(progress, arguments, totals, survey && !survey->isEmpty());
+    if (isLast()) break;
   }
   progress.wipe();
-  if (survey) return finishSurvey(arguments, *survey, totals);
-  return finish(arguments, totals, last);
+  return survey ? endOf(arguments, *survey, totals.stats) : finish(arguments, totals, last);
 }
 
 }  // namespace
 
 Status checkRandom(const CheckArguments& arguments) {
-  CheckOptions options = arguments.options;
-  options.skipRefused = true;
-  options.wholeEvery = 1;
+  const CheckOptions options = caseOptions(arguments);
   const Shared<Case> at;
   return isolated(
       arguments, options, [&] { return playCases(arguments, options, *at); }, [&] { return caseOf(arguments, *at); });

@@ -8,7 +8,6 @@
 #include "oracle/trace/player.h"
 
 #include <fmt/format.h>
-#include <cmath>
 
 namespace lgs::cli {
 
@@ -43,9 +42,31 @@ std::chrono::milliseconds shrinkTime(const CheckArguments& arguments) {
 }
 
 ReportOptions reportOptions(const CheckArguments& arguments, const Checked& checked) {
-  return {arguments.out,      checked.name,
-          checked.reproduce,  std::chrono::milliseconds(static_cast<std::int64_t>(arguments.shrinkSeconds * 1'000)),
-          thisProgram("lgs"), arguments.engine.print()};
+  return {arguments.out,         checked.name,       checked.reproduce,
+          shrinkTime(arguments), thisProgram("lgs"), arguments.engine.print()};
+}
+
+CheckOptions caseOptions(const CheckArguments& arguments) {
+  CheckOptions options = arguments.options;
+  options.skipRefused = true;
+  options.wholeEvery = 1;
+  return options;
+}
+
+Survey surveyFor(const CheckArguments& arguments) {
+  const std::string which = arguments.onlyCase ? fmt::format(" --case {}", *arguments.onlyCase) : "";
+  const std::string again =
+      fmt::format("{} --cells {}x{} --case-edits {} --edits {} --seed {}{} --oracle {} --report {}",
+                  commandAgain(arguments), arguments.world.width, arguments.world.height, arguments.world.edits,
+                  arguments.edits, arguments.seed, which, arguments.oracleName(), shellPath(arguments.report));
+  return {caseOptions(arguments), arguments.report, again, shrinkTime(arguments)};
+}
+
+Status finishSurvey(const CheckArguments& arguments, const Survey& survey, const CheckStats& stats) {
+  if (!survey.write(stats)) return Status::badInput;
+  fmt::print("{}\nreport     {}/report.md, report.html\n",
+             survey.isEmpty() ? "no mismatch" : "MISMATCHES of some kinds", arguments.report);
+  return survey.isEmpty() ? Status::fine : Status::mismatch;
 }
 
 // The command of an engine may mean files of this folder.
@@ -57,11 +78,9 @@ std::string commandAgain(const CheckArguments& arguments) {
 
 Status isolated(const CheckArguments& arguments, const CheckOptions& options, const std::function<Status()>& check,
                 const std::function<Checked()>& playing) {
-  if (arguments.engine.isProcess()) return check();  // it is isolated enough
+  if (arguments.engine.isGiven()) return check();  // it is isolated enough, or whoever calls this sees to that
   const Shared<Status> status;
-  IsolationOptions limits;
-  if (arguments.engine.isGiven()) limits.seconds = static_cast<unsigned>(std::ceil(arguments.engine.patience()));
-  const auto crash = crashOf([&] { *status = flushed(check()); }, limits);
+  const auto crash = crashOf([&] { *status = flushed(check()); });
   if (!crash) return *status;
   const Checked checked = playing();
   reportCrash(*crash, checked.trace, options, reportOptions(arguments, checked));

@@ -4,6 +4,7 @@
 #include "cli/command.h"
 #include "cli/engine.h"
 #include "oracle/check/report.h"
+#include "oracle/check/survey.h"
 #include "oracle/generate/features.h"
 #include "oracle/generate/generator.h"
 
@@ -51,11 +52,20 @@ struct Checked {
 /// How long a mismatch may be shrunk.
 std::chrono::milliseconds shrinkTime(const CheckArguments& arguments);
 
+/// How random worlds are checked.
+oracle::CheckOptions caseOptions(const CheckArguments& arguments);
+
+/// An empty report on the engine.
+oracle::Survey surveyFor(const CheckArguments& arguments);
+
+/// Writes the report, and says where it is.
+Status finishSurvey(const CheckArguments& arguments, const oracle::Survey& survey, const oracle::CheckStats& stats);
+
 /// How to report a mismatch in this trace.
 oracle::ReportOptions reportOptions(const CheckArguments& arguments, const Checked& checked);
 
-/// Runs a check in a process of its own. If the engine makes that crash or hang, reports the trace that was being
-/// played: `playing` returns it.
+/// Runs a check of this library's engine in a process of its own. If it crashes or hangs there, reports the trace that
+/// was being played: `playing` returns it.
 Status isolated(const CheckArguments& arguments, const oracle::CheckOptions& options,
                 const std::function<Status()>& check, const std::function<Checked()>& playing);
 

@@ -1,7 +1,9 @@
 #include "cli/engine.h"
 
+#include "oracle/check/failure.h"
 #include "oracle/check/shell.h"
 #include "oracle/engine/process_engine.h"
+#include "oracle/engine/serve.h"
 #include "oracle/engine/table_engine.h"
 
 #include <fmt/format.h>
@@ -12,24 +14,26 @@ using namespace oracle;
 
 namespace {
 
-Status told(const Failure& failure, std::string_view when, std::FILE* out) {
-  fmt::print(out, "MISMATCH the engine {}{}\n", failure.text, when);
-  if (!failure.log.empty()) fmt::print(out, "its log ends:\n{}\n", failure.log);
-  return Status::mismatch;
-}
+// An empty word is a variable of a script that is not set. To check this library's engine then would be a surprise.
+const CLI::Validator kGiven([](const std::string& text) { return std::string(text.empty() ? "it is empty" : ""); }, "");
 
 }  // namespace
 
 std::string EngineArguments::print() const {
   if (!isGiven()) return "";
   std::string text =
-      isProcess() ? fmt::format(" --engine {}", shellWord(command)) : fmt::format(" --engine-so {}", shellPath(file));
+      file.empty() ? fmt::format(" --engine {}", shellWord(command)) : fmt::format(" --engine-so {}", shellPath(file));
   if (timeout) text += fmt::format(" --engine-timeout {}", *timeout);
   return assumed ? text + fmt::format(" --assume {}", shellWord(oracle::print(*assumed))) : text;
 }
 
-void EngineArguments::checkUse() const {
+void EngineArguments::prepare() {
   if (!isGiven() && (timeout || assumed)) throw CLI::RequiredError("--engine or --engine-so");
+  if (file.empty()) return;
+  auto engine = TableEngine::load(file);
+  if (!engine) throw CLI::ValidationError("--engine-so", engine.error());
+  loaded = std::move(*engine);
+  if (assumed) loaded->assume(*assumed);
 }
 
 void addEngineOptions(CLI::App& command, EngineArguments& arguments, CLI::Option* needed) {
@@ -37,18 +41,18 @@ void addEngineOptions(CLI::App& command, EngineArguments& arguments, CLI::Option
       command
           .add_option("--engine", arguments.command,
                       "Check another engine instead of this library's: a command for\n/bin/sh that speaks the protocol")
+          ->check(kGiven)
           ->option_text("COMMAND");
   CLI::Option* const file =
       command
           .add_option("--engine-so", arguments.file, "The same for a shared object that exports what lgs_engine.h says")
+          ->check(kGiven)
           ->option_text("FILE.so")
           ->excludes(engine);
   for (CLI::Option* const option : {engine, file})
     if (needed != nullptr) option->needs(needed);
   command
-      .add_option("--engine-timeout", arguments.timeout,
-                  "Seconds that an answer of the engine may take; default 10. For a\n"
-                  "shared object: of CPU time, with the comparison")
+      .add_option("--engine-timeout", arguments.timeout, "Seconds that an answer of the engine may take; default 10")
       ->check(CLI::Range(0.01, 3'600.0))
       ->option_text("SECONDS");
   command
@@ -66,28 +70,31 @@ void addEngineOptions(CLI::App& command, EngineArguments& arguments, CLI::Option
       ->option_text(" ");
 }
 
-std::unique_ptr<Engine> startEngine(const EngineArguments& arguments, std::FILE* out) {
-  std::unique_ptr<Engine> engine;
-  if (arguments.isProcess()) {
-    auto started = ProcessEngine::start(
-        {arguments.command, std::chrono::duration<double>(arguments.patience()), arguments.verbose});
-    if (!started) return told(started.error(), " when it was greeted", out), nullptr;
-    engine = std::move(*started);
-  } else {
-    auto loaded = TableEngine::load(arguments.file);
-    if (!loaded) return fmt::print(out, "MISMATCH no engine: {}\n", loaded.error()), nullptr;
-    engine = std::move(*loaded);
+tl::expected<std::unique_ptr<Engine>, Failure> startEngine(const EngineArguments& arguments) {
+  const auto program = arguments.loaded ? serving(arguments.loaded) : shell(arguments.command);
+  auto engine = ProcessEngine::start({program, std::chrono::duration<double>(arguments.patience()), arguments.verbose});
+  if (!engine) {
+    engine.error().text += " when it was greeted";
+    return tl::unexpected(std::move(engine.error()));
   }
-  if (arguments.assumed) engine->assume(*arguments.assumed);
-  fmt::print(out, "engine     {}: {} are compared\nworlds     {}\n", engine->name(), comparedInWords(engine->can()),
-             worldsInWords(engine->can()));
-  std::fflush(out);
+  if (arguments.assumed) (*engine)->assume(*arguments.assumed);
   return engine;
+}
+
+void introduce(const Engine& engine, std::FILE* out) {
+  fmt::print(out, "engine     {}: {} are compared\nworlds     {}\n", engine.name(), comparedInWords(engine.can()),
+             worldsInWords(engine.can()));
+  std::fflush(out);
+}
+
+Status tell(const Failure& failure, std::FILE* out) {
+  fmt::print(out, "MISMATCH {}", inWords(failure));
+  return Status::mismatch;
 }
 
 Status finishEngine(Engine& engine, Status status, std::FILE* out) {
   const auto failure = engine.finish();
-  return failure ? worst(status, told(*failure, "", out)) : status;
+  return failure ? worst(status, tell(*failure, out)) : status;
 }
 
 const char* const kEngineHelp =

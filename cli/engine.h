@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tl/expected.hpp>
 
 namespace lgs::cli {
 
@@ -17,20 +18,26 @@ struct EngineArguments {
   std::optional<double> timeout;  ///< seconds
   std::optional<oracle::Capabilities> assumed;
   bool verbose = false;
+  std::shared_ptr<oracle::Engine> loaded;  ///< from the file, by prepare()
 
-  bool isGiven() const { return isProcess() || !file.empty(); }
-  bool isProcess() const { return !command.empty(); }
+  bool isGiven() const { return !command.empty() || !file.empty(); }
   double patience() const { return timeout.value_or(10); }
-  void checkUse() const;      ///< throws CLI::RequiredError if something is said of an engine, and no engine is given
+  void prepare();             ///< loads the file; throws a CLI::ParseError if that or what is said of the engine is bad
   std::string print() const;  ///< as options, with a blank before each; empty for this library's engine
 };
 
 /// Adds --engine, --engine-so and what belongs to them. `needed` is the option that they need, if there is one.
 void addEngineOptions(CLI::App& command, EngineArguments& arguments, CLI::Option* needed = nullptr);
 
-/// Starts the engine. Says what it is, what is compared, and in which worlds. If it does not start, says why: then there
-/// is none.
-std::unique_ptr<oracle::Engine> startEngine(const EngineArguments& arguments, std::FILE* out);
+/// Starts the engine in a process of its own, where it may crash and hang; a shared object, too. The failure is that of
+/// its greeting.
+tl::expected<std::unique_ptr<oracle::Engine>, oracle::Failure> startEngine(const EngineArguments& arguments);
+
+/// Says what the engine is, what is compared, and in which worlds.
+void introduce(const oracle::Engine& engine, std::FILE* out);
+
+/// Says what an engine did. That is a mismatch.
+Status tell(const oracle::Failure& failure, std::FILE* out);
 
 /// Lets the engine end. If that is wrong, says so, and a good status becomes a mismatch.
 Status finishEngine(oracle::Engine& engine, Status status, std::FILE* out);

@@ -40,11 +40,12 @@ Status save(const World& world, const std::string& path) {
   return done ? write(path, bytes) : complain(path + ": " + message(done.error()));
 }
 
-// Plays the trace to its end; says, dumps, saves and draws what comes out.
-Status showEnd(const ReplayArguments& arguments, const Trace& trace, bool draws, std::FILE* out) {
+// Plays the trace to its end; says, dumps, saves and draws what comes out. If another engine has played it, its outline
+// is shown.
+Status showEnd(const ReplayArguments& arguments, const Trace& trace, const Engine* engine, bool draws, std::FILE* out) {
   Player player(trace.preserve);
   if (const auto done = play(trace, player); !done) return complain(message(done.error(), arguments.trace));
-  const Outline outline = outlineOf(player.world());
+  const Outline outline = engine != nullptr ? engine->outline() : outlineOf(player.world());
   fmt::print(out, "{}: {} in {}, {}, {}\n", counted(editCount(trace), "edit"),
              counted(player.world().stats().polygons, "polygon"), counted(player.world().stats().cells, "cell"),
              counted(outline.size(), "segment"), counted(player.world().loops().size(), "loop"));
@@ -63,18 +64,18 @@ Status check(const ReplayArguments& arguments, const Trace& trace, const CheckOp
   if (!mismatch) return complain(message(mismatch.error(), arguments.trace));
   const bool draws = !arguments.svg.empty();
   const std::string& html = arguments.html;
+  const Trace good = options.skipRefused ? withoutRefused(trace) : trace;
   if (!*mismatch) {
     fmt::print(out, "checked {}, {} with CGAL, {} with the naive reference: no mismatch\n",
                counted(stats.commits, "commit"), counted(stats.cgal, "time"), stats.naive);
-    const Trace good = options.skipRefused ? withoutRefused(trace) : trace;
-    const Status status = showEnd(arguments, good, draws, out);
+    const Status status = showEnd(arguments, good, options.engine, draws, out);
     return html.empty() ? status : worst(status, write(html, page(good, arguments.trace)));
   }
   fmt::print(out, "MISMATCH {}: {}", arguments.trace, describe(**mismatch, trace));
   Status status = Status::mismatch;
   if (draws) status = worst(status, write(arguments.svg, draw(**mismatch)));  // instead of the end
   if (!html.empty()) status = worst(status, write(html, page(**mismatch, trace)));
-  if (!arguments.dump.empty()) status = worst(status, showEnd(arguments, trace, false, out));
+  if (!arguments.dump.empty()) status = worst(status, showEnd(arguments, good, options.engine, false, out));
   return status;
 }
 
@@ -87,17 +88,19 @@ Status run(const ReplayArguments& arguments) {
   const bool isTaken = dump == "-" || svg == "-" || html == "-" || save == "-";
   std::FILE* const out = isTaken ? stderr : stdout;
   const bool draws = !svg.empty();
-  if (!arguments.check) return showEnd(arguments, *trace, draws, out);
+  if (!arguments.check) return showEnd(arguments, *trace, nullptr, draws, out);
 
   if (!arguments.engine.isGiven()) return check(arguments, *trace, arguments.checkOptions, out);
-  const auto engine = startEngine(arguments.engine, out);
-  if (!engine) return Status::mismatch;
-  if (const std::string why = whyNot(*trace, engine->can()); !why.empty())
+  const auto started = startEngine(arguments.engine);
+  if (!started) return tell(started.error(), out);
+  Engine& engine = **started;
+  introduce(engine, out);
+  if (const std::string why = whyNot(*trace, engine.can()); !why.empty())
     return complain(fmt::format("{}: the engine can not have it: {}", arguments.trace, why));
   CheckOptions options = arguments.checkOptions;
-  options.engine = engine.get();
-  options.skipRefused = engine->can().refuses;
-  return finishEngine(*engine, check(arguments, *trace, options, out), out);
+  options.engine = &engine;
+  options.skipRefused = engine.can().refuses;
+  return finishEngine(engine, check(arguments, *trace, options, out), out);
 }
 
 constexpr const char* kReplayHelp =
@@ -142,7 +145,7 @@ void addReplay(CLI::App& app, Action& chosen) {
       ->option_text("FILE.lgs");
   command.footer(kReplayHelp);
   command.callback([arguments, &chosen] {
-    arguments->engine.checkUse();
+    arguments->engine.prepare();
     chosen = [arguments] { return run(*arguments); };
   });
 }

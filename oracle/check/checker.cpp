@@ -2,6 +2,7 @@
 
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/check/comparable.h"
+#include "oracle/check/failure.h"
 #include "oracle/check/library_engine.h"
 #include "oracle/check/refusal.h"
 #include "oracle/check/window.h"
@@ -78,7 +79,8 @@ class Check {
   Mismatch mismatch(Mismatch::Kind kind, std::string text) const {
     if (!text.ends_with('\n')) text += '\n';
     Outline outline = engine_.outline();
-    return {kind, std::move(text), edits_, commits_, scene(), outline, outline, {edited_.begin(), edited_.end()}, {}};
+    return {kind, std::move(text), edits_, commits_, scene(), outline, outline, {edited_.begin(), edited_.end()},
+            {},   engine_.can()};
   }
 
   Mismatch mismatch(Complaint complaint) const {
@@ -87,20 +89,13 @@ class Check {
     return found;
   }
 
-  // An engine that gave no answer has no outline. The picture shows what it should have answered.
+  // The outline of an engine that gave no answer is an old one. The picture shows what it should have answered.
   Mismatch mismatch(const Failure& failure) {
     constexpr std::array kKinds{Mismatch::Kind::crash, Mismatch::Kind::hang, Mismatch::Kind::protocol};
-    const Outline& right = naive_(scene()).outline;
-    return {kKinds[static_cast<std::size_t>(failure.kind)],
-            fmt::format("the engine {} after edit {}\n", failure.text, edits_) +
-                (failure.log.empty() ? "" : fmt::format("its log ends:\n{}\n", failure.log)),
-            edits_,
-            commits_,
-            scene(),
-            right,
-            right,
-            {edited_.begin(), edited_.end()},
-            {}};
+    const std::string text = inWords(failure, fmt::format(" after edit {}", edits_));
+    Mismatch found = mismatch(kKinds[static_cast<std::size_t>(failure.kind)], text);
+    found.expected = found.actual = comparable(naive_(scene()).outline, engine_.can());
+    return found;
   }
 
   tl::expected<Result, TraceError> apply(const Step& step) {
@@ -242,8 +237,9 @@ class Check {
     stats_.segments += expected.size();
     if (expected == actual) return std::nullopt;
     Mismatch found = mismatch(kind, "");
-    found.expected = can.putsOutAll() ? expected : comparable(expected, can);
-    found.actual = can.putsOutAll() ? actual : comparable(actual, can);
+    found.expected = comparable(expected, can);
+    found.actual = comparable(actual, can);
+    found.can = can;
     if (found.expected == found.actual) return std::nullopt;
     found.text = describe(compare(found.expected, found.actual));
     found.scene = scene;

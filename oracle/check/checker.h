@@ -67,8 +67,11 @@ struct Mismatch {
   Scene scene;             ///< as of then
   Outline expected;        ///< of the reference that disagrees; the engine's, if none does
   Outline actual;
-  std::vector<Cell> edited;  ///< since the commit before
-  Outline marked;            ///< segments to point out, if neither outline shows what is wrong
+  std::vector<Cell> edited;                ///< since the commit before
+  Outline marked;                          ///< segments to point out, if neither outline shows what is wrong
+  Capabilities can = Capabilities::all();  ///< of the engine: both outlines have no more than that
+
+  bool isNoAnswer() const { return kind == Kind::crash || kind == Kind::hang || kind == Kind::protocol; }
 };
 
 /// A phrase for a report: "the outline differs from CGAL's".

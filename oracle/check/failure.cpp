@@ -1,5 +1,6 @@
 #include "oracle/check/failure.h"
 
+#include "oracle/check/comparable.h"
 #include "oracle/draw/draw.h"
 #include "oracle/page/page.h"
 #include "oracle/reference/naive.h"
@@ -7,6 +8,7 @@
 #include "oracle/trace/model.h"
 
 #include <fmt/format.h>
+#include <utility>
 
 namespace lgs::oracle {
 namespace {
@@ -25,6 +27,36 @@ const char* nameOfExpected(Mismatch::Kind kind) {
   }
 }
 
+std::pair<Point, Point> endsOf(const OutlineSegment& s) { return {s.start, s.end}; }
+
+// An outline without most of what the other one has not. Counts what is left out.
+Outline withFew(const Outline& outline, const Outline& other, std::size_t& leftOut) {
+  constexpr std::size_t kMost = 2'000;
+  Outline few;
+  std::size_t different = 0;
+  auto at = other.begin();
+  for (const OutlineSegment& s : outline) {
+    while (at != other.end() && endsOf(*at) < endsOf(s)) ++at;
+    const bool isInBoth = at != other.end() && endsOf(*at) == endsOf(s);
+    if (isInBoth) ++at;
+    if (isInBoth || ++different <= kMost) few.push_back(s);
+  }
+  leftOut += outline.size() - few.size();
+  return few;
+}
+
+// An engine may put out anything, hundreds of thousands of segments. Some thousand differences show as much as all.
+struct Shown {
+  explicit Shown(const Mismatch& mismatch) : title(describe(mismatch.kind)) {
+    std::size_t leftOut = 0;
+    expected = withFew(mismatch.expected, mismatch.actual, leftOut);
+    actual = withFew(mismatch.actual, mismatch.expected, leftOut);
+    if (leftOut > 0) title += fmt::format(" ({} more that differ are left out)", counted(leftOut, "segment"));
+  }
+  std::string title;
+  Outline expected, actual;
+};
+
 }  // namespace
 
 std::string describe(const Mismatch& mismatch, const Trace& trace) {
@@ -36,30 +68,39 @@ std::string describe(const Mismatch& mismatch, const Trace& trace) {
                      mismatch.text);
 }
 
+std::string inWords(const Failure& failure, std::string_view when) {
+  return fmt::format("the engine {}{}\n", failure.text, when) +
+         (failure.log.empty() ? "" : fmt::format("its log ends:\n{}\n", failure.log));
+}
+
 std::string draw(const Mismatch& mismatch) {
   MismatchOptions options;
-  options.title = describe(mismatch.kind);
+  const Shown shown(mismatch);
+  options.title = shown.title;
   options.edited = mismatch.edited;
   const char* const expectedName = nameOfExpected(mismatch.kind);
   if (expectedName == nullptr) {  // perhaps some segments are to blame
     options.marked = mismatch.marked;
-    return drawWorld(mismatch.scene, mismatch.actual, options);
+    return drawWorld(mismatch.scene, shown.actual, options);
   }
   options.expectedName = expectedName;
   options.actualName = "engine";
-  return drawMismatch(mismatch.scene, mismatch.expected, mismatch.actual, options);
+  return drawMismatch(mismatch.scene, shown.expected, shown.actual, options);
 }
 
 std::string page(const Mismatch& mismatch, const Trace& trace) {
   const char* const expectedName = nameOfExpected(mismatch.kind);
-  PageOptions options{describe(mismatch.kind), describe(mismatch, trace), "engine", "", {}};
+  const Shown shown(mismatch);
+  PageOptions options{shown.title, describe(mismatch, trace), "engine", "", {}};
   if (expectedName != nullptr) {
     options.expectedName = expectedName;
     options.actualName = "engine";
   }
   const bool committed = mismatch.kind != Mismatch::Kind::verdict && mismatch.kind != Mismatch::Kind::refusal;
-  options.end = PageEnd{mismatch.edits,    committed,       mismatch.scene.polygons.size(),
-                        mismatch.expected, mismatch.actual, mismatch.marked};
+  options.end =
+      PageEnd{mismatch.edits, committed, mismatch.scene.polygons.size(), shown.expected, shown.actual, mismatch.marked};
+  if (!mismatch.can.putsOutAll())
+    options.asCompared = [can = mismatch.can](Outline outline) { return comparable(std::move(outline), can); };
   return writePage(trace, options);
 }
 

@@ -1,5 +1,7 @@
 #include "oracle/check/isolated.h"
 
+#include "oracle/engine/ending.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #ifdef __linux__
@@ -12,7 +14,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <system_error>
 
@@ -65,7 +66,7 @@ std::optional<std::string> crashOf(const std::function<void()>& work, const Isol
   if (!WIFSIGNALED(status)) return "crashed";  // a sanitizer or an exception has said more
   if (WTERMSIG(status) == SIGPROF) return fmt::format("hung for {} s of CPU time", options.seconds);
   if (WTERMSIG(status) == SIGALRM) return fmt::format("hung asleep for {} s", options.asleep);
-  return fmt::format("crashed: {}", strsignal(WTERMSIG(status)));
+  return endingOfSignal(WTERMSIG(status));
 }
 
 void stillAlive() {

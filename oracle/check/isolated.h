@@ -21,7 +21,7 @@ struct IsolationOptions {
 };
 
 /// Runs `work` in a child process and waits for it. Nothing if it came to its end; otherwise how it ended, as a phrase:
-/// "crashed: Aborted". What it writes to memory is lost, except into Shared values; an exception is a crash.
+/// "crashed with SIGABRT". What it writes to memory is lost, except into Shared values; an exception is a crash.
 std::optional<std::string> crashOf(const std::function<void()>& work, const IsolationOptions& options = {});
 
 /// To be called in the child now and then by work that takes long.

@@ -17,7 +17,7 @@ namespace {
 
 using Kind = Mismatch::Kind;
 
-// What is needed to find a mismatch of this kind again, and no more: shrinking asks many times.
+// What is needed to find a mismatch of this kind again, and no more: it is asked many times.
 CheckOptions only(Kind kind, CheckOptions options) {
   options.afterCommit = {};
   options.naive = options.naive && (kind == Kind::naive || kind == Kind::loops);
@@ -45,12 +45,6 @@ class Hurry {
 
  private:
   Engine& engine_;
-};
-
-// What shows a finding: an SVG picture, and a page for a browser.
-struct Views {
-  std::string picture;
-  std::string page;
 };
 
 // Writes trace, picture and page, and says where they are and how to come by them again.
@@ -90,6 +84,14 @@ Trace shrinkWithEngine(const Mismatch& found, const Trace& trace, Engine& engine
   const Hurry hurry(engine, found.kind);
   Trace small = shrunk(found, trace, findAgain, budget);
   return findAfresh(small) ? small : shrunk(found, trace, findAfresh, budget);
+}
+
+FindAgain sameKind(Kind kind, const CheckOptions& options) {
+  return [kind, narrow = only(kind, options)](const Trace& candidate) -> std::optional<Mismatch> {
+    if (narrow.engine != nullptr && !whyNot(candidate, narrow.engine->can()).empty()) return std::nullopt;
+    auto again = findMismatch(candidate, narrow);
+    return again && again->kind == kind ? std::move(again) : std::nullopt;
+  };
 }
 
 bool writeOrComplain(const std::string& path, std::string_view content) {
@@ -133,13 +135,7 @@ void reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& 
 
 void reportMismatch(const Mismatch& found, const Trace& trace, const CheckOptions& options,
                     const ReportOptions& reporting) {
-  const CheckOptions narrow = only(found.kind, options);
-  const auto findAgain = [&](const Trace& candidate) {
-    if (options.engine != nullptr && !whyNot(candidate, options.engine->can()).empty())
-      return std::optional<Mismatch>();
-    auto again = findMismatch(candidate, narrow);
-    return again && again->kind == found.kind ? std::move(again) : std::nullopt;
-  };
+  const FindAgain findAgain = sameKind(found.kind, options);
   if (options.engine == nullptr) return reportMismatch(found, trace, findAgain, reporting);
   const auto makeSmall = [&](const Trace& t) {
     return shrinkWithEngine(found, t, *options.engine, findAgain, reporting.shrinkFor);
@@ -155,8 +151,7 @@ void reportCrash(const std::string& how, const Trace& trace, const CheckOptions&
   CheckOptions alone = options;
   alone.afterCommit = {};
   alone.naive = alone.cgal = false;
-  const auto crash = [&](const Trace& candidate) -> std::optional<std::string> {
-    if (options.engine != nullptr && !whyNot(candidate, options.engine->can()).empty()) return std::nullopt;
+  const auto crash = [&](const Trace& candidate) {
     return crashOf([&] { static_cast<void>(findMismatch(candidate, alone)); }, {.seconds = 10, .quiet = true});
   };
   // Where the engine alone does not crash, a reference did.

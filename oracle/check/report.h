@@ -27,6 +27,9 @@ bool writeOrComplain(const std::string& path, std::string_view content);
 /// Finds a mismatch of the same kind in another trace; nothing if it is not there, or the trace is bad.
 using FindAgain = std::function<std::optional<Mismatch>(const Trace&)>;
 
+/// Does so by a check with these options. A trace that the engine can not have is a bad one.
+FindAgain sameKind(Mismatch::Kind kind, const CheckOptions& options);
+
 /// Shrinks with an engine that lives on from trial to trial. What is left must fail in a new one; if it does not, the
 /// engine keeps something over a reset, and each trial gets a new one.
 Trace shrinkWithEngine(const Mismatch& found, const Trace& trace, Engine& engine, const FindAgain& findAgain,
@@ -42,7 +45,7 @@ void reportMismatch(const Mismatch& found, const Trace& trace, const FindAgain& 
 void reportMismatch(const Mismatch& found, const Trace& trace, const CheckOptions& options,
                     const ReportOptions& report);
 
-/// The same for a trace that makes the engine crash or hang: `how` says which, as crashOf() does.
+/// The same for a trace that makes this library's engine crash or hang: `how` says which, as crashOf() does.
 void reportCrash(const std::string& how, const Trace& trace, const CheckOptions& options, const ReportOptions& report);
 
 }  // namespace lgs::oracle

@@ -12,18 +12,23 @@ namespace lgs::oracle {
 
 class Survey {
  public:
-  /// `options` names the engine. Traces, pictures and pages go to the folder as they are found.
-  Survey(CheckOptions options, std::string folder, std::chrono::milliseconds shrinkFor)
-      : options_(std::move(options)), folder_(std::move(folder)), shrinkFor_(shrinkFor) {}
+  /// `options` names the engine; if it has not even started, there is none. Traces, pictures, pages and the report itself
+  /// go to the folder as they are found, so that a run that is interrupted has told what it knew. `again` is the command
+  /// that does all of it again.
+  Survey(CheckOptions options, std::string folder, std::string again, std::chrono::milliseconds shrinkFor)
+      : options_(std::move(options)), folder_(std::move(folder)), again_(std::move(again)), shrinkFor_(shrinkFor) {}
 
-  /// Takes a mismatch that checkTrace() has found. The first ones of a kind are shrunk; the smallest is kept.
-  void add(const Mismatch& found, const Trace& trace);
+  /// Takes a mismatch that checkTrace() has found. The first ones of a kind are shrunk; the smallest is kept. After some
+  /// hangs the engine is given up on sooner.
+  void add(const Mismatch& found, const Trace& trace, const CheckStats& stats);
+
+  /// Takes what an engine did at its greeting, or at the end of its input. No trace is to blame.
+  void add(const Failure& failure);
 
   bool isEmpty() const { return kinds_.empty(); }
 
-  /// Writes report.md and report.html, which say the same. `again` is the command that does all of it again. Whether
-  /// they could be written.
-  bool write(const CheckStats& stats, const std::string& again) const;
+  /// Writes report.md and report.html, which say the same. Whether they could be written.
+  bool write(const CheckStats& stats) const;
 
  private:
   struct Entry {
@@ -32,10 +37,13 @@ class Survey {
     std::string text;  // what is wrong with it
   };
 
-  void keep(const std::string& kind, Entry& entry, const Mismatch& found, const Trace& trace);
+  void shrink(const std::string& kind, Entry& entry, const Mismatch& found, const Trace& trace);
+  void keep(const std::string& kind, Entry& entry, const Trace& trace, const Views& views);
+  std::string facts(const CheckStats& stats) const;
 
   CheckOptions options_;
   std::string folder_;
+  std::string again_;
   std::chrono::milliseconds shrinkFor_;
   std::map<std::string, Entry> kinds_;
 };

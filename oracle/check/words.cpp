@@ -27,9 +27,9 @@ std::string describe(Mismatch::Kind kind) {
     case Mismatch::Kind::terrain:
       return "the terrain is not that of the world";
     case Mismatch::Kind::crash:
-      return "the engine ended";
+      return "there is no answer";
     case Mismatch::Kind::hang:
-      return "the engine does not answer";
+      return "there is no answer in time";
     case Mismatch::Kind::protocol:
       return "the engine does not keep to the protocol";
   }

@@ -66,15 +66,16 @@ tl::expected<bool, std::string> AnswerReader::take(std::string_view line) {
     OutlineSegment s;
     const bool isRead =
         readPoint(rest, s.start) && readPoint(rest, s.end) && readGhost(rest, s.ghost1) && readGhost(rest, s.ghost2);
-    const bool hasBlock = readInteger(rest, s.block) || (!can_.blocks && rest.find(' ') == std::string_view::npos);
+    const bool isWord = !rest.empty() && rest.find(' ') == std::string_view::npos;
+    const bool hasBlock = can_.blocks ? readInteger(rest, s.block) : isWord;
     if (!isRead || !hasBlock) return tl::unexpected<std::string>(kSegment);
-    if (std::string fault = faultOf(s); !fault.empty()) return tl::unexpected(std::move(fault));
+    if (std::string fault = faultOf(s, can_); !fault.empty()) return tl::unexpected(std::move(fault));
     outline.push_back(s);
     return false;
   }
   if (line == "end") return true;
   if (word != "refused")
-    return tl::unexpected<std::string>("a line of an answer is refused, segment, end or a comment");
+    return tl::unexpected<std::string>("a line of an answer begins with refused, segment, end or #");
   if (!outline.empty()) return tl::unexpected<std::string>("refusals come before the segments");
   const std::string name(nextWord(rest));
   if (name.empty() || rest.empty()) return tl::unexpected<std::string>("a refusal needs a name and a reason");
@@ -82,9 +83,12 @@ tl::expected<bool, std::string> AnswerReader::take(std::string_view line) {
   return false;
 }
 
-std::string faultOf(const OutlineSegment& segment) {
-  const bool isFar = !isInTheWorld(segment.start) || !isInTheWorld(segment.end) ||
-                     !isInTheWorld(segment.ghost1.value_or(Point())) || !isInTheWorld(segment.ghost2.value_or(Point()));
+std::string faultOf(const OutlineSegment& segment, const Capabilities& can) {
+  const auto isFarGhost = [&](const std::optional<Point>& ghost) {
+    return can.ghosts && ghost && !isInTheWorld(*ghost);
+  };
+  const bool isFar = !isInTheWorld(segment.start) || !isInTheWorld(segment.end) || isFarGhost(segment.ghost1) ||
+                     isFarGhost(segment.ghost2);
   return isFar ? "beyond the end of the world, which is 2^30 cells away" : "";
 }
 

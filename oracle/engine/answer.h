@@ -34,7 +34,7 @@ class AnswerReader {
   Capabilities can_;
 };
 
-/// What is wrong with a segment by itself, whatever the world; empty if nothing is.
-std::string faultOf(const OutlineSegment& segment);
+/// What is wrong with a segment of such an engine by itself, whatever the world; empty if nothing is.
+std::string faultOf(const OutlineSegment& segment, const Capabilities& can);
 
 }  // namespace lgs::oracle

@@ -1,5 +1,7 @@
 #include "oracle/engine/capabilities.h"
 
+#include "oracle/trace/line.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
@@ -71,11 +73,7 @@ bool isSlanted(const std::vector<LocalPoint>& polygon) {
 
 tl::expected<Capabilities, std::string> parseCapabilities(std::string_view words) {
   Capabilities can;
-  while (!words.empty()) {
-    const std::size_t end = std::min(words.find(' '), words.size());
-    const std::string_view word = words.substr(0, end);
-    words.remove_prefix(std::min(end + 1, words.size()));
-    if (word.empty()) continue;
+  for (const std::string_view word : splitWords(words)) {
     if (std::string wrong = take(word, can); !wrong.empty()) return tl::unexpected(std::move(wrong));
   }
   return can;

@@ -5,7 +5,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/wait.h>
 #include <unistd.h>
 #include <algorithm>
 #include <array>
@@ -13,7 +12,6 @@
 #include <csignal>
 #include <cstdio>
 #include <system_error>
-#include <thread>
 
 namespace lgs::oracle {
 namespace {
@@ -26,13 +24,10 @@ constexpr std::size_t kLongestLog = 16 * kMiB;  // for one answer
 constexpr std::size_t kLongestLine = kMiB;
 constexpr std::size_t kTail = 2'000;
 
-using Ends = std::array<int, 2>;
-
 Ends makePipe() {
   Ends ends{};
   if (pipe(ends.data()) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
-  for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
-  return ends;
+  return kept(ends);
 }
 
 void closeEnd(int& end) {
@@ -40,21 +35,14 @@ void closeEnd(int& end) {
   end = -1;
 }
 
-[[noreturn]] void become(const char* command, int input, int output, int log) {
-  setpgid(0, 0);
-  signal(SIGPIPE, SIG_DFL);
-  dup2(input, STDIN_FILENO);
-  dup2(output, STDOUT_FILENO);
-  dup2(log, STDERR_FILENO);
-  execl("/bin/sh", "sh", "-c", command, nullptr);
-  _exit(127);
-}
-
 Failure protocol(std::string text) { return {Failure::Kind::protocol, std::move(text)}; }
 
 std::string shortened(std::string_view line) {
   constexpr std::size_t kShown = 80;
-  std::string text(line.substr(0, kShown));
+  std::size_t shown = std::min(line.size(), kShown);
+  const auto isInside = [&](std::size_t k) { return (static_cast<unsigned char>(line[k]) & 0xc0U) == 0x80; };
+  while (shown > 0 && shown < line.size() && isInside(shown)) --shown;  // no half of a character
+  std::string text(line.substr(0, shown));
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
   return line.size() > kShown ? text + "…" : text;
@@ -62,31 +50,23 @@ std::string shortened(std::string_view line) {
 
 }  // namespace
 
-Child::Child(const std::string& command, bool verbose) : verbose_(verbose) {
+Child::Child(const Guard::Program& program, bool verbose) : verbose_(verbose) {
   Ends in = makePipe(), out = makePipe(), log = makePipe();
   signal(SIGPIPE, SIG_IGN);  // a child that reads no more shows by its end
-  std::fflush(nullptr);
-  process_ = fork();
-  if (process_ == 0) become(command.c_str(), in[0], out[1], log[1]);
-  if (process_ > 0) setpgid(process_, process_);
+  guard_.emplace(program, Guard::Files{in[0], out[1], log[1]});
   closeEnd(in[0]);
   closeEnd(out[1]);
   closeEnd(log[1]);
   input_ = in[1];
   output_ = out[0];
   log_ = log[0];
-  if (process_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
-  guard_.emplace(process_);
   for (const int end : {input_, output_, log_}) fcntl(end, F_SETFL, O_NONBLOCK);
 }
 
 Child::~Child() {
-  kill(-process_, SIGKILL);  // before it is waited for: until then the number of the group is taken
   closeEnd(input_);
   closeEnd(output_);
   closeEnd(log_);
-  while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
-  }
 }
 
 // What nobody has asked for.
@@ -105,26 +85,36 @@ std::optional<Failure> Child::ask(std::string_view text, const Take& take, Clock
   while (true) {
     if (auto failure = takeLines(take, isComplete)) return failure;
     if (isComplete) return takeRest();
-    if (output_ < 0) return ended(deadline);
-    if (Clock::now() >= deadline) return late(patience);
-    if (auto failure = transfer(text, deadline)) return failure;
+    if (output_ < 0) break;
+    const auto goesOn = transfer(text, deadline);
+    if (!goesOn) return goesOn.error();
+    if (!*goesOn) return noAnswer(patience);
   }
+  // As a rule it has closed its output because it has ended.
+  if (auto failure = settle(std::min(deadline, Clock::now() + 500ms))) return failure;
+  return noAnswer(patience);
 }
 
 std::optional<Failure> Child::finish(Clock::duration patience) {
   answered_ = logged_ = 0;
   closeEnd(input_);
-  const Clock::time_point deadline = Clock::now() + patience;
-  std::string_view nothing;
-  while (output_ >= 0 && Clock::now() < deadline) {
-    if (auto failure = transfer(nothing, deadline)) return failure;
-    if (auto failure = takeRest()) return failure;
-  }
-  std::string how;
-  while ((how = howItEnded()).empty() && Clock::now() < deadline) std::this_thread::sleep_for(1ms);
-  if (how.empty()) return Failure{Failure::Kind::hang, "does not end at the end of its input"};
+  if (auto failure = settle(Clock::now() + patience)) return failure;
+  const std::string& how = guard_->howItEnded();
+  if (how.empty()) return Failure{Failure::Kind::hang, "does not end at the end of its input", endOfLog()};
   if (how == kEndedWell) return std::nullopt;
   return Failure{Failure::Kind::crash, how + " at the end of its input", endOfLog()};
+}
+
+// Reads until it has ended, and has closed its output and its log.
+std::optional<Failure> Child::settle(Clock::time_point deadline) {
+  std::string_view nothing;
+  while (output_ >= 0 || log_ >= 0 || !ended_) {
+    const auto goesOn = transfer(nothing, deadline);
+    if (!goesOn) return goesOn.error();
+    if (auto failure = takeRest()) return failure;
+    if (!*goesOn) break;
+  }
+  return std::nullopt;
 }
 
 // Takes what has come, line by line.
@@ -148,18 +138,24 @@ std::optional<Failure> Child::takeLines(const Take& take, bool& isComplete) {
   return std::nullopt;
 }
 
-// Waits until something can be written or read, and does that.
-std::optional<Failure> Child::transfer(std::string_view& unsent, Clock::time_point deadline) {
+// Waits until something can be written or read, and does that. Whether it makes sense to go on. It makes none when time
+// is up and nothing has come. Time is up soon after the end of the child: what it has started may hold its pipes open.
+tl::expected<bool, Failure> Child::transfer(std::string_view& unsent, Clock::time_point deadline) {
+  const Clock::time_point until = ended_ ? std::min(deadline, *ended_ + 100ms) : deadline;
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
+  const bool isLate = left.count() <= 0;
+  const std::size_t before = answered_ + logged_;
   const bool writes = !unsent.empty() && input_ >= 0;
-  std::array<pollfd, 3> ends{pollfd{writes ? input_ : -1, POLLOUT, 0}, pollfd{output_, POLLIN, 0},
-                             pollfd{log_, POLLIN, 0}};
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
-  poll(ends.data(), ends.size(), static_cast<int>(std::max<std::int64_t>(left.count(), 0)));
+  std::array ends{pollfd{writes ? input_ : -1, POLLOUT, 0}, pollfd{output_, POLLIN, 0}, pollfd{log_, POLLIN, 0},
+                  pollfd{ended_ ? -1 : guard_->news(), POLLIN, 0}};
+  poll(ends.data(), ends.size(), isLate ? 0 : static_cast<int>(left.count()));
   if (ends[0].revents != 0) write(unsent);
   std::optional<Failure> failure;
   if (ends[1].revents != 0) failure = readOutput();
   if (!failure && ends[2].revents != 0) failure = readLog();
-  return failure;
+  if (failure) return tl::unexpected(std::move(*failure));
+  if (ends[3].revents != 0 && !guard_->howItEnded().empty()) ended_ = Clock::now();
+  return !isLate || answered_ + logged_ != before;
 }
 
 void Child::write(std::string_view& unsent) {
@@ -194,30 +190,13 @@ std::optional<Failure> Child::readLog() {
   return std::nullopt;
 }
 
-// The output is closed: because the child has ended, as a rule.
-Failure Child::ended(Clock::time_point deadline) {
-  const Clock::time_point grace = std::min(deadline, Clock::now() + 500ms);
-  std::string how;
-  while ((how = howItEnded()).empty() && Clock::now() < grace) std::this_thread::sleep_for(1ms);
-  while (log_ >= 0 && !how.empty() && logged_ <= kLongestLog) {
-    const std::size_t before = logged_;
-    if (readLog() || logged_ == before) break;
-  }
-  if (how.empty()) return {Failure::Kind::crash, "closed its output, and lives on"};
-  return {Failure::Kind::crash, how == kEndedWell ? how + " before it has answered" : how, endOfLog()};
-}
-
-Failure Child::late(Clock::duration patience) {
-  if (std::string how = howItEnded(); !how.empty()) return {Failure::Kind::crash, how, endOfLog()};
+Failure Child::noAnswer(Clock::duration patience) {
+  const std::string& how = guard_->howItEnded();
+  if (!how.empty())
+    return {Failure::Kind::crash, how == kEndedWell ? how + " before it has answered" : how, endOfLog()};
+  if (output_ < 0) return {Failure::Kind::crash, "closed its output, and lives on", endOfLog()};
   return {Failure::Kind::hang,
           fmt::format("has not answered within {} s", std::chrono::duration<double>(patience).count()), endOfLog()};
-}
-
-std::string Child::howItEnded() const {
-  siginfo_t info{};
-  if (waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid == 0)
-    return "";
-  return info.si_code == CLD_EXITED ? endingOfStatus(info.si_status) : endingOfSignal(info.si_status);
 }
 
 std::string Child::endOfLog() const {

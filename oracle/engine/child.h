@@ -1,5 +1,5 @@
 // A process that is asked by lines of text and answers by lines. It is given up on when it takes too long, and is killed
-// with all that it has started. POSIX only.
+// with all that it has started (guard.h). POSIX only.
 #pragma once
 
 #include "oracle/engine/engine.h"
@@ -21,9 +21,9 @@ class Child {
   /// What a line of the child's means to whoever asked: the answer goes on, or it is complete; or what is wrong.
   using Take = std::function<tl::expected<bool, std::string>(std::string_view line)>;
 
-  /// Starts a command by /bin/sh, in a process group of its own. With `verbose` its comments and its standard error
-  /// are shown on the standard error.
-  Child(const std::string& command, bool verbose);
+  /// Starts a program, in a process group of its own. With `verbose` its comments and its standard error are shown on
+  /// the standard error.
+  Child(const Guard::Program& program, bool verbose);
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
@@ -38,18 +38,17 @@ class Child {
  private:
   std::optional<Failure> takeLines(const Take& take, bool& isComplete);
   std::optional<Failure> takeRest();
-  std::optional<Failure> transfer(std::string_view& unsent, Clock::time_point deadline);
+  std::optional<Failure> settle(Clock::time_point deadline);
+  tl::expected<bool, Failure> transfer(std::string_view& unsent, Clock::time_point deadline);
   std::optional<Failure> readOutput();
   std::optional<Failure> readLog();
   void write(std::string_view& unsent);
-  Failure ended(Clock::time_point deadline);
-  Failure late(Clock::duration patience);
-  std::string howItEnded() const;  // empty while it lives
+  Failure noAnswer(Clock::duration patience);
   std::string endOfLog() const;
 
   bool verbose_;
-  pid_t process_ = -1;
   std::optional<Guard> guard_;
+  std::optional<Clock::time_point> ended_;   // when that was noticed
   int input_ = -1, output_ = -1, log_ = -1;  // our ends; -1: closed
   std::string lines_;                        // read and not yet taken
   std::size_t taken_ = 0;                    // of lines_

@@ -51,19 +51,19 @@ class Engine {
   virtual void remove(const std::string& name) = 0;
 
   /// Makes the edits since the last commit. Returns those that were refused, in their order; or why there is no answer.
-  /// After a failure only reset() may be called.
+  /// After a failure nothing but reset() and outline() may be called.
   virtual Refusals commit() = 0;
 
-  /// The output of the last commit, sorted.
+  /// The output of the last commit that was answered, sorted.
   virtual Outline outline() const = 0;
 
-  /// Begins anew from nothing, so that nothing of the past is left. For engines whose reset() may not be trusted.
+  /// Begins anew: more than reset() does, which may forget to forget something.
   virtual void restart() {}
 
-  /// Whether it is given up on sooner than it says: while a hang is looked for again and again.
+  /// In a hurry the engine gets less time for an answer: a hang is looked for again and again.
   virtual void hurry(bool /*isInHurry*/) {}
 
-  /// No world is wanted any more. What is wrong with how the engine ends, if anything is.
+  /// Ends the engine. What goes wrong then, if anything does.
   virtual std::optional<Failure> finish() { return std::nullopt; }
 
  protected:

@@ -4,9 +4,14 @@
 #include "oracle/trace/coordinate.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 #include <algorithm>
 
 namespace lgs::oracle {
+
+Guard::Program shell(std::string command) {
+  return [command = std::move(command)] { execl("/bin/sh", "sh", "-c", command.c_str(), nullptr); };
+}
 
 tl::expected<std::unique_ptr<ProcessEngine>, Failure> ProcessEngine::start(const ProcessOptions& options) {
   std::unique_ptr<ProcessEngine> engine(new ProcessEngine(options));
@@ -15,7 +20,7 @@ tl::expected<std::unique_ptr<ProcessEngine>, Failure> ProcessEngine::start(const
 }
 
 std::optional<Failure> ProcessEngine::begin() {
-  child_.emplace(options_.command, options_.verbose);
+  child_.emplace(options_.program, options_.verbose);
   const bool isFirst = name().empty();
   const auto take = [&](std::string_view line) -> tl::expected<bool, std::string> {
     auto hello = parseHello(line);

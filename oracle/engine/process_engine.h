@@ -12,8 +12,11 @@
 
 namespace lgs::oracle {
 
+/// A command for /bin/sh.
+Guard::Program shell(std::string command);
+
 struct ProcessOptions {
-  std::string command;  ///< for /bin/sh
+  Guard::Program program;  ///< shell(), or serving() of serve.h
   std::chrono::duration<double> timeout{10};
   bool verbose = false;  ///< show its comments and its log
 };

@@ -13,6 +13,7 @@ namespace lgs::oracle {
 namespace {
 
 struct Answer {
+  Capabilities can;
   std::vector<RefusedEdit> refused;
   Outline outline;
   std::string fault;  // of the first bad segment
@@ -30,7 +31,7 @@ void takeSegments(void* to, const lgs_engine_segment* segments, std::size_t coun
     OutlineSegment segment{pointOf(s.start), pointOf(s.end), s.block, {}, {}};
     if ((s.missing & 1U) == 0) segment.ghost1 = pointOf(s.ghost1);
     if ((s.missing & 2U) == 0) segment.ghost2 = pointOf(s.ghost2);
-    if (std::string fault = faultOf(segment); !fault.empty()) {
+    if (std::string fault = faultOf(segment, answer.can); !fault.empty()) {
       if (answer.fault.empty()) answer.fault = std::move(fault);
     } else {
       answer.outline.push_back(segment);
@@ -44,6 +45,9 @@ tl::expected<std::unique_ptr<TableEngine>, std::string> TableEngine::make(const 
   if (table == nullptr) return tl::unexpected<std::string>("lgs_engine() returns null");
   if (table->version != LGS_ENGINE_VERSION)
     return tl::unexpected(fmt::format("it is of version {}; there is only {}", table->version, LGS_ENGINE_VERSION));
+  const bool isWhole = table->name && table->capabilities && table->create && table->destroy && table->reset &&
+                       table->preserve && table->add && table->remove && table->commit;
+  if (!isWhole) return tl::unexpected<std::string>("a pointer of its table is null");
   const auto can = parseCapabilities(table->capabilities);
   if (!can) return tl::unexpected(can.error());
   std::unique_ptr<TableEngine> engine(new TableEngine(table));
@@ -89,7 +93,7 @@ void TableEngine::remove(const std::string& name) {
 
 Engine::Refusals TableEngine::commit() {
   if (self_ == nullptr) return tl::unexpected(Failure{Failure::Kind::crash, "can not be created"});
-  Answer answer;
+  Answer answer{can(), {}, {}, {}};
   const lgs_engine_answer taking{&answer, takeRefused, takeSegments};
   table_->commit(self_, &taking);
   if (!answer.fault.empty()) return tl::unexpected(Failure{Failure::Kind::protocol, "put out " + answer.fault});

@@ -4,6 +4,7 @@
 #include "oracle/page/story.h"
 #include "oracle/page/template.h"
 
+#include <algorithm>
 #include <string_view>
 
 namespace lgs::oracle {
@@ -27,9 +28,18 @@ std::string inScript(const Json& data) {
   return out;
 }
 
-// Text in an element. Lines stay lines.
-std::string inElement(const std::string& any) {
-  const auto text = Json::parse(dumped(any)).get<std::string>();
+}  // namespace
+
+std::string readable(std::string_view any) {
+  auto text = Json::parse(dumped(any)).get<std::string>();
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return (c < 0x20 && c != '\n') || c == 0x7f; }, ' ');
+  return text;
+}
+
+// Lines stay lines.
+std::string inElement(std::string_view any) {
+  const std::string text = readable(any);
   std::string out;
   for (std::size_t begin = 0;;) {
     const std::size_t end = text.find('\n', begin);
@@ -39,8 +49,6 @@ std::string inElement(const std::string& any) {
     begin = end + 1;
   }
 }
-
-}  // namespace
 
 std::string writePage(const Trace& trace, const PageOptions& options) {
   std::string page;

@@ -13,8 +13,10 @@
 #include "oracle/trace/trace.h"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace lgs::oracle {
 
@@ -33,8 +35,18 @@ struct PageOptions {
   std::string report;  ///< what went wrong, in words; whole lines; may be empty
   std::string expectedName = "expected";
   std::string actualName = "actual";  ///< empty: there is no other outline than the expected one
-  std::optional<PageEnd> end;  ///< nothing: all went well, and the page shows the whole trace
+  std::optional<PageEnd> end;         ///< nothing: all went well, and the page shows the whole trace
+
+  /// What of an outline is compared, if not all of it: the outlines of all steps are shown so, as those of the end are.
+  std::function<Outline(Outline)> asCompared = {};
 };
+
+/// Text from anywhere: what is no UTF-8 becomes a sign that says so, and control characters become blanks,
+/// but for the end of a line.
+std::string readable(std::string_view any);
+
+/// Such text for an HTML element.
+std::string inElement(std::string_view any);
 
 std::string writePage(const Trace& trace, const PageOptions& options);
 

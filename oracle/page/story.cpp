@@ -145,7 +145,8 @@ class Story {
   Outline wholeOutline() {
     Scene scene{{}, trace_.preserve};
     for (const auto& [name, number] : placed_) scene.polygons.push_back(tables_.polygon(number));
-    return naive_(scene).outline;
+    const Outline& whole = naive_(scene).outline;
+    return options_.asCompared ? options_.asCompared(whole) : whole;
   }
 
   void putOutlines(Json& step, Outline expected, const PageEnd* end) {

@@ -25,8 +25,9 @@ std::span<const OutlineSegment> leaving(const Outline& outline, Point start) {
 }
 
 bool has(const Outline& outline, Point start, Point end) {
-  const auto candidates = leaving(outline, start);
-  return std::any_of(candidates.begin(), candidates.end(), [&](auto& s) { return s.end == end; });
+  const std::pair ends(start, end);
+  const auto at = std::ranges::lower_bound(outline, ends, {}, endsOf);
+  return at != outline.end() && endsOf(*at) == ends;
 }
 
 // The outline's segment that leaves from the same start in the same direction, but ends elsewhere.
@@ -55,6 +56,7 @@ std::string noteOnMissing(const OutlineSegment& missing, const Outline& expected
 }
 
 std::string noteOnExtra(const OutlineSegment& extra, const Outline& expected, const Outline& actual) {
+  if (extra.start == extra.end) return "it has no length";
   if (has(expected, extra.start, extra.end)) return "it is there twice";
   if (const OutlineSegment* other = otherLength(expected, extra)) {
     return isShorter(other->end - other->start, extra.end - extra.start)

@@ -36,6 +36,12 @@ TEST(Answers, WrongLinesAreTold) {
   EXPECT_FALSE(late.take("refused p1 too late"));
   AnswerReader without(Capabilities{});
   EXPECT_TRUE(without.take("segment 0 0 1 1 - - - - -")) << "without blocks any word is good";
+  EXPECT_FALSE(without.take("segment 0 0 1 1 - - - -")) << "but there is one";
+  EXPECT_FALSE(without.take("segment 0 0 1 1 - - - - "));
+  EXPECT_FALSE(without.take("segment 0 0 1 1 - - - - 1 2"));
+  const std::string far = "segment 0 0 1 1 99999999999999 0 - - 1";
+  EXPECT_TRUE(without.take(far)) << "ghosts are not compared";
+  EXPECT_FALSE(AnswerReader(Capabilities::all()).take(far));
 }
 
 TEST(Answers, AnEngineGreets) {

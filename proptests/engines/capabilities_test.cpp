@@ -7,6 +7,7 @@
 #include "oracle/reference/naive.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <set>
 
 namespace lgs::oracle {
@@ -97,6 +98,30 @@ TEST(Comparable, JoinsWhatIsCollinear) {
   EXPECT_EQ(comparable(outlineOfSquares({{0, 0}, {1, 0}}), canDo("blocks merged")).size(), 6U) << "other blocks";
   // Two squares that touch in a corner, beside two that share a wall: nothing is joined through the corner.
   EXPECT_EQ(comparable(outlineOfSquares({{0, 0}, {1, 1}}), canDo("merged")).size(), 8U);
+}
+
+// The corner of a triangle touches the middle of the top of a square. The links turn there, so the top stays in two.
+TEST(Comparable, JoinsNothingThroughACornerOfAnother) {
+  const Scene scene{{{{0, 0}, 1, {{0, 0}, {U, 0}, {U, U}, {0, U}}}, {{0, 1}, 1, {{U / 2, 0}, {U, U}, {0, U}}}}, {}};
+  const Outline outline = naiveOutline(scene);
+  ASSERT_EQ(outline.size(), 8U);
+  EXPECT_EQ(comparable(outline, canDo("ghosts blocks merged")), outline);
+}
+
+// Between two rows of two squares the wall is preserved: there both directions of it are joined, each to its own.
+TEST(Comparable, JoinsBothDirectionsOfAPreservedWall) {
+  const auto square = [](Cell cell, Block block) {
+    return ScenePolygon{cell, block, {{0, 0}, {U, 0}, {U, U}, {0, U}}};
+  };
+  Scene scene{{square({0, 0}, 1), square({1, 0}, 1), square({0, 1}, 2), square({1, 1}, 2)}, {}};
+  scene.preserve.add(1, 2);
+  const Outline joined = comparable(naiveOutline(scene), canDo("blocks merged"));
+  const auto has = [&](Point start, Point end, Block block) {
+    return std::ranges::find(joined, OutlineSegment{start, end, block, {}, {}}) != joined.end();
+  };
+  EXPECT_TRUE(has({2 * U, U}, {0, U}, 1));
+  EXPECT_TRUE(has({0, U}, {2 * U, U}, 2));
+  EXPECT_EQ(joined.size(), 8U);
 }
 
 /// This library's engine, and what it would put out if it joined its segments.

@@ -12,8 +12,9 @@ class PlantedBugs : public Workbench {
   /// The finding must have all these parts in its text.
   void expectFound(const std::string& piece, const std::string& instead, const std::vector<std::string>& parts,
                    std::size_t most = 4) const {
-    const Outcome outcome = check(naiveWith(piece, instead), "--edits 4000 --shrink 10");
+    const Outcome outcome = check(naiveWith(piece, instead), "--edits 4000 --shrink 5", 1);
     EXPECT_EQ(outcome.status, 1) << outcome.text;
+    EXPECT_LT(outcome.seconds, 60);
     for (const std::string& part : parts)
       EXPECT_NE(outcome.text.find(part), std::string::npos) << part << "\n" << outcome.text;
     EXPECT_LE(editsOfMismatch(), most) << outcome.text;

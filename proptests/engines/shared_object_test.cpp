@@ -69,6 +69,15 @@ TEST(SharedObject, BadTablesAreTold) {
   table.capabilities = "ghosts magic";
   EXPECT_FALSE(TableEngine::make(&table));
   EXPECT_FALSE(TableEngine::load("no-such.so"));
+  const auto withNull = [](auto lgs_engine_table::*pointer) {
+    lgs_engine_table one = Fake::kTable;
+    one.*pointer = nullptr;
+    return TableEngine::make(&one).has_value();
+  };
+  using T = lgs_engine_table;
+  EXPECT_FALSE(withNull(&T::name) || withNull(&T::capabilities) || withNull(&T::create) || withNull(&T::destroy));
+  EXPECT_FALSE(withNull(&T::reset) || withNull(&T::preserve) || withNull(&T::add) || withNull(&T::remove));
+  EXPECT_FALSE(withNull(&T::commit));
 }
 
 }  // namespace
@@ -85,10 +94,70 @@ TEST_F(SharedObjects, AreCheckedByTheCommand) {
   EXPECT_NE(good.text.find("engine     LocalGridSeg: segments, ghosts and blocks are compared"), std::string::npos);
   const Outcome joined = sh("lgs check --engine-so '" LGS_ENGINE_SO "' --assume 'ghosts merged' --edits 300");
   EXPECT_EQ(joined.status, 0) << joined.text;
-  EXPECT_EQ(sh("lgs check --engine-so ./missing.so --edits 10").status, 1);
+  EXPECT_EQ(sh("lgs check --engine-so ./missing.so --edits 10").status, 2);
   EXPECT_EQ(sh("lgs check --engine-so a.so --engine b").status, 2);
   EXPECT_EQ(sh("lgs check --engine-timeout 3").status, 2);
   EXPECT_EQ(sh("lgs check --engine-so a.so --assume magic").status, 2);
+}
+
+// A variable of a script that is not set must not make it a check of this library.
+TEST_F(SharedObjects, AndCommandsAreNotEmpty) {
+  EXPECT_EQ(sh("lgs check --engine '' --edits 10").status, 2);
+  EXPECT_EQ(sh("lgs check --engine-so '' --edits 10").status, 2);
+  const std::string trace = "printf 'lgs-trace 1\\n' > t.trace; lgs replay t.trace --check ";
+  EXPECT_EQ(sh(trace).status, 0);
+  EXPECT_EQ(sh(trace + "--engine ''").status, 2);
+  EXPECT_EQ(sh(trace + "--engine-so ''").status, 2);
+}
+
+// The crash is told and shrunk, and the commands that are printed show it again.
+TEST_F(SharedObjects, MayCrashAndHang) {
+  const std::vector<std::pair<std::string, std::string>> told{
+      {"crash", "the engine crashed with SIGABRT after edit 1\n"},
+      {"throw", "what():  thrown\n"},
+      {"exit", "the engine ended with status 3 after edit 1\n"},
+      {"sleep", "the engine has not answered within 0.5 s after edit 1\n"}};
+  for (const auto& [bad, words] : told) {
+    ASSERT_EQ(::setenv("LGS_BAD", bad.c_str(), 1), 0);
+    const Outcome outcome =
+        sh("lgs check --engine-so '" LGS_BAD_SO "' --engine-timeout 0.5 --edits 100 --shrink 1 --out out/" + bad);
+    EXPECT_EQ(outcome.status, 1) << outcome.text;
+    for (const std::string& part : {words, std::string("its log ends:\nnow it goes wrong\n")})
+      EXPECT_NE(outcome.text.find(part), std::string::npos) << part << "\n" << outcome.text;
+    const Outcome seen = sh("rm out/" + bad + "/*.svg; " + afterWord(outcome.text, "look at it "));
+    EXPECT_EQ(seen.status, 1) << seen.text;
+    EXPECT_NE(seen.text.find(words), std::string::npos) << seen.text;
+    EXPECT_EQ(sh("grep -q '<svg' out/" + bad + "/*.svg").status, 0);
+    const Outcome again = sh(afterWord(outcome.text, "again      ") + " --shrink 1");
+    EXPECT_NE(again.text.find(words), std::string::npos) << again.text;
+    EXPECT_LT(outcome.seconds + seen.seconds + again.seconds, 30);
+  }
+  ::unsetenv("LGS_BAD");
+}
+
+// A dump is of the engine that was checked. Edits that are rightly refused are no trouble.
+TEST_F(SharedObjects, ReplayATrace) {
+  const std::string trace =
+      "printf 'lgs-trace 1\\nadd p1 0 0 1  0 0 1 0 1 1\\nadd bad 0 0 1  0 0 1 0 1 1\\n' > t.trace; "
+      "rm -f d.txt; lgs replay t.trace --check --dump d.txt --svg d.svg ";
+  const Outcome good = sh(trace + "--engine-so '" LGS_ENGINE_SO "'; cat d.txt");
+  EXPECT_EQ(good.status, 0) << good.text;
+  EXPECT_NE(good.text.find("checked 1 commit"), std::string::npos) << good.text;
+  EXPECT_NE(good.text.find("segment 0 0 65536 0 65536 65536 65536 65536 1\n"), std::string::npos) << good.text;
+  const Outcome bad = sh(trace + "--engine-so '" LGS_BAD_SO "' --assume 'slants refuses'; echo status $?; cat d.txt");
+  EXPECT_NE(bad.text.find("status 1\n"), std::string::npos) << bad.text;
+  EXPECT_EQ(bad.text.find("segment 0 0"), std::string::npos) << "this library's: " << bad.text;
+}
+
+TEST_F(SharedObjects, DigInAMap) {
+  const Outcome good = sh("lgs check --engine-so '" LGS_ENGINE_SO "' --map '" LGS_SOURCE_DIR
+                          "/proptests/regressions/uncut-wall.trace' --edits 50");
+  EXPECT_EQ(good.status, 0) << good.text;
+  const Outcome bad = sh("lgs check --engine-so '" LGS_PUBLISHED_SO "' --map '" LGS_SOURCE_DIR
+                         "/proptests/regressions/uncut-wall.trace' --edits 200 --shrink 1");
+  EXPECT_EQ(bad.status, 1) << bad.text;
+  const Outcome again = sh(afterWord(bad.text, "again      ") + " --shrink 1");
+  EXPECT_EQ(again.status, 1) << again.text;
 }
 
 // The published algorithm departs from the laws (docs/departures.md); in worlds of squares it does not.

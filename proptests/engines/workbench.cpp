@@ -39,11 +39,17 @@ void Workbench::TearDown() {
 }
 
 std::string Workbench::naiveWith(const std::string& piece, const std::string& instead) const {
+  return naiveWith({{piece, instead}});
+}
+
+std::string Workbench::naiveWith(const std::vector<std::pair<std::string, std::string>>& replaced) const {
   std::string text = contentOf(LGS_SOURCE_DIR "/examples/engines/naive.py");
-  const std::size_t at = text.find(piece);
-  EXPECT_NE(at, std::string::npos) << piece;
-  if (at != std::string::npos) text.replace(at, piece.size(), instead);
-  EXPECT_EQ(text.find(piece, at + instead.size()), std::string::npos) << piece << " is there twice";
+  for (const auto& [piece, instead] : replaced) {
+    const std::size_t at = text.find(piece);
+    EXPECT_NE(at, std::string::npos) << piece;
+    if (at != std::string::npos) text.replace(at, piece.size(), instead);
+    EXPECT_EQ(text.find(piece, at + instead.size()), std::string::npos) << piece << " is there twice";
+  }
   const std::string file = (folder_ / "engine.py").string();
   std::ofstream(file) << text;
   return "exec " LGS_PYTHON " -S " + oracle::shellWord(file);
@@ -69,8 +75,9 @@ Workbench::Outcome Workbench::sh(const std::string& line) const {
   return outcome;
 }
 
-Workbench::Outcome Workbench::check(const std::string& engine, const std::string& arguments) const {
-  return sh("lgs check --engine " + oracle::shellWord(engine) + " --engine-timeout 2 " + arguments);
+Workbench::Outcome Workbench::check(const std::string& engine, const std::string& arguments, int timeout) const {
+  return sh("lgs check --engine " + oracle::shellWord(engine) + " --engine-timeout " + std::to_string(timeout) + " " +
+            arguments);
 }
 
 bool Workbench::isAnyoneLeft() const {
@@ -83,6 +90,14 @@ bool Workbench::isAnyoneLeft() const {
   for (int k = 0; k < 100; ++k, std::this_thread::sleep_for(20ms))
     if (!isThere()) return false;
   return true;
+}
+
+std::string Workbench::afterWord(const std::string& text, const std::string& word) {
+  const std::size_t at = ("\n" + text).find("\n" + word);
+  EXPECT_NE(at, std::string::npos) << word << " is not in\n" << text;
+  if (at == std::string::npos) return "false";
+  const std::size_t begin = at + word.size();
+  return text.substr(begin, text.find('\n', begin) - begin);
 }
 
 std::size_t Workbench::editsOfMismatch() const {

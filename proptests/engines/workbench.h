@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace lgs::test {
 
@@ -21,17 +23,23 @@ class Workbench : public ::testing::Test {
   /// examples/engines/naive.py with one piece of it changed; the command that runs it. The piece must be there once.
   std::string naiveWith(const std::string& piece, const std::string& instead) const;
 
+  /// The same with several pieces changed, one after the other.
+  std::string naiveWith(const std::vector<std::pair<std::string, std::string>>& replaced) const;
+
   /// The same with a statement that runs before each answer to a commit.
   std::string naiveThat(const std::string& statement) const;
 
   /// Runs a command in the folder, with `lgs` for the command of that name.
   Outcome sh(const std::string& line) const;
 
-  /// Checks an engine. The time that an answer may take is short.
-  Outcome check(const std::string& engine, const std::string& arguments) const;
+  /// Checks an engine. The time that an answer may take is short, in seconds.
+  Outcome check(const std::string& engine, const std::string& arguments, int timeout = 2) const;
 
   /// Whether any process was started from the folder and lives on. They get a moment to go.
   bool isAnyoneLeft() const;
+
+  /// What follows a word at the beginning of a line: a command that lgs has printed.
+  static std::string afterWord(const std::string& text, const std::string& word);
 
   /// How many edits and commits a saved mismatch has; commits at its end do not count.
   std::size_t editsOfMismatch() const;

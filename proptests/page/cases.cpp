@@ -137,7 +137,7 @@ PageCase longTrace() {
 }
 
 PageCase crash() {
-  return {"crash", uncutWall().trace, {"the engine crashed: Segmentation fault", "", "naive reference", "", {}}};
+  return {"crash", uncutWall().trace, {"the engine crashed with SIGSEGV", "", "naive reference", "", {}}};
 }
 
 std::vector<PageCase> pageCases() {

@@ -10,6 +10,8 @@
 #ifndef LGS_ENGINE_H
 #define LGS_ENGINE_H
 
+/* NOLINTBEGIN(modernize-use-using): it is C */
+
 #include <stddef.h>
 #include <stdint.h>
 
@@ -64,5 +66,7 @@ LGS_ENGINE_EXPORT const lgs_engine_table* lgs_engine(void);
 #ifdef __cplusplus
 }
 #endif
+
+/* NOLINTEND(modernize-use-using) */
 
 #endif
