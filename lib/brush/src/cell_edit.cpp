@@ -59,19 +59,16 @@ void addPolygons(const std::vector<CellPolygon>& polygons, const std::vector<boo
   for (std::size_t k = 0; k < sides.size();) {
     const std::size_t first = k;
     Segment segment{sides[k].low, sides[k].high, sides[k].low, sides[k].high, {}, true};
-    StayingEdge staying{{segment.a, segment.b}, {}};
     for (; k < sides.size() && !(sides[first] < sides[k]); ++k) {
       const Side& s = sides[k];
       if (reached[s.polygon]) {
         const Sum sum{0, 1, static_cast<std::int64_t>(s.polygon) + 1};
         segment.sum += s.isLeft ? sum : -sum;
       } else {
-        staying.polygons.push_back(s.polygon);
+        segment.bends = false;
       }
     }
-    segment.bends = staying.polygons.empty();
     if (segment.sum != Sum{}) result.segments.push_back(segment);
-    if (!segment.bends) result.staying.push_back(std::move(staying));
   }
 }
 
@@ -82,6 +79,7 @@ Arrangement arrangementOf(const std::vector<CellPolygon>& polygons, const std::v
   result.hot = {{0, 0}, {kEnd, 0}, {kEnd, kEnd}, {0, kEnd}};
   for (const CellPolygon& p : polygons) result.hot.insert(result.hot.end(), p.ring.begin(), p.ring.end());
   normalize(result.hot);
+  for (std::size_t k = 0; k < polygons.size(); ++k) result.staying.push_back(reached[k] ? nullptr : &polygons[k].ring);
   addPolygons(polygons, reached, result);
   for (const Piece& p : region) {
     result.segments.push_back({p.a, p.b, p.start, p.end, {1, 0, 0}, true});

@@ -83,12 +83,22 @@ std::optional<Point> visible(Point from, bool isLess, const std::vector<Edge>& e
   return std::nullopt;
 }
 
-/// Adds a chord from an end of a hole, in both directions, unless an edge leads on from there.
+/// Adds a chord from an end of a hole, in both directions. There is none if an edge leads on from there, or if what lies
+/// in that direction is not of the area: then the hole touches the outer outline.
 void addChord(Point from, bool isLess, std::vector<Edge>& edges) {
-  for (const Edge& e : edges)
-    if (e.from == from && (isLess ? e.to < from : from < e.to)) return;
-  for (const Edge& e : edges)
-    if (e.to == from && (isLess ? e.from < from : from < e.from)) return;
+  std::optional<Vector> first;  // met by a turn clockwise from that direction
+  bool leaves = false;
+  const Vector ahead{isLess ? -1 : 1, 0};
+  for (const Edge& e : edges) {
+    if (e.from != from && e.to != from) continue;
+    const Point other = e.from == from ? e.to : e.from;
+    if (isLess ? other < from : from < other) return;
+    const bool isChord = first && other - from == *first;  // seen before the other way around
+    if (first && !isChord && !comesFirst(ahead, other - from, *first)) continue;
+    first = other - from;
+    leaves = isChord || e.from == from;
+  }
+  if (!leaves) return;  // the area is on the left of its edges, so it ends where an edge comes in
   if (const auto to = visible(from, isLess, edges)) {
     edges.push_back({from, *to});
     edges.push_back({*to, from});

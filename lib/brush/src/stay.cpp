@@ -1,31 +1,29 @@
 #include "stay.h"
 
-#include "geometry/predicates.h"
+#include "geometry/relation.h"
 
 #include <algorithm>
 
 namespace lgs::brush {
 namespace {
 
-/// The edges that must stay and that snap rounding would bend. Nothing can cross any other.
-std::vector<const StayingEdge*> endangered(const Arrangement& arrangement) {
-  std::vector<const StayingEdge*> edges;
-  for (const StayingEdge& s : arrangement.staying) {
-    const auto& [from, to] = s.edge;
-    const bool wouldBend = std::any_of(arrangement.hot.begin(), arrangement.hot.end(), [&](Point z) {
-      return passes(from, to, z) && detail::orientation(from, to, z) != 0;
-    });
-    if (wouldBend) edges.push_back(&s);
+using detail::nextVertex;
+
+/// Whether snap rounding would bend an edge of a polygon. If it bends none, no chain can reach into the polygon.
+bool wouldBend(const Ring& ring, const std::vector<Point>& hot) {
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point a = ring[k], b = nextVertex(ring, k);
+    if (std::any_of(hot.begin(), hot.end(),
+                    [&](Point z) { return detail::orientation(a, b, z) != 0 && passes(a, b, z); }))
+      return true;
   }
-  return edges;
+  return false;
 }
 
-bool crosses(const std::vector<Point>& chain, const Edge& edge) {
+bool reachesInto(const std::vector<Point>& chain, const Ring& ring) {
   for (std::size_t k = 1; k < chain.size(); ++k) {
-    const Point u = chain[k - 1], v = chain[k];
-    if (detail::crossProperly(u, v, edge.from, edge.to) || detail::isInside(edge.from, u, v) ||
-        detail::isInside(edge.to, u, v))
-      return true;
+    const Ring piece{chain[k - 1], chain[k]};
+    if (detail::anyCrossing(piece, ring) || detail::sightOf(piece, ring).inside) return true;
   }
   return false;
 }
@@ -35,12 +33,14 @@ bool crosses(const std::vector<Point>& chain, const Edge& edge) {
 std::vector<std::size_t> roundBeside(const Arrangement& arrangement, Chains& chains) {
   chains.resize(arrangement.segments.size());
   for (std::size_t k = 0; k < chains.size(); ++k) route(arrangement.segments[k], arrangement.hot, chains[k]);
-  std::vector<std::size_t> crossed;
-  for (const StayingEdge* const s : endangered(arrangement)) {
-    if (std::any_of(chains.begin(), chains.end(), [&](const auto& chain) { return crosses(chain, s->edge); }))
-      crossed.insert(crossed.end(), s->polygons.begin(), s->polygons.end());
+  std::vector<std::size_t> reached;
+  for (std::size_t k = 0; k < arrangement.staying.size(); ++k) {
+    const Ring* const ring = arrangement.staying[k];
+    if (ring == nullptr || !wouldBend(*ring, arrangement.hot)) continue;
+    if (std::any_of(chains.begin(), chains.end(), [&](const auto& chain) { return reachesInto(chain, *ring); }))
+      reached.push_back(k);
   }
-  return crossed;
+  return reached;
 }
 
 }  // namespace lgs::brush
