@@ -53,13 +53,14 @@ ROOMS = {
     "examples": ENGINE + ADAPTERS + ["lib/c/include"],
     "fuzz": ENGINE + ADAPTERS + ORACLE + ["cli"],
     # Unit tests of the engine's and the importer's parts look inside.
-    "proptests": ENGINE + ADAPTERS + ORACLE + ["examples", "lib/geometry", "lib/src", "lib/tiled/src", "lib/box2d/src",
+    "proptests": ENGINE + ADAPTERS + ORACLE + ["examples", "lib/geometry", "lib/src", "lib/brush/src",
+                                               "lib/tiled/src", "lib/box2d/src",
                                                "bench/published", "bench/ride", "cli"],
     "proptests/consumer": ENGINE + ADAPTERS,  # a project of its own, as a game would be
 }
 # The folders from which a header is found by a path without its room.
 INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/src", "lib/c/include", "lib/debug/include", "lib/brush/include",
-                   "lib/tiled/include", "lib/tiled/src", "lib/box2d/include", "lib/box2d/src",
+                   "lib/brush/src", "lib/tiled/include", "lib/tiled/src", "lib/box2d/include", "lib/box2d/src",
                    "lib/box2d/v2/include", "lib/box2d/v3/include"]
 # What no file below a folder may include, whatever its room: lib/ is MIT and goes into games.
 FOREIGN = {"lib": re.compile(r"CGAL/|rapidcheck|gtest|gmock|fmt/|CLI/")}

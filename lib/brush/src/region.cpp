@@ -41,7 +41,8 @@ Ring circleRing(Point center, std::int64_t radius, int corners) {
   const std::int64_t steps = (std::clamp(corners, 8, 4'096) + 7) / 8;
   std::vector<Point> quarter = eighth(radius, steps);
   const std::size_t count = quarter.size();
-  const std::int64_t diagonal = squareRoot(2 * radius * radius) / 2;
+  const std::int64_t below = squareRoot(radius * radius / 2);
+  const std::int64_t diagonal = (2 * below + 1) * (2 * below + 1) <= 2 * radius * radius ? below + 1 : below;
   quarter.push_back({diagonal, diagonal});
   for (std::size_t k = count; k-- > 1;) quarter.push_back({quarter[k].y, quarter[k].x});
   Ring ring;
