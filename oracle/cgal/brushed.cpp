@@ -78,10 +78,19 @@ std::map<Block, PolygonSet> exactResult(const Scene& before, const BrushEdit& ed
   return blocks;
 }
 
+// The sides of a polygon, each as one segment.
+void addSides(const Polygon& polygon, Segments& edges) {
+  Polygon corners;
+  const std::size_t n = polygon.size();
+  for (std::size_t k = 0; k < n; ++k)
+    if (!CGAL::collinear(polygon[(k + n - 1) % n], polygon[k], polygon[(k + 1) % n])) corners.push_back(polygon[k]);
+  edges.insert(edges.end(), corners.edges_begin(), corners.edges_end());
+}
+
 void addEdges(const PolygonSet& set, Segments& edges) {
   for (const WithHoles& part : parts(set)) {
-    edges.insert(edges.end(), part.outer_boundary().edges_begin(), part.outer_boundary().edges_end());
-    for (const Polygon& hole : part.holes()) edges.insert(edges.end(), hole.edges_begin(), hole.edges_end());
+    addSides(part.outer_boundary(), edges);
+    for (const Polygon& hole : part.holes()) addSides(hole, edges);
   }
 }
 

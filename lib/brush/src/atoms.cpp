@@ -5,22 +5,17 @@
 #include <algorithm>
 
 namespace lgs::brush {
-namespace {
 
-/// What is just to the left of an atom. A ray from there to the far left passes other atoms; beyond all of them is
-/// nothing. Just left of a level atom means just above it.
-Sum leftOf(const Atom& atom, const std::vector<Atom>& atoms) {
+Sum sumLeftOf(Point doubled, const std::vector<Atom>& atoms) {
+  // A ray from there to the far left passes other atoms; beyond all of them is nothing.
   const auto twice = [](Point p) { return Point{2 * p.x, 2 * p.y}; };
-  const Point middle{atom.low.x + atom.high.x, atom.low.y + atom.high.y};
   Sum sum;
   for (const Atom& other : atoms) {
-    if (2 * other.low.y > middle.y || 2 * other.high.y <= middle.y) continue;
-    if (detail::orientation(twice(other.low), twice(other.high), middle) < 0) sum += -other.sum;
+    if (2 * other.low.y > doubled.y || 2 * other.high.y <= doubled.y) continue;
+    if (detail::orientation(twice(other.low), twice(other.high), doubled) < 0) sum += -other.sum;
   }
   return sum;
 }
-
-}  // namespace
 
 void addAtoms(const std::vector<Point>& chain, const Sum& sum, std::vector<Atom>& atoms) {
   for (std::size_t k = 1; k < chain.size(); ++k) {
@@ -48,7 +43,7 @@ void settle(std::vector<Atom>& atoms) {
   if (count != 0 && atoms[count - 1].sum == Sum{}) --count;
   atoms.resize(count);
   for (Atom& atom : atoms) {
-    atom.left = leftOf(atom, atoms);
+    atom.left = sumLeftOf({atom.low.x + atom.high.x, atom.low.y + atom.high.y}, atoms);
     atom.right = atom.left;
     atom.right += -atom.sum;
   }

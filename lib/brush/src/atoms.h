@@ -26,6 +26,9 @@ struct Atom {
 /// Adds the pieces of a chain.
 void addAtoms(const std::vector<Point>& chain, const Sum& sum, std::vector<Atom>& atoms);
 
+/// What is just to the left of a place: above it, where an atom runs to the left from there. Coordinates are doubled.
+Sum sumLeftOf(Point doubled, const std::vector<Atom>& atoms);
+
 /// Adds up atoms that are equal, and finds out what is on their sides. No two of the others may cross. Cost: O(n²).
 void settle(std::vector<Atom>& atoms);
 

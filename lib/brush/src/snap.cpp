@@ -18,8 +18,6 @@ bool isBetween(std::int64_t v, std::int64_t a, std::int64_t b) { return std::min
 
 bool isInBox(Point p, Point a, Point b) { return isBetween(p.x, a.x, b.x) && isBetween(p.y, a.y, b.y); }
 
-bool isInCell(Point p) { return isInBox(p, {0, 0}, {kUnitsPerCell, kUnitsPerCell}); }
-
 }  // namespace
 
 bool passes(Point a, Point b, Point pixel) {
@@ -37,7 +35,9 @@ std::optional<Point> crossingPixel(const Segment& p, const Segment& q) {
   if (!detail::crossProperly(p.a, p.b, q.a, q.b)) return std::nullopt;
   const Vector d = p.b - p.a, e = q.b - q.a;
   const std::int64_t divisor = cross(d, e), part = cross(q.a - p.a, e);
-  return Point{p.a.x + roundedProduct(d.x, part, divisor), p.a.y + roundedProduct(d.y, part, divisor)};
+  const Point pixel{p.a.x + roundedProduct(d.x, part, divisor), p.a.y + roundedProduct(d.y, part, divisor)};
+  if (!isInBox(pixel, p.start, p.end) || !isInBox(pixel, q.start, q.end)) return std::nullopt;
+  return pixel;
 }
 
 void normalize(std::vector<Point>& points) {
@@ -51,7 +51,7 @@ void addCrossings(const std::vector<Segment>& segments, std::vector<Point>& hot)
     for (std::size_t j = i + 1; j < segments.size(); ++j) {
       if (!segments[j].bends) continue;
       const auto pixel = crossingPixel(segments[i], segments[j]);
-      if (pixel && isInCell(*pixel)) hot.push_back(*pixel);
+      if (pixel) hot.push_back(*pixel);
     }
   }
 }

@@ -36,13 +36,14 @@ struct Segment {
 /// Whether the edge a→b passes the pixel of a lattice point, left and lower side included.
 bool passes(Point a, Point b, Point pixel);
 
-/// The pixel in which two segments cross, or nothing. An end on the other segment is no crossing: it is hot anyway.
+/// The pixel in which two segments cross between their starts and ends, or nothing. An end on the other segment is no
+/// crossing: it is hot anyway.
 std::optional<Point> crossingPixel(const Segment& p, const Segment& q);
 
 /// Sorts, and leaves out what comes twice.
 void normalize(std::vector<Point>& points);
 
-/// Crossings of segments that bend, in the closed cell.
+/// Crossings of segments that bend.
 void addCrossings(const std::vector<Segment>& segments, std::vector<Point>& hot);
 
 /// The hot points that a segment goes through, in order, with both ends. `hot` is normalized.
