@@ -4,6 +4,7 @@
 #include "geometry/ring.h"
 
 #include <algorithm>
+#include <span>
 
 namespace lgs::brush {
 namespace {
@@ -35,23 +36,6 @@ std::vector<Side> sidesOf(const std::vector<CellPolygon>& polygons, const std::v
   return sides;
 }
 
-void addPolygons(const std::vector<Side>& sides, const std::vector<bool>& reached, Arrangement& result) {
-  for (std::size_t k = 0; k < sides.size();) {
-    const std::size_t first = k;
-    Segment segment{sides[k].low, sides[k].high, sides[k].low, sides[k].high, {}, true};
-    for (; k < sides.size() && !(sides[first] < sides[k]); ++k) {
-      const Side& s = sides[k];
-      if (reached[s.polygon]) {
-        const Sum sum{0, 1, static_cast<std::int64_t>(s.polygon) + 1};
-        segment.sum += s.isLeft ? sum : -sum;
-      } else {
-        segment.bends = false;
-      }
-    }
-    if (segment.sum != Sum{}) result.segments.push_back(segment);
-  }
-}
-
 /// A part of an edge of the region between two neighbouring hot points.
 struct Part {
   Point low, high;
@@ -75,26 +59,66 @@ std::vector<Part> partsOf(const Pieces& region, const std::vector<Point>& known)
   return parts;
 }
 
+/// The parts with the ends of a side.
+std::span<const Part> partsAlong(Point low, Point high, const std::vector<Part>& parts) {
+  const auto [begin, end] = std::equal_range(parts.begin(), parts.end(), Part{low, high, {}});
+  return {begin, end};
+}
+
+/// Adds the edges of polygons that the region reaches. An edge between the same known points as a part of the region's
+/// edge follows that part. Otherwise rounding could part them by slivers, wherever a brush comes back to where it was.
+void addPolygons(const std::vector<Side>& sides, const std::vector<bool>& reached, const std::vector<Part>& parts,
+                 Arrangement& result) {
+  for (std::size_t k = 0; k < sides.size();) {
+    const Side& first = sides[k];
+    Segment segment{first.low, first.high, first.low, first.high, {}, true};
+    for (; k < sides.size() && !(first < sides[k]); ++k) {
+      const Side& s = sides[k];
+      if (reached[s.polygon]) {
+        const Sum sum{0, 1, static_cast<std::int64_t>(s.polygon) + 1};
+        segment.sum += s.isLeft ? sum : -sum;
+      } else {
+        segment.bends = false;
+      }
+    }
+    if (segment.sum == Sum{}) continue;
+    const auto along = partsAlong(first.low, first.high, parts);
+    if (segment.bends && along.size() == 1) {
+      const Segment& part = along[0].segment;
+      segment.a = part.start == first.low ? part.a : part.b;
+      segment.b = part.start == first.low ? part.b : part.a;
+    }
+    result.segments.push_back(segment);
+  }
+}
+
+/// Whether a part may follow an edge that must stay, as there is nothing between them.
+bool mayFollow(const Segment& part, const std::vector<Segment>& polygons) {
+  return std::none_of(polygons.begin(), polygons.end(), [&](const Segment& edge) {
+    const auto pixel = crossingPixel(edge, part);
+    return pixel && *pixel != part.start && *pixel != part.end;
+  });
+}
+
 /// Adds the region's edges. Parts from one known point to the same other one will lie on each other: they count as one,
-/// or as none. Where a polygon has an edge from there to there, the region follows it. Otherwise rounding could part
-/// them by slivers, wherever a brush comes back to where it was.
-void addRegion(const Pieces& region, FillRule rule, const std::vector<Side>& sides, const std::vector<bool>& reached,
-               Arrangement& result) {
-  const std::vector<Part> parts = partsOf(region, result.hot);
+/// or as none. A part beside an edge that must stay follows that.
+void addRegion(const std::vector<Part>& parts, FillRule rule, const std::vector<Side>& sides,
+               const std::vector<bool>& reached, Arrangement& result) {
+  const std::vector<Segment> polygons = result.segments;
   for (std::size_t k = 0; k < parts.size();) {
-    const std::size_t first = k;
-    const auto& [low, high, segment] = parts[first];
+    const auto& [low, high, segment] = parts[k];
+    const auto along = partsAlong(low, high, parts);
+    k += along.size();
     std::int64_t winding = 0;  // from low to high
-    for (; k < parts.size() && !(parts[first] < parts[k]); ++k) winding += parts[k].segment.start == low ? 1 : -1;
+    for (const Part& p : along) winding += p.segment.start == low ? 1 : -1;
     if (rule == FillRule::evenOdd) winding %= 2;
     if (winding == 0) continue;
-    const Side edge{low, high, 0, true};
-    const auto [begin, end] = std::equal_range(sides.begin(), sides.end(), edge);
-    const bool bends = std::all_of(begin, end, [&](const Side& s) { return reached[s.polygon]; });
-    if (begin == end && k == first + 1) {
-      result.segments.push_back(segment);
+    const auto [begin, end] = std::equal_range(sides.begin(), sides.end(), Side{low, high, 0, true});
+    const bool stays = std::any_of(begin, end, [&](const Side& s) { return !reached[s.polygon]; });
+    if (along.size() > 1 || (stays && mayFollow(segment, polygons))) {
+      result.segments.push_back({low, high, low, high, {winding, 0, 0}, !stays});
     } else {
-      result.segments.push_back({low, high, low, high, {winding, 0, 0}, bends});
+      result.segments.push_back(segment);
     }
   }
 }
@@ -123,8 +147,9 @@ Arrangement arrangementOf(const std::vector<CellPolygon>& polygons, const std::v
   result.hot = knownPoints(polygons, region);
   for (std::size_t k = 0; k < polygons.size(); ++k) result.staying.push_back(reached[k] ? nullptr : &polygons[k].ring);
   const std::vector<Side> sides = sidesOf(polygons, result.hot);
-  addPolygons(sides, reached, result);
-  addRegion(region, rule, sides, reached, result);
+  const std::vector<Part> parts = partsOf(region, result.hot);
+  addPolygons(sides, reached, parts, result);
+  addRegion(parts, rule, sides, reached, result);
   addCrossings(result.segments, result.hot);
   normalize(result.hot);
   return result;
