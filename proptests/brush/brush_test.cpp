@@ -113,6 +113,53 @@ TEST(Brush, AHoleCarvedIntoABlockIsTold) {
   EXPECT_EQ(world.stats().polygons, 1U) << "equal blocks are united again";
 }
 
+TEST(Brush, APolygonThatComesOutAsItWasKeepsItsHandle) {
+  World world;
+  const PolygonHandle below = *world.add({0, 0}, {{0, 0}, {900, 0}, {900, 300}, {0, 300}}, 1);
+  const auto painted = paint(world, box({100, 300}, {200, 400}), 2, PaintMode::fill);  // stands on it
+  ASSERT_TRUE(painted.has_value());
+  EXPECT_EQ(painted->came.size(), 1U);
+  EXPECT_TRUE(painted->changed.empty());
+  EXPECT_TRUE(world.polygon(below).has_value());
+}
+
+/// Plays strokes, and returns how many polygons the last one bends that it should have kept.
+std::size_t bentByTheLast(Ground ground, const std::vector<BrushStroke>& strokes) {
+  World world = worldOf(ground);
+  std::size_t bent = 0;
+  for (const BrushStroke& stroke : strokes) {
+    const auto result = brush(world, stroke);
+    EXPECT_TRUE(result.has_value()) << message(result.error());
+    if (result) bent = result->bent.size();
+  }
+  return bent;
+}
+
+TEST(Brush, APolygonThatAChainRunsThroughIsBentAndTold) {
+  EXPECT_EQ(bentByTheLast(
+                Ground::solid,
+                {{Deed::carve,
+                  1,
+                  {{{{65496, 65526}, {65476, 65536}, {65521, 65511}, {65476, 65541}, {65481, 65541}, {65551, 65491}},
+                    {{65501, 65526}, {65476, 65476}, {65506, 65521}, {65491, 65526}, {65556, 65491}}},
+                   FillRule::evenOdd}},
+                 {Deed::replace, 1, {{{{65476, 65476}, {65481, 65476}, {65476, 65481}}}}}}),
+            1U);
+}
+
+TEST(Brush, APolygonThatAChainRunsAroundIsBentAndTold) {
+  EXPECT_EQ(bentByTheLast(
+                Ground::slanted,
+                {{Deed::fill, 1, {{{{65534, 65529}, {65524, 65524}, {65524, 65526}}}, FillRule::evenOdd}},
+                 {Deed::carve,
+                  1,
+                  {{{{65534, 65525}, {65524, 65524}, {65527, 65532}}, {{65539, 65524}, {65524, 65524}, {65526, 65533}}},
+                   FillRule::evenOdd}},
+                 {Deed::fill, 3, {{{{65527, 65530}, {65524, 65524}, {65537, 65527}}}}},
+                 {Deed::replace, 1, {{{{65524, 65524}, {65524, 65525}, {65525, 65524}}}, FillRule::evenOdd}}}),
+            1U);
+}
+
 TEST(Brush, FarFromTheOriginAndLarge) {
   World world;
   const Point far{kMaxCoordinate - 5 * kCell, -kMaxCoordinate + 5 * kCell};
