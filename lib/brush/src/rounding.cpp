@@ -36,9 +36,9 @@ bool isSwallowed(const Ring& ring, const std::vector<Atom>& atoms, FillRule rule
   return false;
 }
 
-}  // namespace
-
-std::vector<std::size_t> rounded(const Arrangement& arrangement, FillRule rule, std::vector<Atom>& atoms) {
+/// The polygons that could not stay.
+std::vector<std::size_t> roundOnce(const Arrangement& arrangement, FillRule rule, std::vector<Atom>& atoms) {
+  atoms.clear();
   std::vector<Point> chain;
   for (const Segment& segment : arrangement.segments) {
     route(segment, arrangement.hot, chain);
@@ -52,6 +52,39 @@ std::vector<std::size_t> rounded(const Arrangement& arrangement, FillRule rule, 
     const bool isHit = std::any_of(atoms.begin(), atoms.end(), [&](const Atom& a) { return reachesInto(a, *ring); });
     if (isHit || isSwallowed(*ring, atoms, rule)) reached.push_back(k);
   }
+  return reached;
+}
+
+/// Leaves the edges of polygons straight that nothing crosses and that do not follow the region.
+void stiffen(std::vector<Segment>& segments) {
+  for (Segment& edge : segments) {
+    if (edge.sum.winding != 0 || edge.a != edge.start || edge.b != edge.end) continue;
+    edge.bends = std::any_of(segments.begin(), segments.end(), [&](const Segment& other) {
+      return edge.bends && other.sum.winding != 0 && crossingPixel(edge, other);
+    });
+  }
+}
+
+/// Whether no atoms cross and no polygons overlap. Snap rounding alone makes sure of it.
+bool isSound(const std::vector<Atom>& atoms) {
+  const auto isOne = [](const Sum& s) { return s.polygons == 1 || (s.polygons == 0 && s.numbers == 0); };
+  for (const Atom& a : atoms) {
+    if (!isOne(a.left) || !isOne(a.right)) return false;
+    for (const Atom& b : atoms)
+      if (detail::crossProperly(a.low, a.high, b.low, b.high) || detail::isInside(a.low, b.low, b.high) ||
+          detail::isInside(a.high, b.low, b.high))
+        return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<std::size_t> rounded(Arrangement arrangement, FillRule rule, std::vector<Atom>& atoms) {
+  const std::vector<std::size_t> reached = roundOnce(arrangement, rule, atoms);
+  if (reached.empty()) return {};
+  stiffen(arrangement.segments);
+  if (roundOnce(arrangement, rule, atoms).empty() && isSound(atoms)) return {};
   return reached;
 }
 
