@@ -96,8 +96,8 @@ void addEdges(const PolygonSet& set, Segments& edges) {
 
 using Convex = std::vector<Kernel::Point_2>;
 
-// The distance from an edge is a convex function: if it is at most 1 in all corners of a convex polygon, it is in all of
-// it. Otherwise another edge may be near to a part of it, so it is halved across its longest side, some times.
+// The distance from an edge is a convex function: if it is at most 1 in all corners of a convex polygon, it is in all
+// of it. Otherwise another edge may be near to a part of it, so it is halved across its longest side, some times.
 bool isNear(const Convex& piece, const Segments& edges, int halvings) {
   for (const Kernel::Segment_2& edge : edges) {
     const auto isNearEdge = [&](const Kernel::Point_2& p) { return CGAL::squared_distance(p, edge) <= 1; };

@@ -83,8 +83,8 @@ std::optional<Point> visible(Point from, bool isLess, const std::vector<Edge>& e
   return std::nullopt;
 }
 
-/// Adds a chord from an end of a hole, in both directions. There is none if an edge leads on from there, or if what lies
-/// in that direction is not of the area: then the hole touches the outer outline.
+/// Adds a chord from an end of a hole, in both directions. There is none if an edge leads on from there, or if what
+/// lies in that direction is not of the area: then the hole touches the outer outline.
 void addChord(Point from, bool isLess, std::vector<Edge>& edges) {
   std::optional<Vector> first;  // met by a turn clockwise from that direction
   bool leaves = false;

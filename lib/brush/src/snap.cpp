@@ -18,6 +18,13 @@ bool isBetween(std::int64_t v, std::int64_t a, std::int64_t b) { return std::min
 
 bool isInBox(Point p, Point a, Point b) { return isBetween(p.x, a.x, b.x) && isBetween(p.y, a.y, b.y); }
 
+bool boxesMeet(const Segment& p, const Segment& q) {
+  const auto meet = [](std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
+    return std::max(a, b) >= std::min(c, d) && std::max(c, d) >= std::min(a, b);
+  };
+  return meet(p.start.x, p.end.x, q.start.x, q.end.x) && meet(p.start.y, p.end.y, q.start.y, q.end.y);
+}
+
 }  // namespace
 
 bool passes(Point a, Point b, Point pixel) {
@@ -32,7 +39,7 @@ bool passes(Point a, Point b, Point pixel) {
 }
 
 std::optional<Point> crossingPixel(const Segment& p, const Segment& q) {
-  if (!detail::crossProperly(p.a, p.b, q.a, q.b)) return std::nullopt;
+  if (!boxesMeet(p, q) || !detail::crossProperly(p.a, p.b, q.a, q.b)) return std::nullopt;
   const Vector d = p.b - p.a, e = q.b - q.a;
   const std::int64_t divisor = cross(d, e), part = cross(q.a - p.a, e);
   const Point pixel{p.a.x + roundedProduct(d.x, part, divisor), p.a.y + roundedProduct(d.y, part, divisor)};

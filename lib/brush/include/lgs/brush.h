@@ -53,16 +53,16 @@ struct Region {
 [[nodiscard]] Region region(std::span<const std::vector<DoublePoint>> rings, FillRule rule = FillRule::nonZero);
 
 /// A circle as a polygon. Its corners lie on the circle, rounded to the lattice. `corners` is rounded up to a multiple
-/// of 8, at most 4,096. It uses integers only, so every machine makes the same one. The radius is at least 1 and at most
-/// kMaxRegionCells / 2 cells: anything else is brought into this range.
+/// of 8, at most 4,096. It uses integers only, so every machine makes the same one. The radius is at least 1 and at
+/// most kMaxRegionCells / 2 cells: anything else is brought into this range.
 [[nodiscard]] Region circle(Point center, std::int64_t radius, int corners = 32);
 
 /// A rectangle that is turned: `along` is the direction of its length. Half of the length and half of the width are at
 /// least 1 and at most kMaxRegionCells / 2 cells. A direction (0, 0) counts as (1, 0).
 [[nodiscard]] Region rectangle(Point center, Point along, std::int64_t halfLength, std::int64_t halfWidth);
 
-/// A thick line through points, with round joints and ends: everything within `radius` of it, where a circle has so many
-/// corners. One point gives a circle, none an empty region.
+/// A thick line through points, with round joints and ends: everything within `radius` of it, where a circle has so
+/// many corners. One point gives a circle, none an empty region.
 [[nodiscard]] Region thickLine(std::span<const Point> points, std::int64_t radius, int corners = 16);
 
 enum class PaintMode : std::uint8_t {
@@ -82,14 +82,14 @@ struct BrushResult {
   std::vector<PolygonHandle> went;   ///< nothing is left of them
   std::vector<PolygonHandle> came;   ///< there is nothing of an old polygon in them
   std::vector<BrushChange> changed;  ///< old polygons that are cut, bent by rounding, united with others, or recoloured
-  std::vector<PolygonHandle> bent;   ///< old polygons in `changed` that law 9 should have kept: see docs/brushes.md
+  std::vector<PolygonHandle> bent;   ///< of the old ones above, those that law 9 should have kept: docs/brushes.md
 };
 
 /// Paints a region with a block. In a cell, what is painted and the polygons that it changes are united with neighbours
 /// of the same block that the region meets. Cells that are inside the region as a whole cost what add() and setBlock()
-/// cost. Refused, and nothing is changed: outOfReach, if a vertex lies in no cell or was no number (Error::polygon is the ring,
-/// Error::vertex the vertex), or if the region is more than kMaxRegionCells wide or high; capacity, if a cell would
-/// hold too much (see world.h). A region without area changes nothing.
+/// cost. Refused, and nothing is changed: outOfReach, if a vertex lies in no cell or was no number (Error::polygon is
+/// the ring, Error::vertex the vertex), or if the region is more than kMaxRegionCells wide or high; capacity, if a cell
+/// would hold too much (see world.h). A region without area changes nothing.
 [[nodiscard]] Expected<BrushResult> paint(World& world, const Region& region, Block block, PaintMode mode);
 
 /// Frees a region. The rest is as for paint(). Cells that are inside the region as a whole cost what clear() costs.
