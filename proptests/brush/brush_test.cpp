@@ -160,6 +160,15 @@ TEST(Brush, APolygonThatAChainWouldRunAroundStays) {
             0U);
 }
 
+TEST(Brush, AnEdgeDoesNotFollowTheRegionAcrossAnotherEdge) {
+  World world = worldOf(Ground::slanted);
+  for (const Ring& ring :
+       {Ring{{65526, 65524}, {65527, 65527}, {65530, 65528}}, Ring{{65526, 65525}, {65530, 65527}, {65524, 65525}}})
+    ASSERT_TRUE(paint(world, {{ring}, FillRule::evenOdd}, 1, PaintMode::replace).has_value());
+  world.commit();
+  EXPECT_EQ(world.loops().size(), 1U) << "the ground has no hole";
+}
+
 TEST(Brush, FarFromTheOriginAndLarge) {
   World world;
   const Point far{kMaxCoordinate - 5 * kCell, -kMaxCoordinate + 5 * kCell};

@@ -52,7 +52,7 @@ std::vector<Part> partsOf(const Pieces& region, const std::vector<Point>& known)
     for (std::size_t k = 1; k < chain.size(); ++k) {
       const Point u = chain[k - 1], v = chain[k];
       const bool rises = isLower(u, v);
-      parts.push_back({rises ? u : v, rises ? v : u, {p.a, p.b, u, v, {1, 0, 0}, true}});
+      parts.push_back({rises ? u : v, rises ? v : u, {p.a, p.b, u, v, {1, 0, 0, 0}, true}});
     }
   }
   std::stable_sort(parts.begin(), parts.end());
@@ -75,7 +75,8 @@ void addPolygons(const std::vector<Side>& sides, const std::vector<bool>& reache
     for (; k < sides.size() && !(first < sides[k]); ++k) {
       const Side& s = sides[k];
       if (reached[s.polygon]) {
-        const Sum sum{0, 1, static_cast<std::int64_t>(s.polygon) + 1};
+        const auto number = static_cast<std::int64_t>(s.polygon) + 1;
+        const Sum sum{0, 1, number, number * number};
         segment.sum += s.isLeft ? sum : -sum;
       } else {
         segment.bends = false;
@@ -116,7 +117,7 @@ void addRegion(const std::vector<Part>& parts, FillRule rule, const std::vector<
     const auto [begin, end] = std::equal_range(sides.begin(), sides.end(), Side{low, high, 0, true});
     const bool stays = std::any_of(begin, end, [&](const Side& s) { return !reached[s.polygon]; });
     if (along.size() > 1 || (stays && mayFollow(segment, polygons))) {
-      result.segments.push_back({low, high, low, high, {winding, 0, 0}, !stays});
+      result.segments.push_back({low, high, low, high, {winding, 0, 0, 0}, !stays});
     } else {
       result.segments.push_back(segment);
     }
@@ -142,14 +143,14 @@ std::vector<Point> knownPoints(const std::vector<CellPolygon>& polygons, const P
 }  // namespace
 
 Arrangement arrangementOf(const std::vector<CellPolygon>& polygons, const std::vector<bool>& reached,
-                          const Pieces& region, FillRule rule) {
+                          const Pieces& region, FillRule rule, bool follows) {
   Arrangement result;
   result.hot = knownPoints(polygons, region);
   for (std::size_t k = 0; k < polygons.size(); ++k) result.staying.push_back(reached[k] ? nullptr : &polygons[k].ring);
   const std::vector<Side> sides = sidesOf(polygons, result.hot);
   const std::vector<Part> parts = partsOf(region, result.hot);
-  addPolygons(sides, reached, parts, result);
-  addRegion(parts, rule, sides, reached, result);
+  addPolygons(sides, reached, follows ? parts : std::vector<Part>{}, result);
+  addRegion(parts, rule, follows ? sides : std::vector<Side>{}, reached, result);
   addCrossings(result.segments, result.hot);
   normalize(result.hot);
   return result;

@@ -14,8 +14,8 @@ struct Arrangement {
   std::vector<const Ring*> staying;  ///< polygons that it does not reach, by number; null: it does
 };
 
-/// Cost: O(n²).
+/// If `follows`, edges of polygons follow the region (docs/brushes.md, "Coming back"). Cost: O(n²).
 Arrangement arrangementOf(const std::vector<CellPolygon>& polygons, const std::vector<bool>& reached,
-                          const Pieces& region, FillRule rule);
+                          const Pieces& region, FillRule rule, bool follows);
 
 }  // namespace lgs::brush

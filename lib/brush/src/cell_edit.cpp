@@ -6,6 +6,8 @@
 #include "rounding.h"
 
 #include <algorithm>
+#include <cassert>
+#include <utility>
 
 namespace lgs::brush {
 namespace {
@@ -30,26 +32,30 @@ bool meets(const Pieces& region, FillRule rule, const Ring& ring) {
   });
 }
 
+/// The atoms of the cell. Polygons that stand in the way become reached.
+std::vector<Atom> atomsOf(const std::vector<CellPolygon>& polygons, std::vector<bool>& reached, const Pieces& region,
+                          FillRule rule) {
+  for (;;) {
+    Rounding following = rounded(arrangementOf(polygons, reached, region, rule, true), rule);
+    if (following.isGood) return std::move(following.atoms);
+    Rounding result = rounded(arrangementOf(polygons, reached, region, rule, false), rule);
+    if (result.isGood) return std::move(result.atoms);
+    assert(!result.inTheWay.empty());
+    for (const std::size_t k : result.inTheWay) reached[k] = true;
+  }
+}
+
 }  // namespace
 
 CellEdit editOf(const std::vector<CellPolygon>& polygons, const Pieces& region, const Stroke& stroke) {
-  std::vector<bool> reached;
-  for (const CellPolygon& p : polygons) reached.push_back(meets(region, stroke.rule, p.ring));
-  std::vector<std::size_t> bent;
-  for (;;) {
-    std::vector<Atom> atoms;
-    const std::vector<std::size_t> crossed =
-        rounded(arrangementOf(polygons, reached, region, stroke.rule), stroke.rule, atoms);
-    for (const std::size_t k : crossed) {
-      if (!reached[k]) bent.push_back(k);
-      reached[k] = true;
-    }
-    if (!crossed.empty()) continue;
-    CellEdit edit = divided(polygons, reached, atoms, stroke);
-    std::sort(bent.begin(), bent.end());
-    std::set_intersection(bent.begin(), bent.end(), edit.gone.begin(), edit.gone.end(), std::back_inserter(edit.bent));
-    return edit;
-  }
+  std::vector<bool> meeting;
+  for (const CellPolygon& p : polygons) meeting.push_back(meets(region, stroke.rule, p.ring));
+  std::vector<bool> reached = meeting;
+  const std::vector<Atom> atoms = atomsOf(polygons, reached, region, stroke.rule);
+  CellEdit edit = divided(polygons, reached, atoms, stroke);
+  for (const std::size_t k : edit.gone)
+    if (!meeting[k]) edit.bent.push_back(k);
+  return edit;
 }
 
 }  // namespace lgs::brush

@@ -36,23 +36,43 @@ bool isSwallowed(const Ring& ring, const std::vector<Atom>& atoms, FillRule rule
   return false;
 }
 
-/// The polygons that could not stay.
-std::vector<std::size_t> roundOnce(const Arrangement& arrangement, FillRule rule, std::vector<Atom>& atoms) {
-  atoms.clear();
+/// Whether there is one polygon at most on either side of each atom.
+bool isDivision(const std::vector<Atom>& atoms) {
+  const auto isOne = [](const Sum& s) {
+    return s.squares == s.numbers * s.numbers && (s.polygons == 1 ? s.numbers > 0 : s.polygons == 0 && s.numbers == 0);
+  };
+  return std::all_of(atoms.begin(), atoms.end(), [&](const Atom& a) { return isOne(a.left) && isOne(a.right); });
+}
+
+/// Whether no atoms cross or end on each other.
+bool isPlane(const std::vector<Atom>& atoms) {
+  for (const Atom& a : atoms)
+    for (const Atom& b : atoms)
+      if (detail::crossProperly(a.low, a.high, b.low, b.high) || detail::isInside(a.low, b.low, b.high) ||
+          detail::isInside(a.high, b.low, b.high))
+        return false;
+  return true;
+}
+
+Rounding roundOnce(const Arrangement& arrangement, FillRule rule) {
+  Rounding result;
   std::vector<Point> chain;
   for (const Segment& segment : arrangement.segments) {
     route(segment, arrangement.hot, chain);
-    addAtoms(chain, segment.sum, atoms);
+    addAtoms(chain, segment.sum, result.atoms);
   }
-  settle(atoms);
-  std::vector<std::size_t> reached;
+  settle(result.atoms);
+  const bool isGood = isDivision(result.atoms);
   for (std::size_t k = 0; k < arrangement.staying.size(); ++k) {
     const Ring* const ring = arrangement.staying[k];
     if (ring == nullptr || !wouldBend(*ring, arrangement.hot)) continue;
-    const bool isHit = std::any_of(atoms.begin(), atoms.end(), [&](const Atom& a) { return reachesInto(a, *ring); });
-    if (isHit || isSwallowed(*ring, atoms, rule)) reached.push_back(k);
+    const auto reaches = [&](const Atom& a) { return reachesInto(a, *ring); };
+    if (!isGood || isSwallowed(*ring, result.atoms, rule) ||
+        std::any_of(result.atoms.begin(), result.atoms.end(), reaches))
+      result.inTheWay.push_back(k);
   }
-  return reached;
+  result.isGood = isGood && result.inTheWay.empty();
+  return result;
 }
 
 /// Leaves the edges of polygons straight that nothing crosses and that do not follow the region.
@@ -65,27 +85,14 @@ void stiffen(std::vector<Segment>& segments) {
   }
 }
 
-/// Whether no atoms cross and no polygons overlap. Snap rounding alone makes sure of it.
-bool isSound(const std::vector<Atom>& atoms) {
-  const auto isOne = [](const Sum& s) { return s.polygons == 1 || (s.polygons == 0 && s.numbers == 0); };
-  for (const Atom& a : atoms) {
-    if (!isOne(a.left) || !isOne(a.right)) return false;
-    for (const Atom& b : atoms)
-      if (detail::crossProperly(a.low, a.high, b.low, b.high) || detail::isInside(a.low, b.low, b.high) ||
-          detail::isInside(a.high, b.low, b.high))
-        return false;
-  }
-  return true;
-}
-
 }  // namespace
 
-std::vector<std::size_t> rounded(Arrangement arrangement, FillRule rule, std::vector<Atom>& atoms) {
-  const std::vector<std::size_t> reached = roundOnce(arrangement, rule, atoms);
-  if (reached.empty()) return {};
+Rounding rounded(Arrangement arrangement, FillRule rule) {
+  Rounding result = roundOnce(arrangement, rule);
+  if (result.inTheWay.empty()) return result;
   stiffen(arrangement.segments);
-  if (roundOnce(arrangement, rule, atoms).empty() && isSound(atoms)) return {};
-  return reached;
+  Rounding stiff = roundOnce(arrangement, rule);
+  return stiff.isGood && isPlane(stiff.atoms) ? stiff : result;
 }
 
 }  // namespace lgs::brush

@@ -15,14 +15,16 @@ namespace lgs::brush {
 struct Sum {
   std::int64_t winding = 0;   ///< of the region
   std::int64_t polygons = 0;  ///< how many of the cell's polygons there are
-  std::int64_t numbers = 0;   ///< the sum of their numbers
+  std::int64_t numbers = 0;   ///< the sum of their numbers, which begin with 1
+  std::int64_t squares = 0;   ///< the sum of the squares of these: so an overlap can not pass for a single polygon
   Sum& operator+=(const Sum& other) {
     winding += other.winding;
     polygons += other.polygons;
     numbers += other.numbers;
+    squares += other.squares;
     return *this;
   }
-  friend Sum operator-(const Sum& s) { return {-s.winding, -s.polygons, -s.numbers}; }
+  friend Sum operator-(const Sum& s) { return {-s.winding, -s.polygons, -s.numbers, -s.squares}; }
   friend bool operator==(const Sum&, const Sum&) = default;
 };
 
