@@ -19,7 +19,7 @@ ENGINE = ["lib/include"]
 REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/trace"]
 ORACLE = REFERENCES + ["oracle/draw", "oracle/engine", "oracle/page", "oracle/generate", "oracle/check"]
 TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include"]
-ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/tiled/include"] + TERRAIN
+ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/brush/include", "lib/tiled/include"] + TERRAIN
 ROOMS = {
     "lib/include": [],
     "lib/geometry": ["lib/include"],
@@ -28,6 +28,8 @@ ROOMS = {
     "lib/c/src": ["lib/include", "lib/c/include"],
     "lib/debug/include": ["lib/include"],
     "lib/debug/src": ["lib/include", "lib/debug/include"],
+    "lib/brush/include": ["lib/include"],
+    "lib/brush/src": ["lib/include", "lib/geometry", "lib/brush/include"],
     "lib/tiled/include": ["lib/include"],
     "lib/tiled/src": ["lib/include", "lib/geometry", "lib/tiled/include"],
     "lib/box2d/include": ["lib/include"],
@@ -51,13 +53,14 @@ ROOMS = {
     "examples": ENGINE + ADAPTERS + ["lib/c/include"],
     "fuzz": ENGINE + ADAPTERS + ORACLE + ["cli"],
     # Unit tests of the engine's and the importer's parts look inside.
-    "proptests": ENGINE + ADAPTERS + ORACLE + ["examples", "lib/geometry", "lib/src", "lib/tiled/src", "lib/box2d/src",
+    "proptests": ENGINE + ADAPTERS + ORACLE + ["examples", "lib/geometry", "lib/src", "lib/brush/src",
+                                               "lib/tiled/src", "lib/box2d/src",
                                                "bench/published", "bench/ride", "cli"],
     "proptests/consumer": ENGINE + ADAPTERS,  # a project of its own, as a game would be
 }
 # The folders from which a header is found by a path without its room.
-INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/src", "lib/c/include", "lib/debug/include", "lib/tiled/include",
-                   "lib/tiled/src", "lib/box2d/include", "lib/box2d/src",
+INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/src", "lib/c/include", "lib/debug/include", "lib/brush/include",
+                   "lib/brush/src", "lib/tiled/include", "lib/tiled/src", "lib/box2d/include", "lib/box2d/src",
                    "lib/box2d/v2/include", "lib/box2d/v3/include"]
 # What no file below a folder may include, whatever its room: lib/ is MIT and goes into games.
 FOREIGN = {"lib": re.compile(r"CGAL/|rapidcheck|gtest|gmock|fmt/|CLI/")}

@@ -23,6 +23,7 @@ concept LatticePoint = std::same_as<P, LocalPoint> || std::same_as<P, Point>;
 struct Vector {
   std::int64_t x = 0;
   std::int64_t y = 0;
+  friend constexpr bool operator==(Vector, Vector) = default;
 };
 
 template <LatticePoint P>

@@ -1,7 +1,7 @@
 // Where a segment is nearest to a point, and where a ray meets it: exact fractions of integers.
 #pragma once
 
-#include "wide.h"
+#include "geometry/wide.h"
 
 #include <lgs/lattice.h>
 #include <compare>

@@ -1,4 +1,4 @@
-// The only file that includes CGAL: it takes half a minute to compile.
+// CGAL takes half a minute to compile. Only this file and brushed.cpp include it.
 #include "oracle/cgal/cgal_union.h"
 
 #include "oracle/cgal/scene_edges.h"

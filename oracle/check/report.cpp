@@ -15,13 +15,13 @@
 namespace lgs::oracle {
 namespace {
 
-using Kind = Mismatch::Kind;
+using Fault = Mismatch::Kind;
 
 // What is needed to find a mismatch of this kind again, and no more: it is asked many times.
-CheckOptions only(Kind kind, CheckOptions options) {
+CheckOptions only(Fault kind, CheckOptions options) {
   options.afterCommit = {};
-  options.naive = options.naive && (kind == Kind::naive || kind == Kind::loops);
-  options.cgal = options.cgal && (kind == Kind::cgal || kind == Kind::loops);
+  options.naive = options.naive && (kind == Fault::naive || kind == Fault::loops);
+  options.cgal = options.cgal && (kind == Fault::cgal || kind == Fault::loops);
   return options;
 }
 
@@ -38,7 +38,7 @@ Trace shrunk(const Mismatch& found, Trace trace, const FindAgain& findAgain, std
 // While it lives, an engine is given up on sooner, if what is looked for again is a hang.
 class Hurry {
  public:
-  Hurry(Engine& engine, Kind kind) : engine_(engine) { engine_.hurry(kind == Kind::hang); }
+  Hurry(Engine& engine, Fault kind) : engine_(engine) { engine_.hurry(kind == Fault::hang); }
   ~Hurry() { engine_.hurry(false); }
   Hurry(const Hurry&) = delete;
   Hurry& operator=(const Hurry&) = delete;
@@ -86,7 +86,7 @@ Trace shrinkWithEngine(const Mismatch& found, const Trace& trace, Engine& engine
   return findAfresh(small) ? small : shrunk(found, trace, findAfresh, budget);
 }
 
-FindAgain sameKind(Kind kind, const CheckOptions& options) {
+FindAgain sameKind(Fault kind, const CheckOptions& options) {
   return [kind, narrow = only(kind, options)](const Trace& candidate) -> std::optional<Mismatch> {
     if (narrow.engine != nullptr && !whyNot(candidate, narrow.engine->can()).empty()) return std::nullopt;
     auto again = findMismatch(candidate, narrow);

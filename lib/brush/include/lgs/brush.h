@@ -1,0 +1,98 @@
+// Brushes: paint or carve any region, across any cells.
+//
+//   const auto hole = lgs::circle(lgs::latticePoint({12.5, 7.0}), 3 * lgs::kUnitsPerCell, 32);
+//   const auto done = lgs::carve(world, hole);
+//   if (!done) return refused(done.error());          // nothing has changed
+//   for (const auto& [old, now] : done->changed) …    // what your game keeps by handle
+//   world.commit();                                   // as after any edit
+//
+// Four laws hold for brushes, on top of those of the README. docs/brushes.md says how they are kept.
+//
+//   8. Bounded rounding. Every point in which the new solid, or its division into blocks, differs from the exact result
+//      lies within one lattice unit of an edge of that exact result.
+//   9. What is not reached stays. A polygon whose interior and outline the region does not meet keeps its handle and
+//      its vertices.
+//  10. No seams. Blocks that shared an edge share it afterwards, cut or not, inside cells and across them.
+//  11. Total. Any finite region in range works, or is refused as a whole.
+//
+// Units: a Point is in lattice units of the world, 65,536 to a cell. Lengths are in lattice units too.
+#pragma once
+
+#include <lgs/error.h>
+#include <lgs/ids.h>
+#include <lgs/lattice.h>
+#include <lgs/world.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace lgs {
+
+/// A region is at most this many cells wide and high.
+inline constexpr std::int64_t kMaxRegionCells = 4'096;
+
+/// Which points are inside. Count how often the rings run around a point: a counter-clockwise turn is +1, a clockwise
+/// one is -1.
+enum class FillRule : std::uint8_t {
+  nonZero,  ///< inside where the count is not 0: rings that overlap are united
+  evenOdd,  ///< inside where the count is odd: a ring within a ring is a hole
+};
+
+/// A closed ring: the last vertex is followed by the first. It may cross and touch itself.
+using Ring = std::vector<Point>;
+
+/// A set of points, given by closed rings. They may cross and overlap, and run either way around.
+struct Region {
+  std::vector<Ring> rings;
+  FillRule rule = FillRule::nonZero;
+};
+
+/// A region from vertices in cells, each rounded by latticePoint(). What is beyond the last cell, or no number, is
+/// refused when the region is used.
+[[nodiscard]] Region region(std::span<const std::vector<DoublePoint>> rings, FillRule rule = FillRule::nonZero);
+
+/// A circle as a polygon. Its corners lie on the circle, rounded to the lattice. `corners` is rounded up to a multiple
+/// of 8, at most 4,096. It uses integers only, so every machine makes the same one. The radius is at least 1 and at
+/// most kMaxRegionCells / 2 cells: anything else is brought into this range.
+[[nodiscard]] Region circle(Point center, std::int64_t radius, int corners = 32);
+
+/// A rectangle that is turned: `along` is the direction of its length. Half of the length and half of the width are at
+/// least 1 and at most kMaxRegionCells / 2 cells. A direction (0, 0) counts as (1, 0).
+[[nodiscard]] Region rectangle(Point center, Point along, std::int64_t halfLength, std::int64_t halfWidth);
+
+/// A thick line through points, with round joints and ends: everything within `radius` of it, where a circle has so
+/// many corners. One point gives a circle, none an empty region.
+[[nodiscard]] Region thickLine(std::span<const Point> points, std::int64_t radius, int corners = 16);
+
+enum class PaintMode : std::uint8_t {
+  fill,     ///< paints what is free; polygons stay as they are
+  replace,  ///< takes over what is there
+};
+
+/// An old polygon, and what it became: one polygon or more. A polygon of a whole cell that got another block is still
+/// itself.
+struct BrushChange {
+  PolygonHandle old;
+  std::vector<PolygonHandle> now;
+};
+
+/// What a brush did to polygons. A polygon that is not named has kept its handle, vertices and block.
+struct BrushResult {
+  std::vector<PolygonHandle> went;   ///< nothing is left of them
+  std::vector<PolygonHandle> came;   ///< there is nothing of an old polygon in them
+  std::vector<BrushChange> changed;  ///< old polygons that are cut, bent by rounding, united with others, or recoloured
+  std::vector<PolygonHandle> bent;   ///< of the old ones above, those that law 9 should have kept: docs/brushes.md
+};
+
+/// Paints a region with a block. In a cell, what is painted and the polygons that it changes are united with neighbours
+/// of the same block that the region meets. Cells that are inside the region as a whole cost what add() and setBlock()
+/// cost. Refused, and nothing is changed: outOfReach, if a vertex lies in no cell or was no number (Error::polygon is
+/// the ring, Error::vertex the vertex), or if the region is more than kMaxRegionCells wide or high; capacity, if a cell
+/// would hold too much (see world.h). A region without area changes nothing.
+[[nodiscard]] Expected<BrushResult> paint(World& world, const Region& region, Block block, PaintMode mode);
+
+/// Frees a region. The rest is as for paint(). Cells that are inside the region as a whole cost what clear() costs.
+[[nodiscard]] Expected<BrushResult> carve(World& world, const Region& region);
+
+}  // namespace lgs

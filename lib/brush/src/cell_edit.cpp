@@ -1,0 +1,61 @@
+#include "cell_edit.h"
+
+#include "arrangement.h"
+#include "geometry/ring.h"
+#include "ownership.h"
+#include "rounding.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace lgs::brush {
+namespace {
+
+using detail::nextVertex;
+
+/// Whether the region, with its outline, has a point in common with a polygon.
+bool meets(const Pieces& region, FillRule rule, const Ring& ring) {
+  Point rising{};  // a place just left of which the polygon is, doubled
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point u = ring[k], v = nextVertex(ring, k);
+    if (u.y < v.y) rising = {u.x + v.x, u.y + v.y};
+    for (const Piece& p : region)
+      if (p.isOfRegion && detail::segmentsMeet(u, v, p.a, p.b)) return true;
+  }
+  // The outlines do not meet. So the polygon is inside the region or outside, and each ring of the region is inside the
+  // polygon or outside.
+  if (isInside(windingLeftOf(rising, region), rule)) return true;
+  const Pieces outline = piecesOf(ring);
+  return std::any_of(region.begin(), region.end(), [&](const Piece& p) {
+    return p.start == p.a && p.isOfRegion && windingLeftOf({2 * p.start.x, 2 * p.start.y}, outline) != 0;
+  });
+}
+
+/// The atoms of the cell. Polygons that stand in the way become reached.
+std::vector<Atom> atomsOf(const std::vector<CellPolygon>& polygons, std::vector<bool>& reached, const Pieces& region,
+                          FillRule rule) {
+  for (;;) {
+    Rounding following = rounded(arrangementOf(polygons, reached, region, rule, true), rule);
+    if (following.isGood) return std::move(following.atoms);
+    Rounding result = rounded(arrangementOf(polygons, reached, region, rule, false), rule);
+    if (result.isGood) return std::move(result.atoms);
+    assert(!result.inTheWay.empty());
+    for (const std::size_t k : result.inTheWay) reached[k] = true;
+  }
+}
+
+}  // namespace
+
+CellEdit editOf(const std::vector<CellPolygon>& polygons, const Pieces& region, const Stroke& stroke) {
+  std::vector<bool> meeting;
+  for (const CellPolygon& p : polygons) meeting.push_back(meets(region, stroke.rule, p.ring));
+  std::vector<bool> reached = meeting;
+  const std::vector<Atom> atoms = atomsOf(polygons, reached, region, stroke.rule);
+  CellEdit edit = divided(polygons, reached, atoms, stroke);
+  for (const std::size_t k : edit.gone)
+    if (!meeting[k]) edit.bent.push_back(k);
+  return edit;
+}
+
+}  // namespace lgs::brush

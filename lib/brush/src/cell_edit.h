@@ -1,0 +1,40 @@
+// What a brush does in one cell that an edge of the region runs through.
+#pragma once
+
+#include "pieces.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace lgs::brush {
+
+enum class Deed : std::uint8_t { carve, fill, replace };
+
+struct Stroke {
+  Deed deed = Deed::carve;
+  Block block = 0;  ///< what is painted
+  FillRule rule = FillRule::nonZero;
+};
+
+/// A polygon of the cell, in units from the cell's corner.
+struct CellPolygon {
+  Ring ring;
+  Block block = 0;
+};
+
+struct NewPolygon {
+  Ring ring;
+  Block block = 0;
+  std::vector<std::size_t> from;  ///< the old polygons that it has a part of, by index
+};
+
+struct CellEdit {
+  std::vector<std::size_t> gone;  ///< old polygons that are no more, by index; all others stay as they are
+  std::vector<NewPolygon> placed;
+  std::vector<std::size_t> bent;  ///< of those that are gone: what law 9 should have kept
+};
+
+/// Cost: O(n²) in the edges of the cell's polygons and of the region there.
+CellEdit editOf(const std::vector<CellPolygon>& polygons, const Pieces& region, const Stroke& stroke);
+
+}  // namespace lgs::brush

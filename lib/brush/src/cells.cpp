@@ -1,0 +1,93 @@
+#include "cells.h"
+
+#include <algorithm>
+
+namespace lgs::brush {
+namespace {
+
+using Rings = std::vector<Pieces>;
+
+std::int64_t units(std::int32_t cells) { return std::int64_t{cells} * kUnitsPerCell; }
+
+/// Whether a piece runs along a side of the box of cells.
+bool isOnRim(const Piece& p, const CellRect& box) {
+  const auto isAlong = [](std::int64_t start, std::int64_t end, std::int32_t min, std::int32_t max) {
+    return start == end && (start == units(min) || start == units(max + 1));
+  };
+  return isAlong(p.start.x, p.end.x, box.min.i, box.max.i) || isAlong(p.start.y, p.end.y, box.min.j, box.max.j);
+}
+
+Pieces all(const Rings& rings) {
+  Pieces pieces;
+  for (const Pieces& ring : rings) pieces.insert(pieces.end(), ring.begin(), ring.end());
+  return pieces;
+}
+
+Point shifted(Point p, Cell cell) { return {p.x - units(cell.i), p.y - units(cell.j)}; }
+
+CutCell cutCell(Cell cell, const Pieces& pieces, FillRule rule) {
+  CutCell result{cell, pieces};
+  for (Piece& p : result.pieces)
+    for (Point* const point : {&p.a, &p.b, &p.start, &p.end}) *point = shifted(*point, cell);
+  result.pieces = withoutSpikes(result.pieces, rule);
+  return result;
+}
+
+Rings half(const Rings& rings, Line line, bool keepsGreater) {
+  Rings kept;
+  for (const Pieces& ring : rings)
+    if (Pieces part = cut(ring, line, keepsGreater); !part.empty()) kept.push_back(std::move(part));
+  return kept;
+}
+
+/// Halves the box until no edge runs through its inside. The rings are cut to it.
+void divide(const Rings& rings, const CellRect& box, FillRule rule, Coverage& result) {
+  if (rings.empty()) return;
+  const bool isPlain = std::all_of(rings.begin(), rings.end(), [&](const Pieces& ring) {
+    return std::all_of(ring.begin(), ring.end(), [&](const Piece& p) { return isOnRim(p, box); });
+  });
+  if (isPlain) {
+    const Point inside{2 * units(box.min.i) + 1, 2 * units(box.min.j) + 1};
+    if (isInside(windingLeftOf(inside, all(rings)), rule)) result.whole.push_back(box);
+  } else if (box.min == box.max) {
+    result.cut.push_back(cutCell(box.min, all(rings), rule));
+  } else {
+    const bool isWide = box.max.i - box.min.i >= box.max.j - box.min.j;
+    CellRect lower = box, upper = box;
+    if (isWide) {
+      lower.max.i = box.min.i + (box.max.i - box.min.i) / 2;
+      upper.min.i = lower.max.i + 1;
+    } else {
+      lower.max.j = box.min.j + (box.max.j - box.min.j) / 2;
+      upper.min.j = lower.max.j + 1;
+    }
+    const Line line{isWide, units(isWide ? upper.min.i : upper.min.j)};
+    divide(half(rings, line, false), lower, rule, result);
+    divide(half(rings, line, true), upper, rule, result);
+  }
+}
+
+}  // namespace
+
+Coverage coverage(const Region& region) {
+  Rings rings;
+  for (const Ring& ring : region.rings)
+    if (ring.size() >= 3) rings.push_back(piecesOf(ring));
+  Coverage result;
+  const Pieces pieces = all(rings);
+  if (pieces.empty()) return result;
+  Point min = pieces[0].a, max = min;
+  for (const Piece& p : pieces) {
+    min = {std::min(min.x, p.a.x), std::min(min.y, p.a.y)};
+    max = {std::max(max.x, p.a.x), std::max(max.y, p.a.y)};
+  }
+  if (min.x == max.x || min.y == max.y) return result;
+  divide(rings, {cellAt(min), cellAt({max.x - 1, max.y - 1})}, region.rule, result);
+  return result;
+}
+
+Pieces wholeCell() {
+  return piecesOf({{0, 0}, {kUnitsPerCell, 0}, {kUnitsPerCell, kUnitsPerCell}, {0, kUnitsPerCell}});
+}
+
+}  // namespace lgs::brush

@@ -1,0 +1,18 @@
+// From the edges of an area to simple polygons.
+#pragma once
+
+#include "atoms.h"
+
+#include <vector>
+
+namespace lgs::brush {
+
+/// The simple counter-clockwise polygons that an area consists of. `edges` are all edges of its outline, the area on
+/// their left; no two meet but in their ends. An area with holes is cut by chords between vertices of its outline.
+/// No vertex is in the middle of a straight line. Polygons begin with their least vertex.
+std::vector<Ring> simplePolygons(std::vector<Edge> edges);
+
+/// The ring without vertices in the middle of straight lines, its least vertex first.
+Ring straightened(const Ring& ring);
+
+}  // namespace lgs::brush

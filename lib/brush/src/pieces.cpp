@@ -1,0 +1,144 @@
+#include "pieces.h"
+
+#include "fraction.h"
+#include "geometry/predicates.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace lgs::brush {
+namespace {
+
+using detail::Vector;
+using detail::operator-;
+
+int side(Point p, Line line, bool keepsGreater) {
+  const int greater = detail::sign((line.isVertical ? p.x : p.y) - line.at);
+  return keepsGreater ? greater : -greater;
+}
+
+/// Where the edge a→b crosses the line, rounded along the line.
+Point crossing(Point a, Point b, Line line) {
+  const auto along = [](std::int64_t u, std::int64_t du, std::int64_t v, std::int64_t dv, std::int64_t at) {
+    return v + roundedProduct(dv, at - u, du);
+  };
+  if (line.isVertical) return {line.at, along(a.x, b.x - a.x, a.y, b.y - a.y, line.at)};
+  return {along(a.y, b.y - a.y, a.x, b.x - a.x, line.at), line.at};
+}
+
+/// Adds a piece; and one along the line before it, where the ring has left the line's side since.
+void append(Pieces& ring, const Piece& piece) {
+  if (!ring.empty() && ring.back().end != piece.start) {
+    const Point from = ring.back().end;
+    ring.push_back({from, piece.start, from, piece.start, false});
+  }
+  if (piece.start != piece.end) ring.push_back(piece);
+}
+
+/// The line that a piece lies on, the same for all edges on it, in lowest terms.
+struct Carrier {
+  std::int64_t dx, dy, offset;
+  explicit Carrier(const Piece& p) {
+    const Vector d = p.b - p.a;
+    const std::int64_t divisor = std::gcd(d.x, d.y) * (d.x < 0 || (d.x == 0 && d.y < 0) ? -1 : 1);
+    dx = d.x / divisor;
+    dy = d.y / divisor;
+    offset = p.a.x * dy - p.a.y * dx;
+  }
+  friend auto operator<=>(const Carrier&, const Carrier&) = default;
+};
+
+/// The pieces, cut at the ends of others that lie on them: what overlaps is then equal.
+Pieces cutAtEnds(const Pieces& pieces) {
+  Pieces parts;
+  std::vector<Point> cuts;
+  for (const Piece& p : pieces) {
+    const Vector d = p.end - p.start;
+    const auto before = [&](Point u, Point v) { return dot(u - p.start, d) < dot(v - p.start, d); };
+    cuts.assign({p.start, p.end});
+    for (const Piece& q : pieces)
+      if (detail::orientation(p.a, p.b, q.start) == 0 && before(p.start, q.start) && before(q.start, p.end))
+        cuts.push_back(q.start);
+    std::sort(cuts.begin(), cuts.end(), before);
+    cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+    for (std::size_t k = 1; k < cuts.size(); ++k) parts.push_back({p.a, p.b, cuts[k - 1], cuts[k], p.isOfRegion});
+  }
+  return parts;
+}
+
+}  // namespace
+
+Pieces piecesOf(const Ring& ring) {
+  Pieces pieces;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point a = ring[k], b = ring[k + 1 == ring.size() ? 0 : k + 1];
+    if (a != b) pieces.push_back({a, b, a, b, true});
+  }
+  return pieces;
+}
+
+Pieces cut(const Pieces& ring, Line line, bool keepsGreater) {
+  Pieces kept;
+  for (const Piece& p : ring) {
+    const int start = side(p.start, line, keepsGreater), end = side(p.end, line, keepsGreater);
+    if (start < 0 && end < 0) continue;
+    if (start >= 0 && end >= 0) {
+      append(kept, p);
+    } else if (start > 0) {
+      append(kept, {p.a, p.b, p.start, crossing(p.a, p.b, line), p.isOfRegion});
+    } else if (end > 0) {
+      append(kept, {p.a, p.b, crossing(p.a, p.b, line), p.end, p.isOfRegion});
+    }
+  }
+  if (!kept.empty() && kept.back().end != kept.front().start)
+    kept.push_back({kept.back().end, kept.front().start, kept.back().end, kept.front().start, false});
+  return kept;
+}
+
+Pieces withoutSpikes(const Pieces& pieces, FillRule rule) {
+  struct Keyed {
+    Carrier carrier;
+    Point low, high;
+    std::int64_t turns;  // +1 from low to high
+    Piece piece;
+    auto key() const { return std::tie(carrier, low, high); }
+  };
+  std::vector<Keyed> all;
+  for (const Piece& p : cutAtEnds(pieces))
+    all.push_back({Carrier(p), std::min(p.start, p.end), std::max(p.start, p.end), p.start < p.end ? 1 : -1, p});
+  std::stable_sort(all.begin(), all.end(), [](const Keyed& a, const Keyed& b) { return a.key() < b.key(); });
+  Pieces kept;
+  for (std::size_t k = 0; k < all.size();) {
+    const std::size_t first = k;
+    std::int64_t turns = 0;
+    bool isOfRegion = false;
+    for (; k < all.size() && all[k].key() == all[first].key(); ++k) {
+      turns += all[k].turns;
+      isOfRegion |= all[k].piece.isOfRegion;
+    }
+    if (rule == FillRule::evenOdd) turns %= 2;
+    Piece piece = all[first].piece;
+    piece.isOfRegion = isOfRegion;
+    if (turns * all[first].turns < 0) {
+      std::swap(piece.a, piece.b);
+      std::swap(piece.start, piece.end);
+    }
+    for (std::int64_t times = std::abs(turns); times > 0; --times) kept.push_back(piece);
+  }
+  return kept;
+}
+
+std::int64_t windingLeftOf(Point doubled, const Pieces& pieces) {
+  const auto twice = [](Point p) { return Point{2 * p.x, 2 * p.y}; };
+  std::int64_t winding = 0;
+  for (const Piece& p : pieces) {
+    const bool startsBelow = 2 * p.start.y <= doubled.y, endsBelow = 2 * p.end.y <= doubled.y;
+    if (startsBelow == endsBelow) continue;
+    const int turn = detail::orientation(twice(p.a), twice(p.b), doubled);
+    if (startsBelow ? turn < 0 : turn > 0) winding += startsBelow ? -1 : 1;  // the piece is left of the point
+  }
+  return winding;
+}
+
+}  // namespace lgs::brush

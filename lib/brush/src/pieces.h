@@ -1,0 +1,42 @@
+// A region's edges, cut at the lines between cells.
+#pragma once
+
+#include <lgs/brush.h>
+
+#include <vector>
+
+namespace lgs::brush {
+
+/// A part of an edge of the region, or a part of a line between cells that closes a ring which was cut there.
+struct Piece {
+  Point a, b;        ///< the whole edge: it says where the piece runs
+  Point start, end;  ///< lattice points, where the piece is cut: rounded along the line that cuts it
+  bool isOfRegion = true;
+};
+
+using Pieces = std::vector<Piece>;
+
+/// x = at, or y = at.
+struct Line {
+  bool isVertical = true;
+  std::int64_t at = 0;
+};
+
+/// The ring as pieces. Equal neighbours are one vertex.
+Pieces piecesOf(const Ring& ring);
+
+/// The part of a closed ring on one side of a line: a closed ring again, which may run along the line to and fro.
+Pieces cut(const Pieces& ring, Line line, bool keepsGreater);
+
+/// Pieces of several rings without those that have no area beside them: the same piece the other way around, or, in
+/// even-odd regions, the same piece again. All must lie in one cell.
+Pieces withoutSpikes(const Pieces& pieces, FillRule rule);
+
+/// How often the pieces run around the place just to the left of a point. Both its coordinates are doubled.
+std::int64_t windingLeftOf(Point doubled, const Pieces& pieces);
+
+constexpr bool isInside(std::int64_t winding, FillRule rule) {
+  return rule == FillRule::evenOdd ? winding % 2 != 0 : winding != 0;
+}
+
+}  // namespace lgs::brush

@@ -1,0 +1,98 @@
+#include "rounding.h"
+
+#include "geometry/relation.h"
+
+#include <algorithm>
+
+namespace lgs::brush {
+namespace {
+
+using detail::nextVertex;
+
+/// Whether snap rounding would bend an edge of a polygon. If it bends none, no chain can reach into the polygon.
+bool wouldBend(const Ring& ring, const std::vector<Point>& hot) {
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point a = ring[k], b = nextVertex(ring, k);
+    const auto isBeside = [&](Point z) { return detail::orientation(a, b, z) != 0 && passes(a, b, z); };
+    if (std::any_of(hot.begin(), hot.end(), isBeside)) return true;
+  }
+  return false;
+}
+
+/// Whether an atom runs through a polygon.
+bool reachesInto(const Atom& atom, const Ring& ring) {
+  const Ring piece{atom.low, atom.high};
+  return detail::anyCrossing(piece, ring) || detail::sightOf(piece, ring).inside;
+}
+
+/// Whether a polygon that no atom runs through came to lie inside the region, or inside another polygon.
+bool isSwallowed(const Ring& ring, const std::vector<Atom>& atoms, FillRule rule) {
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point a = ring[k], b = nextVertex(ring, k);
+    if (a.y >= b.y) continue;
+    const Sum sum = sumLeftOf({a.x + b.x, a.y + b.y}, atoms);  // the polygon is left of an edge that rises
+    return sum.polygons != 0 || isInside(sum.winding, rule);
+  }
+  return false;
+}
+
+/// Whether there is one polygon at most on either side of each atom.
+bool isDivision(const std::vector<Atom>& atoms) {
+  const auto isOne = [](const Sum& s) {
+    return s.squares == s.numbers * s.numbers && (s.polygons == 1 ? s.numbers > 0 : s.polygons == 0 && s.numbers == 0);
+  };
+  return std::all_of(atoms.begin(), atoms.end(), [&](const Atom& a) { return isOne(a.left) && isOne(a.right); });
+}
+
+/// Whether no atoms cross or end on each other.
+bool isPlane(const std::vector<Atom>& atoms) {
+  for (const Atom& a : atoms)
+    for (const Atom& b : atoms)
+      if (detail::crossProperly(a.low, a.high, b.low, b.high) || detail::isInside(a.low, b.low, b.high) ||
+          detail::isInside(a.high, b.low, b.high))
+        return false;
+  return true;
+}
+
+Rounding roundOnce(const Arrangement& arrangement, FillRule rule) {
+  Rounding result;
+  std::vector<Point> chain;
+  for (const Segment& segment : arrangement.segments) {
+    route(segment, arrangement.hot, chain);
+    addAtoms(chain, segment.sum, result.atoms);
+  }
+  settle(result.atoms);
+  const bool isGood = isDivision(result.atoms);
+  for (std::size_t k = 0; k < arrangement.staying.size(); ++k) {
+    const Ring* const ring = arrangement.staying[k];
+    if (ring == nullptr || !wouldBend(*ring, arrangement.hot)) continue;
+    const auto reaches = [&](const Atom& a) { return reachesInto(a, *ring); };
+    if (!isGood || isSwallowed(*ring, result.atoms, rule) ||
+        std::any_of(result.atoms.begin(), result.atoms.end(), reaches))
+      result.inTheWay.push_back(k);
+  }
+  result.isGood = isGood && result.inTheWay.empty();
+  return result;
+}
+
+/// Leaves the edges of polygons straight that nothing crosses and that do not follow the region.
+void stiffen(std::vector<Segment>& segments) {
+  for (Segment& edge : segments) {
+    if (edge.sum.winding != 0 || edge.a != edge.start || edge.b != edge.end) continue;
+    edge.bends = std::any_of(segments.begin(), segments.end(), [&](const Segment& other) {
+      return edge.bends && other.sum.winding != 0 && crossingPixel(edge, other);
+    });
+  }
+}
+
+}  // namespace
+
+Rounding rounded(Arrangement arrangement, FillRule rule) {
+  Rounding result = roundOnce(arrangement, rule);
+  if (result.inTheWay.empty()) return result;
+  stiffen(arrangement.segments);
+  Rounding stiff = roundOnce(arrangement, rule);
+  return stiff.isGood && isPlane(stiff.atoms) ? stiff : result;
+}
+
+}  // namespace lgs::brush

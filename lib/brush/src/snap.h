@@ -1,0 +1,54 @@
+// Snap rounding in one cell: segments become chains between lattice points, and never cross (docs/brushes.md).
+//
+// Units: lattice units from the cell's corner. Ends of edges of polygons are in the cell; those of the region's edges
+// are at most 2^29 units away.
+#pragma once
+
+#include "pieces.h"
+
+#include <optional>
+#include <vector>
+
+namespace lgs::brush {
+
+/// What changes from the right of an edge to its left.
+struct Sum {
+  std::int64_t winding = 0;   ///< of the region
+  std::int64_t polygons = 0;  ///< how many of the cell's polygons there are
+  std::int64_t numbers = 0;   ///< the sum of their numbers, which begin with 1
+  std::int64_t squares = 0;   ///< the sum of the squares of these: so an overlap can not pass for a single polygon
+  Sum& operator+=(const Sum& other) {
+    winding += other.winding;
+    polygons += other.polygons;
+    numbers += other.numbers;
+    squares += other.squares;
+    return *this;
+  }
+  friend Sum operator-(const Sum& s) { return {-s.winding, -s.polygons, -s.numbers, -s.squares}; }
+  friend bool operator==(const Sum&, const Sum&) = default;
+};
+
+struct Segment {
+  Point a, b;        ///< it runs along the line through these points,
+  Point start, end;  ///< from here to there: its own ends, or where the rim cuts it
+  Sum sum;
+  bool bends = true;  ///< false: it stays straight, and is only cut at hot points on it
+};
+
+/// Whether the edge a→b passes the pixel of a lattice point, left and lower side included.
+bool passes(Point a, Point b, Point pixel);
+
+/// The pixel in which two segments cross between their starts and ends, or nothing. An end on the other segment is no
+/// crossing: it is hot anyway.
+std::optional<Point> crossingPixel(const Segment& p, const Segment& q);
+
+/// Sorts, and leaves out what comes twice.
+void normalize(std::vector<Point>& points);
+
+/// Crossings of segments that bend.
+void addCrossings(const std::vector<Segment>& segments, std::vector<Point>& hot);
+
+/// The hot points that a segment goes through, in order, with both ends. `hot` is normalized.
+void route(const Segment& segment, const std::vector<Point>& hot, std::vector<Point>& chain);
+
+}  // namespace lgs::brush

@@ -1,0 +1,227 @@
+// Brushes by hand: helpers, whole cells, refusals, and what the result says.
+#include "outline.h"
+#include "pieces.h"
+#include "proptests/brush/strokes.h"
+#include "snap.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lgs::test {
+namespace {
+
+constexpr std::int64_t kCell = kUnitsPerCell;  // in lattice units
+
+Region box(Point min, Point max) { return {{{min, {max.x, min.y}, max, {min.x, max.y}}}}; }
+
+TEST(BrushRegion, ACircleHasItsCornersOnTheCircle) {
+  for (const std::int64_t radius : {std::int64_t{1}, std::int64_t{7}, 3 * kCell, 2'000 * kCell}) {
+    const Region region = circle({5, -7}, radius, 30);
+    ASSERT_EQ(region.rings.size(), 1U);
+    EXPECT_EQ(region.rings[0].size(), 32U);
+    for (const Point p : region.rings[0]) {
+      const double away = std::hypot(static_cast<double>(p.x - 5), static_cast<double>(p.y + 7));
+      EXPECT_NEAR(away, static_cast<double>(radius), 0.75);
+    }
+  }
+}
+
+TEST(BrushRegion, ARectangleIsTurned) {
+  const Region region = rectangle({100, 100}, {0, 5}, 50, 20);
+  EXPECT_EQ(region.rings, (std::vector<Ring>{{{120, 50}, {120, 150}, {80, 150}, {80, 50}}}));
+  EXPECT_EQ(rectangle({0, 0}, {0, 0}, 2, 1).rings, rectangle({0, 0}, {1, 0}, 2, 1).rings);
+}
+
+TEST(BrushRegion, AThickLineHasRoundJoints) {
+  const std::vector<Point> points{{0, 0}, {10'000, 0}, {10'000, 10'000}};
+  EXPECT_EQ(thickLine(points, 1'000).rings.size(), 5U);
+  World world;
+  ASSERT_TRUE(paint(world, thickLine(points, 1'000), 1, PaintMode::fill).has_value());
+  EXPECT_EQ(world.at({10'700, -700}).where, Spot::Where::inside) << "the joint is round";
+  EXPECT_EQ(world.at({10'800, -800}).where, Spot::Where::outside);
+  EXPECT_TRUE(thickLine({}, 10).rings.empty());
+}
+
+TEST(BrushRegion, PositionsInCellsAreRounded) {
+  const std::vector<std::vector<DoublePoint>> rings{{{0, 0}, {1, 0}, {0.5 / kCell, 2}}};
+  EXPECT_EQ(region(rings).rings, (std::vector<Ring>{{{0, 0}, {kCell, 0}, {1, 2 * kCell}}}));
+}
+
+TEST(BrushSnap, APixelHasItsLeftAndLowerSide) {
+  using brush::passes;
+  EXPECT_TRUE(passes({0, 0}, {4, 2}, {1, 1})) << "through the lower side";
+  EXPECT_TRUE(passes({0, 0}, {4, 2}, {1, 0}));
+  EXPECT_TRUE(passes({0, 1}, {1, 0}, {1, 1})) << "through its lower left corner";
+  EXPECT_FALSE(passes({0, 1}, {1, 2}, {1, 1})) << "through its upper left corner";
+  EXPECT_FALSE(passes({1, 0}, {2, 1}, {1, 1})) << "through its lower right corner";
+  EXPECT_FALSE(passes({0, 0}, {4, 2}, {5, 2})) << "beyond its end";
+}
+
+TEST(BrushSnap, CrossingsAreRoundedToTheNearestPoint) {
+  const auto segment = [](Point a, Point b) { return brush::Segment{a, b, a, b, {}, true}; };
+  EXPECT_EQ(crossingPixel(segment({0, 0}, {3, 3}), segment({0, 3}, {3, 0})), (Point{2, 2})) << "halves go up";
+  EXPECT_EQ(crossingPixel(segment({0, 0}, {-3, -3}), segment({0, -3}, {-3, 0})), (Point{-1, -1}));
+  EXPECT_EQ(crossingPixel(segment({0, 0}, {3, 3}), segment({3, 3}, {5, 0})), std::nullopt);
+  constexpr std::int64_t kFar = std::int64_t{1} << 28;
+  EXPECT_EQ(crossingPixel(segment({-kFar, -kFar + 1}, {kFar, kFar}), segment({-kFar, kFar}, {kFar, -kFar})),
+            (Point{0, 0}));
+}
+
+TEST(BrushOutline, AHoleIsCutOpenByTwoChords) {
+  std::vector<brush::Edge> edges;
+  const auto addRing = [&](const Ring& ring) {
+    for (std::size_t k = 0; k < ring.size(); ++k) edges.push_back({ring[k], ring[(k + 1) % ring.size()]});
+  };
+  addRing({{0, 0}, {9, 0}, {9, 9}, {0, 9}});
+  addRing({{3, 3}, {3, 6}, {6, 6}, {6, 3}});
+  const std::vector<Ring> polygons = brush::simplePolygons(edges);
+  EXPECT_EQ(polygons, (std::vector<Ring>{{{0, 0}, {3, 3}, {3, 6}, {6, 6}, {9, 9}, {0, 9}},
+                                         {{0, 0}, {9, 0}, {9, 9}, {6, 6}, {6, 3}, {3, 3}}}));
+}
+
+TEST(Brush, WholeCellsAreFilledClearedAndRecoloured) {
+  World world;
+  const Region cells = box({0, 0}, {3 * kCell, 2 * kCell});
+  const auto painted = paint(world, cells, 1, PaintMode::fill);
+  ASSERT_TRUE(painted.has_value());
+  EXPECT_EQ(painted->came.size(), 6U);
+  const auto recoloured = paint(world, cells, 2, PaintMode::replace);
+  ASSERT_TRUE(recoloured.has_value());
+  ASSERT_EQ(recoloured->changed.size(), 6U);
+  EXPECT_EQ(recoloured->changed[0].now, std::vector{recoloured->changed[0].old}) << "it keeps its handle";
+  EXPECT_EQ(world.at({5, 5}).block, 2U);
+  EXPECT_TRUE(paint(world, cells, 3, PaintMode::fill)->came.empty()) << "nothing is free";
+  const auto carved = carve(world, cells);
+  EXPECT_EQ(carved->went.size(), 6U);
+  EXPECT_EQ(world.stats().polygons, 0U);
+}
+
+TEST(Brush, AHoleCarvedIntoABlockIsTold) {
+  World world;
+  const PolygonHandle block = *world.add({0, 0}, kUnitSquare, 7);
+  const auto carved = carve(world, box({100, 100}, {200, 200}));
+  ASSERT_TRUE(carved.has_value());
+  ASSERT_EQ(carved->changed.size(), 1U);
+  EXPECT_EQ(carved->changed[0].old, block);
+  EXPECT_EQ(carved->changed[0].now.size(), 2U) << "the hole is cut open";
+  EXPECT_EQ(world.at({150, 150}).where, Spot::Where::outside);
+  const auto filled = paint(world, box({100, 100}, {200, 200}), 7, PaintMode::fill);
+  ASSERT_TRUE(filled.has_value());
+  EXPECT_EQ(world.stats().polygons, 1U) << "equal blocks are united again";
+}
+
+TEST(Brush, APolygonThatComesOutAsItWasKeepsItsHandle) {
+  World world;
+  const PolygonHandle below = *world.add({0, 0}, {{0, 0}, {900, 0}, {900, 300}, {0, 300}}, 1);
+  const auto painted = paint(world, box({100, 300}, {200, 400}), 2, PaintMode::fill);  // stands on it
+  ASSERT_TRUE(painted.has_value());
+  EXPECT_EQ(painted->came.size(), 1U);
+  EXPECT_TRUE(painted->changed.empty());
+  EXPECT_TRUE(world.polygon(below).has_value());
+}
+
+/// Plays strokes, and returns how many polygons the last one bends that it should have kept.
+std::size_t bentByTheLast(Ground ground, const std::vector<BrushStroke>& strokes) {
+  World world = worldOf(ground);
+  std::size_t bent = 0;
+  for (const BrushStroke& stroke : strokes) {
+    const auto result = brush(world, stroke);
+    EXPECT_TRUE(result.has_value()) << message(result.error());
+    if (result) bent = result->bent.size();
+  }
+  return bent;
+}
+
+TEST(Brush, APolygonThatAChainWouldRunThroughStays) {
+  EXPECT_EQ(bentByTheLast(
+                Ground::solid,
+                {{Deed::carve,
+                  1,
+                  {{{{65496, 65526}, {65476, 65536}, {65521, 65511}, {65476, 65541}, {65481, 65541}, {65551, 65491}},
+                    {{65501, 65526}, {65476, 65476}, {65506, 65521}, {65491, 65526}, {65556, 65491}}},
+                   FillRule::evenOdd}},
+                 {Deed::replace, 1, {{{{65476, 65476}, {65481, 65476}, {65476, 65481}}}}}}),
+            0U);
+}
+
+TEST(Brush, APolygonThatAChainWouldRunAroundStays) {
+  EXPECT_EQ(bentByTheLast(
+                Ground::slanted,
+                {{Deed::fill, 1, {{{{65534, 65529}, {65524, 65524}, {65524, 65526}}}, FillRule::evenOdd}},
+                 {Deed::carve,
+                  1,
+                  {{{{65534, 65525}, {65524, 65524}, {65527, 65532}}, {{65539, 65524}, {65524, 65524}, {65526, 65533}}},
+                   FillRule::evenOdd}},
+                 {Deed::fill, 3, {{{{65527, 65530}, {65524, 65524}, {65537, 65527}}}}},
+                 {Deed::replace, 1, {{{{65524, 65524}, {65524, 65525}, {65525, 65524}}}, FillRule::evenOdd}}}),
+            0U);
+}
+
+TEST(Brush, AnEdgeDoesNotFollowTheRegionAcrossAnotherEdge) {
+  World world = worldOf(Ground::slanted);
+  for (const Ring& ring :
+       {Ring{{65526, 65524}, {65527, 65527}, {65530, 65528}}, Ring{{65526, 65525}, {65530, 65527}, {65524, 65525}}})
+    ASSERT_TRUE(paint(world, {{ring}, FillRule::evenOdd}, 1, PaintMode::replace).has_value());
+  world.commit();
+  EXPECT_EQ(world.loops().size(), 1U) << "the ground has no hole";
+}
+
+TEST(Brush, FarFromTheOriginAndLarge) {
+  World world;
+  const Point far{kMaxCoordinate - 5 * kCell, -kMaxCoordinate + 5 * kCell};
+  EXPECT_TRUE(paint(world, circle(far, 4 * kCell), 1, PaintMode::fill).has_value());
+  const std::int64_t most = kMaxRegionCells * kCell;
+  const Region large{{{{0, 0}, {most, 3}, {most - 7, most}}}};
+  Region frame = large;
+  frame.rings.push_back({{2, 1}, {most - 2, 4}, {most - 9, most - 5}});
+  frame.rule = FillRule::evenOdd;
+  EXPECT_TRUE(paint(world, frame, 1, PaintMode::fill).has_value());
+}
+
+TEST(Brush, BadRegionsAreRefusedAndNothingChanges) {
+  World world = worldOf(Ground::slanted);
+  const auto before = standingIn(world);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<std::vector<DoublePoint>> notANumber{{{0, 0}, {1, 0}, {1, 1}}, {{0, 0}, {1, nan}, {1, 1}}};
+  const auto refused = carve(world, region(notANumber));
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::outOfReach);
+  EXPECT_EQ(refused.error().polygon, 1);
+  EXPECT_EQ(refused.error().vertex, 1);
+  const std::int64_t most = kMaxRegionCells * kCell;
+  EXPECT_FALSE(carve(world, box({0, 0}, {most + 1, 10})).has_value());
+  EXPECT_FALSE(carve(world, box({0, 0}, {10, most + 1})).has_value());
+  EXPECT_FALSE(carve(world, circle({kMaxCoordinate + 1, 0}, 10)).has_value());
+  EXPECT_EQ(standingIn(world), before);
+}
+
+TEST(Brush, TooMuchForACellIsRefusedAsAWhole) {
+  World world;
+  Region comb;  // 300 teeth of a cell, and all of the cell beside it
+  for (std::int64_t k = 0; k < 300; ++k) comb.rings.push_back(box({kCell + 4 * k, 1}, {kCell + 4 * k + 2, 9}).rings[0]);
+  comb.rings.push_back(box({0, 0}, {kCell, kCell}).rings[0]);
+  const auto refused = paint(world, comb, 1, PaintMode::fill);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::capacity);
+  EXPECT_EQ(refused.error().cell, (Cell{1, 0}));
+  EXPECT_EQ(world.stats().polygons, 0U);
+}
+
+TEST(Brush, RegionsWithoutAreaChangeNothing) {
+  World world = worldOf(Ground::slanted);
+  const auto before = standingIn(world);
+  for (const Region& nothing :
+       {Region{}, Region{{{}}}, Region{{{{5, 5}}}}, Region{{{{5, 5}, {70'000, 900}}}},
+        Region{{{{5, 5}, {70'000, 905}, {5, 5}}}}, Region{{{{0, 0}, {90'000, 30'000}, {30'000, 10'000}}}},
+        Region{{{{0, 0}, {90'000, 30'000}, {60'000, 20'000}}}, FillRule::evenOdd}}) {
+    ASSERT_TRUE(paint(world, nothing, 1, PaintMode::replace).has_value());
+    ASSERT_TRUE(carve(world, nothing).has_value());
+    EXPECT_EQ(standingIn(world), before);
+  }
+}
+
+}  // namespace
+}  // namespace lgs::test

@@ -1,0 +1,143 @@
+// Laws 8 to 11: what a brush leaves of the ground.
+#include "geometry/relation.h"
+#include "proptests/brush/strokes.h"
+#include "proptests/support/law.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace lgs::test {
+namespace {
+
+LGS_LAW(Brush, Law8RoundsByAUnitAtMost, 400, (const AnyStrokes& strokes)) {
+  World world = worldOf(strokes.ground);
+  for (const BrushStroke& stroke : strokes.strokes) {
+    const oracle::Scene before = sceneOf(world);
+    ASSERT_TRUE(brush(world, stroke).has_value());
+    failIf(farFromExact(before, editOf(stroke), sceneOf(world)));
+  }
+}
+
+/// Whether the region may have a point in common with the polygon. Rings that enclose nothing count as well.
+bool mayMeet(const Region& region, const std::vector<Point>& polygon) {
+  const auto around = [](Point p, const std::vector<Ring>& rings) {  // where a ray to the right crosses rings
+    int winding = 0;
+    for (const Ring& ring : rings) {
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Point a = ring[k], b = detail::nextVertex(ring, k);
+        if ((a.y <= p.y) == (b.y <= p.y)) continue;
+        if ((detail::orientation(a, b, p) > 0) == (b.y > a.y)) winding += b.y > a.y ? 1 : -1;
+      }
+    }
+    return winding;
+  };
+  for (const Ring& ring : region.rings) {
+    for (std::size_t k = 0; k < ring.size(); ++k)
+      for (std::size_t i = 0; i < polygon.size(); ++i)
+        if (detail::segmentsMeet(ring[k], detail::nextVertex(ring, k), polygon[i], detail::nextVertex(polygon, i)))
+          return true;
+    if (around(ring[0], {polygon}) != 0) return true;
+  }
+  const int winding = around(polygon[0], region.rings);
+  return region.rule == FillRule::evenOdd ? winding % 2 != 0 : winding != 0;
+}
+
+LGS_LAW(Brush, Law9WhatIsNotReachedStays, 3'000, (const AnyStrokes& strokes)) {
+  World world = worldOf(strokes.ground);
+  for (const BrushStroke& stroke : strokes.strokes) {
+    const auto before = standingIn(world);
+    const auto result = brush(world, stroke);
+    ASSERT_TRUE(result.has_value());
+    const auto after = standingIn(world);
+    for (const auto& [handle, standing] : before) {
+      const auto now = after.find(handle);
+      if (now != after.end() && now->second == standing) continue;
+      std::vector<Point> polygon;
+      for (const LocalPoint v : standing.vertices) polygon.push_back(toWorld(standing.cell, v));
+      const bool isTold = std::ranges::find(result->bent, handle) != result->bent.end();
+      failUnless(isTold || mayMeet(stroke.region, polygon), "a polygon changed that the region does not reach");
+    }
+  }
+}
+
+LGS_LAW(Brush, TheResultTellsWhatHappened, 1'000, (const AnyStrokes& strokes)) {
+  World world = worldOf(strokes.ground);
+  for (const BrushStroke& stroke : strokes.strokes) {
+    const auto before = standingIn(world);
+    const auto result = brush(world, stroke);
+    ASSERT_TRUE(result.has_value());
+    const auto after = standingIn(world);
+    std::set<PolygonHandle> old(result->went.begin(), result->went.end());
+    std::set<PolygonHandle> now(result->came.begin(), result->came.end());
+    EXPECT_EQ(old.size(), result->went.size());
+    for (const BrushChange& change : result->changed) {
+      EXPECT_TRUE(old.insert(change.old).second) << "it is told twice";
+      EXPECT_FALSE(change.now.empty());
+      now.insert(change.now.begin(), change.now.end());
+    }
+    for (const PolygonHandle handle : result->bent) EXPECT_TRUE(old.contains(handle));
+    for (const auto& [handle, standing] : before) {
+      if (!old.contains(handle)) {
+        ASSERT_TRUE(after.contains(handle)) << "gone, and not told";
+        EXPECT_EQ(after.at(handle), standing);
+      } else if (after.contains(handle)) {
+        EXPECT_NE(after.at(handle).block, standing.block) << "told, and the same";
+      }
+    }
+    for (const auto& [handle, standing] : after) EXPECT_TRUE(before.contains(handle) || now.contains(handle));
+    for (const PolygonHandle handle : now) EXPECT_TRUE(after.contains(handle));
+  }
+}
+
+/// The outlines, with straight lines as one segment each.
+std::vector<std::vector<Point>> outlines(const World& world) {
+  std::vector<std::vector<Point>> all;
+  for (const Loop& loop : world.loops(Collinear::merge)) all.push_back(loop.vertices);
+  return all;
+}
+
+/// The region, as far as it lies over the ground.
+Region within(Region region) {
+  constexpr std::int64_t kEnd = 3 * kUnitsPerCell;
+  for (Ring& ring : region.rings)
+    for (Point& p : ring) p = {std::clamp<std::int64_t>(p.x, 0, kEnd), std::clamp<std::int64_t>(p.y, 0, kEnd)};
+  return region;
+}
+
+LGS_LAW(Brush, Law10CarveAndPaintLeavesNoSeam, 3'000, (const AnyRegion& any)) {
+  World world = worldOf(Ground::solid);
+  world.commit();
+  const auto solid = outlines(world);
+  const Region region = within(any.region);
+  ASSERT_TRUE(carve(world, region).has_value());
+  world.commit();
+  ASSERT_TRUE(paint(world, region, 1, PaintMode::fill).has_value());
+  world.commit();
+  EXPECT_EQ(outlines(world), solid);
+}
+
+LGS_LAW(Brush, Law10AnotherBlockLeavesNoSeam, 3'000, (const AnyStrokes& strokes)) {
+  World world = worldOf(Ground::slanted);
+  world.commit();
+  const auto solid = outlines(world);
+  for (const BrushStroke& stroke : strokes.strokes) {
+    ASSERT_TRUE(paint(world, within(stroke.region), stroke.block, PaintMode::replace).has_value());
+    world.commit();
+    EXPECT_EQ(outlines(world), solid);
+  }
+}
+
+LGS_LAW(Brush, Law11IsNeverRefused, 3'000, (const AnyStrokes& strokes)) {
+  World world = worldOf(strokes.ground);
+  for (const BrushStroke& stroke : strokes.strokes) {
+    const auto result = brush(world, stroke);
+    ASSERT_TRUE(result.has_value()) << message(result.error());
+    world.commit();
+  }
+}
+
+}  // namespace
+}  // namespace lgs::test

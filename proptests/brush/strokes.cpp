@@ -1,0 +1,144 @@
+#include "proptests/brush/strokes.h"
+
+#include "geometry/ring.h"
+
+#include <algorithm>
+#include <ostream>
+
+namespace lgs::test {
+namespace {
+
+constexpr std::int64_t kUnit = kUnitsPerCell;
+
+rc::Gen<Point> points(std::int64_t step) {
+  return rc::gen::map(rc::gen::pair(rc::gen::inRange(-12, 13), rc::gen::inRange(-12, 13)),
+                      [step](std::pair<int, int> p) {
+                        return Point{kUnit + p.first * step, kUnit + p.second * step};
+                      });
+}
+
+rc::Gen<Ring> rings(std::int64_t step) {
+  return rc::gen::mapcat(rc::gen::inRange<std::size_t>(3, 8),
+                         [step](std::size_t count) { return rc::gen::container<Ring>(count, points(step)); });
+}
+
+/// Even-odd regions of any rings, and unions of triangles.
+rc::Gen<Region> regions(std::int64_t step) {
+  const auto any = rc::gen::mapcat(rc::gen::inRange<std::size_t>(1, 3), [step](std::size_t count) {
+    return rc::gen::map(rc::gen::container<std::vector<Ring>>(count, rings(step)), [](std::vector<Ring> r) {
+      return Region{std::move(r), FillRule::evenOdd};
+    });
+  });
+  const auto triangles = rc::gen::map(rc::gen::container<Ring>(9, points(step)), [](const Ring& corners) {
+    Region region;
+    for (std::size_t k = 0; k < corners.size(); k += 3) {
+      Ring ring(corners.begin() + static_cast<std::ptrdiff_t>(k), corners.begin() + static_cast<std::ptrdiff_t>(k) + 3);
+      if (detail::doubleArea(ring) < 0) std::swap(ring[1], ring[2]);
+      if (detail::doubleArea(ring) != 0) region.rings.push_back(ring);
+    }
+    return region;
+  });
+  return rc::gen::weightedOneOf<Region>({{2, any}, {1, triangles}});
+}
+
+rc::Gen<BrushStroke> strokes(std::int64_t step) {
+  return rc::gen::map(rc::gen::tuple(rc::gen::element(Deed::carve, Deed::fill, Deed::replace),
+                                     rc::gen::inRange<Block>(1, 4), regions(step)),
+                      [](std::tuple<Deed, Block, Region> parts) {
+                        return BrushStroke{std::get<0>(parts), std::get<1>(parts), std::get<2>(parts)};
+                      });
+}
+
+rc::Gen<std::int64_t> steps() { return rc::gen::element<std::int64_t>(8'192, 10'007, 977, 37, 5, 1); }
+
+void show(const Region& region, std::ostream& out) {
+  for (const Ring& ring : region.rings) {
+    for (const Point p : ring) out << ' ' << p.x << ',' << p.y;
+    out << " |";
+  }
+}
+
+}  // namespace
+
+void showValue(const AnyStrokes& strokes, std::ostream& out) {
+  out << "ground " << static_cast<int>(strokes.ground) << '\n';
+  for (const BrushStroke& s : strokes.strokes) {
+    constexpr const char* kNames[] = {"carve", "fill", "replace"};
+    out << kNames[static_cast<int>(s.deed)] << " block " << s.block
+        << (s.region.rule == FillRule::evenOdd ? " even-odd" : " non-zero");
+    show(s.region, out);
+    out << '\n';
+  }
+}
+
+void showValue(const AnyRegion& region, std::ostream& out) { show(region.region, out); }
+
+World worldOf(Ground ground) {
+  World world;
+  if (ground == Ground::empty) return world;
+  for (std::int32_t i = 0; i < 3; ++i) {
+    for (std::int32_t j = 0; j < 3; ++j) {
+      const Block block = ground == Ground::solid ? 1 : static_cast<Block>(1 + (i + j) % 3);
+      if (ground == Ground::solid) {
+        RC_ASSERT(world.add({i, j}, kUnitSquare, block).has_value());
+      } else {  // two ramps, cut near the middle, so that three blocks meet in many ways
+        constexpr std::int32_t kEnd = kUnitsPerCell, kLow = kEnd / 3, kHigh = kEnd - 5;
+        RC_ASSERT(world.add({i, j}, {{0, 0}, {kEnd, 0}, {kEnd, kHigh}, {0, kLow}}, block).has_value());
+        RC_ASSERT(world.add({i, j}, {{0, kLow}, {kEnd, kHigh}, {kEnd, kEnd}, {0, kEnd}}, block % 3 + 1).has_value());
+      }
+    }
+  }
+  return world;
+}
+
+Expected<BrushResult> brush(World& world, const BrushStroke& stroke) {
+  if (stroke.deed == Deed::carve) return carve(world, stroke.region);
+  return paint(world, stroke.region, stroke.block, stroke.deed == Deed::fill ? PaintMode::fill : PaintMode::replace);
+}
+
+oracle::BrushEdit editOf(const BrushStroke& stroke) {
+  return {stroke.deed, stroke.block, stroke.region.rings, stroke.region.rule == FillRule::evenOdd};
+}
+
+oracle::Scene sceneOf(const World& world) {
+  oracle::Scene scene;
+  world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
+    scene.polygons.push_back({cell, p.block, {p.vertices.begin(), p.vertices.end()}});
+  });
+  return scene;
+}
+
+std::map<PolygonHandle, Standing> standingIn(const World& world) {
+  std::map<PolygonHandle, Standing> all;
+  world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
+    all[p.handle] = {cell, p.block, {p.vertices.begin(), p.vertices.end()}};
+  });
+  return all;
+}
+
+}  // namespace lgs::test
+
+namespace rc {
+
+using namespace lgs::test;
+
+Gen<AnyStrokes> Arbitrary<AnyStrokes>::arbitrary() {
+  return gen::mapcat(steps(), [](std::int64_t step) {
+    return gen::map(gen::pair(gen::element(Ground::empty, Ground::solid, Ground::slanted),
+                              gen::mapcat(gen::inRange<std::size_t>(1, 7),
+                                          [step](std::size_t count) {
+                                            return gen::container<std::vector<BrushStroke>>(count, strokes(step));
+                                          })),
+                    [](std::pair<Ground, std::vector<BrushStroke>> p) {
+                      return AnyStrokes{p.first, std::move(p.second)};
+                    });
+  });
+}
+
+Gen<AnyRegion> Arbitrary<AnyRegion>::arbitrary() {
+  return gen::mapcat(steps(), [](std::int64_t step) {
+    return gen::map(regions(step), [](lgs::Region region) { return AnyRegion{std::move(region)}; });
+  });
+}
+
+}  // namespace rc

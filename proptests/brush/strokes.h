@@ -1,0 +1,67 @@
+// Strokes of brushes as arguments of laws, on ground of 3×3 cells.
+#pragma once
+
+#include "oracle/cgal/brushed.h"
+
+#include <lgs/brush.h>
+#include <rapidcheck.h>
+
+#include <iosfwd>
+#include <map>
+#include <vector>
+
+namespace lgs::test {
+
+using Deed = oracle::BrushEdit::Deed;
+
+struct BrushStroke {
+  Deed deed = Deed::carve;
+  Block block = 1;
+  Region region;
+};
+
+/// What the cells (0, 0) … (2, 2) hold at first.
+enum class Ground : std::uint8_t { empty, solid, slanted };
+
+/// Strokes around the corner (1, 1) of four cells, with vertices on a lattice of their own. Its step is one unit or a
+/// few, so that everything is near everything else; or as long as that strokes reach over all cells.
+struct AnyStrokes {
+  Ground ground = Ground::empty;
+  std::vector<BrushStroke> strokes;
+};
+void showValue(const AnyStrokes& strokes, std::ostream& out);
+
+/// One region of that kind.
+struct AnyRegion {
+  Region region;
+};
+void showValue(const AnyRegion& region, std::ostream& out);
+
+World worldOf(Ground ground);
+Expected<BrushResult> brush(World& world, const BrushStroke& stroke);
+oracle::BrushEdit editOf(const BrushStroke& stroke);
+oracle::Scene sceneOf(const World& world);
+
+/// A polygon as it stands.
+struct Standing {
+  Cell cell;
+  Block block = 0;
+  std::vector<LocalPoint> vertices;
+  friend bool operator==(const Standing&, const Standing&) = default;
+};
+std::map<PolygonHandle, Standing> standingIn(const World& world);
+
+}  // namespace lgs::test
+
+namespace rc {
+
+template <>
+struct Arbitrary<lgs::test::AnyStrokes> {
+  static Gen<lgs::test::AnyStrokes> arbitrary();
+};
+template <>
+struct Arbitrary<lgs::test::AnyRegion> {
+  static Gen<lgs::test::AnyRegion> arbitrary();
+};
+
+}  // namespace rc
