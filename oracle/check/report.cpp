@@ -120,7 +120,9 @@ void report(const Mismatch& found, const Trace& trace, const Shrink& makeSmall, 
   if (!again) small = untilFound(trace, found);
   const Mismatch& shown = again ? *again : found;
   print(small, describe(shown, small));
-  if (!again && engine != nullptr) fmt::print("but not again: the engine does not always do the same\n");
+  if (!again && engine != nullptr) {
+    fmt::print("but not again: the engine does not always do the same, or keeps something when it is reset\n");
+  }
   save(small, {draw(shown), page(shown, small)}, report,
        engine != nullptr || findMismatch(small, CheckOptions()).has_value());
 }

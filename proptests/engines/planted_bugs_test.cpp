@@ -86,6 +86,7 @@ TEST_F(PlantedBugs, AResetDoesNotForgetEverything) {
                                 "--edits 4000 --shrink 5");
   EXPECT_EQ(outcome.status, 1) << outcome.text;
   EXPECT_NE(outcome.text.find("but not again"), std::string::npos) << outcome.text;
+  EXPECT_NE(outcome.text.find("keeps something when it is reset"), std::string::npos) << outcome.text;
 }
 
 }  // namespace

@@ -9,8 +9,9 @@
 #include <chrono>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <thread>
+#include <utility>
 
 namespace lgs::test {
 
@@ -19,9 +20,11 @@ using namespace std::chrono_literals;
 
 namespace {
 
+/// As much as there is: a process may be gone while its folder in /proc is read, which an iterator would throw for.
 std::string contentOf(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return std::move(text).str();
 }
 
 }  // namespace
