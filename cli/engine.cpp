@@ -115,7 +115,7 @@ const char* const kEngineHelp =
     "  refuses            it refuses bad edits       squares    (only) whole squares\n"
     "  merged             it joins collinear neighbours\n"
     "  lattice=N          (only) coordinates in 1/N cell        cells=N  (only) cells within ±N\n"
-    "Its refusals and its outline are compared. A wrong line, a late answer, an end or a crash is a mismatch\n"
-    "like any other.";
+    "Which edits it refuses is compared, not its reasons; and its outline. A wrong line, a late answer, an end or\n"
+    "a crash is a mismatch like any other.";
 
 }  // namespace lgs::cli

@@ -139,8 +139,8 @@ void Editor::replace(Cell cell) {
 // with it, and an engine that knows only of overlaps accepts it.
 void Editor::tryRefused(Cell cell) {
   if (model_.in(cell).empty()) return place(cell);
-  const Model::Placed model = random_.pick(model_.in(cell));
-  LocalPolygon polygon = model.vertices;  // as it is: overlaps itself
+  const Model::Placed pattern = random_.pick(model_.in(cell));
+  LocalPolygon polygon = pattern.vertices;  // as it is: overlaps itself
   const std::size_t k = random_.below(polygon.size());
   bool isSpoilt = true;
   switch (random_.below(11)) {
@@ -184,7 +184,7 @@ void Editor::tryRefused(Cell cell) {
       break;
   }
   const Block block = random_.pick(habits_.blocks);
-  if (isSpoilt && random_.chance(50)) removeNamed(model.name);
+  if (isSpoilt && random_.chance(50)) removeNamed(pattern.name);
   Edit edit = Edit::add(freshName(), {cell, block, std::move(polygon)});
   if (isFit(edit)) push(std::move(edit));
 }

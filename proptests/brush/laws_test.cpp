@@ -45,40 +45,42 @@ bool mayMeet(const Region& region, const std::vector<Point>& polygon) {
   return region.rule == FillRule::evenOdd ? winding % 2 != 0 : winding != 0;
 }
 
-LGS_LAW(Brush, Law9WhatIsNotReachedStays, 3'000, (const AnyStrokes& strokes)) {
+/// Makes the strokes. Looks at what stood before each of them and what stands afterwards.
+template <class Look>
+void afterEach(const AnyStrokes& strokes, const Look& look) {
   World world = worldOf(strokes.ground);
   for (const BrushStroke& stroke : strokes.strokes) {
     const auto before = standingIn(world);
     const auto result = brush(world, stroke);
     ASSERT_TRUE(result.has_value());
-    const auto after = standingIn(world);
+    look(stroke, *result, before, standingIn(world));
+  }
+}
+
+LGS_LAW(Brush, Law9WhatIsNotReachedStays, 3'000, (const AnyStrokes& strokes)) {
+  afterEach(strokes, [](const BrushStroke& stroke, const BrushResult& result, const auto& before, const auto& after) {
     for (const auto& [handle, standing] : before) {
       const auto now = after.find(handle);
       if (now != after.end() && now->second == standing) continue;
       std::vector<Point> polygon;
       for (const LocalPoint v : standing.vertices) polygon.push_back(toWorld(standing.cell, v));
-      const bool isTold = std::ranges::find(result->bent, handle) != result->bent.end();
+      const bool isTold = std::ranges::find(result.bent, handle) != result.bent.end();
       failUnless(isTold || mayMeet(stroke.region, polygon), "a polygon changed that the region does not reach");
     }
-  }
+  });
 }
 
 LGS_LAW(Brush, TheResultTellsWhatHappened, 1'000, (const AnyStrokes& strokes)) {
-  World world = worldOf(strokes.ground);
-  for (const BrushStroke& stroke : strokes.strokes) {
-    const auto before = standingIn(world);
-    const auto result = brush(world, stroke);
-    ASSERT_TRUE(result.has_value());
-    const auto after = standingIn(world);
-    std::set<PolygonHandle> old(result->went.begin(), result->went.end());
-    std::set<PolygonHandle> now(result->came.begin(), result->came.end());
-    EXPECT_EQ(old.size(), result->went.size());
-    for (const BrushChange& change : result->changed) {
+  afterEach(strokes, [](const BrushStroke&, const BrushResult& result, const auto& before, const auto& after) {
+    std::set<PolygonHandle> old(result.went.begin(), result.went.end());
+    std::set<PolygonHandle> now(result.came.begin(), result.came.end());
+    EXPECT_EQ(old.size(), result.went.size());
+    for (const BrushChange& change : result.changed) {
       EXPECT_TRUE(old.insert(change.old).second) << "it is told twice";
       EXPECT_FALSE(change.now.empty());
       now.insert(change.now.begin(), change.now.end());
     }
-    for (const PolygonHandle handle : result->bent) EXPECT_TRUE(old.contains(handle));
+    for (const PolygonHandle handle : result.bent) EXPECT_TRUE(old.contains(handle));
     for (const auto& [handle, standing] : before) {
       if (!old.contains(handle)) {
         ASSERT_TRUE(after.contains(handle)) << "gone, and not told";
@@ -89,7 +91,7 @@ LGS_LAW(Brush, TheResultTellsWhatHappened, 1'000, (const AnyStrokes& strokes)) {
     }
     for (const auto& [handle, standing] : after) EXPECT_TRUE(before.contains(handle) || now.contains(handle));
     for (const PolygonHandle handle : now) EXPECT_TRUE(after.contains(handle));
-  }
+  });
 }
 
 /// The outlines, with straight lines as one segment each.

@@ -11,7 +11,7 @@
 //   8. Bounded rounding. Every point in which the new solid, or its division into blocks, differs from the exact result
 //      lies within one lattice unit of an edge of that exact result.
 //   9. What is not reached stays. A polygon whose interior and outline the region does not meet keeps its handle and
-//      its vertices.
+//      its vertices. Rounding breaks this now and then, by less than a unit; BrushResult::bent then names the polygon.
 //  10. No seams. Blocks that shared an edge share it afterwards, cut or not, inside cells and across them.
 //  11. Total. Any finite region in range works, or is refused as a whole.
 //
