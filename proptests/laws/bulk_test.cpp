@@ -36,7 +36,7 @@ void agreesWithTheReferences(const Trace& trace, bool cgal, Tally& tally) {
   oracle::Features features{};
   std::size_t commits = 0;
   options.afterCommit = [&](const oracle::Scene& scene) {
-    constexpr std::size_t kSample = 8;  // looking at each commit would cost as much as the check
+    constexpr std::size_t kSample = 32;  // looking at each commit would cost as much as the check
     if (commits++ % kSample == 0) note(scene, features);
     oracle::stillAlive();
     return true;
@@ -97,7 +97,7 @@ class Bulk : public testing::TestWithParam<std::int64_t> {
 
 constexpr std::int64_t kShards = 16;
 constexpr std::uint64_t kCgalBlock = 12'500;   // 200,000 in a run at scale 1
-constexpr std::uint64_t kNaiveBlock = 25'000;  // 400,000
+constexpr std::uint64_t kNaiveBlock = 12'500;  // 200,000 more
 static_assert(static_cast<std::uint64_t>(kShards) * kCgalBlock >= 200'000);
 
 TEST_P(Bulk, AgreesWithBothReferences) { agrees(true, &oracle::CheckStats::cgal, kCgalBlock); }
