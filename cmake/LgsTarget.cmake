@@ -15,6 +15,11 @@ function(lgs_target target)
           -fsanitize=${LGS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
           -D_GLIBCXX_ASSERTIONS  # an index beyond a vector's end may be within its memory
           $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC takes the sanitizers' own code for uses
+        if(NOT CMAKE_CURRENT_SOURCE_DIR MATCHES "^${LocalGridSeg_SOURCE_DIR}/lib(/|$)")
+          # These checks of pointers take up to a fifth of the time to compile. Outside lib/ they find nothing more: a
+          # null pointer crashes anyway, and the others are for casts of pointers, which only lib/ has.
+          target_compile_options(${target} PRIVATE -fno-sanitize=null,alignment,vptr)
+        endif()
       endif()
       if("SELDOM_RUN" IN_LIST ARGN AND LGS_BUILD_TESTS)
         target_compile_options(${target} PRIVATE -O0)
@@ -26,12 +31,10 @@ endfunction()
 
 # lgs_quick_to_build(<target> <headers>...), lgs_quick_to_build(<target> REUSE_FROM <other>): for code whose own speed
 # does not matter, as tests and commands, where all that takes long is in libraries. It is optimised little, with
-# sanitizers not at all, and the headers that take longest to read are read once, here or for the other target. Checks
-# of pointers take a fifth of the time to compile. Here they find nothing more: a null pointer crashes anyway, and the
-# others are for casts of pointers, which only libraries have.
+# sanitizers not at all, and the headers that take longest to read are read once, here or for the other target.
 function(lgs_quick_to_build target)
   if(LGS_SANITIZE)
-    target_compile_options(${target} PRIVATE -O0 -fno-sanitize=null,alignment,vptr)
+    target_compile_options(${target} PRIVATE -O0)
   else()
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()

@@ -1,8 +1,13 @@
-// Reading what a commit changed, all segments, and all loops. Times are for each segment that is read.
+// Reading what a commit changed, all segments, and all loops; and linking all segments anew without the world
+// (lgs/radial_match.h). Times are for each segment.
 #include "bench/edit_times.h"
 #include "bench/micro/benches.h"
 
+#include <lgs/radial_match.h>
+
 #include <fmt/format.h>
+#include <map>
+#include <vector>
 
 namespace lgs::bench {
 namespace {
@@ -57,6 +62,24 @@ void readLoops(benchmark::State& state, const std::string& world, std::int64_t c
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(b.engine.world().stats().segments));
 }
 
+void match(benchmark::State& state, const std::string& world, std::int64_t cells) {
+  const World& all = built(world, cells).engine.world();
+  std::vector<Point> points;
+  std::map<Point, std::uint32_t> numbers;
+  const auto numberOf = [&](Point p) {
+    const auto [at, isNew] = numbers.try_emplace(p, static_cast<std::uint32_t>(points.size()));
+    if (isNew) points.push_back(p);
+    return at->second;
+  };
+  std::vector<DirectedEdge> edges;
+  for (const SegmentId id : all.segments()) {
+    const Segment s = *all.segment(id);
+    edges.push_back({numberOf(s.start), numberOf(s.end)});
+  }
+  while (state.KeepRunning()) benchmark::DoNotOptimize(radialMatch(points, edges).value().data());
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(edges.size()));
+}
+
 }  // namespace
 
 void registerReads(const Scale& scale) {
@@ -70,6 +93,7 @@ void registerReads(const Scale& scale) {
     add("segments", readSegments);
     add("loops", [](auto& state, auto& name, auto n) { readLoops(state, name, n, Collinear::keep); });
     add("loops-merged", [](auto& state, auto& name, auto n) { readLoops(state, name, n, Collinear::merge); });
+    add("match", match);
   }
 }
 

@@ -17,26 +17,46 @@ struct Spoke {
 };
 static_assert(sizeof(Spoke) == 8);
 
+/// What was met so far on a turn around a vertex: the last half-edge, and the last one before it that points another way.
+class Met {
+ public:
+  explicit Met(std::uint32_t none) : last_(none), before_(none) {}
+
+  void meet(const Spoke& spoke) {
+    if (spoke.direction != direction_) before_ = last_;
+    last_ = spoke.segment;
+    direction_ = spoke.direction;
+  }
+  /// The last one that does not point this way.
+  std::uint32_t besides(std::uint32_t direction) const { return direction == direction_ ? before_ : last_; }
+
+ private:
+  std::uint32_t last_, before_;
+  std::uint32_t direction_ = kMaxDirection + 1;  // no spoke has it
+};
+
 /// The fan is the spokes around one vertex, counter-clockwise, coincident ones side by side. Calls
 /// `predecessor(segment, other)` for every outgoing spoke, with the incoming one met first when turning clockwise, and
 /// `successor(segment, other)` for every incoming spoke, with the outgoing one met first when turning
-/// counter-clockwise. `other` is `none` if there is no candidate.
+/// counter-clockwise. `other` is `none` if there is no candidate. Cost: O(n).
 template <class Predecessor, class Successor>
 void radialMatch(std::span<const Spoke> fan, std::uint32_t none, Predecessor&& predecessor, Successor&& successor) {
-  const std::size_t n = fan.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    const Spoke& spoke = fan[k];
-    std::uint32_t match = none;
-    for (std::size_t step = 1, at = k; step < n; ++step) {
-      at = spoke.outgoing ? (at == 0 ? n - 1 : at - 1) : (at + 1 == n ? 0 : at + 1);
-      if (fan[at].outgoing == spoke.outgoing || fan[at].direction == spoke.direction) continue;
-      match = fan[at].segment;
-      break;
+  // What is met first clockwise is what was met last counter-clockwise, and the other way around. The first of two turns
+  // only shows what lies before the spoke that the second one begins with.
+  Met incoming(none), outgoing(none);
+  for (const bool isFirst : {true, false}) {
+    for (const Spoke& spoke : fan) {
+      if (!spoke.outgoing)
+        incoming.meet(spoke);
+      else if (!isFirst)
+        predecessor(spoke.segment, incoming.besides(spoke.direction));
     }
-    if (spoke.outgoing)
-      predecessor(spoke.segment, match);
-    else
-      successor(spoke.segment, match);
+    for (std::size_t k = fan.size(); k-- > 0;) {
+      if (fan[k].outgoing)
+        outgoing.meet(fan[k]);
+      else if (!isFirst)
+        successor(fan[k].segment, outgoing.besides(fan[k].direction));
+    }
   }
 }
 

@@ -65,9 +65,9 @@ class Bulk : public testing::TestWithParam<std::int64_t> {
     Random seeds(Random(testSeed() ^ (cgal ? 0 : 0x5eed)).next() + static_cast<std::uint64_t>(GetParam()));
     const auto law = [&](const Trace& trace) { agreesWithTheReferences(trace, cgal, *tally); };
     for (int batch = 0; (*tally).stats.*counter < goal && !HasFailure(); ++batch) {
-      constexpr std::int64_t kAtOnce = 64;
+      constexpr std::int64_t kAtOnce = 16;
       forAll({.cases = kAtOnce, .seed = seeds.next()}, law, traces(anyTrace, {}));
-      if (batch % 2 == 0) forAll({.cases = 1, .seed = seeds.next()}, law, traces(crowdedTrace, {}));
+      if (batch % 8 == 0) forAll({.cases = 1, .seed = seeds.next()}, law, traces(crowdedTrace, {}));
     }
     if (!HasFailure()) expectVariety(*tally);
   }
