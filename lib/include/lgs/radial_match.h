@@ -7,9 +7,9 @@
 //   (*links)[0].successor;            // 1
 //   lgs::loopsOf(*links);             // {{0, 1, 2, 3}}
 //
-// This is phase 2 of the engine without the engine: no grid, no cells, no world. Edges may come from anywhere: contours of
-// an image, the open sides of a mesh's triangles, walls of a level that is drawn by hand. What is solid lies on their
-// left, as everywhere in this library. docs/radial-match.md says what it is good for.
+// This is phase 2 of the engine without the engine: no grid, no cells, no world. Edges may come from anywhere: contours
+// of an image, the open sides of a mesh's triangles, walls of a level that is drawn by hand. What is solid lies on
+// their left, as everywhere in this library. docs/radial-match.md says what it is good for.
 #pragma once
 
 #include <lgs/error.h>
@@ -43,12 +43,12 @@ struct EdgeLinks {
 
 /// Links each edge at its ends. At a point, the predecessor of an outgoing edge is the incoming edge met first when
 /// turning clockwise from it, by an angle in (0, 2π); the successor of an incoming edge is the outgoing one met first
-/// when turning counter-clockwise. A direction that coincides exactly is skipped. Of candidates that coincide, it is the
-/// one with the greatest index for a predecessor, with the least one for a successor. If there is no candidate, there
-/// is no link.
+/// when turning counter-clockwise. A direction that coincides exactly is skipped. Of candidates that coincide, it is
+/// the one with the greatest index for a predecessor, with the least one for a successor. If there is no candidate,
+/// there is no link.
 ///
-/// Two indices are two points, even if they are in the same place. Edges may cross: that makes no vertex. Where incoming
-/// and outgoing edges alternate around each point, as on the outline of any area, links are mutual.
+/// Two indices are two points, even if they are in the same place. Edges may cross: that makes no vertex. Where
+/// incoming and outgoing edges alternate around each point, as on the outline of any area, links are mutual.
 ///
 /// Refused: outOfReach, if an edge has an index beyond the points, a point beyond the last cell (inRange()), no length,
 /// or a length beyond kMaxEdgeLength: Error::index is the edge; capacity, if there are 2^31 edges or more.
@@ -57,8 +57,9 @@ struct EdgeLinks {
 [[nodiscard]] Expected<std::vector<EdgeLinks>> radialMatch(std::span<const Point> points,
                                                            std::span<const DirectedEdge> edges);
 
-/// The loops of links that are mutual: each is a list of edges, its least one first, each followed by its successor. They
-/// are sorted by their first edges. What is in no loop is left out. `links` are as radialMatch() makes them. Cost: O(n).
+/// The loops of links that are mutual: each is a list of edges, its least one first, each followed by its successor.
+/// They are sorted by their first edges. What is in no loop is left out. `links` are as radialMatch() makes them. Cost:
+/// O(n).
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> loopsOf(std::span<const EdgeLinks> links);
 
 }  // namespace lgs
