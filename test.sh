@@ -12,7 +12,7 @@ check() {
   local preset=$1 target=$2
   shift 2
   build "$preset" "$target"
-  show "ctest-$preset" "Tests ($preset)" ctest --preset "$preset" -j "$(($(nproc) + 1))" "$@"
+  show "ctest-$preset" "Tests ($preset)" ctest --preset "$preset" -j "$(($(nproc) + 2))" "$@"
   summary+="$preset $(sed -n 's/.* out of //p' "$logs/ctest-$preset.log"), "
 }
 # CTest knows no label of a program that is not built: it has one test, which says so.

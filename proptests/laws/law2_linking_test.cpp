@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <vector>
@@ -97,14 +98,15 @@ TEST(RadialMatch, IsLaw2OnAllFans) {
   std::int64_t tried = 0, rotations = 0;
   Exhaust all;
   while (all.next()) {
-    HalfEdges fan;
-    for (const oracle::Vector& towards : kRing) {
-      const int kind = all.below(5);
-      if (kind == 1 || kind == 3) fan.push_back({towards, false});
-      if (kind >= 2) fan.push_back({towards, true});
-      if (kind == 4) fan.push_back({towards, false});
-    }
+    int kinds[std::size(kRing)];
+    for (int& kind : kinds) kind = all.below(5);
     if (all.isLeftOut()) continue;
+    HalfEdges fan;
+    for (std::size_t k = 0; k < std::size(kRing); ++k) {
+      if (kinds[k] == 1 || kinds[k] == 3) fan.push_back({kRing[k], false});
+      if (kinds[k] >= 2) fan.push_back({kRing[k], true});
+      if (kinds[k] == 4) fan.push_back({kRing[k], false});
+    }
     ++tried;
     ASSERT_EQ(linksByEngine(fan), linksByLaw(fan)) << rc::toString(Fan{fan});
     if (std::ranges::any_of(fan, [](const HalfEdge& e) { return e.towards == kRing[0] || e.towards == kRing[1]; }))
