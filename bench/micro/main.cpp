@@ -56,6 +56,9 @@ int run(int argc, char** argv) {
 #ifdef LGS_BENCH_C
   registerInterfaces(scale);
 #endif
+#ifdef LGS_BENCH_BRUSH
+  registerBrushes(scale);
+#endif
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;
