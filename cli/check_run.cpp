@@ -71,7 +71,7 @@ Status finishSurvey(const CheckArguments& arguments, const Survey& survey, const
 
 // The command of an engine may mean files of this folder.
 std::string commandAgain(const CheckArguments& arguments) {
-  const std::string lgs = thisProgram("lgs") + " check";
+  std::string lgs = thisProgram("lgs") + " check";
   if (!arguments.engine.isGiven()) return lgs;
   return fmt::format("cd {} && {}{}", thisFolder(), lgs, arguments.engine.print());
 }

@@ -113,6 +113,22 @@ TEST(Brush, AHoleCarvedIntoABlockIsTold) {
   EXPECT_EQ(world.stats().polygons, 1U) << "equal blocks are united again";
 }
 
+// The part above the hole has nothing of the old outline on its right: chords alone.
+TEST(Brush, APartBetweenChordsIsToldAsAPartOfItsPolygon) {
+  World world;
+  const PolygonHandle full = world.add({0, 0}, kUnitSquare, 1).value();
+  const Region hole{{{{10'000, 50'000}, {20'000, 30'000}, {50'000, 45'000}}}};
+  const BrushResult carved = carve(world, hole).value();
+  EXPECT_TRUE(carved.came.empty());
+  ASSERT_EQ(carved.changed.size(), 1U);
+  EXPECT_EQ(carved.changed[0].old, full);
+  EXPECT_EQ(carved.changed[0].now.size(), 2U);
+  // Of two polygons that become one with what is painted, each has a part in it.
+  const BrushResult painted = paint(world, hole, 1, PaintMode::fill).value();
+  ASSERT_EQ(painted.changed.size(), 2U);
+  EXPECT_EQ(painted.changed[0].now, painted.changed[1].now);
+}
+
 TEST(Brush, APolygonThatComesOutAsItWasKeepsItsHandle) {
   World world;
   const PolygonHandle below = *world.add({0, 0}, {{0, 0}, {900, 0}, {900, 300}, {0, 300}}, 1);

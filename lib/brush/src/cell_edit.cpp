@@ -49,6 +49,7 @@ std::vector<Atom> atomsOf(const std::vector<CellPolygon>& polygons, std::vector<
 
 CellEdit editOf(const std::vector<CellPolygon>& polygons, const Pieces& region, const Stroke& stroke) {
   std::vector<bool> meeting;
+  meeting.reserve(polygons.size());
   for (const CellPolygon& p : polygons) meeting.push_back(meets(region, stroke.rule, p.ring));
   std::vector<bool> reached = meeting;
   const std::vector<Atom> atoms = atomsOf(polygons, reached, region, stroke.rule);

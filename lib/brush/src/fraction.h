@@ -14,14 +14,18 @@ struct Rounded {
 
 /// numerator / divisor. The quotient must be below 2^62, and so must the divisor.
 constexpr Rounded rounded(detail::Wide numerator, std::uint64_t divisor) {
-  std::uint64_t quotient = 0, rest = 0;
-  for (int bit = 127; bit >= 0; --bit) {
-    const std::uint64_t half = bit >= 64 ? numerator.high : numerator.low;
-    rest = rest << 1 | (half >> (bit % 64) & 1);
-    quotient <<= 1;
-    if (rest < divisor) continue;
-    rest -= divisor;
-    quotient |= 1;
+  std::uint64_t quotient = 0, rest = numerator.high;
+  if (rest == 0) {  // nearly always
+    quotient = numerator.low / divisor;
+    rest = numerator.low % divisor;
+  } else {
+    for (int bit = 63; bit >= 0; --bit) {
+      rest = rest << 1 | (numerator.low >> bit & 1);
+      quotient <<= 1;
+      if (rest < divisor) continue;
+      rest -= divisor;
+      quotient |= 1;
+    }
   }
   return {quotient + (2 * rest >= divisor ? 1 : 0), 2 * rest == divisor};
 }

@@ -1,6 +1,6 @@
 #include "ownership.h"
 
-#include "geometry/predicates.h"
+#include "geometry/ring.h"
 #include "outline.h"
 
 #include <algorithm>
@@ -40,10 +40,12 @@ class Division {
       bool isChanged = false;
       for (Owner k = group; k < nobody_; ++k) isChanged |= groupOf_[k] == group && changed_[k];
       if (!isChanged) continue;
+      const std::size_t first = edit.gone.size();
       for (Owner k = group; k < paint_; ++k)
         if (groupOf_[k] == group) edit.gone.push_back(k);
+      const bool isOne = edit.gone.size() == first + 1 && groupOf_[paint_] != group;
       for (Ring& ring : simplePolygons(outlineOf(group))) {
-        std::vector<std::size_t> from = partsIn(ring, group);
+        std::vector<std::size_t> from = isOne ? std::vector{edit.gone[first]} : partsIn(ring, group);
         edit.placed.push_back({std::move(ring), blockOf(group), std::move(from)});
       }
     }
@@ -79,7 +81,19 @@ class Division {
     return edges;
   }
 
+  /// Twice the area that an owner has now.
+  std::int64_t doubleAreaOf(Owner owner) const {
+    std::int64_t area = 0;
+    for (const Sides& s : sides_) {
+      const std::int64_t part = s.low.x * s.high.y - s.low.y * s.high.x;
+      if (s.left == owner) area += part;
+      if (s.right == owner) area -= part;
+    }
+    return area;
+  }
+
   bool isAsBefore(Owner polygon) const {
+    if (doubleAreaOf(polygon) != detail::doubleArea(polygons_[polygon].ring)) return false;  // quicker than outlines
     const std::vector<Ring> rings = simplePolygons(outlineOf(polygon));
     return rings.size() == 1 && rings[0] == straightened(polygons_[polygon].ring);
   }
@@ -95,13 +109,16 @@ class Division {
     }
   }
 
-  /// The old polygons of a group with a part in one of its rings.
+  /// The old polygons of a group with a part in one of its rings. Each part has an atom: the outline of a ring may be
+  /// chords on one side, so both sides of atoms count.
   std::vector<std::size_t> partsIn(const Ring& ring, Owner group) const {
+    const Pieces outline = piecesOf(ring);
+    const auto isOld = [&](Owner owner) { return owner < paint_ && groupOf_[owner] == group; };
     std::vector<std::size_t> parts;
     for (const Sides& s : sides_) {
-      if (s.left >= paint_ || groupOf_[s.left] != group) continue;
       const Point middle{s.low.x + s.high.x, s.low.y + s.high.y};
-      if (windingLeftOf(middle, piecesOf(ring)) != 0) parts.push_back(s.left);
+      if (isOld(s.left) && windingLeftOf(middle, outline) != 0) parts.push_back(s.left);
+      if (isOld(s.right) && windingRightOf(middle, outline) != 0) parts.push_back(s.right);
     }
     std::sort(parts.begin(), parts.end());
     parts.erase(std::unique(parts.begin(), parts.end()), parts.end());

@@ -49,6 +49,26 @@ struct Carrier {
   friend auto operator<=>(const Carrier&, const Carrier&) = default;
 };
 
+/// On which side of a piece's edge a point is, whose coordinates are doubled: +1 left, -1 right.
+int turnTo(Point doubled, const Piece& p) {
+  const auto twice = [](Point v) { return Point{2 * v.x, 2 * v.y}; };
+  return detail::orientation(twice(p.a), twice(p.b), doubled);
+}
+
+/// Whether two pieces have more in common than a point.
+bool overlap(const Piece& p, const Piece& q) {
+  return detail::orientation(p.a, p.b, q.a) == 0 && detail::orientation(p.a, p.b, q.b) == 0 &&
+         std::max(std::min(p.start, p.end), std::min(q.start, q.end)) <
+             std::min(std::max(p.start, p.end), std::max(q.start, q.end));
+}
+
+bool anyOverlap(const Pieces& pieces) {
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+    for (std::size_t l = 0; l < k; ++l)
+      if (overlap(pieces[k], pieces[l])) return true;
+  return false;
+}
+
 /// The pieces, cut at the ends of others that lie on them: what overlaps is then equal.
 Pieces cutAtEnds(const Pieces& pieces) {
   Pieces parts;
@@ -97,6 +117,7 @@ Pieces cut(const Pieces& ring, Line line, bool keepsGreater) {
 }
 
 Pieces withoutSpikes(const Pieces& pieces, FillRule rule) {
+  if (!anyOverlap(pieces)) return pieces;  // nearly always
   struct Keyed {
     Carrier carrier;
     Point low, high;
@@ -130,13 +151,23 @@ Pieces withoutSpikes(const Pieces& pieces, FillRule rule) {
 }
 
 std::int64_t windingLeftOf(Point doubled, const Pieces& pieces) {
-  const auto twice = [](Point p) { return Point{2 * p.x, 2 * p.y}; };
   std::int64_t winding = 0;
   for (const Piece& p : pieces) {
     const bool startsBelow = 2 * p.start.y <= doubled.y, endsBelow = 2 * p.end.y <= doubled.y;
     if (startsBelow == endsBelow) continue;
-    const int turn = detail::orientation(twice(p.a), twice(p.b), doubled);
+    const int turn = turnTo(doubled, p);
     if (startsBelow ? turn < 0 : turn > 0) winding += startsBelow ? -1 : 1;  // the piece is left of the point
+  }
+  return winding;
+}
+
+std::int64_t windingRightOf(Point doubled, const Pieces& pieces) {
+  std::int64_t winding = 0;
+  for (const Piece& p : pieces) {
+    const bool startsBelow = 2 * p.start.y < doubled.y, endsBelow = 2 * p.end.y < doubled.y;
+    if (startsBelow == endsBelow) continue;
+    const int turn = turnTo(doubled, p);
+    if (startsBelow ? turn <= 0 : turn >= 0) winding += startsBelow ? -1 : 1;  // left of the point, or through it
   }
   return winding;
 }

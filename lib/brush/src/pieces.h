@@ -32,8 +32,10 @@ Pieces cut(const Pieces& ring, Line line, bool keepsGreater);
 /// even-odd regions, the same piece again. All must lie in one cell.
 Pieces withoutSpikes(const Pieces& pieces, FillRule rule);
 
-/// How often the pieces run around the place just to the left of a point. Both its coordinates are doubled.
+/// How often the pieces run around the place just to the left of a point, or just to its right. Where a piece runs level
+/// there, it is the place above, or the one below. Both coordinates are doubled.
 std::int64_t windingLeftOf(Point doubled, const Pieces& pieces);
+std::int64_t windingRightOf(Point doubled, const Pieces& pieces);
 
 constexpr bool isInside(std::int64_t winding, FillRule rule) {
   return rule == FillRule::evenOdd ? winding % 2 != 0 : winding != 0;
