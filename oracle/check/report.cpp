@@ -5,6 +5,7 @@
 #include "oracle/check/shrink.h"
 #include "oracle/generate/generator.h"
 #include "oracle/reference/words.h"
+#include "oracle/trace/brushing.h"
 #include "oracle/trace/file.h"
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ using Fault = Mismatch::Kind;
 CheckOptions only(Fault kind, CheckOptions options) {
   options.afterCommit = {};
   options.naive = options.naive && (kind == Fault::naive || kind == Fault::loops);
-  options.cgal = options.cgal && (kind == Fault::cgal || kind == Fault::loops);
+  options.cgal = options.cgal && (kind == Fault::cgal || kind == Fault::loops || kind == Fault::rounding);
   return options;
 }
 
@@ -164,7 +165,11 @@ void reportCrash(const std::string& how, const Trace& trace, const CheckOptions&
   print(small, fmt::format("the engine {}\n", again.value_or(how + ", but not again")));
   alone.skipRefused = false;
   const std::string title = "the engine " + how;
-  save(small, {drawWithoutEngine(small, title), pageWithoutEngine(small, title)}, report, stillCrashes(small));
+  // What brushes do the engine alone knows: if it crashes at one, the views show the world before.
+  Trace shown = small;
+  const auto crashesAgain = [&] { return crashOf([&] { withoutBrushes(shown); }, {.seconds = 10, .quiet = true}); };
+  while (hasBrushes(shown) && crashesAgain()) shown.edits.pop_back();
+  save(small, {drawWithoutEngine(shown, title), pageWithoutEngine(shown, title)}, report, stillCrashes(small));
 }
 
 }  // namespace lgs::oracle

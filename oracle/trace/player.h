@@ -65,6 +65,9 @@ class Player {
   PolygonHandle handleOf(const std::string& name) const { return handles_.at(name); }  ///< of a name alive
   Cell cellOf(const std::string& name) const { return placed_[name].cell; }
   const Detours& detours() const { return detours_; }
+  /// What the last edit did by a brush: removes of what it changed in any way, then adds of what is there now. Empty
+  /// after other edits.
+  const std::vector<Edit>& brushed() const { return brushed_; }
   std::size_t shapes() const { return shapes_.size(); }  ///< the number of different ones that the world has made
 
  private:
@@ -78,6 +81,8 @@ class Player {
   Done add(const Step& step);
   Done remove(const Step& step);
   Done setBlock(const Step& step);
+  Done brush(const Edit& edit);
+  void readBack(const CellRect& cells, std::size_t line);
   Done checkNames(const Step& step) const;
   Handles call(const Step& step, Block block);
   Handles addByPoints(const Step& step, Block block);
@@ -96,6 +101,9 @@ class Player {
   std::unordered_map<std::string, PolygonHandle> handles_;
   std::map<Shape, ShapeId> shapes_;
   std::set<ShapeId> shapeIds_;
+  std::vector<Edit> brushed_;
+  std::size_t brushNames_ = 0;               // that were given to what brushes made
+  std::map<std::string, std::size_t> lost_;  // names that brushes have taken away, and the lines of these
   bool pending_ = false;
   std::uint64_t chance_ = 0;  // of the last step
   std::optional<Mark> mark_;
