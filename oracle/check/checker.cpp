@@ -5,6 +5,7 @@
 #include "oracle/check/comparable.h"
 #include "oracle/check/failure.h"
 #include "oracle/check/library_engine.h"
+#include "oracle/check/reach.h"
 #include "oracle/check/refusal.h"
 #include "oracle/check/window.h"
 #include "oracle/generate/random.h"
@@ -137,7 +138,9 @@ class Check {
     if (!step.verdict.accepted) return mismatch(Mismatch::Kind::verdict, "a brush is out of reach, but is accepted");
     pending_ = true;
     ++stats_.doors[static_cast<std::size_t>(step.door)];
-    for (const Edit& part : *done) {
+    if (std::string wrong = wrongReach(edit.brush, *done, placed_); !wrong.empty())
+      return mismatch(Mismatch::Kind::reach, std::move(wrong));
+    for (const Edit& part : done->edits) {
       if (!model().judge(part).accepted)
         return mismatch(Mismatch::Kind::verdict, "a brush makes what must be refused: " + printEdit(part));
       note(part);
@@ -158,7 +161,8 @@ class Check {
     const bool isExpected =
         refusal && (refusal->code == step.verdict.code.value_or(ErrorCode::capacity) ||
                     (step.verdict.accepted && isBeyond && refusal->code == ErrorCode::cellOutOfRange));
-    if (!isExpected) return mismatch(Mismatch::Kind::verdict, "a brush is refused, but is good: " + error.text);
+    if (!isExpected)
+      return mismatch(Mismatch::Kind::verdict, (refusal ? "a brush is refused, but is good: " : "") + error.text);
     if (auto complaint = library_->afterRefusedBrush(model())) return mismatch(std::move(*complaint));
     if (!options_.skipRefused) return tl::unexpected(error);
     ++stats_.refused;

@@ -70,7 +70,7 @@ tl::expected<std::optional<Complaint>, TraceError> LibraryEngine::apply(const St
   return tl::unexpected(done.error());
 }
 
-tl::expected<std::vector<Edit>, TraceError> LibraryEngine::brush(const Edit& edit) {
+tl::expected<Brushed, TraceError> LibraryEngine::brush(const Edit& edit) {
   if (const auto done = player_->apply(edit); !done) return tl::unexpected(done.error());
   return player_->brushed();
 }

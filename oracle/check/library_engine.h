@@ -44,8 +44,8 @@ class LibraryEngine : public Engine {
   /// Makes a step by one call. `model` is as after the step. The error is that of an edit that is rightly refused.
   tl::expected<std::optional<Complaint>, TraceError> apply(const Step& step, const Model& model);
 
-  /// Makes an edit by a brush. Returns what it did, as removes and adds; or why it was refused.
-  tl::expected<std::vector<Edit>, TraceError> brush(const Edit& edit);
+  /// Makes an edit by a brush. Returns what it did; or why it was refused.
+  tl::expected<Brushed, TraceError> brush(const Edit& edit);
 
   /// To be called after a brush was refused.
   std::optional<Complaint> afterRefusedBrush(const Model& model) const;

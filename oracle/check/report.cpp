@@ -146,6 +146,14 @@ void reportMismatch(const Mismatch& found, const Trace& trace, const CheckOption
   report(found, trace, makeSmall, findAgain, options.engine, reporting);
 }
 
+Trace beforeCrash(Trace trace) {
+  const auto crashes = [&] {
+    return crashOf([&] { static_cast<void>(withoutBrushes(trace)); }, {.seconds = 10, .quiet = true}).has_value();
+  };
+  while (hasBrushes(trace) && crashes()) trace.edits.pop_back();
+  return trace;
+}
+
 void reportCrash(const std::string& how, const Trace& trace, const CheckOptions& options, const ReportOptions& report) {
   fmt::print("MISMATCH the engine {}\n", how);
   if (report.shrinkFor.count() > 0) fmt::print("shrinking the trace of {} …\n", counted(trace.edits.size(), "line"));
@@ -165,10 +173,7 @@ void reportCrash(const std::string& how, const Trace& trace, const CheckOptions&
   print(small, fmt::format("the engine {}\n", again.value_or(how + ", but not again")));
   alone.skipRefused = false;
   const std::string title = "the engine " + how;
-  // What brushes do the engine alone knows: if it crashes at one, the views show the world before.
-  Trace shown = small;
-  const auto crashesAgain = [&] { return crashOf([&] { withoutBrushes(shown); }, {.seconds = 10, .quiet = true}); };
-  while (hasBrushes(shown) && crashesAgain()) shown.edits.pop_back();
+  const Trace shown = beforeCrash(small);
   save(small, {drawWithoutEngine(shown, title), pageWithoutEngine(shown, title)}, report, stillCrashes(small));
 }
 

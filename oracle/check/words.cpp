@@ -22,6 +22,8 @@ std::string describe(Mismatch::Kind kind) {
       return "the outline differs from CGAL's";
     case Mismatch::Kind::loops:
       return "the loops are wrong";
+    case Mismatch::Kind::reach:
+      return "a brush changed what it does not reach";
     case Mismatch::Kind::rounding:
       return "a brush is too far from the exact result";
     case Mismatch::Kind::history:

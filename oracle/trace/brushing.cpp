@@ -47,21 +47,24 @@ bool isOutOfReach(const BrushEdit& brush) {
 }
 
 Player::Done Player::brush(const Edit& edit) {
-  if (auto done = stroke(world_, edit.brush); !done) {
-    const Error& error = done.error();
-    const bool isOfVertex = error.code == ErrorCode::outOfReach && error.polygon >= 0;
-    auto refusal = refused(error);
-    if (isOfVertex)
-      refusal.value().text = fmt::format("ring {}, vertex {}: {}", error.polygon, error.vertex, refusal.value().text);
-    return refusal;
-  }
-  readBack(cellsUnder(edit.brush), edit.line);
-  return {};
+  const auto done = stroke(world_, edit.brush);
+  if (done) return readBack(edit, *done);
+  const Error& error = done.error();
+  auto refusal = refused(error);
+  if (error.code == ErrorCode::outOfReach && error.polygon >= 0)
+    refusal.value().text = fmt::format("ring {}, vertex {}: {}", error.polygon, error.vertex, refusal.value().text);
+  return refusal;
 }
 
 // A polygon that has kept its handle, its block and its vertices has kept its name. What else there is gets a new one:
-// no trace can name it, since # begins a comment.
-void Player::readBack(const CellRect& cells, std::size_t line) {
+// no trace can name it, since # begins a comment. The result must tell of just these.
+Player::Done Player::readBack(const Edit& edit, const BrushResult& result) {
+  std::set<PolygonHandle> old(result.went.begin(), result.went.end()), made(result.came.begin(), result.came.end());
+  for (const BrushChange& change : result.changed) {
+    old.insert(change.old);
+    made.insert(change.now.begin(), change.now.end());
+  }
+  const CellRect cells = cellsUnder(edit.brush);
   std::map<PolygonHandle, ScenePolygon> there;
   world_.forEachPolygon(cells, [&](Cell cell, const PlacedPolygon& p) {
     there[p.handle] = {cell, p.block, {p.vertices.begin(), p.vertices.end()}};
@@ -70,21 +73,26 @@ void Player::readBack(const CellRect& cells, std::size_t line) {
   for (const auto& [name, handle] : handles_) {
     if (!contains(cells, cellOf(name))) continue;
     const auto now = there.find(handle);
-    if (now == there.end() || now->second != placed_[name]) {
-      gone.insert(name);
-    } else {
+    const bool isKept = now != there.end() && now->second == placed_[name];
+    if (isKept == old.contains(handle)) return wrong(fmt::format("the brush does not tell what it did to '{}'", name));
+    if (std::ranges::find(result.bent, handle) != result.bent.end()) brushed_.bent.push_back(name);
+    if (isKept) {
       there.erase(now);
+    } else {
+      gone.insert(name);
     }
   }
   for (const std::string& name : gone) {
     forget(name);
-    lost_[name] = line;
-    brushed_.push_back(Edit::remove(name));
+    lost_[name] = edit.line;
+    brushed_.edits.push_back(Edit::remove(name));
   }
   for (auto& [handle, polygon] : there) {
-    brushed_.push_back(Edit::add(fmt::format("#{}", ++brushNames_), std::move(polygon)));
-    note(brushed_.back(), handle);
+    if (made.erase(handle) == 0) return wrong("the brush does not tell of a polygon that it made");
+    brushed_.edits.push_back(Edit::add(fmt::format("#{}", ++brushNames_), std::move(polygon)));
+    note(brushed_.edits.back(), handle);
   }
+  return made.empty() ? Done() : wrong("the brush tells of a polygon that it did not make");
 }
 
 std::vector<std::vector<Edit>> brushedBy(const Trace& trace) {
@@ -94,7 +102,7 @@ std::vector<std::vector<Edit>> brushedBy(const Trace& trace) {
   for (std::size_t k = 0; k < trace.edits.size(); ++k) {
     const Edit& edit = trace.edits[k];
     if (edit.kind == Edit::Kind::commit || !player.apply(edit)) continue;
-    if (edit.kind == Edit::Kind::brush) all[k] = player.brushed();
+    if (edit.kind == Edit::Kind::brush) all[k] = player.brushed().edits;
   }
   return all;
 }

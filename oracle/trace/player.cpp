@@ -39,7 +39,7 @@ tl::expected<void, TraceError> Player::apply(const Edit& edit) {
 }
 
 tl::expected<void, TraceError> Player::apply(const Step& step) {
-  brushed_.clear();
+  brushed_ = {};
   auto done = step.isTrial ? Done() : leaveAndComeBack(step);
   if (done) done = wantsGroup(step.chance) ? inGroup(step) : make(step);
   if (done) {

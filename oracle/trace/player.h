@@ -16,6 +16,10 @@
 #include <tl/expected.hpp>
 #include <unordered_map>
 
+namespace lgs {
+struct BrushResult;
+}
+
 namespace lgs::oracle {
 
 /// What happened beside the edits, to find out whether anybody notices: how often, by the names that chose it.
@@ -34,6 +38,12 @@ struct Detours {
     repainted += other.repainted;
     return *this;
   }
+};
+
+/// What a brush did, as edits by hand.
+struct Brushed {
+  std::vector<Edit> edits;        ///< removes of what it changed in any way, then adds of what is there now
+  std::vector<std::string> bent;  ///< of those that are removed: what it is said to have bent against law 9
 };
 
 /// An error without a refusal.
@@ -65,9 +75,7 @@ class Player {
   PolygonHandle handleOf(const std::string& name) const { return handles_.at(name); }  ///< of a name alive
   Cell cellOf(const std::string& name) const { return placed_[name].cell; }
   const Detours& detours() const { return detours_; }
-  /// What the last edit did by a brush: removes of what it changed in any way, then adds of what is there now. Empty
-  /// after other edits.
-  const std::vector<Edit>& brushed() const { return brushed_; }
+  const Brushed& brushed() const { return brushed_; }    ///< by the last edit; empty if that was none of a brush
   std::size_t shapes() const { return shapes_.size(); }  ///< the number of different ones that the world has made
 
  private:
@@ -82,7 +90,7 @@ class Player {
   Done remove(const Step& step);
   Done setBlock(const Step& step);
   Done brush(const Edit& edit);
-  void readBack(const CellRect& cells, std::size_t line);
+  Done readBack(const Edit& edit, const BrushResult& result);
   Done checkNames(const Step& step) const;
   Handles call(const Step& step, Block block);
   Handles addByPoints(const Step& step, Block block);
@@ -101,7 +109,7 @@ class Player {
   std::unordered_map<std::string, PolygonHandle> handles_;
   std::map<Shape, ShapeId> shapes_;
   std::set<ShapeId> shapeIds_;
-  std::vector<Edit> brushed_;
+  Brushed brushed_;
   std::size_t brushNames_ = 0;               // that were given to what brushes made
   std::map<std::string, std::size_t> lost_;  // names that brushes have taken away, and the lines of these
   bool pending_ = false;

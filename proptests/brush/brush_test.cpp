@@ -173,6 +173,24 @@ TEST(Brush, APolygonThatAChainWouldRunAroundStays) {
             0U);
 }
 
+// Where the region meets a line between cells, what closes it there is rounded, and may reach farther than its edges.
+TEST(Brush, APolygonAtARoundedRimPointStays) {
+  World world = worldOf(Ground::slanted);
+  ASSERT_TRUE(brush(world, {Deed::replace, 1, {{{{65571, 65556}, {65511, 65506}, {65561, 65541}}}}}).has_value());
+  const auto before = standingIn(world);
+  const auto beside = std::ranges::find_if(before, [](const auto& p) {
+    return p.second.cell == Cell{1, 1} && p.second.vertices.front() == LocalPoint{11, 0};
+  });
+  ASSERT_NE(beside, before.end());
+  ASSERT_TRUE(brush(world, {Deed::replace,
+                            1,
+                            {{{{65476, 65476}, {65496, 65481}, {65556, 65546}},
+                              {{65571, 65546}, {65476, 65486}, {65476, 65476}},
+                              {{65476, 65476}, {65546, 65536}, {65476, 65536}}}}})
+                  .has_value());
+  EXPECT_TRUE(world.polygon(beside->first).has_value());
+}
+
 TEST(Brush, AnEdgeDoesNotFollowTheRegionAcrossAnotherEdge) {
   World world = worldOf(Ground::slanted);
   for (const Ring& ring :
