@@ -135,7 +135,7 @@ TEST(TraceBrush, ThePlayerReadsBackWhatABrushDid) {
     ++there;
   });
   EXPECT_EQ(player.scene().polygons.size(), there);
-  const auto& did = player.brushed();
+  const auto& did = player.brushed().edits;
   EXPECT_EQ(std::ranges::count(did, Edit::Kind::remove, &Edit::kind), 2);
   EXPECT_EQ(did.size(), 2 + there - 1);
 }
