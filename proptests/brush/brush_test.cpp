@@ -173,6 +173,13 @@ TEST(Brush, APolygonThatAChainWouldRunAroundStays) {
             0U);
 }
 
+TEST(Brush, APolygonThatCanNotStayIsToldAsBent) {
+  EXPECT_EQ(bentByTheLast(Ground::slanted,
+                          {{Deed::carve, 1, {{{{65528, 65526}, {65524, 65524}, {65524, 65525}}}, FillRule::evenOdd}},
+                           {Deed::carve, 1, {{{{65527, 65524}, {65529, 65526}, {65526, 65524}}}, FillRule::evenOdd}}}),
+            1U);
+}
+
 // Where the region meets a line between cells, what closes it there is rounded, and may reach farther than its edges.
 TEST(Brush, APolygonAtARoundedRimPointStays) {
   World world = worldOf(Ground::slanted);
