@@ -77,12 +77,16 @@ void addWorldOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& a
                                     command, "--case", [arguments](std::uint64_t n) { arguments->onlyCase = n; }, {},
                                     "Run only the case with this number")
                                     ->option_text("K");
+  CLI::Option* const brushes =
+      command.add_flag("--brushes", arguments->world.brushes,
+                       "Paint and carve among the other edits, and measure each stroke\nagainst CGAL's exact result");
   CLI::Option* const map = command
                                .add_option("--map", arguments->map,
                                            "Dig in this world instead of random ones: a trace, or a\nTiled map (.tmx)")
                                ->option_text("FILE")
                                ->excludes(cells)
                                ->excludes(onlyCase)
+                               ->excludes(brushes)
                                ->excludes(caseEdits);
   addWholeNumber(
       command, "--whole-every", [arguments](std::uint64_t n) { arguments->options.wholeEvery = n; }, {},
@@ -198,6 +202,8 @@ void addCheck(CLI::App& app, Action& chosen) {
   command.footer(std::string(kCheckHelp) + kEngineHelp + kCheckExamples);
   command.callback([arguments, &chosen] {
     arguments->engine.prepare();
+    if (arguments->world.brushes && arguments->engine.isGiven())
+      throw CLI::ExcludesError("--brushes", "--engine and --engine-so");
     if (!arguments->report.empty() && !arguments->engine.isGiven()) throw CLI::RequiredError("--engine or --engine-so");
     chosen = [arguments] { return run(*arguments); };
   });

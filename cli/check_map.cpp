@@ -3,6 +3,7 @@
 #include "oracle/check/isolated.h"
 #include "oracle/check/shell.h"
 #include "oracle/reference/words.h"
+#include "oracle/trace/brushing.h"
 #include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
 
@@ -56,17 +57,18 @@ Status dig(const CheckArguments& arguments, const Trace& start, const Checked& d
 }  // namespace
 
 Status checkMap(const CheckArguments& arguments) {
-  const auto start = readWorld(arguments.map);
-  if (!start) return complain(start.error());
+  const auto read = readWorld(arguments.map);
+  if (!read) return complain(read.error());
+  const Trace start = withoutBrushes(*read);
   const Capabilities& can = arguments.world.can;
-  if (const std::string why = whyNot(withoutRefused(*start), can); !why.empty())
+  if (const std::string why = whyNot(withoutRefused(start), can); !why.empty())
     return complain(fmt::format("{}: the engine can not have it: {}", arguments.map, why));
-  Checked digging{digIn(*start, arguments.edits, arguments.seed, can), fmt::format("mismatch-map-{}", arguments.seed),
+  Checked digging{digIn(start, arguments.edits, arguments.seed, can), fmt::format("mismatch-map-{}", arguments.seed),
                   fmt::format("{} --map {} --edits {} --seed {} --oracle {} --whole-every {}", commandAgain(arguments),
                               shellPath(arguments.map), arguments.edits, arguments.seed, arguments.oracleName(),
                               arguments.options.wholeEvery)};
   return isolated(
-      arguments, arguments.options, [&] { return dig(arguments, *start, digging); }, [&] { return digging; });
+      arguments, arguments.options, [&] { return dig(arguments, start, digging); }, [&] { return digging; });
 }
 
 }  // namespace lgs::cli

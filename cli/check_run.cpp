@@ -26,6 +26,7 @@ void printSummary(const CheckArguments& arguments, const Totals& totals) {
   fmt::print("compared   {} times with CGAL, {} with the naive reference; {} times the whole world\n", s.cgal, s.naive,
              s.whole);
   fmt::print("segments   {} compared\n", s.segments);
+  if (arguments.world.brushes) fmt::print("brushes    {} measured against CGAL's exact result\n", s.brushed);
   if (!arguments.engine.isGiven()) {
     fmt::print("doors      {}\n", doorsInWords(s));
     fmt::print("detours    {}\n", detoursInWords(s));
@@ -71,7 +72,7 @@ Status finishSurvey(const CheckArguments& arguments, const Survey& survey, const
 
 // The command of an engine may mean files of this folder.
 std::string commandAgain(const CheckArguments& arguments) {
-  std::string lgs = thisProgram("lgs") + " check";
+  std::string lgs = thisProgram("lgs") + (arguments.world.brushes ? " check --brushes" : " check");
   if (!arguments.engine.isGiven()) return lgs;
   return fmt::format("cd {} && {}{}", thisFolder(), lgs, arguments.engine.print());
 }

@@ -4,6 +4,7 @@
 #include "oracle/draw/draw.h"
 #include "oracle/generate/generator.h"
 #include "oracle/reference/words.h"
+#include "oracle/trace/brushing.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
@@ -95,12 +96,13 @@ Status run(const ReplayArguments& arguments) {
   if (!started) return tell(started.error(), out);
   Engine& engine = **started;
   introduce(engine, out);
-  if (const std::string why = whyNot(*trace, engine.can()); !why.empty())
+  const Trace plain = withoutBrushes(*trace);  // which every engine understands
+  if (const std::string why = whyNot(plain, engine.can()); !why.empty())
     return complain(fmt::format("{}: the engine can not have it: {}", arguments.trace, why));
   CheckOptions options = arguments.checkOptions;
   options.engine = &engine;
   options.skipRefused = engine.can().refuses;
-  return finishEngine(engine, check(arguments, *trace, options, out), out);
+  return finishEngine(engine, check(arguments, plain, options, out), out);
 }
 
 constexpr const char* kReplayHelp =
@@ -110,7 +112,10 @@ constexpr const char* kReplayHelp =
     "  add ramp  1 0 7  0 0  1 0  0 0.5\n"
     "  commit\n"
     "  remove floor\n"
-    "The end of the file commits what is pending.\n\n"
+    "The end of the file commits what is pending. If the first line is lgs-trace 2, brushes may edit as well:\n"
+    "  carve 0.2 0.2  1.8 0.2  1 1.5              # a region in cells of the world; | begins its next ring\n"
+    "  paint 7 fill  0 0  2 0  1 1                # a block, and fill or replace\n"
+    "What a brush changes has no name any more.\n\n"
     "A line of a dump is: segment <start> <end> <ghost1> <ghost2> <block>. Each of the four points is two\n"
     "numbers, in lattice units of 1/65536 cell; a ghost that is missing is - -.\n\n"
     "With --engine the edits are played by that engine, and its outlines are compared (lgs check --help).\n\n"

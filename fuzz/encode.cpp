@@ -25,6 +25,8 @@ class Encoder {
     for (const Edit& edit : trace.edits) {
       if (edit.kind == Edit::Kind::commit) {
         begin(Action::commit);
+      } else if (edit.kind == Edit::Kind::brush) {
+        return "there is an edit by a brush";
       } else if (edit.kind == Edit::Kind::remove) {
         const auto placed = recordOf_.find(edit.name);
         begin(Action::removeRecord);

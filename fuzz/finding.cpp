@@ -92,8 +92,9 @@ void reportCrash(const Target& target, Bytes input, const Where& where) {
   fmt::print("\n{}\n", text);
   save(base + ".trace", text);
   const std::string title = fmt::format("what is added before {} ends", target.name);
-  save(base + ".svg", drawWithoutEngine(trace, title));
-  save(base + ".html", pageWithoutEngine(trace, title));
+  const Trace shown = oracle::beforeCrash(trace);
+  save(base + ".svg", drawWithoutEngine(shown, title));
+  save(base + ".html", pageWithoutEngine(shown, title));
 }
 
 }  // namespace lgs::fuzz

@@ -42,6 +42,7 @@ extern const Target kEdits;     // edits.cpp
 extern const Target kPolygons;  // edits.cpp
 extern const Target kTrace;     // trace_text.cpp
 extern const Target kSnapshot;  // snapshot.cpp
+extern const Target kBrush;     // brush.cpp
 extern const Target kTiled;     // tiled.cpp
 #ifdef LGS_FUZZ_BOX2D
 extern const Target kBox2d;  // box2d.cpp

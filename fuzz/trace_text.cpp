@@ -1,5 +1,6 @@
 // The text of traces: parsed, played and checked, printed, parsed again.
 #include "fuzz/check_edits.h"
+#include "oracle/trace/brushing.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +11,11 @@ namespace {
 using oracle::Edit;
 using oracle::Trace;
 
-constexpr std::array<std::string_view, 26> kWords{"lgs-trace 1\n",
+constexpr std::array<std::string_view, 30> kWords{"lgs-trace 1\n",
+                                                  "lgs-trace 2\n",
+                                                  "carve 0.2 0 1.5 0.3 1 1\n",
+                                                  "paint 1 fill ",
+                                                  "paint 2 replace 0 0 2 0 0 2 |",
                                                   "add p 0 0 1 0 0 1 0 1 1\n",
                                                   "add ",
                                                   "remove ",
@@ -38,9 +43,13 @@ constexpr std::array<std::string_view, 26> kWords{"lgs-trace 1\n",
                                                   "0 0 1 0 1 1 0 1"};
 
 std::optional<Finding> checkTrace(const Trace& trace, oracle::CheckStats& stats) {
-  const bool large =
-      editCount(trace) > 200 || std::any_of(trace.edits.begin(), trace.edits.end(),
-                                            [](const Edit& edit) { return edit.polygon.vertices.size() > 100; });
+  const auto isLarge = [](const Edit& edit) {
+    std::size_t vertices = edit.polygon.vertices.size();
+    for (const auto& ring : edit.brush.rings) vertices += ring.size();
+    const auto [min, max] = oracle::cellsUnder(edit.brush);
+    return vertices > 100 || std::max(max.i - min.i, max.j - min.j) > 30;
+  };
+  const bool large = editCount(trace) > 200 || std::any_of(trace.edits.begin(), trace.edits.end(), isLarge);
   if (large) return std::nullopt;  // the references take their time
   return checkEdits(trace, {.cgal = false}, stats);
 }

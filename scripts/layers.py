@@ -41,10 +41,11 @@ ROOMS = {
     "oracle/reference": ENGINE,
     "oracle/cgal": ENGINE + ["oracle/reference"],
     "oracle/draw": ENGINE + ["oracle/reference"],
-    "oracle/trace": ENGINE + ["oracle/reference"],
+    "oracle/trace": ENGINE + ["lib/brush/include", "oracle/reference"],  # traces have edits by brushes; it plays them
     "oracle/page": ENGINE + ["oracle/reference", "oracle/trace", "oracle/draw"],
     "oracle/engine": ENGINE + ["lib/c/include", "oracle/reference", "oracle/trace"],
-    "oracle/generate": ENGINE + ["oracle/reference", "oracle/trace", "oracle/engine"],
+    # Random brushes are circles and lines of the library's making.
+    "oracle/generate": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/trace", "oracle/engine"],
     "oracle/check": ENGINE + REFERENCES + ["oracle/draw", "oracle/engine", "oracle/page", "oracle/generate"],
     "bench/published": ENGINE + ["lib/c/include", "oracle/reference"],
     "bench/ride": ENGINE + ADAPTERS + ORACLE,

@@ -1,9 +1,11 @@
 #include "oracle/check/checker.h"
 
+#include "oracle/cgal/brushed.h"
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/check/comparable.h"
 #include "oracle/check/failure.h"
 #include "oracle/check/library_engine.h"
+#include "oracle/check/reach.h"
 #include "oracle/check/refusal.h"
 #include "oracle/check/window.h"
 #include "oracle/generate/random.h"
@@ -11,6 +13,7 @@
 #include "oracle/reference/canonical.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
+#include "oracle/trace/brushing.h"
 #include "oracle/trace/named_scene.h"
 
 #include <fmt/format.h>
@@ -100,6 +103,7 @@ class Check {
 
   tl::expected<Result, TraceError> apply(const Step& step) {
     if (!step.isTrial) stats_.edits += step.edits.size();
+    if (step.door == Door::brush) return brush(step);
     if (step.verdict.accepted) note(step);
     if (library_ != nullptr) return applyByDoor(step);
     return step.isTrial ? Result() : applyOneByOne(step);
@@ -108,15 +112,61 @@ class Check {
   void note(const Step& step) {
     stats_.doors[static_cast<std::size_t>(step.door)] += step.edits.size();
     stats_.worn += step.worn == 0 ? 0 : 1;
+    for (const Edit& edit : step.edits) note(edit);
+  }
+
+  void note(const Edit& edit) {
     pending_ = true;
-    for (const Edit& edit : step.removes()) {
+    if (edit.kind == Edit::Kind::remove) {
       edited_.insert(placed_[edit.name].cell);
       placed_.remove(edit.name);
-    }
-    for (const Edit& edit : step.adds()) {
+    } else {
       edited_.insert(edit.polygon.cell);
       placed_.add(edit.name, edit.polygon);
     }
+  }
+
+  // From then on, what the brush did is as if it had been done by hand.
+  tl::expected<Result, TraceError> brush(const Step& step) {
+    const Edit& edit = step.edits.front();
+    if (library_ == nullptr) return tl::unexpected(TraceError{edit.line, "only this library's engine has brushes", {}});
+    const auto [min, max] = cellsUnder(edit.brush);
+    const CellRect near{{min.i - 1, min.j - 1}, {max.i + 1, max.j + 1}};
+    const Scene before = sceneOf(model(), near);
+    const auto done = library_->brush(edit);
+    if (!done) return refusedBrush(step, done.error());
+    if (!step.verdict.accepted) return mismatch(Mismatch::Kind::verdict, "a brush is out of reach, but is accepted");
+    pending_ = true;
+    ++stats_.doors[static_cast<std::size_t>(step.door)];
+    if (std::string wrong = wrongReach(edit.brush, *done, placed_); !wrong.empty())
+      return mismatch(Mismatch::Kind::reach, std::move(wrong));
+    for (const Edit& part : done->edits) {
+      if (!model().judge(part).accepted)
+        return mismatch(Mismatch::Kind::verdict, "a brush makes what must be refused: " + printEdit(part));
+      note(part);
+      steps_.brushed({&part, 1});
+    }
+    if (!options_.cgal) return Result();
+    ++stats_.brushed;
+    auto far = farFromExact(before, edit.brush, sceneOf(model(), near));
+    if (!far) return Result();
+    if (const auto refusals = engine_.commit(); !refusals) return mismatch(refusals.error());  // for the picture
+    return mismatch(Mismatch::Kind::rounding, std::move(*far));
+  }
+
+  // Whether a cell is full can not be known beforehand. A lattice point may be in range and left of all cells.
+  tl::expected<Result, TraceError> refusedBrush(const Step& step, const TraceError& error) {
+    const std::optional<Error>& refusal = error.refusal;
+    const bool isBeyond = !inRange(cellsUnder(step.edits.front().brush).min);
+    const bool isExpected =
+        refusal && (refusal->code == step.verdict.code.value_or(ErrorCode::capacity) ||
+                    (step.verdict.accepted && isBeyond && refusal->code == ErrorCode::cellOutOfRange));
+    if (!isExpected)
+      return mismatch(Mismatch::Kind::verdict, (refusal ? "a brush is refused, but is good: " : "") + error.text);
+    if (auto complaint = library_->afterRefusedBrush(model())) return mismatch(std::move(*complaint));
+    if (!options_.skipRefused) return tl::unexpected(error);
+    ++stats_.refused;
+    return Result();
   }
 
   tl::expected<Result, TraceError> applyByDoor(const Step& step) {

@@ -4,6 +4,8 @@
 //  - each edit: the engine accepts and refuses what the naive rules do;
 //  - each commit: the outline equals the naive reference's; if the preserve relation is a partition, it equals that of
 //    CGAL's union;
+//  - each edit by a brush: what it made could be added by hand; it differs from the exact result by a unit at most
+//    (law 8), as CGAL measures it; what it does not reach stays, or is told as bent (law 9);
 //  - the end: a new world with the same polygons, added in another order and committed at once, has the same outline.
 //
 // This library's engine shows more, so more is checked of it: doors, reasons, change lists, reads (library_engine.h),
@@ -54,6 +56,8 @@ struct Mismatch {
     naive,     ///< another outline than the naive reference's
     cgal,      ///< another outline than CGAL's
     loops,     ///< equal outlines, other loops
+    reach,     ///< a brush changed a polygon that law 9 keeps
+    rounding,  ///< a brush is farther from its exact result than law 8 allows
     history,   ///< the outline depends on how it came about
     terrain,   ///< a physics engine's copy is not that of the world; the checker itself knows no such copy
     crash,     ///< the engine ended
@@ -84,6 +88,7 @@ struct CheckStats {
   std::uint64_t whole = 0;                    ///< comparisons of the whole world
   std::uint64_t naive = 0;                    ///< comparisons with the naive reference
   std::uint64_t cgal = 0;                     ///< comparisons with CGAL
+  std::uint64_t brushed = 0;                  ///< edits by brushes that were measured against the exact result
   std::uint64_t segments = 0;                 ///< compared with a reference
   std::uint64_t read = 0;                     ///< how often everything was read
   std::uint64_t full = 0;                     ///< calls refused because of a limit

@@ -5,6 +5,7 @@
 #include "oracle/page/page.h"
 #include "oracle/reference/naive.h"
 #include "oracle/reference/words.h"
+#include "oracle/trace/brushing.h"
 #include "oracle/trace/model.h"
 
 #include <fmt/format.h>
@@ -114,7 +115,7 @@ std::string pageWithoutEngine(const Trace& trace, const std::string& title) {
 
 std::string drawWithoutEngine(const Trace& trace, const std::string& title) {
   Model model;
-  for (const Edit& edit : trace.edits) {
+  for (const Edit& edit : withoutBrushes(trace).edits) {
     if (model.judge(edit).accepted) model.apply(edit);
   }
   Scene scene;

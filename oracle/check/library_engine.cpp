@@ -70,6 +70,17 @@ tl::expected<std::optional<Complaint>, TraceError> LibraryEngine::apply(const St
   return tl::unexpected(done.error());
 }
 
+tl::expected<Brushed, TraceError> LibraryEngine::brush(const Edit& edit) {
+  if (const auto done = player_->apply(edit); !done) return tl::unexpected(done.error());
+  return player_->brushed();
+}
+
+std::optional<Complaint> LibraryEngine::afterRefusedBrush(const Model& model) const {
+  auto wrong = readPolygons(*player_, model);
+  if (!wrong) return std::nullopt;
+  return Complaint{Mismatch::Kind::refusal, "the refusal of a brush changed something: " + wrong->text};
+}
+
 std::optional<Complaint> LibraryEngine::afterRefusal(const Step& step, const TraceError& error, const Stats& before,
                                                      const Model& model) const {
   if (!error.refusal) return std::nullopt;

@@ -44,6 +44,12 @@ class LibraryEngine : public Engine {
   /// Makes a step by one call. `model` is as after the step. The error is that of an edit that is rightly refused.
   tl::expected<std::optional<Complaint>, TraceError> apply(const Step& step, const Model& model);
 
+  /// Makes an edit by a brush. Returns what it did; or why it was refused.
+  tl::expected<Brushed, TraceError> brush(const Edit& edit);
+
+  /// To be called after a brush was refused.
+  std::optional<Complaint> afterRefusedBrush(const Model& model) const;
+
   /// To be called after each commit, with the cells edited since the one before.
   std::optional<Complaint> afterCommit(const CellSet& edited, const Model& model);
 

@@ -5,6 +5,7 @@
 #include "oracle/check/shrink.h"
 #include "oracle/generate/generator.h"
 #include "oracle/reference/words.h"
+#include "oracle/trace/brushing.h"
 #include "oracle/trace/file.h"
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ using Fault = Mismatch::Kind;
 CheckOptions only(Fault kind, CheckOptions options) {
   options.afterCommit = {};
   options.naive = options.naive && (kind == Fault::naive || kind == Fault::loops);
-  options.cgal = options.cgal && (kind == Fault::cgal || kind == Fault::loops);
+  options.cgal = options.cgal && (kind == Fault::cgal || kind == Fault::loops || kind == Fault::rounding);
   return options;
 }
 
@@ -145,6 +146,14 @@ void reportMismatch(const Mismatch& found, const Trace& trace, const CheckOption
   report(found, trace, makeSmall, findAgain, options.engine, reporting);
 }
 
+Trace beforeCrash(Trace trace) {
+  const auto crashes = [&] {
+    return crashOf([&] { static_cast<void>(withoutBrushes(trace)); }, {.seconds = 10, .quiet = true}).has_value();
+  };
+  while (hasBrushes(trace) && crashes()) trace.edits.pop_back();
+  return trace;
+}
+
 void reportCrash(const std::string& how, const Trace& trace, const CheckOptions& options, const ReportOptions& report) {
   fmt::print("MISMATCH the engine {}\n", how);
   if (report.shrinkFor.count() > 0) fmt::print("shrinking the trace of {} …\n", counted(trace.edits.size(), "line"));
@@ -164,7 +173,8 @@ void reportCrash(const std::string& how, const Trace& trace, const CheckOptions&
   print(small, fmt::format("the engine {}\n", again.value_or(how + ", but not again")));
   alone.skipRefused = false;
   const std::string title = "the engine " + how;
-  save(small, {drawWithoutEngine(small, title), pageWithoutEngine(small, title)}, report, stillCrashes(small));
+  const Trace shown = beforeCrash(small);
+  save(small, {drawWithoutEngine(shown, title), pageWithoutEngine(shown, title)}, report, stillCrashes(small));
 }
 
 }  // namespace lgs::oracle

@@ -25,6 +25,13 @@ Trace renamed(Trace trace, bool withLetters) {
   return trace;
 }
 
+// The block of an edit that has one.
+Block* blockOf(Edit& edit) {
+  if (edit.kind == Edit::Kind::add) return &edit.polygon.block;
+  const bool paints = edit.kind == Edit::Kind::brush && edit.brush.deed != BrushEdit::Deed::carve;
+  return paints ? &edit.brush.block : nullptr;
+}
+
 // Drops the removals of polygons that are not there.
 void dropOrphans(Trace& trace) {
   std::unordered_set<std::string> alive;
@@ -38,9 +45,9 @@ void dropOrphans(Trace& trace) {
 
 const std::vector<ShrinkWalk::Pass>& ShrinkWalk::passes() {
   using W = ShrinkWalk;
-  static const std::vector<Pass> kPasses{&W::rename,         &W::dropEdits, &W::simplifyPolygons, &W::dropPairs,
-                                         &W::renumberBlocks, &W::oneBlock,  &W::moveColumns,      &W::moveRows,
-                                         &W::plainDoors,     &W::rename};
+  static const std::vector<Pass> kPasses{
+      &W::rename,   &W::dropEdits,   &W::simplifyPolygons, &W::simplifyBrushes, &W::dropPairs, &W::renumberBlocks,
+      &W::oneBlock, &W::moveColumns, &W::moveRows,         &W::plainDoors,      &W::rename};
   return kPasses;
 }
 
@@ -121,6 +128,21 @@ std::optional<Trace> ShrinkWalk::simplifyPolygons() {
   return std::nullopt;
 }
 
+std::optional<Trace> ShrinkWalk::simplifyBrushes() {
+  for (; at_ < best_.edits.size(); ++at_, variant_ = 0) {
+    if (best_.edits[at_].kind != Edit::Kind::brush) continue;
+    const BrushEdit& brush = best_.edits[at_].brush;
+    while (variant_ < variantsOf(brush)) {
+      auto simpler = simplerBrush(brush, variant_++);
+      if (!simpler) continue;
+      Trace candidate = best_;
+      candidate.edits[at_].brush = std::move(*simpler);
+      return candidate;
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<Trace> ShrinkWalk::dropPairs() {
   if (variant_++ != 0) {
     ++at_;
@@ -144,7 +166,7 @@ std::optional<Trace> ShrinkWalk::renumberBlocks() {
     return numberOf.try_emplace(block, static_cast<Block>(numberOf.size() + 1)).first->second;
   };
   for (Edit& edit : candidate.edits) {
-    if (edit.kind == Edit::Kind::add) edit.polygon.block = number(edit.polygon.block);
+    if (Block* const block = blockOf(edit)) *block = number(*block);
   }
   candidate.preserve = {};
   for (const auto& [a, b] : best_.preserve.pairs()) {
@@ -155,19 +177,22 @@ std::optional<Trace> ShrinkWalk::renumberBlocks() {
 }
 
 std::optional<Trace> ShrinkWalk::oneBlock() {
-  while (at_ < best_.edits.size() && best_.edits[at_].kind != Edit::Kind::add) ++at_;
+  while (at_ < best_.edits.size() && blockOf(best_.edits[at_]) == nullptr) ++at_;
   if (at_ >= best_.edits.size()) return std::nullopt;
   Trace candidate = best_;
-  candidate.edits[at_++].polygon.block = 1;
+  *blockOf(candidate.edits[at_++]) = 1;
   return candidate;
 }
 
 // Moves the first line of cells to 0, or else to -1, so that a border of chunks follows it. Then it moves each line
 // next to the one before it. It goes from the last line to the first, so that earlier lines stay where they are.
 std::optional<Trace> ShrinkWalk::moveCells(std::int32_t Cell::*axis) {
+  std::int64_t Point::*const coordinate = axis == &Cell::i ? &Point::x : &Point::y;
   std::set<std::int32_t> used;
   for (const Edit& edit : best_.edits) {
     if (edit.kind == Edit::Kind::add) used.insert(edit.polygon.cell.*axis);
+    for (const auto& ring : edit.brush.rings)
+      for (const Point p : ring) used.insert(cellAt(p).*axis);
   }
   const std::vector<std::int32_t> lines(used.begin(), used.end());
   const auto movedTo = [&](std::int32_t line, std::int32_t target) {
@@ -175,6 +200,9 @@ std::optional<Trace> ShrinkWalk::moveCells(std::int32_t Cell::*axis) {
     for (Edit& edit : candidate.edits) {
       std::int32_t& index = edit.polygon.cell.*axis;
       if (edit.kind == Edit::Kind::add && index >= line) index -= line - target;
+      for (auto& ring : edit.brush.rings)
+        for (Point& p : ring)
+          if (cellAt(p).*axis >= line) p.*coordinate -= std::int64_t{line - target} * kUnitsPerCell;
     }
     return candidate;
   };

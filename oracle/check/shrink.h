@@ -15,6 +15,7 @@ namespace lgs::oracle {
 /// A walk from a trace to ever smaller ones, for whoever decides at each step whether it still fails. In this order:
 ///   edits dropped in chunks, then one by one (a polygon takes its removal with it); commits dropped;
 ///   polygons with fewer vertices, on rounder coordinates, or replaced by a full square or half of one;
+///   brushes with fewer rings, fewer vertices, on rounder coordinates;
 ///   blocks small, preserve pairs dropped, cells near the origin and near each other; plain doors (step.h);
 ///   names p1, p2, …
 /// and again from the start while that helps. A candidate may be bad (a polygon made simpler may overlap another).
@@ -40,6 +41,7 @@ class ShrinkWalk {
   std::optional<Trace> plainDoors();
   std::optional<Trace> dropEdits();
   std::optional<Trace> simplifyPolygons();
+  std::optional<Trace> simplifyBrushes();
   std::optional<Trace> dropPairs();
   std::optional<Trace> renumberBlocks();
   std::optional<Trace> oneBlock();

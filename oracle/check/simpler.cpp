@@ -40,13 +40,14 @@ std::size_t dropsOf(std::size_t size) {
   return drops;
 }
 
-std::optional<LocalPolygon> withoutSome(const LocalPolygon& polygon, std::size_t drop) {
+template <class Vertices>
+std::optional<Vertices> withoutSome(const Vertices& polygon, std::size_t drop) {
   std::size_t length = polygon.size() / 2;
   const auto pieces = [&] { return (polygon.size() + length - 1) / length; };
   for (; drop >= pieces(); length /= 2) drop -= pieces();
   const std::size_t begin = drop * length, end = std::min(begin + length, polygon.size());
   if (polygon.size() - (end - begin) < 3) return std::nullopt;
-  LocalPolygon rest(polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(begin));
+  Vertices rest(polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(begin));
   rest.insert(rest.end(), polygon.begin() + static_cast<std::ptrdiff_t>(end), polygon.end());
   return rest;
 }
@@ -61,6 +62,30 @@ std::optional<LocalPolygon> withRounded(const LocalPolygon& polygon, std::size_t
   LocalPolygon rounder = polygon;
   rounder[vertex].*axis = rounded;
   return rounder;
+}
+
+// A coordinate of the world is rounded down or up. Nothing if that is not rounder.
+std::optional<std::int64_t> rounder(std::int64_t v, std::size_t variant) {
+  const std::int64_t step = U >> (variant / 2);
+  const std::int64_t rest = (v % step + step) % step;
+  const std::int64_t rounded = v - rest + (variant % 2 == 0 ? 0 : step);
+  const auto grain = [](std::int64_t c) { return std::gcd(c, std::int64_t{U}); };
+  return grain(rounded) > grain(v) ? std::optional(rounded) : std::nullopt;
+}
+
+std::size_t variantsOf(const std::vector<Point>& ring) { return dropsOf(ring.size()) + 2 * kRounded * ring.size(); }
+
+std::optional<std::vector<Point>> simplerRing(const std::vector<Point>& ring, std::size_t variant) {
+  const std::size_t drops = dropsOf(ring.size());
+  if (variant < drops) return withoutSome(ring, variant);
+  variant -= drops;
+  const auto axis = variant / kRounded % 2 == 0 ? &Point::x : &Point::y;
+  const std::size_t vertex = variant / (2 * kRounded);
+  const auto rounded = rounder(ring[vertex].*axis, variant % kRounded);
+  if (!rounded) return std::nullopt;
+  std::vector<Point> simpler = ring;
+  simpler[vertex].*axis = *rounded;
+  return simpler;
 }
 
 }  // namespace
@@ -78,6 +103,28 @@ std::optional<LocalPolygon> simplerPolygon(const LocalPolygon& polygon, std::siz
   variant -= plain;
   const std::size_t drops = dropsOf(polygon.size());
   return variant < drops ? withoutSome(polygon, variant) : withRounded(polygon, variant - drops);
+}
+
+std::size_t variantsOf(const BrushEdit& brush) {
+  std::size_t variants = brush.rings.size();
+  for (const auto& ring : brush.rings) variants += variantsOf(ring);
+  return variants;
+}
+
+std::optional<BrushEdit> simplerBrush(const BrushEdit& brush, std::size_t variant) {
+  BrushEdit simpler = brush;
+  if (variant < brush.rings.size()) {
+    if (brush.rings.size() == 1) return std::nullopt;
+    simpler.rings.erase(simpler.rings.begin() + static_cast<std::ptrdiff_t>(variant));
+    return simpler;
+  }
+  variant -= brush.rings.size();
+  std::size_t ring = 0;
+  for (; variant >= variantsOf(brush.rings[ring]); ++ring) variant -= variantsOf(brush.rings[ring]);
+  auto rounded = simplerRing(brush.rings[ring], variant);
+  if (!rounded) return std::nullopt;
+  simpler.rings[ring] = std::move(*rounded);
+  return simpler;
 }
 
 }  // namespace lgs::oracle

@@ -1,6 +1,7 @@
-// Simpler polygons in the place of one: for shrinking.
+// Simpler polygons, and simpler regions of brushes, in the place of one: for shrinking.
 #pragma once
 
+#include "oracle/reference/brush_edit.h"
 #include "oracle/reference/validity.h"
 
 #include <cstddef>
@@ -15,5 +16,9 @@ std::size_t variantsOf(const LocalPolygon& polygon);
 /// vertices has too many variants to keep. A variant is simpler if it has fewer vertices or, with as many, rounder
 /// coordinates.
 std::optional<LocalPolygon> simplerPolygon(const LocalPolygon& polygon, std::size_t variant);
+
+/// The same of an edit by a brush: without a ring, then with fewer vertices, then on rounder coordinates.
+std::size_t variantsOf(const BrushEdit& brush);
+std::optional<BrushEdit> simplerBrush(const BrushEdit& brush, std::size_t variant);
 
 }  // namespace lgs::oracle

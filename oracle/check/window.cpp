@@ -26,6 +26,15 @@ Scene sceneOf(const Model& model, const PreservePairs& preserve, const CellSet& 
   return scene;
 }
 
+Scene sceneOf(const Model& model, const CellRect& cells) {
+  Scene scene;
+  for (const auto& [cell, there] : model.cells()) {
+    if (!contains(cells, cell)) continue;
+    for (const Model::Placed& placed : there) scene.polygons.push_back({cell, placed.block, placed.vertices});
+  }
+  return scene;
+}
+
 Cell cellOf(const OutlineSegment& segment) {
   // Twice the middle of the segment, moved a little to the left; in a cell, or on a rim with the cell on the left.
   const Point along{segment.end.x - segment.start.x, segment.end.y - segment.start.y};

@@ -27,6 +27,9 @@ CellSet around(const CellSet& cells);
 /// The polygons of these cells.
 Scene sceneOf(const Model& model, const PreservePairs& preserve, const CellSet& cells);
 
+/// The same for a rectangle, without the relation.
+Scene sceneOf(const Model& model, const CellRect& cells);
+
 /// The cell whose polygon a segment belongs to: the one on the left of it.
 Cell cellOf(const OutlineSegment& segment);
 

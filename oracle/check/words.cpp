@@ -22,6 +22,10 @@ std::string describe(Mismatch::Kind kind) {
       return "the outline differs from CGAL's";
     case Mismatch::Kind::loops:
       return "the loops are wrong";
+    case Mismatch::Kind::reach:
+      return "a brush changed what it does not reach";
+    case Mismatch::Kind::rounding:
+      return "a brush is too far from the exact result";
     case Mismatch::Kind::history:
       return "the outline depends on the order of the edits";
     case Mismatch::Kind::terrain:
@@ -41,6 +45,7 @@ std::string doorsInWords(const CheckStats& stats) {
   for (const std::uint64_t edits : stats.doors) all += edits;
   std::string text;
   for (std::size_t k = 0; k < kDoors; ++k) {
+    if (static_cast<Door>(k) == Door::brush && stats.brushed == 0) continue;  // it is there only if it was asked for
     text +=
         fmt::format("{}{} {:.0f}%", k == 0 ? "" : ", ", describe(static_cast<Door>(k)),
                     100.0 * static_cast<double>(stats.doors[k]) / static_cast<double>(std::max<std::uint64_t>(all, 1)));

@@ -2,6 +2,7 @@
 
 #include "oracle/generate/editor.h"
 #include "oracle/generate/shapes.h"
+#include "oracle/generate/strokes.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -143,7 +144,8 @@ std::size_t editsOf(std::uint64_t number, const GeneratorOptions& options) {
 
 Trace caseOf(std::uint64_t number, const GeneratorOptions& options, std::uint64_t seed) {
   const Crowd crowd = options.crowds ? crowdOf(number) : Crowd::none;
-  return crowd == Crowd::none ? randomCase(options, seed) : crowdedCase(crowd, options.edits, seed);
+  Trace trace = crowd == Crowd::none ? randomCase(options, seed) : crowdedCase(crowd, options.edits, seed);
+  return options.brushes ? withBrushes(std::move(trace), seed) : trace;
 }
 
 std::string whyNot(const Trace& trace, const Capabilities& can) {

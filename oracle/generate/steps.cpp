@@ -60,10 +60,19 @@ std::optional<Step> Steps::next() {
       return addition();
     case Edit::Kind::remove:
       return removal();
+    case Edit::Kind::brush: {
+      Step step = take(1, Door::brush);
+      step.verdict = model_.judge(step.edits.front());
+      return step;
+    }
     case Edit::Kind::commit:
       break;
   }
   return take(1, Door{});
+}
+
+void Steps::brushed(std::span<const Edit> edits) {
+  for (const Edit& edit : edits) model_.apply(edit);
 }
 
 Step Steps::take(std::size_t count, Door door) {

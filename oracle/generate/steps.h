@@ -8,6 +8,8 @@
 //
 // If one add of a row must be refused, so must the call that makes them all. The call is tried, and then the edits of
 // the row come one by one.
+//
+// Nobody but the engine knows what a brush does. So whoever makes such a step tells the model of it.
 #pragma once
 
 #include "oracle/trace/model.h"
@@ -25,6 +27,9 @@ class Steps {
 
   /// The next step, which the model has then made if it is accepted; nothing at the end of the trace.
   std::optional<Step> next();
+
+  /// The last step was a brush, and this is what it did.
+  void brushed(std::span<const Edit> edits);
 
   const Model& model() const { return model_; }
 

@@ -1,6 +1,7 @@
 #include "oracle/page/excerpt.h"
 
 #include "oracle/reference/compare.h"
+#include "oracle/trace/brushing.h"
 
 #include <algorithm>
 #include <string>
@@ -14,7 +15,7 @@ using Part = Excerpt::Part;
 constexpr std::size_t kMostSteps = 1'000;
 constexpr std::int32_t kReach = 12;  // cells to each side of the place where the trace ends
 
-// The cell of each edit; that of a commit is nothing, and so is that of an edit that no world can take.
+// The cell of each edit, of a brush the one in its middle; that of a commit is nothing, and so is that of an edit that no world can take.
 std::vector<std::optional<Cell>> cellsOf(const Trace& trace, std::size_t count) {
   std::vector<std::optional<Cell>> cells(count);
   std::unordered_map<std::string, Cell> cellOf;
@@ -22,6 +23,9 @@ std::vector<std::optional<Cell>> cellsOf(const Trace& trace, std::size_t count) 
     const Edit& edit = trace.edits[k];
     if (edit.kind == Edit::Kind::add && inRange(edit.polygon.cell)) {
       cells[k] = cellOf.try_emplace(edit.name, edit.polygon.cell).first->second;
+    } else if (edit.kind == Edit::Kind::brush && !isOutOfReach(edit.brush)) {
+      const auto [min, max] = cellsUnder(edit.brush);
+      cells[k] = Cell{min.i + (max.i - min.i) / 2, min.j + (max.j - min.j) / 2};
     } else if (edit.kind == Edit::Kind::remove) {
       if (const auto found = cellOf.find(edit.name); found != cellOf.end()) {
         cells[k] = found->second;

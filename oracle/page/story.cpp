@@ -6,6 +6,7 @@
 #include "oracle/reference/naive.h"
 #include "oracle/reference/vector.h"
 #include "oracle/reference/words.h"
+#include "oracle/trace/brushing.h"
 #include "oracle/trace/model.h"
 
 #include <fmt/format.h>
@@ -55,7 +56,7 @@ const char* nameOf(Difference::Kind kind) {
 class Story {
  public:
   Story(const Trace& trace, const PageOptions& options)
-      : trace_(trace), options_(options), excerpt_(excerptOf(trace, options.end)) {}
+      : trace_(trace), options_(options), excerpt_(excerptOf(trace, options.end)), brushed_(brushedBy(trace)) {}
 
   Json tell() && {
     steps_.push_back({{"edit", ""}, {"number", 0}});
@@ -99,11 +100,19 @@ class Story {
     } else if (!model_.judge(edit).accepted) {
       if (isShown) step["note"] = "This edit must be refused, and change nothing.";
     } else {
-      model_.apply(edit);
       pending_ = pending_ || isShown;
-      const auto number = edit.kind == Edit::Kind::add ? add(edit) : remove(edit.name);
-      if (isShown && number) step[edit.kind == Edit::Kind::add ? "added" : "removed"] = Json::array({*number});
+      if (edit.kind == Edit::Kind::brush) {
+        for (const Edit& part : brushed_[k]) make(part, isShown, step);
+      } else {
+        make(edit, isShown, step);
+      }
     }
+  }
+
+  void make(const Edit& edit, bool isShown, Json& step) {
+    model_.apply(edit);
+    const auto number = edit.kind == Edit::Kind::add ? add(edit) : remove(edit.name);
+    if (isShown && number) step[edit.kind == Edit::Kind::add ? "added" : "removed"].push_back(*number);
   }
 
   std::optional<std::size_t> add(const Edit& edit) {
@@ -230,6 +239,7 @@ class Story {
   const Trace& trace_;
   const PageOptions& options_;
   const Excerpt excerpt_;
+  const std::vector<std::vector<Edit>> brushed_;
   Model model_;
   NaiveReference naive_;
   Tables tables_;

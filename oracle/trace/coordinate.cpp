@@ -14,6 +14,7 @@ using boost::multiprecision::cpp_int;
 constexpr std::size_t kMaxLength = 1'000;
 constexpr int kMaxExponent = 1'000;
 constexpr int kMaxCells = 32'767;  // keeps lattice units within 32 bits; whether they are in the cell is not asked here
+constexpr std::int64_t kMaxWorldCells = std::int64_t{2} * kMaxCell;
 
 bool allDigits(std::string_view s) { return !s.empty() && s.find_first_not_of("0123456789") == std::string_view::npos; }
 
@@ -66,9 +67,7 @@ tl::expected<Ratio, std::string> parseDecimal(std::string_view word) {
   return ratio;
 }
 
-}  // namespace
-
-tl::expected<std::int32_t, std::string> parseCoordinate(std::string_view word) {
+tl::expected<std::int64_t, std::string> parse(std::string_view word, std::int64_t maxCells, const char* tooFar) {
   if (word.size() > kMaxLength) return bad(fmt::format("a number of more than {} characters", kMaxLength));
   const bool negative = word.starts_with('-');
   if (negative) word.remove_prefix(1);
@@ -76,21 +75,33 @@ tl::expected<std::int32_t, std::string> parseCoordinate(std::string_view word) {
   const auto ratio = slash == std::string_view::npos ? parseDecimal(word) : parseFraction(word, slash);
   if (!ratio) return bad(ratio.error());
   const auto& [numerator, denominator] = *ratio;
-  if (numerator > denominator * kMaxCells) return bad("far outside the cell, which is 0 to 1 on both axes");
+  if (numerator > denominator * maxCells) return bad(tooFar);
   // floor(v + 1/2) of the magnitude: nearest, halves away from zero.
   const cpp_int units = (numerator * (2 * kUnitsPerCell) + denominator) / (denominator * 2);
-  const auto magnitude = static_cast<std::int32_t>(units);
+  const auto magnitude = static_cast<std::int64_t>(units);
   return negative ? -magnitude : magnitude;
 }
 
-std::string printCoordinate(std::int32_t units) {
-  const std::int32_t divisor = std::gcd(units, kUnitsPerCell);
-  const std::int32_t numerator = units / divisor;
-  const std::int32_t denominator = kUnitsPerCell / divisor;
+}  // namespace
+
+tl::expected<std::int32_t, std::string> parseCoordinate(std::string_view word) {
+  return parse(word, kMaxCells, "far outside the cell, which is 0 to 1 on both axes").map([](std::int64_t units) {
+    return static_cast<std::int32_t>(units);
+  });
+}
+
+tl::expected<std::int64_t, std::string> parseWorldCoordinate(std::string_view word) {
+  return parse(word, kMaxWorldCells, "far outside of all cells");
+}
+
+std::string printCoordinate(std::int64_t units) {
+  const std::int64_t divisor = std::gcd(units, std::int64_t{kUnitsPerCell});
+  const std::int64_t numerator = units / divisor;
+  const std::int64_t denominator = kUnitsPerCell / divisor;
   if (denominator == 1) return fmt::format("{}", numerator);
-  constexpr std::int32_t kFourPlaces = 16;  // 1/16 = 0.0625
+  constexpr std::int64_t kFourPlaces = 16;  // 1/16 = 0.0625
   if (denominator > kFourPlaces) return fmt::format("{}/{}", numerator, denominator);
-  const std::int64_t tenThousandths = std::abs(std::int64_t{numerator} * (10'000 / denominator));
+  const std::int64_t tenThousandths = std::abs(numerator * (10'000 / denominator));
   std::string text = fmt::format("{}{}.{:04}", units < 0 ? "-" : "", tenThousandths / 10'000, tenThousandths % 10'000);
   text.erase(text.find_last_not_of('0') + 1);
   return text;

@@ -1,5 +1,7 @@
 #include "oracle/trace/model.h"
 
+#include "oracle/trace/brushing.h"
+
 #include <lgs/world.h>
 #include <algorithm>
 
@@ -36,6 +38,8 @@ std::size_t Model::polygonsIn(const CellRect& cells) const {
 Verdict Model::judge(const Edit& edit) const {
   if (edit.kind == Edit::Kind::commit) return {};
   if (edit.kind == Edit::Kind::remove) return {isAlive(edit.name)};
+  if (edit.kind == Edit::Kind::brush)
+    return isOutOfReach(edit.brush) ? Verdict{false, ErrorCode::outOfReach} : Verdict{};
   if (isAlive(edit.name)) return {false};
   const auto& [cell, block, vertices] = edit.polygon;
   if (!inRange(cell)) return {false, ErrorCode::cellOutOfRange, cell};

@@ -32,7 +32,9 @@ class Model {
   /// Why a good shape must be refused in this cell; nothing if it must be accepted.
   std::optional<ErrorCode> refusalIn(Cell cell, std::span<const LocalPolygon> shape) const;
 
-  void apply(const Edit& edit);  ///< the edit must be one that is accepted; a commit does nothing
+  /// The edit must be one that is accepted. A commit does nothing, and neither does a brush: what it did is made as
+  /// removes and adds (brushing.h).
+  void apply(const Edit& edit);
 
   const std::vector<Placed>& in(Cell cell) const;  ///< what stands in a cell, in order of adding
   const std::map<Cell, std::vector<Placed>>& cells() const { return cells_; }  ///< those that are not empty

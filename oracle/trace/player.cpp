@@ -39,6 +39,7 @@ tl::expected<void, TraceError> Player::apply(const Edit& edit) {
 }
 
 tl::expected<void, TraceError> Player::apply(const Step& step) {
+  brushed_ = {};
   auto done = step.isTrial ? Done() : leaveAndComeBack(step);
   if (done) done = wantsGroup(step.chance) ? inGroup(step) : make(step);
   if (done) {
@@ -85,6 +86,7 @@ Player::Done Player::inGroup(const Step& step) {
 }
 
 Player::Done Player::make(const Step& step) {
+  if (step.door == Door::brush) return brush(step.edits.front());
   if (step.door == Door::setBlock) return setBlock(step);
   return step.adds().empty() ? remove(step) : add(step);
 }
@@ -137,8 +139,13 @@ PolygonHandle Player::find(const ScenePolygon& polygon) const {
 }
 
 Player::Done Player::checkNames(const Step& step) const {
-  for (const Edit& edit : step.removes())
-    if (!isAlive(edit.name)) return wrong(fmt::format("there is no polygon named '{}' to remove", edit.name));
+  for (const Edit& edit : step.removes()) {
+    if (isAlive(edit.name)) continue;
+    const auto lost = lost_.find(edit.name);
+    const std::string why = lost == lost_.end() ? "" : "; a brush has changed it, and a changed polygon has no name";
+    const std::string where = why.empty() || lost->second == 0 ? "" : fmt::format(" (line {})", lost->second);
+    return wrong(fmt::format("there is no polygon named '{}' to remove{}{}", edit.name, why, where));
+  }
   for (const Edit& edit : step.adds()) {
     const auto goes = [&](const Edit& remove) { return remove.name == edit.name; };
     if (isAlive(edit.name) && std::ranges::none_of(step.removes(), goes))
@@ -175,6 +182,7 @@ Player::Done Player::setBlock(const Step& step) {
 }
 
 void Player::note(const Edit& add, PolygonHandle handle) {
+  lost_.erase(add.name);
   placed_.add(add.name, add.polygon);
   handles_.emplace(add.name, handle);
 }

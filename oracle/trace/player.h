@@ -16,6 +16,10 @@
 #include <tl/expected.hpp>
 #include <unordered_map>
 
+namespace lgs {
+struct BrushResult;
+}
+
 namespace lgs::oracle {
 
 /// What happened beside the edits, to find out whether anybody notices: how often, by the names that chose it.
@@ -34,6 +38,12 @@ struct Detours {
     repainted += other.repainted;
     return *this;
   }
+};
+
+/// What a brush did, as edits by hand.
+struct Brushed {
+  std::vector<Edit> edits;        ///< removes of what it changed in any way, then adds of what is there now
+  std::vector<std::string> bent;  ///< of those that are removed: what it is said to have bent against law 9
 };
 
 /// An error without a refusal.
@@ -65,6 +75,7 @@ class Player {
   PolygonHandle handleOf(const std::string& name) const { return handles_.at(name); }  ///< of a name alive
   Cell cellOf(const std::string& name) const { return placed_[name].cell; }
   const Detours& detours() const { return detours_; }
+  const Brushed& brushed() const { return brushed_; }    ///< by the last edit; empty if that was none of a brush
   std::size_t shapes() const { return shapes_.size(); }  ///< the number of different ones that the world has made
 
  private:
@@ -78,6 +89,8 @@ class Player {
   Done add(const Step& step);
   Done remove(const Step& step);
   Done setBlock(const Step& step);
+  Done brush(const Edit& edit);
+  Done readBack(const Edit& edit, const BrushResult& result);
   Done checkNames(const Step& step) const;
   Handles call(const Step& step, Block block);
   Handles addByPoints(const Step& step, Block block);
@@ -96,6 +109,9 @@ class Player {
   std::unordered_map<std::string, PolygonHandle> handles_;
   std::map<Shape, ShapeId> shapes_;
   std::set<ShapeId> shapeIds_;
+  Brushed brushed_;
+  std::size_t brushNames_ = 0;               // that were given to what brushes made
+  std::map<std::string, std::size_t> lost_;  // names that brushes have taken away, and the lines of these
   bool pending_ = false;
   std::uint64_t chance_ = 0;  // of the last step
   std::optional<Mark> mark_;

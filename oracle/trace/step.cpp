@@ -29,6 +29,8 @@ const char* describe(Door door) {
       return "replace";
     case Door::setBlock:
       return "setBlock";
+    case Door::brush:
+      return "brush";
   }
   return "";
 }
@@ -54,6 +56,7 @@ std::string randomLetters(std::uint64_t number) {
 }
 
 Door doorOf(const Edit& edit) {
+  if (edit.kind == Edit::Kind::brush) return Door::brush;
   if (edit.kind != Edit::Kind::add) return Door::remove;
   constexpr std::array kDoorsOfOne{Door::points, Door::points, Door::floats,  Door::doubles,
                                    Door::shape,  Door::shape,  Door::handles, Door::fill};

@@ -20,19 +20,20 @@
 namespace lgs::oracle {
 
 enum class Door : std::uint8_t {
-  points,   ///< add() by lattice points
-  floats,   ///< add() by floats, which are exact
-  doubles,  ///< add() by doubles, off the lattice by less than half a unit
-  shape,    ///< shape(), then add() by its id
-  handles,  ///< the same with a span for the handles
-  several,  ///< polygons of one cell and one block as one shape
-  fill,     ///< a rectangle of equal cells
-  remove,   ///< remove()
-  clear,    ///< clear() of a rectangle that holds nothing else
-  replace,  ///< polygons of one cell and one block as one shape, in the place of all that stands there
-  setBlock  ///< a polygon goes and comes back at once, perhaps with another block
+  points,    ///< add() by lattice points
+  floats,    ///< add() by floats, which are exact
+  doubles,   ///< add() by doubles, off the lattice by less than half a unit
+  shape,     ///< shape(), then add() by its id
+  handles,   ///< the same with a span for the handles
+  several,   ///< polygons of one cell and one block as one shape
+  fill,      ///< a rectangle of equal cells
+  remove,    ///< remove()
+  clear,     ///< clear() of a rectangle that holds nothing else
+  replace,   ///< polygons of one cell and one block as one shape, in the place of all that stands there
+  setBlock,  ///< a polygon goes and comes back at once, perhaps with another block
+  brush      ///< paint() or carve(); what that does comes to light afterwards
 };
-inline constexpr std::size_t kDoors = 11;
+inline constexpr std::size_t kDoors = 12;
 
 /// In a word, that of its constant.
 const char* describe(Door door);
@@ -64,12 +65,13 @@ struct Verdict {
 
 struct Step {
   Door door{};
-  std::span<const Edit> edits;  ///< removes, then adds; a commit stands alone. For several and fill: cell by cell
-  CellRect cells;               ///< for fill and clear
-  std::size_t inCell = 1;       ///< for several, fill and replace: how many polygons a cell gets
-  std::uint64_t chance = 0;     ///< chanceOf() the first name
-  unsigned worn = 0;            ///< so many polygons come and go in the first cell before the call
-  std::size_t end = 0;          ///< where the step ends: the number of edits up to its last one
+  std::span<const Edit>
+      edits;                 ///< removes, then adds; a commit or brush stands alone. For several and fill: cell by cell
+  CellRect cells;            ///< for fill and clear
+  std::size_t inCell = 1;    ///< for several, fill and replace: how many polygons a cell gets
+  std::uint64_t chance = 0;  ///< chanceOf() the first name
+  unsigned worn = 0;         ///< so many polygons come and go in the first cell before the call
+  std::size_t end = 0;       ///< where the step ends: the number of edits up to its last one
   Verdict verdict = {};
   bool isTrial = false;  ///< the call must be refused; then its edits come again, one by one
 

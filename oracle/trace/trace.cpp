@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <charconv>
+#include <span>
 #include <tl/expected.hpp>
 
 namespace lgs::oracle {
@@ -65,8 +66,12 @@ class Parser {
       fault = add(words, edit);
     } else if (words[0] == "remove") {
       fault = remove(words, edit);
+    } else if (words[0] == "paint" || words[0] == "carve") {
+      fault = isOfBrushes_ ? brush(words, edit)
+                           : fmt::format("{} needs 'lgs-trace 2' as the first line of the trace", words[0]);
     } else if (words[0] != "commit") {
-      fault = fmt::format("unknown word {}; a line starts with preserve, add, remove, commit or #", quote(words[0]));
+      fault = fmt::format("unknown word {}; a line starts with preserve, add, remove, commit, {}or #", quote(words[0]),
+                          isOfBrushes_ ? "paint, carve " : "");
     } else if (words.size() != 1) {
       fault = fmt::format("commit stands alone on its line; found {} after it", quote(words[1]));
     }
@@ -81,10 +86,11 @@ class Parser {
     if (words[0] != "lgs-trace") {
       return fmt::format("not a trace: the first line must be 'lgs-trace 1', not {}", quote(words[0]));
     }
-    if (words.size() != 2 || words[1] != "1") {
-      return "the first line must be 'lgs-trace 1'; this is the only version there is";
+    if (words.size() != 2 || (words[1] != "1" && words[1] != "2")) {
+      return "the first line must be 'lgs-trace 1', or 'lgs-trace 2' if brushes paint or carve; there are no others";
     }
     sawHeader_ = true;
+    isOfBrushes_ = words[1] == "2";
     return {};
   }
 
@@ -131,6 +137,48 @@ class Parser {
     return {};
   }
 
+  static Fault brush(const std::vector<std::string_view>& words, Edit& edit) {
+    edit.kind = Edit::Kind::brush;
+    std::size_t first = 1;
+    if (words[0] == "paint") {
+      if (words.size() < 3) return "paint needs a block, and fill or replace, before its coordinates";
+      if (Fault fault = readBlock(words[1], edit.brush.block); !fault.empty()) return fault;
+      if (words[2] != "fill" && words[2] != "replace")
+        return fmt::format("paint is in the mode fill or replace, not {}", quote(words[2]));
+      edit.brush.deed = words[2] == "fill" ? BrushEdit::Deed::fill : BrushEdit::Deed::replace;
+      first = 3;
+    }
+    for (std::size_t k = first; k <= words.size();) {
+      const std::size_t end = static_cast<std::size_t>(
+          std::find(words.begin() + static_cast<std::ptrdiff_t>(k), words.end(), "|") - words.begin());
+      const std::span ring = std::span(words).subspan(k, end - k);
+      const std::size_t number = edit.brush.rings.size();
+      if (Fault fault = readRing(ring, number, edit.brush.rings.emplace_back()); !fault.empty()) return fault;
+      k = end + 1;
+    }
+    return {};
+  }
+
+  static Fault readRing(std::span<const std::string_view> words, std::size_t number, std::vector<Point>& out) {
+    if (words.empty()) return fmt::format("ring {} has no coordinates", number);
+    if (words.size() % 2 != 0)
+      return fmt::format("ring {} has {} coordinates: they come in pairs x y, so one is missing or one too many",
+                         number, words.size());
+    for (std::size_t k = 0; k < words.size(); ++k) {
+      const auto units = parseWorldCoordinate(words[k]);
+      if (!units) {
+        return fmt::format("the {} of vertex {} of ring {}, {}: {}", k % 2 == 0 ? 'x' : 'y', k / 2, number,
+                           quote(words[k]), units.error());
+      }
+      if (k % 2 == 0) {
+        out.push_back({*units, 0});
+      } else {
+        out.back().y = *units;
+      }
+    }
+    return {};
+  }
+
   static Fault remove(const std::vector<std::string_view>& words, Edit& edit) {
     if (words.size() != 2) return fmt::format("remove needs one name; found {}", words.size() - 1);
     edit.kind = Edit::Kind::remove;
@@ -140,6 +188,7 @@ class Parser {
 
   ParsedTrace& out_;
   bool sawHeader_ = false;
+  bool isOfBrushes_ = false;  // the version that has them
 };
 
 }  // namespace
@@ -173,8 +222,24 @@ ParsedTrace parseTrace(std::string_view text) {
   return parsed;
 }
 
+namespace {
+
+std::string printBrush(const BrushEdit& brush) {
+  std::string text = "carve ";
+  if (brush.deed != BrushEdit::Deed::carve)
+    text = fmt::format("paint {} {} ", brush.block, brush.deed == BrushEdit::Deed::fill ? "fill" : "replace");
+  for (std::size_t k = 0; k < brush.rings.size(); ++k) {
+    if (k != 0) text += "  |";
+    for (const Point p : brush.rings[k]) text += fmt::format(" {} {}", printCoordinate(p.x), printCoordinate(p.y));
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string printEdit(const Edit& edit) {
   if (edit.kind == Edit::Kind::commit) return "commit";
+  if (edit.kind == Edit::Kind::brush) return printBrush(edit.brush);
   if (edit.kind == Edit::Kind::remove) return "remove " + edit.name;
   const ScenePolygon& polygon = edit.polygon;
   std::string text = fmt::format("add {} {} {} {} ", edit.name, polygon.cell.i, polygon.cell.j, polygon.block);
@@ -184,7 +249,7 @@ std::string printEdit(const Edit& edit) {
 }
 
 std::string printTrace(const Trace& trace) {
-  std::string text = "lgs-trace 1\n";
+  std::string text = hasBrushes(trace) ? "lgs-trace 2\n" : "lgs-trace 1\n";
   for (const auto& [a, b] : trace.preserve.pairs()) text += fmt::format("preserve {} {}\n", a, b);
   for (const Edit& edit : trace.edits) text += printEdit(edit) + '\n';
   return text;

@@ -7,6 +7,15 @@
 //   remove <name>
 //   commit
 //
+// A trace whose first line is `lgs-trace 2` may also hold edits by brushes (<lgs/brush.h>), in coordinates of the world:
+//
+//   paint <block> <fill|replace> <x> <y> <x> <y> … [| <x> <y> …]    x y: in cells; | begins the next ring
+//   carve <x> <y> <x> <y> … [| <x> <y> …]
+//
+// Inside is where the rings run around an odd number of times: so they may run either way around and cross, and a ring
+// within a ring is a hole. A polygon that a brush changes in any way loses its name. What the brush puts there has names
+// that no trace can use.
+//
 // Words are parted by spaces, tabs and commas; a line may end in CR LF. A name is any word, and is unique while its
 // polygon is alive. A coordinate is a decimal (0.25, -1e-3) or a fraction of two integers (1/3), of up to a thousand
 // characters, rounded to the nearest lattice point, halves away from zero. The end of the file commits what is pending.
@@ -15,6 +24,7 @@
 // is played (player.h), and reported with the edit's line.
 #pragma once
 
+#include "oracle/reference/brush_edit.h"
 #include "oracle/reference/scene.h"
 
 #include <lgs/error.h>
@@ -28,20 +38,22 @@
 namespace lgs::oracle {
 
 struct Edit {
-  enum class Kind { add, remove, commit };
+  enum class Kind { add, remove, commit, brush };
   Kind kind = Kind::commit;
   std::string name;      ///< of add and remove
   ScenePolygon polygon;  ///< of add
   std::size_t line = 0;  ///< where it was read; 0 if it was not read from text
+  BrushEdit brush = {};  ///< of brush
 
   static Edit add(std::string name, ScenePolygon polygon) {
     return {Kind::add, std::move(name), std::move(polygon), 0};
   }
   static Edit remove(std::string name) { return {Kind::remove, std::move(name), {}, 0}; }
   static Edit commit() { return {}; }
+  static Edit byBrush(BrushEdit brush) { return {Kind::brush, {}, {}, 0, std::move(brush)}; }
   /// Where an edit was read is no part of what it is.
   friend bool operator==(const Edit& a, const Edit& b) {
-    return a.kind == b.kind && a.name == b.name && a.polygon == b.polygon;
+    return a.kind == b.kind && a.name == b.name && a.polygon == b.polygon && a.brush == b.brush;
   }
 };
 
@@ -68,13 +80,19 @@ struct ParsedTrace {
 
 ParsedTrace parseTrace(std::string_view text);
 
-/// The text that parseTrace() reads back as the same trace.
+/// The text that parseTrace() reads back as the same trace. It is of version 2 if there is an edit by a brush.
 std::string printTrace(const Trace& trace);
 
 /// The line of one edit, without an end of line.
 std::string printEdit(const Edit& edit);
 
-/// How many adds and removes there are; the rest are commits.
+/// Whether there is an edit by a brush.
+inline bool hasBrushes(const Trace& trace) {
+  return std::any_of(trace.edits.begin(), trace.edits.end(),
+                     [](const Edit& edit) { return edit.kind == Edit::Kind::brush; });
+}
+
+/// How many edits there are that are no commits.
 inline std::size_t editCount(const Trace& trace) {
   return static_cast<std::size_t>(std::count_if(trace.edits.begin(), trace.edits.end(),
                                                 [](const Edit& edit) { return edit.kind != Edit::Kind::commit; }));

@@ -35,6 +35,18 @@ TEST(BrushRegion, ARectangleIsTurned) {
   EXPECT_EQ(rectangle({0, 0}, {0, 0}, 2, 1).rings, rectangle({0, 0}, {1, 0}, 2, 1).rings);
 }
 
+TEST(BrushRegion, SizesAreBroughtIntoTheirRange) {
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max(), kLongest = kMaxRegionCells / 2 * kCell;
+  EXPECT_EQ(circle({0, 0}, kMost, 8).rings, circle({0, 0}, kLongest, 8).rings);
+  for (const std::int64_t radius : {std::int64_t{0}, std::int64_t{-5}, -kMost})
+    EXPECT_EQ(circle({0, 0}, radius, 8).rings, circle({0, 0}, 1, 8).rings);
+  EXPECT_EQ(rectangle({0, 0}, {1, 0}, kMost, 0).rings, rectangle({0, 0}, {1, 0}, kLongest, 1).rings);
+  EXPECT_EQ(circle({0, 0}, kCell, -3).rings[0].size(), 8U);
+  EXPECT_EQ(circle({0, 0}, kCell, 5'000).rings[0].size(), 4'096U);
+  EXPECT_EQ(rectangle({0, 0}, {kMaxCoordinate, -kMaxCoordinate}, kCell, 5).rings,
+            rectangle({0, 0}, {1, -1}, kCell, 5).rings);
+}
+
 TEST(BrushRegion, AThickLineHasRoundJoints) {
   const std::vector<Point> points{{0, 0}, {10'000, 0}, {10'000, 10'000}};
   EXPECT_EQ(thickLine(points, 1'000).rings.size(), 5U);
@@ -107,6 +119,7 @@ TEST(Brush, AHoleCarvedIntoABlockIsTold) {
   ASSERT_EQ(carved->changed.size(), 1U);
   EXPECT_EQ(carved->changed[0].old, block);
   EXPECT_EQ(carved->changed[0].now.size(), 2U) << "the hole is cut open";
+  EXPECT_TRUE(carved->bent.empty()) << "it was met";
   EXPECT_EQ(world.at({150, 150}).where, Spot::Where::outside);
   const auto filled = paint(world, box({100, 100}, {200, 200}), 7, PaintMode::fill);
   ASSERT_TRUE(filled.has_value());
@@ -176,6 +189,31 @@ TEST(Brush, APolygonThatAChainWouldRunAroundStays) {
             0U);
 }
 
+TEST(Brush, APolygonThatCanNotStayIsToldAsBent) {
+  EXPECT_EQ(bentByTheLast(Ground::slanted,
+                          {{Deed::carve, 1, {{{{65528, 65526}, {65524, 65524}, {65524, 65525}}}, FillRule::evenOdd}},
+                           {Deed::carve, 1, {{{{65527, 65524}, {65529, 65526}, {65526, 65524}}}, FillRule::evenOdd}}}),
+            1U);
+}
+
+// Where the region meets a line between cells, what closes it there is rounded, and may reach farther than its edges.
+TEST(Brush, APolygonAtARoundedRimPointStays) {
+  World world = worldOf(Ground::slanted);
+  ASSERT_TRUE(brush(world, {Deed::replace, 1, {{{{65571, 65556}, {65511, 65506}, {65561, 65541}}}}}).has_value());
+  const auto before = standingIn(world);
+  const auto beside = std::ranges::find_if(before, [](const auto& p) {
+    return p.second.cell == Cell{1, 1} && p.second.vertices.front() == LocalPoint{11, 0};
+  });
+  ASSERT_NE(beside, before.end());
+  ASSERT_TRUE(brush(world, {Deed::replace,
+                            1,
+                            {{{{65476, 65476}, {65496, 65481}, {65556, 65546}},
+                              {{65571, 65546}, {65476, 65486}, {65476, 65476}},
+                              {{65476, 65476}, {65546, 65536}, {65476, 65536}}}}})
+                  .has_value());
+  EXPECT_TRUE(world.polygon(beside->first).has_value());
+}
+
 TEST(Brush, AnEdgeDoesNotFollowTheRegionAcrossAnotherEdge) {
   World world = worldOf(Ground::slanted);
   for (const Ring& ring :
@@ -183,6 +221,22 @@ TEST(Brush, AnEdgeDoesNotFollowTheRegionAcrossAnotherEdge) {
     ASSERT_TRUE(paint(world, {{ring}, FillRule::evenOdd}, 1, PaintMode::replace).has_value());
   world.commit();
   EXPECT_EQ(world.loops().size(), 1U) << "the ground has no hole";
+}
+
+TEST(Brush, APolygonThatIsDrawnFromAnotherCornerKeepsItsHandle) {
+  World world;
+  const std::vector<LocalPoint> plain{{0, 0}, {900, 0}, {900, 300}, {0, 300}};
+  for (std::size_t first = 0; first < plain.size(); ++first) {
+    std::vector<LocalPoint> turned = plain;
+    std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(first), turned.end());
+    const Cell cell{static_cast<std::int32_t>(first), 0};
+    const PolygonHandle below = *world.add(cell, turned, 1);
+    const std::int64_t x = cell.i * kCell;
+    const auto painted = paint(world, box({x + 100, 300}, {x + 200, 400}), 2, PaintMode::fill);  // stands on it
+    ASSERT_TRUE(painted.has_value());
+    EXPECT_TRUE(painted->changed.empty());
+    EXPECT_TRUE(world.polygon(below).has_value());
+  }
 }
 
 TEST(Brush, FarFromTheOriginAndLarge) {
@@ -201,12 +255,12 @@ TEST(Brush, BadRegionsAreRefusedAndNothingChanges) {
   World world = worldOf(Ground::slanted);
   const auto before = standingIn(world);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<std::vector<DoublePoint>> notANumber{{{0, 0}, {1, 0}, {1, 1}}, {{0, 0}, {1, nan}, {1, 1}}};
+  const std::vector<std::vector<DoublePoint>> notANumber{{{0, 0}, {1, 0}, {1, 1}}, {{0, 0}, {1, 1}, {1, nan}}};
   const auto refused = carve(world, region(notANumber));
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().code, ErrorCode::outOfReach);
   EXPECT_EQ(refused.error().polygon, 1);
-  EXPECT_EQ(refused.error().vertex, 1);
+  EXPECT_EQ(refused.error().vertex, 2);
   const std::int64_t most = kMaxRegionCells * kCell;
   EXPECT_FALSE(carve(world, box({0, 0}, {most + 1, 10})).has_value());
   EXPECT_FALSE(carve(world, box({0, 0}, {10, most + 1})).has_value());

@@ -1,5 +1,5 @@
 // Laws 8 to 11: what a brush leaves of the ground.
-#include "geometry/relation.h"
+#include "oracle/check/reach.h"
 #include "proptests/brush/strokes.h"
 #include "proptests/support/law.h"
 
@@ -21,30 +21,6 @@ LGS_LAW(Brush, Law8RoundsByAUnitAtMost, 400, (const AnyStrokes& strokes)) {
   }
 }
 
-/// Whether the region may have a point in common with the polygon. Rings that enclose nothing count as well.
-bool mayMeet(const Region& region, const std::vector<Point>& polygon) {
-  const auto around = [](Point p, const std::vector<Ring>& rings) {  // where a ray to the right crosses rings
-    int winding = 0;
-    for (const Ring& ring : rings) {
-      for (std::size_t k = 0; k < ring.size(); ++k) {
-        const Point a = ring[k], b = detail::nextVertex(ring, k);
-        if ((a.y <= p.y) == (b.y <= p.y)) continue;
-        if ((detail::orientation(a, b, p) > 0) == (b.y > a.y)) winding += b.y > a.y ? 1 : -1;
-      }
-    }
-    return winding;
-  };
-  for (const Ring& ring : region.rings) {
-    for (std::size_t k = 0; k < ring.size(); ++k)
-      for (std::size_t i = 0; i < polygon.size(); ++i)
-        if (detail::segmentsMeet(ring[k], detail::nextVertex(ring, k), polygon[i], detail::nextVertex(polygon, i)))
-          return true;
-    if (around(ring[0], {polygon}) != 0) return true;
-  }
-  const int winding = around(polygon[0], region.rings);
-  return region.rule == FillRule::evenOdd ? winding % 2 != 0 : winding != 0;
-}
-
 /// Makes the strokes. Looks at what stood before each of them and what stands afterwards.
 template <class Look>
 void afterEach(const AnyStrokes& strokes, const Look& look) {
@@ -62,10 +38,9 @@ LGS_LAW(Brush, Law9WhatIsNotReachedStays, 3'000, (const AnyStrokes& strokes)) {
     for (const auto& [handle, standing] : before) {
       const auto now = after.find(handle);
       if (now != after.end() && now->second == standing) continue;
-      std::vector<Point> polygon;
-      for (const LocalPoint v : standing.vertices) polygon.push_back(toWorld(standing.cell, v));
       const bool isTold = std::ranges::find(result.bent, handle) != result.bent.end();
-      failUnless(isTold || mayMeet(stroke.region, polygon), "a polygon changed that the region does not reach");
+      failUnless(isTold || oracle::mayMeet(editOf(stroke), {standing.cell, standing.block, standing.vertices}),
+                 "a polygon changed that the region does not reach");
     }
   });
 }

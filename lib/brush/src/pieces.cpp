@@ -133,15 +133,14 @@ Pieces withoutSpikes(const Pieces& pieces, FillRule rule) {
   for (std::size_t k = 0; k < all.size();) {
     const std::size_t first = k;
     std::int64_t turns = 0;
-    bool isOfRegion = false;
+    std::size_t shown = first;  // one of the region, if there is any: a line between cells may reach beyond its edge
     for (; k < all.size() && all[k].key() == all[first].key(); ++k) {
       turns += all[k].turns;
-      isOfRegion |= all[k].piece.isOfRegion;
+      if (all[k].piece.isOfRegion) shown = k;
     }
     if (rule == FillRule::evenOdd) turns %= 2;
-    Piece piece = all[first].piece;
-    piece.isOfRegion = isOfRegion;
-    if (turns * all[first].turns < 0) {
+    Piece piece = all[shown].piece;
+    if (turns * all[shown].turns < 0) {
       std::swap(piece.a, piece.b);
       std::swap(piece.start, piece.end);
     }

@@ -1,0 +1,69 @@
+#include "oracle/check/reach.h"
+
+#include "oracle/reference/vector.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+namespace lgs::oracle {
+namespace {
+
+using Ring = std::vector<Point>;
+
+Point after(const Ring& ring, std::size_t k) { return ring[k + 1 == ring.size() ? 0 : k + 1]; }
+
+int sideOf(Point a, Point b, Point p) {
+  const std::int64_t turn = cross(b - a, p - a);
+  return (turn > 0) - (turn < 0);
+}
+
+// Whether two closed segments have a point in common; they may be points themselves.
+bool meet(Point a, Point b, Point c, Point d) {
+  const auto apart = [](std::int64_t p, std::int64_t q, std::int64_t r, std::int64_t s) {
+    return std::max(p, q) < std::min(r, s) || std::max(r, s) < std::min(p, q);
+  };
+  if (apart(a.x, b.x, c.x, d.x) || apart(a.y, b.y, c.y, d.y)) return false;
+  return sideOf(a, b, c) * sideOf(a, b, d) <= 0 && sideOf(c, d, a) * sideOf(c, d, b) <= 0;
+}
+
+bool meet(const Ring& one, const Ring& other) {
+  for (std::size_t k = 0; k < one.size(); ++k)
+    for (std::size_t i = 0; i < other.size(); ++i)
+      if (meet(one[k], after(one, k), other[i], after(other, i))) return true;
+  return false;
+}
+
+// How often rings run around a point that is on none of them.
+int windingAround(Point p, const std::vector<Ring>& rings) {
+  int winding = 0;
+  for (const Ring& ring : rings) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Point a = ring[k], b = after(ring, k);
+      if ((a.y <= p.y) == (b.y <= p.y)) continue;
+      const bool rises = b.y > a.y;  // across a ray to the right
+      if ((sideOf(a, b, p) > 0) == rises) winding += rises ? 1 : -1;
+    }
+  }
+  return winding;
+}
+
+}  // namespace
+
+bool mayMeet(const BrushEdit& brush, const ScenePolygon& polygon) {
+  Ring outline;
+  for (const LocalPoint v : polygon.vertices) outline.push_back(toWorld(polygon.cell, v));
+  for (const Ring& ring : brush.rings)
+    if (!ring.empty() && (meet(ring, outline) || windingAround(ring[0], {outline}) != 0)) return true;
+  const int winding = windingAround(outline[0], brush.rings);
+  return brush.isEvenOdd ? winding % 2 != 0 : winding != 0;
+}
+
+std::string wrongReach(const BrushEdit& brush, const Brushed& done, const NamedScene& before) {
+  for (const Edit& part : done.edits) {
+    if (part.kind != Edit::Kind::remove || std::ranges::find(done.bent, part.name) != done.bent.end()) continue;
+    if (!mayMeet(brush, before[part.name])) return fmt::format("'{}' has changed, but is not reached", part.name);
+  }
+  return "";
+}
+
+}  // namespace lgs::oracle
