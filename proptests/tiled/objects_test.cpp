@@ -227,6 +227,16 @@ TEST(TiledObjectLayers, TheReportTellsAllOfThem) {
             "    objects 3, 4: a point has no area\n");
 }
 
+TEST(TiledObjectLayers, TheProjectsOwnCave) {
+  Options options;
+  options.blockFrom = BlockFrom::tileClass;
+  const auto map = importMap(LGS_SOURCE_DIR "/examples/maps/cave.tmx", options);
+  ASSERT_TRUE(map) << message(map.error());
+  EXPECT_EQ(worldOf(*map).loops().size(), 2U) << "the plank, and all else";
+  EXPECT_EQ(map->report.blocks.size(), 3U);
+  EXPECT_EQ(layerNotes(*map).front(), "Walls 10: an open polyline has no area: close it, or draw a polygon instead");
+}
+
 /// A polygon of a few tiles around a place in pixels, without crossings: a radius for each direction.
 struct Star {
   int x = 0, y = 0, rotation = 0;

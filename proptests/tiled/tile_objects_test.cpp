@@ -1,4 +1,5 @@
-// Tile objects bring the shapes of their tile, scaled, flipped and turned. Templates fill up what an object does not say.
+// Tile objects bring the shapes of their tile, scaled, flipped and turned. Templates fill up what an object does not
+// say.
 #include "maps.h"
 
 namespace lgs::tiled {

@@ -1,5 +1,5 @@
-// A world in which the objects of object layers are painted, each with a brush. So an object may have any size, and what
-// comes later loses what is covered already.
+// A world in which the objects of object layers are painted, each with a brush. So an object may have any size, and
+// what comes later loses what is covered already.
 #pragma once
 
 #include "map_objects.h"

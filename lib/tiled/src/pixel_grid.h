@@ -20,8 +20,8 @@ struct Snapped {
   double nearMiss = 0;  ///< pixels by which a vertex on a grid line misses a corner; 0 if it is too far from one
 };
 
-/// Puts an outline on the lattice. It is in pixels from the cell's lower left corner, y up. `mostCells` is how far away a
-/// vertex may be.
+/// Puts an outline on the lattice. It is in pixels from the cell's lower left corner, y up. `mostCells` is how far away
+/// a vertex may be.
 Snapped snap(const std::vector<DoublePoint>& outline, const PixelGrid& grid, double mostCells);
 
 /// What lies of a polygon in one cell.

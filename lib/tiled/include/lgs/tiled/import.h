@@ -15,11 +15,11 @@
 // polygons, with offsets and rotations. A polyline that ends where it began is a polygon. Ellipses and capsules become
 // polygons of kCurveVertices vertices. A tile without shapes is a full square if Options asks for it: all of them, or
 // those with a property (of the tile, or of its layer).
-//   Object layers hold the same shapes, of any size, and tile objects, which bring the shapes of their tile. Templates
-// are read. Options::objects says which object layers count. By default these are all whose name, class or property
-// has one of the words collision, collider, solid, wall, ground, terrain, blocked in it, such as "InnerWalls".
+//   Object layers hold the same shapes, of any size, and tile objects, which bring the shapes of their tile. Object
+// templates are read. Options::objects says which object layers count. By default these are all whose name, class or
+// property has one of the words collision, collider, solid, wall, ground, terrain, blocked in it, such as "InnerWalls".
 //   The importer leaves out what has no area or is not supported: points, open polylines, texts; in the shapes of a
-// tile also tile objects and templates. The report names them. The importer passes over image layers. Hidden layers and
+// tile also tile objects. The report names them. The importer passes over image layers. Hidden layers and
 // objects count like visible ones. If nothing comes out, Report::suggestions says what looks like collision.
 //
 // WHERE THINGS LAND. One tile of the map's grid is one cell. y points up: the tile in column c and row r of the map is
@@ -32,14 +32,15 @@
 // Both coordinates of a vertex do so independently, so a vertex near a corner lands on the corner. Then each coordinate
 // is rounded once, to the nearest lattice unit. If a polygon still reaches out of its cell, it is cut along the grid.
 // The parts outside go into the neighbouring cells, or they are dropped, as `Options::outside` says.
-//   An object of an object layer is painted with a brush (lgs/brush.h): its outline may cross itself, and what is inside
-// is what Tiled fills. Where its edges cross the grid the rounding is that of the brush, at most one lattice unit.
+//   An object of an object layer is painted with a brush (lgs/brush.h): its outline may cross itself, and what is
+// inside is what Tiled fills. Where its edges cross the grid the rounding is that of the brush, at most one lattice
+// unit.
 //
 // OVERLAPS. Polygons of one cell must not overlap. So what is placed first stays, and what comes later loses the part
 // that is covered already. First come the polygons in their own cells, layer by layer from the bottom to the top; then
-// come the carried parts, then the objects of object layers in the map's order. A cut along a slanted edge is rounded, so the result may miss what was drawn by a few lattice
-// units (a cell has 65,536). Where slanted outlines cross in one cell, rounding can spoil a part altogether. Such a
-// part is left out, and the report says so.
+// come the carried parts, then the objects of object layers in the map's order. A cut along a slanted edge is rounded,
+// so the result may miss what was drawn by a few lattice units (a cell has 65,536). Where slanted outlines cross in one
+// cell, rounding can spoil a part altogether. Such a part is left out, and the report says so.
 //
 // WHAT COMES OUT. Every placement is simple, counter-clockwise, inside its cell, disjoint from the others of its cell,
 // and within World's limits for a cell. So World::add accepts all of them.
@@ -48,7 +49,8 @@
 // error is a value. Maps need not be trusted: sizes are checked before memory is taken, and nothing recurses without a
 // limit.
 //
-// COST. Linear in the number of tiles. Polygons are compared once for each combination of tiles that meet in a cell.
+// COST. Linear in the number of tiles, and in that of the cells that objects reach. Polygons are compared once for each
+// combination of tiles that meet in a cell.
 #pragma once
 
 #include <lgs/ids.h>
@@ -95,8 +97,8 @@ struct Options {
   Outside outside = Outside::carry;
   bool solidWithoutShapes = false;  ///< a tile without any collision object is a full square (true) or empty (false)
 
-  /// Properties, "NAME" or "NAME=VALUE". A tile without any collision object is a full square if it or its layer has one
-  /// of them. "NAME" alone takes any value that is not empty, "false" or "0".
+  /// Properties, "NAME" or "NAME=VALUE". A tile without any collision object is a full square if it or its layer has
+  /// one of them. "NAME" alone takes any value that is not empty, "false" or "0".
   std::vector<std::string> solidIf;
 
   BlockFrom blockFrom = BlockFrom::one;
@@ -107,8 +109,8 @@ struct Options {
   /// them. A game that knows a class gives it a number here, or asks for it: ImportedMap::block("ice").
   std::map<std::string, Block> blocks;
 
-  /// Tile layers to import: names or paths ("Group/Layer") of layers or groups. Empty means all tile layers. A name that
-  /// fits none is an error.
+  /// Tile layers to import: names or paths ("Group/Layer") of layers or groups. Empty means all tile layers. A name
+  /// that fits none is an error.
   std::vector<std::string> layers;
 
   /// Object layers to import: names or paths of layers or groups; an empty list takes none. A name that fits none is an
