@@ -1,4 +1,5 @@
 #include "cli/check_run.h"
+#include "cli/import_options.h"
 #include "cli/progress.h"
 #include "oracle/check/isolated.h"
 #include "oracle/check/shell.h"
@@ -57,16 +58,21 @@ Status dig(const CheckArguments& arguments, const Trace& start, const Checked& d
 }  // namespace
 
 Status checkMap(const CheckArguments& arguments) {
-  const auto read = readWorld(arguments.map);
+  const bool isTiled = arguments.map.ends_with(".tmx");
+  if (!isTiled && !arguments.importArguments.empty()) {
+    return complain("options of the import need a Tiled map (.tmx), not " + arguments.map);
+  }
+  const auto read = isTiled ? readMap(arguments.map, arguments.import, "lgs check --map " + shellWord(arguments.map))
+                            : readWorld(arguments.map);
   if (!read) return complain(read.error());
   const Trace start = withoutBrushes(*read);
   const Capabilities& can = arguments.world.can;
   if (const std::string why = whyNot(withoutRefused(start), can); !why.empty())
     return complain(fmt::format("{}: the engine can not have it: {}", arguments.map, why));
   Checked digging{digIn(start, arguments.edits, arguments.seed, can), fmt::format("mismatch-map-{}", arguments.seed),
-                  fmt::format("{} --map {} --edits {} --seed {} --oracle {} --whole-every {}", commandAgain(arguments),
-                              shellPath(arguments.map), arguments.edits, arguments.seed, arguments.oracleName(),
-                              arguments.options.wholeEvery)};
+                  fmt::format("{} --map {}{} --edits {} --seed {} --oracle {} --whole-every {}",
+                              commandAgain(arguments), shellPath(arguments.map), arguments.importArguments,
+                              arguments.edits, arguments.seed, arguments.oracleName(), arguments.options.wholeEvery)};
   return isolated(
       arguments, arguments.options, [&] { return dig(arguments, start, digging); }, [&] { return digging; });
 }

@@ -8,6 +8,8 @@
 #include "oracle/generate/features.h"
 #include "oracle/generate/generator.h"
 
+#include <lgs/tiled/import.h>
+
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -23,6 +25,8 @@ struct CheckArguments {
   std::uint64_t seed = 1;
   std::optional<std::size_t> onlyCase;
   std::string map;
+  tiled::Options import;        ///< of the map
+  std::string importArguments;  ///< the same, as they were given: " --solid"
   std::string out = "out";
   std::string svg;
   std::string report;  ///< folder of a report on the whole engine; empty: the first mismatch ends the run

@@ -15,7 +15,7 @@ namespace {
 using tiled::ImportedMap;
 using tiled::Placement;
 
-constexpr std::array<std::string_view, 34> kWords{
+constexpr std::array<std::string_view, 36> kWords{
     "<map orientation='orthogonal' width='2' height='2' tilewidth='32' tileheight='32'>",
     "</map>",
     "<tileset firstgid='1' tilewidth='32' tileheight='32'>",
@@ -25,6 +25,8 @@ constexpr std::array<std::string_view, 34> kWords{
     "<tile id='1' type='water'>",
     "</tile>",
     "<objectgroup>",
+    "<objectgroup name='wall'>",
+    "<object id='3' gid='1' x='8' y='40' width='48' height='48'/>",
     "</objectgroup>",
     "<object id='1' x='0' y='0' width='32' height='32'/>",
     "<object id='2' x='1' y='2'>",
@@ -92,7 +94,8 @@ std::optional<Finding> checkMap(const ImportedMap& map, oracle::CheckStats& stat
     const Placement& p = map.placements[k];
     const auto key = [](Cell cell) { return std::pair(cell.j, cell.i); };
     if (k > 0 && key(p.cell) < key(map.placements[k - 1].cell)) return bad("the placements are not sorted by cell");
-    if (p.tile >= map.report.tiles.size() || p.layer >= map.report.layers.size()) return bad("a tile or layer unknown");
+    const bool isTileKnown = p.tile == tiled::kNoTile || p.tile < map.report.tiles.size();
+    if (!isTileKnown || p.layer >= map.report.layers.size()) return bad("a tile or layer unknown");
     const auto added = world.add(p.cell, map.shapes[p.shape], p.block);
     ++stats.edits;
     if (!added) return bad("the world refuses a placement: " + message(added.error()));

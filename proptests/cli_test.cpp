@@ -203,4 +203,41 @@ TEST_F(Command, ImportMakesATrace) {
   expect("check --map m.tmx --edits 50", 0, "no mismatch");
 }
 
+/// A map with a tile without shapes, and an object layer that nothing says is solid.
+constexpr const char* kNothingSolid =
+    "<map orientation='orthogonal' width='2' height='1' tilewidth='16' tileheight='16'>"
+    "<tileset firstgid='1' name='t' tilewidth='16' tileheight='16'><tile id='0'><properties>"
+    "<property name='solid' value='true'/></properties></tile></tileset>"
+    "<layer name='l' width='2' height='1'><data encoding='csv'>1,0</data></layer>"
+    "<objectgroup name='My boxes'><object id='1' x='16' width='16' height='16'/></objectgroup></map>";
+
+TEST_F(Command, AMapWithNothingSolidIsRefusedWithWhatCouldBeTaken) {
+  put("m.tmx", kNothingSolid);
+  expect("import m.tmx -o m.trace", 2, "m.tmx: nothing in it is solid. What could be taken, and how:\n");
+  expect("import m.tmx -o m.trace", 2, "    lgs import m.tmx --solid-if solid\n");
+  EXPECT_FALSE(fs::exists(folder_ / "m.trace"));
+  expect("import m.tmx -o m.trace --allow-empty", 0, "0 polygons");
+  EXPECT_TRUE(fs::exists(folder_ / "m.trace"));
+  expect("check --map m.tmx --edits 9", 2, "    lgs check --map m.tmx --objects 'My boxes'");
+}
+
+TEST_F(Command, CheckTakesTheOptionsOfTheImport) {
+  put("m.tmx", kNothingSolid);
+  const auto polygons = [&](const std::string& options) {
+    const Outcome import = lgs("import m.tmx --report m.txt " + options);
+    EXPECT_EQ(import.status, 0) << import.text;
+    expect("check --map m.tmx --edits 9 " + options, 0, "no mismatch");
+    return get("m.txt").substr(get("m.txt").find('\n') + 3, 10);
+  };
+  EXPECT_EQ(polygons("--solid-if solid"), "1 polygon ");
+  EXPECT_EQ(polygons("--objects 'My boxes'"), "1 polygon ");
+  EXPECT_EQ(polygons("--objects 'My boxes' --solid-if solid=true"), "2 polygons");
+  EXPECT_EQ(polygons("--solid --no-objects --layer l --tolerance 0"), "1 polygon ");
+  expect("import m.tmx --objects none", 2, "has no object layer or group 'none'");
+  expect("import m.tmx --objects 'My boxes' --no-objects", 2, "--objects excludes --no-objects");
+  expect("check --solid", 2, "--map is required");
+  put("t", kTwoSquares);
+  expect("check --map t --solid", 2, "options of the import need a Tiled map (.tmx), not t");
+}
+
 }  // namespace

@@ -29,15 +29,15 @@ TEST(TiledLayers, WhatIsSaidOfThem) {
       "<objectgroup name='O'><object id='1' width='9' height='9'/></objectgroup><imagelayer name='I'/>" +
       "<group name='G' parallaxy='0.5'>" + oneTile("name='D'") + "<objectgroup name='O'/><group name='H'>" +
       oneTile("name='A'") + "</group></group>";
-  const std::string objects = ": an object layer: only tile layers are imported]";
+  const std::string objects = ": neither its name, its class nor a property says that it is solid]";
   EXPECT_EQ(remarks(mustImport(content)),
             (std::vector<std::string>{"A", "B" + slow, "C" + slow, "[O" + objects, "[I: an image]", "G/D" + slow,
                                       "[G/O" + objects, "G/H/A" + slow}));
   Options options;
   options.layers = {"G/H", "B"};
   EXPECT_EQ(remarks(mustImport(content, options)),
-            (std::vector<std::string>{"[A: not chosen]", "B" + slow, "[C: not chosen]", "[O" + objects, "[I: an image]",
-                                      "[G/D: not chosen]", "[G/O" + objects, "G/H/A" + slow}));
+            (std::vector<std::string>{"[A: not chosen]", "B" + slow, "[C: not chosen]", "[O: not chosen]",
+                                      "[I: an image]", "[G/D: not chosen]", "[G/O: not chosen]", "G/H/A" + slow}));
   for (const char* name : {"O", "G/O", "I", ""}) {  // these exist, but have nothing to import
     options.layers = {name};
     EXPECT_EQ(refusalOf(mapXml(content), options),

@@ -24,9 +24,8 @@ class BlockNumbers {
     return numbers_[name] = next_;
   }
 
-  const std::map<std::string, Block>& all() const { return numbers_; }
-  /// The names that Options::blocks does not have.
-  const std::vector<std::string>& asTheyCame() const { return asTheyCame_; }
+  /// Tells the map which names there are, and its report which blocks are used.
+  void report(ImportedMap& map) const;
 
  private:
   std::map<std::string, Block> numbers_;

@@ -1,10 +1,14 @@
 // One import from its beginning to its end: the map's head, the tilesets, the layers tile by tile, then the carried
-// parts.
+// parts, then the objects.
 #include <lgs/tiled/import.h>
 
 #include "block_numbers.h"
 #include "layers.h"
+#include "map_objects.h"
+#include "object_painter.h"
 #include "placer.h"
+#include "snapping_notes.h"
+#include "suggestions.h"
 #include "tile_parts.h"
 
 #include <algorithm>
@@ -16,28 +20,29 @@
 namespace lgs::tiled {
 namespace {
 
-constexpr std::uint32_t kHorizontal = 0x8000'0000, kVertical = 0x4000'0000, kDiagonal = 0x2000'0000;
-constexpr std::uint32_t kFlags = 0xF000'0000;  // and the one that only hexagonal maps use
-
 class Import {
  public:
   Import(const std::string& path, const Options& options, const FileReader& reader)
       : options_(options),
         reader_(reader),
         file_(path, reader, "map", error_),
+        templates_(reader),
         blocks_(options),
         tilesLeft_(options.maxTiles),
-        placementsLeft_(options.maxPlacements) {
+        placementsLeft_(options.maxPlacements),
+        objects_(file_, reader_, tilesets_, templates_, options_),
+        painter_(options.maxPlacements) {
     map_.report.file = path;
   }
 
   tl::expected<ImportedMap, ImportError> run() {
     if (!failed()) readHead();
-    if (!failed()) readTilesets();
+    if (!failed()) tilesets_.read(file_, reader_, templates_, error_);
     if (!failed()) readLayers();
     for (const auto& [cell, entry] : carried_) {
       if (!failed()) placer_.place(cell, entry);
     }
+    if (!failed()) placeObjects();
     if (failed()) return tl::unexpected(std::move(*error_));
     finishReport();
     return std::move(map_);
@@ -51,38 +56,45 @@ class Import {
   };
   struct CurrentLayer {
     std::uint32_t index = 0;
-    std::int64_t columns = 0, rows = 0;                               // the whole tiles of its offset
-    DoublePoint rest;                                                 // the rest of the offset, pixels
+    std::int64_t columns = 0, rows = 0;  // the whole tiles of its offset
+    DoublePoint rest;                    // the rest of the offset, pixels
+    Properties properties;
     std::unordered_map<std::uint32_t, std::vector<Placeable>> ready;  // by tile number with flags
   };
 
   bool failed() const { return error_.has_value(); }
   void readHead();
-  void readTilesets();
   void readLayers();
   void readLayer(const Layer& layer, std::uint32_t index);
+  void readObjects(const Layer& layer, std::uint32_t index);
+  void placeObjects();
+  bool spend(std::size_t placements);
   void placeTile(CurrentLayer& layer, std::int64_t column, std::int64_t row, std::uint32_t gid);
   std::vector<Placeable> placeables(const CurrentLayer& layer, std::uint32_t gid);
-  const TileParts& partsOf(const Tileset& tileset, std::uint32_t gid, DoublePoint rest, TileReport& report);
-  const Tileset* tilesetOf(std::uint32_t number) const;
+  const TileParts& partsOf(const Tileset& tileset, std::uint32_t gid, const CurrentLayer& layer, TileReport& report);
+  Block blockOf(const std::string& className, std::uint32_t layer);
   std::uint32_t reportOf(const Tileset& tileset, std::uint32_t number);
   void finishReport();
-  void reportBlocks();
 
   const Options& options_;
   const FileReader& reader_;
   std::optional<ImportError> error_;
   XmlFile file_;
+  Templates templates_;
   BlockNumbers blocks_;
   std::size_t tilesLeft_;
   std::size_t placementsLeft_;
   PixelGrid grid_;
-  std::vector<Tileset> tilesets_;                                         // by firstGid
-  std::map<std::tuple<std::uint32_t, double, double>, TileParts> parts_;  // by tile number with flags, and offset
-  std::unordered_map<std::uint32_t, std::uint32_t> reportIndex_;          // by tile number
+  Tilesets tilesets_;
+  std::map<std::tuple<std::uint32_t, double, double, bool>, TileParts> parts_;  // by gid, offset, full square or not
+  std::unordered_map<std::uint32_t, std::uint32_t> reportIndex_;                // by tile number
   std::vector<std::pair<Cell, Placer::EntryId>> carried_;
   std::uint64_t strayTiles_ = 0;  // of no tileset
   Placer placer_;
+  MapObjects objects_;
+  ObjectPainter painter_;
+  std::vector<Layer> layers_;
+  Suggestions suggestions_;
   ImportedMap map_;
 };
 
@@ -107,26 +119,45 @@ void Import::readHead() {
   report.tolerance = std::max(grid_.tolerance.x, grid_.tolerance.y);
 }
 
-void Import::readTilesets() {
-  for (const auto node : file_.root().children("tileset")) {
-    tilesets_.push_back(readTileset(file_, node, reader_, error_));
-    if (failed()) return;
-    for (std::size_t i = 0; i + 1 < tilesets_.size(); ++i) {
-      if (tilesets_[i].firstGid == tilesets_.back().firstGid) {
-        return file_.fail(node, "has the same firstgid as the tileset '" + tilesets_[i].name + "'");
-      }
-    }
+void Import::readLayers() {
+  layers_ = listLayers(file_, options_);
+  for (const Layer& layer : layers_) {
+    const auto index = static_cast<std::uint32_t>(map_.report.layers.size());
+    LayerReport& report = map_.report.layers.emplace_back();
+    report = {layer.path, layer.wanted, 0, layer.remark, layer.kind};
+    for (const auto node : layer.node.children("object")) report.objects += !node.empty();
+    if (!layer.wanted || failed()) continue;
+    layer.kind == LayerKind::objects ? readObjects(layer, index) : readLayer(layer, index);
   }
-  std::sort(tilesets_.begin(), tilesets_.end(),
-            [](const Tileset& a, const Tileset& b) { return a.firstGid < b.firstGid; });
 }
 
-void Import::readLayers() {
-  const std::vector<Layer> layers = listLayers(file_, options_.layers);
-  for (const Layer& layer : layers) {
-    map_.report.layers.push_back({layer.path, layer.wanted, 0, layer.remark});
-    if (layer.wanted && !failed()) readLayer(layer, static_cast<std::uint32_t>(map_.report.layers.size() - 1));
+void Import::readObjects(const Layer& layer, std::uint32_t index) {
+  for (const MapShape& shape : objects_.read(layer)) {
+    const Placer::Entry entry{0, blockOf(shape.object.className, index), kNoTile, shape.object.id, index};
+    if (painter_.paint(shape, grid_, entry, map_.report.layers[index])) continue;
+    return file_.fail(layer.node, "its objects are larger than the limit (Options::maxPlacements)");
   }
+}
+
+void Import::placeObjects() {
+  painter_.visit([&](Cell cell, const Polygon& ring, Placer::Entry entry) {
+    if (failed() || !spend(1)) return;
+    entry.shape = placer_.shape(ring);
+    placer_.place(cell, placer_.entry(entry));
+  });
+}
+
+bool Import::spend(std::size_t placements) {
+  const bool enough = placements <= placementsLeft_;
+  if (!enough) file_.fail(file_.root(), "the map has more polygons than the limit (Options::maxPlacements)");
+  placementsLeft_ -= enough ? placements : 0;
+  return enough;
+}
+
+Block Import::blockOf(const std::string& className, std::uint32_t layer) {
+  if (options_.blockFrom == BlockFrom::tileClass) return blocks_.of(className);
+  if (options_.blockFrom == BlockFrom::layer) return blocks_.of(map_.report.layers[layer].path);
+  return 1;
 }
 
 void Import::readLayer(const Layer& layer, std::uint32_t index) {
@@ -140,6 +171,7 @@ void Import::readLayer(const Layer& layer, std::uint32_t index) {
                        static_cast<std::int64_t>(columns),
                        static_cast<std::int64_t>(rows),
                        {layer.offset.x - columns * grid_.tile.x, layer.offset.y - rows * grid_.tile.y},
+                       propertiesOf(layer.node),
                        {}};
   LayerReport& report = map_.report.layers[index];
   if (current.rest.x != 0 || current.rest.y != 0) {
@@ -153,8 +185,8 @@ void Import::readLayer(const Layer& layer, std::uint32_t index) {
 }
 
 void Import::placeTile(CurrentLayer& layer, std::int64_t column, std::int64_t row, std::uint32_t gid) {
-  const std::uint32_t number = gid & ~kFlags;
-  const Tileset* tileset = tilesetOf(number);
+  const std::uint32_t number = tileNumber(gid);
+  const Tileset* tileset = tilesets_.of(number);
   if (!tileset) {
     ++strayTiles_;
     return;
@@ -163,10 +195,7 @@ void Import::placeTile(CurrentLayer& layer, std::int64_t column, std::int64_t ro
   ++map_.report.tiles[reportIndex].uses;
   auto ready = layer.ready.find(gid);
   if (ready == layer.ready.end()) ready = layer.ready.emplace(gid, placeables(layer, gid)).first;
-  if (ready->second.size() > placementsLeft_) {
-    return file_.fail(file_.root(), "the map has more polygons than the limit (Options::maxPlacements)");
-  }
-  placementsLeft_ -= ready->second.size();
+  if (!spend(ready->second.size())) return;
   for (const Placeable& part : ready->second) {
     const Cell cell{static_cast<std::int32_t>(column + part.shift.i),
                     static_cast<std::int32_t>(-1 - row + part.shift.j)};
@@ -179,44 +208,30 @@ void Import::placeTile(CurrentLayer& layer, std::int64_t column, std::int64_t ro
 }
 
 std::vector<Import::Placeable> Import::placeables(const CurrentLayer& layer, std::uint32_t gid) {
-  const std::uint32_t number = gid & ~kFlags;
+  const std::uint32_t number = tileNumber(gid);
   const std::uint32_t tile = reportIndex_[number];
   std::vector<Placeable> result;
-  for (const TilePart& part : partsOf(*tilesetOf(number), gid, layer.rest, map_.report.tiles[tile]).parts) {
-    Placer::Entry entry{placer_.shape(part.part.ring), 1, tile, part.object, layer.index};
-    if (options_.blockFrom == BlockFrom::tileClass) entry.block = blocks_.of(part.className);
-    if (options_.blockFrom == BlockFrom::layer) entry.block = blocks_.of(map_.report.layers[layer.index].path);
+  for (const TilePart& part : partsOf(*tilesets_.of(number), gid, layer, map_.report.tiles[tile]).parts) {
+    const Placer::Entry entry{placer_.shape(part.part.ring), blockOf(part.className, layer.index), tile, part.object,
+                              layer.index};
     result.push_back({part.part.shift, placer_.entry(entry)});
   }
   return result;
 }
 
-const TileParts& Import::partsOf(const Tileset& tileset, std::uint32_t gid, DoublePoint rest, TileReport& report) {
-  const auto [at, isNew] = parts_.try_emplace({gid, rest.x, rest.y});
+const TileParts& Import::partsOf(const Tileset& tileset, std::uint32_t gid, const CurrentLayer& layer,
+                                 TileReport& report) {
+  Tile tile = tileAt(tileset, tileNumber(gid) - tileset.firstGid);
+  const bool solid = isSolidAsAsked(tile, layer.properties, options_);
+  report.isSolid = report.isSolid || solid;
+  const auto [at, isNew] = parts_.try_emplace({gid, layer.rest.x, layer.rest.y, solid});
   if (!isNew) return at->second;
-  const auto found = tileset.tiles.find((gid & ~kFlags) - tileset.firstGid);
-  Tile tile = found == tileset.tiles.end() ? Tile{} : found->second;
-  if (tile.size.x == 0 || tile.size.y == 0) tile.size = tileset.tileSize;
-  if (tile.objects.empty() && options_.solidWithoutShapes) tile.objects.emplace_back().size = tile.size;
-  ImageFrame frame{tile.size,
-                   {(gid & kHorizontal) != 0, (gid & kVertical) != 0, (gid & kDiagonal) != 0},
-                   {1, 1},
-                   {tileset.offset.x + rest.x, tileset.offset.y + rest.y}};
-  if (tileset.fitToGrid) {
-    const DoublePoint box = frame.flips.diagonal ? DoublePoint{tile.size.y, tile.size.x} : tile.size;
-    frame.scale = {grid_.tile.x / box.x, grid_.tile.y / box.y};
-  }
+  if (solid) tile.objects.push_back(fullSquare(tile));
+  ImageFrame frame{tile.size, flipsOf(gid), {1, 1}, {tileset.offset.x + layer.rest.x, tileset.offset.y + layer.rest.y}};
+  if (tileset.fitToGrid) frame.scaleTo(grid_.tile);
   at->second = tileParts(tile, frame, grid_, options_);
   if (report.notes.empty()) report.notes = at->second.notes;  // the same tile flipped another way has the same notes
   return at->second;
-}
-
-const Tileset* Import::tilesetOf(std::uint32_t number) const {
-  const auto next = std::upper_bound(tilesets_.begin(), tilesets_.end(), number,
-                                     [](std::uint32_t n, const Tileset& t) { return n < t.firstGid; });
-  if (next == tilesets_.begin()) return nullptr;
-  const Tileset& tileset = *(next - 1);
-  return tileset.tileCount == 0 || number - tileset.firstGid < tileset.tileCount ? &tileset : nullptr;
 }
 
 std::uint32_t Import::reportOf(const Tileset& tileset, std::uint32_t number) {
@@ -230,6 +245,7 @@ std::uint32_t Import::reportOf(const Tileset& tileset, std::uint32_t number) {
     if (tile != tileset.tiles.end()) {
       report.className = tile->second.className;
       report.hasShapes = !tile->second.objects.empty();
+      if (!report.hasShapes) suggestions_.see(at->second, tile->second.properties);
     }
   }
   return at->second;
@@ -239,34 +255,15 @@ void Import::finishReport() {
   placer_.finish(map_);
   Report& report = map_.report;
   if (strayTiles_ > 0) report.notes.push_back(std::to_string(strayTiles_) + " tiles belong to no tileset of the map");
-  for (TileReport& tile : report.tiles) {
-    std::stable_sort(tile.notes.begin(), tile.notes.end(), [](const Note& a, const Note& b) {
+  const auto sort = [](std::vector<Note>& notes) {
+    std::stable_sort(notes.begin(), notes.end(), [](const Note& a, const Note& b) {
       return std::pair(a.kind, a.object) < std::pair(b.kind, b.object);
     });
-  }
-  reportBlocks();
-}
-
-void Import::reportBlocks() {
-  Report& report = map_.report;
-  map_.blocks = blocks_.all();
-  const auto listed = [](std::string& names, const std::string& name) {
-    names += (names.empty() ? "" : ", ") + (name.empty() ? "(no class)" : name);
   };
-  if (std::string names; !blocks_.asTheyCame().empty()) {
-    for (const std::string& name : blocks_.asTheyCame()) listed(names, name);
-    report.notes.push_back("blocks are numbered in the order of their first use: " + names +
-                           ". An edit of the map may change the numbers. Choose them, or look them up by name");
-  }
-  std::map<Block, std::uint64_t> polygons;
-  for (const Placement& placement : map_.placements) ++polygons[placement.block];
-  for (const auto& [block, count] : polygons) {
-    std::string names;
-    for (const auto& [name, number] : blocks_.all()) {
-      if (number == block) listed(names, name);
-    }
-    report.blocks.push_back({std::move(names), block, count});
-  }
+  for (TileReport& tile : report.tiles) sort(tile.notes);
+  for (LayerReport& layer : report.layers) sort(layer.notes);
+  blocks_.report(map_);
+  if (map_.placements.empty()) report.suggestions = suggestions_.make(layers_, report);
 }
 
 }  // namespace

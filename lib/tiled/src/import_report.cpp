@@ -2,6 +2,7 @@
 #include <lgs/tiled/import.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace lgs::tiled {
 namespace {
@@ -39,9 +40,11 @@ void appendHead(const Report& report, std::string& out) {
   for (const LayerReport& layer : report.layers) width = std::max(width, columns(layer.path));
   for (const LayerReport& layer : report.layers) {
     out += "  layer " + padded(layer.path, width) + "  ";
-    if (layer.imported) out += counted(layer.tiles, "tile", "tiles");
-    if (!layer.imported) out += "passed over: ";
-    if (layer.imported && !layer.note.empty()) out += "; ";
+    const bool ofObjects = layer.kind == LayerKind::objects;
+    const std::string holds =
+        ofObjects ? counted(layer.objects, "object", "objects") : counted(layer.tiles, "tile", "tiles");
+    if (layer.imported) out += holds + (layer.note.empty() ? "" : "; ");
+    if (!layer.imported) out += "passed over" + (ofObjects ? ", " + holds : "") + ": ";
     out += layer.note + "\n";
   }
   width = 0;
@@ -54,9 +57,39 @@ void appendHead(const Report& report, std::string& out) {
   for (const std::string& note : report.notes) out += "  note: " + note + "\n";
 }
 
+/// The wanted notes of an object layer. Objects of which the same is to be said share a line.
+template <class Wanted>
+std::string layerNotes(const LayerReport& layer, Wanted&& wanted) {
+  constexpr std::size_t kMostNamed = 12;
+  std::vector<std::pair<std::string, std::vector<std::uint32_t>>> lines;
+  for (const Note& note : layer.notes) {
+    if (!wanted(note.kind)) continue;
+    const std::string text = note.text + where(note);
+    const auto same = std::find_if(lines.begin(), lines.end(), [&](const auto& line) { return line.first == text; });
+    (same == lines.end() ? lines.emplace_back(text, 0) : *same).second.push_back(note.object);
+  }
+  std::string out;
+  for (const auto& [text, objects] : lines) {
+    out += objects.size() == 1 ? "    object " : "    objects ";
+    for (std::size_t k = 0; k < std::min(kMostNamed, objects.size()); ++k) {
+      out += (k == 0 ? "" : ", ") + std::to_string(objects[k]);
+    }
+    if (objects.size() > kMostNamed) out += " and " + std::to_string(objects.size() - kMostNamed) + " more";
+    out += ": " + text + "\n";
+  }
+  return out;
+}
+
 template <class Wanted>
 void appendNotes(const Report& report, const char* title, Wanted&& wanted, std::string& out) {
   bool titled = false;
+  for (const LayerReport& layer : report.layers) {
+    const std::string notes = layerNotes(layer, wanted);
+    if (notes.empty()) continue;
+    if (!titled) out += std::string("\n") + title + "\n";
+    titled = true;
+    out += "  layer " + layer.path + "\n" + notes;
+  }
   for (const TileReport& tile : report.tiles) {
     bool named = false;
     for (const Note& note : tile.notes) {
@@ -72,23 +105,33 @@ void appendNotes(const Report& report, const char* title, Wanted&& wanted, std::
   }
 }
 
-void appendShapeless(const Report& report, std::string& out) {
+void appendShapeless(const Report& report, bool solid, const char* title, std::string& out) {
   std::vector<const TileReport*> shapeless;
   std::uint64_t uses = 0;
   for (const TileReport& tile : report.tiles) {
-    if (tile.hasShapes) continue;
+    if (tile.hasShapes || tile.isSolid != solid) continue;
     shapeless.push_back(&tile);
     uses += tile.uses;
   }
   if (shapeless.empty()) return;
   constexpr std::size_t kMostNamed = 12;
-  out += "\nWithout collision shapes: " + counted(shapeless.size(), "tile", "tiles") + ", " +
+  out += std::string("\n") + title + ": " + counted(shapeless.size(), "tile", "tiles") + ", " +
          counted(uses, "use", "uses") + "\n ";
   for (std::size_t i = 0; i < std::min(kMostNamed, shapeless.size()); ++i) {
     out += (i == 0 ? " " : ", ") + tileName(*shapeless[i]);
   }
   if (shapeless.size() > kMostNamed) out += " and " + std::to_string(shapeless.size() - kMostNamed) + " more";
   out += "\n";
+}
+
+void appendSuggestions(const Report& report, std::string& out) {
+  if (report.suggestions.empty()) return;
+  out += "\nNothing came out. What could be taken, and how:\n";
+  for (const Suggestion& suggestion : report.suggestions) {
+    out += "  " + suggestion.text + "\n   ";
+    for (const std::string& argument : suggestion.arguments) out += " " + argument;
+    out += "\n";
+  }
 }
 
 }  // namespace
@@ -103,7 +146,9 @@ std::string toText(const Report& report) {
       out);
   appendNotes(
       report, "Worth a look:", [](NoteKind kind) { return kind == NoteKind::nearMiss; }, out);
-  appendShapeless(report, out);
+  appendShapeless(report, true, "Full squares, as asked", out);
+  appendShapeless(report, false, "Without collision shapes", out);
+  appendSuggestions(report, out);
   return out;
 }
 

@@ -1,6 +1,7 @@
 #include "layers.h"
 
 #include "encoding.h"
+#include "properties.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,15 +12,45 @@ namespace {
 constexpr int kMaxDepth = 64;               // of groups in groups
 constexpr std::int64_t kMaxSide = 1 << 28;  // of a layer, and of a chunk's place; far below kMaxCell
 
+/// Names that were asked for, and which of them fit a layer.
+class Names {
+ public:
+  explicit Names(const std::vector<std::string>& names) : names_(names), found_(names.size(), false) {}
+
+  bool fit(const std::string& name, const std::string& path) {
+    bool any = false;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (names_[i] != name && names_[i] != path) continue;
+      found_[i] = any = true;
+    }
+    return any;
+  }
+
+  void checkAll(const XmlFile& file, const std::string& kind) const {
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (!found_[i]) file.fail(file.root(), "has no " + kind + " layer or group '" + names_[i] + "'");
+    }
+  }
+
+ private:
+  const std::vector<std::string>& names_;
+  std::vector<bool> found_;
+};
+
 /// Goes through the tree of groups.
 class Lister {
  public:
-  Lister(const XmlFile& file, const std::vector<std::string>& names)
-      : file_(file), names_(names), found_(names.size(), false) {}
+  Lister(const XmlFile& file, const Options& options)
+      : file_(file),
+        objectsAreNamed_(options.objects.has_value()),
+        objectNames_(options.objects.value_or(std::vector<std::string>{})),
+        tiles_(options.layers),
+        objects_(objectNames_) {}
 
   struct Parent {
     std::string path;
-    bool wanted;
+    bool wanted;         // its tile layers
+    bool objectsWanted;  // its object layers, by name
     DoublePoint offset;
     bool parallax;
     int depth;
@@ -28,18 +59,19 @@ class Lister {
   void list(pugi::xml_node node, const Parent& parent) {
     for (const auto child : node.children()) {
       const std::string_view kind = child.name();
-      const bool group = kind == "group";
-      if (!group && kind != "layer" && kind != "objectgroup" && kind != "imagelayer") continue;
+      const bool group = kind == "group", tiles = kind == "layer", objects = kind == "objectgroup";
+      if (!group && !tiles && !objects && kind != "imagelayer") continue;
       const std::string name = child.attribute("name").value();
       Parent self{parent.path.empty() ? name : parent.path + "/" + name,
-                  false,
+                  parent.wanted,
+                  parent.objectsWanted,
                   {parent.offset.x + file_.real(child, "offsetx"), parent.offset.y + file_.real(child, "offsety")},
                   parent.parallax || scrollsApart(child),
                   parent.depth + 1};
-      const bool asked = fits(name, self.path, group || kind == "layer");
-      self.wanted = parent.wanted || asked;
+      if (group || tiles) self.wanted = tiles_.fit(name, self.path) || self.wanted;
+      if (group || objects) self.objectsWanted = objects_.fit(name, self.path) || self.objectsWanted;
       if (!group) {
-        add(child, kind, self);
+        add(child, tiles ? LayerKind::tiles : objects ? LayerKind::objects : LayerKind::image, self);
       } else if (self.depth > kMaxDepth) {
         file_.fail(child, "groups are nested too deeply");
       } else {
@@ -49,9 +81,8 @@ class Lister {
   }
 
   std::vector<Layer> finish() {
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      if (!found_[i]) file_.fail(file_.root(), "has no tile layer or group '" + names_[i] + "'");
-    }
+    tiles_.checkAll(file_, "tile");
+    objects_.checkAll(file_, "object");
     return std::move(layers_);
   }
 
@@ -60,32 +91,40 @@ class Lister {
     return node.attribute("parallaxx").as_double(1) != 1 || node.attribute("parallaxy").as_double(1) != 1;
   }
 
-  bool fits(const std::string& name, const std::string& path, bool choosable) {
-    bool any = false;
-    for (std::size_t i = 0; i < names_.size() && choosable; ++i) {
-      if (names_[i] != name && names_[i] != path) continue;
-      found_[i] = any = true;
-    }
-    return any;
-  }
-
-  void add(pugi::xml_node node, std::string_view kind, const Parent& self) {
-    Layer layer{node, self.path, kind == "layer" && self.wanted, self.offset, {}};
-    if (kind == "objectgroup") {
-      layer.remark = "an object layer: only tile layers are imported";
-    } else if (kind == "imagelayer") {
+  void add(pugi::xml_node node, LayerKind kind, const Parent& self) {
+    Layer layer{node, self.path, kind, kind == LayerKind::tiles && self.wanted, self.offset, {}};
+    if (kind == LayerKind::objects) {
+      chooseObjects(layer, self);
+    } else if (kind == LayerKind::image) {
       layer.remark = "an image";
     } else if (!self.wanted) {
       layer.remark = "not chosen";
-    } else if (self.parallax) {
-      layer.remark = "scrolls at its own speed (parallax); imported where it stands in the editor";
+    }
+    if (layer.wanted && self.parallax) {
+      layer.remark += std::string(layer.remark.empty() ? "" : "; ") +
+                      "scrolls at its own speed (parallax); imported where it stands in the editor";
     }
     layers_.push_back(std::move(layer));
   }
 
+  void chooseObjects(Layer& layer, const Parent& self) const {
+    if (objectsAreNamed_) {
+      layer.wanted = self.objectsWanted;
+      layer.remark = layer.wanted ? "chosen" : "not chosen";
+    } else if (!self.wanted) {
+      layer.remark = "not chosen";
+    } else {
+      layer.remark = whySolid(layer.node);
+      layer.wanted = !layer.remark.empty();
+      if (!layer.wanted) layer.remark = "neither its name, its class nor a property says that it is solid";
+    }
+  }
+
   const XmlFile& file_;
-  const std::vector<std::string>& names_;
-  std::vector<bool> found_;
+  bool objectsAreNamed_;
+  std::vector<std::string> objectNames_;
+  Names tiles_;
+  Names objects_;
   std::vector<Layer> layers_;
 };
 
@@ -131,9 +170,9 @@ void readRect(const XmlFile& file, pugi::xml_node data, const TileRect& rect, st
 
 }  // namespace
 
-std::vector<Layer> listLayers(const XmlFile& file, const std::vector<std::string>& wanted) {
-  Lister lister(file, wanted);
-  lister.list(file.root(), {"", wanted.empty(), {}, false, 0});
+std::vector<Layer> listLayers(const XmlFile& file, const Options& options) {
+  Lister lister(file, options);
+  lister.list(file.root(), {"", options.layers.empty(), false, {}, false, 0});
   return lister.finish();
 }
 

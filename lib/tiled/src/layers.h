@@ -10,14 +10,15 @@ namespace lgs::tiled {
 struct Layer {
   pugi::xml_node node;
   std::string path;  ///< "Group/Layer"
+  LayerKind kind{};
   bool wanted = false;
   DoublePoint offset;  ///< pixels, y down; the sum of its own and those of its groups
-  std::string remark;  ///< for the report: why it is passed over, or what is special about it
+  std::string remark;  ///< for the report: why it is taken or passed over, or what is special about it
 };
 
-/// All layers of a map in the map's order, with those that are passed over. If a name of `wanted` fits no layer, the
+/// All layers of a map in the map's order, with those that are passed over. If a name in the options fits no layer, the
 /// file keeps an error.
-std::vector<Layer> listLayers(const XmlFile& file, const std::vector<std::string>& wanted);
+std::vector<Layer> listLayers(const XmlFile& file, const Options& options);
 
 /// Receives the tiles that are not empty, row by row. The number still holds the flags for flipping.
 using TileSink = std::function<void(std::int64_t column, std::int64_t row, std::uint32_t gid)>;

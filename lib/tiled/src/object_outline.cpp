@@ -59,14 +59,31 @@ std::vector<DoublePoint> outline(const CollisionObject& object) {
       points = roundedBox(size, {radius, radius});
       break;
     }
+    case Kind::tile:
     case Kind::unsupported:
       break;
   }
-  const auto [cosine, sine] = turn(object.rotation);
   for (DoublePoint& p : points) {
-    p = {object.at.x + p.x * cosine - p.y * sine, object.at.y + p.x * sine + p.y * cosine};
+    const DoublePoint q = turned(p, object.rotation);
+    p = {object.at.x + q.x, object.at.y + q.y};
   }
   return points;
+}
+
+DoublePoint turned(DoublePoint p, double degrees) {
+  const auto [cosine, sine] = turn(degrees);
+  return {p.x * cosine - p.y * sine, p.x * sine + p.y * cosine};
+}
+
+std::uint32_t tileNumber(std::uint32_t gid) { return gid & 0x0FFF'FFFF; }  // one flag is only for hexagonal maps
+
+Flips flipsOf(std::uint32_t gid) {
+  return {(gid & 0x8000'0000) != 0, (gid & 0x4000'0000) != 0, (gid & 0x2000'0000) != 0};
+}
+
+void ImageFrame::scaleTo(DoublePoint size) {
+  const DoublePoint box = flips.diagonal ? DoublePoint{image.y, image.x} : image;
+  scale = {size.x / box.x, size.y / box.y};
 }
 
 DoublePoint ImageFrame::toCell(DoublePoint p) const {

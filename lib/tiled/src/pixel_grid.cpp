@@ -49,7 +49,7 @@ void slice(const Polygon& ring, bool upright, Sink&& sink) {
 
 }  // namespace
 
-Snapped snap(const std::vector<DoublePoint>& outline, const PixelGrid& grid) {
+Snapped snap(const std::vector<DoublePoint>& outline, const PixelGrid& grid, double mostCells) {
   Snapped result;
   const auto isNear = [&](double missX, double missY) {
     // It is on one line and misses the other by at most twice the tolerance, and by so little that it is hardly meant.
@@ -60,7 +60,7 @@ Snapped snap(const std::vector<DoublePoint>& outline, const PixelGrid& grid) {
   };
   for (const DoublePoint& p : outline) {
     // Huge coordinates can become not-a-number. The comparison is false for it, so that it counts as too far.
-    if (!(std::fabs(p.x) <= kMaxReach * grid.tile.x && std::fabs(p.y) <= kMaxReach * grid.tile.y)) {
+    if (!(std::fabs(p.x) <= mostCells * grid.tile.x && std::fabs(p.y) <= mostCells * grid.tile.y)) {
       result.tooFar = true;
       result.ring.clear();
       return result;

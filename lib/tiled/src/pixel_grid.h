@@ -14,14 +14,15 @@ struct PixelGrid {
 /// A polygon on the lattice, and how it got there.
 struct Snapped {
   Polygon ring;         ///< lattice units from the cell's lower left corner
-  bool tooFar = false;  ///< a vertex is further than kMaxReach cells away; then the ring is empty
+  bool tooFar = false;  ///< a vertex is too far away; then the ring is empty
   int moved = 0;        ///< how many coordinates snapped to the grid
   double furthest = 0;  ///< pixels that one of them moved
   double nearMiss = 0;  ///< pixels by which a vertex on a grid line misses a corner; 0 if it is too far from one
 };
 
-/// Puts an outline on the lattice. It is in pixels from the cell's lower left corner, y up.
-Snapped snap(const std::vector<DoublePoint>& outline, const PixelGrid& grid);
+/// Puts an outline on the lattice. It is in pixels from the cell's lower left corner, y up. `mostCells` is how far away
+/// a vertex may be.
+Snapped snap(const std::vector<DoublePoint>& outline, const PixelGrid& grid, double mostCells);
 
 /// What lies of a polygon in one cell.
 struct CellPart {

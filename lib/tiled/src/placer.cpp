@@ -111,7 +111,7 @@ bool Placer::fits(const Content& content, const Polygon& ring) const {
 
 void Placer::count(EntryId entry, Cell cell, NoteKind kind, std::string_view text) {
   const Entry& of = entries_[entry];
-  Note& note = notes_[{of.tile, of.object, text}];
+  Note& note = notes_[{of.tile, of.tile == kNoTile ? of.layer : 0, of.object, text}];
   if (note.places == 0) note = {kind, of.object, 0, 0, cell, std::string(text)};
   ++note.places;
 }
@@ -140,7 +140,10 @@ void Placer::finish(ImportedMap& map) {
       map.placements.push_back({cell, e.block, number[e.shape], e.tile, e.object, e.layer});
     }
   }
-  for (auto& [key, note] : notes_) report.tiles[std::get<0>(key)].notes.push_back(std::move(note));
+  for (auto& [key, note] : notes_) {
+    const auto [tile, layer, object, text] = key;
+    (tile == kNoTile ? report.layers[layer].notes : report.tiles[tile].notes).push_back(std::move(note));
+  }
   report.cells = order.size();
   report.polygons = map.placements.size();
   report.shapes = map.shapes.size();

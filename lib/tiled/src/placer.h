@@ -69,7 +69,8 @@ class Placer {
   std::map<Content, ContentId> contentIds_;
   std::unordered_map<std::uint64_t, Step> steps_;
   std::unordered_map<Cell, ContentId, CellHash> cells_;
-  std::map<std::tuple<std::uint32_t, std::uint32_t, std::string_view>, Note> notes_;  // by tile, object, text
+  using NoteKey = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::string_view>;
+  std::map<NoteKey, Note> notes_;  // by tile, layer (if there is no tile), object, text
 };
 
 }  // namespace lgs::tiled

@@ -1,8 +1,8 @@
 #include "tile_parts.h"
 
+#include "snapping_notes.h"
+
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace lgs::tiled {
@@ -25,39 +25,23 @@ class ObjectImport {
       : tile_(tile), object_(object), result_(result) {}
 
   void run(const ImageFrame& frame, const PixelGrid& grid, const Options& options) {
+    if (object_.kind == CollisionObject::Kind::tile) {
+      return note(NoteKind::leftOut, 0, "it is a tile object: draw a shape instead");
+    }
     if (object_.kind == CollisionObject::Kind::unsupported) return note(NoteKind::leftOut, 0, object_.unsupported);
     std::vector<DoublePoint> points = outline(object_);
     for (DoublePoint& p : points) p = frame.toCell(p);
-    Snapped snapped = snap(points, grid);
+    Snapped snapped = snap(points, grid, kMaxReach);
     if (snapped.tooFar) {
       return note(NoteKind::leftOut, 0, "it reaches more than " + std::to_string(kMaxReach) + " cells out of its cell");
     }
-    noteSnapping(snapped);
+    noteSnapping(object_, snapped, result_.notes);
     for (const Polygon& loop : checkedLoops(std::move(snapped.ring))) place(loop, grid, options.outside);
   }
 
  private:
   void note(NoteKind kind, double amount, std::string text) {
     result_.notes.push_back({kind, object_.id, amount, 0, {}, std::move(text)});
-  }
-
-  void noteSnapping(const Snapped& snapped) {
-    using Kind = CollisionObject::Kind;
-    if (object_.kind == Kind::ellipse || object_.kind == Kind::capsule) {
-      note(NoteKind::approximated, 0,
-           std::string(object_.kind == Kind::ellipse ? "an ellipse" : "a capsule") + " became a polygon of " +
-               std::to_string(kCurveVertices) + " vertices");
-    }
-    if (snapped.moved > 0) {
-      note(NoteKind::snapped, snapped.furthest,
-           std::to_string(snapped.moved) + (snapped.moved == 1 ? " coordinate" : " coordinates") +
-               " put on the grid, by up to " + pixels(snapped.furthest));
-    }
-    if (snapped.nearMiss > 0) {
-      note(NoteKind::nearMiss, snapped.nearMiss,
-           "a vertex misses a corner by " + pixels(snapped.nearMiss) + ": a tolerance of " +
-               pixels(std::ceil(snapped.nearMiss * 10) / 10) + " would join it");
-    }
   }
 
   /// The outline as simple counter-clockwise loops; there are several if it touches itself in a vertex. None if it
@@ -112,15 +96,6 @@ TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& 
   TileParts result;
   for (const CollisionObject& object : tile.objects) ObjectImport(tile, object, result).run(frame, grid, options);
   return result;
-}
-
-std::string pixels(double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.2f", std::fmin(value, 1e9));
-  std::string result = text;
-  result.erase(result.find_last_not_of('0') + 1);
-  if (result.ends_with('.')) result.pop_back();
-  return result + " px";
 }
 
 }  // namespace lgs::tiled

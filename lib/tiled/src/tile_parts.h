@@ -3,6 +3,7 @@
 
 #include "object_outline.h"
 #include "pixel_grid.h"
+#include "tileset.h"
 
 namespace lgs::tiled {
 
@@ -19,8 +20,5 @@ struct TileParts {
 
 /// Outlines each object of a tile, snaps the outline to the grid, checks it, and cuts it along the grid.
 TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& grid, const Options& options);
-
-/// A number of pixels as the notes write it, with at most two decimals: "1.25 px".
-std::string pixels(double value);
 
 }  // namespace lgs::tiled

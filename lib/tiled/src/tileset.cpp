@@ -9,46 +9,11 @@ namespace {
 
 constexpr std::int64_t kMaxPixels = 1 << 20;   // of a tile
 constexpr std::int64_t kMaxGid = 0x0FFF'FFFF;  // above are the flags for flipping
-constexpr std::int64_t kMaxId = 0xFFFF'FFFF;
 
-using Kind = CollisionObject::Kind;
-
-/// Reads the kind of an object, and for Kind::unsupported the reason.
-void readKind(const XmlFile& file, pugi::xml_node node, CollisionObject& object) {
-  const auto leaveOut = [&](const char* reason) {
-    object.kind = Kind::unsupported;
-    object.unsupported = reason;
-  };
-  if (node.attribute("template")) return leaveOut("it comes from an object template: detach it in Tiled");
-  if (node.attribute("gid")) return leaveOut("it is a tile object: draw a shape instead");
-  if (node.child("point")) return leaveOut("a point has no area");
-  if (node.child("polyline")) return leaveOut("a polyline has no area: draw a polygon instead");
-  if (node.child("text")) return leaveOut("a text is no shape");
-  if (const auto polygon = node.child("polygon")) {
-    object.kind = Kind::polygon;
-    object.points = file.points(polygon, "points");
-    if (object.points.size() < 3) return leaveOut("the polygon has fewer than 3 vertices");
-    if (object.points.size() > kMaxObjectVertices) return leaveOut("the polygon has more than 1024 vertices");
-    return;
-  }
-  object.kind = node.child("ellipse") ? Kind::ellipse : node.child("capsule") ? Kind::capsule : Kind::rectangle;
-  if (object.size.x <= 0 || object.size.y <= 0) leaveOut("it has no area: its width or height is 0");
-}
-
-CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint groupOffset) {
-  CollisionObject object;
-  object.id = static_cast<std::uint32_t>(file.integer(node, "id", 0, 0, kMaxId));
-  object.className = classOf(node);
-  object.at = {file.real(node, "x") + groupOffset.x, file.real(node, "y") + groupOffset.y};
-  object.size = {file.real(node, "width"), file.real(node, "height")};
-  object.rotation = file.real(node, "rotation");
-  readKind(file, node, object);
-  return object;
-}
-
-Tile readTile(const XmlFile& file, pugi::xml_node node) {
+Tile readTile(const XmlFile& file, pugi::xml_node node, Templates& templates) {
   Tile tile;
   tile.className = classOf(node);
+  tile.properties = propertiesOf(node);
   const auto image = node.child("image");
   const auto side = [&](const char* attribute) {
     const std::int64_t ofImage = file.integer(image, attribute, 0, 0, kMaxPixels);
@@ -57,13 +22,15 @@ Tile readTile(const XmlFile& file, pugi::xml_node node) {
   tile.size = {side("width"), side("height")};
   for (const auto group : node.children("objectgroup")) {
     const DoublePoint offset{file.real(group, "offsetx"), file.real(group, "offsety")};
-    for (const auto object : group.children("object")) tile.objects.push_back(readObject(file, object, offset));
+    for (const auto object : group.children("object")) {
+      tile.objects.push_back(readObject(file, object, offset, templates));
+    }
   }
   return tile;
 }
 
 /// Reads what is in a <tileset> element, be it in the map or in a file of its own.
-void readContent(const XmlFile& file, pugi::xml_node node, Tileset& tileset) {
+void readContent(const XmlFile& file, pugi::xml_node node, Templates& templates, Tileset& tileset) {
   tileset.name = node.attribute("name").value();
   if (tileset.name.empty()) tileset.name = std::filesystem::path(file.name()).stem().string();
   tileset.tileSize = {static_cast<double>(file.integer(node, "tilewidth", std::nullopt, 1, kMaxPixels)),
@@ -74,38 +41,78 @@ void readContent(const XmlFile& file, pugi::xml_node node, Tileset& tileset) {
   const auto offset = node.child("tileoffset");
   tileset.offset = {file.real(offset, "x"), file.real(offset, "y")};
   tileset.fitToGrid = std::string_view(node.attribute("tilerendersize").value()) == "grid";
+  tileset.alignment = node.attribute("objectalignment").value();
   for (const auto tile : node.children("tile")) {
     const auto id = static_cast<std::uint32_t>(file.integer(tile, "id", std::nullopt, 0, kMaxGid));
-    tileset.tiles.emplace(id, readTile(file, tile));
+    tileset.tiles.emplace(id, readTile(file, tile, templates));
     if (file.failed()) return;
   }
 }
 
 }  // namespace
 
-Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& reader,
+Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& reader, Templates& templates,
                     std::optional<ImportError>& error) {
   Tileset tileset;
   tileset.firstGid = static_cast<std::uint32_t>(map.integer(node, "firstgid", std::nullopt, 1, kMaxGid));
   std::string source = node.attribute("source").value();
   if (source.empty()) {
-    readContent(map, node, tileset);
+    readContent(map, node, templates, tileset);
     return tileset;
   }
   if (source.ends_with(".tsj") || source.ends_with(".json")) {
     map.fail(node, "the tileset is in JSON: export it as TSX (XML) in Tiled");
     return tileset;
   }
-  std::replace(source.begin(), source.end(), '\\', '/');
-  const auto path = (std::filesystem::path(map.name()).parent_path() / source).lexically_normal();
-  const XmlFile file(path.generic_string(), reader, "tileset", error);
+  const XmlFile file(map.pathTo(std::move(source)), reader, "tileset", error);
   if (error && error->line == 0) {  // no line: the file could not be read, and the map is to blame for naming it
     std::string what = "the tileset's file " + error->file + " " + error->what;
     error.reset();
     map.fail(node, std::move(what));
   }
-  if (!file.failed()) readContent(file, file.root(), tileset);
+  if (!file.failed()) readContent(file, file.root(), templates, tileset);
   return tileset;
+}
+
+Tile tileAt(const Tileset& tileset, std::uint32_t id) {
+  const auto found = tileset.tiles.find(id);
+  Tile tile = found == tileset.tiles.end() ? Tile{} : found->second;
+  if (tile.size.x == 0 || tile.size.y == 0) tile.size = tileset.tileSize;
+  return tile;
+}
+
+bool isSolidAsAsked(const Tile& tile, const Properties& layer, const Options& options) {
+  return tile.objects.empty() && (options.solidWithoutShapes || firstFit(options.solidIf, tile.properties) != nullptr ||
+                                  firstFit(options.solidIf, layer) != nullptr);
+}
+
+CollisionObject fullSquare(const Tile& tile) {
+  CollisionObject square;
+  square.size = tile.size;
+  return square;
+}
+
+void Tilesets::read(const XmlFile& map, const FileReader& reader, Templates& templates,
+                    std::optional<ImportError>& error) {
+  for (const auto node : map.root().children("tileset")) {
+    tilesets_.push_back(readTileset(map, node, reader, templates, error));
+    if (map.failed()) return;
+    for (std::size_t i = 0; i + 1 < tilesets_.size(); ++i) {
+      if (tilesets_[i].firstGid == tilesets_.back().firstGid) {
+        return map.fail(node, "has the same firstgid as the tileset '" + tilesets_[i].name + "'");
+      }
+    }
+  }
+  std::sort(tilesets_.begin(), tilesets_.end(),
+            [](const Tileset& a, const Tileset& b) { return a.firstGid < b.firstGid; });
+}
+
+const Tileset* Tilesets::of(std::uint32_t number) const {
+  const auto next = std::upper_bound(tilesets_.begin(), tilesets_.end(), number,
+                                     [](std::uint32_t n, const Tileset& t) { return n < t.firstGid; });
+  if (next == tilesets_.begin()) return nullptr;
+  const Tileset& tileset = *(next - 1);
+  return tileset.tileCount == 0 || number - tileset.firstGid < tileset.tileCount ? &tileset : nullptr;
 }
 
 }  // namespace lgs::tiled

@@ -1,29 +1,18 @@
 // Tilesets and the collision shapes of their tiles, just as the files have them.
 #pragma once
 
-#include "xml.h"
+#include "collision_object.h"
+#include "properties.h"
 
 #include <unordered_map>
 
 namespace lgs::tiled {
 
-/// A shape from the Tile Collision Editor, in pixels from the upper left corner of the tile's image, y down.
-struct CollisionObject {
-  enum class Kind : std::uint8_t { rectangle, polygon, ellipse, capsule, unsupported };
-  std::uint32_t id = 0;
-  Kind kind = Kind::rectangle;
-  std::string unsupported;  ///< the reason, for Kind::unsupported
-  std::string className;
-  DoublePoint at;
-  DoublePoint size;
-  double rotation = 0;              ///< degrees, clockwise, around `at`
-  std::vector<DoublePoint> points;  ///< of a polygon, relative to `at`
-};
-
 struct Tile {
   std::string className;
   DoublePoint size;  ///< of its image, pixels; 0: that of the tileset's tiles
-  std::vector<CollisionObject> objects;
+  Properties properties;
+  std::vector<CollisionObject> objects;  ///< from the Tile Collision Editor
 };
 
 struct Tileset {
@@ -33,11 +22,34 @@ struct Tileset {
   DoublePoint tileSize;
   DoublePoint offset;                             ///< by which tiles are drawn aside, pixels, y down
   bool fitToGrid = false;                         ///< images are scaled to the size of the map's tiles
+  std::string alignment;                          ///< which point of a tile object is its place; empty: the default
   std::unordered_map<std::uint32_t, Tile> tiles;  ///< by id; only those that the file has a <tile> for
 };
 
-/// Reads a <tileset> of a map, from another file if it names one. `error` is that of the import; it keeps a problem.
-Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& reader,
+/// A tile of a tileset, with the size of its image; one without shapes if the file has no <tile> for it.
+Tile tileAt(const Tileset& tileset, std::uint32_t id);
+
+/// Whether a tile without shapes is to be a full square. `layer` are the properties of its layer.
+bool isSolidAsAsked(const Tile& tile, const Properties& layer, const Options& options);
+
+/// The object that fills the image of a tile.
+CollisionObject fullSquare(const Tile& tile);
+
+/// The tilesets of a map.
+class Tilesets {
+ public:
+  void read(const XmlFile& map, const FileReader& reader, Templates& templates, std::optional<ImportError>& error);
+
+  /// The one that has a tile, by its number without flags; null if none has.
+  const Tileset* of(std::uint32_t number) const;
+
+ private:
+  std::vector<Tileset> tilesets_;  // by firstGid
+};
+
+/// Reads a <tileset> of a map or template, from another file if it names one. `error` is that of the import; it keeps a
+/// problem.
+Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& reader, Templates& templates,
                     std::optional<ImportError>& error);
 
 }  // namespace lgs::tiled

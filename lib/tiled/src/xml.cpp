@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 namespace lgs::tiled {
@@ -80,6 +81,11 @@ int XmlFile::line(pugi::xml_node node) const {
   if (offset < 0) return 0;
   const auto next = std::upper_bound(lineStarts_.begin(), lineStarts_.end(), static_cast<std::size_t>(offset));
   return static_cast<int>(next - lineStarts_.begin());
+}
+
+std::string XmlFile::pathTo(std::string named) const {
+  std::replace(named.begin(), named.end(), '\\', '/');
+  return (std::filesystem::path(name_).parent_path() / named).lexically_normal().generic_string();
 }
 
 void XmlFile::fail(pugi::xml_node node, std::string what) const {

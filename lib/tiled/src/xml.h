@@ -26,6 +26,9 @@ class XmlFile {
   /// The line of a node, from 1; 0 if it has none.
   int line(pugi::xml_node node) const;
 
+  /// The path of a file that this one names by a path of its own, in either kind of slashes.
+  std::string pathTo(std::string named) const;
+
   /// Keeps this error, if it is the first.
   void fail(pugi::xml_node node, std::string what) const;
 

@@ -12,10 +12,15 @@
 // WHAT IS READ. The importer reads orthogonal maps, finite and infinite. Tilesets stand in the map or in TSX files.
 // Layers are CSV, base64 (plain, zlib, gzip or zstd) or <tile> elements, and may be in groups. Tiles may be flipped and
 // rotated. Each tile brings the collision shapes that were drawn in Tiled's "Tile Collision Editor": rectangles and
-// polygons, with offsets and rotations. Ellipses and capsules become polygons of kCurveVertices vertices.
-//   The importer leaves out what has no area or is not supported: points, polylines, texts, tile objects and templates.
-// The report names them. The importer passes over object layers and image layers. Hidden layers and objects count like
-// visible ones.
+// polygons, with offsets and rotations. A polyline that ends where it began is a polygon. Ellipses and capsules become
+// polygons of kCurveVertices vertices. A tile without shapes is a full square if Options asks for it: all of them, or
+// those with a property (of the tile, or of its layer).
+//   Object layers hold the same shapes, of any size, and tile objects, which bring the shapes of their tile. Object
+// templates are read. Options::objects says which object layers count. By default these are all whose name, class or
+// property has one of the words collision, collider, solid, wall, ground, terrain, blocked in it, such as "InnerWalls".
+//   The importer leaves out what has no area or is not supported: points, open polylines, texts; in the shapes of a
+// tile also tile objects. The report names them. The importer passes over image layers. Hidden layers and
+// objects count like visible ones. If nothing comes out, Report::suggestions says what looks like collision.
 //
 // WHERE THINGS LAND. One tile of the map's grid is one cell. y points up: the tile in column c and row r of the map is
 // cell (c, -1 - r). So the top edge of row 0 is y = 0, and cells keep their numbers when the map grows. This holds for
@@ -27,12 +32,15 @@
 // Both coordinates of a vertex do so independently, so a vertex near a corner lands on the corner. Then each coordinate
 // is rounded once, to the nearest lattice unit. If a polygon still reaches out of its cell, it is cut along the grid.
 // The parts outside go into the neighbouring cells, or they are dropped, as `Options::outside` says.
+//   An object of an object layer is painted with a brush (lgs/brush.h): its outline may cross itself, and what is
+// inside is what Tiled fills. Where its edges cross the grid the rounding is that of the brush, at most one lattice
+// unit.
 //
 // OVERLAPS. Polygons of one cell must not overlap. So what is placed first stays, and what comes later loses the part
 // that is covered already. First come the polygons in their own cells, layer by layer from the bottom to the top; then
-// come the carried parts. A cut along a slanted edge is rounded, so the result may miss what was drawn by a few lattice
-// units (a cell has 65,536). Where slanted outlines cross in one cell, rounding can spoil a part altogether. Such a
-// part is left out, and the report says so.
+// come the carried parts, then the objects of object layers in the map's order. A cut along a slanted edge is rounded,
+// so the result may miss what was drawn by a few lattice units (a cell has 65,536). Where slanted outlines cross in one
+// cell, rounding can spoil a part altogether. Such a part is left out, and the report says so.
 //
 // WHAT COMES OUT. Every placement is simple, counter-clockwise, inside its cell, disjoint from the others of its cell,
 // and within World's limits for a cell. So World::add accepts all of them.
@@ -41,7 +49,8 @@
 // error is a value. Maps need not be trusted: sizes are checked before memory is taken, and nothing recurses without a
 // limit.
 //
-// COST. Linear in the number of tiles. Polygons are compared once for each combination of tiles that meet in a cell.
+// COST. Linear in the number of tiles, and in that of the cells that objects reach. Polygons are compared once for each
+// combination of tiles that meet in a cell.
 #pragma once
 
 #include <lgs/ids.h>
@@ -62,8 +71,8 @@ namespace lgs::tiled {
 /// inside the curve, by up to 0.5 % of the radius.
 inline constexpr int kCurveVertices = 32;
 
-/// A polygon is left out if a vertex is further than this many cells from the lower left corner of its cell, on either
-/// axis.
+/// A polygon of a tile is left out if a vertex is further than this many cells from the lower left corner of its cell,
+/// on either axis. An object of an object layer may be kMaxRegionCells wide and high (lgs/brush.h).
 inline constexpr int kMaxReach = 64;
 
 /// A polygon with more vertices than this is left out.
@@ -78,7 +87,8 @@ enum class Outside : std::uint8_t {
 /// Where a polygon's block comes from.
 enum class BlockFrom : std::uint8_t {
   one,        ///< every polygon gets block 1
-  tileClass,  ///< the class of the collision object ("type" before Tiled 1.9); if it has none, the class of its tile
+  tileClass,  ///< the class of the collision object ("type" before Tiled 1.9); if it has none, that of its tile or, in
+              ///< an object layer, of its layer
   layer,      ///< the path of the layer, "Group/Layer"
 };
 
@@ -86,6 +96,11 @@ struct Options {
   double tolerance = 1.0;  ///< pixels, finite, 0 or more; at most a quarter of a tile is used
   Outside outside = Outside::carry;
   bool solidWithoutShapes = false;  ///< a tile without any collision object is a full square (true) or empty (false)
+
+  /// Properties, "NAME" or "NAME=VALUE". A tile without any collision object is a full square if it or its layer has
+  /// one of them. "NAME" alone takes any value that is not empty, "false" or "0".
+  std::vector<std::string> solidIf;
+
   BlockFrom blockFrom = BlockFrom::one;
 
   /// The block for each name of a class or layer; unused with BlockFrom::one. "" stands for no class. Other names get
@@ -94,13 +109,19 @@ struct Options {
   /// them. A game that knows a class gives it a number here, or asks for it: ImportedMap::block("ice").
   std::map<std::string, Block> blocks;
 
-  /// Layers to import: names or paths ("Group/Layer") of layers or groups. Empty means all tile layers. A name that
-  /// fits none is an error.
+  /// Tile layers to import: names or paths ("Group/Layer") of layers or groups. Empty means all tile layers. A name
+  /// that fits none is an error.
   std::vector<std::string> layers;
+
+  /// Object layers to import: names or paths of layers or groups; an empty list takes none. A name that fits none is an
+  /// error. Without a list, all are taken whose name, class or property says that they are solid. If `layers` has
+  /// names, they must also be in a group that it names.
+  std::optional<std::vector<std::string>> objects;
 
   /// Limits. A map that goes beyond one of them is an error.
   std::size_t maxTiles = std::size_t{1} << 24;       ///< of the imported layers together, with the empty ones
-  std::size_t maxPlacements = std::size_t{1} << 24;  ///< polygons before overlaps are taken away
+  std::size_t maxPlacements = std::size_t{1} << 24;  ///< polygons before overlaps are taken away; and cells of the
+                                                     ///< bounding boxes of all objects together
 };
 
 /// Why a map could not be read. If only a part is unusable, it is left out, and the report has a note instead.
@@ -114,13 +135,16 @@ struct ImportError {
 /// "FILE:LINE: element: what is wrong"
 std::string message(const ImportError& error);
 
+/// Placement::tile for a polygon from an object layer.
+inline constexpr std::uint32_t kNoTile = ~std::uint32_t{0};
+
 /// One polygon in a cell.
 struct Placement {
   Cell cell;
   Block block = 1;
   std::uint32_t shape = 0;   ///< index in ImportedMap::shapes
-  std::uint32_t tile = 0;    ///< index in Report::tiles
-  std::uint32_t object = 0;  ///< id of the collision object; 0 for a square from Options::solidWithoutShapes
+  std::uint32_t tile = 0;    ///< index in Report::tiles, or kNoTile
+  std::uint32_t object = 0;  ///< id of the collision object; 0 for a full square that Options asked for
   std::uint32_t layer = 0;   ///< index in Report::layers
 };
 
@@ -135,7 +159,7 @@ enum class NoteKind : std::uint8_t {
   nearMiss,      ///< a vertex on a grid line misses a corner by little more than the tolerance, and was not moved
 };
 
-/// Something that happened to one collision object of a tile.
+/// Something that happened to one collision object of a tile, or to one object of an object layer.
 struct Note {
   NoteKind kind{};
   std::uint32_t object = 0;  ///< id of the collision object
@@ -153,19 +177,31 @@ struct TileReport {
   std::uint64_t uses = 0;
   bool hasShapes = false;   ///< whether it has any collision object
   std::vector<Note> notes;  ///< sorted by kind, then object
+  bool isSolid = false;     ///< it has no shapes, and is a full square as Options asked, at least in one layer
 };
+
+enum class LayerKind : std::uint8_t { tiles, objects, image };
 
 struct LayerReport {
   std::string path;  ///< "Group/Layer"
   bool imported = false;
   std::uint64_t tiles = 0;  ///< tiles that are not empty
-  std::string note;         ///< why it was passed over, or what is special about it; may be empty
+  std::string note;         ///< why it was taken or passed over, or what is special about it; may be empty
+  LayerKind kind = LayerKind::tiles;
+  std::uint64_t objects = 0;     ///< of an object layer
+  std::vector<Note> notes = {};  ///< of its objects; sorted by kind, then object
 };
 
 struct BlockReport {
   std::string name;  ///< of the class or the path of the layer, several with commas; empty with BlockFrom::one
   Block block = 1;
   std::uint64_t polygons = 0;
+};
+
+/// Something in a map that looks like collision and was not taken.
+struct Suggestion {
+  std::string text;                    ///< "2 object layers have 14 shapes: Boxes, Doors"
+  std::vector<std::string> arguments;  ///< of `lgs import` that take it: "--objects", "Boxes". The same as in Options
 };
 
 struct Report {
@@ -180,9 +216,10 @@ struct Report {
   std::uint64_t polygons = 0;
   std::uint64_t shapes = 0;  ///< distinct polygons
   std::vector<LayerReport> layers;
-  std::vector<BlockReport> blocks;  ///< that are used, by number
-  std::vector<TileReport> tiles;    ///< that are used, in the order of their first use
-  std::vector<std::string> notes;   ///< about the map as a whole
+  std::vector<BlockReport> blocks;      ///< that are used, by number
+  std::vector<TileReport> tiles;        ///< that are used, in the order of their first use
+  std::vector<std::string> notes;       ///< about the map as a whole
+  std::vector<Suggestion> suggestions;  ///< if nothing came out: what could be taken
 };
 
 /// The report for a terminal: what came in, then what was left out and what was changed, tile by tile.
@@ -200,7 +237,7 @@ struct ImportedMap {
 };
 
 /// Returns the content of a file, or says why it can not. importMap() calls it with the map's path, and then with the
-/// path of each tileset: the tileset's name in the map, appended to the map's folder. A reader of your own can serve
+/// path of each tileset and template: its name in the map, appended to the map's folder. A reader of your own can serve
 /// files from memory; then an import touches no file.
 using FileReader = std::function<tl::expected<std::string, std::string>(const std::string& path)>;
 

@@ -1,0 +1,141 @@
+#include "cli/import_options.h"
+
+#include "cli/imported.h"
+#include "oracle/check/shell.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace lgs::cli {
+namespace {
+
+constexpr const char* kGroup = "Options of the import";
+
+// Reads "water=7". Returns what is wrong with it, or nothing.
+std::string readBlock(const std::string& text, std::map<std::string, Block>& blocks) {
+  const std::size_t equals = text.rfind('=');
+  Block block = 0;
+  const char* const begin = text.data() + (equals == std::string::npos ? text.size() : equals + 1);
+  const char* const end = text.data() + text.size();
+  const auto [stop, status] = std::from_chars(begin, end, block);
+  if (begin == end || stop != end || status != std::errc()) return "'" + text + "' is not NAME=NUMBER";
+  blocks[text.substr(0, equals)] = block;
+  return {};
+}
+
+void addBlockOptions(CLI::App& command, tiled::Options& options) {
+  command
+      .add_option_function<std::string>(
+          "--block",
+          [&options](const std::string& from) {
+            options.blockFrom = from == "class"   ? tiled::BlockFrom::tileClass
+                                : from == "layer" ? tiled::BlockFrom::layer
+                                                  : tiled::BlockFrom::one;
+          },
+          "Which block a shape gets: one gives block 1 to all (the default),\n"
+          "class and layer give one block to each class of tiles, or layer")
+      ->check(CLI::IsMember({"one", "class", "layer"}))
+      ->option_text("one|class|layer");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--number",
+          [&options](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              if (const std::string fault = readBlock(text, options.blocks); !fault.empty()) {
+                throw CLI::ValidationError("--number", fault);
+              }
+            }
+          },
+          "The block of a class or layer; the others get numbers in the\n"
+          "order in which they occur. May be repeated")
+      ->allow_extra_args(false)
+      ->option_text("NAME=NUMBER");
+}
+
+void addShapeOptions(CLI::App& command, tiled::Options& options) {
+  command
+      .add_option("--tolerance", options.tolerance,
+                  "A vertex that misses the tile's rim or corner by up to this\nmany pixels is put on it; default 1")
+      ->check(CLI::Range(0.0, 1e6))
+      ->option_text("PX");
+  command
+      .add_option_function<std::string>(
+          "--outside",
+          [&options](const std::string& how) {
+            options.outside = how == "clip" ? tiled::Outside::clip : tiled::Outside::carry;
+          },
+          "What reaches out of its tile is carried into the neighbouring\ncells (the default), or clipped")
+      ->check(CLI::IsMember({"carry", "clip"}))
+      ->option_text("carry|clip");
+  command.add_flag("--solid", options.solidWithoutShapes,
+                   "Import a tile without collision shapes as a full square;\notherwise it is empty");
+  command
+      .add_option("--solid-if", options.solidIf,
+                  "The same for tiles with this property, or in layers with it.\n"
+                  "NAME alone takes any value but false, 0 and none. May be\nrepeated")
+      ->allow_extra_args(false)
+      ->option_text("NAME[=VALUE]");
+}
+
+void addLayerOptions(CLI::App& command, tiled::Options& options) {
+  command.add_option("--layer", options.layers, "Import only this tile layer or group. May be repeated")
+      ->allow_extra_args(false)
+      ->option_text("NAME");
+  CLI::Option* const objects =
+      command
+          .add_option_function<std::vector<std::string>>(
+              "--objects", [&options](const std::vector<std::string>& names) { options.objects = names; },
+              "Import this object layer, or all of a group; default: those\n"
+              "whose name, class or property has collision, collider, solid,\n"
+              "wall, ground, terrain or blocked in it. May be repeated")
+          ->allow_extra_args(false)
+          ->option_text("NAME");
+  command
+      .add_flag_callback(
+          "--no-objects", [&options] { options.objects = std::vector<std::string>{}; }, "Import no object layer")
+      ->excludes(objects);
+}
+
+}  // namespace
+
+void addImportOptions(CLI::App& command, tiled::Options& options) {
+  const std::vector<CLI::Option*> before = command.get_options();
+  addLayerOptions(command, options);
+  addShapeOptions(command, options);
+  addBlockOptions(command, options);
+  for (CLI::Option* option : command.get_options()) {
+    if (std::find(before.begin(), before.end(), option) == before.end()) option->group(kGroup);
+  }
+}
+
+std::string importArguments(const CLI::App& command) {
+  std::string text;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_group() != kGroup || option->count() == 0) continue;
+    if (option->get_expected_max() == 0) text += " " + option->get_name();
+    for (const std::string& value : option->get_expected_max() == 0 ? std::vector<std::string>{} : option->results()) {
+      text += " " + option->get_name() + " " + oracle::shellWord(value);
+    }
+  }
+  return text;
+}
+
+tl::expected<oracle::Trace, std::string> readMap(const std::string& path, const tiled::Options& options,
+                                                 const std::string& command) {
+  const auto map = tiled::importMap(path, options);
+  if (!map) return tl::unexpected(tiled::message(map.error()));
+  if (map->placements.empty()) return tl::unexpected(hints(map->report, command));
+  return traceOf(*map);
+}
+
+std::string hints(const tiled::Report& report, const std::string& command) {
+  std::string text = report.file + ": nothing in it is solid";
+  if (!report.suggestions.empty()) text += ". What could be taken, and how:";
+  for (const tiled::Suggestion& suggestion : report.suggestions) {
+    text += "\n  " + suggestion.text + "\n    " + command;
+    for (const std::string& argument : suggestion.arguments) text += " " + oracle::shellWord(argument);
+  }
+  return text;
+}
+
+}  // namespace lgs::cli

@@ -1,0 +1,25 @@
+// The options of an import, for all commands that take a map.
+#pragma once
+
+#include "cli/command.h"
+
+#include <lgs/tiled/import.h>
+
+#include <string>
+
+namespace lgs::cli {
+
+/// Adds them in a group of their own.
+void addImportOptions(CLI::App& command, tiled::Options& options);
+
+/// The options that were given, as a shell takes them: " --layer Ground --solid".
+std::string importArguments(const CLI::App& command);
+
+/// Imports a Tiled map as a trace. A map from which nothing comes out is an error; `command` is for the hints in it.
+tl::expected<oracle::Trace, std::string> readMap(const std::string& path, const tiled::Options& options,
+                                                 const std::string& command);
+
+/// What to say of a map from which nothing came out. `command` is what was called, and takes the arguments that help.
+std::string hints(const tiled::Report& report, const std::string& command);
+
+}  // namespace lgs::cli

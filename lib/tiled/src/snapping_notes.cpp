@@ -1,0 +1,40 @@
+#include "snapping_notes.h"
+
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace lgs::tiled {
+
+void noteSnapping(const CollisionObject& object, const Snapped& snapped, std::vector<Note>& notes) {
+  using Kind = CollisionObject::Kind;
+  const auto note = [&](NoteKind kind, double amount, std::string text) {
+    notes.push_back({kind, object.id, amount, 0, {}, std::move(text)});
+  };
+  if (object.kind == Kind::ellipse || object.kind == Kind::capsule) {
+    note(NoteKind::approximated, 0,
+         std::string(object.kind == Kind::ellipse ? "an ellipse" : "a capsule") + " became a polygon of " +
+             std::to_string(kCurveVertices) + " vertices");
+  }
+  if (snapped.moved > 0) {
+    note(NoteKind::snapped, snapped.furthest,
+         std::to_string(snapped.moved) + (snapped.moved == 1 ? " coordinate" : " coordinates") +
+             " put on the grid, by up to " + pixels(snapped.furthest));
+  }
+  if (snapped.nearMiss > 0) {
+    note(NoteKind::nearMiss, snapped.nearMiss,
+         "a vertex misses a corner by " + pixels(snapped.nearMiss) + ": a tolerance of " +
+             pixels(std::ceil(snapped.nearMiss * 10) / 10) + " would join it");
+  }
+}
+
+std::string pixels(double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.2f", std::fmin(value, 1e9));
+  std::string result = text;
+  result.erase(result.find_last_not_of('0') + 1);
+  if (result.ends_with('.')) result.pop_back();
+  return result + " px";
+}
+
+}  // namespace lgs::tiled

@@ -1,0 +1,102 @@
+#include "suggestions.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace lgs::tiled {
+namespace {
+
+std::string counted(std::uint64_t n, const std::string& what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+/// "A, B, C and 4 more"
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 8;
+  std::string result;
+  for (std::size_t k = 0; k < std::min(kMost, names.size()); ++k) result += (k == 0 ? "" : ", ") + names[k];
+  if (names.size() > kMost) result += " and " + std::to_string(names.size() - kMost) + " more";
+  return result;
+}
+
+/// The property of a layer that looks like collision; empty if there is none.
+std::string collisionProperty(pugi::xml_node node) {
+  for (const auto& [name, value] : propertiesOf(node))
+    if (looksLikeCollision(name) && saysYes(value)) return name;
+  return {};
+}
+
+bool looksSolid(pugi::xml_node object) { return !whySolid(object).empty() || !collisionProperty(object).empty(); }
+
+Suggestion objectLayers(const std::vector<const Layer*>& layers) {
+  Suggestion result;
+  std::vector<std::string> names;
+  std::uint64_t objects = 0;
+  for (const Layer* layer : layers) {
+    names.push_back(layer->path);
+    result.arguments.insert(result.arguments.end(), {"--objects", layer->path});
+    for (const auto object : layer->node.children("object")) objects += !object.empty();
+  }
+  result.text = counted(layers.size(), "object layer") + " with " + counted(objects, "object") +
+                (layers.size() == 1 ? " was" : " were") + " passed over: " + listed(names);
+  return result;
+}
+
+/// Object layers with objects that look solid; if there are none, all that have objects.
+void addObjectLayers(const std::vector<Layer>& layers, std::vector<Suggestion>& result) {
+  std::vector<const Layer*> some, likely;
+  for (const Layer& layer : layers) {
+    const auto objects = layer.node.children("object");
+    if (layer.kind != LayerKind::objects || layer.wanted || objects.begin() == objects.end()) continue;
+    some.push_back(&layer);
+    const bool isLikely = looksSolid(layer.node) || std::any_of(objects.begin(), objects.end(), looksSolid);
+    if (isLikely) likely.push_back(&layer);
+  }
+  if (!some.empty()) result.push_back(objectLayers(likely.empty() ? some : likely));
+}
+
+}  // namespace
+
+void Suggestions::see(std::uint32_t tile, const Properties& properties) {
+  for (const auto& [name, value] : properties) {
+    if (looksLikeCollision(name) && saysYes(value)) tiles_[name].push_back(tile);
+  }
+}
+
+std::vector<Suggestion> Suggestions::make(const std::vector<Layer>& layers, const Report& report) const {
+  std::vector<Suggestion> result;
+  for (const auto& [name, tiles] : tiles_) {
+    std::uint64_t uses = 0;
+    for (const std::uint32_t tile : tiles) uses += report.tiles[tile].uses;
+    result.push_back(
+        {counted(tiles.size(), "tile") + " (" + counted(uses, "use") + ") with the property '" + name + "'",
+         {"--solid-if", name}});
+  }
+  std::set<std::string> properties;  // of layers
+  Suggestion named;
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    if (layers[k].kind != LayerKind::tiles || report.layers[k].tiles == 0) continue;
+    if (const auto name = collisionProperty(layers[k].node); !name.empty()) properties.insert(name);
+    if (solidWord(layers[k].node.attribute("name").value()).empty()) continue;
+    names.push_back(layers[k].path);
+    named.arguments.insert(named.arguments.end(), {"--layer", layers[k].path});
+  }
+  for (const std::string& name : properties) {
+    result.push_back({"tile layers with the property '" + name + "'", {"--solid-if", name}});
+  }
+  addObjectLayers(layers, result);
+  if (!names.empty()) {
+    named.arguments.push_back("--solid");
+    named.text = counted(names.size(), "tile layer") + " with a name that says so: " + listed(names);
+    result.push_back(std::move(named));
+  }
+  if (result.empty() && !report.tiles.empty()) {
+    result.push_back(
+        {counted(report.tiles.size(), "tile") + " without collision shapes, in all tile layers", {"--solid"}});
+  }
+  return result;
+}
+
+}  // namespace lgs::tiled

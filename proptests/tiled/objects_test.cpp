@@ -1,0 +1,293 @@
+// Object layers: which are taken, where their objects land, and what is left out.
+#include "maps.h"
+#include "proptests/support/law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <ostream>
+
+namespace lgs::tiled {
+namespace {
+
+std::string objectLayer(const std::string& objects, const std::string& attributes = "name='Walls'") {
+  return "<objectgroup " + attributes + ">" + objects + "</objectgroup>\n";
+}
+
+std::string rectangle(int x, int y, int width, int height, const std::string& attributes = "id='1'") {
+  return "<object " + attributes + " x='" + std::to_string(x) + "' y='" + std::to_string(y) + "' width='" +
+         std::to_string(width) + "' height='" + std::to_string(height) + "'/>";
+}
+
+/// The notes of all object layers: "LAYER OBJECT: text".
+std::vector<std::string> layerNotes(const ImportedMap& map) {
+  std::vector<std::string> result;
+  for (const LayerReport& layer : map.report.layers) {
+    for (const Note& note : layer.notes) {
+      result.push_back(layer.path + " " + std::to_string(note.object) + ": " + note.text);
+    }
+  }
+  return result;
+}
+
+TEST(TiledObjectLayers, AnObjectMayHaveAnySize) {
+  const auto map = mustImport(objectLayer("", "name='Other'") + objectLayer(rectangle(32, 16, 96, 64, "id='9'")));
+  EXPECT_EQ(cellsOf(map),
+            (std::vector<Cell>{{1, -3}, {2, -3}, {3, -3}, {1, -2}, {2, -2}, {3, -2}, {1, -1}, {2, -1}, {3, -1}}));
+  EXPECT_EQ(ringsIn(map, {2, -1}), (std::vector<Ring>{px({{0, 0}, {32, 0}, {32, 16}, {0, 16}})}));
+  EXPECT_EQ(ringsIn(map, {2, -2}), (std::vector<Ring>{kSquare}));
+  EXPECT_EQ(ringsIn(map, {2, -3}), (std::vector<Ring>{px({{0, 16}, {32, 16}, {32, 32}, {0, 32}})}));
+  for (const Placement& p : map.placements) {
+    EXPECT_EQ(p.tile, kNoTile);
+    EXPECT_EQ(p.object, 9U);
+    EXPECT_EQ(p.layer, 1U);
+  }
+  EXPECT_EQ(worldOf(map).loops().size(), 1U) << "no seam inside";
+}
+
+TEST(TiledObjectLayers, ObjectsOfEachKind) {
+  const Ring lowerHalf = px({{0, 0}, {32, 0}, {32, 16}, {0, 16}});
+  for (const char* object :
+       {"<object id='1' x='32' y='48' width='32' height='16'/>",
+        "<object id='1' x='64' y='48' width='16' height='32' rotation='90'/>",
+        "<object id='1' x='64' y='64' width='32' height='16' rotation='-180'/>",
+        "<object id='1' x='40' y='50'><polygon points='-8,14 -8,-2 24,-2 24,14'/></object>",
+        "<object id='1' x='40' y='50'><polyline points='-8,14 -8,-2 24,-2 24,14 -8,14'/></object>"}) {
+    const auto map = mustImport(objectLayer(object));
+    EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{1, -2}})) << object;
+    EXPECT_EQ(ringsIn(map, {1, -2}), (std::vector<Ring>{lowerHalf})) << object;
+  }
+  Options exact;
+  exact.tolerance = 0;
+  const auto ellipse = mustImport(objectLayer("<object id='1' width='128' height='64'><ellipse/></object>"), exact);
+  EXPECT_NEAR(areaInCells(ellipse), 2 * std::numbers::pi, 0.06);
+  const auto capsule = mustImport(objectLayer("<object id='1' width='128' height='64'><capsule/></object>"), exact);
+  EXPECT_NEAR(areaInCells(capsule), 4 + std::numbers::pi, 0.03);
+  EXPECT_EQ(layerNotes(capsule), (std::vector<std::string>{"Walls 1: a capsule became a polygon of 32 vertices"}));
+}
+
+TEST(TiledObjectLayers, OffsetsOfGroupsAndLayersAddUp) {
+  const std::string group = "<group name='G' offsetx='32' offsety='-64'>" +
+                            objectLayer(rectangle(0, 0, 32, 32), "name='Walls' offsetx='-64' offsety='32'") +
+                            "</group>";
+  EXPECT_EQ(cellsOf(mustImport(group)), (std::vector<Cell>{{-1, 0}}));
+}
+
+TEST(TiledObjectLayers, WhatIsNearAGridLineSnaps) {
+  const std::string object = "<object id='4' x='32.5' y='0.25' width='62.75' height='32'/>";
+  EXPECT_EQ(areaInCells(mustImport(objectLayer(object))), 2);
+  EXPECT_EQ(layerNotes(mustImport(objectLayer(object))),
+            (std::vector<std::string>{"Walls 4: 8 coordinates put on the grid, by up to 0.75 px"}));
+  Options exact;
+  exact.tolerance = 0;
+  EXPECT_EQ(areaInCells(mustImport(objectLayer(object), exact)), 62.75 / 32);
+}
+
+TEST(TiledObjectLayers, ThoseAreTakenThatSaySo) {
+  const auto remark = [](const std::string& attributes, const std::string& properties = "") {
+    const auto map = mustImport(objectLayer(properties + rectangle(0, 0, 32, 32), attributes));
+    EXPECT_EQ(map.report.layers.at(0).imported, !map.placements.empty());
+    EXPECT_EQ(map.report.layers.at(0).objects, 1U);
+    EXPECT_EQ(map.report.layers.at(0).kind, LayerKind::objects);
+    return map.placements.empty() ? "" : map.report.layers.at(0).note;
+  };
+  const auto property = [](const std::string& name, const std::string& value) {
+    return "<properties><property name='" + name + "' value='" + value + "'/></properties>";
+  };
+  EXPECT_EQ(remark("name='COLLISIONS'"), "its name says 'collision'");
+  EXPECT_EQ(remark("name='innerWalls'"), "its name says 'wall'");
+  EXPECT_EQ(remark("name='background ground'"), "its name says 'ground'");
+  for (const char* name : {"collider", "Solids", "terrain_1", "isBlocked", "Underground"}) {
+    EXPECT_NE(remark("name='" + std::string(name) + "'"), "") << name;
+  }
+  EXPECT_EQ(remark("name='A' class='Solid'"), "its class says 'solid'");
+  EXPECT_EQ(remark("name='A'", property("isSolid", "true")), "its property 'isSolid' says so");
+  for (const char* name : {"Background", "FOREGROUND", "Objects", ""}) {
+    EXPECT_EQ(remark("name='" + std::string(name) + "'"), "") << name;
+  }
+  for (const char* value : {"false", "0", ""}) EXPECT_EQ(remark("name='A'", property("solid", value)), "") << value;
+  EXPECT_EQ(remark("name='A'", property("speed", "9")), "");
+}
+
+TEST(TiledObjectLayers, TheyCanBeChosen) {
+  const std::string content = objectLayer(rectangle(0, 0, 32, 32), "name='A'") + "<group name='G'>" +
+                              objectLayer(rectangle(32, 0, 32, 32), "name='A'") +
+                              objectLayer(rectangle(64, 0, 32, 32)) + "</group>" + csvLayer(1, 1, "0");
+  const auto cells = [&](std::optional<std::vector<std::string>> objects, std::vector<std::string> layers = {}) {
+    Options options;
+    options.objects = std::move(objects);
+    options.layers = std::move(layers);
+    return cellsOf(mustImport(content, options));
+  };
+  using Cells = std::vector<Cell>;
+  EXPECT_EQ(cells(std::nullopt), (Cells{{2, -1}}));
+  EXPECT_EQ(cells({{}}), Cells{});
+  EXPECT_EQ(cells({{"A"}}), (Cells{{0, -1}, {1, -1}}));
+  EXPECT_EQ(cells({{"G/A"}}), (Cells{{1, -1}}));
+  EXPECT_EQ(cells({{"G"}}), (Cells{{1, -1}, {2, -1}}));
+  EXPECT_EQ(cells(std::nullopt, {"Ground"}), Cells{}) << "only this layer";
+  EXPECT_EQ(cells(std::nullopt, {"G"}), (Cells{{2, -1}}));
+  EXPECT_EQ(cells({{"A"}}, {"Ground"}), (Cells{{0, -1}, {1, -1}}));
+  Options options;
+  options.objects = {"Ground"};
+  EXPECT_EQ(refusalOf(mapXml(content), options), "maps/test.tmx:2: <map> has no object layer or group 'Ground'");
+}
+
+TEST(TiledObjectLayers, WhatComesFirstStays) {
+  const std::string tiles = tilesetXml({"<object id='1' y='16' width='32' height='16'/>"}) + csvLayer(2, 1, "1,0");
+  const std::string layer = objectLayer(rectangle(0, 0, 64, 32, "id='5'") + rectangle(40, 8, 8, 8, "id='6'") +
+                                        rectangle(0, 0, 16, 16, "id='7'") + rectangle(32, 16, 64, 16, "id='8'"));
+  const auto map = mustImport(layer + tiles);
+  EXPECT_EQ(ringsIn(map, {0, -1}),
+            (std::vector<Ring>{px({{0, 0}, {32, 0}, {32, 16}, {0, 16}}), px({{0, 16}, {32, 16}, {32, 32}, {0, 32}})}));
+  EXPECT_EQ(ringsIn(map, {1, -1}), (std::vector<Ring>{kSquare}));
+  EXPECT_EQ(map.placements.size(), 4U);
+  EXPECT_EQ(map.placements.at(3).object, 8U);
+  EXPECT_EQ(layerNotes(map),
+            (std::vector<std::string>{"Walls 5: lies on what is there already: the common part was taken away",
+                                      "Walls 6: objects before it cover all of it",
+                                      "Walls 7: objects before it cover all of it"}));
+}
+
+TEST(TiledObjectLayers, BlocksByClassOrLayer) {
+  const std::string content = objectLayer(rectangle(0, 0, 32, 32) + rectangle(32, 0, 32, 32, "id='2' class='ice'"),
+                                          "name='Walls' class='rock'") +
+                              objectLayer(rectangle(64, 0, 32, 32), "name='Ground'");
+  Options options;
+  options.blockFrom = BlockFrom::tileClass;
+  const auto byClass = mustImport(content, options);
+  const auto blocks = [](const ImportedMap& map) {
+    std::vector<Block> result;
+    for (const Placement& p : map.placements) result.push_back(p.block);
+    return result;
+  };
+  EXPECT_EQ(blocks(byClass), (std::vector<Block>{byClass.block("rock").value(), byClass.block("ice").value(),
+                                                 byClass.block("").value()}));
+  options.blockFrom = BlockFrom::layer;
+  options.blocks = {{"Ground", 7}};
+  EXPECT_EQ(blocks(mustImport(content, options)), (std::vector<Block>{1, 1, 7}));
+}
+
+TEST(TiledObjectLayers, AnOutlineMayCrossItself) {
+  const auto map = mustImport(objectLayer("<object id='1'><polygon points='0,0 128,64 128,0 0,64'/></object>"));
+  EXPECT_NEAR(areaInCells(map), 4, 1e-3);
+  // A ring that runs around twice: what Tiled fills is where it runs around once.
+  const auto twice = mustImport(
+      objectLayer("<object id='1'><polygon points='0,0 96,0 96,96 0,96 0,0 32,32 64,32 64,64 32,64 32,32'/></object>"));
+  EXPECT_NEAR(areaInCells(twice), 8, 1e-3);
+}
+
+TEST(TiledObjectLayers, WhatIsLeftOutAndWhy) {
+  const auto reason = [](const std::string& object, const Options& options = {}) {
+    const auto map = mustImport(tilesetXml({}) + objectLayer(object), options);
+    EXPECT_TRUE(map.placements.empty()) << object;
+    const auto notes = layerNotes(map);
+    EXPECT_FALSE(notes.empty()) << object;
+    return notes.empty() ? "" : notes.back();
+  };
+  EXPECT_EQ(reason("<object id='1'><polyline points='0,0 64,64 64,0'/></object>"),
+            "Walls 1: an open polyline has no area: close it, or draw a polygon instead");
+  EXPECT_EQ(reason("<object id='1'><polyline points='0,0 64,64 0,0'/></object>"),
+            "Walls 1: an open polyline has no area: close it, or draw a polygon instead");
+  EXPECT_EQ(reason("<object id='1'><point/></object>"), "Walls 1: a point has no area");
+  EXPECT_EQ(reason("<object id='1' width='9' height='9'><text/></object>"), "Walls 1: a text is no shape");
+  EXPECT_EQ(reason(rectangle(0, 0, 64, 0)), "Walls 1: it has no area: its width or height is 0");
+  EXPECT_EQ(reason("<object id='1' x='1e300' width='9' height='9'/>"), "Walls 1: it is too far away");
+  EXPECT_EQ(reason(rectangle(0, 0, 4'097 * 32, 9)), "Walls 1: it is more than 4096 cells wide or high");
+  EXPECT_EQ(reason(rectangle(0, 0, 9, 4'097 * 32)), "Walls 1: it is more than 4096 cells wide or high");
+  EXPECT_EQ(mustImport(objectLayer(rectangle(0, 0, 4'096 * 32, 9))).placements.size(), 4'096U);
+  EXPECT_EQ(layerNotes(mustImport(objectLayer("<object id='1' gid='1' width='9' height='9'/>"))),
+            (std::vector<std::string>{"Walls 1: its tile belongs to no tileset"}));
+  EXPECT_EQ(reason("<object id='1' gid='1' width='9' height='9'/>"), "Walls 1: its tile has no collision shapes");
+}
+
+TEST(TiledObjectLayers, TheLimitCountsTheCellsOfTheirBoxes) {
+  Options options;
+  options.maxPlacements = 5;
+  const std::string xml = mapXml(objectLayer(rectangle(0, 0, 64, 64)));
+  EXPECT_EQ(refusalOf(xml, options),
+            "maps/test.tmx:3: <objectgroup> 'Walls' its objects are larger than the limit (Options::maxPlacements)");
+  options.maxPlacements = 9;  // the box is closed, so it has 3×3 cells
+  EXPECT_EQ(refusalOf(xml, options), "accepted");
+}
+
+TEST(TiledObjectLayers, TheReportTellsAllOfThem) {
+  const auto map = mustImport(objectLayer("<object id='3'><point/></object><object id='4'><point/></object>" +
+                                          rectangle(0, 0, 32, 32, "id='5'")) +
+                              objectLayer(rectangle(0, 0, 32, 32), "name='Doors'"));
+  EXPECT_EQ(toText(map.report),
+            "maps/test.tmx: 4×3 tiles of 32×32 px\n"
+            "  1 polygon (1 distinct) in 1 cell\n"
+            "  layer Walls  3 objects; its name says 'wall'\n"
+            "  layer Doors  passed over, 1 object: neither its name, its class nor a property says that it is solid\n"
+            "  block 1  1 polygon\n"
+            "\n"
+            "Left out or cut off:\n"
+            "  layer Walls\n"
+            "    objects 3, 4: a point has no area\n");
+}
+
+TEST(TiledObjectLayers, TheProjectsOwnCave) {
+  Options options;
+  options.blockFrom = BlockFrom::tileClass;
+  const auto map = importMap(LGS_SOURCE_DIR "/examples/maps/cave.tmx", options);
+  ASSERT_TRUE(map) << message(map.error());
+  EXPECT_EQ(worldOf(*map).loops().size(), 2U) << "the plank, and all else";
+  EXPECT_EQ(map->report.blocks.size(), 3U);
+  EXPECT_EQ(layerNotes(*map).front(), "Walls 10: an open polyline has no area: close it, or draw a polygon instead");
+}
+
+/// A polygon of a few tiles around a place in pixels, without crossings: a radius for each direction.
+struct Star {
+  int x = 0, y = 0, rotation = 0;
+  std::vector<int> radii;
+};
+
+std::vector<DoublePoint> pointsOf(const Star& star) {
+  std::vector<DoublePoint> points;
+  const auto n = static_cast<double>(star.radii.size());
+  for (std::size_t k = 0; k < star.radii.size(); ++k) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / n;
+    points.push_back({std::round(star.radii[k] * std::cos(angle)), std::round(star.radii[k] * std::sin(angle))});
+  }
+  return points;
+}
+
+std::string xmlOf(const Star& star) {
+  std::string points;
+  for (const DoublePoint p : pointsOf(star)) {
+    points += std::to_string(static_cast<int>(p.x)) + "," + std::to_string(static_cast<int>(p.y)) + " ";
+  }
+  return objectLayer("<object id='1' x='" + std::to_string(star.x) + "' y='" + std::to_string(star.y) + "' rotation='" +
+                     std::to_string(star.rotation) + "'><polygon points='" + points + "'/></object>");
+}
+
+void showValue(const Star& star, std::ostream& out) { out << xmlOf(star); }
+
+TEST(TiledObjectLayers, NoAreaIsLostOrWon) {
+  const auto law = [](const Star& star) {
+    Options options;
+    options.tolerance = 0;
+    const ImportedMap map = mustImport(xmlOf(star), options);
+    const std::vector<DoublePoint> points = pointsOf(star);
+    double area = 0, length = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const DoublePoint a = points[k], b = points[(k + 1) % points.size()];
+      area += (a.x * b.y - a.y * b.x) / 2 / (32 * 32);
+      length += std::hypot(b.x - a.x, b.y - a.y) / 32;
+    }
+    // Rounding moves a vertex by less than a unit, and the brush may then differ within a unit of each edge.
+    EXPECT_NEAR(areaInCells(map), area, (2 * length + 1) * 2 / kUnitsPerCell);
+    EXPECT_EQ(worldOf(map).loops().size(), 1U) << "there is a seam inside, or a part is missing";
+  };
+  const auto star =
+      rc::gen::map(rc::gen::tuple(rc::gen::inRange(-200, 200), rc::gen::inRange(-200, 200), rc::gen::inRange(0, 360),
+                                  rc::gen::container<std::vector<int>>(7, rc::gen::inRange(20, 120))),
+                   [](std::tuple<int, int, int, std::vector<int>> drawn) {
+                     return Star{std::get<0>(drawn), std::get<1>(drawn), std::get<2>(drawn), std::get<3>(drawn)};
+                   });
+  test::forAll(300, law, rc::gen::resize(rc::kNominalSize, star));
+}
+
+}  // namespace
+}  // namespace lgs::tiled

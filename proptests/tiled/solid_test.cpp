@@ -1,0 +1,131 @@
+// Tiles that are solid by a property, and what is suggested for a map from which nothing comes out.
+#include "maps.h"
+
+#include "lib/tiled/src/properties.h"
+
+namespace lgs::tiled {
+namespace {
+
+std::string property(const std::string& name, const std::string& value) {
+  return "<properties><property name='" + name + "' value='" + value + "'/></properties>";
+}
+
+/// Tiles 1, 2, … without shapes, each with a property 'p' of this value.
+std::string plainTiles(const std::vector<std::string>& values) {
+  std::string xml = "<tileset firstgid='1' name='set' tilewidth='32' tileheight='32'>";
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    xml += "<tile id='" + std::to_string(k) + "'>" + property("p", values[k]) + "</tile>";
+  }
+  return xml + "</tileset>";
+}
+
+std::string layer(const std::string& name, const std::string& csv, const std::string& properties = "") {
+  return "<layer name='" + name + "' width='4' height='1'>" + properties + "<data encoding='csv'>" + csv +
+         "</data></layer>";
+}
+
+TEST(TiledSolidIf, PropertiesOfTiles) {
+  const std::string content = plainTiles({"true", "false", "0", "rock"}) + layer("L", "1,2,3,4");
+  const auto cells = [&](std::vector<std::string> rules) {
+    Options options;
+    options.solidIf = std::move(rules);
+    return cellsOf(mustImport(content, options));
+  };
+  EXPECT_EQ(cells({}), std::vector<Cell>{});
+  EXPECT_EQ(cells({"p"}), (std::vector<Cell>{{0, -1}, {3, -1}}));
+  EXPECT_EQ(cells({"p=rock"}), (std::vector<Cell>{{3, -1}}));
+  EXPECT_EQ(cells({"p=false", "q", "p=0"}), (std::vector<Cell>{{1, -1}, {2, -1}}));
+  EXPECT_EQ(cells({"q", "P", "p="}), std::vector<Cell>{});
+}
+
+TEST(TiledSolidIf, PropertiesOfLayers) {
+  const std::string half = "<object id='1' y='16' width='32' height='16'/>";
+  const std::string set = tilesetXml({half}, "") + "<tileset firstgid='7' tilewidth='32' tileheight='32'/>";
+  Options options;
+  options.solidIf = {"wall"};
+  const auto map = mustImport(set + layer("A", "7,0,0,0") + layer("B", "0,7,1,0", property("wall", "true")), options);
+  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{1, -1}, {2, -1}}));
+  EXPECT_EQ(ringsIn(map, {1, -1}), (std::vector<Ring>{kSquare}));
+  EXPECT_NE(ringsIn(map, {2, -1}), (std::vector<Ring>{kSquare})) << "a tile with shapes keeps them";
+  EXPECT_NE(toText(map.report).find("\nFull squares, as asked: 1 tile, 2 uses\n"), std::string::npos);
+}
+
+TEST(TiledSolidIf, ValuesMayStandInTheElement) {
+  const std::string set =
+      "<tileset firstgid='1' tilewidth='32' tileheight='32'><tile id='0'><properties>"
+      "<property name='p'>rock\nand stone</property></properties></tile></tileset>";
+  Options options;
+  options.solidIf = {"p=rock\nand stone"};
+  EXPECT_EQ(cellsOf(mustImport(set + layer("L", "1,0,0,0"), options)), (std::vector<Cell>{{0, -1}}));
+}
+
+TEST(TiledProperties, NamesThatSayThatSomethingIsSolid) {
+  EXPECT_EQ(solidWord("TileCOLLISIONLayer"), "collision");
+  EXPECT_EQ(solidWord("Background"), "");
+  EXPECT_EQ(solidWord("foreground"), "");
+  EXPECT_EQ(solidWord("Background and ground"), "ground");
+  EXPECT_EQ(solidWord("Wal l"), "");
+  for (const char* name : {"collides", "Collidable", "solid", "blocking", "isObstacle", "impassable"}) {
+    EXPECT_TRUE(looksLikeCollision(name)) << name;
+  }
+  for (const char* name : {"speed", "background", "", "animated"}) EXPECT_FALSE(looksLikeCollision(name)) << name;
+}
+
+/// Each suggestion: "TEXT | ARGUMENTS".
+std::vector<std::string> suggestionsOf(const std::string& content) {
+  std::vector<std::string> result;
+  for (const Suggestion& suggestion : mustImport(content).report.suggestions) {
+    std::string text = suggestion.text + " |";
+    for (const std::string& argument : suggestion.arguments) text += " " + argument;
+    result.push_back(text);
+  }
+  return result;
+}
+
+TEST(TiledSuggestions, NoneIfSomethingCameOut) {
+  EXPECT_TRUE(suggestionsOf(tilesetXml({kFullTile}) + csvLayer(1, 1, "1")).empty());
+  EXPECT_TRUE(suggestionsOf(csvLayer(1, 1, "0")).empty()) << "there is nothing to take";
+}
+
+TEST(TiledSuggestions, WhatLooksLikeCollision) {
+  const std::string tiles = "<tileset firstgid='1' tilewidth='32' tileheight='32'><tile id='0'>" +
+                            property("collides", "true") + "</tile><tile id='1'>" + property("collides", "1") +
+                            "</tile><tile id='2'>" + property("collides", "false") + "</tile><tile id='3'>" +
+                            property("speed", "2") + "</tile></tileset>";
+  EXPECT_EQ(suggestionsOf(tiles + layer("L", "1,2,3,1")),
+            (std::vector<std::string>{"2 tiles (3 uses) with the property 'collides' | --solid-if collides"}));
+  EXPECT_EQ(suggestionsOf(tiles + layer("L", "4,4,0,3")),
+            (std::vector<std::string>{"2 tiles without collision shapes, in all tile layers | --solid"}));
+  EXPECT_EQ(suggestionsOf(tiles + layer("Walls", "4,4,0,3") + layer("Solid", "0,0,0,0")),
+            (std::vector<std::string>{"1 tile layer with a name that says so: Walls | --layer Walls --solid"}));
+  EXPECT_EQ(suggestionsOf(tiles + layer("L", "4,4,0,3", property("blocking", "true"))),
+            (std::vector<std::string>{"tile layers with the property 'blocking' | --solid-if blocking"}));
+}
+
+TEST(TiledSuggestions, ObjectLayersThatWerePassedOver) {
+  const std::string box = "<object id='1' width='9' height='9'/>";
+  const auto group = [](const std::string& name, const std::string& objects) {
+    return "<objectgroup name='" + name + "'>" + objects + "</objectgroup>";
+  };
+  EXPECT_EQ(suggestionsOf(group("A", box + box) + group("B", "") + "<group name='G'>" + group("C", box) + "</group>"),
+            (std::vector<std::string>{
+                "2 object layers with 3 objects were passed over: A, G/C | --objects A --objects G/C"}));
+  EXPECT_EQ(suggestionsOf(group("A", box) + group("B", "<object id='2' name='wall' width='9' height='9'/>")),
+            (std::vector<std::string>{"1 object layer with 1 object was passed over: B | --objects B"}));
+}
+
+TEST(TiledSuggestions, AreInTheReport) {
+  const auto map = mustImport("<objectgroup name='My boxes'><object id='1' width='9' height='9'/></objectgroup>");
+  EXPECT_EQ(
+      toText(map.report),
+      "maps/test.tmx: 4×3 tiles of 32×32 px\n"
+      "  0 polygons (0 distinct) in 0 cells\n"
+      "  layer My boxes  passed over, 1 object: neither its name, its class nor a property says that it is solid\n"
+      "\n"
+      "Nothing came out. What could be taken, and how:\n"
+      "  1 object layer with 1 object was passed over: My boxes\n"
+      "    --objects My boxes\n");
+}
+
+}  // namespace
+}  // namespace lgs::tiled

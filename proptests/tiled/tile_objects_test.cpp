@@ -1,0 +1,175 @@
+// Tile objects bring the shapes of their tile, scaled, flipped and turned. Templates fill up what an object does not
+// say.
+#include "maps.h"
+
+namespace lgs::tiled {
+namespace {
+
+/// The lower left quarter of the tile is a triangle, so that every flip shows.
+const std::string kRamp = "<object id='1' x='0' y='32'><polygon points='0,0 0,-16 16,0'/></object>";
+
+std::string wall(const std::string& objects) { return "<objectgroup name='Walls'>" + objects + "</objectgroup>\n"; }
+
+std::string firstNote(const ImportedMap& map) {
+  for (const LayerReport& layer : map.report.layers) {
+    if (!layer.notes.empty()) return layer.notes.front().text;
+  }
+  return {};
+}
+
+std::vector<Ring> ringsOf(const ImportedMap& map) {
+  std::vector<Ring> rings;
+  for (const Placement& p : map.placements) rings.push_back(map.shapes[p.shape]);
+  return rings;
+}
+
+TEST(TiledTileObjects, StandOnTheirPlaceAndAreScaled) {
+  const auto map =
+      mustImport(tilesetXml({kRamp}) + wall("<object id='3' gid='1' x='32' y='64' width='32' height='32'/>"));
+  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{1, -2}}));
+  EXPECT_EQ(ringsOf(map), (std::vector<Ring>{px({{0, 0}, {16, 0}, {0, 16}})}));
+  EXPECT_EQ(map.placements.at(0).object, 3U);
+  const auto large =
+      mustImport(tilesetXml({kRamp}) + wall("<object id='3' gid='1' x='32' y='64' width='128' height='64'/>"));
+  EXPECT_NEAR(areaInCells(large), 1, 1e-4);  // of 4×2 cells
+  EXPECT_EQ(cellsOf(large), (std::vector<Cell>{{1, -2}, {2, -2}}));
+  const auto plain = mustImport(tilesetXml({kRamp}) + wall("<object id='3' gid='1' x='32' y='64'/>"));
+  EXPECT_EQ(ringsOf(plain), ringsOf(map)) << "without a size they have that of the tile";
+}
+
+TEST(TiledTileObjects, AreFlippedAndTurned) {
+  const auto rings = [](std::uint32_t gid, const std::string& rotation = "0") {
+    return ringsOf(
+        mustImport(tilesetXml({kRamp}) + wall("<object id='3' gid='" + std::to_string(gid) +
+                                              "' x='0' y='32' width='32' height='32' rotation='" + rotation + "'/>")));
+  };
+  const Ring lowerRight = px({{16, 0}, {32, 0}, {32, 16}});
+  EXPECT_EQ(rings(0x8000'0001), (std::vector<Ring>{lowerRight}));
+  EXPECT_EQ(rings(0x4000'0001), (std::vector<Ring>{px({{0, 16}, {16, 32}, {0, 32}})}));
+  EXPECT_EQ(rings(0xC000'0001), (std::vector<Ring>{px({{16, 32}, {32, 16}, {32, 32}})}));
+  EXPECT_EQ(rings(0x2000'0001), (std::vector<Ring>{px({{16, 32}, {32, 16}, {32, 32}})}));
+  // A quarter turn clockwise around the lower left corner: into the cell below.
+  const auto turned = mustImport(tilesetXml({kRamp}) +
+                                 wall("<object id='3' gid='1' x='0' y='32' width='32' height='32' rotation='90'/>"));
+  EXPECT_EQ(cellsOf(turned), (std::vector<Cell>{{0, -2}}));
+  EXPECT_EQ(ringsOf(turned), (std::vector<Ring>{px({{0, 16}, {16, 32}, {0, 32}})}));
+}
+
+TEST(TiledTileObjects, TheTilesetSaysWhereTheirPlaceIs) {
+  const auto cells = [](const std::string& attributes, const std::string& content = "") {
+    const std::string set = "<tileset firstgid='1' tilewidth='32' tileheight='32' " + attributes + ">" + content +
+                            "<tile id='0'><objectgroup>" + kFullTile + "</objectgroup></tile></tileset>";
+    return cellsOf(mustImport(set + wall("<object id='3' gid='1' x='64' y='64' width='64' height='64'/>")));
+  };
+  const auto square = [](std::int32_t i, std::int32_t j) {
+    return std::vector<Cell>{{i, j}, {i + 1, j}, {i, j + 1}, {i + 1, j + 1}};
+  };
+  EXPECT_EQ(cells(""), square(2, -2));
+  EXPECT_EQ(cells("objectalignment='unspecified'"), square(2, -2));
+  EXPECT_EQ(cells("objectalignment='bottomleft'"), square(2, -2));
+  EXPECT_EQ(cells("objectalignment='topleft'"), square(2, -4));
+  EXPECT_EQ(cells("objectalignment='topright'"), square(0, -4));
+  EXPECT_EQ(cells("objectalignment='top'"), square(1, -4));
+  EXPECT_EQ(cells("objectalignment='center'"), square(1, -3));
+  EXPECT_EQ(cells("objectalignment='left'"), square(2, -3));
+  EXPECT_EQ(cells("objectalignment='right'"), square(0, -3));
+  EXPECT_EQ(cells("objectalignment='bottom'"), square(1, -2));
+  EXPECT_EQ(cells("objectalignment='bottomright'"), square(0, -2));
+  EXPECT_EQ(cells("", "<tileoffset x='16' y='-32'/>"), square(3, 0)) << "the offset is scaled, too";
+}
+
+TEST(TiledTileObjects, ClassesFromTheNearestThatHasOne) {
+  const auto block = [](const std::string& shape, const std::string& object, const std::string& tile) {
+    const std::string set = "<tileset firstgid='1' tilewidth='32' tileheight='32'><tile id='0' class='" + tile +
+                            "'><objectgroup><object id='1' class='" + shape +
+                            "' width='32' height='32'/></objectgroup></tile></tileset>";
+    Options options;
+    options.blockFrom = BlockFrom::tileClass;
+    options.blocks = {{"shape", 1}, {"object", 2}, {"tile", 3}, {"layer", 4}};
+    return mustImport(set + "<objectgroup name='Walls' class='layer'><object id='3' gid='1' class='" + object +
+                          "' x='0' y='32'/></objectgroup>",
+                      options)
+        .placements.at(0)
+        .block;
+  };
+  EXPECT_EQ(block("shape", "object", "tile"), 1U);
+  EXPECT_EQ(block("", "object", "tile"), 2U);
+  EXPECT_EQ(block("", "", "tile"), 3U);
+  EXPECT_EQ(block("", "", ""), 4U);
+}
+
+TEST(TiledTileObjects, WithoutShapesTheyAreSquaresIfAskedFor) {
+  const std::string set =
+      "<tileset firstgid='1' tilewidth='32' tileheight='32'><tile id='0'><properties>"
+      "<property name='hard' type='bool' value='true'/></properties></tile></tileset>";
+  const std::string content = set + wall(
+                                        "<object id='3' gid='1' x='0' y='32' width='64' height='32'/>"
+                                        "<object id='4' gid='2' x='0' y='64' width='32' height='32'/>");
+  Options options;
+  EXPECT_TRUE(mustImport(content).placements.empty());
+  options.solidIf = {"hard"};
+  EXPECT_EQ(cellsOf(mustImport(content, options)), (std::vector<Cell>{{0, -1}, {1, -1}}));
+  options.solidWithoutShapes = true;
+  EXPECT_EQ(cellsOf(mustImport(content, options)), (std::vector<Cell>{{0, -2}, {0, -1}, {1, -1}}));
+}
+
+ImportedMap withTemplate(const std::string& objects, const std::string& text) {
+  return mustImportFiles({{"maps/test.tmx", mapXml(tilesetXml({kFullTile}) + wall(objects))},
+                          {"kit/a.tx", text},
+                          {"kit/set.tsx", "<tileset tilewidth='32' tileheight='32'><tile id='4'><objectgroup>" + kRamp +
+                                              "</objectgroup></tile></tileset>"}});
+}
+
+TEST(TiledTemplates, FillUpWhatAnObjectDoesNotSay) {
+  const std::string box = "<template><object class='rock' width='64' height='32'/></template>";
+  EXPECT_EQ(cellsOf(withTemplate("<object id='3' template='../kit/a.tx' x='32' y='32'/>", box)),
+            (std::vector<Cell>{{1, -2}, {2, -2}}));
+  EXPECT_EQ(cellsOf(withTemplate("<object id='3' template='..\\kit\\a.tx' x='32' y='32' width='32'/>", box)),
+            (std::vector<Cell>{{1, -2}}));
+  const std::string triangle = "<template><object><polygon points='0,0 32,0 0,32'/></object></template>";
+  const std::string here = "id='3' template='../kit/a.tx' x='0' y='0'";
+  EXPECT_NEAR(areaInCells(withTemplate("<object " + here + "/>", triangle)), 0.5, 1e-4);
+  const auto changed = withTemplate("<object " + here + "><polygon points='0,0 64,0 64,32 0,32'/></object>", triangle);
+  EXPECT_EQ(cellsOf(changed), (std::vector<Cell>{{0, -1}, {1, -1}}));
+  EXPECT_EQ(changed.placements.at(0).object, 3U);
+}
+
+TEST(TiledTemplates, HaveTilesetsOfTheirOwn) {
+  const std::string tile =
+      "<template><tileset firstgid='1' source='set.tsx'/><object gid='5' width='32' height='32'/>"
+      "</template>";
+  const auto map = withTemplate(
+      "<object id='3' template='../kit/a.tx' x='0' y='32'/>"
+      "<object id='4' template='../kit/a.tx' x='32' y='32'/>"
+      "<object id='5' template='../kit/a.tx' gid='1' x='64' y='32'/>",
+      tile);
+  const Ring ramp = px({{0, 0}, {16, 0}, {0, 16}});
+  EXPECT_EQ(ringsOf(map), (std::vector<Ring>{ramp, ramp, kSquare})) << "a number of the map's is of the map's tileset";
+}
+
+TEST(TiledTemplates, OfShapesOfTiles) {
+  const auto map = mustImportFiles(
+      {{"maps/test.tmx", mapXml("<tileset firstgid='1' source='../kit/set.tsx'/>" + csvLayer(1, 1, "1"))},
+       {"kit/set.tsx",
+        "<tileset tilewidth='32' tileheight='32'><tile id='0'><objectgroup>"
+        "<object id='1' template='a.tx' x='16' y='16'/></objectgroup></tile></tileset>"},
+       {"kit/a.tx", "<template><object width='16' height='16'/></template>"}});
+  EXPECT_EQ(ringsOf(map), (std::vector<Ring>{px({{16, 0}, {32, 0}, {32, 16}, {16, 16}})}));
+}
+
+TEST(TiledTemplates, ThatCannotBeReadAreNamed) {
+  const std::string object = "<object id='3' template='../kit/a.tx' x='0' y='32'/>";
+  const auto reason = [&](const std::string& text) { return firstNote(withTemplate(object, text)); };
+  EXPECT_EQ(firstNote(withTemplate("<object id='3' template='b.tx'/>", "")),
+            "its template maps/b.tx: cannot be read: there is no such file");
+  EXPECT_EQ(reason("<template/>"), "its template ../kit/a.tx has no <object>");
+  EXPECT_EQ(reason("<map/>"),
+            "its template kit/a.tx:1: <map> should be <template>: this is not the kind of file expected here");
+  EXPECT_EQ(reason("<template><tileset firstgid='1' source='no.tsx'/><object gid='1'/></template>"),
+            "its template kit/a.tx:1: <tileset> 'no.tsx' the tileset's file kit/no.tsx cannot be read: there is no "
+            "such file");
+  EXPECT_EQ(reason("<template><object gid='1'/></template>"), "its tile belongs to no tileset");
+}
+
+}  // namespace
+}  // namespace lgs::tiled
