@@ -1,11 +1,7 @@
 // Object layers: which are taken, where their objects land, and what is left out.
 #include "maps.h"
-#include "proptests/support/law.h"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
-#include <ostream>
 
 namespace lgs::tiled {
 namespace {
@@ -149,6 +145,14 @@ TEST(TiledObjectLayers, WhatComesFirstStays) {
                                       "Walls 7: objects before it cover all of it"}));
 }
 
+TEST(TiledObjectLayers, NotesAreOfTheirLayer) {
+  const std::string object = rectangle(0, 0, 32, 32, "id='5'");
+  const auto map = mustImport(tilesetXml({"<object id='1' y='8' width='32' height='8'/>"}) + csvLayer(2, 1, "1,1") +
+                              objectLayer(object) + objectLayer(rectangle(32, 0, 32, 32, "id='5'"), "name='Ground'"));
+  const std::string text = " 5: lies on what is there already: the common part was taken away";
+  EXPECT_EQ(layerNotes(map), (std::vector<std::string>{"Walls" + text, "Ground" + text}));
+}
+
 TEST(TiledObjectLayers, BlocksByClassOrLayer) {
   const std::string content = objectLayer(rectangle(0, 0, 32, 32) + rectangle(32, 0, 32, 32, "id='2' class='ice'"),
                                           "name='Walls' class='rock'") +
@@ -209,6 +213,8 @@ TEST(TiledObjectLayers, TheLimitCountsTheCellsOfTheirBoxes) {
             "maps/test.tmx:3: <objectgroup> 'Walls' its objects are larger than the limit (Options::maxPlacements)");
   options.maxPlacements = 9;  // the box is closed, so it has 3×3 cells
   EXPECT_EQ(refusalOf(xml, options), "accepted");
+  const std::string two = mapXml(objectLayer(rectangle(0, 0, 64, 64) + rectangle(0, 0, 64, 64)));
+  EXPECT_NE(refusalOf(two, options), "accepted");
 }
 
 TEST(TiledObjectLayers, TheReportTellsAllOfThem) {
@@ -235,58 +241,6 @@ TEST(TiledObjectLayers, TheProjectsOwnCave) {
   EXPECT_EQ(worldOf(*map).loops().size(), 2U) << "the plank, and all else";
   EXPECT_EQ(map->report.blocks.size(), 3U);
   EXPECT_EQ(layerNotes(*map).front(), "Walls 10: an open polyline has no area: close it, or draw a polygon instead");
-}
-
-/// A polygon of a few tiles around a place in pixels, without crossings: a radius for each direction.
-struct Star {
-  int x = 0, y = 0, rotation = 0;
-  std::vector<int> radii;
-};
-
-std::vector<DoublePoint> pointsOf(const Star& star) {
-  std::vector<DoublePoint> points;
-  const auto n = static_cast<double>(star.radii.size());
-  for (std::size_t k = 0; k < star.radii.size(); ++k) {
-    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / n;
-    points.push_back({std::round(star.radii[k] * std::cos(angle)), std::round(star.radii[k] * std::sin(angle))});
-  }
-  return points;
-}
-
-std::string xmlOf(const Star& star) {
-  std::string points;
-  for (const DoublePoint p : pointsOf(star)) {
-    points += std::to_string(static_cast<int>(p.x)) + "," + std::to_string(static_cast<int>(p.y)) + " ";
-  }
-  return objectLayer("<object id='1' x='" + std::to_string(star.x) + "' y='" + std::to_string(star.y) + "' rotation='" +
-                     std::to_string(star.rotation) + "'><polygon points='" + points + "'/></object>");
-}
-
-void showValue(const Star& star, std::ostream& out) { out << xmlOf(star); }
-
-TEST(TiledObjectLayers, NoAreaIsLostOrWon) {
-  const auto law = [](const Star& star) {
-    Options options;
-    options.tolerance = 0;
-    const ImportedMap map = mustImport(xmlOf(star), options);
-    const std::vector<DoublePoint> points = pointsOf(star);
-    double area = 0, length = 0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const DoublePoint a = points[k], b = points[(k + 1) % points.size()];
-      area += (a.x * b.y - a.y * b.x) / 2 / (32 * 32);
-      length += std::hypot(b.x - a.x, b.y - a.y) / 32;
-    }
-    // Rounding moves a vertex by less than a unit, and the brush may then differ within a unit of each edge.
-    EXPECT_NEAR(areaInCells(map), area, (2 * length + 1) * 2 / kUnitsPerCell);
-    EXPECT_EQ(worldOf(map).loops().size(), 1U) << "there is a seam inside, or a part is missing";
-  };
-  const auto star =
-      rc::gen::map(rc::gen::tuple(rc::gen::inRange(-200, 200), rc::gen::inRange(-200, 200), rc::gen::inRange(0, 360),
-                                  rc::gen::container<std::vector<int>>(7, rc::gen::inRange(20, 120))),
-                   [](std::tuple<int, int, int, std::vector<int>> drawn) {
-                     return Star{std::get<0>(drawn), std::get<1>(drawn), std::get<2>(drawn), std::get<3>(drawn)};
-                   });
-  test::forAll(300, law, rc::gen::resize(rc::kNominalSize, star));
 }
 
 }  // namespace
