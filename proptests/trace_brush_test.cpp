@@ -7,6 +7,7 @@
 #include "oracle/trace/brushing.h"
 #include "oracle/trace/coordinate.h"
 #include "oracle/trace/dump.h"
+#include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
 
 #include <gtest/gtest.h>
