@@ -1,4 +1,4 @@
-// CGAL takes half a minute to compile. Only this file and brushed.cpp include it.
+// CGAL takes half a minute to compile. Only this file and brushed.cpp include it, and they are compiled together.
 #include "oracle/cgal/cgal_union.h"
 
 #include "oracle/cgal/scene_edges.h"

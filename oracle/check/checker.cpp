@@ -154,13 +154,10 @@ class Check {
     return mismatch(Mismatch::Kind::rounding, std::move(*far));
   }
 
-  // Whether a cell is full can not be known beforehand. A lattice point may be in range and left of all cells.
+  // Whether a cell is full can not be known beforehand.
   tl::expected<Result, TraceError> refusedBrush(const Step& step, const TraceError& error) {
     const std::optional<Error>& refusal = error.refusal;
-    const bool isBeyond = !inRange(cellsUnder(step.edits.front().brush).min);
-    const bool isExpected =
-        refusal && (refusal->code == step.verdict.code.value_or(ErrorCode::capacity) ||
-                    (step.verdict.accepted && isBeyond && refusal->code == ErrorCode::cellOutOfRange));
+    const bool isExpected = refusal && refusal->code == step.verdict.code.value_or(ErrorCode::capacity);
     if (!isExpected)
       return mismatch(Mismatch::Kind::verdict, (refusal ? "a brush is refused, but is good: " : "") + error.text);
     if (auto complaint = library_->afterRefusedBrush(model())) return mismatch(std::move(*complaint));

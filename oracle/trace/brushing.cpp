@@ -41,9 +41,11 @@ CellRect cellsUnder(const BrushEdit& brush) {
 
 bool isOutOfReach(const BrushEdit& brush) {
   constexpr std::int64_t kMost = kMaxRegionCells * kUnitsPerCell;
+  constexpr std::int64_t kLeast = -std::int64_t{kMaxCell} * kUnitsPerCell;  // where the first cell begins
   const auto [min, max] = boxOf(brush);
   if (min.x > max.x) return false;
-  return !inRange(min) || !inRange(max) || max.x - min.x > kMost || max.y - min.y > kMost;
+  return std::min(min.x, min.y) < kLeast || !inRange(min) || !inRange(max) || max.x - min.x > kMost ||
+         max.y - min.y > kMost;
 }
 
 Player::Done Player::brush(const Edit& edit) {

@@ -265,7 +265,13 @@ TEST(Brush, BadRegionsAreRefusedAndNothingChanges) {
   EXPECT_FALSE(carve(world, box({0, 0}, {most + 1, 10})).has_value());
   EXPECT_FALSE(carve(world, box({0, 0}, {10, most + 1})).has_value());
   EXPECT_FALSE(carve(world, circle({kMaxCoordinate + 1, 0}, 10)).has_value());
+  constexpr Point kFirst{-kMaxCell * kCell, -kMaxCell * kCell};  // where the first cell begins
+  const auto beyond = carve(world, box({kFirst.x - 1, 0}, {kFirst.x + 5, 9}));
+  ASSERT_FALSE(beyond.has_value());
+  EXPECT_EQ(beyond.error().code, ErrorCode::outOfReach);
+  EXPECT_FALSE(carve(world, box({0, kFirst.y - 1}, {9, kFirst.y + 5})).has_value());
   EXPECT_EQ(standingIn(world), before);
+  EXPECT_TRUE(carve(world, box(kFirst, {kFirst.x + 5, kFirst.y + 9})).has_value());
 }
 
 TEST(Brush, TooMuchForACellIsRefusedAsAWhole) {

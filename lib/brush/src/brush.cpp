@@ -7,13 +7,19 @@
 namespace lgs {
 namespace {
 
+/// The first cell begins one cell nearer to the origin than the last one ends. inRange() does not look at that.
+bool isInACell(Point p) {
+  constexpr std::int64_t kLeast = -std::int64_t{kMaxCell} * kUnitsPerCell;
+  return inRange(p) && p.x >= kLeast && p.y >= kLeast;
+}
+
 Expected<void> checked(const Region& region) {
   constexpr std::int64_t kExtent = kMaxRegionCells * kUnitsPerCell;
   Point min{INT64_MAX, INT64_MAX}, max{INT64_MIN, INT64_MIN};
   for (std::size_t r = 0; r < region.rings.size(); ++r) {
     for (std::size_t v = 0; v < region.rings[r].size(); ++v) {
       const Point p = region.rings[r][v];
-      if (!inRange(p))
+      if (!isInACell(p))
         return tl::unexpected(Error{.code = ErrorCode::outOfReach,
                                     .polygon = static_cast<std::int32_t>(r),
                                     .vertex = static_cast<std::int32_t>(v)});
