@@ -21,8 +21,8 @@ struct GeneratorOptions {
   std::int32_t height = 4;
   std::size_t edits = 100;                 ///< adds and removes, refused ones included
   Capabilities can = Capabilities::all();  ///< what the worlds must be fit for
-  bool brushes = false;  ///< among the other edits: these are this library's, and come on top of `edits`
   bool crowds = true;    ///< the limits of a cell are this library's: other engines need not know them
+  bool brushes = false;  ///< among the other edits: these are this library's, and come on top of `edits`
 };
 
 /// A case of its own. The trace may hold edits that must be refused; see CheckOptions::skipRefused.
