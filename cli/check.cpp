@@ -81,14 +81,15 @@ void addWorldOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& a
   CLI::Option* const brushes =
       command.add_flag("--brushes", arguments->world.brushes,
                        "Paint and carve among the other edits, and measure each stroke\nagainst CGAL's exact result");
-  CLI::Option* const map = command
-                               .add_option("--map", arguments->map,
-                                           "Dig in this world instead of random ones: a trace, or a\nTiled map (.tmx)")
-                               ->option_text("FILE")
-                               ->excludes(cells)
-                               ->excludes(onlyCase)
-                               ->excludes(brushes)
-                               ->excludes(caseEdits);
+  CLI::Option* const map =
+      command
+          .add_option("--map", arguments->map,
+                      "Dig in this world instead of random ones: a trace, or a\nmap (.tmx, .tmj, .json, .world, .ldtk)")
+          ->option_text("FILE")
+          ->excludes(cells)
+          ->excludes(onlyCase)
+          ->excludes(brushes)
+          ->excludes(caseEdits);
   addWholeNumber(
       command, "--whole-every", [arguments](std::uint64_t n) { arguments->options.wholeEvery = n; }, {},
       "With --map: compare the whole world after every K-th commit,\n"
@@ -207,6 +208,7 @@ void addCheck(CLI::App& app, Action& chosen) {
     if (arguments->world.brushes && arguments->engine.isGiven())
       throw CLI::ExcludesError("--brushes", "--engine and --engine-so");
     arguments->importArguments = importArguments(command);
+    arguments->hintArguments = importArguments(command, kNotInHints);
     if (!arguments->importArguments.empty() && arguments->map.empty()) throw CLI::RequiredError("--map");
     if (!arguments->report.empty() && !arguments->engine.isGiven()) throw CLI::RequiredError("--engine or --engine-so");
     chosen = [arguments] { return run(*arguments); };

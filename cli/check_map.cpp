@@ -58,12 +58,12 @@ Status dig(const CheckArguments& arguments, const Trace& start, const Checked& d
 }  // namespace
 
 Status checkMap(const CheckArguments& arguments) {
-  const bool isTiled = arguments.map.ends_with(".tmx");
-  if (!isTiled && !arguments.importArguments.empty()) {
-    return complain("options of the import need a Tiled map (.tmx), not " + arguments.map);
+  const bool isImported = isMap(arguments.map);
+  if (!isImported && !arguments.importArguments.empty()) {
+    return complain("options of the import need a map of Tiled or LDtk, not " + arguments.map);
   }
-  const auto read = isTiled ? readMap(arguments.map, arguments.import, "lgs check --map " + shellWord(arguments.map))
-                            : readWorld(arguments.map);
+  const std::string command = "lgs check --map " + shellWord(arguments.map) + arguments.hintArguments;
+  const auto read = isImported ? readMap(arguments.map, arguments.import, command) : readWorld(arguments.map);
   if (!read) return complain(read.error());
   const Trace start = withoutBrushes(*read);
   const Capabilities& can = arguments.world.can;

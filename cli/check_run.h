@@ -27,6 +27,7 @@ struct CheckArguments {
   std::string map;
   tiled::Options import;        ///< of the map
   std::string importArguments;  ///< the same, as they were given: " --solid"
+  std::string hintArguments;    ///< those of them that go into hints
   std::string out = "out";
   std::string svg;
   std::string report;  ///< folder of a report on the whole engine; empty: the first mismatch ends the run

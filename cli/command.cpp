@@ -6,9 +6,12 @@
 #include <fmt/format.h>
 #include <lgs/debug.h>
 #include <lgs/world.h>
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <fstream>
 #include <span>
 #include <system_error>
 
@@ -57,8 +60,22 @@ tl::expected<oracle::Trace, std::string> readSaved(const std::string& path) {
 
 }  // namespace
 
+bool isMap(const std::string& path) {
+  constexpr std::array kEndings{".tmx", ".tmj", ".json", ".world", ".ldtk"};
+  if (std::any_of(kEndings.begin(), kEndings.end(), [&](const char* ending) { return path.ends_with(ending); }))
+    return true;
+  std::ifstream file(path, std::ios::binary);
+  std::string begin(64, '\0');
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (begin.starts_with(kByteOrderMark)) begin.erase(0, kByteOrderMark.size());
+  const std::size_t first = begin.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && (begin[first] == '<' || begin[first] == '{');
+}
+
 tl::expected<oracle::Trace, std::string> readWorld(const std::string& path) {
-  if (path.ends_with(".tmx")) {
+  if (isMap(path)) {
     const auto map = tiled::importMap(path);
     if (!map) return tl::unexpected(tiled::message(map.error()));
     return traceOf(*map);

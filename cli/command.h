@@ -37,8 +37,12 @@ Status flushed(Status status);
 /// nobody asked for these outputs.
 Status tryOutputs(std::initializer_list<std::string> paths);
 
-/// Reads a trace; or imports a Tiled map if the name ends in ".tmx", or takes the polygons of a saved world if it ends
-/// in ".lgs". The error is a whole complaint, "FILE:LINE: …".
+/// Whether a file is a map, of Tiled (".tmx", ".tmj", ".json", ".world") or LDtk (".ldtk"): by its name, or else as it
+/// begins like XML or JSON.
+bool isMap(const std::string& path);
+
+/// Reads a trace; or imports a map if isMap(), or takes the polygons of a saved world if the name ends in ".lgs". The
+/// error is a whole complaint, "FILE:LINE: …".
 tl::expected<oracle::Trace, std::string> readWorld(const std::string& path);
 
 /// Adds an option that takes a whole number in decimal digits. CLI11's own conversion reads "010" as eight, cuts large

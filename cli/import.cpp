@@ -7,6 +7,7 @@
 #include "oracle/trace/player.h"
 
 #include <fmt/format.h>
+#include <filesystem>
 
 namespace lgs::cli {
 namespace {
@@ -18,6 +19,7 @@ struct ImportArguments {
   std::string svg;
   bool allowEmpty = false;
   tiled::Options options;
+  std::string hintArguments;  ///< those of them that go into hints: " --layer Ground"
 };
 
 Status run(const ImportArguments& arguments) {
@@ -28,21 +30,23 @@ Status run(const ImportArguments& arguments) {
   const bool isEmpty = map->placements.empty() && !arguments.allowEmpty;
   const oracle::Trace trace = traceOf(*map);
   Status status = isEmpty ? Status::badInput : write(arguments.trace, printTrace(trace));
-  const std::string report = tiled::toText(map->report);
+  tiled::Report shown = map->report;
+  if (isEmpty && arguments.report.empty()) shown.suggestions.clear();  // the complaint has them
+  const std::string report = tiled::toText(shown);
   if (!arguments.report.empty()) {
     status = worst(status, write(arguments.report, report));
   } else {
     fmt::print(arguments.trace == "-" ? stderr : stdout, "{}", report);
   }
   if (isEmpty) {
-    const std::string command = "lgs import " + oracle::shellWord(arguments.map);
+    const std::string command = "lgs import " + oracle::shellWord(arguments.map) + arguments.hintArguments;
     return complain(hints(map->report, command) + "\n(--allow-empty accepts an empty map)");
   }
   if (arguments.svg.empty()) return status;
   oracle::Player player(trace.preserve);
   if (const auto done = play(trace, player); !done) return complain(message(done.error(), arguments.map));
   oracle::DrawOptions options;
-  options.title = arguments.map;
+  options.title = std::filesystem::path(arguments.map).filename().string();
   const oracle::Outline outline = oracle::outlineOf(player.world());
   return worst(status, write(arguments.svg, drawWorld(player.scene(), outline, options)));
 }
@@ -51,8 +55,11 @@ Status run(const ImportArguments& arguments) {
 
 void addImport(CLI::App& app, Action& chosen) {
   const auto arguments = std::make_shared<ImportArguments>();
-  CLI::App& command = *app.add_subcommand("import", "Turn the collision shapes of a Tiled map into a trace");
-  command.add_option("MAP", arguments->map, "A Tiled map (.tmx); its tilesets are found by the paths in it")
+  CLI::App& command = *app.add_subcommand("import", "Turn the collision shapes of a Tiled or LDtk map into a trace");
+  command
+      .add_option("MAP", arguments->map,
+                  "A Tiled map (.tmx, .tmj, .json) or world (.world), or an LDtk\nproject (.ldtk). The files that it "
+                  "names are found by their paths")
       ->required()
       ->option_text("(required)");
   command.add_option("-o,--output", arguments->trace, "Where the trace goes; default stdout")->option_text("TRACE");
@@ -69,7 +76,10 @@ void addImport(CLI::App& app, Action& chosen) {
       "The tile in column c and row r of the map becomes cell (c, -1 - r): y is up, and the map's top edge is y = "
       "0.\n\n"
       "Example: lgs import level.tmx -o level.trace --block class --number water=7 --svg level.svg");
-  command.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+  command.callback([arguments, &command, &chosen] {
+    arguments->hintArguments = importArguments(command, kNotInHints);
+    chosen = [arguments] { return run(*arguments); };
+  });
 }
 
 }  // namespace lgs::cli

@@ -3,8 +3,10 @@
 #include "cli/imported.h"
 #include "oracle/check/shell.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <charconv>
+#include <cstdio>
 
 namespace lgs::cli {
 namespace {
@@ -29,13 +31,16 @@ void addBlockOptions(CLI::App& command, tiled::Options& options) {
           "--block",
           [&options](const std::string& from) {
             options.blockFrom = from == "class"   ? tiled::BlockFrom::tileClass
+                                : from == "name"  ? tiled::BlockFrom::name
                                 : from == "layer" ? tiled::BlockFrom::layer
                                                   : tiled::BlockFrom::one;
           },
-          "Which block a shape gets: one gives block 1 to all (the default),\n"
-          "class and layer give one block to each class of tiles, or layer")
-      ->check(CLI::IsMember({"one", "class", "layer"}))
-      ->option_text("one|class|layer");
+          "Which block a shape gets: one gives block 1 to all (the default;\n"
+          "in an LDtk project a cell of an IntGrid layer gets its value),\n"
+          "class and layer give one block to each class of tiles and objects,\n"
+          "or layer; name is class, but the names of objects come first")
+      ->check(CLI::IsMember({"one", "class", "name", "layer"}))
+      ->option_text("one|class|name|layer");
   command
       .add_option_function<std::vector<std::string>>(
           "--number",
@@ -46,7 +51,7 @@ void addBlockOptions(CLI::App& command, tiled::Options& options) {
               }
             }
           },
-          "The block of a class or layer; the others get numbers in the\n"
+          "The block of a class, name or layer; the others get numbers in the\n"
           "order in which they occur. May be repeated")
       ->allow_extra_args(false)
       ->option_text("NAME=NUMBER");
@@ -75,25 +80,35 @@ void addShapeOptions(CLI::App& command, tiled::Options& options) {
                   "NAME alone takes any value but false, 0 and none. May be\nrepeated")
       ->allow_extra_args(false)
       ->option_text("NAME[=VALUE]");
+  command
+      .add_option("--polyline-thickness", options.polylineThickness,
+                  "Make thin polygons of open polylines that are one-way (a class,\n"
+                  "name or property says so); what lies up to so many pixels below\nthem is solid")
+      ->check(CLI::Range(0.0, 1e6))
+      ->option_text("PIXELS");
 }
 
 void addLayerOptions(CLI::App& command, tiled::Options& options) {
-  command.add_option("--layer", options.layers, "Import only this tile layer or group. May be repeated")
+  command
+      .add_option("--layer", options.layers,
+                  "Import only this tile layer or group, or this map of a world,\nor level of LDtk. May be repeated")
       ->allow_extra_args(false)
       ->option_text("NAME");
   CLI::Option* const objects =
       command
           .add_option_function<std::vector<std::string>>(
               "--objects", [&options](const std::vector<std::string>& names) { options.objects = names; },
-              "Import this object layer, or all of a group; default: those\n"
-              "whose name, class or property has collision, collider, solid,\n"
-              "wall, ground, terrain or blocked in it. May be repeated")
+              "Import this object layer or kind of entity, or all of a group;\n"
+              "default: those whose name, class or property has collision,\n"
+              "collider, solid, wall, ground, terrain or blocked in it. May be\nrepeated")
           ->allow_extra_args(false)
           ->option_text("NAME");
   command
       .add_flag_callback(
           "--no-objects", [&options] { options.objects = std::vector<std::string>{}; }, "Import no object layer")
       ->excludes(objects);
+  command.add_flag("--visible", options.visibleOnly,
+                   "Leave out hidden layers and objects; otherwise they count like\nthose that are visible");
 }
 
 }  // namespace
@@ -108,10 +123,11 @@ void addImportOptions(CLI::App& command, tiled::Options& options) {
   }
 }
 
-std::string importArguments(const CLI::App& command) {
+std::string importArguments(const CLI::App& command, std::span<const std::string_view> without) {
   std::string text;
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_group() != kGroup || option->count() == 0) continue;
+    if (std::find(without.begin(), without.end(), option->get_name()) != without.end()) continue;
     if (option->get_expected_max() == 0) text += " " + option->get_name();
     for (const std::string& value : option->get_expected_max() == 0 ? std::vector<std::string>{} : option->results()) {
       text += " " + option->get_name() + " " + oracle::shellWord(value);
@@ -124,7 +140,12 @@ tl::expected<oracle::Trace, std::string> readMap(const std::string& path, const 
                                                  const std::string& command) {
   const auto map = tiled::importMap(path, options);
   if (!map) return tl::unexpected(tiled::message(map.error()));
-  if (map->placements.empty()) return tl::unexpected(hints(map->report, command));
+  if (map->placements.empty()) {
+    tiled::Report shown = map->report;
+    shown.suggestions.clear();  // the hints have them
+    fmt::print(stderr, "{}", tiled::toText(shown));
+    return tl::unexpected(hints(map->report, command));
+  }
   return traceOf(*map);
 }
 

@@ -5,7 +5,10 @@
 
 #include <lgs/tiled/import.h>
 
+#include <array>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace lgs::cli {
 
@@ -13,9 +16,12 @@ namespace lgs::cli {
 void addImportOptions(CLI::App& command, tiled::Options& options);
 
 /// The options that were given, as a shell takes them: " --layer Ground --solid".
-std::string importArguments(const CLI::App& command);
+std::string importArguments(const CLI::App& command, std::span<const std::string_view> without = {});
 
-/// Imports a Tiled map as a trace. A map from which nothing comes out is an error; `command` is for the hints in it.
+/// Options that a hint leaves out: they would take away what it adds.
+inline constexpr std::array<std::string_view, 2> kNotInHints{"--visible", "--no-objects"};
+
+/// Imports a map as a trace. A map from which nothing comes out is an error, and its report is shown; `command` is for the hints in it.
 tl::expected<oracle::Trace, std::string> readMap(const std::string& path, const tiled::Options& options,
                                                  const std::string& command);
 

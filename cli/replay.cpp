@@ -128,7 +128,8 @@ void addReplay(CLI::App& app, Action& chosen) {
   const auto arguments = std::make_shared<ReplayArguments>();
   CLI::App& command = *app.add_subcommand("replay", "Play a trace, a list of edits; check, dump or draw the result");
   command
-      .add_option("TRACE", arguments->trace, "A file in the trace format, a Tiled map (.tmx), or a saved\nworld (.lgs)")
+      .add_option("TRACE", arguments->trace,
+                  "A file in the trace format, a map (.tmx, .tmj, .json,\n.world, .ldtk), or a saved world (.lgs)")
       ->required()
       ->option_text("(required)");
   CLI::Option* const check =

@@ -152,7 +152,7 @@ void addRide(CLI::App& app, Action& chosen) {
   const auto arguments = std::make_shared<RideArguments>();
   CLI::App& command =
       *app.add_subcommand("ride", "Let a body ride over a world in Box2D, with and without ghost vertices");
-  command.add_option("FILE", arguments->file, "A trace, whose last world is ridden, or a Tiled map (.tmx)")
+  command.add_option("FILE", arguments->file, "A trace, whose last world is ridden, or a map (.tmx, .ldtk …)")
       ->required()
       ->option_text("(required)");
   addBodyOptions(command, *arguments);

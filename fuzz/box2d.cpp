@@ -17,6 +17,7 @@
 #include <set>
 
 namespace lgs::fuzz {
+namespace box2d_target {
 namespace {
 
 using box2d::Edge;
@@ -263,9 +264,12 @@ std::optional<Finding> checkTrace(const oracle::Trace& trace, oracle::CheckStats
 
 std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) { return checkTrace(decode(input), stats); }
 
-}  // namespace
-
-const Target kBox2d{
+constexpr Target kTarget{
     "box2d", "the Box2D adapter: fixtures are the world's segments", check, decode, checkTrace, kActions, {}};
+
+}  // namespace
+}  // namespace box2d_target
+
+const Target kBox2d = box2d_target::kTarget;
 
 }  // namespace lgs::fuzz

@@ -16,6 +16,7 @@
 #include <array>
 
 namespace lgs::fuzz {
+namespace brush_target {
 namespace {
 
 using oracle::BrushEdit;
@@ -119,8 +120,11 @@ std::optional<Finding> checkTrace(const Trace& trace, oracle::CheckStats& stats)
 
 std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) { return checkTrace(traceOf(input), stats); }
 
-}  // namespace
+constexpr Target kTarget{"brush", "strokes of brushes on a small world", check, traceOf, checkTrace, kAny, {}};
 
-const Target kBrush{"brush", "strokes of brushes on a small world", check, traceOf, checkTrace, kAny, {}};
+}  // namespace
+}  // namespace brush_target
+
+const Target kBrush = brush_target::kTarget;
 
 }  // namespace lgs::fuzz

@@ -15,6 +15,7 @@
 #include <vector>
 
 namespace lgs::fuzz {
+namespace snapshot_target {
 namespace {
 
 using namespace std::string_view_literals;
@@ -144,8 +145,11 @@ oracle::Trace traceOf(Bytes) { return {}; }
 
 std::string whyEmpty(Bytes) { return "a saved world has no edits; `lgs replay` takes it as it is"; }
 
-}  // namespace
+constexpr Target kTarget{"snapshot", "saved worlds, as bytes", check, traceOf, nullptr, {}, kWords, whyEmpty};
 
-const Target kSnapshot{"snapshot", "saved worlds, as bytes", check, traceOf, nullptr, {}, kWords, whyEmpty};
+}  // namespace
+}  // namespace snapshot_target
+
+const Target kSnapshot = snapshot_target::kTarget;
 
 }  // namespace lgs::fuzz

@@ -1,4 +1,5 @@
-// Tiled maps. An input is a TMX file; what follows a form feed in it is the TSX file that any tileset's source names.
+// Maps. An input is a file of Tiled's or LDtk's; what follows a form feed in it is the file that any name in it means: a
+// tileset, a template, a map of a world, or a level.
 // Whatever is accepted keeps the importer's promise: sorted, counted, and placed by World without a refusal.
 #include "cli/imported.h"
 #include "fuzz/target.h"
@@ -10,12 +11,13 @@
 #include <array>
 
 namespace lgs::fuzz {
+namespace tiled_target {
 namespace {
 
 using tiled::ImportedMap;
 using tiled::Placement;
 
-constexpr std::array<std::string_view, 36> kWords{
+constexpr std::array<std::string_view, 61> kWords{
     "<map orientation='orthogonal' width='2' height='2' tilewidth='32' tileheight='32'>",
     "</map>",
     "<tileset firstgid='1' tilewidth='32' tileheight='32'>",
@@ -35,6 +37,8 @@ constexpr std::array<std::string_view, 36> kWords{
     "<ellipse/>",
     "<capsule/>",
     "<polyline points='0,0 1,1'/>",
+    " class='one-way'",
+    " visible='0'",
     " rotation='45'",
     " offsetx='16'",
     "<layer name='a' width='2' height='2'>",
@@ -51,6 +55,29 @@ constexpr std::array<std::string_view, 36> kWords{
     "-1",
     "1e300",
     "nan",
+    R"({"type":"map", "tilewidth":32, "tileheight":32, "width":2, "height":2, "layers":[)",
+    R"("tilesets":[{"firstgid":1, "source":"a.tsj"}], )",
+    R"({"type":"tileset", "tilewidth":32, "tileheight":32, "tiles":[)",
+    R"({"id":0, "objectgroup":{"objects":[)",
+    R"({"type":"tilelayer", "name":"a", "width":2, "height":2, "data":[1,2,0,1]},)",
+    R"("encoding":"base64", "compression":"zlib", )",
+    R"("chunks":[{"x":-16, "y":0, "width":2, "height":2, "data":[1,1,0,2]}], )",
+    R"({"type":"objectgroup", "name":"wall", "objects":[)",
+    R"({"id":1, "x":8, "y":4, "width":48, "height":40, "rotation":30, "ellipse":true},)",
+    R"("polygon":[{"x":0, "y":0}, {"x":40, "y":0}, {"x":0, "y":32}], )",
+    R"({"type":"group", "offsetx":7, "layers":[)",
+    R"("properties":[{"name":"solid", "value":true}], )",
+    R"({"type":"world", "maps":[{"fileName":"a.tmx", "x":0, "y":0},{"fileName":"b.tmx", "x":64, "y":-8},)",
+    R"({"__header__":{"app":"LDtk"}, "worldLayout":"Free", "levels":[)",
+    R"({"identifier":"A", "worldX":8, "worldY":0, "pxWid":64, "pxHei":64, "layerInstances":[)",
+    R"({"__type":"IntGrid", "__identifier":"a", "layerDefUid":1, "intGridCsv":[1,2],)",
+    R"("__gridSize":32, "__cWid":2, "__cHei":1},)",
+    R"({"__type":"Entities", "__identifier":"wall", "entityInstances":[)",
+    R"({"__identifier":"E", "px":[40,8], "__pivot":[0.5,1], "width":40, "height":24},)",
+    R"("layerInstances":null, "externalRelPath":"a.ldtkl")",
+    "]}",
+    "},",
+    "null",
     "\f"};
 
 constexpr std::size_t kMaxPlacements = 512;
@@ -65,6 +92,8 @@ std::array<tiled::Options, 3> allOptions() {
   all[1].outside = tiled::Outside::clip;
   all[1].blockFrom = tiled::BlockFrom::tileClass;
   all[1].tolerance = 0;
+  all[1].visibleOnly = true;
+  all[1].polylineThickness = 3;
   all[2].solidWithoutShapes = true;
   all[2].blockFrom = tiled::BlockFrom::layer;
   all[2].blocks["a"] = 7;
@@ -125,8 +154,11 @@ std::string whyEmpty(Bytes input) {
   return map ? "the map has no solid tiles" : message(map.error());
 }
 
-}  // namespace
+constexpr Target kTarget{"tiled", "maps of Tiled and LDtk", check, traceOf, nullptr, {}, kWords, whyEmpty};
 
-const Target kTiled{"tiled", "Tiled maps, TMX and TSX", check, traceOf, nullptr, {}, kWords, whyEmpty};
+}  // namespace
+}  // namespace tiled_target
+
+const Target kTiled = tiled_target::kTarget;
 
 }  // namespace lgs::fuzz

@@ -6,6 +6,7 @@
 #include <array>
 
 namespace lgs::fuzz {
+namespace trace_target {
 namespace {
 
 using oracle::Edit;
@@ -74,9 +75,12 @@ std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) {
   return checkTrace(parsed.trace, stats);
 }
 
-}  // namespace
+constexpr Target kTarget{
+    "trace", "the text of traces, parsed, played and printed", check, traceOf, checkTrace, {}, kWords, whyEmpty};
 
-const Target kTrace{"trace", "the text of traces, parsed, played and printed", check, traceOf, checkTrace, {}, kWords,
-                    whyEmpty};
+}  // namespace
+}  // namespace trace_target
+
+const Target kTrace = trace_target::kTarget;
 
 }  // namespace lgs::fuzz

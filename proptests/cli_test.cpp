@@ -87,7 +87,7 @@ TEST_F(Command, BadUsageIsTwo) {
   expect("check --case -1", 2, "'-1' is not a whole number from 0");
   expect("check --map t --whole-every -1", 2, "'-1' is not a whole number from 0");
   expect("import t.tmx --block colour", 2, "colour");
-  expect("import t.tmx --block 1", 2, "1 not in {one,class,layer}");
+  expect("import t.tmx --block 1", 2, "1 not in {one,class,name,layer}");
   expect("import t.tmx --outside 1", 2, "1 not in {carry,clip}");
   expect("import t.tmx --number water", 2, "NAME=NUMBER");
   expect("import t.tmx --tolerance -1", 2, "--tolerance");
@@ -196,11 +196,34 @@ TEST_F(Command, ImportMakesATrace) {
       "<tileset firstgid='1' name='t' tilewidth='16' tileheight='16' tilecount='1' columns='1'>"
       "<tile id='0'><objectgroup><object id='1' x='0' y='8' width='16' height='8'/></objectgroup></tile></tileset>"
       "<layer id='1' name='l' width='2' height='1'><data encoding='csv'>1,1</data></layer></map>");
-  expect("import m.tmx -o m.trace --svg m.svg", 0, "");
+  expect("import ./m.tmx -o m.trace --svg m.svg", 0, "");
+  EXPECT_NE(get("m.svg").find("<title>m.tmx</title>"), std::string::npos) << "the map's name";
   EXPECT_NE(get("m.trace").find("add c1_-1_1 1 -1 1 "), std::string::npos) << get("m.trace");
   expect("replay m.trace --check", 0, "2 polygons in 2 cells, 6 segments, 1 loop");
   EXPECT_EQ(lgs("import m.tmx", "2>/dev/null").text, get("m.trace"));
   expect("check --map m.tmx --edits 50", 0, "no mismatch");
+}
+
+TEST_F(Command, MapsOfEachFormatAreTakenByEachCommand) {
+  const std::string map =
+      R"({"type":"map", "tilewidth":16, "tileheight":16, "layers":[{"type":"objectgroup", "name":"wall", "objects":[)"
+      R"({"id":1, "x":0, "y":8, "width":32, "height":8}]}]})";
+  put("m.tmj", map);
+  put("m.json", map);
+  put("m.world", R"({"maps":[{"fileName":"m.tmj", "x":-32, "y":16}], "type":"world"})");
+  put("m.ldtk", R"({"jsonVersion":"1.5.3", "levels":[{"identifier":"A", "worldX":0, "worldY":0, "layerInstances":[)"
+                R"({"__type":"IntGrid", "__identifier":"G", "__gridSize":16, "__cWid":2, "__cHei":1, "layerDefUid":1, )"
+                R"("intGridCsv":[1,2]}]}]})");
+  for (const std::string name : {"m.tmj", "m.json", "m.world", "m.ldtk"}) {
+    expect("import " + name + " -o m.trace", 0, "2 polygons (");
+    expect("replay m.trace --check", 0, "2 polygons in 2 cells, 6 segments, 1 loop");
+    expect("replay " + name, 0, "2 polygons in 2 cells");
+    expect("check --map " + name + " --edits 20 --tolerance 0", 0, "no mismatch");
+  }
+  EXPECT_NE(lgs("import m.world", "2>/dev/null").text.find("add c-2_-2_1 -2 -2 1 "), std::string::npos);
+  EXPECT_NE(lgs("import m.ldtk", "2>/dev/null").text.find("add c1_-1_1 1 -1 2 "), std::string::npos);
+  put("m.tmx", "[gd_scene format=3]");
+  expect("import m.tmx", 2, "m.tmx: is a Godot scene. What is read: maps of Tiled");
 }
 
 /// A map with a tile without shapes, and an object layer that nothing says is solid.
@@ -209,7 +232,8 @@ constexpr const char* kNothingSolid =
     "<tileset firstgid='1' name='t' tilewidth='16' tileheight='16'><tile id='0'><properties>"
     "<property name='solid' value='true'/></properties></tile></tileset>"
     "<layer name='l' width='2' height='1'><data encoding='csv'>1,0</data></layer>"
-    "<objectgroup name='My boxes'><object id='1' x='16' width='16' height='16'/></objectgroup></map>";
+    "<objectgroup name='My boxes' class='one-way' visible='0'><object id='1' x='16' width='16' height='16'/>"
+    "<object id='2' x='32' y='9'><polyline points='0,0 16,0'/></object></objectgroup></map>";
 
 TEST_F(Command, AMapWithNothingSolidIsRefusedWithWhatCouldBeTaken) {
   put("m.tmx", kNothingSolid);
@@ -219,6 +243,27 @@ TEST_F(Command, AMapWithNothingSolidIsRefusedWithWhatCouldBeTaken) {
   expect("import m.tmx -o m.trace --allow-empty", 0, "0 polygons");
   EXPECT_TRUE(fs::exists(folder_ / "m.trace"));
   expect("check --map m.tmx --edits 9", 2, "    lgs check --map m.tmx --objects 'My boxes'");
+  // A hint keeps what was asked for; but not what would take away again what it adds.
+  expect("import m.tmx --layer l --visible --no-objects", 2, "    lgs import m.tmx --layer l --solid-if solid\n");
+  expect("check --map m.tmx --block class", 2, "    lgs check --map m.tmx --block class --solid-if solid\n");
+}
+
+TEST_F(Command, AMapIsKnownByItsContentToo) {
+  put("m.xml", "\n" + std::string(kNothingSolid));
+  expect("check --map m.xml --edits 9 --solid", 0, "no mismatch");
+  expect("import m.xml --solid", 0, "");
+  put("m.trace", "# <map>\nlgs-trace 1\n");
+  expect("check --map m.trace --solid", 2, "options of the import need a map of Tiled or LDtk");
+  put("m.map", "{\"no\": \"map\"}");
+  expect("replay m.map", 2, "m.map: ");
+}
+
+TEST_F(Command, AnEmptyMapSaysWhatWasLeftOut) {
+  put("m.tmx",
+      "<map orientation='orthogonal' width='2' height='1' tilewidth='16' tileheight='16'><objectgroup name='Walls'>"
+      "<object id='3' x='2' y='9'><point/></object></objectgroup></map>");
+  expect("import m.tmx", 2, "object 3: a point has no area");
+  expect("check --map m.tmx", 2, "object 3: a point has no area");
 }
 
 TEST_F(Command, CheckTakesTheOptionsOfTheImport) {
@@ -233,11 +278,14 @@ TEST_F(Command, CheckTakesTheOptionsOfTheImport) {
   EXPECT_EQ(polygons("--objects 'My boxes'"), "1 polygon ");
   EXPECT_EQ(polygons("--objects 'My boxes' --solid-if solid=true"), "2 polygons");
   EXPECT_EQ(polygons("--solid --no-objects --layer l --tolerance 0"), "1 polygon ");
+  EXPECT_EQ(polygons("--objects 'My boxes' --solid --visible"), "1 polygon ");
+  EXPECT_EQ(polygons("--objects 'My boxes' --solid --polyline-thickness 4.5"), "3 polygons");
+  expect("import m.tmx --polyline-thickness -1", 2, "--polyline-thickness");
   expect("import m.tmx --objects none", 2, "has no object layer or group 'none'");
   expect("import m.tmx --objects 'My boxes' --no-objects", 2, "--objects excludes --no-objects");
   expect("check --solid", 2, "--map is required");
   put("t", kTwoSquares);
-  expect("check --map t --solid", 2, "options of the import need a Tiled map (.tmx), not t");
+  expect("check --map t --solid", 2, "options of the import need a map of Tiled or LDtk, not t");
 }
 
 }  // namespace

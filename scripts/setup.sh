@@ -6,10 +6,9 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build python3                  # the tool chain
   libexpected-dev                                # the engine
-  libpugixml-dev zlib1g-dev libzstd-dev          # the Tiled importer
+  libpugixml-dev nlohmann-json3-dev zlib1g-dev libzstd-dev  # the importer of maps
   libbox2d-dev                                   # the terrain for Box2D
   libcgal-dev libboost-dev libcli11-dev libfmt-dev  # the references and the lgs command
-  nlohmann-json3-dev
   libpolyclipping-dev libgeos-dev libbenchmark-dev  # the timings
   libgtest-dev libgmock-dev librapidcheck-dev    # the tests
   "$@"                                           # what a script needs beyond that

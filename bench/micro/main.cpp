@@ -53,11 +53,9 @@ int run(int argc, char** argv) {
   registerBatches(scale);
   registerReads(scale);
   registerWorst(scale);
+  registerBrushes(scale);
 #ifdef LGS_BENCH_C
   registerInterfaces(scale);
-#endif
-#ifdef LGS_BENCH_BRUSH
-  registerBrushes(scale);
 #endif
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();

@@ -95,10 +95,10 @@ tl::expected<std::int64_t, std::string> parseWorldCoordinate(std::string_view wo
 }
 
 std::string printCoordinate(std::int64_t units) {
+  if (units % kUnitsPerCell == 0) return std::to_string(units / kUnitsPerCell);  // most are corners of cells
   const std::int64_t divisor = std::gcd(units, std::int64_t{kUnitsPerCell});
   const std::int64_t numerator = units / divisor;
   const std::int64_t denominator = kUnitsPerCell / divisor;
-  if (denominator == 1) return fmt::format("{}", numerator);
   constexpr std::int64_t kFourPlaces = 16;  // 1/16 = 0.0625
   if (denominator > kFourPlaces) return fmt::format("{}/{}", numerator, denominator);
   const std::int64_t tenThousandths = std::abs(numerator * (10'000 / denominator));

@@ -65,13 +65,12 @@ struct Verdict {
 
 struct Step {
   Door door{};
-  std::span<const Edit>
-      edits;                 ///< removes, then adds; a commit or brush stands alone. For several and fill: cell by cell
-  CellRect cells;            ///< for fill and clear
-  std::size_t inCell = 1;    ///< for several, fill and replace: how many polygons a cell gets
-  std::uint64_t chance = 0;  ///< chanceOf() the first name
-  unsigned worn = 0;         ///< so many polygons come and go in the first cell before the call
-  std::size_t end = 0;       ///< where the step ends: the number of edits up to its last one
+  std::span<const Edit> edits;  ///< removes, then adds, cell by cell; a commit or a brush stands alone
+  CellRect cells;               ///< for fill and clear
+  std::size_t inCell = 1;       ///< for several, fill and replace: how many polygons a cell gets
+  std::uint64_t chance = 0;     ///< chanceOf() the first name
+  unsigned worn = 0;            ///< so many polygons come and go in the first cell before the call
+  std::size_t end = 0;          ///< where the step ends: the number of edits up to its last one
   Verdict verdict = {};
   bool isTrial = false;  ///< the call must be refused; then its edits come again, one by one
 

@@ -191,6 +191,17 @@ class Parser {
   bool isOfBrushes_ = false;  // the version that has them
 };
 
+std::string printBrush(const BrushEdit& brush) {
+  std::string text = "carve ";
+  if (brush.deed != BrushEdit::Deed::carve)
+    text = fmt::format("paint {} {} ", brush.block, brush.deed == BrushEdit::Deed::fill ? "fill" : "replace");
+  for (std::size_t k = 0; k < brush.rings.size(); ++k) {
+    if (k != 0) text += "  |";
+    for (const Point p : brush.rings[k]) text += fmt::format(" {} {}", printCoordinate(p.x), printCoordinate(p.y));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string message(const TraceError& error, std::string_view file) {
@@ -222,29 +233,15 @@ ParsedTrace parseTrace(std::string_view text) {
   return parsed;
 }
 
-namespace {
-
-std::string printBrush(const BrushEdit& brush) {
-  std::string text = "carve ";
-  if (brush.deed != BrushEdit::Deed::carve)
-    text = fmt::format("paint {} {} ", brush.block, brush.deed == BrushEdit::Deed::fill ? "fill" : "replace");
-  for (std::size_t k = 0; k < brush.rings.size(); ++k) {
-    if (k != 0) text += "  |";
-    for (const Point p : brush.rings[k]) text += fmt::format(" {} {}", printCoordinate(p.x), printCoordinate(p.y));
-  }
-  return text;
-}
-
-}  // namespace
-
 std::string printEdit(const Edit& edit) {
   if (edit.kind == Edit::Kind::commit) return "commit";
   if (edit.kind == Edit::Kind::brush) return printBrush(edit.brush);
   if (edit.kind == Edit::Kind::remove) return "remove " + edit.name;
   const ScenePolygon& polygon = edit.polygon;
   std::string text = fmt::format("add {} {} {} {} ", edit.name, polygon.cell.i, polygon.cell.j, polygon.block);
-  for (const LocalPoint& p : polygon.vertices)
-    text += fmt::format(" {} {}", printCoordinate(p.x), printCoordinate(p.y));
+  for (const LocalPoint& p : polygon.vertices) {
+    for (const std::int32_t units : {p.x, p.y}) (text += ' ') += printCoordinate(units);
+  }
   return text;
 }
 

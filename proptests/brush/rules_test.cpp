@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <span>
 
 namespace lgs::test::rules {
 namespace {
@@ -81,17 +82,137 @@ TEST(BrushRules, WhatAWholeCellLosesIsTold) {
   }
 }
 
-TEST(BrushRules, NeighboursOfNeighboursAreNotUnited) {
+/// Four squares side by side. The third one has another block, if it should.
+std::vector<PolygonHandle> row(World& world, Block third) {
+  std::vector<PolygonHandle> squares;
+  for (std::int32_t x = 0; x < 400; x += 100)
+    squares.push_back(
+        *world.add({0, 0}, {{x, 0}, {x + 100, 0}, {x + 100, 100}, {x, 100}}, x == 200 ? third : Block{1}));
+  return squares;
+}
+
+TEST(BrushRules, WhatIsMetAndHangsTogetherIsUnitedIfAnyOfItChanges) {
   World world;
-  std::vector<PolygonHandle> row;
-  for (std::int32_t x = 0; x < 300; x += 100)
-    row.push_back(*world.add({0, 0}, {{x, 0}, {x + 100, 0}, {x + 100, 100}, {x, 100}}, 1));
-  // It stands on the first two, and cuts the third one.
-  const auto carved = carve(world, {{box({50, 100}, {150, 120}), box({250, 50}, {400, 200})}});
+  const std::vector<PolygonHandle> squares = row(world, 1);
+  // It touches the first two, cuts the third one, and does not meet the last one.
+  const auto carved = carve(world, {{box({50, 100}, {150, 120}), box({250, 50}, {280, 200})}});
   ASSERT_TRUE(carved.has_value());
-  EXPECT_TRUE(world.polygon(row[0]).has_value()) << "nothing beside it has changed";
-  ASSERT_EQ(carved->changed.size(), 2U);
-  EXPECT_EQ(carved->changed[0].now, carved->changed[1].now) << "the third one is united with the second";
+  ASSERT_EQ(carved->changed.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(carved->changed[k].old, squares[k]);
+    EXPECT_EQ(carved->changed[k].now, carved->changed[0].now);
+  }
+  EXPECT_EQ(carved->changed[0].now.size(), 1U);
+  EXPECT_TRUE(world.polygon(squares[3]).has_value()) << "it is not met";
+  EXPECT_EQ(world.stats().polygons, 2U);
+}
+
+TEST(BrushRules, WhatIsMetAndHangsTogetherStaysIfNothingOfItChanges) {
+  World world;
+  const std::vector<PolygonHandle> squares = row(world, 2);
+  const auto carved = carve(world, {{box({50, 100}, {150, 120}), box({250, 50}, {280, 200})}});
+  ASSERT_TRUE(carved.has_value());
+  EXPECT_TRUE(world.polygon(squares[0]).has_value()) << "another block parts it from what changes";
+  EXPECT_TRUE(world.polygon(squares[1]).has_value());
+}
+
+TEST(BrushRules, WhatTouchesInAPointIsNotUnited) {
+  World world;
+  const PolygonHandle left = *world.add({0, 0}, {{100, 100}, {0, 300}, {0, 200}}, 1);
+  const PolygonHandle right = *world.add({0, 0}, {{100, 100}, {200, 200}, {200, 300}}, 1);
+  // It cuts the left one, and touches the right one.
+  const auto carved = carve(world, {{box({20, 150}, {40, 400}), box({200, 220}, {250, 240})}});
+  ASSERT_TRUE(carved.has_value());
+  ASSERT_EQ(carved->changed.size(), 1U);
+  EXPECT_EQ(carved->changed[0].old, left);
+  EXPECT_TRUE(world.polygon(right).has_value());
+}
+
+TEST(BrushRules, APolygonKeepsItsHandleWhereAnotherIsCutBesideIt) {
+  World world;
+  const PolygonHandle floor = *world.add({0, 0}, {{0, 0}, {900, 0}, {900, 300}, {0, 300}}, 1);
+  const PolygonHandle ramp = *world.add({0, 0}, {{300, 300}, {700, 302}, {300, 900}}, 2);
+  // It cuts the ramp 0.43 units above the floor, so the ramp is bent down to the floor there. It touches the floor.
+  const auto carved = carve(world, {{{{340, 301}, {420, 300}, {420, 500}}}});
+  ASSERT_TRUE(carved.has_value());
+  ASSERT_EQ(carved->changed.size(), 1U);
+  EXPECT_EQ(carved->changed[0].old, ramp);
+  EXPECT_TRUE(world.polygon(floor).has_value());
+}
+
+// --- What a region just misses. Each time a vertex of the region lies in a pixel that an edge passes -------------------
+
+TEST(BrushRules, ASpikeReachesNothing) {
+  World world;
+  const PolygonHandle wedge = *world.add({0, 0}, {{0, 0}, {536, 30}, {0, 20}}, 1);
+  // A ring runs to a point in the wedge and back again.
+  const Ring ring{{300, 1'000}, {300, 17}, {300, 1'000}, {900, 1'000}, {900, 2'000}, {300, 2'000}};
+  const auto painted = paint(world, {{ring}}, 2, PaintMode::replace);
+  ASSERT_TRUE(painted.has_value());
+  EXPECT_EQ(painted->came.size(), 1U);
+  EXPECT_TRUE(painted->changed.empty()) << "there is no area around a spike";
+  EXPECT_TRUE(world.polygon(wedge).has_value());
+}
+
+TEST(BrushRules, ARegionReachesNothingWhereItsRimPointIsRounded) {
+  World world;
+  const PolygonHandle wedge = *world.add({0, 0}, {{kCell - 536, 0}, {kCell, 0}, {kCell, 10}}, 1);
+  // Its lowest edge is 0.4 units above the wedge, all along. It leaves the cell at a height of 10.4.
+  const Ring ring{{kCell - 236, 6}, {kCell + 2'124, 50}, {kCell - 236, 1'000}};
+  const auto painted = paint(world, {{ring}}, 2, PaintMode::replace);
+  ASSERT_TRUE(painted.has_value());
+  EXPECT_TRUE(painted->changed.empty());
+  EXPECT_TRUE(world.polygon(wedge).has_value());
+}
+
+TEST(BrushRules, AnEdgeIsSharedAsFarAsItsNeighbourReaches) {
+  World world;
+  ASSERT_TRUE(world.add({0, 0}, {{0, 0}, {1'000, 0}, {1'000, 300}}, 1).has_value());
+  const PolygonHandle above = *world.add({0, 0}, {{0, 0}, {500, 150}, {0, 600}}, 2);
+  // Only the rock below is hit. Its edge along the other rock stays straight, and lies on that up to half of its length.
+  const auto carved = carve(world, {{{{301, 90}, {301, 20}, {600, 20}}}});
+  ASSERT_TRUE(carved.has_value());
+  ASSERT_EQ(carved->changed.size(), 1U);
+  EXPECT_TRUE(world.polygon(above).has_value());
+  std::int64_t doubled = 0;  // area
+  for (const PolygonHandle handle : carved->changed[0].now) {
+    const std::span<const LocalPoint> ring = world.polygon(handle)->vertices;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const LocalPoint u = ring[k], v = ring[(k + 1) % ring.size()];
+      doubled += std::int64_t{u.x} * v.y - std::int64_t{u.y} * v.x;
+    }
+  }
+  EXPECT_EQ(doubled, 1'000 * 300 - 299 * 70);
+}
+
+/// What a region carves out of solid ground and paints again.
+void expectNoSeam(const Region& region) {
+  World world = worldOf(Ground::solid);
+  world.commit();
+  const std::size_t solid = world.loops(Collinear::merge).size();
+  ASSERT_TRUE(carve(world, region).has_value());
+  world.commit();
+  ASSERT_TRUE(paint(world, region, 1, PaintMode::fill).has_value());
+  world.commit();
+  EXPECT_EQ(world.loops(Collinear::merge).size(), solid);
+}
+
+// An edge of the region crosses the cell's rim just beside where it was cut there, in the middle of two other points.
+TEST(BrushRules, CarveAndPaintLeaveNoSeamBesideARoundedRimPoint) {
+  for (const FillRule rule : {FillRule::nonZero, FillRule::evenOdd})
+    expectNoSeam({{{{65'535, 65'541}, {65'535, 65'537}, {65'538, 65'535}},
+                   {{65'535, 65'529}, {65'538, 65'537}, {65'524, 65'527}}},
+                  rule});
+}
+
+// The carve leaves polygons that chords part. The region's edges cross the chords beside their own rounded chains.
+TEST(BrushRules, CarveAndPaintLeaveNoSeamBesideChords) {
+  for (const FillRule rule : {FillRule::nonZero, FillRule::evenOdd}) {
+    expectNoSeam({{{{65'525, 65'533}, {65'526, 65'524}, {65'527, 65'533}, {65'526, 65'529}, {65'530, 65'524}}}, rule});
+    expectNoSeam({{{{65'476, 65'476}, {65'476, 65'506}, {65'546, 65'481}, {65'501, 65'496}},
+                   {{65'476, 65'496}, {65'476, 65'491}, {65'496, 65'476}, {65'486, 65'481}, {65'536, 65'491}}},
+                  rule});
+  }
 }
 
 }  // namespace

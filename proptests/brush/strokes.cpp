@@ -71,20 +71,24 @@ void showValue(const AnyStrokes& strokes, std::ostream& out) {
   }
 }
 
-void showValue(const AnyRegion& region, std::ostream& out) { show(region.region, out); }
+void showValue(const AnyRegion& region, std::ostream& out) {
+  out << (region.region.rule == FillRule::evenOdd ? "even-odd" : "non-zero");
+  show(region.region, out);
+}
 
 World worldOf(Ground ground) {
   World world;
   if (ground == Ground::empty) return world;
   for (std::int32_t i = 0; i < 3; ++i) {
     for (std::int32_t j = 0; j < 3; ++j) {
-      const Block block = ground == Ground::solid ? 1 : static_cast<Block>(1 + (i + j) % 3);
+      const Block block = ground == Ground::slanted ? static_cast<Block>(1 + (i + j) % 3) : 1;
       if (ground == Ground::solid) {
         RC_ASSERT(world.add({i, j}, kUnitSquare, block).has_value());
-      } else {  // two ramps, cut near the middle, so that three blocks meet in many ways
+      } else {  // two ramps, cut near the middle: blocks, if there are three, meet in many ways
         constexpr std::int32_t kEnd = kUnitsPerCell, kLow = kEnd / 3, kHigh = kEnd - 5;
+        const Block above = ground == Ground::slanted ? block % 3 + 1 : block;
         RC_ASSERT(world.add({i, j}, {{0, 0}, {kEnd, 0}, {kEnd, kHigh}, {0, kLow}}, block).has_value());
-        RC_ASSERT(world.add({i, j}, {{0, kLow}, {kEnd, kHigh}, {kEnd, kEnd}, {0, kEnd}}, block % 3 + 1).has_value());
+        RC_ASSERT(world.add({i, j}, {{0, kLow}, {kEnd, kHigh}, {kEnd, kEnd}, {0, kEnd}}, above).has_value());
       }
     }
   }
@@ -124,7 +128,7 @@ using namespace lgs::test;
 
 Gen<AnyStrokes> Arbitrary<AnyStrokes>::arbitrary() {
   return gen::mapcat(steps(), [](std::int64_t step) {
-    return gen::map(gen::pair(gen::element(Ground::empty, Ground::solid, Ground::slanted),
+    return gen::map(gen::pair(gen::element(Ground::empty, Ground::solid, Ground::slanted, Ground::halved),
                               gen::mapcat(gen::inRange<std::size_t>(1, 7),
                                           [step](std::size_t count) {
                                             return gen::container<std::vector<BrushStroke>>(count, strokes(step));

@@ -20,8 +20,9 @@ struct BrushStroke {
   Region region;
 };
 
-/// What the cells (0, 0) … (2, 2) hold at first.
-enum class Ground : std::uint8_t { empty, solid, slanted };
+/// What the cells (0, 0) … (2, 2) hold at first: nothing, one polygon, or two with an edge between them. `slanted` has
+/// three blocks, the others have one.
+enum class Ground : std::uint8_t { empty, solid, slanted, halved };
 
 /// Strokes around the corner (1, 1) of four cells, with vertices on a lattice of their own. Its step is one unit or a
 /// few, so that everything is near everything else; or as long as that strokes reach over all cells.

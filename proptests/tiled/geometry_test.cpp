@@ -1,49 +1,14 @@
 // The importer's plane geometry by itself. All cases of tiny lattices are compared with slow rules.
 #include "lattice.h"
-#include "lib/tiled/src/fraction.h"
 #include "lib/tiled/src/pixel_grid.h"
-#include "lib/tiled/src/rounding.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <map>
 #include <set>
 
 namespace lgs::tiled {
 namespace {
-
-TEST(TiledGeometry, FractionsCompareAsTheirProducts) {
-  constexpr std::int64_t kMost = 12;
-  for (std::int64_t a = -kMost; a <= kMost; ++a) {
-    for (std::int64_t b = 1; b <= kMost; ++b) {
-      for (std::int64_t c = -kMost; c <= kMost; ++c) {
-        for (std::int64_t d = 1; d <= kMost; ++d) {
-          ASSERT_EQ(fraction(a, b) < fraction(c, d), a * d < c * b) << a << "/" << b << " " << c << "/" << d;
-          ASSERT_EQ(fraction(a, b) == fraction(c, d), a * d == c * b) << a << "/" << b << " " << c << "/" << d;
-        }
-      }
-    }
-  }
-}
-
-TEST(TiledGeometry, FractionsOfProductsThatDoNotFit) {
-  constexpr std::int64_t kMost = std::int64_t{1} << 40;
-  for (const std::int64_t less : {1, 2, 1'000}) {
-    // n · (n - less) / (n + less) = n - 2 · less + 2 · less² / (n + less)
-    for (const std::int64_t n : {std::int64_t{4'321}, kMost / 3, kMost - less}) {
-      const Fraction f = fractionOfProduct(n, n - less, n + less);
-      EXPECT_EQ(f, (Fraction{n - 2 * less + 2 * less * less / (n + less), 2 * less * less % (n + less), n + less}));
-      const Fraction negative = fractionOfProduct(-n, n - less, n + less);
-      EXPECT_LT(negative, Fraction{-f.whole});
-      EXPECT_LT(Fraction{-f.whole - 1}, negative);
-      EXPECT_EQ(negative.rest, f.divisor - f.rest);
-    }
-  }
-  // As near to each other as two fractions with such divisors can be.
-  EXPECT_LT(fraction(kMost - 2, kMost - 1), fraction(kMost - 1, kMost));
-  EXPECT_LT(fraction(1 - kMost, kMost), fraction(2 - kMost, kMost - 1));
-  EXPECT_EQ(fraction(kMost - 2, kMost), fraction(kMost / 2 - 1, kMost / 2));
-}
 
 TEST(TiledGeometry, SimpleRings) {
   struct Exhausted {
@@ -109,18 +74,6 @@ TEST(TiledGeometry, TidyLoopsKeepWhatTheRingGoesAround) {
   }
 }
 
-TEST(TiledGeometry, NearlyInsideIsUpToTwoUnitsBeyondAnEdge) {
-  const Polygon square{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
-  // A needle from the middle beyond each side, and beyond each corner.
-  for (const Point way : {Point{0, -1}, Point{1, 0}, Point{0, 1}, Point{-1, 0}, Point{1, 1}, Point{-1, -1}}) {
-    const auto needle = [&](std::int64_t beyond) {
-      return Polygon{{50, 50}, {50 + way.x * (50 + beyond), 50 + way.y * (50 + beyond)}, {51, 52}};
-    };
-    for (const std::int64_t beyond : {-1, 0, 1, 2}) EXPECT_TRUE(nearlyInside(needle(beyond), square)) << beyond;
-    for (const std::int64_t beyond : {3, 4}) EXPECT_FALSE(nearlyInside(needle(beyond), square)) << beyond;
-  }
-}
-
 TEST(TiledGeometry, RelationsAreAQuestionOfCommonArea) {
   const std::vector<Polygon> rings = simpleRings(5, 3, 60);
   for (const Polygon& a : rings) {
@@ -135,46 +88,33 @@ TEST(TiledGeometry, RelationsAreAQuestionOfCommonArea) {
   }
 }
 
-TEST(TiledGeometry, HalvesAreWhatLiesLeftAndRight) {
-  constexpr std::int64_t kStep = 32'760;  // a multiple of 1 to 8: every cut is on the lattice, and nothing is rounded
-  const std::vector<Polygon> rings = simpleRings(6, 3, kStep);
+TEST(TiledGeometry, PartsAreWhatLiesInEachCell) {
+  constexpr double kRounding = 8.0 * kUnitsPerCell;  // an edge can move by less than a unit along its length
   std::size_t most = 0;
-  forAllRings(2, 3, kStep, [&](const Polygon& line) {
-    const Point from = line[0], to = line[1];
-    if (from == to) return;
-    for (const Polygon& ring : rings) {
-      const Halves halves = split(ring, {from, {to.x - from.x, to.y - from.y}});
-      std::int64_t left = 0, right = 0;
-      for (const Polygon& piece : halves.left) {
-        left += doubleArea(piece);
-        ASSERT_TRUE(isSimpleByRule(piece) && doubleArea(piece) > 0);
-        ASSERT_TRUE(std::all_of(piece.begin(), piece.end(), [&](Point p) { return orientation(from, to, p) >= 0; }));
-      }
-      for (const Polygon& piece : halves.right) {
-        right += doubleArea(piece);
-        ASSERT_TRUE(isSimpleByRule(piece) && doubleArea(piece) > 0);
-        ASSERT_TRUE(std::all_of(piece.begin(), piece.end(), [&](Point p) { return orientation(from, to, p) <= 0; }));
-      }
-      ASSERT_NEAR(static_cast<double>(left), 2 * areaOf(leftOf(realRing(ring), from, to)), 10);
-      ASSERT_EQ(left + right, doubleArea(ring));
-      most = std::max({most, halves.left.size(), halves.right.size()});
+  for (Polygon ring : simpleRings(5, 3, 50'000)) {
+    for (Point& p : ring) p = {p.x - 30'000, p.y - 40'000};
+    std::map<Cell, double> areas;
+    const auto parts = cutAlongGrid(ring);
+    ASSERT_TRUE(parts) << text(ring);
+    for (const CellPart& part : *parts) {
+      ASSERT_TRUE(isSimpleByRule(part.ring)) << text(part.ring) << " of " << text(ring);
+      const Box box = boundingBox(part.ring);
+      ASSERT_TRUE(box.min.x >= 0 && box.min.y >= 0 && box.max.x <= kUnitsPerCell && box.max.y <= kUnitsPerCell);
+      areas[part.shift] += tiled::areaOf(realRing(part.ring));
     }
-  });
-  EXPECT_EQ(most, 2U);
-}
-
-TEST(TiledGeometry, NoHalvesOfWhatIsNotSimple) {
-  const Line upright{{10, 0}, {0, 1}};
-  const Polygon clockwise{{0, 0}, {0, 20}, {20, 20}, {20, 0}};
-  const Polygon twiceAround{{0, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 5}, {15, 5}, {15, 15}, {5, 15}};
-  for (const Polygon& ring : {clockwise, twiceAround}) {
-    const Halves halves = split(ring, upright);
-    EXPECT_TRUE(halves.left.empty()) << text(ring);
-    EXPECT_TRUE(halves.right.empty()) << text(ring);
+    for (std::int64_t j = -1; j <= 1; ++j) {
+      for (std::int64_t i = -1; i <= 1; ++i) {
+        const Point low{i * kUnitsPerCell, j * kUnitsPerCell}, high{low.x + kUnitsPerCell, low.y + kUnitsPerCell};
+        const Polygon square{low, {high.x, low.y}, high, {low.x, high.y}};
+        const Cell cell{static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)};
+        ASSERT_NEAR(areas[cell], commonArea(ring, square), kRounding) << text(ring);
+      }
+    }
+    most = std::max(most, parts->size());
+    std::reverse(ring.begin(), ring.end());
+    ASSERT_EQ(cutAlongGrid(ring)->size(), parts->size()) << "it may run either way: " << text(ring);
   }
-  // A polygon that the line does not cut comes back unchanged.
-  EXPECT_EQ(split(clockwise, {{20, 0}, {0, 1}}).left, (std::vector<Polygon>{clockwise}));
-  EXPECT_EQ(split(clockwise, {{0, 0}, {0, 1}}).right, (std::vector<Polygon>{clockwise}));
+  EXPECT_GE(most, 4U);
 }
 
 }  // namespace

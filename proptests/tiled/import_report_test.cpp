@@ -92,6 +92,21 @@ TEST(TiledReport, NotesByHowMuchTheyMatter) {
             "    object 8: near miss\n");
 }
 
+TEST(TiledReport, NamesCanNotSpeakToATerminal) {
+  const std::string evil = "a\nb\x1b[31mc\x7f";
+  Report report = smallest();
+  report.file = evil;
+  report.layers = {{evil, true, 1, evil, LayerKind::objects, 1, {{NoteKind::leftOut, 1, 0, 0, {}, evil}}}};
+  report.blocks = {{evil, 1, 1}};
+  report.tiles = {{evil, 1, evil, 1, true, {{NoteKind::snapped, 1, 0, 0, {}, evil}}}};
+  report.notes = {evil};
+  report.suggestions = {{evil, {}}};
+  const std::string text = toText(report) + message({evil, 3, evil, evil});
+  const auto isControl = [](char c) { return c != '\n' && (static_cast<unsigned char>(c) < 0x20 || c == 0x7F); };
+  EXPECT_EQ(std::ranges::count_if(text, isControl), 0) << text;
+  EXPECT_EQ(text.find("a\nb"), std::string::npos) << text;
+}
+
 TEST(TiledReport, TilesWithoutShapesAreNamedUpToTwelve) {
   Report report = smallest();
   report.tiles = {{"set", 7, "", 1, false, {}}};
@@ -149,16 +164,22 @@ TEST(TiledReport, OfAWholeImport) {
       "numbers. Choose them, or look them up by name\n"
       "\n"
       "Left out or cut off:\n"
-      "  Höhle #1 'slope', 3 uses\n"
+      "  Höhle #1 'slope', 3 uses in layers Ground, Over\n"
       "    object 5: a point has no area\n"
       "    object 2: reaches up to 4 px out of its cell: cut off\n"
       "\n"
       "Changed on the way in:\n"
-      "  Höhle #1 'slope', 3 uses\n"
-      "    object 1: lies on what is there already: the common part was taken away (1 place, first in cell 0, -2)\n"
-      "    object 2: lies on what is there already: the common part was taken away (1 place, first in cell 0, -2)\n"
-      "    object 3: lies on what is there already: the common part was taken away (1 place, first in cell 0, -2)\n"
-      "    object 4: lies on what is there already: the common part was taken away (3 places, first in cell 0, -1)\n"
+      "  Höhle #1 'slope', 3 uses in layers Ground, Over\n"
+      "    object 1: lies on what is there already: the common part was taken away (1 place in layer Over, first in "
+      "cell 0, -2)\n"
+      "    object 2: lies on what is there already: the common part was taken away (1 place in layer Over, first in "
+      "cell 0, -2)\n"
+      "    object 3: lies on what is there already: the common part was taken away (1 place in layer Over, first in "
+      "cell 0, -2)\n"
+      "    object 4: lies on what is there already: the common part was taken away (2 places in layer Ground, first in "
+      "cell 0, -1)\n"
+      "    object 4: lies on what is there already: the common part was taken away (1 place in layer Over, first in "
+      "cell 0, -2)\n"
       "    object 3: an ellipse became a polygon of 32 vertices\n"
       "    object 4: a capsule became a polygon of 32 vertices\n"
       "    object 1: 2 coordinates put on the grid, by up to 0.5 px\n"

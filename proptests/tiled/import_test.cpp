@@ -163,7 +163,7 @@ TEST(TiledObjects, CurvesArePolygonsAndTheRestIsLeftOut) {
       "<object id='1' x='1' y='1'><point/></object><object id='2'><polyline points='0,0 4,4'/></object>"
       "<object id='3' width='9' height='9'><text>hi</text></object><object id='4' width='0' height='5'/>"
       "<object id='5' template='a.tx'/><object id='6' gid='1' width='32' height='32'/>"
-      "<object id='7' x='1e300' width='4' height='4'/><object id='8'><polygon points='0,0 9,9 9,0 0,9'/></object>"
+      "<object id='7' x='1e300' width='4' height='4'/><object id='8'><polygon points='0,0 9,9 18,18'/></object>"
       "<object id='9'><polygon points='0,0 9,9'/></object>");
   EXPECT_TRUE(rest.placements.empty());
   EXPECT_EQ(noteKinds(rest), std::vector<NoteKind>(9, NoteKind::leftOut));

@@ -1,7 +1,7 @@
 // All polygons of a tiny lattice, and slow rules for them that are plainly right.
 #pragma once
 
-#include "lib/tiled/src/subtract.h"
+#include "lib/tiled/src/loops.h"
 
 #include <gtest/gtest.h>
 

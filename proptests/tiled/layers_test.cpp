@@ -7,16 +7,6 @@
 namespace lgs::tiled {
 namespace {
 
-/// "Path: note" of each layer; layers that are passed over are in brackets.
-std::vector<std::string> remarks(const ImportedMap& map) {
-  std::vector<std::string> result;
-  for (const LayerReport& layer : map.report.layers) {
-    const std::string text = layer.path + (layer.note.empty() ? "" : ": " + layer.note);
-    result.push_back(layer.imported ? text : "[" + text + "]");
-  }
-  return result;
-}
-
 std::string oneTile(const std::string& attributes) {
   return "<layer width='1' height='1' " + attributes + "><data encoding='csv'>1</data></layer>";
 }

@@ -1,6 +1,7 @@
 // Small Tiled maps for the tests, and what holds for each imported map: World accepts every polygon.
 #pragma once
 
+#include "as_json.h"
 #include "oracle/reference/validity.h"
 
 #include <lgs/tiled/import.h>
@@ -35,6 +36,10 @@ inline std::string csvLayer(int width, int height, const std::string& csv, const
          attributes + "><data encoding='csv'>" + csv + "</data></layer>\n";
 }
 
+inline std::string property(const std::string& name, const std::string& value) {
+  return "<properties><property name='" + name + "' value='" + value + "'/></properties>";
+}
+
 inline tl::expected<ImportedMap, ImportError> importFiles(Files files, const Options& options = {}) {
   return importMap("maps/test.tmx", options, [&](const std::string& path) -> tl::expected<std::string, std::string> {
     const auto file = files.find(path);
@@ -60,7 +65,20 @@ inline World worldOf(const ImportedMap& map) {
   return world;
 }
 
-inline ImportedMap mustImportFiles(const Files& files, const Options& options = {}) {
+/// Expects the same of the map in JSON, if it can be said in JSON: of all files, and of the map's alone.
+inline void mustBeAlikeInJson(const Files& files, const Options& options, const ImportedMap& map) {
+  for (const bool all : {true, false}) {
+    if (!all && files.size() == 1) break;
+    const auto json = asJson(files, [&](const std::string& name) { return all || name == "maps/test.tmx"; });
+    if (!json) continue;
+    const auto again = importFiles(*json, options);
+    ASSERT_TRUE(again) << message(again.error());
+    expectAlike(map, *again);
+  }
+}
+
+/// Imports what is no map of Tiled's by itself: a world, or a project of LDtk.
+inline ImportedMap mustImportWorld(const Files& files, const Options& options = {}) {
   auto map = importFiles(files, options);
   if (!map) {
     ADD_FAILURE() << message(map.error());
@@ -68,6 +86,13 @@ inline ImportedMap mustImportFiles(const Files& files, const Options& options = 
   }
   worldOf(*map);
   return std::move(*map);
+}
+
+/// Imports a map, and then the same map in JSON.
+inline ImportedMap mustImportFiles(const Files& files, const Options& options = {}) {
+  ImportedMap map = mustImportWorld(files, options);
+  mustBeAlikeInJson(files, options, map);
+  return map;
 }
 
 inline ImportedMap mustImport(const std::string& content, const Options& options = {}) {
@@ -130,6 +155,28 @@ inline std::vector<NoteKind> noteKinds(const ImportedMap& map) {
     for (const Note& note : tile.notes) kinds.push_back(note.kind);
   }
   return kinds;
+}
+
+/// The texts of all notes, be they of tiles or of layers.
+inline std::vector<std::string> noteTexts(const ImportedMap& map) {
+  std::vector<std::string> result;
+  for (const TileReport& tile : map.report.tiles) {
+    for (const Note& note : tile.notes) result.push_back(note.text);
+  }
+  for (const LayerReport& layer : map.report.layers) {
+    for (const Note& note : layer.notes) result.push_back(note.text);
+  }
+  return result;
+}
+
+/// "Path: note" of each layer; layers that are passed over are in brackets.
+inline std::vector<std::string> remarks(const ImportedMap& map) {
+  std::vector<std::string> result;
+  for (const LayerReport& layer : map.report.layers) {
+    const std::string text = layer.path + (layer.note.empty() ? "" : ": " + layer.note);
+    result.push_back(layer.imported ? text : "[" + text + "]");
+  }
+  return result;
 }
 
 inline const std::string kFullTile = "<object id='1' x='0' y='0' width='32' height='32'/>";

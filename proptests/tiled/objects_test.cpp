@@ -87,9 +87,6 @@ TEST(TiledObjectLayers, ThoseAreTakenThatSaySo) {
     EXPECT_EQ(map.report.layers.at(0).kind, LayerKind::objects);
     return map.placements.empty() ? "" : map.report.layers.at(0).note;
   };
-  const auto property = [](const std::string& name, const std::string& value) {
-    return "<properties><property name='" + name + "' value='" + value + "'/></properties>";
-  };
   EXPECT_EQ(remark("name='COLLISIONS'"), "its name says 'collision'");
   EXPECT_EQ(remark("name='innerWalls'"), "its name says 'wall'");
   EXPECT_EQ(remark("name='background ground'"), "its name says 'ground'");
@@ -145,12 +142,36 @@ TEST(TiledObjectLayers, WhatComesFirstStays) {
                                       "Walls 7: objects before it cover all of it"}));
 }
 
+TEST(TiledObjectLayers, AnOutlineThatGoesAroundTwiceHasNoArea) {
+  const auto map =
+      mustImport(objectLayer("<object id='1'><polygon points='0,0 32,0 32,32 0,32 0,0 32,0 32,32 0,32'/></object>"));
+  EXPECT_EQ(map.placements.size(), 0U);
+  EXPECT_EQ(layerNotes(map),
+            (std::vector<std::string>{"Walls 1: it has no area: what its outline goes around twice is not solid"}));
+}
+
 TEST(TiledObjectLayers, NotesAreOfTheirLayer) {
   const std::string object = rectangle(0, 0, 32, 32, "id='5'");
   const auto map = mustImport(tilesetXml({"<object id='1' y='8' width='32' height='8'/>"}) + csvLayer(2, 1, "1,1") +
                               objectLayer(object) + objectLayer(rectangle(32, 0, 32, 32, "id='5'"), "name='Ground'"));
   const std::string text = " 5: lies on what is there already: the common part was taken away";
   EXPECT_EQ(layerNotes(map), (std::vector<std::string>{"Walls" + text, "Ground" + text}));
+}
+
+TEST(TiledObjectLayers, NotesOfTilesNameTheLayersToo) {
+  const std::string tiles = tilesetXml({kFullTile, "<object id='2' y='-8' width='32' height='32'/>"});
+  const auto map = mustImport(tiles + csvLayer(2, 1, "1,2") +
+                              "<layer name='Over' width='2' height='1' offsety='32'><data encoding='csv'>2,2</data>"
+                              "</layer>");
+  const std::string text = toText(map.report);
+  EXPECT_NE(text.find("  set #1, 3 uses in layers Ground, Over\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("set #0"), std::string::npos) << "nothing is to be said of it\n" << text;
+  EXPECT_EQ(map.report.tiles.at(0).layers, (std::vector<std::uint32_t>{0}));
+  EXPECT_EQ(map.report.tiles.at(1).layers, (std::vector<std::uint32_t>{0, 1}));
+  const std::string trimmed = "object 2: lies on what is there already: the common part was taken away ";
+  EXPECT_NE(text.find(trimmed + "(1 place in layer Over, first in cell 0, -1)\n"), std::string::npos) << text;
+  const auto flipped = mustImport(tiles + csvLayer(2, 1, "2,2147483650"));
+  EXPECT_NE(toText(flipped.report).find("  set #1, 2 uses in layer Ground\n"), std::string::npos);
 }
 
 TEST(TiledObjectLayers, BlocksByClassOrLayer) {
@@ -170,6 +191,21 @@ TEST(TiledObjectLayers, BlocksByClassOrLayer) {
   options.blockFrom = BlockFrom::layer;
   options.blocks = {{"Ground", 7}};
   EXPECT_EQ(blocks(mustImport(content, options)), (std::vector<Block>{1, 1, 7}));
+}
+
+TEST(TiledObjectLayers, BlocksByName) {
+  Options options;
+  options.blockFrom = BlockFrom::name;
+  options.blocks = {{"lava", 9}, {"rock", 5}};
+  const auto map =
+      mustImport(objectLayer(rectangle(0, 0, 32, 32, "id='1' name='lava' type='rock'") +
+                                 rectangle(32, 0, 32, 32, "id='2' type='rock'") + rectangle(64, 0, 32, 32, "id='3'"),
+                             "name='Walls'"),
+                 options);
+  ASSERT_EQ(map.placements.size(), 3U);
+  EXPECT_EQ(map.placements[0].block, 9U);
+  EXPECT_EQ(map.placements[1].block, 5U) << "without a name it is the class";
+  EXPECT_EQ(map.placements[2].block, map.block("").value());
 }
 
 TEST(TiledObjectLayers, AnOutlineMayCrossItself) {
@@ -207,11 +243,11 @@ TEST(TiledObjectLayers, WhatIsLeftOutAndWhy) {
 
 TEST(TiledObjectLayers, TheLimitCountsTheCellsOfTheirBoxes) {
   Options options;
-  options.maxPlacements = 5;
+  options.maxPlacements = 3;
   const std::string xml = mapXml(objectLayer(rectangle(0, 0, 64, 64)));
   EXPECT_EQ(refusalOf(xml, options),
             "maps/test.tmx:3: <objectgroup> 'Walls' its objects are larger than the limit (Options::maxPlacements)");
-  options.maxPlacements = 9;  // the box is closed, so it has 3×3 cells
+  options.maxPlacements = 4;
   EXPECT_EQ(refusalOf(xml, options), "accepted");
   const std::string two = mapXml(objectLayer(rectangle(0, 0, 64, 64) + rectangle(0, 0, 64, 64)));
   EXPECT_NE(refusalOf(two, options), "accepted");

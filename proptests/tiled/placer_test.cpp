@@ -1,5 +1,6 @@
 // Cells as they fill up: which entries are equal, and what is given up if too much meets in one cell.
 #include "lib/tiled/src/placer.h"
+#include "lattice.h"
 #include "maps.h"
 
 #include <lgs/world.h>
@@ -32,6 +33,25 @@ TEST(TiledPlacer, TheSameRingIsOneShapeWhereverItBegins) {
   EXPECT_EQ(placer.shape({{0, 0}, {9, 0}, {9, 8}}), 1U);
 }
 
+TEST(TiledPlacer, CellsComeRowByRowAndEachWithItsNumber) {
+  CellNumbers numbers;
+  std::map<std::pair<std::int32_t, std::int32_t>, std::uint32_t> expected;  // by row, then column
+  std::uint32_t next = 0;
+  for (const std::int32_t j : {-40, kMaxCell, -1, 17, 0, -16, -kMaxCell, 16}) {
+    for (const std::int32_t i : {3, -kMaxCell, 16, -17, 15, kMaxCell, -16, 0, 2}) {
+      numbers[{i, j}] = expected[{j, i}] = ++next;
+    }
+  }
+  numbers[{5, 5}] = 0;
+  numbers[{3, 17}] = expected[{17, 3}] = 1'000;
+  std::map<std::pair<std::int32_t, std::int32_t>, std::uint32_t> visited;
+  numbers.visit([&](Cell cell, std::uint32_t number) {
+    EXPECT_TRUE(visited.empty() || visited.rbegin()->first < std::pair(cell.j, cell.i));
+    visited[{cell.j, cell.i}] = number;
+  });
+  EXPECT_EQ(visited, expected);
+}
+
 /// As importTile(), but without a World, which is slow if hundreds of polygons share a cell.
 ImportedMap importAlone(const std::string& objects, const Options& options) {
   auto map = importFiles({{"maps/test.tmx", mapXml(tilesetXml({objects}) + csvLayer(1, 1, "1"))}}, options);
@@ -42,34 +62,96 @@ ImportedMap importAlone(const std::string& objects, const Options& options) {
   return std::move(*map);
 }
 
-/// Objects of one tile: `lying` level bars on the left, the highest first; `standing` upright bars on the right; then
-/// the whole square. The lines along the level bars cut the rest of the square into stripes. So each upright bar has to
-/// be taken out of each stripe.
-std::string barsAndSquare(int lying, int standing) {
+TEST(TiledPlacer, WhatIsLeftIsFilledHoweverMuchIsThere) {
   std::string objects;
   const auto add = [&](double x, double y, double width, double height) {
     objects += "<object id='1' x='" + std::to_string(x) + "' y='" + std::to_string(y) + "' width='" +
                std::to_string(width) + "' height='" + std::to_string(height) + "'/>";
   };
-  for (int k = 0; k < lying; ++k) add(2, 2 + k, 8, 0.5);
-  for (int k = 0; k < standing; ++k) add(11 + k * 0.5, 1.5, 0.25, 29);
-  return objects + "<object id='7' width='32' height='32'/>";
-}
-
-TEST(TiledPlacer, SomeHundredCutsThenTheRestIsGivenUp) {
+  for (int k = 0; k < 11; ++k) add(2, 2 + k, 8, 0.5);
+  for (int k = 0; k < 14; ++k) add(11 + k * 0.5, 1.5, 0.25, 29);
   Options options;
   options.tolerance = 0;
-  const auto few = importAlone(barsAndSquare(8, 8), options);
-  EXPECT_DOUBLE_EQ(areaInCells(few), 1.0);
-  EXPECT_EQ(noteKinds(few), (std::vector<NoteKind>{NoteKind::trimmed}));
-  const auto many = importAlone(barsAndSquare(11, 14), options);
-  EXPECT_LT(areaInCells(many), 1.0);
-  ASSERT_EQ(noteKinds(many), (std::vector<NoteKind>{NoteKind::leftOut, NoteKind::trimmed}));
-  const Note& note = many.report.tiles[0].notes[0];
-  EXPECT_EQ(note.text, "overlaps what is there already in so intricate a way that a part was given up");
-  EXPECT_EQ(note.object, 7U);
-  EXPECT_EQ(note.places, 1U);
-  EXPECT_EQ(note.cell, (Cell{0, -1}));
+  const auto map = importTile(objects + "<object id='7' width='32' height='32'/>", options);
+  EXPECT_EQ(areaInCells(map), 1);
+  EXPECT_EQ(noteKinds(map), (std::vector<NoteKind>{NoteKind::trimmed}));
+}
+
+/// The area of the polygons with a block, in square units.
+double areaOfBlock(const ImportedMap& map, Block block) {
+  double area = 0;
+  for (const Placement& p : map.placements) {
+    if (p.block == block) area += tiled::areaOf(realRing(ringOf(map.shapes[p.shape])));
+  }
+  return area;
+}
+
+TEST(TiledPlacer, WhatComesLaterLosesTheCommonPart) {
+  constexpr double kRounding = 8.0 * kUnitsPerCell;  // an edge can move by less than a unit along its length
+  const std::vector<Polygon> rings = simpleRings(5, 3, kUnitsPerCell / 2);
+  std::size_t cut = 0;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    for (std::size_t j = i % 64; j < rings.size(); j += 64) {  // a 64th of all pairs
+      SCOPED_TRACE(text(rings[j]) + " on " + text(rings[i]));
+      Placer placer;
+      placer.place({3, -8}, placer.entry({placer.shape(rings[i]), 1, kNoTile}));
+      placer.place({3, -8}, placer.entry({placer.shape(rings[j]), 2, kNoTile}));
+      ImportedMap map;
+      map.report.layers.emplace_back();
+      placer.finish(map);
+      worldOf(map);
+      const double common = commonArea(rings[i], rings[j]);
+      ASSERT_NEAR(areaOfBlock(map, 1), tiled::areaOf(realRing(rings[i])), kRounding) << "the first one stays";
+      ASSERT_NEAR(areaOfBlock(map, 2), tiled::areaOf(realRing(rings[j])) - common, kRounding);
+      ASSERT_EQ(map.report.layers[0].notes.empty(), common < 1) << "it says so";
+      cut += common >= 1;
+    }
+  }
+  EXPECT_GT(cut, 100U);
+}
+
+/// A comb of `teeth` needles up to the other side of the cell.
+Polygon combOf(std::int64_t teeth, bool lying) {
+  Polygon ring{{0, 0}, {65'536, 0}};
+  for (std::int64_t k = teeth; k > 0; --k) {
+    ring.push_back({k * 65'536 / (teeth + 1), 65'536});
+    ring.push_back({k * 65'536 / (teeth + 1) - 10, 40});
+  }
+  for (Point& p : ring) {
+    if (lying) p = {65'536 - p.y, p.x};
+  }
+  return ring;
+}
+
+TEST(TiledPlacer, WhatCrossesTooOftenIsLeftOut) {
+  const auto placed = [](std::int64_t teeth) {
+    Placer placer;
+    placer.place({}, placer.entry({placer.shape(combOf(teeth, false)), 1, kNoTile}));
+    placer.place({}, placer.entry({placer.shape(combOf(teeth, true)), 2, kNoTile}));
+    ImportedMap map;
+    map.report.layers.emplace_back();
+    placer.finish(map);
+    EXPECT_GE(map.report.layers[0].notes.size(), 1U);
+    return map.report.layers[0].notes.back().text + (map.placements.size() > 1 ? ", taken" : ", left out");
+  };
+  EXPECT_EQ(placed(12), "lies on what is there already: the common part was taken away, taken");
+  EXPECT_EQ(placed(40), "crosses what is there already more than 1024 times, left out");
+}
+
+TEST(TiledPlacer, SliversAreDropped) {
+  const auto left = [](std::int64_t width) {  // of a square that is wider than the one before it
+    Placer placer;
+    placer.place({}, placer.entry({placer.shape({{0, 0}, {9'000, 0}, {9'000, 65'536}, {0, 65'536}}), 1, kNoTile}));
+    const std::int64_t end = 9'000 + width;
+    placer.place({}, placer.entry({placer.shape({{0, 0}, {end, 0}, {end, 65'536}, {0, 65'536}}), 2, kNoTile}));
+    ImportedMap map;
+    map.report.layers.emplace_back();
+    placer.finish(map);
+    return map.placements.size() - 1;
+  };
+  EXPECT_EQ(left(0), 0U);
+  EXPECT_EQ(left(4), 0U);
+  EXPECT_EQ(left(5), 1U);
 }
 
 /// A polygon of 1024 vertices below a line: teeth of 1/16 pixel.

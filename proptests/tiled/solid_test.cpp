@@ -6,10 +6,6 @@
 namespace lgs::tiled {
 namespace {
 
-std::string property(const std::string& name, const std::string& value) {
-  return "<properties><property name='" + name + "' value='" + value + "'/></properties>";
-}
-
 /// Tiles 1, 2, … without shapes, each with a property 'p' of this value.
 std::string plainTiles(const std::vector<std::string>& values) {
   std::string xml = "<tileset firstgid='1' name='set' tilewidth='32' tileheight='32'>";
@@ -72,9 +68,9 @@ TEST(TiledProperties, NamesThatSayThatSomethingIsSolid) {
 }
 
 /// Each suggestion: "TEXT | ARGUMENTS".
-std::vector<std::string> suggestionsOf(const std::string& content) {
+std::vector<std::string> suggestionsOf(const std::string& content, const Options& options = {}) {
   std::vector<std::string> result;
-  for (const Suggestion& suggestion : mustImport(content).report.suggestions) {
+  for (const Suggestion& suggestion : mustImport(content, options).report.suggestions) {
     std::string text = suggestion.text + " |";
     for (const std::string& argument : suggestion.arguments) text += " " + argument;
     result.push_back(text);
@@ -100,6 +96,23 @@ TEST(TiledSuggestions, WhatLooksLikeCollision) {
             (std::vector<std::string>{"1 tile layer with a name that says so: Walls | --layer Walls --solid"}));
   EXPECT_EQ(suggestionsOf(tiles + layer("L", "4,4,0,3", property("blocking", "true"))),
             (std::vector<std::string>{"tile layers with the property 'blocking' | --solid-if blocking"}));
+}
+
+TEST(TiledSuggestions, FullSquaresOnlyWhereTheyHelp) {
+  Options options;
+  options.layers = {"A"};
+  const std::string shapeless = "<tileset firstgid='1' tilewidth='32' tileheight='32'/>";
+  EXPECT_EQ(suggestionsOf(shapeless + layer("A", "1,1,0,0") + layer("B", "1,0,0,0"), options),
+            (std::vector<std::string>{"1 tile without collision shapes, in A | --layer A --solid"}));
+  const std::string open = "<object id='1'><polyline points='0,0 32,0'/></object>";
+  for (const char* name : {"L", "Ground"}) {
+    EXPECT_TRUE(suggestionsOf(tilesetXml({open}) + layer(name, "1,1,0,0")).empty()) << "the tile has a shape, left out";
+  }
+}
+
+TEST(TiledSuggestions, NotForObjectsThatHaveNoArea) {
+  const std::string spawn = "<object id='1'><point/></object>", sign = "<object id='2'><text>Exit</text></object>";
+  EXPECT_TRUE(suggestionsOf("<objectgroup name='Spawns'>" + spawn + sign + "</objectgroup>").empty());
 }
 
 TEST(TiledSuggestions, ObjectLayersThatWerePassedOver) {

@@ -113,11 +113,15 @@ TEST(TiledTileObjects, WithoutShapesTheyAreSquaresIfAskedFor) {
   EXPECT_EQ(cellsOf(mustImport(content, options)), (std::vector<Cell>{{0, -2}, {0, -1}, {1, -1}}));
 }
 
+Files templateFiles(const std::string& objects, const std::string& text) {
+  return {{"maps/test.tmx", mapXml(tilesetXml({kFullTile}) + wall(objects))},
+          {"kit/a.tx", text},
+          {"kit/set.tsx", "<tileset tilewidth='32' tileheight='32'><tile id='4'><objectgroup>" + kRamp +
+                              "</objectgroup></tile></tileset>"}};
+}
+
 ImportedMap withTemplate(const std::string& objects, const std::string& text) {
-  return mustImportFiles({{"maps/test.tmx", mapXml(tilesetXml({kFullTile}) + wall(objects))},
-                          {"kit/a.tx", text},
-                          {"kit/set.tsx", "<tileset tilewidth='32' tileheight='32'><tile id='4'><objectgroup>" + kRamp +
-                                              "</objectgroup></tile></tileset>"}});
+  return mustImportFiles(templateFiles(objects, text));
 }
 
 TEST(TiledTemplates, FillUpWhatAnObjectDoesNotSay) {
@@ -159,7 +163,9 @@ TEST(TiledTemplates, OfShapesOfTiles) {
 
 TEST(TiledTemplates, ThatCannotBeReadAreNamed) {
   const std::string object = "<object id='3' template='../kit/a.tx' x='0' y='32'/>";
-  const auto reason = [&](const std::string& text) { return firstNote(withTemplate(object, text)); };
+  const auto reason = [&](const std::string& text) {
+    return firstNote(importFiles(templateFiles(object, text)).value());
+  };
   EXPECT_EQ(firstNote(withTemplate("<object id='3' template='b.tx'/>", "")),
             "its template maps/b.tx: cannot be read: there is no such file");
   EXPECT_EQ(reason("<template/>"), "its template ../kit/a.tx has no <object>");

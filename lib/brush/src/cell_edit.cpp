@@ -32,16 +32,15 @@ bool meets(const Pieces& region, FillRule rule, const Ring& ring) {
   });
 }
 
-/// The atoms of the cell. Polygons that stand in the way become reached.
-std::vector<Atom> atomsOf(const std::vector<CellPolygon>& polygons, std::vector<bool>& reached, const Pieces& region,
-                          FillRule rule) {
+/// The atoms of the cell. Polygons that stand in the way become groups.
+std::vector<Atom> atomsOf(Ground& ground, const Pieces& region, FillRule rule) {
   for (;;) {
-    Rounding following = rounded(arrangementOf(polygons, reached, region, rule, true), rule);
+    Rounding following = rounded(arrangementOf(ground, region, rule, true), rule);
     if (following.isGood) return std::move(following.atoms);
-    Rounding result = rounded(arrangementOf(polygons, reached, region, rule, false), rule);
+    Rounding result = rounded(arrangementOf(ground, region, rule, false), rule);
     if (result.isGood) return std::move(result.atoms);
     assert(!result.inTheWay.empty());
-    for (const std::size_t k : result.inTheWay) reached[k] = true;
+    for (const std::size_t k : result.inTheWay) ground.groups[k] = k;
   }
 }
 
@@ -51,9 +50,9 @@ CellEdit editOf(const std::vector<CellPolygon>& polygons, const Pieces& region, 
   std::vector<bool> meeting;
   meeting.reserve(polygons.size());
   for (const CellPolygon& p : polygons) meeting.push_back(meets(region, stroke.rule, p.ring));
-  std::vector<bool> reached = meeting;
-  const std::vector<Atom> atoms = atomsOf(polygons, reached, region, stroke.rule);
-  CellEdit edit = divided(polygons, reached, atoms, stroke);
+  Ground ground = groundOf(polygons, meeting, region);
+  const std::vector<Atom> atoms = atomsOf(ground, region, stroke.rule);
+  CellEdit edit = divided(ground, atoms, stroke);
   for (const std::size_t k : edit.gone)
     if (!meeting[k]) edit.bent.push_back(k);
   return edit;

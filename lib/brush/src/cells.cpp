@@ -18,6 +18,7 @@ bool isOnRim(const Piece& p, const CellRect& box) {
 }
 
 Pieces all(const Rings& rings) {
+  if (rings.size() == 1) return rings[0];
   Pieces pieces;
   for (const Pieces& ring : rings) pieces.insert(pieces.end(), ring.begin(), ring.end());
   return pieces;
@@ -35,6 +36,7 @@ CutCell cutCell(Cell cell, const Pieces& pieces, FillRule rule) {
 
 Rings half(const Rings& rings, Line line, bool keepsGreater) {
   Rings kept;
+  kept.reserve(rings.size());
   for (const Pieces& ring : rings)
     if (Pieces part = cut(ring, line, keepsGreater); !part.empty()) kept.push_back(std::move(part));
   return kept;

@@ -105,8 +105,7 @@ void addChord(Point from, bool isLess, std::vector<Edge>& edges) {
   }
 }
 
-}  // namespace
-
+/// The ring without vertices in the middle of straight lines, its least vertex first.
 Ring straightened(const Ring& ring) {
   Ring kept;
   for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -116,6 +115,8 @@ Ring straightened(const Ring& ring) {
   if (!kept.empty()) std::rotate(kept.begin(), std::min_element(kept.begin(), kept.end()), kept.end());
   return kept;
 }
+
+}  // namespace
 
 std::vector<Ring> simplePolygons(std::vector<Edge> edges) {
   std::sort(edges.begin(), edges.end());

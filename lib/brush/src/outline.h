@@ -12,7 +12,4 @@ namespace lgs::brush {
 /// No vertex is in the middle of a straight line. Polygons begin with their least vertex.
 std::vector<Ring> simplePolygons(std::vector<Edge> edges);
 
-/// The ring without vertices in the middle of straight lines, its least vertex first.
-Ring straightened(const Ring& ring);
-
 }  // namespace lgs::brush

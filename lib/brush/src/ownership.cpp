@@ -1,17 +1,30 @@
 #include "ownership.h"
 
-#include "geometry/ring.h"
+#include "geometry/relation.h"
 #include "outline.h"
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
 #include <utility>
 
 namespace lgs::brush {
 namespace {
 
-using Owner = std::size_t;  ///< an old polygon by index, what is painted, or nobody
+using Owner = std::size_t;  ///< a group by its least polygon, what is painted, or nobody
+
+/// Whether edges are the same outline as before. Those of before are not cut yet where rounding found hot points.
+bool isSameOutline(std::vector<Edge> now, const std::vector<Edge>& before) {
+  std::vector<Point> vertices, cuts;
+  for (const Edge& e : now) vertices.push_back(e.from);
+  std::vector<Edge> parts;
+  for (const Edge& e : before) {
+    detail::cutEdge(e.from, e.to, vertices, cuts);
+    for (std::size_t k = 1; k < cuts.size(); ++k) parts.push_back({cuts[k - 1], cuts[k]});
+  }
+  std::sort(now.begin(), now.end());
+  std::sort(parts.begin(), parts.end());
+  return now == parts;
+}
 
 /// An atom's ends and whose its sides are.
 struct Sides {
@@ -21,32 +34,34 @@ struct Sides {
 
 class Division {
  public:
-  Division(const std::vector<CellPolygon>& polygons, const std::vector<bool>& reached, const std::vector<Atom>& atoms,
-           const Stroke& stroke)
-      : polygons_(polygons), reached_(reached), stroke_(stroke), paint_(polygons.size()), nobody_(paint_ + 1) {
+  Division(const Ground& ground, const std::vector<Atom>& atoms, const Stroke& stroke)
+      : ground_(ground), stroke_(stroke), paint_(ground.polygons.size()), nobody_(paint_ + 1) {
+    sides_.reserve(atoms.size());
     for (const Atom& a : atoms) sides_.push_back({a.low, a.high, ownerOf(a.left), ownerOf(a.right)});
-    groupOf_.resize(nobody_ + 1);
-    std::iota(groupOf_.begin(), groupOf_.end(), Owner{0});
+    unionOf_ = ground.groups;
+    unionOf_.insert(unionOf_.end(), {paint_, nobody_});
     changed_.assign(nobody_, false);
     changed_[paint_] = true;
-    for (Owner k = 0; k < paint_; ++k) changed_[k] = reached_[k] && !isAsBefore(k);
+    for (Owner k = 0; k < paint_; ++k) changed_[k] = unionOf_[k] == k && !isAsBefore(k);
     uniteNeighbours();
   }
 
   CellEdit result() const {
     CellEdit edit;
-    for (Owner group = 0; group < nobody_; ++group) {
-      if (groupOf_[group] != group) continue;
+    std::vector<std::size_t> old;
+    for (Owner all = 0; all < nobody_; ++all) {
+      if (unionOf_[all] != all) continue;
       bool isChanged = false;
-      for (Owner k = group; k < nobody_; ++k) isChanged |= groupOf_[k] == group && changed_[k];
+      for (Owner k = all; k < nobody_; ++k) isChanged |= unionOf_[k] == all && changed_[k];
       if (!isChanged) continue;
-      const std::size_t first = edit.gone.size();
-      for (Owner k = group; k < paint_; ++k)
-        if (groupOf_[k] == group) edit.gone.push_back(k);
-      const bool isOne = edit.gone.size() == first + 1 && groupOf_[paint_] != group;
-      for (Ring& ring : simplePolygons(outlineOf(group))) {
-        std::vector<std::size_t> from = isOne ? std::vector{edit.gone[first]} : partsIn(ring, group);
-        edit.placed.push_back({std::move(ring), blockOf(group), std::move(from)});
+      old.clear();
+      for (Owner k = all; k < paint_; ++k)
+        if (unionOf_[k] == all) old.push_back(k);
+      edit.gone.insert(edit.gone.end(), old.begin(), old.end());
+      const bool isOne = old.size() == 1 && unionOf_[paint_] != all;
+      for (Ring& ring : simplePolygons(outlineOf(all))) {
+        std::vector<std::size_t> from = isOne ? old : partsIn(ring, old);
+        edit.placed.push_back({std::move(ring), blockOf(all), std::move(from)});
       }
     }
     std::sort(edit.gone.begin(), edit.gone.end());
@@ -69,12 +84,12 @@ class Division {
     return nobody_;
   }
 
-  Block blockOf(Owner owner) const { return owner == paint_ ? stroke_.block : polygons_[owner].block; }
+  Block blockOf(Owner owner) const { return owner == paint_ ? stroke_.block : ground_.polygons[owner].block; }
 
-  std::vector<Edge> outlineOf(Owner group) const {
+  std::vector<Edge> outlineOf(Owner all) const {
     std::vector<Edge> edges;
     for (const Sides& s : sides_) {
-      const bool isLeft = groupOf_[s.left] == group, isRight = groupOf_[s.right] == group;
+      const bool isLeft = unionOf_[s.left] == all, isRight = unionOf_[s.right] == all;
       if (isLeft && !isRight) edges.push_back({s.low, s.high});
       if (isRight && !isLeft) edges.push_back({s.high, s.low});
     }
@@ -92,53 +107,44 @@ class Division {
     return area;
   }
 
-  bool isAsBefore(Owner polygon) const {
-    if (doubleAreaOf(polygon) != detail::doubleArea(polygons_[polygon].ring)) return false;  // quicker than outlines
-    const std::vector<Ring> rings = simplePolygons(outlineOf(polygon));
-    return rings.size() == 1 && rings[0] == straightened(polygons_[polygon].ring);
+  bool isAsBefore(Owner group) const {
+    std::int64_t area = 0;
+    for (Owner k = group; k < paint_; ++k)
+      if (unionOf_[k] == group) area += detail::doubleArea(ground_.polygons[k].ring);
+    // Areas are quicker to compare, and mostly tell.
+    return doubleAreaOf(group) == area && isSameOutline(outlineOf(group), oldOutline(ground_, group));
   }
 
-  /// Unites what shares an edge and has the same block, if one of the two is changed.
+  /// Unites what shares an edge and has the same block.
   void uniteNeighbours() {
     for (const Sides& s : sides_) {
-      if (s.left == s.right || s.left == nobody_ || s.right == nobody_) continue;
-      if (blockOf(s.left) != blockOf(s.right) || !(changed_[s.left] || changed_[s.right])) continue;
-      const Owner a = groupOf_[s.left], b = groupOf_[s.right];
-      for (Owner& group : groupOf_)
-        if (group == a || group == b) group = std::min(a, b);
+      if (s.left == nobody_ || s.right == nobody_ || blockOf(s.left) != blockOf(s.right)) continue;
+      const Owner a = unionOf_[s.left], b = unionOf_[s.right];
+      for (Owner& all : unionOf_)
+        if (all == a || all == b) all = std::min(a, b);
     }
   }
 
-  /// The old polygons of a group with a part in one of its rings. Each part has an atom: the outline of a ring may be
-  /// chords on one side, so both sides of atoms count.
-  std::vector<std::size_t> partsIn(const Ring& ring, Owner group) const {
-    const Pieces outline = piecesOf(ring);
-    const auto isOld = [&](Owner owner) { return owner < paint_ && groupOf_[owner] == group; };
+  /// Those of some old polygons that have a part in a ring. Atoms can not tell: they know groups alone.
+  std::vector<std::size_t> partsIn(const Ring& ring, const std::vector<std::size_t>& old) const {
     std::vector<std::size_t> parts;
-    for (const Sides& s : sides_) {
-      const Point middle{s.low.x + s.high.x, s.low.y + s.high.y};
-      if (isOld(s.left) && windingLeftOf(middle, outline) != 0) parts.push_back(s.left);
-      if (isOld(s.right) && windingRightOf(middle, outline) != 0) parts.push_back(s.right);
-    }
-    std::sort(parts.begin(), parts.end());
-    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    for (const std::size_t k : old)
+      if (detail::relation(ground_.polygons[k].ring, ring) != detail::Relation::apart) parts.push_back(k);
     return parts;
   }
 
-  const std::vector<CellPolygon>& polygons_;
-  const std::vector<bool>& reached_;
+  const Ground& ground_;
   const Stroke& stroke_;
   const Owner paint_, nobody_;
   std::vector<Sides> sides_;
-  std::vector<Owner> groupOf_;  ///< the least owner of its group
+  std::vector<Owner> unionOf_;  ///< by old polygon and owner: the least owner of the union that it is in
   std::vector<bool> changed_;
 };
 
 }  // namespace
 
-CellEdit divided(const std::vector<CellPolygon>& polygons, const std::vector<bool>& reached,
-                 const std::vector<Atom>& atoms, const Stroke& stroke) {
-  return Division(polygons, reached, atoms, stroke).result();
+CellEdit divided(const Ground& ground, const std::vector<Atom>& atoms, const Stroke& stroke) {
+  return Division(ground, atoms, stroke).result();
 }
 
 }  // namespace lgs::brush

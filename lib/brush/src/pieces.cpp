@@ -91,6 +91,7 @@ Pieces cutAtEnds(const Pieces& pieces) {
 
 Pieces piecesOf(const Ring& ring) {
   Pieces pieces;
+  pieces.reserve(ring.size());
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const Point a = ring[k], b = ring[k + 1 == ring.size() ? 0 : k + 1];
     if (a != b) pieces.push_back({a, b, a, b, true});
@@ -100,6 +101,7 @@ Pieces piecesOf(const Ring& ring) {
 
 Pieces cut(const Pieces& ring, Line line, bool keepsGreater) {
   Pieces kept;
+  kept.reserve(ring.size() + 2);
   for (const Piece& p : ring) {
     const int start = side(p.start, line, keepsGreater), end = side(p.end, line, keepsGreater);
     if (start < 0 && end < 0) continue;

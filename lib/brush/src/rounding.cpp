@@ -56,6 +56,7 @@ bool isPlane(const std::vector<Atom>& atoms) {
 
 Rounding roundOnce(const Arrangement& arrangement, FillRule rule) {
   Rounding result;
+  result.atoms.reserve(arrangement.segments.size() + arrangement.hot.size());
   std::vector<Point> chain;
   for (const Segment& segment : arrangement.segments) {
     route(segment, arrangement.hot, chain);

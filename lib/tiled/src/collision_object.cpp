@@ -1,37 +1,38 @@
 #include "collision_object.h"
 
+#include "properties.h"
+
+#include <algorithm>
+#include <utility>
+
 namespace lgs::tiled {
 namespace {
 
 using Kind = CollisionObject::Kind;
 
-/// Reads the vertices of a polygon, or of a polyline that ends where it began.
+constexpr std::int64_t kMostId = 0xFFFF'FFFF;
+
+void leaveOut(CollisionObject& object, std::string reason) {
+  object.kind = Kind::unsupported;
+  object.unsupported = std::move(reason);
+}
+
+/// Reads the vertices of a polygon, or of a polyline. A polyline that ends where it began is a polygon.
 void readPoints(const XmlFile& file, pugi::xml_node node, bool closed, CollisionObject& object) {
-  const auto leaveOut = [&](const char* reason) {
-    object.kind = Kind::unsupported;
-    object.unsupported = reason;
-  };
-  object.kind = Kind::polygon;
-  object.points = file.points(node, "points");
-  if (!closed) {
-    const auto same = [](DoublePoint a, DoublePoint b) { return a.x == b.x && a.y == b.y; };
-    if (object.points.size() < 4 || !same(object.points.front(), object.points.back())) {
-      return leaveOut("an open polyline has no area: close it, or draw a polygon instead");
-    }
-    object.points.pop_back();
-  }
-  if (object.points.size() < 3) return leaveOut("the polygon has fewer than 3 vertices");
-  if (object.points.size() > kMaxObjectVertices) return leaveOut("the polygon has more than 1024 vertices");
+  std::vector<DoublePoint>& points = object.points;
+  points = file.points(node, "points");
+  const auto same = [](DoublePoint a, DoublePoint b) { return a.x == b.x && a.y == b.y; };
+  const bool isOpen = !closed && (points.size() < 4 || !same(points.front(), points.back()));
+  object.kind = isOpen ? Kind::polyline : Kind::polygon;
+  if (!closed && !isOpen) points.pop_back();
+  if (!isOpen && points.size() < 3) return leaveOut(object, "the polygon has fewer than 3 vertices");
+  if (points.size() > kMaxObjectVertices) return leaveOut(object, "the polygon has more than 1024 vertices");
 }
 
 /// Reads the kind of an object, and for Kind::unsupported the reason.
 void readKind(const XmlFile& file, pugi::xml_node node, CollisionObject& object) {
-  const auto leaveOut = [&](const char* reason) {
-    object.kind = Kind::unsupported;
-    object.unsupported = reason;
-  };
-  if (node.child("point")) return leaveOut("a point has no area");
-  if (node.child("text")) return leaveOut("a text is no shape");
+  if (node.child("point")) return leaveOut(object, "a point has no area");
+  if (node.child("text")) return leaveOut(object, "a text is no shape");
   if (object.gid != 0) {
     object.kind = Kind::tile;
   } else if (const auto polygon = node.child("polygon")) {
@@ -40,7 +41,7 @@ void readKind(const XmlFile& file, pugi::xml_node node, CollisionObject& object)
     readPoints(file, polyline, false, object);
   } else {
     object.kind = node.child("ellipse") ? Kind::ellipse : node.child("capsule") ? Kind::capsule : Kind::rectangle;
-    if (object.size.x <= 0 || object.size.y <= 0) leaveOut("it has no area: its width or height is 0");
+    if (object.size.x <= 0 || object.size.y <= 0) leaveOut(object, "it has no area: its width or height is 0");
   }
 }
 
@@ -57,18 +58,36 @@ void merge(pugi::xml_node instance, pugi::xml_node origin, pugi::xml_document& m
     node.remove_child(shape);
     node.append_copy(instance.child(shape));
   }
+  auto properties = node.child("properties");
+  if (!properties) properties = node.append_child("properties");
+  for (const auto property : instance.child("properties").children()) properties.append_copy(property);
+}
+
+/// An open polyline becomes what lies up to so many pixels below it.
+void thicken(CollisionObject& object, double thickness) {
+  std::vector<DoublePoint>& points = object.points;
+  if (points.size() > 1 && points.front().x > points.back().x) std::reverse(points.begin(), points.end());
+  const auto turnsBack = [](DoublePoint a, DoublePoint b) { return a.x >= b.x; };
+  if (points.size() < 2 || std::adjacent_find(points.begin(), points.end(), turnsBack) != points.end()) {
+    return leaveOut(object, "only a polyline that runs from left to right, nowhere upright, can become a thin polygon");
+  }
+  object.kind = Kind::polygon;
+  object.thickness = thickness;
+  for (std::size_t k = points.size(); k-- > 0;) points.push_back({points[k].x, points[k].y + thickness});
 }
 
 CollisionObject readPlain(const XmlFile& file, pugi::xml_node node, DoublePoint offset) {
-  constexpr std::int64_t kMost = 0xFFFF'FFFF;
   CollisionObject object;
-  object.id = static_cast<std::uint32_t>(file.integer(node, "id", 0, 0, kMost));
+  object.id = static_cast<std::uint32_t>(file.integer(node, "id", 0, 0, kMostId));
   object.className = classOf(node);
+  object.name = node.attribute("name").value();
   object.at = {file.real(node, "x") + offset.x, file.real(node, "y") + offset.y};
   object.size = {file.real(node, "width"), file.real(node, "height")};
   object.rotation = file.real(node, "rotation");
-  object.gid = static_cast<std::uint32_t>(file.integer(node, "gid", 0, 0, kMost));
+  object.gid = static_cast<std::uint32_t>(file.integer(node, "gid", 0, 0, kMostId));
+  object.hidden = !node.attribute("visible").as_bool(true);
   readKind(file, node, object);
+  object.oneWay = (object.kind == Kind::polyline || object.kind == Kind::tile) && saysOneWay(node);
   return object;
 }
 
@@ -81,15 +100,30 @@ CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint
   const auto model = origin.file.root().child("object");
   if (origin.error || !model) {
     CollisionObject object;
-    object.id = static_cast<std::uint32_t>(file.integer(node, "id", 0, 0, 0xFFFF'FFFF));
-    object.kind = Kind::unsupported;
-    object.unsupported = "its template " + (origin.error ? message(*origin.error) : named + " has no <object>");
+    object.id = static_cast<std::uint32_t>(file.integer(node, "id", 0, 0, kMostId));
+    leaveOut(object, "its template " + (origin.error ? message(*origin.error) : named + " has no <object>"));
     return object;
   }
   pugi::xml_document merged;
   merge(node, model, merged);
   CollisionObject object = readPlain(file, merged.first_child(), offset);
   if (!node.attribute("gid")) object.gidFrom = &origin;
+  return object;
+}
+
+CollisionObject asAsked(CollisionObject object, const Options& options) {
+  if (options.blockFrom == BlockFrom::name && !object.name.empty()) object.className = object.name;
+  if (object.kind == Kind::unsupported) return object;
+  if (object.hidden && options.visibleOnly) {
+    leaveOut(object, "it is hidden");
+  } else if (object.kind == Kind::polyline && !object.oneWay) {
+    leaveOut(object, "an open polyline has no area: close it, or draw a polygon instead");
+  } else if (object.kind == Kind::polyline && options.polylineThickness == 0) {
+    leaveOut(object,
+             "an open polyline has no area: as it is one-way, --polyline-thickness PIXELS makes a thin polygon");
+  } else if (object.kind == Kind::polyline) {
+    thicken(object, options.polylineThickness);
+  }
   return object;
 }
 

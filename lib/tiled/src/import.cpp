@@ -1,9 +1,8 @@
 // One import from its beginning to its end: the map's head, the tilesets, the layers tile by tile, then the carried
 // parts, then the objects.
-#include <lgs/tiled/import.h>
+#include "import_one.h"
 
 #include "block_numbers.h"
-#include "layers.h"
 #include "map_objects.h"
 #include "object_painter.h"
 #include "placer.h"
@@ -22,17 +21,20 @@ namespace {
 
 class Import {
  public:
-  Import(const std::string& path, const Options& options, const FileReader& reader)
-      : options_(options),
-        reader_(reader),
-        file_(path, reader, "map", error_),
-        templates_(reader),
-        blocks_(options),
-        tilesLeft_(options.maxTiles),
-        placementsLeft_(options.maxPlacements),
+  Import(const XmlFile& file, ImportJob& job, const MapPlace& place, std::optional<ImportError>& error)
+      : options_(job.options),
+        reader_(job.reader),
+        place_(place),
+        names_(job.names),
+        error_(error),
+        file_(file),
+        templates_(reader_),
+        blocks_(options_),
+        tilesLeft_(job.tilesLeft),
+        placementsLeft_(job.placementsLeft),
         objects_(file_, reader_, tilesets_, templates_, options_),
-        painter_(options.maxPlacements) {
-    map_.report.file = path;
+        painter_(placementsLeft_) {
+    map_.report.file = file.name();
   }
 
   tl::expected<ImportedMap, ImportError> run() {
@@ -43,7 +45,7 @@ class Import {
       if (!failed()) placer_.place(cell, entry);
     }
     if (!failed()) placeObjects();
-    if (failed()) return tl::unexpected(std::move(*error_));
+    if (failed()) return tl::unexpected(*error_);
     finishReport();
     return std::move(map_);
   }
@@ -78,12 +80,14 @@ class Import {
 
   const Options& options_;
   const FileReader& reader_;
-  std::optional<ImportError> error_;
-  XmlFile file_;
+  const MapPlace& place_;
+  LayerNames& names_;
+  std::optional<ImportError>& error_;
+  const XmlFile& file_;
   Templates templates_;
   BlockNumbers blocks_;
-  std::size_t tilesLeft_;
-  std::size_t placementsLeft_;
+  std::size_t& tilesLeft_;
+  std::size_t& placementsLeft_;
   PixelGrid grid_;
   Tilesets tilesets_;
   std::map<std::tuple<std::uint32_t, double, double, bool>, TileParts> parts_;  // by gid, offset, full square or not
@@ -108,6 +112,9 @@ void Import::readHead() {
   if (!(options_.tolerance >= 0 && std::isfinite(options_.tolerance))) {
     return file_.fail({}, "Options::tolerance should be 0 or more");
   }
+  if (!(options_.polylineThickness >= 0 && std::isfinite(options_.polylineThickness))) {
+    return file_.fail({}, "Options::polylineThickness should be 0 or more");
+  }
   Report& report = map_.report;
   report.width = static_cast<int>(file_.integer(root, "width", 0, 0, kMaxSide));
   report.height = static_cast<int>(file_.integer(root, "height", 0, 0, kMaxSide));
@@ -120,7 +127,7 @@ void Import::readHead() {
 }
 
 void Import::readLayers() {
-  layers_ = listLayers(file_, options_);
+  layers_ = listLayers(file_, options_, place_, names_);
   for (const Layer& layer : layers_) {
     const auto index = static_cast<std::uint32_t>(map_.report.layers.size());
     LayerReport& report = map_.report.layers.emplace_back();
@@ -140,10 +147,19 @@ void Import::readObjects(const Layer& layer, std::uint32_t index) {
 }
 
 void Import::placeObjects() {
+  Polygon lastRing;
+  Placer::Entry last;
+  Placer::EntryId id = 0;
   painter_.visit([&](Cell cell, const Polygon& ring, Placer::Entry entry) {
     if (failed() || !spend(1)) return;
-    entry.shape = placer_.shape(ring);
-    placer_.place(cell, placer_.entry(entry));
+    entry.shape = last.shape;
+    if (ring != lastRing || entry != last) {  // the cells inside an object are all alike
+      entry.shape = placer_.shape(ring);
+      id = placer_.entry(entry);
+      lastRing = ring;
+      last = entry;
+    }
+    placer_.place(cell, id);
   });
 }
 
@@ -155,9 +171,8 @@ bool Import::spend(std::size_t placements) {
 }
 
 Block Import::blockOf(const std::string& className, std::uint32_t layer) {
-  if (options_.blockFrom == BlockFrom::tileClass) return blocks_.of(className);
-  if (options_.blockFrom == BlockFrom::layer) return blocks_.of(map_.report.layers[layer].path);
-  return 1;
+  if (options_.blockFrom == BlockFrom::one) return 1;
+  return blocks_.of(options_.blockFrom == BlockFrom::layer ? layers_[layer].pathInMap : className);
 }
 
 void Import::readLayer(const Layer& layer, std::uint32_t index) {
@@ -194,7 +209,11 @@ void Import::placeTile(CurrentLayer& layer, std::int64_t column, std::int64_t ro
   const std::uint32_t reportIndex = reportOf(*tileset, number);
   ++map_.report.tiles[reportIndex].uses;
   auto ready = layer.ready.find(gid);
-  if (ready == layer.ready.end()) ready = layer.ready.emplace(gid, placeables(layer, gid)).first;
+  if (ready == layer.ready.end()) {
+    ready = layer.ready.emplace(gid, placeables(layer, gid)).first;
+    std::vector<std::uint32_t>& layers = map_.report.tiles[reportIndex].layers;
+    if (layers.empty() || layers.back() != layer.index) layers.push_back(layer.index);  // not for each way to flip it
+  }
   if (!spend(ready->second.size())) return;
   for (const Placeable& part : ready->second) {
     const Cell cell{static_cast<std::int32_t>(column + part.shift.i),
@@ -268,14 +287,9 @@ void Import::finishReport() {
 
 }  // namespace
 
-std::optional<Block> ImportedMap::block(const std::string& name) const {
-  const auto found = blocks.find(name);
-  return found == blocks.end() ? std::nullopt : std::optional(found->second);
-}
-
-tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options,
-                                                 const FileReader& reader) {
-  return Import(path, options, reader).run();
+tl::expected<ImportedMap, ImportError> importOne(const XmlFile& file, ImportJob& job, const MapPlace& place,
+                                                 std::optional<ImportError>& error) {
+  return Import(file, job, place, error).run();
 }
 
 }  // namespace lgs::tiled

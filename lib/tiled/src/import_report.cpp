@@ -7,6 +7,34 @@
 namespace lgs::tiled {
 namespace {
 
+/// Names come from files. What would end a line, or do something else to a terminal, becomes a blank.
+void makePlain(std::string& text) {
+  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
+  std::replace_if(text.begin(), text.end(), isControl, ' ');
+}
+
+void makePlain(std::vector<Note>& notes) {
+  for (Note& note : notes) makePlain(note.text);
+}
+
+Report withPlainNames(Report report) {
+  makePlain(report.file);
+  for (LayerReport& layer : report.layers) {
+    makePlain(layer.path);
+    makePlain(layer.note);
+    makePlain(layer.notes);
+  }
+  for (BlockReport& block : report.blocks) makePlain(block.name);
+  for (TileReport& tile : report.tiles) {
+    makePlain(tile.tileset);
+    makePlain(tile.className);
+    makePlain(tile.notes);
+  }
+  for (std::string& note : report.notes) makePlain(note);
+  for (Suggestion& suggestion : report.suggestions) makePlain(suggestion.text);
+  return report;
+}
+
 std::string counted(std::uint64_t n, const char* one, const char* many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
@@ -24,10 +52,24 @@ std::string padded(std::string text, std::size_t width) {
 
 std::string tileName(const TileReport& tile) { return tile.tileset + " #" + std::to_string(tile.id); }
 
-std::string where(const Note& note) {
+/// Where a note holds; `layer` is empty if that is clear.
+std::string where(const Note& note, const std::string& layer) {
   if (note.places == 0) return {};
-  return " (" + counted(note.places, "place", "places") + ", first in cell " + std::to_string(note.cell.i) + ", " +
-         std::to_string(note.cell.j) + ")";
+  return " (" + counted(note.places, "place", "places") + (layer.empty() ? "" : " in layer " + layer) +
+         ", first in cell " + std::to_string(note.cell.i) + ", " + std::to_string(note.cell.j) + ")";
+}
+
+/// "set #4 'lava', 2 uses in layer Ground"
+std::string heading(const TileReport& tile, const Report& report) {
+  std::string text = tileName(tile) + (tile.className.empty() ? "" : " '" + tile.className + "'") + ", " +
+                     counted(tile.uses, "use", "uses");
+  for (std::size_t k = 0; k < tile.layers.size(); ++k) {
+    text += (k > 0                     ? ", "
+             : tile.layers.size() == 1 ? " in layer "
+                                       : " in layers ") +
+            report.layers[tile.layers[k]].path;
+  }
+  return text;
 }
 
 void appendHead(const Report& report, std::string& out) {
@@ -64,7 +106,7 @@ std::string layerNotes(const LayerReport& layer, Wanted&& wanted) {
   std::vector<std::pair<std::string, std::vector<std::uint32_t>>> lines;
   for (const Note& note : layer.notes) {
     if (!wanted(note.kind)) continue;
-    const std::string text = note.text + where(note);
+    const std::string text = note.text + where(note, "");
     const auto same = std::find_if(lines.begin(), lines.end(), [&](const auto& line) { return line.first == text; });
     (same == lines.end() ? lines.emplace_back(text, 0) : *same).second.push_back(note.object);
   }
@@ -95,12 +137,10 @@ void appendNotes(const Report& report, const char* title, Wanted&& wanted, std::
     for (const Note& note : tile.notes) {
       if (!wanted(note.kind)) continue;
       if (!titled) out += std::string("\n") + title + "\n";
-      if (!named) {
-        out += "  " + tileName(tile) + (tile.className.empty() ? "" : " '" + tile.className + "'") + ", " +
-               counted(tile.uses, "use", "uses") + "\n";
-      }
+      if (!named) out += "  " + heading(tile, report) + "\n";
       titled = named = true;
-      out += "    object " + std::to_string(note.object) + ": " + note.text + where(note) + "\n";
+      const std::string layer = tile.layers.size() > 1 ? report.layers[note.layer].path : "";
+      out += "    object " + std::to_string(note.object) + ": " + note.text + where(note, layer) + "\n";
     }
   }
 }
@@ -128,7 +168,9 @@ void appendSuggestions(const Report& report, std::string& out) {
   if (report.suggestions.empty()) return;
   out += "\nNothing came out. What could be taken, and how:\n";
   for (const Suggestion& suggestion : report.suggestions) {
-    out += "  " + suggestion.text + "\n   ";
+    out += "  " + suggestion.text + "\n";
+    if (suggestion.arguments.empty()) continue;
+    out += "   ";
     for (const std::string& argument : suggestion.arguments) out += " " + argument;
     out += "\n";
   }
@@ -136,16 +178,16 @@ void appendSuggestions(const Report& report, std::string& out) {
 
 }  // namespace
 
-std::string toText(const Report& report) {
+std::string toText(const Report& named) {
+  const Report report = withPlainNames(named);
   std::string out;
   appendHead(report, out);
   const auto missing = [](NoteKind kind) { return kind == NoteKind::leftOut || kind == NoteKind::clipped; };
   appendNotes(report, "Left out or cut off:", missing, out);
+  const auto unchanged = [](NoteKind kind) { return kind >= NoteKind::takenBack; };
   appendNotes(
-      report, "Changed on the way in:", [&](NoteKind kind) { return !missing(kind) && kind != NoteKind::nearMiss; },
-      out);
-  appendNotes(
-      report, "Worth a look:", [](NoteKind kind) { return kind == NoteKind::nearMiss; }, out);
+      report, "Changed on the way in:", [&](NoteKind kind) { return !missing(kind) && !unchanged(kind); }, out);
+  appendNotes(report, "Worth a look:", unchanged, out);
   appendShapeless(report, true, "Full squares, as asked", out);
   appendShapeless(report, false, "Without collision shapes", out);
   appendSuggestions(report, out);
@@ -157,7 +199,9 @@ std::string message(const ImportError& error) {
   if (error.line > 0) out += ":" + std::to_string(error.line);
   out += ": ";
   if (!error.element.empty()) out += error.element + " ";
-  return out + error.what;
+  out += error.what;
+  makePlain(out);
+  return out;
 }
 
 }  // namespace lgs::tiled

@@ -12,48 +12,18 @@ namespace {
 constexpr int kMaxDepth = 64;               // of groups in groups
 constexpr std::int64_t kMaxSide = 1 << 28;  // of a layer, and of a chunk's place; far below kMaxCell
 
-/// Names that were asked for, and which of them fit a layer.
-class Names {
- public:
-  explicit Names(const std::vector<std::string>& names) : names_(names), found_(names.size(), false) {}
-
-  bool fit(const std::string& name, const std::string& path) {
-    bool any = false;
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      if (names_[i] != name && names_[i] != path) continue;
-      found_[i] = any = true;
-    }
-    return any;
-  }
-
-  void checkAll(const XmlFile& file, const std::string& kind) const {
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      if (!found_[i]) file.fail(file.root(), "has no " + kind + " layer or group '" + names_[i] + "'");
-    }
-  }
-
- private:
-  const std::vector<std::string>& names_;
-  std::vector<bool> found_;
-};
-
 /// Goes through the tree of groups.
 class Lister {
  public:
-  Lister(const XmlFile& file, const Options& options)
-      : file_(file),
-        objectsAreNamed_(options.objects.has_value()),
-        objectNames_(options.objects.value_or(std::vector<std::string>{})),
-        tiles_(options.layers),
-        objects_(objectNames_) {}
+  Lister(const XmlFile& file, const Options& options, LayerNames& names)
+      : file_(file), visibleOnly_(options.visibleOnly), objectsAreNamed_(options.objects.has_value()), names_(names) {}
 
   struct Parent {
-    std::string path;
-    bool wanted;         // its tile layers
-    bool objectsWanted;  // its object layers, by name
-    DoublePoint offset;
-    bool parallax;
-    int depth;
+    Layer layer;                 // `wanted` is that of its tile layers
+    bool objectsWanted = false;  // its object layers, by name
+    bool parallax = false;
+    bool hidden = false;
+    int depth = 0;
   };
 
   void list(pugi::xml_node node, const Parent& parent) {
@@ -61,17 +31,17 @@ class Lister {
       const std::string_view kind = child.name();
       const bool group = kind == "group", tiles = kind == "layer", objects = kind == "objectgroup";
       if (!group && !tiles && !objects && kind != "imagelayer") continue;
-      const std::string name = child.attribute("name").value();
-      Parent self{parent.path.empty() ? name : parent.path + "/" + name,
-                  parent.wanted,
-                  parent.objectsWanted,
-                  {parent.offset.x + file_.real(child, "offsetx"), parent.offset.y + file_.real(child, "offsety")},
-                  parent.parallax || scrollsApart(child),
-                  parent.depth + 1};
-      if (group || tiles) self.wanted = tiles_.fit(name, self.path) || self.wanted;
-      if (group || objects) self.objectsWanted = objects_.fit(name, self.path) || self.objectsWanted;
+      Parent self{parent.layer, parent.objectsWanted, parent.parallax || scrollsApart(child),
+                  parent.hidden || !child.attribute("visible").as_bool(true), parent.depth + 1};
+      self.layer.node = child;
+      extend(self.layer.path, child);
+      if (!child.attribute(kPlaceAttribute).as_bool()) extend(self.layer.pathInMap, child);
+      self.layer.offset.x += file_.real(child, "offsetx");
+      self.layer.offset.y += file_.real(child, "offsety");
+      if (group || tiles) self.layer.wanted = names_.fitTiles(self.layer) || self.layer.wanted;
+      if (group || objects) self.objectsWanted = names_.fitObjects(self.layer) || self.objectsWanted;
       if (!group) {
-        add(child, tiles ? LayerKind::tiles : objects ? LayerKind::objects : LayerKind::image, self);
+        add(tiles ? LayerKind::tiles : objects ? LayerKind::objects : LayerKind::image, self);
       } else if (self.depth > kMaxDepth) {
         file_.fail(child, "groups are nested too deeply");
       } else {
@@ -80,29 +50,41 @@ class Lister {
     }
   }
 
-  std::vector<Layer> finish() {
-    tiles_.checkAll(file_, "tile");
-    objects_.checkAll(file_, "object");
-    return std::move(layers_);
-  }
+  std::vector<Layer> finish() { return std::move(layers_); }
 
  private:
+  static void extend(std::string& path, pugi::xml_node node) {
+    path += (path.empty() ? "" : "/") + std::string(node.attribute("name").value());
+  }
+
   static bool scrollsApart(pugi::xml_node node) {
     return node.attribute("parallaxx").as_double(1) != 1 || node.attribute("parallaxy").as_double(1) != 1;
   }
 
-  void add(pugi::xml_node node, LayerKind kind, const Parent& self) {
-    Layer layer{node, self.path, kind, kind == LayerKind::tiles && self.wanted, self.offset, {}};
+  void add(LayerKind kind, const Parent& self) {
+    Layer layer = self.layer;
+    layer.kind = kind;
+    layer.wanted = kind == LayerKind::tiles && self.layer.wanted;
     if (kind == LayerKind::objects) {
       chooseObjects(layer, self);
     } else if (kind == LayerKind::image) {
-      layer.remark = "an image";
-    } else if (!self.wanted) {
+      const auto remark = layer.node.attribute(kRemarkAttribute);
+      layer.remark = remark ? remark.value() : "an image";
+    } else if (!layer.wanted) {
       layer.remark = "not chosen";
     }
+    const auto remark = [&](const char* text) {
+      layer.remark += (layer.remark.empty() ? "" : "; ") + std::string(text);
+    };
+    if (layer.wanted && self.hidden && visibleOnly_) {
+      layer.wanted = false;
+      layer.hidden = true;
+      layer.remark = "hidden";
+    } else if (self.hidden && kind != LayerKind::image) {
+      remark(layer.wanted ? "hidden (--visible leaves it out)" : "hidden");
+    }
     if (layer.wanted && self.parallax) {
-      layer.remark += std::string(layer.remark.empty() ? "" : "; ") +
-                      "scrolls at its own speed (parallax); imported where it stands in the editor";
+      remark("scrolls at its own speed (parallax); imported where it stands in the editor");
     }
     layers_.push_back(std::move(layer));
   }
@@ -111,7 +93,7 @@ class Lister {
     if (objectsAreNamed_) {
       layer.wanted = self.objectsWanted;
       layer.remark = layer.wanted ? "chosen" : "not chosen";
-    } else if (!self.wanted) {
+    } else if (!self.layer.wanted) {
       layer.remark = "not chosen";
     } else {
       layer.remark = whySolid(layer.node);
@@ -121,10 +103,9 @@ class Lister {
   }
 
   const XmlFile& file_;
+  bool visibleOnly_;
   bool objectsAreNamed_;
-  std::vector<std::string> objectNames_;
-  Names tiles_;
-  Names objects_;
+  LayerNames& names_;
   std::vector<Layer> layers_;
 };
 
@@ -170,9 +151,42 @@ void readRect(const XmlFile& file, pugi::xml_node data, const TileRect& rect, st
 
 }  // namespace
 
-std::vector<Layer> listLayers(const XmlFile& file, const Options& options) {
-  Lister lister(file, options);
-  lister.list(file.root(), {"", options.layers.empty(), false, {}, false, 0});
+LayerNames::LayerNames(const Options& options)
+    : tiles_{options.layers}, objects_{options.objects.value_or(std::vector<std::string>{})} {}
+
+bool LayerNames::List::fit(const Layer& layer) {
+  const std::string_view name = layer.node ? layer.node.attribute("name").value() : std::string_view(layer.path);
+  bool any = false;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] != name && names[i] != layer.path && names[i] != layer.pathInMap) continue;
+    found[i] = any = true;
+  }
+  return any;
+}
+
+void LayerNames::List::checkAll(const XmlFile& file, const char* kind) const {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!found[i]) file.fail(file.root(), std::string("has no ") + kind + " layer or group '" + names[i] + "'");
+  }
+}
+
+void LayerNames::checkAll(const XmlFile& file) const {
+  tiles_.checkAll(file, "tile");
+  objects_.checkAll(file, "object");
+}
+
+std::vector<Layer> listLayers(const XmlFile& file, const Options& options, const MapPlace& place, LayerNames& names) {
+  Lister lister(file, options, names);
+  Lister::Parent root;
+  root.layer.path = root.layer.pathInMap = place.name;
+  root.layer.offset = place.offset;
+  root.layer.wanted = options.layers.empty();
+  if (!place.name.empty()) {
+    root.layer.wanted = names.fitTiles(root.layer) || root.layer.wanted;
+    root.objectsWanted = names.fitObjects(root.layer);
+    root.layer.pathInMap.clear();
+  }
+  lister.list(file.root(), root);
   return lister.finish();
 }
 

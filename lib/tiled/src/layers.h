@@ -9,16 +9,53 @@ namespace lgs::tiled {
 
 struct Layer {
   pugi::xml_node node;
-  std::string path;  ///< "Group/Layer"
+  std::string path;       ///< "Group/Layer", after the name of its map in a world or of its level
+  std::string pathInMap;  ///< without that name
   LayerKind kind{};
   bool wanted = false;
-  DoublePoint offset;  ///< pixels, y down; the sum of its own and those of its groups
-  std::string remark;  ///< for the report: why it is taken or passed over, or what is special about it
+  bool hidden = false;  ///< it would be wanted if it, or a group that it is in, were not hidden
+  DoublePoint offset;   ///< pixels, y down; the sum of its own and those of its groups
+  std::string remark;   ///< for the report: why it is taken or passed over, or what is special about it
 };
 
-/// All layers of a map in the map's order, with those that are passed over. If a name in the options fits no layer, the
-/// file keeps an error.
-std::vector<Layer> listLayers(const XmlFile& file, const Options& options);
+/// The attribute of a group that is a place for layers, such as a level, and no part of their names.
+inline constexpr const char* kPlaceAttribute = "lgs:place";
+
+/// The attribute of an image layer with what the report says of it.
+inline constexpr const char* kRemarkAttribute = "lgs:remark";
+
+/// Where a map stands among others.
+struct MapPlace {
+  std::string name;    ///< empty for a map by itself
+  DoublePoint offset;  ///< of its upper left corner, pixels, y down
+};
+
+/// The names of layers that the options ask for, and which of them were found.
+class LayerNames {
+ public:
+  explicit LayerNames(const Options& options);
+
+  bool fitTiles(const Layer& layer) { return tiles_.fit(layer); }
+  bool fitObjects(const Layer& layer) { return objects_.fit(layer); }
+
+  /// If a name fits no layer of all that were listed, the file keeps an error.
+  void checkAll(const XmlFile& file) const;
+
+ private:
+  struct List {
+    std::vector<std::string> names;
+    std::vector<bool> found = std::vector<bool>(names.size(), false);
+
+    bool fit(const Layer& layer);
+    void checkAll(const XmlFile& file, const char* kind) const;
+  };
+
+  List tiles_;
+  List objects_;
+};
+
+/// All layers of a map in the map's order, with those that are passed over.
+std::vector<Layer> listLayers(const XmlFile& file, const Options& options, const MapPlace& place, LayerNames& names);
 
 /// Receives the tiles that are not empty, row by row. The number still holds the flags for flipping.
 using TileSink = std::function<void(std::int64_t column, std::int64_t row, std::uint32_t gid)>;

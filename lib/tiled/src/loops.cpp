@@ -27,6 +27,26 @@ void dropFlatVertices(Polygon& ring) {
 
 }  // namespace
 
+std::size_t crossings(const Polygon& a, const Polygon& b, std::size_t most) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.size() && count <= most; ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) count += crossProperly(a[i], nextVertex(a, i), b[j], nextVertex(b, j));
+  }
+  return count;
+}
+
+Polygon ringOf(std::span<const LocalPoint> vertices) {
+  Polygon ring;
+  for (const LocalPoint v : vertices) ring.push_back({v.x, v.y});
+  return ring;
+}
+
+std::vector<LocalPoint> localRing(const Polygon& ring) {
+  std::vector<LocalPoint> vertices;
+  for (const Point p : ring) vertices.push_back({static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y)});
+  return vertices;
+}
+
 std::vector<Polygon> tidyLoops(Polygon ring) {
   std::vector<Polygon> loops;
   std::vector<Polygon> todo{std::move(ring)};

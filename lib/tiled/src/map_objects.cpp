@@ -26,9 +26,12 @@ DoublePoint anchor(const std::string& alignment) {
 
 std::vector<MapShape> MapObjects::read(const Layer& layer) {
   std::vector<MapShape> shapes;
+  const bool isOneWay = saysOneWay(layer.node);
   for (const auto node : layer.node.children("object")) {
     CollisionObject object = readObject(map_, node, layer.offset, templates_);
     if (map_.failed()) return {};
+    object.oneWay |= isOneWay;
+    object = asAsked(std::move(object), options_);
     if (object.kind == Kind::tile) {
       readTileObject(object, shapes);
       continue;
@@ -72,7 +75,10 @@ void MapObjects::readTileObject(const CollisionObject& object, std::vector<MapSh
   frame.scaleTo(size);
   frame.shift = {tileset->offset.x * frame.scale.x, tileset->offset.y * frame.scale.y};
   const DoublePoint part = anchor(tileset->alignment);
-  for (const CollisionObject& drawn : tile.objects) {
+  for (CollisionObject& drawn : tile.objects) {
+    drawn.hidden |= object.hidden;
+    drawn.oneWay |= object.oneWay;
+    drawn = asAsked(std::move(drawn), options_);
     MapShape shape{drawn, outline(drawn)};
     shape.object.id = object.id;
     for (const std::string& name : {object.className, tile.className}) {

@@ -7,6 +7,8 @@
 namespace lgs::tiled {
 namespace {
 
+using Kind = CollisionObject::Kind;
+
 /// Cosine and sine of an angle in degrees. They are exact for quarter turns, so that turned rectangles stay on the
 /// grid.
 std::pair<double, double> turn(double degrees) {
@@ -41,7 +43,6 @@ std::vector<DoublePoint> roundedBox(DoublePoint size, DoublePoint radius) {
 }  // namespace
 
 std::vector<DoublePoint> outline(const CollisionObject& object) {
-  using Kind = CollisionObject::Kind;
   const DoublePoint size = object.size;
   std::vector<DoublePoint> points;
   switch (object.kind) {
@@ -59,6 +60,7 @@ std::vector<DoublePoint> outline(const CollisionObject& object) {
       points = roundedBox(size, {radius, radius});
       break;
     }
+    case Kind::polyline:
     case Kind::tile:
     case Kind::unsupported:
       break;

@@ -6,7 +6,7 @@
 namespace lgs::tiled {
 
 /// The outline of an object, in pixels from where it is measured, y down. It may run either way round. It is empty for
-/// Kind::tile and Kind::unsupported.
+/// Kind::polyline, Kind::tile and Kind::unsupported.
 std::vector<DoublePoint> outline(const CollisionObject& object);
 
 /// A point turned around the origin by an angle in degrees, clockwise where y points down. Quarter turns are exact.

@@ -9,11 +9,11 @@
 namespace lgs::tiled {
 namespace {
 
-/// How many cells the bounding box of a ring has.
+/// How many cells the bounding box of a ring has. It has an area.
 std::size_t cellsOf(const Polygon& ring) {
   const Box box = boundingBox(ring);
   const auto along = [](std::int64_t min, std::int64_t max) {
-    return static_cast<std::size_t>((max >> kCellBits) - (min >> kCellBits) + 1);
+    return static_cast<std::size_t>(((max - 1) >> kCellBits) - (min >> kCellBits) + 1);
   };
   return along(box.min.x, box.max.x) * along(box.min.y, box.max.y);
 }
@@ -30,31 +30,39 @@ bool ObjectPainter::paint(const MapShape& shape, const PixelGrid& grid, const Pl
   constexpr double kMost = 1 << 28;  // cells from the map's corner; below kMaxCell
   Snapped snapped = snap(shape.outline, grid, kMost);
   if (snapped.tooFar) return leaveOut("it is too far away");
-  noteSnapping(shape.object, snapped, report.notes);
-  if (tidyLoops(snapped.ring).empty()) return leaveOut("it has no area once it is on the grid");
   const Box box = boundingBox(snapped.ring);
   constexpr std::int64_t kExtent = kMaxRegionCells * kUnitsPerCell;
   if (box.max.x - box.min.x > kExtent || box.max.y - box.min.y > kExtent) {
     return leaveOut("it is more than " + std::to_string(kMaxRegionCells) + " cells wide or high");
   }
+  takeBackCollapse(snapped);
+  noteSnapping(shape.object, snapped, report.notes);
+  if (isTangled(snapped.ring)) return leaveOut("its outline crosses itself more than 1024 times");
+  if (tidyLoops(snapped.ring).empty()) return leaveOut("it has no area once it is on the grid");
   const std::size_t cells = cellsOf(snapped.ring);
   if (cells > cellsLeft_) return false;
   cellsLeft_ -= cells;
   const auto number = static_cast<Block>(entries_.size());
   entries_.push_back(entry);
-  const auto painted = lgs::paint(world_, {{std::move(snapped.ring)}, FillRule::evenOdd}, number, PaintMode::fill);
+  const Region region{{std::move(snapped.ring)}, FillRule::evenOdd};
+  const auto painted = lgs::paint(world_, region, number, PaintMode::fill);
   if (!painted) return leaveOut("a cell holds as many polygons or vertices as it can");
   if (painted->came.empty()) {
+    World empty;
+    const auto alone = lgs::paint(empty, region, number, PaintMode::fill);
+    if (alone && alone->came.empty())
+      return leaveOut("it has no area: what its outline goes around twice is not solid");
     report.notes.push_back({NoteKind::trimmed, shape.object.id, 0, 0, {}, "objects before it cover all of it"});
   }
   return true;
 }
 
 void ObjectPainter::visit(const Visitor& visitor) const {
+  Polygon ring;
   world_.forEachPolygon([&](Cell cell, const PlacedPolygon& polygon) {
-    Polygon ring;
+    ring.clear();
     for (const LocalPoint v : polygon.vertices) ring.push_back({v.x, v.y});
-    visitor(cell, std::move(ring), entries_[polygon.block]);
+    visitor(cell, ring, entries_[polygon.block]);
   });
 }
 

@@ -21,7 +21,7 @@ class ObjectPainter {
                            LayerReport& report);
 
   /// Visits what was painted: a polygon in a cell, and the entry of its shape.
-  using Visitor = std::function<void(Cell, Polygon, const Placer::Entry&)>;
+  using Visitor = std::function<void(Cell, const Polygon&, const Placer::Entry&)>;
   void visit(const Visitor& visitor) const;
 
  private:

@@ -1,7 +1,8 @@
 #include "pixel_grid.h"
 
-#include "split.h"
+#include "collapse.h"
 
+#include <lgs/brush.h>
 #include <lgs/tiled/import.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@ constexpr double kNoise = 1e-6;
 
 struct Snap {
   std::int64_t value = 0;  // lattice units
+  std::int64_t drawn = 0;  // the same without snapping
   double moved = 0;        // pixels, if it snapped to a grid line
   double miss = 0;         // pixels to the nearest grid line, if it did not
 };
@@ -23,34 +25,24 @@ struct Snap {
 Snap snapOne(double pixels, double tile, double tolerance) {
   const double line = std::round(pixels / tile);
   const double miss = std::fabs(pixels - line * tile);
-  if (miss <= tolerance + kNoise) return {static_cast<std::int64_t>(line) * kUnitsPerCell, miss, 0};
-  return {std::llround(pixels / tile * kUnitsPerCell), 0, miss};
+  const std::int64_t drawn = std::llround(pixels / tile * kUnitsPerCell);
+  if (miss <= tolerance + kNoise) return {static_cast<std::int64_t>(line) * kUnitsPerCell, drawn, miss, 0};
+  return {drawn, drawn, 0, miss};
 }
 
-std::int64_t cellOf(std::int64_t v) { return (v - (v < 0 ? kUnitsPerCell - 1 : 0)) / kUnitsPerCell; }
+std::int64_t nearestLine(std::int64_t v) { return ((v + kUnitsPerCell / 2) >> kCellBits) * kUnitsPerCell; }
 
-/// Cuts a ring into stripes one cell wide, columns (`upright`) or rows, and hands each part with its stripe to the
-/// sink.
-template <class Sink>
-void slice(const Polygon& ring, bool upright, Sink&& sink) {
-  std::vector<Polygon> rest{ring};
-  while (!rest.empty()) {
-    const Polygon part = std::move(rest.back());
-    rest.pop_back();
-    const Box box = boundingBox(part);
-    const std::int64_t first = cellOf(upright ? box.min.x : box.min.y);
-    const std::int64_t end = (first + 1) * kUnitsPerCell;
-    // The line's left is the lower side.
-    Halves halves = split(part, upright ? Line{{end, 0}, {0, 1}} : Line{{0, end}, {-1, 0}});
-    for (const Polygon& p : halves.left) sink(static_cast<std::int32_t>(first), p);
-    for (Polygon& p : halves.right) rest.push_back(std::move(p));
-  }
+/// Whether a ring is a polygon of the home cell just as it is.
+bool isPolygon(const Polygon& ring) {
+  const Box box = boundingBox(ring);
+  return box.min.x >= 0 && box.min.y >= 0 && box.max.x <= kUnitsPerCell && box.max.y <= kUnitsPerCell && isSimple(ring);
 }
 
 }  // namespace
 
 Snapped snap(const std::vector<DoublePoint>& outline, const PixelGrid& grid, double mostCells) {
   Snapped result;
+  std::vector<std::pair<Point, double>> misses;  // a corner of the grid, and by how much a vertex misses it
   const auto isNear = [&](double missX, double missY) {
     // It is on one line and misses the other by at most twice the tolerance, and by so little that it is hardly meant.
     const double miss = std::fmax(missX, missY);
@@ -63,28 +55,51 @@ Snapped snap(const std::vector<DoublePoint>& outline, const PixelGrid& grid, dou
     if (!(std::fabs(p.x) <= mostCells * grid.tile.x && std::fabs(p.y) <= mostCells * grid.tile.y)) {
       result.tooFar = true;
       result.ring.clear();
+      result.drawn.clear();
       return result;
     }
     const Snap x = snapOne(p.x, grid.tile.x, grid.tolerance.x), y = snapOne(p.y, grid.tile.y, grid.tolerance.y);
     result.ring.push_back({x.value, y.value});
+    result.drawn.push_back({x.drawn, y.drawn});
     result.moved += (x.moved > kNoise) + (y.moved > kNoise);
     result.furthest = std::max({result.furthest, x.moved, y.moved});
-    if (isNear(x.miss, y.miss)) result.nearMiss = std::max({result.nearMiss, x.miss, y.miss});
+    if (isNear(x.miss, y.miss))
+      misses.push_back({{nearestLine(x.drawn), nearestLine(y.drawn)}, std::fmax(x.miss, y.miss)});
+  }
+  for (const auto& [corner, miss] :
+       misses) {  // a vertex in the corner is joined already, and this one is apart from it
+    if (std::find(result.ring.begin(), result.ring.end(), corner) == result.ring.end()) {
+      result.nearMiss = std::fmax(result.nearMiss, miss);
+    }
   }
   return result;
 }
 
-std::vector<CellPart> cutAlongGrid(const Polygon& ring) {
+void takeBackCollapse(Snapped& snapped) {
+  if (snapped.ring == snapped.drawn || tidyLoops(snapped.drawn).empty()) return;
+  if (!collapses(snapped.drawn, snapped.ring)) return;
+  snapped.ring = snapped.drawn;
+  snapped.takenBack = true;
+  snapped.nearMiss = 0;
+}
+
+bool isTangled(const Polygon& outline) {
+  constexpr std::size_t kTwice = 2 * kMaxCrossings;  // each crossing is seen from both of its edges
+  return crossings(outline, outline, kTwice) > kTwice;
+}
+
+std::optional<std::vector<CellPart>> cutAlongGrid(const Polygon& outline) {
+  std::vector<Polygon> loops = tidyLoops(outline);
+  if (loops.empty()) return std::vector<CellPart>{};
+  if (loops.size() == 1 && isPolygon(loops[0])) {  // as in most tiles; a world for each of them would take longer
+    if (doubleArea(loops[0]) < 0) std::reverse(loops[0].begin(), loops[0].end());
+    return std::vector<CellPart>{{{}, std::move(loops[0])}};
+  }
+  World world;
+  if (!paint(world, {{outline}, FillRule::evenOdd}, 1, PaintMode::fill)) return std::nullopt;
   std::vector<CellPart> parts;
-  slice(ring, true, [&](std::int32_t i, const Polygon& column) {
-    slice(column, false, [&](std::int32_t j, const Polygon& part) {
-      Polygon local = part;
-      for (Point& p : local) {
-        p.x -= std::int64_t{i} * kUnitsPerCell;
-        p.y -= std::int64_t{j} * kUnitsPerCell;
-      }
-      parts.push_back({{i, j}, std::move(local)});
-    });
+  world.forEachPolygon([&](Cell cell, const PlacedPolygon& polygon) {
+    parts.push_back({cell, ringOf(polygon.vertices)});
   });
   return parts;
 }

@@ -3,6 +3,8 @@
 
 #include "loops.h"
 
+#include <optional>
+
 namespace lgs::tiled {
 
 /// The grid of the map.
@@ -13,16 +15,24 @@ struct PixelGrid {
 
 /// A polygon on the lattice, and how it got there.
 struct Snapped {
-  Polygon ring;         ///< lattice units from the cell's lower left corner
-  bool tooFar = false;  ///< a vertex is too far away; then the ring is empty
-  int moved = 0;        ///< how many coordinates snapped to the grid
-  double furthest = 0;  ///< pixels that one of them moved
-  double nearMiss = 0;  ///< pixels by which a vertex on a grid line misses a corner; 0 if it is too far from one
+  Polygon ring;            ///< lattice units from the cell's lower left corner
+  Polygon drawn;           ///< the ring as it would be without snapping, vertex by vertex
+  bool tooFar = false;     ///< a vertex is too far away; then the rings are empty
+  bool takenBack = false;  ///< snapping would have collapsed the ring, so it stays as drawn
+  int moved = 0;           ///< how many coordinates snapped to the grid, or would have
+  double furthest = 0;     ///< pixels that one of them moved, or would have
+  double nearMiss = 0;     ///< pixels by which a vertex on a grid line misses a corner; 0 if it is too far from one
 };
 
 /// Puts an outline on the lattice. It is in pixels from the cell's lower left corner, y up. `mostCells` is how far away
 /// a vertex may be.
 Snapped snap(const std::vector<DoublePoint>& outline, const PixelGrid& grid, double mostCells);
+
+/// Takes the snapping back if it collapses the ring: see collapses(). The ring is at most 2^30 units wide and high.
+void takeBackCollapse(Snapped& snapped);
+
+/// Whether an outline crosses itself so often (kMaxCrossings) that it is no drawing, and would take a brush minutes.
+bool isTangled(const Polygon& outline);
 
 /// What lies of a polygon in one cell.
 struct CellPart {
@@ -30,8 +40,9 @@ struct CellPart {
   Polygon ring;  ///< lattice units from the lower left corner of this cell
 };
 
-/// Cuts a simple counter-clockwise ring along the grid: the parts in each cell that it reaches, column by column.
-/// Rounding can press a part together until it touches itself, so check isSimple().
-std::vector<CellPart> cutAlongGrid(const Polygon& ring);
+/// Cuts what an outline goes around along the grid: the polygons in each cell that it reaches. The outline may cross
+/// itself; inside is what it goes around an odd number of times. Where edges cross each other or the grid, the rounding
+/// is that of a brush. Nothing if a cell would hold more than it can.
+std::optional<std::vector<CellPart>> cutAlongGrid(const Polygon& outline);
 
 }  // namespace lgs::tiled

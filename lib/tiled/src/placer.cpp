@@ -1,7 +1,6 @@
 #include "placer.h"
 
-#include "subtract.h"
-
+#include <lgs/brush.h>
 #include <lgs/world.h>
 
 #include <algorithm>
@@ -11,21 +10,17 @@ namespace lgs::tiled {
 namespace {
 
 constexpr std::string_view kTrimmed = "lies on what is there already: the common part was taken away";
-constexpr std::string_view kLost = "overlaps what is there already in so intricate a way that a part was given up";
+constexpr std::string_view kTangled = "crosses what is there already more than 1024 times";
 constexpr std::string_view kTooMany = "the cell holds as many polygons or vertices as it can";
+
+/// Twice an area. What is left of a polygon and is smaller is dropped: across a cell it would be 4 lattice units wide.
+constexpr std::int64_t kSliver = 8 * std::int64_t{kUnitsPerCell};
 
 std::uint32_t asId(std::size_t size) { return static_cast<std::uint32_t>(size); }
 
 }  // namespace
 
 Placer::Placer() : contents_(1), contentIds_{{{}, 0}} {}
-
-std::size_t Placer::CellHash::operator()(Cell c) const {
-  const std::uint64_t both =
-      static_cast<std::uint64_t>(static_cast<std::uint32_t>(c.i)) << 32 | static_cast<std::uint32_t>(c.j);
-  const std::uint64_t mixed = both * 0x9E37'79B9'7F4A'7C15;
-  return static_cast<std::size_t>(mixed ^ mixed >> 32);
-}
 
 std::uint32_t Placer::shape(const Polygon& ring) {
   Polygon canonical = ring;
@@ -52,7 +47,7 @@ void Placer::place(Cell cell, EntryId entry) {
   const Step taken = step(at, entry);
   at = taken.to;
   if (taken.trimmed) count(entry, cell, NoteKind::trimmed, kTrimmed);
-  if (taken.lost) count(entry, cell, NoteKind::leftOut, kLost);
+  if (taken.tangled) count(entry, cell, NoteKind::leftOut, kTangled);
   if (taken.tooMany) count(entry, cell, NoteKind::leftOut, kTooMany);
 }
 
@@ -65,41 +60,57 @@ Placer::Step Placer::step(ContentId from, EntryId entry) {
   return made;
 }
 
-/// Works out what a content becomes. Each part of the entry's polygon loses what one polygon of the cell covers, then
-/// what the next one covers, until it is apart from all. A cut is rounded, which can make the part overlap a polygon
-/// that it was apart from. So a part is compared with all of them again, and the number of cuts is limited.
+/// Works out what a content becomes.
 Placer::Step Placer::work(const Content& content, EntryId entry) {
+  const Polygon ring = shapes_[entries_[entry].shape];
+  bool isApart = true;
+  std::size_t crossed = 0;
+  for (const EntryId other : content) {
+    const Polygon& there = shapes_[entries_[other].shape];
+    const Relation now = relation(ring, there);
+    if (now == Relation::inside) return {this->content(content), true};  // as under solid ground: nothing is left
+    if (now == Relation::apart) continue;
+    isApart = false;
+    crossed += crossings(ring, there, kMaxCrossings);
+  }
+  if (crossed > kMaxCrossings) return {this->content(content), false, true};  // a brush could take minutes
+  if (!isApart) return paint(content, entry);
   Step result;
   Content grown = content;
-  std::vector<Polygon> parts{shapes_[entries_[entry].shape]};
-  std::size_t cutsLeft = 64 + 4 * content.size();
-  while (!parts.empty()) {
-    const Polygon part = std::move(parts.back());
-    parts.pop_back();
-    const auto overlapped = std::find_if(grown.begin(), grown.end(), [&](EntryId other) {
-      return relation(part, shapes_[entries_[other].shape]) != Relation::apart;
-    });
-    if (overlapped == grown.end()) {
-      if (!fits(grown, part)) {
-        result.tooMany = true;
-        continue;
-      }
-      Entry added = entries_[entry];
-      added.shape = shape(part);
-      grown.push_back(this->entry(added));
-    } else if (cutsLeft-- == 0) {
-      result.lost = true;
-      break;
-    } else {
-      result.trimmed = true;
-      std::vector<Polygon> obstacles = parts;
-      for (const EntryId other : grown) obstacles.push_back(shapes_[entries_[other].shape]);
-      Difference difference = subtract(part, shapes_[entries_[*overlapped].shape], obstacles);
-      result.lost |= difference.lost;
-      for (Polygon& p : difference.parts) parts.push_back(std::move(p));
-    }
+  if (fits(content, ring)) {
+    grown.push_back(entry);
+  } else {
+    result.tooMany = true;
   }
   result.to = this->content(std::move(grown));
+  return result;
+}
+
+/// The same where the entry's polygon lies on others: a brush fills what they leave free. Where outlines cross they get
+/// a common vertex, so the others can bend, by less than a lattice unit.
+Placer::Step Placer::paint(const Content& content, EntryId entry) {
+  constexpr Cell kHere{};
+  if (painted_++ % 1'024 == 0) cell_ = World();  // it keeps all that it has seen
+  static_cast<void>(cell_.clear(kHere));
+  for (std::size_t k = 0; k < content.size(); ++k) {
+    static_cast<void>(cell_.add(kHere, localRing(shapes_[entries_[content[k]].shape]), static_cast<Block>(k)));
+  }
+  const auto last = static_cast<Block>(content.size());
+  const auto painted = lgs::paint(cell_, {{shapes_[entries_[entry].shape]}}, last, PaintMode::fill);
+  Step result{this->content(content), true, false, !painted};
+  if (!painted) return result;
+  Content grown;
+  bool isNew = false;
+  for (Block block = 0; block <= last; ++block) {
+    for (const PlacedPolygon& polygon : cell_.polygons(kHere)) {
+      if (polygon.block != block || (block == last && detail::doubleArea(polygon.vertices) <= kSliver)) continue;
+      Entry part = entries_[block == last ? entry : content[block]];
+      part.shape = shape(ringOf(polygon.vertices));
+      grown.push_back(this->entry(part));
+      isNew |= block == last;
+    }
+  }
+  if (isNew) result.to = this->content(std::move(grown));
   return result;
 }
 
@@ -111,40 +122,30 @@ bool Placer::fits(const Content& content, const Polygon& ring) const {
 
 void Placer::count(EntryId entry, Cell cell, NoteKind kind, std::string_view text) {
   const Entry& of = entries_[entry];
-  Note& note = notes_[{of.tile, of.tile == kNoTile ? of.layer : 0, of.object, text}];
-  if (note.places == 0) note = {kind, of.object, 0, 0, cell, std::string(text)};
+  Note& note = notes_[{of.tile, of.layer, of.object, text}];
+  if (note.places == 0) note = {kind, of.object, 0, 0, cell, std::string(text), of.layer};
   ++note.places;
 }
 
 void Placer::finish(ImportedMap& map) {
   Report& report = map.report;
-  std::vector<std::pair<Cell, ContentId>> order;
-  for (const auto& [cell, content] : cells_) {
-    if (content != 0) order.push_back({cell, content});
-  }
-  std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.first.j, a.first.i) < std::pair(b.first.j, b.first.i);
-  });
   constexpr std::uint32_t kUnused = ~std::uint32_t{0};
   std::vector<std::uint32_t> number(shapes_.size(), kUnused);
-  for (const auto& [cell, content] : order) {
+  cells_.visit([&](Cell cell, ContentId content) {
+    ++report.cells;
     for (const EntryId id : contents_[content]) {
       const Entry& e = entries_[id];
       if (number[e.shape] == kUnused) {
         number[e.shape] = asId(map.shapes.size());
-        auto& local = map.shapes.emplace_back();
-        for (Point p : shapes_[e.shape]) {
-          local.push_back({static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y)});
-        }
+        map.shapes.push_back(localRing(shapes_[e.shape]));
       }
       map.placements.push_back({cell, e.block, number[e.shape], e.tile, e.object, e.layer});
     }
-  }
+  });
   for (auto& [key, note] : notes_) {
     const auto [tile, layer, object, text] = key;
     (tile == kNoTile ? report.layers[layer].notes : report.tiles[tile].notes).push_back(std::move(note));
   }
-  report.cells = order.size();
   report.polygons = map.placements.size();
   report.shapes = map.shapes.size();
 }

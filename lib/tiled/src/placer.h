@@ -2,9 +2,11 @@
 // polygons are compared once for each combination that occurs, however large the map is.
 #pragma once
 
+#include "cell_numbers.h"
 #include "loops.h"
 
 #include <lgs/tiled/import.h>
+#include <lgs/world.h>
 
 #include <map>
 #include <string_view>
@@ -47,16 +49,13 @@ class Placer {
   struct Step {
     ContentId to = 0;
     bool trimmed = false;
-    bool lost = false;     ///< a part was given up
+    bool tangled = false;  ///< it was given up
     bool tooMany = false;  ///< World holds no more in one cell
-  };
-
-  struct CellHash {
-    std::size_t operator()(Cell c) const;
   };
 
   Step step(ContentId from, EntryId entry);
   Step work(const Content& content, EntryId entry);
+  Step paint(const Content& content, EntryId entry);
   ContentId content(Content content);
   bool fits(const Content& content, const Polygon& ring) const;
   void count(EntryId entry, Cell cell, NoteKind kind, std::string_view text);
@@ -68,9 +67,11 @@ class Placer {
   std::vector<Content> contents_;
   std::map<Content, ContentId> contentIds_;
   std::unordered_map<std::uint64_t, Step> steps_;
-  std::unordered_map<Cell, ContentId, CellHash> cells_;
+  CellNumbers cells_;  // the content of each
+  World cell_;         // in which paint() works; a new one for each time would take as long as the brush
+  std::size_t painted_ = 0;
   using NoteKey = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::string_view>;
-  std::map<NoteKey, Note> notes_;  // by tile, layer (if there is no tile), object, text
+  std::map<NoteKey, Note> notes_;  // by tile, layer, object, text
 };
 
 }  // namespace lgs::tiled

@@ -13,6 +13,15 @@ std::string lower(std::string_view text) {
   return result;
 }
 
+/// "One-Way", "one_way" and "oneWay" are alike.
+bool isOneWayWord(std::string_view name) {
+  std::string text = lower(name);
+  std::erase_if(text, [](char c) { return c == '-' || c == '_' || c == ' '; });
+  constexpr std::array<std::string_view, 4> kWords{"oneway", "platform", "jumpthrough", "jumpthru"};
+  return std::any_of(kWords.begin(), kWords.end(),
+                     [&](std::string_view word) { return text.find(word) != std::string::npos; });
+}
+
 }  // namespace
 
 Properties propertiesOf(pugi::xml_node node) {
@@ -59,6 +68,13 @@ std::string whySolid(pugi::xml_node node) {
     if (!solidWord(name).empty() && saysYes(value)) return "its property '" + name + "' says so";
   }
   return {};
+}
+
+bool saysOneWay(pugi::xml_node node) {
+  if (isOneWayWord(node.attribute("name").value()) || isOneWayWord(classOf(node))) return true;
+  const Properties properties = propertiesOf(node);
+  return std::any_of(properties.begin(), properties.end(),
+                     [](const auto& p) { return isOneWayWord(p.first) && saysYes(p.second); });
 }
 
 bool looksLikeCollision(std::string_view name) {

@@ -26,6 +26,10 @@ std::string_view solidWord(std::string_view name);
 /// does.
 std::string whySolid(pugi::xml_node node);
 
+/// Whether an element says that it is one-way: its name, its class, or a property that says yes has "one-way",
+/// "platform" or "jump-through" in it, in any of the usual spellings.
+bool saysOneWay(pugi::xml_node node);
+
 /// Whether a property of this name is probably meant for collision. This takes more names than solidWord().
 bool looksLikeCollision(std::string_view name);
 

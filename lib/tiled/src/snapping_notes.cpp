@@ -16,7 +16,15 @@ void noteSnapping(const CollisionObject& object, const Snapped& snapped, std::ve
          std::string(object.kind == Kind::ellipse ? "an ellipse" : "a capsule") + " became a polygon of " +
              std::to_string(kCurveVertices) + " vertices");
   }
-  if (snapped.moved > 0) {
+  if (object.thickness > 0) {
+    note(NoteKind::approximated, 0, "a one-way polyline became a polygon, " + pixels(object.thickness) + " thick");
+  }
+  if (object.hidden) note(NoteKind::hidden, 0, "is hidden, and counts all the same; --visible leaves it out");
+  if (snapped.takenBack) {
+    note(NoteKind::takenBack, snapped.furthest,
+         "stays as drawn: snapping by up to " + pixels(snapped.furthest) +
+             " would press sides of it together. A smaller --tolerance may snap the rest");
+  } else if (snapped.moved > 0) {
     note(NoteKind::snapped, snapped.furthest,
          std::to_string(snapped.moved) + (snapped.moved == 1 ? " coordinate" : " coordinates") +
              " put on the grid, by up to " + pixels(snapped.furthest));

@@ -8,7 +8,7 @@
 
 namespace lgs::tiled {
 
-/// Adds the notes on the snapping of one object: curves, coordinates on the grid, near misses.
+/// Adds the notes on one object that is taken: curves, hidden ones, coordinates on the grid, near misses.
 void noteSnapping(const CollisionObject& object, const Snapped& snapped, std::vector<Note>& notes);
 
 /// A number of pixels as the notes write it, with at most two decimals: "1.25 px".

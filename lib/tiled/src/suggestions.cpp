@@ -43,17 +43,63 @@ Suggestion objectLayers(const std::vector<const Layer*>& layers) {
   return result;
 }
 
-/// Object layers with objects that look solid; if there are none, all that have objects.
+bool canHaveArea(pugi::xml_node object) { return !object.child("point") && !object.child("text"); }
+
+/// Object layers with objects that look solid; if there are none, all that have objects with an area.
 void addObjectLayers(const std::vector<Layer>& layers, std::vector<Suggestion>& result) {
   std::vector<const Layer*> some, likely;
   for (const Layer& layer : layers) {
     const auto objects = layer.node.children("object");
-    if (layer.kind != LayerKind::objects || layer.wanted || objects.begin() == objects.end()) continue;
+    if (layer.kind != LayerKind::objects || layer.wanted || layer.hidden) continue;
+    if (std::none_of(objects.begin(), objects.end(), canHaveArea)) continue;
     some.push_back(&layer);
     const bool isLikely = looksSolid(layer.node) || std::any_of(objects.begin(), objects.end(), looksSolid);
     if (isLikely) likely.push_back(&layer);
   }
   if (!some.empty()) result.push_back(objectLayers(likely.empty() ? some : likely));
+}
+
+/// What can be taken by asking for less.
+void addHiddenLayers(const std::vector<Layer>& layers, std::vector<Suggestion>& result) {
+  std::vector<std::string> names;
+  for (const Layer& layer : layers) {
+    if (layer.hidden) names.push_back(layer.path);
+  }
+  if (names.empty()) return;
+  result.push_back({counted(names.size(), "layer") + (names.size() == 1 ? " is" : " are") +
+                        " hidden, and --visible leaves " + (names.size() == 1 ? "it" : "them") +
+                        " out: " + listed(names),
+                    {}});
+}
+
+/// Whether a full square would help: the tile has no shapes, not even such as were left out.
+bool canBeSquare(const TileReport& tile) { return !tile.hasShapes && !tile.isSolid; }
+
+bool hasSquares(const Report& report, std::size_t layer) {
+  return std::any_of(report.tiles.begin(), report.tiles.end(), [&](const TileReport& tile) {
+    return canBeSquare(tile) && std::find(tile.layers.begin(), tile.layers.end(), layer) != tile.layers.end();
+  });
+}
+
+/// Tiles without shapes, if nothing says which of them are solid. The layers that were not read stay out.
+void addFullSquares(const std::vector<Layer>& layers, const Report& report, std::vector<Suggestion>& result) {
+  const auto tiles = std::count_if(report.tiles.begin(), report.tiles.end(), canBeSquare);
+  if (tiles == 0) return;
+  Suggestion some;
+  std::vector<std::string> names;
+  bool isChosen = false;
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    if (layers[k].kind != LayerKind::tiles) continue;
+    isChosen = isChosen || !layers[k].wanted;
+    if (!hasSquares(report, k)) continue;
+    names.push_back(layers[k].path);
+    some.arguments.insert(some.arguments.end(), {"--layer", layers[k].path});
+  }
+  if (!isChosen) some.arguments.clear();
+  some.arguments.push_back("--solid");
+  some.text = counted(static_cast<std::uint64_t>(tiles), "tile") + " without collision shapes, in " +
+              (isChosen ? listed(names) : "all tile layers");
+  result.push_back(std::move(some));
 }
 
 }  // namespace
@@ -77,7 +123,7 @@ std::vector<Suggestion> Suggestions::make(const std::vector<Layer>& layers, cons
   Suggestion named;
   std::vector<std::string> names;
   for (std::size_t k = 0; k < layers.size(); ++k) {
-    if (layers[k].kind != LayerKind::tiles || report.layers[k].tiles == 0) continue;
+    if (layers[k].kind != LayerKind::tiles || !hasSquares(report, k)) continue;
     if (const auto name = collisionProperty(layers[k].node); !name.empty()) properties.insert(name);
     if (solidWord(layers[k].node.attribute("name").value()).empty()) continue;
     names.push_back(layers[k].path);
@@ -86,16 +132,14 @@ std::vector<Suggestion> Suggestions::make(const std::vector<Layer>& layers, cons
   for (const std::string& name : properties) {
     result.push_back({"tile layers with the property '" + name + "'", {"--solid-if", name}});
   }
+  addHiddenLayers(layers, result);
   addObjectLayers(layers, result);
   if (!names.empty()) {
     named.arguments.push_back("--solid");
     named.text = counted(names.size(), "tile layer") + " with a name that says so: " + listed(names);
     result.push_back(std::move(named));
   }
-  if (result.empty() && !report.tiles.empty()) {
-    result.push_back(
-        {counted(report.tiles.size(), "tile") + " without collision shapes, in all tile layers", {"--solid"}});
-  }
+  if (result.empty()) addFullSquares(layers, report, result);
   return result;
 }
 

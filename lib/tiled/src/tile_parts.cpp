@@ -8,14 +8,16 @@
 namespace lgs::tiled {
 namespace {
 
-/// How far a ring reaches out of its home cell, in pixels.
-double reach(const Polygon& ring, const PixelGrid& grid) {
-  const Box box = boundingBox(ring);
-  const auto out = [](std::int64_t min, std::int64_t max, double tile) {
-    const std::int64_t units = std::max({std::int64_t{0}, -min, max - kUnitsPerCell});
+/// How far a part reaches out of the home cell, in pixels.
+double reach(const CellPart& part, const PixelGrid& grid) {
+  const Box box = boundingBox(part.ring);
+  const auto out = [](std::int32_t cells, std::int64_t min, std::int64_t max, double tile) {
+    const std::int64_t shift = cells * std::int64_t{kUnitsPerCell};
+    const std::int64_t units = std::max({std::int64_t{0}, -(shift + min), shift + max - kUnitsPerCell});
     return static_cast<double>(units) / kUnitsPerCell * tile;
   };
-  return std::max(out(box.min.x, box.max.x, grid.tile.x), out(box.min.y, box.max.y, grid.tile.y));
+  return std::max(out(part.shift.i, box.min.x, box.max.x, grid.tile.x),
+                  out(part.shift.j, box.min.y, box.max.y, grid.tile.y));
 }
 
 /// Imports one object. Its parts and notes go to those of the tile.
@@ -35,8 +37,9 @@ class ObjectImport {
     if (snapped.tooFar) {
       return note(NoteKind::leftOut, 0, "it reaches more than " + std::to_string(kMaxReach) + " cells out of its cell");
     }
+    takeBackCollapse(snapped);
     noteSnapping(object_, snapped, result_.notes);
-    for (const Polygon& loop : checkedLoops(std::move(snapped.ring))) place(loop, grid, options.outside);
+    place(snapped.ring, grid, options.outside);
   }
 
  private:
@@ -44,45 +47,22 @@ class ObjectImport {
     result_.notes.push_back({kind, object_.id, amount, 0, {}, std::move(text)});
   }
 
-  /// The outline as simple counter-clockwise loops; there are several if it touches itself in a vertex. None if it
-  /// crosses itself or has no area, with a note.
-  std::vector<Polygon> checkedLoops(Polygon ring) {
-    std::vector<Polygon> loops = tidyLoops(std::move(ring));
-    if (loops.empty()) note(NoteKind::leftOut, 0, "it has no area once it is on the grid");
-    const auto turnsLeft = [](const Polygon& loop) { return doubleArea(loop) > 0; };
-    const bool allLeft = std::all_of(loops.begin(), loops.end(), turnsLeft);
-    const bool allRight = std::none_of(loops.begin(), loops.end(), turnsLeft);
-    bool good = allLeft || allRight;
-    for (Polygon& loop : loops) {
-      if (allRight) std::reverse(loop.begin(), loop.end());
-      good = good && isSimple(loop);
-    }
-    for (std::size_t i = 0; i < loops.size() && good; ++i) {
-      for (std::size_t j = i + 1; j < loops.size() && good; ++j) good = relation(loops[i], loops[j]) == Relation::apart;
-    }
-    if (good) return loops;
-    note(NoteKind::leftOut, 0, "its outline crosses or touches itself");
-    return {};
-  }
-
-  void place(const Polygon& loop, const PixelGrid& grid, Outside outside) {
-    const double out = reach(loop, grid);
-    if (out > 0) {
-      note(outside == Outside::carry ? NoteKind::carried : NoteKind::clipped, out,
-           "reaches up to " + pixels(out) +
-               " out of its cell: " + (outside == Outside::carry ? "carried into the neighbouring cells" : "cut off"));
-    }
-    bool tooThin = false;
-    for (CellPart& part : cutAlongGrid(loop)) {
+  void place(const Polygon& ring, const PixelGrid& grid, Outside outside) {
+    if (isTangled(ring)) return note(NoteKind::leftOut, 0, "its outline crosses itself more than 1024 times");
+    std::optional<std::vector<CellPart>> parts = cutAlongGrid(ring);
+    if (!parts) return note(NoteKind::leftOut, 0, "a cell holds as many polygons or vertices as it can");
+    if (parts->empty()) return note(NoteKind::leftOut, 0, "it has no area once it is on the grid");
+    double out = 0;
+    for (CellPart& part : *parts) {
+      out = std::max(out, reach(part, grid));
       if (outside == Outside::clip && part.shift != Cell{}) continue;
-      if (!isSimple(part.ring)) {
-        tooThin = true;
-        continue;
-      }
       result_.parts.push_back(
           {std::move(part), object_.id, object_.className.empty() ? tile_.className : object_.className});
     }
-    if (tooThin) note(NoteKind::leftOut, 0, "a part is so thin that it cannot be told from a line");
+    if (out == 0) return;
+    note(outside == Outside::carry ? NoteKind::carried : NoteKind::clipped, out,
+         "reaches up to " + pixels(out) +
+             " out of its cell: " + (outside == Outside::carry ? "carried into the neighbouring cells" : "cut off"));
   }
 
   const Tile& tile_;
@@ -94,7 +74,10 @@ class ObjectImport {
 
 TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& grid, const Options& options) {
   TileParts result;
-  for (const CollisionObject& object : tile.objects) ObjectImport(tile, object, result).run(frame, grid, options);
+  for (const CollisionObject& drawn : tile.objects) {
+    const CollisionObject object = asAsked(drawn, options);
+    ObjectImport(tile, object, result).run(frame, grid, options);
+  }
   return result;
 }
 

@@ -18,7 +18,7 @@ struct TileParts {
   std::vector<Note> notes;
 };
 
-/// Outlines each object of a tile, snaps the outline to the grid, checks it, and cuts it along the grid.
+/// Outlines each object of a tile, snaps the outline to the grid, and cuts it along the grid.
 TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& grid, const Options& options);
 
 }  // namespace lgs::tiled

@@ -14,6 +14,7 @@ Tile readTile(const XmlFile& file, pugi::xml_node node, Templates& templates) {
   Tile tile;
   tile.className = classOf(node);
   tile.properties = propertiesOf(node);
+  const bool isOneWay = saysOneWay(node);
   const auto image = node.child("image");
   const auto side = [&](const char* attribute) {
     const std::int64_t ofImage = file.integer(image, attribute, 0, 0, kMaxPixels);
@@ -24,6 +25,7 @@ Tile readTile(const XmlFile& file, pugi::xml_node node, Templates& templates) {
     const DoublePoint offset{file.real(group, "offsetx"), file.real(group, "offsety")};
     for (const auto object : group.children("object")) {
       tile.objects.push_back(readObject(file, object, offset, templates));
+      tile.objects.back().oneWay |= isOneWay;
     }
   }
   return tile;
@@ -60,12 +62,9 @@ Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& r
     readContent(map, node, templates, tileset);
     return tileset;
   }
-  if (source.ends_with(".tsj") || source.ends_with(".json")) {
-    map.fail(node, "the tileset is in JSON: export it as TSX (XML) in Tiled");
-    return tileset;
-  }
+  if (map.failed()) return tileset;
   const XmlFile file(map.pathTo(std::move(source)), reader, "tileset", error);
-  if (error && error->line == 0) {  // no line: the file could not be read, and the map is to blame for naming it
+  if (error && !file.wasRead()) {  // the map is to blame for naming it
     std::string what = "the tileset's file " + error->file + " " + error->what;
     error.reset();
     map.fail(node, std::move(what));

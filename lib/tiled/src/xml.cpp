@@ -1,5 +1,8 @@
 #include "xml.h"
 
+#include "foreign.h"
+#include "json_elements.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -8,6 +11,8 @@
 
 namespace lgs::tiled {
 namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\n");
@@ -41,9 +46,11 @@ std::string quoted(std::string_view text) {
 
 std::string describe(pugi::xml_node node) {
   if (!node) return {};
-  std::string result = "<" + std::string(node.name()) + ">";
+  const std::string_view path = node.attribute(kPathAttribute).value();  // it comes from JSON
+  std::string result = path.empty() ? "<" + std::string(node.name()) + ">" : std::string(path);
   for (const char* attribute : {"name", "id", "source"}) {
-    if (const auto value = node.attribute(attribute)) return result + " " + quoted(value.value());
+    const auto value = node.attribute(attribute);
+    if (value && !(*value.value() == '\0' && !path.empty())) return result + " " + quoted(value.value());
   }
   return result;
 }
@@ -52,40 +59,61 @@ std::string describe(pugi::xml_node node) {
 
 XmlFile::XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error)
     : name_(std::move(name)), error_(error) {
-  if (!failed()) parse(reader, rootName);
+  if (!failed()) parse(reader);
+  if (!failed()) expectRoot(rootName);
 }
 
-void XmlFile::parse(const FileReader& reader, const char* rootName) {
+void XmlFile::parse(const FileReader& reader) {
   auto text = reader(name_);
   if (!text) {
     error_ = ImportError{name_, 0, "", "cannot be read: " + text.error()};
     return;
   }
+  wasRead_ = true;
   text_ = std::move(*text);
+  const std::string foreign = foreignText(text_);
+  const std::string_view start =
+      trimmed(std::string_view(text_).substr(text_.starts_with(kByteOrderMark) ? 3 : 0, 256));
+  if (!foreign.empty()) {
+    error_ = ImportError{name_, 0, "", isForeign(foreign)};
+  } else if (start.starts_with('{') || start.starts_with('[')) {
+    readJson(name_, text_, reader, document_, error_);
+  } else {
+    parseXml();
+  }
+}
+
+void XmlFile::parseXml() {
   lineStarts_.push_back(0);
   for (std::size_t i = 0; i < text_.size(); ++i) {
     if (text_[i] == '\n') lineStarts_.push_back(i + 1);
   }
   const auto result = document_.load_buffer(text_.data(), text_.size());
-  if (!result) {
-    const auto next = std::upper_bound(lineStarts_.begin(), lineStarts_.end(), static_cast<std::size_t>(result.offset));
-    error_ = ImportError{name_, static_cast<int>(next - lineStarts_.begin()), "",
-                         std::string("is not well-formed XML: ") + result.description()};
-  } else if (std::string_view(root().name()) != rootName) {
-    fail(root(), std::string("should be <") + rootName + ">: this is not the kind of file expected here");
+  if (result.status == pugi::status_no_document_element) {
+    error_ = ImportError{name_, 0, "", isForeign("neither XML nor JSON")};
+  } else if (!result) {
+    error_ =
+        ImportError{name_, lineAt(result.offset), "", std::string("is not well-formed XML: ") + result.description()};
   }
+}
+
+/// Nothing of Tiled's is nearer to a map than a world, which names maps.
+void XmlFile::expectRoot(std::string_view rootName) const {
+  const std::string_view found = root().name();
+  if (found == rootName) return;
+  if (rootName == "map" && found == "world" && root().attribute(kPathAttribute)) return;  // there are none in XML
+  if (const std::string foreign = foreignXml(found); !foreign.empty()) return fail(root(), isForeign(foreign));
+  fail(root(), "should be <" + std::string(rootName) + ">: this is not the kind of file expected here");
 }
 
 int XmlFile::line(pugi::xml_node node) const {
   const std::ptrdiff_t offset = node.offset_debug();
-  if (offset < 0) return 0;
-  const auto next = std::upper_bound(lineStarts_.begin(), lineStarts_.end(), static_cast<std::size_t>(offset));
-  return static_cast<int>(next - lineStarts_.begin());
+  return offset < 0 ? 0 : lineAt(offset);
 }
 
-std::string XmlFile::pathTo(std::string named) const {
-  std::replace(named.begin(), named.end(), '\\', '/');
-  return (std::filesystem::path(name_).parent_path() / named).lexically_normal().generic_string();
+int XmlFile::lineAt(std::ptrdiff_t offset) const {
+  const auto next = std::upper_bound(lineStarts_.begin(), lineStarts_.end(), static_cast<std::size_t>(offset));
+  return static_cast<int>(next - lineStarts_.begin());
 }
 
 void XmlFile::fail(pugi::xml_node node, std::string what) const {
@@ -132,6 +160,11 @@ std::vector<DoublePoint> XmlFile::points(pugi::xml_node node, const char* attrib
     rest = trimmed(rest.substr(blank));
   }
   return result;
+}
+
+std::string pathBeside(const std::string& file, std::string named) {
+  std::replace(named.begin(), named.end(), '\\', '/');
+  return (std::filesystem::path(file).parent_path() / named).lexically_normal().generic_string();
 }
 
 std::string classOf(pugi::xml_node node) {

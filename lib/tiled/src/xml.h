@@ -1,5 +1,6 @@
-// An XML file with its name and lines, and its attributes as numbers. The first problem is kept; after it, all
-// functions return defaults. So code that reads a file need not look at failed() after each attribute.
+// A file with its name and lines, and its attributes as numbers. A JSON file becomes the elements that XML would have.
+// The first problem is kept; after it, all functions return defaults. So code that reads a file need not look at
+// failed() after each attribute.
 #pragma once
 
 #include <lgs/tiled/import.h>
@@ -10,24 +11,30 @@
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace lgs::tiled {
 
+/// The path of a file that another one names by a path from its own folder, in either kind of slashes.
+std::string pathBeside(const std::string& file, std::string named);
+
 class XmlFile {
  public:
-  /// Reads and parses a file whose root element must be `rootName`. All files of an import share `error`, which must
-  /// outlive them.
+  /// Reads and parses a file whose root element must be `rootName`; instead of a map it may be a world. All files of an
+  /// import share `error`, which must outlive them.
   XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error);
 
   const std::string& name() const { return name_; }
   pugi::xml_node root() const { return document_.document_element(); }
   bool failed() const { return error_.has_value(); }
-  /// The line of a node, from 1; 0 if it has none.
+  bool wasRead() const { return wasRead_; }  ///< the reader gave its text, whatever there is in it
+
+  /// The line of a node, from 1; 0 if it has none, or comes from JSON.
   int line(pugi::xml_node node) const;
 
-  /// The path of a file that this one names by a path of its own, in either kind of slashes.
-  std::string pathTo(std::string named) const;
+  /// The path of a file that this one names.
+  std::string pathTo(std::string named) const { return pathBeside(name_, std::move(named)); }
 
   /// Keeps this error, if it is the first.
   void fail(pugi::xml_node node, std::string what) const;
@@ -44,9 +51,13 @@ class XmlFile {
   std::vector<DoublePoint> points(pugi::xml_node node, const char* attribute) const;
 
  private:
-  void parse(const FileReader& reader, const char* rootName);
+  void parse(const FileReader& reader);
+  void parseXml();
+  void expectRoot(std::string_view rootName) const;
+  int lineAt(std::ptrdiff_t offset) const;
 
   std::string name_;
+  bool wasRead_ = false;
   std::string text_;
   std::vector<std::size_t> lineStarts_;
   pugi::xml_document document_;

@@ -6,7 +6,8 @@
 //   for (const auto& [old, now] : done->changed) …    // what your game keeps by handle
 //   world.commit();                                   // as after any edit
 //
-// Four laws hold for brushes, on top of those of the README. docs/brushes.md says how they are kept.
+// Brushes have four laws, on top of those of the README. docs/brushes.md says how they are kept, and in which rare cases
+// laws 8 and 10 were seen to fail: where edges run within a unit or so of each other, a sliver can be left.
 //
 //   8. Bounded rounding. Every point in which the new solid, or its division into blocks, differs from the exact result
 //      lies within one lattice unit of an edge of that exact result.
@@ -85,11 +86,12 @@ struct BrushResult {
   std::vector<PolygonHandle> bent;   ///< of the old ones above, those that law 9 should have kept: docs/brushes.md
 };
 
-/// Paints a region with a block. In a cell, what is painted and the polygons that it changes are united with neighbours
-/// of the same block that the region meets. Cells that are inside the region as a whole cost what add() and setBlock()
-/// cost. Refused, and nothing is changed: outOfReach, if a vertex lies in no cell or was no number (Error::polygon is
-/// the ring, Error::vertex the vertex), or if the region is more than kMaxRegionCells wide or high; capacity, if a cell
-/// would hold too much (see world.h). A region without area changes nothing.
+/// Paints a region with a block. What is painted and the polygons that the region meets are united, in each cell, where
+/// they share edges and have the same block. If that leaves such an area as it was, its polygons keep their handles.
+/// Cells that are inside the region as a whole cost what add() and setBlock() cost. Refused, and nothing is changed:
+/// outOfReach, if a vertex lies in no cell or was no number (Error::polygon is the ring, Error::vertex the vertex), or
+/// if the region is more than kMaxRegionCells wide or high; capacity, if a cell would hold too much (see world.h). A
+/// region without area changes nothing.
 [[nodiscard]] Expected<BrushResult> paint(World& world, const Region& region, Block block, PaintMode mode);
 
 /// Frees a region. The rest is as for paint(). Cells that are inside the region as a whole cost what clear() costs.

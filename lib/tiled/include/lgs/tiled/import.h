@@ -1,4 +1,4 @@
-// Tiled maps (TMX, TSX) as polygons in cells, ready for lgs::World.
+// Maps of Tiled and LDtk as polygons in cells, ready for lgs::World.
 //
 //   auto map = lgs::tiled::importMap("level1.tmx");
 //   if (!map) { puts(lgs::tiled::message(map.error()).c_str()); return; }
@@ -9,38 +9,46 @@
 //   world.commit();
 //   puts(lgs::tiled::toText(map->report).c_str());
 //
-// WHAT IS READ. The importer reads orthogonal maps, finite and infinite. Tilesets stand in the map or in TSX files.
-// Layers are CSV, base64 (plain, zlib, gzip or zstd) or <tile> elements, and may be in groups. Tiles may be flipped and
-// rotated. Each tile brings the collision shapes that were drawn in Tiled's "Tile Collision Editor": rectangles and
-// polygons, with offsets and rotations. A polyline that ends where it began is a polygon. Ellipses and capsules become
-// polygons of kCurveVertices vertices. A tile without shapes is a full square if Options asks for it: all of them, or
-// those with a property (of the tile, or of its layer).
+// WHAT IS READ. The importer reads Tiled's maps, tilesets and templates in XML (TMX, TSX, TX) and in JSON (TMJ, TSJ,
+// TJ), and each may name files of either kind; Tiled's worlds, without patterns of file names; and LDtk projects from
+// 0.8 on. The content of a file says what it is, not its name.
+//   Maps are orthogonal, finite and infinite. Tilesets stand in the map or in files of their own. Layers are CSV,
+// base64 (plain, zlib, gzip or zstd) or <tile> elements, and may be in groups. Tiles may be flipped and rotated. Each
+// tile brings the collision shapes that were drawn in Tiled's "Tile Collision Editor": rectangles and polygons, with
+// offsets and rotations. A polyline that ends where it began is a polygon. Ellipses and capsules become polygons of
+// kCurveVertices vertices. A tile without shapes is a full square if Options asks for it: all of them, or those with a
+// property (of the tile, or of its layer).
 //   Object layers hold the same shapes, of any size, and tile objects, which bring the shapes of their tile. Object
 // templates are read. Options::objects says which object layers count. By default these are all whose name, class or
 // property has one of the words collision, collider, solid, wall, ground, terrain, blocked in it, such as "InnerWalls".
-//   The importer leaves out what has no area or is not supported: points, open polylines, texts; in the shapes of a
-// tile also tile objects. The report names them. The importer passes over image layers. Hidden layers and
-// objects count like visible ones. If nothing comes out, Report::suggestions says what looks like collision.
+//   The importer leaves out what has no area or is not supported: points, open polylines (but see
+// Options::polylineThickness), texts; in the shapes of a tile also tile objects. The report names them. The importer
+// passes over image layers. Hidden layers and objects count like visible ones, unless Options::visibleOnly is set. If
+// nothing comes out, Report::suggestions says what looks like collision.
+//   In an LDtk project each cell of an IntGrid layer is a full square, unless its value is 0. The entities of one kind
+// in a layer are an object layer, whose path is "Level/Layer/Entity"; tags of the kind are its properties, and the name
+// of the entity layer is its class. Objects have the number of the entity in its layer, from 1. docs/maps.md has more.
 //
 // WHERE THINGS LAND. One tile of the map's grid is one cell. y points up: the tile in column c and row r of the map is
 // cell (c, -1 - r). So the top edge of row 0 is y = 0, and cells keep their numbers when the map grows. This holds for
 // finite and infinite maps alike. If a tile's image is larger than the grid, its lower left corner is that of its cell,
-// as Tiled draws it. The offset of a layer includes those of its groups. The whole tiles in it move the layer by as
-// many cells. The rest makes the layer's polygons reach out of their cells.
+// as Tiled draws it. The offset of a layer includes those of its groups, and of its map in a world or of its level. The
+// whole tiles in it move the layer by as many cells. The rest makes the layer's polygons reach out of their cells.
 //
 // HAND-DRAWN SHAPES. A coordinate that misses a grid line by at most `Options::tolerance` pixels moves onto the line.
 // Both coordinates of a vertex do so independently, so a vertex near a corner lands on the corner. Then each coordinate
-// is rounded once, to the nearest lattice unit. If a polygon still reaches out of its cell, it is cut along the grid.
-// The parts outside go into the neighbouring cells, or they are dropped, as `Options::outside` says.
-//   An object of an object layer is painted with a brush (lgs/brush.h): its outline may cross itself, and what is
-// inside is what Tiled fills. Where its edges cross the grid the rounding is that of the brush, at most one lattice
-// unit.
+// is rounded once, to the nearest lattice unit. A shape is never pressed together: if snapping brought sides of it onto
+// each other, such as those of a thin wall, none of its vertices snaps, and the report says so.
+//   An outline may cross itself: inside is what Tiled fills. Shapes of tiles are cut along the grid, and those parts
+// that are not in the tile's cell go into the neighbouring cells, or they are dropped, as `Options::outside` says.
+// Objects of object layers are cut too, and all parts stay. Where edges cross the grid, or each other, the rounding is
+// that of a brush (lgs/brush.h), at most one lattice unit.
 //
 // OVERLAPS. Polygons of one cell must not overlap. So what is placed first stays, and what comes later loses the part
 // that is covered already. First come the polygons in their own cells, layer by layer from the bottom to the top; then
-// come the carried parts, then the objects of object layers in the map's order. A cut along a slanted edge is rounded,
-// so the result may miss what was drawn by a few lattice units (a cell has 65,536). Where slanted outlines cross in one
-// cell, rounding can spoil a part altogether. Such a part is left out, and the report says so.
+// come the carried parts, then the objects of object layers in the map's order. What is left free is filled with a
+// brush. So where slanted outlines cross in a cell both get the same vertex, and the result misses what was drawn by at
+// most a lattice unit (a cell has 65,536). What is narrower than some units is dropped.
 //
 // WHAT COMES OUT. Every placement is simple, counter-clockwise, inside its cell, disjoint from the others of its cell,
 // and within World's limits for a cell. So World::add accepts all of them.
@@ -50,7 +58,7 @@
 // limit.
 //
 // COST. Linear in the number of tiles, and in that of the cells that objects reach. Polygons are compared once for each
-// combination of tiles that meet in a cell.
+// combination of tiles that meet in a cell. A combination of polygons that lie on each other takes a brush some 0.2 ms.
 #pragma once
 
 #include <lgs/ids.h>
@@ -78,6 +86,9 @@ inline constexpr int kMaxReach = 64;
 /// A polygon with more vertices than this is left out.
 inline constexpr std::size_t kMaxObjectVertices = 1'024;
 
+/// So is an outline that crosses itself more often, and a shape of a tile that crosses what is in a cell already.
+inline constexpr std::size_t kMaxCrossings = 1'024;
+
 /// What happens to the part of a polygon that lies outside its cell.
 enum class Outside : std::uint8_t {
   carry,  ///< it becomes a polygon of the cell that it lies in
@@ -86,10 +97,12 @@ enum class Outside : std::uint8_t {
 
 /// Where a polygon's block comes from.
 enum class BlockFrom : std::uint8_t {
-  one,        ///< every polygon gets block 1
+  one,        ///< every polygon gets block 1; but in an LDtk project a cell gets its value, and each kind of entity a
+              ///< block of its own, as with tileClass, whose names are those of values and entities
   tileClass,  ///< the class of the collision object ("type" before Tiled 1.9); if it has none, that of its tile or, in
               ///< an object layer, of its layer
-  layer,      ///< the path of the layer, "Group/Layer"
+  name,       ///< the name of the collision object; if it has none, as tileClass
+  layer,      ///< the path of the layer, "Group/Layer", without that of its map in a world or of its level
 };
 
 struct Options {
@@ -103,20 +116,28 @@ struct Options {
 
   BlockFrom blockFrom = BlockFrom::one;
 
-  /// The block for each name of a class or layer; unused with BlockFrom::one. "" stands for no class. Other names get
+  /// The block for each class, object's name or layer; unused with BlockFrom::one. "" stands for no class. Other names get
   /// the least unused numbers from 1 up, in the order in which the import meets them: layers in the map's order, and
   /// tiles in a layer by rows from the top. Such numbers may change with an edit of the map, and the report warns of
   /// them. A game that knows a class gives it a number here, or asks for it: ImportedMap::block("ice").
   std::map<std::string, Block> blocks;
 
-  /// Tile layers to import: names or paths ("Group/Layer") of layers or groups. Empty means all tile layers. A name
-  /// that fits none is an error.
+  /// Tile layers to import: names or paths ("Group/Layer") of layers or groups; in worlds and LDtk projects also of
+  /// maps or levels, and paths may begin with them or not. Empty means all tile layers. A name that fits none is an
+  /// error.
   std::vector<std::string> layers;
 
   /// Object layers to import: names or paths of layers or groups; an empty list takes none. A name that fits none is an
   /// error. Without a list, all are taken whose name, class or property says that they are solid. If `layers` has
   /// names, they must also be in a group that it names.
   std::optional<std::vector<std::string>> objects;
+
+  bool visibleOnly = false;  ///< hidden layers and objects, and what is in hidden groups, are left out
+
+  /// Pixels, finite, 0 or more. If more, an open polyline that is one-way becomes a polygon: what lies up to so many
+  /// pixels below it. It must run from left to right, or back, and be nowhere upright. One-way is what says so by its
+  /// name, class or property, or that of its layer or tile: "one-way", "platform" or "jump-through".
+  double polylineThickness = 0;
 
   /// Limits. A map that goes beyond one of them is an error.
   std::size_t maxTiles = std::size_t{1} << 24;       ///< of the imported layers together, with the empty ones
@@ -126,9 +147,9 @@ struct Options {
 
 /// Why a map could not be read. If only a part is unusable, it is left out, and the report has a note instead.
 struct ImportError {
-  std::string file;     ///< the TMX or TSX file
+  std::string file;     ///< the file that is to blame
   int line = 0;         ///< from 1; 0: no line is to blame
-  std::string element;  ///< such as "<layer> 'Ground'"; may be empty
+  std::string element;  ///< such as "<layer> 'Ground'", in JSON "layers/2 'Ground'"; may be empty
   std::string what;     ///< what is wrong and what to do
 };
 
@@ -156,17 +177,21 @@ enum class NoteKind : std::uint8_t {
   trimmed,       ///< a part lay on a polygon that was there before, and was taken away
   approximated,  ///< a curve became a polygon
   snapped,       ///< coordinates moved onto grid lines
+  takenBack,     ///< no coordinate moved onto a grid line: sides of the outline would have met there
   nearMiss,      ///< a vertex on a grid line misses a corner by little more than the tolerance, and was not moved
+  hidden,        ///< the object is hidden, and was taken all the same
 };
 
 /// Something that happened to one collision object of a tile, or to one object of an object layer.
 struct Note {
   NoteKind kind{};
   std::uint32_t object = 0;  ///< id of the collision object
-  double pixels = 0;         ///< snapped: the furthest move; carried, clipped: the furthest reach; nearMiss: the miss
+  double pixels = 0;         ///< snapped, takenBack: the furthest move; carried, clipped: the furthest reach; nearMiss:
+                             ///< the miss
   std::uint64_t places = 0;  ///< in how many cells; 0 for notes that hold wherever the tile is used
   Cell cell;                 ///< the first of these cells
   std::string text;          ///< the note in words, without the object's number
+  std::uint32_t layer = 0;   ///< of the cells, if there are places: index in Report::layers
 };
 
 /// A tile that the map uses. Flipped and rotated ones count as the same tile.
@@ -178,12 +203,13 @@ struct TileReport {
   bool hasShapes = false;   ///< whether it has any collision object
   std::vector<Note> notes;  ///< sorted by kind, then object
   bool isSolid = false;     ///< it has no shapes, and is a full square as Options asked, at least in one layer
+  std::vector<std::uint32_t> layers = {};  ///< in which it is used: indices in Report::layers
 };
 
 enum class LayerKind : std::uint8_t { tiles, objects, image };
 
 struct LayerReport {
-  std::string path;  ///< "Group/Layer"
+  std::string path;  ///< "Group/Layer"; before it the name of the map in a world, or of the level
   bool imported = false;
   std::uint64_t tiles = 0;  ///< tiles that are not empty
   std::string note;         ///< why it was taken or passed over, or what is special about it; may be empty
@@ -222,7 +248,8 @@ struct Report {
   std::vector<Suggestion> suggestions;  ///< if nothing came out: what could be taken
 };
 
-/// The report for a terminal: what came in, then what was left out and what was changed, tile by tile.
+/// The report for a terminal: what came in, then what was left out and what was changed, tile by tile. Control
+/// characters in names become blanks.
 std::string toText(const Report& report);
 
 struct ImportedMap {
@@ -237,14 +264,14 @@ struct ImportedMap {
 };
 
 /// Returns the content of a file, or says why it can not. importMap() calls it with the map's path, and then with the
-/// path of each tileset and template: its name in the map, appended to the map's folder. A reader of your own can serve
-/// files from memory; then an import touches no file.
+/// path of each tileset, template, map or level: its name in the map, appended to the map's folder. A reader of your
+/// own can serve files from memory; then an import touches no file.
 using FileReader = std::function<tl::expected<std::string, std::string>(const std::string& path)>;
 
 /// Reads a file of at most 1 GiB from the disk.
 tl::expected<std::string, std::string> readFile(const std::string& path);
 
-/// Reads a map and its tilesets. The first problem that spoils the map is the error.
+/// Reads a map, world or LDtk project, and what it names. The first problem that spoils the map is the error.
 tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options = {},
                                                  const FileReader& reader = readFile);
 

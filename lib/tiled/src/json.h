@@ -1,0 +1,74 @@
+// JSON values with the paths that lead to them, for messages: "layers/2/objects/0".
+#pragma once
+
+#include <lgs/tiled/import.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace lgs::tiled {
+
+/// A type of its own, by the last argument. Other code in the same program may have compiled nlohmann::json with
+/// exceptions, and the linker would mix the two.
+using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, double,
+                                  std::allocator, nlohmann::adl_serializer, std::vector<char>>;
+
+/// Why a text is not JSON, and in which line.
+struct JsonFault {
+  std::size_t line = 1;
+  std::string what;
+};
+
+/// Parses a text. Arrays and objects may be nested 512 deep, so that what goes through them may recurse.
+tl::expected<Json, JsonFault> parseJson(std::string_view text);
+
+/// A value in a document. Its functions take any kind of value, since nlohmann's own may end the program if the kind is
+/// another one than they expect.
+struct JsonPlace {
+  const Json* value;
+  std::string path;
+
+  bool isMissing() const { return value->is_null(); }
+  bool is(const char* key) const;  ///< it has this key, with the value true
+
+  /// The value of a key; null if there is none.
+  JsonPlace operator[](const char* key) const;
+
+  /// The text of a key; "" if it has none.
+  std::string text(const char* key) const;
+};
+
+/// A scalar as XML writes it: numbers in the fewest digits that mean the same, yes and no as `yes` and `no`. Nothing for
+/// null, arrays and objects.
+std::optional<std::string> scalarText(const Json& value, const char* yes, const char* no);
+
+/// A number in the fewest digits that mean the same.
+std::string numberText(double value);
+
+/// What reads one file of JSON. It keeps the first problem; after it, all functions return defaults.
+class JsonReading {
+ public:
+  /// `error` is that of the import.
+  JsonReading(std::string file, std::optional<ImportError>& error) : file_(std::move(file)), error_(error) {}
+
+  const std::string& file() const { return file_; }
+  bool failed() const { return error_.has_value(); }
+  void fail(const JsonPlace& at, std::string what) const;
+
+  /// The elements of an array. None if it is missing; if it is anything else, that is an error.
+  std::vector<JsonPlace> elements(const JsonPlace& array) const;
+
+  /// The same, where each must be an object.
+  std::vector<JsonPlace> objects(const JsonPlace& array) const;
+
+  /// A number; an error if it is anything else, or missing and there is no fallback.
+  double number(const JsonPlace& at, std::optional<double> fallback = std::nullopt) const;
+
+ private:
+  std::string file_;
+  std::optional<ImportError>& error_;
+};
+
+}  // namespace lgs::tiled

@@ -1,0 +1,298 @@
+#include "ldtk.h"
+
+#include "layers.h"
+
+#include <algorithm>
+#include <set>
+
+namespace lgs::tiled {
+namespace {
+
+constexpr std::uint64_t kValues = 1 << 20;    // of an IntGrid layer: the tiles of one tileset
+constexpr std::uint64_t kMaxIntGrids = 0xFF;  // as many tilesets have room below the flags of tile numbers
+
+/// What the project says of an IntGrid layer, for all levels.
+struct IntGrid {
+  std::uint64_t firstGid = 0;
+  std::string name;
+  double grid = 0;
+  std::map<std::uint64_t, std::string> values;  // the names of those that are used or defined
+};
+
+class LdtkProject {
+ public:
+  LdtkProject(const JsonReading& reading, const JsonPlace& root, const FileReader& reader, pugi::xml_node map)
+      : reading_(reading), root_(root), reader_(reader), map_(map) {}
+
+  void read() {
+    readDefinitions();
+    const std::vector<JsonPlace> worlds = reading_.objects(root_["worlds"]);
+    if (worlds.empty() && root_["levels"].isMissing()) reading_.fail(root_["levels"], "is missing");
+    if (worlds.empty()) readWorld(root_, map_);
+    for (const JsonPlace& world : worlds) {
+      readWorld(world, worlds.size() == 1 ? map_ : placeGroup(map_, world, {}));
+    }
+    writeTilesets();
+    if (worlds.size() > 1) setAttribute(map_, kLdtkWorldsAttribute, "1");
+    if (depths_.size() > 1) setAttribute(map_, kLdtkDepthsAttribute, "1");
+    setAttribute(map_, kLdtkWidthAttribute, numberText(std::max(0.0, max_.x - min_.x)));
+    setAttribute(map_, kLdtkHeightAttribute, numberText(std::max(0.0, max_.y - min_.y)));
+  }
+
+ private:
+  void readDefinitions();
+  void readWorld(const JsonPlace& world, pugi::xml_node to);
+  void readLevel(const JsonPlace& level, DoublePoint at, pugi::xml_node to);
+  void readLayers(const JsonPlace& level, pugi::xml_node to);
+  void readIntGrid(const JsonPlace& layer, pugi::xml_node to);
+  void readEntities(const JsonPlace& layer, pugi::xml_node to);
+  void readEntity(const JsonPlace& entity, pugi::xml_node to) const;
+  void writeTilesets();
+  std::string nameOf(const IntGrid& grid, std::uint64_t value, const std::string& identifier);
+  IntGrid* intGridOf(const JsonPlace& layer);
+  DoublePoint pair(const JsonPlace& at) const;
+  pugi::xml_node placeGroup(pugi::xml_node parent, const JsonPlace& from, DoublePoint offset) const;
+  pugi::xml_node addLayer(pugi::xml_node parent, const char* kind, const JsonPlace& from) const;
+
+  const JsonReading& reading_;
+  const JsonPlace& root_;
+  const FileReader& reader_;
+  pugi::xml_node map_;
+  std::map<double, IntGrid> intGrids_;            // by the number of their definition
+  std::map<double, JsonPlace> layerDefinitions_;  // likewise
+  std::map<double, bool> isEllipse_;              // entities, likewise
+  std::map<std::string, std::uint64_t> valueOf_;  // by name
+  std::set<double> depths_;
+  DoublePoint min_, max_;
+  bool hasLevels_ = false;
+};
+
+void LdtkProject::readDefinitions() {
+  for (const JsonPlace& layer : reading_.objects(root_["defs"]["layers"])) {
+    layerDefinitions_.emplace(reading_.number(layer["uid"], 0), layer);
+  }
+  for (const JsonPlace& entity : reading_.objects(root_["defs"]["entities"])) {
+    isEllipse_[reading_.number(entity["uid"], 0)] = entity.text("renderMode") == "Ellipse";
+  }
+}
+
+void LdtkProject::readWorld(const JsonPlace& world, pugi::xml_node to) {
+  const std::string layout = world.text("worldLayout");
+  const bool inRow = layout == "LinearHorizontal", inColumn = layout == "LinearVertical";
+  if (!layout.empty() && !inRow && !inColumn && layout != "Free" && layout != "GridVania") {
+    return reading_.fail(world["worldLayout"], "is " + layout + ", which is not known");
+  }
+  DoublePoint next;
+  for (const JsonPlace& level : reading_.objects(world["levels"])) {
+    if (reading_.failed()) return;
+    const bool linear = inRow || inColumn;
+    const std::optional<double> fallback = linear ? std::nullopt : std::optional(0.0);
+    const DoublePoint size{reading_.number(level["pxWid"], fallback), reading_.number(level["pxHei"], fallback)};
+    const DoublePoint at =
+        linear ? next : DoublePoint{reading_.number(level["worldX"]), reading_.number(level["worldY"])};
+    if (inRow) next.x += size.x;
+    if (inColumn) next.y += size.y;
+    min_ = hasLevels_ ? DoublePoint{std::min(min_.x, at.x), std::min(min_.y, at.y)} : at;
+    const DoublePoint end{at.x + size.x, at.y + size.y};
+    max_ = hasLevels_ ? DoublePoint{std::max(max_.x, end.x), std::max(max_.y, end.y)} : end;
+    hasLevels_ = true;
+    depths_.insert(reading_.number(level["worldDepth"], 0));
+    readLevel(level, at, to);
+  }
+}
+
+/// A level may have a file of its own.
+void LdtkProject::readLevel(const JsonPlace& level, DoublePoint at, pugi::xml_node to) {
+  const pugi::xml_node group = placeGroup(to, level, at);
+  const std::string named = level.text("externalRelPath");
+  if (!level["layerInstances"].isMissing() || named.empty()) return readLayers(level, group);
+  const std::string path = pathBeside(reading_.file(), named);
+  const auto text = reader_(path);
+  if (!text) return reading_.fail(level, "its file " + path + " cannot be read: " + text.error());
+  const auto json = parseJson(*text);
+  if (!json) {
+    const std::string line = json.error().line > 0 ? ":" + std::to_string(json.error().line) : "";
+    return reading_.fail(level, "its file " + path + line + " " + json.error().what);
+  }
+  readLayers({&*json, level.path + " (" + path + ")"}, group);
+}
+
+/// LDtk lists the uppermost layer first, Tiled the lowest.
+void LdtkProject::readLayers(const JsonPlace& level, pugi::xml_node to) {
+  if (level["layerInstances"].isMissing()) return reading_.fail(level["layerInstances"], "is missing");
+  const std::vector<JsonPlace> layers = reading_.objects(level["layerInstances"]);
+  for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
+    const std::string type = layer->text("__type");
+    if (type == "IntGrid") {
+      readIntGrid(*layer, to);
+    } else if (type == "Entities") {
+      readEntities(*layer, to);
+    } else if (type == "Tiles" || type == "AutoLayer") {
+      setAttribute(addLayer(to, "imagelayer", *layer), kRemarkAttribute, "tiles that are only drawn");
+    } else {
+      reading_.fail((*layer)["__type"], "should be IntGrid, Entities, Tiles or AutoLayer");
+    }
+  }
+}
+
+void LdtkProject::readIntGrid(const JsonPlace& layer, pugi::xml_node to) {
+  const JsonPlace csv = layer["intGridCsv"];
+  if (!csv.value->is_array()) {
+    return reading_.fail(csv, "is missing: the project is of LDtk " + root_.text("jsonVersion") +
+                                  ", and should be saved with LDtk 1.0 or later");
+  }
+  IntGrid* const grid = intGridOf(layer);
+  if (!grid) return;
+  const pugi::xml_node node = addLayer(to, "layer", layer);
+  setAttribute(node, kLdtkGridAttribute, numberText(reading_.number(layer["__gridSize"])));
+  setAttribute(node, "width", numberText(reading_.number(layer["__cWid"])));
+  setAttribute(node, "height", numberText(reading_.number(layer["__cHei"])));
+  const pugi::xml_node data = addElement(node, "data", csv);
+  setAttribute(data, "encoding", "csv");
+  std::string list;
+  std::uint64_t last = 0;
+  for (const Json& value : *csv.value) {
+    if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= kValues) {
+      return reading_.fail(csv, "should hold whole numbers from 0 to " + std::to_string(kValues - 1));
+    }
+    const auto number = value.get<std::uint64_t>();
+    if (number != last && number != 0) grid->values.try_emplace(number, "");
+    last = number;
+    if (!list.empty()) list += ',';
+    list += std::to_string(number == 0 ? 0 : grid->firstGid + number);
+  }
+  data.text() = list.c_str();
+}
+
+IntGrid* LdtkProject::intGridOf(const JsonPlace& layer) {
+  const double uid = reading_.number(layer["layerDefUid"]);
+  const auto [at, isNew] = intGrids_.try_emplace(uid);
+  IntGrid& grid = at->second;
+  if (!isNew) return &grid;
+  if (intGrids_.size() > kMaxIntGrids) {
+    reading_.fail(layer, "is one IntGrid layer too many: there may be " + std::to_string(kMaxIntGrids));
+    return nullptr;
+  }
+  grid.firstGid = intGrids_.size() * kValues;
+  grid.name = layer.text("__identifier");
+  grid.grid = reading_.number(layer["__gridSize"]);
+  const auto definition = layerDefinitions_.find(uid);
+  if (definition == layerDefinitions_.end()) return &grid;
+  for (const JsonPlace& value : reading_.objects(definition->second["intGridValues"])) {
+    const double number = reading_.number(value["value"], 0);
+    if (number >= 1 && number < kValues)
+      grid.values.emplace(static_cast<std::uint64_t>(number), value.text("identifier"));
+  }
+  return &grid;
+}
+
+/// The entities of one kind are an object layer, so that they can be chosen by their name.
+void LdtkProject::readEntities(const JsonPlace& layer, pugi::xml_node to) {
+  const pugi::xml_node group = addElement(to, "group", layer);
+  setAttribute(group, "name", layer.text("__identifier"));
+  std::map<std::string, pugi::xml_node> byKind;
+  std::uint64_t count = 0;
+  for (const JsonPlace& entity : reading_.objects(layer["entityInstances"])) {
+    const std::string kind = entity.text("__identifier");
+    pugi::xml_node& list = byKind[kind];
+    if (!list) {
+      list = addLayer(group, "objectgroup", layer);
+      list.attribute("name") = kind.c_str();
+      setAttribute(list, "class", layer.text("__identifier"));
+      for (const JsonPlace& tag : reading_.elements(entity["__tags"])) {
+        if (tag.value->is_string()) addProperty(list, tag.value->get_ref<const std::string&>(), true);
+      }
+    }
+    const pugi::xml_node object = addElement(list, "object", entity);
+    setAttribute(object, "id", std::to_string(++count));
+    readEntity(entity, object);
+  }
+}
+
+void LdtkProject::readEntity(const JsonPlace& entity, pugi::xml_node to) const {
+  const DoublePoint at = pair(entity["px"]), size{reading_.number(entity["width"]), reading_.number(entity["height"])};
+  const DoublePoint pivot = entity["__pivot"].isMissing() ? DoublePoint{} : pair(entity["__pivot"]);
+  setAttribute(to, "type", entity.text("__identifier"));
+  setAttribute(to, "x", numberText(at.x - pivot.x * size.x));
+  setAttribute(to, "y", numberText(at.y - pivot.y * size.y));
+  setAttribute(to, "width", numberText(size.x));
+  setAttribute(to, "height", numberText(size.y));
+  const auto shape = isEllipse_.find(reading_.number(entity["defUid"], 0));
+  if (shape != isEllipse_.end() && shape->second) to.append_child("ellipse");
+  for (const JsonPlace& field : reading_.objects(entity["fieldInstances"])) {
+    addProperty(to, field.text("__identifier"), *field["__value"].value);
+  }
+}
+
+void LdtkProject::writeTilesets() {
+  for (auto& [uid, grid] : intGrids_) {
+    pugi::xml_node set = map_.append_child("tileset");
+    const std::string side = numberText(grid.grid);
+    setAttribute(set, "name", grid.name);
+    setAttribute(set, "firstgid", std::to_string(grid.firstGid));
+    setAttribute(set, "tilewidth", side);
+    setAttribute(set, "tileheight", side);
+    for (auto& [value, identifier] : grid.values) {
+      pugi::xml_node tile = set.append_child("tile");
+      setAttribute(tile, "id", std::to_string(value));
+      setAttribute(tile, "class", nameOf(grid, value, identifier));
+      pugi::xml_node square = tile.append_child("objectgroup").append_child("object");
+      setAttribute(square, "width", side);
+      setAttribute(square, "height", side);
+    }
+  }
+}
+
+/// The name of a value, or its number. Layers may give one name to several values; then it gets the layer's name too.
+std::string LdtkProject::nameOf(const IntGrid& grid, std::uint64_t value, const std::string& identifier) {
+  std::string name = identifier.empty() ? std::to_string(value) : identifier;
+  while (valueOf_.try_emplace(name, value).first->second != value) name.insert(0, grid.name + ".");
+  return name;
+}
+
+DoublePoint LdtkProject::pair(const JsonPlace& at) const {
+  const std::vector<JsonPlace> both = reading_.elements(at);
+  if (both.size() == 2) return {reading_.number(both[0]), reading_.number(both[1])};
+  reading_.fail(at, "should be two numbers");
+  return {};
+}
+
+/// A group that is no more than a place for what is in it.
+pugi::xml_node LdtkProject::placeGroup(pugi::xml_node parent, const JsonPlace& from, DoublePoint offset) const {
+  const pugi::xml_node group = addElement(parent, "group", from);
+  setAttribute(group, "name", from.text("identifier"));
+  setAttribute(group, kPlaceAttribute, "1");
+  setAttribute(group, "offsetx", numberText(offset.x));
+  setAttribute(group, "offsety", numberText(offset.y));
+  return group;
+}
+
+pugi::xml_node LdtkProject::addLayer(pugi::xml_node parent, const char* kind, const JsonPlace& from) const {
+  const pugi::xml_node node = addElement(parent, kind, from);
+  setAttribute(node, "name", from.text("__identifier"));
+  setAttribute(node, "offsetx", numberText(reading_.number(from["__pxTotalOffsetX"], 0)));
+  setAttribute(node, "offsety", numberText(reading_.number(from["__pxTotalOffsetY"], 0)));
+  if (!from["visible"].isMissing()) setAttribute(node, "visible", from.is("visible") ? "1" : "0");
+  const auto definition = layerDefinitions_.find(reading_.number(from["layerDefUid"], 0));
+  if (definition == layerDefinitions_.end()) return node;
+  setAttribute(node, "parallaxx", numberText(1 - reading_.number(definition->second["parallaxFactorX"], 0)));
+  setAttribute(node, "parallaxy", numberText(1 - reading_.number(definition->second["parallaxFactorY"], 0)));
+  return node;
+}
+
+}  // namespace
+
+bool isLdtkProject(const JsonPlace& root) {
+  const bool hasLevels = !root["levels"].isMissing() || !root["worlds"].isMissing();
+  return hasLevels && (root["__header__"].text("app") == "LDtk" || !root["jsonVersion"].isMissing());
+}
+
+void readLdtk(const JsonReading& reading, const JsonPlace& root, const FileReader& reader,
+              pugi::xml_document& document) {
+  const pugi::xml_node map = addElement(document.root(), "map", root);
+  setAttribute(map, kLdtkAttribute, root.text("jsonVersion"));
+  setAttribute(map, kLdtkGridAttribute, numberText(reading.number(root["defaultGridSize"], 16)));
+  LdtkProject(reading, root, reader, map).read();
+}
+
+}  // namespace lgs::tiled

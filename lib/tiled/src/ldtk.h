@@ -1,0 +1,28 @@
+// LDtk projects. They become the document that a Tiled map of the same content would be: each level is a group of
+// layers with an offset, an IntGrid layer is a tile layer whose tiles are full squares, and the entities of one kind in
+// a layer are an object layer.
+#pragma once
+
+#include "json_elements.h"
+#include "xml.h"
+
+namespace lgs::tiled {
+
+/// Attributes of the document that no map of Tiled's has.
+inline constexpr const char* kLdtkAttribute = "ldtk:version";     ///< of the root; its version of LDtk
+inline constexpr const char* kLdtkGridAttribute = "__gridSize";   ///< of the root and of layers: a cell's side, pixels
+inline constexpr const char* kLdtkWidthAttribute = "ldtk:width";  ///< of the root: from the first level to the last one
+inline constexpr const char* kLdtkHeightAttribute = "ldtk:height";
+inline constexpr const char* kLdtkWorldsAttribute = "ldtk:worlds";  ///< of the root: there are several
+inline constexpr const char* kLdtkDepthsAttribute = "ldtk:depths";  ///< of the root: levels have several depths
+
+bool isLdtkProject(const JsonPlace& root);
+
+void readLdtk(const JsonReading& reading, const JsonPlace& root, const FileReader& reader,
+              pugi::xml_document& document);
+
+/// Decides what depends on the layers that are wanted: how large a cell is. Gives each value of an IntGrid layer its
+/// block, unless the options give it another one. What is worth a note goes into `notes`.
+void settleLdtk(const XmlFile& file, Options& options, std::vector<std::string>& notes);
+
+}  // namespace lgs::tiled

@@ -1,0 +1,335 @@
+// LDtk projects: where levels, cells and entities land, which blocks they get, and what is said of bad projects.
+#include "maps.h"
+#include "proptests/support/law.h"
+
+#include <array>
+#include <random>
+
+namespace lgs::tiled {
+namespace {
+
+/// A project of 8 px cells, whose IntGrid layers are "Solid" (values dirt and ice, and one without a name) and "Fine".
+std::string project(const std::string& levels, const std::string& layout = "Free", const std::string& more = "") {
+  return R"({"__header__":{"fileType":"LDtk Project JSON", "app":"LDtk"}, "jsonVersion":"1.5.3", "defaultGridSize":8,
+    "worldLayout":")" +
+         layout + R"(", "defs":{"layers":[
+      {"uid":1, "type":"IntGrid", "identifier":"Solid", "parallaxFactorX":0, "intGridValues":[
+        {"value":2, "identifier":"ice"}, {"value":1, "identifier":"dirt"}, {"value":3, "identifier":null}]},
+      {"uid":2, "type":"IntGrid", "identifier":"Other", "parallaxFactorX":0.5, "intGridValues":[
+        {"value":2, "identifier":"dirt"}]},
+      {"uid":3, "type":"Entities", "identifier":"Things"}],
+      "entities":[{"uid":11, "identifier":"Boulder", "renderMode":"Ellipse"},
+                  {"uid":12, "identifier":"Wall", "renderMode":"Rectangle"}]},)" +
+         more + "\"levels\":[" + levels + "]}";
+}
+
+std::string level(const std::string& name, int x, int y, const std::string& layers, const std::string& more = "") {
+  return "{\"identifier\":\"" + name + "\", \"worldX\":" + std::to_string(x) + ", \"worldY\":" + std::to_string(y) +
+         ", \"worldDepth\":0, \"pxWid\":24, \"pxHei\":16, " + more + "\"layerInstances\":[" + layers + "]}";
+}
+
+/// An IntGrid layer of 3×2 cells.
+std::string grid(const std::string& csv, const std::string& name = "Solid", int uid = 1, const std::string& more = "") {
+  return "{\"__identifier\":\"" + name + "\", \"__type\":\"IntGrid\", \"__cWid\":3, \"__cHei\":2, " +
+         (more.find("__gridSize") == std::string::npos ? "\"__gridSize\":8, " : "") + more +
+         "\"layerDefUid\":" + std::to_string(uid) + ", \"visible\":true, \"intGridCsv\":[" + csv +
+         "], \"entityInstances\":[]}";
+}
+
+std::string entity(const std::string& name, int uid, const std::string& place, const std::string& more = "") {
+  return "{\"__identifier\":\"" + name + "\", \"defUid\":" + std::to_string(uid) + ", " + place + more +
+         ", \"iid\":\"x\", \"fieldInstances\":[{\"__identifier\":\"heavy\", \"__value\":true}]}";
+}
+
+std::string things(const std::string& entities, const std::string& name = "Things") {
+  return "{\"__identifier\":\"" + name +
+         "\", \"__type\":\"Entities\", \"__cWid\":3, \"__cHei\":2, \"__gridSize\":8, \"layerDefUid\":3, "
+         "\"__pxTotalOffsetX\":0, \"__pxTotalOffsetY\":8, \"intGridCsv\":[], \"entityInstances\":[" +
+         entities + "]}";
+}
+
+ImportedMap mustImportProject(const std::string& text, const Options& options = {}, Files files = {}) {
+  files["maps/test.tmx"] = text;
+  return mustImportWorld(files, options);
+}
+
+std::vector<Block> blocksOf(const ImportedMap& map) {
+  std::vector<Block> blocks;
+  for (const Placement& p : map.placements) blocks.push_back(p.block);
+  return blocks;
+}
+
+TEST(TiledLdtk, CellsBecomeBlocksByTheirValue) {
+  const auto map = mustImportProject(project(level("A", 0, 0, grid("1,0,2, 3,7,0"))));
+  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{0, -2}, {1, -2}, {0, -1}, {2, -1}})) << "y points up";
+  EXPECT_EQ(blocksOf(map), (std::vector<Block>{3, 7, 1, 2}));
+  for (const auto& shape : map.shapes) EXPECT_EQ(shape, kSquare);
+  std::vector<std::string> names;
+  for (const BlockReport& block : map.report.blocks) names.push_back(block.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"dirt", "ice", "3", "7"}));
+  EXPECT_EQ(map.report.tileWidth, 8);
+  EXPECT_EQ(map.report.width, 3);
+  EXPECT_EQ(map.report.height, 2);
+  ASSERT_EQ(map.report.tiles.size(), 4U);
+  EXPECT_EQ(map.report.tiles.at(1).tileset, "Solid");
+  EXPECT_EQ(map.report.tiles.at(1).id, 2U) << "the value";
+  EXPECT_EQ(map.report.tiles.at(1).className, "ice");
+  EXPECT_TRUE(map.report.notes.empty());
+  Options options;
+  options.blocks = {{"ice", 40}};
+  options.blockFrom = BlockFrom::tileClass;
+  EXPECT_EQ(blocksOf(mustImportProject(project(level("A", 0, 0, grid("1,0,2, 3,7,0"))), options)),
+            (std::vector<Block>{3, 7, 1, 40}));
+  options.blockFrom = BlockFrom::layer;
+  const auto byLayer = mustImportProject(project(level("A", 0, 0, grid("1,0,2, 3,7,0"))), options);
+  EXPECT_EQ(byLayer.block("Solid"), 1U) << "of all levels";
+}
+
+TEST(TiledLdtk, ANameOfTwoValuesGetsTheNameOfItsLayer) {
+  const auto map =
+      mustImportProject(project(level("A", 0, 0, grid("0,2,0,0,0,0", "Other", 2) + "," + grid("1,0,0,0,0,0"))));
+  EXPECT_EQ(blocksOf(map), (std::vector<Block>{1, 2}));
+  EXPECT_EQ(map.block("dirt"), 1U);
+  EXPECT_EQ(map.block("Other.dirt"), 2U);
+}
+
+TEST(TiledLdtk, LevelsLieInTheWorld) {
+  const std::string one = grid("1,0,0,0,0,0");
+  const std::string levels = level("A", 0, 0, one) + "," + level("B", 24, -16, one) + "," + level("C", -8, 16, one);
+  for (const char* layout : {"Free", "GridVania"}) {
+    const auto map = mustImportProject(project(levels, layout));
+    EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{-1, -3}, {0, -1}, {3, 1}})) << layout;
+    EXPECT_EQ(map.report.width, 7);
+    EXPECT_EQ(map.report.height, 6);
+    EXPECT_EQ(map.report.layers.at(1).path, "B/Solid");
+  }
+  const std::string lined = level("A", -1, -1, one) + "," + level("B", -1, -1, one);
+  EXPECT_EQ(cellsOf(mustImportProject(project(lined, "LinearHorizontal"))), (std::vector<Cell>{{0, -1}, {3, -1}}));
+  EXPECT_EQ(cellsOf(mustImportProject(project(lined, "LinearVertical"))), (std::vector<Cell>{{0, -3}, {0, -1}}));
+}
+
+TEST(TiledLdtk, OffsetsOfLayersAndLevelsBesideTheGrid) {
+  const std::string shifted = grid("1,0,0,0,0,0", "Solid", 1, "\"__pxTotalOffsetX\":8, \"__pxTotalOffsetY\":-20, ");
+  const auto map = mustImportProject(project(level("A", 16, 20, shifted)));
+  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{3, -1}}));
+  EXPECT_EQ(map.report.layers.at(0).note, "") << "together these are whole cells";
+  const auto rest = mustImportProject(project(level("A", 2, 0, grid("1,0,0,0,0,0"))));
+  EXPECT_EQ(cellsOf(rest), (std::vector<Cell>{{0, -1}, {1, -1}}));
+  EXPECT_EQ(rest.report.layers.at(0).note,
+            "shifted by 2 px, 0 px against the grid: its polygons reach out of their cells");
+}
+
+TEST(TiledLdtk, TheLowestLayerComesFirst) {
+  const std::string upper = grid("2,2,0,0,0,0"), lower = grid("1,0,1,0,0,0");
+  const auto map = mustImportProject(project(level("A", 0, 0, upper + "," + lower)));
+  EXPECT_EQ(blocksOf(map), (std::vector<Block>{1, 2, 1})) << "LDtk lists the uppermost first";
+}
+
+TEST(TiledLdtk, EntitiesAreTakenByName) {
+  const std::string wall = entity("Wall", 12, "\"px\":[8,0], \"__pivot\":[0,0], \"width\":8, \"height\":16");
+  const std::string boulder = entity("Boulder", 11, "\"px\":[20,8], \"__pivot\":[0.5,1], \"width\":8, \"height\":8");
+  const std::string spot = entity("Spot", 13, "\"px\":[0,0], \"width\":8, \"height\":8", ", \"__tags\":[\"solid\"]");
+  const auto import = [&](const std::string& layer, std::optional<std::vector<std::string>> objects) {
+    Options options;
+    options.objects = std::move(objects);
+    options.tolerance = 0;
+    return mustImportProject(project(level("A", 0, 0, things(wall + "," + boulder, layer))), options);
+  };
+  const auto byWord = import("Things", {});
+  EXPECT_EQ(cellsOf(byWord), (std::vector<Cell>{{1, -3}, {1, -2}})) << "below the offset of the layer";
+  EXPECT_EQ(byWord.report.layers.at(0).path, "A/Things/Wall");
+  EXPECT_EQ(byWord.report.layers.at(0).note, "its name says 'wall'");
+  EXPECT_FALSE(byWord.report.layers.at(1).imported);
+  EXPECT_EQ(byWord.placements.at(0).object, 1U) << "the first of its layer";
+  EXPECT_EQ(byWord.block("Wall"), 1U);
+  const auto boulders = import("Things", std::vector<std::string>{"Boulder"});
+  EXPECT_EQ(cellsOf(boulders), (std::vector<Cell>{{2, -2}}));
+  EXPECT_NEAR(areaInCells(boulders), 0.78, 0.01) << "an ellipse, where its pivot puts it";
+  EXPECT_EQ(boulders.placements.at(0).object, 2U);
+  EXPECT_EQ(cellsOf(import("Things", std::vector<std::string>{"Things"})).size(), 3U);
+  EXPECT_EQ(cellsOf(import("Things", std::vector<std::string>{})).size(), 0U);
+  EXPECT_EQ(cellsOf(import("Collision", {})).size(), 3U) << "the layer says so";
+  const auto byTag = mustImportProject(project(level("A", 0, 0, things(spot))));
+  EXPECT_EQ(byTag.report.layers.at(0).note, "its property 'solid' says so");
+  EXPECT_EQ(cellsOf(byTag), (std::vector<Cell>{{0, -2}}));
+}
+
+/// Entities get the numbers that no value of an IntGrid layer has.
+TEST(TiledLdtk, EntitiesHaveBlocksOfTheirOwn) {
+  const std::string wall = entity("Wall", 12, "\"px\":[8,0], \"width\":8, \"height\":8");
+  const auto map = mustImportProject(project(level("A", 0, 0, things(wall) + "," + grid("1,0,0,0,0,4"))));
+  EXPECT_EQ(blocksOf(map), (std::vector<Block>{5, 4, 1}));
+  EXPECT_EQ(map.block("Wall"), 5U);
+}
+
+TEST(TiledLdtk, LayersThatAreOnlyDrawn) {
+  const std::string drawn = R"({"__identifier":"Deco", "__type":"AutoLayer", "layerDefUid":9, "__gridSize":4})";
+  const auto map = mustImportProject(project(level("A", 0, 0, drawn + "," + grid("1,0,0,0,0,0", "Other", 2))));
+  ASSERT_EQ(map.report.layers.size(), 2U);
+  EXPECT_EQ(map.report.layers.at(0).note,
+            "scrolls at its own speed (parallax); imported where it stands in the editor");
+  EXPECT_EQ(map.report.layers.at(1).note, "tiles that are only drawn");
+}
+
+TEST(TiledLdtk, LevelsInFilesOfTheirOwn) {
+  const std::string outside = R"({"identifier":"A", "worldX":8, "worldY":0, "pxWid":24, "pxHei":16,
+    "layerInstances":null, "externalRelPath":"levels/A.ldtkl"})";
+  const std::string content = level("A", 0, 0, grid("1,0,0,0,0,0"));
+  EXPECT_EQ(cellsOf(mustImportProject(project(outside), {}, {{"maps/levels/A.ldtkl", content}})),
+            (std::vector<Cell>{{1, -1}}))
+      << "the project says where it lies";
+  const auto refusal = [&](const Files& more) {
+    Files files = more;
+    files["maps/test.tmx"] = project(outside);
+    const auto map = importFiles(files);
+    return map ? "accepted" : message(map.error());
+  };
+  const std::string file = "maps/test.tmx: levels/0 ";
+  EXPECT_EQ(refusal({}), file + "its file maps/levels/A.ldtkl cannot be read: there is no such file");
+  EXPECT_EQ(refusal({{"maps/levels/A.ldtkl", "{\n}]"}}).substr(0, 80),
+            file + "its file maps/levels/A.ldtkl:2 is not well-formed JSON: ");
+  EXPECT_EQ(refusal({{"maps/levels/A.ldtkl", project(outside)}}),
+            file + "(maps/levels/A.ldtkl)/layerInstances is missing")
+      << "a project is no level: there are no cycles";
+  EXPECT_EQ(refusal({{"maps/levels/A.ldtkl", "{}"}}), file + "(maps/levels/A.ldtkl)/layerInstances is missing");
+  EXPECT_EQ(refusal({{"maps/levels/A.ldtkl", level("A", 0, 0, grid("1"))}}),
+            file + "(maps/levels/A.ldtkl)/layerInstances/0/intGridCsv holds 1 tiles where its size asks for 6");
+}
+
+TEST(TiledLdtk, OneGridAtATime) {
+  const std::string fine = grid("1,0,0,0,0,0", "Fine", 5, "\"__gridSize\":4, ");
+  const std::string text = project(level("A", 0, 8, fine + "," + grid("1,0,0,0,0,0")));
+  EXPECT_EQ(
+      refusalOf(text),
+      "maps/test.tmx: levels/0/layerInstances/0 'Fine' has a grid of 4 px, and A/Solid one of 8 px. One cell of the "
+      "grid becomes one cell of the world, so choose layers that have one grid (--layer, Options::layers)");
+  Options options;
+  options.layers = {"Fine"};
+  const auto chosen = mustImportProject(text, options);
+  EXPECT_EQ(chosen.report.tileWidth, 4);
+  EXPECT_EQ(cellsOf(chosen), (std::vector<Cell>{{0, -3}}));
+  options.layers = {"Solid"};
+  EXPECT_EQ(cellsOf(mustImportProject(text, options)), (std::vector<Cell>{{0, -2}}));
+}
+
+TEST(TiledLdtk, OneWorldAtATime) {
+  const auto named = [](const std::string& world) {
+    return "{\"identifier\":\"" + world + "\", \"worldLayout\":\"Free\", \"levels\":[" +
+           level(world + "1", world == "Sea" ? 0 : 8, 0, grid("1,0,0,0,0,0")) + "]}";
+  };
+  const auto with = [&](const std::string& worlds) { return project("", "", "\"worlds\":[" + worlds + "],"); };
+  EXPECT_EQ(cellsOf(mustImportProject(with(named("Sky")))), (std::vector<Cell>{{1, -1}}));
+  const std::string both = with(named("Sky") + "," + named("Sea"));
+  EXPECT_EQ(refusalOf(both),
+            "maps/test.tmx: <map> has several worlds, which lie over each other: choose one (--layer, "
+            "Options::layers): Sea, Sky");
+  Options options;
+  options.layers = {"Sky"};
+  EXPECT_EQ(cellsOf(mustImportProject(both, options)), (std::vector<Cell>{{1, -1}}));
+}
+
+TEST(TiledLdtk, LevelsAtDifferentDepthsGetANote) {
+  const std::string deep = R"({"identifier":"B", "worldX":0, "worldY":0, "worldDepth":1, "layerInstances":[]})";
+  const auto map = mustImportProject(project(level("A", 0, 0, grid("1,0,0,0,0,0")) + "," + deep));
+  EXPECT_EQ(
+      map.report.notes,
+      (std::vector<std::string>{"levels at different depths are imported over each other: choose some by --layer"}));
+}
+
+TEST(TiledLdtk, Refusals) {
+  const auto layer = [](const std::string& text) { return refusalOf(project(level("A", 0, 0, text))); };
+  const std::string at = "maps/test.tmx: levels/0/layerInstances/0";
+  const std::string old =
+      at + "/intGridCsv is missing: the project is of LDtk 1.5.3, and should be saved with LDtk 1.0 or later";
+  EXPECT_EQ(layer(R"({"__type":"IntGrid", "intGrid":[{"coordId":4, "v":0}]})"), old);
+  EXPECT_EQ(layer(grid("1,0")), at + "/intGridCsv holds 2 tiles where its size asks for 6");
+  const std::string whole = at + "/intGridCsv should hold whole numbers from 0 to 1048575";
+  for (const char* value : {"-1", "1.5", "null", "1048576", "\"1\""}) {
+    EXPECT_EQ(layer(grid(std::string(value) + ",0,0,0,0,0")), whole) << value;
+  }
+  EXPECT_EQ(layer(grid("1048575,0,0,0,0,0")), "accepted");
+  EXPECT_EQ(layer(grid("1,0,0,0,0,0", "Solid", 1, "\"__gridSize\":0, ")),
+            at + " 'Solid' __gridSize='0' should be a whole number from 1 to 65536");
+  EXPECT_EQ(layer("{\"__type\":\"Hexes\"}"), at + "/__type should be IntGrid, Entities, Tiles or AutoLayer");
+  EXPECT_EQ(layer(things(entity("E", 1, "\"px\":[1], \"width\":8, \"height\":8"))),
+            at + "/entityInstances/0/px should be two numbers");
+  EXPECT_EQ(layer(things(entity("E", 1, "\"px\":[1,2], \"width\":8"))), at + "/entityInstances/0/height is missing");
+  EXPECT_EQ(refusalOf(project("{}")), "maps/test.tmx: levels/0/worldX is missing");
+  EXPECT_EQ(refusalOf(project(level("A", 0, 0, ""), "Spiral")),
+            "maps/test.tmx: worldLayout is Spiral, which is not known");
+  EXPECT_EQ(refusalOf(project(level("A", 0, 0, grid("1,0,0,0,0,0")) + "," +
+                              level("B", 2'000'000'000, 0, grid("1,0,0,0,0,0")))),
+            "maps/test.tmx: levels/1/layerInstances/0 'Solid' its offset is too large");
+  Options options;
+  options.layers = {"None"};
+  EXPECT_EQ(refusalOf(project(level("A", 0, 0, grid("1,0,0,0,0,0"))), options),
+            "maps/test.tmx: <map> has no tile layer or group 'None'");
+  std::string many;
+  for (int uid = 100; uid < 356; ++uid) many += (uid > 100 ? "," : "") + grid("0,0,0,0,0,0", "G", uid);
+  EXPECT_EQ(layer(many).substr(0, 90),
+            "maps/test.tmx: levels/0/layerInstances/0 is one IntGrid layer too many: there may be 255");
+}
+
+TEST(TiledLdtk, TheProjectsOwnQuarry) {
+  Options options;
+  options.objects = std::vector<std::string>{"Boulder", "Plank"};
+  const auto map = importMap(LGS_SOURCE_DIR "/examples/maps/quarry.ldtk", options);
+  ASSERT_TRUE(map) << message(map.error());
+  worldOf(*map);
+  std::vector<std::string> blocks;
+  for (const BlockReport& block : map->report.blocks) blocks.push_back(std::to_string(block.block) + " " + block.name);
+  EXPECT_EQ(blocks, (std::vector<std::string>{"1 grass", "2 stone", "3 ice", "4 Boulder", "5 Plank"}));
+}
+
+/// Levels anywhere, with any values: each cell that is not empty is a square of its block, where it was drawn.
+TEST(TiledLdtk, RandomLevels) {
+  const auto law = [](const std::vector<std::vector<int>>& levels) {
+    std::string text;
+    std::map<std::pair<int, int>, Block> expected;  // by row from the bottom, column
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+      const int column = static_cast<int>(k) * 2 - 3, row = static_cast<int>(k) * 2;
+      std::string csv;
+      for (int at = 0; at < 6; ++at) {
+        const int value = levels[k][static_cast<std::size_t>(at)];
+        csv += (at > 0 ? "," : "") + std::to_string(value);
+        if (value != 0) expected[{-1 - row - at / 3, column + at % 3}] = static_cast<Block>(value);
+      }
+      text += (k > 0 ? "," : "") + level("L" + std::to_string(k), column * 8, row * 8, grid(csv));
+    }
+    const auto map = mustImportProject(project(text));
+    std::map<std::pair<int, int>, Block> found;
+    for (const Placement& p : map.placements) found[{p.cell.j, p.cell.i}] = p.block;
+    EXPECT_EQ(found, expected);
+    EXPECT_EQ(map.placements.size(), expected.size());
+  };
+  const auto values = rc::gen::container<std::vector<int>>(6, rc::gen::inRange(0, 5));
+  test::forAll(100, law, rc::gen::resize(6, rc::gen::container<std::vector<std::vector<int>>>(values)));
+}
+
+TEST(TiledLdtk, DamagedProjectsNeverCrash) {
+  const std::string good =
+      project(level("A", 0, 0,
+                    things(entity("Wall", 12, "\"px\":[8,0], \"__pivot\":[0,1], \"width\":8, \"height\":8")) + "," +
+                        grid("1,0,2,3,0,0")) +
+              "," + level("B", 24, 0, grid("0,0,2,3,0,0")));
+  std::mt19937 random(7);
+  Options options;
+  options.maxTiles = options.maxPlacements = 10'000;
+  int accepted = 0;
+  for (int round = 0; round < 3'000; ++round) {
+    std::string bad = good;
+    for (unsigned edit = 0; edit <= random() % 3; ++edit) {
+      const std::size_t at = random() % bad.size();
+      constexpr std::array kValues{"null", "true", "[]", "{}", "-1", "1e300", "\"\"", "[[1]]", "{\"x\":{}}", "7"};
+      const std::size_t colon = bad.find(':', at), end = bad.find_first_of(",}]", colon);
+      if (end != std::string::npos) bad.replace(colon + 1, end - colon - 1, kValues[random() % kValues.size()]);
+    }
+    const auto map = importFiles({{"maps/test.tmx", bad}}, options);
+    if (map) worldOf(*map);
+    accepted += map.has_value();
+  }
+  EXPECT_GT(accepted, 300);
+}
+
+}  // namespace
+}  // namespace lgs::tiled
