@@ -121,7 +121,7 @@ bool isNear(const Convex& piece, const Segments& edges, int halvings) {
 }
 
 std::optional<std::string> farFrom(const PolygonSet& exact, const PolygonSet& real, const Segments& edges) {
-  constexpr int kHalvings = 24;
+  constexpr int kHalvings = 48;  // two of them halve a long, thin piece: the last ones are smaller than a unit
   PolygonSet difference = exact;
   difference.symmetric_difference(real);
   for (const WithHoles& part : parts(difference)) {

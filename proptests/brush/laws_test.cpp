@@ -85,15 +85,17 @@ Region within(Region region) {
 }
 
 LGS_LAW(Brush, Law10CarveAndPaintLeavesNoSeam, 3'000, (const AnyRegion& any)) {
-  World world = worldOf(Ground::solid);
-  world.commit();
-  const auto solid = outlines(world);
   const Region region = within(any.region);
-  ASSERT_TRUE(carve(world, region).has_value());
-  world.commit();
-  ASSERT_TRUE(paint(world, region, 1, PaintMode::fill).has_value());
-  world.commit();
-  EXPECT_EQ(outlines(world), solid);
+  for (const Ground ground : {Ground::solid, Ground::halved}) {
+    World world = worldOf(ground);
+    world.commit();
+    const auto solid = outlines(world);
+    ASSERT_TRUE(carve(world, region).has_value());
+    world.commit();
+    ASSERT_TRUE(paint(world, region, 1, PaintMode::fill).has_value());
+    world.commit();
+    EXPECT_EQ(outlines(world), solid);
+  }
 }
 
 LGS_LAW(Brush, Law10AnotherBlockLeavesNoSeam, 3'000, (const AnyStrokes& strokes)) {

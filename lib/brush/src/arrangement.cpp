@@ -45,9 +45,8 @@ void addGroups(const Ground& ground, const std::vector<Part>& parts, Arrangement
     Segment segment{first.low, first.high, first.low, first.high, {}, true};
     for (; k < sides.size() && !(first < sides[k]); ++k) {
       const Side& s = sides[k];
-      const std::size_t group = ground.groups[s.polygon];
-      if (group != kNoGroup) {
-        const auto number = static_cast<std::int64_t>(group) + 1;
+      if (ground.groups[s.area] != kNoGroup) {
+        const auto number = static_cast<std::int64_t>(s.area) + 1;
         const Sum sum{0, 1, number, number * number};
         segment.sum += s.isLeft ? sum : -sum;
       } else {
@@ -56,7 +55,7 @@ void addGroups(const Ground& ground, const std::vector<Part>& parts, Arrangement
     }
     if (segment.sum == Sum{}) continue;
     const auto along = partsAlong(first.low, first.high, parts);
-    if (segment.bends && along.size() == 1) {
+    if (segment.bends && !along.empty()) {
       const Segment& part = along[0].segment;
       segment.a = part.start == first.low ? part.a : part.b;
       segment.b = part.start == first.low ? part.b : part.a;
@@ -75,20 +74,15 @@ bool mayFollow(const Segment& part, std::span<const Segment> polygons) {
 
 /// Adds the region's edges. Parts from one known point to the same other one will lie on each other: they count as one,
 /// or as none. A part beside an edge that must stay follows that.
-void addRegion(const std::vector<Part>& parts, FillRule rule, const Ground& ground, bool follows, Arrangement& result) {
+void addRegion(const std::vector<Part>& parts, FillRule, const Ground& ground, bool follows, Arrangement& result) {
   const std::size_t polygons = result.segments.size();
   for (std::size_t k = 0; k < parts.size();) {
-    const auto& [low, high, segment] = parts[k];
-    const auto along = partsAlong(low, high, parts);
-    k += along.size();
-    std::int64_t winding = 0;  // from low to high
-    for (const Part& p : along) winding += p.segment.start == low ? 1 : -1;
-    if (rule == FillRule::evenOdd) winding %= 2;
-    if (winding == 0) continue;
+    auto& [low, high, segment] = parts[k++];
+    const std::int64_t winding = segment.start == low ? 1 : -1;
     const auto [begin, end] = std::equal_range(ground.sides.begin(), ground.sides.end(), Side{low, high, 0, true});
-    const auto isToStay = [&](const Side& s) { return ground.groups[s.polygon] == kNoGroup; };
+    const auto isToStay = [&](const Side& s) { return ground.groups[s.area] == kNoGroup; };
     const bool stays = follows && std::any_of(begin, end, isToStay);
-    if (along.size() > 1 || (stays && mayFollow(segment, std::span(result.segments).first(polygons)))) {
+    if ((stays && mayFollow(segment, std::span(result.segments).first(polygons)))) {
       result.segments.push_back({low, high, low, high, {winding, 0, 0, 0}, !stays});
     } else {
       result.segments.push_back(segment);

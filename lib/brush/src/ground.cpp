@@ -1,30 +1,41 @@
 #include "ground.h"
 
 #include "geometry/ring.h"
+#include "outline.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace lgs::brush {
 namespace {
 
 using detail::nextVertex;
 
+/// A ring of an area's outline, with the area on its left.
+struct Outline {
+  std::size_t area;
+  Ring ring;
+};
+
+void addVertices(const std::vector<Outline>& outlines, std::vector<Point>& points) {
+  std::size_t count = points.size();
+  for (const Outline& o : outlines) count += o.ring.size();
+  points.reserve(count);
+  for (const Outline& o : outlines) points.insert(points.end(), o.ring.begin(), o.ring.end());
+}
+
 /// All vertices, and where the region's edges cross each other or the cell's rim. They end on the rim, but a rounded
 /// end can lie beside the edge.
-std::vector<Point> knownPoints(const std::vector<CellPolygon>& polygons, const Pieces& region) {
+std::vector<Point> knownPoints(const std::vector<Outline>& outlines, const Pieces& region) {
   constexpr std::int64_t kEnd = kUnitsPerCell;
-  std::size_t count = 4 + 2 * region.size();
-  for (const CellPolygon& p : polygons) count += p.ring.size();
-  std::vector<Point> points;
-  points.reserve(count);
-  points.assign({{0, 0}, {kEnd, 0}, {kEnd, kEnd}, {0, kEnd}});
-  for (const CellPolygon& p : polygons) points.insert(points.end(), p.ring.begin(), p.ring.end());
+  std::vector<Point> points{{0, 0}, {kEnd, 0}, {kEnd, kEnd}, {0, kEnd}};
   std::vector<Segment> edges;
   edges.reserve(4 + region.size());
   for (std::size_t k = 0; k < 4; ++k) {
     const Point a = points[k], b = points[(k + 1) % 4];
     edges.push_back({a, b, a, b, {}, true});
   }
+  addVertices(outlines, points);
   for (const Piece& p : region) {
     edges.push_back({p.a, p.b, p.start, p.end, {}, true});
     points.insert(points.end(), {p.start, p.end});
@@ -34,17 +45,16 @@ std::vector<Point> knownPoints(const std::vector<CellPolygon>& polygons, const P
   return points;
 }
 
-std::vector<Side> sidesOf(const std::vector<CellPolygon>& polygons, const std::vector<Point>& points) {
+std::vector<Side> sidesOf(const std::vector<Outline>& outlines, const std::vector<Point>& points) {
   std::vector<Side> sides;
   sides.reserve(points.size());
   std::vector<Point> cuts;
-  for (std::size_t k = 0; k < polygons.size(); ++k) {
-    const Ring& ring = polygons[k].ring;
+  for (const auto& [area, ring] : outlines) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       detail::cutEdge(ring[i], nextVertex(ring, i), points, cuts);
       for (std::size_t c = 1; c < cuts.size(); ++c) {
         const bool isLeft = isLower(cuts[c - 1], cuts[c]);
-        sides.push_back(isLeft ? Side{cuts[c - 1], cuts[c], k, true} : Side{cuts[c], cuts[c - 1], k, false});
+        sides.push_back(isLeft ? Side{cuts[c - 1], cuts[c], area, true} : Side{cuts[c], cuts[c - 1], area, false});
       }
     }
   }
@@ -59,7 +69,7 @@ std::vector<std::size_t> groupsOf(const std::vector<CellPolygon>& polygons, cons
     if (meeting[k]) groups[k] = k;
   for (std::size_t k = 1; k < sides.size(); ++k) {
     if (sides[k - 1] < sides[k]) continue;  // nobody shares it
-    const std::size_t p = sides[k - 1].polygon, q = sides[k].polygon, a = groups[p], b = groups[q];
+    const std::size_t p = sides[k - 1].area, q = sides[k].area, a = groups[p], b = groups[q];
     if (a == b || !meeting[p] || !meeting[q] || polygons[p].block != polygons[q].block) continue;
     for (std::size_t& group : groups)
       if (group == a || group == b) group = std::min(a, b);
@@ -67,25 +77,46 @@ std::vector<std::size_t> groupsOf(const std::vector<CellPolygon>& polygons, cons
   return groups;
 }
 
+/// The outline of a group, with the group on its left. `sides` are those of the polygons.
+std::vector<Edge> outlineOf(std::size_t group, const std::vector<std::size_t>& groups, const std::vector<Side>& sides) {
+  std::vector<Edge> edges;
+  for (auto s = sides.begin(); s != sides.end();) {
+    bool isLeft = false, isRight = false;
+    const Side& first = *s;
+    for (; s != sides.end() && !(first < *s); ++s)
+      if (groups[s->area] == group) (s->isLeft ? isLeft : isRight) = true;
+    if (isLeft && !isRight) edges.push_back({first.low, first.high});
+    if (isRight && !isLeft) edges.push_back({first.high, first.low});
+  }
+  return edges;
+}
+
 }  // namespace
 
 Ground groundOf(const std::vector<CellPolygon>& polygons, const std::vector<bool>& meeting, const Pieces& region) {
-  Ground ground{polygons, knownPoints(polygons, region), {}, {}};
-  ground.sides = sidesOf(polygons, ground.known);
-  ground.groups = groupsOf(polygons, meeting, ground.sides);
+  std::vector<Outline> outlines;
+  for (std::size_t k = 0; k < polygons.size(); ++k) outlines.push_back({k, polygons[k].ring});
+  std::vector<Point> vertices;
+  addVertices(outlines, vertices);
+  normalize(vertices);
+  const std::vector<Side> sides = sidesOf(outlines, vertices);
+
+  Ground ground{polygons, groupsOf(polygons, meeting, sides), {}, {}};
+  outlines.clear();
+  for (std::size_t k = 0; k < polygons.size(); ++k) {
+    if (ground.groups[k] == kNoGroup) outlines.push_back({k, polygons[k].ring});
+    if (ground.groups[k] != k) continue;
+    for (Ring& ring : ringsOf(outlineOf(k, ground.groups, sides))) outlines.push_back({k, std::move(ring)});
+  }
+  ground.known = knownPoints(outlines, region);
+  ground.sides = sidesOf(outlines, ground.known);
   return ground;
 }
 
 std::vector<Edge> oldOutline(const Ground& ground, std::size_t group) {
   std::vector<Edge> edges;
-  for (auto s = ground.sides.begin(); s != ground.sides.end();) {
-    bool isLeft = false, isRight = false;
-    const Side& first = *s;
-    for (; s != ground.sides.end() && !(first < *s); ++s)
-      if (ground.groups[s->polygon] == group) (s->isLeft ? isLeft : isRight) = true;
-    if (isLeft && !isRight) edges.push_back({first.low, first.high});
-    if (isRight && !isLeft) edges.push_back({first.high, first.low});
-  }
+  for (const Side& s : ground.sides)
+    if (s.area == group) edges.push_back(s.isLeft ? Edge{s.low, s.high} : Edge{s.high, s.low});
   return edges;
 }
 

@@ -10,23 +10,24 @@
 
 namespace lgs::brush {
 
-/// An edge of a polygon between neighbouring known points, from its lower end.
+/// An edge of an outline between neighbouring known points, from its lower end.
 struct Side {
   Point low, high;
-  std::size_t polygon;
-  bool isLeft;  ///< the polygon is on the left
+  std::size_t area;
+  bool isLeft;  ///< the area is on the left
   friend bool operator<(const Side& a, const Side& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; }
 };
 
 /// Polygons that the region meets are one group if they have the same block and share edges. A group is taken as one
-/// area: edges inside it are not rounded.
+/// area: edges inside it count for nothing, nor do vertices that are no corners of its outline. So it does not matter
+/// how an area was divided.
 inline constexpr std::size_t kNoGroup = SIZE_MAX;
 
 struct Ground {
   const std::vector<CellPolygon>& polygons;
-  std::vector<Point> known;         ///< the hot points that do not depend on how polygons and region lie to each other
-  std::vector<Side> sides;          ///< sorted
   std::vector<std::size_t> groups;  ///< by polygon: the least polygon of its group, or kNoGroup if it is to stay
+  std::vector<Point> known;         ///< the hot points that do not depend on how outlines and region lie to each other
+  std::vector<Side> sides;          ///< sorted; an area is a group, by its least polygon, or a polygon that is to stay
 };
 
 Ground groundOf(const std::vector<CellPolygon>& polygons, const std::vector<bool>& meeting, const Pieces& region);

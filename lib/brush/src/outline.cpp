@@ -118,6 +118,13 @@ Ring straightened(const Ring& ring) {
 
 }  // namespace
 
+std::vector<Ring> ringsOf(std::vector<Edge> edges) {
+  std::sort(edges.begin(), edges.end());
+  std::vector<Ring> rings = walks(edges);
+  for (Ring& ring : rings) ring = straightened(ring);
+  return rings;
+}
+
 std::vector<Ring> simplePolygons(std::vector<Edge> edges) {
   std::sort(edges.begin(), edges.end());
   std::vector<Ring> polygons = walks(edges);

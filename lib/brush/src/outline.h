@@ -7,6 +7,10 @@
 
 namespace lgs::brush {
 
+/// The outline of an area as rings, with the area on their left. A ring may come to a vertex again. No vertex is in the
+/// middle of a straight line. `edges` are all edges of the outline.
+std::vector<Ring> ringsOf(std::vector<Edge> edges);
+
 /// The simple counter-clockwise polygons that an area consists of. `edges` are all edges of its outline, the area on
 /// their left; no two meet but in their ends. An area with holes is cut by chords between vertices of its outline.
 /// No vertex is in the middle of a straight line. Polygons begin with their least vertex.
