@@ -9,12 +9,15 @@
 namespace lgs::brush {
 
 struct Arrangement {
-  std::vector<Segment> segments;     ///< of the region and of groups: group k has number k + 1
+  std::vector<Segment> segments;     ///< of groups and of the region: group k has number k + 1
   std::vector<Point> hot;            ///< normalized
   std::vector<const Ring*> staying;  ///< polygons that are to stay, by index; null: it has a group
 };
 
-/// If `follows`, outlines follow the region (docs/brushes.md, "Coming back"). Cost: O(n²).
-Arrangement arrangementOf(const Ground& ground, const Pieces& region, FillRule rule, bool follows);
+/// Cost: O(n²).
+Arrangement arrangementOf(const Ground& ground, const Pieces& region);
+
+/// The sides of groups as segments. Those that a polygon has too that is to stay do not bend.
+std::vector<Segment> groupSegments(const Ground& ground);
 
 }  // namespace lgs::brush

@@ -1,12 +1,11 @@
 #include "cell_edit.h"
 
-#include "arrangement.h"
+#include "calm.h"
 #include "geometry/ring.h"
 #include "ownership.h"
 #include "rounding.h"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 namespace lgs::brush {
@@ -34,12 +33,10 @@ bool meets(const Pieces& region, FillRule rule, const Ring& ring) {
 
 /// The atoms of the cell. Polygons that stand in the way become groups.
 std::vector<Atom> atomsOf(Ground& ground, const Pieces& region, FillRule rule) {
+  if (auto calm = calmAtoms(ground, region, rule)) return std::move(*calm);
   for (;;) {
-    Rounding following = rounded(arrangementOf(ground, region, rule, true), rule);
-    if (following.isGood) return std::move(following.atoms);
-    Rounding result = rounded(arrangementOf(ground, region, rule, false), rule);
-    if (result.isGood) return std::move(result.atoms);
-    assert(!result.inTheWay.empty());
+    Rounding result = rounded(arrangementOf(ground, region), rule);
+    if (result.inTheWay.empty()) return std::move(result.atoms);
     for (const std::size_t k : result.inTheWay) ground.groups[k] = k;
   }
 }

@@ -63,23 +63,20 @@ Rounding roundOnce(const Arrangement& arrangement, FillRule rule) {
     addAtoms(chain, segment.sum, result.atoms);
   }
   settle(result.atoms);
-  const bool isGood = isDivision(result.atoms);
   for (std::size_t k = 0; k < arrangement.staying.size(); ++k) {
     const Ring* const ring = arrangement.staying[k];
     if (ring == nullptr || !wouldBend(*ring, arrangement.hot)) continue;
     const auto reaches = [&](const Atom& a) { return reachesInto(a, *ring); };
-    if (!isGood || isSwallowed(*ring, result.atoms, rule) ||
-        std::any_of(result.atoms.begin(), result.atoms.end(), reaches))
+    if (isSwallowed(*ring, result.atoms, rule) || std::any_of(result.atoms.begin(), result.atoms.end(), reaches))
       result.inTheWay.push_back(k);
   }
-  result.isGood = isGood && result.inTheWay.empty();
   return result;
 }
 
-/// Leaves the edges of polygons straight that nothing crosses and that do not follow the region.
+/// Leaves the edges of polygons straight that nothing crosses.
 void stiffen(std::vector<Segment>& segments) {
   for (Segment& edge : segments) {
-    if (edge.sum.winding != 0 || edge.a != edge.start || edge.b != edge.end) continue;
+    if (edge.sum.winding != 0) continue;
     edge.bends = std::any_of(segments.begin(), segments.end(), [&](const Segment& other) {
       return edge.bends && other.sum.winding != 0 && crossingPixel(edge, other);
     });
@@ -93,7 +90,7 @@ Rounding rounded(Arrangement arrangement, FillRule rule) {
   if (result.inTheWay.empty()) return result;
   stiffen(arrangement.segments);
   Rounding stiff = roundOnce(arrangement, rule);
-  return stiff.isGood && isPlane(stiff.atoms) ? stiff : result;
+  return stiff.inTheWay.empty() && isPlane(stiff.atoms) && isDivision(stiff.atoms) ? stiff : result;
 }
 
 }  // namespace lgs::brush

@@ -11,12 +11,11 @@ namespace lgs::brush {
 
 struct Rounding {
   std::vector<Atom> atoms;
-  bool isGood = false;                ///< no polygons overlap, and nothing reaches into those that must stay
-  std::vector<std::size_t> inTheWay;  ///< if it is not good: polygons that must stay, and are a reason, by number
+  std::vector<std::size_t> inTheWay;  ///< polygons that must stay, but something reaches into them, by number
 };
 
 /// Rounds an arrangement. Where snap rounding would reach into a polygon that must stay, edges of polygons are left
-/// straight if nothing crosses them, in case that helps. It is good if nothing follows and nothing must stay.
+/// straight if nothing crosses them, in case that helps.
 Rounding rounded(Arrangement arrangement, FillRule rule);
 
 }  // namespace lgs::brush

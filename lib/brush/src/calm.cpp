@@ -1,0 +1,76 @@
+#include "calm.h"
+
+#include "geometry/predicates.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lgs::brush {
+namespace {
+
+/// Whether a side crosses a part of the region's edge, or the chain of that. In the pixel where both end it may.
+bool crosses(const Side& side, const Segment& part) {
+  if (detail::crossProperly(side.low, side.high, part.start, part.end)) return true;
+  const auto pixel = crossingPixel({side.low, side.high, side.low, side.high, {}, true}, part);
+  if (!pixel) return false;
+  return (*pixel != part.start && *pixel != part.end) || (*pixel != side.low && *pixel != side.high);
+}
+
+bool isOnRim(const Side& s) {
+  const auto isEnd = [](std::int64_t v) { return v == 0 || v == kUnitsPerCell; };
+  return (s.low.x == s.high.x && isEnd(s.low.x)) || (s.low.y == s.high.y && isEnd(s.low.y));
+}
+
+class RoundedRegion {
+ public:
+  RoundedRegion(const Ground& ground, const Pieces& region, FillRule rule)
+      : ground_(ground), region_(region), rule_(rule) {
+    std::vector<Point> chain;
+    for (const Piece& p : region) {
+      route({p.a, p.b, p.start, p.end, {}, true}, ground.known, chain);
+      addAtoms(chain, {1, 0, 0, 0}, atoms_);
+      for (std::size_t k = 1; k < chain.size(); ++k) parts_.push_back({p.a, p.b, chain[k - 1], chain[k], {}, true});
+    }
+    for (const Segment& s : groupSegments(ground)) addAtoms({s.start, s.end}, s.sum, atoms_);
+    settle(atoms_);
+  }
+
+  /// Whether a side is no obstacle. An edge of the rounded region is none, nor is the rim: where the region crosses that
+  /// is known. That of a polygon which must stay has to be outside, that of a group may not be where
+  /// the exact region is and the rounded one is not. If nothing crosses a side, one place tells of all of it.
+  bool isFree(const Side& side) const {
+    const Point middle{side.low.x + side.high.x, side.low.y + side.high.y};  // doubled
+    const auto at = std::lower_bound(atoms_.begin(), atoms_.end(), side, [](const Atom& atom, const Side& s) {
+      return atom.low != s.low ? atom.low < s.low : atom.high < s.high;
+    });
+    const bool isAtom = at != atoms_.end() && at->low == side.low && at->high == side.high;
+    const Sum left = isAtom ? at->left : sumLeftOf(middle, atoms_), right = isAtom ? at->right : left;
+    const bool isInsideLeft = isInside(left.winding, rule_), isInsideRight = isInside(right.winding, rule_);
+    if (ground_.groups[side.area] == kNoGroup && (side.isLeft ? isInsideLeft : isInsideRight)) return false;
+    if (isInsideLeft != isInsideRight || isOnRim(side)) return true;
+    if (std::any_of(parts_.begin(), parts_.end(), [&](const Segment& part) { return crosses(side, part); }))
+      return false;
+    return isInsideLeft ||
+           (!isInside(windingLeftOf(middle, region_), rule_) && !isInside(windingRightOf(middle, region_), rule_));
+  }
+
+  std::vector<Atom> atoms() && { return std::move(atoms_); }
+
+ private:
+  const Ground& ground_;
+  const Pieces& region_;
+  const FillRule rule_;
+  std::vector<Segment> parts_;
+  std::vector<Atom> atoms_;
+};
+
+}  // namespace
+
+std::optional<std::vector<Atom>> calmAtoms(const Ground& ground, const Pieces& region, FillRule rule) {
+  RoundedRegion rounded(ground, region, rule);
+  if (!std::all_of(ground.sides.begin(), ground.sides.end(), [&](const Side& s) { return rounded.isFree(s); }))
+    return std::nullopt;
+  return std::move(rounded).atoms();
+}
+
+}  // namespace lgs::brush

@@ -1,0 +1,16 @@
+// Cells in which the region, rounded by itself, crosses nothing.
+#pragma once
+
+#include "arrangement.h"
+#include "atoms.h"
+
+#include <optional>
+#include <vector>
+
+namespace lgs::brush {
+
+/// The atoms of a cell, if it is calm (docs/brushes.md, "Coming back"): the region's edges go through the known points,
+/// and no outline bends. Nothing if it is not. Cost: O(n²).
+std::optional<std::vector<Atom>> calmAtoms(const Ground& ground, const Pieces& region, FillRule rule);
+
+}  // namespace lgs::brush
