@@ -12,8 +12,7 @@ std::vector<Segment> groupSegments(const Ground& ground) {
     for (; k < sides.size() && !(first < sides[k]); ++k) {
       const Side& s = sides[k];
       if (ground.groups[s.area] != kNoGroup) {
-        const auto number = static_cast<std::int64_t>(s.area) + 1;
-        const Sum sum{0, 1, number, number * number};
+        const Sum sum{0, static_cast<std::int64_t>(s.area) + 1};
         segment.sum += s.isLeft ? sum : -sum;
       } else {
         segment.bends = false;
@@ -29,7 +28,7 @@ Arrangement arrangementOf(const Ground& ground, const Pieces& region) {
   for (std::size_t k = 0; k < ground.polygons.size(); ++k)
     result.staying.push_back(ground.groups[k] == kNoGroup ? &ground.polygons[k].ring : nullptr);
   result.segments.reserve(result.segments.size() + region.size());
-  for (const Piece& p : region) result.segments.push_back({p.a, p.b, p.start, p.end, {1, 0, 0, 0}, true});
+  for (const Piece& p : region) result.segments.push_back({p.a, p.b, p.start, p.end, {1, 0}, true});
   addCrossings(result.segments, result.hot);
   normalize(result.hot);
   return result;

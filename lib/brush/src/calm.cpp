@@ -28,7 +28,7 @@ class RoundedRegion {
     std::vector<Point> chain;
     for (const Piece& p : region) {
       route({p.a, p.b, p.start, p.end, {}, true}, ground.known, chain);
-      addAtoms(chain, {1, 0, 0, 0}, atoms_);
+      addAtoms(chain, {1, 0}, atoms_);
       for (std::size_t k = 1; k < chain.size(); ++k) parts_.push_back({p.a, p.b, chain[k - 1], chain[k], {}, true});
     }
     for (const Segment& s : groupSegments(ground)) addAtoms({s.start, s.end}, s.sum, atoms_);

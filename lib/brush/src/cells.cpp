@@ -9,12 +9,13 @@ using Rings = std::vector<Pieces>;
 
 std::int64_t units(std::int32_t cells) { return std::int64_t{cells} * kUnitsPerCell; }
 
-/// Whether a piece runs along a side of the box of cells.
+/// Whether a piece runs along a side of the box of cells. Rounded ends alone do not tell: the edge can run beside it.
 bool isOnRim(const Piece& p, const CellRect& box) {
-  const auto isAlong = [](std::int64_t start, std::int64_t end, std::int32_t min, std::int32_t max) {
-    return start == end && (start == units(min) || start == units(max + 1));
+  const auto isSide = [](std::int64_t at, std::int32_t min, std::int32_t max) {
+    return at == units(min) || at == units(max + 1);
   };
-  return isAlong(p.start.x, p.end.x, box.min.i, box.max.i) || isAlong(p.start.y, p.end.y, box.min.j, box.max.j);
+  return (p.a.x == p.b.x && isSide(p.start.x, box.min.i, box.max.i)) ||
+         (p.a.y == p.b.y && isSide(p.start.y, box.min.j, box.max.j));
 }
 
 Pieces all(const Rings& rings) {

@@ -70,8 +70,8 @@ class Division {
 
  private:
   Owner ownerOf(const Sum& sum) const {
-    assert(sum.polygons == 0 || (sum.polygons == 1 && sum.numbers >= 1 && std::cmp_less_equal(sum.numbers, paint_)));
-    const Owner before = sum.polygons == 0 ? nobody_ : static_cast<Owner>(sum.numbers) - 1;
+    assert(sum.group >= 0 && std::cmp_less_equal(sum.group, paint_));
+    const Owner before = sum.group == 0 ? nobody_ : static_cast<Owner>(sum.group) - 1;
     if (!isInside(sum.winding, stroke_.rule)) return before;
     switch (stroke_.deed) {
       case Deed::carve:

@@ -107,11 +107,13 @@ Pieces cut(const Pieces& ring, Line line, bool keepsGreater) {
     if (start < 0 && end < 0) continue;
     if (start >= 0 && end >= 0) {
       append(kept, p);
-    } else if (start > 0) {
-      append(kept, {p.a, p.b, p.start, crossing(p.a, p.b, line), p.isOfRegion});
-    } else if (end > 0) {
-      append(kept, {p.a, p.b, crossing(p.a, p.b, line), p.end, p.isOfRegion});
+      continue;
     }
+    const Point at = crossing(p.a, p.b, line);
+    // An end on the line can be a rounded one: the edge itself can go on beside the line.
+    const auto isAfter = [&](Point u, Point v) { return dot(u - v, p.b - p.a) > 0; };
+    if (start >= 0 && isAfter(at, p.start)) append(kept, {p.a, p.b, p.start, at, p.isOfRegion});
+    if (end >= 0 && isAfter(p.end, at)) append(kept, {p.a, p.b, at, p.end, p.isOfRegion});
   }
   if (!kept.empty() && kept.back().end != kept.front().start)
     kept.push_back({kept.back().end, kept.front().start, kept.back().end, kept.front().start, false});

@@ -9,16 +9,6 @@ namespace {
 
 using detail::nextVertex;
 
-/// Whether snap rounding would bend an edge of a polygon. If it bends none, no chain can reach into the polygon.
-bool wouldBend(const Ring& ring, const std::vector<Point>& hot) {
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point a = ring[k], b = nextVertex(ring, k);
-    const auto isBeside = [&](Point z) { return detail::orientation(a, b, z) != 0 && passes(a, b, z); };
-    if (std::any_of(hot.begin(), hot.end(), isBeside)) return true;
-  }
-  return false;
-}
-
 /// Whether an atom runs through a polygon.
 bool reachesInto(const Atom& atom, const Ring& ring) {
   const Ring piece{atom.low, atom.high};
@@ -31,17 +21,9 @@ bool isSwallowed(const Ring& ring, const std::vector<Atom>& atoms, FillRule rule
     const Point a = ring[k], b = nextVertex(ring, k);
     if (a.y >= b.y) continue;
     const Sum sum = sumLeftOf({a.x + b.x, a.y + b.y}, atoms);  // the polygon is left of an edge that rises
-    return sum.polygons != 0 || isInside(sum.winding, rule);
+    return sum.group != 0 || isInside(sum.winding, rule);
   }
   return false;
-}
-
-/// Whether there is one polygon at most on either side of each atom.
-bool isDivision(const std::vector<Atom>& atoms) {
-  const auto isOne = [](const Sum& s) {
-    return s.squares == s.numbers * s.numbers && (s.polygons == 1 ? s.numbers > 0 : s.polygons == 0 && s.numbers == 0);
-  };
-  return std::all_of(atoms.begin(), atoms.end(), [&](const Atom& a) { return isOne(a.left) && isOne(a.right); });
 }
 
 /// Whether no atoms cross or end on each other.
@@ -65,7 +47,7 @@ Rounding roundOnce(const Arrangement& arrangement, FillRule rule) {
   settle(result.atoms);
   for (std::size_t k = 0; k < arrangement.staying.size(); ++k) {
     const Ring* const ring = arrangement.staying[k];
-    if (ring == nullptr || !wouldBend(*ring, arrangement.hot)) continue;
+    if (ring == nullptr) continue;
     const auto reaches = [&](const Atom& a) { return reachesInto(a, *ring); };
     if (isSwallowed(*ring, result.atoms, rule) || std::any_of(result.atoms.begin(), result.atoms.end(), reaches))
       result.inTheWay.push_back(k);
@@ -73,10 +55,10 @@ Rounding roundOnce(const Arrangement& arrangement, FillRule rule) {
   return result;
 }
 
-/// Leaves the edges of polygons straight that nothing crosses.
+/// Leaves the edges of groups straight that nothing crosses.
 void stiffen(std::vector<Segment>& segments) {
   for (Segment& edge : segments) {
-    if (edge.sum.winding != 0) continue;
+    if (edge.sum.group == 0) continue;
     edge.bends = std::any_of(segments.begin(), segments.end(), [&](const Segment& other) {
       return edge.bends && other.sum.winding != 0 && crossingPixel(edge, other);
     });
@@ -90,7 +72,7 @@ Rounding rounded(Arrangement arrangement, FillRule rule) {
   if (result.inTheWay.empty()) return result;
   stiffen(arrangement.segments);
   Rounding stiff = roundOnce(arrangement, rule);
-  return stiff.inTheWay.empty() && isPlane(stiff.atoms) && isDivision(stiff.atoms) ? stiff : result;
+  return stiff.inTheWay.empty() && isPlane(stiff.atoms) ? stiff : result;
 }
 
 }  // namespace lgs::brush

@@ -1,4 +1,4 @@
-// Rounding beside polygons that the region does not reach: they do not bend, and nothing may reach into them.
+// Snap rounding of a cell, and whether it leaves alone what must stay.
 #pragma once
 
 #include "arrangement.h"
@@ -14,8 +14,8 @@ struct Rounding {
   std::vector<std::size_t> inTheWay;  ///< polygons that must stay, but something reaches into them, by number
 };
 
-/// Rounds an arrangement. Where snap rounding would reach into a polygon that must stay, edges of polygons are left
-/// straight if nothing crosses them, in case that helps.
+/// Rounds an arrangement. Where snap rounding would reach into a polygon that must stay, edges of groups are left
+/// straight if nothing crosses them, in case that helps. Cost: O(n²).
 Rounding rounded(Arrangement arrangement, FillRule rule);
 
 }  // namespace lgs::brush

@@ -13,18 +13,14 @@ namespace lgs::brush {
 
 /// What changes from the right of an edge to its left.
 struct Sum {
-  std::int64_t winding = 0;   ///< of the region
-  std::int64_t polygons = 0;  ///< how many of the cell's polygons there are
-  std::int64_t numbers = 0;   ///< the sum of their numbers, which begin with 1
-  std::int64_t squares = 0;   ///< the sum of the squares of these: so an overlap can not pass for a single polygon
+  std::int64_t winding = 0;  ///< of the region
+  std::int64_t group = 0;    ///< group k of the cell's polygons counts as k + 1: 0 is none
   Sum& operator+=(const Sum& other) {
     winding += other.winding;
-    polygons += other.polygons;
-    numbers += other.numbers;
-    squares += other.squares;
+    group += other.group;
     return *this;
   }
-  friend Sum operator-(const Sum& s) { return {-s.winding, -s.polygons, -s.numbers, -s.squares}; }
+  friend Sum operator-(const Sum& s) { return {-s.winding, -s.group}; }
   friend bool operator==(const Sum&, const Sum&) = default;
 };
 
