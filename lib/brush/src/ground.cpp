@@ -95,18 +95,25 @@ std::vector<Edge> outlineOf(std::size_t group, const std::vector<std::size_t>& g
 
 Ground groundOf(const std::vector<CellPolygon>& polygons, const std::vector<bool>& meeting, const Pieces& region) {
   std::vector<Outline> outlines;
-  for (std::size_t k = 0; k < polygons.size(); ++k) outlines.push_back({k, polygons[k].ring});
-  std::vector<Point> vertices;
-  addVertices(outlines, vertices);
-  normalize(vertices);
-  const std::vector<Side> sides = sidesOf(outlines, vertices);
-
+  std::vector<Side> sides;
+  if (polygons.size() > 1) {
+    for (std::size_t k = 0; k < polygons.size(); ++k) outlines.push_back({k, polygons[k].ring});
+    std::vector<Point> vertices;
+    addVertices(outlines, vertices);
+    normalize(vertices);
+    sides = sidesOf(outlines, vertices);
+    outlines.clear();
+  }
   Ground ground{polygons, groupsOf(polygons, meeting, sides), {}, {}};
-  outlines.clear();
   for (std::size_t k = 0; k < polygons.size(); ++k) {
-    if (ground.groups[k] == kNoGroup) outlines.push_back({k, polygons[k].ring});
-    if (ground.groups[k] != k) continue;
-    for (Ring& ring : ringsOf(outlineOf(k, ground.groups, sides))) outlines.push_back({k, std::move(ring)});
+    const std::size_t group = ground.groups[k];
+    if (group == kNoGroup) {
+      outlines.push_back({k, polygons[k].ring});
+    } else if (group == k && std::ranges::count(ground.groups, k) == 1) {
+      outlines.push_back({k, straightened(polygons[k].ring)});
+    } else if (group == k) {
+      for (Ring& ring : ringsOf(outlineOf(k, ground.groups, sides))) outlines.push_back({k, std::move(ring)});
+    }
   }
   ground.known = knownPoints(outlines, region);
   ground.sides = sidesOf(outlines, ground.known);

@@ -105,7 +105,8 @@ void addChord(Point from, bool isLess, std::vector<Edge>& edges) {
   }
 }
 
-/// The ring without vertices in the middle of straight lines, its least vertex first.
+}  // namespace
+
 Ring straightened(const Ring& ring) {
   Ring kept;
   for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -115,8 +116,6 @@ Ring straightened(const Ring& ring) {
   if (!kept.empty()) std::rotate(kept.begin(), std::min_element(kept.begin(), kept.end()), kept.end());
   return kept;
 }
-
-}  // namespace
 
 std::vector<Ring> ringsOf(std::vector<Edge> edges) {
   std::sort(edges.begin(), edges.end());

@@ -7,6 +7,9 @@
 
 namespace lgs::brush {
 
+/// The ring without vertices in the middle of straight lines, its least vertex first.
+Ring straightened(const Ring& ring);
+
 /// The outline of an area as rings, with the area on their left. A ring may come to a vertex again. No vertex is in the
 /// middle of a straight line. `edges` are all edges of the outline.
 std::vector<Ring> ringsOf(std::vector<Edge> edges);

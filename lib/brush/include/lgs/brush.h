@@ -6,14 +6,14 @@
 //   for (const auto& [old, now] : done->changed) …    // what your game keeps by handle
 //   world.commit();                                   // as after any edit
 //
-// Brushes have four laws, on top of those of the README. docs/brushes.md says how they are kept, and in which rare cases
-// laws 8 and 10 were seen to fail: where edges run within a unit or so of each other, a sliver can be left.
+// Brushes have four laws, on top of those of the README. docs/brushes.md says how they are kept.
 //
 //   8. Bounded rounding. Every point in which the new solid, or its division into blocks, differs from the exact result
 //      lies within one lattice unit of an edge of that exact result.
 //   9. What is not reached stays. A polygon whose interior and outline the region does not meet keeps its handle and
 //      its vertices. Rounding breaks this now and then, by less than a unit; BrushResult::bent then names the polygon.
-//  10. No seams. Blocks that shared an edge share it afterwards, cut or not, inside cells and across them.
+//  10. No seams. Blocks that shared an edge share it afterwards, cut or not, inside cells and across them. Ground of one
+//      block that was carved is whole again when the same region is painted.
 //  11. Total. Any finite region in range works, or is refused as a whole.
 //
 // Units: a Point is in lattice units of the world, 65,536 to a cell. Lengths are in lattice units too.
@@ -80,7 +80,7 @@ struct BrushChange {
 
 /// What a brush did to polygons. A polygon that is not named has kept its handle, vertices and block.
 struct BrushResult {
-  std::vector<PolygonHandle> went;   ///< nothing is left of them
+  std::vector<PolygonHandle> went;   ///< nothing is left of them, or less than half a square unit
   std::vector<PolygonHandle> came;   ///< there is nothing of an old polygon in them
   std::vector<BrushChange> changed;  ///< old polygons that are cut, bent by rounding, united with others, or recoloured
   std::vector<PolygonHandle> bent;   ///< of the old ones above, those that law 9 should have kept: docs/brushes.md
