@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <vector>
 
 namespace lgs::test::tight {
@@ -44,11 +45,16 @@ TEST(BrushTight, GroundBetweenTheRegionAndItsChain) {
          FillRule::evenOdd}}});
 }
 
-// In the upper cell the region is half a unit high. Both ends of its edge are rounded to the line between the cells.
+// In the upper cell the region is half a unit high, or wide in the right one. Both ends of its edge are rounded to the
+// line between the cells.
 TEST(BrushTight, AnEdgeWhoseEndsAreRoundedToTheRim) {
-  expectRounding(Ground::solid,
-                 {{Deed::carve, 1, {{{{65524, 65538}, {65524, 65524}, {65540, 65535}}}, FillRule::evenOdd}},
-                  {Deed::fill, 1, {{{{65524, 65524}, {65525, 65535}, {65540, 65537}}}, FillRule::evenOdd}}});
+  Ring carved{{65524, 65538}, {65524, 65524}, {65540, 65535}}, filled{{65524, 65524}, {65525, 65535}, {65540, 65537}};
+  for (int k = 0; k < 2; ++k) {
+    expectRounding(Ground::solid,
+                   {{Deed::carve, 1, {{carved}, FillRule::evenOdd}}, {Deed::fill, 1, {{filled}, FillRule::evenOdd}}});
+    for (Ring* const ring : {&carved, &filled})
+      for (Point& p : *ring) std::swap(p.x, p.y);
+  }
 }
 
 // Near the line between the two polygons of a cell, and near an end of that: what was carved can be filled again.
@@ -61,6 +67,57 @@ TEST(BrushTight, ACornerInsideTheGroundIsForgotten) {
   ASSERT_TRUE(paint(world, region, 1, PaintMode::fill).has_value());
   world.commit();
   EXPECT_EQ(world.loops(Collinear::merge).size(), solid);
+}
+
+// A polygon stands in the way, so edges that nothing crosses are left straight. One of them lies between the region and a
+// vertex that its chain goes through: it would be crossed. So the polygon is bent, and told.
+TEST(BrushTight, AnEdgeThatMayNotBeLeftStraight) {
+  World world = worldOf(Ground::solid);
+  const auto carved =
+      brush(world, {Deed::carve,
+                    1,
+                    {{{{65496, 65526}, {65476, 65536}, {65521, 65511}, {65476, 65541}, {65481, 65541}, {65551, 65491}},
+                      {{65501, 65526}, {65476, 65476}, {65506, 65521}, {65491, 65526}, {65556, 65491}},
+                      {{900, 800}, {1200, 800}, {1200, 1100}, {900, 1100}}},
+                     FillRule::evenOdd}});
+  ASSERT_TRUE(carved.has_value());
+  ASSERT_TRUE(world.add({0, 0}, {{1000, 1000}, {1100, 900}, {1100, 1007}}, 2).has_value());
+  ASSERT_TRUE(world.add({0, 0}, {{1009, 1001}, {1020, 1010}, {1000, 1010}}, 3).has_value());
+  const BrushStroke stroke{
+      Deed::replace,
+      1,
+      {{{{65476, 65476}, {65481, 65476}, {65476, 65481}}, {{1000, 1000}, {1099, 990}, {1099, 1006}}}}};
+  const oracle::Scene before = sceneOf(world);
+  const auto result = brush(world, stroke);
+  ASSERT_TRUE(result.has_value()) << message(result.error());
+  EXPECT_EQ(result->bent.size(), 1U);
+  EXPECT_EQ(farFromExact(before, editOf(stroke), sceneOf(world)), std::nullopt);
+}
+
+// Two edges of the region cross half a unit below a polygon's edge, between its ends. The pixel's centre is inside the
+// polygon, and chains come to it through the polygon's vertices. So they cross no edge, and still paint may not go there.
+TEST(BrushTight, AChainThatEntersAtAVertex) {
+  World world;
+  ASSERT_TRUE(world.add({0, 0}, {{5000, 5000}, {5020, 5001}, {5010, 5040}}, 2).has_value());
+  const auto result = brush(world, {Deed::fill,
+                                    1,
+                                    {{{{5000 - 475, 5000 - 24}, {5500, 4000}, {5000 + 1525, 5000 + 77}},
+                                      {{5000 - 404, 5000 - 20}, {5500, 4000}, {5000 + 1596, 5000 + 79}}}}});
+  ASSERT_TRUE(result.has_value()) << message(result.error());
+  EXPECT_EQ(result->bent.size(), 1U);
+}
+
+// The same edges, with the region on their other side. The polygon is inside of it, and nothing of it may be left between
+// its lowest edge and the chains.
+TEST(BrushTight, AnEdgeBetweenTheRegionAndItsChains) {
+  World world;
+  ASSERT_TRUE(world.add({0, 0}, {{5000, 5000}, {5020, 5001}, {5010, 5040}}, 2).has_value());
+  const auto result = brush(world, {Deed::carve,
+                                    1,
+                                    {{{{5000 - 475, 5000 - 24}, {5000 + 1525, 5000 + 77}, {5010, 6000}},
+                                      {{5000 - 404, 5000 - 20}, {5000 + 1596, 5000 + 79}, {5010, 6000}}}}});
+  ASSERT_TRUE(result.has_value()) << message(result.error());
+  EXPECT_TRUE(world.isEmpty({0, 0}));
 }
 
 }  // namespace
