@@ -108,9 +108,12 @@ std::vector<Spoke> fanAt(const Content& content, LocalPoint v, Vector from) {
   }
   // The plane is turned so that `from` is the x axis.
   const auto turned = [&](Vector d) { return Vector{dot(from, d), cross(from, d)}; };
-  std::stable_sort(directed.begin(), directed.end(),
-                   [&](auto& a, auto& b) { return angleLess(turned(a.direction), turned(b.direction)); });
+  std::sort(directed.begin(), directed.end(), [&](auto& a, auto& b) {
+    return sameDirection(a.direction, b.direction) ? a.spoke.segment < b.spoke.segment
+                                                   : angleLess(turned(a.direction), turned(b.direction));
+  });
   std::vector<Spoke> fan;
+  fan.reserve(directed.size());
   std::uint32_t rank = 0;
   for (std::size_t k = 0; k < directed.size(); ++k) {
     Spoke spoke = directed[k].spoke;

@@ -60,6 +60,7 @@ class Brush {
     for (const PlacedPolygon& p : placed_) {
       CellPolygon& copy = old_.emplace_back();
       copy.block = p.block;
+      copy.ring.reserve(p.vertices.size());
       for (const LocalPoint v : p.vertices) copy.ring.push_back({v.x, v.y});
       handles_.push_back(p.handle);
     }

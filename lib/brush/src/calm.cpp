@@ -26,6 +26,8 @@ class RoundedRegion {
   RoundedRegion(const Ground& ground, const Pieces& region, FillRule rule)
       : ground_(ground), region_(region), rule_(rule) {
     std::vector<Point> chain;
+    atoms_.reserve(ground.known.size() + ground.sides.size());
+    parts_.reserve(ground.known.size());
     for (const Piece& p : region) {
       route({p.a, p.b, p.start, p.end, {}, true}, ground.known, chain);
       addAtoms(chain, {1, 0}, atoms_);

@@ -58,7 +58,8 @@ std::vector<Side> sidesOf(const std::vector<Outline>& outlines, const std::vecto
       }
     }
   }
-  std::stable_sort(sides.begin(), sides.end());
+  std::sort(sides.begin(), sides.end(),
+            [](const Side& a, const Side& b) { return a < b || (!(b < a) && a.area < b.area); });
   return sides;
 }
 
@@ -122,6 +123,7 @@ Ground groundOf(const std::vector<CellPolygon>& polygons, const std::vector<bool
 
 std::vector<Edge> oldOutline(const Ground& ground, std::size_t group) {
   std::vector<Edge> edges;
+  edges.reserve(ground.sides.size());
   for (const Side& s : ground.sides)
     if (s.area == group) edges.push_back(s.isLeft ? Edge{s.low, s.high} : Edge{s.high, s.low});
   return edges;

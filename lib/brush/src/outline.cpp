@@ -40,6 +40,7 @@ std::vector<Ring> walks(const std::vector<Edge>& edges) {
   for (std::size_t first = 0; first < edges.size(); ++first) {
     if (isDone[first]) continue;
     Ring& ring = rings.emplace_back();
+    ring.reserve(edges.size() - first);
     for (std::size_t k = first; !isDone[k]; k = after(edges[k])) {
       isDone[k] = true;
       ring.push_back(edges[k].from);
@@ -52,6 +53,7 @@ std::vector<Ring> walks(const std::vector<Edge>& edges) {
 std::vector<Ring> loops(const Ring& walk) {
   std::vector<Ring> parts;
   Ring open;
+  open.reserve(walk.size());
   for (const Point p : walk) {
     const auto before = std::find(open.begin(), open.end(), p);
     if (before != open.end()) {
@@ -109,6 +111,7 @@ void addChord(Point from, bool isLess, std::vector<Edge>& edges) {
 
 Ring straightened(const Ring& ring) {
   Ring kept;
+  kept.reserve(ring.size());
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const Point before = ring[k == 0 ? ring.size() - 1 : k - 1];
     if (detail::orientation(before, ring[k], detail::nextVertex(ring, k)) != 0) kept.push_back(ring[k]);

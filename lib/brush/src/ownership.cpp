@@ -88,6 +88,7 @@ class Division {
 
   std::vector<Edge> outlineOf(Owner all) const {
     std::vector<Edge> edges;
+    edges.reserve(sides_.size());
     for (const Sides& s : sides_) {
       const bool isLeft = unionOf_[s.left] == all, isRight = unionOf_[s.right] == all;
       if (isLeft && !isRight) edges.push_back({s.low, s.high});
