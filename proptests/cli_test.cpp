@@ -243,6 +243,8 @@ TEST_F(Command, AMapWithNothingSolidIsRefusedWithWhatCouldBeTaken) {
   expect("import m.tmx -o m.trace --allow-empty", 0, "0 polygons");
   EXPECT_TRUE(fs::exists(folder_ / "m.trace"));
   expect("check --map m.tmx --edits 9", 2, "    lgs check --map m.tmx --objects 'My boxes'");
+  expect("import m.tmx --solid-if Solids", 2,
+         "note: no tile and no tile layer has a property 'Solids'; there is 'solid'");
   // A hint keeps what was asked for; but not what would take away again what it adds.
   expect("import m.tmx --layer l --visible --no-objects", 2, "    lgs import m.tmx --layer l --solid-if solid\n");
   expect("check --map m.tmx --block class", 2, "    lgs check --map m.tmx --block class --solid-if solid\n");

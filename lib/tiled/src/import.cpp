@@ -26,6 +26,7 @@ class Import {
         reader_(job.reader),
         place_(place),
         names_(job.names),
+        asked_(job.asked),
         error_(error),
         file_(file),
         templates_(reader_),
@@ -82,6 +83,7 @@ class Import {
   const FileReader& reader_;
   const MapPlace& place_;
   LayerNames& names_;
+  AskedNames& asked_;
   std::optional<ImportError>& error_;
   const XmlFile& file_;
   Templates templates_;
@@ -132,6 +134,7 @@ void Import::readLayers() {
     const auto index = static_cast<std::uint32_t>(map_.report.layers.size());
     LayerReport& report = map_.report.layers.emplace_back();
     report = {layer.path, layer.wanted, 0, layer.remark, layer.kind};
+    asked_.see(layer);
     for (const auto node : layer.node.children("object")) report.objects += !node.empty();
     if (!layer.wanted || failed()) continue;
     layer.kind == LayerKind::objects ? readObjects(layer, index) : readLayer(layer, index);
@@ -140,6 +143,7 @@ void Import::readLayers() {
 
 void Import::readObjects(const Layer& layer, std::uint32_t index) {
   for (const MapShape& shape : objects_.read(layer)) {
+    asked_.see(shape.object);
     const Placer::Entry entry{0, blockOf(shape.object.className, index), kNoTile, shape.object.id, index};
     if (painter_.paint(shape, grid_, entry, map_.report.layers[index])) continue;
     return file_.fail(layer.node, "its objects are larger than the limit (Options::maxPlacements)");
@@ -272,6 +276,8 @@ std::uint32_t Import::reportOf(const Tileset& tileset, std::uint32_t number) {
 
 void Import::finishReport() {
   placer_.finish(map_);
+  for (const Tileset& tileset : tilesets_.all()) asked_.see(tileset);
+  for (const auto& [origin, tileset] : objects_.tilesetsOfTemplates()) asked_.see(tileset);
   Report& report = map_.report;
   if (strayTiles_ > 0) report.notes.push_back(std::to_string(strayTiles_) + " tiles belong to no tileset of the map");
   const auto sort = [](std::vector<Note>& notes) {
