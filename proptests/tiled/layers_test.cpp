@@ -78,7 +78,8 @@ TEST(TiledLimits, Options) {
   for (const double bad : {-0.5, std::numeric_limits<double>::infinity(), std::nan("")}) {
     Options options;
     options.tolerance = bad;
-    EXPECT_EQ(refusalOf(mapXml(""), options), "maps/test.tmx: Options::tolerance should be 0 or more") << bad;
+    EXPECT_EQ(refusalOf(mapXml(""), options), "maps/test.tmx: the tolerance should be 0 or more (Options::tolerance)")
+        << bad;
   }
 }
 

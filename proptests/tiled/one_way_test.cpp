@@ -114,7 +114,8 @@ TEST(TiledOneWay, ThinnerThanTheToleranceItStaysAsDrawn) {
 
 TEST(TiledOneWay, TheThicknessIsANumberFromNothingOn) {
   for (const double bad : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-    EXPECT_EQ(refusalOf(mapXml(""), thick(bad)), "maps/test.tmx: Options::polylineThickness should be 0 or more");
+    EXPECT_EQ(refusalOf(mapXml(""), thick(bad)),
+              "maps/test.tmx: the thickness of polylines should be 0 or more (Options::polylineThickness)");
   }
 }
 

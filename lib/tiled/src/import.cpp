@@ -112,10 +112,10 @@ void Import::readHead() {
     return file_.fail(root, "the map is " + std::string(orientation) + ": only orthogonal maps have square cells");
   }
   if (!(options_.tolerance >= 0 && std::isfinite(options_.tolerance))) {
-    return file_.fail({}, "Options::tolerance should be 0 or more");
+    return file_.fail({}, "the tolerance should be 0 or more", "tolerance");
   }
   if (!(options_.polylineThickness >= 0 && std::isfinite(options_.polylineThickness))) {
-    return file_.fail({}, "Options::polylineThickness should be 0 or more");
+    return file_.fail({}, "the thickness of polylines should be 0 or more", "polylineThickness");
   }
   Report& report = map_.report;
   report.width = static_cast<int>(file_.integer(root, "width", 0, 0, kMaxSide));
@@ -146,7 +146,7 @@ void Import::readObjects(const Layer& layer, std::uint32_t index) {
     asked_.see(shape.object);
     const Placer::Entry entry{0, blockOf(shape.object.className, index), kNoTile, shape.object.id, index};
     if (painter_.paint(shape, grid_, entry, map_.report.layers[index])) continue;
-    return file_.fail(layer.node, "its objects are larger than the limit (Options::maxPlacements)");
+    return file_.fail(layer.node, "its objects are larger than the limit", "maxPlacements");
   }
 }
 
@@ -169,7 +169,7 @@ void Import::placeObjects() {
 
 bool Import::spend(std::size_t placements) {
   const bool enough = placements <= placementsLeft_;
-  if (!enough) file_.fail(file_.root(), "the map has more polygons than the limit (Options::maxPlacements)");
+  if (!enough) file_.fail(file_.root(), "the map has more polygons than the limit", "maxPlacements");
   placementsLeft_ -= enough ? placements : 0;
   return enough;
 }

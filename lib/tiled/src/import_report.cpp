@@ -200,6 +200,7 @@ std::string message(const ImportError& error) {
   out += ": ";
   if (!error.element.empty()) out += error.element + " ";
   out += error.what;
+  if (!error.option.empty()) out += " (Options::" + error.option + ")";
   makePlain(out);
   return out;
 }

@@ -138,7 +138,7 @@ void readRect(const XmlFile& file, pugi::xml_node data, const TileRect& rect, st
               const TileSink& sink) {
   if (file.failed()) return;
   const auto count = static_cast<std::uint64_t>(rect.width * rect.height);
-  if (count > budget) return file.fail(rect.node, "the map has more tiles than the limit (Options::maxTiles)");
+  if (count > budget) return file.fail(rect.node, "the map has more tiles than the limit", "maxTiles");
   budget -= static_cast<std::size_t>(count);
   if (count == 0) return;
   const auto gids = decode(file, data, rect);
