@@ -19,8 +19,7 @@ double gridOf(const XmlFile& file, const std::vector<Layer>& layers) {
   if (other != layers.end()) {
     file.fail(other->node,
               "has a grid of " + side(*other) + " px, and " + first->path + " one of " + side(*first) +
-                  " px. One cell of the grid becomes one cell of the world, so choose layers that have "
-                  "one grid",
+                  " px. One cell of the grid becomes one cell of the world, so choose layers that have one grid",
               "layers");
   }
   const pugi::xml_node node = first == layers.end() ? file.root() : first->node;
