@@ -59,8 +59,9 @@ class Lister {
     path += (path.empty() ? "" : "/") + std::string(node.attribute("name").value());
   }
 
-  static bool scrollsApart(pugi::xml_node node) {
-    return node.attribute("parallaxx").as_double(1) != 1 || node.attribute("parallaxy").as_double(1) != 1;
+  bool scrollsApart(pugi::xml_node node) const {
+    const auto isOther = [&](const char* factor) { return node.attribute(factor) && file_.real(node, factor) != 1; };
+    return isOther("parallaxx") || isOther("parallaxy");
   }
 
   void add(LayerKind kind, const Parent& self) {

@@ -111,7 +111,8 @@ struct Options {
   bool solidWithoutShapes = false;  ///< a tile without any collision object is a full square (true) or empty (false)
 
   /// Properties, "NAME" or "NAME=VALUE". A tile without any collision object is a full square if it or its layer has
-  /// one of them. "NAME" alone takes any value that is not empty, "false" or "0".
+  /// one of them. "NAME" alone takes any value that is not empty, "false" or "0". The report names those that no
+  /// tile and no tile layer has.
   std::vector<std::string> solidIf;
 
   BlockFrom blockFrom = BlockFrom::one;
