@@ -1,5 +1,6 @@
 #include "cli/command.h"
 
+#include "cli/import_options.h"
 #include "cli/imported.h"
 #include "oracle/trace/file.h"
 
@@ -77,7 +78,7 @@ bool isMap(const std::string& path) {
 tl::expected<oracle::Trace, std::string> readWorld(const std::string& path) {
   if (isMap(path)) {
     const auto map = tiled::importMap(path);
-    if (!map) return tl::unexpected(tiled::message(map.error()));
+    if (!map) return tl::unexpected(complaint(map.error(), "lgs import "));
     return traceOf(*map);
   }
   if (path.ends_with(".lgs")) return readSaved(path);

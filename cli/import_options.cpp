@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <utility>
 
 namespace lgs::cli {
 namespace {
@@ -136,10 +137,21 @@ std::string importArguments(const CLI::App& command, std::span<const std::string
   return text;
 }
 
+std::string complaint(tiled::ImportError error, const std::string& before) {
+  const std::string field = std::exchange(error.option, {});
+  const std::string text = tiled::message(error);
+  if (field.empty()) return text;
+  const char* const option = field == "layers"              ? "--layer"
+                             : field == "tolerance"         ? "--tolerance"
+                             : field == "polylineThickness" ? "--polyline-thickness"
+                                                            : nullptr;
+  return text + (option ? " (" + before + option + ")" : "; no option of lgs changes it");
+}
+
 tl::expected<oracle::Trace, std::string> readMap(const std::string& path, const tiled::Options& options,
                                                  const std::string& command) {
   const auto map = tiled::importMap(path, options);
-  if (!map) return tl::unexpected(tiled::message(map.error()));
+  if (!map) return tl::unexpected(complaint(map.error()));
   if (map->placements.empty()) {
     tiled::Report shown = map->report;
     shown.suggestions.clear();  // the hints have them

@@ -243,9 +243,31 @@ TEST_F(Command, AMapWithNothingSolidIsRefusedWithWhatCouldBeTaken) {
   expect("import m.tmx -o m.trace --allow-empty", 0, "0 polygons");
   EXPECT_TRUE(fs::exists(folder_ / "m.trace"));
   expect("check --map m.tmx --edits 9", 2, "    lgs check --map m.tmx --objects 'My boxes'");
+  expect("import m.tmx --solid-if Solids", 2,
+         "note: no tile and no tile layer has a property 'Solids'; there is 'solid'");
   // A hint keeps what was asked for; but not what would take away again what it adds.
   expect("import m.tmx --layer l --visible --no-objects", 2, "    lgs import m.tmx --layer l --solid-if solid\n");
   expect("check --map m.tmx --block class", 2, "    lgs check --map m.tmx --block class --solid-if solid\n");
+}
+
+TEST_F(Command, ErrorsOfTheImportNameOptionsOfTheCommand) {
+  put("m.tmx", kNothingSolid);
+  expect("import m.tmx --tolerance nan", 2, "m.tmx: the tolerance should be 0 or more (--tolerance)\n");
+  expect("check --map m.tmx --polyline-thickness nan", 2, "should be 0 or more (--polyline-thickness)\n");
+  put("big.tmx",
+      "<map width='9' height='9' tilewidth='16' tileheight='16'><layer name='l' width='5000' height='5000'>"
+      "<data encoding='csv'/></layer></map>");
+  const std::string tooBig = "big.tmx:1: <data> the map has more tiles than the limit; no option of lgs changes it\n";
+  for (const std::string command : {"import", "check --map", "replay"}) expect(command + " big.tmx", 2, tooBig);
+  const std::string worlds = R"({"identifier":"A", "worldLayout":"Free", "levels":[{"identifier":"L", "worldX":0,)"
+                             R"( "worldY":0, "layerInstances":[{"__type":"IntGrid", "__identifier":"G", "__gridSize":)"
+                             R"(16, "__cWid":1, "__cHei":1, "layerDefUid":1, "intGridCsv":[1]}]}]})";
+  std::string other = worlds;
+  other.replace(other.find('A'), 1, "B");
+  put("m.ldtk", R"({"jsonVersion":"1.5.3", "worlds":[)" + worlds + "," + other + "]}");
+  expect("import m.ldtk", 2, "which lie over each other: choose one of A, B (--layer)\n");
+  expect("replay m.ldtk", 2, "which lie over each other: choose one of A, B (lgs import --layer)\n");
+  expect("import m.ldtk --layer A", 0, "1 polygon");
 }
 
 TEST_F(Command, AMapIsKnownByItsContentToo) {

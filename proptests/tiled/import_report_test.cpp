@@ -126,10 +126,11 @@ TEST(TiledReport, TilesWithoutShapesAreNamedUpToTwelve) {
 }
 
 TEST(TiledReport, MessagesOfErrors) {
-  EXPECT_EQ(message(ImportError{"a.tmx", 12, "<layer> 'L'", "has no <data>"}), "a.tmx:12: <layer> 'L' has no <data>");
-  EXPECT_EQ(message(ImportError{"a.tmx", 0, "", "cannot be read"}), "a.tmx: cannot be read");
-  EXPECT_EQ(message(ImportError{"", 0, "", "is wrong"}), "the map: is wrong");
-  EXPECT_EQ(message(ImportError{"", 3, "<map>", "is wrong"}), "the map:3: <map> is wrong");
+  EXPECT_EQ(message({"a.tmx", 12, "<layer> 'L'", "has no <data>", ""}), "a.tmx:12: <layer> 'L' has no <data>");
+  EXPECT_EQ(message({"a.tmx", 0, "", "cannot be read", ""}), "a.tmx: cannot be read");
+  EXPECT_EQ(message({"", 0, "", "is wrong", ""}), "the map: is wrong");
+  EXPECT_EQ(message({"", 3, "<map>", "is wrong", ""}), "the map:3: <map> is wrong");
+  EXPECT_EQ(message({"a.tmx", 0, "", "is too large", "maxTiles"}), "a.tmx: is too large (Options::maxTiles)");
 }
 
 /// A map in which something of every kind happens, and the report about it.

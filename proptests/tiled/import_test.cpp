@@ -243,7 +243,7 @@ TEST(TiledBlocks, AreFoundByName) {
   Options options;
   options.blocks = {{"lava", 5}};
   EXPECT_EQ(import("1,2", options).block("lava"), std::nullopt) << "all are of one block";
-  EXPECT_TRUE(import("1,2", options).report.notes.empty());
+  EXPECT_EQ(import("1,2", options).report.notes.size(), 1U) << "that the number is not used";
 
   options.blockFrom = BlockFrom::tileClass;
   for (const char* tiles : {"1,2", "2,1"}) {  // whichever comes first
@@ -257,7 +257,8 @@ TEST(TiledBlocks, AreFoundByName) {
   EXPECT_EQ(
       import("1,2", options).report.notes,
       (std::vector<std::string>{"blocks are numbered in the order of their first use: ice, (no class). An edit of "
-                                "the map may change the numbers. Choose them, or look them up by name"}));
+                                "the map may change the numbers. Choose them, or look them up by name",
+                                "the number of 'lava' is not used: no tile, object or object layer has this class"}));
   options.blocks = {{"", 2}, {"ice", 7}};
   EXPECT_EQ(import("1,2", options).block("ice"), 7U);
   EXPECT_TRUE(import("1,2", options).report.notes.empty()) << "all numbers were chosen";

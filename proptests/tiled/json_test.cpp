@@ -220,6 +220,34 @@ TEST(TiledJson, ErrorsNameThePlace) {
   for (const auto& [json, expected] : cases) EXPECT_EQ(refusalOf(json), "maps/test.tmx" + expected) << json;
 }
 
+TEST(TiledJson, ANumberOfAnotherTypeIsNamed) {
+  const auto withoutNumber = [](const std::string& value) {
+    const std::string should = " should be a number";
+    const auto objects = [&](const std::string& content) {
+      return mapJson(R"("layers":[{"type":"objectgroup", "name":"Walls", "objects":[{)" + content + "}]}]");
+    };
+    const std::string object = ": layers/0/objects/0/", set = R"("tilesets":[{"firstgid":1, "tilewidth":8, )";
+    const std::vector<std::pair<std::string, std::string>> cases{
+        {R"({"type":"map", "tilewidth":)" + value + R"(, "tileheight":8})", ": tilewidth" + should},
+        {objects("\"gid\":" + value), object + "gid" + should},
+        {objects("\"x\":" + value), object + "x" + should},
+        {objects("\"rotation\":" + value), object + "rotation" + should},
+        {mapJson(set + "\"tileheight\":8, \"tileoffset\":{\"y\":" + value + "}}]"),
+         ": tilesets/0/tileoffset/y" + should},
+        {mapJson(set + "\"tileheight\":8, \"image\":\"i\", \"imagewidth\":" + value + "}]"),
+         ": tilesets/0/imagewidth" + should},
+        {mapJson("\"layers\":[{\"type\":\"group\", \"offsety\":" + value + "}]"), ": layers/0/offsety" + should},
+        {mapJson("\"layers\":[{\"type\":\"group\", \"parallaxx\":" + value + "}]"), ": layers/0/parallaxx" + should}};
+    for (const auto& [json, expected] : cases) EXPECT_EQ(refusalOf(json), "maps/test.tmx" + expected) << json;
+    EXPECT_EQ(refusalOf(objects("\"width\":8, \"height\":8, \"note\":" + value)), "accepted") << "nobody reads it";
+  };
+  for (const char* value : {"[]", "[8]", "{}", "true", "false"}) withoutNumber(value);
+  EXPECT_EQ(refusalOf(R"({"type":"map", "tilewidth":"x", "tileheight":8})"),
+            "maps/test.tmx: <map> tilewidth='x' should be a whole number from 1 to 65536");
+  EXPECT_EQ(refusalOf(mapJson(R"("layers":[{"type":"group", "name":"G", "parallaxy":"x"}])")),
+            "maps/test.tmx: layers/0 'G' parallaxy='x' should be a finite number");
+}
+
 TEST(TiledJson, HugeNumbersAndDeepNesting) {
   const auto nested = [](std::size_t depth) {
     const std::string layer = R"({"type":"group", "layers":[)", end = "]}";

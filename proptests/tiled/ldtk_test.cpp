@@ -202,7 +202,7 @@ TEST(TiledLdtk, OneGridAtATime) {
   EXPECT_EQ(
       refusalOf(text),
       "maps/test.tmx: levels/0/layerInstances/0 'Fine' has a grid of 4 px, and A/Solid one of 8 px. One cell of the "
-      "grid becomes one cell of the world, so choose layers that have one grid (--layer, Options::layers)");
+      "grid becomes one cell of the world, so choose layers that have one grid (Options::layers)");
   Options options;
   options.layers = {"Fine"};
   const auto chosen = mustImportProject(text, options);
@@ -221,8 +221,8 @@ TEST(TiledLdtk, OneWorldAtATime) {
   EXPECT_EQ(cellsOf(mustImportProject(with(named("Sky")))), (std::vector<Cell>{{1, -1}}));
   const std::string both = with(named("Sky") + "," + named("Sea"));
   EXPECT_EQ(refusalOf(both),
-            "maps/test.tmx: <map> has several worlds, which lie over each other: choose one (--layer, "
-            "Options::layers): Sea, Sky");
+            "maps/test.tmx: <map> has several worlds, which lie over each other: choose one of Sea, Sky "
+            "(Options::layers)");
   Options options;
   options.layers = {"Sky"};
   EXPECT_EQ(cellsOf(mustImportProject(both, options)), (std::vector<Cell>{{1, -1}}));

@@ -123,7 +123,7 @@ TEST(TiledObjectLayers, TheyCanBeChosen) {
   EXPECT_EQ(cells({{"A"}}, {"Ground"}), (Cells{{0, -1}, {1, -1}}));
   Options options;
   options.objects = {"Ground"};
-  EXPECT_EQ(refusalOf(mapXml(content), options), "maps/test.tmx:2: <map> has no object layer or group 'Ground'");
+  EXPECT_EQ(refusalOf(mapXml(content), options), "maps/test.tmx: 'Ground' is a tile layer: --layer Ground");
 }
 
 TEST(TiledObjectLayers, WhatComesFirstStays) {
@@ -267,6 +267,58 @@ TEST(TiledObjectLayers, TheReportTellsAllOfThem) {
             "Left out or cut off:\n"
             "  layer Walls\n"
             "    objects 3, 4: a point has no area\n");
+}
+
+TEST(TiledObjectLayers, ANoteOfSeveralIsInThePlural) {
+  const auto noteOf = [](const LayerReport& layer) {
+    Report report;
+    report.layers = {layer};
+    const std::string text = toText(report);
+    const std::size_t begin = text.find("    object");
+    return text.substr(begin, text.size() - 1 - begin);
+  };
+  const std::pair<std::string, std::string> notes[] = {
+      {"it has no area: its width or height is 0", "they have no area: their width or height is 0"},
+      {"it has no area: what its outline goes around twice is not solid",
+       "they have no area: what their outlines go around twice is not solid"},
+      {"it is hidden", "they are hidden"},
+      {"is hidden, and counts all the same; --visible leaves it out",
+       "are hidden, and count all the same; --visible leaves them out"},
+      {"its tile belongs to no tileset", "their tiles belong to no tileset"},
+      {"its tile has no collision shapes", "their tiles have no collision shapes"},
+      {"its outline crosses itself more than 1024 times", "their outlines cross themselves more than 1024 times"},
+      {"its template it is its tile has no <object>", "their template it is its tile has no <object>"},
+      {"stays as drawn: snapping by up to 1 px would press sides of it together",
+       "stay as drawn: snapping by up to 1 px would press sides of them together"},
+      {"lies on what is there already", "lie on what is there already"},
+      {"crosses what is there already", "cross what is there already"},
+      {"objects before it cover all of it", "objects before them cover all of them"},
+      {"a point has no area", "a point has no area"}};
+  for (const auto& [one, several] : notes) {
+    const Note two{NoteKind::leftOut, 2, 0, 0, {}, one}, four{NoteKind::leftOut, 4, 0, 0, {}, one};
+    EXPECT_EQ(noteOf({"W", true, 0, "", LayerKind::objects, 2, {two}}), "    object 2: " + one);
+    EXPECT_EQ(noteOf({"W", true, 0, "", LayerKind::objects, 2, {two, four}}), "    objects 2, 4: " + several);
+  }
+  const auto map = mustImport(objectLayer(rectangle(0, 0, 9, 0, "id='2'") + rectangle(0, 0, 0, 9, "id='4'")));
+  EXPECT_NE(toText(map.report).find("objects 2, 4: they have no area: their width or height is 0\n"),
+            std::string::npos);
+}
+
+TEST(TiledObjectLayers, ALayerOfTheOtherKindIsNamedWithItsOption) {
+  const std::string content = csvLayer(1, 1, "0") + "<group name='G'>" + objectLayer("", "name='Boxes'") + "</group>";
+  for (const char* name : {"Boxes", "G/Boxes"}) {
+    Options options;
+    options.layers = {name};
+    const std::string text = name;
+    EXPECT_EQ(refusalOf(mapXml(content), options),
+              "maps/test.tmx: '" + text + "' is an object layer: --objects " + text);
+  }
+  Options options;
+  options.objects = {{"Ground"}};
+  EXPECT_EQ(refusalOf(mapXml(content), options), "maps/test.tmx: 'Ground' is a tile layer: --layer Ground");
+  options.objects = {{"Boxes"}};
+  options.layers = {"G"};
+  EXPECT_EQ(refusalOf(mapXml(content), options), "accepted");
 }
 
 TEST(TiledObjectLayers, TheProjectsOwnCave) {

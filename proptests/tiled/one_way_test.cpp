@@ -44,7 +44,8 @@ TEST(TiledOneWay, NeighbouringPiecesHaveNoSeam) {
 TEST(TiledOneWay, OnlyOnRequestAndTheReportSaysHow) {
   const std::string how =
       "an open polyline has no area: as it is one-way, --polyline-thickness PIXELS makes a thin polygon";
-  const std::string plain = "an open polyline has no area: close it, or draw a polygon instead";
+  const std::string say =
+      "an open polyline has no area: close it, or give it the class one-way, and it becomes a thin polygon";
   for (const auto& map : {importTile(polyline("0,0 32,0")), mustImport(wallsOf(polyline("0,0 32,0")))}) {
     EXPECT_TRUE(map.placements.empty());
     EXPECT_EQ(noteTexts(map), std::vector<std::string>{how});
@@ -52,8 +53,11 @@ TEST(TiledOneWay, OnlyOnRequestAndTheReportSaysHow) {
   for (const auto& map : {importTile(polyline("0,0 32,0", "class='rope'"), thick(4)),
                           mustImport(wallsOf(polyline("0,0 32,0", "")), thick(4))}) {
     EXPECT_TRUE(map.placements.empty());
-    EXPECT_EQ(noteTexts(map), std::vector<std::string>{plain});
+    EXPECT_EQ(noteTexts(map), std::vector<std::string>{say});
   }
+  const std::string plain = "an open polyline has no area: close it, or draw a polygon instead";
+  EXPECT_EQ(noteTexts(importTile(polyline("0,0 32,0", ""))), std::vector<std::string>{plain});
+  EXPECT_EQ(noteTexts(importTile(polyline("0,0 0,32", ""), thick(4))), std::vector<std::string>{plain});
 }
 
 TEST(TiledOneWay, WhatSaysSo) {
@@ -96,12 +100,13 @@ TEST(TiledOneWay, WhatSaysSo) {
 
 TEST(TiledOneWay, OnlyFromLeftToRight) {
   for (const char* points : {"0,0 0,20", "0,0 8,0 8,8 16,8", "0,0 20,0 16,4", "0,0"}) {
-    for (const auto& map : {importTile(polyline(points), thick(4)), mustImport(wallsOf(polyline(points)), thick(4))}) {
+    for (const auto& map : {importTile(polyline(points), thick(4)), mustImport(wallsOf(polyline(points)), thick(4)),
+                            importTile(polyline(points))}) {  // a thickness would not help
       EXPECT_TRUE(map.placements.empty()) << points;
       EXPECT_EQ(
           noteTexts(map),
-          std::vector<std::string>{"only a polyline that runs from left to right, nowhere upright, can become a thin "
-                                   "polygon"})
+          std::vector<std::string>{"an open polyline has no area: close it, or let it run from left to right, nowhere "
+                                   "upright, for a thin polygon"})
           << points;
     }
   }
@@ -114,7 +119,8 @@ TEST(TiledOneWay, ThinnerThanTheToleranceItStaysAsDrawn) {
 
 TEST(TiledOneWay, TheThicknessIsANumberFromNothingOn) {
   for (const double bad : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-    EXPECT_EQ(refusalOf(mapXml(""), thick(bad)), "maps/test.tmx: Options::polylineThickness should be 0 or more");
+    EXPECT_EQ(refusalOf(mapXml(""), thick(bad)),
+              "maps/test.tmx: the thickness of polylines should be 0 or more (Options::polylineThickness)");
   }
 }
 

@@ -63,14 +63,16 @@ void merge(pugi::xml_node instance, pugi::xml_node origin, pugi::xml_document& m
   for (const auto property : instance.child("properties").children()) properties.append_copy(property);
 }
 
+/// Lets an open polyline run from left to right. Returns whether it does, and is nowhere upright.
+bool runsAcross(std::vector<DoublePoint>& points) {
+  if (points.size() > 1 && points.front().x > points.back().x) std::reverse(points.begin(), points.end());
+  const auto turnsBack = [](DoublePoint a, DoublePoint b) { return a.x >= b.x; };
+  return points.size() > 1 && std::adjacent_find(points.begin(), points.end(), turnsBack) == points.end();
+}
+
 /// An open polyline becomes what lies up to so many pixels below it.
 void thicken(CollisionObject& object, double thickness) {
   std::vector<DoublePoint>& points = object.points;
-  if (points.size() > 1 && points.front().x > points.back().x) std::reverse(points.begin(), points.end());
-  const auto turnsBack = [](DoublePoint a, DoublePoint b) { return a.x >= b.x; };
-  if (points.size() < 2 || std::adjacent_find(points.begin(), points.end(), turnsBack) != points.end()) {
-    return leaveOut(object, "only a polyline that runs from left to right, nowhere upright, can become a thin polygon");
-  }
   object.kind = Kind::polygon;
   object.thickness = thickness;
   for (std::size_t k = points.size(); k-- > 0;) points.push_back({points[k].x, points[k].y + thickness});
@@ -111,18 +113,34 @@ CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint
   return object;
 }
 
+namespace {
+
+/// An open polyline is left out, with what would help; or it becomes a thin polygon.
+void settlePolyline(CollisionObject& object, double thickness) {
+  const std::string noArea = "an open polyline has no area: ";
+  const bool isAcross = runsAcross(object.points);
+  if (!object.oneWay && isAcross && thickness > 0) {
+    leaveOut(object, noArea + "close it, or give it the class one-way, and it becomes a thin polygon");
+  } else if (!object.oneWay) {
+    leaveOut(object, noArea + "close it, or draw a polygon instead");
+  } else if (!isAcross) {
+    leaveOut(object, noArea + "close it, or let it run from left to right, nowhere upright, for a thin polygon");
+  } else if (thickness == 0) {
+    leaveOut(object, noArea + "as it is one-way, --polyline-thickness PIXELS makes a thin polygon");
+  } else {
+    thicken(object, thickness);
+  }
+}
+
+}  // namespace
+
 CollisionObject asAsked(CollisionObject object, const Options& options) {
   if (options.blockFrom == BlockFrom::name && !object.name.empty()) object.className = object.name;
   if (object.kind == Kind::unsupported) return object;
   if (object.hidden && options.visibleOnly) {
     leaveOut(object, "it is hidden");
-  } else if (object.kind == Kind::polyline && !object.oneWay) {
-    leaveOut(object, "an open polyline has no area: close it, or draw a polygon instead");
-  } else if (object.kind == Kind::polyline && options.polylineThickness == 0) {
-    leaveOut(object,
-             "an open polyline has no area: as it is one-way, --polyline-thickness PIXELS makes a thin polygon");
   } else if (object.kind == Kind::polyline) {
-    thicken(object, options.polylineThickness);
+    settlePolyline(object, options.polylineThickness);
   }
   return object;
 }

@@ -26,6 +26,7 @@ class Import {
         reader_(job.reader),
         place_(place),
         names_(job.names),
+        asked_(job.asked),
         error_(error),
         file_(file),
         templates_(reader_),
@@ -82,6 +83,7 @@ class Import {
   const FileReader& reader_;
   const MapPlace& place_;
   LayerNames& names_;
+  AskedNames& asked_;
   std::optional<ImportError>& error_;
   const XmlFile& file_;
   Templates templates_;
@@ -110,10 +112,10 @@ void Import::readHead() {
     return file_.fail(root, "the map is " + std::string(orientation) + ": only orthogonal maps have square cells");
   }
   if (!(options_.tolerance >= 0 && std::isfinite(options_.tolerance))) {
-    return file_.fail({}, "Options::tolerance should be 0 or more");
+    return file_.fail({}, "the tolerance should be 0 or more", "tolerance");
   }
   if (!(options_.polylineThickness >= 0 && std::isfinite(options_.polylineThickness))) {
-    return file_.fail({}, "Options::polylineThickness should be 0 or more");
+    return file_.fail({}, "the thickness of polylines should be 0 or more", "polylineThickness");
   }
   Report& report = map_.report;
   report.width = static_cast<int>(file_.integer(root, "width", 0, 0, kMaxSide));
@@ -132,6 +134,7 @@ void Import::readLayers() {
     const auto index = static_cast<std::uint32_t>(map_.report.layers.size());
     LayerReport& report = map_.report.layers.emplace_back();
     report = {layer.path, layer.wanted, 0, layer.remark, layer.kind};
+    asked_.see(layer);
     for (const auto node : layer.node.children("object")) report.objects += !node.empty();
     if (!layer.wanted || failed()) continue;
     layer.kind == LayerKind::objects ? readObjects(layer, index) : readLayer(layer, index);
@@ -140,9 +143,10 @@ void Import::readLayers() {
 
 void Import::readObjects(const Layer& layer, std::uint32_t index) {
   for (const MapShape& shape : objects_.read(layer)) {
+    asked_.see(shape.object);
     const Placer::Entry entry{0, blockOf(shape.object.className, index), kNoTile, shape.object.id, index};
     if (painter_.paint(shape, grid_, entry, map_.report.layers[index])) continue;
-    return file_.fail(layer.node, "its objects are larger than the limit (Options::maxPlacements)");
+    return file_.fail(layer.node, "its objects are larger than the limit", "maxPlacements");
   }
 }
 
@@ -165,7 +169,7 @@ void Import::placeObjects() {
 
 bool Import::spend(std::size_t placements) {
   const bool enough = placements <= placementsLeft_;
-  if (!enough) file_.fail(file_.root(), "the map has more polygons than the limit (Options::maxPlacements)");
+  if (!enough) file_.fail(file_.root(), "the map has more polygons than the limit", "maxPlacements");
   placementsLeft_ -= enough ? placements : 0;
   return enough;
 }
@@ -272,6 +276,8 @@ std::uint32_t Import::reportOf(const Tileset& tileset, std::uint32_t number) {
 
 void Import::finishReport() {
   placer_.finish(map_);
+  for (const Tileset& tileset : tilesets_.all()) asked_.see(tileset);
+  for (const auto& [origin, tileset] : objects_.tilesetsOfTemplates()) asked_.see(tileset);
   Report& report = map_.report;
   if (strayTiles_ > 0) report.notes.push_back(std::to_string(strayTiles_) + " tiles belong to no tileset of the map");
   const auto sort = [](std::vector<Note>& notes) {

@@ -27,6 +27,7 @@ tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const 
   job.names.checkAll(file);
   if (error) return tl::unexpected(std::move(*error));
   map->report.notes.insert(map->report.notes.begin(), notes.begin(), notes.end());
+  for (std::string& note : job.asked.notes()) map->report.notes.push_back(std::move(note));
   return map;
 }
 

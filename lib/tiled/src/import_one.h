@@ -1,7 +1,7 @@
 // The import of one map, by itself or as a part of a world.
 #pragma once
 
-#include "layers.h"
+#include "asked_names.h"
 
 namespace lgs::tiled {
 
@@ -10,6 +10,7 @@ struct ImportJob {
   Options options;
   const FileReader& reader;
   LayerNames names = LayerNames(options);
+  AskedNames asked = AskedNames(options);
   std::size_t tilesLeft = options.maxTiles;            ///< how many may still be read
   std::size_t placementsLeft = options.maxPlacements;  ///< likewise
 };

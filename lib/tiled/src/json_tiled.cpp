@@ -10,6 +10,16 @@ bool isOneOf(std::string_view name, std::initializer_list<std::string_view> name
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// Whether what reads maps takes the value of this key for a number.
+bool isNumeric(std::string_view key) {
+  return isOneOf(key,
+                 {"x", "y", "width", "height", "rotation", "offsetx", "offsety", "parallaxx", "parallaxy", "id", "gid",
+                  "firstgid", "tilewidth", "tileheight", "tilecount", "imagewidth", "imageheight", "startx", "starty"});
+}
+
+/// Other values would count as if they were missing, or as 1. A text is read later.
+bool canBeNumber(const Json& value) { return value.is_null() || value.is_number() || value.is_string(); }
+
 /// Goes through a document. For each function `from` is an object, and `to` the element that is made of it.
 class TiledJson {
  public:
@@ -52,8 +62,9 @@ class TiledJson {
 
  private:
   /// All scalars, as attributes of the same name.
-  static void attributes(const JsonPlace& from, pugi::xml_node to, std::initializer_list<std::string_view> butNot) {
+  void attributes(const JsonPlace& from, pugi::xml_node to, std::initializer_list<std::string_view> butNot) const {
     for (const auto& [key, value] : from.value->items()) {
+      if (isNumeric(key) && !canBeNumber(value)) reading_.fail(from[key.c_str()], "should be a number");
       if (isOneOf(key, butNot)) continue;
       if (const auto text = scalarText(value, "1", "0")) setAttribute(to, key.c_str(), *text);
     }

@@ -39,6 +39,8 @@ class Lister {
       self.layer.offset.x += file_.real(child, "offsetx");
       self.layer.offset.y += file_.real(child, "offsety");
       if (group || tiles) self.layer.wanted = names_.fitTiles(self.layer) || self.layer.wanted;
+      if (tiles) names_.isTiles(self.layer);
+      if (objects) names_.isObjects(self.layer);
       if (group || objects) self.objectsWanted = names_.fitObjects(self.layer) || self.objectsWanted;
       if (!group) {
         add(tiles ? LayerKind::tiles : objects ? LayerKind::objects : LayerKind::image, self);
@@ -57,8 +59,9 @@ class Lister {
     path += (path.empty() ? "" : "/") + std::string(node.attribute("name").value());
   }
 
-  static bool scrollsApart(pugi::xml_node node) {
-    return node.attribute("parallaxx").as_double(1) != 1 || node.attribute("parallaxy").as_double(1) != 1;
+  bool scrollsApart(pugi::xml_node node) const {
+    const auto isOther = [&](const char* factor) { return node.attribute(factor) && file_.real(node, factor) != 1; };
+    return isOther("parallaxx") || isOther("parallaxy");
   }
 
   void add(LayerKind kind, const Parent& self) {
@@ -138,7 +141,7 @@ void readRect(const XmlFile& file, pugi::xml_node data, const TileRect& rect, st
               const TileSink& sink) {
   if (file.failed()) return;
   const auto count = static_cast<std::uint64_t>(rect.width * rect.height);
-  if (count > budget) return file.fail(rect.node, "the map has more tiles than the limit (Options::maxTiles)");
+  if (count > budget) return file.fail(rect.node, "the map has more tiles than the limit", "maxTiles");
   budget -= static_cast<std::size_t>(count);
   if (count == 0) return;
   const auto gids = decode(file, data, rect);
@@ -154,25 +157,26 @@ void readRect(const XmlFile& file, pugi::xml_node data, const TileRect& rect, st
 LayerNames::LayerNames(const Options& options)
     : tiles_{options.layers}, objects_{options.objects.value_or(std::vector<std::string>{})} {}
 
-bool LayerNames::List::fit(const Layer& layer) {
+bool LayerNames::List::mark(const Layer& layer, std::vector<bool>& marks) const {
   const std::string_view name = layer.node ? layer.node.attribute("name").value() : std::string_view(layer.path);
   bool any = false;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i] != name && names[i] != layer.path && names[i] != layer.pathInMap) continue;
-    found[i] = any = true;
+    marks[i] = any = true;
   }
   return any;
 }
 
-void LayerNames::List::checkAll(const XmlFile& file, const char* kind) const {
+void LayerNames::List::checkAll(const XmlFile& file, const char* kind, const char* other) const {
   for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!found[i] && isOther[i]) file.fail({}, "'" + names[i] + "' is " + other + names[i]);
     if (!found[i]) file.fail(file.root(), std::string("has no ") + kind + " layer or group '" + names[i] + "'");
   }
 }
 
 void LayerNames::checkAll(const XmlFile& file) const {
-  tiles_.checkAll(file, "tile");
-  objects_.checkAll(file, "object");
+  tiles_.checkAll(file, "tile", "an object layer: --objects ");
+  objects_.checkAll(file, "object", "a tile layer: --layer ");
 }
 
 std::vector<Layer> listLayers(const XmlFile& file, const Options& options, const MapPlace& place, LayerNames& names) {

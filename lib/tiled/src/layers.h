@@ -38,6 +38,10 @@ class LayerNames {
   bool fitTiles(const Layer& layer) { return tiles_.fit(layer); }
   bool fitObjects(const Layer& layer) { return objects_.fit(layer); }
 
+  /// A layer of the other kind, which the error for a name names.
+  void isTiles(const Layer& layer) { objects_.see(layer); }
+  void isObjects(const Layer& layer) { tiles_.see(layer); }
+
   /// If a name fits no layer of all that were listed, the file keeps an error.
   void checkAll(const XmlFile& file) const;
 
@@ -45,9 +49,12 @@ class LayerNames {
   struct List {
     std::vector<std::string> names;
     std::vector<bool> found = std::vector<bool>(names.size(), false);
+    std::vector<bool> isOther = std::vector<bool>(names.size(), false);  // it is that of a layer of the other kind
 
-    bool fit(const Layer& layer);
-    void checkAll(const XmlFile& file, const char* kind) const;
+    bool fit(const Layer& layer) { return mark(layer, found); }
+    void see(const Layer& layer) { mark(layer, isOther); }
+    bool mark(const Layer& layer, std::vector<bool>& marks) const;
+    void checkAll(const XmlFile& file, const char* kind, const char* other) const;
   };
 
   List tiles_;

@@ -21,6 +21,9 @@ class MapObjects {
   /// All shapes of an object layer, in the file's order.
   std::vector<MapShape> read(const Layer& layer);
 
+  /// The tilesets of templates that were read.
+  const std::map<Template*, Tileset>& tilesetsOfTemplates() const { return ofTemplates_; }
+
  private:
   void readTileObject(const CollisionObject& object, std::vector<MapShape>& shapes);
   const Tileset* tilesetOf(const CollisionObject& object);

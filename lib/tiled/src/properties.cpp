@@ -6,13 +6,6 @@
 namespace lgs::tiled {
 namespace {
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
-
 /// "One-Way", "one_way" and "oneWay" are alike.
 bool isOneWayWord(std::string_view name) {
   std::string text = lower(name);
@@ -33,12 +26,21 @@ Properties propertiesOf(pugi::xml_node node) {
   return result;
 }
 
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
 bool saysYes(std::string_view value) { return !value.empty() && value != "false" && value != "0"; }
+
+std::string propertyIn(const std::string& rule) { return rule.substr(0, rule.find('=')); }
 
 const std::string* firstFit(const std::vector<std::string>& rules, const Properties& properties) {
   for (const std::string& rule : rules) {
     const std::size_t equals = rule.find('=');
-    const auto found = properties.find(rule.substr(0, equals));
+    const auto found = properties.find(propertyIn(rule));
     if (found == properties.end()) continue;
     if (equals == std::string::npos ? saysYes(found->second) : found->second == rule.substr(equals + 1)) return &rule;
   }

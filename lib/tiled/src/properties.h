@@ -12,8 +12,14 @@ using Properties = std::map<std::string, std::string>;
 /// The custom properties of a map, layer, tile or object.
 Properties propertiesOf(pugi::xml_node node);
 
+/// Upper case letters of ASCII become lower case.
+std::string lower(std::string_view text);
+
 /// Whether a value says yes: it is not empty, and neither "false" nor "0".
 bool saysYes(std::string_view value);
+
+/// The name in a rule, "NAME" or "NAME=VALUE".
+std::string propertyIn(const std::string& rule);
 
 /// The first of some rules, "NAME" or "NAME=VALUE", that the properties fit; null if they fit none.
 const std::string* firstFit(const std::vector<std::string>& rules, const Properties& properties);

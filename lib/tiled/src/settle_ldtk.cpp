@@ -17,9 +17,10 @@ double gridOf(const XmlFile& file, const std::vector<Layer>& layers) {
   const auto other = std::find_if(first, layers.end(),
                                   [&](const Layer& layer) { return isWanted(layer) && side(layer) != side(*first); });
   if (other != layers.end()) {
-    file.fail(other->node, "has a grid of " + side(*other) + " px, and " + first->path + " one of " + side(*first) +
-                               " px. One cell of the grid becomes one cell of the world, so choose layers that have "
-                               "one grid (--layer, Options::layers)");
+    file.fail(other->node,
+              "has a grid of " + side(*other) + " px, and " + first->path + " one of " + side(*first) +
+                  " px. One cell of the grid becomes one cell of the world, so choose layers that have one grid",
+              "layers");
   }
   const pugi::xml_node node = first == layers.end() ? file.root() : first->node;
   return static_cast<double>(file.integer(node, kLdtkGridAttribute, std::nullopt, 1, kMaxPixels));
@@ -34,8 +35,7 @@ void allowOneWorld(const XmlFile& file, const std::vector<Layer>& layers) {
   if (worlds.size() < 2) return;
   std::string names;
   for (const std::string& world : worlds) names += (names.empty() ? "" : ", ") + world;
-  file.fail(file.root(),
-            "has several worlds, which lie over each other: choose one (--layer, Options::layers): " + names);
+  file.fail(file.root(), "has several worlds, which lie over each other: choose one of " + names, "layers");
 }
 
 }  // namespace

@@ -40,6 +40,8 @@ class Tilesets {
  public:
   void read(const XmlFile& map, const FileReader& reader, Templates& templates, std::optional<ImportError>& error);
 
+  const std::vector<Tileset>& all() const { return tilesets_; }
+
   /// The one that has a tile, by its number without flags; null if none has.
   const Tileset* of(std::uint32_t number) const;
 

@@ -116,8 +116,8 @@ int XmlFile::lineAt(std::ptrdiff_t offset) const {
   return static_cast<int>(next - lineStarts_.begin());
 }
 
-void XmlFile::fail(pugi::xml_node node, std::string what) const {
-  if (!failed()) error_ = ImportError{name_, line(node), describe(node), std::move(what)};
+void XmlFile::fail(pugi::xml_node node, std::string what, std::string option) const {
+  if (!failed()) error_ = ImportError{name_, line(node), describe(node), std::move(what), std::move(option)};
 }
 
 std::int64_t XmlFile::integer(pugi::xml_node node, const char* attribute, std::optional<std::int64_t> fallback,

@@ -36,8 +36,8 @@ class XmlFile {
   /// The path of a file that this one names.
   std::string pathTo(std::string named) const { return pathBeside(name_, std::move(named)); }
 
-  /// Keeps this error, if it is the first.
-  void fail(pugi::xml_node node, std::string what) const;
+  /// Keeps this error, if it is the first. `option` is the field of Options that decides.
+  void fail(pugi::xml_node node, std::string what, std::string option = {}) const;
 
   /// The value of an attribute that is a whole number from min to max. If the attribute is missing: the fallback, or an
   /// error if there is none.

@@ -111,7 +111,8 @@ struct Options {
   bool solidWithoutShapes = false;  ///< a tile without any collision object is a full square (true) or empty (false)
 
   /// Properties, "NAME" or "NAME=VALUE". A tile without any collision object is a full square if it or its layer has
-  /// one of them. "NAME" alone takes any value that is not empty, "false" or "0".
+  /// one of them. "NAME" alone takes any value that is not empty, "false" or "0". The report names those that no
+  /// tile and no tile layer has.
   std::vector<std::string> solidIf;
 
   BlockFrom blockFrom = BlockFrom::one;
@@ -147,13 +148,14 @@ struct Options {
 
 /// Why a map could not be read. If only a part is unusable, it is left out, and the report has a note instead.
 struct ImportError {
-  std::string file;     ///< the file that is to blame
-  int line = 0;         ///< from 1; 0: no line is to blame
-  std::string element;  ///< such as "<layer> 'Ground'", in JSON "layers/2 'Ground'"; may be empty
-  std::string what;     ///< what is wrong and what to do
+  std::string file;         ///< the file that is to blame
+  int line = 0;             ///< from 1; 0: no line is to blame
+  std::string element;      ///< such as "<layer> 'Ground'", in JSON "layers/2 'Ground'"; may be empty
+  std::string what;         ///< what is wrong and what to do
+  std::string option = {};  ///< the field of Options that decides, such as "maxTiles"; may be empty
 };
 
-/// "FILE:LINE: element: what is wrong"
+/// "FILE:LINE: element: what is wrong (Options::maxTiles)"
 std::string message(const ImportError& error);
 
 /// Placement::tile for a polygon from an object layer.

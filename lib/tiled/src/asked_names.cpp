@@ -1,0 +1,104 @@
+#include "asked_names.h"
+
+#include <algorithm>
+
+namespace lgs::tiled {
+namespace {
+
+/// "; there is 'collides'", or nothing. A name that differs by upper and lower case alone comes first.
+std::string similarOne(const std::string& name, const std::set<std::string>& names) {
+  const std::string* best = nullptr;
+  for (const std::string& other : names) {
+    const bool isSame = lower(other) == lower(name);
+    if (isSame || (!best && areSimilar(other, name))) best = &other;
+    if (isSame) break;
+  }
+  return best ? "; there is '" + *best + "'" : "";
+}
+
+}  // namespace
+
+AskedNames::AskedNames(const Options& options) : blockFrom_(options.blockFrom) {
+  for (const std::string& rule : options.solidIf) askedProperties_.insert(propertyIn(rule));
+  for (const auto& [name, block] : options.blocks) {
+    if (!name.empty()) askedBlocks_.insert(name);  // "" stands for no class
+  }
+}
+
+void AskedNames::see(const Tileset& tileset) {
+  for (const auto& [id, tile] : tileset.tiles) {
+    seeProperties(tile.properties);
+    seeClass(tile.className);
+    for (const CollisionObject& object : tile.objects) see(object);
+  }
+}
+
+void AskedNames::see(const Layer& layer) {
+  if (blockFrom_ == BlockFrom::layer) blocks_.insert(layer.pathInMap);
+  if (layer.kind == LayerKind::tiles) seeProperties(propertiesOf(layer.node));
+  if (layer.kind != LayerKind::objects) return;
+  seeClass(classOf(layer.node));
+  for (const auto node : layer.node.children("object")) {
+    seeClass(classOf(node));
+    seeObjectName(node.attribute("name").value());
+  }
+}
+
+void AskedNames::see(const CollisionObject& object) {
+  seeClass(object.className);
+  seeObjectName(object.name);
+}
+
+void AskedNames::seeProperties(const Properties& properties) {
+  for (const auto& [name, value] : properties) properties_.insert(name);
+}
+
+void AskedNames::seeClass(const std::string& className) {
+  if (blockFrom_ != BlockFrom::layer && !className.empty()) blocks_.insert(className);
+}
+
+void AskedNames::seeObjectName(const std::string& name) {
+  if (blockFrom_ == BlockFrom::name && !name.empty()) blocks_.insert(name);
+}
+
+std::string AskedNames::notUsed(const std::string& name) const {
+  const char* const why = blockFrom_ == BlockFrom::layer  ? "no layer has this path"
+                          : blockFrom_ == BlockFrom::name ? "no tile, object or object layer has this class or name"
+                                                          : "no tile, object or object layer has this class";
+  return "the number of '" + name + "' is not used: " + why + similarOne(name, blocks_);
+}
+
+std::vector<std::string> AskedNames::notes() const {
+  std::vector<std::string> result;
+  for (const std::string& name : askedProperties_) {
+    if (properties_.contains(name)) continue;
+    result.push_back("no tile and no tile layer has a property '" + name + "'" + similarOne(name, properties_));
+  }
+  if (blockFrom_ == BlockFrom::one) {
+    if (!askedBlocks_.empty()) {
+      result.push_back("numbers of names are not used, as all polygons get block 1: choose whose names (--block)");
+    }
+    return result;
+  }
+  for (const std::string& name : askedBlocks_) {
+    if (!blocks_.contains(name)) result.push_back(notUsed(name));
+  }
+  return result;
+}
+
+bool areSimilar(std::string_view a, std::string_view b) {
+  const std::string x = lower(a), y = lower(b);
+  const std::size_t most = std::min(x.size(), y.size());
+  std::size_t begin = 0, end = 0;  // how many letters are alike
+  while (begin < most && x[begin] == y[begin]) ++begin;
+  while (end < most - begin && x[x.size() - 1 - end] == y[y.size() - 1 - end]) ++end;
+  const std::string_view restOfX = std::string_view(x).substr(begin, x.size() - begin - end);
+  const std::string_view restOfY = std::string_view(y).substr(begin, y.size() - begin - end);
+  if (restOfX.empty() && restOfY.empty()) return true;
+  if (begin + end == 0) return false;  // "x" and "y" are not similar
+  const bool isSwapped =
+      restOfX.size() == 2 && restOfY.size() == 2 && restOfX[0] == restOfY[1] && restOfX[1] == restOfY[0];
+  return isSwapped || std::max(restOfX.size(), restOfY.size()) == 1;
+}
+
+}  // namespace lgs::tiled

@@ -1,0 +1,38 @@
+// The names that the options ask for, of properties and of blocks, and whether a map has them. A name that is spelt
+// wrong takes nothing, so the report should say it.
+#pragma once
+
+#include "layers.h"
+#include "tileset.h"
+
+#include <set>
+
+namespace lgs::tiled {
+
+class AskedNames {
+ public:
+  explicit AskedNames(const Options& options);
+
+  /// Names that the map has, be they imported or not.
+  void see(const Tileset& tileset);
+  void see(const Layer& layer);
+  void see(const CollisionObject& object);
+
+  /// A note for each name that nothing has which was seen.
+  std::vector<std::string> notes() const;
+
+ private:
+  void seeProperties(const Properties& properties);
+  void seeClass(const std::string& className);
+  void seeObjectName(const std::string& name);
+  std::string notUsed(const std::string& name) const;
+
+  BlockFrom blockFrom_;
+  std::set<std::string> askedProperties_, properties_;
+  std::set<std::string> askedBlocks_, blocks_;
+};
+
+/// Whether two names differ by upper and lower case, or by one edit: a letter more, another, or two swapped.
+bool areSimilar(std::string_view a, std::string_view b);
+
+}  // namespace lgs::tiled
