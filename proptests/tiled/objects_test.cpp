@@ -266,41 +266,12 @@ TEST(TiledObjectLayers, TheReportTellsAllOfThem) {
             "\n"
             "Left out or cut off:\n"
             "  layer Walls\n"
-            "    objects 3, 4: a point has no area\n");
+            "    objects 3, 4, each: a point has no area\n");
 }
 
-TEST(TiledObjectLayers, ANoteOfSeveralIsInThePlural) {
-  const auto noteOf = [](const LayerReport& layer) {
-    Report report;
-    report.layers = {layer};
-    const std::string text = toText(report);
-    const std::size_t begin = text.find("    object");
-    return text.substr(begin, text.size() - 1 - begin);
-  };
-  const std::pair<std::string, std::string> notes[] = {
-      {"it has no area: its width or height is 0", "they have no area: their width or height is 0"},
-      {"it has no area: what its outline goes around twice is not solid",
-       "they have no area: what their outlines go around twice is not solid"},
-      {"it is hidden", "they are hidden"},
-      {"is hidden, and counts all the same; --visible leaves it out",
-       "are hidden, and count all the same; --visible leaves them out"},
-      {"its tile belongs to no tileset", "their tiles belong to no tileset"},
-      {"its tile has no collision shapes", "their tiles have no collision shapes"},
-      {"its outline crosses itself more than 1024 times", "their outlines cross themselves more than 1024 times"},
-      {"its template it is its tile has no <object>", "their template it is its tile has no <object>"},
-      {"stays as drawn: snapping by up to 1 px would press sides of it together",
-       "stay as drawn: snapping by up to 1 px would press sides of them together"},
-      {"lies on what is there already", "lie on what is there already"},
-      {"crosses what is there already", "cross what is there already"},
-      {"objects before it cover all of it", "objects before them cover all of them"},
-      {"a point has no area", "a point has no area"}};
-  for (const auto& [one, several] : notes) {
-    const Note two{NoteKind::leftOut, 2, 0, 0, {}, one}, four{NoteKind::leftOut, 4, 0, 0, {}, one};
-    EXPECT_EQ(noteOf({"W", true, 0, "", LayerKind::objects, 2, {two}}), "    object 2: " + one);
-    EXPECT_EQ(noteOf({"W", true, 0, "", LayerKind::objects, 2, {two, four}}), "    objects 2, 4: " + several);
-  }
+TEST(TiledObjectLayers, ANoteOfSeveralIsOfEachOfThem) {
   const auto map = mustImport(objectLayer(rectangle(0, 0, 9, 0, "id='2'") + rectangle(0, 0, 0, 9, "id='4'")));
-  EXPECT_NE(toText(map.report).find("objects 2, 4: they have no area: their width or height is 0\n"),
+  EXPECT_NE(toText(map.report).find("objects 2, 4, each: it has no area: its width or height is 0\n"),
             std::string::npos);
 }
 

@@ -99,32 +99,6 @@ void appendHead(const Report& report, std::string& out) {
   for (const std::string& note : report.notes) out += "  note: " + note + "\n";
 }
 
-/// A note of one object as it is said of several. One that begins with an article, "a point has no area", stays.
-std::string ofSeveral(std::string text) {
-  constexpr std::pair<std::string_view, std::string_view> kPhrases[] = {
-      {"it has ", "they have "},
-      {"it is ", "they are "},
-      {"its width", "their width"},
-      {"its outline goes", "their outlines go"},
-      {"its outline crosses itself", "their outlines cross themselves"},
-      {"its tile belongs", "their tiles belong"},
-      {"its tile has", "their tiles have"},
-      {"is hidden, and counts", "are hidden, and count"},
-      {"leaves it out", "leaves them out"},
-      {"stays as drawn", "stay as drawn"},
-      {"sides of it ", "sides of them "},
-      {"lies on", "lie on"},
-      {"crosses what", "cross what"},
-      {"before it cover all of it", "before them cover all of them"}};
-  constexpr std::string_view kTemplate = "its template ";  // what follows has names in it
-  if (text.starts_with(kTemplate)) return "their template " + text.substr(kTemplate.size());
-  if (text.starts_with("a ") || text.starts_with("an ")) return text;
-  for (const auto& [one, many] : kPhrases) {
-    if (const std::size_t at = text.find(one); at != std::string::npos) text.replace(at, one.size(), many);
-  }
-  return text;
-}
-
 /// The wanted notes of an object layer. Objects of which the same is to be said share a line.
 template <class Wanted>
 std::string layerNotes(const LayerReport& layer, Wanted&& wanted) {
@@ -143,7 +117,7 @@ std::string layerNotes(const LayerReport& layer, Wanted&& wanted) {
       out += (k == 0 ? "" : ", ") + std::to_string(objects[k]);
     }
     if (objects.size() > kMostNamed) out += " and " + std::to_string(objects.size() - kMostNamed) + " more";
-    out += ": " + (objects.size() == 1 ? text : ofSeveral(text)) + "\n";
+    out += (objects.size() == 1 ? ": " : ", each: ") + text + "\n";
   }
   return out;
 }
