@@ -1,6 +1,6 @@
 #include "cli/command.h"
 
-#include "cli/import_options.h"
+#include "cli/import_error.h"
 #include "cli/imported.h"
 #include "oracle/trace/file.h"
 

@@ -1,4 +1,5 @@
 #include "cli/command.h"
+#include "cli/import_error.h"
 #include "cli/import_options.h"
 #include "cli/imported.h"
 #include "oracle/check/shell.h"

@@ -1,5 +1,6 @@
 #include "cli/import_options.h"
 
+#include "cli/import_error.h"
 #include "cli/imported.h"
 #include "oracle/check/shell.h"
 
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
-#include <utility>
 
 namespace lgs::cli {
 namespace {
@@ -135,17 +135,6 @@ std::string importArguments(const CLI::App& command, std::span<const std::string
     }
   }
   return text;
-}
-
-std::string complaint(tiled::ImportError error, const std::string& before) {
-  const std::string field = std::exchange(error.option, {});
-  const std::string text = tiled::message(error);
-  if (field.empty()) return text;
-  const char* const option = field == "layers"              ? "--layer"
-                             : field == "tolerance"         ? "--tolerance"
-                             : field == "polylineThickness" ? "--polyline-thickness"
-                                                            : nullptr;
-  return text + (option ? " (" + before + option + ")" : "; no option of lgs changes it");
 }
 
 tl::expected<oracle::Trace, std::string> readMap(const std::string& path, const tiled::Options& options,

@@ -21,11 +21,8 @@ std::string importArguments(const CLI::App& command, std::span<const std::string
 /// Options that a hint leaves out: they would take away what it adds.
 inline constexpr std::array<std::string_view, 2> kNotInHints{"--visible", "--no-objects"};
 
-/// The error for whoever called a command: its options instead of those of the library. `before` stands before their
-/// names, for a command that does not have them.
-std::string complaint(tiled::ImportError error, const std::string& before = {});
-
-/// Imports a map as a trace. A map from which nothing comes out is an error, and its report is shown; `command` is for the hints in it.
+/// Imports a map as a trace. A map from which nothing comes out is an error, and its report is shown; `command` is for
+/// the hints in it.
 tl::expected<oracle::Trace, std::string> readMap(const std::string& path, const tiled::Options& options,
                                                  const std::string& command);
 
