@@ -120,5 +120,40 @@ TEST(BrushTight, AnEdgeBetweenTheRegionAndItsChains) {
   EXPECT_TRUE(world.isEmpty({0, 0}));
 }
 
+// An edge of the ground lies on that of the region, which goes through another vertex of the region beside it. On either
+// side, the triangle between must go.
+TEST(BrushTight, AnEdgeOnThatOfTheRegion) {
+  const auto shifted = [](Ring ring) {
+    for (Point& p : ring) p = {p.x + 30'000, p.y + 30'000};
+    return ring;
+  };
+  const std::vector<std::pair<Ring, std::vector<Ring>>> sides{
+      {{{0, 0}, {20, 10}, {6, 50}}, {{{0, 0}, {20, 10}, {0, 300}}, {{5, 3}, {8, 40}, {6, 40}}}},
+      {{{0, 0}, {14, -40}, {20, 10}}, {{{0, 0}, {20, -290}, {20, 10}}, {{5, 2}, {12, -30}, {14, -30}}}}};
+  for (const auto& [ground, rings] : sides) {
+    World world;
+    ASSERT_TRUE(paint(world, {{shifted(ground)}}, 1, PaintMode::fill).has_value());
+    ASSERT_TRUE(carve(world, {{shifted(rings[0]), shifted(rings[1])}}).has_value());
+    EXPECT_TRUE(world.isEmpty({0, 0}));
+  }
+}
+
+// An edge of the ground begins above the region's chain, crosses it, and ends on it, but does not meet the region's edge.
+TEST(BrushTight, AnEdgeThatCrossesTheChainAlone) {
+  World world;
+  const auto at = [](std::int32_t x, std::int32_t y) { return LocalPoint{30'000 + x, 30'000 + y}; };
+  ASSERT_TRUE(world.add({0, 0}, {at(-50, -100), at(20, -100), at(20, 1), at(-50, 0)}, 1).has_value());
+  ASSERT_TRUE(world.add({0, 0}, {at(0, 1), at(2, 9), at(-2, 9)}, 2).has_value());
+  const auto point = [](std::int64_t x, std::int64_t y) { return Point{30'000 + x, 30'000 + y}; };
+  const BrushStroke stroke{
+      Deed::carve,
+      1,
+      {{{point(-970, -14), point(0, -2'000), point(1'030, 16)}, {point(-40, 0), point(-45, -30), point(-35, -30)}}}};
+  const oracle::Scene before = sceneOf(world);
+  const auto result = brush(world, stroke);
+  ASSERT_TRUE(result.has_value()) << message(result.error());
+  EXPECT_EQ(farFromExact(before, editOf(stroke), sceneOf(world)), std::nullopt);
+}
+
 }  // namespace
 }  // namespace lgs::test::tight

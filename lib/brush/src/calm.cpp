@@ -21,6 +21,7 @@ bool isOnRim(const Side& s) {
   return (s.low.x == s.high.x && isEnd(s.low.x)) || (s.low.y == s.high.y && isEnd(s.low.y));
 }
 
+/// The region through the known points of a cell, together with the outlines of groups as they are.
 class RoundedRegion {
  public:
   RoundedRegion(const Ground& ground, const Pieces& region, FillRule rule)
