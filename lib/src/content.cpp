@@ -35,6 +35,7 @@ std::span<const LocalPoint> candidates(LocalPoint a, LocalPoint b, std::span<con
 /// Every polygon edge, cut at every vertex on it. Sorted by start, then end.
 std::vector<AtomicEdge> atomicEdges(std::span<const PolygonView> polygons, std::span<const LocalPoint> vertices) {
   std::vector<AtomicEdge> edges;
+  edges.reserve(vertices.size());
   std::vector<LocalPoint> cuts;
   for (std::size_t slot = 0; slot < polygons.size(); ++slot) {
     const PolygonView polygon = polygons[slot];
@@ -60,13 +61,14 @@ unsigned sideOf(const AtomicEdge& edge) {
 bool isOnRim(LocalPoint p) { return p.x == 0 || p.y == 0 || p.x == kUnitsPerCell || p.y == kUnitsPerCell; }
 
 void fillSides(Content& content, std::span<const AtomicEdge> edges, std::span<const LocalPoint> vertices) {
+  for (const AtomicEdge& edge : edges) {
+    const unsigned s = sideOf(edge);
+    if (s == kSides) continue;
+    const std::int32_t a = along(s, edge.start), b = along(s, edge.end);
+    content.sides[s].covered.push_back({std::min(a, b), std::max(a, b), edge.slot});
+  }
   for (unsigned s = 0; s < kSides; ++s) {
     Side& side = content.sides[s];
-    for (const AtomicEdge& edge : edges) {
-      if (sideOf(edge) != s) continue;
-      const std::int32_t a = along(s, edge.start), b = along(s, edge.end);
-      side.covered.push_back({std::min(a, b), std::max(a, b), edge.slot});
-    }
     std::sort(side.covered.begin(), side.covered.end(), [](auto& a, auto& b) { return a.begin < b.begin; });
     for (const LocalPoint v : vertices)
       if (isOnSide(s, v) && along(s, v) > 0 && along(s, v) < kUnitsPerCell) side.points.push_back({along(s, v), {}});
@@ -94,38 +96,49 @@ void fillInterior(Content& content, std::span<const AtomicEdge> edges,
   contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
 }
 
-/// The interior half-edges at a vertex, counter-clockwise from the direction `from`.
-std::vector<Spoke> fanAt(const Content& content, LocalPoint v, Vector from) {
-  struct Directed {
+/// The interior half-edges of a content, by vertex.
+class Fans {
+ public:
+  explicit Fans(const std::vector<InteriorSegment>& interior) {
+    ends_.reserve(2 * interior.size());
+    for (std::uint32_t k = 0; k < interior.size(); ++k) {
+      const LocalPoint start = interior[k].ends.start(), end = interior[k].ends.end();
+      ends_.push_back({start, end - start, {k, 0, 1}});
+      ends_.push_back({end, start - end, {k, 0, 0}});
+    }
+    std::sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) { return a.vertex < b.vertex; });
+  }
+
+  /// Those at a vertex, counter-clockwise from the direction `from`. They are valid until the next call.
+  std::span<const Spoke> at(LocalPoint vertex, Vector from) {
+    const auto ends = std::ranges::equal_range(ends_, vertex, {}, &End::vertex);
+    // The plane is turned so that `from` is the x axis.
+    const auto turned = [&](Vector d) { return Vector{dot(from, d), cross(from, d)}; };
+    std::sort(ends.begin(), ends.end(), [&](const End& a, const End& b) {
+      return sameDirection(a.direction, b.direction) ? a.spoke.segment < b.spoke.segment
+                                                     : angleLess(turned(a.direction), turned(b.direction));
+    });
+    fan_.clear();
+    std::uint32_t rank = 0;
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      if (k > 0 && !sameDirection(ends[k - 1].direction, ends[k].direction)) ++rank;
+      fan_.push_back(ends[k].spoke);
+      fan_.back().direction = rank & kMaxDirection;
+    }
+    return fan_;
+  }
+
+ private:
+  struct End {
+    LocalPoint vertex;
     Vector direction;
     Spoke spoke;
   };
-  std::vector<Directed> directed;
-  for (std::uint32_t k = 0; k < content.interior.size(); ++k) {
-    const LocalPoint start = content.interior[k].ends.start(), end = content.interior[k].ends.end();
-    if (start == v) directed.push_back({end - v, {k, 0, 1}});
-    if (end == v) directed.push_back({start - v, {k, 0, 0}});
-  }
-  // The plane is turned so that `from` is the x axis.
-  const auto turned = [&](Vector d) { return Vector{dot(from, d), cross(from, d)}; };
-  std::sort(directed.begin(), directed.end(), [&](auto& a, auto& b) {
-    return sameDirection(a.direction, b.direction) ? a.spoke.segment < b.spoke.segment
-                                                   : angleLess(turned(a.direction), turned(b.direction));
-  });
-  std::vector<Spoke> fan;
-  fan.reserve(directed.size());
-  std::uint32_t rank = 0;
-  for (std::size_t k = 0; k < directed.size(); ++k) {
-    Spoke spoke = directed[k].spoke;
-    if (k > 0 && !sameDirection(directed[k - 1].direction, directed[k].direction)) ++rank;
-    spoke.direction = rank & kMaxDirection;
-    fan.push_back(spoke);
-  }
-  return fan;
-}
+  std::vector<End> ends_;  ///< sorted by vertex
+  std::vector<Spoke> fan_;
+};
 
-SpokeRange storeRimFan(Content& content, LocalPoint v, Vector from) {
-  const std::vector<Spoke> fan = fanAt(content, v, from);
+SpokeRange storeRimFan(Content& content, std::span<const Spoke> fan) {
   SpokeRange range{static_cast<std::uint32_t>(fan.size()), static_cast<std::uint32_t>(content.spokes.size()), {}};
   content.widestFan = std::max(content.widestFan, range.count);
   if (!fan.empty()) {
@@ -136,11 +149,11 @@ SpokeRange storeRimFan(Content& content, LocalPoint v, Vector from) {
 }
 
 /// Law 2 at the vertices inside the cell.
-void linkInside(Content& content, std::span<const LocalPoint> vertices) {
+void linkInside(Content& content, std::span<const LocalPoint> vertices, Fans& fans) {
   for (const LocalPoint v : vertices) {
     if (isOnRim(v)) continue;
     radialMatch(
-        fanAt(content, v, {1, 0}), InteriorSegment::kNone,
+        fans.at(v, {1, 0}), InteriorSegment::kNone,
         [&](std::uint32_t s, std::uint32_t other) { content.interior[s].predecessor = other; },
         [&](std::uint32_t s, std::uint32_t other) { content.interior[s].successor = other; });
   }
@@ -172,11 +185,12 @@ Content buildContent(std::span<const PolygonView> polygons, std::span<const std:
   Content content;
   fillSides(content, edges, vertices);
   fillInterior(content, edges, preserved);
-  linkInside(content, vertices);
+  Fans fans(content.interior);
+  linkInside(content, vertices, fans);
   for (unsigned s = 0; s < kSides; ++s) {
-    content.corners[s] = storeRimFan(content, kCorners[s], kSideDirections[s]);
+    content.corners[s] = storeRimFan(content, fans.at(kCorners[s], kSideDirections[s]));
     for (RimPoint& point : content.sides[s].points)
-      point.spokes = storeRimFan(content, pointAt(s, point.at), kSideDirections[s]);
+      point.spokes = storeRimFan(content, fans.at(pointAt(s, point.at), kSideDirections[s]));
   }
   content.facts = factsOf(content);
   return content;

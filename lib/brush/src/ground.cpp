@@ -4,6 +4,7 @@
 #include "outline.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace lgs::brush {
@@ -28,19 +29,21 @@ void addVertices(const std::vector<Outline>& outlines, std::vector<Point>& point
 /// end can lie beside the edge.
 std::vector<Point> knownPoints(const std::vector<Outline>& outlines, const Pieces& region) {
   constexpr std::int64_t kEnd = kUnitsPerCell;
-  std::vector<Point> points{{0, 0}, {kEnd, 0}, {kEnd, kEnd}, {0, kEnd}};
-  std::vector<Segment> edges;
-  edges.reserve(4 + region.size());
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Point a = points[k], b = points[(k + 1) % 4];
-    edges.push_back({a, b, a, b, {}, true});
-  }
+  constexpr std::array<Point, 4> kCorners{{{0, 0}, {kEnd, 0}, {kEnd, kEnd}, {0, kEnd}}};
+  std::vector<Point> points(kCorners.begin(), kCorners.end());
   addVertices(outlines, points);
+  std::vector<Segment> edges;
+  edges.reserve(region.size());
   for (const Piece& p : region) {
-    edges.push_back({p.a, p.b, p.start, p.end, {}, true});
     points.insert(points.end(), {p.start, p.end});
+    if (p.isOfRegion) edges.push_back({p.a, p.b, p.start, p.end, {}, true});  // the others are on the rim
   }
   addCrossings(edges, points);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Point a = kCorners[k], b = kCorners[(k + 1) % 4];
+    for (const Segment& edge : edges)
+      if (const auto pixel = crossingPixel({a, b, a, b, {}, true}, edge)) points.push_back(*pixel);
+  }
   normalize(points);
   return points;
 }
