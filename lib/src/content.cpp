@@ -111,7 +111,9 @@ class Fans {
 
   /// Those at a vertex, counter-clockwise from the direction `from`. They are valid until the next call.
   std::span<const Spoke> at(LocalPoint vertex, Vector from) {
-    const auto ends = std::ranges::equal_range(ends_, vertex, {}, &End::vertex);
+    const auto first = std::ranges::lower_bound(ends_, vertex, {}, &End::vertex);
+    const auto last = std::ranges::upper_bound(first, ends_.end(), vertex, {}, &End::vertex);
+    const std::span<End> ends(first, last);
     // The plane is turned so that `from` is the x axis.
     const auto turned = [&](Vector d) { return Vector{dot(from, d), cross(from, d)}; };
     std::sort(ends.begin(), ends.end(), [&](const End& a, const End& b) {
