@@ -8,7 +8,7 @@ set(CMAKE_INSTALL_PREFIX ${ROOT}/usr)
 function(expect_folders CMAKE_INSTALL_LIBDIR CMAKE_INSTALL_INCLUDEDIR)
   cmake_path(ABSOLUTE_PATH CMAKE_INSTALL_LIBDIR BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX} OUTPUT_VARIABLE libdir)
   cmake_path(ABSOLUTE_PATH CMAKE_INSTALL_INCLUDEDIR BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX} OUTPUT_VARIABLE includedir)
-  lgs_write_pc(${libdir}/pkgconfig/lgs.pc)
+  lgs_write_pc(${libdir}/pkgconfig lgs)
   set(ENV{PKG_CONFIG_PATH} ${libdir}/pkgconfig)
   foreach(variable IN ITEMS prefix libdir includedir)
     execute_process(COMMAND ${PKG_CONFIG} --variable=${variable} lgs OUTPUT_VARIABLE found
