@@ -1,7 +1,11 @@
 # The targets two_files and dist: the engine and the brushes as two files, and the release archive.
-find_package(Python3 REQUIRED COMPONENTS Interpreter)
-find_file(LGS_EXPECTED_HEADER tl/expected.hpp REQUIRED)
+# To build the libraries no Python is needed: then there are no such targets.
+find_package(Python3 COMPONENTS Interpreter)
+find_file(LGS_EXPECTED_HEADER tl/expected.hpp)
 mark_as_advanced(LGS_EXPECTED_HEADER)
+if(NOT Python3_FOUND OR NOT LGS_EXPECTED_HEADER)
+  return()
+endif()
 
 set(lgs_two_files ${PROJECT_BINARY_DIR}/two_files)
 add_custom_target(two_files  # they are only written when they change
