@@ -5,6 +5,11 @@
 function(lgs_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  # Some machines work out a * b + c with a single rounding, and compilers use that where they may: then answers in
+  # `double` would depend on the machine. Microsoft's compiler does not unless it is asked to; but it has to be told
+  # that the sources are in UTF-8.
+  target_compile_options(${target} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off> $<$<CXX_COMPILER_ID:MSVC>:/utf-8>)
   if(CMAKE_SOURCE_DIR STREQUAL LocalGridSeg_SOURCE_DIR)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
       # GCC 12 warns of string concatenation where nothing is wrong (its bug 105651, fixed in 13).
