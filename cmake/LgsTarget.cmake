@@ -5,6 +5,16 @@
 function(lgs_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  if(CMAKE_CURRENT_SOURCE_DIR MATCHES "^${LocalGridSeg_SOURCE_DIR}/lib(/|$)")
+    # Some machines work out a * b + c with a single rounding, and compilers use that where they may. Processors of 1980
+    # round every result twice. Then answers in `double` would depend on the machine. Microsoft's compiler does neither
+    # unless it is asked to; but it has to be told that the sources are in UTF-8.
+    target_compile_options(${target} PRIVATE
+      $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off> $<$<CXX_COMPILER_ID:MSVC>:/utf-8>)
+    if(CMAKE_SIZEOF_VOID_P EQUAL 4 AND CMAKE_SYSTEM_PROCESSOR MATCHES "86|AMD64" AND NOT MSVC)
+      target_compile_options(${target} PRIVATE -msse2 -mfpmath=sse)
+    endif()
+  endif()
   if(CMAKE_SOURCE_DIR STREQUAL LocalGridSeg_SOURCE_DIR)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
       # GCC 12 warns of string concatenation where nothing is wrong (its bug 105651, fixed in 13).

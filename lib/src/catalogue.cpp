@@ -113,7 +113,7 @@ Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
   const auto content = internContent(sorted, {}, {});
   if (!content) return refuse(content.error().code == ErrorCode::overlap ? overlapAmong(given) : content.error());
   // The content is never forgotten from here on, and it uses the polygons: so the shape need not be their user too.
-  unused_ -= uses_[*content].users == 0 ? 1 : 0;
+  if (uses_[*content].users == 0) --unused_;
   uses_[*content].users = kForever;
   shapes_.push_back({*content, given});
   soles_.push_back(given.size() == 1 ? SoleContent{*content & kMaxContent, facts(*content)} : SoleContent{});

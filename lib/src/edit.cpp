@@ -269,7 +269,7 @@ Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, 
     if (single && !journal.isOpen() && detail::Grid::placeRow(at, inRow, interned->content, block)) {
       touch(at, interned->content);
       at.chunk->dirty[at.row()] |= ~detail::RowMask{0} >> (detail::kChunkSize - inRow) << at.local % detail::kChunkSize;
-      std::fill_n(at.chunk->facts.begin() + at.local, inRow, facts);
+      std::fill_n(at.chunk->facts.data() + at.local, inRow, facts);
       return;
     }
     for (; inRow != 0; --inRow, ++at.local, ++cell.i)

@@ -24,7 +24,7 @@ class HashIndex {
   template <class Matches>
   std::uint32_t find(std::uint64_t hash, Matches&& matches) const {
     if (places_.empty()) return kNone;
-    for (std::size_t at = hash & mask();; at = (at + 1) & mask()) {
+    for (std::size_t at = home(hash);; at = (at + 1) & mask()) {
       const Place& place = places_[at];
       if (place.number == kNone) return kNone;
       if (place.hash == hash && matches(place.number)) return place.number;
@@ -40,11 +40,11 @@ class HashIndex {
 
   /// Removes a number that is there, and closes the gap that it leaves (Knuth, TAOCP 3, 6.4, Algorithm R).
   void erase(std::uint64_t hash, std::uint32_t number) {
-    std::size_t gap = hash & mask();
+    std::size_t gap = home(hash);
     while (places_[gap].number != number) gap = (gap + 1) & mask();
     for (std::size_t at = (gap + 1) & mask(); places_[at].number != kNone; at = (at + 1) & mask()) {
-      const std::size_t home = places_[at].hash & mask();
-      if (((at - home) & mask()) < ((at - gap) & mask())) continue;
+      const std::size_t first = home(places_[at].hash);
+      if (((at - first) & mask()) < ((at - gap) & mask())) continue;
       places_[gap] = places_[at];
       gap = at;
     }
@@ -61,9 +61,11 @@ class HashIndex {
   };
 
   std::size_t mask() const { return places_.size() - 1; }
+  /// The first place for a hash.
+  std::size_t home(std::uint64_t hash) const { return static_cast<std::size_t>(hash) & mask(); }
 
   void place(const Place& entry) {
-    std::size_t at = entry.hash & mask();
+    std::size_t at = home(entry.hash);
     while (places_[at].number != kNone) at = (at + 1) & mask();
     places_[at] = entry;
   }

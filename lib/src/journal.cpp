@@ -112,7 +112,7 @@ std::ptrdiff_t Journal::drop(World::Impl& world, const Entry& entry) {
   const auto* cell = std::get_if<CellEntry>(&entry);
   if (!cell) return 0;
   if (cell->content != kEmptyContent) world.catalogue.release(cell->content);
-  return cell->polygons;
+  return static_cast<std::ptrdiff_t>(cell->polygons);
 }
 
 void Journal::noteCell(World::Impl& world, CellAt at) {
@@ -190,7 +190,7 @@ void Journal::undo(World::Impl& world, const CellEntry& entry) {
   const CellAt at = world.grid.find(entry.cellRef);
   if (entry.content != kEmptyContent) world.catalogue.use(entry.content);
   if (const ContentId now = world.grid.content(at); now != kEmptyContent) world.catalogue.release(now);
-  const std::vector<Placed> polygons(placed_.end() - entry.polygons, placed_.end());
+  const std::vector<Placed> polygons(placed_.end() - static_cast<std::ptrdiff_t>(entry.polygons), placed_.end());
   world.grid.setPolygons(at, entry.content, entry.lastSerial, polygons, entry.isListed);
   at.chunk->facts[at.local] = world.catalogue.facts(entry.content);
   if (entry.wasDirty) return;

@@ -209,7 +209,7 @@ class Load {
     if (count >= detail::kMaxSegment) in_.fail(What::capacity);
     if (in_.failed()) return;
     world_.segments.reset(static_cast<std::uint32_t>(count), free);
-    std::vector<bool> seen(count + 1);
+    std::vector<bool> seen(static_cast<std::size_t>(count) + 1);
     for (const auto* ids : {&free, &removed})
       for (const std::uint32_t id : *ids) see(id, seen);
     for (const std::uint32_t id : removed) world_.changes.removed.push_back({id});

@@ -96,14 +96,16 @@ Point latticePoint(DoublePoint position) {
   return {nearest(position.x), nearest(position.y)};
 }
 
+// The root of an integer is rounded once, and everywhere alike. std::hypot() is not.
 double Segment::length() const {
-  return inCells(std::hypot(static_cast<double>(end.x - start.x), static_cast<double>(end.y - start.y)));
+  const std::int64_t x = end.x - start.x, y = end.y - start.y;
+  return inCells(std::sqrt(static_cast<double>(x * x + y * y)));
 }
 
 DoublePoint Segment::normal() const {
-  const auto x = static_cast<double>(end.y - start.y), y = static_cast<double>(start.x - end.x);
-  const double length = std::hypot(x, y);
-  return {x / length, y / length};
+  const std::int64_t x = end.y - start.y, y = start.x - end.x;
+  const double length = std::sqrt(static_cast<double>(x * x + y * y));
+  return {static_cast<double>(x) / length, static_cast<double>(y) / length};
 }
 
 Spot World::Impl::at(Point p) const {

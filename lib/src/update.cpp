@@ -65,7 +65,7 @@ void Exposure::update(CellAt at, unsigned parts) {
     const std::span<const std::uint32_t> before = old ? old->ids(part) : std::span<const std::uint32_t>{};
     if ((parts >> part & 1u) == 0) {
       ids_.insert(ids_.end(), before.begin(), before.end());
-      if (old && part != kInterior) touches |= old->touching & bothCorners(part - 1);
+      if (old && part != kInterior) touches |= old->touching & unsigned{bothCorners(part - 1)};
     } else {
       merge.begin(before);
       look.forEach(part, [&](const PackedEnds& edge, Slot slot, std::uint8_t touching) {

@@ -127,12 +127,15 @@ Pieces withoutSpikes(const Pieces& pieces, FillRule rule) {
     Point low, high;
     std::int64_t turns;  // +1 from low to high
     Piece piece;
+    std::size_t place;  // of equal ones the first comes first
     auto key() const { return std::tie(carrier, low, high); }
   };
   std::vector<Keyed> all;
   for (const Piece& p : cutAtEnds(pieces))
-    all.push_back({Carrier(p), std::min(p.start, p.end), std::max(p.start, p.end), p.start < p.end ? 1 : -1, p});
-  std::stable_sort(all.begin(), all.end(), [](const Keyed& a, const Keyed& b) { return a.key() < b.key(); });
+    all.push_back(
+        {Carrier(p), std::min(p.start, p.end), std::max(p.start, p.end), p.start < p.end ? 1 : -1, p, all.size()});
+  std::sort(all.begin(), all.end(),
+            [](const Keyed& a, const Keyed& b) { return a.key() != b.key() ? a.key() < b.key() : a.place < b.place; });
   Pieces kept;
   for (std::size_t k = 0; k < all.size();) {
     const std::size_t first = k;
