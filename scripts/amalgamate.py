@@ -58,6 +58,19 @@ class Writer:
             self.lines.append(line)
 
 
+# lib/ is compiled with -ffp-contract=off. Here the file itself has to ask for it.
+NO_CONTRACTION = """
+// Some machines work out a * b + c with a single rounding. Then answers in double would depend on the machine.
+#if defined(__clang__)
+#pragma clang fp contract(off)
+#elif defined(__GNUC__)
+#pragma GCC optimize("fp-contract=off")
+#elif defined(_MSC_VER)
+#pragma fp_contract(off)
+#endif
+"""
+
+
 def version():
     return re.search(r"project\(LocalGridSeg VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text())[1]
 
@@ -94,7 +107,7 @@ def main():
     args.folder.mkdir(parents=True, exist_ok=True)
     for name, lines in (
             ("localgridseg.h", banner("the engine and the brushes.") + ["#pragma once"] + header.lines),
-            ("localgridseg.cpp", banner("what to compile; C++20.") + ["", '#include "localgridseg.h"'] + source.lines)):
+            ("localgridseg.cpp", banner("what to compile; C++20.") + [NO_CONTRACTION, '#include "localgridseg.h"'] + source.lines)):
         write(args.folder / name, "\n".join(lines) + "\n")
 
 
