@@ -35,15 +35,6 @@ std::optional<double> parseReal(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-/// A piece of the file as a message quotes it: short, and without control characters.
-std::string quoted(std::string_view text) {
-  constexpr std::size_t kMost = 40;
-  std::string result(text.substr(0, kMost));
-  std::replace_if(
-      result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
-  return "'" + result + (text.size() > kMost ? "…'" : "'");
-}
-
 std::string describe(pugi::xml_node node) {
   if (!node) return {};
   const std::string_view path = node.attribute(kPathAttribute).value();  // it comes from JSON
@@ -160,6 +151,14 @@ std::vector<DoublePoint> XmlFile::points(pugi::xml_node node, const char* attrib
     rest = trimmed(rest.substr(blank));
   }
   return result;
+}
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t kMost = 40;
+  std::string result(text.substr(0, kMost));
+  std::replace_if(
+      result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
+  return "'" + result + (text.size() > kMost ? "…'" : "'");
 }
 
 std::string pathBeside(const std::string& file, std::string named) {

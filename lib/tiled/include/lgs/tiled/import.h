@@ -112,7 +112,7 @@ struct Options {
 
   /// Properties, "NAME" or "NAME=VALUE". A tile without any collision object is a full square if it or its layer has
   /// one of them. "NAME" alone takes any value that is not empty, "false" or "0". The report names those that no
-  /// tile and no tile layer has.
+  /// tile and no tile layer has, names and values alike.
   std::vector<std::string> solidIf;
 
   BlockFrom blockFrom = BlockFrom::one;
