@@ -32,7 +32,7 @@ std::string thereAre(const std::string& value, const std::set<std::string>& valu
     if (list.size() < kMost && &other != similar) list.push_back(other);
   }
   std::string text = values.size() == 1 ? "; there is" : "; there are";
-  for (const std::string& other : list) text += (&other == &list.front() ? " " : ", ") + quoted(other);
+  for (const std::string& other : list) text += (&other == &list.front() ? " " : ", ") + inQuotes(other);
   return values.size() > kMost ? text + " and " + std::to_string(values.size() - kMost) + " more" : text;
 }
 
