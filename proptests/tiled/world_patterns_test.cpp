@@ -180,8 +180,7 @@ TEST(TiledWorldPatterns, FromTheDisk) {
   put("p0_0.tmx", squares("1,0,0,0"));
   put("p1_0.tmx", squares("1,0,0,0"));
   const auto map = importMap((folder / "a.world").string());
-  EXPECT_TRUE(map) << message(map.error());
-  if (map) EXPECT_EQ(cellsOf(*map), (std::vector<Cell>{{0, -1}, {2, -1}}));
+  EXPECT_EQ(map ? cellsOf(*map) : std::vector<Cell>{}, (std::vector<Cell>{{0, -1}, {2, -1}}));
   EXPECT_FALSE(listFolder((folder / "none").string()));
   EXPECT_EQ(listFolder(folder.string())->size(), 3U);
   fs::remove_all(folder);
