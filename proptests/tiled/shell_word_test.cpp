@@ -2,6 +2,7 @@
 #include "maps.h"
 
 #include <cstdio>
+#include <cstdlib>
 
 namespace lgs::tiled {
 namespace {
