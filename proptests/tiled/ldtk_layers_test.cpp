@@ -32,8 +32,8 @@ std::string projectWithTiles(const std::string& layers, const std::string& size 
 }
 
 TEST(TiledLdtk, TilesThatAreOnlyDrawnCanBeSolid) {
-  const std::string two = tile(0, 0, "4") + "," + tile(16, 8, "5") + "," + tile(16, 8, "5");
-  const std::string astray = tile(-8, 8, "4") + "," + tile(4, 0, "4");
+  const std::string two = tile(0, 0, "70") + "," + tile(16, 8, "5") + "," + tile(16, 8, "5");
+  const std::string astray = tile(-8, 8, "70") + "," + tile(4, 0, "70");
   const std::string ground = grid("0,3,0,0,0,0");
   for (const char* type : {"Tiles", "AutoLayer"}) {
     const std::string text = projectWithTiles(tiles(two + "," + astray, type) + "," + ground);
@@ -55,7 +55,7 @@ TEST(TiledLdtk, TilesThatAreOnlyDrawnCanBeSolid) {
 }
 
 TEST(TiledLdtk, ALayerOfTilesHasABlockThatNoValueHas) {
-  std::string text = projectWithTiles(tiles(tile(0, 0, "4")) + "," + grid("0,3,0,0,0,0"));
+  std::string text = projectWithTiles(tiles(tile(0, 0, "70")) + "," + grid("0,3,0,0,0,0"));
   text.replace(text.find("\"dirt\""), 6, "\"Deco\"");
   Options options;
   options.solidWithoutShapes = true;
@@ -65,7 +65,7 @@ TEST(TiledLdtk, ALayerOfTilesHasABlockThatNoValueHas) {
 }
 
 TEST(TiledLdtk, WhatIsSaidOfTilesThatAreOnlyDrawn) {
-  const std::string text = projectWithTiles(tiles(tile(0, 0, "4")));
+  const std::string text = projectWithTiles(tiles(tile(0, 0, "70")));
   Options options;
   options.layers = {"Deco"};
   EXPECT_EQ(refusalOf(text, options),
@@ -77,7 +77,7 @@ TEST(TiledLdtk, WhatIsSaidOfTilesThatAreOnlyDrawn) {
   options = {};
   options.solidWithoutShapes = true;
   const std::string at = "maps/test.tmx: levels/0/layerInstances/0";
-  const std::string large = projectWithTiles(tiles(tile(0, 0, "4")) + "," + grid("1,0,0,0,0,0"), "16");
+  const std::string large = projectWithTiles(tiles(tile(0, 0, "70")) + "," + grid("1,0,0,0,0,0"), "16");
   EXPECT_EQ(refusalOf(large, options),
             at + " 'Deco' has tiles of 16 px on a grid of 8 px. Only tiles as large as the grid can be solid: choose "
                  "other layers (Options::layers)");
@@ -90,7 +90,7 @@ TEST(TiledLdtk, WhatIsSaidOfTilesThatAreOnlyDrawn) {
   }
   std::string many;
   for (int uid = 100; uid < 228; ++uid) {
-    std::string one = tiles(tile(0, 0, "4"));
+    std::string one = tiles(tile(0, 0, "70"));
     one.replace(one.find("\"layerDefUid\":9"), 15, "\"layerDefUid\":" + std::to_string(uid));
     many += (uid > 100 ? "," : "") + one;
   }
