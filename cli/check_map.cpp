@@ -62,7 +62,7 @@ Status checkMap(const CheckArguments& arguments) {
   if (!isImported && !arguments.importArguments.empty()) {
     return complain("options of the import need a map of Tiled or LDtk, not " + arguments.map);
   }
-  const std::string command = "lgs check --map " + shellWord(arguments.map) + arguments.hintArguments;
+  const std::string command = "lgs check --map " + tiled::shellWord(arguments.map) + arguments.hintArguments;
   const auto read = isImported ? readMap(arguments.map, arguments.import, command) : readWorld(arguments.map);
   if (!read) return complain(read.error());
   const Trace start = withoutBrushes(*read);

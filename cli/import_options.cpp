@@ -2,7 +2,6 @@
 
 #include "cli/import_error.h"
 #include "cli/imported.h"
-#include "oracle/check/shell.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -11,6 +10,13 @@
 
 namespace lgs::cli {
 namespace {
+
+/// Names come from files: what would do something to a terminal becomes a blank.
+std::string plain(std::string text) {
+  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
+  std::replace_if(text.begin(), text.end(), isControl, ' ');
+  return text;
+}
 
 constexpr const char* kGroup = "Options of the import";
 
@@ -131,7 +137,7 @@ std::string importArguments(const CLI::App& command, std::span<const std::string
     if (std::find(without.begin(), without.end(), option->get_name()) != without.end()) continue;
     if (option->get_expected_max() == 0) text += " " + option->get_name();
     for (const std::string& value : option->get_expected_max() == 0 ? std::vector<std::string>{} : option->results()) {
-      text += " " + option->get_name() + " " + oracle::shellWord(value);
+      text += " " + option->get_name() + " " + tiled::shellWord(value);
     }
   }
   return text;
@@ -151,11 +157,11 @@ tl::expected<oracle::Trace, std::string> readMap(const std::string& path, const 
 }
 
 std::string hints(const tiled::Report& report, const std::string& command) {
-  std::string text = report.file + ": nothing in it is solid";
+  std::string text = plain(report.file) + ": nothing in it is solid";
   if (!report.suggestions.empty()) text += ". What could be taken, and how:";
   for (const tiled::Suggestion& suggestion : report.suggestions) {
-    text += "\n  " + suggestion.text + "\n    " + command;
-    for (const std::string& argument : suggestion.arguments) text += " " + oracle::shellWord(argument);
+    text += "\n  " + plain(suggestion.text) + "\n    " + command;
+    for (const std::string& argument : suggestion.arguments) text += " " + tiled::shellWord(argument);
   }
   return text;
 }

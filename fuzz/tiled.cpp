@@ -17,7 +17,7 @@ namespace {
 using tiled::ImportedMap;
 using tiled::Placement;
 
-constexpr std::array<std::string_view, 61> kWords{
+constexpr std::array<std::string_view, 63> kWords{
     "<map orientation='orthogonal' width='2' height='2' tilewidth='32' tileheight='32'>",
     "</map>",
     "<tileset firstgid='1' tilewidth='32' tileheight='32'>",
@@ -68,10 +68,12 @@ constexpr std::array<std::string_view, 61> kWords{
     R"({"type":"group", "offsetx":7, "layers":[)",
     R"("properties":[{"name":"solid", "value":true}], )",
     R"({"type":"world", "maps":[{"fileName":"a.tmx", "x":0, "y":0},{"fileName":"b.tmx", "x":64, "y":-8},)",
+    R"x({"type":"world", "patterns":[{"regexp":"(\\d+)_(.)", "multiplierX":64, "offsetY":-8},)x",
     R"({"__header__":{"app":"LDtk"}, "worldLayout":"Free", "levels":[)",
     R"({"identifier":"A", "worldX":8, "worldY":0, "pxWid":64, "pxHei":64, "layerInstances":[)",
     R"({"__type":"IntGrid", "__identifier":"a", "layerDefUid":1, "intGridCsv":[1,2],)",
     R"("__gridSize":32, "__cWid":2, "__cHei":1},)",
+    R"({"__type":"Tiles", "__identifier":"a", "layerDefUid":2, "__gridSize":32, "gridTiles":[{"px":[32,0], "t":1},)",
     R"({"__type":"Entities", "__identifier":"wall", "entityInstances":[)",
     R"({"__identifier":"E", "px":[40,8], "__pivot":[0.5,1], "width":40, "height":24},)",
     R"("layerInstances":null, "externalRelPath":"a.ldtkl")",
@@ -104,9 +106,13 @@ auto importText(std::string_view text, const tiled::Options& options) {
   const std::size_t cut = std::min(text.find('\f'), text.size());
   const std::string tmx(text.substr(0, cut));
   const std::string tsx(text.substr(std::min(cut + 1, text.size())));
-  return tiled::importMap("map.tmx", options, [&](const std::string& path) -> tl::expected<std::string, std::string> {
+  const auto read = [&](const std::string& path) -> tl::expected<std::string, std::string> {
     return path == "map.tmx" ? tmx : tsx;
-  });
+  };
+  const auto list = [](const std::string&) -> tl::expected<std::vector<std::string>, std::string> {
+    return std::vector<std::string>{"1_2.tmx", "3_a.tmx"};
+  };
+  return tiled::importMap("map.tmx", options, read, list);
 }
 
 std::optional<Finding> checkMap(const ImportedMap& map, oracle::CheckStats& stats) {

@@ -250,6 +250,13 @@ TEST_F(Command, AMapWithNothingSolidIsRefusedWithWhatCouldBeTaken) {
   expect("check --map m.tmx --block class", 2, "    lgs check --map m.tmx --block class --solid-if solid\n");
 }
 
+TEST_F(Command, HintsCanBeGivenToAShell) {
+  put("m.tmx",
+      "<map width='2' height='1' tilewidth='16' tileheight='16'><objectgroup name='it&apos;s&#27; &#10;Bob'>"
+      "<object id='1' width='16' height='16'/></objectgroup></map>");
+  expect("import m.tmx", 2, "was passed over: it's   Bob\n    lgs import m.tmx --objects $'it\\'s\\033 \\012Bob'\n");
+}
+
 TEST_F(Command, ErrorsOfTheImportNameOptionsOfTheCommand) {
   put("m.tmx", kNothingSolid);
   expect("import m.tmx --tolerance nan", 2, "m.tmx: the tolerance should be 0 or more (--tolerance)\n");

@@ -24,12 +24,48 @@ Notes notesWithRules(const std::vector<std::string>& rules) {
 }
 
 TEST(TiledAskedNames, PropertiesThatNothingHas) {
-  EXPECT_EQ(notesWithRules({"collides", "unused", "Kind=rock", "Kind=sand"}), Notes{}) << "all are there";
+  EXPECT_EQ(notesWithRules({"collides", "unused", "Kind=rock", "unused="}), Notes{}) << "all are there";
   EXPECT_EQ(notesWithRules({"colides", "colides=1"}),
             Notes{"no tile and no tile layer has a property 'colides'; there is 'collides'"});
   EXPECT_EQ(notesWithRules({"kind=rock"}), Notes{"no tile and no tile layer has a property 'kind'; there is 'Kind'"});
   EXPECT_EQ(notesWithRules({"doors"}), Notes{"no tile and no tile layer has a property 'doors'"})
       << "that of an object layer makes no tile solid";
+}
+
+TEST(TiledAskedNames, ValuesThatNothingHas) {
+  const auto no = [](const std::string& value, const std::string& name) {
+    return "no tile and no tile layer has '" + value + "' as its property '" + name + "'";
+  };
+  EXPECT_EQ(notesWithRules({"Kind=rock", "Kind=sand"}), Notes{no("sand", "Kind") + "; there is 'rock'"});
+  EXPECT_EQ(notesWithRules({"collides=yes", "collides"}), Notes{no("yes", "collides") + "; there is 'true'"});
+  EXPECT_EQ(notesWithRules({"Kind="}), Notes{no("", "Kind") + "; there is 'rock'"});
+  EXPECT_EQ(notesWithRules({"doors=1"}), Notes{"no tile and no tile layer has a property 'doors'"});
+}
+
+/// Tiles whose property "kind" has these values, one layer that has another one, and "other" that has all of them.
+Notes notesWithValues(const std::vector<std::string>& values, const std::string& rule) {
+  std::string tiles;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    tiles += "<tile id='" + std::to_string(k) + "'>" + property("kind", values[k]) + "</tile>";
+  }
+  Options options;
+  options.solidIf = {rule};
+  return mustImport("<tileset firstgid='1' name='set' tilewidth='32' tileheight='32'>" + tiles + "</tileset>" +
+                        "<layer name='L' width='1' height='1'>" + property("other", "sand") +
+                        "<data encoding='csv'>1</data></layer>",
+                    options)
+      .report.notes;
+}
+
+TEST(TiledAskedNames, SomeValuesAreNamed) {
+  const std::string no = "no tile and no tile layer has 'sand' as its property 'kind'; there ";
+  EXPECT_EQ(notesWithValues({"c", "b", "a", "b"}, "kind=sand"), Notes{no + "are 'a', 'b', 'c'"});
+  EXPECT_EQ(notesWithValues({"a", "b", "Sand", "send"}, "kind=sand"), Notes{no + "are 'Sand', 'a', 'b', 'send'"});
+  EXPECT_EQ(notesWithValues({"a", "b", "c", "d", "e", "f"}, "kind=sand"),
+            Notes{no + "are 'a', 'b', 'c', 'd', 'e', 'f'"});
+  EXPECT_EQ(notesWithValues({"a", "b", "c", "d", "e", "f", "g", "sands"}, "kind=sand"),
+            Notes{no + "are 'sands', 'a', 'b', 'c', 'd', 'e' and 2 more"});
+  EXPECT_EQ(notesWithValues({std::string(50, 'x')}, "kind=sand"), Notes{no + "is '" + std::string(40, 'x') + "…'"});
 }
 
 Notes notesWithNumbers(BlockFrom from, const std::vector<std::string>& names) {

@@ -1,6 +1,8 @@
 // The report and the errors as text. They are compared as a whole, since a person reads them in a terminal.
 #include "maps.h"
 
+#include <algorithm>
+
 namespace lgs::tiled {
 namespace {
 

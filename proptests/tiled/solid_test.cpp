@@ -137,7 +137,7 @@ TEST(TiledSuggestions, AreInTheReport) {
       "\n"
       "Nothing came out. What could be taken, and how:\n"
       "  1 object layer with 1 object was passed over: My boxes\n"
-      "    --objects My boxes\n");
+      "    --objects 'My boxes'\n");
 }
 
 }  // namespace

@@ -194,8 +194,6 @@ TEST(TiledWorlds, Refusals) {
   const std::string file = "maps/test.tmx: ";
   const std::string a = entry("a.tmx", "0", "0");
   EXPECT_EQ(refusal(world("")), file + "<world> lists no maps");
-  EXPECT_EQ(refusal("{\"type\":\"world\", \"maps\":[], \"patterns\":[{\"regexp\":\"(\\\\d+)-(\\\\d+)\\\\.tmx\"}]}"),
-            file + "patterns are not read: list the maps of the world as \"maps\"");
   EXPECT_EQ(refusal(world("7")), file + "maps/0 should be an object");
   EXPECT_EQ(refusal(world("{\"x\":0}")), file + "maps/0 has no fileName");
   EXPECT_EQ(refusal(world(a + "," + entry("../maps/a.tmx", "64", "0"))), file + "maps/1 ../maps/a.tmx is listed twice");

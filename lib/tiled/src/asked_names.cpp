@@ -5,21 +5,44 @@
 namespace lgs::tiled {
 namespace {
 
-/// "; there is 'collides'", or nothing. A name that differs by upper and lower case alone comes first.
-std::string similarOne(const std::string& name, const std::set<std::string>& names) {
+/// One that is similar, or null. A name that differs by upper and lower case alone comes first.
+const std::string* similarOne(const std::string& name, const std::set<std::string>& names) {
   const std::string* best = nullptr;
   for (const std::string& other : names) {
     const bool isSame = lower(other) == lower(name);
     if (isSame || (!best && areSimilar(other, name))) best = &other;
     if (isSame) break;
   }
-  return best ? "; there is '" + *best + "'" : "";
+  return best;
+}
+
+/// "; there is 'collides'", or nothing.
+std::string thereIs(const std::string& name, const std::set<std::string>& names) {
+  const std::string* const similar = similarOne(name, names);
+  return similar ? "; there is '" + *similar + "'" : "";
+}
+
+/// "; there are 'rock', 'ice' and 3 more": the one that is similar to the value comes first.
+std::string thereAre(const std::string& value, const std::set<std::string>& values) {
+  constexpr std::size_t kMost = 6;
+  std::vector<std::string> list;
+  const std::string* const similar = similarOne(value, values);
+  if (similar) list.push_back(*similar);
+  for (const std::string& other : values) {
+    if (list.size() < kMost && &other != similar) list.push_back(other);
+  }
+  std::string text = values.size() == 1 ? "; there is" : "; there are";
+  for (const std::string& other : list) text += (&other == &list.front() ? " " : ", ") + inQuotes(other);
+  return values.size() > kMost ? text + " and " + std::to_string(values.size() - kMost) + " more" : text;
 }
 
 }  // namespace
 
 AskedNames::AskedNames(const Options& options) : blockFrom_(options.blockFrom) {
-  for (const std::string& rule : options.solidIf) askedProperties_.insert(propertyIn(rule));
+  for (const std::string& rule : options.solidIf) {
+    rules_.insert(rule);
+    if (const std::string name = propertyIn(rule); name != rule) values_[name];
+  }
   for (const auto& [name, block] : options.blocks) {
     if (!name.empty()) askedBlocks_.insert(name);  // "" stands for no class
   }
@@ -50,7 +73,10 @@ void AskedNames::see(const CollisionObject& object) {
 }
 
 void AskedNames::seeProperties(const Properties& properties) {
-  for (const auto& [name, value] : properties) properties_.insert(name);
+  for (const auto& [name, value] : properties) {
+    properties_.insert(name);
+    if (const auto asked = values_.find(name); asked != values_.end()) asked->second.insert(value);
+  }
 }
 
 void AskedNames::seeClass(const std::string& className) {
@@ -61,18 +87,31 @@ void AskedNames::seeObjectName(const std::string& name) {
   if (blockFrom_ == BlockFrom::name && !name.empty()) blocks_.insert(name);
 }
 
+/// What is to be said of a rule that takes nothing; empty if a value is there, or the rule takes any.
+std::string AskedNames::noProperty(const std::string& rule) const {
+  const std::string name = propertyIn(rule);
+  if (!properties_.contains(name)) {
+    return "no tile and no tile layer has a property '" + name + "'" + thereIs(name, properties_);
+  }
+  if (name == rule) return {};
+  const std::string value = rule.substr(name.size() + 1);
+  const Names& values = values_.at(name);
+  if (values.contains(value)) return {};
+  return "no tile and no tile layer has '" + value + "' as its property '" + name + "'" + thereAre(value, values);
+}
+
 std::string AskedNames::notUsed(const std::string& name) const {
   const char* const why = blockFrom_ == BlockFrom::layer  ? "no layer has this path"
                           : blockFrom_ == BlockFrom::name ? "no tile, object or object layer has this class or name"
                                                           : "no tile, object or object layer has this class";
-  return "the number of '" + name + "' is not used: " + why + similarOne(name, blocks_);
+  return "the number of '" + name + "' is not used: " + why + thereIs(name, blocks_);
 }
 
 std::vector<std::string> AskedNames::notes() const {
   std::vector<std::string> result;
-  for (const std::string& name : askedProperties_) {
-    if (properties_.contains(name)) continue;
-    result.push_back("no tile and no tile layer has a property '" + name + "'" + similarOne(name, properties_));
+  for (const std::string& rule : rules_) {
+    const std::string text = noProperty(rule);
+    if (!text.empty() && std::find(result.begin(), result.end(), text) == result.end()) result.push_back(text);
   }
   if (blockFrom_ == BlockFrom::one) {
     if (!askedBlocks_.empty()) {

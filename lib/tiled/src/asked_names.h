@@ -1,5 +1,5 @@
-// The names that the options ask for, of properties and of blocks, and whether a map has them. A name that is spelt
-// wrong takes nothing, so the report should say it.
+// The names that the options ask for, of properties and of blocks, and whether a map has them; and the values of
+// properties likewise. What is spelt wrong takes nothing, so the report should say it.
 #pragma once
 
 #include "layers.h"
@@ -18,18 +18,23 @@ class AskedNames {
   void see(const Layer& layer);
   void see(const CollisionObject& object);
 
-  /// A note for each name that nothing has which was seen.
+  /// A note for each name or value that nothing has which was seen.
   std::vector<std::string> notes() const;
 
  private:
   void seeProperties(const Properties& properties);
   void seeClass(const std::string& className);
   void seeObjectName(const std::string& name);
+  std::string noProperty(const std::string& rule) const;
   std::string notUsed(const std::string& name) const;
 
+  using Names = std::set<std::string>;
+
   BlockFrom blockFrom_;
-  std::set<std::string> askedProperties_, properties_;
-  std::set<std::string> askedBlocks_, blocks_;
+  Names rules_;                          // "NAME" or "NAME=VALUE", as asked
+  Names properties_;                     // all that were seen
+  std::map<std::string, Names> values_;  // that were seen, of the properties whose value is asked for
+  Names askedBlocks_, blocks_;
 };
 
 /// Whether two names differ by upper and lower case, or by one edit: a letter more, another, or two swapped.

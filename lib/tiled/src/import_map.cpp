@@ -12,7 +12,7 @@ std::optional<Block> ImportedMap::block(const std::string& name) const {
 }
 
 tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options,
-                                                 const FileReader& reader) {
+                                                 const FileReader& reader, const FolderLister& lister) {
   std::optional<ImportError> error;
   const XmlFile file(path, reader, "map", error);
   if (error) return tl::unexpected(std::move(*error));
@@ -20,7 +20,7 @@ tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const 
   Options settled = options;
   if (file.root().attribute(kLdtkAttribute)) settleLdtk(file, settled, notes);
   if (error) return tl::unexpected(std::move(*error));
-  ImportJob job{std::move(settled), reader};
+  ImportJob job{std::move(settled), reader, lister};
   const bool isWorld = std::string_view(file.root().name()) == "world";
   auto map = isWorld ? importWorld(file, job, error) : importOne(file, job, {}, error);
   if (!map) return map;
@@ -29,6 +29,10 @@ tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const 
   map->report.notes.insert(map->report.notes.begin(), notes.begin(), notes.end());
   for (std::string& note : job.asked.notes()) map->report.notes.push_back(std::move(note));
   return map;
+}
+
+tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options) {
+  return importMap(path, options, readFile, listFolder);
 }
 
 }  // namespace lgs::tiled

@@ -9,6 +9,7 @@ namespace lgs::tiled {
 struct ImportJob {
   Options options;
   const FileReader& reader;
+  const FolderLister& lister;
   LayerNames names = LayerNames(options);
   AskedNames asked = AskedNames(options);
   std::size_t tilesLeft = options.maxTiles;            ///< how many may still be read

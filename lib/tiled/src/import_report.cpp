@@ -171,7 +171,7 @@ void appendSuggestions(const Report& report, std::string& out) {
     out += "  " + suggestion.text + "\n";
     if (suggestion.arguments.empty()) continue;
     out += "   ";
-    for (const std::string& argument : suggestion.arguments) out += " " + argument;
+    for (const std::string& argument : suggestion.arguments) out += " " + shellWord(argument);
     out += "\n";
   }
 }

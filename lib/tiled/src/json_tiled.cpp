@@ -12,9 +12,10 @@ bool isOneOf(std::string_view name, std::initializer_list<std::string_view> name
 
 /// Whether what reads maps takes the value of this key for a number.
 bool isNumeric(std::string_view key) {
-  return isOneOf(key,
-                 {"x", "y", "width", "height", "rotation", "offsetx", "offsety", "parallaxx", "parallaxy", "id", "gid",
-                  "firstgid", "tilewidth", "tileheight", "tilecount", "imagewidth", "imageheight", "startx", "starty"});
+  return isOneOf(
+      key, {"x",           "y",      "width",  "height",      "rotation",    "offsetx",    "offsety",   "parallaxx",
+            "parallaxy",   "id",     "gid",    "firstgid",    "tilewidth",   "tileheight", "tilecount", "imagewidth",
+            "imageheight", "startx", "starty", "multiplierX", "multiplierY", "offsetX",    "offsetY"});
 }
 
 /// Other values would count as if they were missing, or as 1. A text is read later.
@@ -54,10 +55,10 @@ class TiledJson {
   }
 
   void world(const JsonPlace& from, pugi::xml_node to) {
-    if (!reading_.elements(from["patterns"]).empty()) {
-      reading_.fail(from["patterns"], "are not read: list the maps of the world as \"maps\"");
-    }
     for (const JsonPlace& part : reading_.objects(from["maps"])) attributes(part, addElement(to, "map", part), {});
+    for (const JsonPlace& part : reading_.objects(from["patterns"])) {
+      attributes(part, addElement(to, "pattern", part), {});
+    }
   }
 
  private:

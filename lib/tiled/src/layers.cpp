@@ -41,6 +41,7 @@ class Lister {
       if (group || tiles) self.layer.wanted = names_.fitTiles(self.layer) || self.layer.wanted;
       if (tiles) names_.isTiles(self.layer);
       if (objects) names_.isObjects(self.layer);
+      if (child.attribute(kRemarkAttribute) && !tiles) names_.isDrawn(self.layer);
       if (group || objects) self.objectsWanted = names_.fitObjects(self.layer) || self.objectsWanted;
       if (!group) {
         add(tiles ? LayerKind::tiles : objects ? LayerKind::objects : LayerKind::image, self);
@@ -73,8 +74,8 @@ class Lister {
     } else if (kind == LayerKind::image) {
       const auto remark = layer.node.attribute(kRemarkAttribute);
       layer.remark = remark ? remark.value() : "an image";
-    } else if (!layer.wanted) {
-      layer.remark = "not chosen";
+    } else {
+      layer.remark = layer.wanted ? layer.node.attribute(kRemarkAttribute).value() : "not chosen";
     }
     const auto remark = [&](const char* text) {
       layer.remark += (layer.remark.empty() ? "" : "; ") + std::string(text);
@@ -157,26 +158,35 @@ void readRect(const XmlFile& file, pugi::xml_node data, const TileRect& rect, st
 LayerNames::LayerNames(const Options& options)
     : tiles_{options.layers}, objects_{options.objects.value_or(std::vector<std::string>{})} {}
 
-bool LayerNames::List::mark(const Layer& layer, std::vector<bool>& marks) const {
+std::vector<std::size_t> LayerNames::List::fitting(const Layer& layer) const {
   const std::string_view name = layer.node ? layer.node.attribute("name").value() : std::string_view(layer.path);
-  bool any = false;
+  std::vector<std::size_t> result;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] != name && names[i] != layer.path && names[i] != layer.pathInMap) continue;
-    marks[i] = any = true;
+    if (names[i] == name || names[i] == layer.path || names[i] == layer.pathInMap) result.push_back(i);
   }
-  return any;
+  return result;
 }
 
-void LayerNames::List::checkAll(const XmlFile& file, const char* kind, const char* other) const {
+bool LayerNames::List::fit(const Layer& layer) {
+  const std::vector<std::size_t> all = fitting(layer);
+  for (const std::size_t i : all) found[i] = true;
+  return !all.empty();
+}
+
+void LayerNames::List::see(const Layer& layer, const char* what) {
+  for (const std::size_t i : fitting(layer)) others[i] = what;
+}
+
+void LayerNames::List::checkAll(const XmlFile& file, const char* kind) const {
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!found[i] && isOther[i]) file.fail({}, "'" + names[i] + "' is " + other + names[i]);
+    if (!found[i] && !others[i].empty()) file.fail({}, "'" + names[i] + "' is " + others[i] + shellWord(names[i]));
     if (!found[i]) file.fail(file.root(), std::string("has no ") + kind + " layer or group '" + names[i] + "'");
   }
 }
 
 void LayerNames::checkAll(const XmlFile& file) const {
-  tiles_.checkAll(file, "tile", "an object layer: --objects ");
-  objects_.checkAll(file, "object", "a tile layer: --layer ");
+  tiles_.checkAll(file, "tile");
+  objects_.checkAll(file, "object");
 }
 
 std::vector<Layer> listLayers(const XmlFile& file, const Options& options, const MapPlace& place, LayerNames& names) {

@@ -21,7 +21,7 @@ struct Layer {
 /// The attribute of a group that is a place for layers, such as a level, and no part of their names.
 inline constexpr const char* kPlaceAttribute = "lgs:place";
 
-/// The attribute of an image layer with what the report says of it.
+/// The attribute of a layer of LDtk that is only drawn, with what the report says of it.
 inline constexpr const char* kRemarkAttribute = "lgs:remark";
 
 /// Where a map stands among others.
@@ -38,9 +38,10 @@ class LayerNames {
   bool fitTiles(const Layer& layer) { return tiles_.fit(layer); }
   bool fitObjects(const Layer& layer) { return objects_.fit(layer); }
 
-  /// A layer of the other kind, which the error for a name names.
-  void isTiles(const Layer& layer) { objects_.see(layer); }
-  void isObjects(const Layer& layer) { tiles_.see(layer); }
+  /// A layer of another kind, which the error for a name names.
+  void isTiles(const Layer& layer) { objects_.see(layer, "a tile layer: --layer "); }
+  void isObjects(const Layer& layer) { tiles_.see(layer, "an object layer: --objects "); }
+  void isDrawn(const Layer& layer) { tiles_.see(layer, "a layer of tiles that are only drawn: --solid --layer "); }
 
   /// If a name fits no layer of all that were listed, the file keeps an error.
   void checkAll(const XmlFile& file) const;
@@ -49,12 +50,12 @@ class LayerNames {
   struct List {
     std::vector<std::string> names;
     std::vector<bool> found = std::vector<bool>(names.size(), false);
-    std::vector<bool> isOther = std::vector<bool>(names.size(), false);  // it is that of a layer of the other kind
+    std::vector<std::string> others = std::vector<std::string>(names.size());  // which other layer it is that of
 
-    bool fit(const Layer& layer) { return mark(layer, found); }
-    void see(const Layer& layer) { mark(layer, isOther); }
-    bool mark(const Layer& layer, std::vector<bool>& marks) const;
-    void checkAll(const XmlFile& file, const char* kind, const char* other) const;
+    std::vector<std::size_t> fitting(const Layer& layer) const;
+    bool fit(const Layer& layer);
+    void see(const Layer& layer, const char* what);
+    void checkAll(const XmlFile& file, const char* kind) const;
   };
 
   List tiles_;

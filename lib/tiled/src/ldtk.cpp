@@ -1,15 +1,13 @@
 #include "ldtk.h"
 
 #include "layers.h"
+#include "ldtk_drawn.h"
 
 #include <algorithm>
 #include <set>
 
 namespace lgs::tiled {
 namespace {
-
-constexpr std::uint64_t kValues = 1 << 20;    // of an IntGrid layer: the tiles of one tileset
-constexpr std::uint64_t kMaxIntGrids = 0xFF;  // as many tilesets have room below the flags of tile numbers
 
 /// What the project says of an IntGrid layer, for all levels.
 struct IntGrid {
@@ -22,7 +20,7 @@ struct IntGrid {
 class LdtkProject {
  public:
   LdtkProject(const JsonReading& reading, const JsonPlace& root, const FileReader& reader, pugi::xml_node map)
-      : reading_(reading), root_(root), reader_(reader), map_(map) {}
+      : reading_(reading), root_(root), reader_(reader), map_(map), drawn_(reading, root) {}
 
   void read() {
     readDefinitions();
@@ -32,11 +30,9 @@ class LdtkProject {
     for (const JsonPlace& world : worlds) {
       readWorld(world, worlds.size() == 1 ? map_ : placeGroup(map_, world, {}));
     }
-    writeTilesets();
+    writeIntGrids();
+    drawn_.writeTilesets(map_, valueOf_);
     if (worlds.size() > 1) setAttribute(map_, kLdtkWorldsAttribute, "1");
-    if (depths_.size() > 1) setAttribute(map_, kLdtkDepthsAttribute, "1");
-    setAttribute(map_, kLdtkWidthAttribute, numberText(std::max(0.0, max_.x - min_.x)));
-    setAttribute(map_, kLdtkHeightAttribute, numberText(std::max(0.0, max_.y - min_.y)));
   }
 
  private:
@@ -47,7 +43,7 @@ class LdtkProject {
   void readIntGrid(const JsonPlace& layer, pugi::xml_node to);
   void readEntities(const JsonPlace& layer, pugi::xml_node to);
   void readEntity(const JsonPlace& entity, pugi::xml_node to) const;
-  void writeTilesets();
+  void writeIntGrids();
   std::string nameOf(const IntGrid& grid, std::uint64_t value, const std::string& identifier);
   IntGrid* intGridOf(const JsonPlace& layer);
   DoublePoint pair(const JsonPlace& at) const;
@@ -62,9 +58,7 @@ class LdtkProject {
   std::map<double, JsonPlace> layerDefinitions_;  // likewise
   std::map<double, bool> isEllipse_;              // entities, likewise
   std::map<std::string, std::uint64_t> valueOf_;  // by name
-  std::set<double> depths_;
-  DoublePoint min_, max_;
-  bool hasLevels_ = false;
+  DrawnLayers drawn_;
 };
 
 void LdtkProject::readDefinitions() {
@@ -82,7 +76,8 @@ void LdtkProject::readWorld(const JsonPlace& world, pugi::xml_node to) {
   if (!layout.empty() && !inRow && !inColumn && layout != "Free" && layout != "GridVania") {
     return reading_.fail(world["worldLayout"], "is " + layout + ", which is not known");
   }
-  DoublePoint next;
+  DoublePoint next, min, max;
+  std::set<double> depths;
   for (const JsonPlace& level : reading_.objects(world["levels"])) {
     if (reading_.failed()) return;
     const bool linear = inRow || inColumn;
@@ -92,13 +87,15 @@ void LdtkProject::readWorld(const JsonPlace& world, pugi::xml_node to) {
         linear ? next : DoublePoint{reading_.number(level["worldX"]), reading_.number(level["worldY"])};
     if (inRow) next.x += size.x;
     if (inColumn) next.y += size.y;
-    min_ = hasLevels_ ? DoublePoint{std::min(min_.x, at.x), std::min(min_.y, at.y)} : at;
+    min = depths.empty() ? at : DoublePoint{std::min(min.x, at.x), std::min(min.y, at.y)};
     const DoublePoint end{at.x + size.x, at.y + size.y};
-    max_ = hasLevels_ ? DoublePoint{std::max(max_.x, end.x), std::max(max_.y, end.y)} : end;
-    hasLevels_ = true;
-    depths_.insert(reading_.number(level["worldDepth"], 0));
+    max = depths.empty() ? end : DoublePoint{std::max(max.x, end.x), std::max(max.y, end.y)};
+    depths.insert(reading_.number(level["worldDepth"], 0));
     readLevel(level, at, to);
   }
+  if (depths.size() > 1) setAttribute(to, kLdtkDepthsAttribute, "1");
+  setAttribute(to, kLdtkWidthAttribute, numberText(std::max(0.0, max.x - min.x)));
+  setAttribute(to, kLdtkHeightAttribute, numberText(std::max(0.0, max.y - min.y)));
 }
 
 /// A level may have a file of its own.
@@ -128,7 +125,7 @@ void LdtkProject::readLayers(const JsonPlace& level, pugi::xml_node to) {
     } else if (type == "Entities") {
       readEntities(*layer, to);
     } else if (type == "Tiles" || type == "AutoLayer") {
-      setAttribute(addLayer(to, "imagelayer", *layer), kRemarkAttribute, "tiles that are only drawn");
+      drawn_.read(*layer, addLayer(to, "layer", *layer));
     } else {
       reading_.fail((*layer)["__type"], "should be IntGrid, Entities, Tiles or AutoLayer");
     }
@@ -152,8 +149,8 @@ void LdtkProject::readIntGrid(const JsonPlace& layer, pugi::xml_node to) {
   std::string list;
   std::uint64_t last = 0;
   for (const Json& value : *csv.value) {
-    if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= kValues) {
-      return reading_.fail(csv, "should hold whole numbers from 0 to " + std::to_string(kValues - 1));
+    if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= kLdtkSetSize) {
+      return reading_.fail(csv, "should hold whole numbers from 0 to " + std::to_string(kLdtkSetSize - 1));
     }
     const auto number = value.get<std::uint64_t>();
     if (number != last && number != 0) grid->values.try_emplace(number, "");
@@ -169,18 +166,18 @@ IntGrid* LdtkProject::intGridOf(const JsonPlace& layer) {
   const auto [at, isNew] = intGrids_.try_emplace(uid);
   IntGrid& grid = at->second;
   if (!isNew) return &grid;
-  if (intGrids_.size() > kMaxIntGrids) {
-    reading_.fail(layer, "is one IntGrid layer too many: there may be " + std::to_string(kMaxIntGrids));
+  if (intGrids_.size() > kMaxLdtkSets) {
+    reading_.fail(layer, "is one IntGrid layer too many: there may be " + std::to_string(kMaxLdtkSets));
     return nullptr;
   }
-  grid.firstGid = intGrids_.size() * kValues;
+  grid.firstGid = intGrids_.size() * kLdtkSetSize;
   grid.name = layer.text("__identifier");
   grid.grid = reading_.number(layer["__gridSize"]);
   const auto definition = layerDefinitions_.find(uid);
   if (definition == layerDefinitions_.end()) return &grid;
   for (const JsonPlace& value : reading_.objects(definition->second["intGridValues"])) {
     const double number = reading_.number(value["value"], 0);
-    if (number >= 1 && number < kValues)
+    if (number >= 1 && number < kLdtkSetSize)
       grid.values.emplace(static_cast<std::uint64_t>(number), value.text("identifier"));
   }
   return &grid;
@@ -224,7 +221,7 @@ void LdtkProject::readEntity(const JsonPlace& entity, pugi::xml_node to) const {
   }
 }
 
-void LdtkProject::writeTilesets() {
+void LdtkProject::writeIntGrids() {
   for (auto& [uid, grid] : intGrids_) {
     pugi::xml_node set = map_.append_child("tileset");
     const std::string side = numberText(grid.grid);

@@ -11,17 +11,21 @@ namespace lgs::tiled {
 /// Attributes of the document that no map of Tiled's has.
 inline constexpr const char* kLdtkAttribute = "ldtk:version";     ///< of the root; its version of LDtk
 inline constexpr const char* kLdtkGridAttribute = "__gridSize";   ///< of the root and of layers: a cell's side, pixels
-inline constexpr const char* kLdtkWidthAttribute = "ldtk:width";  ///< of the root: from the first level to the last one
+inline constexpr const char* kLdtkWidthAttribute = "ldtk:width";  ///< of a world: from the first level to the last one.
+                                                                  ///< The root is the world if there is one
 inline constexpr const char* kLdtkHeightAttribute = "ldtk:height";
 inline constexpr const char* kLdtkWorldsAttribute = "ldtk:worlds";  ///< of the root: there are several
-inline constexpr const char* kLdtkDepthsAttribute = "ldtk:depths";  ///< of the root: levels have several depths
+inline constexpr const char* kLdtkDepthsAttribute = "ldtk:depths";  ///< of a world: levels have several depths
+inline constexpr const char* kLdtkDrawnAttribute = "ldtk:drawn";  ///< of layers and tilesets whose tiles are only drawn
+inline constexpr const char* kLdtkNotSolidAttribute = "ldtk:not-solid";  ///< of such layers: why they cannot be solid
 
 bool isLdtkProject(const JsonPlace& root);
 
 void readLdtk(const JsonReading& reading, const JsonPlace& root, const FileReader& reader,
               pugi::xml_document& document);
 
-/// Decides what depends on the layers that are wanted: how large a cell is. Gives each value of an IntGrid layer its
+/// Decides what depends on the layers that are wanted: which world stays, whether tiles that are only drawn are read, and
+/// how large a cell is. Gives each value of an IntGrid layer its
 /// block, unless the options give it another one. What is worth a note goes into `notes`.
 void settleLdtk(const XmlFile& file, Options& options, std::vector<std::string>& notes);
 

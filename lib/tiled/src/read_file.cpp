@@ -19,4 +19,17 @@ tl::expected<std::string, std::string> readFile(const std::string& path) {
   return text;
 }
 
+tl::expected<std::vector<std::string>, std::string> listFolder(const std::string& path) {
+  std::vector<std::string> names;
+  std::error_code failed;
+  std::filesystem::directory_iterator at(path, failed);
+  while (!failed && at != std::filesystem::directory_iterator()) {
+    std::error_code ignored;  // what can not be looked at is no file
+    if (at->is_regular_file(ignored)) names.push_back(at->path().filename().string());
+    at.increment(failed);
+  }
+  if (failed) return tl::unexpected(failed.message());
+  return names;
+}
+
 }  // namespace lgs::tiled

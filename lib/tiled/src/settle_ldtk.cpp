@@ -26,16 +26,54 @@ double gridOf(const XmlFile& file, const std::vector<Layer>& layers) {
   return static_cast<double>(file.integer(node, kLdtkGridAttribute, std::nullopt, 1, kMaxPixels));
 }
 
-/// Several worlds of a project would lie over each other.
-void allowOneWorld(const XmlFile& file, const std::vector<Layer>& layers) {
-  std::set<std::string> worlds;
-  for (const Layer& layer : layers) {
-    if (layer.wanted) worlds.insert(layer.path.substr(0, layer.path.find('/')));
+/// Without a wish for full squares, what is only drawn is no more than an image.
+void settleDrawn(pugi::xml_node parent, const Options& options) {
+  const bool isAsked = options.solidWithoutShapes || !options.solidIf.empty();
+  for (pugi::xml_node node : parent.children()) {
+    settleDrawn(node, options);
+    if (isAsked || std::string_view(node.name()) != "layer" || !node.attribute(kLdtkDrawnAttribute)) continue;
+    node.set_name("imagelayer");
+    node.remove_attribute(kRemarkAttribute);
+    setAttribute(node, kRemarkAttribute, "tiles that are only drawn");
   }
-  if (worlds.size() < 2) return;
-  std::string names;
-  for (const std::string& world : worlds) names += (names.empty() ? "" : ", ") + world;
-  file.fail(file.root(), "has several worlds, which lie over each other: choose one of " + names, "layers");
+}
+
+void refuseNotSolid(const XmlFile& file, const std::vector<Layer>& layers) {
+  for (const Layer& layer : layers) {
+    const auto why = layer.node.attribute(kLdtkNotSolidAttribute);
+    if (layer.wanted && why) file.fail(layer.node, std::string(why.value()) + ": choose other layers", "layers");
+  }
+}
+
+/// The worlds of all layers that are wanted; or, if tile layers were chosen and some are wanted, of these alone.
+std::set<std::string> wantedWorlds(const std::vector<Layer>& layers, const Options& options) {
+  std::set<std::string> all, ofTiles;
+  for (const Layer& layer : layers) {
+    if (!layer.wanted) continue;
+    const std::string world = layer.path.substr(0, layer.path.find('/'));
+    all.insert(world);
+    if (layer.kind == LayerKind::tiles) ofTiles.insert(world);
+  }
+  return options.layers.empty() || ofTiles.empty() ? all : ofTiles;
+}
+
+/// Several worlds of a project would lie over each other. The one that was chosen stays, and the others go. Returns it.
+pugi::xml_node chooseWorld(const XmlFile& file, const Options& options) {
+  LayerNames names(options);
+  const std::set<std::string> worlds = wantedWorlds(listLayers(file, options, {}, names), options);
+  if (worlds.size() > 1) {
+    std::string list;
+    for (const std::string& world : worlds) list += (list.empty() ? "" : ", ") + world;
+    file.fail(file.root(), "has several worlds, which lie over each other: choose one of " + list, "layers");
+  }
+  pugi::xml_node root = file.root(), chosen = root;
+  if (worlds.size() != 1) return chosen;
+  for (pugi::xml_node group = root.child("group"); group;) {
+    const pugi::xml_node next = group.next_sibling("group");
+    *worlds.begin() == group.attribute("name").value() ? void(chosen = group) : void(root.remove_child(group));
+    group = next;
+  }
+  return chosen;
 }
 
 }  // namespace
@@ -43,23 +81,27 @@ void allowOneWorld(const XmlFile& file, const std::vector<Layer>& layers) {
 void settleLdtk(const XmlFile& file, Options& options, std::vector<std::string>& notes) {
   constexpr double kMaxSide = 1 << 28;  // tiles
   pugi::xml_node root = file.root();
+  settleDrawn(root, options);
+  const pugi::xml_node world = root.attribute(kLdtkWorldsAttribute) ? chooseWorld(file, options) : root;
+  if (file.failed()) return;
   LayerNames names(options);
   const std::vector<Layer> layers = listLayers(file, options, {}, names);
+  refuseNotSolid(file, layers);
   const double grid = gridOf(file, layers);
-  if (root.attribute(kLdtkWorldsAttribute)) allowOneWorld(file, layers);
-  if (root.attribute(kLdtkDepthsAttribute)) {
+  if (world.attribute(kLdtkDepthsAttribute)) {
     notes.push_back("levels at different depths are imported over each other: choose some by --layer");
   }
   setAttribute(root, "tilewidth", numberText(grid));
   setAttribute(root, "tileheight", numberText(grid));
   for (const auto& [pixels, tiles] : {std::pair(kLdtkWidthAttribute, "width"), {kLdtkHeightAttribute, "height"}}) {
-    const double side = std::ceil(file.real(root, pixels) / grid);
+    const double side = std::ceil(file.real(world, pixels) / grid);
     if (!(side <= kMaxSide)) return file.fail(root, "its levels are too far apart");
     setAttribute(root, tiles, numberText(side));
   }
   if (options.blockFrom == BlockFrom::layer) return;
   options.blockFrom = BlockFrom::tileClass;
   for (const auto set : root.children("tileset")) {
+    if (set.attribute(kLdtkDrawnAttribute)) continue;
     for (const auto tile : set.children("tile")) {
       options.blocks.emplace(tile.attribute("class").value(), tile.attribute("id").as_uint());
     }

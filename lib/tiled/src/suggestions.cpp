@@ -102,6 +102,21 @@ void addFullSquares(const std::vector<Layer>& layers, const Report& report, std:
   result.push_back(std::move(some));
 }
 
+/// Layers of LDtk whose tiles are only drawn.
+void addDrawnLayers(const std::vector<Layer>& layers, std::vector<Suggestion>& result) {
+  Suggestion drawn;
+  std::vector<std::string> names;
+  for (const Layer& layer : layers) {
+    if (layer.kind != LayerKind::image || !layer.node.attribute(kRemarkAttribute)) continue;
+    names.push_back(layer.path);
+    drawn.arguments.insert(drawn.arguments.end(), {"--layer", layer.path});
+  }
+  if (names.empty()) return;
+  drawn.arguments.push_back("--solid");
+  drawn.text = counted(names.size(), "layer") + " of tiles that are only drawn: " + listed(names);
+  result.push_back(std::move(drawn));
+}
+
 }  // namespace
 
 void Suggestions::see(std::uint32_t tile, const Properties& properties) {
@@ -139,6 +154,7 @@ std::vector<Suggestion> Suggestions::make(const std::vector<Layer>& layers, cons
     named.text = counted(names.size(), "tile layer") + " with a name that says so: " + listed(names);
     result.push_back(std::move(named));
   }
+  addDrawnLayers(layers, result);
   if (result.empty()) addFullSquares(layers, report, result);
   return result;
 }

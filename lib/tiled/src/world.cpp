@@ -3,11 +3,11 @@
 #include "import_one.h"
 #include "ldtk.h"
 #include "placer.h"
+#include "world_maps.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <set>
 #include <utility>
 
 namespace lgs::tiled {
@@ -21,9 +21,9 @@ class WorldImport {
   }
 
   tl::expected<ImportedMap, ImportError> run() {
-    if (!file_.root().child("map")) file_.fail(file_.root(), "lists no maps");
-    for (const auto entry : file_.root().children("map")) {
+    for (const WorldMap& entry : mapsOf(file_, job_.lister, all_.report.notes)) {
       if (!file_.failed()) read(entry);
+      isFirst_ = false;
     }
     if (file_.failed()) return tl::unexpected(*error_);
     finish();
@@ -31,7 +31,8 @@ class WorldImport {
   }
 
  private:
-  void read(pugi::xml_node entry);
+  void read(const WorldMap& entry);
+  void blamePattern(const WorldMap& entry);
   void add(const ImportedMap& map);
   std::uint32_t addTile(const TileReport& tile);
   void measure(const Report& report, DoublePoint at);
@@ -42,52 +43,52 @@ class WorldImport {
   std::optional<ImportError>& error_;
   ImportedMap all_;
   Placer placer_;
-  std::set<std::string> files_;
+  bool isFirst_ = true;                                                   // of the maps
   std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> tiles_;  // by tileset and number
   DoublePoint min_, max_;                                                 // of the maps, in tiles
 };
 
-void WorldImport::read(pugi::xml_node entry) {
-  const std::string named = entry.attribute("fileName").value();
-  const std::string path = file_.pathTo(named);
-  const DoublePoint at{file_.real(entry, "x"), file_.real(entry, "y")};
-  if (named.empty()) return file_.fail(entry, "has no fileName");
-  if (!files_.insert(path).second) return file_.fail(entry, named + " is listed twice");
-  if (file_.failed()) return;
-  const XmlFile file(path, job_.reader, "map", error_);
+void WorldImport::read(const WorldMap& entry) {
+  const XmlFile file(file_.pathTo(entry.name), job_.reader, "map", error_);
   if (error_ && !file.wasRead()) {  // the world is to blame for naming it
     std::string what = "the map's file " + error_->file + " " + error_->what;
     error_.reset();
-    return file_.fail(entry, std::move(what));
+    return file_.fail(entry.node, std::move(what));
   }
-  if (file.failed()) return;
+  if (file.failed()) return blamePattern(entry);
   if (std::string_view(file.root().name()) == "world" || file.root().attribute(kLdtkAttribute)) {
-    return file_.fail(entry, named + " is no map of Tiled's");
+    file_.fail(entry.node, entry.name + " is no map of Tiled's");
+    return blamePattern(entry);
   }
-  const MapPlace place{std::filesystem::path(named).replace_extension().generic_string(), at};
+  const MapPlace place{std::filesystem::path(entry.name).replace_extension().generic_string(), entry.at};
   const auto map = importOne(file, job_, place, error_);
   if (!map) return;
-  const bool isFirst = files_.size() == 1;
   const Report& report = map->report;
-  if (!isFirst && (report.tileWidth != all_.report.tileWidth || report.tileHeight != all_.report.tileHeight)) {
-    return file_.fail(entry, named +
-                                 " has tiles of another size than the maps before it. One tile becomes one cell of "
-                                 "the world, so all must have the same");
+  if (!isFirst_ && (report.tileWidth != all_.report.tileWidth || report.tileHeight != all_.report.tileHeight)) {
+    return file_.fail(entry.node,
+                      entry.name +
+                          " has tiles of another size than the maps before it. One tile becomes one cell of "
+                          "the world, so all must have the same");
   }
-  if (isFirst) {
+  if (isFirst_) {
     all_.report.tileWidth = report.tileWidth;
     all_.report.tileHeight = report.tileHeight;
     all_.report.tolerance = report.tolerance;
   }
-  measure(report, {at.x / report.tileWidth, at.y / report.tileHeight});
+  measure(report, {entry.at.x / report.tileWidth, entry.at.y / report.tileHeight});
   add(*map);
+}
+
+/// A file that is no map may fit a pattern by mistake.
+void WorldImport::blamePattern(const WorldMap& entry) {
+  const std::string pattern = entry.node.attribute("regexp").value();
+  if (!pattern.empty()) error_->what += " (it fits the pattern " + inQuotes(pattern) + " of the world)";
 }
 
 void WorldImport::measure(const Report& report, DoublePoint at) {
   const DoublePoint end{at.x + report.width, at.y + report.height};
-  const bool isFirst = files_.size() == 1;
-  min_ = isFirst ? at : DoublePoint{std::min(min_.x, at.x), std::min(min_.y, at.y)};
-  max_ = isFirst ? end : DoublePoint{std::max(max_.x, end.x), std::max(max_.y, end.y)};
+  min_ = isFirst_ ? at : DoublePoint{std::min(min_.x, at.x), std::min(min_.y, at.y)};
+  max_ = isFirst_ ? end : DoublePoint{std::max(max_.x, end.x), std::max(max_.y, end.y)};
 }
 
 /// Takes over a map: its layers, tiles and notes, and its polygons as far as nothing is in their way.

@@ -35,22 +35,13 @@ std::optional<double> parseReal(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-/// A piece of the file as a message quotes it: short, and without control characters.
-std::string quoted(std::string_view text) {
-  constexpr std::size_t kMost = 40;
-  std::string result(text.substr(0, kMost));
-  std::replace_if(
-      result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
-  return "'" + result + (text.size() > kMost ? "…'" : "'");
-}
-
 std::string describe(pugi::xml_node node) {
   if (!node) return {};
   const std::string_view path = node.attribute(kPathAttribute).value();  // it comes from JSON
   std::string result = path.empty() ? "<" + std::string(node.name()) + ">" : std::string(path);
   for (const char* attribute : {"name", "id", "source"}) {
     const auto value = node.attribute(attribute);
-    if (value && !(*value.value() == '\0' && !path.empty())) return result + " " + quoted(value.value());
+    if (value && !(*value.value() == '\0' && !path.empty())) return result + " " + inQuotes(value.value());
   }
   return result;
 }
@@ -129,7 +120,7 @@ std::int64_t XmlFile::integer(pugi::xml_node node, const char* attribute, std::o
   }
   const auto value = parseNumber<std::int64_t>(found.value());
   if (value && *value >= min && *value <= max) return *value;
-  fail(node, std::string(attribute) + "=" + quoted(found.value()) + " should be a whole number from " +
+  fail(node, std::string(attribute) + "=" + inQuotes(found.value()) + " should be a whole number from " +
                  std::to_string(min) + " to " + std::to_string(max));
   return fallback.value_or(min);
 }
@@ -138,7 +129,7 @@ double XmlFile::real(pugi::xml_node node, const char* attribute) const {
   const auto found = node.attribute(attribute);
   if (!found) return 0;
   const auto value = parseReal(found.value());
-  if (!value) fail(node, std::string(attribute) + "=" + quoted(found.value()) + " should be a finite number");
+  if (!value) fail(node, std::string(attribute) + "=" + inQuotes(found.value()) + " should be a finite number");
   return value.value_or(0);
 }
 
@@ -153,13 +144,21 @@ std::vector<DoublePoint> XmlFile::points(pugi::xml_node node, const char* attrib
     const auto x = parseReal(pair.substr(0, comma));
     const auto y = comma < pair.size() ? parseReal(pair.substr(comma + 1)) : std::nullopt;
     if (!x || !y) {
-      fail(node, std::string(attribute) + ": " + quoted(pair) + " should be two finite numbers 'x,y'");
+      fail(node, std::string(attribute) + ": " + inQuotes(pair) + " should be two finite numbers 'x,y'");
       return {};
     }
     result.push_back({*x, *y});
     rest = trimmed(rest.substr(blank));
   }
   return result;
+}
+
+std::string inQuotes(std::string_view text) {
+  constexpr std::size_t kMost = 40;
+  std::string result(text.substr(0, kMost));
+  std::replace_if(
+      result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
+  return "'" + result + (text.size() > kMost ? "…'" : "'");
 }
 
 std::string pathBeside(const std::string& file, std::string named) {

@@ -10,7 +10,7 @@
 //   puts(lgs::tiled::toText(map->report).c_str());
 //
 // WHAT IS READ. The importer reads Tiled's maps, tilesets and templates in XML (TMX, TSX, TX) and in JSON (TMJ, TSJ,
-// TJ), and each may name files of either kind; Tiled's worlds, without patterns of file names; and LDtk projects from
+// TJ), and each may name files of either kind; Tiled's worlds, also with patterns of file names; and LDtk projects from
 // 0.8 on. The content of a file says what it is, not its name.
 //   Maps are orthogonal, finite and infinite. Tilesets stand in the map or in files of their own. Layers are CSV,
 // base64 (plain, zlib, gzip or zstd) or <tile> elements, and may be in groups. Tiles may be flipped and rotated. Each
@@ -25,7 +25,8 @@
 // Options::polylineThickness), texts; in the shapes of a tile also tile objects. The report names them. The importer
 // passes over image layers. Hidden layers and objects count like visible ones, unless Options::visibleOnly is set. If
 // nothing comes out, Report::suggestions says what looks like collision.
-//   In an LDtk project each cell of an IntGrid layer is a full square, unless its value is 0. The entities of one kind
+//   In an LDtk project each cell of an IntGrid layer is a full square, unless its value is 0. Tiles that are only drawn
+// have no shapes, so they are solid as Options asks for it; their tags are properties. The entities of one kind
 // in a layer are an object layer, whose path is "Level/Layer/Entity"; tags of the kind are its properties, and the name
 // of the entity layer is its class. Objects have the number of the entity in its layer, from 1. docs/maps.md has more.
 //
@@ -70,6 +71,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tl/expected.hpp>
 #include <vector>
 
@@ -112,7 +114,7 @@ struct Options {
 
   /// Properties, "NAME" or "NAME=VALUE". A tile without any collision object is a full square if it or its layer has
   /// one of them. "NAME" alone takes any value that is not empty, "false" or "0". The report names those that no
-  /// tile and no tile layer has.
+  /// tile and no tile layer has, names and values alike.
   std::vector<std::string> solidIf;
 
   BlockFrom blockFrom = BlockFrom::one;
@@ -232,6 +234,9 @@ struct Suggestion {
   std::vector<std::string> arguments;  ///< of `lgs import` that take it: "--objects", "Boxes". The same as in Options
 };
 
+/// An argument as a shell takes it: in quotes if it has to be. Names come from files, so control characters have escapes.
+std::string shellWord(std::string_view argument);
+
 struct Report {
   std::string file;
   int width = 0;  ///< of the map, tiles; what its file says
@@ -270,11 +275,23 @@ struct ImportedMap {
 /// own can serve files from memory; then an import touches no file.
 using FileReader = std::function<tl::expected<std::string, std::string>(const std::string& path)>;
 
+/// Returns the names of the files in a folder, without that of the folder, in any order; or says why it can not. Only a
+/// world with patterns of file names needs it. importMap() calls it at most once, with the world's folder ("." if its
+/// path has none), and sorts what comes back.
+using FolderLister = std::function<tl::expected<std::vector<std::string>, std::string>(const std::string& folder)>;
+
 /// Reads a file of at most 1 GiB from the disk.
 tl::expected<std::string, std::string> readFile(const std::string& path);
 
-/// Reads a map, world or LDtk project, and what it names. The first problem that spoils the map is the error.
-tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options = {},
-                                                 const FileReader& reader = readFile);
+/// Lists a folder of the disk.
+tl::expected<std::vector<std::string>, std::string> listFolder(const std::string& path);
+
+/// Reads a map, world or LDtk project, and what it names. The first problem that spoils the map is the error. With a
+/// reader and no lister, a world with patterns is an error.
+tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options,
+                                                 const FileReader& reader, const FolderLister& lister = {});
+
+/// The same from the disk.
+tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options = {});
 
 }  // namespace lgs::tiled

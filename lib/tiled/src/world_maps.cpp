@@ -1,0 +1,127 @@
+#include "world_maps.h"
+
+#include "regexp.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace lgs::tiled {
+namespace {
+
+/// What Tiled reads as a number here: it has 32 bits, and may have a sign.
+std::optional<std::int64_t> captured(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  std::int32_t value = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+class WorldMaps {
+ public:
+  WorldMaps(const XmlFile& file, const FolderLister& lister, std::vector<std::string>& notes)
+      : file_(file), lister_(lister), notes_(notes) {}
+
+  std::vector<WorldMap> read() {
+    for (const auto node : file_.root().children("map")) readListed(node);
+    const auto patterns = file_.root().children("pattern");
+    if (!patterns.empty()) listFolder();
+    for (const auto node : patterns) readPattern(node);
+    if (maps_.empty())
+      file_.fail(file_.root(), patterns.empty() ? "lists no maps" : "has no maps: no file fits its patterns");
+    return std::move(maps_);
+  }
+
+ private:
+  void readListed(pugi::xml_node node) {
+    const std::string name = node.attribute("fileName").value();
+    const DoublePoint at{file_.real(node, "x"), file_.real(node, "y")};
+    if (name.empty()) return file_.fail(node, "has no fileName");
+    if (!known_.insert(file_.pathTo(name)).second) return file_.fail(node, name + " is listed twice");
+    maps_.push_back({node, name, at});
+  }
+
+  void listFolder() {
+    if (file_.failed()) return;
+    const std::string folder = std::filesystem::path(file_.name()).parent_path().generic_string();
+    if (!lister_) {
+      return file_.fail(file_.root().child("pattern"),
+                        "takes maps by the names of the files in its folder, and nothing lists them: give importMap() "
+                        "a FolderLister, or list the maps of the world as \"maps\"");
+    }
+    auto names = lister_(folder.empty() ? "." : folder);
+    if (!names) {
+      return file_.fail(file_.root().child("pattern"), "needs a list of its folder: " + names.error());
+    }
+    names_ = std::move(*names);
+    std::erase_if(names_, [](const std::string& name) { return name.starts_with('.'); });  // Tiled does not see them
+    std::sort(names_.begin(), names_.end());
+  }
+
+  void readPattern(pugi::xml_node node) {
+    if (file_.failed()) return;
+    const std::string text = node.attribute("regexp").value();
+    const auto regexp = Regexp::parse(text);
+    if (!regexp) return file_.fail(node, "its regexp " + inQuotes(text) + " " + regexp.error());
+    if (regexp->captures() != Regexp::kKept) {
+      return file_.fail(node, "its regexp " + inQuotes(text) + " has " + std::to_string(regexp->captures()) +
+                                  " captures. It needs two: (…) for the column and (…) for the row");
+    }
+    const std::size_t before = maps_.size();
+    bool fits = false;
+    for (const std::string& name : names_) {
+      const auto place = regexp->match(name);
+      if (!place) continue;
+      fits = true;
+      if (known_.insert(file_.pathTo(name)).second) add(node, name, *place);
+    }
+    if (!fits) notes_.push_back("no file in the folder fits the pattern " + inQuotes(text));
+    noteSamePlaces(before, inQuotes(text));
+  }
+
+  void add(pugi::xml_node node, const std::string& name, const std::array<std::string, Regexp::kKept>& place) {
+    const auto along = [&](const std::string& text, const char* multiplier, const char* offset) {
+      constexpr std::int64_t kMin = std::numeric_limits<std::int32_t>::min();
+      constexpr std::int64_t kMax = std::numeric_limits<std::int32_t>::max();
+      const auto number = captured(text);
+      if (!number)
+        file_.fail(node,
+                   "takes " + name + ", where it captures " + inQuotes(text) + ": this is no whole number of 32 bits");
+      const std::int64_t by = file_.integer(node, multiplier, 1, kMin, kMax);
+      if (by == 0) file_.fail(node, std::string(multiplier) + " is 0, so all its maps would lie at one place");
+      return static_cast<double>(number.value_or(0) * by + file_.integer(node, offset, 0, kMin, kMax));
+    };
+    maps_.push_back(
+        {node, name, {along(place[0], "multiplierX", "offsetX"), along(place[1], "multiplierY", "offsetY")}});
+  }
+
+  /// A copy of a map, such as "1-2.tmx.bak", fits what its map fits, unless the pattern has an end.
+  void noteSamePlaces(std::size_t from, const std::string& pattern) {
+    std::map<std::pair<double, double>, std::string> at;
+    for (std::size_t k = from; k < maps_.size(); ++k) {
+      const auto [first, isNew] = at.try_emplace({maps_[k].at.x, maps_[k].at.y}, maps_[k].name);
+      if (isNew) continue;
+      notes_.push_back("the pattern " + pattern + " puts " + first->second + " and " + maps_[k].name +
+                       " at one place. If one is a copy, end the pattern with $");
+    }
+  }
+
+  const XmlFile& file_;
+  const FolderLister& lister_;
+  std::vector<std::string>& notes_;
+  std::vector<std::string> names_;
+  std::set<std::string> known_;  // paths
+  std::vector<WorldMap> maps_;
+};
+
+}  // namespace
+
+std::vector<WorldMap> mapsOf(const XmlFile& file, const FolderLister& lister, std::vector<std::string>& notes) {
+  return WorldMaps(file, lister, notes).read();
+}
+
+}  // namespace lgs::tiled

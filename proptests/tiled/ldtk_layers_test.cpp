@@ -1,0 +1,154 @@
+// LDtk projects: layers whose tiles are only drawn, and which of several worlds is read.
+#include "ldtk_projects.h"
+
+namespace lgs::tiled {
+namespace {
+
+TEST(TiledLdtk, LayersThatAreOnlyDrawn) {
+  const std::string drawn = R"({"__identifier":"Deco", "__type":"AutoLayer", "layerDefUid":9, "__gridSize":4})";
+  const auto map = mustImportProject(project(level("A", 0, 0, drawn + "," + grid("1,0,0,0,0,0", "Other", 2))));
+  ASSERT_EQ(map.report.layers.size(), 2U);
+  EXPECT_EQ(map.report.layers.at(0).note,
+            "scrolls at its own speed (parallax); imported where it stands in the editor");
+  EXPECT_EQ(map.report.layers.at(1).note, "tiles that are only drawn");
+}
+
+/// A tile layer of 8 px cells, by lists of "px" and number.
+std::string tiles(const std::string& list, const std::string& type = "Tiles", const std::string& more = "") {
+  return "{\"__identifier\":\"Deco\", \"__type\":\"" + type +
+         "\", \"__gridSize\":8, \"layerDefUid\":9, \"__tilesetDefUid\":21, " + more + "\"" +
+         (type == "Tiles" ? "gridTiles" : "autoLayerTiles") + "\":[" + list + "]}";
+}
+
+std::string tile(int x, int y, const std::string& number) {
+  return "{\"px\":[" + std::to_string(x) + "," + std::to_string(y) + "], \"t\":" + number + "}";
+}
+
+std::string projectWithTiles(const std::string& layers, const std::string& size = "8") {
+  std::string text = project(level("A", 8, 0, layers));
+  return text.insert(text.find("\"entities\""), "\"tilesets\":[{\"uid\":21, \"tileGridSize\":" + size +
+                                                    ", \"enumTags\":[{\"enumValueId\":\"Hard\", \"tileIds\":[4, 70, "
+                                                    "-1]}, {\"enumValueId\":\"Soft\", \"tileIds\":[5]}]}], ");
+}
+
+TEST(TiledLdtk, TilesThatAreOnlyDrawnCanBeSolid) {
+  const std::string two = tile(0, 0, "70") + "," + tile(16, 8, "5") + "," + tile(16, 8, "5");
+  const std::string astray = tile(-8, 8, "70") + "," + tile(4, 0, "70");
+  const std::string ground = grid("0,3,0,0,0,0");
+  for (const char* type : {"Tiles", "AutoLayer"}) {
+    const std::string text = projectWithTiles(tiles(two + "," + astray, type) + "," + ground);
+    EXPECT_EQ(cellsOf(mustImportProject(text)), (std::vector<Cell>{{2, -1}}));
+    Options options;
+    options.solidWithoutShapes = true;
+    const auto map = mustImportProject(text, options);
+    EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{0, -2}, {3, -2}, {1, -1}, {2, -1}}));
+    EXPECT_EQ(blocksOf(map), (std::vector<Block>{4, 4, 4, 3})) << "no block of a value";
+    EXPECT_EQ(map.block("Deco"), 4U);
+    EXPECT_EQ(map.report.layers.at(1).note, "1 tiles beside the grid are left out");
+    EXPECT_EQ(map.report.layers.at(1).tiles, 3U) << "the same tile twice in a cell is one";
+    options.layers = {"Deco"};
+    EXPECT_EQ(cellsOf(mustImportProject(text, options)).size(), 3U);
+    options = {};
+    options.solidIf = {"Hard"};
+    EXPECT_EQ(cellsOf(mustImportProject(text, options)), (std::vector<Cell>{{0, -2}, {1, -1}, {2, -1}})) << "by tags";
+  }
+}
+
+TEST(TiledLdtk, ALayerOfTilesHasABlockThatNoValueHas) {
+  std::string text = projectWithTiles(tiles(tile(0, 0, "70")) + "," + grid("0,3,0,0,0,0"));
+  text.replace(text.find("\"dirt\""), 6, "\"Deco\"");
+  Options options;
+  options.solidWithoutShapes = true;
+  const auto map = mustImportProject(text, options);
+  EXPECT_EQ(blocksOf(map), (std::vector<Block>{4, 3}));
+  EXPECT_EQ(map.block("Deco.Deco"), 4U);
+}
+
+TEST(TiledLdtk, WhatIsSaidOfTilesThatAreOnlyDrawn) {
+  const std::string text = projectWithTiles(tiles(tile(0, 0, "70")));
+  Options options;
+  options.layers = {"Deco"};
+  EXPECT_EQ(refusalOf(text, options),
+            "maps/test.tmx: 'Deco' is a layer of tiles that are only drawn: --solid --layer Deco");
+  const auto empty = mustImportProject(text);
+  ASSERT_EQ(empty.report.suggestions.size(), 1U);
+  EXPECT_EQ(empty.report.suggestions[0].text, "1 layer of tiles that are only drawn: A/Deco");
+  EXPECT_EQ(empty.report.suggestions[0].arguments, (std::vector<std::string>{"--layer", "A/Deco", "--solid"}));
+  options = {};
+  options.solidWithoutShapes = true;
+  const std::string at = "maps/test.tmx: levels/0/layerInstances/0";
+  const std::string large = projectWithTiles(tiles(tile(0, 0, "70")) + "," + grid("1,0,0,0,0,0"), "16");
+  EXPECT_EQ(refusalOf(large, options),
+            at + " 'Deco' has tiles of 16 px on a grid of 8 px. Only tiles as large as the grid can be solid: choose "
+                 "other layers (Options::layers)");
+  options.layers = {"Solid"};
+  EXPECT_EQ(cellsOf(mustImportProject(large, options)).size(), 1U) << "the others do not matter";
+  for (const char* bad : {"{\"px\":[1], \"t\":1}", "{\"px\":[8,8], \"t\":-1}", "{\"px\":[8,8], \"t\":0.5}",
+                          "{\"px\":[8,8], \"t\":1048576}"}) {
+    EXPECT_EQ(refusalOf(projectWithTiles(tiles(bad))),
+              at + "/gridTiles/0 should have two numbers 'px', and a tile 't' from 0 to 1048575");
+  }
+  std::string many;
+  for (int uid = 100; uid < 228; ++uid) {
+    std::string one = tiles(tile(0, 0, "70"));
+    one.replace(one.find("\"layerDefUid\":9"), 15, "\"layerDefUid\":" + std::to_string(uid));
+    many += (uid > 100 ? "," : "") + one;
+  }
+  EXPECT_EQ(refusalOf(projectWithTiles(many), options), "maps/test.tmx: <map> has no tile layer or group 'Solid'");
+  options.layers = {};
+  EXPECT_NE(refusalOf(projectWithTiles(many), options).find("is one layer of tiles too many to be solid"),
+            std::string::npos);
+}
+
+TEST(TiledLdtk, OneWorldAtATime) {
+  const auto named = [](const std::string& world) {
+    return "{\"identifier\":\"" + world + "\", \"worldLayout\":\"Free\", \"levels\":[" +
+           level(world + "1", world == "Sea" ? 0 : 8, 0, grid("1,0,0,0,0,0")) + "]}";
+  };
+  const auto with = [&](const std::string& worlds) { return project("", "", "\"worlds\":[" + worlds + "],"); };
+  EXPECT_EQ(cellsOf(mustImportProject(with(named("Sky")))), (std::vector<Cell>{{1, -1}}));
+  const std::string both = with(named("Sky") + "," + named("Sea"));
+  EXPECT_EQ(refusalOf(both),
+            "maps/test.tmx: <map> has several worlds, which lie over each other: choose one of Sea, Sky "
+            "(Options::layers)");
+  Options options;
+  options.layers = {"Sky"};
+  EXPECT_EQ(cellsOf(mustImportProject(both, options)), (std::vector<Cell>{{1, -1}}));
+}
+
+/// A world with the levels given, and one called "Sky".
+std::string skyAnd(const std::string& world, const std::string& levels, const std::string& ofSky) {
+  const auto named = [](const std::string& name, const std::string& all) {
+    return "{\"identifier\":\"" + name + "\", \"worldLayout\":\"Free\", \"levels\":[" + all + "]}";
+  };
+  return project("", "", "\"worlds\":[" + named(world, levels) + "," + named("Sky", ofSky) + "],");
+}
+
+TEST(TiledLdtk, TheWorldThatIsChosenIsAllThatIsRead) {
+  const std::string boulder = entity("Boulder", 11, "\"px\":[8,0], \"width\":8, \"height\":8");
+  const std::string fine = grid("1,0,0,0,0,0", "Fine", 5, "\"__gridSize\":4, ");
+  std::string deep = level("Sea2", 800, 0, fine);
+  deep.replace(deep.find("\"worldDepth\":0"), 14, "\"worldDepth\":1");
+  const std::string both = skyAnd("Sea", level("Sea1", 0, 0, things(boulder) + "," + fine) + "," + deep,
+                                  level("Sky1", 0, 0, things(boulder) + "," + grid("1,0,0,0,0,0")));
+  Options options;
+  options.layers = {"Sky"};
+  options.objects = std::vector<std::string>{"Boulder"};
+  const auto sky = mustImportProject(both, options);
+  EXPECT_EQ(cellsOf(sky), (std::vector<Cell>{{1, -2}, {0, -1}})) << "not the boulder of the other world";
+  EXPECT_EQ(sky.report.width, 3);
+  EXPECT_EQ(sky.report.height, 2);
+  EXPECT_EQ(sky.report.layers.size(), 2U);
+  EXPECT_EQ(sky.report.layers.at(0).path, "Sky/Sky1/Solid");
+  EXPECT_TRUE(sky.report.notes.empty() || sky.report.notes.at(0).find("depths") == std::string::npos);
+  options.layers = {"Sea"};
+  const auto sea = mustImportProject(both, options);
+  EXPECT_EQ(sea.report.tileWidth, 4);
+  EXPECT_EQ(sea.report.width, 206);
+  EXPECT_NE(sea.report.notes.at(0).find("depths"), std::string::npos);
+  options.layers = {"Sky", "Sea"};
+  EXPECT_NE(refusalOf(both, options).find("choose one of Sea, Sky"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lgs::tiled

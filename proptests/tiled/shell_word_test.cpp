@@ -1,0 +1,56 @@
+// Names in commands that messages print: a shell must give back what the map says.
+#include "maps.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace lgs::tiled {
+namespace {
+
+TEST(TiledShellWord, IsInQuotesIfItHasToBe) {
+  EXPECT_EQ(shellWord("a_B-9./x,:=+@%"), "a_B-9./x,:=+@%");
+  EXPECT_EQ(shellWord(""), "''");
+  EXPECT_EQ(shellWord("My boxes"), "'My boxes'");
+  EXPECT_EQ(shellWord("it's"), "'it'\\''s'");
+  EXPECT_EQ(shellWord("Wände"), "'Wände'");
+  EXPECT_EQ(shellWord("a\\b"), "'a\\b'");
+  EXPECT_EQ(shellWord("a\n1'\\\x7F"), "$'a\\0121\\'\\\\\\177'");
+  EXPECT_EQ(shellWord("\x1B[31m"), "$'\\033[31m'");
+}
+
+/// Bash gives back every name. (Other shells know such escapes too, but not every /bin/sh.)
+TEST(TiledShellWord, BashGivesItBack) {
+  if (std::system("bash -c true >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no bash";
+  for (const std::string word :
+       {"it's \"so\"", "$HOME `x` $(y)", "a\tb\\n'c'", "\x1B]0;x\a", "~", "*", "-x", "\n", "é \n7"}) {
+    const std::string script = "printf %s " + shellWord(word);
+    std::string quotedScript;
+    for (const char c : script) quotedScript += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    FILE* const pipe = ::popen(("bash -c '" + quotedScript + "'").c_str(), "r");
+    ASSERT_NE(pipe, nullptr);
+    char bytes[99] = {};
+    const std::size_t size = std::fread(bytes, 1, sizeof bytes, pipe);
+    ::pclose(pipe);
+    EXPECT_EQ(std::string(bytes, size), word);
+  }
+}
+
+TEST(TiledShellWord, IsInTheErrorsThatNameAnOption) {
+  Options options;
+  options.layers = {"Bob's boxes"};
+  const std::string walls = "<objectgroup name=\"Bob's boxes\"/>";
+  EXPECT_EQ(refusalOf(mapXml(walls), options),
+            "maps/test.tmx: 'Bob's boxes' is an object layer: --objects 'Bob'\\''s boxes'");
+  options.layers = {"a\nb"};
+  EXPECT_EQ(refusalOf(mapXml("<objectgroup name='a&#10;b'/>"), options),
+            "maps/test.tmx: 'a b' is an object layer: --objects $'a\\012b'");
+}
+
+TEST(TiledShellWord, IsInTheReport) {
+  const std::string text = toText(
+      mustImport("<objectgroup name='My &#27;boxes'><object id='1' width='9' height='9'/></objectgroup>").report);
+  EXPECT_NE(text.find("passed over: My  boxes\n    --objects $'My \\033boxes'\n"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace lgs::tiled
