@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Writes the documentation of all public headers, as web pages: scripts/docs.sh [FOLDER], by default out/docs. It needs
-# Doxygen (Debian: doxygen). A public name without a comment is an error, and so is one that Doxygen does not understand.
+# Doxygen (Debian: doxygen). A public name without a comment is an error, and so is a comment that Doxygen can not read.
 set -euo pipefail
 out=$(realpath -m "${1:-$(dirname "$0")/../out/docs}")
 cd "$(dirname "$0")/.."

@@ -44,7 +44,7 @@ typedef struct lgs_segment_float {
   lgs_float_point ghost2;     /* means nothing if `successor` is null */
 } lgs_segment_float;
 
-/* The same as double. */
+/* As lgs_segment_float, but double. */
 typedef struct lgs_segment_double {
   lgs_segment_id id;          /* its name, until a commit removes it */
   lgs_segment_id predecessor; /* the segment that leads to its start */

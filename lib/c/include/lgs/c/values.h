@@ -166,7 +166,7 @@ typedef struct lgs_float_point {
   float y; /* up */
 } lgs_float_point;
 
-/* The same as double. */
+/* As lgs_float_point, but double. */
 typedef struct lgs_double_point {
   double x; /* to the right */
   double y; /* up */
