@@ -52,6 +52,7 @@ ROOMS = {
     "bench": ENGINE + ADAPTERS + ORACLE + ["bench/published"],
     "cli": ENGINE + ADAPTERS + ORACLE + ["bench", "bench/ride"],
     "examples": ENGINE + ADAPTERS + ["lib/c/include"],
+    "packaging": ENGINE,
     "fuzz": ENGINE + ADAPTERS + ORACLE + ["cli"],
     # Unit tests of the engine's and the importer's parts look inside.
     "proptests": ENGINE + ADAPTERS + ORACLE + ["examples", "lib/geometry", "lib/src", "lib/brush/src",

@@ -34,21 +34,22 @@ enum class ErrorCode : std::uint32_t {
 
 /// Says what was refused, and where. A field that does not apply is kNoCell, -1 or null.
 struct Error {
-  static constexpr Cell kNoCell{INT32_MIN, INT32_MIN};
-  ErrorCode code{};
-  Cell cell = kNoCell;         ///< the cell of the edit; kNoCell while a shape is made
-  std::int32_t polygon = -1;   ///< index in the polygons given to this call
-  std::int32_t vertex = -1;    ///< index in that polygon; for an edge, its first vertex
-  std::int32_t vertex2 = -1;   ///< the other vertex or edge involved
-  std::int32_t polygon2 = -1;  ///< overlap within one call: the index of the other polygon
-  PolygonHandle other{};       ///< overlap with a placed polygon: that polygon, see index2; stale handle: the handle
-  Block otherBlock = 0;        ///< overlap with a placed polygon: its block; it is in `cell`
-  SegmentId segment{};         ///< unknown segment: that id
-  std::int32_t index = -1;     ///< a call that takes many: index of the one that is refused, in what was given
+  static constexpr Cell kNoCell{INT32_MIN, INT32_MIN};  ///< what `cell` is if no cell is meant
+  ErrorCode code{};                                     ///< the reason
+  Cell cell = kNoCell;                                  ///< the cell of the edit; kNoCell while a shape is made
+  std::int32_t polygon = -1;                            ///< index in the polygons given to this call
+  std::int32_t vertex = -1;                             ///< index in that polygon; for an edge, its first vertex
+  std::int32_t vertex2 = -1;                            ///< the other vertex or edge involved
+  std::int32_t polygon2 = -1;                           ///< overlap within one call: the index of the other polygon
+  PolygonHandle other{};    ///< overlap with a placed polygon: that polygon, see index2; stale handle: the handle
+  Block otherBlock = 0;     ///< overlap with a placed polygon: its block; it is in `cell`
+  SegmentId segment{};      ///< unknown segment: that id
+  std::int32_t index = -1;  ///< a call that takes many: index of the one that is refused, in what was given
   /// A call that takes many: index of the other one involved. It placed the other polygon, which is undone, so that
   /// `other` is null; or it has the same handle.
   std::int32_t index2 = -1;
 
+  /// Whether `cell` is one.
   constexpr bool hasCell() const { return cell != kNoCell; }
 };
 
@@ -63,6 +64,7 @@ const char* name(ErrorCode code);
 /// A whole sentence: the cell, the polygon, the vertex, what is wrong there, and what to do about it.
 std::string message(const Error& error);
 
+/// A value, or why there is none.
 template <class T>
 using Expected = tl::expected<T, Error>;
 

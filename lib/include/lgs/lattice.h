@@ -19,15 +19,15 @@ inline constexpr std::int32_t kMaxCell = 1 << 30;
 
 /// A position inside one closed cell, in lattice units from its lower-left corner (y up).
 struct LocalPoint {
-  std::int32_t x = 0;
-  std::int32_t y = 0;
+  std::int32_t x = 0;  ///< to the right, 0 … kUnitsPerCell
+  std::int32_t y = 0;  ///< up, 0 … kUnitsPerCell
   friend constexpr auto operator<=>(const LocalPoint&, const LocalPoint&) = default;
 };
 
 /// A box in one closed cell.
 struct LocalBox {
-  LocalPoint min;
-  LocalPoint max;
+  LocalPoint min;  ///< its lower-left corner
+  LocalPoint max;  ///< its upper-right corner, included
   friend constexpr bool operator==(const LocalBox&, const LocalBox&) = default;
 };
 
@@ -35,41 +35,45 @@ struct LocalBox {
 /// halves away from zero. -0.0 is 0.
 template <class Real>
 struct RealPoint {
-  Real x = 0;
-  Real y = 0;
+  Real x = 0;  ///< to the right
+  Real y = 0;  ///< up
 };
-using FloatPoint = RealPoint<float>;
-using DoublePoint = RealPoint<double>;
+using FloatPoint = RealPoint<float>;    ///< in cells, as `float`
+using DoublePoint = RealPoint<double>;  ///< in cells, as `double`
 
 /// A position in the world, in lattice units. At most 2^46 + 2^16 in magnitude.
 struct Point {
-  std::int64_t x = 0;
-  std::int64_t y = 0;
+  std::int64_t x = 0;  ///< to the right
+  std::int64_t y = 0;  ///< up
   friend constexpr auto operator<=>(const Point&, const Point&) = default;
 };
 
 /// The unit cell [i, i+1] × [j, j+1].
 struct Cell {
-  std::int32_t i = 0;
-  std::int32_t j = 0;
+  std::int32_t i = 0;  ///< the column, counted to the right; -kMaxCell … kMaxCell
+  std::int32_t j = 0;  ///< the row, counted upwards; -kMaxCell … kMaxCell
   friend constexpr auto operator<=>(const Cell&, const Cell&) = default;
 };
 
 /// All cells from `min` to `max`, both included. Empty if an index of `max` is below that of `min`.
 struct CellRect {
-  Cell min;
-  Cell max;
+  Cell min;  ///< the lower-left cell
+  Cell max;  ///< the upper-right cell
   friend constexpr bool operator==(const CellRect&, const CellRect&) = default;
 };
 
+/// Whether a cell is one of a world: its indices are at most kMaxCell in magnitude.
 constexpr bool inRange(Cell c) { return c.i >= -kMaxCell && c.i <= kMaxCell && c.j >= -kMaxCell && c.j <= kMaxCell; }
 
+/// Whether a cell is one of a rectangle.
 constexpr bool contains(const CellRect& r, Cell c) {
   return c.i >= r.min.i && c.i <= r.max.i && c.j >= r.min.j && c.j <= r.max.j;
 }
 
+/// Whether a rectangle has no cell.
 constexpr bool isEmpty(const CellRect& r) { return r.max.i < r.min.i || r.max.j < r.min.j; }
 
+/// Where a position in a cell is in the world, exactly. Nothing is checked.
 constexpr Point toWorld(Cell c, LocalPoint p) {
   return {std::int64_t{c.i} * kUnitsPerCell + p.x, std::int64_t{c.j} * kUnitsPerCell + p.y};
 }
@@ -77,6 +81,7 @@ constexpr Point toWorld(Cell c, LocalPoint p) {
 /// Points beyond this on either axis lie in no cell.
 inline constexpr std::int64_t kMaxCoordinate = (std::int64_t{kMaxCell} + 1) * kUnitsPerCell;
 
+/// Whether neither coordinate of a point is beyond kMaxCoordinate.
 constexpr bool inRange(Point p) {
   return p.x >= -kMaxCoordinate && p.x <= kMaxCoordinate && p.y >= -kMaxCoordinate && p.y <= kMaxCoordinate;
 }

@@ -22,15 +22,16 @@ inline constexpr std::int32_t kMaxRay = 16'384;
 
 /// What lies at a point.
 struct Spot {
+  /// Where a point lies.
   enum class Where {
     outside,  ///< no polygon
     edge,     ///< on the outline of a polygon, or of several
     inside,   ///< in the interior of one polygon
   };
-  Where where = Where::outside;
-  PolygonHandle polygon{};  ///< null outside; on an edge the first that has it, by cell (j, then i) and handle
-  Block block = 0;          ///< of that polygon
-  Cell cell{};              ///< of that polygon; outside the cell of the point, see cellAt(Point)
+  Where where = Where::outside;  ///< whether there is ground
+  PolygonHandle polygon{};       ///< null outside; on an edge the first that has it, by cell (j, then i) and handle
+  Block block = 0;               ///< of that polygon
+  Cell cell{};                   ///< of that polygon; outside the cell of the point, see cellAt(Point)
 };
 
 /// The segment nearest to a point.

@@ -23,8 +23,8 @@ namespace lgs {
 
 /// An edge from one point to another one, by their indices.
 struct DirectedEdge {
-  std::uint32_t from = 0;
-  std::uint32_t to = 0;
+  std::uint32_t from = 0;  ///< index of the point where it starts
+  std::uint32_t to = 0;    ///< index of the point where it ends
   friend constexpr bool operator==(const DirectedEdge&, const DirectedEdge&) = default;
 };
 
@@ -36,8 +36,8 @@ inline constexpr std::int64_t kMaxEdgeLength = std::int64_t{1} << 30;
 
 /// The neighbours of an edge, by index, or kNoEdge.
 struct EdgeLinks {
-  std::uint32_t predecessor = kNoEdge;
-  std::uint32_t successor = kNoEdge;
+  std::uint32_t predecessor = kNoEdge;  ///< the edge that leads to its start
+  std::uint32_t successor = kNoEdge;    ///< the edge that goes on from its end
   friend constexpr bool operator==(const EdgeLinks&, const EdgeLinks&) = default;
 };
 

@@ -11,14 +11,14 @@ namespace lgs {
 
 /// One boundary segment. The solid is on the left of start→end, the outward normal on the right.
 struct Segment {
-  SegmentId id;
-  Point start;
-  Point end;
+  SegmentId id;           ///< its name, until a commit removes it
+  Point start;            ///< in lattice units
+  Point end;              ///< in lattice units
   SegmentId predecessor;  ///< null if nothing that could precede arrives at `start`: only under a preserve relation
-  SegmentId successor;
-  Point ghost1;  ///< the predecessor's start; means nothing if `predecessor` is null
-  Point ghost2;  ///< the successor's end; means nothing if `successor` is null
-  Block block = 0;
+  SegmentId successor;    ///< null if nothing that could follow leaves `end`: only under a preserve relation
+  Point ghost1;           ///< the predecessor's start; means nothing if `predecessor` is null
+  Point ghost2;           ///< the successor's end; means nothing if `successor` is null
+  Block block = 0;        ///< that of `polygon`
   PolygonHandle polygon;  ///< the polygon hit when this segment is hit
   Cell cell;              ///< the cell hit
 
@@ -29,19 +29,19 @@ struct Segment {
 /// The same in cells, from an origin of your choice: World::segments() writes it. Ghosts are those of Segment.
 template <class Real>
 struct RealSegment {
-  SegmentId id;
-  RealPoint<Real> start;
-  RealPoint<Real> end;
-  SegmentId predecessor;
-  SegmentId successor;
-  RealPoint<Real> ghost1;
-  RealPoint<Real> ghost2;
-  Block block = 0;
-  PolygonHandle polygon;
-  Cell cell;
+  SegmentId id;            ///< its name, until a commit removes it
+  RealPoint<Real> start;   ///< from the origin
+  RealPoint<Real> end;     ///< from the origin
+  SegmentId predecessor;   ///< as in Segment
+  SegmentId successor;     ///< as in Segment
+  RealPoint<Real> ghost1;  ///< from the origin; means nothing if `predecessor` is null
+  RealPoint<Real> ghost2;  ///< from the origin; means nothing if `successor` is null
+  Block block = 0;         ///< that of `polygon`
+  PolygonHandle polygon;   ///< the polygon hit when this segment is hit
+  Cell cell;               ///< the cell hit
 };
-using FloatSegment = RealSegment<float>;
-using DoubleSegment = RealSegment<double>;
+using FloatSegment = RealSegment<float>;    ///< in cells, as `float`
+using DoubleSegment = RealSegment<double>;  ///< in cells, as `double`
 
 /// What a commit did to the segments. No id is in two lists. A segment whose ends, owner and ghosts are as before is in
 /// none. Ids in `removed` name nothing from now on. The order of each list follows from the edits since the last
@@ -52,11 +52,11 @@ using DoubleSegment = RealSegment<double>;
 /// The lists fit the copy if `before` is that version; then `after` is the new one. So it shows when lists were left
 /// out, applied twice, or are those of another world. If all three lists are empty, both versions are the same.
 struct Changes {
-  std::vector<SegmentId> removed;
-  std::vector<SegmentId> added;
+  std::vector<SegmentId> removed;   ///< alive before, and not any more
+  std::vector<SegmentId> added;     ///< alive now, and not before
   std::vector<SegmentId> relinked;  ///< alive before and after, with another ghost1 or ghost2
-  std::uint64_t before = 0;
-  std::uint64_t after = 0;
+  std::uint64_t before = 0;         ///< the version from which the lists lead
+  std::uint64_t after = 0;          ///< the version to which they lead
 };
 
 /// One closed chain, in the direction of its segments (solid on the left).

@@ -16,6 +16,7 @@ using ByteSink = std::function<void(std::span<const std::byte>)>;
 
 /// Why a snapshot is refused, and where.
 struct SnapshotError {
+  /// What is wrong with it.
   enum class What : std::uint64_t {
     notASnapshot,    ///< it does not begin as one
     unknownVersion,  ///< it was written by a newer version of this library
@@ -28,7 +29,7 @@ struct SnapshotError {
     badSegments,     ///< the ids of the segments are not those of this world's segments, or one occurs twice
     capacity,        ///< more than the engine can hold
   };
-  What what{};
+  What what{};               ///< the reason
   std::uint64_t offset = 0;  ///< the byte at which it was noticed
   friend constexpr bool operator==(const SnapshotError&, const SnapshotError&) = default;
 };

@@ -33,8 +33,8 @@ namespace lgs {
 /// Limits. Beyond them an edit is refused with ErrorCode::capacity. Two more refuse in this way: 2^23 - 1 distinct
 /// contents of cells, and 2^28 - 1 polygons ever placed in one cell. A commit that needs more than 8 GiB for the
 /// records of cells with segments, or more than 2^31 - 2 segments, ends the program, as it does when memory runs out.
-inline constexpr std::size_t kMaxVerticesPerCell = 4'096;  ///< of all polygons of one cell together
-inline constexpr std::size_t kMaxPolygonsPerCell = 254;
+inline constexpr std::size_t kMaxVerticesPerCell = 4'096;              ///< of all polygons of one cell together
+inline constexpr std::size_t kMaxPolygonsPerCell = 254;                ///< in one cell
 inline constexpr std::size_t kMaxChunks = (std::size_t{1} << 22) - 1;  ///< of 32×32 cells, ever touched by an edit
 inline constexpr std::size_t kMaxEntries = 0x7fff'ffff;                ///< of a call that takes many
 
@@ -58,32 +58,35 @@ using Executor = std::function<void(std::size_t count, const std::function<void(
 /// A polygon as it stands in a cell. `vertices` is valid until the next edit of the world: copy them first if you
 /// remove a polygon to put it back later.
 struct PlacedPolygon {
-  PolygonHandle handle;
-  Block block = 0;
-  std::span<const LocalPoint> vertices;
+  PolygonHandle handle;                  ///< its name
+  Block block = 0;                       ///< the number that it was given
+  std::span<const LocalPoint> vertices;  ///< counter-clockwise, in its cell
 };
 
 /// A shape and where it shall be: for World::addMany().
 struct Placement {
-  Cell cell;
-  ShapeId shape;
-  Block block = 0;
+  Cell cell;        ///< where
+  ShapeId shape;    ///< what
+  Block block = 0;  ///< the number that all its polygons get
 };
 
+/// How much there is in a world: see World::stats().
 struct Stats {
-  std::uint64_t polygons = 0;
+  std::uint64_t polygons = 0;  ///< placed ones
   std::uint64_t cells = 0;     ///< cells that hold at least one polygon
   std::uint64_t segments = 0;  ///< live ones, as of the last commit
-  std::uint64_t shapes = 0;
+  std::uint64_t shapes = 0;    ///< made so far
   std::uint64_t contents = 0;  ///< distinct contents of cells; those that no cell has are forgotten in time
-  std::uint64_t chunks = 0;
-  std::uint64_t bytes = 0;  ///< allocated, with spare capacity; an estimate for the index of shapes
+  std::uint64_t chunks = 0;    ///< of 32×32 cells, ever touched by an edit
+  std::uint64_t bytes = 0;     ///< allocated, with spare capacity; an estimate for the index of shapes
 };
 
 class Transaction;
 
+/// Cells that hold polygons, and the segments of their outline. The comment at the top of this file has an example.
 class World {
  public:
+  /// An empty world. Without a relation, whatever two polygons share is cancelled.
   explicit World(PreserveRelation preserve = {});
   ~World();
   /// A copy has the same polygons, handles, shapes, segments, marks and edits that are not committed. From then on the
@@ -225,14 +228,16 @@ class World {
   /// first reached the chunks; each by rows, each cell by handle. The second form visits the cells of a rectangle, and
   /// chunks in any order. `visit` must not change the world. Cost: in proportion to the cells that have a chunk.
   using PolygonVisitor = std::function<void(Cell, const PlacedPolygon&)>;
+  /// See PolygonVisitor.
   void forEachPolygon(const PolygonVisitor& visit) const;
   void forEachPolygon(const CellRect& cells, const PolygonVisitor& visit) const;
 
   /// The least rectangle of cells with all placed polygons; nothing in an empty world. Cost: as of forEachPolygon().
   std::optional<CellRect> bounds() const;
 
-  /// Refused: staleHandle.
+  /// The polygon of a handle, after all edits, committed or not. Refused: staleHandle.
   Expected<PlacedPolygon> polygon(PolygonHandle handle) const;
+  /// The cell of a polygon. Refused: staleHandle.
   Expected<Cell> cellOf(PolygonHandle handle) const;
 
   /// A segment as of the last commit. Its `polygon` is stale if that was removed since. Refused: unknownSegment.
@@ -313,12 +318,13 @@ bool samePolygons(const World& a, const World& b);
 /// moved, assigned to or destroyed before the group ends. A copy of it has the edits made so far, and no group.
 class Transaction {
  public:
+  /// Begins the group: World::edit() does it. The world must outlive it.
   explicit Transaction(World& world);
   ~Transaction();
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
 
-  void keep();
+  void keep();  ///< ends the group: its edits stay
 
  private:
   World* world_;

@@ -45,8 +45,8 @@ using Ring = std::vector<Point>;
 
 /// A set of points, given by closed rings. They may cross and overlap, and run either way around.
 struct Region {
-  std::vector<Ring> rings;
-  FillRule rule = FillRule::nonZero;
+  std::vector<Ring> rings;            ///< closed, each by itself
+  FillRule rule = FillRule::nonZero;  ///< which points are inside them
 };
 
 /// A region from vertices in cells, each rounded by latticePoint(). What is beyond the last cell, or no number, is
@@ -66,6 +66,7 @@ struct Region {
 /// many corners. One point gives a circle, none an empty region.
 [[nodiscard]] Region thickLine(std::span<const Point> points, std::int64_t radius, int corners = 16);
 
+/// What painting does where there is ground already.
 enum class PaintMode : std::uint8_t {
   fill,     ///< paints what is free; polygons stay as they are
   replace,  ///< takes over what is there
@@ -74,8 +75,8 @@ enum class PaintMode : std::uint8_t {
 /// An old polygon, and what it became: one polygon or more. A polygon of a whole cell that got another block is still
 /// itself.
 struct BrushChange {
-  PolygonHandle old;
-  std::vector<PolygonHandle> now;
+  PolygonHandle old;               ///< a stale handle now, unless `now` has it too
+  std::vector<PolygonHandle> now;  ///< what stands in its place
 };
 
 /// What a brush did to polygons. A polygon that is not named has kept its handle, vertices and block.

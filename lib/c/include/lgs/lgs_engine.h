@@ -19,8 +19,10 @@
 extern "C" {
 #endif
 
+/* Of this table. */
 #define LGS_ENGINE_VERSION 1
 
+/* Lets the harness find the function. */
 #if defined(_WIN32)
 #define LGS_ENGINE_EXPORT __declspec(dllexport)
 #elif defined(__GNUC__)
@@ -32,32 +34,33 @@ extern "C" {
 /* The solid is on the left of start to end. ghost1 is the start of the segment before, ghost2 the end of the one after
  * it; a missing ghost has its bit of `missing` set: 1 for ghost1, 2 for ghost2. */
 typedef struct lgs_engine_segment {
-  int64_t start[2], end[2], ghost1[2], ghost2[2];
-  uint32_t block;
-  uint32_t missing;
+  int64_t start[2], end[2], ghost1[2], ghost2[2]; /* x, y */
+  uint32_t block;                                 /* of the polygon */
+  uint32_t missing;                               /* bits */
 } lgs_engine_segment;
 
 /* Where the answer to a commit goes. First `to`, then:
  *   refused   an edit since the last commit, by its name, and why; in the order of the edits
  *   segments  some segments, `count` of them; in any order, in any number of calls */
 typedef struct lgs_engine_answer {
-  void* to;
-  void (*refused)(void* to, const char* name, const char* reason);
-  void (*segments)(void* to, const lgs_engine_segment* segments, size_t count);
+  void* to;                                                                     /* comes first in each call */
+  void (*refused)(void* to, const char* name, const char* reason);              /* an edit */
+  void (*segments)(void* to, const lgs_engine_segment* segments, size_t count); /* some of them */
 } lgs_engine_answer;
 
 /* What an engine is. `self` is what create() has returned; null there means that it failed. */
 typedef struct lgs_engine_table {
-  uint32_t version;         /* LGS_ENGINE_VERSION */
-  const char* name;         /* one word */
-  const char* capabilities; /* words, parted by single spaces: "ghosts blocks several slants preserve refuses" */
-  void* (*create)(void);
-  void (*destroy)(void* self);
-  void (*reset)(void* self);                              /* a new, empty world */
+  uint32_t version;            /* LGS_ENGINE_VERSION */
+  const char* name;            /* one word */
+  const char* capabilities;    /* words, parted by single spaces: "ghosts blocks several slants preserve refuses" */
+  void* (*create)(void);       /* an engine with an empty world */
+  void (*destroy)(void* self); /* frees it */
+  void (*reset)(void* self);   /* a new, empty world */
   void (*preserve)(void* self, uint32_t b1, uint32_t b2); /* only right after reset() */
+  /* A polygon of so many vertices, with their x and y one after the other, into the cell (i, j). */
   void (*add)(void* self, const char* name, int32_t i, int32_t j, uint32_t block, const int32_t* xy, size_t vertices);
-  void (*remove)(void* self, const char* name);
-  void (*commit)(void* self, const lgs_engine_answer* answer);
+  void (*remove)(void* self, const char* name);                /* a polygon */
+  void (*commit)(void* self, const lgs_engine_answer* answer); /* answers with the whole outline */
 } lgs_engine_table;
 
 /* What the shared object exports. The table stays valid as long as it is loaded. */

@@ -35,22 +35,22 @@ namespace lgs::box2d {
 /// A small dense number, good as an index. Zero is null. An id that an update reported as removed may name a new edge
 /// from the next update on.
 struct EdgeId {
-  std::uint32_t value = 0;
-  constexpr explicit operator bool() const { return value != 0; }
+  std::uint32_t value = 0;                                         ///< good as an index
+  constexpr explicit operator bool() const { return value != 0; }  ///< whether it is not null
   friend constexpr auto operator<=>(EdgeId, EdgeId) = default;
 };
 
 /// A straight edge, with the solid on the left of start→end. It stands for one segment or for several that follow each
 /// other.
 struct Edge {
-  SegmentId first;
-  SegmentId last;
-  std::uint32_t chunk = 0;  ///< number of the chunk; EdgeSet::chunk() says where it is
-  Block block = 0;          ///< of the first segment
-  Point start;
-  Point end;
-  std::optional<Point> ghost1;
-  std::optional<Point> ghost2;
+  SegmentId first;              ///< the first of its segments
+  SegmentId last;               ///< the last of them; `first` if it stands for one
+  std::uint32_t chunk = 0;      ///< number of the chunk; EdgeSet::chunk() says where it is
+  Block block = 0;              ///< of the first segment
+  Point start;                  ///< that of the first segment, in lattice units
+  Point end;                    ///< that of the last segment, in lattice units
+  std::optional<Point> ghost1;  ///< the far end of the edge before it, if there is one
+  std::optional<Point> ghost2;  ///< the far end of the edge after it, if there is one
   friend bool operator==(const Edge&, const Edge&) = default;
 };
 
@@ -58,7 +58,7 @@ struct Edge {
 struct EdgeOptions {
   std::int32_t chunkCells = 16;  ///< cells along the side of a chunk, 1 … 4,096
   std::int64_t shortest = 0;     ///< lattice units, 0 … 2^28
-  bool merge = false;
+  bool merge = false;            ///< whether segments that go straight on become one edge
   /// Segments may be merged if this gives their blocks the same number. It must always give the same answer for a
   /// block. Empty: all segments may be merged.
   std::function<std::uint32_t(Block)> material = {};
@@ -66,13 +66,14 @@ struct EdgeOptions {
 
 /// What to do to a copy of the edges: first remove, then add, then relink. No id is in two lists.
 struct EdgeChanges {
-  std::vector<EdgeId> removed;  ///< edge() still says what they were, until the next update
-  std::vector<EdgeId> added;
+  std::vector<EdgeId> removed;   ///< edge() still says what they were, until the next update
+  std::vector<EdgeId> added;     ///< new edges
   std::vector<EdgeId> relinked;  ///< edges with the same ends as before and another ghost
 };
 
+/// How many edges there are, and what became of the segments.
 struct EdgeCounts {
-  std::size_t edges = 0;
+  std::size_t edges = 0;     ///< live ones
   std::size_t segments = 0;  ///< of the world: the sum of the next four
   std::size_t single = 0;    ///< segments that are an edge by themselves
   std::size_t merged = 0;    ///< segments in strips of several that are an edge
@@ -81,9 +82,10 @@ struct EdgeCounts {
   friend bool operator==(const EdgeCounts&, const EdgeCounts&) = default;
 };
 
+/// The edges for the segments of one world. The comment at the top of this file says which.
 class EdgeSet {
  public:
-  explicit EdgeSet(EdgeOptions options);
+  explicit EdgeSet(EdgeOptions options);  ///< no edges: load() makes them
 
   /// Brings the edges up to date with a world, whatever they were before. Edges that the world has as well stay. The
   /// result is valid until the next load or update. Cost: O(segments).
@@ -109,9 +111,9 @@ class EdgeSet {
   /// Where the chunk with a number is. Numbers run from 0 to chunkCount() - 1: one for each chunk that ever had an
   /// edge.
   Chunk chunk(std::uint32_t number) const { return chunks_[number]; }
-  std::size_t chunkCount() const { return chunks_.size(); }
-  EdgeCounts counts() const;
-  const EdgeOptions& options() const { return options_; }
+  std::size_t chunkCount() const { return chunks_.size(); }  ///< how many numbers of chunks are used
+  EdgeCounts counts() const;                                 ///< as of the last load or update
+  const EdgeOptions& options() const { return options_; }    ///< those that it was made with
 
  private:
   enum class Fate : std::uint8_t { dead, pending, single, merged, welded, leftOut };

@@ -16,31 +16,35 @@ namespace lgs::box2d {
 
 /// A square of cells, named by its column and row among the squares.
 struct Chunk {
-  std::int32_t x = 0;
-  std::int32_t y = 0;
+  std::int32_t x = 0;  ///< the column, counted to the right
+  std::int32_t y = 0;  ///< the row, counted upwards
   friend constexpr auto operator<=>(Chunk, Chunk) = default;
 };
 
 /// Relative to the body of a chunk.
 struct Metres {
-  float x = 0;
-  float y = 0;
+  float x = 0;  ///< to the right
+  float y = 0;  ///< up
 };
 
 /// In the physics world, in metres.
 struct Place {
-  double x = 0;
-  double y = 0;
+  double x = 0;  ///< to the right
+  double y = 0;  ///< up
 };
 
+/// Where the lattice is in the physics world, and how large.
 struct Frame {
   double cellSize = 1;           ///< metres
   Cell origin;                   ///< its lower left corner is (0, 0) of the physics world
   std::int32_t chunkCells = 16;  ///< cells along the side of a chunk
 
+  /// a / b, rounded down. `b` must be more than 0.
   static constexpr std::int32_t floorDiv(std::int32_t a, std::int32_t b) { return a / b - (a % b < 0 ? 1 : 0); }
 
+  /// The chunk of a cell.
   constexpr Chunk chunkOf(Cell c) const { return {floorDiv(c.i, chunkCells), floorDiv(c.j, chunkCells)}; }
+  /// The lower left corner of a chunk, in lattice units.
   constexpr Point cornerOf(Chunk c) const {
     const std::int64_t side = std::int64_t{chunkCells} * kUnitsPerCell;
     return {c.x * side, c.y * side};

@@ -8,10 +8,10 @@ namespace lgs::box2d {
 
 /// A segment of the world, with its owner: "which tile did I hit?"
 struct Hit {
-  SegmentId segment;
-  PolygonHandle polygon;
-  Block block = 0;
-  Cell cell;
+  SegmentId segment;      ///< where an edge stands for several, one of them
+  PolygonHandle polygon;  ///< its owner
+  Block block = 0;        ///< that of `polygon`
+  Cell cell;              ///< that of `polygon`
 };
 
 }  // namespace lgs::box2d

@@ -28,6 +28,7 @@ struct BasicTerrainOptions {
 template <class Material>
 class Materials {
  public:
+  /// `of` says what a block is like, and is called once for each. If it is empty, all are like the default.
   explicit Materials(std::function<Material(Block)> of) : of_(std::move(of)) {}
 
   /// The number of a block's material. Asks for the material when it first meets the block.
@@ -42,6 +43,7 @@ class Materials {
     return entry->second;
   }
 
+  /// The material of a block. Valid until the next block is met.
   const Material& of(Block block) { return materials_[number(block)]; }
 
  private:

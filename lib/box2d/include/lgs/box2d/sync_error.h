@@ -5,6 +5,7 @@
 
 namespace lgs::box2d {
 
+/// What speaks against changes.
 enum class SyncError : std::uint8_t {
   notTheLast,    ///< they are not what the world did last: they are older, or another world's
   shownAlready,  ///< they lead to what the copy is already

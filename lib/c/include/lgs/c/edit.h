@@ -59,9 +59,9 @@ LGS_API lgs_status lgs_add_doubles(lgs_world* world, lgs_cell cell, const lgs_do
 
 /* A shape and where it shall be. */
 typedef struct lgs_placement {
-  lgs_cell cell;
-  lgs_shape_id shape;
-  lgs_block block;
+  lgs_cell cell;      /* where */
+  lgs_shape_id shape; /* what */
+  lgs_block block;    /* the number that all its polygons get */
 } lgs_placement;
 
 /* Places many shapes, each as lgs_add() would, one after the other: all of them or none. polygons[k] receives the id of
@@ -106,6 +106,7 @@ LGS_API lgs_status lgs_clear(lgs_world* world, lgs_cell_rect cells, uint64_t* re
  * before it, and what follows is not undone. A world that went back to a mark older than the group has undone it. Of
  * groups within groups the inner one ends first. The world must live until then. NULL is no error. */
 typedef struct lgs_group lgs_group;
+/* Begins a group, ends it and keeps its edits, ends it and takes them back: see lgs_group. */
 LGS_API lgs_status lgs_begin(lgs_world* world, lgs_group** group) LGS_NOTHROW;
 LGS_API void lgs_keep(lgs_group* group) LGS_NOTHROW;
 LGS_API void lgs_undo(lgs_group* group) LGS_NOTHROW;
@@ -121,14 +122,14 @@ LGS_API void lgs_undo(lgs_group* group) LGS_NOTHROW;
  * too. The lists fit the copy if `before` is that version; then `after` is the new one. So it shows when lists were
  * left out, applied twice, or are those of another world. If all three lists are empty, both versions are the same. */
 typedef struct lgs_changes {
-  const lgs_segment_id* removed;
-  const lgs_segment_id* added;
+  const lgs_segment_id* removed;  /* alive before, and not any more */
+  const lgs_segment_id* added;    /* alive now, and not before */
   const lgs_segment_id* relinked; /* alive before and after, with another ghost */
-  size_t removed_count;
-  size_t added_count;
-  size_t relinked_count;
-  uint64_t before;
-  uint64_t after;
+  size_t removed_count;           /* how many `removed` has */
+  size_t added_count;             /* how many `added` has */
+  size_t relinked_count;          /* how many `relinked` has */
+  uint64_t before;                /* the version from which the lists lead */
+  uint64_t after;                 /* the version to which they lead */
 } lgs_changes;
 
 /* Brings the segments up to date with all edits since the last commit. Cost: in proportion to the contents of the

@@ -18,43 +18,44 @@ extern "C" {
  * a preserve relation. With x = end.x - start.x and y = end.y - start.y its length in cells is hypot(x, y) / 65536, and
  * its normal of length 1 is (y / hypot(x, y), -x / hypot(x, y)). */
 typedef struct lgs_segment {
-  lgs_segment_id id;
-  lgs_segment_id predecessor;
-  lgs_segment_id successor;
-  lgs_block block;
-  lgs_polygon_id polygon; /* stale if it was removed since the last commit */
-  lgs_cell cell;
-  lgs_point start;
-  lgs_point end;
-  lgs_point ghost1;
-  lgs_point ghost2;
+  lgs_segment_id id;          /* its name, until a commit removes it */
+  lgs_segment_id predecessor; /* the segment that leads to its start */
+  lgs_segment_id successor;   /* the segment that goes on from its end */
+  lgs_block block;            /* that of `polygon` */
+  lgs_polygon_id polygon;     /* stale if it was removed since the last commit */
+  lgs_cell cell;              /* that of `polygon` */
+  lgs_point start;            /* where it starts */
+  lgs_point end;              /* where it ends */
+  lgs_point ghost1;           /* means nothing if `predecessor` is null */
+  lgs_point ghost2;           /* means nothing if `successor` is null */
 } lgs_segment;
 
 /* The same in cells, from an origin of yours. */
 typedef struct lgs_segment_float {
-  lgs_segment_id id;
-  lgs_segment_id predecessor;
-  lgs_segment_id successor;
-  lgs_block block;
-  lgs_polygon_id polygon;
-  lgs_cell cell;
-  lgs_float_point start;
-  lgs_float_point end;
-  lgs_float_point ghost1;
-  lgs_float_point ghost2;
+  lgs_segment_id id;          /* its name, until a commit removes it */
+  lgs_segment_id predecessor; /* the segment that leads to its start */
+  lgs_segment_id successor;   /* the segment that goes on from its end */
+  lgs_block block;            /* that of `polygon` */
+  lgs_polygon_id polygon;     /* stale if it was removed since the last commit */
+  lgs_cell cell;              /* that of `polygon` */
+  lgs_float_point start;      /* where it starts */
+  lgs_float_point end;        /* where it ends */
+  lgs_float_point ghost1;     /* means nothing if `predecessor` is null */
+  lgs_float_point ghost2;     /* means nothing if `successor` is null */
 } lgs_segment_float;
 
+/* As lgs_segment_float, but double. */
 typedef struct lgs_segment_double {
-  lgs_segment_id id;
-  lgs_segment_id predecessor;
-  lgs_segment_id successor;
-  lgs_block block;
-  lgs_polygon_id polygon;
-  lgs_cell cell;
-  lgs_double_point start;
-  lgs_double_point end;
-  lgs_double_point ghost1;
-  lgs_double_point ghost2;
+  lgs_segment_id id;          /* its name, until a commit removes it */
+  lgs_segment_id predecessor; /* the segment that leads to its start */
+  lgs_segment_id successor;   /* the segment that goes on from its end */
+  lgs_block block;            /* that of `polygon` */
+  lgs_polygon_id polygon;     /* stale if it was removed since the last commit */
+  lgs_cell cell;              /* that of `polygon` */
+  lgs_double_point start;     /* where it starts */
+  lgs_double_point end;       /* where it ends */
+  lgs_double_point ghost1;    /* means nothing if `predecessor` is null */
+  lgs_double_point ghost2;    /* means nothing if `successor` is null */
 } lgs_segment_double;
 
 /* Many segments: segments[k] is that of ids[k]. In cells, the differences from the origin are exact before they are
@@ -79,10 +80,11 @@ LGS_API lgs_status lgs_segments_in(const lgs_world* world, lgs_cell_rect cells, 
 
 /* --- Polygons, after all edits, committed or not ----------------------------------------------------------------- */
 
+/* A polygon as it stands in a cell. */
 typedef struct lgs_polygon {
-  lgs_polygon_id id;
-  lgs_cell cell;
-  lgs_block block;
+  lgs_polygon_id id; /* its name */
+  lgs_cell cell;     /* where it is */
+  lgs_block block;   /* the number that it was given */
   uint32_t vertices; /* how many it has */
 } lgs_polygon;
 
@@ -150,8 +152,9 @@ enum {
   LGS_INSIDE = 2   /* in the interior of one polygon */
 };
 
+/* What lies at a point: see lgs_at(). */
 typedef struct lgs_spot {
-  int32_t where;
+  int32_t where;          /* one of the constants above */
   lgs_polygon_id polygon; /* null outside; on an edge the first that has it, by cell (j, then i) and id */
   lgs_block block;        /* of that polygon */
   lgs_cell cell;          /* of that polygon; outside the cell of the point */
@@ -161,9 +164,10 @@ typedef struct lgs_spot {
  * to the vertices in the cell; on a common side in both cells, in a corner in all four. */
 LGS_API lgs_status lgs_at(const lgs_world* world, lgs_point point, lgs_spot* spot) LGS_NOTHROW;
 
+/* The segment nearest to a point: see lgs_nearest(). */
 typedef struct lgs_nearest_segment {
   lgs_segment_id segment; /* null: no segment within the radius */
-  uint32_t reserved;
+  uint32_t reserved;      /* 0 */
   lgs_double_point point; /* the nearest point of that segment, in cells */
   double distance;        /* to it, in cells */
 } lgs_nearest_segment;
@@ -175,9 +179,10 @@ typedef struct lgs_nearest_segment {
 LGS_API lgs_status lgs_nearest(const lgs_world* world, lgs_point point, double radius, lgs_nearest_segment* nearest,
                                lgs_error* error) LGS_NOTHROW;
 
+/* What a ray meets first: see lgs_ray_cast(). */
 typedef struct lgs_ray_hit {
-  lgs_segment_id segment; /* null: nothing was hit */
-  uint32_t reserved;
+  lgs_segment_id segment;  /* null: nothing was hit */
+  uint32_t reserved;       /* 0 */
   double fraction;         /* of the way from the start to the end of the ray; 1 if nothing was hit */
   lgs_double_point point;  /* where, in cells */
   lgs_double_point normal; /* outward unit normal of the segment */

@@ -20,6 +20,7 @@
 #define LGS_API
 #endif
 
+/* No function throws. */
 #ifdef __cplusplus
 #define LGS_NOTHROW noexcept
 extern "C" {
@@ -29,8 +30,8 @@ extern "C" {
 
 /* Of this header. lgs_version() has that of the library. */
 #define LGS_VERSION_MAJOR 0
-#define LGS_VERSION_MINOR 1
-#define LGS_VERSION_PATCH 0
+#define LGS_VERSION_MINOR 1 /* of this header */
+#define LGS_VERSION_PATCH 0 /* of this header */
 
 /* --- Limits and units -------------------------------------------------------------------------------------------- */
 
@@ -40,7 +41,7 @@ extern "C" {
 #define LGS_UNITS_PER_CELL 65536   /* lattice units along one side of a cell */
 #define LGS_MAX_CELL 1073741824    /* cells run from -LGS_MAX_CELL to +LGS_MAX_CELL on both axes */
 #define LGS_MAX_CELL_VERTICES 4096 /* of all polygons of one cell together */
-#define LGS_MAX_CELL_POLYGONS 254
+#define LGS_MAX_CELL_POLYGONS 254  /* in one cell */
 #define LGS_MAX_CHUNKS 4194303     /* of 32x32 cells, ever touched by an edit */
 #define LGS_MAX_ENTRIES 2147483647 /* of a call that takes many */
 #define LGS_MAX_RADIUS 4096        /* of lgs_nearest(), in cells */
@@ -48,6 +49,7 @@ extern "C" {
 
 /* --- Status ------------------------------------------------------------------------------------------------------ */
 
+/* LGS_OK, or why a call was refused. */
 typedef int32_t lgs_status;
 
 enum {
@@ -94,27 +96,28 @@ typedef uint32_t lgs_block;
 
 /* Polygons that a world has validated and stored. Valid for that world, as long as it lives. */
 typedef struct lgs_shape_id {
-  uint32_t value;
+  uint32_t value; /* for the world that made it */
 } lgs_shape_id;
 
 /* One placed polygon. Once it is removed its id is stale: that is an error, and never another polygon, unless the world
  * goes back to a time before that polygon was. The fields mean something to the world only. */
 typedef struct lgs_polygon_id {
-  uint32_t cell_ref;
-  uint32_t serial;
+  uint32_t cell_ref; /* 0 in a null id */
+  uint32_t serial;   /* not for you */
 } lgs_polygon_id;
 
 /* One boundary segment. Small dense integers, so an array can hold what you know of segments. A commit that reports a
  * segment as removed sets its id free: from the next commit on it may name another one. */
 typedef struct lgs_segment_id {
-  uint32_t value;
+  uint32_t value; /* good as an index */
 } lgs_segment_id;
 
 /* A moment to which a world can go back. */
 typedef struct lgs_mark {
-  uint64_t value;
+  uint64_t value; /* for the world that made it */
 } lgs_mark;
 
+/* All of an id in 64 bits, to keep it where only integers go; 0 for null. */
 LGS_API uint64_t lgs_store_shape(lgs_shape_id shape) LGS_NOTHROW;
 LGS_API uint64_t lgs_store_polygon(lgs_polygon_id polygon) LGS_NOTHROW;
 LGS_API uint64_t lgs_store_segment(lgs_segment_id segment) LGS_NOTHROW;
@@ -129,42 +132,44 @@ LGS_API lgs_mark lgs_load_mark(uint64_t stored) LGS_NOTHROW;
 
 /* The unit cell [i, i+1] x [j, j+1]. */
 typedef struct lgs_cell {
-  int32_t i;
-  int32_t j;
+  int32_t i; /* the column, counted to the right */
+  int32_t j; /* the row, counted upwards */
 } lgs_cell;
 
 /* All cells from min to max, both included. Empty if an index of max is below that of min. */
 typedef struct lgs_cell_rect {
-  lgs_cell min;
-  lgs_cell max;
+  lgs_cell min; /* the lower left cell */
+  lgs_cell max; /* the upper right cell */
 } lgs_cell_rect;
 
 /* In its cell, in lattice units from the lower left corner, y up: 0 to LGS_UNITS_PER_CELL, the rim included. */
 typedef struct lgs_local_point {
-  int32_t x;
-  int32_t y;
+  int32_t x; /* to the right */
+  int32_t y; /* up */
 } lgs_local_point;
 
+/* A box in one closed cell. */
 typedef struct lgs_local_box {
-  lgs_local_point min;
-  lgs_local_point max;
+  lgs_local_point min; /* its lower left corner */
+  lgs_local_point max; /* its upper right corner, included */
 } lgs_local_box;
 
 /* In the world, in lattice units. At most 2^46 + 2^16 in magnitude. */
 typedef struct lgs_point {
-  int64_t x;
-  int64_t y;
+  int64_t x; /* to the right */
+  int64_t y; /* up */
 } lgs_point;
 
 /* In cells: 1.0 is the far side. Where one enters it is rounded to the nearest lattice point, halves away from zero. */
 typedef struct lgs_float_point {
-  float x;
-  float y;
+  float x; /* to the right */
+  float y; /* up */
 } lgs_float_point;
 
+/* As lgs_float_point, but double. */
 typedef struct lgs_double_point {
-  double x;
-  double y;
+  double x; /* to the right */
+  double y; /* up */
 } lgs_double_point;
 
 /* The lattice point nearest to a position of the world in cells, halves away from zero. If the position is beyond the
@@ -180,7 +185,7 @@ LGS_API lgs_cell lgs_cell_at(lgs_point point) LGS_NOTHROW;
 
 /* What was refused, and where. A number that does not apply is -1 (the cell INT32_MIN), an id null. */
 typedef struct lgs_error {
-  lgs_status code;
+  lgs_status code;        /* why it was refused */
   lgs_cell cell;          /* the cell of the edit; none while a shape is made */
   int32_t polygon;        /* index in the polygons given to the call */
   int32_t vertex;         /* index in that polygon; for an edge, its first vertex */
@@ -193,7 +198,7 @@ typedef struct lgs_error {
   uint64_t offset;        /* a saved world: the byte */
   int32_t index2;         /* a call that takes many: index of the other one involved. It placed the other polygon, which
                              is undone, so that `other` is null; or it has the same handle. */
-  uint32_t reserved[3];
+  uint32_t reserved[3];   /* 0 */
 } lgs_error;
 
 /* A short name, in English, e.g. "self-intersecting". "unknown error" for a number that is no status. It stays. */

@@ -18,11 +18,12 @@ typedef struct lgs_world lgs_world;
  * at the same time, and so do commits of copies: they share `user`, which must live as long as the last of them. */
 typedef int32_t (*lgs_preserve_fn)(void* user, lgs_block smaller, lgs_block greater);
 
+/* How to make a world: see lgs_new(). */
 typedef struct lgs_world_options {
-  uint32_t size; /* of this struct in bytes */
-  uint32_t reserved;
+  uint32_t size;            /* of this struct in bytes */
+  uint32_t reserved;        /* 0 */
   lgs_preserve_fn preserve; /* NULL: every overlap is cancelled. This is the default. */
-  void* user;
+  void* user;               /* handed to `preserve` */
 } lgs_world_options;
 
 /* Fills in what is the default. `size` is sizeof(lgs_world_options): no more is written than that. */
@@ -73,15 +74,16 @@ LGS_API lgs_status lgs_load(const uint8_t* bytes, size_t count, const lgs_world_
 
 /* --- What there is ----------------------------------------------------------------------------------------------- */
 
+/* How much there is in a world: see lgs_count(). */
 typedef struct lgs_stats {
-  uint64_t polygons;
-  uint64_t cells;    /* cells that hold at least one polygon */
-  uint64_t segments; /* live ones, as of the last commit */
-  uint64_t shapes;
-  uint64_t contents; /* distinct contents of cells; those that no cell has are forgotten in time */
-  uint64_t chunks;
-  uint64_t bytes; /* allocated, with spare capacity; an estimate for the index of shapes */
-  uint64_t reserved[5];
+  uint64_t polygons;    /* placed ones */
+  uint64_t cells;       /* cells that hold at least one polygon */
+  uint64_t segments;    /* live ones, as of the last commit */
+  uint64_t shapes;      /* made so far */
+  uint64_t contents;    /* distinct contents of cells; those that no cell has are forgotten in time */
+  uint64_t chunks;      /* of 32x32 cells, ever touched by an edit */
+  uint64_t bytes;       /* allocated, with spare capacity; an estimate for the index of shapes */
+  uint64_t reserved[5]; /* 0 */
 } lgs_stats;
 
 /* Cost: it looks at every cell of every chunk. */

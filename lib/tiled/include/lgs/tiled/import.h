@@ -107,17 +107,18 @@ enum class BlockFrom : std::uint8_t {
   layer,      ///< the path of the layer, "Group/Layer", without that of its map in a world or of its level
 };
 
+/// What to import, and how. The defaults suit most maps.
 struct Options {
-  double tolerance = 1.0;  ///< pixels, finite, 0 or more; at most a quarter of a tile is used
-  Outside outside = Outside::carry;
-  bool solidWithoutShapes = false;  ///< a tile without any collision object is a full square (true) or empty (false)
+  double tolerance = 1.0;            ///< pixels, finite, 0 or more; at most a quarter of a tile is used
+  Outside outside = Outside::carry;  ///< what happens to what reaches out of its cell
+  bool solidWithoutShapes = false;   ///< a tile without any collision object is a full square (true) or empty (false)
 
   /// Properties, "NAME" or "NAME=VALUE". A tile without any collision object is a full square if it or its layer has
   /// one of them. "NAME" alone takes any value that is not empty, "false" or "0". The report names those that no
   /// tile and no tile layer has, names and values alike.
   std::vector<std::string> solidIf;
 
-  BlockFrom blockFrom = BlockFrom::one;
+  BlockFrom blockFrom = BlockFrom::one;  ///< where blocks come from
 
   /// The block for each class, object's name or layer; unused with BlockFrom::one. "" stands for no class. Other names get
   /// the least unused numbers from 1 up, in the order in which the import meets them: layers in the map's order, and
@@ -165,8 +166,8 @@ inline constexpr std::uint32_t kNoTile = ~std::uint32_t{0};
 
 /// One polygon in a cell.
 struct Placement {
-  Cell cell;
-  Block block = 1;
+  Cell cell;                 ///< where
+  Block block = 1;           ///< what Options::blockFrom asks for
   std::uint32_t shape = 0;   ///< index in ImportedMap::shapes
   std::uint32_t tile = 0;    ///< index in Report::tiles, or kNoTile
   std::uint32_t object = 0;  ///< id of the collision object; 0 for a full square that Options asked for
@@ -188,7 +189,7 @@ enum class NoteKind : std::uint8_t {
 
 /// Something that happened to one collision object of a tile, or to one object of an object layer.
 struct Note {
-  NoteKind kind{};
+  NoteKind kind{};           ///< what happened
   std::uint32_t object = 0;  ///< id of the collision object
   double pixels = 0;         ///< snapped, takenBack: the furthest move; carried, clipped: the furthest reach; nearMiss:
                              ///< the miss
@@ -200,32 +201,35 @@ struct Note {
 
 /// A tile that the map uses. Flipped and rotated ones count as the same tile.
 struct TileReport {
-  std::string tileset;   ///< name
-  std::uint32_t id = 0;  ///< in the tileset, from 0
-  std::string className;
-  std::uint64_t uses = 0;
+  std::string tileset;      ///< name
+  std::uint32_t id = 0;     ///< in the tileset, from 0
+  std::string className;    ///< as BlockFrom::tileClass has it; may be empty
+  std::uint64_t uses = 0;   ///< how often the imported layers show it
   bool hasShapes = false;   ///< whether it has any collision object
   std::vector<Note> notes;  ///< sorted by kind, then object
   bool isSolid = false;     ///< it has no shapes, and is a full square as Options asked, at least in one layer
   std::vector<std::uint32_t> layers = {};  ///< in which it is used: indices in Report::layers
 };
 
+/// What a layer holds.
 enum class LayerKind : std::uint8_t { tiles, objects, image };
 
+/// A layer of the map, whether it was taken or not.
 struct LayerReport {
-  std::string path;  ///< "Group/Layer"; before it the name of the map in a world, or of the level
-  bool imported = false;
-  std::uint64_t tiles = 0;  ///< tiles that are not empty
-  std::string note;         ///< why it was taken or passed over, or what is special about it; may be empty
-  LayerKind kind = LayerKind::tiles;
-  std::uint64_t objects = 0;     ///< of an object layer
-  std::vector<Note> notes = {};  ///< of its objects; sorted by kind, then object
+  std::string path;                   ///< "Group/Layer"; before it the name of the map in a world, or of the level
+  bool imported = false;              ///< whether it was taken
+  std::uint64_t tiles = 0;            ///< tiles that are not empty
+  std::string note;                   ///< why it was taken or passed over, or what is special about it; may be empty
+  LayerKind kind = LayerKind::tiles;  ///< what it holds
+  std::uint64_t objects = 0;          ///< of an object layer
+  std::vector<Note> notes = {};       ///< of its objects; sorted by kind, then object
 };
 
+/// A block that the import used.
 struct BlockReport {
   std::string name;  ///< of the class or the path of the layer, several with commas; empty with BlockFrom::one
-  Block block = 1;
-  std::uint64_t polygons = 0;
+  Block block = 1;   ///< the number
+  std::uint64_t polygons = 0;  ///< placements with this block
 };
 
 /// Something in a map that looks like collision and was not taken.
@@ -237,18 +241,19 @@ struct Suggestion {
 /// An argument as a shell takes it: in quotes if it has to be. Names come from files, so control characters have escapes.
 std::string shellWord(std::string_view argument);
 
+/// What came in, and what was left out or changed: toText() writes it.
 struct Report {
-  std::string file;
-  int width = 0;  ///< of the map, tiles; what its file says
-  int height = 0;
-  int tileWidth = 0;  ///< of the grid, in pixels
-  int tileHeight = 0;
-  bool infinite = false;
-  double tolerance = 0;     ///< pixels, as used
-  std::uint64_t cells = 0;  ///< that hold a polygon
-  std::uint64_t polygons = 0;
-  std::uint64_t shapes = 0;  ///< distinct polygons
-  std::vector<LayerReport> layers;
+  std::string file;                     ///< the map
+  int width = 0;                        ///< of the map, tiles; what its file says
+  int height = 0;                       ///< of the map, tiles
+  int tileWidth = 0;                    ///< of the grid, in pixels
+  int tileHeight = 0;                   ///< of the grid, in pixels
+  bool infinite = false;                ///< whether the map has no size of its own
+  double tolerance = 0;                 ///< pixels, as used
+  std::uint64_t cells = 0;              ///< that hold a polygon
+  std::uint64_t polygons = 0;           ///< placements
+  std::uint64_t shapes = 0;             ///< distinct polygons
+  std::vector<LayerReport> layers;      ///< all of the map, in its order
   std::vector<BlockReport> blocks;      ///< that are used, by number
   std::vector<TileReport> tiles;        ///< that are used, in the order of their first use
   std::vector<std::string> notes;       ///< about the map as a whole
@@ -259,11 +264,12 @@ struct Report {
 /// characters in names become blanks.
 std::string toText(const Report& report);
 
+/// What importMap() makes of a map.
 struct ImportedMap {
   std::vector<std::vector<LocalPoint>> shapes;  ///< distinct polygons; for World::shape() or World::add()
   std::vector<Placement> placements;            ///< sorted by cell (j, then i), and in a cell as they were placed
   std::map<std::string, Block> blocks;          ///< of all names in Options::blocks, and of those that the import met
-  Report report;
+  Report report;                                ///< what came in, and what was left out or changed
 
   /// The block of a class, or of a layer by its path; "" stands for no class. Nothing if the map does not use the name
   /// and Options::blocks does not have it; with BlockFrom::one there are no names.

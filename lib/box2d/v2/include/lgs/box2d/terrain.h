@@ -32,30 +32,32 @@ namespace lgs::box2d {
 
 /// What a block is like. The defaults are Box2D's.
 struct Material {
-  float friction = 0.2F;
-  float restitution = 0;
-  float restitutionThreshold = 1.0F * b2_lengthUnitsPerMeter;
-  b2Filter filter = {};
+  float friction = 0.2F;                                       ///< 0 or more
+  float restitution = 0;                                       ///< 0 … 1
+  float restitutionThreshold = 1.0F * b2_lengthUnitsPerMeter;  ///< metres a second; slower bodies do not bounce
+  b2Filter filter = {};                                        ///< what it collides with
   friend bool operator==(const Material& a, const Material& b);
 };
 
+/// The options of a terrain, with the material of this Box2D.
 using TerrainOptions = BasicTerrainOptions<Material>;
 
 /// A contact of the terrain.
 struct Touch {
-  Hit hit;
+  Hit hit;                     ///< what was touched
   b2Vec2 normal;               ///< outward unit normal of the terrain's edge
   b2Fixture* other = nullptr;  ///< what touches it
 };
 
 /// The ground nearest to a point.
 struct NearestHit {
-  Hit hit;
-  b2Vec2 point;
+  Hit hit;             ///< what is nearest
+  b2Vec2 point;        ///< its nearest point, in metres
   b2Vec2 normal;       ///< outward unit normal of the segment
   float distance = 0;  ///< metres
 };
 
+/// The ground of one world in one physics world. The comment at the top of this file has an example.
 class Terrain {
  public:
   /// Makes the terrain of what the world held at its last commit. Both worlds must outlive it and stay where they are;

@@ -36,39 +36,41 @@ using Position = decltype(b2BodyDef::position);
 /// What a block is like. The defaults are Box2D's. The flags are those of b2ShapeDef. Sensor events need
 /// theirs on both shapes, the others on one of the two. (In 2.4 listeners hear of every contact without a flag.)
 struct Material {
-  b2SurfaceMaterial surface = b2DefaultSurfaceMaterial();
-  b2Filter filter = b2DefaultFilter();
-  bool enableSensorEvents = false;  ///< sensors see the block
-  bool enableContactEvents = false;
-  bool enableHitEvents = false;
-  bool enablePreSolveEvents = false;
-  bool enableCustomFiltering = false;  ///< before 3.2 Box2D asks the custom filter about all shapes
+  b2SurfaceMaterial surface = b2DefaultSurfaceMaterial();  ///< friction and the like
+  b2Filter filter = b2DefaultFilter();                     ///< what it collides with
+  bool enableSensorEvents = false;                         ///< sensors see the block
+  bool enableContactEvents = false;                        ///< as in b2ShapeDef
+  bool enableHitEvents = false;                            ///< as in b2ShapeDef
+  bool enablePreSolveEvents = false;                       ///< as in b2ShapeDef
+  bool enableCustomFiltering = false;                      ///< before 3.2 Box2D asks the custom filter about all shapes
   friend bool operator==(const Material& a, const Material& b);
 };
 
+/// The options of a terrain, with the material of this Box2D.
 using TerrainOptions = BasicTerrainOptions<Material>;
 
 /// A contact of the terrain.
 struct Touch {
-  Hit hit;
+  Hit hit;                           ///< what was touched
   b2Vec2 normal;                     ///< outward unit normal of the terrain's edge
   b2ShapeId other = b2_nullShapeId;  ///< what touches it
 };
 
 /// The ground nearest to a point.
 struct NearestHit {
-  Hit hit;
-  Position point;
+  Hit hit;             ///< what is nearest
+  Position point;      ///< its nearest point, in metres
   b2Vec2 normal;       ///< outward unit normal of the segment
   float distance = 0;  ///< metres
 };
 
 /// A segment in Box2D. Before 3.2 it is part of a chain.
 struct SegmentShape {
-  b2ShapeId shape = b2_nullShapeId;
-  b2ChainId chain = b2_nullChainId;
+  b2ShapeId shape = b2_nullShapeId;  ///< the chain segment
+  b2ChainId chain = b2_nullChainId;  ///< the chain that it is part of; null from 3.2 on
 };
 
+/// The ground of one world in one physics world. The comment at the top of this file has an example.
 class Terrain {
  public:
   /// Makes the terrain of what the world held at its last commit. Both worlds must outlive it, and `world` must stay
