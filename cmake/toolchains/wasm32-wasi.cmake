@@ -1,5 +1,5 @@
-# WebAssembly with the system interface WASI, run by Node. It has no exceptions and no threads. Debian: clang-19, lld-19,
-# libc++-19-dev-wasm32, libclang-rt-19-dev-wasm32, wasi-libc, nodejs.
+# WebAssembly with the system interface WASI, run by Node. It has no exceptions and no threads. Debian: clang-19,
+# lld-19, llvm-19, libc++-19-dev-wasm32, libclang-rt-19-dev-wasm32, wasi-libc, nodejs.
 set(CMAKE_SYSTEM_NAME Generic)  # CMake 3.25 does not know WASI
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
 set(CMAKE_C_COMPILER clang-19)
