@@ -25,7 +25,7 @@ i686|Linux i686|i686-linux-gnu-g++|-O3|
 aarch64|Linux aarch64, qemu|aarch64-linux-gnu-g++|-O3|
 s390x|Linux s390x, qemu|s390x-linux-gnu-g++|-O3|
 windows|Windows x86-64, Wine|x86_64-w64-mingw32-g++-posix|-O3|
-wasm|wasm32-wasi, Node|clang++-19|-O3|
+wasm|wasm32-wasi, Node|clang++-19|-O3 -fno-exceptions|FLAGS=-fno-exceptions
 c++23|Linux x86-64|g++-12|-O3 -std=c++23|-DCMAKE_CXX_STANDARD=23
 plain|Linux x86-64|g++-12|-O3 -fno-exceptions -fno-rtti|FLAGS=-fno-exceptions -fno-rtti
 O0|Linux x86-64|g++-12|-O0, assertions|-DCMAKE_CXX_FLAGS_RELEASE=-O0
