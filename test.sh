@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 source scripts/steps.sh
 
-scripts/setup.sh clang libclang-rt-dev chromium-driver python3-shapely doxygen
+scripts/setup.sh clang libclang-rt-dev chromium-driver python3-shapely
 summary=
 # check PRESET TARGET CTEST-OPTION...: builds the target, and runs the tests on all cores. Some of them mostly wait.
 check() {

@@ -1,4 +1,5 @@
-# Linux on a mainframe, run by qemu: the most significant byte of a number comes first there. Debian: g++-s390x-linux-gnu, qemu-user.
+# Linux on a mainframe, run by qemu: the most significant byte of a number comes first there. Debian:
+# g++-s390x-linux-gnu, qemu-user.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR s390x)
 set(CMAKE_C_COMPILER s390x-linux-gnu-gcc)

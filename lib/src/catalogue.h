@@ -9,6 +9,7 @@
 #include <lgs/error.h>
 #include <lgs/ids.h>
 
+#include <algorithm>
 #include <map>
 #include <span>
 #include <vector>
@@ -33,6 +34,14 @@ struct SoleContent {
   std::uint32_t facts : 8 = 0;
 };
 static_assert(sizeof(SoleContent) == 4);
+
+/// The order of shapes. The vector's own one will not do: where the most significant byte comes first, GCC 12's library
+/// compares as many bytes as there are numbers, so that different shapes are equal.
+struct PolygonsLess {
+  bool operator()(const std::vector<PolygonId>& a, const std::vector<PolygonId>& b) const {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  }
+};
 
 struct InternedShape {
   ContentId content = kEmptyContent;  ///< with nothing preserved
@@ -119,7 +128,7 @@ class Catalogue {
   std::vector<Use> uses_;  ///< by content
   std::vector<InternedShape> shapes_;
   std::vector<SoleContent> soles_{SoleContent{}};  ///< by shape: see soleContent()
-  std::map<std::vector<PolygonId>, ShapeId> shapeIndex_;
+  std::map<std::vector<PolygonId>, ShapeId, PolygonsLess> shapeIndex_;
   HashIndex polygonIndex_;
   HashIndex contentIndex_;
   std::vector<PolygonId> freePolygons_;

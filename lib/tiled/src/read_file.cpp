@@ -15,7 +15,8 @@ tl::expected<std::string, std::string> readFile(const std::string& path) {
   if (size > kMost) return tl::unexpected<std::string>("it is larger than 1 GiB");
   in.seekg(0);
   std::string text(static_cast<std::size_t>(size), '\0');
-  if (!in.read(text.data(), size)) return tl::unexpected<std::string>("reading stopped half-way");
+  if (!in.read(text.data(), static_cast<std::streamsize>(size)))
+    return tl::unexpected<std::string>("reading stopped half-way");
   return text;
 }
 
