@@ -11,7 +11,7 @@ namespace lgs::brush {
 namespace {
 
 using detail::Vector;
-using detail::operator-;
+using detail::operator-;  // NOLINT(misc-unused-using-decls): p.b - p.a uses it
 
 int side(Point p, Line line, bool keepsGreater) {
   const int greater = detail::sign((line.isVertical ? p.x : p.y) - line.at);

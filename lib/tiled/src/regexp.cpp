@@ -38,7 +38,8 @@ class RegexpParser {
 
   Code limited(Code code) {
     if (code.size() > Regexp::kMaxSteps) fail("is too long");
-    return fault_.empty() ? code : Code{};
+    if (!fault_.empty()) code.clear();
+    return code;
   }
 
   static void append(Code& code, const Code& more) { code.insert(code.end(), more.begin(), more.end()); }
@@ -237,7 +238,7 @@ class RegexpParser {
       const char32_t letter = pattern_[at_++];
       return {{{letter, letter}}};
     }
-    const RegexpSet result = escaped();
+    RegexpSet result = escaped();
     if (result.isNegated) fail("has \\D, \\W or \\S in a set, which is not supported");
     return result;
   }

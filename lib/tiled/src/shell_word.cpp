@@ -21,11 +21,11 @@ std::string octal(char c) {
 
 }  // namespace
 
-std::string shellWord(std::string_view word) {
-  if (!word.empty() && std::all_of(word.begin(), word.end(), isPlain)) return std::string(word);
-  const bool hasControls = std::any_of(word.begin(), word.end(), isControl);
+std::string shellWord(std::string_view argument) {
+  if (!argument.empty() && std::all_of(argument.begin(), argument.end(), isPlain)) return std::string(argument);
+  const bool hasControls = std::any_of(argument.begin(), argument.end(), isControl);
   std::string text = hasControls ? "$'" : "'";
-  for (const char c : word) {
+  for (const char c : argument) {
     if (isControl(c)) {
       text += octal(c);
     } else if (c == '\'') {
