@@ -1,0 +1,234 @@
+// What the package hands out and takes. Lengths and positions are in cells, y up; they are exact, since the lattice has
+// 65,536 units to a cell and a double holds them all.
+
+/** A polygon that was validated once: see World.shape(). */
+export type ShapeId = number
+/** A placed polygon. It is a safe integer. Once the polygon is removed, its id never names another one. */
+export type PolygonId = number
+/** A segment of the outline: small and dense, good as an index. 0 names none. */
+export type SegmentId = number
+/** A number of yours that a polygon carries, say of a material: 0 to 2^32 - 1. */
+export type Block = number
+/** A moment to which a world can go back. */
+export type Mark = bigint
+
+/** Vertices of a polygon, counter-clockwise: x, y, x, y, …, or pairs. They are rounded to the lattice. */
+export type Vertices = ArrayLike<number> | readonly (readonly [number, number])[]
+
+/** All cells from (i0, j0) to (i1, j1), both included. Empty if i1 < i0 or j1 < j0. */
+export interface CellRect {
+  readonly i0: number
+  readonly j0: number
+  readonly i1: number
+  readonly j1: number
+}
+
+export interface WorldOptions {
+  /**
+   * Whether the edges between polygons of these two blocks stay. The smaller block comes first. It is asked once for
+   * each pair. If it throws, the pair is cancelled, and the call in which that happened throws an LgsError.
+   */
+  preserve?: (smaller: Block, greater: Block) => boolean
+  /** Geometry in 'double' (Float64Array, exact; the default) or 'float' (Float32Array, rounded). */
+  precision?: 'double' | 'float'
+}
+
+/**
+ * Segments with their geometry, as typed arrays in the memory of WebAssembly. They are valid until the next call of
+ * their world: asked later, a property throws an LgsError 'stale-list'. An array that you keep yourself is not guarded:
+ * it may change or become empty. copy() makes lists that stay.
+ */
+export interface SegmentList {
+  readonly length: number
+  /** Ids. */
+  readonly id: Uint32Array
+  /**
+   * Eight numbers a segment: start x, y, end x, y, ghost1 x, y, ghost2 x, y. The solid is on the left of start to end.
+   * ghost1 is the start of the predecessor, ghost2 the end of the successor; NaN if there is none, which happens only
+   * under a preserve relation.
+   */
+  readonly geometry: Float64Array | Float32Array
+  readonly block: Uint32Array
+  /** Two numbers a segment: i, j of its polygon's cell. */
+  readonly cell: Int32Array
+  /** The polygon of each segment: a PolygonId. */
+  readonly owner: Float64Array
+  /** The segment before each one, and the one after it; 0 if there is none. */
+  readonly predecessor: Uint32Array
+  readonly successor: Uint32Array
+  copy(): SegmentList
+}
+
+/** What a commit or a roll-back did to the segments. No id is in two lists; after a roll-back one that named one
+ * segment and names another one now is removed, and then added. Valid as long as a SegmentList. */
+export interface Changes {
+  /** Ids that name nothing from now on. */
+  readonly removed: Uint32Array
+  readonly added: SegmentList
+  /** Alive before and after, with another ghost. */
+  readonly relinked: SegmentList
+  /** World.version before and after. If they are equal, nothing changed. */
+  readonly before: bigint
+  readonly after: bigint
+  copy(): Changes
+}
+
+export interface Segment {
+  readonly id: SegmentId
+  readonly start: readonly [number, number]
+  readonly end: readonly [number, number]
+  readonly ghost1: readonly [number, number] | null
+  readonly ghost2: readonly [number, number] | null
+  readonly predecessor: SegmentId
+  readonly successor: SegmentId
+  readonly block: Block
+  readonly polygon: PolygonId
+  readonly i: number
+  readonly j: number
+}
+
+export interface Polygon {
+  readonly id: PolygonId
+  readonly i: number
+  readonly j: number
+  readonly block: Block
+  /** x, y, x, y, … from the lower left corner of the cell: 0 to 1. */
+  readonly vertices: Float64Array
+}
+
+/** A closed chain, in the direction of its segments: the solid is on the left. */
+export interface Loop {
+  /** x, y, x, y, …; the last edge leads back to the first vertex. */
+  readonly vertices: Float64Array
+  /** segments[k] starts at vertex k; empty if collinear ones were merged. */
+  readonly segments: Uint32Array
+}
+
+/** What was hit. */
+export interface Hit {
+  readonly polygon: PolygonId
+  readonly block: Block
+  readonly i: number
+  readonly j: number
+}
+
+export interface Spot extends Hit {
+  /** On an edge the polygon is the first that has it; outside it is 0, and the cell is that of the point. */
+  readonly where: 'outside' | 'edge' | 'inside'
+}
+
+export interface Nearest {
+  readonly segment: SegmentId
+  readonly x: number
+  readonly y: number
+  readonly distance: number
+}
+
+export interface RayHit {
+  readonly segment: SegmentId
+  /** Of the way from the start to the end of the ray. */
+  readonly fraction: number
+  readonly x: number
+  readonly y: number
+  /** The outward normal of the segment, of length 1. */
+  readonly nx: number
+  readonly ny: number
+}
+
+/** A set of points, given by closed rings in cells of the world. They may cross, overlap and run either way around. */
+export interface Region {
+  readonly rings: readonly Vertices[]
+  /** 'nonZero': rings that overlap are united (the default). 'evenOdd': a ring within a ring is a hole. */
+  readonly rule?: 'nonZero' | 'evenOdd'
+}
+
+/** What a brush did to polygons. A polygon that is not named has kept its id, vertices and block. */
+export interface BrushResult {
+  readonly went: readonly PolygonId[]
+  readonly came: readonly PolygonId[]
+  /** Old polygons that are cut, united or recoloured, and what stands in their place. */
+  readonly changed: readonly { readonly old: PolygonId; readonly now: readonly PolygonId[] }[]
+  /** Of the old ones those that rounding bent, by less than a lattice unit. */
+  readonly bent: readonly PolygonId[]
+}
+
+/** How much there is in a world. */
+export interface Stats {
+  readonly polygons: number
+  readonly cells: number
+  readonly segments: number
+  readonly shapes: number
+  readonly contents: number
+  readonly chunks: number
+  readonly bytes: number
+}
+
+/** Where the code of WebAssembly comes from; all optional. Without any, it is the file lgs.wasm beside the module. */
+export interface InitOptions {
+  url?: string | URL
+  bytes?: BufferSource
+  module?: WebAssembly.Module
+}
+
+/** A world of unit cells that hold polygons, and the outline of these. Free it when it is no longer needed. */
+export interface World {
+  /** Validates and stores one polygon: simple, counter-clockwise, in the closed cell from (0, 0) to (1, 1). */
+  shape(vertices: Vertices): ShapeId
+  add(i: number, j: number, shape: ShapeId, block: Block): PolygonId
+  /** Four integers an entry: i, j, shape, block. All of them or none. Returns the ids, in this order. */
+  addMany(entries: Int32Array): Float64Array
+  /** A polygon by its vertices: a shape that is made on the way. */
+  addPolygon(i: number, j: number, vertices: Vertices, block: Block): PolygonId
+  remove(polygon: PolygonId): void
+  /** All of them or none. */
+  removeMany(polygons: ArrayLike<PolygonId>): void
+  /** Puts a shape in the place of all polygons of a cell. */
+  replace(i: number, j: number, shape: ShapeId, block: Block): PolygonId
+  setBlock(polygon: PolygonId, block: Block): void
+  /** A shape in every cell of a rectangle, or in none. Returns the number of cells. */
+  fill(cells: CellRect, shape: ShapeId, block: Block): number
+  /** Removes all polygons of a rectangle, or of a cell. Returns their number. */
+  clear(cells: CellRect): number
+  clear(i: number, j: number): number
+  /** 'fill' (the default) paints what is free; 'replace' takes over what is there. */
+  paint(region: Region, block: Block, mode?: 'fill' | 'replace'): BrushResult
+  carve(region: Region): BrushResult
+
+  /** Brings the segments up to date with all edits, and says what changed. */
+  commit(): Changes
+  checkpoint(): Mark
+  /** The mark stays; later ones are void. */
+  rollBack(mark: Mark): Changes
+  forget(mark: Mark): void
+
+  /** All segments, or those of polygons in a rectangle of cells, as of the last commit. By id, or in no order. */
+  segments(cells?: CellRect): SegmentList
+  segment(id: SegmentId): Segment
+  /** Closed chains; with `merge` a vertex where the outline goes straight on is dropped. */
+  loops(options?: { merge?: boolean }): Loop[]
+  /** After all edits, committed or not. */
+  polygonsAt(i: number, j: number): Polygon[]
+  polygons(cells?: CellRect): Polygon[]
+  polygon(id: PolygonId): Polygon
+  /** The polygon of a segment: which tile was hit? */
+  hit(id: SegmentId): Hit
+  /** Which polygon is at a point, after all edits. */
+  at(x: number, y: number): Spot
+  /** The segment nearest to a point, at most `radius` (0 to 4,096) away. */
+  nearest(x: number, y: number, radius: number): Nearest | null
+  /** The first segment that a ray meets on its outward side. */
+  rayCast(x0: number, y0: number, x1: number, y1: number): RayHit | null
+
+  /** The world as bytes: loadWorld() makes it again. Everything must be committed. */
+  save(): Uint8Array
+  stats(): Stats
+  /** The least rectangle of cells with all polygons; null in an empty world. */
+  bounds(): CellRect | null
+  /** The version of the segments. */
+  readonly version: bigint
+  /** The highest segment id in use so far. */
+  readonly maxSegmentId: SegmentId
+  /** Gives its memory back. A second call does nothing; any other method throws from then on. */
+  free(): void
+  [Symbol.dispose](): void
+}
