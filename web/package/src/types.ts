@@ -28,9 +28,9 @@ export interface WorldOptions {
    * Whether the edges between polygons of these two blocks stay. The smaller block comes first. It is asked once for
    * each pair. If it throws, the pair is cancelled, and the call in which that happened throws an LgsError.
    */
-  preserve?: (smaller: Block, greater: Block) => boolean
+  preserve?: ((smaller: Block, greater: Block) => boolean) | undefined
   /** Geometry in 'double' (Float64Array, exact; the default) or 'float' (Float32Array, rounded). */
-  precision?: 'double' | 'float'
+  precision?: 'double' | 'float' | undefined
 }
 
 /**
