@@ -4,6 +4,7 @@
 #include "geometry/predicates.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 #include <tuple>
 
