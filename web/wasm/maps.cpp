@@ -10,9 +10,9 @@ namespace lgs::web {
 /// Functions that JavaScript has. They write bytes into the input buffer, and return their number, or -1 if there is no
 /// such file.
 __attribute__((import_module("lgs"), import_name("readFile"))) std::int32_t readFileInJavaScript(const char* path,
-                                                                                                std::size_t length);
-__attribute__((import_module("lgs"), import_name("listFolder"))) std::int32_t listFolderInJavaScript(const char* path,
-                                                                                                    std::size_t length);
+                                                                                                 std::size_t length);
+__attribute__((import_module("lgs"), import_name("listFolder"))) std::int32_t listFolderInJavaScript(
+    const char* path, std::size_t length);
 
 namespace {
 
