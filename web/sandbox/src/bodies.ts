@@ -1,0 +1,80 @@
+// The bodies: marbles, boxes, cars. A rider is one thing that moves, of one or more bodies.
+import { type Body, Box, Circle, Polygon, Vec2, WheelJoint, type World as Physics } from 'planck'
+
+export type RiderKind = 'marble' | 'box' | 'car'
+
+/** How a rider starts, in cells. */
+export interface Start {
+  readonly kind: RiderKind
+  readonly x: number
+  readonly y: number
+  readonly speed: number
+  /** Of a marble the radius, of a box half its side. */
+  readonly size: number
+  readonly colour: number
+}
+
+export interface Rider {
+  readonly start: Start
+  /** The first one is the main body. */
+  readonly bodies: readonly Body[]
+  readonly motors: readonly WheelJoint[]
+}
+
+const chassis = [new Vec2(-0.95, -0.22), new Vec2(0.95, -0.22), new Vec2(1, 0.05), new Vec2(0.35, 0.42), new Vec2(-0.5, 0.42), new Vec2(-0.95, 0.15)]
+
+export function makeRider(physics: Physics, start: Start): Rider {
+  if (start.kind === 'car') return makeCar(physics, start)
+  const body = physics.createBody({ type: 'dynamic', position: new Vec2(start.x, start.y), linearVelocity: new Vec2(start.speed, 0) })
+  if (start.kind === 'marble') {
+    body.createFixture(new Circle(start.size), { density: 1, friction: 0.6 })
+    body.setAngularVelocity(-start.speed / start.size)
+  } else {
+    body.createFixture(new Box(start.size, start.size), { density: 1, friction: 0.005 })
+  }
+  return { start, bodies: [body], motors: [] }
+}
+
+function makeCar(physics: Physics, start: Start): Rider {
+  const place = (dx: number, dy: number): Body =>
+    physics.createBody({ type: 'dynamic', position: new Vec2(start.x + dx, start.y + dy), linearVelocity: new Vec2(start.speed, 0) })
+  const body = place(0, 0)
+  body.createFixture(new Polygon(chassis), { density: 0.8, friction: 0.1 })
+  const wheels = [place(-0.6, -0.35), place(0.6, -0.35)]
+  const motors = wheels.map((wheel) => {
+    wheel.createFixture(new Circle(0.32), { density: 0.9, friction: 1.2 })
+    const options = { motorSpeed: 0, maxMotorTorque: 6, enableMotor: true, frequencyHz: 5, dampingRatio: 0.8 }
+    return physics.createJoint(new WheelJoint(options, body, wheel, wheel.getPosition(), new Vec2(0, 1)))!
+  })
+  return { start, bodies: [body, ...wheels], motors }
+}
+
+export function removeRider(physics: Physics, rider: Rider): void {
+  for (const body of rider.bodies) physics.destroyBody(body)
+}
+
+/** Puts a rider where another one is, with its motion. Both were made from the same start. */
+export function copyMotion(from: Rider, to: Rider): void {
+  from.bodies.forEach((body, k) => {
+    const copy = to.bodies[k]
+    copy.setTransform(body.getPosition(), body.getAngle())
+    copy.setLinearVelocity(body.getLinearVelocity())
+    copy.setAngularVelocity(body.getAngularVelocity())
+    copy.setAwake(body.isAwake())
+  })
+}
+
+/** Puts a rider somewhere else, upright. */
+export function place(rider: Rider, x: number, y: number, speed: number): void {
+  const shift = Vec2.sub(new Vec2(x, y), rider.bodies[0].getPosition())
+  const turn = -rider.bodies[0].getAngle()
+  const about = rider.bodies[0].getPosition().clone()
+  for (const body of rider.bodies) {
+    const arm = Vec2.sub(body.getPosition(), about)
+    const turned = new Vec2(arm.x * Math.cos(turn) - arm.y * Math.sin(turn), arm.x * Math.sin(turn) + arm.y * Math.cos(turn))
+    body.setTransform(Vec2.add(Vec2.add(about, turned), shift), body === rider.bodies[0] ? 0 : body.getAngle())
+    body.setLinearVelocity(new Vec2(speed, 0))
+    body.setAngularVelocity(0)
+    body.setAwake(true)
+  }
+}

@@ -1,0 +1,41 @@
+// The line below: what the last edit did, how long it took, and how long a full recompute takes.
+import { element } from './dom.js'
+import type { GroundChange } from './ground.js'
+
+const clock = 0.1 // milliseconds: browsers round times to that
+
+export class Facts {
+  #commits = 0
+  #editTime = 0
+  #commitTime = 0
+  readonly #lately = { removed: 0, added: 0, relinked: 0 }
+
+  /** A new stroke begins: numbers are added up within one. */
+  begin(): void {
+    this.#commits = this.#editTime = this.#commitTime = 0
+    this.#lately.removed = this.#lately.added = this.#lately.relinked = 0
+  }
+
+  note({ changes, editTime, commitTime }: GroundChange): void {
+    ++this.#commits
+    this.#editTime += editTime
+    this.#commitTime += commitTime
+    this.#lately.removed += changes.removed.length
+    this.#lately.added += changes.added.length
+    this.#lately.relinked += changes.relinked.length
+    for (const name of ['removed', 'added', 'relinked'] as const) element(name).textContent = `${this.#lately[name]} ${name}`
+    const mean = this.#commits > 1 ? `, mean of ${this.#commits}` : ''
+    element('times').textContent = `edit ${this.#time(this.#editTime)}, commit ${this.#time(this.#commitTime)}${mean}`
+  }
+
+  recomputed(milliseconds: number): void {
+    element('recompute').textContent = `full recompute (polygon-clipping): ${Math.round(milliseconds * 10) / 10} ms`
+  }
+
+  // The clock is coarse, so one short time is only a bound; the mean of many is right.
+  #time(total: number): string {
+    const mean = total / this.#commits
+    if (total < clock) return `< ${Math.round((1000 * clock) / this.#commits)} µs`
+    return mean < 1 ? `${Math.round(1000 * mean)} µs` : `${Math.round(10 * mean) / 10} ms`
+  }
+}

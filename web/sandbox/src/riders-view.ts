@@ -1,0 +1,77 @@
+// Draws the riders and the kicks of one physics world.
+import type { Body, Circle, Polygon } from 'planck'
+import type { Rider } from './bodies.js'
+import type { Side } from './side.js'
+import { type Theme, theme, wantsCalm } from './theme.js'
+
+/** The context's unit is a cell, y up. */
+export function drawRiders(c: CanvasRenderingContext2D, side: Side, pixel: number): void {
+  const colours = theme()
+  for (const rider of side.riders) {
+    if (!rider.bodies[0].isActive()) continue
+    for (const body of rider.bodies) drawBody(c, body, rider, colours, pixel)
+  }
+}
+
+function drawBody(c: CanvasRenderingContext2D, body: Body, rider: Rider, colours: Theme, pixel: number): void {
+  const { x, y } = body.getPosition()
+  const shape = body.getFixtureList()!.getShape()
+  c.save()
+  c.translate(x, y)
+  c.rotate(body.getAngle())
+  const isWheel = rider.start.kind === 'car' && body !== rider.bodies[0]
+  c.fillStyle = isWheel ? colours.ink : colours.riders[rider.start.colour % colours.riders.length]
+  c.strokeStyle = colours.sky
+  c.lineWidth = 1.5 * pixel
+  c.beginPath()
+  if (shape.getType() === 'circle') drawDisc(c, (shape as Circle).getRadius(), pixel)
+  else drawPolygon(c, (shape as Polygon).m_vertices, pixel)
+  c.restore()
+}
+
+// A disc with a bar across: so one sees it turn.
+function drawDisc(c: CanvasRenderingContext2D, radius: number, pixel: number): void {
+  c.arc(0, 0, radius, 0, 2 * Math.PI)
+  c.fill()
+  if (radius < 3 * pixel) return
+  c.beginPath()
+  c.moveTo(-0.62 * radius, 0)
+  c.lineTo(0.62 * radius, 0)
+  c.moveTo(0, 0)
+  c.lineTo(0, 0.62 * radius)
+  c.lineCap = 'round'
+  c.lineWidth = Math.max(pixel, 0.16 * radius)
+  c.stroke()
+}
+
+function drawPolygon(c: CanvasRenderingContext2D, vertices: readonly { x: number; y: number }[], pixel: number): void {
+  c.moveTo(vertices[0].x, vertices[0].y)
+  for (const { x, y } of vertices.slice(1)) c.lineTo(x, y)
+  c.closePath()
+  c.fill()
+  if (vertices.length !== 4 || vertices[0].x < 4 * pixel) return
+  const half = vertices[0].x * 0.55
+  c.strokeRect(-half, -half, 2 * half, 2 * half)
+}
+
+/** A ring that opens and fades where a kick happened; without motion, a dot that goes. */
+export function drawKicks(c: CanvasRenderingContext2D, side: Side, pixel: number): void {
+  const calm = wantsCalm()
+  c.strokeStyle = c.fillStyle = theme().kick
+  for (const kick of side.kicks.recent) {
+    const age = (side.kicks.step - kick.step) / 45
+    if (age > 1) continue
+    const radius = calm ? 5 * pixel : (4 + 18 * Math.sqrt(age)) * pixel
+    c.globalAlpha = calm ? 0.9 : 1 - age
+    c.lineWidth = (calm ? 2 : 3.5 * (1 - age) + 0.5) * pixel
+    c.beginPath()
+    c.arc(kick.x, kick.y, radius, 0, 2 * Math.PI)
+    if (calm) c.fill()
+    else c.stroke()
+    if (calm) continue
+    c.beginPath()
+    c.arc(kick.x, kick.y, 3.5 * pixel, 0, 2 * Math.PI)
+    c.fill()
+  }
+  c.globalAlpha = 1
+}

@@ -1,0 +1,106 @@
+// One physics world over the ground: with ghost vertices, or without.
+import { World as Physics } from 'planck'
+import type { Changes, World } from 'localgridseg'
+import { PlanckTerrain } from 'localgridseg/planck'
+import { kindOf } from './blocks.js'
+import { copyMotion, makeRider, place, removeRider, type Rider, type Start } from './bodies.js'
+import { KickMeter } from './kicks.js'
+import type { Mirror } from './mirror.js'
+import { Rules } from './rules.js'
+
+export const stepTime = 1 / 60
+
+/** Where riders that have left the world begin again. */
+export interface Gate {
+  readonly x: number
+  readonly y: number
+  readonly speed: number
+  /** Who is below this has left. */
+  readonly bottom: number
+  /** Who is right of this when it leaves has arrived. */
+  readonly goal: number
+}
+
+export class Side {
+  readonly physics = new Physics({ gravity: { x: 0, y: -10 } })
+  readonly riders: Rider[] = []
+  readonly terrain: PlanckTerrain
+  readonly kicks: KickMeter
+  arrived = 0
+  readonly #rules: Rules
+  readonly #waiting: Rider[] = []
+  #wait = 0
+
+  constructor(world: World, mirror: Mirror, ghosts: boolean) {
+    const material = (block: number) => ({ friction: kindOf(block).friction })
+    this.terrain = new PlanckTerrain(this.physics, world, { ghosts, material })
+    this.#rules = new Rules(this.physics, this.terrain, mirror) // before the meter: it must know which contacts are switched off
+    this.kicks = new KickMeter(this.physics, this.terrain, mirror)
+  }
+
+  get ghosts(): boolean {
+    return this.terrain.ghosts
+  }
+
+  setGhosts(on: boolean): void {
+    this.terrain.ghosts = on
+    for (const rider of this.riders) for (const body of rider.bodies) body.setAwake(true)
+    this.kicks.reset()
+    this.arrived = 0
+  }
+
+  sync(changes: Changes): void {
+    this.terrain.sync(changes)
+  }
+
+  add(start: Start): void {
+    this.riders.push(makeRider(this.physics, start))
+  }
+
+  removeAll(): void {
+    for (const rider of this.riders) removeRider(this.physics, rider)
+    this.riders.length = 0
+    this.#waiting.length = 0
+    this.kicks.reset()
+    this.arrived = 0
+  }
+
+  /** Makes the same riders as the other side has, moving as they do. */
+  copyFrom(other: Side): void {
+    this.removeAll()
+    for (const rider of other.riders) {
+      this.add(rider.start)
+      copyMotion(rider, this.riders[this.riders.length - 1])
+    }
+  }
+
+  /** `drive` is the speed of the cars' wheels, in radians a second. */
+  step(drive: number, gate: Gate): void {
+    for (const rider of this.riders) {
+      for (const motor of rider.motors) {
+        motor.setMotorSpeed(-drive)
+        if (drive !== 0) rider.bodies[0].setAwake(true)
+      }
+    }
+    this.kicks.beginStep()
+    this.physics.step(stepTime, 8, 3)
+    this.#rules.afterStep()
+    this.#bringBack(gate)
+  }
+
+  // Who fell out of the world waits, and comes in again one after the other.
+  #bringBack(gate: Gate): void {
+    for (const rider of this.riders) {
+      const at = rider.bodies[0].getPosition()
+      if (at.y > gate.bottom || this.#waiting.includes(rider)) continue
+      if (at.x >= gate.goal) ++this.arrived
+      this.#waiting.push(rider)
+      for (const body of rider.bodies) body.setActive(false)
+    }
+    if (--this.#wait > 0 || this.#waiting.length === 0) return
+    const rider = this.#waiting.shift()!
+    for (const body of rider.bodies) body.setActive(true)
+    place(rider, gate.x, gate.y, gate.speed)
+    this.#wait = 45
+  }
+}
