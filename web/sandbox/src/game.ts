@@ -3,12 +3,13 @@ import type { CellRect, World } from 'localgridseg'
 import type { Start } from './bodies.js'
 import { Ground, type GroundChange } from './ground.js'
 import { Mirror } from './mirror.js'
+import { cell } from './scale.js'
 import { landscapeGate, landscapeRiders, makeLandscape } from './scene.js'
 import { type Gate, Side } from './side.js'
 
 export type View = 'both' | 'with' | 'without'
 
-const cruise = 9 // radians a second, of the wheels of a car that nobody drives
+const cruise = 14 // radians a second, of the wheels of a car that nobody drives
 const most = 22
 
 export class Game {
@@ -64,7 +65,7 @@ export class Game {
   open(world: World): void {
     this.ground.open(world)
     const cells = world.bounds() ?? { i0: 0, j0: 0, i1: 20, j1: 0 }
-    this.#gate = { x: cells.i0 + 2, y: cells.j1 + 3, speed: 2, bottom: cells.j0 - 5, goal: cells.i1 }
+    this.#gate = { x: cells.i0 + 2, y: cells.j1 + 3, speed: 2, bottom: cells.j0 - 5 }
     this.#begin(ridersOver(cells))
   }
 
@@ -110,14 +111,14 @@ export class Game {
     for (const side of this.sides) {
       for (const rider of side.riders) {
         for (const body of rider.bodies) {
-          const { x, y } = body.getPosition()
+          const { x, y } = side.terrain.point(body.getPosition())
           if (x < cells.i0 || x > cells.i1 + 1 || y < cells.j0 || y > cells.j1 + 1) continue
           let up = 0
           while (up < 100 && world.at(x, y + up).where === 'inside') up += 0.25
           if (up === 0) continue
           for (const each of rider.bodies) {
             const at = each.getPosition()
-            each.setTransform({ x: at.x, y: at.y + up + rider.start.size }, each.getAngle())
+            each.setTransform({ x: at.x, y: at.y + (up + rider.start.size) * cell }, each.getAngle())
             each.setAwake(true)
           }
         }

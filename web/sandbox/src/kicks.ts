@@ -14,7 +14,11 @@ export interface Kick {
 
 const leastKick = 0.01 // metres a second
 const near = 0.06 // metres
-const tolerance = Math.sin((2.5 * Math.PI) / 180) // planck itself takes directions as equal to within 2 degrees
+const degree = Math.PI / 180
+// The ground has a direction if it has it to within a degree. But polygons: planck takes the direction of a polygon's
+// face for that of an edge if the cosine between them is at least 1 - angularSlop, which is 15.2 degrees.
+const circleTolerance = Math.sin(degree)
+const polygonTolerance = Math.sin(15.5 * degree)
 
 interface Side {
   readonly start: Vec2Value
@@ -24,12 +28,15 @@ interface Side {
 
 export class KickMeter {
   count = 0
+  /** Of the hardest one, in metres a second. */
+  hardest = 0
   /** The latest ones, for the picture. */
   readonly recent: Kick[] = []
   readonly #physics: Physics
   readonly #terrain: PlanckTerrain
   readonly #mirror: Mirror
   #odd = new Map<Contact, Vec2Value>()
+  #tolerance = circleTolerance
   #step = 0
   #kicked = new Map<Fixture, number>() // the last step in which it was kicked
 
@@ -53,6 +60,7 @@ export class KickMeter {
 
   reset(): void {
     this.count = 0
+    this.hardest = 0
     this.recent.length = 0
     this.#kicked.clear()
   }
@@ -60,12 +68,14 @@ export class KickMeter {
   // Where a contact pushes is known before the solver moves the bodies.
   #look(contact: Contact): void {
     const isA = this.#terrain.segment(contact.getFixtureA()) !== 0
-    const segment = this.#terrain.segment(isA ? contact.getFixtureA() : contact.getFixtureB())
+    const [ground, mover] = isA ? [contact.getFixtureA(), contact.getFixtureB()] : [contact.getFixtureB(), contact.getFixtureA()]
+    const segment = this.#terrain.segment(ground)
     this.#odd.delete(contact)
     if (segment === 0 || !contact.isEnabled()) return
     const manifold = contact.getWorldManifold(null)!
     const normal = isA ? manifold.normal : { x: -manifold.normal.x, y: -manifold.normal.y }
-    if (isAlong(this.#sideOf(segment).normal, normal)) return
+    this.#tolerance = mover.getType() === 'circle' ? circleTolerance : polygonTolerance
+    if (this.#isAlong(this.#sideOf(segment).normal, normal)) return
     if (!this.#faces(manifold.points[0], normal)) this.#odd.set(contact, { x: manifold.points[0].x, y: manifold.points[0].y })
   }
 
@@ -77,6 +87,7 @@ export class KickMeter {
     const fixture = isA ? contact.getFixtureB() : contact.getFixtureA()
     const strength = Math.max(...impulse.normalImpulses.slice(0, contact.getManifold().pointCount)) / fixture.getBody().getMass()
     if (strength < leastKick) return
+    this.hardest = Math.max(this.hardest, strength)
     if (this.#kicked.get(fixture) !== this.#step && this.#kicked.get(fixture) !== this.#step - 1) {
       ++this.count
       this.recent.push({ ...point, strength, step: this.#step })
@@ -104,12 +115,16 @@ export class KickMeter {
   #sideFaces(segment: number, point: Vec2Value, normal: Vec2Value): boolean {
     const side = this.#sideOf(segment)
     if (distance(side.start, side.end, point) > near) return false
-    if (isAlong(side.normal, normal)) return true
+    if (this.#isAlong(side.normal, normal)) return true
     const g = this.#mirror.geometry[segment]
     if (Number.isNaN(g[6]) || Math.hypot(point.x - side.end.x, point.y - side.end.y) > near) return false
     const next = normalOf(g[2], g[3], g[6], g[7])
     if (cross(side.normal, next) <= 0) return false
-    return isAlong(next, normal) || (cross(side.normal, normal) > 0 && cross(normal, next) > 0)
+    return this.#isAlong(next, normal) || (cross(side.normal, normal) > 0 && cross(normal, next) > 0)
+  }
+
+  #isAlong(a: Vec2Value, b: Vec2Value): boolean {
+    return a.x * b.x + a.y * b.y > 0 && Math.abs(cross(a, b)) <= this.#tolerance
   }
 }
 
@@ -120,10 +135,6 @@ function normalOf(x0: number, y0: number, x1: number, y1: number): Vec2Value {
 
 function cross(a: Vec2Value, b: Vec2Value): number {
   return a.x * b.y - a.y * b.x
-}
-
-function isAlong(a: Vec2Value, b: Vec2Value): boolean {
-  return a.x * b.x + a.y * b.y > 0 && Math.abs(cross(a, b)) <= tolerance
 }
 
 function distance(a: Vec2Value, b: Vec2Value, p: Vec2Value): number {

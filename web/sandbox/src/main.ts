@@ -44,7 +44,6 @@ Object.assign(window, {
       for (let k = 0; k < count; ++k) game.step()
     },
     kicks: () => game.sides.map((side) => side.kicks.count),
-    arrived: () => game.sides.map((side) => side.arrived),
     toPage: (x: number, y: number) => viewer.toPage(x, y),
   },
 })

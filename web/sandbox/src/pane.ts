@@ -6,6 +6,7 @@ import type { Glow } from './glow.js'
 import type { GroundLayer } from './layer.js'
 import { drawOverlay, drawSegment } from './overlay.js'
 import { drawKicks, drawRiders } from './riders-view.js'
+import { cell } from './scale.js'
 import type { Side } from './side.js'
 import { theme } from './theme.js'
 import { currentTool } from './tools/all.js'
@@ -26,7 +27,7 @@ export class Pane {
   readonly canvas: HTMLCanvasElement
   readonly #section: HTMLElement
   readonly #context: CanvasRenderingContext2D
-  readonly #shown = { kicks: -1, arrived: -1 }
+  readonly #shown = { kicks: -1, hardest: -1 }
 
   constructor(section: HTMLElement) {
     this.#section = section
@@ -58,13 +59,16 @@ export class Pane {
     c.lineJoin = 'round'
     if (scenery.overlay) drawOverlay(c, game.ground.world, this.#cells(camera, width, height), pixel)
     scenery.glow.draw(c, pixel)
-    drawRiders(c, side, pixel)
-    drawKicks(c, side, pixel)
+    c.save()
+    c.scale(1 / cell, 1 / cell) // bodies are in metres
+    drawRiders(c, side, pixel * cell)
+    drawKicks(c, side, pixel * cell)
+    c.restore()
     if (scenery.selected !== null) drawSegment(c, game.ground.world, scenery.selected, pixel)
     this.#drawDifferences(scenery.differences, pixel)
     if (scenery.cursor !== null) this.#drawPreview(scenery.cursor, pixel)
     this.#count('kicks', side.kicks.count)
-    this.#count('arrived', side.arrived)
+    this.#count('hardest', side.kicks.hardest)
   }
 
   #cells(camera: Camera, width: number, height: number): CellRect {
@@ -95,11 +99,11 @@ export class Pane {
     c.stroke()
   }
 
-  #count(name: 'kicks' | 'arrived', value: number): void {
+  #count(name: 'kicks' | 'hardest', value: number): void {
     if (this.#shown[name] === value) return
     this.#shown[name] = value
     const place = this.#section.querySelector(`[data-count=${name}]`)!
-    place.textContent = String(value)
+    place.textContent = name === 'kicks' ? String(value) : value.toFixed(2)
     place.parentElement!.classList.toggle('some', value > 0)
   }
 }

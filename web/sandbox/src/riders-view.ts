@@ -4,7 +4,7 @@ import type { Rider } from './bodies.js'
 import type { Side } from './side.js'
 import { type Theme, theme, wantsCalm } from './theme.js'
 
-/** The context's unit is a cell, y up. */
+/** The context's unit is a metre, y up. */
 export function drawRiders(c: CanvasRenderingContext2D, side: Side, pixel: number): void {
   const colours = theme()
   for (const rider of side.riders) {

@@ -1,25 +1,24 @@
 // The landscape that the page starts with, and who rolls on it.
 import { createWorld, type Region, type World } from 'localgridseg'
-import { GROUND, ICE, keepsEdges, ONE_WAY, STICKY } from './blocks.js'
+import { GROUND, ICE, keepsEdges } from './blocks.js'
 import type { Start } from './bodies.js'
 import type { Gate } from './side.js'
 
 // The surface from left to right: x, y. Slopes are chosen so that they meet the grid in lattice points.
-const surface: readonly (readonly [number, number])[] = [
-  [0, 10], [4, 10], [8, 9], [11, 9], [15, 7], [17, 7], [19, 7.5], [20, 7.5], [22, 6.5], [24, 6.5], [26, 7], [27, 7],
-  [35, 5], [37, 5], [38, 5.25], [40, 5.25], [41, 4], [43, 3.5], [46, 3.5], [48, 3],
+export const surface: readonly (readonly [number, number])[] = [
+  [0, 10], [3, 10], [7, 8], [9, 8], [11, 7], [22, 7], [26, 6], [38, 6], [40, 5], [48, 5],
 ]
 
 export const width = 48
-export const height = 13
+export const height = 14
 
 export function makeLandscape(): World {
   const world = createWorld({ preserve: keepsEdges })
   const ring = [...surface, [width, 0], [0, 0]].flat().reverse() // y, x, y, x, …
   for (let k = 0; k < ring.length; k += 2) [ring[k], ring[k + 1]] = [ring[k + 1], ring[k]]
   world.paint({ rings: [ring] }, GROUND)
-  world.paint(box(-1, 0, 0, 12), GROUND)
-  world.paint(box(27, 0, 35, 8), ICE, 'replace')
+  world.paint(box(-1, 0, 0, 13), GROUND)
+  world.paint(box(24, 0, 31, 8), ICE, 'replace')
   world.commit()
   return world
 }
@@ -28,15 +27,16 @@ function box(x0: number, y0: number, x1: number, y1: number): Region {
   return { rings: [[x0, y0, x1, y0, x1, y1, x0, y1]] }
 }
 
-export const landscapeGate: Gate = { x: 1.5, y: 11, speed: 3, bottom: -4, goal: width - 1 }
+export const landscapeGate: Gate = { x: 1.5, y: 11, speed: 3, bottom: -4 }
 
 /** The riders of the first second. They are on their way already. */
 export function landscapeRiders(): Start[] {
   const on = (kind: Start['kind'], x: number, size: number, colour: number): Start => ({ kind, x, y: surfaceAt(x) + size + 0.02, speed: 3, size, colour })
   return [
-    on('marble', 1.2, 0.4, 0), on('box', 2.6, 0.4, 1), on('car', 4.6, 0.7, 2), on('marble', 6.4, 0.3, 3), on('marble', 7.6, 0.45, 4),
-    on('box', 9, 0.35, 3), on('marble', 10.2, 0.35, 1), on('marble', 12.6, 0.4, 0), on('box', 16.2, 0.45, 4), on('marble', 21, 0.3, 2),
-    on('box', 28.5, 0.4, 0), on('marble', 31, 0.4, 3), on('box', 33, 0.3, 1), on('marble', 36, 0.45, 4),
+    on('marble', 1.2, 0.4, 0), on('box', 2.4, 0.4, 1), on('car', 5, 0.7, 2), on('box', 7.6, 0.35, 3), on('marble', 8.6, 0.3, 4),
+    on('marble', 11.6, 0.45, 1), on('box', 15, 0.45, 0), on('marble', 16.6, 0.35, 3), on('marble', 19.4, 0.4, 4),
+    on('marble', 22, 0.3, 2), on('box', 25, 0.4, 1), on('box', 28, 0.35, 4), on('marble', 30, 0.45, 0), on('box', 36, 0.4, 3),
+    on('marble', 40, 0.4, 1),
   ]
 }
 

@@ -7,33 +7,31 @@ import { copyMotion, makeRider, place, removeRider, type Rider, type Start } fro
 import { KickMeter } from './kicks.js'
 import type { Mirror } from './mirror.js'
 import { Rules } from './rules.js'
+import { cell, gravity } from './scale.js'
 
 export const stepTime = 1 / 60
 
-/** Where riders that have left the world begin again. */
+/** Where riders that have left the world begin again, in cells. */
 export interface Gate {
   readonly x: number
   readonly y: number
   readonly speed: number
   /** Who is below this has left. */
   readonly bottom: number
-  /** Who is right of this when it leaves has arrived. */
-  readonly goal: number
 }
 
 export class Side {
-  readonly physics = new Physics({ gravity: { x: 0, y: -10 } })
+  readonly physics = new Physics({ gravity: { x: 0, y: -gravity } })
   readonly riders: Rider[] = []
   readonly terrain: PlanckTerrain
   readonly kicks: KickMeter
-  arrived = 0
   readonly #rules: Rules
   readonly #waiting: Rider[] = []
   #wait = 0
 
   constructor(world: World, mirror: Mirror, ghosts: boolean) {
     const material = (block: number) => ({ friction: kindOf(block).friction })
-    this.terrain = new PlanckTerrain(this.physics, world, { ghosts, material })
+    this.terrain = new PlanckTerrain(this.physics, world, { cellSize: cell, ghosts, material })
     this.#rules = new Rules(this.physics, this.terrain, mirror) // before the meter: it must know which contacts are switched off
     this.kicks = new KickMeter(this.physics, this.terrain, mirror)
   }
@@ -46,7 +44,6 @@ export class Side {
     this.terrain.ghosts = on
     for (const rider of this.riders) for (const body of rider.bodies) body.setAwake(true)
     this.kicks.reset()
-    this.arrived = 0
   }
 
   sync(changes: Changes): void {
@@ -62,7 +59,6 @@ export class Side {
     this.riders.length = 0
     this.#waiting.length = 0
     this.kicks.reset()
-    this.arrived = 0
   }
 
   /** Makes the same riders as the other side has, moving as they do. */
@@ -91,9 +87,8 @@ export class Side {
   // Who fell out of the world waits, and comes in again one after the other.
   #bringBack(gate: Gate): void {
     for (const rider of this.riders) {
-      const at = rider.bodies[0].getPosition()
+      const at = this.terrain.point(rider.bodies[0].getPosition())
       if (at.y > gate.bottom || this.#waiting.includes(rider)) continue
-      if (at.x >= gate.goal) ++this.arrived
       this.#waiting.push(rider)
       for (const body of rider.bodies) body.setActive(false)
     }

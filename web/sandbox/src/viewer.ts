@@ -17,7 +17,7 @@ export class Viewer {
   readonly layer = new GroundLayer()
   readonly glow = new Glow()
   overlay = false
-  differences = new Float64Array()
+  differences: Float64Array = new Float64Array()
   readonly #game: Game
   readonly #camera: Camera
   readonly #panes = [new Pane(element('pane-0')), new Pane(element('pane-1'))]
