@@ -20,6 +20,8 @@ export interface Rider {
   /** The first one is the main body. */
   readonly bodies: readonly Body[]
   readonly motors: readonly WheelJoint[]
+  /** Where it was lately: x, y, x, y, … in metres. */
+  readonly trail: number[]
 }
 
 const wheelRadius = 0.32 * cell
@@ -34,7 +36,7 @@ export function makeRider(physics: Physics, start: Start): Rider {
   } else {
     body.createFixture(new Box(start.size * cell, start.size * cell), { density: 1, friction: 0.001 })
   }
-  return { start, bodies: [body], motors: [] }
+  return { start, bodies: [body], motors: [], trail: [] }
 }
 
 function makeCar(physics: Physics, start: Start): Rider {
@@ -48,7 +50,7 @@ function makeCar(physics: Physics, start: Start): Rider {
     const options = { motorSpeed: 0, maxMotorTorque: 6 * cell ** 3, enableMotor: true, frequencyHz: 5, dampingRatio: 0.8 }
     return physics.createJoint(new WheelJoint(options, body, wheel, wheel.getPosition(), new Vec2(0, 1)))!
   })
-  return { start, bodies: [body, ...wheels], motors }
+  return { start, bodies: [body, ...wheels], motors, trail: [] }
 }
 
 export function removeRider(physics: Physics, rider: Rider): void {
@@ -68,6 +70,7 @@ export function copyMotion(from: Rider, to: Rider): void {
 
 /** Puts a rider somewhere else, upright; in cells. */
 export function place(rider: Rider, x: number, y: number, speed: number): void {
+  rider.trail.length = 0
   const shift = Vec2.sub(new Vec2(x * cell, y * cell), rider.bodies[0].getPosition())
   const turn = -rider.bodies[0].getAngle()
   const about = rider.bodies[0].getPosition().clone()

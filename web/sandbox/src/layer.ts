@@ -97,8 +97,8 @@ export class GroundLayer {
     c.clip()
     c.fillStyle = theme().sky
     c.fillRect(left, top, right - left, bottom - top)
-    this.#drawGrid(cells, unit)
     this.#drawPolygons(world.polygons(cells))
+    this.#drawGrid(cells, unit)
     this.#drawOutline(world, { i0: cells.i0 - 1, j0: cells.j0 - 1, i1: cells.i1 + 1, j1: cells.j1 + 1 }, unit)
     c.restore()
   }

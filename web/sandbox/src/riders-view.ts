@@ -7,10 +7,27 @@ import { type Theme, theme, wantsCalm } from './theme.js'
 /** The context's unit is a metre, y up. */
 export function drawRiders(c: CanvasRenderingContext2D, side: Side, pixel: number): void {
   const colours = theme()
+  for (const rider of side.riders) drawTrail(c, rider, colours, pixel)
   for (const rider of side.riders) {
     if (!rider.bodies[0].isActive()) continue
     for (const body of rider.bodies) drawBody(c, body, rider, colours, pixel)
   }
+}
+
+// The path of the last second. Over good ground it is a smooth line.
+function drawTrail(c: CanvasRenderingContext2D, { start, trail }: Rider, colours: Theme, pixel: number): void {
+  const parts = 4
+  c.strokeStyle = colours.riders[start.colour % colours.riders.length]
+  c.lineWidth = 2 * pixel
+  for (let part = 0; part < parts; ++part) {
+    const first = 2 * Math.floor((trail.length / 2 / parts) * part)
+    const last = Math.min(trail.length - 2, 2 * Math.floor((trail.length / 2 / parts) * (part + 1)))
+    c.globalAlpha = (part + 1) / parts / 1.6
+    c.beginPath()
+    for (let k = first; k <= last; k += 2) c.lineTo(trail[k], trail[k + 1])
+    c.stroke()
+  }
+  c.globalAlpha = 1
 }
 
 function drawBody(c: CanvasRenderingContext2D, body: Body, rider: Rider, colours: Theme, pixel: number): void {

@@ -6,28 +6,29 @@ import type { Gate } from './side.js'
 
 // The surface from left to right: x, y. Slopes are chosen so that they meet the grid in lattice points.
 export const surface: readonly (readonly [number, number])[] = [
-  [0, 10], [3, 10], [7, 8], [9, 8], [11, 7], [22, 7], [26, 6], [38, 6], [40, 5], [48, 5],
+  [0, 8], [3, 8], [7, 6], [9, 6], [11, 5], [22, 5], [26, 4], [38, 4], [40, 3], [48, 3],
 ]
 
 export const width = 48
-export const height = 14
+export const height = 10
 
 export function makeLandscape(): World {
   const world = createWorld({ preserve: keepsEdges })
-  const ring = [...surface, [width, 0], [0, 0]].flat().reverse() // y, x, y, x, …
-  for (let k = 0; k < ring.length; k += 2) [ring[k], ring[k + 1]] = [ring[k + 1], ring[k]]
-  world.paint({ rings: [ring] }, GROUND)
-  world.paint(box(-1, 0, 0, 13), GROUND)
-  world.paint(box(24, 0, 31, 8), ICE, 'replace')
+  world.paint(below(0, width, 9), GROUND)
+  world.paint({ rings: [[-1, 0, 0, 0, 0, 10, -1, 10]] }, GROUND)
+  world.paint(below(28, 35, 1), ICE, 'replace')
   world.commit()
   return world
 }
 
-function box(x0: number, y0: number, x1: number, y1: number): Region {
-  return { rings: [[x0, y0, x1, y0, x1, y1, x0, y1]] }
+// The ground between two columns, down to a depth below the surface or to the bottom.
+function below(x0: number, x1: number, depth: number): Region {
+  const top = [x0, ...surface.map(([x]) => x).filter((x) => x0 < x && x < x1), x1].map((x) => [x, surfaceAt(x)] as const)
+  const bottom = top.map(([x, y]) => [x, Math.max(0, y - depth)] as const).reverse()
+  return { rings: [[...top, ...bottom]] }
 }
 
-export const landscapeGate: Gate = { x: 1.5, y: 11, speed: 3, bottom: -4 }
+export const landscapeGate: Gate = { x: 1.5, y: 9, speed: 3, bottom: -4 }
 
 /** The riders of the first second. They are on their way already. */
 export function landscapeRiders(): Start[] {
@@ -41,7 +42,7 @@ export function landscapeRiders(): Start[] {
 }
 
 function surfaceAt(x: number): number {
-  const k = surface.findIndex(([right]) => right > x)
+  const k = surface.findIndex(([right]) => right >= x && right > 0)
   const [[x0, y0], [x1, y1]] = [surface[k - 1], surface[k]]
   return y0 + ((y1 - y0) * (x - x0)) / (x1 - x0)
 }

@@ -10,6 +10,8 @@ import { Rules } from './rules.js'
 import { cell, gravity } from './scale.js'
 
 export const stepTime = 1 / 60
+const mostTrails = 40 // riders: a crowd leaves no trails
+const trailSteps = 60
 
 /** Where riders that have left the world begin again, in cells. */
 export interface Gate {
@@ -81,7 +83,16 @@ export class Side {
     this.kicks.beginStep()
     this.physics.step(stepTime, 8, 3)
     this.#rules.afterStep()
+    if (this.riders.length <= mostTrails) this.#noteTrails()
     this.#bringBack(gate)
+  }
+
+  #noteTrails(): void {
+    for (const { bodies, trail } of this.riders) {
+      const { x, y } = bodies[0].getPosition()
+      trail.push(x, y)
+      if (trail.length > 2 * trailSteps) trail.splice(0, 2)
+    }
   }
 
   // Who fell out of the world waits, and comes in again one after the other.
