@@ -13,6 +13,8 @@ export interface Kick {
 }
 
 const leastKick = 0.01 // metres a second
+/** For how many steps a kick is in `recent`. */
+export const remembered = 240
 const near = 0.06 // metres
 const degree = Math.PI / 180
 // The ground has a direction if it has it to within a degree. But polygons: planck takes the direction of a polygon's
@@ -51,7 +53,7 @@ export class KickMeter {
   beginStep(): void {
     ++this.#step
     this.#odd.clear()
-    while (this.recent.length > 0 && this.#step - this.recent[0].step > 60) this.recent.shift()
+    while (this.recent.length > 0 && this.#step - this.recent[0].step > remembered) this.recent.shift()
   }
 
   get step(): number {

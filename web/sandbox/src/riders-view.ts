@@ -1,8 +1,11 @@
 // Draws the riders and the kicks of one physics world.
 import type { Body, Circle, Polygon } from 'planck'
 import type { Rider } from './bodies.js'
+import { type Kick, remembered } from './kicks.js'
 import type { Side } from './side.js'
 import { type Theme, theme, wantsCalm } from './theme.js'
+
+const flashes = 45 // steps
 
 /** The context's unit is a metre, y up. */
 export function drawRiders(c: CanvasRenderingContext2D, side: Side, pixel: number): void {
@@ -71,24 +74,38 @@ function drawPolygon(c: CanvasRenderingContext2D, vertices: readonly { x: number
   c.strokeRect(-half, -half, 2 * half, 2 * half)
 }
 
-/** A ring that opens and fades where a kick happened; without motion, a dot that goes. */
+/**
+ * A ring that opens and fades where a kick happened; without motion, a dot that goes. What stays for a while is a stroke
+ * as long as the kick was hard.
+ */
 export function drawKicks(c: CanvasRenderingContext2D, side: Side, pixel: number): void {
-  const calm = wantsCalm()
   c.strokeStyle = c.fillStyle = theme().kick
   for (const kick of side.kicks.recent) {
-    const age = (side.kicks.step - kick.step) / 45
-    if (age > 1) continue
-    const radius = calm ? 5 * pixel : (4 + 18 * Math.sqrt(age)) * pixel
-    c.globalAlpha = calm ? 0.9 : 1 - age
-    c.lineWidth = (calm ? 2 : 3.5 * (1 - age) + 0.5) * pixel
-    c.beginPath()
-    c.arc(kick.x, kick.y, radius, 0, 2 * Math.PI)
-    if (calm) c.fill()
-    else c.stroke()
-    if (calm) continue
-    c.beginPath()
-    c.arc(kick.x, kick.y, 3.5 * pixel, 0, 2 * Math.PI)
-    c.fill()
+    const steps = side.kicks.step - kick.step
+    drawMark(c, kick, 1 - steps / remembered, pixel)
+    if (steps < flashes) drawFlash(c, kick, steps / flashes, pixel)
   }
   c.globalAlpha = 1
+}
+
+function drawMark(c: CanvasRenderingContext2D, kick: Kick, strength: number, pixel: number): void {
+  c.globalAlpha = 0.75 * Math.min(1, 2 * strength)
+  c.lineWidth = 2 * pixel
+  c.beginPath()
+  c.moveTo(kick.x, kick.y)
+  c.lineTo(kick.x, kick.y + (4 + 34 * kick.strength) * pixel)
+  c.stroke()
+}
+
+function drawFlash(c: CanvasRenderingContext2D, kick: Kick, age: number, pixel: number): void {
+  const calm = wantsCalm()
+  c.globalAlpha = calm ? 0.9 : 1 - age
+  c.beginPath()
+  c.arc(kick.x, kick.y, (calm ? 5 : 3.5) * pixel, 0, 2 * Math.PI)
+  c.fill()
+  if (calm) return
+  c.lineWidth = (3.5 * (1 - age) + 0.5) * pixel
+  c.beginPath()
+  c.arc(kick.x, kick.y, (4 + 18 * Math.sqrt(age)) * pixel, 0, 2 * Math.PI)
+  c.stroke()
 }

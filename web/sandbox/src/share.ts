@@ -1,4 +1,5 @@
-// A trace in the address of the page: deflated, in base64 that addresses can hold.
+// How the ground leaves the page: in its address (deflated, in base64 that addresses can hold), by the clipboard, or as
+// a file.
 const prefix = '#trace='
 
 export async function toHash(text: string): Promise<string> {
@@ -19,4 +20,22 @@ export async function fromHash(hash: string): Promise<string | null> {
 async function through(bytes: Uint8Array<ArrayBuffer>, stream: CompressionStream | DecompressionStream): Promise<Uint8Array> {
   const result = new Blob([bytes]).stream().pipeThrough(stream)
   return new Uint8Array(await new Response(result).arrayBuffer())
+}
+
+/** Whether the text is in the clipboard now. */
+export async function copied(text: string): Promise<boolean> {
+  try {
+    await navigator.clipboard.writeText(text)
+    return true
+  } catch {
+    return false
+  }
+}
+
+export function download(text: string, name: string): void {
+  const link = document.createElement('a')
+  link.href = URL.createObjectURL(new Blob([text], { type: 'text/plain' }))
+  link.download = name
+  link.click()
+  URL.revokeObjectURL(link.href)
 }

@@ -5,7 +5,7 @@ import { emptyWorld, openFiles, openTrace, traceText } from './documents.js'
 import type { Game, View } from './game.js'
 import type { Loop } from './loop.js'
 import { Recompute } from './recompute.js'
-import { fromHash, toHash } from './share.js'
+import { copied, download, fromHash, toHash } from './share.js'
 import type { Viewer } from './viewer.js'
 
 const readFor = 5000 // milliseconds
@@ -109,7 +109,7 @@ export class Ui {
   }
 
   #setUpDocument(): void {
-    onClick('copy', () => void this.#copy(() => traceText(this.#game.ground.world), 'The trace is copied. "lgs replay FILE --check" plays it.'))
+    onClick('copy', () => void this.#copyTrace())
     onClick('share', () => void this.#share())
     onClick('check', () => void this.#check())
     const input = element<HTMLInputElement>('file')
@@ -143,14 +143,18 @@ export class Ui {
   async #share(): Promise<void> {
     await this.#try(async () => {
       history.replaceState(null, '', await toHash(traceText(this.#game.ground.world)))
-      await this.#copy(() => location.href, 'The address of this page now holds the ground, and is copied.')
+      const isCopied = await copied(location.href)
+      this.#say(`The address of this page now holds the ground${isCopied ? ', and is copied' : ''}.`)
     })
   }
 
-  async #copy(text: () => string, done: string): Promise<void> {
+  // Browsers give the clipboard only to pages of localhost or https. Elsewhere the trace is a file.
+  async #copyTrace(): Promise<void> {
     await this.#try(async () => {
-      await navigator.clipboard.writeText(text())
-      this.#say(done)
+      const text = traceText(this.#game.ground.world)
+      if (await copied(text)) return this.#say('The trace is copied. "lgs replay FILE --check" plays it.')
+      download(text, 'ground.trace')
+      this.#say('The trace is in the file ground.trace, since the clipboard is closed to this page.')
     })
   }
 
