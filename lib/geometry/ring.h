@@ -3,6 +3,7 @@
 #pragma once
 
 #include "predicates.h"
+#include "sort.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -57,8 +58,7 @@ void cutEdge(P a, P b, const Points& points, std::vector<P>& cuts) {
   cuts.assign({a, b});
   for (const P p : points)
     if (isInside(p, a, b)) cuts.push_back(p);
-  if (cuts.size() > 2)
-    std::sort(cuts.begin(), cuts.end(), [&](P u, P v) { return dot(u - a, b - a) < dot(v - a, b - a); });
+  if (cuts.size() > 2) detail::sort(cuts, [&](P u, P v) { return dot(u - a, b - a) < dot(v - a, b - a); });
 }
 
 /// The first two edges that have a point in common which they should not have, each named by the vertex that it leaves.

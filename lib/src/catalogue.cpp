@@ -1,5 +1,6 @@
 #include "catalogue.h"
 
+#include "geometry/sort.h"
 #include "refusal.h"
 
 #include <lgs/world.h>
@@ -109,7 +110,7 @@ Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
   if (const auto found = shapeIndex_.find(given); found != shapeIndex_.end()) return found->second;
 
   std::vector<PolygonId> sorted = given;
-  std::sort(sorted.begin(), sorted.end());
+  detail::sort(sorted);
   const auto content = internContent(sorted, {}, {});
   if (!content) return refuse(content.error().code == ErrorCode::overlap ? overlapAmong(given) : content.error());
   // The content is never forgotten from here on, and it uses the polygons: so the shape need not be their user too.

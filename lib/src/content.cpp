@@ -1,6 +1,7 @@
 #include "content.h"
 
 #include "geometry/ring.h"
+#include "geometry/sort.h"
 
 #include <algorithm>
 #include <tuple>
@@ -19,7 +20,7 @@ struct AtomicEdge {
 std::vector<LocalPoint> allVertices(std::span<const PolygonView> polygons) {
   std::vector<LocalPoint> vertices;
   for (const PolygonView polygon : polygons) vertices.insert(vertices.end(), polygon.begin(), polygon.end());
-  std::sort(vertices.begin(), vertices.end());
+  detail::sort(vertices);
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
 }
@@ -45,7 +46,7 @@ std::vector<AtomicEdge> atomicEdges(std::span<const PolygonView> polygons, std::
       for (std::size_t k = 1; k < cuts.size(); ++k) edges.push_back({cuts[k - 1], cuts[k], static_cast<Slot>(slot)});
     }
   }
-  std::sort(edges.begin(), edges.end());
+  detail::sort(edges);
   return edges;
 }
 
@@ -69,7 +70,7 @@ void fillSides(Content& content, std::span<const AtomicEdge> edges, std::span<co
   }
   for (unsigned s = 0; s < kSides; ++s) {
     Side& side = content.sides[s];
-    std::sort(side.covered.begin(), side.covered.end(), [](auto& a, auto& b) { return a.begin < b.begin; });
+    detail::sort(side.covered, [](auto& a, auto& b) { return a.begin < b.begin; });
     for (const LocalPoint v : vertices)
       if (isOnSide(s, v) && along(s, v) > 0 && along(s, v) < kUnitsPerCell) side.points.push_back({along(s, v), {}});
     // `vertices` is sorted by x, then y, so the points of each side are in increasing order already.
@@ -92,7 +93,7 @@ void fillInterior(Content& content, std::span<const AtomicEdge> edges,
         {PackedEnds::of(edge.start, edge.end), InteriorSegment::kRim, InteriorSegment::kRim, edge.slot});
   }
   auto& contacts = content.contacts;
-  std::sort(contacts.begin(), contacts.end());
+  detail::sort(contacts);
   contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
 }
 
@@ -106,7 +107,7 @@ class Fans {
       ends_.push_back({start, end - start, {k, 0, 1}});
       ends_.push_back({end, start - end, {k, 0, 0}});
     }
-    std::sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) { return a.vertex < b.vertex; });
+    detail::sort(ends_, [](const End& a, const End& b) { return a.vertex < b.vertex; });
   }
 
   /// Those at a vertex, counter-clockwise from the direction `from`. They are valid until the next call.
@@ -116,7 +117,7 @@ class Fans {
     const std::span<End> ends(first, last);
     // The plane is turned so that `from` is the x axis.
     const auto turned = [&](Vector d) { return Vector{dot(from, d), cross(from, d)}; };
-    std::sort(ends.begin(), ends.end(), [&](const End& a, const End& b) {
+    detail::sort(ends, [&](const End& a, const End& b) {
       return sameDirection(a.direction, b.direction) ? a.spoke.segment < b.spoke.segment
                                                      : angleLess(turned(a.direction), turned(b.direction));
     });

@@ -1,5 +1,6 @@
 // Edits. Each is checked against the cells as they are, then changes them and marks them dirty. Segments are left to
 // the commit.
+#include "geometry/sort.h"
 #include "refusal.h"
 #include "world_impl.h"
 
@@ -78,8 +79,7 @@ Expected<ContentId> World::Impl::withAdded(CellAt at, std::span<const PolygonId>
 /// what is placed, and not on how it is stored.
 Error World::Impl::overlapWith(CellAt at, std::span<const PolygonId> added) {
   readEntries(at);
-  std::sort(entries_.begin(), entries_.end(),
-            [](const Entry& a, const Entry& b) { return a.placed.serial < b.placed.serial; });
+  detail::sort(entries_, [](const Entry& a, const Entry& b) { return a.placed.serial < b.placed.serial; });
   Error error{.code = ErrorCode::overlap};
   for (std::size_t k = 0; k < added.size(); ++k) {
     for (const Entry& old : entries_) {

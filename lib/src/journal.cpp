@@ -1,5 +1,6 @@
 #include "journal.h"
 
+#include "geometry/sort.h"
 #include "wide_row.h"
 #include "world_impl.h"
 
@@ -24,7 +25,7 @@ std::vector<std::uint32_t> cellsOfCommit(std::span<Chunk* const> dirtyChunks) {
       });
     });
   }
-  std::sort(cells.begin(), cells.end());
+  detail::sort(cells);
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   return cells;
 }

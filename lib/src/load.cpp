@@ -2,6 +2,7 @@
 //
 // What follows from the polygons is worked out anew: the ends, owners and links of the segments. The file gives their
 // ids, which depend on history.
+#include "geometry/sort.h"
 #include "linking.h"
 #include "look.h"
 #include "snapshot_bytes.h"
@@ -172,7 +173,7 @@ class Load {
       placed.block = static_cast<Block>(in_.number(~Block{0}));
       serials_.push_back(placed.serial);
     }
-    std::sort(serials_.begin(), serials_.end());
+    detail::sort(serials_);
     if (!isIncreasing(serials_) || (!serials_.empty() && serials_.front() == 0)) in_.fail(What::badNumber);
     if (!in_.failed() && !isPreservedAsHere(world_.catalogue.content(content))) in_.fail(What::relation);
     if (!in_.failed() && place(at, content)) world_.grid.setPolygons(at, content, lastSerial, placed_, true);

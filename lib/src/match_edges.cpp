@@ -2,9 +2,9 @@
 #include <lgs/radial_match.h>
 
 #include "geometry/predicates.h"
+#include "geometry/sort.h"
 #include "radial_match.h"
 
-#include <algorithm>
 #include <cstdlib>
 
 namespace lgs {
@@ -54,7 +54,7 @@ void sortFan(std::span<const Point> points, std::span<const DirectedEdge> edges,
     const Vector v = points[edges[spoke.segment].to] - points[edges[spoke.segment].from];
     return spoke.outgoing ? v : Vector{-v.x, -v.y};
   };
-  std::sort(fan.begin(), fan.end(), [&](const Spoke& a, const Spoke& b) {
+  detail::sort(fan, [&](const Spoke& a, const Spoke& b) {
     const Vector u = towards(a), v = towards(b);
     if (!detail::sameDirection(u, v)) return detail::angleLess(u, v);
     return a.segment < b.segment;

@@ -1,10 +1,10 @@
 #include "polygon.h"
 
 #include "geometry/relation.h"
+#include "geometry/sort.h"
 
 #include <lgs/world.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace lgs::detail {
@@ -18,7 +18,7 @@ std::optional<Defect> findRepeatedVertex(PolygonView p) {
   std::vector<std::int32_t> order(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) order[i] = index(i);
   const auto at = [&](std::int32_t i) { return p[static_cast<std::size_t>(i)]; };
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return at(a) != at(b) ? at(a) < at(b) : a < b; });
+  detail::sort(order, [&](auto a, auto b) { return at(a) != at(b) ? at(a) < at(b) : a < b; });
   std::optional<Defect> first;
   for (std::size_t k = 1; k < order.size(); ++k) {
     if (at(order[k - 1]) != at(order[k])) continue;

@@ -1,5 +1,6 @@
 // Reads a world, and never changes it.
 #include "geometry/predicates.h"
+#include "geometry/sort.h"
 #include "world_impl.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ void World::Impl::polygons(Cell cell, std::vector<PlacedPolygon>& out) const {
     const Placed placed = grid.placed(at)[static_cast<Slot>(slot)];
     out.push_back({{at.chunk->ref(at.local), placed.serial}, placed.block, catalogue.vertices(content.polygons[slot])});
   }
-  std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.handle < b.handle; });
+  detail::sort(out, [](const auto& a, const auto& b) { return a.handle < b.handle; });
 }
 
 std::optional<PlacedPolygon> World::Impl::polygon(PolygonHandle handle) const {
@@ -111,7 +112,7 @@ std::vector<Loop> World::Impl::loops(Collinear collinear) const {
     std::rotate(loop.vertices.begin(), loop.vertices.begin() + start, loop.vertices.end());
     if (!loop.segments.empty()) std::rotate(loop.segments.begin(), loop.segments.begin() + start, loop.segments.end());
   }
-  std::sort(loops.begin(), loops.end(), [](const Loop& a, const Loop& b) { return a.vertices < b.vertices; });
+  detail::sort(loops, [](const Loop& a, const Loop& b) { return a.vertices < b.vertices; });
   return loops;
 }
 
@@ -119,7 +120,7 @@ std::vector<Loop> World::Impl::loops(Collinear collinear) const {
 void World::Impl::mergeCollinear(std::vector<Loop>& loops) const {
   std::vector<Point> starts;  // as many segments arrive at a vertex as leave it, so these are enough to count
   for (const SegmentId id : liveSegments()) starts.push_back(startOf(id.value));
-  std::sort(starts.begin(), starts.end());
+  detail::sort(starts);
   const auto isShared = [&](Point v) {
     const auto [begin, end] = std::equal_range(starts.begin(), starts.end(), v);
     return end - begin > 1;
@@ -149,7 +150,7 @@ bool World::Impl::holdsPolygonsOf(const Impl& other) const {
       std::rotate(vertices.begin(), std::min_element(vertices.begin(), vertices.end()), vertices.end());
       out.emplace_back(std::move(vertices), p.block);
     }
-    std::sort(out.begin(), out.end());
+    detail::sort(out);
     return out;
   };
   const auto chunks = other.grid.chunks();

@@ -1,4 +1,5 @@
 // A world as bytes. docs/snapshot.md has the format; load.cpp reads it.
+#include "geometry/sort.h"
 #include "refusal.h"
 #include "snapshot_bytes.h"
 #include "world_impl.h"
@@ -32,7 +33,7 @@ class Numbers {
       for (const PolygonId polygon : shape->polygons) ofPolygon_[polygon] = 0;
     for (PolygonId id = 0; id < ofPolygon_.size(); ++id)
       if (ofPolygon_[id] != kNone) polygons_.push_back(id);
-    std::ranges::sort(polygons_, [&](PolygonId a, PolygonId b) {
+    detail::sort(polygons_, [&](PolygonId a, PolygonId b) {
       return std::ranges::lexicographical_compare(world.catalogue.vertices(a), world.catalogue.vertices(b));
     });
     for (std::uint32_t number = 0; number < polygons_.size(); ++number) ofPolygon_[polygons_[number]] = number;
@@ -42,7 +43,7 @@ class Numbers {
   std::vector<Slot> slots(const InternedContent& content) const {
     std::vector<Slot> slots(content.polygons.size());
     std::iota(slots.begin(), slots.end(), Slot{0});
-    std::ranges::sort(slots, {}, [&](Slot slot) { return of(content.polygons[slot]); });
+    detail::sort(slots, [&](Slot a, Slot b) { return of(content.polygons[a]) < of(content.polygons[b]); });
     return slots;
   }
 
@@ -114,7 +115,7 @@ class Save {
       }
       std::vector<std::pair<Slot, Slot>> preserved;
       for (const auto& [a, b] : content.preserved) preserved.push_back(std::minmax(after[a], after[b]));
-      std::sort(preserved.begin(), preserved.end());
+      detail::sort(preserved);
       out_.number(preserved.size());
       for (const auto& [a, b] : preserved) {
         out_.number(a);

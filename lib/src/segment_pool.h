@@ -24,7 +24,11 @@ inline constexpr std::uint32_t kUnlinked = (1u << 31) - 1;
 inline constexpr std::uint32_t kMaxSegment = kUnlinked - 1;
 
 /// The polygons of one cell have serial numbers, from 1 on, none used twice. A record has 28 bits for one.
+#ifdef LGS_HANDLES_IN_53_BITS
+inline constexpr std::uint32_t kMaxSerial = (1u << 23) - 1;
+#else
 inline constexpr std::uint32_t kMaxSerial = (1u << 28) - 1;
+#endif
 
 /// The ends of an edge in one cell. A coordinate is 0 … 65,536. Its 17th bit is in `high`.
 struct PackedEnds {

@@ -1,8 +1,7 @@
 #include "atoms.h"
 
 #include "geometry/predicates.h"
-
-#include <algorithm>
+#include "geometry/sort.h"
 
 namespace lgs::brush {
 
@@ -29,8 +28,7 @@ void addAtoms(const std::vector<Point>& chain, const Sum& sum, std::vector<Atom>
 }
 
 void settle(std::vector<Atom>& atoms) {
-  std::sort(atoms.begin(), atoms.end(),
-            [](const Atom& a, const Atom& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
+  detail::sort(atoms, [](const Atom& a, const Atom& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
   std::size_t count = 0;
   for (const Atom& atom : atoms) {
     if (count != 0 && atoms[count - 1].low == atom.low && atoms[count - 1].high == atom.high) {

@@ -1,6 +1,7 @@
 #include "ground.h"
 
 #include "geometry/ring.h"
+#include "geometry/sort.h"
 #include "outline.h"
 
 #include <algorithm>
@@ -61,8 +62,7 @@ std::vector<Side> sidesOf(const std::vector<Outline>& outlines, const std::vecto
       }
     }
   }
-  std::sort(sides.begin(), sides.end(),
-            [](const Side& a, const Side& b) { return a < b || (!(b < a) && a.area < b.area); });
+  detail::sort(sides, [](const Side& a, const Side& b) { return a < b || (!(b < a) && a.area < b.area); });
   return sides;
 }
 

@@ -1,6 +1,7 @@
 #include "outline.h"
 
 #include "geometry/ring.h"
+#include "geometry/sort.h"
 
 #include <algorithm>
 #include <optional>
@@ -78,8 +79,8 @@ std::optional<Point> visible(Point from, bool isLess, const std::vector<Edge>& e
   for (const Edge& e : edges)
     if (isLess ? e.from < from : from < e.from) candidates.push_back(e.from);
   const auto distance = [from](Point p) { return dot(p - from, p - from); };
-  std::sort(candidates.begin(), candidates.end(),
-            [&](Point p, Point q) { return distance(p) != distance(q) ? distance(p) < distance(q) : p < q; });
+  detail::sort(candidates,
+               [&](Point p, Point q) { return distance(p) != distance(q) ? distance(p) < distance(q) : p < q; });
   for (const Point to : candidates)
     if (std::none_of(edges.begin(), edges.end(), [&](const Edge& e) { return blocks(e, from, to); })) return to;
   return std::nullopt;
@@ -121,14 +122,14 @@ Ring straightened(const Ring& ring) {
 }
 
 std::vector<Ring> ringsOf(std::vector<Edge> edges) {
-  std::sort(edges.begin(), edges.end());
+  detail::sort(edges);
   std::vector<Ring> rings = walks(edges);
   for (Ring& ring : rings) ring = straightened(ring);
   return rings;
 }
 
 std::vector<Ring> simplePolygons(std::vector<Edge> edges) {
-  std::sort(edges.begin(), edges.end());
+  detail::sort(edges);
   std::vector<Ring> polygons = walks(edges);
   const std::size_t outlines = edges.size();
   for (const Ring& walk : polygons) {
@@ -139,7 +140,7 @@ std::vector<Ring> simplePolygons(std::vector<Edge> edges) {
     }
   }
   if (edges.size() != outlines) {
-    std::sort(edges.begin(), edges.end());
+    detail::sort(edges);
     polygons = walks(edges);
   }
   for (Ring& polygon : polygons) polygon = straightened(polygon);

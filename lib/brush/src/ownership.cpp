@@ -1,6 +1,7 @@
 #include "ownership.h"
 
 #include "geometry/relation.h"
+#include "geometry/sort.h"
 #include "outline.h"
 
 #include <algorithm>
@@ -21,8 +22,8 @@ bool isSameOutline(std::vector<Edge> now, const std::vector<Edge>& before) {
     detail::cutEdge(e.from, e.to, vertices, cuts);
     for (std::size_t k = 1; k < cuts.size(); ++k) parts.push_back({cuts[k - 1], cuts[k]});
   }
-  std::sort(now.begin(), now.end());
-  std::sort(parts.begin(), parts.end());
+  detail::sort(now);
+  detail::sort(parts);
   return now == parts;
 }
 
@@ -64,7 +65,7 @@ class Division {
         edit.placed.push_back({std::move(ring), blockOf(all), std::move(from)});
       }
     }
-    std::sort(edit.gone.begin(), edit.gone.end());
+    detail::sort(edit.gone);
     return edit;
   }
 

@@ -2,6 +2,7 @@
 
 #include "fraction.h"
 #include "geometry/predicates.h"
+#include "geometry/sort.h"
 
 #include <algorithm>
 #include <numeric>
@@ -80,7 +81,7 @@ Pieces cutAtEnds(const Pieces& pieces) {
     for (const Piece& q : pieces)
       if (detail::orientation(p.a, p.b, q.start) == 0 && before(p.start, q.start) && before(q.start, p.end))
         cuts.push_back(q.start);
-    std::sort(cuts.begin(), cuts.end(), before);
+    detail::sort(cuts, before);
     cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
     for (std::size_t k = 1; k < cuts.size(); ++k) parts.push_back({p.a, p.b, cuts[k - 1], cuts[k], p.isOfRegion});
   }
@@ -134,8 +135,8 @@ Pieces withoutSpikes(const Pieces& pieces, FillRule rule) {
   for (const Piece& p : cutAtEnds(pieces))
     all.push_back(
         {Carrier(p), std::min(p.start, p.end), std::max(p.start, p.end), p.start < p.end ? 1 : -1, p, all.size()});
-  std::sort(all.begin(), all.end(),
-            [](const Keyed& a, const Keyed& b) { return a.key() != b.key() ? a.key() < b.key() : a.place < b.place; });
+  detail::sort(
+      all, [](const Keyed& a, const Keyed& b) { return a.key() != b.key() ? a.key() < b.key() : a.place < b.place; });
   Pieces kept;
   for (std::size_t k = 0; k < all.size();) {
     const std::size_t first = k;

@@ -2,6 +2,7 @@
 
 #include "fraction.h"
 #include "geometry/predicates.h"
+#include "geometry/sort.h"
 
 #include <algorithm>
 
@@ -48,7 +49,7 @@ std::optional<Point> crossingPixel(const Segment& p, const Segment& q) {
 }
 
 void normalize(std::vector<Point>& points) {
-  std::sort(points.begin(), points.end());
+  detail::sort(points);
   points.erase(std::unique(points.begin(), points.end()), points.end());
 }
 
@@ -74,8 +75,8 @@ void route(const Segment& segment, const std::vector<Point>& hot, std::vector<Po
   }
   // An edge passes pixels in the order of both coordinates.
   const std::int64_t alongX = detail::sign(b.x - a.x), alongY = detail::sign(b.y - a.y);
-  std::sort(chain.begin(), chain.end(),
-            [&](Point u, Point v) { return u.x != v.x ? alongX * u.x < alongX * v.x : alongY * u.y < alongY * v.y; });
+  detail::sort(
+      chain, [&](Point u, Point v) { return u.x != v.x ? alongX * u.x < alongX * v.x : alongY * u.y < alongY * v.y; });
 }
 
 }  // namespace lgs::brush

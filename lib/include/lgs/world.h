@@ -33,10 +33,18 @@ namespace lgs {
 /// Limits. Beyond them an edit is refused with ErrorCode::capacity. Two more refuse in this way: 2^23 - 1 distinct
 /// contents of cells, and 2^28 - 1 polygons ever placed in one cell. A commit that needs more than 8 GiB for the
 /// records of cells with segments, or more than 2^31 - 2 segments, ends the program, as it does when memory runs out.
-inline constexpr std::size_t kMaxVerticesPerCell = 4'096;              ///< of all polygons of one cell together
-inline constexpr std::size_t kMaxPolygonsPerCell = 254;                ///< in one cell
+///
+/// A program for JavaScript, whose numbers are whole up to 2^53, may define LGS_HANDLES_IN_53_BITS for all of its files.
+/// Then every PolygonHandle has cellRef < 2^30 and serial < 2^23: at most 2^20 - 1 chunks and, in one cell, 2^23 - 1
+/// polygons ever placed.
+inline constexpr std::size_t kMaxVerticesPerCell = 4'096;  ///< of all polygons of one cell together
+inline constexpr std::size_t kMaxPolygonsPerCell = 254;    ///< in one cell
+#ifdef LGS_HANDLES_IN_53_BITS
+inline constexpr std::size_t kMaxChunks = (std::size_t{1} << 20) - 1;  ///< of 32×32 cells, ever touched by an edit
+#else
 inline constexpr std::size_t kMaxChunks = (std::size_t{1} << 22) - 1;  ///< of 32×32 cells, ever touched by an edit
-inline constexpr std::size_t kMaxEntries = 0x7fff'ffff;                ///< of a call that takes many
+#endif
+inline constexpr std::size_t kMaxEntries = 0x7fff'ffff;  ///< of a call that takes many
 
 /// Says whether the overlap between polygons of these two blocks is kept (true) or cancelled (false). The smaller block
 /// always comes first, so any function gives a symmetric relation. It must give the same answer every time, throw

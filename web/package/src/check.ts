@@ -1,0 +1,66 @@
+// Arguments, before they go into WebAssembly. There a number of the wrong kind would be cut to another one.
+import { LgsError } from './error.js'
+import type { CellRect, Vertices } from './types.js'
+
+const shown = (value: unknown) => (typeof value === 'string' ? JSON.stringify(value) : String(value))
+
+export function bad(name: string, wanted: string, value: unknown): LgsError {
+  return new LgsError('bad-argument', `${name} must be ${wanted}, and is ${shown(value)}`)
+}
+
+/** A column or row of cells. */
+export function int32(name: string, value: number): number {
+  if ((value | 0) !== value) throw bad(name, 'a whole number of 32 bits', value)
+  return value
+}
+
+/** A block, or the id of a shape or a segment. */
+export function uint32(name: string, value: number): number {
+  if (value >>> 0 !== value) throw bad(name, 'a whole number from 0 to 4294967295', value)
+  return value
+}
+
+export function real(name: string, value: number): number {
+  if (typeof value !== 'number') throw bad(name, 'a number', value)
+  return value
+}
+
+export function finite(name: string, value: number): number {
+  if (!Number.isFinite(value)) throw bad(name, 'a finite number', value)
+  return value
+}
+
+export function bits64(name: string, value: bigint): bigint {
+  if (typeof value !== 'bigint' || BigInt.asUintN(64, value) !== value) throw bad(name, 'a mark of this world', value)
+  return value
+}
+
+export function rect(cells: CellRect): CellRect {
+  if (cells === null || typeof cells !== 'object') throw bad('cells', '{ i0, j0, i1, j1 }', cells)
+  int32('i0', cells.i0)
+  int32('j0', cells.j0)
+  int32('i1', cells.i1)
+  int32('j1', cells.j1)
+  return cells
+}
+
+/** x, y, x, y, … of either form of vertices. */
+export function flat(name: string, vertices: Vertices): ArrayLike<number> {
+  if (vertices === null || typeof vertices !== 'object' || typeof vertices.length !== 'number')
+    throw bad(name, 'an array of numbers, or of pairs', vertices)
+  if (Array.isArray(vertices[0])) {
+    const pairs = vertices as readonly (readonly [number, number])[]
+    const numbers: number[] = []
+    for (let k = 0; k < pairs.length; ++k) {
+      const pair = pairs[k]
+      if (!Array.isArray(pair) || pair.length !== 2) throw bad(`${name}[${k}]`, 'a pair of numbers', pair)
+      numbers.push(real(`${name}[${k}][0]`, pair[0]), real(`${name}[${k}][1]`, pair[1]))
+    }
+    return numbers
+  }
+  const numbers = vertices as ArrayLike<number>
+  if (numbers.length % 2 !== 0) throw bad(`the length of ${name}`, 'even: x, y, x, y, …', numbers.length)
+  if (!ArrayBuffer.isView(numbers))
+    for (let k = 0; k < numbers.length; ++k) real(`${name}[${k}]`, numbers[k]!)
+  return numbers
+}

@@ -1,0 +1,194 @@
+// The instance of WebAssembly: there is one, for all worlds. Its functions take and return numbers; what is longer goes
+// through its memory. web/wasm/ is the other side.
+import { LgsError, engineError } from './error.js'
+
+/** What lgs.wasm exports. Addresses are numbers. */
+export interface Exports {
+  memory: WebAssembly.Memory
+  _initialize(): void
+  isMemoryOut(): number
+  input(bytes: number): number
+  answer(): number
+  answerBytes(): number
+  failure(): number
+  make(relation: number, isFloat: number): number
+  load(bytes: number, relation: number, isFloat: number): number
+  save(world: number): number
+  free(world: number): void
+  shape(world: number, vertices: number): number
+  add(world: number, i: number, j: number, shape: number, block: number): number
+  addMany(world: number, entries: number): number
+  addPolygon(world: number, i: number, j: number, vertices: number, block: number): number
+  remove(world: number, polygon: number): number
+  removeMany(world: number, count: number): number
+  replace(world: number, i: number, j: number, shape: number, block: number): number
+  setBlock(world: number, polygon: number, block: number): number
+  fill(world: number, i0: number, j0: number, i1: number, j1: number, shape: number, block: number): number
+  clear(world: number, i0: number, j0: number, i1: number, j1: number): number
+  paint(world: number, numbers: number, block: number, replace: number): number
+  carve(world: number, numbers: number): number
+  commit(world: number): number
+  checkpoint(world: number): bigint
+  rollBack(world: number, mark: bigint): number
+  forget(world: number, mark: bigint): number
+  segments(world: number): number
+  segmentsIn(world: number, i0: number, j0: number, i1: number, j1: number): number
+  segment(world: number, id: number): number
+  polygons(world: number): number
+  polygonsIn(world: number, i0: number, j0: number, i1: number, j1: number): number
+  polygon(world: number, polygon: number): number
+  loops(world: number, merge: number): number
+  at(world: number, x: number, y: number): void
+  nearest(world: number, x: number, y: number, radius: number): number
+  rayCast(world: number, x0: number, y0: number, x1: number, y1: number): number
+  bounds(world: number): number
+  stats(world: number): void
+  version(world: number): bigint
+  maxSegmentId(world: number): number
+  circle(x: number, y: number, radius: number, corners: number): number
+  rectangle(x: number, y: number, alongX: number, alongY: number, halfLength: number, halfWidth: number): number
+  thickLine(points: number, radius: number, corners: number): number
+}
+
+type Preserve = (smaller: number, greater: number) => boolean
+
+export class Engine {
+  readonly call: Exports
+  #memory: WebAssembly.Memory
+  #relations = new Map<number, Preserve>()
+  #lastRelation = 0
+  #isAsking = false
+  #refusalOfPreserve: { error: unknown } | null = null
+  #ended: LgsError | null = null
+
+  constructor(module: WebAssembly.Module) {
+    const { exports } = new WebAssembly.Instance(module, {
+      lgs: { preserve: (relation: number, a: number, b: number) => this.#ask(relation, a >>> 0, b >>> 0) },
+    })
+    const raw = exports as unknown as Exports
+    this.#memory = raw.memory
+    raw._initialize()
+    const guarded: Record<string, unknown> = {}
+    for (const [name, value] of Object.entries(exports))
+      if (typeof value === 'function') guarded[name] = this.#guarded(value as (...a: unknown[]) => unknown, raw)
+    this.call = guarded as unknown as Exports
+  }
+
+  get ended() { return this.#ended !== null }
+
+  // --- Memory: it may grow in any call, and then old views are empty. So each view is made when it is needed.
+
+  get buffer(): ArrayBuffer { return this.#memory.buffer }
+
+  /** Room for arguments. */
+  inputReals(count: number): Float64Array {
+    const address = this.call.input(8 * count)
+    return new Float64Array(this.buffer, address, count)
+  }
+
+  /** Writes numbers as arguments. */
+  put(numbers: ArrayLike<number>): void {
+    this.inputReals(numbers.length).set(numbers)
+  }
+
+  putBytes(bytes: Uint8Array | Int32Array): void {
+    const address = this.call.input(bytes.byteLength)
+    new Uint8Array(this.buffer, address, bytes.byteLength)
+      .set(new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength))
+  }
+
+  /** The answer of the last call. It is valid until the next one. */
+  answer(count: number): Float64Array {
+    return new Float64Array(this.buffer, this.call.answer(), count)
+  }
+
+  answerBytes(count: number): Uint8Array {
+    return new Uint8Array(this.buffer, this.call.answerBytes(), count).slice()
+  }
+
+  /** Why the last call was refused. */
+  failure(): LgsError {
+    const numbers = new Float64Array(this.buffer, this.call.failure(), 16)
+    const text = new Uint8Array(this.buffer, numbers[14], numbers[15])
+    return engineError(numbers, new TextDecoder().decode(text))
+  }
+
+  // --- Relations
+
+  /** Keeps a relation for the engine, and returns its number. */
+  keepRelation(preserve: Preserve): number {
+    const answers = new Map<number, Map<number, boolean>>()
+    this.#relations.set(++this.#lastRelation, (a, b) => {
+      let ofA = answers.get(a)
+      if (!ofA) answers.set(a, (ofA = new Map()))
+      let answer = ofA.get(b)
+      if (answer === undefined) {
+        ofA.set(b, false)  // what it is if preserve() throws
+        ofA.set(b, (answer = Boolean(preserve(a, b))))
+      }
+      return answer
+    })
+    return this.#lastRelation
+  }
+
+  dropRelation(number: number): void { this.#relations.delete(number) }
+
+  #ask(relation: number, a: number, b: number): number {
+    this.#isAsking = true
+    try {
+      return this.#relations.get(relation)!(a, b) ? 1 : 0
+    } catch (error) {  // it must not run through the engine
+      this.#refusalOfPreserve ??= { error }
+      return 0
+    } finally {
+      this.#isAsking = false
+    }
+  }
+
+  // --- Calls that end badly
+
+  /** A function of the engine that throws nothing but an LgsError. No function has more than seven arguments. */
+  #guarded(f: (...a: unknown[]) => unknown, raw: Exports) {
+    return (a: unknown, b: unknown, c: unknown, d: unknown, e: unknown, g: unknown, h: unknown) => {
+      if (this.#isAsking) throw new LgsError('busy', 'preserve() must not call the package')
+      if (this.#ended) throw this.#ended
+      let result: unknown
+      try {
+        result = f(a, b, c, d, e, g, h)
+      } catch (cause) {
+        this.#ended = raw.isMemoryOut()
+          ? new LgsError('out-of-memory', 'the memory of WebAssembly is full; init() and new worlds are needed', { cause })
+          : new LgsError('crashed', 'the engine stopped, which is a bug; init() and new worlds are needed', { cause })
+        throw this.#ended
+      }
+      if (this.#refusalOfPreserve) this.#tellOfPreserve()
+      return result
+    }
+  }
+
+  #tellOfPreserve(): never {
+    const cause = this.#refusalOfPreserve!.error
+    this.#refusalOfPreserve = null
+    throw new LgsError('preserve-failed', 'preserve() threw; the pair of blocks is cancelled from now on', { cause })
+  }
+}
+
+let current: Engine | null = null
+let starting: Promise<void> | null = null
+
+/** Starts the engine, unless it runs or starts already. Where that failed, or the engine stopped, it starts again. */
+export function start(compile: () => Promise<WebAssembly.Module>): Promise<void> {
+  if (current?.ended) starting = null
+  starting ??= compile().then(
+    (module) => { current = new Engine(module) },
+    (error) => {
+      starting = null
+      throw error
+    })
+  return starting
+}
+
+export function engine(): Engine {
+  if (!current) throw new LgsError('not-ready', 'await init() first')
+  return current
+}

@@ -1,0 +1,2 @@
+/** lgs.wasm in base64. The build puts it here. */
+export declare const wasm: string

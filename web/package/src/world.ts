@@ -1,0 +1,247 @@
+// The world: each method checks its arguments, calls the engine once, and makes objects of the answer.
+import { bits64, bad, flat, int32, real, rect, uint32 } from './check.js'
+import { type Engine, engine } from './engine.js'
+import { LgsError } from './error.js'
+import { changesOf, headerWords, listOf } from './lists.js'
+import { putRegion } from './regions.js'
+import type {
+  Block, BrushResult, CellRect, Changes, Hit, Loop, Mark, Nearest, Polygon, PolygonId, RayHit, Region, Segment,
+  SegmentId, SegmentList, ShapeId, Spot, Stats, Vertices, World, WorldOptions,
+} from './types.js'
+
+/** What makes a world in the engine: its address, or 0 and a failure. */
+type Maker = (engine: Engine, relation: number, isFloat: number) => number
+
+class EngineWorld implements World {
+  #engine: Engine
+  #world: number
+  #relation: number
+  #precision: 'double' | 'float'
+  #lists = 0  // how many lists were made: earlier ones are stale
+
+  constructor(make: Maker, options: WorldOptions) {
+    const { preserve, precision = 'double' } = options
+    if (preserve !== undefined && typeof preserve !== 'function') throw bad('preserve', 'a function', preserve)
+    if (precision !== 'double' && precision !== 'float') throw bad('precision', "'double' or 'float'", precision)
+    this.#engine = engine()
+    this.#precision = precision
+    this.#relation = preserve ? this.#engine.keepRelation(preserve) : 0
+    this.#world = make(this.#engine, this.#relation, precision === 'float' ? 1 : 0)
+    if (this.#world === 0) throw this.#engine.failure()
+  }
+
+  get #live(): number {
+    if (this.#world === 0) throw new LgsError('freed', 'this world was freed')
+    return this.#world
+  }
+  get #call() { return this.#engine.call }
+  #orFail<T>(answer: T, refused: T): T {
+    if (answer === refused) throw this.#engine.failure()
+    return answer
+  }
+
+  // --- Edits
+
+  shape(vertices: Vertices): ShapeId {
+    const world = this.#live, numbers = flat('vertices', vertices)
+    this.#engine.put(numbers)
+    return this.#orFail(this.#call.shape(world, numbers.length / 2) >>> 0, 0)
+  }
+  add(i: number, j: number, shape: ShapeId, block: Block): PolygonId {
+    return this.#orFail(
+      this.#call.add(this.#live, int32('i', i), int32('j', j), uint32('shape', shape), uint32('block', block)), 0)
+  }
+  addMany(entries: Int32Array): Float64Array {
+    const world = this.#live
+    if (!(entries instanceof Int32Array) || entries.length % 4 !== 0)
+      throw bad('entries', 'an Int32Array with four numbers an entry', entries)
+    this.#engine.putBytes(entries)
+    this.#orFail(this.#call.addMany(world, entries.length / 4), 0)
+    return this.#engine.answer(entries.length / 4).slice()
+  }
+  addPolygon(i: number, j: number, vertices: Vertices, block: Block): PolygonId {
+    const world = this.#live, numbers = flat('vertices', vertices)
+    int32('i', i)
+    int32('j', j)
+    uint32('block', block)
+    this.#engine.put(numbers)
+    return this.#orFail(this.#call.addPolygon(world, i, j, numbers.length / 2, block), 0)
+  }
+  remove(polygon: PolygonId): void {
+    this.#orFail(this.#call.remove(this.#live, real('polygon', polygon)), 0)
+  }
+  removeMany(polygons: ArrayLike<PolygonId>): void {
+    const world = this.#live
+    this.#engine.put(polygons)
+    this.#orFail(this.#call.removeMany(world, polygons.length), 0)
+  }
+  replace(i: number, j: number, shape: ShapeId, block: Block): PolygonId {
+    return this.#orFail(
+      this.#call.replace(this.#live, int32('i', i), int32('j', j), uint32('shape', shape), uint32('block', block)), 0)
+  }
+  setBlock(polygon: PolygonId, block: Block): void {
+    this.#orFail(this.#call.setBlock(this.#live, real('polygon', polygon), uint32('block', block)), 0)
+  }
+  fill(cells: CellRect, shape: ShapeId, block: Block): number {
+    const { i0, j0, i1, j1 } = rect(cells)
+    return this.#orFail(
+      this.#call.fill(this.#live, i0, j0, i1, j1, uint32('shape', shape), uint32('block', block)), -1)
+  }
+  clear(cells: CellRect | number, j?: number): number {
+    const { i0, j0, i1, j1 } = rect(typeof cells === 'number' ? { i0: cells, j0: j!, i1: cells, j1: j! } : cells)
+    return this.#orFail(this.#call.clear(this.#live, i0, j0, i1, j1), -1)
+  }
+  paint(region: Region, block: Block, mode: 'fill' | 'replace' = 'fill'): BrushResult {
+    const world = this.#live
+    uint32('block', block)
+    if (mode !== 'fill' && mode !== 'replace') throw bad('mode', "'fill' or 'replace'", mode)
+    return this.#brushed(this.#call.paint(world, putRegion(this.#engine, region), block, mode === 'replace' ? 1 : 0))
+  }
+  carve(region: Region): BrushResult {
+    const world = this.#live
+    return this.#brushed(this.#call.carve(world, putRegion(this.#engine, region)))
+  }
+  #brushed(count: number): BrushResult {
+    const numbers = this.#engine.answer(this.#orFail(count, 0))
+    let next = 0
+    const list = () => {
+      const end = next + 1 + numbers[next]!
+      const ids = Array.from(numbers.subarray(next + 1, end))
+      next = end
+      return ids
+    }
+    const went = list(), came = list(), bent = list()
+    const changed = Array.from({ length: numbers[next++]! }, () => ({ old: numbers[next++]!, now: list() }))
+    return { went, came, bent, changed }
+  }
+
+  // --- Commits and going back
+
+  commit(): Changes { return changesOf(this.#listed(this.#call.commit(this.#live))) }
+  checkpoint(): Mark { return BigInt.asUintN(64, this.#call.checkpoint(this.#live)) }
+  rollBack(mark: Mark): Changes {
+    return changesOf(this.#listed(this.#call.rollBack(this.#live, bits64('mark', mark))))
+  }
+  forget(mark: Mark): void { this.#orFail(this.#call.forget(this.#live, bits64('mark', mark)), 0) }
+
+  #listed(address: number) {
+    this.#orFail(address, 0)
+    const number = ++this.#lists
+    return {
+      engine: this.#engine, precision: this.#precision, isStale: () => this.#lists !== number,
+      header: new Uint32Array(this.#engine.buffer, address, headerWords).slice(),
+    }
+  }
+
+  // --- Reading
+
+  segments(cells?: CellRect): SegmentList {
+    const world = this.#live
+    if (!cells) return listOf(this.#listed(this.#call.segments(world)))
+    const { i0, j0, i1, j1 } = rect(cells)
+    return listOf(this.#listed(this.#call.segmentsIn(world, i0, j0, i1, j1)))
+  }
+  segment(id: SegmentId): Segment {
+    this.#orFail(this.#call.segment(this.#live, uint32('id', id)), 0)
+    const n = this.#engine.answer(14)
+    const ghost = (neighbour: number, k: number): [number, number] | null => (neighbour === 0 ? null : [n[k]!, n[k + 1]!])
+    const [predecessor, successor] = [n[8]!, n[9]!]
+    return {
+      id, start: [n[0]!, n[1]!], end: [n[2]!, n[3]!], ghost1: ghost(predecessor, 4), ghost2: ghost(successor, 6),
+      predecessor, successor, block: n[10]!, polygon: n[11]!, i: n[12]!, j: n[13]!,
+    }
+  }
+  hit(id: SegmentId): Hit {
+    const { polygon, block, i, j } = this.segment(id)
+    return { polygon, block, i, j }
+  }
+  loops(options: { merge?: boolean } = {}): Loop[] {
+    const count = this.#call.loops(this.#live, options.merge ? 1 : 0)
+    const numbers = this.#engine.answer(count)
+    const loops: Loop[] = []
+    for (let k = 0; k < count; ) {
+      const vertices = k + 2, segments = vertices + 2 * numbers[k]!, end = segments + numbers[k + 1]!
+      loops.push({ vertices: numbers.slice(vertices, segments), segments: Uint32Array.from(numbers.subarray(segments, end)) })
+      k = end
+    }
+    return loops
+  }
+  polygonsAt(i: number, j: number): Polygon[] { return this.polygons({ i0: i, j0: j, i1: i, j1: j }) }
+  polygons(cells?: CellRect): Polygon[] {
+    const world = this.#live
+    if (!cells) return this.#polygons(this.#call.polygons(world))
+    const { i0, j0, i1, j1 } = rect(cells)
+    return this.#polygons(this.#call.polygonsIn(world, i0, j0, i1, j1))
+  }
+  polygon(id: PolygonId): Polygon {
+    return this.#polygons(this.#orFail(this.#call.polygon(this.#live, real('polygon', id)), 0))[0]!
+  }
+  #polygons(count: number): Polygon[] {
+    const n = this.#engine.answer(count)
+    const polygons: Polygon[] = []
+    for (let k = 0; k < count; ) {
+      const end = k + 5 + 2 * n[k + 4]!
+      polygons.push({ id: n[k]!, i: n[k + 1]!, j: n[k + 2]!, block: n[k + 3]!, vertices: n.slice(k + 5, end) })
+      k = end
+    }
+    return polygons
+  }
+  at(x: number, y: number): Spot {
+    this.#call.at(this.#live, real('x', x), real('y', y))
+    const n = this.#engine.answer(5)
+    return { where: (['outside', 'edge', 'inside'] as const)[n[0]!]!, polygon: n[1]!, block: n[2]!, i: n[3]!, j: n[4]! }
+  }
+  nearest(x: number, y: number, radius: number): Nearest | null {
+    this.#orFail(this.#call.nearest(this.#live, real('x', x), real('y', y), real('radius', radius)), 0)
+    const n = this.#engine.answer(4)
+    return n[0] === 0 ? null : { segment: n[0]!, x: n[1]!, y: n[2]!, distance: n[3]! }
+  }
+  rayCast(x0: number, y0: number, x1: number, y1: number): RayHit | null {
+    this.#orFail(
+      this.#call.rayCast(this.#live, real('x0', x0), real('y0', y0), real('x1', x1), real('y1', y1)), 0)
+    const n = this.#engine.answer(6)
+    return n[0] === 0 ? null : { segment: n[0]!, fraction: n[1]!, x: n[2]!, y: n[3]!, nx: n[4]!, ny: n[5]! }
+  }
+
+  // --- The whole
+
+  save(): Uint8Array {
+    return this.#engine.answerBytes(this.#orFail(this.#call.save(this.#live), -1))
+  }
+  stats(): Stats {
+    this.#call.stats(this.#live)
+    const [polygons, cells, segments, shapes, contents, chunks, bytes] = this.#engine.answer(7) as unknown as number[]
+    return { polygons, cells, segments, shapes, contents, chunks, bytes } as Stats
+  }
+  bounds(): CellRect | null {
+    if (!this.#call.bounds(this.#live)) return null
+    const [i0, j0, i1, j1] = this.#engine.answer(4) as unknown as number[]
+    return { i0, j0, i1, j1 } as CellRect
+  }
+  get version(): bigint { return BigInt.asUintN(64, this.#call.version(this.#live)) }
+  get maxSegmentId(): SegmentId { return this.#call.maxSegmentId(this.#live) >>> 0 }
+
+  free(): void {
+    if (this.#world === 0) return
+    const world = this.#world
+    this.#world = 0
+    ++this.#lists
+    this.#engine.dropRelation(this.#relation)
+    if (!this.#engine.ended) this.#call.free(world)
+  }
+  [Symbol.dispose](): void { this.free() }
+}
+
+/** An empty world. */
+export function createWorld(options: WorldOptions = {}): World {
+  return new EngineWorld((e, relation, isFloat) => e.call.make(relation, isFloat), options)
+}
+
+/** The world that save() wrote, here or in C++. It goes on exactly: the same edits give the same ids. */
+export function loadWorld(bytes: Uint8Array, options: WorldOptions = {}): World {
+  if (!(bytes instanceof Uint8Array)) throw bad('bytes', 'a Uint8Array', bytes)
+  return new EngineWorld((e, relation, isFloat) => {
+    e.putBytes(bytes)
+    return e.call.load(bytes.length, relation, isFloat)
+  }, options)
+}

@@ -1,0 +1,86 @@
+// Shapes, edits, and going back.
+#include "bridge.h"
+
+namespace lgs::web {
+namespace {
+
+CellRect rect(std::int32_t i0, std::int32_t j0, std::int32_t i1, std::int32_t j1) { return {{i0, j0}, {i1, j1}}; }
+
+double orZero(const Expected<PolygonHandle>& handle) {
+  return handle ? toNumber(*handle) : refused(handle.error(), 0.0);
+}
+std::int32_t orZero(const Expected<void>& done) { return done ? 1 : refused(done.error(), 0); }
+double orMinusOne(const Expected<std::uint64_t>& count) {
+  return count ? static_cast<double>(*count) : refused(count.error(), -1.0);
+}
+
+}  // namespace
+
+/// The vertices are in the input.
+LGS_EXPORT("shape") std::uint32_t shape(Bridge* bridge, std::size_t vertices) {
+  const auto made = bridge->world.shape(inputPoints(vertices));
+  return made ? made->value : refused(made.error(), 0u);
+}
+
+LGS_EXPORT("add") double add(Bridge* bridge, std::int32_t i, std::int32_t j, std::uint32_t shape, Block block) {
+  return orZero(bridge->world.add({i, j}, ShapeId{shape}, block));
+}
+
+/// Four integers an entry are in the input: i, j, shape, block. The answer has the handles.
+LGS_EXPORT("addMany") std::int32_t addMany(Bridge* bridge, std::size_t entries) {
+  const auto numbers = input<std::int32_t>(4 * entries);
+  std::vector<Placement> placements;
+  placements.reserve(entries);
+  for (std::size_t k = 0; k < numbers.size(); k += 4)
+    placements.push_back({.cell = {numbers[k], numbers[k + 1]},
+                          .shape = {static_cast<std::uint32_t>(numbers[k + 2])},
+                          .block = static_cast<Block>(numbers[k + 3])});
+  std::vector<PolygonHandle> handles(entries);
+  if (const auto done = bridge->world.addMany(placements, handles); !done) return refused(done.error(), 0);
+  answer().clear();
+  for (const PolygonHandle handle : handles) answer().push_back(toNumber(handle));
+  return 1;
+}
+
+/// The vertices are in the input.
+LGS_EXPORT("addPolygon")
+double addPolygon(Bridge* bridge, std::int32_t i, std::int32_t j, std::size_t vertices, Block block) {
+  return orZero(bridge->world.add({i, j}, inputPoints(vertices), block));
+}
+
+LGS_EXPORT("remove") std::int32_t remove(Bridge* bridge, double polygon) {
+  return orZero(bridge->world.remove(toHandle(polygon)));
+}
+
+/// The handles are in the input.
+LGS_EXPORT("removeMany") std::int32_t removeMany(Bridge* bridge, std::size_t count) {
+  std::vector<PolygonHandle> handles;
+  handles.reserve(count);
+  for (const double number : input<double>(count)) handles.push_back(toHandle(number));
+  return orZero(bridge->world.removeMany(handles));
+}
+
+LGS_EXPORT("replace") double replace(Bridge* bridge, std::int32_t i, std::int32_t j, std::uint32_t shape, Block block) {
+  return orZero(bridge->world.replace({i, j}, ShapeId{shape}, block));
+}
+
+LGS_EXPORT("setBlock") std::int32_t setBlock(Bridge* bridge, double polygon, Block block) {
+  return orZero(bridge->world.setBlock(toHandle(polygon), block));
+}
+
+LGS_EXPORT("fill")
+double fill(Bridge* bridge, std::int32_t i0, std::int32_t j0, std::int32_t i1, std::int32_t j1, std::uint32_t shape,
+            Block block) {
+  return orMinusOne(bridge->world.fill(rect(i0, j0, i1, j1), ShapeId{shape}, block));
+}
+
+LGS_EXPORT("clear") double clear(Bridge* bridge, std::int32_t i0, std::int32_t j0, std::int32_t i1, std::int32_t j1) {
+  return orMinusOne(bridge->world.clear(rect(i0, j0, i1, j1)));
+}
+
+LGS_EXPORT("checkpoint") std::uint64_t checkpoint(Bridge* bridge) { return bridge->world.checkpoint().value; }
+LGS_EXPORT("forget") std::int32_t forget(Bridge* bridge, std::uint64_t mark) {
+  return orZero(bridge->world.forget(Mark{mark}));
+}
+
+}  // namespace lgs::web

@@ -1,0 +1,28 @@
+// Memory, and what happens when there is none left: the call ends in a trap, which JavaScript sees as an exception.
+// libc++ would print a message first, and bring all of printf() along for it.
+#include "bridge.h"
+
+#include <__verbose_abort>
+#include <cstdlib>
+#include <new>
+
+namespace {
+bool isMemoryOut = false;
+}
+
+LGS_EXPORT("isMemoryOut") std::int32_t isMemoryOutNow() { return isMemoryOut; }
+
+void* operator new(std::size_t bytes) {
+  if (void* const memory = std::malloc(bytes)) return memory;
+  isMemoryOut = true;
+  __builtin_trap();
+}
+void* operator new[](std::size_t bytes) { return operator new(bytes); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+_LIBCPP_BEGIN_NAMESPACE_STD
+void __libcpp_verbose_abort(const char*, ...) { __builtin_trap(); }
+_LIBCPP_END_NAMESPACE_STD
