@@ -34,8 +34,8 @@ export class OutlineLines {
   /** The chunks that a commit or a roll-back changed. Give it each one's changes, in order. */
   update(changes: Changes): ChunkLines[] {
     const touched = new Set<string>()
-    for (const id of changes.removed) touched.add(this.#chunkOf[id])
-    for (const id of changes.relinked.id) touched.add(this.#chunkOf[id])
+    for (const id of changes.removed) touched.add(this.#chunkOf[id]!)
+    for (const id of changes.relinked.id) touched.add(this.#chunkOf[id]!)
     for (const key of this.#note(changes.added)) touched.add(key)
     return [...touched].map((key) => this.#linesOf(key))
   }
@@ -45,10 +45,10 @@ export class OutlineLines {
     const { id, cell } = segments
     const n = this.#chunkCells
     for (let k = 0; k < id.length; ++k) {
-      const i0 = Math.floor(cell[2 * k] / n) * n
-      const j0 = Math.floor(cell[2 * k + 1] / n) * n
+      const i0 = Math.floor(cell[2 * k]! / n) * n
+      const j0 = Math.floor(cell[2 * k + 1]! / n) * n
       const key = `${i0} ${j0}`
-      this.#chunkOf[id[k]] = key
+      this.#chunkOf[id[k]!] = key
       if (!keys.has(key)) this.#cells.set(key, { i0, j0, i1: i0 + n - 1, j1: j0 + n - 1 })
       keys.add(key)
     }
@@ -67,18 +67,18 @@ export class OutlineLines {
 export function chain(segments: SegmentList): Float64Array[] {
   const { id, geometry, predecessor, successor } = segments
   const at = new Map<SegmentId, number>()
-  for (let k = 0; k < id.length; ++k) at.set(id[k], k)
+  for (let k = 0; k < id.length; ++k) at.set(id[k]!, k)
   const done = new Uint8Array(id.length)
   const lines: Float64Array[] = []
   const follow = (first: number): void => {
-    const line = [geometry[8 * first], geometry[8 * first + 1]]
-    for (let k: number | undefined = first; k !== undefined && !done[k]; k = at.get(successor[k])) {
+    const line = [geometry[8 * first]!, geometry[8 * first + 1]!]
+    for (let k: number | undefined = first; k !== undefined && !done[k]; k = at.get(successor[k]!)) {
       done[k] = 1
-      goTo(line, geometry[8 * k + 2], geometry[8 * k + 3])
+      goTo(line, geometry[8 * k + 2]!, geometry[8 * k + 3]!)
     }
     lines.push(Float64Array.from(line))
   }
-  for (let k = 0; k < id.length; ++k) if (!at.has(predecessor[k])) follow(k)
+  for (let k = 0; k < id.length; ++k) if (!at.has(predecessor[k]!)) follow(k)
   for (let k = 0; k < id.length; ++k) if (!done[k]) follow(k) // closed ones, and those behind a link that is not mutual
   return lines
 }
@@ -86,10 +86,9 @@ export function chain(segments: SegmentList): Float64Array[] {
 function goTo(line: number[], x: number, y: number): void {
   const n = line.length
   if (n >= 4) {
-    const ux = line[n - 2] - line[n - 4]
-    const uy = line[n - 1] - line[n - 3]
-    const vx = x - line[n - 2]
-    const vy = y - line[n - 1]
+    const [x0, y0, x1, y1] = line.slice(-4) as [number, number, number, number]
+    const [ux, uy] = [x1 - x0, y1 - y0]
+    const [vx, vy] = [x - x1, y - y1]
     if (ux * vy === uy * vx && ux * vx + uy * vy > 0) {
       line[n - 2] = x
       line[n - 1] = y

@@ -122,12 +122,12 @@ export class PlanckTerrain {
   #create(segments: SegmentList): void {
     const { id, geometry, block, cell } = segments
     for (let k = 0; k < id.length; ++k) {
-      const chunk = this.#chunkAt(cell[2 * k], cell[2 * k + 1])
+      const chunk = this.#chunkAt(cell[2 * k]!, cell[2 * k + 1]!)
       const shape = new EdgeShape(this.#local(chunk, geometry, 8 * k), this.#local(chunk, geometry, 8 * k + 2))
       this.#setGhosts(shape, chunk, geometry, 8 * k)
-      const fixture = chunk.body.createFixture(shape, this.#materialOf(block[k]))
+      const fixture = chunk.body.createFixture(shape, this.#materialOf(block[k]!))
       fixture.setUserData(id[k])
-      this.#fixtures[id[k]] = fixture
+      this.#fixtures[id[k]!] = fixture
       ++chunk.fixtures
     }
   }
@@ -135,7 +135,7 @@ export class PlanckTerrain {
   #relink(segments: SegmentList): void {
     const { id, geometry } = segments
     for (let k = 0; k < id.length; ++k) {
-      const fixture = this.#fixtures[id[k]]!
+      const fixture = this.#fixtures[id[k]!]!
       const chunk = this.#chunkOf.get(fixture.getBody())!
       this.#setGhosts(fixture.getShape() as EdgeShape, chunk, geometry, 8 * k)
     }
@@ -162,12 +162,12 @@ export class PlanckTerrain {
   }
 
   #ghost(chunk: Chunk, geometry: ArrayLike<number>, at: number): Vec2Value | undefined {
-    return this.#ghosts && !Number.isNaN(geometry[at]) ? this.#local(chunk, geometry, at) : undefined
+    return this.#ghosts && !Number.isNaN(geometry[at]!) ? this.#local(chunk, geometry, at) : undefined
   }
 
   // Relative to the body of the chunk. So vertices are as precise far from the origin as near it.
   #local(chunk: Chunk, geometry: ArrayLike<number>, at: number): Vec2Value {
-    return { x: (geometry[at] - chunk.x) * this.cellSize, y: (geometry[at + 1] - chunk.y) * this.cellSize }
+    return { x: (geometry[at]! - chunk.x) * this.cellSize, y: (geometry[at + 1]! - chunk.y) * this.cellSize }
   }
 
   #chunkAt(i: number, j: number): Chunk {

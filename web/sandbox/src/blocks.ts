@@ -1,4 +1,4 @@
-// The kinds of ground. Their numbers are the blocks of the trace.
+// The kinds of ground. Their numbers are the blocks of the trace. Those of special ground are such as maps seldom have.
 import type { Block } from 'localgridseg'
 
 export interface Kind {
@@ -9,9 +9,9 @@ export interface Kind {
 }
 
 export const GROUND = 1
-export const ICE = 2
-export const STICKY = 3
-export const ONE_WAY = 4
+export const ICE = 101
+export const STICKY = 102
+export const ONE_WAY = 103
 
 export const kinds: readonly Kind[] = [
   { block: GROUND, name: 'Ground', hint: 'Ordinary ground', friction: 0.6 },
@@ -25,7 +25,7 @@ export function kindOf(block: Block): Kind {
   return kinds.find((kind) => kind.block === block) ?? kinds[0]
 }
 
+export type Pairs = readonly (readonly [Block, Block])[]
+
 /** The preserve relation: a wall beside a one-way platform keeps its edge. */
-export function keepsEdges(smaller: Block, greater: Block): boolean {
-  return greater === ONE_WAY && smaller < ONE_WAY
-}
+export const keptPairs: Pairs = [GROUND, ICE, STICKY].map((block) => [block, ONE_WAY])

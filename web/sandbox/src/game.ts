@@ -1,6 +1,7 @@
 // The ground, and the physics worlds over it: both, or one. Steps them all alike.
-import type { CellRect, World } from 'localgridseg'
+import type { CellRect } from 'localgridseg'
 import type { Start } from './bodies.js'
+import type { Document } from './documents.js'
 import { Ground, type GroundChange } from './ground.js'
 import { Mirror } from './mirror.js'
 import { cell } from './scale.js'
@@ -62,9 +63,9 @@ export class Game {
   }
 
   /** Another world. Marbles and a car start above it. */
-  open(world: World): void {
-    this.ground.open(world)
-    const cells = world.bounds() ?? { i0: 0, j0: 0, i1: 20, j1: 0 }
+  open(document: Document): void {
+    this.ground.open(document)
+    const cells = document.world.bounds() ?? { i0: 0, j0: 0, i1: 20, j1: 0 }
     this.#gate = { x: cells.i0 + 2, y: cells.j1 + 3, speed: 2, bottom: cells.j0 - 5 }
     this.#begin(ridersOver(cells))
   }

@@ -1,5 +1,6 @@
 // The ground: the one owner of the LocalGridSeg world. Everybody else hears of changes from here.
 import type { CellRect, Changes, LgsError, Mark, World } from 'localgridseg'
+import type { Document } from './documents.js'
 import { apply, cellsOf, type Edit, union } from './edit.js'
 
 /** What a commit or an undo did. The lists are valid while the listeners run. */
@@ -21,26 +22,34 @@ interface Stroke {
 const longestHistory = 200
 
 export class Ground {
-  world: World
   onChange: (change: GroundChange) => void = () => {}
   onRefusal: (message: string) => void = () => {}
   /** Before the first and after the last edit of a stroke, and of an undo. */
   onBegin: () => void = () => {}
   onEnd: () => void = () => {}
+  #document: Document
   #past: Stroke[] = []
   #future: Stroke[] = []
   #stroke: Stroke | null = null
   #pending: CellRect | null = null
   #editTime = 0
 
-  constructor(world: World) {
-    this.world = world
+  constructor(document: Document) {
+    this.#document = document
   }
 
-  /** Another document. The world must be committed. */
-  open(world: World): void {
+  get document(): Document {
+    return this.#document
+  }
+
+  get world(): World {
+    return this.#document.world
+  }
+
+  /** Another document. Its world must be committed. */
+  open(document: Document): void {
     this.world.free()
-    this.world = world
+    this.#document = document
     this.#past = []
     this.#future = []
     this.#stroke = null

@@ -1,4 +1,5 @@
 // The keyboard. Every control has its key; while the focus is in a control that uses a key, the control has it.
+import { kinds } from './blocks.js'
 import { choose, element } from './dom.js'
 import { resize, turn } from './palette.js'
 
@@ -52,7 +53,7 @@ function onKey(event: KeyboardEvent, actions: KeyActions, driving: Set<string>):
   else if (key === ']') resize(0.2)
   else if (key === 'r') turn()
   else if (tools[key] !== undefined) choose('tool', tools[key])
-  else if (/^[1-4]$/.test(key)) choose('block', key)
+  else if (/^[1-4]$/.test(key)) choose('block', String(kinds[Number(key) - 1].block))
   else if (buttons[key] !== undefined) element(buttons[key]).click()
   else return false
   return true

@@ -18,7 +18,7 @@ export function setUpPalette(onTool: () => void): void {
     settings.radius = Number(size.value)
     element('size-value').textContent = size.value
   })
-  for (const kind of kinds) addKind(kind.block, kind.name, kind.hint)
+  kinds.forEach((kind, k) => addKind(kind.block, kind.name, `${kind.hint} (${k + 1})`))
   tiles.forEach((tile, k) => addTile(k, tile.name))
   addTile(-1, 'Nothing: empties the cell')
   onClick('turn', turn)
@@ -54,7 +54,7 @@ function showGroups(): void {
 
 function addKind(block: number, name: string, hint: string): void {
   const label = document.createElement('label')
-  label.title = `${hint} (${block})`
+  label.title = hint
   label.innerHTML = `<input type="radio" name="block" value="${block}"${block === settings.block ? ' checked' : ''}><i class="chip" data-block="${block}"></i><span>${name}</span>`
   label.querySelector('input')!.addEventListener('change', () => {
     settings.block = block

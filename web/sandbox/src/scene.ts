@@ -1,7 +1,8 @@
 // The landscape that the page starts with, and who rolls on it.
-import { createWorld, type Region, type World } from 'localgridseg'
-import { GROUND, ICE, keepsEdges } from './blocks.js'
+import type { Region } from 'localgridseg'
+import { GROUND, ICE } from './blocks.js'
 import type { Start } from './bodies.js'
+import { type Document, newDocument } from './documents.js'
 import type { Gate } from './side.js'
 
 // The surface from left to right: x, y. Slopes are chosen so that they meet the grid in lattice points.
@@ -12,13 +13,14 @@ export const surface: readonly (readonly [number, number])[] = [
 export const width = 48
 export const height = 10
 
-export function makeLandscape(): World {
-  const world = createWorld({ preserve: keepsEdges })
+export function makeLandscape(): Document {
+  const document = newDocument()
+  const { world } = document
   world.paint(below(0, width, 9), GROUND)
   world.paint({ rings: [[-1, 0, 0, 0, 0, 10, -1, 10]] }, GROUND)
   world.paint(below(28, 35, 1), ICE, 'replace')
   world.commit()
-  return world
+  return document
 }
 
 // The ground between two columns, down to a depth below the surface or to the bottom.

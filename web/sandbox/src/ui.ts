@@ -1,7 +1,7 @@
 // The controls of the page that are not of a tool.
 import { Facts } from './facts.js'
 import { element, onClick, radios } from './dom.js'
-import { emptyWorld, openFiles, openTrace, traceText } from './documents.js'
+import { newDocument, openFiles, openTrace, traceText } from './documents.js'
 import type { Game, View } from './game.js'
 import type { Loop } from './loop.js'
 import { Recompute } from './recompute.js'
@@ -83,7 +83,7 @@ export class Ui {
     onClick('redo', () => this.#game.ground.redo())
     onClick('empty', () =>
       this.#show(() => {
-        this.#game.open(emptyWorld())
+        this.#game.open(newDocument())
         this.#game.removeRiders()
       }),
     )
@@ -133,16 +133,16 @@ export class Ui {
   async #open(files: readonly File[]): Promise<void> {
     if (files.length === 0) return
     await this.#try(async () => {
-      const world = await openFiles(files)
-      this.#show(() => this.#game.open(world))
-      const { polygons } = world.stats()
+      const document = await openFiles(files)
+      this.#show(() => this.#game.open(document))
+      const { polygons } = document.world.stats()
       this.#say(`${files[0].name}: ${polygons} polygons.`)
     })
   }
 
   async #share(): Promise<void> {
     await this.#try(async () => {
-      history.replaceState(null, '', await toHash(traceText(this.#game.ground.world)))
+      history.replaceState(null, '', await toHash(traceText(this.#game.ground.document)))
       const isCopied = await copied(location.href)
       this.#say(`The address of this page now holds the ground${isCopied ? ', and is copied' : ''}.`)
     })
@@ -151,7 +151,7 @@ export class Ui {
   // Browsers give the clipboard only to pages of localhost or https. Elsewhere the trace is a file.
   async #copyTrace(): Promise<void> {
     await this.#try(async () => {
-      const text = traceText(this.#game.ground.world)
+      const text = traceText(this.#game.ground.document)
       if (await copied(text)) return this.#say('The trace is copied. "lgs replay FILE --check" plays it.')
       download(text, 'ground.trace')
       this.#say('The trace is in the file ground.trace, since the clipboard is closed to this page.')
