@@ -47,7 +47,7 @@ function makeCar(physics: Physics, start: Start): Rider {
   const wheels = [place(-0.6, -0.35), place(0.6, -0.35)]
   const motors = wheels.map((wheel) => {
     wheel.createFixture(new Circle(wheelRadius), { density: 0.9, friction: 1.2 })
-    const options = { motorSpeed: 0, maxMotorTorque: 6 * cell ** 3, enableMotor: true, frequencyHz: 5, dampingRatio: 0.8 }
+    const options = { motorSpeed: 0, maxMotorTorque: 0.7 * cell ** 3, enableMotor: true, frequencyHz: 5, dampingRatio: 0.8 }
     return physics.createJoint(new WheelJoint(options, body, wheel, wheel.getPosition(), new Vec2(0, 1)))!
   })
   return { start, bodies: [body, ...wheels], motors, trail: [] }

@@ -14,6 +14,10 @@ interface Flash {
 export class Glow {
   #flashes: Flash[] = []
 
+  get isLit(): boolean {
+    return this.#flashes.length > 0
+  }
+
   /** Before the mirror follows the changes. */
   note(changes: Changes, mirror: Mirror): void {
     const since = performance.now()

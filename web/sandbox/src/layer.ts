@@ -21,6 +21,11 @@ export class GroundLayer {
     this.#whole = true
   }
 
+  /** Whether the bitmap shows something else than it should. */
+  isStale(camera: Camera): boolean {
+    return this.#whole || this.#dirty.length > 0 || this.#isElsewhere(camera)
+  }
+
   touch(cells: CellRect): void {
     this.#dirty.push(cells)
   }
@@ -33,8 +38,7 @@ export class GroundLayer {
       this.#ratio = ratio
       this.#whole = true
     }
-    const { x, y, scale } = this.#drawn
-    if (x !== camera.x || y !== camera.y || scale !== camera.scale) {
+    if (this.#isElsewhere(camera)) {
       this.#moved ||= performance.now()
       if (this.#cellsAt(camera.scale) < cheap || performance.now() - this.#moved > rest) this.#whole = true
     }
@@ -57,6 +61,10 @@ export class GroundLayer {
     const left = width / 2 + (this.#drawn.x - camera.x) * unit - (width / 2) * zoom
     const top = height / 2 - (this.#drawn.y - camera.y) * unit - (height / 2) * zoom
     context.drawImage(this.canvas, left, top, width * zoom, height * zoom)
+  }
+
+  #isElsewhere(camera: Camera): boolean {
+    return camera.x !== this.#drawn.x || camera.y !== this.#drawn.y || camera.scale !== this.#drawn.scale
   }
 
   #cellsAt(scale: number): number {

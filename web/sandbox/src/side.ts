@@ -29,6 +29,7 @@ export class Side {
   readonly kicks: KickMeter
   readonly #rules: Rules
   readonly #waiting: Rider[] = []
+  readonly #fallen = new Map<Rider, number>() // for how many steps a car has not been on its wheels
   #wait = 0
 
   constructor(world: World, mirror: Mirror, ghosts: boolean) {
@@ -59,6 +60,7 @@ export class Side {
   removeAll(): void {
     for (const rider of this.riders) removeRider(this.physics, rider)
     this.riders.length = 0
+    this.#fallen.clear()
     this.#waiting.length = 0
     this.kicks.reset()
   }
@@ -84,7 +86,21 @@ export class Side {
     this.physics.step(stepTime, 8, 3)
     this.#rules.afterStep()
     if (this.riders.length <= mostTrails) this.#noteTrails()
+    this.#turnCars()
     this.#bringBack(gate)
+  }
+
+  // A car that lies on its back or its side for a second is put on its wheels.
+  #turnCars(): void {
+    for (const rider of this.riders) {
+      if (rider.motors.length === 0) continue
+      const [body] = rider.bodies
+      const since = Math.cos(body.getAngle()) < 0.3 ? (this.#fallen.get(rider) ?? 0) + 1 : 0
+      this.#fallen.set(rider, since)
+      if (since < 60) continue
+      const at = this.terrain.point(body.getPosition())
+      place(rider, at.x, at.y + 1, 0)
+    }
   }
 
   #noteTrails(): void {

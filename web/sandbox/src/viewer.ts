@@ -9,7 +9,7 @@ import { Pane } from './pane.js'
 import { Pointer } from './pointer.js'
 import { height, width } from './scene.js'
 import { settings } from './settings.js'
-import { currentTool, polygonTool } from './tools/all.js'
+import { currentTool } from './tools/all.js'
 
 const readable = 15 // pixels per cell that the first view has at least
 
@@ -22,6 +22,7 @@ export class Viewer {
   readonly #camera: Camera
   readonly #panes = [new Pane(element('pane-0')), new Pane(element('pane-1'))]
   readonly #pointer: Pointer
+  #shown = ''
   readonly #inspector = element('inspector')
 
   constructor(game: Game, camera: Camera) {
@@ -60,13 +61,8 @@ export class Viewer {
     const { at } = this.#pointer.cursor
     const tool = currentTool()
     if (at === null || tool === null) return
-    if (settings.tool === 'polygon' && document.activeElement?.tagName !== 'CANVAS') return
     tool.down(this.#game, ...at)
     tool.up(this.#game)
-  }
-
-  closePolygon(): void {
-    polygonTool.close(this.#game)
   }
 
   draw(): void {
@@ -76,6 +72,7 @@ export class Viewer {
     const ratio = Math.min(2, devicePixelRatio)
     const { world } = this.#game.ground
     this.#game.ground.commit()
+    if (!this.#isNew(paneWidth, paneHeight, ratio)) return
     this.layer.update(world, this.#camera, paneWidth, paneHeight, ratio)
     const { at } = this.#pointer.cursor
     const selected = this.overlay && at !== null ? segmentAt(world, ...at, 0.6) : null
@@ -85,6 +82,15 @@ export class Viewer {
       game: this.#game, camera: this.#camera, layer: this.layer, glow: this.glow, overlay: this.overlay, selected, cursor: at, differences: this.differences,
     }
     this.#game.sides.forEach((side, k) => this.#panes[k].draw(side, scenery, paneWidth, paneHeight, ratio))
+  }
+
+  // While nothing moves nothing is drawn.
+  #isNew(paneWidth: number, paneHeight: number, ratio: number): boolean {
+    const sides = this.#game.sides.map((side) => [side.kicks.step, side.riders.length, side.ghosts])
+    const shown = JSON.stringify([sides, this.#pointer.cursor, settings, this.overlay, this.differences.length, paneWidth, paneHeight, ratio])
+    const isNew = shown !== this.#shown || this.glow.isLit || this.layer.isStale(this.#camera)
+    this.#shown = shown
+    return isNew
   }
 
   /** Where a point of the world is on the page, in the first pane. */

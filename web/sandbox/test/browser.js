@@ -14,9 +14,9 @@ export async function openBrowser() {
   const address = `http://localhost:${server.address().port}/`
   return {
     address,
-    /** Runs a test on a fresh page, whose clock stands still: sandbox.step() steps it. */
+    /** Runs a test on a page that is loaded anew. Its clock stands still: sandbox.step() steps it. */
     async onPage(test, { hash = '', ...context } = {}) {
-      const own = await browser.newContext({ viewport: { width: 1200, height: 760 }, permissions: ['clipboard-read', 'clipboard-write'], ...context })
+      const own = await browser.newContext({ viewport: { width: 1000, height: 700 }, permissions: ['clipboard-read', 'clipboard-write'], ...context })
       const page = await own.newPage()
       const wrong = []
       page.on('console', (message) => wrong.push(message.text()))

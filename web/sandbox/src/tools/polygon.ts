@@ -1,4 +1,4 @@
-// A free polygon: each click is a corner. A click on the first corner, or Enter, closes it.
+// A free polygon: each click is a corner. A click on the first corner, or once more on the last one, closes it.
 import type { Game } from '../game.js'
 import { settings } from '../settings.js'
 import type { Tool } from './tool.js'
@@ -9,8 +9,8 @@ export class PolygonTool implements Tool {
   #corners: [number, number][] = []
 
   down(game: Game, x: number, y: number): void {
-    const [first] = this.#corners
-    if (first !== undefined && Math.hypot(x - first[0], y - first[1]) < closeTo) this.close(game)
+    const ends = [this.#corners.at(0), this.#corners.at(-1)]
+    if (ends.some((end) => end !== undefined && Math.hypot(x - end[0], y - end[1]) < closeTo)) this.#close(game)
     else this.#corners.push([x, y])
   }
 
@@ -18,7 +18,7 @@ export class PolygonTool implements Tool {
 
   up(): void {}
 
-  close(game: Game): void {
+  #close(game: Game): void {
     const ring = this.#corners
     this.#corners = []
     if (ring.length < 3) return
