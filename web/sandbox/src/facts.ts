@@ -8,22 +8,19 @@ export class Facts {
   #commits = 0
   #editTime = 0
   #commitTime = 0
-  readonly #lately = { removed: 0, added: 0, relinked: 0 }
 
-  /** A new stroke begins: numbers are added up within one. */
+  /** A new stroke begins: times are means over its commits. */
   begin(): void {
     this.#commits = this.#editTime = this.#commitTime = 0
-    this.#lately.removed = this.#lately.added = this.#lately.relinked = 0
   }
 
   note({ changes, editTime, commitTime }: GroundChange): void {
     ++this.#commits
     this.#editTime += editTime
     this.#commitTime += commitTime
-    this.#lately.removed += changes.removed.length
-    this.#lately.added += changes.added.length
-    this.#lately.relinked += changes.relinked.length
-    for (const name of ['removed', 'added', 'relinked'] as const) element(name).textContent = `${this.#lately[name]} ${name}`
+    element('removed').textContent = `${changes.removed.length} removed`
+    element('added').textContent = `${changes.added.length} added`
+    element('relinked').textContent = `${changes.relinked.length} relinked`
     const mean = this.#commits > 1 ? `, mean of ${this.#commits}` : ''
     element('times').textContent = `edit ${this.#time(this.#editTime)}, commit ${this.#time(this.#commitTime)}${mean}`
   }

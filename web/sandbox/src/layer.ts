@@ -129,25 +129,48 @@ export class GroundLayer {
   }
 
   #drawPolygons(polygons: readonly Polygon[]): void {
-    const c = this.#context
-    const paths = new Map<number, Path2D>()
-    for (const { i, j, block, vertices } of polygons) {
-      const kind = kindOf(block).block
-      let path = paths.get(kind)
-      if (path === undefined) paths.set(kind, (path = new Path2D()))
-      path.moveTo(this.#px(i + vertices[0]), this.#py(j + vertices[1]))
-      for (let k = 2; k < vertices.length; k += 2) path.lineTo(this.#px(i + vertices[k]), this.#py(j + vertices[k + 1]))
-      path.closePath()
+    const byKind = new Map<number, Polygon[]>()
+    for (const polygon of polygons) {
+      const kind = kindOf(polygon.block).block
+      const same = byKind.get(kind)
+      if (same === undefined) byKind.set(kind, [polygon])
+      else same.push(polygon)
     }
-    for (const [kind, path] of paths) {
+    const c = this.#context
+    for (const [kind, same] of byKind) {
       c.fillStyle = c.strokeStyle = theme().special[kind] ?? theme().ground
-      c.fill(path)
-      c.lineWidth = 0.7 // no hairlines between kinds
-      c.stroke(path)
+      this.#fill(same)
       const pattern = patternOf(c, kind)
       if (pattern === null) continue
       c.fillStyle = pattern
-      c.fill(path)
+      c.strokeStyle = 'transparent'
+      this.#fill(same)
+    }
+  }
+
+  // Full cells are rectangles of whole pixels, which is fast and leaves no hairlines. A browser takes long for one path
+  // of many polygons, so the others are filled a few at a time.
+  #fill(polygons: readonly Polygon[]): void {
+    const c = this.#context
+    const others: Polygon[] = []
+    for (const polygon of polygons) {
+      if (isFull(polygon.vertices)) {
+        const [left, top] = [Math.round(this.#px(polygon.i)), Math.round(this.#py(polygon.j + 1))]
+        c.fillRect(left, top, Math.round(this.#px(polygon.i + 1)) - left, Math.round(this.#py(polygon.j)) - top)
+      } else {
+        others.push(polygon)
+      }
+    }
+    c.lineWidth = 0.7
+    for (let k = 0; k < others.length; k += 100) {
+      c.beginPath()
+      for (const { i, j, vertices } of others.slice(k, k + 100)) {
+        c.moveTo(this.#px(i + vertices[0]), this.#py(j + vertices[1]))
+        for (let n = 2; n < vertices.length; n += 2) c.lineTo(this.#px(i + vertices[n]), this.#py(j + vertices[n + 1]))
+        c.closePath()
+      }
+      c.fill()
+      c.stroke()
     }
   }
 
@@ -164,4 +187,8 @@ export class GroundLayer {
     c.lineWidth = Math.min(2, Math.max(0.75, unit / 14)) * (unit > 10 ? 1 : 0.7)
     c.stroke()
   }
+}
+
+function isFull(vertices: Float64Array): boolean {
+  return vertices.length === 8 && vertices.every((coordinate) => coordinate === 0 || coordinate === 1)
 }

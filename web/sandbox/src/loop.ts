@@ -3,6 +3,8 @@ import { stepTime } from './side.js'
 
 export class Loop {
   playing = true
+  /** Without it nothing happens, and nothing is drawn. */
+  running = true
   slow = false
   readonly #step: () => void
   readonly #draw: () => void
@@ -19,12 +21,12 @@ export class Loop {
   }
 
   #frame(now: number): void {
-    if (this.playing) {
+    if (this.playing && this.running) {
       this.#owed += Math.min(0.05, (now - this.#last) / 1000) * (this.slow ? 0.2 : 1)
       for (; this.#owed >= stepTime; this.#owed -= stepTime) this.#step()
     }
     this.#last = now
-    this.#draw()
+    if (this.running) this.#draw()
     this.start()
   }
 }

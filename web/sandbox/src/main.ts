@@ -5,6 +5,7 @@ import { element } from './dom.js'
 import { Game } from './game.js'
 import { listenToKeys } from './keys.js'
 import { Loop } from './loop.js'
+import { measure } from './measure.js'
 import { recolour, setUpPalette } from './palette.js'
 import { onThemeChange } from './theme.js'
 import { polygonTool } from './tools/all.js'
@@ -42,6 +43,9 @@ Object.assign(window, {
     step(count = 1): void {
       loop.playing = false
       for (let k = 0; k < count; ++k) game.step()
+    },
+    measure(frames: number) {
+      return measure(game, viewer, loop, frames)
     },
     kicks: () => game.sides.map((side) => side.kicks.count),
     toPage: (x: number, y: number) => viewer.toPage(x, y),

@@ -50,7 +50,7 @@ function drawDetails(c: CanvasRenderingContext2D, g: ArrayLike<number>, pixel: n
 function whisker(c: CanvasRenderingContext2D, x: number, y: number, ghostX: number, ghostY: number, pixel: number): void {
   if (Number.isNaN(ghostX)) return
   const length = Math.hypot(ghostX - x, ghostY - y)
-  const part = Math.min(1, (11 * pixel) / length)
+  const part = Math.min(0.28, (14 * pixel) / length)
   const [ex, ey] = [x + (ghostX - x) * part, y + (ghostY - y) * part]
   c.beginPath()
   c.moveTo(x, y)

@@ -1,5 +1,5 @@
 // One physics world over the ground: with ghost vertices, or without.
-import { World as Physics } from 'planck'
+import { World as Physics, Settings } from 'planck'
 import type { Changes, World } from 'localgridseg'
 import { PlanckTerrain } from 'localgridseg/planck'
 import { kindOf } from './blocks.js'
@@ -10,6 +10,12 @@ import { Rules } from './rules.js'
 import { cell, gravity } from './scale.js'
 
 export const stepTime = 1 / 60
+
+// planck's settings are for metres. The bodies here are a quarter of that. No body moves farther in a step than the
+// radius of the smallest one, so nothing can pass through the ground, and no step needs to look for the time of impact.
+Settings.aabbExtension = 0.02
+Settings.maxTranslation = 0.07
+
 const mostTrails = 40 // riders: a crowd leaves no trails
 const trailSteps = 60
 
@@ -33,6 +39,7 @@ export class Side {
   #wait = 0
 
   constructor(world: World, mirror: Mirror, ghosts: boolean) {
+    this.physics.setContinuousPhysics(false)
     const material = (block: number) => ({ friction: kindOf(block).friction })
     this.terrain = new PlanckTerrain(this.physics, world, { cellSize: cell, ghosts, material })
     this.#rules = new Rules(this.physics, this.terrain, mirror) // before the meter: it must know which contacts are switched off

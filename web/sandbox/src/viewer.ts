@@ -11,7 +11,7 @@ import { height, width } from './scene.js'
 import { settings } from './settings.js'
 import { currentTool } from './tools/all.js'
 
-const readable = 15 // pixels per cell that the first view has at least
+const readable = 20 // pixels per cell that the first view has at least
 
 export class Viewer {
   readonly layer = new GroundLayer()
@@ -23,6 +23,7 @@ export class Viewer {
   readonly #panes = [new Pane(element('pane-0')), new Pane(element('pane-1'))]
   readonly #pointer: Pointer
   #shown = ''
+  #size = { width: 0, height: 0 }
   readonly #inspector = element('inspector')
 
   constructor(game: Game, camera: Camera) {
@@ -30,6 +31,9 @@ export class Viewer {
     this.#camera = camera
     this.#pointer = new Pointer(game, camera)
     for (const pane of this.#panes) this.#pointer.listen(pane.canvas)
+    new ResizeObserver(([{ contentRect }]) => {
+      this.#size = { width: Math.round(contentRect.width), height: Math.round(contentRect.height) }
+    }).observe(this.#panes[0].canvas)
     this.showSides()
   }
 
@@ -66,8 +70,7 @@ export class Viewer {
   }
 
   draw(): void {
-    const box = this.#panes[0].canvas.getBoundingClientRect()
-    const [paneWidth, paneHeight] = [Math.round(box.width), Math.round(box.height)]
+    const { width: paneWidth, height: paneHeight } = this.#size
     if (paneWidth === 0 || paneHeight === 0) return
     const ratio = Math.min(2, devicePixelRatio)
     const { world } = this.#game.ground
