@@ -1,6 +1,9 @@
 // Terrain for planck: the outline of a world as static edges with ghost vertices, kept up to date there.
 // Each segment is one fixture. It is on the body of its chunk of cells. docs/box2d.md tells the same story for Box2D.
-import { type Body, EdgeShape, type Fixture, type FixtureOpt, type Vec2Value, type World as Physics } from 'planck'
+// planck's edges push to both sides. Here they are one-sided, as in Box2D: what comes from the solid's side passes.
+import {
+  type Body, type Contact, EdgeShape, type Fixture, type FixtureOpt, type Vec2Value, WorldManifold, type World as Physics,
+} from 'planck'
 import type { Block, Changes, Hit, SegmentId, SegmentList, World } from './types.js'
 
 export type Material = Pick<
@@ -40,6 +43,8 @@ export class PlanckTerrain {
   readonly #chunks = new Map<string, Chunk>()
   readonly #chunkOf = new Map<Body, Chunk>()
   readonly #fixtures: (Fixture | null)[] = [] // by segment id
+  readonly #manifold = new WorldManifold()
+  readonly #listener = (contact: Contact): void => this.#letPass(contact)
   #ghosts: boolean
   #version: bigint
 
@@ -54,6 +59,7 @@ export class PlanckTerrain {
     this.#ghosts = options.ghosts ?? true
     this.#version = world.version
     this.#create(world.segments())
+    physics.on('pre-solve', this.#listener)
   }
 
   /** What a commit or a roll-back did, each once and in order. Not during a step of the physics world. */
@@ -82,6 +88,7 @@ export class PlanckTerrain {
   destroy(): void {
     this.#clear()
     this.#version = -1n
+    this.#physics.off('pre-solve', this.#listener)
   }
 
   get ghosts(): boolean {
@@ -117,6 +124,17 @@ export class PlanckTerrain {
 
   point(position: Vec2Value): Vec2Value {
     return { x: position.x / this.cellSize + this.#origin.i, y: position.y / this.cellSize + this.#origin.j }
+  }
+
+  // Switches a contact off that would push into the solid.
+  #letPass(contact: Contact): void {
+    const isA = this.segment(contact.getFixtureA()) !== 0
+    const fixture = isA ? contact.getFixtureA() : contact.getFixtureB()
+    if (!isA && this.segment(fixture) === 0) return
+    const { m_vertex1: start, m_vertex2: end } = fixture.getShape() as EdgeShape
+    const { normal } = contact.getWorldManifold(this.#manifold)!
+    const outward = (end.y - start.y) * normal.x - (end.x - start.x) * normal.y
+    if (isA ? outward < 0 : outward > 0) contact.setEnabled(false)
   }
 
   #create(segments: SegmentList): void {

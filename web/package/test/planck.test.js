@@ -3,7 +3,7 @@ import assert from 'node:assert/strict'
 import { readFile } from 'node:fs/promises'
 import { before, test } from 'node:test'
 import { Box, Circle, World as Physics } from 'planck'
-import { circle, createWorld, init, unitSquare } from '../dist/index.js'
+import { circle, createWorld, init, rectangle, unitSquare } from '../dist/index.js'
 import { PlanckTerrain } from '../dist/planck.js'
 import { parseTrace, TracePlayer } from '../dist/trace.js'
 import { ride, Surface } from './ride.js'
@@ -161,6 +161,20 @@ test('a body that sleeps wakes up when the ground below it goes, or changes', ()
   assert.equal(ball.isAwake(), true)
   for (let k = 0; k < 60; ++k) physics.step(1 / 60)
   assert.ok(ball.getPosition().y < 0)
+  world.free()
+})
+
+test('edges are one-sided: a body inside the ground falls out of it, and one on a thin roof is carried', () => {
+  const world = floor(8)
+  world.paint(rectangle(4, 3, 1, 0, 3, 0.005), 1)
+  world.commit()
+  const physics = new Physics({ gravity })
+  new PlanckTerrain(physics, world)
+  const bodies = [[2, 0.5], [6, 3.3]].map(([x, y]) => physics.createBody({ type: 'dynamic', position: { x, y } }))
+  for (const body of bodies) body.createFixture(new Circle(0.3), { density: 1 })
+  for (let k = 0; k < 120; ++k) physics.step(1 / 60)
+  assert.ok(bodies[0].getPosition().y < -1)
+  assert.ok(Math.abs(bodies[1].getPosition().y - 3.3) < 0.02)
   world.free()
 })
 

@@ -1,5 +1,5 @@
 // The load that the frame times are measured with: 500 bodies on 300 x 100 cells, dug at every frame.
-import { circle } from 'localgridseg'
+import { circle, type Region } from 'localgridseg'
 import { GROUND } from './blocks.js'
 import { newDocument } from './documents.js'
 import type { Game } from './game.js'
@@ -26,7 +26,7 @@ export async function measure(game: Game, viewer: Viewer, loop: Loop, frames: nu
   game.ground.begin()
   for (let k = 0; k < frames; ++k) {
     const begin = performance.now()
-    game.ground.edit({ kind: 'carve', region: circle(10 + ((k * 37) % 280), 95 - (k % 8), 1.2, 24) })
+    game.ground.edit({ kind: 'carve', region: dig(k) })
     const edited = performance.now()
     game.step()
     const stepped = performance.now()
@@ -46,10 +46,20 @@ export async function measure(game: Game, viewer: Viewer, loop: Loop, frames: nu
   return { bodies: game.sides[0].riders.length, cells: world.stats().cells, segments: world.stats().segments, times }
 }
 
+// Each one is on the ground's surface, or in a hole that is there: so it changes what bodies lie on.
+function dig(k: number): Region {
+  const x = 5 + ((k * 29.03) % 290)
+  return circle(x, surface(x) - 0.3 - 0.8 * Math.floor(k / 180), 0.9, 24)
+}
+
+function surface(x: number): number {
+  return 94 + 3 * Math.sin(x / 9)
+}
+
 function fill(game: Game): void {
   const document = newDocument()
   const ring = [[0, 0], [300, 0]]
-  for (let x = 300; x >= 0; --x) ring.push([x, 94 + 3 * Math.sin(x / 9)])
+  for (let x = 300; x >= 0; --x) ring.push([x, surface(x)])
   document.world.paint({ rings: [ring as [number, number][]] }, GROUND)
   document.world.commit()
   game.open(document)

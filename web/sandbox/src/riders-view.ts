@@ -2,10 +2,12 @@
 import type { Body, Circle, Polygon } from 'planck'
 import type { Rider } from './bodies.js'
 import { type Kick, remembered } from './kicks.js'
+import { cell } from './scale.js'
 import type { Side } from './side.js'
 import { type Theme, theme, wantsCalm } from './theme.js'
 
 const flashes = 45 // steps
+const tiny = 3 // pixels
 
 /** The context's unit is a metre, y up. */
 export function drawRiders(c: CanvasRenderingContext2D, side: Side, pixel: number): void {
@@ -13,8 +15,17 @@ export function drawRiders(c: CanvasRenderingContext2D, side: Side, pixel: numbe
   for (const rider of side.riders) drawTrail(c, rider, colours, pixel)
   for (const rider of side.riders) {
     if (!rider.bodies[0].isActive()) continue
-    for (const body of rider.bodies) drawBody(c, body, rider, colours, pixel)
+    if (rider.start.size * cell < tiny * pixel) drawDot(c, rider, colours)
+    else for (const body of rider.bodies) drawBody(c, body, rider, colours, pixel)
   }
+}
+
+// From far away a rider is a square of its colour.
+function drawDot(c: CanvasRenderingContext2D, { bodies, start }: Rider, colours: Theme): void {
+  const { x, y } = bodies[0].getPosition()
+  const half = start.size * cell
+  c.fillStyle = colours.riders[start.colour % colours.riders.length]
+  c.fillRect(x - half, y - half, 2 * half, 2 * half)
 }
 
 // The path of the last second. Over good ground it is a smooth line.
