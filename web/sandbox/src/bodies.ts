@@ -33,6 +33,7 @@ export function makeRider(physics: Physics, start: Start): Rider {
   if (start.kind === 'marble') {
     body.createFixture(new Circle(start.size * cell), { density: 1, friction: 0.6 })
     body.setAngularVelocity(-start.speed / start.size)
+    body.setAngularDamping(0.4) // so that marbles in a hollow come to rest
   } else {
     body.createFixture(new Box(start.size * cell, start.size * cell), { density: 1, friction: 0.001 })
   }
