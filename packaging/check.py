@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that the packages agree with CMake: versions, components, options, targets and licence files.
+"""Checks that the packages and the header agree with CMake: versions, components, options, targets and licence files.
 
     packaging/check.py    # exit status 0: all agree; 1: what does not
 
@@ -48,6 +48,8 @@ def complaints():
     targets = set(re.findall(r"LocalGridSeg::(\w+)", text("packaging/vcpkg/usage")))
     dockets = set(re.findall(r"LICENSE\w*(?:\.md)?", portfile + text("packaging/conan/conanfile.py")))
     for what, is_so in [
+        ("lgs/version.h has the version of CMakeLists.txt",
+         f"kVersion{{{version.replace('.', ', ')}}};" in text("lib/include/lgs/version.h")),
         ("vcpkg.json has the version of CMakeLists.txt", port["version-semver"] == version),
         ("conanfile.py has the version of CMakeLists.txt", conan["version"] == version),
         ("debian/changelog has the version of CMakeLists.txt", debian == version),

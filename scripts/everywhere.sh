@@ -9,8 +9,9 @@
 #   scripts/everywhere.sh --list          # the names of the rows
 #
 # A row says: platform, compiler, options, the hash of all that the library gave out and whether it is the expected one,
-# warnings in lib/, how many tests passed, and the seconds that the program took. "Tests" are lgs_platform, those of the
-# C interface in C99, the example in C and the README's. Builds into build/everywhere/NAME, and logs there in log.txt.
+# whether the two files do the same, warnings in lib/, how many tests passed, and the seconds that the program took.
+# "Tests" are lgs_platform, those of the C interface in C99, the example in C, the README's, and for the two files
+# lgs_platform and a game. Builds into build/everywhere/NAME, and logs there in log.txt.
 # Exit status: 0: all alike; 1: a hash, a test or a build failed; 2: wrong usage.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -58,7 +59,7 @@ runner_of() {
   esac
 }
 
-row() { printf '| %-9s | %-20s | %-36s | %-36s | %-16s | %-9s | %8s | %5s | %7s |\n' "$@"; }
+row() { printf '| %-9s | %-20s | %-36s | %-36s | %-16s | %-9s | %-9s | %8s | %5s | %7s |\n' "$@"; }
 failed=0
 
 # run_row NAME PLATFORM COMPILER OPTIONS CMAKE-OPTIONS
@@ -70,7 +71,7 @@ run_row() {
   local tool
   for tool in "$compiler" "${runner[@]:0:1}"; do
     if ! command -v "$tool" >/dev/null; then
-      row "$name" "$platform" "$compiler" "$options" "$tool is missing" "" "" "" ""
+      row "$name" "$platform" "$compiler" "$options" "$tool is missing" "" "" "" "" ""
       ((strict)) && failed=1
       return
     fi
@@ -90,13 +91,13 @@ run_row() {
   version="$compiler $("$compiler" -dumpfullversion 2>/dev/null || "$compiler" -dumpversion)"
   if ! { cmake -S proptests/platform -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
            "-DCMAKE_CXX_FLAGS=$flags" "${arguments[@]}" && cmake --build "$build" --clean-first; } >"$log" 2>&1; then
-    row "$name" "$platform" "$version" "$options" 'does not build' no "" "" ""
+    row "$name" "$platform" "$version" "$options" 'does not build' no no "" "" ""
     failed=1
     return
   fi
-  local program warnings printed begin seconds hash same tests
+  local program warnings printed begin seconds hash same two_files tests
   program=$(find "$build" -maxdepth 1 -name 'lgs_platform*' -type f | head -n 1)
-  warnings=$(grep -c '/lib/.*warning:' "$log")
+  warnings=$(grep -cE '(^|/)(lib|two_files)/.*warning:' "$log")
   "${runner[@]}" "$program" >/dev/null 2>&1  # Wine makes itself at home first
   begin=$(date +%s%N)
   printed=$("${runner[@]}" "$program" 2>>"$log" | tr -d '\r')
@@ -111,7 +112,8 @@ run_row() {
   ctest --test-dir "$build" --output-on-failure >>"$log" 2>&1 || failed=1
   tests=$(sed -n 's/^\([0-9]*\)% tests passed, \([0-9]*\) tests failed out of \([0-9]*\)/\2 \3/p' "$log" | tail -n 1 |
           awk '{ print $2 - $1 "/" $2 }')
-  row "$name" "$platform" "$version" "$options" "${hash:-none}" "$same" "$warnings" "$tests" "$seconds"
+  if ctest --test-dir "$build" -R '^two_files' >/dev/null; then two_files=yes; else two_files=no; fi
+  row "$name" "$platform" "$version" "$options" "${hash:-none}" "$same" "$two_files" "$warnings" "$tests" "$seconds"
 }
 
 only=()
@@ -148,8 +150,8 @@ done
 
 if ((install)); then scripts/setup.sh "${packages[@]}" >&2 || exit 1; fi
 export WINEPREFIX=$PWD/build/everywhere/wine WINEDEBUG=-all
-row name platform compiler options hash same warnings tests seconds
-row --- --- --- --- --- --- ---: ---: ---:
+row name platform compiler options hash same "two files" warnings tests seconds
+row --- --- --- --- --- --- --- ---: ---: ---:
 while IFS='|' read -r name platform compiler options arguments; do
   [[ $name ]] || continue
   if ((${#only[@]})) && [[ " ${only[*]} " != *" $name "* ]]; then continue; fi

@@ -36,6 +36,9 @@ int refused(const lgs::Error& error) {
 }  // namespace
 
 int main() {
+  const lgs::Version version = lgs::version();
+  std::printf("LocalGridSeg %u.%u.%u\n", version.major, version.minor, version.patch);
+
   lgs::World world;
   const auto square = world.shape(lgs::kUnitSquare);
   if (!square) return refused(square.error());

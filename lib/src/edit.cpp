@@ -230,7 +230,7 @@ Expected<void> World::Impl::setBlock(PolygonHandle polygon, Block block) {
 }
 
 Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, Block block) {
-  if (lgs::isEmpty(cells)) return 0;
+  if (lgs::isEmpty(cells)) return std::uint64_t{0};
   for (const Cell corner : {cells.min, cells.max})
     if (!inRange(corner)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = corner});
   const detail::InternedShape* interned = catalogue.shape(shape);
@@ -280,7 +280,7 @@ Expected<std::uint64_t> World::Impl::fill(const CellRect& cells, ShapeId shape, 
 }
 
 Expected<std::uint64_t> World::Impl::clear(const CellRect& cells) {
-  if (lgs::isEmpty(cells)) return 0;
+  if (lgs::isEmpty(cells)) return std::uint64_t{0};
   for (const Cell corner : {cells.min, cells.max})
     if (!inRange(corner)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = corner});
   std::uint64_t count = 0;

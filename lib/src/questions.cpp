@@ -7,6 +7,7 @@
 #include <lgs/questions.h>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <tuple>
 

@@ -35,6 +35,7 @@ class LocalGridSeg(ConanFile):
     def requirements(self):
         self.requires("tl-expected/1.1.0", transitive_headers=True)
         if self.options.tiled:
+            self.requires("fast_float/6.1.0", visible=False)
             self.requires("nlohmann_json/3.11.3", visible=False)
             self.requires("pugixml/1.14")
             self.requires("zlib/[>=1.2.11 <2]")

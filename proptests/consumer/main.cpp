@@ -1,5 +1,6 @@
 // The smallest game: two blocks side by side, a hole dug, and the segments counted after each commit. Built against the
 // installed package (proptests/consumer) and as a subproject (proptests/subproject), without exceptions and RTTI.
+#include <lgs/version.h>
 #include <lgs/world.h>
 #include <cstdio>
 
@@ -16,6 +17,8 @@ void expect(bool condition, const char* what) {
 }  // namespace
 
 int main() {
+  expect(lgs::version() == lgs::kVersion, "the library to be that of the headers");
+
   lgs::World world;
   const auto square = world.shape(lgs::kUnitSquare);
   expect(square.has_value(), "the unit square to be a shape");

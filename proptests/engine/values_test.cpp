@@ -2,6 +2,7 @@
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
+#include <lgs/version.h>
 
 #include <cmath>
 #include <limits>
@@ -21,6 +22,13 @@ TEST(Values, AShapeIsTheSameByLatticePointsRealsAndInBraces) {
   const auto handle = world.add({}, {{0, 0}, {U, 0}, {U, U}}, 3);
   ASSERT_TRUE(handle);
   EXPECT_EQ(polygonsIn(world, {}), (std::vector<PolygonFields>{{*handle, 3, ramp()}}));
+}
+
+TEST(Values, VersionsAreThatOfTheHeadersAndAreOrdered) {
+  EXPECT_EQ(version(), kVersion);  // packaging/check.py compares it with CMake's
+  EXPECT_LT((Version{0, 2, 9}), (Version{0, 10, 0}));
+  EXPECT_LT((Version{0, 10, 0}), (Version{1, 0, 0}));
+  EXPECT_LT((Version{1, 0, 0}), (Version{1, 0, 1}));
 }
 
 TEST(Values, BoxesOfShapes) {

@@ -5,6 +5,7 @@
 #include "geometry/sort.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 #include <tuple>
 

@@ -1,6 +1,8 @@
 // Ids, errors and their sentences.
 #include "inside.h"
 
+#include <lgs/version.h>
+
 #include <cstdint>
 #include <string>
 
@@ -16,6 +18,7 @@ constexpr lgs_status statusOf(ErrorCode code) { return static_cast<lgs_status>(c
 constexpr lgs_status statusOf(SnapshotError::What what) { return kFirstOfSnapshots + static_cast<lgs_status>(what); }
 
 // Every number that both sides have is the same.
+static_assert(kVersion == Version{LGS_VERSION_MAJOR, LGS_VERSION_MINOR, LGS_VERSION_PATCH});
 static_assert(statusOf(ErrorCode::cellOutOfRange) == LGS_CELL_OUT_OF_RANGE);
 static_assert(statusOf(ErrorCode::emptyShape) == LGS_EMPTY_SHAPE);
 static_assert(statusOf(ErrorCode::tooFewVertices) == LGS_TOO_FEW_VERTICES);

@@ -31,8 +31,4 @@ tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const 
   return map;
 }
 
-tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options) {
-  return importMap(path, options, readFile, listFolder);
-}
-
 }  // namespace lgs::tiled

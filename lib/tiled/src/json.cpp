@@ -1,7 +1,6 @@
 #include "json.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -107,8 +106,9 @@ std::string JsonPlace::text(const char* key) const {
 }
 
 std::string numberText(double value) {
-  char digits[32];
-  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+  constexpr double kWholeUpTo = 0x1p53;
+  if (std::trunc(value) == value && std::abs(value) <= kWholeUpTo) return std::to_string(std::llround(value));
+  return Json(value).dump();  // the digits that give the same number again
 }
 
 std::optional<std::string> scalarText(const Json& value, const char* yes, const char* no) {

@@ -1,3 +1,4 @@
+// What there is of the disk in the importer.
 #include <lgs/tiled/import.h>
 
 #include <filesystem>
@@ -31,6 +32,10 @@ tl::expected<std::vector<std::string>, std::string> listFolder(const std::string
   }
   if (failed) return tl::unexpected(failed.message());
   return names;
+}
+
+tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options) {
+  return importMap(path, options, readFile, listFolder);
 }
 
 }  // namespace lgs::tiled

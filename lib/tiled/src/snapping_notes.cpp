@@ -1,7 +1,7 @@
 #include "snapping_notes.h"
 
 #include <cmath>
-#include <cstdio>
+#include <string>
 #include <utility>
 
 namespace lgs::tiled {
@@ -37,11 +37,12 @@ void noteSnapping(const CollisionObject& object, const Snapped& snapped, std::ve
 }
 
 std::string pixels(double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.2f", std::fmin(value, 1e9));
-  std::string result = text;
-  result.erase(result.find_last_not_of('0') + 1);
-  if (result.ends_with('.')) result.pop_back();
+  const auto hundredths = std::llround(std::fmin(value, 1e9) * 100);
+  std::string result = std::to_string(hundredths / 100);
+  if (const auto rest = hundredths % 100; rest != 0) {
+    result += rest < 10 ? ".0" : ".";
+    result += std::to_string(rest % 10 == 0 ? rest / 10 : rest);
+  }
   return result + " px";
 }
 

@@ -3,6 +3,7 @@
 #include "foreign.h"
 #include "json_elements.h"
 
+#include <fast_float/fast_float.h>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -20,19 +21,27 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-template <class Number>
-std::optional<Number> parseNumber(std::string_view text) {
-  text = trimmed(text);
-  if (text.starts_with('+')) text.remove_prefix(1);
-  Number value{};
+/// What std::from_chars() takes: no blanks around it, and no plus.
+std::string_view bare(std::string_view number) {
+  number = trimmed(number);
+  return number.starts_with('+') ? number.substr(1) : number;
+}
+
+std::optional<std::int64_t> parseInteger(std::string_view text) {
+  text = bare(text);
+  std::int64_t value = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (status != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   return value;
 }
 
+/// By fast_float, since std::from_chars() of LLVM's library reads no reals. A number too small for a double is 0.
 std::optional<double> parseReal(std::string_view text) {
-  const auto value = parseNumber<double>(text);
-  return value && std::isfinite(*value) ? value : std::nullopt;
+  text = bare(text);
+  double value = 0;
+  const auto [end, status] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+  if (status == std::errc::invalid_argument || end != text.data() + text.size()) return std::nullopt;
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 std::string describe(pugi::xml_node node) {
@@ -118,7 +127,7 @@ std::int64_t XmlFile::integer(pugi::xml_node node, const char* attribute, std::o
     if (!fallback) fail(node, std::string("has no attribute '") + attribute + "'");
     return fallback.value_or(min);
   }
-  const auto value = parseNumber<std::int64_t>(found.value());
+  const auto value = parseInteger(found.value());
   if (value && *value >= min && *value <= max) return *value;
   fail(node, std::string(attribute) + "=" + inQuotes(found.value()) + " should be a whole number from " +
                  std::to_string(min) + " to " + std::to_string(max));

@@ -1,28 +1,28 @@
-// Builds dist/: the modules by esbuild, their types by tsc, and lgs.wasm as CMake built it (cmake --build --preset web).
-//   node scripts/build.mjs [WASM]
+// Builds dist/: the modules by esbuild, their types by tsc, and the code of WebAssembly as CMake built it
+// (cmake --build --preset web).
 import { build } from 'esbuild'
 import { execFileSync } from 'node:child_process'
 import { copyFile, mkdir, readFile, rm } from 'node:fs/promises'
 import { fileURLToPath } from 'node:url'
 
 const root = fileURLToPath(new URL('..', import.meta.url))
-const wasm = process.argv[2] ?? `${root}/../../build/web/web/wasm/lgs.wasm`
+const built = `${root}/../../build/web/web/wasm`
 process.chdir(root)
 await rm('dist', { recursive: true, force: true })
 await mkdir('dist')
-await copyFile(wasm, 'dist/lgs.wasm')
+for (const name of ['lgs.wasm', 'lgs-full.wasm']) await copyFile(`${built}/${name}`, `dist/${name}`)
 
 /** The code of WebAssembly as text, in the place of src/wasm.ts. */
 const inlined = {
   name: 'inlined',
   setup({ onLoad }) {
     onLoad({ filter: /\/wasm\.ts$/ }, async () => ({
-      contents: `export const wasm = '${(await readFile(wasm)).toString('base64')}'`,
+      contents: `export const wasm = '${(await readFile(`${built}/lgs.wasm`)).toString('base64')}'`,
     }))
   },
 }
 await build({
-  entryPoints: ['index', 'inline', 'trace', 'draw', 'planck', 'box2d3'].map((name) => `src/${name}.ts`),
+  entryPoints: ['index', 'inline', 'full', 'trace', 'draw', 'planck', 'box2d3'].map((name) => `src/${name}.ts`),
   outdir: 'dist',
   format: 'esm',
   target: 'es2022',

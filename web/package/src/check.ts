@@ -10,13 +10,13 @@ export function bad(name: string, wanted: string, value: unknown): LgsError {
 
 /** A column or row of cells. */
 export function int32(name: string, value: number): number {
-  if ((value | 0) !== value) throw bad(name, 'a whole number of 32 bits', value)
+  if (typeof value !== 'number' || (value | 0) !== value) throw bad(name, 'a whole number of 32 bits', value)
   return value
 }
 
 /** A block, or the id of a shape or a segment. */
 export function uint32(name: string, value: number): number {
-  if (value >>> 0 !== value) throw bad(name, 'a whole number from 0 to 4294967295', value)
+  if (typeof value !== 'number' || value >>> 0 !== value) throw bad(name, 'a whole number from 0 to 4294967295', value)
   return value
 }
 

@@ -48,6 +48,14 @@ export interface Exports {
   circle(x: number, y: number, radius: number, corners: number): number
   rectangle(x: number, y: number, alongX: number, alongY: number, halfLength: number, halfWidth: number): number
   thickLine(points: number, radius: number, corners: number): number
+  /** Only lgs-full.wasm has it. */
+  importMap?(pathBytes: number, optionBytes: number): number
+}
+
+/** Where the importer finds files. */
+export interface Files {
+  read(path: string): Uint8Array | null
+  list(folder: string): string[]
 }
 
 type Preserve = (smaller: number, greater: number) => boolean
@@ -62,8 +70,15 @@ export class Engine {
   #ended: LgsError | null = null
 
   constructor(module: WebAssembly.Module) {
+    const closed = () => 8  // of WASI: "bad file number"
     const { exports } = new WebAssembly.Instance(module, {
-      lgs: { preserve: (relation: number, a: number, b: number) => this.#ask(relation, a >>> 0, b >>> 0) },
+      wasi_snapshot_preview1: { fd_close: closed, fd_seek: closed, fd_write: closed },  // nothing prints
+      lgs: {
+        preserve: (relation: number, a: number, b: number) => this.#ask(relation, a >>> 0, b >>> 0),
+        readFile: (path: number, length: number) => this.#give(raw, this.#files.read(this.#text(path, length))),
+        listFolder: (path: number, length: number) =>
+          this.#give(raw, new TextEncoder().encode(this.#files.list(this.#text(path, length)).join('\n'))),
+      },
     })
     const raw = exports as unknown as Exports
     this.#memory = raw.memory
@@ -111,6 +126,35 @@ export class Engine {
     const numbers = new Float64Array(this.buffer, this.call.failure(), 16)
     const text = new Uint8Array(this.buffer, numbers[14], numbers[15])
     return engineError(numbers, new TextDecoder().decode(text))
+  }
+
+  // --- Files, while a map is imported
+
+  #files: Files = { read: () => null, list: () => [] }
+
+  /** Imports with these files; nothing that they give out may throw. Returns the number of bytes of the answer. */
+  importMap(path: string, options: object, files: Files): number {
+    const call = this.call.importMap
+    if (!call) throw new LgsError('not-ready', "the importer is in 'localgridseg/full': await its init() first")
+    const name = new TextEncoder().encode(path), asked = new TextEncoder().encode(JSON.stringify(options))
+    const both = new Uint8Array(name.length + asked.length)
+    both.set(name)
+    both.set(asked, name.length)
+    this.putBytes(both)
+    this.#files = files
+    return call(name.length, asked.length)
+  }
+
+  #text(address: number, length: number): string {
+    return new TextDecoder().decode(new Uint8Array(this.buffer, address, length))
+  }
+
+  /** Writes bytes as an input, within a call. Returns their number, or -1 for none. */
+  #give(raw: Exports, bytes: Uint8Array | null): number {
+    if (!bytes) return -1
+    const address = raw.input(bytes.length)
+    new Uint8Array(this.buffer, address, bytes.length).set(bytes)
+    return bytes.length
   }
 
   // --- Relations

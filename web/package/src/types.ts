@@ -28,9 +28,9 @@ export interface WorldOptions {
    * Whether the edges between polygons of these two blocks stay. The smaller block comes first. It is asked once for
    * each pair. If it throws, the pair is cancelled, and the call in which that happened throws an LgsError.
    */
-  preserve?: (smaller: Block, greater: Block) => boolean
+  preserve?: ((smaller: Block, greater: Block) => boolean) | undefined
   /** Geometry in 'double' (Float64Array, exact; the default) or 'float' (Float32Array, rounded). */
-  precision?: 'double' | 'float'
+  precision?: 'double' | 'float' | undefined
 }
 
 /**
@@ -232,3 +232,52 @@ export interface World {
   free(): void
   [Symbol.dispose](): void
 }
+
+/** How to import a map; all optional. The options of `lgs import` have the same names. */
+export interface ImportOptions {
+  /** Pixels: a vertex that misses a grid line by so much is put on it. Default 1. */
+  tolerance?: number
+  /** What reaches out of its tile goes into the neighbouring cells (the default), or is cut off. */
+  outside?: 'carry' | 'clip'
+  /** A tile without collision shapes is a full square. */
+  solid?: boolean
+  /** The same for tiles with one of these properties: 'NAME' or 'NAME=VALUE'. */
+  solidIf?: readonly string[]
+  /** Where blocks come from. Default 'one': every polygon has block 1. */
+  block?: 'one' | 'class' | 'name' | 'layer'
+  /** The block of a class, name or layer; others get numbers of their own. */
+  numbers?: Readonly<Record<string, Block>>
+  /** Tile layers to import; all by default. */
+  layers?: readonly string[]
+  /** Object layers to import; by default those that say that they are solid. */
+  objects?: readonly string[]
+  /** Leave out what is hidden. */
+  visible?: boolean
+  /** Pixels: one-way polylines become polygons of this thickness. */
+  polylineThickness?: number
+}
+
+/** A map of Tiled or LDtk as polygons in cells. */
+export interface ImportedMap {
+  /** Distinct polygons: x, y, x, y, … from the lower left corner of a cell. */
+  readonly shapes: readonly Float64Array[]
+  /** i, j, index in `shapes`, block. */
+  readonly placements: Int32Array
+  /** For each placement: its tile, as an index in `tiles`, or -1; its object's id, or 0; its layer. */
+  readonly tile: Int32Array
+  readonly object: Uint32Array
+  readonly layer: Uint32Array
+  readonly tiles: readonly { readonly tileset: string; readonly id: number; readonly class: string }[]
+  readonly layers: readonly string[]
+  /** The block of each class, name or layer. */
+  readonly blocks: Readonly<Record<string, Block>>
+  /** If nothing came out: what in the map could be taken. */
+  readonly suggestions: readonly string[]
+  /** What came in, and what was left out or changed. */
+  readonly report: string
+  /** Places all polygons in a world, or none. Returns their ids, in the order of `placements`. */
+  place(world: World): Float64Array
+}
+
+/** The files of a map by their paths: what the map names is looked for by its path, and then by its name alone. */
+export type MapFiles = Readonly<Record<string, Uint8Array | string>>

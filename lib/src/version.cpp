@@ -1,0 +1,7 @@
+#include <lgs/version.h>
+
+namespace lgs {
+
+Version version() { return kVersion; }
+
+}  // namespace lgs

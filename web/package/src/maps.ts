@@ -1,0 +1,96 @@
+// Maps of Tiled and LDtk as polygons in cells.
+import { bad } from './check.js'
+import { engine } from './engine.js'
+import { LgsError } from './error.js'
+import type { Block, ImportedMap, ImportOptions, MapFiles, World } from './types.js'
+
+/** What lgs::web::importMap() tells, apart from the numbers. */
+interface Told {
+  error?: string
+  line?: number
+  shapes: number
+  placements: number
+  numbers: number
+  blocks: Record<string, Block>
+  tiles: { tileset: string; id: number; class: string }[]
+  layers: string[]
+  suggestions: string[]
+  report: string
+}
+
+const nameOf = (path: string) => path.slice(path.search(/[^/\\]*$/))
+const folderOf = (path: string) => path.slice(0, -nameOf(path).length - 1) || '.'
+
+/** Files given as an object, as the importer asks for them. */
+function lookup(files: MapFiles) {
+  const all = new Map(Object.entries(files))
+  const byName = new Map([...all].map(([path, content]) => [nameOf(path), content]))
+  return {
+    read(path: string) {
+      const content = all.get(path) ?? all.get(path.replace(/^\.\//, '')) ?? byName.get(nameOf(path))
+      if (content === undefined) return null
+      return typeof content === 'string' ? new TextEncoder().encode(content) : content
+    },
+    list: (folder: string) => [...all.keys()].filter((path) => folderOf(path) === folder).map(nameOf),
+  }
+}
+
+const kinds: Record<keyof ImportOptions, (v: unknown) => boolean> = {
+  tolerance: Number.isFinite, polylineThickness: Number.isFinite,
+  solid: (v) => typeof v === 'boolean', visible: (v) => typeof v === 'boolean',
+  outside: (v) => v === 'carry' || v === 'clip',
+  block: (v) => v === 'one' || v === 'class' || v === 'name' || v === 'layer',
+  solidIf: isTexts, layers: isTexts, objects: isTexts,
+  numbers: (v) => typeof v === 'object' && v !== null && Object.values(v).every((n) => typeof n === 'number' && n >>> 0 === n),
+}
+
+function isTexts(v: unknown): boolean {
+  return Array.isArray(v) && v.every((text) => typeof text === 'string')
+}
+
+function checked(options: ImportOptions): ImportOptions {
+  for (const [name, value] of Object.entries(options)) {
+    const isRight = kinds[name as keyof ImportOptions]
+    if (!isRight) throw bad('the option', `one of ${Object.keys(kinds).join(', ')}`, name)
+    if (value !== undefined && !isRight(value)) throw bad(`options.${name}`, 'what ImportOptions says', value)
+  }
+  return options
+}
+
+/**
+ * Imports a map of Tiled (.tmx, .tmj, .world) or LDtk. `files` must have it at `path`, and the files that it names.
+ * Throws an LgsError 'bad-map' that names the file, the line and what is wrong.
+ */
+export function importMap(path: string, files: MapFiles, options: ImportOptions = {}): ImportedMap {
+  if (typeof path !== 'string') throw bad('path', 'a string', path)
+  const e = engine()
+  const told = JSON.parse(
+    new TextDecoder().decode(e.answerBytes(e.importMap(path, checked(options), lookup(files))))) as Told
+  if (told.error !== undefined) throw new LgsError('bad-map', told.error, { line: told.line || null })
+
+  const numbers = e.answer(told.numbers)
+  const shapes: Float64Array[] = []
+  let next = 0
+  while (shapes.length < told.shapes) {
+    const end = next + 1 + 2 * numbers[next]!
+    shapes.push(numbers.slice(next + 1, end))
+    next = end
+  }
+  const count = told.placements
+  const placements = new Int32Array(4 * count), tile = new Int32Array(count), object = new Uint32Array(count)
+  const layer = new Uint32Array(count)
+  for (let k = 0; k < count; ++k, next += 7) {
+    for (let c = 0; c < 4; ++c) placements[4 * k + c] = numbers[next + c]!
+    tile[k] = numbers[next + 4]!
+    object[k] = numbers[next + 5]!
+    layer[k] = numbers[next + 6]!
+  }
+  const { blocks, tiles, layers, suggestions, report } = told
+  return { shapes, placements, tile, object, layer, tiles, layers, blocks, suggestions, report,
+    place: (world) => place(world, shapes, placements) }
+}
+
+function place(world: World, shapes: readonly Float64Array[], placements: Int32Array): Float64Array {
+  const ids = shapes.map((shape) => world.shape(shape))
+  return world.addMany(placements.map((value, k) => (k % 4 === 2 ? ids[value]! : value)))
+}

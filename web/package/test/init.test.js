@@ -1,0 +1,73 @@
+// The ways to start: the file beside the module, a URL, bytes, a module, and the package with everything in it.
+import assert from 'node:assert/strict'
+import { execFileSync } from 'node:child_process'
+import { readFileSync } from 'node:fs'
+import { createServer } from 'node:http'
+import { test } from 'node:test'
+import { fileURLToPath } from 'node:url'
+
+const wasm = fileURLToPath(import.meta.resolve('localgridseg/lgs.wasm'))
+/** Runs a module in a Node of its own, since each process starts once. Whatever it prints is an error. */
+const run = (text, ...options) =>
+  execFileSync(process.execPath, [...options, '--input-type=module', '-e', text],
+    { cwd: fileURLToPath(new URL('.', import.meta.url)), encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] })
+const game = `
+  const before = Object.keys(globalThis).length
+  const world = createWorld()
+  world.add(0, 0, world.shape(unitSquare), 1)
+  if (world.commit().added.length !== 4) throw new Error('no outline')
+  world.free()
+  if (Object.keys(globalThis).length !== before) throw new Error('a global')`
+const imports = `import { init, createWorld, unitSquare, LgsError } from 'localgridseg'; import { readFile } from 'node:fs/promises';`
+
+test('init() finds lgs.wasm, says nothing, and leaves no global', () => {
+  assert.equal(run(`${imports} await init(); await init(); ${game}`), '')
+})
+test('init({ bytes }), init({ module }), init({ url })', () => {
+  const file = JSON.stringify(wasm)
+  assert.equal(run(`${imports} await init({ bytes: await readFile(${file}) }); ${game}`), '')
+  assert.equal(run(`${imports} await init({ module: await WebAssembly.compile(await readFile(${file})) }); ${game}`), '')
+  assert.equal(run(`${imports} import { pathToFileURL } from 'node:url'; await init({ url: pathToFileURL(${file}) }); ${game}`), '')
+})
+test('init({ url }) by HTTP, whatever type the server says', async () => {
+  const server = createServer((request, response) => {
+    if (request.url === '/lgs.wasm') response.setHeader('content-type', 'text/plain').end(readFileSync(wasm))
+    else response.writeHead(404).end()
+  }).listen(0)
+  await new Promise((done) => server.once('listening', done))
+  const base = `http://localhost:${server.address().port}`
+  const { init, createWorld } = await import('localgridseg')
+  await assert.rejects(init({ url: `${base}/nothing` }), /404/)
+  await init({ url: `${base}/lgs.wasm` })
+  createWorld().free()
+  server.close()
+})
+test('inline: nothing to find', () => {
+  assert.equal(run(`import { init, createWorld, unitSquare } from 'localgridseg/inline'; await init(); ${game}`), '')
+})
+test('without init() a call says what to do', () => {
+  assert.equal(run(`${imports} try { createWorld(); throw 1 } catch (e) { if (e.code !== 'not-ready') throw e }`), '')
+})
+test('when memory runs out, every world says so, and init() starts the engine again', () => {
+  assert.equal(run(`${imports}
+    // The same module with at most 4 MiB: section 5 of the binary says how many pages of 64 KiB there are.
+    const whole = await readFile(${JSON.stringify(wasm)})
+    const at = whole.indexOf(Buffer.from([5, 3, 1, 0]))  // section, length, one memory, no maximum
+    if (at < 0) throw new Error('no memory section as it was expected')
+    const small = Buffer.concat([whole.subarray(0, at), Buffer.from([5, 4, 1, 1, whole[at + 4], 64]), whole.subarray(at + 5)])
+    await init({ bytes: small })
+    const code = (f) => { try { f(); return 'fine' } catch (e) { return e instanceof LgsError ? e.code : String(e) } }
+    const first = createWorld(), other = createWorld()
+    const shape = first.shape([0, 0, 1, 0, 0, 1])
+    const full = () => { first.fill({ i0: 0, j0: 0, i1: 999, j1: 999 }, shape, 1); first.commit() }
+    if (code(full) !== 'out-of-memory') throw new Error(code(full))
+    for (const f of [full, () => other.stats(), () => createWorld()])
+      if (code(f) !== 'out-of-memory') throw new Error('it goes on: ' + code(f))
+    first.free()
+    await init()
+    if (code(() => other.stats()) !== 'out-of-memory') throw new Error('an old world lives')
+    ${game}`), '')
+})
+test('the names are there when a server renders, without a window, and nothing starts by itself', () => {
+  assert.equal(run(`import * as all from 'localgridseg'; import * as draw from 'localgridseg/draw'; import * as trace from 'localgridseg/trace'; if (typeof window !== 'undefined') throw 1`), '')
+})
