@@ -10,7 +10,7 @@ await rm(here('dist'), { recursive: true, force: true })
 await mkdir(here('dist'))
 await build({
   absWorkingDir: here('.'),
-  entryPoints: ['src/main.ts', 'src/worker.ts'],
+  entryPoints: ['src/main.ts', 'src/worker.ts', 'src/import-worker.ts'],
   outdir: 'dist',
   bundle: true,
   format: 'esm',
@@ -19,7 +19,6 @@ await build({
   minify: true,
   sourcemap: false,
   legalComments: 'eof',
-  external: ['localgridseg/import'],
 })
 for (const file of ['index.html', 'style.css']) await copyFile(here(file), here(`dist/${file}`))
-await copyFile(require.resolve('localgridseg/lgs.wasm'), here('dist/lgs.wasm'))
+for (const file of ['lgs.wasm', 'lgs-full.wasm']) await copyFile(require.resolve(`localgridseg/${file}`), here(`dist/${file}`))

@@ -1,7 +1,9 @@
 // Opens what people drop onto the page: traces, saved worlds, maps of Tiled and LDtk.
 import { createWorld, loadWorld, type World } from 'localgridseg'
+import type { MapFiles } from 'localgridseg/full'
 import { parseTrace, preserveOf, traceOf, TracePlayer } from 'localgridseg/trace'
 import { keptPairs, type Pairs } from './blocks.js'
+import type { ImportAnswer, Imported } from './import-worker.js'
 
 /** A world, and the preserve relation that it was made with. */
 export interface Document {
@@ -10,10 +12,10 @@ export interface Document {
 }
 
 export async function openFiles(files: readonly File[]): Promise<Document> {
+  const map = files.find(({ name }) => /\.(tmx|tmj|json|ldtk|world)$/i.test(name))
+  if (map !== undefined) return openMap(map.name, files)
   const [first] = files
-  const name = first.name.toLowerCase()
-  if (/\.(tmx|tmj|json|ldtk|world)$/.test(name)) return { world: await openMap(files), preserve: [] }
-  if (name.endsWith('.lgs')) return { world: loadWorld(new Uint8Array(await first.arrayBuffer())), preserve: [] }
+  if (first.name.endsWith('.lgs')) return { world: loadWorld(new Uint8Array(await first.arrayBuffer())), preserve: [] }
   return openTrace(await first.text())
 }
 
@@ -41,13 +43,25 @@ export function traceText({ world, preserve }: Document): string {
   return traceOf(world, preserve)
 }
 
-// The importer is large, so it is loaded when it is needed.
-async function openMap(files: readonly File[]): Promise<World> {
-  let importer: typeof import('localgridseg/import')
-  try {
-    importer = await import('localgridseg/import')
-  } catch {
-    throw new Error('This build of the page has no importer of maps. Open a trace: "lgs import MAP -o FILE.trace" makes one.')
-  }
-  return importer.importMap(files, {})
+async function openMap(path: string, files: readonly File[]): Promise<Document> {
+  const contents = await Promise.all(files.map(async (file) => [file.name, new Uint8Array(await file.arrayBuffer())] as const))
+  const { shapes, placements, suggestions } = await importInWorker(path, Object.fromEntries(contents))
+  if (placements.length === 0) throw new Error(`${path}: nothing in it is solid. ${suggestions.join(' ')}`)
+  const document = newDocument([])
+  const ids = shapes.map((shape) => document.world.shape(shape))
+  document.world.addMany(placements.map((value, k) => (k % 4 === 2 ? ids[value] : value)))
+  document.world.commit()
+  return document
+}
+
+function importInWorker(path: string, files: MapFiles): Promise<Imported> {
+  const worker = new Worker(new URL('import-worker.js', import.meta.url), { type: 'module' })
+  return new Promise((resolve, reject) => {
+    worker.addEventListener('message', ({ data }: MessageEvent<ImportAnswer>) => {
+      worker.terminate()
+      if ('error' in data) reject(new Error(data.error))
+      else resolve(data)
+    })
+    worker.postMessage({ path, files })
+  })
 }

@@ -17,32 +17,31 @@ export interface Answer {
 
 export class Recompute {
   #worker: Worker | null = null
-  #answered: ((answer: Answer) => void) | null = null
+  #waiting = 0
+  #last: Promise<unknown> = Promise.resolve()
 
   get busy(): boolean {
-    return this.#answered !== null
+    return this.#waiting > 0
   }
 
-  /** While one is under way there is no other. */
-  run(world: World, compare: boolean): Promise<Answer> {
-    this.#worker ??= this.#start()
+  /** One after the other, each of the world as it is when its turn comes. */
+  async run(world: () => World, compare: boolean): Promise<Answer> {
+    ++this.#waiting
+    const answer = this.#last.then(() => this.#ask(world(), compare))
+    this.#last = answer
+    const result = await answer
+    --this.#waiting
+    return result
+  }
+
+  #ask(world: World, compare: boolean): Promise<Answer> {
+    const worker = (this.#worker ??= new Worker(new URL('worker.js', import.meta.url), { type: 'module' }))
     const polygons = pack(world)
-    const outline = compare ? outlineOf(world) : null
-    const question: Question = { polygons, outline }
-    this.#worker.postMessage(question, [polygons.buffer as ArrayBuffer])
+    const question: Question = { polygons, outline: compare ? outlineOf(world) : null }
     return new Promise((resolve) => {
-      this.#answered = resolve
+      worker.onmessage = ({ data }: MessageEvent<Answer>) => resolve(data)
+      worker.postMessage(question, [polygons.buffer as ArrayBuffer])
     })
-  }
-
-  #start(): Worker {
-    const worker = new Worker(new URL('worker.js', import.meta.url), { type: 'module' })
-    worker.addEventListener('message', (event: MessageEvent<Answer>) => {
-      const resolve = this.#answered!
-      this.#answered = null
-      resolve(event.data)
-    })
-    return worker
   }
 }
 

@@ -161,14 +161,15 @@ export class Ui {
   // The time of a full recompute, after an edit. It is not asked for more often than it is answered.
   async #time(): Promise<void> {
     if (this.#recompute.busy) return
-    const { time, error } = await this.#recompute.run(this.#game.ground.world, false)
+    const { time, error } = await this.#recompute.run(() => this.#game.ground.world, false)
     if (error === null) this.#facts.recomputed(time)
   }
 
   async #check(): Promise<void> {
-    if (this.#recompute.busy) return this.#say('A recompute is under way. Try again when it is done.')
-    this.#game.ground.commit()
-    const { time, differences, error } = await this.#recompute.run(this.#game.ground.world, true)
+    const { time, differences, error } = await this.#recompute.run(() => {
+      this.#game.ground.commit()
+      return this.#game.ground.world
+    }, true)
     if (error !== null) return this.#say(`polygon-clipping failed: ${error}`)
     this.#facts.recomputed(time)
     this.#viewer.differences = differences!

@@ -155,6 +155,20 @@ test('a trace is opened, copied, and dropped', () =>
     assert.equal(await outline(page), opened)
   }))
 
+const maps = new URL('../../../examples/maps/', import.meta.url).pathname
+
+test('maps of Tiled and LDtk are opened', () =>
+  browser.onPage(async (page) => {
+    for (const files of [['landscape.tmx', 'landscape.tsx'], ['cave.tmx', 'crate.tx'], ['quarry.ldtk']]) {
+      await page.locator('#file').setInputFiles(files.map((name) => maps + name))
+      await message(page, new RegExp(`${files[0]}: \\d\\d+ polygons`))
+      await page.locator('#check').click()
+      await message(page, /is that of the full recompute/)
+    }
+    await page.locator('#file').setInputFiles([`${maps}landscape.tmx`])
+    await message(page, /landscape\.tsx/)
+  }))
+
 test('a bad file is refused in words, and changes nothing', () =>
   browser.onPage(async (page) => {
     const before = await outline(page)
