@@ -1,5 +1,6 @@
 // The picture of the ground, kept as a bitmap of the size of a pane. An edit draws anew only the cells that it changed.
 import type { CellRect, Polygon, World } from 'localgridseg'
+import { chain } from 'localgridseg/draw'
 import { kindOf } from './blocks.js'
 import type { Camera } from './camera.js'
 import { patternOf, theme } from './theme.js'
@@ -176,14 +177,13 @@ export class GroundLayer {
 
   #drawOutline(world: World, cells: CellRect, unit: number): void {
     const c = this.#context
-    const { geometry, length } = world.segments(cells)
     c.beginPath()
-    for (let k = 0; k < 8 * length; k += 8) {
-      c.moveTo(this.#px(geometry[k]), this.#py(geometry[k + 1]))
-      c.lineTo(this.#px(geometry[k + 2]), this.#py(geometry[k + 3]))
+    for (const line of chain(world.segments(cells))) {
+      c.moveTo(this.#px(line[0]), this.#py(line[1]))
+      for (let k = 2; k < line.length; k += 2) c.lineTo(this.#px(line[k]), this.#py(line[k + 1]))
     }
     c.strokeStyle = theme().line
-    c.lineCap = 'round'
+    c.lineCap = c.lineJoin = 'round'
     c.lineWidth = Math.min(2, Math.max(0.75, unit / 14)) * (unit > 10 ? 1 : 0.7)
     c.stroke()
   }

@@ -4,6 +4,8 @@ import type { Game } from './game.js'
 import { currentTool } from './tools/all.js'
 import type { Tool } from './tools/tool.js'
 
+const slack = 5 // pixels that a finger may tremble
+
 export interface Cursor {
   /** In cells; null while no pointer is over a pane. */
   at: readonly [number, number] | null
@@ -20,6 +22,7 @@ export class Pointer {
   readonly #camera: Camera
   readonly #touches = new Map<number, Spot>()
   #using: Tool | null = null
+  #waiting: (() => void) | null = null // what a finger will do
   #panning = false
 
   constructor(game: Game, camera: Camera) {
@@ -49,6 +52,7 @@ export class Pointer {
     canvas.setPointerCapture(event.pointerId)
     this.#touches.set(event.pointerId, { x: event.clientX, y: event.clientY })
     if (this.#touches.size > 1) {
+      this.#waiting = null
       this.#stopUsing()
       return
     }
@@ -56,8 +60,17 @@ export class Pointer {
     const tool = currentTool()
     this.#panning = tool === null || event.button !== 0
     if (this.#panning) return
-    this.#using = tool
-    tool!.down(this.#game, x, y)
+    this.#waiting = () => {
+      this.#using = tool
+      tool!.down(this.#game, x, y)
+    }
+    if (event.pointerType !== 'touch') this.#begin()
+  }
+
+  // A finger uses the tool once it moves, or when it goes: until then a second one may come, to move the view.
+  #begin(): void {
+    this.#waiting?.()
+    this.#waiting = null
   }
 
   #move(canvas: HTMLCanvasElement, event: PointerEvent): void {
@@ -65,8 +78,12 @@ export class Pointer {
     const at = (this.cursor.at = this.#cellOf(canvas, event))
     if (touch === undefined) return
     if (this.#touches.size === 2) this.#pinch(canvas, touch, event)
+    else if (Math.hypot(event.clientX - touch.x, event.clientY - touch.y) < slack && this.#waiting !== null) return
     else if (this.#panning) this.#camera.pan(event.clientX - touch.x, event.clientY - touch.y)
-    else this.#using?.move(this.#game, ...at)
+    else {
+      this.#begin()
+      this.#using?.move(this.#game, ...at)
+    }
     touch.x = event.clientX
     touch.y = event.clientY
   }
@@ -83,6 +100,8 @@ export class Pointer {
 
   #up(event: PointerEvent): void {
     this.#touches.delete(event.pointerId)
+    if (event.type === 'pointerup') this.#begin()
+    this.#waiting = null
     this.#stopUsing()
     this.#panning = false
     if (event.pointerType === 'touch') this.cursor.at = null

@@ -104,7 +104,7 @@ function drawMark(c: CanvasRenderingContext2D, kick: Kick, strength: number, pix
   c.lineWidth = 2 * pixel
   c.beginPath()
   c.moveTo(kick.x, kick.y)
-  c.lineTo(kick.x, kick.y + (4 + 34 * kick.strength) * pixel)
+  c.lineTo(kick.x, kick.y + Math.min(60, 4 + 34 * kick.strength) * pixel)
   c.stroke()
 }
 

@@ -11,7 +11,7 @@ import { height, width } from './scene.js'
 import { settings } from './settings.js'
 import { currentTool } from './tools/all.js'
 
-const readable = 20 // pixels per cell that the first view has at least
+const readable = 14 // pixels per cell that the first view has at least
 
 export class Viewer {
   readonly layer = new GroundLayer()
