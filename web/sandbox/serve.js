@@ -6,12 +6,13 @@ import { extname } from 'node:path'
 const types = { '.html': 'text/html', '.css': 'text/css', '.js': 'text/javascript', '.wasm': 'application/wasm' }
 const root = new URL('dist/', import.meta.url)
 
-/** Listens on a port of localhost; 0 takes any that is free. */
-export async function serve(port) {
+/** Listens on a port of localhost; 0 takes any that is free. The page is in the folder. */
+export async function serve(port, folder = '/') {
   const server = createServer(async (request, response) => {
     const path = new URL(request.url, 'http://localhost').pathname
-    const file = new URL(`.${path.endsWith('/') ? `${path}index.html` : path}`, root)
     try {
+      if (!path.startsWith(folder)) throw new Error('outside')
+      const file = new URL(path.slice(folder.length) || 'index.html', root)
       if (!file.pathname.startsWith(root.pathname)) throw new Error('outside')
       const body = await readFile(file)
       response.writeHead(200, { 'content-type': types[extname(file.pathname)] ?? 'application/octet-stream' }).end(body)

@@ -8,27 +8,33 @@ const options = {
   args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
 }
 
+const folder = '/any/folder/' // the page works in any
+const permissions = ['clipboard-read', 'clipboard-write']
+
 export async function openBrowser() {
-  const server = await serve(0)
+  const server = await serve(0, folder)
   const browser = await chromium.launch(options)
-  const address = `http://localhost:${server.address().port}/`
+  const address = `http://localhost:${server.address().port}${folder}`
+  const wrong = []
+  const newPage = async (context) => {
+    const page = await (await browser.newContext({ viewport: { width: 1000, height: 700 }, permissions, ...context })).newPage()
+    page.on('console', (message) => wrong.push(message.text()))
+    page.on('pageerror', (error) => wrong.push(error.stack))
+    page.on('request', (request) => {
+      if (!request.url().startsWith(address) && !/^(about|blob|data):/.test(request.url())) wrong.push(`asks for ${request.url()}`)
+    })
+    return page
+  }
+  const usual = await newPage({})
   return {
-    address,
-    /** Runs a test on a page that is loaded anew. Its clock stands still: sandbox.step() steps it. */
-    async onPage(test, { hash = '', ...context } = {}) {
-      const own = await browser.newContext({ viewport: { width: 1000, height: 700 }, permissions: ['clipboard-read', 'clipboard-write'], ...context })
-      const page = await own.newPage()
-      const wrong = []
-      page.on('console', (message) => wrong.push(message.text()))
-      page.on('pageerror', (error) => wrong.push(error.stack))
-      page.on('request', (request) => {
-        if (!request.url().startsWith(address) && !/^(blob|data):/.test(request.url())) wrong.push(`asks for ${request.url()}`)
-      })
+    /** Runs a test on the page, loaded anew. Its clock stands still: sandbox.step() steps it. */
+    async onPage(test, { hash = '', context } = {}) {
+      const page = context === undefined ? usual : await newPage(context)
+      await page.goto('about:blank')
       await page.goto(address + hash)
       await page.waitForSelector('[data-ready]')
       await page.evaluate(() => window.sandbox.step(0))
       await test(page)
-      await own.close()
       assert.deepEqual(wrong, [])
     },
     async close() {

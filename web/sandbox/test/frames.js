@@ -28,7 +28,7 @@ try {
       console.log(`${'CPU of the main thread'.padEnd(26)} mean ${spent.toFixed(1)} ms a frame`)
       for (const [name, times] of Object.entries(result.times)) show(name, times)
     },
-    { viewport: { width: 1280, height: 800 } },
+    { context: { viewport: { width: 1280, height: 800 } } },
   )
 } finally {
   await browser.close()

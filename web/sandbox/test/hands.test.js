@@ -139,5 +139,5 @@ test('a phone, the dark, and no motion', () =>
       await page.touchscreen.tap(at.x, at.y)
       assert.notEqual(await outline(page), before)
     },
-    { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, colorScheme: 'dark', reducedMotion: 'reduce' },
+    { context: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, colorScheme: 'dark', reducedMotion: 'reduce' } },
   ))
