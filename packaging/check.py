@@ -14,7 +14,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 # Files that tell a game or a user which version to ask for.
 ASKING = ["README.md", "docs/packages.md", "debian/copyright", "examples/lgs_ctypes.py",
-          "proptests/consumer/CMakeLists.txt", "proptests/c/consumer/CMakeLists.txt"]
+          "proptests/consumer/CMakeLists.txt", "proptests/c/consumer/CMakeLists.txt", "lib/c/liblgs.map"]
 
 
 def text(name):
@@ -43,7 +43,7 @@ def complaints():
     version = re.search(r"project\(LocalGridSeg VERSION (\S+)", text("CMakeLists.txt"))[1]
     soversion = version if version[0] != "0" else version.rpartition(".")[0]
     asked = {found for name in ASKING
-             for found in re.findall(r"(?:LocalGridSeg |liblgs\.so\.|liblocalgridseg)(\d+\.\d+)", text(name))}
+             for found in re.findall(r"(?:LocalGridSeg |liblgs\.so\.|liblocalgridseg|LGS_)(\d+\.\d+)", text(name))}
     options = set(re.findall(r"option\((LGS_\w+)", text("CMakeLists.txt")))
     port, conan = json.loads(text("packaging/vcpkg/vcpkg.json")), conan_values()
     portfile = text("packaging/vcpkg/portfile.cmake")
