@@ -1,5 +1,5 @@
 // Opens what people drop onto the page: traces, saved worlds, maps of Tiled and LDtk.
-import { createWorld, loadWorld, type World } from 'localgridseg'
+import { createWorld, LgsError, loadWorld, type World, type WorldOptions } from 'localgridseg'
 import type { MapFiles } from 'localgridseg/full'
 import { parseTrace, preserveOf, traceOf, TracePlayer } from 'localgridseg/trace'
 import { keptPairs, type Pairs } from './blocks.js'
@@ -15,8 +15,18 @@ export async function openFiles(files: readonly File[]): Promise<Document> {
   const map = files.find(({ name }) => /\.(tmx|tmj|json|ldtk|world)$/i.test(name))
   if (map !== undefined) return openMap(map.name, files)
   const [first] = files
-  if (first.name.endsWith('.lgs')) return { world: loadWorld(new Uint8Array(await first.arrayBuffer())), preserve: [] }
+  if (first.name.endsWith('.lgs')) return openSaved(new Uint8Array(await first.arrayBuffer()))
   return openTrace(await first.text())
+}
+
+// The file does not hold the relation itself: it is none, or that of this page.
+function openSaved(bytes: Uint8Array): Document {
+  try {
+    return { world: loadWorld(bytes), preserve: [] }
+  } catch (error) {
+    if (!(error instanceof LgsError) || error.code !== 'relation') throw error
+    return { world: loadWorld(bytes, { preserve: relationOf(keptPairs) }), preserve: keptPairs }
+  }
 }
 
 /** A trace without a preserve relation gets that of one-way ground. */
@@ -36,7 +46,11 @@ export function openTrace(text: string): Document {
 }
 
 export function newDocument(preserve = keptPairs): Document {
-  return { world: createWorld({ preserve: preserveOf({ preserve, edits: [] }) }), preserve }
+  return { world: createWorld({ preserve: relationOf(preserve) }), preserve }
+}
+
+function relationOf(pairs: Pairs): WorldOptions['preserve'] {
+  return preserveOf({ preserve: pairs, edits: [] })
 }
 
 export function traceText({ world, preserve }: Document): string {

@@ -73,7 +73,7 @@ export function describe(segment: Segment): string {
   const link = (id: SegmentId) => (id === 0 ? 'none' : `${id}`)
   return [
     `Segment ${segment.id}   ${place(segment.start)} → ${place(segment.end)}`,
-    `cell (${segment.i}, ${segment.j})   block ${segment.block}, ${kindOf(segment.block).name.toLowerCase()}   owner: polygon ${segment.polygon}`,
+    `cell (${segment.i}, ${segment.j})   block ${segment.block} (${kindOf(segment.block).name.toLowerCase()})   owner: polygon ${segment.polygon}`,
     `predecessor ${link(segment.predecessor)}   ghost ${place(segment.ghost1)}`,
     `successor ${link(segment.successor)}   ghost ${place(segment.ghost2)}`,
   ].join('\n')

@@ -38,7 +38,9 @@ export class Pane {
   show(title: string | null): void {
     this.#section.hidden = title === null
     this.#section.style.display = title === null ? 'none' : ''
-    if (title !== null) this.#section.querySelector('h2')!.textContent = title
+    if (title === null) return
+    this.#section.querySelector('h2')!.textContent = title
+    this.canvas.ariaLabel = title
   }
 
   draw(side: Side, scenery: Scenery, width: number, height: number, ratio: number): void {

@@ -47,8 +47,6 @@ export class Pointer {
   }
 
   #down(canvas: HTMLCanvasElement, event: PointerEvent): void {
-    canvas.focus({ preventScroll: true })
-    event.preventDefault()
     canvas.setPointerCapture(event.pointerId)
     this.#touches.set(event.pointerId, { x: event.clientX, y: event.clientY })
     if (this.#touches.size > 1) {

@@ -9,6 +9,7 @@ import { copied, download, fromHash, toHash } from './share.js'
 import type { Viewer } from './viewer.js'
 
 const readFor = 5000 // milliseconds
+const longest = 60_000 // characters: longer addresses are cut on their way
 
 export class Ui {
   readonly #game: Game
@@ -142,7 +143,9 @@ export class Ui {
 
   async #share(): Promise<void> {
     await this.#try(async () => {
-      history.replaceState(null, '', await toHash(traceText(this.#game.ground.document)))
+      const hash = await toHash(traceText(this.#game.ground.document))
+      if (hash.length > longest) return this.#say('The ground is too large for an address. Copy the trace instead.')
+      history.replaceState(null, '', hash)
       const isCopied = await copied(location.href)
       this.#say(`The address of this page now holds the ground${isCopied ? ', and is copied' : ''}.`)
     })

@@ -48,6 +48,18 @@ test('maps of Tiled and LDtk are opened', () =>
     await message(page, /landscape\.tsx/)
   }))
 
+test('a saved world is opened', () =>
+  browser.onPage(async (page) => {
+    await page.locator('#file').setInputFiles({ name: 'two.trace', mimeType: 'text/plain', buffer: Buffer.from(trace) })
+    await message(page, /two\.trace/)
+    const opened = await outline(page)
+    const bytes = await page.evaluate(() => [...window.sandbox.game.ground.world.save()])
+    await page.locator('#landscape').click()
+    await page.locator('#file').setInputFiles({ name: 'two.lgs', mimeType: 'application/octet-stream', buffer: Buffer.from(bytes) })
+    await message(page, /two\.lgs: 2 polygons/)
+    assert.equal(await outline(page), opened)
+  }))
+
 test('a bad file is refused in words, and changes nothing', () =>
   browser.onPage(async (page) => {
     const before = await outline(page)
