@@ -17,7 +17,7 @@ class EngineWorld implements World {
   #world: number
   #relation: number
   #precision: 'double' | 'float'
-  #lists = 0  // how many lists were made: earlier ones are stale
+  readonly #made = { changes: 0, segments: 0 }  // how many lists: earlier ones are stale
 
   constructor(make: Maker, options: WorldOptions) {
     const { preserve, precision = 'double' } = options
@@ -117,18 +117,18 @@ class EngineWorld implements World {
 
   // --- Commits and going back
 
-  commit(): Changes { return changesOf(this.#listed(this.#call.commit(this.#live))) }
+  commit(): Changes { return changesOf(this.#listed('changes', this.#call.commit(this.#live))) }
   checkpoint(): Mark { return BigInt.asUintN(64, this.#call.checkpoint(this.#live)) }
   rollBack(mark: Mark): Changes {
-    return changesOf(this.#listed(this.#call.rollBack(this.#live, bits64('mark', mark))))
+    return changesOf(this.#listed('changes', this.#call.rollBack(this.#live, bits64('mark', mark))))
   }
   forget(mark: Mark): void { this.#orFail(this.#call.forget(this.#live, bits64('mark', mark)), 0) }
 
-  #listed(address: number) {
+  #listed(kind: 'changes' | 'segments', address: number) {
     this.#orFail(address, 0)
-    const number = ++this.#lists
+    const number = ++this.#made[kind]
     return {
-      engine: this.#engine, precision: this.#precision, isStale: () => this.#lists !== number,
+      engine: this.#engine, precision: this.#precision, isStale: () => this.#made[kind] !== number || this.#world === 0,
       header: new Uint32Array(this.#engine.buffer, address, headerWords).slice(),
     }
   }
@@ -137,9 +137,9 @@ class EngineWorld implements World {
 
   segments(cells?: CellRect): SegmentList {
     const world = this.#live
-    if (!cells) return listOf(this.#listed(this.#call.segments(world)))
+    if (!cells) return listOf(this.#listed('segments', this.#call.segments(world)))
     const { i0, j0, i1, j1 } = rect(cells)
-    return listOf(this.#listed(this.#call.segmentsIn(world, i0, j0, i1, j1)))
+    return listOf(this.#listed('segments', this.#call.segmentsIn(world, i0, j0, i1, j1)))
   }
   segment(id: SegmentId): Segment {
     this.#orFail(this.#call.segment(this.#live, uint32('id', id)), 0)
@@ -225,7 +225,6 @@ class EngineWorld implements World {
     if (this.#world === 0) return
     const world = this.#world
     this.#world = 0
-    ++this.#lists
     this.#engine.dropRelation(this.#relation)
     if (!this.#engine.ended) this.#call.free(world)
   }

@@ -9,6 +9,10 @@ import {
 import { init as initInline, createWorld as createInline } from 'localgridseg/inline'
 import { importMap, type ImportedMap, init as initFull } from 'localgridseg/full'
 import { TracePlayer, dump, parseTrace, preserveOf, traceOf, type Edit, type Trace } from 'localgridseg/trace'
+import { PlanckTerrain } from 'localgridseg/planck'
+import { Box2dTerrain, type Box2D, type ObjectId, type PhysicsId } from 'localgridseg/box2d3'
+import { OutlineLines, chain, type ChunkLines } from 'localgridseg/draw'
+import { World as Planck, type Fixture } from 'planck'
 
 export async function starts(module: WebAssembly.Module, bytes: Uint8Array<ArrayBuffer>): Promise<void> {
   await init()
@@ -155,4 +159,32 @@ export function maps(world: World): number {
   importMap('a.tmx', {}, { tolerances: 1 })
   const blocks: number[] = Object.values(map.blocks)
   return map.place(world).length + blocks.length + (map.tiles[0]?.id ?? 0)
+}
+
+export function physics(world: World, box2d: Box2D, id: PhysicsId, fixture: Fixture, shape: ObjectId): void {
+  const terrain = new PlanckTerrain(new Planck(), world, {
+    cellSize: 0.5, origin: { i: 3, j: 4 }, chunkCells: 8, material: (block) => ({ friction: block === 3 ? 0 : 0.5 }),
+  })
+  terrain.sync(world.commit())
+  const hit: Hit | null = terrain.hit(fixture)
+  const there: Fixture | null = terrain.fixture(terrain.segment(fixture))
+  terrain.ghosts = false
+  terrain.resync()
+  terrain.destroy()
+  // @ts-expect-error: a terrain is fed with changes
+  terrain.sync(world.segments())
+  // @ts-expect-error: no such option
+  new PlanckTerrain(new Planck(), world, { cells: 3 })
+  const other = new Box2dTerrain(box2d, id, world, { cellSize: 0.5 })
+  other.sync(world.commit())
+  const hits: (Hit | null)[] = [hit, other.hit(shape)]
+  // @ts-expect-error: planck's fixtures are not Box2D's
+  other.hit(fixture)
+  void [there, hits, other.position(0, 0).x, other.point({ x: 1, y: 2 }).y, terrain.position(1, 2)]
+}
+
+export function drawing(world: World): number {
+  const outline = new OutlineLines(world, 32)
+  const lines: ChunkLines[] = [...outline.all(), ...outline.update(world.commit())]
+  return lines.length + chain(world.segments()).length
 }
