@@ -35,7 +35,7 @@ export function makeRider(physics: Physics, start: Start): Rider {
     body.setAngularVelocity(-start.speed / start.size)
     body.setAngularDamping(0.4) // so that marbles in a hollow come to rest
   } else {
-    body.createFixture(new Box(start.size * cell, start.size * cell), { density: 1, friction: 0.001 })
+    body.createFixture(new Box(start.size * cell, start.size * cell), { density: 1, friction: 0.01 })
   }
   return { start, bodies: [body], motors: [], trail: [] }
 }

@@ -13,7 +13,9 @@ export const stepTime = 1 / 60
 
 // planck's settings are for metres. The bodies here are a quarter of that. No body moves farther in a step than the
 // radius of the smallest one, so nothing can pass through the ground, and no step needs to look for the time of impact.
-Settings.aabbExtension = 0.02
+Settings.aabbExtension = 0.01
+Settings.linearSleepTolerance = 0.025
+Settings.angularSleepTolerance = 0.1
 Settings.maxTranslation = 0.07
 
 const mostTrails = 40 // riders: a crowd leaves no trails
