@@ -80,10 +80,13 @@ function(lgs_link_first program)
 endfunction()
 
 # lgs_loads_a_library(<test>): for tests in which Python loads a library of this project. A library with the address
-# sanitizer needs the sanitizer's own library to be there first. What Python itself leaks is no finding.
+# sanitizer needs the sanitizer's own library to be there first. What Python itself leaks is no finding. The thread
+# sanitizer must be in the program itself.
 function(lgs_loads_a_library test)
   set_tests_properties(${test} PROPERTIES LABELS tools)
-  if(LGS_SANITIZE MATCHES "address")
+  if(LGS_SANITIZE MATCHES "thread")
+    set_tests_properties(${test} PROPERTIES DISABLED ON)
+  elseif(LGS_SANITIZE MATCHES "address")
     set(runtime libasan.so)
     if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
       set(runtime libclang_rt.asan-${CMAKE_SYSTEM_PROCESSOR}.so)

@@ -1,0 +1,159 @@
+// The terrain for box2d3-wasm: it follows every edit, wakes bodies, and knows what was hit.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { Box2dTerrain } from '../dist/box2d3.js'
+import { circle, createWorld, unitSquare } from '../dist/index.js'
+import { b2, floorOf, makeBody, makePhysics, ride, vec } from './box2d3.js'
+
+/** The edge of each segment in metres, ghost1, start, end, ghost2; and its friction. */
+function edgesOf(terrain, world) {
+  const edges = new Map()
+  for (const id of [...world.segments().id]) {
+    const shape = terrain.shape(id)
+    if (shape === null) continue
+    assert.equal(terrain.segment(shape), id)
+    const { ghost1, segment, ghost2 } = b2.b2Shape_GetChainSegment(shape)
+    const { x, y } = b2.b2Body_GetPosition(b2.b2Shape_GetBody(shape))
+    const points = [ghost1, segment.point1, segment.point2, ghost2].flatMap((p) => [p.x + x, p.y + y])
+    edges.set(id, [...points, b2.b2Shape_GetFriction(shape)])
+  }
+  return edges
+}
+
+function assertShows(terrain, world, options) {
+  const physics = makePhysics()
+  const edges = edgesOf(terrain, world)
+  assert.deepEqual(edges, edgesOf(new Box2dTerrain(b2, physics, world, options), world))
+  b2.b2DestroyWorld(physics)
+  return edges
+}
+
+const material = (block) => ({ friction: block / 4 })
+
+test('it follows commits and roll-backs: edges and ghosts are those of the world', () => {
+  const world = floorOf(20), physics = makePhysics(), options = { chunkCells: 4, material }
+  const terrain = new Box2dTerrain(b2, physics, world, options)
+  let random = 1
+  const next = (n) => (random = (random * 48271) % 2147483647) % n
+  const marks = []
+  for (let k = 0; k < 60; ++k) {
+    if (k % 10 === 0) marks.push(world.checkpoint())
+    const region = circle(next(20) + next(16) / 16, next(8) / 8, 0.3 + next(10) / 10)
+    if (next(2) === 0) world.carve(region)
+    else world.paint(region, 1 + next(3), 'replace')
+    terrain.sync(world.commit())
+    const edges = assertShows(terrain, world, options)
+    const { id, geometry: g, block } = world.segments()
+    id.forEach((segment, at) => {
+      const edge = edges.get(segment)
+      if (edge === undefined) return
+      assert.equal(edge[8], block[at] / 4)
+      const [x0, y0, x1, y1, gx1, gy1, gx2, gy2] = g.subarray(8 * at)
+      // Where a ghost is too near, another one takes its place.
+      const expected = [gx1, gy1, x0, y0, x1, y1, gx2, gy2]
+      if (Math.hypot(gx1 - x0, gy1 - y0) < 0.0055) expected.splice(0, 2, edge[0], edge[1])
+      if (Math.hypot(gx2 - x1, gy2 - y1) < 0.0055) expected.splice(6, 2, edge[6], edge[7])
+      expected.forEach((value, n) => assert.ok(Math.abs(edge[n] - value) < 1e-5))
+    })
+  }
+  while (marks.length > 0) {
+    terrain.sync(world.rollBack(marks.pop()))
+    assertShows(terrain, world, options)
+  }
+  b2.b2DestroyWorld(physics)
+  world.free()
+})
+
+test('segments shorter than the slop are left out, and ghosts are beyond them', () => {
+  const world = createWorld(), physics = makePhysics()
+  const tiny = 0.003
+  world.addPolygon(0, 0, [0, 0, 1, 0, 1, 1 - tiny, 1 - tiny, 1, 0, 1], 1)
+  world.commit()
+  const terrain = new Box2dTerrain(b2, physics, world)
+  const edges = assertShows(terrain, world)
+  assert.equal(edges.size, 4)
+  const top = [...edges.values()].find(([, , , , x, y]) => x === 0 && y === 1)
+  assert.deepEqual(top.slice(0, 2), [1, 0], 'the ghost of the top is the lower end of the right side')
+  // A change beyond the gap reaches the edge before it.
+  const square = world.shape(unitSquare)
+  for (const [i, j] of [[1, -1], [1, 0], [0, 1], [-1, 0], [0, -1]]) {
+    const polygon = world.add(i, j, square, 1)
+    terrain.sync(world.commit())
+    assertShows(terrain, world)
+    world.remove(polygon)
+    terrain.sync(world.commit())
+    assertShows(terrain, world)
+  }
+  b2.b2DestroyWorld(physics)
+  world.free()
+})
+
+test('under a preserve relation edges end where no other goes on: their ghosts are straight ahead', () => {
+  const world = createWorld({ preserve: () => true }), physics = makePhysics()
+  const square = world.shape(unitSquare)
+  world.add(0, 0, square, 1)
+  world.add(1, 0, square, 2)
+  world.commit()
+  const edges = assertShows(new Box2dTerrain(b2, physics, world), world)
+  assert.equal(edges.size, world.stats().segments)
+  for (const edge of edges.values()) assert.ok(edge.every(Number.isFinite))
+  b2.b2DestroyWorld(physics)
+  world.free()
+})
+
+test('changes that were left out are an error, and resync() repairs it', () => {
+  const world = floorOf(4), physics = makePhysics()
+  const terrain = new Box2dTerrain(b2, physics, world)
+  world.clear(1, 0)
+  world.commit()
+  world.clear(2, 0)
+  assert.throws(() => terrain.sync(world.commit()), /resync/)
+  terrain.resync()
+  assertShows(terrain, world)
+  terrain.sync(world.commit()) // nothing changed
+  terrain.destroy()
+  assert.equal(terrain.shape(world.segments().id[0]), null)
+  assert.equal(b2.b2World_GetCounters(physics).bodyCount, 0)
+  b2.b2DestroyWorld(physics)
+  world.free()
+})
+
+test('a body that sleeps wakes up when the ground below it goes, or appears at it', () => {
+  const world = floorOf(4), physics = makePhysics()
+  const terrain = new Box2dTerrain(b2, physics, world)
+  const ball = makeBody(physics, { ball: 0.6, x: 1.5, y: 1.6, friction: 0.5, sleeps: true })
+  const fallsAsleep = () => {
+    ride(physics, ball, 240)
+    assert.equal(b2.b2Body_IsAwake(ball), false)
+  }
+  fallsAsleep()
+  const above = world.add(1, 2, world.shape(unitSquare), 1) // no edge that the ball touched changes
+  terrain.sync(world.commit())
+  assert.equal(b2.b2Body_IsAwake(ball), true)
+  world.remove(above)
+  terrain.sync(world.commit())
+  fallsAsleep()
+  world.clear({ i0: 0, j0: 0, i1: 2, j1: 0 })
+  terrain.sync(world.commit())
+  assert.equal(b2.b2Body_IsAwake(ball), true)
+  assert.ok(ride(physics, ball, 60).at(-1)[1] < 0)
+  b2.b2DestroyWorld(physics)
+  world.free()
+})
+
+test('which tile was hit', () => {
+  const world = floorOf(4), physics = makePhysics()
+  const terrain = new Box2dTerrain(b2, physics, world)
+  const ray = b2.b2World_CastRayClosest(physics, vec(2.5, 3), vec(0, -6), b2.b2DefaultQueryFilter())
+  const { i, j, block } = terrain.hit(ray.shapeId)
+  assert.deepEqual([i, j, block], [2, 0, 1])
+  const ball = makeBody(physics, { ball: 0.3, x: 9, y: 9 })
+  const [other] = b2.b2Body_GetShapes(ball, 1)
+  assert.equal(terrain.hit(other), null)
+  const gone = ray.shapeId
+  world.clear(2, 0)
+  terrain.sync(world.commit())
+  assert.equal(terrain.segment(gone), 0)
+  b2.b2DestroyWorld(physics)
+  world.free()
+})
