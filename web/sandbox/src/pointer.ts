@@ -102,7 +102,7 @@ export class Pointer {
     this.#waiting = null
     this.#stopUsing()
     this.#panning = false
-    if (event.pointerType === 'touch') this.cursor.at = null
+    if (event.pointerType === 'touch' && currentTool() !== null) this.cursor.at = null // a tap of the hand looks at a segment
   }
 
   #stopUsing(): void {

@@ -78,6 +78,11 @@ test('share puts the ground into the address, and the address opens it', async (
     await message(page, /address/)
     hash = new URL(page.url()).hash
     assert.ok(hash.length < 8000, `${hash.length} characters`)
+    await page.locator('#empty').click()
+    await page.evaluate(() => history.replaceState(null, '', '#'))
+    await page.evaluate((hash) => (location.hash = hash), hash)
+    await page.waitForFunction(() => window.sandbox.game.ground.world.bounds() !== null)
+    assert.equal(await outline(page), shared)
   })
   await browser.onPage(async (page) => assert.equal(await outline(page), shared), { hash })
   await browser.onPage((page) => message(page, /./), { hash: '#trace=damaged' })
