@@ -2,7 +2,14 @@
 // Each segment is one fixture. It is on the body of its chunk of cells. docs/box2d.md tells the same story for Box2D.
 // planck's edges push to both sides. Here they are one-sided, as in Box2D: what comes from the solid's side passes.
 import {
-  type Body, type Contact, EdgeShape, type Fixture, type FixtureOpt, type Vec2Value, WorldManifold, type World as Physics,
+  type Body,
+  type Contact,
+  EdgeShape,
+  type Fixture,
+  type FixtureOpt,
+  type Vec2Value,
+  WorldManifold,
+  type World as Physics,
 } from 'planck'
 import type { Block, Changes, Hit, SegmentId, SegmentList, World } from './types.js'
 

@@ -15,7 +15,11 @@ export class Surface {
     const { geometry: g, cell, length } = world.segments()
     for (let k = 0; k < length; ++k) {
       const at = 8 * k
-      const facet = { start: [g[at], g[at + 1]], end: [g[at + 2], g[at + 3]], normal: normalOf(g[at], g[at + 1], g[at + 2], g[at + 3]) }
+      const facet = {
+        start: [g[at], g[at + 1]],
+        end: [g[at + 2], g[at + 3]],
+        normal: normalOf(g[at], g[at + 1], g[at + 2], g[at + 3]),
+      }
       facet.next = normalOf(g[at + 2], g[at + 3], g[at + 6], g[at + 7])
       facet.convex = cross(facet.normal, facet.next) > 0
       const key = `${cell[2 * k]} ${cell[2 * k + 1]}`
@@ -32,7 +36,8 @@ export class Surface {
           if (distance(f, x, y) > near) continue
           if (isAlong(f.normal, normal, tolerance)) return true
           if (!f.convex || Math.hypot(x - f.end[0], y - f.end[1]) > near) continue
-          if (isAlong(f.next, normal, tolerance) || (cross(f.normal, normal) > 0 && cross(normal, f.next) > 0)) return true
+          if (isAlong(f.next, normal, tolerance) || (cross(f.normal, normal) > 0 && cross(normal, f.next) > 0))
+            return true
         }
       }
     }
@@ -61,7 +66,11 @@ export function ride(physics, surface, body, { steps, drive = 0 }) {
   let kicks = 0
   let kicked = false
   for (let step = 0; step < steps; ++step) {
-    if (drive !== 0) body.applyForceToCenter({ x: body.getMass() * Math.min(10, Math.max(-10, 60 * (drive - body.getLinearVelocity().x))), y: 0 }, true)
+    if (drive !== 0)
+      body.applyForceToCenter(
+        { x: body.getMass() * Math.min(10, Math.max(-10, 60 * (drive - body.getLinearVelocity().x))), y: 0 },
+        true,
+      )
     odd.clear()
     strongest = 0
     physics.step(1 / 60, 8, 3)

@@ -70,7 +70,9 @@ export class KickMeter {
   // Where a contact pushes is known before the solver moves the bodies.
   #look(contact: Contact): void {
     const isA = this.#terrain.segment(contact.getFixtureA()) !== 0
-    const [ground, mover] = isA ? [contact.getFixtureA(), contact.getFixtureB()] : [contact.getFixtureB(), contact.getFixtureA()]
+    const [ground, mover] = isA
+      ? [contact.getFixtureA(), contact.getFixtureB()]
+      : [contact.getFixtureB(), contact.getFixtureA()]
     const segment = this.#terrain.segment(ground)
     this.#odd.delete(contact)
     if (segment === 0 || !contact.isEnabled()) return
@@ -78,7 +80,8 @@ export class KickMeter {
     const normal = isA ? manifold.normal : { x: -manifold.normal.x, y: -manifold.normal.y }
     this.#tolerance = mover.getType() === 'circle' ? circleTolerance : polygonTolerance
     if (this.#isAlong(this.#sideOf(segment).normal, normal)) return
-    if (!this.#faces(manifold.points[0], normal)) this.#odd.set(contact, { x: manifold.points[0].x, y: manifold.points[0].y })
+    if (!this.#faces(manifold.points[0], normal))
+      this.#odd.set(contact, { x: manifold.points[0].x, y: manifold.points[0].y })
   }
 
   // How hard it pushes is known afterwards. Pushes in several steps in a row are one kick.
@@ -87,7 +90,8 @@ export class KickMeter {
     if (point === undefined) return
     const isA = this.#terrain.segment(contact.getFixtureA()) !== 0
     const fixture = isA ? contact.getFixtureB() : contact.getFixtureA()
-    const strength = Math.max(...impulse.normalImpulses.slice(0, contact.getManifold().pointCount)) / fixture.getBody().getMass()
+    const strength =
+      Math.max(...impulse.normalImpulses.slice(0, contact.getManifold().pointCount)) / fixture.getBody().getMass()
     if (strength < leastKick) return
     this.hardest = Math.max(this.hardest, strength)
     if (this.#kicked.get(fixture) !== this.#step && this.#kicked.get(fixture) !== this.#step - 1) {
@@ -99,12 +103,19 @@ export class KickMeter {
 
   #sideOf(segment: number): Side {
     const g = this.#mirror.geometry[segment]
-    return { start: this.#terrain.position(g[0], g[1]), end: this.#terrain.position(g[2], g[3]), normal: normalOf(g[0], g[1], g[2], g[3]) }
+    return {
+      start: this.#terrain.position(g[0], g[1]),
+      end: this.#terrain.position(g[2], g[3]),
+      normal: normalOf(g[0], g[1], g[2], g[3]),
+    }
   }
 
   // Whether a part of the ground near the point faces this way: a side, or a convex corner between two sides.
   #faces(point: Vec2Value, normal: Vec2Value): boolean {
-    const box = { lowerBound: { x: point.x - near, y: point.y - near }, upperBound: { x: point.x + near, y: point.y + near } }
+    const box = {
+      lowerBound: { x: point.x - near, y: point.y - near },
+      upperBound: { x: point.x + near, y: point.y + near },
+    }
     let found = false
     this.#physics.queryAABB(box, (fixture) => {
       const segment = this.#terrain.segment(fixture)

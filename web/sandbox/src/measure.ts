@@ -32,7 +32,13 @@ export function prepare(game: Game, viewer: Viewer): void {
 
 export async function measure(game: Game, viewer: Viewer, loop: Loop, place: Place, frames: number): Promise<Measured> {
   loop.running = false
-  const times = { 'from frame to frame': [] as number[], 'work of a frame': [] as number[], 'edit': [] as number[], 'step and commit': [] as number[], 'draw': [] as number[] }
+  const times = {
+    'from frame to frame': [] as number[],
+    'work of a frame': [] as number[],
+    edit: [] as number[],
+    'step and commit': [] as number[],
+    draw: [] as number[],
+  }
   let awake = 0
   let last = await nextFrame()
   game.ground.begin()
@@ -56,7 +62,13 @@ export async function measure(game: Game, viewer: Viewer, loop: Loop, place: Pla
   game.ground.end()
   loop.running = true
   const { world } = game.ground
-  return { bodies: game.sides[0].riders.length, awake: awake / frames, cells: world.stats().cells, segments: world.stats().segments, times }
+  return {
+    bodies: game.sides[0].riders.length,
+    awake: awake / frames,
+    cells: world.stats().cells,
+    segments: world.stats().segments,
+    times,
+  }
 }
 
 // Along the surface, as somebody digs who holds the button down; or now here, now there, so that no body comes to rest.
@@ -72,14 +84,24 @@ function surface(x: number): number {
 
 function fill(game: Game): void {
   const document = newDocument()
-  const ring = [[0, 0], [300, 0]]
+  const ring = [
+    [0, 0],
+    [300, 0],
+  ]
   for (let x = 300; x >= 0; --x) ring.push([x, surface(x)])
   document.world.paint({ rings: [ring as [number, number][]] }, GROUND)
   document.world.commit()
   game.open(document)
   game.removeRiders()
   for (let k = 0; k < bodies; ++k) {
-    game.drop({ kind: k % 3 === 0 ? 'box' : 'marble', x: 2 + (k % 250) * 1.18, y: 99 + 1.5 * Math.floor(k / 250), speed: 0, size: 0.35, colour: k })
+    game.drop({
+      kind: k % 3 === 0 ? 'box' : 'marble',
+      x: 2 + (k % 250) * 1.18,
+      y: 99 + 1.5 * Math.floor(k / 250),
+      speed: 0,
+      size: 0.35,
+      colour: k,
+    })
   }
 }
 

@@ -44,7 +44,8 @@ export class Side {
     this.physics.setContinuousPhysics(false)
     const material = (block: number) => ({ friction: kindOf(block).friction })
     this.terrain = new PlanckTerrain(this.physics, world, { cellSize: cell, ghosts, material })
-    this.#rules = new Rules(this.physics, this.terrain, mirror) // before the meter: it must know which contacts are switched off
+    this.#rules = new Rules(this.physics, this.terrain, mirror)
+    // After the rules: it counts no contact that they switch off.
     this.kicks = new KickMeter(this.physics, this.terrain, mirror)
   }
 

@@ -78,7 +78,8 @@ export class Ui {
       button.addEventListener('keydown', ({ key }) => {
         if (key === 'Enter' || key === ' ') this.#game.drive(Number(button.dataset.drive))
       })
-      for (const end of ['pointerup', 'pointerleave', 'pointercancel', 'keyup', 'blur']) button.addEventListener(end, () => this.#game.drive(0))
+      for (const end of ['pointerup', 'pointerleave', 'pointercancel', 'keyup', 'blur'])
+        button.addEventListener(end, () => this.#game.drive(0))
     }
   }
 
@@ -182,7 +183,11 @@ export class Ui {
     this.#viewer.differences = differences!
     const count = differences!.length / 4
     const { length } = this.#game.ground.world.segments()
-    this.#say(count === 0 ? `The outline of ${length} segments is that of the full recompute.` : `The outline differs in ${count} places, drawn thick.`)
+    this.#say(
+      count === 0
+        ? `The outline of ${length} segments is that of the full recompute.`
+        : `The outline differs in ${count} places, drawn thick.`,
+    )
   }
 
   // Another document.
