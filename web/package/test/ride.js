@@ -47,20 +47,22 @@ export class Surface {
 
 /** Steps the world, and returns the number of kicks of a body and its path: x, y, vx, vy of each step. */
 export function ride(physics, surface, body, { steps, drive = 0 }) {
-  const odd = new Set()
+  const odd = new Map() // of each contact: whether its points push in a direction that the surface does not have
   let strongest = 0
   physics.on('pre-solve', (contact) => {
     const isA = contact.getFixtureA().getBody() === body
-    const { normal, points } = contact.getWorldManifold(null)
+    const { normal, points, pointCount } = contact.getWorldManifold(null)
     const outward = isA ? [-normal.x, -normal.y] : [normal.x, normal.y]
     const tolerance = toleranceOf(isA ? contact.getFixtureA() : contact.getFixtureB())
-    if (surface.faces(points[0].x, points[0].y, outward, tolerance)) odd.delete(contact)
-    else odd.add(contact)
+    odd.set(
+      contact,
+      points.slice(0, pointCount).map(({ x, y }) => !surface.faces(x, y, outward, tolerance)),
+    )
   })
   physics.on('post-solve', (contact, impulse) => {
-    if (!odd.has(contact)) return
-    const pushes = impulse.normalImpulses.slice(0, contact.getManifold().pointCount)
-    strongest = Math.max(strongest, ...pushes.map((push) => push / body.getMass()))
+    odd.get(contact)?.forEach((isOdd, k) => {
+      if (isOdd) strongest = Math.max(strongest, impulse.normalImpulses[k] / body.getMass())
+    })
   })
   const path = []
   let kicks = 0
