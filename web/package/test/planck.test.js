@@ -147,6 +147,7 @@ test('it follows commits and roll-backs, in place where only a ghost changes', (
     terrain.sync(world.rollBack(marks.pop()))
     assertShows(terrain, physics, world)
   }
+  assert.equal(physics.getBodyCount(), 5, 'a body for each chunk of ground')
   terrain.destroy()
   assert.equal(physics.getBodyCount(), 0)
   world.free()
@@ -166,19 +167,41 @@ test('changes that were left out are an error, and resync() repairs it', () => {
   world.free()
 })
 
-test('a body that sleeps wakes up when the ground below it goes, or changes', () => {
-  const world = floor(4)
+function sleeper(cells) {
+  const world = floor(cells)
   const physics = new Physics({ gravity })
   const terrain = new PlanckTerrain(physics, world)
   const ball = physics.createBody({ type: 'dynamic', position: { x: 1.5, y: 1.3 } })
   ball.createFixture(new Circle(0.3), { density: 1, friction: 0.5 })
   for (let k = 0; k < 120; ++k) physics.step(1 / 60)
   assert.equal(ball.isAwake(), false)
+  return { world, physics, terrain, ball }
+}
+
+test('a body that sleeps wakes up when the ground below it goes', () => {
+  const { world, physics, terrain, ball } = sleeper(4)
   world.clear(1, 0)
   terrain.sync(world.commit())
   assert.equal(ball.isAwake(), true)
   for (let k = 0; k < 60; ++k) physics.step(1 / 60)
   assert.ok(ball.getPosition().y < 0)
+  world.free()
+})
+
+test('it wakes up when its edge gets another ghost or an edge comes beside it, and sleeps on when ground far away goes', () => {
+  const { world, terrain, ball } = sleeper(40)
+  world.clear(30, 0)
+  terrain.sync(world.commit())
+  assert.equal(ball.isAwake(), false)
+  world.clear(2, 0)
+  const changes = world.commit()
+  assert.equal(changes.relinked.length, 4)
+  terrain.sync(changes)
+  assert.equal(ball.isAwake(), true)
+  ball.setAwake(false)
+  world.paint(rectangle(1.86, 1.2, 1, 0, 0.04, 0.1), 1)
+  terrain.sync(world.commit())
+  assert.equal(ball.isAwake(), true)
   world.free()
 })
 
