@@ -21,4 +21,5 @@ await build({
   legalComments: 'eof',
 })
 for (const file of ['index.html', 'style.css']) await copyFile(here(file), here(`dist/${file}`))
-for (const file of ['lgs.wasm', 'lgs-full.wasm']) await copyFile(require.resolve(`localgridseg/${file}`), here(`dist/${file}`))
+for (const file of ['lgs.wasm', 'lgs-full.wasm'])
+  await copyFile(require.resolve(`localgridseg/${file}`), here(`dist/${file}`))

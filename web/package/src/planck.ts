@@ -2,7 +2,14 @@
 // Each segment is one fixture. It is on the body of its chunk of cells. docs/box2d.md tells the same story for Box2D.
 // planck's edges push to both sides. Here they are one-sided, as in Box2D: what comes from the solid's side passes.
 import {
-  type Body, type Contact, EdgeShape, type Fixture, type FixtureOpt, type Vec2Value, WorldManifold, type World as Physics,
+  type Body,
+  type Contact,
+  EdgeShape,
+  type Fixture,
+  type FixtureOpt,
+  type Vec2Value,
+  WorldManifold,
+  type World as Physics,
 } from 'planck'
 import type { Block, Changes, Hit, SegmentId, SegmentList, World } from './types.js'
 
@@ -69,9 +76,11 @@ export class PlanckTerrain {
       throw new Error('these changes do not follow those that the terrain shows: call resync()')
     }
     this.#version = changes.after
-    for (const id of changes.removed) this.#destroy(id)
+    const left = new Set<Chunk>()
+    for (const id of changes.removed) left.add(this.#destroy(id))
     this.#create(changes.added)
     this.#relink(changes.relinked)
+    for (const chunk of left) if (chunk.fixtures === 0) this.#destroyChunk(chunk)
     // planck itself wakes what touched a fixture that is destroyed.
     for (const id of changes.added.id) this.#wakeAround(id)
     for (const id of changes.relinked.id) this.#wakeAround(id)
@@ -159,18 +168,23 @@ export class PlanckTerrain {
     }
   }
 
-  #destroy(id: SegmentId): void {
+  #destroy(id: SegmentId): Chunk {
     const fixture = this.#fixtures[id]!
     const chunk = this.#chunkOf.get(fixture.getBody())!
     chunk.body.destroyFixture(fixture)
     this.#fixtures[id] = null
     --chunk.fixtures
+    return chunk
+  }
+
+  #destroyChunk(chunk: Chunk): void {
+    this.#physics.destroyBody(chunk.body)
+    this.#chunks.delete(`${chunk.x} ${chunk.y}`)
+    this.#chunkOf.delete(chunk.body)
   }
 
   #clear(): void {
-    for (const chunk of this.#chunks.values()) this.#physics.destroyBody(chunk.body)
-    this.#chunks.clear()
-    this.#chunkOf.clear()
+    for (const chunk of this.#chunks.values()) this.#destroyChunk(chunk)
     this.#fixtures.length = 0
   }
 

@@ -55,7 +55,8 @@ test('a picture that draws the changed chunks anew is the picture of the world',
 
 function* edgesOf(picture) {
   for (const lines of picture.values()) {
-    for (const line of lines) for (let k = 2; k < line.length; k += 2) yield [line[k - 2], line[k - 1], line[k], line[k + 1]]
+    for (const line of lines)
+      for (let k = 2; k < line.length; k += 2) yield [line[k - 2], line[k - 1], line[k], line[k + 1]]
   }
 }
 

@@ -31,7 +31,13 @@ async function track() {
 function rideOver(world, shape, { x, y, speed, steps, upright = false, friction = 0, drive = 0, terrain = {} }) {
   const physics = new Physics({ gravity })
   new PlanckTerrain(physics, world, terrain)
-  const body = physics.createBody({ type: 'dynamic', position: { x, y }, linearVelocity: { x: speed, y: 0 }, fixedRotation: upright, allowSleep: false })
+  const body = physics.createBody({
+    type: 'dynamic',
+    position: { x, y },
+    linearVelocity: { x: speed, y: 0 },
+    fixedRotation: upright,
+    allowSleep: false,
+  })
   body.createFixture(shape, { density: 1, friction })
   return ride(physics, new Surface(world), body, { steps, drive })
 }
@@ -40,9 +46,14 @@ const withAndWithout = [{ ghosts: true }, { ghosts: false }]
 
 test('a ball on a floor of 200 cells: no kick with ghosts, many without', () => {
   const world = floor(200)
-  const [smooth, rough] = withAndWithout.map((terrain) => rideOver(world, new Circle(0.4), { x: 2, y: 1.4, speed: 3, steps: 3900, terrain }))
+  const [smooth, rough] = withAndWithout.map((terrain) =>
+    rideOver(world, new Circle(0.4), { x: 2, y: 1.4, speed: 3, steps: 3900, terrain }),
+  )
   assert.equal(smooth.kicks, 0)
-  assert.ok(smooth.path.every(([, , vx, vy]) => Math.abs(vx - 3) < 1e-6 && Math.abs(vy) < 0.2), 'it goes on as it began')
+  assert.ok(
+    smooth.path.every(([, , vx, vy]) => Math.abs(vx - 3) < 1e-6 && Math.abs(vy) < 0.2),
+    'it goes on as it began',
+  )
   assert.ok(smooth.path.at(-1)[0] > 195)
   assert.ok(rough.kicks >= 20, `${rough.kicks} kicks`)
   world.free()
@@ -66,8 +77,11 @@ test('the ride of docs/ride.trace: balls of two sizes, and an upright box', asyn
 test('borders of chunks make no difference, nor does the origin', () => {
   const world = floor(60)
   const options = { x: 2, y: 1.4, speed: 3, steps: 1000 }
-  const paths = [1, 5, 16, 64].map((chunkCells) => rideOver(world, new Circle(0.4), { ...options, terrain: { chunkCells } }).path)
-  for (const path of paths) path.forEach((sample, k) => sample.forEach((value, n) => assert.ok(Math.abs(value - paths[0][k][n]) < 1e-9)))
+  const paths = [1, 5, 16, 64].map(
+    (chunkCells) => rideOver(world, new Circle(0.4), { ...options, terrain: { chunkCells } }).path,
+  )
+  for (const path of paths)
+    path.forEach((sample, k) => sample.forEach((value, n) => assert.ok(Math.abs(value - paths[0][k][n]) < 1e-9)))
   world.free()
 })
 
@@ -91,7 +105,8 @@ function assertShows(terrain, physics, world) {
   const { id, geometry, block } = world.segments()
   let fixtures = 0
   for (let body = physics.getBodyList(); body; body = body.getNext()) {
-    for (let fixture = body.getFixtureList(); fixture; fixture = fixture.getNext()) if (terrain.segment(fixture) !== 0) ++fixtures
+    for (let fixture = body.getFixtureList(); fixture; fixture = fixture.getNext())
+      if (terrain.segment(fixture) !== 0) ++fixtures
   }
   assert.equal(fixtures, id.length)
   for (let k = 0; k < id.length; ++k) {
@@ -99,7 +114,10 @@ function assertShows(terrain, physics, world) {
     const edge = fixture.getShape()
     const body = fixture.getBody()
     const places = [edge.m_vertex1, edge.m_vertex2, edge.m_vertex0, edge.m_vertex3].map((v) => body.getWorldPoint(v))
-    assert.deepEqual(places.flatMap(({ x, y }) => [x, y]), [...geometry.subarray(8 * k, 8 * k + 8)])
+    assert.deepEqual(
+      places.flatMap(({ x, y }) => [x, y]),
+      [...geometry.subarray(8 * k, 8 * k + 8)],
+    )
     assert.ok(edge.m_hasVertex0 && edge.m_hasVertex3)
     assert.equal(fixture.getFriction(), block[k] / 10)
   }
@@ -129,6 +147,7 @@ test('it follows commits and roll-backs, in place where only a ghost changes', (
     terrain.sync(world.rollBack(marks.pop()))
     assertShows(terrain, physics, world)
   }
+  assert.equal(physics.getBodyCount(), 5, 'a body for each chunk of ground')
   terrain.destroy()
   assert.equal(physics.getBodyCount(), 0)
   world.free()
@@ -148,19 +167,41 @@ test('changes that were left out are an error, and resync() repairs it', () => {
   world.free()
 })
 
-test('a body that sleeps wakes up when the ground below it goes, or changes', () => {
-  const world = floor(4)
+function sleeper(cells) {
+  const world = floor(cells)
   const physics = new Physics({ gravity })
   const terrain = new PlanckTerrain(physics, world)
   const ball = physics.createBody({ type: 'dynamic', position: { x: 1.5, y: 1.3 } })
   ball.createFixture(new Circle(0.3), { density: 1, friction: 0.5 })
   for (let k = 0; k < 120; ++k) physics.step(1 / 60)
   assert.equal(ball.isAwake(), false)
+  return { world, physics, terrain, ball }
+}
+
+test('a body that sleeps wakes up when the ground below it goes', () => {
+  const { world, physics, terrain, ball } = sleeper(4)
   world.clear(1, 0)
   terrain.sync(world.commit())
   assert.equal(ball.isAwake(), true)
   for (let k = 0; k < 60; ++k) physics.step(1 / 60)
   assert.ok(ball.getPosition().y < 0)
+  world.free()
+})
+
+test('it wakes up when its edge gets another ghost or an edge comes beside it, and sleeps on when ground far away goes', () => {
+  const { world, terrain, ball } = sleeper(40)
+  world.clear(30, 0)
+  terrain.sync(world.commit())
+  assert.equal(ball.isAwake(), false)
+  world.clear(2, 0)
+  const changes = world.commit()
+  assert.equal(changes.relinked.length, 4)
+  terrain.sync(changes)
+  assert.equal(ball.isAwake(), true)
+  ball.setAwake(false)
+  world.paint(rectangle(1.86, 1.2, 1, 0, 0.04, 0.1), 1)
+  terrain.sync(world.commit())
+  assert.equal(ball.isAwake(), true)
   world.free()
 })
 
@@ -170,7 +211,10 @@ test('edges are one-sided: a body inside the ground falls out of it, and one on 
   world.commit()
   const physics = new Physics({ gravity })
   new PlanckTerrain(physics, world)
-  const bodies = [[2, 0.5], [6, 3.3]].map(([x, y]) => physics.createBody({ type: 'dynamic', position: { x, y } }))
+  const bodies = [
+    [2, 0.5],
+    [6, 3.3],
+  ].map(([x, y]) => physics.createBody({ type: 'dynamic', position: { x, y } }))
   for (const body of bodies) body.createFixture(new Circle(0.3), { density: 1 })
   for (let k = 0; k < 120; ++k) physics.step(1 / 60)
   assert.ok(bodies[0].getPosition().y < -1)

@@ -15,7 +15,11 @@ export class Surface {
     const { geometry: g, cell, length } = world.segments()
     for (let k = 0; k < length; ++k) {
       const at = 8 * k
-      const facet = { start: [g[at], g[at + 1]], end: [g[at + 2], g[at + 3]], normal: normalOf(g[at], g[at + 1], g[at + 2], g[at + 3]) }
+      const facet = {
+        start: [g[at], g[at + 1]],
+        end: [g[at + 2], g[at + 3]],
+        normal: normalOf(g[at], g[at + 1], g[at + 2], g[at + 3]),
+      }
       facet.next = normalOf(g[at + 2], g[at + 3], g[at + 6], g[at + 7])
       facet.convex = cross(facet.normal, facet.next) > 0
       const key = `${cell[2 * k]} ${cell[2 * k + 1]}`
@@ -32,7 +36,8 @@ export class Surface {
           if (distance(f, x, y) > near) continue
           if (isAlong(f.normal, normal, tolerance)) return true
           if (!f.convex || Math.hypot(x - f.end[0], y - f.end[1]) > near) continue
-          if (isAlong(f.next, normal, tolerance) || (cross(f.normal, normal) > 0 && cross(normal, f.next) > 0)) return true
+          if (isAlong(f.next, normal, tolerance) || (cross(f.normal, normal) > 0 && cross(normal, f.next) > 0))
+            return true
         }
       }
     }
@@ -42,26 +47,32 @@ export class Surface {
 
 /** Steps the world, and returns the number of kicks of a body and its path: x, y, vx, vy of each step. */
 export function ride(physics, surface, body, { steps, drive = 0 }) {
-  const odd = new Set()
+  const odd = new Map() // of each contact: whether its points push in a direction that the surface does not have
   let strongest = 0
   physics.on('pre-solve', (contact) => {
     const isA = contact.getFixtureA().getBody() === body
-    const { normal, points } = contact.getWorldManifold(null)
+    const { normal, points, pointCount } = contact.getWorldManifold(null)
     const outward = isA ? [-normal.x, -normal.y] : [normal.x, normal.y]
     const tolerance = toleranceOf(isA ? contact.getFixtureA() : contact.getFixtureB())
-    if (surface.faces(points[0].x, points[0].y, outward, tolerance)) odd.delete(contact)
-    else odd.add(contact)
+    odd.set(
+      contact,
+      points.slice(0, pointCount).map(({ x, y }) => !surface.faces(x, y, outward, tolerance)),
+    )
   })
   physics.on('post-solve', (contact, impulse) => {
-    if (!odd.has(contact)) return
-    const pushes = impulse.normalImpulses.slice(0, contact.getManifold().pointCount)
-    strongest = Math.max(strongest, ...pushes.map((push) => push / body.getMass()))
+    odd.get(contact)?.forEach((isOdd, k) => {
+      if (isOdd) strongest = Math.max(strongest, impulse.normalImpulses[k] / body.getMass())
+    })
   })
   const path = []
   let kicks = 0
   let kicked = false
   for (let step = 0; step < steps; ++step) {
-    if (drive !== 0) body.applyForceToCenter({ x: body.getMass() * Math.min(10, Math.max(-10, 60 * (drive - body.getLinearVelocity().x))), y: 0 }, true)
+    if (drive !== 0)
+      body.applyForceToCenter(
+        { x: body.getMass() * Math.min(10, Math.max(-10, 60 * (drive - body.getLinearVelocity().x))), y: 0 },
+        true,
+      )
     odd.clear()
     strongest = 0
     physics.step(1 / 60, 8, 3)

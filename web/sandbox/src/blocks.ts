@@ -17,7 +17,12 @@ export const kinds: readonly Kind[] = [
   { block: GROUND, name: 'Ground', hint: 'Ordinary ground', friction: 0.6 },
   { block: ICE, name: 'Ice', hint: 'No friction', friction: 0 },
   { block: STICKY, name: 'Sticky', hint: 'Slows down what touches it', friction: 1.5 },
-  { block: ONE_WAY, name: 'One-way', hint: 'Holds what comes from above, lets through what comes from below', friction: 0.6 },
+  {
+    block: ONE_WAY,
+    name: 'One-way',
+    hint: 'Holds what comes from above, lets through what comes from below',
+    friction: 0.6,
+  },
 ]
 
 /** Blocks of imported maps are ordinary ground. */

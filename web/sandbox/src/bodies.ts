@@ -25,30 +25,51 @@ export interface Rider {
 }
 
 const wheelRadius = 0.32 * cell
-const chassis = [[-0.95, -0.22], [0.95, -0.22], [1, 0.05], [0.35, 0.42], [-0.5, 0.42], [-0.95, 0.15]].map(([x, y]) => new Vec2(x * cell, y * cell))
+const chassis = [
+  [-0.95, -0.22],
+  [0.95, -0.22],
+  [1, 0.05],
+  [0.35, 0.42],
+  [-0.5, 0.42],
+  [-0.95, 0.15],
+].map(([x, y]) => new Vec2(x * cell, y * cell))
 
 export function makeRider(physics: Physics, start: Start): Rider {
   if (start.kind === 'car') return makeCar(physics, start)
-  const body = physics.createBody({ type: 'dynamic', position: new Vec2(start.x * cell, start.y * cell), linearVelocity: new Vec2(start.speed * cell, 0) })
+  const body = physics.createBody({
+    type: 'dynamic',
+    position: new Vec2(start.x * cell, start.y * cell),
+    linearVelocity: new Vec2(start.speed * cell, 0),
+  })
   if (start.kind === 'marble') {
     body.createFixture(new Circle(start.size * cell), { density: 1, friction: 0.6 })
     body.setAngularVelocity(-start.speed / start.size)
     body.setAngularDamping(0.4) // so that marbles in a hollow come to rest
   } else {
-    body.createFixture(new Box(start.size * cell, start.size * cell), { density: 1, friction: 0.001 })
+    body.createFixture(new Box(start.size * cell, start.size * cell), { density: 1, friction: 0.01 })
   }
   return { start, bodies: [body], motors: [], trail: [] }
 }
 
 function makeCar(physics: Physics, start: Start): Rider {
   const place = (dx: number, dy: number): Body =>
-    physics.createBody({ type: 'dynamic', position: new Vec2((start.x + dx) * cell, (start.y + dy) * cell), linearVelocity: new Vec2(start.speed * cell, 0) })
+    physics.createBody({
+      type: 'dynamic',
+      position: new Vec2((start.x + dx) * cell, (start.y + dy) * cell),
+      linearVelocity: new Vec2(start.speed * cell, 0),
+    })
   const body = place(0, 0)
   body.createFixture(new Polygon(chassis), { density: 0.8, friction: 0.1 })
   const wheels = [place(-0.6, -0.35), place(0.6, -0.35)]
   const motors = wheels.map((wheel) => {
     wheel.createFixture(new Circle(wheelRadius), { density: 0.9, friction: 1.2 })
-    const options = { motorSpeed: 0, maxMotorTorque: 0.7 * cell ** 3, enableMotor: true, frequencyHz: 5, dampingRatio: 0.8 }
+    const options = {
+      motorSpeed: 0,
+      maxMotorTorque: 0.7 * cell ** 3,
+      enableMotor: true,
+      frequencyHz: 5,
+      dampingRatio: 0.8,
+    }
     return physics.createJoint(new WheelJoint(options, body, wheel, wheel.getPosition(), new Vec2(0, 1)))!
   })
   return { start, bodies: [body, ...wheels], motors, trail: [] }
@@ -77,7 +98,10 @@ export function place(rider: Rider, x: number, y: number, speed: number): void {
   const about = rider.bodies[0].getPosition().clone()
   for (const body of rider.bodies) {
     const arm = Vec2.sub(body.getPosition(), about)
-    const turned = new Vec2(arm.x * Math.cos(turn) - arm.y * Math.sin(turn), arm.x * Math.sin(turn) + arm.y * Math.cos(turn))
+    const turned = new Vec2(
+      arm.x * Math.cos(turn) - arm.y * Math.sin(turn),
+      arm.x * Math.sin(turn) + arm.y * Math.cos(turn),
+    )
     body.setTransform(Vec2.add(Vec2.add(about, turned), shift), body === rider.bodies[0] ? 0 : body.getAngle())
     body.setLinearVelocity(new Vec2(speed * cell, 0))
     body.setAngularVelocity(0)

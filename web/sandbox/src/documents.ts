@@ -58,7 +58,9 @@ export function traceText({ world, preserve }: Document): string {
 }
 
 async function openMap(path: string, files: readonly File[]): Promise<Document> {
-  const contents = await Promise.all(files.map(async (file) => [file.name, new Uint8Array(await file.arrayBuffer())] as const))
+  const contents = await Promise.all(
+    files.map(async (file) => [file.name, new Uint8Array(await file.arrayBuffer())] as const),
+  )
   const { shapes, placements, suggestions } = await importInWorker(path, Object.fromEntries(contents))
   if (placements.length === 0) throw new Error(`${path}: nothing in it is solid. ${suggestions.join(' ')}`)
   const document = newDocument([])

@@ -5,7 +5,13 @@ import type { Corner } from './tiles.js'
 export type Edit =
   | { readonly kind: 'paint'; readonly region: Region; readonly block: Block }
   | { readonly kind: 'carve'; readonly region: Region }
-  | { readonly kind: 'tile'; readonly i: number; readonly j: number; readonly vertices: readonly Corner[]; readonly block: Block }
+  | {
+      readonly kind: 'tile'
+      readonly i: number
+      readonly j: number
+      readonly vertices: readonly Corner[]
+      readonly block: Block
+    }
   | { readonly kind: 'clear'; readonly i: number; readonly j: number }
 
 export function apply(world: World, edit: Edit): void {

@@ -134,7 +134,14 @@ function ridersOver(cells: CellRect): Start[] {
   const count = Math.max(1, Math.min(16, Math.floor(columns / 2)))
   for (let k = 0; k < count; ++k) {
     const x = cells.i0 + ((k + 0.5) * columns) / count
-    starts.push({ kind: k === 0 ? 'car' : 'marble', x, y: cells.j1 + 3, speed: 1, size: k === 0 ? 0.7 : 0.3 + 0.05 * (k % 3), colour: k % 5 })
+    starts.push({
+      kind: k === 0 ? 'car' : 'marble',
+      x,
+      y: cells.j1 + 3,
+      speed: 1,
+      size: k === 0 ? 0.7 : 0.3 + 0.05 * (k % 3),
+      colour: k % 5,
+    })
   }
   return starts
 }

@@ -12,9 +12,31 @@ export interface KeyActions {
   zoom(factor: number): void
 }
 
-const tools: Readonly<Record<string, string>> = { d: 'dig', p: 'paint', t: 'tile', g: 'polygon', m: 'marble', b: 'box', c: 'car', v: 'move' }
-const buttons: Readonly<Record<string, string>> = { ' ': 'play', '.': 'step', f: 'zoom-fit', '0': 'restart', '?': 'help', o: 'overlay', s: 'slow' }
-const arrows: Readonly<Record<string, readonly [number, number]>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }
+const tools: Readonly<Record<string, string>> = {
+  d: 'dig',
+  p: 'paint',
+  t: 'tile',
+  g: 'polygon',
+  m: 'marble',
+  b: 'box',
+  c: 'car',
+  v: 'move',
+}
+const buttons: Readonly<Record<string, string>> = {
+  ' ': 'play',
+  '.': 'step',
+  f: 'zoom-fit',
+  '0': 'restart',
+  '?': 'help',
+  o: 'overlay',
+  s: 'slow',
+}
+const arrows: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+}
 
 export function listenToKeys(actions: KeyActions): void {
   const driving = new Set<string>()
@@ -66,6 +88,7 @@ function directionOf(driving: ReadonlySet<string>): number {
 // A focused control keeps the keys that it uses itself.
 function belongsToControl(event: KeyboardEvent): boolean {
   const target = event.target as HTMLElement
-  if (target instanceof HTMLInputElement && target.type !== 'file') return event.key.startsWith('Arrow') || event.key === ' ' || event.key === 'Enter'
+  if (target instanceof HTMLInputElement && target.type !== 'file')
+    return event.key.startsWith('Arrow') || event.key === ' ' || event.key === 'Enter'
   return target instanceof HTMLButtonElement && (event.key === ' ' || event.key === 'Enter')
 }

@@ -1,5 +1,12 @@
 // Counts kicks: pushes in a direction that the ground does not have there (docs/box2d.md, The ride).
-import { type Contact, type ContactImpulse, type Fixture, type Vec2Value, type World as Physics } from 'planck'
+import {
+  type Contact,
+  type ContactImpulse,
+  type Fixture,
+  type Vec2Value,
+  WorldManifold,
+  type World as Physics,
+} from 'planck'
 import type { PlanckTerrain } from 'localgridseg/planck'
 import type { Mirror } from './mirror.js'
 
@@ -37,7 +44,8 @@ export class KickMeter {
   readonly #physics: Physics
   readonly #terrain: PlanckTerrain
   readonly #mirror: Mirror
-  #odd = new Map<Contact, Vec2Value>()
+  readonly #manifold = new WorldManifold()
+  #odd = new Map<Contact, (Vec2Value | null)[]>() // the points that push in a direction the ground does not have
   #tolerance = circleTolerance
   #step = 0
   #kicked = new Map<Fixture, number>() // the last step in which it was kicked
@@ -70,24 +78,33 @@ export class KickMeter {
   // Where a contact pushes is known before the solver moves the bodies.
   #look(contact: Contact): void {
     const isA = this.#terrain.segment(contact.getFixtureA()) !== 0
-    const [ground, mover] = isA ? [contact.getFixtureA(), contact.getFixtureB()] : [contact.getFixtureB(), contact.getFixtureA()]
+    const [ground, mover] = isA
+      ? [contact.getFixtureA(), contact.getFixtureB()]
+      : [contact.getFixtureB(), contact.getFixtureA()]
     const segment = this.#terrain.segment(ground)
     this.#odd.delete(contact)
     if (segment === 0 || !contact.isEnabled()) return
-    const manifold = contact.getWorldManifold(null)!
-    const normal = isA ? manifold.normal : { x: -manifold.normal.x, y: -manifold.normal.y }
+    const { normal, points, pointCount } = contact.getWorldManifold(this.#manifold)!
+    const outward = isA ? normal : { x: -normal.x, y: -normal.y }
     this.#tolerance = mover.getType() === 'circle' ? circleTolerance : polygonTolerance
-    if (this.#isAlong(this.#sideOf(segment).normal, normal)) return
-    if (!this.#faces(manifold.points[0], normal)) this.#odd.set(contact, { x: manifold.points[0].x, y: manifold.points[0].y })
+    const g = this.#mirror.geometry[segment]
+    if (this.#isAlong(normalOf(g[0], g[1], g[2], g[3]), outward)) return
+    const odd = points.slice(0, pointCount).map(({ x, y }) => (this.#faces({ x, y }, outward) ? null : { x, y }))
+    if (odd.some((point) => point !== null)) this.#odd.set(contact, odd)
   }
 
   // How hard it pushes is known afterwards. Pushes in several steps in a row are one kick.
   #measure(contact: Contact, impulse: ContactImpulse): void {
-    const point = this.#odd.get(contact)
-    if (point === undefined) return
+    const odd = this.#odd.get(contact)
+    if (odd === undefined) return
     const isA = this.#terrain.segment(contact.getFixtureA()) !== 0
     const fixture = isA ? contact.getFixtureB() : contact.getFixtureA()
-    const strength = Math.max(...impulse.normalImpulses.slice(0, contact.getManifold().pointCount)) / fixture.getBody().getMass()
+    odd.forEach((point, k) => {
+      if (point !== null) this.#note(fixture, point, impulse.normalImpulses[k] / fixture.getBody().getMass())
+    })
+  }
+
+  #note(fixture: Fixture, point: Vec2Value, strength: number): void {
     if (strength < leastKick) return
     this.hardest = Math.max(this.hardest, strength)
     if (this.#kicked.get(fixture) !== this.#step && this.#kicked.get(fixture) !== this.#step - 1) {
@@ -99,12 +116,19 @@ export class KickMeter {
 
   #sideOf(segment: number): Side {
     const g = this.#mirror.geometry[segment]
-    return { start: this.#terrain.position(g[0], g[1]), end: this.#terrain.position(g[2], g[3]), normal: normalOf(g[0], g[1], g[2], g[3]) }
+    return {
+      start: this.#terrain.position(g[0], g[1]),
+      end: this.#terrain.position(g[2], g[3]),
+      normal: normalOf(g[0], g[1], g[2], g[3]),
+    }
   }
 
   // Whether a part of the ground near the point faces this way: a side, or a convex corner between two sides.
   #faces(point: Vec2Value, normal: Vec2Value): boolean {
-    const box = { lowerBound: { x: point.x - near, y: point.y - near }, upperBound: { x: point.x + near, y: point.y + near } }
+    const box = {
+      lowerBound: { x: point.x - near, y: point.y - near },
+      upperBound: { x: point.x + near, y: point.y + near },
+    }
     let found = false
     this.#physics.queryAABB(box, (fixture) => {
       const segment = this.#terrain.segment(fixture)

@@ -5,7 +5,7 @@ import { element } from './dom.js'
 import { Game } from './game.js'
 import { listenToKeys } from './keys.js'
 import { Loop } from './loop.js'
-import { measure } from './measure.js'
+import { measure, type Place, prepare } from './measure.js'
 import { recolour, setUpPalette } from './palette.js'
 import { onThemeChange } from './theme.js'
 import { polygonTool } from './tools/all.js'
@@ -44,8 +44,9 @@ Object.assign(window, {
       loop.playing = false
       for (let k = 0; k < count; ++k) game.step()
     },
-    measure(frames: number) {
-      return measure(game, viewer, loop, frames)
+    prepare: () => prepare(game, viewer),
+    measure(place: Place, frames: number) {
+      return measure(game, viewer, loop, place, frames)
     },
     kicks: () => game.sides.map((side) => side.kicks.count),
     toPage: (x: number, y: number) => viewer.toPage(x, y),

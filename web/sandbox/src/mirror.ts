@@ -5,19 +5,16 @@ export class Mirror {
   /** Eight numbers of each segment: start, end, ghosts; NaN where there is no ghost. */
   readonly geometry: Float64Array[] = []
   readonly block: number[] = []
-  count = 0
 
   reset(world: World): void {
     this.geometry.length = 0
     this.block.length = 0
-    this.count = 0
-    this.#add(world.segments())
+    this.#write(world.segments())
   }
 
   /** The geometry of removed segments stays readable until their ids are given out again. */
   update(changes: Changes): void {
-    this.count -= changes.removed.length
-    this.#add(changes.added)
+    this.#write(changes.added)
     this.#write(changes.relinked)
   }
 
@@ -26,11 +23,6 @@ export class Mirror {
     const ends = new Float64Array(4 * ids.length)
     for (let k = 0; k < ids.length; ++k) ends.set(this.geometry[ids[k]].subarray(0, 4), 4 * k)
     return ends
-  }
-
-  #add(list: SegmentList): void {
-    this.count += list.length
-    this.#write(list)
   }
 
   #write(list: SegmentList): void {

@@ -22,7 +22,13 @@ export function drawOverlay(c: CanvasRenderingContext2D, world: World, cells: Ce
   for (let k = 0; k < 8 * length; k += 8) drawDetails(c, geometry.subarray(k, k + 8), pixel, colours.added, colours.ink)
 }
 
-function drawDetails(c: CanvasRenderingContext2D, g: ArrayLike<number>, pixel: number, ghostColour: string, ink: string): void {
+function drawDetails(
+  c: CanvasRenderingContext2D,
+  g: ArrayLike<number>,
+  pixel: number,
+  ghostColour: string,
+  ink: string,
+): void {
   const [dx, dy] = [g[2] - g[0], g[3] - g[1]]
   const length = Math.hypot(dx, dy)
   if (length < 6 * pixel) return
@@ -47,7 +53,14 @@ function drawDetails(c: CanvasRenderingContext2D, g: ArrayLike<number>, pixel: n
   whisker(c, g[2] + uy * out, g[3] - ux * out, g[6] + uy * out, g[7] - ux * out, pixel)
 }
 
-function whisker(c: CanvasRenderingContext2D, x: number, y: number, ghostX: number, ghostY: number, pixel: number): void {
+function whisker(
+  c: CanvasRenderingContext2D,
+  x: number,
+  y: number,
+  ghostX: number,
+  ghostY: number,
+  pixel: number,
+): void {
   if (Number.isNaN(ghostX)) return
   const length = Math.hypot(ghostX - x, ghostY - y)
   const part = Math.min(0.28, (14 * pixel) / length)
@@ -71,9 +84,10 @@ export function segmentAt(world: World, x: number, y: number, radius: number): S
 export function describe(segment: Segment): string {
   const place = (p: readonly [number, number] | null) => (p === null ? 'none' : `(${round(p[0])}, ${round(p[1])})`)
   const link = (id: SegmentId) => (id === 0 ? 'none' : `${id}`)
+  const kind = kindOf(segment.block).name.toLowerCase()
   return [
     `Segment ${segment.id}   ${place(segment.start)} → ${place(segment.end)}`,
-    `cell (${segment.i}, ${segment.j})   block ${segment.block} (${kindOf(segment.block).name.toLowerCase()})   owner: polygon ${segment.polygon}`,
+    `cell (${segment.i}, ${segment.j})   block ${segment.block} (${kind})   owner: polygon ${segment.polygon}`,
     `predecessor ${link(segment.predecessor)}   ghost ${place(segment.ghost1)}`,
     `successor ${link(segment.successor)}   ghost ${place(segment.ghost2)}`,
   ].join('\n')

@@ -55,7 +55,9 @@ function showGroups(): void {
 function addKind(block: number, name: string, hint: string): void {
   const label = document.createElement('label')
   label.title = hint
-  label.innerHTML = `<input type="radio" name="block" value="${block}"${block === settings.block ? ' checked' : ''}><i class="chip" data-block="${block}"></i><span>${name}</span>`
+  const checked = block === settings.block ? 'checked' : ''
+  label.innerHTML = `<input type="radio" name="block" value="${block}" ${checked}>
+    <i class="chip" data-block="${block}"></i><span>${name}</span>`
   label.querySelector('input')!.addEventListener('change', () => {
     settings.block = block
   })
@@ -66,7 +68,9 @@ function addKind(block: number, name: string, hint: string): void {
 function addTile(index: number, name: string): void {
   const label = document.createElement('label')
   label.title = name
-  label.innerHTML = `<input type="radio" name="tile" value="${index}" aria-label="${name}"${index === settings.tile ? ' checked' : ''}><svg viewBox="-1 -1 18 18"><path data-tile="${index}"/></svg>`
+  const checked = index === settings.tile ? 'checked' : ''
+  label.innerHTML = `<input type="radio" name="tile" value="${index}" aria-label="${name}" ${checked}>
+    <svg viewBox="-1 -1 18 18"><path data-tile="${index}"/></svg>`
   label.querySelector('input')!.addEventListener('change', () => {
     settings.tile = index
   })

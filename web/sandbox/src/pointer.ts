@@ -92,7 +92,12 @@ export class Pointer {
     const after = Math.hypot(event.clientX - other.x, event.clientY - other.y)
     this.#camera.pan((event.clientX - touch.x) / 2, (event.clientY - touch.y) / 2)
     const box = canvas.getBoundingClientRect()
-    const middle = this.#camera.toCell((event.clientX + other.x) / 2 - box.left, (event.clientY + other.y) / 2 - box.top, box.width, box.height)
+    const middle = this.#camera.toCell(
+      (event.clientX + other.x) / 2 - box.left,
+      (event.clientY + other.y) / 2 - box.top,
+      box.width,
+      box.height,
+    )
     if (before > 0) this.#camera.zoom(after / before, ...middle)
   }
 
@@ -102,7 +107,8 @@ export class Pointer {
     this.#waiting = null
     this.#stopUsing()
     this.#panning = false
-    if (event.pointerType === 'touch') this.cursor.at = null
+    // A tap of the hand looks at a segment.
+    if (event.pointerType === 'touch' && currentTool() !== null) this.cursor.at = null
   }
 
   #stopUsing(): void {

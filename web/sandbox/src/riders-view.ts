@@ -86,8 +86,8 @@ function drawPolygon(c: CanvasRenderingContext2D, vertices: readonly { x: number
 }
 
 /**
- * A ring that opens and fades where a kick happened; without motion, a dot that goes. What stays for a while is a stroke
- * as long as the kick was hard.
+ * A ring that opens and fades where a kick happened; without motion, a dot that goes. What stays for a while is a
+ * stroke, as long as the kick was hard.
  */
 export function drawKicks(c: CanvasRenderingContext2D, side: Side, pixel: number): void {
   c.strokeStyle = c.fillStyle = theme().kick

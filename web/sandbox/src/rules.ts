@@ -40,7 +40,10 @@ export class Rules {
       const manifold = contact.getWorldManifold(null)!
       const up = isA ? manifold.normal.y : -manifold.normal.y
       const mover = (isA ? contact.getFixtureB() : contact.getFixtureA()).getBody()
-      holds = up > 0.5 && mover.getLinearVelocity().y < 0.5 && Math.min(...manifold.separations.slice(0, manifold.pointCount)) > -deepest
+      holds =
+        up > 0.5 &&
+        mover.getLinearVelocity().y < 0.5 &&
+        Math.min(...manifold.separations.slice(0, manifold.pointCount)) > -deepest
       this.#holds.set(contact, holds)
     }
     if (!holds) contact.setEnabled(false)

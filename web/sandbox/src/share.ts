@@ -17,7 +17,10 @@ export async function fromHash(hash: string): Promise<string | null> {
   return new TextDecoder().decode(await through(bytes, new DecompressionStream('deflate-raw')))
 }
 
-async function through(bytes: Uint8Array<ArrayBuffer>, stream: CompressionStream | DecompressionStream): Promise<Uint8Array> {
+async function through(
+  bytes: Uint8Array<ArrayBuffer>,
+  stream: CompressionStream | DecompressionStream,
+): Promise<Uint8Array> {
   const result = new Blob([bytes]).stream().pipeThrough(stream)
   return new Uint8Array(await new Response(result).arrayBuffer())
 }

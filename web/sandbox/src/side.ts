@@ -13,7 +13,9 @@ export const stepTime = 1 / 60
 
 // planck's settings are for metres. The bodies here are a quarter of that. No body moves farther in a step than the
 // radius of the smallest one, so nothing can pass through the ground, and no step needs to look for the time of impact.
-Settings.aabbExtension = 0.02
+Settings.aabbExtension = 0.01
+Settings.linearSleepTolerance = 0.025
+Settings.angularSleepTolerance = 0.1
 Settings.maxTranslation = 0.07
 
 const mostTrails = 40 // riders: a crowd leaves no trails
@@ -42,7 +44,8 @@ export class Side {
     this.physics.setContinuousPhysics(false)
     const material = (block: number) => ({ friction: kindOf(block).friction })
     this.terrain = new PlanckTerrain(this.physics, world, { cellSize: cell, ghosts, material })
-    this.#rules = new Rules(this.physics, this.terrain, mirror) // before the meter: it must know which contacts are switched off
+    this.#rules = new Rules(this.physics, this.terrain, mirror)
+    // After the rules: it counts no contact that they switch off.
     this.kicks = new KickMeter(this.physics, this.terrain, mirror)
   }
 

@@ -75,7 +75,11 @@ export class Ui {
     onClick('restart', () => this.#game.restart())
     for (const button of document.querySelectorAll<HTMLElement>('[data-drive]')) {
       button.addEventListener('pointerdown', () => this.#game.drive(Number(button.dataset.drive)))
-      for (const end of ['pointerup', 'pointerleave', 'pointercancel']) button.addEventListener(end, () => this.#game.drive(0))
+      button.addEventListener('keydown', ({ key }) => {
+        if (key === 'Enter' || key === ' ') this.#game.drive(Number(button.dataset.drive))
+      })
+      for (const end of ['pointerup', 'pointerleave', 'pointercancel', 'keyup', 'blur'])
+        button.addEventListener(end, () => this.#game.drive(0))
     }
   }
 
@@ -119,6 +123,7 @@ export class Ui {
       void this.#open([...input.files!])
       input.value = ''
     })
+    addEventListener('hashchange', () => void this.openAddress())
     addEventListener('dragover', (event) => {
       event.preventDefault()
       document.body.classList.add('dropping')
@@ -178,7 +183,11 @@ export class Ui {
     this.#viewer.differences = differences!
     const count = differences!.length / 4
     const { length } = this.#game.ground.world.segments()
-    this.#say(count === 0 ? `The outline of ${length} segments is that of the full recompute.` : `The outline differs in ${count} places, drawn thick.`)
+    this.#say(
+      count === 0
+        ? `The outline of ${length} segments is that of the full recompute.`
+        : `The outline differs in ${count} places, drawn thick.`,
+    )
   }
 
   // Another document.

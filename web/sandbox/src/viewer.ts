@@ -82,7 +82,14 @@ export class Viewer {
     this.#inspector.hidden = selected === null
     if (selected !== null) this.#inspector.textContent = describe(selected)
     const scenery = {
-      game: this.#game, camera: this.#camera, layer: this.layer, glow: this.glow, overlay: this.overlay, selected, cursor: at, differences: this.differences,
+      game: this.#game,
+      camera: this.#camera,
+      layer: this.layer,
+      glow: this.glow,
+      overlay: this.overlay,
+      selected,
+      cursor: at,
+      differences: this.differences,
     }
     this.#game.sides.forEach((side, k) => this.#panes[k].draw(side, scenery, paneWidth, paneHeight, ratio))
   }
@@ -90,7 +97,16 @@ export class Viewer {
   // While nothing moves nothing is drawn.
   #isNew(paneWidth: number, paneHeight: number, ratio: number): boolean {
     const sides = this.#game.sides.map((side) => [side.kicks.step, side.riders.length, side.ghosts])
-    const shown = JSON.stringify([sides, this.#pointer.cursor, settings, this.overlay, this.differences.length, paneWidth, paneHeight, ratio])
+    const shown = JSON.stringify([
+      sides,
+      this.#pointer.cursor,
+      settings,
+      this.overlay,
+      this.differences.length,
+      paneWidth,
+      paneHeight,
+      ratio,
+    ])
     const isNew = shown !== this.#shown || this.glow.isLit || this.layer.isStale(this.#camera)
     this.#shown = shown
     return isNew

@@ -5,7 +5,16 @@ import { serve } from '../serve.js'
 
 const options = {
   executablePath: '/usr/bin/chromium',
-  args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+  args: [
+    '--headless',
+    '--no-sandbox',
+    '--disable-gpu',
+    '--disable-quic',
+    '--no-first-run',
+    '--disable-background-networking',
+    '--disable-component-update',
+    '--disable-sync',
+  ],
 }
 
 const folder = '/any/folder/' // the page works in any
@@ -17,11 +26,14 @@ export async function openBrowser() {
   const address = `http://localhost:${server.address().port}${folder}`
   const wrong = []
   const newPage = async (context) => {
-    const page = await (await browser.newContext({ viewport: { width: 1000, height: 700 }, permissions, ...context })).newPage()
+    const page = await (
+      await browser.newContext({ viewport: { width: 1000, height: 700 }, permissions, ...context })
+    ).newPage()
     page.on('console', (message) => wrong.push(message.text()))
     page.on('pageerror', (error) => wrong.push(error.stack))
     page.on('request', (request) => {
-      if (!request.url().startsWith(address) && !/^(about|blob|data):/.test(request.url())) wrong.push(`asks for ${request.url()}`)
+      if (!request.url().startsWith(address) && !/^(about|blob|data):/.test(request.url()))
+        wrong.push(`asks for ${request.url()}`)
     })
     return page
   }
@@ -64,19 +76,27 @@ export function outline(page) {
     const { world } = window.sandbox.game.ground
     world.commit()
     const { geometry, block, length } = world.segments()
-    return Array.from({ length }, (_, k) => `${[...geometry.slice(8 * k, 8 * k + 8)]} ${block[k]}`).sort().join('\n')
+    return Array.from({ length }, (_, k) => `${[...geometry.slice(8 * k, 8 * k + 8)]} ${block[k]}`)
+      .sort()
+      .join('\n')
   })
 }
 
 /** What is at a point of the world: its block, or 0. */
 export function blockAt(page, x, y) {
-  return page.evaluate(([x, y]) => {
-    const spot = window.sandbox.game.ground.world.at(x, y)
-    return spot.where === 'outside' ? 0 : spot.block
-  }, [x, y])
+  return page.evaluate(
+    ([x, y]) => {
+      const spot = window.sandbox.game.ground.world.at(x, y)
+      return spot.where === 'outside' ? 0 : spot.block
+    },
+    [x, y],
+  )
 }
 
 /** Waits until the message of the page matches. */
 export async function message(page, pattern) {
-  await page.waitForFunction((source) => new RegExp(source).test(document.getElementById('message').textContent), pattern.source)
+  await page.waitForFunction(
+    (source) => new RegExp(source).test(document.getElementById('message').textContent),
+    pattern.source,
+  )
 }

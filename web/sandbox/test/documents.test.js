@@ -1,4 +1,5 @@
-// Files, addresses, and the check. In a real browser; the build must be there: npm run build -w sandbox
+// Files, addresses, and the check.
+// In a real browser; the build must be there: npm run build -w sandbox
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { click, drag, message, openBrowser, outline } from './browser.js'
@@ -55,7 +56,9 @@ test('a saved world is opened', () =>
     const opened = await outline(page)
     const bytes = await page.evaluate(() => [...window.sandbox.game.ground.world.save()])
     await page.locator('#landscape').click()
-    await page.locator('#file').setInputFiles({ name: 'two.lgs', mimeType: 'application/octet-stream', buffer: Buffer.from(bytes) })
+    await page
+      .locator('#file')
+      .setInputFiles({ name: 'two.lgs', mimeType: 'application/octet-stream', buffer: Buffer.from(bytes) })
     await message(page, /two\.lgs: 2 polygons/)
     assert.equal(await outline(page), opened)
   }))
@@ -63,7 +66,9 @@ test('a saved world is opened', () =>
 test('a bad file is refused in words, and changes nothing', () =>
   browser.onPage(async (page) => {
     const before = await outline(page)
-    await page.locator('#file').setInputFiles({ name: 'bad.trace', mimeType: 'text/plain', buffer: Buffer.from('nonsense') })
+    await page
+      .locator('#file')
+      .setInputFiles({ name: 'bad.trace', mimeType: 'text/plain', buffer: Buffer.from('nonsense') })
     await message(page, /./)
     assert.equal(await outline(page), before)
   }))
@@ -72,12 +77,20 @@ test('share puts the ground into the address, and the address opens it', async (
   let hash
   let shared
   await browser.onPage(async (page) => {
-    await drag(page, [[14, 5], [16, 4.2]])
+    await drag(page, [
+      [14, 5],
+      [16, 4.2],
+    ])
     shared = await outline(page)
     await page.locator('#share').click()
     await message(page, /address/)
     hash = new URL(page.url()).hash
     assert.ok(hash.length < 8000, `${hash.length} characters`)
+    await page.locator('#empty').click()
+    await page.evaluate(() => history.replaceState(null, '', '#'))
+    await page.evaluate((hash) => (location.hash = hash), hash)
+    await page.waitForFunction(() => window.sandbox.game.ground.world.bounds() !== null)
+    assert.equal(await outline(page), shared)
   })
   await browser.onPage(async (page) => assert.equal(await outline(page), shared), { hash })
   await browser.onPage((page) => message(page, /./), { hash: '#trace=damaged' })

@@ -1,4 +1,5 @@
-// Editing and looking, by mouse, keyboard and touch. In a real browser; the build must be there: npm run build -w sandbox
+// Editing and looking, by mouse, keyboard and touch.
+// In a real browser; the build must be there: npm run build -w sandbox
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { blockAt, click, drag, message, openBrowser, outline } from './browser.js'
@@ -14,7 +15,12 @@ test('dig, undo, redo', () =>
   browser.onPage(async (page) => {
     const before = await outline(page)
     assert.equal(await blockAt(page, 16, 4.2), 1)
-    await drag(page, [[14, 5], [15, 4.5], [16, 4.2], [17, 4.1]])
+    await drag(page, [
+      [14, 5],
+      [15, 4.5],
+      [16, 4.2],
+      [17, 4.1],
+    ])
     assert.equal(await blockAt(page, 16, 4.2), 0)
     const dug = await outline(page)
     assert.notEqual(dug, before)
@@ -37,7 +43,10 @@ test('paint with a material, put tiles, draw a polygon', () =>
   browser.onPage(async (page) => {
     await tool(page, 'paint')
     await page.locator('input[name=block][value="102"]').check()
-    await drag(page, [[14, 7], [16, 7]])
+    await drag(page, [
+      [14, 7],
+      [16, 7],
+    ])
     assert.equal(await blockAt(page, 15, 7), 102)
     await tool(page, 'tile')
     await page.locator('input[name=tile][value="1"]').check()
@@ -49,7 +58,12 @@ test('paint with a material, put tiles, draw a polygon', () =>
     await click(page, 20.5, 7.5)
     assert.equal(await blockAt(page, 20.8, 7.9), 0)
     await tool(page, 'polygon')
-    for (const [x, y] of [[30, 6], [34, 6], [34, 8]]) await click(page, x, y)
+    for (const [x, y] of [
+      [30, 6],
+      [34, 6],
+      [34, 8],
+    ])
+      await click(page, x, y)
     await page.keyboard.press('Enter')
     assert.equal(await blockAt(page, 33, 6.5), 102)
     await page.locator('#check').click()
@@ -72,16 +86,44 @@ test('everything by keyboard, and every control has a name', () =>
   browser.onPage(async (page) => {
     const nameless = await page.evaluate(() =>
       [...document.querySelectorAll('button, input, canvas')]
-        .filter((each) => !(each.ariaLabel || each.textContent.trim() || each.labels?.[0]?.textContent.trim() || each.closest('[aria-label]')))
+        .filter(
+          (each) =>
+            !(
+              each.ariaLabel ||
+              each.textContent.trim() ||
+              each.labels?.[0]?.textContent.trim() ||
+              each.closest('[aria-label]')
+            ),
+        )
         .map((each) => each.outerHTML),
     )
     assert.deepEqual(nameless, [])
     const reached = new Set()
     for (let k = 0; k < 40; ++k) {
       await page.keyboard.press('Tab')
-      reached.add(await page.evaluate(() => document.activeElement.id || document.activeElement.name || document.activeElement.tagName))
+      reached.add(
+        await page.evaluate(
+          () => document.activeElement.id || document.activeElement.name || document.activeElement.tagName,
+        ),
+      )
     }
-    for (const id of ['CANVAS', 'tool', 'size', 'play', 'step', 'slow', 'restart', 'view', 'overlay', 'copy', 'share', 'open', 'check', 'help']) assert.ok(reached.has(id), id)
+    for (const id of [
+      'CANVAS',
+      'tool',
+      'size',
+      'play',
+      'step',
+      'slow',
+      'restart',
+      'view',
+      'overlay',
+      'copy',
+      'share',
+      'open',
+      'check',
+      'help',
+    ])
+      assert.ok(reached.has(id), id)
     await page.locator('#pane-0 canvas').focus()
     const before = await outline(page)
     await page.keyboard.press('d')
@@ -92,7 +134,12 @@ test('everything by keyboard, and every control has a name', () =>
     await page.keyboard.press('?')
     assert.ok(await page.locator('#help-dialog').isVisible())
     await page.keyboard.press('Escape')
-    for (const [key, name] of [['p', 'paint'], ['t', 'tile'], ['v', 'move'], ['c', 'car']]) {
+    for (const [key, name] of [
+      ['p', 'paint'],
+      ['t', 'tile'],
+      ['v', 'move'],
+      ['c', 'car'],
+    ]) {
       await page.keyboard.press(key)
       assert.ok(await page.locator(`input[name=tool][value=${name}]`).isChecked())
     }
@@ -106,7 +153,10 @@ test('zoom and pan by wheel, by the right button, and by two fingers', () =>
     const at = await place()
     await page.mouse.move(at.x, at.y)
     await page.mouse.wheel(0, -300)
-    await page.waitForFunction((least) => window.sandbox.toPage(11, 5).x - window.sandbox.toPage(10, 5).x > least, before * 1.2)
+    await page.waitForFunction(
+      (least) => window.sandbox.toPage(11, 5).x - window.sandbox.toPage(10, 5).x > least,
+      before * 1.2,
+    )
     const zoomed = await place()
     assert.ok(Math.hypot(zoomed.x - at.x, zoomed.y - at.y) < 1, 'the place below the pointer stays')
     await page.mouse.down({ button: 'right' })
@@ -117,7 +167,16 @@ test('zoom and pan by wheel, by the right button, and by two fingers', () =>
     const ground = await outline(page)
     await page.locator('#pane-0 canvas').evaluate((canvas) => {
       const box = canvas.getBoundingClientRect()
-      const touch = (type, pointerId, x) => canvas.dispatchEvent(new PointerEvent(type, { pointerId, pointerType: 'touch', clientX: box.left + x, clientY: box.top + 30, bubbles: true }))
+      const touch = (type, pointerId, x) =>
+        canvas.dispatchEvent(
+          new PointerEvent(type, {
+            pointerId,
+            pointerType: 'touch',
+            clientX: box.left + x,
+            clientY: box.top + 30,
+            bubbles: true,
+          }),
+        )
       canvas.setPointerCapture = () => {}
       touch('pointerdown', 7, 100)
       touch('pointerdown', 8, 200)
@@ -139,5 +198,13 @@ test('a phone, the dark, and no motion', () =>
       await page.touchscreen.tap(at.x, at.y)
       assert.notEqual(await outline(page), before)
     },
-    { context: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, colorScheme: 'dark', reducedMotion: 'reduce' } },
+    {
+      context: {
+        viewport: { width: 390, height: 844 },
+        hasTouch: true,
+        isMobile: true,
+        colorScheme: 'dark',
+        reducedMotion: 'reduce',
+      },
+    },
   ))

@@ -3,8 +3,14 @@ import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import { build } from 'esbuild'
 
-const { outputFiles } = await build({ entryPoints: [new URL('../src/outline-compare.ts', import.meta.url).pathname], write: false, format: 'esm' })
-const { differences } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString('base64')}`)
+const { outputFiles } = await build({
+  entryPoints: [new URL('../src/outline-compare.ts', import.meta.url).pathname],
+  write: false,
+  format: 'esm',
+})
+const { differences } = await import(
+  `data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString('base64')}`
+)
 
 const square = [0, 0, 2, 0, 2, 0, 2, 1, 2, 1, 0, 1, 0, 1, 0, 0]
 

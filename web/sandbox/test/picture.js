@@ -5,7 +5,7 @@ const browser = await openBrowser()
 try {
   await browser.onPage(
     async (page) => {
-      // Digs and undoes so often that the code of the engine is compiled by now. Else the times would be those of a start.
+      // Digs and undoes so often that the engine's code is compiled by now. Else the times would be those of a start.
       await page.evaluate(() => {
         const { ground } = window.sandbox.game
         for (let k = 0; k < 400; ++k) {
@@ -19,7 +19,10 @@ try {
       await page.locator('#landscape').click()
       await page.evaluate(() => window.sandbox.step(235))
       await page.waitForTimeout(1200) // until nothing glows any more
-      await drag(page, Array.from({ length: 7 }, (_, k) => [9.5 + k / 2, 2.5]))
+      await drag(
+        page,
+        Array.from({ length: 7 }, (_, k) => [9.5 + k / 2, 2.5]),
+      )
       await page.evaluate(() => window.sandbox.step(12))
       await page.waitForTimeout(200)
       await page.screenshot({ path: process.argv[2] })

@@ -1,4 +1,5 @@
-// The two worlds, what rolls in them, and what the ground does to it. In a real browser; the build must be there: npm run build -w sandbox
+// The two worlds, what rolls in them, and what the ground does to it.
+// In a real browser; the build must be there: npm run build -w sandbox
 import assert from 'node:assert/strict'
 import { after, before, test } from 'node:test'
 import { click, drag, openBrowser } from './browser.js'
@@ -16,16 +17,25 @@ test('the first second: two worlds, everything rolls, and only without ghosts th
   browser.onPage(async (page) => {
     assert.equal(await page.locator('.pane:visible').count(), 2)
     assert.match(await page.locator('#lead').textContent(), /seams/)
-    const places = () => page.evaluate(() => window.sandbox.game.sides.map((side) => side.riders.map((rider) => rider.bodies[0].getPosition().x)))
+    const places = () =>
+      page.evaluate(() =>
+        window.sandbox.game.sides.map((side) => side.riders.map((rider) => rider.bodies[0].getPosition().x)),
+      )
     const [start] = await places()
     await step(page, 30)
     const [half] = await places()
-    assert.ok(half.every((x, k) => x > start[k]), 'all riders move to the right')
+    assert.ok(
+      half.every((x, k) => x > start[k]),
+      'all riders move to the right',
+    )
     await step(page, 570)
     const [smooth, rough] = await kicks(page)
     assert.equal(smooth, 0)
     assert.ok(rough > 50, `${rough} kicks`)
-    await page.waitForFunction((count) => document.querySelector('#pane-1 [data-count=kicks]').textContent === String(count), rough)
+    await page.waitForFunction(
+      (count) => document.querySelector('#pane-1 [data-count=kicks]').textContent === String(count),
+      rough,
+    )
   }))
 
 test('the clock runs by itself, pauses, and steps', () =>
@@ -52,7 +62,10 @@ test('drop marbles, boxes and a car, and drive it', () =>
     assert.deepEqual(await riders(page), [count + 3, count + 3])
     await page.locator('#empty').click()
     await tool(page, 'tile')
-    await drag(page, Array.from({ length: 14 }, (_, k) => [k + 2.5, 0.5]))
+    await drag(
+      page,
+      Array.from({ length: 14 }, (_, k) => [k + 2.5, 0.5]),
+    )
     await tool(page, 'car')
     await click(page, 12, 2)
     const car = () => page.evaluate(() => window.sandbox.game.sides[0].riders.at(-1).bodies[0].getPosition().x)
@@ -68,28 +81,51 @@ test('drop marbles, boxes and a car, and drive it', () =>
 
 // An empty world with tiles, and one rider. Returns where it is after some steps, in cells.
 async function tryOut(page, tiles, rider, steps) {
-  return page.evaluate(([tiles, rider, steps]) => {
-    const { game } = window.sandbox
-    document.getElementById('empty').click()
-    game.ground.begin()
-    for (const [i, j, block] of tiles) game.ground.edit({ kind: 'tile', i, j, vertices: [[0, 0], [1, 0], [1, 1], [0, 1]], block })
-    game.ground.end()
-    game.drop({ kind: 'box', speed: 0, size: 0.3, colour: 0, ...rider })
-    if (rider.up) game.sides[0].riders[0].bodies[0].setLinearVelocity({ x: 0, y: rider.up })
-    window.sandbox.step(steps)
-    const { x, y } = game.sides[0].riders[0].bodies[0].getPosition()
-    return { x: x * 4, y: y * 4 }
-  }, [tiles, rider, steps])
+  return page.evaluate(
+    ([tiles, rider, steps]) => {
+      const { game } = window.sandbox
+      document.getElementById('empty').click()
+      game.ground.begin()
+      for (const [i, j, block] of tiles)
+        game.ground.edit({
+          kind: 'tile',
+          i,
+          j,
+          vertices: [
+            [0, 0],
+            [1, 0],
+            [1, 1],
+            [0, 1],
+          ],
+          block,
+        })
+      game.ground.end()
+      game.drop({ kind: 'box', speed: 0, size: 0.3, colour: 0, ...rider })
+      if (rider.up) game.sides[0].riders[0].bodies[0].setLinearVelocity({ x: 0, y: rider.up })
+      window.sandbox.step(steps)
+      const { x, y } = game.sides[0].riders[0].bodies[0].getPosition()
+      return { x: x * 4, y: y * 4 }
+    },
+    [tiles, rider, steps],
+  )
 }
 
 test('ice, sticky and one-way ground', () =>
   browser.onPage(async (page) => {
     const floor = (block) => Array.from({ length: 40 }, (_, i) => [i, 0, block])
     const slide = { kind: 'marble', x: 2, y: 1.3, speed: 4 }
-    const [plain, ice, sticky] = [await tryOut(page, floor(1), slide, 180), await tryOut(page, floor(101), slide, 180), await tryOut(page, floor(102), slide, 180)]
+    const [plain, ice, sticky] = [
+      await tryOut(page, floor(1), slide, 180),
+      await tryOut(page, floor(101), slide, 180),
+      await tryOut(page, floor(102), slide, 180),
+    ]
     assert.ok(ice.x > 12 && plain.x > 5, 'both go on')
     assert.ok(sticky.x < 4, `${sticky.x}: it is held back`)
-    const platform = [[4, 4, 103], [5, 4, 103], [6, 4, 103]]
+    const platform = [
+      [4, 4, 103],
+      [5, 4, 103],
+      [6, 4, 103],
+    ]
     const fallen = await tryOut(page, platform, { x: 5.5, y: 7 }, 180)
     assert.ok(Math.abs(fallen.y - 5.3) < 0.1, `${fallen.y}: it lies on top`)
     const risen = await tryOut(page, platform, { x: 5.5, y: 3, up: 2.2 }, 240)
@@ -107,7 +143,8 @@ test('an undo that refills a hole lifts who is in it', () =>
       window.sandbox.game.drop({ kind: 'marble', x: 5.5, y: 4, speed: 0, size: 0.4, colour: 0 })
     })
     await step(page, 120)
-    const height = () => page.evaluate(() => window.sandbox.game.sides.map((side) => side.riders[0].bodies[0].getPosition().y * 4))
+    const height = () =>
+      page.evaluate(() => window.sandbox.game.sides.map((side) => side.riders[0].bodies[0].getPosition().y * 4))
     assert.ok((await height())[0] < 3)
     await page.locator('#undo').click()
     await step(page, 120)
@@ -126,6 +163,8 @@ test('ghosts switched off in one world: kicks are counted', () =>
     assert.ok(rough > 10, `${rough} kicks`)
     await page.locator('input[name=view][value=both]').check()
     assert.equal(await page.locator('.pane:visible').count(), 2)
-    const places = await page.evaluate(() => window.sandbox.game.sides.map((side) => side.riders.map((rider) => rider.bodies[0].getPosition().x)))
+    const places = await page.evaluate(() =>
+      window.sandbox.game.sides.map((side) => side.riders.map((rider) => rider.bodies[0].getPosition().x)),
+    )
     assert.deepEqual(places[0], places[1])
   }))

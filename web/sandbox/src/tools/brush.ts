@@ -5,7 +5,10 @@ import type { Game } from '../game.js'
 import { settings } from '../settings.js'
 import type { Tool } from './tool.js'
 
-const corners = 24
+// A small brush needs few corners, and each of them costs.
+function corners(): number {
+  return 8 * Math.ceil(1 + settings.radius)
+}
 
 export class Brush implements Tool {
   readonly #digs: boolean
@@ -18,12 +21,12 @@ export class Brush implements Tool {
   down(game: Game, x: number, y: number): void {
     game.ground.begin()
     this.#last = [x, y]
-    game.ground.edit(this.#edit(circle(x, y, settings.radius, corners)))
+    game.ground.edit(this.#edit(circle(x, y, settings.radius, corners())))
   }
 
   move(game: Game, x: number, y: number): void {
     if (this.#last === null || Math.hypot(x - this.#last[0], y - this.#last[1]) < settings.radius / 8) return
-    game.ground.edit(this.#edit(thickLine([this.#last, [x, y]], settings.radius, corners)))
+    game.ground.edit(this.#edit(thickLine([this.#last, [x, y]], settings.radius, corners())))
     this.#last = [x, y]
   }
 

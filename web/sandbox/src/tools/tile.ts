@@ -18,7 +18,14 @@ export class TileTool implements Tool {
     if (this.#last === `${i} ${j}`) return
     this.#last = `${i} ${j}`
     if (settings.tile < 0) game.ground.edit({ kind: 'clear', i, j })
-    else game.ground.edit({ kind: 'tile', i, j, vertices: turned(tiles[settings.tile].vertices, settings.quarters), block: settings.block })
+    else
+      game.ground.edit({
+        kind: 'tile',
+        i,
+        j,
+        vertices: turned(tiles[settings.tile].vertices, settings.quarters),
+        block: settings.block,
+      })
   }
 
   up(game: Game): void {
