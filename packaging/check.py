@@ -58,6 +58,8 @@ def complaints():
         (f"{', '.join(ASKING)} ask for {version.rpartition('.')[0]}", asked == {version.rpartition(".")[0]}),
         ("vcpkg.json has the version of CMakeLists.txt", port["version-semver"] == version),
         ("conanfile.py has the version of CMakeLists.txt", conan["version"] == version),
+        ("web/package/package.json has the version of CMakeLists.txt",
+         json.loads(text("web/package/package.json"))["version"] == version),
         ("debian/changelog has the version of CMakeLists.txt", debian == version),
         (f"debian/control names the library after its soname, {soversion}",
          f"Package: liblocalgridseg{soversion}\n" in control
