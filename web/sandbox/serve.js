@@ -1,4 +1,4 @@
-// Serves the built page on localhost: node serve.js [PORT]
+// Serves the built page on localhost: node serve.js [PORT]. If the port is taken, on another one.
 import { readFile } from 'node:fs/promises'
 import { createServer } from 'node:http'
 import { extname } from 'node:path'
@@ -20,11 +20,14 @@ export async function serve(port, folder = '/') {
       response.writeHead(404).end('not found')
     }
   })
-  await new Promise((resolve) => server.listen(port, 'localhost', resolve))
+  await new Promise((resolve, reject) => server.once('error', reject).listen(port, 'localhost', resolve))
   return server
 }
 
 if (import.meta.url === `file://${process.argv[1]}`) {
-  const server = await serve(Number(process.argv[2] ?? 8080))
+  const server = await serve(Number(process.argv[2] ?? 8080)).catch((error) => {
+    if (error.code === 'EADDRINUSE') return serve(0)
+    throw error
+  })
   console.log(`open http://localhost:${server.address().port}`)
 }
