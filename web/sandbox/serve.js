@@ -2,6 +2,7 @@
 import { readFile } from 'node:fs/promises'
 import { createServer } from 'node:http'
 import { extname } from 'node:path'
+import { pathToFileURL } from 'node:url'
 
 const types = { '.html': 'text/html', '.css': 'text/css', '.js': 'text/javascript', '.wasm': 'application/wasm' }
 const root = new URL('dist/', import.meta.url)
@@ -24,7 +25,7 @@ export async function serve(port, folder = '/') {
   return server
 }
 
-if (import.meta.url === `file://${process.argv[1]}`) {
+if (import.meta.url === pathToFileURL(process.argv[1]).href) {
   const server = await serve(Number(process.argv[2] ?? 8080)).catch((error) => {
     if (error.code === 'EADDRINUSE') return serve(0)
     throw error
