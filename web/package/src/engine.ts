@@ -63,6 +63,8 @@ type Preserve = (smaller: number, greater: number) => boolean
 export class Engine {
   readonly call: Exports
   #memory: WebAssembly.Memory
+  #words = new Uint32Array()
+  #longs = new BigUint64Array()
   #relations = new Map<number, Preserve>()
   #lastRelation = 0
   #isAsking = false
@@ -94,6 +96,16 @@ export class Engine {
   // --- Memory: it may grow in any call, and then old views are empty. So each view is made when it is needed.
 
   get buffer(): ArrayBuffer { return this.#memory.buffer }
+
+  /** All memory, in words of 32 bits, and of 64. Once it has grown, they are others. */
+  get words(): Uint32Array {
+    if (this.#words.length === 0) this.#words = new Uint32Array(this.buffer)
+    return this.#words
+  }
+  get longs(): BigUint64Array {
+    if (this.#longs.length === 0) this.#longs = new BigUint64Array(this.buffer)
+    return this.#longs
+  }
 
   /** Room for arguments. */
   inputReals(count: number): Float64Array {
