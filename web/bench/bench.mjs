@@ -16,7 +16,7 @@ const units = (ns) => (ns < 1e3 ? `${Math.round(ns)} ns` : ns < 1e6 ? `${(ns / 1
 async function measure(kind, task, subjects, native) {
   const times = { native: [], ...Object.fromEntries(Object.keys(subjects).map((name) => [name, []])) }
   const editsNow = task === 'edits' ? ` ${editsARound}` : ''
-  for (let round = -2; round < rounds; ++round) {  // the first two warm up
+  for (let round = -10; round < rounds; ++round) {  // the first ones warm up
     const [time, sum] = await native.ask(`${task} ${kind}${editsNow}`)
     const note = (name, ns) => { if (round >= 0) times[name].push(ns) }
     note('native', time)

@@ -30,11 +30,14 @@ class Reader {
     this.#readList(changes.relinked)
   }
   #readList({ length, id, geometry, block, cell, predecessor, successor, owner }) {
-    for (let k = 0; k < 8 * length; k += 2) this.sum += geometry[k] + 2 * geometry[k + 1]
+    let sum = 0, owners = 0
+    for (let k = 0; k < 8 * length; k += 2) sum += geometry[k] + 2 * geometry[k + 1]
     for (let k = 0; k < length; ++k) {
-      this.sum += id[k] + block[k] + cell[2 * k] + cell[2 * k + 1] + predecessor[k] + successor[k]
-      this.owners += owner[k]
+      sum += id[k] + block[k] + cell[2 * k] + cell[2 * k + 1] + predecessor[k] + successor[k]
+      owners += owner[k]
     }
+    this.sum += sum
+    this.owners += owners
   }
 }
 
