@@ -8,14 +8,19 @@ function(lgs_target target)
   if(CMAKE_CURRENT_SOURCE_DIR MATCHES "^${LocalGridSeg_SOURCE_DIR}/lib(/|$)")
     # Some machines work out a * b + c with a single rounding, and compilers use that where they may. Processors of 1980
     # round every result twice. Then answers in `double` would depend on the machine. Microsoft's compiler does neither
-    # unless it is asked to; but it has to be told that the sources are in UTF-8.
-    target_compile_options(${target} PRIVATE
-      $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off> $<$<CXX_COMPILER_ID:MSVC>:/utf-8>)
+    # unless it is asked to; but it has to be told that the sources are in UTF-8. MSVC means clang-cl, too.
+    if(MSVC)
+      target_compile_options(${target} PRIVATE /utf-8 $<$<CXX_COMPILER_ID:Clang>:/clang:-ffp-contract=off>)
+    else()
+      target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>)
+    endif()
     if(CMAKE_SIZEOF_VOID_P EQUAL 4 AND CMAKE_SYSTEM_PROCESSOR MATCHES "86|AMD64" AND NOT MSVC)
       target_compile_options(${target} PRIVATE -msse2 -mfpmath=sse)
     endif()
   endif()
-  if(CMAKE_SOURCE_DIR STREQUAL LocalGridSeg_SOURCE_DIR)
+  if(CMAKE_SOURCE_DIR STREQUAL LocalGridSeg_SOURCE_DIR AND MSVC)
+    target_compile_options(${target} PRIVATE /W4)
+  elseif(CMAKE_SOURCE_DIR STREQUAL LocalGridSeg_SOURCE_DIR)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
       # GCC 12 warns of string concatenation where nothing is wrong (its bug 105651, fixed in 13).
       $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>)
@@ -36,6 +41,14 @@ function(lgs_target target)
       endif()
       target_link_options(${target} PUBLIC -fsanitize=${LGS_SANITIZE})
     endif()
+  endif()
+endfunction()
+
+# lgs_without_exceptions(<target>): compiles it without exceptions and RTTI, which it does not need. Microsoft's compiler
+# and clang-cl do not know these options.
+function(lgs_without_exceptions target)
+  if(NOT MSVC)
+    target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti)
   endif()
 endfunction()
 
@@ -67,10 +80,13 @@ function(lgs_link_first program)
 endfunction()
 
 # lgs_loads_a_library(<test>): for tests in which Python loads a library of this project. A library with the address
-# sanitizer needs the sanitizer's own library to be there first. What Python itself leaks is no finding.
+# sanitizer needs the sanitizer's own library to be there first. What Python itself leaks is no finding. The thread
+# sanitizer must be in the program itself.
 function(lgs_loads_a_library test)
   set_tests_properties(${test} PROPERTIES LABELS tools)
-  if(LGS_SANITIZE MATCHES "address")
+  if(LGS_SANITIZE MATCHES "thread")
+    set_tests_properties(${test} PROPERTIES DISABLED ON)
+  elseif(LGS_SANITIZE MATCHES "address")
     set(runtime libasan.so)
     if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
       set(runtime libclang_rt.asan-${CMAKE_SYSTEM_PROCESSOR}.so)

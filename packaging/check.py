@@ -12,6 +12,9 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+# Files that tell a game or a user which version to ask for.
+ASKING = ["README.md", "docs/packages.md", "debian/copyright", "examples/lgs_ctypes.py",
+          "proptests/consumer/CMakeLists.txt", "proptests/c/consumer/CMakeLists.txt", "lib/c/liblgs.map"]
 
 
 def text(name):
@@ -39,6 +42,8 @@ def conan_values():
 def complaints():
     version = re.search(r"project\(LocalGridSeg VERSION (\S+)", text("CMakeLists.txt"))[1]
     soversion = version if version[0] != "0" else version.rpartition(".")[0]
+    asked = {found for name in ASKING
+             for found in re.findall(r"(?:LocalGridSeg |liblgs\.so\.|liblocalgridseg|LGS_)(\d+\.\d+)", text(name))}
     options = set(re.findall(r"option\((LGS_\w+)", text("CMakeLists.txt")))
     port, conan = json.loads(text("packaging/vcpkg/vcpkg.json")), conan_values()
     portfile = text("packaging/vcpkg/portfile.cmake")
@@ -50,8 +55,11 @@ def complaints():
     for what, is_so in [
         ("lgs/version.h has the version of CMakeLists.txt",
          f"kVersion{{{version.replace('.', ', ')}}};" in text("lib/include/lgs/version.h")),
+        (f"{', '.join(ASKING)} ask for {version.rpartition('.')[0]}", asked == {version.rpartition(".")[0]}),
         ("vcpkg.json has the version of CMakeLists.txt", port["version-semver"] == version),
         ("conanfile.py has the version of CMakeLists.txt", conan["version"] == version),
+        ("web/package/package.json has the version of CMakeLists.txt",
+         json.loads(text("web/package/package.json"))["version"] == version),
         ("debian/changelog has the version of CMakeLists.txt", debian == version),
         (f"debian/control names the library after its soname, {soversion}",
          f"Package: liblocalgridseg{soversion}\n" in control

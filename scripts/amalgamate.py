@@ -50,6 +50,8 @@ class Writer:
                 sys.exit(f"{path.relative_to(ROOT)} includes {include[2]}, which is not there")
         name = path.relative_to(ROOT) if path.is_relative_to(ROOT) else f"{path.parent.name}/{path.name}"
         text = re.sub(r"\n{3,}", "\n\n", "\n".join(body)).strip("\n")
+        if path == self.expected:
+            text = QUIET.format(text)
         self.lines += ["", f"// ---- {name} ----", "", text]
 
     def include_once(self, line):
@@ -57,6 +59,17 @@ class Writer:
             self.done.add(line)
             self.lines.append(line)
 
+
+# Without exceptions tl::expected has a parameter that it does not use. A game should see no warning of it.
+QUIET = """\
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+{}
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif"""
 
 # lib/ is compiled with -ffp-contract=off. Here the file itself has to ask for it.
 NO_CONTRACTION = """

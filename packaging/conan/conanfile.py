@@ -11,7 +11,7 @@ COMPONENTS = ["c", "brush", "debug", "tiled", "box2d"]  # each is an option here
 
 class LocalGridSeg(ConanFile):
     name = "localgridseg"
-    version = "0.1.0"
+    version = "0.2.0"
     license = "MIT"
     description = "Boundary segments and ghost vertices of an editable grid of polygons, at the cost of the edit"
     topics = ("game-development", "geometry", "box2d", "tiled")

@@ -22,14 +22,14 @@ namespace {
 
 std::vector<double> inputBuffer;  // doubles: it is at a multiple of eight bytes
 std::vector<DoublePoint> points;
-std::string text;
+std::string lastSentence;
 
 Failure failureOfLastCall;
 
 void keepText(std::string sentence) {
-  text = std::move(sentence);
-  failureOfLastCall.text = static_cast<double>(reinterpret_cast<std::uintptr_t>(text.data()));
-  failureOfLastCall.textLength = static_cast<double>(text.size());
+  lastSentence = std::move(sentence);
+  failureOfLastCall.text = static_cast<double>(reinterpret_cast<std::uintptr_t>(lastSentence.data()));
+  failureOfLastCall.textLength = static_cast<double>(lastSentence.size());
 }
 
 }  // namespace

@@ -44,11 +44,12 @@ struct Lists {
   } header{};
 };
 
-/// A world, and what it last handed out.
+/// A world, and the lists that it last handed out.
 struct Bridge {
   World world;
-  bool isFloat = false;  ///< geometry is handed out as float
-  Lists lists = {};
+  bool isFloat = false;                     ///< geometry is handed out as float
+  Lists changes = {};                       ///< of the last commit or roll-back
+  Lists segments = {};                      ///< of the last question for segments
   std::vector<DoubleSegment> doubles = {};  ///< working memory of the lists
   std::vector<FloatSegment> floats = {};
 };

@@ -19,7 +19,7 @@ Region inputRegion(std::size_t numbers) {
   return region(rings, in[1] != 0 ? FillRule::evenOdd : FillRule::nonZero);
 }
 
-void put(const std::vector<PolygonHandle>& handles) {
+void putHandles(const std::vector<PolygonHandle>& handles) {
   answer().push_back(static_cast<double>(handles.size()));
   for (const PolygonHandle handle : handles) answer().push_back(toNumber(handle));
 }
@@ -28,13 +28,13 @@ void put(const std::vector<PolygonHandle>& handles) {
 std::size_t answered(const Expected<BrushResult>& result) {
   if (!result) return refused(result.error(), std::size_t{0});
   answer().clear();
-  put(result->went);
-  put(result->came);
-  put(result->bent);
+  putHandles(result->went);
+  putHandles(result->came);
+  putHandles(result->bent);
   answer().push_back(static_cast<double>(result->changed.size()));
   for (const BrushChange& change : result->changed) {
     answer().push_back(toNumber(change.old));
-    put(change.now);
+    putHandles(change.now);
   }
   return answer().size();
 }

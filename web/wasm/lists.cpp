@@ -39,8 +39,7 @@ void putOthers(const std::vector<RealSegment<Real>>& segments, Lists& lists) {
 }
 
 /// Reads the segments of all ids but the first `removed`, and tells where the arrays are.
-const Lists::Header* listed(Bridge& bridge, std::size_t removed, std::size_t added) {
-  Lists& lists = bridge.lists;
+const Lists::Header* listed(Bridge& bridge, Lists& lists, std::size_t removed, std::size_t added) {
   const auto alive = std::span(lists.ids).subspan(removed);
   const void* geometry = nullptr;
   const auto put = [&](auto& segments, auto& numbers) {
@@ -72,13 +71,13 @@ const Lists::Header* listed(Bridge& bridge, std::size_t removed, std::size_t add
 }
 
 const Lists::Header* listed(Bridge& bridge, const Changes& changes) {
-  Lists& lists = bridge.lists;
+  Lists& lists = bridge.changes;
   lists.ids.clear();
   for (const auto* list : {&changes.removed, &changes.added, &changes.relinked})
     lists.ids.insert(lists.ids.end(), list->begin(), list->end());
   lists.header.before = changes.before;
   lists.header.after = changes.after;
-  return listed(bridge, changes.removed.size(), changes.added.size());
+  return listed(bridge, lists, changes.removed.size(), changes.added.size());
 }
 
 }  // namespace
@@ -92,14 +91,14 @@ LGS_EXPORT("rollBack") const Lists::Header* rollBack(Bridge* bridge, std::uint64
 }
 
 LGS_EXPORT("segments") const Lists::Header* segments(Bridge* bridge) {
-  bridge->lists.ids = bridge->world.segments();
-  return listed(*bridge, 0, bridge->lists.ids.size());
+  bridge->segments.ids = bridge->world.segments();
+  return listed(*bridge, bridge->segments, 0, bridge->segments.ids.size());
 }
 
 LGS_EXPORT("segmentsIn")
 const Lists::Header* segmentsIn(Bridge* bridge, std::int32_t i0, std::int32_t j0, std::int32_t i1, std::int32_t j1) {
-  bridge->lists.ids = bridge->world.segments(CellRect{{i0, j0}, {i1, j1}});
-  return listed(*bridge, 0, bridge->lists.ids.size());
+  bridge->segments.ids = bridge->world.segments(CellRect{{i0, j0}, {i1, j1}});
+  return listed(*bridge, bridge->segments, 0, bridge->segments.ids.size());
 }
 
 }  // namespace lgs::web

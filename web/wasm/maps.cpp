@@ -61,7 +61,7 @@ tiled::Options optionsOf(const Json& json) {
   return options;
 }
 
-void put(std::string_view text) {
+void putText(std::string_view text) {
   const auto bytes = std::as_bytes(std::span(text));
   answerBytes().assign(bytes.begin(), bytes.end());
 }
@@ -77,7 +77,7 @@ LGS_EXPORT("importMap") std::size_t importMap(std::size_t pathBytes, std::size_t
   const Json asked = Json::parse(arguments.substr(pathBytes), nullptr, false);
   const auto map = tiled::importMap(arguments.substr(0, pathBytes), optionsOf(asked), readFile, listFolder);
   const auto told = [](const Json& json) {
-    put(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    putText(json.dump(-1, ' ', false, Json::error_handler_t::replace));
     return answerBytes().size();
   };
   if (!map) return told({{"error", tiled::message(map.error())}, {"line", map.error().line}});

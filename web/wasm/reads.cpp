@@ -7,7 +7,7 @@ namespace {
 double real(std::uint64_t v) { return static_cast<double>(v); }
 
 /// handle, i, j, block, number of vertices, then these in cells.
-void put(Cell cell, const PlacedPolygon& polygon) {
+void putPolygon(Cell cell, const PlacedPolygon& polygon) {
   auto& out = answer();
   out.insert(out.end(), {toNumber(polygon.handle), static_cast<double>(cell.i), static_cast<double>(cell.j),
                          static_cast<double>(polygon.block), real(polygon.vertices.size())});
@@ -21,14 +21,14 @@ std::size_t answered() { return answer().size(); }
 
 LGS_EXPORT("polygons") std::size_t polygons(const Bridge* bridge) {
   answer().clear();
-  bridge->world.forEachPolygon(put);
+  bridge->world.forEachPolygon(putPolygon);
   return answered();
 }
 
 LGS_EXPORT("polygonsIn")
 std::size_t polygonsIn(const Bridge* bridge, std::int32_t i0, std::int32_t j0, std::int32_t i1, std::int32_t j1) {
   answer().clear();
-  bridge->world.forEachPolygon(CellRect{{i0, j0}, {i1, j1}}, put);
+  bridge->world.forEachPolygon(CellRect{{i0, j0}, {i1, j1}}, putPolygon);
   return answered();
 }
 
@@ -36,7 +36,7 @@ LGS_EXPORT("polygon") std::size_t polygon(const Bridge* bridge, double handle) {
   const auto found = bridge->world.polygon(toHandle(handle));
   if (!found) return refused(found.error(), std::size_t{0});
   answer().clear();
-  put(*bridge->world.cellOf(found->handle), *found);
+  putPolygon(*bridge->world.cellOf(found->handle), *found);
   return answered();
 }
 

@@ -64,7 +64,6 @@ export class Engine {
   readonly call: Exports
   #memory: WebAssembly.Memory
   #words = new Uint32Array()
-  #longs = new BigUint64Array()
   #relations = new Map<number, Preserve>()
   #lastRelation = 0
   #isAsking = false
@@ -97,14 +96,10 @@ export class Engine {
 
   get buffer(): ArrayBuffer { return this.#memory.buffer }
 
-  /** All memory, in words of 32 bits, and of 64. Once it has grown, they are others. */
+  /** All memory, in words of 32 bits. Once it has grown, it is another array. */
   get words(): Uint32Array {
     if (this.#words.length === 0) this.#words = new Uint32Array(this.buffer)
     return this.#words
-  }
-  get longs(): BigUint64Array {
-    if (this.#longs.length === 0) this.#longs = new BigUint64Array(this.buffer)
-    return this.#longs
   }
 
   /** Room for arguments. */

@@ -5,7 +5,7 @@ import type { Changes, SegmentList } from './types.js'
 
 /** Where things are in lgs::web::Lists::Header, in words of 32 bits. */
 const at = {
-  before: 0, after: 2, removed: 4, added: 5, relinked: 6, ids: 7, geometry: 8, block: 9, cell: 10, owner: 11,
+  removed: 4, added: 5, relinked: 6, ids: 7, geometry: 8, block: 9, cell: 10, owner: 11,
   predecessor: 12, successor: 13,
 }
 
@@ -18,9 +18,8 @@ interface Kept {
 }
 /** How many of one kind; a power of two. */
 const keptViews = 32
-const noViews = (): Kept[][] => Array.from({ length: at.successor + 1 }, () => [])
 
-/** The lists of a world, of its last call that made any. */
+/** Lists of a world: those of its last commit or roll-back, or of its last question for segments. */
 export class Lists {
   readonly engine: Engine
   readonly precision: 'double' | 'float'
@@ -28,7 +27,7 @@ export class Lists {
   #header = 0  // where it is, in words
   // To make a view takes as long as a small commit. But most views are where an earlier one was: so that one is used
   // again. Those of one kind are at places by their beginning and length.
-  #views = noViews()
+  #views: Kept[][] = []
   #memory: Uint32Array | null = null  // in which they are
 
   constructor(engine: Engine, precision: 'double' | 'float') {
@@ -49,16 +48,16 @@ export class Lists {
     return this.engine.words[this.#header + place]!
   }
 
-  /** A number of 64 bits in the header. */
-  long(place: number): bigint { return this.engine.longs[(this.#header + place) / 2]! }
+  /** What the header begins with: World.version before and after. */
+  get versions(): BigUint64Array { return new BigUint64Array(this.engine.buffer, 4 * this.#header, 2) }
 
   view<T extends Numbers>(number: number, make: Maker<T>, bytes: number, place: number, first: number, length: number): T {
     const address = this.word(number, place) + bytes * first
     if (this.#memory !== this.engine.words) {
       this.#memory = this.engine.words
-      this.#views = noViews()
+      this.#views = []
     }
-    const views = this.#views[place]!
+    const views = (this.#views[place] ??= [])
     const kept = (3 * first + length) % keptViews
     const old = views[kept]
     if (old?.address === address && old.view.length === length) return old.view as T
@@ -118,8 +117,9 @@ class ChangesView implements Changes {
     this.#number = number
     this.added = new View(lists, number, 0, added)
     this.relinked = new View(lists, number, added, lists.word(number, at.relinked))
-    this.before = lists.long(at.before)
-    this.after = lists.long(at.after)
+    const [before, after] = lists.versions
+    this.before = before!
+    this.after = after!
   }
   get removed() {
     return this.#lists.view(this.#number, Uint32Array, 4, at.ids, 0, this.#lists.word(this.#number, at.removed))
@@ -133,6 +133,9 @@ class ChangesView implements Changes {
   }
 }
 
-export const changesOf = (lists: Lists, number: number): Changes => new ChangesView(lists, number)
-export const listOf = (lists: Lists, number: number): SegmentList =>
-  new View(lists, number, 0, lists.word(number, at.added))
+/** What the engine has written, and says at this address. Earlier lists of this kind are stale. */
+export const changesOf = (lists: Lists, header: number): Changes => new ChangesView(lists, lists.next(header))
+export function listOf(lists: Lists, header: number): SegmentList {
+  const number = lists.next(header)
+  return new View(lists, number, 0, lists.word(number, at.added))
+}

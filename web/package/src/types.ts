@@ -34,9 +34,10 @@ export interface WorldOptions {
 }
 
 /**
- * Segments with their geometry, as typed arrays in the memory of WebAssembly. They are valid until their world's next
- * commit(), rollBack(), segments() or free(): asked later, a property throws an LgsError 'stale-list'. An array that you
- * keep yourself is not guarded: any call may change it or make it empty. copy() makes lists that stay.
+ * Segments with their geometry, as typed arrays in the memory of WebAssembly. Those of a commit are valid until the
+ * world's next commit(), rollBack() or free(), those of segments() until its next segments() or free(): asked later, a
+ * property throws an LgsError 'stale-list'. An array that you keep yourself is not guarded: any call may change it or
+ * make it empty. copy() makes lists that stay.
  */
 export interface SegmentList {
   readonly length: number

@@ -78,22 +78,26 @@ test('versions lead from one commit to the next', () => {
   assert.equal(nothing.before, nothing.after)
 })
 
-test('lists are stale after the next commit, and copies are not', () => {
+test('lists are stale after the next of their kind, and copies are not', () => {
   const { world } = floor(1)
   const changes = world.commit()
   const list = changes.added
   const copy = changes.copy()
   const geometry = Array.from(list.geometry)
-  world.segment(list.id[0])  // questions and edits leave lists as they are
-  assert.deepEqual(Array.from(list.geometry), geometry)
-  world.segments()
+  const all = world.segments()
+  world.segment(list.id[0])
+  world.add(5, 5, world.shape(ramp), 1)
+  assert.deepEqual(Array.from(list.geometry), geometry)  // questions and edits leave lists as they are
+  world.commit()
   fails('stale-list', () => list.geometry)
   fails('stale-list', () => changes.removed)
   fails('stale-list', () => changes.copy())
   assert.deepEqual(Array.from(copy.added.geometry), geometry)
   assert.equal(copy.copy(), copy)
   assert.equal(copy.added.copy(), copy.added)
+  assert.equal(all.id.length, 4)
   const last = world.segments()
+  fails('stale-list', () => all.id)
   world.free()
   fails('stale-list', () => last.id)
 })

@@ -9,6 +9,7 @@ if(NOT TARGET zstd::libzstd_static)
   target_compile_definitions(libzstd PRIVATE ZSTD_DISABLE_ASM ZSTD_LEGACY_SUPPORT=0 ZSTD_NO_INLINE ZSTD_STRIP_ERROR_STRINGS
     HUF_FORCE_DECOMPRESS_X1 ZSTD_FORCE_DECOMPRESS_SEQUENCES_SHORT)
   target_compile_options(libzstd PRIVATE -w)
+  set_target_properties(libzstd PROPERTIES UNITY_BUILD OFF)
   add_library(zstd::libzstd_static ALIAS libzstd)
 endif()
 set(zstd_FOUND ON)

@@ -1,0 +1,26 @@
+// The size is a promise: what `localgridseg` makes a page load, with gzip, is at most 100 kB.
+import assert from 'node:assert/strict'
+import { readFileSync } from 'node:fs'
+import { test } from 'node:test'
+import { fileURLToPath } from 'node:url'
+import { gzipSync } from 'node:zlib'
+
+/** A module and all that it imports. */
+function withImports(file, found = new Set()) {
+  if (found.has(file)) return found
+  found.add(file)
+  for (const [, path] of readFileSync(file, 'utf8').matchAll(/(?:from|import)\s*"(\.[^"]+)"/g))
+    withImports(fileURLToPath(new URL(path, `file://${file}`)), found)
+  return found
+}
+const dist = (name) => fileURLToPath(new URL(`../dist/${name}`, import.meta.url))
+const gzip = (file) => gzipSync(readFileSync(file), { level: 9 }).length
+
+for (const [module, wasm, limit] of [['index.js', 'lgs.wasm', 100_000], ['full.js', 'lgs-full.wasm', 260_000]])
+  test(`${module} and ${wasm}: at most ${limit} bytes`, (t) => {
+    const files = [...withImports(dist(module)), dist(wasm)]
+    const bytes = files.reduce((sum, file) => sum + gzip(file), 0)
+    t.diagnostic(`${bytes} bytes in ${files.length} files`)
+    assert.ok(files.length > 2)
+    assert.ok(bytes <= limit, `${bytes} bytes`)
+  })

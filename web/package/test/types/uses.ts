@@ -1,0 +1,190 @@
+// Uses everything, as the compiler sees it. Nothing here runs: types.test.js has tsc check it. An error that is expected
+// and does not come is an error.
+import {
+  LgsError, circle, createWorld, init, loadWorld, rectangle, thickLine, unitSquare,
+  type Block, type BrushResult, type CellRect, type Changes, type ErrorCode, type Hit, type Loop, type Mark, type Nearest,
+  type Polygon, type PolygonId, type RayHit, type Region, type Segment, type SegmentList, type ShapeId, type Spot,
+  type Stats, type World,
+} from 'localgridseg'
+import { init as initInline, createWorld as createInline } from 'localgridseg/inline'
+import { importMap, type ImportedMap, init as initFull } from 'localgridseg/full'
+import { TracePlayer, dump, parseTrace, preserveOf, traceOf, type Edit, type Trace } from 'localgridseg/trace'
+import { PlanckTerrain } from 'localgridseg/planck'
+import { Box2dTerrain, type Box2D, type ObjectId, type PhysicsId } from 'localgridseg/box2d3'
+import { OutlineLines, chain, type ChunkLines } from 'localgridseg/draw'
+import { World as Planck, type Fixture } from 'planck'
+
+export async function starts(module: WebAssembly.Module, bytes: Uint8Array<ArrayBuffer>): Promise<void> {
+  await init()
+  await init({})
+  await init({ url: '/lgs.wasm' })
+  await init({ url: new URL('file:///lgs.wasm') })
+  await init({ bytes })
+  await init({ module })
+  await initInline()
+  await initFull({ module })
+  // @ts-expect-error: not a path
+  await init('/lgs.wasm')
+  // @ts-expect-error: nothing to say
+  await initInline({ url: '/lgs.wasm' })
+}
+
+export function worlds(bytes: Uint8Array): void {
+  const world: World = createWorld()
+  createWorld({ preserve: (a, b) => a === 1 && b === 2, precision: 'float' }).free()
+  createInline({ precision: 'double' })[Symbol.dispose]()
+  loadWorld(bytes, { preserve: undefined })
+  {
+    using scoped = createWorld()
+    scoped.commit()
+  }
+  // @ts-expect-error: no such precision
+  createWorld({ precision: 'half' })
+  // @ts-expect-error: no such option
+  createWorld({ ghosts: true })
+  // @ts-expect-error: bytes, not text
+  loadWorld('saved')
+  edits(world)
+  reads(world)
+}
+
+function edits(world: World): void {
+  const shape: ShapeId = world.shape(unitSquare)
+  world.shape([0, 0, 1, 0, 1, 1])
+  world.shape([[0, 0], [1, 0], [1, 1]])
+  world.shape(Float64Array.of(0, 0, 1, 0, 1, 1))
+  // @ts-expect-error: triples are no vertices
+  world.shape([[0, 0, 0]])
+  // @ts-expect-error: nor is text
+  world.shape('0 0 1 0 1 1')
+  const polygon: PolygonId = world.add(0, 0, shape, 1)
+  // @ts-expect-error: a block is missing
+  world.add(0, 0, shape)
+  const ids: Float64Array = world.addMany(Int32Array.of(0, 0, shape, 1))
+  // @ts-expect-error: whole numbers only
+  world.addMany(Float64Array.of(0, 0, shape, 1))
+  world.addPolygon(0, 0, [0, 0, 1, 0, 1, 1], 1)
+  world.remove(polygon)
+  world.removeMany(ids)
+  world.removeMany([polygon])
+  world.replace(0, 0, shape, 2)
+  world.setBlock(polygon, 3)
+  const cells: CellRect = { i0: 0, j0: 0, i1: 9, j1: 9 }
+  const count: number = world.fill(cells, shape, 1) + world.clear(cells) + world.clear(1, 2)
+  // @ts-expect-error: a corner is missing
+  world.fill({ i0: 0, j0: 0, i1: 9 }, shape, count)
+  // @ts-expect-error: one of two indices
+  world.clear(1)
+  const region: Region = circle(1, 2, 3, 32)
+  const result: BrushResult = world.paint(region, 1, 'replace')
+  world.carve(rectangle(0, 0, 1, 0, 2, 1))
+  world.carve(thickLine([[0, 0], [1, 1]], 0.5, 16))
+  world.paint({ rings: [[0, 0, 1, 0, 1, 1]], rule: 'evenOdd' }, 1)
+  // @ts-expect-error: no such mode
+  world.paint(region, 1, 'over')
+  // @ts-expect-error: results are not to be changed
+  result.went.push(polygon)
+  const mark: Mark = world.checkpoint()
+  const back: Changes = world.rollBack(mark)
+  world.forget(mark)
+  // @ts-expect-error: a mark is no number
+  world.rollBack(1)
+  const [block]: (Block | undefined)[] = Array.from(back.added.block)
+  if (block !== undefined) world.setBlock(polygon, block)
+}
+
+function reads(world: World): void {
+  const { removed, added, relinked, before, after }: Changes = world.commit()
+  const kept: Changes = world.commit().copy()
+  const list: SegmentList = world.segments()
+  const inCells: SegmentList = world.segments({ i0: 0, j0: 0, i1: 1, j1: 1 }).copy()
+  const numbers: (Uint32Array | Int32Array | Float64Array | Float32Array)[] = [
+    removed, added.id, added.geometry, relinked.block, list.cell, inCells.owner, list.predecessor, list.successor,
+  ]
+  const versions: bigint[] = [before, after, kept.before, world.version]
+  // @ts-expect-error: lists are read
+  added.id = removed
+  // @ts-expect-error: geometry may be of floats
+  const doubles: Float64Array = added.geometry
+  const segment: Segment = world.segment(1)
+  const x: number | undefined = segment.ghost1?.[0]
+  // @ts-expect-error: there may be no ghost
+  segment.ghost2[1].toFixed()
+  const hit: Hit = world.hit(segment.id)
+  const loops: Loop[] = world.loops({ merge: true })
+  const polygons: Polygon[] = [...world.polygonsAt(0, 0), ...world.polygons(), world.polygon(hit.polygon)]
+  const spot: Spot = world.at(1, 2)
+  const near: Nearest | null = world.nearest(1, 2, 3)
+  const ray: RayHit | null = world.rayCast(0, 0, 1, 1)
+  // @ts-expect-error: nothing may be near
+  near.distance.toFixed()
+  // @ts-expect-error: no such place
+  const isAbove = spot.where === 'above'
+  const saved: Uint8Array = world.save()
+  const stats: Stats = world.stats()
+  const bounds: CellRect | null = world.bounds()
+  const id: number = world.maxSegmentId
+  // @ts-expect-error: it is read
+  world.maxSegmentId = 3
+  void [numbers, versions, doubles, x, loops, polygons, ray, isAbove, saved, stats, bounds, id]
+}
+
+export function errors(f: () => void): ErrorCode | undefined {
+  try {
+    f()
+  } catch (error) {
+    if (!(error instanceof LgsError)) throw error
+    const where: number = error.cell?.i ?? error.vertex ?? error.index ?? 0
+    // @ts-expect-error: no such code
+    if (error.code === 'wrong') return undefined
+    return where >= 0 ? error.code : undefined
+  }
+  return undefined
+}
+
+export function traces(text: string, world: World): string {
+  const trace: Trace = parseTrace(text)
+  const player = new TracePlayer(createWorld({ preserve: preserveOf(trace) }))
+  const names = trace.edits.map((edit: Edit) => (edit.kind === 'add' ? edit.name : ''))
+  for (const edit of trace.edits) player.apply(edit)
+  // @ts-expect-error: a commit has no name
+  trace.edits.filter((edit) => edit.kind === 'commit').map((edit) => edit.name)
+  return names.join() + dump(player.world) + traceOf(world, [[1, 2]])
+}
+
+export function maps(world: World): number {
+  const map: ImportedMap = importMap('a.tmx', { 'a.tmx': '<map/>', 'b.tsx': new Uint8Array(3) },
+    { tolerance: 1, outside: 'clip', solid: true, solidIf: ['a'], block: 'class', numbers: { ice: 3 }, layers: ['Ground'] })
+  // @ts-expect-error: no such option
+  importMap('a.tmx', {}, { tolerances: 1 })
+  const blocks: number[] = Object.values(map.blocks)
+  return map.place(world).length + blocks.length + (map.tiles[0]?.id ?? 0)
+}
+
+export function physics(world: World, box2d: Box2D, id: PhysicsId, fixture: Fixture, shape: ObjectId): void {
+  const terrain = new PlanckTerrain(new Planck(), world, {
+    cellSize: 0.5, origin: { i: 3, j: 4 }, chunkCells: 8, material: (block) => ({ friction: block === 3 ? 0 : 0.5 }),
+  })
+  terrain.sync(world.commit())
+  const hit: Hit | null = terrain.hit(fixture)
+  const there: Fixture | null = terrain.fixture(terrain.segment(fixture))
+  terrain.ghosts = false
+  terrain.resync()
+  terrain.destroy()
+  // @ts-expect-error: a terrain is fed with changes
+  terrain.sync(world.segments())
+  // @ts-expect-error: no such option
+  new PlanckTerrain(new Planck(), world, { cells: 3 })
+  const other = new Box2dTerrain(box2d, id, world, { cellSize: 0.5 })
+  other.sync(world.commit())
+  const hits: (Hit | null)[] = [hit, other.hit(shape)]
+  // @ts-expect-error: planck's fixtures are not Box2D's
+  other.hit(fixture)
+  void [there, hits, other.position(0, 0).x, other.point({ x: 1, y: 2 }).y, terrain.position(1, 2)]
+}
+
+export function drawing(world: World): number {
+  const outline = new OutlineLines(world, 32)
+  const lines: ChunkLines[] = [...outline.all(), ...outline.update(world.commit())]
+  return lines.length + chain(world.segments()).length
+}

@@ -1,0 +1,25 @@
+// Builds the page into dist/: static files, for any server, in any folder.
+import { copyFile, mkdir, rm } from 'node:fs/promises'
+import { createRequire } from 'node:module'
+import { build } from 'esbuild'
+
+const require = createRequire(import.meta.url)
+const here = (path) => new URL(path, import.meta.url).pathname
+
+await rm(here('dist'), { recursive: true, force: true })
+await mkdir(here('dist'))
+await build({
+  absWorkingDir: here('.'),
+  entryPoints: ['src/main.ts', 'src/worker.ts', 'src/import-worker.ts'],
+  outdir: 'dist',
+  bundle: true,
+  format: 'esm',
+  splitting: true,
+  target: 'es2022',
+  minify: true,
+  sourcemap: false,
+  legalComments: 'eof',
+})
+for (const file of ['index.html', 'style.css']) await copyFile(here(file), here(`dist/${file}`))
+for (const file of ['lgs.wasm', 'lgs-full.wasm'])
+  await copyFile(require.resolve(`localgridseg/${file}`), here(`dist/${file}`))

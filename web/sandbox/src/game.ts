@@ -1,0 +1,147 @@
+// The ground, and the physics worlds over it: both, or one. Steps them all alike.
+import type { CellRect } from 'localgridseg'
+import type { Start } from './bodies.js'
+import type { Document } from './documents.js'
+import { Ground, type GroundChange } from './ground.js'
+import { Mirror } from './mirror.js'
+import { cell } from './scale.js'
+import { landscapeGate, landscapeRiders, makeLandscape } from './scene.js'
+import { type Gate, Side } from './side.js'
+
+export type View = 'both' | 'with' | 'without'
+
+const cruise = 14 // radians a second, of the wheels of a car that nobody drives
+const most = 22
+
+export class Game {
+  readonly ground: Ground
+  readonly mirror = new Mirror()
+  /** With ghosts first. */
+  sides: Side[] = []
+  onChange: (change: GroundChange) => void = () => {}
+  #view: View = 'both'
+  #gate: Gate = landscapeGate
+  #starts: Start[] = []
+  #drive: number | null = null // -1, 0 or 1; null while nobody has driven
+
+  constructor() {
+    this.ground = new Ground(makeLandscape())
+    this.ground.onChange = (change) => {
+      this.onChange(change) // first: it can still see what was removed
+      this.mirror.update(change.changes)
+      for (const side of this.sides) side.sync(change.changes)
+      this.#freeRiders(change.cells)
+    }
+    this.#begin(landscapeRiders())
+  }
+
+  get view(): View {
+    return this.#view
+  }
+
+  /** A side that was not there begins as a copy of the one that was. */
+  set view(view: View) {
+    if (view === this.#view) return
+    const [first] = this.sides
+    if (view === 'both') {
+      const other = this.#makeSide(!first.ghosts)
+      other.copyFrom(first)
+      this.sides = first.ghosts ? [first, other] : [other, first]
+    } else if (this.#view === 'both') {
+      this.sides = [view === 'with' ? this.sides[0] : this.sides[1]]
+    } else {
+      first.setGhosts(view === 'with')
+    }
+    this.#view = view
+  }
+
+  /** The page's own landscape, as at the start. */
+  openLandscape(): void {
+    this.ground.open(makeLandscape())
+    this.#gate = landscapeGate
+    this.#begin(landscapeRiders())
+  }
+
+  /** Another world. Marbles and a car start above it. */
+  open(document: Document): void {
+    this.ground.open(document)
+    const cells = document.world.bounds() ?? { i0: 0, j0: 0, i1: 20, j1: 0 }
+    this.#gate = { x: cells.i0 + 2, y: cells.j1 + 3, speed: 2, bottom: cells.j0 - 5 }
+    this.#begin(ridersOver(cells))
+  }
+
+  /** Puts the riders back to where they were at the start. */
+  restart(): void {
+    this.#begin(this.#starts)
+  }
+
+  drop(start: Start): void {
+    for (const side of this.sides) side.add(start)
+  }
+
+  removeRiders(): void {
+    for (const side of this.sides) side.removeAll()
+  }
+
+  drive(direction: number): void {
+    this.#drive = direction
+  }
+
+  step(): void {
+    this.ground.commit()
+    const speed = this.#drive === null ? cruise : this.#drive * most
+    for (const side of this.sides) side.step(speed, this.#gate)
+  }
+
+  #begin(starts: Start[]): void {
+    this.mirror.reset(this.ground.world)
+    this.#starts = starts
+    this.#drive = null
+    const ghosts = { both: [true, false], with: [true], without: [false] }[this.#view]
+    this.sides = ghosts.map((on) => this.#makeSide(on))
+    for (const start of starts) this.drop(start)
+  }
+
+  #makeSide(ghosts: boolean): Side {
+    return new Side(this.ground.world, this.mirror, ghosts)
+  }
+
+  // Edges are two-sided. Who is inside new ground would stay there, so it is lifted out.
+  #freeRiders(cells: CellRect): void {
+    const { world } = this.ground
+    for (const side of this.sides) {
+      for (const rider of side.riders) {
+        for (const body of rider.bodies) {
+          const { x, y } = side.terrain.point(body.getPosition())
+          if (x < cells.i0 || x > cells.i1 + 1 || y < cells.j0 || y > cells.j1 + 1) continue
+          let up = 0
+          while (up < 100 && world.at(x, y + up).where === 'inside') up += 0.25
+          if (up === 0) continue
+          for (const each of rider.bodies) {
+            const at = each.getPosition()
+            each.setTransform({ x: at.x, y: at.y + (up + rider.start.size) * cell }, each.getAngle())
+            each.setAwake(true)
+          }
+        }
+      }
+    }
+  }
+}
+
+function ridersOver(cells: CellRect): Start[] {
+  const starts: Start[] = []
+  const columns = cells.i1 - cells.i0 + 1
+  const count = Math.max(1, Math.min(16, Math.floor(columns / 2)))
+  for (let k = 0; k < count; ++k) {
+    const x = cells.i0 + ((k + 0.5) * columns) / count
+    starts.push({
+      kind: k === 0 ? 'car' : 'marble',
+      x,
+      y: cells.j1 + 3,
+      speed: 1,
+      size: k === 0 ? 0.7 : 0.3 + 0.05 * (k % 3),
+      colour: k % 5,
+    })
+  }
+  return starts
+}

@@ -1,0 +1,143 @@
+// The ground: the one owner of the LocalGridSeg world. Everybody else hears of changes from here.
+import type { CellRect, Changes, LgsError, Mark, World } from 'localgridseg'
+import type { Document } from './documents.js'
+import { apply, cellsOf, type Edit, union } from './edit.js'
+
+/** What a commit or an undo did. The lists are valid while the listeners run. */
+export interface GroundChange {
+  readonly changes: Changes
+  /** The cells whose polygons may differ. */
+  readonly cells: CellRect
+  /** How long the edits and the commit took, in milliseconds; the browser may round that to 0.1. */
+  readonly editTime: number
+  readonly commitTime: number
+}
+
+interface Stroke {
+  readonly mark: Mark
+  readonly edits: Edit[]
+  cells: CellRect | null
+}
+
+const longestHistory = 200
+
+export class Ground {
+  onChange: (change: GroundChange) => void = () => {}
+  onRefusal: (message: string) => void = () => {}
+  /** Before the first and after the last edit of a stroke, and of an undo. */
+  onBegin: () => void = () => {}
+  onEnd: () => void = () => {}
+  #document: Document
+  #past: Stroke[] = []
+  #future: Stroke[] = []
+  #stroke: Stroke | null = null
+  #pending: CellRect | null = null
+  #editTime = 0
+
+  constructor(document: Document) {
+    this.#document = document
+  }
+
+  get document(): Document {
+    return this.#document
+  }
+
+  get world(): World {
+    return this.#document.world
+  }
+
+  /** Another document. Its world must be committed. */
+  open(document: Document): void {
+    this.world.free()
+    this.#document = document
+    this.#past = []
+    this.#future = []
+    this.#stroke = null
+    this.#pending = null
+  }
+
+  /** Edits between begin() and end() are undone together. */
+  begin(): void {
+    this.end()
+    this.onBegin()
+    this.#stroke = { mark: this.world.checkpoint(), edits: [], cells: null }
+  }
+
+  end(): void {
+    this.commit()
+    const stroke = this.#stroke
+    this.#stroke = null
+    if (stroke === null) return
+    if (stroke.edits.length === 0) {
+      this.world.forget(stroke.mark)
+      return
+    }
+    this.#past.push(stroke)
+    this.#future = []
+    if (this.#past.length > longestHistory) this.world.forget(this.#past.shift()!.mark)
+    this.onEnd()
+  }
+
+  /** Between begin() and end(). A refused edit has changed nothing. */
+  edit(edit: Edit): void {
+    const start = performance.now()
+    try {
+      apply(this.world, edit)
+    } catch (error) {
+      this.onRefusal((error as LgsError).message)
+      return
+    }
+    this.#editTime += performance.now() - start
+    const cells = cellsOf(edit)
+    this.#stroke!.edits.push(edit)
+    this.#stroke!.cells = union(this.#stroke!.cells, cells)
+    this.#pending = union(this.#pending, cells)
+  }
+
+  /** Brings the segments up to date, once a frame. */
+  commit(): void {
+    if (this.#pending === null) return
+    const cells = this.#pending
+    const editTime = this.#editTime
+    this.#pending = null
+    this.#editTime = 0
+    const start = performance.now()
+    const changes = this.world.commit()
+    const commitTime = performance.now() - start
+    this.onChange({ changes, cells, editTime, commitTime })
+  }
+
+  get canUndo(): boolean {
+    return this.#past.length > 0
+  }
+
+  get canRedo(): boolean {
+    return this.#future.length > 0
+  }
+
+  undo(): void {
+    this.end()
+    const stroke = this.#past.pop()
+    if (stroke === undefined) return
+    this.#future.push(stroke)
+    this.onBegin()
+    const start = performance.now()
+    const changes = this.world.rollBack(stroke.mark)
+    const commitTime = performance.now() - start
+    this.onChange({ changes, cells: stroke.cells!, editTime: 0, commitTime })
+    this.world.forget(stroke.mark)
+    this.onEnd()
+  }
+
+  redo(): void {
+    this.end()
+    const stroke = this.#future.pop()
+    if (stroke === undefined) return
+    const future = this.#future
+    this.begin()
+    for (const edit of stroke.edits) this.edit(edit)
+    this.end()
+    this.#future = future
+    this.onEnd()
+  }
+}

@@ -1,0 +1,54 @@
+// The page: puts the parts together, and the controls to them.
+import { init } from 'localgridseg'
+import { Camera } from './camera.js'
+import { element } from './dom.js'
+import { Game } from './game.js'
+import { listenToKeys } from './keys.js'
+import { Loop } from './loop.js'
+import { measure, type Place, prepare } from './measure.js'
+import { recolour, setUpPalette } from './palette.js'
+import { onThemeChange } from './theme.js'
+import { polygonTool } from './tools/all.js'
+import { Ui } from './ui.js'
+import { Viewer } from './viewer.js'
+
+await init()
+const game = new Game()
+const camera = new Camera()
+const viewer = new Viewer(game, camera)
+const loop = new Loop(() => game.step(), () => viewer.draw())
+const ui = new Ui(game, viewer, loop)
+
+setUpPalette(() => polygonTool.cancel())
+onThemeChange(() => {
+  recolour()
+  viewer.layer.reset()
+})
+listenToKeys({
+  drive: (direction) => game.drive(direction),
+  moveCursor: (dx, dy) => viewer.moveCursor(dx, dy),
+  useTool: () => viewer.useTool(),
+  cancel: () => polygonTool.cancel(),
+  zoom: (factor) => viewer.zoom(factor),
+})
+await ui.openAddress()
+viewer.fit()
+loop.start()
+element('panes').dataset.ready = 'true'
+
+// For tests and for the curious: steps without a clock, and what is going on.
+Object.assign(window, {
+  sandbox: {
+    game,
+    step(count = 1): void {
+      loop.playing = false
+      for (let k = 0; k < count; ++k) game.step()
+    },
+    prepare: () => prepare(game, viewer),
+    measure(place: Place, frames: number) {
+      return measure(game, viewer, loop, place, frames)
+    },
+    kicks: () => game.sides.map((side) => side.kicks.count),
+    toPage: (x: number, y: number) => viewer.toPage(x, y),
+  },
+})

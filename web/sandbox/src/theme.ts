@@ -1,0 +1,104 @@
+// The colours of the canvas, for light and for dark. They are of Okabe and Ito, whose colours people with any colour
+// vision can tell apart. Kinds of ground differ by pattern as well.
+import { ICE, ONE_WAY, STICKY } from './blocks.js'
+
+export interface Theme {
+  readonly sky: string
+  readonly grid: string
+  readonly ground: string
+  readonly special: Readonly<Record<number, string>>
+  readonly pattern: string
+  readonly line: string
+  readonly riders: readonly string[]
+  readonly ink: string
+  readonly kick: string
+  readonly added: string
+  readonly removed: string
+  readonly relinked: string
+}
+
+const riders = ['#0072b2', '#e69f00', '#009e73', '#cc79a7', '#56b4e9']
+
+const light: Theme = {
+  sky: '#f7f8fa',
+  grid: 'rgba(30, 41, 59, 0.06)',
+  ground: '#c9bfae',
+  special: { [ICE]: '#c4e3f3', [STICKY]: '#e3b48f', [ONE_WAY]: '#c9d6b8' },
+  pattern: 'rgba(40, 34, 26, 0.28)',
+  line: '#4b443a',
+  riders,
+  ink: '#1c2430',
+  kick: '#d55e00',
+  added: '#009e73',
+  removed: '#d55e00',
+  relinked: '#0072b2',
+}
+
+const dark: Theme = {
+  sky: '#12161d',
+  grid: 'rgba(226, 232, 240, 0.05)',
+  ground: '#3f4653',
+  special: { [ICE]: '#355d74', [STICKY]: '#74492c', [ONE_WAY]: '#45583d' },
+  pattern: 'rgba(255, 255, 255, 0.24)',
+  line: '#a9b4c4',
+  riders: ['#3f9fdc', '#e69f00', '#1fb58b', '#d68fb5', '#7cc8f2'],
+  ink: '#e8edf4',
+  kick: '#ff8432',
+  added: '#2fcf9f',
+  removed: '#ff8432',
+  relinked: '#5cb6f0',
+}
+
+const darkQuery = matchMedia('(prefers-color-scheme: dark)')
+const calmQuery = matchMedia('(prefers-reduced-motion: reduce)')
+
+export function theme(): Theme {
+  return darkQuery.matches ? dark : light
+}
+
+export function onThemeChange(listener: () => void): void {
+  darkQuery.addEventListener('change', listener)
+}
+
+export function wantsCalm(): boolean {
+  return calmQuery.matches
+}
+
+/** Hatching, dots or chevrons for special ground; null for ordinary ground. */
+export function patternOf(context: CanvasRenderingContext2D, block: number): CanvasPattern | null {
+  const draw = patterns[block]
+  if (draw === undefined) return null
+  const size = 12
+  const tile = document.createElement('canvas')
+  tile.width = size
+  tile.height = size
+  const c = tile.getContext('2d')!
+  c.strokeStyle = c.fillStyle = theme().pattern
+  c.lineWidth = 1.2
+  c.beginPath()
+  draw(c, size)
+  return context.createPattern(tile, 'repeat')
+}
+
+const patterns: Readonly<Record<number, (c: CanvasRenderingContext2D, size: number) => void>> = {
+  [ICE](c, n) {
+    for (const shift of [-n, 0, n]) {
+      c.moveTo(shift, n)
+      c.lineTo(shift + n, 0)
+    }
+    c.stroke()
+  },
+  [STICKY](c, n) {
+    for (const [x, y] of [[n / 4, n / 4], [(3 * n) / 4, (3 * n) / 4]]) {
+      c.moveTo(x + 1.6, y)
+      c.arc(x, y, 1.6, 0, 2 * Math.PI)
+    }
+    c.fill()
+  },
+  [ONE_WAY](c, n) {
+    c.moveTo(n / 4, (2 * n) / 3)
+    c.lineTo(n / 2, n / 3)
+    c.lineTo((3 * n) / 4, (2 * n) / 3)
+    c.stroke()
+  },
+}

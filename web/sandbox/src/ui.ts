@@ -1,0 +1,218 @@
+// The controls of the page that are not of a tool.
+import { Facts } from './facts.js'
+import { element, onClick, radios } from './dom.js'
+import { newDocument, openFiles, openTrace, traceText } from './documents.js'
+import type { Game, View } from './game.js'
+import type { Loop } from './loop.js'
+import { Recompute } from './recompute.js'
+import { copied, download, fromHash, toHash } from './share.js'
+import type { Viewer } from './viewer.js'
+
+const readFor = 5000 // milliseconds
+const longest = 60_000 // characters: longer addresses are cut on their way
+
+export class Ui {
+  readonly #game: Game
+  readonly #viewer: Viewer
+  readonly #loop: Loop
+  readonly #facts = new Facts()
+  readonly #recompute = new Recompute()
+  #forget = 0
+
+  constructor(game: Game, viewer: Viewer, loop: Loop) {
+    this.#game = game
+    this.#viewer = viewer
+    this.#loop = loop
+    this.#listenToGround()
+    this.#setUpTime()
+    this.#setUpGround()
+    this.#setUpView()
+    this.#setUpDocument()
+  }
+
+  /** Opens the ground that the address holds, if it holds one. */
+  async openAddress(): Promise<void> {
+    await this.#try(async () => {
+      const text = await fromHash(location.hash)
+      if (text !== null) this.#show(() => this.#game.open(openTrace(text)))
+    })
+  }
+
+  #listenToGround(): void {
+    const { ground } = this.#game
+    this.#game.onChange = (change) => {
+      this.#viewer.layer.touch(change.cells)
+      this.#viewer.glow.note(change.changes, this.#game.mirror)
+      this.#viewer.differences = new Float64Array()
+      this.#facts.note(change)
+    }
+    ground.onRefusal = (message) => this.#say(message)
+    ground.onBegin = () => this.#facts.begin()
+    ground.onEnd = () => {
+      element<HTMLButtonElement>('undo').disabled = !ground.canUndo
+      element<HTMLButtonElement>('redo').disabled = !ground.canRedo
+      void this.#time()
+    }
+  }
+
+  #setUpTime(): void {
+    const play = element('play')
+    const show = () => {
+      play.textContent = this.#loop.playing ? 'Pause' : 'Play'
+    }
+    onClick('play', () => {
+      this.#loop.playing = !this.#loop.playing
+      show()
+    })
+    onClick('step', () => {
+      this.#loop.playing = false
+      show()
+      this.#game.step()
+    })
+    element<HTMLInputElement>('slow').addEventListener('change', (event) => {
+      this.#loop.slow = (event.target as HTMLInputElement).checked
+    })
+    onClick('restart', () => this.#game.restart())
+    for (const button of document.querySelectorAll<HTMLElement>('[data-drive]')) {
+      button.addEventListener('pointerdown', () => this.#game.drive(Number(button.dataset.drive)))
+      button.addEventListener('keydown', ({ key }) => {
+        if (key === 'Enter' || key === ' ') this.#game.drive(Number(button.dataset.drive))
+      })
+      for (const end of ['pointerup', 'pointerleave', 'pointercancel', 'keyup', 'blur'])
+        button.addEventListener(end, () => this.#game.drive(0))
+    }
+  }
+
+  #setUpGround(): void {
+    onClick('undo', () => this.#game.ground.undo())
+    onClick('redo', () => this.#game.ground.redo())
+    onClick('empty', () =>
+      this.#show(() => {
+        this.#game.open(newDocument())
+        this.#game.removeRiders()
+      }),
+    )
+    onClick('landscape', () => this.#show(() => this.#game.openLandscape()))
+  }
+
+  #setUpView(): void {
+    for (const radio of radios('view')) {
+      radio.addEventListener('change', () => {
+        this.#game.view = radio.value as View
+        element('panes').dataset.view = radio.value
+        this.#viewer.showSides()
+        this.#viewer.fit()
+      })
+    }
+    element<HTMLInputElement>('overlay').addEventListener('change', (event) => {
+      this.#viewer.overlay = (event.target as HTMLInputElement).checked
+    })
+    onClick('zoom-in', () => this.#viewer.zoom(1.25))
+    onClick('zoom-out', () => this.#viewer.zoom(0.8))
+    onClick('zoom-fit', () => this.#viewer.fit())
+    onClick('help', () => element<HTMLDialogElement>('help-dialog').showModal())
+  }
+
+  #setUpDocument(): void {
+    onClick('copy', () => void this.#copyTrace())
+    onClick('share', () => void this.#share())
+    onClick('check', () => void this.#check())
+    const input = element<HTMLInputElement>('file')
+    onClick('open', () => input.click())
+    input.addEventListener('change', () => {
+      void this.#open([...input.files!])
+      input.value = ''
+    })
+    addEventListener('hashchange', () => void this.openAddress())
+    addEventListener('dragover', (event) => {
+      event.preventDefault()
+      document.body.classList.add('dropping')
+    })
+    addEventListener('dragleave', () => document.body.classList.remove('dropping'))
+    addEventListener('drop', (event) => {
+      event.preventDefault()
+      document.body.classList.remove('dropping')
+      void this.#open([...event.dataTransfer!.files])
+    })
+  }
+
+  async #open(files: readonly File[]): Promise<void> {
+    if (files.length === 0) return
+    await this.#try(async () => {
+      const document = await openFiles(files)
+      this.#show(() => this.#game.open(document))
+      const { polygons } = document.world.stats()
+      this.#say(`${files[0].name}: ${polygons} polygons.`)
+    })
+  }
+
+  async #share(): Promise<void> {
+    await this.#try(async () => {
+      const hash = await toHash(traceText(this.#game.ground.document))
+      if (hash.length > longest) return this.#say('The ground is too large for an address. Copy the trace instead.')
+      history.replaceState(null, '', hash)
+      const isCopied = await copied(location.href)
+      this.#say(`The address of this page now holds the ground${isCopied ? ', and is copied' : ''}.`)
+    })
+  }
+
+  // Browsers give the clipboard only to pages of localhost or https. Elsewhere the trace is a file.
+  async #copyTrace(): Promise<void> {
+    await this.#try(async () => {
+      const text = traceText(this.#game.ground.document)
+      if (await copied(text)) return this.#say('The trace is copied. "lgs replay FILE --check" plays it.')
+      download(text, 'ground.trace')
+      this.#say('The trace is in the file ground.trace, since the clipboard is closed to this page.')
+    })
+  }
+
+  // The time of a full recompute, after an edit. It is not asked for more often than it is answered.
+  async #time(): Promise<void> {
+    if (this.#recompute.busy) return
+    const { time, error } = await this.#recompute.run(() => this.#game.ground.world, false)
+    if (error === null) this.#facts.recomputed(time)
+  }
+
+  async #check(): Promise<void> {
+    const { time, differences, error } = await this.#recompute.run(() => {
+      this.#game.ground.commit()
+      return this.#game.ground.world
+    }, true)
+    if (error !== null) return this.#say(`polygon-clipping failed: ${error}`)
+    this.#facts.recomputed(time)
+    this.#viewer.differences = differences!
+    const count = differences!.length / 4
+    const { length } = this.#game.ground.world.segments()
+    this.#say(
+      count === 0
+        ? `The outline of ${length} segments is that of the full recompute.`
+        : `The outline differs in ${count} places, drawn thick.`,
+    )
+  }
+
+  // Another document.
+  #show(open: () => void): void {
+    open()
+    this.#viewer.showSides()
+    this.#viewer.layer.reset()
+    this.#viewer.differences = new Float64Array()
+    this.#viewer.fit()
+    this.#game.ground.onEnd()
+  }
+
+  async #try(action: () => Promise<void>): Promise<void> {
+    try {
+      await action()
+    } catch (error) {
+      this.#say((error as Error).message)
+    }
+  }
+
+  #say(text: string): void {
+    element('message').textContent = text
+    clearTimeout(this.#forget)
+    this.#forget = window.setTimeout(() => {
+      element('message').textContent = ''
+    }, readFor)
+  }
+}
