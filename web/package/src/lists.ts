@@ -16,7 +16,7 @@ interface Kept {
   readonly address: number
   readonly view: Numbers
 }
-/** How many of one kind; a power of two. */
+/** How many of one kind. */
 const keptViews = 32
 
 /** Lists of a world: those of its last commit or roll-back, or of its last question for segments. */
@@ -58,7 +58,7 @@ export class Lists {
       this.#views = []
     }
     const views = (this.#views[place] ??= [])
-    const kept = (3 * first + length) % keptViews
+    const kept = (first + length) % keptViews
     const old = views[kept]
     if (old?.address === address && old.view.length === length) return old.view as T
     const view = new make(this.engine.buffer, address, length)
@@ -116,10 +116,8 @@ class ChangesView implements Changes {
     this.#lists = lists
     this.#number = number
     this.added = new View(lists, number, 0, added)
-    this.relinked = new View(lists, number, added, lists.word(number, at.relinked))
-    const [before, after] = lists.versions
-    this.before = before!
-    this.after = after!
+    this.relinked = new View(lists, number, added, lists.word(number, at.relinked));
+    [this.before, this.after] = lists.versions as unknown as [bigint, bigint]
   }
   get removed() {
     return this.#lists.view(this.#number, Uint32Array, 4, at.ids, 0, this.#lists.word(this.#number, at.removed))
