@@ -63,6 +63,7 @@ type Preserve = (smaller: number, greater: number) => boolean
 export class Engine {
   readonly call: Exports
   #memory: WebAssembly.Memory
+  #words = new Uint32Array()
   #relations = new Map<number, Preserve>()
   #lastRelation = 0
   #isAsking = false
@@ -94,6 +95,12 @@ export class Engine {
   // --- Memory: it may grow in any call, and then old views are empty. So each view is made when it is needed.
 
   get buffer(): ArrayBuffer { return this.#memory.buffer }
+
+  /** All memory, in words of 32 bits. Once it has grown, it is another array. */
+  get words(): Uint32Array {
+    if (this.#words.length === 0) this.#words = new Uint32Array(this.buffer)
+    return this.#words
+  }
 
   /** Room for arguments. */
   inputReals(count: number): Float64Array {

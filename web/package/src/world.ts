@@ -2,7 +2,7 @@
 import { bits64, bad, flat, int32, real, rect, uint32 } from './check.js'
 import { type Engine, engine } from './engine.js'
 import { LgsError } from './error.js'
-import { changesOf, headerWords, listOf } from './lists.js'
+import { changesOf, Lists, listOf } from './lists.js'
 import { putRegion } from './regions.js'
 import type {
   Block, BrushResult, CellRect, Changes, Hit, Loop, Mark, Nearest, Polygon, PolygonId, RayHit, Region, Segment,
@@ -16,15 +16,16 @@ class EngineWorld implements World {
   #engine: Engine
   #world: number
   #relation: number
-  #precision: 'double' | 'float'
-  readonly #made = { changes: 0, segments: 0 }  // how many lists: earlier ones are stale
+  readonly #changes: Lists
+  readonly #segments: Lists
 
   constructor(make: Maker, options: WorldOptions) {
     const { preserve, precision = 'double' } = options
     if (preserve !== undefined && typeof preserve !== 'function') throw bad('preserve', 'a function', preserve)
     if (precision !== 'double' && precision !== 'float') throw bad('precision', "'double' or 'float'", precision)
     this.#engine = engine()
-    this.#precision = precision
+    this.#changes = new Lists(this.#engine, precision)
+    this.#segments = new Lists(this.#engine, precision)
     this.#relation = preserve ? this.#engine.keepRelation(preserve) : 0
     this.#world = make(this.#engine, this.#relation, precision === 'float' ? 1 : 0)
     if (this.#world === 0) throw this.#engine.failure()
@@ -117,29 +118,20 @@ class EngineWorld implements World {
 
   // --- Commits and going back
 
-  commit(): Changes { return changesOf(this.#listed('changes', this.#call.commit(this.#live))) }
+  commit(): Changes { return changesOf(this.#changes, this.#orFail(this.#call.commit(this.#live), 0)) }
   checkpoint(): Mark { return BigInt.asUintN(64, this.#call.checkpoint(this.#live)) }
   rollBack(mark: Mark): Changes {
-    return changesOf(this.#listed('changes', this.#call.rollBack(this.#live, bits64('mark', mark))))
+    return changesOf(this.#changes, this.#orFail(this.#call.rollBack(this.#live, bits64('mark', mark)), 0))
   }
   forget(mark: Mark): void { this.#orFail(this.#call.forget(this.#live, bits64('mark', mark)), 0) }
-
-  #listed(kind: 'changes' | 'segments', address: number) {
-    this.#orFail(address, 0)
-    const number = ++this.#made[kind]
-    return {
-      engine: this.#engine, precision: this.#precision, isStale: () => this.#made[kind] !== number || this.#world === 0,
-      header: new Uint32Array(this.#engine.buffer, address, headerWords).slice(),
-    }
-  }
 
   // --- Reading
 
   segments(cells?: CellRect): SegmentList {
     const world = this.#live
-    if (!cells) return listOf(this.#listed('segments', this.#call.segments(world)))
+    if (!cells) return listOf(this.#segments, this.#orFail(this.#call.segments(world), 0))
     const { i0, j0, i1, j1 } = rect(cells)
-    return listOf(this.#listed('segments', this.#call.segmentsIn(world, i0, j0, i1, j1)))
+    return listOf(this.#segments, this.#orFail(this.#call.segmentsIn(world, i0, j0, i1, j1), 0))
   }
   segment(id: SegmentId): Segment {
     this.#orFail(this.#call.segment(this.#live, uint32('id', id)), 0)
@@ -225,6 +217,8 @@ class EngineWorld implements World {
     if (this.#world === 0) return
     const world = this.#world
     this.#world = 0
+    this.#changes.next()
+    this.#segments.next()
     this.#engine.dropRelation(this.#relation)
     if (!this.#engine.ended) this.#call.free(world)
   }
