@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" preserve="true" />
 // What the package hands out and takes. Lengths and positions are in cells, y up; they are exact, since the lattice has
 // 65,536 units to a cell and a double holds them all.
 
