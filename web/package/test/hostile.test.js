@@ -2,7 +2,8 @@
 // And calls that end badly: what they leave behind.
 import assert from 'node:assert/strict'
 import { beforeEach, test } from 'node:test'
-import { LgsError, createWorld, init, loadWorld, thickLine, unitSquare } from 'localgridseg'
+import { LgsError, createWorld, loadWorld, thickLine, unitSquare } from 'localgridseg'
+import { importMap, init } from 'localgridseg/full'
 
 let world, square
 beforeEach(async () => {
@@ -121,4 +122,13 @@ test('free() within preserve() is refused, and the world lives', () => {
   assert.equal(refused.code, 'busy')
   world.free()
   refuses('freed', () => world.stats())
+})
+
+test('files and options that would end the importer', () => {
+  const map = { 'a.tmx': '<map/>' }
+  for (const content of [5, null, [1n], {}]) refuses('bad-argument', () => importMap('a.tmx', { 'a.tmx': content }))
+  for (const options of [{ numbers: [1, 2] }, { numbers: { '\ud800': 1 } }, { layers: [, 'a'] }, { objects: ['\udfff'] }])
+    refuses('bad-argument', () => importMap('a.tmx', map, options))
+  refuses('bad-map', () => importMap('a.tmx', map))
+  assert.equal(world.stats().polygons, 0, 'the engine runs')
 })
