@@ -35,7 +35,7 @@ function answered(from: Engine, count: number): Region {
 
 /** A length: from nothing to the most that a brush takes. What is below a lattice unit is taken for one. */
 function length(name: string, value: number): number {
-  if (!(value >= 0 && value <= 2048)) throw bad(name, 'from 0 to 2048 cells', value)
+  if (typeof value !== 'number' || !(value >= 0 && value <= 2048)) throw bad(name, 'from 0 to 2048 cells', value)
   return value
 }
 

@@ -54,7 +54,10 @@ export interface SegmentList {
   readonly cell: Int32Array
   /** The polygon of each segment: a PolygonId. */
   readonly owner: Float64Array
-  /** The segment before each one, and the one after it; 0 if there is none. */
+  /**
+   * The segment before each one, and the one after it; 0 if there is none. A later commit may put another segment with
+   * the same far end there, and does not list this one then: as no ghost has moved, it is not relinked.
+   */
   readonly predecessor: Uint32Array
   readonly successor: Uint32Array
   copy(): SegmentList

@@ -2,7 +2,7 @@
 // And calls that end badly: what they leave behind.
 import assert from 'node:assert/strict'
 import { beforeEach, test } from 'node:test'
-import { LgsError, createWorld, loadWorld, thickLine, unitSquare } from 'localgridseg'
+import { LgsError, circle, createWorld, loadWorld, rectangle, thickLine, unitSquare } from 'localgridseg'
 import { importMap, init } from 'localgridseg/full'
 
 let world, square
@@ -90,6 +90,15 @@ test('arrays with holes, of other numbers, of no length, of too many', () => {
   refuses('bad-argument', () => world.remove(Object.create(null)))
   refuses('bad-argument', () => world.remove({ toString() { throw new Error('no') } }))
   assert.throws(() => world.remove(new Array(1e6).fill(7)), (error) => error.message.length < 100)
+})
+
+test('lengths that only look like numbers', () => {
+  for (const v of [5n, '5', true, [], { valueOf() { throw new Error('no') } }]) {
+    refuses('bad-argument', () => circle(0, 0, v))
+    refuses('bad-argument', () => rectangle(0, 0, 1, 0, 1, v))
+    refuses('bad-argument', () => thickLine([0, 0, 1, 1], v))
+  }
+  assert.equal(world.stats().polygons, 0, 'the engine runs')
 })
 
 test('a handle and a half is no handle', () => {
