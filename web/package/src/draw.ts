@@ -19,10 +19,12 @@ export class OutlineLines {
   readonly #chunkCells: number
   readonly #chunkOf: string[] = [] // by segment id
   readonly #cells = new Map<string, CellRect>()
+  #version: bigint
 
   constructor(world: World, chunkCells = 16) {
     this.#world = world
     this.#chunkCells = chunkCells
+    this.#version = world.version
     this.#note(world.segments())
   }
 
@@ -31,8 +33,15 @@ export class OutlineLines {
     return [...this.#cells.keys()].map((key) => this.#linesOf(key))
   }
 
-  /** The chunks that a commit or a roll-back changed. Give it each one's changes, in order. */
+  /**
+   * The chunks that a commit or a roll-back changed. Give it each one's changes, in order, and last of all who takes them:
+   * it asks the world for segments, and then the lists of the changes are stale.
+   */
   update(changes: Changes): ChunkLines[] {
+    if (changes.before === changes.after) return []
+    if (changes.before !== this.#version)
+      throw new Error('these changes do not follow those that were drawn: make an OutlineLines anew')
+    this.#version = changes.after
     const touched = new Set<string>()
     for (const id of changes.removed) touched.add(this.#chunkOf[id]!)
     for (const id of changes.relinked.id) touched.add(this.#chunkOf[id]!)
