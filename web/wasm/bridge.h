@@ -63,6 +63,7 @@ inline double toNumber(PolygonHandle h) {
 inline PolygonHandle toHandle(double v) {
   if (!(v >= 0 && v < 0x1p53)) return {};
   const auto bits = static_cast<std::uint64_t>(v);
+  if (static_cast<double>(bits) != v) return {};
   return {static_cast<std::uint32_t>(bits >> kSerialBits),
           static_cast<std::uint32_t>(bits & ((1u << kSerialBits) - 1))};
 }
@@ -79,12 +80,11 @@ std::vector<double>& answer();
 /// The same for bytes.
 std::vector<std::byte>& answerBytes();
 
-/// Keeps why a call was refused, and returns `result`.
-template <class Result>
-Result refused(const Error& error, Result result);
+/// Keeps why a call was refused.
 void keepFailure(const Error& error);
 void keepFailure(const SnapshotError& error);
 
+/// The same, and returns `result`.
 template <class Result>
 Result refused(const Error& error, Result result) {
   keepFailure(error);

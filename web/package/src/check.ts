@@ -2,7 +2,8 @@
 import { LgsError } from './error.js'
 import type { CellRect, Vertices } from './types.js'
 
-const shown = (value: unknown) => (typeof value === 'string' ? JSON.stringify(value) : String(value))
+const shown = (value: unknown) =>
+  typeof value === 'string' ? JSON.stringify(value) : Object(value) === value ? 'an object' : String(value)
 
 export function bad(name: string, wanted: string, value: unknown): LgsError {
   return new LgsError('bad-argument', `${name} must be ${wanted}, and is ${shown(value)}`)
@@ -37,30 +38,38 @@ export function bits64(name: string, value: bigint): bigint {
 
 export function rect(cells: CellRect): CellRect {
   if (cells === null || typeof cells !== 'object') throw bad('cells', '{ i0, j0, i1, j1 }', cells)
-  int32('i0', cells.i0)
-  int32('j0', cells.j0)
-  int32('i1', cells.i1)
-  int32('j1', cells.j1)
-  return cells
+  return { i0: int32('i0', cells.i0), j0: int32('j0', cells.j0), i1: int32('i1', cells.i1), j1: int32('j1', cells.j1) }
+}
+
+/**
+ * A copy of an array of numbers, each read once: a getter may give another one later, or free the world. And an array
+ * in the memory of WebAssembly is empty once that has grown.
+ */
+export function reals(name: string, from: ArrayLike<number>, wanted = 'an array of numbers'): number[] {
+  const length: unknown = typeof from === 'object' ? from?.length : null
+  if (typeof length !== 'number') throw bad(name, wanted, from)
+  const numbers: number[] = []
+  for (let k = 0; k < length; ++k) {
+    const value: unknown = from[k]
+    if (typeof value !== 'number') throw bad(`${name}[${k}]`, 'a number', value)
+    numbers.push(value)
+  }
+  return numbers
 }
 
 /** x, y, x, y, … of either form of vertices. */
-export function flat(name: string, vertices: Vertices): ArrayLike<number> {
-  if (vertices === null || typeof vertices !== 'object' || typeof vertices.length !== 'number')
-    throw bad(name, 'an array of numbers, or of pairs', vertices)
-  if (Array.isArray(vertices[0])) {
+export function flat(name: string, vertices: Vertices): number[] {
+  if (Array.isArray(vertices?.[0])) {
     const pairs = vertices as readonly (readonly [number, number])[]
     const numbers: number[] = []
-    for (let k = 0; k < pairs.length; ++k) {
+    for (let k = 0, { length } = pairs; k < length; ++k) {
       const pair = pairs[k]
       if (!Array.isArray(pair) || pair.length !== 2) throw bad(`${name}[${k}]`, 'a pair of numbers', pair)
       numbers.push(real(`${name}[${k}][0]`, pair[0]), real(`${name}[${k}][1]`, pair[1]))
     }
     return numbers
   }
-  const numbers = vertices as ArrayLike<number>
+  const numbers = reals(name, vertices as ArrayLike<number>, 'an array of numbers, or of pairs')
   if (numbers.length % 2 !== 0) throw bad(`the length of ${name}`, 'even: x, y, x, y, …', numbers.length)
-  if (!ArrayBuffer.isView(numbers))
-    for (let k = 0; k < numbers.length; ++k) real(`${name}[${k}]`, numbers[k]!)
   return numbers
 }

@@ -19,10 +19,12 @@ export class OutlineLines {
   readonly #chunkCells: number
   readonly #chunkOf: string[] = [] // by segment id
   readonly #cells = new Map<string, CellRect>()
+  #version: bigint
 
   constructor(world: World, chunkCells = 16) {
     this.#world = world
     this.#chunkCells = chunkCells
+    this.#version = world.version
     this.#note(world.segments())
   }
 
@@ -33,6 +35,10 @@ export class OutlineLines {
 
   /** The chunks that a commit or a roll-back changed. Give it each one's changes, in order. */
   update(changes: Changes): ChunkLines[] {
+    if (changes.before === changes.after) return []
+    if (changes.before !== this.#version)
+      throw new Error('these changes do not follow those that were drawn: make an OutlineLines anew')
+    this.#version = changes.after
     const touched = new Set<string>()
     for (const id of changes.removed) touched.add(this.#chunkOf[id]!)
     for (const id of changes.relinked.id) touched.add(this.#chunkOf[id]!)

@@ -60,8 +60,11 @@ export interface Files {
 
 type Preserve = (smaller: number, greater: number) => boolean
 
+const noFiles: Files = { read: () => null, list: () => [] }
+
 export class Engine {
   readonly call: Exports
+  #raw: Exports
   #memory: WebAssembly.Memory
   #words = new Uint32Array()
   #relations = new Map<number, Preserve>()
@@ -70,29 +73,36 @@ export class Engine {
   #refusalOfPreserve: { error: unknown } | null = null
   #ended: LgsError | null = null
 
-  constructor(module: WebAssembly.Module) {
+  /** Not by `new WebAssembly.Instance()`: browsers of before 2023 allow it 4 kB outside of workers. */
+  static async of(module: WebAssembly.Module): Promise<Engine> {
     const closed = () => 8  // of WASI: "bad file number"
-    const { exports } = new WebAssembly.Instance(module, {
+    const { exports } = await WebAssembly.instantiate(module, {
       wasi_snapshot_preview1: { fd_close: closed, fd_seek: closed, fd_write: closed },  // nothing prints
       lgs: {
-        preserve: (relation: number, a: number, b: number) => this.#ask(relation, a >>> 0, b >>> 0),
-        readFile: (path: number, length: number) => this.#give(raw, this.#files.read(this.#text(path, length))),
+        preserve: (relation: number, a: number, b: number) => engine.#ask(relation, a >>> 0, b >>> 0),
+        readFile: (path: number, length: number) => engine.#give(engine.#files.read(engine.#text(path, length))),
         listFolder: (path: number, length: number) =>
-          this.#give(raw, new TextEncoder().encode(this.#files.list(this.#text(path, length)).join('\n'))),
+          engine.#give(new TextEncoder().encode(engine.#files.list(engine.#text(path, length)).join('\n'))),
       },
     })
-    const raw = exports as unknown as Exports
+    const engine = new Engine(exports as unknown as Exports)
+    return engine
+  }
+
+  private constructor(raw: Exports) {
+    this.#raw = raw
     this.#memory = raw.memory
     raw._initialize()
     const guarded: Record<string, unknown> = {}
-    for (const [name, value] of Object.entries(exports))
-      if (typeof value === 'function') guarded[name] = this.#guarded(value as (...a: unknown[]) => unknown, raw)
+    for (const [name, value] of Object.entries(raw))
+      if (typeof value === 'function') guarded[name] = this.#guarded(value as (...a: unknown[]) => unknown)
     this.call = guarded as unknown as Exports
   }
 
   get ended() { return this.#ended !== null }
 
-  // --- Memory: it may grow in any call, and then old views are empty. So each view is made when it is needed.
+  // --- Memory: it may grow in any call, and then old views are empty. So each view is made when it is needed. Above
+  // 2 GiB an address comes out of a call as a negative number, which >>> 0 puts right.
 
   get buffer(): ArrayBuffer { return this.#memory.buffer }
 
@@ -104,63 +114,71 @@ export class Engine {
 
   /** Room for arguments. */
   inputReals(count: number): Float64Array {
-    const address = this.call.input(8 * count)
+    const address = this.call.input(8 * count) >>> 0
     return new Float64Array(this.buffer, address, count)
   }
 
-  /** Writes numbers as arguments. */
-  put(numbers: ArrayLike<number>): void {
+  /** Writes numbers as arguments, which lie elsewhere. Returns how many. */
+  put(numbers: readonly number[]): number {
     this.inputReals(numbers.length).set(numbers)
+    return numbers.length
   }
 
-  putBytes(bytes: Uint8Array | Int32Array): void {
-    const address = this.call.input(bytes.byteLength)
-    new Uint8Array(this.buffer, address, bytes.byteLength)
-      .set(new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength))
+  /** Writes bytes as arguments, which lie elsewhere. */
+  putBytes(bytes: Uint8Array): void {
+    if (bytes.length > 2e9) throw new LgsError('bad-argument', 'more than 2 GB')
+    this.#write(this.call.input(bytes.length), bytes)
+  }
+
+  #write(address: number, bytes: Uint8Array): void {
+    new Uint8Array(this.buffer, address >>> 0, bytes.length).set(bytes)
   }
 
   /** The answer of the last call. It is valid until the next one. */
   answer(count: number): Float64Array {
-    return new Float64Array(this.buffer, this.call.answer(), count)
+    return new Float64Array(this.buffer, this.call.answer() >>> 0, count)
   }
 
   answerBytes(count: number): Uint8Array {
-    return new Uint8Array(this.buffer, this.call.answerBytes(), count).slice()
+    return new Uint8Array(this.buffer, this.call.answerBytes() >>> 0, count).slice()
   }
 
   /** Why the last call was refused. */
   failure(): LgsError {
-    const numbers = new Float64Array(this.buffer, this.call.failure(), 16)
+    const numbers = new Float64Array(this.buffer, this.call.failure() >>> 0, 16)
     const text = new Uint8Array(this.buffer, numbers[14], numbers[15])
     return engineError(numbers, new TextDecoder().decode(text))
   }
 
   // --- Files, while a map is imported
 
-  #files: Files = { read: () => null, list: () => [] }
+  #files = noFiles
 
   /** Imports with these files; nothing that they give out may throw. Returns the number of bytes of the answer. */
   importMap(path: string, options: object, files: Files): number {
     const call = this.call.importMap
-    if (!call) throw new LgsError('not-ready', "the importer is in 'localgridseg/full': await its init() first")
+    if (!call) throw new LgsError('not-ready', "the engine runs without the importer: await init() of 'localgridseg/full' before any other")
     const name = new TextEncoder().encode(path), asked = new TextEncoder().encode(JSON.stringify(options))
     const both = new Uint8Array(name.length + asked.length)
     both.set(name)
     both.set(asked, name.length)
     this.putBytes(both)
     this.#files = files
-    return call(name.length, asked.length)
+    try {
+      return call(name.length, asked.length)
+    } finally {
+      this.#files = noFiles
+    }
   }
 
   #text(address: number, length: number): string {
-    return new TextDecoder().decode(new Uint8Array(this.buffer, address, length))
+    return new TextDecoder().decode(new Uint8Array(this.buffer, address >>> 0, length))
   }
 
   /** Writes bytes as an input, within a call. Returns their number, or -1 for none. */
-  #give(raw: Exports, bytes: Uint8Array | null): number {
+  #give(bytes: Uint8Array | null): number {
     if (!bytes) return -1
-    const address = raw.input(bytes.length)
-    new Uint8Array(this.buffer, address, bytes.length).set(bytes)
+    this.#write(this.#raw.input(bytes.length), bytes)
     return bytes.length
   }
 
@@ -199,7 +217,7 @@ export class Engine {
   // --- Calls that end badly
 
   /** A function of the engine that throws nothing but an LgsError. No function has more than seven arguments. */
-  #guarded(f: (...a: unknown[]) => unknown, raw: Exports) {
+  #guarded(f: (...a: unknown[]) => unknown) {
     return (a: unknown, b: unknown, c: unknown, d: unknown, e: unknown, g: unknown, h: unknown) => {
       if (this.#isAsking) throw new LgsError('busy', 'preserve() must not call the package')
       if (this.#ended) throw this.#ended
@@ -207,7 +225,7 @@ export class Engine {
       try {
         result = f(a, b, c, d, e, g, h)
       } catch (cause) {
-        this.#ended = raw.isMemoryOut()
+        this.#ended = this.#raw.isMemoryOut()
           ? new LgsError('out-of-memory', 'the memory of WebAssembly is full; init() and new worlds are needed', { cause })
           : new LgsError('crashed', 'the engine stopped, which is a bug; init() and new worlds are needed', { cause })
         throw this.#ended
@@ -229,9 +247,9 @@ let starting: Promise<void> | null = null
 
 /** Starts the engine, unless it runs or starts already. Where that failed, or the engine stopped, it starts again. */
 export function start(compile: () => Promise<WebAssembly.Module>): Promise<void> {
-  if (current?.ended) starting = null
-  starting ??= compile().then(
-    (module) => { current = new Engine(module) },
+  if (current?.ended) current = starting = null
+  starting ??= compile().then(Engine.of).then(
+    (engine) => { current = engine },
     (error) => {
       starting = null
       throw error

@@ -17,8 +17,9 @@ const snapshotCodes = [
 /**
  * 'bad-argument': a number of the wrong kind, an array of the wrong length. 'not-ready': init() has not ended.
  * 'freed': the world was freed. 'stale-list': see SegmentList. 'busy': a call from within `preserve`.
- * 'preserve-failed': `preserve` threw; `cause` says what. 'out-of-memory' and 'crashed': the engine stopped, and so did
- * every world; init() and new worlds are needed. 'bad-trace' and 'bad-map' are of the text that was read.
+ * 'preserve-failed': `preserve` threw; `cause` says what. The call was done none the less, and what it gives is lost.
+ * 'out-of-memory' and 'crashed': the engine stopped, and so did every world; init() and new worlds are needed.
+ * 'bad-trace' and 'bad-map' are of the text that was read.
  */
 export type ErrorCode =
   | (typeof engineCodes)[number]

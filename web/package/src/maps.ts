@@ -24,6 +24,9 @@ const folderOf = (path: string) => path.slice(0, -nameOf(path).length - 1) || '.
 /** Files given as an object, as the importer asks for them. */
 function lookup(files: MapFiles) {
   const all = new Map(Object.entries(files))
+  // What is found wrong later would end the engine: it can not be told while the importer runs.
+  for (const [path, content] of all)
+    if (typeof content !== 'string' && !(content instanceof Uint8Array)) throw bad(path, 'a string or a Uint8Array', content)
   const byName = new Map([...all].map(([path, content]) => [nameOf(path), content]))
   return {
     read(path: string) {
@@ -41,11 +44,17 @@ const kinds: Record<keyof ImportOptions, (v: unknown) => boolean> = {
   outside: (v) => v === 'carry' || v === 'clip',
   block: (v) => v === 'one' || v === 'class' || v === 'name' || v === 'layer',
   solidIf: isTexts, layers: isTexts, objects: isTexts,
-  numbers: (v) => typeof v === 'object' && v !== null && Object.values(v).every((n) => typeof n === 'number' && n >>> 0 === n),
+  numbers: (v) => typeof v === 'object' && v !== null && !Array.isArray(v) &&
+    Object.entries(v).every(([name, n]) => isText(name) && typeof n === 'number' && n >>> 0 === n),
+}
+
+/** Half of a surrogate pair is none: JSON cannot say it, and the importer would end. */
+function isText(v: unknown): boolean {
+  return typeof v === 'string' && !/\p{Surrogate}/u.test(v)
 }
 
 function isTexts(v: unknown): boolean {
-  return Array.isArray(v) && v.every((text) => typeof text === 'string')
+  return Array.isArray(v) && Array.from(v).every(isText)  // every() leaves holes out
 }
 
 function checked(options: ImportOptions): ImportOptions {

@@ -5,11 +5,10 @@ import type { Region, Vertices } from './types.js'
 
 /** The numbers of a region, as lgs::web::inputRegion() reads them. */
 export function putRegion(to: Engine, region: Region): number {
-  if (region === null || typeof region !== 'object' || !Array.isArray(region.rings))
-    throw bad('region', '{ rings: [vertices, …] }', region)
-  const { rule = 'nonZero' } = region
+  const { rings: given, rule = 'nonZero' } = region ?? {}
+  if (!Array.isArray(given)) throw bad('region', '{ rings: [vertices, …] }', region)
   if (rule !== 'nonZero' && rule !== 'evenOdd') throw bad('rule', "'nonZero' or 'evenOdd'", rule)
-  const rings = region.rings.map((ring, k) => flat(`rings[${k}]`, ring))
+  const rings = Array.from(given as Vertices[], (ring, k) => flat(`rings[${k}]`, ring))  // map() leaves holes
   const count = rings.reduce((sum, ring) => sum + ring.length, 2 + rings.length)
   const numbers = to.inputReals(count)
   numbers[0] = rings.length
@@ -36,7 +35,7 @@ function answered(from: Engine, count: number): Region {
 
 /** A length: from nothing to the most that a brush takes. What is below a lattice unit is taken for one. */
 function length(name: string, value: number): number {
-  if (!(value >= 0 && value <= 2048)) throw bad(name, 'from 0 to 2048 cells', value)
+  if (typeof value !== 'number' || !(value >= 0 && value <= 2048)) throw bad(name, 'from 0 to 2048 cells', value)
   return value
 }
 
@@ -66,6 +65,5 @@ export function thickLine(points: Vertices, radius: number, count = 16): Region 
   for (let k = 0; k < numbers.length; ++k) finite(`points[${k}]`, numbers[k]!)
   length('radius', radius)
   corners(count)
-  e.put(numbers)
-  return answered(e, e.call.thickLine(numbers.length / 2, radius, count))
+  return answered(e, e.call.thickLine(e.put(numbers) / 2, radius, count))
 }

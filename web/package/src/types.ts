@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" preserve="true" />
 // What the package hands out and takes. Lengths and positions are in cells, y up; they are exact, since the lattice has
 // 65,536 units to a cell and a double holds them all.
 
@@ -54,7 +55,10 @@ export interface SegmentList {
   readonly cell: Int32Array
   /** The polygon of each segment: a PolygonId. */
   readonly owner: Float64Array
-  /** The segment before each one, and the one after it; 0 if there is none. */
+  /**
+   * The segment before each one, and the one after it; 0 if there is none. A later commit may put another segment with
+   * the same far end there, and does not list this one then: as no ghost has moved, it is not relinked.
+   */
   readonly predecessor: Uint32Array
   readonly successor: Uint32Array
   copy(): SegmentList

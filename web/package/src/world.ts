@@ -1,5 +1,5 @@
 // The world: each method checks its arguments, calls the engine once, and makes objects of the answer.
-import { bits64, bad, flat, int32, real, rect, uint32 } from './check.js'
+import { bits64, bad, flat, int32, real, reals, rect, uint32 } from './check.js'
 import { type Engine, engine } from './engine.js'
 import { LgsError } from './error.js'
 import { changesOf, Lists, listOf } from './lists.js'
@@ -27,10 +27,15 @@ class EngineWorld implements World {
     this.#changes = new Lists(this.#engine, precision)
     this.#segments = new Lists(this.#engine, precision)
     this.#relation = preserve ? this.#engine.keepRelation(preserve) : 0
-    this.#world = make(this.#engine, this.#relation, precision === 'float' ? 1 : 0)
-    if (this.#world === 0) throw this.#engine.failure()
+    try {
+      this.#world = this.#orFail(make(this.#engine, this.#relation, precision === 'float' ? 1 : 0), 0)
+    } catch (error) {
+      this.#engine.dropRelation(this.#relation)
+      throw error
+    }
   }
 
+  /** Its address. Ask for it last: until then getters of arguments may free the world. */
   get #live(): number {
     if (this.#world === 0) throw new LgsError('freed', 'this world was freed')
     return this.#world
@@ -44,37 +49,34 @@ class EngineWorld implements World {
   // --- Edits
 
   shape(vertices: Vertices): ShapeId {
-    const world = this.#live, numbers = flat('vertices', vertices)
-    this.#engine.put(numbers)
-    return this.#orFail(this.#call.shape(world, numbers.length / 2) >>> 0, 0)
+    const count = this.#engine.put(flat('vertices', vertices))
+    return this.#orFail(this.#call.shape(this.#live, count / 2) >>> 0, 0)
   }
   add(i: number, j: number, shape: ShapeId, block: Block): PolygonId {
     return this.#orFail(
       this.#call.add(this.#live, int32('i', i), int32('j', j), uint32('shape', shape), uint32('block', block)), 0)
   }
   addMany(entries: Int32Array): Float64Array {
-    const world = this.#live
-    if (!(entries instanceof Int32Array) || entries.length % 4 !== 0)
-      throw bad('entries', 'an Int32Array with four numbers an entry', entries)
-    this.#engine.putBytes(entries)
-    this.#orFail(this.#call.addMany(world, entries.length / 4), 0)
-    return this.#engine.answer(entries.length / 4).slice()
+    if (!(entries instanceof Int32Array)) throw bad('entries', 'an Int32Array', entries)
+    const numbers = new Int32Array(entries), count = numbers.length / 4
+    if (!Number.isInteger(count)) throw bad('the length of entries', 'a multiple of four', numbers.length)
+    this.#engine.putBytes(new Uint8Array(numbers.buffer))
+    this.#orFail(this.#call.addMany(this.#live, count), 0)
+    return this.#engine.answer(count).slice()
   }
   addPolygon(i: number, j: number, vertices: Vertices, block: Block): PolygonId {
-    const world = this.#live, numbers = flat('vertices', vertices)
     int32('i', i)
     int32('j', j)
     uint32('block', block)
-    this.#engine.put(numbers)
-    return this.#orFail(this.#call.addPolygon(world, i, j, numbers.length / 2, block), 0)
+    const count = this.#engine.put(flat('vertices', vertices))
+    return this.#orFail(this.#call.addPolygon(this.#live, i, j, count / 2, block), 0)
   }
   remove(polygon: PolygonId): void {
     this.#orFail(this.#call.remove(this.#live, real('polygon', polygon)), 0)
   }
   removeMany(polygons: ArrayLike<PolygonId>): void {
-    const world = this.#live
-    this.#engine.put(polygons)
-    this.#orFail(this.#call.removeMany(world, polygons.length), 0)
+    const count = this.#engine.put(reals('polygons', polygons))
+    this.#orFail(this.#call.removeMany(this.#live, count), 0)
   }
   replace(i: number, j: number, shape: ShapeId, block: Block): PolygonId {
     return this.#orFail(
@@ -93,14 +95,14 @@ class EngineWorld implements World {
     return this.#orFail(this.#call.clear(this.#live, i0, j0, i1, j1), -1)
   }
   paint(region: Region, block: Block, mode: 'fill' | 'replace' = 'fill'): BrushResult {
-    const world = this.#live
     uint32('block', block)
     if (mode !== 'fill' && mode !== 'replace') throw bad('mode', "'fill' or 'replace'", mode)
-    return this.#brushed(this.#call.paint(world, putRegion(this.#engine, region), block, mode === 'replace' ? 1 : 0))
+    const count = putRegion(this.#engine, region)
+    return this.#brushed(this.#call.paint(this.#live, count, block, mode === 'replace' ? 1 : 0))
   }
   carve(region: Region): BrushResult {
-    const world = this.#live
-    return this.#brushed(this.#call.carve(world, putRegion(this.#engine, region)))
+    const count = putRegion(this.#engine, region)
+    return this.#brushed(this.#call.carve(this.#live, count))
   }
   #brushed(count: number): BrushResult {
     const numbers = this.#engine.answer(this.#orFail(count, 0))
@@ -118,20 +120,31 @@ class EngineWorld implements World {
 
   // --- Commits and going back
 
-  commit(): Changes { return changesOf(this.#changes, this.#orFail(this.#call.commit(this.#live), 0)) }
+  commit(): Changes { return changesOf(this.#changes, this.#made(this.#changes, (world) => this.#call.commit(world))) }
   checkpoint(): Mark { return BigInt.asUintN(64, this.#call.checkpoint(this.#live)) }
   rollBack(mark: Mark): Changes {
-    return changesOf(this.#changes, this.#orFail(this.#call.rollBack(this.#live, bits64('mark', mark)), 0))
+    bits64('mark', mark)
+    return changesOf(this.#changes, this.#made(this.#changes, (world) => this.#call.rollBack(world, mark)))
   }
   forget(mark: Mark): void { this.#orFail(this.#call.forget(this.#live, bits64('mark', mark)), 0) }
+
+  /** Where the lists are that a call makes. If preserve() throws the call has made them none the less. */
+  #made(lists: Lists, call: (world: number) => number): number {
+    const world = this.#live
+    try {
+      return this.#orFail(call(world) >>> 0, 0)
+    } catch (error) {
+      if ((error as LgsError).code === 'preserve-failed') lists.next()
+      throw error
+    }
+  }
 
   // --- Reading
 
   segments(cells?: CellRect): SegmentList {
-    const world = this.#live
-    if (!cells) return listOf(this.#segments, this.#orFail(this.#call.segments(world), 0))
+    if (!cells) return listOf(this.#segments, this.#made(this.#segments, (world) => this.#call.segments(world)))
     const { i0, j0, i1, j1 } = rect(cells)
-    return listOf(this.#segments, this.#orFail(this.#call.segmentsIn(world, i0, j0, i1, j1), 0))
+    return listOf(this.#segments, this.#made(this.#segments, (world) => this.#call.segmentsIn(world, i0, j0, i1, j1)))
   }
   segment(id: SegmentId): Segment {
     this.#orFail(this.#call.segment(this.#live, uint32('id', id)), 0)
@@ -147,8 +160,8 @@ class EngineWorld implements World {
     const { polygon, block, i, j } = this.segment(id)
     return { polygon, block, i, j }
   }
-  loops(options: { merge?: boolean } = {}): Loop[] {
-    const count = this.#call.loops(this.#live, options.merge ? 1 : 0)
+  loops({ merge }: { merge?: boolean } = {}): Loop[] {
+    const count = this.#call.loops(this.#live, merge ? 1 : 0)
     const numbers = this.#engine.answer(count)
     const loops: Loop[] = []
     for (let k = 0; k < count; ) {
@@ -160,10 +173,9 @@ class EngineWorld implements World {
   }
   polygonsAt(i: number, j: number): Polygon[] { return this.polygons({ i0: i, j0: j, i1: i, j1: j }) }
   polygons(cells?: CellRect): Polygon[] {
-    const world = this.#live
-    if (!cells) return this.#polygons(this.#call.polygons(world))
+    if (!cells) return this.#polygons(this.#call.polygons(this.#live))
     const { i0, j0, i1, j1 } = rect(cells)
-    return this.#polygons(this.#call.polygonsIn(world, i0, j0, i1, j1))
+    return this.#polygons(this.#call.polygonsIn(this.#live, i0, j0, i1, j1))
   }
   polygon(id: PolygonId): Polygon {
     return this.#polygons(this.#orFail(this.#call.polygon(this.#live, real('polygon', id)), 0))[0]!
@@ -215,12 +227,11 @@ class EngineWorld implements World {
 
   free(): void {
     if (this.#world === 0) return
-    const world = this.#world
+    if (!this.#engine.ended) this.#call.free(this.#world)  // refused within preserve(): then the world lives on
     this.#world = 0
     this.#changes.next()
     this.#segments.next()
     this.#engine.dropRelation(this.#relation)
-    if (!this.#engine.ended) this.#call.free(world)
   }
   [Symbol.dispose](): void { this.free() }
 }
@@ -233,8 +244,9 @@ export function createWorld(options: WorldOptions = {}): World {
 /** The world that save() wrote, here or in C++. It goes on exactly: the same edits give the same ids. */
 export function loadWorld(bytes: Uint8Array, options: WorldOptions = {}): World {
   if (!(bytes instanceof Uint8Array)) throw bad('bytes', 'a Uint8Array', bytes)
+  const own = new Uint8Array(bytes)
   return new EngineWorld((e, relation, isFloat) => {
-    e.putBytes(bytes)
-    return e.call.load(bytes.length, relation, isFloat)
+    e.putBytes(own)
+    return e.call.load(own.length, relation, isFloat)
   }, options)
 }

@@ -53,6 +53,20 @@ test('a picture that draws the changed chunks anew is the picture of the world',
   world.free()
 })
 
+test('changes that were left out are missed', () => {
+  const world = createWorld()
+  const square = world.shape(unitSquare)
+  world.add(0, 0, square, 1)
+  world.commit()
+  const outline = new OutlineLines(world)
+  assert.deepEqual(outline.update(world.commit()), [])
+  world.add(60, 0, square, 1)
+  world.commit()
+  world.clear(60, 0)
+  assert.throws(() => outline.update(world.commit()), /do not follow/)
+  world.free()
+})
+
 function* edgesOf(picture) {
   for (const lines of picture.values()) {
     for (const line of lines)

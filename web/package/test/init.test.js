@@ -18,7 +18,7 @@ const game = `
   if (world.commit().added.length !== 4) throw new Error('no outline')
   world.free()
   if (Object.keys(globalThis).length !== before) throw new Error('a global')`
-const imports = `import { init, createWorld, unitSquare, LgsError } from 'localgridseg'; import { readFile } from 'node:fs/promises';`
+const imports = `import { init, createWorld, unitSquare, loadWorld, LgsError } from 'localgridseg'; import { readFile } from 'node:fs/promises';`
 
 test('init() finds lgs.wasm, says nothing, and leaves no global', () => {
   assert.equal(run(`${imports} await init(); await init(); ${game}`), '')
@@ -67,6 +67,42 @@ test('when memory runs out, every world says so, and init() starts the engine ag
     await init()
     if (code(() => other.stats()) !== 'out-of-memory') throw new Error('an old world lives')
     ${game}`), '')
+})
+test('after a start that failed, init() may be tried again', () => {
+  assert.equal(run(`${imports}
+    const nothing = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0])
+    for (const options of [{ bytes: nothing }, { bytes: new Uint8Array(3) }, { module: 7 }])
+      if (await init(options).then(() => 'fine', () => 'refused') !== 'refused') throw new Error('started')
+    await init()
+    ${game}`), '')
+})
+test('no instance is made at once: browsers of before 2023 allow that only for 4 kB', () => {
+  assert.equal(run(`${imports} WebAssembly.Instance = class { constructor() { throw new RangeError('too large') } }
+    await init(); ${game}`), '')
+})
+test('memory above 2 GiB, where addresses are negative numbers', () => {
+  assert.equal(run(`${imports}
+    const { instantiate } = WebAssembly
+    let memory
+    WebAssembly.instantiate = async (...all) => {
+      const instance = await instantiate(...all)
+      memory = instance.exports.memory
+      return instance
+    }
+    await init()
+    const world = createWorld()
+    memory.grow(2 ** 15)  // the allocator has begun, and goes on behind what it does not know
+    const triangle = world.shape([0.25, 0.25, 0.75, 0.25, 0.5, 0.75])
+    world.fill({ i0: 0, j0: 0, i1: 299, j1: 99 }, triangle, 1)
+    const { added } = world.commit()
+    if (added.owner.byteOffset < 2 ** 31) throw new Error('the memory is not so full')
+    try { world.shape(new Float64Array(3e5)); throw 1 } catch (e) { if (e.code !== 'capacity') throw e }
+    try { world.add(0, 0, triangle, 1); throw 1 } catch (e) { if (e.code !== 'overlap') throw e }
+    const [x, y] = added.geometry.subarray(8 * 89_999)
+    const { start } = world.segment(added.id[89_999])
+    if (x !== start[0] || y !== start[1]) throw new Error('other geometry')
+    if (world.polygons().length !== 30_000 || world.loops().length !== 30_000) throw new Error('wrong')
+    if (loadWorld(world.save()).stats().segments !== 90_000) throw new Error('wrong')`), '')
 })
 test('the names are there when a server renders, without a window, and nothing starts by itself', () => {
   assert.equal(run(`import * as all from 'localgridseg'; import * as draw from 'localgridseg/draw'; import * as trace from 'localgridseg/trace'; if (typeof window !== 'undefined') throw 1`), '')

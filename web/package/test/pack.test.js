@@ -1,7 +1,7 @@
 // What `npm pack` makes: what is in it, and whether a project made by Vite builds and runs with it.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
-import { cpSync, mkdirSync, mkdtempSync, readdirSync, renameSync, rmSync } from 'node:fs'
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, renameSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { after, before, test } from 'node:test'
@@ -43,4 +43,24 @@ test('a project made by Vite builds, finds the code of WebAssembly, and runs, in
     assert.deepEqual(await page.evaluate('[document.body.dataset.page, document.body.dataset.worker]'), ['4', '4'])
   })
   assert.deepEqual(said, [])
+})
+
+test("Vite's development server serves it, as the README says", async () => {
+  const project = join(folder, 'develop')
+  cpSync(here('consumer'), project, { recursive: true })
+  mkdirSync(join(project, 'node_modules/localgridseg'), { recursive: true })
+  run('tar', '-xf', join(folder, packed.filename), '-C', join(project, 'node_modules/localgridseg'), '--strip-components=1')
+  const [, text] = /```js\nexport default (\{.*\})  \/\/ vite.config.js/.exec(readFileSync(here('../README.md'), 'utf8'))
+  const { createServer } = await import('vite')
+  const { optimizeDeps } = Function(`return ${text}`)()
+  const server = await createServer({ root: project, configFile: false, logLevel: 'error', optimizeDeps, server: { port: 0 } })
+  try {
+    await server.listen()
+    const get = (path) => fetch(new URL(path, `http://localhost:${server.httpServer.address().port}`))
+    const [, module] = /from "([^"]*localgridseg[^"]*)"/.exec(await (await get('/main.js')).text())
+    const [, wasm] = /new URL\("([^"]*lgs\.wasm)"/.exec(await (await get(module)).text())
+    assert.equal((await get(new URL(wasm, `http://localhost${module}`).pathname)).headers.get('content-type'), 'application/wasm')
+  } finally {
+    await server.close()
+  }
 })
