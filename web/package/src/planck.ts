@@ -69,7 +69,7 @@ export class PlanckTerrain {
       throw new Error('these changes do not follow those that the terrain shows: call resync()')
     }
     this.#version = changes.after
-    for (const id of changes.removed) this.#destroy(id)
+    for (const id of changes.removed.slice()) this.#destroy(id) // listeners of contacts may do the same
     this.#create(changes.added)
     this.#relink(changes.relinked)
     // planck itself wakes what touched a fixture that is destroyed.
@@ -138,6 +138,8 @@ export class PlanckTerrain {
   }
 
   #create(segments: SegmentList): void {
+    // First, since a callback that makes the memory of WebAssembly grow empties the arrays.
+    for (const block of new Set(segments.block)) this.#materialOf(block)
     const { id, geometry, block, cell } = segments
     for (let k = 0; k < id.length; ++k) {
       const chunk = this.#chunkAt(cell[2 * k]!, cell[2 * k + 1]!)
