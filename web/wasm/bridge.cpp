@@ -18,6 +18,8 @@ struct Failure {
   double text = 0, textLength = 0;
 };
 
+static_assert(sizeof(Failure) == 16 * sizeof(double));  // web/package/src/error.ts and engine.ts read it
+
 namespace {
 
 std::vector<double> inputBuffer;  // doubles: it is at a multiple of eight bytes

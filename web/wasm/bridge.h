@@ -43,6 +43,9 @@ struct Lists {
     const void *ids, *geometry, *blocks, *cells, *owners, *predecessors, *successors;
   } header{};
 };
+// web/package/src/lists.ts reads it by words of 32 bits.
+static_assert(offsetof(Lists::Header, removed) == 4 * 4 && offsetof(Lists::Header, ids) == 4 * 7 &&
+              offsetof(Lists::Header, successors) == 4 * 13);
 
 /// A world, and the lists that it last handed out.
 struct Bridge {

@@ -76,8 +76,12 @@ export class PlanckTerrain {
       throw new Error('these changes do not follow those that the terrain shows: call resync()')
     }
     this.#version = changes.after
+<<<<<<< HEAD
     const left = new Set<Chunk>()
     for (const id of changes.removed) left.add(this.#destroy(id))
+=======
+    for (const id of changes.removed.slice()) this.#destroy(id) // listeners of contacts may do the same
+>>>>>>> review
     this.#create(changes.added)
     this.#relink(changes.relinked)
     for (const chunk of left) if (chunk.fixtures === 0) this.#destroyChunk(chunk)
@@ -147,6 +151,8 @@ export class PlanckTerrain {
   }
 
   #create(segments: SegmentList): void {
+    // First, since a callback that makes the memory of WebAssembly grow empties the arrays.
+    for (const block of new Set(segments.block)) this.#materialOf(block)
     const { id, geometry, block, cell } = segments
     for (let k = 0; k < id.length; ++k) {
       const chunk = this.#chunkAt(cell[2 * k]!, cell[2 * k + 1]!)
