@@ -32,6 +32,7 @@ ROOMS = {
     "lib/brush/src": ["lib/include", "lib/geometry", "lib/brush/include"],
     "lib/tiled/include": ["lib/include"],
     "lib/tiled/src": ["lib/include", "lib/geometry", "lib/brush/include", "lib/tiled/include"],
+    "web/bench": ["lib/include"],
     "web/wasm": ["lib/include", "lib/brush/include", "lib/tiled/include"],
     "lib/box2d/include": ["lib/include"],
     "lib/box2d/src": ["lib/include", "lib/geometry", "lib/box2d/include"],

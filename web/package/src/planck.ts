@@ -76,12 +76,8 @@ export class PlanckTerrain {
       throw new Error('these changes do not follow those that the terrain shows: call resync()')
     }
     this.#version = changes.after
-<<<<<<< HEAD
     const left = new Set<Chunk>()
-    for (const id of changes.removed) left.add(this.#destroy(id))
-=======
-    for (const id of changes.removed.slice()) this.#destroy(id) // listeners of contacts may do the same
->>>>>>> review
+    for (const id of changes.removed.slice()) left.add(this.#destroy(id)) // listeners of contacts may use the package
     this.#create(changes.added)
     this.#relink(changes.relinked)
     for (const chunk of left) if (chunk.fixtures === 0) this.#destroyChunk(chunk)
