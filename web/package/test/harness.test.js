@@ -40,7 +40,7 @@ async function inFolder(use) {
 
 test('lgs check finds no mismatch in the package', { skip }, async () => {
   const engine = `'${process.execPath}' '${here('../examples/engine.mjs')}'`
-  const { stdout } = await run(lgs, ['check', '--engine', engine, '--edits', '4000', '--seed', '2'])
+  const { stdout } = await run(lgs, ['check', '--engine', engine, '--edits', '2500', '--seed', '2'])
   assert.match(stdout, /no mismatch/)
   assert.match(stdout, /a preserve relation at work/)
 })

@@ -130,7 +130,7 @@ test('strokes of brushes: the outline is that of the native command, and CGAL fi
       world.commit()
       assert.equal(dump(world), readFileSync(out, 'utf8'))
       world.free()
-    }), settings(25))
+    }), settings(12))
   } finally {
     rmSync(folder, { recursive: true })
   }
