@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What the web side is built with, on Debian 12: the compiler for WebAssembly, Node, the sources that the importer needs,
-# and the packages of web/package-lock.json. Only what is missing. Arguments: further packages of Debian.
+# and the packages of web/package-lock.json. Only what is missing.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -8,7 +8,7 @@ packages=(bzip2 xz-utils clang-19 lld-19 llvm-19 libc++-19-dev-wasm32 libclang-r
 # Node and Chromium may be here from elsewhere. Debian's npm would not install beside another Node.
 command -v node >/dev/null || packages+=(nodejs)
 command -v npm >/dev/null || packages+=(npm)
-scripts/setup.sh "${packages[@]}" "$@"
+scripts/setup.sh "${packages[@]}"
 
 if (($(node -p 'process.versions.node.split(".")[0]') < 18)); then
   echo "web_setup: Node 18 or newer is needed, and here is $(node --version)" >&2

@@ -1,9 +1,8 @@
 # Sourced by web.sh and test.sh, after steps.sh: sets the web side up, and builds package and sandbox.
 # shellcheck shell=bash
 
-# build_web DEBIAN-PACKAGE...
 build_web() {
-  step web-setup "Set up the web's tools" scripts/web_setup.sh "$@"
+  step web-setup "Set up the web's tools" scripts/web_setup.sh
   build web lgs_web lgs_web_full
   step web-package "Build the npm package" npm run build --prefix web/package
   step web-sandbox "Build the sandbox" npm run build --prefix web/sandbox
