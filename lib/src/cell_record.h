@@ -70,6 +70,16 @@ struct CellRecord {
   const std::uint32_t* ids() const { return words() + prefixWords(); }
   std::span<const std::uint32_t> ids(unsigned part) const { return {ids() + begin(part), end[part] - begin(part)}; }
 
+  /// Side q leaves corner q. Whether a segment along it starts there; and where that stands in ids().
+  bool leaves(unsigned q) const { return (touching >> q & 1u) != 0; }
+  unsigned leaving(unsigned q) const { return runsForward(q) ? begin(partOf(q)) : end[partOf(q)] - 1u; }
+  /// The side before arrives at corner q. Whether a segment along it ends there; and where that stands in ids().
+  bool arrives(unsigned q) const { return (touching >> (4 + sideBefore(q)) & 1u) != 0; }
+  unsigned arriving(unsigned q) const {
+    const unsigned side = sideBefore(q);
+    return runsForward(side) ? end[partOf(side)] - 1u : begin(partOf(side));
+  }
+
   // Only of a record that is not compact.
   std::uint32_t lastSerial() const { return words()[kHeaderWords]; }
   const Placed* placed() const { return reinterpret_cast<const Placed*>(words() + kHeaderWords + 1); }

@@ -162,6 +162,22 @@ void linkInside(Content& content, std::span<const LocalPoint> vertices, Fans& fa
   }
 }
 
+/// Law 2 between the cell's own half-edges at a corner. Where nothing is preserved, incoming and outgoing ones take
+/// turns, and the wedge from an incoming one to the next is free. Where something is, Linking matches whole fans.
+CornerEnds linkAtCorner(Content& content, std::span<const Spoke> fan) {
+  for (std::size_t k = 1; k < fan.size(); ++k) {
+    const Spoke &before = fan[k - 1], &after = fan[k];
+    if (before.outgoing || !after.outgoing) continue;
+    content.interior[before.segment].successor = after.segment;
+    content.interior[after.segment].predecessor = before.segment;
+  }
+  CornerEnds ends;
+  if (fan.empty()) return ends;
+  if (fan.front().outgoing) ends.out = static_cast<std::uint16_t>(fan.front().segment);
+  if (!fan.back().outgoing) ends.in = static_cast<std::uint16_t>(fan.back().segment);
+  return ends;
+}
+
 /// One interval without a rim point can only run from corner to corner.
 bool isWhole(const Side& side) { return side.covered.size() == 1 && side.points.empty(); }
 
@@ -191,7 +207,9 @@ Content buildContent(std::span<const PolygonView> polygons, std::span<const std:
   Fans fans(content.interior);
   linkInside(content, vertices, fans);
   for (unsigned s = 0; s < kSides; ++s) {
-    content.corners[s] = storeRimFan(content, fans.at(kCorners[s], kSideDirections[s]));
+    const std::span<const Spoke> fan = fans.at(kCorners[s], kSideDirections[s]);
+    content.corners[s] = storeRimFan(content, fan);
+    if (preserved.empty()) content.cornerEnds[s] = linkAtCorner(content, fan);
     for (RimPoint& point : content.sides[s].points)
       point.spokes = storeRimFan(content, fans.at(pointAt(s, point.at), kSideDirections[s]));
   }

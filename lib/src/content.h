@@ -24,6 +24,7 @@ using Slot = std::uint16_t;
 enum SideIndex : unsigned { kSouth, kEast, kNorth, kWest, kSides };
 
 constexpr unsigned opposite(unsigned side) { return (side + 2) % kSides; }
+constexpr unsigned sideBefore(unsigned side) { return (side + 3) % kSides; }
 constexpr bool isVertical(unsigned side) { return side % 2 == 1; }
 
 /// The corners, counter-clockwise. Side k starts at corner k.
@@ -50,7 +51,7 @@ constexpr bool runsForward(unsigned side) { return side == kSouth || side == kEa
 /// An exposed atomic edge that lies along no side.
 struct InteriorSegment {
   static constexpr std::uint32_t kNone = 0xffff'ffff;  ///< no candidate
-  static constexpr std::uint32_t kRim = 0xffff'fffe;   ///< that end is on the rim, and a commit links it
+  static constexpr std::uint32_t kRim = 0xffff'fffe;   ///< that end is on the rim, and it is for a commit to link it
   PackedEnds ends;
   std::uint32_t predecessor = kRim;  ///< index in Content::interior
   std::uint32_t successor = kRim;
@@ -63,6 +64,15 @@ struct SpokeRange {
   std::uint32_t count = 0;
   std::uint32_t rest = 0;  ///< where the others begin in Content::spokes
   Spoke first;             ///< can be read even if there is none
+};
+
+/// What the cell's half-edges at a corner begin and end with, counter-clockwise: the first interior one if it is
+/// outgoing, and the last one if it is incoming. Both are indices in Content::interior. No other cell has a say in what
+/// lies between, so that is linked inside the cell.
+struct CornerEnds {
+  static constexpr std::uint16_t kNone = 0xffff;
+  std::uint16_t out = kNone;
+  std::uint16_t in = kNone;
 };
 
 /// A stretch of a side that one polygon covers. No vertex of the cell lies inside it.
@@ -89,7 +99,7 @@ using Facts = std::uint8_t;
 inline constexpr Facts kWholeSides = 0x0f;    ///< bit s: side s is whole, one edge runs from corner to corner
 inline constexpr Facts kRimPoints = 0x10;     ///< there are rim points
 inline constexpr Facts kInside = 0x20;        ///< there are interior segments
-inline constexpr Facts kLinkedInside = 0x40;  ///< some interior segment has an end inside the cell
+inline constexpr Facts kLinkedInside = 0x40;  ///< some interior segments are linked to each other
 inline constexpr Facts kAllFacts = kWholeSides | kRimPoints | kInside | kLinkedInside;
 
 /// The sides of a cell that are hidden by whole sides of the cells across them, by the facts of those: bit s for side
@@ -101,6 +111,7 @@ constexpr unsigned hiddenSides(unsigned south, unsigned east, unsigned north, un
 struct Content {
   Facts facts = 0;
   std::array<SpokeRange, 4> corners{};
+  std::array<CornerEnds, 4> cornerEnds{};
   std::uint32_t widestFan = 0;            ///< the longest of the ranges
   std::vector<InteriorSegment> interior;  ///< sorted by start, then end
   std::vector<Spoke> spokes;              ///< `segment` is an index in `interior`, `direction` a rank at that vertex

@@ -1,8 +1,6 @@
 #include "linking.h"
 
-#include "fan.h"
-#include "radial_match.h"
-#include "side_walk.h"
+#include "turn.h"
 #include "wide_row.h"
 
 #include <algorithm>
@@ -10,10 +8,7 @@
 namespace lgs::detail {
 
 Linking::Linking(World::Impl& world, std::vector<Spoke>& fan)
-    : world_(world), grid_(world.grid), links_(world), fan_(fan) {
-  constexpr std::size_t kAlongSides = 8;  // two in each of four directions
-  fan_.resize(4 * std::size_t{world.catalogue.widestFan()} + kAlongSides + 1);
-}
+    : world_(world), grid_(world.grid), links_(world), rim_(world, links_, fan) {}
 
 /// Links at the only dirty cell of its chunk.
 void Linking::linkCell(CellAt at) {
@@ -70,32 +65,16 @@ void Linking::linkInterior(CellAt at) {
   }
 }
 
-inline void Linking::match(std::span<const Spoke> fan) {
-  if (!world_.preserve) {
-    radialMatchAlternating(fan, [&](std::uint32_t incoming, std::uint32_t outgoing) {
-      links_.setSuccessor(incoming, outgoing);
-      links_.setPredecessor(outgoing, incoming);
-    });
-    return;
-  }
-  radialMatch(
-      fan, kNoSegment, [&](std::uint32_t s, std::uint32_t other) { links_.setPredecessor(s, other); },
-      [&](std::uint32_t s, std::uint32_t other) { links_.setSuccessor(s, other); });
-}
-
-/// Adds the spokes at corner q of a cell. Side q leaves the corner, the side before arrives there.
+/// What counts of a cell at its corner q.
 template <unsigned q>
-inline void Linking::addQuadrant(Fan& fan, const CellRecord& r) const {
-  constexpr unsigned leaving = q, arriving = (q + 3) % kSides;
+inline void Linking::pass(Turn& turn, const CellRecord& r) const {
+  const CornerEnds inside = world_.catalogue.cornerEnds(Grid::content(r), q);
   const std::uint32_t* ids = r.ids();
-  const unsigned leaves = r.touching >> leaving & 1u, arrives = r.touching >> (4 + arriving) & 1u;
-  const auto first = [&](unsigned side) -> unsigned { return r.end[partOf(side) - 1]; };
-  const auto last = [&](unsigned side) { return r.end[partOf(side)] - 1u; };
-  const auto idIf = [ids](unsigned present, unsigned index) { return ids[index & (0u - present)]; };
-  const Content& content = world_.catalogue.content(Grid::content(r));
-  fan.add(idIf(leaves, runsForward(leaving) ? first(leaving) : last(leaving)), q * kStretch, 1, leaves);
-  fan.addInterior(content, content.corners[q], ids, q);
-  fan.add(idIf(arrives, runsForward(arriving) ? last(arriving) : first(arriving)), (q + 1) % 4 * kStretch, 0, arrives);
+  const auto idAt = [ids](unsigned index) {
+    const bool isThere = index != CornerEnds::kNone;
+    return isThere ? ids[isThere ? index : 0] : kNoSegment;
+  };
+  turn.pass(idAt(r.leaves(q) ? r.leaving(q) : inside.out), idAt(r.arrives(q) ? r.arriving(q) : inside.in));
 }
 
 /// Links at the vertex where columns x - 1, x and rows y - 1, y meet. To the cell of quadrant q it is corner q.
@@ -117,41 +96,28 @@ void Linking::linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y) {
     r2 = recordAt(x - 1, y - 1);
     r3 = recordAt(x, y - 1);
   }
-  Fan fan(fan_);
-  if (r0) addQuadrant<0>(fan, *r0);
-  if (r1) addQuadrant<1>(fan, *r1);
-  if (r2) addQuadrant<2>(fan, *r2);
-  if (r3) addQuadrant<3>(fan, *r3);
-  match(fan.spokes());
+  if (world_.preserve) {
+    rim_.linkCorner({r0, r1, r2, r3});
+    return;
+  }
+  Turn turn;
+  if (r0) pass<0>(turn, *r0);
+  if (r1) pass<1>(turn, *r1);
+  if (r2) pass<2>(turn, *r2);
+  if (r3) pass<3>(turn, *r3);
+  turn.close([&](std::uint32_t incoming, std::uint32_t outgoing) {
+    links_.setSuccessor(incoming, outgoing);
+    links_.setPredecessor(outgoing, incoming);
+  });
 }
 
 void Linking::linkSides(CellAt at) {
   const unsigned here = at.chunk->facts[at.local];
   const FactsAround around = factsAround(at);
-  if (((here | around.south) & kRimPoints) != 0) linkSide(at, kSouth);
-  if (((here | around.east) & kRimPoints) != 0) linkSide(at, kEast);
-  if (((here | around.north) & kRimPoints) != 0) linkSide(at, kNorth);
-  if (((here | around.west) & kRimPoints) != 0) linkSide(at, kWest);
-}
-
-/// Links at all vertices in the open side of a cell.
-void Linking::linkSide(CellAt at, unsigned side) {
-  SideWalk mine(world_, at, side), theirs(world_, across(at, side), opposite(side));
-  const bool forward = runsForward(side);
-  while (!mine.done() || !theirs.done()) {
-    const std::int32_t vertex = std::min(mine.next(), theirs.next());
-    // Counter-clockwise: the direction in which my edges run, my half-edges, the other direction, theirs.
-    Fan fan(fan_);
-    mine.addSideSpokes(fan, vertex, forward, 0);
-    theirs.addSideSpokes(fan, vertex, forward, 0);
-    mine.addInteriorSpokes(fan, vertex, 0);
-    mine.addSideSpokes(fan, vertex, !forward, 1);
-    theirs.addSideSpokes(fan, vertex, !forward, 1);
-    theirs.addInteriorSpokes(fan, vertex, 1);
-    match(fan.spokes());
-    mine.pass(vertex);
-    theirs.pass(vertex);
-  }
+  if (((here | around.south) & kRimPoints) != 0) rim_.linkSide(at, kSouth);
+  if (((here | around.east) & kRimPoints) != 0) rim_.linkSide(at, kEast);
+  if (((here | around.north) & kRimPoints) != 0) rim_.linkSide(at, kNorth);
+  if (((here | around.west) & kRimPoints) != 0) rim_.linkSide(at, kWest);
 }
 
 }  // namespace lgs::detail

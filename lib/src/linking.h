@@ -1,11 +1,13 @@
 // Phase 2 on the world, law 2: links the segments at every vertex near an edit.
 #pragma once
 
-#include "fan.h"
 #include "links.h"
+#include "rim.h"
 #include "world_impl.h"
 
 namespace lgs::detail {
+
+class Turn;
 
 class Linking {
  public:
@@ -19,16 +21,14 @@ class Linking {
   void linkCell(CellAt at);
   void linkInterior(CellAt at);
   template <unsigned q>
-  void addQuadrant(Fan& fan, const CellRecord& r) const;
+  void pass(Turn& turn, const CellRecord& r) const;
   void linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y);
   void linkSides(CellAt at);
-  void linkSide(CellAt at, unsigned side);
-  void match(std::span<const Spoke> fan);
 
   World::Impl& world_;
   Grid& grid_;
   Links links_;
-  std::vector<Spoke>& fan_;
+  Rim rim_;
 };
 
 }  // namespace lgs::detail

@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""Counts the instructions of six loops, and fails if one is above its ceiling.
+
+    bench/instructions/gate.py --program build/release/bench/instructions/lgs_loops
+
+Instructions do not depend on how busy a machine is. Valgrind counts them. Each loop runs a few times and then some more
+times, and the difference of the two counts is what the times more cost: so the start of the program is left out.
+
+ceilings.json has the ceiling of each loop, for one compiler: another one makes other code. With another compiler, and
+where there is no Valgrind, nothing is compared, and the exit status is 77. `--write` writes new ceilings, a hundredth
+above what was counted.
+"""
+import argparse
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+CEILINGS = HERE / "ceilings.json"
+SKIPPED = 77
+SPARE = 1.01
+
+# Of each loop: how often it runs at first, how often then, and how many steps one time is.
+LOOPS = {
+    "edit-full": (1, 3, 2_000),
+    "edit-ramps": (1, 3, 2_000),
+    "add-full": (1, 3, 10_000),
+    "bulk-full": (1, 3, 10_000),
+    "bulk-ramps": (1, 3, 10_000),
+    "never-seen": (10, 110, 1),
+}
+STEPS = {
+    "edit-full": "an edit and its commit, full blocks",
+    "edit-ramps": "an edit and its commit, ramps",
+    "add-full": "a cell of a first build, full blocks by add()",
+    "bulk-full": "the same by addMany()",
+    "bulk-ramps": "a cell of a first build, ramps by addMany()",
+    "never-seen": "a new polygon of 64 vertices comes and goes, two commits",
+}
+
+
+def instructions(program, loop, times):
+    command = ["valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null", program, loop,
+               str(times)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    found = re.search(r"I +refs: +([\d,]+)", done.stderr)
+    if done.returncode != 0 or not found:
+        sys.exit(f"gate: {' '.join(command)} failed:\n{done.stderr}")
+    return int(found.group(1).replace(",", ""))
+
+
+def counted(program):
+    counts = {}
+    for loop, (few, more, steps) in LOOPS.items():
+        difference = instructions(program, loop, more) - instructions(program, loop, few)
+        counts[loop] = difference / (more - few) / steps
+    return counts
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("--program", required=True, help="lgs_loops, built as Release")
+    options.add_argument("--compiler", required=True, help="what built it, such as 'GNU 12 x86_64'")
+    options.add_argument("--write", action="store_true", help="write new ceilings")
+    given = options.parse_args()
+    if not shutil.which("valgrind"):
+        print("gate: there is no valgrind (Debian: apt install valgrind), so no instructions are counted")
+        return SKIPPED
+    known = json.loads(CEILINGS.read_text())
+    if given.compiler != known["compiler"] and not given.write:
+        print(f"gate: the ceilings are those of {known['compiler']}, and this was built by {given.compiler}")
+        return SKIPPED
+    counts = counted(given.program)
+    if given.write:
+        ceilings = {loop: round(count * SPARE) for loop, count in counts.items()}
+        CEILINGS.write_text(json.dumps({"compiler": given.compiler, "ceilings": ceilings}, indent=2) + "\n")
+    above = 0
+    print(f"{'instructions':>12} {'ceiling':>9}")
+    for loop, count in counts.items():
+        ceiling = json.loads(CEILINGS.read_text())["ceilings"][loop]
+        above += count > ceiling
+        print(f"{count:12.1f} {ceiling:9} {loop}: {STEPS[loop]}{'   ABOVE' if count > ceiling else ''}")
+    if above:
+        print("gate: some loops take more instructions than before. docs/performance.md says how to find out why. If it"
+              "\n      must be so, run gate.py with --write, and say in the commit what it is good for.")
+    return 1 if above else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
