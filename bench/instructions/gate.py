@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Counts the instructions of six loops, and fails if one is above its ceiling.
 
-    bench/instructions/gate.py --program build/release/bench/instructions/lgs_loops
+    cmake --build --preset release --target lgs_loops && ctest --preset release -R bench.instructions -V
 
 Instructions do not depend on how busy a machine is. Valgrind counts them. Each loop runs a few times and then some more
 times, and the difference of the two counts is what the times more cost: so the start of the program is left out.
 
 ceilings.json has the ceiling of each loop, for one compiler: another one makes other code. With another compiler, and
-where there is no Valgrind, nothing is compared, and the exit status is 77. `--write` writes new ceilings, a hundredth
+where there is no Valgrind, nothing is compared, and the exit status is 77. `--write` writes new ceilings, two hundredths
 above what was counted.
 """
 import argparse
@@ -21,7 +21,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 CEILINGS = HERE / "ceilings.json"
 SKIPPED = 77
-SPARE = 1.01
+SPARE = 1.02  # the C library has several forms of some functions, and picks one for the processor
 
 # Of each loop: how often it runs at first, how often then, and how many steps one time is.
 LOOPS = {

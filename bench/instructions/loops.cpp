@@ -51,8 +51,7 @@ void must(const Expected<void>& done) {
 }
 
 void addOneByOne(World& world, std::span<const Placement> all, std::span<PolygonHandle> handles) {
-  for (std::size_t k = 0; k < all.size(); ++k)
-    handles[k] = world.add(all[k].cell, all[k].shape, all[k].block).value();
+  for (std::size_t k = 0; k < all.size(); ++k) handles[k] = world.add(all[k].cell, all[k].shape, all[k].block).value();
 }
 
 void addAtOnce(World& world, std::span<const Placement> all, std::span<PolygonHandle> handles) {

@@ -222,9 +222,8 @@ void Published::compute() {
   for (const Hash boundary : dirtyVertical_)
     resolveBoundary(verticalBoundarySegs_, resolvedVertical_, boundary, &Vec2::y);
   for (const Hash vertex : dirtyVertices_) assignGhostVertices(vertex);
-  dirtyHorizontal_.clear();
-  dirtyVertical_.clear();
-  dirtyVertices_.clear();
+  for (HashSet* dirty : {&dirtyHorizontal_, &dirtyVertical_, &dirtyVertices_})
+    sets_ == Sets::cleared ? dirty->clear() : HashSet().swap(*dirty);
 }
 
 }  // namespace lgs::bench

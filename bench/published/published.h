@@ -40,8 +40,14 @@ class Published {
  public:
   using ShouldPreserve = std::function<bool(Block, Block)>;
 
+  /// What compute() does with its three sets at the end. The article clears them. For that std::unordered_set walks all
+  /// the buckets that it ever had, so each edit pays for the first build of the world. New sets show what the algorithm
+  /// itself costs.
+  enum class Sets : std::uint8_t { cleared, renewed };
+
   /// Silent: what an empty callback means. Here it preserves nothing.
-  explicit Published(ShouldPreserve shouldPreserve = {}) : shouldPreserve_(std::move(shouldPreserve)) {}
+  explicit Published(ShouldPreserve shouldPreserve = {}, Sets sets = Sets::cleared)
+      : shouldPreserve_(std::move(shouldPreserve)), sets_(sets) {}
 
   /// Section 4.1. The polygon must be counter-clockwise and lie in its cell. Nothing is checked.
   void add(Cell cell, std::span<const Vec2> polygon, Block block);
@@ -89,6 +95,7 @@ class Published {
   void assignGhostVertices(Hash vertexHash);
 
   ShouldPreserve shouldPreserve_;
+  Sets sets_;
   SegmentMap vertexManifold_;
   SegmentMap horizontalBoundarySegs_, verticalBoundarySegs_;
   SegmentMap resolvedHorizontal_, resolvedVertical_;

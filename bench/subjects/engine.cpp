@@ -21,6 +21,10 @@ void Engine::prepare(const Tiles& tiles) {
   for (const Kind& kind : tiles.kinds) {
     shapes_.push_back(kind.polygons.empty() ? ShapeId{} : world_.shape(kind.polygons).value());
   }
+  if (by_ != By::bulk) return;
+  for (std::size_t k = 0; k < tiles.size(); ++k) {
+    if (!tiles.isEmpty(k)) placements_.push_back({tiles.cell(k), shapes_[tiles.at[k]], tiles.kind(k).block});
+  }
 }
 
 bool Engine::build() {
@@ -34,6 +38,9 @@ bool Engine::build() {
     for (std::int32_t j = 0; j < tiles_->height; ++j) {
       for (std::int32_t i = 0; i < tiles_->width; ++i, ++k) addAt(k, {i, j}, tiles_->at[k]);
     }
+  } else if (by_ == By::bulk) {
+    if (placements_.size() != handles_.size()) return false;  // the handles are found by cell
+    if (!world_.addMany(placements_, handles_)) return false;
   } else {
     for (const std::uint16_t kind : tiles_->at) {
       if (kind != tiles_->at[0]) return false;

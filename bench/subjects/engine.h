@@ -14,6 +14,7 @@ class Engine final : public Incremental {
   enum class By {
     polygons,  ///< adds each polygon by its vertices, which the engine validates and interns
     shapes,    ///< adds the content of each cell by the id of a shape that was interned before
+    bulk,      ///< the same for all cells at once, by addMany()
     fill,      ///< fills one rectangle at once; refuses worlds of more than one kind
   };
   explicit Engine(By by, Executor executor = {}) : by_(by), executor_(std::move(executor)) {}
@@ -43,6 +44,7 @@ class Engine final : public Incremental {
   const Tiles* tiles_ = nullptr;
   World world_;
   std::vector<ShapeId> shapes_;                 // of each kind; null for an empty cell
+  std::vector<Placement> placements_;           // By::bulk only: all of the world, as a caller would hold them
   std::vector<PolygonHandle> handles_;          // of the polygon in each cell; of use with hasSingles_ only
   std::vector<oracle::ScenePolygon> polygons_;  // By::polygons only: all of the world, as a caller would hold them
   std::vector<std::uint32_t> cellOf_;           // the cell of each of polygons_

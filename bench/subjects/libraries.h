@@ -8,6 +8,7 @@ namespace lgs::bench {
 using Made = tl::expected<std::unique_ptr<Subject>, std::string>;
 
 Made makePublishedPort();
+Made makePublishedPortWithNewSets();
 Made makeCgal();
 Made makeClipper();
 Made makeGeosUnaryUnion();

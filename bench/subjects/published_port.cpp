@@ -11,6 +11,8 @@ namespace {
 
 class PublishedPort final : public Incremental {
  public:
+  explicit PublishedPort(Published::Sets sets) : world_({}, sets) {}
+
   void prepare(const Tiles& tiles) override {
     tiles_ = &tiles;
     polygons_.resize(tiles.size());
@@ -70,6 +72,7 @@ class PublishedPort final : public Incremental {
 
 }  // namespace
 
-Made makePublishedPort() { return std::make_unique<PublishedPort>(); }
+Made makePublishedPort() { return std::make_unique<PublishedPort>(Published::Sets::cleared); }
+Made makePublishedPortWithNewSets() { return std::make_unique<PublishedPort>(Published::Sets::renewed); }
 
 }  // namespace lgs::bench

@@ -19,8 +19,10 @@ struct Entry {
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
       {{"published-port", true}, makePublishedPort},
+      {{"published-port-new-sets", true}, makePublishedPortWithNewSets},
       {{"engine-polygons", true}, []() -> Made { return std::make_unique<Engine>(Engine::By::polygons); }},
       {{"engine-shapes", true}, []() -> Made { return std::make_unique<Engine>(Engine::By::shapes); }},
+      {{"engine-bulk", true}, []() -> Made { return std::make_unique<Engine>(Engine::By::bulk); }},
       {{"engine-fill", true}, []() -> Made { return std::make_unique<Engine>(Engine::By::fill); }},
 #ifdef LGS_BENCH_GEOS
       {{"geos-coverage", false}, makeGeosCoverageUnion},

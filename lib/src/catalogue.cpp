@@ -96,7 +96,7 @@ Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons
   const ContentId id = store(contents_, freeContents_, std::move(content));
   widestFan_ = std::max(widestFan_, contents_[id]->widestFan);
   uses_.resize(contents_.size());
-  uses_[id] = {.users = 0, .facts = contents_[id]->facts, .cornerEnds = contents_[id]->cornerEnds};
+  uses_[id] = {.users = 0, .facts = contents_[id]->facts};
   contentIndex_.insert(hash, id);
   for (const PolygonId polygon : polygons) acquire(polygons_[polygon]->users);
   if (polygons.size() == 1) polygons_[polygons[0]]->sole = id;

@@ -56,7 +56,6 @@ class Catalogue {
   /// How many interior half-edges meet at most in one vertex on the rim, in all contents that there ever were.
   std::uint32_t widestFan() const { return widestFan_; }
   Facts facts(ContentId id) const { return uses_[id].facts; }
-  CornerEnds cornerEnds(ContentId id, unsigned corner) const { return uses_[id].cornerEnds[corner]; }
   PolygonView vertices(PolygonId id) const { return polygons_[id]->vertices; }
   /// Valid until the next shape is made. Null if the id is none of ours.
   const InternedShape* shape(ShapeId id) const {
@@ -107,11 +106,10 @@ class Catalogue {
     ContentId sole = kEmptyContent;
   };
 
-  /// What edits and commits ask of a content most. It stands apart from the rest, so that they touch little memory.
+  /// What edits ask of a content. It stands apart from the rest, so that they touch little memory.
   struct Use {
     std::uint32_t users = 0;  ///< cells, or kForever; a content without users may be forgotten
-    Facts facts = 0;          ///< as in the content, like the next
-    std::array<CornerEnds, 4> cornerEnds{};
+    Facts facts = 0;          ///< as in the content
   };
 
   /// The users of a content that a shape has. Shapes are never forgotten, so nobody counts the cells of such a content:

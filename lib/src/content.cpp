@@ -164,18 +164,19 @@ void linkInside(Content& content, std::span<const LocalPoint> vertices, Fans& fa
 
 /// Law 2 between the cell's own half-edges at a corner. Where nothing is preserved, incoming and outgoing ones take
 /// turns, and the wedge from an incoming one to the next is free. Where something is, Linking matches whole fans.
-CornerEnds linkAtCorner(Content& content, std::span<const Spoke> fan) {
+void linkAtCorner(Content& content, unsigned corner, std::span<const Spoke> fan) {
   for (std::size_t k = 1; k < fan.size(); ++k) {
     const Spoke &before = fan[k - 1], &after = fan[k];
     if (before.outgoing || !after.outgoing) continue;
     content.interior[before.segment].successor = after.segment;
     content.interior[after.segment].predecessor = before.segment;
   }
-  CornerEnds ends;
-  if (fan.empty()) return ends;
-  if (fan.front().outgoing) ends.out = static_cast<std::uint16_t>(fan.front().segment);
-  if (!fan.back().outgoing) ends.in = static_cast<std::uint16_t>(fan.back().segment);
-  return ends;
+  const auto place = [&](const Spoke& spoke) {
+    return static_cast<std::uint16_t>((spoke.segment < CornerEnds::kMaxPlace ? spoke.segment + 1 : 0) << 4 * corner);
+  };
+  if (fan.empty()) return;
+  if (fan.front().outgoing) content.cornerEnds.first |= place(fan.front());
+  if (!fan.back().outgoing) content.cornerEnds.last |= place(fan.back());
 }
 
 /// One interval without a rim point can only run from corner to corner.
@@ -209,7 +210,7 @@ Content buildContent(std::span<const PolygonView> polygons, std::span<const std:
   for (unsigned s = 0; s < kSides; ++s) {
     const std::span<const Spoke> fan = fans.at(kCorners[s], kSideDirections[s]);
     content.corners[s] = storeRimFan(content, fan);
-    if (preserved.empty()) content.cornerEnds[s] = linkAtCorner(content, fan);
+    if (preserved.empty()) linkAtCorner(content, s, fan);
     for (RimPoint& point : content.sides[s].points)
       point.spokes = storeRimFan(content, fans.at(pointAt(s, point.at), kSideDirections[s]));
   }

@@ -66,13 +66,13 @@ struct SpokeRange {
   Spoke first;             ///< can be read even if there is none
 };
 
-/// What the cell's half-edges at a corner begin and end with, counter-clockwise: the first interior one if it is
-/// outgoing, and the last one if it is incoming. Both are indices in Content::interior. No other cell has a say in what
-/// lies between, so that is linked inside the cell.
+/// The half-edges with which a cell's fans at its four corners begin and end, counter-clockwise: the first one if it is
+/// outgoing, the last one if it is incoming. No other cell has a say in what lies between. Bits 4q … 4q + 3 are for
+/// corner q: the place in a list of segments, counted from 1; or 0 if there is none, or if it is beyond kMaxPlace.
 struct CornerEnds {
-  static constexpr std::uint16_t kNone = 0xffff;
-  std::uint16_t out = kNone;
-  std::uint16_t in = kNone;
+  static constexpr std::uint32_t kMaxPlace = 15;
+  std::uint16_t first = 0;
+  std::uint16_t last = 0;
 };
 
 /// A stretch of a side that one polygon covers. No vertex of the cell lies inside it.
@@ -111,7 +111,7 @@ constexpr unsigned hiddenSides(unsigned south, unsigned east, unsigned north, un
 struct Content {
   Facts facts = 0;
   std::array<SpokeRange, 4> corners{};
-  std::array<CornerEnds, 4> cornerEnds{};
+  CornerEnds cornerEnds;                  ///< of the half-edges inside, by their places in `interior`
   std::uint32_t widestFan = 0;            ///< the longest of the ranges
   std::vector<InteriorSegment> interior;  ///< sorted by start, then end
   std::vector<Spoke> spokes;              ///< `segment` is an index in `interior`, `direction` a rank at that vertex

@@ -27,6 +27,7 @@ void Exposure::renewChunk(const Chunk& chunk) {
         renewAll(at);
         return;
       }
+      if (at.chunk->facts[at.local] == 0) return;  // it holds no polygon
       const FactsAround facts = factsAround(at);
       if (bit(below)) renewSide(at, kSouth, facts.south);
       if (bit(here >> 1)) renewSide(at, kEast, facts.east);
@@ -42,8 +43,10 @@ inline void Exposure::renewCell(CellAt at) {
   renewAll(at);
   for (unsigned side = 0; side < kSides; ++side) {
     const CellAt beyond = across(at, side);
-    if (beyond && (beyond.chunk->dirty[beyond.row()] & beyond.bit()) == 0)
-      renewSide(beyond, opposite(side), at.chunk->facts[at.local]);
+    if (!beyond || (beyond.chunk->dirty[beyond.row()] & beyond.bit()) != 0) continue;
+    const unsigned facts = beyond.chunk->facts[beyond.local];
+    if ((facts & (1u << opposite(side) | kRimPoints)) == 0) continue;  // it has no edge along the side
+    renewSide(beyond, opposite(side), at.chunk->facts[at.local]);
   }
 }
 
@@ -74,27 +77,25 @@ inline bool Exposure::createSimple(CellAt at) {
 /// is a segment along the whole side or none, before and now.
 void Exposure::renewSide(CellAt at, unsigned side, unsigned beyond) {
   const unsigned facts = at.chunk->facts[at.local];
-  if (facts == 0) return;
-  const unsigned part = partOf(side), both = bothCorners(side);
   const CellRecord* r = grid_.record(at);
-  const std::uint32_t begin = r ? r->begin(part) : 0, before = r ? r->end[part] - begin : 0;
-  if (world_.preserve || ((facts | beyond) & kRimPoints) != 0 || before > 1 ||
-      (before == 1 && (r->touching & both) != both)) {
-    update(at, 1u << part);
+  if (world_.preserve || ((facts | beyond) & kRimPoints) != 0 || (r && !r->hasWholeSides())) {
+    update(at, 1u << partOf(side));
     return;
   }
-  const std::uint32_t now = facts >> side & ~(beyond >> opposite(side)) & 1u;
+  const unsigned sides = r ? r->touching & kWholeSides : 0u, before = sides >> side & 1u;
+  const unsigned now = facts >> side & ~(beyond >> opposite(side)) & 1u;
   if (now == before) return;
+  const InternedContent& content = world_.contentOf(at);
+  const std::uint32_t inside = r ? r->parts.end(kInterior) : 0u, place = inside + kSideCounts[sides][side];
   std::uint32_t id = 0;
   if (now != 0)
-    id = create(at.chunk->ref(at.local), kSideEnds[side], grid_.placed(at)[world_.contentOf(at).wholeSlot(side)]);
+    id = create(at.chunk->ref(at.local), kSideEnds[side], grid_.placed(at)[content.wholeSlot(side)]);
   else
-    world_.changes.removed.push_back({r->ids()[begin]});
-  CellRecord* changed = grid_.spliceSegments(at, begin, before, now);
+    world_.changes.removed.push_back({r->ids()[place]});
+  CellRecord* changed = grid_.spliceSegments(at, place, before, now);
   if (!changed) return;
-  if (now != 0) changed->ids()[begin] = id;
-  changed->touching = static_cast<std::uint8_t>(changed->touching ^ both);
-  for (unsigned p = part; p < kParts; ++p) changed->end[p] = static_cast<std::uint16_t>(changed->end[p] + now - before);
+  if (now != 0) changed->ids()[place] = id;
+  changed->setWholeSides(sides ^ 1u << side, inside, content.cornerEnds);
 }
 
 /// Removes all segments of a cell that is empty now. update() would do it too, but every second edit comes here, and
@@ -103,7 +104,7 @@ void Exposure::removeAll(CellAt at) {
   for (const std::uint32_t id : grid_.segments(at)) world_.changes.removed.push_back({id});
   const CellRecord* r = grid_.record(at);
   if (CellRecord* changed = grid_.spliceSegments(at, 0, r->count(), 0)) {
-    changed->end = {};
+    changed->parts = {};
     changed->touching = 0;
   }
 }

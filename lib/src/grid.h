@@ -113,6 +113,20 @@ class Grid {
   static std::uint32_t placeQuickly(CellAt cell, ContentId content, Block block) {
     return place(cell, cell.word(), content, block);
   }
+  /// The same in two steps, so that the first one can be taken back: the cell's state, then its block. Whether the first
+  /// was done: not if the cell has a record.
+  static bool stake(CellAt cell, ContentId content) {
+    if (cell.word() >= kSerialMask) return false;
+    cell.word() = stateOf(content, cell.word() + 1);
+    return true;
+  }
+  static void takeBackStake(CellAt cell) { cell.word() = (cell.word() & kSerialMask) - 1; }
+  /// Returns the polygon's serial.
+  static std::uint32_t setStakedBlock(CellAt cell, Block block) {
+    makeRoomForBlock(*cell.chunk, block);
+    if (cell.chunk->blocks) (*cell.chunk->blocks)[cell.local] = block;
+    return cell.word() & kSerialMask;
+  }
   /// The same for `count` cells of a row, for all of them or for none. Whether it was done: not if one has a record.
   static bool placeRow(CellAt first, std::uint32_t count, ContentId content, Block block) {
     const std::span states(&first.word(), count);

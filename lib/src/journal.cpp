@@ -141,7 +141,7 @@ bool Journal::noteCommit(const World::Impl& world) {
     const CellAt at = world.grid.find(cellRef);
     CellSegments cell{cellRef, {}, 0};
     if (const CellRecord* r = world.grid.record(at)) {
-      cell.end = r->end;
+      cell.parts = r->parts;
       cell.touching = r->touching;
     }
     entry.cells.push_back(cell);
@@ -210,10 +210,10 @@ void Journal::undo(World::Impl& world, const Owned<CommitEntry>& owned) {
   for (const CellSegments& cell : entry.cells) {
     const CellAt at = world.grid.find(cell.cellRef);
     const auto now = static_cast<std::uint32_t>(world.grid.segments(at).size());
-    const std::uint32_t count = cell.end.back();
+    const std::uint32_t count = cell.parts.count();
     CellRecord* r = now == 0 && count == 0 ? nullptr : world.grid.spliceSegments(at, 0, now, count);
     if (r) {
-      r->end = cell.end;
+      r->parts = cell.parts;
       r->touching = cell.touching;
       std::copy_n(entry.ids.begin() + static_cast<std::ptrdiff_t>(k), count, r->ids());
     }

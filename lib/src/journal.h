@@ -72,7 +72,7 @@ class Journal {
   /// The segments of a cell before a commit.
   struct CellSegments {
     std::uint32_t cellRef = 0;
-    PartEnds end{};
+    Parts parts;
     std::uint8_t touching = 0;
   };
 

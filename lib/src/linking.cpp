@@ -65,18 +65,6 @@ void Linking::linkInterior(CellAt at) {
   }
 }
 
-/// What counts of a cell at its corner q.
-template <unsigned q>
-inline void Linking::pass(Turn& turn, const CellRecord& r) const {
-  const CornerEnds inside = world_.catalogue.cornerEnds(Grid::content(r), q);
-  const std::uint32_t* ids = r.ids();
-  const auto idAt = [ids](unsigned index) {
-    const bool isThere = index != CornerEnds::kNone;
-    return isThere ? ids[isThere ? index : 0] : kNoSegment;
-  };
-  turn.pass(idAt(r.leaves(q) ? r.leaving(q) : inside.out), idAt(r.arrives(q) ? r.arriving(q) : inside.in));
-}
-
 /// Links at the vertex where columns x - 1, x and rows y - 1, y meet. To the cell of quadrant q it is corner q.
 void Linking::linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y) {
   const CellRecord *r0 = nullptr, *r1 = nullptr, *r2 = nullptr, *r3 = nullptr;
@@ -96,15 +84,16 @@ void Linking::linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y) {
     r2 = recordAt(x - 1, y - 1);
     r3 = recordAt(x, y - 1);
   }
-  if (world_.preserve) {
+  const auto isCrowded = [](const CellRecord* r) { return r && !r->parts.areFew(); };
+  if (world_.preserve || isCrowded(r0) || isCrowded(r1) || isCrowded(r2) || isCrowded(r3)) {
     rim_.linkCorner({r0, r1, r2, r3});
     return;
   }
   Turn turn;
-  if (r0) pass<0>(turn, *r0);
-  if (r1) pass<1>(turn, *r1);
-  if (r2) pass<2>(turn, *r2);
-  if (r3) pass<3>(turn, *r3);
+  if (r0) turn.pass<0>(*r0);
+  if (r1) turn.pass<1>(*r1);
+  if (r2) turn.pass<2>(*r2);
+  if (r3) turn.pass<3>(*r3);
   turn.close([&](std::uint32_t incoming, std::uint32_t outgoing) {
     links_.setSuccessor(incoming, outgoing);
     links_.setPredecessor(outgoing, incoming);

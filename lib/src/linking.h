@@ -7,8 +7,6 @@
 
 namespace lgs::detail {
 
-class Turn;
-
 class Linking {
  public:
   /// `fan` is working memory.
@@ -20,8 +18,6 @@ class Linking {
  private:
   void linkCell(CellAt at);
   void linkInterior(CellAt at);
-  template <unsigned q>
-  void pass(Turn& turn, const CellRecord& r) const;
   void linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y);
   void linkSides(CellAt at);
 

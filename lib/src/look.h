@@ -19,31 +19,19 @@ constexpr std::uint8_t touching(unsigned side, std::int32_t begin, std::int32_t 
   return static_cast<std::uint8_t>((starts ? 0x01u : 0u) << side | (ends ? 0x10u : 0u) << side);
 }
 
-/// CellRecord::end of a cell with one segment along each of these sides and none inside.
-inline constexpr auto kSideCounts = [] {
-  std::array<PartEnds, 16> counts{};
-  for (unsigned sides = 0; sides < 16; ++sides)
-    for (unsigned part = kSouthPart; part < kParts; ++part)
-      counts[sides][part] = static_cast<std::uint16_t>(std::popcount(sides & ((1u << part) - 1)));
-  return counts;
-}();
-
 /// What a simple cell shows: the edges inside, and one along each of these sides. All are of one polygon.
 struct SimpleLook {
   const Content& content;
   unsigned sides = 0;
 
   std::uint32_t count() const {
-    return static_cast<std::uint32_t>(content.interior.size()) + kSideCounts[sides].back();
+    return static_cast<std::uint32_t>(content.interior.size()) + kSideCounts[sides][kSides];
   }
 
   /// Fills the cell's record, which has room for all. create(ends) returns the id of the next segment.
   template <class Create>
   void fill(CellRecord& r, Create&& create) const {
-    const auto inside = static_cast<std::uint16_t>(content.interior.size());
-    for (unsigned part = 0; part < kParts; ++part)
-      r.end[part] = static_cast<std::uint16_t>(kSideCounts[sides][part] + inside);
-    r.touching = static_cast<std::uint8_t>(sides | sides << 4);
+    r.setWholeSides(sides, static_cast<std::uint32_t>(content.interior.size()), content.cornerEnds);
     std::uint32_t* id = r.ids();
     for (const InteriorSegment& s : content.interior) *id++ = create(s.ends);
     for (unsigned left = sides; left != 0; left &= left - 1)
@@ -121,14 +109,16 @@ class Look {
   template <class Create>
   void fillParts(CellRecord& r, const PlacedBySlot& placed, Create& create) const {
     std::uint32_t* id = r.ids();
+    PartEnds ends{};
     unsigned touches = 0;
     for (unsigned part = 0; part < kParts; ++part) {
-      forEach(part, [&](const PackedEnds& ends, Slot slot, std::uint8_t touching) {
-        *id++ = create(ends, placed[slot]);
+      forEach(part, [&](const PackedEnds& edge, Slot slot, std::uint8_t touching) {
+        *id++ = create(edge, placed[slot]);
         touches |= touching;
       });
-      r.end[part] = static_cast<std::uint16_t>(id - r.ids());
+      ends[part] = static_cast<std::uint16_t>(id - r.ids());
     }
+    r.parts = {ends, cornerEnds(ends, touches, content_.cornerEnds)};
     r.touching = static_cast<std::uint8_t>(touches);
   }
 

@@ -6,6 +6,7 @@
 
 namespace lgs {
 
+using detail::CellAt;
 using detail::refuse;
 
 namespace {
@@ -66,8 +67,38 @@ Expected<void> writeReals(const World::Impl& world, std::span<const SegmentId> i
 
 }  // namespace
 
+/// The usual case of addMany(): each entry puts one polygon into a cell that is empty and has no record. First all cells
+/// get their states, and then what can not fail. Whether it was done; if not, all is as it was.
+bool World::Impl::addManyQuickly(std::span<const Placement> placements, std::span<PolygonHandle> handles) {
+  if (journal.isOpen()) return false;
+  const std::size_t chunks = grid.chunks().size();
+  const auto stake = [&](const Placement& p) {
+    const detail::SoleContent& sole = catalogue.soleContent(p.shape);
+    CellAt at = grid.findQuickly(p.cell);
+    if (!at && inRange(p.cell)) at = grid.obtain(p.cell);
+    return at && sole.id != detail::kEmptyContent && detail::Grid::stake(at, sole.id);
+  };
+  std::size_t staked = 0;
+  while (staked < placements.size() && stake(placements[staked])) ++staked;
+  if (staked < placements.size()) {
+    while (staked-- > 0) detail::Grid::takeBackStake(grid.find(placements[staked].cell));
+    grid.forgetChunks(chunks);
+    return false;
+  }
+  for (std::size_t k = 0; k < placements.size(); ++k) {
+    const auto& [cell, shape, block] = placements[k];
+    const CellAt at = grid.obtain(cell);
+    const std::uint32_t serial = detail::Grid::setStakedBlock(at, block);
+    if (at.chunk->dirtyRows == 0) dirtyChunks.push_back(at.chunk);
+    mark(at, static_cast<detail::Facts>(catalogue.soleContent(shape).facts));
+    if (k < handles.size()) handles[k] = {at.chunk->ref(at.local), serial};
+  }
+  return true;
+}
+
 Expected<void> World::addMany(std::span<const Placement> placements, std::span<PolygonHandle> handles) {
   if (placements.size() > kMaxEntries) return refuse({.code = ErrorCode::capacity});
+  if (impl_->addManyQuickly(placements, handles)) return {};
   Transaction group = edit();
   for (std::size_t k = 0; k < placements.size(); ++k) {
     const auto& [cell, shape, block] = placements[k];

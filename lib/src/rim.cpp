@@ -31,9 +31,13 @@ void Rim::linkCorner(const std::array<const CellRecord*, 4>& quadrants) {
     const CellRecord* r = quadrants[q];
     if (!r) continue;
     const Content& content = world_.catalogue.content(Grid::content(*r));
-    if (r->leaves(q)) fan.add(r->ids()[r->leaving(q)], q * kStretch, 1, 1);
+    const unsigned leaving = q, arriving = sideBefore(q);
+    const std::span leave = r->ids(partOf(leaving)), arrive = r->ids(partOf(arriving));
+    if ((r->touching >> leaving & 1u) != 0)
+      fan.add(runsForward(leaving) ? leave.front() : leave.back(), q * kStretch, 1, 1);
     fan.addInterior(content, content.corners[q], r->ids(), q);
-    if (r->arrives(q)) fan.add(r->ids()[r->arriving(q)], (q + 1) % 4 * kStretch, 0, 1);
+    if ((r->touching >> (4 + arriving) & 1u) != 0)
+      fan.add(runsForward(arriving) ? arrive.back() : arrive.front(), (q + 1) % 4 * kStretch, 0, 1);
   }
   match(fan.spokes());
 }

@@ -1,7 +1,7 @@
 // Phase 2 at a corner of the grid, where nothing is preserved.
 #pragma once
 
-#include "segment_pool.h"
+#include "cell_record.h"
 
 #include <array>
 #include <cstddef>
@@ -17,11 +17,14 @@ namespace lgs::detail {
 /// No branch depends on the half-edges, as on random terrain the processor could not foresee it.
 class Turn {
  public:
-  /// The next cell. Either may be kNoSegment.
-  void pass(std::uint32_t first, std::uint32_t last) {
-    wedges_[count_] = {begins_, first};
-    count_ += first != kNoSegment ? 1 : 0;
-    begins_ = last != kNoSegment ? last : begins_;
+  /// The next cell, which has few segments. To it the vertex is corner q.
+  template <unsigned q>
+  void pass(const CellRecord& r) {
+    const std::uint32_t first = r.parts.corners().first >> 4 * q & 15u, last = r.parts.corners().last >> 4 * q & 15u;
+    wedges_[count_] = {begins_, r.idAt(first)};
+    count_ += first != 0 ? 1 : 0;
+    const std::uint32_t isThere = 0u - (last != 0 ? 1u : 0u);  // compilers make a branch of a conditional here
+    begins_ = (r.idAt(last) & isThere) | (begins_ & ~isThere);
   }
 
   /// Back at the first cell: calls link(incoming, outgoing) for each free wedge.

@@ -38,6 +38,9 @@ struct World::Impl {
   Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block);
   Expected<std::uint64_t> clear(const CellRect& cells);
 
+  // many.cpp
+  bool addManyQuickly(std::span<const Placement> placements, std::span<PolygonHandle> handles);
+
   // commit.cpp
   const Changes& commit(const Executor& executor);
   void forgetDirty();
