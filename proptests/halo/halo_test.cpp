@@ -58,7 +58,7 @@ class Twins {
 
   /// The edits of a cell come from one rank, whoever owns it. So they arrive in their order.
   void propose(const regions::Edit& edit) {
-    Random from(seed_ ^ static_cast<std::uint64_t>(edit.cell.i * 31 + edit.cell.j));
+    Random from(seed_ ^ static_cast<std::uint64_t>(std::int64_t{edit.cell.i} * 31 + edit.cell.j));
     ranks_.propose(from.below(ranks_.size()), edit);
   }
 
