@@ -98,7 +98,7 @@ void playInRegions(const oracle::Trace& trace, Chance chance) {
   twins.meet(together, chance);
 }
 
-LGS_LAW(Halo, RegionsGiveTheSegmentsOfOneWorld, 3'000, (const AnyTrace& trace, Chance chance)) {
+LGS_LAW(Halo, RegionsGiveTheSegmentsOfOneWorld, 1'000, (const AnyTrace& trace, Chance chance)) {
   playInRegions(inRangeOnly(trace), chance);
 }
 
