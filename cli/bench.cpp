@@ -61,7 +61,7 @@ std::string readable(bench::Nanoseconds time) {
 }
 
 void printTable(const std::vector<Row>& rows) {
-  fmt::print("{:<18} {:<17} {:>10} {:>10} {:>9}  {:>13}\n", "scenario", "subject", "median", "p99", "segments",
+  fmt::print("{:<18} {:<24} {:>10} {:>10} {:>9}  {:>13}\n", "scenario", "subject", "median", "p99", "segments",
              "÷ engine-shapes");
   std::string last;
   for (const Row& row : rows) {
@@ -70,7 +70,7 @@ void printTable(const std::vector<Row>& rows) {
       return other.scenario == row.scenario && other.subject == "engine-shapes";
     });
     const auto ratio = static_cast<double>(row.times.median()) / static_cast<double>(own->times.median());
-    fmt::print("{:<18} {:<17} {:>10} {:>10} {:>9}  {:>13.{}f}\n", row.scenario == last ? "" : row.scenario, row.subject,
+    fmt::print("{:<18} {:<24} {:>10} {:>10} {:>9}  {:>13.{}f}\n", row.scenario == last ? "" : row.scenario, row.subject,
                readable(row.times.median()), readable(row.times.percentile(99)), row.segments, ratio,
                ratio < 100 ? 1 : 0);
     last = row.scenario;

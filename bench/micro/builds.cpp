@@ -57,14 +57,18 @@ void registerBuilds(const Scale& scale) {
     }
     add("fill", "full", Engine::By::fill);
   }
-  constexpr std::int64_t kHuge = 100'000'000;
-  if (kHuge <= 10 * scale.maxCells) {
-    benchmark::RegisterBenchmark("build/fill/full/100000000",
-                                 [](benchmark::State& state) { build(state, "full", kHuge, Engine::By::fill, {}); })
+  const auto addHuge = [](const std::string& how, const std::string& world, std::int64_t cells, Engine::By by) {
+    benchmark::RegisterBenchmark(fmt::format("build/{}/{}/{}", how, world, cells).c_str(),
+                                 [=](benchmark::State& state) { build(state, world, cells, by, {}); })
         ->Iterations(1)
         ->Unit(benchmark::kMillisecond)
         ->UseRealTime();
-  }
+  };
+  constexpr std::int64_t kHuge = 100'000'000;
+  if (kHuge <= 10 * scale.maxCells) addHuge("fill", "full", kHuge, Engine::By::fill);
+  // Ramps take a hundred bytes a cell: only for whoever asks for them (docs/beyond-one-process.md).
+  for (const std::int64_t cells : {30'000'000L, 100'000'000L})
+    if (cells <= scale.maxCells) addHuge("shapes", "ramp", cells, Engine::By::shapes);
 }
 
 }  // namespace lgs::bench

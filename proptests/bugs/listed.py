@@ -36,7 +36,7 @@ def read_list() -> tuple[dict[str, Group], list[Bug]]:
             continue
         groups[path.stem] = Group(listed["law"], listed.get("program", "lgs_engine_tests"), tuple(listed["tests"]))
         for bug in listed["bug"]:
-            file = bug["file"] if bug["file"].startswith("oracle/") else "lib/" + bug["file"]
+            file = bug["file"] if bug["file"].startswith(("oracle/", "examples/")) else "lib/" + bug["file"]
             bugs.append(Bug(path.stem, bug["name"], bug.get("game", ""), file, bug["find"], bug["replace"],
                             bug.get("fuzz")))
     return groups, bugs

@@ -19,7 +19,7 @@ def sources() -> list[str]:
 def state_of(files: list[str]) -> str:
     """Of all that can change a result: the code, what tests it, and how they are built."""
     digest = hashlib.sha256()
-    folders = ("lib/", "oracle/", "proptests/", "fuzz/", "cmake/", "bench/ride/")
+    folders = ("lib/", "oracle/", "proptests/", "fuzz/", "cmake/", "bench/ride/", "examples/regions/")
     for file in sorted(files):
         if (file == "CMakeLists.txt" or file.startswith(folders)) and not file.startswith("proptests/bugs/"):
             digest.update(file.encode() + (ROOT / file).read_bytes())

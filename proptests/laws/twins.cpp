@@ -20,7 +20,7 @@ Cell someCell(Random& random) { return {30 + random.below(kSide), -2 + random.be
 }  // namespace
 
 AnyEdit randomEdit(const World& world, Random& random) {
-  using Kind = AnyEdit::Kind;
+  using Make = AnyEdit::Kind;
   AnyEdit edit;
   edit.cell = someCell(random);
   edit.block = 1 + random.below(kBlocks);
@@ -31,15 +31,15 @@ AnyEdit randomEdit(const World& world, Random& random) {
   edit.polygon = there.empty() ? PolygonHandle{random.below(3000U), 1 + random.below(3U)} : random.pick(there).handle;
   edit.cells = {edit.cell, {edit.cell.i + random.below(3), edit.cell.j + random.below(3)}};
   const int what = random.below(100);
-  edit.kind = what < 4    ? Kind::shape
-              : what < 24 ? Kind::add
-              : what < 36 ? Kind::addPolygon
-              : what < 56 ? Kind::remove
-              : what < 64 ? Kind::replace
-              : what < 70 ? Kind::setBlock
-              : what < 75 ? Kind::fill
-              : what < 78 ? Kind::clear
-                          : Kind::commit;
+  edit.kind = what < 4    ? Make::shape
+              : what < 24 ? Make::add
+              : what < 36 ? Make::addPolygon
+              : what < 56 ? Make::remove
+              : what < 64 ? Make::replace
+              : what < 70 ? Make::setBlock
+              : what < 75 ? Make::fill
+              : what < 78 ? Make::clear
+                          : Make::commit;
   if (random.chance(1)) edit.cell = {kMaxCell - random.below(3), kMaxCell};  // a chunk of its own
   return edit;
 }
