@@ -5,8 +5,6 @@
 #include "build.h"
 #include "exposure.h"
 #include "linking.h"
-#include "prefetch.h"
-#include "wide_row.h"
 #include "world_impl.h"
 
 namespace lgs {
@@ -24,11 +22,7 @@ const Changes& World::Impl::commit(const Executor& executor) {
     detail::build(*this, executor);
   } else {
     detail::Exposure phase1(*this);
-    for (const detail::Chunk* chunk : dirtyChunks) {
-      if (segments.maxId() > detail::kBeyondCaches)
-        if (const detail::CellAt only = detail::onlyDirtyCell(*chunk)) detail::prefetchAround(*this, only);
-      phase1.renewChunk(*chunk);
-    }
+    for (const detail::Chunk* chunk : dirtyChunks) phase1.renewChunk(*chunk);
     detail::Linking phase2(*this, fan);
     for (const detail::Chunk* chunk : dirtyChunks) phase2.linkChunk(*chunk);
   }

@@ -3,7 +3,7 @@
 // one first.
 #pragma once
 
-#include "owned.h"
+#include "pages.h"
 
 #include <array>
 #include <bit>
@@ -30,9 +30,9 @@ class RecordArena {
       std::memcpy(&head, at(ref), sizeof head);
       return ref;
     }
-    if (pages_.empty() || used_ + size > kPageWords) {
+    if (pages_.size() == 0 || used_ + size > kPageWords) {
       if (pages_.size() == kMaxPages) std::abort();  // with 8 GiB of records, as if memory had run out
-      pages_.push_back(Owned(std::make_unique_for_overwrite<Page>()));
+      pages_.add();
       used_ = 0;
     }
     const Ref ref = static_cast<Ref>((pages_.size() - 1) * kPageWords + used_);
@@ -49,9 +49,9 @@ class RecordArena {
   /// Whether a record of one size has room for one of the other.
   static bool sameSize(std::uint32_t a, std::uint32_t b) { return roundUp(a) == roundUp(b); }
 
-  std::byte* at(Ref ref) const { return pages_[ref / kPageWords]->data() + (ref % kPageWords) * kWord; }
+  std::byte* at(Ref ref) const { return pages_[ref / kPageWords].data() + (ref % kPageWords) * kWord; }
 
-  std::uint64_t bytes() const { return pages_.size() * (kPageWords * kWord + sizeof pages_[0]); }
+  std::uint64_t bytes() const { return pages_.bytes(); }
 
  private:
   static constexpr Ref kNone = 0xffff'ffff;
@@ -70,7 +70,7 @@ class RecordArena {
     return heads;
   }
 
-  std::vector<Owned<Page>> pages_;
+  Pages<Page> pages_;
   std::uint32_t used_ = 0;
   std::array<Ref, kClasses> free_ = noneFree();
 };

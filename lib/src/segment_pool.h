@@ -2,7 +2,7 @@
 // so that a commit can still read its ends.
 #pragma once
 
-#include "owned.h"
+#include "pages.h"
 
 #include <lgs/ids.h>
 #include <lgs/lattice.h>
@@ -77,8 +77,8 @@ class SegmentPool {
     (*this)[none] = SegmentRecord{};  // so that a dangling link, should there ever be one, can be followed
   }
 
-  SegmentRecord& operator[](std::uint32_t id) { return (*pages_[id / kPage])[id % kPage]; }
-  const SegmentRecord& operator[](std::uint32_t id) const { return (*pages_[id / kPage])[id % kPage]; }
+  SegmentRecord& operator[](std::uint32_t id) { return pages_[id / kPage][id % kPage]; }
+  const SegmentRecord& operator[](std::uint32_t id) const { return pages_[id / kPage][id % kPage]; }
 
   /// An id for a new segment. The caller writes its record.
   std::uint32_t take() {
@@ -116,9 +116,7 @@ class SegmentPool {
   /// Whether every id is available: no segment is alive, and none was removed without being recycled.
   bool isEmpty() const { return free_.size() == top_ - 1; }
   std::uint32_t maxId() const { return top_ - 1; }
-  std::uint64_t bytes() const {
-    return pages_.size() * (kPage * sizeof(SegmentRecord) + sizeof pages_[0]) + free_.capacity() * sizeof free_[0];
-  }
+  std::uint64_t bytes() const { return pages_.bytes() + free_.capacity() * sizeof free_[0]; }
 
  private:
   static constexpr std::uint32_t kPage = 4096;
@@ -127,10 +125,10 @@ class SegmentPool {
   void addPage() {
     if (top_ / kPage < pages_.size()) return;  // it is still there, after giveBack()
     if (top_ > kMaxSegment) std::abort();      // with 56 GiB of segments, as if memory had run out
-    pages_.push_back(Owned(std::make_unique_for_overwrite<Page>()));
+    pages_.add();
   }
 
-  std::vector<Owned<Page>> pages_;
+  Pages<Page> pages_;
   std::vector<std::uint32_t> free_;
   std::uint32_t top_ = 0;  // 0 names no segment
 };
