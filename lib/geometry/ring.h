@@ -78,10 +78,4 @@ std::optional<std::pair<std::size_t, std::size_t>> findSelfIntersection(const Ri
   return std::nullopt;
 }
 
-/// Whether a ring has three vertices or more and no edge meets another, except neighbours in their vertex. Cost: O(n²).
-template <class Ring>
-bool isSimple(const Ring& ring) {
-  return ring.size() >= 3 && !findSelfIntersection(ring);
-}
-
 }  // namespace lgs::detail

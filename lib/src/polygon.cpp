@@ -1,6 +1,7 @@
 #include "polygon.h"
 
 #include "geometry/relation.h"
+#include "geometry/simple.h"
 #include "geometry/sort.h"
 
 #include <lgs/world.h>
@@ -34,12 +35,13 @@ std::optional<Defect> findDefect(PolygonView polygon) {
   if (polygon.size() > kMaxVerticesPerCell) return Defect{ErrorCode::capacity};
   for (std::size_t i = 0; i < polygon.size(); ++i)
     if (!isInsideCell(polygon[i])) return Defect{ErrorCode::outsideCell, index(i)};
-  if (const auto repeated = findRepeatedVertex(polygon)) return repeated;
-  const std::int64_t area = doubleArea(polygon);
-  if (area == 0) return Defect{ErrorCode::zeroArea};
-  if (const auto edges = findSelfIntersection(polygon))
-    return Defect{ErrorCode::selfIntersecting, index(edges->first), index(edges->second)};
-  if (area < 0) return Defect{ErrorCode::clockwise};
+  if (!isSimple(polygon)) {  // only then it takes long to say why
+    if (const auto repeated = findRepeatedVertex(polygon)) return repeated;
+    if (doubleArea(polygon) == 0) return Defect{ErrorCode::zeroArea};
+    if (const auto edges = findSelfIntersection(polygon))
+      return Defect{ErrorCode::selfIntersecting, index(edges->first), index(edges->second)};
+  }
+  if (doubleArea(polygon) < 0) return Defect{ErrorCode::clockwise};
   return std::nullopt;
 }
 
