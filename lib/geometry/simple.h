@@ -7,6 +7,13 @@
 #pragma once
 
 #include "ring.h"
+#include "sort.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace lgs::detail {
 
@@ -23,27 +30,17 @@ constexpr bool staysBelow(const Rising<P>& e, const Rising<P>& f) {
   return e.high < f.high ? orientation(f.low, f.high, e.high) < 0 : orientation(e.low, e.high, f.high) > 0;
 }
 
-/// Whether a ring has three vertices or more and no edge meets another, except neighbours in their vertex. Cost:
-/// O(n log n) comparisons. (Edges are moved in an array where a tree would have links: that is O(n·k) bytes for k edges
-/// above each other, but quicker than a tree for all rings that a map or a game has.)
+/// Whether no edge of a ring meets another, except neighbours in their vertex. The vertices are distinct; `order` is
+/// their indices, sorted by place. Cost: O(n log n) comparisons. (Edges are moved in an array where a tree would have
+/// links. That is O(n·k) bytes for k edges above each other, and quicker than a tree for a ring of thousands.)
 template <class Ring>
-bool isSimple(const Ring& ring) {
+bool isSimple(const Ring& ring, std::span<const std::uint64_t> order) {
   using P = PointOf<Ring>;
-  struct Corner {
-    P at, before, after;
-  };
-  const std::size_t n = ring.size();
-  if (n < 3) return false;
-  std::vector<Corner> corners;
-  corners.reserve(n);
-  for (std::size_t i = 0; i < n; ++i) corners.push_back({ring[i], ring[i == 0 ? n - 1 : i - 1], nextVertex(ring, i)});
-  detail::sort(corners, [](const Corner& a, const Corner& b) { return a.at < b.at; });
-
-  std::vector<Rising<P>> edges(n);  // those that the line cuts, and free places
+  std::vector<Rising<P>> edges(ring.size());  // those that the line cuts, and free places
   Rising<P>*const bottom = edges.data(), *top = bottom;
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto [v, u, w] = corners[k];
-    if (k > 0 && corners[k - 1].at == v) return false;
+  for (const std::uint64_t index : order) {
+    const auto i = static_cast<std::size_t>(index);
+    const P u = ring[(i == 0 ? ring.size() : i) - 1], v = ring[i], w = nextVertex(ring, i);
     Rising<P>* const here =
         std::lower_bound(bottom, top, v, [](const auto& e, P p) { return orientation(e.low, e.high, p) > 0; });
     Rising<P>* last = here;
@@ -72,6 +69,18 @@ bool isSimple(const Ring& ring) {
     if (count > 0 && above != top && !staysBelow(above[-1], *above)) return false;
   }
   return true;
+}
+
+/// The same for any ring. It has three vertices or more, and they are distinct, if it is simple.
+template <class Ring>
+bool isSimple(const Ring& ring) {
+  std::vector<std::uint64_t> order(ring.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  const auto at = [&](std::uint64_t i) { return ring[static_cast<std::size_t>(i)]; };
+  detail::sort(order, [&](auto i, auto j) { return at(i) < at(j); });
+  const auto isSame = [&](auto i, auto j) { return at(i) == at(j); };
+  return order.size() >= 3 && std::adjacent_find(order.begin(), order.end(), isSame) == order.end() &&
+         isSimple(ring, order);
 }
 
 }  // namespace lgs::detail
