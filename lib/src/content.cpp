@@ -59,7 +59,8 @@ std::vector<HalfEdge> atomicEdges(std::span<const PolygonView> polygons, const V
       const LocalPoint a = vertices.points[from], b = vertices.points[to];
       // What lies on an edge comes between its ends in order. On an edge of a polygon that is alone lies nothing.
       for (Rank r = from + step; polygons.size() > 1 && r != to; r += step) {
-        if (!isInside(vertices.points[r], a, b)) continue;
+        const LocalPoint p = vertices.points[r];
+        if (p.y < std::min(a.y, b.y) || p.y > std::max(a.y, b.y) || !isInside(p, a, b)) continue;
         edges.push_back({from, r, static_cast<std::uint32_t>(slot)});
         from = r;
       }
