@@ -118,7 +118,7 @@ constexpr std::array<PackedEnds, 4> kSideEnds{
 
 /// Works out the content of a cell with these polygons, which have no defects and disjoint interiors. `preserved` lists
 /// pairs of slots, sorted, the smaller slot first: overlaps between them inside the cell are kept. Cost: O(n log n)
-/// in the vertices for one polygon; with several, each edge is compared with the vertices between its ends in x, then y.
+/// in the vertices. With several polygons each edge is also compared with the vertices between its ends by x, then y.
 Content buildContent(std::span<const PolygonView> polygons, std::span<const std::pair<Slot, Slot>> preserved);
 
 }  // namespace lgs::detail
