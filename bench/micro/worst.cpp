@@ -31,7 +31,7 @@ void newChunk(benchmark::State& state, std::int64_t edits) {
   putTimes(state, times);
 }
 
-// A polygon that the engine has never seen. It has to be validated, by n² comparisons of its edges.
+// A polygon that the engine has never seen. It has to be validated and worked out.
 void newPolygon(benchmark::State& state, std::int64_t edits, int vertices) {
   World world;
   Times times;

@@ -12,6 +12,7 @@
 
 #include <lgs/lattice.h>
 
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
 
@@ -60,11 +61,19 @@ constexpr bool crossProperly(P a, P b, P c, P d) {
   return orientation(a, b, c) * orientation(a, b, d) < 0 && orientation(c, d, a) * orientation(c, d, b) < 0;
 }
 
-/// Whether the closed segments a–b and c–d have a point in common.
+/// Whether the closed boxes of a–b and c–d have a point in common.
+template <LatticePoint P>
+constexpr bool boxesMeet(P a, P b, P c, P d) {
+  return std::min(a.x, b.x) <= std::max(c.x, d.x) && std::min(c.x, d.x) <= std::max(a.x, b.x) &&
+         std::min(a.y, b.y) <= std::max(c.y, d.y) && std::min(c.y, d.y) <= std::max(a.y, b.y);
+}
+
+/// Whether the closed segments a–b and c–d have a point in common: neither lies on one side of the other's line. On one
+/// line their boxes tell (Cormen, Leiserson, Rivest: Introduction to Algorithms, 1st ed., section 35.1).
 template <LatticePoint P>
 constexpr bool segmentsMeet(P a, P b, P c, P d) {
-  return crossProperly(a, b, c, d) || isOnSegment(c, a, b) || isOnSegment(d, a, b) || isOnSegment(a, c, d) ||
-         isOnSegment(b, c, d);
+  return boxesMeet(a, b, c, d) && orientation(a, b, c) * orientation(a, b, d) <= 0 &&
+         orientation(c, d, a) * orientation(c, d, b) <= 0;
 }
 
 /// Order of directions by their angle from the x axis in [0, 360°): by half-plane, then by turn.

@@ -62,7 +62,8 @@ void cutEdge(P a, P b, const Points& points, std::vector<P>& cuts) {
 }
 
 /// The first two edges that have a point in common which they should not have, each named by the vertex that it leaves.
-/// Neighbours should have only their common vertex, other edges nothing. Cost: O(n²).
+/// Neighbours should have only their common vertex, other edges nothing. Cost: O(n²). simple.h
+/// says sooner whether there are any.
 template <class Ring>
 std::optional<std::pair<std::size_t, std::size_t>> findSelfIntersection(const Ring& ring) {
   const std::size_t n = ring.size();
@@ -76,12 +77,6 @@ std::optional<std::pair<std::size_t, std::size_t>> findSelfIntersection(const Ri
       if (segmentsMeet(a, b, ring[j], nextVertex(ring, j))) return std::pair(i, j);
   }
   return std::nullopt;
-}
-
-/// Whether a ring has three vertices or more and no edge meets another, except neighbours in their vertex. Cost: O(n²).
-template <class Ring>
-bool isSimple(const Ring& ring) {
-  return ring.size() >= 3 && !findSelfIntersection(ring);
 }
 
 }  // namespace lgs::detail

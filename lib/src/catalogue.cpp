@@ -83,11 +83,11 @@ Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons
   if (polygons.size() > kMaxPolygonsPerCell || vertexCount > kMaxVerticesPerCell)
     return refuse({.code = ErrorCode::capacity});
   if (freeContents_.empty() && contents_.size() > kMaxContent) return refuse({.code = ErrorCode::capacity});
-  for (std::size_t a = 0; a < views.size(); ++a) {
-    for (std::size_t b = a + 1; b < views.size(); ++b) {
-      if (!known.empty() && known[a] && known[b]) continue;
-      if (interiorsMeet(views[a], views[b])) return refuse({.code = ErrorCode::overlap});
-    }
+  const auto isKnown = [&](std::size_t k) { return !known.empty() && known[k]; };
+  for (std::size_t b = 0; b < views.size(); ++b) {
+    if (isKnown(b)) continue;
+    for (std::size_t a = 0; a < views.size(); ++a)
+      if ((a < b || isKnown(a)) && interiorsMeet(views[a], views[b])) return refuse({.code = ErrorCode::overlap});
   }
 
   InternedContent content{buildContent(views, preserved), {}, {}, hash};

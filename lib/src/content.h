@@ -128,8 +128,8 @@ constexpr std::array<PackedEnds, 4> kSideEnds{
      PackedEnds::of(kCorners[2], kCorners[3]), PackedEnds::of(kCorners[3], kCorners[0])}};
 
 /// Works out the content of a cell with these polygons, which have no defects and disjoint interiors. `preserved` lists
-/// pairs of slots, sorted, the smaller slot first: overlaps between them inside the cell are kept. Cost: O(n²) in the
-/// vertices.
+/// pairs of slots, sorted, the smaller slot first: overlaps between them inside the cell are kept. Cost: O(n log n)
+/// in the vertices. With several polygons each edge is also compared with the vertices between its ends by x, then y.
 Content buildContent(std::span<const PolygonView> polygons, std::span<const std::pair<Slot, Slot>> preserved);
 
 }  // namespace lgs::detail

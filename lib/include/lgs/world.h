@@ -108,7 +108,8 @@ class World {
 
   /// Validates and stores one polygon, or a set of polygons with disjoint interiors. Each must be simple, run
   /// counter-clockwise, have a positive area and be inside the closed cell. The same polygons, vertex by vertex, give
-  /// the same id. A shape is never forgotten. Cost: O(n²) the first time, a hash later.
+  /// the same id. A shape is never forgotten. Cost: a hash; the first time O(n log n) for one polygon, O(n²) for
+  /// several or for one that is refused.
   [[nodiscard]] Expected<ShapeId> shape(std::span<const LocalPoint> polygon);
   [[nodiscard]] Expected<ShapeId> shape(std::initializer_list<LocalPoint> polygon);
   [[nodiscard]] Expected<ShapeId> shape(std::span<const FloatPoint> polygon);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/relation.h"
+#include "geometry/simple.h"
 
 #include <span>
 #include <vector>

@@ -15,7 +15,7 @@ extern "C" {
 
 /* Validates and stores one polygon. It must be simple, run counter-clockwise, have a positive area and be inside the
  * closed cell. The same polygon, vertex by vertex, gives the same id. A shape is never forgotten. Refused: the statuses
- * from LGS_TOO_FEW_VERTICES to LGS_CLOCKWISE. Cost: O(n^2) the first time, a hash later. */
+ * from LGS_TOO_FEW_VERTICES to LGS_CLOCKWISE. Cost: a hash; O(n log n) the first time, O(n^2) for a refusal. */
 LGS_API lgs_status lgs_shape(lgs_world* world, const lgs_local_point* vertices, size_t count, lgs_shape_id* shape,
                              lgs_error* error) LGS_NOTHROW;
 LGS_API lgs_status lgs_shape_floats(lgs_world* world, const lgs_float_point* vertices, size_t count,

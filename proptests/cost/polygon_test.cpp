@@ -1,0 +1,48 @@
+// Cost of a polygon that was never seen: it grows with its vertices, and not with their square.
+#include "visits.h"
+
+#include <lgs/world.h>
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace lgs::cost_test {
+namespace {
+
+using Polygon = std::vector<LocalPoint>;
+
+/// A comb of long teeth that lie above each other: all of them cross each upright line.
+Polygon comb(std::int32_t teeth) {
+  const std::int32_t step = kUnitsPerCell / teeth;
+  Polygon polygon{{0, 0}};
+  for (std::int32_t k = 0; k < teeth; ++k) {
+    polygon.push_back({kUnitsPerCell, k * step + step / 2});
+    polygon.push_back({1, (k + 1) * step});
+  }
+  polygon.back().x = 0;
+  return polygon;
+}
+
+/// What it costs to place a polygon and to take its edges apart. A refusal costs something, too.
+std::uint64_t costOf(const Polygon& polygon, bool isGood) {
+  World world;
+  return visitsOf([&] {
+    EXPECT_EQ(world.add({0, 0}, polygon, 1).has_value(), isGood);
+    world.commit();
+  });
+}
+
+TEST(Cost, OfANewPolygonGrowsHardlyFasterThanItsVertices) {
+  constexpr std::int32_t kFew = 60, kMany = 16 * kFew;
+  EXPECT_LT(costOf(comb(kMany), true), 16 * 2 * costOf(comb(kFew), true));
+}
+
+TEST(Cost, OfARefusedPolygonGrowsHardlyFasterIfItOnlyRunsClockwise) {
+  constexpr std::int32_t kFew = 60, kMany = 16 * kFew;
+  const auto turned = [](Polygon polygon) { return Polygon(polygon.rbegin(), polygon.rend()); };
+  EXPECT_LT(costOf(turned(comb(kMany)), false), 16 * 2 * costOf(turned(comb(kFew)), false));
+}
+
+}  // namespace
+}  // namespace lgs::cost_test
