@@ -118,7 +118,7 @@ class Look {
       });
       ends[part] = static_cast<std::uint16_t>(id - r.ids());
     }
-    r.parts = {ends, cornerEnds(ends, touches, content_.cornerEnds)};
+    r.parts = partsOf(ends, touches, content_.cornerEnds);
     r.touching = static_cast<std::uint8_t>(touches);
   }
 

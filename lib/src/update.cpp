@@ -80,7 +80,7 @@ void Exposure::update(CellAt at, unsigned parts) {
   CellRecord* r = grid_.spliceSegments(at, 0, old ? old->count() : 0, static_cast<std::uint32_t>(ids_.size()));
   if (!r) return;
   std::copy(ids_.begin(), ids_.end(), r->ids());
-  r->parts = {ends, cornerEnds(ends, touches, world_.contentOf(at).cornerEnds)};
+  r->parts = partsOf(ends, touches, world_.contentOf(at).cornerEnds);
   r->touching = static_cast<std::uint8_t>(touches);
 }
 
