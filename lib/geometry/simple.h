@@ -47,16 +47,13 @@ bool isSimple(const Ring& ring, std::span<const std::uint64_t> order) {
     while (last != top && last->high == v) ++last;
     if (last != top && orientation(last->low, last->high, v) == 0) return false;
 
-    // The edges from here to last end in this vertex. Those that begin in it take their places.
+    // The edges from here to last end in this vertex. Those that begin in it take their places. (If they lie on each
+    // other, that is seen where the shorter one ends.)
     Rising<P> begun[2];
     std::ptrdiff_t count = 0;
     for (const P to : {u, w})
       if (v < to) begun[count++] = {v, to};
-    if (count == 2) {
-      const int turn = orientation(v, begun[0].high, begun[1].high);
-      if (turn == 0) return false;
-      if (turn < 0) std::swap(begun[0], begun[1]);
-    }
+    if (count == 2 && orientation(v, begun[0].high, begun[1].high) < 0) std::swap(begun[0], begun[1]);
     Rising<P>* const above = here + count;
     if (above > last) {
       std::move_backward(last, top, top + (above - last));
