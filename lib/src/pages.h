@@ -1,7 +1,6 @@
-// Pages of plain data that never move. A large world has many, and looks at them in no order: then a good part of the
-// time goes into finding where the memory is. With pages of 2 MiB the processor has to look up little. So pages beyond
-// the first few are parts of slabs, and on Linux the system is asked for large pages for these. Where it has none, or is
-// another one, nothing is lost.
+// Pages of plain data that never move. A large world has many, and looks at them in no order. Then a good part of the
+// time goes into finding where memory is, and with large pages the processor has less to look up. So pages beyond the
+// first few are parts of slabs, for which Linux is asked for large pages. Where there are none nothing is lost.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +11,32 @@
 #include <type_traits>
 #include <vector>
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
-
 namespace lgs::detail {
+
+struct FreeSlab {
+  bool isLarge = false;
+  void operator()(std::byte* memory) const;
+};
+
+/// Memory for one or more pages.
+class Slab {
+ public:
+  /// `before` says how many pages there are already.
+  static Slab forPages(std::size_t pageBytes, std::size_t before);
+
+  std::byte* memory() const { return memory_.get(); }
+  std::size_t pages() const { return pages_; }
+  std::uint64_t bytes() const { return bytes_; }
+
+ private:
+  std::unique_ptr<std::byte, FreeSlab> memory_;
+  std::size_t pages_ = 0;
+  std::size_t bytes_ = 0;
+};
 
 template <class Page>
 class Pages {
-  static_assert(std::is_trivially_copyable_v<Page> && std::is_trivially_destructible_v<Page>);
+  static_assert(std::is_trivially_copyable_v<Page> && alignof(Page) <= alignof(std::max_align_t));
 
  public:
   Pages() = default;
@@ -38,9 +54,12 @@ class Pages {
   std::size_t size() const { return pages_.size(); }
   /// One more. What it holds is not determined.
   void add() {
-    if (spare_ == 0) addSlab();
-    const std::size_t at = slabs_.back().pages - spare_--;
-    pages_.push_back(new (slabs_.back().memory.get() + at * sizeof(Page)) Page);
+    if (spare_ == 0) {
+      slabs_.push_back(Slab::forPages(sizeof(Page), pages_.size()));
+      spare_ = slabs_.back().pages();
+    }
+    const std::size_t at = slabs_.back().pages() - spare_--;
+    pages_.push_back(new (slabs_.back().memory() + at * sizeof(Page)) Page);
   }
   std::uint64_t bytes() const {
     std::uint64_t sum = pages_.capacity() * sizeof pages_[0] + slabs_.capacity() * sizeof slabs_[0];
@@ -49,38 +68,6 @@ class Pages {
   }
 
  private:
-  static constexpr std::size_t kLarge = std::size_t{2} << 20;
-  static constexpr std::size_t kInLarge = kLarge / sizeof(Page);
-  static constexpr std::size_t kSmallWorld = 8;  ///< pages that are allocated one by one
-
-  struct Free {
-    void operator()(std::byte* memory) const { ::operator delete (memory, std::align_val_t{alignment}); }
-    std::size_t alignment = alignof(Page);
-  };
-  struct Slab {
-    std::unique_ptr<std::byte, Free> memory;
-    std::size_t pages = 1;
-    std::size_t bytes() const { return pages == 1 ? sizeof(Page) : kLarge; }
-  };
-
-  static Slab slab(std::size_t bytes, std::size_t alignment, std::size_t pages) {
-    auto* memory = static_cast<std::byte*>(::operator new (bytes, std::align_val_t{alignment}));
-    return {{memory, Free{alignment}}, pages};
-  }
-  void addSlab() {
-#ifdef __linux__
-    if (pages_.size() >= kSmallWorld && kInLarge > 1) {
-      slabs_.push_back(slab(kLarge, kLarge, kInLarge));
-      // Only a wish: if it is refused, the pages are small.
-      static_cast<void>(madvise(slabs_.back().memory.get(), kLarge, MADV_HUGEPAGE));
-      spare_ = kInLarge;
-      return;
-    }
-#endif
-    slabs_.push_back(slab(sizeof(Page), alignof(Page), 1));
-    spare_ = 1;
-  }
-
   std::vector<Page*> pages_;
   std::vector<Slab> slabs_;
   std::size_t spare_ = 0;  ///< pages of the last slab that are not given out yet

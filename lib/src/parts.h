@@ -83,8 +83,8 @@ constexpr Parts workOutPartsOfSides(unsigned sides, unsigned inside) {
 }
 /// By how many segments are inside, and which sides.
 inline constexpr auto kPartsOfSides = [] {
-  std::array<std::array<Parts, 16>, 4> parts;
-  for (unsigned inside = 0; inside < 4; ++inside)
+  std::array<std::array<Parts, 16>, 2> parts;
+  for (unsigned inside = 0; inside < 2; ++inside)
     for (unsigned sides = 0; sides < 16; ++sides) parts[inside][sides] = workOutPartsOfSides(sides, inside);
   return parts;
 }();

@@ -9,9 +9,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
-#include <memory>
 #include <vector>
 
 namespace lgs::detail {
@@ -30,11 +28,7 @@ class RecordArena {
       std::memcpy(&head, at(ref), sizeof head);
       return ref;
     }
-    if (pages_.size() == 0 || used_ + size > kPageWords) {
-      if (pages_.size() == kMaxPages) std::abort();  // with 8 GiB of records, as if memory had run out
-      pages_.add();
-      used_ = 0;
-    }
+    if (pages_.size() == 0 || used_ + size > kPageWords) addPage();
     const Ref ref = static_cast<Ref>((pages_.size() - 1) * kPageWords + used_);
     used_ += size;
     return ref;
@@ -54,6 +48,8 @@ class RecordArena {
   std::uint64_t bytes() const { return pages_.bytes(); }
 
  private:
+  void addPage();  // in its own file, so that allocate() is small and inlined
+
   static constexpr Ref kNone = 0xffff'ffff;
   static constexpr std::size_t kWord = sizeof(std::uint32_t);
   using Page = std::array<std::byte, kPageWords * kWord>;

@@ -9,8 +9,6 @@
 
 #include <array>
 #include <cstdint>
-#include <cstdlib>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -122,11 +120,7 @@ class SegmentPool {
   static constexpr std::uint32_t kPage = 4096;
   using Page = std::array<SegmentRecord, kPage>;
 
-  void addPage() {
-    if (top_ / kPage < pages_.size()) return;  // it is still there, after giveBack()
-    if (top_ > kMaxSegment) std::abort();      // with 56 GiB of segments, as if memory had run out
-    pages_.add();
-  }
+  void addPage();  // in its own file, so that take() is small and inlined
 
   Pages<Page> pages_;
   std::vector<std::uint32_t> free_;
