@@ -86,7 +86,7 @@ def edits(results):
     rows = []
     for side in (100, 1000):
         for where, kind in (("anywhere", "edit"), ("nearby", "dig")):
-            for subject in ("published-port-new-sets", "published-port", "engine-polygons", "engine-shapes"):
+            for subject in ("published-port", "published-port-new-sets", "engine-polygons", "engine-shapes"):
                 cells = [f"{count(side * side)} cells, {where}: {NAMES[subject]}"]
                 for scenario in (f"{kind}-{side}", f"{kind}-ramp-{side}"):
                     row = results.comparison.get((scenario, subject))
@@ -204,7 +204,7 @@ def summary(results):
         known = [s for s in RECOMPUTE if results.median(world, s)]
         return min(known, key=lambda s: results.median(world, s), default="clipper")
 
-    head = ["10,000 cells", "engine", "published algorithm", "as published*", "fastest full recompute", "CGAL"]
+    head = ["10,000 cells", "engine", "published algorithm", "as published", "fastest full recompute", "CGAL"]
     rows = []
     for text, scenario, world in (
         ("full blocks, from nothing", "full-100", "full-100"),

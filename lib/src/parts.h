@@ -15,8 +15,8 @@ constexpr unsigned partOf(unsigned side) { return side + 1; }
 
 using PartEnds = std::array<std::uint16_t, kParts>;  ///< where each part ends in a list of ids
 
-/// With which segments the fans of a cell's corners begin and end. `ends` are of its parts, `inside` is of its content. Bit s of `touching`: a segment on
-/// side s starts where the side starts. Bit 4 + s: one ends where the side ends.
+/// With which segments the fans of a cell's corners begin and end. `ends` are of its parts, `inside` is of its content.
+/// Bit s of `touching`: a segment on side s starts where the side starts. Bit 4 + s: one ends where the side ends.
 constexpr CornerEnds cornerEnds(const PartEnds& ends, unsigned touching, CornerEnds inside) {
   unsigned first = inside.first, last = inside.last;
   for (unsigned side = 0; side < kSides; ++side) {  // it leaves corner `side`, and arrives at the next one

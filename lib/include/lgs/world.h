@@ -140,7 +140,8 @@ class World {
   /// Places many shapes, each as add() would, one after the other: all of them or none. `handles` receives what add()
   /// would return for each, or as many as it has room for; null handles, if an entry is refused. Refused as by add(),
   /// and Error::index says for which one; if it overlaps an earlier one, index2 says which. Refused without an index:
-  /// capacity, if there are more than kMaxEntries. Cost: as of single edits while there is a mark.
+  /// capacity, if there are more than kMaxEntries. Cost: as of single edits; or as of those while there is a mark, if a
+  /// cell is not empty or a shape has several polygons.
   [[nodiscard]] Expected<void> addMany(std::span<const Placement> placements, std::span<PolygonHandle> handles = {});
 
   /// Removes one polygon. Refused: staleHandle; capacity, if what is left in the cell would be a content too many.
