@@ -67,11 +67,11 @@ Expected<void> writeReals(const World::Impl& world, std::span<const SegmentId> i
 
 }  // namespace
 
-/// The usual case of addMany(): each entry puts one polygon into a cell that is empty and has no record. First all cells
-/// get their states, and then what can not fail. Whether it was done; if not, all is as it was.
+/// The usual case of addMany(): each entry puts one polygon into a cell that is empty and has no record. First all
+/// cells get their states, and then what can not fail. Whether it was done; if not, all is as it was.
 bool World::Impl::addManyQuickly(std::span<const Placement> placements, std::span<PolygonHandle> handles) {
 #ifdef LGS_SMALL_CODE
-  return false;
+  return false;  // the general way does the same
 #endif
   if (journal.isOpen()) return false;
   const std::size_t chunks = grid.chunks().size();

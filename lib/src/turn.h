@@ -9,8 +9,8 @@
 
 namespace lgs::detail {
 
-/// Goes counter-clockwise around a corner, from cell to cell. Solids do not overlap, and their common edges are gone. So
-/// free and solid wedges take turns, and incoming and outgoing half-edges with them. A free wedge begins with an
+/// Goes counter-clockwise around a corner, from cell to cell. Solids do not overlap, and their common edges are gone.
+/// So free and solid wedges take turns, and incoming and outgoing half-edges with them. A free wedge begins with an
 /// incoming one and ends with the next outgoing one, which is its link. A wedge inside a cell is linked already. So of
 /// each cell only two half-edges count: the first, if it ends a wedge; and the last, if one begins there.
 ///
