@@ -13,34 +13,42 @@ thread_local std::int64_t liveBytes;
 // In front of each block: its size, and as much room as keeps the block aligned.
 constexpr std::size_t kHeader = alignof(std::max_align_t);
 
-void* allocate(std::size_t size) noexcept {
-  auto* block = static_cast<std::byte*>(std::malloc(size + kHeader));  // NOLINT(cppcoreguidelines-no-malloc): for `new`
+void* allocate(std::size_t size, std::size_t alignment = kHeader) noexcept {
+  const std::size_t whole = (alignment + size + alignment - 1) / alignment * alignment;
+  auto* block = static_cast<std::byte*>(std::aligned_alloc(alignment, whole));
   if (!block) return nullptr;
   ::new (block) std::size_t(size);
   ++newCalls;
   liveBytes += static_cast<std::int64_t>(size);
-  return block + kHeader;
+  return block + alignment;
 }
 
-void release(void* p) noexcept {
+void release(void* p, std::size_t alignment = kHeader) noexcept {
   if (!p) return;
-  std::byte* block = static_cast<std::byte*>(p) - kHeader;
+  std::byte* block = static_cast<std::byte*>(p) - alignment;
   liveBytes -= static_cast<std::int64_t>(*reinterpret_cast<std::size_t*>(block));
   std::free(block);  // NOLINT(cppcoreguidelines-no-malloc): for `delete`
 }
 
-void* allocateOrThrow(std::size_t size) {
-  if (void* p = allocate(size)) return p;
+void* allocateOrThrow(std::size_t size, std::size_t alignment = kHeader) {
+  if (void* p = allocate(size, alignment)) return p;
   throw std::bad_alloc();
 }
 
 }  // namespace
 
-// All but the aligned ones, which nothing here uses.
+// Of the aligned ones those that the engine uses.
 void* operator new(std::size_t size) { return allocateOrThrow(size); }
 void* operator new[](std::size_t size) { return allocateOrThrow(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }
 void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return allocateOrThrow(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* p, std::align_val_t alignment) noexcept { release(p, static_cast<std::size_t>(alignment)); }
+void operator delete(void* p, std::size_t, std::align_val_t alignment) noexcept {
+  release(p, static_cast<std::size_t>(alignment));
+}
 void operator delete(void* p) noexcept { release(p); }
 void operator delete[](void* p) noexcept { release(p); }
 void operator delete(void* p, std::size_t) noexcept { release(p); }
