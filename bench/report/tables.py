@@ -92,7 +92,8 @@ def edits(results):
                     row = results.comparison.get((scenario, subject))
                     port = results.median(scenario, "published-port-new-sets")
                     times = (row["median_ns"], row["p99_ns"]) if row else (None, None)
-                    cells += [*map(duration_or_none, times), ratio_or_none(port, row and row["median_ns"])]
+                    against = None if subject == "published-port" else row and row["median_ns"]
+                    cells += [*map(duration_or_none, times), ratio_or_none(port, against)]
                 if set(cells[1:]) != {NONE}:
                     rows.append(cells)
     return table(["", "full blocks: median", "p99", "port ÷ this", "ramps: median", "p99", "port ÷ this"], rows)
