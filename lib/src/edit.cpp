@@ -216,6 +216,68 @@ Expected<PolygonHandle> World::Impl::replace(Cell cell, ShapeId shape, Block blo
   return PolygonHandle{ref, last + 1};
 }
 
+Expected<void> World::Impl::exchange(Cell cell, std::span<const PolygonHandle> removed,
+                                     std::span<const NewPolygon> added, std::span<PolygonHandle> handles) {
+  if (!inRange(cell)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = cell});
+  catalogue.collect();
+  std::vector<PolygonId> polygons;
+  for (std::size_t k = 0; k < added.size(); ++k) {
+    const auto id = catalogue.internPolygon(added[k].vertices);
+    if (!id) {
+      Error error = id.error();
+      error.polygon = static_cast<std::int32_t>(k);
+      return refuse(error, cell);
+    }
+    polygons.push_back(*id);
+  }
+  const CellAt at = grid.obtain(cell);
+  if (!at) return refuse({.code = ErrorCode::capacity, .cell = cell});
+  const std::uint32_t ref = at.chunk->ref(at.local), last = grid.lastSerial(at);
+  if (added.size() > detail::kMaxSerial - last) return refuse({.code = ErrorCode::capacity, .cell = cell});
+  readEntries(at);
+  for (std::size_t k = 0; k < removed.size(); ++k) {
+    const auto found = std::ranges::find(entries_, removed[k].serial, [](const Entry& e) { return e.placed.serial; });
+    if (removed[k].cellRef != ref || found == entries_.end())
+      return refuse(
+          {.code = ErrorCode::staleHandle, .cell = cell, .other = removed[k], .index = static_cast<std::int32_t>(k)});
+    entries_.erase(found);
+  }
+  for (std::uint32_t k = 0; k < polygons.size(); ++k) addEntries({&polygons[k], 1}, added[k].block, last + k);
+  ContentId after = detail::kEmptyContent;
+  if (!entries_.empty()) {
+    const auto content = internEntries();
+    if (!content)
+      return refuse(content.error().code == ErrorCode::overlap ? overlapAmongEntries(ref) : content.error(), cell);
+    after = *content;
+  }
+  const auto count = static_cast<std::uint32_t>(added.size());
+  apply(at, after, last + count);
+  for (std::uint32_t k = 0; k < std::min<std::size_t>(count, handles.size()); ++k) handles[k] = {ref, last + 1 + k};
+  return {};
+}
+
+/// Blames the first of the new polygons in `entries_` that overlaps one before it: the oldest of these.
+Error World::Impl::overlapAmongEntries(std::uint32_t cellRef) {
+  detail::sort(entries_, [](const Entry& a, const Entry& b) { return a.placed.serial < b.placed.serial; });
+  Error error{.code = ErrorCode::overlap};
+  const auto old =
+      static_cast<std::size_t>(std::count_if(entries_.begin(), entries_.end(), [](const Entry& e) { return e.isOld; }));
+  for (std::size_t k = old; k < entries_.size(); ++k) {
+    for (std::size_t other = 0; other < k; ++other) {
+      if (!catalogue.meet(entries_[other].polygon, entries_[k].polygon)) continue;
+      error.polygon = static_cast<std::int32_t>(k - old);
+      if (other < old) {
+        error.other = {cellRef, entries_[other].placed.serial};
+        error.otherBlock = entries_[other].placed.block;
+      } else {
+        error.polygon2 = static_cast<std::int32_t>(other - old);
+      }
+      return error;
+    }
+  }
+  return error;
+}
+
 Expected<void> World::Impl::setBlock(PolygonHandle polygon, Block block) {
   const auto slot = slotOf(polygon);
   if (!slot) return refuse({.code = ErrorCode::staleHandle, .other = polygon});

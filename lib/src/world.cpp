@@ -114,6 +114,10 @@ Expected<std::uint64_t> World::clear(const CellRect& cells) { return impl_->clea
 Expected<PolygonHandle> World::replace(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
   return impl_->replace(cell, shape, block, handles);
 }
+Expected<void> World::exchange(Cell cell, std::span<const PolygonHandle> removed, std::span<const NewPolygon> added,
+                               std::span<PolygonHandle> handles) {
+  return impl_->exchange(cell, removed, added, handles);
+}
 Expected<void> World::setBlock(PolygonHandle polygon, Block block) { return impl_->setBlock(polygon, block); }
 const Changes& World::commit() { return impl_->commit({}); }
 const Changes& World::commit(const Executor& executor) { return impl_->commit(executor); }

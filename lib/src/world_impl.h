@@ -34,6 +34,8 @@ struct World::Impl {
   Expected<PolygonHandle> add(Cell cell, detail::PolygonView polygon, Block block);
   Expected<void> remove(PolygonHandle polygon);
   Expected<PolygonHandle> replace(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles);
+  Expected<void> exchange(Cell cell, std::span<const PolygonHandle> removed, std::span<const NewPolygon> added,
+                          std::span<PolygonHandle> handles);
   Expected<void> setBlock(PolygonHandle polygon, Block block);
   Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block);
   Expected<std::uint64_t> clear(const CellRect& cells);
@@ -107,6 +109,7 @@ struct World::Impl {
   Expected<PolygonHandle> place(detail::CellAt at, Cell cell, std::span<const detail::PolygonId> polygons, Block block,
                                 std::span<PolygonHandle> handles);
   void apply(detail::CellAt at, detail::ContentId after, std::uint32_t lastSerial);
+  Error overlapAmongEntries(std::uint32_t cellRef);
   Error overlapWith(detail::CellAt at, std::span<const detail::PolygonId> added);
   void mark(detail::CellAt at, detail::Facts facts);
 

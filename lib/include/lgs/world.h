@@ -78,6 +78,12 @@ struct Placement {
   Block block = 0;  ///< the number that all its polygons get
 };
 
+/// A polygon that shall be placed, by its vertices: for World::exchange().
+struct NewPolygon {
+  std::span<const LocalPoint> vertices;  ///< counter-clockwise, in its cell
+  Block block = 0;                       ///< the number that it gets
+};
+
 /// How much there is in a world: see World::stats().
 struct Stats {
   std::uint64_t polygons = 0;  ///< placed ones
@@ -156,6 +162,14 @@ class World {
   /// handle of the shape's first polygon; `handles` is as for add(). Refused: as by add(), but never for overlap.
   [[nodiscard]] Expected<PolygonHandle> replace(Cell cell, ShapeId shape, Block block,
                                                 std::span<PolygonHandle> handles = {});
+
+  /// Takes some polygons of a cell away and places others: all of it, or nothing. The others of the cell stay. `handles`
+  /// receives the handles of `added`, or as many as it has room for. Only what stands in the cell at the end must fit:
+  /// nothing is worked out for the steps on the way. Refused: cellOutOfRange; staleHandle, for a handle that is not of
+  /// this cell or comes twice, and Error::index says which; as by shape(), and by add() for what stays. Cost: as of one
+  /// add().
+  [[nodiscard]] Expected<void> exchange(Cell cell, std::span<const PolygonHandle> removed,
+                                        std::span<const NewPolygon> added, std::span<PolygonHandle> handles = {});
 
   /// Gives a polygon another block. It keeps its handle and its place. The next commit removes its segments and adds
   /// them again, as another block is another owner; all others keep their ids. Refused: staleHandle; capacity, if a
