@@ -1,10 +1,11 @@
 // The documented limits that no test can reach by edits alone, reached by going in behind the edits; what the index and
 // the catalogue must do when it gets tight.
+#include "ground/places.h"
 #include "oracle/generate/random.h"
 #include "oracle/trace/dump.h"
 #include "proptests/support/scale.h"
 #include "proptests/support/worlds.h"
-#include "world_impl.h"
+#include "world/impl.h"
 
 #include <gtest/gtest.h>
 
@@ -27,22 +28,30 @@ struct WornWorld {
 
   ShapeId shapeOf(const std::vector<LocalPolygon>& polygons) {
     const std::vector<detail::PolygonView> views(polygons.begin(), polygons.end());
-    return impl.shape(views).value();
+    return impl.edit.shape(views).value();
   }
 
   /// Leaves the cell empty, with so many serials to go.
   void wear(Cell cell, std::uint32_t left) {
-    const PolygonHandle handle = impl.add(cell, square, 1).value();
-    const detail::CellAt at = impl.grid.find(cell);
+    const PolygonHandle handle = add(cell, square).value();
+    const detail::CellAt at = impl.ground.grid.find(cell);
     const detail::Placed last{kMaxSerial - left, 1};
-    impl.grid.setPolygons(at, impl.grid.content(at), last.serial, {&last, 1}, true);
-    EXPECT_TRUE(impl.remove({handle.cellRef, last.serial}));
-    impl.commit({});
+    impl.ground.set(at, impl.ground.contentId(at), last.serial, {&last, 1});
+    EXPECT_TRUE(impl.edit.remove({handle.cellRef, last.serial}));
+    commit();
+  }
+
+  Expected<PolygonHandle> add(Cell cell, ShapeId shape) { return impl.edit.add(cell, shape, 1, {}); }
+
+  const Changes& commit() {
+    impl.outline.update(impl.ground, {});
+    impl.ground.commit();
+    return impl.outline.changes();
   }
 
   std::size_t polygonsAt(Cell cell) const {
     std::vector<PlacedPolygon> polygons;
-    impl.polygons(cell, polygons);
+    detail::polygonsOf(impl.ground, cell, polygons);
     return polygons.size();
   }
 };
@@ -60,26 +69,26 @@ TEST(Limits, ACellWhoseSerialsAreUsedUpRefuses) {
   world.wear(kCell, 2);
   std::vector<PolygonHandle> old;
   for (const std::uint32_t serial : {kMaxSerial - 1, kMaxSerial}) {
-    old.push_back(world.impl.add(kCell, world.square, 1).value());
+    old.push_back(world.add(kCell, world.square).value());
     EXPECT_EQ(old.back().serial, serial);
-    EXPECT_EQ(world.impl.commit({}).added.size(), 4U);
-    EXPECT_TRUE(world.impl.remove(old.back()));
-    EXPECT_EQ(world.impl.commit({}).removed.size(), 4U);
+    EXPECT_EQ(world.commit().added.size(), 4U);
+    EXPECT_TRUE(world.impl.edit.remove(old.back()));
+    EXPECT_EQ(world.commit().removed.size(), 4U);
   }
-  expectCapacity(world.impl.add(kCell, world.square, 1), kCell);
+  expectCapacity(world.add(kCell, world.square), kCell);
   const LocalPolygon unknown{{1, 2}, {30, 4}, {5, 60}};
-  expectCapacity(world.impl.add(kCell, detail::PolygonView(unknown), 1), kCell);
-  for (const PolygonHandle handle : old) EXPECT_FALSE(world.impl.remove(handle)) << "stale for good";
+  expectCapacity(world.impl.edit.add(kCell, detail::PolygonView(unknown), 1), kCell);
+  for (const PolygonHandle handle : old) EXPECT_FALSE(world.impl.edit.remove(handle)) << "stale for good";
   EXPECT_EQ(world.polygonsAt(kCell), 0U);
-  EXPECT_TRUE(world.impl.add({4, 4}, world.square, 1)) << "its neighbour has serials of its own";
+  EXPECT_TRUE(world.add({4, 4}, world.square)) << "its neighbour has serials of its own";
 }
 
 TEST(Limits, AShapeNeedsASerialForEachOfItsPolygons) {
   constexpr Cell kCell{-1, 0};
   WornWorld world;
   world.wear(kCell, 1);
-  expectCapacity(world.impl.add(kCell, world.halves, 1), kCell);
-  EXPECT_EQ(world.impl.add(kCell, world.square, 1).value().serial, kMaxSerial);
+  expectCapacity(world.add(kCell, world.halves), kCell);
+  EXPECT_EQ(world.add(kCell, world.square).value().serial, kMaxSerial);
 }
 
 TEST(Limits, AFillThatMeetsAWornCellChangesNothing) {
@@ -88,12 +97,12 @@ TEST(Limits, AFillThatMeetsAWornCellChangesNothing) {
   world.wear({34, 2}, 0);
   world.wear({-2, 3}, 0);
   world.wear({1, 1}, 254);  // enough
-  expectCapacity(world.impl.fill(kRect, world.square, 1), {34, 2});
+  expectCapacity(world.impl.edit.fill(kRect, world.square, 1), {34, 2});
   for (const Cell& cell : cellsOf(kRect)) EXPECT_EQ(world.polygonsAt(cell), 0U);
   world.wear({5, 2}, 1);
-  expectCapacity(world.impl.fill({{5, 2}, {33, 2}}, world.halves, 1), {5, 2});
-  EXPECT_EQ(world.impl.fill({{-3, -3}, {33, 2}}, world.square, 1).value(), 37U * 6U);
-  EXPECT_TRUE(world.impl.commit({}).removed.empty());
+  expectCapacity(world.impl.edit.fill({{5, 2}, {33, 2}}, world.halves, 1), {5, 2});
+  EXPECT_EQ(world.impl.edit.fill({{-3, -3}, {33, 2}}, world.square, 1).value(), 37U * 6U);
+  EXPECT_TRUE(world.commit().removed.empty());
 }
 
 // Chosen hashes, so few that most meet others: the real ones are so well spread that two never do.

@@ -7,7 +7,7 @@
 #include "proptests/support/law.h"
 #include "proptests/support/played.h"
 #include "proptests/support/traces.h"
-#include "radial_match.h"
+#include "geometry/radial_match.h"
 
 #include <gtest/gtest.h>
 

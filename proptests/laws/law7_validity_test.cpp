@@ -2,7 +2,7 @@
 // against slow rules that can be seen to be right.
 #include "oracle/reference/validity.h"
 #include "oracle/reference/vector.h"
-#include "polygon.h"
+#include "ground/polygon.h"
 #include "proptests/support/exhaust.h"
 #include "proptests/support/shapes.h"
 

@@ -1,0 +1,187 @@
+#include "ground/catalogue.h"
+
+#include "geometry/sort.h"
+#include "ground/refusal.h"
+
+#include <lgs/world.h>
+
+#include <algorithm>
+
+namespace lgs::detail {
+namespace {
+
+std::uint64_t hashOf(PolygonView vertices) {
+  std::uint64_t hash = vertices.size();
+  for (const LocalPoint v : vertices)
+    hash = mix(hash, std::uint64_t{static_cast<std::uint32_t>(v.x)} << 32 | static_cast<std::uint32_t>(v.y));
+  return hash;
+}
+
+std::uint64_t hashOf(std::span<const PolygonId> polygons, std::span<const std::pair<Slot, Slot>> preserved) {
+  std::uint64_t hash = polygons.size();
+  for (const PolygonId id : polygons) hash = mix(hash, id);
+  for (const auto& [a, b] : preserved) hash = mix(hash, std::uint64_t{1} << 63 | std::uint64_t{a} << 16 | b);
+  return hash;
+}
+
+/// Puts the value at a free number, or at the next one.
+template <class T>
+std::uint32_t store(std::vector<Owned<T>>& table, std::vector<std::uint32_t>& free, T value) {
+  if (free.empty()) {
+    table.emplace_back(std::make_unique<T>(std::move(value)));
+    return static_cast<std::uint32_t>(table.size() - 1);
+  }
+  const std::uint32_t id = free.back();
+  free.pop_back();
+  *table[id] = std::move(value);
+  return id;
+}
+
+}  // namespace
+
+Catalogue::Catalogue() {
+  contents_.emplace_back(std::make_unique<InternedContent>(InternedContent{buildContent({}, {}), {}, {}, 0}));
+  uses_.push_back({.users = kForever});
+}
+
+Expected<PolygonId> Catalogue::internPolygon(PolygonView vertices) {
+  const std::uint64_t hash = hashOf(vertices);
+  const std::uint32_t found =
+      polygonIndex_.find(hash, [&](PolygonId id) { return std::ranges::equal(polygons_[id]->vertices, vertices); });
+  if (found != HashIndex::kNone) return found;
+  if (const auto defect = findDefect(vertices))
+    return refuse({.code = defect->code, .polygon = 0, .vertex = defect->vertex, .vertex2 = defect->vertex2});
+  InternedPolygon polygon;
+  polygon.vertices.assign(vertices.begin(), vertices.end());
+  polygon.hash = hash;
+  const PolygonId id = store(polygons_, freePolygons_, std::move(polygon));
+  polygonIndex_.insert(hash, id);
+  ++unused_;
+  return id;
+}
+
+Expected<ContentId> Catalogue::internSole(PolygonId polygon) {
+  if (polygons_[polygon]->sole != kEmptyContent) return polygons_[polygon]->sole;
+  return internContent({&polygon, 1}, {}, {});
+}
+
+Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons, std::span<const std::uint8_t> known,
+                                             std::span<const std::pair<Slot, Slot>> preserved) {
+  const std::uint64_t hash = hashOf(polygons, preserved);
+  const std::uint32_t found = contentIndex_.find(hash, [&](ContentId id) {
+    return std::ranges::equal(contents_[id]->polygons, polygons) &&
+           std::ranges::equal(contents_[id]->preserved, preserved);
+  });
+  if (found != HashIndex::kNone) return found;
+
+  std::vector<PolygonView> views;
+  std::size_t vertexCount = 0;
+  for (const PolygonId id : polygons) {
+    views.push_back(vertices(id));
+    vertexCount += views.back().size();
+  }
+  if (polygons.size() > kMaxPolygonsPerCell || vertexCount > kMaxVerticesPerCell)
+    return refuse({.code = ErrorCode::capacity});
+  if (freeContents_.empty() && contents_.size() > kMaxContent) return refuse({.code = ErrorCode::capacity});
+  const auto isKnown = [&](std::size_t k) { return !known.empty() && known[k]; };
+  for (std::size_t b = 0; b < views.size(); ++b) {
+    if (isKnown(b)) continue;
+    for (std::size_t a = 0; a < views.size(); ++a)
+      if ((a < b || isKnown(a)) && interiorsMeet(views[a], views[b])) return refuse({.code = ErrorCode::overlap});
+  }
+
+  InternedContent content{buildContent(views, preserved), {}, {}, hash};
+  content.polygons.assign(polygons.begin(), polygons.end());
+  content.preserved.assign(preserved.begin(), preserved.end());
+  const ContentId id = store(contents_, freeContents_, std::move(content));
+  widestFan_ = std::max(widestFan_, contents_[id]->widestFan);
+  uses_.resize(contents_.size());
+  uses_[id] = {.users = 0, .facts = contents_[id]->facts};
+  contentIndex_.insert(hash, id);
+  for (const PolygonId polygon : polygons) acquire(polygons_[polygon]->users);
+  if (polygons.size() == 1) polygons_[polygons[0]]->sole = id;
+  ++unused_;
+  return id;
+}
+
+Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
+  if (polygons.empty()) return refuse({.code = ErrorCode::emptyShape});
+  const std::vector<PolygonId> given(polygons.begin(), polygons.end());
+  if (const auto found = shapeIndex_.find(given); found != shapeIndex_.end()) return found->second;
+
+  std::vector<PolygonId> sorted = given;
+  detail::sort(sorted);
+  const auto content = internContent(sorted, {}, {});
+  if (!content) return refuse(content.error().code == ErrorCode::overlap ? overlapAmong(given) : content.error());
+  // The content is never forgotten from here on, and it uses the polygons: so the shape need not be their user too.
+  if (uses_[*content].users == 0) --unused_;
+  uses_[*content].users = kForever;
+  shapes_.push_back({*content, given});
+  const ShapeId id{static_cast<std::uint32_t>(shapes_.size())};
+  shapeIndex_.emplace(given, id);
+  return id;
+}
+
+void Catalogue::forgetShapes(std::uint64_t count) {
+  while (shapes_.size() > count) {
+    shapeIndex_.erase(shapes_.back().polygons);
+    shapes_.pop_back();
+  }
+}
+
+Error Catalogue::overlapAmong(std::span<const PolygonId> polygons) const {
+  Error error{.code = ErrorCode::overlap};
+  for (std::size_t k = 1; k < polygons.size(); ++k) {
+    const auto earlier = polygons.first(k);
+    const auto other = std::ranges::find_if(earlier, [&](PolygonId id) { return meet(id, polygons[k]); });
+    if (other == earlier.end()) continue;
+    error.polygon = static_cast<std::int32_t>(k);
+    error.polygon2 = static_cast<std::int32_t>(other - earlier.begin());
+    break;
+  }
+  return error;
+}
+
+void Catalogue::collect() {
+  // Looking through the catalogue is worth it once a quarter has no users. That share hardly passes a half, since
+  // contents without users still use their polygons.
+  if (unused_ < 1024 || 4 * unused_ < contents_.size() + polygons_.size()) return;
+  for (ContentId id = 1; id < contents_.size(); ++id)
+    if (uses_[id].users == 0 && !contents_[id]->polygons.empty()) forgetContent(id);
+  for (PolygonId id = 0; id < polygons_.size(); ++id)
+    if (polygons_[id]->users == 0 && !polygons_[id]->vertices.empty()) forgetPolygon(id);
+}
+
+void Catalogue::forgetContent(ContentId id) {
+  InternedContent& content = *contents_[id];
+  contentIndex_.erase(content.hash, id);
+  for (const PolygonId polygon : content.polygons) {
+    drop(polygons_[polygon]->users);
+    if (polygons_[polygon]->sole == id) polygons_[polygon]->sole = kEmptyContent;
+  }
+  content = InternedContent{};
+  --unused_;
+  freeContents_.push_back(id);
+}
+
+void Catalogue::forgetPolygon(PolygonId id) {
+  polygonIndex_.erase(polygons_[id]->hash, id);
+  *polygons_[id] = InternedPolygon{};
+  --unused_;
+  freePolygons_.push_back(id);
+}
+
+std::uint64_t Catalogue::bytes() const {
+  std::uint64_t sum = polygonIndex_.bytes() + contentIndex_.bytes();
+  const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
+  for (const auto& p : polygons_) sum += sizeof p + sizeof *p + of(p->vertices);
+  for (const auto& c : contents_) {
+    sum +=
+        sizeof c + sizeof *c + of(c->polygons) + of(c->preserved) + of(c->interior) + of(c->spokes) + of(c->contacts);
+    for (const Side& side : c->sides) sum += of(side.covered) + of(side.points);
+  }
+  for (const InternedShape& s : shapes_) sum += 2 * of(s.polygons);
+  return sum + of(uses_) + of(shapes_) + of(freePolygons_) + of(freeContents_);
+}
+
+}  // namespace lgs::detail

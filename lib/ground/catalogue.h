@@ -1,0 +1,129 @@
+// The polygons, contents and shapes of a world. Contents repeat from cell to cell. So each is validated and worked out
+// once, and a cell stores its number.
+#pragma once
+
+#include "ground/content.h"
+#include "storage/hash_index.h"
+#include "storage/owned.h"
+
+#include <lgs/error.h>
+#include <lgs/ids.h>
+
+#include <algorithm>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace lgs::detail {
+
+using PolygonId = std::uint32_t;
+using ContentId = std::uint32_t;
+inline constexpr ContentId kEmptyContent = 0;
+inline constexpr ContentId kMaxContent = (1u << 23) - 1;  ///< a cell's word has 23 bits for it
+
+/// A content, and what it was worked out from.
+struct InternedContent : Content {
+  std::vector<PolygonId> polygons;               ///< by slot, in increasing order
+  std::vector<std::pair<Slot, Slot>> preserved;  ///< the overlaps that are kept
+  std::uint64_t hash = 0;
+};
+
+/// The order of shapes. The vector's own one will not do: where the most significant byte comes first, GCC 12's library
+/// compares as many bytes as there are numbers, so that different shapes are equal.
+struct PolygonsLess {
+  bool operator()(const std::vector<PolygonId>& a, const std::vector<PolygonId>& b) const {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  }
+};
+
+struct InternedShape {
+  ContentId content = kEmptyContent;  ///< with nothing preserved
+  std::vector<PolygonId> polygons;    ///< in the order given
+};
+
+class Catalogue {
+ public:
+  Catalogue();
+
+  const InternedContent& content(ContentId id) const { return *contents_[id]; }
+  /// How many interior half-edges meet at most in one vertex on the rim, in all contents that there ever were.
+  std::uint32_t widestFan() const { return widestFan_; }
+  Facts facts(ContentId id) const { return uses_[id].facts; }
+  PolygonView vertices(PolygonId id) const { return polygons_[id]->vertices; }
+  /// Valid until the next shape is made. Null if the id is none of ours.
+  const InternedShape* shape(ShapeId id) const {
+    const std::size_t index = id.value - std::size_t{1};
+    return index < shapes_.size() ? &shapes_[index] : nullptr;
+  }
+
+  /// The polygon with these vertices. It is validated if it is new.
+  Expected<PolygonId> internPolygon(PolygonView vertices);
+  /// The content of a cell with only this polygon.
+  Expected<ContentId> internSole(PolygonId polygon);
+  Expected<ShapeId> internShape(std::span<const PolygonId> polygons);
+
+  /// The content with these polygons, which are in increasing order. Those marked in `known` are known to be disjoint
+  /// from each other. A refusal for an overlap does not say which polygons are to blame: ask meet().
+  Expected<ContentId> internContent(std::span<const PolygonId> polygons, std::span<const std::uint8_t> known,
+                                    std::span<const std::pair<Slot, Slot>> preserved);
+
+  bool meet(PolygonId a, PolygonId b) const { return interiorsMeet(vertices(a), vertices(b)); }
+
+  void use(ContentId id) {
+    if (uses_[id].users != kForever) acquire(uses_[id].users);
+  }
+  void release(ContentId id) {
+    if (uses_[id].users != kForever) drop(uses_[id].users);
+  }
+
+  /// Once many contents and polygons have no users, forgets them. Cost: O(1) for each that was made, amortised.
+  void collect();
+
+  std::uint64_t contentCount() const { return contents_.size() - 1 - freeContents_.size(); }
+  std::uint64_t shapeCount() const { return shapes_.size(); }
+  /// Forgets the shapes made last, down to a count. Their contents stay, as they are worked out already.
+  void forgetShapes(std::uint64_t count);
+  /// One more than the greatest number of a content, and of a polygon.
+  std::size_t contentLimit() const { return contents_.size(); }
+  std::size_t polygonLimit() const { return polygons_.size(); }
+  std::uint64_t bytes() const;
+
+ private:
+  struct InternedPolygon {
+    std::vector<LocalPoint> vertices;
+    std::uint64_t hash = 0;
+    std::uint32_t users = 0;  ///< contents
+    ContentId sole = kEmptyContent;
+  };
+
+  /// What edits ask of a content. It stands apart from the rest, so that they touch little memory.
+  struct Use {
+    std::uint32_t users = 0;  ///< cells, or kForever; a content without users may be forgotten
+    Facts facts = 0;          ///< as in the content
+  };
+
+  /// The users of a content that a shape has. Shapes are never forgotten, so nobody counts the cells of such a content:
+  /// that saves the usual edit a look-up.
+  static constexpr std::uint32_t kForever = 0xffff'ffff;
+
+  /// Blames the first of these polygons that overlaps one before it.
+  Error overlapAmong(std::span<const PolygonId> polygons) const;
+  void acquire(std::uint32_t& users) { unused_ -= users++ == 0; }
+  void drop(std::uint32_t& users) { unused_ += --users == 0; }
+  void forgetContent(ContentId id);
+  void forgetPolygon(PolygonId id);
+
+  std::vector<Owned<InternedPolygon>> polygons_;
+  std::vector<Owned<InternedContent>> contents_;
+  std::vector<Use> uses_;  ///< by content
+  std::vector<InternedShape> shapes_;
+  std::map<std::vector<PolygonId>, ShapeId, PolygonsLess> shapeIndex_;
+  HashIndex polygonIndex_;
+  HashIndex contentIndex_;
+  std::vector<PolygonId> freePolygons_;
+  std::vector<ContentId> freeContents_;
+  std::uint32_t widestFan_ = 0;
+  std::size_t unused_ = 0;  ///< contents and polygons without users
+};
+
+}  // namespace lgs::detail

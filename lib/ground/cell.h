@@ -1,0 +1,72 @@
+// What a cell holds, in one word where that is enough.
+//
+// The word of a cell is its content and the serial given out last, as long as it has at most one polygon, that polygon
+// was placed last, and at most 255 were ever placed there. Otherwise the word refers to a *list* in the arena of lists:
+//
+//   content << 8 | how many polygons;  the serial given out last;  a serial and a block for each polygon, by slot
+#pragma once
+
+#include "ground/catalogue.h"
+
+#include <lgs/world.h>
+
+#include <cstdint>
+#include <span>
+
+namespace lgs::detail {
+
+/// The polygons of one cell have serial numbers, from 1 on, none used twice. A segment has 28 bits for one.
+#ifdef LGS_HANDLES_IN_53_BITS
+inline constexpr std::uint32_t kMaxSerial = (1u << 23) - 1;
+#else
+inline constexpr std::uint32_t kMaxSerial = (1u << 28) - 1;
+#endif
+
+/// A polygon in a cell.
+struct Placed {
+  std::uint32_t serial = 0;
+  Block block = 0;
+};
+
+/// The word of a cell. A cell that never held anything has 0.
+using CellWord = std::uint32_t;
+inline constexpr CellWord kListBit = 1u << 31;  ///< the rest refers to a list
+inline constexpr unsigned kLowBits = 8;         ///< below the content, in a word and in a list
+inline constexpr std::uint32_t kLowMask = (1u << kLowBits) - 1;
+static_assert(kMaxPolygonsPerCell <= kLowMask && kMaxContent < kListBit >> kLowBits);
+
+constexpr CellWord wordOf(ContentId content, std::uint32_t low) { return content << kLowBits | low; }
+/// Whether a word is enough for these polygons.
+constexpr bool fitsWord(std::uint32_t lastSerial, std::span<const Placed> polygons) {
+  return lastSerial <= kLowMask && (polygons.empty() || (polygons.size() == 1 && polygons[0].serial == lastSerial));
+}
+
+/// The words of a list.
+class PolygonList {
+ public:
+  explicit PolygonList(const std::uint32_t* words) : words_(words) {}
+  static constexpr std::uint32_t sizeOf(std::size_t polygons) { return static_cast<std::uint32_t>(2 + 2 * polygons); }
+
+  ContentId content() const { return words_[0] >> kLowBits; }
+  std::uint32_t size() const { return words_[0] & kLowMask; }
+  std::uint32_t lastSerial() const { return words_[1]; }
+  Placed operator[](Slot slot) const { return {words_[2 + 2 * slot], words_[3 + 2 * slot]}; }
+
+ private:
+  const std::uint32_t* words_;
+};
+
+/// The polygons of a cell by slot. Valid until the cell changes.
+class PlacedBySlot {
+ public:
+  explicit PlacedBySlot(PolygonList list) : list_(list), isList_(true) {}
+  explicit PlacedBySlot(Placed sole) : sole_(sole) {}
+  Placed operator[](Slot slot) const { return isList_ ? list_[slot] : sole_; }
+
+ private:
+  PolygonList list_{nullptr};
+  Placed sole_;
+  bool isList_ = false;
+};
+
+}  // namespace lgs::detail

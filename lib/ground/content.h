@@ -1,0 +1,102 @@
+// What can be known of a cell from its own polygons. It is worked out once for all cells that hold the same: the edges
+// are cut, cancelled and linked inside the cell, and prepared for its four sides (phase 1) and the vertices on them
+// (phase 2).
+#pragma once
+
+#include "geometry/radial_match.h"
+#include "ground/edge.h"
+#include "ground/polygon.h"
+
+#include <lgs/lattice.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace lgs::detail {
+
+/// Index of a polygon in its cell's content.
+using Slot = std::uint16_t;
+
+/// An exposed atomic edge that lies along no side.
+struct InteriorEdge {
+  static constexpr std::uint32_t kNone = 0xffff'ffff;  ///< no candidate
+  static constexpr std::uint32_t kRim = 0xffff'fffe;   ///< that end is on the rim, and it is for a commit to link it
+  PackedEnds ends;
+  std::uint32_t predecessor = kRim;  ///< index in Content::interior
+  std::uint32_t successor = kRim;
+  Slot slot = 0;
+};
+
+/// The interior half-edges at a vertex on the rim, counter-clockwise. Most have one or none, so the first is stored
+/// here.
+struct SpokeRange {
+  std::uint32_t count = 0;
+  std::uint32_t rest = 0;  ///< where the others begin in Content::spokes
+  Spoke first;             ///< can be read even if there is none
+};
+
+/// The half-edges with which a cell's fans at its four corners begin and end, counter-clockwise: the first one if it is
+/// outgoing, the last one if it is incoming. No other cell has a say in what lies between. Bits 4q … 4q + 3 are for
+/// corner q: the place in a list of edges, counted from 1; or 0 if there is none, or if it is beyond kMaxPlace.
+struct CornerEnds {
+  static constexpr std::uint32_t kMaxPlace = 15;
+  std::uint16_t first = 0;
+  std::uint16_t last = 0;
+};
+
+/// A stretch of a side that one polygon covers. No vertex of the cell lies inside it.
+struct Interval {
+  std::int32_t begin = 0;
+  std::int32_t end = 0;
+  Slot slot = 0;
+};
+
+/// A vertex on a side that is not a corner.
+struct RimPoint {
+  std::int32_t at = 0;
+  SpokeRange spokes;
+};
+
+/// The profile of a side.
+struct Side {
+  std::vector<Interval> covered;  ///< in increasing order, disjoint
+  std::vector<RimPoint> points;   ///< in increasing order
+};
+
+/// What a commit asks first of a content, and of those beside it. Each cell keeps this byte. Zero if the cell is empty.
+using Facts = std::uint8_t;
+inline constexpr Facts kWholeSides = 0x0f;    ///< bit s: side s is whole, one edge runs from corner to corner
+inline constexpr Facts kRimPoints = 0x10;     ///< there are rim points
+inline constexpr Facts kInside = 0x20;        ///< there are interior edges
+inline constexpr Facts kLinkedInside = 0x40;  ///< some interior edges are linked to each other
+inline constexpr Facts kAllFacts = kWholeSides | kRimPoints | kInside | kLinkedInside;
+
+/// The sides of a cell that are hidden by whole sides of the cells across them, by the facts of those: bit s for side
+/// s.
+constexpr unsigned hiddenSides(unsigned south, unsigned east, unsigned north, unsigned west) {
+  return (south >> 2 & 1u) | (east >> 2 & 2u) | (north << 2 & 4u) | (west << 2 & 8u);
+}
+
+struct Content {
+  Facts facts = 0;
+  std::array<SpokeRange, 4> corners{};
+  CornerEnds cornerEnds;                  ///< of the half-edges inside, by their places in `interior`
+  std::uint32_t widestFan = 0;            ///< the longest of the ranges
+  std::vector<InteriorEdge> interior;  ///< sorted by start, then end
+  std::vector<Spoke> spokes;              ///< `segment` is an index in `interior`, `direction` a rank at that vertex
+  std::array<Side, 4> sides;
+  std::vector<std::pair<Slot, Slot>> contacts;  ///< polygons with a common edge inside the cell, smaller slot first
+
+  /// The polygon that covers a whole side.
+  Slot wholeSlot(unsigned side) const { return sides[side].covered.front().slot; }
+};
+
+/// Works out the content of a cell with these polygons, which have no defects and disjoint interiors. `preserved` lists
+/// pairs of slots, sorted, the smaller slot first: overlaps between them inside the cell are kept. Cost: O(n log n)
+/// in the vertices. With several polygons each edge is also compared with the vertices between its ends by x, then y.
+Content buildContent(std::span<const PolygonView> polygons, std::span<const std::pair<Slot, Slot>> preserved);
+
+}  // namespace lgs::detail

@@ -1,0 +1,236 @@
+#include "ground/edit.h"
+
+#include "geometry/sort.h"
+#include "ground/refusal.h"
+
+#include <algorithm>
+
+namespace lgs::detail {
+
+// --- One cell
+
+/// Begins with the polygons that the cell has. It may be without chunk.
+void Edit::open(Cell cell) {
+  cell_ = cell;
+  at_ = ground_.grid.find(cell);
+  lastSerial_ = ground_.lastSerial(at_);
+  newOnes_ = 0;
+  entries_.clear();
+  const std::vector<PolygonId>& polygons = ground_.content(at_).polygons;
+  for (std::size_t slot = 0; slot < polygons.size(); ++slot)
+    entries_.push_back({polygons[slot], ground_.placed(at_)[static_cast<Slot>(slot)]});
+}
+
+/// One polygon more, with the next serial.
+void Edit::place(PolygonId polygon, Block block) {
+  ++newOnes_;
+  const auto after = std::ranges::upper_bound(entries_, polygon, {}, &Entry::polygon);
+  entries_.insert(after, {polygon, {lastSerial_ + newOnes_, block}, true});
+}
+
+/// Whether the cell can hold `entries_`. Overlaps between them are kept where the preserve relation says so.
+Expected<void> Edit::check() {
+  if (newOnes_ > kMaxSerial - lastSerial_ || (!at_ && ground_.grid.isFull()))
+    return refuse({.code = ErrorCode::capacity}, cell_);
+  content_ = kEmptyContent;
+  if (entries_.empty()) return {};
+  auto content = this->content();
+  if (!content) return refuse(content.error().code == ErrorCode::overlap ? overlap() : content.error(), cell_);
+  content_ = *content;
+  return {};
+}
+
+Expected<ContentId> Edit::content() {
+  ids_.clear();
+  known_.clear();
+  for (const Entry& e : entries_) {
+    ids_.push_back(e.polygon);
+    known_.push_back(!e.isNew);
+  }
+  const auto content = ground_.catalogue.internContent(ids_, known_, {});
+  if (!content || !ground_.preserve) return content;
+  kept_.clear();
+  for (const auto& [a, b] : ground_.catalogue.content(*content).contacts)
+    if (ground_.keeps(entries_[a].placed.block, entries_[b].placed.block)) kept_.emplace_back(a, b);
+  if (kept_.empty()) return content;
+  known_.assign(known_.size(), 1);
+  return ground_.catalogue.internContent(ids_, known_, kept_);
+}
+
+/// Blames the first new polygon that overlaps one before it, and of those the oldest. So the refusal depends on what is
+/// placed, and not on how it is stored.
+Error Edit::overlap() {
+  detail::sort(entries_, [](const Entry& a, const Entry& b) { return a.placed.serial < b.placed.serial; });
+  const std::size_t old = entries_.size() - newOnes_;
+  Error error{.code = ErrorCode::overlap};
+  for (std::size_t k = old; k < entries_.size(); ++k) {
+    for (std::size_t other = 0; other < k; ++other) {
+      if (!ground_.catalogue.meet(entries_[other].polygon, entries_[k].polygon)) continue;
+      error.polygon = static_cast<std::int32_t>(k - old);
+      if (other >= old) {
+        error.polygon2 = static_cast<std::int32_t>(other - old);
+      } else {
+        error.other = {at_.ref(), entries_[other].placed.serial};
+        error.otherBlock = entries_[other].placed.block;
+      }
+      return error;
+    }
+  }
+  return error;
+}
+
+/// Sets the cell to `entries_`, if it can hold them. Returns the handle of the first new one.
+Expected<PolygonHandle> Edit::close(std::span<PolygonHandle> handles) {
+  if (const auto done = check(); !done) return refuse(done.error());
+  at_ = ground_.grid.obtain(cell_);
+  placed_.clear();
+  for (const Entry& e : entries_) placed_.push_back(e.placed);
+  ground_.set(at_, content_, lastSerial_ + newOnes_, placed_);
+  for (std::uint32_t k = 0; k < std::min<std::size_t>(newOnes_, handles.size()); ++k)
+    handles[k] = {at_.ref(), lastSerial_ + 1 + k};
+  return PolygonHandle{at_.ref(), lastSerial_ + 1};
+}
+
+// --- The doors
+
+Expected<ShapeId> Edit::shape(std::span<const PolygonView> polygons) {
+  ground_.catalogue.collect();
+  std::vector<PolygonId> interned;
+  for (std::size_t k = 0; k < polygons.size(); ++k) {
+    const auto id = ground_.catalogue.internPolygon(polygons[k]);
+    if (!id) return refuseAt(id.error(), &Error::polygon, k);
+    interned.push_back(*id);
+  }
+  return ground_.catalogue.internShape(interned);
+}
+
+Expected<const InternedShape*> Edit::known(Cell cell, ShapeId shape) const {
+  if (!inRange(cell)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = cell});
+  const InternedShape* interned = ground_.catalogue.shape(shape);
+  if (!interned) return refuse({.code = ErrorCode::unknownShape, .cell = cell});
+  return interned;
+}
+
+Expected<PolygonHandle> Edit::addToCell(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
+  const auto interned = known(cell, shape);
+  if (!interned) return refuse(interned.error());
+  open(cell);
+  for (const PolygonId polygon : (*interned)->polygons) place(polygon, block);
+  return close(handles);
+}
+
+Expected<PolygonHandle> Edit::add(Cell cell, PolygonView polygon, Block block) {
+  if (!inRange(cell)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = cell});
+  ground_.catalogue.collect();
+  const auto id = ground_.catalogue.internPolygon(polygon);
+  if (!id) return refuse(id.error(), cell);
+  open(cell);
+  place(*id, block);
+  return close();
+}
+
+Expected<void> Edit::remove(PolygonHandle polygon) {
+  const auto slot = ground_.slotOf(polygon);
+  if (!slot) return refuse({.code = ErrorCode::staleHandle, .other = polygon});
+  open(ground_.grid.cellOf(polygon.cellRef));
+  entries_.erase(entries_.begin() + *slot);
+  return close().map([](PolygonHandle) {});
+}
+
+Expected<PolygonHandle> Edit::replace(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
+  const auto interned = known(cell, shape);
+  if (!interned) return refuse(interned.error());
+  open(cell);
+  entries_.clear();
+  for (const PolygonId polygon : (*interned)->polygons) place(polygon, block);
+  return close(handles);
+}
+
+Expected<void> Edit::exchange(Cell cell, std::span<const PolygonHandle> removed, std::span<const NewPolygon> added,
+                              std::span<PolygonHandle> handles) {
+  if (!inRange(cell)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = cell});
+  ground_.catalogue.collect();
+  open(cell);
+  for (std::size_t k = 0; k < removed.size(); ++k) {
+    const auto found = std::ranges::find_if(entries_, [&](const Entry& e) {
+      return removed[k] == PolygonHandle{at_.ref(), e.placed.serial};
+    });
+    if (found == entries_.end())
+      return refuseAt({.code = ErrorCode::staleHandle, .cell = cell, .other = removed[k]}, &Error::index, k);
+    entries_.erase(found);
+  }
+  for (std::size_t k = 0; k < added.size(); ++k) {
+    const auto id = ground_.catalogue.internPolygon(added[k].vertices);
+    if (!id) return refuse(refuseAt(id.error(), &Error::polygon, k).value(), cell);
+    place(*id, added[k].block);
+  }
+  if (removed.empty() && added.empty()) return {};
+  return close(handles).map([](PolygonHandle) {});
+}
+
+Expected<void> Edit::setBlock(PolygonHandle polygon, Block block) {
+  const auto slot = ground_.slotOf(polygon);
+  if (!slot) return refuse({.code = ErrorCode::staleHandle, .other = polygon});
+  open(ground_.grid.cellOf(polygon.cellRef));
+  if (entries_[*slot].placed.block == block) return {};
+  entries_[*slot].placed.block = block;  // another overlap may be preserved now
+  return close().map([](PolygonHandle) {});
+}
+
+Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block block) {
+  if (lgs::isEmpty(cells)) return std::uint64_t{0};
+  for (const Cell corner : {cells.min, cells.max})
+    if (!inRange(corner)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = corner});
+  const auto interned = known(cells.min, shape);
+  if (!interned) return refuse(interned.error());
+  const ChunkRect reach(cells);
+  const std::uint64_t room = kMaxChunks - ground_.grid.chunks().size();
+  if (reach.count() > room) {  // it may be too many: all chunks are looked at
+    const auto there = std::ranges::count_if(ground_.grid.chunks(), [&](const auto& c) { return reach.contains(*c); });
+    if (reach.count() - static_cast<std::uint64_t>(there) > room)
+      return refuse({.code = ErrorCode::capacity, .cell = cells.min});
+  }
+
+  // First every cell is asked, so that nothing is changed if one refuses. What is worked out stays interned. Cells
+  // without polygons, which have room for many serials, are alike: so one of them is asked for all.
+  const auto placeAll = [&] {
+    for (const PolygonId polygon : (*interned)->polygons) place(polygon, block);
+  };
+  entries_.clear();
+  placeAll();
+  if (const auto content = this->content(); !content) return refuse(content.error(), cells.min);
+  std::optional<Error> refusal;
+  ground_.grid.forEachCell(cells, [&](CellAt at, Cell cell) {
+    if (at.word() < kLowMask || (refusal && std::pair(refusal->cell.j, refusal->cell.i) < std::pair(cell.j, cell.i)))
+      return;
+    open(cell);
+    placeAll();
+    if (const auto done = check(); !done) refusal = done.error();
+  });
+  if (refusal) return refuse(*refusal);
+
+  for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
+    for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci)
+      ground_.grid.obtain({ci * kChunkSize, cj * kChunkSize});
+  std::uint64_t count = 0;
+  ground_.grid.forEachCell(cells, [&](CellAt, Cell cell) {
+    static_cast<void>(add(cell, shape, block, {}));
+    ++count;
+  });
+  return count;
+}
+
+Expected<std::uint64_t> Edit::clear(const CellRect& cells) {
+  if (lgs::isEmpty(cells)) return std::uint64_t{0};
+  for (const Cell corner : {cells.min, cells.max})
+    if (!inRange(corner)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = corner});
+  std::uint64_t count = 0;
+  ground_.grid.forEachCell(cells, [&](CellAt at, Cell) {
+    const std::size_t polygons = ground_.content(at).polygons.size();
+    if (polygons != 0) ground_.set(at, kEmptyContent, ground_.lastSerial(at), {});
+    count += polygons;
+  });
+  return count;
+}
+
+}  // namespace lgs::detail

@@ -1,0 +1,89 @@
+// Edits. Each is checked against the ground as it is, and then sets the cell. A refused edit has changed nothing: no
+// cell, and no chunk was made.
+#pragma once
+
+#include "ground/ground.h"
+
+#include <lgs/world.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace lgs::detail {
+
+class Edit {
+ public:
+  explicit Edit(Ground& ground) : ground_(ground) {}
+
+  // As the functions of World that have these names.
+  Expected<ShapeId> shape(std::span<const PolygonView> polygons);
+  Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
+    const InternedShape* interned = ground_.catalogue.shape(shape);
+    if (inRange(cell) && interned && interned->polygons.size() == 1) {
+      const CellAt at = ground_.grid.find(cell);
+      if (at && at.word() < kLowMask) return setSole(at, interned->content, block, handles);
+    }
+    return addToCell(cell, shape, block, handles);
+  }
+  Expected<PolygonHandle> add(Cell cell, PolygonView polygon, Block block);
+  Expected<void> addMany(std::span<const Placement> placements, std::span<PolygonHandle> handles);
+  Expected<void> remove(PolygonHandle polygon);
+  Expected<void> removeMany(std::span<const PolygonHandle> polygons);
+  Expected<PolygonHandle> replace(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles);
+  Expected<void> exchange(Cell cell, std::span<const PolygonHandle> removed, std::span<const NewPolygon> added,
+                          std::span<PolygonHandle> handles);
+  Expected<void> setBlock(PolygonHandle polygon, Block block);
+  Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block);
+  Expected<std::uint64_t> clear(const CellRect& cells);
+
+  /// Of working memory.
+  std::uint64_t bytes() const {
+    const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
+    return of(entries_, placed_, ids_, known_, kept_);
+  }
+
+ private:
+  class Group;
+
+  /// A polygon of the cell that is edited.
+  struct Entry {
+    PolygonId polygon = 0;
+    Placed placed;
+    bool isNew = false;
+  };
+
+  Expected<PolygonHandle> setSole(CellAt at, ContentId content, Block block, std::span<PolygonHandle> handles) {
+    const std::uint32_t serial = at.word() + 1;  // of an empty cell without list, whose word is the last serial
+    const Placed placed{serial, block};
+    ground_.set(at, content, serial, {&placed, 1});
+    const PolygonHandle handle{at.ref(), serial};
+    if (!handles.empty()) handles[0] = handle;
+    return handle;
+  }
+  Expected<PolygonHandle> addToCell(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles);
+  Expected<const InternedShape*> known(Cell cell, ShapeId shape) const;
+
+  // An edit of one cell: its polygons become `entries_`, which are changed, and set.
+  void open(Cell cell);
+  void place(PolygonId polygon, Block block);
+  Expected<void> check();
+  Expected<ContentId> content();
+  void set(ContentId content);
+  Expected<PolygonHandle> close(std::span<PolygonHandle> handles = {});
+  Error overlap();
+
+  Ground& ground_;
+  // The edit under way. The vectors are kept from one edit to the next, to spare allocations.
+  Cell cell_;
+  CellAt at_;
+  std::uint32_t lastSerial_ = 0, newOnes_ = 0;
+  ContentId content_ = kEmptyContent;
+  std::vector<Entry> entries_;  ///< sorted by polygon
+  std::vector<Placed> placed_;
+  std::vector<PolygonId> ids_;
+  std::vector<std::uint8_t> known_;
+  std::vector<std::pair<Slot, Slot>> kept_;
+};
+
+}  // namespace lgs::detail

@@ -1,0 +1,110 @@
+#include "ground/ground.h"
+
+#include <bit>
+
+namespace lgs::detail {
+
+Ground::Ground(const Ground& other)
+    : preserve(other.preserve),
+      catalogue(other.catalogue),
+      grid(other.grid),
+      lists_(other.lists_),
+      changed_(other.changed_),
+      notes_(other.notes_),
+      dropped_(other.dropped_),
+      forgotten_(other.forgotten_),
+      isNoting_(other.isNoting_) {
+  for (Chunk*& chunk : changed_) chunk = grid.chunks()[chunk->index - 1].get();
+}
+
+std::optional<Slot> Ground::slotOf(PolygonHandle handle) const {
+  const CellAt at = grid.find(handle.cellRef);
+  const std::size_t count = content(at).polygons.size();
+  for (Slot slot = 0; slot < count; ++slot)
+    if (placed(at)[slot].serial == handle.serial) return slot;
+  return std::nullopt;
+}
+
+CellWord Ground::makeList(ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
+  const RecordArena::Ref ref = lists_.allocate(PolygonList::sizeOf(polygons.size()));
+  std::uint32_t* out = lists_.at(ref);
+  *out++ = wordOf(content, static_cast<std::uint32_t>(polygons.size()));
+  *out++ = lastSerial;
+  for (const Placed& placed : polygons) {
+    *out++ = placed.serial;
+    *out++ = placed.block;
+  }
+  return kListBit | ref;
+}
+
+void Ground::dropList(CellWord word) {
+  const PolygonList old = list(word);
+  catalogue.release(old.content());
+  lists_.release(word & ~kListBit, PolygonList::sizeOf(old.size()));
+}
+
+void Ground::commit() {
+  for (std::size_t k = changed_.size(); k-- != 0;) {  // backwards, so that going back meets them in order
+    Chunk& chunk = *changed_[k];
+    for (RowMask rows = chunk.dirtyRows; rows != 0; rows &= rows - 1) {
+      const auto row = static_cast<std::uint32_t>(std::countr_zero(rows));
+      if (isNoting_) notes_.push_back({chunk.index * kChunkSize + row, chunk.dirty[row], 0, Note::Of::row});
+      chunk.dirty[row] = 0;
+    }
+    chunk.dirtyRows = 0;
+  }
+  changed_.clear();
+  catalogue.collect();
+}
+
+// The note takes over what the word stands for.
+void Ground::note(CellAt at) {
+  const bool isChanged = (at.chunk->dirty[at.row()] & at.bit()) != 0;
+  notes_.push_back(
+      {at.ref(), at.word(), at.chunk->block(at.local), isChanged ? Note::Of::changedCell : Note::Of::cell});
+}
+
+void Ground::undo(const Note& note) {
+  if (note.of == Note::Of::row) {
+    Chunk& chunk = *grid.chunks()[note.ref / kChunkSize - 1];
+    if (chunk.dirtyRows == 0) changed_.push_back(&chunk);
+    chunk.dirtyRows |= RowMask{1} << note.ref % kChunkSize;
+    chunk.dirty[note.ref % kChunkSize] = note.word;
+    return;
+  }
+  const CellAt at = grid.find(note.ref);
+  drop(at.word());
+  at.word() = note.word;
+  if (!isListed(at) && note.word >> kLowBits != kEmptyContent) at.chunk->setBlock(at.local, note.block);
+  at.chunk->facts[at.local] = catalogue.facts(contentId(at));
+  if (note.of == Note::Of::changedCell) return;
+  at.chunk->dirty[at.row()] &= ~at.bit();
+  if (at.chunk->dirty[at.row()] == 0) at.chunk->dirtyRows &= ~(RowMask{1} << at.row());
+  if (at.chunk->dirtyRows == 0) changed_.pop_back();  // the edit was the first in its chunk
+}
+
+void Ground::goBack(const Moment& moment) {
+  for (; now().notes > moment.notes; notes_.pop_back()) undo(notes_.back());
+  grid.forgetChunks(moment.chunks);
+  catalogue.forgetShapes(moment.shapes);
+}
+
+void Ground::stopNoting() {
+  isNoting_ = false;
+  forgetBefore(now());
+}
+
+void Ground::forgetBefore(const Moment& moment) {
+  for (; forgotten_ + dropped_ < moment.notes; ++dropped_)
+    if (notes_[dropped_].of != Note::Of::row) drop(notes_[dropped_].word);
+  if (dropped_ < notes_.size() / 2) return;  // the rest moves to the front seldom
+  notes_.erase(notes_.begin(), notes_.begin() + static_cast<std::ptrdiff_t>(dropped_));
+  forgotten_ += std::exchange(dropped_, 0);
+}
+
+std::uint64_t Ground::bytes() const {
+  return grid.bytes() + catalogue.bytes() + lists_.bytes() + changed_.capacity() * sizeof changed_[0] +
+         notes_.capacity() * sizeof notes_[0];
+}
+
+}  // namespace lgs::detail

@@ -1,0 +1,135 @@
+// What stands where: the cells of a world and the polygons in them. It knows no segment. Every edit, whatever its door,
+// ends in one primitive, set(): this cell holds these polygons from now on.
+//
+// The ground says which cells changed since the last commit. Views, such as the outline, are brought up to date by that.
+#pragma once
+
+#include "ground/catalogue.h"
+#include "ground/cell.h"
+#include "ground/grid.h"
+#include "storage/record_arena.h"
+
+#include <lgs/world.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace lgs::detail {
+
+class Ground {
+ public:
+  explicit Ground(PreserveRelation relation) : preserve(std::move(relation)) {}
+  Ground(const Ground& other);
+  Ground& operator=(const Ground&) = delete;
+  ~Ground() = default;
+
+  // --- What stands where. A cell may be without chunk: then it holds nothing.
+
+  ContentId contentId(CellAt at) const {
+    if (!at) return kEmptyContent;
+    return isListed(at) ? list(at.word()).content() : at.word() >> kLowBits;
+  }
+  const InternedContent& content(CellAt at) const { return catalogue.content(contentId(at)); }
+  /// Of a cell that holds polygons.
+  PlacedBySlot placed(CellAt at) const {
+    if (isListed(at)) return PlacedBySlot(list(at.word()));
+    return PlacedBySlot(Placed{at.word() & kLowMask, at.chunk->block(at.local)});
+  }
+  /// The serial given out last in the cell.
+  std::uint32_t lastSerial(CellAt at) const {
+    if (!at) return 0;
+    return isListed(at) ? list(at.word()).lastSerial() : at.word() & kLowMask;
+  }
+  static bool isListed(CellAt at) { return (at.word() & kListBit) != 0; }
+  std::optional<Slot> slotOf(PolygonHandle handle) const;
+  bool keeps(Block a, Block b) const { return preserve && (a < b ? preserve(a, b) : preserve(b, a)); }
+
+  PreserveRelation preserve;
+  Catalogue catalogue;
+  Grid grid;
+
+  // --- The primitive
+
+  /// Gives a cell these polygons, by slot of this content, and notes that it changed.
+  void set(CellAt at, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
+    catalogue.use(content);
+    if (isNoting_)
+      note(at);
+    else
+      drop(at.word());
+    if (fitsWord(lastSerial, polygons)) {
+      at.word() = wordOf(content, lastSerial);
+      if (!polygons.empty()) at.chunk->setBlock(at.local, polygons[0].block);
+    } else {
+      at.word() = makeList(content, lastSerial, polygons);
+    }
+    touch(at, catalogue.facts(content));
+  }
+
+  // --- What changed since the last commit
+
+  /// The chunks with changed cells, in the order of their first change. Chunk::dirty says which cells these are.
+  std::span<Chunk* const> changedChunks() const { return changed_; }
+  /// From now on nothing has changed.
+  void commit();
+
+  // --- Going back: while it notes, the ground can go back to any moment since it began to.
+
+  struct Moment {
+    std::uint64_t notes = 0;  ///< how many there ever were
+    std::size_t chunks = 0;
+    std::uint64_t shapes = 0;
+  };
+  Moment now() const { return {forgotten_ + notes_.size(), grid.chunks().size(), catalogue.shapeCount()}; }
+  bool isNoting() const { return isNoting_; }
+  void startNoting() { isNoting_ = true; }
+  /// Stops noting, and forgets all notes.
+  void stopNoting();
+  void forgetBefore(const Moment& moment);
+  void goBack(const Moment& moment);
+
+  std::uint64_t bytes() const;
+
+ private:
+  /// A cell before an edit, with all that its word stands for; or a row of changed cells before a commit.
+  struct Note {
+    enum class Of : std::uint32_t { cell, changedCell, row };  // changed: since the commit before
+    std::uint32_t ref = 0;                                     ///< of the cell; of a row 32 * Chunk::index + row
+    std::uint32_t word = 0;                                    ///< of the cell; the bits of the row
+    Block block = 0;
+    Of of = Of::cell;
+  };
+
+  PolygonList list(CellWord word) const { return PolygonList(lists_.at(word & ~kListBit)); }
+  CellWord makeList(ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons);
+  /// Lets go of what a word stands for.
+  void drop(CellWord word) {
+    if ((word & kListBit) != 0)
+      dropList(word);
+    else
+      catalogue.release(word >> kLowBits);
+  }
+  void dropList(CellWord word);
+  void touch(CellAt at, Facts facts) {
+    Chunk& chunk = *at.chunk;
+    if (chunk.dirtyRows == 0) changed_.push_back(&chunk);
+    chunk.dirtyRows |= RowMask{1} << at.row();
+    chunk.dirty[at.row()] |= at.bit();
+    chunk.facts[at.local] = facts;
+    chunk.everFacts |= facts;
+  }
+  void note(CellAt at);
+  void undo(const Note& note);
+
+  RecordArena lists_;
+  std::vector<Chunk*> changed_;
+  std::vector<Note> notes_;
+  std::size_t dropped_ = 0;      ///< notes at the front of the vector that are forgotten already
+  std::uint64_t forgotten_ = 0;  ///< notes that are gone from the front of the vector
+  bool isNoting_ = false;
+};
+
+}  // namespace lgs::detail

@@ -1,0 +1,118 @@
+#include "ground/places.h"
+
+#include "geometry/relation.h"
+#include "geometry/sort.h"
+
+#include <algorithm>
+
+namespace lgs::detail {
+namespace {
+
+/// Where a point lies as to one polygon.
+Spot::Where locate(PolygonView polygon, LocalPoint p) {
+  Sight sight;
+  look(p, p, polygon, sight);
+  if (sight.inside) return Spot::Where::inside;
+  return sight.outside ? Spot::Where::outside : Spot::Where::edge;
+}
+
+}  // namespace
+
+void polygonsOf(const Ground& ground, Cell cell, std::vector<PlacedPolygon>& out) {
+  out.clear();
+  const CellAt at = ground.grid.find(cell);
+  const std::vector<PolygonId>& polygons = ground.content(at).polygons;
+  for (std::size_t slot = 0; slot < polygons.size(); ++slot) {
+    const Placed placed = ground.placed(at)[static_cast<Slot>(slot)];
+    out.push_back({{at.ref(), placed.serial}, placed.block, ground.catalogue.vertices(polygons[slot])});
+  }
+  detail::sort(out, [](const auto& a, const auto& b) { return a.handle < b.handle; });
+}
+
+std::optional<PlacedPolygon> polygonOf(const Ground& ground, PolygonHandle handle) {
+  const auto slot = ground.slotOf(handle);
+  if (!slot) return std::nullopt;
+  const CellAt at = ground.grid.find(handle.cellRef);
+  return PlacedPolygon{handle, ground.placed(at)[*slot].block,
+                       ground.catalogue.vertices(ground.content(at).polygons[*slot])};
+}
+
+void forEachPolygon(const Ground& ground, const CellRect& cells, const World::PolygonVisitor& visit) {
+  if (lgs::isEmpty(cells)) return;
+  std::vector<PlacedPolygon> polygons;
+  ground.grid.forEachCell(cells, [&](CellAt, Cell cell) {
+    polygonsOf(ground, cell, polygons);
+    for (const PlacedPolygon& polygon : polygons) visit(cell, polygon);
+  });
+}
+
+std::optional<CellRect> boundsOf(const Ground& ground) {
+  std::optional<CellRect> bounds;
+  ground.grid.forEachCell(kWholeWorld, [&](CellAt at, Cell cell) {
+    if (ground.contentId(at) == kEmptyContent) return;
+    if (!bounds) bounds = CellRect{cell, cell};
+    bounds->min = {std::min(bounds->min.i, cell.i), std::min(bounds->min.j, cell.j)};
+    bounds->max = {std::max(bounds->max.i, cell.i), std::max(bounds->max.j, cell.j)};
+  });
+  return bounds;
+}
+
+Spot spotAt(const Ground& ground, Point p) {
+  Spot spot;
+  if (!inRange(p)) return spot;
+  spot.cell = lgs::cellAt(p);
+  std::vector<PlacedPolygon> polygons;
+  // On a common side a point is in the closed cells on both sides of it.
+  const Cell low = lgs::cellAt(Point{p.x - 1, p.y - 1}), high = lgs::cellAt(p);
+  for (Cell cell = low; cell.j <= high.j; ++cell.j) {
+    for (cell.i = low.i; cell.i <= high.i; ++cell.i) {
+      polygonsOf(ground, cell, polygons);
+      const Point origin = toWorld(cell, {});
+      const LocalPoint local{static_cast<std::int32_t>(p.x - origin.x), static_cast<std::int32_t>(p.y - origin.y)};
+      for (const PlacedPolygon& polygon : polygons) {
+        const Spot::Where where = locate(polygon.vertices, local);
+        if (where == Spot::Where::outside || spot.where == where) continue;
+        spot = {where, polygon.handle, polygon.block, cell};
+        if (where == Spot::Where::inside) return spot;
+      }
+    }
+  }
+  return spot;
+}
+
+bool holdsPolygonsOf(const Ground& ground, const Ground& other) {
+  using Polygon = std::pair<std::vector<LocalPoint>, Block>;
+  std::vector<PlacedPolygon> placed;
+  const auto read = [&placed](const Ground& from, Cell cell) {
+    std::vector<Polygon> out;
+    polygonsOf(from, cell, placed);
+    for (const PlacedPolygon& p : placed) {
+      out.emplace_back(std::vector(p.vertices.begin(), p.vertices.end()), p.block);
+      std::vector<LocalPoint>& vertices = out.back().first;
+      std::rotate(vertices.begin(), std::min_element(vertices.begin(), vertices.end()), vertices.end());
+    }
+    detail::sort(out);
+    return out;
+  };
+  return std::ranges::all_of(other.grid.chunks(), [&](const auto& chunk) {
+    for (CellAt at{chunk.get(), 0}; at.local < kChunkCells; ++at.local)
+      if (other.contentId(at) != kEmptyContent && read(ground, at.cell()) != read(other, at.cell())) return false;
+    return true;
+  });
+}
+
+void count(const Ground& ground, Stats& stats) {
+  for (const auto& chunk : ground.grid.chunks()) {
+    for (CellAt at{chunk.get(), 0}; at.local < kChunkCells; ++at.local) {
+      const std::size_t polygons = ground.content(at).polygons.size();
+      stats.polygons += polygons;
+      stats.cells += polygons > 0;
+    }
+  }
+  stats.shapes = ground.catalogue.shapeCount();
+  stats.contents = ground.catalogue.contentCount();
+  stats.chunks = ground.grid.chunks().size();
+  stats.bytes += ground.bytes();
+}
+
+}  // namespace lgs::detail

@@ -1,0 +1,170 @@
+// The ground as bytes. docs/snapshot.md has the format; load.cpp reads it.
+#include "geometry/sort.h"
+#include "ground/snapshot.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace lgs::detail {
+namespace {
+
+/// Numbers the contents of cells by their first use, and polygons by their vertices. So worlds that look alike give the
+/// same bytes, whatever their history.
+class Numbers {
+ public:
+  explicit Numbers(const Ground& ground) : ground_(ground) {
+    ofContent_.assign(ground.catalogue.contentLimit(), kNone);
+    ofPolygon_.assign(ground.catalogue.polygonLimit(), kNone);
+    for (const auto& chunk : ground.grid.chunks())
+      for (std::uint32_t local = 0; local < kChunkCells; ++local) use(ground.contentId({chunk.get(), local}));
+    for (std::uint32_t k = 1; const InternedShape* shape = ground.catalogue.shape(ShapeId{k}); ++k)
+      for (const PolygonId polygon : shape->polygons) ofPolygon_[polygon] = 0;
+    for (PolygonId id = 0; id < ofPolygon_.size(); ++id)
+      if (ofPolygon_[id] != kNone) polygons_.push_back(id);
+    detail::sort(polygons_, [&](PolygonId a, PolygonId b) {
+      return std::ranges::lexicographical_compare(ground.catalogue.vertices(a), ground.catalogue.vertices(b));
+    });
+    for (std::uint32_t number = 0; number < polygons_.size(); ++number) ofPolygon_[polygons_[number]] = number;
+  }
+
+  /// The slots of a content by the numbers of their polygons: the slots that the content will have in a loaded world.
+  std::vector<Slot> slots(const InternedContent& content) const {
+    std::vector<Slot> slots(content.polygons.size());
+    std::iota(slots.begin(), slots.end(), Slot{0});
+    detail::sort(slots, [&](Slot a, Slot b) { return of(content.polygons[a]) < of(content.polygons[b]); });
+    return slots;
+  }
+
+  const std::vector<PolygonId>& polygons() const { return polygons_; }
+  const std::vector<ContentId>& contents() const { return contents_; }
+  std::uint32_t of(PolygonId polygon) const { return ofPolygon_[polygon]; }
+  /// From 1; the empty content is 0.
+  std::uint32_t ofContent(ContentId content) const {
+    return content == kEmptyContent ? 0 : ofContent_[content];
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffff'ffff;
+
+  void use(ContentId content) {
+    if (content == kEmptyContent || ofContent_[content] != kNone) return;
+    contents_.push_back(content);
+    ofContent_[content] = static_cast<std::uint32_t>(contents_.size());
+    for (const PolygonId polygon : ground_.catalogue.content(content).polygons) ofPolygon_[polygon] = 0;
+  }
+
+  const Ground& ground_;
+  std::vector<std::uint32_t> ofContent_, ofPolygon_;
+  std::vector<ContentId> contents_;
+  std::vector<PolygonId> polygons_;
+};
+
+class Save {
+ public:
+  Save(const Ground& ground, SnapshotWriter& out) : ground_(ground), numbers_(ground), out_(out) {}
+
+  void run() {
+    out_.byte(ground_.preserve ? 1 : 0);
+    polygons();
+    contents();
+    shapes();
+    chunks();
+  }
+
+ private:
+  void polygons() {
+    out_.number(numbers_.polygons().size());
+    for (const PolygonId id : numbers_.polygons()) {
+      const PolygonView vertices = ground_.catalogue.vertices(id);
+      out_.number(vertices.size());
+      for (const LocalPoint v : vertices) {
+        out_.number(static_cast<std::uint64_t>(v.x));
+        out_.number(static_cast<std::uint64_t>(v.y));
+      }
+    }
+  }
+
+  void contents() {
+    out_.number(numbers_.contents().size());
+    for (const ContentId id : numbers_.contents()) {
+      const InternedContent& content = ground_.catalogue.content(id);
+      const std::vector<Slot> slots = numbers_.slots(content);
+      std::vector<Slot> after(slots.size());  // the new slot of an old one
+      out_.number(slots.size());
+      for (std::size_t k = 0; k < slots.size(); ++k) {
+        after[slots[k]] = static_cast<Slot>(k);
+        out_.number(numbers_.of(content.polygons[slots[k]]));
+      }
+      std::vector<std::pair<Slot, Slot>> preserved;
+      for (const auto& [a, b] : content.preserved) preserved.push_back(std::minmax(after[a], after[b]));
+      detail::sort(preserved);
+      out_.number(preserved.size());
+      for (const auto& [a, b] : preserved) {
+        out_.number(a);
+        out_.number(b);
+      }
+    }
+  }
+
+  void shapes() {
+    out_.number(ground_.catalogue.shapeCount());
+    for (std::uint32_t k = 1; k <= ground_.catalogue.shapeCount(); ++k) {
+      const std::vector<PolygonId>& polygons = ground_.catalogue.shape(ShapeId{k})->polygons;
+      out_.number(polygons.size());
+      for (const PolygonId id : polygons) out_.number(numbers_.of(id));
+    }
+  }
+
+  void chunks() {
+    out_.number(ground_.grid.chunks().size());
+    std::int32_t ci = 0, cj = 0;
+    for (const auto& chunk : ground_.grid.chunks()) {
+      out_.number(folded(std::int64_t{chunk->ci} - ci));
+      out_.number(folded(std::int64_t{chunk->cj} - cj));
+      ci = chunk->ci;
+      cj = chunk->cj;
+      cells(*chunk);
+    }
+  }
+
+  /// Visits the cells of a chunk by rows.
+  template <class Visit>
+  static void forEachCell(const Chunk& chunk, Visit&& visit) {
+    for (std::uint32_t local = 0; local < kChunkCells; ++local) visit(CellAt{chunk.around[4], local});
+  }
+
+  void cells(const Chunk& chunk) {
+    std::vector<std::uint64_t> contents, serials, blocks;
+    forEachCell(chunk, [&](CellAt at) {
+      const ContentId content = ground_.contentId(at);
+      contents.push_back(std::uint64_t{numbers_.ofContent(content)} << 1 | (Ground::isListed(at) ? 1u : 0u));
+      if (Ground::isListed(at)) return;
+      serials.push_back(ground_.lastSerial(at));
+      if (content != kEmptyContent) blocks.push_back(ground_.placed(at)[0].block);
+    });
+    out_.runs(contents);
+    out_.runs(serials);
+    out_.runs(blocks);
+    forEachCell(chunk, [&](CellAt at) {
+      if (!Ground::isListed(at)) return;
+      out_.number(ground_.lastSerial(at));
+      for (const Slot slot : numbers_.slots(ground_.content(at))) {
+        const Placed placed = ground_.placed(at)[slot];
+        out_.number(placed.serial);
+        out_.number(placed.block);
+      }
+    });
+  }
+
+  const Ground& ground_;
+  Numbers numbers_;
+  SnapshotWriter& out_;
+};
+
+}  // namespace
+
+void save(const Ground& ground, SnapshotWriter& out) { Save(ground, out).run(); }
+
+}  // namespace lgs::detail

@@ -1,0 +1,14 @@
+// The ground as bytes, and from bytes: the first part of a snapshot. docs/snapshot.md has the format.
+#pragma once
+
+#include "ground/ground.h"
+#include "storage/snapshot_bytes.h"
+
+namespace lgs::detail {
+
+void save(const Ground& ground, SnapshotWriter& out);
+
+/// Fills a ground that is new. No byte is believed. All cells with polygons have changed then.
+void load(Ground& ground, SnapshotReader& in);
+
+}  // namespace lgs::detail

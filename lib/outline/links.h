@@ -1,0 +1,41 @@
+// Writes the links of segments, and lists those whose ghost has moved (law 6).
+#pragma once
+
+#include "outline/outline.h"
+
+#include <cstdint>
+
+namespace lgs::detail {
+
+class Links {
+ public:
+  Links(const Grid& grid, Outline& outline) : grid_(grid), outline_(outline), pool_(outline.segments) {}
+
+  void link(std::uint32_t incoming, std::uint32_t outgoing) {
+    setSuccessor(incoming, outgoing);
+    setPredecessor(outgoing, incoming);
+  }
+  void setPredecessor(std::uint32_t id, std::uint32_t now) {
+    SegmentRecord& s = pool_[id];
+    if (s.predecessor != now && s.predecessor != kUnlinked) changeStart(id, now);
+    s.predecessor = now;
+  }
+  void setSuccessor(std::uint32_t id, std::uint32_t now) {
+    SegmentRecord& s = pool_[id];
+    if (s.successor != now && s.successor != kUnlinked) changeEnd(id, now);
+    s.successor = now & kUnlinked;
+  }
+
+ private:
+  // Before a link changes that was there. It can change and the ghost stay: the other segment has the same far end. Then
+  // nothing is listed. These are in another file, so that they are not inlined: a first build never needs them, as no
+  // segment had a link before.
+  void changeStart(std::uint32_t id, std::uint32_t now);
+  void changeEnd(std::uint32_t id, std::uint32_t now);
+
+  const Grid& grid_;
+  Outline& outline_;
+  SegmentPool& pool_;
+};
+
+}  // namespace lgs::detail

@@ -1,0 +1,124 @@
+// The outline: the exposed edges of the ground as segments, each with its predecessor and its successor. It is the first
+// view of the ground: update() brings it up to date with the cells that changed. commit.cpp has the algorithm.
+#pragma once
+
+#include "ground/ground.h"
+#include "outline/segment_lists.h"
+#include "outline/segment_pool.h"
+#include "storage/versions.h"
+
+#include <lgs/world.h>
+
+#include <cstdint>
+#include <deque>
+#include <utility>
+#include <vector>
+
+namespace lgs::detail {
+
+/// What the lists have allocated.
+inline std::uint64_t bytesOf(const Changes& c) {
+  return (c.removed.capacity() + c.added.capacity() + c.relinked.capacity()) * sizeof(SegmentId);
+}
+
+class Outline {
+ public:
+  Outline() = default;
+  Outline(const Outline& other);
+  Outline& operator=(const Outline&) = delete;
+  ~Outline() = default;
+
+  /// Renews what the changed cells of the ground can have changed: the segments in them and beside them (law 5).
+  void update(const Ground& ground, const Executor& executor);
+
+  /// Of the last update. Ids in `removed` are available with the next one.
+  const Changes& changes() const { return changes_; }
+  std::uint64_t version() const { return version_; }
+
+  /// How many segments there are.
+  std::uint64_t liveCount() const { return segments.maxId() - segments.free().size() - changes_.removed.size(); }
+  /// Where a segment is.
+  Point startOf(const Grid& grid, std::uint32_t id) const {
+    return toWorld(grid.cellOf(segments[id].cellRef), segments[id].start());
+  }
+  Point endOf(const Grid& grid, std::uint32_t id) const {
+    return toWorld(grid.cellOf(segments[id].cellRef), segments[id].end());
+  }
+
+  SegmentPool segments;
+  SegmentLists lists;
+
+  // --- What the two phases do to it
+
+  /// A new segment. The caller puts it into the list of its cell.
+  std::uint32_t create(std::uint32_t cellRef, const PackedEnds& ends, Placed placed) {
+    const std::uint32_t id = segments.take();
+    segments[id] = newSegment(cellRef, ends, placed);
+    changes_.added.push_back({id});
+    return id;
+  }
+  void remove(std::uint32_t id) { changes_.removed.push_back({id}); }
+  /// As SegmentLists::splice().
+  std::uint32_t* splice(CellAt at, std::uint32_t begin, std::uint32_t removed, std::uint32_t added) {
+    if (note_) noteList(at);
+    return lists.splice(at, begin, removed, added);
+  }
+  /// Before a segment that was there changes.
+  void note(std::uint32_t id) {
+    if (note_) note_->segments.emplace_back(id, segments[id]);
+  }
+  void listRelinked(std::uint32_t id) {
+    if (segments[id].listed) return;
+    segments[id].listed = 1;
+    changes_.relinked.push_back({id});
+  }
+  /// Ids for as many new segments, in the order in which create() would take them.
+  std::span<const SegmentId> createIds(std::size_t count);
+
+  // --- Going back, as the ground does: there is a note for each update that changed something.
+
+  std::uint64_t now() const { return forgotten_ + notes_.size(); }
+  void startNoting() { isNoting_ = true; }
+  void stopNoting();
+  void forgetBefore(std::uint64_t moment);
+  /// `version` is that of the moment. `changes` receives what this does to the segments, by id. The ground must not
+  /// have gone back yet.
+  void goBack(const Grid& grid, std::uint64_t moment, std::uint64_t version, Changes& changes);
+
+  // --- Saving
+
+  /// A new outline gets ids up to `count`, of which some can be taken, and some were removed by the last update.
+  void load(std::uint32_t count, std::vector<std::uint32_t> free, std::span<const std::uint32_t> removed);
+  /// Links all segments of a ground whose cells have all changed.
+  void linkAll(const Ground& ground);
+
+  std::uint64_t bytes() const;
+
+ private:
+  /// What an update changed, and how that was before it.
+  struct Note {
+    Changes changes;
+    std::vector<SegmentId> removedBefore;  ///< by the update before; this one recycled them
+    std::uint32_t topBefore = 0;           ///< one more than the greatest id
+    std::vector<std::pair<std::uint32_t, SegmentRecord>> segments;  ///< by id, in the order in which they changed
+    std::vector<std::uint32_t> lists;  ///< in that order the words of each list, how many these are, and the cell
+  };
+
+  void begin();
+  void finish();
+  void noteList(CellAt at);
+  void undo(const Grid& grid, const Note& note);
+
+  Changes changes_;
+  Versions versions_;
+  std::uint64_t version_ = 0;
+  std::deque<Note> notes_;
+  std::uint64_t forgotten_ = 0;  ///< notes that are gone from the front
+  Note* note_ = nullptr;         ///< of the update under way
+  bool isNoting_ = false;
+  // Working memory. It is kept from one update to the next, to spare allocations.
+  std::vector<std::uint32_t> ids_;
+  std::vector<Spoke> fan_;
+};
+
+}  // namespace lgs::detail

@@ -1,0 +1,144 @@
+// Which segment is nearest to a point, and which one a ray meets first. Every comparison is one of integers or of
+// fractions of integers.
+#include "ground/refusal.h"
+#include "outline/read.h"
+#include "outline/segment_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <tuple>
+
+namespace lgs::detail {
+namespace {
+
+double inCells(double units) { return units / kUnitsPerCell; }
+
+/// A part of the way from one point to another, in cells.
+DoublePoint pointOn(Point from, Point to, double part) {
+  return {inCells(static_cast<double>(from.x) + part * static_cast<double>(to.x - from.x)),
+          inCells(static_cast<double>(from.y) + part * static_cast<double>(to.y - from.y))};
+}
+
+/// A cell that may lie just beyond the last one: nothing is there.
+struct CellIndex {
+  std::int64_t i = 0;
+  std::int64_t j = 0;
+};
+
+/// The cells of the world whose closed squares are at most `reach` lattice units away from a point on each axis.
+CellRect cellsWithin(Point p, std::int64_t reach) {
+  const auto clamped = [](std::int64_t at) { return std::clamp<std::int64_t>(at >> kCellBits, -kMaxCell, kMaxCell); };
+  const auto cell = [&](std::int64_t x, std::int64_t y) {
+    return Cell{static_cast<std::int32_t>(clamped(x)), static_cast<std::int32_t>(clamped(y))};
+  };
+  return {cell(p.x - reach - 1, p.y - reach - 1), cell(p.x + reach, p.y + reach)};
+}
+
+/// Rounded down.
+constexpr std::int64_t floorOf(std::int64_t numerator, std::int64_t denominator) {
+  return numerator / denominator - (numerator % denominator < 0 ? 1 : 0);
+}
+
+/// The closed cells that a ray touches, slab by slab. A slab is a column if the ray is wider than high, and a row if it
+/// is higher than wide. Calls visit(cell) for the cells of a slab, then slabDone(), which says whether to go on.
+template <class Visit, class SlabDone>
+void walk(const Ray& ray, Visit&& visit, SlabDone&& slabDone) {
+  const std::int64_t width = ray.to.x - ray.from.x, height = ray.to.y - ray.from.y;
+  const bool byColumns = std::abs(width) >= std::abs(height);
+  const std::int64_t from = byColumns ? ray.from.x : ray.from.y, to = byColumns ? ray.to.x : ray.to.y;
+  const std::int64_t otherFrom = byColumns ? ray.from.y : ray.from.x, otherTo = byColumns ? ray.to.y : ray.to.x;
+  const std::int64_t length = std::abs(to - from), slope = otherTo - otherFrom, step = to < from ? -1 : 1;
+  // A point on a common side is in the cells on both sides of it.
+  const auto lowest = [](std::int64_t at) { return (at - 1) >> kCellBits; };
+  const auto highest = [](std::int64_t at) { return at >> kCellBits; };
+  const std::int64_t first = step > 0 ? lowest(from) : highest(from), last = step > 0 ? highest(to) : lowest(to);
+  for (std::int64_t slab = first; slab != last + step; slab += step) {
+    // The part of the ray that is in this slab, as distances from its start; then how far across it gets there.
+    const std::int64_t low = slab << kCellBits, high = low + kUnitsPerCell;
+    const std::int64_t enter = std::max<std::int64_t>(0, step > 0 ? low - from : from - high);
+    const std::int64_t leave = std::min(length, step > 0 ? high - from : from - low);
+    const auto across = [&](std::int64_t distance) {
+      return length == 0 ? otherFrom : otherFrom + floorOf(slope * distance, length);
+    };
+    const std::int64_t a = across(enter), b = across(leave);
+    for (std::int64_t other = lowest(std::min(a, b)); other <= highest(std::max(a, b) + 1); ++other)
+      visit(byColumns ? CellIndex{slab, other} : CellIndex{other, slab});
+    if (!slabDone(leave, length)) return;
+  }
+}
+
+Edge edgeOf(const Grid& grid, const Outline& outline, std::uint32_t id) {
+  return {outline.startOf(grid, id), outline.endOf(grid, id)};
+}
+
+/// Of two segments that a question can not tell apart: the order that no history has a part in.
+bool comesFirst(const Grid& grid, const Outline& outline, std::uint32_t a, std::uint32_t b) {
+  const auto key = [&](std::uint32_t id) {
+    return std::tuple(outline.startOf(grid, id), outline.endOf(grid, id), outline.segments[id].block);
+  };
+  return key(a) < key(b);
+}
+
+}  // namespace
+
+// Looks at ever larger squares around the point: what is found in one is the answer if nothing outside can be nearer.
+Expected<Nearest> nearest(const Grid& grid, const Outline& outline, Point p, double radius) {
+  if (!inRange(p) || !(radius >= 0 && radius <= kMaxRadius)) return refuse({.code = ErrorCode::outOfReach});
+  const auto squared = [](std::int64_t distance) {
+    return SquaredDistance{{0, static_cast<std::uint64_t>(distance * distance)}, 1};
+  };
+  const std::int64_t most = std::llround(radius * kUnitsPerCell);
+  std::uint32_t nearest = kNoSegment;
+  NearestOnEdge best{squared(most), {}};
+  for (std::int64_t reach = std::min<std::int64_t>(most, kUnitsPerCell);; reach = std::min(most, 2 * reach)) {
+    grid.forEachCell(cellsWithin(p, reach), [&](CellAt at, Cell) {
+      for (const std::uint32_t id : outline.lists.of(at).all()) {
+        const NearestOnEdge here = nearestOnEdge(edgeOf(grid, outline, id), p);
+        const auto order = here.squared <=> best.squared;
+        if (order > 0) continue;
+        if (order == 0 && nearest != kNoSegment && !comesFirst(grid, outline, id, nearest)) continue;
+        best = here;
+        nearest = id;
+      }
+    });
+    if (reach == most || (nearest != kNoSegment && best.squared <= squared(reach))) break;
+  }
+  if (nearest == kNoSegment) return Nearest{};
+  const double part = static_cast<double>(best.along.numerator) / static_cast<double>(best.along.denominator);
+  return Nearest{{nearest}, pointOn(outline.startOf(grid, nearest), outline.endOf(grid, nearest), part), inCells(std::sqrt(best.squared.value()))};
+}
+
+Expected<RayHit> rayCast(const Grid& grid, const Outline& outline, Point from, Point to) {
+  constexpr std::int64_t kMax = std::int64_t{kMaxRay} * kUnitsPerCell;
+  if (!inRange(from) || !inRange(to) || std::abs(to.x - from.x) > kMax || std::abs(to.y - from.y) > kMax)
+    return refuse({.code = ErrorCode::outOfReach});
+  const Ray ray{from, to};
+  const auto find = [&](CellIndex cell) {
+    if (std::abs(cell.i) > kMaxCell || std::abs(cell.j) > kMaxCell) return CellAt{};
+    return grid.find(Cell{static_cast<std::int32_t>(cell.i), static_cast<std::int32_t>(cell.j)});
+  };
+  Fraction best;
+  std::uint32_t first = kNoSegment;
+  walk(
+      ray,
+      [&](CellIndex cell) {
+        const CellAt here = find(cell);
+        for (const std::uint32_t id : outline.lists.of(here).all()) {
+          Fraction at;
+          if (!meets(ray, edgeOf(grid, outline, id), at)) continue;
+          const auto order = at <=> best;
+          if (first != kNoSegment && (order > 0 || (order == 0 && !comesFirst(grid, outline, id, first)))) continue;
+          best = at;
+          first = id;
+        }
+      },
+      [&](std::int64_t passed, std::int64_t length) {  // what comes later is met there at the earliest
+        return first == kNoSegment || !(best < Fraction{passed, length});
+      });
+  if (first == kNoSegment) return RayHit{};
+  const double fraction = static_cast<double>(best.numerator) / static_cast<double>(best.denominator);
+  return RayHit{{first}, fraction, pointOn(from, to, fraction), segmentOf(grid, outline, first).normal()};
+}
+
+}  // namespace lgs::detail

@@ -1,0 +1,50 @@
+#include "outline/segment_lists.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace lgs::detail {
+
+SegmentLists::ShownChunk& SegmentLists::obtain(const Chunk& chunk) {
+  if (chunk.index >= chunks_.size()) chunks_.resize(std::size_t{chunk.index} + 1);
+  Owned<ShownChunk>& shown = chunks_[chunk.index];
+  if (!shown) shown = Owned(std::make_unique<ShownChunk>());
+  return *shown;
+}
+
+std::uint32_t* SegmentLists::splice(CellAt at, std::uint32_t begin, std::uint32_t removed, std::uint32_t added) {
+  ShownChunk& shown = obtain(*at.chunk);
+  RecordArena::Ref& ref = shown.lists[at.local];
+  const RecordArena::Ref old = ref;
+  const std::uint32_t before = old != 0 ? CellSegments(arena_.at(old)).count() : 0, count = before - removed + added;
+  const std::uint32_t oldSize = Layout::kWords + before, newSize = Layout::kWords + count;
+  RowMask& live = shown.live[at.row()];
+  if (count == 0) {
+    live &= ~at.bit();
+    if (old != 0) arena_.release(old, oldSize);
+    ref = 0;
+    return nullptr;
+  }
+  if (old == 0) {
+    live |= at.bit();
+    ref = arena_.allocate(newSize);
+    return arena_.at(ref);
+  }
+  const std::uint32_t *from = arena_.at(old), keep = Layout::kWords + begin, rest = keep + removed;
+  if (!RecordArena::sameSize(newSize, oldSize)) {
+    ref = arena_.allocate(newSize);
+    std::copy_n(from, keep, arena_.at(ref));
+  }
+  std::uint32_t* words = arena_.at(ref);
+  std::memmove(words + keep + added, from + rest, (oldSize - rest) * sizeof *from);
+  if (ref != old) arena_.release(old, oldSize);
+  return words;
+}
+
+std::uint64_t SegmentLists::bytes() const {
+  std::uint64_t sum = chunks_.capacity() * sizeof chunks_[0] + arena_.bytes();
+  for (const auto& shown : chunks_) sum += shown ? sizeof *shown : 0;
+  return sum;
+}
+
+}  // namespace lgs::detail

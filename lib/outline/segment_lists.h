@@ -1,0 +1,55 @@
+// Which segments each cell shows, as of the last commit: a list of ids for each cell that shows some.
+#pragma once
+
+#include "ground/chunk.h"
+#include "outline/layout.h"
+#include "storage/owned.h"
+#include "storage/record_arena.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace lgs::detail {
+
+class SegmentLists {
+ public:
+  /// Empty for a cell without chunk.
+  CellSegments of(CellAt at) const {
+    const ShownChunk* shown = at ? shownBy(*at.chunk) : nullptr;
+    const RecordArena::Ref ref = shown ? shown->lists[at.local] : 0;
+    return CellSegments(ref != 0 ? arena_.at(ref) : kNothing.data());
+  }
+  bool isLive(CellAt at) const { return (liveRow(*at.chunk, at.row()) & at.bit()) != 0; }
+  /// The cells in a row of a chunk that show segments.
+  RowMask liveRow(const Chunk& chunk, std::uint32_t row) const {
+    const ShownChunk* shown = shownBy(chunk);
+    return shown ? shown->live[row] : 0;
+  }
+
+  /// Takes `removed` ids out of a cell's list, from index `begin` on, and makes room for `added` there. Returns the
+  /// words of the list, into which the caller writes these ids and the new layout; null if the cell shows nothing now.
+  std::uint32_t* splice(CellAt at, std::uint32_t begin, std::uint32_t removed, std::uint32_t added);
+  /// The words of a list that is there.
+  std::uint32_t* words(CellAt at) { return arena_.at(shownBy(*at.chunk)->lists[at.local]); }
+
+  std::uint64_t bytes() const;
+
+ private:
+  /// What a chunk shows. Only chunks that show segments, or did, have one.
+  struct ShownChunk {
+    std::array<RowMask, kChunkSize> live{};             ///< cells that have a list
+    std::array<RecordArena::Ref, kChunkCells> lists{};  ///< 0 if the cell has none
+  };
+  static constexpr std::array<std::uint32_t, Layout::kWords + 1> kNothing{};
+
+  ShownChunk* shownBy(const Chunk& chunk) const {
+    return chunk.index < chunks_.size() ? chunks_[chunk.index].get() : nullptr;
+  }
+  ShownChunk& obtain(const Chunk& chunk);
+
+  std::vector<Owned<ShownChunk>> chunks_;  ///< by Chunk::index
+  RecordArena arena_;
+};
+
+}  // namespace lgs::detail

@@ -1,0 +1,115 @@
+// The segments by id. Ids are dense, and pages never move. A removed segment keeps its data until its id is used again,
+// so that a commit can still read its ends.
+#pragma once
+
+#include "ground/cell.h"
+#include "ground/edge.h"
+#include "storage/pages.h"
+
+#include <lgs/ids.h>
+#include <lgs/lattice.h>
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace lgs::detail {
+
+inline constexpr std::uint32_t kNoSegment = 0;
+
+/// An id has 31 bits, so that a record has room for a flag. The greatest is no id: it is the link of a segment that is
+/// new and has none yet.
+inline constexpr std::uint32_t kUnlinked = (1u << 31) - 1;
+inline constexpr std::uint32_t kMaxSegment = kUnlinked - 1;
+
+struct SegmentRecord {
+  std::uint32_t predecessor;
+  std::uint32_t successor : 31;
+  std::uint32_t listed : 1;  ///< already among the relinked of the commit under way
+  std::uint32_t cellRef;     ///< 0: not alive
+  Block block;
+  std::uint32_t serial : 28;
+  std::uint32_t high : 4;
+  std::uint32_t from;
+  std::uint32_t to;
+
+  PackedEnds ends() const { return {from, to, high}; }
+  LocalPoint start() const { return ends().start(); }
+  LocalPoint end() const { return ends().end(); }
+};
+static_assert(sizeof(SegmentRecord) == 28);
+
+/// The record of a segment that has no links yet.
+inline SegmentRecord newSegment(std::uint32_t cellRef, const PackedEnds& ends, Placed placed) {
+  return {.predecessor = kUnlinked,
+          .successor = kUnlinked,
+          .listed = 0,
+          .cellRef = cellRef,
+          .block = placed.block,
+          .serial = placed.serial & kMaxSerial,
+          .high = ends.high & 0xfu,
+          .from = ends.from,
+          .to = ends.to};
+}
+
+class SegmentPool {
+ public:
+  SegmentPool() {
+    const std::uint32_t none = take();
+    (*this)[none] = SegmentRecord{};  // so that a dangling link, should there ever be one, can be followed
+  }
+
+  SegmentRecord& operator[](std::uint32_t id) { return pages_[id / kPage][id % kPage]; }
+  const SegmentRecord& operator[](std::uint32_t id) const { return pages_[id / kPage][id % kPage]; }
+
+  /// An id for a new segment. The caller writes its record.
+  std::uint32_t take() {
+    if (!free_.empty()) {
+      const std::uint32_t id = free_.back();
+      free_.pop_back();
+      return id;
+    }
+    if (top_ % kPage == 0) addPage();
+    return top_++;
+  }
+  /// Makes an id available again. Its record must say that it is not alive.
+  void recycle(std::uint32_t id) { free_.push_back(id); }
+
+  /// Undoes a commit. It took the ids `taken`, in this order, after it had recycled `recycled` ids. Before it, `top`
+  /// was one more than the greatest id.
+  template <class Ids>
+  void giveBack(const Ids& taken, std::uint32_t top, std::size_t recycled) {
+    for (auto id = taken.rbegin(); id != taken.rend(); ++id)
+      if (id->value < top) free_.push_back(id->value);
+    free_.resize(free_.size() - recycled);
+    top_ = top;
+  }
+
+  /// The ids that are available. The last one is taken next.
+  const std::vector<std::uint32_t>& free() const { return free_; }
+
+  /// Gives a new pool `count` ids. None is alive; those in `free` can be taken.
+  void reset(std::uint32_t count, std::vector<std::uint32_t> free) {
+    while (top_ <= count) (*this)[take()].cellRef = 0;
+    free_ = std::move(free);
+  }
+
+  bool isLive(std::uint32_t id) const { return id != kNoSegment && id < top_ && (*this)[id].cellRef != 0; }
+  /// Whether every id is available: no segment is alive, and none was removed without being recycled.
+  bool isEmpty() const { return free_.size() == top_ - 1; }
+  std::uint32_t maxId() const { return top_ - 1; }
+  std::uint64_t bytes() const { return pages_.bytes() + free_.capacity() * sizeof free_[0]; }
+
+ private:
+  static constexpr std::uint32_t kPage = 4096;
+  using Page = std::array<SegmentRecord, kPage>;
+
+  void addPage();  // in its own file, so that take() is small and inlined
+
+  Pages<Page> pages_;
+  std::vector<std::uint32_t> free_;
+  std::uint32_t top_ = 0;  // 0 names no segment
+};
+
+}  // namespace lgs::detail

@@ -1,7 +1,0 @@
-#include <lgs/version.h>
-
-namespace lgs {
-
-Version version() { return kVersion; }
-
-}  // namespace lgs

@@ -1,0 +1,90 @@
+#include "world/snapshot.h"
+
+#include "ground/snapshot.h"
+#include "outline/snapshot.h"
+
+#include <algorithm>
+#include <string>
+
+namespace lgs::detail {
+namespace {
+
+using What = SnapshotError::What;
+
+constexpr std::size_t kHead = kSnapshotMagic.size() + 1;  // letters, version
+constexpr std::size_t kTail = 4;                          // checksum
+
+/// What can be told before anything is made of the bytes: whether they are a snapshot, whole and undamaged.
+std::optional<SnapshotError> lookAt(std::span<const std::byte> bytes) {
+  const auto letters = std::span(kSnapshotMagic);
+  const std::size_t compared = std::min(bytes.size(), letters.size());
+  for (std::size_t k = 0; k < compared; ++k)
+    if (bytes[k] != std::byte{letters[k]}) return SnapshotError{What::notASnapshot, k};
+  if (bytes.size() < kHead + kTail) return SnapshotError{What::cut, bytes.size()};
+  if (bytes[letters.size()] != std::byte{kSnapshotVersion})
+    return SnapshotError{What::unknownVersion, letters.size()};
+  Checksum sum;
+  for (const std::byte byte : bytes.first(bytes.size() - kTail)) sum.add(byte);
+  for (unsigned k = 0; k < kTail; ++k)
+    if (bytes[bytes.size() - kTail + k] != static_cast<std::byte>(sum.value() >> 8 * k & 0xffu))
+      return SnapshotError{What::damaged, bytes.size() - kTail};
+  return std::nullopt;
+}
+
+}  // namespace
+
+void save(const Ground& ground, const Outline& outline, const ByteSink& sink) {
+  SnapshotWriter out(sink);
+  for (const std::uint8_t letter : kSnapshotMagic) out.byte(letter);
+  out.byte(kSnapshotVersion);
+  save(ground, out);
+  save(ground, outline, out);
+  out.end();
+}
+
+std::optional<SnapshotError> load(std::span<const std::byte> bytes, Ground& ground, Outline& outline) {
+  if (const auto error = lookAt(bytes)) return error;
+  SnapshotReader in(bytes.subspan(kHead, bytes.size() - kHead - kTail));
+  load(ground, in);
+  load(ground, outline, in);
+  if (in.left() != 0) in.fail(What::tooLong);
+  if (in.failed()) return SnapshotError{in.error().what, in.error().offset + kHead};
+  outline.linkAll(ground);
+  ground.commit();
+  return std::nullopt;
+}
+
+}  // namespace lgs::detail
+
+namespace lgs {
+
+std::string message(const SnapshotError& error) {
+  const auto what = [&]() -> std::string {
+    switch (error.what) {
+      case SnapshotError::What::notASnapshot:
+        return "this is no snapshot of a world";
+      case SnapshotError::What::unknownVersion:
+        return "a newer version of the library wrote this snapshot";
+      case SnapshotError::What::cut:
+        return "the snapshot ends too early";
+      case SnapshotError::What::damaged:
+        return "the snapshot is damaged, or cut: its checksum does not fit";
+      case SnapshotError::What::tooLong:
+        return "bytes follow the end of the snapshot";
+      case SnapshotError::What::relation:
+        return "the world was saved with another preserve relation than it is loaded with";
+      case SnapshotError::What::badNumber:
+        return "a number is out of its range";
+      case SnapshotError::What::badPolygon:
+        return "a polygon is not valid, or overlaps another one of its cell";
+      case SnapshotError::What::badSegments:
+        return "the ids of the segments do not fit this world";
+      case SnapshotError::What::capacity:
+        return "more than a world can hold";
+    }
+    return "unknown error";
+  };
+  return "byte " + std::to_string(error.offset) + ": " + what();
+}
+
+}  // namespace lgs

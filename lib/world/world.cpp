@@ -1,0 +1,305 @@
+// The public face of a World. It forwards to ground, outline and history, and rounds coordinates that are not lattice
+// points.
+#include "geometry/ring.h"
+#include "ground/places.h"
+#include "ground/refusal.h"
+#include "outline/read.h"
+#include "world/impl.h"
+#include "world/snapshot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lgs {
+
+using detail::refuse;
+using detail::refuseAt;
+
+namespace {
+
+std::int32_t roundToLattice(double cells) {
+  const double units = std::round(cells * kUnitsPerCell);
+  // Outside the cell one value is as wrong as another, so two that fit an int stand for all of them. What is not
+  // a number compares false, and so counts as too great.
+  if (units < 0) return -1;
+  if (!(units <= kUnitsPerCell)) return kUnitsPerCell + 1;
+  return static_cast<std::int32_t>(units);
+}
+
+/// Finds the errors that rounding would hide, and only if no earlier one in the order of ErrorCode applies. The rest is
+/// left to the engine.
+template <class Real>
+Expected<void> round(std::span<const RealPoint<Real>> polygon, std::vector<LocalPoint>& rounded) {
+  rounded.clear();
+  if (polygon.size() < 3) {
+    rounded.resize(polygon.size());
+    return {};
+  }
+  if (polygon.size() > kMaxVerticesPerCell) return refuse({.code = ErrorCode::capacity, .polygon = 0});
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const auto [x, y] = polygon[k];
+    if (!std::isfinite(x) || !std::isfinite(y))
+      return refuse({.code = ErrorCode::notFinite, .polygon = 0, .vertex = static_cast<std::int32_t>(k)});
+    rounded.push_back({roundToLattice(x), roundToLattice(y)});
+  }
+  return {};
+}
+
+/// The same for a cell.
+template <class Real>
+Expected<void> roundIn(Cell cell, std::span<const RealPoint<Real>> polygon, std::vector<LocalPoint>& rounded) {
+  if (!inRange(cell)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = cell});
+  if (const auto done = round(polygon, rounded); !done) return refuse(done.error(), cell);
+  return {};
+}
+
+/// Writes what `convert` makes of each segment.
+template <class Out, class Convert>
+Expected<void> write(const World::Impl& world, std::span<const SegmentId> ids, std::span<Out> out, Convert&& convert) {
+  const std::size_t count = std::min(ids.size(), out.size());
+  if (count > kMaxEntries) return refuse({.code = ErrorCode::capacity});
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!world.outline.segments.isLive(ids[k].value))
+      return refuseAt({.code = ErrorCode::unknownSegment, .segment = ids[k]}, &Error::index, k);
+    out[k] = convert(segmentOf(world.ground.grid, world.outline, ids[k].value));
+  }
+  return {};
+}
+
+template <class Real>
+Expected<void> writeReals(const World::Impl& world, std::span<const SegmentId> ids, Point origin,
+                          std::span<RealSegment<Real>> out) {
+  if (!inRange(origin)) return refuse({.code = ErrorCode::outOfReach});
+  const auto cells = [&](Point p) {
+    const auto part = [](std::int64_t units) { return static_cast<Real>(static_cast<double>(units) / kUnitsPerCell); };
+    return RealPoint<Real>{part(p.x - origin.x), part(p.y - origin.y)};
+  };
+  return write(world, ids, out, [&](const Segment& s) {
+    return RealSegment<Real>{s.id,        cells(s.start),  cells(s.end),    s.predecessor,
+                             s.successor, cells(s.ghost1), cells(s.ghost2), s.block,
+                             s.polygon,   s.cell};
+  });
+}
+
+}  // namespace
+
+World::World(PreserveRelation preserve) : impl_(std::make_unique<Impl>(std::move(preserve))) {}
+World::~World() = default;
+World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
+World& World::operator=(const World& other) {
+  World copy(other);
+  impl_.swap(copy.impl_);
+  return *this;
+}
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+// --- Shapes
+
+Expected<ShapeId> World::shape(std::span<const LocalPoint> polygon) { return impl_->edit.shape({&polygon, 1}); }
+Expected<ShapeId> World::shape(std::initializer_list<LocalPoint> polygon) {
+  return shape(std::span<const LocalPoint>(polygon));
+}
+Expected<ShapeId> World::shape(std::span<const FloatPoint> polygon) {
+  return round(polygon, impl_->rounded).and_then([&] { return shape(std::span<const LocalPoint>(impl_->rounded)); });
+}
+Expected<ShapeId> World::shape(std::span<const DoublePoint> polygon) {
+  return round(polygon, impl_->rounded).and_then([&] { return shape(std::span<const LocalPoint>(impl_->rounded)); });
+}
+Expected<ShapeId> World::shape(std::span<const std::vector<LocalPoint>> polygons) {
+  const std::vector<detail::PolygonView> views(polygons.begin(), polygons.end());
+  return impl_->edit.shape(views);
+}
+
+Expected<std::vector<std::span<const LocalPoint>>> World::polygonsOf(ShapeId shape) const {
+  const detail::InternedShape* interned = impl_->ground.catalogue.shape(shape);
+  if (!interned) return refuse({.code = ErrorCode::unknownShape});
+  std::vector<std::span<const LocalPoint>> out;
+  for (const detail::PolygonId id : interned->polygons) out.push_back(impl_->ground.catalogue.vertices(id));
+  return out;
+}
+
+Expected<LocalBox> World::boundingBox(ShapeId shape) const {
+  const auto all = polygonsOf(shape);
+  if (!all) return refuse(all.error());
+  LocalBox box{all->front().front(), all->front().front()};
+  for (const auto polygon : *all) {
+    const detail::Box<LocalPoint> one = detail::boundingBox(polygon);
+    box.min = {std::min(box.min.x, one.min.x), std::min(box.min.y, one.min.y)};
+    box.max = {std::max(box.max.x, one.max.x), std::max(box.max.y, one.max.y)};
+  }
+  return box;
+}
+
+// --- Edits
+
+Expected<PolygonHandle> World::add(Cell cell, ShapeId shape, Block block) {
+  return impl_->edit.add(cell, shape, block, {});
+}
+Expected<PolygonHandle> World::add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
+  return impl_->edit.add(cell, shape, block, handles);
+}
+Expected<PolygonHandle> World::add(Cell cell, std::span<const LocalPoint> polygon, Block block) {
+  return impl_->edit.add(cell, polygon, block);
+}
+Expected<PolygonHandle> World::add(Cell cell, std::initializer_list<LocalPoint> polygon, Block block) {
+  return impl_->edit.add(cell, polygon, block);
+}
+Expected<PolygonHandle> World::add(Cell cell, std::span<const FloatPoint> polygon, Block block) {
+  return roundIn(cell, polygon, impl_->rounded).and_then([&] { return impl_->edit.add(cell, impl_->rounded, block); });
+}
+Expected<PolygonHandle> World::add(Cell cell, std::span<const DoublePoint> polygon, Block block) {
+  return roundIn(cell, polygon, impl_->rounded).and_then([&] { return impl_->edit.add(cell, impl_->rounded, block); });
+}
+Expected<void> World::addMany(std::span<const Placement> placements, std::span<PolygonHandle> handles) {
+  return impl_->edit.addMany(placements, handles);
+}
+Expected<void> World::remove(PolygonHandle polygon) { return impl_->edit.remove(polygon); }
+Expected<void> World::removeMany(std::span<const PolygonHandle> polygons) { return impl_->edit.removeMany(polygons); }
+Expected<PolygonHandle> World::replace(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
+  return impl_->edit.replace(cell, shape, block, handles);
+}
+Expected<void> World::exchange(Cell cell, std::span<const PolygonHandle> removed, std::span<const NewPolygon> added,
+                               std::span<PolygonHandle> handles) {
+  return impl_->edit.exchange(cell, removed, added, handles);
+}
+Expected<void> World::setBlock(PolygonHandle polygon, Block block) { return impl_->edit.setBlock(polygon, block); }
+Expected<std::uint64_t> World::fill(const CellRect& cells, ShapeId shape, Block block) {
+  return impl_->edit.fill(cells, shape, block);
+}
+Expected<std::uint64_t> World::clear(const CellRect& cells) { return impl_->edit.clear(cells); }
+
+const Changes& World::commit() { return commit({}); }
+const Changes& World::commit(const Executor& executor) {
+  impl_->outline.update(impl_->ground, executor);
+  impl_->ground.commit();
+  return impl_->outline.changes();
+}
+
+// --- Going back
+
+Mark World::checkpoint() { return impl_->history.mark(); }
+
+Expected<void> World::rollBack(Mark mark) {
+  if (!impl_->history.knows(mark)) return refuse({.code = ErrorCode::unknownMark});
+  impl_->history.rollBack(mark, impl_->changesOfRollBack);
+  return {};
+}
+
+const Changes& World::changesOfRollBack() const { return impl_->changesOfRollBack; }
+
+Expected<void> World::forget(Mark mark) {
+  if (!impl_->history.knows(mark)) return refuse({.code = ErrorCode::unknownMark});
+  impl_->history.forget(mark);
+  return {};
+}
+
+Transaction::Transaction(World& world) : world_(&world), mark_(world.impl_->history.mark(true)) {}
+
+void Transaction::keep() {
+  if (mark_) static_cast<void>(world_->forget(std::exchange(mark_, {})));
+}
+
+// A commit has handed out what was edited before it, so that can not be taken back in silence.
+Transaction::~Transaction() {
+  if (!mark_) return;  // kept
+  detail::History& history = world_->impl_->history;
+  if (!history.knows(mark_)) return;  // the world went back to a moment before it
+  Changes none;                       // there was no commit; and changesOfRollBack() stays as it is
+  if (!history.committedSince(mark_)) history.rollBack(mark_, none);
+  history.forget(mark_);
+}
+
+// --- Saving
+
+Expected<void> World::save(const ByteSink& sink) const {
+  if (!impl_->ground.changedChunks().empty()) return refuse({.code = ErrorCode::uncommitted});
+  detail::save(impl_->ground, impl_->outline, sink);
+  return {};
+}
+
+tl::expected<World, SnapshotError> World::load(std::span<const std::byte> snapshot, PreserveRelation preserve) {
+  World world(std::move(preserve));
+  if (const auto error = detail::load(snapshot, world.impl_->ground, world.impl_->outline))
+    return tl::unexpected(*error);
+  return world;
+}
+
+// --- Reading the ground
+
+std::vector<PlacedPolygon> World::polygons(Cell cell) const {
+  std::vector<PlacedPolygon> out;
+  polygons(cell, out);
+  return out;
+}
+void World::polygons(Cell cell, std::vector<PlacedPolygon>& out) const {
+  detail::polygonsOf(impl_->ground, cell, out);
+}
+bool World::isEmpty(Cell cell) const {
+  return impl_->ground.contentId(impl_->ground.grid.find(cell)) == detail::kEmptyContent;
+}
+void World::forEachPolygon(const PolygonVisitor& visit) const { forEachPolygon(detail::kWholeWorld, visit); }
+void World::forEachPolygon(const CellRect& cells, const PolygonVisitor& visit) const {
+  detail::forEachPolygon(impl_->ground, cells, visit);
+}
+std::optional<CellRect> World::bounds() const { return boundsOf(impl_->ground); }
+Spot World::at(Point point) const { return spotAt(impl_->ground, point); }
+
+Expected<PlacedPolygon> World::polygon(PolygonHandle handle) const {
+  if (const auto found = polygonOf(impl_->ground, handle)) return *found;
+  return refuse({.code = ErrorCode::staleHandle, .other = handle});
+}
+
+Expected<Cell> World::cellOf(PolygonHandle handle) const {
+  return polygon(handle).map([&](const PlacedPolygon&) { return impl_->ground.grid.cellOf(handle.cellRef); });
+}
+
+bool samePolygons(const World& a, const World& b) {
+  return holdsPolygonsOf(a.impl_->ground, b.impl_->ground) && holdsPolygonsOf(b.impl_->ground, a.impl_->ground);
+}
+
+const PreserveRelation& World::preserveRelation() const { return impl_->ground.preserve; }
+
+// --- Reading the outline
+
+Expected<Segment> World::segment(SegmentId id) const {
+  if (!impl_->outline.segments.isLive(id.value))
+    return refuse({.code = ErrorCode::unknownSegment, .segment = id});
+  return segmentOf(impl_->ground.grid, impl_->outline, id.value);
+}
+Expected<void> World::segments(std::span<const SegmentId> ids, std::span<Segment> out) const {
+  return write(*impl_, ids, out, [](const Segment& s) { return s; });
+}
+Expected<void> World::segments(std::span<const SegmentId> ids, Point origin, std::span<FloatSegment> out) const {
+  return writeReals(*impl_, ids, origin, out);
+}
+Expected<void> World::segments(std::span<const SegmentId> ids, Point origin, std::span<DoubleSegment> out) const {
+  return writeReals(*impl_, ids, origin, out);
+}
+std::vector<SegmentId> World::segments() const { return liveSegments(impl_->outline); }
+std::vector<SegmentId> World::segments(const CellRect& cells) const {
+  return segmentsIn(impl_->ground.grid, impl_->outline, cells);
+}
+std::vector<Loop> World::loops(Collinear collinear) const {
+  return loopsOf(impl_->ground.grid, impl_->outline, collinear);
+}
+Expected<Nearest> World::nearest(Point point, double radius) const {
+  return detail::nearest(impl_->ground.grid, impl_->outline, point, radius);
+}
+Expected<RayHit> World::rayCast(Point from, Point to) const {
+  return detail::rayCast(impl_->ground.grid, impl_->outline, from, to);
+}
+std::uint64_t World::version() const { return impl_->outline.version(); }
+std::uint32_t World::maxSegmentId() const { return impl_->outline.segments.maxId(); }
+
+Stats World::stats() const {
+  Stats stats;
+  count(impl_->ground, stats);
+  stats.segments = impl_->outline.liveCount();
+  stats.bytes += sizeof(World) + sizeof(Impl) + impl_->outline.bytes() + impl_->history.bytes() + impl_->edit.bytes() +
+                 detail::bytesOf(impl_->changesOfRollBack) + impl_->rounded.capacity() * sizeof(LocalPoint);
+  return stats;
+}
+
+}  // namespace lgs
