@@ -2,8 +2,8 @@
 #include <lgs/radial_match.h>
 
 #include "geometry/predicates.h"
-#include "geometry/sort.h"
 #include "geometry/radial_match.h"
+#include "geometry/sort.h"
 
 #include <cstdlib>
 

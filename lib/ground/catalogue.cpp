@@ -116,14 +116,14 @@ Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
   // The content is never forgotten from here on, and it uses the polygons: so the shape need not be their user too.
   if (uses_[*content].users == 0) --unused_;
   uses_[*content].users = kForever;
-  shapes_.push_back({*content, given});
   const ShapeId id{static_cast<std::uint32_t>(shapes_.size())};
+  shapes_.push_back({*content, facts(*content), given.size() == 1, given});
   shapeIndex_.emplace(given, id);
   return id;
 }
 
 void Catalogue::forgetShapes(std::uint64_t count) {
-  while (shapes_.size() > count) {
+  while (shapeCount() > count) {
     shapeIndex_.erase(shapes_.back().polygons);
     shapes_.pop_back();
   }

@@ -36,8 +36,11 @@ struct PolygonsLess {
   }
 };
 
+/// The content of a shape is never forgotten, so nobody counts the cells that have it.
 struct InternedShape {
   ContentId content = kEmptyContent;  ///< with nothing preserved
+  Facts facts = 0;                    ///< of the content
+  bool isSole = false;                ///< whether it has one polygon
   std::vector<PolygonId> polygons;    ///< in the order given
 };
 
@@ -50,11 +53,8 @@ class Catalogue {
   std::uint32_t widestFan() const { return widestFan_; }
   Facts facts(ContentId id) const { return uses_[id].facts; }
   PolygonView vertices(PolygonId id) const { return polygons_[id]->vertices; }
-  /// Valid until the next shape is made. Null if the id is none of ours.
-  const InternedShape* shape(ShapeId id) const {
-    const std::size_t index = id.value - std::size_t{1};
-    return index < shapes_.size() ? &shapes_[index] : nullptr;
-  }
+  /// Valid until the next shape is made. Without polygons if the id is none of ours.
+  const InternedShape& shape(ShapeId id) const { return shapes_[id.value < shapes_.size() ? id.value : 0]; }
 
   /// The polygon with these vertices. It is validated if it is new.
   Expected<PolygonId> internPolygon(PolygonView vertices);
@@ -69,8 +69,11 @@ class Catalogue {
 
   bool meet(PolygonId a, PolygonId b) const { return interiorsMeet(vertices(a), vertices(b)); }
 
-  void use(ContentId id) {
-    if (uses_[id].users != kForever) acquire(uses_[id].users);
+  /// One user more. Returns the content's facts.
+  Facts use(ContentId id) {
+    Use& use = uses_[id];
+    if (use.users != kForever) acquire(use.users);
+    return use.facts;
   }
   void release(ContentId id) {
     if (uses_[id].users != kForever) drop(uses_[id].users);
@@ -80,7 +83,7 @@ class Catalogue {
   void collect();
 
   std::uint64_t contentCount() const { return contents_.size() - 1 - freeContents_.size(); }
-  std::uint64_t shapeCount() const { return shapes_.size(); }
+  std::uint64_t shapeCount() const { return shapes_.size() - 1; }
   /// Forgets the shapes made last, down to a count. Their contents stay, as they are worked out already.
   void forgetShapes(std::uint64_t count);
   /// One more than the greatest number of a content, and of a polygon.
@@ -115,8 +118,8 @@ class Catalogue {
 
   std::vector<Owned<InternedPolygon>> polygons_;
   std::vector<Owned<InternedContent>> contents_;
-  std::vector<Use> uses_;  ///< by content
-  std::vector<InternedShape> shapes_;
+  std::vector<Use> uses_;                               ///< by content
+  std::vector<InternedShape> shapes_{InternedShape{}};  ///< by ShapeId, whose 0 names none
   std::map<std::vector<PolygonId>, ShapeId, PolygonsLess> shapeIndex_;
   HashIndex polygonIndex_;
   HashIndex contentIndex_;

@@ -50,9 +50,13 @@ struct Chunk {
   }
   /// Of a cell that has a word and no list.
   Block block(std::uint32_t local) const { return blocks ? (*blocks)[local] : static_cast<Block>(commonBlock); }
+  bool hasRoomFor(Block block) const { return blocks || commonBlock == block; }
   void setBlock(std::uint32_t local, Block block) {
-    if (commonBlock == block) return;
-    if (!blocks) makeRoomForBlock(block);
+    if (!hasRoomFor(block)) makeRoomForBlock(block);
+    setBlockThere(local, block);
+  }
+  /// There is room for it.
+  void setBlockThere(std::uint32_t local, Block block) {
     if (blocks) (*blocks)[local] = block;
   }
   Cell cell(std::uint32_t local) const {

@@ -83,10 +83,10 @@ constexpr unsigned hiddenSides(unsigned south, unsigned east, unsigned north, un
 struct Content {
   Facts facts = 0;
   std::array<SpokeRange, 4> corners{};
-  CornerEnds cornerEnds;                  ///< of the half-edges inside, by their places in `interior`
-  std::uint32_t widestFan = 0;            ///< the longest of the ranges
+  CornerEnds cornerEnds;               ///< of the half-edges inside, by their places in `interior`
+  std::uint32_t widestFan = 0;         ///< the longest of the ranges
   std::vector<InteriorEdge> interior;  ///< sorted by start, then end
-  std::vector<Spoke> spokes;              ///< `segment` is an index in `interior`, `direction` a rank at that vertex
+  std::vector<Spoke> spokes;           ///< `segment` is an index in `interior`, `direction` a rank at that vertex
   std::array<Side, 4> sides;
   std::vector<std::pair<Slot, Slot>> contacts;  ///< polygons with a common edge inside the cell, smaller slot first
 

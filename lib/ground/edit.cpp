@@ -12,7 +12,7 @@ namespace lgs::detail {
 /// Begins with the polygons that the cell has. It may be without chunk.
 void Edit::open(Cell cell) {
   cell_ = cell;
-  at_ = ground_.grid.find(cell);
+  at_ = ground_.grid.seek(cell);
   lastSerial_ = ground_.lastSerial(at_);
   newOnes_ = 0;
   entries_.clear();
@@ -104,18 +104,25 @@ Expected<ShapeId> Edit::shape(std::span<const PolygonView> polygons) {
   return ground_.catalogue.internShape(interned);
 }
 
-Expected<const InternedShape*> Edit::known(Cell cell, ShapeId shape) const {
+/// Whether there are such a cell and such a shape.
+Expected<void> Edit::check(Cell cell, ShapeId shape) const {
   if (!inRange(cell)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = cell});
-  const InternedShape* interned = ground_.catalogue.shape(shape);
-  if (!interned) return refuse({.code = ErrorCode::unknownShape, .cell = cell});
-  return interned;
+  if (ground_.catalogue.shape(shape).polygons.empty()) return refuse({.code = ErrorCode::unknownShape, .cell = cell});
+  return {};
 }
 
-Expected<PolygonHandle> Edit::addToCell(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
-  const auto interned = known(cell, shape);
-  if (!interned) return refuse(interned.error());
+Expected<PolygonHandle> Edit::add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
+  if (const auto done = check(cell, shape); !done) return refuse(done.error());
+  const InternedShape& interned = ground_.catalogue.shape(shape);
+  const CellAt at = ground_.grid.seek(cell);
+  if (at && at.word() < kLowMask && interned.isSole) {  // the cell takes the shape's own content
+    const PolygonHandle handle{at.ref(), at.word() + 1};
+    ground_.setSole(at, interned, {handle.serial, block});
+    if (!handles.empty()) handles[0] = handle;
+    return handle;
+  }
   open(cell);
-  for (const PolygonId polygon : (*interned)->polygons) place(polygon, block);
+  for (const PolygonId polygon : interned.polygons) place(polygon, block);
   return close(handles);
 }
 
@@ -132,17 +139,22 @@ Expected<PolygonHandle> Edit::add(Cell cell, PolygonView polygon, Block block) {
 Expected<void> Edit::remove(PolygonHandle polygon) {
   const auto slot = ground_.slotOf(polygon);
   if (!slot) return refuse({.code = ErrorCode::staleHandle, .other = polygon});
-  open(ground_.grid.cellOf(polygon.cellRef));
+  const CellAt at = ground_.grid.find(polygon.cellRef);
+  if (ground_.content(at).polygons.size() == 1) {  // what is left needs no content
+    ground_.set(at, kEmptyContent, ground_.lastSerial(at), {});
+    return {};
+  }
+  open(at.cell());
   entries_.erase(entries_.begin() + *slot);
   return close().map([](PolygonHandle) {});
 }
 
 Expected<PolygonHandle> Edit::replace(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
-  const auto interned = known(cell, shape);
-  if (!interned) return refuse(interned.error());
+  if (const auto done = check(cell, shape); !done) return refuse(done.error());
+  const InternedShape& interned = ground_.catalogue.shape(shape);
   open(cell);
   entries_.clear();
-  for (const PolygonId polygon : (*interned)->polygons) place(polygon, block);
+  for (const PolygonId polygon : interned.polygons) place(polygon, block);
   return close(handles);
 }
 
@@ -181,8 +193,8 @@ Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block b
   if (lgs::isEmpty(cells)) return std::uint64_t{0};
   for (const Cell corner : {cells.min, cells.max})
     if (!inRange(corner)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = corner});
-  const auto interned = known(cells.min, shape);
-  if (!interned) return refuse(interned.error());
+  if (const auto done = check(cells.min, shape); !done) return refuse(done.error());
+  const InternedShape& interned = ground_.catalogue.shape(shape);
   const ChunkRect reach(cells);
   const std::uint64_t room = kMaxChunks - ground_.grid.chunks().size();
   if (reach.count() > room) {  // it may be too many: all chunks are looked at
@@ -194,7 +206,7 @@ Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block b
   // First every cell is asked, so that nothing is changed if one refuses. What is worked out stays interned. Cells
   // without polygons, which have room for many serials, are alike: so one of them is asked for all.
   const auto placeAll = [&] {
-    for (const PolygonId polygon : (*interned)->polygons) place(polygon, block);
+    for (const PolygonId polygon : interned.polygons) place(polygon, block);
   };
   entries_.clear();
   placeAll();
@@ -210,8 +222,7 @@ Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block b
   if (refusal) return refuse(*refusal);
 
   for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
-    for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci)
-      ground_.grid.obtain({ci * kChunkSize, cj * kChunkSize});
+    for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci) ground_.grid.obtain({ci * kChunkSize, cj * kChunkSize});
   std::uint64_t count = 0;
   ground_.grid.forEachCell(cells, [&](CellAt, Cell cell) {
     static_cast<void>(add(cell, shape, block, {}));

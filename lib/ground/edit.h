@@ -16,16 +16,19 @@ class Edit {
  public:
   explicit Edit(Ground& ground) : ground_(ground) {}
 
+  /// The usual case of add(), which needs no call: a shape of one polygon into a cell that has nothing, in the chunk of
+  /// the edit before. False, and nothing is done, in any other case.
+  bool addSole(Cell cell, ShapeId shape, Block block, PolygonHandle& handle) {
+    const InternedShape& interned = ground_.catalogue.shape(shape);
+    const CellAt at = ground_.grid.findLast(cell);
+    if (!at || !interned.isSole || at.word() >= kLowMask) return false;
+    handle = {at.ref(), at.word() + 1};
+    return ground_.setSoleAgain(at, interned, {handle.serial, block});
+  }
+
   // As the functions of World that have these names.
   Expected<ShapeId> shape(std::span<const PolygonView> polygons);
-  Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
-    const InternedShape* interned = ground_.catalogue.shape(shape);
-    if (inRange(cell) && interned && interned->polygons.size() == 1) {
-      const CellAt at = ground_.grid.find(cell);
-      if (at && at.word() < kLowMask) return setSole(at, interned->content, block, handles);
-    }
-    return addToCell(cell, shape, block, handles);
-  }
+  Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles);
   Expected<PolygonHandle> add(Cell cell, PolygonView polygon, Block block);
   Expected<void> addMany(std::span<const Placement> placements, std::span<PolygonHandle> handles);
   Expected<void> remove(PolygonHandle polygon);
@@ -53,16 +56,8 @@ class Edit {
     bool isNew = false;
   };
 
-  Expected<PolygonHandle> setSole(CellAt at, ContentId content, Block block, std::span<PolygonHandle> handles) {
-    const std::uint32_t serial = at.word() + 1;  // of an empty cell without list, whose word is the last serial
-    const Placed placed{serial, block};
-    ground_.set(at, content, serial, {&placed, 1});
-    const PolygonHandle handle{at.ref(), serial};
-    if (!handles.empty()) handles[0] = handle;
-    return handle;
-  }
-  Expected<PolygonHandle> addToCell(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles);
-  Expected<const InternedShape*> known(Cell cell, ShapeId shape) const;
+  bool addSoles(std::span<const Placement> placements, std::span<PolygonHandle> handles);
+  Expected<void> check(Cell cell, ShapeId shape) const;
 
   // An edit of one cell: its polygons become `entries_`, which are changed, and set.
   void open(Cell cell);

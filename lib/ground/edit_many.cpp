@@ -35,28 +35,63 @@ std::int32_t entryThatPlaced(const Ground& ground, std::span<const Placement> pl
   std::size_t before = ground.lastSerial(ground.grid.find(cell));
   for (std::size_t k = placed.size(); k-- != 0;) {
     if (placed[k].cell != cell) continue;
-    before -= ground.catalogue.shape(placed[k].shape)->polygons.size();
+    before -= ground.catalogue.shape(placed[k].shape).polygons.size();
     if (polygon.serial > before) return static_cast<std::int32_t>(k);
   }
   return -1;
 }
 
+/// Nobody keeps the handle of a polygon that the call placed and takes back: the entry that placed it says which.
+Error nameEntry(const Ground& ground, std::span<const Placement> placed, Error error) {
+  if (!error.other) return error;
+  error.index2 = entryThatPlaced(ground, placed, error.other);
+  if (error.index2 >= 0) error.other = {};
+  return error;
+}
+
 }  // namespace
+
+/// The usual case of addMany(): each entry puts a shape of one polygon into a cell that has nothing. First all cells get
+/// their words, which can be put back, and then what can not fail. False, and nothing is done, in any other case.
+bool Edit::addSoles(std::span<const Placement> placements, std::span<PolygonHandle> handles) {
+  if (ground_.isNoting()) return false;
+  const Ground::Moment start = ground_.now();
+  const auto takes = [&](const Placement& p) {
+    const InternedShape& interned = ground_.catalogue.shape(p.shape);
+    CellAt at = ground_.grid.findLast(p.cell);
+    if (!at && inRange(p.cell) && !ground_.grid.isFull()) at = ground_.grid.obtain(p.cell);
+    if (!at || !interned.isSole || at.word() >= kLowMask) return false;
+    at.word() = wordOf(interned.content, at.word() + 1);
+    return true;
+  };
+  std::size_t taken = 0;
+  while (taken < placements.size() && takes(placements[taken])) ++taken;
+  if (taken < placements.size()) {
+    for (; taken != 0; --taken) {
+      const CellAt at = ground_.grid.find(placements[taken - 1].cell);
+      at.word() = (at.word() & kLowMask) - 1;
+    }
+    ground_.grid.forgetChunks(start.chunks);
+    return false;
+  }
+  for (std::size_t k = 0; k < placements.size(); ++k) {
+    const CellAt at = ground_.grid.obtain(placements[k].cell);
+    ground_.settleSole(at, ground_.catalogue.shape(placements[k].shape), placements[k].block);
+    if (k < handles.size()) handles[k] = {at.ref(), at.word() & kLowMask};
+  }
+  return true;
+}
 
 Expected<void> Edit::addMany(std::span<const Placement> placements, std::span<PolygonHandle> handles) {
   if (placements.size() > kMaxEntries) return refuse({.code = ErrorCode::capacity});
+  if (addSoles(placements, handles)) return {};
   Group group(ground_);
   for (std::size_t k = 0; k < placements.size(); ++k) {
     const auto& [cell, shape, block] = placements[k];
-    auto handle = add(cell, shape, block, {});
+    const auto handle = add(cell, shape, block, {});
     if (!handle) {
-      Error error = handle.error();
-      if (error.other) {  // nobody keeps the handle of a polygon that this call placed and takes back
-        error.index2 = entryThatPlaced(ground_, placements.first(k), error.other);
-        if (error.index2 >= 0) error.other = {};
-      }
       std::fill(handles.begin(), handles.end(), PolygonHandle{});
-      return refuseAt(error, &Error::index, k);
+      return refuseAt(nameEntry(ground_, placements.first(k), handle.error()), &Error::index, k);
     }
     if (k < handles.size()) handles[k] = *handle;
   }

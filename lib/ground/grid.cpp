@@ -41,7 +41,7 @@ Chunk* Grid::findChunk(Cell cell) const {
 }
 
 Chunk* Grid::obtainChunk(Cell cell) {
-  if (Chunk* found = findChunk(cell)) return last_ = found;
+  if (Chunk* found = findChunk(cell)) return remember(found);
   auto chunk = std::make_unique<Chunk>();
   chunk->ci = cell.i >> 5;
   chunk->cj = cell.j >> 5;
@@ -49,7 +49,7 @@ Chunk* Grid::obtainChunk(Cell cell) {
   link(*chunk);
   index_.insert(hashOf(chunk->ci, chunk->cj), chunk->index);
   chunks_.emplace_back(std::move(chunk));
-  return last_ = chunks_.back().get();
+  return remember(chunks_.back().get());
 }
 
 void Grid::link(Chunk& chunk) {

@@ -25,6 +25,10 @@ class Grid {
 
   /// Without chunk if there is none yet.
   CellAt find(Cell cell) const { return {isLast(cell) ? last_ : findChunk(cell), localOf(cell)}; }
+  /// Without chunk, too, unless it is the one of the last edit. All cells of that chunk are in range.
+  CellAt findLast(Cell cell) const { return {isLast(cell) ? last_ : nullptr, localOf(cell)}; }
+  /// As find(), for who edits there: the chunk is remembered.
+  CellAt seek(Cell cell) { return {isLast(cell) ? last_ : remember(findChunk(cell)), localOf(cell)}; }
   /// Makes the chunk if there is none yet. The caller has seen that the grid is not full, or has the chunk.
   CellAt obtain(Cell cell) { return {isLast(cell) ? last_ : obtainChunk(cell), localOf(cell)}; }
   /// Whether there are as many chunks as there can be.
@@ -70,6 +74,10 @@ class Grid {
   Chunk* findChunk(Cell cell) const;
   Chunk* obtainChunk(Cell cell);
   void link(Chunk& chunk);
+  Chunk* remember(Chunk* chunk) {
+    if (chunk && inRange(chunk->cell(kChunkCells - 1))) last_ = chunk;
+    return chunk;
+  }
   bool isLast(Cell cell) const { return last_ && last_->ci == cell.i >> 5 && last_->cj == cell.j >> 5; }
 
   // Index 0 is no chunk of the world. A segment that is not alive says that it is in cell 0, and that is there. So a
@@ -77,7 +85,9 @@ class Grid {
   // little.
   std::vector<Owned<Chunk>> chunks_;
   HashIndex index_;
-  Chunk* last_ = nullptr;  ///< edits come in neighbourhoods, so the chunk that obtain() found last is tried first
+  // Edits come in neighbourhoods, so the chunk of the last one is tried first. It has no cell out of range, so who finds
+  // a cell there need not ask.
+  Chunk* last_ = nullptr;
 };
 
 }  // namespace lgs::detail

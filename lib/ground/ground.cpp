@@ -25,6 +25,15 @@ std::optional<Slot> Ground::slotOf(PolygonHandle handle) const {
   return std::nullopt;
 }
 
+void Ground::set(CellAt at, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
+  const Facts facts = catalogue.use(content);
+  const Block block = polygons.empty() ? at.chunk->block(at.local) : polygons[0].block;
+  if (fitsWord(lastSerial, polygons))
+    put(at, wordOf(content, lastSerial), block, facts);
+  else
+    put(at, makeList(content, lastSerial, polygons), at.chunk->block(at.local), facts);
+}
+
 CellWord Ground::makeList(ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
   const RecordArena::Ref ref = lists_.allocate(PolygonList::sizeOf(polygons.size()));
   std::uint32_t* out = lists_.at(ref);
@@ -60,8 +69,8 @@ void Ground::commit() {
 // The note takes over what the word stands for.
 void Ground::note(CellAt at) {
   const bool isChanged = (at.chunk->dirty[at.row()] & at.bit()) != 0;
-  notes_.push_back(
-      {at.ref(), at.word(), at.chunk->block(at.local), isChanged ? Note::Of::changedCell : Note::Of::cell});
+  const Note::Of of = isChanged ? Note::Of::changedCell : Note::Of::cell;
+  notes_.push_back({at.ref(), at.word(), at.chunk->block(at.local), of});
 }
 
 void Ground::undo(const Note& note) {
@@ -92,6 +101,8 @@ void Ground::goBack(const Moment& moment) {
 void Ground::stopNoting() {
   isNoting_ = false;
   forgetBefore(now());
+  constexpr std::size_t kMost = 4'096;
+  if (notes_.capacity() > kMost) notes_ = std::vector<Note>();
 }
 
 void Ground::forgetBefore(const Moment& moment) {

@@ -54,19 +54,25 @@ class Ground {
   // --- The primitive
 
   /// Gives a cell these polygons, by slot of this content, and notes that it changed.
-  void set(CellAt at, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
-    catalogue.use(content);
-    if (isNoting_)
-      note(at);
-    else
-      drop(at.word());
-    if (fitsWord(lastSerial, polygons)) {
-      at.word() = wordOf(content, lastSerial);
-      if (!polygons.empty()) at.chunk->setBlock(at.local, polygons[0].block);
-    } else {
-      at.word() = makeList(content, lastSerial, polygons);
-    }
-    touch(at, catalogue.facts(content));
+  void set(CellAt at, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons);
+  /// The same with a shape of one polygon, placed last, whose serial fits a word.
+  void setSole(CellAt at, const InternedShape& shape, Placed sole) {
+    put(at, wordOf(shape.content, sole.serial), sole.block, static_cast<Facts>(shape.facts));
+  }
+
+  /// The same in a chunk that has changed already and has room for the block, while nothing is noted. Such an edit needs
+  /// no call. False, and nothing is done, if it is not so.
+  bool setSoleAgain(CellAt at, const InternedShape& shape, Placed sole) {
+    if (isNoting_ || at.chunk->dirtyRows == 0 || !at.chunk->hasRoomFor(sole.block)) return false;
+    at.word() = wordOf(shape.content, sole.serial);
+    at.chunk->setBlockThere(at.local, sole.block);
+    mark(at, static_cast<Facts>(shape.facts));
+    return true;
+  }
+  /// The same for many, in two steps, while nothing is noted: the words are written first, and may be put back.
+  void settleSole(CellAt at, const InternedShape& shape, Block block) {
+    at.chunk->setBlock(at.local, block);
+    touch(at, static_cast<Facts>(shape.facts));
   }
 
   // --- What changed since the last commit
@@ -103,10 +109,21 @@ class Ground {
     Of of = Of::cell;
   };
 
+  /// Gives a cell this word, which has its content in use already. The block is that of a word with a polygon.
+  void put(CellAt at, CellWord word, Block block, Facts facts) {
+    if (isNoting_) [[unlikely]]
+      note(at);
+    else
+      drop(at.word());
+    at.word() = word;
+    at.chunk->setBlock(at.local, block);
+    touch(at, facts);
+  }
   PolygonList list(CellWord word) const { return PolygonList(lists_.at(word & ~kListBit)); }
   CellWord makeList(ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons);
   /// Lets go of what a word stands for.
   void drop(CellWord word) {
+    if (word <= kLowMask) return;  // it had no polygons
     if ((word & kListBit) != 0)
       dropList(word);
     else
@@ -114,8 +131,11 @@ class Ground {
   }
   void dropList(CellWord word);
   void touch(CellAt at, Facts facts) {
+    if (at.chunk->dirtyRows == 0) changed_.push_back(at.chunk);
+    mark(at, facts);
+  }
+  static void mark(CellAt at, Facts facts) {
     Chunk& chunk = *at.chunk;
-    if (chunk.dirtyRows == 0) changed_.push_back(&chunk);
     chunk.dirtyRows |= RowMask{1} << at.row();
     chunk.dirty[at.row()] |= at.bit();
     chunk.facts[at.local] = facts;

@@ -100,8 +100,8 @@ class Load {
       cj += unfolded(in_.number(8 * kFarthest));
       if (std::max(std::abs(ci), std::abs(cj)) > kFarthest) in_.fail(What::badNumber);
       if (in_.failed()) return;
-      const CellAt at = ground_.grid.obtain(
-          {static_cast<std::int32_t>(ci * kChunkSize), static_cast<std::int32_t>(cj * kChunkSize)});
+      const CellAt at =
+          ground_.grid.obtain({static_cast<std::int32_t>(ci * kChunkSize), static_cast<std::int32_t>(cj * kChunkSize)});
       if (at.chunk->index != k + 1) return in_.fail(What::badNumber);  // it is there already
       cells(*at.chunk);
     }

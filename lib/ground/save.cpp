@@ -19,8 +19,8 @@ class Numbers {
     ofPolygon_.assign(ground.catalogue.polygonLimit(), kNone);
     for (const auto& chunk : ground.grid.chunks())
       for (std::uint32_t local = 0; local < kChunkCells; ++local) use(ground.contentId({chunk.get(), local}));
-    for (std::uint32_t k = 1; const InternedShape* shape = ground.catalogue.shape(ShapeId{k}); ++k)
-      for (const PolygonId polygon : shape->polygons) ofPolygon_[polygon] = 0;
+    for (std::uint32_t k = 1; k <= ground.catalogue.shapeCount(); ++k)
+      for (const PolygonId polygon : ground.catalogue.shape(ShapeId{k}).polygons) ofPolygon_[polygon] = 0;
     for (PolygonId id = 0; id < ofPolygon_.size(); ++id)
       if (ofPolygon_[id] != kNone) polygons_.push_back(id);
     detail::sort(polygons_, [&](PolygonId a, PolygonId b) {
@@ -41,9 +41,7 @@ class Numbers {
   const std::vector<ContentId>& contents() const { return contents_; }
   std::uint32_t of(PolygonId polygon) const { return ofPolygon_[polygon]; }
   /// From 1; the empty content is 0.
-  std::uint32_t ofContent(ContentId content) const {
-    return content == kEmptyContent ? 0 : ofContent_[content];
-  }
+  std::uint32_t ofContent(ContentId content) const { return content == kEmptyContent ? 0 : ofContent_[content]; }
 
  private:
   static constexpr std::uint32_t kNone = 0xffff'ffff;
@@ -111,7 +109,7 @@ class Save {
   void shapes() {
     out_.number(ground_.catalogue.shapeCount());
     for (std::uint32_t k = 1; k <= ground_.catalogue.shapeCount(); ++k) {
-      const std::vector<PolygonId>& polygons = ground_.catalogue.shape(ShapeId{k})->polygons;
+      const std::vector<PolygonId>& polygons = ground_.catalogue.shape(ShapeId{k}).polygons;
       out_.number(polygons.size());
       for (const PolygonId id : polygons) out_.number(numbers_.of(id));
     }

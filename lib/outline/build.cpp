@@ -119,8 +119,6 @@ class Build {
 
 }  // namespace
 
-void build(const Ground& ground, Outline& outline, const Executor& executor) {
-  Build(ground, outline, executor).run();
-}
+void build(const Ground& ground, Outline& outline, const Executor& executor) { Build(ground, outline, executor).run(); }
 
 }  // namespace lgs::detail

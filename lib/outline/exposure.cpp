@@ -77,16 +77,15 @@ void Exposure::renewSide(CellAt at, unsigned side, unsigned beyond) {
   const unsigned facts = at.chunk->facts[at.local];
   const CellSegments shown = outline_.lists.of(at);
   const Layout layout = shown.layout();
-  const unsigned sides = layout.touching() & kWholeSides, inside = layout.end(kInterior);
-  if (ground_.preserve || ((facts | beyond) & kRimPoints) != 0 || layout.touching() != bothEnds(sides) ||
-      layout.count() != inside + kSideCounts[sides][kSides]) {
+  if (ground_.preserve || ((facts | beyond) & kRimPoints) != 0 || !layout.hasWholeSides()) {
     merge(at, 1u << partOf(side));
     return;
   }
+  const unsigned sides = layout.wholeSides();
   const unsigned before = sides >> side & 1u, now = facts >> side & ~(beyond >> opposite(side)) & 1u;
   if (now == before) return;
   const InternedContent& content = ground_.content(at);
-  const std::uint32_t place = inside + kSideCounts[sides][side];
+  const std::uint32_t inside = layout.end(kInterior), place = inside + kSideCounts[sides][side];
   std::uint32_t id = 0;
   if (now != 0)
     id = outline_.create(at.ref(), kSideEnds[side], ground_.placed(at)[content.wholeSlot(side)]);

@@ -4,6 +4,7 @@
 #include "ground/content.h"
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -36,7 +37,9 @@ class Layout {
   explicit constexpr Layout(const std::uint32_t* words) : words_{words[0], words[1], words[2]} {}
   /// `inside` are the ends of the corners' fans that are inside the cell.
   constexpr Layout(const PartEnds& ends, Touching touching, CornerEnds inside) {
-    words_[2] = ends[kWestPart] | touching << 16;
+    const unsigned sides = touching & kWholeSides;
+    const bool isWhole = touching == bothEnds(sides) && ends[kWestPart] - ends[kInterior] == std::popcount(sides);
+    words_[2] = ends[kWestPart] | touching << 16 | (isWhole ? kWhole : 0);
     if (areFew()) {
       const CornerEnds corners = cornerEnds(ends, touching, inside);
       words_[0] = corners.first | std::uint32_t{corners.last} << 16;
@@ -63,7 +66,10 @@ class Layout {
     return areFew() ? words_[1] >> 4 * part & 15u : words_[part / 2] >> part % 2 * 16 & 0xffffu;
   }
   constexpr std::uint32_t begin(unsigned part) const { return part == 0 ? 0u : end(part - 1); }
-  constexpr Touching touching() const { return words_[2] >> 16; }
+  constexpr Touching touching() const { return words_[2] >> 16 & 0xffu; }
+  /// Whether there is one segment along each of some sides, and none along the others; and the sides.
+  constexpr bool hasWholeSides() const { return words_[2] == 0 || (words_[2] & kWhole) != 0; }
+  constexpr unsigned wholeSides() const { return words_[2] >> 16 & kWholeSides; }
   /// Of few: the places of segments, counted from 1, by corner; see CornerEnds.
   constexpr std::uint32_t firstAt(unsigned corner) const { return words_[0] >> 4 * corner & 15u; }
   constexpr std::uint32_t lastAt(unsigned corner) const { return words_[0] >> (16 + 4 * corner) & 15u; }
@@ -80,6 +86,7 @@ class Layout {
     return {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(last)};
   }
 
+  static constexpr std::uint32_t kWhole = 1u << 24;
   std::array<std::uint32_t, kWords> words_{};
 };
 
@@ -88,6 +95,13 @@ class CellSegments {
  public:
   explicit CellSegments(const std::uint32_t* words) : words_(words) {}
 
+  explicit operator bool() const { return words_[2] != 0; }
+  /// Whether each of these cells shows few segments.
+  static bool areFew(const std::array<CellSegments, 4>& cells) {
+    static_assert(std::has_single_bit(CornerEnds::kMaxPlace + 1));  // so bits tell
+    const std::uint32_t bits = cells[0].words_[2] | cells[1].words_[2] | cells[2].words_[2] | cells[3].words_[2];
+    return (bits & 0xffffu) <= CornerEnds::kMaxPlace;
+  }
   Layout layout() const { return Layout(words_); }
   std::uint32_t count() const { return layout().count(); }
   const std::uint32_t* ids() const { return words_ + Layout::kWords; }
@@ -111,19 +125,23 @@ inline constexpr auto kSideCounts = [] {
   return counts;
 }();
 
-/// Of a cell that shows one segment along each of these sides, after `inside` others.
-constexpr Layout layoutOfSides(unsigned sides, std::size_t inside, CornerEnds corners) {
+constexpr Layout workOutLayoutOfSides(unsigned sides, std::size_t inside) {
   PartEnds ends{};
   for (unsigned part = 0; part < kParts; ++part)
     ends[part] = static_cast<std::uint16_t>(inside + kSideCounts[sides][part]);
-  return {ends, bothEnds(sides), corners};
+  return {ends, bothEnds(sides), {}};
 }
-/// The same with none or one inside, which is what most cells have, but for the corners.
+/// With none or one inside, as most cells have it.
 inline constexpr auto kLayoutsOfSides = [] {
   std::array<std::array<Layout, 16>, 2> layouts;
   for (unsigned inside = 0; inside < 2; ++inside)
-    for (unsigned sides = 0; sides < 16; ++sides) layouts[inside][sides] = layoutOfSides(sides, inside, {});
+    for (unsigned sides = 0; sides < 16; ++sides) layouts[inside][sides] = workOutLayoutOfSides(sides, inside);
   return layouts;
 }();
+/// Of a cell that shows one segment along each of these sides, after `inside` others, which have these ends of fans.
+inline Layout layoutOfSides(unsigned sides, std::size_t inside, CornerEnds corners) {
+  return (inside < kLayoutsOfSides.size() ? kLayoutsOfSides[inside][sides] : workOutLayoutOfSides(sides, inside))
+      .with(corners);
+}
 
 }  // namespace lgs::detail

@@ -77,19 +77,17 @@ void Linking::linkInterior(CellAt at) {
 
 /// Links at the vertex where columns x - 1, x and rows y - 1, y meet.
 void Linking::linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y) {
-  const std::array<CellAt, 4> cells{cellAt(chunk, x, y), cellAt(chunk, x - 1, y), cellAt(chunk, x - 1, y - 1),
-                                    cellAt(chunk, x, y - 1)};
-  const Quadrants shown{lists_.of(cells[0]), lists_.of(cells[1]), lists_.of(cells[2]), lists_.of(cells[3])};
-  const auto areFew = [](CellSegments s) { return s.layout().areFew(); };
-  if (ground_.preserve || !std::all_of(shown.begin(), shown.end(), areFew)) {
-    linkCornerBySpokes(cells, shown);
+  const Quadrants shown = lists_.aroundCorner(chunk, x, y);
+  if (ground_.preserve || !CellSegments::areFew(shown)) {
+    linkCornerBySpokes(
+        {cellAt(chunk, x, y), cellAt(chunk, x - 1, y), cellAt(chunk, x - 1, y - 1), cellAt(chunk, x, y - 1)}, shown);
     return;
   }
   Turn turn;
-  turn.pass<0>(shown[0]);
-  turn.pass<1>(shown[1]);
-  turn.pass<2>(shown[2]);
-  turn.pass<3>(shown[3]);
+  if (shown[0]) turn.pass<0>(shown[0]);
+  if (shown[1]) turn.pass<1>(shown[1]);
+  if (shown[2]) turn.pass<2>(shown[2]);
+  if (shown[3]) turn.pass<3>(shown[3]);
   turn.close([&](std::uint32_t incoming, std::uint32_t outgoing) { links_.link(incoming, outgoing); });
 }
 
@@ -98,7 +96,7 @@ void Linking::linkCornerBySpokes(const std::array<CellAt, 4>& cells, const Quadr
   Fan fan(fan_);
   for (unsigned q = 0; q < 4; ++q) {
     const Layout layout = shown[q].layout();
-    if (layout.count() == 0) continue;
+    if (!shown[q]) continue;
     const Content& content = ground_.content(cells[q]);
     const unsigned leaving = q, arriving = sideBefore(q);
     const std::span leave = shown[q].part(partOf(leaving)), arrive = shown[q].part(partOf(arriving));

@@ -77,10 +77,7 @@ class Look {
   void fillSimple(std::uint32_t* words, Create& create) const {
     const Placed sole = ground_.placed(at_)[0];
     const std::size_t inside = content_.interior.size();
-    if (inside < kLayoutsOfSides.size())
-      kLayoutsOfSides[inside][sides_].with(content_.cornerEnds).write(words);
-    else
-      layoutOfSides(sides_, inside, content_.cornerEnds).write(words);
+    layoutOfSides(sides_, inside, content_.cornerEnds).write(words);
     std::uint32_t* id = words + Layout::kWords;
     for (const InteriorEdge& e : content_.interior) *id++ = create(e.ends, sole);
     for (unsigned left = sides_; left != 0; left &= left - 1)

@@ -118,8 +118,7 @@ void Outline::undo(const Grid& grid, const Note& note) {
 std::uint64_t Outline::bytes() const {
   const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
   std::uint64_t sum = segments.bytes() + lists.bytes() + bytesOf(changes_) + of(ids_, fan_);
-  for (const Note& n : notes_)
-    sum += sizeof n + bytesOf(n.changes) + of(n.removedBefore, n.segments, n.lists);
+  for (const Note& n : notes_) sum += sizeof n + bytesOf(n.changes) + of(n.removedBefore, n.segments, n.lists);
   return sum;
 }
 

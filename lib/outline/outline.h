@@ -98,8 +98,8 @@ class Outline {
   /// What an update changed, and how that was before it.
   struct Note {
     Changes changes;
-    std::vector<SegmentId> removedBefore;  ///< by the update before; this one recycled them
-    std::uint32_t topBefore = 0;           ///< one more than the greatest id
+    std::vector<SegmentId> removedBefore;                           ///< by the update before; this one recycled them
+    std::uint32_t topBefore = 0;                                    ///< one more than the greatest id
     std::vector<std::pair<std::uint32_t, SegmentRecord>> segments;  ///< by id, in the order in which they changed
     std::vector<std::uint32_t> lists;  ///< in that order the words of each list, how many these are, and the cell
   };

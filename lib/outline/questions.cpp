@@ -106,7 +106,9 @@ Expected<Nearest> nearest(const Grid& grid, const Outline& outline, Point p, dou
   }
   if (nearest == kNoSegment) return Nearest{};
   const double part = static_cast<double>(best.along.numerator) / static_cast<double>(best.along.denominator);
-  return Nearest{{nearest}, pointOn(outline.startOf(grid, nearest), outline.endOf(grid, nearest), part), inCells(std::sqrt(best.squared.value()))};
+  return Nearest{{nearest},
+                 pointOn(outline.startOf(grid, nearest), outline.endOf(grid, nearest), part),
+                 inCells(std::sqrt(best.squared.value()))};
 }
 
 Expected<RayHit> rayCast(const Grid& grid, const Outline& outline, Point from, Point to) {

@@ -5,15 +5,15 @@
 
 namespace lgs::detail {
 
-SegmentLists::ShownChunk& SegmentLists::obtain(const Chunk& chunk) {
+SegmentLists::ShownChunk& SegmentLists::make(const Chunk& chunk) {
   if (chunk.index >= chunks_.size()) chunks_.resize(std::size_t{chunk.index} + 1);
-  Owned<ShownChunk>& shown = chunks_[chunk.index];
-  if (!shown) shown = Owned(std::make_unique<ShownChunk>());
-  return *shown;
+  chunks_[chunk.index] = Owned(std::make_unique<ShownChunk>());
+  return *chunks_[chunk.index];
 }
 
 std::uint32_t* SegmentLists::splice(CellAt at, std::uint32_t begin, std::uint32_t removed, std::uint32_t added) {
-  ShownChunk& shown = obtain(*at.chunk);
+  ShownChunk* there = shownBy(*at.chunk);
+  ShownChunk& shown = there ? *there : make(*at.chunk);
   RecordArena::Ref& ref = shown.lists[at.local];
   const RecordArena::Ref old = ref;
   const std::uint32_t before = old != 0 ? CellSegments(arena_.at(old)).count() : 0, count = before - removed + added;

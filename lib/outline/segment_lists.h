@@ -17,8 +17,18 @@ class SegmentLists {
   /// Empty for a cell without chunk.
   CellSegments of(CellAt at) const {
     const ShownChunk* shown = at ? shownBy(*at.chunk) : nullptr;
-    const RecordArena::Ref ref = shown ? shown->lists[at.local] : 0;
-    return CellSegments(ref != 0 ? arena_.at(ref) : kNothing.data());
+    return shown ? of(shown->lists[at.local]) : CellSegments(kNothing.data());
+  }
+  /// The same for the four cells around the corner below and left of column x and row y, 0 … 32 each, of a chunk:
+  /// counter-clockwise, the cell in this column and row first. To cell q of them the vertex is its corner q.
+  std::array<CellSegments, 4> aroundCorner(const Chunk& chunk, std::int32_t x, std::int32_t y) const {
+    const ShownChunk* shown = shownBy(chunk);
+    if (shown && x > 0 && x < kChunkSize && y > 0 && y < kChunkSize) {
+      const RecordArena::Ref* at = &shown->lists[localOf({x, y})];
+      return {of(at[0]), of(at[-1]), of(at[-1 - kChunkSize]), of(at[-kChunkSize])};
+    }
+    return {of(cellAt(chunk, x, y)), of(cellAt(chunk, x - 1, y)), of(cellAt(chunk, x - 1, y - 1)),
+            of(cellAt(chunk, x, y - 1))};
   }
   bool isLive(CellAt at) const { return (liveRow(*at.chunk, at.row()) & at.bit()) != 0; }
   /// The cells in a row of a chunk that show segments.
@@ -43,10 +53,11 @@ class SegmentLists {
   };
   static constexpr std::array<std::uint32_t, Layout::kWords + 1> kNothing{};
 
+  CellSegments of(RecordArena::Ref list) const { return CellSegments(list != 0 ? arena_.at(list) : kNothing.data()); }
   ShownChunk* shownBy(const Chunk& chunk) const {
     return chunk.index < chunks_.size() ? chunks_[chunk.index].get() : nullptr;
   }
-  ShownChunk& obtain(const Chunk& chunk);
+  ShownChunk& make(const Chunk& chunk);
 
   std::vector<Owned<ShownChunk>> chunks_;  ///< by Chunk::index
   RecordArena arena_;

@@ -21,8 +21,7 @@ std::optional<SnapshotError> lookAt(std::span<const std::byte> bytes) {
   for (std::size_t k = 0; k < compared; ++k)
     if (bytes[k] != std::byte{letters[k]}) return SnapshotError{What::notASnapshot, k};
   if (bytes.size() < kHead + kTail) return SnapshotError{What::cut, bytes.size()};
-  if (bytes[letters.size()] != std::byte{kSnapshotVersion})
-    return SnapshotError{What::unknownVersion, letters.size()};
+  if (bytes[letters.size()] != std::byte{kSnapshotVersion}) return SnapshotError{What::unknownVersion, letters.size()};
   Checksum sum;
   for (const std::byte byte : bytes.first(bytes.size() - kTail)) sum.add(byte);
   for (unsigned k = 0; k < kTail; ++k)

@@ -113,10 +113,10 @@ Expected<ShapeId> World::shape(std::span<const std::vector<LocalPoint>> polygons
 }
 
 Expected<std::vector<std::span<const LocalPoint>>> World::polygonsOf(ShapeId shape) const {
-  const detail::InternedShape* interned = impl_->ground.catalogue.shape(shape);
-  if (!interned) return refuse({.code = ErrorCode::unknownShape});
+  const std::vector<detail::PolygonId>& polygons = impl_->ground.catalogue.shape(shape).polygons;
+  if (polygons.empty()) return refuse({.code = ErrorCode::unknownShape});
   std::vector<std::span<const LocalPoint>> out;
-  for (const detail::PolygonId id : interned->polygons) out.push_back(impl_->ground.catalogue.vertices(id));
+  for (const detail::PolygonId id : polygons) out.push_back(impl_->ground.catalogue.vertices(id));
   return out;
 }
 
@@ -135,6 +135,7 @@ Expected<LocalBox> World::boundingBox(ShapeId shape) const {
 // --- Edits
 
 Expected<PolygonHandle> World::add(Cell cell, ShapeId shape, Block block) {
+  if (PolygonHandle handle; impl_->edit.addSole(cell, shape, block, handle)) return handle;
   return impl_->edit.add(cell, shape, block, {});
 }
 Expected<PolygonHandle> World::add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
@@ -233,9 +234,7 @@ std::vector<PlacedPolygon> World::polygons(Cell cell) const {
   polygons(cell, out);
   return out;
 }
-void World::polygons(Cell cell, std::vector<PlacedPolygon>& out) const {
-  detail::polygonsOf(impl_->ground, cell, out);
-}
+void World::polygons(Cell cell, std::vector<PlacedPolygon>& out) const { detail::polygonsOf(impl_->ground, cell, out); }
 bool World::isEmpty(Cell cell) const {
   return impl_->ground.contentId(impl_->ground.grid.find(cell)) == detail::kEmptyContent;
 }
@@ -264,8 +263,7 @@ const PreserveRelation& World::preserveRelation() const { return impl_->ground.p
 // --- Reading the outline
 
 Expected<Segment> World::segment(SegmentId id) const {
-  if (!impl_->outline.segments.isLive(id.value))
-    return refuse({.code = ErrorCode::unknownSegment, .segment = id});
+  if (!impl_->outline.segments.isLive(id.value)) return refuse({.code = ErrorCode::unknownSegment, .segment = id});
   return segmentOf(impl_->ground.grid, impl_->outline, id.value);
 }
 Expected<void> World::segments(std::span<const SegmentId> ids, std::span<Segment> out) const {

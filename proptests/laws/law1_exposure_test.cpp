@@ -1,7 +1,7 @@
 // Law 1, exposure: cut every polygon edge at every vertex that lies on it; a cut edge u→v is an output segment, unless
 // another polygon has v→u and their overlap is not preserved.
-#include "outline/boundary.h"
 #include "oracle/reference/naive.h"
+#include "outline/boundary.h"
 #include "proptests/support/exhaust.h"
 #include "proptests/support/law.h"
 #include "proptests/support/played.h"

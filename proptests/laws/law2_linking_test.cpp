@@ -1,13 +1,13 @@
 // Law 2, linking: a segment's predecessor is the incoming segment met first when turning clockwise from it around its
 // start, its successor the outgoing one met first when turning counter-clockwise around its end. A coincident direction
 // is skipped; where there is no candidate there is no link.
+#include "geometry/radial_match.h"
 #include "oracle/reference/vector.h"
 #include "proptests/support/exhaust.h"
 #include "proptests/support/fan.h"
 #include "proptests/support/law.h"
 #include "proptests/support/played.h"
 #include "proptests/support/traces.h"
-#include "geometry/radial_match.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Law 7, what is refused: validation by itself, exhausted on tiny lattices. Every sequence of two to five points
 // against slow rules that can be seen to be right.
+#include "ground/polygon.h"
 #include "oracle/reference/validity.h"
 #include "oracle/reference/vector.h"
-#include "ground/polygon.h"
 #include "proptests/support/exhaust.h"
 #include "proptests/support/shapes.h"
 
