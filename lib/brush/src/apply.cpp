@@ -23,32 +23,24 @@ class Brush {
     return {};
   }
 
+  /// What goes and what comes is one change of the cell.
   Expected<void> cut(Cell cell, const Pieces& region) {
     read(cell);
     const CellEdit edit = editOf(old_, region, stroke_);
-    for (const std::size_t k : edit.gone)
-      if (const auto done = world_.remove(handles_[k]); !done) return done;
-    std::vector<BrushChange> changes;
-    for (const std::size_t k : edit.gone) changes.push_back({handles_[k], {}});
-    for (const NewPolygon& p : edit.placed) {
-      local_.clear();
+    removed_.clear();
+    for (const std::size_t k : edit.gone) removed_.push_back(handles_[k]);
+    local_.clear();
+    for (const NewPart& p : edit.placed)
       for (const Point v : p.ring) local_.push_back({static_cast<std::int32_t>(v.x), static_cast<std::int32_t>(v.y)});
-      const auto handle = world_.add(cell, local_, p.block);
-      if (!handle) return tl::unexpected(handle.error());
-      if (p.from.empty()) result_.came.push_back(*handle);
-      for (const std::size_t k : p.from) {
-        const auto place = std::lower_bound(edit.gone.begin(), edit.gone.end(), k) - edit.gone.begin();
-        changes[static_cast<std::size_t>(place)].now.push_back(*handle);
-      }
+    added_.clear();
+    std::size_t first = 0;
+    for (const NewPart& p : edit.placed) {
+      added_.push_back({std::span(local_).subspan(first, p.ring.size()), p.block});
+      first += p.ring.size();
     }
-    for (const std::size_t k : edit.bent) result_.bent.push_back(handles_[k]);
-    for (BrushChange& change : changes) {
-      if (change.now.empty()) {
-        result_.went.push_back(change.old);
-      } else {
-        result_.changed.push_back(std::move(change));
-      }
-    }
+    placedHandles_.resize(added_.size());
+    if (const auto done = world_.exchange(cell, removed_, added_, placedHandles_); !done) return done;
+    tell(edit);
     return {};
   }
 
@@ -63,6 +55,27 @@ class Brush {
       copy.ring.reserve(p.vertices.size());
       for (const LocalPoint v : p.vertices) copy.ring.push_back({v.x, v.y});
       handles_.push_back(p.handle);
+    }
+  }
+
+  void tell(const CellEdit& edit) {
+    std::vector<BrushChange> changes;
+    for (const PolygonHandle old : removed_) changes.push_back({old, {}});
+    for (std::size_t n = 0; n < edit.placed.size(); ++n) {
+      const std::vector<std::size_t>& from = edit.placed[n].from;
+      if (from.empty()) result_.came.push_back(placedHandles_[n]);
+      for (const std::size_t k : from) {
+        const auto place = std::lower_bound(edit.gone.begin(), edit.gone.end(), k) - edit.gone.begin();
+        changes[static_cast<std::size_t>(place)].now.push_back(placedHandles_[n]);
+      }
+    }
+    for (const std::size_t k : edit.bent) result_.bent.push_back(handles_[k]);
+    for (BrushChange& change : changes) {
+      if (change.now.empty()) {
+        result_.went.push_back(change.old);
+      } else {
+        result_.changed.push_back(std::move(change));
+      }
     }
   }
 
@@ -97,6 +110,8 @@ class Brush {
   std::vector<CellPolygon> old_;
   std::vector<PolygonHandle> handles_;
   std::vector<LocalPoint> local_;
+  std::vector<PolygonHandle> removed_, placedHandles_;
+  std::vector<NewPolygon> added_;
 };
 
 }  // namespace

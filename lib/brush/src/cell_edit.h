@@ -22,7 +22,7 @@ struct CellPolygon {
   Block block = 0;
 };
 
-struct NewPolygon {
+struct NewPart {
   Ring ring;
   Block block = 0;
   std::vector<std::size_t> from;  ///< the old polygons that it has a part of, by index
@@ -30,7 +30,7 @@ struct NewPolygon {
 
 struct CellEdit {
   std::vector<std::size_t> gone;  ///< old polygons that are no more, by index; all others stay as they are
-  std::vector<NewPolygon> placed;
+  std::vector<NewPart> placed;
   std::vector<std::size_t> bent;  ///< of those that are gone: what law 9 should have kept
 };
 
