@@ -3,6 +3,7 @@
 #include "calm.h"
 #include "geometry/ring.h"
 #include "ownership.h"
+#include "plain.h"
 #include "rounding.h"
 
 #include <algorithm>
@@ -44,6 +45,11 @@ std::vector<Atom> atomsOf(Ground& ground, const Pieces& region, FillRule rule) {
 }  // namespace
 
 CellEdit editOf(const std::vector<CellPolygon>& polygons, const Pieces& region, const Stroke& stroke) {
+  if (auto edit = plainEdit(polygons, region, stroke)) return std::move(*edit);
+  return arrangedEdit(polygons, region, stroke);
+}
+
+CellEdit arrangedEdit(const std::vector<CellPolygon>& polygons, const Pieces& region, const Stroke& stroke) {
   std::vector<bool> meeting;
   meeting.reserve(polygons.size());
   for (const CellPolygon& p : polygons) meeting.push_back(meets(region, stroke.rule, p.ring));

@@ -34,7 +34,10 @@ struct CellEdit {
   std::vector<std::size_t> bent;  ///< of those that are gone: what law 9 should have kept
 };
 
-/// Cost: O(n²) in the edges of the cell's polygons and of the region there.
+/// What a stroke does in a cell.
 CellEdit editOf(const std::vector<CellPolygon>& polygons, const Pieces& region, const Stroke& stroke);
+
+/// The same for any cell, by an arrangement of all edges. Cost: O(n²) in the edges of the cell's polygons and of the region there.
+CellEdit arrangedEdit(const std::vector<CellPolygon>& polygons, const Pieces& region, const Stroke& stroke);
 
 }  // namespace lgs::brush

@@ -17,8 +17,6 @@ namespace {
 
 bool isBetween(std::int64_t v, std::int64_t a, std::int64_t b) { return std::min(a, b) <= v && v <= std::max(a, b); }
 
-bool isInBox(Point p, Point a, Point b) { return isBetween(p.x, a.x, b.x) && isBetween(p.y, a.y, b.y); }
-
 bool boxesMeet(const Segment& p, const Segment& q) {
   const auto meet = [](std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
     return std::max(a, b) >= std::min(c, d) && std::max(c, d) >= std::min(a, b);
@@ -27,6 +25,8 @@ bool boxesMeet(const Segment& p, const Segment& q) {
 }
 
 }  // namespace
+
+bool isInBox(Point p, Point a, Point b) { return isBetween(p.x, a.x, b.x) && isBetween(p.y, a.y, b.y); }
 
 bool passes(Point a, Point b, Point pixel) {
   if (pixel == a || pixel == b) return true;

@@ -31,6 +31,9 @@ struct Segment {
   bool bends = true;  ///< false: it stays straight, and is only cut at hot points on it
 };
 
+/// Whether a point is in the closed box of two others.
+bool isInBox(Point p, Point a, Point b);
+
 /// Whether the edge a→b passes the pixel of a lattice point, left and lower side included.
 bool passes(Point a, Point b, Point pixel);
 
