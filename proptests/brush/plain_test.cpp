@@ -6,9 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <vector>
-
-namespace lgs::test {
+namespace lgs::test::plain {
 namespace {
 
 using brush::CellEdit;
@@ -28,10 +26,11 @@ void expectSame(const CellEdit& plain, const CellEdit& arranged) {
 /// Compares both in each cell that a region cuts. Returns how many of them were plain.
 std::size_t comparePlainCells(const Region& region) {
   constexpr std::int64_t kEnd = kUnitsPerCell;
-  const std::vector<CellPolygon> full{{{{0, 0}, {kEnd / 2, 0}, {kEnd, 0}, {kEnd, kEnd}, {0, kEnd}}, 1}};
+  const brush::Frame frame;
+  const brush::List<CellPolygon> full{{{{0, 0}, {kEnd / 2, 0}, {kEnd, 0}, {kEnd, kEnd}, {0, kEnd}}, 1}};
   std::size_t plain = 0;
   for (const brush::CutCell& cell : brush::coverage(region).cut) {
-    for (const auto& polygons : {std::vector<CellPolygon>{}, full}) {
+    for (const auto& polygons : {brush::List<CellPolygon>{}, full}) {
       for (const brush::Deed deed : {brush::Deed::carve, brush::Deed::fill, brush::Deed::replace}) {
         const brush::Stroke stroke{deed, 2, region.rule};
         const auto edit = plainEdit(polygons, cell.pieces, stroke);
@@ -68,4 +67,4 @@ TEST(Brush, APlainCellComesOutAsArrangedNearACorner) {
 }
 
 }  // namespace
-}  // namespace lgs::test
+}  // namespace lgs::test::plain

@@ -24,53 +24,49 @@ class Brush {
   }
 
   /// What goes and what comes is one change of the cell.
-  Expected<void> cut(Cell cell, const Pieces& region) {
-    read(cell);
-    const CellEdit edit = editOf(old_, region, stroke_);
-    removed_.clear();
-    for (const std::size_t k : edit.gone) removed_.push_back(handles_[k]);
-    local_.clear();
-    for (const NewPart& p : edit.placed)
-      for (const Point v : p.ring) local_.push_back({static_cast<std::int32_t>(v.x), static_cast<std::int32_t>(v.y)});
-    added_.clear();
-    std::size_t first = 0;
-    for (const NewPart& p : edit.placed) {
-      added_.push_back({std::span(local_).subspan(first, p.ring.size()), p.block});
-      first += p.ring.size();
+  Expected<void> cut(Cell cell, PieceSpan region) {
+    const Frame frame;
+    world_.polygons(cell, placed_);
+    List<CellPolygon> old;
+    old.reserve(placed_.size());
+    for (const PlacedPolygon& p : placed_) {
+      old.push_back({{}, p.block});
+      old.back().ring.reserve(p.vertices.size());
+      for (const LocalPoint v : p.vertices) old.back().ring.push_back({v.x, v.y});
     }
-    placedHandles_.resize(added_.size());
-    if (const auto done = world_.exchange(cell, removed_, added_, placedHandles_); !done) return done;
-    tell(edit);
+    const CellEdit edit = editOf(old, region, stroke_);
+    if (edit.isTooMuch) return tl::unexpected(Error{.code = ErrorCode::capacity, .cell = cell});
+
+    List<PolygonHandle> removed;
+    for (const std::size_t k : edit.gone) removed.push_back(placed_[k].handle);
+    std::size_t vertices = 0;
+    for (const NewPart& p : edit.placed) vertices += p.ring.size();
+    List<LocalPoint> local;
+    local.reserve(vertices);  // so what is added can point into it
+    List<NewPolygon> added;
+    for (const NewPart& p : edit.placed) {
+      const std::size_t first = local.size();
+      for (const Point v : p.ring) local.push_back({static_cast<std::int32_t>(v.x), static_cast<std::int32_t>(v.y)});
+      added.push_back({std::span(local).subspan(first), p.block});
+    }
+    if (removed.empty() && added.empty()) return {};
+    List<PolygonHandle> handles(added.size());
+    if (const auto done = world_.exchange(cell, removed, added, handles); !done) return done;
+    tell(edit, removed, handles);
     return {};
   }
 
  private:
-  void read(Cell cell) {
-    world_.polygons(cell, placed_);
-    old_.clear();
-    handles_.clear();
-    for (const PlacedPolygon& p : placed_) {
-      CellPolygon& copy = old_.emplace_back();
-      copy.block = p.block;
-      copy.ring.reserve(p.vertices.size());
-      for (const LocalPoint v : p.vertices) copy.ring.push_back({v.x, v.y});
-      handles_.push_back(p.handle);
-    }
-  }
-
-  void tell(const CellEdit& edit) {
-    std::vector<BrushChange> changes;
-    for (const PolygonHandle old : removed_) changes.push_back({old, {}});
-    for (std::size_t n = 0; n < edit.placed.size(); ++n) {
-      const std::vector<std::size_t>& from = edit.placed[n].from;
-      if (from.empty()) result_.came.push_back(placedHandles_[n]);
-      for (const std::size_t k : from) {
-        const auto place = std::lower_bound(edit.gone.begin(), edit.gone.end(), k) - edit.gone.begin();
-        changes[static_cast<std::size_t>(place)].now.push_back(placedHandles_[n]);
-      }
-    }
-    for (const std::size_t k : edit.bent) result_.bent.push_back(handles_[k]);
-    for (BrushChange& change : changes) {
+  void tell(const CellEdit& edit, std::span<const PolygonHandle> removed, std::span<const PolygonHandle> added) {
+    for (const std::size_t k : edit.bent)
+      result_.bent.push_back(removed[static_cast<std::size_t>(std::ranges::find(edit.gone, k) - edit.gone.begin())]);
+    for (std::size_t n = 0; n < added.size(); ++n)
+      if (edit.placed[n].from.empty()) result_.came.push_back(added[n]);
+    for (std::size_t g = 0; g < removed.size(); ++g) {
+      BrushChange change{removed[g], {}};
+      for (std::size_t n = 0; n < added.size(); ++n)
+        if (std::ranges::find(edit.placed[n].from, edit.gone[g]) != edit.placed[n].from.end())
+          change.now.push_back(added[n]);
       if (change.now.empty()) {
         result_.went.push_back(change.old);
       } else {
@@ -107,11 +103,6 @@ class Brush {
   const Stroke& stroke_;
   BrushResult& result_;
   std::vector<PlacedPolygon> placed_;
-  std::vector<CellPolygon> old_;
-  std::vector<PolygonHandle> handles_;
-  std::vector<LocalPoint> local_;
-  std::vector<PolygonHandle> removed_, placedHandles_;
-  std::vector<NewPolygon> added_;
 };
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include "snap.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace lgs::brush {
@@ -16,7 +15,6 @@ using detail::Vector;
 using detail::operator-;
 
 constexpr std::int64_t kEnd = kUnitsPerCell;
-constexpr std::array<Point, 4> kCorners{{{0, 0}, {kEnd, 0}, {kEnd, kEnd}, {0, kEnd}}};
 constexpr std::size_t kMostPieces = 16;
 
 bool isCorner(Point p) { return std::ranges::find(kCorners, p) != kCorners.end(); }
@@ -35,14 +33,14 @@ bool runsAlongRim(Point u, Point v) {
 }
 
 /// Whether the pieces are one ring, each beginning where the one before it ends.
-bool isOneRing(const Pieces& pieces) {
+bool isOneRing(PieceSpan pieces) {
   for (std::size_t k = 0; k < pieces.size(); ++k)
     if (pieces[k].end != nextVertex(pieces, k).start) return false;
   return true;
 }
 
 /// Whether a ring turns left all the time, once around. Vertices may be in the middle of straight lines.
-bool isConvex(const Ring& ring) {
+bool isConvex(const Points& ring) {
   const auto isUp = [](Vector v) { return v.y > 0 || (v.y == 0 && v.x > 0); };
   int upwards = 0;  // how often it begins to
   for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -57,7 +55,7 @@ bool isConvex(const Ring& ring) {
 
 /// Whether an edge of the region goes through the pixel of a known point beside its ends. One that is cut at a corner of
 /// the cell may: it can cross the rim beside the corner too.
-bool bends(const Pieces& region, const Ring& ring) {
+bool bends(PieceSpan region, const Points& ring) {
   for (const Piece& p : region) {
     if (!p.isOfRegion) continue;
     if (isCorner(p.start) || isCorner(p.end)) return true;
@@ -71,11 +69,11 @@ bool bends(const Pieces& region, const Ring& ring) {
 
 /// A full cell without a convex ring: one polygon beside each chain of its edges that runs through the cell. Nothing if
 /// the ring touches the rim in fewer than two points, or if two polygons would begin in the same vertex.
-std::optional<std::vector<Ring>> fullWithout(const Ring& ring) {
-  std::vector<Ring> parts;
+std::optional<List<Points>> fullWithout(const Points& ring) {
+  List<Points> parts;
   for (std::size_t first = 0; first < ring.size(); ++first) {
     if (!isOnRim(ring[first]) || runsAlongRim(ring[first], nextVertex(ring, first))) continue;
-    Ring part{ring[first]};
+    Points part{ring[first]};
     std::size_t k = first;
     do {
       k = k + 1 == ring.size() ? 0 : k + 1;
@@ -91,7 +89,7 @@ std::optional<std::vector<Ring>> fullWithout(const Ring& ring) {
       part.push_back(kCorners[(side + n) % 4]);
     parts.push_back(straightened(part));
   }
-  const auto begin = [](const Ring& part) { return part.front(); };
+  const auto begin = [](const Points& part) { return part.front(); };
   std::ranges::sort(parts, {}, begin);
   if (parts.empty() || std::ranges::adjacent_find(parts, {}, begin) != parts.end()) return std::nullopt;
   return parts;
@@ -99,15 +97,14 @@ std::optional<std::vector<Ring>> fullWithout(const Ring& ring) {
 
 }  // namespace
 
-std::optional<CellEdit> plainEdit(const std::vector<CellPolygon>& polygons, const Pieces& region,
-                                  const Stroke& stroke) {
+std::optional<CellEdit> plainEdit(const List<CellPolygon>& polygons, PieceSpan region, const Stroke& stroke) {
   const bool isEmpty = polygons.empty();
   if (!isEmpty && (polygons.size() > 1 || detail::doubleArea(polygons[0].ring) != 2 * kEnd * kEnd)) return std::nullopt;
   if (!isEmpty && stroke.deed == Deed::replace && polygons[0].block == stroke.block) return std::nullopt;
   const bool keepsAll = isEmpty ? stroke.deed == Deed::carve : stroke.deed == Deed::fill;
   if (keepsAll) return CellEdit{};
   if (region.size() < 3 || region.size() > kMostPieces || !isOneRing(region)) return std::nullopt;
-  Ring ring;
+  Points ring;
   ring.reserve(kMostPieces);
   for (const Piece& p : region) ring.push_back(p.start);
   if (!isConvex(ring) || bends(region, ring)) return std::nullopt;
@@ -117,7 +114,7 @@ std::optional<CellEdit> plainEdit(const std::vector<CellPolygon>& polygons, cons
     auto parts = fullWithout(ring);
     if (!parts) return std::nullopt;
     edit.gone = {0};
-    for (Ring& part : *parts) edit.placed.push_back({std::move(part), polygons[0].block, {0}});
+    for (Points& part : *parts) edit.placed.push_back({std::move(part), polygons[0].block, {0}});
   }
   if (stroke.deed != Deed::carve) edit.placed.push_back({straightened(ring), stroke.block, {}});
   return edit;
