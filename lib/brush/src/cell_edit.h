@@ -32,7 +32,7 @@ struct CellEdit {
   List<std::size_t> gone;  ///< old polygons that are no more, by index; all others stay as they are
   List<NewPart> placed;
   List<std::size_t> bent;  ///< of those that are gone: what law 9 should have kept
-  bool isTooMuch = false;  ///< edges cross in more than kMaxCrossingsPerCell points: nothing was worked out
+  bool isTooMuch = false;  ///< more crossings or more corners than a cell can have: the rest is not worked out
 };
 
 /// What a stroke does in a cell.

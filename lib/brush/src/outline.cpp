@@ -69,8 +69,9 @@ List<Points> loops(const Points& walk) {
 
 /// Whether an edge meets the open line between two vertices.
 bool blocks(const Edge& edge, Point from, Point to) {
-  return detail::crossProperly(from, to, edge.from, edge.to) || detail::isInside(edge.from, from, to) ||
-         detail::isInside(edge.to, from, to);
+  return detail::boxesMeet(edge.from, edge.to, from, to) &&
+         (detail::crossProperly(from, to, edge.from, edge.to) || detail::isInside(edge.from, from, to) ||
+          detail::isInside(edge.to, from, to));
 }
 
 /// The nearest vertex on one side of a vertex that can be seen from it. There is always one.

@@ -27,6 +27,12 @@ bool isSameOutline(List<Edge> now, const List<Edge>& before) {
   return now == parts;
 }
 
+std::size_t cornersOf(const List<Edge>& outline) {
+  std::size_t count = 0;
+  for (const Points& ring : ringsOf(outline)) count += ring.size();
+  return count;
+}
+
 /// An atom's ends and whose its sides are.
 struct Sides {
   Point low, high;
@@ -60,7 +66,10 @@ class Division {
         if (unionOf_[k] == all) old.push_back(k);
       edit.gone.insert(edit.gone.end(), old.begin(), old.end());
       const bool isOne = old.size() == 1 && unionOf_[paint_] != all;
-      for (Points& ring : simplePolygons(outlineOf(all))) {
+      List<Edge> outline = outlineOf(all);
+      edit.isTooMuch = outline.size() > kMaxVerticesPerCell && cornersOf(outline) > kMaxVerticesPerCell;
+      if (edit.isTooMuch) return edit;  // chords make it no less
+      for (Points& ring : simplePolygons(std::move(outline))) {
         List<std::size_t> from = isOne ? old : partsIn(ring, old);
         edit.placed.push_back({std::move(ring), blockOf(all), std::move(from)});
       }

@@ -60,8 +60,7 @@ int turnTo(Point doubled, const Piece& p) {
 
 /// Whether two pieces have more in common than a point.
 bool overlap(const Piece& p, const Piece& q) {
-  return detail::boxesMeet(p.start, p.end, q.start, q.end) && detail::orientation(p.a, p.b, q.a) == 0 &&
-         detail::orientation(p.a, p.b, q.b) == 0 &&
+  return detail::orientation(p.a, p.b, q.a) == 0 && detail::orientation(p.a, p.b, q.b) == 0 &&
          std::max(std::min(p.start, p.end), std::min(q.start, q.end)) <
              std::min(std::max(p.start, p.end), std::max(q.start, q.end));
 }
@@ -70,7 +69,7 @@ bool anyOverlap(PieceSpan pieces) {
   return anyPair(
       pieces,
       [](const Piece& p) {
-        return Extent{std::min(p.start.x, p.end.x), std::max(p.start.x, p.end.x)};
+        return std::array{p.start, p.end};
       },
       overlap);
 }

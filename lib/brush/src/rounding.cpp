@@ -29,8 +29,8 @@ bool isSwallowed(const Points& ring, const List<Atom>& atoms, FillRule rule) {
 
 /// Whether no atoms cross or end on each other.
 bool isPlane(const List<Atom>& atoms) {
-  const auto extent = [](const Atom& a) { return Extent{std::min(a.low.x, a.high.x), std::max(a.low.x, a.high.x)}; };
-  return !anyPair(atoms, extent, [](const Atom& a, const Atom& b) {
+  const auto ends = [](const Atom& a) { return std::array{a.low, a.high}; };
+  return !anyPair(atoms, ends, [](const Atom& a, const Atom& b) {
     return detail::crossProperly(a.low, a.high, b.low, b.high) || detail::isInside(a.low, b.low, b.high) ||
            detail::isInside(a.high, b.low, b.high) || detail::isInside(b.low, a.low, a.high) ||
            detail::isInside(b.high, a.low, a.high);

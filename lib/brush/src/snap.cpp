@@ -55,10 +55,8 @@ void normalize(Points& points) {
 }
 
 bool addCrossings(const List<Segment>& segments, Points& hot) {
-  const auto extent = [](const Segment& s) {
-    return Extent{std::min(s.start.x, s.end.x), std::max(s.start.x, s.end.x)};
-  };
-  return !anyPair(segments, extent, [&](const Segment& p, const Segment& q) {
+  const auto ends = [](const Segment& s) { return std::array{s.start, s.end}; };
+  return !anyPair(segments, ends, [&](const Segment& p, const Segment& q) {
     if (!p.bends || !q.bends) return false;
     if (const auto pixel = crossingPixel(p, q)) hot.push_back(*pixel);
     return hot.size() > kMaxCrossingsPerCell;
@@ -74,8 +72,9 @@ std::span<const Point> between(const Points& sorted, Point a, Point b) {
 void route(const Segment& segment, const Points& hot, Points& chain) {
   const auto& [a, b, start, end, sum, bends] = segment;
   chain.assign({start, end});
+  const auto [least, greatest] = std::minmax(start.y, end.y);
   for (const Point z : between(hot, start, end)) {
-    if (z == start || z == end || !isInBox(z, start, end)) continue;
+    if (z.y < least || z.y > greatest || z == start || z == end) continue;
     if (bends ? passes(a, b, z) : orientation(a, b, z) == 0) chain.push_back(z);
   }
   if (chain.size() == 2) return;
