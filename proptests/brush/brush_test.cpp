@@ -82,6 +82,12 @@ TEST(BrushSnap, CrossingsAreRoundedToTheNearestPoint) {
             (Point{0, 0}));
 }
 
+TEST(BrushAtoms, ARayThroughAVertexMeetsOneOfItsEdges) {
+  const brush::Sum solid{1, 0};
+  const brush::List<brush::Atom> wall{{{0, 0}, {0, 10}, solid, {}, {}}, {{0, 10}, {0, 20}, solid, {}, {}}};
+  EXPECT_EQ(sumLeftOf({10, 20}, wall), -solid);  // doubled
+}
+
 TEST(BrushOutline, AHoleIsCutOpenByTwoChords) {
   brush::List<brush::Edge> edges;
   const auto addRing = [&](const Ring& ring) {

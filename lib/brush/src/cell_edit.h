@@ -38,7 +38,8 @@ struct CellEdit {
 /// What a stroke does in a cell.
 CellEdit editOf(const List<CellPolygon>& polygons, PieceSpan region, const Stroke& stroke);
 
-/// The same for any cell, by an arrangement of all edges. Cost: O(n²) in the edges of the cell's polygons and of the region there.
+/// The same for any cell, by an arrangement of all edges. Cost: O(n²) in the edges of the cell's polygons and of the
+/// region there.
 CellEdit arrangedEdit(const List<CellPolygon>& polygons, PieceSpan region, const Stroke& stroke);
 
 }  // namespace lgs::brush
