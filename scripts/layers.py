@@ -51,6 +51,7 @@ ROOMS = {
     "oracle/check": ENGINE + REFERENCES + ["oracle/draw", "oracle/engine", "oracle/page", "oracle/generate"],
     "bench/published": ENGINE + ["lib/c/include", "oracle/reference"],
     "bench/ride": ENGINE + ADAPTERS + ORACLE,
+    "bench/instructions": ENGINE + ["lib/brush/include", "lib/brush/src", "oracle/generate"],  # it counts cut cells
     "bench": ENGINE + ADAPTERS + ORACLE + ["bench/published"],
     "cli": ENGINE + ADAPTERS + ORACLE + ["bench", "bench/ride"],
     "examples": ENGINE + ADAPTERS + ["lib/c/include"],
