@@ -1,6 +1,6 @@
 // Law 7: whether a ring is simple. The sweep against all pairs of edges, on rings that touch, fold and repeat.
 #include "geometry/simple.h"
-#include "oracle/generate/random.h"
+#include "oracle/calls/random.h"
 #include "polygon.h"
 #include "proptests/support/scale.h"
 
