@@ -1,9 +1,9 @@
 // The harness itself: the degenerate shapes and the naive rules, the generator, the shrinker, the window.
+#include "oracle/calls/shapes.h"
 #include "oracle/check/checker.h"
 #include "oracle/check/shrink.h"
 #include "oracle/check/window.h"
 #include "oracle/generate/generator.h"
-#include "oracle/generate/shapes.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/mirror.h"
 #include "oracle/trace/model.h"

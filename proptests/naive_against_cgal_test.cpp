@@ -1,7 +1,7 @@
 // The naive reference and CGAL's union against each other, on random degenerate scenes.
+#include "oracle/calls/random.h"
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/check/isolated.h"
-#include "oracle/generate/random.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
 #include "oracle/reference/scene.h"

@@ -16,7 +16,7 @@ import tempfile
 
 # What a room may include, beside itself. Rooms further down may include rooms further up, never the other way round.
 ENGINE = ["lib/include"]
-REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/trace"]
+REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/calls", "oracle/trace"]
 ORACLE = REFERENCES + ["oracle/draw", "oracle/engine", "oracle/page", "oracle/generate", "oracle/check"]
 TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include"]
 ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/brush/include", "lib/tiled/include"] + TERRAIN
@@ -43,11 +43,14 @@ ROOMS = {
     "oracle/reference": ENGINE,
     "oracle/cgal": ENGINE + ["oracle/reference"],
     "oracle/draw": ENGINE + ["oracle/reference"],
-    "oracle/trace": ENGINE + ["lib/brush/include", "oracle/reference"],  # traces have edits by brushes; it plays them
+    "oracle/calls": ENGINE + ["oracle/reference"],
+    # Traces have edits by brushes, and it plays them.
+    "oracle/trace": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/calls"],
     "oracle/page": ENGINE + ["oracle/reference", "oracle/trace", "oracle/draw"],
     "oracle/engine": ENGINE + ["lib/c/include", "oracle/reference", "oracle/trace"],
     # Random brushes are circles and lines of the library's making.
-    "oracle/generate": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/trace", "oracle/engine"],
+    "oracle/generate": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/calls", "oracle/trace",
+                                 "oracle/engine"],
     "oracle/check": ENGINE + REFERENCES + ["oracle/draw", "oracle/engine", "oracle/page", "oracle/generate"],
     "bench/published": ENGINE + ["lib/c/include", "oracle/reference"],
     "bench/ride": ENGINE + ADAPTERS + ORACLE,

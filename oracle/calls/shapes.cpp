@@ -1,4 +1,4 @@
-#include "oracle/generate/shapes.h"
+#include "oracle/calls/shapes.h"
 
 #include <algorithm>
 

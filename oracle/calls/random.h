@@ -11,7 +11,15 @@ class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
 
+  /// No chance at all: the first of everything, in the order in which it comes.
+  static Random asItComes() {
+    Random random(0);
+    random.isPlain_ = true;
+    return random;
+  }
+
   std::uint64_t next() {
+    if (isPlain_) return 0;
     std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
@@ -25,7 +33,7 @@ class Random {
   }
 
   /// True in about `percent` of 100 calls.
-  bool chance(int percent) { return below(100) < percent; }
+  bool chance(int percent) { return below(100) < percent && (!isPlain_ || percent >= 100); }
 
   template <class T>
   const T& pick(const std::vector<T>& from) {
@@ -34,11 +42,12 @@ class Random {
 
   template <class T>
   void shuffle(std::vector<T>& items) {
-    for (std::size_t k = items.size(); k > 1; --k) std::swap(items[k - 1], items[below(k)]);
+    for (std::size_t k = isPlain_ ? 0 : items.size(); k > 1; --k) std::swap(items[k - 1], items[below(k)]);
   }
 
  private:
   std::uint64_t state_;
+  bool isPlain_ = false;
 };
 
 }  // namespace lgs::oracle
