@@ -2,6 +2,7 @@
 
 #include "cli/import_error.h"
 #include "cli/imported.h"
+#include "lib/text/words.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -10,13 +11,6 @@
 
 namespace lgs::cli {
 namespace {
-
-/// Names come from files: what would do something to a terminal becomes a blank.
-std::string plain(std::string text) {
-  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
-  std::replace_if(text.begin(), text.end(), isControl, ' ');
-  return text;
-}
 
 constexpr const char* kGroup = "Options of the import";
 
@@ -131,16 +125,16 @@ void addImportOptions(CLI::App& command, tiled::Options& options) {
 }
 
 std::string importArguments(const CLI::App& command, std::span<const std::string_view> without) {
-  std::string text;
+  std::string words;
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_group() != kGroup || option->count() == 0) continue;
     if (std::find(without.begin(), without.end(), option->get_name()) != without.end()) continue;
-    if (option->get_expected_max() == 0) text += " " + option->get_name();
+    if (option->get_expected_max() == 0) words += " " + option->get_name();
     for (const std::string& value : option->get_expected_max() == 0 ? std::vector<std::string>{} : option->results()) {
-      text += " " + option->get_name() + " " + tiled::shellWord(value);
+      words += " " + option->get_name() + " " + text::shellWord(value);
     }
   }
-  return text;
+  return words;
 }
 
 tl::expected<oracle::Trace, std::string> readMap(const std::string& path, const tiled::Options& options,
@@ -157,13 +151,13 @@ tl::expected<oracle::Trace, std::string> readMap(const std::string& path, const 
 }
 
 std::string hints(const tiled::Report& report, const std::string& command) {
-  std::string text = plain(report.file) + ": nothing in it is solid";
-  if (!report.suggestions.empty()) text += ". What could be taken, and how:";
+  std::string lines = text::withoutControls(report.file) + ": nothing in it is solid";
+  if (!report.suggestions.empty()) lines += ". What could be taken, and how:";
   for (const tiled::Suggestion& suggestion : report.suggestions) {
-    text += "\n  " + plain(suggestion.text) + "\n    " + command;
-    for (const std::string& argument : suggestion.arguments) text += " " + tiled::shellWord(argument);
+    lines += "\n  " + text::withoutControls(suggestion.text) + "\n    " + command;
+    for (const std::string& argument : suggestion.arguments) lines += " " + text::shellWord(argument);
   }
-  return text;
+  return lines;
 }
 
 }  // namespace lgs::cli

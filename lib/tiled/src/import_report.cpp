@@ -1,4 +1,6 @@
 // The report and the error as text.
+#include "text/words.h"
+
 #include <lgs/tiled/import.h>
 
 #include <algorithm>
@@ -8,10 +10,7 @@ namespace lgs::tiled {
 namespace {
 
 /// Names come from files. What would end a line, or do something else to a terminal, becomes a blank.
-void makePlain(std::string& text) {
-  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
-  std::replace_if(text.begin(), text.end(), isControl, ' ');
-}
+void makePlain(std::string& name) { name = text::withoutControls(name); }
 
 void makePlain(std::vector<Note>& notes) {
   for (Note& note : notes) makePlain(note.text);
@@ -193,6 +192,8 @@ std::string toText(const Report& named) {
   appendSuggestions(report, out);
   return out;
 }
+
+std::string shellWord(std::string_view argument) { return text::shellWord(argument); }
 
 std::string message(const ImportError& error) {
   std::string out = error.file.empty() ? "the map" : error.file;

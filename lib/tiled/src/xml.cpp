@@ -2,6 +2,7 @@
 
 #include "foreign.h"
 #include "json_elements.h"
+#include "text/words.h"
 
 #include <fast_float/fast_float.h>
 #include <algorithm>
@@ -162,12 +163,9 @@ std::vector<DoublePoint> XmlFile::points(pugi::xml_node node, const char* attrib
   return result;
 }
 
-std::string inQuotes(std::string_view text) {
+std::string inQuotes(std::string_view piece) {
   constexpr std::size_t kMost = 40;
-  std::string result(text.substr(0, kMost));
-  std::replace_if(
-      result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
-  return "'" + result + (text.size() > kMost ? "…'" : "'");
+  return "'" + text::withoutControls(piece.substr(0, kMost)) + (piece.size() > kMost ? "…'" : "'");
 }
 
 std::string pathBeside(const std::string& file, std::string named) {

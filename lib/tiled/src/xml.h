@@ -17,7 +17,7 @@
 namespace lgs::tiled {
 
 /// A piece of a file as a message quotes it: short, and without control characters.
-std::string inQuotes(std::string_view text);
+std::string inQuotes(std::string_view piece);
 
 /// The path of a file that another one names by a path from its own folder, in either kind of slashes.
 std::string pathBeside(const std::string& file, std::string named);
