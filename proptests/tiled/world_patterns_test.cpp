@@ -147,10 +147,9 @@ TEST(TiledWorldPatterns, Refusals) {
   EXPECT_EQ(refusalBy(byPatterns(patternOf("p(1)_(1)")), files),
             "maps/p1_1.png: is a PNG image, and no map. What is read: maps of Tiled (TMX or JSON), worlds of Tiled and "
             "projects of LDtk (it fits the pattern 'p(1)_(1)' of the world)");
-  EXPECT_EQ(
-      refusalBy(byPatterns(patternOf("p(2)_(2)")), files),
-      "maps/p2_2.tsx:1: <tileset> should be <map>: this is not the kind of file expected here (it fits the pattern "
-      "'p(2)_(2)' of the world)");
+  EXPECT_EQ(refusalBy(byPatterns(patternOf("p(2)_(2)")), files),
+            "maps/p2_2.tsx: its root should be <map>: this is not the kind of file expected here (it fits the pattern "
+            "'p(2)_(2)' of the world)");
   EXPECT_EQ(refusalBy(byPatterns(patternOf("test()().world")), files),
             at + "takes test.world, where it captures '': this is no whole number of 32 bits");
   EXPECT_EQ(refusalBy(byPatterns(patternOf("q(1)(2)")), files),

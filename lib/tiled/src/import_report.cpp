@@ -4,6 +4,7 @@
 #include <lgs/tiled/import.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace lgs::tiled {
@@ -103,11 +104,13 @@ template <class Wanted>
 std::string layerNotes(const LayerReport& layer, Wanted&& wanted) {
   constexpr std::size_t kMostNamed = 12;
   std::vector<std::pair<std::string, std::vector<std::uint32_t>>> lines;
+  std::map<std::string, std::size_t> places;
   for (const Note& note : layer.notes) {
     if (!wanted(note.kind)) continue;
     const std::string text = note.text + where(note, "");
-    const auto same = std::find_if(lines.begin(), lines.end(), [&](const auto& line) { return line.first == text; });
-    (same == lines.end() ? lines.emplace_back(text, 0) : *same).second.push_back(note.object);
+    const auto [at, isNew] = places.try_emplace(text, lines.size());
+    if (isNew) lines.push_back({text, {}});
+    lines[at->second].second.push_back(note.object);
   }
   std::string out;
   for (const auto& [text, objects] : lines) {
