@@ -1,5 +1,6 @@
 #include "cli/import_options.h"
 
+#include "cli/command.h"
 #include "cli/import_error.h"
 #include "cli/imported.h"
 #include "lib/text/words.h"
@@ -59,10 +60,9 @@ void addBlockOptions(CLI::App& command, tiled::Options& options) {
 }
 
 void addShapeOptions(CLI::App& command, tiled::Options& options) {
-  command
-      .add_option("--tolerance", options.tolerance,
-                  "A vertex that misses the tile's rim or corner by up to this\nmany pixels is put on it; default 1")
-      ->check(CLI::Range(0.0, 1e6))
+  addReal(
+      command, "--tolerance", [&options](double pixels) { options.tolerance = pixels; }, {0, 1e6},
+      "A vertex that misses the tile's rim or corner by up to this\nmany pixels is put on it; default 1")
       ->option_text("PX");
   command
       .add_option_function<std::string>(
@@ -81,11 +81,10 @@ void addShapeOptions(CLI::App& command, tiled::Options& options) {
                   "NAME alone takes any value but false, 0 and none. May be\nrepeated")
       ->allow_extra_args(false)
       ->option_text("NAME[=VALUE]");
-  command
-      .add_option("--polyline-thickness", options.polylineThickness,
-                  "Make thin polygons of open polylines that are one-way (a class,\n"
-                  "name or property says so); what lies up to so many pixels below\nthem is solid")
-      ->check(CLI::Range(0.0, 1e6))
+  addReal(
+      command, "--polyline-thickness", [&options](double pixels) { options.polylineThickness = pixels; }, {0, 1e6},
+      "Make thin polygons of open polylines that are one-way (a class,\n"
+      "name or property says so); what lies up to so many pixels below\nthem is solid")
       ->option_text("PIXELS");
 }
 
@@ -112,6 +111,12 @@ void addLayerOptions(CLI::App& command, tiled::Options& options) {
                    "Leave out hidden layers and objects; otherwise they count like\nthose that are visible");
 }
 
+void addFileOptions(CLI::App& command, tiled::Options& options) {
+  command.add_flag("--files-anywhere", options.filesAnywhere,
+                   "Files that the map names may lie anywhere; otherwise they must\nlie in its folder or below it. For "
+                   "maps that you trust");
+}
+
 }  // namespace
 
 void addImportOptions(CLI::App& command, tiled::Options& options) {
@@ -119,6 +124,7 @@ void addImportOptions(CLI::App& command, tiled::Options& options) {
   addLayerOptions(command, options);
   addShapeOptions(command, options);
   addBlockOptions(command, options);
+  addFileOptions(command, options);
   for (CLI::Option* option : command.get_options()) {
     if (std::find(before.begin(), before.end(), option) == before.end()) option->group(kGroup);
   }
