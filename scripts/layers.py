@@ -22,6 +22,7 @@ TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include"]
 ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/brush/include", "lib/tiled/include"] + TERRAIN
 ROOMS = {
     "lib/include": [],
+    "lib/text": [],  # words as people and shells read them: of the importer, the references and the command
     "lib/geometry": ["lib/include"],
     "lib/src": ["lib/include", "lib/geometry"],
     "lib/c/include": [],
@@ -31,7 +32,7 @@ ROOMS = {
     "lib/brush/include": ["lib/include"],
     "lib/brush/src": ["lib/include", "lib/geometry", "lib/brush/include"],
     "lib/tiled/include": ["lib/include"],
-    "lib/tiled/src": ["lib/include", "lib/geometry", "lib/brush/include", "lib/tiled/include"],
+    "lib/tiled/src": ["lib/include", "lib/geometry", "lib/text", "lib/brush/include", "lib/tiled/include"],
     "web/bench": ["lib/include"],
     "web/wasm": ["lib/include", "lib/brush/include", "lib/tiled/include"],
     "lib/box2d/include": ["lib/include"],
@@ -51,17 +52,18 @@ ROOMS = {
     # Random brushes are circles and lines of the library's making.
     "oracle/generate": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/calls", "oracle/trace",
                                  "oracle/engine"],
-    "oracle/check": ENGINE + REFERENCES + ["oracle/draw", "oracle/engine", "oracle/page", "oracle/generate"],
+    "oracle/check": ENGINE + REFERENCES + ["lib/text", "oracle/draw", "oracle/engine", "oracle/page",
+                                            "oracle/generate"],
     "bench/published": ENGINE + ["lib/c/include", "oracle/reference"],
     "bench/ride": ENGINE + ADAPTERS + ORACLE,
     "bench/instructions": ENGINE + ["lib/brush/include", "lib/brush/src", "oracle/generate"],  # it counts cut cells
     "bench": ENGINE + ADAPTERS + ORACLE + ["bench/published"],
-    "cli": ENGINE + ADAPTERS + ORACLE + ["bench", "bench/ride"],
+    "cli": ENGINE + ADAPTERS + ORACLE + ["lib/text", "bench", "bench/ride"],
     "examples": ENGINE + ADAPTERS + ["lib/c/include"],
     "packaging": ENGINE,
     "fuzz": ENGINE + ADAPTERS + ORACLE + ["cli"],
     # Unit tests of the engine's and the importer's parts look inside.
-    "proptests": ENGINE + ADAPTERS + ORACLE + ["examples", "lib/geometry", "lib/src", "lib/brush/src",
+    "proptests": ENGINE + ADAPTERS + ORACLE + ["examples", "lib/geometry", "lib/text", "lib/src", "lib/brush/src",
                                                "lib/tiled/src", "lib/box2d/src",
                                                "bench/published", "bench/ride", "cli"],
     "proptests/consumer": ENGINE + ADAPTERS,  # a project of its own, as a game would be

@@ -109,7 +109,7 @@ LGS_LAW(GoingBack, ATransactionIsUndoneUnlessItIsKept, 500,
   expectNoDifference(stayed, left, edits);
 }
 
-/// One long game, in which cells are edited more than 255 times. A long run of it is a soak: docs/long-runs.md.
+/// One long game, in which cells are edited more than 255 times. A long run of it is a soak: docs/reports/long-runs.md.
 TEST(GoingBack, ALongGameOfPredictionsStaysInStep) {
   const Setting setting{{30, -2}, [] {
                           oracle::PreservePairs pairs;
