@@ -11,6 +11,8 @@
 #include "outline/wide_row.h"
 
 #include <array>
+#include <atomic>
+#include <functional>
 #include <memory>
 #include <span>
 #include <utility>
@@ -45,13 +47,25 @@ class Build {
   }
 
   void run() {
-    executor_(plans_.size(), [this](std::size_t k) { count(plans_[k]); });
+    forEach(plans_.size(), [this](std::size_t k) { count(plans_[k]); });
     allot();
-    executor_(plans_.size(), [this](std::size_t k) { create(plans_[k]); });
+    forEach(plans_.size(), [this](std::size_t k) { create(plans_[k]); });
     link();
   }
 
  private:
+  /// Each job once, whatever the executor does: what it calls again is not done again, and what it leaves out is done
+  /// here.
+  template <class Job>
+  void forEach(std::size_t count, Job&& job) const {
+    const auto begun = std::make_unique<std::atomic_flag[]>(count);
+    const std::function<void(std::size_t)> once = [&](std::size_t k) {
+      if (k < count && !begun[k].test_and_set()) job(k);
+    };
+    executor_(count, once);
+    for (std::size_t k = 0; k < count; ++k) once(k);
+  }
+
   void count(ChunkPlan& plan) const {
     const Chunk& chunk = *plan.chunk;
     LiveCell* last = plan.cells.data();
@@ -86,7 +100,7 @@ class Build {
     for (const LiveCell cell : plan.cells) {
       const CellAt at{plan.chunk, cell.local};
       const std::uint32_t ref = at.ref();
-      Look(ground_, at).fill(outline_.lists.words(at), [&](const PackedEnds& ends, Placed placed) {
+      Look(ground_, at).fill(outline_.lists.words(at), cell.segments, [&](const PackedEnds& ends, Placed placed) {
         const std::uint32_t id = next++->value;
         outline_.segments[id] = newSegment(ref, ends, placed);
         return id;
@@ -102,7 +116,7 @@ class Build {
       apart[static_cast<std::size_t>(parity)].push_back(plan.chunk);
     }
     for (const auto& chunks : apart) {
-      executor_(chunks.size(), [&](std::size_t k) {
+      forEach(chunks.size(), [&](std::size_t k) {
         std::vector<Spoke> fan;
         Linking(ground_, outline_, fan).linkChunk(*chunks[k]);
       });

@@ -67,7 +67,7 @@ void Exposure::create(CellAt at) {
   const Look look(ground_, at);
   const std::uint32_t count = look.count(), ref = at.ref();
   if (count == 0) return;
-  look.fill(outline_.splice(at, 0, 0, count),
+  look.fill(outline_.splice(at, 0, 0, count), count,
             [&](const PackedEnds& ends, Placed placed) { return outline_.create(ref, ends, placed); });
 }
 

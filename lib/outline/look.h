@@ -30,13 +30,15 @@ class Look {
     return count;
   }
 
-  /// Fills a list that has room for all. create(ends, placed) returns the id of the next segment.
+  /// Fills a list that has room for `count` segments, as count() said. create(ends, placed) returns the id of the next
+  /// one. A preserve relation that contradicts itself may show another number now: then what is too much is left out,
+  /// and what is missing is the last edge again, so that no memory is touched that is not the list's.
   template <class Create>
-  void fill(std::uint32_t* words, Create&& create) const {
+  void fill(std::uint32_t* words, std::uint32_t count, Create&& create) const {
     if (hasWholeSides_ && content_.polygons.size() == 1)
       fillSimple(words, create);
     else
-      fillParts(words, create);
+      fillParts(words, count, create);
   }
 
   /// Calls emit(ends, slot, touching) for the edges that one part of the cell shows, in order of start.
@@ -85,19 +87,24 @@ class Look {
   }
 
   template <class Create>
-  void fillParts(std::uint32_t* words, Create& create) const {
+  void fillParts(std::uint32_t* words, std::uint32_t count, Create& create) const {
     const PlacedBySlot placed = ground_.placed(at_);
     std::uint32_t* const ids = words + Layout::kWords;
     std::uint32_t* id = ids;
     PartEnds ends{};
     Touching touches = 0;
+    PackedEnds last = kSideEnds[kSouth];
     for (unsigned part = 0; part < kParts; ++part) {
       forEach(part, [&](const PackedEnds& edge, Slot slot, Touching touching) {
+        if (id == ids + count) return;
         *id++ = create(edge, placed[slot]);
         touches |= touching;
+        last = edge;
       });
       ends[part] = static_cast<std::uint16_t>(id - ids);
     }
+    while (id != ids + count) *id++ = create(last, placed[0]);
+    ends[kWestPart] = static_cast<std::uint16_t>(count);
     Layout(ends, touches, content_.cornerEnds).write(words);
   }
 

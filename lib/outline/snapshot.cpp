@@ -99,7 +99,7 @@ void load(const Ground& ground, Outline& outline, SnapshotReader& in) {
     const Look look(ground, at);
     const std::uint32_t here = look.count();
     if (here == 0) return;
-    look.fill(outline.splice(at, 0, 0, here), [&](const PackedEnds& ends, Placed placed) {
+    look.fill(outline.splice(at, 0, 0, here), here, [&](const PackedEnds& ends, Placed placed) {
       const std::uint32_t id = ids.read();
       if (see(id)) outline.segments[id] = newSegment(at.ref(), ends, placed);
       return id;

@@ -13,16 +13,23 @@ class Versions {
   Versions& operator=(const Versions&) = delete;
   ~Versions() = default;
 
-  std::uint64_t next() { return ++last_; }
-
- private:
-  /// Worlds are numbered in the upper half, from 1. So 0 is the version of a world that never had segments.
-  static std::uint64_t first() {
-    static std::atomic<std::uint32_t> worlds = 0;
-    return std::uint64_t{++worlds} << 32;
+  /// Greater than all that this world, and those that it is a copy of, had before.
+  std::uint64_t next() {
+    if (left_ == 0) {
+      static std::atomic<std::uint64_t> blocks = 0;
+      last_ = blocks++ * kBlock;
+      left_ = kBlock;
+    }
+    --left_;
+    return ++last_;
   }
 
-  std::uint64_t last_ = first();
+ private:
+  /// A world takes numbers by blocks, from 1 on. So 0 is the version of a world that never had segments.
+  static constexpr std::uint64_t kBlock = 1 << 20;
+
+  std::uint64_t last_ = 0;
+  std::uint64_t left_ = 0;  ///< numbers of the block that are not given out
 };
 
 }  // namespace lgs::detail
