@@ -13,11 +13,8 @@ std::string complaint(tiled::ImportError error, const std::string& before) {
     text.replace(at, kAnywhere.size(), before + "--files-anywhere");
   }
   if (field.empty()) return text;
-  const char* const option = field == "layers"              ? "--layer"
-                             : field == "tolerance"         ? "--tolerance"
-                             : field == "polylineThickness" ? "--polyline-thickness"
-                                                            : nullptr;
-  return text + (option ? " (" + before + option + ")" : "; no option of lgs changes it");
+  // The command has checked all other fields by itself, or has no options for them.
+  return text + (field == "layers" ? " (" + before + "--layer)" : "; no option of lgs changes it");
 }
 
 }  // namespace lgs::cli

@@ -259,8 +259,9 @@ TEST_F(Command, HintsCanBeGivenToAShell) {
 
 TEST_F(Command, ErrorsOfTheImportNameOptionsOfTheCommand) {
   put("m.tmx", kNothingSolid);
-  expect("import m.tmx --tolerance nan", 2, "m.tmx: the tolerance should be 0 or more (--tolerance)\n");
-  expect("check --map m.tmx --polyline-thickness nan", 2, "should be 0 or more (--polyline-thickness)\n");
+  expect("import m.tmx --tolerance nan", 2, "--tolerance: 'nan' is not a number from 0 to 1000000\n");
+  expect("check --map m.tmx --polyline-thickness nan", 2,
+         "--polyline-thickness: 'nan' is not a number from 0 to 1000000\n");
   put("big.tmx",
       "<map width='9' height='9' tilewidth='16' tileheight='16'><layer name='l' width='5000' height='5000'>"
       "<data encoding='csv'/></layer></map>");

@@ -180,19 +180,19 @@ void appendSuggestions(const Report& report, std::string& out) {
 
 }  // namespace
 
-std::string toText(const Report& named) {
-  const Report report = withPlainNames(named);
+std::string toText(const Report& report) {
+  const Report plain = withPlainNames(report);
   std::string out;
-  appendHead(report, out);
+  appendHead(plain, out);
   const auto missing = [](NoteKind kind) { return kind == NoteKind::leftOut || kind == NoteKind::clipped; };
-  appendNotes(report, "Left out or cut off:", missing, out);
+  appendNotes(plain, "Left out or cut off:", missing, out);
   const auto unchanged = [](NoteKind kind) { return kind >= NoteKind::takenBack; };
   appendNotes(
-      report, "Changed on the way in:", [&](NoteKind kind) { return !missing(kind) && !unchanged(kind); }, out);
-  appendNotes(report, "Worth a look:", unchanged, out);
-  appendShapeless(report, true, "Full squares, as asked", out);
-  appendShapeless(report, false, "Without collision shapes", out);
-  appendSuggestions(report, out);
+      plain, "Changed on the way in:", [&](NoteKind kind) { return !missing(kind) && !unchanged(kind); }, out);
+  appendNotes(plain, "Worth a look:", unchanged, out);
+  appendShapeless(plain, true, "Full squares, as asked", out);
+  appendShapeless(plain, false, "Without collision shapes", out);
+  appendSuggestions(plain, out);
   return out;
 }
 
