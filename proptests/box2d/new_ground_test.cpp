@@ -15,15 +15,16 @@ namespace {
 using box2d::Catch;
 using box2d::catchOf;
 using box2d::EdgeSet;
-using box2d::Form;
 using box2d::NewGround;
 using box2d::WayOut;
 
 bool holdsAll(Block /*block*/) { return true; }
 
-Form ballAt(double x, double y, double radius) { return {{{x * U, y * U}}, radius * U, {x * U, y * U}, holdsAll}; }
+box2d::Form ballAt(double x, double y, double radius) {
+  return {{{x * U, y * U}}, radius * U, {x * U, y * U}, holdsAll};
+}
 
-Form boxAt(double x, double y, double half) {
+box2d::Form boxAt(double x, double y, double half) {
   const double l = (x - half) * U, r = (x + half) * U, b = (y - half) * U, t = (y + half) * U;
   return {{{l, b}, {r, b}, {r, t}, {l, t}}, 0, {x * U, y * U}, holdsAll};
 }
@@ -41,7 +42,7 @@ TEST(Box2dNewGround, WasFreeIsWhatTheOldWorldSays) {
         const auto along = [&](std::int32_t from, std::int32_t to) {
           return (from - 1 + double{between(random, 0, 1)} * (to - from + 3)) * U + 0.25;
         };
-        Form form;
+        box2d::Form form;
         form.middle = {along(all.min.i, all.max.i), along(all.min.j, all.max.j)};
         form.holds = holdsAll;
         const Point p = latticePoint({form.middle.x / U, form.middle.y / U});
@@ -65,7 +66,7 @@ TEST(Box2dNewGround, WasFreeIsWhatTheOldWorldSays) {
   });
 }
 
-double depthOf(const Form& form, DoublePoint p) {
+double depthOf(const box2d::Form& form, DoublePoint p) {
   if (form.hull.size() == 1) return form.radius - std::hypot(p.x - form.hull[0].x, p.y - form.hull[0].y);
   double inside = std::numeric_limits<double>::infinity(), outside = inside;
   for (std::size_t k = 0; k < form.hull.size(); ++k) {
@@ -82,7 +83,7 @@ TEST(Box2dNewGround, ALineReachesAsDeepAsItsDeepestPoint) {
   test::forAll(
       300,
       [](Chance random) {
-        Form form;
+        box2d::Form form;
         const int corners = 1 + random.below(6);
         for (int k = 0; k < corners; ++k) {
           const double angle = 6.28 * k / corners;
@@ -114,7 +115,7 @@ class Box2dWayOut : public testing::Test {
     const Changes& changes = field.world.commit();
     return NewGround(field.world, set, changes);
   }
-  static std::optional<Catch> caught(const NewGround& ground, const Form& form) {
+  static std::optional<Catch> caught(const NewGround& ground, const box2d::Form& form) {
     return catchOf(ground, {form}, 0.01 * U);
   }
   Field field;
@@ -136,6 +137,13 @@ TEST_F(Box2dWayOut, WhoIsNotDeepIsNotCaught) {
   EXPECT_TRUE(caught(ground, ballAt(1.15, 0.4, 0.35)));
   EXPECT_FALSE(caught(ground, boxAt(1.2, 0.4, 0.35)));
   EXPECT_TRUE(caught(ground, boxAt(1.15, 0.4, 0.35)));  // its middle is outside
+}
+
+// No ray from there says on which side it is.
+TEST_F(Box2dWayOut, AMiddleOnTheRimOfANewBlockIsCaught) {
+  const NewGround ground = place({{0, 0}});
+  for (const double x : {0.0, 0.5, 1.0})
+    for (const double y : {0.25, 1.0}) EXPECT_TRUE(caught(ground, ballAt(x, y, 0.2))) << x << ' ' << y;
 }
 
 TEST_F(Box2dWayOut, WhoWasInTheSolidBeforeIsNotCaught) {
@@ -168,10 +176,10 @@ TEST_F(Box2dWayOut, WhoIsWalledInHasNone) {
 
 TEST_F(Box2dWayOut, OfSeveralFormsEachMustBeFree) {
   const NewGround ground = place({{0, 0}, {3, 0}});
-  const Form left = ballAt(0.9, 0.5, 0.2), right = ballAt(2.5, 0.5, 0.2);  // there is a gap of two cells
+  const box2d::Form left = ballAt(0.9, 0.5, 0.2), right = ballAt(2.5, 0.5, 0.2);  // there is a gap of two cells
   const auto found = catchOf(ground, {left, right}, 0.01 * U);
   ASSERT_TRUE(found && found->way);
-  for (Form form : {left, right}) {
+  for (box2d::Form form : {left, right}) {
     form.middle = box2d::moved(form.middle, *found->way);
     EXPECT_TRUE(ground.isFree(form));
   }
@@ -179,7 +187,7 @@ TEST_F(Box2dWayOut, OfSeveralFormsEachMustBeFree) {
 
 TEST_F(Box2dWayOut, WhatIsLetThroughIsNotCaught) {
   const NewGround ground = place({{0, 0}});
-  Form form = ballAt(0.5, 0.5, 0.3);
+  box2d::Form form = ballAt(0.5, 0.5, 0.3);
   form.holds = [](Block /*block*/) { return false; };
   EXPECT_FALSE(caught(ground, form));
 }
