@@ -2,6 +2,7 @@
 #include "either.h"
 
 #include <gtest/gtest.h>
+#include <lgs/box2d/cut_out.h>
 #include <cmath>
 
 namespace lgs::box2d_test {
@@ -191,6 +192,27 @@ TEST_F(Box2dCaught, AfterAStepWhoIsInTheGroundIsPutBack) {
   ASSERT_EQ(terrain.afterStep().size(), 1U);
   EXPECT_NEAR(positionOf(body).y, at.y, 1e-5F);
   EXPECT_EQ(velocityOf(body).y, 0);
+}
+
+TEST_F(Box2dCaught, BodiesAreCutOutOfWhatIsPainted) {
+  Terrain terrain(physics, field.world);
+  for (const Form form : {Form::ball, Form::box}) {
+    const Body body = addBody({0.6F, 0.36F}, form, 0);
+    step(60);
+    const Position at = positionOf(body);
+    ASSERT_TRUE(paint(field.world, circle({U / 2, U / 2}, 2 * U), 5, PaintMode::fill));
+    ASSERT_TRUE(cutOut(terrain, field.world, field.world.commit()));
+    EXPECT_TRUE(terrain.isCurrent());
+    EXPECT_TRUE(terrain.held().empty());
+    EXPECT_EQ(std::pair(positionOf(body).x, positionOf(body).y), std::pair(at.x, at.y));
+    EXPECT_TRUE(fits(terrain, body));
+    step(120);
+    EXPECT_NEAR(positionOf(body).x, at.x, 0.05F);
+    EXPECT_NEAR(positionOf(body).y, at.y, 0.05F);
+    ASSERT_TRUE(carve(field.world, circle({U / 2, 2 * U}, 2 * U - 1)));
+    ASSERT_TRUE(terrain.commit(field.world));
+    destroy(body);
+  }
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 #include "form.h"
 
+#include <lgs/questions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace lgs::box2d {
 
@@ -71,6 +74,24 @@ Box boxOf(std::span<const Form> forms) {
     }
   }
   return box;
+}
+
+// What is rounded is followed by its tangents.
+std::vector<Point> outlineOf(const Form& form) {
+  constexpr int kTangents = 24;
+  std::vector<DoublePoint> corners;
+  if (form.radius == 0) corners = form.hull;
+  for (int k = 0; form.radius > 0 && k < kTangents; ++k) {
+    const double half = std::numbers::pi / kTangents, angle = 2 * half * k;
+    const DoublePoint direction{std::cos(angle), std::sin(angle)};
+    const auto isNearer = [&](DoublePoint a, DoublePoint b) { return dot(a, direction) < dot(b, direction); };
+    const DoublePoint farthest = *std::max_element(form.hull.begin(), form.hull.end(), isNearer);
+    const double reach = form.radius / std::cos(half);
+    corners.push_back({farthest.x + reach * direction.x, farthest.y + reach * direction.y});
+  }
+  std::vector<Point> outline;
+  for (const DoublePoint& p : corners) outline.push_back(latticePoint({p.x / kUnitsPerCell, p.y / kUnitsPerCell}));
+  return outline;
 }
 
 double coreOf(const Form& form) {

@@ -34,6 +34,9 @@ inline DoublePoint moved(DoublePoint p, DoublePoint by) { return {p.x + by.x, p.
 /// The least box around forms.
 Box boxOf(std::span<const Form> forms);
 
+/// A polygon around a form, counter-clockwise and rounded to the lattice.
+std::vector<Point> outlineOf(const Form& form);
+
 /// How deep the middle is in its form: the distance to the outline.
 double coreOf(const Form& form);
 

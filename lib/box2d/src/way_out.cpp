@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace lgs::box2d {
 
@@ -18,7 +19,7 @@ constexpr std::size_t kMostWork = 100'000;
 std::array<DoublePoint, kDirections> directions() {
   std::array<DoublePoint, kDirections> all;
   for (std::size_t k = 0; k < kDirections; ++k) {
-    const double angle = 2 * 3.14159265358979323846 * static_cast<double>(k) / kDirections;
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / kDirections;
     all[k] = {std::cos(angle), std::sin(angle)};
   }
   return all;

@@ -199,4 +199,10 @@ bool Terrain::fits(const b2Body& body, const b2Transform& at) {
   return WayOut(ground, forms, frame_.units(b2_linearSlop)).isFree();
 }
 
+std::vector<std::vector<Point>> Terrain::outlinesOf(const b2Body* body) {
+  std::vector<std::vector<Point>> outlines;
+  for (const Form& form : formsOf(*body, body->GetTransform())) outlines.push_back(outlineOf(form));
+  return outlines;
+}
+
 }  // namespace lgs::box2d

@@ -217,4 +217,11 @@ bool Terrain::fits(b2BodyId body, Position at, b2Rot rotation) {
   return WayOut(ground, forms, frame_.units(slop())).isFree();
 }
 
+std::vector<std::vector<Point>> Terrain::outlinesOf(b2BodyId body) {
+  std::vector<std::vector<Point>> outlines;
+  for (const Form& form : formsOf(body, b2Body_GetPosition(body), b2Body_GetRotation(body)))
+    outlines.push_back(outlineOf(form));
+  return outlines;
+}
+
 }  // namespace lgs::box2d

@@ -126,6 +126,10 @@ class Terrain {
   bool fits(const b2Body& body);
   bool fits(const b2Body& body, const b2Transform& at);
 
+  /// Polygons around the shapes of a body that edges hold, in lattice units of the world: for a brush. Round ones are
+  /// somewhat larger.
+  std::vector<std::vector<Point>> outlinesOf(const b2Body* body);
+
   /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world: changes
   /// were left out, or another world was assigned to it, loaded or copied. Fixtures that are right as they are stay,
   /// and bodies on them sleep on. Cost: O(segments).

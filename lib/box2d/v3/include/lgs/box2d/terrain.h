@@ -137,6 +137,10 @@ class Terrain {
   bool fits(b2BodyId body);
   bool fits(b2BodyId body, Position at, b2Rot rotation);
 
+  /// Polygons around the shapes of a body that edges hold, in lattice units of the world: for a brush. Round ones are
+  /// somewhat larger.
+  std::vector<std::vector<Point>> outlinesOf(b2BodyId body);
+
   /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world: changes
   /// were left out, or another world was assigned to it, loaded or copied. Shapes that are right as they are stay, and
   /// bodies on them sleep on. Cost: O(segments).
