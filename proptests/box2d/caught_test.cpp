@@ -194,6 +194,19 @@ TEST_F(Box2dCaught, AfterAStepWhoIsInTheGroundIsPutBack) {
   EXPECT_EQ(velocityOf(body).y, 0);
 }
 
+// The floor is a cell thick, and below it there is nothing.
+TEST_F(Box2dCaught, AfterAStepWhoCameThroughTheGroundIsPutBack) {
+  Terrain terrain(physics, field.world);
+  const Body body = addBody({0.5F, 0.36F}, Form::box, 0);
+  step(1);
+  EXPECT_TRUE(terrain.afterStep().empty());
+  moveTo(body, {0.5F, -1.5F});
+  EXPECT_EQ(terrain.afterStep().size(), 1U);
+  EXPECT_GT(positionOf(body).y, 0.3F);
+  moveTo(body, {3.5F, 0.5F});  // fast, through the air
+  EXPECT_TRUE(terrain.afterStep().empty());
+}
+
 TEST_F(Box2dCaught, BodiesAreCutOutOfWhatIsPainted) {
   Terrain terrain(physics, field.world);
   for (const Form form : {Form::ball, Form::box}) {

@@ -3,6 +3,7 @@
 
 #include <lgs/lattice.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -16,6 +17,12 @@ struct Footing {
   float cosine = 1;
   float sine = 0;
 };
+
+/// Whether a body is so far from there that it may have come through something thin. It is for a quick look.
+inline bool isFar(const Footing& footing, DoublePoint at) {
+  constexpr double kFar = kUnitsPerCell / 16.0;
+  return std::abs(at.x - footing.at.x) > kFar || std::abs(at.y - footing.at.y) > kFar;
+}
 
 /// The last free place of each body, by a number of the body's.
 class Footings {

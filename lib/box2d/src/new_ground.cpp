@@ -143,4 +143,14 @@ void NewGround::linesIn(const Box& box, std::vector<Piece>& now, std::vector<Pie
     if (!isBeside(piece.line, box)) before.push_back(piece);
 }
 
+bool hasCrossed(const World& world, std::span<const Form> before, std::span<const Form> now) {
+  for (std::size_t k = 0; k < now.size() && k < before.size(); ++k) {
+    const DoublePoint from = before[k].middle, to = now[k].middle;
+    if (std::hypot(to.x - from.x, to.y - from.y) <= 2 * coreOf(now[k])) continue;
+    const Expected<RayHit> hit = world.rayCast(rounded(from), rounded(to));
+    if (hit && hit->segment && now[k].holds(world.segment(hit->segment)->block)) return true;
+  }
+  return false;
+}
+
 }  // namespace lgs::box2d

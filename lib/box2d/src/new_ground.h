@@ -62,4 +62,8 @@ class NewGround {
   std::optional<Box> box_;
 };
 
+/// Whether a middle came through ground in one step. Who moves by less than the thickness of its form can not: what is
+/// seen then between two places may be a corner around which it went.
+bool hasCrossed(const World& world, std::span<const Form> before, std::span<const Form> now);
+
 }  // namespace lgs::box2d

@@ -163,13 +163,19 @@ const std::vector<b2Body*>& Terrain::afterStep() {
     const std::optional<Footing> last = before.of(numberOf(*body));
     if (last && !body->IsAwake()) {
       footings_->set(numberOf(*body), *last);
-    } else if (isFree(*body, body->GetTransform())) {
+    } else if (isFree(*body, body->GetTransform()) && !(last && hasCrossed(*body, *last))) {
       note(*body);
     } else if (last && isFree(*body, transformOf(*last))) {
       putBack(*body, *last);
     }
   }
   return putBack_;
+}
+
+bool Terrain::hasCrossed(const b2Body& body, const Footing& last) {
+  const b2Vec2 at = body.GetPosition();
+  return isFar(last, frame_.units(Place{at.x, at.y})) &&
+         box2d::hasCrossed(world_, formsOf(body, transformOf(last)), formsOf(body, body.GetTransform()));
 }
 
 b2Transform Terrain::transformOf(const Footing& footing) const {

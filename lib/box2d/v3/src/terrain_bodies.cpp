@@ -182,17 +182,25 @@ void Terrain::note(b2BodyId body) {
   footings_->set(b2StoreBodyId(body), {frame_.units(Place{at.x, at.y}), rotation.c, rotation.s});
 }
 
+bool Terrain::hasCrossed(b2BodyId body, const Footing& last) {
+  const Position at = b2Body_GetPosition(body);
+  if (!isFar(last, frame_.units(Place{at.x, at.y}))) return false;
+  const Position from = toBox2D(frame_.placeOf(last.at));
+  return box2d::hasCrossed(world_, formsOf(body, from, {last.cosine, last.sine}),
+                           formsOf(body, at, b2Body_GetRotation(body)));
+}
+
 const std::vector<b2BodyId>& Terrain::afterStep() {
   putBack_.clear();
   const b2BodyEvents events = b2World_GetBodyEvents(physics_);
   for (int k = 0; k < events.moveCount; ++k) {
     const b2BodyId body = events.moveEvents[k].bodyId;
     if (!b2Body_IsValid(body) || !canBeCaught(body)) continue;
-    if (isFree(body, b2Body_GetPosition(body), b2Body_GetRotation(body))) {
+    const std::optional<Footing> last = footings_->of(b2StoreBodyId(body));
+    if (isFree(body, b2Body_GetPosition(body), b2Body_GetRotation(body)) && !(last && hasCrossed(body, *last))) {
       note(body);
       continue;
     }
-    const std::optional<Footing> last = footings_->of(b2StoreBodyId(body));
     if (!last) continue;
     const Position at = toBox2D(frame_.placeOf(last->at));
     const b2Rot rotation{last->cosine, last->sine};

@@ -116,7 +116,7 @@ class Terrain {
   std::vector<b2Body*> held() const;
 
   /// Call it after each step. Bodies press each other, and Box2D may press a light one through an edge. Each body whose
-  /// middle got into the ground in the step is put back to where it was free after the step before, at rest. Those are
+  /// middle got into the ground in the step, or came through, is put back to where it was free after the step before, at rest. Those are
   /// returned. Bodies that the game itself moves into the ground come back, too. Cost: World::at() for each fixture of a
   /// body that is awake.
   const std::vector<b2Body*>& afterStep();
@@ -203,6 +203,7 @@ class Terrain {
   bool release(b2Body& body, const Box& changed);
   void push(b2Body& body, const b2Vec2& way);
   bool isFree(const b2Body& body, const b2Transform& at);
+  bool hasCrossed(const b2Body& body, const Footing& last);
   void note(const b2Body& body);
   b2Transform transformOf(const Footing& footing) const;
   void putBack(b2Body& body, const Footing& footing);

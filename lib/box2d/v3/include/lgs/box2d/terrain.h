@@ -33,6 +33,7 @@ namespace lgs::box2d {
 class Footings;
 class NewGround;
 struct Box;
+struct Footing;
 struct Form;
 
 /// A place in the physics world: b2Pos, which is b2Vec2 unless Box2D was built with BOX2D_DOUBLE_PRECISION. Before 3.2
@@ -127,7 +128,7 @@ class Terrain {
   std::vector<b2BodyId> held() const;
 
   /// Call it after each step. Bodies press each other, and Box2D may press a light one through an edge. Each body whose
-  /// middle got into the ground in the step is put back to where it was free after the step before, at rest. Those are
+  /// middle got into the ground in the step, or came through, is put back to where it was free after the step before, at rest. Those are
   /// returned. Bodies that the game itself moves into the ground come back, too. Cost: World::at() for each shape of a
   /// body that is awake.
   const std::vector<b2BodyId>& afterStep();
@@ -209,6 +210,7 @@ class Terrain {
   bool release(b2BodyId body, const Box& changed);
   void push(b2BodyId body, b2Vec2 way);
   bool isFree(b2BodyId body, Position at, b2Rot rotation);
+  bool hasCrossed(b2BodyId body, const Footing& last);
   void note(b2BodyId body);
   void apply(const EdgeChanges& changes);
   void create(EdgeId id);
