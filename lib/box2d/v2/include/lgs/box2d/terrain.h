@@ -116,13 +116,13 @@ class Terrain {
   std::vector<b2Body*> held() const;
 
   /// Call it after each step. Bodies press each other, and Box2D may press a light one through an edge. Each body whose
-  /// middle got into the ground in the step, or came through, is put back to where it was free after the step before, at rest. Those are
-  /// returned. Bodies that the game itself moves into the ground come back, too. Cost: World::at() for each fixture of a
-  /// body that is awake.
+  /// middle got into the ground in the step, or came through, is put back to where it was free before, at rest. Those
+  /// are returned. Bodies that the game itself moves into the ground come back, too. Cost: World::at() for each fixture
+  /// of a body that is awake.
   const std::vector<b2Body*>& afterStep();
 
-  /// Whether the ground, as of the last commit, reaches into no fixture of a body by more than Box2D's slop, where it is
-  /// or as if it were at another place.
+  /// Whether the ground, as of the last commit, reaches into no fixture of a body by more than Box2D's slop, where it
+  /// is or as if it were at another place.
   bool fits(const b2Body& body);
   bool fits(const b2Body& body, const b2Transform& at);
 
@@ -157,8 +157,7 @@ class Terrain {
   std::optional<NearestHit> nearest(const b2Vec2& point, float radius) const;
 
   /// The bodies that reach into a rectangle of cells, but for the terrain's; each once, in no particular order. Sensors
-  /// are not looked at. Ask before you place a block or roll back: edges are one-sided, so a body whose middle is
-  /// behind them falls through the ground (docs/box2d.md says what to do). Box2D's skin of a polygon counts: bodies
+  /// are not looked at. caughtBy() says which of them new ground would hold. Box2D's skin of a polygon counts: bodies
   /// that are less than 1 cm (b2_polygonRadius) away are found, but not those that just rest beside the cells. Cost:
   /// the fixtures near the cells.
   std::vector<b2Body*> bodiesIn(const CellRect& cells) const;

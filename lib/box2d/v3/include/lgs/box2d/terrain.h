@@ -128,13 +128,13 @@ class Terrain {
   std::vector<b2BodyId> held() const;
 
   /// Call it after each step. Bodies press each other, and Box2D may press a light one through an edge. Each body whose
-  /// middle got into the ground in the step, or came through, is put back to where it was free after the step before, at rest. Those are
-  /// returned. Bodies that the game itself moves into the ground come back, too. Cost: World::at() for each shape of a
-  /// body that is awake.
+  /// middle got into the ground in the step, or came through, is put back to where it was free before, at rest. Those
+  /// are returned. Bodies that the game itself moves into the ground come back, too. Cost: World::at() for each shape
+  /// of a body that is awake.
   const std::vector<b2BodyId>& afterStep();
 
-  /// Whether the ground, as of the last commit, reaches into no shape of a body by more than Box2D's slop, where it is
-  /// or as if it were at another place.
+  /// Whether the ground, as of the last commit, reaches into no shape of a body by more than Box2D's slop, where it
+  /// is or as if it were at another place.
   bool fits(b2BodyId body);
   bool fits(b2BodyId body, Position at, b2Rot rotation);
 
@@ -168,8 +168,7 @@ class Terrain {
   std::optional<NearestHit> nearest(Position point, float radius) const;
 
   /// The bodies that reach into a rectangle of cells, but for the terrain's; each once, in no particular order. Sensors
-  /// are not looked at. Ask before you place a block or roll back: edges are one-sided, so a body whose middle is
-  /// behind them falls through the ground (docs/box2d.md says what to do). Bodies that just rest beside the cells are
+  /// are not looked at. caughtBy() says which of them new ground would hold. Bodies that just rest beside the cells are
   /// not found: the rectangle counts as smaller by Box2D's slop, half a centimetre, on each side. Cost: the shapes near
   /// the cells.
   std::vector<b2BodyId> bodiesIn(const CellRect& cells) const;
