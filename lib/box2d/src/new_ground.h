@@ -2,9 +2,9 @@
 //
 // A form of a body *was free* if its middle was outside of the solid before. It is *caught* if it was free, and if its
 // middle is in the solid now, or if a new piece of the outline reaches deeper than half its core. (Box2D pushes a body
-// out that is less deep. One that is deeper may pass through an edge: it is behind the edge for the test of continuous
-// collision.) Whether a middle was free follows from the segments that came and went: the outline runs around each solid
-// once, so its winding number changes by one where free becomes solid.
+// out that is less deep. One that is deeper may pass through an edge.) Whether a middle was free follows from the
+// segments that came and went: the outline runs around each solid once, so its winding number changes by one where free
+// becomes solid.
 #pragma once
 
 #include "form.h"

@@ -1,9 +1,9 @@
 // How a body that new ground has caught gets out. It knows no Box2D.
 //
-// The way out is a straight move without a turn. In its place no edge of the outline reaches into a form by more than a
-// tolerance, and each middle is free. On the way no middle touches an edge of the *old* outline: so nobody comes through
-// a wall that was there before. Places are tried on rings, 24 on each; the least ring with a free place counts, and
-// halving brings it nearer. The work is bounded: who has no way out by then has none.
+// The way out is a straight move without a turn. In its place no edge of the outline reaches into a form by more than
+// a tolerance, and each middle is free. On the way no middle touches an edge of the *old* outline: so nobody comes
+// through a wall that was there before. Places are tried on rings, 24 on each; the least ring with a free place counts,
+// and halving brings it nearer. The work is bounded: who has no way out by then has none.
 #pragma once
 
 #include "new_ground.h"

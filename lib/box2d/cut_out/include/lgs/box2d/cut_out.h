@@ -13,7 +13,7 @@
 namespace lgs::box2d {
 
 /// Shows the last changes of a world, as sync() does. But who is caught by them stays where it is: its outline is
-/// carved out of the ground, and that is committed and shown as well. If a brush is refused somewhere, which takes a cell that
+/// carved out of the ground, and that is committed and shown as well. If a brush is refused somewhere, because a cell
 /// is full to its limits, the terrain does with bodies what its options say. Errors as of sync().
 inline tl::expected<void, SyncError> cutOut(Terrain& terrain, World& world, const Changes& changes) {
   bool isCut = true;
