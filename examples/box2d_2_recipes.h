@@ -21,8 +21,10 @@ enum : lgs::Block { kStone = 1, kIce = 2, kConveyor = 3, kPlatform = 4 };
 /// For the world: walls beside a platform stay, as a body can be inside a platform.
 inline bool keepsWalls(lgs::Block a, lgs::Block b) { return (a == kPlatform) != (b == kPlatform); }
 
-/// For the terrain: ice is slippery.
-inline lgs::box2d::Material materialOf(lgs::Block block) { return {.friction = block == kIce ? 0.0F : 0.8F}; }
+/// For the terrain: ice is slippery, and bodies may be inside a platform.
+inline lgs::box2d::Material materialOf(lgs::Block block) {
+  return {.friction = block == kIce ? 0.0F : 0.8F, .isPassable = block == kPlatform};
+}
 
 /// One-way platforms and conveyors. Platforms hold from above only. Conveyors carry to the right.
 class Ground : public b2ContactListener {
@@ -61,34 +63,6 @@ inline bool stands(b2Fixture& foot, const lgs::box2d::Terrain& terrain) {
     if (const auto touch = terrain.hit(*c->contact); touch && touch->normal.y > 0.7F) return true;
   }
   return false;
-}
-
-/// Places a block where no body is. A game may rather wait, or lift the bodies.
-inline bool placeIfFree(lgs::World& world, lgs::box2d::Terrain& terrain, lgs::Cell cell, lgs::ShapeId shape,
-                        lgs::Block block) {
-  if (!terrain.bodiesIn(cell).empty() || !world.add(cell, shape, block)) return false;
-  return terrain.commit(world).has_value();
-}
-
-/// Places a block, and lifts the bodies that are in the cell onto it.
-inline bool placeBelow(lgs::World& world, lgs::box2d::Terrain& terrain, lgs::Cell cell, lgs::ShapeId shape,
-                       lgs::Block block) {
-  const std::vector<b2Body*> bodies = terrain.bodiesIn(cell);
-  if (!world.add(cell, shape, block)) return false;
-  const float top = terrain.position(lgs::toWorld(cell, {0, lgs::kUnitsPerCell})).y;
-  for (b2Body* body : bodies) {
-    float bottom = top;
-    for (const b2Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) {
-      for (int32 child = 0; child < f->GetShape()->GetChildCount(); ++child) {
-        b2AABB box;
-        f->GetShape()->ComputeAABB(&box, body->GetTransform(), child);
-        bottom = b2Min(bottom, box.lowerBound.y);
-      }
-    }
-    body->SetTransform(body->GetPosition() + b2Vec2(0, top - bottom), body->GetAngle());
-    body->SetAwake(true);
-  }
-  return terrain.commit(world).has_value();
 }
 
 /// What was saved: a world, and where the bodies were.

@@ -21,12 +21,14 @@ enum : lgs::Block { kStone = 1, kIce = 2, kConveyor = 3, kPlatform = 4 };
 /// For the world: walls beside a platform stay, as a body can be inside a platform.
 inline bool keepsWalls(lgs::Block a, lgs::Block b) { return (a == kPlatform) != (b == kPlatform); }
 
-/// For the terrain: ice is slippery, conveyors carry to the right, and platforms ask before they hold.
+/// For the terrain: ice is slippery, conveyors carry to the right, and platforms ask before they hold:
+/// bodies may be inside.
 inline lgs::box2d::Material materialOf(lgs::Block block) {
   lgs::box2d::Material material;
   material.surface.friction = block == kIce ? 0.0F : 0.8F;
   material.surface.tangentSpeed = block == kConveyor ? 2.0F : 0.0F;
   material.enablePreSolveEvents = block == kPlatform;
+  material.isPassable = block == kPlatform;
   return material;
 }
 
@@ -61,28 +63,6 @@ inline bool stands(b2BodyId body, const lgs::box2d::Terrain& terrain) {
   for (const b2ContactData& contact : std::span(contacts).first(static_cast<std::size_t>(count)))
     if (const auto touch = terrain.hit(contact); touch && touch->normal.y > 0.7F) return true;
   return false;
-}
-
-/// Places a block where no body is. A game may rather wait, or lift the bodies.
-inline bool placeIfFree(lgs::World& world, lgs::box2d::Terrain& terrain, lgs::Cell cell, lgs::ShapeId shape,
-                        lgs::Block block) {
-  if (!terrain.bodiesIn(cell).empty() || !world.add(cell, shape, block)) return false;
-  return terrain.commit(world).has_value();
-}
-
-/// Places a block, and lifts the bodies that are in the cell onto it.
-inline bool placeBelow(lgs::World& world, lgs::box2d::Terrain& terrain, lgs::Cell cell, lgs::ShapeId shape,
-                       lgs::Block block) {
-  const std::vector<b2BodyId> bodies = terrain.bodiesIn(cell);
-  if (!world.add(cell, shape, block)) return false;
-  const auto top = static_cast<float>(terrain.position(lgs::toWorld(cell, {0, lgs::kUnitsPerCell})).y);
-  for (const b2BodyId body : bodies) {
-    lgs::box2d::Position at = b2Body_GetPosition(body);
-    at.y += b2MaxFloat(0, top - b2Body_ComputeAABB(body).lowerBound.y);
-    b2Body_SetTransform(body, at, b2Body_GetRotation(body));
-    b2Body_SetAwake(body, true);
-  }
-  return terrain.commit(world).has_value();
 }
 
 /// What was saved: a world, and where the bodies were. The type of a transform depends on Box2D's precision.

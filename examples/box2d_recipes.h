@@ -4,8 +4,6 @@
 #include <lgs/box2d/terrain.h>
 #include <lgs/world.h>
 
-#include <vector>
-
 namespace recipes {
 
 /// Digs a rectangle. Bodies that rest on it wake up by themselves, and wake what rests on them.
@@ -13,18 +11,22 @@ inline bool dig(lgs::World& world, lgs::box2d::Terrain& terrain, const lgs::Cell
   return world.clear(cells) && terrain.commit(world);
 }
 
-/// A step that can be undone: how the world was before it, and all cells that were edited since.
-struct Step {
-  lgs::Mark before;
-  std::vector<lgs::CellRect> edited;
-};
+/// Places a block, but on no body: then nothing has changed. A game that just adds and commits may do so, too: the
+/// terrain pushes bodies out of the block.
+inline bool placeIfFree(lgs::World& world, lgs::box2d::Terrain& terrain, lgs::Cell cell, lgs::ShapeId shape,
+                        lgs::Block block) {
+  const lgs::Mark before = world.checkpoint();
+  bool isPlaced = false;
+  if (world.add(cell, shape, block)) {
+    const lgs::Changes& changes = world.commit();
+    isPlaced = terrain.caughtBy(changes).empty() ? terrain.sync(changes).has_value() : !world.rollBack(before);
+  }
+  return world.forget(before) && isPlaced;
+}
 
-/// Undoes a step if no body is where it was edited: what was dug there comes back, and a body in it would fall through
-/// the ground. A game may rather wait, or lift the bodies.
-inline bool undo(lgs::World& world, lgs::box2d::Terrain& terrain, const Step& step) {
-  for (const lgs::CellRect& cells : step.edited)
-    if (!terrain.bodiesIn(cells).empty()) return false;
-  return world.rollBack(step.before) && terrain.sync(world.changesOfRollBack());
+/// Goes back to a mark. Who stands in a hole that is filled is pushed out, or held until it is free again.
+inline bool undo(lgs::World& world, lgs::box2d::Terrain& terrain, lgs::Mark mark) {
+  return world.rollBack(mark) && terrain.sync(world.changesOfRollBack());
 }
 
 }  // namespace recipes

@@ -18,7 +18,7 @@ import tempfile
 ENGINE = ["lib/include"]
 REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/calls", "oracle/trace"]
 ORACLE = REFERENCES + ["oracle/draw", "oracle/engine", "oracle/page", "oracle/generate", "oracle/check"]
-TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include"]
+TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out"]
 ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/brush/include", "lib/tiled/include"] + TERRAIN
 ROOMS = {
     "lib/include": [],
@@ -40,6 +40,8 @@ ROOMS = {
     "lib/box2d/v2/include": ["lib/include", "lib/box2d/include"],
     "lib/box2d/v2/src": ["lib/include", "lib/box2d/include", "lib/box2d/src", "lib/box2d/v2/include"],
     "lib/box2d/v3/include": ["lib/include", "lib/box2d/include"],
+    "lib/box2d/cut_out": ["lib/include", "lib/brush/include", "lib/box2d/include", "lib/box2d/v2/include",
+                          "lib/box2d/v3/include"],
     "lib/box2d/v3/src": ["lib/include", "lib/box2d/include", "lib/box2d/src", "lib/box2d/v3/include"],
     "oracle/reference": ENGINE,
     "oracle/cgal": ENGINE + ["oracle/reference"],
@@ -71,7 +73,7 @@ ROOMS = {
 # The folders from which a header is found by a path without its room.
 INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/src", "lib/c/include", "lib/debug/include", "lib/brush/include",
                    "lib/brush/src", "lib/tiled/include", "lib/tiled/src", "lib/box2d/include", "lib/box2d/src",
-                   "lib/box2d/v2/include", "lib/box2d/v3/include"]
+                   "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out/include"]
 # What no file below a folder may include, whatever its room: lib/ is MIT and goes into games.
 FOREIGN = {"lib": re.compile(r"CGAL/|rapidcheck|gtest|gmock|fmt/|CLI/")}
 KINDS = ["*.h", "*.c", "*.cpp"]

@@ -19,7 +19,7 @@ const EdgeChanges& EdgeSet::load(const World& world) {
     setFate(record, Fate::dead);
   }
   for (const SegmentId id : world.segments()) {
-    setFate(records_[id.value], Fate::pending);
+    admit(id);
     seedAround(id);
   }
   for (Record& record : records_) {
@@ -86,7 +86,7 @@ void EdgeSet::seedAll(const Changes& changes) {
     record.edge = 0;
   }
   for (const SegmentId id : changes.relinked) seedLinks(records_[id.value]);
-  for (const SegmentId id : changes.added) setFate(records_[id.value], Fate::pending);
+  for (const SegmentId id : changes.added) admit(id);
   for (const auto* ids : {&changes.added, &changes.relinked}) {
     for (const SegmentId id : *ids) seedAround(id);
   }
@@ -94,6 +94,11 @@ void EdgeSet::seedAll(const Changes& changes) {
 
 EdgeId EdgeSet::edgeOf(SegmentId segment) const {
   return segment.value < records_.size() ? EdgeId{records_[segment.value].edge} : EdgeId{};
+}
+
+std::optional<Line> EdgeSet::lineOf(SegmentId segment) const {
+  if (segment.value >= records_.size() || records_[segment.value].fate == Fate::dead) return {};
+  return records_[segment.value].line;
 }
 
 std::vector<EdgeId> EdgeSet::edges() const {
@@ -133,6 +138,13 @@ void EdgeSet::setFate(Record& record, Fate fate) {
   if (record.fate != Fate::dead) --fates_[static_cast<std::size_t>(record.fate)];
   record.fate = fate;
   if (fate != Fate::dead) ++fates_[static_cast<std::size_t>(fate)];
+}
+
+void EdgeSet::admit(SegmentId id) {
+  const Segment s = read(id);
+  Record& record = records_[id.value];
+  record.line = {s.start, s.end};
+  setFate(record, Fate::pending);
 }
 
 void EdgeSet::retire(std::uint32_t edge) {

@@ -1,5 +1,7 @@
 #include <lgs/box2d/terrain.h>
+#include "footing.h"
 #include "local_edge.h"
+#include "new_ground.h"
 #include "to_box2d.h"
 
 #include <cassert>
@@ -22,18 +24,21 @@ class Waker : public b2QueryCallback {
 bool operator==(const Material& a, const Material& b) {
   return a.friction == b.friction && a.restitution == b.restitution &&
          a.restitutionThreshold == b.restitutionThreshold && a.filter.categoryBits == b.filter.categoryBits &&
-         a.filter.maskBits == b.filter.maskBits && a.filter.groupIndex == b.filter.groupIndex;
+         a.filter.maskBits == b.filter.maskBits && a.filter.groupIndex == b.filter.groupIndex &&
+         a.isPassable == b.isPassable;
 }
 
 Terrain::Terrain(b2World& physics, const World& world, TerrainOptions options)
     : physics_(physics),
       world_(world),
       frame_{options.cellSize, options.origin, options.chunkCells},
+      onCaught_(options.onCaught),
       materials_(std::move(options.material)),
       edges_({.chunkCells = options.chunkCells,
               .shortest = frame_.unitsOf(b2_linearSlop),
               .merge = options.merge,
-              .material = [this](Block block) { return materials_.number(block); }}) {
+              .material = [this](Block block) { return materials_.number(block); }}),
+      footings_(std::make_unique<Footings>()) {
   apply(edges_.load(world_));
 }
 
@@ -50,15 +55,25 @@ tl::expected<void, SyncError> Terrain::commit(World& world) {
   return sync(world.commit());
 }
 
-tl::expected<void, SyncError> Terrain::sync(const Changes& changes) {
+tl::expected<void, SyncError> Terrain::sync(const Changes& changes) { return sync(changes, onCaught_); }
+
+tl::expected<void, SyncError> Terrain::sync(const Changes& changes, OnCaught onCaught) {
   const std::optional<SyncError> misfit = edges_.misfit(world_, changes);
   assert(!misfit);
   if (misfit) return tl::unexpected(*misfit);
+  const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_, changes);
+  caught_ = onCaught == OnCaught::leave ? std::vector<Caught>() : find(ground);
   apply(edges_.update(world_, changes));
+  settle(ground, onCaught);
   return {};
 }
 
-void Terrain::resync() { apply(edges_.load(world_)); }
+void Terrain::resync() {
+  const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_);
+  caught_ = onCaught_ == OnCaught::leave ? std::vector<Caught>() : find(ground);
+  apply(edges_.load(world_));
+  settle(ground, onCaught_);
+}
 
 void Terrain::moveOrigin(Cell origin) {
   assert(!physics_.IsLocked());
@@ -81,7 +96,7 @@ void Terrain::apply(const EdgeChanges& changes) {
   }
   // Box2D itself wakes what touched a fixture that is destroyed. For the other changes the terrain has to ask what is
   // there, unless there are no bodies but its own.
-  if (static_cast<std::size_t>(physics_.GetBodyCount()) > bodyCount_) {
+  if (!isAlone()) {
     for (const EdgeId id : changes.added) wakeAround(*fixtures_[id.value]);
     for (const EdgeId id : changes.relinked) wakeAround(*fixtures_[id.value]);
   }

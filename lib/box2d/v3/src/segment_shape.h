@@ -71,11 +71,12 @@ void setCustomFiltering(ShapeDef& definition, bool enable) {
 
 /// Calls a function for each shape whose box overlaps `box`, which is relative to `corner`.
 template <class Corner>
-void forEachShapeIn(b2WorldId physics, Corner corner, b2AABB box, b2QueryFilter filter, b2OverlapResultFcn* call) {
-  if constexpr (requires { b2World_OverlapAABB(physics, corner, box, filter, call, nullptr); }) {
-    b2World_OverlapAABB(physics, corner, box, filter, call, nullptr);
+void forEachShapeIn(b2WorldId physics, Corner corner, b2AABB box, b2QueryFilter filter, b2OverlapResultFcn* call,
+                    void* context) {
+  if constexpr (requires { b2World_OverlapAABB(physics, corner, box, filter, call, context); }) {
+    b2World_OverlapAABB(physics, corner, box, filter, call, context);
   } else {
-    b2World_OverlapAABB(physics, {b2Add(corner, box.lowerBound), b2Add(corner, box.upperBound)}, filter, call, nullptr);
+    b2World_OverlapAABB(physics, {b2Add(corner, box.lowerBound), b2Add(corner, box.upperBound)}, filter, call, context);
   }
 }
 

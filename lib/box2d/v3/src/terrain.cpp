@@ -1,5 +1,7 @@
 #include <lgs/box2d/terrain.h>
+#include "footing.h"
 #include "local_edge.h"
+#include "new_ground.h"
 #include "segment_shape.h"
 #include "to_box2d.h"
 
@@ -30,18 +32,20 @@ bool operator==(const Material& a, const Material& b) {
          a.filter.maskBits == b.filter.maskBits && a.filter.groupIndex == b.filter.groupIndex &&
          a.enableSensorEvents == b.enableSensorEvents && a.enableContactEvents == b.enableContactEvents &&
          a.enableHitEvents == b.enableHitEvents && a.enablePreSolveEvents == b.enablePreSolveEvents &&
-         a.enableCustomFiltering == b.enableCustomFiltering;
+         a.enableCustomFiltering == b.enableCustomFiltering && a.isPassable == b.isPassable;
 }
 
 Terrain::Terrain(b2WorldId physics, const World& world, TerrainOptions options)
     : physics_(physics),
       world_(world),
       frame_{options.cellSize, options.origin, options.chunkCells},
+      onCaught_(options.onCaught),
       materials_(std::move(options.material)),
       edges_({.chunkCells = options.chunkCells,
               .shortest = frame_.unitsOf(slop()),
               .merge = options.merge,
-              .material = [this](Block block) { return materials_.number(block); }}) {
+              .material = [this](Block block) { return materials_.number(block); }}),
+      footings_(std::make_unique<Footings>()) {
   apply(edges_.load(world_));
 }
 
@@ -58,15 +62,25 @@ tl::expected<void, SyncError> Terrain::commit(World& world) {
   return sync(world.commit());
 }
 
-tl::expected<void, SyncError> Terrain::sync(const Changes& changes) {
+tl::expected<void, SyncError> Terrain::sync(const Changes& changes) { return sync(changes, onCaught_); }
+
+tl::expected<void, SyncError> Terrain::sync(const Changes& changes, OnCaught onCaught) {
   const std::optional<SyncError> misfit = edges_.misfit(world_, changes);
   assert(!misfit);
   if (misfit) return tl::unexpected(*misfit);
+  const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_, changes);
+  caught_ = onCaught == OnCaught::leave ? std::vector<Caught>() : find(ground);
   apply(edges_.update(world_, changes));
+  settle(ground, onCaught);
   return {};
 }
 
-void Terrain::resync() { apply(edges_.load(world_)); }
+void Terrain::resync() {
+  const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_);
+  caught_ = onCaught_ == OnCaught::leave ? std::vector<Caught>() : find(ground);
+  apply(edges_.load(world_));
+  settle(ground, onCaught_);
+}
 
 void Terrain::moveOrigin(Cell origin) {
   frame_.origin = origin;
@@ -79,10 +93,13 @@ void Terrain::moveOrigin(Cell origin) {
   b2World_RebuildStaticTree(physics_);
 }
 
+bool Terrain::isAlone() const {
+  return static_cast<std::size_t>(b2World_GetCounters(physics_).bodyCount) <= bodyCount_;
+}
+
 void Terrain::apply(const EdgeChanges& changes) {
   bodies_.resize(edges_.chunkCount());
-  const bool empty = static_cast<std::size_t>(b2World_GetCounters(physics_).bodyCount) == bodyCount_;
-  if (!empty) {
+  if (!isAlone()) {
     for (const EdgeId id : changes.removed) wakeAround(id);
     for (const EdgeId id : changes.added) wakeAround(id);
     for (const EdgeId id : changes.relinked) wakeAround(id);
@@ -155,7 +172,7 @@ void Terrain::wakeAround(EdgeId id) {
   b2QueryFilter all = b2DefaultQueryFilter();
   all.categoryBits = UINT64_MAX;
   all.maskBits = UINT64_MAX;
-  forEachShapeIn(physics_, positionOf(edge.chunk), box, all, wake);
+  forEachShapeIn(physics_, positionOf(edge.chunk), box, all, wake, nullptr);
 }
 
 b2ShapeId Terrain::shape(SegmentId segment) const {

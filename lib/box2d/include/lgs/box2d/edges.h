@@ -54,6 +54,13 @@ struct Edge {
   friend bool operator==(const Edge&, const Edge&) = default;
 };
 
+/// Where a segment is, with the solid on the left of start→end.
+struct Line {
+  Point start;  ///< in lattice units
+  Point end;    ///< in lattice units
+  friend bool operator==(const Line&, const Line&) = default;
+};
+
 /// A value outside its range is a mistake of the program: an assertion fails. With NDEBUG the behaviour is undefined.
 struct EdgeOptions {
   std::int32_t chunkCells = 16;  ///< cells along the side of a chunk, 1 … 4,096
@@ -106,6 +113,11 @@ class EdgeSet {
   const Edge& edge(EdgeId id) const { return slots_[id.value].edge; }
   /// The edge that stands for a segment; null if the segment is left out or is no live segment.
   EdgeId edgeOf(SegmentId segment) const;
+  /// Where a segment was at the last load or update; nothing if it was not alive then. So between a commit and its
+  /// update this says what the commit took away.
+  std::optional<Line> lineOf(SegmentId segment) const;
+  /// The highest SegmentId::value that lineOf() may know, and maybe a higher one.
+  std::uint32_t maxSegmentId() const { return records_.empty() ? 0 : static_cast<std::uint32_t>(records_.size() - 1); }
   /// All live edges, in increasing order. Cost: O(edges).
   std::vector<EdgeId> edges() const;
   /// Where the chunk with a number is. Numbers run from 0 to chunkCount() - 1: one for each chunk that ever had an
@@ -124,6 +136,7 @@ class EdgeSet {
     std::uint32_t successor = 0;
     std::uint32_t renewed = 0;  // number of an update
     Fate fate = Fate::dead;
+    Line line;
   };
   struct Slot {  // of an edge; the last four are numbers of updates
     Edge edge;
@@ -145,6 +158,7 @@ class EdgeSet {
   void seedLinks(const Record& record);
   void seedAll(const Changes& changes);
   void setFate(Record& record, Fate fate);
+  void admit(SegmentId id);
   void retire(std::uint32_t edge);
   void removeRetired();
 

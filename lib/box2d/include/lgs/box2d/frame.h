@@ -68,6 +68,16 @@ struct Frame {
   Point latticePoint(Place p) const {
     return lgs::latticePoint({p.x / cellSize + origin.i, p.y / cellSize + origin.j});
   }
+  /// A place of the physics world in lattice units, and back; both are rounded as doubles are.
+  DoublePoint units(Place p) const {
+    return {(p.x / cellSize + origin.i) * kUnitsPerCell, (p.y / cellSize + origin.j) * kUnitsPerCell};
+  }
+  Place placeOf(DoublePoint units) const {
+    return position(DoublePoint{units.x / kUnitsPerCell, units.y / kUnitsPerCell});
+  }
+  /// A length in lattice units, and back.
+  double units(double metres) const { return metres / cellSize * kUnitsPerCell; }
+  float metres(double units) const { return static_cast<float>(units * cellSize / kUnitsPerCell); }
   /// A length in lattice units, rounded up. It is a tenth longer than asked for, so that what is at least as long on
   /// the lattice is still long enough after rounding to `float`. Asserts that the cell size is finite and at least
   /// 2e-6.

@@ -14,6 +14,13 @@
 
 namespace lgs::box2d {
 
+/// What a sync does with bodies that new ground would hold (law 13). They are dynamic bodies whose middle was free.
+enum class OnCaught : std::uint8_t {
+  push,   ///< pushes them out, the shortest way that crosses no edge of the old outline; holds who has no such way
+  hold,   ///< holds them: disables them until they are free where they are, or until they can be pushed
+  leave,  ///< leaves them: they fall through the ground
+};
+
 /// A value outside its range is a mistake of the program: an assertion fails. With NDEBUG the behaviour is undefined.
 template <class Material>
 struct BasicTerrainOptions {
@@ -21,6 +28,7 @@ struct BasicTerrainOptions {
   Cell origin = {};     ///< its lower left corner is (0, 0) of the physics world; best where most things happen
   std::int32_t chunkCells = 16;  ///< each square of this many cells by as many is a body, 1 … 4,096; see docs/box2d.md
   bool merge = false;            ///< collinear neighbours of equal material in a chunk become one edge
+  OnCaught onCaught = OnCaught::push;            ///< what a sync does with bodies in new ground
   std::function<Material(Block)> material = {};  ///< called once for each block; empty: the defaults for all blocks
 };
 

@@ -25,10 +25,17 @@
 #include <lgs/box2d/hit.h>
 #include <lgs/box2d/materials.h>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace lgs::box2d {
+
+class Footings;
+class NewGround;
+struct Box;
+struct Footing;
+struct Form;
 
 /// What a block is like. The defaults are Box2D's.
 struct Material {
@@ -36,6 +43,7 @@ struct Material {
   float restitution = 0;                                       ///< 0 … 1
   float restitutionThreshold = 1.0F * b2_lengthUnitsPerMeter;  ///< metres a second; slower bodies do not bounce
   b2Filter filter = {};                                        ///< what it collides with
+  bool isPassable = false;  ///< bodies may be inside, as in a one-way platform: nobody is caught there
   friend bool operator==(const Material& a, const Material& b);
 };
 
@@ -55,6 +63,14 @@ struct NearestHit {
   b2Vec2 point;        ///< its nearest point, in metres
   b2Vec2 normal;       ///< outward unit normal of the segment
   float distance = 0;  ///< metres
+};
+
+/// A body that new ground would hold.
+struct Caught {
+  b2Body* body = nullptr;
+  float depth = 0;      ///< metres: how deep the ground reaches into it, at most to the middle
+  bool isFree = false;  ///< whether there is a way out
+  b2Vec2 way{0, 0};     ///< that way: a straight move without a turn
 };
 
 /// The ground of one world in one physics world. The comment at the top of this file has an example.
@@ -79,6 +95,40 @@ class Terrain {
   /// `notTheLast` call resync() unless isCurrent(). Cost: the number of changes, times the segments of an edge; and for
   /// each fixture that goes the fixtures of its body, because Box2D looks for it there.
   tl::expected<void, SyncError> sync(const Changes& changes);
+
+  /// The same, with another answer to what happens to bodies in new ground.
+  tl::expected<void, SyncError> sync(const Changes& changes, OnCaught onCaught);
+
+  /// The bodies that these changes would catch. Ask after a commit or roll-back and before its sync(): so the game can
+  /// roll back, or leave the rest to sync(). A body is caught if its middle was free and is in the solid, or if a new
+  /// edge reaches deeper than half way to its middle. Of a body of several fixtures each has a middle: the one by which
+  /// Box2D judges on which side of an edge it is. Sensors, bodies that are not dynamic or not enabled, and fixtures
+  /// whose filter lets them through the block do not count. Nothing, if sync() would refuse the changes. Cost: the
+  /// number of changes, for each body in the box around them; and up to some milliseconds for one that has no way out.
+  std::vector<Caught> caughtBy(const Changes& changes);
+
+  /// Those that the last sync or resync pushed or held. Who was pushed was moved along the way out and woken, and has
+  /// no velocity against it any more. None if they are left.
+  const std::vector<Caught>& caught() const { return caught_; }
+
+  /// The bodies that are held: disabled where they were caught, at rest. A later sync nearby enables them if they are
+  /// free there, or pushes them out if their middles are. A game that destroys or enables one itself may do so.
+  std::vector<b2Body*> held() const;
+
+  /// Call it after each step. Bodies press each other, and Box2D may press a light one through an edge. Each body whose
+  /// middle got into the ground in the step, or came through, is put back to where it was free before, at rest. Those
+  /// are returned. Bodies that the game itself moves into the ground come back, too. Cost: World::at() for each fixture
+  /// of a body that is awake.
+  const std::vector<b2Body*>& afterStep();
+
+  /// Whether the ground, as of the last commit, reaches into no fixture of a body by more than Box2D's slop, where it
+  /// is or as if it were at another place.
+  bool fits(const b2Body& body);
+  bool fits(const b2Body& body, const b2Transform& at);
+
+  /// Polygons around the shapes of a body that edges hold, in lattice units of the world: for a brush. Round ones are
+  /// somewhat larger.
+  std::vector<std::vector<Point>> outlinesOf(const b2Body* body);
 
   /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world: changes
   /// were left out, or another world was assigned to it, loaded or copied. Fixtures that are right as they are stay,
@@ -107,8 +157,7 @@ class Terrain {
   std::optional<NearestHit> nearest(const b2Vec2& point, float radius) const;
 
   /// The bodies that reach into a rectangle of cells, but for the terrain's; each once, in no particular order. Sensors
-  /// are not looked at. Ask before you place a block or roll back: edges are one-sided, so a body whose middle is
-  /// behind them falls through the ground (docs/box2d.md says what to do). Box2D's skin of a polygon counts: bodies
+  /// are not looked at. caughtBy() says which of them new ground would hold. Box2D's skin of a polygon counts: bodies
   /// that are less than 1 cm (b2_polygonRadius) away are found, but not those that just rest beside the cells. Cost:
   /// the fixtures near the cells.
   std::vector<b2Body*> bodiesIn(const CellRect& cells) const;
@@ -145,6 +194,18 @@ class Terrain {
     std::size_t fixtures = 0;
   };
   EdgeId edgeOf(const b2Fixture& fixture) const;  // null if it is none of the terrain's
+  bool isAlone() const { return static_cast<std::size_t>(physics_.GetBodyCount()) <= bodyCount_; }
+  std::vector<Form> formsOf(const b2Body& body, const b2Transform& at);
+  b2Vec2 metres(DoublePoint units) const;
+  std::vector<Caught> find(const NewGround& ground);
+  void settle(const NewGround& ground, OnCaught onCaught);
+  bool release(b2Body& body, const Box& changed);
+  void push(b2Body& body, const b2Vec2& way);
+  bool isFree(const b2Body& body, const b2Transform& at);
+  bool hasCrossed(const b2Body& body, const Footing& last);
+  void note(const b2Body& body);
+  b2Transform transformOf(const Footing& footing) const;
+  void putBack(b2Body& body, const Footing& footing);
   void apply(const EdgeChanges& changes);
   void create(EdgeId id);
   void destroy(EdgeId id);
@@ -155,11 +216,16 @@ class Terrain {
   b2World& physics_;
   const World& world_;
   Frame frame_;
+  OnCaught onCaught_;
   Materials<Material> materials_;
   EdgeSet edges_;
   std::vector<b2Fixture*> fixtures_ = {nullptr};  // by EdgeId
   std::vector<Body> bodies_;                      // by number of the chunk
   std::size_t bodyCount_ = 0;
+  std::vector<Caught> caught_;
+  std::vector<b2Body*> held_;
+  std::unique_ptr<Footings> footings_;
+  std::vector<b2Body*> putBack_;
 };
 
 }  // namespace lgs::box2d

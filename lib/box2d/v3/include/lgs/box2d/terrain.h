@@ -24,10 +24,17 @@
 #include <lgs/box2d/hit.h>
 #include <lgs/box2d/materials.h>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace lgs::box2d {
+
+class Footings;
+class NewGround;
+struct Box;
+struct Footing;
+struct Form;
 
 /// A place in the physics world: b2Pos, which is b2Vec2 unless Box2D was built with BOX2D_DOUBLE_PRECISION. Before 3.2
 /// Box2D has b2Vec2 alone.
@@ -43,6 +50,7 @@ struct Material {
   bool enableHitEvents = false;                            ///< as in b2ShapeDef
   bool enablePreSolveEvents = false;                       ///< as in b2ShapeDef
   bool enableCustomFiltering = false;                      ///< before 3.2 Box2D asks the custom filter about all shapes
+  bool isPassable = false;  ///< bodies may be inside, as in a one-way platform: nobody is caught there
   friend bool operator==(const Material& a, const Material& b);
 };
 
@@ -62,6 +70,14 @@ struct NearestHit {
   Position point;      ///< its nearest point, in metres
   b2Vec2 normal;       ///< outward unit normal of the segment
   float distance = 0;  ///< metres
+};
+
+/// A body that new ground would hold.
+struct Caught {
+  b2BodyId body = b2_nullBodyId;
+  float depth = 0;      ///< metres: how deep the ground reaches into it, at most to the middle
+  bool isFree = false;  ///< whether there is a way out
+  b2Vec2 way{0, 0};     ///< that way: a straight move without a turn
 };
 
 /// A segment in Box2D. Before 3.2 it is part of a chain.
@@ -92,6 +108,40 @@ class Terrain {
   /// `notTheLast` call resync() unless isCurrent(). Cost: the number of changes, times the segments of an edge.
   tl::expected<void, SyncError> sync(const Changes& changes);
 
+  /// The same, with another answer to what happens to bodies in new ground.
+  tl::expected<void, SyncError> sync(const Changes& changes, OnCaught onCaught);
+
+  /// The bodies that these changes would catch. Ask after a commit or roll-back and before its sync(): so the game can
+  /// roll back, or leave the rest to sync(). A body is caught if its middle was free and is in the solid, or if a new
+  /// edge reaches deeper than half way to its middle. Of a body of several shapes each has a middle: the one by which
+  /// Box2D judges on which side of an edge it is. Sensors, bodies that are not dynamic or not enabled, and shapes
+  /// whose filter lets them through the block do not count. Nothing, if sync() would refuse the changes. Cost: the
+  /// number of changes, for each body in the box around them; and up to some milliseconds for one that has no way out.
+  std::vector<Caught> caughtBy(const Changes& changes);
+
+  /// Those that the last sync or resync pushed or held. Who was pushed was moved along the way out and woken, and has
+  /// no velocity against it any more. None if they are left.
+  const std::vector<Caught>& caught() const { return caught_; }
+
+  /// The bodies that are held: disabled where they were caught, at rest. A later sync nearby enables them if they are
+  /// free there, or pushes them out if their middles are. A game that destroys or enables one itself may do so.
+  std::vector<b2BodyId> held() const;
+
+  /// Call it after each step. Bodies press each other, and Box2D may press a light one through an edge. Each body whose
+  /// middle got into the ground in the step, or came through, is put back to where it was free before, at rest. Those
+  /// are returned. Bodies that the game itself moves into the ground come back, too. Cost: World::at() for each shape
+  /// of a body that is awake.
+  const std::vector<b2BodyId>& afterStep();
+
+  /// Whether the ground, as of the last commit, reaches into no shape of a body by more than Box2D's slop, where it
+  /// is or as if it were at another place.
+  bool fits(b2BodyId body);
+  bool fits(b2BodyId body, Position at, b2Rot rotation);
+
+  /// Polygons around the shapes of a body that edges hold, in lattice units of the world: for a brush. Round ones are
+  /// somewhat larger.
+  std::vector<std::vector<Point>> outlinesOf(b2BodyId body);
+
   /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world: changes
   /// were left out, or another world was assigned to it, loaded or copied. Shapes that are right as they are stay, and
   /// bodies on them sleep on. Cost: O(segments).
@@ -118,8 +168,7 @@ class Terrain {
   std::optional<NearestHit> nearest(Position point, float radius) const;
 
   /// The bodies that reach into a rectangle of cells, but for the terrain's; each once, in no particular order. Sensors
-  /// are not looked at. Ask before you place a block or roll back: edges are one-sided, so a body whose middle is
-  /// behind them falls through the ground (docs/box2d.md says what to do). Bodies that just rest beside the cells are
+  /// are not looked at. caughtBy() says which of them new ground would hold. Bodies that just rest beside the cells are
   /// not found: the rectangle counts as smaller by Box2D's slop, half a centimetre, on each side. Cost: the shapes near
   /// the cells.
   std::vector<b2BodyId> bodiesIn(const CellRect& cells) const;
@@ -152,6 +201,16 @@ class Terrain {
     std::size_t shapes = 0;
   };
   EdgeId edgeOf(b2ShapeId shape) const;  // null if it is none of the terrain's
+  bool isAlone() const;
+  std::vector<Form> formsOf(b2BodyId body, Position at, b2Rot rotation);
+  b2Vec2 metres(DoublePoint units) const;
+  std::vector<Caught> find(const NewGround& ground);
+  void settle(const NewGround& ground, OnCaught onCaught);
+  bool release(b2BodyId body, const Box& changed);
+  void push(b2BodyId body, b2Vec2 way);
+  bool isFree(b2BodyId body, Position at, b2Rot rotation);
+  bool hasCrossed(b2BodyId body, const Footing& last);
+  void note(b2BodyId body);
   void apply(const EdgeChanges& changes);
   void create(EdgeId id);
   void destroy(EdgeId id);
@@ -164,11 +223,16 @@ class Terrain {
   b2WorldId physics_;
   const World& world_;
   Frame frame_;
+  OnCaught onCaught_;
   Materials<Material> materials_;
   EdgeSet edges_;
   std::vector<SegmentShape> shapes_ = std::vector<SegmentShape>(1);  // by EdgeId
   std::vector<Body> bodies_;                                         // by number of the chunk
   std::size_t bodyCount_ = 0;
+  std::vector<Caught> caught_;
+  std::vector<b2BodyId> held_;
+  std::unique_ptr<Footings> footings_;
+  std::vector<b2BodyId> putBack_;
 };
 
 }  // namespace lgs::box2d

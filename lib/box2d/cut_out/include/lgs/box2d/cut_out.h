@@ -1,0 +1,28 @@
+// Nobody is moved and nothing is refused: bodies are cut out of new ground. Link LocalGridSeg::brush as well.
+//
+//   paint(world, region, 7, lgs::PaintMode::fill);
+//   cutOut(terrain, world, world.commit());
+//   …
+//   world.rollBack(mark);
+//   cutOut(terrain, world, world.changesOfRollBack());
+#pragma once
+
+#include <lgs/box2d/terrain.h>
+#include <lgs/brush.h>
+
+namespace lgs::box2d {
+
+/// Shows the last changes of a world, as sync() does. But who is caught by them stays where it is: its outline is
+/// carved out of the ground, and that is committed and shown as well. If a brush is refused somewhere, because a cell
+/// is full to its limits, the terrain does with bodies what its options say. Errors as of sync().
+inline tl::expected<void, SyncError> cutOut(Terrain& terrain, World& world, const Changes& changes) {
+  bool isCut = true;
+  for (const Caught& caught : terrain.caughtBy(changes)) {
+    for (const Ring& outline : terrain.outlinesOf(caught.body))
+      isCut = carve(world, Region{{outline}}).has_value() && isCut;
+  }
+  const auto done = isCut ? terrain.sync(changes, OnCaught::leave) : terrain.sync(changes);
+  return done ? terrain.sync(world.commit()) : done;
+}
+
+}  // namespace lgs::box2d

@@ -1,0 +1,156 @@
+#include "new_ground.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lgs::box2d {
+
+namespace {
+
+constexpr double kDeep = 0.5;  // of the core
+
+Point rounded(DoublePoint p) { return latticePoint({p.x / kUnitsPerCell, p.y / kUnitsPerCell}); }
+
+/// What a line adds to the winding number of a point: 1 or -1, if the ray from there to the right meets it.
+int windingOf(const Line& line, Point p) {
+  const auto& [a, b] = line;
+  const bool isUp = a.y <= p.y && p.y < b.y;
+  const bool isDown = b.y <= p.y && p.y < a.y;
+  if ((!isUp && !isDown) || p.x >= std::max(a.x, b.x)) return 0;
+  if (p.x >= std::min(a.x, b.x)) {  // a segment is within a cell, so these are small numbers
+    const std::int64_t side = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+    if (isUp ? side <= 0 : side >= 0) return 0;
+  }
+  return isUp ? 1 : -1;
+}
+
+bool isBeside(const Line& line, const Box& box) {
+  const auto [a, b] = line;
+  return static_cast<double>(std::max(a.x, b.x)) < box.min.x || static_cast<double>(std::min(a.x, b.x)) > box.max.x ||
+         static_cast<double>(std::max(a.y, b.y)) < box.min.y || static_cast<double>(std::min(a.y, b.y)) > box.max.y;
+}
+
+Cell cellOf(DoublePoint p) {
+  const auto index = [](double units) {
+    const double cell = std::floor(units / kUnitsPerCell);
+    return static_cast<std::int32_t>(std::clamp(cell, -double{kMaxCell}, double{kMaxCell}));
+  };
+  return {index(p.x), index(p.y)};
+}
+
+}  // namespace
+
+NewGround::NewGround(const World& world, const EdgeSet& before, const Changes& changes) : world_(world) {
+  for (const SegmentId id : changes.removed) add(went_, {*before.lineOf(id)});
+  for (const SegmentId id : changes.added) {
+    const Segment s = *world.segment(id);
+    add(came_, {{s.start, s.end}, s.block});
+  }
+  cameIds_ = changes.added;
+  std::sort(cameIds_.begin(), cameIds_.end());
+}
+
+NewGround::NewGround(const World& world, const EdgeSet& before) : world_(world) {
+  for (std::uint32_t k = 1; k <= std::max(before.maxSegmentId(), world.maxSegmentId()); ++k) {
+    const std::optional<Line> line = before.lineOf({k});
+    const Expected<Segment> s = world.segment(SegmentId{k});
+    if (line && s && *line == Line{s->start, s->end}) continue;
+    if (line) add(went_, {*line});
+    if (!s) continue;
+    add(came_, {{s->start, s->end}, s->block});
+    cameIds_.push_back({k});
+  }
+}
+
+void NewGround::add(std::vector<Piece>& list, const Piece& piece) {
+  list.push_back(piece);
+  const DoublePoint a = real(piece.line.start), b = real(piece.line.end);
+  if (!box_) box_ = {a, a};
+  box_->min = {std::min({box_->min.x, a.x, b.x}), std::min({box_->min.y, a.y, b.y})};
+  box_->max = {std::max({box_->max.x, a.x, b.x}), std::max({box_->max.y, a.y, b.y})};
+}
+
+int NewGround::becameSolid(Point p) const {
+  int winding = 0;
+  for (const Piece& piece : came_) winding += windingOf(piece.line, p);
+  for (const Piece& piece : went_) winding -= windingOf(piece.line, p);
+  return winding;
+}
+
+std::optional<Block> NewGround::solidAt(DoublePoint p) const {
+  const Spot spot = world_.at(rounded(p));
+  return spot.where == Spot::Where::outside ? std::nullopt : std::optional(spot.block);
+}
+
+bool NewGround::isFree(const Form& form) const {
+  const std::optional<Block> block = solidAt(form.middle);
+  return !block || !form.holds(*block);
+}
+
+// On an edge it is not told from the winding number on which side a point is. So the points around it are asked.
+bool NewGround::wasFree(const Form& form) const {
+  if (!box_) return isFree(form);
+  const Point middle = rounded(form.middle);
+  const auto wasFreeAt = [&](Point p) {
+    const Spot spot = world_.at(p);
+    if (spot.where == Spot::Where::edge) return false;
+    const int became = becameSolid(p);
+    return spot.where == Spot::Where::inside && form.holds(spot.block) ? became > 0 : became >= 0;
+  };
+  if (world_.at(middle).where != Spot::Where::edge) return wasFreeAt(middle);
+  const auto [x, y] = middle;
+  return wasFreeAt({x - 1, y - 1}) || wasFreeAt({x + 1, y - 1}) || wasFreeAt({x - 1, y + 1}) ||
+         wasFreeAt({x + 1, y + 1});
+}
+
+bool NewGround::catches(const Form& form) const {
+  if (!isFree(form)) return true;
+  const double deep = kDeep * coreOf(form);
+  const Box box = boxOf({&form, 1});
+  return std::any_of(came_.begin(), came_.end(), [&](const Piece& piece) {
+    return !isBeside(piece.line, box) && form.holds(piece.block) &&
+           reaches(form, real(piece.line.start), real(piece.line.end), deep);
+  });
+}
+
+double NewGround::depthIn(const Form& form) const {
+  const double core = coreOf(form);
+  if (!isFree(form)) return core;
+  double least = kDeep * core, most = core;
+  for (int k = 0; k < 10; ++k) {
+    const double depth = (least + most) / 2;
+    const bool isDeeper = std::any_of(came_.begin(), came_.end(), [&](const Piece& piece) {
+      return form.holds(piece.block) && reaches(form, real(piece.line.start), real(piece.line.end), depth);
+    });
+    (isDeeper ? least : most) = depth;
+  }
+  return least;
+}
+
+void NewGround::linesIn(const Box& box, std::vector<Piece>& now, std::vector<Piece>& before) const {
+  now.clear();
+  before.clear();
+  // A polygon has edges on the rim of its cell, which may be the box's.
+  const CellRect cells{cellOf({box.min.x - 1, box.min.y - 1}), cellOf({box.max.x + 1, box.max.y + 1})};
+  for (const SegmentId id : world_.segments(cells)) {
+    const Segment s = *world_.segment(id);
+    const Piece piece{{s.start, s.end}, s.block};
+    if (isBeside(piece.line, box)) continue;
+    now.push_back(piece);
+    if (!std::binary_search(cameIds_.begin(), cameIds_.end(), id)) before.push_back(piece);
+  }
+  for (const Piece& piece : went_)
+    if (!isBeside(piece.line, box)) before.push_back(piece);
+}
+
+bool hasCrossed(const World& world, std::span<const Form> before, std::span<const Form> now) {
+  for (std::size_t k = 0; k < now.size() && k < before.size(); ++k) {
+    const DoublePoint from = before[k].middle, to = now[k].middle;
+    if (std::hypot(to.x - from.x, to.y - from.y) <= 2 * coreOf(now[k])) continue;
+    const Expected<RayHit> hit = world.rayCast(rounded(from), rounded(to));
+    if (hit && hit->segment && now[k].holds(world.segment(hit->segment)->block)) return true;
+  }
+  return false;
+}
+
+}  // namespace lgs::box2d

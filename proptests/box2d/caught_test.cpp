@@ -1,0 +1,232 @@
+// What the terrain does with bodies in new ground: for whichever Box2D there is.
+#include "either.h"
+
+#include <gtest/gtest.h>
+#include <lgs/box2d/cut_out.h>
+#include <cmath>
+
+namespace lgs::box2d_test {
+namespace {
+
+using box2d::Caught;
+using box2d::OnCaught;
+using box2d::Terrain;
+
+class Box2dCaught : public EitherBox2d {
+ protected:
+  Box2dCaught() {
+    field.addFloor(-8, 8);
+    field.world.commit();
+  }
+#ifndef B2_IS_NULL
+  static bool isEnabled(Body body) { return body->IsEnabled(); }
+  static bool fits(Terrain& terrain, Body body) { return terrain.fits(*body); }
+  static bool isSame(Body a, Body b) { return a == b; }
+#else
+  static bool isEnabled(Body body) { return b2Body_IsEnabled(body); }
+  static bool fits(Terrain& terrain, Body body) { return terrain.fits(body); }
+  static bool isSame(Body a, Body b) { return B2_ID_EQUALS(a, b); }
+#endif
+  /// Fills a hole around the cell (0, 0), where it puts a ball.
+  Body bury(Terrain& terrain) {
+    for (std::int32_t j = 0; j < 3; ++j)
+      for (std::int32_t i = -1; i <= 1; ++i)
+        if (i != 0 || j != 1) field.add({i, j}, kSquare);
+    EXPECT_TRUE(terrain.commit(field.world));
+    const Body body = addBody({0.5F, 1.4F}, Form::ball, 0);
+    step(30);
+    handle = field.add({0, 1}, kSquare);
+    return body;
+  }
+  PolygonHandle handle;
+};
+
+TEST_F(Box2dCaught, WhoIsInNewGroundIsPushedOut) {
+  Terrain terrain(physics, field.world);
+  for (const Form form : {Form::ball, Form::box}) {
+    const Body body = addBody({0.6F, 0.36F}, form, 0);
+    step(30);
+    setVelocity(body, {-3, 1});
+    const PolygonHandle block = field.add({0, 0}, kSquare);
+    const Changes& changes = field.world.commit();
+    const std::vector<Caught> who = terrain.caughtBy(changes);
+    ASSERT_EQ(who.size(), 1U);
+    EXPECT_TRUE(isSame(who[0].body, body));
+    EXPECT_TRUE(who[0].isFree);
+    EXPECT_NEAR(who[0].depth, 0.35F, 0.02F);
+    EXPECT_FALSE(fits(terrain, body));
+    const Position at = positionOf(body);
+    ASSERT_TRUE(terrain.sync(changes));
+    ASSERT_EQ(terrain.caught().size(), 1U);
+    EXPECT_NEAR(positionOf(body).x, at.x + who[0].way.x, 1e-5F);
+    EXPECT_NEAR(positionOf(body).y, at.y + who[0].way.y, 1e-5F);
+    EXPECT_NEAR(velocityOf(body).x, 0, 0.8F) << "no velocity into the ground is left";
+    EXPECT_TRUE(fits(terrain, body));
+    EXPECT_TRUE(isAwake(body));
+    EXPECT_TRUE(terrain.held().empty());
+    step(60);
+    EXPECT_GT(positionOf(body).y, 0.3F);
+    ASSERT_TRUE(field.world.remove(block));
+    ASSERT_TRUE(terrain.commit(field.world));
+    EXPECT_TRUE(terrain.caught().empty());
+    destroy(body);
+  }
+}
+
+TEST_F(Box2dCaught, WhoHasNoWayOutIsHeldUntilItIsFree) {
+  Terrain terrain(physics, field.world);
+  const Body body = bury(terrain);
+  const Position at = positionOf(body);
+  setVelocity(body, {0, 5});
+  ASSERT_TRUE(terrain.commit(field.world));
+  ASSERT_EQ(terrain.caught().size(), 1U);
+  EXPECT_FALSE(terrain.caught()[0].isFree);
+  ASSERT_EQ(terrain.held().size(), 1U);
+  EXPECT_FALSE(isEnabled(body));
+  step(30);
+  field.add({5, 5}, kSquare);  // elsewhere
+  ASSERT_TRUE(terrain.commit(field.world));
+  EXPECT_FALSE(isEnabled(body));
+  EXPECT_EQ(std::pair(positionOf(body).x, positionOf(body).y), std::pair(at.x, at.y));
+  ASSERT_TRUE(field.world.remove(handle));
+  ASSERT_TRUE(terrain.commit(field.world));
+  EXPECT_TRUE(isEnabled(body));
+  EXPECT_TRUE(terrain.held().empty());
+  EXPECT_EQ(std::pair(positionOf(body).x, positionOf(body).y), std::pair(at.x, at.y));
+  EXPECT_EQ(velocityOf(body).y, 0);
+  step(60);
+  EXPECT_NEAR(positionOf(body).y, 1.35F, 0.02F);
+}
+
+TEST_F(Box2dCaught, AnUndoThatBuriesIsNoUndoOfTheBody) {
+  Terrain terrain(physics, field.world);
+  const Mark mark = field.world.checkpoint();
+  ASSERT_TRUE(field.world.clear(CellRect{{-1, -1}, {1, -1}}));
+  ASSERT_TRUE(terrain.commit(field.world));
+  const Body body = addBody({0.5F, -0.5F}, Form::box, 0);
+  ASSERT_TRUE(field.world.rollBack(mark));
+  EXPECT_EQ(terrain.caughtBy(field.world.changesOfRollBack()).size(), 1U);
+  ASSERT_TRUE(terrain.sync(field.world.changesOfRollBack()));
+  EXPECT_EQ(terrain.caught().size(), 1U);
+  EXPECT_TRUE(fits(terrain, body));
+}
+
+TEST_F(Box2dCaught, AWorldThatIsAssignedToPushesToo) {
+  Terrain terrain(physics, field.world);
+  World other = field.world;
+  ASSERT_TRUE(other.add({0, 0}, *other.shape(kUnitSquare), 1));
+  other.commit();
+  const Body body = addBody({0.5F, 0.36F}, Form::box, 0);
+  field.world = other;
+  terrain.resync();
+  EXPECT_EQ(terrain.caught().size(), 1U);
+  EXPECT_TRUE(fits(terrain, body));
+}
+
+TEST_F(Box2dCaught, AGameMayHoldOrLeaveThem) {
+  for (const OnCaught onCaught : {OnCaught::hold, OnCaught::leave}) {
+    Terrain terrain(physics, field.world, {.onCaught = onCaught});
+    const Body body = addBody({0.6F, 0.36F}, Form::ball, 0);
+    const Position at = positionOf(body);
+    const PolygonHandle block = field.add({0, 0}, kSquare);
+    ASSERT_TRUE(terrain.commit(field.world));
+    EXPECT_EQ(isEnabled(body), onCaught == OnCaught::leave);
+    EXPECT_EQ(terrain.held().size(), onCaught == OnCaught::hold ? 1U : 0U);
+    EXPECT_EQ(positionOf(body).x, at.x);
+    ASSERT_TRUE(field.world.remove(block));
+    ASSERT_TRUE(terrain.commit(field.world));
+    EXPECT_TRUE(isEnabled(body));
+    destroy(body);
+  }
+}
+
+// One that is asked for once: by who carves the bodies free afterwards.
+TEST_F(Box2dCaught, ASyncMayLeaveThemOnce) {
+  Terrain terrain(physics, field.world);
+  const Body body = addBody({0.6F, 0.36F}, Form::ball, 0);
+  const Position at = positionOf(body);
+  field.add({0, 0}, kSquare);
+  ASSERT_TRUE(terrain.sync(field.world.commit(), OnCaught::leave));
+  EXPECT_EQ(positionOf(body).x, at.x);
+  EXPECT_TRUE(isEnabled(body));
+}
+
+TEST_F(Box2dCaught, WhoIsHeldMayBeDestroyed) {
+  Terrain terrain(physics, field.world);
+  destroy(bury(terrain));
+  const Body other = addBody({0.5F, 1.4F}, Form::ball, 0);
+  ASSERT_TRUE(terrain.commit(field.world));
+  ASSERT_EQ(terrain.held().size(), 1U);
+  destroy(other);
+  ASSERT_TRUE(field.world.remove(handle));
+  ASSERT_TRUE(terrain.commit(field.world));
+  EXPECT_TRUE(terrain.held().empty());
+}
+
+TEST_F(Box2dCaught, APlatformCatchesNobody) {
+  box2d::TerrainOptions options;
+  options.material = [](Block block) {
+    box2d::Material material;
+    material.isPassable = block == 9;
+    return material;
+  };
+  Terrain terrain(physics, field.world, options);
+  const Body body = addBody({0.5F, 0.5F}, Form::ball, 0);
+  field.add({0, 0}, kSquare, 9);
+  ASSERT_TRUE(terrain.commit(field.world));
+  EXPECT_TRUE(terrain.caught().empty());
+  EXPECT_TRUE(fits(terrain, body));
+  step(1);
+  EXPECT_TRUE(terrain.afterStep().empty());
+}
+
+// As when something heavy presses it through an edge.
+TEST_F(Box2dCaught, AfterAStepWhoIsInTheGroundIsPutBack) {
+  Terrain terrain(physics, field.world);
+  const Body body = addBody({0.5F, 0.36F}, Form::ball, 0);
+  step(1);
+  EXPECT_TRUE(terrain.afterStep().empty());
+  const Position at = positionOf(body);
+  moveTo(body, {0.5F, -0.5F});
+  setVelocity(body, {0, -1});
+  ASSERT_EQ(terrain.afterStep().size(), 1U);
+  EXPECT_NEAR(positionOf(body).y, at.y, 1e-5F);
+  EXPECT_EQ(velocityOf(body).y, 0);
+}
+
+// The floor is a cell thick, and below it there is nothing.
+TEST_F(Box2dCaught, AfterAStepWhoCameThroughTheGroundIsPutBack) {
+  Terrain terrain(physics, field.world);
+  const Body body = addBody({0.5F, 0.36F}, Form::box, 0);
+  step(1);
+  EXPECT_TRUE(terrain.afterStep().empty());
+  moveTo(body, {0.5F, -1.5F});
+  EXPECT_EQ(terrain.afterStep().size(), 1U);
+  EXPECT_GT(positionOf(body).y, 0.3F);
+  moveTo(body, {3.5F, 0.5F});  // fast, through the air
+  EXPECT_TRUE(terrain.afterStep().empty());
+}
+
+TEST_F(Box2dCaught, BodiesAreCutOutOfWhatIsPainted) {
+  Terrain terrain(physics, field.world);
+  for (const Form form : {Form::ball, Form::box}) {
+    const Body body = addBody({0.6F, 0.36F}, form, 0);
+    step(60);
+    const Position at = positionOf(body);
+    ASSERT_TRUE(paint(field.world, circle({U / 2, U / 2}, 2 * U), 5, PaintMode::fill));
+    ASSERT_TRUE(cutOut(terrain, field.world, field.world.commit()));
+    EXPECT_TRUE(terrain.isCurrent());
+    EXPECT_TRUE(terrain.held().empty());
+    EXPECT_EQ(std::pair(positionOf(body).x, positionOf(body).y), std::pair(at.x, at.y));
+    EXPECT_TRUE(fits(terrain, body));
+    step(120);
+    EXPECT_NEAR(positionOf(body).x, at.x, 0.05F);
+    EXPECT_NEAR(positionOf(body).y, at.y, 0.05F);
+    ASSERT_TRUE(carve(field.world, circle({U / 2, 2 * U}, 2 * U - 1)));
+    ASSERT_TRUE(terrain.commit(field.world));
+    destroy(body);
+  }
+}
+
+}  // namespace
+}  // namespace lgs::box2d_test

@@ -1,0 +1,235 @@
+#include "turmoil.h"
+#include "field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <sstream>
+#include <utility>
+
+namespace lgs::box2d_test {
+
+namespace {
+
+constexpr std::size_t kMostUndo = 12;
+
+constexpr const char* kNames[] = {"body", "paint", "line", "carve", "tile",   "dig",
+                                  "undo", "redo",  "save", "load",  "origin", "kick"};
+
+}  // namespace
+
+std::ostream& operator<<(std::ostream& out, const Move& move) {
+  return out << kNames[static_cast<std::size_t>(move.kind)] << " at " << move.x << " " << move.y << ", size "
+             << move.size << ", which " << move.which << '\n';
+}
+
+std::ostream& operator<<(std::ostream& out, const Arena& arena) {
+  return out << arena.width << " x " << arena.height << " cells of " << arena.cellSize << " half metres, chunks of "
+             << arena.chunkCells << (arena.merge ? ", merged, " : ", ") << arena.steps << " steps a move";
+}
+
+Move randomMove(oracle::Random& random, const Arena& arena) {
+  using Kind = Move::Kind;
+  static const std::vector<Kind> kinds{Kind::paint, Kind::paint, Kind::paint, Kind::line, Kind::carve, Kind::carve,
+                                       Kind::carve, Kind::carve, Kind::carve, Kind::tile, Kind::tile,  Kind::dig,
+                                       Kind::dig,   Kind::kick,  Kind::kick,  Kind::kick};
+  static const std::vector<Kind> rare{Kind::undo, Kind::undo, Kind::redo, Kind::save, Kind::load, Kind::origin};
+  return {random.pick(random.chance(6) ? rare : kinds), random.below(arena.width * 16), random.below(arena.height * 16),
+          random.below(16), random.below(256)};
+}
+
+// A wall all around, ground below, and rocks above it.
+Turmoil::Turmoil(const Arena& arena) : arena_(arena), square_(*world_.shape(kUnitSquare)) {
+  const auto fill = [&](Cell min, Cell max, Block block) {
+    static_cast<void>(world_.fill({min, max}, square_, block));
+  };
+  fill({-1, -1}, {arena.width, -1}, 1);
+  fill({-1, arena.height}, {arena.width, arena.height}, 1);
+  fill({-1, 0}, {-1, arena.height - 1}, 1);
+  fill({arena.width, 0}, {arena.width, arena.height - 1}, 1);
+  if (arena.height > 3) fill({0, 0}, {arena.width - 1, 1}, 2);
+  world_.commit();
+  box2d::TerrainOptions options{.cellSize = 0.5 * arena.cellSize, .chunkCells = arena.chunkCells, .merge = arena.merge};
+  terrain_.emplace(crowd_.physics, world_, options);
+}
+
+Point Turmoil::pointOf(const Move& move) const {
+  return {move.x % (arena_.width * 16) * (U / 16), move.y % (arena_.height * 16) * (U / 16)};
+}
+
+// It never reaches the walls.
+Region Turmoil::regionOf(const Move& move) const {
+  const auto within = [](std::int64_t at, std::int64_t reach, int cells) {
+    return std::clamp(at, std::min(reach, std::int64_t{cells} * U / 2), std::max<std::int64_t>(0, cells * U - reach));
+  };
+  const std::int64_t most = std::int64_t{std::min(arena_.width, arena_.height)} * U / 2 - 1;
+  const std::int64_t radius = std::min<std::int64_t>(most, U / 4 + move.size * (U / 8));
+  const Point at = pointOf(move);
+  const Point a{within(at.x, radius, arena_.width), within(at.y, radius, arena_.height)};
+  if (move.kind != Move::Kind::line) return circle(a, radius, 8 + move.which % 24);
+  const std::int64_t thin = std::min<std::int64_t>(most, U / 16 + move.which % 8 * (U / 32));
+  const double angle = move.which * 0.0245;
+  const Point b{within(a.x + std::llround(3 * U * std::cos(angle)), thin, arena_.width),
+                within(a.y + std::llround(3 * U * std::sin(angle)), thin, arena_.height)};
+  return thickLine(std::vector{a, b}, thin, 8);
+}
+
+bool Turmoil::isFree(const Position& middle) const {
+  return world_.at(terrain_->latticePoint(middle)).where == Spot::Where::outside;
+}
+
+// 0.2 to 2 cells long.
+void Turmoil::addBody(const Move& move) {
+  const auto size = static_cast<float>((0.2 + 0.12 * move.size) * 0.5 * arena_.cellSize);
+  const auto figure = static_cast<Figure>(move.which % static_cast<int>(Figure::count));
+  const Position at = terrain_->position(pointOf(move));
+  if (!isFree(at) || terrain_->nearest(at, 0.75F * size)) return;
+  crowd_.add(figure, size, at);
+  watched_.emplace_back();
+}
+
+void Turmoil::edit(const Move& move) {
+  const Point at = pointOf(move);
+  const Cell cell = cellAt(at);
+  switch (move.kind) {
+    case Move::Kind::paint:
+    case Move::Kind::line:
+      static_cast<void>(paint(world_, regionOf(move), 3, PaintMode::fill));
+      break;
+    case Move::Kind::carve:
+      static_cast<void>(carve(world_, regionOf(move)));
+      break;
+    case Move::Kind::tile:
+      static_cast<void>(world_.replace(cell, square_, 2));
+      break;
+    default:
+      world_.clear(cell);
+      break;
+  }
+}
+
+void Turmoil::sync(const Changes& changes) {
+  static_cast<void>(terrain_->sync(changes));
+  count();
+}
+
+void Turmoil::count() {
+  for (const box2d::Caught& caught : terrain_->caught()) ++(caught.isFree ? pushes_ : holds_);
+}
+
+void Turmoil::undo(int steps) {
+  if (done_.empty()) return;
+  const std::size_t left = done_.size() - std::min(done_.size(), static_cast<std::size_t>(1 + steps % 3));
+  for (std::size_t k = done_.size(); k > left; --k) undone_.push_back(done_[k - 1].move);
+  static_cast<void>(world_.rollBack(done_[left].before));
+  done_.erase(done_.begin() + static_cast<std::ptrdiff_t>(left), done_.end());
+  sync(world_.changesOfRollBack());
+}
+
+void Turmoil::load() {
+  if (file_.empty()) return;
+  world_ = *World::load(file_);
+  square_ = *world_.shape(kUnitSquare);
+  done_.clear();
+  undone_.clear();
+  terrain_->resync();
+  count();
+}
+
+void Turmoil::act(const Move& move) {
+  switch (move.kind) {
+    case Move::Kind::body:
+      return addBody(move);
+    case Move::Kind::undo:
+      return undo(move.which);
+    case Move::Kind::redo:
+      if (undone_.empty()) return;
+      done_.push_back({undone_.back(), world_.checkpoint()});
+      edit(undone_.back());
+      undone_.pop_back();
+      return sync(world_.commit());
+    case Move::Kind::save:
+      file_.clear();
+      return static_cast<void>(world_.save([&](auto bytes) { file_.insert(file_.end(), bytes.begin(), bytes.end()); }));
+    case Move::Kind::load:
+      return load();
+    case Move::Kind::origin:
+      origin_ = {move.x - 64, move.y - 64};
+      return crowd_.moveOrigin(*terrain_, origin_);
+    case Move::Kind::kick: {
+      if (crowd_.bodies.empty()) return;
+      const Body body = crowd_.bodies[static_cast<std::size_t>(move.which) % crowd_.bodies.size()];
+      if (!Crowd::isEnabled(body)) return;
+      const auto speed = 4.0F * static_cast<float>(move.size);
+      const float angle = 0.1F * static_cast<float>(move.x);
+      return Crowd::kick(body, {speed * std::cos(angle), speed * std::sin(angle)});
+    }
+    default:
+      undone_.clear();
+      if (done_.size() == kMostUndo) {
+        static_cast<void>(world_.forget(done_.front().before));
+        done_.erase(done_.begin());
+      }
+      done_.push_back({move, world_.checkpoint()});
+      edit(move);
+      return sync(world_.commit());
+  }
+}
+
+// The law: a middle that was free is free, unless the body is held, and then it does not move.
+std::optional<std::string> Turmoil::look(const char* after) {
+  std::optional<std::string> wrong;
+  for (std::size_t k = 0; k < crowd_.bodies.size(); ++k) {
+    const Body body = crowd_.bodies[k];
+    Watched& watched = watched_[k];
+    const bool isHeld = !Crowd::isEnabled(body);
+    const Point at = terrain_->latticePoint(Crowd::positionOf(body));
+    if (isHeld && watched.isHeld && std::hypot(at.x - watched.at.x, at.y - watched.at.y) > U / 100 && !wrong)
+      wrong = std::string(after) + ", body " + std::to_string(k) + " moved while it was held";
+    watched.at = at;
+    const std::vector<Position> middles = Crowd::middlesOf(body);
+    std::vector<bool> isFreeNow;
+    for (const Position& middle : middles) isFreeNow.push_back(isFree(middle));
+    for (std::size_t m = 0; m < middles.size(); ++m) {
+      const bool wasFree = watched.isFree.empty() || watched.isHeld || watched.isFree[m];
+      const bool isRight = isFreeNow[m] && !isOut(terrain_->latticePoint(middles[m]));
+      if (isHeld || !wasFree || isRight || wrong) continue;
+      std::ostringstream text;
+      const Point p = terrain_->latticePoint(middles[m]);
+      text << after << ", body " << k << " is in the ground, its middle " << m << " at " << double(p.x) / U << " "
+           << double(p.y) / U;
+      wrong = text.str();
+    }
+    watched.isFree = std::move(isFreeNow);
+    watched.isHeld = isHeld;
+  }
+  return wrong;
+}
+
+std::optional<std::string> Turmoil::play(const Move& move) {
+  act(move);
+  std::optional<std::string> wrong = look("after the move");
+  for (int k = 0; k < arena_.steps; ++k) {
+    crowd_.step();
+    putBacks_ += terrain_->afterStep().size();
+    const std::optional<std::string> later = look("after a step");
+    if (!wrong) wrong = later;
+  }
+  return wrong;
+}
+
+bool Turmoil::isOut(Point p) const {
+  return p.x < 0 || p.y < 0 || p.x > std::int64_t{arena_.width} * U || p.y > std::int64_t{arena_.height} * U;
+}
+
+std::size_t Turmoil::lost() const {
+  const auto isLost = [&](Body body) {
+    if (!Crowd::isEnabled(body)) return false;
+    const std::vector<Position> middles = Crowd::middlesOf(body);
+    return std::none_of(middles.begin(), middles.end(),
+                        [&](const Position& m) { return isFree(m) && !isOut(terrain_->latticePoint(m)); });
+  };
+  return static_cast<std::size_t>(std::count_if(crowd_.bodies.begin(), crowd_.bodies.end(), isLost));
+}
+
+}  // namespace lgs::box2d_test
