@@ -1,6 +1,6 @@
 #include "bench/edit_times.h"
 
-#include "oracle/generate/random.h"
+#include "oracle/calls/random.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "bench/tiles.h"
 
-#include "oracle/generate/random.h"
-#include "oracle/generate/shapes.h"
+#include "oracle/calls/random.h"
+#include "oracle/calls/shapes.h"
 
 #include <lgs/tiled/import.h>
 #include <lgs/world.h>

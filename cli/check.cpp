@@ -101,8 +101,9 @@ void addWorldOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& a
 void addOutputOptions(CLI::App& command, CheckArguments& arguments) {
   command.add_option("--out", arguments.out, "Folder for the trace, picture and page of a mismatch; default out")
       ->option_text("DIR");
-  command.add_option("--shrink", arguments.shrinkSeconds, "Seconds to spend on shrinking a mismatch; default 20")
-      ->check(CLI::Range(0.0, 86'400.0))
+  addReal(
+      command, "--shrink", [&arguments](double seconds) { arguments.shrinkSeconds = seconds; }, {0, 86'400},
+      "Seconds to spend on shrinking a mismatch; default 20")
       ->option_text("SECONDS");
   command.add_option("--svg", arguments.svg, "Draw the last world to this file, if there is no mismatch")
       ->option_text("FILE");

@@ -1,6 +1,7 @@
 #include "cli/check_run.h"
 #include "cli/import_options.h"
 #include "cli/progress.h"
+#include "lib/text/words.h"
 #include "oracle/check/isolated.h"
 #include "oracle/check/shell.h"
 #include "oracle/reference/words.h"
@@ -62,7 +63,7 @@ Status checkMap(const CheckArguments& arguments) {
   if (!isImported && !arguments.importArguments.empty()) {
     return complain("options of the import need a map of Tiled or LDtk, not " + arguments.map);
   }
-  const std::string command = "lgs check --map " + tiled::shellWord(arguments.map) + arguments.hintArguments;
+  const std::string command = "lgs check --map " + text::shellWord(arguments.map) + arguments.hintArguments;
   const auto read = isImported ? readMap(arguments.map, arguments.import, command) : readWorld(arguments.map);
   if (!read) return complain(read.error());
   const Trace start = withoutBrushes(*read);

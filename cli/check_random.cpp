@@ -1,9 +1,9 @@
 #include "cli/check_run.h"
 #include "cli/progress.h"
+#include "oracle/calls/random.h"
 #include "oracle/check/isolated.h"
 #include "oracle/check/shell.h"
 #include "oracle/check/survey.h"
-#include "oracle/generate/random.h"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -101,6 +101,23 @@ CLI::Option* addWholeNumber(CLI::App& command, const std::string& name, std::fun
   return command.add_option_function<std::string>(name, read, description);
 }
 
+double readReal(const std::string& name, const std::string& text, RealRange range) {
+  double number = 0;
+  const auto [end, status] =
+      std::from_chars(text.data(), text.data() + text.size(), number, std::chars_format::general);
+  const bool isNumber = status == std::errc() && end == text.data() + text.size();
+  if (!isNumber || !(number >= range.min && number <= range.max)) {  // false for nan
+    throw CLI::ValidationError(name, fmt::format("'{}' is not a number from {} to {}", text, range.min, range.max));
+  }
+  return number;
+}
+
+CLI::Option* addReal(CLI::App& command, const std::string& name, std::function<void(double)> set, RealRange range,
+                     const std::string& description) {
+  const auto read = [name, set = std::move(set), range](const std::string& text) { set(readReal(name, text, range)); };
+  return command.add_option_function<std::string>(name, read, description);
+}
+
 CLI::Option* addOracleOption(CLI::App& command, oracle::CheckOptions& options) {
   return command
       .add_option_function<std::string>(

@@ -54,6 +54,17 @@ struct WholeRange {
 CLI::Option* addWholeNumber(CLI::App& command, const std::string& name, std::function<void(std::uint64_t)> set,
                             WholeRange range, const std::string& description);
 
+/// The same for a real number in decimal digits. What is no number, and nan, is in no range.
+struct RealRange {
+  double min = 0;
+  double max = 0;
+};
+CLI::Option* addReal(CLI::App& command, const std::string& name, std::function<void(double)> set, RealRange range,
+                     const std::string& description);
+
+/// A real number in a range; if it is none, an error of the option `name`.
+double readReal(const std::string& name, const std::string& text, RealRange range);
+
 /// Adds --oracle to a command; it sets `naive` and `cgal`.
 CLI::Option* addOracleOption(CLI::App& command, oracle::CheckOptions& options);
 

@@ -51,9 +51,9 @@ void addEngineOptions(CLI::App& command, EngineArguments& arguments, CLI::Option
           ->excludes(engine);
   for (CLI::Option* const option : {engine, file})
     if (needed != nullptr) option->needs(needed);
-  command
-      .add_option("--engine-timeout", arguments.timeout, "Seconds that an answer of the engine may take; default 10")
-      ->check(CLI::Range(0.01, 3'600.0))
+  addReal(
+      command, "--engine-timeout", [&arguments](double seconds) { arguments.timeout = seconds; }, {0.01, 3'600},
+      "Seconds that an answer of the engine may take; default 10")
       ->option_text("SECONDS");
   command
       .add_option_function<std::string>(

@@ -2,6 +2,7 @@
 #include "cli/import_error.h"
 #include "cli/import_options.h"
 #include "cli/imported.h"
+#include "lib/text/words.h"
 #include "oracle/draw/draw.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/player.h"
@@ -39,7 +40,7 @@ Status run(const ImportArguments& arguments) {
     fmt::print(arguments.trace == "-" ? stderr : stdout, "{}", report);
   }
   if (isEmpty) {
-    const std::string command = "lgs import " + tiled::shellWord(arguments.map) + arguments.hintArguments;
+    const std::string command = "lgs import " + text::shellWord(arguments.map) + arguments.hintArguments;
     return complain(hints(map->report, command) + "\n(--allow-empty accepts an empty map)");
   }
   if (arguments.svg.empty()) return status;

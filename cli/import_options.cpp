@@ -1,7 +1,9 @@
 #include "cli/import_options.h"
 
+#include "cli/command.h"
 #include "cli/import_error.h"
 #include "cli/imported.h"
+#include "lib/text/words.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -10,13 +12,6 @@
 
 namespace lgs::cli {
 namespace {
-
-/// Names come from files: what would do something to a terminal becomes a blank.
-std::string plain(std::string text) {
-  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
-  std::replace_if(text.begin(), text.end(), isControl, ' ');
-  return text;
-}
 
 constexpr const char* kGroup = "Options of the import";
 
@@ -65,10 +60,9 @@ void addBlockOptions(CLI::App& command, tiled::Options& options) {
 }
 
 void addShapeOptions(CLI::App& command, tiled::Options& options) {
-  command
-      .add_option("--tolerance", options.tolerance,
-                  "A vertex that misses the tile's rim or corner by up to this\nmany pixels is put on it; default 1")
-      ->check(CLI::Range(0.0, 1e6))
+  addReal(
+      command, "--tolerance", [&options](double pixels) { options.tolerance = pixels; }, {0, 1e6},
+      "A vertex that misses the tile's rim or corner by up to this\nmany pixels is put on it; default 1")
       ->option_text("PX");
   command
       .add_option_function<std::string>(
@@ -87,11 +81,10 @@ void addShapeOptions(CLI::App& command, tiled::Options& options) {
                   "NAME alone takes any value but false, 0 and none. May be\nrepeated")
       ->allow_extra_args(false)
       ->option_text("NAME[=VALUE]");
-  command
-      .add_option("--polyline-thickness", options.polylineThickness,
-                  "Make thin polygons of open polylines that are one-way (a class,\n"
-                  "name or property says so); what lies up to so many pixels below\nthem is solid")
-      ->check(CLI::Range(0.0, 1e6))
+  addReal(
+      command, "--polyline-thickness", [&options](double pixels) { options.polylineThickness = pixels; }, {0, 1e6},
+      "Make thin polygons of open polylines that are one-way (a class,\n"
+      "name or property says so); what lies up to so many pixels below\nthem is solid")
       ->option_text("PIXELS");
 }
 
@@ -118,6 +111,12 @@ void addLayerOptions(CLI::App& command, tiled::Options& options) {
                    "Leave out hidden layers and objects; otherwise they count like\nthose that are visible");
 }
 
+void addFileOptions(CLI::App& command, tiled::Options& options) {
+  command.add_flag("--files-anywhere", options.filesAnywhere,
+                   "Files that the map names may lie anywhere; otherwise they must\nlie in its folder or below it. For "
+                   "maps that you trust");
+}
+
 }  // namespace
 
 void addImportOptions(CLI::App& command, tiled::Options& options) {
@@ -125,22 +124,23 @@ void addImportOptions(CLI::App& command, tiled::Options& options) {
   addLayerOptions(command, options);
   addShapeOptions(command, options);
   addBlockOptions(command, options);
+  addFileOptions(command, options);
   for (CLI::Option* option : command.get_options()) {
     if (std::find(before.begin(), before.end(), option) == before.end()) option->group(kGroup);
   }
 }
 
 std::string importArguments(const CLI::App& command, std::span<const std::string_view> without) {
-  std::string text;
+  std::string words;
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_group() != kGroup || option->count() == 0) continue;
     if (std::find(without.begin(), without.end(), option->get_name()) != without.end()) continue;
-    if (option->get_expected_max() == 0) text += " " + option->get_name();
+    if (option->get_expected_max() == 0) words += " " + option->get_name();
     for (const std::string& value : option->get_expected_max() == 0 ? std::vector<std::string>{} : option->results()) {
-      text += " " + option->get_name() + " " + tiled::shellWord(value);
+      words += " " + option->get_name() + " " + text::shellWord(value);
     }
   }
-  return text;
+  return words;
 }
 
 tl::expected<oracle::Trace, std::string> readMap(const std::string& path, const tiled::Options& options,
@@ -157,13 +157,13 @@ tl::expected<oracle::Trace, std::string> readMap(const std::string& path, const 
 }
 
 std::string hints(const tiled::Report& report, const std::string& command) {
-  std::string text = plain(report.file) + ": nothing in it is solid";
-  if (!report.suggestions.empty()) text += ". What could be taken, and how:";
+  std::string lines = text::withoutControls(report.file) + ": nothing in it is solid";
+  if (!report.suggestions.empty()) lines += ". What could be taken, and how:";
   for (const tiled::Suggestion& suggestion : report.suggestions) {
-    text += "\n  " + plain(suggestion.text) + "\n    " + command;
-    for (const std::string& argument : suggestion.arguments) text += " " + tiled::shellWord(argument);
+    lines += "\n  " + text::withoutControls(suggestion.text) + "\n    " + command;
+    for (const std::string& argument : suggestion.arguments) lines += " " + text::shellWord(argument);
   }
-  return text;
+  return lines;
 }
 
 }  // namespace lgs::cli

@@ -107,29 +107,36 @@ void addBodyOptions(CLI::App& command, RideArguments& arguments) {
                   "The body: circle, box, capsule (a box and two circles) or\npolygon; default circle")
       ->transform(CLI::CheckedTransformer(kRiders).description(""))
       ->option_text("KIND");
-  command.add_option("--size", options.size, "The size of the body, in cells; default 0.7")
-      ->check(CLI::Range(0.05, 10.0))
+  addReal(
+      command, "--size", [&options](double cells) { options.size = cells; }, {0.05, 10},
+      "The size of the body, in cells; default 0.7")
       ->option_text("CELLS");
   command.add_flag("--upright", options.fixedRotation, "Do not let the body turn");
-  command.add_option("--friction", options.friction, "The friction of the body; default 0")
-      ->check(CLI::Range(0.0, 10.0))
+  addReal(
+      command, "--friction", [&options](double f) { options.friction = static_cast<float>(f); }, {0, 10},
+      "The friction of the body; default 0")
       ->option_text("F");
-  command.add_option("--ground-friction", arguments.groundFriction, "The friction of the ground; default 0.2")
-      ->check(CLI::Range(0.0, 10.0))
+  addReal(
+      command, "--ground-friction", [&arguments](double f) { arguments.groundFriction = static_cast<float>(f); },
+      {0, 10}, "The friction of the ground; default 0.2")
       ->option_text("F");
 }
 
 void addCourseOptions(CLI::App& command, RideArguments& arguments) {
   RideOptions& options = arguments.options;
   command
-      .add_option("--from", arguments.from,
-                  "Where the body's centre starts, in cells; default above the\nleft end of the ground")
+      .add_option_function<std::vector<std::string>>(
+          "--from",
+          [&arguments](const std::vector<std::string>& texts) {
+            constexpr RealRange kCells{-0x1p30, 0x1p30};
+            for (const std::string& text : texts) arguments.from.push_back(readReal("--from", text, kCells));
+          },
+          "Where the body's centre starts, in cells; default above the\nleft end of the ground")
       ->expected(2)
       ->option_text("X Y");
-  command
-      .add_option("--speed", arguments.speed,
-                  "The speed to the right at the start, in cells a second; a force\nkeeps it up; default 4")
-      ->check(CLI::Range(-50.0, 50.0))
+  addReal(
+      command, "--speed", [&arguments](double speed) { arguments.speed = speed; }, {-50, 50},
+      "The speed to the right at the start, in cells a second; a force\nkeeps it up; default 4")
       ->option_text("V");
   command.add_flag("--coast", arguments.coast, "No force: let the body roll or slide");
   addWholeNumber(

@@ -22,4 +22,7 @@ configure_package_config_file(
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/LocalGridSegConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/LocalGridSegConfig.cmake ${PROJECT_BINARY_DIR}/LocalGridSegConfigVersion.cmake
   DESTINATION ${lgs_package_dir} COMPONENT development)
+if(LGS_BUILD_TILED)
+  install(FILES ${CMAKE_CURRENT_LIST_DIR}/FindPCRE2.cmake DESTINATION ${lgs_package_dir} COMPONENT development)
+endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)

@@ -1,5 +1,5 @@
 #include "fuzz/format.h"
-#include "oracle/generate/shapes.h"
+#include "oracle/calls/shapes.h"
 #include "oracle/trace/step.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // The byte format: total, local, and able to hold every trace.
 #include "fuzz/format.h"
+#include "oracle/calls/random.h"
 #include "oracle/generate/generator.h"
-#include "oracle/generate/random.h"
 
 #include <gtest/gtest.h>
 #include <map>

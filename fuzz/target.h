@@ -43,6 +43,7 @@ extern const Target kPolygons;  // edits.cpp
 extern const Target kTrace;     // trace_text.cpp
 extern const Target kSnapshot;  // snapshot.cpp
 extern const Target kBrush;     // brush.cpp
+extern const Target kCalls;     // calls.cpp
 extern const Target kTiled;     // tiled.cpp
 #ifdef LGS_FUZZ_BOX2D
 extern const Target kBox2d;  // box2d.cpp

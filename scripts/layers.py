@@ -17,12 +17,13 @@ import tempfile
 # What a room may include, beside itself. Rooms further down may include rooms further up, never the other way round.
 ENGINE = ["lib/include"]
 GROUND = ENGINE + ["lib/geometry", "lib/storage"]
-REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/trace"]
+REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/calls", "oracle/trace"]
 ORACLE = REFERENCES + ["oracle/draw", "oracle/engine", "oracle/page", "oracle/generate", "oracle/check"]
 TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include"]
 ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/brush/include", "lib/tiled/include"] + TERRAIN
 ROOMS = {
     "lib/include": [],
+    "lib/text": [],  # words as people and shells read them: of the importer, the references and the command
     "lib/geometry": ["lib/include"],
     "lib/storage": ["lib/include"],
     "lib/ground": GROUND,
@@ -35,7 +36,7 @@ ROOMS = {
     "lib/brush/include": ["lib/include"],
     "lib/brush/src": ["lib/include", "lib/geometry", "lib/brush/include"],
     "lib/tiled/include": ["lib/include"],
-    "lib/tiled/src": ["lib/include", "lib/geometry", "lib/brush/include", "lib/tiled/include"],
+    "lib/tiled/src": ["lib/include", "lib/geometry", "lib/text", "lib/brush/include", "lib/tiled/include"],
     "web/bench": ["lib/include"],
     "web/wasm": ["lib/include", "lib/brush/include", "lib/tiled/include"],
     "lib/box2d/include": ["lib/include"],
@@ -47,22 +48,27 @@ ROOMS = {
     "oracle/reference": ENGINE,
     "oracle/cgal": ENGINE + ["oracle/reference"],
     "oracle/draw": ENGINE + ["oracle/reference"],
-    "oracle/trace": ENGINE + ["lib/brush/include", "oracle/reference"],  # traces have edits by brushes; it plays them
+    "oracle/calls": ENGINE + ["oracle/reference"],
+    # Traces have edits by brushes, and it plays them.
+    "oracle/trace": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/calls"],
     "oracle/page": ENGINE + ["oracle/reference", "oracle/trace", "oracle/draw"],
     "oracle/engine": ENGINE + ["lib/c/include", "oracle/reference", "oracle/trace"],
     # Random brushes are circles and lines of the library's making.
-    "oracle/generate": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/trace", "oracle/engine"],
-    "oracle/check": ENGINE + REFERENCES + ["oracle/draw", "oracle/engine", "oracle/page", "oracle/generate"],
+    "oracle/generate": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/calls", "oracle/trace",
+                                 "oracle/engine"],
+    "oracle/check": ENGINE + REFERENCES + ["lib/text", "oracle/draw", "oracle/engine", "oracle/page",
+                                            "oracle/generate"],
     "bench/published": ENGINE + ["lib/c/include", "oracle/reference"],
     "bench/ride": ENGINE + ADAPTERS + ORACLE,
+    "bench/instructions": ENGINE + ["lib/brush/include", "lib/brush/src", "oracle/generate"],  # it counts cut cells
     "bench": ENGINE + ADAPTERS + ORACLE + ["bench/published"],
-    "cli": ENGINE + ADAPTERS + ORACLE + ["bench", "bench/ride"],
+    "cli": ENGINE + ADAPTERS + ORACLE + ["lib/text", "bench", "bench/ride"],
     "examples": ENGINE + ADAPTERS + ["lib/c/include"],
     "packaging": ENGINE,
     "fuzz": ENGINE + ADAPTERS + ORACLE + ["cli"],
     # Unit tests of the engine's and the importer's parts look inside.
-    "proptests": GROUND + ADAPTERS + ORACLE + ["examples", "lib/ground", "lib/outline", "lib/world", "lib/brush/src",
-                                               "lib/tiled/src", "lib/box2d/src",
+    "proptests": GROUND + ADAPTERS + ORACLE + ["examples", "lib/text", "lib/ground", "lib/outline", "lib/world",
+                                               "lib/brush/src", "lib/tiled/src", "lib/box2d/src",
                                                "bench/published", "bench/ride", "cli"],
     "proptests/consumer": ENGINE + ADAPTERS,  # a project of its own, as a game would be
 }

@@ -24,7 +24,7 @@ SOURCE = re.compile(r".*\.(h|cpp|py|sh|md|toml|cmake)$")
 # What is no file of the project: what running something makes, and what the reader is to fill in.
 OTHER = re.compile(r"localgridseg\.(?:h|cpp)$|out/|build/bugs/|fuzz/all$|origin/|projects/localgridseg/|localgridseg/\w+$|build/web|package/dist|sandbox/dist|dist/|.*/(?:NAME|name)\b")
 # Pages that a program wrote about an earlier commit, which they name: files had the names of then.
-RECORDS = ["docs/planted-bugs.md"]
+RECORDS = ["docs/reports/planted-bugs.md"]
 HEADING = re.compile(r"#+ +(.*?) *$")
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The bulk of the random tests, longer than in ./test.sh: scripts/long-run.sh [SCALE [SEED]], one shard a core, at low
 # priority. SCALE 25 (the default) makes 5,000,000 comparisons with CGAL and more than 20,000,000 with the naive
-# reference. Ends with the numbers for docs/long-runs.md. On a farm each machine runs what stands in the loop below,
+# reference. Ends with the numbers for docs/reports/long-runs.md. On a farm each machine runs what stands in the loop below,
 # with a GTEST_SHARD_INDEX of its own.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -6,7 +6,7 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build python3                  # the tool chain
   libexpected-dev                                # the engine
-  libpugixml-dev libfast-float-dev nlohmann-json3-dev zlib1g-dev libzstd-dev  # the importer of maps
+  libpugixml-dev libpcre2-dev libfast-float-dev nlohmann-json3-dev zlib1g-dev libzstd-dev  # the importer of maps
   libbox2d-dev                                   # the terrain for Box2D
   libcgal-dev libboost-dev libcli11-dev libfmt-dev  # the references and the lgs command
   libpolyclipping-dev libgeos-dev libbenchmark-dev  # the timings

@@ -1,7 +1,10 @@
-// Six loops whose instructions are counted: gate.py runs this program under Valgrind. It links the engine alone, and
-// does the same on every machine.
+// Loops whose instructions are counted: gate.py runs this program under Valgrind. It links the engine and the brushes
+// alone, and does the same on every machine.
 //
-//   lgs_loops LOOP TIMES
+//   lgs_loops LOOP TIMES          runs a loop
+//   lgs_loops --steps LOOP TIMES  says how many steps that is
+#include "strokes.h"
+
 #include <lgs/world.h>
 
 #include <array>
@@ -106,29 +109,48 @@ void neverSeen(std::size_t times) {
   }
 }
 
+template <StrokeGround ground>
+void strokes(std::size_t times) {
+  carveHoles(ground, times);
+}
+
+template <std::size_t count>
+std::size_t each(std::size_t times) {
+  return count * times;
+}
+
 struct Loop {
   std::string_view name;
   void (*run)(std::size_t times);
+  std::size_t (*steps)(std::size_t times);
 };
-constexpr std::array<Loop, 6> kLoops{{{"edit-full", edit<Ground::full>},
-                                      {"edit-ramps", edit<Ground::ramps>},
-                                      {"add-full", build<Ground::full, addOneByOne>},
-                                      {"bulk-full", build<Ground::full, addAtOnce>},
-                                      {"bulk-ramps", build<Ground::ramps, addAtOnce>},
-                                      {"never-seen", neverSeen}}};
+constexpr std::array<Loop, 8> kLoops{{{"edit-full", edit<Ground::full>, each<2 * kEdits>},
+                                      {"edit-ramps", edit<Ground::ramps>, each<2 * kEdits>},
+                                      {"add-full", build<Ground::full, addOneByOne>, each<kCells>},
+                                      {"bulk-full", build<Ground::full, addAtOnce>, each<kCells>},
+                                      {"bulk-ramps", build<Ground::ramps, addAtOnce>, each<kCells>},
+                                      {"never-seen", neverSeen, each<1>},
+                                      {"stroke-full", strokes<StrokeGround::full>, cellsCut},
+                                      {"stroke-mixed", strokes<StrokeGround::mixed>, cellsCut}}};
 
 }  // namespace
 }  // namespace lgs::bench
 
 int main(int count, char** values) {
-  const std::span arguments(values, static_cast<std::size_t>(count));
+  std::span arguments(values + 1, static_cast<std::size_t>(count) - 1);
+  const bool asks = !arguments.empty() && std::string_view(arguments[0]) == "--steps";
+  if (asks) arguments = arguments.subspan(1);
   std::size_t times = 0;
-  if (arguments.size() == 3) std::from_chars(arguments[2], arguments[2] + std::strlen(arguments[2]), times);
+  if (arguments.size() == 2) std::from_chars(arguments[1], arguments[1] + std::strlen(arguments[1]), times);
   for (const lgs::bench::Loop& loop : lgs::bench::kLoops) {
-    if (times == 0 || loop.name != arguments[1]) continue;
-    loop.run(times);
+    if (times == 0 || loop.name != arguments[0]) continue;
+    if (asks) {
+      std::printf("%zu\n", loop.steps(times));
+    } else {
+      loop.run(times);
+    }
     return 0;
   }
-  std::fputs("usage: lgs_loops LOOP TIMES\n", stderr);
+  std::fputs("usage: lgs_loops [--steps] LOOP TIMES\n", stderr);
   return 2;
 }

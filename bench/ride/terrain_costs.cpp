@@ -1,6 +1,6 @@
 // What the terrain costs, by the size of a chunk: bodies and shapes, loading 100×100 cells, a sync after one edit and
 // after 1,000. Each time is the least of some rounds on one core. Compare times of one run only.
-#include "oracle/generate/random.h"
+#include "oracle/calls/random.h"
 
 #include "physics.h"
 

@@ -38,7 +38,7 @@ for program in $targets; do
     fi
   } >"$OUT/$program.options"
   # The runners have no packages installed: shared libraries go along.
-  ldd "$OUT/$program" | sed -n 's/.*=> \(\/[^ ]*lib\(stdc++\|gcc_s\|fmt\|pugixml\|gmp\|mpfr\|zstd\|z\|box2d\)\.[^ ]*\).*/\1/p' |
+  ldd "$OUT/$program" | sed -n 's/.*=> \(\/[^ ]*lib\(stdc++\|gcc_s\|fmt\|pcre2-8\|pugixml\|gmp\|mpfr\|zstd\|z\|box2d\)\.[^ ]*\).*/\1/p' |
     xargs -r cp -n -t "$OUT/lib"
   patchelf --set-rpath '$ORIGIN/lib' "$OUT/$program"
 done

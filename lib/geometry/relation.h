@@ -32,11 +32,10 @@ constexpr void look(P u, P v, const Ring& ring, Sight& sight) {
   (inside ? sight.inside : sight.outside) = true;
 }
 
-/// What the edges of a, cut at the vertices of b, see of b. No edges may cross.
-template <class Ring>
-Sight sightOf(const Ring& a, const Ring& b) {
+/// What the edges of a, cut at the vertices of b, see of b. No edges may cross. `cuts` is memory to work with.
+template <class Ring, class Cuts = std::vector<PointOf<Ring>>>
+Sight sightOf(const Ring& a, const Ring& b, Cuts cuts = {}) {
   Sight sight;
-  std::vector<PointOf<Ring>> cuts;
   for (std::size_t i = 0; i < a.size(); ++i) {
     cutEdge(a[i], nextVertex(a, i), b, cuts);
     for (std::size_t k = 1; k < cuts.size(); ++k) look(cuts[k - 1], cuts[k], b, sight);
@@ -68,16 +67,16 @@ enum class Relation : std::uint8_t {
   inside,   ///< a is a part of b, or all of it
 };
 
-/// How a lies to b. Both are simple and counter-clockwise. Cost: O(n·m).
-template <class Ring>
-Relation relation(const Ring& a, const Ring& b) {
+/// How a lies to b. Both are simple and counter-clockwise. `cuts` is memory to work with. Cost: O(n·m).
+template <class Ring, class Cuts = std::vector<PointOf<Ring>>>
+Relation relation(const Ring& a, const Ring& b, const Cuts& cuts = {}) {
   if (!interiorsMeet(boundingBox(a), boundingBox(b))) return Relation::apart;
   if (anyCrossing(a, b)) return Relation::overlap;
-  const Sight ofA = sightOf(a, b);
+  const Sight ofA = sightOf(a, b, cuts);
   if (!ofA.outside && (ofA.inside || ofA.sameWay)) return Relation::inside;
   // If no part of either boundary is inside the other polygon, the interior of a avoids the boundary of b: it is inside
   // b or outside b as a whole, and the other way round. Inside both ways means that a is b, which was seen above.
-  if (ofA.inside || ofA.sameWay || sightOf(b, a).inside) return Relation::overlap;
+  if (ofA.inside || ofA.sameWay || sightOf(b, a, cuts).inside) return Relation::overlap;
   return Relation::apart;
 }
 

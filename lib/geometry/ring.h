@@ -53,8 +53,8 @@ constexpr bool interiorsMeet(const Box<P>& a, const Box<P>& b) {
 }
 
 /// Cuts the edge a→b at those of the points that lie inside it: `cuts` becomes a, these points in order, and b.
-template <LatticePoint P, class Points>
-void cutEdge(P a, P b, const Points& points, std::vector<P>& cuts) {
+template <LatticePoint P, class Points, class Cuts>
+void cutEdge(P a, P b, const Points& points, Cuts& cuts) {
   cuts.assign({a, b});
   for (const P p : points)
     if (isInside(p, a, b)) cuts.push_back(p);

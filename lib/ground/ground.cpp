@@ -1,5 +1,6 @@
 #include "ground/ground.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace lgs::detail {
@@ -11,6 +12,7 @@ Ground::Ground(const Ground& other)
       lists_(other.lists_),
       changed_(other.changed_),
       notes_(other.notes_),
+      notedLists_(other.notedLists_),
       dropped_(other.dropped_),
       forgotten_(other.forgotten_),
       isNoting_(other.isNoting_) {
@@ -66,11 +68,37 @@ void Ground::commit() {
   catalogue.collect();
 }
 
-// The note takes over what the word stands for.
+// The note takes over what the word stands for. A list is copied, so that the arena grows with the cells and not with
+// the notes.
 void Ground::note(CellAt at) {
   const bool isChanged = (at.chunk->dirty[at.row()] & at.bit()) != 0;
-  const Note::Of of = isChanged ? Note::Of::changedCell : Note::Of::cell;
-  notes_.push_back({at.ref(), at.word(), at.chunk->block(at.local), of});
+  CellWord word = at.word();
+  if (isListed(at)) {
+    const std::uint32_t size = PolygonList::sizeOf(list(word).size());
+    const std::uint32_t* words = lists_.at(word & ~kListBit);
+    notedLists_.insert(notedLists_.end(), words, words + size);
+    lists_.release(word & ~kListBit, size);
+    word = kListBit | size;
+  }
+  notes_.push_back({at.ref(), word, at.chunk->block(at.local), isChanged ? Note::Of::changedCell : Note::Of::cell});
+}
+
+/// What the word of a cell was before the last note.
+CellWord Ground::takeBack(const Note& note) {
+  if ((note.word & kListBit) == 0) return note.word;
+  const std::uint32_t size = note.word & ~kListBit;
+  const RecordArena::Ref ref = lists_.allocate(size);
+  std::copy(notedLists_.end() - size, notedLists_.end(), lists_.at(ref));
+  notedLists_.erase(notedLists_.end() - size, notedLists_.end());
+  return kListBit | ref;
+}
+
+/// Lets go of what the first note has taken over.
+void Ground::forgetFirst(const Note& note) {
+  if (note.of == Note::Of::row) return;
+  if ((note.word & kListBit) == 0) return drop(note.word);
+  catalogue.release(notedLists_.front() >> kLowBits);
+  notedLists_.erase(notedLists_.begin(), notedLists_.begin() + (note.word & ~kListBit));
 }
 
 void Ground::undo(const Note& note) {
@@ -83,7 +111,7 @@ void Ground::undo(const Note& note) {
   }
   const CellAt at = grid.find(note.ref);
   drop(at.word());
-  at.word() = note.word;
+  at.word() = takeBack(note);
   if (!isListed(at) && note.word >> kLowBits != kEmptyContent) at.chunk->setBlock(at.local, note.block);
   at.chunk->facts[at.local] = catalogue.facts(contentId(at));
   if (note.of == Note::Of::changedCell) return;
@@ -106,8 +134,7 @@ void Ground::stopNoting() {
 }
 
 void Ground::forgetBefore(const Moment& moment) {
-  for (; forgotten_ + dropped_ < moment.notes; ++dropped_)
-    if (notes_[dropped_].of != Note::Of::row) drop(notes_[dropped_].word);
+  for (; forgotten_ + dropped_ < moment.notes; ++dropped_) forgetFirst(notes_[dropped_]);
   if (dropped_ < notes_.size() / 2) return;  // the rest moves to the front seldom
   notes_.erase(notes_.begin(), notes_.begin() + static_cast<std::ptrdiff_t>(dropped_));
   forgotten_ += std::exchange(dropped_, 0);
@@ -115,7 +142,7 @@ void Ground::forgetBefore(const Moment& moment) {
 
 std::uint64_t Ground::bytes() const {
   return grid.bytes() + catalogue.bytes() + lists_.bytes() + changed_.capacity() * sizeof changed_[0] +
-         notes_.capacity() * sizeof notes_[0];
+         notes_.capacity() * sizeof notes_[0] + notedLists_.size() * sizeof notedLists_[0];
 }
 
 }  // namespace lgs::detail

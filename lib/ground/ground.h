@@ -12,6 +12,7 @@
 #include <lgs/world.h>
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <utility>
@@ -104,7 +105,7 @@ class Ground {
   struct Note {
     enum class Of : std::uint32_t { cell, changedCell, row };  // changed: since the commit before
     std::uint32_t ref = 0;                                     ///< of the cell; of a row 32 * Chunk::index + row
-    std::uint32_t word = 0;                                    ///< of the cell; the bits of the row
+    std::uint32_t word = 0;  ///< of the cell; with kListBit, how long its list is; the bits of the row
     Block block = 0;
     Of of = Of::cell;
   };
@@ -143,12 +144,15 @@ class Ground {
   }
   void note(CellAt at);
   void undo(const Note& note);
+  CellWord takeBack(const Note& note);
+  void forgetFirst(const Note& note);
 
   RecordArena lists_;
   std::vector<Chunk*> changed_;
   std::vector<Note> notes_;
-  std::size_t dropped_ = 0;      ///< notes at the front of the vector that are forgotten already
-  std::uint64_t forgotten_ = 0;  ///< notes that are gone from the front of the vector
+  std::deque<std::uint32_t> notedLists_;  ///< the words of the lists in notes, one after the other
+  std::size_t dropped_ = 0;               ///< notes at the front of the vector that are forgotten already
+  std::uint64_t forgotten_ = 0;           ///< notes that are gone from the front of the vector
   bool isNoting_ = false;
 };
 

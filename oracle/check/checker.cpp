@@ -1,5 +1,6 @@
 #include "oracle/check/checker.h"
 
+#include "oracle/calls/random.h"
 #include "oracle/cgal/brushed.h"
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/check/comparable.h"
@@ -8,7 +9,6 @@
 #include "oracle/check/reach.h"
 #include "oracle/check/refusal.h"
 #include "oracle/check/window.h"
-#include "oracle/generate/random.h"
 #include "oracle/generate/steps.h"
 #include "oracle/reference/canonical.h"
 #include "oracle/reference/compare.h"
@@ -176,7 +176,7 @@ class Check {
 
   // The limits of a cell are this library's: other engines never see an edit that is refused for them.
   tl::expected<Result, TraceError> applyOneByOne(const Step& step) {
-    const auto& [accepted, code, cell] = step.verdict;
+    const auto& [accepted, code, cell, index] = step.verdict;
     if (accepted || (engine_.can().refuses && code != ErrorCode::capacity)) {
       for (const Edit& edit : step.edits)
         edit.kind == Edit::Kind::add ? engine_.add(edit.name, edit.polygon) : engine_.remove(edit.name);

@@ -1,6 +1,6 @@
 #include "oracle/check/reads.h"
 
-#include "oracle/generate/random.h"
+#include "oracle/calls/random.h"
 #include "oracle/trace/dump.h"
 
 #include <fmt/format.h>

@@ -50,7 +50,7 @@ std::string inWords(const Step& step) {
 
 std::string wrongAnswer(const Step& step, const tl::expected<void, TraceError>& done, const Model& model,
                         const World& world) {
-  const auto& [accepted, code, cell] = step.verdict;
+  const auto& [accepted, code, cell, index] = step.verdict;
   if (accepted) {
     if (done) return "";
     const char* const how = done.error().refusal ? "refused, but is good" : "answered wrongly";

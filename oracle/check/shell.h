@@ -1,13 +1,14 @@
 // Words of commands that are printed, to be given to a shell in any folder.
 #pragma once
 
+#include "lib/text/words.h"
+
 #include <string>
 #include <string_view>
 
 namespace lgs::oracle {
 
-/// A word as a shell takes it: in quotes if it has to be.
-std::string shellWord(std::string_view word);
+using text::shellWord;
 
 /// The path of a file as a shell takes it, in any folder.
 std::string shellPath(const std::string& path);

@@ -1,5 +1,5 @@
+#include "oracle/calls/random.h"
 #include "oracle/generate/generator.h"
-#include "oracle/generate/random.h"
 #include "oracle/reference/validity.h"
 #include "oracle/trace/step.h"
 

@@ -1,6 +1,6 @@
 #include "oracle/generate/editor.h"
 
-#include "oracle/generate/shapes.h"
+#include "oracle/calls/shapes.h"
 
 #include <fmt/format.h>
 #include <lgs/world.h>

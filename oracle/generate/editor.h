@@ -2,8 +2,8 @@
 // editor makes in order to be refused.
 #pragma once
 
+#include "oracle/calls/random.h"
 #include "oracle/engine/capabilities.h"
-#include "oracle/generate/random.h"
 #include "oracle/trace/model.h"
 #include "oracle/trace/trace.h"
 

@@ -1,7 +1,7 @@
 #include "oracle/generate/generator.h"
 
+#include "oracle/calls/shapes.h"
 #include "oracle/generate/editor.h"
-#include "oracle/generate/shapes.h"
 #include "oracle/generate/strokes.h"
 
 #include <fmt/format.h>

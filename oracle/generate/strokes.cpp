@@ -1,6 +1,6 @@
 #include "oracle/generate/strokes.h"
 
-#include "oracle/generate/random.h"
+#include "oracle/calls/random.h"
 
 #include <lgs/brush.h>
 #include <array>

@@ -2,7 +2,7 @@
 // the bits is that of steps.cpp.
 #pragma once
 
-#include "oracle/trace/notation.h"
+#include "oracle/calls/notation.h"
 #include "oracle/trace/step.h"
 
 #include <array>
@@ -23,6 +23,5 @@ inline bool wantsGroup(std::uint64_t chance) { return bitsOf(chance, 45, 4) == 1
 inline bool wantsMark(std::uint64_t chance) { return bitsOf(chance, 45, 4) == 1; }
 inline bool wantsSaving(std::uint64_t chance) { return bitsOf(chance, 49, 5) == 31; }
 inline bool wantsDetour(std::uint64_t chance) { return bitsOf(chance, 54, 5) == 31; }
-inline std::uint64_t detour(std::uint64_t chance) { return chance >> 58; }
 
 }  // namespace lgs::oracle

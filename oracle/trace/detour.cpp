@@ -1,72 +1,62 @@
 #include "oracle/trace/detour.h"
 
-#include "oracle/trace/step.h"
+#include "oracle/calls/caller.h"
+#include "oracle/calls/draw.h"
 
-#include <fmt/format.h>
 #include <algorithm>
-#include <array>
+#include <utility>
+#include <vector>
 
 namespace lgs::oracle {
 namespace {
 
-using Complaint = std::optional<std::string>;
-
-template <class T>
-Complaint complaintOf(const Expected<T>& result, const char* what) {
-  if (result) return std::nullopt;
-  return fmt::format("{}, which must be undone, is refused: {}", what, message(result.error()));
+// Some edits in the cells around one.
+std::vector<Call> editsDrawn(Choices& choices) {
+  Habits habits{.width = 3, .height = 3};
+  std::fill(habits.weights.begin() + static_cast<std::size_t>(Call::Kind::commit), habits.weights.end(), 0);
+  std::vector<Call> edits;
+  for (int k = 1 + choices.below(3); k > 0; --k) edits.push_back(drawCall(choices, habits));
+  return edits;
 }
 
-CellRect around(Cell cell) {
-  const auto within = [](std::int32_t index) { return std::clamp(index, -kMaxCell, kMaxCell); };
-  return {{within(cell.i - 1), within(cell.j - 1)}, {within(cell.i + 1), within(cell.j + 1)}};
-}
-
-Complaint editWrongly(World& world, Cell cell, unsigned how) {
-  const std::vector<PlacedPolygon> there = world.polygons(cell);
-  if (how == 0 && !there.empty()) return complaintOf(world.setBlock(there[0].handle, there[0].block + 1), "setBlock()");
-  if (how == 1 && !there.empty()) return complaintOf(world.remove(there[0].handle), "remove()");
-  const auto square = world.shape(kUnitSquare);
-  if (!square) return complaintOf(square, "shape()");
-  if (how == 2) return complaintOf(world.replace(cell, *square, 1), "replace()");
-  if (auto complaint = complaintOf(world.clear(around(cell)), "clear()")) return complaint;
-  return complaintOf(world.fill(around(cell), *square, 1), "fill()");
-}
-
-using Ids = std::vector<SegmentId>;
-
-Ids sorted(Ids ids) {
+std::vector<SegmentId> sorted(std::vector<SegmentId> ids) {
   std::sort(ids.begin(), ids.end());
   return ids;
 }
 
 /// Edits, commits and goes back to the mark. What that reports is the reverse of what the commit reported.
-Complaint commitAndGoBack(World& world, Mark mark, Cell cell, unsigned how) {
-  if (auto complaint = editWrongly(world, cell, how)) return complaint;
-  const Changes& done = world.commit();
-  const std::array reverse{sorted(done.added), sorted(done.removed), sorted(done.relinked)};
-  if (!world.rollBack(mark)) return "the world can not go back to a mark";
-  const Changes& undone = world.changesOfRollBack();
-  if (reverse == std::array{undone.removed, undone.added, undone.relinked}) return std::nullopt;
+std::optional<std::string> commitAndGoBack(Caller& caller, Mark mark, const std::vector<Call>& edits) {
+  for (const Call& edit : edits) caller.make(edit);
+  const Changes& done = caller.world.commit();
+  const ChangeLists reverse{sorted(done.added), sorted(done.removed), sorted(done.relinked)};
+  if (!caller.world.rollBack(mark)) return "the world can not go back to a mark";
+  if (reverse == copyOf(caller.world.changesOfRollBack())) return std::nullopt;
   return "changesOfRollBack() is not the reverse of the commit that was undone";
+}
+
+std::optional<std::string> editAndGoBack(Caller& caller, Choices& choices) {
+  if (choices.chance(50)) {
+    Call group;  // it is not kept
+    group.kind = Call::Kind::group;
+    group.group = editsDrawn(choices);
+    caller.make(group);
+    return std::nullopt;
+  }
+  const Mark mark = caller.world.checkpoint();
+  for (int visits = choices.below(2); visits >= 0; --visits)
+    if (auto complaint = commitAndGoBack(caller, mark, editsDrawn(choices))) return complaint;
+  if (!caller.world.forget(mark)) return "a mark is forgotten too early";
+  return std::nullopt;
 }
 
 }  // namespace
 
 std::optional<std::string> editAndGoBack(World& world, Cell cell, std::uint64_t chance) {
-  const bool commits = bitsOf(chance, 0, 1) != 0, twice = bitsOf(chance, 1, 1) != 0;
-  const unsigned how = bitsOf(chance, 2, 2), next = bitsOf(chance, 4, 2);
-  if (!commits) {
-    const Transaction group = world.edit();
-    if (auto complaint = editWrongly(world, cell, how)) return complaint;
-    return twice ? editWrongly(world, cell, next) : std::nullopt;
-  }
-  const Mark mark = world.checkpoint();
-  if (auto complaint = commitAndGoBack(world, mark, cell, how)) return complaint;
-  if (twice)
-    if (auto complaint = commitAndGoBack(world, mark, cell, next)) return complaint;
-  if (!world.forget(mark)) return "a mark is forgotten too early";
-  return std::nullopt;
+  Choices choices = choicesFrom(chance);
+  Caller caller(std::move(world), {cell.i - 1, cell.j - 1});
+  auto complaint = editAndGoBack(caller, choices);
+  world = std::move(caller.world);
+  return complaint;
 }
 
 std::optional<std::string> saveAndLoad(World& world) {

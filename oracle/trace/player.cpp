@@ -1,5 +1,6 @@
 #include "oracle/trace/player.h"
 
+#include "oracle/trace/call_model.h"
 #include "oracle/trace/choices.h"
 #include "oracle/trace/detour.h"
 
@@ -8,11 +9,6 @@
 
 namespace lgs::oracle {
 namespace {
-
-PreserveRelation relationOf(const PreservePairs& pairs) {
-  if (pairs.empty()) return {};
-  return [pairs](Block a, Block b) { return pairs(a, b); };
-}
 
 // Runs the jobs from the last to the first; with `apart` the even ones, then the odd ones.
 Executor executorOf(bool apart) {
@@ -74,7 +70,7 @@ Player::Done Player::leaveAndComeBack(const Step& step) {
   const Cell cell = isAlive(first.name) ? cellOf(first.name) : first.polygon.cell;
   if (!wantsDetour(step.chance) || !inRange(cell)) return {};
   ++detours_.undone;
-  return told(editAndGoBack(world_, cell, detour(step.chance)));
+  return told(editAndGoBack(world_, cell, step.chance));
 }
 
 Player::Done Player::inGroup(const Step& step) {

@@ -61,6 +61,7 @@ struct Verdict {
   bool accepted = true;
   std::optional<ErrorCode> code = {};  ///< none if the name is to blame
   Cell cell = Error::kNoCell;          ///< the one that the refusal must name
+  int index = -1;                      ///< the entry to blame, of a call that takes many
 };
 
 struct Step {

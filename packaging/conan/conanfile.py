@@ -37,6 +37,7 @@ class LocalGridSeg(ConanFile):
         if self.options.tiled:
             self.requires("fast_float/6.1.0", visible=False)
             self.requires("nlohmann_json/3.11.3", visible=False)
+            self.requires("pcre2/10.42")
             self.requires("pugixml/1.14")
             self.requires("zlib/[>=1.2.11 <2]")
             self.requires("zstd/[>=1.5 <1.6]")

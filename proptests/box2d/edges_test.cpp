@@ -1,7 +1,7 @@
 // The core of the Box2D adapters: rules 1 to 3 of <lgs/box2d/edges.h>, and that an update reports no more than what
 // changed.
+#include "oracle/calls/random.h"
 #include "oracle/check/isolated.h"
-#include "oracle/generate/random.h"
 #include "oracle/trace/player.h"
 
 #include "edge_copy.h"

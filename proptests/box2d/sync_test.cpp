@@ -1,5 +1,5 @@
 // Which changes fit a set of edges, and that a load brings it up to date with any world.
-#include "oracle/generate/random.h"
+#include "oracle/calls/random.h"
 #include "oracle/trace/player.h"
 
 #include "edge_copy.h"

@@ -1,6 +1,6 @@
 // The terrain in a live Box2D world: fixtures follow the world's segments through each edit, bodies notice changes, and
 // a fixture knows what it stands for.
-#include "oracle/generate/random.h"
+#include "oracle/calls/random.h"
 #include "oracle/trace/player.h"
 
 #include "field.h"

@@ -82,16 +82,22 @@ TEST(BrushSnap, CrossingsAreRoundedToTheNearestPoint) {
             (Point{0, 0}));
 }
 
+TEST(BrushAtoms, ARayThroughAVertexMeetsOneOfItsEdges) {
+  const brush::Sum solid{1, 0};
+  const brush::List<brush::Atom> wall{{{0, 0}, {0, 10}, solid, {}, {}}, {{0, 10}, {0, 20}, solid, {}, {}}};
+  EXPECT_EQ(sumLeftOf({10, 20}, wall), -solid);  // doubled
+}
+
 TEST(BrushOutline, AHoleIsCutOpenByTwoChords) {
-  std::vector<brush::Edge> edges;
+  brush::List<brush::Edge> edges;
   const auto addRing = [&](const Ring& ring) {
     for (std::size_t k = 0; k < ring.size(); ++k) edges.push_back({ring[k], ring[(k + 1) % ring.size()]});
   };
   addRing({{0, 0}, {9, 0}, {9, 9}, {0, 9}});
   addRing({{3, 3}, {3, 6}, {6, 6}, {6, 3}});
-  const std::vector<Ring> polygons = brush::simplePolygons(edges);
-  EXPECT_EQ(polygons, (std::vector<Ring>{{{0, 0}, {3, 3}, {3, 6}, {6, 6}, {9, 9}, {0, 9}},
-                                         {{0, 0}, {9, 0}, {9, 9}, {6, 6}, {6, 3}, {3, 3}}}));
+  const brush::List<brush::Points> polygons = brush::simplePolygons(edges);
+  EXPECT_EQ(polygons, (brush::List<brush::Points>{{{0, 0}, {3, 3}, {3, 6}, {6, 6}, {9, 9}, {0, 9}},
+                                                  {{0, 0}, {9, 0}, {9, 9}, {6, 6}, {6, 3}, {3, 3}}}));
 }
 
 TEST(Brush, WholeCellsAreFilledClearedAndRecoloured) {

@@ -1,5 +1,5 @@
 // Law 11 on a world of 100×100 cells: random brushes, one after the other, and none is refused.
-#include "oracle/generate/random.h"
+#include "oracle/calls/random.h"
 #include "proptests/brush/strokes.h"
 #include "proptests/support/scale.h"
 

@@ -1,4 +1,4 @@
-"""What is printed of a result, and docs/planted-bugs.md."""
+"""What is printed of a result, and docs/reports/planted-bugs.md."""
 
 import argparse
 import shlex

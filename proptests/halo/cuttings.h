@@ -2,7 +2,7 @@
 #pragma once
 
 #include "examples/regions/cutting.h"
-#include "oracle/generate/random.h"
+#include "oracle/calls/random.h"
 
 #include <lgs/lattice.h>
 

@@ -1,6 +1,6 @@
 // A world that is cut into regions: whatever the cutting, the order of commits and their grouping, the segments of all
 // regions together are those of one world, with their links by rank and id (examples/regions).
-#include "oracle/trace/player.h"
+#include "oracle/trace/call_model.h"
 #include "proptests/halo/cuttings.h"
 #include "proptests/halo/ranks.h"
 #include "proptests/support/law.h"
@@ -18,11 +18,6 @@ namespace {
 using oracle::Edit;
 using oracle::Random;
 
-PreserveRelation relationOf(const oracle::PreservePairs& pairs) {
-  if (pairs.empty()) return {};
-  return [pairs](Block a, Block b) { return pairs(a, b); };
-}
-
 /// The edits that regions can play: the cells of the others belong to nobody.
 oracle::Trace inRangeOnly(oracle::Trace trace) {
   std::erase_if(trace.edits, [](const Edit& edit) { return !inRange(edit.polygon.cell); });
@@ -34,7 +29,7 @@ oracle::Trace inRangeOnly(oracle::Trace trace) {
 class Twins {
  public:
   Twins(const oracle::Trace& trace, const regions::Cutting& cutting, std::uint64_t seed)
-      : world_(relationOf(trace.preserve)), ranks_(cutting, relationOf(trace.preserve)), seed_(seed) {}
+      : world_(oracle::relationOf(trace.preserve)), ranks_(cutting, oracle::relationOf(trace.preserve)), seed_(seed) {}
 
   void play(const Edit& edit, Random& random) {
     if (edit.kind == Edit::Kind::add) {

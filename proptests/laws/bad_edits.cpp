@@ -237,6 +237,81 @@ void addStaleHandles(std::vector<BadEdit>& out) {
   addStale("chunk null", {5, 1});
 }
 
+void addExchanges(std::vector<BadEdit>& out) {
+  using enum ErrorCode;
+  using Handles = std::vector<PolygonHandle>;
+  const LocalPolygon low = eighths({{0, 0}, {8, 0}, {8, 2}, {0, 2}}), high = eighths({{0, 6}, {8, 6}, {8, 8}, {0, 8}});
+  const auto add = [&](std::string name, Cell cell, auto goes, const std::vector<LocalPolygon>& comes,
+                       const Expect& expected, std::string text) {
+    const auto attempt = [=](Stage& s) {
+      std::vector<NewPolygon> polygons;
+      for (const LocalPolygon& p : comes) polygons.push_back({p, 9});
+      std::vector<PolygonHandle> handles(polygons.size(), PolygonHandle{4, 4});
+      const Handles untouched = handles;
+      const auto done = s.world.exchange(cell, goes(s), polygons, handles);
+      EXPECT_EQ(handles, untouched) << "a refused exchange writes handles";
+      return errorOf(done);
+    };
+    out.push_back({std::move(name), attempt, expected.error, std::move(text)});
+  };
+  const auto stale = [&](std::string name, Cell cell, auto goes, std::size_t index) {
+    const PolygonHandle handle = goes(makeStage())[index];
+    Expect expected = Expect(staleHandle).in(cell);
+    expected.error.other = handle;
+    expected.error.index = static_cast<std::int32_t>(index);
+    const std::string what = handle ? "the handle " + std::to_string(handle.cellRef) + ":" +
+                                          std::to_string(handle.serial) +
+                                          " names no polygon; it was removed, or never existed"
+                                    : "the handle is null, and names no polygon; was the edit refused that should "
+                                      "have given it?";
+    add(std::move(name), cell, goes, {high}, expected,
+        "entry " + std::to_string(index) + ", cell (" + std::to_string(cell.i) + ", " + std::to_string(cell.j) +
+            "): " + what);
+  };
+  const auto none = [](const Stage&) { return Handles(); };
+  const auto both = [](const Stage& s) { return Handles{s.upper, s.lower}; };
+  stale(
+      "exchange of what is gone", kRamp,
+      [](const Stage& s) {
+        return Handles{s.ramp, s.removed};
+      },
+      1);
+  stale(
+      "exchange of what is in another cell", kTwo,
+      [](const Stage& s) {
+        return Handles{s.upper, s.full};
+      },
+      1);
+  stale(
+      "exchange of the same twice", kTwo,
+      [](const Stage& s) {
+        return Handles{s.lower, s.upper, s.lower};
+      },
+      2);
+  stale(
+      "exchange of nothing, in an empty cell", kEmpty, [](const Stage&) { return Handles{PolygonHandle{}}; }, 0);
+  add("exchange beyond the range", kTooFar, none, {low}, Expect(cellOutOfRange).in(kTooFar),
+      "cell (1073741825, 0): the cell is out of range; both indices must be within ±2^30");
+  add(
+      "exchange for what overlaps the other one", kTwo, [](const Stage& s) { return Handles{s.lower}; }, {low, high},
+      Expect(overlap).in(kTwo).polygon(1),
+      "cell (2, 0), polygon 1: its interior overlaps that of a polygon of block # that is already in this cell (handle "
+      "@)");
+  out.back() = withOther(std::move(out.back()), &Stage::upper, 2);
+  add("exchange for two that overlap", kTwo, both, {low, high, ramp()}, Expect(overlap).in(kTwo).polygon(2).polygon2(0),
+      "cell (2, 0), polygon 2: its interior overlaps that of polygon 0");
+  add("exchange for two that overlap, in an empty cell", kEmpty, none, {unitSquare(), ramp()},
+      Expect(overlap).in(kEmpty).polygon(1).polygon2(0),
+      "cell (5, -3), polygon 1: its interior overlaps that of polygon 0");
+  add("exchange for a bad polygon", kTwo, both, {low, {{0, 0}, {0, U}, {U, U}}}, Expect(clockwise).in(kTwo).polygon(1),
+      "cell (2, 0), polygon 1: the polygon runs clockwise; reverse its vertices");
+  std::vector<LocalPolygon> many;
+  for (std::int32_t k = 0; k <= static_cast<std::int32_t>(kMaxPolygonsPerCell); ++k)
+    many.push_back({{2 * k, 0}, {2 * k + 1, 0}, {2 * k + 1, 1}});
+  add("exchange for more than fits", kTwo, both, many, Expect(capacity).in(kTwo),
+      std::string("cell (2, 0): ") + kTooMuch);
+}
+
 template <class Real>
 BadEdit makeRealShape(std::string name, std::vector<RealPoint<Real>> polygon, const Expect& expected,
                       std::string text) {
@@ -303,32 +378,8 @@ const std::vector<BadEdit>& badEdits() {
     addOverlaps(out);
     addUnknown(out);
     addStaleHandles(out);
+    addExchanges(out);
     addShapes(out);
-    return out;
-  }();
-  return edits;
-}
-
-bool areAlike(const Error& a, const Error& b) {
-  const auto fields = [](const Error& e) {
-    return std::tie(e.code, e.cell, e.polygon, e.vertex, e.vertex2, e.polygon2, e.other, e.otherBlock, e.segment,
-                    e.index);
-  };
-  return fields(a) == fields(b);
-}
-
-const std::vector<BadEdit>& badAnywhere() {
-  static const std::vector<BadEdit> edits = [] {
-    std::vector<BadEdit> out;
-    constexpr std::uint32_t kCellsOfAChunk = 32 * 32;
-    const std::uint32_t chunkOfStage = makeStage().full.cellRef / kCellsOfAChunk;
-    for (const BadEdit& bad : badEdits()) {
-      const Error& e = bad.expected;
-      const bool isOverlap = e.code == ErrorCode::overlap && e.hasCell();
-      // In another world such a handle may name a polygon.
-      const bool mayBeNamed = e.other.cellRef / kCellsOfAChunk == chunkOfStage && e.other.serial != 0;
-      if (!isOverlap && !mayBeNamed) out.push_back(bad);
-    }
     return out;
   }();
   return edits;

@@ -28,10 +28,4 @@ struct BadEdit {
 };
 const std::vector<BadEdit>& badEdits();
 
-/// Whether two errors say the same, field by field.
-bool areAlike(const Error& a, const Error& b);
-
-/// Those that are bad whatever stands where.
-const std::vector<BadEdit>& badAnywhere();
-
 }  // namespace lgs::test

@@ -1,6 +1,6 @@
 // What a world costs: the statistics against what is really allocated, and no allocation in the steady state.
 #include "allocations.h"
-#include "oracle/generate/random.h"
+#include "oracle/calls/random.h"
 #include "proptests/support/scale.h"
 #include "proptests/support/worlds.h"
 

@@ -1,6 +1,6 @@
 #include "invariants.h"
 
-#include "oracle/generate/random.h"
+#include "oracle/calls/random.h"
 #include "oracle/reference/vector.h"
 #include "oracle/reference/words.h"
 

@@ -1,7 +1,7 @@
 // What holds in every world without a preserve relation, whatever led to it (invariants.h); in big worlds too, where no
 // reference can follow.
 #include "invariants.h"
-#include "oracle/generate/random.h"
+#include "oracle/calls/random.h"
 #include "proptests/support/law.h"
 #include "proptests/support/played.h"
 #include "proptests/support/scale.h"

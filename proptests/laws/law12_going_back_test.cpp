@@ -2,73 +2,51 @@
 #include "oracle/trace/dump.h"
 #include "proptests/support/law.h"
 #include "proptests/support/scale.h"
-#include "proptests/support/traces.h"
 #include "twins.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace lgs::test {
 namespace {
 
-/// Edits a world, makes marks on the way, goes back to them and lets go of them.
-void wander(World& world, const Seeds& seeds) {
-  std::vector<Mark> marks;
-  for (const std::uint32_t seed : seeds) {
-    Chance chance(seed);
-    makeEdit(world, randomEdit(world, chance));
-    if (chance.chance(20)) marks.push_back(world.checkpoint());
-    if (marks.empty()) continue;
-    const std::size_t k = chance.below(marks.size());
-    if (chance.chance(15)) {
-      EXPECT_TRUE(world.rollBack(marks[k]));
-      marks.resize(k + 1);
-    }
-    if (chance.chance(15)) {
-      EXPECT_TRUE(world.forget(marks[k]));
-      marks.erase(marks.begin() + static_cast<std::ptrdiff_t>(k));
-    }
-  }
+/// Makes calls, among them marks, to which it goes back and which it forgets. The caller itself is told nothing.
+void wander(Caller& caller, const Setting& setting, const Calls& calls) {
+  Caller away(std::move(caller.world), setting.corner);
+  away.given = caller.given;
+  makeAll(away, calls);
+  caller.world = std::move(away.world);
 }
 
 LGS_LAW(GoingBack, IsNeverHavingLeft, 1'000,
-        (const Seeds& before, const Seeds& away, const Seeds& after, bool preserves, bool forgets)) {
-  World stayed = grown(preserves, before), left = grown(preserves, before);
+        (const Calls& before, const CallsAndMarks& away, const Calls& after, const Setting& setting, bool forgets)) {
+  Caller stayed = grown(setting, before), left = grown(setting, before);
   for (int visits = 0; visits < 2; ++visits) {
-    const Mark mark = left.checkpoint();
-    wander(left, away);
-    const Mark inner = left.checkpoint();
-    ASSERT_TRUE(left.rollBack(mark));
-    EXPECT_FALSE(left.rollBack(inner)) << "a mark that was made after the moment that the world went back to";
+    const Mark mark = left.world.checkpoint();
+    wander(left, setting, away);
+    const Mark inner = left.world.checkpoint();
+    ASSERT_TRUE(left.world.rollBack(mark));
+    EXPECT_FALSE(left.world.rollBack(inner)) << "a mark that was made after the moment that the world went back to";
     if (forgets) {
-      EXPECT_TRUE(left.forget(mark));
+      EXPECT_TRUE(left.world.forget(mark));
     }
     ASSERT_NO_FATAL_FAILURE(expectNoDifference(stayed, left, after));
   }
 }
 
-LGS_LAW(GoingBack, ReportsExactlyWhatItDoesToTheSegments, 200,
-        (const Seeds& before, const std::vector<Seeds>& away, bool preserves)) {
-  World world = grown(preserves, before);
-  world.commit();
-  Follower follower(world);
-  const Mark mark = world.checkpoint();
-  for (const Seeds& seeds : away) {
-    for (const std::uint32_t seed : seeds) {
-      Chance chance(seed);
-      const AnyEdit edit = randomEdit(world, chance);
-      if (edit.kind == AnyEdit::Kind::commit)
-        follower.follow(world, world.commit());
-      else
-        makeEdit(world, edit);
-    }
-    ASSERT_TRUE(world.rollBack(mark));
-    const Changes& changes = world.changesOfRollBack();
-    follower.follow(world, changes);
-    EXPECT_TRUE(follower.agrees(world));
+LGS_LAW(GoingBack, ReportsExactlyWhatItDoesToTheSegments, 500, (const CallsAndMarks& calls, const Setting& setting)) {
+  Caller caller = setting.start();
+  Follower follower(caller.world);
+  for (const Call& call : calls.list) {
+    const ChangeLists changes = caller.make(call).changes;  // of a commit, or of going back
+    follower.follow(caller.world, changes);
+    EXPECT_TRUE(follower.agrees(caller.world)) << inWords(call);
+    if (call.kind != Call::Kind::goBack) continue;
     for (const auto* ids : {&changes.removed, &changes.added, &changes.relinked})
       EXPECT_TRUE(std::is_sorted(ids->begin(), ids->end()));
   }
@@ -77,83 +55,88 @@ LGS_LAW(GoingBack, ReportsExactlyWhatItDoesToTheSegments, 200,
 /// A game with prediction: the world of the server makes each frame once. The client guesses each frame, goes back, and
 /// makes it as the server did; then the two are the same to the last byte.
 LGS_LAW(GoingBack, APredictionThatWasWrongLeavesNoTrace, 60,
-        (const std::vector<Seeds>& frames, const std::vector<Seeds>& guesses, bool preserves)) {
-  World server = grown(preserves, {}), client = grown(preserves, {});
+        (const std::vector<Calls>& frames, const std::vector<Calls>& guesses, const Setting& setting)) {
+  Caller server = setting.start(), client = setting.start();
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    const Mark confirmed = client.checkpoint();
+    const Mark confirmed = client.world.checkpoint();
     for (std::size_t ahead = k; ahead < std::min(k + 3, guesses.size()); ++ahead) {
-      makeAll(client, guesses[ahead]);
-      client.commit();
+      wander(client, setting, guesses[ahead]);
+      client.world.commit();
     }
-    ASSERT_TRUE(client.rollBack(confirmed));
-    EXPECT_TRUE(client.forget(confirmed));
+    ASSERT_TRUE(client.world.rollBack(confirmed));
+    EXPECT_TRUE(client.world.forget(confirmed));
     ASSERT_NO_FATAL_FAILURE(expectNoDifference(server, client, frames[k]));
-    EXPECT_EQ(oracle::outlineOf(client), outlineByLaws(client, preserves));
+    EXPECT_EQ(oracle::outlineOf(client.world), outlineByLaws(client.world, setting.preserve));
   }
 }
 
-LGS_LAW(GoingBack, ACopyIsNeverHavingLeft, 1'000, (const Seeds& before, const Seeds& after, bool preserves)) {
-  World stayed = grown(preserves, before);
-  const Mark mark = stayed.checkpoint();
-  makeAll(stayed, before);
-  World copy = stayed;  // with edits that are not committed
+LGS_LAW(GoingBack, ACopyIsNeverHavingLeft, 1'000,
+        (const Calls& before, const Calls& more, const Calls& after, const Setting& setting)) {
+  Caller stayed = grown(setting, before);
+  const Mark mark = stayed.world.checkpoint();
+  const auto given = stayed.given;
+  makeAll(stayed, more);
+  Caller copy = stayed;  // with edits that are not committed
   {
-    World other = grown(preserves, after);
+    Caller other = grown(setting, after);
     other = copy;
     makeAll(other, before);
-    EXPECT_TRUE(other.rollBack(mark));
+    EXPECT_TRUE(other.world.rollBack(mark));
   }  // nothing of the copies is shared
   ASSERT_NO_FATAL_FAILURE(expectNoDifference(stayed, copy, after));
-  EXPECT_TRUE(stayed.rollBack(mark));
-  EXPECT_TRUE(copy.rollBack(mark));
+  for (Caller* caller : {&stayed, &copy}) {
+    EXPECT_TRUE(caller->world.rollBack(mark));
+    caller->given = given;
+  }
   expectNoDifference(stayed, copy, after);
 }
 
+Call groupOf(const Calls& calls, Call::Keeps keeps) {
+  Call group;
+  group.kind = Call::Kind::group;
+  group.keeps = keeps;
+  std::ranges::copy_if(calls.list, std::back_inserter(group.group),
+                       [](const Call& call) { return call.kind < Call::Kind::commit; });
+  return group;
+}
+
 LGS_LAW(GoingBack, ATransactionIsUndoneUnlessItIsKept, 500,
-        (const Seeds& before, const Seeds& edits, const Seeds& after)) {
-  World stayed = grown(false, before), left = grown(false, before);
-  const auto withoutCommits = [](World& world, const Seeds& seeds) {
-    for (const std::uint32_t seed : seeds) {
-      Chance chance(seed);
-      const AnyEdit edit = randomEdit(world, chance);
-      if (edit.kind != AnyEdit::Kind::commit) makeEdit(world, edit);
-    }
-  };
-  {
-    const Transaction group = left.edit();
-    withoutCommits(left, edits);
-  }
-  {
-    Transaction group = left.edit();
-    withoutCommits(left, after);
-    group.keep();
-  }
-  withoutCommits(stayed, after);
+        (const Calls& before, const Calls& edits, const Calls& after, const Setting& setting)) {
+  Caller stayed = grown(setting, before), left = grown(setting, before);
+  left.make(groupOf(edits, Call::Keeps::never));
+  left.make(groupOf(after, Call::Keeps::always));
+  makeAll(stayed, {groupOf(after, {}).group});
   expectNoDifference(stayed, left, edits);
 }
 
-/// One long game, in which cells are edited more than 255 times. A long run of it is a soak: docs/long-runs.md.
+/// One long game, in which cells are edited more than 255 times. A long run of it is a soak: docs/reports/long-runs.md.
 TEST(GoingBack, ALongGameOfPredictionsStaysInStep) {
-  World server = grown(true, {}), client = grown(true, {});
+  const Setting setting{{30, -2}, [] {
+                          oracle::PreservePairs pairs;
+                          for (Block a = 0; a < 4; ++a)
+                            for (Block b = a + 1; b < 4; ++b) pairs.add(a, b);
+                          return pairs;
+                        }()};
+  Caller server = setting.start(), client = setting.start();
   const std::int64_t frames = scaled(1'500);
   for (std::int64_t frame = 0; frame < frames; ++frame) {
-    Chance chance(testSeed() + static_cast<std::uint64_t>(frame));
-    const auto edits = [&chance] {
-      Seeds seeds(chance.below(6U));
-      for (std::uint32_t& seed : seeds) seed = static_cast<std::uint32_t>(chance.next());
-      return seeds;
+    oracle::Choices choices = choicesFrom(testSeed() + static_cast<std::uint64_t>(frame));
+    const auto calls = [&choices] {
+      Calls some;
+      for (int k = choices.below(6); k > 0; --k) some.list.push_back(drawCall(choices, oracle::Habits()));
+      return some;
     };
-    const Mark confirmed = client.checkpoint();
-    for (int ahead = chance.below(4); ahead > 0; --ahead) {
-      makeAll(client, edits());
-      client.commit();
+    const Mark confirmed = client.world.checkpoint();
+    for (int ahead = choices.below(4); ahead > 0; --ahead) {
+      wander(client, setting, calls());
+      client.world.commit();
     }
-    ASSERT_TRUE(client.rollBack(confirmed));
-    ASSERT_TRUE(client.forget(confirmed));
-    ASSERT_NO_FATAL_FAILURE(expectNoDifference(server, client, edits())) << "in frame " << frame;
+    ASSERT_TRUE(client.world.rollBack(confirmed));
+    ASSERT_TRUE(client.world.forget(confirmed));
+    ASSERT_NO_FATAL_FAILURE(expectNoDifference(server, client, calls())) << "in frame " << frame;
     if (frame % 16 != 0) continue;
-    ASSERT_EQ(oracle::outlineOf(client), outlineByLaws(client, true)) << "in frame " << frame;
-    if (client.stats().shapes > 200) server = client = grown(true, {});  // shapes are never forgotten
+    ASSERT_EQ(oracle::outlineOf(client.world), outlineByLaws(client.world, setting.preserve)) << "in frame " << frame;
+    if (client.world.stats().shapes > 200) server = client = setting.start();  // shapes are never forgotten
   }
 }
 
@@ -262,7 +245,7 @@ TEST(GoingBackByHand, NothingIsKeptWithoutMarks) {
       world.commit();
     }
   };
-  work();
+  for (int k = 0; k < 3; ++k) work();  // the cells have been placed in more often than their words can count
   const std::uint64_t bytes = world.stats().bytes;
   const Mark mark = world.checkpoint();
   work();

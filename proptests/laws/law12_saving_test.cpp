@@ -6,20 +6,22 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <vector>
 
 namespace lgs::test {
 namespace {
 
-LGS_LAW(GoingBack, LoadingIsNeverHavingLeft, 1'000, (const Seeds& before, const Seeds& after, bool preserves)) {
-  World stayed = grown(preserves, before);
-  stayed.commit();
-  const std::vector<std::byte> bytes = saved(stayed);
-  auto loaded = World::load(bytes, relation(preserves));
+LGS_LAW(GoingBack, LoadingIsNeverHavingLeft, 1'000, (const Calls& before, const Calls& after, const Setting& setting)) {
+  Caller stayed = grown(setting, before), left = stayed;
+  stayed.world.commit();
+  const std::vector<std::byte> bytes = saved(stayed.world);
+  auto loaded = World::load(bytes, oracle::relationOf(setting.preserve));
   ASSERT_TRUE(loaded) << message(loaded.error());
   EXPECT_TRUE(saved(*loaded) == bytes) << "saved again, a loaded world gives other bytes";
-  EXPECT_EQ(snapshotOf(*loaded, {}), snapshotOf(stayed, {}));
-  expectNoDifference(stayed, *loaded, after);
+  EXPECT_EQ(snapshotOf(*loaded, {}), snapshotOf(stayed.world, {}));
+  left.world = std::move(*loaded);
+  expectNoDifference(stayed, left, after);
 }
 
 // Of a snapshot, in bytes: letters and version; checksum.
@@ -35,8 +37,9 @@ void seal(std::vector<std::byte>& bytes) {
   for (std::size_t k = 0; k < 4; ++k) bytes[bytes.size() - 4 + k] = static_cast<std::byte>(~sum >> 8 * k & 0xffu);
 }
 
-LGS_LAW(GoingBack, BytesThatWereNotWrittenAreRefused, 500, (const Seeds& before, Chance chance)) {
-  World world = grown(false, before);
+LGS_LAW(GoingBack, BytesThatWereNotWrittenAreRefused, 500,
+        (const Calls& before, const Setting& setting, Chance chance)) {
+  World world = grown({setting.corner, {}}, before).world;
   world.commit();
   std::vector<std::byte> wrong = saved(world);
   if (chance.chance(50)) {
@@ -52,8 +55,8 @@ LGS_LAW(GoingBack, BytesThatWereNotWrittenAreRefused, 500, (const Seeds& before,
 
 /// Bytes of ill will have the right checksum. So they are read; what they say must be good, or be refused.
 LGS_LAW(GoingBack, BytesOfIllWillAreRefusedOrAreAWorld, 2'000,
-        (const Seeds& before, const Seeds& after, Chance chance)) {
-  World world = grown(false, before);
+        (const Calls& before, const Calls& after, const Setting& setting, Chance chance)) {
+  World world = grown({setting.corner, {}}, before).world;
   world.commit();
   std::vector<std::byte> bytes = saved(world);
   for (int k = 1 + chance.below(3); k > 0; --k) {
@@ -67,10 +70,11 @@ LGS_LAW(GoingBack, BytesOfIllWillAreRefusedOrAreAWorld, 2'000,
     EXPECT_LE(loaded.error().offset, bytes.size());
     return;
   }
-  EXPECT_EQ(oracle::outlineOf(*loaded), outlineByLaws(*loaded, false));
+  EXPECT_EQ(oracle::outlineOf(*loaded), outlineByLaws(*loaded, {}));
   auto twin = World::load(saved(*loaded));
   ASSERT_TRUE(twin) << message(twin.error());
-  expectNoDifference(*loaded, *twin, after);
+  Caller one(std::move(*loaded), setting.corner), other(std::move(*twin), setting.corner);
+  expectNoDifference(one, other, after);
 }
 
 // The bytes of a world with one square end with its serial, its block, no free id, no id just removed, the ids of its
@@ -229,11 +233,12 @@ TEST(GoingBackByHand, EveryNumberBeyondItsRangeIsRefused) {
 }
 
 TEST(GoingBackByHand, AnotherRelationIsRefused) {
-  World world(relation(true));
+  const PreserveRelation relation = [](Block a, Block b) { return a != b; };
+  World world(relation);
   place(world, {0, 0}, eighths({{0, 0}, {8, 0}, {8, 4}, {0, 4}}), 1);
   place(world, {0, 0}, eighths({{0, 4}, {8, 4}, {8, 8}, {0, 8}}), 2);
   world.commit();
-  EXPECT_TRUE(World::load(saved(world), relation(true)));
+  EXPECT_TRUE(World::load(saved(world), relation));
   const auto other = World::load(saved(world), [](Block, Block) { return false; });
   ASSERT_FALSE(other);
   EXPECT_EQ(other.error().what, SnapshotError::What::relation);

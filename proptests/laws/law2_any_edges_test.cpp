@@ -1,8 +1,8 @@
 // Law 2 without the grid (lgs/radial_match.h): on any directed edges, and on the boundaries of unions that CGAL made.
 #include <lgs/radial_match.h>
 
+#include "oracle/calls/random.h"
 #include "oracle/cgal/cgal_union.h"
-#include "oracle/generate/random.h"
 #include "oracle/reference/canonical.h"
 #include "oracle/reference/vector.h"
 #include "proptests/support/fan.h"

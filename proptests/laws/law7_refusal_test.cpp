@@ -1,9 +1,9 @@
 // Law 7, total refusal: a bad edit returns an error that says what is wrong and where, and changes nothing. After any
 // bad edit the world, its ids, its handles and all it does later are as if the edit had not been tried.
 #include "bad_edits.h"
+#include "calls.h"
 #include "proptests/support/law.h"
 #include "proptests/support/worlds.h"
-#include "site.h"
 
 #include <gtest/gtest.h>
 
@@ -42,8 +42,8 @@ TEST(Refusal, LeavesPendingEditsAsTheyWere) {
   }
 }
 
-LGS_LAW(Refusal, IsNotSeenInAnythingLater, 300, (const SiteEdits& edits, const Setting& setting)) {
-  failUnless(storyOf(edits, setting) == storyOf(edits, setting, Manner::withoutRefused),
+LGS_LAW(Refusal, IsNotSeenInAnythingLater, 300, (const AnyCalls& calls, const Setting& setting)) {
+  failUnless(storyOf(calls, setting) == storyOf(calls, setting, false),
              "handles, changes or what the world shows are others than without the refused edits");
 }
 

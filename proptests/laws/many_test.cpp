@@ -1,123 +1,29 @@
-// Calls that take many are the single calls, one after the other, as a group: all happen or none.
+// Calls that take many, by hand; and reading many segments at once. That calls of many are their single calls, made as
+// a group, is in doors_test.cpp.
 #include "bad_edits.h"
+#include "calls.h"
 #include "proptests/support/law.h"
 #include "proptests/support/traces.h"
-#include "twins.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace lgs::test {
 namespace {
 
-/// What the single calls come to: the handles up to the first refusal, and that one. An entry is the group of single
-/// calls that made, or removed, the other polygon of the error.
-struct OneByOne {
-  std::vector<PolygonHandle> handles;
-  std::optional<Error> refusal;
-};
-
-void expectSameError(const Error& many, const OneByOne& singles) {
-  Error error = *singles.refusal;
-  error.index = static_cast<std::int32_t>(singles.handles.size());
-  for (std::size_t k = 0; k < singles.handles.size(); ++k) {
-    const PolygonHandle first = singles.handles[k];
-    const bool placedIt = first.cellRef == error.other.cellRef && first.serial <= error.other.serial;
-    if (error.code == ErrorCode::overlap ? placedIt : first == error.other) error.index2 = static_cast<std::int32_t>(k);
-  }
-  if (error.code == ErrorCode::overlap && error.index2 >= 0) error.other = {};  // a polygon that is undone
-  EXPECT_EQ(message(many), message(error));
-  EXPECT_EQ(many.code, error.code);
-  EXPECT_EQ(many.other, error.other);
-  EXPECT_EQ(many.otherBlock, error.otherBlock);
-  EXPECT_EQ(many.index, error.index);
-  EXPECT_EQ(many.index2, error.index2);
-}
-
-/// Random placements, as a rule good ones.
-std::vector<Placement> placementsFor(const World& world, Chance& chance, std::size_t count) {
-  std::vector<Placement> out;
-  for (std::size_t k = 0; k < count; ++k) {
-    const AnyEdit edit = randomEdit(world, chance);
-    out.push_back({edit.cell, edit.shape, edit.block});
-  }
-  return out;
-}
-
-OneByOne addOneByOne(World& world, const std::vector<Placement>& placements) {
-  OneByOne out;
-  Transaction group = world.edit();
-  for (const Placement& p : placements) {
-    const auto handle = world.add(p.cell, p.shape, p.block);
-    if (!handle) {
-      out.refusal = handle.error();
-      return out;
-    }
-    out.handles.push_back(*handle);
-  }
-  group.keep();
-  return out;
-}
-
-LGS_LAW(Many, AddingIsAddingOneByOne, 1'000,
-        (const Seeds& before, const Seeds& after, bool preserves, bool marked, Chance chance)) {
-  World world = grown(preserves, before), other = grown(preserves, before);
-  if (marked) (void)world.checkpoint();
-  const auto placements = placementsFor(world, chance, chance.below(6U));
-  const OneByOne singles = addOneByOne(other, placements);
-  std::vector<PolygonHandle> handles(placements.size(), PolygonHandle{1, 1});
-  const auto done = world.addMany(placements, handles);
-  ASSERT_EQ(done.has_value(), !singles.refusal);
-  if (done) {
-    EXPECT_EQ(handles, singles.handles);
-  } else {
-    expectSameError(done.error(), singles);
-    EXPECT_EQ(handles, std::vector<PolygonHandle>(placements.size())) << "a handle of an edit that was not made";
-  }
-  expectNoDifference(other, world, after);
-}
-
-LGS_LAW(Many, RemovingIsRemovingOneByOne, 1'000,
-        (const Seeds& before, const Seeds& after, bool preserves, bool marked, Chance chance)) {
-  World world = grown(preserves, before), other = grown(preserves, before);
-  if (marked) (void)world.checkpoint();
-  std::vector<PolygonHandle> polygons;
-  world.forEachPolygon([&](Cell, const PlacedPolygon& p) {
-    if (chance.chance(60)) polygons.push_back(p.handle);
-  });
-  chance.shuffle(polygons);
-  if (!polygons.empty() && chance.chance(30)) polygons.push_back(chance.pick(polygons));  // twice
-  OneByOne singles;
-  {
-    Transaction group = other.edit();
-    for (const PolygonHandle polygon : polygons) {
-      if (const auto done = other.remove(polygon); !done) {
-        singles.refusal = done.error();
-        break;
-      }
-      singles.handles.push_back(polygon);
-    }
-    if (!singles.refusal) group.keep();
-  }
-  const auto done = world.removeMany(polygons);
-  ASSERT_EQ(done.has_value(), !singles.refusal);
-  if (!done) expectSameError(done.error(), singles);
-  expectNoDifference(other, world, after);
-}
-
-LGS_LAW(Many, SegmentsAreThoseOfSingleCalls, 300, (const Seeds& seeds, bool preserves, Chance chance)) {
-  World world = grown(preserves, seeds);
+LGS_LAW(Many, SegmentsAreThoseOfSingleCalls, 300, (const Calls& calls, const Setting& setting, Chance chance)) {
+  World world = grown(setting, calls).world;
   world.commit();
   std::vector<SegmentId> ids = world.segments();
   chance.shuffle(ids);
   std::vector<Segment> out(ids.size());
   std::vector<FloatSegment> floats(ids.size());
   std::vector<DoubleSegment> doubles(ids.size());
-  const Point origin{30 * U + chance.below(U), -U};
+  const Point corner = toWorld(setting.corner, {});
+  const Point origin{corner.x + chance.below(U), corner.y};
   ASSERT_TRUE(world.segments(ids, out));
   ASSERT_TRUE(world.segments(ids, origin, std::span(floats)));
   ASSERT_TRUE(world.segments(ids, origin, std::span(doubles)));

@@ -1,8 +1,8 @@
 // World::version(): it names a state of the segments, in whichever world, and lists of changes lead from one to
 // another.
+#include "calls.h"
 #include "proptests/support/law.h"
-#include "proptests/support/traces.h"
-#include "twins.h"
+#include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
 
@@ -25,88 +25,88 @@ State stateOf(const World& world) {
   return state;
 }
 
-bool isEmpty(const Changes& changes) {
-  return changes.removed.empty() && changes.added.empty() && changes.relinked.empty();
-}
-
-/// A world, and the marks that it knows with the versions that it had there.
+/// A world, and the versions that it had at its marks.
 struct Timeline {
-  World world;
-  std::vector<std::pair<Mark, std::uint64_t>> marks;
+  Caller caller;
+  std::vector<std::uint64_t> marks;
 };
 
 class Versions {
  public:
-  explicit Versions(bool preserves) : preserves_(preserves), now_{grown(preserves, {}), {}}, kept_(now_) {}
+  explicit Versions(const Setting& setting) : now_{setting.start(), {}}, kept_(now_) {}
 
-  void move(Chance& chance) {
-    const int what = chance.below(100);
-    if (what < 50) return static_cast<void>(makeEdit(now_.world, editOf(chance)));
-    if (what < 70) return commit();
-    if (what < 80) return now_.marks.emplace_back(now_.world.checkpoint(), now_.world.version()), void();
-    if (what < 90) return goBack(chance);
-    if (what < 94) return static_cast<void>(kept_ = now_);
-    if (what < 98) return std::swap(now_, kept_), note();
-    load();
+  void play(const Calls& calls) {
+    for (const Call& call : calls.list) make(call);
+    commit();
   }
+  void keep() { kept_ = now_; }
+  void change() { std::swap(now_, kept_); }
 
  private:
-  AnyEdit editOf(Chance& chance) const {
-    AnyEdit edit = randomEdit(now_.world, chance);
-    if (edit.kind == AnyEdit::Kind::commit) edit.kind = AnyEdit::Kind::clear;
-    return edit;
-  }
-
-  void commit() {
-    const std::uint64_t before = now_.world.version();
-    const Changes& changes = now_.world.commit();
-    EXPECT_EQ(changes.before, before);
-    EXPECT_EQ(changes.after, now_.world.version());
-    EXPECT_EQ(changes.before == changes.after, isEmpty(changes));
-    if (!isEmpty(changes)) {
-      EXPECT_FALSE(states_.contains(changes.after)) << "another state had this version";
+  void make(const Call& call) {
+    World& world = now_.caller.world;
+    const std::uint64_t before = world.version();
+    const std::size_t k = now_.marks.empty() ? 0 : call.nth % now_.marks.size();
+    const ChangeLists lists = now_.caller.make(call).changes;
+    const bool isSame = lists == ChangeLists();
+    switch (call.kind) {
+      case Call::Kind::commit:
+        EXPECT_EQ(world.version() == before, isSame);
+        if (!isSame) {
+          EXPECT_FALSE(states_.contains(world.version())) << "another state had this version";
+        }
+        break;
+      case Call::Kind::mark:
+        now_.marks.push_back(before);
+        break;
+      case Call::Kind::forget:
+        if (!now_.marks.empty()) now_.marks.erase(now_.marks.begin() + static_cast<std::ptrdiff_t>(k));
+        break;
+      case Call::Kind::goBack:
+        if (now_.marks.empty()) break;
+        EXPECT_EQ(world.version(), isSame ? before : now_.marks[k]);
+        EXPECT_EQ(world.changesOfRollBack().before, before);
+        EXPECT_EQ(world.changesOfRollBack().after, world.version());
+        now_.marks.resize(k + 1);
+        break;
+      case Call::Kind::load:
+        now_.marks.clear();
+        EXPECT_FALSE(states_.contains(world.version())) << "a loaded world is another one";
+        break;
+      default:
+        EXPECT_EQ(world.version(), before) << inWords(call);
     }
     note();
   }
 
-  void goBack(Chance& chance) {
-    if (now_.marks.empty()) return;
-    const std::size_t k = chance.below(now_.marks.size());
-    const std::uint64_t before = now_.world.version();
-    EXPECT_TRUE(now_.world.rollBack(now_.marks[k].first));
-    const Changes& changes = now_.world.changesOfRollBack();
+  /// What a commit says leads from one version to the next.
+  void commit() {
+    World& world = now_.caller.world;
+    const std::uint64_t before = world.version();
+    const Changes& changes = world.commit();
     EXPECT_EQ(changes.before, before);
-    EXPECT_EQ(changes.after, now_.world.version());
-    EXPECT_EQ(changes.after, isEmpty(changes) ? before : now_.marks[k].second);
-    now_.marks.resize(k + 1);
-    note();
-  }
-
-  void load() {
-    now_.world.commit();
-    note();
-    auto loaded = World::load(saved(now_.world), relation(preserves_));
-    ASSERT_TRUE(loaded);
-    now_ = {std::move(*loaded), {}};
-    EXPECT_FALSE(states_.contains(now_.world.version())) << "a loaded world is another one";
+    EXPECT_EQ(changes.after, world.version());
     note();
   }
 
   void note() {
-    const State state = stateOf(now_.world);
-    EXPECT_EQ(states_.emplace(now_.world.version(), state).first->second, state);
+    const State state = stateOf(now_.caller.world);
+    EXPECT_EQ(states_.emplace(now_.caller.world.version(), state).first->second, state);
   }
 
-  bool preserves_;
   Timeline now_, kept_;
   std::map<std::uint64_t, State> states_ = {{0, {}}};
 };
 
-LGS_LAW(Versions, NameTheStatesOfTheSegments, 500, (const Seeds& seeds, bool preserves)) {
-  Versions versions(preserves);
-  for (const std::uint32_t seed : seeds) {
-    Chance chance(seed);
-    for (int k = 0; k < 4; ++k) versions.move(chance);
+// Two timelines: one goes on, and the other one is kept for later.
+LGS_LAW(Versions, NameTheStatesOfTheSegments, 500,
+        (const AnyCalls& first, const AnyCalls& second, const AnyCalls& third, const Setting& setting)) {
+  Versions versions(setting);
+  versions.play(first);
+  versions.keep();
+  for (const AnyCalls* calls : {&second, &third, &second}) {
+    versions.play(*calls);
+    versions.change();
   }
 }
 

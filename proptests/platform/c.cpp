@@ -1,6 +1,8 @@
-// The part of the C interface: the same kinds of edits as editor.cpp makes, by the calls of lgs/lgs.h.
+// The part of the C interface: the calls of lgs/lgs.h, with polygons as elsewhere (oracle/calls).
 #include "parts.h"
-#include "random.h"
+
+#include "oracle/calls/choices.h"
+#include "oracle/calls/draw.h"
 
 #include <lgs/lgs.h>
 
@@ -16,7 +18,8 @@ std::int32_t keepsSomeOverlaps(void*, lgs_block smaller, lgs_block greater) {
 
 class CEditor {
  public:
-  CEditor(lgs_world* world, Hash& hash, std::uint64_t seed) : world_(world), hash_(hash), random_(seed) {}
+  CEditor(lgs_world* world, Hash& hash, std::uint64_t seed)
+      : world_(world), hash_(hash), choices_(oracle::choicesFrom(seed)) {}
 
   void edit();
   void commit();
@@ -24,12 +27,14 @@ class CEditor {
 
  private:
   lgs_cell cell() {
-    const std::int32_t i = random_.between(-3, 4), j = random_.between(-3, 4);
+    const std::int32_t i = choices_.between(-3, 4), j = choices_.between(-3, 4);
     return {i, j};
   }
   std::vector<lgs_local_point> points() {
     std::vector<lgs_local_point> vertices;
-    for (const lgs::LocalPoint v : randomPolygon(random_)) vertices.push_back({v.x, v.y});
+    oracle::LocalPolygon polygon = drawPolygon(choices_);
+    if (choices_.chance(10)) polygon = spoilt(choices_, polygon);
+    for (const lgs::LocalPoint v : polygon) vertices.push_back({v.x, v.y});
     return vertices;
   }
   void put(lgs_status status);
@@ -38,11 +43,11 @@ class CEditor {
     hash_.number(count);
     for (std::size_t k = 0; k < count; ++k) hash_.number(ids[k].value);
   }
-  lgs_polygon_id handle() { return handles_.empty() ? lgs_polygon_id{} : random_.of(handles_); }
+  lgs_polygon_id handle() { return handles_.empty() ? lgs_polygon_id{} : choices_.pick(handles_); }
 
   lgs_world* world_;
   Hash& hash_;
-  Random random_;
+  oracle::Choices choices_;
   lgs_error error_{};
   std::vector<lgs_shape_id> shapes_;
   std::vector<lgs_polygon_id> handles_;
@@ -63,9 +68,9 @@ void CEditor::put(lgs_status status) {
 
 void CEditor::edit() {
   const lgs_cell at = cell();
-  const lgs_block block = random_.below(5);
+  const lgs_block block = choices_.below(5U);
   lgs_polygon_id polygon{};
-  switch (random_.below(8)) {
+  switch (choices_.below(8)) {
     case 0:
     case 1: {
       const auto vertices = points();
@@ -83,9 +88,9 @@ void CEditor::edit() {
     }
     case 3: {
       std::vector<lgs_placement> placements;
-      for (std::uint32_t k = shapes_.empty() ? 0 : random_.below(4); k > 0; --k) {
+      for (std::uint32_t k = shapes_.empty() ? 0 : choices_.below(4U); k > 0; --k) {
         const lgs_cell where = cell();
-        placements.push_back({where, random_.of(shapes_), block});
+        placements.push_back({where, choices_.pick(shapes_), block});
       }
       std::vector<lgs_polygon_id> polygons(placements.size());
       put(lgs_add_many(world_, placements.data(), placements.size(), polygons.data(), &error_));
@@ -94,7 +99,7 @@ void CEditor::edit() {
     }
     case 4:
       if (shapes_.empty()) break;
-      put(lgs_replace(world_, at, random_.of(shapes_), block, &polygon, 1, &error_));
+      put(lgs_replace(world_, at, choices_.pick(shapes_), block, &polygon, 1, &error_));
       handles_.push_back(polygon);
       break;
     case 5:

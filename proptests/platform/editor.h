@@ -1,22 +1,26 @@
-// Random edits of one world by every call that edits, good and bad ones, and all that they give out.
+// Random calls in one world, good and bad ones (oracle/calls), and all that they give out.
 #pragma once
 
 #include "hash.h"
-#include "random.h"
 
-#include <lgs/world.h>
-
-#include <vector>
+#include "oracle/calls/caller.h"
+#include "oracle/calls/choices.h"
+#include "oracle/calls/draw.h"
 
 namespace platform {
 
+using oracle::Choices;
+using oracle::choicesFrom;
+
 class Editor {
  public:
-  /// The editor keeps both references.
-  Editor(lgs::World& world, Hash& hash, std::uint64_t seed, lgs::Cell origin = {-4, -4})
-      : world_(world), hash_(hash), random_(seed), origin_(origin) {}
+  /// The editor keeps the reference. Cells are counted from the origin: as a rule across the corner of four chunks.
+  Editor(Hash& hash, std::uint64_t seed, lgs::World world = lgs::World(), oracle::Habits habits = kHabits,
+         lgs::Cell origin = {-4, -4});
 
-  /// One edit, or one call of several.
+  lgs::World& world() { return caller_.world; }
+
+  /// One call: no commit, as a rule.
   void edit();
   void edits(int count) {
     for (int k = 0; k < count; ++k) edit();
@@ -26,33 +30,14 @@ class Editor {
   /// Everything that can be read, as of the last commit.
   void readAll();
 
+  static const oracle::Habits kHabits;  ///< cells in plenty, and commit() by itself
+
  private:
-  static constexpr std::int32_t kSide = 10;  ///< cells, across the corners of chunks
-  static constexpr std::size_t kKept = 512;  ///< handles: old ones are overwritten
-
-  lgs::Cell cell();
-  lgs::CellRect cells(std::int32_t most);
-  lgs::Block block() { return random_.below(6); }
-  lgs::ShapeId shape();
-  lgs::PolygonHandle handle();
-  void keep(const lgs::Expected<lgs::PolygonHandle>& added);
-
-  void makeShape();
-  void addPoints();
-  void addReals();
-  void addShape();
-  void addMany();
-  void replace();
-  void remove();
-  void removeMany();
-  void group();
-
-  lgs::World& world_;
   Hash& hash_;
-  Random random_;
+  Choices choices_;
+  oracle::Habits habits_;
+  oracle::Caller caller_;
   lgs::Cell origin_;
-  std::vector<lgs::ShapeId> shapes_;
-  std::vector<lgs::PolygonHandle> handles_;
 };
 
 }  // namespace platform

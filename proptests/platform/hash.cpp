@@ -24,10 +24,21 @@ void put(Hash& hash, const lgs::Segment& segment) {
   put(hash, segment.cell);
 }
 
-void put(Hash& hash, const lgs::Changes& changes) {
+void put(Hash& hash, const oracle::ChangeLists& changes) {
   putAll(hash, changes.removed);
   putAll(hash, changes.added);
   putAll(hash, changes.relinked);
+}
+
+void put(Hash& hash, const oracle::Outcome& outcome) {
+  hash.byte(outcome.refusal ? 0 : 1);
+  if (outcome.refusal) put(hash, *outcome.refusal);
+  put(hash, outcome.shape);
+  putAll(hash, outcome.told);
+  putAll(hash, outcome.handles);
+  hash.number(outcome.count);
+  put(hash, outcome.changes);
+  putAll(hash, outcome.parts);
 }
 
 }  // namespace platform

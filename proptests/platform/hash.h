@@ -2,6 +2,8 @@
 // same on machines of either byte order.
 #pragma once
 
+#include "oracle/calls/caller.h"
+
 #include <lgs/error.h>
 #include <lgs/segment.h>
 
@@ -12,6 +14,8 @@
 #include <string_view>
 
 namespace platform {
+
+namespace oracle = lgs::oracle;
 
 class Hash {
  public:
@@ -72,7 +76,8 @@ inline void put(Hash& hash, lgs::ShapeId id) { hash.number(id.value); }
 
 void put(Hash& hash, const lgs::Error& error);
 void put(Hash& hash, const lgs::Segment& segment);
-void put(Hash& hash, const lgs::Changes& changes);
+void put(Hash& hash, const oracle::ChangeLists& changes);
+void put(Hash& hash, const oracle::Outcome& outcome);
 
 template <class Value>
 void putAll(Hash& hash, const Value& values) {

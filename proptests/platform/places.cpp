@@ -9,41 +9,41 @@ namespace platform {
 namespace {
 
 /// In or near the cells from −2 to 10. One in four is a corner of cells, or the middle of a side.
-lgs::Point randomPoint(Random& random) {
-  const bool isOnGrid = random.oneIn(4);
-  const std::int32_t x = random.between(-2 * 65'536, 10 * 65'536), y = random.between(-2 * 65'536, 10 * 65'536);
+lgs::Point randomPoint(Choices& choices) {
+  const bool isOnGrid = choices.chance(25);
+  const std::int32_t x = choices.between(-2 * 65'536, 10 * 65'536), y = choices.between(-2 * 65'536, 10 * 65'536);
   return isOnGrid ? lgs::Point{x / 32'768 * 32'768, y / 32'768 * 32'768} : lgs::Point{x, y};
 }
 
-std::vector<lgs::Point> randomPoints(Random& random, std::uint32_t count) {
+std::vector<lgs::Point> randomPoints(Choices& choices, std::uint32_t count) {
   std::vector<lgs::Point> points;
-  for (; count > 0; --count) points.push_back(randomPoint(random));
+  for (; count > 0; --count) points.push_back(randomPoint(choices));
   return points;
 }
 
-lgs::Region randomRegion(Random& random) {
-  const lgs::Point at = randomPoint(random);
-  const std::int64_t size = random.between(1, 2 * 65'536);
-  switch (random.below(6)) {
+lgs::Region randomRegion(Choices& choices) {
+  const lgs::Point at = randomPoint(choices);
+  const std::int64_t size = choices.between(1, 2 * 65'536);
+  switch (choices.below(6)) {
     case 0:
     case 1:
-      return lgs::circle(at, size, random.between(3, 40));
+      return lgs::circle(at, size, choices.between(3, 40));
     case 2:
-      return lgs::thickLine(randomPoints(random, random.below(4)), size / 4, 12);
+      return lgs::thickLine(randomPoints(choices, choices.below(4)), size / 4, 12);
     case 3:
-      return lgs::rectangle(at, randomPoint(random), size, size / 3);
+      return lgs::rectangle(at, randomPoint(choices), size, size / 3);
     case 4: {  // a ring in cells, which may be no region
       std::vector<std::vector<lgs::DoublePoint>> rings(1);
-      for (std::uint32_t k = random.below(6); k > 0; --k) {
-        const lgs::Point p = randomPoint(random);
+      for (std::uint32_t k = choices.below(6); k > 0; --k) {
+        const lgs::Point p = randomPoint(choices);
         rings[0].push_back({static_cast<double>(p.x) / 65'536, static_cast<double>(p.y) / 65'536 + 0x1p-18});
       }
-      if (random.oneIn(20)) rings[0].push_back({1e300, 0});
+      if (choices.chance(5)) rings[0].push_back({1e300, 0});
       return lgs::region(rings, lgs::FillRule::evenOdd);
     }
     default:
-      return {{randomPoints(random, 3), randomPoints(random, 4)},
-              random.oneIn(2) ? lgs::FillRule::nonZero : lgs::FillRule::evenOdd};
+      return {{randomPoints(choices, 3), randomPoints(choices, 4)},
+              choices.chance(50) ? lgs::FillRule::nonZero : lgs::FillRule::evenOdd};
   }
 }
 
@@ -57,18 +57,19 @@ void put(Hash& hash, const lgs::BrushResult& result) {
   }
 }
 
-/// Ground that was painted and dug in, and of which some cells have other shapes.
-void prepare(lgs::World& world, Hash& hash, std::uint64_t seed) {
-  Editor editor(world, hash, seed, {0, 0});
+/// Ground of cells with all kinds of shapes.
+Editor prepared(Hash& hash, std::uint64_t seed) {
+  Editor editor(hash, seed, lgs::World(), Editor::kHabits, {0, 0});
   editor.edits(300);
   editor.commit();
+  return editor;
 }
 
-std::vector<lgs::DirectedEdge> randomEdges(Random& random, std::uint32_t points) {
+std::vector<lgs::DirectedEdge> randomEdges(Choices& choices, std::uint32_t points) {
   std::vector<lgs::DirectedEdge> edges;
   for (std::uint32_t k = 3 * points; k > 0; --k) {
-    const std::uint32_t from = random.below(points), to = random.below(points);
-    if (from != to || random.oneIn(40)) edges.push_back({from, to});
+    const std::uint32_t from = choices.below(points), to = choices.below(points);
+    if (from != to || choices.below(40) == 0) edges.push_back({from, to});
   }
   return edges;
 }
@@ -77,14 +78,14 @@ std::vector<lgs::DirectedEdge> randomEdges(Random& random, std::uint32_t points)
 
 void brushes(Hash& hash) {
   for (std::uint64_t seed = 500; seed < 504; ++seed) {
-    lgs::World world;
-    Random random(seed);
-    prepare(world, hash, seed);
-    Editor editor(world, hash, seed + 50, {0, 0});
+    Choices choices = choicesFrom(seed + 1'000);
+    Editor editor = prepared(hash, seed);
+    lgs::World& world = editor.world();
     for (int k = 0; k < 120; ++k) {
-      const lgs::Region region = randomRegion(random);
-      const lgs::PaintMode mode = random.oneIn(2) ? lgs::PaintMode::fill : lgs::PaintMode::replace;
-      const auto done = random.oneIn(3) ? lgs::carve(world, region) : lgs::paint(world, region, random.below(4), mode);
+      const lgs::Region region = randomRegion(choices);
+      const lgs::PaintMode mode = choices.chance(50) ? lgs::PaintMode::fill : lgs::PaintMode::replace;
+      const auto done =
+          choices.below(3) == 0 ? lgs::carve(world, region) : lgs::paint(world, region, choices.below(4), mode);
       if (putResult(hash, done)) put(hash, *done);
       editor.commit();
     }
@@ -93,28 +94,28 @@ void brushes(Hash& hash) {
 }
 
 void questions(Hash& hash) {
-  lgs::World world;
-  Random random(600);
-  prepare(world, hash, 600);
+  Choices choices = choicesFrom(1600);
+  Editor editor = prepared(hash, 600);
+  const lgs::World& world = editor.world();
   for (int k = 0; k < 4'000; ++k) {
-    const lgs::Point at = randomPoint(random);
+    const lgs::Point at = randomPoint(choices);
     const lgs::Spot spot = world.at(at);
     hash.number(static_cast<std::uint64_t>(spot.where));
     put(hash, spot.polygon);
     put(hash, spot.cell);
-    const auto nearest = world.nearest(at, random.between(-1, 12) / 4.0);
+    const auto nearest = world.nearest(at, choices.between(-1, 12) / 4.0);
     if (putResult(hash, nearest)) put(hash, nearest->segment);
-    const auto hit = world.rayCast(at, randomPoint(random));
+    const auto hit = world.rayCast(at, randomPoint(choices));
     if (putResult(hash, hit)) put(hash, hit->segment);
     hash.step();
   }
 }
 
 void radial(Hash& hash) {
-  Random random(700);
+  Choices choices = choicesFrom(700);
   for (int k = 0; k < 150; ++k) {
-    const std::vector<lgs::Point> points = randomPoints(random, 2 + random.below(30));
-    const auto links = lgs::radialMatch(points, randomEdges(random, static_cast<std::uint32_t>(points.size())));
+    const std::vector<lgs::Point> points = randomPoints(choices, 2 + choices.below(30));
+    const auto links = lgs::radialMatch(points, randomEdges(choices, static_cast<std::uint32_t>(points.size())));
     if (putResult(hash, links)) {
       for (const lgs::EdgeLinks& link : *links) hash.number(std::uint64_t{link.predecessor} << 32 | link.successor);
       for (const auto& loop : lgs::loopsOf(*links))
@@ -125,15 +126,15 @@ void radial(Hash& hash) {
 }
 
 void answers(Hash& hash) {
-  lgs::World world;
-  Random random(800);
-  prepare(world, hash, 800);
+  Choices choices = choicesFrom(1800);
+  Editor editor = prepared(hash, 800);
+  const lgs::World& world = editor.world();
   for (int k = 0; k < 4'000; ++k) {
-    const lgs::Point at = randomPoint(random);
+    const lgs::Point at = randomPoint(choices);
     const lgs::Nearest nearest = world.nearest(at, 3).value_or(lgs::Nearest{});
     put(hash, nearest.point);
     hash.real(nearest.distance);
-    const lgs::RayHit hit = world.rayCast(at, randomPoint(random)).value_or(lgs::RayHit{});
+    const lgs::RayHit hit = world.rayCast(at, randomPoint(choices)).value_or(lgs::RayHit{});
     hash.real(hit.fraction);
     put(hash, hit.point);
     put(hash, hit.normal);

@@ -9,9 +9,9 @@ namespace platform {
 namespace {
 
 /// Commits now and then, and reads everything more seldom.
-void play(Editor& editor, Random& random, int rounds) {
+void play(Editor& editor, Choices& choices, int rounds) {
   for (int k = 0; k < rounds; ++k) {
-    editor.edits(random.between(1, 8));
+    editor.edits(choices.between(1, 8));
     editor.commit();
     if (k % 64 == 63) editor.readAll();
   }
@@ -32,11 +32,11 @@ void putBytes(Hash& hash, std::span<const std::byte> bytes) {
 }
 
 /// Damaged in one byte, or cut: the error says where it was noticed.
-void loadDamaged(Hash& hash, Random& random, std::vector<std::byte> bytes) {
-  if (random.oneIn(2)) {
-    bytes[random.below(static_cast<std::uint32_t>(bytes.size()))] ^= std::byte{1} << random.below(8);
+void loadDamaged(Hash& hash, Choices& choices, std::vector<std::byte> bytes) {
+  if (choices.chance(50)) {
+    bytes[choices.below(static_cast<std::uint32_t>(bytes.size()))] ^= std::byte{1} << choices.below(8);
   } else {
-    bytes.resize(random.below(static_cast<std::uint32_t>(bytes.size())));
+    bytes.resize(choices.below(static_cast<std::uint32_t>(bytes.size())));
   }
   const auto loaded = lgs::World::load(bytes);
   hash.byte(loaded ? 1 : 0);
@@ -50,10 +50,9 @@ void loadDamaged(Hash& hash, Random& random, std::vector<std::byte> bytes) {
 
 void edits(Hash& hash) {
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    lgs::World world;
-    Random random(seed);
-    Editor editor(world, hash, seed);
-    play(editor, random, 1'500);
+    Choices choices = choicesFrom(seed + 1'000);
+    Editor editor(hash, seed);
+    play(editor, choices, 1'500);
   }
 }
 
@@ -65,10 +64,9 @@ void relations(Hash& hash) {
   };
   std::uint64_t seed = 100;
   for (const lgs::PreserveRelation& relation : relations) {
-    lgs::World world(relation);
-    Random random(++seed);
-    Editor editor(world, hash, seed);
-    play(editor, random, 900);
+    Choices choices = choicesFrom(++seed + 1'000);
+    Editor editor(hash, seed, lgs::World(relation));
+    play(editor, choices, 900);
   }
 }
 
@@ -76,65 +74,44 @@ void executor(Hash& hash) {
   const lgs::Executor lastFirst = [](std::size_t count, const std::function<void(std::size_t)>& job) {
     while (count != 0) job(--count);
   };
+  oracle::Habits overSixChunks = Editor::kHabits;
+  overSixChunks.width = 48;
+  overSixChunks.height = 12;
   for (std::uint64_t seed = 200; seed < 212; ++seed) {
-    lgs::World world;
-    Editor here(world, hash, seed), there(world, hash, seed + 100, {25, 26});
-    here.edits(250);
-    there.edits(250);
-    put(hash, world.commit(lastFirst));
+    Editor editor(hash, seed, lgs::World(), overSixChunks, {-8, -8});
+    editor.edits(500);
+    put(hash, oracle::copyOf(editor.world().commit(lastFirst)));
     hash.step();
-    here.readAll();
-    there.edits(5);
-    there.commit();
+    editor.readAll();
+    editor.edits(5);
+    editor.commit();
   }
 }
 
 void goingBack(Hash& hash) {
-  lgs::World world;
-  Random random(300);
-  Editor editor(world, hash, 300);
-  std::vector<lgs::Mark> marks;
+  Choices choices = choicesFrom(1'300);
+  Editor editor(hash, 300, lgs::World(), withMarks(Editor::kHabits));
   for (int k = 0; k < 2'000; ++k) {
-    editor.edits(random.between(0, 4));
-    if (random.oneIn(2)) editor.commit();
-    switch (random.below(8)) {
-      case 0:
-        if (marks.size() < 20) marks.push_back(world.checkpoint());
-        break;
-      case 1:
-      case 2:
-        if (marks.empty()) break;
-        if (putResult(hash, world.rollBack(random.of(marks)))) put(hash, world.changesOfRollBack());
-        break;
-      case 3:
-        if (marks.size() < 10) break;
-        for (const lgs::Mark mark : marks) putResult(hash, world.forget(mark));
-        marks.clear();
-        break;
-      case 4:
-        world = lgs::World(world);
-        break;
-      default:
-        break;
-    }
+    editor.edits(choices.between(0, 4));
+    if (choices.chance(50)) editor.commit();
     hash.step();
     if (k % 200 == 199) editor.readAll();
   }
 }
 
 void saves(Hash& hash) {
-  lgs::World world;
-  Random random(400);
-  Editor editor(world, hash, 400);
+  Choices choices = choicesFrom(1'400);
+  Editor editor(hash, 400);
+  lgs::World& world = editor.world();
   for (int k = 0; k < 250; ++k) {
-    editor.edits(random.between(1, 30));
+    editor.edits(choices.between(1, 30));
     editor.commit();
     const std::vector<std::byte> bytes = saved(world);
     putBytes(hash, bytes);
-    loadDamaged(hash, random, bytes);
+    loadDamaged(hash, choices, bytes);
     auto loaded = lgs::World::load(bytes);
     hash.byte(loaded && lgs::samePolygons(world, *loaded) ? 1 : 0);
-    if (loaded && random.oneIn(2)) world = std::move(*loaded);
+    if (loaded && choices.chance(50)) world = std::move(*loaded);
     hash.step();
   }
   editor.readAll();

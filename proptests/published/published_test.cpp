@@ -1,12 +1,12 @@
 // The published algorithm under the harness: it departs from the laws in the ways that docs/departures.md shows, and in
 // no way on scenes within its reach.
 #include "bench/published/published_lattice.h"
+#include "oracle/calls/random.h"
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/check/isolated.h"
 #include "oracle/check/shrink.h"
 #include "oracle/generate/features.h"
 #include "oracle/generate/generator.h"
-#include "oracle/generate/random.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
 #include "oracle/trace/file.h"

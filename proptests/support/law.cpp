@@ -2,6 +2,7 @@
 
 #include "oracle/check/isolated.h"
 #include "oracle/check/shell.h"
+#include "proptests/support/rapid.h"
 #include "proptests/support/scale.h"
 #include "proptests/support/time_limit.h"
 
@@ -22,8 +23,6 @@ extern "C" const char* __tsan_default_options() { return "halt_on_error=1"; }
 namespace lgs::test {
 namespace {
 
-using rc::detail::CaseDescription;
-using rc::detail::CaseResult;
 using Clock = std::chrono::steady_clock;
 
 /// Texts in memory that a child shares with its parent: the last one is what is wrong, if anything is.
@@ -59,9 +58,7 @@ std::optional<std::string> failureHere(const Case& theCase) {
   std::optional<std::string> thrown;
   const auto expectation = failedExpectation([&] {
     try {
-      theCase.run();
-    } catch (const CaseResult& result) {  // of RapidCheck's assertions, and of failIf()
-      if (result.type != CaseResult::Type::Success) thrown = result.description;
+      thrown = rapid::failedAssertion(theCase.run);
     } catch (const std::exception& error) {
       thrown = fmt::format("an exception: {}", error.what());
     }
@@ -80,29 +77,6 @@ std::optional<Told> failureInChild(const Case& theCase) {
   return Told{crash ? "the engine " + *crash : verdict->why.data(), textsIn(*verdict)};
 }
 
-class Quiet : public rc::detail::TestListener {
-  void onTestCaseFinished(const CaseDescription&) override {}
-  void onShrinkTried(const CaseDescription&, bool) override {}
-  void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
-};
-
-/// Has RapidCheck try the cases, up to the first of which `holds` says no, and make that one small.
-void tryCases(const Effort& effort, const rc::Gen<Case>& cases, bool shrinks, std::function<bool(const Case&)> holds) {
-  const rc::detail::Property property = rc::gen::map(cases, [&](const Case& theCase) {
-    CaseDescription description;
-    description.result.type = holds(theCase) ? CaseResult::Type::Success : CaseResult::Type::Failure;
-    description.example = [] { return rc::detail::Example(); };
-    return description;
-  });
-  rc::detail::TestParams params;
-  params.seed = effort.seed;
-  params.maxSuccess = static_cast<int>(std::min<std::int64_t>(effort.cases, std::numeric_limits<int>::max()));
-  params.disableShrinking = !shrinks;
-  Quiet quiet;
-  // No map of what is to be reproduced: RapidCheck then leaves its own settings (RC_PARAMS) alone.
-  rc::detail::checkProperty(property, {}, params, quiet, {});
-}
-
 /// The number of the first case that fails, all in one child process, and what it said.
 struct Search {
   std::int64_t tried = 0;
@@ -110,7 +84,7 @@ struct Search {
 };
 
 void search(const Effort& effort, const rc::Gen<Case>& cases, Search& found) {
-  tryCases(effort, cases, false, [&](const Case& theCase) {
+  rapid::tryCases(effort, cases, false, [&](const Case& theCase) {
     if (found.verdict.failed) return false;  // RapidCheck asks again
     ++found.tried;
     oracle::stillAlive();
@@ -129,7 +103,7 @@ Smallest madeSmall(const Effort& effort, const rc::Gen<Case>& cases, std::int64_
   deadline = Clock::now() + std::chrono::seconds(20);
   Smallest best;
   std::int64_t come = 0;
-  tryCases(effort, cases, true, [&](const Case& theCase) {
+  rapid::tryCases(effort, cases, true, [&](const Case& theCase) {
     ++come;
     if (come == number) best.theCase = theCase;
     if (come < number || (come > number && !best.failed) || isTimeUp()) return true;
@@ -174,7 +148,7 @@ std::optional<std::string> falsified(const Effort& effort, const rc::Gen<Case>& 
 }
 
 void failIf(const std::optional<std::string>& complaint) {
-  if (complaint) throw CaseResult(CaseResult::Type::Failure, *complaint);
+  if (complaint) rapid::fail(*complaint);
 }
 
 void failUnless(bool holds, const char* complaint) {

@@ -164,12 +164,27 @@ TEST(Planted, AFailureThatTakesTheCasesBeforeItIsToldAsItIs) {
 TEST(Planted, EqualEffortsMakeEqualCases) {
   const auto casesOf64 = [](std::uint64_t seed) {
     const oracle::Shared<std::uint64_t> sum;
-    const auto law = [&](Chance chance) { *sum = 3 * *sum + chance.seed; };
+    const auto law = [&](Chance chance) { *sum = 3 * *sum + *chance.seed; };
     EXPECT_FALSE(falsified({.cases = 64, .seed = seed}, casesOf(std::function<void(Chance)>(law))));
     return *sum;
   };
   EXPECT_EQ(casesOf64(1), casesOf64(1));
   EXPECT_NE(casesOf64(1), casesOf64(2));
+}
+
+TEST(Planted, WhereChanceDoesNotMatterItGoesAsItComes) {
+  const auto toldOf = [](const std::function<void(Chance)>& law) {
+    return falsified({.cases = 64, .seed = 1}, casesOf(law)).value_or("");
+  };
+  EXPECT_NE(toldOf([](Chance) { failIf("always"); }).find("as it comes"), std::string::npos);
+  EXPECT_EQ(toldOf([](Chance chance) { failUnless(!chance.chance(50), "now and then"); }).find("as it comes"),
+            std::string::npos);
+  Chance plain;
+  std::vector<int> items{1, 2, 3};
+  plain.shuffle(items);
+  EXPECT_EQ(items, (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(plain.pick(items), 1);
+  EXPECT_TRUE(plain.chance(100) && !plain.chance(99));
 }
 
 TEST(Planted, AnEndlessLoop) {

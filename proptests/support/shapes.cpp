@@ -1,7 +1,7 @@
 #include "proptests/support/shapes.h"
 
+#include "oracle/calls/shapes.h"
 #include "oracle/generate/generator.h"
-#include "oracle/generate/shapes.h"
 #include "oracle/trace/model.h"
 #include "proptests/support/traces.h"
 
@@ -82,9 +82,6 @@ rc::Gen<AnyReal<Real>> anyReal() {
 
 }  // namespace
 
-void showValue(const AnyShape& shape, std::ostream& out) {
-  for (std::size_t k = 0; k < shape.polygons.size(); ++k) out << (k == 0 ? "" : " | ") << inWords(shape.polygons[k]);
-}
 void showValue(const AnyPolygon& polygon, std::ostream& out) { out << inWords(polygon.vertices); }
 void showValue(const AnyReal<float>& real, std::ostream& out) { out << fmt::format("{:a} of a cell", real.value); }
 void showValue(const AnyReal<double>& real, std::ostream& out) { out << fmt::format("{:a} of a cell", real.value); }
@@ -95,11 +92,6 @@ namespace rc {
 
 using namespace lgs::test;
 using lgs::oracle::Trace;
-
-Gen<AnyShape> Arbitrary<AnyShape>::arbitrary() {
-  const auto mayBe = [](const Trace& t) { return !t.edits.empty() && isGood(t); };
-  return gen::map(traces(anyShape, mayBe), [](const Trace& trace) { return AnyShape{polygonsOf(trace)}; });
-}
 
 Gen<AnyPolygon> Arbitrary<AnyPolygon>::arbitrary() {
   const auto mayBe = [](const Trace& t) { return t.edits.size() == 1 && isGood(t); };

@@ -1,4 +1,4 @@
-// Polygons, shapes and coordinates as arguments of laws.
+// Polygons and coordinates as arguments of laws.
 #pragma once
 
 #include "oracle/reference/validity.h"
@@ -10,12 +10,7 @@
 
 namespace lgs::test {
 
-/// Polygons that may stand in one cell together: one of the degenerate shapes, turned; or what random edits leave.
-struct AnyShape {
-  std::vector<oracle::LocalPolygon> polygons;  ///< at least one
-};
-void showValue(const AnyShape& shape, std::ostream& out);
-
+/// A good polygon: of a degenerate shape, or what random edits leave.
 struct AnyPolygon {
   oracle::LocalPolygon vertices;
 };
@@ -33,10 +28,6 @@ void showValue(const AnyReal<double>& real, std::ostream& out);
 
 namespace rc {
 
-template <>
-struct Arbitrary<lgs::test::AnyShape> {
-  static Gen<lgs::test::AnyShape> arbitrary();
-};
 template <>
 struct Arbitrary<lgs::test::AnyPolygon> {
   static Gen<lgs::test::AnyPolygon> arbitrary();

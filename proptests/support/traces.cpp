@@ -110,7 +110,9 @@ Trace movedTo(Trace trace, Cell target) {
   return trace;
 }
 
-void showValue(const Chance& chance, std::ostream& out) { out << "chance " << chance.seed; }
+void showValue(const Chance& chance, std::ostream& out) {
+  chance.seed ? out << "chance " << *chance.seed : out << "as it comes";
+}
 
 }  // namespace lgs::test
 
@@ -125,7 +127,10 @@ Gen<PlainTrace> Arbitrary<PlainTrace>::arbitrary() {
       traces(plainTrace, [](const lgs::oracle::Trace& t) { return t.preserve.empty() && isGood(t); }));
 }
 Gen<Chance> Arbitrary<Chance>::arbitrary() {
-  return [](Random random, int) { return shrinkable::just(Chance(random.next())); };
+  return [](Random random, int) {
+    const auto simpler = [](const Chance& chance) { return chance.seed ? seq::just(Chance()) : Seq<Chance>(); };
+    return shrinkable::shrinkRecur(Chance(random.next()), simpler);
+  };
 }
 
 }  // namespace rc

@@ -2,7 +2,7 @@
 // shrinker, which knows what an edit is, and told with the files that the trace and its picture were saved to.
 #pragma once
 
-#include "oracle/generate/random.h"
+#include "oracle/calls/random.h"
 #include "oracle/trace/trace.h"
 
 #include <rapidcheck.h>
@@ -11,6 +11,7 @@
 #include <functional>
 #include <iosfwd>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace lgs::test {
@@ -24,10 +25,12 @@ struct GoodTrace : oracle::Trace {};
 /// Every edit is good, and nothing is preserved.
 struct PlainTrace : oracle::Trace {};
 
-/// A source of chance of a law's own, the same each time that a case is tried.
+/// A source of chance of a law's own, the same each time that a case is tried. It becomes simple where everything goes
+/// as it comes.
 struct Chance : oracle::Random {
   explicit Chance(std::uint64_t s) : Random(s), seed(s) {}
-  std::uint64_t seed;
+  Chance() : Random(asItComes()) {}
+  std::optional<std::uint64_t> seed;
 };
 void showValue(const Chance& chance, std::ostream& out);
 

@@ -2,8 +2,9 @@
 // one value that can be compared.
 #pragma once
 
-#include "oracle/generate/random.h"
-#include "oracle/generate/shapes.h"
+#include "oracle/calls/caller.h"
+#include "oracle/calls/random.h"
+#include "oracle/calls/shapes.h"
 #include "oracle/reference/validity.h"
 
 #include <lgs/world.h>
@@ -20,6 +21,8 @@
 namespace lgs::test {
 
 inline constexpr std::int32_t U = kUnitsPerCell;
+using oracle::ChangeLists;
+using oracle::copyOf;
 using oracle::LocalPolygon;
 
 /// Vertices given in eighths of a cell.
@@ -71,13 +74,6 @@ struct Snapshot {
   friend bool operator==(const Snapshot&, const Snapshot&) = default;
 };
 Snapshot snapshotOf(const World& world, std::span<const Cell> cells);
-
-/// Copies of the three lists, to compare.
-struct ChangeLists {
-  std::vector<SegmentId> removed, added, relinked;
-  friend bool operator==(const ChangeLists&, const ChangeLists&) = default;
-};
-inline ChangeLists copyOf(const Changes& c) { return {c.removed, c.added, c.relinked}; }
 
 /// All cells of a rectangle, by rows.
 std::vector<Cell> cellsOf(const CellRect& rect);

@@ -14,7 +14,8 @@ TEST(TiledErrors, NameFileLineAndReason) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"<map tilewidth='32'>\n<layer></map>", "maps/test.tmx:2: is not well-formed XML"},
       {"<tileset/>", "maps/test.tmx:1: <tileset> should be <map>"},
-      {"<map orientation='isometric' tilewidth='32' tileheight='32'/>", "the map is isometric: only orthogonal maps"},
+      {"<map orientation='isometric' tilewidth='32' tileheight='32'/>",
+       "has the orientation 'isometric': only orthogonal maps"},
       {"<map tilewidth='32'/>", "maps/test.tmx:1: <map> has no attribute 'tileheight'"},
       {"<map tilewidth='0' tileheight='1'/>", "tilewidth='0' should be a whole number from 1 to 65536"},
       {mapXml("", "width='4x'"), "width='4x' should be a whole number"},

@@ -40,7 +40,9 @@ inline std::string property(const std::string& name, const std::string& value) {
   return "<properties><property name='" + name + "' value='" + value + "'/></properties>";
 }
 
-inline tl::expected<ImportedMap, ImportError> importFiles(Files files, const Options& options = {}) {
+/// Imports "maps/test.tmx" with files that may lie anywhere, as in many projects of Tiled's.
+inline tl::expected<ImportedMap, ImportError> importFiles(Files files, Options options = {}) {
+  options.filesAnywhere = true;
   return importMap("maps/test.tmx", options, [&](const std::string& path) -> tl::expected<std::string, std::string> {
     const auto file = files.find(path);
     if (file == files.end()) return tl::unexpected<std::string>("there is no such file");

@@ -242,15 +242,20 @@ TEST(TiledObjectLayers, WhatIsLeftOutAndWhy) {
 }
 
 TEST(TiledObjectLayers, TheLimitCountsTheCellsOfTheirBoxes) {
-  Options options;
-  options.maxPlacements = 3;
-  const std::string xml = mapXml(objectLayer(rectangle(0, 0, 64, 64)));
-  EXPECT_EQ(refusalOf(xml, options),
-            "maps/test.tmx:3: <objectgroup> 'Walls' its objects are larger than the limit (Options::maxPlacements)");
-  options.maxPlacements = 4;
-  EXPECT_EQ(refusalOf(xml, options), "accepted");
-  const std::string two = mapXml(objectLayer(rectangle(0, 0, 64, 64) + rectangle(0, 0, 64, 64)));
-  EXPECT_NE(refusalOf(two, options), "accepted");
+  constexpr std::size_t kCells = 1'000 * 1'000;
+  const auto limit = [](const std::string& xml, std::size_t cells) {
+    Options options;
+    options.maxObjectCells = cells - kObjectCellsPerByte * xml.size();
+    return options;
+  };
+  const std::string xml = mapXml(objectLayer(rectangle(0, 0, 32'000, 32'000)));
+  EXPECT_EQ(refusalOf(xml, limit(xml, kCells - 1)),
+            "maps/test.tmx:3: <objectgroup> 'Walls' its shapes are larger than the limit for a map of this size "
+            "(Options::maxObjectCells)");
+  EXPECT_EQ(refusalOf(xml, limit(xml, kCells)), "accepted");
+  const std::string two = mapXml(objectLayer(rectangle(0, 0, 32'000, 32'000) + rectangle(0, 0, 32'000, 32'000)));
+  EXPECT_NE(refusalOf(two, limit(two, 2 * kCells - 1)), "accepted") << "what is covered already counts, too";
+  EXPECT_EQ(refusalOf(two, limit(two, 2 * kCells)), "accepted");
 }
 
 TEST(TiledObjectLayers, TheReportTellsAllOfThem) {

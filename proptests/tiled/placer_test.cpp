@@ -15,7 +15,8 @@ TEST(TiledPlacer, EntriesAreToldApartByEveryField) {
     entries.push_back({code % 3, static_cast<Block>(code / 3 % 3), code / 9 % 3, code / 27 % 3, code / 81});
   }
   for (const bool down : {false, true}) {
-    Placer placer;
+    Budget budget{Options{}};
+    Placer placer(budget);
     for (const bool again : {false, true}) {
       for (std::uint32_t k = 0; k < entries.size(); ++k) {
         const std::size_t at = down != again ? entries.size() - 1 - k : k;
@@ -27,7 +28,8 @@ TEST(TiledPlacer, EntriesAreToldApartByEveryField) {
 }
 
 TEST(TiledPlacer, TheSameRingIsOneShapeWhereverItBegins) {
-  Placer placer;
+  Budget budget{Options{}};
+  Placer placer(budget);
   EXPECT_EQ(placer.shape({{0, 0}, {9, 0}, {9, 9}}), 0U);
   EXPECT_EQ(placer.shape({{9, 0}, {9, 9}, {0, 0}}), 0U);
   EXPECT_EQ(placer.shape({{0, 0}, {9, 0}, {9, 8}}), 1U);
@@ -93,7 +95,8 @@ TEST(TiledPlacer, WhatComesLaterLosesTheCommonPart) {
   for (std::size_t i = 0; i < rings.size(); ++i) {
     for (std::size_t j = i % 64; j < rings.size(); j += 64) {  // a 64th of all pairs
       SCOPED_TRACE(text(rings[j]) + " on " + text(rings[i]));
-      Placer placer;
+      Budget budget{Options{}};
+      Placer placer(budget);
       placer.place({3, -8}, placer.entry({placer.shape(rings[i]), 1, kNoTile}));
       placer.place({3, -8}, placer.entry({placer.shape(rings[j]), 2, kNoTile}));
       ImportedMap map;
@@ -125,7 +128,8 @@ Polygon combOf(std::int64_t teeth, bool lying) {
 
 TEST(TiledPlacer, WhatCrossesTooOftenIsLeftOut) {
   const auto placed = [](std::int64_t teeth) {
-    Placer placer;
+    Budget budget{Options{}};
+    Placer placer(budget);
     placer.place({}, placer.entry({placer.shape(combOf(teeth, false)), 1, kNoTile}));
     placer.place({}, placer.entry({placer.shape(combOf(teeth, true)), 2, kNoTile}));
     ImportedMap map;
@@ -140,7 +144,8 @@ TEST(TiledPlacer, WhatCrossesTooOftenIsLeftOut) {
 
 TEST(TiledPlacer, SliversAreDropped) {
   const auto left = [](std::int64_t width) {  // of a square that is wider than the one before it
-    Placer placer;
+    Budget budget{Options{}};
+    Placer placer(budget);
     placer.place({}, placer.entry({placer.shape({{0, 0}, {9'000, 0}, {9'000, 65'536}, {0, 65'536}}), 1, kNoTile}));
     const std::int64_t end = 9'000 + width;
     placer.place({}, placer.entry({placer.shape({{0, 0}, {end, 0}, {end, 65'536}, {0, 65'536}}), 2, kNoTile}));

@@ -1,13 +1,20 @@
 // Names in commands that messages print: a shell must give back what the map says.
 #include "maps.h"
 
+#include <cctype>
 #include <cstdio>
 
 namespace lgs::tiled {
 namespace {
 
 TEST(TiledShellWord, IsInQuotesIfItHasToBe) {
-  EXPECT_EQ(shellWord("a_B-9./x,:=+@%"), "a_B-9./x,:=+@%");
+  const std::string plain = "azAZ09_-./,:=+@%";
+  EXPECT_EQ(shellWord(plain), plain);
+  for (int c = 1; c < 256; ++c) {
+    const bool isPlain = std::isalnum(c) != 0 || plain.find(static_cast<char>(c)) != std::string::npos;
+    const std::string word = "a" + std::string(1, static_cast<char>(c));
+    EXPECT_EQ(shellWord(word) == word, isPlain) << c;
+  }
   EXPECT_EQ(shellWord(""), "''");
   EXPECT_EQ(shellWord("My boxes"), "'My boxes'");
   EXPECT_EQ(shellWord("it's"), "'it'\\''s'");

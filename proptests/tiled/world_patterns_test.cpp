@@ -127,7 +127,8 @@ TEST(TiledWorldPatterns, Refusals) {
   const Files files{
       {"maps/p0_x.tmx", squares("1,0,0,0")}, {"maps/p1_1.png", "\x89PNG"}, {"maps/p2_2.tsx", "<tileset/>"}};
   const std::string at = "maps/test.world: patterns/0 ";
-  EXPECT_EQ(refusalBy(byPatterns(patternOf("p(\\\\d+")), files), at + "its regexp 'p(\\d+' has a '(' without its ')'");
+  EXPECT_EQ(refusalBy(byPatterns(patternOf("p(\\\\d+")), files),
+            at + "its regexp 'p(\\d+' is wrong at byte 6: missing closing parenthesis");
   EXPECT_EQ(refusalBy(byPatterns("{}"), files),
             at + "its regexp '' has 0 captures. It needs two: (…) for the column and (…) for the row");
   EXPECT_EQ(refusalBy(byPatterns(patternOf("p(1)(2)(3)")), files),
@@ -146,15 +147,26 @@ TEST(TiledWorldPatterns, Refusals) {
   EXPECT_EQ(refusalBy(byPatterns(patternOf("p(1)_(1)")), files),
             "maps/p1_1.png: is a PNG image, and no map. What is read: maps of Tiled (TMX or JSON), worlds of Tiled and "
             "projects of LDtk (it fits the pattern 'p(1)_(1)' of the world)");
-  EXPECT_EQ(
-      refusalBy(byPatterns(patternOf("p(2)_(2)")), files),
-      "maps/p2_2.tsx:1: <tileset> should be <map>: this is not the kind of file expected here (it fits the pattern "
-      "'p(2)_(2)' of the world)");
+  EXPECT_EQ(refusalBy(byPatterns(patternOf("p(2)_(2)")), files),
+            "maps/p2_2.tsx: its root should be <map>: this is not the kind of file expected here (it fits the pattern "
+            "'p(2)_(2)' of the world)");
   EXPECT_EQ(refusalBy(byPatterns(patternOf("test()().world")), files),
             at + "takes test.world, where it captures '': this is no whole number of 32 bits");
   EXPECT_EQ(refusalBy(byPatterns(patternOf("q(1)(2)")), files),
             "maps/test.world: <world> has no maps: no file fits its patterns");
   EXPECT_EQ(refusalBy(byPatterns("7"), files), at + "should be an object");
+}
+
+TEST(TiledWorldPatterns, HaveABoundOfWorkTogether) {
+  Files files;
+  for (int k = 0; k < 300; ++k) files["maps/" + std::to_string(1'000 + k) + std::string(100, 'a')] = "";
+  const std::string costly = patternOf("(1)((?:a+)+)+[bc]");
+  EXPECT_EQ(refusalBy(byPatterns(costly), files).substr(0, 84),
+            "maps/test.world: patterns/0 its regexp '(1)((?:a+)+)+[bc]' takes too long to match: ");
+  std::string many = patternOf("(2)(3)");
+  for (int k = 0; k < 400; ++k) many += "," + patternOf("(2)(3)");
+  EXPECT_NE(refusalBy(byPatterns(many), files).find("takes too long to match"), std::string::npos)
+      << "many patterns on many names";
 }
 
 TEST(TiledWorldPatterns, NeedAListOfTheFolder) {

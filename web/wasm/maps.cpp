@@ -58,6 +58,7 @@ tiled::Options optionsOf(const Json& json) {
   if (json.contains("objects")) options.objects = json["objects"].get<std::vector<std::string>>();
   options.visibleOnly = json.value("visible", false);
   options.polylineThickness = json.value("polylineThickness", 0.0);
+  options.filesAnywhere = true;  // JavaScript was given the files: there are no others
   return options;
 }
 

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <new>
 
+// Here memory is taken and given back by hand, for all code above.
+// NOLINTBEGIN(cppcoreguidelines-no-malloc)
 namespace {
 bool isMemoryOut = false;
 }
@@ -22,6 +24,7 @@ void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+// NOLINTEND(cppcoreguidelines-no-malloc)
 
 _LIBCPP_BEGIN_NAMESPACE_STD
 void __libcpp_verbose_abort(const char*, ...) { __builtin_trap(); }

@@ -23,46 +23,55 @@ class Brush {
     return {};
   }
 
-  Expected<void> cut(Cell cell, const Pieces& region) {
-    read(cell);
-    const CellEdit edit = editOf(old_, region, stroke_);
-    for (const std::size_t k : edit.gone)
-      if (const auto done = world_.remove(handles_[k]); !done) return done;
-    std::vector<BrushChange> changes;
-    for (const std::size_t k : edit.gone) changes.push_back({handles_[k], {}});
-    for (const NewPolygon& p : edit.placed) {
-      local_.clear();
-      for (const Point v : p.ring) local_.push_back({static_cast<std::int32_t>(v.x), static_cast<std::int32_t>(v.y)});
-      const auto handle = world_.add(cell, local_, p.block);
-      if (!handle) return tl::unexpected(handle.error());
-      if (p.from.empty()) result_.came.push_back(*handle);
-      for (const std::size_t k : p.from) {
-        const auto place = std::lower_bound(edit.gone.begin(), edit.gone.end(), k) - edit.gone.begin();
-        changes[static_cast<std::size_t>(place)].now.push_back(*handle);
-      }
+  /// What goes and what comes is one change of the cell.
+  Expected<void> cut(Cell cell, PieceSpan region) {
+    const Frame frame;
+    world_.polygons(cell, placed_);
+    List<CellPolygon> old;
+    old.reserve(placed_.size());
+    for (const PlacedPolygon& p : placed_) {
+      old.push_back({{}, p.block});
+      old.back().ring.reserve(p.vertices.size());
+      for (const LocalPoint v : p.vertices) old.back().ring.push_back({v.x, v.y});
     }
-    for (const std::size_t k : edit.bent) result_.bent.push_back(handles_[k]);
-    for (BrushChange& change : changes) {
+    const CellEdit edit = editOf(old, region, stroke_);
+    if (edit.isTooMuch) return tl::unexpected(Error{.code = ErrorCode::capacity, .cell = cell});
+
+    List<PolygonHandle> removed;
+    for (const std::size_t k : edit.gone) removed.push_back(placed_[k].handle);
+    std::size_t vertices = 0;
+    for (const NewPart& p : edit.placed) vertices += p.ring.size();
+    List<LocalPoint> local;
+    local.reserve(vertices);  // so what is added can point into it
+    List<NewPolygon> added;
+    for (const NewPart& p : edit.placed) {
+      const std::size_t first = local.size();
+      for (const Point v : p.ring) local.push_back({static_cast<std::int32_t>(v.x), static_cast<std::int32_t>(v.y)});
+      added.push_back({std::span(local).subspan(first), p.block});
+    }
+    if (removed.empty() && added.empty()) return {};
+    List<PolygonHandle> handles(added.size());
+    if (const auto done = world_.exchange(cell, removed, added, handles); !done) return done;
+    tell(edit, removed, handles);
+    return {};
+  }
+
+ private:
+  void tell(const CellEdit& edit, std::span<const PolygonHandle> removed, std::span<const PolygonHandle> added) {
+    for (const std::size_t k : edit.bent)
+      result_.bent.push_back(removed[static_cast<std::size_t>(std::ranges::find(edit.gone, k) - edit.gone.begin())]);
+    for (std::size_t n = 0; n < added.size(); ++n)
+      if (edit.placed[n].from.empty()) result_.came.push_back(added[n]);
+    for (std::size_t g = 0; g < removed.size(); ++g) {
+      BrushChange change{removed[g], {}};
+      for (std::size_t n = 0; n < added.size(); ++n)
+        if (std::ranges::find(edit.placed[n].from, edit.gone[g]) != edit.placed[n].from.end())
+          change.now.push_back(added[n]);
       if (change.now.empty()) {
         result_.went.push_back(change.old);
       } else {
         result_.changed.push_back(std::move(change));
       }
-    }
-    return {};
-  }
-
- private:
-  void read(Cell cell) {
-    world_.polygons(cell, placed_);
-    old_.clear();
-    handles_.clear();
-    for (const PlacedPolygon& p : placed_) {
-      CellPolygon& copy = old_.emplace_back();
-      copy.block = p.block;
-      copy.ring.reserve(p.vertices.size());
-      for (const LocalPoint v : p.vertices) copy.ring.push_back({v.x, v.y});
-      handles_.push_back(p.handle);
     }
   }
 
@@ -94,9 +103,6 @@ class Brush {
   const Stroke& stroke_;
   BrushResult& result_;
   std::vector<PlacedPolygon> placed_;
-  std::vector<CellPolygon> old_;
-  std::vector<PolygonHandle> handles_;
-  std::vector<LocalPoint> local_;
 };
 
 }  // namespace

@@ -2,9 +2,9 @@
 
 namespace lgs::brush {
 
-std::vector<Segment> groupSegments(const Ground& ground) {
-  const std::vector<Side>& sides = ground.sides;
-  std::vector<Segment> segments;
+List<Segment> groupSegments(const Ground& ground) {
+  const List<Side>& sides = ground.sides;
+  List<Segment> segments;
   segments.reserve(sides.size());
   for (std::size_t k = 0; k < sides.size();) {
     const Side& first = sides[k];
@@ -23,13 +23,13 @@ std::vector<Segment> groupSegments(const Ground& ground) {
   return segments;
 }
 
-Arrangement arrangementOf(const Ground& ground, const Pieces& region) {
+std::optional<Arrangement> arrangementOf(const Ground& ground, PieceSpan region) {
   Arrangement result{groupSegments(ground), ground.known, {}};
   for (std::size_t k = 0; k < ground.polygons.size(); ++k)
     result.staying.push_back(ground.groups[k] == kNoGroup ? &ground.polygons[k].ring : nullptr);
   result.segments.reserve(result.segments.size() + region.size());
   for (const Piece& p : region) result.segments.push_back({p.a, p.b, p.start, p.end, {1, 0}, true});
-  addCrossings(result.segments, result.hot);
+  if (!addCrossings(result.segments, result.hot)) return std::nullopt;
   normalize(result.hot);
   return result;
 }

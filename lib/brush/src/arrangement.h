@@ -4,20 +4,20 @@
 #include "ground.h"
 #include "snap.h"
 
-#include <vector>
+#include <optional>
 
 namespace lgs::brush {
 
 struct Arrangement {
-  std::vector<Segment> segments;     ///< of groups and of the region: group k has number k + 1
-  std::vector<Point> hot;            ///< normalized
-  std::vector<const Ring*> staying;  ///< polygons that are to stay, by index; null: it has a group
+  List<Segment> segments;       ///< of groups and of the region: group k has number k + 1
+  Points hot;                   ///< normalized
+  List<const Points*> staying;  ///< polygons that are to stay, by index; null: it has a group
 };
 
-/// Cost: O(n²).
-Arrangement arrangementOf(const Ground& ground, const Pieces& region);
+/// Nothing if the edges cross in too many points. Cost: O(n²).
+std::optional<Arrangement> arrangementOf(const Ground& ground, PieceSpan region);
 
 /// The sides of groups as segments. Those that a polygon has too that is to stay do not bend.
-std::vector<Segment> groupSegments(const Ground& ground);
+List<Segment> groupSegments(const Ground& ground);
 
 }  // namespace lgs::brush

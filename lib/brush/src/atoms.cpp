@@ -3,9 +3,13 @@
 #include "geometry/predicates.h"
 #include "geometry/sort.h"
 
+#include <algorithm>
+
 namespace lgs::brush {
 
-Sum sumLeftOf(Point doubled, const std::vector<Atom>& atoms) {
+using detail::operator-;  // NOLINT(misc-unused-using-decls): of points
+
+Sum sumLeftOf(Point doubled, const List<Atom>& atoms) {
   // A ray from there to the far left passes other atoms; beyond all of them is nothing.
   const auto twice = [](Point p) { return Point{2 * p.x, 2 * p.y}; };
   Sum sum;
@@ -16,7 +20,7 @@ Sum sumLeftOf(Point doubled, const std::vector<Atom>& atoms) {
   return sum;
 }
 
-void addAtoms(const std::vector<Point>& chain, const Sum& sum, std::vector<Atom>& atoms) {
+void addAtoms(const Points& chain, const Sum& sum, List<Atom>& atoms) {
   for (std::size_t k = 1; k < chain.size(); ++k) {
     const Point u = chain[k - 1], v = chain[k];
     if (isLower(u, v)) {
@@ -27,7 +31,7 @@ void addAtoms(const std::vector<Point>& chain, const Sum& sum, std::vector<Atom>
   }
 }
 
-void settle(std::vector<Atom>& atoms) {
+void merge(List<Atom>& atoms) {
   detail::sort(atoms, [](const Atom& a, const Atom& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
   std::size_t count = 0;
   for (const Atom& atom : atoms) {
@@ -40,10 +44,36 @@ void settle(std::vector<Atom>& atoms) {
   }
   if (count != 0 && atoms[count - 1].sum == Sum{}) --count;
   atoms.resize(count);
-  for (Atom& atom : atoms) {
-    atom.left = sumLeftOf({atom.low.x + atom.high.x, atom.low.y + atom.high.y}, atoms);
-    atom.right = atom.left;
-    atom.right += -atom.sum;
+}
+
+void findSides(List<Atom>& atoms) {
+  struct End {
+    Point at;
+    std::size_t atom;
+  };
+  List<End> ends;
+  ends.reserve(2 * atoms.size());
+  for (std::size_t k = 0; k < atoms.size(); ++k) ends.insert(ends.end(), {{atoms[k].low, k}, {atoms[k].high, k}});
+  detail::sort(ends, [](const End& a, const End& b) { return isLower(a.at, b.at); });
+  List<std::size_t> line, begun;  // those that the line cuts now, from the left; and those that begin at a vertex
+  for (std::size_t k = 0; k < ends.size();) {
+    const Point v = ends[k].at;
+    begun.clear();
+    for (; k < ends.size() && ends[k].at == v; ++k)
+      if (atoms[ends[k].atom].low == v) begun.push_back(ends[k].atom);
+    detail::sort(begun, [&](std::size_t a, std::size_t b) { return cross(atoms[a].high - v, atoms[b].high - v) < 0; });
+    const auto here = std::partition_point(line.begin(), line.end(), [&](std::size_t a) {
+      return detail::orientation(atoms[a].low, atoms[a].high, v) < 0;
+    });
+    auto ended = here;
+    while (ended != line.end() && atoms[*ended].high == v) ++ended;
+    Sum sum = here == line.begin() ? Sum{} : atoms[*(here - 1)].right;
+    for (const std::size_t a : begun) {
+      atoms[a].left = sum;
+      sum += -atoms[a].sum;
+      atoms[a].right = sum;
+    }
+    line.insert(line.erase(here, ended), begun.begin(), begun.end());
   }
 }
 

@@ -3,8 +3,6 @@
 
 #include "snap.h"
 
-#include <vector>
-
 namespace lgs::brush {
 
 /// Lower by y, then by x.
@@ -24,12 +22,16 @@ struct Atom {
 };
 
 /// Adds the pieces of a chain.
-void addAtoms(const std::vector<Point>& chain, const Sum& sum, std::vector<Atom>& atoms);
+void addAtoms(const Points& chain, const Sum& sum, List<Atom>& atoms);
 
 /// What is just to the left of a place: above it, where an atom runs to the left from there. Coordinates are doubled.
-Sum sumLeftOf(Point doubled, const std::vector<Atom>& atoms);
+Sum sumLeftOf(Point doubled, const List<Atom>& atoms);
 
-/// Adds up atoms that are equal, and finds out what is on their sides. No two of the others may cross. Cost: O(n²).
-void settle(std::vector<Atom>& atoms);
+/// Adds up atoms that are equal, and sorts them.
+void merge(List<Atom>& atoms);
+
+/// Finds out what is on the sides of atoms. No two may meet but in their ends. A line sweeps over them, by y, then x.
+/// It leans a little, so that it passes the left end of a level atom first.
+void findSides(List<Atom>& atoms);
 
 }  // namespace lgs::brush

@@ -34,10 +34,12 @@ Expected<void> checked(const Region& region) {
 
 Expected<BrushResult> brushed(World& world, const Region& region, const brush::Stroke& stroke) {
   if (const auto done = checked(region); !done) return tl::unexpected(done.error());
+  const brush::Frame frame;
+  const brush::Coverage coverage = brush::coverage(region);
+  if (coverage.crowded) return tl::unexpected(Error{.code = ErrorCode::capacity, .cell = *coverage.crowded});
   BrushResult result;
   Transaction group = world.edit();
-  if (const auto done = brush::apply(world, brush::coverage(region), stroke, result); !done)
-    return tl::unexpected(done.error());
+  if (const auto done = brush::apply(world, coverage, stroke, result); !done) return tl::unexpected(done.error());
   group.keep();
   return result;
 }

@@ -8,9 +8,14 @@
 namespace lgs::brush {
 namespace {
 
+/// Whether an edge crosses a part of a chain.
+bool crossesChain(Point from, Point to, const Segment& part) {
+  return detail::boxesMeet(from, to, part.start, part.end) && detail::crossProperly(from, to, part.start, part.end);
+}
+
 /// Whether a side crosses a part of the region's edge, or the chain of that. In the pixel where both end it may.
 bool crosses(const Side& side, const Segment& part) {
-  if (detail::crossProperly(side.low, side.high, part.start, part.end)) return true;
+  if (crossesChain(side.low, side.high, part)) return true;
   const auto pixel = crossingPixel({side.low, side.high, side.low, side.high, {}, true}, part);
   if (!pixel) return false;
   return (*pixel != part.start && *pixel != part.end) || (*pixel != side.low && *pixel != side.high);
@@ -24,9 +29,8 @@ bool isOnRim(const Side& s) {
 /// The region through the known points of a cell, together with the outlines of groups as they are.
 class RoundedRegion {
  public:
-  RoundedRegion(const Ground& ground, const Pieces& region, FillRule rule)
-      : ground_(ground), region_(region), rule_(rule) {
-    std::vector<Point> chain;
+  RoundedRegion(const Ground& ground, PieceSpan region, FillRule rule) : ground_(ground), region_(region), rule_(rule) {
+    Points chain;
     atoms_.reserve(ground.known.size() + ground.sides.size());
     parts_.reserve(ground.known.size());
     for (const Piece& p : region) {
@@ -34,9 +38,18 @@ class RoundedRegion {
       addAtoms(chain, {1, 0}, atoms_);
       for (std::size_t k = 1; k < chain.size(); ++k) parts_.push_back({p.a, p.b, chain[k - 1], chain[k], {}, true});
     }
-    for (const Segment& s : groupSegments(ground)) addAtoms({s.start, s.end}, s.sum, atoms_);
-    settle(atoms_);
+    const List<Segment> outlines = groupSegments(ground);
+    hasCrossing_ = std::ranges::any_of(outlines, [&](const Segment& s) {
+      return std::ranges::any_of(parts_, [&](const Segment& p) { return crossesChain(s.start, s.end, p); });
+    });
+    if (hasCrossing_) return;
+    for (const Segment& s : outlines) addAtoms({s.start, s.end}, s.sum, atoms_);
+    merge(atoms_);
+    findSides(atoms_);
   }
+
+  /// Whether a chain crosses the outline of a group.
+  bool hasCrossing() const { return hasCrossing_; }
 
   /// Whether a side is no obstacle. An edge of the rounded region is none, nor is the rim: where the region crosses that
   /// is known. That of a polygon which must stay has to be outside, that of a group may not be where
@@ -57,21 +70,23 @@ class RoundedRegion {
            (!isInside(windingLeftOf(middle, region_), rule_) && !isInside(windingRightOf(middle, region_), rule_));
   }
 
-  std::vector<Atom> atoms() && { return std::move(atoms_); }
+  List<Atom> atoms() && { return std::move(atoms_); }
 
  private:
   const Ground& ground_;
-  const Pieces& region_;
+  PieceSpan region_;
   const FillRule rule_;
-  std::vector<Segment> parts_;
-  std::vector<Atom> atoms_;
+  List<Segment> parts_;
+  List<Atom> atoms_;
+  bool hasCrossing_ = false;
 };
 
 }  // namespace
 
-std::optional<std::vector<Atom>> calmAtoms(const Ground& ground, const Pieces& region, FillRule rule) {
+std::optional<List<Atom>> calmAtoms(const Ground& ground, PieceSpan region, FillRule rule) {
   RoundedRegion rounded(ground, region, rule);
-  if (!std::all_of(ground.sides.begin(), ground.sides.end(), [&](const Side& s) { return rounded.isFree(s); }))
+  if (rounded.hasCrossing() ||
+      !std::all_of(ground.sides.begin(), ground.sides.end(), [&](const Side& s) { return rounded.isFree(s); }))
     return std::nullopt;
   return std::move(rounded).atoms();
 }

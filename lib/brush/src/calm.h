@@ -5,12 +5,11 @@
 #include "atoms.h"
 
 #include <optional>
-#include <vector>
 
 namespace lgs::brush {
 
 /// The atoms of a cell, if it is calm (docs/brushes.md, "Coming back"): the region's edges go through the known points,
 /// and no outline bends. Nothing if it is not. Cost: O(n²).
-std::optional<std::vector<Atom>> calmAtoms(const Ground& ground, const Pieces& region, FillRule rule);
+std::optional<List<Atom>> calmAtoms(const Ground& ground, PieceSpan region, FillRule rule);
 
 }  // namespace lgs::brush

@@ -3,6 +3,7 @@
 #include "calm.h"
 #include "geometry/ring.h"
 #include "ownership.h"
+#include "plain.h"
 #include "rounding.h"
 
 #include <algorithm>
@@ -14,13 +15,17 @@ namespace {
 using detail::nextVertex;
 
 /// Whether the region, with its outline, has a point in common with a polygon.
-bool meets(const Pieces& region, FillRule rule, const Ring& ring) {
+bool meets(PieceSpan region, FillRule rule, const Points& ring) {
   Point rising{};  // a place just left of which the polygon is, doubled
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const Point u = ring[k], v = nextVertex(ring, k);
     if (u.y < v.y) rising = {u.x + v.x, u.y + v.y};
-    for (const Piece& p : region)
-      if (p.isOfRegion && detail::segmentsMeet(u, v, p.a, p.b)) return true;
+  }
+  const auto [min, max] = detail::boundingBox(ring);
+  for (const Piece& p : region) {
+    if (!p.isOfRegion || !detail::boxesMeet(min, max, p.a, p.b)) continue;
+    for (std::size_t k = 0; k < ring.size(); ++k)
+      if (detail::segmentsMeet(ring[k], nextVertex(ring, k), p.a, p.b)) return true;
   }
   // The outlines do not meet. So the polygon is inside the region or outside, and each ring of the region is inside the
   // polygon or outside.
@@ -31,11 +36,13 @@ bool meets(const Pieces& region, FillRule rule, const Ring& ring) {
   });
 }
 
-/// The atoms of the cell. Polygons that stand in the way become groups.
-std::vector<Atom> atomsOf(Ground& ground, const Pieces& region, FillRule rule) {
-  if (auto calm = calmAtoms(ground, region, rule)) return std::move(*calm);
+/// The atoms of the cell. Polygons that stand in the way become groups. Nothing if edges cross in too many points.
+std::optional<List<Atom>> atomsOf(Ground& ground, PieceSpan region, FillRule rule) {
+  if (auto calm = calmAtoms(ground, region, rule)) return calm;
   for (;;) {
-    Rounding result = rounded(arrangementOf(ground, region), rule);
+    auto arrangement = arrangementOf(ground, region);
+    if (!arrangement) return std::nullopt;
+    Rounding result = rounded(std::move(*arrangement), rule);
     if (result.inTheWay.empty()) return std::move(result.atoms);
     for (const std::size_t k : result.inTheWay) ground.groups[k] = k;
   }
@@ -43,13 +50,21 @@ std::vector<Atom> atomsOf(Ground& ground, const Pieces& region, FillRule rule) {
 
 }  // namespace
 
-CellEdit editOf(const std::vector<CellPolygon>& polygons, const Pieces& region, const Stroke& stroke) {
-  std::vector<bool> meeting;
+CellEdit editOf(const List<CellPolygon>& polygons, PieceSpan region, const Stroke& stroke) {
+  if (auto edit = plainEdit(polygons, region, stroke)) return std::move(*edit);
+  return arrangedEdit(polygons, region, stroke);
+}
+
+CellEdit arrangedEdit(const List<CellPolygon>& polygons, PieceSpan region, const Stroke& stroke) {
+  List<bool> meeting;
   meeting.reserve(polygons.size());
   for (const CellPolygon& p : polygons) meeting.push_back(meets(region, stroke.rule, p.ring));
-  Ground ground = groundOf(polygons, meeting, region);
-  const std::vector<Atom> atoms = atomsOf(ground, region, stroke.rule);
-  CellEdit edit = divided(ground, atoms, stroke);
+  CellEdit edit;
+  auto ground = groundOf(polygons, meeting, region);
+  const auto atoms = ground ? atomsOf(*ground, region, stroke.rule) : std::nullopt;
+  edit.isTooMuch = !atoms;
+  if (!atoms) return edit;
+  edit = divided(*ground, *atoms, stroke);
   for (const std::size_t k : edit.gone)
     if (!meeting[k]) edit.bent.push_back(k);
   return edit;

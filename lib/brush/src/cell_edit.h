@@ -4,7 +4,7 @@
 #include "pieces.h"
 
 #include <cstddef>
-#include <vector>
+#include <cstdint>
 
 namespace lgs::brush {
 
@@ -18,23 +18,28 @@ struct Stroke {
 
 /// A polygon of the cell, in units from the cell's corner.
 struct CellPolygon {
-  Ring ring;
+  Points ring;
   Block block = 0;
 };
 
-struct NewPolygon {
-  Ring ring;
+struct NewPart {
+  Points ring;
   Block block = 0;
-  std::vector<std::size_t> from;  ///< the old polygons that it has a part of, by index
+  List<std::size_t> from;  ///< the old polygons that it has a part of, by index
 };
 
 struct CellEdit {
-  std::vector<std::size_t> gone;  ///< old polygons that are no more, by index; all others stay as they are
-  std::vector<NewPolygon> placed;
-  std::vector<std::size_t> bent;  ///< of those that are gone: what law 9 should have kept
+  List<std::size_t> gone;  ///< old polygons that are no more, by index; all others stay as they are
+  List<NewPart> placed;
+  List<std::size_t> bent;  ///< of those that are gone: what law 9 should have kept
+  bool isTooMuch = false;  ///< more crossings or more corners than a cell can have: the rest is not worked out
 };
 
-/// Cost: O(n²) in the edges of the cell's polygons and of the region there.
-CellEdit editOf(const std::vector<CellPolygon>& polygons, const Pieces& region, const Stroke& stroke);
+/// What a stroke does in a cell.
+CellEdit editOf(const List<CellPolygon>& polygons, PieceSpan region, const Stroke& stroke);
+
+/// The same for any cell, by an arrangement of all edges. Cost: O(n²) in the edges of the cell's polygons and of the
+/// region there.
+CellEdit arrangedEdit(const List<CellPolygon>& polygons, PieceSpan region, const Stroke& stroke);
 
 }  // namespace lgs::brush

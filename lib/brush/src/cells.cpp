@@ -1,11 +1,12 @@
 #include "cells.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace lgs::brush {
 namespace {
 
-using Rings = std::vector<Pieces>;
+using Rings = List<Pieces>;
 
 std::int64_t units(std::int32_t cells) { return std::int64_t{cells} * kUnitsPerCell; }
 
@@ -27,12 +28,11 @@ Pieces all(const Rings& rings) {
 
 Point shifted(Point p, Cell cell) { return {p.x - units(cell.i), p.y - units(cell.j)}; }
 
-CutCell cutCell(Cell cell, const Pieces& pieces, FillRule rule) {
-  CutCell result{cell, pieces};
-  for (Piece& p : result.pieces)
+CutCell cutCell(Cell cell, Pieces pieces, FillRule rule) {
+  for (Piece& p : pieces)
     for (Point* const point : {&p.a, &p.b, &p.start, &p.end}) *point = shifted(*point, cell);
-  result.pieces = withoutSpikes(result.pieces, rule);
-  return result;
+  pieces = withoutSpikes(std::move(pieces), rule);
+  return {cell, {pieces.begin(), pieces.end()}};
 }
 
 Rings half(const Rings& rings, Line line, bool keepsGreater) {
@@ -45,7 +45,8 @@ Rings half(const Rings& rings, Line line, bool keepsGreater) {
 
 /// Halves the box until no edge runs through its inside. The rings are cut to it.
 void divide(const Rings& rings, const CellRect& box, FillRule rule, Coverage& result) {
-  if (rings.empty()) return;
+  if (rings.empty() || result.crowded) return;
+  const Frame frame;
   const bool isPlain = std::all_of(rings.begin(), rings.end(), [&](const Pieces& ring) {
     return std::all_of(ring.begin(), ring.end(), [&](const Piece& p) { return isOnRim(p, box); });
   });
@@ -53,7 +54,13 @@ void divide(const Rings& rings, const CellRect& box, FillRule rule, Coverage& re
     const Point inside{2 * units(box.min.i) + 1, 2 * units(box.min.j) + 1};
     if (isInside(windingLeftOf(inside, all(rings)), rule)) result.whole.push_back(box);
   } else if (box.min == box.max) {
-    result.cut.push_back(cutCell(box.min, all(rings), rule));
+    Pieces pieces = all(rings);
+    const auto isOfRegion = [](const Piece& p) { return p.isOfRegion; };
+    if (std::ranges::count_if(pieces, isOfRegion) > std::int64_t{kMaxRegionEdgesPerCell}) {
+      result.crowded = box.min;
+    } else {
+      result.cut.push_back(cutCell(box.min, std::move(pieces), rule));
+    }
   } else {
     const bool isWide = box.max.i - box.min.i >= box.max.j - box.min.j;
     CellRect lower = box, upper = box;
@@ -73,6 +80,7 @@ void divide(const Rings& rings, const CellRect& box, FillRule rule, Coverage& re
 }  // namespace
 
 Coverage coverage(const Region& region) {
+  const Frame frame;
   Rings rings;
   for (const Ring& ring : region.rings)
     if (ring.size() >= 3) rings.push_back(piecesOf(ring));
@@ -89,8 +97,6 @@ Coverage coverage(const Region& region) {
   return result;
 }
 
-Pieces wholeCell() {
-  return piecesOf({{0, 0}, {kUnitsPerCell, 0}, {kUnitsPerCell, kUnitsPerCell}, {0, kUnitsPerCell}});
-}
+Pieces wholeCell() { return piecesOf(kCorners); }
 
 }  // namespace lgs::brush

@@ -3,6 +3,7 @@
 
 #include "pieces.h"
 
+#include <optional>
 #include <vector>
 
 namespace lgs::brush {
@@ -10,12 +11,13 @@ namespace lgs::brush {
 /// A cell that edges of the region run through, with its part of the region's edges, in units from the cell's corner.
 struct CutCell {
   Cell cell;
-  Pieces pieces;
+  std::vector<Piece> pieces;
 };
 
 struct Coverage {
   std::vector<CellRect> whole;
   std::vector<CutCell> cut;
+  std::optional<Cell> crowded;  ///< more than kMaxRegionEdgesPerCell edges run through it: the rest is not known
 };
 
 /// Cost: in proportion to the region's edges and the cells that they run through, times the logarithm of its extent.

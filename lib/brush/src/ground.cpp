@@ -5,7 +5,7 @@
 #include "outline.h"
 
 #include <algorithm>
-#include <array>
+#include <optional>
 #include <utility>
 
 namespace lgs::brush {
@@ -16,10 +16,10 @@ using detail::nextVertex;
 /// A ring of an area's outline, with the area on its left.
 struct Outline {
   std::size_t area;
-  Ring ring;
+  Points ring;
 };
 
-void addVertices(const std::vector<Outline>& outlines, std::vector<Point>& points) {
+void addVertices(const List<Outline>& outlines, Points& points) {
   std::size_t count = points.size();
   for (const Outline& o : outlines) count += o.ring.size();
   points.reserve(count);
@@ -27,19 +27,17 @@ void addVertices(const std::vector<Outline>& outlines, std::vector<Point>& point
 }
 
 /// All vertices, and where the region's edges cross each other or the cell's rim. They end on the rim, but a rounded
-/// end can lie beside the edge.
-std::vector<Point> knownPoints(const std::vector<Outline>& outlines, const Pieces& region) {
-  constexpr std::int64_t kEnd = kUnitsPerCell;
-  constexpr std::array<Point, 4> kCorners{{{0, 0}, {kEnd, 0}, {kEnd, kEnd}, {0, kEnd}}};
-  std::vector<Point> points(kCorners.begin(), kCorners.end());
+/// end can lie beside the edge. Nothing if the region crosses itself too often.
+std::optional<Points> knownPoints(const List<Outline>& outlines, PieceSpan region) {
+  Points points(kCorners.begin(), kCorners.end());
   addVertices(outlines, points);
-  std::vector<Segment> edges;
+  List<Segment> edges;
   edges.reserve(region.size());
   for (const Piece& p : region) {
     points.insert(points.end(), {p.start, p.end});
     if (p.isOfRegion) edges.push_back({p.a, p.b, p.start, p.end, {}, true});  // the others are on the rim
   }
-  addCrossings(edges, points);
+  if (!addCrossings(edges, points)) return std::nullopt;
   for (std::size_t k = 0; k < 4; ++k) {
     const Point a = kCorners[k], b = kCorners[(k + 1) % 4];
     for (const Segment& edge : edges)
@@ -49,13 +47,14 @@ std::vector<Point> knownPoints(const std::vector<Outline>& outlines, const Piece
   return points;
 }
 
-std::vector<Side> sidesOf(const std::vector<Outline>& outlines, const std::vector<Point>& points) {
-  std::vector<Side> sides;
+/// The edges of outlines, cut at points, which are sorted.
+List<Side> sidesOf(const List<Outline>& outlines, const Points& points) {
+  List<Side> sides;
   sides.reserve(points.size());
-  std::vector<Point> cuts;
+  Points cuts;
   for (const auto& [area, ring] : outlines) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      detail::cutEdge(ring[i], nextVertex(ring, i), points, cuts);
+      detail::cutEdge(ring[i], nextVertex(ring, i), between(points, ring[i], nextVertex(ring, i)), cuts);
       for (std::size_t c = 1; c < cuts.size(); ++c) {
         const bool isLeft = isLower(cuts[c - 1], cuts[c]);
         sides.push_back(isLeft ? Side{cuts[c - 1], cuts[c], area, true} : Side{cuts[c], cuts[c - 1], area, false});
@@ -66,9 +65,8 @@ std::vector<Side> sidesOf(const std::vector<Outline>& outlines, const std::vecto
   return sides;
 }
 
-std::vector<std::size_t> groupsOf(const std::vector<CellPolygon>& polygons, const std::vector<bool>& meeting,
-                                  const std::vector<Side>& sides) {
-  std::vector<std::size_t> groups(polygons.size(), kNoGroup);
+List<std::size_t> groupsOf(const List<CellPolygon>& polygons, const List<bool>& meeting, const List<Side>& sides) {
+  List<std::size_t> groups(polygons.size(), kNoGroup);
   for (std::size_t k = 0; k < polygons.size(); ++k)
     if (meeting[k]) groups[k] = k;
   for (std::size_t k = 1; k < sides.size(); ++k) {
@@ -82,8 +80,8 @@ std::vector<std::size_t> groupsOf(const std::vector<CellPolygon>& polygons, cons
 }
 
 /// The outline of a group, with the group on its left. `sides` are those of the polygons.
-std::vector<Edge> outlineOf(std::size_t group, const std::vector<std::size_t>& groups, const std::vector<Side>& sides) {
-  std::vector<Edge> edges;
+List<Edge> outlineOf(std::size_t group, const List<std::size_t>& groups, const List<Side>& sides) {
+  List<Edge> edges;
   for (auto s = sides.begin(); s != sides.end();) {
     bool isLeft = false, isRight = false;
     const Side& first = *s;
@@ -97,12 +95,12 @@ std::vector<Edge> outlineOf(std::size_t group, const std::vector<std::size_t>& g
 
 }  // namespace
 
-Ground groundOf(const std::vector<CellPolygon>& polygons, const std::vector<bool>& meeting, const Pieces& region) {
-  std::vector<Outline> outlines;
-  std::vector<Side> sides;
+std::optional<Ground> groundOf(const List<CellPolygon>& polygons, const List<bool>& meeting, PieceSpan region) {
+  List<Outline> outlines;
+  List<Side> sides;
   if (polygons.size() > 1) {
     for (std::size_t k = 0; k < polygons.size(); ++k) outlines.push_back({k, polygons[k].ring});
-    std::vector<Point> vertices;
+    Points vertices;
     addVertices(outlines, vertices);
     normalize(vertices);
     sides = sidesOf(outlines, vertices);
@@ -116,16 +114,18 @@ Ground groundOf(const std::vector<CellPolygon>& polygons, const std::vector<bool
     } else if (group == k && std::ranges::count(ground.groups, k) == 1) {
       outlines.push_back({k, straightened(polygons[k].ring)});
     } else if (group == k) {
-      for (Ring& ring : ringsOf(outlineOf(k, ground.groups, sides))) outlines.push_back({k, std::move(ring)});
+      for (Points& ring : ringsOf(outlineOf(k, ground.groups, sides))) outlines.push_back({k, std::move(ring)});
     }
   }
-  ground.known = knownPoints(outlines, region);
+  auto known = knownPoints(outlines, region);
+  if (!known) return std::nullopt;
+  ground.known = std::move(*known);
   ground.sides = sidesOf(outlines, ground.known);
   return ground;
 }
 
-std::vector<Edge> oldOutline(const Ground& ground, std::size_t group) {
-  std::vector<Edge> edges;
+List<Edge> oldOutline(const Ground& ground, std::size_t group) {
+  List<Edge> edges;
   edges.reserve(ground.sides.size());
   for (const Side& s : ground.sides)
     if (s.area == group) edges.push_back(s.isLeft ? Edge{s.low, s.high} : Edge{s.high, s.low});

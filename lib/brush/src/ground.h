@@ -6,7 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <optional>
 
 namespace lgs::brush {
 
@@ -24,15 +24,16 @@ struct Side {
 inline constexpr std::size_t kNoGroup = SIZE_MAX;
 
 struct Ground {
-  const std::vector<CellPolygon>& polygons;
-  std::vector<std::size_t> groups;  ///< by polygon: the least polygon of its group, or kNoGroup if it is to stay
-  std::vector<Point> known;         ///< the hot points that do not depend on how outlines and region lie to each other
-  std::vector<Side> sides;          ///< sorted; an area is a group, by its least polygon, or a polygon that is to stay
+  const List<CellPolygon>& polygons;
+  List<std::size_t> groups;  ///< by polygon: the least polygon of its group, or kNoGroup if it is to stay
+  Points known;              ///< the hot points that do not depend on how outlines and region lie to each other
+  List<Side> sides;          ///< sorted; an area is a group, by its least polygon, or a polygon that is to stay
 };
 
-Ground groundOf(const std::vector<CellPolygon>& polygons, const std::vector<bool>& meeting, const Pieces& region);
+/// Nothing if the region crosses itself in too many points.
+std::optional<Ground> groundOf(const List<CellPolygon>& polygons, const List<bool>& meeting, PieceSpan region);
 
 /// The outline of a group before the stroke, with the group on its left. Cost: O(n).
-std::vector<Edge> oldOutline(const Ground& ground, std::size_t group);
+List<Edge> oldOutline(const Ground& ground, std::size_t group);
 
 }  // namespace lgs::brush

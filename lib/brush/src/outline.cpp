@@ -27,8 +27,8 @@ bool comesFirst(Vector from, Vector u, Vector v) {
 
 /// The closed walks along the edges with the area on the left. At each vertex the walk stays beside the area that it
 /// came along. `edges` is sorted.
-std::vector<Ring> walks(const std::vector<Edge>& edges) {
-  std::vector<bool> isDone(edges.size(), false);
+List<Points> walks(const List<Edge>& edges) {
+  List<bool> isDone(edges.size(), false);
   const auto after = [&](const Edge& edge) {
     const auto first = std::lower_bound(edges.begin(), edges.end(), edge.to,
                                         [](const Edge& e, Point vertex) { return e.from < vertex; });
@@ -37,10 +37,10 @@ std::vector<Ring> walks(const std::vector<Edge>& edges) {
       if (comesFirst(edge.from - edge.to, e->to - e->from, best->to - best->from)) best = e;
     return static_cast<std::size_t>(best - edges.begin());
   };
-  std::vector<Ring> rings;
+  List<Points> rings;
   for (std::size_t first = 0; first < edges.size(); ++first) {
     if (isDone[first]) continue;
-    Ring& ring = rings.emplace_back();
+    Points& ring = rings.emplace_back();
     ring.reserve(edges.size() - first);
     for (std::size_t k = first; !isDone[k]; k = after(edges[k])) {
       isDone[k] = true;
@@ -51,9 +51,9 @@ std::vector<Ring> walks(const std::vector<Edge>& edges) {
 }
 
 /// A walk, parted where it comes to a vertex again.
-std::vector<Ring> loops(const Ring& walk) {
-  std::vector<Ring> parts;
-  Ring open;
+List<Points> loops(const Points& walk) {
+  List<Points> parts;
+  Points open;
   open.reserve(walk.size());
   for (const Point p : walk) {
     const auto before = std::find(open.begin(), open.end(), p);
@@ -69,13 +69,14 @@ std::vector<Ring> loops(const Ring& walk) {
 
 /// Whether an edge meets the open line between two vertices.
 bool blocks(const Edge& edge, Point from, Point to) {
-  return detail::crossProperly(from, to, edge.from, edge.to) || detail::isInside(edge.from, from, to) ||
-         detail::isInside(edge.to, from, to);
+  return detail::boxesMeet(edge.from, edge.to, from, to) &&
+         (detail::crossProperly(from, to, edge.from, edge.to) || detail::isInside(edge.from, from, to) ||
+          detail::isInside(edge.to, from, to));
 }
 
 /// The nearest vertex on one side of a vertex that can be seen from it. There is always one.
-std::optional<Point> visible(Point from, bool isLess, const std::vector<Edge>& edges) {
-  std::vector<Point> candidates;
+std::optional<Point> visible(Point from, bool isLess, const List<Edge>& edges) {
+  Points candidates;
   for (const Edge& e : edges)
     if (isLess ? e.from < from : from < e.from) candidates.push_back(e.from);
   const auto distance = [from](Point p) { return dot(p - from, p - from); };
@@ -88,7 +89,7 @@ std::optional<Point> visible(Point from, bool isLess, const std::vector<Edge>& e
 
 /// Adds a chord from an end of a hole, in both directions. There is none if an edge leads on from there, or if what
 /// lies in that direction is not of the area: then the hole touches the outer outline.
-void addChord(Point from, bool isLess, std::vector<Edge>& edges) {
+void addChord(Point from, bool isLess, List<Edge>& edges) {
   std::optional<Vector> first;  // met by a turn clockwise from that direction
   bool leaves = false;
   const Vector ahead{isLess ? -1 : 1, 0};
@@ -110,8 +111,8 @@ void addChord(Point from, bool isLess, std::vector<Edge>& edges) {
 
 }  // namespace
 
-Ring straightened(const Ring& ring) {
-  Ring kept;
+Points straightened(const Points& ring) {
+  Points kept;
   kept.reserve(ring.size());
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const Point before = ring[k == 0 ? ring.size() - 1 : k - 1];
@@ -121,19 +122,20 @@ Ring straightened(const Ring& ring) {
   return kept;
 }
 
-std::vector<Ring> ringsOf(std::vector<Edge> edges) {
+List<Points> ringsOf(List<Edge> edges) {
   detail::sort(edges);
-  std::vector<Ring> rings = walks(edges);
-  for (Ring& ring : rings) ring = straightened(ring);
+  List<Points> rings = walks(edges);
+  for (Points& ring : rings) ring = straightened(ring);
   return rings;
 }
 
-std::vector<Ring> simplePolygons(std::vector<Edge> edges) {
+List<Points> simplePolygons(List<Edge> edges) {
   detail::sort(edges);
-  std::vector<Ring> polygons = walks(edges);
+  List<Points> polygons = walks(edges);
   const std::size_t outlines = edges.size();
-  for (const Ring& walk : polygons) {
-    for (const Ring& loop : loops(walk)) {
+  const bool touches = std::ranges::adjacent_find(edges, {}, &Edge::from) != edges.end();
+  for (const Points& walk : polygons) {
+    for (const Points& loop : touches ? loops(walk) : List<Points>{walk}) {
       if (detail::doubleArea(loop) > 0) continue;
       addChord(*std::min_element(loop.begin(), loop.end()), true, edges);
       addChord(*std::max_element(loop.begin(), loop.end()), false, edges);
@@ -143,7 +145,7 @@ std::vector<Ring> simplePolygons(std::vector<Edge> edges) {
     detail::sort(edges);
     polygons = walks(edges);
   }
-  for (Ring& polygon : polygons) polygon = straightened(polygon);
+  for (Points& polygon : polygons) polygon = straightened(polygon);
   return polygons;
 }
 

@@ -3,20 +3,18 @@
 
 #include "atoms.h"
 
-#include <vector>
-
 namespace lgs::brush {
 
 /// The ring without vertices in the middle of straight lines, its least vertex first.
-Ring straightened(const Ring& ring);
+Points straightened(const Points& ring);
 
 /// The outline of an area as rings, with the area on their left. A ring may come to a vertex again. No vertex is in the
 /// middle of a straight line. `edges` are all edges of the outline.
-std::vector<Ring> ringsOf(std::vector<Edge> edges);
+List<Points> ringsOf(List<Edge> edges);
 
 /// The simple counter-clockwise polygons that an area consists of. `edges` are all edges of its outline, the area on
 /// their left; no two meet but in their ends. An area with holes is cut by chords between vertices of its outline.
 /// No vertex is in the middle of a straight line. Polygons begin with their least vertex.
-std::vector<Ring> simplePolygons(std::vector<Edge> edges);
+List<Points> simplePolygons(List<Edge> edges);
 
 }  // namespace lgs::brush

@@ -14,10 +14,10 @@ namespace {
 using Owner = std::size_t;  ///< a group by its least polygon, what is painted, or nobody
 
 /// Whether edges are the same outline as before. Those of before are not cut yet where rounding found hot points.
-bool isSameOutline(std::vector<Edge> now, const std::vector<Edge>& before) {
-  std::vector<Point> vertices, cuts;
+bool isSameOutline(List<Edge> now, const List<Edge>& before) {
+  Points vertices, cuts;
   for (const Edge& e : now) vertices.push_back(e.from);
-  std::vector<Edge> parts;
+  List<Edge> parts;
   for (const Edge& e : before) {
     detail::cutEdge(e.from, e.to, vertices, cuts);
     for (std::size_t k = 1; k < cuts.size(); ++k) parts.push_back({cuts[k - 1], cuts[k]});
@@ -25,6 +25,12 @@ bool isSameOutline(std::vector<Edge> now, const std::vector<Edge>& before) {
   detail::sort(now);
   detail::sort(parts);
   return now == parts;
+}
+
+std::size_t cornersOf(const List<Edge>& outline) {
+  std::size_t count = 0;
+  for (const Points& ring : ringsOf(outline)) count += ring.size();
+  return count;
 }
 
 /// An atom's ends and whose its sides are.
@@ -35,7 +41,7 @@ struct Sides {
 
 class Division {
  public:
-  Division(const Ground& ground, const std::vector<Atom>& atoms, const Stroke& stroke)
+  Division(const Ground& ground, const List<Atom>& atoms, const Stroke& stroke)
       : ground_(ground), stroke_(stroke), paint_(ground.polygons.size()), nobody_(paint_ + 1) {
     sides_.reserve(atoms.size());
     for (const Atom& a : atoms) sides_.push_back({a.low, a.high, ownerOf(a.left), ownerOf(a.right)});
@@ -49,7 +55,7 @@ class Division {
 
   CellEdit result() const {
     CellEdit edit;
-    std::vector<std::size_t> old;
+    List<std::size_t> old;
     for (Owner all = 0; all < nobody_; ++all) {
       if (unionOf_[all] != all) continue;
       bool isChanged = false;
@@ -60,8 +66,11 @@ class Division {
         if (unionOf_[k] == all) old.push_back(k);
       edit.gone.insert(edit.gone.end(), old.begin(), old.end());
       const bool isOne = old.size() == 1 && unionOf_[paint_] != all;
-      for (Ring& ring : simplePolygons(outlineOf(all))) {
-        std::vector<std::size_t> from = isOne ? old : partsIn(ring, old);
+      List<Edge> outline = outlineOf(all);
+      edit.isTooMuch = outline.size() > kMaxVerticesPerCell && cornersOf(outline) > kMaxVerticesPerCell;
+      if (edit.isTooMuch) return edit;  // chords make it no less
+      for (Points& ring : simplePolygons(std::move(outline))) {
+        List<std::size_t> from = isOne ? old : partsIn(ring, old);
         edit.placed.push_back({std::move(ring), blockOf(all), std::move(from)});
       }
     }
@@ -87,8 +96,8 @@ class Division {
 
   Block blockOf(Owner owner) const { return owner == paint_ ? stroke_.block : ground_.polygons[owner].block; }
 
-  std::vector<Edge> outlineOf(Owner all) const {
-    std::vector<Edge> edges;
+  List<Edge> outlineOf(Owner all) const {
+    List<Edge> edges;
     edges.reserve(sides_.size());
     for (const Sides& s : sides_) {
       const bool isLeft = unionOf_[s.left] == all, isRight = unionOf_[s.right] == all;
@@ -128,24 +137,24 @@ class Division {
   }
 
   /// Those of some old polygons that have a part in a ring. Atoms can not tell: they know groups alone.
-  std::vector<std::size_t> partsIn(const Ring& ring, const std::vector<std::size_t>& old) const {
-    std::vector<std::size_t> parts;
+  List<std::size_t> partsIn(const Points& ring, const List<std::size_t>& old) const {
+    List<std::size_t> parts;
     for (const std::size_t k : old)
-      if (detail::relation(ground_.polygons[k].ring, ring) != detail::Relation::apart) parts.push_back(k);
+      if (detail::relation(ground_.polygons[k].ring, ring, Points{}) != detail::Relation::apart) parts.push_back(k);
     return parts;
   }
 
   const Ground& ground_;
   const Stroke& stroke_;
   const Owner paint_, nobody_;
-  std::vector<Sides> sides_;
-  std::vector<Owner> unionOf_;  ///< by old polygon and owner: the least owner of the union that it is in
-  std::vector<bool> changed_;
+  List<Sides> sides_;
+  List<Owner> unionOf_;  ///< by old polygon and owner: the least owner of the union that it is in
+  List<bool> changed_;
 };
 
 }  // namespace
 
-CellEdit divided(const Ground& ground, const std::vector<Atom>& atoms, const Stroke& stroke) {
+CellEdit divided(const Ground& ground, const List<Atom>& atoms, const Stroke& stroke) {
   return Division(ground, atoms, stroke).result();
 }
 

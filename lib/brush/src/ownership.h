@@ -3,11 +3,9 @@
 
 #include "ground.h"
 
-#include <vector>
-
 namespace lgs::brush {
 
 /// The polygons of a cell after a stroke.
-CellEdit divided(const Ground& ground, const std::vector<Atom>& atoms, const Stroke& stroke);
+CellEdit divided(const Ground& ground, const List<Atom>& atoms, const Stroke& stroke);
 
 }  // namespace lgs::brush

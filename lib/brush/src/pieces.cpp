@@ -3,6 +3,7 @@
 #include "fraction.h"
 #include "geometry/predicates.h"
 #include "geometry/sort.h"
+#include "pairs.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -64,17 +65,19 @@ bool overlap(const Piece& p, const Piece& q) {
              std::min(std::max(p.start, p.end), std::max(q.start, q.end));
 }
 
-bool anyOverlap(const Pieces& pieces) {
-  for (std::size_t k = 0; k < pieces.size(); ++k)
-    for (std::size_t l = 0; l < k; ++l)
-      if (overlap(pieces[k], pieces[l])) return true;
-  return false;
+bool anyOverlap(PieceSpan pieces) {
+  return anyPair(
+      pieces,
+      [](const Piece& p) {
+        return std::array{p.start, p.end};
+      },
+      overlap);
 }
 
 /// The pieces, cut at the ends of others that lie on them: what overlaps is then equal.
-Pieces cutAtEnds(const Pieces& pieces) {
+Pieces cutAtEnds(PieceSpan pieces) {
   Pieces parts;
-  std::vector<Point> cuts;
+  Points cuts;
   for (const Piece& p : pieces) {
     const Vector d = p.end - p.start;
     const auto before = [&](Point u, Point v) { return dot(u - p.start, d) < dot(v - p.start, d); };
@@ -91,7 +94,7 @@ Pieces cutAtEnds(const Pieces& pieces) {
 
 }  // namespace
 
-Pieces piecesOf(const Ring& ring) {
+Pieces piecesOf(std::span<const Point> ring) {
   Pieces pieces;
   pieces.reserve(ring.size());
   for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -101,7 +104,7 @@ Pieces piecesOf(const Ring& ring) {
   return pieces;
 }
 
-Pieces cut(const Pieces& ring, Line line, bool keepsGreater) {
+Pieces cut(PieceSpan ring, Line line, bool keepsGreater) {
   Pieces kept;
   kept.reserve(ring.size() + 2);
   for (const Piece& p : ring) {
@@ -122,7 +125,7 @@ Pieces cut(const Pieces& ring, Line line, bool keepsGreater) {
   return kept;
 }
 
-Pieces withoutSpikes(const Pieces& pieces, FillRule rule) {
+Pieces withoutSpikes(Pieces pieces, FillRule rule) {
   if (!anyOverlap(pieces)) return pieces;  // nearly always
   struct Keyed {
     Carrier carrier;
@@ -132,7 +135,7 @@ Pieces withoutSpikes(const Pieces& pieces, FillRule rule) {
     std::size_t place;  // of equal ones the first comes first
     auto key() const { return std::tie(carrier, low, high); }
   };
-  std::vector<Keyed> all;
+  List<Keyed> all;
   for (const Piece& p : cutAtEnds(pieces))
     all.push_back(
         {Carrier(p), std::min(p.start, p.end), std::max(p.start, p.end), p.start < p.end ? 1 : -1, p, all.size()});
@@ -158,7 +161,7 @@ Pieces withoutSpikes(const Pieces& pieces, FillRule rule) {
   return kept;
 }
 
-std::int64_t windingLeftOf(Point doubled, const Pieces& pieces) {
+std::int64_t windingLeftOf(Point doubled, PieceSpan pieces) {
   std::int64_t winding = 0;
   for (const Piece& p : pieces) {
     const bool startsBelow = 2 * p.start.y <= doubled.y, endsBelow = 2 * p.end.y <= doubled.y;
@@ -169,7 +172,7 @@ std::int64_t windingLeftOf(Point doubled, const Pieces& pieces) {
   return winding;
 }
 
-std::int64_t windingRightOf(Point doubled, const Pieces& pieces) {
+std::int64_t windingRightOf(Point doubled, PieceSpan pieces) {
   std::int64_t winding = 0;
   for (const Piece& p : pieces) {
     const bool startsBelow = 2 * p.start.y < doubled.y, endsBelow = 2 * p.end.y < doubled.y;

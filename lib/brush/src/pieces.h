@@ -1,9 +1,12 @@
 // A region's edges, cut at the lines between cells.
 #pragma once
 
+#include "scratch.h"
+
 #include <lgs/brush.h>
 
-#include <vector>
+#include <array>
+#include <span>
 
 namespace lgs::brush {
 
@@ -14,7 +17,15 @@ struct Piece {
   bool isOfRegion = true;
 };
 
-using Pieces = std::vector<Piece>;
+using Pieces = List<Piece>;
+using PieceSpan = std::span<const Piece>;
+
+/// A ring, or any points.
+using Points = List<Point>;
+
+/// Those of a cell, counter-clockwise.
+inline constexpr std::array<Point, 4> kCorners{
+    {{0, 0}, {kUnitsPerCell, 0}, {kUnitsPerCell, kUnitsPerCell}, {0, kUnitsPerCell}}};
 
 /// x = at, or y = at.
 struct Line {
@@ -23,19 +34,19 @@ struct Line {
 };
 
 /// The ring as pieces. Equal neighbours are one vertex.
-Pieces piecesOf(const Ring& ring);
+Pieces piecesOf(std::span<const Point> ring);
 
 /// The part of a closed ring on one side of a line: a closed ring again, which may run along the line to and fro.
-Pieces cut(const Pieces& ring, Line line, bool keepsGreater);
+Pieces cut(PieceSpan ring, Line line, bool keepsGreater);
 
 /// Pieces of several rings without those that have no area beside them: the same piece the other way around, or, in
 /// even-odd regions, the same piece again. All must lie in one cell.
-Pieces withoutSpikes(const Pieces& pieces, FillRule rule);
+Pieces withoutSpikes(Pieces pieces, FillRule rule);
 
 /// How often the pieces run around the place just to the left of a point, or just to its right. Where a piece runs level
 /// there, it is the place above, or the one below. Both coordinates are doubled.
-std::int64_t windingLeftOf(Point doubled, const Pieces& pieces);
-std::int64_t windingRightOf(Point doubled, const Pieces& pieces);
+std::int64_t windingLeftOf(Point doubled, PieceSpan pieces);
+std::int64_t windingRightOf(Point doubled, PieceSpan pieces);
 
 constexpr bool isInside(std::int64_t winding, FillRule rule) {
   return rule == FillRule::evenOdd ? winding % 2 != 0 : winding != 0;

@@ -1,6 +1,7 @@
 #include "rounding.h"
 
 #include "geometry/relation.h"
+#include "pairs.h"
 
 #include <algorithm>
 
@@ -10,13 +11,13 @@ namespace {
 using detail::nextVertex;
 
 /// Whether an atom runs through a polygon.
-bool reachesInto(const Atom& atom, const Ring& ring) {
-  const Ring piece{atom.low, atom.high};
-  return detail::anyCrossing(piece, ring) || detail::sightOf(piece, ring).inside;
+bool reachesInto(const Atom& atom, const Points& ring) {
+  const Points piece{atom.low, atom.high};
+  return detail::anyCrossing(piece, ring) || detail::sightOf(piece, ring, Points{}).inside;
 }
 
 /// Whether a polygon that no atom runs through came to lie inside the region, or inside another polygon.
-bool isSwallowed(const Ring& ring, const std::vector<Atom>& atoms, FillRule rule) {
+bool isSwallowed(const Points& ring, const List<Atom>& atoms, FillRule rule) {
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const Point a = ring[k], b = nextVertex(ring, k);
     if (a.y >= b.y) continue;
@@ -27,36 +28,46 @@ bool isSwallowed(const Ring& ring, const std::vector<Atom>& atoms, FillRule rule
 }
 
 /// Whether no atoms cross or end on each other.
-bool isPlane(const std::vector<Atom>& atoms) {
-  for (const Atom& a : atoms)
-    for (const Atom& b : atoms)
-      if (detail::crossProperly(a.low, a.high, b.low, b.high) || detail::isInside(a.low, b.low, b.high) ||
-          detail::isInside(a.high, b.low, b.high))
-        return false;
-  return true;
+bool isPlane(const List<Atom>& atoms) {
+  const auto ends = [](const Atom& a) { return std::array{a.low, a.high}; };
+  return !anyPair(atoms, ends, [](const Atom& a, const Atom& b) {
+    return detail::crossProperly(a.low, a.high, b.low, b.high) || detail::isInside(a.low, b.low, b.high) ||
+           detail::isInside(a.high, b.low, b.high) || detail::isInside(b.low, a.low, a.high) ||
+           detail::isInside(b.high, a.low, a.high);
+  });
 }
 
-Rounding roundOnce(const Arrangement& arrangement, FillRule rule) {
+/// Atoms of segments that are snapped do not cross, unless they reach into a polygon that is to stay.
+Rounding roundOnce(const Arrangement& arrangement, FillRule rule, bool isSnapped) {
   Rounding result;
   result.atoms.reserve(arrangement.segments.size() + arrangement.hot.size());
-  std::vector<Point> chain;
+  Points chain;
   for (const Segment& segment : arrangement.segments) {
     route(segment, arrangement.hot, chain);
     addAtoms(chain, segment.sum, result.atoms);
   }
-  settle(result.atoms);
-  for (std::size_t k = 0; k < arrangement.staying.size(); ++k) {
-    const Ring* const ring = arrangement.staying[k];
-    if (ring == nullptr) continue;
-    const auto reaches = [&](const Atom& a) { return reachesInto(a, *ring); };
-    if (isSwallowed(*ring, result.atoms, rule) || std::any_of(result.atoms.begin(), result.atoms.end(), reaches))
-      result.inTheWay.push_back(k);
-  }
+  merge(result.atoms);
+  const auto findInTheWay = [&](auto&& isInTheWay) {
+    for (std::size_t k = 0; k < arrangement.staying.size(); ++k)
+      if (const Points* const ring = arrangement.staying[k]; ring != nullptr && isInTheWay(*ring))
+        result.inTheWay.push_back(k);
+  };
+  findInTheWay([&](const Points& ring) {
+    const auto box = detail::boundingBox(ring);
+    return std::any_of(result.atoms.begin(), result.atoms.end(), [&](const Atom& a) {
+      return detail::boxesMeet(a.low, a.high, box.min, box.max) && reachesInto(a, ring);
+    });
+  });
+  // Atoms that reach into a polygon may cross others. Then nobody asks for their sides.
+  result.isPlane = result.inTheWay.empty() && (isSnapped || isPlane(result.atoms));
+  if (!result.isPlane) return result;
+  findSides(result.atoms);
+  findInTheWay([&](const Points& ring) { return isSwallowed(ring, result.atoms, rule); });
   return result;
 }
 
 /// Leaves the edges of groups straight that nothing crosses.
-void stiffen(std::vector<Segment>& segments) {
+void stiffen(List<Segment>& segments) {
   for (Segment& edge : segments) {
     if (edge.sum.group == 0) continue;
     edge.bends = std::any_of(segments.begin(), segments.end(), [&](const Segment& other) {
@@ -68,11 +79,11 @@ void stiffen(std::vector<Segment>& segments) {
 }  // namespace
 
 Rounding rounded(Arrangement arrangement, FillRule rule) {
-  Rounding result = roundOnce(arrangement, rule);
+  Rounding result = roundOnce(arrangement, rule, true);
   if (result.inTheWay.empty()) return result;
   stiffen(arrangement.segments);
-  Rounding stiff = roundOnce(arrangement, rule);
-  return stiff.inTheWay.empty() && isPlane(stiff.atoms) ? stiff : result;
+  Rounding stiff = roundOnce(arrangement, rule, false);
+  return stiff.inTheWay.empty() && stiff.isPlane ? stiff : result;
 }
 
 }  // namespace lgs::brush

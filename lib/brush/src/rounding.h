@@ -5,13 +5,13 @@
 #include "atoms.h"
 
 #include <cstddef>
-#include <vector>
 
 namespace lgs::brush {
 
 struct Rounding {
-  std::vector<Atom> atoms;
-  std::vector<std::size_t> inTheWay;  ///< polygons that must stay, but something reaches into them, by number
+  List<Atom> atoms;
+  List<std::size_t> inTheWay;  ///< polygons that must stay, but something reaches into them, by number
+  bool isPlane = false;        ///< no atoms cross: what is on their sides is known
 };
 
 /// Rounds an arrangement. Where snap rounding would reach into a polygon that must stay, edges of groups are left

@@ -3,6 +3,7 @@
 #include "fraction.h"
 #include "geometry/predicates.h"
 #include "geometry/sort.h"
+#include "pairs.h"
 
 #include <algorithm>
 
@@ -17,8 +18,6 @@ namespace {
 
 bool isBetween(std::int64_t v, std::int64_t a, std::int64_t b) { return std::min(a, b) <= v && v <= std::max(a, b); }
 
-bool isInBox(Point p, Point a, Point b) { return isBetween(p.x, a.x, b.x) && isBetween(p.y, a.y, b.y); }
-
 bool boxesMeet(const Segment& p, const Segment& q) {
   const auto meet = [](std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
     return std::max(a, b) >= std::min(c, d) && std::max(c, d) >= std::min(a, b);
@@ -27,6 +26,8 @@ bool boxesMeet(const Segment& p, const Segment& q) {
 }
 
 }  // namespace
+
+bool isInBox(Point p, Point a, Point b) { return isBetween(p.x, a.x, b.x) && isBetween(p.y, a.y, b.y); }
 
 bool passes(Point a, Point b, Point pixel) {
   if (pixel == a || pixel == b) return true;
@@ -48,31 +49,35 @@ std::optional<Point> crossingPixel(const Segment& p, const Segment& q) {
   return pixel;
 }
 
-void normalize(std::vector<Point>& points) {
+void normalize(Points& points) {
   detail::sort(points);
   points.erase(std::unique(points.begin(), points.end()), points.end());
 }
 
-void addCrossings(const std::vector<Segment>& segments, std::vector<Point>& hot) {
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    if (!segments[i].bends) continue;
-    for (std::size_t j = i + 1; j < segments.size(); ++j) {
-      if (!segments[j].bends) continue;
-      const auto pixel = crossingPixel(segments[i], segments[j]);
-      if (pixel) hot.push_back(*pixel);
-    }
-  }
+bool addCrossings(const List<Segment>& segments, Points& hot) {
+  const auto ends = [](const Segment& s) { return std::array{s.start, s.end}; };
+  return !anyPair(segments, ends, [&](const Segment& p, const Segment& q) {
+    if (!p.bends || !q.bends) return false;
+    if (const auto pixel = crossingPixel(p, q)) hot.push_back(*pixel);
+    return hot.size() > kMaxCrossingsPerCell;
+  });
 }
 
-void route(const Segment& segment, const std::vector<Point>& hot, std::vector<Point>& chain) {
+std::span<const Point> between(const Points& sorted, Point a, Point b) {
+  const Point least{std::min(a.x, b.x), INT64_MIN}, greatest{std::max(a.x, b.x), INT64_MAX};
+  return {std::lower_bound(sorted.begin(), sorted.end(), least),
+          std::upper_bound(sorted.begin(), sorted.end(), greatest)};
+}
+
+void route(const Segment& segment, const Points& hot, Points& chain) {
   const auto& [a, b, start, end, sum, bends] = segment;
   chain.assign({start, end});
-  const Point least{std::min(start.x, end.x), INT64_MIN}, greatest{std::max(start.x, end.x), INT64_MAX};
-  const auto last = std::upper_bound(hot.begin(), hot.end(), greatest);
-  for (auto z = std::lower_bound(hot.begin(), hot.end(), least); z != last; ++z) {
-    if (*z == start || *z == end || !isInBox(*z, start, end)) continue;
-    if (bends ? passes(a, b, *z) : orientation(a, b, *z) == 0) chain.push_back(*z);
+  const auto [least, greatest] = std::minmax(start.y, end.y);
+  for (const Point z : between(hot, start, end)) {
+    if (z.y < least || z.y > greatest || z == start || z == end) continue;
+    if (bends ? passes(a, b, z) : orientation(a, b, z) == 0) chain.push_back(z);
   }
+  if (chain.size() == 2) return;
   // An edge passes pixels in the order of both coordinates.
   const std::int64_t alongX = detail::sign(b.x - a.x), alongY = detail::sign(b.y - a.y);
   detail::sort(

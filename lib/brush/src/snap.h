@@ -7,7 +7,6 @@
 #include "pieces.h"
 
 #include <optional>
-#include <vector>
 
 namespace lgs::brush {
 
@@ -31,6 +30,9 @@ struct Segment {
   bool bends = true;  ///< false: it stays straight, and is only cut at hot points on it
 };
 
+/// Whether a point is in the closed box of two others.
+bool isInBox(Point p, Point a, Point b);
+
 /// Whether the edge a→b passes the pixel of a lattice point, left and lower side included.
 bool passes(Point a, Point b, Point pixel);
 
@@ -39,12 +41,15 @@ bool passes(Point a, Point b, Point pixel);
 std::optional<Point> crossingPixel(const Segment& p, const Segment& q);
 
 /// Sorts, and leaves out what comes twice.
-void normalize(std::vector<Point>& points);
+void normalize(Points& points);
 
-/// Crossings of segments that bend.
-void addCrossings(const std::vector<Segment>& segments, std::vector<Point>& hot);
+/// Adds crossings of segments that bend. False if they are too many for a cell; then some are missing.
+[[nodiscard]] bool addCrossings(const List<Segment>& segments, Points& hot);
+
+/// Those of some points, sorted, that lie between two others by x.
+std::span<const Point> between(const Points& sorted, Point a, Point b);
 
 /// The hot points that a segment goes through, in order, with both ends. `hot` is normalized.
-void route(const Segment& segment, const std::vector<Point>& hot, std::vector<Point>& chain);
+void route(const Segment& segment, const Points& hot, Points& chain);
 
 }  // namespace lgs::brush

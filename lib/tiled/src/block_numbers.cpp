@@ -16,13 +16,9 @@ void BlockNumbers::report(ImportedMap& map) const {
   }
   std::map<Block, std::uint64_t> polygons;
   for (const Placement& placement : map.placements) ++polygons[placement.block];
-  for (const auto& [block, count] : polygons) {
-    std::string names;
-    for (const auto& [name, number] : numbers_) {
-      if (number == block) listed(names, name);
-    }
-    map.report.blocks.push_back({std::move(names), block, count});
-  }
+  std::map<Block, std::string> names;
+  for (const auto& [name, number] : numbers_) listed(names[number], name);
+  for (const auto& [block, count] : polygons) map.report.blocks.push_back({names[block], block, count});
 }
 
 }  // namespace lgs::tiled

@@ -73,6 +73,8 @@ tl::expected<Bytes, std::string> unzstd(const Bytes& packed, std::size_t size) {
   if (announced != ZSTD_CONTENTSIZE_UNKNOWN && announced != size) {
     return tl::unexpected(wrongCount(static_cast<std::size_t>(announced / 4), size / 4));
   }
+  constexpr std::size_t kBestRatio = 1 << 15;  // a block of 4 bytes may stand for 128 KiB
+  if (size / kBestRatio > packed.size()) return tl::unexpected<std::string>("is too short for its size");
   Bytes bytes(size + 1);
   const std::size_t made = ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
   if (ZSTD_isError(made)) {

@@ -33,8 +33,10 @@ class Import {
         blocks_(options_),
         tilesLeft_(job.tilesLeft),
         placementsLeft_(job.placementsLeft),
-        objects_(file_, reader_, tilesets_, templates_, options_),
-        painter_(placementsLeft_) {
+        budget_(job.budget),
+        placer_(budget_),
+        objects_(file_, reader_, tilesets_, templates_, options_, budget_),
+        painter_(budget_) {
     map_.report.file = file.name();
   }
 
@@ -43,7 +45,7 @@ class Import {
     if (!failed()) tilesets_.read(file_, reader_, templates_, error_);
     if (!failed()) readLayers();
     for (const auto& [cell, entry] : carried_) {
-      if (!failed()) placer_.place(cell, entry);
+      if (!failed()) place(cell, entry);
     }
     if (!failed()) placeObjects();
     if (failed()) return tl::unexpected(*error_);
@@ -72,6 +74,8 @@ class Import {
   void readObjects(const Layer& layer, std::uint32_t index);
   void placeObjects();
   bool spend(std::size_t placements);
+  void place(Cell cell, Placer::EntryId entry);
+  void checkBudget(pugi::xml_node node);
   void placeTile(CurrentLayer& layer, std::int64_t column, std::int64_t row, std::uint32_t gid);
   std::vector<Placeable> placeables(const CurrentLayer& layer, std::uint32_t gid);
   const TileParts& partsOf(const Tileset& tileset, std::uint32_t gid, const CurrentLayer& layer, TileReport& report);
@@ -90,6 +94,7 @@ class Import {
   BlockNumbers blocks_;
   std::size_t& tilesLeft_;
   std::size_t& placementsLeft_;
+  Budget& budget_;
   PixelGrid grid_;
   Tilesets tilesets_;
   std::map<std::tuple<std::uint32_t, double, double, bool>, TileParts> parts_;  // by gid, offset, full square or not
@@ -109,7 +114,8 @@ void Import::readHead() {
   const auto root = file_.root();
   const std::string_view orientation = root.attribute("orientation").value();
   if (!orientation.empty() && orientation != "orthogonal") {
-    return file_.fail(root, "the map is " + std::string(orientation) + ": only orthogonal maps have square cells");
+    return file_.fail(
+        root, "has the orientation" + file_.quoted(" ", orientation) + ": only orthogonal maps have square cells");
   }
   if (!(options_.tolerance >= 0 && std::isfinite(options_.tolerance))) {
     return file_.fail({}, "the tolerance should be 0 or more", "tolerance");
@@ -145,9 +151,24 @@ void Import::readObjects(const Layer& layer, std::uint32_t index) {
   for (const MapShape& shape : objects_.read(layer)) {
     asked_.see(shape.object);
     const Placer::Entry entry{0, blockOf(shape.object.className, index), kNoTile, shape.object.id, index};
-    if (painter_.paint(shape, grid_, entry, map_.report.layers[index])) continue;
-    return file_.fail(layer.node, "its objects are larger than the limit", "maxPlacements");
+    if (!painter_.paint(shape, grid_, entry, map_.report.layers[index])) break;
   }
+  checkBudget(layer.node);
+}
+
+/// Placer and painter do no work that the budget has no steps for. Then the import fails here.
+void Import::checkBudget(pugi::xml_node node) {
+  if (budget_.isOutOfCells()) {
+    file_.fail(node, "its shapes are larger than the limit for a map of this size", "maxObjectCells");
+  } else if (budget_.isOutOfWork()) {
+    file_.fail(node, "its shapes meet so often that they take more work than the limit for a map of this size",
+               "maxWork");
+  }
+}
+
+void Import::place(Cell cell, Placer::EntryId entry) {
+  placer_.place(cell, entry);
+  if (budget_.isOutOfWork()) checkBudget(file_.root());
 }
 
 void Import::placeObjects() {
@@ -163,7 +184,7 @@ void Import::placeObjects() {
       lastRing = ring;
       last = entry;
     }
-    placer_.place(cell, id);
+    place(cell, id);
   });
 }
 
@@ -215,6 +236,8 @@ void Import::placeTile(CurrentLayer& layer, std::int64_t column, std::int64_t ro
   auto ready = layer.ready.find(gid);
   if (ready == layer.ready.end()) {
     ready = layer.ready.emplace(gid, placeables(layer, gid)).first;
+    checkBudget(layers_[layer.index].node);
+    if (failed()) return;
     std::vector<std::uint32_t>& layers = map_.report.tiles[reportIndex].layers;
     if (layers.empty() || layers.back() != layer.index) layers.push_back(layer.index);  // not for each way to flip it
   }
@@ -223,7 +246,7 @@ void Import::placeTile(CurrentLayer& layer, std::int64_t column, std::int64_t ro
     const Cell cell{static_cast<std::int32_t>(column + part.shift.i),
                     static_cast<std::int32_t>(-1 - row + part.shift.j)};
     if (part.shift == Cell{}) {
-      placer_.place(cell, part.entry);
+      place(cell, part.entry);
     } else {
       carried_.push_back({cell, part.entry});
     }
@@ -244,7 +267,10 @@ std::vector<Import::Placeable> Import::placeables(const CurrentLayer& layer, std
 
 const TileParts& Import::partsOf(const Tileset& tileset, std::uint32_t gid, const CurrentLayer& layer,
                                  TileReport& report) {
-  Tile tile = tileAt(tileset, tileNumber(gid) - tileset.firstGid);
+  const std::uint32_t number = tileNumber(gid) - tileset.firstGid;
+  static const TileParts kNone;
+  if (!budget_.tile(tileset, number)) return kNone;
+  Tile tile = tileAt(tileset, number);
   const bool solid = isSolidAsAsked(tile, layer.properties, options_);
   report.isSolid = report.isSolid || solid;
   const auto [at, isNew] = parts_.try_emplace({gid, layer.rest.x, layer.rest.y, solid});
@@ -252,7 +278,7 @@ const TileParts& Import::partsOf(const Tileset& tileset, std::uint32_t gid, cons
   if (solid) tile.objects.push_back(fullSquare(tile));
   ImageFrame frame{tile.size, flipsOf(gid), {1, 1}, {tileset.offset.x + layer.rest.x, tileset.offset.y + layer.rest.y}};
   if (tileset.fitToGrid) frame.scaleTo(grid_.tile);
-  at->second = tileParts(tile, frame, grid_, options_);
+  at->second = tileParts(tile, frame, grid_, options_, budget_);
   if (report.notes.empty()) report.notes = at->second.notes;  // the same tile flipped another way has the same notes
   return at->second;
 }

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "asked_names.h"
+#include "budget.h"
 
 namespace lgs::tiled {
 
 /// What the maps of a world share.
 struct ImportJob {
   Options options;
+  Budget& budget;
   const FileReader& reader;
   const FolderLister& lister;
   LayerNames names = LayerNames(options);

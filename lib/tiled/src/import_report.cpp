@@ -1,17 +1,17 @@
 // The report and the error as text.
+#include "text/words.h"
+
 #include <lgs/tiled/import.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace lgs::tiled {
 namespace {
 
 /// Names come from files. What would end a line, or do something else to a terminal, becomes a blank.
-void makePlain(std::string& text) {
-  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
-  std::replace_if(text.begin(), text.end(), isControl, ' ');
-}
+void makePlain(std::string& name) { name = text::withoutControls(name); }
 
 void makePlain(std::vector<Note>& notes) {
   for (Note& note : notes) makePlain(note.text);
@@ -104,11 +104,13 @@ template <class Wanted>
 std::string layerNotes(const LayerReport& layer, Wanted&& wanted) {
   constexpr std::size_t kMostNamed = 12;
   std::vector<std::pair<std::string, std::vector<std::uint32_t>>> lines;
+  std::map<std::string, std::size_t> places;
   for (const Note& note : layer.notes) {
     if (!wanted(note.kind)) continue;
     const std::string text = note.text + where(note, "");
-    const auto same = std::find_if(lines.begin(), lines.end(), [&](const auto& line) { return line.first == text; });
-    (same == lines.end() ? lines.emplace_back(text, 0) : *same).second.push_back(note.object);
+    const auto [at, isNew] = places.try_emplace(text, lines.size());
+    if (isNew) lines.push_back({text, {}});
+    lines[at->second].second.push_back(note.object);
   }
   std::string out;
   for (const auto& [text, objects] : lines) {
@@ -193,6 +195,8 @@ std::string toText(const Report& named) {
   appendSuggestions(report, out);
   return out;
 }
+
+std::string shellWord(std::string_view argument) { return text::shellWord(argument); }
 
 std::string message(const ImportError& error) {
   std::string out = error.file.empty() ? "the map" : error.file;

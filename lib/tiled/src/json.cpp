@@ -33,6 +33,7 @@ class JsonBuilder {
     const std::string_view all = exception.what();  // "[json.exception.parse_error.101] parse error at …: what"
     const auto colon = all.find(": ");
     what = all.substr(colon == std::string_view::npos ? all.find("] ") + 2 : colon + 2);
+    what = what.substr(0, what.find("; last read: "));  // a piece of the file, which need not be the map's
     return false;
   }
 

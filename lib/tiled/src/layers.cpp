@@ -36,6 +36,9 @@ class Lister {
       self.layer.node = child;
       extend(self.layer.path, child);
       if (!child.attribute(kPlaceAttribute).as_bool()) extend(self.layer.pathInMap, child);
+      if (self.layer.path.size() > kMaxPathLength) {  // each layer has a copy
+        return file_.fail(child, "has a path of names that is longer than 4096 bytes");
+      }
       self.layer.offset.x += file_.real(child, "offsetx");
       self.layer.offset.y += file_.real(child, "offsety");
       if (group || tiles) self.layer.wanted = names_.fitTiles(self.layer) || self.layer.wanted;
@@ -127,7 +130,8 @@ tl::expected<Gids, std::string> decode(const XmlFile& file, pugi::xml_node data,
     return decodeBase64(rect.node.text().get(), data.attribute("compression").value(), count);
   }
   if (!encoding.empty()) {
-    return tl::unexpected("has the unknown encoding '" + std::string(encoding) + "': save the map with csv or base64");
+    return tl::unexpected("has the unknown encoding" + file.quoted(" ", encoding) +
+                          ": save the map with csv or base64");
   }
   Gids gids;
   for (const auto tile : rect.node.children("tile")) {

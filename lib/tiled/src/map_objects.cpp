@@ -66,6 +66,7 @@ void MapObjects::readTileObject(const CollisionObject& object, std::vector<MapSh
   if (!tileset || number < tileset->firstGid) {
     return shapes.push_back(leftOut(object, "its tile belongs to no tileset"));
   }
+  if (!budget_.tile(*tileset, number - tileset->firstGid)) return;
   Tile tile = tileAt(*tileset, number - tileset->firstGid);
   if (isSolidAsAsked(tile, {}, options_)) tile.objects.push_back(fullSquare(tile));
   if (tile.objects.empty()) return shapes.push_back(leftOut(object, "its tile has no collision shapes"));
@@ -79,6 +80,7 @@ void MapObjects::readTileObject(const CollisionObject& object, std::vector<MapSh
     drawn.hidden |= object.hidden;
     drawn.oneWay |= object.oneWay;
     drawn = asAsked(std::move(drawn), options_);
+    if (!budget_.shape(drawn.points.size())) return;
     MapShape shape{drawn, outline(drawn)};
     shape.object.id = object.id;
     for (const std::string& name : {object.className, tile.className}) {

@@ -1,6 +1,7 @@
 // The objects of object layers: which outlines they have on the map.
 #pragma once
 
+#include "budget.h"
 #include "layers.h"
 #include "tileset.h"
 
@@ -15,10 +16,10 @@ struct MapShape {
 class MapObjects {
  public:
   MapObjects(const XmlFile& map, const FileReader& reader, const Tilesets& tilesets, Templates& templates,
-             const Options& options)
-      : map_(map), reader_(reader), tilesets_(tilesets), templates_(templates), options_(options) {}
+             const Options& options, Budget& budget)
+      : map_(map), reader_(reader), tilesets_(tilesets), templates_(templates), options_(options), budget_(budget) {}
 
-  /// All shapes of an object layer, in the file's order.
+  /// All shapes of an object layer, in the file's order; those for which the budget is enough.
   std::vector<MapShape> read(const Layer& layer);
 
   /// The tilesets of templates that were read.
@@ -33,6 +34,7 @@ class MapObjects {
   const Tilesets& tilesets_;
   Templates& templates_;
   const Options& options_;
+  Budget& budget_;
   std::map<Template*, Tileset> ofTemplates_;
 };
 

@@ -7,19 +7,6 @@
 #include <utility>
 
 namespace lgs::tiled {
-namespace {
-
-/// How many cells the bounding box of a ring has. It has an area.
-std::size_t cellsOf(const Polygon& ring) {
-  const Box box = boundingBox(ring);
-  const auto along = [](std::int64_t min, std::int64_t max) {
-    return static_cast<std::size_t>(((max - 1) >> kCellBits) - (min >> kCellBits) + 1);
-  };
-  return along(box.min.x, box.max.x) * along(box.min.y, box.max.y);
-}
-
-}  // namespace
-
 bool ObjectPainter::paint(const MapShape& shape, const PixelGrid& grid, const Placer::Entry& entry,
                           LayerReport& report) {
   const auto leaveOut = [&](std::string why) {
@@ -27,6 +14,7 @@ bool ObjectPainter::paint(const MapShape& shape, const PixelGrid& grid, const Pl
     return true;
   };
   if (shape.object.kind == CollisionObject::Kind::unsupported) return leaveOut(shape.object.unsupported);
+  if (!budget_.shape(shape.outline.size())) return false;
   constexpr double kMost = 1 << 28;  // cells from the map's corner; below kMaxCell
   Snapped snapped = snap(shape.outline, grid, kMost);
   if (snapped.tooFar) return leaveOut("it is too far away");
@@ -39,9 +27,7 @@ bool ObjectPainter::paint(const MapShape& shape, const PixelGrid& grid, const Pl
   noteSnapping(shape.object, snapped, report.notes);
   if (isTangled(snapped.ring)) return leaveOut("its outline crosses itself more than 1024 times");
   if (tidyLoops(snapped.ring).empty()) return leaveOut("it has no area once it is on the grid");
-  const std::size_t cells = cellsOf(snapped.ring);
-  if (cells > cellsLeft_) return false;
-  cellsLeft_ -= cells;
+  if (!budget_.stroke(snapped.ring, &world_)) return false;
   const auto number = static_cast<Block>(entries_.size());
   entries_.push_back(entry);
   const Region region{{std::move(snapped.ring)}, FillRule::evenOdd};

@@ -2,6 +2,7 @@
 // what comes later loses what is covered already.
 #pragma once
 
+#include "budget.h"
 #include "map_objects.h"
 #include "pixel_grid.h"
 #include "placer.h"
@@ -12,11 +13,10 @@ namespace lgs::tiled {
 
 class ObjectPainter {
  public:
-  /// `cells` is how many cells the bounding boxes of all objects may have together.
-  explicit ObjectPainter(std::size_t cells) : cellsLeft_(cells) {}
+  explicit ObjectPainter(Budget& budget) : budget_(budget) {}
 
-  /// Paints a shape of a layer. What happens to it becomes a note of the layer. False if the objects are too large
-  /// together.
+  /// Paints a shape of a layer. What happens to it becomes a note of the layer. False if it would cost more than the
+  /// budget has.
   [[nodiscard]] bool paint(const MapShape& shape, const PixelGrid& grid, const Placer::Entry& entry,
                            LayerReport& report);
 
@@ -25,7 +25,7 @@ class ObjectPainter {
   void visit(const Visitor& visitor) const;
 
  private:
-  std::size_t cellsLeft_;
+  Budget& budget_;
   World world_;  // its blocks are indices in entries_: so polygons of two shapes are never united
   std::vector<Placer::Entry> entries_;
 };

@@ -20,7 +20,7 @@ std::uint32_t asId(std::size_t size) { return static_cast<std::uint32_t>(size); 
 
 }  // namespace
 
-Placer::Placer() : contents_(1), contentIds_{{{}, 0}} {}
+Placer::Placer(Budget& budget) : budget_(budget), contents_(1), contentIds_{{{}, 0}} {}
 
 std::uint32_t Placer::shape(const Polygon& ring) {
   Polygon canonical = ring;
@@ -63,6 +63,7 @@ Placer::Step Placer::step(ContentId from, EntryId entry) {
 /// Works out what a content becomes.
 Placer::Step Placer::work(const Content& content, EntryId entry) {
   const Polygon ring = shapes_[entries_[entry].shape];
+  if (!hasWorkFor(content, ring)) return {this->content(content)};
   bool isApart = true;
   std::size_t crossed = 0;
   for (const EntryId other : content) {
@@ -86,10 +87,23 @@ Placer::Step Placer::work(const Content& content, EntryId entry) {
   return result;
 }
 
+/// Takes what it costs to compare a ring with all that is in a cell, and to keep what comes of it.
+bool Placer::hasWorkFor(const Content& content, const Polygon& ring) {
+  std::uint64_t steps = 1'000;
+  for (const EntryId other : content) {
+    const std::uint64_t both = ring.size() + shapes_[entries_[other].shape].size();
+    steps += 100 + both * both;
+  }
+  return budget_.work(steps);
+}
+
 /// The same where the entry's polygon lies on others: a brush fills what they leave free. Where outlines cross they get
 /// a common vertex, so the others can bend, by less than a lattice unit.
 Placer::Step Placer::paint(const Content& content, EntryId entry) {
   constexpr Cell kHere{};
+  std::size_t vertices = shapes_[entries_[entry].shape].size();
+  for (const EntryId other : content) vertices += shapes_[entries_[other].shape].size();
+  if (!budget_.strokeInCell(vertices)) return {this->content(content)};
   if (painted_++ % 1'024 == 0) cell_ = World();  // it keeps all that it has seen
   static_cast<void>(cell_.clear(kHere));
   for (std::size_t k = 0; k < content.size(); ++k) {

@@ -2,6 +2,7 @@
 // polygons are compared once for each combination that occurs, however large the map is.
 #pragma once
 
+#include "budget.h"
 #include "cell_numbers.h"
 #include "loops.h"
 
@@ -28,7 +29,8 @@ class Placer {
   };
   using EntryId = std::uint32_t;
 
-  Placer();
+  /// What it does is taken from the budget. When that is spent it places nothing any more.
+  explicit Placer(Budget& budget);
 
   /// The number of a ring, whichever vertex it begins with. It is simple, counter-clockwise and inside the cell.
   std::uint32_t shape(const Polygon& ring);
@@ -57,9 +59,11 @@ class Placer {
   Step work(const Content& content, EntryId entry);
   Step paint(const Content& content, EntryId entry);
   ContentId content(Content content);
+  bool hasWorkFor(const Content& content, const Polygon& ring);
   bool fits(const Content& content, const Polygon& ring) const;
   void count(EntryId entry, Cell cell, NoteKind kind, std::string_view text);
 
+  Budget& budget_;
   std::vector<Polygon> shapes_;
   std::map<Polygon, std::uint32_t> shapeIds_;
   std::vector<Entry> entries_;

@@ -1,31 +1,42 @@
 // What there is of the disk in the importer.
+#include "below.h"
+#include "disk_file.h"
+
 #include <lgs/tiled/import.h>
 
 #include <filesystem>
-#include <fstream>
 
 namespace lgs::tiled {
 
+namespace fs = std::filesystem;
+
 tl::expected<std::string, std::string> readFile(const std::string& path) {
-  constexpr std::streamoff kMost = std::streamoff{1} << 30;
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return tl::unexpected<std::string>("it is a folder");
-  std::ifstream in(path, std::ios::binary | std::ios::ate);
-  const std::streamoff size = in ? static_cast<std::streamoff>(in.tellg()) : -1;
-  if (size < 0) return tl::unexpected<std::string>("there is no such file, or no permission to read it");
-  if (size > kMost) return tl::unexpected<std::string>("it is larger than 1 GiB");
-  in.seekg(0);
-  std::string text(static_cast<std::size_t>(size), '\0');
-  if (!in.read(text.data(), static_cast<std::streamsize>(size)))
-    return tl::unexpected<std::string>("reading stopped half-way");
-  return text;
+  std::error_code failed;
+  const fs::path real = fs::canonical(path, failed);
+  if (failed) return tl::unexpected<std::string>("there is no such file, or no permission to read it");
+  return readRegularFile(real);
+}
+
+FileReader readerBelow(const std::string& folder) {
+  return [folder](const std::string& path) -> tl::expected<std::string, std::string> {
+    if (!liesBelow(folder, path)) return tl::unexpected<std::string>("it is not below the folder");
+    std::error_code failed;
+    const fs::path root = fs::canonical(folder.empty() ? "." : folder, failed);
+    const fs::path real = failed ? fs::path() : fs::canonical(path, failed);
+    if (failed) return tl::unexpected<std::string>("there is no such file, or no permission to read it");
+    // Nothing is said of what lies elsewhere, not even whether it is there.
+    if (!liesBelow(root.generic_string(), real.generic_string())) {
+      return tl::unexpected<std::string>("it is a symbolic link out of the map's folder");
+    }
+    return readRegularFile(real);
+  };
 }
 
 tl::expected<std::vector<std::string>, std::string> listFolder(const std::string& path) {
   std::vector<std::string> names;
   std::error_code failed;
-  std::filesystem::directory_iterator at(path, failed);
-  while (!failed && at != std::filesystem::directory_iterator()) {
+  fs::directory_iterator at(path, failed);
+  while (!failed && at != fs::directory_iterator()) {
     std::error_code ignored;  // what can not be looked at is no file
     if (at->is_regular_file(ignored)) names.push_back(at->path().filename().string());
     at.increment(failed);
@@ -35,7 +46,11 @@ tl::expected<std::vector<std::string>, std::string> listFolder(const std::string
 }
 
 tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options) {
-  return importMap(path, options, readFile, listFolder);
+  const FileReader below = readerBelow(folderOf(path));
+  const FileReader reader = [&](const std::string& name) {
+    return name == path || options.filesAnywhere ? readFile(name) : below(name);
+  };
+  return importMap(path, options, reader, listFolder);
 }
 
 }  // namespace lgs::tiled

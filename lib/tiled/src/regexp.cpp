@@ -1,255 +1,79 @@
-// Patterns become steps. Code of a part has jumps that count from the step itself, so that it can be moved and repeated.
+// What there is of PCRE2 in the importer. Its interpreter matches, not code that it makes at run time: a hostile pattern
+// should meet as little machinery as can be.
 #include "regexp.h"
 
+#define PCRE2_CODE_UNIT_WIDTH 8
+#include <pcre2.h>
 #include <algorithm>
-#include <charconv>
 
 namespace lgs::tiled {
+namespace {
 
-class RegexpParser {
- public:
-  explicit RegexpParser(std::string_view pattern) : pattern_(Letters(pattern).letters) {}
+constexpr std::uint32_t kMaxNesting = 64;       // of groups
+constexpr std::uint32_t kMaxTries = 1'000'000;  // of a match from one letter on, and how deep they may nest
+constexpr std::uint32_t kMaxKibibytes = 4'096;  // of a match
 
-  tl::expected<Regexp, std::string> run() {
-    Code code = alternatives();
-    if (!atEnd()) fail("has a ')' without its '('");
-    if (!fault_.empty()) return tl::unexpected(fault_);
-    result_.steps_ = std::move(code);
-    return std::move(result_);
-  }
-
- private:
-  using Code = std::vector<RegexpStep>;
-  using Kind = RegexpStep::Kind;
-  using Range = std::pair<char32_t, char32_t>;
-
-  bool atEnd() const { return at_ >= pattern_.size() || !fault_.empty(); }
-  bool sees(char32_t letter) const { return !atEnd() && pattern_[at_] == letter; }
-
-  bool take(std::u32string_view text) {
-    if (!fault_.empty() || pattern_.compare(at_, text.size(), text) != 0) return false;
-    at_ += text.size();
-    return true;
-  }
-
-  void fail(std::string what) {
-    if (fault_.empty()) fault_ = std::move(what);
-  }
-
-  Code limited(Code code) {
-    if (code.size() > Regexp::kMaxSteps) fail("is too long");
-    if (!fault_.empty()) code.clear();
-    return code;
-  }
-
-  static void append(Code& code, const Code& more) { code.insert(code.end(), more.begin(), more.end()); }
-  static std::ptrdiff_t sizeOf(const Code& code) { return static_cast<std::ptrdiff_t>(code.size()); }
-
-  static RegexpStep split(std::ptrdiff_t first, std::ptrdiff_t second, bool isLazy) {
-    return isLazy ? RegexpStep{Kind::split, second, first} : RegexpStep{Kind::split, first, second};
-  }
-
-  Code alternatives() {
-    Code code = sequence();
-    while (take(U"|")) {
-      const Code other = sequence();
-      Code both{split(1, sizeOf(code) + 2, false)};
-      append(both, code);
-      both.push_back({Kind::jump, sizeOf(other) + 1});
-      append(both, other);
-      code = limited(std::move(both));
-    }
-    return code;
-  }
-
-  Code sequence() {
-    Code code;
-    while (!atEnd() && !sees(U'|') && !sees(U')')) {
-      append(code, repeated(atom()));
-      code = limited(std::move(code));
-    }
-    return code;
-  }
-
-  Code atom() {
-    if (take(U"(")) return group();
-    if (take(U"^")) return {{Kind::begin}};
-    if (take(U"$")) return {{Kind::end}};
-    if (sees(U'*') || sees(U'+') || sees(U'?')) fail("has a repetition of nothing");
-    if (take(U".")) return letter({{{U'\n', U'\n'}}, true});
-    if (take(U"[")) return letter(set());
-    RegexpSet one;
-    if (!take(U"\\")) {
-      one.ranges = {{pattern_[at_], pattern_[at_]}};
-      ++at_;
-    } else {
-      one = escaped();
-    }
-    return letter(std::move(one));
-  }
-
-  Code letter(RegexpSet set) {
-    result_.sets_.push_back(std::move(set));
-    return {{Kind::letter, 0, 0, result_.sets_.size() - 1}};
-  }
-
-  Code group() {
-    constexpr int kMaxDepth = 64;
-    const bool isNamed = !isAhead(U"?<=") && !isAhead(U"?<!") && take(U"?<");
-    const bool isPlain = !isNamed && take(U"?:");
-    if (isNamed) {
-      while (!atEnd() && !sees(U'>')) ++at_;
-      take(U">");
-    } else if (sees(U'?')) {
-      fail("has a group that begins with '(?', which is not supported, except (?:…) and (?<name>…)");
-    }
-    const std::size_t number = isPlain ? Regexp::kKept : result_.captures_++;
-    if (++depth_ > kMaxDepth) fail("has groups that are nested too deeply");
-    Code inner = alternatives();
-    --depth_;
-    if (!take(U")")) fail("has a '(' without its ')'");
-    if (number >= Regexp::kKept) return inner;
-    Code code{{Kind::save, 0, 0, 2 * number}};
-    append(code, inner);
-    code.push_back({Kind::save, 0, 0, 2 * number + 1});
-    return code;
-  }
-
-  bool isAhead(std::u32string_view text) const { return pattern_.compare(at_, text.size(), text) == 0; }
-
-  Code repeated(const Code& once) {
-    std::size_t least = 1;
-    std::optional<std::size_t> most = 1;
-    if (take(U"*")) {
-      least = 0, most.reset();
-    } else if (take(U"+")) {
-      most.reset();
-    } else if (take(U"?")) {
-      least = 0;
-    } else if (!counts(least, most)) {
-      return once;
-    }
-    const bool isLazy = take(U"?");
-    std::size_t again = 0;
-    std::optional<std::size_t> andAgain;
-    if (sees(U'*') || sees(U'+') || sees(U'?') || counts(again, andAgain)) fail("has a repetition of a repetition");
-    if (most && *most < least) fail("has a repetition whose numbers are the wrong way round");
-    const std::size_t times = std::max(least, most.value_or(least + 1));
-    if (times * (once.size() + 2) > Regexp::kMaxSteps) fail("is too long");
-    if (!fault_.empty()) return {};
-    Code code;
-    for (std::size_t k = 0; k < least; ++k) append(code, once);
-    if (!most) {
-      code.push_back(split(1, sizeOf(once) + 2, isLazy));
-      append(code, once);
-      code.push_back({Kind::jump, -sizeOf(once) - 1});
-    }
-    for (std::size_t k = least; most && k < *most; ++k) {
-      const auto rest = static_cast<std::ptrdiff_t>(*most - k) * (sizeOf(once) + 1);
-      code.push_back(split(1, rest, isLazy));
-      append(code, once);
-    }
-    return code;
-  }
-
-  /// Reads "{2}", "{2,}" or "{2,3}". Any other '{' is a letter.
-  bool counts(std::size_t& least, std::optional<std::size_t>& most) {
-    const std::size_t before = at_;
-    const auto number = [&]() -> std::optional<std::size_t> {
-      std::string digits;
-      while (!atEnd() && pattern_[at_] >= U'0' && pattern_[at_] <= U'9') digits += static_cast<char>(pattern_[at_++]);
-      if (digits.empty()) return std::nullopt;
-      std::size_t value = Regexp::kMaxSteps;  // more is too long in any case
-      if (digits.size() < 6) std::from_chars(digits.data(), digits.data() + digits.size(), value);
-      return value;
-    };
-    const bool isOpen = take(U"{");
-    const auto first = isOpen ? number() : std::nullopt;
-    const bool hasComma = first && take(U",");
-    const auto second = hasComma ? number() : first;
-    if (first && take(U"}")) {
-      least = *first;
-      most = second;
-      return true;
-    }
-    at_ = before;
-    return false;
-  }
-
-  /// What follows a backslash.
-  RegexpSet escaped() {
-    if (atEnd()) {
-      fail("ends with a backslash");
-      return {};
-    }
-    const char32_t kind = pattern_[at_++];
-    switch (kind) {
-      case U'd':
-      case U'D':
-        return {{{U'0', U'9'}}, kind == U'D'};
-      case U'w':
-      case U'W':
-        return {{{U'0', U'9'}, {U'A', U'Z'}, {U'_', U'_'}, {U'a', U'z'}}, kind == U'W'};
-      case U's':
-      case U'S':
-        return {{{U'\t', U'\r'}, {U' ', U' '}}, kind == U'S'};
-      default:
-        break;
-    }
-    const bool isWord =
-        (kind >= U'0' && kind <= U'9') || (kind >= U'A' && kind <= U'Z') || (kind >= U'a' && kind <= U'z');
-    if (isWord) fail(std::string("has '\\") + static_cast<char>(kind) + "', which is not supported");
-    return {{{kind, kind}}};
-  }
-
-  /// What follows a '[', up to its ']'.
-  RegexpSet set() {
-    RegexpSet result;
-    result.isNegated = take(U"^");
-    for (bool isFirst = true; isFirst || !sees(U']'); isFirst = false) {
-      if (atEnd()) {
-        fail("has a '[' without its ']'");
-        return result;
-      }
-      if (isAhead(U"[:")) fail("has '[:', which is not supported");
-      const RegexpSet from = setPart();
-      const bool isRange = sees(U'-') && !isAhead(U"-]") && isOne(from);
-      if (isRange) ++at_;
-      if (isRange && atEnd()) continue;
-      const RegexpSet to = isRange ? setPart() : from;
-      if (isRange && (!isOne(to) || to.ranges[0].first < from.ranges[0].first)) fail("has a set with a wrong range");
-      if (!fault_.empty()) return result;
-      if (isRange) {
-        result.ranges.push_back({from.ranges[0].first, to.ranges[0].first});
-      } else {
-        result.ranges.insert(result.ranges.end(), from.ranges.begin(), from.ranges.end());
-      }
-    }
-    take(U"]");
-    return result;
-  }
-
-  static bool isOne(const RegexpSet& set) {
-    return set.ranges.size() == 1 && set.ranges[0].first == set.ranges[0].second;
-  }
-
-  RegexpSet setPart() {
-    if (!take(U"\\")) {
-      const char32_t letter = pattern_[at_++];
-      return {{{letter, letter}}};
-    }
-    RegexpSet result = escaped();
-    if (result.isNegated) fail("has \\D, \\W or \\S in a set, which is not supported");
-    return result;
-  }
-
-  std::u32string pattern_;
-  std::size_t at_ = 0;
-  int depth_ = 0;
-  std::string fault_;
-  Regexp result_;
+struct Free {
+  void operator()(pcre2_compile_context* context) const { pcre2_compile_context_free(context); }
+  void operator()(pcre2_match_context* context) const { pcre2_match_context_free(context); }
+  void operator()(pcre2_match_data* data) const { pcre2_match_data_free(data); }
 };
 
-tl::expected<Regexp, std::string> Regexp::parse(std::string_view pattern) { return RegexpParser(pattern).run(); }
+std::string textOf(int error) {
+  std::array<PCRE2_UCHAR, 256> text{};
+  pcre2_get_error_message(error, text.data(), text.size());
+  return reinterpret_cast<const char*>(text.data());
+}
+
+const PCRE2_UCHAR* unitsOf(std::string_view text) { return reinterpret_cast<const PCRE2_UCHAR*>(text.data()); }
+
+/// PCRE2 calls this before each item of a pattern that it tries. A number below 0 ends the match.
+int takeStep(pcre2_callout_block*, void* stepsLeft) {
+  auto& left = *static_cast<std::uint64_t*>(stepsLeft);
+  if (left == 0) return PCRE2_ERROR_MATCHLIMIT;
+  --left;
+  return 0;
+}
+
+}  // namespace
+
+tl::expected<Regexp, std::string> Regexp::parse(std::string_view pattern) {
+  if (pattern.size() > kMaxLength) return tl::unexpected("has more than " + std::to_string(kMaxLength) + " bytes");
+  const std::unique_ptr<pcre2_compile_context, Free> limits(pcre2_compile_context_create(nullptr));
+  pcre2_set_parens_nest_limit(limits.get(), kMaxNesting);
+  int error = 0;
+  PCRE2_SIZE at = 0;
+  // A text that is not UTF-8 is matched all the same: a name of a file may have any bytes.
+  constexpr std::uint32_t kOptions = PCRE2_UTF | PCRE2_MATCH_INVALID_UTF | PCRE2_NEVER_BACKSLASH_C | PCRE2_AUTO_CALLOUT;
+  Regexp result;
+  result.code_ = {pcre2_compile(unitsOf(pattern), pattern.size(), kOptions, &error, &at, limits.get()),
+                  [](void* code) { pcre2_code_free(static_cast<pcre2_code*>(code)); }};
+  if (!result.code_) return tl::unexpected("is wrong at byte " + std::to_string(at + 1) + ": " + textOf(error));
+  std::uint32_t captures = 0;
+  pcre2_pattern_info(static_cast<pcre2_code*>(result.code_.get()), PCRE2_INFO_CAPTURECOUNT, &captures);
+  result.captures_ = captures;
+  return result;
+}
+
+tl::expected<Regexp::Match, std::string> Regexp::match(std::string_view text, std::uint64_t& stepsLeft) const {
+  const auto* const code = static_cast<const pcre2_code*>(code_.get());
+  const std::unique_ptr<pcre2_match_context, Free> limits(pcre2_match_context_create(nullptr));
+  pcre2_set_match_limit(limits.get(), kMaxTries);
+  pcre2_set_depth_limit(limits.get(), kMaxTries);
+  pcre2_set_heap_limit(limits.get(), kMaxKibibytes);
+  pcre2_set_callout(limits.get(), takeStep, &stepsLeft);
+  const std::unique_ptr<pcre2_match_data, Free> data(pcre2_match_data_create_from_pattern(code, nullptr));
+  stepsLeft -= std::min<std::uint64_t>(stepsLeft, text.size());
+  const int found = pcre2_match(code, unitsOf(text), text.size(), 0, PCRE2_NO_JIT, data.get(), limits.get());
+  if (found == PCRE2_ERROR_NOMATCH) return Match{};
+  if (found < 0) return tl::unexpected("takes too long to match: " + textOf(found));
+  Match result{true, {}};
+  const PCRE2_SIZE* const ends = pcre2_get_ovector_pointer(data.get());
+  for (std::size_t k = 0; k < std::min(kKept, static_cast<std::size_t>(found) - 1); ++k) {
+    const PCRE2_SIZE begin = ends[2 * k + 2], end = ends[2 * k + 3];
+    if (begin != PCRE2_UNSET) result.captures[k] = text.substr(begin, end - begin);
+  }
+  return result;
+}
 
 }  // namespace lgs::tiled

@@ -75,23 +75,27 @@ void addHiddenLayers(const std::vector<Layer>& layers, std::vector<Suggestion>& 
 /// Whether a full square would help: the tile has no shapes, not even such as were left out.
 bool canBeSquare(const TileReport& tile) { return !tile.hasShapes && !tile.isSolid; }
 
-bool hasSquares(const Report& report, std::size_t layer) {
-  return std::any_of(report.tiles.begin(), report.tiles.end(), [&](const TileReport& tile) {
-    return canBeSquare(tile) && std::find(tile.layers.begin(), tile.layers.end(), layer) != tile.layers.end();
-  });
+/// The layers with tiles of which that is so.
+std::set<std::size_t> layersWithSquares(const Report& report) {
+  std::set<std::size_t> result;
+  for (const TileReport& tile : report.tiles) {
+    if (canBeSquare(tile)) result.insert(tile.layers.begin(), tile.layers.end());
+  }
+  return result;
 }
 
 /// Tiles without shapes, if nothing says which of them are solid. The layers that were not read stay out.
 void addFullSquares(const std::vector<Layer>& layers, const Report& report, std::vector<Suggestion>& result) {
   const auto tiles = std::count_if(report.tiles.begin(), report.tiles.end(), canBeSquare);
   if (tiles == 0) return;
+  const std::set<std::size_t> squares = layersWithSquares(report);
   Suggestion some;
   std::vector<std::string> names;
   bool isChosen = false;
   for (std::size_t k = 0; k < layers.size(); ++k) {
     if (layers[k].kind != LayerKind::tiles) continue;
     isChosen = isChosen || !layers[k].wanted;
-    if (!hasSquares(report, k)) continue;
+    if (!squares.contains(k)) continue;
     names.push_back(layers[k].path);
     some.arguments.insert(some.arguments.end(), {"--layer", layers[k].path});
   }
@@ -134,11 +138,12 @@ std::vector<Suggestion> Suggestions::make(const std::vector<Layer>& layers, cons
         {counted(tiles.size(), "tile") + " (" + counted(uses, "use") + ") with the property '" + name + "'",
          {"--solid-if", name}});
   }
+  const std::set<std::size_t> squares = layersWithSquares(report);
   std::set<std::string> properties;  // of layers
   Suggestion named;
   std::vector<std::string> names;
   for (std::size_t k = 0; k < layers.size(); ++k) {
-    if (layers[k].kind != LayerKind::tiles || !hasSquares(report, k)) continue;
+    if (layers[k].kind != LayerKind::tiles || !squares.contains(k)) continue;
     if (const auto name = collisionProperty(layers[k].node); !name.empty()) properties.insert(name);
     if (solidWord(layers[k].node.attribute("name").value()).empty()) continue;
     names.push_back(layers[k].path);

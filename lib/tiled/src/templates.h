@@ -9,7 +9,8 @@
 namespace lgs::tiled {
 
 struct Template {
-  Template(const std::string& path, const FileReader& reader) : file(path, reader, "template", error) {}
+  Template(const std::string& path, const FileReader& reader, Quoting quoting)
+      : file(path, reader, "template", error, quoting) {}
 
   std::optional<ImportError> error;  ///< why it or its tileset can not be read; this does not spoil the map
   XmlFile file;
@@ -23,7 +24,7 @@ class Templates {
   /// The one that a file names.
   Template& of(const XmlFile& file, const std::string& named) {
     std::unique_ptr<Template>& known = templates_[file.pathTo(named)];
-    if (!known) known = std::make_unique<Template>(file.pathTo(named), reader_);
+    if (!known) known = std::make_unique<Template>(file.pathTo(named), reader_, file.quotingOfOthers());
     return *known;
   }
 

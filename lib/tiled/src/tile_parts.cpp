@@ -23,8 +23,8 @@ double reach(const CellPart& part, const PixelGrid& grid) {
 /// Imports one object. Its parts and notes go to those of the tile.
 class ObjectImport {
  public:
-  ObjectImport(const Tile& tile, const CollisionObject& object, TileParts& result)
-      : tile_(tile), object_(object), result_(result) {}
+  ObjectImport(const Tile& tile, const CollisionObject& object, Budget& budget, TileParts& result)
+      : tile_(tile), object_(object), budget_(budget), result_(result) {}
 
   void run(const ImageFrame& frame, const PixelGrid& grid, const Options& options) {
     if (object_.kind == CollisionObject::Kind::tile) {
@@ -32,6 +32,7 @@ class ObjectImport {
     }
     if (object_.kind == CollisionObject::Kind::unsupported) return note(NoteKind::leftOut, 0, object_.unsupported);
     std::vector<DoublePoint> points = outline(object_);
+    if (!budget_.shape(points.size())) return;
     for (DoublePoint& p : points) p = frame.toCell(p);
     Snapped snapped = snap(points, grid, kMaxReach);
     if (snapped.tooFar) {
@@ -49,6 +50,7 @@ class ObjectImport {
 
   void place(const Polygon& ring, const PixelGrid& grid, Outside outside) {
     if (isTangled(ring)) return note(NoteKind::leftOut, 0, "its outline crosses itself more than 1024 times");
+    if (!budget_.stroke(ring, nullptr)) return;
     std::optional<std::vector<CellPart>> parts = cutAlongGrid(ring);
     if (!parts) return note(NoteKind::leftOut, 0, "a cell holds as many polygons or vertices as it can");
     if (parts->empty()) return note(NoteKind::leftOut, 0, "it has no area once it is on the grid");
@@ -67,16 +69,18 @@ class ObjectImport {
 
   const Tile& tile_;
   const CollisionObject& object_;
+  Budget& budget_;
   TileParts& result_;
 };
 
 }  // namespace
 
-TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& grid, const Options& options) {
+TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& grid, const Options& options,
+                    Budget& budget) {
   TileParts result;
   for (const CollisionObject& drawn : tile.objects) {
     const CollisionObject object = asAsked(drawn, options);
-    ObjectImport(tile, object, result).run(frame, grid, options);
+    ObjectImport(tile, object, budget, result).run(frame, grid, options);
   }
   return result;
 }

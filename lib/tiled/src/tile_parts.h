@@ -1,6 +1,7 @@
 // The polygons that a tile, flipped in one way, puts into its own cell and into the neighbouring cells.
 #pragma once
 
+#include "budget.h"
 #include "object_outline.h"
 #include "pixel_grid.h"
 #include "tileset.h"
@@ -19,6 +20,7 @@ struct TileParts {
 };
 
 /// Outlines each object of a tile, snaps the outline to the grid, and cuts it along the grid.
-TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& grid, const Options& options);
+TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& grid, const Options& options,
+                    Budget& budget);
 
 }  // namespace lgs::tiled

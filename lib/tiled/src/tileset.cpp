@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <utility>
 
 namespace lgs::tiled {
@@ -63,7 +64,7 @@ Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& r
     return tileset;
   }
   if (map.failed()) return tileset;
-  const XmlFile file(map.pathTo(std::move(source)), reader, "tileset", error);
+  const XmlFile file(map.pathTo(std::move(source)), reader, "tileset", error, map.quotingOfOthers());
   if (error && !file.wasRead()) {  // the map is to blame for naming it
     std::string what = "the tileset's file " + error->file + " " + error->what;
     error.reset();
@@ -93,14 +94,13 @@ CollisionObject fullSquare(const Tile& tile) {
 
 void Tilesets::read(const XmlFile& map, const FileReader& reader, Templates& templates,
                     std::optional<ImportError>& error) {
+  std::map<std::uint32_t, std::string> names;  // by firstGid
   for (const auto node : map.root().children("tileset")) {
     tilesets_.push_back(readTileset(map, node, reader, templates, error));
     if (map.failed()) return;
-    for (std::size_t i = 0; i + 1 < tilesets_.size(); ++i) {
-      if (tilesets_[i].firstGid == tilesets_.back().firstGid) {
-        return map.fail(node, "has the same firstgid as the tileset '" + tilesets_[i].name + "'");
-      }
-    }
+    const Tileset& last = tilesets_.back();
+    const auto [same, isNew] = names.try_emplace(last.firstGid, last.name);
+    if (!isNew) return map.fail(node, "has the same firstgid as the tileset '" + same->second + "'");
   }
   std::sort(tilesets_.begin(), tilesets_.end(),
             [](const Tileset& a, const Tileset& b) { return a.firstGid < b.firstGid; });

@@ -16,7 +16,7 @@ namespace {
 class WorldImport {
  public:
   WorldImport(const XmlFile& file, ImportJob& job, std::optional<ImportError>& error)
-      : file_(file), job_(job), error_(error) {
+      : file_(file), job_(job), error_(error), placer_(job.budget) {
     all_.report.file = file.name();
   }
 
@@ -36,6 +36,7 @@ class WorldImport {
   void add(const ImportedMap& map);
   std::uint32_t addTile(const TileReport& tile);
   void measure(const Report& report, DoublePoint at);
+  void tooMuchWork();
   void finish();
 
   const XmlFile& file_;
@@ -49,7 +50,7 @@ class WorldImport {
 };
 
 void WorldImport::read(const WorldMap& entry) {
-  const XmlFile file(file_.pathTo(entry.name), job_.reader, "map", error_);
+  const XmlFile file(file_.pathTo(entry.name), job_.reader, "map", error_, file_.quotingOfOthers());
   if (error_ && !file.wasRead()) {  // the world is to blame for naming it
     std::string what = "the map's file " + error_->file + " " + error_->what;
     error_.reset();
@@ -94,6 +95,10 @@ void WorldImport::measure(const Report& report, DoublePoint at) {
 /// Takes over a map: its layers, tiles and notes, and its polygons as far as nothing is in their way.
 void WorldImport::add(const ImportedMap& map) {
   Report& report = all_.report;
+  // Blocks are copied for each map, notes are compared.
+  if (!job_.budget.work(1'000 + 100 * map.blocks.size() + 10 * report.notes.size() * map.report.notes.size())) {
+    return tooMuchWork();
+  }
   const auto firstLayer = static_cast<std::uint32_t>(report.layers.size());
   report.layers.insert(report.layers.end(), map.report.layers.begin(), map.report.layers.end());
   std::vector<std::uint32_t> tiles;
@@ -117,7 +122,12 @@ void WorldImport::add(const ImportedMap& map) {
     const std::uint32_t tile = p.tile == kNoTile ? kNoTile : tiles[p.tile];
     placer_.place(p.cell, placer_.entry({shapes[p.shape], p.block, tile, p.object, firstLayer + p.layer}));
   }
+  if (job_.budget.isOutOfWork()) tooMuchWork();
   job_.options.blocks = map.blocks;  // the maps that follow give a name the same number
+}
+
+void WorldImport::tooMuchWork() {
+  file_.fail(file_.root(), "its maps take more work together than the limit for a world of this size", "maxWork");
 }
 
 /// The index of a tile in the report of the world. Maps may share it; then they say the same of it.

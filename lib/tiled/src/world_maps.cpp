@@ -74,10 +74,14 @@ class WorldMaps {
     const std::size_t before = maps_.size();
     bool fits = false;
     for (const std::string& name : names_) {
-      const auto place = regexp->match(name);
-      if (!place) continue;
+      const auto match = regexp->match(name, stepsLeft_);
+      if (!match) {
+        return file_.fail(node,
+                          "its regexp " + inQuotes(text) + " " + match.error() + "; the file is " + inQuotes(name));
+      }
+      if (!match->isThere) continue;
       fits = true;
-      if (known_.insert(file_.pathTo(name)).second) add(node, name, *place);
+      if (known_.insert(file_.pathTo(name)).second) add(node, name, match->captures);
     }
     if (!fits) notes_.push_back("no file in the folder fits the pattern " + inQuotes(text));
     noteSamePlaces(before, inQuotes(text));
@@ -114,6 +118,7 @@ class WorldMaps {
   const FolderLister& lister_;
   std::vector<std::string>& notes_;
   std::vector<std::string> names_;
+  std::uint64_t stepsLeft_ = Regexp::kMaxSteps;
   std::set<std::string> known_;  // paths
   std::vector<WorldMap> maps_;
 };

@@ -2,6 +2,7 @@
 
 #include "foreign.h"
 #include "json_elements.h"
+#include "text/words.h"
 
 #include <fast_float/fast_float.h>
 #include <algorithm>
@@ -44,11 +45,12 @@ std::optional<double> parseReal(std::string_view text) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-std::string describe(pugi::xml_node node) {
+std::string describe(pugi::xml_node node, bool mayQuote) {
   if (!node) return {};
   const std::string_view path = node.attribute(kPathAttribute).value();  // it comes from JSON
   std::string result = path.empty() ? "<" + std::string(node.name()) + ">" : std::string(path);
   for (const char* attribute : {"name", "id", "source"}) {
+    if (!mayQuote) break;
     const auto value = node.attribute(attribute);
     if (value && !(*value.value() == '\0' && !path.empty())) return result + " " + inQuotes(value.value());
   }
@@ -57,8 +59,9 @@ std::string describe(pugi::xml_node node) {
 
 }  // namespace
 
-XmlFile::XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error)
-    : name_(std::move(name)), error_(error) {
+XmlFile::XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error,
+                 Quoting quoting)
+    : name_(std::move(name)), quoting_(quoting), error_(error) {
   if (!failed()) parse(reader);
   if (!failed()) expectRoot(rootName);
 }
@@ -103,7 +106,13 @@ void XmlFile::expectRoot(std::string_view rootName) const {
   if (found == rootName) return;
   if (rootName == "map" && found == "world" && root().attribute(kPathAttribute)) return;  // there are none in XML
   if (const std::string foreign = foreignXml(found); !foreign.empty()) return fail(root(), isForeign(foreign));
-  fail(root(), "should be <" + std::string(rootName) + ">: this is not the kind of file expected here");
+  const std::string should = "should be <" + std::string(rootName) + ">: this is not the kind of file expected here";
+  if (quoting_.own) return fail(root(), should);
+  fail({}, "its root " + should);
+}
+
+std::string XmlFile::quoted(const char* before, std::string_view text) const {
+  return quoting_.own ? before + inQuotes(text) : "";
 }
 
 int XmlFile::line(pugi::xml_node node) const {
@@ -117,7 +126,8 @@ int XmlFile::lineAt(std::ptrdiff_t offset) const {
 }
 
 void XmlFile::fail(pugi::xml_node node, std::string what, std::string option) const {
-  if (!failed()) error_ = ImportError{name_, line(node), describe(node), std::move(what), std::move(option)};
+  if (!failed())
+    error_ = ImportError{name_, line(node), describe(node, quoting_.own), std::move(what), std::move(option)};
 }
 
 std::int64_t XmlFile::integer(pugi::xml_node node, const char* attribute, std::optional<std::int64_t> fallback,
@@ -129,8 +139,8 @@ std::int64_t XmlFile::integer(pugi::xml_node node, const char* attribute, std::o
   }
   const auto value = parseInteger(found.value());
   if (value && *value >= min && *value <= max) return *value;
-  fail(node, std::string(attribute) + "=" + inQuotes(found.value()) + " should be a whole number from " +
-                 std::to_string(min) + " to " + std::to_string(max));
+  fail(node, attribute + quoted("=", found.value()) + " should be a whole number from " + std::to_string(min) + " to " +
+                 std::to_string(max));
   return fallback.value_or(min);
 }
 
@@ -138,7 +148,7 @@ double XmlFile::real(pugi::xml_node node, const char* attribute) const {
   const auto found = node.attribute(attribute);
   if (!found) return 0;
   const auto value = parseReal(found.value());
-  if (!value) fail(node, std::string(attribute) + "=" + inQuotes(found.value()) + " should be a finite number");
+  if (!value) fail(node, attribute + quoted("=", found.value()) + " should be a finite number");
   return value.value_or(0);
 }
 
@@ -153,7 +163,7 @@ std::vector<DoublePoint> XmlFile::points(pugi::xml_node node, const char* attrib
     const auto x = parseReal(pair.substr(0, comma));
     const auto y = comma < pair.size() ? parseReal(pair.substr(comma + 1)) : std::nullopt;
     if (!x || !y) {
-      fail(node, std::string(attribute) + ": " + inQuotes(pair) + " should be two finite numbers 'x,y'");
+      fail(node, attribute + quoted(": ", pair) + " should be two finite numbers 'x,y'");
       return {};
     }
     result.push_back({*x, *y});
@@ -162,12 +172,9 @@ std::vector<DoublePoint> XmlFile::points(pugi::xml_node node, const char* attrib
   return result;
 }
 
-std::string inQuotes(std::string_view text) {
+std::string inQuotes(std::string_view piece) {
   constexpr std::size_t kMost = 40;
-  std::string result(text.substr(0, kMost));
-  std::replace_if(
-      result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
-  return "'" + result + (text.size() > kMost ? "…'" : "'");
+  return "'" + text::withoutControls(piece.substr(0, kMost)) + (piece.size() > kMost ? "…'" : "'");
 }
 
 std::string pathBeside(const std::string& file, std::string named) {

@@ -17,16 +17,23 @@
 namespace lgs::tiled {
 
 /// A piece of a file as a message quotes it: short, and without control characters.
-std::string inQuotes(std::string_view text);
+std::string inQuotes(std::string_view piece);
 
 /// The path of a file that another one names by a path from its own folder, in either kind of slashes.
 std::string pathBeside(const std::string& file, std::string named);
+
+/// Whether errors may quote what stands in a file, and what stands in those that it names.
+struct Quoting {
+  bool own = true;
+  bool others = true;
+};
 
 class XmlFile {
  public:
   /// Reads and parses a file whose root element must be `rootName`; instead of a map it may be a world. All files of an
   /// import share `error`, which must outlive them.
-  XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error);
+  XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error,
+          Quoting quoting);
 
   const std::string& name() const { return name_; }
   pugi::xml_node root() const { return document_.document_element(); }
@@ -38,6 +45,12 @@ class XmlFile {
 
   /// The path of a file that this one names.
   std::string pathTo(std::string named) const { return pathBeside(name_, std::move(named)); }
+
+  /// What holds for a file that this one names.
+  Quoting quotingOfOthers() const { return {quoting_.others, quoting_.others}; }
+
+  /// A text of the file as an error may quote it: after `before` and in quotes; or "".
+  std::string quoted(const char* before, std::string_view text) const;
 
   /// Keeps this error, if it is the first. `option` is the field of Options that decides.
   void fail(pugi::xml_node node, std::string what, std::string option = {}) const;
@@ -60,6 +73,7 @@ class XmlFile {
   int lineAt(std::ptrdiff_t offset) const;
 
   std::string name_;
+  Quoting quoting_;
   bool wasRead_ = false;
   std::string text_;
   std::vector<std::size_t> lineStarts_;

@@ -78,6 +78,8 @@ test('what is wrong with a map is said, with file and line', () => {
   refuses('bad-map', () => importMap('a.tmx', { 'a.tmx': tmx('encoding="csv">1') }), { line: 6 })
   refuses('bad-map', () => importMap('a.tmx', { 'a.tmx': '<map' }))
   refuses('bad-map', () => importMap('a.tmx', { 'a.tmx': new Uint8Array(0) }))
+  const world = JSON.stringify({ type: 'world', patterns: [{ regexp: '(\\d)_(\\d)' }] })
+  assert.throws(() => importMap('a.world', { 'a.world': world }), /can not be read in WebAssembly: list the maps/)
   refuses('bad-argument', () => importMap('a.tmx', {}, { blocks: {} }))
   refuses('bad-argument', () => importMap('a.tmx', {}, { tolerance: '1' }))
   refuses('bad-argument', () => importMap(7, {}))

@@ -33,6 +33,11 @@ namespace lgs {
 /// A region is at most this many cells wide and high.
 inline constexpr std::int64_t kMaxRegionCells = 4'096;
 
+/// At most so many edges of a region run through one cell, and at most so often these and the edges of polygons cross
+/// there. The worst cell that was tried, full and crossed by as many, takes 0.3 s.
+inline constexpr std::size_t kMaxRegionEdgesPerCell = 4'096;
+inline constexpr std::size_t kMaxCrossingsPerCell = 32'768;  ///< see kMaxRegionEdgesPerCell
+
 /// Which points are inside. Count how often the rings run around a point: a counter-clockwise turn is +1, a clockwise
 /// one is -1.
 enum class FillRule : std::uint8_t {
@@ -91,8 +96,8 @@ struct BrushResult {
 /// they share edges and have the same block. If that leaves such an area as it was, its polygons keep their handles.
 /// Cells that are inside the region as a whole cost what add() and setBlock() cost. Refused, and nothing is changed:
 /// outOfReach, if a vertex lies in no cell or was no number (Error::polygon is the ring, Error::vertex the vertex), or
-/// if the region is more than kMaxRegionCells wide or high; capacity, if a cell would hold too much (see world.h). A
-/// region without area changes nothing.
+/// if the region is more than kMaxRegionCells wide or high; capacity, if a cell would hold too much (see
+/// world.h), or the region is too much for it (see kMaxRegionEdgesPerCell). A region without area changes nothing.
 [[nodiscard]] Expected<BrushResult> paint(World& world, const Region& region, Block block, PaintMode mode);
 
 /// Frees a region. The rest is as for paint(). Cells that are inside the region as a whole cost what clear() costs.

@@ -55,11 +55,12 @@
 // and within World's limits for a cell. So World::add accepts all of them.
 //
 // ERRORS. No function throws, except when memory runs out; the library compiles with -fno-exceptions -fno-rtti. An
-// error is a value. Maps need not be trusted: sizes are checked before memory is taken, and nothing recurses without a
-// limit.
+// error is a value. Maps need not be trusted: sizes are checked before memory is taken, work is counted and refused
+// before it is done, and nothing recurses without a limit.
 //
 // COST. Linear in the number of tiles, and in that of the cells that objects reach. Polygons are compared once for each
 // combination of tiles that meet in a cell. A combination of polygons that lie on each other takes a brush some 0.2 ms.
+// Whatever is in the files, an import takes work and memory in proportion to their bytes, beyond the limits of Options.
 #pragma once
 
 #include <lgs/ids.h>
@@ -90,6 +91,13 @@ inline constexpr std::size_t kMaxObjectVertices = 1'024;
 
 /// So is an outline that crosses itself more often, and a shape of a tile that crosses what is in a cell already.
 inline constexpr std::size_t kMaxCrossings = 1'024;
+
+/// What each byte that is read adds to Options::maxWork and Options::maxObjectCells.
+inline constexpr std::size_t kWorkPerByte = 1'024;
+inline constexpr std::size_t kObjectCellsPerByte = 256;
+
+/// A layer whose path has more bytes than this is an error.
+inline constexpr std::size_t kMaxPathLength = 4'096;
 
 /// What happens to the part of a polygon that lies outside its cell.
 enum class Outside : std::uint8_t {
@@ -143,10 +151,20 @@ struct Options {
   /// name, class or property, or that of its layer or tile: "one-way", "platform" or "jump-through".
   double polylineThickness = 0;
 
+  /// Files that the map names may lie anywhere that the reader reads. Otherwise they must lie in the map's folder or below
+  /// it; a name that leads out of it is an error, and so are symbolic links out of it on the disk. Errors then quote no
+  /// text of files other than the map's own: a map from a stranger could name what is nobody else's business.
+  bool filesAnywhere = false;
+
   /// Limits. A map that goes beyond one of them is an error.
   std::size_t maxTiles = std::size_t{1} << 24;       ///< of the imported layers together, with the empty ones
-  std::size_t maxPlacements = std::size_t{1} << 24;  ///< polygons before overlaps are taken away; and cells of the
-                                                     ///< bounding boxes of all objects together
+  std::size_t maxPlacements = std::size_t{1} << 24;  ///< polygons before overlaps are taken away
+  std::size_t maxBytes = std::size_t{1} << 27;       ///< of all files together; one that is read again counts again
+
+  /// Limits of what is not to be seen from the number of tiles and polygons. Each byte that is read adds to them, so what
+  /// a map costs is in proportion to its size: docs/maps.md, "What a map may cost".
+  std::size_t maxObjectCells = std::size_t{1} << 20;  ///< cells of the bounding boxes of all shapes together
+  std::size_t maxWork = std::size_t{1} << 28;         ///< steps: of outlines that meet, shape by shape, cell by cell
 };
 
 /// Why a map could not be read. If only a part is unusable, it is left out, and the report has a note instead.
@@ -279,6 +297,12 @@ struct ImportedMap {
 /// Returns the content of a file, or says why it can not. importMap() calls it with the map's path, and then with the
 /// path of each tileset, template, map or level: its name in the map, appended to the map's folder. A reader of your
 /// own can serve files from memory; then an import touches no file.
+///
+/// Maps come from strangers, and so do the names in them. Without Options::filesAnywhere a reader is asked only for the
+/// map's path and for paths that lie below the map's folder as they are written: without "..", with slashes only. What
+/// it makes of them is its own affair. A reader of a server's disk must not follow links out of the folder, nor open
+/// what is no regular file, as it may block; readerBelow() is such a reader. In a browser the files that were given are
+/// all there are. What a reader says of a file that it can not read becomes part of the error.
 using FileReader = std::function<tl::expected<std::string, std::string>(const std::string& path)>;
 
 /// Returns the names of the files in a folder, without that of the folder, in any order; or says why it can not. Only a
@@ -286,8 +310,12 @@ using FileReader = std::function<tl::expected<std::string, std::string>(const st
 /// path has none), and sorts what comes back.
 using FolderLister = std::function<tl::expected<std::vector<std::string>, std::string>(const std::string& folder)>;
 
-/// Reads a file of at most 1 GiB from the disk.
+/// Reads a regular file of at most 1 GiB from the disk. It waits for nobody: a pipe or a device is an error.
 tl::expected<std::string, std::string> readFile(const std::string& path);
+
+/// A reader for regular files in a folder of the disk and below it, which may be absolute or not. Paths begin with the
+/// folder, as it is given here. It follows symbolic links that stay below the folder, and no others.
+FileReader readerBelow(const std::string& folder);
 
 /// Lists a folder of the disk.
 tl::expected<std::vector<std::string>, std::string> listFolder(const std::string& path);
@@ -297,7 +325,8 @@ tl::expected<std::vector<std::string>, std::string> listFolder(const std::string
 tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options,
                                                  const FileReader& reader, const FolderLister& lister = {});
 
-/// The same from the disk.
+/// The same from the disk: with readFile for the map and, with Options::filesAnywhere, for all files; otherwise with
+/// readerBelow for what the map names.
 tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options = {});
 
 }  // namespace lgs::tiled

@@ -1,0 +1,123 @@
+#include "plain.h"
+
+#include "geometry/ring.h"
+#include "outline.h"
+#include "snap.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lgs::brush {
+namespace {
+
+using detail::nextVertex;
+using detail::Vector;
+using detail::operator-;
+
+constexpr std::int64_t kEnd = kUnitsPerCell;
+constexpr std::size_t kMostPieces = 16;
+
+bool isCorner(Point p) { return std::ranges::find(kCorners, p) != kCorners.end(); }
+
+bool isOnRim(Point p) { return p.x == 0 || p.y == 0 || p.x == kEnd || p.y == kEnd; }
+
+/// How far a point of the rim is from the lower left corner, counter-clockwise.
+std::int64_t alongRim(Point p) {
+  if (p.y == 0) return p.x;
+  if (p.x == kEnd) return kEnd + p.y;
+  return p.y == kEnd ? 3 * kEnd - p.x : 4 * kEnd - p.y;
+}
+
+bool runsAlongRim(Point u, Point v) {
+  return (u.x == v.x && (u.x == 0 || u.x == kEnd)) || (u.y == v.y && (u.y == 0 || u.y == kEnd));
+}
+
+/// Whether the pieces are one ring, each beginning where the one before it ends.
+bool isOneRing(PieceSpan pieces) {
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+    if (pieces[k].end != nextVertex(pieces, k).start) return false;
+  return true;
+}
+
+/// Whether a ring turns left all the time, once around. Vertices may be in the middle of straight lines.
+bool isConvex(const Points& ring) {
+  const auto isUp = [](Vector v) { return v.y > 0 || (v.y == 0 && v.x > 0); };
+  int upwards = 0;  // how often it begins to
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Vector in = nextVertex(ring, k) - ring[k];
+    const Vector out = ring[(k + 2) % ring.size()] - nextVertex(ring, k);
+    const std::int64_t turn = cross(in, out);
+    if (turn < 0 || (turn == 0 && dot(in, out) < 0)) return false;
+    upwards += !isUp(in) && isUp(out) ? 1 : 0;
+  }
+  return upwards == 1;
+}
+
+/// Whether an edge of the region goes through the pixel of a known point beside its ends. One that is cut at a corner of
+/// the cell may: it can cross the rim beside the corner too.
+bool bends(PieceSpan region, const Points& ring) {
+  for (const Piece& p : region) {
+    if (!p.isOfRegion) continue;
+    if (isCorner(p.start) || isCorner(p.end)) return true;
+    const auto isOnWay = [&p](Point z) {
+      return z != p.start && z != p.end && isInBox(z, p.start, p.end) && passes(p.a, p.b, z);
+    };
+    if (std::ranges::any_of(ring, isOnWay) || std::ranges::any_of(kCorners, isOnWay)) return true;
+  }
+  return false;
+}
+
+/// A full cell without a convex ring: one polygon beside each chain of its edges that runs through the cell. Nothing if
+/// the ring touches the rim in fewer than two points, or if two polygons would begin in the same vertex.
+std::optional<List<Points>> fullWithout(const Points& ring) {
+  List<Points> parts;
+  for (std::size_t first = 0; first < ring.size(); ++first) {
+    if (!isOnRim(ring[first]) || runsAlongRim(ring[first], nextVertex(ring, first))) continue;
+    Points part{ring[first]};
+    std::size_t k = first;
+    do {
+      k = k + 1 == ring.size() ? 0 : k + 1;
+      part.push_back(ring[k]);
+    } while (!isOnRim(part.back()));
+    if (part.back() == part.front()) return std::nullopt;
+    const std::int64_t from = alongRim(part.front());
+    const auto ahead = [from](Point p) { return (alongRim(p) - from + 4 * kEnd) % (4 * kEnd); };
+    const std::int64_t to = ahead(part.back());
+    std::ranges::reverse(part);
+    const auto side = static_cast<std::size_t>(from / kEnd);
+    for (std::size_t n = 1; n <= 4 && ahead(kCorners[(side + n) % 4]) < to; ++n)
+      part.push_back(kCorners[(side + n) % 4]);
+    parts.push_back(straightened(part));
+  }
+  const auto begin = [](const Points& part) { return part.front(); };
+  std::ranges::sort(parts, {}, begin);
+  if (parts.empty() || std::ranges::adjacent_find(parts, {}, begin) != parts.end()) return std::nullopt;
+  return parts;
+}
+
+}  // namespace
+
+std::optional<CellEdit> plainEdit(const List<CellPolygon>& polygons, PieceSpan region, const Stroke& stroke) {
+  const bool isEmpty = polygons.empty();
+  if (!isEmpty && (polygons.size() > 1 || detail::doubleArea(polygons[0].ring) != 2 * kEnd * kEnd)) return std::nullopt;
+  if (!isEmpty && stroke.deed == Deed::replace && polygons[0].block == stroke.block) return std::nullopt;
+  const bool keepsAll = isEmpty ? stroke.deed == Deed::carve : stroke.deed == Deed::fill;
+  if (keepsAll) return CellEdit{};
+  if (region.size() < 3 || region.size() > kMostPieces || !isOneRing(region)) return std::nullopt;
+  Points ring;
+  ring.reserve(kMostPieces);
+  for (const Piece& p : region) ring.push_back(p.start);
+  if (!isConvex(ring) || bends(region, ring)) return std::nullopt;
+
+  CellEdit edit;
+  if (!isEmpty) {
+    auto parts = fullWithout(ring);
+    if (!parts) return std::nullopt;
+    edit.gone = {0};
+    for (Points& part : *parts) edit.placed.push_back({std::move(part), polygons[0].block, {0}});
+  }
+  if (stroke.deed != Deed::carve) edit.placed.push_back({straightened(ring), stroke.block, {}});
+  return edit;
+}
+
+}  // namespace lgs::brush

@@ -1,0 +1,79 @@
+// Makes calls in a world, and remembers what it was given.
+#pragma once
+
+#include "oracle/calls/call.h"
+
+#include <lgs/world.h>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace lgs::oracle {
+
+/// The three lists of changes, without versions, which no two worlds share.
+struct ChangeLists {
+  std::vector<SegmentId> removed, added, relinked;
+  friend bool operator==(const ChangeLists&, const ChangeLists&) = default;
+};
+inline ChangeLists copyOf(const Changes& c) { return {c.removed, c.added, c.relinked}; }
+
+/// Whether two errors say the same, field by field.
+bool areAlike(const Error& a, const Error& b);
+
+/// What a call gave.
+struct Outcome {
+  std::optional<Error> refusal;
+  ShapeId shape;                       ///< that was made for it; the last one, if there are several
+  std::vector<PolygonHandle> told;     ///< handles that the call returned, or wrote to where it was told to
+  std::vector<PolygonHandle> handles;  ///< of all that it placed
+  std::uint64_t count = 0;             ///< that it returned
+  ChangeLists changes;                 ///< of a commit, or of going back
+  std::vector<Outcome> parts;          ///< of a group
+  friend bool operator==(const Outcome& a, const Outcome& b);
+};
+
+class Caller {
+ public:
+  /// Cells of calls are counted from the origin.
+  explicit Caller(World start = World(), Cell origin = {}) : world(std::move(start)), origin_(origin) {}
+
+  static constexpr PolygonHandle kUntouched{7, 7};
+
+  Outcome make(const Call& call) { return makeResolved(resolved(call)); }
+
+  /// The same call with the handles that it names and the cells where it is made. A group's calls stay as they are:
+  /// what they name depends on those before them.
+  Call resolved(const Call& call) const;
+  Outcome makeResolved(const Call& call);
+
+  /// Makes a group in another way: `make` makes a part, and says whether it is accepted. Returns whether it is kept.
+  bool makeGroup(const Call& call, const std::function<bool(const Call&)>& make);
+
+  /// Makes the shapes that a resolved call makes, up to one that is refused, and nothing else. Whether all are made.
+  bool makeShapes(const Call& call);
+
+  /// The world may be edited beside; then nothing is remembered of it.
+  World world;
+  std::vector<PolygonHandle> given;  ///< handles of all that was placed, in the order in which that was done
+  std::size_t marks() const { return marks_.size(); }
+
+ private:
+  struct Remembered {
+    Mark mark;
+    std::size_t given = 0;
+  };
+
+  void place(const Call& call, Outcome& out);
+  void addMany(const Call& call, Outcome& out);
+  void exchange(const Call& call, Outcome& out);
+  void fill(const Call& call, Outcome& out);
+  void goBack(const Call& call, Outcome& out);
+  void load(Outcome& out);
+  bool makeShape(const Call& call, const Coming& coming, Outcome& out);
+  void keepLast(Cell cell, std::size_t count, Outcome& out);
+
+  Cell origin_;
+  std::vector<Remembered> marks_;
+};
+
+}  // namespace lgs::oracle

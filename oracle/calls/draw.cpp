@@ -1,0 +1,212 @@
+#include "oracle/calls/draw.h"
+
+#include "oracle/calls/shapes.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace lgs::oracle {
+namespace {
+
+using Kind = Call::Kind;
+constexpr std::int32_t kUnit = kUnitsPerCell;
+constexpr std::uint32_t kNoShape = 4'711;  // where the call itself makes shapes, other ids may become known
+
+// Draws a call. Compilers differ in the order in which they evaluate arguments: so a call of a function has at most one
+// that is drawn.
+class Drawer {
+ public:
+  Drawer(Choices& choices, const Habits& habits) : choices_(choices), habits_(habits) {}
+
+  Call call(Kind kind) {
+    Call call;
+    call.kind = kind;
+    const Cell here = cell();
+    call.cells = {here, here};
+    if (kind == Kind::fill || kind == Kind::clear) call.cells.max = {here.i + below(3), here.j + below(3)};
+    if (choices_.chance(3)) call.cells.max.i -= 3;  // mostly an empty rectangle
+    switch (kind) {
+      case Kind::shape:
+      case Kind::addShape:
+      case Kind::replace:
+      case Kind::fill:
+        call.comes = {coming(here, shape())};
+        break;
+      case Kind::add:
+      case Kind::setBlock:
+        call.comes = {coming(here, {polygon()})};
+        break;
+      case Kind::addMany:
+        for (int k = below(5); k > 0; --k) {
+          const Cell there = cell();
+          call.comes.push_back(coming(there, shape()));
+        }
+        break;
+      case Kind::exchange:
+        for (LocalPolygon& p : shape())
+          if (!choices_.chance(20)) call.comes.push_back(coming(here, {std::move(p)}));
+        break;
+      case Kind::group:
+        for (int k = 1 + below(4); k > 0; --k) call.group.push_back(this->call(edit()));
+        call.keeps = static_cast<Call::Keeps>(below(3));
+        break;
+      default:
+        break;
+    }
+    for (Coming& c : call.comes)
+      if (isByShape(kind) && choices_.chance(10)) c.id = kind == Kind::addMany ? kNoShape : 1 + choices_.below(100U);
+    if (kind == Kind::remove || kind == Kind::setBlock) call.goes = {named(here)};
+    if (kind == Kind::removeMany || kind == Kind::exchange) call.goes = several(kind, here);
+    constexpr std::array kNotations{Notation::lattice, Notation::list, Notation::floats, Notation::doubles};
+    call.notation = kNotations[choices_.below(kNotations.size())];
+    call.offset = choices_.below(choices_.chance(habits_.badPercent) ? kOffsets : kSpoiltOffset);
+    call.room = choices_.below(4U);
+    call.nth = choices_.below(16U);
+    return call;
+  }
+
+  Kind kind() {
+    int ticket = below(std::accumulate(habits_.weights.begin(), habits_.weights.end(), 0));
+    std::size_t k = 0;
+    for (; ticket >= habits_.weights[k]; ++k) ticket -= habits_.weights[k];
+    return static_cast<Kind>(k);
+  }
+
+ private:
+  int below(int n) { return choices_.below(n); }
+
+  // An edit, which is no group.
+  Kind edit() {
+    constexpr std::array kEdits{Kind::add,      Kind::addShape,   Kind::addMany, Kind::remove,
+                                Kind::shape,    Kind::removeMany, Kind::replace, Kind::exchange,
+                                Kind::setBlock, Kind::fill,       Kind::clear};
+    return kEdits[choices_.below(kEdits.size())];
+  }
+
+  Cell cell() {
+    const int i = below(habits_.width), j = below(habits_.height);
+    if (choices_.chance(1)) return {kMaxCell - i, kMaxCell};  // a chunk of its own, or out of range
+    return {i, j};
+  }
+
+  LocalPolygon polygon() {
+    LocalPolygon drawn = drawPolygon(choices_);
+    return choices_.chance(habits_.badPercent) ? spoilt(choices_, std::move(drawn)) : drawn;
+  }
+
+  Shape shape() {
+    if (choices_.chance(25)) return {polygon()};
+    Shape shape = degenerateShapes()[choices_.below(degenerateShapes().size())].polygons;
+    const int symmetry = below(8);
+    for (LocalPolygon& p : shape) p = turned(p, symmetry);
+    if (!choices_.chance(habits_.badPercent)) return shape;
+    if (choices_.chance(30)) return choices_.chance(30) ? Shape() : Shape{shape[0], shape[0]};
+    LocalPolygon& any = shape[choices_.below(shape.size())];
+    any = spoilt(choices_, any);
+    return shape;
+  }
+
+  Coming coming(Cell cell, Shape shape) { return {cell, std::move(shape), choices_.below(habits_.blocks)}; }
+
+  Named named(Cell cell) {
+    using enum Named::How;
+    const int ticket = below(100);
+    const Named::How how = ticket < 85 ? standing : ticket < 95 ? given : beside;
+    return {how, cell, choices_.below(how == standing ? 8U : 64U)};
+  }
+
+  // Of one cell for exchange(), as a rule.
+  std::vector<Named> several(Kind kind, Cell here) {
+    std::vector<Named> all;
+    if (choices_.chance(60)) return {{Named::How::all, here, 0}};
+    for (int k = below(4); k > 0; --k) all.push_back(named(kind == Kind::exchange ? here : cell()));
+    return all;
+  }
+
+  Choices& choices_;
+  const Habits& habits_;
+};
+
+LocalPoint drawPoint(Choices& choices, std::int32_t lines) {
+  const std::int32_t x = choices.below(lines + 1), y = choices.below(lines + 1);
+  return {x * (kUnit / lines), y * (kUnit / lines)};
+}
+
+}  // namespace
+
+Habits withMarks(Habits habits) {
+  for (const Kind kind : {Kind::mark, Kind::goBack, Kind::forget}) habits.weights[static_cast<std::size_t>(kind)] = 6;
+  return habits;
+}
+
+Habits withLoads(Habits habits) {
+  habits.weights[static_cast<std::size_t>(Kind::load)] = 2;
+  return habits;
+}
+
+Call drawCall(Choices& choices, const Habits& habits) {
+  Drawer drawer(choices, habits);
+  return drawer.call(drawer.kind());
+}
+
+LocalPolygon drawPolygon(Choices& choices) {
+  const int kind = choices.below(10);
+  if (kind < 7) {
+    const Shape& shape = degenerateShapes()[choices.below(degenerateShapes().size())].polygons;
+    const LocalPolygon& polygon = choices.pick(shape);
+    return turned(polygon, choices.below(8));
+  }
+  if (kind == 7) {  // a box on eighths
+    const std::int32_t left = choices.below(8), floor = choices.below(8);
+    const std::int32_t right = choices.between(left + 1, 8), top = choices.between(floor + 1, 8);
+    constexpr std::int32_t k = kUnit / 8;
+    return {{left * k, floor * k}, {right * k, floor * k}, {right * k, top * k}, {left * k, top * k}};
+  }
+  const std::int32_t lines = kind == 8 ? 8 : kUnit;
+  LocalPolygon triangle;
+  for (int k = 0; k < 3; ++k) triangle.push_back(drawPoint(choices, lines));
+  const auto [a, b, c] = std::tuple(triangle[0], triangle[1], triangle[2]);
+  const std::int64_t turn = std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{b.y - a.y} * (c.x - a.x);
+  if (turn < 0) std::swap(triangle[1], triangle[2]);
+  return triangle;
+}
+
+LocalPolygon spoilt(Choices& choices, LocalPolygon polygon) {
+  const std::size_t n = polygon.size(), k = choices.below(n), m = choices.below(n);
+  switch (choices.below(9)) {
+    case 0:
+      std::reverse(polygon.begin(), polygon.end());
+      break;
+    case 1:
+      polygon.resize(choices.below(3U));
+      break;
+    case 2:  // out of the cell
+      polygon[k].x = choices.chance(50) ? -1 : kUnit + 1;
+      break;
+    case 3:
+      polygon.push_back(polygon[k]);
+      break;
+    case 4:
+      std::swap(polygon[k], polygon[m]);
+      break;
+    case 5:
+      polygon[k] = drawPoint(choices, 8);
+      break;
+    case 6: {  // a new corner in the middle of another edge
+      const LocalPoint a = polygon[m], b = polygon[(m + 1) % n];
+      polygon.insert(polygon.begin() + static_cast<std::ptrdiff_t>(k), {(a.x + b.x) / 2, (a.y + b.y) / 2});
+      break;
+    }
+    case 7:  // no area
+      for (LocalPoint& p : polygon) p.y = p.x;
+      break;
+    default:  // there and back again
+      for (std::size_t left = n; left-- > 0;) polygon.push_back(polygon[left]);
+      break;
+  }
+  return polygon;
+}
+
+}  // namespace lgs::oracle

@@ -1,0 +1,68 @@
+#include "oracle/check/call_check.h"
+
+#include "oracle/reference/compare.h"
+#include "oracle/reference/naive.h"
+#include "oracle/trace/dump.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <utility>
+
+namespace lgs::oracle {
+
+CallCheck::CallCheck(Cell corner, PreservePairs preserve)
+    : preserve_(std::move(preserve)), caller_(World(relationOf(preserve_)), corner) {}
+
+std::optional<std::string> CallCheck::make(const Call& call) {
+  bool isAccepted = true;
+  const std::string wrong = call.kind == Call::Kind::group ? makeGroup(call) : makeOne(call, isAccepted);
+  return wrong.empty() ? std::nullopt : std::optional(fmt::format("{}: {}", inWords(call), wrong));
+}
+
+std::string CallCheck::makeGroup(const Call& call) {
+  const CallModel before = model_;
+  std::string wrong;
+  const bool isKept = caller_.makeGroup(call, [&](const Call& part) {
+    bool isAccepted = false;
+    if (wrong.empty()) wrong = makeOne(part, isAccepted);
+    return isAccepted;
+  });
+  if (!isKept) model_ = before;
+  return wrong;
+}
+
+std::string CallCheck::makeOne(const Call& call, bool& isAccepted) {
+  const Call resolved = caller_.resolved(call);
+  isAccepted = model_.judge(resolved).accepted;
+  if (!isAccepted && !triesRefused) {
+    caller_.makeShapes(resolved);
+    return "";
+  }
+  const Outcome outcome = caller_.makeResolved(resolved);
+  if (std::string wrong = model_.wrongAnswer(resolved, outcome, caller_.world); !wrong.empty()) return wrong;
+  if (!isAccepted) return "";
+  model_.apply(resolved, outcome);
+  if (afterAccepted) afterAccepted(resolved, outcome);
+  return call.kind == Call::Kind::commit || call.kind == Call::Kind::load ? look() : "";
+}
+
+std::string CallCheck::look() const {
+  Scene scene{{}, preserve_};
+  for (const auto& [cell, placed] : model_.standing().cells()) {
+    const std::vector<PlacedPolygon> there = caller_.world.polygons(cell);
+    const auto isThere = [&](const Model::Placed& p) {
+      return std::ranges::any_of(there, [&](const PlacedPolygon& q) {
+        return CallModel::nameOf(q.handle) == p.name && q.block == p.block &&
+               std::ranges::equal(q.vertices, p.vertices);
+      });
+    };
+    if (there.size() != placed.size() || !std::ranges::all_of(placed, isThere))
+      return fmt::format("other polygons stand in cell ({}, {})", cell.i, cell.j);
+    for (const Model::Placed& p : placed) scene.polygons.push_back({cell, p.block, p.vertices});
+  }
+  if (caller_.world.stats().polygons != scene.polygons.size()) return "another number of polygons stands there";
+  const Outline expected = NaiveReference()(scene).outline, actual = outlineOf(caller_.world);
+  return expected == actual ? "" : "the outline is not that of the laws\n" + describe(compare(expected, actual));
+}
+
+}  // namespace lgs::oracle

@@ -1,0 +1,94 @@
+// What a stroke costs: memory, and work in cells with very much in them.
+#include "cells.h"
+#include "proptests/brush/strokes.h"
+#include "proptests/laws/allocations.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace lgs::test::cost {
+namespace {
+
+constexpr std::int64_t kCell = kUnitsPerCell;
+
+/// Allocations of the work on the cut cells of a stroke, without what it then does to the world.
+std::uint64_t allocationsOf(const World& world, const Region& region, brush::Deed deed) {
+  const brush::Coverage coverage = brush::coverage(region);
+  std::uint64_t count = 0;
+  for (const brush::CutCell& cell : coverage.cut) {
+    const std::vector<PlacedPolygon> placed = world.polygons(cell.cell);
+    const std::uint64_t before = allocations().count;
+    const brush::Frame frame;
+    brush::List<brush::CellPolygon> polygons;
+    for (const PlacedPolygon& p : placed) {
+      polygons.push_back({{}, p.block});
+      for (const LocalPoint v : p.vertices) polygons.back().ring.push_back({v.x, v.y});
+    }
+    (void)editOf(polygons, cell.pieces, {deed, 2, region.rule});
+    count += allocations().count - before;
+  }
+  return count;
+}
+
+TEST(BrushCost, ACutCellAllocatesNothing) {
+  const brush::Frame frame;
+  for (const Ground ground : {Ground::solid, Ground::slanted, Ground::halved}) {
+    const World world = worldOf(ground);
+    for (const brush::Deed deed : {brush::Deed::carve, brush::Deed::fill, brush::Deed::replace}) {
+      const Region region = circle({3 * kCell / 2, 3 * kCell / 2 + 77}, kCell + 12'345, 32);
+      (void)allocationsOf(world, region, deed);
+      EXPECT_EQ(allocationsOf(world, region, deed), 0U);
+    }
+  }
+}
+
+/// A ring of spikes around the middle of a cell.
+Ring spikes(std::size_t count) {
+  Ring ring;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto x = static_cast<std::int64_t>(1'000 + 12 * (k / 2));
+    ring.push_back({x + static_cast<std::int64_t>(k % 2) * 6, k % 2 == 0 ? 1'000 : 60'000});
+  }
+  ring.push_back({1'000, 65'000});
+  return ring;
+}
+
+TEST(BrushCost, ARegionWithTooManyEdgesInACellIsRefused) {
+  for (const std::size_t count : {kMaxRegionEdgesPerCell - 100, kMaxRegionEdgesPerCell + 2}) {
+    World world;
+    ASSERT_TRUE(world.add({0, 0}, {{0, 0}, {900, 0}, {900, 300}, {0, 300}}, 1).has_value());
+    const auto carved = carve(world, {{spikes(count)}});
+    EXPECT_EQ(carved.has_value(), count < kMaxRegionEdgesPerCell);
+    if (!carved) {
+      EXPECT_EQ(carved.error().code, ErrorCode::capacity);
+      EXPECT_EQ(carved.error().cell, (Cell{0, 0}));
+    }
+    EXPECT_EQ(world.stats().polygons, 1U);
+  }
+}
+
+// 200 edges from left to right cross 200 from below.
+TEST(BrushCost, ARegionThatCrossesItselfTooOftenIsRefused) {
+  for (const std::int64_t lines : {80, 200}) {
+    Region lattice;
+    for (std::int64_t k = 0; k < lines; ++k) {
+      const std::int64_t at = 1'000 + 300 * k;
+      lattice.rings.push_back({{500, at}, {65'000, at + 3}, {65'000, at + 100}});
+      lattice.rings.push_back({{at, 500}, {at + 100, 65'000}, {at + 3, 65'000}});
+    }
+    World world;
+    const auto carved = carve(world, lattice);
+    EXPECT_TRUE(carved.has_value()) << "an empty cell stays so";
+    ASSERT_TRUE(world.add({0, 0}, {{0, 0}, {900, 0}, {900, 300}, {0, 300}}, 1).has_value());
+    const auto again = carve(world, lattice);
+    EXPECT_EQ(again.has_value(), lines == 80);
+    if (!again) {
+      EXPECT_EQ(again.error().code, ErrorCode::capacity);
+    }
+    EXPECT_EQ(world.stats().polygons, 1U);
+  }
+}
+
+}  // namespace
+}  // namespace lgs::test::cost

@@ -1,0 +1,70 @@
+// The usual cell comes out as it does by an arrangement.
+#include "plain.h"
+#include "cells.h"
+#include "proptests/brush/strokes.h"
+#include "proptests/support/law.h"
+
+#include <gtest/gtest.h>
+
+namespace lgs::test::plain {
+namespace {
+
+using brush::CellEdit;
+using brush::CellPolygon;
+
+void expectSame(const CellEdit& plain, const CellEdit& arranged) {
+  EXPECT_EQ(plain.gone, arranged.gone);
+  EXPECT_EQ(plain.bent, arranged.bent);
+  ASSERT_EQ(plain.placed.size(), arranged.placed.size());
+  for (std::size_t k = 0; k < plain.placed.size(); ++k) {
+    EXPECT_EQ(plain.placed[k].ring, arranged.placed[k].ring);
+    EXPECT_EQ(plain.placed[k].block, arranged.placed[k].block);
+    EXPECT_EQ(plain.placed[k].from, arranged.placed[k].from);
+  }
+}
+
+/// Compares both in each cell that a region cuts. Returns how many of them were plain.
+std::size_t comparePlainCells(const Region& region) {
+  constexpr std::int64_t kEnd = kUnitsPerCell;
+  const brush::Frame frame;
+  const brush::List<CellPolygon> full{{{{0, 0}, {kEnd / 2, 0}, {kEnd, 0}, {kEnd, kEnd}, {0, kEnd}}, 1}};
+  std::size_t plain = 0;
+  for (const brush::CutCell& cell : brush::coverage(region).cut) {
+    for (const auto& polygons : {brush::List<CellPolygon>{}, full}) {
+      for (const brush::Deed deed : {brush::Deed::carve, brush::Deed::fill, brush::Deed::replace}) {
+        const brush::Stroke stroke{deed, 2, region.rule};
+        const auto edit = plainEdit(polygons, cell.pieces, stroke);
+        if (!edit) continue;
+        ++plain;
+        expectSame(*edit, arrangedEdit(polygons, cell.pieces, stroke));
+      }
+    }
+  }
+  return plain;
+}
+
+LGS_LAW(Brush, APlainCellComesOutAsArranged, 3'000, (const AnyRegion& any)) { comparePlainCells(any.region); }
+
+/// Triangles and squares that turn around a corner of four cells, in steps of a few units.
+TEST(Brush, APlainCellComesOutAsArrangedNearACorner) {
+  std::size_t plain = 0;
+  for (const std::int64_t size : {2, 5, 40, 50'000}) {
+    for (int turn = 0; turn < 32; ++turn) {
+      const Ring around = circle({0, 0}, size, 32).rings[0];
+      for (const std::size_t step : {8U, 11U}) {
+        for (std::int64_t x = -3; x <= 3; ++x) {
+          for (std::int64_t y = -3; y <= 3; ++y) {
+            Ring ring;
+            for (std::size_t k = static_cast<std::size_t>(turn); k < 32U + static_cast<std::size_t>(turn); k += step)
+              ring.push_back({kUnitsPerCell + x + around[k % 32].x, kUnitsPerCell + y + around[k % 32].y});
+            plain += comparePlainCells({{ring}});
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(plain, 50'000U) << "they are usual";
+}
+
+}  // namespace
+}  // namespace lgs::test::plain

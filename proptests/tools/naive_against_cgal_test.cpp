@@ -1,0 +1,243 @@
+// The naive reference and CGAL's union against each other, on random degenerate scenes.
+#include "oracle/calls/random.h"
+#include "oracle/cgal/cgal_union.h"
+#include "oracle/check/isolated.h"
+#include "oracle/reference/compare.h"
+#include "oracle/reference/naive.h"
+#include "oracle/reference/scene.h"
+#include "oracle/trace/trace.h"
+#include "proptests/support/law.h"
+#include "proptests/support/scale.h"
+#include "proptests/support/traces.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace lgs::oracle {
+namespace {
+
+using Content = std::vector<std::vector<LocalPoint>>;  // the polygons of one cell
+
+constexpr std::int32_t kFull = kUnitsPerCell;
+constexpr std::int32_t kHalf = kFull / 2;
+constexpr std::int32_t kThird = kFull / 3;
+
+// Contents of a cell that touch each other and the rim in every degenerate way there is; used in all eight symmetries.
+const std::vector<Content> kPalette = {
+    {{{0, 0}, {kFull, 0}, {kFull, kFull}, {0, kFull}}},                                             // full
+    {{{0, 0}, {kFull, 0}, {kFull, kFull}}},                                                         // ramp
+    {{{0, 0}, {kFull, 0}, {kFull, kFull}}, {{0, 0}, {kFull, kFull}, {0, kFull}}},                   // diagonal shared
+    {{{0, 0}, {kFull, 0}, {kFull, kFull}}, {{0, 0}, {kHalf, kHalf}, {0, kFull}}},                   // shared in part
+    {{{0, 0}, {kFull, 0}, {kFull, kFull}}, {{kThird, kThird}, {kThird, kFull}, {0, kFull}}},        // tip on a slope
+    {{{0, 0}, {kFull, 0}, {kFull, kHalf}, {0, kHalf}}},                                             // half tile
+    {{{0, 0}, {kFull, 0}, {kFull, kHalf}, {0, kHalf}}, {{0, kHalf}, {kThird, kHalf}, {0, kFull}}},  // T-contact
+    {{{kHalf, 0}, {kFull, kHalf}, {kHalf, kFull}, {0, kHalf}}},                                     // diamond
+    {{{kHalf, 0}, {kFull, kHalf}, {kHalf, kFull}, {0, kHalf}}, {{0, 0}, {kHalf, 0}, {0, kHalf}}},   // and a corner
+    {{{0, 0}, {kFull, 0}, {kFull, kThird}, {kThird, kThird}, {kThird, kFull}, {0, kFull}}},         // L
+    {{{0, 0},
+      {kFull, 0},
+      {kFull, kFull},
+      {kThird, kFull},
+      {kThird, kHalf},
+      {kHalf, kHalf},
+      {kHalf, kThird},
+      {0, kThird}},
+     {{0, kThird}, {kThird, kHalf}, {kThird, kFull}, {0, kFull}}},                                // pocket, closed
+    {{{kThird, kThird}, {kHalf, kThird}, {kHalf, kHalf}, {kThird, kHalf}}},                       // island
+    {{{0, 0}, {kHalf, kHalf}, {0, kFull}}, {{kFull, 0}, {kFull, kFull}, {kHalf, kHalf}}},         // hourglass
+    {{{0, 1}, {1, 0}, {kFull, kFull - 1}, {kFull - 1, kFull}}},                                   // sliver, by 1 unit
+    {{{0, kThird}, {kFull, 0}, {kFull, kHalf}}, {{0, kThird}, {kFull, kHalf}, {kThird, kFull}}},  // slanted, shared
+    {{{0, 0}, {kThird, 0}, {kHalf, 0}, {kFull, 0}, {kHalf, kThird}}},                             // collinear vertices
+};
+
+class RandomScenes {
+ public:
+  explicit RandomScenes(Random random) : random_(random) {}
+
+  Scene scene(std::int32_t side, Cell origin, Block blocks) {
+    Scene result;
+    for (std::int32_t i = 0; i < side; ++i) {
+      for (std::int32_t j = 0; j < side; ++j) {
+        if (below(8) == 0) continue;
+        const auto symmetry = below(8);
+        for (const auto& shape : kPalette[below(kPalette.size())]) {
+          if (below(6) == 0) continue;
+          result.polygons.push_back({{origin.i + i, origin.j + j}, static_cast<Block>(below(blocks)), {}});
+          result.polygons.back().vertices = transformed(shape, symmetry);
+        }
+      }
+    }
+    return result;
+  }
+
+  PreservePairs anyRelation(Block blocks) {
+    PreservePairs result;
+    for (Block a = 0; a < blocks; ++a) {
+      for (Block b = a; b < blocks; ++b) {
+        if (below(3) == 0) result.add(a, b);
+      }
+    }
+    return result;
+  }
+
+  std::uint64_t below(std::uint64_t limit) { return random_.below(limit); }
+
+ private:
+  static std::vector<LocalPoint> transformed(std::vector<LocalPoint> shape, std::uint64_t symmetry) {
+    for (LocalPoint& p : shape) {
+      if (symmetry & 1) p.x = kFull - p.x;
+      if (symmetry & 2) p.y = kFull - p.y;
+      if (symmetry & 4) std::swap(p.x, p.y);
+    }
+    const bool mirrored = ((symmetry ^ symmetry >> 1 ^ symmetry >> 2) & 1) != 0;
+    if (mirrored) std::reverse(shape.begin(), shape.end());
+    return shape;
+  }
+
+  Random random_;
+};
+
+constexpr std::array kOrigins = {Cell{0, 0}, Cell{-2, -3}, Cell{kMaxCell - 6, -kMaxCell},
+                                 Cell{-kMaxCell, kMaxCell - 6}};
+
+Trace traceOf(const Scene& scene) {
+  Trace trace{scene.preserve, {}};
+  for (const ScenePolygon& polygon : scene.polygons)
+    trace.edits.push_back(Edit::add(fmt::format("p{}", trace.edits.size() + 1), polygon));
+  trace.edits.push_back(Edit::commit());
+  return trace;
+}
+
+/// What the adds of a trace amount to, in their order; there are no removals in these.
+Scene sceneOf(const Trace& trace) {
+  Scene scene;
+  scene.preserve = trace.preserve;
+  for (const Edit& edit : trace.edits)
+    if (edit.kind == Edit::Kind::add) scene.polygons.push_back(edit.polygon);
+  return scene;
+}
+
+/// Scenes as traces, so that they can be made small.
+rc::Gen<Trace> tracesOf(const std::function<Scene(RandomScenes)>& scene) {
+  return test::traces([=](int, Random random) { return traceOf(scene(RandomScenes(random))); });
+}
+
+/// Fails the case that is running where the two references disagree; also where one of them says that the relation
+/// makes no materials.
+void expectAgreement(const Scene& scene, const OwnedOutline& naive, const std::optional<CgalUnion>& united) {
+  test::failUnless(united.has_value() == materials(scene).has_value(),
+                   "CGAL unites where there are no materials, or the reverse");
+  if (!united) return;
+  const OwnedOutline expected{withUnknownLinksOf(naive.outline, united->outline, united->known), united->owner};
+  const auto differences = compare(expected, naive);
+  if (!differences.empty()) test::failIf("the naive reference differs from CGAL:\n" + describe(differences));
+}
+
+TEST(NaiveAgainstCgal, OneMaterial) {
+  const auto scene = [](RandomScenes random) {
+    const auto side = static_cast<std::int32_t>(1 + random.below(6));
+    const Cell origin = kOrigins[random.below(kOrigins.size())];
+    return random.scene(side, origin, 4);
+  };
+  NaiveReference naive;  // one for all scenes: it keeps its buffers from one to the next
+  const auto law = [&](const Trace& trace) {
+    const Scene s = sceneOf(trace);
+    const OwnedOutline& outline = naive(s);
+    const auto united = cgalUnion(s);
+    expectAgreement(s, outline, united);
+    const auto loops = followLinks(outline.outline);
+    test::failUnless(loops.has_value(), "links are not mutual");
+    test::failUnless(canonical(*loops) == canonical(united->loops), "other loops than CGAL's");
+  };
+  test::forAll(1'500, law, tracesOf(scene));
+}
+
+TEST(NaiveAgainstCgal, TenThousandCells) {
+  const auto scene = [](RandomScenes random) { return random.scene(100, {-50, -50}, 2); };
+  EXPECT_GT(scene(RandomScenes(Random(0))).polygons.size(), 10'000U);
+  const auto law = [](const Trace& trace) {
+    const Scene s = sceneOf(trace);
+    NaiveReference naive;
+    expectAgreement(s, naive(s), cgalUnion(s));
+  };
+  test::forAll({.cases = 1}, law, tracesOf(scene));
+}
+
+TEST(NaiveAgainstCgal, SeveralMaterials) {
+  const auto scene = [](RandomScenes random) {
+    const auto side = static_cast<std::int32_t>(1 + random.below(4));
+    const Cell origin = kOrigins[random.below(kOrigins.size())];
+    Scene result = random.scene(side, origin, 5);
+    for (const auto& [a, b] : {std::pair<Block, Block>{0, 1}, {0, 3}, {2, 1}, {2, 3}, {4, 0}, {4, 1}, {4, 2}, {4, 3}}) {
+      result.preserve.add(a, b);  // materials {0, 2}, {1, 3} and {4}
+    }
+    return result;
+  };
+  struct Seen {
+    std::int64_t united = 0;
+    std::int64_t known = 0;
+  };
+  const Shared<Seen> seen;
+  NaiveReference naive;
+  const auto law = [&](const Trace& trace) {
+    const Scene s = sceneOf(trace);
+    const auto united = cgalUnion(s);
+    if (united) {
+      ++seen->united;
+      seen->known += std::count(united->known.begin(), united->known.end(), KnownLinks{});
+    }
+    expectAgreement(s, naive(s), united);
+  };
+  test::forAll(1'000, law, tracesOf(scene));
+  if (HasFailure()) return;
+  EXPECT_EQ(seen->united, test::scaled(1'000));
+  EXPECT_GT(seen->known, 2 * test::scaled(1'000));
+}
+
+TEST(NaiveAgainstCgal, AnyRelationThatHappensToPartition) {
+  const auto scene = [](RandomScenes random) {
+    Scene result = random.scene(2, {0, 0}, 4);
+    result.preserve = random.anyRelation(4);
+    return result;
+  };
+  const Shared<std::int64_t> compared;
+  NaiveReference naive;
+  const auto law = [&](const Trace& trace) {
+    const Scene s = sceneOf(trace);
+    const auto united = cgalUnion(s);
+    *compared += united ? 1 : 0;
+    expectAgreement(s, naive(s), united);
+  };
+  test::forAll(1'500, law, tracesOf(scene));
+  if (HasFailure() || test::testScale() < 1) return;
+  EXPECT_GT(*compared, 100);
+}
+
+TEST(NaiveAgainstCgal, TheOrderOfPolygonsDoesNotMatter) {
+  const auto scene = [](RandomScenes random) {
+    Scene result = random.scene(4, {-1, -1}, 3);
+    result.preserve = random.anyRelation(3);
+    return result;
+  };
+  NaiveReference naive;
+  const auto law = [&](const Trace& trace) {
+    Scene s = sceneOf(trace);
+    const Outline outline = naive(s).outline;
+    std::reverse(s.polygons.begin(), s.polygons.end());
+    const auto differences = compare(outline, naive(s).outline);
+    if (!differences.empty())
+      test::failIf("the outline depends on the order of the polygons:\n" + describe(differences));
+  };
+  test::forAll(50, law, tracesOf(scene));
+}
+
+}  // namespace
+}  // namespace lgs::oracle
