@@ -60,7 +60,7 @@ ROOMS = {
                                             "oracle/generate"],
     "bench/published": ENGINE + ["lib/c/include", "oracle/reference"],
     "bench/ride": ENGINE + ADAPTERS + ORACLE,
-    "bench/instructions": ENGINE + ["lib/brush/include", "lib/brush/src", "oracle/generate"],  # it counts cut cells
+    "bench/instructions": ENGINE + ["lib/brush/include", "lib/brush/src", "oracle/calls"],  # it counts cut cells
     "bench": ENGINE + ADAPTERS + ORACLE + ["bench/published"],
     "cli": ENGINE + ADAPTERS + ORACLE + ["lib/text", "bench", "bench/ride"],
     "examples": ENGINE + ADAPTERS + ["lib/c/include"],

@@ -1,7 +1,7 @@
 #include "strokes.h"
 
 #include "cells.h"
-#include "oracle/generate/shapes.h"
+#include "oracle/calls/shapes.h"
 
 #include <lgs/brush.h>
 
