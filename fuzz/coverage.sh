@@ -38,7 +38,7 @@ for program in "$build"/fuzz/fuzz_*; do
   LGS_FUZZ_OUT=$found "$program" -runs=0 -print_coverage=1 -artifact_prefix="$found/" "$corpus/$target" \
     >"$found/log" 2>&1 || { tail -n 20 "$found/log" >&2; echo "coverage.sh: $program failed" >&2; exit 1; }
   # COVERED_FUNC: hits: 5 edges: 3/7 name file:line
-  sed -n 's/^.*COVERED_FUNC: hits: [0-9]* edges: \([0-9]*\)\/\([0-9]*\) \(.*\) [^ ]*\/\(lib\/\(include\|src\|tiled\|box2d\)\/[^ :]*\):[0-9]*$/\1\t\2\t\4\t\3/p' \
+  sed -n 's/^.*COVERED_FUNC: hits: [0-9]* edges: \([0-9]*\)\/\([0-9]*\) \(.*\) [^ ]*\/\(lib\/\(include\|geometry\|storage\|ground\|outline\|world\|tiled\|box2d\)\/[^ :]*\):[0-9]*$/\1\t\2\t\4\t\3/p' \
     "$found/log" >"$found/$target.edges"
   [[ -s $found/$target.edges ]] ||
     { echo "coverage.sh: $program counts no edges of lib/; was it built for libFuzzer, with -g1?" >&2; exit 1; }

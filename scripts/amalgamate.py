@@ -11,8 +11,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 PUBLIC = [ROOT / "lib/include", ROOT / "lib/brush/include"]
-SOURCES = [ROOT / "lib/src", ROOT / "lib/brush/src"]
-WITHIN = [ROOT / "lib"]  # geometry/ is there
+SOURCES = [ROOT / "lib" / room for room in ("geometry", "storage", "ground", "outline", "world", "brush/src")]
 INCLUDE = re.compile(r'#include ([<"])([^>"]+)[>"]')
 
 
@@ -25,7 +24,7 @@ class Writer:
     def resolve(self, name, place):
         if name == "tl/expected.hpp":
             return self.expected
-        for folder in [place.parent, *PUBLIC, *SOURCES, *WITHIN]:
+        for folder in [place.parent, *PUBLIC, ROOT / "lib"]:
             if (folder / name).is_file():
                 return folder / name
         return None

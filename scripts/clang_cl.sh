@@ -12,10 +12,10 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$work/tl"
 cp /usr/include/tl/expected.hpp "$work/tl" || exit 1
-printf '#include "%s"\n' "$PWD"/lib/{,brush/}src/*.cpp >"$work/engine.cpp"  # at once, as in the two files
+printf '#include "%s"\n' "$PWD"/lib/{geometry,storage,ground,outline,world,brush/src}/*.cpp >"$work/engine.cpp"  # at once, as in the two files
 
 options=(--driver-mode=cl --target=x86_64-pc-windows-msvc -fsyntax-only -ferror-limit=0 /std:c++20 /W4 /EHs-c- /GR-
-         -D LGS_BUILDS_SHARED -I lib -I lib/src -imsvc "$work")
+         -D LGS_BUILDS_SHARED -I lib -imsvc "$work")
 for folder in lib/{,brush/,c/,debug/}include; do options+=(-I "$folder"); done
 while read -r folder; do options+=(-imsvc "$folder"); done < <(
   x86_64-w64-mingw32-g++-posix -x c++ -E -v /dev/null 2>&1 >/dev/null | sed -n '/^#include </,/^End/s/^ //p')

@@ -16,6 +16,7 @@ import tempfile
 
 # What a room may include, beside itself. Rooms further down may include rooms further up, never the other way round.
 ENGINE = ["lib/include"]
+GROUND = ENGINE + ["lib/geometry", "lib/storage"]
 REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/calls", "oracle/trace"]
 ORACLE = REFERENCES + ["oracle/draw", "oracle/engine", "oracle/page", "oracle/generate", "oracle/check"]
 TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out"]
@@ -24,7 +25,10 @@ ROOMS = {
     "lib/include": [],
     "lib/text": [],  # words as people and shells read them: of the importer, the references and the command
     "lib/geometry": ["lib/include"],
-    "lib/src": ["lib/include", "lib/geometry"],
+    "lib/storage": ["lib/include"],
+    "lib/ground": GROUND,
+    "lib/outline": GROUND + ["lib/ground"],
+    "lib/world": GROUND + ["lib/ground", "lib/outline"],
     "lib/c/include": [],
     "lib/c/src": ["lib/include", "lib/c/include"],
     "lib/debug/include": ["lib/include"],
@@ -65,13 +69,13 @@ ROOMS = {
     "packaging": ENGINE,
     "fuzz": ENGINE + ADAPTERS + ORACLE + ["cli"],
     # Unit tests of the engine's and the importer's parts look inside.
-    "proptests": ENGINE + ADAPTERS + ORACLE + ["examples", "lib/geometry", "lib/text", "lib/src", "lib/brush/src",
-                                               "lib/tiled/src", "lib/box2d/src",
+    "proptests": GROUND + ADAPTERS + ORACLE + ["examples", "lib/text", "lib/ground", "lib/outline", "lib/world",
+                                               "lib/brush/src", "lib/tiled/src", "lib/box2d/src",
                                                "bench/published", "bench/ride", "cli"],
     "proptests/consumer": ENGINE + ADAPTERS,  # a project of its own, as a game would be
 }
 # The folders from which a header is found by a path without its room.
-INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/src", "lib/c/include", "lib/debug/include", "lib/brush/include",
+INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/c/include", "lib/debug/include", "lib/brush/include",
                    "lib/brush/src", "lib/tiled/include", "lib/tiled/src", "lib/box2d/include", "lib/box2d/src",
                    "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out/include"]
 # What no file below a folder may include, whatever its room: lib/ is MIT and goes into games.
@@ -138,9 +142,12 @@ def sources(root):
 def test():
     """Plants includes that go up, one for each rule, and expects each to be found."""
     planted = {
-        "lib/src/edit.cpp": '#include "oracle/trace/trace.h"',
+        "lib/world/world.cpp": '#include "oracle/trace/trace.h"',
+        "lib/ground/edit.cpp": '#include "outline/linking.h"',
+        "lib/storage/pages.cpp": '#include "ground/grid.h"',
+        "lib/box2d/src/layers.cpp": '#include "ground/grid.h"',
         "oracle/reference/naive.cpp": '#include "oracle/trace/trace.h"',
-        "oracle/check/checker.cpp": '#include "linking.h"',
+        "oracle/check/checker.cpp": '#include "outline/linking.h"',
         "bench/tiles.cpp": '#include "cli/command.h"',
         "lib/tiled/src/import.cpp": "#include <CGAL/enum.h>",
         "oracle/reference/validity.cpp": '#include "geometry/ring.h"',
@@ -148,7 +155,8 @@ def test():
     }
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
-        for name in ["oracle/trace/trace.h", "lib/src/linking.h", "lib/geometry/ring.h", "cli/command.h"]:
+        for name in ["oracle/trace/trace.h", "lib/outline/linking.h", "lib/ground/grid.h", "lib/geometry/ring.h",
+                     "cli/command.h"]:
             (root / name).parent.mkdir(parents=True, exist_ok=True)
             (root / name).touch()
         for name, line in planted.items():

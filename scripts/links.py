@@ -5,7 +5,7 @@
     scripts/links.py --test    # the check finds broken links and names, planted in a folder of its own
 
 A word of `code`, or of a block of code, is taken for a file's name if it has a slash or ends as the project's sources
-do. The name may be cut short from the left (`src/grid.h`) or stand for several files (`*_test.cpp`). It may also lie in
+do. The name may be cut short from the left (`ground/grid.h`) or stand for several files (`*_test.cpp`). It may also lie in
 a build folder: for `build/release/cli/lgs` the folder `cli/` must exist.
 """
 import argparse
@@ -109,15 +109,15 @@ def fault_of_link(root, file, target):
 
 def test():
     """Plants links and names that lead nowhere, and some that are right; expects the first to be found and no other."""
-    wrong = ["[a](b.md)", "[a](#none)", "[a](src/grid.h#none)", "`src/grid.cpp`", "`lib/grid.h`", "`*_test.cpp`",
+    wrong = ["[a](b.md)", "[a](#none)", "[a](ground/grid.h#none)", "`ground/grid.cpp`", "`lib/grid.h`", "`*_test.cpp`",
              "`README.md`", "    build/release/oracle/lgs check"]
     right = ["    build/release/lib/lgs check my.trace",
-             "[a](src/grid.h), [a](#a-heading-c-and-more), [a](note.md#a-heading-c-and-more)",
-             "`src/grid.h`, `grid.h`, `lib/src/`, `gr*.h`, `out/file`, 1/2 and/or, `1/2`, <https://example.org/b.md>"]
+             "[a](ground/grid.h), [a](#a-heading-c-and-more), [a](note.md#a-heading-c-and-more)",
+             "`ground/grid.h`, `grid.h`, `lib/ground/`, `gr*.h`, `out/file`, 1/2 and/or, `1/2`, <https://example.org/b.md>"]
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
-        (root / "lib/src").mkdir(parents=True)
-        (root / "lib/src/grid.h").touch()
+        (root / "lib/ground").mkdir(parents=True)
+        (root / "lib/ground/grid.h").touch()
         text = "\n".join(["## A heading: `C++`, and more", *wrong, *right])
         (root / "lib/note.md").write_text(text, encoding="utf-8")
         found = [complaint.split(":")[1] for complaint in complaints(root, tracked(root))]

@@ -15,7 +15,8 @@ class Component:
 
 
 COMPONENTS = {
-    "engine": Component(("lib/src", "lib/geometry"), "lgs_engine_tests", "*"),
+    "engine": Component(("lib/geometry", "lib/storage", "lib/ground", "lib/outline", "lib/world"), "lgs_engine_tests",
+                        "*"),
     "importer": Component(("lib/tiled",), "lgs_tests", "Tiled*"),
     "terrain": Component(("lib/box2d/include", "lib/box2d/src", "lib/box2d/v2"), "lgs_box2d_tests", "*"),
 }
