@@ -52,6 +52,15 @@ function(lgs_without_exceptions target)
   endif()
 endfunction()
 
+# lgs_ends_without_memory(<file>...): for the sources of a face, whose functions are noexcept. When memory runs out, what
+# they call throws, in code that does not know of exceptions and would leave things half done. So these files do know of
+# them, and end the program. In WebAssembly nothing throws: the library itself ends it.
+function(lgs_ends_without_memory)
+  if(NOT MSVC AND NOT CMAKE_SYSTEM_PROCESSOR MATCHES "wasm")
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -fexceptions SKIP_PRECOMPILE_HEADERS ON)
+  endif()
+endfunction()
+
 # lgs_quick_to_build(<target> <headers>...), lgs_quick_to_build(<target> REUSE_FROM <other>): for code whose own speed
 # does not matter, as tests and commands, where all that takes long is in libraries. It is optimised little, with
 # sanitizers not at all, and the headers that take longest to read are read once, here or for the other target.

@@ -84,10 +84,10 @@ Expected<void> writeReals(const World::Impl& world, std::span<const SegmentId> i
 
 }  // namespace
 
-World::World(PreserveRelation preserve) : impl_(std::make_unique<Impl>(std::move(preserve))) {}
-World::~World() = default;
-World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
-World& World::operator=(const World& other) {
+World::World(PreserveRelation preserve) noexcept : impl_(std::make_unique<Impl>(std::move(preserve))) {}
+World::~World() noexcept = default;
+World::World(const World& other) noexcept : impl_(std::make_unique<Impl>(*other.impl_)) {}
+World& World::operator=(const World& other) noexcept {
   World copy(other);
   impl_.swap(copy.impl_);
   return *this;
@@ -97,22 +97,24 @@ World& World::operator=(World&&) noexcept = default;
 
 // --- Shapes
 
-Expected<ShapeId> World::shape(std::span<const LocalPoint> polygon) { return impl_->edit.shape({&polygon, 1}); }
-Expected<ShapeId> World::shape(std::initializer_list<LocalPoint> polygon) {
+Expected<ShapeId> World::shape(std::span<const LocalPoint> polygon) noexcept {
+  return impl_->edit.shape({&polygon, 1});
+}
+Expected<ShapeId> World::shape(std::initializer_list<LocalPoint> polygon) noexcept {
   return shape(std::span<const LocalPoint>(polygon));
 }
-Expected<ShapeId> World::shape(std::span<const FloatPoint> polygon) {
+Expected<ShapeId> World::shape(std::span<const FloatPoint> polygon) noexcept {
   return round(polygon, impl_->rounded).and_then([&] { return shape(std::span<const LocalPoint>(impl_->rounded)); });
 }
-Expected<ShapeId> World::shape(std::span<const DoublePoint> polygon) {
+Expected<ShapeId> World::shape(std::span<const DoublePoint> polygon) noexcept {
   return round(polygon, impl_->rounded).and_then([&] { return shape(std::span<const LocalPoint>(impl_->rounded)); });
 }
-Expected<ShapeId> World::shape(std::span<const std::vector<LocalPoint>> polygons) {
+Expected<ShapeId> World::shape(std::span<const std::vector<LocalPoint>> polygons) noexcept {
   const std::vector<detail::PolygonView> views(polygons.begin(), polygons.end());
   return impl_->edit.shape(views);
 }
 
-Expected<std::vector<std::span<const LocalPoint>>> World::polygonsOf(ShapeId shape) const {
+Expected<std::vector<std::span<const LocalPoint>>> World::polygonsOf(ShapeId shape) const noexcept {
   const std::vector<detail::PolygonId>& polygons = impl_->ground.catalogue.shape(shape).polygons;
   if (polygons.empty()) return refuse({.code = ErrorCode::unknownShape});
   std::vector<std::span<const LocalPoint>> out;
@@ -120,7 +122,7 @@ Expected<std::vector<std::span<const LocalPoint>>> World::polygonsOf(ShapeId sha
   return out;
 }
 
-Expected<LocalBox> World::boundingBox(ShapeId shape) const {
+Expected<LocalBox> World::boundingBox(ShapeId shape) const noexcept {
   const auto all = polygonsOf(shape);
   if (!all) return refuse(all.error());
   LocalBox box{all->front().front(), all->front().front()};
@@ -134,45 +136,50 @@ Expected<LocalBox> World::boundingBox(ShapeId shape) const {
 
 // --- Edits
 
-Expected<PolygonHandle> World::add(Cell cell, ShapeId shape, Block block) {
+Expected<PolygonHandle> World::add(Cell cell, ShapeId shape, Block block) noexcept {
   if (PolygonHandle handle; impl_->edit.addSole(cell, shape, block, handle)) return handle;
   return impl_->edit.add(cell, shape, block, {});
 }
-Expected<PolygonHandle> World::add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
+Expected<PolygonHandle> World::add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) noexcept {
   return impl_->edit.add(cell, shape, block, handles);
 }
-Expected<PolygonHandle> World::add(Cell cell, std::span<const LocalPoint> polygon, Block block) {
+Expected<PolygonHandle> World::add(Cell cell, std::span<const LocalPoint> polygon, Block block) noexcept {
   return impl_->edit.add(cell, polygon, block);
 }
-Expected<PolygonHandle> World::add(Cell cell, std::initializer_list<LocalPoint> polygon, Block block) {
+Expected<PolygonHandle> World::add(Cell cell, std::initializer_list<LocalPoint> polygon, Block block) noexcept {
   return impl_->edit.add(cell, polygon, block);
 }
-Expected<PolygonHandle> World::add(Cell cell, std::span<const FloatPoint> polygon, Block block) {
+Expected<PolygonHandle> World::add(Cell cell, std::span<const FloatPoint> polygon, Block block) noexcept {
   return roundIn(cell, polygon, impl_->rounded).and_then([&] { return impl_->edit.add(cell, impl_->rounded, block); });
 }
-Expected<PolygonHandle> World::add(Cell cell, std::span<const DoublePoint> polygon, Block block) {
+Expected<PolygonHandle> World::add(Cell cell, std::span<const DoublePoint> polygon, Block block) noexcept {
   return roundIn(cell, polygon, impl_->rounded).and_then([&] { return impl_->edit.add(cell, impl_->rounded, block); });
 }
-Expected<void> World::addMany(std::span<const Placement> placements, std::span<PolygonHandle> handles) {
+Expected<void> World::addMany(std::span<const Placement> placements, std::span<PolygonHandle> handles) noexcept {
   return impl_->edit.addMany(placements, handles);
 }
-Expected<void> World::remove(PolygonHandle polygon) { return impl_->edit.remove(polygon); }
-Expected<void> World::removeMany(std::span<const PolygonHandle> polygons) { return impl_->edit.removeMany(polygons); }
-Expected<PolygonHandle> World::replace(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles) {
+Expected<void> World::remove(PolygonHandle polygon) noexcept { return impl_->edit.remove(polygon); }
+Expected<void> World::removeMany(std::span<const PolygonHandle> polygons) noexcept {
+  return impl_->edit.removeMany(polygons);
+}
+Expected<PolygonHandle> World::replace(Cell cell, ShapeId shape, Block block,
+                                       std::span<PolygonHandle> handles) noexcept {
   return impl_->edit.replace(cell, shape, block, handles);
 }
 Expected<void> World::exchange(Cell cell, std::span<const PolygonHandle> removed, std::span<const NewPolygon> added,
-                               std::span<PolygonHandle> handles) {
+                               std::span<PolygonHandle> handles) noexcept {
   return impl_->edit.exchange(cell, removed, added, handles);
 }
-Expected<void> World::setBlock(PolygonHandle polygon, Block block) { return impl_->edit.setBlock(polygon, block); }
-Expected<std::uint64_t> World::fill(const CellRect& cells, ShapeId shape, Block block) {
+Expected<void> World::setBlock(PolygonHandle polygon, Block block) noexcept {
+  return impl_->edit.setBlock(polygon, block);
+}
+Expected<std::uint64_t> World::fill(const CellRect& cells, ShapeId shape, Block block) noexcept {
   return impl_->edit.fill(cells, shape, block);
 }
-Expected<std::uint64_t> World::clear(const CellRect& cells) { return impl_->edit.clear(cells); }
+Expected<std::uint64_t> World::clear(const CellRect& cells) noexcept { return impl_->edit.clear(cells); }
 
-const Changes& World::commit() { return commit({}); }
-const Changes& World::commit(const Executor& executor) {
+const Changes& World::commit() noexcept { return commit({}); }
+const Changes& World::commit(const Executor& executor) noexcept {
   impl_->outline.update(impl_->ground, executor);
   impl_->ground.commit();
   return impl_->outline.changes();
@@ -180,30 +187,30 @@ const Changes& World::commit(const Executor& executor) {
 
 // --- Going back
 
-Mark World::checkpoint() { return impl_->history.mark(); }
+Mark World::checkpoint() noexcept { return impl_->history.mark(); }
 
-Expected<void> World::rollBack(Mark mark) {
+Expected<void> World::rollBack(Mark mark) noexcept {
   if (!impl_->history.knows(mark)) return refuse({.code = ErrorCode::unknownMark});
   impl_->history.rollBack(mark, impl_->changesOfRollBack);
   return {};
 }
 
-const Changes& World::changesOfRollBack() const { return impl_->changesOfRollBack; }
+const Changes& World::changesOfRollBack() const noexcept { return impl_->changesOfRollBack; }
 
-Expected<void> World::forget(Mark mark) {
+Expected<void> World::forget(Mark mark) noexcept {
   if (!impl_->history.knows(mark)) return refuse({.code = ErrorCode::unknownMark});
   impl_->history.forget(mark);
   return {};
 }
 
-Transaction::Transaction(World& world) : world_(&world), mark_(world.impl_->history.mark(true)) {}
+Transaction::Transaction(World& world) noexcept : world_(&world), mark_(world.impl_->history.mark(true)) {}
 
-void Transaction::keep() {
+void Transaction::keep() noexcept {
   if (mark_) static_cast<void>(world_->forget(std::exchange(mark_, {})));
 }
 
 // A commit has handed out what was edited before it, so that can not be taken back in silence.
-Transaction::~Transaction() {
+Transaction::~Transaction() noexcept {
   if (!mark_) return;  // kept
   detail::History& history = world_->impl_->history;
   if (!history.knows(mark_)) return;  // the world went back to a moment before it
@@ -214,13 +221,14 @@ Transaction::~Transaction() {
 
 // --- Saving
 
-Expected<void> World::save(const ByteSink& sink) const {
+Expected<void> World::save(const ByteSink& sink) const noexcept {
   if (!impl_->ground.changedChunks().empty()) return refuse({.code = ErrorCode::uncommitted});
   detail::save(impl_->ground, impl_->outline, sink);
   return {};
 }
 
-tl::expected<World, SnapshotError> World::load(std::span<const std::byte> snapshot, PreserveRelation preserve) {
+tl::expected<World, SnapshotError> World::load(std::span<const std::byte> snapshot,
+                                               PreserveRelation preserve) noexcept {
   World world(std::move(preserve));
   if (const auto error = detail::load(snapshot, world.impl_->ground, world.impl_->outline))
     return tl::unexpected(*error);
@@ -229,69 +237,73 @@ tl::expected<World, SnapshotError> World::load(std::span<const std::byte> snapsh
 
 // --- Reading the ground
 
-std::vector<PlacedPolygon> World::polygons(Cell cell) const {
+std::vector<PlacedPolygon> World::polygons(Cell cell) const noexcept {
   std::vector<PlacedPolygon> out;
   polygons(cell, out);
   return out;
 }
-void World::polygons(Cell cell, std::vector<PlacedPolygon>& out) const { detail::polygonsOf(impl_->ground, cell, out); }
-bool World::isEmpty(Cell cell) const {
+void World::polygons(Cell cell, std::vector<PlacedPolygon>& out) const noexcept {
+  detail::polygonsOf(impl_->ground, cell, out);
+}
+bool World::isEmpty(Cell cell) const noexcept {
   return impl_->ground.contentId(impl_->ground.grid.find(cell)) == detail::kEmptyContent;
 }
-void World::forEachPolygon(const PolygonVisitor& visit) const { forEachPolygon(detail::kWholeWorld, visit); }
-void World::forEachPolygon(const CellRect& cells, const PolygonVisitor& visit) const {
+void World::forEachPolygon(const PolygonVisitor& visit) const noexcept { forEachPolygon(detail::kWholeWorld, visit); }
+void World::forEachPolygon(const CellRect& cells, const PolygonVisitor& visit) const noexcept {
   detail::forEachPolygon(impl_->ground, cells, visit);
 }
-std::optional<CellRect> World::bounds() const { return boundsOf(impl_->ground); }
-Spot World::at(Point point) const { return spotAt(impl_->ground, point); }
+std::optional<CellRect> World::bounds() const noexcept { return boundsOf(impl_->ground); }
+Spot World::at(Point point) const noexcept { return spotAt(impl_->ground, point); }
 
-Expected<PlacedPolygon> World::polygon(PolygonHandle handle) const {
+Expected<PlacedPolygon> World::polygon(PolygonHandle handle) const noexcept {
   if (const auto found = polygonOf(impl_->ground, handle)) return *found;
   return refuse({.code = ErrorCode::staleHandle, .other = handle});
 }
 
-Expected<Cell> World::cellOf(PolygonHandle handle) const {
+Expected<Cell> World::cellOf(PolygonHandle handle) const noexcept {
   return polygon(handle).map([&](const PlacedPolygon&) { return impl_->ground.grid.cellOf(handle.cellRef); });
 }
 
-bool samePolygons(const World& a, const World& b) {
+bool samePolygons(const World& a, const World& b) noexcept {
   return holdsPolygonsOf(a.impl_->ground, b.impl_->ground) && holdsPolygonsOf(b.impl_->ground, a.impl_->ground);
 }
 
-const PreserveRelation& World::preserveRelation() const { return impl_->ground.preserve; }
+const PreserveRelation& World::preserveRelation() const noexcept { return impl_->ground.preserve; }
 
 // --- Reading the outline
 
-Expected<Segment> World::segment(SegmentId id) const {
+Expected<Segment> World::segment(SegmentId id) const noexcept {
   if (!impl_->outline.segments.isLive(id.value)) return refuse({.code = ErrorCode::unknownSegment, .segment = id});
   return segmentOf(impl_->ground.grid, impl_->outline, id.value);
 }
-Expected<void> World::segments(std::span<const SegmentId> ids, std::span<Segment> out) const {
+Expected<void> World::segments(std::span<const SegmentId> ids, std::span<Segment> out) const noexcept {
   return write(*impl_, ids, out, [](const Segment& s) { return s; });
 }
-Expected<void> World::segments(std::span<const SegmentId> ids, Point origin, std::span<FloatSegment> out) const {
+Expected<void> World::segments(std::span<const SegmentId> ids, Point origin,
+                               std::span<FloatSegment> out) const noexcept {
   return writeReals(*impl_, ids, origin, out);
 }
-Expected<void> World::segments(std::span<const SegmentId> ids, Point origin, std::span<DoubleSegment> out) const {
+Expected<void> World::segments(std::span<const SegmentId> ids, Point origin,
+                               std::span<DoubleSegment> out) const noexcept {
   return writeReals(*impl_, ids, origin, out);
 }
-std::vector<SegmentId> World::segments() const { return liveSegments(impl_->outline); }
-std::vector<SegmentId> World::segments(const CellRect& cells) const {
+std::vector<SegmentId> World::segments() const noexcept { return liveSegments(impl_->outline); }
+std::vector<SegmentId> World::segments(const CellRect& cells) const noexcept {
   return segmentsIn(impl_->ground.grid, impl_->outline, cells);
 }
-std::vector<Loop> World::loops(Collinear collinear) const {
+std::vector<Loop> World::loops(Collinear collinear) const noexcept {
   return loopsOf(impl_->ground.grid, impl_->outline, collinear);
 }
-Expected<Nearest> World::nearest(Point point, double radius) const {
+Expected<Nearest> World::nearest(Point point, double radius) const noexcept {
   return detail::nearest(impl_->ground.grid, impl_->outline, point, radius);
 }
-Expected<RayHit> World::rayCast(Point from, Point to) const {
+Expected<RayHit> World::rayCast(Point from, Point to) const noexcept {
   return detail::rayCast(impl_->ground.grid, impl_->outline, from, to);
 }
-std::uint64_t World::version() const { return impl_->outline.version(); }
-std::uint32_t World::maxSegmentId() const { return impl_->outline.segments.maxId(); }
+std::uint64_t World::version() const noexcept { return impl_->outline.version(); }
+std::uint32_t World::maxSegmentId() const noexcept { return impl_->outline.segments.maxId(); }
 
-Stats World::stats() const {
+Stats World::stats() const noexcept {
   Stats stats;
   count(impl_->ground, stats);
   stats.segments = impl_->outline.liveCount();

@@ -9,11 +9,13 @@ namespace {
 // For each thread: counters that threads share would cost the tests of this program a tenth of their time.
 thread_local std::uint64_t newCalls;
 thread_local std::int64_t liveBytes;
+thread_local std::uint64_t mostCalls = UINT64_MAX;
 
 // In front of each block: its size, and as much room as keeps the block aligned.
 constexpr std::size_t kHeader = alignof(std::max_align_t);
 
 void* allocate(std::size_t size, std::size_t alignment = kHeader) noexcept {
+  if (newCalls >= mostCalls) return nullptr;
   const std::size_t whole = (alignment + size + alignment - 1) / alignment * alignment;
   auto* block = static_cast<std::byte*>(std::aligned_alloc(alignment, whole));
   if (!block) return nullptr;
@@ -59,5 +61,7 @@ void operator delete[](void* p, const std::nothrow_t&) noexcept { release(p); }
 namespace lgs::test {
 
 Allocations allocations() { return {newCalls, liveBytes}; }
+
+void memoryRunsOutAfter(std::uint64_t allocations) { mostCalls = newCalls + allocations; }
 
 }  // namespace lgs::test

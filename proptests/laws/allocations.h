@@ -11,4 +11,7 @@ struct Allocations {
 };
 Allocations allocations();
 
+/// From now on the calling thread gets memory so many times, and then never again.
+void memoryRunsOutAfter(std::uint64_t allocations);
+
 }  // namespace lgs::test

@@ -46,12 +46,12 @@ Expected<BrushResult> brushed(World& world, const Region& region, const brush::S
 
 }  // namespace
 
-Expected<BrushResult> paint(World& world, const Region& region, Block block, PaintMode mode) {
+Expected<BrushResult> paint(World& world, const Region& region, Block block, PaintMode mode) noexcept {
   return brushed(world, region,
                  {mode == PaintMode::fill ? brush::Deed::fill : brush::Deed::replace, block, region.rule});
 }
 
-Expected<BrushResult> carve(World& world, const Region& region) {
+Expected<BrushResult> carve(World& world, const Region& region) noexcept {
   return brushed(world, region, {brush::Deed::carve, 0, region.rule});
 }
 

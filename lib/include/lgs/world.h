@@ -9,6 +9,9 @@
 // Edits are checked at once, and refused as a whole (error.h). They change the polygons at once, and the segments with
 // the next commit(). A World is one value with one owner. Calls that are const are safe beside each other; beside a
 // call that is not const no other call is safe.
+//
+// Every function is noexcept. When memory runs out the program ends, so no world is ever left half changed; and so it
+// ends if a function that the world was given (a relation, an executor, a visitor, a sink) throws.
 #pragma once
 
 #include <lgs/error.h>
@@ -101,12 +104,12 @@ class Transaction;
 class World {
  public:
   /// An empty world. Without a relation, whatever two polygons share is cancelled.
-  explicit World(PreserveRelation preserve = {});
-  ~World();
+  explicit World(PreserveRelation preserve = {}) noexcept;
+  ~World() noexcept;
   /// A copy has the same polygons, handles, shapes, segments, marks and edits that are not committed. From then on the
   /// same edits give the same ids and lists in both. Cost: in proportion to the world.
-  World(const World&);
-  World& operator=(const World&);
+  World(const World&) noexcept;
+  World& operator=(const World&) noexcept;
   World(World&&) noexcept;  ///< a world that was moved from can only be assigned to or destroyed
   World& operator=(World&&) noexcept;
 
@@ -116,52 +119,54 @@ class World {
   /// counter-clockwise, have a positive area and be inside the closed cell. The same polygons, vertex by vertex, give
   /// the same id. A shape is never forgotten. Cost: a hash; the first time O(n log n) for one polygon, O(n²) for
   /// several or for one that is refused.
-  [[nodiscard]] Expected<ShapeId> shape(std::span<const LocalPoint> polygon);
-  [[nodiscard]] Expected<ShapeId> shape(std::initializer_list<LocalPoint> polygon);
-  [[nodiscard]] Expected<ShapeId> shape(std::span<const FloatPoint> polygon);
-  [[nodiscard]] Expected<ShapeId> shape(std::span<const DoublePoint> polygon);
-  [[nodiscard]] Expected<ShapeId> shape(std::span<const std::vector<LocalPoint>> polygons);
+  [[nodiscard]] Expected<ShapeId> shape(std::span<const LocalPoint> polygon) noexcept;
+  [[nodiscard]] Expected<ShapeId> shape(std::initializer_list<LocalPoint> polygon) noexcept;
+  [[nodiscard]] Expected<ShapeId> shape(std::span<const FloatPoint> polygon) noexcept;
+  [[nodiscard]] Expected<ShapeId> shape(std::span<const DoublePoint> polygon) noexcept;
+  [[nodiscard]] Expected<ShapeId> shape(std::span<const std::vector<LocalPoint>> polygons) noexcept;
 
   /// The polygons of a shape, in its order. Valid until the next shape is made. Refused: unknownShape.
-  Expected<std::vector<std::span<const LocalPoint>>> polygonsOf(ShapeId shape) const;
+  Expected<std::vector<std::span<const LocalPoint>>> polygonsOf(ShapeId shape) const noexcept;
 
   /// The least box around the polygons of a shape. Refused: unknownShape. Cost: it looks at each vertex.
-  Expected<LocalBox> boundingBox(ShapeId shape) const;
+  Expected<LocalBox> boundingBox(ShapeId shape) const noexcept;
 
   // --- Edits --------------------------------------------------------------------------------------------------------
 
   /// Places every polygon of a shape in a cell, all with this block. Returns the handle of the shape's first polygon.
   /// Refused: cellOutOfRange, unknownShape, overlap, capacity. Cost: O(1) in a cell that is empty.
-  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block);
+  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block) noexcept;
 
   /// The same. `handles` receives the handles of all polygons in the shape's order, or as many as it has room for.
-  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block, std::span<PolygonHandle> handles);
+  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block,
+                                            std::span<PolygonHandle> handles) noexcept;
 
   /// The same for a polygon given by its vertices. If it was seen before this costs a hash, otherwise it is validated.
-  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::span<const LocalPoint> polygon, Block block);
-  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::initializer_list<LocalPoint> polygon, Block block);
-  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::span<const FloatPoint> polygon, Block block);
-  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::span<const DoublePoint> polygon, Block block);
+  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::span<const LocalPoint> polygon, Block block) noexcept;
+  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::initializer_list<LocalPoint> polygon, Block block) noexcept;
+  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::span<const FloatPoint> polygon, Block block) noexcept;
+  [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::span<const DoublePoint> polygon, Block block) noexcept;
 
   /// Places many shapes, each as add() would, one after the other: all of them or none. `handles` receives what add()
   /// would return for each, or as many as it has room for; null handles, if an entry is refused. Refused as by add(),
   /// and Error::index says for which one; if it overlaps an earlier one, index2 says which. Refused without an index:
   /// capacity, if there are more than kMaxEntries. Cost: as of single edits; or as of those while there is a mark, if a
   /// cell is not empty or a shape has several polygons.
-  [[nodiscard]] Expected<void> addMany(std::span<const Placement> placements, std::span<PolygonHandle> handles = {});
+  [[nodiscard]] Expected<void> addMany(std::span<const Placement> placements,
+                                       std::span<PolygonHandle> handles = {}) noexcept;
 
   /// Removes one polygon. Refused: staleHandle; capacity, if what is left in the cell would be a content too many.
-  [[nodiscard]] Expected<void> remove(PolygonHandle polygon);
+  [[nodiscard]] Expected<void> remove(PolygonHandle polygon) noexcept;
 
   /// Removes many polygons: all of them or none. Refused as by remove(), and Error::index says for which one; so for a
   /// handle that comes twice, and index2 says where it came first. Refused without an index: capacity, if there are
   /// more than kMaxEntries. Cost: as of addMany().
-  [[nodiscard]] Expected<void> removeMany(std::span<const PolygonHandle> polygons);
+  [[nodiscard]] Expected<void> removeMany(std::span<const PolygonHandle> polygons) noexcept;
 
   /// Puts a shape in the place of all polygons of a cell, which may be empty: both happen, or neither. Returns the
   /// handle of the shape's first polygon; `handles` is as for add(). Refused: as by add(), but never for overlap.
   [[nodiscard]] Expected<PolygonHandle> replace(Cell cell, ShapeId shape, Block block,
-                                                std::span<PolygonHandle> handles = {});
+                                                std::span<PolygonHandle> handles = {}) noexcept;
 
   /// Takes some polygons of a cell away and places others: all of it, or nothing. The others of the cell stay. `handles`
   /// receives the handles of `added`, or as many as it has room for. Only what stands in the cell at the end must fit:
@@ -169,36 +174,37 @@ class World {
   /// this cell or comes twice, and Error::index says which; as by shape(), and by add() for what stays. Cost: as of one
   /// add().
   [[nodiscard]] Expected<void> exchange(Cell cell, std::span<const PolygonHandle> removed,
-                                        std::span<const NewPolygon> added, std::span<PolygonHandle> handles = {});
+                                        std::span<const NewPolygon> added,
+                                        std::span<PolygonHandle> handles = {}) noexcept;
 
   /// Gives a polygon another block. It keeps its handle and its place. The next commit removes its segments and adds
   /// them again, as another block is another owner; all others keep their ids. Refused: staleHandle; capacity, if a
   /// preserve relation makes one content too many of the cell.
-  [[nodiscard]] Expected<void> setBlock(PolygonHandle polygon, Block block);
+  [[nodiscard]] Expected<void> setBlock(PolygonHandle polygon, Block block) noexcept;
 
   /// Places a shape in every cell of a rectangle, or in none. Returns the number of cells. Refused as add() would be
   /// for the first cell, by rows from `min`, that add() would refuse; but cellOutOfRange names a corner of the
   /// rectangle that is out of range. An empty rectangle is no error.
-  [[nodiscard]] Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block);
+  [[nodiscard]] Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block) noexcept;
 
   /// Removes every polygon in every cell of a rectangle. Returns the number of polygons removed. Refused:
   /// cellOutOfRange, with a corner of the rectangle that is out of range.
-  Expected<std::uint64_t> clear(const CellRect& cells);
-  Expected<std::uint64_t> clear(Cell cell) { return clear(CellRect{cell, cell}); }
+  Expected<std::uint64_t> clear(const CellRect& cells) noexcept;
+  Expected<std::uint64_t> clear(Cell cell) noexcept { return clear(CellRect{cell, cell}); }
 
   /// Begins a group of edits that happens as a whole or not at all.
-  [[nodiscard]] Transaction edit();
+  [[nodiscard]] Transaction edit() noexcept;
 
   /// Brings the segments up to date with all edits since the last commit. The result is valid until the next commit
   /// or roll-back. Cost: in proportion to the contents of the edited cells and of the eight around each. Allocates
   /// nothing once the world has reached its size.
-  const Changes& commit();
+  const Changes& commit() noexcept;
 
   /// The same to the last id and its place in the lists, on the executor's threads if the world has no segments yet, as
   /// in its first commit. Then there is most work to spread. Any other commit is as above, and so is one with an empty
   /// executor. On threads the preserve relation is called from several of them at a time. A job is the work on a chunk
   /// of 32×32 cells, and throws nothing. Allocates working memory in proportion to the cells with segments.
-  const Changes& commit(const Executor& executor);
+  const Changes& commit(const Executor& executor) noexcept;
 
   // --- Going back ---------------------------------------------------------------------------------------------------
   //
@@ -210,26 +216,26 @@ class World {
 
   /// Notes this moment. Edits may be pending. A mark is for this world and its later copies; no other world of this
   /// process ever makes the same one. Its number says nothing else, and is another one in another run. Cost: O(1).
-  [[nodiscard]] Mark checkpoint();
+  [[nodiscard]] Mark checkpoint() noexcept;
 
   /// Goes back to a mark. The mark stays, so that the world can go back to it again; later ones are void.
   /// changesOfRollBack() then says what this did to the segments. Refused: unknownMark. Cost: in proportion to the
   /// edits since the mark.
-  [[nodiscard]] Expected<void> rollBack(Mark mark);
+  [[nodiscard]] Expected<void> rollBack(Mark mark) noexcept;
 
   /// What the last rollBack() did to the segments, for those who followed all commits: the three lists of a commit, by
   /// id. One thing is different: an id that named one segment and names another one now is removed, and then added.
-  const Changes& changesOfRollBack() const;
+  const Changes& changesOfRollBack() const noexcept;
 
   /// Lets go of a mark. Other marks stay. Refused: unknownMark.
-  Expected<void> forget(Mark mark);
+  Expected<void> forget(Mark mark) noexcept;
 
   // --- Saving -------------------------------------------------------------------------------------------------------
 
   /// Writes the world as bytes: polygons, handles, shapes and segment ids. Marks are not written, nor is the preserve
   /// relation, which is a function. Refused: uncommitted. Cost: in proportion to the world. Full blocks take less than
   /// a byte for each cell, ramps some four.
-  [[nodiscard]] Expected<void> save(const ByteSink& sink) const;
+  [[nodiscard]] Expected<void> save(const ByteSink& sink) const noexcept;
 
   /// The world that was saved. It goes on exactly: the same edits give the same ids and lists as if it had never been
   /// saved (law 12). It has no marks. `snapshot` is what save() wrote and nothing more: a file with more in it says how
@@ -237,100 +243,101 @@ class World {
   /// cut, damaged or made up are refused; they take no more memory than a constant for each byte. Cost: in proportion
   /// to the world, and quadratic in the vertices of each content of a cell, as shape() is.
   [[nodiscard]] static tl::expected<World, SnapshotError> load(std::span<const std::byte> snapshot,
-                                                               PreserveRelation preserve = {});
+                                                               PreserveRelation preserve = {}) noexcept;
 
   // --- Reading ------------------------------------------------------------------------------------------------------
 
   /// The polygons of a cell, after all edits, committed or not. A cell out of range holds none.
-  std::vector<PlacedPolygon> polygons(Cell cell) const;
-  void polygons(Cell cell, std::vector<PlacedPolygon>& out) const;  ///< the same, replacing the content of `out`
+  std::vector<PlacedPolygon> polygons(Cell cell) const noexcept;
+  void polygons(Cell cell,
+                std::vector<PlacedPolygon>& out) const noexcept;  ///< the same, replacing the content of `out`
 
   /// Whether a cell holds no polygon. A cell out of range holds none.
-  bool isEmpty(Cell cell) const;
+  bool isEmpty(Cell cell) const noexcept;
 
   /// Calls visit(cell, polygon) for every placed polygon, buried ones too: chunk by chunk, in the order in which edits
   /// first reached the chunks; each by rows, each cell by handle. The second form visits the cells of a rectangle, and
   /// chunks in any order. `visit` must not change the world. Cost: in proportion to the cells that have a chunk.
   using PolygonVisitor = std::function<void(Cell, const PlacedPolygon&)>;
   /// See PolygonVisitor.
-  void forEachPolygon(const PolygonVisitor& visit) const;
-  void forEachPolygon(const CellRect& cells, const PolygonVisitor& visit) const;
+  void forEachPolygon(const PolygonVisitor& visit) const noexcept;
+  void forEachPolygon(const CellRect& cells, const PolygonVisitor& visit) const noexcept;
 
   /// The least rectangle of cells with all placed polygons; nothing in an empty world. Cost: as of forEachPolygon().
-  std::optional<CellRect> bounds() const;
+  std::optional<CellRect> bounds() const noexcept;
 
   /// The polygon of a handle, after all edits, committed or not. Refused: staleHandle.
-  Expected<PlacedPolygon> polygon(PolygonHandle handle) const;
+  Expected<PlacedPolygon> polygon(PolygonHandle handle) const noexcept;
   /// The cell of a polygon. Refused: staleHandle.
-  Expected<Cell> cellOf(PolygonHandle handle) const;
+  Expected<Cell> cellOf(PolygonHandle handle) const noexcept;
 
   /// A segment as of the last commit. Its `polygon` is stale if that was removed since. Refused: unknownSegment.
-  Expected<Segment> segment(SegmentId id) const;
+  Expected<Segment> segment(SegmentId id) const noexcept;
 
   /// Many segments: out[k] is that of ids[k], for as many as `out` has room for. The others give them in cells from
   /// an origin: differences are exact before they are rounded, and `double` is exact. Refused: unknownSegment, where
   /// Error::index says for which one, and what comes before it is in `out`; outOfReach, if the origin is out of range;
   /// capacity, if these are more than kMaxEntries.
-  Expected<void> segments(std::span<const SegmentId> ids, std::span<Segment> out) const;
-  Expected<void> segments(std::span<const SegmentId> ids, Point origin, std::span<FloatSegment> out) const;
-  Expected<void> segments(std::span<const SegmentId> ids, Point origin, std::span<DoubleSegment> out) const;
+  Expected<void> segments(std::span<const SegmentId> ids, std::span<Segment> out) const noexcept;
+  Expected<void> segments(std::span<const SegmentId> ids, Point origin, std::span<FloatSegment> out) const noexcept;
+  Expected<void> segments(std::span<const SegmentId> ids, Point origin, std::span<DoubleSegment> out) const noexcept;
 
   /// The ids of all segments, in increasing order.
-  std::vector<SegmentId> segments() const;
+  std::vector<SegmentId> segments() const noexcept;
 
   /// The ids of the segments of polygons in these cells, in no particular order. Cost: in proportion to the cells there
   /// that have a chunk.
-  std::vector<SegmentId> segments(const CellRect& cells) const;
+  std::vector<SegmentId> segments(const CellRect& cells) const noexcept;
 
   /// The closed chains, sorted by their vertices. Under a preserve relation only those whose links are all mutual.
-  std::vector<Loop> loops(Collinear collinear = Collinear::keep) const;
+  std::vector<Loop> loops(Collinear collinear = Collinear::keep) const noexcept;
 
   // --- Questions about places: questions.h has the answers --------------------------------------------------------
 
   /// Which polygon is at a point, after all edits, committed or not. A point out of range is outside. Cost: in
   /// proportion to the vertices in the cell; on a common side in both cells, in a corner in all four.
-  Spot at(Point point) const;
+  Spot at(Point point) const noexcept;
 
   /// The segment nearest to a point, as of the last commit, at most `radius` cells away, rounded to the lattice. Of
   /// several at the same distance the least by start, end and block. Refused: outOfReach, if the point is out of range
   /// or the radius is not from 0 to kMaxRadius. Cost: in proportion to the cells with a chunk within twice the distance
   /// found, or within the radius.
-  Expected<Nearest> nearest(Point point, double radius) const;
+  Expected<Nearest> nearest(Point point, double radius) const noexcept;
 
   /// The first segment that a ray meets on its outward side, as of the last commit. A ray that starts in a solid leaves
   /// it without a hit. One that runs along a segment does not hit it. The ends of a segment count. Of several at the
   /// same place the least by start, end and block. Refused: outOfReach, if an end is out of range or the ray is longer
   /// than kMaxRay cells on an axis. Cost: in proportion to the cells that the ray touches, up to the hit.
-  Expected<RayHit> rayCast(Point from, Point to) const;
+  Expected<RayHit> rayCast(Point from, Point to) const noexcept;
 
   /// The relation that the world was made with; empty if it preserves nothing.
-  const PreserveRelation& preserveRelation() const;
+  const PreserveRelation& preserveRelation() const noexcept;
 
   /// The version of the segments, as of the last commit. Each commit that changes any makes a new one, and no world of
   /// this process ever makes the same one. A copy has the version of its original, until one of them changes.
   /// rollBack() brings back that of the mark, unless it changes no segment. A loaded world has a new one. Versions say
   /// nothing else: the same edits make other ones in another run, and law 12 does not hold for them.
-  std::uint64_t version() const;
+  std::uint64_t version() const noexcept;
 
   /// The highest SegmentId::value in use so far: an array for what you know of segments needs one place more. Only
   /// rollBack() lowers it, and changesOfRollBack().removed then names higher ones.
-  std::uint32_t maxSegmentId() const;
+  std::uint32_t maxSegmentId() const noexcept;
 
   /// Counts what there is. Cost: it looks at every cell of every chunk.
-  Stats stats() const;
+  Stats stats() const noexcept;
 
   struct Impl;  ///< of the implementation
 
  private:
   friend class Transaction;
-  friend bool samePolygons(const World& a, const World& b);
+  friend bool samePolygons(const World& a, const World& b) noexcept;
   std::unique_ptr<Impl> impl_;
 };
 
 /// Whether two worlds hold the same polygons with the same blocks in the same cells, after all edits, committed or not.
 /// It does not matter with which vertex a polygon begins, nor which handles, shapes, ids, marks and relations the
 /// worlds have. Cost: in proportion to the cells that have a chunk.
-bool samePolygons(const World& a, const World& b);
+bool samePolygons(const World& a, const World& b) noexcept;
 
 /// A group of edits. They are undone when it ends, as if they had not been made, unless keep() is called:
 ///
@@ -343,19 +350,19 @@ bool samePolygons(const World& a, const World& b);
 class Transaction {
  public:
   /// Begins the group: World::edit() does it. The world must outlive it.
-  explicit Transaction(World& world);
-  ~Transaction();
+  explicit Transaction(World& world) noexcept;
+  ~Transaction() noexcept;
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
 
-  void keep();  ///< ends the group: its edits stay
+  void keep() noexcept;  ///< ends the group: its edits stay
 
  private:
   World* world_;
   Mark mark_;
 };
 
-inline Transaction World::edit() { return Transaction(*this); }
+inline Transaction World::edit() noexcept { return Transaction(*this); }
 
 /// The whole cell as a polygon, for shape().
 inline constexpr std::array<LocalPoint, 4> kUnitSquare{

@@ -98,9 +98,9 @@ struct BrushResult {
 /// outOfReach, if a vertex lies in no cell or was no number (Error::polygon is the ring, Error::vertex the vertex), or
 /// if the region is more than kMaxRegionCells wide or high; capacity, if a cell would hold too much (see
 /// world.h), or the region is too much for it (see kMaxRegionEdgesPerCell). A region without area changes nothing.
-[[nodiscard]] Expected<BrushResult> paint(World& world, const Region& region, Block block, PaintMode mode);
+[[nodiscard]] Expected<BrushResult> paint(World& world, const Region& region, Block block, PaintMode mode) noexcept;
 
 /// Frees a region. The rest is as for paint(). Cells that are inside the region as a whole cost what clear() costs.
-[[nodiscard]] Expected<BrushResult> carve(World& world, const Region& region);
+[[nodiscard]] Expected<BrushResult> carve(World& world, const Region& region) noexcept;
 
 }  // namespace lgs

@@ -54,8 +54,8 @@
 // WHAT COMES OUT. Every placement is simple, counter-clockwise, inside its cell, disjoint from the others of its cell,
 // and within World's limits for a cell. So World::add accepts all of them.
 //
-// ERRORS. No function throws, except when memory runs out; the library compiles with -fno-exceptions -fno-rtti. An
-// error is a value. Maps need not be trusted: sizes are checked before memory is taken, work is counted and refused
+// ERRORS. An error is a value. When memory runs out std::bad_alloc comes, and nothing is leaked; only where objects are
+// painted the brushes end the program, as they always do then. Maps need not be trusted: sizes are checked before memory is taken, work is counted and refused
 // before it is done, and nothing recurses without a limit.
 //
 // COST. Linear in the number of tiles, and in that of the cells that objects reach. Polygons are compared once for each
