@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <functional>
@@ -59,7 +60,8 @@ const std::vector<Door>& doors() {
        }},
       {"addMany",
        [](World& w, Mark) {
-         const std::vector<Placement> many{{{70, 0}, ShapeId{1}, 1}, {{0, 70}, ShapeId{1}, 2}, {{1, 1}, ShapeId{1}, 2}};
+         constexpr std::array<Placement, 3> many{
+             {{{70, 0}, ShapeId{1}, 1}, {{0, 70}, ShapeId{1}, 2}, {{1, 1}, ShapeId{1}, 2}}};
          ignore(w.addMany(many));
        }},
       {"fill",
