@@ -80,6 +80,7 @@ TEST(Box2dBuried, NobodyIsLostInALongGame) {
       EXPECT_EQ(played.lost, 0U) << bodies << " bodies, seed " << seed;
       std::printf("%3d bodies, seed %d: %zu lost, %zu pushed, %zu held, %zu of them at the end, %zu put back\n", bodies,
                   static_cast<int>(seed), played.lost, played.pushes, played.holds, played.held, played.putBacks);
+      std::fflush(stdout);  // a long run takes its time
     }
   }
 }
