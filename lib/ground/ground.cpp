@@ -1,6 +1,9 @@
 #include "ground/ground.h"
 
+#include "geometry/sort.h"
+
 #include <bit>
+#include <unordered_set>
 
 namespace lgs::detail {
 
@@ -13,7 +16,9 @@ Ground::Ground(const Ground& other)
       notes_(other.notes_),
       dropped_(other.dropped_),
       forgotten_(other.forgotten_),
-      isNoting_(other.isNoting_) {
+      notesFor_(other.notesFor_),
+      committed_(other.committed_),
+      cellChanges_(other.cellChanges_) {
   for (Chunk*& chunk : changed_) chunk = grid.chunks()[chunk->index - 1].get();
 }
 
@@ -52,18 +57,39 @@ void Ground::dropList(CellWord word) {
   lists_.release(word & ~kListBit, PolygonList::sizeOf(old.size()));
 }
 
+void Ground::read(const Held& held, std::vector<PlacedPolygon>& out) const {
+  const std::vector<PolygonId>& polygons = catalogue.content(contentId(held.word)).polygons;
+  const std::size_t first = out.size();
+  for (std::size_t slot = 0; slot < polygons.size(); ++slot) {
+    const Placed placed = this->placed(held.word, [&held] { return held.block; })[static_cast<Slot>(slot)];
+    out.push_back({{held.ref, placed.serial}, placed.block, catalogue.vertices(polygons[slot])});
+  }
+  detail::sort(std::span(out).subspan(first), [](const auto& a, const auto& b) { return a.handle < b.handle; });
+}
+
 void Ground::commit() {
-  for (std::size_t k = changed_.size(); k-- != 0;) {  // backwards, so that going back meets them in order
-    Chunk& chunk = *changed_[k];
-    for (RowMask rows = chunk.dirtyRows; rows != 0; rows &= rows - 1) {
-      const auto row = static_cast<std::uint32_t>(std::countr_zero(rows));
-      if (isNoting_) notes_.push_back({chunk.index * kChunkSize + row, chunk.dirty[row], 0, Note::Of::row});
-      chunk.dirty[row] = 0;
-    }
-    chunk.dirtyRows = 0;
+  if (isNoting()) [[unlikely]]
+    noteCommit();
+  for (Chunk* chunk : changed_) {
+    for (RowMask rows = chunk->dirtyRows; rows != 0; rows &= rows - 1)
+      chunk->dirty[static_cast<std::size_t>(std::countr_zero(rows))] = 0;
+    chunk->dirtyRows = 0;
   }
   changed_.clear();
   catalogue.collect();
+}
+
+void Ground::noteCommit() {
+  if (isNoting(For::followers)) tell(committed_, noteCount(), Way::forth);
+  for (std::size_t k = changed_.size(); k-- != 0;) {  // backwards, so that going back meets them in order
+    const Chunk& chunk = *changed_[k];
+    for (RowMask rows = chunk.dirtyRows; rows != 0; rows &= rows - 1) {
+      const auto row = static_cast<std::uint32_t>(std::countr_zero(rows));
+      notes_.push_back({chunk.index * kChunkSize + row, chunk.dirty[row], 0, Note::Of::row});
+    }
+  }
+  committed_ = noteCount();
+  if (!isNoting(For::marks)) forgetNotes(committed_);
 }
 
 // The note takes over what the word stands for.
@@ -92,21 +118,64 @@ void Ground::undo(const Note& note) {
   if (at.chunk->dirtyRows == 0) changed_.pop_back();  // the edit was the first in its chunk
 }
 
+void Ground::undoTo(std::uint64_t notes) {
+  for (; noteCount() > notes; notes_.pop_back()) undo(notes_.back());
+}
+
 void Ground::goBack(const Moment& moment) {
-  for (; now().notes > moment.notes; notes_.pop_back()) undo(notes_.back());
+  undoTo(moment.notes);
+  committed_ = moment.committed;
   grid.forgetChunks(moment.chunks);
   catalogue.forgetShapes(moment.shapes);
 }
 
-void Ground::stopNoting() {
-  isNoting_ = false;
-  forgetBefore(now());
+void Ground::rollBack(const Moment& moment) {
+  if (isNoting(For::followers)) {
+    // Followers never saw the edits that are pending. Without a commit since the mark there is nothing to tell them.
+    if (moment.committed != committed_) undoTo(committed_);
+    tell(moment.committed, committed_, Way::back);
+  }
+  goBack(moment);
+}
+
+/// Tells followers what changed between two commits, of which these are the notes. The ground is as of the later one.
+/// The first note of a cell says what it held at the earlier one.
+void Ground::tell(std::uint64_t begin, std::uint64_t end, Way way) {
+  std::unordered_set<std::uint32_t> told;
+  std::vector<PlacedPolygon> before, now;
+  cellChanges_.clear();
+  for (std::uint64_t k = begin; k < end; ++k) {
+    const Note& note = notes_[k - forgotten_];
+    if (note.of != Note::Of::cell || (way == Way::back && !told.insert(note.ref).second)) continue;
+    const CellAt at = grid.find(note.ref);
+    before.clear();
+    now.clear();
+    read({note.ref, note.word, note.block}, way == Way::back ? now : before);
+    read(held(at), way == Way::back ? before : now);
+    cellChanges_.add(at.cell(), before, now);
+  }
+  cellChanges_.own();
+}
+
+void Ground::startNoting(For whom) {
+  notesFor_ |= static_cast<std::uint32_t>(whom);
+  if (whom == For::followers) committed_ = noteCount();
+}
+
+void Ground::stopNoting(For whom) {
+  notesFor_ &= ~static_cast<std::uint32_t>(whom);
+  if (whom == For::followers) cellChanges_.clear();
+  if (!isNoting(For::marks)) forgetNotes(isNoting(For::followers) ? committed_ : noteCount());
   constexpr std::size_t kMost = 4'096;
-  if (notes_.capacity() > kMost) notes_ = std::vector<Note>();
+  if (!isNoting() && notes_.capacity() > kMost) notes_ = std::vector<Note>();
 }
 
 void Ground::forgetBefore(const Moment& moment) {
-  for (; forgotten_ + dropped_ < moment.notes; ++dropped_)
+  forgetNotes(isNoting(For::followers) ? moment.committed : moment.notes);
+}
+
+void Ground::forgetNotes(std::uint64_t end) {
+  for (; forgotten_ + dropped_ < end; ++dropped_)
     if (notes_[dropped_].of != Note::Of::row) drop(notes_[dropped_].word);
   if (dropped_ < notes_.size() / 2) return;  // the rest moves to the front seldom
   notes_.erase(notes_.begin(), notes_.begin() + static_cast<std::ptrdiff_t>(dropped_));
@@ -115,7 +184,7 @@ void Ground::forgetBefore(const Moment& moment) {
 
 std::uint64_t Ground::bytes() const {
   return grid.bytes() + catalogue.bytes() + lists_.bytes() + changed_.capacity() * sizeof changed_[0] +
-         notes_.capacity() * sizeof notes_[0];
+         notes_.capacity() * sizeof notes_[0] + cellChanges_.bytes();
 }
 
 }  // namespace lgs::detail
