@@ -9,21 +9,19 @@ namespace lgs::detail {
 /// Brings the ground back to where it was when the group began, unless the group is kept.
 class Edit::Group {
  public:
-  explicit Group(Ground& ground) : ground_(ground), start_(ground.now()), wasNoting_(ground.isNoting()) {
-    ground_.startNoting();
-  }
+  explicit Group(Ground& ground) : ground_(ground), start_(ground.now()) { ground_.startNoting(Ground::For::group); }
   Group(const Group&) = delete;
   Group& operator=(const Group&) = delete;
   ~Group() {
     if (!isKept_) ground_.goBack(start_);
-    if (!wasNoting_) ground_.stopNoting();
+    ground_.stopNoting(Ground::For::group);
   }
   void keep() { isKept_ = true; }
 
  private:
   Ground& ground_;
   Ground::Moment start_;
-  bool wasNoting_, isKept_ = false;
+  bool isKept_ = false;
 };
 
 namespace {

@@ -1,7 +1,10 @@
 #include "ground/ground.h"
 
+#include "geometry/sort.h"
+
 #include <algorithm>
 #include <bit>
+#include <unordered_set>
 
 namespace lgs::detail {
 
@@ -15,7 +18,9 @@ Ground::Ground(const Ground& other)
       notedLists_(other.notedLists_),
       dropped_(other.dropped_),
       forgotten_(other.forgotten_),
-      isNoting_(other.isNoting_) {
+      notesFor_(other.notesFor_),
+      committed_(other.committed_),
+      cellChanges_(other.cellChanges_) {
   for (Chunk*& chunk : changed_) chunk = grid.chunks()[chunk->index - 1].get();
 }
 
@@ -48,57 +53,65 @@ CellWord Ground::makeList(ContentId content, std::uint32_t lastSerial, std::span
   return kListBit | ref;
 }
 
-void Ground::dropList(CellWord word) {
-  const PolygonList old = list(word);
+void Ground::dropList(CellWord word, RecordArena& lists) {
+  const PolygonList old = list(word, lists);
   catalogue.release(old.content());
-  lists_.release(word & ~kListBit, PolygonList::sizeOf(old.size()));
+  lists.release(word & ~kListBit, PolygonList::sizeOf(old.size()));
+}
+
+/// The same word, with its list, if it has one, in another arena.
+CellWord Ground::moveList(CellWord word, RecordArena& from, RecordArena& to) {
+  if (!isListed(word)) return word;
+  const std::uint32_t size = PolygonList::sizeOf(list(word, from).size());
+  const RecordArena::Ref ref = to.allocate(size);
+  std::copy_n(from.at(word & ~kListBit), size, to.at(ref));
+  from.release(word & ~kListBit, size);
+  return kListBit | ref;
+}
+
+void Ground::read(const Held& held, std::vector<PlacedPolygon>& out) const {
+  const bool hasList = isListed(held.word);
+  const PolygonList listed = hasList ? list(held.word, *held.lists) : PolygonList(nullptr);
+  const ContentId content = hasList ? listed.content() : held.word >> kLowBits;
+  const std::vector<PolygonId>& polygons = catalogue.content(content).polygons;
+  const std::size_t first = out.size();
+  for (std::size_t slot = 0; slot < polygons.size(); ++slot) {
+    const Placed placed = hasList ? listed[static_cast<Slot>(slot)] : Placed{held.word & kLowMask, held.block};
+    out.push_back({{held.ref, placed.serial}, placed.block, catalogue.vertices(polygons[slot])});
+  }
+  detail::sort(std::span(out).subspan(first), [](const auto& a, const auto& b) { return a.handle < b.handle; });
 }
 
 void Ground::commit() {
-  for (std::size_t k = changed_.size(); k-- != 0;) {  // backwards, so that going back meets them in order
-    Chunk& chunk = *changed_[k];
-    for (RowMask rows = chunk.dirtyRows; rows != 0; rows &= rows - 1) {
-      const auto row = static_cast<std::uint32_t>(std::countr_zero(rows));
-      if (isNoting_) notes_.push_back({chunk.index * kChunkSize + row, chunk.dirty[row], 0, Note::Of::row});
-      chunk.dirty[row] = 0;
-    }
-    chunk.dirtyRows = 0;
+  if (isNoting()) [[unlikely]]
+    noteCommit();
+  for (Chunk* chunk : changed_) {
+    for (RowMask rows = chunk->dirtyRows; rows != 0; rows &= rows - 1)
+      chunk->dirty[static_cast<std::size_t>(std::countr_zero(rows))] = 0;
+    chunk->dirtyRows = 0;
   }
   changed_.clear();
   catalogue.collect();
 }
 
-// The note takes over what the word stands for. A list is copied, so that the arena grows with the cells and not with
-// the notes.
+void Ground::noteCommit() {
+  if (isNoting(For::followers)) tell(committed_, noteCount(), Way::forth);
+  for (std::size_t k = changed_.size(); k-- != 0;) {  // backwards, so that going back meets them in order
+    const Chunk& chunk = *changed_[k];
+    for (RowMask rows = chunk.dirtyRows; rows != 0; rows &= rows - 1) {
+      const auto row = static_cast<std::uint32_t>(std::countr_zero(rows));
+      notes_.push_back({chunk.index * kChunkSize + row, chunk.dirty[row], 0, Note::Of::row});
+    }
+  }
+  committed_ = noteCount();
+  if (!isNoting(For::marks)) forgetNotes(committed_);
+}
+
+// The note takes over what the word stands for.
 void Ground::note(CellAt at) {
   const bool isChanged = (at.chunk->dirty[at.row()] & at.bit()) != 0;
-  CellWord word = at.word();
-  if (isListed(at)) {
-    const std::uint32_t size = PolygonList::sizeOf(list(word).size());
-    const std::uint32_t* words = lists_.at(word & ~kListBit);
-    notedLists_.insert(notedLists_.end(), words, words + size);
-    lists_.release(word & ~kListBit, size);
-    word = kListBit | size;
-  }
-  notes_.push_back({at.ref(), word, at.chunk->block(at.local), isChanged ? Note::Of::changedCell : Note::Of::cell});
-}
-
-/// What the word of a cell was before the last note.
-CellWord Ground::takeBack(const Note& note) {
-  if ((note.word & kListBit) == 0) return note.word;
-  const std::uint32_t size = note.word & ~kListBit;
-  const RecordArena::Ref ref = lists_.allocate(size);
-  std::copy(notedLists_.end() - size, notedLists_.end(), lists_.at(ref));
-  notedLists_.erase(notedLists_.end() - size, notedLists_.end());
-  return kListBit | ref;
-}
-
-/// Lets go of what the first note has taken over.
-void Ground::forgetFirst(const Note& note) {
-  if (note.of == Note::Of::row) return;
-  if ((note.word & kListBit) == 0) return drop(note.word);
-  catalogue.release(notedLists_.front() >> kLowBits);
-  notedLists_.erase(notedLists_.begin(), notedLists_.begin() + (note.word & ~kListBit));
+  const Note::Of of = isChanged ? Note::Of::changedCell : Note::Of::cell;
+  notes_.push_back({at.ref(), moveList(at.word(), lists_, notedLists_), at.chunk->block(at.local), of});
 }
 
 void Ground::undo(const Note& note) {
@@ -110,8 +123,8 @@ void Ground::undo(const Note& note) {
     return;
   }
   const CellAt at = grid.find(note.ref);
-  drop(at.word());
-  at.word() = takeBack(note);
+  drop(at.word(), lists_);
+  at.word() = moveList(note.word, notedLists_, lists_);
   if (!isListed(at) && note.word >> kLowBits != kEmptyContent) at.chunk->setBlock(at.local, note.block);
   at.chunk->facts[at.local] = catalogue.facts(contentId(at));
   if (note.of == Note::Of::changedCell) return;
@@ -120,29 +133,75 @@ void Ground::undo(const Note& note) {
   if (at.chunk->dirtyRows == 0) changed_.pop_back();  // the edit was the first in its chunk
 }
 
+void Ground::undoTo(std::uint64_t notes) {
+  for (; noteCount() > notes; notes_.pop_back()) undo(notes_.back());
+}
+
 void Ground::goBack(const Moment& moment) {
-  for (; now().notes > moment.notes; notes_.pop_back()) undo(notes_.back());
+  undoTo(moment.notes);
+  committed_ = moment.committed;
   grid.forgetChunks(moment.chunks);
   catalogue.forgetShapes(moment.shapes);
 }
 
-void Ground::stopNoting() {
-  isNoting_ = false;
-  forgetBefore(now());
+void Ground::rollBack(const Moment& moment) {
+  if (isNoting(For::followers)) {
+    // Followers never saw the edits that are pending. Without a commit since the mark there is nothing to tell them.
+    if (moment.committed != committed_) undoTo(committed_);
+    tell(moment.committed, committed_, Way::back);
+  }
+  goBack(moment);
+}
+
+/// Tells followers what changed between two commits, of which these are the notes. The ground is as of the later one.
+/// The first note of a cell says what it held at the earlier one.
+void Ground::tell(std::uint64_t begin, std::uint64_t end, Way way) {
+  std::unordered_set<std::uint32_t> told;
+  std::vector<PlacedPolygon> before, now;
+  cellChanges_.clear();
+  for (std::uint64_t k = begin; k < end; ++k) {
+    const Note& note = notes_[k - forgotten_];
+    if (note.of != Note::Of::cell || (way == Way::back && !told.insert(note.ref).second)) continue;
+    const CellAt at = grid.find(note.ref);
+    before.clear();
+    now.clear();
+    read({note.ref, note.word, note.block, &notedLists_}, way == Way::back ? now : before);
+    read(held(at), way == Way::back ? before : now);
+    cellChanges_.add(at.cell(), before, now);
+  }
+  cellChanges_.own();
+}
+
+void Ground::startNoting(For whom) {
+  notesFor_ |= static_cast<std::uint32_t>(whom);
+  if (whom == For::followers) committed_ = noteCount();
+}
+
+void Ground::stopNoting(For whom) {
+  notesFor_ &= ~static_cast<std::uint32_t>(whom);
+  if (whom == For::followers) cellChanges_.clear();
+  if (!isNoting(For::marks)) forgetNotes(isNoting(For::followers) ? committed_ : noteCount());
   constexpr std::size_t kMost = 4'096;
-  if (notes_.capacity() > kMost) notes_ = std::vector<Note>();
+  if (isNoting() || notes_.capacity() <= kMost) return;
+  notes_ = std::vector<Note>();
+  notedLists_ = RecordArena();
 }
 
 void Ground::forgetBefore(const Moment& moment) {
-  for (; forgotten_ + dropped_ < moment.notes; ++dropped_) forgetFirst(notes_[dropped_]);
+  forgetNotes(isNoting(For::followers) ? moment.committed : moment.notes);
+}
+
+void Ground::forgetNotes(std::uint64_t end) {
+  for (; forgotten_ + dropped_ < end; ++dropped_)
+    if (notes_[dropped_].of != Note::Of::row) drop(notes_[dropped_].word, notedLists_);
   if (dropped_ < notes_.size() / 2) return;  // the rest moves to the front seldom
   notes_.erase(notes_.begin(), notes_.begin() + static_cast<std::ptrdiff_t>(dropped_));
   forgotten_ += std::exchange(dropped_, 0);
 }
 
 std::uint64_t Ground::bytes() const {
-  return grid.bytes() + catalogue.bytes() + lists_.bytes() + changed_.capacity() * sizeof changed_[0] +
-         notes_.capacity() * sizeof notes_[0] + notedLists_.size() * sizeof notedLists_[0];
+  return grid.bytes() + catalogue.bytes() + lists_.bytes() + notedLists_.bytes() +
+         changed_.capacity() * sizeof changed_[0] + notes_.capacity() * sizeof notes_[0] + cellChanges_.bytes();
 }
 
 }  // namespace lgs::detail

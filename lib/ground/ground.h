@@ -6,13 +6,13 @@
 
 #include "ground/catalogue.h"
 #include "ground/cell.h"
+#include "ground/cell_changes.h"
 #include "ground/grid.h"
 #include "storage/record_arena.h"
 
 #include <lgs/world.h>
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <span>
 #include <utility>
@@ -29,22 +29,29 @@ class Ground {
 
   // --- What stands where. A cell may be without chunk: then it holds nothing.
 
-  ContentId contentId(CellAt at) const {
-    if (!at) return kEmptyContent;
-    return isListed(at) ? list(at.word()).content() : at.word() >> kLowBits;
-  }
+  ContentId contentId(CellAt at) const { return at ? contentId(at.word()) : kEmptyContent; }
   const InternedContent& content(CellAt at) const { return catalogue.content(contentId(at)); }
+  /// What a cell holds, or held when a note was made of it.
+  struct Held {
+    std::uint32_t ref = 0;  ///< of the cell
+    CellWord word = 0;
+    Block block = 0;                     ///< of the only polygon, if the word has one
+    const RecordArena* lists = nullptr;  ///< where the list is, if the word refers to one
+  };
+  Held held(CellAt at) const { return {at.ref(), at.word(), at.chunk->block(at.local), &lists_}; }
   /// Of a cell that holds polygons.
   PlacedBySlot placed(CellAt at) const {
     if (isListed(at)) return PlacedBySlot(list(at.word()));
     return PlacedBySlot(Placed{at.word() & kLowMask, at.chunk->block(at.local)});
   }
+  /// By handle, behind what is in `out`. Valid until the next edit.
+  void read(const Held& held, std::vector<PlacedPolygon>& out) const;
   /// The serial given out last in the cell.
   std::uint32_t lastSerial(CellAt at) const {
     if (!at) return 0;
     return isListed(at) ? list(at.word()).lastSerial() : at.word() & kLowMask;
   }
-  static bool isListed(CellAt at) { return (at.word() & kListBit) != 0; }
+  static bool isListed(CellAt at) { return isListed(at.word()); }
   std::optional<Slot> slotOf(PolygonHandle handle) const;
   bool keeps(Block a, Block b) const { return preserve && (a < b ? preserve(a, b) : preserve(b, a)); }
 
@@ -64,7 +71,7 @@ class Ground {
   /// The same in a chunk that has changed already and has room for the block, while nothing is noted. Such an edit needs
   /// no call. False, and nothing is done, if it is not so.
   bool setSoleAgain(CellAt at, const InternedShape& shape, Placed sole) {
-    if (isNoting_ || at.chunk->dirtyRows == 0 || !at.chunk->hasRoomFor(sole.block)) return false;
+    if (isNoting() || at.chunk->dirtyRows == 0 || !at.chunk->hasRoomFor(sole.block)) return false;
     at.word() = wordOf(shape.content, sole.serial);
     at.chunk->setBlockThere(at.local, sole.block);
     mark(at, static_cast<Facts>(shape.facts));
@@ -80,23 +87,34 @@ class Ground {
 
   /// The chunks with changed cells, in the order of their first change. Chunk::dirty says which cells these are.
   std::span<Chunk* const> changedChunks() const { return changed_; }
-  /// From now on nothing has changed.
+  /// From now on nothing has changed. If somebody follows, cellChanges() says what had.
   void commit();
+  /// What the last commit or rollBack() changed, while it notes for followers.
+  const CellChanges& cellChanges() const { return cellChanges_; }
 
   // --- Going back: while it notes, the ground can go back to any moment since it began to.
 
   struct Moment {
-    std::uint64_t notes = 0;  ///< how many there ever were
+    std::uint64_t notes = 0;      ///< how many there ever were
+    std::uint64_t committed = 0;  ///< how many there were at the last commit, if somebody follows
     std::size_t chunks = 0;
     std::uint64_t shapes = 0;
   };
-  Moment now() const { return {forgotten_ + notes_.size(), grid.chunks().size(), catalogue.shapeCount()}; }
-  bool isNoting() const { return isNoting_; }
-  void startNoting() { isNoting_ = true; }
-  /// Stops noting, and forgets all notes.
-  void stopNoting();
+  Moment now() const { return {noteCount(), committed_, grid.chunks().size(), catalogue.shapeCount()}; }
+  /// Who needs notes. The ground notes while there is anybody.
+  enum class For : std::uint32_t { marks = 1, group = 2, followers = 4 };
+  bool isNoting() const { return notesFor_ != 0; }
+  bool isNoting(For whom) const { return (notesFor_ & static_cast<std::uint32_t>(whom)) != 0; }
+  /// Followers begin and stop where nothing has changed since the last commit, and there are no marks.
+  void startNoting(For whom);
+  /// And forgets the notes that nobody else needs.
+  void stopNoting(For whom);
+  /// For marks: there is none from before this moment any more.
   void forgetBefore(const Moment& moment);
+  /// In silence: for groups of edits, which know that there was no commit since.
   void goBack(const Moment& moment);
+  /// For marks: the same, and cellChanges() says what it did.
+  void rollBack(const Moment& moment);
 
   std::uint64_t bytes() const;
 
@@ -105,32 +123,35 @@ class Ground {
   struct Note {
     enum class Of : std::uint32_t { cell, changedCell, row };  // changed: since the commit before
     std::uint32_t ref = 0;                                     ///< of the cell; of a row 32 * Chunk::index + row
-    std::uint32_t word = 0;  ///< of the cell; with kListBit, how long its list is; the bits of the row
+    std::uint32_t word = 0;                                    ///< of the cell; the bits of the row
     Block block = 0;
     Of of = Of::cell;
   };
 
   /// Gives a cell this word, which has its content in use already. The block is that of a word with a polygon.
   void put(CellAt at, CellWord word, Block block, Facts facts) {
-    if (isNoting_) [[unlikely]]
+    if (isNoting()) [[unlikely]]
       note(at);
     else
-      drop(at.word());
+      drop(at.word(), lists_);
     at.word() = word;
     at.chunk->setBlock(at.local, block);
     touch(at, facts);
   }
-  PolygonList list(CellWord word) const { return PolygonList(lists_.at(word & ~kListBit)); }
+  static bool isListed(CellWord word) { return (word & kListBit) != 0; }
+  static PolygonList list(CellWord word, const RecordArena& lists) { return PolygonList(lists.at(word & ~kListBit)); }
+  PolygonList list(CellWord word) const { return list(word, lists_); }
+  ContentId contentId(CellWord word) const { return isListed(word) ? list(word).content() : word >> kLowBits; }
   CellWord makeList(ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons);
-  /// Lets go of what a word stands for.
-  void drop(CellWord word) {
+  /// Lets go of what a word stands for, whose list would be in this arena.
+  void drop(CellWord word, RecordArena& lists) {
     if (word <= kLowMask) return;  // it had no polygons
-    if ((word & kListBit) != 0)
-      dropList(word);
+    if (isListed(word))
+      dropList(word, lists);
     else
       catalogue.release(word >> kLowBits);
   }
-  void dropList(CellWord word);
+  void dropList(CellWord word, RecordArena& lists);
   void touch(CellAt at, Facts facts) {
     if (at.chunk->dirtyRows == 0) changed_.push_back(at.chunk);
     mark(at, facts);
@@ -143,17 +164,24 @@ class Ground {
     chunk.everFacts |= facts;
   }
   void note(CellAt at);
+  void noteCommit();
+  static CellWord moveList(CellWord word, RecordArena& from, RecordArena& to);
   void undo(const Note& note);
-  CellWord takeBack(const Note& note);
-  void forgetFirst(const Note& note);
+  void undoTo(std::uint64_t notes);
+  void forgetNotes(std::uint64_t end);
+  enum class Way { forth, back };
+  void tell(std::uint64_t begin, std::uint64_t end, Way way);
+  std::uint64_t noteCount() const { return forgotten_ + notes_.size(); }
 
   RecordArena lists_;
   std::vector<Chunk*> changed_;
   std::vector<Note> notes_;
-  std::deque<std::uint32_t> notedLists_;  ///< the words of the lists in notes, one after the other
-  std::size_t dropped_ = 0;               ///< notes at the front of the vector that are forgotten already
-  std::uint64_t forgotten_ = 0;           ///< notes that are gone from the front of the vector
-  bool isNoting_ = false;
+  RecordArena notedLists_;       ///< of the words in notes: so the other arena does not grow with them
+  std::size_t dropped_ = 0;      ///< notes at the front of the vector that are forgotten already
+  std::uint64_t forgotten_ = 0;  ///< notes that are gone from the front of the vector
+  std::uint32_t notesFor_ = 0;   ///< bits of For
+  std::uint64_t committed_ = 0;  ///< how many notes there were at the last commit, if somebody follows
+  CellChanges cellChanges_;
 };
 
 }  // namespace lgs::detail

@@ -20,13 +20,7 @@ Spot::Where locate(PolygonView polygon, LocalPoint p) {
 
 void polygonsOf(const Ground& ground, Cell cell, std::vector<PlacedPolygon>& out) {
   out.clear();
-  const CellAt at = ground.grid.find(cell);
-  const std::vector<PolygonId>& polygons = ground.content(at).polygons;
-  for (std::size_t slot = 0; slot < polygons.size(); ++slot) {
-    const Placed placed = ground.placed(at)[static_cast<Slot>(slot)];
-    out.push_back({{at.ref(), placed.serial}, placed.block, ground.catalogue.vertices(polygons[slot])});
-  }
-  detail::sort(out, [](const auto& a, const auto& b) { return a.handle < b.handle; });
+  if (const CellAt at = ground.grid.find(cell)) ground.read(ground.held(at), out);
 }
 
 std::optional<PlacedPolygon> polygonOf(const Ground& ground, PolygonHandle handle) {

@@ -48,6 +48,8 @@ class Pages {
     }
   }
   Pages& operator=(const Pages&) = delete;
+  Pages(Pages&&) noexcept = default;
+  Pages& operator=(Pages&&) noexcept = default;
   ~Pages() = default;
 
   Page& operator[](std::size_t k) const { return *pages_[k]; }

@@ -11,7 +11,7 @@ History::History(const History& other, Ground& ground, Outline& outline)
 }
 
 Mark History::mark(bool ofGroup) {
-  ground_.startNoting();
+  ground_.startNoting(Ground::For::marks);
   outline_.startNoting();
   const Mark mark{numbers_.next()};  // greater than all before, also in a copy
   marks_.push_back({mark, ground_.now(), outline_.now(), outline_.version(), ofGroup});
@@ -26,6 +26,12 @@ std::vector<History::Marked>::const_iterator History::find(Mark mark) const {
 void History::rollBack(Mark mark, Changes& changes) {
   const auto to = find(mark);
   outline_.goBack(ground_.grid, to->outline, to->version, changes);
+  ground_.rollBack(to->ground);
+  marks_.erase(to + 1, marks_.end());
+}
+
+void History::takeBack(Mark mark) {
+  const auto to = find(mark);
   ground_.goBack(to->ground);
   marks_.erase(to + 1, marks_.end());
 }
@@ -38,7 +44,7 @@ void History::forget(Mark mark) {
 /// Those that no mark needs.
 void History::forgetNotes() {
   if (marks_.empty()) {
-    ground_.stopNoting();
+    ground_.stopNoting(Ground::For::marks);
     outline_.stopNoting();
   } else {
     ground_.forgetBefore(marks_.front().ground);

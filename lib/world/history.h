@@ -24,10 +24,13 @@ class History {
 
   Mark mark(bool ofGroup = false);
   bool knows(Mark mark) const { return find(mark) != marks_.end(); }
+  bool hasMarks() const { return !marks_.empty(); }
 
   // The mark must be known.
   /// It stays, and later ones are void. `changes` receives what this does to the segments.
   void rollBack(Mark mark, Changes& changes);
+  /// The same in silence, where no commit changed something since: the segments are as they were at the mark.
+  void takeBack(Mark mark);
   void forget(Mark mark);
   /// Whether a commit changed something since.
   bool committedSince(Mark mark) const { return find(mark)->outline != outline_.now(); }

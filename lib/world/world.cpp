@@ -214,10 +214,23 @@ Transaction::~Transaction() noexcept {
   if (!mark_) return;  // kept
   detail::History& history = world_->impl_->history;
   if (!history.knows(mark_)) return;  // the world went back to a moment before it
-  Changes none;                       // there was no commit; and changesOfRollBack() stays as it is
-  if (!history.committedSince(mark_)) history.rollBack(mark_, none);
+  if (!history.committedSince(mark_)) history.takeBack(mark_);
   history.forget(mark_);
 }
+
+// --- Following the ground
+
+Expected<void> World::followCells(bool follow) noexcept {
+  detail::Ground& ground = impl_->ground;
+  if (!ground.changedChunks().empty() || impl_->history.hasMarks()) return refuse({.code = ErrorCode::uncommitted});
+  if (follow)
+    ground.startNoting(detail::Ground::For::followers);
+  else
+    ground.stopNoting(detail::Ground::For::followers);
+  return {};
+}
+
+std::span<const CellChange> World::cellChanges() const noexcept { return impl_->ground.cellChanges().all(); }
 
 // --- Saving
 

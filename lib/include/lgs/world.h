@@ -87,6 +87,14 @@ struct NewPolygon {
   Block block = 0;                       ///< the number that it gets
 };
 
+/// A cell that a commit or a roll-back changed, and what it held: for World::cellChanges(). The polygons are by handle.
+/// The handles in `before` name nothing any more, if their polygons are gone.
+struct CellChange {
+  Cell cell;                              ///< where
+  std::span<const PlacedPolygon> before;  ///< as of the commit or roll-back before
+  std::span<const PlacedPolygon> now;     ///< as of this one
+};
+
 /// How much there is in a world: see World::stats().
 struct Stats {
   std::uint64_t polygons = 0;  ///< placed ones
@@ -229,6 +237,26 @@ class World {
 
   /// Lets go of a mark. Other marks stay. Refused: unknownMark.
   Expected<void> forget(Mark mark) noexcept;
+
+  // --- Following the ground -----------------------------------------------------------------------------------------
+  //
+  // Whoever keeps something up to date that follows from the polygons, a *view* of the ground, reads all of them once
+  // by forEachPolygon(), and from then on what each commit and roll-back changed. For views of the outline there are
+  // commit() and changesOfRollBack().
+
+  /// Whether cellChanges() is kept from now on; a new world does not keep it. A copy follows as its original does. A
+  /// loaded world follows nothing yet. Refused: uncommitted, while edits are not committed or there are marks. Cost of
+  /// the call: O(1). While a world follows, edits cost what they cost while there is a mark; and a commit reads the
+  /// edited cells, which takes time and memory in proportion to their polygons and vertices, before and now.
+  [[nodiscard]] Expected<void> followCells(bool follow) noexcept;
+
+  /// The cells that the last commit or rollBack() changed, each once, in the order of their first change; one edit of
+  /// several cells changes them in any order. After a commit these are the cells edited since the commit or roll-back
+  /// before. After a roll-back these are the cells that were edited, and committed, since the last commit before the
+  /// mark; `now` is as of that commit, and edits that were pending at the mark are told by the next commit. A cell is
+  /// named even if it holds again what it held. Empty if nothing is followed, or nothing changed. Valid until the next
+  /// edit, commit or roll-back. Cost: O(1).
+  std::span<const CellChange> cellChanges() const noexcept;
 
   // --- Saving -------------------------------------------------------------------------------------------------------
 

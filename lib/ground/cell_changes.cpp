@@ -1,0 +1,41 @@
+#include "ground/cell_changes.h"
+
+namespace lgs::detail {
+
+void CellChanges::clear() {
+  changes_.clear();
+  polygons_.clear();
+  vertices_.clear();
+}
+
+void CellChanges::add(Cell cell, std::span<const PlacedPolygon> before, std::span<const PlacedPolygon> now) {
+  changes_.push_back({cell, before, now});
+  for (const auto& polygons : {before, now}) polygons_.insert(polygons_.end(), polygons.begin(), polygons.end());
+}
+
+// What lies one behind the other is found again by its sizes alone, which the spans have, whatever they point to.
+void CellChanges::own() {
+  std::size_t count = 0;
+  for (const PlacedPolygon& p : polygons_) count += p.vertices.size();
+  vertices_.clear();
+  vertices_.reserve(count);
+  for (PlacedPolygon& p : polygons_) {
+    const std::size_t first = vertices_.size();
+    vertices_.insert(vertices_.end(), p.vertices.begin(), p.vertices.end());
+    p.vertices = std::span(vertices_).subspan(first);
+  }
+  std::span<const PlacedPolygon> rest = polygons_;
+  for (CellChange& change : changes_) {
+    for (auto* part : {&change.before, &change.now}) {
+      *part = rest.first(part->size());
+      rest = rest.subspan(part->size());
+    }
+  }
+}
+
+std::uint64_t CellChanges::bytes() const {
+  const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
+  return of(changes_, polygons_, vertices_);
+}
+
+}  // namespace lgs::detail

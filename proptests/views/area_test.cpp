@@ -1,0 +1,102 @@
+// A view of the ground is told, at each commit and roll-back, which cells changed. So it equals its own full recompute,
+// and does work in proportion to those cells.
+#include "follower_of_cells.h"
+#include "proptests/support/law.h"
+
+#include <gtest/gtest.h>
+
+namespace lgs::test {
+namespace {
+
+LGS_LAW(Views, AreToldExactlyTheCellsThatChanged, 500, (const Seeds& seeds, bool preserves)) {
+  FollowerOfCells follower(preserves);
+  for (const std::uint32_t seed : seeds) {
+    Chance chance(seed);
+    for (int k = 0; k < 4; ++k) follower.move(chance);
+  }
+  follower.commit();
+}
+
+TEST(ViewsByHand, NothingIsFollowedUnlessItIsAskedFor) {
+  World world;
+  place(world, {}, unitSquare());
+  world.commit();
+  EXPECT_TRUE(world.cellChanges().empty());
+  ASSERT_TRUE(world.followCells(true));
+  EXPECT_TRUE(world.cellChanges().empty());
+  place(world, {1, 0}, unitSquare());
+  world.commit();
+  EXPECT_EQ(world.cellChanges().size(), 1U);
+  ASSERT_TRUE(world.followCells(true));
+  EXPECT_EQ(world.cellChanges().size(), 1U) << "it followed already";
+  ASSERT_TRUE(world.followCells(false));
+  EXPECT_TRUE(world.cellChanges().empty());
+  place(world, {2, 0}, unitSquare());
+  world.commit();
+  EXPECT_TRUE(world.cellChanges().empty());
+}
+
+TEST(ViewsByHand, FollowingBeginsAndEndsBetweenCommitsWithoutMarks) {
+  World world;
+  place(world, {}, unitSquare());
+  for (const bool follow : {true, false}) {
+    const auto refused = world.followCells(follow);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::uncommitted);
+  }
+  world.commit();
+  const Mark mark = world.checkpoint();
+  EXPECT_FALSE(world.followCells(true));
+  ASSERT_TRUE(world.forget(mark));
+  EXPECT_TRUE(world.followCells(true));
+}
+
+TEST(ViewsByHand, AGroupThatFailsIsNotTold) {
+  World world;
+  ASSERT_TRUE(world.followCells(true));
+  {
+    const Transaction group = world.edit();
+    place(world, {}, unitSquare());
+  }
+  world.commit();
+  EXPECT_TRUE(world.cellChanges().empty());
+}
+
+TEST(ViewsByHand, WhatCellsHeldOutlivesIt) {
+  World world;
+  ASSERT_TRUE(world.followCells(true));
+  for (std::int32_t k = 1; k <= 3'000; ++k) place(world, {k, 0}, {{0, 0}, {k, 0}, {0, k}});
+  world.commit();
+  ASSERT_TRUE(world.clear({{1, 0}, {3'000, 0}}));
+  world.commit();  // forgets the contents that no cell has
+  EXPECT_EQ(world.stats().contents, 0U);
+  const World copy = world;
+  world = World();
+  ASSERT_EQ(copy.cellChanges().size(), 3'000U);
+  for (const CellChange& change : copy.cellChanges()) {
+    ASSERT_EQ(change.before.size(), 1U);
+    EXPECT_EQ(change.before[0].vertices[1].x, change.cell.i);
+    EXPECT_TRUE(change.now.empty());
+  }
+}
+
+TEST(ViewsByHand, NothingIsKeptBeyondTheLastCommit) {
+  World world;
+  ASSERT_TRUE(world.followCells(true));
+  const ShapeId square = shapeOf(world, {unitSquare()});
+  const auto work = [&] {
+    for (int k = 0; k < 100; ++k) {
+      ASSERT_TRUE(world.fill({{0, 0}, {20, 20}}, square, 1));
+      world.commit();
+      ASSERT_TRUE(world.clear(CellRect{{0, 0}, {20, 20}}));
+      world.commit();
+    }
+  };
+  for (int k = 0; k < 3; ++k) work();
+  const std::uint64_t bytes = world.stats().bytes;
+  work();
+  EXPECT_EQ(world.stats().bytes, bytes);
+}
+
+}  // namespace
+}  // namespace lgs::test

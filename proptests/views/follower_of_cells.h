@@ -1,0 +1,67 @@
+// A world that is followed, cell by cell, through edits, commits, marks, roll-backs, groups, copies and loads. Beside
+// it stands what the follower must be told, kept by reading the world through its public calls alone; and a view that
+// is told nothing else.
+#pragma once
+
+#include "examples/area/area_by_block.h"
+#include "proptests/laws/twins.h"
+#include "proptests/support/traces.h"
+
+#include <lgs/world.h>
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace lgs::test {
+
+/// The cells that hold something.
+using Cells = std::map<Cell, std::vector<PolygonFields>>;
+Cells cellsIn(const World& world);
+
+/// Twice the area of each block, recomputed from all polygons.
+std::map<Block, std::int64_t> recomputedAreas(const World& world);
+
+class FollowerOfCells {
+ public:
+  explicit FollowerOfCells(bool preserves);
+
+  /// An edit as a rule; or one of the other things.
+  void move(Chance& chance);
+  /// Commits, and expects all that must hold then.
+  void commit();
+
+ private:
+  /// A cell that an edit changed, and the number of that edit: one edit may change several cells, in any order.
+  struct Edited {
+    std::size_t edit = 0;
+    Cell cell;
+  };
+  struct Marked {
+    Mark mark;
+    Cells told;
+    std::size_t committed = 0, edits = 0;  ///< how long the log was: at the commit before, and then
+  };
+
+  void edit(Chance& chance);
+  void editMany(Chance& chance);
+  void group(Chance& chance);
+  void mark();
+  void goBack(Chance& chance);
+  void forget(Chance& chance);
+  void load();
+  template <class Call>
+  void logged(const std::vector<Cell>& cells, Call&& call);
+  void expectTold(std::span<const Edited> edited, const Cells& now);
+
+  bool preserves_;
+  World world_;
+  examples::AreaByBlock view_;
+  Cells told_;                 ///< as the follower knows them
+  std::vector<Edited> log_;    ///< of edits that are not undone
+  std::size_t edits_ = 0;      ///< made so far
+  std::size_t committed_ = 0;  ///< how long the log was at the last commit
+  std::vector<Marked> marks_;
+};
+
+}  // namespace lgs::test
