@@ -16,8 +16,8 @@ Ground::Ground(const Ground& other)
       notes_(other.notes_),
       dropped_(other.dropped_),
       forgotten_(other.forgotten_),
-      notesFor_(other.notesFor_),
       committed_(other.committed_),
+      notesFor_(other.notesFor_),
       cellChanges_(other.cellChanges_) {
   for (Chunk*& chunk : changed_) chunk = grid.chunks()[chunk->index - 1].get();
 }
@@ -58,11 +58,15 @@ void Ground::dropList(CellWord word) {
 }
 
 void Ground::read(const Held& held, std::vector<PlacedPolygon>& out) const {
-  const std::vector<PolygonId>& polygons = catalogue.content(contentId(held.word)).polygons;
+  const bool isListed = (held.word & kListBit) != 0;
+  const PlacedBySlot placed =
+      isListed ? PlacedBySlot(list(held.word)) : PlacedBySlot(Placed{held.word & kLowMask, held.block});
+  const ContentId content = isListed ? list(held.word).content() : held.word >> kLowBits;
+  const std::vector<PolygonId>& polygons = catalogue.content(content).polygons;
   const std::size_t first = out.size();
   for (std::size_t slot = 0; slot < polygons.size(); ++slot) {
-    const Placed placed = this->placed(held.word, [&held] { return held.block; })[static_cast<Slot>(slot)];
-    out.push_back({{held.ref, placed.serial}, placed.block, catalogue.vertices(polygons[slot])});
+    const Placed p = placed[static_cast<Slot>(slot)];
+    out.push_back({{held.ref, p.serial}, p.block, catalogue.vertices(polygons[slot])});
   }
   detail::sort(std::span(out).subspan(first), [](const auto& a, const auto& b) { return a.handle < b.handle; });
 }
@@ -158,12 +162,12 @@ void Ground::tell(std::uint64_t begin, std::uint64_t end, Way way) {
 }
 
 void Ground::startNoting(For whom) {
-  notesFor_ |= static_cast<std::uint32_t>(whom);
+  notesFor_ = static_cast<std::uint8_t>(notesFor_ | static_cast<std::uint8_t>(whom));
   if (whom == For::followers) committed_ = noteCount();
 }
 
 void Ground::stopNoting(For whom) {
-  notesFor_ &= ~static_cast<std::uint32_t>(whom);
+  notesFor_ = static_cast<std::uint8_t>(notesFor_ & ~static_cast<std::uint8_t>(whom));
   if (whom == For::followers) cellChanges_.clear();
   if (!isNoting(For::marks)) forgetNotes(isNoting(For::followers) ? committed_ : noteCount());
   constexpr std::size_t kMost = 4'096;
