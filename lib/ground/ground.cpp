@@ -18,8 +18,8 @@ Ground::Ground(const Ground& other)
       notedLists_(other.notedLists_),
       dropped_(other.dropped_),
       forgotten_(other.forgotten_),
-      notesFor_(other.notesFor_),
       committed_(other.committed_),
+      notesFor_(other.notesFor_),
       cellChanges_(other.cellChanges_) {
   for (Chunk*& chunk : changed_) chunk = grid.chunks()[chunk->index - 1].get();
 }
@@ -173,12 +173,12 @@ void Ground::tell(std::uint64_t begin, std::uint64_t end, Way way) {
 }
 
 void Ground::startNoting(For whom) {
-  notesFor_ |= static_cast<std::uint32_t>(whom);
+  notesFor_ = static_cast<std::uint8_t>(notesFor_ | static_cast<std::uint8_t>(whom));
   if (whom == For::followers) committed_ = noteCount();
 }
 
 void Ground::stopNoting(For whom) {
-  notesFor_ &= ~static_cast<std::uint32_t>(whom);
+  notesFor_ = static_cast<std::uint8_t>(notesFor_ & ~static_cast<std::uint8_t>(whom));
   if (whom == For::followers) cellChanges_.clear();
   if (!isNoting(For::marks)) forgetNotes(isNoting(For::followers) ? committed_ : noteCount());
   constexpr std::size_t kMost = 4'096;

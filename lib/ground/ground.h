@@ -29,7 +29,10 @@ class Ground {
 
   // --- What stands where. A cell may be without chunk: then it holds nothing.
 
-  ContentId contentId(CellAt at) const { return at ? contentId(at.word()) : kEmptyContent; }
+  ContentId contentId(CellAt at) const {
+    if (!at) return kEmptyContent;
+    return isListed(at) ? list(at.word()).content() : at.word() >> kLowBits;
+  }
   const InternedContent& content(CellAt at) const { return catalogue.content(contentId(at)); }
   /// What a cell holds, or held when a note was made of it.
   struct Held {
@@ -51,7 +54,7 @@ class Ground {
     if (!at) return 0;
     return isListed(at) ? list(at.word()).lastSerial() : at.word() & kLowMask;
   }
-  static bool isListed(CellAt at) { return isListed(at.word()); }
+  static bool isListed(CellAt at) { return (at.word() & kListBit) != 0; }
   std::optional<Slot> slotOf(PolygonHandle handle) const;
   bool keeps(Block a, Block b) const { return preserve && (a < b ? preserve(a, b) : preserve(b, a)); }
 
@@ -102,9 +105,9 @@ class Ground {
   };
   Moment now() const { return {noteCount(), committed_, grid.chunks().size(), catalogue.shapeCount()}; }
   /// Who needs notes. The ground notes while there is anybody.
-  enum class For : std::uint32_t { marks = 1, group = 2, followers = 4 };
+  enum class For : std::uint8_t { marks = 1, group = 2, followers = 4 };
   bool isNoting() const { return notesFor_ != 0; }
-  bool isNoting(For whom) const { return (notesFor_ & static_cast<std::uint32_t>(whom)) != 0; }
+  bool isNoting(For whom) const { return (notesFor_ & static_cast<std::uint8_t>(whom)) != 0; }
   /// Followers begin and stop where nothing has changed since the last commit, and there are no marks.
   void startNoting(For whom);
   /// And forgets the notes that nobody else needs.
@@ -141,7 +144,6 @@ class Ground {
   static bool isListed(CellWord word) { return (word & kListBit) != 0; }
   static PolygonList list(CellWord word, const RecordArena& lists) { return PolygonList(lists.at(word & ~kListBit)); }
   PolygonList list(CellWord word) const { return list(word, lists_); }
-  ContentId contentId(CellWord word) const { return isListed(word) ? list(word).content() : word >> kLowBits; }
   CellWord makeList(ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons);
   /// Lets go of what a word stands for, whose list would be in this arena.
   void drop(CellWord word, RecordArena& lists) {
@@ -179,8 +181,8 @@ class Ground {
   RecordArena notedLists_;       ///< of the words in notes: so the other arena does not grow with them
   std::size_t dropped_ = 0;      ///< notes at the front of the vector that are forgotten already
   std::uint64_t forgotten_ = 0;  ///< notes that are gone from the front of the vector
-  std::uint32_t notesFor_ = 0;   ///< bits of For
   std::uint64_t committed_ = 0;  ///< how many notes there were at the last commit, if somebody follows
+  std::uint8_t notesFor_ = 0;    ///< bits of For
   CellChanges cellChanges_;
 };
 
