@@ -36,6 +36,8 @@ inline constexpr std::uint32_t kLowMask = (1u << kLowBits) - 1;
 static_assert(kMaxPolygonsPerCell <= kLowMask && kMaxContent < kListBit >> kLowBits);
 
 constexpr CellWord wordOf(ContentId content, std::uint32_t low) { return content << kLowBits | low; }
+/// Whether a word has a polygon, whose block its chunk keeps.
+constexpr bool hasSole(CellWord word) { return word > kLowMask && word < kListBit; }
 /// Whether a word is enough for these polygons.
 constexpr bool fitsWord(std::uint32_t lastSerial, std::span<const Placed> polygons) {
   return lastSerial <= kLowMask && (polygons.empty() || (polygons.size() == 1 && polygons[0].serial == lastSerial));

@@ -34,11 +34,9 @@ std::optional<Slot> Ground::slotOf(PolygonHandle handle) const {
 
 void Ground::set(CellAt at, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
   const Facts facts = catalogue.use(content);
-  const Block block = polygons.empty() ? at.chunk->block(at.local) : polygons[0].block;
-  if (fitsWord(lastSerial, polygons))
-    put(at, wordOf(content, lastSerial), block, facts);
-  else
-    put(at, makeList(content, lastSerial, polygons), at.chunk->block(at.local), facts);
+  const bool fits = fitsWord(lastSerial, polygons);
+  put(at, fits ? wordOf(content, lastSerial) : makeList(content, lastSerial, polygons),
+      polygons.empty() ? 0 : polygons[0].block, facts);
 }
 
 CellWord Ground::makeList(ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
@@ -125,7 +123,7 @@ void Ground::undo(const Note& note) {
   const CellAt at = grid.find(note.ref);
   drop(at.word(), lists_);
   at.word() = moveList(note.word, notedLists_, lists_);
-  if (!isListed(at) && note.word >> kLowBits != kEmptyContent) at.chunk->setBlock(at.local, note.block);
+  if (hasSole(at.word())) at.chunk->setBlock(at.local, note.block);
   at.chunk->facts[at.local] = catalogue.facts(contentId(at));
   if (note.of == Note::Of::changedCell) return;
   at.chunk->dirty[at.row()] &= ~at.bit();

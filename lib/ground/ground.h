@@ -138,7 +138,7 @@ class Ground {
     else
       drop(at.word(), lists_);
     at.word() = word;
-    at.chunk->setBlock(at.local, block);
+    if (hasSole(word)) at.chunk->setBlock(at.local, block);
     touch(at, facts);
   }
   static bool isListed(CellWord word) { return (word & kListBit) != 0; }

@@ -84,7 +84,8 @@ Expected<void> writeReals(const World::Impl& world, std::span<const SegmentId> i
 
 }  // namespace
 
-World::World(PreserveRelation preserve) noexcept : impl_(std::make_unique<Impl>(std::move(preserve))) {}
+World::World(PreserveRelation preserve, Handles /*handles*/) noexcept
+    : impl_(std::make_unique<Impl>(std::move(preserve))) {}
 World::~World() noexcept = default;
 World::World(const World& other) noexcept : impl_(std::make_unique<Impl>(*other.impl_)) {}
 World& World::operator=(const World& other) noexcept {

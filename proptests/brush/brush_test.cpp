@@ -43,6 +43,7 @@ TEST(BrushRegion, SizesAreBroughtIntoTheirRange) {
   EXPECT_EQ(rectangle({0, 0}, {1, 0}, kMost, 0).rings, rectangle({0, 0}, {1, 0}, kLongest, 1).rings);
   EXPECT_EQ(circle({0, 0}, kCell, -3).rings[0].size(), 8U);
   EXPECT_EQ(circle({0, 0}, kCell, 5'000).rings[0].size(), 4'096U);
+  EXPECT_EQ(rectangle({0, 0}, {INT64_MIN, INT64_MIN}, kCell, 5).rings, rectangle({0, 0}, {-1, -1}, kCell, 5).rings);
   EXPECT_EQ(rectangle({0, 0}, {kMaxCoordinate, -kMaxCoordinate}, kCell, 5).rings,
             rectangle({0, 0}, {1, -1}, kCell, 5).rings);
 }

@@ -4,7 +4,6 @@
 #include <lgs/brush.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace lgs {
 namespace {
@@ -57,8 +56,11 @@ Ring circleRing(Point center, std::int64_t radius, int corners) {
 
 Ring rectangleRing(Point center, Point along, std::int64_t halfLength, std::int64_t halfWidth) {
   if (along == Point{}) along = {1, 0};
-  while (std::max(std::abs(along.x), std::abs(along.y)) >= std::int64_t{1} << 30) along = {along.x / 2, along.y / 2};
-  while (std::max(std::abs(along.x), std::abs(along.y)) < std::int64_t{1} << 29) along = {along.x * 2, along.y * 2};
+  const auto reaches = [&along](std::int64_t size) {  // without std::abs(), as the least number has no opposite
+    return along.x >= size || along.x <= -size || along.y >= size || along.y <= -size;
+  };
+  while (reaches(std::int64_t{1} << 30)) along = {along.x / 2, along.y / 2};
+  while (!reaches(std::int64_t{1} << 29)) along = {along.x * 2, along.y * 2};
   const std::int64_t norm = squareRoot(along.x * along.x + along.y * along.y);
   const auto part = [norm](std::int64_t size, std::int64_t v) { return brush::roundedProduct(length(size), v, norm); };
   const Point l{part(halfLength, along.x), part(halfLength, along.y)};

@@ -49,6 +49,16 @@ inline constexpr std::size_t kMaxChunks = (std::size_t{1} << 22) - 1;  ///< of 3
 #endif
 inline constexpr std::size_t kMaxEntries = 0x7fff'ffff;  ///< of a call that takes many
 
+/// Which handles a file was compiled for. It is a parameter of World's constructor that nobody gives: where a program and
+/// its library disagree about LGS_HANDLES_IN_53_BITS, they do not link.
+#ifdef LGS_HANDLES_IN_53_BITS
+enum class HandlesIn53Bits : bool {};
+using Handles = HandlesIn53Bits;
+#else
+enum class HandlesIn60Bits : bool {};
+using Handles = HandlesIn60Bits;
+#endif
+
 /// Says whether the overlap between polygons of these two blocks is kept (true) or cancelled (false). The smaller block
 /// always comes first, so any function gives a symmetric relation. It must give the same answer every time, throw
 /// nothing and not call back into the world. If it is empty, everything is cancelled.
@@ -112,7 +122,7 @@ class Transaction;
 class World {
  public:
   /// An empty world. Without a relation, whatever two polygons share is cancelled.
-  explicit World(PreserveRelation preserve = {}) noexcept;
+  explicit World(PreserveRelation preserve = {}, Handles = {}) noexcept;
   ~World() noexcept;
   /// A copy has the same polygons, handles, shapes, segments, marks and edits that are not committed. From then on the
   /// same edits give the same ids and lists in both. Cost: in proportion to the world.
