@@ -5,10 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <vector>
+
 namespace lgs::test {
 namespace {
 
-LGS_LAW(Views, AreToldExactlyTheCellsThatChanged, 500, (const Seeds& seeds, bool preserves)) {
+LGS_LAW(Views, AreToldExactlyTheCellsThatChanged, 500, (const std::vector<std::uint32_t>& seeds, bool preserves)) {
   FollowerOfCells follower(preserves);
   for (const std::uint32_t seed : seeds) {
     Chance chance(seed);

@@ -21,7 +21,38 @@ std::vector<PolygonFields> in(const Cells& cells, Cell cell) {
   return found == cells.end() ? std::vector<PolygonFields>() : found->second;
 }
 
-Cell someCell(Chance& chance) { return {30 + chance.below(4), -2 + chance.below(4)}; }
+constexpr Cell kCorner{30, -2};  // of four chunks
+
+Cell someCell(Chance& chance) { return {kCorner.i + chance.below(4), kCorner.j + chance.below(4)}; }
+
+oracle::PreservePairs somePairs(bool preserves) {
+  oracle::PreservePairs pairs;
+  if (!preserves) return pairs;
+  pairs.add(1, 2);
+  pairs.add(2, 2);
+  return pairs;
+}
+
+/// Single edits, good and bad.
+Call someEdit(Chance& chance) {
+  oracle::Choices choices([&chance] { return static_cast<std::uint64_t>(chance.below(1 << 30)); });
+  oracle::Habits habits;
+  for (const auto kind : {Call::Kind::group, Call::Kind::commit, Call::Kind::copy})
+    habits.weights[static_cast<std::size_t>(kind)] = 0;
+  return drawCall(choices, habits);
+}
+
+/// The cells that an edit may change.
+std::vector<Cell> reached(const World& world, const Call& edit) {
+  std::vector<Cell> cells{edit.cells.min};
+  for (const oracle::Coming& coming : edit.comes) cells.push_back(coming.cell);
+  for (const oracle::Named& named : edit.goes)
+    if (const auto cell = world.cellOf(named.handle)) cells.push_back(*cell);
+  world.forEachPolygon([&](Cell cell, const PlacedPolygon&) { cells.push_back(cell); });  // what clear() may reach
+  if (edit.kind == Call::Kind::fill && inRange(edit.cells.min) && inRange(edit.cells.max))
+    for (const Cell& cell : cellsOf(edit.cells)) cells.push_back(cell);
+  return cells;
+}
 
 }  // namespace
 
@@ -43,7 +74,8 @@ std::map<Block, std::int64_t> recomputedAreas(const World& world) {
   return areas;
 }
 
-FollowerOfCells::FollowerOfCells(bool preserves) : preserves_(preserves), world_(grown(preserves, {})), view_(world_) {
+FollowerOfCells::FollowerOfCells(bool preserves)
+    : preserve_(somePairs(preserves)), caller_(World(oracle::relationOf(preserve_)), kCorner), view_(world_) {
   EXPECT_TRUE(world_.followCells(true));
 }
 
@@ -72,12 +104,8 @@ void FollowerOfCells::logged(const std::vector<Cell>& cells, Call&& call) {
 }
 
 void FollowerOfCells::edit(Chance& chance) {
-  AnyEdit edit = randomEdit(world_, chance);
-  if (edit.kind == AnyEdit::Kind::commit) edit.kind = AnyEdit::Kind::remove;
-  std::vector<Cell> cells = cellsOf(edit.cells);
-  cells.push_back(edit.cell);
-  if (const auto cell = world_.cellOf(edit.polygon)) cells.push_back(*cell);
-  logged(cells, [&] { makeEdit(world_, edit); });
+  const Call edit = caller_.resolved(someEdit(chance));
+  logged(reached(world_, edit), [&] { caller_.makeResolved(edit); });
 }
 
 void FollowerOfCells::editMany(Chance& chance) {
@@ -149,7 +177,7 @@ void FollowerOfCells::forget(Chance& chance) {
 /// A loaded world follows nothing yet. Its view begins anew.
 void FollowerOfCells::load() {
   commit();
-  auto loaded = World::load(saved(world_), relation(preserves_));
+  auto loaded = World::load(saved(world_), oracle::relationOf(preserve_));
   ASSERT_TRUE(loaded);
   world_ = std::move(*loaded);
   marks_.clear();

@@ -54,8 +54,9 @@ class FollowerOfCells {
   void logged(const std::vector<Cell>& cells, Call&& call);
   void expectTold(std::span<const Edited> edited, const Cells& now);
 
-  bool preserves_;
-  World world_;
+  oracle::PreservePairs preserve_;
+  Caller caller_;
+  World& world_ = caller_.world;
   examples::AreaByBlock view_;
   Cells told_;                 ///< as the follower knows them
   std::vector<Edited> log_;    ///< of edits that are not undone
