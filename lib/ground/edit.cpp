@@ -224,8 +224,11 @@ Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block b
   for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
     for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci) ground_.grid.obtain({ci * kChunkSize, cj * kChunkSize});
   std::uint64_t count = 0;
-  ground_.grid.forEachCell(cells, [&](CellAt, Cell cell) {
-    static_cast<void>(add(cell, shape, block, {}));
+  ground_.grid.forEachCell(cells, [&](CellAt at, Cell cell) {
+    if (interned.isSole && at.word() < kLowMask)
+      ground_.setSole(at, interned, {at.word() + 1, block});
+    else
+      static_cast<void>(add(cell, shape, block, {}));
     ++count;
   });
   return count;

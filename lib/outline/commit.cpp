@@ -20,7 +20,16 @@ void Outline::update(const Ground& ground, const Executor& executor) {
     Linking phase2(ground, *this, fan_);
     for (const Chunk* chunk : ground.changedChunks()) phase2.linkChunk(*chunk);
   }
+  if (ground.preserve)
+    for (const SegmentId id : changes_.added) endWithoutLinks(id.value);
   finish();
+}
+
+/// A preserve relation that contradicts itself can leave ends that no phase 2 comes by: what follows there is nothing.
+void Outline::endWithoutLinks(std::uint32_t id) {
+  SegmentRecord& s = segments[id];
+  if (s.predecessor == kUnlinked) s.predecessor = kNoSegment;
+  if (s.successor == kUnlinked) s.successor = kNoSegment;
 }
 
 /// Ids that the last update removed become available now, and not then. So no id is in two lists of one update, and the
@@ -51,6 +60,8 @@ void Outline::finish() {
 void Outline::linkAll(const Ground& ground) {
   Linking phase2(ground, *this, fan_);
   for (const Chunk* chunk : ground.changedChunks()) phase2.linkChunk(*chunk);
+  for (std::uint32_t id = 1; id <= segments.maxId(); ++id)
+    if (segments.isLive(id)) endWithoutLinks(id);
   version_ = versions_.next();
 }
 

@@ -106,6 +106,7 @@ class Outline {
 
   void begin();
   void finish();
+  void endWithoutLinks(std::uint32_t id);
   void noteList(CellAt at);
   void undo(const Grid& grid, const Note& note);
 

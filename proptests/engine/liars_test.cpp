@@ -1,0 +1,103 @@
+// Functions that a world is given and that do not do what world.h asks of them. The outline may be wrong then. No memory
+// is touched that is not the world's: the sanitizers watch.
+#include <lgs/world.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace lgs::test {
+namespace {
+
+constexpr std::int32_t U = kUnitsPerCell;
+
+/// Triangles and blocks across a corner of four chunks.
+void build(World& world) {
+  const ShapeId block = world.shape(kUnitSquare).value();
+  const ShapeId ramp = world.shape({{0, 0}, {U, 0}, {0, U}}).value();
+  const ShapeId halves = world
+                             .shape(std::vector<std::vector<LocalPoint>>{{{0, 0}, {U / 3, 0}, {U / 2, U}, {0, U}},
+                                                                         {{U / 3, 0}, {U, 0}, {U, U}, {U / 2, U}}})
+                             .value();
+  std::uint32_t k = 0;
+  for (std::int32_t j = -3; j < 4; ++j)
+    for (std::int32_t i = -3; i < 4; ++i, ++k) {
+      const ShapeId shape = k % 3 == 0 ? block : k % 3 == 1 ? ramp : halves;
+      ASSERT_TRUE(world.add({i, j}, shape, k % 4));
+    }
+}
+
+std::vector<Segment> segmentsOf(const World& world) {
+  std::vector<Segment> out;
+  for (const SegmentId id : world.segments()) out.push_back(*world.segment(id));
+  return out;
+}
+
+bool areSame(const Segment& a, const Segment& b) {
+  return a.id == b.id && a.start == b.start && a.end == b.end && a.predecessor == b.predecessor &&
+         a.successor == b.successor && a.polygon == b.polygon;
+}
+
+TEST(Liars, AnExecutorThatRepeatsOrLeavesOutJobsChangesNothing) {
+  using Job = std::function<void(std::size_t)>;
+  const std::vector<Executor> liars{
+      [](std::size_t, const Job&) {},
+      [](std::size_t count, const Job& job) {
+        for (std::size_t k = 0; k < count; k += 2) job(k);
+      },
+      [](std::size_t count, const Job& job) {
+        for (std::size_t k = 2 * count + 3; k-- > 0;) job(k / 2);
+      },
+      [](std::size_t, const Job& job) { job(SIZE_MAX); },
+  };
+  World honest;
+  build(honest);
+  honest.commit();
+  const std::vector<Segment> expected = segmentsOf(honest);
+  for (std::size_t liar = 0; liar < liars.size(); ++liar) {
+    World world;
+    build(world);
+    EXPECT_EQ(world.commit(liars[liar]).added, honest.segments()) << "executor " << liar;
+    const std::vector<Segment> segments = segmentsOf(world);
+    ASSERT_EQ(segments.size(), expected.size());
+    for (std::size_t k = 0; k < segments.size(); ++k) EXPECT_TRUE(areSame(segments[k], expected[k]));
+  }
+}
+
+// It answers at random. The numbers are the same in each run.
+TEST(Liars, ARelationThatContradictsItselfTouchesNothingElse) {
+  for (std::uint32_t seed = 1; seed <= 60; ++seed) {
+    const auto state = std::make_shared<std::uint32_t>(seed);
+    World world([state](Block, Block) {
+      *state = *state * 1'664'525u + 1'013'904'223u;
+      return (*state >> 16 & 1u) != 0;
+    });
+    build(world);
+    const Executor inTurn = [](std::size_t count, const std::function<void(std::size_t)>& job) {
+      for (std::size_t k = 0; k < count; ++k) job(k);
+    };
+    seed % 2 == 0 ? world.commit(inTurn) : world.commit();
+    const Mark mark = world.checkpoint();
+    for (std::int32_t k = 0; k < 20; ++k) {
+      const Cell cell{k % 7 - 3, k % 5 - 2};
+      for (const PlacedPolygon& p : world.polygons(cell)) static_cast<void>(world.setBlock(p.handle, k % 3));
+      if (k % 4 == 0) static_cast<void>(world.clear(cell));
+      world.commit();
+    }
+    static_cast<void>(segmentsOf(world));
+    static_cast<void>(world.loops());
+    World copy(world);
+    EXPECT_TRUE(world.rollBack(mark));
+    world.commit();
+    std::vector<std::byte> bytes;
+    ASSERT_TRUE(
+        copy.save([&](std::span<const std::byte> piece) { bytes.insert(bytes.end(), piece.begin(), piece.end()); }));
+    static_cast<void>(World::load(bytes, world.preserveRelation()));
+  }
+}
+
+}  // namespace
+}  // namespace lgs::test
