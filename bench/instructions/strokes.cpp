@@ -12,9 +12,9 @@
 namespace lgs::bench {
 namespace {
 
-constexpr std::int32_t kSide = 100;
+constexpr std::int32_t kGroundSide = 100;
 constexpr std::int32_t kRoom = 8;  // cells for a hole, on either axis
-constexpr std::size_t kHolesInARow = kSide / kRoom;
+constexpr std::size_t kHolesInARow = kGroundSide / kRoom;
 
 /// A full block in each cell; or one of the generator's degenerate shapes, turned at random, and one cell in eight
 /// empty, as in bench/tiles.cpp.
@@ -22,8 +22,8 @@ World worldOf(StrokeGround ground) {
   const auto& shapes = oracle::degenerateShapes();
   std::mt19937 random(1);
   World world;
-  for (std::int32_t j = 0; j < kSide; ++j) {
-    for (std::int32_t i = 0; i < kSide; ++i) {
+  for (std::int32_t j = 0; j < kGroundSide; ++j) {
+    for (std::int32_t i = 0; i < kGroundSide; ++i) {
       if (ground == StrokeGround::mixed && random() % 8 == 0) continue;
       const auto& shape = ground == StrokeGround::full ? shapes[0] : shapes[random() % shapes.size()];
       const int symmetry = ground == StrokeGround::full ? 0 : static_cast<int>(random() % 8);
@@ -38,7 +38,8 @@ World worldOf(StrokeGround ground) {
 /// A 32-gon of radius 3 around any lattice point, so that no hole meets another.
 Region hole(std::size_t k, std::mt19937& random) {
   const auto coordinate = [&](std::size_t place) {
-    return static_cast<std::int64_t>(place * kRoom + kRoom / 2) * kUnitsPerCell + random() % kUnitsPerCell;
+    const auto inCell = static_cast<std::int64_t>(random() % kUnitsPerCell);
+    return static_cast<std::int64_t>(place * kRoom + kRoom / 2) * kUnitsPerCell + inCell;
   };
   const std::int64_t x = coordinate(k % kHolesInARow), y = coordinate(k / kHolesInARow);
   return circle({x, y}, 3 * kUnitsPerCell, 32);
