@@ -29,3 +29,6 @@ void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); 
 _LIBCPP_BEGIN_NAMESPACE_STD
 void __libcpp_verbose_abort(const char*, ...) { __builtin_trap(); }
 _LIBCPP_END_NAMESPACE_STD
+
+/// Runs a destructor when its thread ends. There is one thread here, and it never ends.
+extern "C" int __cxa_thread_atexit(void (*)(void*), void*, void*) { return 0; }  // NOLINT: the name is the compiler's
