@@ -25,7 +25,8 @@ Habits only(std::initializer_list<Kind> kinds) {
 rc::Seq<Call> simplerCalls(const Call& call) { return rc::seq::fromContainer(simpler(call)); }
 
 rc::Seq<std::vector<Call>> shorter(const std::vector<Call>& list) {
-  return rc::seq::concat(rc::shrink::removeChunks(list), rc::shrink::eachElement(list, simplerCalls));
+  return rc::seq::concat(rc::shrink::removeChunks(list),
+                         rc::shrink::eachElement(list, [](const Call& call) { return simplerCalls(call); }));
 }
 
 /// Some have marks, if there are any at all: without marks an edit goes quicker ways.
@@ -35,7 +36,8 @@ rc::Gen<std::vector<Call>> lists(const Habits& plain, const Habits& marked) {
     const Habits& habits = choices.chance(40) ? marked : plain;
     std::vector<Call> list;
     for (int k = choices.below(size + 1); k > 0; --k) list.push_back(drawCall(choices, habits));
-    return rc::shrinkable::shrinkRecur(std::move(list), shorter);
+    return rc::shrinkable::shrinkRecur(std::move(list),
+                                       [](const std::vector<Call>& longer) { return shorter(longer); });
   };
 }
 
@@ -130,8 +132,9 @@ Gen<CallOfParts> Arbitrary<CallOfParts>::arbitrary() {
   const Habits habits = only({addMany, removeMany, replace, exchange, exchange, fill, clear});
   return [=](Random random, int) {
     oracle::Choices choices = choicesFrom(random.next());
-    return shrinkable::map(shrinkable::shrinkRecur(drawCall(choices, habits), simplerCalls),
-                           [](Call&& call) { return CallOfParts{std::move(call)}; });
+    return shrinkable::map(
+        shrinkable::shrinkRecur(drawCall(choices, habits), [](const Call& call) { return simplerCalls(call); }),
+        [](Call&& call) { return CallOfParts{std::move(call)}; });
   };
 }
 
