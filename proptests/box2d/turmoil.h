@@ -3,7 +3,7 @@
 #pragma once
 
 #include "crowd.h"
-#include "oracle/generate/random.h"
+#include "oracle/calls/random.h"
 
 #include <lgs/box2d/terrain.h>
 #include <lgs/brush.h>
