@@ -60,7 +60,7 @@ std::vector<HalfEdge> atomicEdges(std::span<const PolygonView> polygons, const V
       // What lies on an edge comes between its ends in order. On an edge of a polygon that is alone lies nothing.
       for (Rank r = from + step; polygons.size() > 1 && r != to; r += step) {
         const LocalPoint p = vertices.points[r];
-        if (p.y < std::min(a.y, b.y) || p.y > std::max(a.y, b.y) || !isInside(p, a, b)) continue;
+        if (p.y < std::min(a.y, b.y) || p.y > std::max(a.y, b.y) || !isOnOpenSegment(p, a, b)) continue;
         edges.push_back({from, r, static_cast<std::uint32_t>(slot)});
         from = r;
       }
