@@ -41,7 +41,7 @@ std::uint32_t store(std::vector<Owned<T>>& table, std::vector<std::uint32_t>& fr
 }  // namespace
 
 Catalogue::Catalogue() {
-  contents_.emplace_back(std::make_unique<InternedContent>(InternedContent{buildContent({}, {}), {}, {}, 0}));
+  contents_.emplace_back(std::make_unique<InternedContent>(InternedContent{builder_.build({}, {}), {}, {}, 0}));
   uses_.push_back({.users = kForever});
 }
 
@@ -75,23 +75,23 @@ Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons
   });
   if (found != HashIndex::kNone) return found;
 
-  std::vector<PolygonView> views;
+  views_.clear();
   std::size_t vertexCount = 0;
   for (const PolygonId id : polygons) {
-    views.push_back(vertices(id));
-    vertexCount += views.back().size();
+    views_.push_back(vertices(id));
+    vertexCount += views_.back().size();
   }
   if (polygons.size() > kMaxPolygonsPerCell || vertexCount > kMaxVerticesPerCell)
     return refuse({.code = ErrorCode::capacity});
   if (freeContents_.empty() && contents_.size() > kMaxContent) return refuse({.code = ErrorCode::capacity});
   const auto isKnown = [&](std::size_t k) { return !known.empty() && known[k]; };
-  for (std::size_t b = 0; b < views.size(); ++b) {
+  for (std::size_t b = 0; b < views_.size(); ++b) {
     if (isKnown(b)) continue;
-    for (std::size_t a = 0; a < views.size(); ++a)
-      if ((a < b || isKnown(a)) && interiorsMeet(views[a], views[b])) return refuse({.code = ErrorCode::overlap});
+    for (std::size_t a = 0; a < views_.size(); ++a)
+      if ((a < b || isKnown(a)) && interiorsMeet(views_[a], views_[b])) return refuse({.code = ErrorCode::overlap});
   }
 
-  InternedContent content{buildContent(views, preserved), {}, {}, hash};
+  InternedContent content{builder_.build(views_, preserved), {}, {}, hash};
   content.polygons.assign(polygons.begin(), polygons.end());
   content.preserved.assign(preserved.begin(), preserved.end());
   const ContentId id = store(contents_, freeContents_, std::move(content));
@@ -182,7 +182,7 @@ std::uint64_t Catalogue::bytes() const {
     for (const Side& side : c->sides) sum += of(side.covered) + of(side.points);
   }
   for (const InternedShape& s : shapes_) sum += 2 * of(s.polygons);
-  return sum + of(uses_) + of(shapes_) + of(freePolygons_) + of(freeContents_);
+  return sum + builder_.bytes() + of(views_) + of(uses_) + of(shapes_) + of(freePolygons_) + of(freeContents_);
 }
 
 }  // namespace lgs::detail

@@ -133,6 +133,8 @@ class Catalogue {
   std::vector<ContentId> freeContents_;
   std::uint32_t widestFan_ = 0;
   std::size_t unused_ = 0;  ///< contents and polygons without users
+  ContentBuilder builder_;
+  std::vector<PolygonView> views_;  ///< working memory
 };
 
 }  // namespace lgs::detail

@@ -113,7 +113,7 @@ TEST(BrushAtoms, ARayThroughAVertexMeetsOneOfItsEdges) {
 }
 
 TEST(BrushOutline, AHoleIsCutOpenByTwoChords) {
-  brush::List<brush::Edge> edges;
+  brush::List<brush::HalfEdge> edges;
   const auto addRing = [&](const Ring& ring) {
     for (std::size_t k = 0; k < ring.size(); ++k) edges.push_back({ring[k], ring[(k + 1) % ring.size()]});
   };
