@@ -91,7 +91,7 @@ class SnapshotWriter {
     for (const std::uint64_t value : values) number(value);
   }
   void flush() {
-    if (!buffer_.empty()) sink_(buffer_);
+    if (!buffer_.empty() && sink_) sink_(buffer_);
     buffer_.clear();
   }
 

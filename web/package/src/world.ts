@@ -1,5 +1,5 @@
 // The world: each method checks its arguments, calls the engine once, and makes objects of the answer.
-import { bits64, bad, flat, int32, real, reals, rect, uint32 } from './check.js'
+import { bits64, bad, finite, flat, int32, real, reals, rect, uint32 } from './check.js'
 import { type Engine, engine } from './engine.js'
 import { LgsError } from './error.js'
 import { changesOf, Lists, listOf } from './lists.js'
@@ -191,7 +191,7 @@ class EngineWorld implements World {
     return polygons
   }
   at(x: number, y: number): Spot {
-    this.#call.at(this.#live, real('x', x), real('y', y))
+    this.#call.at(this.#live, finite('x', x), finite('y', y))
     const n = this.#engine.answer(5)
     return { where: (['outside', 'edge', 'inside'] as const)[n[0]!]!, polygon: n[1]!, block: n[2]!, i: n[3]!, j: n[4]! }
   }

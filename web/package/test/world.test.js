@@ -132,7 +132,7 @@ test('polygons: of a cell, of a rectangle, of an id, at a point', () => {
   assert.deepEqual(world.at(0.75, 1.25), { where: 'inside', polygon: hill, block: 9, i: 0, j: 1 })
   assert.deepEqual(world.at(0.5, 1.5), { where: 'edge', polygon: hill, block: 9, i: 0, j: 1 })
   assert.deepEqual(world.at(0.25, 1.75), { where: 'outside', polygon: 0, block: 0, i: 0, j: 1 })
-  assert.equal(world.at(NaN, 0).where, 'outside')
+  for (const wrong of [NaN, Infinity, '0']) assert.throws(() => world.at(wrong, 0), { code: 'bad-argument' })
   assert.deepEqual(world.bounds(), { i0: 0, j0: 0, i1: 1, j1: 1 })
   assert.equal(createWorld().bounds(), null)
 })

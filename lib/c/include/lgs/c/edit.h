@@ -111,7 +111,8 @@ LGS_API lgs_status lgs_set_block(lgs_world* world, lgs_polygon_id polygon, lgs_b
 
 /* Places a shape in every cell of a rectangle, or in none. `filled` receives their number. Refused as lgs_add() would
  * be for the first cell, by rows from min, that it would refuse; but LGS_CELL_OUT_OF_RANGE names a corner of the
- * rectangle that is out of range. An empty rectangle is no error. */
+ * rectangle that is out of range, and LGS_CAPACITY names min if the rectangle reaches more chunks than the world has
+ * room for. An empty rectangle is no error. */
 LGS_API lgs_status lgs_fill(lgs_world* world, lgs_cell_rect cells, lgs_shape_id shape, lgs_block block,
                             uint64_t* filled, lgs_error* error) LGS_NOTHROW;
 
