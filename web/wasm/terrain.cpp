@@ -119,7 +119,7 @@ LGS_EXPORT("moveTerrain") void moveTerrain(Terrain* terrain, Bridge* to) {
   auto& from = terrain->bridge->terrains;
   const auto own = std::ranges::find(from, terrain, [](const auto& other) { return other.get(); });
   to->terrains.push_back(std::move(*own));
-  from.erase(std::ranges::find(from, nullptr));
+  from.erase(own);
   terrain->ground.reset();
   terrain->bridge = to;
 }

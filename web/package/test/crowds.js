@@ -39,7 +39,7 @@ export const planckCrowd = () => {
       }
       return middles
     },
-    positionOf: (body) => body.getPosition(),
+    positionOf: (body) => ({ ...body.getPosition() }),
     isEnabled: (body) => body.isActive(),
     kick(body, x, y) {
       body.setLinearVelocity({ x, y })
