@@ -6,7 +6,7 @@
 //   for (const auto& [old, now] : done->changed) …    // what your game keeps by handle
 //   world.commit();                                   // as after any edit
 //
-// Brushes have four laws, on top of those of the README. docs/brushes.md says how they are kept.
+// Brushes have four laws, on top of those of docs/contract.md. docs/internals/brushes.md says how they are kept.
 //
 //   8. Bounded rounding. Every point in which the new solid, or its division into blocks, differs from the exact result
 //      lies within one lattice unit of an edge of that exact result.
@@ -107,7 +107,7 @@ struct BrushResult {
   std::vector<PolygonHandle> went;   ///< nothing is left of them, or less than half a square unit
   std::vector<PolygonHandle> came;   ///< there is nothing of an old polygon in them
   std::vector<BrushChange> changed;  ///< old polygons that are cut, bent by rounding, united with others, or recoloured
-  std::vector<PolygonHandle> bent;   ///< of the old ones above, those that law 9 should have kept: docs/brushes.md
+  std::vector<PolygonHandle> bent;   ///< of the old ones above, that law 9 should have kept: docs/internals/brushes.md
 };
 
 /// Paints a region with a block. What is painted and the polygons that the region meets are united, in each cell, where
