@@ -123,11 +123,16 @@ Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
   return id;
 }
 
-void Catalogue::forgetShapes(std::uint64_t count) {
-  while (shapeCount() > count) {
-    shapeIndex_.erase(shapes_.back().polygons);
-    shapes_.pop_back();
-  }
+InternedShape Catalogue::takeShape() {
+  InternedShape shape = std::move(shapes_.back());
+  shapes_.pop_back();
+  shapeIndex_.erase(shape.polygons);
+  return shape;
+}
+
+void Catalogue::putShape(InternedShape shape) {
+  shapeIndex_.emplace(shape.polygons, ShapeId{static_cast<std::uint32_t>(shapes_.size())});
+  shapes_.push_back(std::move(shape));
 }
 
 Error Catalogue::overlapAmong(std::span<const PolygonId> polygons) const {

@@ -1,5 +1,5 @@
-// The letters of a snapshot: numbers of varying length, runs of them, and the checksum. docs/snapshot.md says the same
-// in words. Nothing here depends on the byte order of the machine.
+// The letters of a snapshot: numbers of varying length, runs of them, and the checksum. docs/internals/snapshot.md says
+// the same in words. Nothing here depends on the byte order of the machine.
 #pragma once
 
 #include <lgs/snapshot.h>

@@ -51,7 +51,8 @@ def parser() -> argparse.ArgumentParser:
     result.add_argument("--list", action="store_true", help="list the bugs, see that each applies, and build nothing")
     result.add_argument("--executions", metavar="N", type=whole_number, default=100_000,
                         help="of a fuzz target, for each bug (default: 100000)")
-    result.add_argument("--report", metavar="FILE", type=report_file, help="write the table there, as Markdown")
+    result.add_argument("--report", metavar="FILE", type=report_file, help="write the outcomes into the tables of this page; "
+                        "what stands around them stays, and so do rows of bugs that were not tried")
     result.add_argument("--scale", metavar="X", type=positive, default=1.0, help="LGS_TEST_SCALE (default: 1)")
     add_common(result)
     return result
@@ -82,6 +83,12 @@ def try_all(arguments: argparse.Namespace, groups: dict[str, Group], bugs: list[
     return done
 
 
+def report(arguments: argparse.Namespace, groups: dict[str, Group], bugs: list[Bug], results: dict[Bug, dict]) -> None:
+    if arguments.report:
+        page = arguments.report.read_text() if arguments.report.exists() else "# Planted bugs\n"
+        arguments.report.write_text(tables.planted(page, groups, bugs, results))
+
+
 def main() -> int:
     arguments = parser().parse_args()
     groups, everything = read_list()
@@ -96,6 +103,7 @@ def main() -> int:
         print(*wrong, sep="\n", file=sys.stderr)
         return 2
     if arguments.list:
+        report(arguments, groups, everything, {})
         return 0
 
     try:
@@ -103,8 +111,7 @@ def main() -> int:
     except AtFault as error:
         print(f"run.py: {error}", file=sys.stderr)
         return 2
-    if arguments.report:
-        arguments.report.write_text(tables.planted(groups, results, tables.command("run.py", arguments)))
+    report(arguments, groups, everything, results)
     verdicts = [r["verdict"] for r in results.values()]
     print(", ".join(f"{verdicts.count(v)} {v}" for v in dict.fromkeys(["found", *verdicts])) + f", of {len(bugs)} bugs")
     if "does not compile" in verdicts:

@@ -2,6 +2,7 @@
 import { copyFile, mkdir, rm } from 'node:fs/promises'
 import { createRequire } from 'node:module'
 import { build } from 'esbuild'
+import { copyPage } from '../links.js'
 
 const require = createRequire(import.meta.url)
 const here = (path) => new URL(path, import.meta.url).pathname
@@ -20,6 +21,7 @@ await build({
   sourcemap: false,
   legalComments: 'eof',
 })
-for (const file of ['index.html', 'style.css']) await copyFile(here(file), here(`dist/${file}`))
+await copyPage(here('index.html'), here('dist/index.html'))
+await copyFile(here('style.css'), here('dist/style.css'))
 for (const file of ['lgs.wasm', 'lgs-full.wasm'])
   await copyFile(require.resolve(`localgridseg/${file}`), here(`dist/${file}`))

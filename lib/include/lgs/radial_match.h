@@ -9,7 +9,7 @@
 //
 // This is phase 2 of the engine without the engine: no grid, no cells, no world. Edges may come from anywhere: contours
 // of an image, the open sides of a mesh's triangles, walls of a level that is drawn by hand. What is solid lies on
-// their left, as everywhere in this library. docs/radial-match.md says what it is good for.
+// their left, as everywhere in this library. docs/internals/radial-match.md says what it is good for.
 #pragma once
 
 #include <lgs/error.h>

@@ -1,5 +1,5 @@
-// Snapshots: a world as bytes, and a world from bytes. See World::save() and World::load(). docs/snapshot.md has the
-// format, byte by byte.
+// Snapshots: a world as bytes, and a world from bytes. See World::save() and World::load().
+// docs/internals/snapshot.md has the format, byte by byte.
 #pragma once
 
 #include <cstddef>

@@ -49,6 +49,19 @@ export async function openBrowser() {
       await test(page)
       assert.deepEqual(wrong, [])
     },
+    /** Runs a test on another page of the site, whose clock runs. `wrongs` are the complaints that the test expects. */
+    async onPath(test, path, { context = {}, before = async () => {}, wrongs = [] } = {}) {
+      const page = await newPage(context)
+      await before(page)
+      await page.goto(address + path)
+      await page.waitForSelector('body[data-ready]')
+      await test(page)
+      await page.close()
+      assert.deepEqual(
+        wrong.splice(0).filter((each) => !wrongs.some((pattern) => pattern.test(each))),
+        [],
+      )
+    },
     async close() {
       await browser.close()
       server.close()
