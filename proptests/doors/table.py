@@ -31,7 +31,8 @@ KINDS = {
     "error": "Error SnapshotError ImportError",
     "file": "string string_view MapFiles char",
     "function": "Executor ByteSink World::PolygonVisitor PolygonVisitor PreserveRelation FileReader FolderLister "
-                "function<Material(Block)> lgs_executor_fn lgs_write_fn lgs_polygon_fn",
+                "function<Material(Block)> lgs_executor_fn lgs_write_fn lgs_polygon_fn "
+                "lgs_cell_change_fn",
     "group": "lgs_group",
     "loops": "lgs_loops",
     "mark": "Mark lgs_mark",
@@ -50,7 +51,7 @@ KINDS = {
     "room": "span<PolygonHandle> span<Segment> span<FloatSegment> span<DoubleSegment> vector<PlacedPolygon>",
     "segment": "SegmentId lgs_segment_id EdgeId",
     "segments": "span<constSegmentId> SegmentList",
-    "several": "span<constPlacement> span<constNewPolygon> Int32Array span<constvector<LocalPoint>> "
+    "several": "lgs_new_polygon span<constPlacement> span<constNewPolygon> Int32Array span<constvector<LocalPoint>> "
                "span<constvector<DoublePoint>>",
     "shape": "ShapeId lgs_shape_id",
     "terrain": "Terrain",
@@ -137,7 +138,7 @@ def main():
         TABLE.write_text(HEAD + "\n".join(lines) + "\n", encoding="utf-8")
         return 0
     found = sorted(set(complaints()))
-    print("\n".join(found) or f"{len(listed())} public functions, and each is attacked")
+    print("\n".join(found) or f"{len(listed())} public functions, each with what tries it")
     return bool(found)
 
 
