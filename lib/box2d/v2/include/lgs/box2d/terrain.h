@@ -37,6 +37,7 @@ class NewGround;
 struct Box;
 struct Footing;
 struct Form;
+enum class Whose;
 
 /// What a block is like. The defaults are Box2D's.
 struct Material {
@@ -130,6 +131,10 @@ class Terrain {
   /// of a body that is awake.
   const std::vector<b2Body*>& afterStep();
 
+  /// Call it when the game itself has put a body elsewhere, through a portal or to where it starts anew: else it seems to
+  /// have come through the ground that is between, and afterStep() puts it back. Not needed before resync().
+  void moved(const b2Body& body);
+
   /// Whether the ground, as of the last commit, reaches into no fixture of a body by more than Box2D's slop, where it
   /// is or as if it were at another place.
   bool fits(const b2Body& body);
@@ -140,7 +145,8 @@ class Terrain {
   std::vector<std::vector<Point>> outlinesOf(const b2Body* body);
 
   /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world: changes
-  /// were left out, or another world was assigned to it, loaded or copied. Fixtures that are right as they are stay,
+  /// were left out, or another world was assigned to it, loaded or copied. Bodies may have been moved meanwhile: whoever is
+  /// in the ground is pushed or held, however it came there; and whoever is held and free is held no more. Fixtures that are right as they are stay,
   /// and bodies on them sleep on. Cost: O(segments).
   void resync();
 
@@ -223,12 +229,16 @@ class Terrain {
   bool isAlone() const { return static_cast<std::size_t>(physics_.GetBodyCount()) <= bodyCount_; }
   std::vector<Form> formsOf(const b2Body& body, const b2Transform& at);
   b2Vec2 metres(DoublePoint units) const;
+  std::vector<b2Body*> catchableIn(const Box& box) const;
   std::vector<Caught> find(const NewGround& ground);
-  void settle(const NewGround& ground, OnCaught onCaught);
+  std::vector<Caught> findAll(const NewGround& ground);
+  void addIfCaught(b2Body* body, const NewGround& ground, Whose whose, std::vector<Caught>& caught);
+  void settle(const std::optional<Box>& changed, OnCaught onCaught);
   bool release(b2Body& body, const Box& changed);
   void push(b2Body& body, const b2Vec2& way);
   bool isFree(const b2Body& body, const b2Transform& at);
   bool hasCrossed(const b2Body& body, const Footing& last);
+  void noteAll();
   void note(const b2Body& body);
   b2Transform transformOf(const Footing& footing) const;
   void putBack(b2Body& body, const Footing& footing);

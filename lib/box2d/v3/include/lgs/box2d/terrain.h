@@ -37,6 +37,7 @@ class NewGround;
 struct Box;
 struct Footing;
 struct Form;
+enum class Whose;
 
 /// A place in the physics world: b2Pos, which is b2Vec2 unless Box2D was built with BOX2D_DOUBLE_PRECISION. Before 3.2
 /// Box2D has b2Vec2 alone.
@@ -149,6 +150,10 @@ class Terrain {
   /// of a body that is awake.
   const std::vector<b2BodyId>& afterStep();
 
+  /// Call it when the game itself has put a body elsewhere, through a portal or to where it starts anew: else it seems to
+  /// have come through the ground that is between, and afterStep() puts it back. Not needed before resync().
+  void moved(b2BodyId body);
+
   /// Whether the ground, as of the last commit, reaches into no shape of a body by more than Box2D's slop, where it
   /// is or as if it were at another place.
   bool fits(b2BodyId body);
@@ -159,7 +164,8 @@ class Terrain {
   std::vector<std::vector<Point>> outlinesOf(b2BodyId body);
 
   /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world: changes
-  /// were left out, or another world was assigned to it, loaded or copied. Shapes that are right as they are stay, and
+  /// were left out, or another world was assigned to it, loaded or copied. Bodies may have been moved meanwhile: whoever is
+  /// in the ground is pushed or held, however it came there; and whoever is held and free is held no more. Shapes that are right as they are stay, and
   /// bodies on them sleep on. Cost: O(segments).
   void resync();
 
@@ -264,12 +270,16 @@ class Terrain {
   bool isAlone() const;
   std::vector<Form> formsOf(b2BodyId body, Position at, b2Rot rotation);
   b2Vec2 metres(DoublePoint units) const;
+  std::vector<b2BodyId> catchableIn(const Box& box) const;
   std::vector<Caught> find(const NewGround& ground);
-  void settle(const NewGround& ground, OnCaught onCaught);
+  std::vector<Caught> findAll(const NewGround& ground);
+  void addIfCaught(b2BodyId body, const NewGround& ground, Whose whose, std::vector<Caught>& caught);
+  void settle(const std::optional<Box>& changed, OnCaught onCaught);
   bool release(b2BodyId body, const Box& changed);
   void push(b2BodyId body, b2Vec2 way);
   bool isFree(b2BodyId body, Position at, b2Rot rotation);
   bool hasCrossed(b2BodyId body, const Footing& last);
+  void noteAll();
   void note(b2BodyId body);
   void apply(const EdgeChanges& changes);
   void create(EdgeId id);
