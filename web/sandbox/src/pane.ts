@@ -85,7 +85,7 @@ export class Pane {
     c.lineWidth = 1.5 * pixel
     c.globalAlpha = 0.65
     c.beginPath()
-    currentTool()?.preview(c, x, y, pixel)
+    currentTool().preview(c, x, y, pixel)
     c.globalAlpha = 1
   }
 

@@ -60,7 +60,7 @@ test('drop marbles, boxes and a car, and drive it', () =>
       await click(page, 14 + 4 * k, 7)
     }
     assert.deepEqual(await riders(page), [count + 3, count + 3])
-    await page.locator('#empty').click()
+    await page.locator('#scene').selectOption('empty')
     await tool(page, 'tile')
     await drag(
       page,
@@ -75,7 +75,7 @@ test('drop marbles, boxes and a car, and drive it', () =>
     await step(page, 240)
     assert.ok((await car()) < from)
     await page.keyboard.up('ArrowLeft')
-    await page.locator('#landscape').click()
+    await page.locator('#scene').selectOption('hills')
     assert.deepEqual(await riders(page), [count, count])
   }))
 
@@ -134,7 +134,7 @@ test('ice, sticky and one-way ground', () =>
 
 test('an undo that refills a hole lifts who is in it', () =>
   browser.onPage(async (page) => {
-    await page.locator('#empty').click()
+    await page.locator('#scene').selectOption('empty')
     await page.evaluate(() => {
       const { ground } = window.sandbox.game
       const edit = (edit) => (ground.begin(), ground.edit(edit), ground.end())
