@@ -38,6 +38,7 @@ export class Ui {
     this.#setUpGround()
     this.#setUpView()
     this.#setUpDocument()
+    this.#viewer.labels = sceneOf('hills').labels!
   }
 
   /** Opens what the address holds, if it holds something; otherwise what was here last time. */
@@ -236,6 +237,7 @@ export class Ui {
     open()
     this.#scene = scene
     this.#scenes.open = scene
+    this.#viewer.labels = scene === null ? [] : (sceneOf(scene).labels ?? [])
     this.#say('')
     this.#facts.reset()
     this.#viewer.showSides()

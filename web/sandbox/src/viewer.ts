@@ -17,6 +17,7 @@ export class Viewer {
   readonly layer = new GroundLayer()
   readonly glow = new Glow()
   overlay = false
+  labels: readonly (readonly [number, number])[] = []
   differences: Float64Array = new Float64Array()
   readonly #game: Game
   readonly camera: Camera
@@ -102,6 +103,7 @@ export class Viewer {
       glow: this.glow,
       overlay: this.overlay,
       selected,
+      labels: this.labels,
       cursor: at,
       differences: this.differences,
     }

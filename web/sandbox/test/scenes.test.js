@@ -50,8 +50,7 @@ test('a conveyor carries a box along, ice does not', () =>
   }))
 
 test('the JavaScript beside the scenes runs', async () => {
-  const { outputFiles } = await build({ entryPoints: [here('../src/scenes/code.ts')], write: false, format: 'esm' })
-  const { codes } = await import(`data:text/javascript,${encodeURIComponent(outputFiles[0].text)}`)
+  const codes = await loadCodes()
   assert.deepEqual(Object.keys(codes), names)
   for (const name of names) {
     assert.ok(codes[name].js.split('\n').length <= 20 && codes[name].cpp.split('\n').length <= 22, `${name} is short`)
@@ -61,3 +60,24 @@ test('the JavaScript beside the scenes runs', async () => {
     assert.match(stdout, /^\d+ removed, [1-9]\d* added/, name)
   }
 })
+
+// The compiler only looks at it; native tests link the same calls. It is left out where there is no compiler.
+test('the C++ beside the scenes compiles', async (t) => {
+  const run = promisify(execFile)
+  try {
+    await run('c++', ['--version'])
+  } catch {
+    return t.skip('there is no c++')
+  }
+  const includes = ['include', 'brush/include', 'tiled/include'].map((folder) => `-I${here(`../../../lib/${folder}`)}`)
+  for (const name of names) {
+    const file = here(`../dist/code-${name}.cpp`)
+    await writeFile(file, (await loadCodes())[name].cpp)
+    await run('c++', ['-std=c++20', '-fsyntax-only', '-Wall', '-Wextra', '-Werror', ...includes, file])
+  }
+})
+
+async function loadCodes() {
+  const { outputFiles } = await build({ entryPoints: [here('../src/scenes/code.ts')], write: false, format: 'esm' })
+  return (await import(`data:text/javascript,${encodeURIComponent(outputFiles[0].text)}`)).codes
+}

@@ -81,10 +81,11 @@ test('drop marbles, boxes and a car, and drive it', () =>
 
 // An empty world with tiles, and one rider. Returns where it is after some steps, in cells.
 async function tryOut(page, tiles, rider, steps) {
+  await page.locator('#scene').selectOption('empty')
+  await page.waitForFunction(() => window.sandbox.game.sides[0].riders.length === 0)
   return page.evaluate(
     ([tiles, rider, steps]) => {
       const { game } = window.sandbox
-      document.getElementById('empty').click()
       game.ground.begin()
       for (const [i, j, block] of tiles)
         game.ground.edit({
@@ -100,7 +101,7 @@ async function tryOut(page, tiles, rider, steps) {
           block,
         })
       game.ground.end()
-      game.drop({ kind: 'box', speed: 0, size: 0.3, colour: 0, ...rider })
+      game.drop({ kind: 'box', speed: 0, size: 0.3, colour: 0, stays: true, ...rider })
       if (rider.up) game.sides[0].riders[0].bodies[0].setLinearVelocity({ x: 0, y: rider.up })
       window.sandbox.step(steps)
       const { x, y } = game.sides[0].riders[0].bodies[0].getPosition()

@@ -13,7 +13,7 @@ console.log(removed.length, 'removed,', added.length, 'added,', relinked.length,
 const cppEnd = `
   for (const lgs::SegmentId id : world.commit().added) {
     const lgs::Segment s = *world.segment(id);  // Box2D: SetOneSided(s.ghost1, s.start, s.end, s.ghost2)
-    std::printf("block %u in cell (%d, %d)\n", s.block, s.cell.i, s.cell.j);
+    std::printf("block %u in cell (%d, %d)\\n", s.block, s.cell.i, s.cell.j);
   }
 }`
 
@@ -39,7 +39,7 @@ const world = createWorld()
 map.place(world)${jsEnd}`,
   cpp: cpp(['tiled/import', 'world'], 'lgs::World world;', [
     `const auto map = lgs::tiled::importMap("${name}");`,
-    'if (!map) return std::printf("%s\\n", lgs::tiled::message(map.error()).c_str()), 1;',
+    'if (!map) return std::puts(lgs::tiled::message(map.error()).c_str()), 1;',
     'std::vector<lgs::ShapeId> shapes;',
     'for (const auto& shape : map->shapes) shapes.push_back(*world.shape(shape));',
     'for (const lgs::tiled::Placement& p : map->placements)',
