@@ -13,7 +13,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 # Files that tell a game or a user which version to ask for.
-ASKING = ["README.md", "docs/packages.md", "debian/copyright", "examples/lgs_ctypes.py",
+ASKING = ["docs/install.md", "docs/internals/packages.md", "debian/copyright", "examples/lgs_ctypes.py",
           "proptests/consumer/CMakeLists.txt", "proptests/c/consumer/CMakeLists.txt", "lib/c/liblgs.map"]
 
 

@@ -20,7 +20,8 @@ GROUND = ENGINE + ["lib/geometry", "lib/storage"]
 REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/calls", "oracle/trace"]
 ORACLE = REFERENCES + ["oracle/draw", "oracle/engine/include", "oracle/engine", "oracle/page", "oracle/generate", "oracle/check"]
 TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out"]
-ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/brush/include", "lib/tiled/include"] + TERRAIN
+ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/brush/include", "lib/pieces/include",
+            "lib/tiled/include"] + TERRAIN
 ROOMS = {
     "lib/include": [],
     "lib/text": [],  # words as people and shells read them: of the importer, the references and the command
@@ -35,6 +36,8 @@ ROOMS = {
     "lib/debug/src": ["lib/include", "lib/debug/include"],
     "lib/brush/include": ["lib/include"],
     "lib/brush/src": ["lib/include", "lib/geometry", "lib/brush/include"],
+    "lib/pieces/include": ["lib/include"],
+    "lib/pieces/src": ["lib/include", "lib/geometry", "lib/pieces/include"],
     "lib/tiled/include": ["lib/include"],
     "lib/tiled/src": ["lib/include", "lib/geometry", "lib/text", "lib/brush/include", "lib/tiled/include"],
     "web/bench": ["lib/include"],
@@ -77,8 +80,8 @@ ROOMS = {
 }
 # The folders from which a header is found by a path without its room.
 INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/c/include", "lib/debug/include", "lib/brush/include",
-                   "lib/brush/src", "lib/tiled/include", "lib/tiled/src", "lib/box2d/include", "lib/box2d/src",
-                   "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out/include",
+                   "lib/brush/src", "lib/pieces/include", "lib/pieces/src", "lib/tiled/include", "lib/tiled/src",
+                   "lib/box2d/include", "lib/box2d/src", "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out/include",
                    "oracle/engine/include"]
 # What no file below a folder may include, whatever its room: lib/ is MIT and goes into games.
 FOREIGN = {"lib": re.compile(r"CGAL/|rapidcheck|gtest|gmock|fmt/|CLI/")}

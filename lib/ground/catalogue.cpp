@@ -10,15 +10,16 @@
 namespace lgs::detail {
 namespace {
 
-std::uint64_t hashOf(PolygonView vertices) {
-  std::uint64_t hash = vertices.size();
+std::uint64_t hashOf(std::uint64_t seed, PolygonView vertices) {
+  std::uint64_t hash = seed ^ vertices.size();
   for (const LocalPoint v : vertices)
     hash = mix(hash, std::uint64_t{static_cast<std::uint32_t>(v.x)} << 32 | static_cast<std::uint32_t>(v.y));
   return hash;
 }
 
-std::uint64_t hashOf(std::span<const PolygonId> polygons, std::span<const std::pair<Slot, Slot>> preserved) {
-  std::uint64_t hash = polygons.size();
+std::uint64_t hashOf(std::uint64_t seed, std::span<const PolygonId> polygons,
+                     std::span<const std::pair<Slot, Slot>> preserved) {
+  std::uint64_t hash = seed ^ polygons.size();
   for (const PolygonId id : polygons) hash = mix(hash, id);
   for (const auto& [a, b] : preserved) hash = mix(hash, std::uint64_t{1} << 63 | std::uint64_t{a} << 16 | b);
   return hash;
@@ -45,7 +46,7 @@ Catalogue::Catalogue() {
 }
 
 Expected<PolygonId> Catalogue::internPolygon(PolygonView vertices) {
-  const std::uint64_t hash = hashOf(vertices);
+  const std::uint64_t hash = hashOf(polygonIndex_.seed(), vertices);
   const std::uint32_t found =
       polygonIndex_.find(hash, [&](PolygonId id) { return std::ranges::equal(polygons_[id]->vertices, vertices); });
   if (found != HashIndex::kNone) return found;
@@ -67,7 +68,7 @@ Expected<ContentId> Catalogue::internSole(PolygonId polygon) {
 
 Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons, std::span<const std::uint8_t> known,
                                              std::span<const std::pair<Slot, Slot>> preserved) {
-  const std::uint64_t hash = hashOf(polygons, preserved);
+  const std::uint64_t hash = hashOf(contentIndex_.seed(), polygons, preserved);
   const std::uint32_t found = contentIndex_.find(hash, [&](ContentId id) {
     return std::ranges::equal(contents_[id]->polygons, polygons) &&
            std::ranges::equal(contents_[id]->preserved, preserved);
@@ -122,11 +123,16 @@ Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
   return id;
 }
 
-void Catalogue::forgetShapes(std::uint64_t count) {
-  while (shapeCount() > count) {
-    shapeIndex_.erase(shapes_.back().polygons);
-    shapes_.pop_back();
-  }
+InternedShape Catalogue::takeShape() {
+  InternedShape shape = std::move(shapes_.back());
+  shapes_.pop_back();
+  shapeIndex_.erase(shape.polygons);
+  return shape;
+}
+
+void Catalogue::putShape(InternedShape shape) {
+  shapeIndex_.emplace(shape.polygons, ShapeId{static_cast<std::uint32_t>(shapes_.size())});
+  shapes_.push_back(std::move(shape));
 }
 
 Error Catalogue::overlapAmong(std::span<const PolygonId> polygons) const {

@@ -14,7 +14,8 @@ namespace {
 
 using detail::nextVertex;
 
-/// Whether the region, with its outline, has a point in common with a polygon.
+}  // namespace
+
 bool meets(PieceSpan region, FillRule rule, const Points& ring) {
   Point rising{};  // a place just left of which the polygon is, doubled
   for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -35,6 +36,8 @@ bool meets(PieceSpan region, FillRule rule, const Points& ring) {
     return p.start == p.a && p.isOfRegion && windingLeftOf({2 * p.start.x, 2 * p.start.y}, outline) != 0;
   });
 }
+
+namespace {
 
 /// The atoms of the cell. Polygons that stand in the way become groups. Nothing if edges cross in too many points.
 std::optional<List<Atom>> atomsOf(Ground& ground, PieceSpan region, FillRule rule) {

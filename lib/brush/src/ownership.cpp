@@ -83,6 +83,7 @@ class Division {
     assert(sum.group >= 0 && std::cmp_less_equal(sum.group, paint_));
     const Owner before = sum.group == 0 ? nobody_ : static_cast<Owner>(sum.group) - 1;
     if (!isFilled(sum.winding, stroke_.rule)) return before;
+    if (before != nobody_ && stroke_.stays(ground_.polygons[before].block)) return before;
     switch (stroke_.deed) {
       case Deed::carve:
         return nobody_;
