@@ -23,5 +23,8 @@ await build({
 })
 await copyPage(here('index.html'), here('dist/index.html'))
 await copyFile(here('style.css'), here('dist/style.css'))
+await mkdir(here('dist/scenes'))
+for (const file of ['cave.tmx', 'crate.tx', 'quarry.ldtk', 'landscape.tmx', 'landscape.tsx'])
+  await copyFile(here(`../../examples/maps/${file}`), here(`dist/scenes/${file}`))
 for (const file of ['lgs.wasm', 'lgs-full.wasm'])
   await copyFile(require.resolve(`localgridseg/${file}`), here(`dist/${file}`))
