@@ -7,13 +7,15 @@ import tempfile
 import claims
 
 FILES = {
-    "README.md": "[a](docs/a.md) [b](docs/contract.md) [c](docs/internals/folders.md) [d](fuzz/README.md)\n"
+    "README.md": "[a](docs/a.md) [b](docs/contract.md) [c](docs/internals/folders.md) [d](fuzz/README.md)\n[f](docs/install.md) "
                  "[e](docs/reports/planted-bugs.md)\n\n<!-- counted: presets -->\n<!-- end -->\n",
     "docs/a.md": "[back](../README.md)\n",
     "docs/contract.md": "1. *One.* A law.\n2. *Two.* A law.\n",
-    "docs/internals/folders.md": "| folder | |\n|---|---|\n| `docs/`, `fuzz/` | |\n| `lib/`, `lib/ground/` | |\n"
+    "docs/internals/folders.md": "| folder | |\n|---|---|\n| `cmake/`, `docs/`, `fuzz/` | |\n| `lib/`, `lib/ground/` | |\n"
                                  "| `proptests/` | |\n",
     "docs/reports/planted-bugs.md": "| bug | game | in | found by |\n|---|---|---|---|\n| a bug | x | `a.cpp` | `A.B` |\n",
+    "docs/install.md": "| component | |\n|---|---|\n| `lgs` | |\n| `c` | |\n",
+    "cmake/LocalGridSegConfig.cmake.in": "set(LocalGridSeg_components lgs c)\n",
     "fuzz/README.md": "| target | |\n|---|---|\n| `edits` | |\n",
     "fuzz/corpus/edits/one": "",
     "proptests/bugs/law1.toml": "law = 'Law 1'\n\n[[bug]]\nname = \"a bug\"\n",
@@ -82,6 +84,7 @@ def planted():
     yield "a law that is left out", swap("docs/contract.md", "2. *Two.*", "3. *Two.*"), "of laws, it"
     yield "a bug without a row", add("proptests/bugs/law1.toml", "[[bug]]\nname = 'new'\n"), "does not name new"
     yield "a row without a bug", add("docs/reports/planted-bugs.md", "| old | x | `a.cpp` | `A.B` |\n"), "it names old"
+    yield "a component without a row", swap("cmake/LocalGridSegConfig.cmake.in", "lgs c", "lgs c tiled"), "name tiled"
     yield "a fuzz target without a row", lambda p: p.put("fuzz/corpus/trace/one", ""), "does not name trace"
     yield "figures of code that changed", changed(30), "30 lines of a hundred have changed"
     yield "the same, and the page says so", changed(30, claims.OLD + "\n"), None

@@ -9,7 +9,7 @@ from links import tracked
 DEEP = ("bench", "examples", "lib", "oracle", "web")
 FOLDERS_PAGE, CONTRACT, LONG_RUNS = "docs/internals/folders.md", "docs/contract.md", "docs/reports/long-runs.md"
 BUGS_PAGE, FUZZ_RUNS, MUTANTS = "docs/reports/planted-bugs.md", "docs/reports/fuzz-runs.md", "docs/reports/mutants.md"
-COVERAGE, PLATFORMS = "docs/reports/coverage.md", "docs/platforms.md"
+COVERAGE, PLATFORMS, INSTALL = "docs/reports/coverage.md", "docs/platforms.md", "docs/install.md"
 
 
 def text(root, name):
@@ -175,6 +175,10 @@ def lists(root, pages):
     if BUGS_PAGE in pages:
         rows = re.findall(r"^\| (.*?) \| .* \| `[\w.]+` \| .*\|$", pages[BUGS_PAGE], re.M)
         yield BUGS_PAGE, "planted bugs", set(rows), {name for names in planted(root).values() for name in names}
+    if INSTALL in pages:
+        config = re.search(r"set\(LocalGridSeg_components ([^)]+)\)", text(root, "cmake/LocalGridSegConfig.cmake.in"))
+        listed = re.findall(r"`(\w+)`", cells(INSTALL, "component"))
+        yield INSTALL, "components", set(listed), set(config[1].split())
     if "fuzz/README.md" in pages:
         listed = set(re.findall(r"`(\w+)`", cells("fuzz/README.md", "target")))
         yield "fuzz/README.md", "fuzz targets", listed, fuzz_targets(root)
