@@ -2,7 +2,7 @@
 """Checks what the Markdown documents claim: counts and lists against what is there, figures against their commit.
 
     scripts/claims.py           # exit status 0: all is well; 1: what does not hold, with file and line
-    scripts/claims.py --write   # first writes the counted blocks anew
+    scripts/claims.py --write   # first writes the counted blocks anew, and the rows of planted bugs
     scripts/claims.py --test    # each check finds what it is for, planted in a folder of its own
 
 - No line is wider than 120 characters. Rows of tables may be, and so may the texts of licences.
@@ -132,7 +132,11 @@ def complaints(root):
 
 
 def write(root):
-    """Writes the counted blocks anew, and returns the pages that are others now."""
+    """Writes the counted blocks anew, and returns the pages that are others now. New planted bugs get their rows first."""
+    listing = root / "proptests/bugs/run.py"
+    if listing.is_file():
+        subprocess.run([sys.executable, listing, "--list", "--report", root / counts.BUGS_PAGE], stdout=subprocess.DEVNULL,
+                       check=False)
     changed = []
     for page, text in pages_of(root).items():
         new = COUNTED.sub(lambda m: m[1] + (counts.BLOCKS[m[2]](root) if m[2] in counts.BLOCKS else m[3]) + m[4], text)
