@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""run.py --report writes into the tables of a page, and leaves everything else as it was: proptests/bugs/report_test.py"""
+"""run.py --report writes into the tables of a page, and leaves everything else as it was."""
 
 import unittest
 
@@ -7,7 +7,8 @@ import tables
 from listed import Bug, Group
 
 GROUPS = {"law1": Group("Law 1", "tests", ("A.",)), "law2": Group("Law 2", "tests", ("B.",))}
-BUGS = [Bug("law1", name, f"a game with {name}", f"lib/ground/{name}.cpp", "x", "y", None) for name in ("one", "two", "new")]
+BUGS = [Bug("law1", name, f"a game with {name}", f"lib/ground/{name}.cpp", "x", "y", None)
+        for name in ("one", "two", "new")]
 BUGS.append(Bug("law2", "other", "a game", "lib/outline/other.cpp", "x", "y", None))
 PAGE = """# Planted bugs
 
@@ -57,7 +58,8 @@ class Report(unittest.TestCase):
         self.assertIn("## Law 2\n\n<!-- planted: law2 -->\n| bug |", self.page)
 
     def test_counts(self):
-        self.assertIn("4 bugs are listed; 2 were found, 2 of them by a test of their law; 2 not in a run yet.\n", self.page)
+        self.assertIn("4 bugs are listed; 2 were found, 2 of them by a test of their law; 2 not in a run yet.\n",
+                      self.page)
 
     def test_does_nothing_the_second_time(self):
         self.assertEqual(tables.planted(self.page, GROUPS, BUGS, {}), self.page)
