@@ -131,8 +131,8 @@ class Terrain {
   /// of a body that is awake.
   const std::vector<b2Body*>& afterStep();
 
-  /// Call it when the game itself has put a body elsewhere, through a portal or to where it starts anew: else it seems to
-  /// have come through the ground that is between, and afterStep() puts it back. Not needed before resync().
+  /// Call it when the game itself has put a body elsewhere, through a portal or to where it starts anew: else it seems
+  /// to have come through the ground that is between, and afterStep() puts it back. Not needed before resync().
   void moved(const b2Body& body);
 
   /// Whether the ground, as of the last commit, reaches into no fixture of a body by more than Box2D's slop, where it
@@ -144,15 +144,15 @@ class Terrain {
   /// somewhat larger.
   std::vector<std::vector<Point>> outlinesOf(const b2Body* body);
 
-  /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world: changes
-  /// were left out, or another world was assigned to it, loaded or copied. Bodies may have been moved meanwhile: whoever is
-  /// in the ground is pushed or held, however it came there; and whoever is held and free is held no more. Fixtures that are right as they are stay,
-  /// and bodies on them sleep on. Cost: O(segments).
+  /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world:
+  /// changes were left out, or another world was assigned to it, loaded or copied. Bodies may have been moved
+  /// meanwhile: whoever is in the ground is pushed or held, however it came there; and whoever is held and free is
+  /// held no more. Fixtures that are right as they are stay, and bodies on them sleep on. Cost: O(segments).
   void resync();
 
-  /// Asks TerrainOptions::material again for all blocks, as what blocks are like has changed; and syncs as resync() does.
-  /// The fixtures of blocks that are another material now are made anew, so what rests there wakes up. Nobody is pushed out
-  /// of a block that was passable and is solid now. Cost: O(segments).
+  /// Asks TerrainOptions::material again for all blocks, as what blocks are like has changed; and syncs as resync()
+  /// does. The fixtures of blocks that are another material now are made anew, so what rests there wakes up. Nobody is
+  /// pushed out of a block that was passable and is solid now. Cost: O(segments).
   void materialsChanged();
 
   /// Whether the terrain is up to date with the last commit.
@@ -178,9 +178,9 @@ class Terrain {
 
   /// The first piece of the outline that a ray meets from outside, as of the last commit; nothing if it meets none, is
   /// longer than kMaxRay cells on an axis, or has an end beyond the last cell. It is exact but for its ends, which are
-  /// rounded to the lattice. A ray of Box2D leaks where segments were too short for an edge; this one does not. It looks
-  /// at no filter and at no body: for what stands before the ground cast a ray of Box2D as well, and take the nearer
-  /// hit. Cost: as of World::rayCast().
+  /// rounded to the lattice. A ray of Box2D leaks where segments were too short for an edge; this one does not. It
+  /// looks at no filter and at no body: for what stands before the ground cast a ray of Box2D as well, and take the
+  /// nearer hit. Cost: as of World::rayCast().
   std::optional<GroundRayHit> rayCast(const b2Vec2& from, const b2Vec2& to) const;
 
   /// The bodies that reach into a rectangle of cells, but for the terrain's; each once, in no particular order. Sensors
