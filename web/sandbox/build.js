@@ -20,6 +20,7 @@ await build({
   minify: true,
   sourcemap: false,
   legalComments: 'eof',
+  logOverride: { 'ignored-bare-import': 'silent' }, // of the package's own files, which have no side effects
 })
 await copyPage(here('index.html'), here('dist/index.html'))
 await copyFile(here('style.css'), here('dist/style.css'))
