@@ -22,6 +22,7 @@ await build({
   minify: true,
   sourcemap: false,
   legalComments: 'eof',
+  logOverride: { 'ignored-bare-import': 'silent' }, // of the package's own files, which have no side effects
 })
 await copyPage(here('index.html'), `${out}/index.html`)
 await copyFile(here('style.css'), `${out}/style.css`)

@@ -20,8 +20,12 @@ await build({
   minify: true,
   sourcemap: false,
   legalComments: 'eof',
+  logOverride: { 'ignored-bare-import': 'silent' }, // of the package's own files, which have no side effects
 })
 await copyPage(here('index.html'), here('dist/index.html'))
 await copyFile(here('style.css'), here('dist/style.css'))
+await mkdir(here('dist/scenes'))
+for (const file of ['cave.tmx', 'crate.tx', 'quarry.ldtk', 'landscape.tmx', 'landscape.tsx'])
+  await copyFile(here(`../../examples/maps/${file}`), here(`dist/scenes/${file}`))
 for (const file of ['lgs.wasm', 'lgs-full.wasm'])
   await copyFile(require.resolve(`localgridseg/${file}`), here(`dist/${file}`))

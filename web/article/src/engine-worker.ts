@@ -3,10 +3,10 @@ import { createWorld, init } from 'localgridseg'
 import type { Placed } from './subject.js'
 import { outlineOf } from './subject.js'
 
-const ready = init({ url: new URL('planted.wasm', import.meta.url) })
+const url = new URL('planted.wasm', import.meta.url)
 
 addEventListener('message', async ({ data }: MessageEvent<readonly Placed[]>) => {
-  await ready
+  await init({ url })
   const world = createWorld()
   const numbers = outlineOf(world, data)
   world.free()

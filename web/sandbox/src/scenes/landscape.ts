@@ -1,9 +1,9 @@
 // The landscape that the page starts with, and who rolls on it.
 import type { Region } from 'localgridseg'
-import { GROUND, ICE } from './blocks.js'
-import type { Start } from './bodies.js'
-import { type Document, newDocument } from './documents.js'
-import type { Gate } from './side.js'
+import { GROUND, ICE } from '../blocks.js'
+import type { Start } from '../bodies.js'
+import { type Document, newDocument } from '../documents.js'
+import type { Gate } from '../side.js'
 
 // The surface from left to right: x, y. Slopes are chosen so that they meet the grid in lattice points.
 const surface: readonly (readonly [number, number])[] = [
