@@ -15,6 +15,7 @@ ENGINE = "lib/include"
 CPP = {
     "C++": (["lgs/world.h", "lgs/radial_match.h", "lgs/version.h"], [ENGINE]),
     "brush": (["lgs/brush.h"], [ENGINE, "lib/brush/include"]),
+    "pieces": (["lgs/pieces.h"], [ENGINE, "lib/pieces/include"]),
     "debug": (["lgs/debug.h"], [ENGINE, "lib/debug/include"]),
     "tiled": (["lgs/tiled/import.h"], [ENGINE, "lib/tiled/include"]),
     "box2d": (["lgs/box2d/edges.h", "lgs/box2d/hit.h", "lgs/box2d/materials.h", "lgs/box2d/terrain.h",
