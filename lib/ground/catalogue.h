@@ -82,10 +82,18 @@ class Catalogue {
   /// Once many contents and polygons have no users, forgets them. Cost: O(1) for each that was made, amortised.
   void collect();
 
+  /// For tests of the limit: so many contents count as made, and are not there.
+  void passOver(std::size_t contents) {
+    contents_.resize(contents_.size() + contents);
+    uses_.resize(contents_.size(), {.users = kForever});
+  }
+
   std::uint64_t contentCount() const { return contents_.size() - 1 - freeContents_.size(); }
   std::uint64_t shapeCount() const { return shapes_.size() - 1; }
-  /// Forgets the shapes made last, down to a count. Their contents stay, as they are worked out already.
-  void forgetShapes(std::uint64_t count);
+  /// Takes the shape made last away. Its content stays, as it is worked out already.
+  InternedShape takeShape();
+  /// Puts back the one taken away last.
+  void putShape(InternedShape shape);
   /// One more than the greatest number of a content, and of a polygon.
   std::size_t contentLimit() const { return contents_.size(); }
   std::size_t polygonLimit() const { return polygons_.size(); }
@@ -127,6 +135,8 @@ class Catalogue {
   std::vector<ContentId> freeContents_;
   std::uint32_t widestFan_ = 0;
   std::size_t unused_ = 0;  ///< contents and polygons without users
+  ContentBuilder builder_;
+  std::vector<PolygonView> views_;  ///< working memory
 };
 
 }  // namespace lgs::detail

@@ -189,7 +189,8 @@ Expected<void> Edit::setBlock(PolygonHandle polygon, Block block) {
   return close().map([](PolygonHandle) {});
 }
 
-Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block block) {
+Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block block,
+                                   std::span<PolygonHandle> handles) {
   if (lgs::isEmpty(cells)) return std::uint64_t{0};
   for (const Cell corner : {cells.min, cells.max})
     if (!inRange(corner)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = corner});
@@ -224,11 +225,19 @@ Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block b
   for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
     for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci) ground_.grid.obtain({ci * kChunkSize, cj * kChunkSize});
   std::uint64_t count = 0;
+  const std::uint64_t width = static_cast<std::uint64_t>(cells.max.i - std::int64_t{cells.min.i}) + 1;
+  const auto tell = [&](Cell cell, PolygonHandle handle) {
+    const auto row = static_cast<std::uint64_t>(cell.j - std::int64_t{cells.min.j});
+    const std::uint64_t k = row * width + static_cast<std::uint64_t>(cell.i - std::int64_t{cells.min.i});
+    if (k < handles.size()) handles[k] = handle;
+  };
   ground_.grid.forEachCell(cells, [&](CellAt at, Cell cell) {
+    PolygonHandle handle{at.ref(), at.word() + 1};
     if (interned.isSole && at.word() < kLowMask)
       ground_.setSole(at, interned, {at.word() + 1, block});
     else
-      static_cast<void>(add(cell, shape, block, {}));
+      handle = *add(cell, shape, block, {});
+    if (!handles.empty()) tell(cell, handle);
     ++count;
   });
   return count;

@@ -37,7 +37,7 @@ class Edit {
   Expected<void> exchange(Cell cell, std::span<const PolygonHandle> removed, std::span<const NewPolygon> added,
                           std::span<PolygonHandle> handles);
   Expected<void> setBlock(PolygonHandle polygon, Block block);
-  Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block);
+  Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block, std::span<PolygonHandle> handles);
   Expected<std::uint64_t> clear(const CellRect& cells);
 
   /// Of working memory.

@@ -20,6 +20,9 @@ Ground::Ground(const Ground& other)
       forgotten_(other.forgotten_),
       committed_(other.committed_),
       notesFor_(other.notesFor_),
+      undoneNotes_(other.undoneNotes_),
+      undoneChunks_(other.undoneChunks_),
+      undoneShapes_(other.undoneShapes_),
       cellChanges_(other.cellChanges_) {
   for (Chunk*& chunk : changed_) chunk = grid.chunks()[chunk->index - 1].get();
 }
@@ -93,7 +96,7 @@ void Ground::commit() {
 }
 
 void Ground::noteCommit() {
-  if (isNoting(For::followers)) tell(committed_, noteCount(), Way::forth);
+  if (isNoting(For::followers)) tell(committed_, noteCount(), Way::commit);
   for (std::size_t k = changed_.size(); k-- != 0;) {  // backwards, so that going back meets them in order
     const Chunk& chunk = *changed_[k];
     for (RowMask rows = chunk.dirtyRows; rows != 0; rows &= rows - 1) {
@@ -112,8 +115,15 @@ void Ground::note(CellAt at) {
   notes_.push_back({at.ref(), moveList(at.word(), lists_, notedLists_), at.chunk->block(at.local), of});
 }
 
-void Ground::undo(const Note& note) {
+/// A cell gets back what the note took over.
+void Ground::giveBack(CellAt at, const Note& note) {
+  at.word() = moveList(note.word, notedLists_, lists_);
+  if (hasSole(at.word())) at.chunk->setBlock(at.local, note.block);
+}
+
+void Ground::undo(const Note& note, Undone undone) {
   if (note.of == Note::Of::row) {
+    if (undone == Undone::keep) undoneNotes_.push_back(note);
     Chunk& chunk = *grid.chunks()[note.ref / kChunkSize - 1];
     if (chunk.dirtyRows == 0) changed_.push_back(&chunk);
     chunk.dirtyRows |= RowMask{1} << note.ref % kChunkSize;
@@ -121,9 +131,11 @@ void Ground::undo(const Note& note) {
     return;
   }
   const CellAt at = grid.find(note.ref);
-  drop(at.word(), lists_);
-  at.word() = moveList(note.word, notedLists_, lists_);
-  if (hasSole(at.word())) at.chunk->setBlock(at.local, note.block);
+  if (undone == Undone::keep)
+    undoneNotes_.push_back({note.ref, moveList(at.word(), lists_, notedLists_), at.chunk->block(at.local), note.of});
+  else
+    drop(at.word(), lists_);
+  giveBack(at, note);
   at.chunk->facts[at.local] = catalogue.facts(contentId(at));
   if (note.of == Note::Of::changedCell) return;
   at.chunk->dirty[at.row()] &= ~at.bit();
@@ -131,24 +143,71 @@ void Ground::undo(const Note& note) {
   if (at.chunk->dirtyRows == 0) changed_.pop_back();  // the edit was the first in its chunk
 }
 
-void Ground::undoTo(std::uint64_t notes) {
-  for (; noteCount() > notes; notes_.pop_back()) undo(notes_.back());
+void Ground::undoTo(std::uint64_t notes, Undone undone) {
+  for (; noteCount() > notes; notes_.pop_back()) undo(notes_.back(), undone);
 }
 
-void Ground::goBack(const Moment& moment) {
-  undoTo(moment.notes);
+void Ground::goBack(const Moment& moment, Undone undone) {
+  undoTo(moment.notes, undone);
   committed_ = moment.committed;
+  if (undone == Undone::keep)
+    for (std::size_t k = grid.chunks().size(); k > moment.chunks; --k)
+      undoneChunks_.push_back(grid.chunks()[k - 1]->cell(0));
   grid.forgetChunks(moment.chunks);
-  catalogue.forgetShapes(moment.shapes);
+  while (catalogue.shapeCount() > moment.shapes) {
+    InternedShape shape = catalogue.takeShape();
+    if (undone == Undone::keep) undoneShapes_.push_back(std::move(shape));
+  }
 }
 
-void Ground::rollBack(const Moment& moment) {
+void Ground::rollBack(const Moment& moment, Undone undone) {
   if (isNoting(For::followers)) {
     // Followers never saw the edits that are pending. Without a commit since the mark there is nothing to tell them.
-    if (moment.committed != committed_) undoTo(committed_);
+    if (moment.committed != committed_) undoTo(committed_, undone);
     tell(moment.committed, committed_, Way::back);
   }
-  goBack(moment);
+  goBack(moment, undone);
+}
+
+// The same edits again: a note of each is made anew, and finds the cells changed or not as it did then.
+void Ground::redo(const Note& note) {
+  if (note.of == Note::Of::row) {
+    notes_.push_back(note);
+    Chunk& chunk = *grid.chunks()[note.ref / kChunkSize - 1];
+    chunk.dirty[note.ref % kChunkSize] = 0;
+    chunk.dirtyRows &= ~(RowMask{1} << note.ref % kChunkSize);
+    if (chunk.dirtyRows == 0) changed_.pop_back();  // the commit noted the last one first
+    return;
+  }
+  const CellAt at = grid.find(note.ref);
+  this->note(at);
+  giveBack(at, note);
+  touch(at, catalogue.facts(contentId(at)));
+}
+
+void Ground::redoTo(std::uint64_t notes) {
+  for (; noteCount() < notes; undoneNotes_.pop_back()) redo(undoneNotes_.back());
+}
+
+void Ground::rollForward(const Moment& moment) {
+  for (; grid.chunks().size() < moment.chunks; undoneChunks_.pop_back()) grid.obtain(undoneChunks_.back());
+  for (; catalogue.shapeCount() < moment.shapes; undoneShapes_.pop_back())
+    catalogue.putShape(std::move(undoneShapes_.back()));
+  if (isNoting(For::followers)) {
+    // As above: edits that were pending at the moment are told by the next commit.
+    if (moment.committed != committed_) redoTo(moment.committed);
+    tell(committed_, moment.committed, Way::forth);
+  }
+  redoTo(moment.notes);
+  committed_ = moment.committed;
+}
+
+void Ground::forgetUndone() {
+  for (const Note& note : undoneNotes_)
+    if (note.of != Note::Of::row) drop(note.word, notedLists_);
+  undoneNotes_ = {};
+  undoneChunks_ = {};
+  undoneShapes_ = {};
 }
 
 /// Tells followers what changed between two commits, of which these are the notes. The ground is as of the later one.
@@ -159,7 +218,7 @@ void Ground::tell(std::uint64_t begin, std::uint64_t end, Way way) {
   cellChanges_.clear();
   for (std::uint64_t k = begin; k < end; ++k) {
     const Note& note = notes_[k - forgotten_];
-    if (note.of != Note::Of::cell || (way == Way::back && !told.insert(note.ref).second)) continue;
+    if (note.of != Note::Of::cell || (way != Way::commit && !told.insert(note.ref).second)) continue;
     const CellAt at = grid.find(note.ref);
     before.clear();
     now.clear();
@@ -168,6 +227,16 @@ void Ground::tell(std::uint64_t begin, std::uint64_t end, Way way) {
     cellChanges_.add(at.cell(), before, now);
   }
   cellChanges_.own();
+}
+
+std::vector<Cell> Ground::editedSince(const Moment& moment) const {
+  std::vector<Cell> cells;
+  std::unordered_set<std::uint32_t> known;
+  for (std::uint64_t k = moment.notes; k < noteCount(); ++k) {
+    const Note& note = notes_[k - forgotten_];
+    if (note.of != Note::Of::row && known.insert(note.ref).second) cells.push_back(grid.cellOf(note.ref));
+  }
+  return cells;
 }
 
 void Ground::startNoting(For whom) {
@@ -199,7 +268,8 @@ void Ground::forgetNotes(std::uint64_t end) {
 
 std::uint64_t Ground::bytes() const {
   return grid.bytes() + catalogue.bytes() + lists_.bytes() + notedLists_.bytes() +
-         changed_.capacity() * sizeof changed_[0] + notes_.capacity() * sizeof notes_[0] + cellChanges_.bytes();
+         changed_.capacity() * sizeof changed_[0] + cellChanges_.bytes() +
+         (notes_.capacity() + undoneNotes_.capacity()) * sizeof notes_[0];
 }
 
 }  // namespace lgs::detail

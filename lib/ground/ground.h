@@ -115,9 +115,14 @@ class Ground {
   /// For marks: there is none from before this moment any more.
   void forgetBefore(const Moment& moment);
   /// In silence: for groups of edits, which know that there was no commit since.
-  void goBack(const Moment& moment);
+  void goBack(const Moment& moment, Undone undone = Undone::drop);
   /// For marks: the same, and cellChanges() says what it did.
-  void rollBack(const Moment& moment);
+  void rollBack(const Moment& moment, Undone undone);
+  /// To a moment that rollBack() left behind, where all is as it left it. cellChanges() says what this did.
+  void rollForward(const Moment& moment);
+  void forgetUndone();
+  /// The cells with notes since, each once.
+  std::vector<Cell> editedSince(const Moment& moment) const;
 
   std::uint64_t bytes() const;
 
@@ -168,10 +173,13 @@ class Ground {
   void note(CellAt at);
   void noteCommit();
   static CellWord moveList(CellWord word, RecordArena& from, RecordArena& to);
-  void undo(const Note& note);
-  void undoTo(std::uint64_t notes);
+  void undo(const Note& note, Undone undone);
+  void undoTo(std::uint64_t notes, Undone undone);
+  void redo(const Note& note);
+  void redoTo(std::uint64_t notes);
+  void giveBack(CellAt at, const Note& note);
   void forgetNotes(std::uint64_t end);
-  enum class Way { forth, back };
+  enum class Way { commit, back, forth };
   void tell(std::uint64_t begin, std::uint64_t end, Way way);
   std::uint64_t noteCount() const { return forgotten_ + notes_.size(); }
 
@@ -183,6 +191,10 @@ class Ground {
   std::uint64_t forgotten_ = 0;  ///< notes that are gone from the front of the vector
   std::uint64_t committed_ = 0;  ///< how many notes there were at the last commit, if somebody follows
   std::uint8_t notesFor_ = 0;    ///< bits of For
+  // What was undone and can come back, the first to come last.
+  std::vector<Note> undoneNotes_;
+  std::vector<Cell> undoneChunks_;  ///< a cell of each
+  std::vector<InternedShape> undoneShapes_;
   CellChanges cellChanges_;
 };
 

@@ -60,7 +60,7 @@ class Outline {
   void remove(std::uint32_t id) { changes_.removed.push_back({id}); }
   /// As SegmentLists::splice().
   std::uint32_t* splice(CellAt at, std::uint32_t begin, std::uint32_t removed, std::uint32_t added) {
-    if (note_) noteList(at);
+    if (note_) noteList(at, note_->lists);
     return lists.splice(at, begin, removed, added);
   }
   /// Before a segment that was there changes.
@@ -83,7 +83,10 @@ class Outline {
   void forgetBefore(std::uint64_t moment);
   /// `version` is that of the moment. `changes` receives what this does to the segments, by id. The ground must not
   /// have gone back yet.
-  void goBack(const Grid& grid, std::uint64_t moment, std::uint64_t version, Changes& changes);
+  void goBack(const Grid& grid, std::uint64_t moment, std::uint64_t version, Undone undone, Changes& changes);
+  /// To a moment that goBack() left behind, where all is as it left it. The ground must be there already.
+  void goForward(const Grid& grid, std::uint64_t moment, std::uint64_t version, Changes& changes);
+  void forgetUndone() { undone_ = {}; }
 
   // --- Saving
 
@@ -104,18 +107,31 @@ class Outline {
     std::vector<std::uint32_t> lists;  ///< in that order the words of each list, how many these are, and the cell
   };
 
+  /// An update that was undone, and what there was after it.
+  struct UndoneNote {
+    Note note;
+    std::vector<std::pair<std::uint32_t, SegmentRecord>> segments;
+    std::vector<std::uint32_t> lists;  ///< as in the note
+  };
+
   void begin();
   void finish();
   void endWithoutLinks(std::uint32_t id);
-  void noteList(CellAt at);
+  void noteList(CellAt at, std::vector<std::uint32_t>& out) const;
+  UndoneNote kept(const Grid& grid, const Note& note) const;
+  void putLists(const Grid& grid, const std::vector<std::uint32_t>& noted);
   void undo(const Grid& grid, const Note& note);
+  void redo(const Grid& grid, UndoneNote& undone);
+  template <class Go>
+  void go(const Grid& grid, std::vector<std::uint32_t> ids, std::uint64_t version, Changes& changes, Go&& go);
 
   Changes changes_;
   Versions versions_;
   std::uint64_t version_ = 0;
   std::deque<Note> notes_;
-  std::uint64_t forgotten_ = 0;  ///< notes that are gone from the front
-  Note* note_ = nullptr;         ///< of the update under way
+  std::uint64_t forgotten_ = 0;     ///< notes that are gone from the front
+  std::vector<UndoneNote> undone_;  ///< the first to come back last
+  Note* note_ = nullptr;            ///< of the update under way
   bool isNoting_ = false;
   // Working memory. It is kept from one update to the next, to spare allocations.
   std::vector<std::uint32_t> ids_;

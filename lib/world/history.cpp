@@ -1,11 +1,12 @@
 #include "world/history.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace lgs::detail {
 
 History::History(const History& other, Ground& ground, Outline& outline)
-    : ground_(ground), outline_(outline), marks_(other.marks_) {
+    : ground_(ground), outline_(outline), marks_(other.marks_), ahead_(other.ahead_), went_(other.went_) {
   std::erase_if(marks_, [](const Marked& m) { return m.ofGroup; });
   forgetNotes();
 }
@@ -23,15 +24,70 @@ std::vector<History::Marked>::const_iterator History::find(Mark mark) const {
   return found != marks_.end() && found->mark == mark ? found : marks_.end();
 }
 
-void History::rollBack(Mark mark, Changes& changes) {
+void History::rollBack(Mark mark, Undone undone, Changes& changes) {
+  if (!ahead_.empty()) leave(*find(mark), undone);
   const auto to = find(mark);
-  outline_.goBack(ground_.grid, to->outline, to->version, changes);
-  ground_.rollBack(to->ground);
+  outline_.goBack(ground_.grid, to->outline, to->version, undone, changes);
+  ground_.rollBack(to->ground, undone);
+  if (undone == Undone::keep) {
+    std::copy_if(marks_.crbegin(), std::make_reverse_iterator(to + 1), std::back_inserter(ahead_),
+                 [](const Marked& m) { return !m.ofGroup; });
+    went_ = *to;
+    if (ahead_.empty()) forgetUndone();
+  }
   marks_.erase(to + 1, marks_.end());
+}
+
+/// Before it goes back: what is ahead stays if the world goes no further than to where it went, or goes further from
+/// there and keeps that, too.
+void History::leave(const Marked& to, Undone undone) {
+  if (undone == Undone::keep) {
+    const bool goesOn = isWhereItWent() && marks_.back().mark <= went_.mark;
+    goesOn ? returnToWhereItWent() : forgetUndone();
+  } else if (to.ground.notes < went_.ground.notes || to.outline < went_.outline) {
+    forgetUndone();
+  }
+}
+
+bool History::isAhead(Mark mark) const {
+  return std::ranges::find(ahead_, mark, &Marked::mark) != ahead_.end() && isWhereItWent();
+}
+
+void History::rollForward(Mark mark, Changes& changes) {
+  returnToWhereItWent();
+  while (went_.mark != mark) {
+    went_ = ahead_.back();
+    ahead_.pop_back();
+    marks_.push_back(went_);
+  }
+  ground_.rollForward(went_.ground);
+  outline_.goForward(ground_.grid, went_.outline, went_.version, changes);
+  if (ahead_.empty()) forgetUndone();
+}
+
+/// Whether nothing was edited since the world went back or forward, nor a shape made. A commit that found nothing does
+/// no harm.
+bool History::isWhereItWent() const {
+  const Ground::Moment now = ground_.now();
+  return now.notes == went_.ground.notes && now.shapes == went_.ground.shapes;
+}
+
+/// Takes back commits that found nothing, and marks that were made since.
+void History::returnToWhereItWent() {
+  Changes none;
+  outline_.goBack(ground_.grid, went_.outline, outline_.version(), Undone::drop, none);
+  std::erase_if(marks_, [&](const Marked& m) { return m.mark > went_.mark; });
+}
+
+void History::forgetUndone() {
+  ahead_.clear();
+  ground_.forgetUndone();
+  outline_.forgetUndone();
 }
 
 void History::takeBack(Mark mark) {
   const auto to = find(mark);
+  if (!ahead_.empty() && to->ground.notes < went_.ground.notes) forgetUndone();
   ground_.goBack(to->ground);
   marks_.erase(to + 1, marks_.end());
 }
@@ -44,11 +100,14 @@ void History::forget(Mark mark) {
 /// Those that no mark needs.
 void History::forgetNotes() {
   if (marks_.empty()) {
+    forgetUndone();
     ground_.stopNoting(Ground::For::marks);
     outline_.stopNoting();
   } else {
-    ground_.forgetBefore(marks_.front().ground);
-    outline_.forgetBefore(marks_.front().outline);
+    const Marked& first = marks_.front();
+    if (first.ground.notes > went_.ground.notes || first.outline > went_.outline) forgetUndone();
+    ground_.forgetBefore(first.ground);
+    outline_.forgetBefore(first.outline);
   }
 }
 

@@ -1,5 +1,6 @@
 // The marks of a world, and going back to them: ground and outline each note what they need to undo, and a mark says how
-// far that goes.
+// far that goes. What was undone can be kept. Then the marks that the world went back beyond are kept, too, and it can
+// go forward to them, as long as it is where it went: an edit since, and what was undone is worth nothing any more.
 #pragma once
 
 #include "ground/ground.h"
@@ -24,18 +25,25 @@ class History {
 
   Mark mark(bool ofGroup = false);
   bool knows(Mark mark) const { return find(mark) != marks_.end(); }
+  /// Whether rollForward() leads there.
+  bool isAhead(Mark mark) const;
   bool hasMarks() const { return !marks_.empty(); }
 
   // The mark must be known.
   /// It stays, and later ones are void. `changes` receives what this does to the segments.
-  void rollBack(Mark mark, Changes& changes);
+  void rollBack(Mark mark, Undone undone, Changes& changes);
+  /// The mark must be ahead. Marks that were made since the world went back are void.
+  void rollForward(Mark mark, Changes& changes);
   /// The same in silence, where no commit changed something since: the segments are as they were at the mark.
   void takeBack(Mark mark);
   void forget(Mark mark);
   /// Whether a commit changed something since.
   bool committedSince(Mark mark) const { return find(mark)->outline != outline_.now(); }
 
-  std::uint64_t bytes() const { return marks_.capacity() * sizeof marks_[0]; }
+  /// The cells, each once, in the order of their first edit.
+  std::vector<Cell> editedSince(Mark mark) const { return ground_.editedSince(find(mark)->ground); }
+
+  std::uint64_t bytes() const { return (marks_.capacity() + ahead_.capacity()) * sizeof marks_[0]; }
 
  private:
   struct Marked {
@@ -48,11 +56,17 @@ class History {
 
   std::vector<Marked>::const_iterator find(Mark mark) const;
   void forgetNotes();
+  bool isWhereItWent() const;
+  void returnToWhereItWent();
+  void leave(const Marked& to, Undone undone);
+  void forgetUndone();
 
   Ground& ground_;
   Outline& outline_;
   Versions numbers_;
   std::vector<Marked> marks_;  ///< in the order in which they were made
+  std::vector<Marked> ahead_;  ///< that the world went back beyond, the next one last
+  Marked went_;                ///< where it went then, if any are ahead
 };
 
 }  // namespace lgs::detail

@@ -174,10 +174,11 @@ Expected<void> World::exchange(Cell cell, std::span<const PolygonHandle> removed
 Expected<void> World::setBlock(PolygonHandle polygon, Block block) noexcept {
   return impl_->edit.setBlock(polygon, block);
 }
-Expected<std::uint64_t> World::fill(const CellRect& cells, ShapeId shape, Block block) noexcept {
-  return impl_->edit.fill(cells, shape, block);
+Expected<std::uint64_t> World::fill(const CellRect& cells, ShapeId shape, Block block,
+                                    std::span<PolygonHandle> handles) noexcept {
+  return impl_->edit.fill(cells, shape, block, handles);
 }
-Expected<std::uint64_t> World::clear(const CellRect& cells) noexcept { return impl_->edit.clear(cells); }
+Expected<std::uint64_t> World::clearRect(const CellRect& cells) noexcept { return impl_->edit.clear(cells); }
 
 const Changes& World::commit() noexcept { return commit({}); }
 const Changes& World::commit(const Executor& executor) noexcept {
@@ -190,10 +191,21 @@ const Changes& World::commit(const Executor& executor) noexcept {
 
 Mark World::checkpoint() noexcept { return impl_->history.mark(); }
 
-Expected<void> World::rollBack(Mark mark) noexcept {
+Expected<void> World::rollBack(Mark mark, Undone undone) noexcept {
   if (!impl_->history.knows(mark)) return refuse({.code = ErrorCode::unknownMark});
-  impl_->history.rollBack(mark, impl_->changesOfRollBack);
+  impl_->history.rollBack(mark, undone, impl_->changesOfRollBack);
   return {};
+}
+
+Expected<void> World::rollForward(Mark mark) noexcept {
+  if (!impl_->history.isAhead(mark)) return refuse({.code = ErrorCode::unknownMark});
+  impl_->history.rollForward(mark, impl_->changesOfRollBack);
+  return {};
+}
+
+Expected<std::vector<Cell>> World::editedSince(Mark mark) const noexcept {
+  if (!impl_->history.knows(mark)) return refuse({.code = ErrorCode::unknownMark});
+  return impl_->history.editedSince(mark);
 }
 
 const Changes& World::changesOfRollBack() const noexcept { return impl_->changesOfRollBack; }

@@ -69,6 +69,7 @@ PolygonSet regionOf(const BrushEdit& edit) {
 std::map<Block, PolygonSet> exactResult(const Scene& before, const BrushEdit& edit) {
   std::map<Block, PolygonSet> blocks = byBlock(before);
   PolygonSet region = regionOf(edit);
+  for (const Block block : edit.staying) region.difference(blocks[block]);
   if (edit.deed == BrushEdit::Deed::fill) {
     region.difference(united(blocks));
   } else {

@@ -17,6 +17,7 @@ struct BrushEdit {
   /// Inside is where the rings run around an odd number of times. Otherwise all rings must be simple and
   /// counter-clockwise, and are united.
   bool isEvenOdd = true;
+  std::vector<Block> staying = {};  ///< blocks that the brush goes around
   friend bool operator==(const BrushEdit&, const BrushEdit&) = default;
 };
 

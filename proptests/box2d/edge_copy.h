@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <lgs/box2d/edges.h>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
@@ -30,6 +31,16 @@ inline std::vector<PlainEdge> plain(const EdgeSet& set) {
   return edges;
 }
 
+/// Whether two ghosts beside a place are different to an engine that knows directions alone. Coordinates are small here.
+inline bool isTurned(const std::optional<Point>& a, const std::optional<Point>& b, Point from, double shortest) {
+  if (a == b) return false;
+  if (!a || !b) return true;
+  const double ax = static_cast<double>(a->x - from.x), ay = static_cast<double>(a->y - from.y);
+  const double bx = static_cast<double>(b->x - from.x), by = static_cast<double>(b->y - from.y);
+  if (std::hypot(ax, ay) < shortest || std::hypot(bx, by) < shortest) return true;
+  return ax * by != ay * bx || ax * bx + ay * by <= 0;
+}
+
 /// A copy of the edges that is kept by the reported changes alone.
 class Copy {
  public:
@@ -52,13 +63,20 @@ class Copy {
         EXPECT_FALSE(gone.contains({edge.first, edge.start, edge.end}));  // such an edge should have stayed
       }
     }
+    std::vector<EdgeId> turned;
     for (const EdgeId id : changes.relinked) {
       ASSERT_TRUE(edges_.contains(id.value));
       Edge& edge = edges_.at(id.value);
+      const Edge& now = set.edge(id);
+      const double shortest = static_cast<double>(set.options().shortest);
+      if (isTurned(edge.ghost1, now.ghost1, edge.start, shortest) ||
+          isTurned(edge.ghost2, now.ghost2, edge.end, shortest))
+        turned.push_back(id);
       EXPECT_NE(std::pair(edge.ghost1, edge.ghost2), std::pair(set.edge(id).ghost1, set.edge(id).ghost2));
       edge.ghost1 = set.edge(id).ghost1;
       edge.ghost2 = set.edge(id).ghost2;
     }
+    EXPECT_EQ(changes.turned, turned);
     ASSERT_EQ(edges_.size(), set.edges().size());
     for (const EdgeId id : set.edges()) {
       ASSERT_TRUE(edges_.contains(id.value));

@@ -109,10 +109,20 @@ class NaiveBuilder {
     if (ring) rotateRing(strips);
     std::vector<PlainEdge> edges;
     std::vector<Segment> pending;
+    bool isWelded = false;  // whether the edge before `pending` is
+    const auto endRow = [&] {
+      const bool isLonger = isWelded && !pending.empty() && !isShort(edges.back().start, pending.back().end);
+      if (isLonger) {
+        edges.back().last = pending.back().id;
+        edges.back().end = pending.back().end;
+      }
+      (isLonger ? result_.counts.welded : result_.counts.leftOut) += pending.size();
+      pending.clear();
+      isWelded = false;
+    };
     for (const Strip& strip : strips) {
       if (!isShort(strip)) {
-        result_.counts.leftOut += pending.size();
-        pending.clear();
+        endRow();
         addEdge(edges, strip);
         (strip.size() == 1 ? result_.counts.single : result_.counts.merged) += strip.size();
         continue;
@@ -122,8 +132,9 @@ class NaiveBuilder {
       addEdge(edges, pending);
       result_.counts.welded += pending.size();
       pending.clear();
+      isWelded = true;
     }
-    result_.counts.leftOut += pending.size();
+    endRow();
     link(edges, chain, ring);
     result_.edges.insert(result_.edges.end(), edges.begin(), edges.end());
   }

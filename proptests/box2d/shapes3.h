@@ -19,7 +19,10 @@ inline void expectGhost(b2Vec2 actual, const std::optional<Point>& p, b2Vec2 nea
                         const box2d::Frame& frame, box2d::Chunk chunk) {
   if (p) {
     const box2d::Metres m = frame.local(*p, chunk);
-    if (b2Distance({m.x, m.y}, near) > 0.005F) return expectNear(actual, m);
+    if (b2Distance({m.x, m.y}, near) > 0.005F) {  // its direction counts, and no more
+      const b2Vec2 is = b2Normalize(b2Sub(actual, near)), shall = b2Normalize({m.x - near.x, m.y - near.y});
+      return expectNear(is, {shall.x, shall.y});
+    }
   }
   expectNear(actual, {2 * near.x - far.x, 2 * near.y - far.y});
 }

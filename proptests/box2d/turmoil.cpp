@@ -51,6 +51,7 @@ Turmoil::Turmoil(const Arena& arena) : arena_(arena), square_(*world_.shape(kUni
   world_.commit();
   box2d::TerrainOptions options{.cellSize = 0.5 * arena.cellSize, .chunkCells = arena.chunkCells, .merge = arena.merge};
   terrain_.emplace(crowd_.physics, world_, options);
+  marks_ = {world_.checkpoint()};
 }
 
 Point Turmoil::pointOf(const Move& move) const {
@@ -118,11 +119,16 @@ void Turmoil::count() {
 }
 
 void Turmoil::undo(int steps) {
-  if (done_.empty()) return;
-  const std::size_t left = done_.size() - std::min(done_.size(), static_cast<std::size_t>(1 + steps % 3));
-  for (std::size_t k = done_.size(); k > left; --k) undone_.push_back(done_[k - 1].move);
-  static_cast<void>(world_.rollBack(done_[left].before));
-  done_.erase(done_.begin() + static_cast<std::ptrdiff_t>(left), done_.end());
+  if (now_ == 0) return;
+  now_ -= std::min(now_, static_cast<std::size_t>(1 + steps % 3));
+  static_cast<void>(world_.rollBack(marks_[now_], Undone::keep));
+  sync(world_.changesOfRollBack());
+}
+
+void Turmoil::redo(int steps) {
+  if (now_ + 1 == marks_.size()) return;
+  now_ = std::min(marks_.size() - 1, now_ + 1 + static_cast<std::size_t>(steps % 2));
+  static_cast<void>(world_.rollForward(marks_[now_]));
   sync(world_.changesOfRollBack());
 }
 
@@ -130,8 +136,8 @@ void Turmoil::load() {
   if (file_.empty()) return;
   world_ = *World::load(file_);
   square_ = *world_.shape(kUnitSquare);
-  done_.clear();
-  undone_.clear();
+  marks_ = {world_.checkpoint()};
+  now_ = 0;
   terrain_->resync();
   count();
 }
@@ -143,11 +149,7 @@ void Turmoil::act(const Move& move) {
     case Move::Kind::undo:
       return undo(move.which);
     case Move::Kind::redo:
-      if (undone_.empty()) return;
-      done_.push_back({undone_.back(), world_.checkpoint()});
-      edit(undone_.back());
-      undone_.pop_back();
-      return sync(world_.commit());
+      return redo(move.which);
     case Move::Kind::save:
       file_.clear();
       return static_cast<void>(world_.save([&](auto bytes) { file_.insert(file_.end(), bytes.begin(), bytes.end()); }));
@@ -165,14 +167,16 @@ void Turmoil::act(const Move& move) {
       return Crowd::kick(body, {speed * std::cos(angle), speed * std::sin(angle)});
     }
     default:
-      undone_.clear();
-      if (done_.size() == kMostUndo) {
-        static_cast<void>(world_.forget(done_.front().before));
-        done_.erase(done_.begin());
-      }
-      done_.push_back({move, world_.checkpoint()});
       edit(move);
-      return sync(world_.commit());
+      sync(world_.commit());
+      marks_.resize(now_ + 1);
+      if (now_ == kMostUndo) {
+        static_cast<void>(world_.forget(marks_.front()));
+        marks_.erase(marks_.begin());
+      }
+      marks_.push_back(world_.checkpoint());
+      now_ = marks_.size() - 1;
+      return;
   }
 }
 

@@ -61,14 +61,10 @@ class Turmoil {
     bool isHeld = false;
     Point at;  // where it is
   };
-  struct Edit {
-    Move move;
-    Mark before;
-  };
-
   void edit(const Move& move);
   void act(const Move& move);
   void undo(int steps);
+  void redo(int steps);
   void load();
   void addBody(const Move& move);
   Region regionOf(const Move& move) const;
@@ -86,8 +82,8 @@ class Turmoil {
   std::optional<box2d::Terrain> terrain_;
   Cell origin_;
   std::vector<Watched> watched_;
-  std::vector<Edit> done_;    // what can be undone
-  std::vector<Move> undone_;  // and done again
+  std::vector<Mark> marks_;  // at the begin, and after each edit
+  std::size_t now_ = 0;      // at which of them the world is
   std::vector<std::byte> file_;
   std::size_t pushes_ = 0, holds_ = 0, putBacks_ = 0;
 };

@@ -160,8 +160,15 @@ void FollowerOfCells::goBack(Chance& chance) {
   if (marks_.empty()) return;
   const std::size_t k = chance.below(marks_.size());
   const Marked& to = marks_[k];
+  const auto edited = std::span(log_).first(committed_).subspan(to.committed);
+  const Mark end = world_.checkpoint();
+  const Cells told = told_;
+  ASSERT_TRUE(world_.rollBack(to.mark, Undone::keep));
+  expectTold(edited, to.told);
+  ASSERT_TRUE(world_.rollForward(end));
+  expectTold(edited, told);
   ASSERT_TRUE(world_.rollBack(to.mark));
-  expectTold(std::span(log_).first(committed_).subspan(to.committed), to.told);
+  expectTold(edited, to.told);
   committed_ = to.committed;
   log_.resize(to.edits);
   marks_.resize(k + 1);

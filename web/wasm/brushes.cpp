@@ -1,6 +1,8 @@
 // Regions, and painting and carving them.
 #include "bridge.h"
 
+#include <algorithm>
+
 namespace lgs::web {
 namespace {
 
@@ -40,8 +42,9 @@ std::size_t answered(const Region& region) {
   return out.size();
 }
 
-/// A length in lattice units. JavaScript has checked that it is a number of cells within the limits of a brush.
-std::int64_t units(double cells) { return std::llround(cells * kUnitsPerCell); }
+/// A length in lattice units. JavaScript has checked that it is a number of cells within the limits of a brush;
+/// what is below a lattice unit is taken for one.
+std::int64_t units(double cells) { return std::max<std::int64_t>(1, std::llround(cells * kUnitsPerCell)); }
 
 }  // namespace
 

@@ -68,6 +68,7 @@ void EdgeSet::begin(const World& world) {
   changes_.removed.clear();
   changes_.added.clear();
   changes_.relinked.clear();
+  changes_.turned.clear();
   seeds_.clear();
   retired_.clear();
   placed_.clear();
@@ -217,9 +218,13 @@ void EdgeSet::relink(std::uint32_t edge) {
   const std::optional<Point> ghost1 = ghostOf(edge, Way::before);
   const std::optional<Point> ghost2 = ghostOf(edge, Way::after);
   if (slot.edge.ghost1 == ghost1 && slot.edge.ghost2 == ghost2) return;
+  const Edge before = slot.edge;
   slot.edge.ghost1 = ghost1;
   slot.edge.ghost2 = ghost2;
-  if (slot.made != update_) changes_.relinked.push_back({edge});
+  if (slot.made == update_) return;
+  changes_.relinked.push_back({edge});
+  if (isTurned(before.ghost1, ghost1, before.start) || isTurned(before.ghost2, ghost2, before.end))
+    changes_.turned.push_back({edge});
 }
 
 // The ghost of the nearest edge beside a group is an end of the group's edges.

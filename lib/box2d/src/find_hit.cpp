@@ -21,6 +21,8 @@ double squaredDistance(const Frame& frame, const Segment& s, Place point) {
 
 Hit hitOf(const Segment& s) { return {s.id, s.polygon, s.block, s.cell}; }
 
+Metres unitNormal(DoublePoint n) { return {static_cast<float>(n.x), static_cast<float>(n.y)}; }
+
 }  // namespace
 
 // An id that a commit removes names nothing else before the next commit (ids.h).
@@ -34,6 +36,10 @@ std::optional<Hit> nearestHit(const World& world, const EdgeSet& set, EdgeId id,
   auto s = world.segment(set.edge(id).first);
   if (!s) return {};
   Segment nearest = *s;
+  const auto& material = set.options().material;
+  const auto isAlike = [&](Block block) {
+    return block == nearest.block || !material || material(block) == material(nearest.block);
+  };
   double least = squaredDistance(frame, *s, point);
   // Links that the set has not seen may lead in a circle that misses the last segment. No honest walk is longer than
   // there are ids.
@@ -41,7 +47,7 @@ std::optional<Hit> nearestHit(const World& world, const EdgeSet& set, EdgeId id,
     s = world.segment(s->successor);
     if (!s || set.edgeOf(s->id) != id || left == 0) return {};
     const double distance = squaredDistance(frame, *s, point);
-    if (distance < least) {
+    if (distance < least && isAlike(s->block)) {
       least = distance;
       nearest = *s;
     }
@@ -61,11 +67,15 @@ std::optional<NearestOnFrame> nearestTo(const World& world, const Frame& frame, 
   const auto nearest = world.nearest(frame.latticePoint(point), cells);
   if (!nearest || !nearest->segment) return {};
   const Segment s = *world.segment(nearest->segment);
-  const DoublePoint normal = s.normal();
-  return NearestOnFrame{hitOf(s),
-                        frame.position(nearest->point),
-                        {static_cast<float>(normal.x), static_cast<float>(normal.y)},
+  return NearestOnFrame{hitOf(s), frame.position(nearest->point), unitNormal(s.normal()),
                         static_cast<float>(nearest->distance * frame.cellSize)};
+}
+
+std::optional<RayOnFrame> rayCast(const World& world, const Frame& frame, Place from, Place to) {
+  const auto ray = world.rayCast(frame.latticePoint(from), frame.latticePoint(to));
+  if (!ray || !ray->segment) return {};
+  const Segment s = *world.segment(ray->segment);
+  return RayOnFrame{hitOf(s), frame.position(ray->point), unitNormal(ray->normal), static_cast<float>(ray->fraction)};
 }
 
 }  // namespace lgs::box2d

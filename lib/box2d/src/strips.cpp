@@ -41,6 +41,13 @@ bool EdgeSet::isShort(Point from, Point to) const {
   return dot(v, v) < options_.shortest * options_.shortest;
 }
 
+// Whether a ghost beside an end of an edge is another one to a physics engine.
+bool EdgeSet::isTurned(const std::optional<Point>& before, const std::optional<Point>& now, Point end) const {
+  if (before == now) return false;
+  if (!before || !now || isShort(*before, end) || isShort(*now, end)) return true;
+  return !detail::sameDirection(*before - end, *now - end);
+}
+
 // Works out the edges of the group that a segment is in. A group is one strip that is long enough, or all short strips
 // in a row.
 void EdgeSet::renew(SegmentId id) {
@@ -120,12 +127,19 @@ void EdgeSet::startRingAtLeast() {
 }
 
 void EdgeSet::weld() {
-  std::size_t first = 0;  // of the segments since the last edge
+  std::optional<Strip> edge;  // the last one, which may grow
+  std::size_t first = 0;      // of the segments since then
   for (const Strip& strip : strips_) {
     if (isShort(group_[first].start, group_[strip.last].end)) continue;
-    place(first, strip.last, Fate::welded);
+    if (edge) place(edge->first, edge->last, Fate::welded);
+    edge = {first, strip.last};
     first = strip.last + 1;
   }
+  if (edge && !isShort(group_[edge->first].start, group_.back().end)) {
+    edge->last = group_.size() - 1;
+    first = group_.size();
+  }
+  if (edge) place(edge->first, edge->last, Fate::welded);
   for (; first < group_.size(); ++first) {
     Record& record = records_[group_[first].id.value];
     record.edge = 0;

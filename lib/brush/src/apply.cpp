@@ -12,11 +12,7 @@ class Brush {
   Brush(World& world, const Stroke& stroke, BrushResult& result) : world_(world), stroke_(stroke), result_(result) {}
 
   Expected<void> whole(const CellRect& cells) {
-    if (stroke_.deed == Deed::carve) {
-      world_.forEachPolygon(cells, [&](Cell, const PlacedPolygon& p) { result_.went.push_back(p.handle); });
-      if (const auto done = world_.clear(cells); !done) return tl::unexpected(done.error());
-      return {};
-    }
+    if (stroke_.deed == Deed::carve) return clear(cells);
     for (std::int32_t j = cells.min.j; j <= cells.max.j; ++j)
       for (std::int32_t i = cells.min.i; i <= cells.max.i; ++i)
         if (const auto done = paintWhole({i, j}); !done) return done;
@@ -57,6 +53,21 @@ class Brush {
   }
 
  private:
+  /// Removes what does not stay.
+  Expected<void> clear(const CellRect& cells) {
+    const std::size_t before = result_.went.size();
+    bool isAll = true;
+    world_.forEachPolygon(cells, [&](Cell, const PlacedPolygon& p) {
+      if (stroke_.stays(p.block))
+        isAll = false;
+      else
+        result_.went.push_back(p.handle);
+    });
+    if (!isAll) return world_.removeMany(std::span(result_.went).subspan(before));
+    if (const auto done = world_.clear(cells); !done) return tl::unexpected(done.error());
+    return {};
+  }
+
   void tell(const CellEdit& edit, std::span<const PolygonHandle> removed, std::span<const PolygonHandle> added) {
     for (const std::size_t k : edit.bent)
       result_.bent.push_back(removed[static_cast<std::size_t>(std::ranges::find(edit.gone, k) - edit.gone.begin())]);
@@ -81,7 +92,8 @@ class Brush {
     if (!world_.isEmpty(cell)) {
       world_.polygons(cell, placed_);
       if (placed_.size() == 1 && detail::doubleArea(placed_[0].vertices) == kDoubleArea) return recolour(placed_[0]);
-      if (stroke_.deed == Deed::fill) return cut(cell, wholeCell());
+      const auto stays = [&](const PlacedPolygon& p) { return stroke_.stays(p.block); };
+      if (stroke_.deed == Deed::fill || std::ranges::any_of(placed_, stays)) return cut(cell, wholeCell());
       for (const PlacedPolygon& p : placed_) result_.went.push_back(p.handle);
       if (const auto done = world_.clear(cell); !done) return tl::unexpected(done.error());
     }
@@ -92,7 +104,7 @@ class Brush {
   }
 
   Expected<void> recolour(const PlacedPolygon& polygon) {
-    if (stroke_.deed == Deed::fill || polygon.block == stroke_.block) return {};
+    if (stroke_.deed == Deed::fill || polygon.block == stroke_.block || stroke_.stays(polygon.block)) return {};
     const PolygonHandle handle = polygon.handle;
     if (const auto done = world_.setBlock(handle, stroke_.block); !done) return done;
     result_.changed.push_back({handle, {handle}});

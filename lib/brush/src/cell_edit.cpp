@@ -14,7 +14,8 @@ namespace {
 
 using detail::nextVertex;
 
-/// Whether the region, with its outline, has a point in common with a polygon.
+}  // namespace
+
 bool meets(PieceSpan region, FillRule rule, const Points& ring) {
   Point rising{};  // a place just left of which the polygon is, doubled
   for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -29,12 +30,14 @@ bool meets(PieceSpan region, FillRule rule, const Points& ring) {
   }
   // The outlines do not meet. So the polygon is inside the region or outside, and each ring of the region is inside the
   // polygon or outside.
-  if (isInside(windingLeftOf(rising, region), rule)) return true;
+  if (isFilled(windingLeftOf(rising, region), rule)) return true;
   const Pieces outline = piecesOf(ring);
   return std::any_of(region.begin(), region.end(), [&](const Piece& p) {
     return p.start == p.a && p.isOfRegion && windingLeftOf({2 * p.start.x, 2 * p.start.y}, outline) != 0;
   });
 }
+
+namespace {
 
 /// The atoms of the cell. Polygons that stand in the way become groups. Nothing if edges cross in too many points.
 std::optional<List<Atom>> atomsOf(Ground& ground, PieceSpan region, FillRule rule) {
@@ -42,7 +45,7 @@ std::optional<List<Atom>> atomsOf(Ground& ground, PieceSpan region, FillRule rul
   for (;;) {
     auto arrangement = arrangementOf(ground, region);
     if (!arrangement) return std::nullopt;
-    Rounding result = rounded(std::move(*arrangement), rule);
+    Rounding result = snapRounded(std::move(*arrangement), rule);
     if (result.inTheWay.empty()) return std::move(result.atoms);
     for (const std::size_t k : result.inTheWay) ground.groups[k] = k;
   }

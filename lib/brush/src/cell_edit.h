@@ -14,6 +14,9 @@ struct Stroke {
   Deed deed = Deed::carve;
   Block block = 0;  ///< what is painted
   FillRule rule = FillRule::nonZero;
+  const StayingBlocks* staying = nullptr;  ///< null: none
+
+  bool stays(Block old) const { return staying != nullptr && *staying && (*staying)(old); }
 };
 
 /// A polygon of the cell, in units from the cell's corner.
@@ -34,6 +37,9 @@ struct CellEdit {
   List<std::size_t> bent;  ///< of those that are gone: what law 9 should have kept
   bool isTooMuch = false;  ///< more crossings or more corners than a cell can have: the rest is not worked out
 };
+
+/// Whether the region, with its outline, has a point in common with a polygon.
+bool meets(PieceSpan region, FillRule rule, const Points& ring);
 
 /// What a stroke does in a cell.
 CellEdit editOf(const List<CellPolygon>& polygons, PieceSpan region, const Stroke& stroke);

@@ -101,7 +101,8 @@ std::optional<CellEdit> plainEdit(const List<CellPolygon>& polygons, PieceSpan r
   const bool isEmpty = polygons.empty();
   if (!isEmpty && (polygons.size() > 1 || detail::doubleArea(polygons[0].ring) != 2 * kEnd * kEnd)) return std::nullopt;
   if (!isEmpty && stroke.deed == Deed::replace && polygons[0].block == stroke.block) return std::nullopt;
-  const bool keepsAll = isEmpty ? stroke.deed == Deed::carve : stroke.deed == Deed::fill;
+  const bool keepsAll =
+      isEmpty ? stroke.deed == Deed::carve : stroke.deed == Deed::fill || stroke.stays(polygons[0].block);
   if (keepsAll) return CellEdit{};
   if (region.size() < 3 || region.size() > kMostPieces || !isOneRing(region)) return std::nullopt;
   Points ring;

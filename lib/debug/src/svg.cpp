@@ -28,6 +28,12 @@ class Page {
            decimal((static_cast<double>(top_) - cells.y) * kPixelsPerCell);
   }
   std::string operator()(Point p) const { return (*this)(inCells(p)); }
+  std::string group(const SvgOverlay& overlay) const {
+    const std::string scale = decimal(overlay.cellsPerUnit * kPixelsPerCell);
+    const DoublePoint corner{static_cast<double>(overlay.origin.i), static_cast<double>(overlay.origin.j)};
+    return "<g transform=\"matrix(" + scale + ",0,0,-" + scale + "," + (*this)(corner) + ")\">\n" + overlay.over +
+           "</g>\n";
+  }
   static DoublePoint inCells(Point p) {
     return {static_cast<double>(p.x) / kUnitsPerCell, static_cast<double>(p.y) / kUnitsPerCell};
   }
@@ -38,7 +44,7 @@ class Page {
 
 }  // namespace
 
-std::string writeSvg(const World& world) {
+std::string writeSvg(const World& world, const SvgOverlay& overlay) {
   const CellRect cells = world.bounds().value_or(CellRect{});
   const auto pixels = [](std::int32_t min, std::int32_t max) {
     return std::to_string((std::int64_t{max} - min + 1) * kPixelsPerCell + 2 * kMargin);
@@ -61,7 +67,9 @@ std::string writeSvg(const World& world) {
     svg += "<path d=\"M" + page(s.start) + " " + page(s.end) + " M" + page(middle) + " " +
            page(DoublePoint{middle.x + normal.x / 12, middle.y + normal.y / 12}) + "\"/>\n";
   }
-  return svg + "</g>\n</svg>\n";
+  svg += "</g>\n";
+  if (!overlay.over.empty()) svg += page.group(overlay);
+  return svg + "</svg>\n";
 }
 
 }  // namespace lgs

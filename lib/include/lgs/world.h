@@ -22,6 +22,7 @@
 #include <lgs/snapshot.h>
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -35,7 +36,8 @@ namespace lgs {
 
 /// Limits. Beyond them an edit is refused with ErrorCode::capacity. Two more refuse in this way: 2^23 - 1 distinct
 /// contents of cells, and 2^28 - 1 polygons ever placed in one cell. A commit that needs more than 8 GiB for the
-/// records of cells with segments, or more than 2^31 - 2 segments, ends the program, as it does when memory runs out.
+/// records of cells with segments, or more than 2^31 - 4,097 segments, ends the program, as it does when memory runs
+/// out.
 ///
 /// A program for JavaScript, whose numbers are whole up to 2^53, may define LGS_HANDLES_IN_53_BITS for all of its files.
 /// Then every PolygonHandle has cellRef < 2^30 and serial < 2^23: at most 2^20 - 1 chunks and, in one cell, 2^23 - 1
@@ -104,6 +106,9 @@ struct CellChange {
   std::span<const PlacedPolygon> before;  ///< as of the commit or roll-back before
   std::span<const PlacedPolygon> now;     ///< as of this one
 };
+
+/// Whether World::rollBack() keeps what it undoes, so that World::rollForward() can bring it back.
+enum class Undone : std::uint8_t { drop, keep };
 
 /// How much there is in a world: see World::stats().
 struct Stats {
@@ -202,13 +207,20 @@ class World {
 
   /// Places a shape in every cell of a rectangle, or in none. Returns the number of cells. Refused as add() would be
   /// for the first cell, by rows from `min`, that add() would refuse; but cellOutOfRange names a corner of the
-  /// rectangle that is out of range. An empty rectangle is no error.
-  [[nodiscard]] Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block) noexcept;
+  /// rectangle that is out of range, and capacity names `min` if the rectangle reaches more chunks than the world has
+  /// room for. An empty rectangle is no error. `handles` receives the handle of the shape's first
+  /// polygon in each cell, by rows from `min`, or as many as it has room for.
+  [[nodiscard]] Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block,
+                                             std::span<PolygonHandle> handles = {}) noexcept;
 
   /// Removes every polygon in every cell of a rectangle. Returns the number of polygons removed. Refused:
-  /// cellOutOfRange, with a corner of the rectangle that is out of range.
-  Expected<std::uint64_t> clear(const CellRect& cells) noexcept;
-  Expected<std::uint64_t> clear(Cell cell) noexcept { return clear(CellRect{cell, cell}); }
+  /// cellOutOfRange, with a corner of the rectangle that is out of range. (`clear({3, 4})` is of a cell: a template
+  /// comes after what is none.)
+  template <std::same_as<CellRect> Rect = CellRect>
+  Expected<std::uint64_t> clear(const Rect& cells) noexcept {
+    return clearRect(cells);
+  }
+  Expected<std::uint64_t> clear(Cell cell) noexcept { return clearRect({cell, cell}); }
 
   /// Begins a group of edits that happens as a whole or not at all.
   [[nodiscard]] Transaction edit() noexcept;
@@ -239,11 +251,35 @@ class World {
   /// Goes back to a mark. The mark stays, so that the world can go back to it again; later ones are void.
   /// changesOfRollBack() then says what this did to the segments. Refused: unknownMark. Cost: in proportion to the
   /// edits since the mark.
-  [[nodiscard]] Expected<void> rollBack(Mark mark) noexcept;
+  ///
+  /// With Undone::keep the later marks are *ahead*: rollForward() leads there. So a game that makes a mark at its begin
+  /// and after each commit of a player's can undo and redo:
+  ///
+  ///   if (k > 0 && world.rollBack(marks[k - 1], lgs::Undone::keep)) --k;
+  ///   if (k + 1 < marks.size() && world.rollForward(marks[k + 1])) ++k;
+  ///   marks.resize(++k); marks.push_back(world.checkpoint());  // after an edit and its commit
+  ///
+  /// What is kept takes memory as long as the world can come back to where it went: until it goes back further without
+  /// keeping, goes back with keeping after an edit or another mark, or has no mark left from before.
+  [[nodiscard]] Expected<void> rollBack(Mark mark, Undone undone = Undone::drop) noexcept;
 
-  /// What the last rollBack() did to the segments, for those who followed all commits: the three lists of a commit, by
-  /// id. One thing is different: an id that named one segment and names another one now is removed, and then added.
+  /// Goes forward to a mark that is ahead, as if the world had not gone back beyond it: the edits and commits up to it
+  /// come back with their handles, shapes and segment ids. Marks that were made since it went back are void; those
+  /// further ahead stay ahead. changesOfRollBack() then says what this did to the segments. Refused: unknownMark, if
+  /// the mark is not ahead, or if something was edited, or a shape made, since the world went back or forward (and that
+  /// was not undone). Commits that found nothing to do, and groups that were not kept, do no harm. Cost: as of
+  /// rollBack().
+  [[nodiscard]] Expected<void> rollForward(Mark mark) noexcept;
+
+  /// What the last rollBack() or rollForward() did to the segments, for those who followed all commits: the three lists
+  /// of a commit, by id. One thing is different: an id that named one segment and names another one now is removed, and
+  /// then added.
   const Changes& changesOfRollBack() const noexcept;
+
+  /// The cells that were edited since a mark, each once, in the order of their first edit: where going back to it puts
+  /// things back. A cell is named even if it holds again what it held. Refused: unknownMark. Cost: in proportion to the
+  /// edits since the mark.
+  Expected<std::vector<Cell>> editedSince(Mark mark) const noexcept;
 
   /// Lets go of a mark. Other marks stay. Refused: unknownMark.
   Expected<void> forget(Mark mark) noexcept;
@@ -260,12 +296,12 @@ class World {
   /// edited cells, which takes time and memory in proportion to their polygons and vertices, before and now.
   [[nodiscard]] Expected<void> followCells(bool follow) noexcept;
 
-  /// The cells that the last commit or rollBack() changed, each once, in the order of their first change; one edit of
-  /// several cells changes them in any order. After a commit these are the cells edited since the commit or roll-back
-  /// before. After a roll-back these are the cells that were edited, and committed, since the last commit before the
-  /// mark; `now` is as of that commit, and edits that were pending at the mark are told by the next commit. A cell is
-  /// named even if it holds again what it held. Empty if nothing is followed, or nothing changed. Valid until the next
-  /// edit, commit or roll-back. Cost: O(1).
+  /// The cells that the last commit, rollBack() or rollForward() changed, each once, in the order of their first
+  /// change; one edit of several cells changes them in any order. After a commit these are the cells edited since the
+  /// commit or roll-back before. After a roll-back these are the cells that were edited, and committed, since the last
+  /// commit before the mark; `now` is as of that commit, and edits that were pending at the mark are told by the next
+  /// commit. So it is after going forward, with what comes back. A cell is named even if it holds again what it held.
+  /// Empty if nothing is followed, or nothing changed. Valid until the next edit, commit or roll-back. Cost: O(1).
   std::span<const CellChange> cellChanges() const noexcept;
 
   // --- Saving -------------------------------------------------------------------------------------------------------
@@ -295,7 +331,8 @@ class World {
 
   /// Calls visit(cell, polygon) for every placed polygon, buried ones too: chunk by chunk, in the order in which edits
   /// first reached the chunks; each by rows, each cell by handle. The second form visits the cells of a rectangle, and
-  /// chunks in any order. `visit` must not change the world. Cost: in proportion to the cells that have a chunk.
+  /// chunks in any order. `visit` must not change the world; if it is empty, nobody is called. Cost: in proportion to the
+  /// cells that have a chunk.
   using PolygonVisitor = std::function<void(Cell, const PlacedPolygon&)>;
   /// See PolygonVisitor.
   void forEachPolygon(const PolygonVisitor& visit) const noexcept;
@@ -369,6 +406,7 @@ class World {
  private:
   friend class Transaction;
   friend bool samePolygons(const World& a, const World& b) noexcept;
+  Expected<std::uint64_t> clearRect(const CellRect& cells) noexcept;
   std::unique_ptr<Impl> impl_;
 };
 

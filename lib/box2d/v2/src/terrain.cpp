@@ -1,5 +1,6 @@
 #include <lgs/box2d/terrain.h>
 #include "footing.h"
+#include "form.h"
 #include "local_edge.h"
 #include "new_ground.h"
 #include "to_box2d.h"
@@ -49,30 +50,44 @@ Terrain::~Terrain() {
 }
 
 tl::expected<void, SyncError> Terrain::commit(World& world) {
-  const bool isOwn = &world == &world_;
-  assert(isOwn);
-  if (!isOwn) return tl::unexpected(SyncError::notTheLast);
+  if (&world != &world_) return tl::unexpected(SyncError::notTheLast);
   return sync(world.commit());
 }
 
 tl::expected<void, SyncError> Terrain::sync(const Changes& changes) { return sync(changes, onCaught_); }
 
 tl::expected<void, SyncError> Terrain::sync(const Changes& changes, OnCaught onCaught) {
-  const std::optional<SyncError> misfit = edges_.misfit(world_, changes);
-  assert(!misfit);
-  if (misfit) return tl::unexpected(*misfit);
+  if (const auto misfit = edges_.misfit(world_, changes)) return tl::unexpected(*misfit);
   const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_, changes);
   caught_ = onCaught == OnCaught::leave ? std::vector<Caught>() : find(ground);
   apply(edges_.update(world_, changes));
-  settle(ground, onCaught);
+  settle(ground.box(), onCaught);
   return {};
 }
 
 void Terrain::resync() {
   const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_);
-  caught_ = onCaught_ == OnCaught::leave ? std::vector<Caught>() : find(ground);
+  caught_ = onCaught_ == OnCaught::leave ? std::vector<Caught>() : findAll(ground);
   apply(edges_.load(world_));
-  settle(ground, onCaught_);
+  settle(kEverywhere, onCaught_);
+  noteAll();
+}
+
+void Terrain::materialsChanged() {
+  std::vector<std::pair<EdgeId, Material>> before;
+  for (const EdgeId id : edges_.edges()) before.emplace_back(id, materials_.of(edges_.edge(id).block));
+  materials_.askAgain();
+  resync();
+  for (const auto& [id, material] : before) {
+    const bool isThere = fixtures_[id.value] != nullptr;
+    if (isThere && !(materials_.of(edges_.edge(id).block) == material)) remake(id);
+  }
+}
+
+void Terrain::remake(EdgeId id) {
+  destroy(id);
+  create(id);
+  if (!isAlone()) wakeAround(*fixtures_[id.value]);
 }
 
 void Terrain::moveOrigin(Cell origin) {
@@ -88,7 +103,7 @@ void Terrain::apply(const EdgeChanges& changes) {
   bodies_.resize(edges_.chunkCount());
   for (const EdgeId id : changes.removed) destroy(id);
   for (const EdgeId id : changes.added) create(id);
-  for (const EdgeId id : changes.relinked) {
+  for (const EdgeId id : changes.turned) {
     auto& shape = static_cast<b2EdgeShape&>(*fixtures_[id.value]->GetShape());
     const b2EdgeShape with = shapeOf(edges_.edge(id));
     shape.m_vertex0 = with.m_vertex0;
@@ -98,7 +113,7 @@ void Terrain::apply(const EdgeChanges& changes) {
   // there, unless there are no bodies but its own.
   if (!isAlone()) {
     for (const EdgeId id : changes.added) wakeAround(*fixtures_[id.value]);
-    for (const EdgeId id : changes.relinked) wakeAround(*fixtures_[id.value]);
+    for (const EdgeId id : changes.turned) wakeAround(*fixtures_[id.value]);
   }
   for (const EdgeId id : changes.removed) {
     Body& body = bodies_[edges_.edge(id).chunk];

@@ -71,7 +71,13 @@ std::optional<NearestHit> Terrain::nearest(const b2Vec2& point, float radius) co
   return NearestHit{found->hit, toBox2D(found->point), toBox2D(found->normal), found->distance};
 }
 
-std::vector<b2Body*> Terrain::bodiesIn(const CellRect& cells) const {
+std::optional<GroundRayHit> Terrain::rayCast(const b2Vec2& from, const b2Vec2& to) const {
+  const auto ray = box2d::rayCast(world_, frame_, {from.x, from.y}, {to.x, to.y});
+  if (!ray) return {};
+  return GroundRayHit{ray->hit, toBox2D(ray->point), toBox2D(ray->normal), ray->fraction};
+}
+
+std::vector<b2Body*> Terrain::bodiesInRect(const CellRect& cells) const {
   if (isEmpty(cells)) return {};
   const b2AABB bounds{position(toWorld(cells.min, {})), position(toWorld(cells.max, {kUnitsPerCell, kUnitsPerCell}))};
   b2PolygonShape box;

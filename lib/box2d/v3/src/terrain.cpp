@@ -1,12 +1,12 @@
 #include <lgs/box2d/terrain.h>
 #include "footing.h"
+#include "form.h"
 #include "local_edge.h"
 #include "new_ground.h"
 #include "segment_shape.h"
 #include "to_box2d.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace lgs::box2d {
 
@@ -35,7 +35,18 @@ bool operator==(const Material& a, const Material& b) {
          a.enableCustomFiltering == b.enableCustomFiltering && a.isPassable == b.isPassable;
 }
 
-Terrain::Terrain(b2WorldId physics, const World& world, TerrainOptions options)
+class Terrain::Memory {
+ public:
+  Frame frame;
+  EdgeSet edges;
+  std::vector<SegmentShape> shapes;
+  std::vector<Body> bodies;
+  std::size_t bodyCount;
+  std::vector<b2BodyId> held;
+  Footings footings;
+};
+
+Terrain::Terrain(b2WorldId physics, const World& world, TerrainOptions options, Precision /*precision*/)
     : physics_(physics),
       world_(world),
       frame_{options.cellSize, options.origin, options.chunkCells},
@@ -56,30 +67,62 @@ Terrain::~Terrain() {
 }
 
 tl::expected<void, SyncError> Terrain::commit(World& world) {
-  const bool isOwn = &world == &world_;
-  assert(isOwn);
-  if (!isOwn) return tl::unexpected(SyncError::notTheLast);
+  if (&world != &world_) return tl::unexpected(SyncError::notTheLast);
   return sync(world.commit());
 }
 
 tl::expected<void, SyncError> Terrain::sync(const Changes& changes) { return sync(changes, onCaught_); }
 
 tl::expected<void, SyncError> Terrain::sync(const Changes& changes, OnCaught onCaught) {
-  const std::optional<SyncError> misfit = edges_.misfit(world_, changes);
-  assert(!misfit);
-  if (misfit) return tl::unexpected(*misfit);
+  if (const auto misfit = edges_.misfit(world_, changes)) return tl::unexpected(*misfit);
   const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_, changes);
   caught_ = onCaught == OnCaught::leave ? std::vector<Caught>() : find(ground);
   apply(edges_.update(world_, changes));
-  settle(ground, onCaught);
+  settle(ground.box(), onCaught);
   return {};
 }
 
 void Terrain::resync() {
   const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_);
-  caught_ = onCaught_ == OnCaught::leave ? std::vector<Caught>() : find(ground);
+  caught_ = onCaught_ == OnCaught::leave ? std::vector<Caught>() : findAll(ground);
   apply(edges_.load(world_));
-  settle(ground, onCaught_);
+  settle(kEverywhere, onCaught_);
+  noteAll();
+}
+
+Terrain::MemoryPtr Terrain::remember() const {
+  return std::make_shared<Memory>(Memory{frame_, edges_, shapes_, bodies_, bodyCount_, held_, *footings_});
+}
+
+// Going back over commits that come to nothing leaves the world another version than the mark's.
+void Terrain::recall(const MemoryPtr& memory) {
+  frame_ = memory->frame;
+  edges_ = memory->edges;
+  shapes_ = memory->shapes;
+  bodies_ = memory->bodies;
+  bodyCount_ = memory->bodyCount;
+  held_ = memory->held;
+  *footings_ = memory->footings;
+  caught_.clear();
+  for (const EdgeId id : edges_.edges()) b2Shape_SetUserData(shapes_[id.value].shape, userDataOf(id));
+  if (!isCurrent()) resync();
+}
+
+void Terrain::materialsChanged() {
+  std::vector<std::pair<EdgeId, Material>> before;
+  for (const EdgeId id : edges_.edges()) before.emplace_back(id, materials_.of(edges_.edge(id).block));
+  materials_.askAgain();
+  resync();
+  for (const auto& [id, material] : before) {
+    const bool isThere = B2_IS_NON_NULL(shapes_[id.value].shape);
+    if (isThere && !(materials_.of(edges_.edge(id).block) == material)) remake(id);
+  }
+}
+
+void Terrain::remake(EdgeId id) {
+  destroy(id);
+  create(id);
+  if (!isAlone()) wakeAround(id);
 }
 
 void Terrain::moveOrigin(Cell origin) {
@@ -102,11 +145,11 @@ void Terrain::apply(const EdgeChanges& changes) {
   if (!isAlone()) {
     for (const EdgeId id : changes.removed) wakeAround(id);
     for (const EdgeId id : changes.added) wakeAround(id);
-    for (const EdgeId id : changes.relinked) wakeAround(id);
+    for (const EdgeId id : changes.turned) wakeAround(id);
   }
   for (const EdgeId id : changes.removed) destroy(id);
   for (const EdgeId id : changes.added) create(id);
-  for (const EdgeId id : changes.relinked) relink(id);
+  for (const EdgeId id : changes.turned) relink(id);
   for (const EdgeId id : changes.removed) {
     Body& body = bodies_[edges_.edge(id).chunk];
     if (B2_IS_NULL(body.body) || body.shapes != 0) continue;

@@ -57,7 +57,13 @@ std::optional<NearestHit> Terrain::nearest(Position point, float radius) const {
   return NearestHit{found->hit, toBox2D(found->point), toBox2D(found->normal), found->distance};
 }
 
-std::vector<b2BodyId> Terrain::bodiesIn(const CellRect& cells) const {
+std::optional<GroundRayHit> Terrain::rayCast(Position from, Position to) const {
+  const auto ray = box2d::rayCast(world_, frame_, {from.x, from.y}, {to.x, to.y});
+  if (!ray) return {};
+  return GroundRayHit{ray->hit, toBox2D(ray->point), toBox2D(ray->normal), ray->fraction};
+}
+
+std::vector<b2BodyId> Terrain::bodiesInRect(const CellRect& cells) const {
   if (isEmpty(cells)) return {};
   const auto metres = [&](std::int32_t from, std::int32_t to) {
     return static_cast<float>((1.0 + to - from) * frame_.cellSize);

@@ -13,8 +13,16 @@ namespace lgs {
 /// a preserve relation also to the square of the number of blocks.
 std::string writeTrace(const World& world);
 
-/// The polygons of a world, and its segments as of the last commit with their outward normals, as an SVG picture. A
-/// cell is 64 pixels wide. Each block has a colour. Cost: in proportion to the polygons and segments.
-std::string writeSvg(const World& world);
+/// Something to lay over a picture of a world: bodies, paths, names.
+struct SvgOverlay {
+  std::string over;         ///< SVG elements, whose x runs to the right and y up
+  double cellsPerUnit = 1;  ///< of their coordinates: for metres 1 / TerrainOptions::cellSize
+  Cell origin = {};         ///< its lower left corner is their (0, 0)
+};
+
+/// The polygons of a world, and its segments as of the last commit with their outward normals, as an SVG picture, and
+/// what is laid over it. A cell is 64 pixels wide. Each block has a colour. Cost: in proportion to the polygons and
+/// segments.
+std::string writeSvg(const World& world, const SvgOverlay& overlay = {});
 
 }  // namespace lgs

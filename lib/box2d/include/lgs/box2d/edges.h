@@ -9,7 +9,8 @@
 //  2. Edges. A strip that is at least `shortest` long is an edge. Shorter strips that follow each other are taken
 //     together, from the first one on (from the least one if they go round in a ring). As soon as the distance from
 //     the end of the last edge reaches `shortest`, all strips since then are *welded* into one straight edge. What
-//     remains at the end is *left out*: a gap shorter than `shortest`. No vertex ever moves.
+//     remains at the end is welded to the last of these edges. If there is none, or if that would make it too short,
+//     the rest is *left out*: a gap shorter than `shortest`. No vertex ever moves.
 //  3. Ghosts. The ghosts of an edge are the far ends of the edges before and after it, whatever is left out between
 //     them. Under a preserve relation a link can lead one way only; there the ghost of the segment is that of the edge.
 //     Where there is no link, there is no ghost.
@@ -76,6 +77,9 @@ struct EdgeChanges {
   std::vector<EdgeId> removed;   ///< edge() still says what they were, until the next update
   std::vector<EdgeId> added;     ///< new edges
   std::vector<EdgeId> relinked;  ///< edges with the same ends as before and another ghost
+  /// Of these: with a ghost in another direction, or nearer than `shortest`. To a physics engine that uses no more of a
+  /// ghost than its direction, the others are as they were.
+  std::vector<EdgeId> turned;
 };
 
 /// How many edges there are, and what became of the segments.
@@ -167,6 +171,7 @@ class EdgeSet {
   bool straight(const Segment& a, const Segment& b) const;
   Segment stripEnd(Segment s, Way way) const;
   bool isShort(Point from, Point to) const;
+  bool isTurned(const std::optional<Point>& before, const std::optional<Point>& now, Point end) const;
 
   void renew(SegmentId id);
   void gather(SegmentId id);

@@ -40,7 +40,10 @@ struct Frame {
   std::int32_t chunkCells = 16;  ///< cells along the side of a chunk
 
   /// a / b, rounded down. `b` must be more than 0.
-  static constexpr std::int32_t floorDiv(std::int32_t a, std::int32_t b) { return a / b - (a % b < 0 ? 1 : 0); }
+  static constexpr std::int32_t floorDiv(std::int32_t a, std::int32_t b) {
+    assert(b > 0);
+    return a / b - (a % b < 0 ? 1 : 0);
+  }
 
   /// The chunk of a cell.
   constexpr Chunk chunkOf(Cell c) const { return {floorDiv(c.i, chunkCells), floorDiv(c.j, chunkCells)}; }
@@ -59,10 +62,13 @@ struct Frame {
     const Place m = scaled(p, cornerOf(chunk));
     return {static_cast<float>(m.x), static_cast<float>(m.y)};
   }
-  /// The cell at a place in the physics world. It must be in the range of cells (inRange()).
+  /// The cell at a place in the physics world; not inRange() if that is beyond the last cell, or no number.
   Cell cellAt(Place p) const {
-    return {static_cast<std::int32_t>(std::floor(p.x / cellSize) + origin.i),
-            static_cast<std::int32_t>(std::floor(p.y / cellSize) + origin.j)};
+    const auto index = [&](double metres, std::int32_t from) {
+      const double cells = std::floor(metres / cellSize) + from;
+      return cells >= -kMaxCell && cells <= kMaxCell ? static_cast<std::int32_t>(cells) : kMaxCell + 1;
+    };
+    return {index(p.x, origin.i), index(p.y, origin.j)};
   }
   /// The lattice point nearest to a place in the physics world; not inRange() if that is beyond the last cell.
   Point latticePoint(Place p) const {
@@ -79,17 +85,20 @@ struct Frame {
   double units(double metres) const { return metres / cellSize * kUnitsPerCell; }
   float metres(double units) const { return static_cast<float>(units * cellSize / kUnitsPerCell); }
   /// A length in lattice units, rounded up. It is a tenth longer than asked for, so that what is at least as long on
-  /// the lattice is still long enough after rounding to `float`. Asserts that the cell size is finite and at least
-  /// 2e-6.
+  /// the lattice is still long enough after rounding to `float`. At most 2^62, also for what is no number. Asserts that
+  /// the cell size is finite and at least 2e-6.
   std::int64_t unitsOf(double metres) const {
     assert(cellSize >= 2e-6 && std::isfinite(cellSize));
-    return static_cast<std::int64_t>(std::ceil(1.1 * metres / cellSize * kUnitsPerCell));
+    const double units = std::ceil(1.1 * metres / cellSize * kUnitsPerCell);
+    return units >= 0 && units < 0x1p62 ? static_cast<std::int64_t>(units) : std::int64_t{1} << 62;
   }
 
  private:
   Place scaled(Point p, Point from) const {
     const double scale = cellSize / kUnitsPerCell;
-    return {static_cast<double>(p.x - from.x) * scale, static_cast<double>(p.y - from.y) * scale};
+    // Coordinates of points in range, and their differences, are exact as `double`; all others are numbers, too.
+    return {(static_cast<double>(p.x) - static_cast<double>(from.x)) * scale,
+            (static_cast<double>(p.y) - static_cast<double>(from.y)) * scale};
   }
 };
 

@@ -28,8 +28,9 @@ struct BasicTerrainOptions {
   Cell origin = {};     ///< its lower left corner is (0, 0) of the physics world; best where most things happen
   std::int32_t chunkCells = 16;  ///< each square of this many cells by as many is a body, 1 … 4,096; see docs/box2d.md
   bool merge = false;            ///< collinear neighbours of equal material in a chunk become one edge
-  OnCaught onCaught = OnCaught::push;            ///< what a sync does with bodies in new ground
-  std::function<Material(Block)> material = {};  ///< called once for each block; empty: the defaults for all blocks
+  OnCaught onCaught = OnCaught::push;  ///< what a sync does with bodies in new ground
+  std::function<Material(Block)> material =
+      {};  ///< called once for each block, and again after materialsChanged(); empty: the defaults for all blocks
 };
 
 /// The materials of the blocks, with numbers from 0 up. Equal materials have the same number.
@@ -49,6 +50,12 @@ class Materials {
       if (known == materials_.end()) materials_.push_back(material);
     }
     return entry->second;
+  }
+
+  /// Forgets what it was told: the materials may have changed.
+  void askAgain() {
+    numbers_.clear();
+    materials_.clear();
   }
 
   /// The material of a block. Valid until the next block is met.

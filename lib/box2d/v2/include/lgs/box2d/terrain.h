@@ -25,6 +25,7 @@
 #include <lgs/box2d/hit.h>
 #include <lgs/box2d/materials.h>
 
+#include <concepts>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -36,6 +37,7 @@ class NewGround;
 struct Box;
 struct Footing;
 struct Form;
+enum class Whose;
 
 /// What a block is like. The defaults are Box2D's.
 struct Material {
@@ -65,6 +67,14 @@ struct NearestHit {
   float distance = 0;  ///< metres
 };
 
+/// What a ray meets first.
+struct GroundRayHit {
+  Hit hit;             ///< what was hit
+  b2Vec2 point;        ///< where, in metres
+  b2Vec2 normal;       ///< outward unit normal of the segment
+  float fraction = 1;  ///< of the way from the start to the end of the ray
+};
+
 /// A body that new ground would hold.
 struct Caught {
   b2Body* body = nullptr;
@@ -90,10 +100,10 @@ class Terrain {
   tl::expected<void, SyncError> commit(World& world);
 
   /// Applies a commit, or what a roll-back reports. Call it once after each of them, before the next edit. Changes that
-  /// are not the next ones are a mistake of the program: an assertion fails. With NDEBUG the terrain stays as it was,
-  /// and the error says why. After `leftOut` call resync(). After `shownAlready` there is nothing to do. After
-  /// `notTheLast` call resync() unless isCurrent(). Cost: the number of changes, times the segments of an edge; and for
-  /// each fixture that goes the fixtures of its body, because Box2D looks for it there.
+  /// are not the next ones are refused: the terrain stays as it was, and the error says why. After `leftOut` call
+  /// resync(). After `shownAlready` there is nothing to do. After `notTheLast` call resync() unless isCurrent(). Cost:
+  /// the number of changes, times the segments of an edge; and for each fixture that goes the fixtures of its
+  /// body, because Box2D looks for it there.
   tl::expected<void, SyncError> sync(const Changes& changes);
 
   /// The same, with another answer to what happens to bodies in new ground.
@@ -121,6 +131,10 @@ class Terrain {
   /// of a body that is awake.
   const std::vector<b2Body*>& afterStep();
 
+  /// Call it when the game itself has put a body elsewhere, through a portal or to where it starts anew: else it seems
+  /// to have come through the ground that is between, and afterStep() puts it back. Not needed before resync().
+  void moved(const b2Body& body);
+
   /// Whether the ground, as of the last commit, reaches into no fixture of a body by more than Box2D's slop, where it
   /// is or as if it were at another place.
   bool fits(const b2Body& body);
@@ -130,10 +144,16 @@ class Terrain {
   /// somewhat larger.
   std::vector<std::vector<Point>> outlinesOf(const b2Body* body);
 
-  /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world: changes
-  /// were left out, or another world was assigned to it, loaded or copied. Fixtures that are right as they are stay,
-  /// and bodies on them sleep on. Cost: O(segments).
+  /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world:
+  /// changes were left out, or another world was assigned to it, loaded or copied. Bodies may have been moved
+  /// meanwhile: whoever is in the ground is pushed or held, however it came there; and whoever is held and free is
+  /// held no more. Fixtures that are right as they are stay, and bodies on them sleep on. Cost: O(segments).
   void resync();
+
+  /// Asks TerrainOptions::material again for all blocks, as what blocks are like has changed; and syncs as resync()
+  /// does. The fixtures of blocks that are another material now are made anew, so what rests there wakes up. Nobody is
+  /// pushed out of a block that was passable and is solid now. Cost: O(segments).
+  void materialsChanged();
 
   /// Whether the terrain is up to date with the last commit.
   bool isCurrent() const { return edges_.version() == world_.version(); }
@@ -156,12 +176,22 @@ class Terrain {
   /// solid. Segments that are too short for an edge count as well. Cost: as of World::nearest().
   std::optional<NearestHit> nearest(const b2Vec2& point, float radius) const;
 
+  /// The first piece of the outline that a ray meets from outside, as of the last commit; nothing if it meets none, is
+  /// longer than kMaxRay cells on an axis, or has an end beyond the last cell. It is exact but for its ends, which are
+  /// rounded to the lattice. A ray of Box2D leaks where segments were too short for an edge; this one does not. It
+  /// looks at no filter and at no body: for what stands before the ground cast a ray of Box2D as well, and take the
+  /// nearer hit. Cost: as of World::rayCast().
+  std::optional<GroundRayHit> rayCast(const b2Vec2& from, const b2Vec2& to) const;
+
   /// The bodies that reach into a rectangle of cells, but for the terrain's; each once, in no particular order. Sensors
   /// are not looked at. caughtBy() says which of them new ground would hold. Box2D's skin of a polygon counts: bodies
   /// that are less than 1 cm (b2_polygonRadius) away are found, but not those that just rest beside the cells. Cost:
   /// the fixtures near the cells.
-  std::vector<b2Body*> bodiesIn(const CellRect& cells) const;
-  std::vector<b2Body*> bodiesIn(Cell cell) const { return bodiesIn(CellRect{cell, cell}); }
+  template <std::same_as<CellRect> Rect = CellRect>  // so that bodiesIn({3, 4}) is of a cell
+  std::vector<b2Body*> bodiesIn(const Rect& cells) const {
+    return bodiesInRect(cells);
+  }
+  std::vector<b2Body*> bodiesIn(Cell cell) const { return bodiesInRect({cell, cell}); }
 
   /// Makes the corner of another cell (0, 0) of the physics world, for a world that keeps its origin near the player.
   /// Moves the terrain's bodies, and no others:
@@ -182,11 +212,12 @@ class Terrain {
   b2Fixture* fixture(EdgeId edge) const { return fixtures_[edge.value]; }
   std::size_t bodyCount() const { return bodyCount_; }  ///< chunks with at least one fixture
 
-  b2Vec2 position(Point p) const;  ///< where a lattice point is in the physics world
+  b2Vec2 position(Point p) const;  ///< where a lattice point is in the physics world, in range or not
   /// The lattice point nearest to a place in the physics world; not inRange() if that is beyond the last cell. It leads
   /// from a click to a polygon: world.at(terrain.latticePoint(mouse)).
   Point latticePoint(const b2Vec2& p) const;
-  Cell cellAt(const b2Vec2& p) const;  ///< the cell at a place in the physics world
+  /// The cell at a place in the physics world; not inRange() if that is beyond the last cell, or no number.
+  Cell cellAt(const b2Vec2& p) const;
 
  private:
   struct Body {
@@ -194,15 +225,20 @@ class Terrain {
     std::size_t fixtures = 0;
   };
   EdgeId edgeOf(const b2Fixture& fixture) const;  // null if it is none of the terrain's
+  std::vector<b2Body*> bodiesInRect(const CellRect& cells) const;
   bool isAlone() const { return static_cast<std::size_t>(physics_.GetBodyCount()) <= bodyCount_; }
   std::vector<Form> formsOf(const b2Body& body, const b2Transform& at);
   b2Vec2 metres(DoublePoint units) const;
+  std::vector<b2Body*> catchableIn(const Box& box) const;
   std::vector<Caught> find(const NewGround& ground);
-  void settle(const NewGround& ground, OnCaught onCaught);
+  std::vector<Caught> findAll(const NewGround& ground);
+  void addIfCaught(b2Body* body, const NewGround& ground, Whose whose, std::vector<Caught>& caught);
+  void settle(const std::optional<Box>& changed, OnCaught onCaught);
   bool release(b2Body& body, const Box& changed);
   void push(b2Body& body, const b2Vec2& way);
   bool isFree(const b2Body& body, const b2Transform& at);
   bool hasCrossed(const b2Body& body, const Footing& last);
+  void noteAll();
   void note(const b2Body& body);
   b2Transform transformOf(const Footing& footing) const;
   void putBack(b2Body& body, const Footing& footing);
@@ -211,6 +247,7 @@ class Terrain {
   void destroy(EdgeId id);
   b2EdgeShape shapeOf(const Edge& edge) const;
   b2Vec2 positionOf(std::uint32_t chunk) const;
+  void remake(EdgeId id);
   void wakeAround(b2Fixture& fixture);
 
   b2World& physics_;

@@ -1,0 +1,124 @@
+// Blocks that stay, whatever a brush does around them; and the questions about regions.
+#include "proptests/brush/strokes.h"
+#include "proptests/support/law.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace lgs::test {
+namespace {
+
+Expected<BrushResult> brushAround(World& world, const BrushStroke& stroke, const StayingBlocks& staying) {
+  if (stroke.deed == Deed::carve) return carve(world, stroke.region, staying);
+  const PaintMode mode = stroke.deed == Deed::fill ? PaintMode::fill : PaintMode::replace;
+  return paint(world, stroke.region, stroke.block, mode, staying);
+}
+
+LGS_LAW(BrushStaying, IsRoundedByAUnitAtMost, 300, (const AnyStrokes& strokes)) {
+  World world = worldOf(strokes.ground);
+  for (const BrushStroke& stroke : strokes.strokes) {
+    const oracle::Scene before = sceneOf(world);
+    oracle::BrushEdit edit = editOf(stroke);
+    edit.staying = {2, 3};
+    ASSERT_TRUE(brushAround(world, stroke, [](Block block) { return block == 2 || block == 3; }).has_value());
+    failIf(farFromExact(before, edit, sceneOf(world)));
+  }
+}
+
+LGS_LAW(BrushStaying, AllIsToFillAndNoneIsNothingSpecial, 500, (const AnyStrokes& strokes)) {
+  World around = worldOf(strokes.ground), filled = around, plain = around, none = around;
+  for (const BrushStroke& stroke : strokes.strokes) {
+    if (stroke.deed != Deed::carve) {
+      ASSERT_TRUE(paint(around, stroke.region, stroke.block, PaintMode::replace, [](Block) { return true; }));
+      ASSERT_TRUE(paint(filled, stroke.region, stroke.block, PaintMode::fill));
+    }
+    ASSERT_TRUE(brush(plain, stroke).has_value());
+    ASSERT_TRUE(brushAround(none, stroke, [](Block) { return false; }).has_value());
+  }
+  EXPECT_TRUE(standingIn(around) == standingIn(filled));
+  EXPECT_TRUE(standingIn(plain) == standingIn(none));
+}
+
+LGS_LAW(BrushRegions, CellsAreThoseInWhichSomethingChanges, 1'000, (const AnyRegion& any)) {
+  World world;
+  const auto painted = paint(world, any.region, 1, PaintMode::fill);
+  const auto cells = cellsOf(any.region);
+  const auto bounds = boundsOf(any.region);
+  ASSERT_TRUE(painted && cells && bounds);
+  const std::set<Cell> all(cells->begin(), cells->end());
+  EXPECT_EQ(all.size(), cells->size()) << "a cell is named twice";
+  for (const Cell cell : all) EXPECT_TRUE(contains(*bounds, cell));
+  world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
+    EXPECT_TRUE(all.contains(cell));
+    Ring ring;
+    for (const LocalPoint v : p.vertices) ring.push_back(toWorld(cell, v));
+    EXPECT_TRUE(meets(any.region, ring));
+    for (Point& v : ring) v.x += 9 * kUnitsPerCell;
+    EXPECT_FALSE(meets(any.region, ring));
+  });
+}
+
+constexpr std::int64_t kSide = kUnitsPerCell;
+
+Region rect(Point min, Point max) { return {{{min, {max.x, min.y}, max, {min.x, max.y}}}}; }
+
+TEST(BrushStayingByHand, OreAndBedrockKeepTheirHandles) {
+  World world;
+  const PolygonHandle bedrock = *world.add({0, 0}, kUnitSquare, 9);
+  const PolygonHandle stone = *world.add({1, 0}, kUnitSquare, 1);
+  const PolygonHandle half = *world.add({2, 0}, {{0, 0}, {kUnitsPerCell, 0}, {kUnitsPerCell, kUnitsPerCell}}, 1);
+  const PolygonHandle ore = *world.add({2, 0}, {{0, 0}, {kUnitsPerCell, kUnitsPerCell}, {0, kUnitsPerCell}}, 9);
+  const auto stays = [](Block block) { return block == 9; };
+  World dug = world;
+  const auto done = carve(dug, rect({-5, -5}, {3 * kSide + 5, kSide + 5}), stays);
+  ASSERT_TRUE(done);
+  EXPECT_EQ(done->went, (std::vector<PolygonHandle>{stone, half}));
+  EXPECT_TRUE(done->changed.empty() && done->came.empty());
+  EXPECT_TRUE(dug.polygon(bedrock) && dug.polygon(ore));
+
+  const auto painted = paint(world, rect({-5, -5}, {3 * kSide + 5, kSide + 5}), 4, PaintMode::replace, stays);
+  ASSERT_TRUE(painted);
+  EXPECT_EQ(world.polygon(bedrock)->block, 9U);
+  EXPECT_EQ(world.polygon(ore)->block, 9U);
+  EXPECT_EQ(world.polygon(stone)->block, 4U);
+  EXPECT_EQ(world.at({2 * kSide + 3 * kSide / 4, kSide / 4}).block, 4U);
+}
+
+TEST(BrushStayingByHand, AFullCellThatStaysIsNotCut) {
+  World world;
+  const PolygonHandle bedrock = *world.add({0, 0}, kUnitSquare, 9);
+  const Region hole = circle({kSide / 2, kSide}, kSide / 3, 16);
+  for (const bool carves : {true, false}) {
+    const auto stays = [](Block) { return true; };
+    const auto done = carves ? carve(world, hole, stays) : paint(world, hole, 3, PaintMode::replace, stays);
+    ASSERT_TRUE(done);
+    EXPECT_TRUE(done->went.empty() && done->changed.empty());
+    EXPECT_TRUE(world.polygon(bedrock));
+  }
+}
+
+TEST(BrushRegionsByHand, BoundsAndCells) {
+  const Region region = rect({5, 5}, {2 * kSide, kSide + 1});
+  EXPECT_EQ(boundsOf(region).value(), (CellRect{{0, 0}, {1, 1}}));
+  EXPECT_EQ(cellsOf(region)->size(), 4U);
+  EXPECT_TRUE(isEmpty(boundsOf(Region{}).value()));
+  EXPECT_TRUE(isEmpty(boundsOf(rect({0, 0}, {0, 5})).value()));
+  EXPECT_TRUE(cellsOf(Region{})->empty());
+  const Region far = rect({5, 5}, {kMaxCoordinate + 1, 9});
+  EXPECT_EQ(boundsOf(far).error().code, ErrorCode::outOfReach);
+  EXPECT_EQ(cellsOf(far).error().code, ErrorCode::outOfReach);
+  EXPECT_FALSE(meets(far, region.rings[0]));
+  EXPECT_TRUE(meets(region, {{2 * kSide, 9}, {2 * kSide + 9, 9}, {2 * kSide, 20}})) << "they touch";
+  EXPECT_TRUE(meets(region, {{9, 9}, {20, 9}, {9, 20}})) << "inside";
+  EXPECT_TRUE(meets(rect({9, 9}, {20, 20}), region.rings[0])) << "around";
+  EXPECT_FALSE(meets(region, {{2 * kSide + 1, 9}, {2 * kSide + 9, 9}, {2 * kSide + 1, 20}}));
+  EXPECT_FALSE(
+      meets({{region.rings[0], rect({7, 7}, {90, 90}).rings[0]}, FillRule::evenOdd}, {{20, 20}, {30, 20}, {20, 30}}))
+      << "in a hole";
+}
+
+}  // namespace
+}  // namespace lgs::test

@@ -1,0 +1,262 @@
+// Law 12, going forward again: edits that were undone come back as if they had never been undone.
+#include "proptests/support/law.h"
+#include "twins.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace lgs::test {
+namespace {
+
+using Frames = std::vector<Calls>;
+using Visits = std::vector<unsigned>;
+
+/// A world with marks, and what it was at each of them.
+struct Timeline {
+  Caller now;
+  std::vector<Mark> marks;
+  std::vector<Caller> then;  ///< by mark
+
+  void note() {
+    marks.push_back(now.world.checkpoint());
+    then.push_back(now);
+  }
+  /// From one of the marks to another one.
+  void go(std::size_t from, std::size_t to) {
+    ASSERT_TRUE(to <= from ? now.world.rollBack(marks[to], Undone::keep) : now.world.rollForward(marks[to]))
+        << "from " << from << " to " << to;
+    now.given = then[to].given;
+  }
+};
+
+Timeline timelineOf(const Setting& setting, const Calls& before, const Frames& frames) {
+  Timeline line{grown(setting, before), {}, {}};
+  line.note();
+  for (const Calls& frame : frames) {
+    makeAll(line.now, frame);
+    line.note();
+  }
+  return line;
+}
+
+bool isCommitted(const World& world) {
+  return world.save([](auto) {}).has_value();
+}
+
+LGS_LAW(GoingForward, IsNeverHavingGoneBack, 500,
+        (const Calls& before, const Frames& frames, const Visits& visits, const Calls& after, const Setting& setting)) {
+  Timeline line = timelineOf(setting, before, frames);
+  std::size_t at = frames.size();
+  for (const unsigned visit : visits) {
+    const std::size_t to = visit % line.marks.size();
+    ASSERT_NO_FATAL_FAILURE(line.go(at, to));
+    at = to;
+    Caller stayed = line.then[at], left = line.now;
+    ASSERT_NO_FATAL_FAILURE(expectNoDifference(stayed, left, after)) << "at mark " << at;
+    // What leaves no trace does not stand in the way.
+    if (visit % 3 == 0 && isCommitted(line.now.world)) line.now.world.commit();
+    if (visit % 3 == 1) {
+      const std::vector<PolygonHandle> given = line.now.given;
+      Call group;
+      group.kind = Call::Kind::group;
+      group.keeps = Call::Keeps::never;
+      for (const Call& call : after.list)
+        if (call.kind < Call::Kind::commit) group.group.push_back(call);
+      line.now.make(group);
+      line.now.given = given;
+    }
+  }
+  ASSERT_NO_FATAL_FAILURE(line.go(at, frames.size()));
+  expectNoDifference(line.then.back(), line.now, after);
+}
+
+LGS_LAW(GoingForward, ReportsExactlyWhatItDoesToTheSegments, 300,
+        (const Calls& before, const Frames& frames, const Visits& visits, const Setting& setting)) {
+  Timeline line = timelineOf(setting, before, frames);
+  Follower follower(line.now.world);
+  std::size_t at = frames.size();
+  for (const unsigned visit : visits) {
+    const std::size_t to = visit % line.marks.size();
+    ASSERT_NO_FATAL_FAILURE(line.go(at, to));
+    at = to;
+    const Changes& changes = line.now.world.changesOfRollBack();
+    follower.follow(line.now.world, oracle::copyOf(changes));
+    EXPECT_TRUE(follower.agrees(line.now.world));
+    EXPECT_EQ(changes.after, line.now.world.version());
+  }
+}
+
+// Whoever undoes, edits something else and undoes that has left the first line for good, or has not: as it says.
+LGS_LAW(GoingForward, WhatIsDroppedStandsNowhereInTheWay, 300,
+        (const Calls& before, const Frames& frames, const Calls& other, const Calls& after, const Setting& setting,
+         bool keeps)) {
+  Timeline line = timelineOf(setting, before, frames);
+  const std::size_t last = frames.size(), middle = last / 2;
+  ASSERT_NO_FATAL_FAILURE(line.go(last, middle));
+  makeAll(line.now, other);
+  const Mark end = line.now.world.checkpoint();
+  const Caller there = line.now;
+  ASSERT_TRUE(line.now.world.rollBack(line.marks[middle], keeps ? Undone::keep : Undone::drop));
+  line.now.given = line.then[middle].given;
+  if (keeps) {
+    ASSERT_TRUE(line.now.world.rollForward(end));
+    Caller stayed = there;
+    line.now.given = stayed.given;
+    expectNoDifference(stayed, line.now, after);
+  } else if (middle < last) {
+    EXPECT_FALSE(line.now.world.rollForward(end));
+    ASSERT_NO_FATAL_FAILURE(line.go(middle, last));
+    expectNoDifference(line.then.back(), line.now, after);
+  }
+}
+
+class GoingForwardByHand : public testing::Test {
+ protected:
+  GoingForwardByHand() {
+    marks.push_back(world.checkpoint());
+    for (std::int32_t i = 0; i < 3; ++i) {
+      handles.push_back(place(world, {40 * i, 0}, unitSquare()));  // each in a chunk of its own
+      world.commit();
+      marks.push_back(world.checkpoint());
+    }
+  }
+  bool isForward(Mark mark) {
+    const auto done = world.rollForward(mark);
+    if (!done) EXPECT_EQ(done.error().code, ErrorCode::unknownMark);
+    return done.has_value();
+  }
+
+  World world;
+  std::vector<Mark> marks;
+  std::vector<PolygonHandle> handles;
+};
+
+TEST_F(GoingForwardByHand, HandlesAndMarksComeBackStepByStep) {
+  EXPECT_FALSE(isForward(marks[3])) << "it is not ahead";
+  for (const std::size_t k : {2U, 1U, 0U}) {
+    ASSERT_TRUE(world.rollBack(marks[k], Undone::keep));
+    EXPECT_FALSE(world.polygon(handles[k]));
+  }
+  for (const std::size_t k : {1U, 2U, 3U}) {
+    EXPECT_FALSE(world.rollBack(marks[k])) << "it is ahead";
+    ASSERT_TRUE(isForward(marks[k]));
+    EXPECT_TRUE(world.polygon(handles[k - 1]));
+    EXPECT_EQ(world.changesOfRollBack().added.size(), 4U);
+  }
+  EXPECT_FALSE(isForward(marks[3]));
+  ASSERT_TRUE(world.rollBack(marks[0], Undone::keep)) << "all at once";
+  ASSERT_TRUE(isForward(marks[2]));
+  EXPECT_FALSE(isForward(marks[1])) << "it is behind";
+  ASSERT_TRUE(world.rollBack(marks[1]));
+}
+
+TEST_F(GoingForwardByHand, IsRefusedAfterAnEdit) {
+  ASSERT_TRUE(world.rollBack(marks[1], Undone::keep));
+  place(world, {5, 5}, unitSquare());
+  EXPECT_FALSE(isForward(marks[2]));
+  world.commit();
+  EXPECT_FALSE(isForward(marks[2]));
+}
+
+TEST_F(GoingForwardByHand, IsRefusedAfterANewShapeAndAfterAMarkOfBeforeIsGone) {
+  ASSERT_TRUE(world.rollBack(marks[1], Undone::keep));
+  shapeOf(world, {ramp()});
+  EXPECT_FALSE(isForward(marks[2]));
+  ASSERT_TRUE(world.rollBack(marks[1]));
+  EXPECT_TRUE(isForward(marks[2]));
+  ASSERT_TRUE(world.rollBack(marks[1], Undone::keep));
+  const Mark late = world.checkpoint();
+  ASSERT_TRUE(world.forget(marks[0]));
+  ASSERT_TRUE(world.forget(marks[1]));
+  ASSERT_TRUE(world.forget(late));
+  EXPECT_FALSE(isForward(marks[2]));
+}
+
+TEST_F(GoingForwardByHand, GoingBackFurtherWithoutKeepingDropsWhatIsAhead) {
+  ASSERT_TRUE(world.rollBack(marks[2], Undone::keep));
+  ASSERT_TRUE(world.rollBack(marks[1]));
+  EXPECT_FALSE(isForward(marks[3]));
+  place(world, {80, 0}, unitSquare(), 9);  // as many edits as there were
+  world.commit();
+  EXPECT_FALSE(isForward(marks[3]));
+}
+
+TEST_F(GoingForwardByHand, AGroupThatBeganBeforeAndIsNotKeptDropsWhatIsAhead) {
+  {
+    const Transaction group = world.edit();
+    place(world, {7, 7}, unitSquare());
+    const Mark inner = world.checkpoint();
+    place(world, {8, 8}, unitSquare());
+    const Mark end = world.checkpoint();
+    ASSERT_TRUE(world.rollBack(inner, Undone::keep));
+    marks.push_back(end);
+  }
+  place(world, {7, 7}, unitSquare(), 5);
+  EXPECT_FALSE(isForward(marks.back()));
+  EXPECT_TRUE(world.isEmpty({8, 8}));
+}
+
+TEST_F(GoingForwardByHand, MarksMadeSinceAreVoid) {
+  ASSERT_TRUE(world.rollBack(marks[1], Undone::keep));
+  const Mark since = world.checkpoint();
+  ASSERT_TRUE(world.rollBack(since));
+  ASSERT_TRUE(isForward(marks[2]));
+  EXPECT_FALSE(world.rollBack(since));
+  EXPECT_TRUE(world.rollBack(marks[1]));
+}
+
+// A game that makes a mark after each edit can redo also what came to nothing.
+TEST_F(GoingForwardByHand, AMarkMadeSinceThatTheWorldGoesBackBeyondIsAhead) {
+  ASSERT_TRUE(world.rollBack(marks[2], Undone::keep));
+  EXPECT_EQ(world.clear(Cell{9, 9}).value(), 0U);
+  world.commit();
+  const Mark since = world.checkpoint();
+  ASSERT_TRUE(world.rollBack(marks[1], Undone::keep));
+  EXPECT_FALSE(isForward(marks[3]));
+  ASSERT_TRUE(isForward(since));
+  EXPECT_TRUE(world.polygon(handles[1]));
+  EXPECT_TRUE(world.rollBack(marks[2]));
+}
+
+TEST_F(GoingForwardByHand, WhatIsDroppedTakesNoMemory) {
+  const auto work = [&](Undone undone) {
+    const Mark begin = world.checkpoint();
+    for (std::int32_t k = 1; k <= 3'000; ++k) {
+      place(world, {1, 1}, {{0, 0}, {k, 0}, {0, k}});
+      world.commit();
+      removeAll(world, {1, 1});
+      world.commit();
+    }
+    const Mark end = world.checkpoint();
+    ASSERT_TRUE(world.rollBack(begin, undone));
+    EXPECT_EQ(isForward(end), undone == Undone::keep);
+    ASSERT_TRUE(world.rollBack(begin, undone));
+    ASSERT_TRUE(world.forget(begin));
+  };
+  work(Undone::drop);
+  const std::uint64_t dropped = world.stats().bytes;
+  work(Undone::keep);
+  EXPECT_GT(world.stats().bytes, dropped + 100'000) << "an earlier mark is there to come back to";
+  for (std::size_t k = 0; k < 4; ++k) ASSERT_TRUE(world.forget(marks[k]));
+  world.commit();
+  EXPECT_LT(world.stats().bytes, dropped + 10'000);
+  EXPECT_LT(world.stats().contents, 10U);
+}
+
+TEST_F(GoingForwardByHand, CellsThatWereEditedSinceAMarkAreNamedOnce) {
+  EXPECT_EQ(world.editedSince({}).error().code, ErrorCode::unknownMark);
+  EXPECT_EQ(world.editedSince(marks[0]).value(), (std::vector<Cell>{{0, 0}, {40, 0}, {80, 0}}));
+  removeAll(world, {40, 0});
+  place(world, {1, 0}, unitSquare());
+  world.commit();
+  place(world, {40, 0}, ramp());
+  EXPECT_EQ(world.editedSince(marks[3]).value(), (std::vector<Cell>{{40, 0}, {1, 0}}));
+  ASSERT_TRUE(world.rollBack(marks[3]));
+  EXPECT_TRUE(world.editedSince(marks[3]).value().empty());
+}
+
+}  // namespace
+}  // namespace lgs::test
