@@ -41,7 +41,7 @@ ROOMS = {
     "lib/tiled/include": ["lib/include"],
     "lib/tiled/src": ["lib/include", "lib/geometry", "lib/text", "lib/brush/include", "lib/tiled/include"],
     "web/bench": ["lib/include"],
-    "web/wasm": ["lib/include", "lib/brush/include", "lib/tiled/include"],
+    "web/wasm": ["lib/include", "lib/brush/include", "lib/tiled/include", "lib/box2d/include", "lib/box2d/src", "oracle/reference"],
     "lib/box2d/include": ["lib/include"],
     "lib/box2d/src": ["lib/include", "lib/geometry", "lib/box2d/include"],
     "lib/box2d/v2/include": ["lib/include", "lib/box2d/include"],
