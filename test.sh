@@ -27,7 +27,7 @@ if [[ ${LGS_WEB:-ON} == OFF ]]; then
 else
   build_web
   export LGS_COMMAND=$PWD/build/asan/cli/lgs
-  for part in package sandbox; do
+  for part in package sandbox article; do
     show "web-$part-tests" "Tests (web/$part)" npm test --silent --prefix "web/$part"
     summary+="web/$part $(sed -n 's/.*tests \([0-9]*\)$/\1/p' "$logs/web-$part-tests.log"), "
   done

@@ -1,4 +1,5 @@
-# Sourced by web.sh and test.sh, after steps.sh: sets the web side up, and builds package and sandbox.
+# Sourced by web.sh and test.sh, after steps.sh: sets the web side up, and builds package, sandbox and
+# article.
 # shellcheck shell=bash
 
 build_web() {
@@ -6,4 +7,5 @@ build_web() {
   build web lgs_web lgs_web_full lgs_web_reference lgs_web_planted
   step web-package "Build the npm package" npm run build --prefix web/package
   step web-sandbox "Build the sandbox" npm run build --prefix web/sandbox
+  step web-article "Build the article" npm run build --prefix web/article
 }

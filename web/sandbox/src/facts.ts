@@ -22,7 +22,7 @@ export class Facts {
     element('recompute').textContent = ''
   }
 
-  note({ changes, editTime, commitTime }: GroundChange): void {
+  note({ changes, what, editTime, commitTime }: GroundChange): void {
     ++this.#commits
     this.#editTime += editTime
     this.#commitTime += commitTime
@@ -30,11 +30,14 @@ export class Facts {
     element('added').textContent = `${changes.added.length} added`
     element('relinked').textContent = `${changes.relinked.length} relinked`
     const mean = this.#commits > 1 ? `, mean of ${this.#commits}` : ''
-    element('times').textContent = `edit ${this.#time(this.#editTime)}, commit ${this.#time(this.#commitTime)}${mean}`
+    element('times').textContent = `${what}: edit ${this.#time(this.#editTime)}, commit ${this.#time(this.#commitTime)}${mean}`
   }
 
-  recomputed(milliseconds: number): void {
-    element('recompute').textContent = `full recompute (polygon-clipping): ${Math.round(milliseconds * 10) / 10} ms`
+  /** What a union of all polygons takes, and one of the chunks in which the edit was; null if it was not measured. */
+  recomputed(world: number, chunks: number | null): void {
+    const inWords = (milliseconds: number) => `${Math.round(milliseconds * 10) / 10} ms`
+    const part = chunks === null ? '' : `, of the chunks touched ${inWords(chunks)}`
+    element('recompute').textContent = `full recompute (polygon-clipping): ${inWords(world)}${part}`
   }
 
   // The clock is coarse, so one short time is only a bound; the mean of many is right.

@@ -8,6 +8,8 @@ export interface GroundChange {
   readonly changes: Changes
   /** The cells whose polygons may differ. */
   readonly cells: CellRect
+  /** A tile is put, a brush strokes; to undo is to go back. */
+  readonly what: 'tile' | 'stroke' | 'undo'
   /** How long the edits and the commit took, in milliseconds; the browser may round that to 0.1. */
   readonly editTime: number
   readonly commitTime: number
@@ -33,6 +35,7 @@ export class Ground {
   #stroke: Stroke | null = null
   #pending: CellRect | null = null
   #editTime = 0
+  #what: 'tile' | 'stroke' = 'stroke'
   #forgotten = false // whether strokes are so long ago that they cannot be undone
 
   constructor(document: Document) {
@@ -98,6 +101,7 @@ export class Ground {
       return
     }
     this.#editTime += performance.now() - start
+    this.#what = edit.kind === 'tile' || edit.kind === 'clear' ? 'tile' : 'stroke'
     const cells = cellsOf(edit)
     this.#stroke.edits.push(edit)
     this.#stroke.cells = union(this.#stroke.cells, cells)
@@ -114,7 +118,7 @@ export class Ground {
     const start = performance.now()
     const changes = this.world.commit()
     const commitTime = performance.now() - start
-    this.onChange({ changes, cells, editTime, commitTime })
+    this.onChange({ changes, cells, what: this.#what, editTime, commitTime })
   }
 
   /** Also in the middle of a stroke: that one ends then. */
@@ -140,7 +144,7 @@ export class Ground {
     const start = performance.now()
     const changes = this.world.rollBack(stroke.mark)
     const commitTime = performance.now() - start
-    this.onChange({ changes, cells: stroke.cells!, editTime: 0, commitTime })
+    this.onChange({ changes, cells: stroke.cells!, what: 'undo', editTime: 0, commitTime })
     this.world.forget(stroke.mark)
     this.onEnd()
   }

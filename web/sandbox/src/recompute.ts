@@ -1,5 +1,5 @@
 // Asks the worker for a full recompute of the outline: how long it takes, and whether it is the same.
-import type { World } from 'localgridseg'
+import type { CellRect, World } from 'localgridseg'
 
 export interface Question {
   readonly polygons: Float64Array
@@ -24,19 +24,19 @@ export class Recompute {
     return this.#waiting > 0
   }
 
-  /** One after the other, each of the world as it is when its turn comes. */
-  async run(world: () => World, compare: boolean): Promise<Answer> {
+  /** One after the other, each of the world as it is when its turn comes; of all of it, or of some cells. */
+  async run(world: () => World, compare: boolean, cells?: CellRect): Promise<Answer> {
     ++this.#waiting
-    const answer = this.#last.then(() => this.#ask(world(), compare))
+    const answer = this.#last.then(() => this.#ask(world(), compare, cells))
     this.#last = answer
     const result = await answer
     --this.#waiting
     return result
   }
 
-  #ask(world: World, compare: boolean): Promise<Answer> {
+  #ask(world: World, compare: boolean, cells?: CellRect): Promise<Answer> {
     const worker = (this.#worker ??= new Worker(new URL('worker.js', import.meta.url), { type: 'module' }))
-    const polygons = pack(world)
+    const polygons = pack(world, cells)
     const question: Question = { polygons, outline: compare ? outlineOf(world) : null }
     return new Promise((resolve) => {
       worker.onmessage = ({ data }: MessageEvent<Answer>) => resolve(data)
@@ -45,9 +45,9 @@ export class Recompute {
   }
 }
 
-function pack(world: World): Float64Array {
+function pack(world: World, cells?: CellRect): Float64Array {
   const numbers: number[] = []
-  for (const { i, j, vertices } of world.polygons()) {
+  for (const { i, j, vertices } of world.polygons(cells)) {
     numbers.push(vertices.length / 2)
     for (let k = 0; k < vertices.length; k += 2) numbers.push(i + vertices[k], j + vertices[k + 1])
   }

@@ -1,4 +1,5 @@
 // The controls of the page that are not of a tool.
+import type { CellRect } from 'localgridseg'
 import { Facts } from './facts.js'
 import { choose, element, onClick, radios } from './dom.js'
 import { openFiles, openTrace, traceText } from './documents.js'
@@ -14,6 +15,7 @@ import type { Viewer } from './viewer.js'
 const keptAs = 'localgridseg-sandbox'
 const mostKept = 1_000_000 // characters
 const mostRecomputed = 20_000 // polygons: a full recompute of more takes minutes
+const chunk = 16 // cells along a side
 const readFor = 5000 // milliseconds
 const longest = 60_000 // characters: longer addresses are cut on their way
 
@@ -27,6 +29,7 @@ export class Ui {
   #scene: string | null = 'hills' // null: not of the menu
   #isKeeping = false // what is done here
   #forget = 0
+  #touched: CellRect | null = null // by the last commit
 
   constructor(game: Game, viewer: Viewer, loop: Loop) {
     this.#game = game
@@ -88,6 +91,7 @@ export class Ui {
       this.#viewer.glow.note(change.changes, this.#game.mirror)
       this.#viewer.differences = new Float64Array()
       this.#facts.note(change)
+      this.#touched = change.cells
     }
     ground.onRefusal = (message) => this.#say(message)
     ground.onBegin = () => {
@@ -211,8 +215,13 @@ export class Ui {
     if (this.#recompute.busy) return
     if (this.#game.ground.world.stats().polygons > mostRecomputed) return
     const { document } = this.#game.ground
-    const { time, error } = await this.#recompute.run(() => this.#game.ground.world, false)
-    if (error === null && document === this.#game.ground.document) this.#facts.recomputed(time)
+    const isStill = () => document === this.#game.ground.document
+    const all = await this.#recompute.run(() => this.#game.ground.world, false)
+    if (all.error !== null || !isStill()) return
+    this.#facts.recomputed(all.time, null)
+    if (this.#touched === null) return
+    const chunks = await this.#recompute.run(() => this.#game.ground.world, false, chunksOf(this.#touched))
+    if (chunks.error === null && isStill()) this.#facts.recomputed(all.time, chunks.time)
   }
 
   async #check(): Promise<void> {
@@ -221,7 +230,7 @@ export class Ui {
       return this.#game.ground.world
     }, true)
     if (error !== null) return this.#say(`polygon-clipping failed: ${error}`)
-    this.#facts.recomputed(time)
+    this.#facts.recomputed(time, null)
     this.#viewer.differences = differences!
     const count = differences!.length / 4
     const { length } = this.#game.ground.world.segments()
@@ -240,6 +249,7 @@ export class Ui {
     this.#viewer.labels = scene === null ? [] : (sceneOf(scene).labels ?? [])
     this.#say('')
     this.#facts.reset()
+    this.#touched = null
     this.#viewer.showSides()
     this.#viewer.layer.reset()
     this.#viewer.differences = new Float64Array()
@@ -262,6 +272,12 @@ export class Ui {
       element('message').textContent = ''
     }, readFor)
   }
+}
+
+// Whole chunks: what an engine that keeps an outline for each must work out anew.
+function chunksOf({ i0, j0, i1, j1 }: CellRect): CellRect {
+  const [low, high] = [(x: number) => Math.floor(x / chunk) * chunk, (x: number) => Math.ceil((x + 1) / chunk) * chunk - 1]
+  return { i0: low(i0), j0: low(j0), i1: high(i1), j1: high(j1) }
 }
 
 // A browser may keep nothing, and say so by throwing.

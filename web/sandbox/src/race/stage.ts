@@ -55,6 +55,7 @@ export class RaceStage {
     element('race-result').textContent = ''
     // Who wants no motion sees how it ended.
     if (wantsCalm()) while (!this.race.isOver) this.race.step()
+    this.#draw(performance.now())
   }
 
   #frame(now: number): void {
