@@ -18,7 +18,7 @@ source scripts/steps.sh
 
 build=build/box2d3
 # The package has all libraries.
-targets=(lgs lgs_c lgs_c_static lgs_debug lgs_brush lgs_tiled lgs_box2d lgs_box2d_tests box2d_3_digging
+targets=(lgs lgs_c lgs_c_static lgs_debug lgs_brush lgs_views lgs_tiled lgs_box2d lgs_box2d_tests box2d_3_digging
   lgs_terrain_costs)
 # What an earlier run found is forgotten, as it may have been for another PREFIX.
 step configure 'Configure' cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
