@@ -55,6 +55,7 @@ int run(int argc, char** argv) {
   registerWorst(scale);
   registerBrushes(scale);
   registerPieces(scale);
+  registerIslands(scale);
 #ifdef LGS_BENCH_C
   registerInterfaces(scale);
 #endif
