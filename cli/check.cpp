@@ -81,6 +81,9 @@ void addWorldOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& a
   CLI::Option* const brushes =
       command.add_flag("--brushes", arguments->world.brushes,
                        "Paint and carve among the other edits, and measure each stroke\nagainst CGAL's exact result");
+  CLI::Option* const views = command.add_flag(
+      "--views", arguments->options.views,
+      "Follow the world with views of loops and islands, and compare\nthem with a full recompute after every commit");
   CLI::Option* const map =
       command
           .add_option("--map", arguments->map,
@@ -89,6 +92,7 @@ void addWorldOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& a
           ->excludes(cells)
           ->excludes(onlyCase)
           ->excludes(brushes)
+          ->excludes(views)
           ->excludes(caseEdits);
   addWholeNumber(
       command, "--whole-every", [arguments](std::uint64_t n) { arguments->options.wholeEvery = n; }, {},
@@ -206,6 +210,8 @@ void addCheck(CLI::App& app, Action& chosen) {
   command.footer(std::string(kCheckHelp) + kEngineHelp + kCheckExamples);
   command.callback([arguments, &command, &chosen] {
     arguments->engine.prepare();
+    if (arguments->options.views && arguments->engine.isGiven())
+      throw CLI::ExcludesError("--views", "--engine and --engine-so");
     if (arguments->world.brushes && arguments->engine.isGiven())
       throw CLI::ExcludesError("--brushes", "--engine and --engine-so");
     arguments->importArguments = importArguments(command);

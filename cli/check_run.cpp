@@ -72,7 +72,9 @@ Status finishSurvey(const CheckArguments& arguments, const Survey& survey, const
 
 // The command of an engine may mean files of this folder.
 std::string commandAgain(const CheckArguments& arguments) {
-  std::string lgs = thisProgram("lgs") + (arguments.world.brushes ? " check --brushes" : " check");
+  std::string lgs = thisProgram("lgs") + " check";
+  if (arguments.world.brushes) lgs += " --brushes";
+  if (arguments.options.views) lgs += " --views";
   if (!arguments.engine.isGiven()) return lgs;
   return fmt::format("cd {} && {}{}", thisFolder(), lgs, arguments.engine.print());
 }

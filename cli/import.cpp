@@ -2,6 +2,7 @@
 #include "cli/import_error.h"
 #include "cli/import_options.h"
 #include "cli/imported.h"
+#include "cli/survey.h"
 #include "lib/text/words.h"
 #include "oracle/draw/draw.h"
 #include "oracle/trace/dump.h"
@@ -15,6 +16,7 @@ namespace {
 
 struct ImportArguments {
   std::string map;
+  std::vector<std::string> survey;
   std::string trace = "-";
   std::string report;
   std::string svg;
@@ -24,6 +26,7 @@ struct ImportArguments {
 };
 
 Status run(const ImportArguments& arguments) {
+  if (!arguments.survey.empty()) return survey(arguments.survey, arguments.options);
   const Status bad = tryOutputs({arguments.trace, arguments.report, arguments.svg});
   if (bad != Status::fine) return bad;
   const auto map = tiled::importMap(arguments.map, arguments.options);
@@ -32,17 +35,16 @@ Status run(const ImportArguments& arguments) {
   const oracle::Trace trace = traceOf(*map);
   Status status = isEmpty ? Status::badInput : write(arguments.trace, printTrace(trace));
   tiled::Report shown = map->report;
-  if (isEmpty && arguments.report.empty()) shown.suggestions.clear();  // the complaint has them
+  if (arguments.report.empty()) shown.suggestions.clear();  // the commands below have them
   const std::string report = tiled::toText(shown);
   if (!arguments.report.empty()) {
     status = worst(status, write(arguments.report, report));
   } else {
     fmt::print(arguments.trace == "-" ? stderr : stdout, "{}", report);
   }
-  if (isEmpty) {
-    const std::string command = "lgs import " + text::shellWord(arguments.map) + arguments.hintArguments;
-    return complain(hints(map->report, command) + "\n(--allow-empty accepts an empty map)");
-  }
+  const std::string command = "lgs import " + text::shellWord(arguments.map) + arguments.hintArguments;
+  if (isEmpty) return complain(hints(map->report, command) + "\n(--allow-empty accepts an empty map)");
+  tellPartial(map->report, command);
   if (arguments.svg.empty()) return status;
   oracle::Player player(trace.preserve);
   if (const auto done = play(trace, player); !done) return complain(message(done.error(), arguments.map));
@@ -61,8 +63,12 @@ void addImport(CLI::App& app, Action& chosen) {
       .add_option("MAP", arguments->map,
                   "A Tiled map (.tmx, .tmj, .json) or world (.world), or an LDtk\nproject (.ldtk). The files that it "
                   "names are found by their paths")
-      ->required()
       ->option_text("(required)");
+  command
+      .add_option(
+          "--survey", arguments->survey,
+          "Instead of one map: try all in these folders and below them, and\nprint a table of what comes out of each")
+      ->option_text("FOLDER...");
   command.add_option("-o,--output", arguments->trace, "Where the trace goes; default stdout")->option_text("TRACE");
   command
       .add_option("--report", arguments->report,
@@ -78,6 +84,7 @@ void addImport(CLI::App& app, Action& chosen) {
       "0.\n\n"
       "Example: lgs import level.tmx -o level.trace --block class --number water=7 --svg level.svg");
   command.callback([arguments, &command, &chosen] {
+    if (arguments->map.empty() && arguments->survey.empty()) throw CLI::RequiredError("MAP");
     arguments->hintArguments = importArguments(command, kNotInHints);
     chosen = [arguments] { return run(*arguments); };
   });

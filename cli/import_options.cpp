@@ -4,6 +4,7 @@
 #include "cli/import_error.h"
 #include "cli/imported.h"
 #include "lib/text/words.h"
+#include "oracle/trace/file.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -98,20 +99,49 @@ void addLayerOptions(CLI::App& command, tiled::Options& options) {
       command
           .add_option_function<std::vector<std::string>>(
               "--objects", [&options](const std::vector<std::string>& names) { options.objects = names; },
-              "Import this object layer or kind of entity, or all of a group;\n"
-              "default: those whose name, class or property has collision,\n"
-              "collider, solid, wall, ground, terrain or blocked in it. May be\nrepeated")
+              "Import this object layer or kind of entity, all of a group, or\n"
+              "all objects of this class or name. May be repeated")
           ->allow_extra_args(false)
           ->option_text("NAME");
   command
       .add_flag_callback(
           "--no-objects", [&options] { options.objects = std::vector<std::string>{}; }, "Import no object layer")
       ->excludes(objects);
+  command
+      .add_option(
+          "--not", options.leaveOut,
+          "Leave out tiles and objects of this class, or cells of LDtk\nwith a value of this name. May be repeated")
+      ->allow_extra_args(false)
+      ->option_text("CLASS");
   command.add_flag("--visible", options.visibleOnly,
                    "Leave out hidden layers and objects; otherwise they count like\nthose that are visible");
 }
 
+/// A table may be named once for all tilesets, or one for each.
+void readTiles(const std::string& path, tiled::TileTable& tiles) {
+  const auto text = oracle::readFile(path);
+  if (!text) throw CLI::ValidationError("--tiles", message(text.error(), path));
+  auto table = tiled::parseTileTable(*text);
+  if (!table) throw CLI::ValidationError("--tiles", path + ":" + table.error());
+  for (auto& [tileset, shapes] : *table) tiles[tileset].merge(shapes);
+}
+
+void addTileOptions(CLI::App& command, tiled::Options& options) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--tiles",
+          [&options](const std::vector<std::string>& paths) {
+            for (const std::string& path : paths) readTiles(path, options.tiles);
+          },
+          "A table of what tiles are by their numbers, if the game's own code\n"
+          "says it: full, none, a polygon or one-way (docs/maps.md). May be\nrepeated")
+      ->allow_extra_args(false)
+      ->option_text("FILE");
+}
+
 void addFileOptions(CLI::App& command, tiled::Options& options) {
+  command.add_flag("--all-maps", options.allMaps,
+                   "A map of a world that cannot be read is an error; otherwise the\nothers are imported");
   command.add_flag("--files-anywhere", options.filesAnywhere,
                    "Files that the map names may lie anywhere; otherwise they must\nlie in its folder or below it. For "
                    "maps that you trust");
@@ -123,6 +153,7 @@ void addImportOptions(CLI::App& command, tiled::Options& options) {
   const std::vector<CLI::Option*> before = command.get_options();
   addLayerOptions(command, options);
   addShapeOptions(command, options);
+  addTileOptions(command, options);
   addBlockOptions(command, options);
   addFileOptions(command, options);
   for (CLI::Option* option : command.get_options()) {
@@ -153,14 +184,29 @@ tl::expected<oracle::Trace, std::string> readMap(const std::string& path, const 
     fmt::print(stderr, "{}", tiled::toText(shown));
     return tl::unexpected(hints(map->report, command));
   }
+  tellPartial(map->report, command);
   return traceOf(*map);
+}
+
+void tellPartial(const tiled::Report& report, const std::string& command) {
+  if (report.partial.empty()) return;
+  fmt::print(stderr, "{}: in part: {}.{}{}\n", text::withoutControls(report.file),
+             text::withoutControls(report.partial),
+             report.suggestions.empty() ? "" : " What could be taken instead:", commandsOf(report, command));
 }
 
 std::string hints(const tiled::Report& report, const std::string& command) {
   std::string lines = text::withoutControls(report.file) + ": nothing in it is solid";
   if (!report.suggestions.empty()) lines += ". What could be taken, and how:";
+  return lines + commandsOf(report, command);
+}
+
+std::string commandsOf(const tiled::Report& report, const std::string& command) {
+  std::string lines;
   for (const tiled::Suggestion& suggestion : report.suggestions) {
-    lines += "\n  " + text::withoutControls(suggestion.text) + "\n    " + command;
+    const char* const unit = suggestion.polygons == 1 ? "polygon" : "polygons";
+    lines += fmt::format("\n  {} {}: {}\n    {}", suggestion.polygons, unit, text::withoutControls(suggestion.text),
+                         command);
     for (const std::string& argument : suggestion.arguments) lines += " " + text::shellWord(argument);
   }
   return lines;

@@ -18,15 +18,22 @@ void addImportOptions(CLI::App& command, tiled::Options& options);
 /// The options that were given, as a shell takes them: " --layer Ground --solid".
 std::string importArguments(const CLI::App& command, std::span<const std::string_view> without = {});
 
-/// Options that a hint leaves out: they would take away what it adds.
-inline constexpr std::array<std::string_view, 2> kNotInHints{"--visible", "--no-objects"};
+/// Options that a hint leaves out, as it has its own: those that choose what is solid.
+inline constexpr std::array<std::string_view, 8> kNotInHints{
+    "--layer", "--solid", "--solid-if", "--objects", "--no-objects", "--not", "--visible", "--polyline-thickness"};
 
 /// Imports a map as a trace. A map from which nothing comes out is an error, and its report is shown; `command` is for
 /// the hints in it.
 tl::expected<oracle::Trace, std::string> readMap(const std::string& path, const tiled::Options& options,
                                                  const std::string& command);
 
-/// What to say of a map from which nothing came out. `command` is what was called, and takes the arguments that help.
+/// The suggestions of a report, as commands. `command` is what was called, without what kNotInHints has.
+std::string commandsOf(const tiled::Report& report, const std::string& command);
+
+/// If the map was taken in part, says on the standard error what is missing, and the commands.
+void tellPartial(const tiled::Report& report, const std::string& command);
+
+/// What to say of a map from which nothing came out, with these commands.
 std::string hints(const tiled::Report& report, const std::string& command);
 
 }  // namespace lgs::cli

@@ -5,7 +5,9 @@ include(CMakePackageConfigHelpers)
 set(lgs_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/LocalGridSeg)
 
 # lgs_install(<target> <exported name> <export set> <folder with the headers' folder lgs/ in it>)
+add_custom_target(lgs_installed)  # builds all that is installed, and nothing else
 function(lgs_install target name export include_dir)
+  add_dependencies(lgs_installed ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS ${target} EXPORT ${export} COMPONENT development
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development

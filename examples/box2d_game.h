@@ -71,8 +71,8 @@ class Game {
   void input(int frame) {
     if (frame == 700) physics_.save(world_);
     if (frame == 1'400) load();
-    if (frame % 40 == 39) return undo();
-    if (frame % 40 == 19 || frame % 160 == 5) return redo();
+    if (frame % 40 == 36 || frame % 40 == 37) return undo();
+    if (frame % 40 == 38 || frame % 80 == 39) return redo();
     if (frame % 5 == 0) edit(frame);
     if (frame % 50 == 0) pick(frame % kBodies);
   }

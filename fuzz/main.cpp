@@ -27,7 +27,7 @@ constexpr std::size_t kMaxSize = 1'024;  // of an input made here
 const std::map<std::string, const Target*>& targets() {
   static const std::map<std::string, const Target*> all{
       {kEdits.name, &kEdits}, {kPolygons.name, &kPolygons}, {kSnapshot.name, &kSnapshot}, {kTrace.name, &kTrace},
-      {kTiled.name, &kTiled}, {kBrush.name, &kBrush},       {kCalls.name, &kCalls},
+      {kTiled.name, &kTiled}, {kBrush.name, &kBrush},       {kCalls.name, &kCalls},       {kViews.name, &kViews},
 #ifdef LGS_FUZZ_BOX2D
       {kBox2d.name, &kBox2d},
 #endif

@@ -40,6 +40,7 @@ struct Target {
 
 extern const Target kEdits;     // edits.cpp
 extern const Target kPolygons;  // edits.cpp
+extern const Target kViews;     // edits.cpp
 extern const Target kTrace;     // trace_text.cpp
 extern const Target kSnapshot;  // snapshot.cpp
 extern const Target kBrush;     // brush.cpp

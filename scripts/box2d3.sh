@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The terrain with an installed Box2D 3: scripts/box2d3.sh PREFIX. CMake finds Box2D below PREFIX, as a game's CMake
-# would. Builds into build/box2d3, and runs the tests of the terrain, the example, a game that uses the installed
+# would. Builds into build/box2d3, and runs the tests of the terrain, the examples, a game that uses the installed
 # package, and with --costs the table of costs. Another PREFIX may follow: only what needs Box2D is compiled again.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -17,9 +17,8 @@ prefix=$(cd "$1" && pwd)
 source scripts/steps.sh
 
 build=build/box2d3
-# The package has all libraries.
-targets=(lgs lgs_c lgs_c_static lgs_debug lgs_brush lgs_pieces lgs_tiled lgs_box2d lgs_box2d_tests box2d_3_digging
-  lgs_terrain_costs)
+# The package has all libraries that are installed.
+targets=(lgs_installed lgs_box2d_tests box2d_3_digging box2d_3_game lgs_terrain_costs)
 # What an earlier run found is forgotten, as it may have been for another PREFIX.
 step configure 'Configure' cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
   -Ubox2d_DIR "-DCMAKE_PREFIX_PATH=$prefix"
@@ -30,7 +29,7 @@ if [[ $found != "$prefix"/* ]]; then
 fi
 step build 'Build' cmake --build "$build" -j "$(nproc)" --target "${targets[@]}"
 step test 'Tests, example, package' ctest --test-dir "$build" --output-on-failure --no-tests=error \
-  -R '^(Box2d|example[.]box2d|package[.](install|consumer_box2d|other_box2d))'
+  -R '^(Box2d|example[.]box2d_3_|package[.](install|consumer_box2d|other_box2d))'
 if [[ $costs ]]; then
   show costs 'Costs' "$build/bench/ride/lgs_terrain_costs"
 fi

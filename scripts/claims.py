@@ -2,15 +2,15 @@
 """Checks what the Markdown documents claim: counts and lists against what is there, figures against their commit.
 
     scripts/claims.py           # exit status 0: all is well; 1: what does not hold, with file and line
-    scripts/claims.py --write   # first writes the counted blocks anew
+    scripts/claims.py --write   # first writes the counted blocks anew, and the rows of planted bugs
     scripts/claims.py --test    # each check finds what it is for, planted in a folder of its own
 
 - No line is wider than 120 characters. Rows of tables may be, and so may the texts of licences.
 - Each page is linked from another page.
 - Between <!-- counted: NAME --> and <!-- end --> stands what scripts/counts.py says, to the letter.
 - A list in a page names all that it is about, and nothing else (LISTS in scripts/counts.py).
-- <!-- figures: NAME commit=HASH paths=A,B within=N% --> says that the figures up to <!-- end --> are of that commit, and
-  that they speak for the code below these paths until N lines of a hundred have changed there. After that the text
+- <!-- figures: NAME commit=HASH paths=A,B within=N% --> says that the figures up to <!-- end --> are of that commit,
+  and that they speak for the code below these paths until N lines of a hundred have changed there. After that the text
   before <!-- end --> must say "Older than the code", and only then. Where the history is not there (an archive, a
   shallow clone), this can not be seen: the script says so, and goes on.
 """
@@ -59,7 +59,7 @@ def wrong_counts(root, pages):
             if block[2] not in counts.BLOCKS:
                 yield f"{page}:{line_of(text, block.start())}: nothing counts '{block[2]}'"
             elif block[3] != counts.BLOCKS[block[2]](root):
-                yield f"{page}:{line_of(text, block.start())}: '{block[2]}' is not what is there; scripts/claims.py --write"
+                yield f"{page}:{line_of(text, block.start())}: '{block[2]}' is not what is there: claims.py --write"
 
 
 def wrong_lists(root, pages):
@@ -102,8 +102,8 @@ def old_figures(root, pages):
             if part is None:
                 yield f"{where}: the figures '{name}' name commit {commit}, which is not in this history"
             elif part > within and OLD not in block[5]:
-                yield (f"{where}: the figures '{name}' are of commit {commit}; {part:.0f} lines of a hundred have changed "
-                       f"since below {' '.join(paths)}, and {within} are allowed: measure again, or say '{OLD}'")
+                yield (f"{where}: the figures '{name}' are of commit {commit}; {part:.0f} lines of a hundred have "
+                       f"changed since below {' '.join(paths)}, and {within} may: measure again, or say '{OLD}'")
             elif part <= within and OLD in block[5]:
                 yield f"{where}: the figures '{name}' are no older than is allowed, but the page says '{OLD}'"
 
@@ -113,7 +113,7 @@ def broken_markers(pages):
         good = {match.start() for form in (COUNTED, FIGURES) for match in form.finditer(text)}
         for marker in MARKER.finditer(text):
             if marker.start() not in good:
-                yield f"{page}:{line_of(text, marker.start())}: a marker that cannot be read, or has no end: {marker[0]}"
+                yield f"{page}:{line_of(text, marker.start())}: a marker that can not be read, or has no end"
 
 
 def pages_of(root):
@@ -132,7 +132,11 @@ def complaints(root):
 
 
 def write(root):
-    """Writes the counted blocks anew, and returns the pages that are others now."""
+    """Writes the counted blocks anew, and returns the pages that changed. New planted bugs get their rows first."""
+    listing = root / "proptests/bugs/run.py"
+    if listing.is_file():
+        subprocess.run([sys.executable, listing, "--list", "--report", root / counts.BUGS_PAGE], check=False,
+                       stdout=subprocess.DEVNULL)
     changed = []
     for page, text in pages_of(root).items():
         new = COUNTED.sub(lambda m: m[1] + (counts.BLOCKS[m[2]](root) if m[2] in counts.BLOCKS else m[3]) + m[4], text)

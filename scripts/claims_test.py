@@ -1,4 +1,4 @@
-"""Plants what each check of scripts/claims.py must find, in a small project of its own, and expects that and no more."""
+"""Plants what each check of scripts/claims.py must find, in a small project, and expects that and no more."""
 import json
 import pathlib
 import subprocess
@@ -8,12 +8,17 @@ import claims
 
 FILES = {
     "README.md": "[a](docs/a.md) [b](docs/contract.md) [c](docs/internals/folders.md) [d](fuzz/README.md)\n"
+                 "[f](docs/install.md) "
                  "[e](docs/reports/planted-bugs.md)\n\n<!-- counted: presets -->\n<!-- end -->\n",
     "docs/a.md": "[back](../README.md)\n",
     "docs/contract.md": "1. *One.* A law.\n2. *Two.* A law.\n",
-    "docs/internals/folders.md": "| folder | |\n|---|---|\n| `docs/`, `fuzz/` | |\n| `lib/`, `lib/ground/` | |\n"
+    "docs/internals/folders.md": "| folder | |\n|---|---|\n| `cmake/`, `docs/`, `fuzz/` | |\n"
+                                 "| `lib/`, `lib/ground/` | |\n"
                                  "| `proptests/` | |\n",
-    "docs/reports/planted-bugs.md": "| bug | game | in | found by |\n|---|---|---|---|\n| a bug | x | `a.cpp` | `A.B` |\n",
+    "docs/reports/planted-bugs.md": "| bug | game | in | found by |\n|---|---|---|---|\n"
+                                    "| a bug | x | `a.cpp` | `A.B` |\n",
+    "docs/install.md": "| component | |\n|---|---|\n| `lgs` | |\n| `c` | |\n",
+    "cmake/LocalGridSegConfig.cmake.in": "set(LocalGridSeg_components lgs c)\n",
     "fuzz/README.md": "| target | |\n|---|---|\n| `edits` | |\n",
     "fuzz/corpus/edits/one": "",
     "proptests/bugs/law1.toml": "law = 'Law 1'\n\n[[bug]]\nname = \"a bug\"\n",
@@ -76,12 +81,13 @@ def planted():
     yield "a preset that came", lambda p: p.put("CMakePresets.json", json.dumps({"configurePresets": [
         {"name": "release", "displayName": "Release"}, {"name": "asan", "displayName": "Asan"}]})), "'presets' is not"
     yield "a block that nothing counts", add(page, "<!-- counted: stars -->\n<!-- end -->\n"), "nothing counts 'stars'"
-    yield "a marker without an end", add(page, "<!-- counted: presets -->\n"), "a marker that cannot be read"
+    yield "a marker without an end", add(page, "<!-- counted: presets -->\n"), "a marker that can not be read"
     yield "a folder that came", lambda p: p.put("lib/outline/b.cpp", ""), "does not name lib/outline/"
     yield "a folder that is gone", add("docs/internals/folders.md", "| `gone/` | |\n"), "it names gone/"
     yield "a law that is left out", swap("docs/contract.md", "2. *Two.*", "3. *Two.*"), "of laws, it"
     yield "a bug without a row", add("proptests/bugs/law1.toml", "[[bug]]\nname = 'new'\n"), "does not name new"
     yield "a row without a bug", add("docs/reports/planted-bugs.md", "| old | x | `a.cpp` | `A.B` |\n"), "it names old"
+    yield "a component without a row", swap("cmake/LocalGridSegConfig.cmake.in", "lgs c", "lgs c tiled"), "name tiled"
     yield "a fuzz target without a row", lambda p: p.put("fuzz/corpus/trace/one", ""), "does not name trace"
     yield "figures of code that changed", changed(30), "30 lines of a hundred have changed"
     yield "the same, and the page says so", changed(30, claims.OLD + "\n"), None

@@ -9,7 +9,7 @@ from links import tracked
 DEEP = ("bench", "examples", "lib", "oracle", "web")
 FOLDERS_PAGE, CONTRACT, LONG_RUNS = "docs/internals/folders.md", "docs/contract.md", "docs/reports/long-runs.md"
 BUGS_PAGE, FUZZ_RUNS, MUTANTS = "docs/reports/planted-bugs.md", "docs/reports/fuzz-runs.md", "docs/reports/mutants.md"
-COVERAGE, PLATFORMS = "docs/reports/coverage.md", "docs/platforms.md"
+COVERAGE, PLATFORMS, INSTALL = "docs/reports/coverage.md", "docs/platforms.md", "docs/install.md"
 
 
 def text(root, name):
@@ -47,8 +47,8 @@ def laws(root):
 def planted(root):
     """The names of the planted bugs, by the file that lists them."""
     files = sorted((root / "proptests/bugs").glob("*.toml"))
-    listed = {file.stem: re.findall(r"""^\[\[bug\]\]\nname = (?:"(.*)"|'(.*)')$""", file.read_text(encoding="utf-8"), re.M)
-              for file in files}
+    name = re.compile(r"""^\[\[bug\]\]\nname = (?:"(.*)"|'(.*)')$""", re.M)
+    listed = {file.stem: name.findall(file.read_text(encoding="utf-8")) for file in files}
     return {stem: [a or b for a, b in names] for stem, names in listed.items() if names}
 
 
@@ -85,7 +85,7 @@ def regressions(root):
     return len(list((root / "proptests/regressions").glob("*.trace")))
 
 
-# --- Blocks: what stands between markers -------------------------------------------------------------------------------
+# --- Blocks: what stands between markers ------------------------------------------------------------------------------
 
 
 def totals(root):
@@ -112,9 +112,12 @@ def evidence(root):
         ["random commits, each compared with the naive reference; with CGAL, too",
          f"{sum(whole(row[5]) for row in runs):,}; {sum(whole(row[4]) for row in runs):,}; mismatches: "
          + ", ".join(sorted({row[6] for row in runs})), "[long-runs.md](reports/long-runs.md)"],
-        ["fuzzing with sanitizers", f"{sum(whole(row[1]) for row in fuzzed) / 60:.1f} hours of a processor, "
-         f"{sum(whole(row[2]) for row in fuzzed) / 1e6:.1f} million inputs, no finding", "[fuzz-runs.md](reports/fuzz-runs.md)"],
-        [f"coverage of `lib/` by the tests, at commit {commit}", f"lines {covered[1].split(' (')[0]}, branches {covered[2].split(' (')[0]}",
+        ["fuzzing with sanitizers",
+         f"{sum(whole(row[1]) for row in fuzzed) / 60:.1f} hours of a processor, "
+         f"{sum(whole(row[2]) for row in fuzzed) / 1e6:.1f} million inputs, no finding",
+         "[fuzz-runs.md](reports/fuzz-runs.md)"],
+        [f"coverage of `lib/` by the tests, at commit {commit}",
+         f"lines {covered[1].split(' (')[0]}, branches {covered[2].split(' (')[0]}",
          "[coverage.md](reports/coverage.md)"],
     ])
 
@@ -127,12 +130,14 @@ def bugs_by_law(root):
 
 def canaries(root):
     files = sorted((root / "proptests/bugs").glob("*.toml"))
-    named = Counter(name for file in files for name in re.findall(r"^fuzz = ['\"](\w+)", file.read_text("utf-8"), re.M))
-    return table(["fuzz target", "planted bugs that it must find"], [[f"`{name}`", named[name]] for name in sorted(named)])
+    texts = [file.read_text(encoding="utf-8") for file in files]
+    named = Counter(name for listed in texts for name in re.findall(r"^fuzz = ['\"](\w+)", listed, re.M))
+    return table(["fuzz target", "bugs that it must find"], [[f"`{name}`", named[name]] for name in sorted(named)])
 
 
 def table_of_presets(root):
-    rows = [[f"`{name}`", preset["displayName"], preset.get("description", "")] for name, preset in presets(root).items()]
+    rows = [[f"`{name}`", preset["displayName"], preset.get("description", "")]
+            for name, preset in presets(root).items()]
     return table(["preset", "what it builds", "note"], rows)
 
 
@@ -149,8 +154,9 @@ def hashes(root):
     now = re.search(r"^all (\w+)", text(root, "proptests/platform/expected.txt"), re.M)[1]
     if made == {now}:
         return f"The hash of the table, {now}, is the one that `expected.txt` has today.\n"
-    return (f"**Older than the code.** The table was made when the hash was {', '.join(sorted(made))}. Today `expected.txt` "
-            f"has\n{now}: the tests compare it on Linux by g++ and clang++; the other rows have not been run since.\n")
+    return (f"**Older than the code.** The table was made when the hash was {', '.join(sorted(made))}. Today "
+            f"`expected.txt` has\n{now}: the tests compare it on Linux by g++ and clang++; the other rows have not been "
+            "run since.\n")
 
 
 BLOCKS = {"totals": totals, "evidence": evidence, "bugs": bugs_by_law, "canaries": canaries,
@@ -158,7 +164,7 @@ BLOCKS = {"totals": totals, "evidence": evidence, "bugs": bugs_by_law, "canaries
           "options": table_of_options, "platforms": hashes}
 
 
-# --- Lists: page, what, names in the page, names that are there --------------------------------------------------------
+# --- Lists: page, what, names in the page, names that are there -------------------------------------------------------
 
 
 def lists(root, pages):
@@ -175,6 +181,10 @@ def lists(root, pages):
     if BUGS_PAGE in pages:
         rows = re.findall(r"^\| (.*?) \| .* \| `[\w.]+` \| .*\|$", pages[BUGS_PAGE], re.M)
         yield BUGS_PAGE, "planted bugs", set(rows), {name for names in planted(root).values() for name in names}
+    if INSTALL in pages:
+        config = re.search(r"set\(LocalGridSeg_components ([^)]+)\)", text(root, "cmake/LocalGridSegConfig.cmake.in"))
+        listed = re.findall(r"`(\w+)`", cells(INSTALL, "component"))
+        yield INSTALL, "components", set(listed), set(config[1].split())
     if "fuzz/README.md" in pages:
         listed = set(re.findall(r"`(\w+)`", cells("fuzz/README.md", "target")))
         yield "fuzz/README.md", "fuzz targets", listed, fuzz_targets(root)

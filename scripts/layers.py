@@ -18,9 +18,9 @@ import tempfile
 ENGINE = ["lib/include"]
 GROUND = ENGINE + ["lib/geometry", "lib/storage"]
 REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/calls", "oracle/trace"]
-ORACLE = REFERENCES + ["oracle/draw", "oracle/engine/include", "oracle/engine", "oracle/page", "oracle/generate", "oracle/check"]
+ORACLE = REFERENCES + ["oracle/draw", "oracle/views", "oracle/engine/include", "oracle/engine", "oracle/page", "oracle/generate", "oracle/check"]
 TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out"]
-ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/brush/include", "lib/pieces/include",
+ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/brush/include", "lib/pieces/include", "lib/views/include",
             "lib/tiled/include"] + TERRAIN
 ROOMS = {
     "lib/include": [],
@@ -38,10 +38,14 @@ ROOMS = {
     "lib/brush/src": ["lib/include", "lib/geometry", "lib/brush/include"],
     "lib/pieces/include": ["lib/include"],
     "lib/pieces/src": ["lib/include", "lib/geometry", "lib/pieces/include"],
+    "lib/views/include": ["lib/include"],
+    "lib/views/src": ["lib/include", "lib/geometry", "lib/views/include"],
     "lib/tiled/include": ["lib/include"],
     "lib/tiled/src": ["lib/include", "lib/geometry", "lib/text", "lib/brush/include", "lib/tiled/include"],
     "web/bench": ["lib/include"],
-    "web/wasm": ["lib/include", "lib/brush/include", "lib/tiled/include", "lib/box2d/include", "lib/box2d/src", "oracle/reference"],
+    # The rules of terrains are compiled into the package, and the reference into the article.
+    "web/wasm": ["lib/include", "lib/brush/include", "lib/tiled/include", "lib/box2d/include", "lib/box2d/src",
+                 "oracle/reference"],
     "lib/box2d/include": ["lib/include"],
     "lib/box2d/src": ["lib/include", "lib/geometry", "lib/box2d/include"],
     "lib/box2d/v2/include": ["lib/include", "lib/box2d/include"],
@@ -56,13 +60,15 @@ ROOMS = {
     "oracle/calls": ENGINE + ["oracle/reference"],
     # Traces have edits by brushes, and it plays them.
     "oracle/trace": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/calls"],
+    # What it compares are values of the views' public headers.
+    "oracle/views": ENGINE + ["lib/views/include", "oracle/reference"],
     "oracle/page": ENGINE + ["oracle/reference", "oracle/trace", "oracle/draw"],
     "oracle/engine/include": [],
     "oracle/engine": ENGINE + ["oracle/engine/include", "oracle/reference", "oracle/trace"],
     # Random brushes are circles and lines of the library's making.
     "oracle/generate": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/calls", "oracle/trace",
                                  "oracle/engine"],
-    "oracle/check": ENGINE + REFERENCES + ["lib/text", "oracle/draw", "oracle/engine", "oracle/page",
+    "oracle/check": ENGINE + REFERENCES + ["oracle/views", "lib/views/include", "lib/text", "oracle/draw", "oracle/engine", "oracle/page",
                                             "oracle/generate"],
     "bench/published": ENGINE + ["oracle/engine/include", "oracle/reference"],
     "bench/ride": ENGINE + ADAPTERS + ORACLE,
@@ -80,7 +86,7 @@ ROOMS = {
 }
 # The folders from which a header is found by a path without its room.
 INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/c/include", "lib/debug/include", "lib/brush/include",
-                   "lib/brush/src", "lib/pieces/include", "lib/pieces/src", "lib/tiled/include", "lib/tiled/src",
+                   "lib/brush/src", "lib/pieces/include", "lib/pieces/src", "lib/views/include", "lib/views/src", "lib/tiled/include", "lib/tiled/src",
                    "lib/box2d/include", "lib/box2d/src", "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out/include",
                    "oracle/engine/include"]
 # What no file below a folder may include, whatever its room: lib/ is MIT and goes into games.

@@ -38,6 +38,8 @@ void registerBuilds(const Scale& scale);      ///< time and memory of a world fr
 void registerReads(const Scale& scale);       ///< changes, segments, loops
 void registerWorst(const Scale& scale);       ///< the edits that cost most
 void registerInterfaces(const Scale& scale);  ///< by C++ and by C
+void registerIslands(const Scale& scale);     ///< a bridge is cut, beside a flood fill
 void registerBrushes(const Scale& scale);     ///< holes of any shape, beside Clipper
+void registerPieces(const Scale& scale);      ///< convex pieces, beside those of a chunk worked out anew
 
 }  // namespace lgs::bench

@@ -54,6 +54,8 @@ int run(int argc, char** argv) {
   registerReads(scale);
   registerWorst(scale);
   registerBrushes(scale);
+  registerPieces(scale);
+  registerIslands(scale);
 #ifdef LGS_BENCH_C
   registerInterfaces(scale);
 #endif

@@ -1,5 +1,5 @@
 // What the terrain costs, by the size of a chunk: bodies and shapes, loading 100×100 cells, a sync after one edit and
-// after 1,000. Each time is the least of some rounds on one core. Compare times of one run only.
+// after 1,000; and what it costs to undo 100 edits, and to do them again. Each time is the least of some rounds on one core. Compare times of one run only.
 #include "oracle/calls/random.h"
 
 #include "physics.h"
@@ -71,8 +71,8 @@ class Populated {
   }
 
   /// Commits and syncs; returns the time of the sync alone.
-  double sync() {
-    const Changes& changes = field_.world.commit();
+  double sync() { return sync(field_.world.commit()); }
+  double sync(const Changes& changes) {
     const double time = microseconds([&] { terrain_->sync(changes); });
     physics_.step();
     return time;
@@ -121,6 +121,31 @@ double thousandDigs(Field& field, const box2d::TerrainOptions& options) {
   });
 }
 
+// The world goes back and forth over 100 edits, each with its commit, at once. Both times are with the sync.
+struct BackAndForth {
+  double undo, redo;
+};
+BackAndForth hundredEdits(Field& field, const box2d::TerrainOptions& options) {
+  Populated populated(field, options);
+  const Mark begin = field.world.checkpoint();
+  for (std::size_t k = 0; k < 100; ++k) {
+    field.dig(k * 97);
+    populated.sync();
+  }
+  const Mark end = field.world.checkpoint();
+  const auto both = [&](auto go) {
+    const double time = microseconds([&] { (void)go(); });
+    return time + populated.sync(field.world.changesOfRollBack());
+  };
+  double redo = std::numeric_limits<double>::max();
+  const double undo = leastOf([&] {
+    const double back = both([&] { return field.world.rollBack(begin, Undone::keep); });
+    redo = std::min(redo, both([&] { return field.world.rollForward(end); }));
+    return back;
+  });
+  return {undo, redo};
+}
+
 std::size_t mostOnABody(const box2d::EdgeSet& edges) {
   std::vector<std::size_t> counts(edges.chunkCount());
   for (const box2d::EdgeId id : edges.edges()) ++counts[edges.edge(id).chunk];
@@ -144,6 +169,12 @@ void run() {
     for (const std::int32_t chunk : {1, 4, 8, 16, 32, 100}) {
       for (const bool merge : {false, true}) printLine(ramps, chunk, merge);
     }
+  }
+  fmt::print("\n| world | undo 100 edits, ms | and redo, ms |\n|---|---|---|\n");
+  for (const bool ramps : {false, true}) {
+    Field field(ramps);
+    const auto [undo, redo] = hundredEdits(field, {});
+    fmt::print("| {} | {:.2f} | {:.2f} |\n", ramps ? "ramps" : "full", undo / 1e3, redo / 1e3);
   }
 }
 

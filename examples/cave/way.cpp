@@ -108,7 +108,8 @@ std::vector<Point> pulledStraight(Point from, Point to, std::vector<Portal> port
 std::optional<Way> findWay(const lgs::Pieces& pieces, const Journey& journey) {
   const auto first = pieces.freePieceAt(journey.from), last = pieces.freePieceAt(journey.to);
   Pieces reached;
-  if (!first || !last || !search(pieces, journey, *first, *last, reached)) return std::nullopt;
+  if (!first || !last || !contains(journey.cells, first->cell)) return std::nullopt;
+  if (!search(pieces, journey, *first, *last, reached)) return std::nullopt;
   Way way;
   std::vector<Portal> portals;
   for (PieceId at = *last; at != *first; at = reached[at].before) {

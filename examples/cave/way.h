@@ -19,7 +19,9 @@ namespace examples {
 struct Journey {
   lgs::Point from;
   lgs::Point to;
-  lgs::CellRect cells;         ///< no way leaves these; at most 16,384 wide and high, so that products are exact
+  /// No way leaves these, nor begins or ends on their lower and left rim. At most 16,384 wide and high, so that products
+  /// are exact.
+  lgs::CellRect cells;
   std::int64_t narrowest = 1;  ///< portals that are narrower, in lattice units, are no way
 };
 

@@ -46,7 +46,9 @@ class Check {
         library_(options.engine ? nullptr : &own_),
         engine_(options.engine ? *options.engine : own_),
         placed_(trace.preserve),
-        steps_(trace) {}
+        steps_(trace) {
+    if (options.views) own_.followViews();
+  }
 
   tl::expected<std::optional<Mismatch>, TraceError> run() {
     engine_.reset(trace_.preserve);

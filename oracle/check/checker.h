@@ -40,6 +40,10 @@ struct CheckOptions {
   /// lists are always checked for the whole world.
   std::size_t wholeEvery = 1;
 
+  /// Follow this library's engine with views of loops and islands, and hold these against a full recompute after every
+  /// commit. It takes a time in proportion to the square of the polygons.
+  bool views = false;
+
   /// Compare with CGAL after the last commit only: it costs more than all the rest together.
   bool unionAtEnd = false;
 
@@ -59,6 +63,7 @@ struct Mismatch {
     reach,     ///< a brush changed a polygon that law 9 keeps
     rounding,  ///< a brush is farther from its exact result than law 8 allows
     history,   ///< the outline depends on how it came about
+    views,     ///< a view of loops or islands is not that of the world
     terrain,   ///< a physics engine's copy is not that of the world; the checker itself knows no such copy
     crash,     ///< the engine ended
     hang,      ///< the engine gave no answer in time

@@ -10,6 +10,9 @@
 namespace lgs::oracle {
 namespace {
 
+// Some polygons hold their islands, wherever they are.
+bool isAnchor(Block block, Cell cell) { return block % 3 == 1 || (cell.i + cell.j) % 5 == 0; }
+
 // Whether a refusal left all counts as they were. It may leave new shapes.
 bool sameCounts(const Stats& a, const Stats& b) {
   return a.polygons == b.polygons && a.cells == b.cells && a.segments == b.segments && a.chunks == b.chunks;
@@ -23,7 +26,11 @@ std::optional<Complaint> reading(std::optional<WrongRead> wrong) {
 }  // namespace
 
 void LibraryEngine::reset(const PreservePairs& preserve) {
-  player_.emplace(preserve);
+  // Views can not follow into a world that was loaded: that follows nothing.
+  player_.emplace(preserve, followsViews_ ? Loads::never : Loads::sometimes);
+  views_.reset();
+  if (followsViews_ && player_->world().followCells(true))
+    views_.emplace(Followed{Islands(player_->world(), isAnchor), IslandCheck(isAnchor)});
   mirror_ = {};
   stale_.clear();
   refused_.clear();
@@ -107,6 +114,14 @@ std::optional<Complaint> LibraryEngine::afterCommit(const CellSet& edited, const
     return Complaint{Mismatch::Kind::changes, std::move(*problem), mirror_.blamed()};
   for (const Cell& cell : edited)
     if (auto complaint = reading(readCell(*player_, model, cell))) return complaint;
+  return views_ ? checkViews() : std::nullopt;
+}
+
+std::optional<Complaint> LibraryEngine::checkViews() {
+  if (!views_->islands.update(player_->world(), *changes_))
+    return Complaint{Mismatch::Kind::views, "the views refuse what was committed"};
+  if (auto wrong = views_->check.update(player_->world(), views_->islands))
+    return Complaint{Mismatch::Kind::views, std::move(*wrong)};
   return std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 //  - each step goes through one of its doors (step.h): the refusal has the right reason, and names what is to blame; a
 //    refused step changes nothing; a stale handle stays stale;
 //  - each commit: the change list is exact (mirror.h); the polygons of the edited cells read as they were placed;
+//  - if it is asked for, views of loops and islands are held against a full recompute after each commit;
 //  - now and then: everything else that a world can be asked (reads.h).
 #pragma once
 
@@ -13,6 +14,7 @@
 #include "oracle/trace/dump.h"
 #include "oracle/trace/mirror.h"
 #include "oracle/trace/player.h"
+#include "oracle/views/island_check.h"
 
 #include <optional>
 #include <string>
@@ -31,6 +33,9 @@ struct Complaint {
 class LibraryEngine : public Engine {
  public:
   LibraryEngine() { introduce("LocalGridSeg", Capabilities::all()); }
+
+  /// From the next reset() on views of loops and islands follow the world, and are checked after each commit.
+  void followViews() { followsViews_ = true; }
 
   void reset(const PreservePairs& preserve) override;
   void add(const std::string& name, const ScenePolygon& polygon) override;
@@ -67,6 +72,7 @@ class LibraryEngine : public Engine {
  private:
   std::optional<Complaint> afterRefusal(const Step& step, const TraceError& error, const Stats& before,
                                         const Model& model) const;
+  std::optional<Complaint> checkViews();
   std::optional<Complaint> checkStale(const std::vector<PolygonHandle>& handles);
 
   std::optional<Player> player_;
@@ -74,6 +80,12 @@ class LibraryEngine : public Engine {
   const Changes* changes_ = nullptr;  // of the last commit
   std::vector<PolygonHandle> stale_;  // of all polygons that were removed
   std::vector<RefusedEdit> refused_;  // since the last commit
+  bool followsViews_ = false;
+  struct Followed {
+    Islands islands;
+    IslandCheck check;
+  };
+  std::optional<Followed> views_;
 };
 
 }  // namespace lgs::oracle

@@ -28,6 +28,8 @@ std::string describe(Mismatch::Kind kind) {
       return "a brush is too far from the exact result";
     case Mismatch::Kind::history:
       return "the outline depends on the order of the edits";
+    case Mismatch::Kind::views:
+      return "a view is not that of the world";
     case Mismatch::Kind::terrain:
       return "the terrain is not that of the world";
     case Mismatch::Kind::crash:

@@ -13,7 +13,8 @@ vcpkg_check_features(OUT_FEATURE_OPTIONS FEATURE_OPTIONS
     c LGS_BUILD_C
     debug LGS_BUILD_DEBUG
     pieces LGS_BUILD_PIECES
-    tiled LGS_BUILD_TILED)
+    tiled LGS_BUILD_TILED
+    views LGS_BUILD_VIEWS)
 
 vcpkg_cmake_configure(
   SOURCE_PATH "${SOURCE_PATH}"

@@ -39,9 +39,20 @@ void addDoorsOfBrushes(Doors& door) {
              points.begin(), points.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(points.size(), 9)));
          return refusedIf(!some.empty() && isNoLength(radius), carve(s.world, thickLine(some, radius, corners)));
        });
-  door("paint(World&, const Region&, Block, PaintMode)",
-       [](Scene& s, const Region& region, Block b, PaintMode mode) { return paint(s.world, region, b, mode); });
-  door("carve(World&, const Region&)", [](Scene& s, const Region& region) { return carve(s.world, region); });
+  door("boundsOf(const Region&)", [](Scene&, const Region& region) { return boundsOf(region); });
+  door("cellsOf(const Region&)", [](Scene&, const Region& region) {
+    const auto cells = cellsOf(region);
+    if (cells) EXPECT_TRUE(std::ranges::all_of(*cells, [](Cell cell) { return inRange(cell); }));
+    return cells;
+  });
+  door("meets(const Region&, const Ring&)",
+       [](Scene&, const Region& region, const std::vector<Point>& ring) { return meets(region, ring); });
+  door("paint(World&, const Region&, Block, PaintMode, const StayingBlocks&)",
+       [](Scene& s, const Region& region, Block b, PaintMode mode, const StayingBlocks& staying) {
+         return paint(s.world, region, b, mode, staying);
+       });
+  door("carve(World&, const Region&, const StayingBlocks&)",
+       [](Scene& s, const Region& region, const StayingBlocks& staying) { return carve(s.world, region, staying); });
 }
 
 }  // namespace lgs::test

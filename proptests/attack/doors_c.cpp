@@ -169,6 +169,19 @@ void addEdits(Doors& door) {
         lgs_replace(worldOf(s, w), toC(c), toC(id), b, list.isGiven ? ids.data() : nullptr, room.size, nullptr),
         w.isGiven && (list.isGiven || room.size == 0));
   });
+  door("lgs_exchange", [](Scene& s, Given w, Cell c, const std::vector<PolygonHandle>& gone,
+                          const std::vector<Points>& come, Given vertices, Given list, Given e) {
+    const auto removed = idsOf<lgs_polygon_id>(gone);
+    std::vector<std::vector<lgs_local_point>> points;
+    std::vector<lgs_new_polygon> added;
+    for (const Points& p : come) points.push_back(listOf<lgs_local_point>(p));
+    for (const auto& p : points) added.push_back({vertices.isGiven ? p.data() : nullptr, p.size(), 1, 0});
+    std::vector<lgs_polygon_id> ids(added.size());
+    lgs_error error{};
+    return checked(lgs_exchange(worldOf(s, w), toC(c), list.isGiven ? removed.data() : nullptr, removed.size(),
+                                added.data(), added.size(), list.isGiven ? ids.data() : nullptr, e(error)),
+                   w.isGiven && (list.isGiven || removed.empty()));
+  });
   door("lgs_set_block", [](Scene& s, Given w, PolygonHandle h, std::uint32_t b, Given e) {
     lgs_error error{};
     return checked(lgs_set_block(worldOf(s, w), toC(h), b, e(error)), w);
@@ -310,6 +323,17 @@ void addReading(Doors& door) {
       static_cast<void>(lgs_polygon_of(static_cast<const lgs_world*>(user), p->id, nullptr, nullptr));
     };
     return checked(lgs_visit_polygons(worldOf(s, w), toC(r), function.isGiven ? visit : nullptr, s.c.get()),
+                   w.isGiven && function.isGiven);
+  });
+  door("lgs_follow_cells", [](Scene& s, Given w, int follow, Given e) {
+    lgs_error error{};
+    return checked(lgs_follow_cells(worldOf(s, w), follow, e(error)), w);
+  });
+  door("lgs_visit_cell_changes", [](Scene& s, Given w, Given function) {
+    const lgs_cell_change_fn visit = [](void* user, const lgs_cell_change* change) {
+      static_cast<void>(lgs_is_empty(static_cast<const lgs_world*>(user), change->cell, nullptr));
+    };
+    return checked(lgs_visit_cell_changes(worldOf(s, w), function.isGiven ? visit : nullptr, s.c.get()),
                    w.isGiven && function.isGiven);
   });
   door("lgs_bounds", [](Scene& s, Given w, Given out) {

@@ -28,6 +28,7 @@ void addDoorsOfReading(Doors& door) {
   door(
       "World::boundingBox(ShapeId) const", [](Scene& s, ShapeId id) { return s.world.boundingBox(id); }, isUnknown);
   door("World::changesOfRollBack() const", [](Scene& s) { return s.world.changesOfRollBack().added.size(); });
+  door("World::editedSince(Mark) const", [](Scene& s, Mark mark) { return s.world.editedSince(mark); });
   door("World::cellChanges() const", [](Scene& s) { return s.world.cellChanges().size(); });
   door("World::save(const ByteSink&) const", [](Scene& s, const ByteSink& sink) { return s.world.save(sink); });
   door("World::polygons(Cell) const", [](Scene& s, Cell c) {
@@ -126,7 +127,8 @@ void addDoorsOfReading(Doors& door) {
     return samePolygons(s.world, isSelf ? s.world : s.other);
   });
   door("writeTrace(const World&)", [](Scene& s) { return writeTrace(s.world).size(); });
-  door("writeSvg(const World&)", [](Scene& s) { return writeSvg(s.world).size(); });
+  door("writeSvg(const World&, const SvgOverlay&)",
+       [](Scene& s, const SvgOverlay& overlay) { return writeSvg(s.world, overlay).size(); });
 }
 
 }  // namespace lgs::test

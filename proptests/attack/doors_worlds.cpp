@@ -116,12 +116,13 @@ void addDoorsOfWorlds(Doors& door) {
       "World::setBlock(PolygonHandle, Block)",
       [](Scene& s, PolygonHandle h, Block b) { return s.world.setBlock(h, b); },
       [](Scene& s, PolygonHandle h, Block) { return !s.isAlive(h); });
-  door("World::fill(const CellRect&, ShapeId, Block)", [](Scene& s, const CellRect& r, ShapeId id, Block b) {
-    return refusedIf(!isEmpty(r) && (isOutOfRange(r.min) || isOutOfRange(r.max) || isUnknown(s, id)),
-                     s.world.fill(r, id, b));
-  });
+  door("World::fill(const CellRect&, ShapeId, Block, span<PolygonHandle>)",
+       [](Scene& s, const CellRect& r, ShapeId id, Block b, Room room) {
+         const bool isBad = !isEmpty(r) && (isOutOfRange(r.min) || isOutOfRange(r.max) || isUnknown(s, id));
+         return withRoom(room, [&](auto handles) { return refusedIf(isBad, s.world.fill(r, id, b, handles)); });
+       });
   door(
-      "World::clear(const CellRect&)", [](Scene& s, const CellRect& r) { return s.world.clear(r); },
+      "World::clear(const Rect&)", [](Scene& s, const CellRect& r) { return s.world.clear(r); },
       [](Scene&, const CellRect& r) { return !isEmpty(r) && (isOutOfRange(r.min) || isOutOfRange(r.max)); });
   door(
       "World::clear(Cell)", [](Scene& s, Cell c) { return s.world.clear(c); },
@@ -167,7 +168,16 @@ void addDoorsOfWorlds(Doors& door) {
     s.marks.push_back(s.world.checkpoint());
     return 0U;
   });
-  door("World::rollBack(Mark)", [](Scene& s, Mark mark) { return s.world.rollBack(mark); });
+  door("World::rollBack(Mark, Undone)",
+       [](Scene& s, Mark mark, Undone undone) { return s.world.rollBack(mark, undone); });
+  door("World::rollForward(Mark)", [](Scene& s, Mark mark, Mark from, bool edits) {
+    static_cast<void>(s.world.rollBack(from, Undone::keep));
+    if (edits) static_cast<void>(s.world.clear(Cell{0, 0}));
+    const Seen before = seenOf(s.world);
+    const auto done = s.world.rollForward(mark);
+    if (!done) EXPECT_EQ(before, seenOf(s.world));
+    return 0U;
+  });
   door("World::forget(Mark)", [](Scene& s, Mark mark) { return s.world.forget(mark); });
   door("World::followCells(bool)", [](Scene& s, bool follows) { return s.world.followCells(follows); });
   door("World::load(span<const byte>, PreserveRelation)",

@@ -43,6 +43,9 @@ VALUES(ErrorCode, ErrorCode::overlap, ErrorCode{0}, ErrorCode::cellOutOfRange, E
        ErrorCode::capacity, ErrorCode::notFinite, ErrorCode::repeatedVertex, ErrorCode::selfIntersecting,
        ErrorCode::staleHandle, ErrorCode::unknownSegment, ErrorCode::outOfReach, ErrorCode{18}, ErrorCode{0xffff'ffff})
 VALUES(Collinear, Collinear::keep, Collinear::merge)
+VALUES(Undone, Undone::drop, Undone::keep, Undone{2}, Undone{255})
+VALUES(SvgOverlay, {}, {"<b>", std::numeric_limits<double>::quiet_NaN(), {kLeast, kMost}}, {"", 0, {kMost, kLeast}},
+       {"&", 1e308, {0, 0}}, {"x", -1, {0, kMost}})
 VALUES(FillRule, FillRule::nonZero, FillRule::evenOdd, FillRule{2}, FillRule{255})
 VALUES(PaintMode, PaintMode::fill, PaintMode::replace, PaintMode{2}, PaintMode{255})
 VALUES(Error, {ErrorCode::overlap}, {ErrorCode{0}},
@@ -111,6 +114,10 @@ std::string Hostile<Given>::told(const Given& v) { return v.isGiven ? "given" : 
 std::string Hostile<Said>::told(const Said& v) { return fmt::format("count {}", v.count); }
 std::string Hostile<ErrorCode>::told(const ErrorCode& v) { return fmt::format("code {}", static_cast<unsigned>(v)); }
 std::string Hostile<Collinear>::told(const Collinear& v) { return v == Collinear::keep ? "keep" : "merge"; }
+std::string Hostile<Undone>::told(const Undone& v) { return fmt::format("undone {}", static_cast<unsigned>(v)); }
+std::string Hostile<SvgOverlay>::told(const SvgOverlay& v) {
+  return fmt::format("{} by {} from {}", v.over, v.cellsPerUnit, Hostile<Cell>::told(v.origin));
+}
 std::string Hostile<FillRule>::told(const FillRule& v) { return fmt::format("rule {}", static_cast<unsigned>(v)); }
 std::string Hostile<PaintMode>::told(const PaintMode& v) { return fmt::format("mode {}", static_cast<unsigned>(v)); }
 std::string Hostile<Error>::told(const Error& v) { return fmt::format("error {}", static_cast<unsigned>(v.code)); }

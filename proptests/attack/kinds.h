@@ -6,6 +6,7 @@
 #include "scene.h"
 
 #include <lgs/brush.h>
+#include <lgs/debug.h>
 #include <lgs/radial_match.h>
 #include <lgs/world.h>
 
@@ -103,6 +104,9 @@ LGS_HOSTILE(Executor);
 LGS_HOSTILE(ByteSink);
 LGS_HOSTILE(World::PolygonVisitor);
 LGS_HOSTILE(lgs_error);
+LGS_HOSTILE(Undone);
+LGS_HOSTILE(StayingBlocks);
+LGS_HOSTILE(SvgOverlay);
 #undef LGS_HOSTILE
 
 }  // namespace lgs::test

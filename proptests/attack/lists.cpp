@@ -221,6 +221,19 @@ const std::vector<PreserveRelation>& Hostile<PreserveRelation>::values(Scene&) {
   return all;
 }
 
+const std::vector<StayingBlocks>& Hostile<StayingBlocks>::values(Scene&) {
+  static const std::vector<StayingBlocks> all{
+      {},
+      [](Block) { return true; },
+      [](Block block) { return block % 2 != 0; },
+      [](Block) {
+        static std::uint32_t calls = 0;
+        return ++calls % 3 == 0;
+      },
+  };
+  return all;
+}
+
 const std::vector<Executor>& Hostile<Executor>::values(Scene&) {
   using Job = std::function<void(std::size_t)>;
   static const std::vector<Executor> all{
@@ -288,6 +301,7 @@ std::string Hostile<Region>::told(const Region& v) {
   return counted(v.rings, "rings") + ", " + Hostile<FillRule>::told(v.rule);
 }
 std::string Hostile<PreserveRelation>::told(const PreserveRelation& v) { return v ? "a relation" : "no relation"; }
+std::string Hostile<StayingBlocks>::told(const StayingBlocks& v) { return v ? "some stay" : "none stay"; }
 std::string Hostile<Executor>::told(const Executor& v) { return v ? "an executor" : "no executor"; }
 std::string Hostile<ByteSink>::told(const ByteSink& v) { return v ? "a sink" : "no sink"; }
 std::string Hostile<World::PolygonVisitor>::told(const World::PolygonVisitor& v) {

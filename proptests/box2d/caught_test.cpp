@@ -207,6 +207,50 @@ TEST_F(Box2dCaught, AfterAStepWhoCameThroughTheGroundIsPutBack) {
   EXPECT_TRUE(terrain.afterStep().empty());
 }
 
+// A portal to below the floor.
+TEST_F(Box2dCaught, WhoWasMovedByTheGameStaysThere) {
+  Terrain terrain(physics, field.world);
+  const Body body = addBody({0.5F, 0.36F}, Form::box, 0);
+  step(1);
+  EXPECT_TRUE(terrain.afterStep().empty());
+  moveTo(body, {0.5F, -1.5F});
+#ifndef B2_IS_NULL
+  terrain.moved(*body);
+#else
+  terrain.moved(body);
+#endif
+  EXPECT_TRUE(terrain.afterStep().empty());
+  EXPECT_EQ(positionOf(body).y, -1.5F);
+}
+
+// Of two bodies one was held when the game was saved, and the other one is now.
+TEST_F(Box2dCaught, ALoadHoldsWhoWasHeldAndReleasesWhoIsFree) {
+  Terrain terrain(physics, field.world);
+  const Body held = bury(terrain), other = addBody({4.5F, 0.36F}, Form::ball, 0);
+  ASSERT_TRUE(terrain.commit(field.world));
+  ASSERT_EQ(terrain.held().size(), 1U);
+  const World saved = field.world;
+  const Position heldAt = positionOf(held), otherAt = positionOf(other);
+  ASSERT_TRUE(field.world.remove(handle));
+  ASSERT_TRUE(terrain.commit(field.world));
+  ASSERT_TRUE(isEnabled(held));
+  moveTo(other, {heldAt.x, heldAt.y});
+  moveTo(held, {6.5F, 0.36F});
+  ASSERT_TRUE(field.world.add({0, 1}, kSquare, 1));
+  ASSERT_TRUE(terrain.commit(field.world));
+  ASSERT_FALSE(isEnabled(other));
+  field.world = saved;
+  moveTo(held, heldAt);
+  moveTo(other, otherAt);
+  terrain.resync();
+  EXPECT_FALSE(isEnabled(held));
+  EXPECT_TRUE(isEnabled(other));
+  step(2);
+  EXPECT_TRUE(terrain.afterStep().empty()) << "it did not come through the ground: it was put there";
+  EXPECT_NEAR(positionOf(other).x, otherAt.x, 0.01F);
+  EXPECT_EQ(positionOf(held).x, heldAt.x);
+}
+
 TEST_F(Box2dCaught, BodiesAreCutOutOfWhatIsPainted) {
   Terrain terrain(physics, field.world);
   for (const Form form : {Form::ball, Form::box}) {

@@ -116,7 +116,7 @@ class Box2dWayOut : public testing::Test {
     return NewGround(field.world, set, changes);
   }
   static std::optional<Catch> caught(const NewGround& ground, const box2d::Form& form) {
-    return catchOf(ground, {form}, 0.01 * U);
+    return catchOf(ground, {form}, box2d::Whose::free, 0.01 * U);
   }
   Field field;
   EdgeSet set{box2d::EdgeOptions{}};
@@ -177,7 +177,7 @@ TEST_F(Box2dWayOut, WhoIsWalledInHasNone) {
 TEST_F(Box2dWayOut, OfSeveralFormsEachMustBeFree) {
   const NewGround ground = place({{0, 0}, {3, 0}});
   const box2d::Form left = ballAt(0.9, 0.5, 0.2), right = ballAt(2.5, 0.5, 0.2);  // there is a gap of two cells
-  const auto found = catchOf(ground, {left, right}, 0.01 * U);
+  const auto found = catchOf(ground, {left, right}, box2d::Whose::free, 0.01 * U);
   ASSERT_TRUE(found && found->way);
   for (box2d::Form form : {left, right}) {
     form.middle = box2d::moved(form.middle, *found->way);

@@ -99,11 +99,11 @@ def main() -> int:
         for bug in bugs:
             print(f"{bug.group:22}  {bug.name}\n{'':22}  {bug.game}")
         print(f"{len(bugs)} bugs")
+        report(arguments, groups, everything, {})
     if wrong := faults(everything):
         print(*wrong, sep="\n", file=sys.stderr)
         return 2
     if arguments.list:
-        report(arguments, groups, everything, {})
         return 0
 
     try:

@@ -31,7 +31,7 @@ NOT_YET = "not in a run yet"
 
 def planted(page: str, groups: dict[str, Group], bugs: list[Bug], results: dict[Bug, dict]) -> str:
     """The page with its blocks written anew: one table for each group, and the summary. What people wrote around the
-    blocks stays. A bug that was not tried keeps the outcome that its row has; groups without a block come at the end."""
+    blocks stays. A bug that was not tried keeps the outcome of its row; groups without a block come at the end."""
     known = {cells[0]: cells[3:] for line in page.splitlines() if len(cells := line.strip("| ").split(" | ")) >= 4}
     outcomes = {bug: outcome(results[bug]) if bug in results else known.get(bug.name, [NOT_YET]) for bug in bugs}
     for name, group in groups.items():

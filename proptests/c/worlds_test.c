@@ -174,6 +174,15 @@ static void goingBack(void) {
   CHECK(changes.removed_count == 3 && changes.added_count == 1 && changes.after == version);
   CHECK(lgs_roll_back(world, mark, NULL, NULL) == LGS_OK);
   REFUSED(LGS_UNKNOWN_MARK, lgs_roll_back(world, later, &changes, &error));
+  REFUSED(LGS_UNKNOWN_MARK, lgs_roll_forward(world, later, &changes, &error));
+  placed(world, cellAt(1, 0), square, 1);
+  CHECK(lgs_commit(world, NULL) == LGS_OK && lgs_checkpoint(world, &later) == LGS_OK);
+  CHECK(lgs_roll_back_keeping(world, mark, NULL, NULL) == LGS_OK);
+  CHECK(lgs_roll_forward(world, later, &changes, NULL) == LGS_OK);
+  CHECK(changes.removed_count == 1 && changes.added_count == 3 && changes.before == version);
+  REFUSED(LGS_BAD_ARGUMENT, lgs_roll_forward(NULL, later, NULL, &error));
+  REFUSED(LGS_BAD_ARGUMENT, lgs_roll_back_keeping(NULL, later, NULL, &error));
+  CHECK(lgs_roll_back_keeping(world, mark, &changes, NULL) == LGS_OK && changes.added_count == 1);
   CHECK(lgs_forget(world, mark, NULL) == LGS_OK);
   REFUSED(LGS_UNKNOWN_MARK, lgs_forget(world, mark, &error));
   REFUSED(LGS_BAD_ARGUMENT, lgs_forget(NULL, mark, &error));

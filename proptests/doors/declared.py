@@ -15,6 +15,7 @@ ENGINE = "lib/include"
 CPP = {
     "C++": (["lgs/world.h", "lgs/radial_match.h", "lgs/version.h"], [ENGINE]),
     "brush": (["lgs/brush.h"], [ENGINE, "lib/brush/include"]),
+    "pieces": (["lgs/pieces.h"], [ENGINE, "lib/pieces/include"]),
     "debug": (["lgs/debug.h"], [ENGINE, "lib/debug/include"]),
     "tiled": (["lgs/tiled/import.h"], [ENGINE, "lib/tiled/include"]),
     "box2d": (["lgs/box2d/edges.h", "lgs/box2d/hit.h", "lgs/box2d/materials.h", "lgs/box2d/terrain.h",
@@ -130,18 +131,24 @@ def split(arguments):
 def exported(module):
     """The names that a module passes on from others, and from which."""
     text = (WEB / f"{module}.ts").read_text()
-    for names, origin in re.findall(r"^export \{ ([^}]*) \} from '\./(\w+)\.js'", text, re.M):
+    for names, origin in re.findall(r"^export \{ ([^}]*) \} from '\./([\w-]+)\.js'", text, re.M):
         yield from ((name, origin) for name in names.split(", "))
 
 
 def body(text, name):
     """The lines of a class or an interface."""
-    found = re.search(rf"^export (?:class|interface) {name}\b[^\n]*\{{\n(.*?)^\}}", text, re.M | re.S)
-    return found.group(1) if found else None
+    found = re.search(rf"^export (?:abstract )?(?:class|interface) {name}\b([^{{]*)\{{\n(.*?)^\}}", text, re.M | re.S)
+    if not found:
+        return None
+    base = re.search(r"\bextends (\w+)", found.group(1))
+    inherited = next(filter(None, (body(path.read_text(), base.group(1)) for path in sorted(WEB.glob("*.ts")))), "") \
+        if base else ""
+    return found.group(2) + inherited
 
 
 def methods(text, scope):
-    for name, arguments in re.findall(rf"^  (?:static )?(?:get )?(\w+|\[Symbol\.dispose\]){ARGUMENTS}", text, re.M):
+    pattern = rf"^  (?:static )?(?:async )?(?:get )?(\w+|\[Symbol\.dispose\]){ARGUMENTS}"
+    for name, arguments in re.findall(pattern, text, re.M):
         types = split(arguments)
         yield Function("JavaScript", f"{scope}.{name}({', '.join(types)})", types)
 
@@ -169,6 +176,8 @@ def of_javascript():
     for module in MODULES:
         text = (WEB / f"{module}.ts").read_text()
         found += exports(text, DECLARED.findall(text), f"{module}/")
+        for name, origin in exported(module):
+            found += exports((WEB / f"{origin}.ts").read_text(), [name], f"{module}/")
     return found
 
 

@@ -72,8 +72,8 @@ TEST(TiledLdtk, WhatIsSaidOfTilesThatAreOnlyDrawn) {
             "maps/test.tmx: 'Deco' is a layer of tiles that are only drawn: --solid --layer Deco");
   const auto empty = mustImportProject(text);
   ASSERT_EQ(empty.report.suggestions.size(), 1U);
-  EXPECT_EQ(empty.report.suggestions[0].text, "1 layer of tiles that are only drawn: A/Deco");
-  EXPECT_EQ(empty.report.suggestions[0].arguments, (std::vector<std::string>{"--layer", "A/Deco", "--solid"}));
+  EXPECT_EQ(empty.report.suggestions[0].text, "tile layer Deco, 100 % of the map: nothing says what it is");
+  EXPECT_EQ(empty.report.suggestions[0].arguments, (std::vector<std::string>{"--layer", "Deco", "--solid"}));
   options = {};
   options.solidWithoutShapes = true;
   const std::string at = "maps/test.tmx: levels/0/layerInstances/0";

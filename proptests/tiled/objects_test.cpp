@@ -89,7 +89,7 @@ TEST(TiledObjectLayers, ThoseAreTakenThatSaySo) {
   };
   EXPECT_EQ(remark("name='COLLISIONS'"), "its name says 'collision'");
   EXPECT_EQ(remark("name='innerWalls'"), "its name says 'wall'");
-  EXPECT_EQ(remark("name='background ground'"), "its name says 'ground'");
+  EXPECT_EQ(remark("name='background and ground'"), "its name says 'ground'");
   for (const char* name : {"collider", "Solids", "terrain_1", "isBlocked", "Underground"}) {
     EXPECT_NE(remark("name='" + std::string(name) + "'"), "") << name;
   }

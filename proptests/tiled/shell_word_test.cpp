@@ -54,7 +54,7 @@ TEST(TiledShellWord, IsInTheErrorsThatNameAnOption) {
 TEST(TiledShellWord, IsInTheReport) {
   const std::string text = toText(
       mustImport("<objectgroup name='My &#27;boxes'><object id='1' width='9' height='9'/></objectgroup>").report);
-  EXPECT_NE(text.find("passed over: My  boxes\n    --objects $'My \\033boxes'\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("1 polygon: object layer My  boxes, 1 object: nothing says what it is\n    --objects $'My \\033boxes'\n"), std::string::npos) << text;
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
-// Tiles that are solid by a property, and what is suggested for a map from which nothing comes out.
+// Tiles that are solid by a property, words that say so, and what is suggested for a map from which nothing comes out.
 #include "maps.h"
 
-#include "lib/tiled/src/properties.h"
+#include "lib/tiled/src/words.h"
 
 namespace lgs::tiled {
 namespace {
@@ -55,16 +55,68 @@ TEST(TiledSolidIf, ValuesMayStandInTheElement) {
   EXPECT_EQ(cellsOf(mustImport(set + layer("L", "1,0,0,0"), options)), (std::vector<Cell>{{0, -1}}));
 }
 
-TEST(TiledProperties, NamesThatSayThatSomethingIsSolid) {
-  EXPECT_EQ(solidWord("TileCOLLISIONLayer"), "collision");
-  EXPECT_EQ(solidWord("Background"), "");
-  EXPECT_EQ(solidWord("foreground"), "");
-  EXPECT_EQ(solidWord("Background and ground"), "ground");
-  EXPECT_EQ(solidWord("Wal l"), "");
-  for (const char* name : {"collides", "Collidable", "solid", "blocking", "isObstacle", "impassable"}) {
-    EXPECT_TRUE(looksLikeCollision(name)) << name;
+/// "collision solid", "ground wall" or "-".
+std::string said(const Saying& what) {
+  return what.says == Says::nothing ? "-"
+                                    : (what.says == Says::ground ? "ground " : "collision ") + std::string(what.word);
+}
+
+TEST(TiledWords, NamesThatSayThatSomethingIsSolid) {
+  for (const auto& [name, what] : std::map<std::string, std::string>{{"TileCOLLISIONLayer", "collision collision"},
+                                                                     {"Collidables", "collision collidable"},
+                                                                     {"collides", "collision collides"},
+                                                                     {"isSolid", "collision solid"},
+                                                                     {"estSolide", "collision solid"},
+                                                                     {"blockedLayer", "collision blocked"},
+                                                                     {"isObstacle", "collision obstacle"},
+                                                                     {"impassable", "collision impassable"},
+                                                                     {"boundaries", "collision boundaries"},
+                                                                     {"collision walls", "collision collision"},
+                                                                     {"InnerWalls", "ground wall"},
+                                                                     {"innerwalls", "ground wall"},
+                                                                     {"Background and ground", "ground ground"},
+                                                                     {"floor2", "ground floor"},
+                                                                     {"Terrain/Deco", "ground terrain"},
+                                                                     {"Platforms", "ground platform"},
+                                                                     {"Plataformas", "ground plataform"},
+                                                                     {"block", "ground block"}}) {
+    EXPECT_EQ(said(saying(name)), what) << name;
   }
-  for (const char* name : {"speed", "background", "", "animated"}) EXPECT_FALSE(looksLikeCollision(name)) << name;
+}
+
+TEST(TiledWords, NamesThatAreForAnotherUse) {
+  for (const char* name : {"Background",
+                           "foreground",
+                           "Middleground",
+                           "playground",
+                           "Wal l",
+                           "firewall",
+                           "Wallpaper",
+                           "kill-collision",
+                           "GroundEffects",
+                           "groundeffects",
+                           "noncollidable",
+                           "unblockedLayer",
+                           "BG Wall",
+                           "Wall Decals",
+                           "notSolid",
+                           "NoCollision",
+                           "Light-Collisions",
+                           "camera-barrier",
+                           "MovingPlatforms",
+                           "speed",
+                           "",
+                           "animated"}) {
+    EXPECT_EQ(said(saying(name)), "-") << name;
+  }
+}
+
+TEST(TiledWords, PropertiesCanBeAboutCollision) {
+  for (const char* name : {"collidesWith", "groundSpeed", "collision_mask", "wallId", "blockType"}) {
+    EXPECT_EQ(said(sayingOfProperty(name)), "-") << name;
+  }
+  EXPECT_EQ(said(sayingOfProperty("collides")), "collision collides");
+  EXPECT_EQ(said(sayingOfProperty("is_wall")), "ground wall");
 }
 
 /// Each suggestion: "TEXT | ARGUMENTS".
@@ -83,19 +135,19 @@ TEST(TiledSuggestions, NoneIfSomethingCameOut) {
   EXPECT_TRUE(suggestionsOf(csvLayer(1, 1, "0")).empty()) << "there is nothing to take";
 }
 
-TEST(TiledSuggestions, WhatLooksLikeCollision) {
+TEST(TiledSuggestions, WhatLooksLikeCollisionIsTakenByItself) {
   const std::string tiles = "<tileset firstgid='1' tilewidth='32' tileheight='32'><tile id='0'>" +
                             property("collides", "true") + "</tile><tile id='1'>" + property("collides", "1") +
                             "</tile><tile id='2'>" + property("collides", "false") + "</tile><tile id='3'>" +
                             property("speed", "2") + "</tile></tileset>";
-  EXPECT_EQ(suggestionsOf(tiles + layer("L", "1,2,3,1")),
-            (std::vector<std::string>{"2 tiles (3 uses) with the property 'collides' | --solid-if collides"}));
+  const auto choice = [](const std::string& content) { return mustImport(content).report.choice; };
+  EXPECT_EQ(choice(tiles + layer("L", "1,2,3,1")), "tiles by a property: collides (3 tiles) (--solid-if collides)");
   EXPECT_EQ(suggestionsOf(tiles + layer("L", "4,4,0,3")),
-            (std::vector<std::string>{"2 tiles without collision shapes, in all tile layers | --solid"}));
-  EXPECT_EQ(suggestionsOf(tiles + layer("Walls", "4,4,0,3") + layer("Solid", "0,0,0,0")),
-            (std::vector<std::string>{"1 tile layer with a name that says so: Walls | --layer Walls --solid"}));
-  EXPECT_EQ(suggestionsOf(tiles + layer("L", "4,4,0,3", property("blocking", "true"))),
-            (std::vector<std::string>{"tile layers with the property 'blocking' | --solid-if blocking"}));
+            (std::vector<std::string>{"tile layer L, 75 % of the map: nothing says what it is | --layer L --solid"}));
+  EXPECT_EQ(choice(tiles + layer("Walls", "4,4,0,3") + layer("Solid", "0,0,0,0")),
+            "tile layer Walls: its name says 'wall' (--layer Walls --solid)");
+  EXPECT_EQ(choice(tiles + layer("L", "4,4,0,3", property("blocking", "true"))),
+            "tile layer L: its property 'blocking' says so (--layer L --solid)");
 }
 
 TEST(TiledSuggestions, FullSquaresOnlyWhereTheyHelp) {
@@ -103,7 +155,7 @@ TEST(TiledSuggestions, FullSquaresOnlyWhereTheyHelp) {
   options.layers = {"A"};
   const std::string shapeless = "<tileset firstgid='1' tilewidth='32' tileheight='32'/>";
   EXPECT_EQ(suggestionsOf(shapeless + layer("A", "1,1,0,0") + layer("B", "1,0,0,0"), options),
-            (std::vector<std::string>{"1 tile without collision shapes, in A | --layer A --solid"}));
+            (std::vector<std::string>{"tile layer A, 50 % of the map: nothing says what it is | --layer A --solid"}));
   const std::string open = "<object id='1'><polyline points='0,0 32,0'/></object>";
   for (const char* name : {"L", "Ground"}) {
     EXPECT_TRUE(suggestionsOf(tilesetXml({open}) + layer(name, "1,1,0,0")).empty()) << "the tile has a shape, left out";
@@ -121,10 +173,10 @@ TEST(TiledSuggestions, ObjectLayersThatWerePassedOver) {
     return "<objectgroup name='" + name + "'>" + objects + "</objectgroup>";
   };
   EXPECT_EQ(suggestionsOf(group("A", box + box) + group("B", "") + "<group name='G'>" + group("C", box) + "</group>"),
-            (std::vector<std::string>{
-                "2 object layers with 3 objects were passed over: A, G/C | --objects A --objects G/C"}));
-  EXPECT_EQ(suggestionsOf(group("A", box) + group("B", "<object id='2' name='wall' width='9' height='9'/>")),
-            (std::vector<std::string>{"1 object layer with 1 object was passed over: B | --objects B"}));
+            (std::vector<std::string>{"object layer A, 2 objects: nothing says what it is | --objects A",
+                                      "object layer G/C, 1 object: nothing says what it is | --objects G/C"}));
+  const auto named = mustImport(group("A", box) + group("B", "<object id='2' name='wall' width='9' height='9'/>"));
+  EXPECT_EQ(named.report.choice, "objects that are called wall (--objects wall)");
 }
 
 TEST(TiledSuggestions, AreInTheReport) {
@@ -136,7 +188,7 @@ TEST(TiledSuggestions, AreInTheReport) {
       "  layer My boxes  passed over, 1 object: neither its name, its class nor a property says that it is solid\n"
       "\n"
       "Nothing came out. What could be taken, and how:\n"
-      "  1 object layer with 1 object was passed over: My boxes\n"
+      "  1 polygon: object layer My boxes, 1 object: nothing says what it is\n"
       "    --objects 'My boxes'\n");
 }
 

@@ -230,7 +230,7 @@ TEST_F(Command, MapsOfEachFormatAreTakenByEachCommand) {
 constexpr const char* kNothingSolid =
     "<map orientation='orthogonal' width='2' height='1' tilewidth='16' tileheight='16'>"
     "<tileset firstgid='1' name='t' tilewidth='16' tileheight='16'><tile id='0'><properties>"
-    "<property name='solid' value='true'/></properties></tile></tileset>"
+    "<property name='hard' value='true'/></properties></tile></tileset>"
     "<layer name='l' width='2' height='1'><data encoding='csv'>1,0</data></layer>"
     "<objectgroup name='My boxes' class='one-way' visible='0'><object id='1' x='16' width='16' height='16'/>"
     "<object id='2' x='32' y='9'><polyline points='0,0 16,0'/></object></objectgroup></map>";
@@ -238,23 +238,27 @@ constexpr const char* kNothingSolid =
 TEST_F(Command, AMapWithNothingSolidIsRefusedWithWhatCouldBeTaken) {
   put("m.tmx", kNothingSolid);
   expect("import m.tmx -o m.trace", 2, "m.tmx: nothing in it is solid. What could be taken, and how:\n");
-  expect("import m.tmx -o m.trace", 2, "    lgs import m.tmx --solid-if solid\n");
+  expect("import m.tmx -o m.trace", 2,
+         "  1 polygon: tile layer l, 50 % of the map: nothing says what it is\n"
+         "    lgs import m.tmx --layer l --solid\n");
   EXPECT_FALSE(fs::exists(folder_ / "m.trace"));
   expect("import m.tmx -o m.trace --allow-empty", 0, "0 polygons");
   EXPECT_TRUE(fs::exists(folder_ / "m.trace"));
   expect("check --map m.tmx --edits 9", 2, "    lgs check --map m.tmx --objects 'My boxes'");
-  expect("import m.tmx --solid-if Solids", 2,
-         "note: no tile and no tile layer has a property 'Solids'; there is 'solid'");
-  // A hint keeps what was asked for; but not what would take away again what it adds.
-  expect("import m.tmx --layer l --visible --no-objects", 2, "    lgs import m.tmx --layer l --solid-if solid\n");
-  expect("check --map m.tmx --block class", 2, "    lgs check --map m.tmx --block class --solid-if solid\n");
+  expect("import m.tmx --solid-if Hards", 2, "note: no tile and no tile layer has a property 'Hards'; there is 'hard'");
+  // A hint keeps what was asked for.
+  expect("import m.tmx --layer l --visible --no-objects", 2,
+         "    lgs import m.tmx --layer l --solid --no-objects --visible\n");
+  expect("check --map m.tmx --block class", 2, "    lgs check --map m.tmx --block class --objects 'My boxes'\n");
 }
 
 TEST_F(Command, HintsCanBeGivenToAShell) {
   put("m.tmx",
       "<map width='2' height='1' tilewidth='16' tileheight='16'><objectgroup name='it&apos;s&#27; &#10;Bob'>"
       "<object id='1' width='16' height='16'/></objectgroup></map>");
-  expect("import m.tmx", 2, "was passed over: it's   Bob\n    lgs import m.tmx --objects $'it\\'s\\033 \\012Bob'\n");
+  expect("import m.tmx", 2,
+         "object layer it's   Bob, 1 object: nothing says what it is\n    lgs import m.tmx --objects $'it\\'s\\033 "
+         "\\012Bob'\n");
 }
 
 TEST_F(Command, ErrorsOfTheImportNameOptionsOfTheCommand) {
@@ -276,6 +280,57 @@ TEST_F(Command, ErrorsOfTheImportNameOptionsOfTheCommand) {
   expect("import m.ldtk", 2, "which lie over each other: choose one of A, B (--layer)\n");
   expect("replay m.ldtk", 2, "which lie over each other: choose one of A, B (lgs import --layer)\n");
   expect("import m.ldtk --layer A", 0, "1 polygon");
+}
+
+/// Tiles of a layer "Blocks" of which one in three has a shape.
+constexpr const char* kInPart =
+    "<map orientation='orthogonal' width='6' height='1' tilewidth='16' tileheight='16'>"
+    "<tileset firstgid='1' name='t' tilewidth='16' tileheight='16'><tile id='0'><objectgroup>"
+    "<object id='1' width='16' height='16'/></objectgroup></tile></tileset>"
+    "<layer name='Blocks' width='6' height='1'><data encoding='csv'>1,1,2,1,2,0</data></layer></map>";
+
+TEST_F(Command, WhatIsTakenInPartIsSaid) {
+  put("m.tmx", kInPart);
+  const std::string part = "tile layer Blocks, of which 3 of 5 tiles are taken";
+  expect("import m.tmx -o m.trace", 0, "m.tmx: 6×1 tiles of 16×16 px; IN PART: " + part + "\n");
+  const std::string command =
+      "  5 polygons: all of tile layer Blocks, and no other\n    lgs import m.tmx --layer Blocks --solid\n";
+  expect("import m.tmx -o m.trace", 0, "m.tmx: in part: " + part + ". What could be taken instead:\n" + command);
+  expect("check --map m.tmx --edits 9", 0, "m.tmx: in part: " + part);
+  expect("import m.tmx --layer Blocks --solid -o m.trace", 0, "5 polygons");
+}
+
+TEST_F(Command, TheSurveyIsATable) {
+  fs::create_directories(folder_ / "maps/deep");
+  put("maps/part.tmx", kInPart);
+  put("maps/deep/none.tmx", kNothingSolid);
+  put("maps/bad.tmx", "<map");
+  put("maps/set.json", R"({"type":"tileset", "name":"t", "tilewidth":16, "tileheight":16})");
+  put("maps/some.txt", "no map");
+  std::string whole = kInPart;
+  for (std::size_t at = whole.find(",2,"); at != std::string::npos; at = whole.find(",2,")) whole[at + 1] = '1';
+  put("maps/whole.tmx", whole);
+  const Outcome table = lgs("import --survey maps");
+  EXPECT_EQ(table.status, 0);
+  for (const char* row :
+       {"at once            5  maps/whole.tmx\n",
+        "in part            3  maps/part.tmx  |  tile layer Blocks, of which 3 of 5 tiles are taken\n",
+        "by command         1  maps/deep/none.tmx  |  --objects 'My boxes'\n",
+        "refused            0  maps/bad.tmx  |  maps/bad.tmx:1: ", "\n4 maps\n",
+        "     1   25 %  at once     a world at the first try\n"}) {
+    EXPECT_NE(table.text.find(row), std::string::npos) << row << table.text;
+  }
+  expect("import --survey none", 2, "none: ");
+  expect("import", 2, "MAP is required");
+}
+
+TEST_F(Command, ATableSaysWhatTilesAre) {
+  put("m.tmx", kInPart);
+  put("m.tiles", "lgs-tiles 1\n1 0 0, 1 0, 1 1\n");
+  expect("import m.tmx --tiles m.tiles -o m.trace", 0, "5 polygons (2 distinct)");
+  put("bad.tiles", "lgs-tiles 1\n\n1 half\n");
+  expect("import m.tmx --tiles bad.tiles", 2, "bad.tiles:3: should say full, none, oneway");
+  expect("import m.tmx --tiles none.tiles", 2, "none.tiles");
 }
 
 TEST_F(Command, AMapIsKnownByItsContentToo) {
@@ -304,9 +359,9 @@ TEST_F(Command, CheckTakesTheOptionsOfTheImport) {
     expect("check --map m.tmx --edits 9 " + options, 0, "no mismatch");
     return get("m.txt").substr(get("m.txt").find('\n') + 3, 10);
   };
-  EXPECT_EQ(polygons("--solid-if solid"), "1 polygon ");
+  EXPECT_EQ(polygons("--solid-if hard"), "1 polygon ");
   EXPECT_EQ(polygons("--objects 'My boxes'"), "1 polygon ");
-  EXPECT_EQ(polygons("--objects 'My boxes' --solid-if solid=true"), "2 polygons");
+  EXPECT_EQ(polygons("--objects 'My boxes' --solid-if hard=true"), "2 polygons");
   EXPECT_EQ(polygons("--solid --no-objects --layer l --tolerance 0"), "1 polygon ");
   EXPECT_EQ(polygons("--objects 'My boxes' --solid --visible"), "1 polygon ");
   EXPECT_EQ(polygons("--objects 'My boxes' --solid --polyline-thickness 4.5"), "3 polygons");

@@ -179,6 +179,29 @@ TEST(PiecesByHand, EqualPolygonsAreWorkedOutOnce) {
   EXPECT_FALSE(copy.solidPieces({20, -20}).empty()) << "a copy goes its own way";
 }
 
+TEST(PiecesByHand, UndoneAndRedone) {
+  World world;
+  place(world, {}, ramp());
+  world.commit();
+  ASSERT_TRUE(world.followCells(true));
+  Pieces pieces(world);
+  const CellRect both{{0, 0}, {1, 0}};
+  const PiecesByCell before = piecesIn(pieces, both);
+  const Mark start = world.checkpoint();
+  ASSERT_TRUE(world.clear(Cell{}));
+  place(world, {1, 0}, unitSquare());
+  world.commit();
+  EXPECT_EQ(pieces.update(world.cellChanges()).size(), 2U);
+  const PiecesByCell dug = piecesIn(pieces, both);
+  const Mark end = world.checkpoint();
+  ASSERT_TRUE(world.rollBack(start, Undone::keep));
+  EXPECT_EQ(pieces.update(world.cellChanges()).size(), 2U);
+  EXPECT_EQ(piecesIn(pieces, both), before);
+  ASSERT_TRUE(world.rollForward(end));
+  EXPECT_EQ(pieces.update(world.cellChanges()).size(), 2U);
+  EXPECT_EQ(piecesIn(pieces, both), dug);
+}
+
 TEST(PiecesByHand, OtherBlocksAreNoOtherPieces) {
   World world;
   const PolygonHandle polygon = place(world, {}, ramp(), 1);

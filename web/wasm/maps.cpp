@@ -41,7 +41,7 @@ tl::expected<std::vector<std::string>, std::string> listFolder(const std::string
   return names;
 }
 
-/// JavaScript has checked what is in the options.
+/// JavaScript has checked what is in the options, but for the table of tiles.
 tiled::Options optionsOf(const Json& json) {
   tiled::Options options;
   options.tolerance = json.value("tolerance", options.tolerance);
@@ -56,6 +56,8 @@ tiled::Options optionsOf(const Json& json) {
   options.blocks = json.value("numbers", options.blocks);
   options.layers = json.value("layers", options.layers);
   if (json.contains("objects")) options.objects = json["objects"].get<std::vector<std::string>>();
+  options.leaveOut = json.value("not", options.leaveOut);
+  options.allMaps = json.value("allMaps", false);
   options.visibleOnly = json.value("visible", false);
   options.polylineThickness = json.value("polylineThickness", 0.0);
   options.filesAnywhere = true;  // JavaScript was given the files: there are no others
@@ -76,11 +78,17 @@ void putText(std::string_view text) {
 LGS_EXPORT("importMap") std::size_t importMap(std::size_t pathBytes, std::size_t optionBytes) {
   const std::string arguments = inputText(pathBytes + optionBytes);
   const Json asked = Json::parse(arguments.substr(pathBytes), nullptr, false);
-  const auto map = tiled::importMap(arguments.substr(0, pathBytes), optionsOf(asked), readFile, listFolder);
   const auto told = [](const Json& json) {
     putText(json.dump(-1, ' ', false, Json::error_handler_t::replace));
     return answerBytes().size();
   };
+  tiled::Options options = optionsOf(asked);
+  if (asked.contains("tiles")) {
+    auto table = tiled::parseTileTable(asked["tiles"].get<std::string>());
+    if (!table) return told({{"error", "options.tiles:" + table.error()}, {"line", 0}});
+    options.tiles = std::move(*table);
+  }
+  const auto map = tiled::importMap(arguments.substr(0, pathBytes), options, readFile, listFolder);
   if (!map) return told({{"error", tiled::message(map.error())}, {"line", map.error().line}});
 
   auto& numbers = answer();
@@ -98,13 +106,14 @@ LGS_EXPORT("importMap") std::size_t importMap(std::size_t pathBytes, std::size_t
   for (const auto& tile : map->report.tiles)
     tiles.push_back({{"tileset", tile.tileset}, {"id", tile.id}, {"class", tile.className}});
   for (const auto& layer : map->report.layers) layers.push_back(layer.path);
-  for (const auto& suggestion : map->report.suggestions) suggestions.push_back(suggestion.text);
+  for (const auto& suggestion : map->report.suggestions) suggestions.push_back(std::to_string(suggestion.polygons) + " polygons: " + suggestion.text);
   return told({{"shapes", map->shapes.size()},
                {"placements", map->placements.size()},
                {"numbers", numbers.size()},
                {"blocks", map->blocks},
                {"tiles", std::move(tiles)},
                {"layers", std::move(layers)},
+               {"partial", map->report.partial},
                {"suggestions", std::move(suggestions)},
                {"report", tiled::toText(map->report)}});
 }

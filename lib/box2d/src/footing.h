@@ -32,6 +32,7 @@ class Footings {
     const auto known = known_.find(body);
     return known == known_.end() ? std::nullopt : std::optional(known->second);
   }
+  void forget(std::uint64_t body) { known_.erase(body); }
   /// Forgets bodies that are gone, if there are more than so many.
   template <class IsThere>
   void prune(std::size_t most, const IsThere& isThere) {

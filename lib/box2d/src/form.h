@@ -25,6 +25,9 @@ struct Box {
   DoublePoint max;  ///< the upper right corner; below `min` if there is nothing in the box
 };
 
+/// All places where a body may be.
+inline constexpr Box kEverywhere{{-1e15, -1e15}, {1e15, 1e15}};
+
 /// A lattice point, exactly.
 inline DoublePoint real(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 

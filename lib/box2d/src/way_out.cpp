@@ -108,10 +108,10 @@ std::optional<DoublePoint> WayOut::find() {
 }
 
 // What was in the solid before may pass through it, so it does not count.
-std::optional<Catch> catchOf(const NewGround& ground, std::vector<Form> forms, double tolerance) {
+std::optional<Catch> catchOf(const NewGround& ground, std::vector<Form> forms, Whose whose, double tolerance) {
   const auto isCaught = [&](const Form& form) { return ground.catches(form); };
   if (std::none_of(forms.begin(), forms.end(), isCaught)) return std::nullopt;
-  std::erase_if(forms, [&](const Form& form) { return !ground.wasFree(form); });
+  if (whose == Whose::free) std::erase_if(forms, [&](const Form& form) { return !ground.wasFree(form); });
   Catch found;
   for (const Form& form : forms)
     if (isCaught(form)) found.depth = std::max(found.depth, ground.depthIn(form));

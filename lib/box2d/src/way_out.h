@@ -49,8 +49,11 @@ struct Catch {
   std::optional<DoublePoint> way;  ///< out of it, if there is one
 };
 
-/// Whether new ground catches forms that were free, and how they get out.
-std::optional<Catch> catchOf(const NewGround& ground, std::vector<Form> forms, double tolerance);
+/// Whose forms may be caught: those that were free before, or all, as bodies may have been moved meanwhile.
+enum class Whose { free, all };
+
+/// Whether new ground catches forms, and how they get out.
+std::optional<Catch> catchOf(const NewGround& ground, std::vector<Form> forms, Whose whose, double tolerance);
 
 /// The way into freedom of forms that were caught before; nothing if they are to stay. `changed` is where the ground is
 /// different from before.

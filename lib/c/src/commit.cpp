@@ -61,6 +61,21 @@ lgs_status lgs_roll_back(lgs_world* world, lgs_mark mark, lgs_changes* changes, 
   return LGS_OK;
 }
 
+lgs_status lgs_roll_back_keeping(lgs_world* world, lgs_mark mark, lgs_changes* changes, lgs_error* error) noexcept {
+  if (!world) return refuse(LGS_BAD_ARGUMENT, error);
+  if (const auto done = world->world.rollBack(fromC(mark), lgs::Undone::keep); !done)
+    return refuse(done.error(), error);
+  if (changes) *changes = keep(world->world.changesOfRollBack(), world->changed);
+  return LGS_OK;
+}
+
+lgs_status lgs_roll_forward(lgs_world* world, lgs_mark mark, lgs_changes* changes, lgs_error* error) noexcept {
+  if (!world) return refuse(LGS_BAD_ARGUMENT, error);
+  if (const auto done = world->world.rollForward(fromC(mark)); !done) return refuse(done.error(), error);
+  if (changes) *changes = keep(world->world.changesOfRollBack(), world->changed);
+  return LGS_OK;
+}
+
 lgs_status lgs_forget(lgs_world* world, lgs_mark mark, lgs_error* error) noexcept {
   if (!world) return refuse(LGS_BAD_ARGUMENT, error);
   const auto done = world->world.forget(fromC(mark));

@@ -296,13 +296,12 @@ class World {
   /// edited cells, which takes time and memory in proportion to their polygons and vertices, before and now.
   [[nodiscard]] Expected<void> followCells(bool follow) noexcept;
 
-  /// The cells that the last commit, rollBack() or rollForward() changed, each once, in the order of their first change; one edit of
-  /// several cells changes them in any order. After a commit these are the cells edited since the commit or roll-back
-  /// before. After a roll-back these are the cells that were edited, and committed, since the last commit before the
-  /// mark; `now` is as of that commit, and edits that were pending at the mark are told by the next commit. So it is
-  /// after going forward, with what comes back. A cell is
-  /// named even if it holds again what it held. Empty if nothing is followed, or nothing changed. Valid until the next
-  /// edit, commit or roll-back. Cost: O(1).
+  /// The cells that the last commit, rollBack() or rollForward() changed, each once, in the order of their first
+  /// change; one edit of several cells changes them in any order. After a commit these are the cells edited since the
+  /// commit or roll-back before. After a roll-back these are the cells that were edited, and committed, since the last
+  /// commit before the mark; `now` is as of that commit, and edits that were pending at the mark are told by the next
+  /// commit. So it is after going forward, with what comes back. A cell is named even if it holds again what it held.
+  /// Empty if nothing is followed, or nothing changed. Valid until the next edit, commit or roll-back. Cost: O(1).
   std::span<const CellChange> cellChanges() const noexcept;
 
   // --- Saving -------------------------------------------------------------------------------------------------------

@@ -38,7 +38,8 @@ std::string thereAre(const std::string& value, const std::set<std::string>& valu
 
 }  // namespace
 
-AskedNames::AskedNames(const Options& options) : blockFrom_(options.blockFrom) {
+AskedNames::AskedNames(const Options& options)
+    : blockFrom_(options.blockFrom), leftOut_(options.leaveOut.begin(), options.leaveOut.end()) {
   for (const std::string& rule : options.solidIf) {
     rules_.insert(rule);
     if (const std::string name = propertyIn(rule); name != rule) values_[name];
@@ -80,6 +81,7 @@ void AskedNames::seeProperties(const Properties& properties) {
 }
 
 void AskedNames::seeClass(const std::string& className) {
+  if (!leftOut_.empty()) classes_.insert(className);
   if (blockFrom_ != BlockFrom::layer && !className.empty()) blocks_.insert(className);
 }
 
@@ -112,6 +114,12 @@ std::vector<std::string> AskedNames::notes() const {
   for (const std::string& rule : rules_) {
     const std::string text = noProperty(rule);
     if (!text.empty() && std::find(result.begin(), result.end(), text) == result.end()) result.push_back(text);
+  }
+  for (const std::string& name : leftOut_) {
+    if (!classes_.contains(name)) {
+      result.push_back("no tile and no object has the class '" + name + "', which was to be left out" +
+                       thereIs(name, classes_));
+    }
   }
   if (blockFrom_ == BlockFrom::one) {
     if (!askedBlocks_.empty()) {

@@ -35,6 +35,7 @@ class AskedNames {
   Names properties_;                     // all that were seen
   std::map<std::string, Names> values_;  // that were seen, of the properties whose value is asked for
   Names askedBlocks_, blocks_;
+  Names leftOut_, classes_;  // asked to be left out; all that were seen, if any are
 };
 
 /// Whether two names differ by upper and lower case, or by one edit: a letter more, another, or two swapped.

@@ -132,12 +132,20 @@ void settlePolyline(CollisionObject& object, double thickness) {
   }
 }
 
+bool isLeftOut(const CollisionObject& object, const Options& options) {
+  const std::vector<std::string>& names = options.leaveOut;
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return name == object.className; });
+}
+
 }  // namespace
 
 CollisionObject asAsked(CollisionObject object, const Options& options) {
+  const bool isNotAsked = isLeftOut(object, options);
   if (options.blockFrom == BlockFrom::name && !object.name.empty()) object.className = object.name;
   if (object.kind == Kind::unsupported) return object;
-  if (object.hidden && options.visibleOnly) {
+  if (isNotAsked) {
+    leaveOut(object, "it is left out, as asked");
+  } else if (object.hidden && options.visibleOnly) {
     leaveOut(object, "it is hidden");
   } else if (object.kind == Kind::polyline) {
     settlePolyline(object, options.polylineThickness);

@@ -1,5 +1,5 @@
-// One import from its beginning to its end: the map's head, the tilesets, the layers tile by tile, then the carried
-// parts, then the objects.
+// One import from its beginning to its end: the map's head, the layers tile by tile, then the carried parts, then the
+// objects.
 #include "import_one.h"
 
 #include "block_numbers.h"
@@ -7,7 +7,6 @@
 #include "object_painter.h"
 #include "placer.h"
 #include "snapping_notes.h"
-#include "suggestions.h"
 #include "tile_parts.h"
 
 #include <algorithm>
@@ -19,30 +18,40 @@
 namespace lgs::tiled {
 namespace {
 
+/// "left out, as asked: 34 uses of 'ladder'"; or nothing.
+std::string leftOutAsAsked(const Report& report) {
+  std::map<std::string, std::uint64_t> uses;
+  for (const TileReport& tile : report.tiles) {
+    if (tile.isLeftOut) uses[tile.className] += tile.uses;
+  }
+  std::string text;
+  for (const auto& [name, count] : uses) {
+    text += (text.empty() ? "left out, as asked: " : ", ") + std::to_string(count) + " uses of " + inQuotes(name);
+  }
+  return text;
+}
+
 class Import {
  public:
-  Import(const XmlFile& file, ImportJob& job, const MapPlace& place, std::optional<ImportError>& error)
+  Import(MapSource& source, ImportJob& job, std::optional<ImportError>& error)
       : options_(job.options),
-        reader_(job.reader),
-        place_(place),
+        source_(source),
         names_(job.names),
         asked_(job.asked),
         error_(error),
-        file_(file),
-        templates_(reader_),
+        file_(*source.file),
         blocks_(options_),
         tilesLeft_(job.tilesLeft),
         placementsLeft_(job.placementsLeft),
         budget_(job.budget),
         placer_(budget_),
-        objects_(file_, reader_, tilesets_, templates_, options_, budget_),
+        objects_(source_, options_, budget_),
         painter_(budget_) {
-    map_.report.file = file.name();
+    map_.report.file = file_.name();
   }
 
   tl::expected<ImportedMap, ImportError> run() {
     if (!failed()) readHead();
-    if (!failed()) tilesets_.read(file_, reader_, templates_, error_);
     if (!failed()) readLayers();
     for (const auto& [cell, entry] : carried_) {
       if (!failed()) place(cell, entry);
@@ -84,19 +93,16 @@ class Import {
   void finishReport();
 
   const Options& options_;
-  const FileReader& reader_;
-  const MapPlace& place_;
+  MapSource& source_;
   LayerNames& names_;
   AskedNames& asked_;
   std::optional<ImportError>& error_;
   const XmlFile& file_;
-  Templates templates_;
   BlockNumbers blocks_;
   std::size_t& tilesLeft_;
   std::size_t& placementsLeft_;
   Budget& budget_;
   PixelGrid grid_;
-  Tilesets tilesets_;
   std::map<std::tuple<std::uint32_t, double, double, bool>, TileParts> parts_;  // by gid, offset, full square or not
   std::unordered_map<std::uint32_t, std::uint32_t> reportIndex_;                // by tile number
   std::vector<std::pair<Cell, Placer::EntryId>> carried_;
@@ -105,18 +111,12 @@ class Import {
   MapObjects objects_;
   ObjectPainter painter_;
   std::vector<Layer> layers_;
-  Suggestions suggestions_;
   ImportedMap map_;
 };
 
 void Import::readHead() {
   constexpr std::int64_t kMaxSide = 1 << 28, kMaxPixels = 1 << 16;
   const auto root = file_.root();
-  const std::string_view orientation = root.attribute("orientation").value();
-  if (!orientation.empty() && orientation != "orthogonal") {
-    return file_.fail(
-        root, "has the orientation" + file_.quoted(" ", orientation) + ": only orthogonal maps have square cells");
-  }
   if (!(options_.tolerance >= 0 && std::isfinite(options_.tolerance))) {
     return file_.fail({}, "the tolerance should be 0 or more", "tolerance");
   }
@@ -135,7 +135,7 @@ void Import::readHead() {
 }
 
 void Import::readLayers() {
-  layers_ = listLayers(file_, options_, place_, names_);
+  layers_ = listLayers(file_, options_, source_.place, names_);
   for (const Layer& layer : layers_) {
     const auto index = static_cast<std::uint32_t>(map_.report.layers.size());
     LayerReport& report = map_.report.layers.emplace_back();
@@ -226,7 +226,7 @@ void Import::readLayer(const Layer& layer, std::uint32_t index) {
 
 void Import::placeTile(CurrentLayer& layer, std::int64_t column, std::int64_t row, std::uint32_t gid) {
   const std::uint32_t number = tileNumber(gid);
-  const Tileset* tileset = tilesets_.of(number);
+  const Tileset* tileset = source_.tilesets.of(number);
   if (!tileset) {
     ++strayTiles_;
     return;
@@ -257,7 +257,7 @@ std::vector<Import::Placeable> Import::placeables(const CurrentLayer& layer, std
   const std::uint32_t number = tileNumber(gid);
   const std::uint32_t tile = reportIndex_[number];
   std::vector<Placeable> result;
-  for (const TilePart& part : partsOf(*tilesets_.of(number), gid, layer, map_.report.tiles[tile]).parts) {
+  for (const TilePart& part : partsOf(*source_.tilesets.of(number), gid, layer, map_.report.tiles[tile]).parts) {
     const Placer::Entry entry{placer_.shape(part.part.ring), blockOf(part.className, layer.index), tile, part.object,
                               layer.index};
     result.push_back({part.part.shift, placer_.entry(entry)});
@@ -294,7 +294,7 @@ std::uint32_t Import::reportOf(const Tileset& tileset, std::uint32_t number) {
     if (tile != tileset.tiles.end()) {
       report.className = tile->second.className;
       report.hasShapes = !tile->second.objects.empty();
-      if (!report.hasShapes) suggestions_.see(at->second, tile->second.properties);
+      report.isLeftOut = tile->second.isLeftOut;
     }
   }
   return at->second;
@@ -302,9 +302,10 @@ std::uint32_t Import::reportOf(const Tileset& tileset, std::uint32_t number) {
 
 void Import::finishReport() {
   placer_.finish(map_);
-  for (const Tileset& tileset : tilesets_.all()) asked_.see(tileset);
-  for (const auto& [origin, tileset] : objects_.tilesetsOfTemplates()) asked_.see(tileset);
+  for (const Tileset& tileset : source_.tilesets.all()) asked_.see(tileset);
+  for (const auto& [origin, tileset] : source_.tilesetsOfTemplates) asked_.see(tileset);
   Report& report = map_.report;
+  if (const std::string left = leftOutAsAsked(report); !left.empty()) report.notes.push_back(left);
   if (strayTiles_ > 0) report.notes.push_back(std::to_string(strayTiles_) + " tiles belong to no tileset of the map");
   const auto sort = [](std::vector<Note>& notes) {
     std::stable_sort(notes.begin(), notes.end(), [](const Note& a, const Note& b) {
@@ -314,14 +315,12 @@ void Import::finishReport() {
   for (TileReport& tile : report.tiles) sort(tile.notes);
   for (LayerReport& layer : report.layers) sort(layer.notes);
   blocks_.report(map_);
-  if (map_.placements.empty()) report.suggestions = suggestions_.make(layers_, report);
 }
 
 }  // namespace
 
-tl::expected<ImportedMap, ImportError> importOne(const XmlFile& file, ImportJob& job, const MapPlace& place,
-                                                 std::optional<ImportError>& error) {
-  return Import(file, job, place, error).run();
+tl::expected<ImportedMap, ImportError> importOne(MapSource& source, ImportJob& job, std::optional<ImportError>& error) {
+  return Import(source, job, error).run();
 }
 
 }  // namespace lgs::tiled

@@ -1,48 +1,142 @@
-// What kind of file it is decides how it is imported.
-#include "below.h"
-#include "import_one.h"
-#include "ldtk.h"
+// An import from its beginning to its end: the files are opened, the evidence in them is weighed, the strongest choice
+// that gives a world is taken, and what else could be taken is tried.
+#include "evidence.h"
+#include "opened.h"
 
+#include <set>
 #include <utility>
 
 namespace lgs::tiled {
+namespace {
+
+using Imported = tl::expected<ImportedMap, ImportError>;
+
+class WholeImport {
+ public:
+  WholeImport(Opened& opened, const Options& options) : opened_(opened), options_(options) {}
+
+  Imported run() {
+    if (leaveChoice(options_)) takeCensus();
+    if (opened_.error()) return tl::unexpected(*opened_.error());
+    Imported map = take();
+    if (!map) return map;
+    if (map->placements.empty()) {
+      if (!leaveChoice(options_)) takeCensus();
+      offerAll(map->report);
+      opened_.forgive();
+    } else if (taken_) {
+      tellChoice(map->report);
+      offerMissed(map->report);
+    }
+    return map;
+  }
+
+ private:
+  void takeCensus() {
+    std::size_t tiles = options_.maxTiles;
+    if (!opened_.error()) facts_ = census(opened_.maps(), options_, tiles);
+    choices_ = choices(facts_, options_);
+  }
+
+  /// Takes the strongest choice that gives anything; or what the options say.
+  Imported take() {
+    for (const Choice& choice : choices_) {
+      if (!isTakenByItself(choice)) continue;
+      Imported map = import(choice.options);
+      if (!map) return map;
+      if (!map->placements.empty()) {
+        taken_ = choice;
+        return map;
+      }
+    }
+    return import(options_);
+  }
+
+  Imported import(const Options& options) {
+    std::size_t tiles = options.maxTiles, placements = options.maxPlacements;
+    return opened_.import(options, opened_.budget(), tiles, placements);
+  }
+
+  void tellChoice(Report& report) const {
+    const std::vector<std::string> arguments = choosingArguments(taken_->options);
+    if (arguments == choosingArguments(options_)) return;
+    report.choice = taken_->text + " (";
+    for (const std::string& argument : arguments)
+      report.choice += (&argument == &arguments[0] ? "" : " ") + shellWord(argument);
+    report.choice += ")";
+  }
+
+  /// How many polygons a choice gives; 0 if it cannot be had. All that is tried shares what one import may cost.
+  std::uint64_t polygonsOf(const Options& options) {
+    if (isSpent_ || tried_ == kMaxSuggestions) return 0;
+    ++tried_;
+    Budget budget = opened_.budget();
+    const Imported map = opened_.import(options, budget, tilesLeft_, placementsLeft_);
+    isSpent_ = budget.isOutOfWork() || budget.isOutOfCells();
+    if (!isSpent_) opened_.budget() = budget;
+    opened_.forgive();
+    return map ? map->placements.size() : 0;
+  }
+
+  void offer(Report& report, const Options& options, const std::string& text) {
+    std::vector<std::string> arguments = choosingArguments(options);
+    if (!offered_.insert(arguments).second) return;
+    const std::uint64_t polygons = polygonsOf(options);
+    if (polygons > 0) report.suggestions.push_back({text, std::move(arguments), polygons});
+  }
+
+  void offerAll(Report& report) {
+    if (!facts_.hidden.empty()) offerHidden(report);
+    for (const Choice& choice : choices_) offer(report, choice.options, choice.text);
+  }
+
+  /// What is hidden, if it was to be left out: all that would be taken without that.
+  void offerHidden(Report& report) {
+    Options options = options_;
+    options.visibleOnly = false;
+    std::size_t tiles = options.maxTiles;
+    std::vector<Choice> all = choices(census(opened_.maps(), options, tiles), options);
+    opened_.forgive();
+    if (!leaveChoice(options)) all.insert(all.begin(), Choice{Evidence::shapes, options, ""});
+    const std::size_t layers = facts_.hidden.size(), before = report.suggestions.size();
+    const std::string text = counted(layers, "layer") + (layers == 1 ? " is" : " are") +
+                             " hidden, and --visible leaves " + (layers == 1 ? "it" : "them") +
+                             " out: " + listed(facts_.hidden);
+    for (const Choice& choice : all) {
+      if (!isTakenByItself(choice) || report.suggestions.size() > before) continue;
+      offer(report, choice.options, text);
+    }
+  }
+
+  void offerMissed(Report& report) {
+    for (const Missed& part : missed(facts_, *taken_, options_)) {
+      report.partial += (report.partial.empty() ? "" : "; ") + part.text;
+      for (const Choice& choice : part.choices) offer(report, choice.options, choice.text);
+    }
+  }
+
+  Opened& opened_;
+  const Options& options_;
+  Facts facts_;
+  std::vector<Choice> choices_;
+  std::optional<Choice> taken_;
+  std::size_t tilesLeft_ = options_.maxTiles, placementsLeft_ = options_.maxPlacements;  // for all that is tried
+  std::size_t tried_ = 0;
+  bool isSpent_ = false;
+  std::set<std::vector<std::string>> offered_;
+};
+
+}  // namespace
 
 std::optional<Block> ImportedMap::block(const std::string& name) const {
   const auto found = blocks.find(name);
   return found == blocks.end() ? std::nullopt : std::optional(found->second);
 }
 
-tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options,
-                                                 const FileReader& reader, const FolderLister& lister) {
-  Budget budget(options);
-  const FileReader guarded = [&](const std::string& name) -> tl::expected<std::string, std::string> {
-    if (!options.filesAnywhere && name != path && !liesBelow(folderOf(path), name)) {
-      return tl::unexpected<std::string>(
-          "it is not below the map's folder. If the map can be trusted, files may lie anywhere: "
-          "Options::filesAnywhere");
-    }
-    auto text = reader(name);
-    if (text && !budget.read(text->size())) {
-      return tl::unexpected<std::string>("the files of the map are larger together than the limit (Options::maxBytes)");
-    }
-    return text;
-  };
-  std::optional<ImportError> error;
-  const XmlFile file(path, guarded, "map", error, {true, options.filesAnywhere});
-  if (error) return tl::unexpected(std::move(*error));
-  std::vector<std::string> notes;
-  Options settled = options;
-  if (file.root().attribute(kLdtkAttribute)) settleLdtk(file, settled, notes);
-  if (error) return tl::unexpected(std::move(*error));
-  ImportJob job{std::move(settled), budget, guarded, lister};
-  const bool isWorld = std::string_view(file.root().name()) == "world";
-  auto map = isWorld ? importWorld(file, job, error) : importOne(file, job, {}, error);
-  if (!map) return map;
-  job.names.checkAll(file);
-  if (error) return tl::unexpected(std::move(*error));
-  map->report.notes.insert(map->report.notes.begin(), notes.begin(), notes.end());
-  for (std::string& note : job.asked.notes()) map->report.notes.push_back(std::move(note));
-  return map;
+Imported importMap(const std::string& path, const Options& options, const FileReader& reader,
+                   const FolderLister& lister) {
+  Opened opened(path, options, reader, lister);
+  return WholeImport(opened, options).run();
 }
 
 }  // namespace lgs::tiled

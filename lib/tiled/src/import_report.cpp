@@ -31,11 +31,13 @@ Report withPlainNames(Report report) {
     makePlain(tile.notes);
   }
   for (std::string& note : report.notes) makePlain(note);
+  makePlain(report.choice);
+  makePlain(report.partial);
   for (Suggestion& suggestion : report.suggestions) makePlain(suggestion.text);
   return report;
 }
 
-std::string counted(std::uint64_t n, const char* one, const char* many) {
+std::string numbered(std::uint64_t n, const char* one, const char* many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
@@ -55,14 +57,14 @@ std::string tileName(const TileReport& tile) { return tile.tileset + " #" + std:
 /// Where a note holds; `layer` is empty if that is clear.
 std::string where(const Note& note, const std::string& layer) {
   if (note.places == 0) return {};
-  return " (" + counted(note.places, "place", "places") + (layer.empty() ? "" : " in layer " + layer) +
+  return " (" + numbered(note.places, "place", "places") + (layer.empty() ? "" : " in layer " + layer) +
          ", first in cell " + std::to_string(note.cell.i) + ", " + std::to_string(note.cell.j) + ")";
 }
 
 /// "set #4 'lava', 2 uses in layer Ground"
 std::string heading(const TileReport& tile, const Report& report) {
   std::string text = tileName(tile) + (tile.className.empty() ? "" : " '" + tile.className + "'") + ", " +
-                     counted(tile.uses, "use", "uses");
+                     numbered(tile.uses, "use", "uses");
   for (std::size_t k = 0; k < tile.layers.size(); ++k) {
     text += (k > 0                     ? ", "
              : tile.layers.size() == 1 ? " in layer "
@@ -75,16 +77,17 @@ std::string heading(const TileReport& tile, const Report& report) {
 void appendHead(const Report& report, std::string& out) {
   out += report.file + ": " + std::to_string(report.width) + "×" + std::to_string(report.height) + " tiles of " +
          std::to_string(report.tileWidth) + "×" + std::to_string(report.tileHeight) + " px" +
-         (report.infinite ? ", infinite" : "") + "\n";
-  out += "  " + counted(report.polygons, "polygon", "polygons") + " (" + std::to_string(report.shapes) +
-         " distinct) in " + counted(report.cells, "cell", "cells") + "\n";
+         (report.infinite ? ", infinite" : "") + (report.partial.empty() ? "" : "; IN PART: " + report.partial) + "\n";
+  out += "  " + numbered(report.polygons, "polygon", "polygons") + " (" + std::to_string(report.shapes) +
+         " distinct) in " + numbered(report.cells, "cell", "cells") + "\n";
+  if (!report.choice.empty()) out += "  taken: " + report.choice + "\n";
   std::size_t width = 0;
   for (const LayerReport& layer : report.layers) width = std::max(width, columns(layer.path));
   for (const LayerReport& layer : report.layers) {
     out += "  layer " + padded(layer.path, width) + "  ";
     const bool ofObjects = layer.kind == LayerKind::objects;
     const std::string holds =
-        ofObjects ? counted(layer.objects, "object", "objects") : counted(layer.tiles, "tile", "tiles");
+        ofObjects ? numbered(layer.objects, "object", "objects") : numbered(layer.tiles, "tile", "tiles");
     if (layer.imported) out += holds + (layer.note.empty() ? "" : "; ");
     if (!layer.imported) out += "passed over" + (ofObjects ? ", " + holds : "") + ": ";
     out += layer.note + "\n";
@@ -93,7 +96,7 @@ void appendHead(const Report& report, std::string& out) {
   for (const BlockReport& block : report.blocks) width = std::max(width, std::to_string(block.block).size());
   for (const BlockReport& block : report.blocks) {
     out +=
-        "  block " + padded(std::to_string(block.block), width) + "  " + counted(block.polygons, "polygon", "polygons");
+        "  block " + padded(std::to_string(block.block), width) + "  " + numbered(block.polygons, "polygon", "polygons");
     out += (block.name.empty() ? "" : "  " + block.name) + "\n";
   }
   for (const std::string& note : report.notes) out += "  note: " + note + "\n";
@@ -151,14 +154,14 @@ void appendShapeless(const Report& report, bool solid, const char* title, std::s
   std::vector<const TileReport*> shapeless;
   std::uint64_t uses = 0;
   for (const TileReport& tile : report.tiles) {
-    if (tile.hasShapes || tile.isSolid != solid) continue;
+    if (tile.hasShapes || tile.isLeftOut || tile.isSolid != solid) continue;
     shapeless.push_back(&tile);
     uses += tile.uses;
   }
   if (shapeless.empty()) return;
   constexpr std::size_t kMostNamed = 12;
-  out += std::string("\n") + title + ": " + counted(shapeless.size(), "tile", "tiles") + ", " +
-         counted(uses, "use", "uses") + "\n ";
+  out += std::string("\n") + title + ": " + numbered(shapeless.size(), "tile", "tiles") + ", " +
+         numbered(uses, "use", "uses") + "\n ";
   for (std::size_t i = 0; i < std::min(kMostNamed, shapeless.size()); ++i) {
     out += (i == 0 ? " " : ", ") + tileName(*shapeless[i]);
   }
@@ -168,9 +171,10 @@ void appendShapeless(const Report& report, bool solid, const char* title, std::s
 
 void appendSuggestions(const Report& report, std::string& out) {
   if (report.suggestions.empty()) return;
-  out += "\nNothing came out. What could be taken, and how:\n";
+  out += report.polygons == 0 ? "\nNothing came out. What could be taken, and how:\n"
+                              : "\nNot all came out. What could be taken instead, and how:\n";
   for (const Suggestion& suggestion : report.suggestions) {
-    out += "  " + suggestion.text + "\n";
+    out += "  " + numbered(suggestion.polygons, "polygon", "polygons") + ": " + suggestion.text + "\n";
     if (suggestion.arguments.empty()) continue;
     out += "   ";
     for (const std::string& argument : suggestion.arguments) out += " " + shellWord(argument);

@@ -16,7 +16,11 @@ constexpr std::int64_t kMaxSide = 1 << 28;  // of a layer, and of a chunk's plac
 class Lister {
  public:
   Lister(const XmlFile& file, const Options& options, LayerNames& names)
-      : file_(file), visibleOnly_(options.visibleOnly), objectsAreNamed_(options.objects.has_value()), names_(names) {}
+      : file_(file),
+        visibleOnly_(options.visibleOnly),
+        objectsAreNamed_(options.objects.has_value()),
+        drawnCounts_(options.solidWithoutShapes || !options.solidIf.empty()),
+        names_(names) {}
 
   struct Parent {
     Layer layer;                 // `wanted` is that of its tile layers
@@ -29,8 +33,9 @@ class Lister {
   void list(pugi::xml_node node, const Parent& parent) {
     for (const auto child : node.children()) {
       const std::string_view kind = child.name();
-      const bool group = kind == "group", tiles = kind == "layer", objects = kind == "objectgroup";
-      if (!group && !tiles && !objects && kind != "imagelayer") continue;
+      const bool isDrawn = child.attribute(kDrawnAttribute) && !drawnCounts_;
+      const bool group = kind == "group", tiles = kind == "layer" && !isDrawn, objects = kind == "objectgroup";
+      if (!group && !tiles && !objects && !isDrawn && kind != "imagelayer") continue;
       Parent self{parent.layer, parent.objectsWanted, parent.parallax || scrollsApart(child),
                   parent.hidden || !child.attribute("visible").as_bool(true), parent.depth + 1};
       self.layer.node = child;
@@ -44,7 +49,7 @@ class Lister {
       if (group || tiles) self.layer.wanted = names_.fitTiles(self.layer) || self.layer.wanted;
       if (tiles) names_.isTiles(self.layer);
       if (objects) names_.isObjects(self.layer);
-      if (child.attribute(kRemarkAttribute) && !tiles) names_.isDrawn(self.layer);
+      if (isDrawn) names_.isDrawn(self.layer);
       if (group || objects) self.objectsWanted = names_.fitObjects(self.layer) || self.objectsWanted;
       if (!group) {
         add(tiles ? LayerKind::tiles : objects ? LayerKind::objects : LayerKind::image, self);
@@ -75,14 +80,14 @@ class Lister {
     if (kind == LayerKind::objects) {
       chooseObjects(layer, self);
     } else if (kind == LayerKind::image) {
-      const auto remark = layer.node.attribute(kRemarkAttribute);
-      layer.remark = remark ? remark.value() : "an image";
+      layer.remark = layer.node.attribute(kDrawnAttribute) ? "tiles that are only drawn" : "an image";
     } else {
       layer.remark = layer.wanted ? layer.node.attribute(kRemarkAttribute).value() : "not chosen";
     }
     const auto remark = [&](const char* text) {
       layer.remark += (layer.remark.empty() ? "" : "; ") + std::string(text);
     };
+    layer.isInReach = layer.isInReach && !(self.hidden && visibleOnly_);
     if (layer.wanted && self.hidden && visibleOnly_) {
       layer.wanted = false;
       layer.hidden = true;
@@ -97,21 +102,33 @@ class Lister {
   }
 
   void chooseObjects(Layer& layer, const Parent& self) const {
+    layer.isInReach = self.layer.wanted;
     if (objectsAreNamed_) {
-      layer.wanted = self.objectsWanted;
+      if (!self.objectsWanted) chooseClasses(layer);
+      layer.wanted = self.objectsWanted || !layer.classes.empty();
       layer.remark = layer.wanted ? "chosen" : "not chosen";
+      if (!layer.classes.empty()) layer.remark += ", of a class or name";
     } else if (!self.layer.wanted) {
       layer.remark = "not chosen";
     } else {
-      layer.remark = whySolid(layer.node);
-      layer.wanted = !layer.remark.empty();
+      layer.wanted = sayingOf(layer.node, &layer.remark).says != Says::nothing;
       if (!layer.wanted) layer.remark = "neither its name, its class nor a property says that it is solid";
+    }
+  }
+
+  /// What was asked for may be a class or name that some of the objects have.
+  void chooseClasses(Layer& layer) const {
+    for (const auto object : layer.node.children("object")) {
+      for (std::string name : {classOf(object), std::string(object.attribute("name").value())}) {
+        if (!name.empty() && names_.fitObject(name)) layer.classes.insert(std::move(name));
+      }
     }
   }
 
   const XmlFile& file_;
   bool visibleOnly_;
   bool objectsAreNamed_;
+  bool drawnCounts_;  // tiles of LDtk that are only drawn
   LayerNames& names_;
   std::vector<Layer> layers_;
 };
@@ -175,6 +192,12 @@ bool LayerNames::List::fit(const Layer& layer) {
   const std::vector<std::size_t> all = fitting(layer);
   for (const std::size_t i : all) found[i] = true;
   return !all.empty();
+}
+
+bool LayerNames::List::fitName(const std::string& name) {
+  const auto at = std::find(names.begin(), names.end(), name);
+  if (at != names.end()) found[static_cast<std::size_t>(at - names.begin())] = true;
+  return at != names.end();
 }
 
 void LayerNames::List::see(const Layer& layer, const char* what) {

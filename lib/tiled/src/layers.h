@@ -4,6 +4,7 @@
 #include "xml.h"
 
 #include <functional>
+#include <set>
 
 namespace lgs::tiled {
 
@@ -13,15 +14,18 @@ struct Layer {
   std::string pathInMap;  ///< without that name
   LayerKind kind{};
   bool wanted = false;
-  bool hidden = false;  ///< it would be wanted if it, or a group that it is in, were not hidden
-  DoublePoint offset;   ///< pixels, y down; the sum of its own and those of its groups
-  std::string remark;   ///< for the report: why it is taken or passed over, or what is special about it
+  bool hidden = false;                 ///< it would be wanted if it, or a group that it is in, were not hidden
+  bool isInReach = true;               ///< of an object layer: Options::layers do not rule it out
+  DoublePoint offset;                  ///< pixels, y down; the sum of its own and those of its groups
+  std::set<std::string> classes = {};  ///< of an object layer: only objects of these classes or names; empty: all
+  std::string remark;                  ///< for the report: why it is taken or passed over, or what is special about it
 };
 
 /// The attribute of a group that is a place for layers, such as a level, and no part of their names.
 inline constexpr const char* kPlaceAttribute = "lgs:place";
 
-/// The attribute of a layer of LDtk that is only drawn, with what the report says of it.
+/// Attributes of a layer of LDtk: its tiles are only drawn; what the report says of it.
+inline constexpr const char* kDrawnAttribute = "lgs:drawn";
 inline constexpr const char* kRemarkAttribute = "lgs:remark";
 
 /// Where a map stands among others.
@@ -37,6 +41,9 @@ class LayerNames {
 
   bool fitTiles(const Layer& layer) { return tiles_.fit(layer); }
   bool fitObjects(const Layer& layer) { return objects_.fit(layer); }
+
+  /// Whether the class or the name of an object was asked for.
+  bool fitObject(const std::string& name) { return objects_.fitName(name); }
 
   /// A layer of another kind, which the error for a name names.
   void isTiles(const Layer& layer) { objects_.see(layer, "a tile layer: --layer "); }
@@ -54,6 +61,7 @@ class LayerNames {
 
     std::vector<std::size_t> fitting(const Layer& layer) const;
     bool fit(const Layer& layer);
+    bool fitName(const std::string& name);
     void see(const Layer& layer, const char* what);
     void checkAll(const XmlFile& file, const char* kind) const;
   };

@@ -32,7 +32,7 @@ DrawnLayers::Set* DrawnLayers::setOf(const JsonPlace& layer) {
 /// A layer that cannot be solid says why, for whoever asks.
 void DrawnLayers::read(const JsonPlace& layer, pugi::xml_node to) {
   const double side = reading_.number(layer["__gridSize"], 0);
-  setAttribute(to, kLdtkDrawnAttribute, "1");
+  setAttribute(to, kDrawnAttribute, "1");
   setAttribute(to, kLdtkGridAttribute, numberText(side));
   Set* const set = setOf(layer);
   if (!set) return setAttribute(to, kLdtkNotSolidAttribute, "is one layer of tiles too many to be solid");

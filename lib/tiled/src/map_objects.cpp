@@ -28,8 +28,11 @@ std::vector<MapShape> MapObjects::read(const Layer& layer) {
   std::vector<MapShape> shapes;
   const bool isOneWay = saysOneWay(layer.node);
   for (const auto node : layer.node.children("object")) {
-    CollisionObject object = readObject(map_, node, layer.offset, templates_);
+    CollisionObject object = readObject(map_, node, layer.offset, source_.templates);
     if (map_.failed()) return {};
+    if (!layer.classes.empty() && !layer.classes.contains(object.className) && !layer.classes.contains(object.name)) {
+      continue;
+    }
     object.oneWay |= isOneWay;
     object = asAsked(std::move(object), options_);
     if (object.kind == Kind::tile) {
@@ -50,10 +53,13 @@ std::vector<MapShape> MapObjects::read(const Layer& layer) {
 /// The tileset of a tile object; null if it has none. A problem is kept by the template.
 const Tileset* MapObjects::tilesetOf(const CollisionObject& object) {
   Template* const origin = object.gidFrom;
-  if (!origin) return tilesets_.of(tileNumber(object.gid));
+  if (!origin) return source_.tilesets.of(tileNumber(object.gid));
   const auto node = origin->file.root().child("tileset");
-  const auto [at, isNew] = ofTemplates_.try_emplace(origin);
-  if (isNew && node) at->second = readTileset(origin->file, node, reader_, templates_, origin->error);
+  const auto [at, isNew] = source_.tilesetsOfTemplates.try_emplace(origin);
+  if (isNew && node) {
+    at->second = readTileset(origin->file, node, source_.reader, source_.templates, origin->error);
+    settle(at->second, options_);
+  }
   return node ? &at->second : nullptr;
 }
 

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "budget.h"
-#include "layers.h"
-#include "tileset.h"
+#include "map_source.h"
 
 namespace lgs::tiled {
 
@@ -15,27 +14,20 @@ struct MapShape {
 
 class MapObjects {
  public:
-  MapObjects(const XmlFile& map, const FileReader& reader, const Tilesets& tilesets, Templates& templates,
-             const Options& options, Budget& budget)
-      : map_(map), reader_(reader), tilesets_(tilesets), templates_(templates), options_(options), budget_(budget) {}
+  MapObjects(MapSource& source, const Options& options, Budget& budget)
+      : source_(source), map_(*source.file), options_(options), budget_(budget) {}
 
   /// All shapes of an object layer, in the file's order; those for which the budget is enough.
   std::vector<MapShape> read(const Layer& layer);
-
-  /// The tilesets of templates that were read.
-  const std::map<Template*, Tileset>& tilesetsOfTemplates() const { return ofTemplates_; }
 
  private:
   void readTileObject(const CollisionObject& object, std::vector<MapShape>& shapes);
   const Tileset* tilesetOf(const CollisionObject& object);
 
+  MapSource& source_;
   const XmlFile& map_;
-  const FileReader& reader_;
-  const Tilesets& tilesets_;
-  Templates& templates_;
   const Options& options_;
   Budget& budget_;
-  std::map<Template*, Tileset> ofTemplates_;
 };
 
 }  // namespace lgs::tiled

@@ -47,29 +47,21 @@ const std::string* firstFit(const std::vector<std::string>& rules, const Propert
   return nullptr;
 }
 
-std::string_view solidWord(std::string_view name) {
-  constexpr std::array<std::string_view, 7> kWords{"collision", "collider", "solid",  "wall",
-                                                   "ground",    "terrain",  "blocked"};
-  const std::string text = lower(name);
-  for (const std::string_view word : kWords) {
-    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-      const std::string_view before = std::string_view(text).substr(0, at);
-      if (word != "ground" || !(before.ends_with("back") || before.ends_with("fore"))) return word;
-    }
-  }
-  return {};
-}
-
-std::string whySolid(pugi::xml_node node) {
-  const auto said = [](const char* what, std::string_view word) {
-    return std::string("its ") + what + " says '" + std::string(word) + "'";
+Saying sayingOf(pugi::xml_node node, std::string* why) {
+  Saying strongest;
+  const auto hear = [&](const Saying& what, const std::string& reason) {
+    if (what.says <= strongest.says) return;
+    strongest = what;
+    if (why) *why = reason;
   };
-  if (const auto word = solidWord(node.attribute("name").value()); !word.empty()) return said("name", word);
-  if (const auto word = solidWord(classOf(node)); !word.empty()) return said("class", word);
-  for (const auto& [name, value] : propertiesOf(node)) {
-    if (!solidWord(name).empty() && saysYes(value)) return "its property '" + name + "' says so";
+  const auto quoted = [](const Saying& what) { return " says '" + std::string(what.word) + "'"; };
+  const Saying name = saying(node.attribute("name").value()), type = saying(classOf(node));
+  hear(name, "its name" + quoted(name));
+  hear(type, "its class" + quoted(type));
+  for (const auto& [property, value] : propertiesOf(node)) {
+    if (saysYes(value)) hear(sayingOfProperty(property), "its property '" + property + "' says so");
   }
-  return {};
+  return strongest;
 }
 
 bool saysOneWay(pugi::xml_node node) {
@@ -77,13 +69,6 @@ bool saysOneWay(pugi::xml_node node) {
   const Properties properties = propertiesOf(node);
   return std::any_of(properties.begin(), properties.end(),
                      [](const auto& p) { return isOneWayWord(p.first) && saysYes(p.second); });
-}
-
-bool looksLikeCollision(std::string_view name) {
-  constexpr std::array<std::string_view, 5> kParts{"collid", "collis", "block", "obstacle", "impass"};
-  const std::string text = lower(name);
-  const auto isIn = [&](std::string_view part) { return text.find(part) != std::string::npos; };
-  return !solidWord(name).empty() || std::any_of(kParts.begin(), kParts.end(), isIn);
 }
 
 }  // namespace lgs::tiled

@@ -1,6 +1,7 @@
-// Custom properties, and which names say that something is solid.
+// Custom properties, and what elements say of themselves.
 #pragma once
 
+#include "words.h"
 #include "xml.h"
 
 #include <map>
@@ -24,19 +25,12 @@ std::string propertyIn(const std::string& rule);
 /// The first of some rules, "NAME" or "NAME=VALUE", that the properties fit; null if they fit none.
 const std::string* firstFit(const std::vector<std::string>& rules, const Properties& properties);
 
-/// The word in a name that says that something is solid, such as "wall" in "InnerWalls"; empty if there is none. The
-/// "ground" in "Background" and "Foreground" does not count.
-std::string_view solidWord(std::string_view name);
-
-/// What says that an element is solid: its name, its class, or a property that says yes. In words; empty if nothing
-/// does.
-std::string whySolid(pugi::xml_node node);
+/// The strongest that is said by the name of an element, its class and the properties that say yes; of equals the first.
+/// The reason in words goes into `why`.
+Saying sayingOf(pugi::xml_node node, std::string* why = nullptr);
 
 /// Whether an element says that it is one-way: its name, its class, or a property that says yes has "one-way",
 /// "platform" or "jump-through" in it, in any of the usual spellings.
 bool saysOneWay(pugi::xml_node node);
-
-/// Whether a property of this name is probably meant for collision. This takes more names than solidWord().
-bool looksLikeCollision(std::string_view name);
 
 }  // namespace lgs::tiled

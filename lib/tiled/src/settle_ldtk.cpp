@@ -8,9 +8,10 @@
 namespace lgs::tiled {
 namespace {
 
+constexpr std::int64_t kMaxCellPixels = 1 << 16;
+
 /// One cell is one tile, so the tile layers that are wanted must have one grid. Returns the side of its cells.
 double gridOf(const XmlFile& file, const std::vector<Layer>& layers) {
-  constexpr std::int64_t kMaxPixels = 1 << 16;
   const auto isWanted = [](const Layer& layer) { return layer.wanted && layer.kind == LayerKind::tiles; };
   const auto side = [](const Layer& layer) { return std::string(layer.node.attribute(kLdtkGridAttribute).value()); };
   const auto first = std::find_if(layers.begin(), layers.end(), isWanted);
@@ -23,19 +24,14 @@ double gridOf(const XmlFile& file, const std::vector<Layer>& layers) {
               "layers");
   }
   const pugi::xml_node node = first == layers.end() ? file.root() : first->node;
-  return static_cast<double>(file.integer(node, kLdtkGridAttribute, std::nullopt, 1, kMaxPixels));
+  return static_cast<double>(file.integer(node, kLdtkGridAttribute, std::nullopt, 1, kMaxCellPixels));
 }
 
-/// Without a wish for full squares, what is only drawn is no more than an image.
-void settleDrawn(pugi::xml_node parent, const Options& options) {
-  const bool isAsked = options.solidWithoutShapes || !options.solidIf.empty();
-  for (pugi::xml_node node : parent.children()) {
-    settleDrawn(node, options);
-    if (isAsked || std::string_view(node.name()) != "layer" || !node.attribute(kLdtkDrawnAttribute)) continue;
-    node.set_name("imagelayer");
-    node.remove_attribute(kRemarkAttribute);
-    setAttribute(node, kRemarkAttribute, "tiles that are only drawn");
-  }
+constexpr const char* kOtherWorld = "lgs:other-world";  // a group of a world that was not chosen
+
+void setAgain(pugi::xml_node node, const char* name, const std::string& value) {
+  node.remove_attribute(name);
+  setAttribute(node, name, value);
 }
 
 void refuseNotSolid(const XmlFile& file, const std::vector<Layer>& layers) {
@@ -57,8 +53,12 @@ std::set<std::string> wantedWorlds(const std::vector<Layer>& layers, const Optio
   return options.layers.empty() || ofTiles.empty() ? all : ofTiles;
 }
 
-/// Several worlds of a project would lie over each other. The one that was chosen stays, and the others go. Returns it.
+/// Several worlds of a project would lie over each other. The one that was chosen stays, and the others are no groups
+/// any more. Returns it.
 pugi::xml_node chooseWorld(const XmlFile& file, const Options& options) {
+  for (pugi::xml_node world = file.root().child(kOtherWorld); world; world = file.root().child(kOtherWorld)) {
+    world.set_name("group");
+  }
   LayerNames names(options);
   const std::set<std::string> worlds = wantedWorlds(listLayers(file, options, {}, names), options);
   if (worlds.size() > 1) {
@@ -70,7 +70,7 @@ pugi::xml_node chooseWorld(const XmlFile& file, const Options& options) {
   if (worlds.size() != 1) return chosen;
   for (pugi::xml_node group = root.child("group"); group;) {
     const pugi::xml_node next = group.next_sibling("group");
-    *worlds.begin() == group.attribute("name").value() ? void(chosen = group) : void(root.remove_child(group));
+    *worlds.begin() == group.attribute("name").value() ? void(chosen = group) : void(group.set_name(kOtherWorld));
     group = next;
   }
   return chosen;
@@ -78,10 +78,19 @@ pugi::xml_node chooseWorld(const XmlFile& file, const Options& options) {
 
 }  // namespace
 
+void checkGrids(const XmlFile& file, pugi::xml_node parent) {
+  for (const auto node : parent.children()) {
+    const std::string_view kind = node.name();
+    if (kind == "group") checkGrids(file, node);
+    if (kind == "layer" && !node.attribute(kDrawnAttribute)) {
+      static_cast<void>(file.integer(node, kLdtkGridAttribute, std::nullopt, 1, kMaxCellPixels));
+    }
+  }
+}
+
 void settleLdtk(const XmlFile& file, Options& options, std::vector<std::string>& notes) {
   constexpr double kMaxSide = 1 << 28;  // tiles
   pugi::xml_node root = file.root();
-  settleDrawn(root, options);
   const pugi::xml_node world = root.attribute(kLdtkWorldsAttribute) ? chooseWorld(file, options) : root;
   if (file.failed()) return;
   LayerNames names(options);
@@ -91,12 +100,12 @@ void settleLdtk(const XmlFile& file, Options& options, std::vector<std::string>&
   if (world.attribute(kLdtkDepthsAttribute)) {
     notes.push_back("levels at different depths are imported over each other: choose some by --layer");
   }
-  setAttribute(root, "tilewidth", numberText(grid));
-  setAttribute(root, "tileheight", numberText(grid));
+  setAgain(root, "tilewidth", numberText(grid));
+  setAgain(root, "tileheight", numberText(grid));
   for (const auto& [pixels, tiles] : {std::pair(kLdtkWidthAttribute, "width"), {kLdtkHeightAttribute, "height"}}) {
     const double side = std::ceil(file.real(world, pixels) / grid);
     if (!(side <= kMaxSide)) return file.fail(root, "its levels are too far apart");
-    setAttribute(root, tiles, numberText(side));
+    setAgain(root, tiles, numberText(side));
   }
   if (options.blockFrom == BlockFrom::layer) return;
   options.blockFrom = BlockFrom::tileClass;

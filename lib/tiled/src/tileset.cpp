@@ -1,5 +1,7 @@
 #include "tileset.h"
 
+#include "tile_table.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -15,6 +17,7 @@ Tile readTile(const XmlFile& file, pugi::xml_node node, Templates& templates) {
   Tile tile;
   tile.className = classOf(node);
   tile.properties = propertiesOf(node);
+  if (!tile.className.empty()) tile.properties.emplace("class", tile.className);
   const bool isOneWay = saysOneWay(node);
   const auto image = node.child("image");
   const auto side = [&](const char* attribute) {
@@ -82,8 +85,9 @@ Tile tileAt(const Tileset& tileset, std::uint32_t id) {
 }
 
 bool isSolidAsAsked(const Tile& tile, const Properties& layer, const Options& options) {
-  return tile.objects.empty() && (options.solidWithoutShapes || firstFit(options.solidIf, tile.properties) != nullptr ||
-                                  firstFit(options.solidIf, layer) != nullptr);
+  return !tile.isSettled && !tile.isLeftOut && tile.objects.empty() &&
+         (options.solidWithoutShapes || firstFit(options.solidIf, tile.properties) != nullptr ||
+          firstFit(options.solidIf, layer) != nullptr);
 }
 
 CollisionObject fullSquare(const Tile& tile) {
@@ -104,6 +108,19 @@ void Tilesets::read(const XmlFile& map, const FileReader& reader, Templates& tem
   }
   std::sort(tilesets_.begin(), tilesets_.end(),
             [](const Tileset& a, const Tileset& b) { return a.firstGid < b.firstGid; });
+}
+
+void settle(Tileset& tileset, const Options& options) {
+  reshape(tileset, options.tiles);
+  const std::vector<std::string>& names = options.leaveOut;
+  for (auto& [id, tile] : tileset.tiles) {
+    tile.isLeftOut = std::find(names.begin(), names.end(), tile.className) != names.end();
+    if (tile.isLeftOut) tile.objects.clear();
+  }
+}
+
+void Tilesets::settle(const Options& options) {
+  for (Tileset& tileset : tilesets_) tiled::settle(tileset, options);
 }
 
 const Tileset* Tilesets::of(std::uint32_t number) const {

@@ -13,6 +13,8 @@ struct Tile {
   DoublePoint size;  ///< of its image, pixels; 0: that of the tileset's tiles
   Properties properties;
   std::vector<CollisionObject> objects;  ///< from the Tile Collision Editor
+  bool isSettled = false;                ///< Options::tiles says what it is: no rule makes it a full square
+  bool isLeftOut = false;                ///< Options::leaveOut has its class
 };
 
 struct Tileset {
@@ -29,6 +31,9 @@ struct Tileset {
 /// A tile of a tileset, with the size of its image; one without shapes if the file has no <tile> for it.
 Tile tileAt(const Tileset& tileset, std::uint32_t id);
 
+/// Applies Options::tiles and Options::leaveOut.
+void settle(Tileset& tileset, const Options& options);
+
 /// Whether a tile without shapes is to be a full square. `layer` are the properties of its layer.
 bool isSolidAsAsked(const Tile& tile, const Properties& layer, const Options& options);
 
@@ -39,6 +44,9 @@ CollisionObject fullSquare(const Tile& tile);
 class Tilesets {
  public:
   void read(const XmlFile& map, const FileReader& reader, Templates& templates, std::optional<ImportError>& error);
+
+  /// Applies Options::tiles and Options::leaveOut.
+  void settle(const Options& options);
 
   const std::vector<Tileset>& all() const { return tilesets_; }
 

@@ -1,13 +1,10 @@
 // The maps of a world, side by side. Each is imported by itself; then their polygons are placed again, all together.
 #include "block_numbers.h"
 #include "import_one.h"
-#include "ldtk.h"
 #include "placer.h"
-#include "world_maps.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 namespace lgs::tiled {
@@ -15,14 +12,15 @@ namespace {
 
 class WorldImport {
  public:
-  WorldImport(const XmlFile& file, ImportJob& job, std::optional<ImportError>& error)
-      : file_(file), job_(job), error_(error), placer_(job.budget) {
+  WorldImport(const XmlFile& file, const std::vector<std::unique_ptr<MapSource>>& maps, ImportJob& job,
+              std::optional<ImportError>& error)
+      : file_(file), maps_(maps), job_(job), error_(error), placer_(job.budget) {
     all_.report.file = file.name();
   }
 
   tl::expected<ImportedMap, ImportError> run() {
-    for (const WorldMap& entry : mapsOf(file_, job_.lister, all_.report.notes)) {
-      if (!file_.failed()) read(entry);
+    for (const auto& map : maps_) {
+      if (!file_.failed()) read(*map);
       isFirst_ = false;
     }
     if (file_.failed()) return tl::unexpected(*error_);
@@ -31,8 +29,7 @@ class WorldImport {
   }
 
  private:
-  void read(const WorldMap& entry);
-  void blamePattern(const WorldMap& entry);
+  void read(MapSource& source);
   void add(const ImportedMap& map);
   std::uint32_t addTile(const TileReport& tile);
   void measure(const Report& report, DoublePoint at);
@@ -40,6 +37,7 @@ class WorldImport {
   void finish();
 
   const XmlFile& file_;
+  const std::vector<std::unique_ptr<MapSource>>& maps_;
   ImportJob& job_;
   std::optional<ImportError>& error_;
   ImportedMap all_;
@@ -49,25 +47,13 @@ class WorldImport {
   DoublePoint min_, max_;                                                 // of the maps, in tiles
 };
 
-void WorldImport::read(const WorldMap& entry) {
-  const XmlFile file(file_.pathTo(entry.name), job_.reader, "map", error_, file_.quotingOfOthers());
-  if (error_ && !file.wasRead()) {  // the world is to blame for naming it
-    std::string what = "the map's file " + error_->file + " " + error_->what;
-    error_.reset();
-    return file_.fail(entry.node, std::move(what));
-  }
-  if (file.failed()) return blamePattern(entry);
-  if (std::string_view(file.root().name()) == "world" || file.root().attribute(kLdtkAttribute)) {
-    file_.fail(entry.node, entry.name + " is no map of Tiled's");
-    return blamePattern(entry);
-  }
-  const MapPlace place{std::filesystem::path(entry.name).replace_extension().generic_string(), entry.at};
-  const auto map = importOne(file, job_, place, error_);
+void WorldImport::read(MapSource& source) {
+  const auto map = importOne(source, job_, error_);
   if (!map) return;
   const Report& report = map->report;
   if (!isFirst_ && (report.tileWidth != all_.report.tileWidth || report.tileHeight != all_.report.tileHeight)) {
-    return file_.fail(entry.node,
-                      entry.name +
+    return file_.fail(source.entry.node,
+                      source.entry.name +
                           " has tiles of another size than the maps before it. One tile becomes one cell of "
                           "the world, so all must have the same");
   }
@@ -76,14 +62,9 @@ void WorldImport::read(const WorldMap& entry) {
     all_.report.tileHeight = report.tileHeight;
     all_.report.tolerance = report.tolerance;
   }
-  measure(report, {entry.at.x / report.tileWidth, entry.at.y / report.tileHeight});
+  const DoublePoint at = source.entry.at;
+  measure(report, {at.x / report.tileWidth, at.y / report.tileHeight});
   add(*map);
-}
-
-/// A file that is no map may fit a pattern by mistake.
-void WorldImport::blamePattern(const WorldMap& entry) {
-  const std::string pattern = entry.node.attribute("regexp").value();
-  if (!pattern.empty()) error_->what += " (it fits the pattern " + inQuotes(pattern) + " of the world)";
 }
 
 void WorldImport::measure(const Report& report, DoublePoint at) {
@@ -111,7 +92,6 @@ void WorldImport::add(const ImportedMap& map) {
     if (std::find(report.notes.begin(), report.notes.end(), note) == report.notes.end()) report.notes.push_back(note);
   }
   report.infinite = report.infinite || map.report.infinite;
-  report.suggestions.insert(report.suggestions.end(), map.report.suggestions.begin(), map.report.suggestions.end());
   std::vector<std::uint32_t> shapes;
   for (const std::vector<LocalPoint>& shape : map.shapes) {
     Polygon ring;
@@ -162,14 +142,14 @@ void WorldImport::finish() {
   report.width = side(max_.x - min_.x);
   report.height = side(max_.y - min_.y);
   BlockNumbers(job_.options).report(all_);
-  if (!all_.placements.empty()) report.suggestions.clear();
 }
 
 }  // namespace
 
-tl::expected<ImportedMap, ImportError> importWorld(const XmlFile& file, ImportJob& job,
+tl::expected<ImportedMap, ImportError> importWorld(const XmlFile& file,
+                                                   const std::vector<std::unique_ptr<MapSource>>& maps, ImportJob& job,
                                                    std::optional<ImportError>& error) {
-  return WorldImport(file, job, error).run();
+  return WorldImport(file, maps, job, error).run();
 }
 
 }  // namespace lgs::tiled

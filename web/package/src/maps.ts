@@ -14,6 +14,7 @@ interface Told {
   blocks: Record<string, Block>
   tiles: { tileset: string; id: number; class: string }[]
   layers: string[]
+  partial: string
   suggestions: string[]
   report: string
 }
@@ -40,10 +41,10 @@ function lookup(files: MapFiles) {
 
 const kinds: Record<keyof ImportOptions, (v: unknown) => boolean> = {
   tolerance: Number.isFinite, polylineThickness: Number.isFinite,
-  solid: (v) => typeof v === 'boolean', visible: (v) => typeof v === 'boolean',
+  solid: (v) => typeof v === 'boolean', visible: (v) => typeof v === 'boolean', allMaps: (v) => typeof v === 'boolean',
   outside: (v) => v === 'carry' || v === 'clip',
   block: (v) => v === 'one' || v === 'class' || v === 'name' || v === 'layer',
-  solidIf: isTexts, layers: isTexts, objects: isTexts,
+  solidIf: isTexts, layers: isTexts, objects: isTexts, not: isTexts, tiles: isText,
   numbers: (v) => typeof v === 'object' && v !== null && !Array.isArray(v) &&
     Object.entries(v).every(([name, n]) => isText(name) && typeof n === 'number' && n >>> 0 === n),
 }
@@ -94,8 +95,8 @@ export function importMap(path: string, files: MapFiles, options: ImportOptions 
     object[k] = numbers[next + 5]!
     layer[k] = numbers[next + 6]!
   }
-  const { blocks, tiles, layers, suggestions, report } = told
-  return { shapes, placements, tile, object, layer, tiles, layers, blocks, suggestions, report,
+  const { blocks, tiles, layers, partial, suggestions, report } = told
+  return { shapes, placements, tile, object, layer, tiles, layers, blocks, partial, suggestions, report,
     place: (world) => place(world, shapes, placements) }
 }
 

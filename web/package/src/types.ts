@@ -268,7 +268,10 @@ export interface World {
   [Symbol.dispose](): void
 }
 
-/** How to import a map; all optional. The options of `lgs import` have the same names. */
+/**
+ * How to import a map; all optional. The options of `lgs import` have the same names. Without `solid`, `solidIf`,
+ * `objects` and `tiles` the map decides what is solid, by the strongest evidence that there is in it.
+ */
 export interface ImportOptions {
   /** Pixels: a vertex that misses a grid line by so much is put on it. Default 1. */
   tolerance?: number
@@ -284,8 +287,14 @@ export interface ImportOptions {
   numbers?: Readonly<Record<string, Block>>
   /** Tile layers to import; all by default. */
   layers?: readonly string[]
-  /** Object layers to import; by default those that say that they are solid. */
+  /** Object layers to import, or classes or names of objects. */
   objects?: readonly string[]
+  /** Classes of tiles and objects, and names of values in LDtk, to leave out. */
+  not?: readonly string[]
+  /** What tiles are by their numbers: a table as docs/maps.md describes it. */
+  tiles?: string
+  /** A map of a world that is not among the files is an error; otherwise the others are imported. */
+  allMaps?: boolean
   /** Leave out what is hidden. */
   visible?: boolean
   /** Pixels: one-way polylines become polygons of this thickness. */
@@ -306,7 +315,9 @@ export interface ImportedMap {
   readonly layers: readonly string[]
   /** The block of each class, name or layer. */
   readonly blocks: Readonly<Record<string, Block>>
-  /** If nothing came out: what in the map could be taken. */
+  /** What says that it is solid and was not taken; '' if all of it was. */
+  readonly partial: string
+  /** If nothing came out, or a part: what in the map could be taken, and how many polygons that gives. */
   readonly suggestions: readonly string[]
   /** What came in, and what was left out or changed. */
   readonly report: string

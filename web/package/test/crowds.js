@@ -40,6 +40,9 @@ export const planckCrowd = () => {
       return middles
     },
     positionOf: (body) => ({ ...body.getPosition() }),
+    namesOf: (some) => some.map((body) => bodies.indexOf(body)), // a failed comparison of bodies themselves takes minutes
+    velocityOf: (body) => ({ ...body.getLinearVelocity() }),
+    put: (body, position) => body.setTransform(position, body.getAngle()),
     isEnabled: (body) => body.isActive(),
     kick(body, x, y) {
       body.setLinearVelocity({ x, y })
@@ -64,11 +67,13 @@ export const box2dCrowd = (b2) => () => {
     return { x, y }
   }
   const shapes = (body) => b2.b2Body_GetShapes(body, b2.b2Body_GetShapeCount(body))
+  const turned = new b2.b2Rot()
   const put = (body, { x, y }) => {
-    const at = vec(x, y), { q } = b2.b2Body_GetTransform(body)
-    b2.b2Body_SetTransform(body, at, q)
+    const at = vec(x, y), transform = b2.b2Body_GetTransform(body)
+    Object.assign(turned, { c: transform.q.c, s: transform.q.s })
+    transform.delete()
+    b2.b2Body_SetTransform(body, at, turned)
     at.delete()
-    q.delete()
   }
   return {
     bodies, physics,
@@ -112,6 +117,9 @@ export const box2dCrowd = (b2) => () => {
       })
     },
     positionOf: (body) => own(b2.b2Body_GetPosition(body)),
+    namesOf: (some) => some.map(({ index1 }) => index1),
+    velocityOf: (body) => own(b2.b2Body_GetLinearVelocity(body)),
+    put,
     isEnabled: (body) => b2.b2Body_IsEnabled(body),
     kick(body, x, y) {
       const velocity = vec(x, y)

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { before, test } from 'node:test'
 import { circle, createWorld, init, unitSquare } from '../dist/index.js'
-import { OutlineLines } from '../dist/draw.js'
+import { GroundMeshes, OutlineLines, linesIn, trianglesIn } from '../dist/draw.js'
 
 before(() => init())
 
@@ -64,6 +64,97 @@ test('changes that were left out are missed', () => {
   world.commit()
   world.clear(60, 0)
   assert.throws(() => outline.update(world.commit()), /do not follow/)
+  world.free()
+})
+
+// The area of each block, by triangles and by polygons.
+function areasOfMeshes(meshes) {
+  const areas = new Map()
+  for (const { positions: p, indices, blocks } of meshes) {
+    for (let k = 0; k < indices.length; k += 3) {
+      const [a, b, c] = indices.subarray(k, k + 3)
+      const area = ((p[2 * b] - p[2 * a]) * (p[2 * c + 1] - p[2 * a + 1]) - (p[2 * c] - p[2 * a]) * (p[2 * b + 1] - p[2 * a + 1])) / 2
+      assert.ok(area >= 0, 'counter-clockwise')
+      assert.ok(blocks[a] === blocks[b] && blocks[b] === blocks[c])
+      areas.set(blocks[a], (areas.get(blocks[a]) ?? 0) + area)
+    }
+  }
+  return [...areas].sort(([a], [b]) => a - b).map(([block, area]) => [block, area.toFixed(4)])
+}
+function areasOfPolygons(world) {
+  const areas = new Map()
+  for (const { block, vertices: v } of world.polygons()) {
+    let twice = 0
+    for (let k = 0, n = v.length; k < n; k += 2) twice += v[k] * v[(k + 3) % n] - v[k + 1] * v[(k + 2) % n]
+    areas.set(block, (areas.get(block) ?? 0) + twice / 2)
+  }
+  return [...areas].sort(([a], [b]) => a - b).map(([block, area]) => [block, area.toFixed(4)])
+}
+
+test('meshes that draw the changed chunks anew cover the ground, block by block, far from the origin too', () => {
+  for (const far of [0, 2 ** 29]) {
+    const world = createWorld()
+    world.fill({ i0: far - 12, j0: -6, i1: far + 12, j1: 6 }, world.shape(unitSquare), 1)
+    world.commit()
+    const ground = new GroundMeshes(world, 4)
+    const picture = new Map(ground.all().map((mesh) => [mesh.key, mesh]))
+    assert.deepEqual(areasOfMeshes(picture.values()), [[1, (25 * 13).toFixed(4)]])
+    let random = 7
+    const next = (n) => (random = (random * 48271) % 2147483647) % n
+    const mark = world.checkpoint()
+    const show = (changes) => {
+      const updated = ground.update(changes)
+      for (const mesh of updated) mesh.indices.length === 0 ? picture.delete(mesh.key) : picture.set(mesh.key, mesh)
+      assert.deepEqual(areasOfMeshes(picture.values()), areasOfPolygons(world))
+      return updated
+    }
+    for (let k = 0; k < 20; ++k) {
+      const region = circle(far + next(28) - 14, next(16) - 8, 0.5 + next(3))
+      if (next(3) === 0) world.paint(region, 1 + next(3), 'replace')
+      else world.carve(region)
+      show(world.commit())
+    }
+    world.setBlock(world.polygons()[0].id, 9)
+    assert.equal(show(world.commit()).length, 1, 'one chunk, though no segment may have changed')
+    show(world.rollBack(mark))
+    world.clear({ i0: far - 20, j0: -20, i1: far + 20, j1: 20 })
+    show(world.commit())
+    assert.equal(picture.size, 0)
+    world.free()
+  }
+})
+
+test('meshes: when they can be made, and changes that were left out', () => {
+  const world = createWorld(), square = world.shape(unitSquare)
+  world.add(0, 0, square, 1)
+  assert.throws(() => new GroundMeshes(world), ({ code }) => code === 'uncommitted')
+  world.commit()
+  const mark = world.checkpoint()
+  assert.throws(() => new GroundMeshes(world), ({ code }) => code === 'uncommitted')
+  world.forget(mark)
+  for (const cells of [0, 1.5, '16', NaN]) {
+    assert.throws(() => new GroundMeshes(world, cells), ({ code }) => code === 'bad-argument')
+    assert.throws(() => new OutlineLines(world, cells), ({ code }) => code === 'bad-argument')
+  }
+  const ground = new GroundMeshes(world)
+  world.add(1, 0, square, 1)
+  world.commit()
+  world.add(2, 0, square, 1)
+  assert.throws(() => ground.update(world.commit()), ({ code }) => code === 'left-out')
+  world.free()
+})
+
+test('a polygon with a bay, and lines across a wide rectangle', () => {
+  const world = createWorld()
+  world.addPolygon(0, 0, [0, 0, 1, 0, 1, 1, 0.75, 1, 0.5, 0.25, 0.25, 1, 0, 1], 4)
+  world.fill({ i0: 1, j0: 0, i1: 40, j1: 0 }, world.shape(unitSquare), 4)
+  world.commit()
+  const { positions, indices, blocks } = trianglesIn(world, { i0: 0, j0: 0, i1: 0, j1: 0 })
+  assert.equal(indices.length, 15)
+  assert.deepEqual(areasOfMeshes([{ positions, indices, blocks }]), [[4, '0.8125']])
+  const [line, ...others] = linesIn(world, { i0: 0, j0: 0, i1: 99, j1: 0 })
+  assert.equal(others.length, 0)
+  assert.ok(line.length <= 20, 'straight on is one line')
   world.free()
 })
 

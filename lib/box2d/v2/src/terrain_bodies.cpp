@@ -78,20 +78,31 @@ std::vector<Form> Terrain::formsOf(const b2Body& body, const b2Transform& at) {
 
 b2Vec2 Terrain::metres(DoublePoint units) const { return {frame_.metres(units.x), frame_.metres(units.y)}; }
 
-std::vector<Caught> Terrain::find(const NewGround& ground) {
-  if (!ground.box()) return {};
-  const Place min = frame_.placeOf(ground.box()->min), max = frame_.placeOf(ground.box()->max);
+std::vector<b2Body*> Terrain::catchableIn(const Box& box) const {
   BodyCollector near;
-  physics_.QueryAABB(&near, {toBox2D(min), toBox2D(max)});
+  physics_.QueryAABB(&near, {toBox2D(frame_.placeOf(box.min)), toBox2D(frame_.placeOf(box.max))});
+  return std::move(near.bodies);
+}
+
+std::vector<Caught> Terrain::find(const NewGround& ground) {
   std::vector<Caught> caught;
-  for (b2Body* const body : near.bodies) {
-    const auto found = catchOf(ground, formsOf(*body, body->GetTransform()), frame_.units(b2_linearSlop));
-    if (!found) continue;
-    Caught one{body, frame_.metres(found->depth), found->way.has_value()};
-    if (found->way) one.way = metres(*found->way);
-    caught.push_back(one);
-  }
+  if (!ground.box()) return caught;
+  for (b2Body* const body : catchableIn(*ground.box())) addIfCaught(body, ground, Whose::free, caught);
   return caught;
+}
+
+std::vector<Caught> Terrain::findAll(const NewGround& ground) {
+  std::vector<Caught> caught;
+  for (b2Body* const body : catchableIn(kEverywhere)) addIfCaught(body, ground, Whose::all, caught);
+  return caught;
+}
+
+void Terrain::addIfCaught(b2Body* body, const NewGround& ground, Whose whose, std::vector<Caught>& caught) {
+  const auto found = catchOf(ground, formsOf(*body, body->GetTransform()), whose, frame_.units(b2_linearSlop));
+  if (!found) return;
+  Caught one{body, frame_.metres(found->depth), found->way.has_value()};
+  if (found->way) one.way = metres(*found->way);
+  caught.push_back(one);
 }
 
 std::vector<Caught> Terrain::caughtBy(const Changes& changes) {
@@ -101,12 +112,12 @@ std::vector<Caught> Terrain::caughtBy(const Changes& changes) {
 }
 
 // Those that were held before come first. So who is caught now is not tried twice.
-void Terrain::settle(const NewGround& ground, OnCaught onCaught) {
+void Terrain::settle(const std::optional<Box>& changed, OnCaught onCaught) {
   if (!held_.empty()) {
     std::unordered_set<const b2Body*> alive;  // the game may have destroyed some
     for (const b2Body* body = physics_.GetBodyList(); body != nullptr; body = body->GetNext()) alive.insert(body);
     std::erase_if(held_, [&](b2Body* body) { return !alive.contains(body) || body->IsEnabled(); });
-    std::erase_if(held_, [&](b2Body* body) { return ground.box() && release(*body, *ground.box()); });
+    std::erase_if(held_, [&](b2Body* body) { return changed && release(*body, *changed); });
   }
   for (const Caught& caught : caught_) {
     b2Body& body = *caught.body;
@@ -148,6 +159,15 @@ bool Terrain::isFree(const b2Body& body, const b2Transform& at) {
   }
   return true;
 }
+
+// Of bodies that are elsewhere since, what was noted says nothing any more.
+void Terrain::noteAll() {
+  *footings_ = {};
+  for (const b2Body* body : catchableIn(kEverywhere))
+    if (isFree(*body, body->GetTransform())) note(*body);
+}
+
+void Terrain::moved(const b2Body& body) { footings_->forget(numberOf(body)); }
 
 void Terrain::note(const b2Body& body) {
   const b2Transform& at = body.GetTransform();

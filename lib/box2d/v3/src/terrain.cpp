@@ -1,5 +1,6 @@
 #include <lgs/box2d/terrain.h>
 #include "footing.h"
+#include "form.h"
 #include "local_edge.h"
 #include "new_ground.h"
 #include "segment_shape.h"
@@ -77,15 +78,16 @@ tl::expected<void, SyncError> Terrain::sync(const Changes& changes, OnCaught onC
   const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_, changes);
   caught_ = onCaught == OnCaught::leave ? std::vector<Caught>() : find(ground);
   apply(edges_.update(world_, changes));
-  settle(ground, onCaught);
+  settle(ground.box(), onCaught);
   return {};
 }
 
 void Terrain::resync() {
   const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_);
-  caught_ = onCaught_ == OnCaught::leave ? std::vector<Caught>() : find(ground);
+  caught_ = onCaught_ == OnCaught::leave ? std::vector<Caught>() : findAll(ground);
   apply(edges_.load(world_));
-  settle(ground, onCaught_);
+  settle(kEverywhere, onCaught_);
+  noteAll();
 }
 
 Terrain::MemoryPtr Terrain::remember() const {

@@ -101,25 +101,36 @@ std::vector<Form> Terrain::formsOf(b2BodyId body, Position at, b2Rot rotation) {
 
 b2Vec2 Terrain::metres(DoublePoint units) const { return {frame_.metres(units.x), frame_.metres(units.y)}; }
 
-std::vector<Caught> Terrain::find(const NewGround& ground) {
-  if (!ground.box()) return {};
-  const DoublePoint min = ground.box()->min, max = ground.box()->max;
+std::vector<b2BodyId> Terrain::catchableIn(const Box& box) const {
   b2QueryFilter all = b2DefaultQueryFilter();
   all.categoryBits = UINT64_MAX;
   all.maskBits = UINT64_MAX;
   Collected near;
-  forEachShapeIn(physics_, toBox2D(frame_.placeOf(min)), {{0, 0}, metres({max.x - min.x, max.y - min.y})}, all,
-                 collectBody, &near);
+  forEachShapeIn(physics_, toBox2D(frame_.placeOf(box.min)),
+                 {{0, 0}, metres({box.max.x - box.min.x, box.max.y - box.min.y})}, all, collectBody, &near);
+  return std::move(near.bodies);
+}
+
+std::vector<Caught> Terrain::find(const NewGround& ground) {
   std::vector<Caught> caught;
-  for (const b2BodyId body : near.bodies) {
-    const auto found =
-        catchOf(ground, formsOf(body, b2Body_GetPosition(body), b2Body_GetRotation(body)), frame_.units(slop()));
-    if (!found) continue;
-    Caught one{body, frame_.metres(found->depth), found->way.has_value()};
-    if (found->way) one.way = metres(*found->way);
-    caught.push_back(one);
-  }
+  if (!ground.box()) return caught;
+  for (const b2BodyId body : catchableIn(*ground.box())) addIfCaught(body, ground, Whose::free, caught);
   return caught;
+}
+
+std::vector<Caught> Terrain::findAll(const NewGround& ground) {
+  std::vector<Caught> caught;
+  for (const b2BodyId body : catchableIn(kEverywhere)) addIfCaught(body, ground, Whose::all, caught);
+  return caught;
+}
+
+void Terrain::addIfCaught(b2BodyId body, const NewGround& ground, Whose whose, std::vector<Caught>& caught) {
+  const auto forms = formsOf(body, b2Body_GetPosition(body), b2Body_GetRotation(body));
+  const auto found = catchOf(ground, forms, whose, frame_.units(slop()));
+  if (!found) return;
+  Caught one{body, frame_.metres(found->depth), found->way.has_value()};
+  if (found->way) one.way = metres(*found->way);
+  caught.push_back(one);
 }
 
 std::vector<Caught> Terrain::caughtBy(const Changes& changes) {
@@ -129,9 +140,9 @@ std::vector<Caught> Terrain::caughtBy(const Changes& changes) {
 }
 
 // Those that were held before come first. So who is caught now is not tried twice.
-void Terrain::settle(const NewGround& ground, OnCaught onCaught) {
+void Terrain::settle(const std::optional<Box>& changed, OnCaught onCaught) {
   std::erase_if(held_, [&](b2BodyId body) {
-    return !b2Body_IsValid(body) || b2Body_IsEnabled(body) || (ground.box() && release(body, *ground.box()));
+    return !b2Body_IsValid(body) || b2Body_IsEnabled(body) || (changed && release(body, *changed));
   });
   for (const Caught& caught : caught_) {
     if (caught.isFree && onCaught == OnCaught::push) {
@@ -175,6 +186,15 @@ bool Terrain::isFree(b2BodyId body, Position at, b2Rot rotation) {
   }
   return true;
 }
+
+// Of bodies that are elsewhere since, what was noted says nothing any more.
+void Terrain::noteAll() {
+  *footings_ = {};
+  for (const b2BodyId body : catchableIn(kEverywhere))
+    if (isFree(body, b2Body_GetPosition(body), b2Body_GetRotation(body))) note(body);
+}
+
+void Terrain::moved(b2BodyId body) { footings_->forget(b2StoreBodyId(body)); }
 
 void Terrain::note(b2BodyId body) {
   const Position at = b2Body_GetPosition(body);

@@ -4,7 +4,7 @@
 //   if (const auto done = world.followCells(true); !done) return refused(done.error());
 //   lgs::Pieces pieces(world);                                 // reads all polygons once
 //   world.commit();
-//   for (lgs::Cell cell : pieces.update(world.cellChanges()))  // after each commit(), and after each rollBack()
+//   for (lgs::Cell cell : pieces.update(world.cellChanges()))  // after each commit(), rollBack() and rollForward()
 //     for (const lgs::Piece& piece : pieces.solidPieces(cell)) …  // these cells have other pieces now
 //
 // What a piece is:
@@ -99,10 +99,11 @@ class Pieces {
   Pieces(Pieces&&) noexcept;  ///< what was moved from can only be assigned to or destroyed
   Pieces& operator=(Pieces&&) noexcept;
 
-  /// Takes over what a commit or a roll-back changed. Returns the cells that have other pieces than before, free ones or
-  /// solid ones, each once and in the order of the changes; to another block, or by an edit that came to nothing, a cell
-  /// has none. Miss no commit. Cost: in proportion to the vertices of these cells; and for each content that no cell had
-  /// before, O(n log n) for its n vertices, and moves of at most n² words. It looks at no other cell.
+  /// Takes over what a commit, a roll-back or a roll-forward changed. Returns the cells that have other pieces than
+  /// before, free ones or solid ones, each once and in the order of the changes; to another block, or by an edit that
+  /// came to nothing, a cell has none. Miss no commit. Cost: in proportion to the vertices of these cells; and for each
+  /// content that no cell had before, O(n log n) for its n vertices, and moves of at most n² words. It looks at no
+  /// other cell.
   const std::vector<Cell>& update(std::span<const CellChange> changes) noexcept;
 
   /// The pieces of the polygons of a cell, by Piece::polygon, then by their vertices. A cell out of range has none.

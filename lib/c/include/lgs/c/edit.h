@@ -184,6 +184,20 @@ LGS_API lgs_status lgs_checkpoint(lgs_world* world, lgs_mark* mark) LGS_NOTHROW;
  * mark. */
 LGS_API lgs_status lgs_roll_back(lgs_world* world, lgs_mark mark, lgs_changes* changes, lgs_error* error) LGS_NOTHROW;
 
+/* The same, and what it undoes is kept: the later marks are ahead, and lgs_roll_forward() leads there. It takes memory
+ * until the world goes back further without keeping, goes back with keeping after an edit or another mark, or has no
+ * mark left from before. */
+LGS_API lgs_status lgs_roll_back_keeping(lgs_world* world, lgs_mark mark, lgs_changes* changes,
+                                         lgs_error* error) LGS_NOTHROW;
+
+/* Goes forward to a mark that is ahead, as if the world had not gone back beyond it: the edits and commits up to it
+ * come back with their polygon, shape and segment ids. Marks made since it went back are void; those further ahead
+ * stay ahead. `changes` is as for lgs_roll_back(). Refused: LGS_UNKNOWN_MARK, if the mark is not ahead, or if something
+ * was edited, or a shape made, since the world went back or forward, and that was not undone. Cost: as of
+ * lgs_roll_back(). */
+LGS_API lgs_status lgs_roll_forward(lgs_world* world, lgs_mark mark, lgs_changes* changes,
+                                    lgs_error* error) LGS_NOTHROW;
+
 /* Lets go of a mark. Other marks stay. Refused: LGS_UNKNOWN_MARK. */
 LGS_API lgs_status lgs_forget(lgs_world* world, lgs_mark mark, lgs_error* error) LGS_NOTHROW;
 

@@ -115,7 +115,25 @@ enum class BlockFrom : std::uint8_t {
   layer,      ///< the path of the layer, "Group/Layer", without that of its map in a world or of its level
 };
 
+/// What a tile is by the code of a game, which its maps do not say.
+struct TileShape {
+  std::vector<DoublePoint> outline;  ///< in tiles, from the tile's lower left corner, y up; empty: it is not solid
+  bool oneWay = false;               ///< the outline is an open polyline, for Options::polylineThickness
+};
+
+/// Shapes by the name of the tileset ("" for any) and the number of the tile in it, from 0.
+using TileTable = std::map<std::string, std::map<std::uint32_t, TileShape>>;
+
+/// Reads a table as docs/maps.md, "Tiles by their numbers", describes it. The error is "LINE: what is wrong".
+tl::expected<TileTable, std::string> parseTileTable(std::string_view text);
+
 /// What to import, and how. The defaults suit most maps.
+///
+/// Without solidWithoutShapes, solidIf, objects and tiles the map itself decides what is solid, by the strongest evidence
+/// that there is in it: 1. shapes of tiles, and those of object layers that say that they are solid; 2. layers, and
+/// classes of tiles and objects, that say collision; 3. properties of tiles that do; 4. layers that say ground or wall.
+/// docs/maps.md, "What is taken by itself", has the words. Report::choice says what was taken. `layers` narrows where
+/// that is looked for. With any of the four nothing is chosen: they hold, and so do the shapes of tiles.
 struct Options {
   double tolerance = 1.0;            ///< pixels, finite, 0 or more; at most a quarter of a tile is used
   Outside outside = Outside::carry;  ///< what happens to what reaches out of its cell
@@ -124,7 +142,11 @@ struct Options {
   /// Properties, "NAME" or "NAME=VALUE". A tile without any collision object is a full square if it or its layer has
   /// one of them. "NAME" alone takes any value that is not empty, "false" or "0". The report names those that no
   /// tile and no tile layer has, names and values alike.
+  /// A tile has its class as a property "class".
   std::vector<std::string> solidIf;
+
+  TileTable tiles;                    ///< shapes of tiles by their numbers; they replace those in the tileset
+  std::vector<std::string> leaveOut;  ///< classes: of tiles, values of IntGrid layers, objects. They are not solid
 
   BlockFrom blockFrom = BlockFrom::one;  ///< where blocks come from
 
@@ -139,8 +161,8 @@ struct Options {
   /// error.
   std::vector<std::string> layers;
 
-  /// Object layers to import: names or paths of layers or groups; an empty list takes none. A name that fits none is an
-  /// error. Without a list, all are taken whose name, class or property says that they are solid. If `layers` has
+  /// Object layers to import: names or paths of layers or groups, or classes or names of objects, which then are taken
+  /// from any layer; an empty list takes none. A name that fits none is an error. Without a list, all are taken whose name, class or property says that they are solid. If `layers` has
   /// names, they must also be in a group that it names.
   std::optional<std::vector<std::string>> objects;
 
@@ -155,6 +177,9 @@ struct Options {
   /// it; a name that leads out of it is an error, and so are symbolic links out of it on the disk. Errors then quote no
   /// text of files other than the map's own: a map from a stranger could name what is nobody else's business.
   bool filesAnywhere = false;
+
+  /// A map of a world that cannot be read is an error. Otherwise the report names it, and the others are imported.
+  bool allMaps = false;
 
   /// Limits. A map that goes beyond one of them is an error.
   std::size_t maxTiles = std::size_t{1} << 24;       ///< of the imported layers together, with the empty ones
@@ -226,6 +251,7 @@ struct TileReport {
   bool hasShapes = false;   ///< whether it has any collision object
   std::vector<Note> notes;  ///< sorted by kind, then object
   bool isSolid = false;     ///< it has no shapes, and is a full square as Options asked, at least in one layer
+  bool isLeftOut = false;   ///< as Options::leaveOut asked
   std::vector<std::uint32_t> layers = {};  ///< in which it is used: indices in Report::layers
 };
 
@@ -250,32 +276,40 @@ struct BlockReport {
   std::uint64_t polygons = 0;  ///< placements with this block
 };
 
-/// Something in a map that looks like collision and was not taken.
+/// Something in a map that could be taken instead of what was. It was tried.
 struct Suggestion {
-  std::string text;                    ///< "2 object layers have 14 shapes: Boxes, Doors"
-  std::vector<std::string> arguments;  ///< of `lgs import` that take it: "--objects", "Boxes". The same as in Options
+  std::string text;  ///< "tile layer Ground, 34 % of the map: its name says 'ground'"
+  std::vector<std::string>
+      arguments;               ///< of `lgs import` that choose it: "--objects", "Boxes". The same as in Options.
+                               ///< They stand for all of Options that choose, up to `visibleOnly`
+  std::uint64_t polygons = 0;  ///< how many it gives, more than none
 };
+
+/// How many suggestions there are at most, and so how often a map is imported for them.
+inline constexpr std::size_t kMaxSuggestions = 12;
 
 /// An argument as a shell takes it: in quotes if it has to be. Names come from files, so control characters have escapes.
 std::string shellWord(std::string_view argument);
 
 /// What came in, and what was left out or changed: toText() writes it.
 struct Report {
-  std::string file;                     ///< the map
-  int width = 0;                        ///< of the map, tiles; what its file says
-  int height = 0;                       ///< of the map, tiles
-  int tileWidth = 0;                    ///< of the grid, in pixels
-  int tileHeight = 0;                   ///< of the grid, in pixels
-  bool infinite = false;                ///< whether the map has no size of its own
-  double tolerance = 0;                 ///< pixels, as used
-  std::uint64_t cells = 0;              ///< that hold a polygon
-  std::uint64_t polygons = 0;           ///< placements
-  std::uint64_t shapes = 0;             ///< distinct polygons
-  std::vector<LayerReport> layers;      ///< all of the map, in its order
-  std::vector<BlockReport> blocks;      ///< that are used, by number
-  std::vector<TileReport> tiles;        ///< that are used, in the order of their first use
-  std::vector<std::string> notes;       ///< about the map as a whole
-  std::vector<Suggestion> suggestions;  ///< if nothing came out: what could be taken
+  std::string file;                 ///< the map
+  int width = 0;                    ///< of the map, tiles; what its file says
+  int height = 0;                   ///< of the map, tiles
+  int tileWidth = 0;                ///< of the grid, in pixels
+  int tileHeight = 0;               ///< of the grid, in pixels
+  bool infinite = false;            ///< whether the map has no size of its own
+  double tolerance = 0;             ///< pixels, as used
+  std::uint64_t cells = 0;          ///< that hold a polygon
+  std::uint64_t polygons = 0;       ///< placements
+  std::uint64_t shapes = 0;         ///< distinct polygons
+  std::vector<LayerReport> layers;  ///< all of the map, in its order
+  std::vector<BlockReport> blocks;  ///< that are used, by number
+  std::vector<TileReport> tiles;    ///< that are used, in the order of their first use
+  std::vector<std::string> notes;   ///< about the map as a whole
+  std::string choice;               ///< what was taken by itself, and why; empty if shapes of tiles were, or nothing
+  std::string partial;              ///< what says that it is solid and was not taken; empty if all of it was
+  std::vector<Suggestion> suggestions;  ///< if nothing came out, or `partial`: what could be taken, the likeliest first
 };
 
 /// The report for a terminal: what came in, then what was left out and what was changed, tile by tile. Control

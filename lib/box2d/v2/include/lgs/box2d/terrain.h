@@ -37,6 +37,7 @@ class NewGround;
 struct Box;
 struct Footing;
 struct Form;
+enum class Whose;
 
 /// What a block is like. The defaults are Box2D's.
 struct Material {
@@ -130,6 +131,10 @@ class Terrain {
   /// of a body that is awake.
   const std::vector<b2Body*>& afterStep();
 
+  /// Call it when the game itself has put a body elsewhere, through a portal or to where it starts anew: else it seems
+  /// to have come through the ground that is between, and afterStep() puts it back. Not needed before resync().
+  void moved(const b2Body& body);
+
   /// Whether the ground, as of the last commit, reaches into no fixture of a body by more than Box2D's slop, where it
   /// is or as if it were at another place.
   bool fits(const b2Body& body);
@@ -139,14 +144,15 @@ class Terrain {
   /// somewhat larger.
   std::vector<std::vector<Point>> outlinesOf(const b2Body* body);
 
-  /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world: changes
-  /// were left out, or another world was assigned to it, loaded or copied. Fixtures that are right as they are stay,
-  /// and bodies on them sleep on. Cost: O(segments).
+  /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world:
+  /// changes were left out, or another world was assigned to it, loaded or copied. Bodies may have been moved
+  /// meanwhile: whoever is in the ground is pushed or held, however it came there; and whoever is held and free is
+  /// held no more. Fixtures that are right as they are stay, and bodies on them sleep on. Cost: O(segments).
   void resync();
 
-  /// Asks TerrainOptions::material again for all blocks, as what blocks are like has changed; and syncs as resync() does.
-  /// The fixtures of blocks that are another material now are made anew, so what rests there wakes up. Nobody is pushed out
-  /// of a block that was passable and is solid now. Cost: O(segments).
+  /// Asks TerrainOptions::material again for all blocks, as what blocks are like has changed; and syncs as resync()
+  /// does. The fixtures of blocks that are another material now are made anew, so what rests there wakes up. Nobody is
+  /// pushed out of a block that was passable and is solid now. Cost: O(segments).
   void materialsChanged();
 
   /// Whether the terrain is up to date with the last commit.
@@ -172,9 +178,9 @@ class Terrain {
 
   /// The first piece of the outline that a ray meets from outside, as of the last commit; nothing if it meets none, is
   /// longer than kMaxRay cells on an axis, or has an end beyond the last cell. It is exact but for its ends, which are
-  /// rounded to the lattice. A ray of Box2D leaks where segments were too short for an edge; this one does not. It looks
-  /// at no filter and at no body: for what stands before the ground cast a ray of Box2D as well, and take the nearer
-  /// hit. Cost: as of World::rayCast().
+  /// rounded to the lattice. A ray of Box2D leaks where segments were too short for an edge; this one does not. It
+  /// looks at no filter and at no body: for what stands before the ground cast a ray of Box2D as well, and take the
+  /// nearer hit. Cost: as of World::rayCast().
   std::optional<GroundRayHit> rayCast(const b2Vec2& from, const b2Vec2& to) const;
 
   /// The bodies that reach into a rectangle of cells, but for the terrain's; each once, in no particular order. Sensors
@@ -223,12 +229,16 @@ class Terrain {
   bool isAlone() const { return static_cast<std::size_t>(physics_.GetBodyCount()) <= bodyCount_; }
   std::vector<Form> formsOf(const b2Body& body, const b2Transform& at);
   b2Vec2 metres(DoublePoint units) const;
+  std::vector<b2Body*> catchableIn(const Box& box) const;
   std::vector<Caught> find(const NewGround& ground);
-  void settle(const NewGround& ground, OnCaught onCaught);
+  std::vector<Caught> findAll(const NewGround& ground);
+  void addIfCaught(b2Body* body, const NewGround& ground, Whose whose, std::vector<Caught>& caught);
+  void settle(const std::optional<Box>& changed, OnCaught onCaught);
   bool release(b2Body& body, const Box& changed);
   void push(b2Body& body, const b2Vec2& way);
   bool isFree(const b2Body& body, const b2Transform& at);
   bool hasCrossed(const b2Body& body, const Footing& last);
+  void noteAll();
   void note(const b2Body& body);
   b2Transform transformOf(const Footing& footing) const;
   void putBack(b2Body& body, const Footing& footing);

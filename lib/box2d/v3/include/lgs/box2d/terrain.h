@@ -37,6 +37,7 @@ class NewGround;
 struct Box;
 struct Footing;
 struct Form;
+enum class Whose;
 
 /// A place in the physics world: b2Pos, which is b2Vec2 unless Box2D was built with BOX2D_DOUBLE_PRECISION. Before 3.2
 /// Box2D has b2Vec2 alone.
@@ -149,6 +150,10 @@ class Terrain {
   /// of a body that is awake.
   const std::vector<b2BodyId>& afterStep();
 
+  /// Call it when the game itself has put a body elsewhere, through a portal or to where it starts anew: else it seems
+  /// to have come through the ground that is between, and afterStep() puts it back. Not needed before resync().
+  void moved(b2BodyId body);
+
   /// Whether the ground, as of the last commit, reaches into no shape of a body by more than Box2D's slop, where it
   /// is or as if it were at another place.
   bool fits(b2BodyId body);
@@ -158,18 +163,19 @@ class Terrain {
   /// somewhat larger.
   std::vector<std::vector<Point>> outlinesOf(b2BodyId body);
 
-  /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world: changes
-  /// were left out, or another world was assigned to it, loaded or copied. Shapes that are right as they are stay, and
-  /// bodies on them sleep on. Cost: O(segments).
+  /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world:
+  /// changes were left out, or another world was assigned to it, loaded or copied. Bodies may have been moved
+  /// meanwhile: whoever is in the ground is pushed or held, however it came there; and whoever is held and free is
+  /// held no more. Shapes that are right as they are stay, and bodies on them sleep on. Cost: O(segments).
   void resync();
 
   /// What recall() needs to bring the terrain back to now, and nobody else can read. For this terrain alone.
   class Memory;
   using MemoryPtr = std::shared_ptr<const Memory>;
 
-  /// b2World_Restore() brings back the shapes of the terrain, but not what they stand for. So remember beside a snapshot
-  /// of the physics and a mark of the world, all three between two steps and with nothing left to sync; and recall when
-  /// both are back:
+  /// b2World_Restore() brings back the shapes of the terrain, but not what they stand for. So remember beside a
+  /// snapshot of the physics and a mark of the world, all three between two steps and with nothing left to sync; and
+  /// recall when both are back:
   ///
   ///   const lgs::Mark mark = world.checkpoint();
   ///   const auto memory = terrain.remember();            // beside b2World_Snapshot()
@@ -178,14 +184,14 @@ class Terrain {
   ///   world.rollBack(mark);
   ///   terrain.recall(memory);                            // and no sync
   ///
-  /// From then on all goes on as it did, to the last bit. User data of the game's own bodies and shapes are not brought
-  /// back: Box2D sets them to null. Cost: O(segments), 10 to 20 µs for a thousand.
+  /// From then on all goes on as it did, to the last bit. User data of the game's own bodies and shapes are not
+  /// brought back: Box2D sets them to null. Cost: O(segments), 10 to 20 µs for a thousand.
   MemoryPtr remember() const;
   void recall(const MemoryPtr& memory);  ///< see remember()
 
-  /// Asks TerrainOptions::material again for all blocks, as what blocks are like has changed; and syncs as resync() does.
-  /// The shapes of blocks that are another material now are made anew, so what rests there wakes up. Nobody is pushed out
-  /// of a block that was passable and is solid now. Cost: O(segments).
+  /// Asks TerrainOptions::material again for all blocks, as what blocks are like has changed; and syncs as resync()
+  /// does. The shapes of blocks that are another material now are made anew, so what rests there wakes up. Nobody is
+  /// pushed out of a block that was passable and is solid now. Cost: O(segments).
   void materialsChanged();
 
   /// Whether the terrain is up to date with the last commit.
@@ -217,9 +223,9 @@ class Terrain {
 
   /// The first piece of the outline that a ray meets from outside, as of the last commit; nothing if it meets none, is
   /// longer than kMaxRay cells on an axis, or has an end beyond the last cell. It is exact but for its ends, which are
-  /// rounded to the lattice. A ray of Box2D leaks where segments were too short for an edge; this one does not. It looks
-  /// at no filter and at no body: for what stands before the ground cast a ray of Box2D as well, and take the nearer
-  /// hit. Cost: as of World::rayCast().
+  /// rounded to the lattice. A ray of Box2D leaks where segments were too short for an edge; this one does not. It
+  /// looks at no filter and at no body: for what stands before the ground cast a ray of Box2D as well, and take the
+  /// nearer hit. Cost: as of World::rayCast().
   std::optional<GroundRayHit> rayCast(Position from, Position to) const;
 
   /// The bodies that reach into a rectangle of cells, but for the terrain's; each once, in no particular order. Sensors
@@ -264,12 +270,16 @@ class Terrain {
   bool isAlone() const;
   std::vector<Form> formsOf(b2BodyId body, Position at, b2Rot rotation);
   b2Vec2 metres(DoublePoint units) const;
+  std::vector<b2BodyId> catchableIn(const Box& box) const;
   std::vector<Caught> find(const NewGround& ground);
-  void settle(const NewGround& ground, OnCaught onCaught);
+  std::vector<Caught> findAll(const NewGround& ground);
+  void addIfCaught(b2BodyId body, const NewGround& ground, Whose whose, std::vector<Caught>& caught);
+  void settle(const std::optional<Box>& changed, OnCaught onCaught);
   bool release(b2BodyId body, const Box& changed);
   void push(b2BodyId body, b2Vec2 way);
   bool isFree(b2BodyId body, Position at, b2Rot rotation);
   bool hasCrossed(b2BodyId body, const Footing& last);
+  void noteAll();
   void note(b2BodyId body);
   void apply(const EdgeChanges& changes);
   void create(EdgeId id);

@@ -1,0 +1,157 @@
+#include "census.h"
+
+#include "ldtk.h"
+#include "object_outline.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+namespace lgs::tiled {
+namespace {
+
+constexpr std::size_t kMostValue = 32;  // bytes of a value that can be a word
+
+/// Columns and rows of tiles that are not empty.
+struct TileBox {
+  std::int64_t left = 0, right = 0, top = 0, bottom = 0;
+  bool isEmpty = true;
+
+  void add(std::int64_t column, std::int64_t row) {
+    left = isEmpty ? column : std::min(left, column);
+    right = isEmpty ? column : std::max(right, column);
+    top = isEmpty ? row : std::min(top, row);
+    bottom = isEmpty ? row : std::max(bottom, row);
+    isEmpty = false;
+  }
+
+  std::uint64_t cells() const {
+    return isEmpty ? 0 : static_cast<std::uint64_t>((right - left + 1) * (bottom - top + 1));
+  }
+};
+
+/// The rule that takes tiles with a property; empty if it says nothing.
+std::pair<std::string, Says> ruleOf(const std::string& name, const std::string& value) {
+  if (name.find('=') != std::string::npos || !saysYes(value)) return {};
+  if (const Says says = sayingOfProperty(name).says; says != Says::nothing) return {name, says};
+  const Says says = value.size() > kMostValue ? Says::nothing : saying(value).says;
+  return {says == Says::nothing ? "" : name + "=" + value, says};
+}
+
+class Census {
+ public:
+  Census(const Options& options, std::size_t& tilesLeft) : options_(options), tilesLeft_(tilesLeft) {
+    options_.solidWithoutShapes = true;  // so that layers which are only drawn are tile layers
+    options_.objects = std::nullopt;
+  }
+
+  void take(const MapSource& map) {
+    LayerNames names(options_);
+    facts_.isLdtk = map.file->root().attribute(kLdtkAttribute);
+    box_ = {};
+    boxed_.clear();
+    for (const Layer& layer : listLayers(*map.file, options_, map.place, names)) {
+      if (map.file->failed()) return;
+      if (layer.hidden) facts_.hidden.push_back(layer.path);
+      if (layer.kind == LayerKind::tiles && layer.wanted) takeTiles(map, layer);
+      if (layer.kind == LayerKind::objects && layer.isInReach) takeObjects(map, layer);
+    }
+    for (const std::size_t at : boxed_) facts_.layers[at].cells += box_.cells();
+  }
+
+  Facts finish() { return std::move(facts_); }
+
+ private:
+  std::size_t factsOf(const Layer& layer) {
+    const auto [at, isNew] = known_.try_emplace({layer.kind, layer.pathInMap}, facts_.layers.size());
+    if (!isNew) return at->second;
+    LayerFacts& facts = facts_.layers.emplace_back();
+    facts.name = layer.pathInMap;
+    facts.kind = layer.kind;
+    facts.saying = sayingOf(layer.node, &facts.why);
+    facts.isForOther = isForOtherUse(layer.node.attribute("name").value());
+    facts.isDrawn = layer.node.attribute(kDrawnAttribute);
+    return at->second;
+  }
+
+  void takeTiles(const MapSource& map, const Layer& layer) {
+    if (layer.node.attribute(kLdtkNotSolidAttribute)) return;
+    const std::size_t at = factsOf(layer);
+    std::unordered_map<std::uint32_t, std::uint64_t> uses;
+    readTiles(*map.file, layer, tilesLeft_, [&](std::int64_t column, std::int64_t row, std::uint32_t gid) {
+      ++uses[tileNumber(gid)];
+      box_.add(column, row);
+    });
+    const auto side = [&](const char* name) { return layer.node.attribute(name).as_ullong(); };
+    if (layer.node.child("data").child("chunk")) {
+      boxed_.push_back(at);
+    } else {
+      facts_.layers[at].cells += side("width") * side("height");
+    }
+    for (const auto& [number, count] : uses) takeTile(map, facts_.layers[at], number, count);
+  }
+
+  void takeTile(const MapSource& map, LayerFacts& facts, std::uint32_t number, std::uint64_t uses) {
+    facts.tiles += uses;
+    const Tileset* const tileset = map.tilesets.of(number);
+    if (!tileset) return;
+    const auto found = tileset->tiles.find(number - tileset->firstGid);
+    if (found == tileset->tiles.end()) {
+      facts.bare += uses;
+      return;
+    }
+    const Tile& tile = found->second;
+    const auto hasArea = [&](const CollisionObject& object) {
+      const auto kind = asAsked(object, options_).kind;
+      return kind != CollisionObject::Kind::unsupported && kind != CollisionObject::Kind::tile;
+    };
+    if (std::any_of(tile.objects.begin(), tile.objects.end(), hasArea)) facts.shaped += uses;
+    if (!tile.objects.empty() || tile.isSettled || tile.isLeftOut) return;
+    facts.bare += uses;
+    for (const auto& [name, value] : tile.properties) {
+      const auto [rule, says] = ruleOf(name, value);
+      if (rule.empty()) continue;
+      RuleFacts& known = facts_.rules[rule];
+      known.says = says;
+      known.uses += uses;
+      known.layers[facts.name] += uses;
+    }
+  }
+
+  void takeObjects(const MapSource& map, const Layer& layer) {
+    LayerFacts& facts = facts_.layers[factsOf(layer)];
+    for (const auto node : layer.node.children("object")) {
+      const auto polyline = node.child("polyline");
+      const bool isLine = polyline && map.file->points(polyline, "points").size() > 0 && !isClosed(*map.file, polyline);
+      facts.lines += isLine;
+      if (isLine || node.child("point") || node.child("text")) continue;
+      ++facts.objects;
+      facts.named += *node.attribute("name").value() != 0 || !classOf(node).empty();
+      for (const std::string& name : {classOf(node), std::string(node.attribute("name").value())}) {
+        if (const Saying said = saying(name); said.says != Says::nothing) facts.classes[name] = said;
+      }
+    }
+  }
+
+  static bool isClosed(const XmlFile& file, pugi::xml_node polyline) {
+    const std::vector<DoublePoint> points = file.points(polyline, "points");
+    return points.size() > 3 && points.front().x == points.back().x && points.front().y == points.back().y;
+  }
+
+  Options options_;
+  std::size_t& tilesLeft_;
+  Facts facts_;
+  std::map<std::pair<LayerKind, std::string>, std::size_t> known_;
+  TileBox box_;                     // of all tile layers of one map
+  std::vector<std::size_t> boxed_;  // layers of one map that have no rectangle of their own
+};
+
+}  // namespace
+
+Facts census(const std::vector<std::unique_ptr<MapSource>>& maps, const Options& options, std::size_t& tilesLeft) {
+  Census result(options, tilesLeft);
+  for (const auto& map : maps) result.take(*map);
+  return result.finish();
+}
+
+}  // namespace lgs::tiled

@@ -1,0 +1,62 @@
+// What speaks for each layer, class and property of a map, and what follows from it: which of them are taken by
+// themselves, and what is offered. It knows facts alone, and no files.
+#pragma once
+
+#include "census.h"
+
+namespace lgs::tiled {
+
+/// Whether a layer fills so much of its rectangle that its tiles are not solid: it is what one walks on, seen from
+/// above, or a background. A layer that says collision may be crowded, but not full: then its tiles mean free as well.
+inline bool isFull(const LayerFacts& layer) {
+  return layer.share() >= (layer.saying.says == Says::collision ? 0.99 : 0.8);
+}
+
+/// "1 tile", "2 tiles"
+inline std::string counted(std::uint64_t n, const std::string& what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+/// "A, B, C and 4 more"
+std::string listed(const std::vector<std::string>& names);
+
+/// The groups of evidence, the strongest first. Those of one group are taken together, and those of two never are.
+enum class Evidence : std::uint8_t {
+  shapes,       ///< of tiles, with those of object layers that say that they are solid
+  collision,    ///< layers, and classes of objects, that say collision
+  properties,   ///< of tiles, that say so
+  ground,       ///< layers, and classes of objects, that say ground or wall
+  objectLayer,  ///< nothing but objects with an area; it is offered and not taken
+  tileLayer,    ///< nothing but tiles; likewise
+};
+
+/// A choice that could be made.
+struct Choice {
+  Evidence evidence{};
+  Options options;   ///< those of the user, with the choice
+  std::string text;  ///< what it takes, and what speaks for it
+};
+
+/// All choices, the strongest first.
+std::vector<Choice> choices(const Facts& facts, const Options& options);
+
+/// Whether a choice may be made without a wish of the user's.
+inline bool isTakenByItself(const Choice& choice) { return choice.evidence <= Evidence::ground; }
+
+/// What says that it is solid and is not in a choice, or only in small part.
+struct Missed {
+  std::string text;             ///< "tile layer Blocks, of which 211 of 349 tiles are taken"
+  std::vector<Choice> choices;  ///< that would take it
+};
+std::vector<Missed> missed(const Facts& facts, const Choice& taken, const Options& options);
+
+/// Those of the options that choose what is solid, as arguments of `lgs import`.
+std::vector<std::string> choosingArguments(const Options& options);
+
+/// All of a tile layer, and no other one.
+Options wholeLayer(const LayerFacts& layer, const Options& options);
+
+/// Whether the options leave the choice to the map.
+bool leaveChoice(const Options& options);
+
+}  // namespace lgs::tiled

@@ -1,0 +1,92 @@
+// What says that it is solid and is not in a choice.
+#include "evidence.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lgs::tiled {
+namespace {
+
+/// How many tiles of a layer a choice takes.
+std::uint64_t taken(const LayerFacts& layer, const Facts& facts, const Options& options) {
+  const std::vector<std::string>& layers = options.layers;
+  if (!layers.empty() && std::find(layers.begin(), layers.end(), layer.name) == layers.end()) return 0;
+  if (options.solidWithoutShapes) return layer.tiles;
+  std::uint64_t tiles = layer.shaped;
+  for (const std::string& rule : options.solidIf) {
+    const auto known = facts.rules.find(rule);
+    if (known == facts.rules.end()) continue;
+    const auto uses = known->second.layers.find(layer.name);
+    if (uses != known->second.layers.end()) tiles += uses->second;
+  }
+  return std::min(tiles, layer.tiles);
+}
+
+bool isTaken(const LayerFacts& objects, const Options& options) {
+  if (!options.objects) return options.layers.empty();  // then those that say something are
+  return std::find(options.objects->begin(), options.objects->end(), objects.name) != options.objects->end();
+}
+
+/// Whether a layer that says so must be in a choice, or is only weaker evidence beside it.
+bool isDue(const LayerFacts& layer, const Choice& choice) {
+  if (layer.saying.says == Says::collision) return true;
+  const bool isWeaker = choice.evidence == Evidence::shapes || choice.evidence == Evidence::properties;
+  if (layer.saying.says != Says::ground || !isWeaker) return false;
+  return layer.kind == LayerKind::objects || layer.saying.word == "wall" || layer.saying.word == "block" ||
+         layer.saying.word.starts_with("plat");
+}
+
+Missed missedTiles(const LayerFacts& layer, std::uint64_t tiles, const Choice& choice, const Options& options) {
+  Missed result{"tile layer " + layer.name + ", of which " + std::to_string(tiles) + " of " +
+                    counted(layer.tiles, "tile") + " are taken",
+                {}};
+  if (tiles == 0 && !choice.options.layers.empty()) {
+    Options more = choice.options;
+    more.layers.push_back(layer.name);
+    result.choices.push_back({choice.evidence, more, "the same with tile layer " + layer.name});
+  } else {
+    const std::string text = "all of tile layer " + layer.name + ", and no other";
+    result.choices.push_back({choice.evidence, wholeLayer(layer, options), text});
+  }
+  return result;
+}
+
+Missed missedObjects(const LayerFacts& layer, const Choice& choice) {
+  Missed result{"object layer " + layer.name + ", of which nothing is taken", {}};
+  Options more = choice.options;
+  if (!more.objects) more.objects.emplace();
+  more.objects->push_back(layer.name);
+  result.choices.push_back({choice.evidence, more, "the same with object layer " + layer.name});
+  return result;
+}
+
+/// Open polylines have no area. Those that are one-way can be made thick.
+Missed missedLines(const LayerFacts& layer, const Choice& choice, const Options& options) {
+  constexpr double kThickness = 4;  // pixels
+  Missed result{"object layer " + layer.name + ", of which " + counted(layer.lines, "open polyline") + " are left out",
+                {}};
+  Options thick = choice.evidence == Evidence::shapes ? options : choice.options;
+  thick.polylineThickness = kThickness;
+  result.choices.push_back({choice.evidence, thick, "the same with the polylines that are one-way"});
+  return result;
+}
+
+}  // namespace
+
+std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Options& options) {
+  std::vector<Missed> result;
+  for (const LayerFacts& layer : facts.layers) {
+    if (!isDue(layer, choice)) continue;
+    if (layer.kind == LayerKind::tiles) {
+      const std::uint64_t tiles = taken(layer, facts, choice.options);
+      if (4 * tiles < 3 * layer.tiles && !isFull(layer)) result.push_back(missedTiles(layer, tiles, choice, options));
+    } else if (!isTaken(layer, choice.options)) {
+      if (layer.objects > 0) result.push_back(missedObjects(layer, choice));
+    } else if (options.polylineThickness == 0 && 3 * layer.lines > layer.objects) {
+      result.push_back(missedLines(layer, choice, options));
+    }
+  }
+  return result;
+}
+
+}  // namespace lgs::tiled

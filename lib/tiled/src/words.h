@@ -1,0 +1,34 @@
+// What names say: whether something is solid. Names are those of layers, classes, objects and properties.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace lgs::tiled {
+
+/// What a name says, the weakest first.
+enum class Says : std::uint8_t {
+  nothing,
+  ground,     ///< it is what bodies stand on or run against: ground, wall, floor, platform …
+  collision,  ///< it is there for collision: collision, solid, blocked, obstacle …
+};
+
+struct Saying {
+  Says says = Says::nothing;
+  std::string_view word = {};  ///< the one that says so, in lower case
+};
+
+/// Names are taken apart into words at capitals, digits and signs; "innerwalls" has "wall" in it as well. A name with a
+/// word for another use says nothing: "wall decoration", "kill-collision", "firewall", "noncollidable". What stands
+/// around an "and" is judged by itself.
+Saying saying(std::string_view name);
+
+/// The same for the name of a property, which may be about what is solid without saying that it is: "collidesWith",
+/// "groundSpeed".
+Saying sayingOfProperty(std::string_view name);
+
+/// Whether a name has a word for another use.
+bool isForOtherUse(std::string_view name);
+
+}  // namespace lgs::tiled

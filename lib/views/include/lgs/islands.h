@@ -1,0 +1,148 @@
+// Islands: pieces of ground that hang together. A view beside the world says, after each commit, which islands were cut
+// off, joined, came and went, and which of them are anchored; takes an island out of the ground as a body, and puts one
+// back.
+//
+//   const auto isBedrock = [](lgs::Block block, lgs::Cell) { return block == kBedrock; };
+//   if (!world.followCells(true)) …
+//   lgs::Islands islands(world, isBedrock);              // looks at everything once
+//   islands.update(world, world.commit());               // and from now on, after each commit or roll-back
+//   for (const lgs::IslandPair& p : islands.changes().cutOff)
+//     for (const lgs::IslandId id : {p.from, p.into})
+//       if (!islands.island(id)->anchors) fall(lgs::take(world, islands, id));
+//
+// Solids that share at least a point are one island (law 3): two blocks that touch with a corner hang together. So an
+// island has exactly one outer loop, and a cut shows as one loop that became two, before anybody has looked at a cell of
+// the part. An island that lies in a hole of another one is an island by itself.
+//
+// The view follows loops (loops.h) and has one inside: loops(). What is said there of preserve relations, copies,
+// threads and memory holds here.
+#pragma once
+
+#include <lgs/body.h>
+#include <lgs/loops.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace lgs {
+
+/// One island. What is said of LoopId holds for it.
+struct IslandId {
+  std::uint32_t value = 0;                                         ///< good as an index
+  constexpr explicit operator bool() const { return value != 0; }  ///< whether it is not null
+  friend constexpr auto operator<=>(IslandId, IslandId) = default;
+};
+
+/// What is known of an island.
+struct IslandFacts {
+  IslandId id;                ///< its name
+  LoopFacts outer;            ///< its outer loop. The area is with all holes, as they are loops of their own
+  std::uint64_t anchors = 0;  ///< how many of its polygons are anchors; 0: nothing holds it
+  friend constexpr bool operator==(const IslandFacts&, const IslandFacts&) = default;
+};
+
+/// Whether a polygon of this block in this cell holds its island. It must give the same answer every time, throw
+/// nothing and not call back into the world.
+using IsAnchor = std::function<bool(Block, Cell)>;
+
+/// An island of before, and one of now.
+struct IslandPair {
+  IslandId from;  ///< of before
+  IslandId into;  ///< of now
+  friend constexpr auto operator<=>(const IslandPair&, const IslandPair&) = default;
+};
+
+/// What an update did to the islands. It compares the moment before with the moment after. Islands of before and of now
+/// are *kin* if the solid of both moments together, one laid upon the other, connects them. Kin is what was one, is
+/// one, or hangs together by what was taken away or added.
+///
+/// Of each kin the island of now with the largest outer area gets the id of that of before with the largest; of equals
+/// it is the one whose `outer.west` is least, then the least LoopId. Each other island keeps its id if its outer loop
+/// keeps its own, and if that id is not taken. All others of now have new ids.
+struct IslandChanges {
+  std::vector<IslandId> came;       ///< new ids of islands without kin before
+  std::vector<IslandId> went;       ///< ids that are no more, of islands without kin now
+  std::vector<IslandId> changed;    ///< ids that stay, of islands with another outer loop or another count of anchors
+  std::vector<IslandPair> cutOff;   ///< `into` is a new id. `from` is the largest of its kin, which keeps an id
+  std::vector<IslandPair> joined;   ///< `from` is an id that is no more. `into` is the largest of its kin
+  std::vector<IslandFacts> before;  ///< what all islands were that changed, or that are no more; by id
+};
+
+class Islands {
+ public:
+  /// Looks at all polygons of a world that has no edits that are not committed. Without `isAnchor` nothing is an
+  /// anchor, and nothing is ever counted. Cost: in proportion to the world.
+  explicit Islands(const World& world, IsAnchor isAnchor = {}) noexcept;
+  ~Islands() noexcept;
+  Islands(const Islands& other) noexcept;
+  Islands& operator=(const Islands& other) noexcept;
+  Islands(Islands&&) noexcept;  ///< what was moved from can only be assigned to or destroyed
+  Islands& operator=(Islands&&) noexcept;
+
+  /// Takes over what the world's last commit or roll-back changed. The world must follow its cells, and have no edits
+  /// that are not committed: after it went back to a mark that was made while edits were pending, begin again with
+  /// another view, after the next commit. To be called once for each commit and roll-back. False, and nothing changes, where Loops::update() says so.
+  ///
+  /// Cost: that of the loops; the polygons and vertices of the changed cells; the segments in and around those where
+  /// polygons were taken away, if that may have cut something off. To know which island a hole, or an anchor that
+  /// changed, belongs to, the cells west of it are passed up to the next segment, a few times if holes lie beside each
+  /// other. Where an island was cut, and there is `isAnchor`, all parts but the largest are walked through.
+  [[nodiscard]] bool update(const World& world, const Changes& changes) noexcept;
+
+  /// Of the last update. Empty after construction.
+  const IslandChanges& changes() const noexcept;
+
+  /// What is known of an island; nothing, if the id names none. Cost: as of Loops::loop().
+  std::optional<IslandFacts> island(IslandId id) const noexcept;
+
+  /// The island that a polygon in a cell is of, as of the last update; null, if there is no such polygon. Cost: the
+  /// cells passed to the next segment in the west, and so on, as in update().
+  IslandId of(const World& world, PolygonHandle polygon) const noexcept;
+
+  /// The island of an outer loop; null, if the id names a hole, or nothing.
+  IslandId of(LoopId outer) const noexcept;
+
+  /// All islands, by id.
+  std::vector<IslandId> all() const noexcept;
+
+  /// The loops that are followed.
+  const Loops& loops() const noexcept;
+
+  /// How many polygons all walks so far have looked at: what tests of the cost count.
+  std::uint64_t walked() const noexcept;
+
+  struct Impl;  ///< of the implementation
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Takes an island out of the ground: its polygons are removed by one edit, which the next commit tells, and come as a
+/// body. What lies in its holes stays. Edits that were made since the view's last update count: then it is what hangs
+/// together with the first polygon of the outer loop. Refused: staleHandle, if that polygon is gone, or if the id names
+/// no island. Cost: in proportion to the polygons of the island and those in the eight cells around each.
+[[nodiscard]] Expected<Body> take(World& world, const Islands& islands, IslandId island) noexcept;
+
+/// The same for those who want solids apart that touch in points only: a body for each part of the island whose
+/// polygons share more than points. All of them leave the ground.
+[[nodiscard]] Expected<std::vector<Body>> takeApart(World& world, const Islands& islands, IslandId island) noexcept;
+
+/// What an edit would do to the islands: makes it, commits, and goes back. The world and the view are as before, but for
+/// the ids of loops and islands (see LoopId); ids in the result name nothing. An edit that is refused, so that it
+/// returns false, would do nothing. No edit may be pending. Cost: that of the edit, of two updates and of going back.
+struct Foreseen {
+  IslandChanges changes;           ///< with the ids that there would be
+  std::vector<IslandFacts> after;  ///< the islands that `changes` names and that there would be then
+};
+[[nodiscard]] Foreseen foresee(World& world, Islands& islands, const std::function<bool(World&)>& edit) noexcept;
+
+}  // namespace lgs
+
+/// Equal ids have equal hashes.
+template <>
+struct std::hash<lgs::IslandId> {
+  std::size_t operator()(lgs::IslandId id) const noexcept { return std::hash<std::uint32_t>{}(id.value); }
+};

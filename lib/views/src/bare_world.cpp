@@ -1,0 +1,44 @@
+#include "bare_world.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdlib>
+
+namespace lgs::detail {
+namespace {
+
+bool isAmong(std::span<const PlacedPolygon> polygons, std::span<const LocalPoint> vertices) {
+  return std::ranges::any_of(polygons,
+                             [&](const PlacedPolygon& p) { return std::ranges::equal(p.vertices, vertices); });
+}
+
+/// What the other world holds fits here, too. Only where polygons were placed and taken back 2^28 times in one cell
+/// there may be no place left.
+void expect(bool done) {
+  assert(done);
+  if (!done) std::abort();
+}
+
+}  // namespace
+
+BareWorld::BareWorld(const World& world) {
+  world.forEachPolygon(
+      [this](Cell cell, const PlacedPolygon& p) { expect(world_.add(cell, p.vertices, p.block).has_value()); });
+  world_.commit();
+}
+
+const Changes& BareWorld::follow(const World& world) {
+  for (const CellChange& change : world.cellChanges()) {
+    world_.polygons(change.cell, held_);
+    gone_.clear();
+    come_.clear();
+    for (const PlacedPolygon& p : held_)
+      if (!isAmong(change.now, p.vertices)) gone_.push_back(p.handle);
+    for (const PlacedPolygon& p : change.now)
+      if (!isAmong(held_, p.vertices)) come_.push_back({p.vertices, p.block});
+    expect(world_.exchange(change.cell, gone_, come_).has_value());
+  }
+  return world_.commit();
+}
+
+}  // namespace lgs::detail

@@ -1,0 +1,27 @@
+// The ground of a world with a preserve relation once more, in a world without one.
+#pragma once
+
+#include <lgs/world.h>
+
+#include <vector>
+
+namespace lgs::detail {
+
+class BareWorld {
+ public:
+  /// Takes over all polygons and commits them.
+  explicit BareWorld(const World& world);
+
+  /// Makes what the last commit or roll-back of the followed world changed, and commits it.
+  const Changes& follow(const World& world);
+
+  const World& world() const { return world_; }
+
+ private:
+  World world_;
+  std::vector<PlacedPolygon> held_;  // working memory
+  std::vector<PolygonHandle> gone_;
+  std::vector<NewPolygon> come_;
+};
+
+}  // namespace lgs::detail

@@ -1,0 +1,49 @@
+// The public face of the islands.
+#include "island_view.h"
+
+#include <utility>
+
+namespace lgs {
+
+struct Islands::Impl {
+  Impl(const World& world, IsAnchor isAnchor) : loops(world), view(std::move(isAnchor)) { view.load(world, loops); }
+
+  Loops loops;
+  detail::IslandView view;
+};
+
+Islands::Islands(const World& world, IsAnchor isAnchor) noexcept
+    : impl_(std::make_unique<Impl>(world, std::move(isAnchor))) {}
+Islands::~Islands() noexcept = default;
+Islands::Islands(const Islands& other) noexcept : impl_(std::make_unique<Impl>(*other.impl_)) {}
+Islands& Islands::operator=(const Islands& other) noexcept {
+  Islands copy(other);
+  impl_.swap(copy.impl_);
+  return *this;
+}
+Islands::Islands(Islands&&) noexcept = default;
+Islands& Islands::operator=(Islands&&) noexcept = default;
+
+bool Islands::update(const World& world, const Changes& changes) noexcept {
+  if (!impl_->loops.update(world, changes)) return false;
+  impl_->view.update(world, impl_->loops);
+  return true;
+}
+
+const IslandChanges& Islands::changes() const noexcept { return impl_->view.changes(); }
+std::optional<IslandFacts> Islands::island(IslandId id) const noexcept {
+  if (!impl_->view.isIsland(id)) return std::nullopt;
+  return impl_->view.facts(impl_->loops, id);
+}
+IslandId Islands::of(const World& world, PolygonHandle polygon) const noexcept {
+  const auto found = world.polygon(polygon);
+  if (!found) return {};
+  const detail::Locator locator(impl_->loops.outline(world), impl_->loops);
+  return of(locator.ofPolygon(*world.cellOf(polygon), found->vertices));
+}
+IslandId Islands::of(LoopId outer) const noexcept { return impl_->view.of(outer); }
+std::vector<IslandId> Islands::all() const noexcept { return impl_->view.all(); }
+const Loops& Islands::loops() const noexcept { return impl_->loops; }
+std::uint64_t Islands::walked() const noexcept { return impl_->view.walked(); }
+
+}  // namespace lgs

@@ -1,0 +1,46 @@
+// Which island a polygon, or a hole, belongs to: a ray to the west meets the outline. If that is an outer loop, it is
+// the answer. If it is a hole, that hole belongs to the same island, and the search goes on from its westernmost
+// vertex. The ray runs half a unit above a row of lattice points, so it never meets a vertex.
+#pragma once
+
+#include <lgs/loops.h>
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace lgs::detail {
+
+class Locator {
+ public:
+  Locator(const World& outline, const Loops& loops) : outline_(outline), loops_(loops) {}
+
+  /// The outer loop of the island of a polygon, which stands in the outline's world.
+  LoopId ofPolygon(Cell cell, std::span<const LocalPoint> vertices) const;
+
+  /// The outer loop of the island of a loop: itself, if it is one.
+  LoopId ofLoop(LoopId loop) const;
+
+ private:
+  /// Where an edge crosses the row half a unit above y: in its cell, as a fraction.
+  struct Crossing {
+    std::int64_t y = 0;
+    std::int32_t i = 0;
+    std::int64_t numerator = 0, denominator = 1;
+    std::strong_ordering operator<=>(const Crossing& c) const {
+      if (const auto order = i <=> c.i; order != 0) return order;
+      return numerator * c.denominator <=> c.numerator * denominator;
+    }
+    bool operator==(const Crossing& c) const { return (*this <=> c) == 0; }
+  };
+
+  static std::optional<Crossing> crossing(std::int64_t y, Cell cell, Point start, Point end);
+  LoopId leftWestOf(const Crossing& from, LoopId except) const;
+  Crossing wallWestOf(const LoopFacts& hole) const;
+
+  const World& outline_;
+  const Loops& loops_;
+};
+
+}  // namespace lgs::detail

@@ -1,0 +1,150 @@
+// Links that are gone are cut, links that are new are joined. Each takes O(log n) expected.
+#include "loop_view.h"
+
+#include "geometry/sort.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace lgs::detail {
+
+void LoopView::update(const World& outline, const Changes& lists) {
+  begin();
+  treaps_.reserve(outline.maxSegmentId());
+  const std::size_t added = lists.added.size();
+  segments_.resize(added + lists.relinked.size());
+  const auto read = [&](std::span<const SegmentId> ids, std::span<Segment> out) {
+    [[maybe_unused]] const auto done = outline.segments(ids, out);
+    assert(done);
+  };
+  read(lists.added, std::span(segments_).first(added));
+  read(lists.relinked, std::span(segments_).subspan(added));
+
+  cutAll(lists.removed, std::span(segments_).subspan(added));
+  dropAll(lists.removed);
+  findRests();
+  putAll(std::span(segments_).first(added));
+  for (const Segment& s : segments_) {
+    join(s.predecessor.value, s.id.value);
+    join(s.id.value, s.successor.value);
+  }
+  nameAll(lists.added);
+}
+
+void LoopView::begin() {
+  free_.insert(free_.end(), ended_.begin(), ended_.end());
+  ended_.clear();
+  changes_.came.clear();
+  changes_.went.clear();
+  changes_.changed.clear();
+  changes_.split.clear();
+  changes_.joined.clear();
+  changes_.before.clear();
+  ends_.clear();
+  rests_.clear();
+  gone_.clear();
+}
+
+void LoopView::cutAll(std::span<const SegmentId> removed, std::span<const Segment> relinked) {
+  for (const SegmentId id : removed) {
+    cutBefore(id.value);
+    cutAfter(id.value);
+  }
+  for (const Segment& s : relinked) {
+    const std::uint32_t id = s.id.value, root = treaps_.climb(id);
+    std::uint32_t before = treaps_.previous(id), after = treaps_.next(id);
+    if (treaps_[root].isClosed != 0) {
+      if (before == kNoNode) before = treaps_.last(root);
+      if (after == kNoNode) after = treaps_.first(root);
+    }
+    if (before != s.predecessor.value) cutBefore(id);
+    if (after != s.successor.value) cutAfter(id);
+  }
+}
+
+/// Cuts the link from the segment before this one, if there still is one.
+void LoopView::cutBefore(std::uint32_t id) {
+  const std::uint32_t root = treaps_.climb(id), loop = treaps_[root].loop;
+  const bool wasClosed = treaps_[root].isClosed != 0;
+  if (wasClosed) open(root);
+  const std::uint32_t before = treaps_.previous(id);
+  if (before == kNoNode) {
+    if (!wasClosed) return;
+    ends_.push_back(treaps_.last(root));
+  } else {
+    const Treaps::Halves halves = treaps_.splitAfter(before);
+    if (wasClosed) {
+      setRoot(treaps_.merge(halves.right, halves.left), loop);
+    } else {
+      setRoot(halves.left, loop);
+      setRoot(halves.right, loop);
+    }
+    ends_.push_back(before);
+  }
+  ends_.push_back(id);
+}
+
+void LoopView::cutAfter(std::uint32_t id) {
+  std::uint32_t after = treaps_.next(id);
+  if (after == kNoNode) {
+    const std::uint32_t root = treaps_.climb(id);
+    if (treaps_[root].isClosed == 0) return;
+    after = treaps_.first(root);
+  }
+  cutBefore(after);
+}
+
+/// Before the first cut of a loop: what it was.
+void LoopView::open(std::uint32_t root) {
+  changes_.before.push_back(factsOf({treaps_[root].loop}, root));
+  treaps_[root].isClosed = 0;
+}
+
+void LoopView::setRoot(std::uint32_t root, std::uint32_t loop) {
+  treaps_[root].loop = loop;
+  treaps_[root].isClosed = 0;
+}
+
+void LoopView::dropAll(std::span<const SegmentId> removed) {
+  for (const SegmentId id : removed) {
+    const LoopNode& n = treaps_[id.value];
+    assert(n.count == 1 && n.parent == kNoNode);
+    gone_.push_back({n.start, {n.start.x + n.dx, n.start.y + n.dy}, n.loop});
+    treaps_.drop(id.value);
+  }
+  detail::sort(gone_, [](const Gone& a, const Gone& b) { return a < b; });
+}
+
+/// What is left of the loops of before: each rest has a cut on both sides.
+void LoopView::findRests() {
+  for (const std::uint32_t id : ends_) {
+    if (!treaps_.has(id)) continue;
+    const std::uint32_t root = treaps_.climb(id);
+    rests_.push_back({root, treaps_[root].loop, treaps_[root].count});
+  }
+  detail::sort(rests_, [](const Rest& a, const Rest& b) { return a.node < b.node; });
+  const auto same = [](const Rest& a, const Rest& b) { return a.node == b.node; };
+  rests_.erase(std::unique(rests_.begin(), rests_.end(), same), rests_.end());
+}
+
+/// A new segment with the ends of one that is gone goes on for it: it has another owner.
+void LoopView::putAll(std::span<const Segment> added) {
+  for (const Segment& s : added) {
+    treaps_.put(s.id.value, s.start, s.end);
+    const auto same = std::lower_bound(gone_.begin(), gone_.end(), Gone{s.start, s.end, 0});
+    if (same != gone_.end() && same->start == s.start && same->end == s.end)
+      rests_.push_back({s.id.value, same->loop, 1});
+  }
+}
+
+/// Joins a segment with the one that follows it, if they are not joined yet.
+void LoopView::join(std::uint32_t a, std::uint32_t b) {
+  if (treaps_.next(a) != kNoNode) return;
+  const std::uint32_t first = treaps_.climb(a), second = treaps_.climb(b);
+  if (first == second)
+    treaps_[first].isClosed = 1;
+  else
+    setRoot(treaps_.merge(first, second), 0);
+}
+
+}  // namespace lgs::detail

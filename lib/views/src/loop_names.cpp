@@ -1,0 +1,158 @@
+// Which loop of now is which of before.
+#include "loop_view.h"
+
+#include "geometry/sort.h"
+
+#include <algorithm>
+#include <cassert>
+#include <tuple>
+
+namespace lgs::detail {
+
+void LoopView::load(const World& outline) {
+  treaps_.reserve(outline.maxSegmentId());
+  std::vector<std::uint32_t> ids;
+  for (const SegmentId start : outline.segments()) {
+    if (treaps_.has(start.value)) continue;
+    ids.clear();
+    SegmentId at = start;
+    do {
+      const Segment s = *outline.segment(at);
+      treaps_.put(s.id.value, s.start, s.end);
+      ids.push_back(s.id.value);
+      at = s.successor;
+    } while (at != start);
+    const std::uint32_t root = treaps_.build(ids);
+    treaps_[root].isClosed = 1;
+    newId(root);
+  }
+}
+
+std::vector<LoopId> LoopView::all() const {
+  std::vector<LoopId> out;
+  for (std::uint32_t id = 1; id < roots_.size(); ++id)
+    if (roots_[id] != kNoNode) out.push_back({id});
+  return out;
+}
+
+void LoopView::nameAll(std::span<const SegmentId> added) {
+  detail::sort(changes_.before, [](const LoopFacts& a, const LoopFacts& b) { return a.id < b.id; });
+  for (Rest& rest : rests_) rest.node = treaps_.climb(rest.node);
+  made_.clear();
+  for (const Rest& rest : rests_) made_.push_back(rest.node);
+  for (const SegmentId id : added) made_.push_back(treaps_.climb(id.value));
+  detail::sort(made_);
+  made_.erase(std::unique(made_.begin(), made_.end()), made_.end());
+  for (const std::uint32_t root : made_) {
+    assert(treaps_[root].isClosed != 0);
+    treaps_[root].loop = 0;
+  }
+  findShares();
+  findHeirs();
+  tell();
+}
+
+void LoopView::findShares() {
+  shares_.clear();
+  for (const Rest& rest : rests_) shares_.push_back({rest.loop, rest.node, rest.count});
+  detail::sort(shares_, [](const Share& a, const Share& b) {
+    return std::tie(a.loop, a.root, a.count) < std::tie(b.loop, b.root, b.count);
+  });
+  std::size_t last = 0;
+  for (std::size_t k = 1; k < shares_.size(); ++k) {
+    if (shares_[k].loop == shares_[last].loop && shares_[k].root == shares_[last].root)
+      shares_[last].count += shares_[k].count;
+    else
+      shares_[++last] = shares_[k];
+  }
+  if (!shares_.empty()) shares_.resize(last + 1);
+}
+
+const LoopFacts& LoopView::before(std::uint32_t loop) const {
+  return *std::lower_bound(changes_.before.begin(), changes_.before.end(), loop,
+                           [](const LoopFacts& f, std::uint32_t id) { return f.id.value < id; });
+}
+
+/// Of two shares of one loop: which has the better claim on its id.
+bool LoopView::isBetter(const Share& a, const Share& b) const {
+  if (a.count != b.count) return a.count > b.count;
+  const LoopNode &m = treaps_[a.root], &n = treaps_[b.root];
+  return std::tie(m.west, m.doubleArea, a.root) < std::tie(n.west, n.doubleArea, b.root);
+}
+
+void LoopView::findHeirs() {
+  heirs_.clear();
+  for (auto share = shares_.begin(); share != shares_.end();) {
+    const LoopFacts& old = before(share->loop);
+    const Share* best = nullptr;
+    for (; share != shares_.end() && share->loop == old.id.value; ++share) {
+      const bool sameKind = treaps_[share->root].doubleArea.isNegative() == old.isHole();
+      if (sameKind && (best == nullptr || isBetter(*share, *best))) best = &*share;
+    }
+    if (best != nullptr) heirs_.push_back({best->loop, best->root, old.segments});
+  }
+  detail::sort(heirs_, [](const Share& a, const Share& b) {
+    return a.root != b.root ? a.root < b.root : a.count != b.count ? a.count > b.count : a.loop < b.loop;
+  });
+  for (const Share& heir : heirs_) {
+    LoopNode& root = treaps_[heir.root];
+    if (root.loop == 0) root.loop = heir.loop;
+  }
+}
+
+void LoopView::tell() {
+  for (const LoopFacts& old : changes_.before) roots_[old.id.value] = kNoNode;
+  for (const std::uint32_t root : made_)
+    if (treaps_[root].loop != 0) roots_[treaps_[root].loop] = root;
+  for (const LoopFacts& old : changes_.before) {
+    const bool stays = roots_[old.id.value] != kNoNode;
+    (stays ? changes_.changed : changes_.went).push_back(old.id);
+  }
+  for (const std::uint32_t root : made_)
+    if (treaps_[root].loop == 0) changes_.came.push_back(newId(root));
+  detail::sort(changes_.came);
+  for (const LoopId id : changes_.went) ended_.push_back(id.value);
+  const auto isIn = [](const std::vector<LoopId>& ids, LoopId id) {
+    return std::binary_search(ids.begin(), ids.end(), id);
+  };
+  named_.clear();
+  for (const Share& share : shares_) {
+    const LoopPair pair{{share.loop}, {treaps_[share.root].loop}};
+    const bool isNew = isIn(changes_.came, pair.into), isOver = isIn(changes_.went, pair.from);
+    if (isNew) changes_.split.push_back(pair);
+    if (isOver) changes_.joined.push_back(pair);
+    if (isNew) named_.push_back(pair.into);
+    if (isOver) named_.push_back(pair.from);
+  }
+  detail::sort(changes_.split);
+  detail::sort(changes_.joined);
+  detail::sort(named_);
+  // What is named in a pair did not come from nothing, nor go for nothing.
+  for (auto* ids : {&changes_.came, &changes_.went}) std::erase_if(*ids, [&](LoopId id) { return isIn(named_, id); });
+}
+
+LoopId LoopView::newId(std::uint32_t root) {
+  std::uint32_t id = static_cast<std::uint32_t>(roots_.size());
+  if (free_.empty()) {
+    roots_.push_back(root);
+  } else {
+    id = free_.back();
+    free_.pop_back();
+    roots_[id] = root;
+  }
+  treaps_[root].loop = id;
+  return {id};
+}
+
+LoopFacts LoopView::factsOf(LoopId id, std::uint32_t root) const {
+  const LoopNode& n = treaps_[root];
+  return {.id = id,
+          .doubleArea = n.doubleArea,
+          .segments = n.count,
+          .min = {n.west.x, n.minY},
+          .max = n.max,
+          .west = n.west,
+          .first = {treaps_.westernmost(root)}};
+}
+
+}  // namespace lgs::detail

@@ -1,0 +1,159 @@
+// What is taken by itself, what is offered, and what is said of the rest: a test for each thing that went wrong on real
+// maps.
+#include "ldtk_projects.h"
+#include "meant_maps.h"
+
+namespace lgs::tiled {
+namespace {
+
+const std::string kFull = "bbbbbbbb/bbbbbbbb/bbbbbbbb/bbbbbbbb", kHills = "......../..aa..../aaaa..aa/aaaaaaaa";
+const std::string kRim = "aaaaaaaa/a......a/a......a/aaaaaaaa";
+
+ImportedMap import(const std::string& layers, const Options& options = {}, const std::string& tileset = "") {
+  return mustImportFiles({{"maps/test.tmx",
+                           "<map orientation='orthogonal' width='8' height='4' tilewidth='16' "
+                           "tileheight='16'>" +
+                               meant::mapOf(tileset, layers) + "</map>"}},
+                         options);
+}
+
+/// "--layer A --solid" of each offer.
+std::vector<std::string> offersOf(const ImportedMap& map) {
+  std::vector<std::string> result;
+  for (const Suggestion& suggestion : map.report.suggestions) {
+    std::string words;
+    for (const std::string& argument : suggestion.arguments) words += (words.empty() ? "" : " ") + argument;
+    result.push_back(words);
+  }
+  return result;
+}
+
+TEST(TiledEvidence, ATileLayerCalledCollisionComesBeforeObjects) {
+  const std::string things = meant::objects("Things", meant::box(0, 0, 3, 3));
+  EXPECT_EQ(import(things + meant::tiles("collision", kHills)).report.choice,
+            "tile layer collision: its name says 'collision' (--layer collision --solid)");
+  EXPECT_EQ(import(things + meant::tiles("ground", kHills)).report.choice,
+            "tile layer ground: its name says 'ground' (--layer ground --solid)");
+}
+
+TEST(TiledEvidence, GroundIsNotMixedWithCollision) {
+  const std::string walked = "bbbbbbbb/bbbb..../bbbbbbbb/bbbbb...";
+  for (const std::string& ground : {kFull, walked}) {
+    const auto map = import(meant::tiles("Ground", ground) + meant::tiles("Collision", kRim));
+    EXPECT_EQ(map.placements.size(), 20U);
+    EXPECT_EQ(map.report.partial, "");
+  }
+}
+
+TEST(TiledEvidence, WhatGivesNothingIsNotOffered) {
+  const std::string spawns = meant::objects("Spawns", meant::figure(1, 1) + meant::figure(3, 1));
+  EXPECT_EQ(offersOf(import(spawns + meant::tiles("Main", kHills))),
+            (std::vector<std::string>{"--layer Main --solid"}));
+  EXPECT_TRUE(offersOf(import(spawns)).empty());
+}
+
+TEST(TiledEvidence, EachLayerIsOfferedWithItsShareOfTheMap) {
+  const auto map = import(meant::tiles("A", kFull) + meant::tiles("B", kHills) + meant::tiles("C", kRim));
+  EXPECT_TRUE(map.placements.empty());
+  EXPECT_EQ(offersOf(map), (std::vector<std::string>{"--layer C --solid", "--layer B --solid", "--layer A --solid"}));
+  EXPECT_EQ(map.report.suggestions.at(0).text, "tile layer C, 63 % of the map: nothing says what it is");
+  EXPECT_EQ(map.report.suggestions.at(0).polygons, 20U);
+}
+
+TEST(TiledEvidence, CollidablesAreNotLumpedWithEvents) {
+  const auto map =
+      import(meant::objects("Collidables", meant::box(0, 2, 8, 2)) + meant::objects("Events", meant::box(0, 0, 8, 1)));
+  EXPECT_EQ(map.placements.size(), 16U);
+  EXPECT_EQ(remarks(map).at(0), "Collidables: its name says 'collidable'");
+}
+
+TEST(TiledEvidence, WhatIsTakenInPartIsSaid) {
+  const std::string shape = meant::tile('a', meant::kShape);
+  const auto blocks = import(meant::tiles("Blocks", "......../..ba..../baaa..aa/bababbaa"), {}, shape);
+  EXPECT_EQ(blocks.report.partial, "tile layer Blocks, of which 10 of 16 tiles are taken");
+  EXPECT_EQ(offersOf(blocks), (std::vector<std::string>{"--layer Blocks --solid"}));
+  EXPECT_EQ(blocks.report.suggestions.at(0).polygons, 16U);
+  const auto solid =
+      import(meant::tiles("World", kHills) + meant::tiles("Solid", "b......./......../......../........"), {}, shape);
+  EXPECT_EQ(solid.report.partial, "tile layer Solid, of which 0 of 1 tile are taken");
+  const std::string text = toText(solid.report);
+  EXPECT_NE(text.substr(0, text.find('\n')).find("; IN PART: tile layer Solid"), std::string::npos) << text;
+  EXPECT_NE(text.find("Not all came out. What could be taken instead, and how:\n"), std::string::npos) << text;
+  const auto lines =
+      import(meant::objects("Collision", meant::line(0, 1, 3) + meant::line(4, 1, 3) + meant::box(0, 3, 1, 1)));
+  EXPECT_EQ(lines.report.partial, "object layer Collision, of which 2 open polylines are left out");
+  const auto walls = import(meant::tiles("Main", kHills) + meant::objects("Walls", meant::box(0, 0, 1, 1)), {},
+                            meant::tile('a', property("solid", "true")));
+  EXPECT_EQ(walls.report.partial, "object layer Walls, of which nothing is taken");
+  EXPECT_EQ(offersOf(walls), (std::vector<std::string>{"--solid-if solid --objects Walls"}));
+}
+
+TEST(TiledEvidence, AValueOfLdtkCanBeLeftOut) {
+  const std::string text = project(level("A", 0, 0, grid("1,2,0,2,3,0")));
+  Options options;
+  options.leaveOut = {"ice"};
+  const auto map = importFiles({{"maps/test.tmx", text}}, options);
+  ASSERT_TRUE(map);
+  EXPECT_EQ(cellsOf(*map), (std::vector<Cell>{{1, -2}, {0, -1}}));
+  EXPECT_EQ(map->report.notes, (std::vector<std::string>{"left out, as asked: 2 uses of 'ice'"}));
+  options.solidWithoutShapes = true;
+  EXPECT_EQ(importFiles({{"maps/test.tmx", text}}, options)->placements.size(), 2U) << "it stays free";
+  options.leaveOut = {"Ice"};
+  EXPECT_EQ(importFiles({{"maps/test.tmx", text}}, options)->report.notes,
+            (std::vector<std::string>{
+                "no tile and no object has the class 'Ice', which was to be left out; there is 'ice'"}));
+}
+
+TEST(TiledEvidence, IntGridsThatAreCalledCollisionAreEnough) {
+  const std::string acid = grid("0,0,0,0,1,0", "Acid", 2), both = acid + "," + grid("1,1,0,0,0,0", "Collisions", 1);
+  const auto map = importFiles({{"maps/test.tmx", project(level("A", 0, 0, both))}});
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->placements.size(), 2U);
+  EXPECT_EQ(importFiles({{"maps/test.tmx", project(level("A", 0, 0, acid))}})->placements.size(), 1U);
+}
+
+TEST(TiledEvidence, AClassOfObjectsCanBeLeftOutOrTaken) {
+  const std::string things =
+      meant::objects("Things", meant::box(0, 0, 1, 1, "type='door'") + meant::box(2, 0, 1, 1, "type='rock'") +
+                                   meant::box(4, 0, 1, 1, "name='rock'"));
+  Options options;
+  options.objects = {"rock"};
+  EXPECT_EQ(cellsOf(import(things, options)), (std::vector<Cell>{{2, -1}, {4, -1}}));
+  options.objects = {"Things"};
+  options.leaveOut = {"door"};
+  EXPECT_EQ(cellsOf(import(things, options)), (std::vector<Cell>{{2, -1}, {4, -1}}));
+}
+
+TEST(TiledEvidence, AMissingMapOfAWorldIsLeftOut) {
+  const std::string world =
+      R"({"type":"world", "maps":[{"fileName":"a.tmx", "x":0, "y":0}, {"fileName":"no.tmx", "x":64,
+    "y":0}, {"fileName":"../out.tmx", "x":128, "y":0}]})";
+  const std::string map = mapXml(tilesetXml({kFullTile}) + csvLayer(1, 1, "1"));
+  Files files{{"maps/test.tmx", world}, {"maps/a.tmx", map}, {"out.tmx", map}};
+  const auto two = importFiles(files);
+  ASSERT_TRUE(two);
+  EXPECT_EQ(two->placements.size(), 2U);
+  const std::string missing = "the map's file maps/no.tmx cannot be read: there is no such file";
+  EXPECT_EQ(two->report.notes, (std::vector<std::string>{"a map of the world is left out: " + missing}));
+  Options all;
+  all.allMaps = true;
+  EXPECT_EQ(message(importFiles(files, all).error()), "maps/test.tmx: maps/1 " + missing);
+  const auto read = [&](const std::string& path) -> tl::expected<std::string, std::string> { return files.at(path); };
+  files["maps/no.tmx"] = map;
+  const auto outside = importMap("maps/test.tmx", {}, read);
+  ASSERT_FALSE(outside) << "what may not be read is not missing";
+  EXPECT_NE(message(outside.error()).find("it is not below the map's folder"), std::string::npos);
+}
+
+/// A map that is as costly as can be is not tried twelve times: what is tried shares one budget.
+TEST(TiledEvidence, WhatIsTriedSharesOneBudget) {
+  std::string layers;
+  for (int k = 0; k < 20; ++k) layers += meant::tiles("L" + std::to_string(k), kHills);
+  EXPECT_EQ(offersOf(import(layers)).size(), kMaxSuggestions);
+  Options strict;
+  strict.maxPlacements = 40;  // each layer has 16
+  EXPECT_EQ(offersOf(import(layers, strict)).size(), 2U);
+}
+
+}  // namespace
+}  // namespace lgs::tiled

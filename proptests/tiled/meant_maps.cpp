@@ -1,0 +1,141 @@
+#include "meant_maps.h"
+
+namespace lgs::tiled::meant {
+
+std::vector<MeantMap> meantMaps() {
+  const std::string G = "......../..aa..../aaaa..aa/aaaaaaaa";   // ground, seen from the side
+  const std::string P = "......../.aaa..../....aaa./........";   // platforms
+  const std::string GP = "......../.aaa..../aaaaaaaa/aaaaaaaa";  // both
+  const std::string U = "......../......../aaaaaaaa/aaaaaaaa";   // a plain ground
+  const std::string W = "aaaaaaaa/a......a/a......a/aaaaaaaa";   // walls, seen from above
+  const std::string B = "bbbbbbbb/bbbbbbbb/bbbbbbbb/bbbbbbbb";   // a background, or a floor
+  const std::string F = "......../.bbbbbb./.bbbbbb./........";   // the floor of a room
+  const std::string S = "bbbbbbbb/bbbbbbbb/......../........";   // a sky
+  const std::string D = ".c....../......c./......../........";   // decoration
+  const std::string K = "......../......../......../...d.d..";   // spikes and the like
+  const std::string none;
+  const std::string ground = box(0, 2, 8, 2),
+                    wall = box(0, 0, 8, 1) + box(0, 3, 8, 1) + box(0, 1, 1, 2) + box(7, 1, 1, 2);
+  const std::string shape = tile('a', kShape), yes = property("collides", "true"), no = property("collides", "false");
+  const auto has = [](char letter, const std::string& name, const std::string& value = "true") {
+    return tile(letter, property(name, value));
+  };
+  const std::string spawns = objects("Spawns", figure(1, 1) + figure(5, 1)),
+                    marks = objects("Marks", spot(1, 1) + spot(2, 2));
+  return {
+      // 1. Shapes in tiles.
+      {"shapes in tiles", mapOf(shape, tiles("Sky", B) + tiles("World", G)), G},
+      {"shapes in tiles, decoration above", mapOf(shape, tiles("World", G) + tiles("Deco", D)), G},
+      {"shapes in tiles, and things", mapOf(shape, tiles("World", G) + objects("Things", box(1, 1, 1, 1))), G},
+      {"shapes in tiles, and properties", mapOf(shape + tile('b', yes), tiles("World", G) + tiles("Sky", S)), G},
+      {"shapes in tiles of the walls", mapOf(shape, tiles("Floor", B) + tiles("Walls", W)), W},
+      {"shapes in tiles, and drawn walls", mapOf(shape, tiles("World", U) + objects("Walls", box(0, 0, 1, 2))),
+       "a......./a......./aaaaaaaa/aaaaaaaa"},
+      {"shapes in most tiles of the ground", mapOf(shape, tiles("Ground", "......../......d./aaaaaaaa/aaaaaaaa")), U},
+      {"spikes have shapes, platforms have none", mapOf(tile('d', kShape), tiles("Spikes", K) + tiles("Platforms", P)),
+       P},
+      {"few of the platforms have shapes", mapOf(shape, tiles("Platforms", "......../.abb..../....bbb./........")), P},
+
+      // 2. Layers and classes that say collision.
+      {"a layer called Collision", mapOf(none, tiles("Background", B) + tiles("Collision", G)), G},
+      {"collision and ground: a floor", mapOf(none, tiles("Ground", B) + tiles("Collision", W)), W},
+      {"collision and ground: a room", mapOf(none, tiles("Ground", F) + tiles("Collision", W)), W},
+      {"collision and walls: pictures", mapOf(none, tiles("Walls", W) + tiles("collision", GP)), GP},
+      {"collisions, and a layer of spawns", mapOf(none, spawns + tiles("collisions", G)), G},
+      {"a hidden layer called collision",
+       mapOf(none, tiles("Layer", B) + tiles("col_lision", D) + tiles("Collisions", G)), G},
+      {"Collidable", mapOf(none, tiles("Art", B) + tiles("Collidable", G)), G},
+      {"Collidables as objects, and events",
+       mapOf(none, tiles("Dirt", G) + objects("Collidables", ground) + objects("Events", box(0, 0, 2, 2))), U},
+      {"Colliders as objects", mapOf(none, tiles("Map", B) + objects("Colliders", wall)), W},
+      {"blockedLayer",
+       mapOf(none, tiles("backgroundLayer", B) + tiles("blockedLayer", G) + objects("objectsLayer", figure(1, 1))), G},
+      {"blockedLayer, and an unblocked one", mapOf(none, tiles("unblockedLayer", D) + tiles("blockedLayer", G)), G},
+      {"Blocked", mapOf(none, tiles("Background", B) + tiles("Blocked", W) + marks), W},
+      {"Solid", mapOf(none, tiles("Art", D) + tiles("Solid", G)), G},
+      {"solids, one word", mapOf(none, tiles("art", D) + tiles("levelsolids", G)), G},
+      {"noncollidable is not collidable", mapOf(none, tiles("noncollidable", D) + tiles("ground", G)), G},
+      {"Obstacles", mapOf(none, tiles("Grass", B) + tiles("Obstacles", W)), W},
+      {"obstacles as objects",
+       mapOf(none, tiles("fond", B) + objects("obstacles", ground) + objects("piece", box(1, 1, 1, 1))), U},
+      {"things that are called Obstacle",
+       mapOf(none, tiles("floor", B) +
+                       objects("Objects", box(0, 2, 8, 2, "name='Obstacle'") + box(1, 0, 1, 1, "name='Mob'"))),
+       U},
+      {"things of the class solid",
+       mapOf(none, objects("Objects", box(0, 2, 8, 2, "type='solid'") + box(1, 0, 1, 1, "type='coin'"))), U},
+      {"tiles of the class collision", mapOf(tile('a', none, "collision"), tiles("L1", S) + tiles("L2", U)), U},
+      {"a layer of the class Solid", mapOf(none, tiles("Main", G, "", "Solid") + tiles("Main 2", D)), G},
+      {"a layer with the property collides", mapOf(none, tiles("Layer 1", G, "collides") + tiles("Layer 2", D)), G},
+      {"objects with the property collidable",
+       mapOf(none, tiles("Layer", B) + objects("Object Layer 1", ground, "collidable")), U},
+      {"kill-collision is no ground", mapOf(none, tiles("kill-collision", K) + tiles("Ground", U)), U},
+      {"collisions of light are others",
+       mapOf(none, objects("Light-Collisions", box(0, 0, 8, 1)) + objects("Collisions", ground)), U},
+      {"a collision layer where tiles mean free as well",
+       mapOf(has('a', "solid"), tiles("collision", "bbbbbbbb/bbbbbbbb/aaaaaaaa/aaaaaaaa")), U},
+
+      // 3. Properties of tiles.
+      {"a property collides", mapOf(tile('a', yes) + tile('b', no), tiles("World", G) + tiles("Sky", S)), G},
+      {"a property solid, in one layer with the rest",
+       mapOf(has('a', "solid"), tiles("Tile Layer 1", "bbbbbbbb/bbbbbbbb/aaaaaaaa/aaaaaaaa")), U},
+      {"the ground is full, a property says more",
+       mapOf(has('a', "collide"), tiles("ground", "bbbbbbbb/bbbbbbbb/aaaaaaaa/aaaaaaaa")), U},
+      {"estSolide",
+       mapOf(has('a', "estSolide") + has('d', "estPointu"), tiles("calque_plateformes", U) + tiles("calque_pics", K)),
+       U},
+      {"isSolid before collidesWith",
+       mapOf(has('a', "isSolid") + has('b', "collidesWith", "player"), tiles("Main", GP) + tiles("Sky", S)), GP},
+      {"a property blocked, and things",
+       mapOf(has('a', "blocked", "1"), tiles("base", U) + objects("items", box(1, 0, 1, 1))), U},
+      {"a property and a name: the property is stronger",
+       mapOf(has('a', "collides"), tiles("Ground", G) + tiles("Walls", D)), G},
+      {"kind is solid", mapOf(has('a', "kind", "solid") + has('b', "kind", "sky"), tiles("Main", U) + tiles("Back", S)),
+       U},
+      {"a mask is no answer", mapOf(has('b', "collision_mask", "3"), tiles("Sky", S) + tiles("Ground", U)), U},
+
+      // 4. Layers that say ground or wall.
+      {"ground", mapOf(none, tiles("background", B) + tiles("ground", G) + spawns), G},
+      {"Ground and Platforms",
+       mapOf(none, tiles("Ground", U) + tiles("Platforms", "......../.aaa..../......../........")), GP},
+      {"Platforms",
+       mapOf(none,
+             tiles("Platforms", P) + tiles("Ladders", ".e....../.e....../.e....../.e......") + tiles("Enemies", D)),
+       P},
+      {"plateformes", mapOf(none, tiles("fond", B) + tiles("calque_plateformes", P)), P},
+      {"walls and a floor that fills the map", mapOf(none, tiles("Floor", B) + tiles("Walls", W)), W},
+      {"walls and the floor of a room",
+       mapOf(none, tiles("Floor", "bbbbbbbb/bbbbbb../bbbbbb../bb......") +
+                       tiles("Walls", "......../......a./......a./..aaaaa.")),
+       "......../......a./......a./..aaaaa."},
+      {"walls drawn as objects above a floor",
+       mapOf(none, tiles("Ground", B) + objects("Wall", wall) + objects("Enemy", spot(2, 2))), W},
+      {"ground drawn as objects",
+       mapOf(none, tiles("Graphic Layer", B) + objects("Ground", ground) + objects("Coins", box(1, 1, 1, 1))), U},
+      {"InnerWalls and outerwalls",
+       mapOf(none, tiles("InnerWalls", ".......a/......../......../........") + tiles("outerwalls", U)),
+       ".......a/......../aaaaaaaa/aaaaaaaa"},
+      {"terrain", mapOf(none, tiles("Terrain", G) + tiles("Trees", D)), G},
+      {"blocks", mapOf(none, tiles("blocks", P) + tiles("clouds", S)), P},
+      {"a firewall is no wall", mapOf(none, tiles("firewall", K) + tiles("floor", U)), U},
+      {"GroundEffects are no ground", mapOf(none, tiles("GroundEffects", S) + tiles("Ground", U)), U},
+      {"wall decoration is no wall", mapOf(none, tiles("wall decoration", D) + tiles("wall", W)), W},
+      {"walls in the background are no walls", mapOf(none, tiles("BG Wall", S) + tiles("terrain", U)), U},
+      {"ground in a group", mapOf(none, "<group name='Level'>" + tiles("Ground", U) + "</group>" + tiles("Sky", S)), U},
+
+      // 5. Object layers with an area, and 6. tile layers, that nothing is said of: what is first offered.
+      {"boxes in Object Layer 1", mapOf(none, tiles("Tile Layer 1", B) + objects("Object Layer 1", ground)), U},
+      {"boxes, and a layer of points",
+       mapOf(none, tiles("Tile Layer 1", B) + objects("Points", spot(1, 1)) + objects("Boxes", wall)), W},
+      {"one layer and things",
+       mapOf(none, tiles("Tile Layer 1", U) + objects("objects", box(1, 0, 1, 1, "name='hero'"))), U},
+      {"one layer alone", mapOf(none, tiles("T1", P)), P},
+      {"a layer above a background that fills the map", mapOf(none, tiles("Layer 1", B) + tiles("Layer 2", U)), U},
+      {"spawns are no offer", mapOf(none, spawns + tiles("main", U)), U},
+      {"water is not the likeliest", mapOf(none, tiles("Water", S) + tiles("Tiles", P)), P},
+      {"foreground beside a background", mapOf(none, tiles("background", B) + tiles("decor", D) + tiles("stuff", U)),
+       U},
+  };
+}
+
+}  // namespace lgs::tiled::meant

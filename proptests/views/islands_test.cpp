@@ -1,0 +1,348 @@
+// The view of islands equals a union-find over all polygons, after each commit and roll-back, and says what was cut off.
+#include "oracle/views/island_check.h"
+#include "proptests/laws/calls.h"
+#include "proptests/support/law.h"
+
+#include <lgs/islands.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace lgs::test {
+namespace {
+
+constexpr Block kRock = 1, kBedrock = 2;
+
+bool isBedrock(Block block, Cell) { return block == kBedrock; }
+
+/// A view of islands that goes wherever its world goes.
+class IslandFollower {
+ public:
+  explicit IslandFollower(Caller& caller) : caller_(caller) { begin(); }
+
+  void make(const Call& call) {
+    if (call.kind == Call::Kind::goBack && caller_.marks() == 0) return;  // nothing would happen
+    const oracle::Outcome outcome = caller_.make(call);
+    if (outcome.refusal) return;
+    if (call.kind == Call::Kind::load) return begin();
+    if (call.kind == Call::Kind::copy) islands_ = Islands(islands_);
+    if (call.kind != Call::Kind::commit && call.kind != Call::Kind::goBack) return;
+    // To go back to a moment with edits that were pending is the one thing that the view can not follow.
+    const bool isPending = !caller_.world.save([](std::span<const std::byte>) {});
+    if (!isPending && wasPending_) return begin();
+    wasPending_ = isPending;
+    if (isPending) return;
+    Changes changes;
+    changes.removed = outcome.changes.removed;
+    changes.added = outcome.changes.added;
+    changes.relinked = outcome.changes.relinked;
+    changes.before = islands_.loops().version();
+    changes.after = caller_.world.version();
+    failUnless(islands_.update(caller_.world, changes), "the update was refused");
+    failIf(check_.update(caller_.world, islands_));
+  }
+
+ private:
+  void begin() {
+    static_cast<void>(caller_.world.followCells(true));  // refused if there are marks: then it does so already
+    wasPending_ = false;
+    islands_ = Islands(caller_.world, isBedrock);
+    failIf(check_.begin(caller_.world, islands_));
+  }
+
+  Caller& caller_;
+  Islands islands_{caller_.world};
+  oracle::IslandCheck check_{isBedrock};
+  bool wasPending_ = false;
+};
+
+LGS_LAW(IslandView, EqualsAUnionOfAllThatTouches, 500, (const AnyCalls& calls, const Setting& setting)) {
+  Caller caller = setting.start();
+  IslandFollower follower(caller);
+  for (const Call& call : calls.list) follower.make(call);
+  follower.make(Call());  // a commit
+}
+
+/// A world of whole cells, drawn in rows, the upper one first: '#' is rock, 'B' bedrock. A view follows it, and is
+/// checked after each commit.
+class Drawn {
+ public:
+  explicit Drawn(const std::vector<std::string>& rows, Cell corner = {}) : corner_(corner) {
+    draw(rows);
+    world.commit();
+    EXPECT_TRUE(world.followCells(true));
+    islands = Islands(world, isBedrock);
+    EXPECT_EQ(check_.begin(world, islands), std::nullopt);
+  }
+
+  /// Makes the world look like this, and commits.
+  void become(const std::vector<std::string>& rows) {
+    draw(rows);
+    commit();
+  }
+  void commit() {
+    ASSERT_TRUE(islands.update(world, world.commit()));
+    EXPECT_EQ(check_.update(world, islands), std::nullopt);
+  }
+  void goBack(Mark mark) {
+    ASSERT_TRUE(world.rollBack(mark));
+    ASSERT_TRUE(islands.update(world, world.changesOfRollBack()));
+    EXPECT_EQ(check_.update(world, islands), std::nullopt);
+  }
+
+  /// The island of a cell.
+  IslandId at(Cell cell) const {
+    const auto polygons = world.polygons({corner_.i + cell.i, corner_.j + cell.j});
+    return polygons.empty() ? IslandId() : islands.of(world, polygons.front().handle);
+  }
+  std::uint64_t anchors(Cell cell) const { return islands.island(at(cell))->anchors; }
+  const IslandChanges& changes() const { return islands.changes(); }
+
+  World world;
+  Islands islands{world};
+
+ private:
+  void draw(const std::vector<std::string>& rows) {
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      for (std::size_t c = 0; c < rows[r].size(); ++c) {
+        const Cell cell{corner_.i + static_cast<std::int32_t>(c),
+                        corner_.j + static_cast<std::int32_t>(rows.size() - 1 - r)};
+        const Block block = rows[r][c] == '#' ? kRock : rows[r][c] == 'B' ? kBedrock : 0;
+        const auto held = world.polygons(cell);
+        if (held.empty() && block != 0) place(world, cell, unitSquare(), block);
+        if (!held.empty() && block == 0) removeAll(world, cell);
+        if (held.empty() || block == 0 || held.front().block == block) continue;
+        EXPECT_TRUE(world.setBlock(held.front().handle, block));
+      }
+    }
+  }
+
+  Cell corner_;
+  oracle::IslandCheck check_{isBedrock};
+};
+
+TEST(IslandViewByHand, ABridgeThatIsCutLetsItsEndFall) {
+  Drawn d({"B#####"});
+  const IslandId whole = d.at({0, 0});
+  EXPECT_EQ(d.anchors({0, 0}), 1U);
+  d.become({"B#.###"});
+  EXPECT_EQ(d.changes().cutOff, (std::vector{IslandPair{whole, d.at({0, 0})}})) << "the larger part keeps the id";
+  EXPECT_EQ(d.at({4, 0}), whole);
+  EXPECT_EQ(d.anchors({0, 0}), 1U);
+  EXPECT_EQ(d.anchors({4, 0}), 0U);
+  d.become({"B#####"});
+  EXPECT_EQ(d.changes().joined.size(), 1U);
+  EXPECT_EQ(d.anchors({4, 0}), 1U);
+}
+
+TEST(IslandViewByHand, WhatIsOnlyWalkedThroughIsTheSmallerPart) {
+  Drawn d({std::string(100, '#')});
+  const std::uint64_t before = d.islands.walked();
+  std::string cut(100, '#');
+  cut[3] = '.';
+  d.become({cut});
+  EXPECT_EQ(d.islands.walked() - before, 3U);
+}
+
+TEST(IslandViewByHand, CornersThatTouchHoldTogether) {
+  Drawn d({".#", "#."});
+  EXPECT_EQ(d.islands.all().size(), 1U);
+  d.become({"#.", ".#"});
+  EXPECT_EQ(d.islands.all().size(), 1U);
+  EXPECT_TRUE(d.changes().cutOff.empty());
+}
+
+TEST(IslandViewByHand, AnAnchorMayBeBuried) {
+  Drawn d({"#####", "##B##", "#####", "..#..", "#####"});
+  d.become({"#####", "##B##", "#####", ".....", "#####"});
+  EXPECT_EQ(d.anchors({0, 0}), 0U);
+  EXPECT_EQ(d.anchors({0, 4}), 1U);
+  d.become({"#####", "#####", "#####", ".....", "#####"});
+  EXPECT_EQ(d.anchors({0, 4}), 0U) << "it is no anchor any more; no segment has changed";
+  EXPECT_EQ(d.changes().changed, std::vector{d.at({0, 4})});
+}
+
+TEST(IslandViewByHand, AMoatCutsOffWhatItRunsAround) {
+  Drawn d({"#######", "#######", "#######", "###B###", "#######", "#######", "#######"});
+  const IslandId rock = d.at({0, 0});
+  d.become({"#######", "#.....#", "#.###.#", "#.#B#.#", "#.###.#", "#.....#", "#######"});
+  EXPECT_EQ(d.changes().cutOff, (std::vector{IslandPair{rock, d.at({3, 3})}}));
+  EXPECT_EQ(d.at({0, 0}), rock);
+  EXPECT_EQ(d.anchors({0, 0}), 0U);
+  EXPECT_EQ(d.anchors({3, 3}), 1U);
+}
+
+TEST(IslandViewByHand, APeninsulaInAHoleIsCutOff) {
+  Drawn d({"#######", "#.....#", "#.#####", "#.....#", "#######"});
+  d.become({"#######", "#.....#", "#.###.#", "#.....#", "#######"});
+  EXPECT_EQ(d.changes().cutOff, (std::vector{IslandPair{d.at({0, 0}), d.at({3, 2})}}));
+  d.become({"#######", "#.....#", "#.#####", "#.....#", "#######"});
+  EXPECT_EQ(d.changes().joined.size(), 1U);
+}
+
+TEST(IslandViewByHand, WhatIsLaidBareIsWhatItWas) {
+  Drawn d({"###", "#B#", "###"});
+  const IslandId rock = d.at({1, 1});
+  d.become({"...", ".B.", "..."});
+  EXPECT_EQ(d.at({1, 1}), rock) << "not one segment of its loop is left";
+  EXPECT_EQ(d.anchors({1, 1}), 1U);
+  EXPECT_TRUE(d.changes().came.empty() && d.changes().went.empty() && d.changes().cutOff.empty());
+}
+
+TEST(IslandViewByHand, HolesMayTouchTheirOuterLoopAndEachOther) {
+  Drawn d({"#####", "#.#.#", "##.##", "#.#.#", "#####"});
+  EXPECT_EQ(d.islands.all().size(), 1U);
+  d.become({"#####", "#.#.#", "##.##", "#.#.#", "####."});
+  EXPECT_EQ(d.islands.all().size(), 1U);
+  d.become({"#####", "#.#..", "##.##", "#.#.#", "####."});
+  EXPECT_EQ(d.islands.all().size(), 1U);
+  d.become({"#####", "#.#..", "##..#", "#.#..", "####."});
+  EXPECT_EQ(d.islands.all().size(), 2U);
+  d.become({"####.", "#....", "##..#", "#.#..", "####."});
+  EXPECT_EQ(d.islands.all().size(), 2U);
+}
+
+TEST(IslandViewByHand, AnIslandLiesInAHoleOfAnIslandInAHole) {
+  const std::vector<std::string> all{"#########", "#.......#", "#.#####.#", "#.#...#.#", "#.#.B.#.#",
+                                     "#.#...#.#", "#.#####.#", "#.......#", "#########"};
+  Drawn d(all, {30, -4});  // over the corner of four chunks
+  EXPECT_EQ(d.islands.all().size(), 3U);
+  EXPECT_EQ(d.anchors({4, 4}), 1U);
+  EXPECT_EQ(d.anchors({2, 4}), 0U);
+  const auto body = take(d.world, d.islands, d.at({2, 4}));
+  ASSERT_TRUE(body);
+  EXPECT_EQ(body->polygons.size(), 16U);
+  d.commit();
+  EXPECT_EQ(d.islands.all().size(), 2U) << "what lies in its hole stays";
+  EXPECT_EQ(d.changes().went.size(), 1U);
+}
+
+TEST(IslandViewByHand, OneIsSplitIntoFiveAndTwoAreJoinedAtOnce) {
+  Drawn d({"..B..", "..#..", "B###B", "..#..", "..B..", ".....", "##.##"});
+  d.become({"..B..", ".....", "B.#.B", ".....", "..B..", ".....", "#####"});
+  EXPECT_EQ(d.changes().cutOff.size(), 4U);
+  EXPECT_EQ(d.changes().joined.size(), 1U);
+  EXPECT_EQ(d.islands.all().size(), 6U);
+  for (const Cell cell : {Cell{2, 6}, Cell{0, 4}, Cell{4, 4}, Cell{2, 2}}) EXPECT_EQ(d.anchors(cell), 1U);
+  EXPECT_EQ(d.anchors({2, 4}), 0U);
+}
+
+TEST(IslandViewByHand, AllIsRemovedUndoneAndLoaded) {
+  Drawn d({"B#.#", "##.#", "...."});
+  const Mark mark = d.world.checkpoint();
+  d.become({"....", "....", "...."});
+  EXPECT_EQ(d.changes().went.size(), 2U);
+  EXPECT_TRUE(d.islands.all().empty());
+  d.goBack(mark);
+  EXPECT_EQ(d.changes().came.size(), 2U);
+  EXPECT_EQ(d.anchors({0, 1}), 1U);
+  EXPECT_EQ(d.anchors({3, 1}), 0U);
+}
+
+TEST(IslandViewByHand, ThatAnEditWouldCutSomethingOffIsKnownBeforeIt) {
+  Drawn d({"B####"});
+  const auto cut = [&](World& world) { return world.clear(Cell{2, 0}).has_value(); };
+  const Foreseen would = foresee(d.world, d.islands, cut);
+  ASSERT_EQ(would.changes.cutOff.size(), 1U);
+  ASSERT_EQ(would.after.size(), 2U);
+  EXPECT_EQ(std::ranges::count(would.after, 0U, &IslandFacts::anchors), 1);
+  EXPECT_EQ(d.islands.all().size(), 1U);
+  EXPECT_EQ(d.anchors({4, 0}), 1U);
+  EXPECT_FALSE(d.world.isEmpty({2, 0}));
+  const Foreseen nothing = foresee(d.world, d.islands, [](World& world) {
+    return world.clear(Cell{1, 0}).has_value() && world.remove({}).has_value();
+  });
+  EXPECT_TRUE(nothing.changes.cutOff.empty());
+  EXPECT_FALSE(d.world.isEmpty({1, 0})) << "what was edited before the refusal is undone as well";
+  d.commit();
+}
+
+TEST(IslandViewByHand, ABodyGoesBackWhereItFits) {
+  Drawn d({"B.##", "B.#.", "BBBB"});
+  const auto id = d.at({2, 1});
+  EXPECT_EQ(id, d.at({0, 0})) << "it stands on the ground";
+  d.become({"B.##", "B.#.", "....", "BBBB"});
+  const Mark mark = d.world.checkpoint();
+  const auto body = take(d.world, d.islands, d.at({2, 3}));
+  ASSERT_TRUE(body);
+  EXPECT_EQ(body->origin, (Cell{2, 2}));
+  EXPECT_EQ(body->mass.area, 3);
+  EXPECT_DOUBLE_EQ(body->mass.centroid.x, 2.5 / 3);
+  EXPECT_DOUBLE_EQ(body->mass.centroid.y, 3.5 / 3);
+  d.commit();
+  const auto refused = put(d.world, *body, {2, 0});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::overlap);
+  EXPECT_EQ(refused.error().index, 0);
+  EXPECT_TRUE(d.world.isEmpty({3, 1})) << "nothing of it was placed";
+  ASSERT_TRUE(put(d.world, *body, {2, 1}));
+  d.commit();
+  EXPECT_EQ(d.at({3, 2}), d.at({0, 0}));
+  d.goBack(mark);
+  EXPECT_EQ(d.islands.all().size(), 3U);
+  EXPECT_FALSE(put(d.world, *body, {kMaxCell, 0}));
+  EXPECT_FALSE(take(d.world, d.islands, {}));
+}
+
+TEST(IslandViewByHand, TouchingCornersAreCutWhenItIsTakenApart) {
+  Drawn d({".##", "#..", "##."});
+  ASSERT_EQ(d.islands.all().size(), 1U);
+  const auto bodies = takeApart(d.world, d.islands, d.islands.all().front());
+  ASSERT_TRUE(bodies);
+  ASSERT_EQ(bodies->size(), 2U);
+  EXPECT_EQ(bodies->front().mass.area, 3);
+  EXPECT_EQ(bodies->back().mass.area, 2);
+  d.commit();
+  EXPECT_TRUE(d.islands.all().empty());
+}
+
+/// By rational numbers of 128 bits, which are enough for a few cells.
+TEST(Bodies, HaveMomentsThatAreRoundedOnce) {
+  oracle::Choices choices = choicesFrom(7);
+  for (int round = 0; round < 2'000; ++round) {
+    std::vector<BodyPolygon> polygons;
+    World world;
+    for (int k = choices.between(1, 3); k > 0; --k) {
+      const LocalPolygon p = oracle::drawPolygon(choices);
+      if (!world.shape(p)) continue;  // it runs clockwise, or has no area
+      polygons.push_back({{choices.between(-3, 3), choices.between(-3, 3)}, 1, p});
+    }
+    using oracle::Wide;
+    Wide a = 0, mx = 0, my = 0, polar = 0;
+    for (const BodyPolygon& p : polygons) {
+      for (std::size_t k = 1; k + 1 < p.vertices.size(); ++k) {  // a fan of triangles
+        const Point o = toWorld(p.cell, p.vertices[0]), u = toWorld(p.cell, p.vertices[k]),
+                    v = toWorld(p.cell, p.vertices[k + 1]);
+        const Wide twice = Wide{u.x - o.x} * (v.y - o.y) - Wide{u.y - o.y} * (v.x - o.x);
+        a += twice;
+        mx += twice * (o.x + u.x + v.x);
+        my += twice * (o.y + u.y + v.y);
+        for (const auto& [p0, p1, p2] : {std::array{o.x, u.x, v.x}, std::array{o.y, u.y, v.y}})
+          polar +=
+              twice * (Wide{p0} * p0 + Wide{p1} * p1 + Wide{p2} * p2 + Wide{p0} * p1 + Wide{p1} * p2 + Wide{p2} * p0);
+      }
+    }
+    if (polygons.empty()) continue;
+    const MassOfPolygons mass = massOf(polygons);
+    const auto near = [](double value, long double exact) {
+      const auto rounded = static_cast<double>(exact);
+      return value >= std::nextafter(rounded, -HUGE_VAL) && value <= std::nextafter(rounded, HUGE_VAL);
+    };
+    const auto real = [](Wide v) { return static_cast<long double>(v); };
+    constexpr long double U1 = kUnitsPerCell;
+    EXPECT_TRUE(near(mass.area, real(a) / 2 / U1 / U1));
+    EXPECT_TRUE(near(mass.centroid.x, real(mx) / (3 * real(a)) / U1));
+    EXPECT_TRUE(near(mass.centroid.y, real(my) / (3 * real(a)) / U1));
+    // Both terms have less than 2^126; their difference is exact.
+    const Wide central = 3 * polar * a - 2 * (mx * mx + my * my);
+    EXPECT_TRUE(near(mass.secondMoment, real(central) / (36 * real(a)) / U1 / U1 / U1 / U1)) << round;
+  }
+}
+
+}  // namespace
+}  // namespace lgs::test
