@@ -100,7 +100,7 @@ export default async function proof(element: HTMLElement): Promise<void> {
       fig.redraw()
     }
     const holes = wanted.filter(({ key }) => !got.some((edge) => edge.key === key)).length
-    report = `World ${seed} failed. Of its ${before} polygons these ${placed.length} are enough: ${counted(holes, 'segment')} of the reference ${holes === 1 ? 'is' : 'are'} missing or wrong.`
+    report = `World ${seed} failed. Of its ${before} polygons these ${placed.length} are enough: ${got.length === 0 ? 'the engine stops.' : `${counted(holes, 'segment')} of the reference ${holes === 1 ? 'is' : 'are'} missing or wrong.`}`
     fig.redraw()
   }
 

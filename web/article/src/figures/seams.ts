@@ -2,7 +2,7 @@
 import { createWorld } from 'localgridseg'
 import { PlanckTerrain } from 'localgridseg/planck'
 import { Circle, Vec2, World as Physics } from 'planck'
-import { solids, square } from '../ground.js'
+import { counted, solids, square } from '../ground.js'
 import { clamp, Figure } from '../kit.js'
 import { disc, path, type Point, words } from '../svg.js'
 
@@ -86,9 +86,9 @@ export default function seams(element: HTMLElement): void {
     parts.push(path('spoke', [[x, y], [x + radius * Math.cos(angle), y + radius * Math.sin(angle)]]))
     if (trail.length > 1) parts.push(path('trail', trail.map(higher)))
     for (const kick of kicks) parts.push(disc('kick', higher(kick), 5 * fig.pixel))
-    parts.push(words('label', [2.2, 3.8], 13 * fig.pixel, `its path, ${height} times as high`))
+    parts.push(words('label', [tiles / 2, 3.8], 13 * fig.pixel, `its path, ${height} times as high`))
     moving.replaceChildren(...parts)
     const now = wheel.getLinearVelocity().x / cell
-    fig.say(`${kicks.length} kicks on this run. Speed ${now.toFixed(2)} of ${speed} cells a second.`, true)
+    fig.say(`${counted(kicks.length, 'kick')} on this run. Speed ${now.toFixed(2)} of ${speed} cells a second.`, true)
   })
 }
