@@ -109,7 +109,7 @@ void Outline::goForward(const Grid& grid, std::uint64_t moment, std::uint64_t ve
 template <class Go>
 void Outline::go(const Grid& grid, std::vector<std::uint32_t> ids, std::uint64_t version, Changes& changes, Go&& go) {
   detail::sort(ids);
-  ids.erase(std::ranges::unique(ids).begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());  // clang 14 does not take the one of std::ranges
   const SeenById before = look(grid, *this, ids);
   go();
   const SeenById after = look(grid, *this, ids);

@@ -216,6 +216,7 @@ void Caller::fill(const Call& call, Outcome& out) {
   const auto count = world.fill(call.cells, out.shape, coming.block);
   if (!isDone(count, out)) return;
   out.count = *count;
+  if (isEmpty(call.cells)) return;  // it may have any number of rows
   for (std::int32_t j = call.cells.min.j; j <= call.cells.max.j; ++j)
     for (std::int32_t i = call.cells.min.i; i <= call.cells.max.i; ++i) keepLast({i, j}, coming.shape.size(), out);
 }

@@ -16,6 +16,11 @@ using Kind = Call::Kind;
 constexpr std::int32_t kUnit = kUnitsPerCell;
 constexpr std::uint32_t kNoShape = 4'711;  // where the call itself makes shapes, other ids may become known
 
+// Some cells further, and no further than there are numbers.
+std::int32_t plus(std::int32_t index, int step) {
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(std::int64_t{index} + step, INT32_MIN, INT32_MAX));
+}
+
 // Draws a call. Compilers differ in the order in which they evaluate arguments: so a call of a function has at most one
 // that is drawn.
 class Drawer {
@@ -27,8 +32,8 @@ class Drawer {
     call.kind = kind;
     const Cell here = cell();
     call.cells = {here, here};
-    if (kind == Kind::fill || kind == Kind::clear) call.cells.max = {here.i + below(3), here.j + below(3)};
-    if (choices_.chance(3)) call.cells.max.i -= 3;  // mostly an empty rectangle
+    if (kind == Kind::fill || kind == Kind::clear) call.cells.max = {plus(here.i, below(3)), plus(here.j, below(3))};
+    if (choices_.chance(3)) call.cells.max.i = plus(call.cells.max.i, -3);  // mostly an empty rectangle
     if (isHostile()) call.cells.max = endOfCells();
     switch (kind) {
       case Kind::shape:

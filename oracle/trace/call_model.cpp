@@ -23,6 +23,7 @@ std::optional<ErrorCode> faultOf(const Call& call, const Shape& shape) {
 
 std::vector<Cell> cellsOf(const CellRect& rect) {
   std::vector<Cell> cells;
+  if (isEmpty(rect)) return cells;  // it may have any number of rows
   for (std::int32_t j = rect.min.j; j <= rect.max.j; ++j)
     for (std::int32_t i = rect.min.i; i <= rect.max.i; ++i) cells.push_back({i, j});
   return cells;

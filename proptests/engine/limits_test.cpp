@@ -97,11 +97,11 @@ TEST(Limits, AFillThatMeetsAWornCellChangesNothing) {
   world.wear({34, 2}, 0);
   world.wear({-2, 3}, 0);
   world.wear({1, 1}, 254);  // enough
-  expectCapacity(world.impl.edit.fill(kRect, world.square, 1), {34, 2});
+  expectCapacity(world.impl.edit.fill(kRect, world.square, 1, {}), {34, 2});
   for (const Cell& cell : cellsOf(kRect)) EXPECT_EQ(world.polygonsAt(cell), 0U);
   world.wear({5, 2}, 1);
-  expectCapacity(world.impl.edit.fill({{5, 2}, {33, 2}}, world.halves, 1), {5, 2});
-  EXPECT_EQ(world.impl.edit.fill({{-3, -3}, {33, 2}}, world.square, 1).value(), 37U * 6U);
+  expectCapacity(world.impl.edit.fill({{5, 2}, {33, 2}}, world.halves, 1, {}), {5, 2});
+  EXPECT_EQ(world.impl.edit.fill({{-3, -3}, {33, 2}}, world.square, 1, {}).value(), 37U * 6U);
   EXPECT_TRUE(world.commit().removed.empty());
 }
 
