@@ -13,7 +13,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 # Files that tell a game or a user which version to ask for.
-ASKING = ["README.md", "docs/packages.md", "debian/copyright", "examples/lgs_ctypes.py",
+ASKING = ["docs/install.md", "docs/internals/packages.md", "debian/copyright", "examples/lgs_ctypes.py",
           "proptests/consumer/CMakeLists.txt", "proptests/c/consumer/CMakeLists.txt", "lib/c/liblgs.map"]
 
 
@@ -56,6 +56,7 @@ def complaints():
         ("lgs/version.h has the version of CMakeLists.txt",
          f"kVersion{{{version.replace('.', ', ')}}};" in text("lib/include/lgs/version.h")),
         (f"{', '.join(ASKING)} ask for {version.rpartition('.')[0]}", asked == {version.rpartition(".")[0]}),
+        ("README.md has the version of CMakeLists.txt", f"| version | {version};" in text("README.md")),
         ("vcpkg.json has the version of CMakeLists.txt", port["version-semver"] == version),
         ("conanfile.py has the version of CMakeLists.txt", conan["version"] == version),
         ("web/package/package.json has the version of CMakeLists.txt",

@@ -15,11 +15,14 @@ build=$PWD/build/coverage
 flags='-O1 -g1 -DNDEBUG --coverage -fno-inline -fprofile-update=atomic'
 step configure 'Configure (coverage)' cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
   "-DCMAKE_CXX_FLAGS_DEBUG=$flags" -DCMAKE_EXE_LINKER_FLAGS=-Wl,-u,__gcov_dump  # for child processes: isolated.cpp
-step build 'Build (coverage)' cmake --build "$build" --target lgs_engine_tests lgs_tests lgs_box2d_tests
+step build 'Build (coverage)' cmake --build "$build" --target lgs_engine_tests lgs_view_tests lgs_brush_tests \
+  lgs_tests lgs_box2d_tests
 find "$build" -name '*.gcda' -delete
 
 export LGS_TEST_SCALE=${1:-0.25}
 step engine 'Tests of the engine' "$build/proptests/lgs_engine_tests"
+step views 'Tests of views' "$build/proptests/lgs_view_tests"
+step brush 'Tests of brushes' "$build/proptests/brush/lgs_brush_tests"
 step tools 'Tests of the importer' "$build/proptests/lgs_tests" --gtest_filter='Tiled*'
 step box2d 'Tests of the terrain for Box2D' "$build/proptests/lgs_box2d_tests"
 
@@ -37,6 +40,7 @@ report() {
 mkdir -p out/coverage
 report 'The importer' 'lib/tiled/'
 report 'The terrain for Box2D' 'lib/box2d/'
+report 'Brushes' 'lib/brush/'
 report 'The engine' 'lib/(include|geometry|storage|ground|outline|world)/'
 printf '\ncoverage.sh: all of lib/, line by line in %s/out/coverage/index.html\n' "$PWD"
 gcovr --root . --add-tracefile "$gathered" --html-details out/coverage/index.html --print-summary --fail-under-line 99 \

@@ -14,7 +14,8 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-PARTS = ["CHANGELOG.md", "CMakeLists.txt", "LICENSE", "LICENSES.md", "README.md", "cmake", "docs", "examples", "lib"]
+PARTS = ["CHANGELOG.md", "CMakeLists.txt", "LICENSE", "LICENSES.md", "README.md", "SECURITY.md", "cmake", "docs", "examples",
+         "lib"]
 
 
 def files():

@@ -12,9 +12,9 @@ mkdir -p "$out"
   echo '# LocalGridSeg {#mainpage}'
   echo
   echo 'Where to begin: lgs::World, or lgs/lgs.h in C; lgs::paint() and lgs::carve(); lgs::tiled::importMap();'
-  echo 'lgs::box2d::Terrain; lgs::writeSvg(). The README has the words and the laws that all of it goes by.'
+  echo 'lgs::box2d::Terrain; lgs::writeSvg(). docs/contract.md has the words and the laws that all of it goes by.'
   echo
-  sed -n '3,/^## Words/p' README.md | sed '/^## Words/d; /^(The tests compile/d' |
+  sed -n '3,/^## Guarantees and limits/p' README.md | sed '/^## Guarantees and limits/d' |
     sed -E 's/(^|[^!])\[([^]]*)\]\([^)#]*\.md[^)]*\)/\1\2/g; s/\]\(docs\//](/g'
 } >"$out/main.md"
 

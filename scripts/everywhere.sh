@@ -10,7 +10,7 @@
 #
 # A row says: platform, compiler, options, the hash of all that the library gave out and whether it is the expected one,
 # whether the two files do the same, warnings in lib/, how many tests passed, and the seconds that the program took.
-# "Tests" are lgs_platform, those of the C interface in C99, the example in C, the README's, and for the two files
+# "Tests" are lgs_platform, those of the C interface in C99, the example in C, those of the documents, and for the two files
 # lgs_platform and a game. Builds into build/everywhere/NAME, and logs there in log.txt.
 # Exit status: 0: all alike; 1: a hash, a test or a build failed; 2: wrong usage.
 set -uo pipefail

@@ -18,9 +18,10 @@ import tempfile
 ENGINE = ["lib/include"]
 GROUND = ENGINE + ["lib/geometry", "lib/storage"]
 REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/calls", "oracle/trace"]
-ORACLE = REFERENCES + ["oracle/draw", "oracle/engine", "oracle/page", "oracle/generate", "oracle/check"]
+ORACLE = REFERENCES + ["oracle/draw", "oracle/engine/include", "oracle/engine", "oracle/page", "oracle/generate", "oracle/check"]
 TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out"]
-ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/brush/include", "lib/tiled/include"] + TERRAIN
+ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/brush/include", "lib/pieces/include",
+            "lib/tiled/include"] + TERRAIN
 ROOMS = {
     "lib/include": [],
     "lib/text": [],  # words as people and shells read them: of the importer, the references and the command
@@ -35,10 +36,14 @@ ROOMS = {
     "lib/debug/src": ["lib/include", "lib/debug/include"],
     "lib/brush/include": ["lib/include"],
     "lib/brush/src": ["lib/include", "lib/geometry", "lib/brush/include"],
+    "lib/pieces/include": ["lib/include"],
+    "lib/pieces/src": ["lib/include", "lib/geometry", "lib/pieces/include"],
     "lib/tiled/include": ["lib/include"],
     "lib/tiled/src": ["lib/include", "lib/geometry", "lib/text", "lib/brush/include", "lib/tiled/include"],
     "web/bench": ["lib/include"],
-    "web/wasm": ["lib/include", "lib/brush/include", "lib/tiled/include"],
+    # The rules of terrains are compiled into the package, and the reference into the article.
+    "web/wasm": ["lib/include", "lib/brush/include", "lib/tiled/include", "lib/box2d/include", "lib/box2d/src",
+                 "oracle/reference"],
     "lib/box2d/include": ["lib/include"],
     "lib/box2d/src": ["lib/include", "lib/geometry", "lib/box2d/include"],
     "lib/box2d/v2/include": ["lib/include", "lib/box2d/include"],
@@ -54,18 +59,19 @@ ROOMS = {
     # Traces have edits by brushes, and it plays them.
     "oracle/trace": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/calls"],
     "oracle/page": ENGINE + ["oracle/reference", "oracle/trace", "oracle/draw"],
-    "oracle/engine": ENGINE + ["lib/c/include", "oracle/reference", "oracle/trace"],
+    "oracle/engine/include": [],
+    "oracle/engine": ENGINE + ["oracle/engine/include", "oracle/reference", "oracle/trace"],
     # Random brushes are circles and lines of the library's making.
     "oracle/generate": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/calls", "oracle/trace",
                                  "oracle/engine"],
     "oracle/check": ENGINE + REFERENCES + ["lib/text", "oracle/draw", "oracle/engine", "oracle/page",
                                             "oracle/generate"],
-    "bench/published": ENGINE + ["lib/c/include", "oracle/reference"],
+    "bench/published": ENGINE + ["oracle/engine/include", "oracle/reference"],
     "bench/ride": ENGINE + ADAPTERS + ORACLE,
     "bench/instructions": ENGINE + ["lib/brush/include", "lib/brush/src", "oracle/calls"],  # it counts cut cells
     "bench": ENGINE + ADAPTERS + ORACLE + ["bench/published"],
     "cli": ENGINE + ADAPTERS + ORACLE + ["lib/text", "bench", "bench/ride"],
-    "examples": ENGINE + ADAPTERS + ["lib/c/include"],
+    "examples": ENGINE + ADAPTERS + ["oracle/engine/include"],
     "packaging": ENGINE,
     "fuzz": ENGINE + ADAPTERS + ORACLE + ["cli"],
     # Unit tests of the engine's and the importer's parts look inside.
@@ -76,8 +82,9 @@ ROOMS = {
 }
 # The folders from which a header is found by a path without its room.
 INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/c/include", "lib/debug/include", "lib/brush/include",
-                   "lib/brush/src", "lib/tiled/include", "lib/tiled/src", "lib/box2d/include", "lib/box2d/src",
-                   "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out/include"]
+                   "lib/brush/src", "lib/pieces/include", "lib/pieces/src", "lib/tiled/include", "lib/tiled/src",
+                   "lib/box2d/include", "lib/box2d/src", "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out/include",
+                   "oracle/engine/include"]
 # What no file below a folder may include, whatever its room: lib/ is MIT and goes into games.
 FOREIGN = {"lib": re.compile(r"CGAL/|rapidcheck|gtest|gmock|fmt/|CLI/")}
 KINDS = ["*.h", "*.c", "*.cpp"]

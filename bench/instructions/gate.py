@@ -96,8 +96,8 @@ def main():
         above += count > ceiling
         print(f"{count:12.1f} {ceiling:9} {many:6} {loop}: {STEPS[loop]}{'   ABOVE' if count > ceiling else ''}")
     if above:
-        print("gate: some loops take more instructions than before. docs/performance.md says how to find out why. If it"
-              "\n      must be so, run gate.py with --write, and say in the commit what it is good for.")
+        print("gate: some loops take more instructions than before. docs/internals/performance.md says how to find out"
+              "\n      why. If it must be so, run gate.py with --write, and say in the commit what it is good for.")
     return 1 if above else 0
 
 

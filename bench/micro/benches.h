@@ -39,5 +39,6 @@ void registerReads(const Scale& scale);       ///< changes, segments, loops
 void registerWorst(const Scale& scale);       ///< the edits that cost most
 void registerInterfaces(const Scale& scale);  ///< by C++ and by C
 void registerBrushes(const Scale& scale);     ///< holes of any shape, beside Clipper
+void registerPieces(const Scale& scale);      ///< convex pieces, beside those of a chunk worked out anew
 
 }  // namespace lgs::bench

@@ -54,6 +54,7 @@ int run(int argc, char** argv) {
   registerReads(scale);
   registerWorst(scale);
   registerBrushes(scale);
+  registerPieces(scale);
 #ifdef LGS_BENCH_C
   registerInterfaces(scale);
 #endif

@@ -1,6 +1,6 @@
 // The published algorithm, as its article "An Algorithm for Local Grid Segmentation" gives it: the same five maps, the
-// same two phases, float vertices, `atan2`. The engine is compared with it: docs/departures.md shows what it gets
-// wrong, and its time is the baseline of the bench. Nothing else builds on it.
+// same two phases, float vertices, `atan2`. The engine is compared with it: docs/internals/departures.md
+// shows what it gets wrong, and its time is the baseline of the bench. Nothing else builds on it.
 //
 // Names and order follow the article's pseudo-code, so that the two can be read side by side. "Silent:" marks what the
 // article leaves open. What was chosen there is always what is best for the algorithm.

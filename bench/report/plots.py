@@ -124,7 +124,7 @@ def incremental(results, path):
         return {side * side: time for side, time in found.items() if time}
 
     lines = [(plain(NAMES[s]), points("ramp", s), c, "-") for s, c in zip(RECOMPUTE, COLOURS[1:])]
-    lines.append(("published algorithm, an edit", points("edit-ramp", "published-port"), COLOURS[7], "-"))
+    lines.append(("the port as published, an edit", points("edit-ramp", "published-port"), COLOURS[7], "-"))
     lines.append(("engine, an edit", points("edit-ramp", "engine-shapes"), COLOURS[0], "-"))
     lines.append(("engine, from nothing", points("ramp", "engine-shapes"), COLOURS[0], "--"))
     text = "Random ramps: the whole outline again, or one polygon removed or added and committed. Median."

@@ -1,5 +1,5 @@
 // A world in several processes: each MPI rank has a region of it. Edits go to whom they concern, and links between
-// segments lead across the borders by rank and id (docs/beyond-one-process.md).
+// segments lead across the borders by rank and id (docs/internals/beyond-one-process.md).
 //
 //   mpirun -n 4 ./lgs_mpi --side 1000 --rounds 20 --edits 10000 --check
 //

@@ -2,7 +2,7 @@
 //
 // What a cell puts out depends on its 3×3 neighbourhood alone. So a rank that also has the polygons of all cells that
 // touch its region, the *halo*, gets the segments of its own cells right, and their links.
-// docs/beyond-one-process.md says why.
+// docs/internals/beyond-one-process.md says why.
 #pragma once
 
 #include <lgs/lattice.h>

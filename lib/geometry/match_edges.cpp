@@ -86,7 +86,7 @@ Expected<std::vector<EdgeLinks>> radialMatch(std::span<const Point> points, std:
 std::vector<std::vector<std::uint32_t>> loopsOf(std::span<const EdgeLinks> links) {
   const auto after = [&](std::uint32_t edge) {
     const std::uint32_t next = links[edge].successor;
-    return next != kNoEdge && links[next].predecessor == edge ? next : kNoEdge;
+    return next < links.size() && links[next].predecessor == edge ? next : kNoEdge;
   };
   std::vector<std::vector<std::uint32_t>> loops;
   std::vector<bool> isDone(links.size(), false);

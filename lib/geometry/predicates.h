@@ -45,7 +45,7 @@ constexpr int orientation(P a, P b, P c) {
 
 /// Whether p lies on the open segment a–b.
 template <LatticePoint P>
-constexpr bool isInside(P p, P a, P b) {
+constexpr bool isOnOpenSegment(P p, P a, P b) {
   return orientation(a, b, p) == 0 && dot(a - p, b - p) < 0;
 }
 

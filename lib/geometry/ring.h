@@ -57,7 +57,7 @@ template <LatticePoint P, class Points, class Cuts>
 void cutEdge(P a, P b, const Points& points, Cuts& cuts) {
   cuts.assign({a, b});
   for (const P p : points)
-    if (isInside(p, a, b)) cuts.push_back(p);
+    if (isOnOpenSegment(p, a, b)) cuts.push_back(p);
   if (cuts.size() > 2) detail::sort(cuts, [&](P u, P v) { return dot(u - a, b - a) < dot(v - a, b - a); });
 }
 

@@ -10,15 +10,16 @@
 namespace lgs::detail {
 namespace {
 
-std::uint64_t hashOf(PolygonView vertices) {
-  std::uint64_t hash = vertices.size();
+std::uint64_t hashOf(std::uint64_t seed, PolygonView vertices) {
+  std::uint64_t hash = seed ^ vertices.size();
   for (const LocalPoint v : vertices)
     hash = mix(hash, std::uint64_t{static_cast<std::uint32_t>(v.x)} << 32 | static_cast<std::uint32_t>(v.y));
   return hash;
 }
 
-std::uint64_t hashOf(std::span<const PolygonId> polygons, std::span<const std::pair<Slot, Slot>> preserved) {
-  std::uint64_t hash = polygons.size();
+std::uint64_t hashOf(std::uint64_t seed, std::span<const PolygonId> polygons,
+                     std::span<const std::pair<Slot, Slot>> preserved) {
+  std::uint64_t hash = seed ^ polygons.size();
   for (const PolygonId id : polygons) hash = mix(hash, id);
   for (const auto& [a, b] : preserved) hash = mix(hash, std::uint64_t{1} << 63 | std::uint64_t{a} << 16 | b);
   return hash;
@@ -40,12 +41,12 @@ std::uint32_t store(std::vector<Owned<T>>& table, std::vector<std::uint32_t>& fr
 }  // namespace
 
 Catalogue::Catalogue() {
-  contents_.emplace_back(std::make_unique<InternedContent>(InternedContent{buildContent({}, {}), {}, {}, 0}));
+  contents_.emplace_back(std::make_unique<InternedContent>(InternedContent{builder_.build({}, {}), {}, {}, 0}));
   uses_.push_back({.users = kForever});
 }
 
 Expected<PolygonId> Catalogue::internPolygon(PolygonView vertices) {
-  const std::uint64_t hash = hashOf(vertices);
+  const std::uint64_t hash = hashOf(polygonIndex_.seed(), vertices);
   const std::uint32_t found =
       polygonIndex_.find(hash, [&](PolygonId id) { return std::ranges::equal(polygons_[id]->vertices, vertices); });
   if (found != HashIndex::kNone) return found;
@@ -67,30 +68,30 @@ Expected<ContentId> Catalogue::internSole(PolygonId polygon) {
 
 Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons, std::span<const std::uint8_t> known,
                                              std::span<const std::pair<Slot, Slot>> preserved) {
-  const std::uint64_t hash = hashOf(polygons, preserved);
+  const std::uint64_t hash = hashOf(contentIndex_.seed(), polygons, preserved);
   const std::uint32_t found = contentIndex_.find(hash, [&](ContentId id) {
     return std::ranges::equal(contents_[id]->polygons, polygons) &&
            std::ranges::equal(contents_[id]->preserved, preserved);
   });
   if (found != HashIndex::kNone) return found;
 
-  std::vector<PolygonView> views;
+  views_.clear();
   std::size_t vertexCount = 0;
   for (const PolygonId id : polygons) {
-    views.push_back(vertices(id));
-    vertexCount += views.back().size();
+    views_.push_back(vertices(id));
+    vertexCount += views_.back().size();
   }
   if (polygons.size() > kMaxPolygonsPerCell || vertexCount > kMaxVerticesPerCell)
     return refuse({.code = ErrorCode::capacity});
   if (freeContents_.empty() && contents_.size() > kMaxContent) return refuse({.code = ErrorCode::capacity});
   const auto isKnown = [&](std::size_t k) { return !known.empty() && known[k]; };
-  for (std::size_t b = 0; b < views.size(); ++b) {
+  for (std::size_t b = 0; b < views_.size(); ++b) {
     if (isKnown(b)) continue;
-    for (std::size_t a = 0; a < views.size(); ++a)
-      if ((a < b || isKnown(a)) && interiorsMeet(views[a], views[b])) return refuse({.code = ErrorCode::overlap});
+    for (std::size_t a = 0; a < views_.size(); ++a)
+      if ((a < b || isKnown(a)) && interiorsMeet(views_[a], views_[b])) return refuse({.code = ErrorCode::overlap});
   }
 
-  InternedContent content{buildContent(views, preserved), {}, {}, hash};
+  InternedContent content{builder_.build(views_, preserved), {}, {}, hash};
   content.polygons.assign(polygons.begin(), polygons.end());
   content.preserved.assign(preserved.begin(), preserved.end());
   const ContentId id = store(contents_, freeContents_, std::move(content));
@@ -186,7 +187,7 @@ std::uint64_t Catalogue::bytes() const {
     for (const Side& side : c->sides) sum += of(side.covered) + of(side.points);
   }
   for (const InternedShape& s : shapes_) sum += 2 * of(s.polygons);
-  return sum + of(uses_) + of(shapes_) + of(freePolygons_) + of(freeContents_);
+  return sum + builder_.bytes() + of(views_) + of(uses_) + of(shapes_) + of(freePolygons_) + of(freeContents_);
 }
 
 }  // namespace lgs::detail

@@ -82,6 +82,12 @@ class Catalogue {
   /// Once many contents and polygons have no users, forgets them. Cost: O(1) for each that was made, amortised.
   void collect();
 
+  /// For tests of the limit: so many contents count as made, and are not there.
+  void passOver(std::size_t contents) {
+    contents_.resize(contents_.size() + contents);
+    uses_.resize(contents_.size(), {.users = kForever});
+  }
+
   std::uint64_t contentCount() const { return contents_.size() - 1 - freeContents_.size(); }
   std::uint64_t shapeCount() const { return shapes_.size() - 1; }
   /// Takes the shape made last away. Its content stays, as it is worked out already.
@@ -129,6 +135,8 @@ class Catalogue {
   std::vector<ContentId> freeContents_;
   std::uint32_t widestFan_ = 0;
   std::size_t unused_ = 0;  ///< contents and polygons without users
+  ContentBuilder builder_;
+  std::vector<PolygonView> views_;  ///< working memory
 };
 
 }  // namespace lgs::detail

@@ -3,6 +3,7 @@
 // (phase 2).
 #pragma once
 
+#include "geometry/predicates.h"
 #include "geometry/radial_match.h"
 #include "ground/edge.h"
 #include "ground/polygon.h"
@@ -94,9 +95,46 @@ struct Content {
   Slot wholeSlot(unsigned side) const { return sides[side].covered.front().slot; }
 };
 
-/// Works out the content of a cell with these polygons, which have no defects and disjoint interiors. `preserved` lists
-/// pairs of slots, sorted, the smaller slot first: overlaps between them inside the cell are kept. Cost: O(n log n)
-/// in the vertices. With several polygons each edge is also compared with the vertices between its ends by x, then y.
-Content buildContent(std::span<const PolygonView> polygons, std::span<const std::pair<Slot, Slot>> preserved);
+/// Works out contents. It keeps its working memory from one to the next.
+class ContentBuilder {
+ public:
+  /// The content of a cell with these polygons, which have no defects and disjoint interiors. `preserved` lists pairs of
+  /// slots, sorted, the smaller slot first: overlaps between them inside the cell are kept. Cost: O(n log n) in the
+  /// vertices. With several polygons each edge is also compared with the vertices between its ends by x, then y.
+  Content build(std::span<const PolygonView> polygons, std::span<const std::pair<Slot, Slot>> preserved);
+
+  std::uint64_t bytes() const {
+    const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
+    return of(order_, points_, ranks_, edges_, ends_, sorted_, interior_, first_, contacts_, fan_);
+  }
+
+ private:
+  /// Index of a vertex among all those of the cell in order.
+  using Rank = std::uint32_t;
+  /// A directed edge at one of its ends, without a vertex in between.
+  struct HalfEdge {
+    Rank at, to;
+    std::uint32_t what;  ///< the slot of its polygon, or the interior edge and whether it leaves
+  };
+
+  void takeVertices(std::span<const PolygonView> polygons);
+  void cutEdges(std::span<const PolygonView> polygons);
+  void sortByEnd(std::vector<HalfEdge>& edges, Rank HalfEdge::*end);
+  void placeEdges(Content& content, std::span<const std::pair<Slot, Slot>> preserved);
+  std::span<const Spoke> fanAt(Rank vertex, Vector from);
+  std::span<const Spoke> fanAt(LocalPoint point, Vector from);
+  void linkInside(Content& content);
+
+  std::vector<PlacedVertex> order_;  ///< the polygons' vertices in order
+  std::vector<LocalPoint> points_;   ///< the same, each once
+  std::vector<Rank> ranks_;          ///< of the polygons' vertices, one polygon after the other
+  std::vector<HalfEdge> edges_;
+  std::vector<HalfEdge> ends_;  ///< of the interior edges
+  std::vector<HalfEdge> sorted_;
+  std::vector<InteriorEdge> interior_;  ///< for a copy without room to spare
+  std::vector<std::uint32_t> first_;    ///< of each vertex, in what was sorted last
+  std::vector<std::uint64_t> contacts_;
+  std::vector<Spoke> fan_;
+};
 
 }  // namespace lgs::detail

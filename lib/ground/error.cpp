@@ -5,6 +5,13 @@
 namespace lgs {
 namespace {
 
+// As world.h has them, by the number of bits.
+#ifdef LGS_HANDLES_IN_53_BITS
+constexpr const char *kSerialBits = "23", *kChunkBits = "20";
+#else
+constexpr const char *kSerialBits = "28", *kChunkBits = "22";
+#endif
+
 std::string number(std::int64_t v) { return std::to_string(v); }
 
 std::string where(const Error& e) {
@@ -27,8 +34,10 @@ std::string what(const Error& e) {
     case ErrorCode::tooFewVertices:
       return "a polygon needs at least 3 vertices";
     case ErrorCode::capacity:
-      return "too much: a cell holds at most 254 polygons with 4,096 vertices, "
-             "a world 2^22 - 1 chunks of 32x32 cells, a call 2^31 - 1 entries";
+      return std::string("too much: a cell holds at most 254 polygons with 4,096 vertices, and 2^") + kSerialBits +
+             " - 1 polygons in its time; a world 2^" + kChunkBits +
+             " - 1 chunks of 32x32 cells, and 2^23 - 1 distinct contents of cells; a call 2^31 - 1 entries; "
+             "in one cell a brush 4,096 edges and 32,768 crossings";
     case ErrorCode::notFinite:
       return vertex + " is infinite or not a number";
     case ErrorCode::outsideCell:
@@ -60,8 +69,10 @@ std::string what(const Error& e) {
     case ErrorCode::uncommitted:
       return "the world has edits that are not committed; commit them before it is saved";
     case ErrorCode::outOfReach:
+      if (e.vertex >= 0) return vertex + " is beyond the last cell, or was no number";
       return "a point is beyond the last cell, or a radius is not from 0 to 4,096 cells, "
-             "or a ray is longer than 16,384 cells on an axis";
+             "or a ray is longer than 16,384 cells on an axis, or a region of a brush is more than 4,096 cells wide or "
+             "high, or was made with a length that is not from 1 lattice unit to 2,048 cells";
   }
   return "unknown error";
 }

@@ -5,8 +5,8 @@
 namespace lgs::detail {
 namespace {
 
-std::uint64_t hashOf(std::int32_t ci, std::int32_t cj) {
-  return mix(0, std::uint64_t{static_cast<std::uint32_t>(ci)} << 32 | static_cast<std::uint32_t>(cj));
+std::uint64_t hashOf(std::uint64_t seed, std::int32_t ci, std::int32_t cj) {
+  return mix(seed, std::uint64_t{static_cast<std::uint32_t>(ci)} << 32 | static_cast<std::uint32_t>(cj));
 }
 
 }  // namespace
@@ -32,7 +32,8 @@ void Chunk::makeRoomForBlock(Block block) {
 }
 
 std::uint32_t Grid::indexOf(std::int32_t ci, std::int32_t cj) const {
-  return index_.find(hashOf(ci, cj), [&](std::uint32_t k) { return chunks_[k]->ci == ci && chunks_[k]->cj == cj; });
+  return index_.find(hashOf(index_.seed(), ci, cj),
+                     [&](std::uint32_t k) { return chunks_[k]->ci == ci && chunks_[k]->cj == cj; });
 }
 
 Chunk* Grid::findChunk(Cell cell) const {
@@ -47,7 +48,7 @@ Chunk* Grid::obtainChunk(Cell cell) {
   chunk->cj = cell.j >> 5;
   chunk->index = static_cast<std::uint32_t>(chunks_.size());
   link(*chunk);
-  index_.insert(hashOf(chunk->ci, chunk->cj), chunk->index);
+  index_.insert(hashOf(index_.seed(), chunk->ci, chunk->cj), chunk->index);
   chunks_.emplace_back(std::move(chunk));
   return remember(chunks_.back().get());
 }
@@ -71,7 +72,7 @@ void Grid::forgetChunks(std::size_t count) {
     for (std::size_t k = 0; k < chunk.around.size(); ++k)
       if (Chunk* beside = chunk.around[k]; beside && beside != &chunk) beside->around[8 - k] = nullptr;
     if (last_ == &chunk) last_ = nullptr;
-    index_.erase(hashOf(chunk.ci, chunk.cj), chunk.index);
+    index_.erase(hashOf(index_.seed(), chunk.ci, chunk.cj), chunk.index);
     chunks_.pop_back();
   }
 }

@@ -1,4 +1,4 @@
-// The ground from bytes, none of which is believed. docs/snapshot.md has the format; save.cpp writes it.
+// The ground from bytes, none of which is believed. docs/internals/snapshot.md has the format; save.cpp writes it.
 #include "geometry/sort.h"
 #include "ground/snapshot.h"
 

@@ -32,7 +32,7 @@ std::optional<PlacedPolygon> polygonOf(const Ground& ground, PolygonHandle handl
 }
 
 void forEachPolygon(const Ground& ground, const CellRect& cells, const World::PolygonVisitor& visit) {
-  if (lgs::isEmpty(cells)) return;
+  if (lgs::isEmpty(cells) || !visit) return;
   std::vector<PlacedPolygon> polygons;
   ground.grid.forEachCell(cells, [&](CellAt, Cell cell) {
     polygonsOf(ground, cell, polygons);

@@ -28,15 +28,14 @@ std::optional<Defect> findRepeatedVertex(std::span<const PlacedVertex> order) {
 
 }  // namespace
 
-std::vector<PlacedVertex> inOrder(std::span<const PolygonView> polygons) {
+void inOrder(std::span<const PolygonView> polygons, std::vector<PlacedVertex>& order) {
   static_assert(kMaxVerticesPerCell == 1u << 12);
-  std::vector<PlacedVertex> order;
+  order.clear();
   for (const PolygonView polygon : polygons) {
     for (const LocalPoint p : polygon)
       order.push_back(static_cast<std::uint64_t>(p.x) << 32 | static_cast<std::uint64_t>(p.y) << 12 | order.size());
   }
   detail::sort(order);
-  return order;
 }
 
 std::optional<Defect> findDefect(PolygonView polygon) {
@@ -44,7 +43,9 @@ std::optional<Defect> findDefect(PolygonView polygon) {
   if (polygon.size() > kMaxVerticesPerCell) return Defect{ErrorCode::capacity};
   for (std::size_t i = 0; i < polygon.size(); ++i)
     if (!isInsideCell(polygon[i])) return Defect{ErrorCode::outsideCell, index(i)};
-  std::vector<std::uint64_t> order = inOrder({&polygon, 1});
+  std::vector<PlacedVertex> order;
+  order.reserve(polygon.size());
+  inOrder({&polygon, 1}, order);
   if (const auto repeated = findRepeatedVertex(order)) return repeated;
   for (std::uint64_t& vertex : order) vertex = indexOf(vertex);
   if (!isSimple(polygon, order)) {

@@ -22,8 +22,9 @@ constexpr LocalPoint pointOf(PlacedVertex v) {
 }
 constexpr bool isSamePoint(PlacedVertex v, PlacedVertex w) { return v >> 12 == w >> 12; }
 
-/// The vertices of polygons, which are numbered one polygon after the other, in the order of their points.
-std::vector<PlacedVertex> inOrder(std::span<const PolygonView> polygons);
+/// The vertices of polygons, which are numbered one polygon after the other: `order` has them in the order of their
+/// points.
+void inOrder(std::span<const PolygonView> polygons, std::vector<PlacedVertex>& order);
 
 /// Why a polygon is refused, and at which vertices (see Error).
 struct Defect {

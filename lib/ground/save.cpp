@@ -1,4 +1,4 @@
-// The ground as bytes. docs/snapshot.md has the format; load.cpp reads it.
+// The ground as bytes. docs/internals/snapshot.md has the format; load.cpp reads it.
 #include "geometry/sort.h"
 #include "ground/snapshot.h"
 

@@ -1,4 +1,4 @@
-// The ground as bytes, and from bytes: the first part of a snapshot. docs/snapshot.md has the format.
+// The ground as bytes, and from bytes: the first part of a snapshot. docs/internals/snapshot.md has the format.
 #pragma once
 
 #include "ground/ground.h"

@@ -68,7 +68,7 @@ void walk(const Ray& ray, Visit&& visit, SlabDone&& slabDone) {
   }
 }
 
-Edge edgeOf(const Grid& grid, const Outline& outline, std::uint32_t id) {
+SegmentEnds endsOf(const Grid& grid, const Outline& outline, std::uint32_t id) {
   return {outline.startOf(grid, id), outline.endOf(grid, id)};
 }
 
@@ -94,7 +94,7 @@ Expected<Nearest> nearest(const Grid& grid, const Outline& outline, Point p, dou
   for (std::int64_t reach = std::min<std::int64_t>(most, kUnitsPerCell);; reach = std::min(most, 2 * reach)) {
     grid.forEachCell(cellsWithin(p, reach), [&](CellAt at, Cell) {
       for (const std::uint32_t id : outline.lists.of(at).all()) {
-        const NearestOnEdge here = nearestOnEdge(edgeOf(grid, outline, id), p);
+        const NearestOnEdge here = nearestOnEdge(endsOf(grid, outline, id), p);
         const auto order = here.squared <=> best.squared;
         if (order > 0) continue;
         if (order == 0 && nearest != kNoSegment && !comesFirst(grid, outline, id, nearest)) continue;
@@ -128,7 +128,7 @@ Expected<RayHit> rayCast(const Grid& grid, const Outline& outline, Point from, P
         const CellAt here = find(cell);
         for (const std::uint32_t id : outline.lists.of(here).all()) {
           Fraction at;
-          if (!meets(ray, edgeOf(grid, outline, id), at)) continue;
+          if (!meets(ray, endsOf(grid, outline, id), at)) continue;
           const auto order = at <=> best;
           if (first != kNoSegment && (order > 0 || (order == 0 && !comesFirst(grid, outline, id, first)))) continue;
           best = at;

@@ -10,7 +10,7 @@
 namespace lgs::detail {
 
 /// A segment of the outline: solid on the left. Longer than nothing, and at most a cell on each axis.
-struct Edge {
+struct SegmentEnds {
   Point start;
   Point end;
 };
@@ -44,7 +44,7 @@ struct NearestOnEdge {
 };
 
 /// The nearest point of an edge to p, at most 2^29 away on each axis.
-constexpr NearestOnEdge nearestOnEdge(const Edge& edge, Point p) {
+constexpr NearestOnEdge nearestOnEdge(const SegmentEnds& edge, Point p) {
   const std::int64_t dx = edge.end.x - edge.start.x, dy = edge.end.y - edge.start.y;
   const std::int64_t px = p.x - edge.start.x, py = p.y - edge.start.y;
   const std::int64_t length2 = dx * dx + dy * dy, along = px * dx + py * dy;
@@ -77,7 +77,7 @@ struct Ray {
 
 /// Whether a ray meets the front of an edge (its right side), ends included; `at` receives where. A ray along the edge,
 /// or from behind, does not meet it.
-constexpr bool meets(const Ray& ray, const Edge& edge, Fraction& at) {
+constexpr bool meets(const Ray& ray, const SegmentEnds& edge, Fraction& at) {
   const std::int64_t rx = ray.to.x - ray.from.x, ry = ray.to.y - ray.from.y;
   const std::int64_t ex = edge.end.x - edge.start.x, ey = edge.end.y - edge.start.y;
   // The outward normal is (ey, -ex): the ray runs against it where this is positive.

@@ -21,7 +21,9 @@ inline constexpr std::uint32_t kNoSegment = 0;
 /// An id has 31 bits, so that a record has room for a flag. The greatest is no id: it is the link of a segment that is
 /// new and has none yet.
 inline constexpr std::uint32_t kUnlinked = (1u << 31) - 1;
-inline constexpr std::uint32_t kMaxSegment = kUnlinked - 1;
+inline constexpr std::uint32_t kSegmentPage = 4096;
+/// The last page would have kUnlinked in it, and is never made.
+inline constexpr std::uint32_t kMaxSegment = kUnlinked - kSegmentPage;
 
 struct SegmentRecord {
   std::uint32_t predecessor;
@@ -95,6 +97,12 @@ class SegmentPool {
     free_ = std::move(free);
   }
 
+  /// For tests of the limit, in a pool that is as new: its first pages count as given out, and are not there.
+  void passOver(std::uint32_t pages) {
+    pages_.passOver(pages);
+    top_ = static_cast<std::uint32_t>(pages_.size()) * kPage;
+  }
+
   bool isLive(std::uint32_t id) const { return id != kNoSegment && id < top_ && (*this)[id].cellRef != 0; }
   /// Whether every id is available: no segment is alive, and none was removed without being recycled.
   bool isEmpty() const { return free_.size() == top_ - 1; }
@@ -102,7 +110,7 @@ class SegmentPool {
   std::uint64_t bytes() const { return pages_.bytes() + free_.capacity() * sizeof free_[0]; }
 
  private:
-  static constexpr std::uint32_t kPage = 4096;
+  static constexpr std::uint32_t kPage = kSegmentPage;
   using Page = std::array<SegmentRecord, kPage>;
 
   void addPage();  // in its own file, so that take() is small and inlined

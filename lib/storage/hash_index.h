@@ -1,6 +1,10 @@
 // An index from 64-bit hashes to the numbers of things that are stored elsewhere: polygons, contents, chunks. It uses
 // open addressing with linear probing. The number of places is a power of two, and at most half of them are taken.
 // Edits look things up all the time. Here that touches one cache line, while std::unordered_map follows pointers.
+//
+// Nobody can go through an index, so no order that is given out depends on where things are in it. That is why each
+// index may have a seed of its own: hashes begin with it. Otherwise a stranger could choose chunks or polygons that all
+// have the same place, and a small file would take long to load. It is no secret that withstands more than that.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +20,18 @@ constexpr std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
   return h ^ (h >> 33);
 }
 
+/// Another number in each run of the program, and for each index: of when and where it is made. WebAssembly has neither
+/// a clock that asks nobody nor places that differ; there it is always the same.
+std::uint64_t anySeed(const void* where);
+
 class HashIndex {
  public:
+  HashIndex() : seed_(anySeed(this)) {}
+  explicit HashIndex(std::uint64_t seed) : seed_(seed) {}
+
+  /// What the hashes of this index begin with. A copy has the same.
+  std::uint64_t seed() const { return seed_; }
+
   static constexpr std::uint32_t kNone = 0xffff'ffff;
 
   /// The number that was inserted with this hash and for which `matches(number)` holds, or kNone.
@@ -77,6 +91,7 @@ class HashIndex {
       if (entry.number != kNone) place(entry);
   }
 
+  std::uint64_t seed_;
   std::vector<Place> places_;
   std::size_t count_ = 0;
 };

@@ -63,6 +63,8 @@ class Pages {
     const std::size_t at = slabs_.back().pages() - spare_--;
     pages_.push_back(new (slabs_.back().memory() + at * sizeof(Page)) Page);
   }
+  /// For tests of limits: so many more that nobody may look at.
+  void passOver(std::size_t pages) { pages_.resize(pages_.size() + pages, nullptr); }
   std::uint64_t bytes() const {
     std::uint64_t sum = pages_.capacity() * sizeof pages_[0] + slabs_.capacity() * sizeof slabs_[0];
     for (const Slab& slab : slabs_) sum += slab.bytes();

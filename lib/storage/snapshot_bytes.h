@@ -1,5 +1,5 @@
-// The letters of a snapshot: numbers of varying length, runs of them, and the checksum. docs/snapshot.md says the same
-// in words. Nothing here depends on the byte order of the machine.
+// The letters of a snapshot: numbers of varying length, runs of them, and the checksum. docs/internals/snapshot.md says
+// the same in words. Nothing here depends on the byte order of the machine.
 #pragma once
 
 #include <lgs/snapshot.h>
@@ -91,7 +91,7 @@ class SnapshotWriter {
     for (const std::uint64_t value : values) number(value);
   }
   void flush() {
-    if (!buffer_.empty()) sink_(buffer_);
+    if (!buffer_.empty() && sink_) sink_(buffer_);
     buffer_.clear();
   }
 

@@ -45,7 +45,7 @@ bool operator==(const Outcome& a, const Outcome& b) {
 
 Call Caller::resolved(const Call& call) const {
   const auto sum = [](std::int32_t a, std::int32_t b) {  // far out of range it does not matter which cell it is
-    return static_cast<std::int32_t>(std::min<std::int64_t>(std::int64_t{a} + b, 2 * std::int64_t{kMaxCell} - 1));
+    return static_cast<std::int32_t>(std::clamp<std::int64_t>(std::int64_t{a} + b, INT32_MIN, INT32_MAX));
   };
   const auto at = [&](Cell cell) { return Cell{sum(origin_.i, cell.i), sum(origin_.j, cell.j)}; };
   Call out = call;

@@ -2,6 +2,8 @@
 
 #include "oracle/calls/shapes.h"
 
+#include <lgs/world.h>
+
 #include <algorithm>
 #include <numeric>
 #include <tuple>
@@ -27,6 +29,7 @@ class Drawer {
     call.cells = {here, here};
     if (kind == Kind::fill || kind == Kind::clear) call.cells.max = {here.i + below(3), here.j + below(3)};
     if (choices_.chance(3)) call.cells.max.i -= 3;  // mostly an empty rectangle
+    if (isHostile()) call.cells.max = endOfCells();
     switch (kind) {
       case Kind::shape:
       case Kind::addShape:
@@ -57,6 +60,8 @@ class Drawer {
     }
     for (Coming& c : call.comes)
       if (isByShape(kind) && choices_.chance(10)) c.id = kind == Kind::addMany ? kNoShape : 1 + choices_.below(100U);
+    for (Coming& c : call.comes)
+      if (isByShape(kind) && isHostile()) c.id = endOfNumbers() | 0x7000'0000;
     if (kind == Kind::remove || kind == Kind::setBlock) call.goes = {named(here)};
     if (kind == Kind::removeMany || kind == Kind::exchange) call.goes = several(kind, here);
     constexpr std::array kNotations{Notation::lattice, Notation::list, Notation::floats, Notation::doubles};
@@ -85,14 +90,43 @@ class Drawer {
     return kEdits[choices_.below(kEdits.size())];
   }
 
+  bool isHostile() { return habits_.hostilePercent > 0 && choices_.chance(habits_.hostilePercent); }
+
+  std::uint32_t endOfNumbers() {
+    constexpr std::array<std::uint32_t, 6> kEnds{0xffff'ffff, 0, 1, 0x7fff'ffff, 0x8000'0000, 0xffff'fffe};
+    return kEnds[choices_.below(kEnds.size())];
+  }
+
+  std::int32_t endOfWorld() {
+    constexpr std::array kEnds{kMaxCell,  -kMaxCell, kMaxCell + 1, -kMaxCell - 1, INT32_MIN,
+                               INT32_MAX, 0,         INT32_MIN + 1};
+    return kEnds[choices_.below(kEnds.size())];
+  }
+
+  Cell endOfCells() {
+    const std::int32_t i = endOfWorld(), j = endOfWorld();
+    return {i, j};
+  }
+
   Cell cell() {
+    if (isHostile()) return endOfCells();
     const int i = below(habits_.width), j = below(habits_.height);
     if (choices_.chance(1)) return {kMaxCell - i, kMaxCell};  // a chunk of its own, or out of range
     return {i, j};
   }
 
+  /// With more vertices than a cell may have, or one at the end of all numbers.
+  LocalPolygon hostilePolygon(LocalPolygon polygon) {
+    if (choices_.chance(30)) return LocalPolygon(kMaxVerticesPerCell + choices_.below(2U), polygon[0]);
+    constexpr std::array kEnds{INT32_MIN, INT32_MAX, INT32_MIN + 1, kUnit + 1, -1};
+    LocalPoint& p = polygon[choices_.below(polygon.size())];
+    (choices_.chance(50) ? p.x : p.y) = kEnds[choices_.below(kEnds.size())];
+    return polygon;
+  }
+
   LocalPolygon polygon() {
     LocalPolygon drawn = drawPolygon(choices_);
+    if (isHostile()) return hostilePolygon(std::move(drawn));
     return choices_.chance(habits_.badPercent) ? spoilt(choices_, std::move(drawn)) : drawn;
   }
 
@@ -108,10 +142,17 @@ class Drawer {
     return shape;
   }
 
-  Coming coming(Cell cell, Shape shape) { return {cell, std::move(shape), choices_.below(habits_.blocks)}; }
+  Coming coming(Cell cell, Shape shape) {
+    const Block block = isHostile() ? endOfNumbers() : choices_.below(habits_.blocks);
+    return {cell, std::move(shape), block};
+  }
 
   Named named(Cell cell) {
     using enum Named::How;
+    if (isHostile()) {
+      const std::uint32_t cellRef = endOfNumbers(), serial = endOfNumbers();
+      return {handle, cell, 0, {cellRef, serial}};
+    }
     const int ticket = below(100);
     const Named::How how = ticket < 85 ? standing : ticket < 95 ? given : beside;
     return {how, cell, choices_.below(how == standing ? 8U : 64U)};

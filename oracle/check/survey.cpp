@@ -25,6 +25,16 @@ std::string indented(const std::string& text) {
   return out;
 }
 
+// Text in Markdown that means nothing there: no HTML, no link, no picture.
+std::string inMarkdown(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (std::string_view("\\`*_[]<>&|!").find(c) != std::string_view::npos) out += '\\';
+    out += c;
+  }
+  return out;
+}
+
 // Fewer edits first, then less to read: cells near the origin, round coordinates.
 std::pair<std::size_t, std::size_t> sizeOf(const Trace& trace) { return {editCount(trace), printTrace(trace).size()}; }
 
@@ -81,7 +91,7 @@ std::string Survey::facts(const CheckStats& stats) const {
 bool Survey::write(const CheckStats& stats) const {
   const std::string name = options_.engine != nullptr ? readable(options_.engine->name()) : "An engine";
   const std::string title = name + " under the harness";
-  std::string md = fmt::format("# {}\n\n{}\n\n{}\n\n", title, facts(stats), indented(readable(again_)));
+  std::string md = fmt::format("# {}\n\n{}\n\n{}\n\n", inMarkdown(title), facts(stats), indented(readable(again_)));
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<meta charset=\"utf-8\">\n<title>{0}</title>\n"
       "<style>body {{ font-family: sans-serif; max-width: 60em; margin: auto }} img {{ max-width: 100% }}\n"

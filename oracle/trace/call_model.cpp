@@ -34,6 +34,13 @@ std::optional<Verdict> outOfRange(const CellRect& cells) {
   return std::nullopt;
 }
 
+// Whether a rectangle in range reaches far more chunks of 32×32 cells than a world has room for. Random calls make none
+// that is near that.
+bool isTooLarge(const CellRect& r) {
+  const auto chunks = [](std::int32_t min, std::int32_t max) { return (std::int64_t{max} >> 5) - (min >> 5) + 1; };
+  return chunks(r.min.i, r.max.i) * chunks(r.min.j, r.max.j) > 2 * static_cast<std::int64_t>(kMaxChunks);
+}
+
 // The polygon of the error is one that comes, and overlaps another one that comes or the one that stands there.
 std::string wrongOverlap(const Error& error, const Call& call, const World& world) {
   if (call.kind == Kind::addMany && error.index2 >= 0) return "";  // with another entry's, which has no handle
@@ -93,6 +100,10 @@ Verdict CallModel::judgeParts(const Call& call) const {
       const auto& [min, max] = call.cells;
       if (min.i > max.i || min.j > max.j) return {};
       if (const auto verdict = outOfRange(call.cells)) return *verdict;
+      if (isTooLarge(call.cells)) {
+        const bool isUnknown = call.comes[0].id != 0 && call.comes[0].shape.empty();
+        return {false, isUnknown ? ErrorCode::unknownShape : ErrorCode::capacity, call.cells.min};
+      }
       for (const Cell cell : cellsOf(call.cells))
         if (auto verdict = addingTo(standing_, cell, call.comes[0]); !verdict.accepted) return verdict;
       return {};

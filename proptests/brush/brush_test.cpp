@@ -35,12 +35,35 @@ TEST(BrushRegion, ARectangleIsTurned) {
   EXPECT_EQ(rectangle({0, 0}, {0, 0}, 2, 1).rings, rectangle({0, 0}, {1, 0}, 2, 1).rings);
 }
 
-TEST(BrushRegion, SizesAreBroughtIntoTheirRange) {
+// A game that says nothing, or far too much, is told so when it uses the region.
+TEST(BrushRegion, LengthsOutOfRangeAreRefused) {
   constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max(), kLongest = kMaxRegionCells / 2 * kCell;
-  EXPECT_EQ(circle({0, 0}, kMost, 8).rings, circle({0, 0}, kLongest, 8).rings);
-  for (const std::int64_t radius : {std::int64_t{0}, std::int64_t{-5}, -kMost})
-    EXPECT_EQ(circle({0, 0}, radius, 8).rings, circle({0, 0}, 1, 8).rings);
-  EXPECT_EQ(rectangle({0, 0}, {1, 0}, kMost, 0).rings, rectangle({0, 0}, {1, 0}, kLongest, 1).rings);
+  World world;
+  const Point line[] = {{0, 0}, {kCell, 0}};
+  for (const std::int64_t length : {std::int64_t{0}, std::int64_t{-5}, -kMost, INT64_MIN, kLongest + 1, kMost}) {
+    for (const Region& region : {circle({0, 0}, length, 8), rectangle({0, 0}, {1, 0}, length, 5),
+                                 rectangle({0, 0}, {1, 0}, 5, length), thickLine(line, length)}) {
+      const auto done = carve(world, region);
+      ASSERT_FALSE(done) << length;
+      EXPECT_EQ(done.error().code, ErrorCode::outOfReach);
+      EXPECT_NE(message(done.error()).find("1 lattice unit to 2,048 cells"), std::string::npos);
+    }
+  }
+  for (const std::int64_t length : {std::int64_t{1}, kLongest}) {
+    EXPECT_TRUE(carve(world, circle({0, 0}, length, 8)));
+    EXPECT_TRUE(carve(world, rectangle({0, 0}, {1, 0}, length, 1)));
+  }
+}
+
+TEST(BrushRegion, WhatIsNoNumberIsTold) {
+  World world;
+  const std::vector<DoublePoint> ring{{0, 0}, {1, 0}, {std::numeric_limits<double>::quiet_NaN(), 1}};
+  const auto done = paint(world, region({&ring, 1}), 1, PaintMode::fill);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(message(done.error()), "polygon 0: vertex 2 is beyond the last cell, or was no number");
+}
+
+TEST(BrushRegion, CornersAndDirectionsAreBroughtIntoTheirRange) {
   EXPECT_EQ(circle({0, 0}, kCell, -3).rings[0].size(), 8U);
   EXPECT_EQ(circle({0, 0}, kCell, 5'000).rings[0].size(), 4'096U);
   EXPECT_EQ(rectangle({0, 0}, {INT64_MIN, INT64_MIN}, kCell, 5).rings, rectangle({0, 0}, {-1, -1}, kCell, 5).rings);
@@ -90,7 +113,7 @@ TEST(BrushAtoms, ARayThroughAVertexMeetsOneOfItsEdges) {
 }
 
 TEST(BrushOutline, AHoleIsCutOpenByTwoChords) {
-  brush::List<brush::Edge> edges;
+  brush::List<brush::HalfEdge> edges;
   const auto addRing = [&](const Ring& ring) {
     for (std::size_t k = 0; k < ring.size(); ++k) edges.push_back({ring[k], ring[(k + 1) % ring.size()]});
   };

@@ -31,6 +31,8 @@ def parser() -> argparse.ArgumentParser:
     result = argparse.ArgumentParser(description=first, epilog=rest,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     result.add_argument("--sample", metavar="N", type=whole_number, help="how many, by --seed (default: all there are)")
+    result.add_argument("--from", metavar="N", type=int, default=0, dest="first",
+                        help="without the first N of the sample, which others try")
     result.add_argument("--of", metavar="COMPONENT", choices=COMPONENTS, nargs="+", default=list(COMPONENTS),
                         help=f"of {', '.join(COMPONENTS)} (default: of all)")
     result.add_argument("--only", metavar="REGEX", type=regex, help="of the sample, those whose file and diff match")
@@ -46,7 +48,7 @@ def sample(arguments: argparse.Namespace) -> list[Mutant]:
     """By file, so that one change after the other has to compile little; headers, which take longest, at the end."""
     everything = [m for name in arguments.of for m in mutation.mutants_of(name)]
     count = min(arguments.sample or len(everything), len(everything))
-    chosen = random.Random(arguments.seed).sample(everything, count)
+    chosen = random.Random(arguments.seed).sample(everything, count)[arguments.first:]
     if arguments.only:
         chosen = [m for m in chosen if arguments.only.search(m.diff())]
     return sorted(chosen, key=lambda m: (m.file.endswith(".h"), m.component, m.file, m.change.start, m.change.text))

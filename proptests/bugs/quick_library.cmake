@@ -2,7 +2,7 @@
 # takes; with LGS_BUGS_IN_BATCHES its files are compiled in batches. Given to CMake as
 # CMAKE_PROJECT_LocalGridSeg_INCLUDE.
 function(lgs_quick_library)
-  foreach(target lgs lgs_brush lgs_tiled lgs_box2d)
+  foreach(target lgs lgs_brush lgs_pieces lgs_tiled lgs_box2d)
     if(TARGET ${target})
       target_precompile_headers(${target} PRIVATE <algorithm> <array> <bit> <cassert> <charconv> <cmath> <cstdint>
         <functional> <map> <memory> <optional> <span> <string> <unordered_map> <utility> <vector>)

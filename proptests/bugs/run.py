@@ -13,6 +13,8 @@ or the code is at fault.
 """
 
 import argparse
+import dataclasses
+import random
 import sys
 
 import search
@@ -29,28 +31,45 @@ def method(text: str) -> str:
     return text
 
 
+def span(text: str) -> tuple[int, int]:
+    first, _, last = text.partition("-")
+    if not (first.isdigit() and last.isdigit() and int(first) <= int(last)):
+        raise argparse.ArgumentTypeError(f"'{text}' is no range such as 0-19")
+    return int(first), int(last)
+
+
 def parser() -> argparse.ArgumentParser:
     first, rest = __doc__.split("\n\n", 1)
     result = argparse.ArgumentParser(description=first, epilog=rest,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     result.add_argument("--only", metavar="REGEX", type=regex, help="bugs whose group or name matches")
+    result.add_argument("--numbers", metavar="FIRST-LAST", type=span, help="bugs by their places in the list, from 0 on")
+    result.add_argument("--canary", metavar="SEED", type=int,
+                        help="one bug of laws 1 and 2, drawn by this seed, which the numbered blocks alone must find")
     result.add_argument("--with", metavar="WHAT", type=method, default="tests", dest="method",
                         help="tests (default); fuzz: each bug's own fuzz target, for those that have one; fuzz:TARGET")
     result.add_argument("--list", action="store_true", help="list the bugs, see that each applies, and build nothing")
     result.add_argument("--executions", metavar="N", type=whole_number, default=100_000,
                         help="of a fuzz target, for each bug (default: 100000)")
-    result.add_argument("--report", metavar="FILE", type=report_file, help="write the table there, as Markdown")
+    result.add_argument("--report", metavar="FILE", type=report_file, help="write the outcomes into the tables of this page; "
+                        "what stands around them stays, and so do rows of bugs that were not tried")
     result.add_argument("--scale", metavar="X", type=positive, default=1.0, help="LGS_TEST_SCALE (default: 1)")
     add_common(result)
     return result
 
 
 def select(arguments: argparse.Namespace, bugs: list[Bug]) -> list[Bug]:
-    chosen = [b for b in bugs if arguments.only.search(f"{b.group}: {b.name}")] if arguments.only else bugs
+    if arguments.canary is not None:
+        basic = [b for b in bugs if b.group.startswith(("law1-", "law2-"))]
+        return [random.Random(arguments.canary).choice(basic)]
+    chosen = bugs[arguments.numbers[0]:arguments.numbers[1] + 1] if arguments.numbers else bugs
+    chosen = [b for b in chosen if arguments.only.search(f"{b.group}: {b.name}")] if arguments.only else chosen
     return [b for b in chosen if arguments.method != "fuzz" or b.fuzz]
 
 
 def try_all(arguments: argparse.Namespace, groups: dict[str, Group], bugs: list[Bug]) -> dict[Bug, dict]:
+    if arguments.canary is not None:
+        groups = {name: dataclasses.replace(group, tests=("Bulk/",)) for name, group in groups.items()}
     files = sources()
     results = Results("results", state_of(files), arguments.fresh)
     plan = search.Plan(arguments.method, arguments.seed, arguments.scale, arguments.executions, groups)
@@ -64,6 +83,12 @@ def try_all(arguments: argparse.Namespace, groups: dict[str, Group], bugs: list[
     return done
 
 
+def report(arguments: argparse.Namespace, groups: dict[str, Group], bugs: list[Bug], results: dict[Bug, dict]) -> None:
+    if arguments.report:
+        page = arguments.report.read_text() if arguments.report.exists() else "# Planted bugs\n"
+        arguments.report.write_text(tables.planted(page, groups, bugs, results))
+
+
 def main() -> int:
     arguments = parser().parse_args()
     groups, everything = read_list()
@@ -74,6 +99,7 @@ def main() -> int:
         for bug in bugs:
             print(f"{bug.group:22}  {bug.name}\n{'':22}  {bug.game}")
         print(f"{len(bugs)} bugs")
+        report(arguments, groups, everything, {})
     if wrong := faults(everything):
         print(*wrong, sep="\n", file=sys.stderr)
         return 2
@@ -85,11 +111,13 @@ def main() -> int:
     except AtFault as error:
         print(f"run.py: {error}", file=sys.stderr)
         return 2
-    if arguments.report:
-        arguments.report.write_text(tables.planted(groups, results, tables.command("run.py", arguments)))
+    report(arguments, groups, everything, results)
     verdicts = [r["verdict"] for r in results.values()]
     print(", ".join(f"{verdicts.count(v)} {v}" for v in dict.fromkeys(["found", *verdicts])) + f", of {len(bugs)} bugs")
-    return 2 if "does not compile" in verdicts else int(verdicts.count("found") < len(bugs))
+    if "does not compile" in verdicts:
+        return 2
+    others = arguments.canary is not None and not all(r.get("by_law", True) for r in results.values())
+    return int(verdicts.count("found") < len(bugs) or others)
 
 
 if __name__ == "__main__":

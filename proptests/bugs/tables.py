@@ -1,8 +1,6 @@
 """What is printed of a result, and docs/reports/planted-bugs.md."""
 
-import argparse
-import shlex
-import textwrap
+import re
 from collections import Counter
 from pathlib import Path
 
@@ -26,45 +24,44 @@ def say(result: dict) -> str:
     return text + (f", shrunk to {result['shrunk_edits']} edits" if "shrunk_edits" in result else "")
 
 
-def command(name: str, arguments: argparse.Namespace) -> str:
-    given = [f"--only {shlex.quote(arguments.only.pattern)}"] if arguments.only else []
-    given += [f"--with {arguments.method}"] if arguments.method != "tests" else []
-    given += [f"--scale {arguments.scale:g}"] if arguments.scale != 1 else []
-    return " ".join([f"proptests/bugs/{name} --seed {arguments.seed}", *given, f"--report {arguments.report}"])
+BLOCK = re.compile(r"(<!-- planted: (\S+) -->\n).*?(<!-- end -->)", re.S)
+COLUMNS = ("| bug | what a game suffers | in | found by | case | edits |", "|---|---|---|---|---:|---:|")
+NOT_YET = "not in a run yet"
 
 
-def planted(groups: dict[str, Group], results: dict[Bug, dict], command_line: str) -> str:
-    found = [r for r in results.values() if r["verdict"] == "found"]
-    by_law = sum(r.get("by_law", True) for r in found)
-    late = sum(r["verdict"] == "time-out" for r in results.values())
-    prose = [
-        "Each is planted by itself; then the tests are built and run until one fails: those of the law that it breaks "
-        "first, in the order that is given there, then all others. That test passes without the bug. Made by:",
-        f"    {command_line}",
-        f"{len(found)} of {len(results)} are found, {by_law} of them by a test of their law"
-        + (f"; {late} ran out of time." if late else "."),
-        "*Case*: the number of the random case that showed it, or of the world in `SmallWorlds`. *Edits*: how many are "
-        "left of that case when it is shrunk. More than four are left where the bug needs them: two chunks, a crowded "
-        "row, or a history. Tests that go through all there is of something other than worlds, or through examples, "
-        "have neither number; nor has a case that fails only after those before it a number of edits.",
-    ]
-    lines = ["# Planted bugs", ""]
-    for paragraph in prose:
-        lines += [paragraph if paragraph.startswith(" ") else textwrap.fill(paragraph, 120), ""]
+def planted(page: str, groups: dict[str, Group], bugs: list[Bug], results: dict[Bug, dict]) -> str:
+    """The page with its blocks written anew: one table for each group, and the summary. What people wrote around the
+    blocks stays. A bug that was not tried keeps the outcome of its row; groups without a block come at the end."""
+    known = {cells[0]: cells[3:] for line in page.splitlines() if len(cells := line.strip("| ").split(" | ")) >= 4}
+    outcomes = {bug: outcome(results[bug]) if bug in results else known.get(bug.name, [NOT_YET]) for bug in bugs}
     for name, group in groups.items():
-        rows = [row(bug, results[bug]) for bug in results if bug.group == name]
-        if rows:
-            lines += [f"## {group.title}", "", "| bug | what a game suffers | in | found by | case | edits |",
-                      "|---|---|---|---|---:|---:|", *rows, ""]
-    return "\n".join(lines)
+        if f"<!-- planted: {name} -->" not in page:
+            page = page.rstrip("\n") + f"\n\n## {group.title}\n\n<!-- planted: {name} -->\n<!-- end -->\n"
+    blocks = {name: [*COLUMNS, *(row(b, outcomes[b]) for b in bugs if b.group == name)] for name in groups}
+    blocks["summary"] = [summary(list(outcomes.values()))]
+    return BLOCK.sub(lambda m: m[1] + "\n".join(blocks.get(m[2], [])) + "\n" + m[3], page)
 
 
-def row(bug: Bug, r: dict) -> str:
+def summary(outcomes: list[list[str]]) -> str:
+    found = [cells[0] for cells in outcomes if cells[0].startswith("`")]
+    others = Counter(cells[0].strip("*") for cells in outcomes if not cells[0].startswith("`"))
+    by_law = sum("(of another law)" not in cell for cell in found)
+    parts = [f"{len(outcomes)} bugs are listed", f"{len(found)} were found, {by_law} of them by a test of their law",
+             *(f"{count} {verdict}" for verdict, count in others.items())]
+    return "; ".join(parts) + "."
+
+
+def outcome(r: dict) -> list[str]:
+    """The last three cells of a row: found by, case, edits."""
     by = f"`{r['test']}`" if r["verdict"] == "found" else f"**{r['verdict']}**"
     by += "" if r.get("by_law", True) else " (of another law)"
     by += f", which {r['how']}" if "how" in r else ""
-    return (f"| {bug.name} | {bug.game} | `{Path(bug.file).name}` | {by} | {r.get('cases', '')} | "
-            f"{r.get('shrunk_edits', '')} |")
+    return [by, str(r.get("cases", "")), str(r.get("shrunk_edits", ""))]
+
+
+def row(bug: Bug, cells: list[str]) -> str:
+    by, case, edits = [*cells, "", ""][:3]
+    return f"| {bug.name} | {bug.game} | `{Path(bug.file).name}` | {by} | {case} | {edits} |"
 
 
 def mutants(results: dict[Mutant, dict]) -> str:

@@ -2,12 +2,13 @@
 
 import contextlib
 import hashlib
+import os
 import shutil
 import subprocess
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-FOLDER = ROOT / "build" / "bugs"
+FOLDER = Path(os.environ.get("LGS_WORKSHOPS", ROOT / "build" / "bugs"))  # of each run its own, if several are at work
 
 
 def sources() -> list[str]:

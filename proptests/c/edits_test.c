@@ -202,6 +202,112 @@ static void changing(void) {
   lgs_free(world);
 }
 
+static void exchanging(void) {
+  static lgs_new_polygon tooMany[LGS_MAX_CELL_POLYGONS + 1];
+  lgs_world* world = newWorld();
+  const lgs_local_point left[3] = {{0, 0}, {U, U}, {0, U}};
+  const lgs_polygon_id old = placed(world, cellAt(2, 3), squareOf(world), 1);
+  lgs_new_polygon halves[2] = {{kRamp, 3, 5, 0}, {left, 3, 6, 0}};
+  lgs_polygon_id ids[2] = {{7, 7}, {7, 7}}, twice[2];
+  lgs_polygon polygon;
+  lgs_error error;
+  size_t count = 0;
+
+  /* Nothing changes where it is refused. */
+  REFUSED(LGS_OVERLAP, lgs_exchange(world, cellAt(2, 3), NULL, 0, halves, 2, ids, &error));
+  CHECK(ids[0].serial == 7 && samePolygon(error.other, old));
+  REFUSED(LGS_STALE_HANDLE, lgs_exchange(world, cellAt(2, 4), &old, 1, halves, 2, ids, &error));
+  CHECK(error.index == 0 && samePolygon(error.other, old));
+  twice[0] = twice[1] = old;
+  REFUSED(LGS_STALE_HANDLE, lgs_exchange(world, cellAt(2, 3), twice, 2, halves, 2, ids, &error));
+  CHECK(error.index == 1);
+  REFUSED(LGS_CELL_OUT_OF_RANGE, lgs_exchange(world, cellAt(LGS_MAX_CELL + 1, 0), NULL, 0, halves, 2, ids, &error));
+  REFUSED(LGS_CAPACITY, lgs_exchange(world, cellAt(2, 3), &old, 1, tooMany, LGS_MAX_CELL_POLYGONS + 1, NULL, &error));
+  halves[1].count = 2;
+  REFUSED(LGS_TOO_FEW_VERTICES, lgs_exchange(world, cellAt(2, 3), &old, 1, halves, 2, ids, &error));
+  CHECK(error.polygon == 1 && error.cell.i == 2 && ids[1].serial == 7);
+  halves[1].count = 3;
+  halves[1].reserved = 1;
+  REFUSED(LGS_BAD_ARGUMENT, lgs_exchange(world, cellAt(2, 3), &old, 1, halves, 2, ids, &error));
+  halves[1].reserved = 0;
+  CHECK(lgs_polygon_of(world, old, NULL, NULL) == LGS_OK);
+
+  /* A square becomes its two halves. */
+  CHECK(lgs_exchange(world, cellAt(2, 3), &old, 1, halves, 2, ids, NULL) == LGS_OK);
+  CHECK(lgs_polygon_of(world, ids[1], &polygon, NULL) == LGS_OK && polygon.block == 6 && polygon.cell.j == 3);
+  CHECK(lgs_polygon_of(world, ids[0], &polygon, NULL) == LGS_OK && polygon.block == 5);
+  CHECK(lgs_polygons_in(world, cellAt(2, 3), NULL, 0, &count) == LGS_SHORT_BUFFER && count == 2);
+  CHECK(lgs_exchange(world, cellAt(2, 3), ids, 2, NULL, 0, NULL, NULL) == LGS_OK);
+  CHECK(lgs_polygons_in(world, cellAt(2, 3), NULL, 0, &count) == LGS_OK && count == 0);
+
+  REFUSED(LGS_BAD_ARGUMENT, lgs_exchange(NULL, cellAt(0, 0), NULL, 0, NULL, 0, NULL, &error));
+  REFUSED(LGS_BAD_ARGUMENT, lgs_exchange(world, cellAt(0, 0), NULL, 1, NULL, 0, NULL, &error));
+  REFUSED(LGS_BAD_ARGUMENT, lgs_exchange(world, cellAt(0, 0), NULL, 0, NULL, 1, NULL, &error));
+  halves[0].vertices = NULL;
+  REFUSED(LGS_BAD_ARGUMENT, lgs_exchange(world, cellAt(0, 0), NULL, 0, halves, 1, NULL, &error));
+  lgs_free(world);
+}
+
+/* What a follower was told of the only cell that changed. */
+struct told {
+  int cells;
+  lgs_cell cell;
+  size_t before, now;
+  lgs_local_point last;
+};
+
+static void tell(void* user, const lgs_cell_change* change) {
+  struct told* told = (struct told*)user;
+  size_t k, vertices = 0;
+  for (k = 0; k < change->before_count; ++k) vertices += change->before[k].vertices;
+  for (k = 0; k < change->now_count; ++k) vertices += change->now[k].vertices;
+  ++told->cells;
+  told->cell = change->cell;
+  told->before = change->before_count;
+  told->now = change->now_count;
+  if (vertices != 0) told->last = change->vertices[vertices - 1];
+}
+
+static struct told toldBy(const lgs_world* world) {
+  struct told told;
+  memset(&told, 0, sizeof told);
+  CHECK(lgs_visit_cell_changes(world, tell, &told) == LGS_OK);
+  return told;
+}
+
+static void following(void) {
+  lgs_world* world = newWorld();
+  const lgs_shape_id square = squareOf(world);
+  lgs_error error;
+  lgs_mark mark;
+  struct told told;
+
+  placed(world, cellAt(4, 5), square, 1);
+  REFUSED(LGS_UNCOMMITTED, lgs_follow_cells(world, 1, &error));
+  CHECK(lgs_commit(world, NULL) == LGS_OK && toldBy(world).cells == 0);
+  REFUSED(LGS_BAD_ARGUMENT, lgs_follow_cells(world, 2, &error));
+  REFUSED(LGS_BAD_ARGUMENT, lgs_follow_cells(NULL, 1, &error));
+  CHECK(lgs_follow_cells(world, 1, NULL) == LGS_OK && toldBy(world).cells == 0);
+
+  CHECK(lgs_checkpoint(world, &mark) == LGS_OK);
+  CHECK(lgs_replace(world, cellAt(4, 5), square, 2, NULL, 0, NULL) == LGS_OK);
+  CHECK(lgs_add_points(world, cellAt(4, 6), kRamp, 3, 1, NULL, NULL) == LGS_OK);
+  CHECK(lgs_commit(world, NULL) == LGS_OK);
+  told = toldBy(world);
+  CHECK(told.cells == 2 && told.cell.j == 6 && told.before == 0 && told.now == 1);
+  CHECK(told.last.x == U && told.last.y == U);
+  CHECK(lgs_roll_back(world, mark, NULL, NULL) == LGS_OK && toldBy(world).cells == 2);
+  CHECK(lgs_forget(world, mark, NULL) == LGS_OK);
+  CHECK(lgs_clear(world, rectOf(4, 5, 4, 5), NULL, NULL) == LGS_OK);
+  CHECK(lgs_commit(world, NULL) == LGS_OK);
+  told = toldBy(world);
+  CHECK(told.cells == 1 && told.before == 1 && told.now == 0 && told.last.y == U);
+  CHECK(lgs_follow_cells(world, 0, NULL) == LGS_OK && toldBy(world).cells == 0);
+  CHECK(lgs_visit_cell_changes(world, NULL, NULL) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_visit_cell_changes(NULL, tell, &told) == LGS_BAD_ARGUMENT);
+  lgs_free(world);
+}
+
 static void many(void) {
   lgs_world *world = newWorld(), *copy = NULL;
   const lgs_shape_id square = squareOf(world);
@@ -293,6 +399,8 @@ int main(void) {
   severalAtMost();
   adding();
   changing();
+  exchanging();
+  following();
   many();
   nulls();
   return 0;

@@ -13,7 +13,9 @@ import re
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-HEADERS = HERE.parents[1] / "lib" / "c" / "include" / "lgs"
+ROOT = HERE.parents[1]
+HEADERS = [ROOT / f"lib/c/include/lgs/c/{name}.h" for name in ("values", "world", "edit", "read")]
+HEADERS.append(ROOT / "oracle/engine/include/lgs/lgs_engine.h")
 
 
 def declarations(text):
@@ -33,8 +35,7 @@ def declarations(text):
 
 
 def main():
-    found = [line for name in ("c/values", "c/world", "c/edit", "c/read", "lgs_engine")
-             for line in declarations((HEADERS / f"{name}.h").read_text(encoding="utf-8"))]
+    found = [line for header in HEADERS for line in declarations(header.read_text(encoding="utf-8"))]
     text = "\n".join(found) + "\n"
     listed = HERE / "interface.txt"
     if sys.argv[1:] == ["--write"]:

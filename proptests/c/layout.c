@@ -71,6 +71,11 @@ int main(void) {
   FIELD(lgs_placement, cell);
   FIELD(lgs_placement, shape);
   FIELD(lgs_placement, block);
+  STRUCT(lgs_new_polygon);
+  FIELD(lgs_new_polygon, vertices);
+  FIELD(lgs_new_polygon, count);
+  FIELD(lgs_new_polygon, block);
+  FIELD(lgs_new_polygon, reserved);
   STRUCT(lgs_changes);
   FIELD(lgs_changes, removed);
   FIELD(lgs_changes, added);
@@ -118,6 +123,13 @@ int main(void) {
   FIELD(lgs_polygon, cell);
   FIELD(lgs_polygon, block);
   FIELD(lgs_polygon, vertices);
+  STRUCT(lgs_cell_change);
+  FIELD(lgs_cell_change, cell);
+  FIELD(lgs_cell_change, before);
+  FIELD(lgs_cell_change, now);
+  FIELD(lgs_cell_change, before_count);
+  FIELD(lgs_cell_change, now_count);
+  FIELD(lgs_cell_change, vertices);
   STRUCT(lgs_loop);
   FIELD(lgs_loop, vertices);
   FIELD(lgs_loop, segments);

@@ -101,7 +101,7 @@ static void savingInPieces(void) {
   lgs_free(world);
 }
 
-/* Puts the checksum of docs/snapshot.md at the end. */
+/* Puts the checksum of docs/internals/snapshot.md at the end. */
 static void seal(File* file) {
   uint32_t sum = UINT32_MAX;
   size_t k;

@@ -67,6 +67,31 @@ TEST(Liars, AnExecutorThatRepeatsOrLeavesOutJobsChangesNothing) {
   }
 }
 
+// It leaves code that is compiled without exceptions, so nothing could be cleaned up: the program ends.
+TEST(LiarsDeathTest, WhoeverThrowsEndsTheProgram) {
+  const auto throws = [](auto...) { throw 7; };
+  World world;
+  build(world);
+  EXPECT_DEATH(world.commit([&](std::size_t, const std::function<void(std::size_t)>&) { throws(); }), "");
+  world.commit();
+  EXPECT_DEATH(world.forEachPolygon([&](Cell, const PlacedPolygon&) { throws(); }), "");
+  EXPECT_DEATH(static_cast<void>(world.save([&](std::span<const std::byte>) { throws(); })), "");
+  World other([&](Block, Block) {
+    throws();
+    return true;
+  });
+  EXPECT_DEATH(build(other), "");
+}
+
+TEST(Liars, WhoIsEmptyIsNotCalled) {
+  World world;
+  build(world);
+  world.commit({});
+  world.forEachPolygon({});
+  EXPECT_TRUE(world.save({}));
+  EXPECT_TRUE(world.preserveRelation() == nullptr);
+}
+
 // It answers at random. The numbers are the same in each run.
 TEST(Liars, ARelationThatContradictsItselfTouchesNothingElse) {
   for (std::uint32_t seed = 1; seed <= 60; ++seed) {
@@ -83,7 +108,8 @@ TEST(Liars, ARelationThatContradictsItselfTouchesNothingElse) {
     const Mark mark = world.checkpoint();
     for (std::int32_t k = 0; k < 20; ++k) {
       const Cell cell{k % 7 - 3, k % 5 - 2};
-      for (const PlacedPolygon& p : world.polygons(cell)) static_cast<void>(world.setBlock(p.handle, k % 3));
+      for (const PlacedPolygon& p : world.polygons(cell))
+        static_cast<void>(world.setBlock(p.handle, static_cast<Block>(k % 3)));
       if (k % 4 == 0) static_cast<void>(world.clear(cell));
       world.commit();
     }

@@ -105,6 +105,69 @@ TEST(Limits, AFillThatMeetsAWornCellChangesNothing) {
   EXPECT_TRUE(world.commit().removed.empty());
 }
 
+/// So many contents are there already that only this many more can be made.
+void leaveContents(WornWorld& world, std::size_t left) {
+  detail::Catalogue& catalogue = world.impl.ground.catalogue;
+  catalogue.passOver(detail::kMaxContent + 1 - left - catalogue.contentLimit());
+}
+
+TEST(Limits, TheLastContentCanBeMadeAndNoMore) {
+  WornWorld world;
+  const LocalPolygon last{{1, 2}, {30, 4}, {5, 60}}, tooMany{{1, 2}, {30, 4}, {5, 61}};
+  leaveContents(world, 1);
+  const PolygonHandle handle = world.impl.edit.add({0, 0}, detail::PolygonView(last), 7).value();
+  EXPECT_EQ(world.impl.ground.contentId(world.impl.ground.grid.find(Cell{0, 0})), detail::kMaxContent);
+  expectCapacity(world.impl.edit.add({1, 0}, detail::PolygonView(tooMany), 7), {1, 0});
+  EXPECT_TRUE(world.impl.edit.add({1, 0}, detail::PolygonView(last), 8)) << "it is there already";
+  EXPECT_EQ(world.commit().added.size(), 6U);
+  EXPECT_TRUE(world.impl.edit.remove(handle));
+  EXPECT_EQ(world.commit().removed.size(), 3U);
+  EXPECT_EQ(world.polygonsAt({1, 0}), 1U);
+}
+
+TEST(Limits, WhatIsLeftOfACellNeedsAContentToo) {
+  WornWorld world;
+  const PolygonHandle first = world.add({0, 0}, world.halves).value();
+  const LocalPolygon third{{U / 2, U / 2}, {U, U / 2}, {U, U}};
+  world.commit();
+  leaveContents(world, 0);
+  expectCapacity(world.impl.edit.remove(first), {0, 0});
+  expectCapacity(world.impl.edit.add({2, 0}, detail::PolygonView(third), 1), {2, 0});
+  EXPECT_EQ(world.polygonsAt({0, 0}), 2U);
+  EXPECT_TRUE(world.commit().removed.empty());
+}
+
+TEST(Limits, TheLastChunkCanBeMadeAndNoMore) {
+  WornWorld world;
+  detail::Grid& grid = world.impl.ground.grid;
+  grid.passOver(kMaxChunks - 1 - grid.chunks().size());
+  const PolygonHandle handle = world.add({-5, 7}, world.square).value();
+  EXPECT_EQ(handle.cellRef / detail::kChunkCells, kMaxChunks);
+  EXPECT_EQ(grid.cellOf(handle.cellRef), (Cell{-5, 7}));
+  expectCapacity(world.add({32, 7}, world.square), {32, 7});
+  EXPECT_TRUE(world.add({-6, 7}, world.square)) << "its chunk is there already";
+  EXPECT_EQ(world.commit().added.size(), 6U);
+}
+
+TEST(LimitsDeathTest, TheLastIdOfASegmentIsNoLinkOfNone) {
+  detail::SegmentPool pool;
+  pool.passOver(detail::kMaxSegment / detail::kSegmentPage - 1);
+  std::uint32_t id = 0;
+  for (std::uint32_t k = 0; k < detail::kSegmentPage; ++k) id = pool.take();
+  EXPECT_EQ(id, detail::kMaxSegment);
+  EXPECT_LT(id, detail::kUnlinked);
+  EXPECT_DEATH(static_cast<void>(pool.take()), "");
+}
+
+TEST(LimitsDeathTest, TheLastPageOfRecordsCanBeUsedAndNoMore) {
+  detail::RecordArena arena;
+  arena.passOver(detail::RecordArena::kMaxPages - 1);
+  const auto ref = arena.allocate(3);
+  EXPECT_LT(ref, std::uint32_t{1} << 31);
+  arena.at(ref)[2] = 77;
+  EXPECT_DEATH(static_cast<void>(arena.allocate(detail::RecordArena::kPageWords)), "");
+}
+
 // Chosen hashes, so few that most meet others: the real ones are so well spread that two never do.
 TEST(HashIndex, KeepsApartWhatHasTheSameHash) {
   for (std::int64_t round = 0; round < scaled(200); ++round) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Adapters of libraries under the harness: each departs from the laws as docs/engines.md says, and in no other way.
+"""Adapters of libraries under the harness: each departs from the laws as docs/reports/engines.md says, in no other way.
 
     proptests/engines/adapters_test.py LGS NAME [FILE.so]
 

@@ -9,7 +9,7 @@ import sys
 import threading
 import unittest
 
-README = pathlib.Path(__file__).resolve().parents[2] / "README.md"
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs/harness.md"
 U = 65536  # lattice units, in a cell
 SQUARE = "0 0 1 0 1 1 0 1"
 
@@ -66,8 +66,8 @@ class Client(unittest.TestCase):
             self.assertEqual(oracle.read(), f"lgs-engine 1 oracle ghosts blocks several slants {preserve}refuses")
             self.assertEqual(oracle.end(), (0, ""))
 
-    def test_says_what_the_readme_says(self):
-        passage = README.read_text(encoding="utf-8").split("### Ask the oracle\n")[1]
+    def test_says_what_the_page_says(self):
+        passage = PAGE.read_text(encoding="utf-8").split("## Ask the oracle\n")[1]
         _, asked, _, answered, _ = passage.split("```\n", 4)
         done = subprocess.run([LGS, "oracle"], input=asked, stdout=subprocess.PIPE, text=True, check=True)
         self.assertEqual(done.stdout, answered)

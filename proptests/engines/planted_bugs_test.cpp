@@ -11,8 +11,8 @@ class PlantedBugs : public Workbench {
  protected:
   /// The finding must have all these parts in its text.
   void expectFound(const std::string& piece, const std::string& instead, const std::vector<std::string>& parts,
-                   std::size_t most = 4) const {
-    const Outcome outcome = check(naiveWith(piece, instead), "--edits 4000 --shrink 60", 1);
+                   std::size_t most = 4, int timeout = kPatience) const {
+    const Outcome outcome = check(naiveWith(piece, instead), "--edits 4000 --shrink 60", timeout);
     EXPECT_EQ(outcome.status, 1) << outcome.text;
     for (const std::string& part : parts)
       EXPECT_NE(outcome.text.find(part), std::string::npos) << part << "\n" << outcome.text;
@@ -75,7 +75,7 @@ TEST_F(PlantedBugs, ItCrashesNowAndThen) {
 TEST_F(PlantedBugs, ItHangsNowAndThen) {
   expectFound("polygons[rest[0]] = block, ",
               "\n            while len(polygons) == 2: pass\n            polygons[rest[0]] = block, ",
-              {"the engine has not answered within"}, 3);
+              {"the engine has not answered within"}, 3, 3);
 }
 
 // The case before has left something, so the case alone is right, and can not be shrunk.

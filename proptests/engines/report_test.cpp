@@ -71,6 +71,15 @@ const std::vector<Canary> kCanaries{
        "            polygons[rest[0]] = block, "}}},
 };
 
+// A report goes to people who did not choose the engine.
+TEST_F(Reports, NameAnEngineAsTextAndNothingElse) {
+  const std::string engine = naiveWith({{"lgs-engine 1 naive.py", "lgs-engine 1 <img/src=x>[a](b)"}});
+  EXPECT_EQ(sh("lgs check --engine \"" + engine + "\" --edits 20 --report report").status, 0);
+  EXPECT_EQ(page("report.md").find("<img"), page("report.md").find("\\<img") + 1) << page("report.md");
+  EXPECT_NE(page("report.md").find("\\[a\\](b)"), std::string::npos) << page("report.md");
+  EXPECT_EQ(page("report.html").find("<img/"), std::string::npos) << page("report.html");
+}
+
 TEST_F(Reports, HaveEachKindOfFinding) {
   for (const auto& [kind, replaced] : kCanaries)
     expectKinds("--engine \"" + naiveWith(replaced) + "\"" + (kind == "refusal" ? " --edits 1000" : "") +

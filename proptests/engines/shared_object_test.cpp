@@ -160,7 +160,7 @@ TEST_F(SharedObjects, DigInAMap) {
   EXPECT_EQ(again.status, 1) << again.text;
 }
 
-// The published algorithm departs from the laws (docs/departures.md); in worlds of squares it does not.
+// The published algorithm departs from the laws (docs/internals/departures.md); in worlds of squares it does not.
 TEST_F(SharedObjects, ThePublishedAlgorithmIsOne) {
   const Outcome departs = sh("lgs check --engine-so '" LGS_PUBLISHED_SO "' --edits 1000");
   EXPECT_EQ(departs.status, 1) << departs.text;

@@ -32,8 +32,11 @@ class Workbench : public ::testing::Test {
   /// Runs a command in the folder, with `lgs` for the command of that name.
   Outcome sh(const std::string& line) const;
 
-  /// Checks an engine. The time that an answer may take is short, in seconds.
-  Outcome check(const std::string& engine, const std::string& arguments, int timeout = 2) const;
+  /// What an answer may take, in seconds: a busy machine starts an engine slowly. Tests of engines that hang give less.
+  static constexpr int kPatience = 60;
+
+  /// Checks an engine. `timeout` is what an answer may take, in seconds.
+  Outcome check(const std::string& engine, const std::string& arguments, int timeout = kPatience) const;
 
   /// Whether any process was started from the folder and lives on. They get a moment to go.
   bool isAnyoneLeft() const;

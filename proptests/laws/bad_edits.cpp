@@ -12,8 +12,9 @@ constexpr Cell kFull{0, 0}, kRamp{1, 0}, kTwo{2, 0}, kEmpty{5, -3}, kTooFar{kMax
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
 constexpr float kHugeFloat = std::numeric_limits<float>::max();
 constexpr const char* kTooMuch =
-    "too much: a cell holds at most 254 polygons with 4,096 vertices, a world 2^22 - 1 chunks of 32x32 cells, a call "
-    "2^31 - 1 entries";
+    "too much: a cell holds at most 254 polygons with 4,096 vertices, and 2^28 - 1 polygons in its time; a world "
+    "2^22 - 1 chunks of 32x32 cells, and 2^23 - 1 distinct contents of cells; a call 2^31 - 1 entries; in one cell a "
+    "brush 4,096 edges and 32,768 crossings";
 
 template <class T>
 Error errorOf(const Expected<T>& result) {

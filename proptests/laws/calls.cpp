@@ -1,7 +1,6 @@
 #include "calls.h"
 
 #include "oracle/check/call_check.h"
-#include "oracle/reference/naive.h"
 #include "proptests/support/law.h"
 
 #include <fmt/format.h>
@@ -64,14 +63,6 @@ Caller grown(const Setting& setting, const Calls& calls) {
   return caller;
 }
 
-oracle::Outline outlineByLaws(const World& world, const oracle::PreservePairs& preserve) {
-  oracle::Scene scene{{}, preserve};
-  world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
-    scene.polygons.push_back({cell, p.block, {p.vertices.begin(), p.vertices.end()}});
-  });
-  return oracle::NaiveReference()(scene).outline;
-}
-
 Story storyOf(const Calls& calls, const Setting& setting, bool triesRefused) {
   Story story;
   oracle::CallCheck world(setting.corner, setting.preserve);
@@ -125,6 +116,14 @@ Gen<CallsAndMarks> Arbitrary<CallsAndMarks>::arbitrary() {
 }
 Gen<AnyCalls> Arbitrary<AnyCalls>::arbitrary() {
   return listsOf<AnyCalls>(withLoads(Habits()), withLoads(withMarks(Habits())));
+}
+
+Gen<HostileCalls> Arbitrary<HostileCalls>::arbitrary() {
+  Habits habits = withLoads(withMarks(Habits()));
+  habits.hostilePercent = 10;
+  Habits plain;
+  plain.hostilePercent = 10;
+  return listsOf<HostileCalls>(plain, habits);
 }
 
 Gen<CallOfParts> Arbitrary<CallOfParts>::arbitrary() {

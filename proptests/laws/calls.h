@@ -7,6 +7,7 @@
 #include "oracle/reference/outline.h"
 #include "oracle/reference/scene.h"
 #include "oracle/trace/call_model.h"
+#include "proptests/support/outline_by_laws.h"
 #include "proptests/support/worlds.h"
 
 #include <rapidcheck.h>
@@ -41,6 +42,9 @@ struct CallsAndMarks : Calls {};
 /// The world is saved and loaded among them, too.
 struct AnyCalls : Calls {};
 
+/// Some of their numbers are the ends of what there is, or mean something inside. Marks and loads are among them.
+struct HostileCalls : Calls {};
+
 /// One that is made of parts: of many, or in the place of what stands there.
 struct CallOfParts {
   Call call;
@@ -54,9 +58,6 @@ void makeAll(Caller& caller, const Calls& calls);
 
 /// A world in the middle of its life.
 Caller grown(const Setting& setting, const Calls& calls);
-
-/// What the laws make of a world's polygons, by the naive reference.
-oracle::Outline outlineByLaws(const World& world, const oracle::PreservePairs& preserve);
 
 /// All that calls gave and showed, refusals apart.
 struct Story {
@@ -88,6 +89,10 @@ struct Arbitrary<lgs::test::CallsAndMarks> {
 template <>
 struct Arbitrary<lgs::test::AnyCalls> {
   static Gen<lgs::test::AnyCalls> arbitrary();
+};
+template <>
+struct Arbitrary<lgs::test::HostileCalls> {
+  static Gen<lgs::test::HostileCalls> arbitrary();
 };
 template <>
 struct Arbitrary<lgs::test::CallOfParts> {

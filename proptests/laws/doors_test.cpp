@@ -21,6 +21,10 @@ LGS_LAW(Doors, LeadToTheWorldOfTheModel, 500, (const AnyCalls& calls, const Sett
   storyOf(calls, setting);
 }
 
+LGS_LAW(Doors, LeadToTheWorldOfTheModelWhateverTheNumbers, 700, (const HostileCalls& calls, const Setting& setting)) {
+  storyOf(calls, setting);
+}
+
 /// What the parts gave, as the whole call would.
 Outcome together(const Call& call, const Outcome& group) {
   Outcome whole;

@@ -78,7 +78,7 @@ LGS_LAW(GoingBack, BytesOfIllWillAreRefusedOrAreAWorld, 2'000,
 }
 
 // The bytes of a world with one square end with its serial, its block, no free id, no id just removed, the ids of its
-// four segments and the checksum (docs/snapshot.md).
+// four segments and the checksum (docs/internals/snapshot.md).
 TEST(GoingBackByHand, MadeUpBytesAreRefusedForTheirReason) {
   using What = SnapshotError::What;
   World world;
@@ -157,7 +157,7 @@ World smallWorld() {
   return world;
 }
 
-// Each group of numbers as docs/snapshot.md has it; the indices below count from the first one.
+// Each group of numbers as docs/internals/snapshot.md has it; the indices below count from the first one.
 const Numbers kSmallWorld{
     1, 0,  // 0: version, relation
     3, 3,     0,    0,     65536, 0,    0,     65536, 4,    0, 0,  65536, 0, 65536, 65536,

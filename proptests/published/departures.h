@@ -1,5 +1,5 @@
 // The ways in which the published algorithm departs from the laws, and how to recognise each in the outcome of a trace.
-// docs/departures.md shows them.
+// docs/internals/departures.md shows them.
 #pragma once
 
 #include "oracle/reference/outline.h"

@@ -1,5 +1,5 @@
-// The published algorithm under the harness: it departs from the laws in the ways that docs/departures.md shows, and in
-// no way on scenes within its reach.
+// The published algorithm under the harness: it departs from the laws in the ways that docs/internals/departures.md
+// shows, and in no way on scenes within its reach.
 #include "bench/published/published_lattice.h"
 #include "oracle/calls/random.h"
 #include "oracle/cgal/cgal_union.h"

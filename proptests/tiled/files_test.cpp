@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <stdexcept>
 
 namespace lgs::tiled {
 namespace {
@@ -34,6 +35,16 @@ class TiledReadFile : public testing::Test {
 std::string whyNot(const std::string& path) {
   const auto text = readFile(path);
   return text ? "it was read" : text.error();
+}
+
+// Nothing of the importer's is lost on the way: the sanitizers see to that.
+TEST(TiledReader, WhatAReaderThrowsComesThrough) {
+  const FileReader throws = [](const std::string& path) -> tl::expected<std::string, std::string> {
+    if (path == "a.tmx") return mapXml("<tileset firstgid='1' source='b.tsx'/>");
+    throw std::runtime_error(path);
+  };
+  EXPECT_THROW(static_cast<void>(importMap("a.tmx", {}, throws)), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(importMap("c.tmx", {}, throws)), std::runtime_error);
 }
 
 TEST_F(TiledReadFile, GivesTheContentByteForByte) {

@@ -2,6 +2,7 @@
 import { copyFile, mkdir, rm } from 'node:fs/promises'
 import { createRequire } from 'node:module'
 import { build } from 'esbuild'
+import { copyPage } from '../links.js'
 
 const require = createRequire(import.meta.url)
 const here = (path) => new URL(path, import.meta.url).pathname
@@ -19,7 +20,12 @@ await build({
   minify: true,
   sourcemap: false,
   legalComments: 'eof',
+  logOverride: { 'ignored-bare-import': 'silent' }, // of the package's own files, which have no side effects
 })
-for (const file of ['index.html', 'style.css']) await copyFile(here(file), here(`dist/${file}`))
+await copyPage(here('index.html'), here('dist/index.html'))
+await copyFile(here('style.css'), here('dist/style.css'))
+await mkdir(here('dist/scenes'))
+for (const file of ['cave.tmx', 'crate.tx', 'quarry.ldtk', 'landscape.tmx', 'landscape.tsx'])
+  await copyFile(here(`../../examples/maps/${file}`), here(`dist/scenes/${file}`))
 for (const file of ['lgs.wasm', 'lgs-full.wasm'])
   await copyFile(require.resolve(`localgridseg/${file}`), here(`dist/${file}`))

@@ -106,7 +106,7 @@ LGS_EXPORT("failure") const Failure* failureAddress() { return &failureOfLastCal
 LGS_EXPORT("make") Bridge* make(std::uint32_t relationNumber, std::int32_t isFloat) {
   return new Bridge{.world = World(relation(relationNumber)), .isFloat = isFloat != 0};
 }
-LGS_EXPORT("free") void release(Bridge* bridge) { delete bridge; }
+LGS_EXPORT("free") void release(Bridge* bridge) { delete bridge; }  // with its terrains
 
 LGS_EXPORT("load") Bridge* load(std::size_t bytes, std::uint32_t relationNumber, std::int32_t isFloat) {
   auto world = World::load(input<std::byte>(bytes), relation(relationNumber));

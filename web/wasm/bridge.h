@@ -1,6 +1,6 @@
 // The bridge between JavaScript and the engine. JavaScript calls functions that take and return numbers. What is longer
 // goes through memory: arguments through an input buffer, answers through an answer buffer, both shared by all worlds;
-// lists of segments through buffers of their world. JavaScript checks that its arguments are numbers of the right kind;
+// lists of segments through blocks of their world. JavaScript checks that its arguments are numbers of the right kind;
 // the engine checks everything else.
 //
 // Every number fits a double. A polygon's handle takes 53 bits: the build defines LGS_HANDLES_IN_53_BITS (lgs/world.h).
@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,36 +26,54 @@
 
 namespace lgs::web {
 
-/// Lists of segments, as arrays: what a commit or a question gives out.
-struct Lists {
-  std::vector<SegmentId> ids;  ///< removed, then added, then relinked
-  std::vector<double> geometry;
-  std::vector<float> geometryFloat;
-  std::vector<Block> blocks;
-  std::vector<Cell> cells;
-  std::vector<double> owners;
-  std::vector<SegmentId> predecessors;
-  std::vector<SegmentId> successors;
+/// Arrays one after the other in one block of memory. JavaScript copies the block as a whole, and looks at what it needs.
+class Block64 {
+ public:
+  /// Room for so many bytes; what is in it is whatever was there before.
+  void open(std::size_t bytes) {
+    words_.resize((bytes + 7) / 8);
+    next_ = reinterpret_cast<std::byte*>(words_.data());
+  }
+  /// The next array. Those of the larger types come first, so none needs a gap before it.
+  template <class T>
+  T* array(std::size_t count) {
+    T* const here = reinterpret_cast<T*>(next_);
+    next_ += count * sizeof(T);
+    return here;
+  }
+  const std::uint64_t* data() const { return words_.data(); }
 
-  /// What JavaScript reads first. Addresses and lengths; the arrays begin with `added`.
-  struct Header {
-    std::uint64_t before, after;
-    std::uint32_t removed, added, relinked;
-    const void *ids, *geometry, *blocks, *cells, *owners, *predecessors, *successors;
-  } header{};
+ private:
+  std::vector<std::uint64_t> words_;
+  std::byte* next_ = nullptr;
 };
-// web/package/src/lists.ts reads it by words of 32 bits.
-static_assert(offsetof(Lists::Header, removed) == 4 * 4 && offsetof(Lists::Header, ids) == 4 * 7 &&
-              offsetof(Lists::Header, successors) == 4 * 13);
 
-/// A world, and the lists that it last handed out.
+/// The head of a block with segments. web/package/src/lists.ts reads it.
+struct SegmentHead {
+  double before, after;  ///< World::version() before and after
+  std::uint32_t removed, added, relinked, words;
+};
+static_assert(sizeof(SegmentHead) == 32);
+
+struct Terrain;
+struct DropTerrain {
+  void operator()(Terrain* terrain) const;
+};
+
+inline const Changes kNoChanges;
+
+/// A world, and what it last handed out.
 struct Bridge {
   World world;
   bool isFloat = false;                     ///< geometry is handed out as float
-  Lists changes = {};                       ///< of the last commit or roll-back
-  Lists segments = {};                      ///< of the last question for segments
-  std::vector<DoubleSegment> doubles = {};  ///< working memory of the lists
+  const Changes* last = &kNoChanges;        ///< of the last commit or roll-back
+  Block64 changes = {};                     ///< the same, as JavaScript reads it
+  Block64 segments = {};                    ///< of the last question for segments
+  BrushResult brushed = {};                 ///< what the last brush did
+  std::vector<SegmentId> ids = {};          ///< working memory of the lists
+  std::vector<DoubleSegment> doubles = {};
   std::vector<FloatSegment> floats = {};
+  std::vector<std::unique_ptr<Terrain, DropTerrain>> terrains = {};
 };
 
 constexpr int kSerialBits = 23;
@@ -70,6 +89,9 @@ inline PolygonHandle toHandle(double v) {
   return {static_cast<std::uint32_t>(bits >> kSerialBits),
           static_cast<std::uint32_t>(bits & ((1u << kSerialBits) - 1))};
 }
+
+/// A mark from its number. Those of marks and versions are counted up from 1, so a double holds them.
+inline Mark markOf(double v) { return Mark{v >= 0 && v < 0x1p53 ? static_cast<std::uint64_t>(v) : 0}; }
 
 inline double cellsOf(std::int64_t units) { return static_cast<double>(units) / kUnitsPerCell; }
 

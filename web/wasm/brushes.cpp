@@ -1,6 +1,8 @@
 // Regions, and painting and carving them.
 #include "bridge.h"
 
+#include <algorithm>
+
 namespace lgs::web {
 namespace {
 
@@ -19,24 +21,14 @@ Region inputRegion(std::size_t numbers) {
   return region(rings, in[1] != 0 ? FillRule::evenOdd : FillRule::nonZero);
 }
 
-void putHandles(const std::vector<PolygonHandle>& handles) {
-  answer().push_back(static_cast<double>(handles.size()));
-  for (const PolygonHandle handle : handles) answer().push_back(toNumber(handle));
+std::int32_t kept(Bridge& bridge, Expected<BrushResult> result) {
+  if (!result) return refused(result.error(), 0);
+  bridge.brushed = std::move(*result);
+  return 1;
 }
 
-/// Lists with their lengths before them: went, came, bent, and for each change the old polygon with the new ones.
-std::size_t answered(const Expected<BrushResult>& result) {
-  if (!result) return refused(result.error(), std::size_t{0});
-  answer().clear();
-  putHandles(result->went);
-  putHandles(result->came);
-  putHandles(result->bent);
-  answer().push_back(static_cast<double>(result->changed.size()));
-  for (const BrushChange& change : result->changed) {
-    answer().push_back(toNumber(change.old));
-    putHandles(change.now);
-  }
-  return answer().size();
+void putHandles(const std::vector<PolygonHandle>& handles) {
+  for (const PolygonHandle handle : handles) answer().push_back(toNumber(handle));
 }
 
 /// For each ring the number of its vertices and these in cells.
@@ -50,18 +42,38 @@ std::size_t answered(const Region& region) {
   return out.size();
 }
 
-/// A length in lattice units. JavaScript has checked that it is a number of cells within the limits of a brush.
-std::int64_t units(double cells) { return std::llround(cells * kUnitsPerCell); }
+/// A length in lattice units. JavaScript has checked that it is a number of cells within the limits of a brush;
+/// what is below a lattice unit is taken for one.
+std::int64_t units(double cells) { return std::max<std::int64_t>(1, std::llround(cells * kUnitsPerCell)); }
 
 }  // namespace
 
-LGS_EXPORT("paint") std::size_t paintRegion(Bridge* bridge, std::size_t numbers, Block block, std::int32_t replace) {
-  return answered(
-      paint(bridge->world, inputRegion(numbers), block, replace != 0 ? PaintMode::replace : PaintMode::fill));
+LGS_EXPORT("paint")
+std::int32_t paintRegion(Bridge* bridge, std::size_t numbers, Block block, std::int32_t replace) {
+  const PaintMode mode = replace != 0 ? PaintMode::replace : PaintMode::fill;
+  return kept(*bridge, paint(bridge->world, inputRegion(numbers), block, mode));
 }
 
-LGS_EXPORT("carve") std::size_t carveRegion(Bridge* bridge, std::size_t numbers) {
-  return answered(carve(bridge->world, inputRegion(numbers)));
+LGS_EXPORT("carve") std::int32_t carveRegion(Bridge* bridge, std::size_t numbers) {
+  return kept(*bridge, carve(bridge->world, inputRegion(numbers)));
+}
+
+/// What the last brush of a world did: 0 removed, 1 added, 2 rounded.
+LGS_EXPORT("brushed") std::size_t brushed(const Bridge* bridge, std::int32_t list) {
+  const BrushResult& result = bridge->brushed;
+  answer().clear();
+  putHandles(list == 0 ? result.went : list == 1 ? result.came : result.bent);
+  return answer().size();
+}
+
+/// For each change the old polygon, the number of new ones, and these.
+LGS_EXPORT("brushChanges") std::size_t brushChanges(const Bridge* bridge) {
+  answer().clear();
+  for (const BrushChange& change : bridge->brushed.changed) {
+    answer().insert(answer().end(), {toNumber(change.old), static_cast<double>(change.now.size())});
+    putHandles(change.now);
+  }
+  return answer().size();
 }
 
 LGS_EXPORT("circle") std::size_t circleRegion(double x, double y, double radius, std::int32_t corners) {

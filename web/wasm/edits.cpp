@@ -78,9 +78,11 @@ LGS_EXPORT("clear") double clear(Bridge* bridge, std::int32_t i0, std::int32_t j
   return orMinusOne(bridge->world.clear(rect(i0, j0, i1, j1)));
 }
 
-LGS_EXPORT("checkpoint") std::uint64_t checkpoint(Bridge* bridge) { return bridge->world.checkpoint().value; }
-LGS_EXPORT("forget") std::int32_t forget(Bridge* bridge, std::uint64_t mark) {
-  return orZero(bridge->world.forget(Mark{mark}));
+LGS_EXPORT("checkpoint") double checkpoint(Bridge* bridge) {
+  return static_cast<double>(bridge->world.checkpoint().value);
+}
+LGS_EXPORT("forget") std::int32_t forget(Bridge* bridge, double mark) {
+  return orZero(bridge->world.forget(markOf(mark)));
 }
 
 }  // namespace lgs::web

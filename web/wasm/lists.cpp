@@ -7,98 +7,95 @@ namespace lgs::web {
 namespace {
 
 template <class Real>
-void putGeometry(const std::vector<RealSegment<Real>>& segments, std::vector<Real>& geometry) {
-  constexpr Real kNone = std::numeric_limits<Real>::quiet_NaN();
-  geometry.resize(8 * segments.size());
-  Real* to = geometry.data();
-  for (const auto& s : segments) {
-    const RealPoint<Real> ghost1 = s.predecessor ? s.ghost1 : RealPoint<Real>{kNone, kNone};
-    const RealPoint<Real> ghost2 = s.successor ? s.ghost2 : RealPoint<Real>{kNone, kNone};
-    for (const RealPoint<Real> p : {s.start, s.end, ghost1, ghost2}) {
-      *to++ = p.x;
-      *to++ = p.y;
-    }
-  }
+Real* putPoint(Real* to, RealPoint<Real> p) {
+  *to++ = p.x;
+  *to++ = p.y;
+  return to;
 }
 
+/// In this order: owners, geometry, cells, ids (those that were removed first), blocks, predecessors, successors.
 template <class Real>
-void putOthers(const std::vector<RealSegment<Real>>& segments, Lists& lists) {
+void putArrays(Block64& block, std::span<const SegmentId> ids, const std::vector<RealSegment<Real>>& segments) {
+  constexpr Real kNone = std::numeric_limits<Real>::quiet_NaN();
   const std::size_t count = segments.size();
-  lists.blocks.resize(count);
-  lists.cells.resize(count);
-  lists.owners.resize(count);
-  lists.predecessors.resize(count);
-  lists.successors.resize(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    lists.blocks[k] = segments[k].block;
-    lists.cells[k] = segments[k].cell;
-    lists.owners[k] = toNumber(segments[k].polygon);
-    lists.predecessors[k] = segments[k].predecessor;
-    lists.successors[k] = segments[k].successor;
+  auto* owner = block.array<double>(count);
+  auto* geometry = block.array<Real>(8 * count);
+  auto* cell = block.array<Cell>(count);
+  std::ranges::copy(ids, block.array<SegmentId>(ids.size()));
+  auto* blocks = block.array<Block>(count);
+  auto* predecessor = block.array<SegmentId>(count);
+  auto* successor = block.array<SegmentId>(count);
+  for (const auto& s : segments) {
+    *owner++ = toNumber(s.polygon);
+    geometry = putPoint(geometry, s.start);
+    geometry = putPoint(geometry, s.end);
+    geometry = putPoint(geometry, s.predecessor ? s.ghost1 : RealPoint<Real>{kNone, kNone});
+    geometry = putPoint(geometry, s.successor ? s.ghost2 : RealPoint<Real>{kNone, kNone});
+    *cell++ = s.cell;
+    *blocks++ = s.block;
+    *predecessor++ = s.predecessor;
+    *successor++ = s.successor;
   }
 }
 
-/// Reads the segments of all ids but the first `removed`, and tells where the arrays are.
-const Lists::Header* listed(Bridge& bridge, Lists& lists, std::size_t removed, std::size_t added) {
-  const auto alive = std::span(lists.ids).subspan(removed);
-  const void* geometry = nullptr;
-  const auto put = [&](auto& segments, auto& numbers) {
-    segments.resize(alive.size());
-    // The ids come from the world itself, and the origin is in range: it can not be refused.
-    static_cast<void>(bridge.world.segments(alive, Point{}, std::span(segments)));
-    putGeometry(segments, numbers);
-    putOthers(segments, lists);
-    geometry = numbers.data();
-  };
-  if (bridge.isFloat)
-    put(bridge.floats, lists.geometryFloat);
-  else
-    put(bridge.doubles, lists.geometry);
-  const auto count = [](std::size_t n) { return static_cast<std::uint32_t>(n); };
-  lists.header = {.before = lists.header.before,
-                  .after = lists.header.after,
-                  .removed = count(removed),
-                  .added = count(added),
-                  .relinked = count(alive.size() - added),
-                  .ids = lists.ids.data(),
-                  .geometry = geometry,
-                  .blocks = lists.blocks.data(),
-                  .cells = lists.cells.data(),
-                  .owners = lists.owners.data(),
-                  .predecessors = lists.predecessors.data(),
-                  .successors = lists.successors.data()};
-  return &lists.header;
+/// Reads the segments of all ids but the first `removed`, and writes everything into a block.
+template <class Real>
+void putSegments(Block64& block, std::span<const SegmentId> ids, SegmentHead head, const World& world,
+                 std::vector<RealSegment<Real>>& segments) {
+  const std::size_t count = ids.size() - head.removed;
+  segments.resize(count);
+  // The ids come from the world itself, and the origin is in range: it can not be refused.
+  static_cast<void>(world.segments(ids.subspan(head.removed), Point{}, std::span(segments)));
+  const std::size_t each = sizeof(double) + 8 * sizeof(Real) + sizeof(Cell) + 3 * sizeof(std::uint32_t);
+  const std::size_t bytes = sizeof(SegmentHead) + each * count + sizeof(SegmentId) * ids.size();
+  head.words = static_cast<std::uint32_t>((bytes + 7) / 8);
+  block.open(bytes);
+  *block.array<SegmentHead>(1) = head;
+  putArrays(block, ids, segments);
 }
 
-const Lists::Header* listed(Bridge& bridge, const Changes& changes) {
-  Lists& lists = bridge.changes;
-  lists.ids.clear();
+const std::uint64_t* listed(Bridge& bridge, Block64& block, std::span<const SegmentId> ids, const SegmentHead& head) {
+  if (bridge.isFloat)
+    putSegments(block, ids, head, bridge.world, bridge.floats);
+  else
+    putSegments(block, ids, head, bridge.world, bridge.doubles);
+  return block.data();
+}
+
+std::uint32_t count(const std::vector<SegmentId>& ids) { return static_cast<std::uint32_t>(ids.size()); }
+
+const std::uint64_t* listed(Bridge& bridge, const Changes& changes) {
+  bridge.last = &changes;
+  bridge.ids.clear();
   for (const auto* list : {&changes.removed, &changes.added, &changes.relinked})
-    lists.ids.insert(lists.ids.end(), list->begin(), list->end());
-  lists.header.before = changes.before;
-  lists.header.after = changes.after;
-  return listed(bridge, lists, changes.removed.size(), changes.added.size());
+    bridge.ids.insert(bridge.ids.end(), list->begin(), list->end());
+  return listed(bridge, bridge.changes, bridge.ids,
+                {static_cast<double>(changes.before), static_cast<double>(changes.after), count(changes.removed),
+                 count(changes.added), count(changes.relinked), 0});
+}
+
+const std::uint64_t* listed(Bridge& bridge, const std::vector<SegmentId>& ids) {
+  const auto version = static_cast<double>(bridge.world.version());
+  return listed(bridge, bridge.segments, ids, {version, version, 0, count(ids), 0, 0});
 }
 
 }  // namespace
 
-LGS_EXPORT("commit") const Lists::Header* commit(Bridge* bridge) { return listed(*bridge, bridge->world.commit()); }
+LGS_EXPORT("commit") const std::uint64_t* commit(Bridge* bridge) { return listed(*bridge, bridge->world.commit()); }
 
-LGS_EXPORT("rollBack") const Lists::Header* rollBack(Bridge* bridge, std::uint64_t mark) {
-  if (const auto done = bridge->world.rollBack(Mark{mark}); !done)
-    return refused(done.error(), static_cast<const Lists::Header*>(nullptr));
+LGS_EXPORT("rollBack") const std::uint64_t* rollBack(Bridge* bridge, double mark) {
+  if (const auto done = bridge->world.rollBack(markOf(mark)); !done)
+    return refused(done.error(), static_cast<const std::uint64_t*>(nullptr));
   return listed(*bridge, bridge->world.changesOfRollBack());
 }
 
-LGS_EXPORT("segments") const Lists::Header* segments(Bridge* bridge) {
-  bridge->segments.ids = bridge->world.segments();
-  return listed(*bridge, bridge->segments, 0, bridge->segments.ids.size());
+LGS_EXPORT("segments") const std::uint64_t* segments(Bridge* bridge) {
+  return listed(*bridge, bridge->world.segments());
 }
 
 LGS_EXPORT("segmentsIn")
-const Lists::Header* segmentsIn(Bridge* bridge, std::int32_t i0, std::int32_t j0, std::int32_t i1, std::int32_t j1) {
-  bridge->segments.ids = bridge->world.segments(CellRect{{i0, j0}, {i1, j1}});
-  return listed(*bridge, bridge->segments, 0, bridge->segments.ids.size());
+const std::uint64_t* segmentsIn(Bridge* bridge, std::int32_t i0, std::int32_t j0, std::int32_t i1, std::int32_t j1) {
+  return listed(*bridge, bridge->world.segments(CellRect{{i0, j0}, {i1, j1}}));
 }
 
 }  // namespace lgs::web

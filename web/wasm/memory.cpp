@@ -32,3 +32,11 @@ _LIBCPP_END_NAMESPACE_STD
 
 /// Runs a destructor when its thread ends. There is one thread here, and it never ends.
 extern "C" int __cxa_thread_atexit(void (*)(void*), void*, void*) { return 0; }  // NOLINT: the name is the compiler's
+
+// Of sines and cosines only directions are made. JavaScript has them; those of the C library weigh six kilobytes.
+extern "C" {
+__attribute__((import_module("lgs"), import_name("cos"))) double cosInJavaScript(double angle);
+__attribute__((import_module("lgs"), import_name("sin"))) double sinInJavaScript(double angle);
+double cos(double angle) { return cosInJavaScript(angle); }
+double sin(double angle) { return sinInJavaScript(angle); }
+}

@@ -67,10 +67,13 @@ LGS_EXPORT("loops") std::size_t loops(const Bridge* bridge, std::int32_t merge) 
 }
 
 /// where, polygon, block, i, j.
-LGS_EXPORT("at") void at(const Bridge* bridge, double x, double y) {
-  const Spot spot = bridge->world.at(latticePoint({x, y}));
+LGS_EXPORT("at") std::int32_t at(const Bridge* bridge, double x, double y) {
+  const Point point = latticePoint({x, y});
+  if (!inRange(point)) return refused({.code = ErrorCode::outOfReach}, 0);
+  const Spot spot = bridge->world.at(point);
   answer() = {static_cast<double>(spot.where), toNumber(spot.polygon), static_cast<double>(spot.block),
               static_cast<double>(spot.cell.i), static_cast<double>(spot.cell.j)};
+  return 1;
 }
 
 /// segment (0: none), x, y, distance.
@@ -105,7 +108,7 @@ LGS_EXPORT("stats") void stats(const Bridge* bridge) {
               real(s.contents), real(s.chunks), real(s.bytes)};
 }
 
-LGS_EXPORT("version") std::uint64_t version(const Bridge* bridge) { return bridge->world.version(); }
+LGS_EXPORT("version") double version(const Bridge* bridge) { return real(bridge->world.version()); }
 LGS_EXPORT("maxSegmentId") std::uint32_t maxSegmentId(const Bridge* bridge) { return bridge->world.maxSegmentId(); }
 
 }  // namespace lgs::web

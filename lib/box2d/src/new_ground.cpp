@@ -1,5 +1,7 @@
 #include "new_ground.h"
 
+#include "geometry/sort.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -47,7 +49,7 @@ NewGround::NewGround(const World& world, const EdgeSet& before, const Changes& c
     add(came_, {{s.start, s.end}, s.block});
   }
   cameIds_ = changes.added;
-  std::sort(cameIds_.begin(), cameIds_.end());
+  detail::sort(cameIds_);
 }
 
 NewGround::NewGround(const World& world, const EdgeSet& before) : world_(world) {

@@ -9,9 +9,9 @@ namespace lgs::brush {
 constexpr bool isLower(Point u, Point v) { return u.y != v.y ? u.y < v.y : u.x < v.x; }
 
 /// A directed edge, with what it bounds on its left.
-struct Edge {
+struct HalfEdge {
   Point from, to;
-  friend constexpr auto operator<=>(const Edge&, const Edge&) = default;
+  friend constexpr auto operator<=>(const HalfEdge&, const HalfEdge&) = default;
 };
 
 /// A straight piece of one chain or of several that came to lie on each other, from its lower end to the other one.

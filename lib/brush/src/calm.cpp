@@ -61,13 +61,13 @@ class RoundedRegion {
     });
     const bool isAtom = at != atoms_.end() && at->low == side.low && at->high == side.high;
     const Sum left = isAtom ? at->left : sumLeftOf(middle, atoms_), right = isAtom ? at->right : left;
-    const bool isInsideLeft = isInside(left.winding, rule_), isInsideRight = isInside(right.winding, rule_);
-    if (ground_.groups[side.area] == kNoGroup && (side.isLeft ? isInsideLeft : isInsideRight)) return false;
-    if (isInsideLeft != isInsideRight || isOnRim(side)) return true;
+    const bool isFilledLeft = isFilled(left.winding, rule_), isFilledRight = isFilled(right.winding, rule_);
+    if (ground_.groups[side.area] == kNoGroup && (side.isLeft ? isFilledLeft : isFilledRight)) return false;
+    if (isFilledLeft != isFilledRight || isOnRim(side)) return true;
     if (std::any_of(parts_.begin(), parts_.end(), [&](const Segment& part) { return crosses(side, part); }))
       return false;
-    return isInsideLeft ||
-           (!isInside(windingLeftOf(middle, region_), rule_) && !isInside(windingRightOf(middle, region_), rule_));
+    return isFilledLeft ||
+           (!isFilled(windingLeftOf(middle, region_), rule_) && !isFilled(windingRightOf(middle, region_), rule_));
   }
 
   List<Atom> atoms() && { return std::move(atoms_); }

@@ -30,7 +30,7 @@ bool meets(PieceSpan region, FillRule rule, const Points& ring) {
   }
   // The outlines do not meet. So the polygon is inside the region or outside, and each ring of the region is inside the
   // polygon or outside.
-  if (isInside(windingLeftOf(rising, region), rule)) return true;
+  if (isFilled(windingLeftOf(rising, region), rule)) return true;
   const Pieces outline = piecesOf(ring);
   return std::any_of(region.begin(), region.end(), [&](const Piece& p) {
     return p.start == p.a && p.isOfRegion && windingLeftOf({2 * p.start.x, 2 * p.start.y}, outline) != 0;
@@ -45,7 +45,7 @@ std::optional<List<Atom>> atomsOf(Ground& ground, PieceSpan region, FillRule rul
   for (;;) {
     auto arrangement = arrangementOf(ground, region);
     if (!arrangement) return std::nullopt;
-    Rounding result = rounded(std::move(*arrangement), rule);
+    Rounding result = snapRounded(std::move(*arrangement), rule);
     if (result.inTheWay.empty()) return std::move(result.atoms);
     for (const std::size_t k : result.inTheWay) ground.groups[k] = k;
   }

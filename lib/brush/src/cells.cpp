@@ -52,7 +52,7 @@ void divide(const Rings& rings, const CellRect& box, FillRule rule, Coverage& re
   });
   if (isPlain) {
     const Point inside{2 * units(box.min.i) + 1, 2 * units(box.min.j) + 1};
-    if (isInside(windingLeftOf(inside, all(rings)), rule)) result.whole.push_back(box);
+    if (isFilled(windingLeftOf(inside, all(rings)), rule)) result.whole.push_back(box);
   } else if (box.min == box.max) {
     Pieces pieces = all(rings);
     const auto isOfRegion = [](const Piece& p) { return p.isOfRegion; };

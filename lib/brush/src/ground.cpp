@@ -80,8 +80,8 @@ List<std::size_t> groupsOf(const List<CellPolygon>& polygons, const List<bool>& 
 }
 
 /// The outline of a group, with the group on its left. `sides` are those of the polygons.
-List<Edge> outlineOf(std::size_t group, const List<std::size_t>& groups, const List<Side>& sides) {
-  List<Edge> edges;
+List<HalfEdge> outlineOf(std::size_t group, const List<std::size_t>& groups, const List<Side>& sides) {
+  List<HalfEdge> edges;
   for (auto s = sides.begin(); s != sides.end();) {
     bool isLeft = false, isRight = false;
     const Side& first = *s;
@@ -124,11 +124,11 @@ std::optional<Ground> groundOf(const List<CellPolygon>& polygons, const List<boo
   return ground;
 }
 
-List<Edge> oldOutline(const Ground& ground, std::size_t group) {
-  List<Edge> edges;
+List<HalfEdge> oldOutline(const Ground& ground, std::size_t group) {
+  List<HalfEdge> edges;
   edges.reserve(ground.sides.size());
   for (const Side& s : ground.sides)
-    if (s.area == group) edges.push_back(s.isLeft ? Edge{s.low, s.high} : Edge{s.high, s.low});
+    if (s.area == group) edges.push_back(s.isLeft ? HalfEdge{s.low, s.high} : HalfEdge{s.high, s.low});
   return edges;
 }
 

@@ -34,6 +34,6 @@ struct Ground {
 std::optional<Ground> groundOf(const List<CellPolygon>& polygons, const List<bool>& meeting, PieceSpan region);
 
 /// The outline of a group before the stroke, with the group on its left. Cost: O(n).
-List<Edge> oldOutline(const Ground& ground, std::size_t group);
+List<HalfEdge> oldOutline(const Ground& ground, std::size_t group);
 
 }  // namespace lgs::brush

@@ -27,11 +27,11 @@ bool comesFirst(Vector from, Vector u, Vector v) {
 
 /// The closed walks along the edges with the area on the left. At each vertex the walk stays beside the area that it
 /// came along. `edges` is sorted.
-List<Points> walks(const List<Edge>& edges) {
+List<Points> walks(const List<HalfEdge>& edges) {
   List<bool> isDone(edges.size(), false);
-  const auto after = [&](const Edge& edge) {
+  const auto after = [&](const HalfEdge& edge) {
     const auto first = std::lower_bound(edges.begin(), edges.end(), edge.to,
-                                        [](const Edge& e, Point vertex) { return e.from < vertex; });
+                                        [](const HalfEdge& e, Point vertex) { return e.from < vertex; });
     auto best = first;
     for (auto e = first; e != edges.end() && e->from == edge.to; ++e)
       if (comesFirst(edge.from - edge.to, e->to - e->from, best->to - best->from)) best = e;
@@ -68,32 +68,32 @@ List<Points> loops(const Points& walk) {
 }
 
 /// Whether an edge meets the open line between two vertices.
-bool blocks(const Edge& edge, Point from, Point to) {
+bool blocks(const HalfEdge& edge, Point from, Point to) {
   return detail::boxesMeet(edge.from, edge.to, from, to) &&
-         (detail::crossProperly(from, to, edge.from, edge.to) || detail::isInside(edge.from, from, to) ||
-          detail::isInside(edge.to, from, to));
+         (detail::crossProperly(from, to, edge.from, edge.to) || detail::isOnOpenSegment(edge.from, from, to) ||
+          detail::isOnOpenSegment(edge.to, from, to));
 }
 
 /// The nearest vertex on one side of a vertex that can be seen from it. There is always one.
-std::optional<Point> visible(Point from, bool isLess, const List<Edge>& edges) {
+std::optional<Point> visible(Point from, bool isLess, const List<HalfEdge>& edges) {
   Points candidates;
-  for (const Edge& e : edges)
+  for (const HalfEdge& e : edges)
     if (isLess ? e.from < from : from < e.from) candidates.push_back(e.from);
   const auto distance = [from](Point p) { return dot(p - from, p - from); };
   detail::sort(candidates,
                [&](Point p, Point q) { return distance(p) != distance(q) ? distance(p) < distance(q) : p < q; });
   for (const Point to : candidates)
-    if (std::none_of(edges.begin(), edges.end(), [&](const Edge& e) { return blocks(e, from, to); })) return to;
+    if (std::none_of(edges.begin(), edges.end(), [&](const HalfEdge& e) { return blocks(e, from, to); })) return to;
   return std::nullopt;
 }
 
 /// Adds a chord from an end of a hole, in both directions. There is none if an edge leads on from there, or if what
 /// lies in that direction is not of the area: then the hole touches the outer outline.
-void addChord(Point from, bool isLess, List<Edge>& edges) {
+void addChord(Point from, bool isLess, List<HalfEdge>& edges) {
   std::optional<Vector> first;  // met by a turn clockwise from that direction
   bool leaves = false;
   const Vector ahead{isLess ? -1 : 1, 0};
-  for (const Edge& e : edges) {
+  for (const HalfEdge& e : edges) {
     if (e.from != from && e.to != from) continue;
     const Point other = e.from == from ? e.to : e.from;
     if (isLess ? other < from : from < other) return;
@@ -122,18 +122,18 @@ Points straightened(const Points& ring) {
   return kept;
 }
 
-List<Points> ringsOf(List<Edge> edges) {
+List<Points> ringsOf(List<HalfEdge> edges) {
   detail::sort(edges);
   List<Points> rings = walks(edges);
   for (Points& ring : rings) ring = straightened(ring);
   return rings;
 }
 
-List<Points> simplePolygons(List<Edge> edges) {
+List<Points> simplePolygons(List<HalfEdge> edges) {
   detail::sort(edges);
   List<Points> polygons = walks(edges);
   const std::size_t outlines = edges.size();
-  const bool touches = std::ranges::adjacent_find(edges, {}, &Edge::from) != edges.end();
+  const bool touches = std::ranges::adjacent_find(edges, {}, &HalfEdge::from) != edges.end();
   for (const Points& walk : polygons) {
     for (const Points& loop : touches ? loops(walk) : List<Points>{walk}) {
       if (detail::doubleArea(loop) > 0) continue;

@@ -14,11 +14,11 @@ namespace {
 using Owner = std::size_t;  ///< a group by its least polygon, what is painted, or nobody
 
 /// Whether edges are the same outline as before. Those of before are not cut yet where rounding found hot points.
-bool isSameOutline(List<Edge> now, const List<Edge>& before) {
+bool isSameOutline(List<HalfEdge> now, const List<HalfEdge>& before) {
   Points vertices, cuts;
-  for (const Edge& e : now) vertices.push_back(e.from);
-  List<Edge> parts;
-  for (const Edge& e : before) {
+  for (const HalfEdge& e : now) vertices.push_back(e.from);
+  List<HalfEdge> parts;
+  for (const HalfEdge& e : before) {
     detail::cutEdge(e.from, e.to, vertices, cuts);
     for (std::size_t k = 1; k < cuts.size(); ++k) parts.push_back({cuts[k - 1], cuts[k]});
   }
@@ -27,7 +27,7 @@ bool isSameOutline(List<Edge> now, const List<Edge>& before) {
   return now == parts;
 }
 
-std::size_t cornersOf(const List<Edge>& outline) {
+std::size_t cornersOf(const List<HalfEdge>& outline) {
   std::size_t count = 0;
   for (const Points& ring : ringsOf(outline)) count += ring.size();
   return count;
@@ -66,7 +66,7 @@ class Division {
         if (unionOf_[k] == all) old.push_back(k);
       edit.gone.insert(edit.gone.end(), old.begin(), old.end());
       const bool isOne = old.size() == 1 && unionOf_[paint_] != all;
-      List<Edge> outline = outlineOf(all);
+      List<HalfEdge> outline = outlineOf(all);
       edit.isTooMuch = outline.size() > kMaxVerticesPerCell && cornersOf(outline) > kMaxVerticesPerCell;
       if (edit.isTooMuch) return edit;  // chords make it no less
       for (Points& ring : simplePolygons(std::move(outline))) {
@@ -82,7 +82,7 @@ class Division {
   Owner ownerOf(const Sum& sum) const {
     assert(sum.group >= 0 && std::cmp_less_equal(sum.group, paint_));
     const Owner before = sum.group == 0 ? nobody_ : static_cast<Owner>(sum.group) - 1;
-    if (!isInside(sum.winding, stroke_.rule)) return before;
+    if (!isFilled(sum.winding, stroke_.rule)) return before;
     if (before != nobody_ && stroke_.stays(ground_.polygons[before].block)) return before;
     switch (stroke_.deed) {
       case Deed::carve:
@@ -97,8 +97,8 @@ class Division {
 
   Block blockOf(Owner owner) const { return owner == paint_ ? stroke_.block : ground_.polygons[owner].block; }
 
-  List<Edge> outlineOf(Owner all) const {
-    List<Edge> edges;
+  List<HalfEdge> outlineOf(Owner all) const {
+    List<HalfEdge> edges;
     edges.reserve(sides_.size());
     for (const Sides& s : sides_) {
       const bool isLeft = unionOf_[s.left] == all, isRight = unionOf_[s.right] == all;

@@ -48,7 +48,7 @@ Pieces withoutSpikes(Pieces pieces, FillRule rule);
 std::int64_t windingLeftOf(Point doubled, PieceSpan pieces);
 std::int64_t windingRightOf(Point doubled, PieceSpan pieces);
 
-constexpr bool isInside(std::int64_t winding, FillRule rule) {
+constexpr bool isFilled(std::int64_t winding, FillRule rule) {
   return rule == FillRule::evenOdd ? winding % 2 != 0 : winding != 0;
 }
 

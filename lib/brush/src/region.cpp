@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t kMaxLength = kMaxRegionCells / 2 * kUnitsPerCell;
 
-std::int64_t length(std::int64_t v) { return std::clamp<std::int64_t>(v, 1, kMaxLength); }
+bool isLength(std::int64_t v) { return v >= 1 && v <= kMaxLength; }
 
 /// ⌊√v⌋, by Newton's way from above.
 std::int64_t squareRoot(std::int64_t v) {
@@ -36,7 +36,6 @@ std::vector<Point> eighth(std::int64_t radius, std::int64_t steps) {
 }
 
 Ring circleRing(Point center, std::int64_t radius, int corners) {
-  radius = length(radius);
   const std::int64_t steps = (std::clamp(corners, 8, 4'096) + 7) / 8;
   std::vector<Point> quarter = eighth(radius, steps);
   const std::size_t count = quarter.size();
@@ -62,7 +61,7 @@ Ring rectangleRing(Point center, Point along, std::int64_t halfLength, std::int6
   while (reaches(std::int64_t{1} << 30)) along = {along.x / 2, along.y / 2};
   while (!reaches(std::int64_t{1} << 29)) along = {along.x * 2, along.y * 2};
   const std::int64_t norm = squareRoot(along.x * along.x + along.y * along.y);
-  const auto part = [norm](std::int64_t size, std::int64_t v) { return brush::roundedProduct(length(size), v, norm); };
+  const auto part = [norm](std::int64_t size, std::int64_t v) { return brush::roundedProduct(size, v, norm); };
   const Point l{part(halfLength, along.x), part(halfLength, along.y)};
   const Point w{-part(halfWidth, along.y), part(halfWidth, along.x)};
   return {{center.x - l.x - w.x, center.y - l.y - w.y},
@@ -73,6 +72,8 @@ Ring rectangleRing(Point center, Point along, std::int64_t halfLength, std::int6
 
 /// A region that is refused when it is used, as this point is in no cell.
 Region refusable(Point point) { return {{{point}}}; }
+/// The same for a length that is out of range: it is too wide.
+Region tooWide() { return {{{{0, 0}, {2 * kMaxLength + 1, 0}}}}; }
 
 }  // namespace
 
@@ -87,11 +88,13 @@ Region region(std::span<const std::vector<DoublePoint>> rings, FillRule rule) {
 
 Region circle(Point center, std::int64_t radius, int corners) {
   if (!inRange(center)) return refusable(center);
+  if (!isLength(radius)) return tooWide();
   return {{circleRing(center, radius, corners)}};
 }
 
 Region rectangle(Point center, Point along, std::int64_t halfLength, std::int64_t halfWidth) {
   if (!inRange(center)) return refusable(center);
+  if (!isLength(halfLength) || !isLength(halfWidth)) return tooWide();
   return {{rectangleRing(center, along, halfLength, halfWidth)}};
 }
 
@@ -99,6 +102,7 @@ Region thickLine(std::span<const Point> points, std::int64_t radius, int corners
   Region result;
   for (const Point p : points)
     if (!inRange(p)) return refusable(p);
+  if (!isLength(radius)) return tooWide();
   for (std::size_t k = 0; k < points.size(); ++k) {
     result.rings.push_back(circleRing(points[k], radius, corners));
     if (k == 0 || points[k] == points[k - 1]) continue;

@@ -22,7 +22,7 @@ bool isSwallowed(const Points& ring, const List<Atom>& atoms, FillRule rule) {
     const Point a = ring[k], b = nextVertex(ring, k);
     if (a.y >= b.y) continue;
     const Sum sum = sumLeftOf({a.x + b.x, a.y + b.y}, atoms);  // the polygon is left of an edge that rises
-    return sum.group != 0 || isInside(sum.winding, rule);
+    return sum.group != 0 || isFilled(sum.winding, rule);
   }
   return false;
 }
@@ -31,9 +31,9 @@ bool isSwallowed(const Points& ring, const List<Atom>& atoms, FillRule rule) {
 bool isPlane(const List<Atom>& atoms) {
   const auto ends = [](const Atom& a) { return std::array{a.low, a.high}; };
   return !anyPair(atoms, ends, [](const Atom& a, const Atom& b) {
-    return detail::crossProperly(a.low, a.high, b.low, b.high) || detail::isInside(a.low, b.low, b.high) ||
-           detail::isInside(a.high, b.low, b.high) || detail::isInside(b.low, a.low, a.high) ||
-           detail::isInside(b.high, a.low, a.high);
+    return detail::crossProperly(a.low, a.high, b.low, b.high) || detail::isOnOpenSegment(a.low, b.low, b.high) ||
+           detail::isOnOpenSegment(a.high, b.low, b.high) || detail::isOnOpenSegment(b.low, a.low, a.high) ||
+           detail::isOnOpenSegment(b.high, a.low, a.high);
   });
 }
 
@@ -78,7 +78,7 @@ void stiffen(List<Segment>& segments) {
 
 }  // namespace
 
-Rounding rounded(Arrangement arrangement, FillRule rule) {
+Rounding snapRounded(Arrangement arrangement, FillRule rule) {
   Rounding result = roundOnce(arrangement, rule, true);
   if (result.inTheWay.empty()) return result;
   stiffen(arrangement.segments);

@@ -16,6 +16,6 @@ struct Rounding {
 
 /// Rounds an arrangement. Where snap rounding would reach into a polygon that must stay, edges of groups are left
 /// straight if nothing crosses them, in case that helps. Cost: O(n²).
-Rounding rounded(Arrangement arrangement, FillRule rule);
+Rounding snapRounded(Arrangement arrangement, FillRule rule);
 
 }  // namespace lgs::brush

@@ -1,4 +1,4 @@
-// Snap rounding in one cell: segments become chains between lattice points, and never cross (docs/brushes.md).
+// Snap rounding in one cell: segments become chains between lattice points, and never cross: docs/internals/brushes.md.
 //
 // Units: lattice units from the cell's corner. Ends of edges of polygons are in the cell; those of the region's edges
 // are at most 2^29 units away.

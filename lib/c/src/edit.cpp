@@ -191,6 +191,27 @@ lgs_status lgs_replace(lgs_world* world, lgs_cell cell, lgs_shape_id shape, lgs_
   });
 }
 
+lgs_status lgs_exchange(lgs_world* world, lgs_cell cell, const lgs_polygon_id* removed, size_t removed_count,
+                        const lgs_new_polygon* added, size_t added_count, lgs_polygon_id* polygons,
+                        lgs_error* error) noexcept {
+  if (!world || !isArray(removed, removed_count) || !isArray(added, added_count))
+    return refuse(LGS_BAD_ARGUMENT, error);
+  if (added_count > lgs::kMaxPolygonsPerCell) return refuse(LGS_CAPACITY, error);
+  // More than a cell can hold are refused in any case: for the first that is stale, or that comes twice.
+  std::vector<PolygonHandle> gone(std::min(removed_count, lgs::kMaxPolygonsPerCell + 1)), handles(added_count);
+  for (std::size_t k = 0; k < gone.size(); ++k) gone[k] = fromC(removed[k]);
+  std::vector<std::vector<lgs::LocalPoint>> vertices(added_count);
+  std::vector<lgs::NewPolygon> come;
+  for (std::size_t k = 0; k < added_count; ++k) {
+    if (!isArray(added[k].vertices, added[k].count) || added[k].reserved != 0) return refuse(LGS_BAD_ARGUMENT, error);
+    come.push_back({copied(added[k].vertices, added[k].count, vertices[k]), added[k].block});
+  }
+  const auto done = world->world.exchange(fromC(cell), gone, come, handles);
+  if (!done) return refuse(done.error(), error);
+  if (polygons) std::ranges::transform(handles, polygons, [](PolygonHandle handle) { return toC(handle); });
+  return LGS_OK;
+}
+
 lgs_status lgs_set_block(lgs_world* world, lgs_polygon_id polygon, lgs_block block, lgs_error* error) noexcept {
   if (!world) return refuse(LGS_BAD_ARGUMENT, error);
   return answer(world->world.setBlock(fromC(polygon), block), error);

@@ -140,6 +140,32 @@ lgs_status lgs_visit_polygons(const lgs_world* world, lgs_cell_rect cells, lgs_p
   return LGS_OK;
 }
 
+lgs_status lgs_follow_cells(lgs_world* world, int32_t follow, lgs_error* error) noexcept {
+  if (!world || (follow != 0 && follow != 1)) return refuse(LGS_BAD_ARGUMENT, error);
+  const auto done = world->world.followCells(follow != 0);
+  return done ? LGS_OK : refuse(done.error(), error);
+}
+
+lgs_status lgs_visit_cell_changes(const lgs_world* world, lgs_cell_change_fn visit, void* user) noexcept {
+  if (!world || !visit) return LGS_BAD_ARGUMENT;
+  std::vector<lgs_polygon> polygons;
+  std::vector<lgs_local_point> vertices;
+  for (const lgs::CellChange& change : world->world.cellChanges()) {
+    polygons.clear();
+    vertices.clear();
+    for (const auto& side : {change.before, change.now}) {
+      for (const PlacedPolygon& p : side) {
+        polygons.push_back(described(change.cell, p));
+        for (const lgs::LocalPoint v : p.vertices) vertices.push_back(toC(v));
+      }
+    }
+    const lgs_cell_change told{toC(change.cell),     polygons.data(),   polygons.data() + change.before.size(),
+                               change.before.size(), change.now.size(), vertices.data()};
+    visit(user, &told);
+  }
+  return LGS_OK;
+}
+
 lgs_status lgs_bounds(const lgs_world* world, lgs_cell_rect* cells) noexcept {
   if (!world) return LGS_BAD_ARGUMENT;
   const CellRect bounds = world->world.bounds().value_or(CellRect{{0, 0}, {-1, -1}});

@@ -73,6 +73,11 @@ std::string sentence(const lgs_error& e) {
                        .index2 = e.index2});
 }
 
+/// Null for a number that is none of an id's: what is left of it would name something else.
+constexpr std::uint32_t idOf(std::uint64_t stored) {
+  return stored <= UINT32_MAX ? static_cast<std::uint32_t>(stored) : 0;
+}
+
 const char* nameOfSnapshot(lgs_status status) {
   switch (status) {
     case LGS_SAVE_NO_SNAPSHOT:
@@ -138,9 +143,9 @@ uint64_t lgs_store_shape(lgs_shape_id shape) noexcept { return shape.value; }
 uint64_t lgs_store_polygon(lgs_polygon_id polygon) noexcept { return fromC(polygon).packed(); }
 uint64_t lgs_store_segment(lgs_segment_id segment) noexcept { return segment.value; }
 uint64_t lgs_store_mark(lgs_mark mark) noexcept { return mark.value; }
-lgs_shape_id lgs_load_shape(uint64_t stored) noexcept { return {static_cast<std::uint32_t>(stored)}; }
+lgs_shape_id lgs_load_shape(uint64_t stored) noexcept { return {idOf(stored)}; }
 lgs_polygon_id lgs_load_polygon(uint64_t stored) noexcept { return toC(lgs::PolygonHandle::unpack(stored)); }
-lgs_segment_id lgs_load_segment(uint64_t stored) noexcept { return {static_cast<std::uint32_t>(stored)}; }
+lgs_segment_id lgs_load_segment(uint64_t stored) noexcept { return {idOf(stored)}; }
 lgs_mark lgs_load_mark(uint64_t stored) noexcept { return {stored}; }
 
 lgs_point lgs_lattice_point(lgs_double_point position) noexcept { return toC(lgs::latticePoint(fromC(position))); }

@@ -9,7 +9,7 @@
 //
 // This is phase 2 of the engine without the engine: no grid, no cells, no world. Edges may come from anywhere: contours
 // of an image, the open sides of a mesh's triangles, walls of a level that is drawn by hand. What is solid lies on
-// their left, as everywhere in this library. docs/radial-match.md says what it is good for.
+// their left, as everywhere in this library. docs/internals/radial-match.md says what it is good for.
 #pragma once
 
 #include <lgs/error.h>
@@ -58,8 +58,8 @@ struct EdgeLinks {
                                                            std::span<const DirectedEdge> edges);
 
 /// The loops of links that are mutual: each is a list of edges, its least one first, each followed by its successor.
-/// They are sorted by their first edges. What is in no loop is left out. `links` are as radialMatch() makes them. Cost:
-/// O(n).
+/// They are sorted by their first edges. What is in no loop is left out. `links` are as radialMatch() makes them; others
+/// do no harm, and a link to an edge that is not there is none. Cost: O(n).
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> loopsOf(std::span<const EdgeLinks> links);
 
 }  // namespace lgs

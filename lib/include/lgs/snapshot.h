@@ -1,5 +1,5 @@
-// Snapshots: a world as bytes, and a world from bytes. See World::save() and World::load(). docs/snapshot.md has the
-// format, byte by byte.
+// Snapshots: a world as bytes, and a world from bytes. See World::save() and World::load().
+// docs/internals/snapshot.md has the format, byte by byte.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,8 @@
 
 namespace lgs {
 
-/// Takes the bytes of a snapshot in order, in pieces of at most 4,096. It must not change the world.
+/// Takes the bytes of a snapshot in order, in pieces of at most 4,096. It must not change the world. An empty
+/// one is not called.
 using ByteSink = std::function<void(std::span<const std::byte>)>;
 
 /// Why a snapshot is refused, and where.

@@ -36,7 +36,8 @@ namespace lgs {
 
 /// Limits. Beyond them an edit is refused with ErrorCode::capacity. Two more refuse in this way: 2^23 - 1 distinct
 /// contents of cells, and 2^28 - 1 polygons ever placed in one cell. A commit that needs more than 8 GiB for the
-/// records of cells with segments, or more than 2^31 - 2 segments, ends the program, as it does when memory runs out.
+/// records of cells with segments, or more than 2^31 - 4,097 segments, ends the program, as it does when memory runs
+/// out.
 ///
 /// A program for JavaScript, whose numbers are whole up to 2^53, may define LGS_HANDLES_IN_53_BITS for all of its files.
 /// Then every PolygonHandle has cellRef < 2^30 and serial < 2^23: at most 2^20 - 1 chunks and, in one cell, 2^23 - 1
@@ -206,7 +207,8 @@ class World {
 
   /// Places a shape in every cell of a rectangle, or in none. Returns the number of cells. Refused as add() would be
   /// for the first cell, by rows from `min`, that add() would refuse; but cellOutOfRange names a corner of the
-  /// rectangle that is out of range. An empty rectangle is no error. `handles` receives the handle of the shape's first
+  /// rectangle that is out of range, and capacity names `min` if the rectangle reaches more chunks than the world has
+  /// room for. An empty rectangle is no error. `handles` receives the handle of the shape's first
   /// polygon in each cell, by rows from `min`, or as many as it has room for.
   [[nodiscard]] Expected<std::uint64_t> fill(const CellRect& cells, ShapeId shape, Block block,
                                              std::span<PolygonHandle> handles = {}) noexcept;
@@ -329,7 +331,8 @@ class World {
 
   /// Calls visit(cell, polygon) for every placed polygon, buried ones too: chunk by chunk, in the order in which edits
   /// first reached the chunks; each by rows, each cell by handle. The second form visits the cells of a rectangle, and
-  /// chunks in any order. `visit` must not change the world. Cost: in proportion to the cells that have a chunk.
+  /// chunks in any order. `visit` must not change the world; if it is empty, nobody is called. Cost: in proportion to the
+  /// cells that have a chunk.
   using PolygonVisitor = std::function<void(Cell, const PlacedPolygon&)>;
   /// See PolygonVisitor.
   void forEachPolygon(const PolygonVisitor& visit) const noexcept;

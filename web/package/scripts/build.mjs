@@ -29,7 +29,7 @@ await build({
   bundle: true,
   splitting: true,
   minify: true,
-  keepNames: false,
+  sourcemap: true,  // with the sources in them: who steps into the package reads TypeScript
   external: ['planck'],
   plugins: [inlined],
 })

@@ -31,8 +31,15 @@ export function finite(name: string, value: number): number {
   return value
 }
 
-export function bits64(name: string, value: bigint): bigint {
-  if (typeof value !== 'bigint' || BigInt.asUintN(64, value) !== value) throw bad(name, 'a mark of this world', value)
+/** A mark: a number that checkpoint() gave. */
+export function whole(name: string, value: number): number {
+  if (!Number.isSafeInteger(value) || value < 0) throw bad(name, 'a mark of this world', value)
+  return value
+}
+
+/** A length in metres, or a number of cells, of the options of a terrain. */
+export function within(name: string, value: number, least: number, most: number): number {
+  if (typeof value !== 'number' || !(value >= least && value <= most)) throw bad(name, `a number from ${least} to ${most}`, value)
   return value
 }
 

@@ -1,5 +1,6 @@
 // The instance of WebAssembly: there is one, for all worlds. Its functions take and return numbers; what is longer goes
 // through its memory. web/wasm/ is the other side.
+import { bad } from './check.js'
 import { LgsError, engineError } from './error.js'
 
 /** What lgs.wasm exports. Addresses are numbers. */
@@ -27,10 +28,12 @@ export interface Exports {
   clear(world: number, i0: number, j0: number, i1: number, j1: number): number
   paint(world: number, numbers: number, block: number, replace: number): number
   carve(world: number, numbers: number): number
+  brushed(world: number, list: number): number
+  brushChanges(world: number): number
   commit(world: number): number
-  checkpoint(world: number): bigint
-  rollBack(world: number, mark: bigint): number
-  forget(world: number, mark: bigint): number
+  checkpoint(world: number): number
+  rollBack(world: number, mark: number): number
+  forget(world: number, mark: number): number
   segments(world: number): number
   segmentsIn(world: number, i0: number, j0: number, i1: number, j1: number): number
   segment(world: number, id: number): number
@@ -38,16 +41,33 @@ export interface Exports {
   polygonsIn(world: number, i0: number, j0: number, i1: number, j1: number): number
   polygon(world: number, polygon: number): number
   loops(world: number, merge: number): number
-  at(world: number, x: number, y: number): void
+  at(world: number, x: number, y: number): number
   nearest(world: number, x: number, y: number, radius: number): number
   rayCast(world: number, x0: number, y0: number, x1: number, y1: number): number
   bounds(world: number): number
   stats(world: number): void
-  version(world: number): bigint
+  version(world: number): number
   maxSegmentId(world: number): number
   circle(x: number, y: number, radius: number, corners: number): number
   rectangle(x: number, y: number, alongX: number, alongY: number, halfLength: number, halfWidth: number): number
   thickLine(points: number, radius: number, corners: number): number
+  terrain(world: number, chunkCells: number, shortest: number): number
+  dropTerrain(terrain: number): void
+  moveTerrain(terrain: number, world: number): void
+  beginSync(terrain: number, what: number): number
+  endSync(terrain: number, all: number): number
+  chunkOf(terrain: number, chunk: number): void
+  edgeOf(terrain: number, segment: number): number
+  segmentAt(terrain: number, edge: number, x: number, y: number): number
+  caught(terrain: number, forms: number, numbers: number, tolerance: number): number
+  released(terrain: number, forms: number, numbers: number, tolerance: number): number
+  fits(terrain: number, forms: number, numbers: number, tolerance: number): number
+  crossed(terrain: number, forms: number, numbers: number): number
+  solids(terrain: number, points: number): void
+  outlines(forms: number, numbers: number): number
+  lines(world: number, i0: number, j0: number, i1: number, j1: number): number
+  followCells(world: number): number
+  changedCells(world: number): number
   /** Only lgs-full.wasm has it. */
   importMap?(pathBytes: number, optionBytes: number): number
 }
@@ -59,6 +79,9 @@ export interface Files {
 }
 
 type Preserve = (smaller: number, greater: number) => boolean
+
+/** Whether a form, by its index, is held by a block. It must not throw, and must not call the engine. */
+export type Holds = (form: number, block: number) => boolean
 
 const noFiles: Files = { read: () => null, list: () => [] }
 
@@ -80,6 +103,9 @@ export class Engine {
       wasi_snapshot_preview1: { fd_close: closed, fd_seek: closed, fd_write: closed },  // nothing prints
       lgs: {
         preserve: (relation: number, a: number, b: number) => engine.#ask(relation, a >>> 0, b >>> 0),
+        cos: Math.cos,
+        sin: Math.sin,
+        holds: (form: number, block: number) => (engine.holds(form >>> 0, block >>> 0) ? 1 : 0),
         readFile: (path: number, length: number) => engine.#give(engine.#files.read(engine.#text(path, length))),
         listFolder: (path: number, length: number) =>
           engine.#give(new TextEncoder().encode(engine.#files.list(engine.#text(path, length)).join('\n'))),
@@ -98,6 +124,9 @@ export class Engine {
       if (typeof value === 'function') guarded[name] = this.#guarded(value as (...a: unknown[]) => unknown)
     this.call = guarded as unknown as Exports
   }
+
+  /** For the call of the rules of terrains that comes next. */
+  holds: Holds = () => true
 
   get ended() { return this.#ended !== null }
 
@@ -193,7 +222,10 @@ export class Engine {
       let answer = ofA.get(b)
       if (answer === undefined) {
         ofA.set(b, false)  // what it is if preserve() throws
-        ofA.set(b, (answer = Boolean(preserve(a, b))))
+        const said: unknown = preserve(a, b)
+        if (typeof (said as PromiseLike<unknown> | null)?.then === 'function')
+          throw bad('what preserve() gives', 'true or false', said)
+        ofA.set(b, (answer = Boolean(said)))
       }
       return answer
     })

@@ -16,7 +16,9 @@ const snapshotCodes = [
 
 /**
  * 'bad-argument': a number of the wrong kind, an array of the wrong length. 'not-ready': init() has not ended.
- * 'freed': the world was freed. 'stale-list': see SegmentList. 'busy': a call from within `preserve`.
+ * 'freed': the world was freed. 'stale-list': see SegmentList. 'not-a-copy': lists were posted that are no copy.
+ * 'busy': a call from within `preserve`, or an edit of a physics world in its step.
+ * 'left-out', 'shown-already', 'not-the-last': a terrain was given changes that do not follow what it shows.
  * 'preserve-failed': `preserve` threw; `cause` says what. The call was done none the less, and what it gives is lost.
  * 'out-of-memory' and 'crashed': the engine stopped, and so did every world; init() and new worlds are needed.
  * 'bad-trace' and 'bad-map' are of the text that was read.
@@ -24,7 +26,7 @@ const snapshotCodes = [
 export type ErrorCode =
   | (typeof engineCodes)[number]
   | (typeof snapshotCodes)[number]
-  | 'bad-argument' | 'not-ready' | 'freed' | 'stale-list' | 'busy' | 'preserve-failed' | 'out-of-memory' | 'crashed'
+  | 'bad-argument' | 'not-ready' | 'freed' | 'stale-list' | 'not-a-copy' | 'busy' | 'left-out' | 'shown-already' | 'not-the-last' | 'preserve-failed' | 'out-of-memory' | 'crashed'
   | 'bad-trace' | 'bad-map'
 
 /** What was refused, and where. What does not apply is null. */

@@ -12,5 +12,7 @@ export async function compile({ url, bytes, module }: InitOptions, beside: () =>
   }
   const response = await fetch(from)
   if (!response.ok) throw new Error(`${response.url || from}: ${response.status} ${response.statusText}`)
-  return WebAssembly.compile(await response.arrayBuffer())  // whatever type the server says that it has
+  // Browsers keep code that they compiled from a stream. They want the right type for that; otherwise any will do.
+  if (/^application\/wasm\b/.test(response.headers.get('content-type') ?? '')) return WebAssembly.compileStreaming(response)
+  return WebAssembly.compile(await response.arrayBuffer())
 }

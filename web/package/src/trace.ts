@@ -150,9 +150,9 @@ export class TracePlayer {
         break
       case 'paint':
       case 'carve': {
-        const { went, changed } = edit.kind === 'carve' ? this.world.carve(edit.region)
+        const { removed, changed } = edit.kind === 'carve' ? this.world.carve(edit.region)
           : this.world.paint(edit.region, edit.block, edit.mode)
-        for (const id of went) this.#forget(id)
+        for (const id of removed) this.#forget(id)
         for (const { old } of changed) this.#forget(old)
       }
     }

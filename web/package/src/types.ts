@@ -2,16 +2,24 @@
 // What the package hands out and takes. Lengths and positions are in cells, y up; they are exact, since the lattice has
 // 65,536 units to a cell and a double holds them all.
 
+/**
+ * A number, which the compiler does not let stand for an id of another kind. What is a number alone, as in a list, can
+ * stand for any.
+ */
+export type Id<Kind extends string> = number & { readonly isA?: Kind }
+
 /** A polygon that was validated once: see World.shape(). */
-export type ShapeId = number
+export type ShapeId = Id<'shape'>
 /** A placed polygon. It is a safe integer. Once the polygon is removed, its id never names another one. */
-export type PolygonId = number
+export type PolygonId = Id<'polygon'>
 /** A segment of the outline: small and dense, good as an index. 0 names none. */
-export type SegmentId = number
+export type SegmentId = Id<'segment'>
 /** A number of yours that a polygon carries, say of a material: 0 to 2^32 - 1. */
-export type Block = number
+export type Block = Id<'block'>
 /** A moment to which a world can go back. */
-export type Mark = bigint
+export type Mark = Id<'mark'>
+/** A state of the segments: World.version. */
+export type Version = Id<'version'>
 
 /** Vertices of a polygon, counter-clockwise: x, y, x, y, …, or pairs. They are rounded to the lattice. */
 export type Vertices = ArrayLike<number> | readonly (readonly [number, number])[]
@@ -35,10 +43,12 @@ export interface WorldOptions {
 }
 
 /**
- * Segments with their geometry, as typed arrays in the memory of WebAssembly. Those of a commit are valid until the
- * world's next commit(), rollBack() or free(), those of segments() until its next segments() or free(): asked later, a
- * property throws an LgsError 'stale-list'. An array that you keep yourself is not guarded: any call may change it or
- * make it empty. copy() makes lists that stay.
+ * Segments with their geometry, as typed arrays. Those of a commit are valid until the world's next commit(), rollBack()
+ * or free(), those of segments() until its next segments() or free(): asked later, a property throws an LgsError
+ * 'stale-list'. An array that you keep yourself is not guarded: the next call of that kind overwrites it. copy() makes
+ * lists that stay, and that can be posted.
+ *
+ * for (const segment of list) gives them one by one, which is comfortable, and slower than to read the arrays.
  */
 export interface SegmentList {
   readonly length: number
@@ -62,6 +72,7 @@ export interface SegmentList {
   readonly predecessor: Uint32Array
   readonly successor: Uint32Array
   copy(): SegmentList
+  [Symbol.iterator](): Iterator<Segment>
 }
 
 /** What a commit or a roll-back did to the segments. No id is in two lists; after a roll-back one that named one
@@ -73,9 +84,17 @@ export interface Changes {
   /** Alive before and after, with another ghost. */
   readonly relinked: SegmentList
   /** World.version before and after. If they are equal, nothing changed. */
-  readonly before: bigint
-  readonly after: bigint
-  copy(): Changes
+  readonly before: Version
+  readonly after: Version
+  copy(): ChangesCopy
+}
+
+/**
+ * Changes that stay. All that they hold is theirs, in one buffer: worker.postMessage(copy) copies it, and
+ * worker.postMessage(copy, copy.buffers()) hands it over. What arrives has the arrays and the versions, and no functions.
+ */
+export interface ChangesCopy extends Changes {
+  buffers(): ArrayBuffer[]
 }
 
 export interface Segment {
@@ -147,14 +166,20 @@ export interface Region {
   readonly rule?: 'nonZero' | 'evenOdd'
 }
 
-/** What a brush did to polygons. A polygon that is not named has kept its id, vertices and block. */
+/**
+ * What a brush did to polygons. A polygon that is not named has kept its id, vertices and block. The lists are made when
+ * they are read, which can be until the next brush of that world, or its free(): first read after that, they throw an
+ * LgsError 'stale-list'.
+ */
 export interface BrushResult {
-  readonly went: readonly PolygonId[]
-  readonly came: readonly PolygonId[]
+  /** Nothing is left of them. */
+  readonly removed: readonly PolygonId[]
+  /** There is nothing of an old polygon in them. */
+  readonly added: readonly PolygonId[]
   /** Old polygons that are cut, united or recoloured, and what stands in their place. */
   readonly changed: readonly { readonly old: PolygonId; readonly now: readonly PolygonId[] }[]
-  /** Of the old ones those that rounding bent, by less than a lattice unit. */
-  readonly bent: readonly PolygonId[]
+  /** Of the old ones above those that the region did not reach: rounding moved them, by less than a lattice unit. */
+  readonly rounded: readonly PolygonId[]
 }
 
 /** How much there is in a world. */
@@ -217,20 +242,25 @@ export interface World {
   polygon(id: PolygonId): Polygon
   /** The polygon of a segment: which tile was hit? */
   hit(id: SegmentId): Hit
-  /** Which polygon is at a point, after all edits. */
+  /** Which polygon is at a point, after all edits. Refused beyond the last cell. */
   at(x: number, y: number): Spot
   /** The segment nearest to a point, at most `radius` (0 to 4,096) away. */
   nearest(x: number, y: number, radius: number): Nearest | null
   /** The first segment that a ray meets on its outward side. */
   rayCast(x0: number, y0: number, x1: number, y1: number): RayHit | null
 
-  /** The world as bytes: loadWorld() makes it again. Everything must be committed. */
+  /**
+   * The world as bytes: loadWorld() makes it again. Everything must be committed. Marks are not saved: the loaded world
+   * has none, and it has a version of its own. Ids and handles are saved.
+   */
   save(): Uint8Array
+  /** The same as text (Base64), for JSON or localStorage. A third longer. */
+  saveText(): string
   stats(): Stats
   /** The least rectangle of cells with all polygons; null in an empty world. */
   bounds(): CellRect | null
-  /** The version of the segments. */
-  readonly version: bigint
+  /** The version of the segments. Each commit that changes any makes a new one, and no other world here ever has it. */
+  readonly version: Version
   /** The highest segment id in use so far. */
   readonly maxSegmentId: SegmentId
   /** Gives its memory back. A second call does nothing; any other method throws from then on. */

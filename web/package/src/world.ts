@@ -1,13 +1,41 @@
 // The world: each method checks its arguments, calls the engine once, and makes objects of the answer.
-import { bits64, bad, flat, int32, real, reals, rect, uint32 } from './check.js'
+import { bad, flat, int32, real, reals, rect, uint32, whole } from './check.js'
 import { type Engine, engine } from './engine.js'
 import { LgsError } from './error.js'
 import { changesOf, Lists, listOf } from './lists.js'
 import { putRegion } from './regions.js'
+import { bytesOf, textOf } from './text.js'
 import type {
   Block, BrushResult, CellRect, Changes, Hit, Loop, Mark, Nearest, Polygon, PolygonId, RayHit, Region, Segment,
-  SegmentId, SegmentList, ShapeId, Spot, Stats, Vertices, World, WorldOptions,
+  SegmentId, SegmentList, ShapeId, Spot, Stats, Version, Vertices, World, WorldOptions,
 } from './types.js'
+
+const brushLists = ['removed', 'added', 'rounded']
+
+/** Each list is made when it is asked for. A large stroke names millions of polygons, and hardly anybody reads them. */
+class Brushed implements BrushResult {
+  readonly #numbersOf: (list: string) => Float64Array
+  readonly #lists: Record<string, readonly PolygonId[]> = {}
+  #changed?: BrushResult['changed']
+  constructor(numbersOf: (list: string) => Float64Array) { this.#numbersOf = numbersOf }
+
+  get removed() { return this.#list('removed') }
+  get added() { return this.#list('added') }
+  get rounded() { return this.#list('rounded') }
+  get changed() { return (this.#changed ??= this.#changes()) }
+
+  #list(name: string): readonly PolygonId[] { return (this.#lists[name] ??= Array.from(this.#numbersOf(name))) }
+  #changes() {
+    const numbers = this.#numbersOf('changed')
+    const changes: { old: PolygonId; now: PolygonId[] }[] = []
+    for (let k = 0; k < numbers.length; ) {
+      const end = k + 2 + numbers[k + 1]!
+      changes.push({ old: numbers[k]!, now: Array.from(numbers.subarray(k + 2, end)) })
+      k = end
+    }
+    return changes
+  }
+}
 
 /** What makes a world in the engine: its address, or 0 and a failure. */
 type Maker = (engine: Engine, relation: number, isFloat: number) => number
@@ -18,6 +46,7 @@ class EngineWorld implements World {
   #relation: number
   readonly #changes: Lists
   readonly #segments: Lists
+  #brush = 0
 
   constructor(make: Maker, options: WorldOptions) {
     const { preserve, precision = 'double' } = options
@@ -44,6 +73,12 @@ class EngineWorld implements World {
   #orFail<T>(answer: T, refused: T): T {
     if (answer === refused) throw this.#engine.failure()
     return answer
+  }
+
+  /** For modules of this package: the engine and the address of a world. A world that is freed has none. */
+  static placeOf(world: World): { engine: Engine; address: number } {
+    if (typeof world !== 'object' || world === null || !(#world in world)) throw bad('world', 'a world of createWorld()', world)
+    return { engine: (world as EngineWorld).#engine, address: (world as EngineWorld).#live }
   }
 
   // --- Edits
@@ -104,29 +139,25 @@ class EngineWorld implements World {
     const count = putRegion(this.#engine, region)
     return this.#brushed(this.#call.carve(this.#live, count))
   }
-  #brushed(count: number): BrushResult {
-    const numbers = this.#engine.answer(this.#orFail(count, 0))
-    let next = 0
-    const list = () => {
-      const end = next + 1 + numbers[next]!
-      const ids = Array.from(numbers.subarray(next + 1, end))
-      next = end
-      return ids
-    }
-    const went = list(), came = list(), bent = list()
-    const changed = Array.from({ length: numbers[next++]! }, () => ({ old: numbers[next++]!, now: list() }))
-    return { went, came, bent, changed }
+  #brushed(isDone: number): BrushResult {
+    this.#orFail(isDone, 0)
+    const brush = ++this.#brush
+    return new Brushed((list) => {
+      const world = this.#live
+      if (brush !== this.#brush) throw new LgsError('stale-list', 'this list is of an earlier brush of its world')
+      return this.#engine.answer(list === 'changed' ? this.#call.brushChanges(world) : this.#call.brushed(world, brushLists.indexOf(list)))
+    })
   }
 
   // --- Commits and going back
 
   commit(): Changes { return changesOf(this.#changes, this.#made(this.#changes, (world) => this.#call.commit(world))) }
-  checkpoint(): Mark { return BigInt.asUintN(64, this.#call.checkpoint(this.#live)) }
+  checkpoint(): Mark { return this.#call.checkpoint(this.#live) }
   rollBack(mark: Mark): Changes {
-    bits64('mark', mark)
+    whole('mark', mark)
     return changesOf(this.#changes, this.#made(this.#changes, (world) => this.#call.rollBack(world, mark)))
   }
-  forget(mark: Mark): void { this.#orFail(this.#call.forget(this.#live, bits64('mark', mark)), 0) }
+  forget(mark: Mark): void { this.#orFail(this.#call.forget(this.#live, whole('mark', mark)), 0) }
 
   /** Where the lists are that a call makes. If preserve() throws the call has made them none the less. */
   #made(lists: Lists, call: (world: number) => number): number {
@@ -134,7 +165,7 @@ class EngineWorld implements World {
     try {
       return this.#orFail(call(world) >>> 0, 0)
     } catch (error) {
-      if ((error as LgsError).code === 'preserve-failed') lists.next()
+      if ((error as LgsError).code === 'preserve-failed') lists.end()
       throw error
     }
   }
@@ -191,7 +222,7 @@ class EngineWorld implements World {
     return polygons
   }
   at(x: number, y: number): Spot {
-    this.#call.at(this.#live, real('x', x), real('y', y))
+    this.#orFail(this.#call.at(this.#live, real('x', x), real('y', y)), 0)
     const n = this.#engine.answer(5)
     return { where: (['outside', 'edge', 'inside'] as const)[n[0]!]!, polygon: n[1]!, block: n[2]!, i: n[3]!, j: n[4]! }
   }
@@ -212,6 +243,7 @@ class EngineWorld implements World {
   save(): Uint8Array {
     return this.#engine.answerBytes(this.#orFail(this.#call.save(this.#live), -1))
   }
+  saveText(): string { return textOf(this.save()) }
   stats(): Stats {
     this.#call.stats(this.#live)
     const [polygons, cells, segments, shapes, contents, chunks, bytes] = this.#engine.answer(7) as unknown as number[]
@@ -222,29 +254,34 @@ class EngineWorld implements World {
     const [i0, j0, i1, j1] = this.#engine.answer(4) as unknown as number[]
     return { i0, j0, i1, j1 } as CellRect
   }
-  get version(): bigint { return BigInt.asUintN(64, this.#call.version(this.#live)) }
+  get version(): Version { return this.#call.version(this.#live) }
   get maxSegmentId(): SegmentId { return this.#call.maxSegmentId(this.#live) >>> 0 }
 
   free(): void {
     if (this.#world === 0) return
     if (!this.#engine.ended) this.#call.free(this.#world)  // refused within preserve(): then the world lives on
     this.#world = 0
-    this.#changes.next()
-    this.#segments.next()
+    this.#changes.end()
+    this.#segments.end()
     this.#engine.dropRelation(this.#relation)
   }
   [Symbol.dispose](): void { this.free() }
 }
+
+export const placeOf = EngineWorld.placeOf
 
 /** An empty world. */
 export function createWorld(options: WorldOptions = {}): World {
   return new EngineWorld((e, relation, isFloat) => e.call.make(relation, isFloat), options)
 }
 
-/** The world that save() wrote, here or in C++. It goes on exactly: the same edits give the same ids. */
-export function loadWorld(bytes: Uint8Array, options: WorldOptions = {}): World {
-  if (!(bytes instanceof Uint8Array)) throw bad('bytes', 'a Uint8Array', bytes)
-  const own = new Uint8Array(bytes)
+/**
+ * The world that save() or saveText() wrote, here or in C++. It goes on exactly: the same edits give the same ids. It has
+ * no marks, and what follows a world (a terrain, an OutlineLines) is to be made anew for it.
+ */
+export function loadWorld(saved: Uint8Array | string, options: WorldOptions = {}): World {
+  if (!(saved instanceof Uint8Array) && typeof saved !== 'string') throw bad('saved', 'a Uint8Array or a string', saved)
+  const own = typeof saved === 'string' ? bytesOf(saved) : new Uint8Array(saved)
   return new EngineWorld((e, relation, isFloat) => {
     e.putBytes(own)
     return e.call.load(own.length, relation, isFloat)

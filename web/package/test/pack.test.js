@@ -23,10 +23,10 @@ test('the package holds what it should, and nothing else', () => {
   const names = packed.files.map(({ path }) => path)
   const modules = ['index', 'inline', 'full', 'trace', 'draw', 'planck', 'box2d3'].map((name) => `dist/${name}`)
   const wanted = ['LICENSE', 'NOTICES.md', 'README.md', 'package.json', 'dist/lgs.wasm', 'dist/lgs-full.wasm',
-    ...modules.flatMap((name) => [`${name}.js`, `${name}.d.ts`])]
+    ...modules.flatMap((name) => [`${name}.js`, `${name}.js.map`, `${name}.d.ts`])]
   for (const name of wanted) assert.ok(names.includes(name), name)
   const others = names.filter((name) => !wanted.includes(name))
-  assert.deepEqual(others.filter((name) => !/^dist\/(chunk-\w+\.js|[\w-]+\.d\.ts)$/.test(name)), [])
+  assert.deepEqual(others.filter((name) => !/^dist\/(chunk-\w+\.js(\.map)?|[\w-]+\.d\.ts)$/.test(name)), [])
 })
 
 test('a project made by Vite builds, finds the code of WebAssembly, and runs, in a worker too', { skip }, async () => {

@@ -252,7 +252,7 @@ test('material() may use the package, and make its memory grow', () => {
   const world = createWorld()
   const square = world.shape(unitSquare)
   for (let k = 0; k < 8; ++k) world.add(2 * k, 0, square, k)
-  const { id } = world.commit().added
+  world.commit()
   const material = () => {
     const other = createWorld()
     other.fill({ i0: 0, j0: 0, i1: 199, j1: 199 }, other.shape([0.25, 0.25, 0.75, 0.25, 0.5, 0.75]), 1)
@@ -260,6 +260,5 @@ test('material() may use the package, and make its memory grow', () => {
     return {}
   }
   const terrain = new PlanckTerrain(new Physics(gravity), world, { material })
-  assert.equal(id.length, 0, 'the memory has grown')
   for (let segment = 1; segment <= world.maxSegmentId; ++segment) assert.ok(terrain.fixture(segment))
 })

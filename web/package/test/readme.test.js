@@ -1,7 +1,7 @@
 // The example of the README prints what the README says.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
-import { readFileSync } from 'node:fs'
+import { existsSync, readFileSync } from 'node:fs'
 import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'
 
@@ -11,4 +11,25 @@ test('the example of the README', () => {
   const [, text] = /```text\n([^]*?)```/.exec(page)
   const cwd = fileURLToPath(new URL('.', import.meta.url))
   assert.equal(execFileSync(process.execPath, ['--input-type=module', '-e', code], { cwd, encoding: 'utf8' }), text)
+})
+
+test('the other examples of the README run, one after the other', () => {
+  const page = readFileSync(new URL('../README.md', import.meta.url), 'utf8')
+  const blocks = [...page.matchAll(/```js\n([^]*?)```/g)].map(([, code]) => code).filter((code) => !code.includes('vite.config'))
+  assert.equal(blocks.length, 4, "blocks")
+  const code = blocks.join('').replace('world.free()\n', '').replace('createWorld, unitSquare }', 'createWorld, unitSquare, circle }')
+  const cwd = fileURLToPath(new URL('.', import.meta.url))
+  assert.match(execFileSync(process.execPath, ['--input-type=module', '-e', code], { cwd, encoding: 'utf8' }), /triangles/)
+})
+
+test('its links lead to the project, from a page of the registry too', () => {
+  const { homepage, repository } = JSON.parse(readFileSync(new URL('../package.json', import.meta.url), 'utf8'))
+  assert.ok(repository.url.includes(new URL(homepage).host))
+  const page = readFileSync(new URL('../README.md', import.meta.url), 'utf8')
+  const links = [...page.matchAll(/\]\(([^)#]*)/g)].map(([, link]) => link)
+  assert.ok(links.length >= 4)
+  for (const link of links) {
+    assert.ok(link.startsWith(homepage), link)
+    assert.ok(existsSync(new URL(`../../../${link.slice(homepage.length)}`, import.meta.url)), link)
+  }
 })

@@ -132,7 +132,7 @@ test('polygons: of a cell, of a rectangle, of an id, at a point', () => {
   assert.deepEqual(world.at(0.75, 1.25), { where: 'inside', polygon: hill, block: 9, i: 0, j: 1 })
   assert.deepEqual(world.at(0.5, 1.5), { where: 'edge', polygon: hill, block: 9, i: 0, j: 1 })
   assert.deepEqual(world.at(0.25, 1.75), { where: 'outside', polygon: 0, block: 0, i: 0, j: 1 })
-  assert.equal(world.at(NaN, 0).where, 'outside')
+  for (const x of [NaN, Infinity, -3e9]) fails('out-of-reach', () => world.at(x, 0))
   assert.deepEqual(world.bounds(), { i0: 0, j0: 0, i1: 1, j1: 1 })
   assert.equal(createWorld().bounds(), null)
 })
@@ -194,10 +194,10 @@ test('brushes paint and carve, and name what changed', () => {
   assert.equal(carved.changed.length, 1)
   assert.equal(carved.changed[0].old, middle)
   assert.deepEqual(carved.changed[0].now, [world.polygonsAt(1, 0)[0].id])
-  assert.equal(world.carve(rectangle(0.5, 0.5, 1, 0, 0.5, 0.5)).went.length, 1)
+  assert.equal(world.carve(rectangle(0.5, 0.5, 1, 0, 0.5, 0.5)).removed.length, 1)
   const painted = world.paint(thickLine([[0, 3], [2, 3]], 0.25), 5)
-  assert.ok(painted.came.length > 0)
-  assert.equal(world.polygon(painted.came[0]).block, 5)
+  assert.ok(painted.added.length > 0)
+  assert.equal(world.polygon(painted.added[0]).block, 5)
   assert.equal(world.paint({ rings: [[2, 0, 3, 0, 3, 1, 2, 1]] }, 6, 'replace').changed.length, 1)
   assert.equal(world.polygonsAt(2, 0)[0].block, 6)
   const ring = { rings: [[10, 0, 14, 0, 14, 4, 10, 4], [11, 1, 13, 1, 13, 3, 11, 3]] }
@@ -207,7 +207,8 @@ test('brushes paint and carve, and name what changed', () => {
   assert.equal(world.at(12, 2).where !== 'outside', true)
   fails('out-of-reach', () => world.carve({ rings: [[0, 0, 1, 0, NaN, 1]] }), { polygon: 0, vertex: 2 })
   fails('out-of-reach', () => world.carve({ rings: [[0, 0, 9000, 0, 0, 1]] }))
-  assert.deepEqual(world.carve({ rings: [] }), { went: [], came: [], changed: [], bent: [] })
+  const { removed, added, changed, rounded } = world.carve({ rings: [] })
+  assert.deepEqual({ removed, added, changed, rounded }, { removed: [], added: [], changed: [], rounded: [] })
 })
 
 test('save and load go on exactly', () => {
@@ -231,7 +232,7 @@ test('checkpoints: there and back', () => {
   const { world } = floor(3)
   world.commit()
   const mark = world.checkpoint()
-  assert.equal(typeof mark, 'bigint')
+  assert.ok(Number.isSafeInteger(mark))
   const before = sorted(world.segments())
   world.carve(circle(1.5, 0.5, 1))
   world.commit()
@@ -242,7 +243,7 @@ test('checkpoints: there and back', () => {
   world.forget(mark)
   fails('unknown-mark', () => world.rollBack(mark))
   fails('unknown-mark', () => world.forget(mark))
-  fails('unknown-mark', () => world.rollBack(0n))
+  fails('unknown-mark', () => world.rollBack(0))
 })
 
 test('a preserve relation keeps edges, and is asked once for each pair', () => {

@@ -12,6 +12,7 @@ export const GROUND = 1
 export const ICE = 101
 export const STICKY = 102
 export const ONE_WAY = 103
+export const CONVEYOR = 104
 
 export const kinds: readonly Kind[] = [
   { block: GROUND, name: 'Ground', hint: 'Ordinary ground', friction: 0.6 },
@@ -23,6 +24,7 @@ export const kinds: readonly Kind[] = [
     hint: 'Holds what comes from above, lets through what comes from below',
     friction: 0.6,
   },
+  { block: CONVEYOR, name: 'Conveyor', hint: 'Carries to the right', friction: 1 },
 ]
 
 /** Blocks of imported maps are ordinary ground. */
@@ -33,4 +35,4 @@ export function kindOf(block: Block): Kind {
 export type Pairs = readonly (readonly [Block, Block])[]
 
 /** The preserve relation: a wall beside a one-way platform keeps its edge. */
-export const keptPairs: Pairs = [GROUND, ICE, STICKY].map((block) => [block, ONE_WAY])
+export const keptPairs: Pairs = [GROUND, ICE, STICKY, CONVEYOR].map((block) => [block, ONE_WAY])

@@ -13,6 +13,8 @@ export interface Start {
   /** Of a marble the radius, of a box half its side. */
   readonly size: number
   readonly colour: number
+  /** It stays where it comes to rest. */
+  readonly stays?: boolean
 }
 
 export interface Rider {
@@ -77,6 +79,29 @@ function makeCar(physics: Physics, start: Start): Rider {
 
 export function removeRider(physics: Physics, rider: Rider): void {
   for (const body of rider.bodies) physics.destroyBody(body)
+}
+
+/** A rider and how it moves: x, y, angle, the velocity's x and y, and the spin of each body, in metres. */
+export interface Riding {
+  readonly start: Start
+  readonly motions: readonly number[]
+}
+
+export function motionsOf(rider: Rider): number[] {
+  return rider.bodies.flatMap((body) => {
+    const { x, y } = body.getPosition()
+    const v = body.getLinearVelocity()
+    return [x, y, body.getAngle(), v.x, v.y, body.getAngularVelocity()].map((number) => Math.round(number * 1e4) / 1e4)
+  })
+}
+
+export function setMotions(rider: Rider, motions: readonly number[]): void {
+  rider.bodies.forEach((body, k) => {
+    const [x, y, angle, vx, vy, spin] = motions.slice(6 * k, 6 * k + 6)
+    body.setTransform(new Vec2(x, y), angle)
+    body.setLinearVelocity(new Vec2(vx, vy))
+    body.setAngularVelocity(spin)
+  })
 }
 
 /** Puts a rider where another one is, with its motion. Both were made from the same start. */

@@ -11,12 +11,23 @@ export interface Document {
   readonly preserve: Pairs
 }
 
-export async function openFiles(files: readonly File[]): Promise<Document> {
+/** What was opened, and the file that it was in. */
+export interface Opened {
+  readonly document: Document
+  readonly name: string
+}
+
+export async function openFiles(files: readonly File[]): Promise<Opened> {
   const map = files.find(({ name }) => /\.(tmx|tmj|json|ldtk|world)$/i.test(name))
-  if (map !== undefined) return openMap(map.name, files)
-  const [first] = files
-  if (first.name.endsWith('.lgs')) return openSaved(new Uint8Array(await first.arrayBuffer()))
-  return openTrace(await first.text())
+  if (map !== undefined) return { document: await openMap(map.name, files), name: map.name }
+  for (const file of files) {
+    const { name } = file
+    if (/\.lgs$/i.test(name)) return { document: openSaved(new Uint8Array(await file.arrayBuffer())), name }
+    const text = await file.text()
+    if (text.trimStart().startsWith('lgs-trace')) return { document: openTrace(text), name }
+  }
+  const names = files.map(({ name }) => name).join(', ')
+  throw new Error(`${names}: neither a trace, nor a saved world (.lgs), nor a map (.tmx, .tmj, .json, .ldtk, .world).`)
 }
 
 // The file does not hold the relation itself: it is none, or that of this page.

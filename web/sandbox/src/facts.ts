@@ -14,6 +14,14 @@ export class Facts {
     this.#commits = this.#editTime = this.#commitTime = 0
   }
 
+  /** Of another document nothing is known yet. */
+  reset(): void {
+    this.begin()
+    for (const id of ['removed', 'added', 'relinked']) element(id).textContent = `0 ${id}`
+    element('times').textContent = 'Dig, and see here what the edit did to the outline.'
+    element('recompute').textContent = ''
+  }
+
   note({ changes, editTime, commitTime }: GroundChange): void {
     ++this.#commits
     this.#editTime += editTime

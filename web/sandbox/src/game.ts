@@ -1,12 +1,18 @@
 // The ground, and the physics worlds over it: both, or one. Steps them all alike.
 import type { CellRect } from 'localgridseg'
-import type { Start } from './bodies.js'
+import { type Riding, setMotions, type Start } from './bodies.js'
 import type { Document } from './documents.js'
 import { Ground, type GroundChange } from './ground.js'
 import { Mirror } from './mirror.js'
 import { cell } from './scale.js'
-import { landscapeGate, landscapeRiders, makeLandscape } from './scene.js'
+import { landscapeGate, landscapeRiders, makeLandscape } from './scenes/landscape.js'
 import { type Gate, Side } from './side.js'
+
+/** Who rolls on a ground, and where those who left it begin again. */
+export interface Cast {
+  readonly starts: Start[]
+  readonly gate: Gate
+}
 
 export type View = 'both' | 'with' | 'without'
 
@@ -55,19 +61,25 @@ export class Game {
     this.#view = view
   }
 
-  /** The page's own landscape, as at the start. */
-  openLandscape(): void {
-    this.ground.open(makeLandscape())
-    this.#gate = landscapeGate
-    this.#begin(landscapeRiders())
-  }
-
-  /** Another world. Marbles and a car start above it. */
-  open(document: Document): void {
+  /** Another world, and who rolls on it. Without a cast marbles and a car start above it. */
+  open(document: Document, cast?: Cast): void {
     this.ground.open(document)
     const cells = document.world.bounds() ?? { i0: 0, j0: 0, i1: 20, j1: 0 }
-    this.#gate = { x: cells.i0 + 2, y: cells.j1 + 3, speed: 2, bottom: cells.j0 - 5 }
-    this.#begin(ridersOver(cells))
+    const { starts, gate } = cast ?? {
+      starts: ridersOver(cells),
+      gate: { x: cells.i0 + 2, y: cells.j1 + 3, speed: 2, bottom: cells.j0 - 5 },
+    }
+    this.#gate = gate
+    this.#begin(starts)
+  }
+
+  /** Bodies that move already. They are the same in all sides. */
+  cast(riders: readonly Riding[]): void {
+    this.removeRiders()
+    for (const { start, motions } of riders) {
+      this.drop(start)
+      for (const side of this.sides) setMotions(side.riders[side.riders.length - 1], motions)
+    }
   }
 
   /** Puts the riders back to where they were at the start. */

@@ -33,6 +33,7 @@ export class Ground {
   #stroke: Stroke | null = null
   #pending: CellRect | null = null
   #editTime = 0
+  #forgotten = false // whether strokes are so long ago that they cannot be undone
 
   constructor(document: Document) {
     this.#document = document
@@ -54,13 +55,15 @@ export class Ground {
     this.#future = []
     this.#stroke = null
     this.#pending = null
+    this.#editTime = 0
+    this.#forgotten = false
   }
 
   /** Edits between begin() and end() are undone together. */
   begin(): void {
     this.end()
-    this.onBegin()
     this.#stroke = { mark: this.world.checkpoint(), edits: [], cells: null }
+    this.onBegin()
   }
 
   end(): void {
@@ -74,12 +77,19 @@ export class Ground {
     }
     this.#past.push(stroke)
     this.#future = []
-    if (this.#past.length > longestHistory) this.world.forget(this.#past.shift()!.mark)
+    if (this.#past.length > longestHistory) {
+      this.world.forget(this.#past.shift()!.mark)
+      this.#forgotten = true
+    }
     this.onEnd()
   }
 
-  /** Between begin() and end(). A refused edit has changed nothing. */
+  /**
+   * Between begin() and end(). A refused edit has changed nothing. A stroke that was ended from elsewhere, by an undo or
+   * another document, has no further edits: who still holds the button down changes nothing.
+   */
   edit(edit: Edit): void {
+    if (this.#stroke === null) return
     const start = performance.now()
     try {
       apply(this.world, edit)
@@ -89,8 +99,8 @@ export class Ground {
     }
     this.#editTime += performance.now() - start
     const cells = cellsOf(edit)
-    this.#stroke!.edits.push(edit)
-    this.#stroke!.cells = union(this.#stroke!.cells, cells)
+    this.#stroke.edits.push(edit)
+    this.#stroke.cells = union(this.#stroke.cells, cells)
     this.#pending = union(this.#pending, cells)
   }
 
@@ -107,8 +117,14 @@ export class Ground {
     this.onChange({ changes, cells, editTime, commitTime })
   }
 
+  /** Also in the middle of a stroke: that one ends then. */
   get canUndo(): boolean {
-    return this.#past.length > 0
+    return this.#past.length > 0 || this.#stroke !== null
+  }
+
+  /** Whether it differs from what was opened, as far as is known. */
+  get isEdited(): boolean {
+    return this.#past.length > 0 || this.#forgotten
   }
 
   get canRedo(): boolean {

@@ -7,6 +7,8 @@ export interface KeyActions {
   /** -1, 0 or 1. */
   drive(direction: number): void
   moveCursor(dx: number, dy: number): void
+  /** By a tenth of the view. */
+  moveView(dx: number, dy: number): void
   useTool(): void
   cancel(): void
   zoom(factor: number): void
@@ -20,7 +22,7 @@ const tools: Readonly<Record<string, string>> = {
   m: 'marble',
   b: 'box',
   c: 'car',
-  v: 'move',
+  v: 'hand',
 }
 const buttons: Readonly<Record<string, string>> = {
   ' ': 'play',
@@ -41,7 +43,7 @@ const arrows: Readonly<Record<string, readonly [number, number]>> = {
 export function listenToKeys(actions: KeyActions): void {
   const driving = new Set<string>()
   addEventListener('keydown', (event) => {
-    if (element<HTMLDialogElement>('help-dialog').open || belongsToControl(event)) return
+    if (document.querySelector('dialog[open]') !== null || belongsToControl(event)) return
     if (!onKey(event, actions, driving)) return
     event.preventDefault()
   })
@@ -57,12 +59,13 @@ export function listenToKeys(actions: KeyActions): void {
 
 function onKey(event: KeyboardEvent, actions: KeyActions, driving: Set<string>): boolean {
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key
-  if (event.ctrlKey || event.metaKey) {
-    if (key === 'z') element(event.shiftKey ? 'redo' : 'undo').click()
-    else if (key === 'y') element('redo').click()
-    return key === 'z' || key === 'y'
-  }
   const arrow = arrows[key]
+  if (event.ctrlKey || event.metaKey) {
+    if (arrow !== undefined) actions.moveView(...arrow)
+    else if (key === 'z') element(event.shiftKey ? 'redo' : 'undo').click()
+    else if (key === 'y') element('redo').click()
+    return arrow !== undefined || key === 'z' || key === 'y'
+  }
   if (arrow !== undefined && event.shiftKey) actions.moveCursor(...arrow)
   else if (arrow !== undefined) {
     driving.add(key)
@@ -75,7 +78,7 @@ function onKey(event: KeyboardEvent, actions: KeyActions, driving: Set<string>):
   else if (key === ']') resize(0.2)
   else if (key === 'r') turn()
   else if (tools[key] !== undefined) choose('tool', tools[key])
-  else if (/^[1-4]$/.test(key)) choose('block', String(kinds[Number(key) - 1].block))
+  else if (/^[1-5]$/.test(key)) choose('block', String(kinds[Number(key) - 1].block))
   else if (buttons[key] !== undefined) element(buttons[key]).click()
   else return false
   return true

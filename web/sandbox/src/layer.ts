@@ -1,6 +1,6 @@
 // The picture of the ground, kept as a bitmap of the size of a pane. An edit draws anew only the cells that it changed.
 import type { CellRect, Polygon, World } from 'localgridseg'
-import { chain } from 'localgridseg/draw'
+import { linesIn } from 'localgridseg/draw'
 import { kindOf } from './blocks.js'
 import type { Camera } from './camera.js'
 import { patternOf, theme } from './theme.js'
@@ -178,7 +178,7 @@ export class GroundLayer {
   #drawOutline(world: World, cells: CellRect, unit: number): void {
     const c = this.#context
     c.beginPath()
-    for (const line of chain(world.segments(cells))) {
+    for (const line of linesIn(world, cells)) {
       c.moveTo(this.#px(line[0]), this.#py(line[1]))
       for (let k = 2; k < line.length; k += 2) c.lineTo(this.#px(line[k]), this.#py(line[k + 1]))
     }

@@ -7,6 +7,7 @@ import { listenToKeys } from './keys.js'
 import { Loop } from './loop.js'
 import { measure, type Place, prepare } from './measure.js'
 import { recolour, setUpPalette } from './palette.js'
+import { RaceStage } from './race/stage.js'
 import { onThemeChange } from './theme.js'
 import { polygonTool } from './tools/all.js'
 import { Ui } from './ui.js'
@@ -26,14 +27,16 @@ onThemeChange(() => {
 })
 listenToKeys({
   drive: (direction) => game.drive(direction),
+  moveView: (dx, dy) => viewer.moveView(dx, dy),
   moveCursor: (dx, dy) => viewer.moveCursor(dx, dy),
   useTool: () => viewer.useTool(),
   cancel: () => polygonTool.cancel(),
   zoom: (factor) => viewer.zoom(factor),
 })
-await ui.openAddress()
 viewer.fit()
+await ui.openAddress()
 loop.start()
+const race = new RaceStage(() => (loop.running = false), () => (loop.running = true))
 element('panes').dataset.ready = 'true'
 
 // For tests and for the curious: steps without a clock, and what is going on.
@@ -44,6 +47,7 @@ Object.assign(window, {
       loop.playing = false
       for (let k = 0; k < count; ++k) game.step()
     },
+    race,
     prepare: () => prepare(game, viewer),
     measure(place: Place, frames: number) {
       return measure(game, viewer, loop, place, frames)

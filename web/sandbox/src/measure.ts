@@ -101,6 +101,7 @@ function fill(game: Game): void {
       speed: 0,
       size: 0.35,
       colour: k,
+      stays: true,
     })
   }
 }

@@ -1,5 +1,6 @@
 // Draws one physics world over the ground.
 import type { CellRect, Segment } from 'localgridseg'
+import { GROUND, kindOf } from './blocks.js'
 import type { Camera } from './camera.js'
 import type { Game } from './game.js'
 import type { Glow } from './glow.js'
@@ -18,6 +19,8 @@ export interface Scenery {
   readonly glow: Glow
   readonly overlay: boolean
   readonly selected: Segment | null
+  /** Places whose ground has its name written on it, if it is no ordinary one. */
+  readonly labels: readonly (readonly [number, number])[]
   readonly cursor: readonly [number, number] | null
   /** Edges where a check found a difference: start x, y, end x, y of each. */
   readonly differences: Float64Array
@@ -67,6 +70,7 @@ export class Pane {
     drawKicks(c, side, pixel * cell)
     c.restore()
     if (scenery.selected !== null) drawSegment(c, game.ground.world, scenery.selected, pixel)
+    this.#drawLabels(scenery, ratio)
     this.#drawDifferences(scenery.differences, pixel)
     if (scenery.cursor !== null) this.#drawPreview(scenery.cursor, pixel)
     this.#count('kicks', side.kicks.count)
@@ -85,8 +89,28 @@ export class Pane {
     c.lineWidth = 1.5 * pixel
     c.globalAlpha = 0.65
     c.beginPath()
-    currentTool()?.preview(c, x, y, pixel)
+    currentTool().preview(c, x, y, pixel)
     c.globalAlpha = 1
+  }
+
+  #drawLabels({ labels, game, camera }: Scenery, ratio: number): void {
+    if (camera.scale < 12) return
+    const c = this.#context
+    c.save()
+    c.fillStyle = theme().ink
+    c.textAlign = 'center'
+    c.textBaseline = 'middle'
+    c.font = `${12 / camera.scale}px system-ui, sans-serif`
+    for (const [x, y] of labels) {
+      const spot = game.ground.world.at(x, y)
+      const kind = spot.where === 'outside' ? null : kindOf(spot.block)
+      if (kind === null || kind.block === GROUND) continue
+      c.setTransform(camera.scale * ratio, 0, 0, camera.scale * ratio, 0, 0)
+      const px = this.canvas.width / ratio / 2 / camera.scale
+      const py = this.canvas.height / ratio / 2 / camera.scale
+      c.fillText(kind.name, px + x - camera.x, py - y + camera.y)
+    }
+    c.restore()
   }
 
   #drawDifferences(ends: Float64Array, pixel: number): void {

@@ -1,6 +1,7 @@
 // Mouse, pen and touch on the panes: one pointer uses the tool or moves the view, two fingers move and zoom.
 import type { Camera } from './camera.js'
 import type { Game } from './game.js'
+import { settings } from './settings.js'
 import { currentTool } from './tools/all.js'
 import type { Tool } from './tools/tool.js'
 
@@ -30,8 +31,9 @@ export class Pointer {
     this.#camera = camera
   }
 
-  listen(canvas: HTMLCanvasElement): void {
-    canvas.addEventListener('pointerdown', (event) => this.#down(canvas, event))
+  /** A pane, which shows the side of this number. */
+  listen(canvas: HTMLCanvasElement, side: number): void {
+    canvas.addEventListener('pointerdown', (event) => this.#down(canvas, event, side))
     canvas.addEventListener('pointermove', (event) => this.#move(canvas, event))
     for (const end of ['pointerup', 'pointercancel'] as const) canvas.addEventListener(end, (event) => this.#up(event))
     canvas.addEventListener('pointerleave', (event) => {
@@ -46,7 +48,7 @@ export class Pointer {
     return this.#camera.toCell(event.clientX - box.left, event.clientY - box.top, box.width, box.height)
   }
 
-  #down(canvas: HTMLCanvasElement, event: PointerEvent): void {
+  #down(canvas: HTMLCanvasElement, event: PointerEvent, side: number): void {
     canvas.setPointerCapture(event.pointerId)
     this.#touches.set(event.pointerId, { x: event.clientX, y: event.clientY })
     if (this.#touches.size > 1) {
@@ -56,11 +58,11 @@ export class Pointer {
     }
     const [x, y] = (this.cursor.at = this.#cellOf(canvas, event))
     const tool = currentTool()
-    this.#panning = tool === null || event.button !== 0
+    this.#panning = event.button !== 0 || tool.isIdleAt?.(this.#game, x, y, side) === true
     if (this.#panning) return
     this.#waiting = () => {
       this.#using = tool
-      tool!.down(this.#game, x, y)
+      tool.down(this.#game, x, y, side)
     }
     if (event.pointerType !== 'touch') this.#begin()
   }
@@ -108,7 +110,7 @@ export class Pointer {
     this.#stopUsing()
     this.#panning = false
     // A tap of the hand looks at a segment.
-    if (event.pointerType === 'touch' && currentTool() !== null) this.cursor.at = null
+    if (event.pointerType === 'touch' && settings.tool !== 'hand') this.cursor.at = null
   }
 
   #stopUsing(): void {

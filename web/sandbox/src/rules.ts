@@ -1,10 +1,12 @@
-// What contacts with special ground do: one-way ground lets through what comes from below, sticky ground slows down.
+// What contacts with special ground do: one-way ground lets through what comes from below, sticky ground slows
+// down, a conveyor carries along.
 import type { Body, Contact, World as Physics } from 'planck'
 import type { PlanckTerrain } from 'localgridseg/planck'
-import { ONE_WAY, STICKY } from './blocks.js'
+import { CONVEYOR, ONE_WAY, STICKY } from './blocks.js'
 import type { Mirror } from './mirror.js'
 
 const deepest = 0.1 // metres: what is deeper in a one-way top came from below
+const belt = 0.6 // metres a second
 const slowdown = 0.93 // what sticky ground leaves of the speed, in each step
 
 export class Rules {
@@ -34,6 +36,7 @@ export class Rules {
     if (segment === 0) return
     const block = this.#mirror.block[segment]
     if (block === STICKY) this.#stuck.add((isA ? contact.getFixtureB() : contact.getFixtureA()).getBody())
+    if (block === CONVEYOR) contact.setTangentSpeed(belt)
     if (block !== ONE_WAY) return
     let holds = this.#holds.get(contact)
     if (holds === undefined) {

@@ -1,7 +1,7 @@
 // What the controls say that tools use.
 import { GROUND } from './blocks.js'
 
-export type ToolName = 'dig' | 'paint' | 'tile' | 'polygon' | 'marble' | 'box' | 'car' | 'move'
+export type ToolName = 'hand' | 'dig' | 'paint' | 'tile' | 'polygon' | 'marble' | 'box' | 'car'
 
 export interface Settings {
   tool: ToolName
@@ -14,4 +14,4 @@ export interface Settings {
   quarters: number
 }
 
-export const settings: Settings = { tool: 'dig', radius: 0.8, block: GROUND, tile: 0, quarters: 0 }
+export const settings: Settings = { tool: 'hand', radius: 0.8, block: GROUND, tile: 0, quarters: 0 }

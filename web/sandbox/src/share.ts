@@ -1,18 +1,35 @@
-// How the ground leaves the page: in its address (deflated, in base64 that addresses can hold), by the clipboard, or as
-// a file.
-const prefix = '#trace='
+// How things leave the page: in its address (deflated, in base64 that addresses can hold), by the clipboard, or as a
+// file. An address holds a state (state.ts); those of earlier versions hold a trace.
+const prefixes = { state: '#state=', trace: '#trace=' } as const
+
+export interface Held {
+  readonly kind: keyof typeof prefixes
+  readonly text: string
+}
 
 export async function toHash(text: string): Promise<string> {
   const packed = await through(new TextEncoder().encode(text), new CompressionStream('deflate-raw'))
   let binary = ''
   for (const byte of packed) binary += String.fromCharCode(byte)
-  return prefix + btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')
+  return prefixes.state + btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')
 }
 
-/** Null if the address holds no trace. Throws if it is damaged. */
-export async function fromHash(hash: string): Promise<string | null> {
-  if (!hash.startsWith(prefix)) return null
-  const binary = atob(hash.slice(prefix.length).replaceAll('-', '+').replaceAll('_', '/'))
+/** Null if the address holds nothing. Throws if it is damaged. */
+export async function fromHash(hash: string): Promise<Held | null> {
+  for (const kind of ['state', 'trace'] as const) {
+    const prefix = prefixes[kind]
+    if (!hash.startsWith(prefix)) continue
+    try {
+      return { kind, text: await unpacked(hash.slice(prefix.length)) }
+    } catch {
+      throw new Error('This link is damaged: a part of it is missing or was changed on its way.')
+    }
+  }
+  return null
+}
+
+async function unpacked(text: string): Promise<string> {
+  const binary = atob(text.replaceAll('-', '+').replaceAll('_', '/'))
   const bytes = Uint8Array.from(binary, (letter) => letter.charCodeAt(0))
   return new TextDecoder().decode(await through(bytes, new DecompressionStream('deflate-raw')))
 }

@@ -20,6 +20,8 @@ Settings.maxTranslation = 0.07
 
 const mostTrails = 40 // riders: a crowd leaves no trails
 const trailSteps = 60
+const longestRest = 480 // steps
+const slow = 0.03 // metres a second: who is slower lies still
 
 /** Where riders that have left the world begin again, in cells. */
 export interface Gate {
@@ -35,8 +37,11 @@ export class Side {
   readonly riders: Rider[] = []
   readonly terrain: PlanckTerrain
   readonly kicks: KickMeter
+  /** A body that never moves: what holds a joint of the mouse. */
+  readonly anchor = this.physics.createBody()
   readonly #rules: Rules
   readonly #waiting: Rider[] = []
+  readonly #resting = new Map<Rider, number>() // for how many steps it has lain still
   readonly #fallen = new Map<Rider, number>() // for how many steps a car has not been on its wheels
   #wait = 0
 
@@ -71,6 +76,7 @@ export class Side {
     for (const rider of this.riders) removeRider(this.physics, rider)
     this.riders.length = 0
     this.#fallen.clear()
+    this.#resting.clear()
     this.#waiting.length = 0
     this.kicks.reset()
   }
@@ -121,11 +127,16 @@ export class Side {
     }
   }
 
-  // Who fell out of the world waits, and comes in again one after the other.
+  // Who fell out of the world waits, and comes in again one after the other. So does who has lain still for long, in a
+  // pit perhaps. Who was dropped by hand stays where it lies.
   #bringBack(gate: Gate): void {
     for (const rider of this.riders) {
       const at = this.terrain.point(rider.bodies[0].getPosition())
-      if (at.y > gate.bottom || this.#waiting.includes(rider)) continue
+      const isStill = rider.start.stays !== true && rider.bodies[0].getLinearVelocity().length() < slow
+      const rest = isStill ? (this.#resting.get(rider) ?? 0) + 1 : 0
+      this.#resting.set(rider, rest)
+      if ((at.y > gate.bottom && rest < longestRest) || this.#waiting.includes(rider)) continue
+      this.#resting.delete(rider)
       this.#waiting.push(rider)
       for (const body of rider.bodies) body.setActive(false)
     }

@@ -1,6 +1,6 @@
 // The colours of the canvas, for light and for dark. They are of Okabe and Ito, whose colours people with any colour
 // vision can tell apart. Kinds of ground differ by pattern as well.
-import { ICE, ONE_WAY, STICKY } from './blocks.js'
+import { CONVEYOR, ICE, ONE_WAY, STICKY } from './blocks.js'
 
 export interface Theme {
   readonly sky: string
@@ -23,7 +23,7 @@ const light: Theme = {
   sky: '#f7f8fa',
   grid: 'rgba(30, 41, 59, 0.06)',
   ground: '#c9bfae',
-  special: { [ICE]: '#c4e3f3', [STICKY]: '#e3b48f', [ONE_WAY]: '#c9d6b8' },
+  special: { [ICE]: '#c4e3f3', [STICKY]: '#e3b48f', [ONE_WAY]: '#c9d6b8', [CONVEYOR]: '#d8c3dd' },
   pattern: 'rgba(40, 34, 26, 0.28)',
   line: '#4b443a',
   riders,
@@ -38,7 +38,7 @@ const dark: Theme = {
   sky: '#12161d',
   grid: 'rgba(226, 232, 240, 0.05)',
   ground: '#3f4653',
-  special: { [ICE]: '#355d74', [STICKY]: '#74492c', [ONE_WAY]: '#45583d' },
+  special: { [ICE]: '#355d74', [STICKY]: '#74492c', [ONE_WAY]: '#45583d', [CONVEYOR]: '#5b4762' },
   pattern: 'rgba(255, 255, 255, 0.24)',
   line: '#a9b4c4',
   riders: ['#3f9fdc', '#e69f00', '#1fb58b', '#d68fb5', '#7cc8f2'],
@@ -99,6 +99,12 @@ const patterns: Readonly<Record<number, (c: CanvasRenderingContext2D, size: numb
     c.moveTo(n / 4, (2 * n) / 3)
     c.lineTo(n / 2, n / 3)
     c.lineTo((3 * n) / 4, (2 * n) / 3)
+    c.stroke()
+  },
+  [CONVEYOR](c, n) {
+    c.moveTo(n / 3, n / 4)
+    c.lineTo((2 * n) / 3, n / 2)
+    c.lineTo(n / 3, (3 * n) / 4)
     c.stroke()
   },
 }

@@ -1,13 +1,19 @@
 // The controls of the page that are not of a tool.
 import { Facts } from './facts.js'
-import { element, onClick, radios } from './dom.js'
-import { newDocument, openFiles, openTrace, traceText } from './documents.js'
+import { choose, element, onClick, radios } from './dom.js'
+import { openFiles, openTrace, traceText } from './documents.js'
 import type { Game, View } from './game.js'
 import type { Loop } from './loop.js'
 import { Recompute } from './recompute.js'
+import { sceneOf } from './scenes/all.js'
+import { ScenePanel } from './scenes/panel.js'
 import { copied, download, fromHash, toHash } from './share.js'
+import { capture, restore, type State } from './state.js'
 import type { Viewer } from './viewer.js'
 
+const keptAs = 'localgridseg-sandbox'
+const mostKept = 1_000_000 // characters
+const mostRecomputed = 20_000 // polygons: a full recompute of more takes minutes
 const readFor = 5000 // milliseconds
 const longest = 60_000 // characters: longer addresses are cut on their way
 
@@ -17,25 +23,62 @@ export class Ui {
   readonly #loop: Loop
   readonly #facts = new Facts()
   readonly #recompute = new Recompute()
+  readonly #scenes: ScenePanel
+  #scene: string | null = 'hills' // null: not of the menu
+  #isKeeping = false // what is done here
   #forget = 0
 
   constructor(game: Game, viewer: Viewer, loop: Loop) {
     this.#game = game
     this.#viewer = viewer
     this.#loop = loop
+    this.#scenes = new ScenePanel((id) => void this.#openScene(id), (text) => this.#say(text))
     this.#listenToGround()
     this.#setUpTime()
     this.#setUpGround()
     this.#setUpView()
     this.#setUpDocument()
+    this.#viewer.labels = sceneOf('hills').labels!
   }
 
-  /** Opens the ground that the address holds, if it holds one. */
+  /** Opens what the address holds, if it holds something; otherwise what was here last time. */
   async openAddress(): Promise<void> {
     await this.#try(async () => {
-      const text = await fromHash(location.hash)
-      if (text !== null) this.#show(() => this.#game.open(openTrace(text)))
+      const kept = location.hash === '' ? recall() : null
+      const held = await fromHash(kept ?? location.hash)
+      if (held === null) return
+      if (held.kind === 'trace') return this.#show(() => this.#game.open(openTrace(held.text)), null)
+      const state = JSON.parse(held.text) as State
+      await restore(state, this.#game)
+      choose('view', state.worlds)
+      this.#show(() => {}, state.scene)
+      this.#viewer.lookAt(...state.view)
+      if (kept !== null) this.#say('This is the ground of last time. Choose a scene to begin anew.')
     })
+  }
+
+  async #openScene(id: string): Promise<void> {
+    await this.#try(async () => {
+      const { make, cast, view } = sceneOf(id)
+      const document = await make()
+      this.#show(() => this.#game.open(document, cast?.()), id)
+      if (view !== undefined) this.#viewer.showCells(...view)
+      forget()
+    })
+  }
+
+  // What was edited is there again after the page was closed.
+  async #keep(): Promise<void> {
+    if (this.#isKeeping || !this.#game.ground.isEdited) return
+    this.#isKeeping = true
+    try {
+      const hash = await toHash(JSON.stringify(capture(this.#game, this.#viewer.camera, this.#scene)))
+      if (hash.length < mostKept) localStorage.setItem(keptAs, hash)
+    } catch {
+      forget() // too large, or the browser keeps nothing
+    } finally {
+      this.#isKeeping = false
+    }
   }
 
   #listenToGround(): void {
@@ -47,11 +90,15 @@ export class Ui {
       this.#facts.note(change)
     }
     ground.onRefusal = (message) => this.#say(message)
-    ground.onBegin = () => this.#facts.begin()
+    ground.onBegin = () => {
+      this.#facts.begin()
+      element<HTMLButtonElement>('undo').disabled = !ground.canUndo
+    }
     ground.onEnd = () => {
       element<HTMLButtonElement>('undo').disabled = !ground.canUndo
       element<HTMLButtonElement>('redo').disabled = !ground.canRedo
       void this.#time()
+      void this.#keep()
     }
   }
 
@@ -86,13 +133,6 @@ export class Ui {
   #setUpGround(): void {
     onClick('undo', () => this.#game.ground.undo())
     onClick('redo', () => this.#game.ground.redo())
-    onClick('empty', () =>
-      this.#show(() => {
-        this.#game.open(newDocument())
-        this.#game.removeRiders()
-      }),
-    )
-    onClick('landscape', () => this.#show(() => this.#game.openLandscape()))
   }
 
   #setUpView(): void {
@@ -139,20 +179,20 @@ export class Ui {
   async #open(files: readonly File[]): Promise<void> {
     if (files.length === 0) return
     await this.#try(async () => {
-      const document = await openFiles(files)
-      this.#show(() => this.#game.open(document))
+      const { document, name } = await openFiles(files)
+      this.#show(() => this.#game.open(document), null)
       const { polygons } = document.world.stats()
-      this.#say(`${files[0].name}: ${polygons} polygons.`)
+      this.#say(`${name}: ${polygons} polygons.`)
     })
   }
 
   async #share(): Promise<void> {
     await this.#try(async () => {
-      const hash = await toHash(traceText(this.#game.ground.document))
+      const hash = await toHash(JSON.stringify(capture(this.#game, this.#viewer.camera, this.#scene)))
       if (hash.length > longest) return this.#say('The ground is too large for an address. Copy the trace instead.')
       history.replaceState(null, '', hash)
       const isCopied = await copied(location.href)
-      this.#say(`The address of this page now holds the ground${isCopied ? ', and is copied' : ''}.`)
+      this.#say(`The address of this page now holds ground, view and bodies${isCopied ? ', and is copied' : ''}.`)
     })
   }
 
@@ -169,8 +209,10 @@ export class Ui {
   // The time of a full recompute, after an edit. It is not asked for more often than it is answered.
   async #time(): Promise<void> {
     if (this.#recompute.busy) return
+    if (this.#game.ground.world.stats().polygons > mostRecomputed) return
+    const { document } = this.#game.ground
     const { time, error } = await this.#recompute.run(() => this.#game.ground.world, false)
-    if (error === null) this.#facts.recomputed(time)
+    if (error === null && document === this.#game.ground.document) this.#facts.recomputed(time)
   }
 
   async #check(): Promise<void> {
@@ -190,9 +232,14 @@ export class Ui {
     )
   }
 
-  // Another document.
-  #show(open: () => void): void {
+  // Another document; `scene` is its name in the menu.
+  #show(open: () => void, scene: string | null): void {
     open()
+    this.#scene = scene
+    this.#scenes.open = scene
+    this.#viewer.labels = scene === null ? [] : (sceneOf(scene).labels ?? [])
+    this.#say('')
+    this.#facts.reset()
     this.#viewer.showSides()
     this.#viewer.layer.reset()
     this.#viewer.differences = new Float64Array()
@@ -214,5 +261,22 @@ export class Ui {
     this.#forget = window.setTimeout(() => {
       element('message').textContent = ''
     }, readFor)
+  }
+}
+
+// A browser may keep nothing, and say so by throwing.
+function recall(): string | null {
+  try {
+    return localStorage.getItem(keptAs)
+  } catch {
+    return null
+  }
+}
+
+function forget(): void {
+  try {
+    localStorage.removeItem(keptAs)
+  } catch {
+    // then there is nothing to forget
   }
 }

@@ -29,6 +29,9 @@ export async function openBrowser() {
     const page = await (
       await browser.newContext({ viewport: { width: 1000, height: 700 }, permissions, ...context })
     ).newPage()
+    await page.addInitScript(() => {
+      if (location.protocol === 'http:' && !location.search.includes('keep')) localStorage.clear()
+    })
     page.on('console', (message) => wrong.push(message.text()))
     page.on('pageerror', (error) => wrong.push(error.stack))
     page.on('request', (request) => {
@@ -40,14 +43,27 @@ export async function openBrowser() {
   const usual = await newPage({})
   return {
     /** Runs a test on the page, loaded anew. Its clock stands still: sandbox.step() steps it. */
-    async onPage(test, { hash = '', context } = {}) {
+    async onPage(test, { hash = '', context, keep = false } = {}) {
       const page = context === undefined ? usual : await newPage(context)
       await page.goto('about:blank')
-      await page.goto(address + hash)
+      await page.goto(address + (keep ? '?keep' : '') + hash)
       await page.waitForSelector('[data-ready]')
       await page.evaluate(() => window.sandbox.step(0))
       await test(page)
       assert.deepEqual(wrong, [])
+    },
+    /** Runs a test on another page of the site, whose clock runs. `wrongs` are the complaints that the test expects. */
+    async onPath(test, path, { context = {}, before = async () => {}, wrongs = [] } = {}) {
+      const page = await newPage(context)
+      await before(page)
+      await page.goto(address + path)
+      await page.waitForSelector('body[data-ready]')
+      await test(page)
+      await page.close()
+      assert.deepEqual(
+        wrong.splice(0).filter((each) => !wrongs.some((pattern) => pattern.test(each))),
+        [],
+      )
     },
     async close() {
       await browser.close()

@@ -24,7 +24,7 @@ test('a trace is opened, copied, and dropped', () =>
     await message(page, /copied/)
     const copy = await page.evaluate(() => navigator.clipboard.readText())
     assert.match(copy, /^lgs-trace \d/)
-    await page.locator('#landscape').click()
+    await page.locator('#scene').selectOption('hills')
     const data = await page.evaluateHandle((text) => {
       const transfer = new DataTransfer()
       transfer.items.add(new File([text], 'again.trace'))
@@ -55,7 +55,7 @@ test('a saved world is opened', () =>
     await message(page, /two\.trace/)
     const opened = await outline(page)
     const bytes = await page.evaluate(() => [...window.sandbox.game.ground.world.save()])
-    await page.locator('#landscape').click()
+    await page.locator('#scene').selectOption('hills')
     await page
       .locator('#file')
       .setInputFiles({ name: 'two.lgs', mimeType: 'application/octet-stream', buffer: Buffer.from(bytes) })
@@ -73,10 +73,71 @@ test('a bad file is refused in words, and changes nothing', () =>
     assert.equal(await outline(page), before)
   }))
 
+test('a picture is no document, and the map among several files is the one that is named', () =>
+  browser.onPage(async (page) => {
+    await page.locator('#file').setInputFiles([`${maps}landscape.png`])
+    await message(page, /landscape\.png: neither a trace/)
+    await page.locator('#file').setInputFiles([`${maps}landscape.tsx`, `${maps}landscape.tmx`])
+    await message(page, /^landscape\.tmx: \d+ polygons/)
+  }))
+
+test('a link holds the edits, the view and the bodies', async () => {
+  const state = (page) =>
+    page.evaluate(() => {
+      const { game, toPage } = window.sandbox
+      const riders = game.sides[0].riders.map(({ bodies }) => [4 * bodies[0].getPosition().x, 4 * bodies[0].getPosition().y])
+      return { at: toPage(20, 5), unit: toPage(21, 5).x - toPage(20, 5).x, riders, worlds: game.view }
+    })
+  let hash, shared, ground
+  await browser.onPage(async (page) => {
+    await page.locator('input[name=tool][value=dig]').check()
+    await drag(page, [[20, 4.5], [22, 4.5]])
+    await page.locator('input[name=view][value=without]').check()
+    await page.keyboard.press('+')
+    await page.keyboard.press('Control+ArrowRight')
+    await page.evaluate(() => window.sandbox.step(90))
+    ;[shared, ground] = [await state(page), await outline(page)]
+    await page.locator('#share').click()
+    await message(page, /holds ground, view and bodies/)
+    hash = new URL(page.url()).hash
+  })
+  await browser.onPage(
+    async (page) => {
+      const opened = await state(page)
+      assert.equal(await outline(page), ground)
+      assert.equal(opened.worlds, 'without')
+      assert.ok(Math.abs(opened.at.x - shared.at.x) < 1 && Math.abs(opened.unit - shared.unit) < 0.01, 'the view')
+      assert.equal(opened.riders.length, shared.riders.length)
+      // Its clock runs until the test stops it.
+      const far = opened.riders.filter(([x, y], k) => Math.hypot(x - shared.riders[k][0], y - shared.riders[k][1]) > 4)
+      assert.ok(far.length <= 2, `${far.length} bodies are elsewhere`)
+    },
+    { hash },
+  )
+})
+
+test('what was dug is there again after the page was closed', async () => {
+  let ground
+  await browser.onPage(async (page) => {
+    await page.locator('input[name=tool][value=dig]').check()
+    await drag(page, [[12, 4.5], [13, 4.5]])
+    ground = await outline(page)
+    await page.waitForFunction(() => localStorage.getItem('localgridseg-sandbox') !== null)
+  })
+  await browser.onPage(
+    async (page) => {
+      assert.equal(await outline(page), ground)
+      await message(page, /ground of last time/)
+    },
+    { keep: true },
+  )
+})
+
 test('share puts the ground into the address, and the address opens it', async () => {
   let hash
   let shared
   await browser.onPage(async (page) => {
+    await page.locator('input[name=tool][value=dig]').check()
     await drag(page, [
       [14, 5],
       [16, 4.2],
@@ -86,14 +147,14 @@ test('share puts the ground into the address, and the address opens it', async (
     await message(page, /address/)
     hash = new URL(page.url()).hash
     assert.ok(hash.length < 8000, `${hash.length} characters`)
-    await page.locator('#empty').click()
+    await page.locator('#scene').selectOption('empty')
     await page.evaluate(() => history.replaceState(null, '', '#'))
     await page.evaluate((hash) => (location.hash = hash), hash)
     await page.waitForFunction(() => window.sandbox.game.ground.world.bounds() !== null)
     assert.equal(await outline(page), shared)
   })
   await browser.onPage(async (page) => assert.equal(await outline(page), shared), { hash })
-  await browser.onPage((page) => message(page, /./), { hash: '#trace=damaged' })
+  await browser.onPage((page) => message(page, /link is damaged/), { hash: '#trace=damaged' })
 })
 
 test('check finds a difference if there is one', () =>

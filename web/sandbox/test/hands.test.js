@@ -9,10 +9,12 @@ before(async () => (browser = await openBrowser()))
 after(() => browser.close())
 
 const step = (page, count) => page.evaluate((count) => window.sandbox.step(count), count)
+const scene = (page, name) => page.locator('#scene').selectOption(name)
 const tool = (page, name) => page.locator(`input[name=tool][value=${name}]`).check()
 
 test('dig, undo, redo', () =>
   browser.onPage(async (page) => {
+    await tool(page, 'dig')
     const before = await outline(page)
     assert.equal(await blockAt(page, 16, 4.2), 1)
     await drag(page, [
@@ -98,6 +100,7 @@ test('everything by keyboard, and every control has a name', () =>
         .map((each) => each.outerHTML),
     )
     assert.deepEqual(nameless, [])
+    await tool(page, 'dig')
     const reached = new Set()
     for (let k = 0; k < 40; ++k) {
       await page.keyboard.press('Tab')
@@ -137,7 +140,7 @@ test('everything by keyboard, and every control has a name', () =>
     for (const [key, name] of [
       ['p', 'paint'],
       ['t', 'tile'],
-      ['v', 'move'],
+      ['v', 'hand'],
       ['c', 'car'],
     ]) {
       await page.keyboard.press(key)
@@ -193,6 +196,7 @@ test('a phone, the dark, and no motion', () =>
     async (page) => {
       await step(page, 120)
       assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390)
+      await tool(page, 'dig')
       const at = await page.evaluate(() => window.sandbox.toPage(8, 5.5))
       const before = await outline(page)
       await page.touchscreen.tap(at.x, at.y)
@@ -207,4 +211,95 @@ test('a phone, the dark, and no motion', () =>
         reducedMotion: 'reduce',
       },
     },
+  ))
+
+test('the hand throws a body, and moves the view where there is none; it does the ground no harm', () =>
+  browser.onPage(async (page) => {
+    const ground = await outline(page)
+    const rider = () =>
+      page.evaluate(() => {
+        const [body] = window.sandbox.game.sides[0].riders[9].bodies
+        const { x, y } = body.getPosition()
+        return { x: 4 * x, y: 4 * y, up: body.getLinearVelocity().y }
+      })
+    const { x, y } = await rider()
+    const at = (x, y) => page.evaluate(([x, y]) => window.sandbox.toPage(x, y), [x, y])
+    const from = await at(x, y)
+    await page.mouse.move(from.x, from.y)
+    await page.mouse.down()
+    for (let k = 1; k <= 12; ++k) {
+      const to = await at(x, y + k / 4)
+      await page.mouse.move(to.x, to.y)
+      await step(page, 2)
+    }
+    await page.mouse.up()
+    const thrown = await rider()
+    assert.ok(thrown.y > y + 1 && thrown.up > 0.3, `at ${thrown.y}, ${thrown.up} m/s upwards`)
+    await step(page, 240)
+    assert.ok((await rider()).y < thrown.y, 'it falls')
+    const before = await at(20, 9)
+    await page.mouse.move(before.x, before.y)
+    await page.mouse.down()
+    await page.mouse.move(before.x + 40, before.y + 10)
+    await page.mouse.up()
+    const moved = await at(20, 9)
+    assert.ok(Math.abs(moved.x - before.x - 40) < 1 && Math.abs(moved.y - before.y - 10) < 1)
+    await page.locator('#pane-0 canvas').focus()
+    await page.keyboard.press('Control+ArrowRight')
+    assert.ok((await at(20, 9)).x < moved.x - 40, 'the view moves by keyboard')
+    assert.equal(await outline(page), ground)
+  }))
+
+test('undo, and another document, in the middle of a stroke', () =>
+  browser.onPage(async (page) => {
+    const before = await outline(page)
+    await tool(page, 'dig')
+    const at = await page.evaluate(() => window.sandbox.toPage(14, 4.5))
+    for (const end of [() => page.keyboard.press('Control+z'), () => scene(page, 'hills')]) {
+      await page.mouse.move(at.x, at.y)
+      await page.mouse.down()
+      await page.mouse.move(at.x + 30, at.y)
+      await end()
+      await page.mouse.move(at.x + 90, at.y)
+      await page.mouse.up()
+      assert.equal(await outline(page), before)
+    }
+    assert.match(await page.locator('#removed').textContent(), /^0 removed/)
+    assert.match(await page.locator('#times').textContent(), /^Dig/)
+  }))
+
+test('who lies still for long comes back; who was dropped stays', () =>
+  browser.onPage(async (page) => {
+    const count = await page.evaluate(() => {
+      const { game } = window.sandbox
+      game.removeRiders()
+      game.ground.begin()
+      game.ground.edit({ kind: 'carve', region: { rings: [[14, 2, 16, 2, 16, 6, 14, 6]] } })
+      game.ground.end()
+      const start = { kind: 'marble', x: 15, y: 2.5, speed: 0, size: 0.4, colour: 0 }
+      game.drop(start)
+      game.drop({ ...start, x: 14.5, size: 0.3, stays: true })
+      return game.sides[0].riders.length
+    })
+    assert.equal(count, 2)
+    const places = () =>
+      page.evaluate(() => window.sandbox.game.sides[0].riders.map(({ bodies }) => 4 * bodies[0].getPosition().x))
+    let steps = 0
+    for (; steps < 2000 && (await places())[0] > 13; steps += 50) await step(page, 50)
+    assert.ok(steps > 400 && steps < 2000, `back after ${steps} steps`)
+    const [, stays] = await places()
+    assert.ok(stays > 14 && stays < 16, `${stays}`)
+  }))
+
+test('a phone on its side shows both worlds, and undo', () =>
+  browser.onPage(
+    async (page) => {
+      const boxes = await page.locator('.pane:visible').evaluateAll((all) => all.map((each) => each.getBoundingClientRect().toJSON()))
+      for (const { width, height } of boxes) assert.ok(width > 350 && height > 200, `${width} x ${height}`)
+      for (const id of ['undo', 'race']) {
+        const box = await page.locator(`#${id}`).boundingBox()
+        assert.ok(box.x >= 0 && box.x + box.width <= 844 && box.y >= 0 && box.y + box.height <= 390, id)
+      }
+    },
+    { context: { viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true } },
   ))

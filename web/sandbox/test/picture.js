@@ -16,7 +16,7 @@ try {
           ground.undo()
         }
       })
-      await page.locator('#landscape').click()
+      await page.locator('#scene').selectOption('hills')
       await page.evaluate(() => window.sandbox.step(235))
       await page.waitForTimeout(1200) // until nothing glows any more
       await drag(

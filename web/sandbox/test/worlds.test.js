@@ -60,7 +60,7 @@ test('drop marbles, boxes and a car, and drive it', () =>
       await click(page, 14 + 4 * k, 7)
     }
     assert.deepEqual(await riders(page), [count + 3, count + 3])
-    await page.locator('#empty').click()
+    await page.locator('#scene').selectOption('empty')
     await tool(page, 'tile')
     await drag(
       page,
@@ -75,16 +75,17 @@ test('drop marbles, boxes and a car, and drive it', () =>
     await step(page, 240)
     assert.ok((await car()) < from)
     await page.keyboard.up('ArrowLeft')
-    await page.locator('#landscape').click()
+    await page.locator('#scene').selectOption('hills')
     assert.deepEqual(await riders(page), [count, count])
   }))
 
 // An empty world with tiles, and one rider. Returns where it is after some steps, in cells.
 async function tryOut(page, tiles, rider, steps) {
+  await page.locator('#scene').selectOption('empty')
+  await page.waitForFunction(() => window.sandbox.game.sides[0].riders.length === 0)
   return page.evaluate(
     ([tiles, rider, steps]) => {
       const { game } = window.sandbox
-      document.getElementById('empty').click()
       game.ground.begin()
       for (const [i, j, block] of tiles)
         game.ground.edit({
@@ -100,7 +101,7 @@ async function tryOut(page, tiles, rider, steps) {
           block,
         })
       game.ground.end()
-      game.drop({ kind: 'box', speed: 0, size: 0.3, colour: 0, ...rider })
+      game.drop({ kind: 'box', speed: 0, size: 0.3, colour: 0, stays: true, ...rider })
       if (rider.up) game.sides[0].riders[0].bodies[0].setLinearVelocity({ x: 0, y: rider.up })
       window.sandbox.step(steps)
       const { x, y } = game.sides[0].riders[0].bodies[0].getPosition()
@@ -134,7 +135,7 @@ test('ice, sticky and one-way ground', () =>
 
 test('an undo that refills a hole lifts who is in it', () =>
   browser.onPage(async (page) => {
-    await page.locator('#empty').click()
+    await page.locator('#scene').selectOption('empty')
     await page.evaluate(() => {
       const { ground } = window.sandbox.game
       const edit = (edit) => (ground.begin(), ground.edit(edit), ground.end())

@@ -7,7 +7,6 @@
 #include "to_box2d.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace lgs::box2d {
 
@@ -68,18 +67,14 @@ Terrain::~Terrain() {
 }
 
 tl::expected<void, SyncError> Terrain::commit(World& world) {
-  const bool isOwn = &world == &world_;
-  assert(isOwn);
-  if (!isOwn) return tl::unexpected(SyncError::notTheLast);
+  if (&world != &world_) return tl::unexpected(SyncError::notTheLast);
   return sync(world.commit());
 }
 
 tl::expected<void, SyncError> Terrain::sync(const Changes& changes) { return sync(changes, onCaught_); }
 
 tl::expected<void, SyncError> Terrain::sync(const Changes& changes, OnCaught onCaught) {
-  const std::optional<SyncError> misfit = edges_.misfit(world_, changes);
-  assert(!misfit);
-  if (misfit) return tl::unexpected(*misfit);
+  if (const auto misfit = edges_.misfit(world_, changes)) return tl::unexpected(*misfit);
   const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_, changes);
   caught_ = onCaught == OnCaught::leave ? std::vector<Caught>() : find(ground);
   apply(edges_.update(world_, changes));

@@ -6,7 +6,7 @@
 //   for (const auto& [old, now] : done->changed) …    // what your game keeps by handle
 //   world.commit();                                   // as after any edit
 //
-// Brushes have four laws, on top of those of the README. docs/brushes.md says how they are kept.
+// Brushes have four laws, on top of those of docs/contract.md. docs/internals/brushes.md says how they are kept.
 //
 //   8. Bounded rounding. Every point in which the new solid, or its division into blocks, differs from the exact result
 //      lies within one lattice unit of an edge of that exact result.
@@ -73,15 +73,15 @@ struct Region {
 
 /// A circle as a polygon. Its corners lie on the circle, rounded to the lattice. `corners` is rounded up to a multiple
 /// of 8, at most 4,096. It uses integers only, so every machine makes the same one. The radius is at least 1 and at
-/// most kMaxRegionCells / 2 cells: anything else is brought into this range.
+/// most kMaxRegionCells / 2 cells: a region with another one is refused (outOfReach) when it is used.
 [[nodiscard]] Region circle(Point center, std::int64_t radius, int corners = 32);
 
 /// A rectangle that is turned: `along` is the direction of its length. Half of the length and half of the width are at
-/// least 1 and at most kMaxRegionCells / 2 cells. A direction (0, 0) counts as (1, 0).
+/// least 1 and at most kMaxRegionCells / 2 cells, as the radius of a circle. A direction (0, 0) counts as (1, 0).
 [[nodiscard]] Region rectangle(Point center, Point along, std::int64_t halfLength, std::int64_t halfWidth);
 
 /// A thick line through points, with round joints and ends: everything within `radius` of it, where a circle has so
-/// many corners. One point gives a circle, none an empty region.
+/// many corners. One point gives a circle, none an empty region. The radius is as for a circle.
 [[nodiscard]] Region thickLine(std::span<const Point> points, std::int64_t radius, int corners = 16);
 
 /// What painting does where there is ground already.
@@ -107,15 +107,16 @@ struct BrushResult {
   std::vector<PolygonHandle> went;   ///< nothing is left of them, or less than half a square unit
   std::vector<PolygonHandle> came;   ///< there is nothing of an old polygon in them
   std::vector<BrushChange> changed;  ///< old polygons that are cut, bent by rounding, united with others, or recoloured
-  std::vector<PolygonHandle> bent;   ///< of the old ones above, those that law 9 should have kept: docs/brushes.md
+  std::vector<PolygonHandle> bent;   ///< of the old ones above, that law 9 should have kept: docs/internals/brushes.md
 };
 
 /// Paints a region with a block. What is painted and the polygons that the region meets are united, in each cell, where
 /// they share edges and have the same block. If that leaves such an area as it was, its polygons keep their handles.
 /// Cells that are inside the region as a whole cost what add() and setBlock() cost. Refused, and nothing is changed:
 /// outOfReach, if a vertex lies in no cell or was no number (Error::polygon is the ring, Error::vertex the vertex), or
-/// if the region is more than kMaxRegionCells wide or high; capacity, if a cell would hold too much (see
-/// world.h), or the region is too much for it (see kMaxRegionEdgesPerCell). A region without area changes nothing.
+/// if the region is more than kMaxRegionCells wide or high, or was made with a length out of range; capacity, if a cell
+/// would hold too much (see world.h), or the region is too much for it (see kMaxRegionEdgesPerCell). A region without
+/// area changes nothing.
 ///
 /// What `staying` names is painted around, as by PaintMode::fill: its edges are cut where the region's edge meets them,
 /// and the corner there is rounded (law 8), so now and then such a polygon gets another handle.

@@ -1,5 +1,5 @@
 /* The C interface of LocalGridSeg: a world of unit cells that hold polygons, and its boundary segments with their ghost
- * vertices. C99 and C++. The words are those of the README; what C++ calls World is lgs_world here.
+ * vertices. C99 and C++. The words are those of docs/contract.md; what C++ calls World is lgs_world here.
  *
  *   lgs_world* world;
  *   lgs_shape_id square;

@@ -9,10 +9,10 @@ import {
 import { init as initInline, createWorld as createInline } from 'localgridseg/inline'
 import { importMap, type ImportedMap, init as initFull } from 'localgridseg/full'
 import { TracePlayer, dump, parseTrace, preserveOf, traceOf, type Edit, type Trace } from 'localgridseg/trace'
-import { PlanckTerrain } from 'localgridseg/planck'
+import { PlanckTerrain, cutOut, type Caught } from 'localgridseg/planck'
 import { Box2dTerrain, type Box2D, type ObjectId, type PhysicsId } from 'localgridseg/box2d3'
-import { OutlineLines, chain, type ChunkLines } from 'localgridseg/draw'
-import { World as Planck, type Fixture } from 'planck'
+import { GroundMeshes, OutlineLines, linesIn, trianglesIn, type ChunkLines, type ChunkMesh } from 'localgridseg/draw'
+import { World as Planck, type Body, type Fixture } from 'planck'
 
 export async function starts(module: WebAssembly.Module, bytes: Uint8Array<ArrayBuffer>): Promise<void> {
   await init()
@@ -42,8 +42,9 @@ export function worlds(bytes: Uint8Array): void {
   createWorld({ precision: 'half' })
   // @ts-expect-error: no such option
   createWorld({ ghosts: true })
-  // @ts-expect-error: bytes, not text
-  loadWorld('saved')
+  loadWorld(createWorld().saveText())
+  // @ts-expect-error: bytes or text
+  loadWorld([1, 2])
   edits(world)
   reads(world)
 }
@@ -83,12 +84,16 @@ function edits(world: World): void {
   // @ts-expect-error: no such mode
   world.paint(region, 1, 'over')
   // @ts-expect-error: results are not to be changed
-  result.went.push(polygon)
+  result.removed.push(polygon)
   const mark: Mark = world.checkpoint()
   const back: Changes = world.rollBack(mark)
   world.forget(mark)
-  // @ts-expect-error: a mark is no number
-  world.rollBack(1)
+  // @ts-expect-error: a mark is no polygon
+  world.rollBack(polygon)
+  // @ts-expect-error: nor is a polygon a shape
+  world.add(0, 0, polygon, 1)
+  const named: PolygonId[] = [...result.removed, ...result.added, ...result.rounded, ...result.changed.flatMap(({ now }) => now)]
+  void named
   const [block]: (Block | undefined)[] = Array.from(back.added.block)
   if (block !== undefined) world.setBlock(polygon, block)
 }
@@ -101,11 +106,16 @@ function reads(world: World): void {
   const numbers: (Uint32Array | Int32Array | Float64Array | Float32Array)[] = [
     removed, added.id, added.geometry, relinked.block, list.cell, inCells.owner, list.predecessor, list.successor,
   ]
-  const versions: bigint[] = [before, after, kept.before, world.version]
+  const versions: number[] = [before, after, kept.before, world.version]
   // @ts-expect-error: lists are read
   added.id = removed
   // @ts-expect-error: geometry may be of floats
   const doubles: Float64Array = added.geometry
+  const segments: Segment[] = [...added, ...relinked]
+  const buffers: ArrayBuffer[] = kept.copy().buffers()
+  // @ts-expect-error: what is overwritten can not be handed over
+  world.rollBack(1).buffers()
+  void [segments, buffers]
   const segment: Segment = world.segment(1)
   const x: number | undefined = segment.ghost1?.[0]
   // @ts-expect-error: there may be no ghost
@@ -177,6 +187,16 @@ export function physics(world: World, box2d: Box2D, id: PhysicsId, fixture: Fixt
   new PlanckTerrain(new Planck(), world, { cells: 3 })
   const other = new Box2dTerrain(box2d, id, world, { cellSize: 0.5 })
   other.sync(world.commit())
+  terrain.sync(world.commit(), 'hold')
+  const caught: Caught<Body>[] = [...terrain.caughtBy(terrain.commit()), ...terrain.caught]
+  const bodies: Body[] = [...terrain.held, ...terrain.afterStep(), ...terrain.bodiesIn({ i0: 0, j0: 0, i1: 1, j1: 1 })]
+  const isRoom: boolean = bodies.every((body) => terrain.fits(body) && terrain.fits(body, { x: 1, y: 2, angle: 0 }))
+  world.carve(terrain.outlinesOf(caught[0]!.body))
+  cutOut(terrain, world, world.commit())
+  terrain.moveOrigin({ i: 1, j: 2 })
+  // @ts-expect-error: no such way
+  terrain.sync(world.commit(), 'kill')
+  void isRoom
   const hits: (Hit | null)[] = [hit, other.hit(shape)]
   // @ts-expect-error: planck's fixtures are not Box2D's
   other.hit(fixture)
@@ -186,5 +206,8 @@ export function physics(world: World, box2d: Box2D, id: PhysicsId, fixture: Fixt
 export function drawing(world: World): number {
   const outline = new OutlineLines(world, 32)
   const lines: ChunkLines[] = [...outline.all(), ...outline.update(world.commit())]
-  return lines.length + chain(world.segments()).length
+  const meshes = new GroundMeshes(world, 32)
+  const mesh: ChunkMesh[] = [...meshes.all(), ...meshes.update(world.commit())]
+  const cells: CellRect = { i0: 0, j0: 0, i1: 1, j1: 1 }
+  return lines.length + linesIn(world, cells).length + trianglesIn(world, cells).indices.length + mesh.length
 }

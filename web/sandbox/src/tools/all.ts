@@ -1,14 +1,16 @@
-// The tools by name. Moving the view is no tool of the ground: the pointer does that itself (pointer.ts).
-import { settings } from '../settings.js'
+// The tools by name.
+import { settings, type ToolName } from '../settings.js'
 import { Brush } from './brush.js'
 import { DropTool } from './drop.js'
+import { Hand } from './hand.js'
 import { PolygonTool } from './polygon.js'
 import { TileTool } from './tile.js'
 import type { Tool } from './tool.js'
 
 export const polygonTool = new PolygonTool()
 
-const tools: Readonly<Record<string, Tool>> = {
+const tools: Readonly<Record<ToolName, Tool>> = {
+  hand: new Hand(),
   dig: new Brush(true),
   paint: new Brush(false),
   tile: new TileTool(),
@@ -18,7 +20,6 @@ const tools: Readonly<Record<string, Tool>> = {
   car: new DropTool('car'),
 }
 
-/** The tool in hand; null if it is the one that moves the view. */
-export function currentTool(): Tool | null {
-  return tools[settings.tool] ?? null
+export function currentTool(): Tool {
+  return tools[settings.tool]
 }

@@ -16,7 +16,7 @@ export class DropTool implements Tool {
 
   down(game: Game, x: number, y: number): void {
     this.#last = [x, y]
-    game.drop({ kind: this.#kind, x, y, speed: 0, size: this.#size, colour: this.#dropped })
+    game.drop({ kind: this.#kind, x, y, speed: 0, size: this.#size, colour: this.#dropped, stays: true })
     ++this.#dropped
   }
 

@@ -85,6 +85,24 @@ LGS_API lgs_status lgs_remove_many(lgs_world* world, const lgs_polygon_id* polyg
 LGS_API lgs_status lgs_replace(lgs_world* world, lgs_cell cell, lgs_shape_id shape, lgs_block block,
                                lgs_polygon_id* polygons, size_t capacity, lgs_error* error) LGS_NOTHROW;
 
+/* A polygon that shall be placed: for lgs_exchange(). */
+typedef struct lgs_new_polygon {
+  const lgs_local_point* vertices; /* counter-clockwise, in its cell */
+  size_t count;                    /* of the vertices */
+  lgs_block block;                 /* the number that it gets */
+  uint32_t reserved;               /* 0 */
+} lgs_new_polygon;
+
+/* Removes some polygons of a cell and places others in it, as one edit: all of it happens, or nothing. Ids, segments
+ * and lists are as by lgs_remove() and lgs_add_points() one after the other; but polygons need not be apart from those
+ * that go. polygons[k] receives the id of added[k]; it may be NULL. Refused: LGS_CELL_OUT_OF_RANGE; LGS_STALE_HANDLE,
+ * for an id that is not of this cell or comes twice, and the error's `index` says which; as by lgs_shape(), and the
+ * error's `polygon` says which; LGS_OVERLAP; LGS_CAPACITY, without looking at any, if more than LGS_MAX_CELL_POLYGONS
+ * are added. Cost: as of one lgs_add_points(). */
+LGS_API lgs_status lgs_exchange(lgs_world* world, lgs_cell cell, const lgs_polygon_id* removed, size_t removed_count,
+                                const lgs_new_polygon* added, size_t added_count, lgs_polygon_id* polygons,
+                                lgs_error* error) LGS_NOTHROW;
+
 /* Gives a polygon another block. It keeps its id and its place. The next commit removes its segments and adds them
  * again, as another block is another owner; all others keep their ids. Refused: LGS_STALE_HANDLE; LGS_CAPACITY, if a
  * preserve relation makes one content too many of the cell. */
@@ -93,7 +111,8 @@ LGS_API lgs_status lgs_set_block(lgs_world* world, lgs_polygon_id polygon, lgs_b
 
 /* Places a shape in every cell of a rectangle, or in none. `filled` receives their number. Refused as lgs_add() would
  * be for the first cell, by rows from min, that it would refuse; but LGS_CELL_OUT_OF_RANGE names a corner of the
- * rectangle that is out of range. An empty rectangle is no error. */
+ * rectangle that is out of range, and LGS_CAPACITY names min if the rectangle reaches more chunks than the world has
+ * room for. An empty rectangle is no error. */
 LGS_API lgs_status lgs_fill(lgs_world* world, lgs_cell_rect cells, lgs_shape_id shape, lgs_block block,
                             uint64_t* filled, lgs_error* error) LGS_NOTHROW;
 

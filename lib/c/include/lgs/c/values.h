@@ -37,7 +37,7 @@ extern "C" {
 
 /* An edit beyond a limit is refused as LGS_CAPACITY. Two more refuse in this way: 2^23 - 1 distinct contents of cells,
  * and 2^28 - 1 polygons ever placed in one cell. A commit that needs more than 8 GiB for the records of cells with
- * segments, or more than 2^31 - 2 segments, ends the program, as it does when memory runs out. */
+ * segments, or more than 2^31 - 4,097 segments, ends the program, as it does when memory runs out. */
 #define LGS_UNITS_PER_CELL 65536   /* lattice units along one side of a cell */
 #define LGS_MAX_CELL 1073741824    /* cells run from -LGS_MAX_CELL to +LGS_MAX_CELL on both axes */
 #define LGS_MAX_CELL_VERTICES 4096 /* of all polygons of one cell together */
@@ -122,7 +122,8 @@ LGS_API uint64_t lgs_store_shape(lgs_shape_id shape) LGS_NOTHROW;
 LGS_API uint64_t lgs_store_polygon(lgs_polygon_id polygon) LGS_NOTHROW;
 LGS_API uint64_t lgs_store_segment(lgs_segment_id segment) LGS_NOTHROW;
 LGS_API uint64_t lgs_store_mark(lgs_mark mark) LGS_NOTHROW;
-/* A number that was not stored from such an id gives an id that names nothing, or anything. */
+/* A number that was not stored from such an id gives an id that names nothing, or anything; one that is too large for
+ * a shape or a segment gives null. */
 LGS_API lgs_shape_id lgs_load_shape(uint64_t stored) LGS_NOTHROW;
 LGS_API lgs_polygon_id lgs_load_polygon(uint64_t stored) LGS_NOTHROW;
 LGS_API lgs_segment_id lgs_load_segment(uint64_t stored) LGS_NOTHROW;

@@ -55,8 +55,8 @@ LGS_API lgs_status lgs_preserves(const lgs_world* world, lgs_block a, lgs_block 
 typedef void (*lgs_write_fn)(void* user, const uint8_t* bytes, size_t count);
 
 /* Writes the world as bytes: polygons, shapes, the ids of all. Marks are not written, nor is the preserve relation,
- * which is a function. docs/snapshot.md has the format. Refused: LGS_UNCOMMITTED. Cost: in proportion to the world.
- * Full blocks take less than a byte for each cell, ramps some four. */
+ * which is a function. docs/internals/snapshot.md has the format. Refused: LGS_UNCOMMITTED. Cost: in proportion to the
+ * world. Full blocks take less than a byte for each cell, ramps some four. */
 LGS_API lgs_status lgs_save(const lgs_world* world, lgs_write_fn write, void* user, lgs_error* error) LGS_NOTHROW;
 
 /* The same into a buffer, as a list of bytes. */

@@ -302,7 +302,8 @@ struct ImportedMap {
 /// map's path and for paths that lie below the map's folder as they are written: without "..", with slashes only. What
 /// it makes of them is its own affair. A reader of a server's disk must not follow links out of the folder, nor open
 /// what is no regular file, as it may block; readerBelow() is such a reader. In a browser the files that were given are
-/// all there are. What a reader says of a file that it can not read becomes part of the error.
+/// all there are. What a reader says of a file that it can not read becomes part of the error. What it throws comes out of
+/// importMap(), and nothing is leaked; so it is with a FolderLister.
 using FileReader = std::function<tl::expected<std::string, std::string>(const std::string& path)>;
 
 /// Returns the names of the files in a folder, without that of the folder, in any order; or says why it can not. Only a

@@ -120,9 +120,9 @@ class Terrain {
   tl::expected<void, SyncError> commit(World& world);
 
   /// Applies a commit, or what a roll-back reports. Call it once after each of them, before the next edit. Changes that
-  /// are not the next ones are a mistake of the program: an assertion fails. With NDEBUG the terrain stays as it was,
-  /// and the error says why. After `leftOut` call resync(). After `shownAlready` there is nothing to do. After
-  /// `notTheLast` call resync() unless isCurrent(). Cost: the number of changes, times the segments of an edge.
+  /// are not the next ones are refused: the terrain stays as it was, and the error says why. After `leftOut` call
+  /// resync(). After `shownAlready` there is nothing to do. After `notTheLast` call resync() unless isCurrent(). Cost:
+  /// the number of changes, times the segments of an edge.
   tl::expected<void, SyncError> sync(const Changes& changes);
 
   /// The same, with another answer to what happens to bodies in new ground.

@@ -1,0 +1,522 @@
+// Doors of the C interface: what C++ refuses is refused there as well, and so is each NULL that must not be. Pointers
+// lead to as much memory as they should: nobody checks that.
+#include "door.h"
+
+namespace lgs::test {
+namespace {
+
+constexpr lgs_cell toC(Cell c) { return {c.i, c.j}; }
+constexpr lgs_cell_rect toC(const CellRect& r) { return {toC(r.min), toC(r.max)}; }
+constexpr lgs_point toC(Point p) { return {p.x, p.y}; }
+constexpr lgs_polygon_id toC(PolygonHandle h) { return {h.cellRef, h.serial}; }
+constexpr lgs_segment_id toC(SegmentId id) { return {id.value}; }
+constexpr lgs_shape_id toC(ShapeId id) { return {id.value}; }
+
+template <class To, class From>
+std::vector<To> listOf(const std::vector<From>& from) {
+  std::vector<To> list;
+  for (const From& each : from) list.push_back({each.x, each.y});
+  return list;
+}
+template <class To, class From>
+std::vector<To> idsOf(const std::vector<From>& from) {
+  std::vector<To> list;
+  for (const From& each : from) list.push_back(toC(each));
+  return list;
+}
+
+/// The world, or none.
+lgs_world* worldOf(Scene& s, Given given) { return given.isGiven ? s.c.get() : nullptr; }
+
+/// What a function says that must refuse a NULL for its world, or another pointer that must not be NULL.
+lgs_status checked(lgs_status status, bool areGiven) {
+  if (!areGiven) EXPECT_EQ(status, LGS_BAD_ARGUMENT);
+  return status;
+}
+lgs_status checked(lgs_status status, Given world) { return checked(status, world.isGiven); }
+
+/// Makes a polygon's points in C, and calls with them, with their number, and perhaps with NULL for them.
+template <class To, class From, class Call>
+lgs_status withPoints(const std::vector<From>& points, Given given, Call call) {
+  const std::vector<To> list = listOf<To>(points);
+  return checked(call(given.isGiven ? list.data() : nullptr, list.size()), given.isGiven || list.empty());
+}
+
+void addShapes(Doors& door) {
+  door("lgs_shape", [](Scene& s, Given w, const Points& p, Given points, Given out, Given e) {
+    lgs_shape_id id{};
+    lgs_error error{};
+    return checked(withPoints<lgs_local_point>(p, points,
+                                               [&](auto* list, std::size_t count) {
+                                                 return lgs_shape(worldOf(s, w), list, count, out(id), e(error));
+                                               }),
+                   w);
+  });
+  door("lgs_shape_floats", [](Scene& s, Given w, const Reals<float>& p, Given points, Given out, Given e) {
+    lgs_shape_id id{};
+    lgs_error error{};
+    return checked(withPoints<lgs_float_point>(p, points,
+                                               [&](auto* list, std::size_t count) {
+                                                 return lgs_shape_floats(worldOf(s, w), list, count, out(id), e(error));
+                                               }),
+                   w);
+  });
+  door("lgs_shape_doubles", [](Scene& s, Given w, const Reals<double>& p, Given points, Given out, Given e) {
+    lgs_shape_id id{};
+    lgs_error error{};
+    return checked(withPoints<lgs_double_point>(p, points,
+                                                [&](auto* list, std::size_t count) {
+                                                  return lgs_shape_doubles(worldOf(s, w), list, count, out(id),
+                                                                           e(error));
+                                                }),
+                   w);
+  });
+  door("lgs_shape_of_several",
+       [](Scene& s, Given w, const std::vector<Points>& all, Given counted, Given out, Given e) {
+         std::vector<lgs_local_point> points;
+         std::vector<std::uint32_t> counts;
+         for (const Points& p : all) {
+           counts.push_back(static_cast<std::uint32_t>(p.size()));
+           for (const LocalPoint v : p) points.push_back({v.x, v.y});
+         }
+         lgs_shape_id id{};
+         lgs_error error{};
+         return checked(lgs_shape_of_several(worldOf(s, w), points.data(), counted.isGiven ? counts.data() : nullptr,
+                                             counts.size(), out(id), e(error)),
+                        w.isGiven && (counted.isGiven || counts.empty()));
+       });
+  door("lgs_shape_polygons", [](Scene& s, Given w, ShapeId id, Given out) {
+    std::size_t count = 0;
+    return checked(lgs_shape_polygons(worldOf(s, w), toC(id), out(count)), w);
+  });
+  door("lgs_shape_vertices", [](Scene& s, Given w, ShapeId id, std::uint64_t index, Room room, Given list, Given out) {
+    std::vector<lgs_local_point> vertices(room.size);
+    std::size_t count = 0;
+    return checked(lgs_shape_vertices(worldOf(s, w), toC(id), index, list.isGiven ? vertices.data() : nullptr,
+                                      room.size, out(count)),
+                   w);
+  });
+  door("lgs_shape_box", [](Scene& s, Given w, ShapeId id, Given out) {
+    lgs_local_box box{};
+    return checked(lgs_shape_box(worldOf(s, w), toC(id), out(box)), w);
+  });
+}
+
+void addEdits(Doors& door) {
+  door("lgs_add", [](Scene& s, Given w, Cell c, ShapeId id, std::uint32_t b, Given out, Given e) {
+    lgs_polygon_id polygon{};
+    lgs_error error{};
+    return checked(lgs_add(worldOf(s, w), toC(c), toC(id), b, out(polygon), e(error)), w);
+  });
+  door("lgs_add_several", [](Scene& s, Given w, Cell c, ShapeId id, Room room, Given list, Given e) {
+    std::vector<lgs_polygon_id> ids(room.size);
+    lgs_error error{};
+    return checked(
+        lgs_add_several(worldOf(s, w), toC(c), toC(id), 1, list.isGiven ? ids.data() : nullptr, room.size, e(error)),
+        w.isGiven && (list.isGiven || room.size == 0));
+  });
+  door("lgs_add_points", [](Scene& s, Given w, Cell c, const Points& p, Given points, std::uint32_t b, Given out) {
+    lgs_polygon_id polygon{};
+    return checked(withPoints<lgs_local_point>(p, points,
+                                               [&](auto* list, std::size_t count) {
+                                                 return lgs_add_points(worldOf(s, w), toC(c), list, count, b,
+                                                                       out(polygon), nullptr);
+                                               }),
+                   w);
+  });
+  door("lgs_add_floats",
+       [](Scene& s, Given w, Cell c, const Reals<float>& p, Given points, std::uint32_t b, Given out) {
+         lgs_polygon_id polygon{};
+         return checked(withPoints<lgs_float_point>(p, points,
+                                                    [&](auto* list, std::size_t count) {
+                                                      return lgs_add_floats(worldOf(s, w), toC(c), list, count, b,
+                                                                            out(polygon), nullptr);
+                                                    }),
+                        w);
+       });
+  door("lgs_add_doubles",
+       [](Scene& s, Given w, Cell c, const Reals<double>& p, Given points, std::uint32_t b, Given out) {
+         lgs_polygon_id polygon{};
+         return checked(withPoints<lgs_double_point>(p, points,
+                                                     [&](auto* list, std::size_t count) {
+                                                       return lgs_add_doubles(worldOf(s, w), toC(c), list, count, b,
+                                                                              out(polygon), nullptr);
+                                                     }),
+                        w);
+       });
+  door("lgs_add_many", [](Scene& s, Given w, const std::vector<Placement>& all, Given list, Given out, Given e) {
+    std::vector<lgs_placement> placements;
+    for (const Placement& p : all) placements.push_back({toC(p.cell), toC(p.shape), p.block});
+    std::vector<lgs_polygon_id> ids(all.size());
+    lgs_error error{};
+    return checked(lgs_add_many(worldOf(s, w), list.isGiven ? placements.data() : nullptr, placements.size(),
+                                out.isGiven ? ids.data() : nullptr, e(error)),
+                   w.isGiven && (list.isGiven || all.empty()));
+  });
+  door("lgs_remove", [](Scene& s, Given w, PolygonHandle h, Given e) {
+    lgs_error error{};
+    return checked(lgs_remove(worldOf(s, w), toC(h), e(error)), w);
+  });
+  door("lgs_remove_many", [](Scene& s, Given w, const std::vector<PolygonHandle>& all, Given list, Given e) {
+    const auto ids = idsOf<lgs_polygon_id>(all);
+    lgs_error error{};
+    return checked(lgs_remove_many(worldOf(s, w), list.isGiven ? ids.data() : nullptr, ids.size(), e(error)),
+                   w.isGiven && (list.isGiven || ids.empty()));
+  });
+  door("lgs_replace", [](Scene& s, Given w, Cell c, ShapeId id, std::uint32_t b, Room room, Given list) {
+    std::vector<lgs_polygon_id> ids(room.size);
+    return checked(
+        lgs_replace(worldOf(s, w), toC(c), toC(id), b, list.isGiven ? ids.data() : nullptr, room.size, nullptr),
+        w.isGiven && (list.isGiven || room.size == 0));
+  });
+  door("lgs_exchange", [](Scene& s, Given w, Cell c, const std::vector<PolygonHandle>& gone,
+                          const std::vector<Points>& come, Given vertices, Given list, Given e) {
+    const auto removed = idsOf<lgs_polygon_id>(gone);
+    std::vector<std::vector<lgs_local_point>> points;
+    std::vector<lgs_new_polygon> added;
+    for (const Points& p : come) points.push_back(listOf<lgs_local_point>(p));
+    for (const auto& p : points) added.push_back({vertices.isGiven ? p.data() : nullptr, p.size(), 1, 0});
+    std::vector<lgs_polygon_id> ids(added.size());
+    lgs_error error{};
+    return checked(lgs_exchange(worldOf(s, w), toC(c), list.isGiven ? removed.data() : nullptr, removed.size(),
+                                added.data(), added.size(), list.isGiven ? ids.data() : nullptr, e(error)),
+                   w.isGiven && (list.isGiven || removed.empty()));
+  });
+  door("lgs_set_block", [](Scene& s, Given w, PolygonHandle h, std::uint32_t b, Given e) {
+    lgs_error error{};
+    return checked(lgs_set_block(worldOf(s, w), toC(h), b, e(error)), w);
+  });
+  door("lgs_fill", [](Scene& s, Given w, const CellRect& r, ShapeId id, std::uint32_t b, Given out, Given e) {
+    std::uint64_t count = 0;
+    lgs_error error{};
+    return checked(lgs_fill(worldOf(s, w), toC(r), toC(id), b, out(count), e(error)), w);
+  });
+  door("lgs_clear", [](Scene& s, Given w, const CellRect& r, Given out, Given e) {
+    std::uint64_t count = 0;
+    lgs_error error{};
+    return checked(lgs_clear(worldOf(s, w), toC(r), out(count), e(error)), w);
+  });
+  door("lgs_begin", [](Scene& s, Given w, Given out, Cell c) {
+    lgs_group* group = nullptr;
+    const lgs_status status = checked(lgs_begin(worldOf(s, w), out(group)), w.isGiven && out.isGiven);
+    if (status != LGS_OK) return status;
+    const Seen before = seenOf(s.c.get());
+    static_cast<void>(lgs_add(s.c.get(), toC(c), toC(s.shapes[0]), 1, nullptr, nullptr));
+    lgs_undo(group);
+    EXPECT_EQ(before, seenOf(s.c.get()));
+    return status;
+  });
+  door("lgs_undo", [](Scene&) {
+    lgs_undo(nullptr);
+    return 0U;
+  });
+  door("lgs_keep", [](Scene& s, Cell c, bool commits) {
+    lgs_keep(nullptr);
+    lgs_group* group = nullptr;
+    EXPECT_EQ(lgs_begin(s.c.get(), &group), LGS_OK);
+    static_cast<void>(lgs_add(s.c.get(), toC(c), toC(s.shapes[0]), 1, nullptr, nullptr));
+    if (commits) static_cast<void>(lgs_commit(s.c.get(), nullptr));
+    lgs_keep(group);
+    return 0U;
+  });
+  door("lgs_commit", [](Scene& s, Given w, Given out) {
+    lgs_changes changes{};
+    return checked(lgs_commit(worldOf(s, w), out(changes)), w);
+  });
+  door("lgs_commit_with", [](Scene& s, Given w, Given function, Given out, bool isFirst) {
+    const lgs_executor_fn inTurn = [](void*, std::size_t count, lgs_job_fn run, void* job) {
+      for (std::size_t k = 2 * count; k-- > 0;) run(job, k);
+    };
+    lgs_world* fresh = nullptr;
+    EXPECT_EQ(lgs_new(nullptr, &fresh), LGS_OK);
+    const CWorld owner(fresh);
+    lgs_changes changes{};
+    lgs_world* const world = isFirst && w.isGiven ? fresh : worldOf(s, w);
+    return checked(lgs_commit_with(world, function.isGiven ? inTurn : nullptr, nullptr, out(changes)),
+                   w.isGiven && function.isGiven);
+  });
+  door("lgs_checkpoint", [](Scene& s, Given w, Given out) {
+    lgs_mark mark{};
+    return checked(lgs_checkpoint(worldOf(s, w), out(mark)), w.isGiven && out.isGiven);
+  });
+  door("lgs_roll_back", [](Scene& s, Given w, const lgs_mark& mark, Given out, Given e) {
+    lgs_changes changes{};
+    lgs_error error{};
+    return checked(lgs_roll_back(worldOf(s, w), mark, out(changes), e(error)), w);
+  });
+  door("lgs_forget", [](Scene& s, Given w, const lgs_mark& mark, Given e) {
+    lgs_error error{};
+    return checked(lgs_forget(worldOf(s, w), mark, e(error)), w);
+  });
+}
+
+void addReading(Doors& door) {
+  door("lgs_segments", [](Scene& s, Given w, const std::vector<SegmentId>& all, Given list, Given out, Given e) {
+    const auto ids = idsOf<lgs_segment_id>(all);
+    std::vector<lgs_segment> segments(ids.size());
+    lgs_error error{};
+    return checked(lgs_segments(worldOf(s, w), list.isGiven ? ids.data() : nullptr, ids.size(),
+                                out.isGiven ? segments.data() : nullptr, e(error)),
+                   w.isGiven && ((list.isGiven && out.isGiven) || ids.empty()));
+  });
+  door("lgs_segments_float",
+       [](Scene& s, Given w, const std::vector<SegmentId>& all, Point origin, Given out, Given e) {
+         const auto ids = idsOf<lgs_segment_id>(all);
+         std::vector<lgs_segment_float> segments(ids.size());
+         lgs_error error{};
+         return checked(lgs_segments_float(worldOf(s, w), ids.data(), ids.size(), toC(origin),
+                                           out.isGiven ? segments.data() : nullptr, e(error)),
+                        w.isGiven && (out.isGiven || ids.empty()));
+       });
+  door("lgs_segments_double",
+       [](Scene& s, Given w, const std::vector<SegmentId>& all, Point origin, Given out, Given e) {
+         const auto ids = idsOf<lgs_segment_id>(all);
+         std::vector<lgs_segment_double> segments(ids.size());
+         lgs_error error{};
+         return checked(lgs_segments_double(worldOf(s, w), ids.data(), ids.size(), toC(origin),
+                                            out.isGiven ? segments.data() : nullptr, e(error)),
+                        w.isGiven && (out.isGiven || ids.empty()));
+       });
+  door("lgs_all_segments", [](Scene& s, Given w, Room room, Given list, Given out) {
+    std::vector<lgs_segment_id> ids(room.size);
+    std::size_t count = 0;
+    return checked(lgs_all_segments(worldOf(s, w), list.isGiven ? ids.data() : nullptr, room.size, out(count)),
+                   w.isGiven && (list.isGiven || room.size == 0));
+  });
+  door("lgs_segments_in", [](Scene& s, Given w, const CellRect& r, Room room, Given list, Given out) {
+    std::vector<lgs_segment_id> ids(room.size);
+    std::size_t count = 0;
+    return checked(lgs_segments_in(worldOf(s, w), toC(r), list.isGiven ? ids.data() : nullptr, room.size, out(count)),
+                   w.isGiven && (list.isGiven || room.size == 0));
+  });
+  door("lgs_polygon_of", [](Scene& s, Given w, PolygonHandle h, Given out, Given e) {
+    lgs_polygon polygon{};
+    lgs_error error{};
+    return checked(lgs_polygon_of(worldOf(s, w), toC(h), out(polygon), e(error)), w);
+  });
+  door("lgs_polygon_vertices", [](Scene& s, Given w, PolygonHandle h, Room room, Given list, Given out, Given e) {
+    std::vector<lgs_local_point> vertices(room.size);
+    std::size_t count = 0;
+    lgs_error error{};
+    return checked(lgs_polygon_vertices(worldOf(s, w), toC(h), list.isGiven ? vertices.data() : nullptr, room.size,
+                                        out(count), e(error)),
+                   w);
+  });
+  door("lgs_owner", [](Scene& s, Given w, SegmentId id, Given out, Given e) {
+    lgs_polygon polygon{};
+    lgs_error error{};
+    return checked(lgs_owner(worldOf(s, w), toC(id), out(polygon), e(error)), w);
+  });
+  door("lgs_polygons_in", [](Scene& s, Given w, Cell c, Room room, Given list, Given out) {
+    std::vector<lgs_polygon> polygons(room.size);
+    std::size_t count = 0;
+    return checked(
+        lgs_polygons_in(worldOf(s, w), toC(c), list.isGiven ? polygons.data() : nullptr, room.size, out(count)),
+        w.isGiven && (list.isGiven || room.size == 0));
+  });
+  door("lgs_is_empty", [](Scene& s, Given w, Cell c, Given out) {
+    std::int32_t isEmpty = 0;
+    return checked(lgs_is_empty(worldOf(s, w), toC(c), out(isEmpty)), w);
+  });
+  door("lgs_visit_polygons", [](Scene& s, Given w, const CellRect& r, Given function) {
+    const lgs_polygon_fn visit = [](void* user, const lgs_polygon* p, const lgs_local_point*) {
+      static_cast<void>(lgs_polygon_of(static_cast<const lgs_world*>(user), p->id, nullptr, nullptr));
+    };
+    return checked(lgs_visit_polygons(worldOf(s, w), toC(r), function.isGiven ? visit : nullptr, s.c.get()),
+                   w.isGiven && function.isGiven);
+  });
+  door("lgs_follow_cells", [](Scene& s, Given w, int follow, Given e) {
+    lgs_error error{};
+    return checked(lgs_follow_cells(worldOf(s, w), follow, e(error)), w);
+  });
+  door("lgs_visit_cell_changes", [](Scene& s, Given w, Given function) {
+    const lgs_cell_change_fn visit = [](void* user, const lgs_cell_change* change) {
+      static_cast<void>(lgs_is_empty(static_cast<const lgs_world*>(user), change->cell, nullptr));
+    };
+    return checked(lgs_visit_cell_changes(worldOf(s, w), function.isGiven ? visit : nullptr, s.c.get()),
+                   w.isGiven && function.isGiven);
+  });
+  door("lgs_bounds", [](Scene& s, Given w, Given out) {
+    lgs_cell_rect cells{};
+    return checked(lgs_bounds(worldOf(s, w), out(cells)), w);
+  });
+  door("lgs_loops_new", [](Scene& s, Given w, int collinear, Given out) {
+    lgs_loops* loops = nullptr;
+    const lgs_status status = lgs_loops_new(worldOf(s, w), collinear, out(loops));
+    lgs_loops_free(loops);
+    return checked(status, w.isGiven && out.isGiven && (collinear == 0 || collinear == 1));
+  });
+  door("lgs_loops_count", [](Scene&) { return lgs_loops_count(nullptr); });
+  door("lgs_loops_get", [](Scene& s, Given list, std::uint64_t index, Given out) {
+    lgs_loops* loops = nullptr;
+    EXPECT_EQ(lgs_loops_new(s.c.get(), LGS_MERGE, &loops), LGS_OK);
+    lgs_loop loop{};
+    const bool isThere = index < lgs_loops_count(loops);
+    const lgs_status status = lgs_loops_get(list.isGiven ? loops : nullptr, index, out(loop));
+    lgs_loops_free(loops);
+    return checked(status, list.isGiven && isThere);
+  });
+  door("lgs_loops_free", [](Scene&) {
+    lgs_loops_free(nullptr);
+    return 0U;
+  });
+  door("lgs_at", [](Scene& s, Given w, Point p, Given out) {
+    lgs_spot spot{};
+    return checked(lgs_at(worldOf(s, w), toC(p), out(spot)), w);
+  });
+  door("lgs_nearest", [](Scene& s, Given w, Point p, double radius, Given out, Given e) {
+    lgs_nearest_segment nearest{};
+    lgs_error error{};
+    return checked(lgs_nearest(worldOf(s, w), toC(p), radius, out(nearest), e(error)), w);
+  });
+  door("lgs_ray_cast", [](Scene& s, Given w, Point from, Point to, Given out, Given e) {
+    lgs_ray_hit hit{};
+    lgs_error error{};
+    return checked(lgs_ray_cast(worldOf(s, w), toC(from), toC(to), out(hit), e(error)), w);
+  });
+}
+
+void addWorlds(Doors& door) {
+  door("lgs_default_world_options", [](Scene&, Given out, Said size) {
+    struct {
+      lgs_world_options options;
+      std::array<unsigned char, 300> after;
+    } memory{};
+    memory.after.fill(0xa5);
+    lgs_default_world_options(out(memory.options), std::min(size.count, sizeof memory.options));
+    EXPECT_EQ(memory.after[0], 0xa5);
+    return 0U;
+  });
+  door("lgs_new", [](Scene&, Given o, std::uint32_t size, std::uint32_t reserved, Given out) {
+    lgs_world_options options{};
+    lgs_default_world_options(&options, sizeof options);
+    options.size = size == 1 ? options.size : size;
+    options.reserved = reserved - 1;  // the plain value is 1
+    lgs_world* made = nullptr;
+    const lgs_status status = lgs_new(o.isGiven ? &options : nullptr, out(made));
+    EXPECT_EQ(status == LGS_OK, made != nullptr);
+    lgs_free(made);
+    return checked(status, out.isGiven);
+  });
+  door("lgs_free", [](Scene&) {
+    lgs_free(nullptr);
+    return 0U;
+  });
+  door("lgs_copy", [](Scene& s, Given w, Given out) {
+    lgs_world* copy = nullptr;
+    const lgs_status status = lgs_copy(worldOf(s, w), out(copy));
+    if (copy) EXPECT_EQ(seenOf(copy), seenOf(s.c.get()));
+    lgs_free(copy);
+    return checked(status, w.isGiven && out.isGiven);
+  });
+  door("lgs_same_polygons", [](Scene& s, Given a, Given b, Given out) {
+    std::int32_t same = 0;
+    return checked(lgs_same_polygons(worldOf(s, a), worldOf(s, b), out(same)), a.isGiven && b.isGiven);
+  });
+  door("lgs_preserves", [](Scene& s, Given w, std::uint32_t a, std::uint32_t b, Given out) {
+    std::int32_t preserves = 0;
+    return checked(lgs_preserves(worldOf(s, w), a, b, out(preserves)), w);
+  });
+  door("lgs_save", [](Scene& s, Given w, Given function, Given e) {
+    const lgs_write_fn write = [](void* user, const std::uint8_t*, std::size_t) {
+      static_cast<void>(lgs_count(static_cast<const lgs_world*>(user), nullptr));
+    };
+    lgs_error error{};
+    return checked(lgs_save(worldOf(s, w), function.isGiven ? write : nullptr, s.c.get(), e(error)),
+                   w.isGiven && function.isGiven);
+  });
+  door("lgs_save_to_buffer", [](Scene& s, Given w, Room room, Given list, Given out, Given e) {
+    std::vector<std::uint8_t> bytes(room.size);
+    std::size_t count = 0;
+    lgs_error error{};
+    return checked(
+        lgs_save_to_buffer(worldOf(s, w), list.isGiven ? bytes.data() : nullptr, room.size, out(count), e(error)),
+        w.isGiven && (list.isGiven || room.size == 0));
+  });
+  door("lgs_load", [](Scene&, const std::vector<std::byte>& file, Given list, Given out, Given e) {
+    lgs_world* loaded = nullptr;
+    lgs_error error{};
+    const lgs_status status = lgs_load(list.isGiven ? reinterpret_cast<const std::uint8_t*>(file.data()) : nullptr,
+                                       file.size(), nullptr, out(loaded), e(error));
+    EXPECT_EQ(status == LGS_OK, loaded != nullptr);
+    lgs_free(loaded);
+    return checked(status, out.isGiven && (list.isGiven || file.empty()));
+  });
+  door("lgs_count", [](Scene& s, Given w, Given out) {
+    lgs_stats stats{};
+    return checked(lgs_count(worldOf(s, w), out(stats)), w);
+  });
+  door("lgs_segments_version", [](Scene& s, Given w) { return lgs_segments_version(worldOf(s, w)); });
+  door("lgs_max_segment_id", [](Scene& s, Given w) { return lgs_max_segment_id(worldOf(s, w)); });
+}
+
+void addValues(Doors& door) {
+  door("lgs_store_shape", [](Scene&, ShapeId id) {
+    EXPECT_EQ(lgs_load_shape(lgs_store_shape(toC(id))).value, id.value);
+    return 0U;
+  });
+  door("lgs_store_polygon", [](Scene&, PolygonHandle h) {
+    EXPECT_EQ(lgs_load_polygon(lgs_store_polygon(toC(h))).serial, h.serial);
+    return 0U;
+  });
+  door("lgs_store_segment", [](Scene&, SegmentId id) {
+    EXPECT_EQ(lgs_load_segment(lgs_store_segment(toC(id))).value, id.value);
+    return 0U;
+  });
+  door("lgs_store_mark", [](Scene&, const lgs_mark& mark) {
+    EXPECT_EQ(lgs_load_mark(lgs_store_mark(mark)).value, mark.value);
+    return 0U;
+  });
+  // A number that no id was stored as names nothing.
+  door("lgs_load_shape", [](Scene&, std::uint64_t v) {
+    EXPECT_EQ(lgs_store_shape(lgs_load_shape(v)), v > UINT32_MAX ? 0 : v);
+    return 0U;
+  });
+  door("lgs_load_segment", [](Scene&, std::uint64_t v) {
+    EXPECT_EQ(lgs_store_segment(lgs_load_segment(v)), v > UINT32_MAX ? 0 : v);
+    return 0U;
+  });
+  door("lgs_load_polygon", [](Scene&, std::uint64_t v) {
+    EXPECT_EQ(lgs_store_polygon(lgs_load_polygon(v)), v);
+    return 0U;
+  });
+  door("lgs_load_mark", [](Scene&, std::uint64_t v) {
+    EXPECT_EQ(lgs_store_mark(lgs_load_mark(v)), v);
+    return 0U;
+  });
+  door("lgs_lattice_point", [](Scene&, DoublePoint p) {
+    const lgs_point q = lgs_lattice_point({p.x, p.y});
+    EXPECT_EQ(latticePoint(p), (Point{q.x, q.y}));
+    return 0U;
+  });
+  door("lgs_cell_at", [](Scene&, Point p) {
+    const lgs_cell cell = lgs_cell_at(toC(p));
+    EXPECT_EQ(cellAt(p), (Cell{cell.i, cell.j}));
+    return 0U;
+  });
+  door("lgs_status_name", [](Scene&, int status) {
+    EXPECT_NE(lgs_status_name(status), nullptr);
+    return 0U;
+  });
+  door("lgs_message", [](Scene&, const lgs_error& error, Given e, Room room, Given list, Given out) {
+    std::vector<char> text(room.size + 1, 'x');
+    std::size_t count = 0;
+    const lgs_status status =
+        lgs_message(e.isGiven ? &error : nullptr, list.isGiven ? text.data() : nullptr, room.size, out(count));
+    EXPECT_EQ(text.back(), 'x');
+    return checked(status, e.isGiven && (list.isGiven || room.size == 0));
+  });
+  door("lgs_version", [](Scene&) { return lgs_version(); });
+}
+
+}  // namespace
+
+void addDoorsOfC(Doors& door) {
+  addValues(door);
+  addWorlds(door);
+  addShapes(door);
+  addEdits(door);
+  addReading(door);
+}
+
+}  // namespace lgs::test

@@ -1,0 +1,49 @@
+// What pieces cost: an edit costs what it changes, however large the world is; a content little more than its vertices.
+#include "ground.h"
+
+#include <lgs/pieces.h>
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace lgs::cost_test {
+namespace {
+
+TEST(Cost, OfPiecesAfterACommitIsNoMoreInALargerWorld) {
+  const auto costs = [](std::int32_t side) {
+    Ground ground(side);
+    ground.world.commit();
+    EXPECT_TRUE(ground.world.followCells(true));
+    Pieces pieces(ground.world);
+    return costsOf(ground, [&](const Changes&) {
+      const std::uint64_t workedOut = pieces.stats().workedOut;
+      const auto changes = ground.world.cellChanges();
+      pieces.update(changes);
+      EXPECT_LE(pieces.stats().workedOut - workedOut, changes.size()) << "one content for each cell, at most";
+    });
+  };
+  expectNoMore(costs(kSmall), costs(kLarge));
+}
+
+/// Of the pieces of a comb, whose teeth all cross each upright line.
+std::uint64_t costOfPieces(std::int32_t teeth) {
+  const std::int32_t step = kUnitsPerCell / teeth;
+  std::vector<LocalPoint> comb{{0, 0}};
+  for (std::int32_t k = 0; k < teeth; ++k) {
+    comb.push_back({kUnitsPerCell, k * step + step / 2});
+    comb.push_back({1, (k + 1) * step});
+  }
+  comb.back().x = 0;
+  World world;
+  EXPECT_TRUE(world.add({0, 0}, comb, 1));
+  return visitsOf([&] { EXPECT_FALSE(Pieces(world).solidPieces({0, 0}).empty()); });
+}
+
+TEST(Cost, OfPiecesGrowsHardlyFasterThanTheVertices) {
+  constexpr std::int32_t kFew = 60, kMany = 16 * kFew;
+  EXPECT_LT(costOfPieces(kMany), 16 * 2 * costOfPieces(kFew));
+}
+
+}  // namespace
+}  // namespace lgs::cost_test

@@ -1,0 +1,203 @@
+// Pieces by hand: contents that are degenerate on purpose, portals, whole cells, and what calls answer at their limits.
+#include "pieces_reference.h"
+#include "proptests/support/worlds.h"
+
+#include <gtest/gtest.h>
+
+namespace lgs::test {
+namespace {
+
+using Polygons = std::vector<LocalPolygon>;
+
+/// The pieces of a cell with these polygons, once the reference is content with them.
+CellPieces piecesOf(const Polygons& polygons, std::size_t maxVertices = 8) {
+  World world;
+  for (const LocalPolygon& polygon : polygons) place(world, {}, polygon);
+  const Pieces pieces(world, {maxVertices});
+  EXPECT_EQ(faultOfPieces(world, pieces, {{0, 0}, {0, 0}}), std::nullopt);
+  return piecesIn(pieces, Cell{});
+}
+
+const Polygons kFrame{eighths({{0, 0}, {8, 0}, {8, 2}, {2, 2}, {2, 8}, {0, 8}}),
+                      eighths({{8, 2}, {8, 8}, {2, 8}, {2, 6}, {6, 6}, {6, 2}})};
+
+TEST(PiecesByHand, NothingAndAll) {
+  EXPECT_EQ(piecesOf({}), (CellPieces{{}, {unitSquare()}}));
+  EXPECT_EQ(piecesOf({unitSquare()}), (CellPieces{{{0, unitSquare()}}, {}}));
+  EXPECT_EQ(piecesOf({ramp()}), (CellPieces{{{0, ramp()}}, {eighths({{0, 0}, {8, 8}, {0, 8}})}}));
+}
+
+TEST(PiecesByHand, CollinearVerticesAreLeftOut) {
+  EXPECT_EQ(piecesOf(shapeNamed("square of eight")), (CellPieces{{{0, unitSquare()}}, {}}));
+}
+
+TEST(PiecesByHand, AnIslandInAHole) {
+  Polygons polygons = kFrame;
+  polygons.push_back(eighths({{3, 3}, {5, 3}, {5, 5}, {3, 5}}));
+  const CellPieces pieces = piecesOf(polygons);
+  EXPECT_EQ(pieces.free.size(), 4U);
+}
+
+TEST(PiecesByHand, AHoleTouchesAnOuterLoop) {  // in a point, from inside; the free part is two that touch there
+  const CellPieces pieces = piecesOf(
+      {eighths({{0, 0}, {8, 0}, {4, 4}}), eighths({{8, 0}, {8, 8}, {4, 4}}), eighths({{0, 8}, {0, 0}, {4, 4}})});
+  EXPECT_EQ(pieces.free, (Polygons{eighths({{0, 8}, {4, 4}, {8, 8}})}));
+  const CellPieces touching = piecesOf({eighths({{0, 0}, {8, 0}, {8, 4}, {0, 4}}), eighths({{2, 4}, {4, 6}, {0, 8}})});
+  EXPECT_EQ(touching.solid.size(), 2U);
+}
+
+TEST(PiecesByHand, SolidsThatTouchInAPointOnly) {
+  const CellPieces pieces = piecesOf(shapeNamed("hourglass"));
+  EXPECT_EQ(pieces.solid.size(), 2U);
+  EXPECT_EQ(pieces.free.size(), 2U);
+}
+
+TEST(PiecesByHand, Slivers) {
+  piecesOf({{{0, 0}, {U, U - 1}, {U, U}}, {{0, 0}, {U, 1}, {U, 2}}, {{0, 0}, {1, U - 1}, {1, U}}});
+  piecesOf({{{0, 0}, {1, 0}, {0, 1}}, {{U, U}, {U - 1, U}, {U, U - 1}}, {{7, 9}, {8, 9}, {8, 10}, {7, 10}}});
+  // Edges that run along each other for a part, by directions that have no smaller vector.
+  piecesOf({{{0, 0}, {U, 0}, {3 * 5461, 3 * 3641}}, {{0, 0}, {2 * 5461, 2 * 3641}, {0, U}}});
+}
+
+TEST(PiecesByHand, TwoHundredAndTwentyFivePolygons) {
+  constexpr std::int32_t kSide = U / 16;
+  Polygons diamonds, dots;
+  for (std::int32_t j = 0; j < 15; ++j) {
+    for (std::int32_t i = 0; i < 15; ++i) {
+      const LocalPoint p{i * kSide, j * kSide};
+      diamonds.push_back({{p.x + kSide / 2, p.y},
+                          {p.x + kSide, p.y + kSide / 2},
+                          {p.x + kSide / 2, p.y + kSide},
+                          {p.x, p.y + kSide / 2}});
+      dots.push_back({{p.x, p.y}, {p.x + 1, p.y}, {p.x + 1, p.y + 1}, {p.x, p.y + 1}});
+    }
+  }
+  EXPECT_EQ(piecesOf(diamonds).solid.size(), 225U);
+  EXPECT_EQ(piecesOf(dots, 3).solid.size(), 450U);
+}
+
+TEST(PiecesByHand, AsManyVerticesAsThereMayBe) {
+  LocalPolygon many;  // on an arc: convex, so that the limit alone cuts it
+  for (std::int32_t k = 0; k < 200; ++k) many.push_back({k * 200, k * k});
+  many.push_back({0, U});
+  EXPECT_EQ(piecesOf({many}, kMaxVerticesPerCell).solid.size(), 1U);
+  EXPECT_GE(piecesOf({many}, 8).solid.size(), 33U);  // of 199 triangles at most 6 fit in one
+  EXPECT_EQ(piecesOf({many}, 3).solid.size(), 199U);
+}
+
+TEST(PiecesByHand, TheLimitIsBroughtIntoItsRange) {
+  const World world;
+  EXPECT_EQ(Pieces(world).maxVertices(), 8U);
+  EXPECT_EQ(Pieces(world, {0}).maxVertices(), 3U);
+  EXPECT_EQ(Pieces(world, {SIZE_MAX}).maxVertices(), kMaxVerticesPerCell);
+}
+
+TEST(PiecesByHand, PortalsAcrossASideAreCutAtVerticesOfEither) {
+  World world;
+  place(world, {0, 0}, eighths({{0, 0}, {8, 0}, {8, 2}, {0, 2}}));  // a floor, and beside it a higher one with a gap
+  place(world, {1, 0}, eighths({{0, 0}, {8, 0}, {8, 3}, {0, 3}}));
+  place(world, {1, 0}, eighths({{0, 5}, {8, 5}, {8, 6}, {0, 6}}));
+  const Pieces pieces(world);
+  EXPECT_EQ(faultOfPieces(world, pieces, {{-1, -1}, {2, 2}}), std::nullopt);
+  std::vector<Portal> east;
+  for (const Portal& portal : pieces.portals({{0, 0}, 0}))
+    if (portal.to.cell == Cell{1, 0}) east.push_back(portal);
+  const auto at = [](std::int64_t eighth) { return Point{U, eighth * U / 8}; };
+  EXPECT_EQ(east, (std::vector<Portal>{{{{1, 0}, 0}, at(3), at(5)}, {{{1, 0}, 1}, at(6), at(8)}}));
+}
+
+TEST(PiecesByHand, APointIsNoWay) {
+  World world;
+  place(world, {0, 0}, unitSquare());
+  place(world, {1, 1}, unitSquare());
+  const Pieces pieces(world);
+  for (const Portal& portal : pieces.portals({{1, 0}, 0})) EXPECT_NE(portal.to.cell, (Cell{0, 1}));
+  EXPECT_EQ(pieces.portals({{1, 0}, 0}).size(), 2U);
+  EXPECT_TRUE(pieces.portals({{1, 0}, 1}).empty()) << "there is no such piece";
+  EXPECT_TRUE(pieces.portals({{0, 0}, 0}).empty()) << "nothing is free there";
+}
+
+TEST(PiecesByHand, BeyondTheLastCellIsNothing) {
+  const World world;
+  const Pieces pieces(world);
+  const Cell last{kMaxCell, kMaxCell}, beyond{kMaxCell + 1, 0};
+  EXPECT_EQ(pieces.freePieces(last).size(), 1U);
+  EXPECT_EQ(pieces.portals({last, 0}).size(), 2U);
+  EXPECT_TRUE(pieces.freePieces(beyond).empty());
+  EXPECT_TRUE(pieces.solidPieces(beyond).empty());
+  EXPECT_TRUE(pieces.portals({beyond, 0}).empty());
+  EXPECT_EQ(pieces.freePieceAt({kMaxCoordinate, kMaxCoordinate}), (PieceId{last, 0}));
+  EXPECT_EQ(pieces.freePieceAt({kMaxCoordinate + 1, 0}), std::nullopt);
+}
+
+TEST(PiecesByHand, WhereAPointIs) {
+  World world;
+  place(world, {0, 0}, unitSquare());
+  place(world, {1, 0}, ramp());
+  const Pieces pieces(world);
+  const auto at = [&](std::int64_t x, std::int64_t y) { return pieces.freePieceAt({x * U / 2, y * U / 2}); };
+  EXPECT_EQ(at(1, 1), std::nullopt);
+  EXPECT_EQ(at(2, 1), (PieceId{{1, 0}, 0})) << "on the common side";
+  EXPECT_EQ(at(3, 1), (PieceId{{1, 0}, 0})) << "on the slope";
+  EXPECT_EQ(pieces.freePieceAt({3 * U / 2 + 1, U / 2}), std::nullopt);
+  EXPECT_EQ(at(0, 0), (PieceId{{-1, -1}, 0})) << "in a corner the least cell comes first";
+  EXPECT_EQ(at(0, 2), (PieceId{{-1, 0}, 0}));
+}
+
+TEST(PiecesByHand, WholeCellsAreMergedByRowsThenColumns) {
+  World world;
+  const ShapeId square = shapeOf(world, {unitSquare()}), halves = shapeOf(world, shapeNamed("two halves"));
+  ASSERT_TRUE(world.fill({{0, 0}, {3, 2}}, square, 1));
+  ASSERT_TRUE(world.replace({1, 1}, halves, 2));
+  ASSERT_TRUE(world.clear(Cell{3, 2}));
+  place(world, {3, 2}, ramp());
+  ASSERT_TRUE(world.fill({{0, 3}, {0, 3}}, square, 1));
+  const Pieces pieces(world);
+  const CellRect all{{0, 0}, {4, 3}};
+  EXPECT_EQ(pieces.wholeCells(all, Part::solid),
+            (std::vector<CellRect>{{{0, 0}, {3, 1}}, {{0, 2}, {2, 2}}, {{0, 3}, {0, 3}}}));
+  EXPECT_EQ(pieces.wholeCells(all, Part::free), (std::vector<CellRect>{{{4, 0}, {4, 2}}, {{1, 3}, {4, 3}}}));
+  EXPECT_TRUE(pieces.wholeCells({{1, 1}, {0, 5}}, Part::free).empty());
+  EXPECT_EQ(pieces.wholeCells({{kMaxCell, kMaxCell}, {kMaxCell + 2, kMaxCell + 2}}, Part::free),
+            (std::vector<CellRect>{{{kMaxCell, kMaxCell}, {kMaxCell, kMaxCell}}}));
+}
+
+TEST(PiecesByHand, EqualPolygonsAreWorkedOutOnce) {
+  World world;
+  const ShapeId shape = shapeOf(world, shapeNamed("comb"));
+  ASSERT_TRUE(world.fill({{-20, -20}, {20, 20}}, shape, 1));
+  world.commit();
+  ASSERT_TRUE(world.followCells(true));
+  Pieces pieces(world);
+  EXPECT_EQ(pieces.stats(), (PiecesStats{41 * 41, 2, 1}));
+  const Pieces copy = pieces;
+  ASSERT_TRUE(world.clear({{-20, -20}, {20, 20}}));
+  world.commit();
+  EXPECT_EQ(pieces.update(world.cellChanges()).size(), 41U * 41U);
+  EXPECT_EQ(pieces.stats(), (PiecesStats{0, 1, 1})) << "a content that no cell has is forgotten";
+  EXPECT_EQ(copy.stats(), (PiecesStats{41 * 41, 2, 1}));
+  EXPECT_FALSE(copy.solidPieces({20, -20}).empty()) << "a copy goes its own way";
+}
+
+TEST(PiecesByHand, OtherBlocksAreNoOtherPieces) {
+  World world;
+  const PolygonHandle polygon = place(world, {}, ramp(), 1);
+  world.commit();
+  ASSERT_TRUE(world.followCells(true));
+  Pieces pieces(world);
+  ASSERT_TRUE(world.setBlock(polygon, 2));
+  world.commit();
+  EXPECT_EQ(world.cellChanges().size(), 1U);
+  EXPECT_TRUE(pieces.update(world.cellChanges()).empty());
+  ASSERT_TRUE(world.clear(Cell{}));
+  place(world, {}, unitSquare());
+  world.commit();
+  EXPECT_EQ(pieces.update(world.cellChanges()), std::vector<Cell>{Cell{}});
+  ASSERT_TRUE(world.clear(Cell{}));
+  place(world, {}, shapeNamed("square of eight")[0]);
+  world.commit();
+  EXPECT_TRUE(pieces.update(world.cellChanges()).empty()) << "another content, and the same pieces";
+}
+
+}  // namespace
+}  // namespace lgs::test

@@ -1,0 +1,180 @@
+#include "pieces_reference.h"
+
+#include "oracle/cgal/partition.h"
+#include "proptests/support/worlds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace lgs::test {
+namespace {
+
+using oracle::LocalPolygon;
+
+std::int64_t turnAt(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x); }
+Point wide(LocalPoint p) { return {p.x, p.y}; }
+
+LocalPolygon fromLeast(LocalPolygon polygon) {
+  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
+  return polygon;
+}
+
+std::optional<std::string> faultOfShape(const LocalPolygon& piece, std::size_t maxVertices,
+                                        const std::set<LocalPoint>& existing) {
+  const std::size_t n = piece.size();
+  if (n < 3 || n > maxVertices) return fmt::format("a piece has {} vertices", n);
+  if (*std::min_element(piece.begin(), piece.end()) != piece[0]) return "a piece does not begin with its least vertex";
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!existing.contains(piece[k])) return fmt::format("a new vertex, {} {}", piece[k].x, piece[k].y);
+    if (turnAt(wide(piece[k]), wide(piece[(k + 1) % n]), wide(piece[(k + 2) % n])) <= 0)
+      return "a piece does not turn left at each vertex";
+  }
+  return std::nullopt;
+}
+
+/// Two pieces that have a whole edge in common, as one: nothing if that would not be convex.
+std::optional<std::size_t> cornersTogether(const LocalPolygon& a, const LocalPolygon& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const LocalPoint p = a[i], q = a[(i + 1) % a.size()];
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      if (b[j] != q || b[(j + 1) % b.size()] != p) continue;
+      LocalPolygon both;
+      for (std::size_t k = 1; k < a.size(); ++k) both.push_back(a[(i + k) % a.size()]);  // from q round to before p
+      for (std::size_t k = 1; k < b.size(); ++k) both.push_back(b[(j + k) % b.size()]);
+      std::size_t corners = 0;
+      for (std::size_t k = 0; k < both.size(); ++k) {
+        const std::int64_t turn =
+            turnAt(wide(both[k]), wide(both[(k + 1) % both.size()]), wide(both[(k + 2) % both.size()]));
+        if (turn < 0) return std::nullopt;
+        corners += turn > 0 ? 1 : 0;
+      }
+      return corners;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> faultOfList(const std::vector<LocalPolygon>& pieces, std::size_t maxVertices,
+                                       const std::set<LocalPoint>& existing) {
+  if (!std::is_sorted(pieces.begin(), pieces.end())) return "pieces are not in order";
+  for (const LocalPolygon& piece : pieces)
+    if (auto fault = faultOfShape(piece, maxVertices, existing)) return fault;
+  for (const LocalPolygon& a : pieces)
+    for (const LocalPolygon& b : pieces)
+      if (const auto corners = cornersTogether(a, b); corners && *corners <= maxVertices)
+        return "two pieces could be one";
+  return std::nullopt;
+}
+
+/// What two convex polygons with disjoint interiors have in common, if it is more than a point: a part of an edge of
+/// each. From the right to the left of who goes from a to b.
+std::optional<std::pair<Point, Point>> common(const std::vector<Point>& a, const std::vector<Point>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Point p = a[i], q = a[(i + 1) % a.size()];
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const Point r = b[(j + 1) % b.size()], s = b[j];  // against the direction of b's edge
+      if (turnAt(p, q, r) != 0 || turnAt(p, q, s) != 0) continue;
+      const bool rises = p < q;
+      const Point right = rises ? std::max(p, r) : std::min(p, r), left = rises ? std::min(q, s) : std::max(q, s);
+      if (rises ? right < left : left < right) return std::pair(right, left);
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<Point> inWorld(Cell cell, const LocalPolygon& polygon) {
+  std::vector<Point> out;
+  for (const LocalPoint p : polygon) out.push_back(toWorld(cell, p));
+  return out;
+}
+
+struct FreePiece {
+  PieceId id;
+  std::vector<Point> vertices;
+};
+
+}  // namespace
+
+CellPieces piecesIn(const Pieces& pieces, Cell cell) {
+  CellPieces out;
+  for (const Piece& p : pieces.solidPieces(cell))
+    out.solid.emplace_back(p.polygon, LocalPolygon(p.vertices.begin(), p.vertices.end()));
+  for (const Piece& p : pieces.freePieces(cell)) {
+    EXPECT_EQ(p.polygon, Piece::kFree);
+    out.free.emplace_back(p.vertices.begin(), p.vertices.end());
+  }
+  return out;
+}
+
+PiecesByCell piecesIn(const Pieces& pieces, const CellRect& cells) {
+  PiecesByCell out;
+  for (const Cell cell : cellsOf(cells)) out[cell] = piecesIn(pieces, cell);
+  return out;
+}
+
+std::optional<std::string> faultOfPieces(std::vector<LocalPolygon> polygons, const CellPieces& pieces,
+                                         std::size_t maxVertices) {
+  for (LocalPolygon& polygon : polygons) polygon = fromLeast(std::move(polygon));
+  std::sort(polygons.begin(), polygons.end());
+  std::set<LocalPoint> existing{{0, 0}, {U, 0}, {U, U}, {0, U}};
+  for (const LocalPolygon& polygon : polygons) existing.insert(polygon.begin(), polygon.end());
+
+  std::vector<oracle::PieceList> solid(polygons.size());
+  std::uint32_t last = 0;
+  for (const auto& [polygon, piece] : pieces.solid) {
+    if (polygon >= polygons.size() || polygon < last) return "solid pieces are not by polygon";
+    last = polygon;
+    solid[polygon].push_back(piece);
+  }
+  for (const oracle::PieceList& list : solid)
+    if (auto fault = faultOfList(list, maxVertices, existing)) return fault;
+  if (auto fault = faultOfList(pieces.free, maxVertices, existing)) return fault;
+
+  // CGAL takes a millisecond, and cells repeat.
+  static std::set<std::pair<std::vector<LocalPolygon>, std::pair<std::vector<oracle::PieceList>, oracle::PieceList>>>
+      good;
+  const auto [seen, isNew] = good.insert({polygons, {solid, pieces.free}});
+  if (!isNew) return std::nullopt;
+  auto fault = oracle::notAPartition(polygons, solid, pieces.free);
+  if (fault) good.erase(seen);
+  return fault;
+}
+
+std::optional<std::string> faultOfPortals(const Pieces& pieces, const CellRect& cells) {
+  std::vector<FreePiece> all;
+  for (const Cell cell : cellsOf({{cells.min.i - 1, cells.min.j - 1}, {cells.max.i + 1, cells.max.j + 1}})) {
+    std::uint32_t k = 0;
+    for (const LocalPolygon& piece : piecesIn(pieces, cell).free) all.push_back({{cell, k++}, inWorld(cell, piece)});
+  }
+  for (const FreePiece& from : all) {
+    if (!contains(cells, from.id.cell)) continue;
+    std::map<PieceId, std::pair<Point, Point>> expected, found;
+    for (const FreePiece& to : all)
+      if (to.id != from.id)
+        if (const auto portal = common(from.vertices, to.vertices)) expected[to.id] = *portal;
+    for (const Portal& portal : pieces.portals(from.id))
+      if (!found.emplace(portal.to, std::pair(portal.right, portal.left)).second) return "a portal comes twice";
+    if (found != expected)
+      return fmt::format("piece {} of cell {} {} has {} portals, and should have {}, or others", from.id.index,
+                         from.id.cell.i, from.id.cell.j, found.size(), expected.size());
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> faultOfPieces(const World& world, const Pieces& pieces, const CellRect& cells) {
+  for (const Cell cell : cellsOf(cells)) {
+    if (!inRange(cell)) {
+      if (piecesIn(pieces, cell) != CellPieces()) return "there are pieces beyond the last cell";
+      continue;
+    }
+    std::vector<LocalPolygon> polygons;
+    for (const PolygonFields& p : polygonsIn(world, cell)) polygons.push_back(p.vertices);
+    if (const auto fault = faultOfPieces(polygons, piecesIn(pieces, cell), pieces.maxVertices()))
+      return fmt::format("cell {} {}: {}", cell.i, cell.j, *fault);
+  }
+  return faultOfPortals(pieces, cells);
+}
+
+}  // namespace lgs::test

@@ -1,0 +1,140 @@
+// Pieces are the parts of what is solid and of what is free, in any content; and they are kept up to date: after each
+// commit and roll-back they are those of a full recompute, and the cells that have other pieces are told exactly.
+#include "pieces_reference.h"
+#include "proptests/laws/calls.h"
+#include "proptests/support/law.h"
+#include "proptests/support/played.h"
+#include "proptests/support/traces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace lgs::test {
+namespace {
+
+constexpr std::array<std::size_t, 4> kLimits{8, 3, 5, kMaxVerticesPerCell};
+
+/// Pieces that follow a world, and all that must hold of them after each commit.
+class FollowerOfPieces {
+ public:
+  FollowerOfPieces(const Setting& setting, std::size_t maxVertices)
+      : caller_(setting.start()),
+        options_{maxVertices},
+        cells_{{setting.corner.i - 1, setting.corner.j - 1}, {setting.corner.i + 5, setting.corner.j + 5}},
+        pieces_(caller_.world, options_) {
+    begin();
+  }
+
+  void make(const Call& call) {
+    caller_.make(call);
+    if (call.kind == Call::Kind::load) return begin();
+    if (call.kind == Call::Kind::copy) pieces_ = Pieces(pieces_);
+    if (call.kind == Call::Kind::commit || (call.kind == Call::Kind::goBack && caller_.marks() > 0)) follow();
+  }
+
+  void commit() {
+    caller_.world.commit();
+    follow();
+    failIf(faultOfPieces(caller_.world, pieces_, cells_));
+  }
+
+ private:
+  /// A loaded world follows nothing yet.
+  void begin() {
+    EXPECT_TRUE(caller_.world.followCells(true));
+    pieces_ = Pieces(caller_.world, options_);
+    told_ = piecesIn(pieces_, cells_);
+    caller_.world.forEachPolygon([&](Cell cell, const PlacedPolygon&) { told_[cell] = piecesIn(pieces_, cell); });
+  }
+
+  void follow() {
+    const std::uint64_t workedOut = pieces_.stats().workedOut;
+    const std::span<const CellChange> changes = caller_.world.cellChanges();
+    const std::vector<Cell> changed = pieces_.update(changes);
+    EXPECT_LE(pieces_.stats().workedOut, workedOut + changes.size());
+    for (const CellChange& change : changes) told_.try_emplace(change.cell, CellPieces{{}, {unitSquare()}});
+    std::set<Cell> differ;
+    for (auto& [cell, before] : told_) {
+      CellPieces now = piecesIn(pieces_, cell);
+      if (now != before) differ.insert(cell);
+      before = std::move(now);
+    }
+    EXPECT_EQ(std::set<Cell>(changed.begin(), changed.end()), differ);
+    EXPECT_EQ(changed.size(), differ.size()) << "a cell is told twice";
+  }
+
+  Caller caller_;
+  PiecesOptions options_;
+  CellRect cells_;
+  Pieces pieces_;
+  PiecesByCell told_;  ///< those near the setting, and all that ever held polygons
+};
+
+LGS_LAW(Pieces, FollowEdits, 150, (const Setting& setting, const AnyCalls& calls, Chance chance)) {
+  FollowerOfPieces follower(setting, kLimits[chance.below(kLimits.size())]);
+  for (const Call& call : calls.list) follower.make(call);
+  follower.commit();
+}
+
+/// Pieces of a world that is read once.
+void expectPieces(const World& world, std::size_t maxVertices) {
+  const Pieces pieces(world, {maxVertices});
+  EXPECT_EQ(pieces.maxVertices(), maxVertices);
+  CellRect cells = world.bounds().value_or(CellRect{});
+  failIf(faultOfPieces(world, pieces, cells));
+}
+
+LGS_LAW(Pieces, MakeUpAnyGround, 1'000, (const GoodTrace& trace, Chance chance)) {
+  oracle::Player player(trace.preserve);
+  playAll(trace, player);
+  expectPieces(player.world(), kLimits[chance.below(kLimits.size())]);
+}
+
+// What follows from the polygons does not depend on how they came there, nor on the vertices that they begin with.
+LGS_LAW(Pieces, DoNotDependOnHistory, 150, (const PlainTrace& trace, Chance chance)) {
+  oracle::Player player(trace.preserve);
+  playAll(trace, player);
+  const World& world = player.world();
+  std::vector<std::pair<Cell, LocalPolygon>> polygons;
+  world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
+    polygons.emplace_back(cell, LocalPolygon(p.vertices.begin(), p.vertices.end()));
+  });
+  chance.shuffle(polygons);
+  World other;
+  for (auto& [cell, polygon] : polygons) {
+    std::rotate(polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(chance.below(polygon.size())),
+                polygon.end());
+    place(other, cell, polygon, static_cast<Block>(chance.below(3)));
+  }
+  const CellRect cells = world.bounds().value_or(CellRect{});
+  const lgs::Pieces one(world), two(other);
+  EXPECT_EQ(piecesIn(one, cells), piecesIn(two, cells));
+  EXPECT_EQ(one.stats().contents, two.stats().contents);
+  for (const Cell cell : cellsOf(cells)) {  // each solid piece is in the polygon that it names
+    const auto placed = polygonsByPieces(world, cell), again = polygonsByPieces(other, cell);
+    ASSERT_EQ(placed.size(), again.size());
+    for (std::size_t k = 0; k < placed.size(); ++k)
+      EXPECT_TRUE(std::is_permutation(placed[k].vertices.begin(), placed[k].vertices.end(), again[k].vertices.begin(),
+                                      again[k].vertices.end()));
+  }
+}
+
+TEST(PiecesOf, EveryDegenerateShapeTurned) {
+  for (const oracle::NamedShape& shape : oracle::degenerateShapes()) {
+    for (int symmetry = 0; symmetry < 8; ++symmetry) {
+      World world;
+      for (const LocalPolygon& polygon : shape.polygons) place(world, {}, oracle::turned(polygon, symmetry));
+      for (const std::size_t limit : kLimits) {
+        const auto fault = faultOfPieces(world, lgs::Pieces(world, {limit}), {{0, 0}, {0, 0}});
+        EXPECT_EQ(fault, std::nullopt) << shape.name << ", turned by " << symmetry << ", at most " << limit
+                                       << " vertices";
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lgs::test

@@ -1,0 +1,109 @@
+// The fan at a vertex: the hand turns from a segment's end until it meets the one that goes on.
+import { createWorld } from 'localgridseg'
+import { grid, type Seen, segmentsOf, solids } from '../ground.js'
+import { clamp, Figure } from '../kit.js'
+import { arc, arrow, disc, path, type Point } from '../svg.js'
+
+interface Wedge {
+  /** Its cell, whose corner in the middle of the figure is the tip. */
+  readonly cell: Point
+  readonly ends: [Point, Point]
+}
+
+const turn = 2 * Math.PI
+const near = 0.12 // radians: the hand stops this near
+const angleOf = ([x, y]: Point) => Math.atan2(y, x)
+
+export default function fan(element: HTMLElement): void {
+  const fig = new Figure(element, { x0: -2.2, y0: -1.3, x1: 2.2, y1: 1.3 }, 'Half-edges around a vertex')
+  const world = createWorld()
+  const wedges: Wedge[] = [
+    { cell: [0, 0], ends: [[0.95, 0.15], [0.3, 0.95]] },
+    { cell: [-1, 0], ends: [[-0.35, 0.9], [-0.95, 0.35]] },
+    { cell: [-1, -1], ends: [[-0.9, -0.3], [-0.25, -0.95]] },
+  ]
+  let chosen = 0 // of which wedge the incoming side is followed
+  let hand = 0.5 // how far it has turned, in radians
+  const layer = fig.layer()
+  const build = () => {
+    world.clear({ i0: -1, j0: -1, i1: 0, j1: 0 })
+    for (const { cell, ends } of wedges) {
+      const ring = [[0, 0] as Point, ...ends].map(([x, y]): Point => [x - cell[0], y - cell[1]])
+      world.addPolygon(...cell, ring, 1)
+    }
+    world.commit()
+  }
+  build()
+  for (const [w, wedge] of wedges.entries()) {
+    for (const side of [0, 1] as const) {
+      fig.handle({
+        at: wedge.ends[side],
+        label: `Half-edge ${2 * w + side + 1}`,
+        step: 0.05,
+        move(x, y) {
+          const [i, j] = wedge.cell
+          const before = wedge.ends[side]
+          wedge.ends[side] = [clamp(x, i + 0.05, i + 0.95), clamp(y, j + 0.05, j + 0.95)]
+          const [a, b] = wedge.ends
+          if (a[0] * b[1] - a[1] * b[0] < 0.05) wedge.ends[side] = before // it would turn over, or be too thin
+          else build()
+          return wedge.ends[side]
+        },
+      })
+    }
+  }
+  const handle = fig.handle({
+    at: [0, 0],
+    label: 'The hand that turns',
+    step: 0.1,
+    move(x, y) {
+      const own = angleOf(wedges[chosen].ends[1])
+      const way = (Math.atan2(y, x) - own + 2 * turn) % turn
+      const end = sweep(found())
+      hand = way > end + (turn - end) / 2 ? 0 : Math.min(way, end)
+      return handle.at
+    },
+  })
+  handle.element.classList.add('turner')
+  fig.button('Next segment', () => {
+    chosen = (chosen + 1) % wedges.length
+    hand = 0.4
+    fig.redraw()
+  })
+  // The segment that comes in along the chosen wedge, and the one that the engine links to it.
+  const found = (): [Seen, Seen] => {
+    const segments = segmentsOf(world)
+    const [x, y] = wedges[chosen].ends[1]
+    const own = segments.find(({ start, end }) => end[0] === 0 && end[1] === 0 && Math.hypot(start[0] - x, start[1] - y) < 0.001)!
+    return [own, segments.find(({ id }) => id === own.successor)!]
+  }
+  const sweep = ([own, next]: [Seen, Seen]) => (angleOf(next.end) - angleOf(own.start) + 2 * turn) % turn
+
+  fig.draws(() => {
+    const [own, next] = found()
+    const from = angleOf(own.start)
+    const end = sweep([own, next])
+    hand = Math.min(hand, end)
+    const isThere = end - hand < near
+    if (isThere) hand = end
+    const tip: Point = [0.7 * Math.cos(from + hand), 0.7 * Math.sin(from + hand)]
+    handle.at = tip
+    handle.element.setAttribute('transform', `translate(${tip[0]} ${-tip[1]}) scale(${fig.pixel})`)
+    const parts: SVGElement[] = [...grid(-1, -1, 1, 1), ...solids(world)]
+    for (const segment of segmentsOf(world)) {
+      const touches = [segment.start, segment.end].some(([x, y]) => x === 0 && y === 0)
+      if (!touches) continue
+      const kind = segment.id === own.id ? 'chosen' : isThere && segment.id === next.id ? 'ghost' : 'segment'
+      parts.push(arrow(kind, segment.start, segment.end, 11 * fig.pixel))
+    }
+    parts.push(arc('sweep', [0, 0], 0.5, from, from + hand), path('hand', [[0, 0], tip]), disc('vertex', [0, 0], 4 * fig.pixel))
+    if (isThere) parts.push(disc('ghostpoint', next.end, 7 * fig.pixel))
+    layer.replaceChildren(...parts)
+    const degrees = Math.round((hand * 360) / turn)
+    fig.say(
+      isThere
+        ? `After ${degrees} degrees the hand meets the first half-edge that leaves the vertex. It is the successor: its far end is the ghost.`
+        : `Turned by ${degrees} degrees. Nothing that leaves the vertex was met yet.`,
+    )
+  })
+}

@@ -1,0 +1,107 @@
+// One edit in a world of a million cells: what it changes lights up.
+import { circle, createWorld, type World } from 'localgridseg'
+import { counted, grid, seen, type Seen, square } from '../ground.js'
+import { clamp, Figure } from '../kit.js'
+import { path, type Point, rect } from '../svg.js'
+
+const side = 1000 // cells
+const width = 18 // of the part that is shown, in cells
+const height = 9
+
+export default function million(element: HTMLElement): void {
+  const fig = new Figure(element, { x0: 0, y0: 0, x1: width, y1: height }, 'A small part of a world of a million cells')
+  const layer = fig.layer()
+  let world: World | null = null
+  let at: Point = [490, 495]
+  let touched: Point[] = []
+  let changed: { list: Seen[]; kind: string }[] = []
+  let report = ''
+
+  const handle = fig.handle({
+    at: [width / 2, height / 2],
+    label: 'Where to dig',
+    step: 0.5,
+    move: (x, y) => [clamp(x, 1, width - 1), clamp(y, 1, height - 1)],
+  })
+  const dig = () => {
+    if (world === null) return
+    const [x, y] = [at[0] + handle.at[0], at[1] + handle.at[1]]
+    const before = new Map(segmentsAround(world, x, y).map((segment) => [segment.id, segment]))
+    const start = performance.now()
+    world.carve(circle(x, y, 0.7, 16))
+    const changes = world.commit()
+    const time = performance.now() - start
+    const { removed, added, relinked } = changes
+    changed = [
+      { list: [...removed].flatMap((id) => before.get(id) ?? []), kind: 'removed' },
+      { list: seen(added), kind: 'added' },
+      { list: seen(relinked), kind: 'relinked' },
+    ]
+    touched = []
+    for (let j = Math.floor(y - 0.7); j <= Math.floor(y + 0.7); ++j) {
+      for (let i = Math.floor(x - 0.7); i <= Math.floor(x + 0.7); ++i) touched.push([i, j])
+    }
+    const near = new Set(touched.flatMap(([i, j]) => [-1, 0, 1].flatMap((dj) => [-1, 0, 1].map((di) => `${i + di} ${j + dj}`))))
+    const cells = world.stats().cells
+    const spent = time < 0.1 ? 'less than 0.1' : time.toFixed(1)
+    report =
+      `The brush reached ${counted(touched.length, 'cell')}; with all their neighbours ${near.size}. The world has ${cells.toLocaleString('en')}. ` +
+      `${removed.length} segments removed, ${added.length} added, ${relinked.length} relinked, in ${spent} ms.`
+    fig.redraw()
+  }
+  fig.button('Dig here', dig)
+  fig.button('Elsewhere', () => {
+    at = [Math.floor(Math.random() * (side - width)), Math.floor(Math.random() * (side - height))]
+    touched = []
+    changed = []
+    report = `Another place: columns ${at[0]} to ${at[0] + width}, rows ${at[1]} to ${at[1] + height}.`
+    fig.redraw()
+  })
+  fig.onTap((x, y) => {
+    handle.at = [clamp(x, 1, width - 1), clamp(y, 1, height - 1)]
+    dig()
+  })
+  const draw = () => {
+    if (world === null) return fig.say('A million cells are being filled.')
+    const cells = { i0: at[0] - 1, j0: at[1] - 1, i1: at[0] + width, j1: at[1] + height }
+    const shift = ([x, y]: Point): Point => [x - at[0], y - at[1]]
+    const parts: SVGElement[] = []
+    for (const { i, j, vertices } of world.polygons(cells)) {
+      const ring: Point[] = []
+      for (let k = 0; k < vertices.length; k += 2) ring.push(shift([i + vertices[k], j + vertices[k + 1]]))
+      parts.push(path('ground', ring, true))
+    }
+    parts.push(...grid(0, 0, width, height))
+    for (const [i, j] of touched) parts.push(rect('near', ...shift([i - 1, j - 1]), ...shift([i + 2, j + 2])))
+    for (const [i, j] of touched) parts.push(rect('own', ...shift([i, j]), ...shift([i + 1, j + 1])))
+    for (const { start, end } of segmentsIn(world, cells)) parts.push(path('segment far', [shift(start), shift(end)]))
+    for (const { list, kind } of changed) for (const { start, end } of list) parts.push(path(kind, [shift(start), shift(end)]))
+    layer.replaceChildren(...parts)
+    fig.say(report || `${world.stats().cells.toLocaleString('en')} cells. Tap somewhere to dig.`)
+  }
+  fig.draws(draw)
+  // A tenth of a second of work, which waits until somebody comes near.
+  const watch = new IntersectionObserver(([entry]) => {
+    if (!entry.isIntersecting) return
+    watch.disconnect()
+    setTimeout(() => {
+      world = makeWorld()
+      fig.redraw()
+    }, 30)
+  }, { rootMargin: '300px' })
+  watch.observe(element)
+}
+
+// Full rock, with caves.
+function makeWorld(): World {
+  const world = createWorld()
+  world.fill({ i0: 0, j0: 0, i1: side - 1, j1: side - 1 }, world.shape(square), 1)
+  for (let k = 0; k < 150; ++k) world.carve(circle((k * 379.3) % side, (k * 617.9) % side, 3 + (k % 4), 20))
+  for (const [x, y] of [[494, 499], [501, 498], [505, 502]]) world.carve(circle(x, y, 2.4, 20))
+  world.commit()
+  return world
+}
+
+const segmentsIn = (world: World, cells: { i0: number; j0: number; i1: number; j1: number }) => seen(world.segments(cells))
+const segmentsAround = (world: World, x: number, y: number) =>
+  segmentsIn(world, { i0: Math.floor(x) - 4, j0: Math.floor(y) - 4, i1: Math.floor(x) + 4, j1: Math.floor(y) + 4 })

@@ -1,0 +1,132 @@
+// The article in a real browser. The build must be there: npm run build -w sandbox -w article
+import assert from 'node:assert/strict'
+import { readFileSync, readdirSync } from 'node:fs'
+import { after, before, test } from 'node:test'
+import { gzipSync } from 'node:zlib'
+import { openBrowser } from '../../sandbox/test/browser.js'
+
+let browser
+before(async () => (browser = await openBrowser()))
+after(() => browser.close())
+
+const names = ['seams', 'cuts', 'cancel', 'cells', 'fan', 'touch', 'ghosts', 'million', 'rounding', 'proof']
+const calm = { context: { viewport: { width: 320, height: 700 }, reducedMotion: 'reduce', colorScheme: 'dark', hasTouch: true, isMobile: true } }
+const says = (page, name) => page.locator(`#${name} output`).textContent()
+const saysSoon = (page, name, pattern) =>
+  page.waitForFunction(
+    ([name, source]) => new RegExp(source).test(document.querySelector(`#${name} output`).textContent),
+    [name, pattern.source],
+  )
+const handle = (page, name, k = 0) => page.locator(`#${name} .handle`).nth(k)
+const press = (page, name, text) => page.locator(`#${name} button`, { hasText: text }).click()
+
+/** Drags a handle by some cells of its figure. */
+async function drag(page, name, dx, dy, k = 0) {
+  await page.locator(`#${name} svg`).scrollIntoViewIfNeeded()
+  const box = await handle(page, name, k).locator('.hit').boundingBox()
+  const unit = await page.locator(`#${name} svg`).evaluate((svg) => svg.getScreenCTM().a)
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2]
+  await page.mouse.move(x, y)
+  await page.mouse.down()
+  await page.mouse.move(x + (dx * unit) / 2, y - (dy * unit) / 2)
+  await page.mouse.move(x + dx * unit, y - dy * unit)
+  await page.mouse.up()
+}
+
+test('each of the ten figures answers to the mouse and to the arrow keys', () =>
+  browser.onPath(async (page) => {
+    assert.deepEqual(await page.locator('figure[data-ready]').evaluateAll((all) => all.map(({ id }) => id)), names)
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 320)
+    await page.locator('#million').scrollIntoViewIfNeeded()
+    await saysSoon(page, 'million', /Tap somewhere/)
+    const ways = { seams: [3, 0], cuts: [0, 0.3], cancel: [-1, 0], cells: [1, 0], fan: [0.2, 0.3], touch: [1, 0] }
+    for (const name of names) {
+      const state = () => page.locator(`#${name}`).evaluate((figure) => figure.querySelector('svg').innerHTML)
+      const before = await state()
+      await drag(page, name, ...(ways[name] ?? [0.5, 0.3]))
+      const dragged = await state()
+      assert.notEqual(dragged, before, `${name}: dragged`)
+      await handle(page, name).focus()
+      await page.keyboard.press('ArrowLeft')
+      assert.notEqual(await state(), dragged, `${name}: by key`)
+    }
+  }, 'article/', calm))
+
+test('the wheel is kicked without ghosts, and not with them', () =>
+  browser.onPath(async (page) => {
+    await page.locator('#seams svg').scrollIntoViewIfNeeded()
+    await saysSoon(page, 'seams', /^[3-9] kicks/)
+    await page.locator('#seams input').check()
+    await page.waitForTimeout(3000)
+    assert.match(await says(page, 'seams'), /^0 kicks .* 3\.00 of 3/)
+    assert.match(await says(page, 'ghosts'), /pushes 2 times, 1 of them askew/)
+    await page.locator('#ghosts input').check()
+    assert.match(await says(page, 'ghosts'), /pushes 1 time, all straight up/)
+  }, 'article/'))
+
+test('law 1: a tip cuts the wall, a tile cancels its neighbours\' edges', () =>
+  browser.onPath(async (page) => {
+    assert.match(await says(page, 'cuts'), /touches the wall: the wall is 2 segments/)
+    await drag(page, 'cuts', 0.5, 0)
+    assert.match(await says(page, 'cuts'), /free: the wall is 1 segment\./)
+    assert.match(await says(page, 'cancel'), /^3 pairs.* 14 segments left/)
+    await drag(page, 'cancel', -2, -1)
+    assert.match(await says(page, 'cancel'), /^5 pairs.* 10 segments left/)
+    await page.locator('#cancel input').check()
+    assert.match(await says(page, 'cancel'), /^5 pairs/)
+  }, 'article/', { context: { reducedMotion: 'reduce' } }))
+
+test('what is outside of the 3x3 changes nothing in the cell', () =>
+  browser.onPath(async (page) => {
+    for (let k = 0; k < 20; ++k) await press(page, 'cells', 'outside')
+    assert.match(await says(page, 'cells'), /Shuffled 20 times: nothing/)
+    for (let k = 0; k < 6; ++k) await press(page, 'cells', 'neighbours')
+    assert.doesNotMatch(await says(page, 'cells'), /Shuffled 6 times/)
+  }, 'article/', { context: { reducedMotion: 'reduce' } }))
+
+test('law 2: the hand stops at the successor, and a walk leads through the free wedge', () =>
+  browser.onPath(async (page) => {
+    await drag(page, 'fan', -0.6, -0.05, 6)
+    assert.match(await says(page, 'fan'), /meets the first half-edge that leaves/)
+    assert.match(await says(page, 'touch'), /in a point.*1 closed loop/)
+    await drag(page, 'touch', 1, 0)
+    assert.match(await says(page, 'touch'), /2 closed loops/)
+  }, 'article/', { context: { reducedMotion: 'reduce' } }))
+
+test('a dig in a million cells, and a vertex under the lens', () =>
+  browser.onPath(async (page) => {
+    await page.locator('#million').scrollIntoViewIfNeeded()
+    await saysSoon(page, 'million', /Tap somewhere/)
+    await press(page, 'million', 'Dig here')
+    assert.match(await says(page, 'million'), /reached [1-9] cells.* 99\d,\d{3}\. [1-9]\d* segments removed|reached [1-9] cells/)
+    const off = async () => Number(/is ([\d.]+) units/.exec(await says(page, 'rounding'))[1])
+    for (let k = 0; k < 5; ++k) {
+      await drag(page, 'rounding', 0.037, 0.053, 2)
+      assert.ok((await off()) <= 1)
+    }
+  }, 'article/', { context: { reducedMotion: 'reduce' } }))
+
+test('the engine agrees with the reference; with a planted bug it does not, and what fails is made small', () =>
+  browser.onPath(async (page) => {
+    await press(page, 'proof', 'Test it')
+    await saysSoon(page, 'proof', /200 random worlds, and the engine agreed/)
+    await page.locator('#proof input').check()
+    await press(page, 'proof', 'Test it')
+    await saysSoon(page, 'proof', /are enough/)
+    const [, before, after] = /Of its (\d+) polygons these (\d+)/.exec(await says(page, 'proof'))
+    assert.ok(Number(before) > 5 && Number(after) <= 3, `${before} to ${after}`)
+  }, 'article/'))
+
+test('a figure that cannot start leaves the others alone', () =>
+  browser.onPath(async (page) => {
+    assert.match(await page.locator('#proof .stage').textContent(), /could not start/)
+    assert.equal(await page.locator('figure[data-ready]').count(), 9)
+  }, 'article/', { before: (page) => page.route('**/reference.wasm', (route) => route.abort()), wrongs: [/ERR_FAILED/] }))
+
+test('all of it weighs at most 400 kB with gzip', () => {
+  const folder = new URL('../../sandbox/dist/article/', import.meta.url)
+  const sizes = readdirSync(folder).map((file) => gzipSync(readFileSync(new URL(file, folder)), { level: 9 }).length)
+  const total = sizes.reduce((a, b) => a + b, 0)
+  console.log(`the article: ${(total / 1000).toFixed(0)} kB`)
+  assert.ok(total <= 400_000, `${total} bytes`)
+})

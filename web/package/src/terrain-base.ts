@@ -1,0 +1,207 @@
+// A terrain for whichever physics engine: when which of its edges and bodies change. planck.ts and box2d3.ts say how.
+import { bad } from './check.js'
+import { Bodies, type Caught, type Physics } from './bodies.js'
+import { LgsError } from './error.js'
+import { checked, type CommonOptions, type EdgeChanges, type Frame, type OnCaught, onCaughtOf, originOf, type Point, TerrainRules } from './terrain.js'
+import type { CellRect, Changes, Region, World } from './types.js'
+
+/** What the engine of a terrain does. */
+export interface Adapter<Body, Material> extends Physics<Body, Material> {
+  /** Whether it is in a step, in which nothing can be changed. */
+  isInStep(): boolean
+  /** Whether there are no bodies but the terrain's. */
+  isAlone(): boolean
+  /** Removes, makes and relinks edges, and wakes who is there. */
+  apply(changes: EdgeChanges): void
+  /** Moves the bodies of chunks to where they are now. */
+  placeChunks(): void
+  /** Removes all edges. */
+  clear(): void
+  /** Bodies that reach into cells, but the terrain's. */
+  bodiesIn(cells: CellRect): Body[]
+}
+
+export abstract class TerrainBase<Body, Material> {
+  protected world: World
+  protected readonly rules: TerrainRules<Material>
+  protected readonly frame: Frame
+  protected readonly chunkCells: number
+  readonly #onCaught: OnCaught
+  #adapter!: Adapter<Body, Material>
+  #bodies!: Bodies<Body, Material>
+  #isSyncing = false
+  #isGone = false
+
+  /** `shortest` is in metres. */
+  protected constructor(world: World, options: CommonOptions<Material>, shortest: number) {
+    const { cellSize, origin, chunkCells, onCaught, material } = checked(options)
+    this.world = world
+    this.frame = { cellSize, origin }
+    this.chunkCells = chunkCells
+    this.#onCaught = onCaught
+    this.rules = new TerrainRules(world, chunkCells, shortest / cellSize, material)
+  }
+
+  /** Puts in what was committed. The constructor of a terrain ends with it. */
+  protected start(adapter: Adapter<Body, Material>): void {
+    this.#adapter = adapter
+    this.#bodies = new Bodies(adapter, this.rules)
+    this.#during(() => {
+      this.rules.follow(this.world)
+      adapter.apply(this.rules.endAll())
+    })
+  }
+
+  get cellSize(): number { return this.frame.cellSize }
+
+  /**
+   * Shows what a commit or a roll-back did, each once and in order, before the next edit. Throws, and has changed nothing:
+   * 'busy' in a step of the physics world, as in a listener of contacts: note what was hit, and dig after the step.
+   * 'left-out', 'shown-already', 'not-the-last' if the changes do not follow what is shown: resync() repairs that.
+   */
+  sync(changes: Changes, onCaught: OnCaught = this.#onCaught): void {
+    onCaughtOf(onCaught)
+    this.#during(() => {
+      if (!this.rules.fits(changes)) return
+      this.#show('last', onCaught, () => this.rules.end())
+    })
+  }
+
+  /** Commits the world, and shows it: sync(world.commit()). In a step it does not commit. */
+  commit(): Changes {
+    this.#refuseInStep()
+    const changes = this.world.commit()
+    this.sync(changes)
+    return changes
+  }
+
+  /**
+   * Compares the terrain with its world, and changes what differs, after changes were left out. Or with another world,
+   * which is the terrain's from now on: one that was loaded. Free the old one after that, not before.
+   */
+  resync(world: World = this.world): void {
+    this.#during(() => {
+      this.rules.follow(world)
+      this.world = world
+      this.#show('all', this.#onCaught, () => this.rules.endAll())
+    })
+  }
+
+  #show(which: 'last' | 'all', onCaught: OnCaught, end: () => EdgeChanges): void {
+    const bodies = this.#bodies, catches = onCaught !== 'leave'
+    const matters = (catches || bodies.holdsSomebody) && !this.#adapter.isAlone()
+    const box = matters ? this.rules.begin(which) : null
+    bodies.caught = box !== null && catches ? bodies.find(box) : []
+    this.#adapter.apply(end())
+    bodies.settle(box !== null, onCaught)
+  }
+
+  #refuseInStep(): void {
+    if (this.#isGone) throw new LgsError('freed', 'this terrain was destroyed')
+    if (this.#adapter.isInStep())
+      throw new LgsError('busy', 'the physics world is in a step: note what was hit, and change the ground after the step')
+    if (this.#isSyncing) throw new LgsError('busy', 'the terrain is changing: a listener of contacts must not change it')
+  }
+
+  #during(work: () => void): void {
+    this.#refuseInStep()
+    this.#isSyncing = true
+    try {
+      work()
+    } finally {
+      this.#isSyncing = false
+    }
+  }
+
+  /** Takes everything out of the physics world. A second call does nothing. */
+  destroy(): void {
+    if (this.#isGone) return
+    this.#refuseInStep()
+    this.#isGone = true
+    this.#adapter.clear()
+    this.rules.drop()
+  }
+
+  // --- Bodies: law 13
+
+  /** Between a commit and its sync(): which bodies the new ground would hold, how deep, and their way out. */
+  caughtBy(changes: Changes): Caught<Body>[] {
+    if (!this.rules.fits(changes)) return []
+    const box = this.rules.begin('last')
+    return box === null ? [] : this.#bodies.find(box)
+  }
+
+  /** Who was caught by the last sync() or resync(), and pushed or held. */
+  get caught(): readonly Caught<Body>[] { return this.#bodies.caught }
+
+  /** Who is held now. */
+  get held(): Body[] { return this.#bodies.held }
+
+  /**
+   * Call it after each step. The solver presses a light body through an edge when a heavy one lies on it, and lets
+   * something fast through now and then. Such a body is put back to where it was free, at rest. Returns them.
+   */
+  afterStep(): Body[] {
+    this.#refuseInStep()
+    return this.#bodies.afterStep()
+  }
+
+  /** Whether the ground leaves a body room: where it is, or at a place in metres. */
+  fits(body: Body, place?: { x: number; y: number; angle: number }): boolean {
+    if (place === undefined) return this.#bodies.fits(body)
+    return this.#bodies.fits(body, { ...this.point(place), cos: Math.cos(place.angle), sin: Math.sin(place.angle) })
+  }
+
+  /** Polygons around the shapes of a body, for a brush. */
+  outlinesOf(body: Body): Region { return { rings: this.#bodies.outlinesOf(body) } }
+
+  /** The bodies that reach into a rectangle of cells, but the terrain's; each once. Sensors are not looked at. */
+  bodiesIn(cells: CellRect): Body[] { return this.#adapter.bodiesIn(cells) }
+
+  // --- Places
+
+  /**
+   * Makes the corner of another cell (0, 0) of the physics world, which keeps its origin near the player. Moves the
+   * terrain's bodies; the others are yours to move.
+   */
+  moveOrigin(cell: { readonly i: number; readonly j: number }): void {
+    this.#refuseInStep()
+    this.frame.origin = originOf(cell)
+    this.#adapter.placeChunks()
+  }
+
+  /** From cells of the world to metres of the physics world, and back. */
+  position(x: number, y: number): { x: number; y: number } {
+    const { cellSize, origin } = this.frame
+    return { x: (x - origin.i) * cellSize, y: (y - origin.j) * cellSize }
+  }
+
+  point(position: Point): { x: number; y: number } {
+    const { cellSize, origin } = this.frame
+    return { x: position.x / cellSize + origin.i, y: position.y / cellSize + origin.j }
+  }
+}
+
+/**
+ * Shows changes, as sync() does. But who is caught by them stays where it is: its outline is carved out of the ground,
+ * and that is committed and shown as well. If a brush is refused somewhere, because a cell is full to its limits, the
+ * terrain does with bodies what its options say.
+ */
+export function cutOut<Body, Material>(terrain: TerrainBase<Body, Material>, world: World, changes: Changes): void {
+  if (!(terrain instanceof TerrainBase)) throw bad('terrain', 'a terrain', terrain)
+  const regions = terrain.caughtBy(changes).map(({ body }) => terrain.outlinesOf(body))
+  // The terrain is told of the changes while they are the last ones: what is carved comes with the next commit.
+  const isCut = regions.every((region) => carved(world, region))
+  isCut ? terrain.sync(changes, 'leave') : terrain.sync(changes)
+  terrain.sync(world.commit())
+}
+
+function carved(world: World, { rings }: Region): boolean {
+  try {
+    for (const ring of rings) world.carve({ rings: [ring] })
+    return true
+  } catch (error) {
+    if (!(error instanceof LgsError)) throw error
+    return false
+  }
+}

@@ -1,0 +1,181 @@
+// Law 13, nobody is buried: after each sync and each afterStep() a dynamic body whose middle was free is free, or is held
+// where it was. For planck and box2d3-wasm. Long games: node test/long-games.mjs.
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import fc from 'fast-check'
+import { circle, createWorld, rectangle, unitSquare } from '../dist/index.js'
+import { cutOut } from '../dist/planck.js'
+import { b2 } from './box2d3.js'
+import { box2dCrowd, planckCrowd } from './crowds.js'
+import { Turmoil, kinds, randomMove, randomNumbers } from './turmoil.js'
+
+const scale = Number(process.env.LGS_TEST_SCALE ?? 1)
+const engines = [['planck', planckCrowd], ['box2d3-wasm', box2dCrowd(b2)]]
+
+const moves = fc.array(fc.record({
+  kind: fc.oneof({ weight: 3, arbitrary: fc.constantFrom(...kinds.slice(0, 6)) }, { weight: 1, arbitrary: fc.constantFrom(...kinds) }),
+  x: fc.nat(191), y: fc.nat(111), size: fc.nat(15), which: fc.nat(255),
+}), { maxLength: 60 })
+const arenas = fc.record({
+  width: fc.constantFrom(12, 3, 6), height: fc.constantFrom(7, 3), cellSize: fc.constantFrom(1, 0.5, 2),
+  chunkCells: fc.constantFrom(16, 1, 3), steps: fc.constantFrom(1, 4, 8),
+})
+
+for (const [name, makeCrowd] of engines) {
+  test(`${name}: nobody is buried in small games`, () => {
+    fc.assert(fc.property(arenas, moves, (arena, played) => {
+      const game = new Turmoil(makeCrowd, arena)
+      try {
+        for (const move of played) assert.equal(game.play(move), null)
+      } finally {
+        game.end()
+      }
+    }), { numRuns: Math.ceil(60 * scale), seed: 13 })
+  })
+
+  test(`${name}: nobody is lost of 50 in longer games`, (t) => {
+    for (const seed of [1, 2]) {
+      const arena = { width: 24, height: 14, chunkCells: 8 }, game = new Turmoil(makeCrowd, arena), random = randomNumbers(seed)
+      for (let tries = 0; game.bodyCount < 50 && tries < 10_000; ++tries) game.play(randomMove(random, arena, 'body'))
+      for (let k = 0; k < 60 * scale; ++k) assert.equal(game.play(randomMove(random, arena)), null, `move ${k} of seed ${seed}`)
+      assert.equal(game.lost, 0)
+      assert.ok(game.pushes > 0 || scale < 1, 'somebody was caught')
+      t.diagnostic(`${game.bodyCount} bodies: ${game.pushes} pushed, ${game.holds} held, ${game.heldCount} at the end, ${game.putBacks} put back`)
+      game.end()
+    }
+  })
+
+  /** A floor of cells 0 to 9, and a body above it that has come to rest. */
+  const resting = (figure = 'box', options = {}) => {
+    const world = createWorld(), square = world.shape(unitSquare)
+    world.fill({ i0: 0, j0: -2, i1: 9, j1: 0 }, square, 1)
+    world.commit()
+    const crowd = makeCrowd(), terrain = crowd.makeTerrain(world, options)
+    const body = crowd.add(figure, 0.8, { x: 5.5, y: 1.405 })
+    const run = (steps) => { for (let k = 0; k < steps; ++k) crowd.step(), terrain.afterStep() }
+    run(10)
+    return { world, square, crowd, terrain, body, run, at: () => crowd.positionOf(body), isFree: () => crowd.middlesOf(body).every(({ x, y }) => world.at(x, y).where === 'outside') }
+  }
+
+  test(`${name}: who is built over is pushed out, the shortest way, and stands`, () => {
+    const { world, square, terrain, body, run, at, isFree } = resting()
+    world.add(5, 1, square, 1)
+    const changes = world.commit()
+    const [caught, ...others] = terrain.caughtBy(changes)
+    assert.equal(others.length, 0)
+    assert.deepEqual(caught.body, body)
+    assert.ok(caught.isFree && caught.depth > 0.2, JSON.stringify(caught.depth))
+    assert.equal(terrain.fits(body), false)
+    assert.equal(terrain.fits(body, { x: 5.5, y: 2.45, angle: 0 }), true)
+    const before = at()
+    terrain.sync(changes)
+    assert.deepEqual(terrain.caught.map(({ way }) => way), [caught.way])
+    assert.ok(Math.hypot(at().x - before.x - caught.way.x, at().y - before.y - caught.way.y) < 1e-5)
+    assert.ok(isFree() && terrain.fits(body))
+    run(120)
+    assert.ok(isFree())
+    world.free()
+  })
+
+  test(`${name}: who has no way out is held where it is, and comes free when there is room`, () => {
+    const { world, crowd, terrain, body, run, at, isFree } = resting('circle')
+    world.fill({ i0: -30, j0: 1, i1: 40, j1: 40 }, world.shape(unitSquare), 1)
+    const before = at()
+    terrain.sync(world.commit())
+    assert.deepEqual(terrain.held, [body])
+    run(60)
+    assert.deepEqual(at(), before)
+    assert.equal(crowd.isEnabled(body), false)
+    world.clear(30, 30) // far away
+    terrain.sync(world.commit())
+    assert.equal(terrain.held.length, 1)
+    world.clear({ i0: 4, j0: 1, i1: 6, j1: 3 })
+    terrain.sync(world.commit())
+    assert.deepEqual(terrain.held, [])
+    assert.ok(crowd.isEnabled(body) && isFree())
+    run(60)
+    assert.ok(isFree())
+    world.free()
+  })
+
+  test(`${name}: hold, leave, and a block that is passable`, () => {
+    for (const [onCaught, material, held, caught] of [
+      ['hold', undefined, 1, 1], ['leave', undefined, 0, 0], ['push', (block) => ({ isPassable: block === 7 }), 0, 0],
+    ]) {
+      const { world, square, terrain, at } = resting('circle', { onCaught, ...(material && { material }) })
+      const before = at()
+      world.add(5, 1, square, 7)
+      const changes = world.commit()
+      assert.equal(terrain.caughtBy(changes).length, material ? 0 : 1)
+      terrain.sync(changes)
+      assert.deepEqual([terrain.held.length, terrain.caught.length], [held, caught], onCaught)
+      assert.deepEqual(at(), before)
+      world.free()
+    }
+  })
+
+  test(`${name}: an undo and a load catch, too`, () => {
+    for (const how of ['undo', 'load', 'another world']) {
+      const { world, square, terrain, crowd, body } = resting()
+      const mark = world.checkpoint()
+      world.clear(5, 0)
+      terrain.sync(world.commit())
+      for (let k = 0; k < 40; ++k) crowd.step(), terrain.afterStep()
+      assert.ok(crowd.positionOf(body).y < 0.6, 'it is in the hole')
+      let now = world
+      if (how === 'undo') terrain.sync(world.rollBack(mark))
+      else if (how === 'load') {
+        world.rollBack(mark)
+        terrain.resync()
+      } else {
+        now = createWorld()
+        now.fill({ i0: 0, j0: -2, i1: 9, j1: 0 }, now.shape(unitSquare), 1)
+        now.commit()
+        terrain.resync(now)
+        world.free()
+      }
+      assert.equal(terrain.caught.length, 1, how)
+      const { x, y } = crowd.middlesOf(body)[0]
+      assert.equal(now.at(x, y).where, 'outside', how)
+      now.clear(0, 0)
+      terrain.sync(now.commit())
+      now.free()
+      void square
+    }
+  })
+
+  test(`${name}: a way out leads through no wall that was there`, () => {
+    const world = createWorld(), square = world.shape(unitSquare)
+    world.fill({ i0: 0, j0: 0, i1: 9, j1: 0 }, square, 1)
+    world.paint(rectangle(5.9, 4, 0, 1, 3, 0.05), 1) // a thin wall
+    world.commit()
+    const crowd = makeCrowd(), terrain = crowd.makeTerrain(world, {})
+    const body = crowd.add('circle', 0.6, { x: 5.5, y: 1.31 })
+    world.paint({ rings: [[5, 1, 6, 1, 6, 2, 5, 2]] }, 1)
+    terrain.sync(world.commit())
+    assert.equal(terrain.caught.length, 1)
+    assert.ok(crowd.positionOf(body).x < 5.85)
+    world.free()
+  })
+
+  test(`${name}: cutOut() moves nobody and refuses nothing`, () => {
+    const { world, terrain, body, at } = resting('triangle')
+    const before = at(), outline = terrain.outlinesOf(body)
+    assert.equal(outline.rings.length, 1)
+    world.paint(circle(5.5, 1.5, 2), 4)
+    cutOut(terrain, world, world.commit())
+    assert.deepEqual(at(), before)
+    assert.deepEqual([terrain.caught.length, terrain.held.length], [0, 0])
+    assert.ok(terrain.fits(body))
+    assert.equal(world.at(5.5, 2.8).block, 4)
+    world.free()
+  })
+
+  test(`${name}: bodiesIn() names who is there, each once, and not the terrain`, () => {
+    const { world, terrain, body } = resting('cross')
+    assert.deepEqual(terrain.bodiesIn({ i0: 5, j0: 1, i1: 5, j1: 1 }), [body])
+    assert.deepEqual(terrain.bodiesIn({ i0: 7, j0: 0, i1: 8, j1: 2 }), [])
+    assert.deepEqual(terrain.bodiesIn({ i0: 5, j0: 1, i1: 4, j1: 1 }), [])
+    world.free()
+  })
+}

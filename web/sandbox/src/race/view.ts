@@ -1,0 +1,224 @@
+// Draws a race: two lanes, below them the speeds over the same distance, and a lens that shows the first kick slowly.
+import type { World } from 'localgridseg'
+import { theme, wantsCalm } from '../theme.js'
+import { finish, type Lane, type Moment, type Race, start } from './race.js'
+
+const slower = 14 // times, under the lens
+const lensCells = 2.4
+const font = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif'
+
+interface Place {
+  readonly x: number
+  readonly y: number
+  readonly width: number
+  readonly height: number
+}
+
+export function drawRace(c: CanvasRenderingContext2D, race: Race, width: number, height: number, now: number): void {
+  const colours = theme()
+  c.fillStyle = colours.sky
+  c.fillRect(0, 0, width, height)
+  const isWide = width > 1.25 * height
+  const lens = Math.min(isWide ? width * 0.27 : width * 0.6, height * (isWide ? 0.62 : 0.32))
+  const right = isWide ? width - lens - 34 : width
+  const bottom = isWide ? height : height - lens - 46
+  const lane = Math.min(bottom * 0.31, 50 + (2.6 * right) / (finish + 2))
+  race.lanes.forEach((each, k) => drawLane(c, race.world, each, { x: 0, y: k * lane, width: right, height: lane }))
+  drawSpeeds(c, race, { x: 0, y: 2 * lane, width: right, height: bottom - 2 * lane })
+  const middle = isWide ? right + lens / 2 + 8 : width / 2
+  drawLens(c, race.lanes[1], middle, isWide ? lens / 2 + 44 : bottom + lens / 2 + 30, lens / 2, now)
+}
+
+function unitOf({ width }: Place): number {
+  return (width - 24) / (finish + 2)
+}
+
+function drawLane(c: CanvasRenderingContext2D, world: World, lane: Lane, place: Place): void {
+  const colours = theme()
+  const unit = unitOf(place)
+  const floor = place.y + place.height - 8 - unit * 0.8
+  const at = (x: number, y: number): [number, number] => [place.x + 12 + (x + 0.5) * unit, floor - (y - 1) * unit]
+  const text = Math.max(12, Math.min(17, place.height / 6))
+  c.textBaseline = 'top'
+  c.textAlign = 'left'
+  c.fillStyle = colours.ink
+  c.font = `600 ${text}px ${font}`
+  const title = lane.side.ghosts ? 'With ghost vertices' : 'Without'
+  c.fillText(title, 14, place.y + 10)
+  const left = 24 + c.measureText(title).width
+  if (lane.time !== null) {
+    c.font = `650 ${text * 1.5}px ${font}`
+    c.textAlign = 'right'
+    c.fillText(`${lane.time.toFixed(2)} s`, place.width - 14, place.y + 6)
+  }
+  const kicks = lane.side.kicks.count
+  c.font = `${text}px ${font}`
+  c.textAlign = 'left'
+  c.fillStyle = kicks > 0 ? colours.kick : colours.ink
+  c.fillText(`${kicks} kicks`, left, place.y + 10)
+
+  for (let i = 0; i < finish + 1; ++i) {
+    c.fillStyle = colours.ground
+    const [x, y] = at(i, 1)
+    c.fillRect(x + 0.5, y, unit - 1, unit * 0.8)
+  }
+  drawFlag(c, at(finish, 1), unit)
+  c.save()
+  c.beginPath()
+  c.rect(place.x, place.y, place.width, place.height)
+  c.clip()
+  if (lane.side.ghosts) drawGhosts(c, world, lane.moments.at(-1)!, at)
+  drawPath(c, lane, at)
+  c.fillStyle = colours.kick
+  for (const kick of lane.kicks) {
+    c.beginPath()
+    c.arc(...at(...kick), Math.max(2.5, unit / 9), 0, 2 * Math.PI)
+    c.fill()
+  }
+  drawWheel(c, lane.moments.at(-1)!, at, unit * start.size, colours.riders[lane.side.ghosts ? 0 : 1])
+  c.restore()
+}
+
+function drawFlag(c: CanvasRenderingContext2D, [x, y]: [number, number], unit: number): void {
+  const size = Math.max(4, unit / 6)
+  for (let k = 0; k < 6; ++k) {
+    c.fillStyle = k % 2 === 0 ? theme().ink : theme().sky
+    c.fillRect(x, y - (k + 1) * size, size, size)
+    c.fillStyle = k % 2 === 1 ? theme().ink : theme().sky
+    c.fillRect(x + size, y - (k + 1) * size, size, size)
+  }
+}
+
+// The ghosts of the segment below the wheel: the far ends of its neighbours.
+function drawGhosts(c: CanvasRenderingContext2D, world: World, { x }: Moment, at: (x: number, y: number) => [number, number]): void {
+  const near = world.nearest(x, 1.2, 1)
+  if (near === null) return
+  const { ghost1, ghost2 } = world.segment(near.segment)
+  c.strokeStyle = theme().added
+  c.lineWidth = 2
+  for (const ghost of [ghost1, ghost2]) {
+    if (ghost === null) continue
+    c.beginPath()
+    c.arc(...at(...ghost), 4.5, 0, 2 * Math.PI)
+    c.stroke()
+  }
+}
+
+function drawPath(c: CanvasRenderingContext2D, { moments, side }: Lane, at: (x: number, y: number) => [number, number]): void {
+  c.strokeStyle = theme().riders[side.ghosts ? 0 : 1]
+  c.globalAlpha = 0.6
+  c.lineWidth = 1.5
+  c.beginPath()
+  for (const { x, y } of moments) c.lineTo(...at(x, y))
+  c.stroke()
+  c.globalAlpha = 1
+}
+
+function drawWheel(c: CanvasRenderingContext2D, { x, y, angle }: Moment, at: (x: number, y: number) => [number, number], radius: number, colour: string): void {
+  const [px, py] = at(x, y)
+  c.fillStyle = colour
+  c.beginPath()
+  c.arc(px, py, radius, 0, 2 * Math.PI)
+  c.fill()
+  c.strokeStyle = theme().sky
+  c.lineWidth = Math.max(1.5, radius / 5)
+  c.beginPath()
+  c.moveTo(px, py)
+  c.lineTo(px + radius * 0.7 * Math.cos(angle), py - radius * 0.7 * Math.sin(angle))
+  c.stroke()
+}
+
+// Speed over distance: below each place of the track is how fast the wheels were there.
+function drawSpeeds(c: CanvasRenderingContext2D, race: Race, place: Place): void {
+  const colours = theme()
+  const unit = unitOf(place)
+  const [top, low] = [place.y + 34, place.y + place.height - 16]
+  const at = ({ x, vx }: Moment): [number, number] => [12 + (x + 0.5) * unit, low - ((low - top) * (vx - 3)) / (start.speed - 3)]
+  c.strokeStyle = colours.grid
+  c.lineWidth = 1
+  c.font = `12px ${font}`
+  c.textBaseline = 'bottom'
+  c.textAlign = 'left'
+  for (let v = 3; v <= start.speed; ++v) {
+    const [x, y] = at({ x: -0.5, y: 0, angle: 0, vx: v, vy: 0 })
+    c.beginPath()
+    c.moveTo(x, y)
+    c.lineTo(place.width - 12, y)
+    c.stroke()
+    c.fillStyle = colours.ink
+    c.globalAlpha = 0.7
+    c.fillText(v === start.speed ? `speed ${v} cells a second` : String(v), x + 2, y - 2)
+    c.globalAlpha = 1
+  }
+  for (const lane of [race.lanes[1], race.lanes[0]]) {
+    c.strokeStyle = colours.riders[lane.side.ghosts ? 0 : 1]
+    c.lineWidth = 3
+    c.lineJoin = 'round'
+    c.beginPath()
+    for (const moment of lane.moments) if (moment.x <= finish + 1) c.lineTo(...at(moment))
+    c.stroke()
+  }
+}
+
+function drawLens(c: CanvasRenderingContext2D, lane: Lane, x: number, y: number, radius: number, now: number): void {
+  const colours = theme()
+  const { replay, kickInReplay } = lane
+  const length = Math.max(1, replay.length - 1)
+  const t = wantsCalm() ? Math.min(kickInReplay, length) : ((now / 1000) * 60) / slower % length
+  const shown = replay.length < 2 ? lane.moments.at(-1)! : between(replay, t)
+  const focus = replay[kickInReplay] ?? shown
+  const unit = (2 * radius) / lensCells
+  const at = (cx: number, cy: number): [number, number] => [x + (cx - focus.x) * unit, y - (cy - focus.y) * unit]
+  c.save()
+  c.beginPath()
+  c.arc(x, y, radius, 0, 2 * Math.PI)
+  c.clip()
+  c.fillStyle = colours.sky
+  c.fillRect(x - radius, y - radius, 2 * radius, 2 * radius)
+  c.fillStyle = colours.ground
+  for (let i = Math.floor(focus.x) - 3; i < focus.x + 3; ++i) {
+    const [left, top] = at(i, 1)
+    c.fillRect(left + 1, top, unit - 2, 2 * radius)
+  }
+  drawWheel(c, shown, at, unit * start.size, colours.riders[1])
+  if (replay.length > 1 && t >= kickInReplay - 0.5) drawPush(c, replay, kickInReplay, at)
+  c.restore()
+  c.strokeStyle = colours.ink
+  c.lineWidth = 3
+  c.beginPath()
+  c.arc(x, y, radius, 0, 2 * Math.PI)
+  c.stroke()
+  c.fillStyle = colours.ink
+  c.textAlign = 'center'
+  c.textBaseline = 'bottom'
+  c.font = `13px ${font}`
+  c.fillText(replay.length > 0 ? `The first kick, ${slower} times slower` : 'Without ghosts', x, y - radius - 8)
+}
+
+// What the kick did to the velocity, as an arrow.
+function drawPush(c: CanvasRenderingContext2D, replay: readonly Moment[], k: number, at: (x: number, y: number) => [number, number]): void {
+  const [a, b] = [replay[Math.max(0, k - 1)], replay[k]]
+  const [dx, dy] = [b.vx - a.vx, b.vy - a.vy]
+  const length = Math.hypot(dx, dy)
+  if (length === 0) return
+  const from = at(b.x, b.y)
+  const to = at(b.x + (0.75 * dx) / length, b.y + (0.75 * dy) / length)
+  const angle = Math.atan2(to[1] - from[1], to[0] - from[0])
+  c.strokeStyle = theme().kick
+  c.lineWidth = 4
+  c.beginPath()
+  c.moveTo(...from)
+  c.lineTo(...to)
+  for (const turn of [2.6, -2.6]) {
+    c.moveTo(...to)
+    c.lineTo(to[0] + 12 * Math.cos(angle + turn), to[1] + 12 * Math.sin(angle + turn))
+  }
+  c.stroke()
+}
+
+function between(moments: readonly Moment[], t: number): Moment {
+  const k = Math.min(moments.length - 2, Math.floor(t))
+  const [a, b, part] = [moments[k], moments[k + 1], t - k]
+  const mix = (u: number, v: number) => u + (v - u) * part
+  return { x: mix(a.x, b.x), y: mix(a.y, b.y), angle: mix(a.angle, b.angle), vx: mix(a.vx, b.vx), vy: mix(a.vy, b.vy) }
+}

@@ -1,0 +1,38 @@
+// The race. In a real browser; the build must be there: npm run build -w sandbox
+import assert from 'node:assert/strict'
+import { after, before, test } from 'node:test'
+import { openBrowser } from './browser.js'
+
+let browser
+before(async () => (browser = await openBrowser()))
+after(() => browser.close())
+
+const run = (page) => page.evaluate(() => window.sandbox.race.step(400, 0))
+
+test('the wheel with ghosts wins clearly, and the page says so', () =>
+  browser.onPage(async (page) => {
+    await page.locator('#race').click()
+    await run(page)
+    const { times, kicks, replay } = await page.evaluate(() => {
+      const { lanes } = window.sandbox.race.race
+      return { times: lanes.map(({ time }) => time), kicks: lanes.map(({ kicks }) => kicks.length), replay: lanes[1].replay.length }
+    })
+    assert.equal(kicks[0], 0)
+    assert.ok(kicks[1] >= 5, `${kicks[1]} kicks`)
+    assert.ok(times[0] < 5 && times[1] > times[0] + 0.5, `${times}`)
+    assert.ok(replay > 10, 'the lens has a kick to show')
+    assert.match(await page.locator('#race-result').textContent(), /With ghosts it wins by \d\.\d\d s/)
+    await page.locator('#race-again').click()
+    assert.equal(await page.evaluate(() => window.sandbox.race.race.lanes[0].time), null)
+    await page.locator('#race-close').click()
+    assert.equal(await page.evaluate(() => window.sandbox.race.race), null)
+  }))
+
+test('a link opens it; without motion its end is there at once', () =>
+  browser.onPage(
+    async (page) => {
+      assert.match(await page.locator('#race-result').textContent(), /wins by/)
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390)
+    },
+    { hash: '#race', context: { viewport: { width: 390, height: 844 }, reducedMotion: 'reduce', hasTouch: true, isMobile: true } },
+  ))
