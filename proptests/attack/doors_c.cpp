@@ -244,6 +244,16 @@ void addEdits(Doors& door) {
     lgs_error error{};
     return checked(lgs_roll_back(worldOf(s, w), mark, out(changes), e(error)), w);
   });
+  door("lgs_roll_back_keeping", [](Scene& s, Given w, const lgs_mark& mark, Given out, Given e) {
+    lgs_changes changes{};
+    lgs_error error{};
+    return checked(lgs_roll_back_keeping(worldOf(s, w), mark, out(changes), e(error)), w);
+  });
+  door("lgs_roll_forward", [](Scene& s, Given w, const lgs_mark& mark, Given out, Given e) {
+    lgs_changes changes{};
+    lgs_error error{};
+    return checked(lgs_roll_forward(worldOf(s, w), mark, out(changes), e(error)), w);
+  });
   door("lgs_forget", [](Scene& s, Given w, const lgs_mark& mark, Given e) {
     lgs_error error{};
     return checked(lgs_forget(worldOf(s, w), mark, e(error)), w);
