@@ -102,7 +102,9 @@ class Doors {
 /// A call that the documents refuse, whatever else is so, if `isBad`.
 template <class Result>
 Result refusedIf(bool isBad, Result result) {
-  if (isBad) EXPECT_FALSE(result.has_value());
+  if (isBad) {
+    EXPECT_FALSE(result.has_value());
+  }
   return result;
 }
 

@@ -30,7 +30,9 @@ lgs_world* worldOf(Scene& s, Given given) { return given.isGiven ? s.c.get() : n
 
 /// What a function says that must refuse a NULL for its world, or another pointer that must not be NULL.
 lgs_status checked(lgs_status status, bool areGiven) {
-  if (!areGiven) EXPECT_EQ(status, LGS_BAD_ARGUMENT);
+  if (!areGiven) {
+    EXPECT_EQ(status, LGS_BAD_ARGUMENT);
+  }
   return status;
 }
 lgs_status checked(lgs_status status, Given world) { return checked(status, world.isGiven); }
@@ -415,7 +417,9 @@ void addWorlds(Doors& door) {
   door("lgs_copy", [](Scene& s, Given w, Given out) {
     lgs_world* copy = nullptr;
     const lgs_status status = lgs_copy(worldOf(s, w), out(copy));
-    if (copy) EXPECT_EQ(seenOf(copy), seenOf(s.c.get()));
+    if (copy) {
+      EXPECT_EQ(seenOf(copy), seenOf(s.c.get()));
+    }
     lgs_free(copy);
     return checked(status, w.isGiven && out.isGiven);
   });

@@ -28,7 +28,9 @@ void addDoorsOfValues(Doors& door) {
   door("isEmpty(const CellRect&)", [](Scene&, const CellRect& r) { return isEmpty(r); });
   door("toWorld(Cell, LocalPoint)", [](Scene&, Cell cell, LocalPoint p) { return toWorld(cell, p); });
   door("cellAt(Point)", [](Scene&, Point p) {
-    if (inRange(p)) EXPECT_TRUE(contains({{-kMaxCell - 1, -kMaxCell - 1}, {kMaxCell + 1, kMaxCell + 1}}, cellAt(p)));
+    if (inRange(p)) {
+      EXPECT_TRUE(contains({{-kMaxCell - 1, -kMaxCell - 1}, {kMaxCell + 1, kMaxCell + 1}}, cellAt(p)));
+    }
     return cellAt(p);
   });
   door("latticePoint(DoublePoint)", [](Scene&, DoublePoint p) { return latticePoint(p); });
@@ -50,7 +52,9 @@ void addDoorsOfValues(Doors& door) {
     return 0U;
   });
   door("Segment::normal() const", [](Scene&, const Segment& segment) {
-    if (segment.start != segment.end) EXPECT_LE(std::abs(segment.normal().x), 1);
+    if (segment.start != segment.end) {
+      EXPECT_LE(std::abs(segment.normal().x), 1);
+    }
     return 0U;
   });
   door("version()", [](Scene&) {

@@ -36,7 +36,7 @@ void addDoorsOfWorlds(Doors& door) {
     return world.commit().added.size();
   });
   door("World::~World()", [](Scene& s) {
-    World(s.world).~World(), 0;
+    const World ends(s.world);
     return 0U;
   });
   door("World::World(const World&)", [](Scene& s) {
@@ -97,7 +97,8 @@ void addDoorsOfWorlds(Doors& door) {
       "World::remove(PolygonHandle)", [](Scene& s, PolygonHandle h) { return s.world.remove(h); },
       [](Scene& s, PolygonHandle h) { return !s.isAlive(h); });
   door("World::removeMany(span<const PolygonHandle>)", [](Scene& s, const std::vector<PolygonHandle>& all) {
-    return refusedIf(!std::ranges::all_of(all, [&](PolygonHandle h) { return s.isAlive(h); }), s.world.removeMany(all));
+    const bool isBad = !std::ranges::all_of(all, [&](PolygonHandle h) { return s.isAlive(h); });  // before they go
+    return refusedIf(isBad, s.world.removeMany(all));
   });
   door(
       "World::replace(Cell, ShapeId, Block, span<PolygonHandle>)",
@@ -175,7 +176,9 @@ void addDoorsOfWorlds(Doors& door) {
     if (edits) static_cast<void>(s.world.clear(Cell{0, 0}));
     const Seen before = seenOf(s.world);
     const auto done = s.world.rollForward(mark);
-    if (!done) EXPECT_EQ(before, seenOf(s.world));
+    if (!done) {
+      EXPECT_EQ(before, seenOf(s.world));
+    }
     return 0U;
   });
   door("World::forget(Mark)", [](Scene& s, Mark mark) { return s.world.forget(mark); });

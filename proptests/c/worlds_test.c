@@ -238,7 +238,7 @@ static void statuses(void) {
                                    LGS_SAVE_CAPACITY};
   enum { kAll = sizeof all / sizeof all[0] };
   static const lgs_status none[] = {-1, 18, 99, 102, 199, 210, INT32_MAX, INT32_MIN};
-  static char texts[kAll][200];
+  static char texts[kAll][400];
   lgs_error error;
   char text[200] = "";
   size_t a, b;

@@ -125,7 +125,9 @@ class GoingForwardByHand : public testing::Test {
   }
   bool isForward(Mark mark) {
     const auto done = world.rollForward(mark);
-    if (!done) EXPECT_EQ(done.error().code, ErrorCode::unknownMark);
+    if (!done) {
+      EXPECT_EQ(done.error().code, ErrorCode::unknownMark);
+    }
     return done.has_value();
   }
 

@@ -224,7 +224,7 @@ TEST(GoingBackByHand, EveryNumberBeyondItsRangeIsRefused) {
   EXPECT_EQ(one(79, 1), What::badSegments) << "id 0, free";
   EXPECT_EQ(one(79, 3), What::badSegments) << "id -1, free";
   EXPECT_EQ(one(79, kMuch), What::badSegments) << "a free id beyond all";
-  EXPECT_EQ(reasonWith(79, 6, {14, (std::uint64_t{1} << 33) - 8, 0, 0, 4, 10}), What::badSegments)
+  EXPECT_EQ(reasonWith(79, 6, {14, (std::uint64_t{1} << 33) - 8, 0, 0, 4, 10}), What::badNumber)
       << "ids of too many bits, all right in their lower 32";
   EXPECT_EQ(one(79, 24), What::badSegments) << "free ids that were just removed";
   EXPECT_EQ(one(84, 1), What::badSegments) << "id 0, just removed";

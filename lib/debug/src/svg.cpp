@@ -6,6 +6,7 @@ namespace lgs {
 namespace {
 
 constexpr std::int64_t kPixelsPerCell = 64, kMargin = 8;
+constexpr double kMaxCellsPerUnit = 1e6;
 
 /// With three decimals: about a lattice unit. No locale has a say in it.
 std::string decimal(double value) {
@@ -68,7 +69,8 @@ std::string writeSvg(const World& world, const SvgOverlay& overlay) {
            page(DoublePoint{middle.x + normal.x / 12, middle.y + normal.y / 12}) + "\"/>\n";
   }
   svg += "</g>\n";
-  if (!overlay.over.empty()) svg += page.group(overlay);
+  const bool hasScale = overlay.cellsPerUnit > 0 && overlay.cellsPerUnit <= kMaxCellsPerUnit;  // and so a number
+  if (!overlay.over.empty() && hasScale) svg += page.group(overlay);
   return svg + "</svg>\n";
 }
 
