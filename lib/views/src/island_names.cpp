@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <span>
 #include <tuple>
 
 namespace lgs::detail {
@@ -31,11 +32,15 @@ void IslandView::nameAll(const World& world, const Loops& loops) {
   kins.erase(std::unique(kins.begin(), kins.end()), kins.end());
   for (const Old& old : olds_) ofLoop_[old.facts.outer.id.value] = {};
   for (const Kin::Node kin : kins) {
-    const auto olds = std::ranges::equal_range(olds_, kin, {}, &Old::kin);
-    const auto news = std::ranges::equal_range(news_, kin, {}, &New::kin);
-    nameKin({olds.begin(), olds.end()}, {news.begin(), news.end()});
-    if (isAnchor_) countAnchors(world, loops, {olds.begin(), olds.end()}, {news.begin(), news.end()});
-    tellKin(loops, {olds.begin(), olds.end()}, {news.begin(), news.end()});
+    const auto ofKin = [kin](auto& sorted, auto member) {
+      return std::span(std::ranges::lower_bound(sorted, kin, {}, member),
+                       std::ranges::upper_bound(sorted, kin, {}, member));
+    };
+    const std::span<Old> olds = ofKin(olds_, &Old::kin);
+    const std::span<New> news = ofKin(news_, &New::kin);
+    nameKin(olds, news);
+    if (isAnchor_) countAnchors(world, loops, olds, news);
+    tellKin(loops, olds, news);
   }
   for (auto* ids : {&changes_.came, &changes_.went, &changes_.changed}) detail::sort(*ids);
   for (auto* pairs : {&changes_.cutOff, &changes_.joined}) detail::sort(*pairs);

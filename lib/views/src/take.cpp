@@ -79,8 +79,8 @@ Foreseen foresee(World& world, Islands& islands, const std::function<bool(World&
     for (const IslandPair& p : out.changes.cutOff) look(p.from);
     for (const IslandPair& p : out.changes.joined) look(p.into);
     std::ranges::sort(out.after, {}, &IslandFacts::id);
-    const auto same = std::ranges::unique(out.after, {}, &IslandFacts::id);
-    out.after.erase(same.begin(), same.end());
+    const auto isSame = [](const IslandFacts& a, const IslandFacts& b) { return a.id == b.id; };
+    out.after.erase(std::unique(out.after.begin(), out.after.end(), isSame), out.after.end());
   }
   static_cast<void>(world.rollBack(mark));
   static_cast<void>(islands.update(world, world.changesOfRollBack()));

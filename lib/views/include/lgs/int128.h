@@ -22,14 +22,14 @@ struct Int128 {
   double toDouble() const;
 
   friend constexpr Int128 operator+(Int128 a, Int128 b) {
-    const std::uint64_t low = a.low + b.low;
-    const std::uint64_t carry = low < a.low ? 1 : 0;
+    const std::uint64_t sum = a.low + b.low;
+    const std::uint64_t carry = sum < a.low ? 1 : 0;
     return {static_cast<std::int64_t>(static_cast<std::uint64_t>(a.high) + static_cast<std::uint64_t>(b.high) + carry),
-            low};
+            sum};
   }
   friend constexpr Int128 operator-(Int128 a) {
-    const std::uint64_t low = ~a.low + 1;
-    return {static_cast<std::int64_t>(~static_cast<std::uint64_t>(a.high) + (low == 0 ? 1 : 0)), low};
+    const std::uint64_t negated = ~a.low + 1;
+    return {static_cast<std::int64_t>(~static_cast<std::uint64_t>(a.high) + (negated == 0 ? 1 : 0)), negated};
   }
   friend constexpr Int128 operator-(Int128 a, Int128 b) { return a + -b; }
   constexpr Int128& operator+=(Int128 b) { return *this = *this + b; }
