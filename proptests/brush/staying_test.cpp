@@ -61,7 +61,7 @@ LGS_LAW(BrushRegions, CellsAreThoseInWhichSomethingChanges, 1'000, (const AnyReg
   });
 }
 
-constexpr std::int64_t kCell = kUnitsPerCell;
+constexpr std::int64_t kCellUnits = kUnitsPerCell;
 
 Region rect(Point min, Point max) { return {{{min, {max.x, min.y}, max, {min.x, max.y}}}}; }
 
@@ -73,24 +73,24 @@ TEST(BrushStayingByHand, OreAndBedrockKeepTheirHandles) {
   const PolygonHandle ore = *world.add({2, 0}, {{0, 0}, {kUnitsPerCell, kUnitsPerCell}, {0, kUnitsPerCell}}, 9);
   const auto stays = [](Block block) { return block == 9; };
   World dug = world;
-  const auto done = carve(dug, rect({-5, -5}, {3 * kCell + 5, kCell + 5}), stays);
+  const auto done = carve(dug, rect({-5, -5}, {3 * kCellUnits + 5, kCellUnits + 5}), stays);
   ASSERT_TRUE(done);
   EXPECT_EQ(done->went, (std::vector<PolygonHandle>{stone, half}));
   EXPECT_TRUE(done->changed.empty() && done->came.empty());
   EXPECT_TRUE(dug.polygon(bedrock) && dug.polygon(ore));
 
-  const auto painted = paint(world, rect({-5, -5}, {3 * kCell + 5, kCell + 5}), 4, PaintMode::replace, stays);
+  const auto painted = paint(world, rect({-5, -5}, {3 * kCellUnits + 5, kCellUnits + 5}), 4, PaintMode::replace, stays);
   ASSERT_TRUE(painted);
   EXPECT_EQ(world.polygon(bedrock)->block, 9U);
   EXPECT_EQ(world.polygon(ore)->block, 9U);
   EXPECT_EQ(world.polygon(stone)->block, 4U);
-  EXPECT_EQ(world.at({2 * kCell + 3 * kCell / 4, kCell / 4}).block, 4U);
+  EXPECT_EQ(world.at({2 * kCellUnits + 3 * kCellUnits / 4, kCellUnits / 4}).block, 4U);
 }
 
 TEST(BrushStayingByHand, AFullCellThatStaysIsNotCut) {
   World world;
   const PolygonHandle bedrock = *world.add({0, 0}, kUnitSquare, 9);
-  const Region hole = circle({kCell / 2, kCell}, kCell / 3, 16);
+  const Region hole = circle({kCellUnits / 2, kCellUnits}, kCellUnits / 3, 16);
   for (const bool carves : {true, false}) {
     const auto stays = [](Block) { return true; };
     const auto done = carves ? carve(world, hole, stays) : paint(world, hole, 3, PaintMode::replace, stays);
@@ -101,7 +101,7 @@ TEST(BrushStayingByHand, AFullCellThatStaysIsNotCut) {
 }
 
 TEST(BrushRegionsByHand, BoundsAndCells) {
-  const Region region = rect({5, 5}, {2 * kCell, kCell + 1});
+  const Region region = rect({5, 5}, {2 * kCellUnits, kCellUnits + 1});
   EXPECT_EQ(boundsOf(region).value(), (CellRect{{0, 0}, {1, 1}}));
   EXPECT_EQ(cellsOf(region)->size(), 4U);
   EXPECT_TRUE(isEmpty(boundsOf(Region{}).value()));
@@ -111,10 +111,10 @@ TEST(BrushRegionsByHand, BoundsAndCells) {
   EXPECT_EQ(boundsOf(far).error().code, ErrorCode::outOfReach);
   EXPECT_EQ(cellsOf(far).error().code, ErrorCode::outOfReach);
   EXPECT_FALSE(meets(far, region.rings[0]));
-  EXPECT_TRUE(meets(region, {{2 * kCell, 9}, {2 * kCell + 9, 9}, {2 * kCell, 20}})) << "they touch";
+  EXPECT_TRUE(meets(region, {{2 * kCellUnits, 9}, {2 * kCellUnits + 9, 9}, {2 * kCellUnits, 20}})) << "they touch";
   EXPECT_TRUE(meets(region, {{9, 9}, {20, 9}, {9, 20}})) << "inside";
   EXPECT_TRUE(meets(rect({9, 9}, {20, 20}), region.rings[0])) << "around";
-  EXPECT_FALSE(meets(region, {{2 * kCell + 1, 9}, {2 * kCell + 9, 9}, {2 * kCell + 1, 20}}));
+  EXPECT_FALSE(meets(region, {{2 * kCellUnits + 1, 9}, {2 * kCellUnits + 9, 9}, {2 * kCellUnits + 1, 20}}));
   EXPECT_FALSE(
       meets({{region.rings[0], rect({7, 7}, {90, 90}).rings[0]}, FillRule::evenOdd}, {{20, 20}, {30, 20}, {20, 30}}))
       << "in a hole";
