@@ -284,15 +284,15 @@ TEST_F(Command, ErrorsOfTheImportNameOptionsOfTheCommand) {
 
 /// Tiles of a layer "Blocks" of which one in three has a shape.
 constexpr const char* kInPart =
-    "<map orientation='orthogonal' width='6' height='1' tilewidth='16' tileheight='16'>"
+    "<map orientation='orthogonal' width='6' height='2' tilewidth='16' tileheight='16'>"
     "<tileset firstgid='1' name='t' tilewidth='16' tileheight='16'><tile id='0'><objectgroup>"
     "<object id='1' width='16' height='16'/></objectgroup></tile></tileset>"
-    "<layer name='Blocks' width='6' height='1'><data encoding='csv'>1,1,2,1,2,0</data></layer></map>";
+    "<layer name='Blocks' width='6' height='2'><data encoding='csv'>1,1,2,1,2,0,0,0,0,0,0,0</data></layer></map>";
 
 TEST_F(Command, WhatIsTakenInPartIsSaid) {
   put("m.tmx", kInPart);
   const std::string part = "tile layer Blocks, of which 3 of 5 tiles are taken";
-  expect("import m.tmx -o m.trace", 0, "m.tmx: 6×1 tiles of 16×16 px; IN PART: " + part + "\n");
+  expect("import m.tmx -o m.trace", 0, "m.tmx: 6×2 tiles of 16×16 px; IN PART: " + part + "\n");
   const std::string command =
       "  5 polygons: all of tile layer Blocks, and no other\n    lgs import m.tmx --layer Blocks --solid\n";
   expect("import m.tmx -o m.trace", 0, "m.tmx: in part: " + part + ". What could be taken instead:\n" + command);

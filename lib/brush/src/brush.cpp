@@ -104,12 +104,14 @@ bool meets(const Region& region, const Ring& polygon) noexcept {
 
 Expected<BrushResult> paint(World& world, const Region& region, Block block, PaintMode mode,
                             const StayingBlocks& staying) noexcept {
-  return brushed(world, region,
-                 {mode == PaintMode::fill ? brush::Deed::fill : brush::Deed::replace, block, region.rule, &staying});
+  const brush::Staying stays(staying);
+  const brush::Deed deed = mode == PaintMode::fill ? brush::Deed::fill : brush::Deed::replace;
+  return brushed(world, region, {deed, block, region.rule, &stays});
 }
 
 Expected<BrushResult> carve(World& world, const Region& region, const StayingBlocks& staying) noexcept {
-  return brushed(world, region, {brush::Deed::carve, 0, region.rule, &staying});
+  const brush::Staying stays(staying);
+  return brushed(world, region, {brush::Deed::carve, 0, region.rule, &stays});
 }
 
 }  // namespace lgs

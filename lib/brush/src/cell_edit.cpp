@@ -17,6 +17,7 @@ using detail::nextVertex;
 }  // namespace
 
 bool meets(PieceSpan region, FillRule rule, const Points& ring) {
+  if (region.empty() || ring.empty()) return false;
   Point rising{};  // a place just left of which the polygon is, doubled
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const Point u = ring[k], v = nextVertex(ring, k);

@@ -5,18 +5,36 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 
 namespace lgs::brush {
 
 enum class Deed : std::uint8_t { carve, fill, replace };
 
+/// The blocks that stay. The game's function is asked once for each block in a stroke. So one that answers at random does
+/// no harm: the steps of a stroke agree.
+class Staying {
+ public:
+  explicit Staying(const StayingBlocks& ask) : ask_(ask) {}
+  bool operator()(Block block) const {
+    if (!ask_) return false;
+    const auto [known, isNew] = known_.try_emplace(block);
+    if (isNew) known->second = ask_(block);
+    return known->second;
+  }
+
+ private:
+  const StayingBlocks& ask_;
+  mutable std::map<Block, bool> known_;
+};
+
 struct Stroke {
   Deed deed = Deed::carve;
   Block block = 0;  ///< what is painted
   FillRule rule = FillRule::nonZero;
-  const StayingBlocks* staying = nullptr;  ///< null: none
+  const Staying* staying = nullptr;  ///< null: none
 
-  bool stays(Block old) const { return staying != nullptr && *staying && (*staying)(old); }
+  bool stays(Block old) const { return staying != nullptr && (*staying)(old); }
 };
 
 /// A polygon of the cell, in units from the cell's corner.
