@@ -1,7 +1,7 @@
-// The Box2D adapter: after every commit the fixtures are the world's segments, vertex by vertex, with their ghosts, no
-// more and no fewer, and a fixture that is hit says which segment that is. Where segments are too short for Box2D, or
-// merged, the rules of <lgs/box2d/edges.h> say what stands for them: then the terrain that was kept up to date must
-// equal one made anew.
+// The Box2D adapter: after every commit the fixtures are the world's segments, vertex by vertex, with the ways to their
+// ghosts, no more and no fewer, and a fixture that is hit says which segment that is. Where segments are too short for
+// Box2D, or merged, the rules of <lgs/box2d/edges.h> say what stands for them: then the terrain that was kept up to date
+// must equal one made anew.
 #include "fuzz/target.h"
 #include "oracle/check/refusal.h"
 #include "oracle/generate/steps.h"
@@ -15,6 +15,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <vector>
 
 namespace lgs::fuzz {
 namespace box2d_target {
@@ -31,21 +32,35 @@ constexpr std::array kActions{Action::replace, Action::replace, Action::place,  
 
 constexpr double kCellSize = 64;  // metres: a lattice unit is a fifth of what Box2D takes for nothing
 
-// v0, v1, v2, v3 and where the body is.
-using Placed = std::array<float, 10>;
+// Of a ghost only the direction counts: one that gets longer or shorter is left as it was.
+b2Vec2 towards(b2Vec2 near, b2Vec2 ghost) {
+  b2Vec2 way = ghost - near;
+  way.Normalize();
+  return way;
+}
+bool isSameWay(b2Vec2 a, b2Vec2 b) { return b2DistanceSquared(a, b) < 1e-6F; }
+
+struct Placed {
+  std::array<float, 6> place;  // v1, v2 and where the body is
+  b2Vec2 before, after;        // the ways to the ghosts
+  friend bool operator==(const Placed& a, const Placed& b) {
+    return a.place == b.place && isSameWay(a.before, b.before) && isSameWay(a.after, b.after);
+  }
+};
 
 Placed placeOf(const b2Fixture& fixture) {
   const auto& edge = static_cast<const b2EdgeShape&>(*fixture.GetShape());
-  const b2Vec2 body = fixture.GetBody()->GetPosition();
-  return {edge.m_vertex0.x, edge.m_vertex0.y, edge.m_vertex1.x, edge.m_vertex1.y, edge.m_vertex2.x,
-          edge.m_vertex2.y, edge.m_vertex3.x, edge.m_vertex3.y, body.x,           body.y};
+  const b2Vec2 body = fixture.GetBody()->GetPosition(), start = edge.m_vertex1, end = edge.m_vertex2;
+  return {
+      {start.x, start.y, end.x, end.y, body.x, body.y}, towards(start, edge.m_vertex0), towards(end, edge.m_vertex3)};
 }
 
-std::multiset<Placed> fixturesOf(const b2World& physics) {
-  std::multiset<Placed> all;
+std::vector<Placed> fixturesOf(const b2World& physics) {
+  std::vector<Placed> all;
   for (const b2Body* body = physics.GetBodyList(); body; body = body->GetNext())
     for (const b2Fixture* fixture = body->GetFixtureList(); fixture; fixture = fixture->GetNext())
-      all.insert(placeOf(*fixture));
+      all.push_back(placeOf(*fixture));
+  std::ranges::sort(all, {}, &Placed::place);
   return all;
 }
 
@@ -107,14 +122,14 @@ class Run {
   MayComplain compareWithFresh() {
     b2World physics({0, 0});
     const Terrain fresh(physics, player_.world(), options_);
-    const std::multiset<Placed> here = fixturesOf(physics_), there = fixturesOf(physics);
+    const std::vector<Placed> here = fixturesOf(physics_), there = fixturesOf(physics);
     if (here != there) {
       Complaint complaint{
           fmt::format("{} fixtures, {} in a terrain made anew, or others\n", here.size(), there.size())};
       for (const Segment& s : segments_) {
         const b2Fixture* const ours = terrain_->fixture(s.id);
         const b2Fixture* const theirs = fresh.fixture(s.id);
-        if (ours && theirs ? placeOf(*ours) != placeOf(*theirs) : ours || theirs)
+        if (ours && theirs ? !(placeOf(*ours) == placeOf(*theirs)) : ours || theirs)
           complaint.about.push_back(oracle::outlineSegment(s));
       }
       return complaint;
@@ -176,15 +191,20 @@ class Run {
       const std::int32_t n = options_.chunkCells;
       return std::int64_t{index / n - (index % n < 0 ? 1 : 0)} * n * kUnitsPerCell;
     };
-    const auto is = [&](const b2Vec2& v, Point p) {
-      const auto metres = [](std::int64_t units) {
+    const auto metres = [&](Point p) {
+      const auto of = [](std::int64_t units) {
         return static_cast<float>(static_cast<double>(units) * kCellSize / kUnitsPerCell);
       };
-      return v.x == metres(p.x - down(s.cell.i)) && v.y == metres(p.y - down(s.cell.j));
+      return b2Vec2(of(p.x - down(s.cell.i)), of(p.y - down(s.cell.j)));
+    };
+    const auto is = [&](const b2Vec2& v, Point p) { return v == metres(p); };
+    const auto isTowards = [&](b2Vec2 near, b2Vec2 v, Point ghost) {
+      return isSameWay(towards(near, v), towards(near, metres(ghost)));
     };
     if (!edge.m_oneSided || !is(edge.m_vertex1, s.start) || !is(edge.m_vertex2, s.end))
       return about(s, ": its fixture lies elsewhere");
-    if ((s.predecessor && !is(edge.m_vertex0, s.ghost1)) || (s.successor && !is(edge.m_vertex3, s.ghost2)))
+    if ((s.predecessor && !isTowards(edge.m_vertex1, edge.m_vertex0, s.ghost1)) ||
+        (s.successor && !isTowards(edge.m_vertex2, edge.m_vertex3, s.ghost2)))
       return about(s, ": its fixture has another ghost");
     return std::nullopt;
   }

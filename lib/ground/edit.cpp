@@ -229,7 +229,7 @@ Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block b
   const auto tell = [&](Cell cell, PolygonHandle handle) {
     const auto row = static_cast<std::uint64_t>(cell.j - std::int64_t{cells.min.j});
     const std::uint64_t k = row * width + static_cast<std::uint64_t>(cell.i - std::int64_t{cells.min.i});
-    if (k < handles.size()) handles[k] = handle;
+    if (k < handles.size()) handles[static_cast<std::size_t>(k)] = handle;
   };
   ground_.grid.forEachCell(cells, [&](CellAt at, Cell cell) {
     PolygonHandle handle{at.ref(), at.word() + 1};

@@ -5,13 +5,14 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 
 namespace lgs::oracle {
 namespace {
 
 // Some polygons hold their islands, wherever they are.
-bool isAnchor(Block block, Cell cell) { return block % 3 == 1 || (cell.i + cell.j) % 5 == 0; }
+bool isAnchor(Block block, Cell cell) { return block % 3 == 1 || (std::int64_t{cell.i} + cell.j) % 5 == 0; }
 
 // Whether a refusal left all counts as they were. It may leave new shapes.
 bool sameCounts(const Stats& a, const Stats& b) {

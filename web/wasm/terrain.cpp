@@ -96,7 +96,8 @@ const std::uint64_t* put(Terrain& terrain, const box2d::EdgeChanges& changes) {
       *chunk++ = edge.chunk;
       *material++ = edge.block;
       *segment++ = edge.first.value;
-      for (const std::optional<Point>& p : {std::optional(edge.start), std::optional(edge.end), edge.ghost1, edge.ghost2})
+      for (const std::optional<Point>& p :
+           {std::optional(edge.start), std::optional(edge.end), edge.ghost1, edge.ghost2})
         geometry = putPoint(geometry, p, corner);
     }
   }
@@ -107,7 +108,8 @@ const std::uint64_t* put(Terrain& terrain, const box2d::EdgeChanges& changes) {
 
 /// `shortest` is in lattice units.
 LGS_EXPORT("terrain") Terrain* makeTerrain(Bridge* bridge, std::int32_t chunkCells, double shortest) {
-  box2d::EdgeSet edges({.chunkCells = chunkCells, .shortest = static_cast<std::int64_t>(shortest), .merge = false, .material = {}});
+  box2d::EdgeSet edges(
+      {.chunkCells = chunkCells, .shortest = static_cast<std::int64_t>(shortest), .merge = false, .material = {}});
   bridge->terrains.emplace_back(new Terrain{bridge, std::move(edges)});
   return bridge->terrains.back().get();
 }
@@ -168,7 +170,8 @@ LGS_EXPORT("segmentAt") std::uint32_t segmentAt(const Terrain* terrain, std::uin
 /// way out, and it.
 LGS_EXPORT("caught")
 std::int32_t caught(const Terrain* terrain, std::size_t forms, std::size_t numbers, double tolerance) {
-  const auto found = box2d::catchOf(*terrain->ground, inputForms(forms, numbers), tolerance * kUnitsPerCell);
+  const auto found =
+      box2d::catchOf(*terrain->ground, inputForms(forms, numbers), box2d::Whose::free, tolerance * kUnitsPerCell);
   if (!found) return 0;
   const DoublePoint way = found->way.value_or(DoublePoint{});
   answer() = {cells(found->depth), found->way ? 1.0 : 0.0, cells(way.x), cells(way.y)};

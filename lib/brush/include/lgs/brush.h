@@ -118,8 +118,9 @@ struct BrushResult {
 /// would hold too much (see world.h), or the region is too much for it (see kMaxRegionEdgesPerCell). A region without
 /// area changes nothing.
 ///
-/// `staying` is asked once for each block. What it names is painted around, as by PaintMode::fill: its edges are cut where the region's edge meets them,
-/// and the corner there is rounded (law 8), so now and then such a polygon gets another handle.
+/// `staying` is asked once for each block. What it names is painted around, as by PaintMode::fill: its edges are cut
+/// where the region's edge meets them, and the corner there is rounded (law 8), so now and then such a polygon gets
+/// another handle.
 [[nodiscard]] Expected<BrushResult> paint(World& world, const Region& region, Block block, PaintMode mode,
                                           const StayingBlocks& staying = {}) noexcept;
 
