@@ -5,7 +5,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
+#include <utility>
+#include <vector>
 
 namespace lgs::brush {
 
@@ -18,14 +19,14 @@ class Staying {
   explicit Staying(const StayingBlocks& ask) : ask_(ask) {}
   bool operator()(Block block) const {
     if (!ask_) return false;
-    const auto [known, isNew] = known_.try_emplace(block);
-    if (isNew) known->second = ask_(block);
-    return known->second;
+    for (const auto& [known, stays] : known_)  // there are few
+      if (known == block) return stays;
+    return known_.emplace_back(block, ask_(block)).second;
   }
 
  private:
   const StayingBlocks& ask_;
-  mutable std::map<Block, bool> known_;
+  mutable std::vector<std::pair<Block, bool>> known_;
 };
 
 struct Stroke {
