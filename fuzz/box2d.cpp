@@ -41,27 +41,48 @@ b2Vec2 towards(b2Vec2 near, b2Vec2 ghost) {
 bool isSameWay(b2Vec2 a, b2Vec2 b) { return b2DistanceSquared(a, b) < 1e-6F; }
 
 struct Placed {
-  std::array<float, 6> place;  // v1, v2 and where the body is
-  b2Vec2 before, after;        // the ways to the ghosts
+  box2d::Chunk chunk;          // far away, floats of two bodies are equal
+  std::array<float, 4> place;  // v1 and v2, relative to the body
+  b2Vec2 body;
+  b2Vec2 before, after;  // the ways to the ghosts
   friend bool operator==(const Placed& a, const Placed& b) {
-    return a.place == b.place && isSameWay(a.before, b.before) && isSameWay(a.after, b.after);
+    return a.chunk == b.chunk && a.place == b.place && a.body == b.body && isSameWay(a.before, b.before) &&
+           isSameWay(a.after, b.after);
   }
 };
 
-Placed placeOf(const b2Fixture& fixture) {
+Placed placeOf(const Terrain& terrain, const b2Fixture& fixture, EdgeId id) {
   const auto& edge = static_cast<const b2EdgeShape&>(*fixture.GetShape());
-  const b2Vec2 body = fixture.GetBody()->GetPosition(), start = edge.m_vertex1, end = edge.m_vertex2;
-  return {
-      {start.x, start.y, end.x, end.y, body.x, body.y}, towards(start, edge.m_vertex0), towards(end, edge.m_vertex3)};
+  const b2Vec2 start = edge.m_vertex1, end = edge.m_vertex2;
+  const box2d::EdgeSet& edges = terrain.edges();
+  return {edges.chunk(edges.edge(id).chunk),
+          {start.x, start.y, end.x, end.y},
+          fixture.GetBody()->GetPosition(),
+          towards(start, edge.m_vertex0),
+          towards(end, edge.m_vertex3)};
 }
 
-std::vector<Placed> fixturesOf(const b2World& physics) {
+std::optional<Placed> placeOf(const Terrain& terrain, const Segment& s) {
+  const b2Fixture* const fixture = terrain.fixture(s.id);
+  if (!fixture) return std::nullopt;
+  return placeOf(terrain, *fixture, terrain.edges().edgeOf(s.id));
+}
+
+// Those that the terrain knows.
+std::vector<Placed> placesOf(const Terrain& terrain) {
   std::vector<Placed> all;
-  for (const b2Body* body = physics.GetBodyList(); body; body = body->GetNext())
-    for (const b2Fixture* fixture = body->GetFixtureList(); fixture; fixture = fixture->GetNext())
-      all.push_back(placeOf(*fixture));
-  std::ranges::sort(all, {}, &Placed::place);
+  for (const EdgeId id : terrain.edges().edges())
+    if (const b2Fixture* const fixture = terrain.fixture(id)) all.push_back(placeOf(terrain, *fixture, id));
+  std::ranges::sort(all, {}, [](const Placed& p) { return std::pair(p.chunk, p.place); });
   return all;
+}
+
+// Those that physics has.
+std::size_t countFixtures(const b2World& physics) {
+  std::size_t count = 0;
+  for (const b2Body* body = physics.GetBodyList(); body; body = body->GetNext())
+    for (const b2Fixture* fixture = body->GetFixtureList(); fixture; fixture = fixture->GetNext()) ++count;
+  return count;
 }
 
 bool isShorter(const Segment& s, std::int64_t length) {
@@ -122,18 +143,16 @@ class Run {
   MayComplain compareWithFresh() {
     b2World physics({0, 0});
     const Terrain fresh(physics, player_.world(), options_);
-    const std::vector<Placed> here = fixturesOf(physics_), there = fixturesOf(physics);
+    const std::vector<Placed> here = placesOf(*terrain_), there = placesOf(fresh);
     if (here != there) {
       Complaint complaint{
           fmt::format("{} fixtures, {} in a terrain made anew, or others\n", here.size(), there.size())};
-      for (const Segment& s : segments_) {
-        const b2Fixture* const ours = terrain_->fixture(s.id);
-        const b2Fixture* const theirs = fresh.fixture(s.id);
-        if (ours && theirs ? !(placeOf(*ours) == placeOf(*theirs)) : ours || theirs)
-          complaint.about.push_back(oracle::outlineSegment(s));
-      }
+      for (const Segment& s : segments_)
+        if (placeOf(*terrain_, s) != placeOf(fresh, s)) complaint.about.push_back(oracle::outlineSegment(s));
       return complaint;
     }
+    if (const std::size_t fixtures = countFixtures(physics_); fixtures != here.size())
+      return Complaint{fmt::format("physics has {} fixtures, the terrain knows {}\n", fixtures, here.size())};
     const auto bodies = static_cast<std::size_t>(physics_.GetBodyCount());
     if (terrain_->bodyCount() == fresh.bodyCount() && bodies == fresh.bodyCount()) return std::nullopt;
     return Complaint{fmt::format("{} bodies, said to be {}, and {} in a terrain made anew\n", bodies,
