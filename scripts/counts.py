@@ -88,11 +88,20 @@ def regressions(root):
 # --- Blocks: what stands between markers ------------------------------------------------------------------------------
 
 
+def summary_of_bugs(root):
+    return re.search(r"<!-- planted: summary -->\n(.*?)\n<!-- end -->", text(root, BUGS_PAGE), re.S)[1]
+
+
+def found(root):
+    return re.search(r"(\d+) were found", summary_of_bugs(root))[1]
+
+
 def totals(root):
     return table(["what there is", "how many"], [
         ["laws, all of them tested on random cases", len(laws(root))],
         ["calls that mean the same edit (*doors*), all tested alike", doors(root)],
-        ["planted bugs: a test must find each", sum(map(len, planted(root).values()))],
+        ["planted bugs, each of which a test must find; found in the last runs",
+         f"{sum(map(len, planted(root).values()))}; {found(root)}"],
         ["fuzz targets; traces that once showed a bug", f"{len(fuzz_targets(root))}; {regressions(root)}"],
         ["systems, compilers and options that must give the same ids", len(platforms(root))],
     ])
@@ -104,7 +113,7 @@ def evidence(root):
     mutants = next(row for row in rows_of(text(root, MUTANTS), "component") if row[0] == "all")
     covered = next(row for row in rows_of(text(root, COVERAGE), "| lines") if row[0].startswith("all"))
     commit = re.search(r"commit=(\w+)", text(root, COVERAGE))[1]
-    bugs = re.search(r"<!-- planted: summary -->\n(.*?)\n<!-- end -->", text(root, BUGS_PAGE), re.S)[1]
+    bugs = summary_of_bugs(root)
     return table(["what was run", "outcome", "page"], [
         ["planted bugs", bugs.rstrip("."), "[planted-bugs.md](reports/planted-bugs.md)"],
         ["mutants made by rule", f"{mutants[5]} killed, {mutants[6]} lived, {mutants[4]} ran out of time, before tests "

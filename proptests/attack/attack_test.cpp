@@ -168,6 +168,9 @@ const std::vector<Door>& doors() {
     addDoorsOfReading(every);
     addDoorsOfBrushes(every);
     addDoorsOfC(every);
+#ifdef LGS_HAS_BOX2D
+    addDoorsOfBox2d(every);
+#endif
     return std::move(every.all);
   }();
   return all;

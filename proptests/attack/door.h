@@ -113,5 +113,6 @@ void addDoorsOfWorlds(Doors& door);
 void addDoorsOfReading(Doors& door);
 void addDoorsOfBrushes(Doors& door);
 void addDoorsOfC(Doors& door);
+void addDoorsOfBox2d(Doors& door);
 
 }  // namespace lgs::test

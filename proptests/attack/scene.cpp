@@ -37,7 +37,8 @@ Scene::Scene() {
   static_cast<void>(world.forget(forgotten));
   static_cast<void>(world.remove(stale));
   static_cast<void>(world.clear(Cell{0, 1}));
-  const SegmentId gone = world.commit().removed.at(0);
+  reported = world.commit();
+  const SegmentId gone = reported.removed.at(0);
   const auto keep = [this](std::span<const std::byte> piece) { file.insert(file.end(), piece.begin(), piece.end()); };
   static_cast<void>(world.save(keep));
   static_cast<void>(world.add({0, 2}, ramps, 2));  // not committed

@@ -30,8 +30,13 @@ const EdgeChanges& EdgeSet::load(const World& world) {
 
 std::optional<SyncError> EdgeSet::misfit(const World& world, const Changes& changes) const {
   if (changes.after != world.version()) return SyncError::notTheLast;
-  if (changes.before == version_) return {};
-  return changes.after == version_ ? SyncError::shownAlready : SyncError::leftOut;
+  if (changes.before != version_) return changes.after == version_ ? SyncError::shownAlready : SyncError::leftOut;
+  const auto wasThere = [&](SegmentId id) { return lineOf(id).has_value(); };
+  const auto isThere = [&](SegmentId id) { return world.segment(id).has_value(); };
+  const bool isSound = std::ranges::all_of(changes.removed, wasThere) && std::ranges::all_of(changes.added, isThere) &&
+                       std::ranges::all_of(changes.relinked, [&](SegmentId id) { return wasThere(id) && isThere(id); });
+  if (!isSound) return SyncError::notTheLast;
+  return {};
 }
 
 // An update has three steps. The first one collects the segments where something can have changed. The second one works

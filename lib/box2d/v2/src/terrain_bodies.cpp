@@ -6,7 +6,6 @@
 #include "way_out.h"
 
 #include <algorithm>
-#include <cassert>
 #include <unordered_set>
 
 namespace lgs::box2d {
@@ -106,9 +105,8 @@ void Terrain::addIfCaught(b2Body* body, const NewGround& ground, Whose whose, st
 }
 
 std::vector<Caught> Terrain::caughtBy(const Changes& changes) {
-  const bool fits = !edges_.misfit(world_, changes);
-  assert(fits);
-  return fits ? find(NewGround(world_, edges_, changes)) : std::vector<Caught>();
+  if (edges_.misfit(world_, changes)) return {};
+  return find(NewGround(world_, edges_, changes));
 }
 
 // Those that were held before come first. So who is caught now is not tried twice.

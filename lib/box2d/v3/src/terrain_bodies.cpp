@@ -7,7 +7,6 @@
 #include "way_out.h"
 
 #include <algorithm>
-#include <cassert>
 #include <unordered_set>
 
 namespace lgs::box2d {
@@ -134,9 +133,8 @@ void Terrain::addIfCaught(b2BodyId body, const NewGround& ground, Whose whose, s
 }
 
 std::vector<Caught> Terrain::caughtBy(const Changes& changes) {
-  const bool fits = !edges_.misfit(world_, changes);
-  assert(fits);
-  return fits ? find(NewGround(world_, edges_, changes)) : std::vector<Caught>();
+  if (edges_.misfit(world_, changes)) return {};
+  return find(NewGround(world_, edges_, changes));
 }
 
 // Those that were held before come first. So who is caught now is not tried twice.

@@ -107,14 +107,16 @@ class EdgeSet {
   /// the edges near them.
   const EdgeChanges& update(const World& world, const Changes& changes);
 
-  /// What speaks against an update with these changes, if anything does.
+  /// What speaks against an update with these changes, if anything does. Lists that name what is not there, since no
+  /// world made them, are `notTheLast`. Cost: O(changes).
   std::optional<SyncError> misfit(const World& world, const Changes& changes) const;
 
   /// The World::version() that the edges are up to date with.
   std::uint64_t version() const { return version_; }
 
-  /// The edge of a live id, or of one that the last update removed.
-  const Edge& edge(EdgeId id) const { return slots_[id.value].edge; }
+  /// The edge of a live id, or of one that the last update removed. For the null id, and for one that never was, an edge
+  /// of no segment.
+  const Edge& edge(EdgeId id) const { return slots_[id.value < slots_.size() ? id.value : 0].edge; }
   /// The edge that stands for a segment; null if the segment is left out or is no live segment.
   EdgeId edgeOf(SegmentId segment) const;
   /// Where a segment was at the last load or update; nothing if it was not alive then. So between a commit and its
@@ -125,8 +127,8 @@ class EdgeSet {
   /// All live edges, in increasing order. Cost: O(edges).
   std::vector<EdgeId> edges() const;
   /// Where the chunk with a number is. Numbers run from 0 to chunkCount() - 1: one for each chunk that ever had an
-  /// edge.
-  Chunk chunk(std::uint32_t number) const { return chunks_[number]; }
+  /// edge. (0, 0) for any other.
+  Chunk chunk(std::uint32_t number) const { return number < chunks_.size() ? chunks_[number] : Chunk{}; }
   std::size_t chunkCount() const { return chunks_.size(); }  ///< how many numbers of chunks are used
   EdgeCounts counts() const;                                 ///< as of the last load or update
   const EdgeOptions& options() const { return options_; }    ///< those that it was made with

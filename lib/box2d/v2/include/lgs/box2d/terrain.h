@@ -208,8 +208,8 @@ class Terrain {
   /// The edges behind the fixtures: counts, ends, ghosts. A fixture's userData.pointer is its EdgeId. The terrain needs
   /// it; do not write there.
   const EdgeSet& edges() const { return edges_; }
-  /// The fixture of a live edge; null for the null id.
-  b2Fixture* fixture(EdgeId edge) const { return fixtures_[edge.value]; }
+  /// The fixture of a live edge; null for the null id and for one that never was.
+  b2Fixture* fixture(EdgeId edge) const { return edge.value < fixtures_.size() ? fixtures_[edge.value] : nullptr; }
   std::size_t bodyCount() const { return bodyCount_; }  ///< chunks with at least one fixture
 
   b2Vec2 position(Point p) const;  ///< where a lattice point is in the physics world, in range or not

@@ -249,8 +249,10 @@ class Terrain {
   /// The edges behind the shapes: counts, ends, ghosts. A shape's user data is its EdgeId. The terrain needs it; do not
   /// write there.
   const EdgeSet& edges() const { return edges_; }
-  /// The shape of a live edge; null for the null id.
-  b2ShapeId shape(EdgeId edge) const { return shapes_[edge.value].shape; }
+  /// The shape of a live edge; null for the null id and for one that never was.
+  b2ShapeId shape(EdgeId edge) const {
+    return edge.value < shapes_.size() ? shapes_[edge.value].shape : b2_nullShapeId;
+  }
   std::size_t bodyCount() const { return bodyCount_; }  ///< chunks with at least one shape
 
   Position position(Point p) const;  ///< where a lattice point is in the physics world, in range or not
