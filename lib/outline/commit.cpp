@@ -1,7 +1,10 @@
 // The algorithm. Phase 1 renews the segments of every cell near a change (exposure.cpp). Phase 2 links the segments at
 // every vertex near a change (linking.cpp). Both visit the changed cells chunk by chunk, in the order of their first
 // change. A cell or a vertex may be visited twice: what is written depends on the ground alone, so that does no harm.
-// While there are no segments, threads can do both (build.cpp).
+// The vertices in and on the rim of changed cells are enough for phase 2: where phase 1 renews the side of a cell that
+// did not change, the ends of what comes and goes lie on that rim. While there are no segments, threads can do both
+// (build.cpp). What the phases ask of a cell is in look.h (law 1); what they do at a vertex is in turn.h and
+// geometry/radial_match.h (law 2).
 #include "outline/build.h"
 #include "outline/exposure.h"
 #include "outline/linking.h"
@@ -25,7 +28,7 @@ void Outline::update(const Ground& ground, const Executor& executor) {
   finish();
 }
 
-/// A preserve relation that contradicts itself can leave ends that no phase 2 comes by: what follows there is nothing.
+/// A preserve relation that contradicts itself can leave ends that phase 2 never visits. They get no link.
 void Outline::endWithoutLinks(std::uint32_t id) {
   SegmentRecord& s = segments[id];
   if (s.predecessor == kUnlinked) s.predecessor = kNoSegment;

@@ -62,7 +62,7 @@ inline void Exposure::renew(CellAt at) {
     create(at);
 }
 
-/// A cell that has no segments yet.
+/// A cell that has no segments yet: a merge with nothing.
 void Exposure::create(CellAt at) {
   const Look look(ground_, at);
   const std::uint32_t count = look.count(), ref = at.ref();

@@ -26,7 +26,7 @@ void Linking::linkChunk(const Chunk& chunk) {
   const bool nearRimPoints = std::any_of(chunk.around.begin(), chunk.around.end(),
                                          [](const Chunk* c) { return c && (c->everFacts & kRimPoints) != 0; });
   forEachRowNear(chunk.dirtyRows, [&](std::int32_t y) {
-    if (y < 0) return;
+    if (y < 0) return;  // the corners above row -1 are those below row 0
     const WideRow here = dirtyRow(chunk, y);
     if (y < kChunkSize) {
       if ((chunk.everFacts & kLinkedInside) != 0)
@@ -59,7 +59,7 @@ void Linking::linkAround(CellAt at) {
   linkCorner(*at.chunk, x + 1, y + 1);
 }
 
-// --- Inside a cell: the content knows the links
+// --- Inside a cell: the content knows the links. Its interior edges always show, and are the first in the cell's list.
 
 void Linking::linkInterior(CellAt at) {
   if ((at.chunk->facts[at.local] & kLinkedInside) == 0) return;
@@ -91,12 +91,14 @@ void Linking::linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y) {
   turn.close([&](std::uint32_t incoming, std::uint32_t outgoing) { links_.link(incoming, outgoing); });
 }
 
-/// The same by all half-edges around the vertex: if something is preserved, or a cell shows many segments.
+/// The same by all half-edges around the vertex, counter-clockwise: if something is preserved, or a cell shows many
+/// segments. Quadrant q is the cell whose corner q lies here. In it come the side that leaves that corner, the edges
+/// inside, and the side that arrives.
 void Linking::linkCornerBySpokes(const std::array<CellAt, 4>& cells, const Quadrants& shown) {
   Fan fan(fan_);
   for (unsigned q = 0; q < 4; ++q) {
-    const Layout layout = shown[q].layout();
     if (!shown[q]) continue;
+    const Layout layout = shown[q].layout();
     const Content& content = ground_.content(cells[q]);
     const unsigned leaving = q, arriving = sideBefore(q);
     const std::span leave = shown[q].part(partOf(leaving)), arrive = shown[q].part(partOf(arriving));
@@ -125,7 +127,8 @@ void Linking::linkSide(CellAt at, unsigned side) {
   const bool forward = runsForward(side);
   while (!mine.done() || !theirs.done()) {
     const std::int32_t vertex = std::min(mine.next(), theirs.next());
-    // Counter-clockwise: the direction in which my edges run, my half-edges, the other direction, theirs.
+    // Counter-clockwise: the edges of both cells in one direction of the side, those inside my cell, the edges of both
+    // in the other direction, those inside theirs.
     Fan fan(fan_);
     mine.addSideSpokes(fan, vertex, forward, 0);
     theirs.addSideSpokes(fan, vertex, forward, 0);
