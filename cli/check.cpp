@@ -145,8 +145,8 @@ Status checkApart(const CheckArguments& arguments) {
   return finishSurvey(arguments, survey, {});
 }
 
-// A shared object is called in the process that compares, which is quickest. If it crashes or hangs there, or if that is
-// slow, all is done once more with the engine in a process of its own: what it did can be told and shrunk there.
+// A shared object is called in the process that compares, which is quickest. If it crashes or hangs there, or if that
+// is slow, all is done once more with the engine in a process of its own: what it did can be told and shrunk there.
 Status checkQuickly(const CheckArguments& arguments) {
   const Shared<Status> status;
   const auto patience = static_cast<unsigned>(std::ceil(std::max(1.0, arguments.engine.patience())));

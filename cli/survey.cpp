@@ -49,7 +49,8 @@ MapRow rowOf(const std::string& path, const tiled::Options& options) {
   return {MapOutcome::byCommand, first.polygons, path, argumentsOf(first)};
 }
 
-/// Whether a file may be a map, by its name. Tilesets and templates in JSON have names of maps, too; they are passed over.
+/// Whether a file may be a map, by its name. Tilesets and templates in JSON have names of maps, too; they are passed
+/// over.
 bool mayBeMap(const fs::path& path) {
   constexpr std::array kEndings{".tmx", ".tmj", ".json", ".world", ".ldtk"};
   return std::find(kEndings.begin(), kEndings.end(), path.extension().string()) != kEndings.end();

@@ -1,5 +1,5 @@
-// A miner cuts the last bridge of a rock, and the rock falls. The view of islands says so at that commit; the game takes
-// the rock out of the ground, lets it fall by whole cells, and sets it back where it comes to rest.
+// A miner cuts the last bridge of a rock, and the rock falls. The view of islands says so at that commit; the game
+// takes the rock out of the ground, lets it fall by whole cells, and sets it back where it comes to rest.
 #include <lgs/islands.h>
 
 #include <cstdio>

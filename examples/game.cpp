@@ -1,5 +1,5 @@
-// A walker on a floor of blocks, in a loop of frames: each second a bomb takes away the block below. The walker falls in
-// and climbs out. c_game.c and ctypes_game.py are the same game in C and in Python.
+// A walker on a floor of blocks, in a loop of frames: each second a bomb takes away the block below. The walker falls
+// in and climbs out. c_game.c and ctypes_game.py are the same game in C and in Python.
 #include <lgs/world.h>
 
 #include <algorithm>

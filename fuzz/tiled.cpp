@@ -1,6 +1,6 @@
-// Maps. An input is a file of Tiled's or LDtk's; what follows a form feed in it is the file that any name in it means: a
-// tileset, a template, a map of a world, or a level.
-// Whatever is accepted keeps the importer's promise: sorted, counted, and placed by World without a refusal.
+// Maps. An input is a file of Tiled's or LDtk's; what follows a form feed in it is the file that any name in it means:
+// a tileset, a template, a map of a world, or a level. Whatever is accepted keeps the importer's promise: sorted,
+// counted, and placed by World without a refusal.
 #include "cli/imported.h"
 #include "fuzz/target.h"
 #include "oracle/reference/validity.h"

@@ -1,5 +1,6 @@
-// Brushes: a hole carved, with its commit, beside what Clipper takes for the same hole in the cells that it touches, and
-// in the whole world; and cells cleared as a whole, by brush and by clear(). Each world is as before after each time.
+// Brushes: a hole carved, with its commit, beside what Clipper takes for the same hole in the cells that it touches,
+// and in the whole world; and cells cleared as a whole, by brush and by clear(). Each world is as before after each
+// time.
 #include "bench/micro/benches.h"
 
 #include <lgs/brush.h>

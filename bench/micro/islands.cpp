@@ -1,5 +1,5 @@
-// Islands: a bridge is cut, with what stands on its end said to be cut off; beside it a flood fill, which is what one does
-// without the view. The commit is in the time of both.
+// Islands: a bridge is cut, with what stands on its end said to be cut off; beside it a flood fill, which is what one
+// does without the view. The commit is in the time of both.
 #include "bench/micro/benches.h"
 
 #include <lgs/islands.h>

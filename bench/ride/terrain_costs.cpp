@@ -1,5 +1,6 @@
 // What the terrain costs, by the size of a chunk: bodies and shapes, loading 100×100 cells, a sync after one edit and
-// after 1,000; and what it costs to undo 100 edits, and to do them again. Each time is the least of some rounds on one core. Compare times of one run only.
+// after 1,000; and what it costs to undo 100 edits, and to do them again. Each time is the least of some rounds on one
+// core. Compare times of one run only.
 #include "oracle/calls/random.h"
 
 #include "physics.h"

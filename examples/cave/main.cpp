@@ -1,5 +1,5 @@
-// A miner looks for the way through a cave while others dig, build and undo. After each commit only the cells that changed
-// get other pieces, and the way is looked for again. With a file name as argument the last picture goes there.
+// A miner looks for the way through a cave while others dig, build and undo. After each commit only the cells that
+// changed get other pieces, and the way is looked for again. With a file name as argument the last picture goes there.
 #include "picture.h"
 #include "way.h"
 

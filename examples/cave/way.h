@@ -19,8 +19,8 @@ namespace examples {
 struct Journey {
   lgs::Point from;
   lgs::Point to;
-  /// No way leaves these, nor begins or ends on their lower and left rim. At most 16,384 wide and high, so that products
-  /// are exact.
+  /// No way leaves these, nor begins or ends on their lower and left rim. At most 16,384 wide and high, so that
+  /// products are exact.
   lgs::CellRect cells;
   std::int64_t narrowest = 1;  ///< portals that are narrower, in lattice units, are no way
 };
@@ -31,8 +31,8 @@ struct Way {
   double length = 0;                 ///< in cells
 };
 
-/// The way whose portals' middles are the shortest row of lines, pulled straight; nothing if there is none. Cost: of each
-/// piece that A* looks at, its portals.
+/// The way whose portals' middles are the shortest row of lines, pulled straight; nothing if there is none. Cost: of
+/// each piece that A* looks at, its portals.
 std::optional<Way> findWay(const lgs::Pieces& pieces, const Journey& journey);
 
 }  // namespace examples

@@ -17,7 +17,8 @@ struct Spoke {
 };
 static_assert(sizeof(Spoke) == 8);
 
-/// What was met so far on a turn around a vertex: the last half-edge, and the last one before it that points another way.
+/// What was met so far on a turn around a vertex: the last half-edge, and the last one before it that points another
+/// way.
 class Met {
  public:
   explicit Met(std::uint32_t none) : last_(none), before_(none) {}
@@ -41,8 +42,8 @@ class Met {
 /// counter-clockwise. `other` is `none` if there is no candidate. Cost: O(n).
 template <class Predecessor, class Successor>
 void radialMatch(std::span<const Spoke> fan, std::uint32_t none, Predecessor&& predecessor, Successor&& successor) {
-  // What is met first clockwise is what was met last counter-clockwise, and the other way around. The first of two turns
-  // only shows what lies before the spoke that the second one begins with.
+  // What is met first clockwise is what was met last counter-clockwise, and the other way around. The first of two
+  // turns only shows what lies before the spoke that the second one begins with.
   Met incoming(none), outgoing(none);
   for (const bool isFirst : {true, false}) {
     for (const Spoke& spoke : fan) {

@@ -7,8 +7,8 @@
 
 namespace lgs::detail {
 
-/// Sorts a vector, an array or a span. In WebAssembly more than a third of the engine's code was libc++'s std::sort, made
-/// anew for each type. Where LGS_SMALL_CODE is defined, insertion and a heap do it: a tenth of that code.
+/// Sorts a vector, an array or a span. In WebAssembly more than a third of the engine's code was libc++'s std::sort,
+/// made anew for each type. Where LGS_SMALL_CODE is defined, insertion and a heap do it: a tenth of that code.
 template <class Range, class Less = std::less<>>
 void sort(Range&& range, Less less = {}) {
 #ifdef LGS_SMALL_CODE

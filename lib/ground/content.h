@@ -98,8 +98,8 @@ struct Content {
 /// Works out contents. It keeps its working memory from one to the next.
 class ContentBuilder {
  public:
-  /// The content of a cell with these polygons, which have no defects and disjoint interiors. `preserved` lists pairs of
-  /// slots, sorted, the smaller slot first: overlaps between them inside the cell are kept. Cost: O(n log n) in the
+  /// The content of a cell with these polygons, which have no defects and disjoint interiors. `preserved` lists pairs
+  /// of slots, sorted, the smaller slot first: overlaps between them inside the cell are kept. Cost: O(n log n) in the
   /// vertices. With several polygons each edge is also compared with the vertices between its ends by x, then y.
   Content build(std::span<const PolygonView> polygons, std::span<const std::pair<Slot, Slot>> preserved);
 

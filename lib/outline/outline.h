@@ -1,5 +1,5 @@
-// The outline: the exposed edges of the ground as segments, each with its predecessor and its successor. It is the first
-// view of the ground: update() brings it up to date with the cells that changed. commit.cpp has the algorithm.
+// The outline: the exposed edges of the ground as segments, each with its predecessor and its successor. It is the
+// first view of the ground: update() brings it up to date with the cells that changed. commit.cpp has the algorithm.
 #pragma once
 
 #include "ground/ground.h"

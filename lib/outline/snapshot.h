@@ -1,5 +1,5 @@
-// The outline as bytes, and from bytes: the second part of a snapshot, after the ground. It has the ids of the segments,
-// which depend on history. All else about them follows from the ground.
+// The outline as bytes, and from bytes: the second part of a snapshot, after the ground. It has the ids of the
+// segments, which depend on history. All else about them follows from the ground.
 #pragma once
 
 #include "outline/outline.h"

@@ -1,6 +1,6 @@
-// The marks of a world, and going back to them: ground and outline each note what they need to undo, and a mark says how
-// far that goes. What was undone can be kept. Then the marks that the world went back beyond are kept, too, and it can
-// go forward to them, as long as it is where it went: an edit since, and what was undone is worth nothing any more.
+// The marks of a world, and going back to them: ground and outline each note what they need to undo, and a mark says
+// how far that goes. What was undone can be kept. Then the marks that the world went back beyond are kept, too, and it
+// can go forward to them, as long as it is where it went: an edit since, and what was undone is worth nothing any more.
 #pragma once
 
 #include "ground/ground.h"

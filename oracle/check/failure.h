@@ -12,8 +12,8 @@ namespace lgs::oracle {
 /// Which edit it was, what is wrong, and what differs where. Whole lines.
 std::string describe(const Mismatch& mismatch, const Trace& trace);
 
-/// What an engine did that gave no answer: "the engine crashed with SIGSEGV after edit 3", and the end of its log. Whole
-/// lines.
+/// What an engine did that gave no answer: "the engine crashed with SIGSEGV after edit 3", and the end of its log.
+/// Whole lines.
 std::string inWords(const Failure& failure, std::string_view when = "");
 
 /// What shows a finding: an SVG picture, and a page for a browser.

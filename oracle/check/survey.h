@@ -12,14 +12,14 @@ namespace lgs::oracle {
 
 class Survey {
  public:
-  /// `options` names the engine; if it has not even started, there is none. Traces, pictures, pages and the report itself
-  /// go to the folder as they are found, so that a run that is interrupted has told what it knew. `again` is the command
-  /// that does all of it again.
+  /// `options` names the engine; if it has not even started, there is none. Traces, pictures, pages and the report
+  /// itself go to the folder as they are found, so that a run that is interrupted has told what it knew. `again` is the
+  /// command that does all of it again.
   Survey(CheckOptions options, std::string folder, std::string again, std::chrono::milliseconds shrinkFor)
       : options_(std::move(options)), folder_(std::move(folder)), again_(std::move(again)), shrinkFor_(shrinkFor) {}
 
-  /// Takes a mismatch that checkTrace() has found. The first ones of a kind are shrunk; the smallest is kept. After some
-  /// hangs the engine is given up on sooner.
+  /// Takes a mismatch that checkTrace() has found. The first ones of a kind are shrunk; the smallest is kept. After
+  /// some hangs the engine is given up on sooner.
   void add(const Mismatch& found, const Trace& trace, const CheckStats& stats);
 
   /// Takes what an engine did at its greeting, or at the end of its input. No trace is to blame.

@@ -1,5 +1,5 @@
-// A process that is asked by lines of text and answers by lines. It is given up on when it takes too long, and is killed
-// with all that it has started (guard.h). POSIX only.
+// A process that is asked by lines of text and answers by lines. It is given up on when it takes too long, and is
+// killed with all that it has started (guard.h). POSIX only.
 #pragma once
 
 #include "oracle/engine/engine.h"

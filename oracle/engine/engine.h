@@ -1,5 +1,5 @@
-// An engine: what the harness checks. A world's edits go in; refusals and the outline come out. This library's engine is
-// one (oracle/check/library_engine.h), a process that speaks the protocol another, a shared object a third.
+// An engine: what the harness checks. A world's edits go in; refusals and the outline come out. This library's engine
+// is one (oracle/check/library_engine.h), a process that speaks the protocol another, a shared object a third.
 #pragma once
 
 #include "oracle/engine/capabilities.h"

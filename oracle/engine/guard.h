@@ -19,7 +19,8 @@ class Guard {
   /// command.
   using Program = std::function<void()>;
 
-  /// The files that become the program's standard input, output and error. They are not 0, 1 or 2 themselves: see kept().
+  /// The files that become the program's standard input, output and error. They are not 0, 1 or 2 themselves: see
+  /// kept().
   struct Files {
     int input, output, log;
   };

@@ -15,7 +15,8 @@ using Part = Excerpt::Part;
 constexpr std::size_t kMostSteps = 1'000;
 constexpr std::int32_t kReach = 12;  // cells to each side of the place where the trace ends
 
-// The cell of each edit, of a brush the one in its middle; that of a commit is nothing, and so is that of an edit that no world can take.
+// The cell of each edit, of a brush the one in its middle; that of a commit is nothing, and so is that of an edit that
+// no world can take.
 std::vector<std::optional<Cell>> cellsOf(const Trace& trace, std::size_t count) {
   std::vector<std::optional<Cell>> cells(count);
   std::unordered_map<std::string, Cell> cellOf;

@@ -51,8 +51,8 @@ bool writeTo(std::FILE* file, std::string_view content) {
   return std::fwrite(content.data(), 1, content.size(), file) == content.size() && std::fflush(file) == 0;
 }
 
-/// A new file beside another one, whose name it gets at the end, when all of it is on the disk. Until then the other one
-/// is as it was. If that does not come to pass, nothing is left of it.
+/// A new file beside another one, whose name it gets at the end, when all of it is on the disk. Until then the other
+/// one is as it was. If that does not come to pass, nothing is left of it.
 class Beside {
  public:
   explicit Beside(const fs::path& target)

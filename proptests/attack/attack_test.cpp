@@ -1,6 +1,6 @@
 // The attack: through every door with every hostile value of each argument, then with every two of them, then with
-// random ones in random order. Whatever is refused has changed nothing; what the documents refuse is refused; and in the
-// end the outline is that of the laws, worked out the slow way. The sanitizers look on.
+// random ones in random order. Whatever is refused has changed nothing; what the documents refuse is refused; and in
+// the end the outline is that of the laws, worked out the slow way. The sanitizers look on.
 #include "door.h"
 
 #include "oracle/check/isolated.h"

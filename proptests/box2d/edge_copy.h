@@ -31,7 +31,8 @@ inline std::vector<PlainEdge> plain(const EdgeSet& set) {
   return edges;
 }
 
-/// Whether two ghosts beside a place are different to an engine that knows directions alone. Coordinates are small here.
+/// Whether two ghosts beside a place are different to an engine that knows directions alone. Coordinates are small
+/// here.
 inline bool isTurned(const std::optional<Point>& a, const std::optional<Point>& b, Point from, double shortest) {
   if (a == b) return false;
   if (!a || !b) return true;

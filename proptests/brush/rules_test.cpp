@@ -169,7 +169,8 @@ TEST(BrushRules, AnEdgeIsSharedAsFarAsItsNeighbourReaches) {
   World world;
   ASSERT_TRUE(world.add({0, 0}, {{0, 0}, {1'000, 0}, {1'000, 300}}, 1).has_value());
   const PolygonHandle above = *world.add({0, 0}, {{0, 0}, {500, 150}, {0, 600}}, 2);
-  // Only the rock below is hit. Its edge along the other rock stays straight, and lies on that up to half of its length.
+  // Only the rock below is hit. Its edge along the other rock stays straight, and lies on that up to half of its
+  // length.
   const auto carved = carve(world, {{{{301, 90}, {301, 20}, {600, 20}}}});
   ASSERT_TRUE(carved.has_value());
   ASSERT_EQ(carved->changed.size(), 1U);

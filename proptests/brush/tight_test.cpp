@@ -69,8 +69,8 @@ TEST(BrushTight, ACornerInsideTheGroundIsForgotten) {
   EXPECT_EQ(world.loops(Collinear::merge).size(), solid);
 }
 
-// A polygon stands in the way, so edges that nothing crosses are left straight. One of them lies between the region and a
-// vertex that its chain goes through: it would be crossed. So the polygon is bent, and told.
+// A polygon stands in the way, so edges that nothing crosses are left straight. One of them lies between the region and
+// a vertex that its chain goes through: it would be crossed. So the polygon is bent, and told.
 TEST(BrushTight, AnEdgeThatMayNotBeLeftStraight) {
   World world = worldOf(Ground::solid);
   const auto carved =
@@ -95,7 +95,8 @@ TEST(BrushTight, AnEdgeThatMayNotBeLeftStraight) {
 }
 
 // Two edges of the region cross half a unit below a polygon's edge, between its ends. The pixel's centre is inside the
-// polygon, and chains come to it through the polygon's vertices. So they cross no edge, and still paint may not go there.
+// polygon, and chains come to it through the polygon's vertices. So they cross no edge, and still paint may not go
+// there.
 TEST(BrushTight, AChainThatEntersAtAVertex) {
   World world;
   ASSERT_TRUE(world.add({0, 0}, {{5000, 5000}, {5020, 5001}, {5010, 5040}}, 2).has_value());
@@ -107,8 +108,8 @@ TEST(BrushTight, AChainThatEntersAtAVertex) {
   EXPECT_EQ(result->bent.size(), 1U);
 }
 
-// The same edges, with the region on their other side. The polygon is inside of it, and nothing of it may be left between
-// its lowest edge and the chains.
+// The same edges, with the region on their other side. The polygon is inside of it, and nothing of it may be left
+// between its lowest edge and the chains.
 TEST(BrushTight, AnEdgeBetweenTheRegionAndItsChains) {
   World world;
   ASSERT_TRUE(world.add({0, 0}, {{5000, 5000}, {5020, 5001}, {5010, 5040}}, 2).has_value());
@@ -120,8 +121,8 @@ TEST(BrushTight, AnEdgeBetweenTheRegionAndItsChains) {
   EXPECT_TRUE(world.isEmpty({0, 0}));
 }
 
-// An edge of the ground lies on that of the region, which goes through another vertex of the region beside it. On either
-// side, the triangle between must go.
+// An edge of the ground lies on that of the region, which goes through another vertex of the region beside it. On
+// either side, the triangle between must go.
 TEST(BrushTight, AnEdgeOnThatOfTheRegion) {
   const auto shifted = [](Ring ring) {
     for (Point& p : ring) p = {p.x + 30'000, p.y + 30'000};
@@ -138,7 +139,8 @@ TEST(BrushTight, AnEdgeOnThatOfTheRegion) {
   }
 }
 
-// An edge of the ground begins above the region's chain, crosses it, and ends on it, but does not meet the region's edge.
+// An edge of the ground begins above the region's chain, crosses it, and ends on it, but does not meet the region's
+// edge.
 TEST(BrushTight, AnEdgeThatCrossesTheChainAlone) {
   World world;
   const auto at = [](std::int32_t x, std::int32_t y) { return LocalPoint{30'000 + x, 30'000 + y}; };

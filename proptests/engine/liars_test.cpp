@@ -1,5 +1,5 @@
-// Functions that a world is given and that do not do what world.h asks of them. The outline may be wrong then. No memory
-// is touched that is not the world's: the sanitizers watch.
+// Functions that a world is given and that do not do what world.h asks of them. The outline may be wrong then. No
+// memory is touched that is not the world's: the sanitizers watch.
 #include <lgs/world.h>
 
 #include <gtest/gtest.h>

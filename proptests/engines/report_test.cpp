@@ -22,8 +22,8 @@ class Reports : public Workbench {
     return oracle::readFile((folder_ / "report" / name).string()).value_or("");
   }
 
-  /// Makes a report on an engine. It must have these kinds, each with a small trace, a picture and a page. There is time
-  /// to shrink each as far as that goes: so a busy machine finds the same.
+  /// Makes a report on an engine. It must have these kinds, each with a small trace, a picture and a page. There is
+  /// time to shrink each as far as that goes: so a busy machine finds the same.
   void expectKinds(const std::string& engine, const std::vector<std::string>& kinds, int status = 1) const {
     const Outcome outcome = sh("lgs check " + engine + " --shrink 120 --report report" +
                                (engine.find("--edits") == std::string::npos ? " --edits 200" : ""));

@@ -66,8 +66,8 @@ std::string fileBase();
 /// Fails the running test with the first case that fails, if there is one.
 void check(const Effort& effort, const rc::Gen<Case>& cases);
 
-/// An argument of a law. The type is forgotten so that RapidCheck's templates are compiled for each type of argument, and
-/// not again for each law.
+/// An argument of a law. The type is forgotten so that RapidCheck's templates are compiled for each type of argument,
+/// and not again for each law.
 struct Argument {
   std::shared_ptr<const void> value;
   std::function<std::string()> told;

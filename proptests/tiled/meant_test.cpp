@@ -53,8 +53,8 @@ ImportedMap importMeant(const MeantMap& map, const Options& options = {}) {
   return mustImportFiles({{"maps/test.tmx", textOf(map)}}, options);
 }
 
-/// Counts those that are right at the first try, and after the first command. Each offer must keep its promise, and what
-/// is taken in part must say so.
+/// Counts those that are right at the first try, and after the first command. Each offer must keep its promise, and
+/// what is taken in part must say so.
 TEST(TiledMeant, MapsAreTakenAsTheyAreMeant) {
   std::size_t first = 0, afterCommand = 0;
   const std::vector<MeantMap> all = meantMaps();

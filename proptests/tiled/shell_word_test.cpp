@@ -24,7 +24,8 @@ TEST(TiledShellWord, IsInQuotesIfItHasToBe) {
   EXPECT_EQ(shellWord("\x1B[31m"), "$'\\033[31m'");
 }
 
-/// Bash gives back every name. (Other shells know such escapes too, but not every /bin/sh.) test.sh itself runs in bash.
+/// Bash gives back every name. (Other shells know such escapes too, but not every /bin/sh.) test.sh itself runs in
+/// bash.
 TEST(TiledShellWord, BashGivesItBack) {
   for (const std::string word :
        {"it's \"so\"", "$HOME `x` $(y)", "a\tb\\n'c'", "\x1B]0;x\a", "~", "*", "-x", "\n", "é \n7"}) {
@@ -54,7 +55,11 @@ TEST(TiledShellWord, IsInTheErrorsThatNameAnOption) {
 TEST(TiledShellWord, IsInTheReport) {
   const std::string text = toText(
       mustImport("<objectgroup name='My &#27;boxes'><object id='1' width='9' height='9'/></objectgroup>").report);
-  EXPECT_NE(text.find("1 polygon: object layer My  boxes, 1 object: nothing says what it is\n    --objects $'My \\033boxes'\n"), std::string::npos) << text;
+  EXPECT_NE(
+      text.find(
+          "1 polygon: object layer My  boxes, 1 object: nothing says what it is\n    --objects $'My \\033boxes'\n"),
+      std::string::npos)
+      << text;
 }
 
 }  // namespace

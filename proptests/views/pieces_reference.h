@@ -1,5 +1,5 @@
-// What the pieces of a world must be, checked the slow way and with none of the view's code: CGAL says whether they make up
-// the cells (oracle/cgal/partition.h), portals are what any two pieces have in common.
+// What the pieces of a world must be, checked the slow way and with none of the view's code: CGAL says whether they
+// make up the cells (oracle/cgal/partition.h), portals are what any two pieces have in common.
 #pragma once
 
 #include "oracle/reference/validity.h"

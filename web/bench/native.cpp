@@ -1,6 +1,6 @@
 // The native engine, for bench.mjs beside it: the same edits as in scenario.mjs, and a sum of everything that was read.
-// For each line of input, `edits KIND COUNT` or `build KIND`, it prints nanoseconds of the processor an edit or a world,
-// and the sum.
+// For each line of input, `edits KIND COUNT` or `build KIND`, it prints nanoseconds of the processor an edit or a
+// world, and the sum.
 #include <lgs/world.h>
 
 #include <array>

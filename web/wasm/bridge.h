@@ -26,7 +26,8 @@
 
 namespace lgs::web {
 
-/// Arrays one after the other in one block of memory. JavaScript copies the block as a whole, and looks at what it needs.
+/// Arrays one after the other in one block of memory. JavaScript copies the block as a whole, and looks at what it
+/// needs.
 class Block64 {
  public:
   /// Room for so many bytes; what is in it is whatever was there before.

@@ -1,5 +1,5 @@
-// The naive reference of the harness, for the article: JavaScript hands over the polygons of a world, and gets the outline
-// that the laws demand of them. Nothing of the engine is in it.
+// The naive reference of the harness, for the article: JavaScript hands over the polygons of a world, and gets the
+// outline that the laws demand of them. Nothing of the engine is in it.
 #include "bridge.h"
 
 #include "oracle/reference/naive.h"

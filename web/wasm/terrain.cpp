@@ -37,7 +37,8 @@ static_assert(sizeof(EdgeHead) == 24);
 
 DoublePoint unitsOf(double x, double y) { return {x * kUnitsPerCell, y * kUnitsPerCell}; }
 
-/// Forms in the input: how many corners, the radius, the middle, and the corners; in cells. `from` is moved behind them.
+/// Forms in the input: how many corners, the radius, the middle, and the corners; in cells. `from` is moved behind
+/// them.
 std::vector<box2d::Form> inputForms(std::size_t count, std::span<const double>& from) {
   std::vector<box2d::Form> forms(count);
   for (std::size_t k = 0; k < count; ++k) {

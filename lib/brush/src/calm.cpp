@@ -51,9 +51,9 @@ class RoundedRegion {
   /// Whether a chain crosses the outline of a group.
   bool hasCrossing() const { return hasCrossing_; }
 
-  /// Whether a side is no obstacle. An edge of the rounded region is none, nor is the rim: where the region crosses that
-  /// is known. That of a polygon which must stay has to be outside, that of a group may not be where
-  /// the exact region is and the rounded one is not. If nothing crosses a side, one place tells of all of it.
+  /// Whether a side is no obstacle. An edge of the rounded region is none, nor is the rim: where the region crosses
+  /// that is known. That of a polygon which must stay has to be outside, that of a group may not be where the exact
+  /// region is and the rounded one is not. If nothing crosses a side, one place tells of all of it.
   bool isFree(const Side& side) const {
     const Point middle{side.low.x + side.high.x, side.low.y + side.high.y};  // doubled
     const auto at = std::lower_bound(atoms_.begin(), atoms_.end(), side, [](const Atom& atom, const Side& s) {

@@ -12,8 +12,8 @@ namespace lgs::brush {
 
 enum class Deed : std::uint8_t { carve, fill, replace };
 
-/// The blocks that stay. The game's function is asked once for each block in a stroke. So one that answers at random does
-/// no harm: the steps of a stroke agree.
+/// The blocks that stay. The game's function is asked once for each block in a stroke. So one that answers at random
+/// does no harm: the steps of a stroke agree.
 class Staying {
  public:
   explicit Staying(const StayingBlocks& ask) : ask_(ask) {}

@@ -11,9 +11,9 @@
 
 namespace lgs::brush {
 
-/// Whether a test holds for any two edges whose boxes meet, the one of less index first. The test may end the search so,
-/// and collect what it wants. `endsOf` gives the two ends of one. Cost: O(n log n), a look at each two whose boxes meet
-/// by x, and the tests.
+/// Whether a test holds for any two edges whose boxes meet, the one of less index first. The test may end the search
+/// so, and collect what it wants. `endsOf` gives the two ends of one. Cost: O(n log n), a look at each two whose boxes
+/// meet by x, and the tests.
 template <class Edges, class EndsOf, class Test>
 bool anyPair(const Edges& edges, EndsOf&& endsOf, Test&& test) {
   struct Item {

@@ -43,8 +43,8 @@ Pieces cut(PieceSpan ring, Line line, bool keepsGreater);
 /// even-odd regions, the same piece again. All must lie in one cell.
 Pieces withoutSpikes(Pieces pieces, FillRule rule);
 
-/// How often the pieces run around the place just to the left of a point, or just to its right. Where a piece runs level
-/// there, it is the place above, or the one below. Both coordinates are doubled.
+/// How often the pieces run around the place just to the left of a point, or just to its right. Where a piece runs
+/// level there, it is the place above, or the one below. Both coordinates are doubled.
 std::int64_t windingLeftOf(Point doubled, PieceSpan pieces);
 std::int64_t windingRightOf(Point doubled, PieceSpan pieces);
 

@@ -53,8 +53,8 @@ bool isConvex(const Points& ring) {
   return upwards == 1;
 }
 
-/// Whether an edge of the region goes through the pixel of a known point beside its ends. One that is cut at a corner of
-/// the cell may: it can cross the rim beside the corner too.
+/// Whether an edge of the region goes through the pixel of a known point beside its ends. One that is cut at a corner
+/// of the cell may: it can cross the rim beside the corner too.
 bool bends(PieceSpan region, const Points& ring) {
   for (const Piece& p : region) {
     if (!p.isOfRegion) continue;

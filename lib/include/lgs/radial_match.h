@@ -58,8 +58,8 @@ struct EdgeLinks {
                                                            std::span<const DirectedEdge> edges);
 
 /// The loops of links that are mutual: each is a list of edges, its least one first, each followed by its successor.
-/// They are sorted by their first edges. What is in no loop is left out. `links` are as radialMatch() makes them; others
-/// do no harm, and a link to an edge that is not there is none. Cost: O(n).
+/// They are sorted by their first edges. What is in no loop is left out. `links` are as radialMatch() makes them;
+/// others do no harm, and a link to an edge that is not there is none. Cost: O(n).
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> loopsOf(std::span<const EdgeLinks> links);
 
 }  // namespace lgs

@@ -1,7 +1,8 @@
 // Convex pieces from triangles: diagonals are removed while what is left stays convex and has few enough corners.
 //
-// Hertel and Mehlhorn, as in triangulation.h: without a limit of corners a polygon falls into at most four times as many
-// pieces as are needed. Which diagonal goes first is a matter of order alone, so the pieces are the same everywhere.
+// Hertel and Mehlhorn, as in triangulation.h: without a limit of corners a polygon falls into at most four times as
+// many pieces as are needed. Which diagonal goes first is a matter of order alone, so the pieces are the same
+// everywhere.
 #pragma once
 
 #include "triangulation.h"

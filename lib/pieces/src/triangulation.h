@@ -1,7 +1,8 @@
 // A triangulation of a cell with respect to its polygons: each triangle lies in one polygon, or is free.
 //
-// By plane sweep, after Hertel and Mehlhorn: Fast triangulation of the plane with respect to simple polygons, Information
-// and Control 64 (1985). It decides by orientations of three vertices alone, so it is exact, and the same everywhere.
+// By plane sweep, after Hertel and Mehlhorn: Fast triangulation of the plane with respect to simple polygons,
+// Information and Control 64 (1985). It decides by orientations of three vertices alone, so it is exact, and the same
+// everywhere.
 #pragma once
 
 #include <lgs/lattice.h>
@@ -31,9 +32,9 @@ struct Triangulation {
   std::vector<Triangle> triangles;
 };
 
-/// The polygons are good ones of one cell: simple, counter-clockwise, with disjoint interiors. They may touch in any way.
-/// Each point is a corner of some triangle, and in no triangle's edge beside. Cost: O(n log n) for n vertices, and moves
-/// of at most n² words.
+/// The polygons are good ones of one cell: simple, counter-clockwise, with disjoint interiors. They may touch in any
+/// way. Each point is a corner of some triangle, and in no triangle's edge beside. Cost: O(n log n) for n vertices, and
+/// moves of at most n² words.
 Triangulation triangulate(std::span<const Ring> polygons);
 
 }  // namespace lgs::pieces

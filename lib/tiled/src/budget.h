@@ -1,6 +1,6 @@
-// What an import may cost. Each file that is read allows for more, in proportion to its bytes; what could cost more than
-// that is taken from the budget before it is done. So a map of n bytes takes work and memory in proportion to n, beyond
-// the limits of Options, whatever is in it.
+// What an import may cost. Each file that is read allows for more, in proportion to its bytes; what could cost more
+// than that is taken from the budget before it is done. So a map of n bytes takes work and memory in proportion to n,
+// beyond the limits of Options, whatever is in it.
 #pragma once
 
 #include "loops.h"

@@ -27,8 +27,9 @@ struct CollisionObject {
 /// Reads an <object>, with what its template says. The offset is that of its <objectgroup>.
 CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint offset, Templates& templates);
 
-/// The object as the options want it: if names say what its block is, its class is its name. One that is hidden may be left out. An open polyline is left out as well, or
-/// becomes a thin polygon. What is left out is of Kind::unsupported, with the reason.
+/// The object as the options want it: if names say what its block is, its class is its name. One that is hidden may be
+/// left out. An open polyline is left out as well, or becomes a thin polygon. What is left out is of Kind::unsupported,
+/// with the reason.
 CollisionObject asAsked(CollisionObject object, const Options& options);
 
 }  // namespace lgs::tiled

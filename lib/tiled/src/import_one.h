@@ -17,7 +17,8 @@ struct ImportJob {
   std::size_t placementsLeft = options.maxPlacements;  ///< likewise
 };
 
-/// Imports a map. `error` is that of its file. It is the caller who checks that all names that were asked for are there.
+/// Imports a map. `error` is that of its file. It is the caller who checks that all names that were asked for are
+/// there.
 tl::expected<ImportedMap, ImportError> importOne(MapSource& source, ImportJob& job, std::optional<ImportError>& error);
 
 /// Imports the maps of a world, whose file is `file`, and puts them together.

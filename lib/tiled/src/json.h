@@ -40,8 +40,8 @@ struct JsonPlace {
   std::string text(const char* key) const;
 };
 
-/// A scalar as XML writes it: numbers in the fewest digits that mean the same, yes and no as `yes` and `no`. Nothing for
-/// null, arrays and objects.
+/// A scalar as XML writes it: numbers in the fewest digits that mean the same, yes and no as `yes` and `no`. Nothing
+/// for null, arrays and objects.
 std::optional<std::string> scalarText(const Json& value, const char* yes, const char* no);
 
 /// A number in the fewest digits that mean the same.

@@ -15,7 +15,8 @@ pugi::xml_node addElement(pugi::xml_node parent, const char* name, const JsonPla
 
 void setAttribute(pugi::xml_node node, const char* name, const std::string& value);
 
-/// A <property> in the element's <properties>. An array or object as value is left out, as it has no text in XML either.
+/// A <property> in the element's <properties>. An array or object as value is left out, as it has no text in XML
+/// either.
 void addProperty(pugi::xml_node node, const std::string& name, const Json& value);
 
 /// Makes a Tiled map, tileset, template or world, or an LDtk project, of the text of a JSON file. `reader` reads the

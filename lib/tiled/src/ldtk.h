@@ -27,9 +27,9 @@ void readLdtk(const JsonReading& reading, const JsonPlace& root, const FileReade
 /// An IntGrid layer whose cells have no size is an error.
 void checkGrids(const XmlFile& file, pugi::xml_node parent);
 
-/// Decides what depends on the layers that are wanted: which world stays, whether tiles that are only drawn are read, and
-/// how large a cell is. Gives each value of an IntGrid layer its
-/// block, unless the options give it another one. What is worth a note goes into `notes`.
+/// Decides what depends on the layers that are wanted: which world stays, whether tiles that are only drawn are read,
+/// and how large a cell is. Gives each value of an IntGrid layer its block, unless the options give it another one.
+/// What is worth a note goes into `notes`.
 void settleLdtk(const XmlFile& file, Options& options, std::vector<std::string>& notes);
 
 }  // namespace lgs::tiled

@@ -1,5 +1,5 @@
-// Layers of an LDtk project whose tiles are only drawn: tile layers and auto-layers. They become tile layers whose tiles
-// have no shapes.
+// Layers of an LDtk project whose tiles are only drawn: tile layers and auto-layers. They become tile layers whose
+// tiles have no shapes.
 #pragma once
 
 #include "json_elements.h"

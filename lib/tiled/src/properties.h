@@ -25,8 +25,8 @@ std::string propertyIn(const std::string& rule);
 /// The first of some rules, "NAME" or "NAME=VALUE", that the properties fit; null if they fit none.
 const std::string* firstFit(const std::vector<std::string>& rules, const Properties& properties);
 
-/// The strongest that is said by the name of an element, its class and the properties that say yes; of equals the first.
-/// The reason in words goes into `why`.
+/// The strongest that is said by the name of an element, its class and the properties that say yes; of equals the
+/// first. The reason in words goes into `why`.
 Saying sayingOf(pugi::xml_node node, std::string* why = nullptr);
 
 /// Whether an element says that it is one-way: its name, its class, or a property that says yes has "one-way",

@@ -1,5 +1,5 @@
-// What there is of PCRE2 in the importer. Its interpreter matches, not code that it makes at run time: a hostile pattern
-// should meet as little machinery as can be.
+// What there is of PCRE2 in the importer. Its interpreter matches, not code that it makes at run time: a hostile
+// pattern should meet as little machinery as can be.
 #include "regexp.h"
 
 #define PCRE2_CODE_UNIT_WIDTH 8

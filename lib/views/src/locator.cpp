@@ -62,8 +62,8 @@ LoopId Locator::leftWestOf(const Crossing& from, LoopId except) const {
   return {};
 }
 
-/// Where a row beside the westernmost vertex of a hole crosses the hole's first edge from the west. Above the vertex, if
-/// an edge leads up from there; otherwise one comes up to it from below.
+/// Where a row beside the westernmost vertex of a hole crosses the hole's first edge from the west. Above the vertex,
+/// if an edge leads up from there; otherwise one comes up to it from below.
 Locator::Crossing Locator::wallWestOf(const LoopFacts& hole) const {
   const Point v = hole.west;
   std::optional<Crossing> above, below;

@@ -1,6 +1,7 @@
-// Sequences of segments, each a treap (Aragon and Seidel: Randomized search trees, Algorithmica 16, 1996): a tree in the
-// order of the sequence that is a heap by priorities. The priority of a segment is a scrambled id, so the same edits
-// make the same trees everywhere. From a segment one climbs to its sequence. Every node has the sums of its subtree.
+// Sequences of segments, each a treap (Aragon and Seidel: Randomized search trees, Algorithmica 16, 1996): a tree in
+// the order of the sequence that is a heap by priorities. The priority of a segment is a scrambled id, so the same
+// edits make the same trees everywhere. From a segment one climbs to its sequence. Every node has the sums of its
+// subtree.
 //
 // A treap and no splay tree, since reading changes nothing: const calls are safe beside each other.
 #pragma once

@@ -90,9 +90,9 @@ enum class PaintMode : std::uint8_t {
   replace,  ///< takes over what is there
 };
 
-/// Says of a block whether its polygons stay, whatever a brush does around them: bedrock that nobody digs away, ore that
-/// is mined in another way. It must give the same answer every time, throw nothing and not call back into the world.
-/// Empty: none stay.
+/// Says of a block whether its polygons stay, whatever a brush does around them: bedrock that nobody digs away, ore
+/// that is mined in another way. It must give the same answer every time, throw nothing and not call back into the
+/// world. Empty: none stay.
 using StayingBlocks = std::function<bool(Block)>;
 
 /// An old polygon, and what it became: one polygon or more. A polygon of a whole cell that got another block is still
@@ -124,8 +124,8 @@ struct BrushResult {
 [[nodiscard]] Expected<BrushResult> paint(World& world, const Region& region, Block block, PaintMode mode,
                                           const StayingBlocks& staying = {}) noexcept;
 
-/// Frees a region, but for what `staying` names. The rest is as for paint(). Cells that are inside the region as a whole
-/// cost what clear() costs; those in which something stays, what remove() costs.
+/// Frees a region, but for what `staying` names. The rest is as for paint(). Cells that are inside the region as a
+/// whole cost what clear() costs; those in which something stays, what remove() costs.
 [[nodiscard]] Expected<BrushResult> carve(World& world, const Region& region,
                                           const StayingBlocks& staying = {}) noexcept;
 

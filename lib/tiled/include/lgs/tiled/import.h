@@ -55,8 +55,8 @@
 // and within World's limits for a cell. So World::add accepts all of them.
 //
 // ERRORS. An error is a value. When memory runs out std::bad_alloc comes, and nothing is leaked; only where objects are
-// painted the brushes end the program, as they always do then. Maps need not be trusted: sizes are checked before memory is taken, work is counted and refused
-// before it is done, and nothing recurses without a limit.
+// painted the brushes end the program, as they always do then. Maps need not be trusted: sizes are checked before
+// memory is taken, work is counted and refused before it is done, and nothing recurses without a limit.
 //
 // COST. Linear in the number of tiles, and in that of the cells that objects reach. Polygons are compared once for each
 // combination of tiles that meet in a cell. A combination of polygons that lie on each other takes a brush some 0.2 ms.
@@ -129,11 +129,11 @@ tl::expected<TileTable, std::string> parseTileTable(std::string_view text);
 
 /// What to import, and how. The defaults suit most maps.
 ///
-/// Without solidWithoutShapes, solidIf, objects and tiles the map itself decides what is solid, by the strongest evidence
-/// that there is in it: 1. shapes of tiles, and those of object layers that say that they are solid; 2. layers, and
-/// classes of tiles and objects, that say collision; 3. properties of tiles that do; 4. layers that say ground or wall.
-/// docs/maps.md, "What is taken by itself", has the words. Report::choice says what was taken. `layers` narrows where
-/// that is looked for. With any of the four nothing is chosen: they hold, and so do the shapes of tiles.
+/// Without solidWithoutShapes, solidIf, objects and tiles the map itself decides what is solid, by the strongest
+/// evidence that there is in it: 1. shapes of tiles, and those of object layers that say that they are solid; 2.
+/// layers, and classes of tiles and objects, that say collision; 3. properties of tiles that do; 4. layers that say
+/// ground or wall. docs/maps.md, "What is taken by itself", has the words. Report::choice says what was taken. `layers`
+/// narrows where that is looked for. With any of the four nothing is chosen: they hold, and so do the shapes of tiles.
 struct Options {
   double tolerance = 1.0;            ///< pixels, finite, 0 or more; at most a quarter of a tile is used
   Outside outside = Outside::carry;  ///< what happens to what reaches out of its cell
@@ -150,10 +150,10 @@ struct Options {
 
   BlockFrom blockFrom = BlockFrom::one;  ///< where blocks come from
 
-  /// The block for each class, object's name or layer; unused with BlockFrom::one. "" stands for no class. Other names get
-  /// the least unused numbers from 1 up, in the order in which the import meets them: layers in the map's order, and
-  /// tiles in a layer by rows from the top. Such numbers may change with an edit of the map, and the report warns of
-  /// them. A game that knows a class gives it a number here, or asks for it: ImportedMap::block("ice").
+  /// The block for each class, object's name or layer; unused with BlockFrom::one. "" stands for no class. Other names
+  /// get the least unused numbers from 1 up, in the order in which the import meets them: layers in the map's order,
+  /// and tiles in a layer by rows from the top. Such numbers may change with an edit of the map, and the report warns
+  /// of them. A game that knows a class gives it a number here, or asks for it: ImportedMap::block("ice").
   std::map<std::string, Block> blocks;
 
   /// Tile layers to import: names or paths ("Group/Layer") of layers or groups; in worlds and LDtk projects also of
@@ -162,8 +162,9 @@ struct Options {
   std::vector<std::string> layers;
 
   /// Object layers to import: names or paths of layers or groups, or classes or names of objects, which then are taken
-  /// from any layer; an empty list takes none. A name that fits none is an error. Without a list, all are taken whose name, class or property says that they are solid. If `layers` has
-  /// names, they must also be in a group that it names.
+  /// from any layer; an empty list takes none. A name that fits none is an error. Without a list, all are taken whose
+  /// name, class or property says that they are solid. If `layers` has names, they must also be in a group that it
+  /// names.
   std::optional<std::vector<std::string>> objects;
 
   bool visibleOnly = false;  ///< hidden layers and objects, and what is in hidden groups, are left out
@@ -173,9 +174,9 @@ struct Options {
   /// name, class or property, or that of its layer or tile: "one-way", "platform" or "jump-through".
   double polylineThickness = 0;
 
-  /// Files that the map names may lie anywhere that the reader reads. Otherwise they must lie in the map's folder or below
-  /// it; a name that leads out of it is an error, and so are symbolic links out of it on the disk. Errors then quote no
-  /// text of files other than the map's own: a map from a stranger could name what is nobody else's business.
+  /// Files that the map names may lie anywhere that the reader reads. Otherwise they must lie in the map's folder or
+  /// below it; a name that leads out of it is an error, and so are symbolic links out of it on the disk. Errors then
+  /// quote no text of files other than the map's own: a map from a stranger could name what is nobody else's business.
   bool filesAnywhere = false;
 
   /// A map of a world that cannot be read is an error. Otherwise the report names it, and the others are imported.
@@ -186,8 +187,8 @@ struct Options {
   std::size_t maxPlacements = std::size_t{1} << 24;  ///< polygons before overlaps are taken away
   std::size_t maxBytes = std::size_t{1} << 27;       ///< of all files together; one that is read again counts again
 
-  /// Limits of what is not to be seen from the number of tiles and polygons. Each byte that is read adds to them, so what
-  /// a map costs is in proportion to its size: docs/maps.md, "What a map may cost".
+  /// Limits of what is not to be seen from the number of tiles and polygons. Each byte that is read adds to them, so
+  /// what a map costs is in proportion to its size: docs/maps.md, "What a map may cost".
   std::size_t maxObjectCells = std::size_t{1} << 20;  ///< cells of the bounding boxes of all shapes together
   std::size_t maxWork = std::size_t{1} << 28;         ///< steps: of outlines that meet, shape by shape, cell by cell
 };
@@ -288,7 +289,8 @@ struct Suggestion {
 /// How many suggestions there are at most, and so how often a map is imported for them.
 inline constexpr std::size_t kMaxSuggestions = 12;
 
-/// An argument as a shell takes it: in quotes if it has to be. Names come from files, so control characters have escapes.
+/// An argument as a shell takes it: in quotes if it has to be. Names come from files, so control characters have
+/// escapes.
 std::string shellWord(std::string_view argument);
 
 /// What came in, and what was left out or changed: toText() writes it.
@@ -336,8 +338,8 @@ struct ImportedMap {
 /// map's path and for paths that lie below the map's folder as they are written: without "..", with slashes only. What
 /// it makes of them is its own affair. A reader of a server's disk must not follow links out of the folder, nor open
 /// what is no regular file, as it may block; readerBelow() is such a reader. In a browser the files that were given are
-/// all there are. What a reader says of a file that it can not read becomes part of the error. What it throws comes out of
-/// importMap(), and nothing is leaked; so it is with a FolderLister.
+/// all there are. What a reader says of a file that it can not read becomes part of the error. What it throws comes out
+/// of importMap(), and nothing is leaked; so it is with a FolderLister.
 using FileReader = std::function<tl::expected<std::string, std::string>(const std::string& path)>;
 
 /// Returns the names of the files in a folder, without that of the folder, in any order; or says why it can not. Only a
