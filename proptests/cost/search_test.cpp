@@ -1,0 +1,225 @@
+// Cost under attack, found by a search: from any input one climbs to one that costs more for its size, by small changes,
+// as far as that goes. What is counted is basic blocks, not time. A bound holds for all that the search tries: it is two
+// to three times what the search finds as it stands.
+#include "oracle/calls/caller.h"
+#include "oracle/calls/draw.h"
+#include "proptests/support/scale.h"
+#include "visits.h"
+
+#include <lgs/brush.h>
+#include <lgs/tiled/import.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace lgs::cost_test {
+namespace {
+
+using oracle::Random;
+
+/// Climbs from inputs that `make` makes. Each step keeps the dearer one of two. Returns the greatest cost for its size.
+template <class Input>
+double dearest(const std::function<Input(Random&)>& make, const std::function<void(Input&, Random&)>& change,
+               const std::function<double(const Input&)>& cost, int starts, int steps) {
+  double most = 0;
+  Random random(test::testSeed());
+  for (int start = 0; start < starts; ++start) {
+    Input best = make(random);
+    double height = cost(best);
+    for (std::int64_t step = 0; step < test::scaled(steps); ++step) {
+      Input next = best;
+      for (int k = 1 + random.below(3); k > 0; --k) change(next, random);
+      const double reached = cost(next);
+      if (reached < height) continue;
+      best = std::move(next);
+      height = reached;
+    }
+    most = std::max(most, height);
+  }
+  testing::Test::RecordProperty("most", std::to_string(most));
+  return most;
+}
+
+// --- Maps
+
+/// Polygons of an object layer, in pixels, and the size of a tile.
+struct Map {
+  std::vector<std::vector<std::pair<int, int>>> objects;
+  int tile = 32;
+};
+
+std::string asXml(const Map& map) {
+  const std::string tile = std::to_string(map.tile);
+  std::string text = "<map orientation='orthogonal' width='4' height='4' tilewidth='" + tile + "' tileheight='" + tile +
+                     "'><objectgroup name='walls'>";
+  for (const auto& points : map.objects) {
+    text += "<object id='1' x='0' y='0'><polygon points='";
+    for (const auto& [x, y] : points) text += std::to_string(x) + ',' + std::to_string(y) + ' ';
+    text += "'/></object>";
+  }
+  return text + "</objectgroup></map>";
+}
+
+std::string asJson(const Map& map) {
+  const std::string tile = std::to_string(map.tile);
+  std::string text = R"({"type":"map","orientation":"orthogonal","width":4,"height":4,"tilewidth":)" + tile +
+                     R"(,"tileheight":)" + tile + R"(,"layers":[{"type":"objectgroup","name":"walls","objects":[)";
+  for (const auto& points : map.objects) {
+    text += (&points == map.objects.data() ? "" : ",") + std::string(R"({"id":1,"x":0,"y":0,"polygon":[)");
+    for (const auto& [x, y] : points)
+      text += (&points.front().first == &x ? "" : ",") + std::string(R"({"x":)") + std::to_string(x) + R"(,"y":)" +
+              std::to_string(y) + "}";
+    text += "]}";
+  }
+  return text + "]}]}";
+}
+
+std::vector<std::pair<int, int>> drawObject(Random& random) {
+  std::vector<std::pair<int, int>> points;
+  const int reach = random.pick(std::vector{4, 31, 200, 4'000});
+  for (int k = 3 + random.below(30); k > 0; --k) points.emplace_back(random.below(reach), random.below(reach));
+  return points;
+}
+
+void changeMap(Map& map, Random& random) {
+  const int kind = random.below(5);
+  if (kind == 0 || map.objects.empty()) {
+    map.objects.push_back(drawObject(random));
+  } else if (kind == 1) {
+    map.objects.push_back(random.pick(std::vector(map.objects)));
+  } else if (kind == 2) {
+    map.tile = random.pick(std::vector{1, 2, 8, 32, 500});
+  } else if (kind == 3) {
+    auto& points = map.objects[random.below(map.objects.size())];
+    points.emplace_back(random.below(300), random.below(300));
+  } else {
+    auto& points = map.objects[random.below(map.objects.size())];
+    points[random.below(points.size())] = {random.below(100), random.below(100)};
+  }
+}
+
+/// For each byte of the file, as a part of what the documents allow.
+double costOfImport(const std::string& text) {
+  tiled::Options options;
+  options.maxWork = 1 << 20;
+  options.maxObjectCells = 1 << 12;
+  const auto reader = [&](const std::string&) -> tl::expected<std::string, std::string> { return text; };
+  const auto cost = visitsOf([&] { static_cast<void>(tiled::importMap("a", options, reader)); });
+  const auto steps = static_cast<double>(tiled::kWorkPerByte * text.size() + options.maxWork);
+  return static_cast<double>(cost) / steps;
+}
+
+TEST(CostSearch, OfMapsFindsNoneBeyondTheirLimit) {
+  const std::function<Map(Random&)> make = [](Random& random) {
+    return Map{{drawObject(random), drawObject(random)}, 32};
+  };
+  for (const auto& write : {asXml, asJson})
+    EXPECT_LT(dearest<Map>(
+                  make, changeMap, [&](const Map& map) { return costOfImport(write(map)); }, 3, 120),
+              8);
+}
+
+// --- Saved worlds
+
+using Calls = std::vector<oracle::Call>;
+
+Calls drawCalls(Random& random) {
+  oracle::Choices choices([&random] { return random.next(); });
+  Calls calls;
+  for (int k = 0; k < 20; ++k) calls.push_back(drawCall(choices, oracle::Habits()));
+  return calls;
+}
+
+void changeCalls(Calls& calls, Random& random) {
+  const std::size_t at = random.below(calls.size());
+  if (random.chance(30) && calls.size() > 1) calls.erase(calls.begin() + static_cast<std::ptrdiff_t>(at));
+  const Calls more = drawCalls(random);
+  calls.insert(calls.begin() + static_cast<std::ptrdiff_t>(random.below(calls.size() + 1)), more[0]);
+}
+
+double costOfLoading(const Calls& calls) {
+  oracle::Caller caller;
+  for (const oracle::Call& call : calls) caller.make(call);
+  caller.world.commit();
+  std::vector<std::byte> file;
+  EXPECT_TRUE(caller.world.save(
+      [&](std::span<const std::byte> piece) { file.insert(file.end(), piece.begin(), piece.end()); }));
+  const auto cost = visitsOf([&] { EXPECT_TRUE(World::load(file)); });
+  return static_cast<double>(cost) / static_cast<double>(file.size());
+}
+
+TEST(CostSearch, OfSavedWorldsFindsNoneThatTakesLongForItsSize) {
+  EXPECT_LT(dearest<Calls>(drawCalls, changeCalls, costOfLoading, 3, 400), 3'000);
+}
+
+// --- Strokes
+
+constexpr std::int64_t kCell = kUnitsPerCell;
+
+Point drawPoint(Random& random) { return {random.below(3 * kCell) - kCell, random.below(3 * kCell) - kCell}; }
+
+Region drawRegion(Random& random) {
+  Region region{{{}}, FillRule::evenOdd};
+  for (int k = 0; k < 24; ++k) region.rings[0].push_back(drawPoint(random));
+  return region;
+}
+
+void changeRegion(Region& region, Random& random) {
+  Ring& ring = region.rings[0];
+  Point& p = ring[random.below(ring.size())];
+  p = random.chance(50) ? drawPoint(random) : Point{p.x + random.below(9) - 4, p.y + random.below(9) - 4};
+}
+
+/// For each pair of edges, which may cross: that is what a stroke may cost.
+double costOfStroke(const Region& region) {
+  World world;
+  EXPECT_TRUE(world.fill({{-1, -1}, {1, 1}}, world.shape(kUnitSquare).value(), 1));
+  const auto cost = visitsOf([&] { static_cast<void>(carve(world, region)); });
+  return static_cast<double>(cost) / static_cast<double>(region.rings[0].size() * region.rings[0].size());
+}
+
+TEST(CostSearch, OfStrokesFindsNoneBeyondTheSquareOfItsEdges) {
+  EXPECT_LT(dearest<Region>(drawRegion, changeRegion, costOfStroke, 3, 400), 5'000);
+}
+
+// --- Questions
+
+struct Question {
+  Calls calls;
+  Point from, to;
+};
+
+Question drawQuestion(Random& random) { return {drawCalls(random), drawPoint(random), drawPoint(random)}; }
+
+void changeQuestion(Question& question, Random& random) {
+  if (random.chance(60)) return changeCalls(question.calls, random);
+  Point& p = random.chance(50) ? question.from : question.to;
+  const std::int64_t far = random.pick(std::vector<std::int64_t>{kCell, 100 * kCell, 8'000 * kCell});
+  p = {random.below(2 * far) - far, random.below(2 * far) - far};
+}
+
+/// For each cell that the question may look at.
+double costOfQuestion(const Question& question) {
+  oracle::Caller caller;
+  for (const oracle::Call& call : question.calls) caller.make(call);
+  caller.world.commit();
+  const auto ray = visitsOf([&] { static_cast<void>(caller.world.rayCast(question.from, question.to)); });
+  const auto near = visitsOf([&] { static_cast<void>(caller.world.nearest(question.from, kMaxRadius)); });
+  const auto cells = [](std::int64_t a, std::int64_t b) {
+    return static_cast<double>(std::max(a, b) - std::min(a, b)) / kCell + 2;
+  };
+  const double touched = cells(question.from.x, question.to.x) + cells(question.from.y, question.to.y);
+  const auto chunks = static_cast<double>(caller.world.stats().chunks);
+  return std::max(static_cast<double>(ray) / touched, static_cast<double>(near) / (1'024 * chunks + 1));
+}
+
+TEST(CostSearch, OfQuestionsFindsNoneBeyondTheCellsThatTheyTouch) {
+  EXPECT_LT(dearest<Question>(drawQuestion, changeQuestion, costOfQuestion, 3, 400), 80);
+}
+
+}  // namespace
+}  // namespace lgs::cost_test
