@@ -19,7 +19,8 @@ ENGINE = ["lib/include"]
 GROUND = ENGINE + ["lib/geometry", "lib/storage"]
 REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/calls", "oracle/trace"]
 ORACLE = REFERENCES + ["oracle/draw", "oracle/views", "oracle/engine/include", "oracle/engine", "oracle/page", "oracle/generate", "oracle/check"]
-TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out"]
+TERRAIN = ["lib/box2d/include", "lib/box2d/v2/names", "lib/box2d/v3/names", "lib/box2d/both/include",
+           "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out"]
 ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/brush/include", "lib/pieces/include", "lib/views/include",
             "lib/tiled/include"] + TERRAIN
 ROOMS = {
@@ -48,12 +49,20 @@ ROOMS = {
                  "oracle/reference"],
     "lib/box2d/include": ["lib/include"],
     "lib/box2d/src": ["lib/include", "lib/geometry", "lib/box2d/include"],
-    "lib/box2d/v2/include": ["lib/include", "lib/box2d/include"],
-    "lib/box2d/v2/src": ["lib/include", "lib/box2d/include", "lib/box2d/src", "lib/box2d/v2/include"],
-    "lib/box2d/v3/include": ["lib/include", "lib/box2d/include"],
+    "lib/box2d/v2/names": [],
+    "lib/box2d/v3/names": [],
+    "lib/box2d/both/include": ["lib/include", "lib/box2d/include", "lib/box2d/v2/names", "lib/box2d/v3/names"],
+    "lib/box2d/v2/include": ["lib/box2d/both/include"],
+    "lib/box2d/v3/include": ["lib/box2d/both/include"],
     "lib/box2d/cut_out": ["lib/include", "lib/brush/include", "lib/box2d/include", "lib/box2d/v2/include",
                           "lib/box2d/v3/include"],
-    "lib/box2d/v3/src": ["lib/include", "lib/box2d/include", "lib/box2d/src", "lib/box2d/v3/include"],
+    "lib/box2d/v2/src": ["lib/include", "lib/box2d/include", "lib/box2d/src", "lib/box2d/v2/names",
+                         "lib/box2d/v2/include"],
+    "lib/box2d/v3/src": ["lib/include", "lib/box2d/include", "lib/box2d/src", "lib/box2d/v3/names",
+                         "lib/box2d/v3/include"],
+    # What both generations do alike asks physics by calls.h, which each has.
+    "lib/box2d/both/src": ["lib/include", "lib/box2d/include", "lib/box2d/src", "lib/box2d/both/include",
+                           "lib/box2d/v2/src", "lib/box2d/v3/src"],
     "oracle/reference": ENGINE,
     "oracle/cgal": ENGINE + ["oracle/reference"],
     "oracle/draw": ENGINE + ["oracle/reference"],
@@ -87,7 +96,8 @@ ROOMS = {
 # The folders from which a header is found by a path without its room.
 INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/c/include", "lib/debug/include", "lib/brush/include",
                    "lib/brush/src", "lib/pieces/include", "lib/pieces/src", "lib/views/include", "lib/views/src", "lib/tiled/include", "lib/tiled/src",
-                   "lib/box2d/include", "lib/box2d/src", "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out/include",
+                   "lib/box2d/include", "lib/box2d/src", "lib/box2d/both/include", "lib/box2d/v2/names/include", "lib/box2d/v2/include",
+                   "lib/box2d/v2/src", "lib/box2d/v3/names/include", "lib/box2d/v3/include", "lib/box2d/v3/src", "lib/box2d/cut_out/include",
                    "oracle/engine/include"]
 # What no file below a folder may include, whatever its room: lib/ is MIT and goes into games.
 FOREIGN = {"lib": re.compile(r"CGAL/|rapidcheck|gtest|gmock|fmt/|CLI/")}

@@ -143,8 +143,7 @@ void addDoorsOfBox2d(Doors& door) {
          const box2d::Terrain terrain(physics, s.world, {.origin = origin, .merge = merge, .onCaught = onCaught});
          return terrain.bodyCount();
        });
-  door("box2d::Terrain::~Terrain()", [](Scene& s) { return s.ground.reset(), 0; });
-  door("box2d::Terrain::commit(World&)", [](Scene& s, bool isOther) {
+  door("box2d::TerrainBase::commit(World&)", [](Scene& s, bool isOther) {
     Ground& ground = groundOf(s);
     const std::uint64_t before = s.other.version();
     const auto done = ground.terrain.commit(isOther ? s.other : s.world);
@@ -154,32 +153,32 @@ void addDoorsOfBox2d(Doors& door) {
     EXPECT_EQ(s.other.version(), before);
     return 0;
   });
-  door("box2d::Terrain::sync(const Changes&)",
+  door("box2d::TerrainBase::sync(const Changes&)",
        [](Scene& s, const Changes& changes) { return groundOf(s).terrain.sync(changes); });
-  door("box2d::Terrain::sync(const Changes&, OnCaught)",
+  door("box2d::TerrainBase::sync(const Changes&, OnCaught)",
        [](Scene& s, const Changes& changes, OnCaught onCaught) { return groundOf(s).terrain.sync(changes, onCaught); });
-  door("box2d::Terrain::caughtBy(const Changes&)",
+  door("box2d::TerrainBase::caughtBy(const Changes&)",
        [](Scene& s, const Changes& changes) { return groundOf(s).terrain.caughtBy(changes).size(); });
-  door("box2d::Terrain::caught() const", [](Scene& s) { return groundOf(s).terrain.caught().size(); });
-  door("box2d::Terrain::held() const", [](Scene& s) { return groundOf(s).terrain.held().size(); });
-  door("box2d::Terrain::afterStep()", [](Scene& s) {
+  door("box2d::TerrainBase::caught() const", [](Scene& s) { return groundOf(s).terrain.caught().size(); });
+  door("box2d::TerrainBase::held() const", [](Scene& s) { return groundOf(s).terrain.held().size(); });
+  door("box2d::TerrainBase::afterStep()", [](Scene& s) {
     groundOf(s).physics.Step(1.0F / 60, 8, 3);
     return groundOf(s).terrain.afterStep().size();
   });
-  door("box2d::Terrain::moved(const b2Body&)", [](Scene& s, Who who, const b2Vec2& place, Angle angle) {
+  door("box2d::TerrainBase::moved(const Body&)", [](Scene& s, Who who, const b2Vec2& place, Angle angle) {
     b2Body& body = who.in(groundOf(s));
     if (place.IsValid() && b2IsValid(angle.value) && place.Length() < 1e10F) body.SetTransform(place, angle.value);
     return groundOf(s).terrain.moved(body), 0;
   });
-  door("box2d::Terrain::fits(const b2Body&)",
+  door("box2d::TerrainBase::fits(const Body&)",
        [](Scene& s, Who who) { return groundOf(s).terrain.fits(who.in(groundOf(s))); });
   door("box2d::Terrain::fits(const b2Body&, const b2Transform&)",
        [](Scene& s, Who who, const b2Vec2& place, Angle angle) {
          return groundOf(s).terrain.fits(who.in(groundOf(s)), b2Transform(place, b2Rot(angle.value)));
        });
-  door("box2d::Terrain::outlinesOf(const b2Body*)",
+  door("box2d::TerrainBase::outlinesOf(ConstBodyHandle)",
        [](Scene& s, Who who) { return groundOf(s).terrain.outlinesOf(&who.in(groundOf(s))).size(); });
-  door("box2d::Terrain::resync()", [](Scene& s) {
+  door("box2d::TerrainBase::resync()", [](Scene& s) {
     Ground& ground = groundOf(s);
     ground.terrain.resync();
     EXPECT_TRUE(ground.terrain.isCurrent());
@@ -189,15 +188,15 @@ void addDoorsOfBox2d(Doors& door) {
     EXPECT_EQ(ground.terrain.bodyCount(), fresh.bodyCount());
     return 0;
   });
-  door("box2d::Terrain::materialsChanged()", [](Scene& s) { return groundOf(s).terrain.materialsChanged(), 0; });
-  door("box2d::Terrain::isCurrent() const", [](Scene& s) { return groundOf(s).terrain.isCurrent(); });
-  door("box2d::Terrain::hit(const b2Fixture&) const", [](Scene& s, Who who) {
+  door("box2d::TerrainBase::materialsChanged()", [](Scene& s) { return groundOf(s).terrain.materialsChanged(), 0; });
+  door("box2d::TerrainBase::isCurrent() const", [](Scene& s) { return groundOf(s).terrain.isCurrent(); });
+  door("box2d::TerrainBase::hit(const Shape&) const", [](Scene& s, Who who) {
     int hits = 0;
     for (const b2Fixture* f = who.in(groundOf(s)).GetFixtureList(); f; f = f->GetNext())
       hits += groundOf(s).terrain.hit(*f) ? 1 : 0;
     return hits;
   });
-  door("box2d::Terrain::hit(const b2Fixture&, const b2Vec2&) const", [](Scene& s, Who who, const b2Vec2& place) {
+  door("box2d::TerrainBase::hit(const Shape&, const Position&) const", [](Scene& s, Who who, const b2Vec2& place) {
     int hits = 0;
     for (const b2Fixture* f = who.in(groundOf(s)).GetFixtureList(); f; f = f->GetNext())
       hits += groundOf(s).terrain.hit(*f, place) ? 1 : 0;
@@ -209,14 +208,14 @@ void addDoorsOfBox2d(Doors& door) {
       hits += groundOf(s).terrain.hit(*c) ? 1 : 0;
     return hits;
   });
-  door("box2d::Terrain::nearest(const b2Vec2&, float) const", [](Scene& s, const b2Vec2& place, float radius) {
+  door("box2d::TerrainBase::nearest(const Position&, float) const", [](Scene& s, const b2Vec2& place, float radius) {
     const auto hit = groundOf(s).terrain.nearest(place, radius);
     if (!place.IsValid() || !(radius >= 0)) {
       EXPECT_FALSE(hit);
     }
     return hit.has_value();
   });
-  door("box2d::Terrain::rayCast(const b2Vec2&, const b2Vec2&) const",
+  door("box2d::TerrainBase::rayCast(const Position&, const Position&) const",
        [](Scene& s, const b2Vec2& from, const b2Vec2& to) {
          const auto hit = groundOf(s).terrain.rayCast(from, to);
          if (!from.IsValid() || !to.IsValid()) {
@@ -224,26 +223,28 @@ void addDoorsOfBox2d(Doors& door) {
          }
          return hit.has_value();
        });
-  door("box2d::Terrain::bodiesIn(const Rect&) const",
+  door("box2d::TerrainBase::bodiesIn(const Rect&) const",
        [](Scene& s, const CellRect& cells) { return groundOf(s).terrain.bodiesIn(cells).size(); });
-  door("box2d::Terrain::bodiesIn(Cell) const",
+  door("box2d::TerrainBase::bodiesIn(Cell) const",
        [](Scene& s, Cell cell) { return groundOf(s).terrain.bodiesIn(cell).size(); });
-  door("box2d::Terrain::moveOrigin(Cell)", [](Scene& s, Cell cell) { return groundOf(s).terrain.moveOrigin(cell), 0; });
+  door("box2d::TerrainBase::moveOrigin(Cell)",
+       [](Scene& s, Cell cell) { return groundOf(s).terrain.moveOrigin(cell), 0; });
   door("box2d::Terrain::fixture(SegmentId) const",
        [](Scene& s, SegmentId id) { return groundOf(s).terrain.fixture(id) != nullptr; });
   door("box2d::Terrain::fixture(EdgeId) const",
        [](Scene& s, EdgeId id) { return groundOf(s).terrain.fixture(id) != nullptr; });
-  door("box2d::Terrain::edges() const", [](Scene& s) { return groundOf(s).terrain.edges().edges().size(); });
-  door("box2d::Terrain::bodyCount() const", [](Scene& s) { return groundOf(s).terrain.bodyCount(); });
-  door("box2d::Terrain::position(Point) const", [](Scene& s, Point p) { return groundOf(s).terrain.position(p).x; });
-  door("box2d::Terrain::latticePoint(const b2Vec2&) const", [](Scene& s, const b2Vec2& place) {
+  door("box2d::TerrainBase::edges() const", [](Scene& s) { return groundOf(s).terrain.edges().edges().size(); });
+  door("box2d::TerrainBase::bodyCount() const", [](Scene& s) { return groundOf(s).terrain.bodyCount(); });
+  door("box2d::TerrainBase::position(Point) const",
+       [](Scene& s, Point p) { return groundOf(s).terrain.position(p).x; });
+  door("box2d::TerrainBase::latticePoint(const Position&) const", [](Scene& s, const b2Vec2& place) {
     const Point p = groundOf(s).terrain.latticePoint(place);
     if (!place.IsValid()) {
       EXPECT_FALSE(inRange(p));
     }
     return p.x;
   });
-  door("box2d::Terrain::cellAt(const b2Vec2&) const", [](Scene& s, const b2Vec2& place) {
+  door("box2d::TerrainBase::cellAt(const Position&) const", [](Scene& s, const b2Vec2& place) {
     const Cell cell = groundOf(s).terrain.cellAt(place);
     if (!place.IsValid()) {
       EXPECT_FALSE(inRange(cell));

@@ -251,6 +251,21 @@ TEST_F(Box2dCaught, ALoadHoldsWhoWasHeldAndReleasesWhoIsFree) {
   EXPECT_EQ(positionOf(held).x, heldAt.x);
 }
 
+// When the game was saved the body was below the floor.
+TEST_F(Box2dCaught, ALoadPutsBodiesWhereTheyWere) {
+  Terrain terrain(physics, field.world);
+  const World saved = field.world;
+  const Body body = addBody({0.5F, 0.36F}, Form::box, 0);
+  step(1);
+  EXPECT_TRUE(terrain.afterStep().empty());
+  field.world = saved;
+  moveTo(body, {0.5F, -1.5F});
+  terrain.resync();
+  step(1);
+  EXPECT_TRUE(terrain.afterStep().empty());
+  EXPECT_NEAR(positionOf(body).y, -1.5F, 0.02F);
+}
+
 TEST_F(Box2dCaught, BodiesAreCutOutOfWhatIsPainted) {
   Terrain terrain(physics, field.world);
   for (const Form form : {Form::ball, Form::box}) {

@@ -20,7 +20,8 @@ CPP = {
     "tiled": (["lgs/tiled/import.h"], [ENGINE, "lib/tiled/include"]),
     "box2d": (["lgs/box2d/edges.h", "lgs/box2d/hit.h", "lgs/box2d/materials.h", "lgs/box2d/terrain.h",
                "lgs/box2d/cut_out.h"],
-              [ENGINE, "lib/brush/include", "lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/cut_out/include"]),
+              [ENGINE, "lib/brush/include", "lib/box2d/include", "lib/box2d/both/include", "lib/box2d/v2/names/include",
+               "lib/box2d/v2/include", "lib/box2d/cut_out/include"]),
 }
 WEB = ROOT / "web" / "package" / "src"
 FUNCTIONS = {"FunctionDecl", "CXXMethodDecl", "CXXConstructorDecl", "CXXDestructorDecl", "CXXConversionDecl"}

@@ -41,8 +41,8 @@ KINDS = {
     "options": "Options EdgeOptions PiecesOptions TerrainOptions WorldOptions ImportOptions InitOptions lgs_world_options",
     "piece": "PieceId",
     "pieces": "Pieces",
-    "physics": "Body b2World b2Body b2Fixture b2Contact b2Transform Fixture ObjectId Box2D PhysicsId Physics Material",
-    "place": "{x:number;y:number;angle:number} {readonlyi:number;readonlyj:number} Place Chunk Metres b2Vec2 Vec2 Vec2Value",
+    "physics": "Body ConstBodyHandle Shape b2World b2Body b2Fixture b2Contact b2Transform Fixture ObjectId Box2D PhysicsId Physics Material",
+    "place": "{x:number;y:number;angle:number} {readonlyi:number;readonlyj:number} Place Position Chunk Metres b2Vec2 Vec2 Vec2Value",
     "point": "Point DoublePoint LocalPoint lgs_point lgs_double_point",
     "points": "Vertices span<constLocalPoint> initializer_list<LocalPoint> span<constFloatPoint> "
               "span<constDoublePoint> span<constPoint>",

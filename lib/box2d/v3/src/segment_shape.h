@@ -3,7 +3,7 @@
 // the same functions. What a Box2D may lack is named in templates only, in branches that are then left out.
 #pragma once
 
-#include <lgs/box2d/terrain.h>
+#include <lgs/box2d/physics.h>
 
 namespace lgs::box2d {
 
@@ -71,8 +71,8 @@ void setCustomFiltering(ShapeDef& definition, bool enable) {
 
 /// Calls a function for each shape whose box overlaps `box`, which is relative to `corner`.
 template <class Corner>
-void forEachShapeIn(b2WorldId physics, Corner corner, b2AABB box, b2QueryFilter filter, b2OverlapResultFcn* call,
-                    void* context) {
+void overlapBox(b2WorldId physics, Corner corner, b2AABB box, b2QueryFilter filter, b2OverlapResultFcn* call,
+                void* context) {
   if constexpr (requires { b2World_OverlapAABB(physics, corner, box, filter, call, context); }) {
     b2World_OverlapAABB(physics, corner, box, filter, call, context);
   } else {
@@ -82,8 +82,8 @@ void forEachShapeIn(b2WorldId physics, Corner corner, b2AABB box, b2QueryFilter 
 
 /// Calls a function for each shape that overlaps another one, whose points are relative to `corner`.
 template <class Corner, class Proxy>
-void forEachShapeOver(b2WorldId physics, Corner corner, Proxy over, b2QueryFilter filter, b2OverlapResultFcn* call,
-                      void* context) {
+void overlapShape(b2WorldId physics, Corner corner, Proxy over, b2QueryFilter filter, b2OverlapResultFcn* call,
+                  void* context) {
   if constexpr (requires { b2World_OverlapShape(physics, corner, &over, filter, call, context); }) {
     b2World_OverlapShape(physics, corner, &over, filter, call, context);
   } else {

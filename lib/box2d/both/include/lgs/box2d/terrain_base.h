@@ -1,0 +1,231 @@
+// What a terrain is for every Box2D. Include <lgs/box2d/terrain.h>, which has the rest and an example. What Body, Shape
+// and Position are <lgs/box2d/physics.h> says: b2Body, b2Fixture and b2Vec2 in Box2D 2.4, ids and b2Pos in 3.
+#pragma once
+
+#include <lgs/box2d/edges.h>
+#include <lgs/box2d/hit.h>
+#include <lgs/box2d/materials.h>
+#include <lgs/box2d/physics.h>
+
+#include <concepts>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace lgs::box2d {
+
+class Footings;
+class NewGround;
+struct Box;
+struct Footing;
+struct Form;
+struct LocalEdge;
+struct Pose;
+enum class Whose;
+
+/// The options of a terrain, with the material of this Box2D.
+using TerrainOptions = BasicTerrainOptions<Material>;
+
+/// A contact of the terrain.
+struct Touch {
+  Hit hit;              ///< what was touched
+  b2Vec2 normal;        ///< outward unit normal of the terrain's edge
+  ShapeHandle other{};  ///< what touches it
+};
+
+/// The ground nearest to a point.
+struct NearestHit {
+  Hit hit;             ///< what is nearest
+  Position point;      ///< its nearest point, in metres
+  b2Vec2 normal;       ///< outward unit normal of the segment
+  float distance = 0;  ///< metres
+};
+
+/// What a ray meets first.
+struct GroundRayHit {
+  Hit hit;             ///< what was hit
+  Position point;      ///< where, in metres
+  b2Vec2 normal;       ///< outward unit normal of the segment
+  float fraction = 1;  ///< of the way from the start to the end of the ray
+};
+
+/// A body that new ground would hold.
+struct Caught {
+  BodyHandle body{};    ///< who it is
+  float depth = 0;      ///< metres: how deep the ground reaches into it, at most to the middle
+  bool isFree = false;  ///< whether there is a way out
+  b2Vec2 way{0, 0};     ///< that way: a straight move without a turn
+};
+
+/// What every terrain can do. Only a Terrain can be made.
+class TerrainBase {
+ public:
+  TerrainBase(const TerrainBase&) = delete;
+  TerrainBase(TerrainBase&&) = delete;
+  TerrainBase& operator=(const TerrainBase&) = delete;
+  TerrainBase& operator=(TerrainBase&&) = delete;
+
+  /// Commits the edits of its world, and syncs. Errors as of sync(). `world` must be the terrain's own; if it is
+  /// another one, the error is `notTheLast`, and nothing is committed. After `leftOut` the world is committed.
+  tl::expected<void, SyncError> commit(World& world);
+
+  /// Applies a commit, or what a roll-back reports. Call it once after each of them, before the next edit. Changes that
+  /// are not the next ones are refused: the terrain stays as it was, and the error says why. After `leftOut` call
+  /// resync(). After `shownAlready` there is nothing to do. After `notTheLast` call resync() unless isCurrent(). Cost:
+  /// the number of changes, times the segments of an edge; in Box2D 2.4 also, for each fixture that goes, the fixtures
+  /// of its body, because Box2D looks for it there.
+  tl::expected<void, SyncError> sync(const Changes& changes);
+
+  /// The same, with another answer to what happens to bodies in new ground.
+  tl::expected<void, SyncError> sync(const Changes& changes, OnCaught onCaught);
+
+  /// The bodies that these changes would catch. Ask after a commit or roll-back and before its sync(): so the game can
+  /// roll back, or leave the rest to sync(). A body is caught if its middle was free and is in the solid, or if a new
+  /// edge reaches deeper than half way to its middle. Of a body of several shapes each has a middle: the one by which
+  /// Box2D judges on which side of an edge it is. Sensors, bodies that are not dynamic or not enabled, and shapes
+  /// whose filter lets them through the block do not count. Nothing, if sync() would refuse the changes. Cost: the
+  /// number of changes, for each body in the box around them; and up to some milliseconds for one that has no way out.
+  std::vector<Caught> caughtBy(const Changes& changes);
+
+  /// Those that the last sync or resync pushed or held. Who was pushed was moved along the way out and woken, and has
+  /// no velocity against it any more. None if they are left.
+  const std::vector<Caught>& caught() const { return caught_; }
+
+  /// The bodies that are held: disabled where they were caught, at rest. A later sync nearby enables them if they are
+  /// free there, or pushes them out if their middles are. A game that destroys or enables one itself may do so.
+  std::vector<BodyHandle> held() const { return held_; }
+
+  /// Call it after each step. Bodies press each other, and Box2D may press a light one through an edge. Each body whose
+  /// middle got into the ground in the step, or came through, is put back to where it was free before, at rest. Those
+  /// are returned. Bodies that the game itself moves into the ground come back, too. Cost: World::at() for each shape
+  /// of a body that is awake.
+  const std::vector<BodyHandle>& afterStep();
+
+  /// Call it when the game itself has put a body elsewhere, through a portal or to where it starts anew: else it seems
+  /// to have come through the ground that is between, and afterStep() puts it back. Not needed before resync().
+  void moved(const Body& body);
+
+  /// Whether the ground, as of the last commit, reaches into no shape of a body by more than Box2D's slop.
+  bool fits(const Body& body);
+
+  /// Polygons around the shapes of a body that edges hold, in lattice units of the world: for a brush. Round ones are
+  /// somewhat larger.
+  std::vector<std::vector<Point>> outlinesOf(ConstBodyHandle body);
+
+  /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world:
+  /// changes were left out, or another world was assigned to it, loaded or copied. Bodies may have been moved
+  /// meanwhile: whoever is in the ground is pushed or held, however it came there; and whoever is held and free is
+  /// held no more. Shapes that are right as they are stay, and bodies on them sleep on. Cost: O(segments).
+  void resync();
+
+  /// Asks TerrainOptions::material again for all blocks, as what blocks are like has changed; and syncs as resync()
+  /// does. The shapes of blocks that are another material now are made anew, so what rests there wakes up. Nobody is
+  /// pushed out of a block that was passable and is solid now. Cost: O(segments).
+  void materialsChanged();
+
+  /// Whether the terrain is up to date with the last commit.
+  bool isCurrent() const { return edges_.version() == world_.version(); }
+
+  /// What a shape stands for; nothing if it is none of the terrain's. If it stands for several segments, merged or
+  /// welded, this is the one nearest to a point of the physics world; without a point, the first one. Between a commit
+  /// and its sync(): nothing if the commit changed those segments.
+  std::optional<Hit> hit(const Shape& shape) const;
+  std::optional<Hit> hit(const Shape& shape, const Position& point) const;
+
+  /// The segment of the outline nearest to a point of the physics world, as of the last commit; nothing if none is
+  /// within `radius` metres, or kMaxRadius cells, or if the point is beyond the last cell. The point may be in the
+  /// solid. Segments that are too short for an edge count as well. Cost: as of World::nearest().
+  std::optional<NearestHit> nearest(const Position& point, float radius) const;
+
+  /// The first piece of the outline that a ray meets from outside, as of the last commit; nothing if it meets none, is
+  /// longer than kMaxRay cells on an axis, or has an end beyond the last cell. It is exact but for its ends, which are
+  /// rounded to the lattice. A ray of Box2D leaks where segments were too short for an edge; this one does not. It
+  /// looks at no filter and at no body: for what stands before the ground cast a ray of Box2D as well, and take the
+  /// nearer hit. Cost: as of World::rayCast().
+  std::optional<GroundRayHit> rayCast(const Position& from, const Position& to) const;
+
+  /// The bodies that reach into a rectangle of cells, but for the terrain's; each once, in no particular order. Sensors
+  /// are not looked at. caughtBy() says which of them new ground would hold. Bodies that just rest beside the cells are
+  /// not found: in Box2D 3 the rectangle counts as smaller by the slop, half a centimetre, on each side. In 2.4 bodies
+  /// that are less than 1 cm (b2_polygonRadius) away are found, because the skin of a polygon counts. Cost: the shapes
+  /// near the cells.
+  template <std::same_as<CellRect> Rect = CellRect>  // so that bodiesIn({3, 4}) is of a cell
+  std::vector<BodyHandle> bodiesIn(const Rect& cells) const {
+    return bodiesInRect(cells);
+  }
+  std::vector<BodyHandle> bodiesIn(Cell cell) const { return bodiesInRect({cell, cell}); }
+
+  /// Makes the corner of another cell (0, 0) of the physics world, for a world that keeps its origin near the player.
+  /// Moves the terrain's bodies, and no others. In Box2D 2.4 the game calls, before it,
+  ///
+  ///   physics.ShiftOrigin(terrain.position(lgs::toWorld(cell, {})));
+  ///
+  /// In Box2D 3 it moves its own bodies, by the place that the corner had before. Cost: in proportion to the shapes.
+  void moveOrigin(Cell origin);
+
+  /// The edges behind the shapes: counts, ends, ghosts. The user data of a shape are its EdgeId. The terrain needs
+  /// them; do not write there.
+  const EdgeSet& edges() const { return edges_; }
+  std::size_t bodyCount() const { return bodyCount_; }  ///< chunks with at least one shape
+
+  Position position(Point p) const;  ///< where a lattice point is in the physics world, in range or not
+  /// The lattice point nearest to a place in the physics world; not inRange() if that is beyond the last cell. It leads
+  /// from a click to a polygon: world.at(terrain.latticePoint(mouse)).
+  Point latticePoint(const Position& p) const;
+  /// The cell at a place in the physics world; not inRange() if that is beyond the last cell, or no number.
+  Cell cellAt(const Position& p) const;
+
+ protected:
+  struct ChunkBody {
+    BodyHandle body{};
+    std::size_t shapes = 0;
+  };
+  TerrainBase(Physics physics, const World& world, TerrainOptions options);
+  ~TerrainBase();  // destroys its bodies
+
+  bool fitsAt(ConstBodyHandle body, const Pose& at);
+  EdgeId edgeOf(const Shape& shape) const;  // null if it is none of the terrain's
+  void lookAt(BodyHandle body, const std::optional<Footing>& last);
+
+ private:
+  std::vector<BodyHandle> bodiesInRect(const CellRect& cells) const;
+  bool isAlone() const;
+  std::vector<Form> formsOf(ConstBodyHandle body, const Pose& at);
+  b2Vec2 metres(DoublePoint units) const;
+  std::vector<BodyHandle> catchableIn(const Box& box) const;
+  std::vector<Caught> find(const NewGround& ground);
+  std::vector<Caught> findAll(const NewGround& ground);
+  void addIfCaught(BodyHandle body, const NewGround& ground, Whose whose, std::vector<Caught>& caught);
+  void settle(const std::optional<Box>& changed, OnCaught onCaught);
+  bool release(BodyHandle body, const Box& changed);
+  void push(BodyHandle body, b2Vec2 way);
+  bool isFree(ConstBodyHandle body, const Pose& at);
+  bool hasCrossed(ConstBodyHandle body, const Footing& last);
+  void noteAll();
+  void note(ConstBodyHandle body);
+  Pose poseOf(const Footing& footing) const;
+  void apply(const EdgeChanges& changes);
+  void create(EdgeId id);
+  void destroy(EdgeId id);
+  void remake(EdgeId id);
+  void wakeAround(EdgeId id);
+  LocalEdge localEdge(EdgeId id) const;
+  Position positionOf(std::uint32_t chunk) const;
+
+ protected:
+  Physics physics_;
+  const World& world_;
+  Frame frame_;
+  OnCaught onCaught_;
+  Materials<Material> materials_;
+  EdgeSet edges_;
+  std::vector<SegmentShape> shapes_ = std::vector<SegmentShape>(1);  // by EdgeId
+  std::vector<ChunkBody> bodies_;                                    // by number of the chunk
+  std::size_t bodyCount_ = 0;
+  std::vector<Caught> caught_;
+  std::vector<BodyHandle> held_;
+  std::unique_ptr<Footings> footings_;
+  std::vector<BodyHandle> putBack_;
+};
+
+}  // namespace lgs::box2d

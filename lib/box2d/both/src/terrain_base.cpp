@@ -1,0 +1,172 @@
+#include <lgs/box2d/terrain_base.h>
+#include "calls.h"
+#include "find_hit.h"
+#include "footing.h"
+#include "new_ground.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lgs::box2d {
+
+TerrainBase::TerrainBase(Physics physics, const World& world, TerrainOptions options)
+    : physics_(physics),
+      world_(world),
+      frame_{options.cellSize, options.origin, options.chunkCells},
+      onCaught_(options.onCaught),
+      materials_(std::move(options.material)),
+      edges_({.chunkCells = options.chunkCells,
+              .shortest = frame_.unitsOf(slop()),
+              .merge = options.merge,
+              .material = [this](Block block) { return materials_.number(block); }}),
+      footings_(std::make_unique<Footings>()) {
+  apply(edges_.load(world_));
+}
+
+TerrainBase::~TerrainBase() {
+  for (const ChunkBody& chunk : bodies_) {
+    if (isThere(chunk.body)) destroyBody(physics_, chunk.body);
+  }
+}
+
+tl::expected<void, SyncError> TerrainBase::commit(World& world) {
+  if (&world != &world_) return tl::unexpected(SyncError::notTheLast);
+  return sync(world.commit());
+}
+
+tl::expected<void, SyncError> TerrainBase::sync(const Changes& changes) { return sync(changes, onCaught_); }
+
+tl::expected<void, SyncError> TerrainBase::sync(const Changes& changes, OnCaught onCaught) {
+  if (const auto misfit = edges_.misfit(world_, changes)) return tl::unexpected(*misfit);
+  const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_, changes);
+  caught_ = onCaught == OnCaught::leave ? std::vector<Caught>() : find(ground);
+  apply(edges_.update(world_, changes));
+  settle(ground.box(), onCaught);
+  return {};
+}
+
+void TerrainBase::resync() {
+  const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_);
+  caught_ = onCaught_ == OnCaught::leave ? std::vector<Caught>() : findAll(ground);
+  apply(edges_.load(world_));
+  settle(kEverywhere, onCaught_);
+  noteAll();
+}
+
+void TerrainBase::materialsChanged() {
+  std::vector<std::pair<EdgeId, Material>> before;
+  for (const EdgeId id : edges_.edges()) before.emplace_back(id, materials_.of(edges_.edge(id).block));
+  materials_.askAgain();
+  resync();
+  for (const auto& [id, material] : before) {
+    if (isMade(shapes_[id.value]) && !(materials_.of(edges_.edge(id).block) == material)) remake(id);
+  }
+}
+
+void TerrainBase::remake(EdgeId id) {
+  destroy(id);
+  create(id);
+  if (!isAlone()) wakeAround(id);
+}
+
+void TerrainBase::moveOrigin(Cell origin) {
+  assertUnlocked(physics_);
+  frame_.origin = origin;
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    if (isThere(bodies_[k].body)) moveTo(bodies_[k].body, positionOf(static_cast<std::uint32_t>(k)));
+  }
+  afterMovingOf(physics_);
+}
+
+// Whether there are no bodies but the terrain's.
+bool TerrainBase::isAlone() const { return bodyCountOf(physics_) <= bodyCount_; }
+
+void TerrainBase::apply(const EdgeChanges& changes) {
+  assertUnlocked(physics_);
+  bodies_.resize(edges_.chunkCount());
+  if (!isAlone()) {
+    for (const EdgeId id : changes.removed)
+      if (!kDestroyingWakes) wakeAround(id);
+    for (const EdgeId id : changes.added) wakeAround(id);
+    for (const EdgeId id : changes.turned) wakeAround(id);
+  }
+  for (const EdgeId id : changes.removed) destroy(id);
+  for (const EdgeId id : changes.added) create(id);
+  for (const EdgeId id : changes.turned) {
+    const Edge& edge = edges_.edge(id);
+    turnSegment(shapes_[id.value], bodies_[edge.chunk].body, id, materials_.of(edge.block), localEdge(id));
+  }
+  for (const EdgeId id : changes.removed) {
+    ChunkBody& chunk = bodies_[edges_.edge(id).chunk];
+    if (!isThere(chunk.body) || chunk.shapes != 0) continue;
+    destroyBody(physics_, chunk.body);
+    chunk.body = {};
+    --bodyCount_;
+  }
+}
+
+void TerrainBase::create(EdgeId id) {
+  const Edge& edge = edges_.edge(id);
+  ChunkBody& chunk = bodies_[edge.chunk];
+  if (!isThere(chunk.body)) {
+    chunk.body = makeStaticBody(physics_, positionOf(edge.chunk));
+    ++bodyCount_;
+  }
+  if (shapes_.size() <= id.value) shapes_.resize(id.value + std::size_t{1});
+  shapes_[id.value] = makeSegment(chunk.body, id, materials_.of(edge.block), localEdge(id));
+  ++chunk.shapes;
+}
+
+void TerrainBase::destroy(EdgeId id) {
+  destroySegment(shapes_[id.value]);
+  shapes_[id.value] = {};
+  --bodies_[edges_.edge(id).chunk].shapes;
+}
+
+LocalEdge TerrainBase::localEdge(EdgeId id) const {
+  const Edge& edge = edges_.edge(id);
+  return box2d::localEdge(edge, edges_.chunk(edge.chunk), frame_, slop());
+}
+
+void TerrainBase::wakeAround(EdgeId id) {
+  const Edge& edge = edges_.edge(id);
+  const Chunk chunk = edges_.chunk(edge.chunk);
+  const Metres a = frame_.local(edge.start, chunk), b = frame_.local(edge.end, chunk);
+  const float around = wakingDistance();
+  forEachShapeIn(physics_, positionOf(edge.chunk), {std::min(a.x, b.x) - around, std::min(a.y, b.y) - around},
+                 {std::max(a.x, b.x) + around, std::max(a.y, b.y) + around}, [](ShapeHandle shape) {
+                   if (!isStatic(bodyOf(shape))) wakeUp(bodyOf(shape));
+                 });
+}
+
+std::optional<Hit> TerrainBase::hit(const Shape& shape) const {
+  const EdgeId id = edgeOf(shape);
+  return id ? firstHit(world_, edges_, id) : std::nullopt;
+}
+
+std::optional<Hit> TerrainBase::hit(const Shape& shape, const Position& point) const {
+  const EdgeId id = edgeOf(shape);
+  return id ? nearestHit(world_, edges_, id, frame_, {point.x, point.y}) : std::nullopt;
+}
+
+std::optional<NearestHit> TerrainBase::nearest(const Position& point, float radius) const {
+  const auto found = nearestTo(world_, frame_, {point.x, point.y}, radius);
+  if (!found) return {};
+  return NearestHit{found->hit, toBox2D(found->point), toBox2D(found->normal), found->distance};
+}
+
+std::optional<GroundRayHit> TerrainBase::rayCast(const Position& from, const Position& to) const {
+  const auto ray = box2d::rayCast(world_, frame_, {from.x, from.y}, {to.x, to.y});
+  if (!ray) return {};
+  return GroundRayHit{ray->hit, toBox2D(ray->point), toBox2D(ray->normal), ray->fraction};
+}
+
+Position TerrainBase::position(Point p) const { return toBox2D(frame_.position(p)); }
+
+Position TerrainBase::positionOf(std::uint32_t chunk) const { return position(frame_.cornerOf(edges_.chunk(chunk))); }
+
+Point TerrainBase::latticePoint(const Position& p) const { return frame_.latticePoint({p.x, p.y}); }
+
+Cell TerrainBase::cellAt(const Position& p) const { return frame_.cellAt({p.x, p.y}); }
+
+}  // namespace lgs::box2d

@@ -1,0 +1,179 @@
+// Bodies in ground that changes: law 13.
+#include <lgs/box2d/terrain_base.h>
+#include "calls.h"
+#include "footing.h"
+#include "new_ground.h"
+#include "way_out.h"
+
+#include <unordered_set>
+#include <utility>
+
+namespace lgs::box2d {
+
+namespace {
+
+/// As Box2D does.
+bool collide(const b2Filter& a, const b2Filter& b) {
+  if (a.groupIndex == b.groupIndex && a.groupIndex != 0) return a.groupIndex > 0;
+  return (a.maskBits & b.categoryBits) != 0 && (a.categoryBits & b.maskBits) != 0;
+}
+
+/// Whether a block keeps out what has this filter.
+bool holds(const Material& material, const b2Filter& filter) {
+  return !material.isPassable && collide(material.filter, filter);
+}
+
+}  // namespace
+
+std::vector<Form> TerrainBase::formsOf(ConstBodyHandle body, const Pose& at) {
+  const auto units = [&](b2Vec2 local) { return frame_.units(placed(local, at)); };
+  std::vector<Form> forms;
+  for (const auto shape : shapesToHold(body)) {
+    Form form;
+    for (const b2Vec2 corner : hullOf(shape)) form.hull.push_back(units(corner));
+    form.radius = frame_.units(radiusOf(shape));
+    form.middle = units(middleOf(shape));
+    form.holds = [this, filter = filterOf(shape)](Block block) { return holds(materials_.of(block), filter); };
+    forms.push_back(std::move(form));
+  }
+  return forms;
+}
+
+b2Vec2 TerrainBase::metres(DoublePoint units) const { return {frame_.metres(units.x), frame_.metres(units.y)}; }
+
+std::vector<BodyHandle> TerrainBase::catchableIn(const Box& box) const {
+  std::vector<BodyHandle> bodies;
+  std::unordered_set<std::uint64_t> known;
+  forEachShapeIn(physics_, toBox2D(frame_.placeOf(box.min)), {0, 0},
+                 metres({box.max.x - box.min.x, box.max.y - box.min.y}), [&](ShapeHandle shape) {
+                   const BodyHandle body = bodyOf(shape);
+                   if (canBeCaught(body) && !isSensor(shape) && known.insert(numberOf(body)).second)
+                     bodies.push_back(body);
+                 });
+  return bodies;
+}
+
+std::vector<Caught> TerrainBase::find(const NewGround& ground) {
+  std::vector<Caught> caught;
+  if (!ground.box()) return caught;
+  for (const BodyHandle body : catchableIn(*ground.box())) addIfCaught(body, ground, Whose::free, caught);
+  return caught;
+}
+
+std::vector<Caught> TerrainBase::findAll(const NewGround& ground) {
+  std::vector<Caught> caught;
+  for (const BodyHandle body : catchableIn(kEverywhere)) addIfCaught(body, ground, Whose::all, caught);
+  return caught;
+}
+
+void TerrainBase::addIfCaught(BodyHandle body, const NewGround& ground, Whose whose, std::vector<Caught>& caught) {
+  const auto found = catchOf(ground, formsOf(body, box2d::poseOf(body)), whose, frame_.units(slop()));
+  if (!found) return;
+  Caught one{body, frame_.metres(found->depth), found->way.has_value()};
+  if (found->way) one.way = metres(*found->way);
+  caught.push_back(one);
+}
+
+std::vector<Caught> TerrainBase::caughtBy(const Changes& changes) {
+  if (edges_.misfit(world_, changes)) return {};
+  return find(NewGround(world_, edges_, changes));
+}
+
+// Those that were held before come first. So who is caught now is not tried twice.
+void TerrainBase::settle(const std::optional<Box>& changed, OnCaught onCaught) {
+  eraseGone(physics_, held_);
+  std::erase_if(held_, [&](BodyHandle body) { return isEnabled(body) || (changed && release(body, *changed)); });
+  for (const Caught& caught : caught_) {
+    if (caught.isFree && onCaught == OnCaught::push) {
+      push(caught.body, caught.way);
+    } else {
+      stop(caught.body);
+      setEnabled(caught.body, false);
+      held_.push_back(caught.body);
+    }
+  }
+}
+
+bool TerrainBase::release(BodyHandle body, const Box& changed) {
+  const auto way = releaseOf(world_, formsOf(body, box2d::poseOf(body)), changed, frame_.units(slop()));
+  if (!way) return false;
+  setEnabled(body, true);
+  push(body, metres(*way));
+  return true;
+}
+
+void TerrainBase::push(BodyHandle body, b2Vec2 way) {
+  moveBy(body, way);
+  const b2Vec2 velocity = velocityOf(body);
+  const float inward = b2Dot(velocity, way);
+  if (inward < 0) {
+    const float part = inward / b2Dot(way, way);
+    setVelocity(body, {velocity.x - part * way.x, velocity.y - part * way.y});
+  }
+  wakeUp(body);
+  note(body);
+}
+
+bool TerrainBase::isFree(ConstBodyHandle body, const Pose& at) {
+  for (const auto shape : shapesToHold(body)) {
+    const Spot spot = world_.at(frame_.latticePoint(placed(middleOf(shape), at)));
+    if (spot.where != Spot::Where::outside && holds(materials_.of(spot.block), filterOf(shape))) return false;
+  }
+  return true;
+}
+
+// Of bodies that are elsewhere since, what was noted says nothing any more.
+void TerrainBase::noteAll() {
+  *footings_ = {};
+  for (const BodyHandle body : catchableIn(kEverywhere))
+    if (isFree(body, box2d::poseOf(body))) note(body);
+}
+
+void TerrainBase::moved(const Body& body) { footings_->forget(numberOf(handleOf(body))); }
+
+void TerrainBase::note(ConstBodyHandle body) {
+  const Pose at = box2d::poseOf(body);
+  footings_->set(numberOf(body), {frame_.units(Place{at.p.x, at.p.y}), at.q.c, at.q.s});
+}
+
+// One that moved in the step, and where it was free before.
+void TerrainBase::lookAt(BodyHandle body, const std::optional<Footing>& last) {
+  if (isFree(body, box2d::poseOf(body)) && !(last && hasCrossed(body, *last))) {
+    note(body);
+  } else if (last && isFree(body, poseOf(*last))) {
+    setPose(body, poseOf(*last));
+    stop(body);
+    footings_->set(numberOf(body), *last);
+    putBack_.push_back(body);
+  }
+}
+
+bool TerrainBase::hasCrossed(ConstBodyHandle body, const Footing& last) {
+  const Pose at = box2d::poseOf(body);
+  return isFar(last, frame_.units(Place{at.p.x, at.p.y})) &&
+         box2d::hasCrossed(world_, formsOf(body, poseOf(last)), formsOf(body, at));
+}
+
+Pose TerrainBase::poseOf(const Footing& footing) const {
+  Pose at;
+  at.p = toBox2D(frame_.placeOf(footing.at));
+  at.q.c = footing.cosine;
+  at.q.s = footing.sine;
+  return at;
+}
+
+bool TerrainBase::fits(const Body& body) { return fitsAt(handleOf(body), box2d::poseOf(handleOf(body))); }
+
+bool TerrainBase::fitsAt(ConstBodyHandle body, const Pose& at) {
+  const std::vector<Form> forms = formsOf(body, at);
+  const NewGround ground(world_);
+  return WayOut(ground, forms, frame_.units(slop())).isFree();
+}
+
+std::vector<std::vector<Point>> TerrainBase::outlinesOf(ConstBodyHandle body) {
+  std::vector<std::vector<Point>> outlines;
+  for (const Form& form : formsOf(body, box2d::poseOf(body))) outlines.push_back(outlineOf(form));
+  return outlines;
+}
+
+}  // namespace lgs::box2d
