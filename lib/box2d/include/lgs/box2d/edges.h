@@ -124,10 +124,10 @@ class EdgeSet {
   std::uint32_t maxSegmentId() const { return records_.empty() ? 0 : static_cast<std::uint32_t>(records_.size() - 1); }
   /// All live edges, in increasing order. Cost: O(edges).
   std::vector<EdgeId> edges() const;
-  /// Where the chunk with a number is. Numbers run from 0 to chunkCount() - 1: one for each chunk that ever had an
-  /// edge.
+  /// Where the chunk with a number is. Numbers run from 0 to chunkCount() - 1: one for each chunk that has an edge. A
+  /// chunk that loses its last edge keeps its number until the next load or update; then another one may get it.
   Chunk chunk(std::uint32_t number) const { return chunks_[number]; }
-  std::size_t chunkCount() const { return chunks_.size(); }  ///< how many numbers of chunks are used
+  std::size_t chunkCount() const { return chunks_.size(); }  ///< how many there are, or were at a time
   EdgeCounts counts() const;                                 ///< as of the last load or update
   const EdgeOptions& options() const { return options_; }    ///< those that it was made with
 
@@ -193,7 +193,10 @@ class EdgeSet {
   std::vector<Record> records_;  // by SegmentId
   std::vector<Slot> slots_;      // by EdgeId
   std::vector<std::uint32_t> free_;
-  std::vector<Chunk> chunks_;
+  std::vector<Chunk> chunks_;              // by number
+  std::vector<std::uint32_t> edgesIn_;     // by number of the chunk
+  std::vector<std::uint32_t> emptied_;     // numbers of chunks that the update left without edges
+  std::vector<std::uint32_t> freeChunks_;  // numbers
   std::unordered_map<std::uint64_t, std::uint32_t> chunkNumbers_;
   std::size_t fates_[6] = {};
   EdgeChanges changes_;
