@@ -82,7 +82,7 @@ Error Edit::overlap() {
 /// Sets the cell to `entries_`, if it can hold them. Returns the handle of the first new one.
 Expected<PolygonHandle> Edit::close(std::span<PolygonHandle> handles) {
   if (const auto done = check(); !done) return refuse(done.error());
-  at_ = ground_.grid.obtain(cell_);
+  at_ = ground_.obtain(cell_);
   placed_.clear();
   for (const Entry& e : entries_) placed_.push_back(e.placed);
   ground_.set(at_, content_, lastSerial_ + newOnes_, placed_);
@@ -197,11 +197,11 @@ Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block b
   if (const auto done = check(cells.min, shape); !done) return refuse(done.error());
   const InternedShape& interned = ground_.catalogue.shape(shape);
   const ChunkRect reach(cells);
-  const std::uint64_t room = kMaxChunks - ground_.grid.chunks().size();
+  const std::uint64_t room = kMaxChunks - ground_.grid.count();
   if (reach.count() > room) {  // it may be too many: all chunks are looked at
-    const auto there = std::ranges::count_if(ground_.grid.chunks(), [&](const auto& c) { return reach.contains(*c); });
-    if (reach.count() - static_cast<std::uint64_t>(there) > room)
-      return refuse({.code = ErrorCode::capacity, .cell = cells.min});
+    std::uint64_t there = 0;
+    for (const Chunk* chunk : ground_.grid.chunks()) there += reach.contains(*chunk);
+    if (reach.count() - there > room) return refuse({.code = ErrorCode::capacity, .cell = cells.min});
   }
 
   // First every cell is asked, so that nothing is changed if one refuses. What is worked out stays interned. Cells
@@ -223,7 +223,7 @@ Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block b
   if (refusal) return refuse(*refusal);
 
   for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
-    for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci) ground_.grid.obtain({ci * kChunkSize, cj * kChunkSize});
+    for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci) ground_.obtain({ci * kChunkSize, cj * kChunkSize});
   std::uint64_t count = 0;
   const std::uint64_t width = static_cast<std::uint64_t>(cells.max.i - std::int64_t{cells.min.i}) + 1;
   const auto tell = [&](Cell cell, PolygonHandle handle) {

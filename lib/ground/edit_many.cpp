@@ -53,11 +53,15 @@ Error nameEntry(const Ground& ground, std::span<const Placement> placed, Error e
 /// their words, which can be put back, and then what can not fail. False, and nothing is done, in any other case.
 bool Edit::addSoles(std::span<const Placement> placements, std::span<PolygonHandle> handles) {
   if (ground_.isNoting()) return false;
-  const Ground::Moment start = ground_.now();
+  std::vector<std::uint32_t> made;
   const auto takes = [&](const Placement& p) {
     const InternedShape& interned = ground_.catalogue.shape(p.shape);
     CellAt at = ground_.grid.findLast(p.cell);
-    if (!at && inRange(p.cell) && !ground_.grid.isFull()) at = ground_.grid.obtain(p.cell);
+    if (!at && inRange(p.cell) && !ground_.grid.isFull()) {
+      const std::size_t before = ground_.grid.count();
+      at = ground_.grid.obtain(p.cell);
+      if (ground_.grid.count() != before) made.push_back(at.chunk->index);
+    }
     if (!at || !interned.isSole || at.word() >= kLowMask) return false;
     at.word() = wordOf(interned.content, at.word() + 1);
     return true;
@@ -69,7 +73,7 @@ bool Edit::addSoles(std::span<const Placement> placements, std::span<PolygonHand
       const CellAt at = ground_.grid.find(placements[taken - 1].cell);
       at.word() = (at.word() & kLowMask) - 1;
     }
-    ground_.grid.forgetChunks(start.chunks);
+    for (const std::uint32_t number : made) ground_.grid.forget(number);
     return false;
   }
   for (std::size_t k = 0; k < placements.size(); ++k) {

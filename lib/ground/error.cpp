@@ -67,7 +67,8 @@ std::string what(const Error& e) {
     case ErrorCode::unknownMark:
       return "this world has no such mark; it was forgotten, or the world went back to a moment before it";
     case ErrorCode::uncommitted:
-      return "the world has edits that are not committed; commit them before it is saved";
+      return "the world has edits that are not committed; commit them first (to follow or to forget cells, let go of "
+             "marks, too)";
     case ErrorCode::outOfReach:
       if (e.vertex >= 0) return vertex + " is beyond the last cell, or was no number";
       return "a point is beyond the last cell, or a radius is not from 0 to 4,096 cells, "

@@ -1,5 +1,8 @@
-// The chunks of a world: only those that an edit has touched. A hash index finds a chunk by its place, and a chunk knows
-// the eight around it.
+// The chunks of a world: only those that an edit has touched, and that were not forgotten since. A hash index finds a
+// chunk by its place, and a chunk knows the eight around it.
+//
+// Chunks have numbers. A new one takes the least that is free. So the numbers in use say which one comes next, and
+// nothing else has to be saved.
 #pragma once
 
 #include "ground/chunk.h"
@@ -9,12 +12,49 @@
 #include <lgs/lattice.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <memory>
-#include <span>
+#include <utility>
 #include <vector>
 
 namespace lgs::detail {
+
+/// Goes through the chunks that are there, by number.
+class ChunkIterator {
+ public:
+  using value_type = Chunk*;
+  using difference_type = std::ptrdiff_t;
+
+  ChunkIterator() = default;
+  ChunkIterator(const Owned<Chunk>* at, const Owned<Chunk>* end) : at_(at), end_(end) { skip(); }
+  Chunk* operator*() const { return at_->get(); }
+  ChunkIterator& operator++() {
+    ++at_;
+    skip();
+    return *this;
+  }
+  ChunkIterator operator++(int) {
+    ChunkIterator before = *this;
+    ++*this;
+    return before;
+  }
+  friend bool operator==(ChunkIterator a, ChunkIterator b) { return a.at_ == b.at_; }
+
+ private:
+  void skip() {
+    while (at_ != end_ && !*at_) ++at_;
+  }
+  const Owned<Chunk>* at_ = nullptr;
+  const Owned<Chunk>* end_ = nullptr;
+};
+
+struct Chunks {
+  ChunkIterator first, last;
+  ChunkIterator begin() const { return first; }
+  ChunkIterator end() const { return last; }
+};
 
 class Grid {
  public:
@@ -40,35 +80,56 @@ class Grid {
     return {chunks_[index].get(), cellRef % kChunkCells};
   }
   Cell cellOf(std::uint32_t cellRef) const { return chunks_[cellRef / kChunkCells]->cell(cellRef % kChunkCells); }
-  /// In the order in which edits first reached them. Chunk::index is the place in this list, from 1 on.
-  std::span<const Owned<Chunk>> chunks() const { return std::span(chunks_).subspan(1); }
+  /// The chunk with a number that is in use.
+  Chunk& chunk(std::uint32_t number) const { return *chunks_[number]; }
+  /// By number: Chunk::index, from 1 on.
+  Chunks chunks() const {
+    const Owned<Chunk>* end = chunks_.data() + chunks_.size();
+    return {{chunks_.data() + 1, end}, {end, end}};
+  }
+  /// How many there are.
+  std::size_t count() const { return count_; }
+  /// The greatest number in use.
+  std::size_t highest() const { return chunks_.size() - 1; }
 
   /// Calls visit(CellAt, Cell) for the cells of a rectangle that have a chunk: chunk by chunk, each by rows. Cost: in
   /// proportion to those cells, and to the chunks in the rectangle or in the world, whichever are fewer.
   template <class Visit>
   void forEachCell(const CellRect& cells, Visit&& visit) const {
-    const auto visitChunk = [&](Chunk& chunk) {
+    forEachChunk(cells, [&](Chunk& chunk) {
       const std::int32_t i = chunk.ci * kChunkSize, j = chunk.cj * kChunkSize;
       const std::int32_t lastI = std::min(i + kChunkSize - 1, cells.max.i);
       const std::int32_t lastJ = std::min(j + kChunkSize - 1, cells.max.j);
       for (Cell c{0, std::max(j, cells.min.j)}; c.j <= lastJ; ++c.j)
         for (c.i = std::max(i, cells.min.i); c.i <= lastI; ++c.i) visit(CellAt{&chunk, localOf(c)}, c);
-    };
+    });
+  }
+  /// Calls visit(Chunk&) for the chunks with cells of a rectangle, which is not empty.
+  template <class Visit>
+  void forEachChunk(const CellRect& cells, Visit&& visit) const {
     const ChunkRect reach(cells);
-    if (reach.count() > chunks().size()) {
-      for (const auto& chunk : chunks()) visitChunk(*chunk);
+    if (reach.count() > count()) {
+      for (Chunk* chunk : chunks())
+        if (reach.contains(*chunk)) visit(*chunk);
       return;
     }
     for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
       for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci)
-        if (const CellAt at = find(Cell{ci * kChunkSize, cj * kChunkSize})) visitChunk(*at.chunk);
+        if (const CellAt at = find(Cell{ci * kChunkSize, cj * kChunkSize})) visit(*at.chunk);
   }
 
   /// For tests of the limit: so many chunks count as made, and are not there.
-  void passOver(std::size_t chunks) { chunks_.resize(chunks_.size() + chunks); }
+  void passOver(std::size_t chunks) {
+    chunks_.resize(chunks_.size() + chunks);
+    count_ += chunks;
+  }
+  /// For loading: the next number stays free. Once all chunks are there setFree() says which ones did, in increasing
+  /// order.
+  void leaveOut() { chunks_.emplace_back(); }
+  void setFree(std::vector<std::uint32_t> numbers) { free_ = std::move(numbers); }
 
-  /// Takes away the chunks made last, down to a count. Their cells must be as new.
-  void forgetChunks(std::size_t count);
+  /// Takes a chunk away that nothing refers to any more.
+  void forget(std::uint32_t number);
 
   std::uint64_t bytes() const;
 
@@ -77,6 +138,7 @@ class Grid {
   Chunk* findChunk(Cell cell) const;
   Chunk* obtainChunk(Cell cell);
   void link(Chunk& chunk);
+  std::uint32_t freeNumber();
   Chunk* remember(Chunk* chunk) {
     if (chunk && inRange(chunk->cell(kChunkCells - 1))) last_ = chunk;
     return chunk;
@@ -86,7 +148,9 @@ class Grid {
   // Index 0 is no chunk of the world. A segment that is not alive says that it is in cell 0, and that is there. So a
   // link to one, should there ever be such a link, can be followed: the harness then reports it, where a crash says
   // little.
-  std::vector<Owned<Chunk>> chunks_;
+  std::vector<Owned<Chunk>> chunks_;  ///< by number; null where it is free. The last one is there.
+  std::vector<std::uint32_t> free_;   ///< numbers, as a heap with the least first; those beyond the last one are none
+  std::size_t count_ = 0;
   HashIndex index_;
   // Edits come in neighbourhoods, so the chunk of the last one is tried first. It has no cell out of range, so who finds
   // a cell there need not ask.

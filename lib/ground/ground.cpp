@@ -21,10 +21,9 @@ Ground::Ground(const Ground& other)
       committed_(other.committed_),
       notesFor_(other.notesFor_),
       undoneNotes_(other.undoneNotes_),
-      undoneChunks_(other.undoneChunks_),
       undoneShapes_(other.undoneShapes_),
       cellChanges_(other.cellChanges_) {
-  for (Chunk*& chunk : changed_) chunk = grid.chunks()[chunk->index - 1].get();
+  for (Chunk*& chunk : changed_) chunk = &grid.chunk(chunk->index);
 }
 
 std::optional<Slot> Ground::slotOf(PolygonHandle handle) const {
@@ -122,12 +121,9 @@ void Ground::giveBack(CellAt at, const Note& note) {
 }
 
 void Ground::undo(const Note& note, Undone undone) {
-  if (note.of == Note::Of::row) {
+  if (!note.isOfCell()) {
     if (undone == Undone::keep) undoneNotes_.push_back(note);
-    Chunk& chunk = *grid.chunks()[note.ref / kChunkSize - 1];
-    if (chunk.dirtyRows == 0) changed_.push_back(&chunk);
-    chunk.dirtyRows |= RowMask{1} << note.ref % kChunkSize;
-    chunk.dirty[note.ref % kChunkSize] = note.word;
+    note.of == Note::Of::row ? undoRow(note) : grid.forget(note.ref);
     return;
   }
   const CellAt at = grid.find(note.ref);
@@ -143,6 +139,13 @@ void Ground::undo(const Note& note, Undone undone) {
   if (at.chunk->dirtyRows == 0) changed_.pop_back();  // the edit was the first in its chunk
 }
 
+void Ground::undoRow(const Note& note) {
+  Chunk& chunk = grid.chunk(note.ref / kChunkSize);
+  if (chunk.dirtyRows == 0) changed_.push_back(&chunk);
+  chunk.dirtyRows |= RowMask{1} << note.ref % kChunkSize;
+  chunk.dirty[note.ref % kChunkSize] = note.word;
+}
+
 void Ground::undoTo(std::uint64_t notes, Undone undone) {
   for (; noteCount() > notes; notes_.pop_back()) undo(notes_.back(), undone);
 }
@@ -150,10 +153,6 @@ void Ground::undoTo(std::uint64_t notes, Undone undone) {
 void Ground::goBack(const Moment& moment, Undone undone) {
   undoTo(moment.notes, undone);
   committed_ = moment.committed;
-  if (undone == Undone::keep)
-    for (std::size_t k = grid.chunks().size(); k > moment.chunks; --k)
-      undoneChunks_.push_back(grid.chunks()[k - 1]->cell(0));
-  grid.forgetChunks(moment.chunks);
   while (catalogue.shapeCount() > moment.shapes) {
     InternedShape shape = catalogue.takeShape();
     if (undone == Undone::keep) undoneShapes_.push_back(std::move(shape));
@@ -173,10 +172,14 @@ void Ground::rollBack(const Moment& moment, Undone undone) {
 void Ground::redo(const Note& note) {
   if (note.of == Note::Of::row) {
     notes_.push_back(note);
-    Chunk& chunk = *grid.chunks()[note.ref / kChunkSize - 1];
+    Chunk& chunk = grid.chunk(note.ref / kChunkSize);
     chunk.dirty[note.ref % kChunkSize] = 0;
     chunk.dirtyRows &= ~(RowMask{1} << note.ref % kChunkSize);
     if (chunk.dirtyRows == 0) changed_.pop_back();  // the commit noted the last one first
+    return;
+  }
+  if (note.of == Note::Of::chunk) {  // the same number is the least that is free
+    obtain({static_cast<std::int32_t>(note.word) * kChunkSize, static_cast<std::int32_t>(note.block) * kChunkSize});
     return;
   }
   const CellAt at = grid.find(note.ref);
@@ -190,7 +193,6 @@ void Ground::redoTo(std::uint64_t notes) {
 }
 
 void Ground::rollForward(const Moment& moment) {
-  for (; grid.chunks().size() < moment.chunks; undoneChunks_.pop_back()) grid.obtain(undoneChunks_.back());
   for (; catalogue.shapeCount() < moment.shapes; undoneShapes_.pop_back())
     catalogue.putShape(std::move(undoneShapes_.back()));
   if (isNoting(For::followers)) {
@@ -204,9 +206,8 @@ void Ground::rollForward(const Moment& moment) {
 
 void Ground::forgetUndone() {
   for (const Note& note : undoneNotes_)
-    if (note.of != Note::Of::row) drop(note.word, notedLists_);
+    if (note.isOfCell()) drop(note.word, notedLists_);
   undoneNotes_ = {};
-  undoneChunks_ = {};
   undoneShapes_ = {};
 }
 
@@ -234,9 +235,28 @@ std::vector<Cell> Ground::editedSince(const Moment& moment) const {
   std::unordered_set<std::uint32_t> known;
   for (std::uint64_t k = moment.notes; k < noteCount(); ++k) {
     const Note& note = notes_[k - forgotten_];
-    if (note.of != Note::Of::row && known.insert(note.ref).second) cells.push_back(grid.cellOf(note.ref));
+    if (note.isOfCell() && known.insert(note.ref).second) cells.push_back(grid.cellOf(note.ref));
   }
   return cells;
+}
+
+std::vector<std::uint32_t> Ground::forget(const CellRect& cells) {
+  std::vector<std::uint32_t> gone;
+  const auto isWithin = [&](Cell cell) {  // cells that there are not need not be
+    return cells.min.i <= std::max(cell.i, -kMaxCell) && std::min(cell.i, kMaxCell) <= cells.max.i &&
+           cells.min.j <= std::max(cell.j, -kMaxCell) && std::min(cell.j, kMaxCell) <= cells.max.j;
+  };
+  grid.forEachChunk(cells, [&](Chunk& chunk) {
+    CellAt at{&chunk, 0};
+    if (!isWithin(at.cell()) || !isWithin(chunk.cell(kChunkCells - 1))) return;
+    while (at.local < kChunkCells && contentId(at) == kEmptyContent) ++at.local;
+    if (at.local == kChunkCells) gone.push_back(chunk.index);
+  });
+  for (const std::uint32_t number : gone) {
+    for (const CellWord word : grid.chunk(number).cells) drop(word, lists_);
+    grid.forget(number);
+  }
+  return gone;
 }
 
 void Ground::startNoting(For whom) {
@@ -260,7 +280,7 @@ void Ground::forgetBefore(const Moment& moment) {
 
 void Ground::forgetNotes(std::uint64_t end) {
   for (; forgotten_ + dropped_ < end; ++dropped_)
-    if (notes_[dropped_].of != Note::Of::row) drop(notes_[dropped_].word, notedLists_);
+    if (notes_[dropped_].isOfCell()) drop(notes_[dropped_].word, notedLists_);
   if (dropped_ < notes_.size() / 2) return;  // the rest moves to the front seldom
   notes_.erase(notes_.begin(), notes_.begin() + static_cast<std::ptrdiff_t>(dropped_));
   forgotten_ += std::exchange(dropped_, 0);

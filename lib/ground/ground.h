@@ -62,6 +62,19 @@ class Ground {
   Catalogue catalogue;
   Grid grid;
 
+  /// As Grid::obtain(), for edits.
+  CellAt obtain(Cell cell) {
+    const std::size_t before = grid.count();
+    const CellAt at = grid.obtain(cell);
+    if (grid.count() != before && isNoting())
+      notes_.push_back({at.chunk->index, static_cast<std::uint32_t>(at.chunk->ci),
+                        static_cast<std::uint32_t>(at.chunk->cj), Note::Of::chunk});
+    return at;
+  }
+  /// Forgets the chunks that lie in a rectangle as a whole and hold nothing. Returns their numbers. Nothing may be noted
+  /// for marks, and nothing may have changed since the last commit.
+  std::vector<std::uint32_t> forget(const CellRect& cells);
+
   // --- The primitive
 
   /// Gives a cell these polygons, by slot of this content, and notes that it changed.
@@ -100,10 +113,9 @@ class Ground {
   struct Moment {
     std::uint64_t notes = 0;      ///< how many there ever were
     std::uint64_t committed = 0;  ///< how many there were at the last commit, if somebody follows
-    std::size_t chunks = 0;
     std::uint64_t shapes = 0;
   };
-  Moment now() const { return {noteCount(), committed_, grid.chunks().size(), catalogue.shapeCount()}; }
+  Moment now() const { return {noteCount(), committed_, catalogue.shapeCount()}; }
   /// Who needs notes. The ground notes while there is anybody.
   enum class For : std::uint8_t { marks = 1, group = 2, followers = 4 };
   bool isNoting() const { return notesFor_ != 0; }
@@ -127,13 +139,15 @@ class Ground {
   std::uint64_t bytes() const;
 
  private:
-  /// A cell before an edit, with all that its word stands for; or a row of changed cells before a commit.
+  /// A cell before an edit, with all that its word stands for; a row of changed cells before a commit; or a chunk that
+  /// an edit made.
   struct Note {
-    enum class Of : std::uint32_t { cell, changedCell, row };  // changed: since the commit before
-    std::uint32_t ref = 0;                                     ///< of the cell; of a row 32 * Chunk::index + row
-    std::uint32_t word = 0;                                    ///< of the cell; the bits of the row
-    Block block = 0;
+    enum class Of : std::uint32_t { cell, changedCell, row, chunk };  // changed: since the commit before
+    std::uint32_t ref = 0;   ///< of the cell; of a row 32 * Chunk::index + row; number of the chunk
+    std::uint32_t word = 0;  ///< of the cell; the bits of the row; column of the chunk
+    Block block = 0;         ///< of the cell; row of the chunk
     Of of = Of::cell;
+    bool isOfCell() const { return of == Of::cell || of == Of::changedCell; }
   };
 
   /// Gives a cell this word, which has its content in use already. The block is that of a word with a polygon.
@@ -174,6 +188,7 @@ class Ground {
   void noteCommit();
   static CellWord moveList(CellWord word, RecordArena& from, RecordArena& to);
   void undo(const Note& note, Undone undone);
+  void undoRow(const Note& note);
   void undoTo(std::uint64_t notes, Undone undone);
   void redo(const Note& note);
   void redoTo(std::uint64_t notes);
@@ -193,7 +208,6 @@ class Ground {
   std::uint8_t notesFor_ = 0;    ///< bits of For
   // What was undone and can come back, the first to come last.
   std::vector<Note> undoneNotes_;
-  std::vector<Cell> undoneChunks_;  ///< a cell of each
   std::vector<InternedShape> undoneShapes_;
   CellChanges cellChanges_;
 };

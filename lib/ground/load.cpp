@@ -17,11 +17,12 @@ class Load {
  public:
   Load(Ground& ground, SnapshotReader& in) : ground_(ground), in_(in) {}
 
-  void run() {
+  void run(bool hasFreeNumbers) {
     if ((in_.byte() != 0) != static_cast<bool>(ground_.preserve)) in_.fail(What::relation);
     polygons();
     contents();
     shapes();
+    if (hasFreeNumbers) freeNumbers();
     chunks();
   }
 
@@ -91,20 +92,35 @@ class Load {
            values.end();
   }
 
+  void freeNumbers() {
+    std::uint64_t next = 1;
+    free_.resize(in_.count(kMaxChunks));
+    for (std::uint32_t& number : free_) {
+      number = static_cast<std::uint32_t>(next + in_.number(kMaxChunks));
+      if (number > kMaxChunks) in_.fail(What::badNumber);
+      next = std::uint64_t{number} + 1;
+    }
+    if (free_.empty()) in_.fail(What::badNumber);  // the other version does without this list
+  }
+
   void chunks() {
     constexpr std::int64_t kFarthest = kMaxCell / kChunkSize;
     const std::size_t count = in_.count(kMaxChunks);
     std::int64_t ci = 0, cj = 0;
+    std::size_t left = 0;  // free numbers that are passed
     for (std::size_t k = 0; k < count && !in_.failed(); ++k) {
       ci += unfolded(in_.number(8 * kFarthest));
       cj += unfolded(in_.number(8 * kFarthest));
       if (std::max(std::abs(ci), std::abs(cj)) > kFarthest) in_.fail(What::badNumber);
       if (in_.failed()) return;
+      for (; left < free_.size() && free_[left] == ground_.grid.highest() + 1; ++left) ground_.grid.leaveOut();
       const CellAt at =
           ground_.grid.obtain({static_cast<std::int32_t>(ci * kChunkSize), static_cast<std::int32_t>(cj * kChunkSize)});
-      if (at.chunk->index != k + 1) return in_.fail(What::badNumber);  // it is there already
+      if (at.chunk->index != left + k + 1) return in_.fail(What::badNumber);  // it is there already
       cells(*at.chunk);
     }
+    if (left != free_.size()) in_.fail(What::badNumber);  // beyond the last chunk none counts as free
+    ground_.grid.setFree(std::move(free_));
   }
 
   void cells(Chunk& chunk) {
@@ -168,6 +184,7 @@ class Load {
 
   Ground& ground_;
   SnapshotReader& in_;
+  std::vector<std::uint32_t> free_;  ///< numbers of chunks
   std::vector<PolygonId> polygons_, list_;
   std::vector<ContentId> contents_;
   std::vector<Placed> placed_;
@@ -176,6 +193,6 @@ class Load {
 
 }  // namespace
 
-void load(Ground& ground, SnapshotReader& in) { Load(ground, in).run(); }
+void load(Ground& ground, SnapshotReader& in, bool hasFreeNumbers) { Load(ground, in).run(hasFreeNumbers); }
 
 }  // namespace lgs::detail

@@ -88,16 +88,16 @@ bool holdsPolygonsOf(const Ground& ground, const Ground& other) {
     detail::sort(out);
     return out;
   };
-  return std::ranges::all_of(other.grid.chunks(), [&](const auto& chunk) {
-    for (CellAt at{chunk.get(), 0}; at.local < kChunkCells; ++at.local)
+  return std::ranges::all_of(other.grid.chunks(), [&](Chunk* chunk) {
+    for (CellAt at{chunk, 0}; at.local < kChunkCells; ++at.local)
       if (other.contentId(at) != kEmptyContent && read(ground, at.cell()) != read(other, at.cell())) return false;
     return true;
   });
 }
 
 void count(const Ground& ground, Stats& stats) {
-  for (const auto& chunk : ground.grid.chunks()) {
-    for (CellAt at{chunk.get(), 0}; at.local < kChunkCells; ++at.local) {
+  for (Chunk* chunk : ground.grid.chunks()) {
+    for (CellAt at{chunk, 0}; at.local < kChunkCells; ++at.local) {
       const std::size_t polygons = ground.content(at).polygons.size();
       stats.polygons += polygons;
       stats.cells += polygons > 0;
@@ -105,7 +105,7 @@ void count(const Ground& ground, Stats& stats) {
   }
   stats.shapes = ground.catalogue.shapeCount();
   stats.contents = ground.catalogue.contentCount();
-  stats.chunks = ground.grid.chunks().size();
+  stats.chunks = ground.grid.count();
   stats.bytes += ground.bytes();
 }
 

@@ -17,8 +17,8 @@ class Numbers {
   explicit Numbers(const Ground& ground) : ground_(ground) {
     ofContent_.assign(ground.catalogue.contentLimit(), kNone);
     ofPolygon_.assign(ground.catalogue.polygonLimit(), kNone);
-    for (const auto& chunk : ground.grid.chunks())
-      for (std::uint32_t local = 0; local < kChunkCells; ++local) use(ground.contentId({chunk.get(), local}));
+    for (Chunk* chunk : ground.grid.chunks())
+      for (std::uint32_t local = 0; local < kChunkCells; ++local) use(ground.contentId({chunk, local}));
     for (std::uint32_t k = 1; k <= ground.catalogue.shapeCount(); ++k)
       for (const PolygonId polygon : ground.catalogue.shape(ShapeId{k}).polygons) ofPolygon_[polygon] = 0;
     for (PolygonId id = 0; id < ofPolygon_.size(); ++id)
@@ -116,14 +116,28 @@ class Save {
   }
 
   void chunks() {
-    out_.number(ground_.grid.chunks().size());
+    if (hasFreeNumbers(ground_)) freeNumbers();
+    out_.number(ground_.grid.count());
     std::int32_t ci = 0, cj = 0;
-    for (const auto& chunk : ground_.grid.chunks()) {
+    for (const Chunk* chunk : ground_.grid.chunks()) {
       out_.number(folded(std::int64_t{chunk->ci} - ci));
       out_.number(folded(std::int64_t{chunk->cj} - cj));
       ci = chunk->ci;
       cj = chunk->cj;
       cells(*chunk);
+    }
+  }
+
+  /// Each as its distance from one more than the one before.
+  void freeNumbers() {
+    out_.number(ground_.grid.highest() - ground_.grid.count());
+    std::uint32_t next = 1, afterLastFree = 1;
+    for (const Chunk* chunk : ground_.grid.chunks()) {
+      for (; next < chunk->index; ++next) {
+        out_.number(next - afterLastFree);
+        afterLastFree = next + 1;
+      }
+      ++next;
     }
   }
 
@@ -162,6 +176,8 @@ class Save {
 };
 
 }  // namespace
+
+bool hasFreeNumbers(const Ground& ground) { return ground.grid.count() != ground.grid.highest(); }
 
 void save(const Ground& ground, SnapshotWriter& out) { Save(ground, out).run(); }
 

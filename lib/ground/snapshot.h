@@ -6,9 +6,12 @@
 
 namespace lgs::detail {
 
+/// Whether some numbers of chunks are free: the version of the snapshot says it.
+bool hasFreeNumbers(const Ground& ground);
+
 void save(const Ground& ground, SnapshotWriter& out);
 
 /// Fills a ground that is new. No byte is believed. All cells with polygons have changed then.
-void load(Ground& ground, SnapshotReader& in);
+void load(Ground& ground, SnapshotReader& in, bool hasFreeNumbers);
 
 }  // namespace lgs::detail

@@ -41,6 +41,13 @@ std::uint32_t* SegmentLists::splice(CellAt at, std::uint32_t begin, std::uint32_
   return words;
 }
 
+void SegmentLists::forget(std::uint32_t chunk) {
+  if (chunk >= chunks_.size()) return;
+  chunks_[chunk] = {};
+  while (!chunks_.empty() && !chunks_.back()) chunks_.pop_back();
+  giveBackSpare(chunks_);
+}
+
 std::uint64_t SegmentLists::bytes() const {
   std::uint64_t sum = chunks_.capacity() * sizeof chunks_[0] + arena_.bytes();
   for (const auto& shown : chunks_) sum += shown ? sizeof *shown : 0;

@@ -43,6 +43,9 @@ class SegmentLists {
   /// The words of a list that is there.
   std::uint32_t* words(CellAt at) { return arena_.at(shownBy(*at.chunk)->lists[at.local]); }
 
+  /// What a chunk shows, which is nothing. Its number may name another chunk from now on.
+  void forget(std::uint32_t chunk);
+
   std::uint64_t bytes() const;
 
  private:

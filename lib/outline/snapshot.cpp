@@ -49,8 +49,8 @@ class IdReader {
 
 template <class Visit>
 void forEachCell(const Ground& ground, Visit&& visit) {
-  for (const auto& chunk : ground.grid.chunks())
-    for (CellAt at{chunk.get(), 0}; at.local < kChunkCells; ++at.local) visit(at);
+  for (Chunk* chunk : ground.grid.chunks())
+    for (CellAt at{chunk, 0}; at.local < kChunkCells; ++at.local) visit(at);
 }
 
 /// How many segments a ground shows; or more than `most`, if they are more.

@@ -1,5 +1,5 @@
 // An index from 64-bit hashes to the numbers of things that are stored elsewhere: polygons, contents, chunks. It uses
-// open addressing with linear probing. The number of places is a power of two, and at most half of them are taken.
+// open addressing with linear probing. The number of places is a power of two; at most half of them are taken, and at least an eighth.
 // Edits look things up all the time. Here that touches one cache line, while std::unordered_map follows pointers.
 //
 // Nobody can go through an index, so no order that is given out depends on where things are in it. That is why each
@@ -47,7 +47,7 @@ class HashIndex {
 
   /// Adds a number that is not there yet.
   void insert(std::uint64_t hash, std::uint32_t number) {
-    if (2 * (count_ + 1) > places_.size()) grow();
+    if (2 * (count_ + 1) > places_.size()) resize(places_.empty() ? kLeast : 2 * places_.size());
     place({number, hash});
     ++count_;
   }
@@ -64,6 +64,7 @@ class HashIndex {
     }
     places_[gap] = Place{};
     --count_;
+    if (places_.size() > kLeast && 8 * count_ < places_.size()) resize(places_.size() / 2);
   }
 
   std::uint64_t bytes() const { return places_.capacity() * sizeof(Place); }
@@ -73,6 +74,8 @@ class HashIndex {
     std::uint32_t number = kNone;
     std::uint64_t hash = 0;
   };
+
+  static constexpr std::size_t kLeast = 16;  ///< places, if there are any
 
   std::size_t mask() const { return places_.size() - 1; }
   /// The first place for a hash.
@@ -84,8 +87,8 @@ class HashIndex {
     places_[at] = entry;
   }
 
-  void grow() {
-    std::vector<Place> old(places_.empty() ? 16 : 2 * places_.size());
+  void resize(std::size_t places) {
+    std::vector<Place> old(places);
     old.swap(places_);
     for (const Place& entry : old)
       if (entry.number != kNone) place(entry);

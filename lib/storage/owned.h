@@ -6,6 +6,7 @@
 #include <memory>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace lgs::detail {
 
@@ -39,5 +40,13 @@ class Owned {
 
   std::unique_ptr<T> value_;
 };
+
+/// After a list has become shorter: the memory that it can do without, once that is most of it. So who goes on with it
+/// at this length allocates seldom.
+template <class T>
+void giveBackSpare(std::vector<T>& list) {
+  constexpr std::size_t kLeast = 64;
+  if (list.capacity() > kLeast && list.size() < list.capacity() / 4) list.shrink_to_fit();
+}
 
 }  // namespace lgs::detail

@@ -14,6 +14,10 @@ using What = SnapshotError::What;
 constexpr std::size_t kHead = kSnapshotMagic.size() + 1;  // letters, version
 constexpr std::size_t kTail = 4;                          // checksum
 
+std::uint8_t versionOf(std::span<const std::byte> bytes) {
+  return std::to_integer<std::uint8_t>(bytes[kSnapshotMagic.size()]);
+}
+
 /// What can be told before anything is made of the bytes: whether they are a snapshot, whole and undamaged.
 std::optional<SnapshotError> lookAt(std::span<const std::byte> bytes) {
   const auto letters = std::span(kSnapshotMagic);
@@ -21,7 +25,8 @@ std::optional<SnapshotError> lookAt(std::span<const std::byte> bytes) {
   for (std::size_t k = 0; k < compared; ++k)
     if (bytes[k] != std::byte{letters[k]}) return SnapshotError{What::notASnapshot, k};
   if (bytes.size() < kHead + kTail) return SnapshotError{What::cut, bytes.size()};
-  if (bytes[letters.size()] != std::byte{kSnapshotVersion}) return SnapshotError{What::unknownVersion, letters.size()};
+  if (const std::uint8_t version = versionOf(bytes); version < kSnapshotVersion || version > kSnapshotWithFreeNumbers)
+    return SnapshotError{What::unknownVersion, letters.size()};
   Checksum sum;
   for (const std::byte byte : bytes.first(bytes.size() - kTail)) sum.add(byte);
   for (unsigned k = 0; k < kTail; ++k)
@@ -35,7 +40,7 @@ std::optional<SnapshotError> lookAt(std::span<const std::byte> bytes) {
 void save(const Ground& ground, const Outline& outline, const ByteSink& sink) {
   SnapshotWriter out(sink);
   for (const std::uint8_t letter : kSnapshotMagic) out.byte(letter);
-  out.byte(kSnapshotVersion);
+  out.byte(hasFreeNumbers(ground) ? kSnapshotWithFreeNumbers : kSnapshotVersion);
   save(ground, out);
   save(ground, outline, out);
   out.end();
@@ -44,7 +49,7 @@ void save(const Ground& ground, const Outline& outline, const ByteSink& sink) {
 std::optional<SnapshotError> load(std::span<const std::byte> bytes, Ground& ground, Outline& outline) {
   if (const auto error = lookAt(bytes)) return error;
   SnapshotReader in(bytes.subspan(kHead, bytes.size() - kHead - kTail));
-  load(ground, in);
+  load(ground, in, versionOf(bytes) == kSnapshotWithFreeNumbers);
   load(ground, outline, in);
   if (in.left() != 0) in.fail(What::tooLong);
   if (in.failed()) return SnapshotError{in.error().what, in.error().offset + kHead};

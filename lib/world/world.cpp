@@ -231,6 +231,19 @@ Transaction::~Transaction() noexcept {
   history.forget(mark_);
 }
 
+// --- Leaving places
+
+Expected<std::uint64_t> World::forgetRect(const CellRect& cells) noexcept {
+  if (lgs::isEmpty(cells)) return std::uint64_t{0};
+  for (const Cell corner : {cells.min, cells.max})
+    if (!inRange(corner)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = corner});
+  if (!impl_->ground.changedChunks().empty() || impl_->history.hasMarks())
+    return refuse({.code = ErrorCode::uncommitted});
+  const std::vector<std::uint32_t> gone = impl_->ground.forget(cells);
+  for (const std::uint32_t chunk : gone) impl_->outline.lists.forget(chunk);
+  return gone.size();
+}
+
 // --- Following the ground
 
 Expected<void> World::followCells(bool follow) noexcept {

@@ -60,15 +60,16 @@ struct Call {
     mark,        ///< checkpoint()
     goBack,      ///< rollBack() to one of the marks
     forget,      ///< forget() one of the marks
+    leave,       ///< forget() the chunks in a rectangle
     copy,        ///< the world is replaced by its copy
     load         ///< commit(), then the world is replaced by the one that it is saved as
   };
-  static constexpr std::size_t kKinds = 18;
+  static constexpr std::size_t kKinds = 19;
 
   Kind kind = Kind::commit;
   std::vector<Coming> comes;  ///< one, but for addMany() and exchange(); none where nothing is placed
   std::vector<Named> goes;    ///< of remove, removeMany, exchange and setBlock
-  CellRect cells;             ///< of fill and clear; its lower left one for exchange
+  CellRect cells;             ///< of fill, clear and leave; its lower left one for exchange
   Notation notation{};        ///< of a single polygon
   unsigned offset = 0;        ///< how far off the lattice reals are; kSpoiltOffset and more: one of them is no place
   unsigned room = 0;          ///< for handles: 0: none is asked for; 1, 2, 3: one too few, just enough, one too many

@@ -129,6 +129,9 @@ Outcome Caller::makeResolved(const Call& call) {
       isDone(world.forget(marks_[call.nth % marks_.size()].mark), out);
       marks_.erase(marks_.begin() + static_cast<std::ptrdiff_t>(call.nth % marks_.size()));
       break;
+    case Call::Kind::leave:
+      if (const auto count = world.forget(call.cells); isDone(count, out)) out.count = *count;
+      break;
     case Call::Kind::copy:
       world = World(world);
       break;

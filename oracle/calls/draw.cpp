@@ -33,6 +33,10 @@ class Drawer {
     const Cell here = cell();
     call.cells = {here, here};
     if (kind == Kind::fill || kind == Kind::clear) call.cells.max = {plus(here.i, below(3)), plus(here.j, below(3))};
+    if (kind == Kind::leave) {  // with all of its chunk, or not
+      const int left = below(96), down = below(96), right = below(96), up = below(96);
+      call.cells = {{plus(here.i, -left), plus(here.j, -down)}, {plus(here.i, right), plus(here.j, up)}};
+    }
     if (choices_.chance(3)) call.cells.max.i = plus(call.cells.max.i, -3);  // mostly an empty rectangle
     if (isHostile()) call.cells.max = endOfCells();
     switch (kind) {
@@ -188,7 +192,7 @@ Habits withMarks(Habits habits) {
 }
 
 Habits withLoads(Habits habits) {
-  habits.weights[static_cast<std::size_t>(Kind::load)] = 2;
+  for (const Kind kind : {Kind::leave, Kind::load}) habits.weights[static_cast<std::size_t>(kind)] = 2;
   return habits;
 }
 

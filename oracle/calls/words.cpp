@@ -42,15 +42,15 @@ std::string inWords(const Coming& coming) {
 }  // namespace
 
 std::string inWords(const Call& call) {
-  constexpr std::array kNames{"shape",   "add",      "addShape", "addMany", "remove", "removeMany",
-                              "replace", "exchange", "setBlock", "fill",    "clear",  "group",
-                              "commit",  "mark",     "goBack",   "forget",  "copy",   "load"};
+  constexpr std::array kNames{"shape",    "add",      "addShape", "addMany", "remove", "removeMany", "replace",
+                              "exchange", "setBlock", "fill",     "clear",   "group",  "commit",     "mark",
+                              "goBack",   "forget",   "leave",    "copy",    "load"};
   constexpr std::array kNotations{"", " as a list", " in floats", " in doubles"};
   static_assert(kNames.size() == Call::kKinds);
   const Kind kind = call.kind;
   std::string text = kNames[static_cast<std::size_t>(kind)];
   if (kind == Kind::goBack || kind == Kind::forget) text += fmt::format(" {}", call.nth);
-  if (kind == Kind::fill || kind == Kind::clear)
+  if (kind == Kind::fill || kind == Kind::clear || kind == Kind::leave)
     text += fmt::format(" {} to {}", inWords(call.cells.min), inWords(call.cells.max));
   if (kind == Kind::exchange) text += " " + inWords(call.cells.min);
   for (const Named& named : call.goes)

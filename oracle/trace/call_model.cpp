@@ -109,10 +109,12 @@ Verdict CallModel::judgeParts(const Call& call) const {
         if (auto verdict = addingTo(standing_, cell, call.comes[0]); !verdict.accepted) return verdict;
       return {};
     }
-    case Kind::clear: {
+    case Kind::clear:
+    case Kind::leave: {
       const auto& [min, max] = call.cells;
       if (min.i > max.i || min.j > max.j) return {};
-      return outOfRange(call.cells).value_or(Verdict{});
+      if (const auto verdict = outOfRange(call.cells)) return *verdict;
+      return call.kind == Kind::leave && !marks_.empty() ? Verdict{false, ErrorCode::uncommitted} : Verdict{};
     }
     case Kind::remove:
     case Kind::setBlock:
@@ -201,6 +203,7 @@ void CallModel::apply(const Call& call, const Outcome& outcome) {
       for (const Cell cell : cellsOf(call.cells)) next(cell, call.comes[0]);
       return;
     case Kind::shape:
+    case Kind::leave:
       return;
     case Kind::mark:
       marks_.push_back(standing_);
@@ -227,7 +230,9 @@ void CallModel::apply(const Call& call, const Outcome& outcome) {
 }
 
 std::string CallModel::wrongAnswer(const Call& call, const Outcome& outcome, const World& world) const {
-  const Verdict verdict = judge(call);
+  Verdict verdict = judge(call);
+  if (call.kind == Kind::leave && verdict.accepted && !isEmpty(call.cells) && !world.save({}))  // edits are pending
+    verdict = {false, ErrorCode::uncommitted};
   if (verdict.accepted)
     return outcome.refusal ? "refused, but is good: " + message(*outcome.refusal) : wrongHandles(call, outcome);
   if (!outcome.refusal) return "accepted, but must be refused";
@@ -263,6 +268,7 @@ std::string CallModel::wrongHandles(const Call& call, const Outcome& outcome) co
   if (isReturned) told.insert(told.begin(), handles[0]);
   told.resize(outcome.told.size(), Caller::kUntouched);
   if (told != outcome.told) return "tells other handles than those of what it placed";
+  if (call.kind == Kind::leave) return "";  // nobody says which chunks there are
   std::size_t count = 0;
   const auto& [min, max] = call.cells;
   const bool isNone = min.i > max.i || min.j > max.j;

@@ -260,6 +260,11 @@ void addEdits(Doors& door) {
     lgs_error error{};
     return checked(lgs_forget(worldOf(s, w), mark, e(error)), w);
   });
+  door("lgs_forget_chunks", [](Scene& s, Given w, const CellRect& r, Given out, Given e) {
+    std::uint64_t count = 0;
+    lgs_error error{};
+    return checked(lgs_forget_chunks(worldOf(s, w), toC(r), out(count), e(error)), w);
+  });
 }
 
 void addReading(Doors& door) {

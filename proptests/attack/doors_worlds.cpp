@@ -182,6 +182,17 @@ void addDoorsOfWorlds(Doors& door) {
     return 0U;
   });
   door("World::forget(Mark)", [](Scene& s, Mark mark) { return s.world.forget(mark); });
+  door("World::forget(const Rect&)", [](Scene& s, const CellRect& r, bool leaves) {
+    if (leaves) s.world.commit();
+    for (const Mark mark : s.marks)
+      if (leaves) static_cast<void>(s.world.forget(mark));
+    const std::uint64_t chunks = s.world.stats().chunks;
+    const auto gone = s.world.forget(r);
+    const bool isBad = !isEmpty(r) && (isOutOfRange(r.min) || isOutOfRange(r.max));
+    EXPECT_TRUE(!isBad || !gone);
+    EXPECT_EQ(s.world.stats().chunks, chunks - gone.value_or(0));
+    return gone.value_or(0);
+  });
   door("World::followCells(bool)", [](Scene& s, bool follows) { return s.world.followCells(follows); });
   door("World::load(span<const byte>, PreserveRelation)",
        [](Scene& s, const std::vector<std::byte>& bytes, const PreserveRelation& relation) {

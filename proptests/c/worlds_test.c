@@ -191,6 +191,23 @@ static void goingBack(void) {
   lgs_free(world);
 }
 
+static void places(void) {
+  lgs_world* world = newWorld();
+  const lgs_shape_id square = squareOf(world);
+  lgs_error error;
+  lgs_stats stats;
+  uint64_t gone = 7;
+  const lgs_polygon_id polygon = placed(world, cellAt(0, 0), square, 1);
+  placed(world, cellAt(32, 0), square, 1);
+  REFUSED(LGS_UNCOMMITTED, lgs_forget_chunks(world, rectOf(0, 0, 63, 31), &gone, &error));
+  CHECK(lgs_remove(world, polygon, NULL) == LGS_OK && lgs_commit(world, NULL) == LGS_OK);
+  CHECK(lgs_forget_chunks(world, rectOf(0, 0, 63, 31), &gone, NULL) == LGS_OK && gone == 1);
+  CHECK(lgs_forget_chunks(world, rectOf(0, 0, 63, 31), NULL, NULL) == LGS_OK);
+  CHECK(lgs_count(world, &stats) == LGS_OK && stats.chunks == 1 && stats.polygons == 1);
+  REFUSED(LGS_BAD_ARGUMENT, lgs_forget_chunks(NULL, rectOf(0, 0, 63, 31), &gone, &error));
+  lgs_free(world);
+}
+
 static void integers(void) {
   lgs_polygon_id polygon = {0x12345678, 0x9abcdef0};
   lgs_shape_id shape = {7};
@@ -286,6 +303,7 @@ int main(void) {
   groups();
   copiesOfGroups();
   goingBack();
+  places();
   integers();
   statuses();
   sentences();

@@ -140,7 +140,7 @@ TEST(Limits, WhatIsLeftOfACellNeedsAContentToo) {
 TEST(Limits, TheLastChunkCanBeMadeAndNoMore) {
   WornWorld world;
   detail::Grid& grid = world.impl.ground.grid;
-  grid.passOver(kMaxChunks - 1 - grid.chunks().size());
+  grid.passOver(kMaxChunks - 1 - grid.count());
   const PolygonHandle handle = world.add({-5, 7}, world.square).value();
   EXPECT_EQ(handle.cellRef / detail::kChunkCells, kMaxChunks);
   EXPECT_EQ(grid.cellOf(handle.cellRef), (Cell{-5, 7}));

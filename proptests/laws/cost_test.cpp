@@ -82,6 +82,92 @@ TEST(Memory, OfCellsWhoseEditsAreUndoneIsGivenBack) {
   EXPECT_EQ(world.stats().bytes, bytes);
 }
 
+TEST(Memory, OfAHundredThousandEmptyChunksIsGivenBack) {
+  const auto chunks = static_cast<std::int32_t>(scaled(100'000));
+  Measured m;
+  const ShapeId square = shapeOf(m.world, {unitSquare()});
+  m.world.commit();
+  for (std::int32_t k = 0; k < chunks; ++k) ASSERT_TRUE(m.world.add({32 * (k % 400), 32 * (k / 400)}, square, 1));
+  m.world.commit();
+  for (std::int32_t k = 0; k < chunks; ++k) m.world.clear(Cell{32 * (k % 400), 32 * (k / 400)});
+  m.world.commit();
+  const double before = m.bytes();
+  EXPECT_GT(before, 9'000.0 * chunks);
+  ASSERT_EQ(m.world.forget(CellRect{{0, 0}, {12'800, 12'800}}), static_cast<std::uint64_t>(chunks));
+  EXPECT_EQ(m.world.stats().chunks, 0U);
+  // What is left: ids of segments, which are used again, and working memory.
+  EXPECT_LT(m.bytes(), 600'000 + 300.0 * chunks);
+  RecordProperty("bytes_before", std::to_string(before));
+  RecordProperty("bytes_after", std::to_string(m.bytes()));
+  expectHonestStats(m);
+}
+
+/// A window over a world without end: 8 columns of chunks that hold some polygons each, one of which goes and one comes.
+class Window {
+ public:
+  Window() : square_(shapeOf(world, {unitSquare()})) {
+    for (; next_ < 8; ++next_) edit(next_, true);
+    world.commit();
+  }
+  void move() {
+    edit(next_ - 8, false);
+    edit(next_, true);
+    world.commit();
+    ASSERT_EQ(world.forget(CellRect{{32 * (next_ - 8), 0}, {32 * (next_ - 8) + 31, 127}}), 4U);
+    ++next_;
+  }
+  std::size_t saved() const {
+    std::size_t bytes = 0;
+    EXPECT_TRUE(world.save([&](std::span<const std::byte> piece) { bytes += piece.size(); }));
+    return bytes;
+  }
+
+  World world;
+
+ private:
+  void edit(std::int32_t column, bool comes) {
+    for (std::int32_t j = 0; j < 128; j += 3) {
+      const Cell cell{32 * column + j % 32, j};
+      comes ? static_cast<void>(world.add(cell, square_, 1).value()) : static_cast<void>(world.clear(cell).value());
+    }
+  }
+  ShapeId square_;
+  std::int32_t next_ = 0;
+};
+
+TEST(Memory, OfAWindowThatMovesStaysTheSame) {
+  Window window;
+  const auto columns = scaled(2'000);
+  for (int k = 0; k < 20; ++k) window.move();
+  const Stats before = window.world.stats();
+  const std::size_t saved = window.saved();
+  const std::int64_t allocated = allocations().bytes;
+  for (std::int64_t k = 0; k < columns; ++k) window.move();
+  const Stats after = window.world.stats();
+  EXPECT_EQ(after.chunks, before.chunks);
+  EXPECT_EQ(after.bytes, before.bytes);
+  EXPECT_EQ(allocations().bytes, allocated);
+  EXPECT_LE(window.saved(), saved + 200) << "columns further away have longer numbers";
+}
+
+TEST(Memory, OfAThousandGoingsAndComingsStaysTheSame) {
+  World world;
+  const ShapeId square = shapeOf(world, {unitSquare()});
+  constexpr CellRect kPlace{{-40, -40}, {80, 40}};
+  const auto goAndCome = [&] {
+    ASSERT_TRUE(world.clear(kPlace));
+    world.commit();
+    ASSERT_TRUE(world.forget(CellRect{{-128, -128}, {223, 127}}));
+    EXPECT_EQ(world.stats().chunks, 0U);
+    ASSERT_TRUE(world.fill(kPlace, square, 1));
+    world.commit();
+  };
+  for (int k = 0; k < 5; ++k) goAndCome();  // lists reach their lengths
+  const std::int64_t allocated = allocations().bytes;
+  for (std::int64_t k = scaled(1'000); k != 0; --k) goAndCome();
+  EXPECT_EQ(allocations().bytes, allocated);
+}
+
 TEST(Memory, StatsAreHonestWithManyShapesAndPolygons) {
   Measured m;
   Random random(5);

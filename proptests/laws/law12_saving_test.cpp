@@ -96,7 +96,8 @@ TEST(GoingBackByHand, MadeUpBytesAreRefusedForTheirReason) {
     EXPECT_EQ(loaded.error(), (SnapshotError{what, offset})) << message(loaded.error());
   };
   expect(3, 'S', What::notASnapshot, 3);
-  expect(7, 2, What::unknownVersion, 7);
+  expect(7, 0, What::unknownVersion, 7);
+  expect(7, 3, What::unknownVersion, 7);
   expect(8, 1, What::relation, 9);
   expect(serial, 0, What::badNumber, end - 8);
   expect(end - 1, 1, What::badSegments, end);  // the third id again
@@ -250,7 +251,9 @@ TEST(GoingBackByHand, AWorldWithPendingEditsIsNotSaved) {
   const auto refused = world.save([](std::span<const std::byte>) { FAIL() << "nothing is written"; });
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::uncommitted);
-  EXPECT_EQ(message(refused.error()), "the world has edits that are not committed; commit them before it is saved");
+  EXPECT_EQ(message(refused.error()),
+            "the world has edits that are not committed; commit them first (to follow or to forget cells, let go of "
+            "marks, too)");
 }
 
 TEST(GoingBackByHand, ASnapshotComesInSmallPieces) {

@@ -6,6 +6,14 @@
 
 namespace lgs::box2d {
 
+namespace {
+
+std::uint64_t keyOf(Chunk chunk) {
+  return std::uint64_t{static_cast<std::uint32_t>(chunk.x)} << 32 | static_cast<std::uint32_t>(chunk.y);
+}
+
+}  // namespace
+
 EdgeSet::EdgeSet(EdgeOptions options) : options_(std::move(options)), slots_(1) {
   assert(options_.chunkCells >= 1 && options_.chunkCells <= 4'096);
   assert(options_.shortest >= 0 && options_.shortest <= std::int64_t{1} << 28);
@@ -70,6 +78,11 @@ void EdgeSet::begin(const World& world) {
   version_ = world.version();
   ++update_;
   for (const EdgeId id : changes_.removed) free_.push_back(id.value);
+  for (const std::uint32_t number : emptied_) {
+    chunkNumbers_.erase(keyOf(chunks_[number]));
+    freeChunks_.push_back(number);
+  }
+  emptied_.clear();
   changes_.removed.clear();
   changes_.added.clear();
   changes_.relinked.clear();
@@ -164,16 +177,24 @@ void EdgeSet::removeRetired() {
     Slot& slot = slots_[edge];
     if (slot.kept == update_) continue;
     slot.live = false;
+    if (--edgesIn_[slot.edge.chunk] == 0) emptied_.push_back(slot.edge.chunk);
     changes_.removed.push_back({edge});
   }
 }
 
 std::uint32_t EdgeSet::chunkNumber(Cell cell) {
   const Chunk chunk = Frame{1, {}, options_.chunkCells}.chunkOf(cell);
-  const auto key = std::uint64_t{static_cast<std::uint32_t>(chunk.x)} << 32 | static_cast<std::uint32_t>(chunk.y);
-  const auto [entry, isNew] = chunkNumbers_.try_emplace(key, static_cast<std::uint32_t>(chunks_.size()));
-  if (isNew) chunks_.push_back(chunk);
-  return entry->second;
+  const auto next = freeChunks_.empty() ? static_cast<std::uint32_t>(chunks_.size()) : freeChunks_.back();
+  const auto [entry, isNew] = chunkNumbers_.try_emplace(keyOf(chunk), next);
+  if (!isNew) return entry->second;
+  if (freeChunks_.empty()) {
+    chunks_.emplace_back();
+    edgesIn_.push_back(0);
+  } else {
+    freeChunks_.pop_back();
+  }
+  chunks_[next] = chunk;
+  return next;
 }
 
 std::uint32_t EdgeSet::newSlot() {
@@ -206,6 +227,7 @@ void EdgeSet::place(std::size_t first, std::size_t last, Fate fate) {
     edge = newSlot();
     slots_[edge] = {{head.id, tail.id, chunkNumber(head.cell), head.block, head.start, tail.end, {}, {}}, true};
     slots_[edge].made = update_;
+    ++edgesIn_[slots_[edge].edge.chunk];
     changes_.added.push_back({edge});
   }
   placed_.push_back(edge);

@@ -228,6 +228,11 @@ lgs_status lgs_clear(lgs_world* world, lgs_cell_rect cells, uint64_t* removed, l
   return answer(world->world.clear(fromC(cells)), removed, error);
 }
 
+lgs_status lgs_forget_chunks(lgs_world* world, lgs_cell_rect cells, uint64_t* forgotten, lgs_error* error) noexcept {
+  if (!world) return refuse(LGS_BAD_ARGUMENT, error);
+  return answer(world->world.forget(fromC(cells)), forgotten, error);
+}
+
 // --- Groups ----------------------------------------------------------------------------------------------------------
 
 struct lgs_group {

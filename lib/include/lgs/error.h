@@ -28,7 +28,7 @@ enum class ErrorCode : std::uint32_t {
   staleHandle,         ///< a PolygonHandle that is null, unknown, or whose polygon was removed
   unknownSegment,      ///< a SegmentId that names no live segment
   unknownMark,         ///< a Mark that this world did not make, or that was forgotten, or gone back beyond
-  uncommitted,         ///< a world with edits that are not committed can not be saved
+  uncommitted,         ///< edits are not committed, or there are marks where there may be none
   outOfReach,          ///< a point, a radius or a ray of a question goes beyond what questions.h allows
 };
 

@@ -45,9 +45,11 @@ namespace lgs {
 inline constexpr std::size_t kMaxVerticesPerCell = 4'096;  ///< of all polygons of one cell together
 inline constexpr std::size_t kMaxPolygonsPerCell = 254;    ///< in one cell
 #ifdef LGS_HANDLES_IN_53_BITS
-inline constexpr std::size_t kMaxChunks = (std::size_t{1} << 20) - 1;  ///< of 32×32 cells, ever touched by an edit
+inline constexpr std::size_t kMaxChunks =
+    (std::size_t{1} << 20) - 1;  ///< of 32×32 cells, ever touched by an edit, and not forgotten
 #else
-inline constexpr std::size_t kMaxChunks = (std::size_t{1} << 22) - 1;  ///< of 32×32 cells, ever touched by an edit
+inline constexpr std::size_t kMaxChunks =
+    (std::size_t{1} << 22) - 1;  ///< of 32×32 cells, ever touched by an edit, and not forgotten
 #endif
 inline constexpr std::size_t kMaxEntries = 0x7fff'ffff;  ///< of a call that takes many
 
@@ -117,7 +119,7 @@ struct Stats {
   std::uint64_t segments = 0;  ///< live ones, as of the last commit
   std::uint64_t shapes = 0;    ///< made so far
   std::uint64_t contents = 0;  ///< distinct contents of cells; those that no cell has are forgotten in time
-  std::uint64_t chunks = 0;    ///< of 32×32 cells, ever touched by an edit
+  std::uint64_t chunks = 0;    ///< of 32×32 cells, ever touched by an edit, and not forgotten
   std::uint64_t bytes = 0;     ///< allocated, with spare capacity; an estimate for the index of shapes
 };
 
@@ -284,6 +286,26 @@ class World {
   /// Lets go of a mark. Other marks stay. Refused: unknownMark.
   Expected<void> forget(Mark mark) noexcept;
 
+  // --- Leaving places -----------------------------------------------------------------------------------------------
+
+  /// Lets go of a place that the game has left. Each chunk of 32×32 cells that lies in the rectangle as a whole and
+  /// holds no polygon gives its memory back. Chunks that hold polygons, or lie in the rectangle in part, stay as they
+  /// are. Returns how many chunks went. An empty rectangle is no error.
+  ///
+  /// All handles that were ever given out for cells of these chunks are *void*: drop them. They name nothing, until they
+  /// are given out again, maybe for another place: what comes next is as if no edit had ever been there. Segments and
+  /// their ids, shapes, all other handles, and later outlines are not touched, so nothing is to be told to anybody. In
+  /// a world that is saved, loaded or copied the same chunks are forgotten (law 12).
+  ///
+  /// Refused: cellOutOfRange, with a corner of the rectangle that is out of range; uncommitted, while edits are not
+  /// committed or there are marks, since those may need the chunks. A game that always has marks forgets the chunks at a
+  /// moment to which it does not go back: it lets go of its marks, forgets, and makes a new one. Cost: in proportion to
+  /// the cells of the chunks in the rectangle, and to the chunks in the rectangle or in the world, whichever are fewer.
+  template <std::same_as<CellRect> Rect = CellRect>
+  [[nodiscard]] Expected<std::uint64_t> forget(const Rect& cells) noexcept {
+    return forgetRect(cells);
+  }
+
   // --- Following the ground -----------------------------------------------------------------------------------------
   //
   // Whoever keeps something up to date that follows from the polygons, a *view* of the ground, reads all of them once
@@ -330,7 +352,7 @@ class World {
   bool isEmpty(Cell cell) const noexcept;
 
   /// Calls visit(cell, polygon) for every placed polygon, buried ones too: chunk by chunk, in the order in which edits
-  /// first reached the chunks; each by rows, each cell by handle. The second form visits the cells of a rectangle, and
+  /// first reached the chunks (a new one takes the place of a forgotten one); each by rows, each cell by handle. The second form visits the cells of a rectangle, and
   /// chunks in any order. `visit` must not change the world; if it is empty, nobody is called. Cost: in proportion to the
   /// cells that have a chunk.
   using PolygonVisitor = std::function<void(Cell, const PlacedPolygon&)>;
@@ -407,6 +429,7 @@ class World {
   friend class Transaction;
   friend bool samePolygons(const World& a, const World& b) noexcept;
   Expected<std::uint64_t> clearRect(const CellRect& cells) noexcept;
+  Expected<std::uint64_t> forgetRect(const CellRect& cells) noexcept;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -114,8 +114,8 @@ class EdgeSet {
   /// The World::version() that the edges are up to date with.
   std::uint64_t version() const { return version_; }
 
-  /// The edge of a live id, or of one that the last update removed. For the null id, and for one that never was, an edge
-  /// of no segment.
+  /// The edge of a live id, or of one that the last update removed. For the null id, and for one that never was, an
+  /// edge of no segment.
   const Edge& edge(EdgeId id) const { return slots_[id.value < slots_.size() ? id.value : 0].edge; }
   /// The edge that stands for a segment; null if the segment is left out or is no live segment.
   EdgeId edgeOf(SegmentId segment) const;
@@ -126,10 +126,11 @@ class EdgeSet {
   std::uint32_t maxSegmentId() const { return records_.empty() ? 0 : static_cast<std::uint32_t>(records_.size() - 1); }
   /// All live edges, in increasing order. Cost: O(edges).
   std::vector<EdgeId> edges() const;
-  /// Where the chunk with a number is. Numbers run from 0 to chunkCount() - 1: one for each chunk that ever had an
-  /// edge. (0, 0) for any other.
+  /// Where the chunk with a number is. Numbers run from 0 to chunkCount() - 1: one for each chunk that has an edge. A
+  /// chunk that loses its last edge keeps its number until the next load or update; then another one may get it. (0, 0)
+  /// for any other number.
   Chunk chunk(std::uint32_t number) const { return number < chunks_.size() ? chunks_[number] : Chunk{}; }
-  std::size_t chunkCount() const { return chunks_.size(); }  ///< how many numbers of chunks are used
+  std::size_t chunkCount() const { return chunks_.size(); }  ///< how many there are, or were at a time
   EdgeCounts counts() const;                                 ///< as of the last load or update
   const EdgeOptions& options() const { return options_; }    ///< those that it was made with
 
@@ -195,7 +196,10 @@ class EdgeSet {
   std::vector<Record> records_;  // by SegmentId
   std::vector<Slot> slots_;      // by EdgeId
   std::vector<std::uint32_t> free_;
-  std::vector<Chunk> chunks_;
+  std::vector<Chunk> chunks_;              // by number
+  std::vector<std::uint32_t> edgesIn_;     // by number of the chunk
+  std::vector<std::uint32_t> emptied_;     // numbers of chunks that the update left without edges
+  std::vector<std::uint32_t> freeChunks_;  // numbers
   std::unordered_map<std::uint64_t, std::uint32_t> chunkNumbers_;
   std::size_t fates_[6] = {};
   EdgeChanges changes_;

@@ -201,6 +201,18 @@ LGS_API lgs_status lgs_roll_forward(lgs_world* world, lgs_mark mark, lgs_changes
 /* Lets go of a mark. Other marks stay. Refused: LGS_UNKNOWN_MARK. */
 LGS_API lgs_status lgs_forget(lgs_world* world, lgs_mark mark, lgs_error* error) LGS_NOTHROW;
 
+/* --- Leaving places ---------------------------------------------------------------------------------------------- */
+
+/* Lets go of a place that the game has left. Each chunk of 32x32 cells that lies in the rectangle as a whole and holds
+ * no polygon gives its memory back; other chunks stay as they are. `forgotten` receives how many chunks went. An empty
+ * rectangle is no error. All polygon ids that were ever given out for cells of these chunks are void: they name nothing
+ * until they are given out again, maybe for another place. Segments, shapes and all other ids are not touched. Refused:
+ * LGS_CELL_OUT_OF_RANGE, with a corner of the rectangle that is out of range; LGS_UNCOMMITTED, while edits are not
+ * committed or there are marks. Cost: in proportion to the cells of the chunks in the rectangle, and to the chunks in
+ * the rectangle or in the world, whichever are fewer. */
+LGS_API lgs_status lgs_forget_chunks(lgs_world* world, lgs_cell_rect cells, uint64_t* forgotten,
+                                     lgs_error* error) LGS_NOTHROW;
+
 #ifdef __cplusplus
 }
 #endif

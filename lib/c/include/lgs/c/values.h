@@ -70,7 +70,7 @@ enum {
   LGS_STALE_HANDLE = 13,     /* a polygon that is null, unknown or removed */
   LGS_UNKNOWN_SEGMENT = 14,  /* an id that names no live segment */
   LGS_UNKNOWN_MARK = 15,     /* a mark that this world did not make, or forgot, or went back beyond */
-  LGS_UNCOMMITTED = 16,      /* a world with edits that are not committed can not be saved */
+  LGS_UNCOMMITTED = 16,      /* edits are not committed, or there are marks */
   LGS_OUT_OF_REACH = 17,     /* a point, a radius or a ray of a question goes too far */
   /* A call is refused. */
   LGS_BAD_ARGUMENT = 100, /* NULL where that must not be, a number that means nothing, options of an unknown size */

@@ -10,7 +10,8 @@
 extern "C" {
 #endif
 
-/* A world of unit cells that hold polygons, unbounded. Only what is in it takes memory. */
+/* A world of unit cells that hold polygons, unbounded. Chunks of 32x32 cells take memory once an edit reached them, until
+ * lgs_forget_chunks() lets go of them. */
 typedef struct lgs_world lgs_world;
 
 /* Says whether the overlap between polygons of these two blocks is kept (not 0) or cancelled (0). The smaller block
@@ -81,7 +82,7 @@ typedef struct lgs_stats {
   uint64_t segments;    /* live ones, as of the last commit */
   uint64_t shapes;      /* made so far */
   uint64_t contents;    /* distinct contents of cells; those that no cell has are forgotten in time */
-  uint64_t chunks;      /* of 32x32 cells, ever touched by an edit */
+  uint64_t chunks;      /* of 32x32 cells, ever touched by an edit, and not forgotten */
   uint64_t bytes;       /* allocated, with spare capacity; an estimate for the index of shapes */
   uint64_t reserved[5]; /* 0 */
 } lgs_stats;
