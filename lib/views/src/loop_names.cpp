@@ -111,7 +111,7 @@ void LoopView::tell() {
   for (const std::uint32_t root : made_)
     if (treaps_[root].loop == 0) changes_.came.push_back(newId(root));
   detail::sort(changes_.came);
-  for (const LoopId id : changes_.went) ended_.push_back(id.value);
+  for (const LoopId id : changes_.went) free_.push_back(id.value);  // for the next update: all new ids are given
   const auto isIn = [](const std::vector<LoopId>& ids, LoopId id) {
     return std::binary_search(ids.begin(), ids.end(), id);
   };

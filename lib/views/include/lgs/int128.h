@@ -38,17 +38,6 @@ struct Int128 {
 };
 
 /// The whole product.
-constexpr Int128 multiply(std::int64_t a, std::int64_t b) {
-  const auto magnitude = [](std::int64_t v) {
-    return v < 0 ? ~static_cast<std::uint64_t>(v) + 1 : static_cast<std::uint64_t>(v);
-  };
-  const std::uint64_t mask = 0xffff'ffff, x = magnitude(a), y = magnitude(b);
-  const std::uint64_t low = (x & mask) * (y & mask);
-  const std::uint64_t one = (x >> 32) * (y & mask) + (low >> 32);
-  const std::uint64_t other = (x & mask) * (y >> 32) + (one & mask);
-  const std::uint64_t high = (x >> 32) * (y >> 32) + (one >> 32) + (other >> 32);
-  const Int128 product{static_cast<std::int64_t>(high), other << 32 | (low & mask)};
-  return (a < 0) == (b < 0) ? product : -product;
-}
+Int128 multiply(std::int64_t a, std::int64_t b);
 
 }  // namespace lgs

@@ -84,7 +84,8 @@ class Islands {
 
   /// Takes over what the world's last commit or roll-back changed. The world must follow its cells, and have no edits
   /// that are not committed: after it went back to a mark that was made while edits were pending, begin again with
-  /// another view, after the next commit. To be called once for each commit and roll-back. False, and nothing changes, where Loops::update() says so.
+  /// another view, after the next commit. To be called once for each commit and roll-back. False, and nothing changes,
+  /// where Loops::update() says so.
   ///
   /// Cost: that of the loops; the polygons and vertices of the changed cells; the segments in and around those where
   /// polygons were taken away, if that may have cut something off. To know which island a hole, or an anchor that

@@ -65,15 +65,16 @@ struct LoopPair {
 /// segment counts as the same one if it has the same ends, whoever owns it.
 ///
 /// Which loop keeps its id: a loop of before hands it to the loop of now that has most of its segments, of equals to
-/// the one whose `west` is least, then the one whose area is least. One that is handed several ids takes that of the loop which had most segments, of
-/// equals the least id. Only outer loops inherit from outer loops, and only holes from holes.
+/// the one whose `west` is least, then the one whose area is least. One that is handed several ids takes that of the
+/// loop which had most segments, of equals the least id. Only outer loops inherit from outer loops, and only holes from
+/// holes.
 struct LoopChanges {
   std::vector<LoopId> came;     ///< new ids of loops without any segment of before
   std::vector<LoopId> went;     ///< ids that are no more, of loops of which no segment is left
   std::vector<LoopId> changed;  ///< ids that stay, of loops whose segments or links are others
   std::vector<LoopPair> split;  ///< `into` is a new id. It is named with each loop of which it has segments
-  std::vector<LoopPair>
-      joined;  ///< `from` is an id that is no more. It is named with each loop that has segments of it
+  /// `from` is an id that is no more. It is named with each loop that has segments of it.
+  std::vector<LoopPair> joined;
   std::vector<LoopFacts> before;  ///< what all loops were that changed, or that are no more; by id
 };
 
