@@ -21,7 +21,7 @@ REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/calls", "oracle/trace"]
 ORACLE = REFERENCES + ["oracle/draw", "oracle/views", "oracle/engine/include", "oracle/engine", "oracle/page", "oracle/generate", "oracle/check"]
 TERRAIN = ["lib/box2d/include", "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out"]
 ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/brush/include", "lib/pieces/include", "lib/views/include",
-            "lib/tiled/include"] + TERRAIN
+            "lib/falling/include", "lib/falling/box2d", "lib/tiled/include"] + TERRAIN
 ROOMS = {
     "lib/include": [],
     "lib/text": [],  # words as people and shells read them: of the importer, the references and the command
@@ -40,6 +40,13 @@ ROOMS = {
     "lib/pieces/src": ["lib/include", "lib/geometry", "lib/pieces/include"],
     "lib/views/include": ["lib/include"],
     "lib/views/src": ["lib/include", "lib/geometry", "lib/views/include"],
+    # It stands on three views and brushes, and knows no physics engine. What knows Box2D is headers alone, on top of
+    # the terrain: so the terrain needs no islands, and islands need no Box2D.
+    "lib/falling/include": ["lib/include", "lib/views/include"],
+    "lib/falling/src": ["lib/include", "lib/views/include", "lib/pieces/include", "lib/brush/include",
+                        "lib/falling/include"],
+    "lib/falling/box2d": ["lib/include", "lib/views/include", "lib/falling/include", "lib/box2d/include",
+                          "lib/box2d/v2/include", "lib/box2d/v3/include"],
     "lib/tiled/include": ["lib/include"],
     "lib/tiled/src": ["lib/include", "lib/geometry", "lib/text", "lib/brush/include", "lib/tiled/include"],
     "web/bench": ["lib/include"],
@@ -86,7 +93,8 @@ ROOMS = {
 }
 # The folders from which a header is found by a path without its room.
 INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/c/include", "lib/debug/include", "lib/brush/include",
-                   "lib/brush/src", "lib/pieces/include", "lib/pieces/src", "lib/views/include", "lib/views/src", "lib/tiled/include", "lib/tiled/src",
+                   "lib/brush/src", "lib/pieces/include", "lib/pieces/src", "lib/views/include", "lib/views/src", "lib/falling/include", "lib/falling/src",
+                   "lib/falling/box2d/include", "lib/falling/box2d/v2/include", "lib/falling/box2d/v3/include", "lib/tiled/include", "lib/tiled/src",
                    "lib/box2d/include", "lib/box2d/src", "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out/include",
                    "oracle/engine/include"]
 # What no file below a folder may include, whatever its room: lib/ is MIT and goes into games.

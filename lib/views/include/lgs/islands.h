@@ -6,9 +6,7 @@
 //   if (!world.followCells(true)) …
 //   lgs::Islands islands(world, isBedrock);              // looks at everything once
 //   islands.update(world, world.commit());               // and from now on, after each commit or roll-back
-//   for (const lgs::IslandPair& p : islands.changes().cutOff)
-//     for (const lgs::IslandId id : {p.from, p.into})
-//       if (!islands.island(id)->anchors) fall(lgs::take(world, islands, id));
+//   for (const lgs::IslandId id : islands.loose()) fall(lgs::take(world, islands, id));
 //
 // Solids that share at least a point are one island (law 3): two blocks that touch with a corner hang together. So an
 // island has exactly one outer loop, and a cut shows as one loop that became two, before anybody has looked at a cell of
@@ -108,6 +106,10 @@ class Islands {
 
   /// All islands, by id.
   std::vector<IslandId> all() const noexcept;
+
+  /// The islands of now that the last update names and that nothing holds, by id: both sides of a cut are looked at, and
+  /// who lost an anchor. They may fall. After construction none. Cost: that of island() for each that is named.
+  std::vector<IslandId> loose() const noexcept;
 
   /// The loops that are followed.
   const Loops& loops() const noexcept;
