@@ -31,7 +31,8 @@ ROOMS = {
     "lib/outline": GROUND + ["lib/ground"],
     "lib/world": GROUND + ["lib/ground", "lib/outline"],
     "lib/c/include": [],
-    "lib/c/src": ["lib/include", "lib/c/include"],
+    # The C interface has the views in it, as their objects are in the one library that it is.
+    "lib/c/src": ["lib/include", "lib/views/include", "lib/pieces/include", "lib/c/include"],
     "lib/debug/include": ["lib/include"],
     "lib/debug/src": ["lib/include", "lib/debug/include"],
     "lib/brush/include": ["lib/include"],

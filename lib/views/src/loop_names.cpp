@@ -77,7 +77,9 @@ const LoopFacts& LoopView::before(std::uint32_t loop) const {
 bool LoopView::isBetter(const Share& a, const Share& b) const {
   if (a.count != b.count) return a.count > b.count;
   const LoopNode &m = treaps_[a.root], &n = treaps_[b.root];
-  return std::tie(m.west, m.doubleArea, a.root) < std::tie(n.west, n.doubleArea, b.root);
+  if (m.west != n.west || m.doubleArea != n.doubleArea)
+    return std::tie(m.west, m.doubleArea) < std::tie(n.west, n.doubleArea);
+  return treaps_.westernmost(a.root) < treaps_.westernmost(b.root);
 }
 
 void LoopView::findHeirs() {

@@ -65,9 +65,9 @@ struct LoopPair {
 /// segment counts as the same one if it has the same ends, whoever owns it.
 ///
 /// Which loop keeps its id: a loop of before hands it to the loop of now that has most of its segments, of equals to
-/// the one whose `west` is least, then the one whose area is least. One that is handed several ids takes that of the
-/// loop which had most segments, of equals the least id. Only outer loops inherit from outer loops, and only holes from
-/// holes.
+/// the one whose `west` is least, then the one whose area is least, then the one whose `first` is least. One that is
+/// handed several ids takes that of the loop which had most segments, of equals the least id. Only outer loops inherit
+/// from outer loops, and only holes from holes.
 struct LoopChanges {
   std::vector<LoopId> came;     ///< new ids of loops without any segment of before
   std::vector<LoopId> went;     ///< ids that are no more, of loops of which no segment is left
