@@ -102,7 +102,9 @@ int main(int argc, char** argv) {
     game.physics.step();
     if (!game.terrain.afterStep().empty()) return 1;
   }
-  const auto middle = examples::Physics::middleOf(rock.body);
+  const lgs::DoublePoint& centroid = rock.ground.mass.centroid;
+  const auto middle =
+      examples::Physics::placeOf(rock.body, {static_cast<float>(centroid.x), static_cast<float>(centroid.y)});
   std::printf("at rest after %.1f s, %.1f cells further\n", steps / 60.0, static_cast<double>(middle.x) - 8);
 
   if (const auto done = game.falling.settle(rock.body); !done) return std::printf("%s\n", message(done.error()).c_str());

@@ -12,8 +12,6 @@ class Physics {
   b2World& world() { return world_; }
   void step() { world_.Step(1.0F / 60, 8, 3); }
   static bool isAwake(b2Body* body) { return body->IsAwake(); }
-  static b2Vec2 middleOf(b2Body* body) { return body->GetWorldCenter(); }
-  static b2Vec2 velocityOf(b2Body* body) { return body->GetLinearVelocity(); }
   static b2Vec2 placeOf(b2Body* body, b2Vec2 local) { return body->GetWorldPoint(local); }
   static float massOf(b2Body* body) { return body->GetMass(); }
 
@@ -33,8 +31,6 @@ class Physics {
   b2WorldId world() const { return world_; }
   void step() { b2World_Step(world_, 1.0F / 60, 4); }
   static bool isAwake(b2BodyId body) { return b2Body_IsAwake(body); }
-  static auto middleOf(b2BodyId body) { return b2Body_GetWorldCenterOfMass(body); }
-  static b2Vec2 velocityOf(b2BodyId body) { return b2Body_GetLinearVelocity(body); }
   static auto placeOf(b2BodyId body, b2Vec2 local) { return b2Body_GetWorldPoint(body, local); }
   static float massOf(b2BodyId body) { return b2Body_GetMass(body); }
 
