@@ -30,10 +30,11 @@ extern "C" {
 
 /* --- Loops and islands ------------------------------------------------------------------------------------------- */
 
-/* Names of the moment: after a roll-back the same loop or island may have another one. */
+/* A loop. A name of the moment: after a roll-back the same loop may have another one. */
 typedef struct lgs_loop_id {
   uint32_t value; /* good as an index; 0 is null */
 } lgs_loop_id;
+/* An island. The same holds for it. */
 typedef struct lgs_island_id {
   uint32_t value; /* good as an index; 0 is null */
 } lgs_island_id;
@@ -61,11 +62,12 @@ typedef struct lgs_island {
   uint32_t reserved;    /* 0 */
 } lgs_island;
 
-/* An island of before, and one of now; or a loop of before, and one of now. */
+/* An island of before, and one of now. */
 typedef struct lgs_island_pair {
   lgs_island_id from; /* of before */
   lgs_island_id into; /* of now */
 } lgs_island_pair;
+/* A loop of before, and one of now. */
 typedef struct lgs_loop_pair {
   lgs_loop_id from; /* of before */
   lgs_loop_id into; /* of now */
@@ -81,6 +83,7 @@ enum { LGS_PARTED = 0, LGS_JOINED = 1 };
 /* Whether a polygon of this block in this cell holds its island: 0 or not. It must give the same answer every time. */
 typedef int32_t (*lgs_anchor_fn)(void* user, lgs_block block, lgs_cell cell);
 
+/* The loops and islands of a world. */
 typedef struct lgs_islands lgs_islands;
 
 /* Looks at all polygons of a world that has no edits that are not committed. `is_anchor` may be NULL: then nothing is an
@@ -157,6 +160,7 @@ LGS_API void lgs_body_free(lgs_body* body) LGS_NOTHROW;
 
 /* --- Convex pieces ----------------------------------------------------------------------------------------------- */
 
+/* The convex pieces of a world. */
 typedef struct lgs_pieces lgs_pieces;
 
 /* What pieces are of: what polygons cover, or what they leave. */

@@ -2,7 +2,7 @@
 // comes back into the ground. No physics engine is known here; lgs/box2d/falling.h is for Box2D.
 //
 //   const auto body = lgs::take(world, islands, island);              // islands.h
-//   for (const lgs::ConvexPart& part : *lgs::convexParts(*body)) …    // a shape each
+//   const auto parts = lgs::convexParts(*body);                       // a shape each
 //   …
 //   const auto done = lgs::putAsItLies(world, *body, {.origin = {12.3, 4.5}, .cosine = 0.8, .sine = 0.6});
 //

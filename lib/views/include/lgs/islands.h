@@ -69,16 +69,17 @@ struct IslandChanges {
   std::vector<IslandFacts> before;  ///< what all islands were that changed, or that are no more; by id
 };
 
+/// The islands of a world. The comment at the top of this file has an example.
 class Islands {
  public:
   /// Looks at all polygons of a world that has no edits that are not committed. Without `isAnchor` nothing is an
   /// anchor, and nothing is ever counted. Cost: in proportion to the world.
   explicit Islands(const World& world, IsAnchor isAnchor = {}) noexcept;
   ~Islands() noexcept;
-  Islands(const Islands& other) noexcept;
-  Islands& operator=(const Islands& other) noexcept;
+  Islands(const Islands& other) noexcept;             ///< cost: in proportion to what it knows
+  Islands& operator=(const Islands& other) noexcept;  ///< the same
   Islands(Islands&&) noexcept;  ///< what was moved from can only be assigned to or destroyed
-  Islands& operator=(Islands&&) noexcept;
+  Islands& operator=(Islands&&) noexcept;  ///< the same
 
   /// Takes over what the world's last commit or roll-back changed. The world must follow its cells, and have no edits
   /// that are not committed: after it went back to a mark that was made while edits were pending, begin again with
@@ -133,13 +134,15 @@ class Islands {
 /// polygons share more than points. All of them leave the ground.
 [[nodiscard]] Expected<std::vector<Body>> takeApart(World& world, const Islands& islands, IslandId island) noexcept;
 
-/// What an edit would do to the islands: makes it, commits, and goes back. The world and the view are as before, but for
-/// the ids of loops and islands (see LoopId); ids in the result name nothing. An edit that is refused, so that it
-/// returns false, would do nothing. No edit may be pending. Cost: that of the edit, of two updates and of going back.
+/// What an edit would do.
 struct Foreseen {
   IslandChanges changes;           ///< with the ids that there would be
   std::vector<IslandFacts> after;  ///< the islands that `changes` names and that there would be then
 };
+
+/// What an edit would do to the islands: makes it, commits, and goes back. The world and the view are as before, but for
+/// the ids of loops and islands (see LoopId); ids in the result name nothing. An edit that is refused, so that it
+/// returns false, would do nothing. No edit may be pending. Cost: that of the edit, of two updates and of going back.
 [[nodiscard]] Foreseen foresee(World& world, Islands& islands, const std::function<bool(World&)>& edit) noexcept;
 
 }  // namespace lgs

@@ -78,16 +78,17 @@ struct LoopChanges {
   std::vector<LoopFacts> before;  ///< what all loops were that changed, or that are no more; by id
 };
 
+/// The loops of a world. The comment at the top of this file has an example.
 class Loops {
  public:
   /// Walks all segments of a world, as of its last commit. Under a preserve relation no edit may be pending. Cost: in
   /// proportion to the segments; to the world, if there is a preserve relation.
   explicit Loops(const World& world) noexcept;
   ~Loops() noexcept;
-  Loops(const Loops& other) noexcept;
-  Loops& operator=(const Loops& other) noexcept;
+  Loops(const Loops& other) noexcept;             ///< cost: in proportion to what it knows
+  Loops& operator=(const Loops& other) noexcept;  ///< the same
   Loops(Loops&&) noexcept;  ///< what was moved from can only be assigned to or destroyed
-  Loops& operator=(Loops&&) noexcept;
+  Loops& operator=(Loops&&) noexcept;  ///< the same
 
   /// Takes over what the world's last commit or roll-back changed: World::commit() or World::changesOfRollBack(). If
   /// these do not lead from the version() that the view shows, it stays as it is, and the result is false: then begin
