@@ -107,7 +107,8 @@ int main(int argc, char** argv) {
       examples::Physics::placeOf(rock.body, {static_cast<float>(centroid.x), static_cast<float>(centroid.y)});
   std::printf("at rest after %.1f s, %.1f cells further\n", steps / 60.0, static_cast<double>(middle.x) - 8);
 
-  if (const auto done = game.falling.settle(rock.body); !done) return std::printf("%s\n", message(done.error()).c_str());
+  if (const auto done = game.falling.settle(rock.body); !done)
+    return std::printf("%s\n", message(done.error()).c_str());
   game.commit();
   std::printf("ground again: %zu island, %zu body\n", game.islands.all().size(), game.falling.bodies().size());
   const lgs::Point shaft[] = {lgs::latticePoint({middle.x, 8}), lgs::latticePoint({middle.x, 3})};

@@ -26,7 +26,8 @@ void writePicture(std::ostream& out, const lgs::CellRect& cells, const std::vect
   out << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " << width << ' ' << height << "'>\n"
       << "<rect width='100%' height='100%' fill='#eaf2f6'/>\n"
       << "<style>.g{fill:#a89a84;stroke:#a89a84}.d{fill:#d9d2c3;stroke:#d9d2c3}.r{fill:#6b5b4b;stroke:#6b5b4b}"
-         ".o{fill:#c9922e;stroke:#c9922e}.w{fill:none;stroke:#6b5b4b;stroke-opacity:.55}path{stroke-width:.7}</style>\n";
+         ".o{fill:#c9922e;stroke:#c9922e}.w{fill:none;stroke:#6b5b4b;stroke-opacity:.55}path{stroke-width:.7}</"
+         "style>\n";
   for (const Drawn& d : drawn) {
     const char* before = "M";
     out << "<path class='" << d.look << "' d='";

@@ -84,10 +84,9 @@ tl::expected<bool, std::string> AnswerReader::take(std::string_view line) {
     return false;
   }
   if (word != "refused")
-    return tl::unexpected(fmt::format("a line of an answer begins with refused, segment, {}end or #",
-                                      can_.islands ? "island, " : ""));
-  if (!outline.empty() || !islands.empty())
-    return tl::unexpected<std::string>("refusals come before the segments");
+    return tl::unexpected(
+        fmt::format("a line of an answer begins with refused, segment, {}end or #", can_.islands ? "island, " : ""));
+  if (!outline.empty() || !islands.empty()) return tl::unexpected<std::string>("refusals come before the segments");
   const std::string name(nextWord(rest));
   if (name.empty() || rest.empty()) return tl::unexpected<std::string>("a refusal needs a name and a reason");
   refused.push_back({name, std::string(rest)});

@@ -18,8 +18,8 @@ constexpr std::int32_t U = kUnitsPerCell;
 Capabilities canDo(const std::string& words) { return parseCapabilities(words).value(); }
 
 TEST(Capabilities, AreReadAsTheyArePrinted) {
-  for (const std::string words : {"", "ghosts blocks several slants preserve refuses", "squares merged", "ghosts islands",
-                                  "lattice=8 cells=100", "cells=0", "lattice=1"})
+  for (const std::string words : {"", "ghosts blocks several slants preserve refuses", "squares merged",
+                                  "ghosts islands", "lattice=8 cells=100", "cells=0", "lattice=1"})
     EXPECT_EQ(print(canDo(words)), words);
   EXPECT_EQ(canDo("ghosts blocks several slants preserve refuses"), Capabilities::all());
   for (const std::string bad : {"ghost", "lattice", "lattice=", "lattice=0", "lattice=3", "lattice=131072",

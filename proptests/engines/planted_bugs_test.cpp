@@ -58,7 +58,8 @@ TEST_F(PlantedBugs, BlocksAreMixedUp) {
 }
 
 TEST_F(PlantedBugs, CornersThatTouchDoNotHoldTogether) {
-  expectFound("not points.isdisjoint(f[0])", "len(points & f[0]) > 1", {"a view is not that of the world", "extra island: "}, 2);
+  expectFound("not points.isdisjoint(f[0])", "len(points & f[0]) > 1",
+              {"a view is not that of the world", "extra island: "}, 2);
 }
 
 TEST_F(PlantedBugs, AnIslandHasTheAreaOfItsLastPolygon) {

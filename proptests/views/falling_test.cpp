@@ -79,7 +79,9 @@ LGS_LAW(Falling, PartsOfEachBlockMakeUpItsPolygons, 300, (const PlainTrace& trac
   for (auto& [block, world] : byBlock) {
     world.commit();
     const Pieces pieces(world);
-    for (const auto& [cell, list] : byCell(*parts, block)) {
+    auto lists = byCell(*parts, block);
+    world.forEachPolygon([&](Cell cell, const PlacedPolygon&) { lists.try_emplace(cell); });
+    for (const auto& [cell, list] : lists) {
       count += list.size();
       std::vector<oracle::PieceList> solid;
       for (const oracle::LocalPolygon& piece : list) {
@@ -87,7 +89,8 @@ LGS_LAW(Falling, PartsOfEachBlockMakeUpItsPolygons, 300, (const PlainTrace& trac
         solid.push_back({piece});
       }
       oracle::PieceList free;
-      for (const Piece& piece : pieces.freePieces(cell)) free.emplace_back(piece.vertices.begin(), piece.vertices.end());
+      for (const Piece& piece : pieces.freePieces(cell))
+        free.emplace_back(piece.vertices.begin(), piece.vertices.end());
       failIf(oracle::notAPartition(list, solid, free));
     }
   }
@@ -133,8 +136,7 @@ TEST(FallingByHand, AQuarterTurnKeepsTheAreaOfEachBlock) {
   original.commit();
   for (std::size_t turn = 0; turn < 4; ++turn) {
     World world;
-    const Placing placing{
-        {7, -3}, static_cast<double>(kSines[(turn + 1) % 4]), static_cast<double>(kSines[turn])};
+    const Placing placing{{7, -3}, static_cast<double>(kSines[(turn + 1) % 4]), static_cast<double>(kSines[turn])};
     ASSERT_TRUE(putAsItLies(world, allOf(original), placing));
     world.commit();
     EXPECT_EQ(examples::AreaByBlock(world).areas(), examples::AreaByBlock(original).areas());

@@ -29,8 +29,8 @@ struct lgs_pieces {
 namespace {
 
 lgs_loop_facts described(const lgs::LoopFacts& f) {
-  return {f.doubleArea.high, f.doubleArea.low, f.area(),     toC(f.min),   toC(f.max), toC(f.west),
-          {f.id.value},      {f.first.value},  f.segments,   0};
+  return {f.doubleArea.high, f.doubleArea.low, f.area(),        toC(f.min), toC(f.max),
+          toC(f.west),       {f.id.value},     {f.first.value}, f.segments, 0};
 }
 lgs_island described(const lgs::IslandFacts& f) { return {described(f.outer), f.anchors, {f.id.value}, 0}; }
 
@@ -60,9 +60,7 @@ lgs_status lgs_islands_new(const lgs_world* world, lgs_anchor_fn is_anchor, void
   if (!world || !islands) return LGS_BAD_ARGUMENT;
   lgs::IsAnchor isAnchor;
   if (is_anchor)
-    isAnchor = [is_anchor, user](lgs::Block block, lgs::Cell cell) {
-      return is_anchor(user, block, toC(cell)) != 0;
-    };
+    isAnchor = [is_anchor, user](lgs::Block block, lgs::Cell cell) { return is_anchor(user, block, toC(cell)) != 0; };
   *islands = new lgs_islands{lgs::Islands(world->world, std::move(isAnchor))};
   return LGS_OK;
 }
@@ -94,12 +92,18 @@ lgs_status lgs_islands_ids(const lgs_islands* islands, int32_t which, lgs_island
   if (!islands) return LGS_BAD_ARGUMENT;
   const lgs::IslandChanges& told = islands->view.changes();
   switch (which) {
-    case LGS_ALL: return putIds(islands->view.all(), out, capacity, count);
-    case LGS_CAME: return putIds(told.came, out, capacity, count);
-    case LGS_WENT: return putIds(told.went, out, capacity, count);
-    case LGS_CHANGED: return putIds(told.changed, out, capacity, count);
-    case LGS_LOOSE: return putIds(islands->view.loose(), out, capacity, count);
-    default: return LGS_BAD_ARGUMENT;
+    case LGS_ALL:
+      return putIds(islands->view.all(), out, capacity, count);
+    case LGS_CAME:
+      return putIds(told.came, out, capacity, count);
+    case LGS_WENT:
+      return putIds(told.went, out, capacity, count);
+    case LGS_CHANGED:
+      return putIds(told.changed, out, capacity, count);
+    case LGS_LOOSE:
+      return putIds(islands->view.loose(), out, capacity, count);
+    default:
+      return LGS_BAD_ARGUMENT;
   }
 }
 
@@ -108,11 +112,16 @@ lgs_status lgs_islands_loop_ids(const lgs_islands* islands, int32_t which, lgs_l
   if (!islands) return LGS_BAD_ARGUMENT;
   const lgs::LoopChanges& told = islands->view.loops().changes();
   switch (which) {
-    case LGS_ALL: return putIds(islands->view.loops().all(), out, capacity, count);
-    case LGS_CAME: return putIds(told.came, out, capacity, count);
-    case LGS_WENT: return putIds(told.went, out, capacity, count);
-    case LGS_CHANGED: return putIds(told.changed, out, capacity, count);
-    default: return LGS_BAD_ARGUMENT;
+    case LGS_ALL:
+      return putIds(islands->view.loops().all(), out, capacity, count);
+    case LGS_CAME:
+      return putIds(told.came, out, capacity, count);
+    case LGS_WENT:
+      return putIds(told.went, out, capacity, count);
+    case LGS_CHANGED:
+      return putIds(told.changed, out, capacity, count);
+    default:
+      return LGS_BAD_ARGUMENT;
   }
 }
 
@@ -210,8 +219,7 @@ lgs_status lgs_pieces_update(lgs_pieces* pieces, const lgs_world* world, const l
                              size_t* count) noexcept {
   if (!pieces || !world) return LGS_BAD_ARGUMENT;
   pieces->changed.clear();
-  for (const lgs::Cell cell : pieces->view.update(world->world.cellChanges()))
-    pieces->changed.push_back(toC(cell));
+  for (const lgs::Cell cell : pieces->view.update(world->world.cellChanges())) pieces->changed.push_back(toC(cell));
   put<const lgs_cell*>(cells, pieces->changed.data());
   put(count, pieces->changed.size());
   return LGS_OK;
@@ -224,8 +232,7 @@ lgs_status lgs_pieces_count(const lgs_pieces* pieces, lgs_cell cell, int32_t par
 }
 
 lgs_status lgs_pieces_get(const lgs_pieces* pieces, const lgs_world* world, lgs_cell cell, int32_t part, size_t index,
-                          lgs_local_point* vertices, size_t capacity, size_t* count,
-                          lgs_polygon_id* polygon) noexcept {
+                          lgs_local_point* vertices, size_t capacity, size_t* count, lgs_polygon_id* polygon) noexcept {
   if (!pieces || !world || (part != LGS_SOLID && part != LGS_FREE)) return LGS_BAD_ARGUMENT;
   const auto list = piecesOf(*pieces, cell, part);
   if (index >= list.size() || !isArray(vertices, capacity)) return LGS_BAD_ARGUMENT;
@@ -241,8 +248,8 @@ lgs_status lgs_pieces_get(const lgs_pieces* pieces, const lgs_world* world, lgs_
   return putList(piece.vertices, vertices, capacity, count);
 }
 
-lgs_status lgs_pieces_portals(const lgs_pieces* pieces, lgs_cell cell, uint32_t index, lgs_portal* out,
-                              size_t capacity, size_t* count) noexcept {
+lgs_status lgs_pieces_portals(const lgs_pieces* pieces, lgs_cell cell, uint32_t index, lgs_portal* out, size_t capacity,
+                              size_t* count) noexcept {
   if (!pieces) return LGS_BAD_ARGUMENT;
   return putList(pieces->view.portals({fromC(cell), index}), out, capacity, count, [](const lgs::Portal& p) {
     return lgs_portal{toC(p.to.cell), p.to.index, 0, toC(p.right), toC(p.left)};

@@ -35,8 +35,8 @@ struct Int128 {
     return {static_cast<std::int64_t>(~static_cast<std::uint64_t>(a.high) + (negated == 0 ? 1 : 0)), negated};
   }
   friend constexpr Int128 operator-(Int128 a, Int128 b) { return a + -b; }  ///< the difference
-  constexpr Int128& operator+=(Int128 b) { return *this = *this + b; }  ///< adds
-  constexpr Int128& operator-=(Int128 b) { return *this = *this - b; }  ///< takes away
+  constexpr Int128& operator+=(Int128 b) { return *this = *this + b; }      ///< adds
+  constexpr Int128& operator-=(Int128 b) { return *this = *this - b; }      ///< takes away
   friend constexpr auto operator<=>(const Int128&, const Int128&) = default;
 };
 

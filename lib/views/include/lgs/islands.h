@@ -78,8 +78,8 @@ class Islands {
   ~Islands() noexcept;
   Islands(const Islands& other) noexcept;             ///< cost: in proportion to what it knows
   Islands& operator=(const Islands& other) noexcept;  ///< the same
-  Islands(Islands&&) noexcept;  ///< what was moved from can only be assigned to or destroyed
-  Islands& operator=(Islands&&) noexcept;  ///< the same
+  Islands(Islands&&) noexcept;                        ///< what was moved from can only be assigned to or destroyed
+  Islands& operator=(Islands&&) noexcept;             ///< the same
 
   /// Takes over what the world's last commit or roll-back changed. The world must follow its cells, and have no edits
   /// that are not committed: after it went back to a mark that was made while edits were pending, begin again with

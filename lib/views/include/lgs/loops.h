@@ -87,8 +87,8 @@ class Loops {
   ~Loops() noexcept;
   Loops(const Loops& other) noexcept;             ///< cost: in proportion to what it knows
   Loops& operator=(const Loops& other) noexcept;  ///< the same
-  Loops(Loops&&) noexcept;  ///< what was moved from can only be assigned to or destroyed
-  Loops& operator=(Loops&&) noexcept;  ///< the same
+  Loops(Loops&&) noexcept;                        ///< what was moved from can only be assigned to or destroyed
+  Loops& operator=(Loops&&) noexcept;             ///< the same
 
   /// Takes over what the world's last commit or roll-back changed: World::commit() or World::changesOfRollBack(). If
   /// these do not lead from the version() that the view shows, it stays as it is, and the result is false: then begin

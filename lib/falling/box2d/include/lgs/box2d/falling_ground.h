@@ -15,8 +15,8 @@
 // A body is made after the sync that took its edges away. So it never touches the ground that it was part of.
 #pragma once
 
-#include <lgs/box2d/terrain.h>
 #include <lgs/box2d/falling_parts.h>
+#include <lgs/box2d/terrain.h>
 #include <lgs/islands.h>
 
 #include <cmath>
@@ -62,10 +62,10 @@ class FallingGround {
       const Position at = terrain_.position(toWorld(ground.origin, {}));
       const auto parts = convexParts(ground, 8);  // it was in a world, so it fits into one
       const double size = cellSize();
-      const FallingBody body =
-          makeBody(physics_, at, fallingParts(parts.value(), size, slopOf(physics_)),
-                   fallingMass(ground, options_.density, size),
-                   [&](Block block) { return options_.material ? options_.material(block) : Material{}; });
+      const FallingBody body = makeBody(physics_, at, fallingParts(parts.value(), size, slopOf(physics_)),
+                                        fallingMass(ground, options_.density, size), [&](Block block) {
+                                          return options_.material ? options_.material(block) : Material{};
+                                        });
       made.push_back({body, std::move(ground)});
       if (!isNull(body)) bodies_.push_back(made.back());
     }

@@ -14,7 +14,7 @@ namespace lgs::box2d {
 
 /// A convex polygon in metres, from the body's origin.
 struct FallingPart {
-  Block block = 0;            ///< what it is of
+  Block block = 0;             ///< what it is of
   std::vector<Place> corners;  ///< counter-clockwise, at most 8
 };
 

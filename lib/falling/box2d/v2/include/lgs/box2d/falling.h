@@ -1,8 +1,8 @@
 // Islands as bodies of Box2D 2.4: see lgs/box2d/falling_ground.h.
 #pragma once
 
-#include <lgs/box2d/terrain.h>
 #include <lgs/box2d/falling_parts.h>
+#include <lgs/box2d/terrain.h>
 
 #include <algorithm>
 #include <cmath>
