@@ -3,7 +3,7 @@
 
     lgs check --engine 'python3 examples/engines/naive.py' --edits 2000
 
-It takes polygons with axis-parallel edges, several in a cell, and a preserve relation."""
+It takes polygons with axis-parallel edges, several in a cell, and a preserve relation. It knows the islands."""
 import sys
 
 UNITS = 65536  # of the lattice, in a cell
@@ -23,13 +23,35 @@ def cut(a, b, lines):
     return zip(on, on[1:])
 
 
-def outline(polygons, preserve):
-    """Segments (start, end, ghost1, ghost2, block), by laws 1 and 2."""
+def lines_of(polygons):
     lines = ({}, {})
     for _, vertices in polygons:
         for v in vertices:
             for k in (0, 1):
                 lines[k].setdefault(v[k], set()).add(v)
+    return lines
+
+
+def islands(polygons):
+    """(westernmost vertex, twice the area) of polygons that share points. Who shares a point shares a vertex, once edges
+    are cut."""
+    lines = lines_of(polygons)
+    found = []  # (vertices, twice the area)
+    for _, vertices in polygons:
+        sides = list(zip(vertices, vertices[1:] + vertices[:1]))
+        points = {p for a, b in sides for piece in cut(a, b, lines) for p in piece}
+        area = sum(a[0] * b[1] - a[1] * b[0] for a, b in sides)
+        for other in [f for f in found if not points.isdisjoint(f[0])]:
+            found.remove(other)
+            points |= other[0]
+            area += other[1]
+        found.append((points, area))
+    return [(min(points), area) for points, area in found]
+
+
+def outline(polygons, preserve):
+    """Segments (start, end, ghost1, ghost2, block), by laws 1 and 2."""
+    lines = lines_of(polygons)
     edges = {}
     for block, vertices in polygons:
         for a, b in zip(vertices, vertices[1:] + vertices[:1]):
@@ -56,7 +78,7 @@ def main():
     for line in sys.stdin:
         word, *rest = line.split()
         if word == "lgs-engine":
-            print("lgs-engine 1 naive.py ghosts blocks several preserve", flush=True)
+            print("lgs-engine 1 naive.py ghosts blocks several preserve islands", flush=True)
         elif word == "reset":
             polygons, preserve = {}, set()
         elif word == "preserve":
@@ -70,6 +92,8 @@ def main():
         elif word == "commit":
             for *points, block in outline(list(polygons.values()), preserve):
                 print("segment", *(f"{p[0]} {p[1]}" if p else "- -" for p in points), block)
+            for (x, y), area in islands(list(polygons.values())):
+                print("island", x, y, area)
             print("end", flush=True)
 
 

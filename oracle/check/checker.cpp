@@ -15,6 +15,7 @@
 #include "oracle/reference/naive.h"
 #include "oracle/trace/brushing.h"
 #include "oracle/trace/named_scene.h"
+#include "oracle/views/named_islands.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -212,6 +213,7 @@ class Check {
     // A joined segment belongs to many cells, so nothing can be said of some of them.
     lastWasWhole_ = engine_.can().merged || (options_.wholeEvery != 0 && commits_ % options_.wholeEvery == 0);
     if (auto found = lastWasWhole_ ? compareWhole(!options_.unionAtEnd) : compareWindow()) return found;
+    if (auto found = compareIslands()) return found;
     constexpr std::size_t kReadEvery = 8;  // it takes half as long as all the rest of a commit
     if (lastWasWhole_ && stats_.whole % kReadEvery == 0) {
       if (auto found = readAll()) return found;
@@ -241,6 +243,12 @@ class Check {
     if (!united) return std::nullopt;  // a preserve relation that is no partition: CGAL has no say
     if (auto found = compareUnion(scene(), *united, actual, nullptr)) return found;
     return library_ != nullptr && trace_.preserve.empty() ? compareLoops(canonical(united->loops)) : std::nullopt;
+  }
+
+  Result compareIslands() const {
+    if (!engine_.can().islands) return std::nullopt;
+    std::string text = describeIslands(namedIslands(scene()), engine_.islands());
+    return text.empty() ? Result() : mismatch(Mismatch::Kind::views, std::move(text));
   }
 
   Result compareLoops(const Loops& expected) {

@@ -1,5 +1,6 @@
 #include "oracle/engine/answer.h"
 
+#include <fmt/format.h>
 #include <array>
 #include <charconv>
 #include <limits>
@@ -40,6 +41,7 @@ bool isInTheWorld(Point p) {
   return -kFar <= p.x && p.x <= kFar && -kFar <= p.y && p.y <= kFar;
 }
 
+constexpr const char* kIsland = "an island needs a point and twice its area: three integers";
 constexpr const char* kSegment = "a segment needs four points of two integers, ghosts may be - -, and a block";
 
 }  // namespace
@@ -74,9 +76,17 @@ tl::expected<bool, std::string> AnswerReader::take(std::string_view line) {
     return false;
   }
   if (line == "end") return true;
+  if (can_.islands && word == "island") {
+    NamedIsland island;
+    if (!readPoint(rest, island.west) || !readInteger(rest, island.doubleArea))
+      return tl::unexpected<std::string>(kIsland);
+    islands.push_back(island);
+    return false;
+  }
   if (word != "refused")
-    return tl::unexpected<std::string>("a line of an answer begins with refused, segment, end or #");
-  if (!outline.empty()) return tl::unexpected<std::string>("refusals come before the segments");
+    return tl::unexpected(
+        fmt::format("a line of an answer begins with refused, segment, {}end or #", can_.islands ? "island, " : ""));
+  if (!outline.empty() || !islands.empty()) return tl::unexpected<std::string>("refusals come before the segments");
   const std::string name(nextWord(rest));
   if (name.empty() || rest.empty()) return tl::unexpected<std::string>("a refusal needs a name and a reason");
   refused.push_back({name, std::string(rest)});

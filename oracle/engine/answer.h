@@ -28,7 +28,8 @@ class AnswerReader {
   tl::expected<bool, std::string> take(std::string_view line);
 
   std::vector<RefusedEdit> refused;
-  Outline outline;  ///< as it came
+  Outline outline;       ///< as it came
+  NamedIslands islands;  ///< as they came
 
  private:
   Capabilities can_;

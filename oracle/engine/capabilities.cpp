@@ -20,6 +20,7 @@ constexpr std::array kWords{
     Word{"several", &Capabilities::several}, Word{"slants", &Capabilities::slants},
     Word{"squares", &Capabilities::squares}, Word{"preserve", &Capabilities::preserve},
     Word{"refuses", &Capabilities::refuses}, Word{"merged", &Capabilities::merged},
+    Word{"islands", &Capabilities::islands},
 };
 
 // The number after "lattice=" or "cells="; -1 if there is none.
@@ -50,7 +51,7 @@ std::string take(std::string_view word, Capabilities& can) {
   }
   return fmt::format(
       "'{}' is no capability; there are ghosts, blocks, several, slants, squares, preserve, refuses, "
-      "merged, lattice=N and cells=N",
+      "merged, islands, lattice=N and cells=N",
       word);
 }
 
@@ -99,9 +100,14 @@ std::string worldsInWords(const Capabilities& can) {
 }
 
 std::string comparedInWords(const Capabilities& can) {
-  std::string text = can.merged ? "joined segments" : "segments";
-  if (can.ghosts) text += can.blocks ? ", ghosts" : " and ghosts";
-  return text + (can.blocks ? " and blocks" : "");
+  std::vector<std::string_view> words{can.merged ? "joined segments" : "segments"};
+  if (can.ghosts) words.push_back("ghosts");
+  if (can.blocks) words.push_back("blocks");
+  if (can.islands) words.push_back("islands");
+  std::string text(words.front());
+  for (std::size_t k = 1; k < words.size(); ++k)
+    text += fmt::format("{}{}", k + 1 < words.size() ? ", " : " and ", words[k]);
+  return text;
 }
 
 std::string whyNot(const ScenePolygon& polygon, const Capabilities& can) {

@@ -20,6 +20,7 @@ struct Capabilities {
   bool preserve = false;                 ///< a preserve relation
   bool refuses = false;                  ///< it refuses the edits that must be refused
   bool merged = false;                   ///< it joins collinear neighbours
+  bool islands = false;                  ///< it puts out the islands
   std::int32_t lattice = kUnitsPerCell;  ///< coordinates are multiples of 1/lattice cell
   std::int32_t cells = kMaxCell;         ///< cells lie within ±cells
   friend bool operator==(const Capabilities&, const Capabilities&) = default;

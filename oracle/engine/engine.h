@@ -3,6 +3,7 @@
 #pragma once
 
 #include "oracle/engine/capabilities.h"
+#include "oracle/reference/island.h"
 #include "oracle/reference/outline.h"
 #include "oracle/reference/scene.h"
 
@@ -56,6 +57,9 @@ class Engine {
 
   /// The output of the last commit that was answered, sorted.
   virtual Outline outline() const = 0;
+
+  /// The islands of that commit, sorted, if it can put them out.
+  virtual NamedIslands islands() const { return {}; }
 
   /// Begins anew: more than reset() does, which may forget to forget something.
   virtual void restart() {}

@@ -56,6 +56,7 @@ void ProcessEngine::reset(const PreservePairs& preserve) {
   unsent_ = "reset\n";
   for (const auto& [a, b] : preserve.pairs()) unsent_ += fmt::format("preserve {} {}\n", a, b);
   outline_.clear();
+  islands_.clear();
 }
 
 void ProcessEngine::add(const std::string& name, const ScenePolygon& polygon) {
@@ -83,6 +84,8 @@ Engine::Refusals ProcessEngine::commit() {
   }
   outline_ = std::move(reader.outline);
   std::sort(outline_.begin(), outline_.end());
+  islands_ = std::move(reader.islands);
+  std::sort(islands_.begin(), islands_.end());
   return std::move(reader.refused);
 }
 

@@ -31,6 +31,7 @@ class ProcessEngine : public Engine {
   void remove(const std::string& name) override;
   Refusals commit() override;
   Outline outline() const override { return outline_; }
+  NamedIslands islands() const override { return islands_; }
   void restart() override { child_.reset(); }
   void hurry(bool isInHurry) override { isInHurry_ = isInHurry; }
   std::optional<Failure> finish() override;
@@ -48,6 +49,7 @@ class ProcessEngine : public Engine {
   std::optional<Failure> failure_;  // to start
   std::string unsent_;
   Outline outline_;
+  NamedIslands islands_;
   bool isInHurry_ = false;
   Clock::duration slowest_{};  // answer, starts included
 };

@@ -34,7 +34,11 @@ std::string answerTo(const Trace& edits, Engine& engine) {
   if (!refusals) return refusals.error().text + "\n";  // no line of an answer: so the harness tells it
   std::string text;
   for (const auto& [name, reason] : *refusals) text += fmt::format("refused {} {}\n", name, reason);
-  return text + dump(engine.outline()) + "end\n";
+  text += dump(engine.outline());
+  if (engine.can().islands)
+    for (const auto& [west, doubleArea] : engine.islands())
+      text += fmt::format("island {} {} {}\n", west.x, west.y, doubleArea);
+  return text + "end\n";
 }
 
 }  // namespace

@@ -91,12 +91,12 @@ std::string LoopCheck::checkIds(const ById& now, const Shares& shares) const {
   // The loop of now that a loop of before hands its id to.
   std::map<LoopId, std::vector<LoopId>> handed;
   for (const auto& [old, known] : before_) {
-    using Claim = std::tuple<std::int64_t, Point, Wide>;
+    using Claim = std::tuple<std::int64_t, Point, Wide, SegmentId>;
     std::optional<std::pair<Claim, LoopId>> best;
     for (const auto& [pair, count] : shares) {
       if (pair.from != old || now.at(pair.into).facts.isHole() != known.facts.isHole()) continue;
       const LoopFacts& f = now.at(pair.into).facts;
-      const std::pair claim{Claim{-static_cast<std::int64_t>(count), f.west, wide(f.doubleArea)}, pair.into};
+      const std::pair claim{Claim{-static_cast<std::int64_t>(count), f.west, wide(f.doubleArea), f.first}, pair.into};
       if (!best || claim < *best) best = claim;
     }
     if (best) handed[best->second].push_back(old);

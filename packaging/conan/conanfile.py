@@ -6,7 +6,7 @@ from conan.tools.build import check_min_cppstd
 from conan.tools.cmake import CMake, CMakeDeps, CMakeToolchain, cmake_layout
 from conan.tools.files import copy
 
-COMPONENTS = ["c", "brush", "debug", "pieces", "views", "tiled", "box2d"]  # each is an option here, and a component in CMake
+COMPONENTS = ["c", "brush", "debug", "pieces", "views", "falling", "tiled", "box2d"]  # each is an option here, and a component in CMake
 
 
 class LocalGridSeg(ConanFile):
@@ -68,7 +68,10 @@ class LocalGridSeg(ConanFile):
         self.cpp_info.set_property("cmake_find_mode", "none")
         self.cpp_info.builddirs = [os.path.join("lib", "cmake", "LocalGridSeg")]
         prefix = "localgridseg_"
-        libs = [prefix + name for name in ["box2d", "tiled", "pieces", "views", "debug"] if self.options.get_safe(name)]
-        if self.options.brush or self.options.tiled:
+        libs = [prefix + name for name in ["box2d", "tiled", "falling", "debug"] if self.options.get_safe(name)]
+        for name in ["pieces", "views"]:
+            if self.options.get_safe(name) or self.options.falling:
+                libs.append(prefix + name)
+        if self.options.brush or self.options.tiled or self.options.falling:
             libs.append(prefix + "brush")
         self.cpp_info.libs = libs + ["localgridseg"]

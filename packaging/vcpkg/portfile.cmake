@@ -12,6 +12,7 @@ vcpkg_check_features(OUT_FEATURE_OPTIONS FEATURE_OPTIONS
     brush LGS_BUILD_BRUSH
     c LGS_BUILD_C
     debug LGS_BUILD_DEBUG
+    falling LGS_BUILD_FALLING
     pieces LGS_BUILD_PIECES
     tiled LGS_BUILD_TILED
     views LGS_BUILD_VIEWS)

@@ -15,6 +15,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 HEADERS = [ROOT / f"lib/c/include/lgs/c/{name}.h" for name in ("values", "world", "edit", "read")]
+HEADERS.append(ROOT / "lib/c/include/lgs/lgs_views.h")
 HEADERS.append(ROOT / "oracle/engine/include/lgs/lgs_engine.h")
 
 

@@ -2,6 +2,7 @@
  * layout.txt, which is for machines with pointers of 64 bits; elsewhere the program ends with 77: skipped. */
 #include <lgs/lgs.h>
 #include <lgs/lgs_engine.h>
+#include <lgs/lgs_views.h>
 #include <stdio.h>
 
 #define STRUCT(type) printf("%s %d\n", #type, (int)sizeof(type))
@@ -172,5 +173,50 @@ int main(void) {
   FIELD(lgs_engine_table, add);
   FIELD(lgs_engine_table, remove);
   FIELD(lgs_engine_table, commit);
+  STRUCT(lgs_loop_id);
+  FIELD(lgs_loop_id, value);
+  STRUCT(lgs_island_id);
+  FIELD(lgs_island_id, value);
+  STRUCT(lgs_loop_facts);
+  FIELD(lgs_loop_facts, double_area_high);
+  FIELD(lgs_loop_facts, double_area_low);
+  FIELD(lgs_loop_facts, area);
+  FIELD(lgs_loop_facts, min);
+  FIELD(lgs_loop_facts, max);
+  FIELD(lgs_loop_facts, west);
+  FIELD(lgs_loop_facts, id);
+  FIELD(lgs_loop_facts, first);
+  FIELD(lgs_loop_facts, segments);
+  FIELD(lgs_loop_facts, reserved);
+  STRUCT(lgs_island);
+  FIELD(lgs_island, outer);
+  FIELD(lgs_island, anchors);
+  FIELD(lgs_island, id);
+  FIELD(lgs_island, reserved);
+  STRUCT(lgs_island_pair);
+  FIELD(lgs_island_pair, from);
+  FIELD(lgs_island_pair, into);
+  STRUCT(lgs_loop_pair);
+  FIELD(lgs_loop_pair, from);
+  FIELD(lgs_loop_pair, into);
+  STRUCT(lgs_body_facts);
+  FIELD(lgs_body_facts, area);
+  FIELD(lgs_body_facts, centroid);
+  FIELD(lgs_body_facts, second_moment);
+  FIELD(lgs_body_facts, cells);
+  FIELD(lgs_body_facts, origin);
+  FIELD(lgs_body_facts, polygons);
+  STRUCT(lgs_body_polygon);
+  FIELD(lgs_body_polygon, vertices);
+  FIELD(lgs_body_polygon, count);
+  FIELD(lgs_body_polygon, cell);
+  FIELD(lgs_body_polygon, block);
+  FIELD(lgs_body_polygon, reserved);
+  STRUCT(lgs_portal);
+  FIELD(lgs_portal, cell);
+  FIELD(lgs_portal, index);
+  FIELD(lgs_portal, reserved);
+  FIELD(lgs_portal, right);
+  FIELD(lgs_portal, left);
   return 0;
 }

@@ -16,6 +16,8 @@ CPP = {
     "C++": (["lgs/world.h", "lgs/radial_match.h", "lgs/version.h"], [ENGINE]),
     "brush": (["lgs/brush.h"], [ENGINE, "lib/brush/include"]),
     "pieces": (["lgs/pieces.h"], [ENGINE, "lib/pieces/include"]),
+    "views": (["lgs/islands.h"], [ENGINE, "lib/views/include"]),
+    "falling": (["lgs/falling.h"], [ENGINE, "lib/views/include", "lib/falling/include"]),
     "debug": (["lgs/debug.h"], [ENGINE, "lib/debug/include"]),
     "tiled": (["lgs/tiled/import.h"], [ENGINE, "lib/tiled/include"]),
     "box2d": (["lgs/box2d/edges.h", "lgs/box2d/hit.h", "lgs/box2d/materials.h", "lgs/box2d/terrain.h",
@@ -102,7 +104,7 @@ def of_cpp():
 
 
 def of_c():
-    trees = syntax_trees(["lgs/lgs.h"], ["lib/c/include"], "lgs_")
+    trees = syntax_trees(["lgs/lgs.h", "lgs/lgs_views.h"], ["lib/c/include"], "lgs_")
     return [Function("C", tree["name"], arguments_of(tree)) for tree in trees if tree["kind"] == "FunctionDecl"]
 
 

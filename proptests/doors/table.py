@@ -32,17 +32,22 @@ KINDS = {
     "file": "string string_view MapFiles char",
     "function": "StayingBlocks Executor ByteSink World::PolygonVisitor PolygonVisitor PreserveRelation FileReader FolderLister "
                 "function<Material(Block)> lgs_executor_fn lgs_write_fn lgs_polygon_fn "
-                "lgs_cell_change_fn",
+                "lgs_cell_change_fn lgs_anchor_fn IsAnchor function<bool(World&)>",
     "group": "lgs_group",
+    "island": "IslandId LoopId lgs_island_id lgs_loop_id",
+    "islands": "Islands Loops lgs_islands",
     "loops": "lgs_loops",
     "mark": "Mark lgs_mark",
     "names": "SvgOverlay Partial<ErrorDetails>&{cause?:unknown} readonly(readonly[Block,Block])[]",
-    "number": "number int int32_t uint32_t uint64_t int64_t size_t double float Handles",
+    "number": "Int128 number int int32_t uint32_t uint64_t int64_t size_t double float Handles",
     "options": "Options EdgeOptions PiecesOptions TerrainOptions WorldOptions ImportOptions InitOptions lgs_world_options",
+    "part": "vector<BodyPolygon> lgs_body",
     "piece": "PieceId",
-    "pieces": "Pieces",
-    "physics": "Body ConstBodyHandle Shape b2World b2Body b2Fixture b2Contact b2Transform Fixture ObjectId Box2D PhysicsId Physics Material",
-    "place": "{x:number;y:number;angle:number} {readonlyi:number;readonlyj:number} Place Position Chunk Metres b2Vec2 Vec2 Vec2Value",
+    "pieces": "Pieces lgs_pieces",
+    "physics": "Body ConstBodyHandle Shape b2World b2Body b2Fixture b2Contact b2Transform Fixture ObjectId Box2D PhysicsId "
+               "Physics Material",
+    "place": "Placing {x:number;y:number;angle:number} {readonlyi:number;readonlyj:number} Place Position Chunk Metres "
+             "b2Vec2 Vec2 Vec2Value",
     "point": "Point DoublePoint LocalPoint lgs_point lgs_double_point",
     "points": "Vertices span<constLocalPoint> initializer_list<LocalPoint> span<constFloatPoint> "
               "span<constDoublePoint> span<constPoint>",
@@ -71,9 +76,9 @@ def kind_of(type_name):
     if kind is None:
         raise SystemExit(f"proptests/doors/table.py: a kind is missing for the type {type_name}")
     if type_name.endswith("**") or (type_name.endswith("*") and not type_name.startswith("const ")
-                                    and kind not in ("world", "group", "loops", "user", "physics")):
+                                    and kind not in ("world", "group", "loops", "user", "physics", "islands", "pieces", "part")):
         return "output"
-    return "array" if type_name.startswith("const lgs_") and type_name.endswith("*") and kind != "world" else kind
+    return "array" if type_name.startswith("const lgs_") and type_name.endswith("*") and kind not in ("world", "islands", "pieces", "part") else kind
 
 
 def row(function, test):
@@ -96,6 +101,7 @@ def attacked():
 
 def tests():
     names = {path.name for path in (ROOT / "web" / "package" / "test").glob("*.test.js")}
+    names |= {path.name for path in (ROOT / "proptests" / "c").glob("*_test.c")}
     for path in (ROOT / "proptests").rglob("*_test.cpp"):
         text = path.read_text(encoding="utf-8")
         names |= {".".join(pair) for pair in re.findall(r"^(?:TEST|TEST_F|TEST_P|LGS_LAW)\((\w+),\s*(\w+)", text, re.M)}

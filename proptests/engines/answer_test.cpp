@@ -21,6 +21,18 @@ TEST(Answers, AreReadLineByLine) {
   EXPECT_EQ(reader.outline, expected);
 }
 
+TEST(Answers, IslandsAreReadIfTheyArePromised) {
+  Capabilities can = Capabilities::all();
+  EXPECT_FALSE(AnswerReader(can).take("island 0 0 8"));
+  can.islands = true;
+  AnswerReader reader(can);
+  EXPECT_EQ(reader.take("island -5 65536 8589934592").value(), false);
+  EXPECT_EQ(reader.islands, (NamedIslands{{{-5, 65'536}, 8'589'934'592}}));
+  for (const std::string line : {"island", "island 0 0", "island 0 0 8 ", "island 0 0 8 8", "island 0 x 8",
+                                 "island 0 0 99999999999999999999", "refused p1 too late"})
+    EXPECT_FALSE(reader.take(line)) << line;
+}
+
 TEST(Answers, WrongLinesAreTold) {
   for (const std::string line :
        {"", " ", "End", "end ", "segment", "segment 0 0 1 1 - - - -", "segment 0 0 1 1 - - - - 1 ",

@@ -34,7 +34,7 @@ TEST_F(BadEngines, TellsWhyInItsLog) { expectTold(naiveThat("raise ValueError('m
 
 TEST_F(BadEngines, PrintsGarbage) {
   expectTold(naiveThat("print('\\1garbage', flush=True)"),
-             "the engine answered '?garbage': a line of an answer begins with refused, segment, end or #");
+             "the engine answered '?garbage': a line of an answer begins with refused, segment, island, end or #");
 }
 
 TEST_F(BadEngines, PrintsALineWithoutEnd) {

@@ -19,7 +19,7 @@ Capabilities canDo(const std::string& words) { return parseCapabilities(words).v
 
 TEST(Capabilities, AreReadAsTheyArePrinted) {
   for (const std::string words : {"", "ghosts blocks several slants preserve refuses", "squares merged",
-                                  "lattice=8 cells=100", "cells=0", "lattice=1"})
+                                  "ghosts islands", "lattice=8 cells=100", "cells=0", "lattice=1"})
     EXPECT_EQ(print(canDo(words)), words);
   EXPECT_EQ(canDo("ghosts blocks several slants preserve refuses"), Capabilities::all());
   for (const std::string bad : {"ghost", "lattice", "lattice=", "lattice=0", "lattice=3", "lattice=131072",

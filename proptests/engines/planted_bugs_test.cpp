@@ -57,6 +57,15 @@ TEST_F(PlantedBugs, BlocksAreMixedUp) {
   expectFound("out_of.get(b, []), 1), block", "out_of.get(b, []), 1), polygons[0][0]", {"wrong block: expected"}, 2);
 }
 
+TEST_F(PlantedBugs, CornersThatTouchDoNotHoldTogether) {
+  expectFound("not points.isdisjoint(f[0])", "len(points & f[0]) > 1",
+              {"a view is not that of the world", "extra island: "}, 2);
+}
+
+TEST_F(PlantedBugs, AnIslandHasTheAreaOfItsLastPolygon) {
+  expectFound("area += other[1]", "pass", {"missing island: westernmost vertex", "extra island: "}, 2);
+}
+
 TEST_F(PlantedBugs, AnotherPolygonIsRemoved) {
   expectFound("del polygons[rest[0]]", "polygons.popitem()", {"remove ", "outline differs"});
 }

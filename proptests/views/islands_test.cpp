@@ -135,9 +135,24 @@ TEST(IslandViewByHand, ABridgeThatIsCutLetsItsEndFall) {
   EXPECT_EQ(d.at({4, 0}), whole);
   EXPECT_EQ(d.anchors({0, 0}), 1U);
   EXPECT_EQ(d.anchors({4, 0}), 0U);
+  EXPECT_EQ(d.islands.loose(), std::vector{whole}) << "it is the larger part that falls";
   d.become({"B#####"});
   EXPECT_EQ(d.changes().joined.size(), 1U);
   EXPECT_EQ(d.anchors({4, 0}), 1U);
+  EXPECT_TRUE(d.islands.loose().empty());
+}
+
+TEST(IslandViewByHand, WhatNothingHoldsIsNamedOnceHoweverItCameToThat) {
+  Drawn d({"#.B.#B##.##", "..........."});
+  EXPECT_TRUE(d.islands.loose().empty()) << "nothing has changed yet";
+  d.become({"#.#.#B.#.##", "#.........."});  // an anchor is gone; a cut; one that held nobody before, and grows
+  std::vector<IslandId> expected{d.at({0, 1}), d.at({2, 1}), d.at({7, 1})};
+  std::ranges::sort(expected);
+  EXPECT_EQ(d.islands.loose(), expected);
+  d.become({"###.#B.####", "#.........."});  // two times two become one
+  expected = {d.at({0, 1}), d.at({7, 1})};
+  std::ranges::sort(expected);
+  EXPECT_EQ(d.islands.loose(), expected);
 }
 
 TEST(IslandViewByHand, WhatIsOnlyWalkedThroughIsTheSmallerPart) {

@@ -117,6 +117,29 @@ TEST(LoopViewByHand, ALoopThatIsPaintedKeepsItsId) {
   EXPECT_EQ(loops.changes().changed, before);
 }
 
+// Found by lgs check --views: two holes come of one, with as many of its segments, the same westernmost vertex and the
+// same area. It was not said which of them keeps the id.
+TEST(LoopViewByHand, OfTwoHolesThatMirrorEachOtherOneKeepsTheId) {
+  constexpr std::int32_t U = kUnitsPerCell;
+  World world;
+  place(world, {2, 0}, {{0, 0}, {U, U}, {0, U}});
+  place(world, {1, 1}, {{U, 0}, {U, U}, {0, U}});
+  place(world, {2, 1}, {{0, U / 2}, {U / 2, 0}, {U, 0}});
+  world.commit();
+  Loops loops(world);
+  oracle::LoopCheck check;
+  ASSERT_FALSE(check.begin(world, loops));
+  place(world, {2, 1}, {{0, 0}, {3 * U / 8, U / 8}, {U / 8, 3 * U / 8}});
+  ASSERT_TRUE(loops.update(world, world.commit()));
+  EXPECT_EQ(check.update(world, loops), std::nullopt);
+  ASSERT_EQ(loops.changes().split.size(), 1U);
+  const LoopFacts kept = *loops.loop(loops.changes().split.front().from);
+  const LoopFacts other = *loops.loop(loops.changes().split.front().into);
+  EXPECT_EQ(kept.doubleArea, other.doubleArea);
+  EXPECT_EQ(kept.west, other.west);
+  EXPECT_LT(kept.first, other.first);
+}
+
 TEST(LoopViewByHand, ChangesThatDoNotFitAreRefused) {
   World world = worldOf({"##"});
   Loops loops(world);

@@ -85,11 +85,15 @@ TEST(PiecesByHand, AsManyVerticesAsThereMayBe) {
   EXPECT_EQ(piecesOf({many}, 3).solid.size(), 199U);
 }
 
-TEST(PiecesByHand, TheLimitIsBroughtIntoItsRange) {
+TEST(PiecesByHand, TheLimitIsWhatWasAskedFor) {
   const World world;
   EXPECT_EQ(Pieces(world).maxVertices(), 8U);
-  EXPECT_EQ(Pieces(world, {0}).maxVertices(), 3U);
-  EXPECT_EQ(Pieces(world, {SIZE_MAX}).maxVertices(), kMaxVerticesPerCell);
+  EXPECT_EQ(Pieces(world, {3}).maxVertices(), 3U);
+  EXPECT_EQ(Pieces(world, {kMaxVerticesPerCell}).maxVertices(), kMaxVerticesPerCell);
+#ifndef NDEBUG
+  EXPECT_DEATH(Pieces(world, {2}), "maxVertices");
+  EXPECT_DEATH(Pieces(world, {kMaxVerticesPerCell + 1}), "maxVertices");
+#endif
 }
 
 TEST(PiecesByHand, PortalsAcrossASideAreCutAtVerticesOfEither) {

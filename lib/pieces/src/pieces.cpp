@@ -6,6 +6,7 @@
 #include "geometry/sort.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace lgs {
@@ -85,7 +86,8 @@ struct Pieces::Impl {
 };
 
 Pieces::Pieces(const World& world, PiecesOptions options) noexcept
-    : impl_(std::make_unique<Impl>(std::clamp<std::size_t>(options.maxVertices, 3, kMaxVerticesPerCell))) {
+    : impl_(std::make_unique<Impl>(options.maxVertices)) {
+  assert(options.maxVertices >= 3 && options.maxVertices <= kMaxVerticesPerCell);
   std::vector<PlacedPolygon> polygons;
   Cell last = Error::kNoCell;
   const auto flush = [&] {

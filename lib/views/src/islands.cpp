@@ -1,6 +1,7 @@
 // The public face of the islands.
 #include "island_view.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace lgs {
@@ -43,6 +44,20 @@ IslandId Islands::of(const World& world, PolygonHandle polygon) const noexcept {
 }
 IslandId Islands::of(LoopId outer) const noexcept { return impl_->view.of(outer); }
 std::vector<IslandId> Islands::all() const noexcept { return impl_->view.all(); }
+std::vector<IslandId> Islands::loose() const noexcept {
+  const IslandChanges& told = changes();
+  std::vector<IslandId> ids = told.came;
+  ids.insert(ids.end(), told.changed.begin(), told.changed.end());
+  for (const IslandPair& cut : told.cutOff) ids.insert(ids.end(), {cut.from, cut.into});
+  for (const IslandPair& joined : told.joined) ids.push_back(joined.into);
+  std::ranges::sort(ids);
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  std::erase_if(ids, [&](IslandId id) {
+    const auto facts = island(id);
+    return !facts || facts->anchors > 0;
+  });
+  return ids;
+}
 const Loops& Islands::loops() const noexcept { return impl_->loops; }
 std::uint64_t Islands::walked() const noexcept { return impl_->view.walked(); }
 

@@ -32,8 +32,6 @@ void LoopView::update(const World& outline, const Changes& lists) {
 }
 
 void LoopView::begin() {
-  free_.insert(free_.end(), ended_.begin(), ended_.end());
-  ended_.clear();
   changes_.came.clear();
   changes_.went.clear();
   changes_.changed.clear();
@@ -45,20 +43,16 @@ void LoopView::begin() {
   gone_.clear();
 }
 
+/// First come the links of what is removed. Of a link that is gone between two segments that stay, both are relinked, as
+/// each has another ghost: no two segments of now have the same ends. So it is enough to look at what follows.
 void LoopView::cutAll(std::span<const SegmentId> removed, std::span<const Segment> relinked) {
   for (const SegmentId id : removed) {
     cutBefore(id.value);
-    cutAfter(id.value);
+    if (const std::uint32_t after = following(id.value); after != kNoNode) cutBefore(after);
   }
   for (const Segment& s : relinked) {
-    const std::uint32_t id = s.id.value, root = treaps_.climb(id);
-    std::uint32_t before = treaps_.previous(id), after = treaps_.next(id);
-    if (treaps_[root].isClosed != 0) {
-      if (before == kNoNode) before = treaps_.last(root);
-      if (after == kNoNode) after = treaps_.first(root);
-    }
-    if (before != s.predecessor.value) cutBefore(id);
-    if (after != s.successor.value) cutAfter(id);
+    const std::uint32_t after = following(s.id.value);
+    if (after != kNoNode && after != s.successor.value) cutBefore(after);
   }
 }
 
@@ -84,14 +78,12 @@ void LoopView::cutBefore(std::uint32_t id) {
   ends_.push_back(id);
 }
 
-void LoopView::cutAfter(std::uint32_t id) {
-  std::uint32_t after = treaps_.next(id);
-  if (after == kNoNode) {
-    const std::uint32_t root = treaps_.climb(id);
-    if (treaps_[root].isClosed == 0) return;
-    after = treaps_.first(root);
-  }
-  cutBefore(after);
+/// The segment that is linked after this one; none, if that link was cut.
+std::uint32_t LoopView::following(std::uint32_t id) {
+  const std::uint32_t after = treaps_.next(id);
+  if (after != kNoNode) return after;
+  const std::uint32_t root = treaps_.climb(id);
+  return treaps_[root].isClosed != 0 ? treaps_.first(root) : kNoNode;
 }
 
 /// Before the first cut of a loop: what it was.

@@ -77,7 +77,9 @@ const LoopFacts& LoopView::before(std::uint32_t loop) const {
 bool LoopView::isBetter(const Share& a, const Share& b) const {
   if (a.count != b.count) return a.count > b.count;
   const LoopNode &m = treaps_[a.root], &n = treaps_[b.root];
-  return std::tie(m.west, m.doubleArea, a.root) < std::tie(n.west, n.doubleArea, b.root);
+  if (m.west != n.west || m.doubleArea != n.doubleArea)
+    return std::tie(m.west, m.doubleArea) < std::tie(n.west, n.doubleArea);
+  return treaps_.westernmost(a.root) < treaps_.westernmost(b.root);
 }
 
 void LoopView::findHeirs() {
@@ -111,7 +113,7 @@ void LoopView::tell() {
   for (const std::uint32_t root : made_)
     if (treaps_[root].loop == 0) changes_.came.push_back(newId(root));
   detail::sort(changes_.came);
-  for (const LoopId id : changes_.went) ended_.push_back(id.value);
+  for (const LoopId id : changes_.went) free_.push_back(id.value);  // for the next update: all new ids are given
   const auto isIn = [](const std::vector<LoopId>& ids, LoopId id) {
     return std::binary_search(ids.begin(), ids.end(), id);
   };

@@ -47,7 +47,7 @@ class LoopView {
   void begin();
   void cutAll(std::span<const SegmentId> removed, std::span<const Segment> relinked);
   void cutBefore(std::uint32_t id);
-  void cutAfter(std::uint32_t id);
+  std::uint32_t following(std::uint32_t id);
   void open(std::uint32_t root);
   void setRoot(std::uint32_t root, std::uint32_t loop);
   void dropAll(std::span<const SegmentId> removed);
@@ -66,8 +66,7 @@ class LoopView {
 
   Treaps treaps_;
   std::vector<std::uint32_t> roots_ = std::vector<std::uint32_t>(1);  ///< by LoopId
-  std::vector<std::uint32_t> free_;                                   ///< ids that can be given out
-  std::vector<std::uint32_t> ended_;  ///< ids that the last update took away: free with the next one
+  std::vector<std::uint32_t> free_;                                   ///< ids that the next loops get
   LoopChanges changes_;
   // Working memory of an update.
   std::vector<Segment> segments_;    ///< that were added, then those that were relinked

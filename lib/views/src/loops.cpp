@@ -46,21 +46,6 @@ const World& Loops::outline(const World& world) const noexcept { return impl_->b
 std::uint64_t Loops::version() const noexcept { return impl_->version; }
 std::uint64_t Loops::visited() const noexcept { return impl_->view.visited(); }
 
-double Int128::toDouble() const {
-  const Int128 magnitude = isNegative() ? -*this : *this;
-  const auto upper = static_cast<std::uint64_t>(magnitude.high);
-  double value = static_cast<double>(magnitude.low);
-  if (upper != 0) {
-    // The first 64 bits, and in the last of them whether there are more: a double looks at 54 of them and at that.
-    int shift = 0;
-    while ((upper << shift >> 63) == 0) ++shift;
-    const std::uint64_t first = shift == 0 ? upper : upper << shift | magnitude.low >> (64 - shift);
-    const bool more = (magnitude.low << shift) != 0;
-    value = std::ldexp(static_cast<double>(first | (more ? 1 : 0)), 64 - shift);
-  }
-  return isNegative() ? -value : value;
-}
-
 double LoopFacts::area() const { return std::ldexp(doubleArea.toDouble(), -1 - 2 * kCellBits); }
 
 }  // namespace lgs

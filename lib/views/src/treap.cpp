@@ -36,7 +36,7 @@ void Treaps::pull(std::uint32_t id) {
   const LoopNode &l = nodes_[n.left], &r = nodes_[n.right];
   n.count = l.count + r.count + 1;
   // The cross product of both ends is that of the start and the way to the end.
-  n.doubleArea = l.doubleArea + r.doubleArea + (multiply(n.start.x, n.dy) - multiply(n.start.y, n.dx));
+  n.doubleArea = l.doubleArea + r.doubleArea + (lgs::multiply(n.start.x, n.dy) - lgs::multiply(n.start.y, n.dx));
   n.west = std::min({n.start, l.west, r.west});
   n.minY = std::min({n.start.y, l.minY, r.minY});
   n.max = {std::max({n.start.x, l.max.x, r.max.x}), std::max({n.start.y, l.max.y, r.max.y})};

@@ -14,10 +14,11 @@
 //  2. The solid pieces of a cell have disjoint interiors, and so have its free pieces. The solid pieces that name a
 //     polygon make up this polygon. The free pieces make up the cell without its polygons.
 //  3. Nothing is rounded: each vertex of a piece is a vertex of some polygon of the cell, or a corner of the cell.
-//  4. Two pieces of one polygon that share an edge can not be merged: that would not be convex, or have too many vertices.
-//     So can not two free pieces of a cell. Without a limit of vertices these are at most four times as many as needed.
-//  5. The pieces follow from the polygons of the cell alone, with which vertex they begin left aside, whatever was edited
-//     before; and they are the same on every machine.
+//  4. Two pieces of one polygon that share an edge can not be merged: that would not be convex, or have too many
+//     vertices. So can not two free pieces of a cell. Without a limit of vertices these are at most four times as many
+//     as needed.
+//  5. The pieces follow from the polygons of the cell alone, with which vertex they begin left aside, whatever was
+//     edited before; and they are the same on every machine.
 //
 // The pieces are worked out once for all cells with the same polygons, by a triangulation and by leaving out diagonals
 // (Hertel and Mehlhorn: Fast triangulation of the plane with respect to simple polygons, Information and Control 64,
@@ -42,7 +43,7 @@ namespace lgs {
 
 /// How pieces are made.
 struct PiecesOptions {
-  /// Of one piece. Box2D takes 8. At least 3, at most kMaxVerticesPerCell: anything else is brought into this range.
+  /// Of one piece. Box2D takes 8. At least 3, at most kMaxVerticesPerCell: this is asserted.
   std::size_t maxVertices = 8;
 };
 
@@ -110,13 +111,14 @@ class Pieces {
   /// Cost: O(1).
   std::span<const Piece> solidPieces(Cell cell) const noexcept;
 
-  /// The free pieces of a cell, by their vertices. A cell without polygons has one, a cell out of range none. Cost: O(1).
+  /// The free pieces of a cell, by their vertices. A cell without polygons has one, a cell out of range none. Cost:
+  /// O(1).
   std::span<const Piece> freePieces(Cell cell) const noexcept;
 
   /// The ways out of a free piece: inside the cell, in the order of their right ends, then across the south, east, north
-  /// and west side, each from its lower coordinates on. A piece that is not there has none. Portals are symmetric: the other piece has the
-  /// same one, with left and right exchanged. Cost: in proportion to the portals of the piece, and to the free pieces on
-  /// the sides that it touches, here and in the neighbour.
+  /// and west side, each from its lower coordinates on. A piece that is not there has none. Portals are symmetric: the
+  /// other piece has the same one, with left and right exchanged. Cost: in proportion to the portals of the piece, and
+  /// to the free pieces on the sides that it touches, here and in the neighbour.
   std::vector<Portal> portals(PieceId piece) const noexcept;
   void portals(PieceId piece, std::vector<Portal>& out) const noexcept;  ///< the same, replacing the content of `out`
 
@@ -124,12 +126,12 @@ class Pieces {
   /// Cost: in proportion to the vertices of free pieces in the cell; on a common side in both, in a corner in all four.
   std::optional<PieceId> freePieceAt(Point point) const noexcept;
 
-  /// The cells of a rectangle that are solid, or free, as a whole, merged to disjoint rectangles: by rows from below, each
-  /// as long as it gets, and then upwards while the next row has the same one. Blocks play no part. Cost: in proportion
-  /// to the cells of the rectangle.
+  /// The cells of a rectangle that are solid, or free, as a whole, merged to disjoint rectangles: by rows from below,
+  /// each as long as it gets, and then upwards while the next row has the same one. Blocks play no part. Cost: in
+  /// proportion to the cells of the rectangle.
   std::vector<CellRect> wholeCells(const CellRect& cells, Part part) const noexcept;
 
-  std::size_t maxVertices() const noexcept;  ///< the option, as it was brought into its range
+  std::size_t maxVertices() const noexcept;  ///< the option
   PiecesStats stats() const noexcept;        ///< cost: O(1)
 
  private:

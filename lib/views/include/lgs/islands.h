@@ -6,9 +6,7 @@
 //   if (!world.followCells(true)) …
 //   lgs::Islands islands(world, isBedrock);              // looks at everything once
 //   islands.update(world, world.commit());               // and from now on, after each commit or roll-back
-//   for (const lgs::IslandPair& p : islands.changes().cutOff)
-//     for (const lgs::IslandId id : {p.from, p.into})
-//       if (!islands.island(id)->anchors) fall(lgs::take(world, islands, id));
+//   for (const lgs::IslandId id : islands.loose()) fall(lgs::take(world, islands, id));
 //
 // Solids that share at least a point are one island (law 3): two blocks that touch with a corner hang together. So an
 // island has exactly one outer loop, and a cut shows as one loop that became two, before anybody has looked at a cell of
@@ -71,20 +69,22 @@ struct IslandChanges {
   std::vector<IslandFacts> before;  ///< what all islands were that changed, or that are no more; by id
 };
 
+/// The islands of a world. The comment at the top of this file has an example.
 class Islands {
  public:
   /// Looks at all polygons of a world that has no edits that are not committed. Without `isAnchor` nothing is an
   /// anchor, and nothing is ever counted. Cost: in proportion to the world.
   explicit Islands(const World& world, IsAnchor isAnchor = {}) noexcept;
   ~Islands() noexcept;
-  Islands(const Islands& other) noexcept;
-  Islands& operator=(const Islands& other) noexcept;
-  Islands(Islands&&) noexcept;  ///< what was moved from can only be assigned to or destroyed
-  Islands& operator=(Islands&&) noexcept;
+  Islands(const Islands& other) noexcept;             ///< cost: in proportion to what it knows
+  Islands& operator=(const Islands& other) noexcept;  ///< the same
+  Islands(Islands&&) noexcept;                        ///< what was moved from can only be assigned to or destroyed
+  Islands& operator=(Islands&&) noexcept;             ///< the same
 
   /// Takes over what the world's last commit or roll-back changed. The world must follow its cells, and have no edits
   /// that are not committed: after it went back to a mark that was made while edits were pending, begin again with
-  /// another view, after the next commit. To be called once for each commit and roll-back. False, and nothing changes, where Loops::update() says so.
+  /// another view, after the next commit. To be called once for each commit and roll-back. False, and nothing changes,
+  /// where Loops::update() says so.
   ///
   /// Cost: that of the loops; the polygons and vertices of the changed cells; the segments in and around those where
   /// polygons were taken away, if that may have cut something off. To know which island a hole, or an anchor that
@@ -108,6 +108,10 @@ class Islands {
   /// All islands, by id.
   std::vector<IslandId> all() const noexcept;
 
+  /// The islands of now that the last update names and that nothing holds, by id: both sides of a cut are looked at, and
+  /// who lost an anchor. They may fall. After construction none. Cost: that of island() for each that is named.
+  std::vector<IslandId> loose() const noexcept;
+
   /// The loops that are followed.
   const Loops& loops() const noexcept;
 
@@ -130,13 +134,15 @@ class Islands {
 /// polygons share more than points. All of them leave the ground.
 [[nodiscard]] Expected<std::vector<Body>> takeApart(World& world, const Islands& islands, IslandId island) noexcept;
 
-/// What an edit would do to the islands: makes it, commits, and goes back. The world and the view are as before, but for
-/// the ids of loops and islands (see LoopId); ids in the result name nothing. An edit that is refused, so that it
-/// returns false, would do nothing. No edit may be pending. Cost: that of the edit, of two updates and of going back.
+/// What an edit would do.
 struct Foreseen {
   IslandChanges changes;           ///< with the ids that there would be
   std::vector<IslandFacts> after;  ///< the islands that `changes` names and that there would be then
 };
+
+/// What an edit would do to the islands: makes it, commits, and goes back. The world and the view are as before, but for
+/// the ids of loops and islands (see LoopId); ids in the result name nothing. An edit that is refused, so that it
+/// returns false, would do nothing. No edit may be pending. Cost: that of the edit, of two updates and of going back.
 [[nodiscard]] Foreseen foresee(World& world, Islands& islands, const std::function<bool(World&)>& edit) noexcept;
 
 }  // namespace lgs

@@ -65,28 +65,30 @@ struct LoopPair {
 /// segment counts as the same one if it has the same ends, whoever owns it.
 ///
 /// Which loop keeps its id: a loop of before hands it to the loop of now that has most of its segments, of equals to
-/// the one whose `west` is least, then the one whose area is least. One that is handed several ids takes that of the loop which had most segments, of
-/// equals the least id. Only outer loops inherit from outer loops, and only holes from holes.
+/// the one whose `west` is least, then the one whose area is least, then the one whose `first` is least. One that is
+/// handed several ids takes that of the loop which had most segments, of equals the least id. Only outer loops inherit
+/// from outer loops, and only holes from holes.
 struct LoopChanges {
   std::vector<LoopId> came;     ///< new ids of loops without any segment of before
   std::vector<LoopId> went;     ///< ids that are no more, of loops of which no segment is left
   std::vector<LoopId> changed;  ///< ids that stay, of loops whose segments or links are others
   std::vector<LoopPair> split;  ///< `into` is a new id. It is named with each loop of which it has segments
-  std::vector<LoopPair>
-      joined;  ///< `from` is an id that is no more. It is named with each loop that has segments of it
+  /// `from` is an id that is no more. It is named with each loop that has segments of it.
+  std::vector<LoopPair> joined;
   std::vector<LoopFacts> before;  ///< what all loops were that changed, or that are no more; by id
 };
 
+/// The loops of a world. The comment at the top of this file has an example.
 class Loops {
  public:
   /// Walks all segments of a world, as of its last commit. Under a preserve relation no edit may be pending. Cost: in
   /// proportion to the segments; to the world, if there is a preserve relation.
   explicit Loops(const World& world) noexcept;
   ~Loops() noexcept;
-  Loops(const Loops& other) noexcept;
-  Loops& operator=(const Loops& other) noexcept;
-  Loops(Loops&&) noexcept;  ///< what was moved from can only be assigned to or destroyed
-  Loops& operator=(Loops&&) noexcept;
+  Loops(const Loops& other) noexcept;             ///< cost: in proportion to what it knows
+  Loops& operator=(const Loops& other) noexcept;  ///< the same
+  Loops(Loops&&) noexcept;                        ///< what was moved from can only be assigned to or destroyed
+  Loops& operator=(Loops&&) noexcept;             ///< the same
 
   /// Takes over what the world's last commit or roll-back changed: World::commit() or World::changesOfRollBack(). If
   /// these do not lead from the version() that the view shows, it stays as it is, and the result is false: then begin

@@ -1,0 +1,90 @@
+// Islands as bodies of Box2D 3: see lgs/box2d/falling_ground.h.
+#pragma once
+
+#include <lgs/box2d/falling_parts.h>
+#include <lgs/box2d/terrain.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace lgs::box2d {
+
+/// How Box2D 3 names a body, and its world.
+using FallingBody = b2BodyId;
+using FallingWorld = b2WorldId;
+
+/// Ids of Box2D are plain structs.
+inline bool operator==(b2BodyId a, b2BodyId b) { return B2_ID_EQUALS(a, b); }
+
+/// Of one step down, as gravity pulls: where there is none the length is 0.
+inline Place downOf(b2WorldId physics) {
+  const b2Vec2 g = b2World_GetGravity(physics);
+  const double length = std::hypot(double{g.x}, double{g.y});
+  return length > 0 ? Place{g.x / length, g.y / length} : Place{};
+}
+
+inline double slopOf(b2WorldId /*physics*/) { return 0.005 * double{b2GetLengthUnitsPerMeter()}; }
+/// How far two shapes that rest on each other may be apart: shapes have no skin.
+inline double restingGap(b2WorldId physics) { return slopOf(physics); }
+
+/// A dynamic body at rest, with its origin at a place; null, if it would have no shape.
+template <class MaterialOf>
+b2BodyId makeBody(b2WorldId physics, Position at, const std::vector<FallingPart>& parts, const FallingMass& mass,
+                  const MaterialOf& materialOf) {
+  b2BodyId body = b2_nullBodyId;
+  for (const FallingPart& part : parts) {
+    std::vector<b2Vec2> corners;
+    for (const Place& p : part.corners) corners.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
+    const b2Hull hull = b2ComputeHull(corners.data(), static_cast<int>(corners.size()));
+    if (hull.count < 3) continue;
+    if (B2_IS_NULL(body)) {
+      b2BodyDef definition = b2DefaultBodyDef();
+      definition.type = b2_dynamicBody;
+      definition.position = at;
+      body = b2CreateBody(physics, &definition);
+    }
+    const b2Polygon polygon = b2MakePolygon(&hull, 0);
+    const Material material = materialOf(part.block);
+    b2ShapeDef shape = b2DefaultShapeDef();
+    shape.material = material.surface;
+    shape.filter = material.filter;
+    shape.enableSensorEvents = material.enableSensorEvents;
+    shape.enableContactEvents = material.enableContactEvents;
+    shape.enableHitEvents = material.enableHitEvents;
+    shape.enablePreSolveEvents = material.enablePreSolveEvents;
+    shape.updateBodyMass = false;
+    b2CreatePolygonShape(body, &shape, &polygon);
+  }
+  if (B2_IS_NULL(body)) return body;
+  b2MassData data{};
+  data.mass = static_cast<float>(mass.mass);
+  data.center = {static_cast<float>(mass.center.x), static_cast<float>(mass.center.y)};
+  data.rotationalInertia = static_cast<float>(mass.inertia);  // about the centre
+  b2Body_SetMassData(body, data);
+  return body;
+}
+
+/// How a body lies: its origin in metres, and its angle.
+struct Lying {
+  Position origin;
+  double cosine, sine;
+};
+inline Lying lyingOf(b2BodyId body) {
+  const b2Rot q = b2Body_GetRotation(body);
+  return {b2Body_GetPosition(body), q.c, q.s};
+}
+
+/// Whether the ground leaves room for a body that is moved by so much.
+inline bool fitsBy(Terrain& terrain, b2BodyId body, b2Vec2 by) {
+  Position at = b2Body_GetPosition(body);
+  at.x += by.x;
+  at.y += by.y;
+  return terrain.fits(body, at, b2Body_GetRotation(body));
+}
+
+inline void destroyBody(b2WorldId /*physics*/, b2BodyId body) { b2DestroyBody(body); }
+
+}  // namespace lgs::box2d
+
+#include <lgs/box2d/falling_ground.h>

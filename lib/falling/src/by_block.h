@@ -1,0 +1,19 @@
+// A body in worlds of its own: one with all of its polygons, or with those of one block.
+#pragma once
+
+#include <lgs/body.h>
+
+#include <vector>
+
+namespace lgs::detail {
+
+/// The blocks of a body, each once, by number.
+std::vector<Block> blocksOf(const Body& body);
+
+/// The polygons that have a block, committed: the origin of the body is the corner of cell (0, 0).
+Expected<World> worldOf(const Body& body, Block block);
+
+/// All polygons.
+Expected<World> worldOf(const Body& body);
+
+}  // namespace lgs::detail
