@@ -267,7 +267,10 @@ test('redo: what was undone comes back with its handles and ids', () => {
   world.clear(0, 0)
   fails('unknown-mark', () => world.rollForward(marks[2])) // something was edited since
   world.rollBack(marks[1])
-  fails('unknown-mark', () => world.rollForward(marks[2])) // and now nothing is kept any more
+  world.rollForward(marks[2]) // and that was undone
+  assert.deepEqual(world.save(), states[2])
+  world.rollBack(marks[0])
+  fails('unknown-mark', () => world.rollForward(marks[2])) // nothing was kept
   fails('bad-argument', () => world.rollBack(marks[1], 'forget'))
 })
 
