@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <lgs/box2d/terrain.h>
+#include <lgs/brush.h>
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -49,6 +50,12 @@ struct Field {
   void refill(std::size_t at) {
     const auto index = static_cast<std::int32_t>(at);
     handles[at] = add({index % kSide, index / kSide});
+  }
+
+  /// Carves a circle that is 1.5 cells in radius.
+  void stroke() {
+    const Point middle{(2 + random.below(kSide - 4)) * U, (2 + random.below(kSide - 4)) * U};
+    (void)carve(world, circle(middle, 3 * U / 2, 24));
   }
 };
 
@@ -126,11 +133,12 @@ double thousandDigs(Field& field, const box2d::TerrainOptions& options) {
 struct BackAndForth {
   double undo, redo;
 };
-BackAndForth hundredEdits(Field& field, const box2d::TerrainOptions& options) {
-  Populated populated(field, options);
+template <class Edit>
+BackAndForth hundredEdits(Field& field, Edit edit) {
+  Populated populated(field, {});
   const Mark begin = field.world.checkpoint();
   for (std::size_t k = 0; k < 100; ++k) {
-    field.dig(k * 97);
+    edit(field, k);
     populated.sync();
   }
   const Mark end = field.world.checkpoint();
@@ -171,11 +179,15 @@ void run() {
       for (const bool merge : {false, true}) printLine(ramps, chunk, merge);
     }
   }
-  fmt::print("\n| world | undo 100 edits, ms | and redo, ms |\n|---|---|---|\n");
+  fmt::print("\n| world | edits | undo 100, ms | and redo, ms |\n|---|---|---|---|\n");
   for (const bool ramps : {false, true}) {
-    Field field(ramps);
-    const auto [undo, redo] = hundredEdits(field, {});
-    fmt::print("| {} | {:.2f} | {:.2f} |\n", ramps ? "ramps" : "full", undo / 1e3, redo / 1e3);
+    const auto print = [&](const char* edits, auto edit) {
+      Field field(ramps);
+      const auto [undo, redo] = hundredEdits(field, edit);
+      fmt::print("| {} | {} | {:.2f} | {:.2f} |\n", ramps ? "ramps" : "full", edits, undo / 1e3, redo / 1e3);
+    };
+    print("cells", [](Field& field, std::size_t k) { field.dig(k * 97); });
+    print("strokes", [](Field& field, std::size_t) { field.stroke(); });
   }
 }
 

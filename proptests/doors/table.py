@@ -24,7 +24,7 @@ KINDS = {
     "cell": "Cell lgs_cell",
     "cells": "Rect CellRect lgs_cell_rect",
     "changes": "Changes EdgeChanges span<constCellChange>",
-    "choice": "bool Collinear FillRule PaintMode OnCaught Outside Part BlockFrom Undone 'fill'|'replace' {merge?:boolean}",
+    "choice": "bool Collinear FillRule PaintMode OnCaught Outside Part BlockFrom Undone 'drop'|'keep' 'fill'|'replace' {merge?:boolean}",
     "code": "ErrorCode SyncError lgs_status",
     "edit": "Edit",
     "edges": "span<constDirectedEdge> span<constEdgeLinks>",

@@ -83,9 +83,12 @@ const std::uint64_t* listed(Bridge& bridge, const std::vector<SegmentId>& ids) {
 
 LGS_EXPORT("commit") const std::uint64_t* commit(Bridge* bridge) { return listed(*bridge, bridge->world.commit()); }
 
-LGS_EXPORT("rollBack") const std::uint64_t* rollBack(Bridge* bridge, double mark) {
-  if (const auto done = bridge->world.rollBack(markOf(mark)); !done)
-    return refused(done.error(), static_cast<const std::uint64_t*>(nullptr));
+// `way`: 0 goes back, 1 goes back and keeps what it undoes, 2 goes forward.
+LGS_EXPORT("roll") const std::uint64_t* roll(Bridge* bridge, double mark, std::int32_t way) {
+  World& world = bridge->world;
+  const auto done =
+      way == 2 ? world.rollForward(markOf(mark)) : world.rollBack(markOf(mark), way == 1 ? Undone::keep : Undone::drop);
+  if (!done) return refused(done.error(), static_cast<const std::uint64_t*>(nullptr));
   return listed(*bridge, bridge->world.changesOfRollBack());
 }
 

@@ -32,7 +32,7 @@ export interface Exports {
   brushChanges(world: number): number
   commit(world: number): number
   checkpoint(world: number): number
-  rollBack(world: number, mark: number): number
+  roll(world: number, mark: number, way: number): number
   forget(world: number, mark: number): number
   segments(world: number): number
   segmentsIn(world: number, i0: number, j0: number, i1: number, j1: number): number

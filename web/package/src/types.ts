@@ -227,8 +227,10 @@ export interface World {
   /** Brings the segments up to date with all edits, and says what changed. */
   commit(): Changes
   checkpoint(): Mark
-  /** The mark stays; later ones are void. */
-  rollBack(mark: Mark): Changes
+  /** The mark stays. Later ones are void, or with 'keep' they are ahead, and rollForward() leads there. */
+  rollBack(mark: Mark, undone?: 'drop' | 'keep'): Changes
+  /** To a mark that is ahead: what was undone comes back with its handles and ids, if nothing was edited since. */
+  rollForward(mark: Mark): Changes
   forget(mark: Mark): void
 
   /** All segments, or those of polygons in a rectangle of cells, as of the last commit. By id, or in no order. */

@@ -153,9 +153,14 @@ class EngineWorld implements World {
 
   commit(): Changes { return changesOf(this.#changes, this.#made(this.#changes, (world) => this.#call.commit(world))) }
   checkpoint(): Mark { return this.#call.checkpoint(this.#live) }
-  rollBack(mark: Mark): Changes {
+  rollBack(mark: Mark, undone: 'drop' | 'keep' = 'drop'): Changes {
+    if (undone !== 'drop' && undone !== 'keep') throw bad('undone', "'drop' or 'keep'", undone)
+    return this.#roll(mark, undone === 'keep' ? 1 : 0)
+  }
+  rollForward(mark: Mark): Changes { return this.#roll(mark, 2) }
+  #roll(mark: Mark, way: number): Changes {
     whole('mark', mark)
-    return changesOf(this.#changes, this.#made(this.#changes, (world) => this.#call.rollBack(world, mark)))
+    return changesOf(this.#changes, this.#made(this.#changes, (world) => this.#call.roll(world, mark, way)))
   }
   forget(mark: Mark): void { this.#orFail(this.#call.forget(this.#live, whole('mark', mark)), 0) }
 

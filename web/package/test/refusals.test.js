@@ -77,7 +77,10 @@ test('numbers of the wrong kind', () => {
     refuses('bad-argument', () => world.rayCast(0, 0, 0, v))
     refuses('bad-argument', () => world.remove(v))
   }
-  for (const v of [1n, -1, 0.5, 2 ** 53, NaN, '1', undefined]) refuses('bad-argument', () => world.rollBack(v))
+  for (const v of [1n, -1, 0.5, 2 ** 53, NaN, '1', undefined]) {
+    refuses('bad-argument', () => world.rollBack(v))
+    refuses('bad-argument', () => world.rollForward(v))
+  }
   assert.equal(world.stats().polygons, 1)
 })
 

@@ -33,8 +33,8 @@ export class Turmoil {
   #crowd
   #terrain
   #watched = []
-  #done = []
-  #undone = []
+  #marks = [] // at the begin, and after each edit
+  #now = 0 // at which of them the world is
   #file = null
 
   /** A wall all around, ground below, and rocks above it. `makeCrowd` is of crowds.js. */
@@ -49,6 +49,7 @@ export class Turmoil {
     fill(width, 0, width, height - 1, 1)
     if (height > 3) fill(0, 0, width - 1, 1, 2)
     world.commit()
+    this.#marks = [world.checkpoint()]
     this.#crowd = makeCrowd()
     this.#terrain = this.#crowd.makeTerrain(world, { cellSize, chunkCells, ...arena.terrain })
   }
@@ -122,11 +123,15 @@ export class Turmoil {
   #count() { for (const { isFree } of this.#terrain.caught) isFree ? ++this.pushes : ++this.holds }
 
   #undo(steps) {
-    if (this.#done.length === 0) return
-    const left = Math.max(0, this.#done.length - 1 - (steps % 3))
-    const { before } = this.#done[left]
-    this.#undone.push(...this.#done.splice(left).reverse().map(({ move }) => move))
-    this.#sync(this.#world.rollBack(before))
+    if (this.#now === 0) return
+    this.#now = Math.max(0, this.#now - 1 - (steps % 3))
+    this.#sync(this.#world.rollBack(this.#marks[this.#now], 'keep'))
+  }
+
+  #redo(steps) {
+    if (this.#now + 1 === this.#marks.length) return
+    this.#now = Math.min(this.#marks.length - 1, this.#now + 1 + (steps % 2))
+    this.#sync(this.#world.rollForward(this.#marks[this.#now]))
   }
 
   #load() {
@@ -134,17 +139,19 @@ export class Turmoil {
     const old = this.#world
     this.#world = loadWorld(this.#file)
     this.#square = this.#world.shape(unitSquare)
-    this.#done = []
-    this.#undone = []
+    this.#marks = [this.#world.checkpoint()]
+    this.#now = 0
     this.#terrain.resync(this.#world)
     old.free()
     this.#count()
   }
 
   #doneNow(move) {
-    this.#done.push({ move, before: this.#world.checkpoint() })
     this.#edit(move)
     this.#sync(this.#world.commit())
+    this.#marks.length = this.#now + 1
+    if (this.#now === mostUndo) this.#world.forget(this.#marks.shift())
+    this.#now = this.#marks.push(this.#world.checkpoint()) - 1
   }
 
   #act(move) {
@@ -154,8 +161,7 @@ export class Turmoil {
       case 'undo':
         return this.#undo(move.which)
       case 'redo':
-        if (this.#undone.length > 0) this.#doneNow(this.#undone.pop())
-        return
+        return this.#redo(move.which)
       case 'save':
         this.#file = this.#world.save()
         return
@@ -169,8 +175,6 @@ export class Turmoil {
         return this.#crowd.kick(body, 4 * move.size * Math.cos(0.1 * move.x), 4 * move.size * Math.sin(0.1 * move.x))
       }
       default:
-        this.#undone = []
-        if (this.#done.length === mostUndo) this.#world.forget(this.#done.shift().before)
         return this.#doneNow(move)
     }
   }

@@ -246,6 +246,34 @@ test('checkpoints: there and back', () => {
   fails('unknown-mark', () => world.rollBack(0))
 })
 
+test('redo: what was undone comes back with its handles and ids', () => {
+  const { world } = floor(3)
+  world.commit()
+  const marks = [world.checkpoint()]
+  const states = [world.save()]
+  for (const x of [0.5, 1.5, 2.5]) {
+    world.carve(circle(x, 0.5, 0.4))
+    world.commit()
+    marks.push(world.checkpoint())
+    states.push(world.save())
+  }
+  world.rollBack(marks[0], 'keep')
+  for (const k of [1, 3]) {
+    const forth = world.rollForward(marks[k])
+    assert.ok(forth.added.length > 0)
+    assert.deepEqual(world.save(), states[k])
+  }
+  world.rollBack(marks[1], 'keep')
+  world.clear(0, 0)
+  fails('unknown-mark', () => world.rollForward(marks[2])) // something was edited since
+  world.rollBack(marks[1])
+  world.rollForward(marks[2]) // and that was undone
+  assert.deepEqual(world.save(), states[2])
+  world.rollBack(marks[0])
+  fails('unknown-mark', () => world.rollForward(marks[2])) // nothing was kept
+  fails('bad-argument', () => world.rollBack(marks[1], 'forget'))
+})
+
 test('a preserve relation keeps edges, and is asked once for each pair', () => {
   const asked = []
   const world = createWorld({ preserve: (a, b) => (asked.push([a, b]), a === 1 && b === 2) })

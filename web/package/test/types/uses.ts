@@ -87,6 +87,11 @@ function edits(world: World): void {
   result.removed.push(polygon)
   const mark: Mark = world.checkpoint()
   const back: Changes = world.rollBack(mark)
+  world.rollBack(mark, 'keep')
+  const forth: Changes = world.rollForward(mark)
+  void forth
+  // @ts-expect-error: no such choice
+  world.rollBack(mark, 'forget')
   world.forget(mark)
   // @ts-expect-error: a mark is no polygon
   world.rollBack(polygon)
