@@ -70,6 +70,7 @@ class Census {
     facts.kind = layer.kind;
     facts.saying = sayingOf(layer.node, &facts.why);
     facts.isForOther = isForOtherUse(layer.node.attribute("name").value());
+    facts.isOnlySeen = isOnlySeen(layer.node.attribute("name").value());
     facts.isDrawn = layer.node.attribute(kDrawnAttribute);
     return at->second;
   }
@@ -101,18 +102,24 @@ class Census {
       return;
     }
     const Tile& tile = found->second;
+    if (isLeftOut(tile, options_)) return;
     const auto hasArea = [&](const CollisionObject& object) {
       const auto kind = asAsked(object, options_).kind;
       return kind != CollisionObject::Kind::unsupported && kind != CollisionObject::Kind::tile;
     };
-    if (std::any_of(tile.objects.begin(), tile.objects.end(), hasArea)) facts.shaped += uses;
-    if (!tile.objects.empty() || tile.isSettled || tile.isLeftOut) return;
-    facts.bare += uses;
+    const bool isShaped = std::any_of(tile.objects.begin(), tile.objects.end(), hasArea);
+    if (isShaped) facts.shaped += uses;
+    if (facts_.isLdtk && isShaped) facts.values[tile.className] = saying(tile.className);
+    if (tile.isSettled) return;
+    const bool isBare = tile.objects.empty();
+    if (isBare) facts.bare += uses;
     for (const auto& [name, value] : tile.properties) {
       const auto [rule, says] = ruleOf(name, value);
       if (rule.empty()) continue;
       RuleFacts& known = facts_.rules[rule];
       known.says = says;
+      known.isOfShaped = known.isOfShaped || isShaped;
+      if (!isBare) continue;
       known.uses += uses;
       known.layers[facts.name] += uses;
     }
@@ -126,10 +133,16 @@ class Census {
       facts.lines += isLine;
       if (isLine || node.child("point") || node.child("text")) continue;
       ++facts.objects;
-      facts.named += *node.attribute("name").value() != 0 || !classOf(node).empty();
+      facts.figures += static_cast<bool>(node.attribute("gid"));
+      bool isNamed = false, isSilent = true;
       for (const std::string& name : {classOf(node), std::string(node.attribute("name").value())}) {
-        if (const Saying said = saying(name); said.says != Says::nothing) facts.classes[name] = said;
+        const Saying said = saying(name);
+        isNamed = isNamed || !name.empty();
+        isSilent = isSilent && said.says == Says::nothing;
+        if (said.says != Says::nothing) facts.classes[name] = said;
       }
+      facts.named += isNamed;
+      facts.silent += isNamed && isSilent;
     }
   }
 

@@ -26,6 +26,7 @@ enum class Evidence : std::uint8_t {
   collision,    ///< layers, and classes of objects, that say collision
   properties,   ///< of tiles, that say so
   ground,       ///< layers, and classes of objects, that say ground or wall
+  onlyLayer,    ///< the only tile layer that could be it, and it is half empty
   objectLayer,  ///< nothing but objects with an area; it is offered and not taken
   tileLayer,    ///< nothing but tiles; likewise
 };
@@ -41,7 +42,7 @@ struct Choice {
 std::vector<Choice> choices(const Facts& facts, const Options& options);
 
 /// Whether a choice may be made without a wish of the user's.
-inline bool isTakenByItself(const Choice& choice) { return choice.evidence <= Evidence::ground; }
+inline bool isTakenByItself(const Choice& choice) { return choice.evidence <= Evidence::onlyLayer; }
 
 /// What says that it is solid and is not in a choice, or only in small part.
 struct Missed {

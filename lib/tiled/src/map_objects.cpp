@@ -74,6 +74,7 @@ void MapObjects::readTileObject(const CollisionObject& object, std::vector<MapSh
   }
   if (!budget_.tile(*tileset, number - tileset->firstGid)) return;
   Tile tile = tileAt(*tileset, number - tileset->firstGid);
+  if (isLeftOut(tile, options_)) tile.objects.clear();
   if (isSolidAsAsked(tile, {}, options_)) tile.objects.push_back(fullSquare(tile));
   if (tile.objects.empty()) return shapes.push_back(leftOut(object, "its tile has no collision shapes"));
   const DoublePoint size{object.size.x > 0 ? object.size.x : tile.size.x,
