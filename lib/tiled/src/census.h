@@ -40,7 +40,8 @@ struct LayerFacts {
 struct RuleFacts {
   Says says = Says::nothing;
   bool isOfShaped = false;                      ///< tiles with shapes have it as well
-  std::uint64_t uses = 0;                       ///< tiles in layers that have it
+  std::uint64_t uses = 0;                       ///< tiles without shapes, in layers, that have it
+  std::uint64_t objects = 0;                    ///< objects without names that have it
   std::map<std::string, std::uint64_t> layers;  ///< the same by layer
 };
 

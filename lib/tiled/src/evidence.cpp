@@ -7,10 +7,6 @@
 namespace lgs::tiled {
 namespace {
 
-constexpr std::size_t kMostRules = 16;  // of one choice
-
-using Layers = std::vector<const LayerFacts*>;
-
 std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
 std::string kindOf(const LayerFacts& layer) { return layer.kind == LayerKind::tiles ? "tile layer" : "object layer"; }
@@ -45,8 +41,8 @@ class Chooser {
     return std::any_of(facts_.layers.begin(), facts_.layers.end(), [](const LayerFacts& l) { return l.shaped > 0; });
   }
 
-  /// Whether shapes of tiles are how this map says what is solid. They are not if the layers that say it have more tiles
-  /// without shapes than there are with shapes anywhere.
+  /// Whether shapes of tiles are how this map says what is solid. They are not if the layers that say it have more
+  /// tiles without shapes than there are with shapes anywhere.
   bool areShapesEnough() const {
     std::uint64_t bare = 0, shaped = 0;
     for (const LayerFacts& layer : facts_.layers) {
@@ -111,7 +107,7 @@ class Chooser {
       if (layer.saying.word.starts_with("coll")) some.push_back(&layer);  // "Solid" may be one of several materials
     }
     if (some.empty()) some = all;
-    const std::vector<std::string> through = goneThrough(some);
+    const std::vector<std::string> through = valuesGoneThrough(some);
     if (some.size() == all.size() && through.empty()) return;
     Options options = options_;
     if (some.size() < all.size()) {
@@ -123,20 +119,6 @@ class Chooser {
     std::string text = some.size() < all.size() ? reasons(some) : "IntGrid layers: " + listed(namesOf(some));
     if (!through.empty()) text += ", without " + listed(through);
     add(Evidence::shapes, std::move(options), std::move(text));
-  }
-
-  /// Values of IntGrid layers that are not solid beside the others.
-  static std::vector<std::string> goneThrough(const Layers& layers) {
-    std::map<std::string, Saying> values;
-    for (const LayerFacts* layer : layers) values.insert(layer->values.begin(), layer->values.end());
-    const bool isWalled =
-        std::any_of(values.begin(), values.end(), [](const auto& value) { return value.second.word == "wall"; });
-    std::vector<std::string> result;
-    for (const auto& [name, said] : values) {
-      const bool isFloor = isWalled && (said.word == "floor" || said.word == "ground");
-      if ((isGoneThrough(name) || isFloor) && result.size() < kMostRules) result.push_back(name);
-    }
-    return result.size() == values.size() ? std::vector<std::string>{} : result;
   }
 
   /// Layers of a kind that say so, and hold what could be solid.
@@ -173,8 +155,8 @@ class Chooser {
     addClasses(says, objectNames, text);
     const bool areCalled = objectNames.size() > objects.size();
     if (says == Says::ground && (areCalled || std::any_of(objects.begin(), objects.end(), [](const LayerFacts* layer) {
-          return isDrawnGround(layer->saying.word);
-        }))) {
+                                   return isDrawnGround(layer->saying.word);
+                                 }))) {
       addObjects(evidence, objectNames, text);  // they were drawn for it; the tiles need not be meant so
       objectNames.clear();
       text.clear();
@@ -202,6 +184,7 @@ class Chooser {
   std::vector<std::string> namesOfSaying() const {
     std::vector<std::string> names;
     for (const LayerFacts& layer : facts_.layers) {
+      if (names.size() == kMostLayers) break;
       if (layer.kind == LayerKind::objects && layer.saying.says != Says::nothing) names.push_back(layer.name);
     }
     return names;
@@ -223,11 +206,15 @@ class Chooser {
     text += (text.empty() ? "" : "; ") + std::string("objects that are called ") + listed(classes);
   }
 
-  /// Properties of tiles that say so, all together, or classes of tiles.
+  /// Properties of tiles and objects that say so, all together, or classes of tiles.
   void addRules(Says says, bool ofClass = false) {
     std::vector<std::pair<std::uint64_t, std::string>> rules;
+    bool areObjects = false;
     for (const auto& [rule, known] : facts_.rules) {
-      if (known.says == says && known.uses > 0 && rule.starts_with("class=") == ofClass) rules.push_back({known.uses, rule});
+      const std::uint64_t uses = known.uses + known.objects;
+      if (known.says != says || uses == 0 || rule.starts_with("class=") != ofClass) continue;
+      rules.push_back({uses, rule});
+      areObjects = areObjects || known.objects > 0;
     }
     std::stable_sort(rules.begin(), rules.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     if (rules.size() > kMostRules) rules.resize(kMostRules);
@@ -237,37 +224,26 @@ class Chooser {
         return layer.kind == LayerKind::tiles && facts_.rules.at(rule.second).layers.contains(layer.name);
       });
     };
-    Options options = narrowedTo(withoutPictures(hasRule), hasRule);
+    Options options = areObjects ? options_ : narrowedTo(withoutPictures(hasRule), hasRule);
     std::vector<std::string> names;
     for (const auto& [uses, rule] : rules) {
       options.solidIf.push_back(rule);
-      names.push_back(rule + " (" + counted(uses, "tile") + ")");
+      const RuleFacts& known = facts_.rules.at(rule);
+      const std::string tiles = known.uses == 0 ? "" : counted(known.uses, "tile");
+      const std::string both = tiles.empty() || known.objects == 0 ? "" : ", ";
+      names.push_back(rule + " (" + tiles + both + (known.objects == 0 ? "" : counted(known.objects, "object")) + ")");
     }
-    if (!namesOfSaying().empty()) options.objects = std::vector<std::string>{};
+    if (!areObjects && !namesOfSaying().empty()) options.objects = std::vector<std::string>{};
     const Evidence evidence = says == Says::ground ? Evidence::ground
                               : ofClass            ? Evidence::collision
                                                    : Evidence::properties;
-    add(evidence, std::move(options), "tiles by a property: " + listed(names));
+    add(evidence, std::move(options),
+        std::string(areObjects ? "what has a property: " : "tiles by a property: ") + listed(names));
   }
 
-  static bool areThings(const LayerFacts& objects) {
-    return objects.isForOther || 2 * objects.named > objects.objects;
-  }
-
-  /// Of maps that say nothing, those whose only layer is half empty are levels in which that layer is solid. A layer that
-  /// fills the map is a picture, or its tiles mean different things; so it may be between layers of which nothing is said.
   void addOnlyLayer() {
-    const LayerFacts* only = nullptr;
-    for (const LayerFacts& layer : facts_.layers) {
-      if (layer.kind == LayerKind::objects) {
-        const bool areBoxes = layer.objects > layer.figures && !areThings(layer);
-        if (layer.saying.says == Says::nothing && areBoxes) return;
-      } else if (layer.tiles > 0 && !layer.isForOther) {
-        if (only || layer.isDrawn) return;
-        only = &layer;
-      }
-    }
-    if (!only || only->bare == 0 || 2 * only->tiles > only->cells) return;
+    const LayerFacts* const only = onlyLayer(facts_);
+    if (!only) return;
     Options options = wholeLayer(*only, options_);
     if (!namesOfSaying().empty()) options.objects = std::vector<std::string>{};
     add(Evidence::onlyLayer, std::move(options),
@@ -285,7 +261,8 @@ class Chooser {
     }
   }
 
-  /// The likeliest first: what is no background, and does not fill the map, and of these the largest.
+  /// The likeliest first: what is no background, and does not fill the map; of these what is called "tiles" or the
+  /// like, and then the largest.
   void addTileLayers() {
     Layers layers;
     for (const LayerFacts& layer : facts_.layers) {
@@ -293,7 +270,7 @@ class Chooser {
       if (layer.kind == LayerKind::tiles && layer.bare > 0 && !isCovered) layers.push_back(&layer);
     }
     const auto key = [](const LayerFacts* layer) {
-      return std::tuple(layer->isForOther, isFull(*layer), -layer->share());
+      return std::tuple(layer->isForOther, isFull(*layer), !isMainName(layer->name), -layer->share());
     };
     std::stable_sort(layers.begin(), layers.end(), [&](auto* a, auto* b) { return key(a) < key(b); });
     for (const LayerFacts* layer : layers) {
@@ -304,7 +281,7 @@ class Chooser {
 
   static std::vector<std::string> namesOf(const Layers& layers) {
     std::vector<std::string> names;
-    for (const LayerFacts* layer : layers) names.push_back(layer->name);
+    for (std::size_t k = 0; k < std::min(layers.size(), kMostLayers); ++k) names.push_back(layers[k]->name);
     return names;
   }
 

@@ -28,6 +28,7 @@ std::vector<MapShape> MapObjects::read(const Layer& layer) {
   std::vector<MapShape> shapes;
   const bool isOneWay = saysOneWay(layer.node);
   for (const auto node : layer.node.children("object")) {
+    if (layer.isByProperty && !firstFit(options_.solidIf, propertiesOf(node))) continue;
     CollisionObject object = readObject(map_, node, layer.offset, source_.templates);
     if (map_.failed()) return {};
     if (!layer.classes.empty() && !layer.classes.contains(object.className) && !layer.classes.contains(object.name)) {

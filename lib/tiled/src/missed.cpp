@@ -27,9 +27,9 @@ bool isTaken(const LayerFacts& objects, const Options& options, bool isLdtk) {
   const auto isNamed = [&](const std::string& name) {
     return std::find(options.objects->begin(), options.objects->end(), name) != options.objects->end();
   };
-  const bool isByClass = !isLdtk && objects.isMixed() &&
-                         std::any_of(objects.classes.begin(), objects.classes.end(),
-                                     [&](const auto& one) { return isNamed(one.first); });
+  const bool isByClass =
+      !isLdtk && objects.isMixed() &&
+      std::any_of(objects.classes.begin(), objects.classes.end(), [&](const auto& one) { return isNamed(one.first); });
   return isByClass || isNamed(objects.name);
 }
 
@@ -84,6 +84,7 @@ Missed missedLines(const LayerFacts& layer, const Choice& choice, const Options&
 std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Options& options) {
   std::vector<Missed> result;
   for (const LayerFacts& layer : facts.layers) {
+    if (result.size() == kMaxSuggestions) break;  // as many commands follow
     if (!isDue(layer, choice, facts.isLdtk)) continue;
     if (layer.kind == LayerKind::tiles) {
       const std::uint64_t tiles = taken(layer, facts, choice.options);
