@@ -40,7 +40,7 @@ tiled::ImportedMap importLandscape() {
 Tiles landscape() {
   const tiled::ImportedMap map = importLandscape();
   std::map<Cell, Kind> cells;
-  for (const tiled::Placement& p : map.placements) {
+  for (const tiled::MapPolygon& p : map.placements) {
     Kind& kind = cells[p.cell];
     kind.polygons.push_back(map.shapes[p.shape]);
     kind.block = p.block;  // a cell has one block here, even where layers overlap

@@ -78,8 +78,8 @@ void addShapeOptions(CLI::App& command, tiled::Options& options) {
                    "Import a tile without collision shapes as a full square;\notherwise it is empty");
   command
       .add_option("--solid-if", options.solidIf,
-                  "The same for tiles with this property, or in layers with it.\n"
-                  "NAME alone takes any value but false, 0 and none. May be\nrepeated")
+                  "The same for tiles with this property, or in layers with it;\n"
+                  "and objects with it. NAME alone takes any value but false, 0\nand none. May be repeated")
       ->allow_extra_args(false)
       ->option_text("NAME[=VALUE]");
   addReal(

@@ -13,7 +13,7 @@ inline oracle::Trace traceOf(const tiled::ImportedMap& map) {
   oracle::Trace trace;
   Cell cell;
   int count = 0;
-  for (const tiled::Placement& p : map.placements) {  // sorted by cell
+  for (const tiled::MapPolygon& p : map.placements) {  // sorted by cell
     count = count == 0 || p.cell != cell ? 1 : count + 1;
     cell = p.cell;
     trace.edits.push_back(

@@ -15,7 +15,7 @@ namespace tiled_target {
 namespace {
 
 using tiled::ImportedMap;
-using tiled::Placement;
+using tiled::MapPolygon;
 
 constexpr std::array<std::string_view, 63> kWords{
     "<map orientation='orthogonal' width='2' height='2' tilewidth='32' tileheight='32'>",
@@ -126,7 +126,7 @@ std::optional<Finding> checkMap(const ImportedMap& map, oracle::CheckStats& stat
   }
   World world;
   for (std::size_t k = 0; k < map.placements.size(); ++k) {
-    const Placement& p = map.placements[k];
+    const MapPolygon& p = map.placements[k];
     const auto key = [](Cell cell) { return std::pair(cell.j, cell.i); };
     if (k > 0 && key(p.cell) < key(map.placements[k - 1].cell)) return bad("the placements are not sorted by cell");
     const bool isTileKnown = p.tile == tiled::kNoTile || p.tile < map.report.tiles.size();

@@ -53,7 +53,7 @@ inline Field landscape() {
   const auto map = tiled::importMap(LGS_SOURCE_DIR "/examples/maps/landscape.tmx");
   EXPECT_TRUE(map);
   Field field;
-  for (const tiled::Placement& p : map->placements) field.add(p.cell, map->shapes[p.shape], p.block);
+  for (const tiled::MapPolygon& p : map->placements) field.add(p.cell, map->shapes[p.shape], p.block);
   field.world.commit();
   return field;
 }

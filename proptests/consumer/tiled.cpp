@@ -25,7 +25,7 @@ int main() {
     return 1;
   }
   lgs::World world;
-  for (const lgs::tiled::Placement& placement : map->placements) {
+  for (const lgs::tiled::MapPolygon& placement : map->placements) {
     if (!world.add(placement.cell, map->shapes[placement.shape], placement.block)) return 1;
   }
   const std::size_t segments = world.commit().added.size();

@@ -139,6 +139,24 @@ const Attack kAttacks[] = {
                     1);
      },
      8'000},
+    {"a tile whose properties all say solid, in many layers",
+     [](int n) {
+       const auto property = [](int k) { return "<property name='solid" + std::to_string(k) + "' value='1'/>"; };
+       const std::string tile = "<tile id='0'><properties>" + times(n, property) + "</properties></tile>";
+       const auto one = [](int k) { return "<group name='" + std::to_string(k) + "'>" + layer(1, "1") + "</group>"; };
+       return mapOf(set(tile) + times(n, one), 1);
+     },
+     400},
+    {"many layers that say solid",
+     [](int n) {
+       return mapOf(set("") + times(n,
+                                    [](int k) {
+                                      const std::string name = "<layer name='solid " + std::to_string(k) + "'";
+                                      return name + " width='1' height='1'><data encoding='csv'>1</data></layer>";
+                                    }),
+                    1);
+     },
+     1'000},
 };
 
 /// The most that was counted is 2,100 blocks of code a byte, for rings of many corners; a byte allows for kWorkPerByte

@@ -224,7 +224,7 @@ void expectAlike(const ImportedMap& a, const ImportedMap& b) {
   EXPECT_EQ(a.blocks, b.blocks);
   ASSERT_EQ(a.placements.size(), b.placements.size());
   for (std::size_t k = 0; k < a.placements.size(); ++k) {
-    const Placement &p = a.placements[k], &q = b.placements[k];
+    const MapPolygon &p = a.placements[k], &q = b.placements[k];
     EXPECT_EQ(std::tuple(p.tile, p.object, p.layer), std::tuple(q.tile, q.object, q.layer)) << "placement " << k;
   }
 }

@@ -26,20 +26,21 @@ Notes notesWithRules(const std::vector<std::string>& rules) {
 TEST(TiledAskedNames, PropertiesThatNothingHas) {
   EXPECT_EQ(notesWithRules({"collides", "unused", "Kind=rock", "unused="}), Notes{}) << "all are there";
   EXPECT_EQ(notesWithRules({"colides", "colides=1"}),
-            Notes{"no tile and no tile layer has a property 'colides'; there is 'collides'"});
-  EXPECT_EQ(notesWithRules({"kind=rock"}), Notes{"no tile and no tile layer has a property 'kind'; there is 'Kind'"});
-  EXPECT_EQ(notesWithRules({"doors"}), Notes{"no tile and no tile layer has a property 'doors'"})
+            Notes{"no tile, tile layer or object has a property 'colides'; there is 'collides'"});
+  EXPECT_EQ(notesWithRules({"kind=rock"}),
+            Notes{"no tile, tile layer or object has a property 'kind'; there is 'Kind'"});
+  EXPECT_EQ(notesWithRules({"doors"}), Notes{"no tile, tile layer or object has a property 'doors'"})
       << "that of an object layer makes no tile solid";
 }
 
 TEST(TiledAskedNames, ValuesThatNothingHas) {
   const auto no = [](const std::string& value, const std::string& name) {
-    return "no tile and no tile layer has '" + value + "' as its property '" + name + "'";
+    return "no tile, tile layer or object has '" + value + "' as its property '" + name + "'";
   };
   EXPECT_EQ(notesWithRules({"Kind=rock", "Kind=sand"}), Notes{no("sand", "Kind") + "; there is 'rock'"});
   EXPECT_EQ(notesWithRules({"collides=yes", "collides"}), Notes{no("yes", "collides") + "; there is 'true'"});
   EXPECT_EQ(notesWithRules({"Kind="}), Notes{no("", "Kind") + "; there is 'rock'"});
-  EXPECT_EQ(notesWithRules({"doors=1"}), Notes{"no tile and no tile layer has a property 'doors'"});
+  EXPECT_EQ(notesWithRules({"doors=1"}), Notes{"no tile, tile layer or object has a property 'doors'"});
 }
 
 /// Tiles whose property "kind" has these values, one layer that has another one, and "other" that has all of them.
@@ -58,7 +59,7 @@ Notes notesWithValues(const std::vector<std::string>& values, const std::string&
 }
 
 TEST(TiledAskedNames, SomeValuesAreNamed) {
-  const std::string no = "no tile and no tile layer has 'sand' as its property 'kind'; there ";
+  const std::string no = "no tile, tile layer or object has 'sand' as its property 'kind'; there ";
   EXPECT_EQ(notesWithValues({"c", "b", "a", "b"}, "kind=sand"), Notes{no + "are 'a', 'b', 'c'"});
   EXPECT_EQ(notesWithValues({"a", "b", "Sand", "send"}, "kind=sand"), Notes{no + "are 'Sand', 'a', 'b', 'send'"});
   EXPECT_EQ(notesWithValues({"a", "b", "c", "d", "e", "f"}, "kind=sand"),
@@ -123,7 +124,7 @@ TEST(TiledAskedNames, OneMapOfAWorldIsEnough) {
   Options options;
   options.solidIf = {"collides", "unuse"};
   EXPECT_EQ(mustImportWorld(files, options).report.notes,
-            Notes{"no tile and no tile layer has a property 'unuse'; there is 'unused'"});
+            Notes{"no tile, tile layer or object has a property 'unuse'; there is 'unused'"});
 }
 
 TEST(TiledAskedNames, SimilarNames) {

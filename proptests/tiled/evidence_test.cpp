@@ -47,8 +47,8 @@ TEST(TiledEvidence, GroundIsNotMixedWithCollision) {
 
 TEST(TiledEvidence, WhatGivesNothingIsNotOffered) {
   const std::string spawns = meant::objects("Spawns", meant::figure(1, 1) + meant::figure(3, 1));
-  EXPECT_EQ(offersOf(import(spawns + meant::tiles("Main", kHills))),
-            (std::vector<std::string>{"--layer Main --solid"}));
+  EXPECT_EQ(offersOf(import(spawns + meant::tiles("A", kHills) + meant::tiles("B", kRim))),
+            (std::vector<std::string>{"--layer B --solid", "--layer A --solid"}));
   EXPECT_TRUE(offersOf(import(spawns)).empty());
 }
 
@@ -110,6 +110,54 @@ TEST(TiledEvidence, IntGridsThatAreCalledCollisionAreEnough) {
   ASSERT_TRUE(map);
   EXPECT_EQ(map->placements.size(), 2U);
   EXPECT_EQ(importFiles({{"maps/test.tmx", project(level("A", 0, 0, acid))}})->placements.size(), 1U);
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+TEST(TiledEvidence, ValuesOfLdtkThatOneGoesThroughAreLeftOut) {
+  const std::string text = project(level("A", 0, 0, grid("1,2,0,2,3,0")));
+  const auto ladders = importFiles({{"maps/test.tmx", replaced(text, "ice", "Ladder_top")}});
+  ASSERT_TRUE(ladders);
+  EXPECT_EQ(cellsOf(*ladders), (std::vector<Cell>{{1, -2}, {0, -1}}));
+  EXPECT_EQ(ladders->report.choice, "IntGrid layers: Solid, without Ladder_top (--not Ladder_top)");
+  const auto floors = importFiles({{"maps/test.tmx", replaced(replaced(text, "ice", "Floor"), "dirt", "Walls")}});
+  ASSERT_TRUE(floors);
+  EXPECT_EQ(cellsOf(*floors), (std::vector<Cell>{{1, -2}, {0, -1}})) << "a floor beside walls";
+  const auto floorAlone = importFiles({{"maps/test.tmx", replaced(text, "ice", "Floor")}});
+  EXPECT_EQ(floorAlone->placements.size(), 4U) << "a platformer stands on it";
+  const std::string only = replaced(project(level("A", 0, 0, grid("2,2,0,0,0,0"))), "ice", "ladder");
+  EXPECT_EQ(importFiles({{"maps/test.tmx", only}})->placements.size(), 2U) << "else nothing would be left";
+}
+
+/// A map that says nothing: its only layer is taken, unless it is more than half full, or boxes are drawn.
+TEST(TiledEvidence, TheOnlyLayerIsTakenIfItIsHalfEmpty) {
+  const auto hills = import(meant::tiles("Tile Layer 1", kHills));
+  EXPECT_EQ(hills.placements.size(), 16U);
+  EXPECT_EQ(hills.report.choice,
+            "tile layer Tile Layer 1, 50 % of the map: it is the only one that could be "
+            "(--layer 'Tile Layer 1' --solid)");
+  EXPECT_TRUE(import(meant::tiles("T", "aaaaaaaa/a......a/a......a/aaaaaaaa")).placements.empty());
+  EXPECT_TRUE(import(meant::tiles("T", kHills) + meant::objects("O", meant::box(0, 0, 1, 1))).placements.empty());
+  EXPECT_TRUE(import(meant::tiles("A", kHills) + meant::tiles("B", kHills)).placements.empty());
+}
+
+TEST(TiledEvidence, ObjectsAreTakenByAPropertyToo) {
+  const std::string layer =
+      meant::objects("Things", meant::box(0, 0, 1, 1) + "<object id='9' x='32' y='0' width='16' height='16'>" +
+                                   property("rocky", "true") + "</object>");
+  Options options;
+  options.solidIf = {"rocky"};
+  const auto map = import(layer, options);
+  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{2, -1}}));
+  EXPECT_TRUE(map.report.notes.empty());
+  EXPECT_EQ(remarks(map).at(0), "Things: objects with the property that was asked for");
+  options.objects.emplace();
+  EXPECT_TRUE(import(layer, options).placements.empty()) << "--no-objects takes none";
 }
 
 TEST(TiledEvidence, AClassOfObjectsCanBeLeftOutOrTaken) {

@@ -184,7 +184,7 @@ TEST(TiledBlocks, ByClassAndByLayer) {
       "<layer name='B' width='3' height='2'><data encoding='csv'>0,0,0,2,0,0</data></layer>";
   const auto blocks = [&](const Options& options) {
     std::vector<Block> found;
-    for (const Placement& p : mustImport(set + layers, options).placements) found.push_back(p.block);
+    for (const MapPolygon& p : mustImport(set + layers, options).placements) found.push_back(p.block);
     return found;  // the lower row first
   };
   Options options;
@@ -248,7 +248,7 @@ TEST(TiledBlocks, AreFoundByName) {
   options.blockFrom = BlockFrom::tileClass;
   for (const char* tiles : {"1,2", "2,1"}) {  // whichever comes first
     const ImportedMap map = import(tiles, options);
-    for (const Placement& p : map.placements)
+    for (const MapPolygon& p : map.placements)
       EXPECT_EQ(p.block, map.block((tiles[0] == '1') == (p.cell.i == 0) ? "ice" : ""));
     EXPECT_NE(map.block("ice"), map.block(""));
     EXPECT_EQ(map.block("lava"), 5U) << "the map does not use it";

@@ -55,7 +55,7 @@ inline ImportedMap mustImportProject(const std::string& text, const Options& opt
 
 inline std::vector<Block> blocksOf(const ImportedMap& map) {
   std::vector<Block> blocks;
-  for (const Placement& p : map.placements) blocks.push_back(p.block);
+  for (const MapPolygon& p : map.placements) blocks.push_back(p.block);
   return blocks;
 }
 

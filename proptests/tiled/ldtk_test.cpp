@@ -222,7 +222,7 @@ TEST(TiledLdtk, RandomLevels) {
     }
     const auto map = mustImportProject(project(text));
     std::map<std::pair<int, int>, Block> found;
-    for (const Placement& p : map.placements) found[{p.cell.j, p.cell.i}] = p.block;
+    for (const MapPolygon& p : map.placements) found[{p.cell.j, p.cell.i}] = p.block;
     EXPECT_EQ(found, expected);
     EXPECT_EQ(map.placements.size(), expected.size());
   };

@@ -118,7 +118,7 @@ inline const Ring kSquare(kUnitSquare.begin(), kUnitSquare.end());
 /// The polygons of a cell, in order.
 inline std::vector<Ring> ringsIn(const ImportedMap& map, Cell cell) {
   std::vector<Ring> rings;
-  for (const Placement& p : map.placements) {
+  for (const MapPolygon& p : map.placements) {
     if (p.cell == cell) rings.push_back(map.shapes[p.shape]);
   }
   return rings;
@@ -126,7 +126,7 @@ inline std::vector<Ring> ringsIn(const ImportedMap& map, Cell cell) {
 
 inline std::vector<Cell> cellsOf(const ImportedMap& map) {
   std::vector<Cell> cells;
-  for (const Placement& p : map.placements) cells.push_back(p.cell);
+  for (const MapPolygon& p : map.placements) cells.push_back(p.cell);
   return cells;
 }
 
@@ -141,7 +141,7 @@ inline Ring px(const std::vector<std::pair<double, double>>& points) {
 
 inline double areaInCells(const ImportedMap& map) {
   double sum = 0;
-  for (const Placement& p : map.placements) {
+  for (const MapPolygon& p : map.placements) {
     const Ring& ring = map.shapes[p.shape];
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const LocalPoint a = ring[i], b = ring[(i + 1) % ring.size()];

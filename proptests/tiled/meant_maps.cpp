@@ -22,6 +22,10 @@ std::vector<MeantMap> meantMaps() {
   };
   const std::string spawns = objects("Spawns", figure(1, 1) + figure(5, 1)),
                     marks = objects("Marks", spot(1, 1) + spot(2, 2));
+  const std::string boxes = box(0, 0, 1, 1) + box(1, 0, 1, 1);
+  const auto solidBox = [&](const std::string& name, const std::string& value) {
+    return "<object id='7' " + at(0, 2) + " width='128' height='32'>" + property(name, value) + "</object>";
+  };
   return {
       // 1. Shapes in tiles.
       {"shapes in tiles", mapOf(shape, tiles("Sky", B) + tiles("World", G)), G},
@@ -35,6 +39,14 @@ std::vector<MeantMap> meantMaps() {
       {"spikes have shapes, platforms have none", mapOf(tile('d', kShape), tiles("Spikes", K) + tiles("Platforms", P)),
        P},
       {"few of the platforms have shapes", mapOf(shape, tiles("Platforms", "......../.abb..../....bbb./........")), P},
+
+      {"shapes in tiles, and the same tiles behind",
+       mapOf(shape, tiles("Background", "aaaaaaaa/aaaaaaaa/aaaaaaaa/aaaaaaaa") + tiles("Platforms", G)), G},
+      {"shapes in tiles, and a property that tiles without shapes have as well",
+       mapOf(
+           tile('a', property("collidable", "true") + kShape) + has('b', "collidable"),
+           tiles("World", "......../......../aabaaaaa/aaaaaaab") + tiles("Sky", "cccccccc/......../......../........")),
+       U},
 
       // 2. Layers and classes that say collision.
       {"a layer called Collision", mapOf(none, tiles("Background", B) + tiles("Collision", G)), G},
@@ -75,7 +87,17 @@ std::vector<MeantMap> meantMaps() {
       {"a collision layer where tiles mean free as well",
        mapOf(has('a', "solid"), tiles("collision", "bbbbbbbb/bbbbbbbb/aaaaaaaa/aaaaaaaa")), U},
 
-      // 3. Properties of tiles.
+      {"hitboxes", mapOf(none, tiles("walls", W) + tiles("hitboxes", G)), G},
+      {"Colisiones", mapOf(none, tiles("Fondo", B) + objects("Colisiones", ground) + objects("Luces", boxes)), U},
+      {"walls and zombies in a layer called Obstacles",
+       mapOf(none, tiles("ground", B) + tiles("walls", W) +
+                       objects("Obstacles", box(0, 2, 8, 2, "name='wall'") + box(1, 0, 1, 1, "name='zombie'"))),
+       U},
+      {"Collisions and Blocks, both drawn",
+       mapOf(none, objects("Collisions", ground) + objects("Blocks", box(3, 0, 1, 1))),
+       "...a..../......../aaaaaaaa/aaaaaaaa"},
+
+      // 3. Properties of tiles and objects.
       {"a property collides", mapOf(tile('a', yes) + tile('b', no), tiles("World", G) + tiles("Sky", S)), G},
       {"a property solid, in one layer with the rest",
        mapOf(has('a', "solid"), tiles("Tile Layer 1", "bbbbbbbb/bbbbbbbb/aaaaaaaa/aaaaaaaa")), U},
@@ -93,6 +115,13 @@ std::vector<MeantMap> meantMaps() {
       {"kind is solid", mapOf(has('a', "kind", "solid") + has('b', "kind", "sky"), tiles("Main", U) + tiles("Back", S)),
        U},
       {"a mask is no answer", mapOf(has('b', "collision_mask", "3"), tiles("Sky", S) + tiles("Ground", U)), U},
+
+      {"a property of tiles that lie behind as well",
+       mapOf(has('a', "collides"), tiles("Background", "aaaaaaaa/......../......../........") + tiles("World", U)), U},
+      {"objects with the property collision",
+       mapOf(none, tiles("Tile Layer 1", B) + objects("Object Layer 1", boxes + solidBox("collision", "true"))), U},
+      {"objects whose name, as a property, is Solid",
+       mapOf(none, tiles("Tile Layer 1", B) + objects("Object Layer 1", boxes + solidBox("name", "Solid"))), U},
 
       // 4. Layers that say ground or wall.
       {"ground", mapOf(none, tiles("background", B) + tiles("ground", G) + spawns), G},
@@ -123,13 +152,23 @@ std::vector<MeantMap> meantMaps() {
       {"walls in the background are no walls", mapOf(none, tiles("BG Wall", S) + tiles("terrain", U)), U},
       {"ground in a group", mapOf(none, "<group name='Level'>" + tiles("Ground", U) + "</group>" + tiles("Sky", S)), U},
 
-      // 5. Object layers with an area, and 6. tile layers, that nothing is said of: what is first offered.
+      {"pipes and bricks drawn as objects",
+       mapOf(none, tiles("Graphic Layer", B) + objects("Ground", ground) + objects("Pipes", box(3, 1, 1, 1)) +
+                       objects("Bricks", box(1, 0, 1, 1)) + objects("Goombas", box(5, 1, 1, 1))),
+       ".a....../...a..../aaaaaaaa/aaaaaaaa"},
+
+      // 5. The only layer, if it is half empty.
+      {"one layer alone", mapOf(none, tiles("T1", P)), P},
+      {"one layer before a background", mapOf(none, tiles("Background", B) + tiles("Tile Layer 1", G)), G},
+      {"one layer, water and spawns", mapOf(none, spawns + tiles("Water", S) + tiles("Tiles", P)), P},
+
+      // 6. Object layers with an area, and 7. tile layers, that nothing is said of: what is first offered.
       {"boxes in Object Layer 1", mapOf(none, tiles("Tile Layer 1", B) + objects("Object Layer 1", ground)), U},
       {"boxes, and a layer of points",
        mapOf(none, tiles("Tile Layer 1", B) + objects("Points", spot(1, 1)) + objects("Boxes", wall)), W},
       {"one layer and things",
        mapOf(none, tiles("Tile Layer 1", U) + objects("objects", box(1, 0, 1, 1, "name='hero'"))), U},
-      {"one layer alone", mapOf(none, tiles("T1", P)), P},
+      {"a layer called tile, and a larger one", mapOf(none, tiles("png", G) + tiles("tile", P)), P},
       {"a layer above a background that fills the map", mapOf(none, tiles("Layer 1", B) + tiles("Layer 2", U)), U},
       {"spawns are no offer", mapOf(none, spawns + tiles("main", U)), U},
       {"water is not the likeliest", mapOf(none, tiles("Water", S) + tiles("Tiles", P)), P},

@@ -16,7 +16,7 @@ std::string textOf(const MeantMap& map) {
 /// The cells that are solid, as a picture.
 std::string pictureOf(const ImportedMap& map) {
   std::string picture = "......../......../......../........";
-  for (const Placement& p : map.placements) {
+  for (const MapPolygon& p : map.placements) {
     const int row = -1 - p.cell.j;
     if (p.cell.i >= 0 && p.cell.i < 8 && row >= 0 && row < 4)
       picture[static_cast<std::size_t>(9 * row + p.cell.i)] = '#';

@@ -33,7 +33,7 @@ TEST(TiledObjectLayers, AnObjectMayHaveAnySize) {
   EXPECT_EQ(ringsIn(map, {2, -1}), (std::vector<Ring>{px({{0, 0}, {32, 0}, {32, 16}, {0, 16}})}));
   EXPECT_EQ(ringsIn(map, {2, -2}), (std::vector<Ring>{kSquare}));
   EXPECT_EQ(ringsIn(map, {2, -3}), (std::vector<Ring>{px({{0, 16}, {32, 16}, {32, 32}, {0, 32}})}));
-  for (const Placement& p : map.placements) {
+  for (const MapPolygon& p : map.placements) {
     EXPECT_EQ(p.tile, kNoTile);
     EXPECT_EQ(p.object, 9U);
     EXPECT_EQ(p.layer, 1U);
@@ -183,7 +183,7 @@ TEST(TiledObjectLayers, BlocksByClassOrLayer) {
   const auto byClass = mustImport(content, options);
   const auto blocks = [](const ImportedMap& map) {
     std::vector<Block> result;
-    for (const Placement& p : map.placements) result.push_back(p.block);
+    for (const MapPolygon& p : map.placements) result.push_back(p.block);
     return result;
   };
   EXPECT_EQ(blocks(byClass), (std::vector<Block>{byClass.block("rock").value(), byClass.block("ice").value(),

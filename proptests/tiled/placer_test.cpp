@@ -82,7 +82,7 @@ TEST(TiledPlacer, WhatIsLeftIsFilledHoweverMuchIsThere) {
 /// The area of the polygons with a block, in square units.
 double areaOfBlock(const ImportedMap& map, Block block) {
   double area = 0;
-  for (const Placement& p : map.placements) {
+  for (const MapPolygon& p : map.placements) {
     if (p.block == block) area += tiled::areaOf(realRing(ringOf(map.shapes[p.shape])));
   }
   return area;

@@ -187,7 +187,7 @@ TEST(TiledProperty, CoverageIsTheUnionOfTheObjects) {
         const int in = insideOf(star, p);
         drawn = drawn < 0 || in < 0 ? -1 : drawn | in;
       }
-      for (const Placement& placed : map.placements) {
+      for (const MapPolygon& placed : map.placements) {
         Outline ring;
         for (LocalPoint v : map.shapes[placed.shape]) {
           const Point w = toWorld(placed.cell, v);

@@ -154,8 +154,8 @@ TEST(TiledSuggestions, FullSquaresOnlyWhereTheyHelp) {
   Options options;
   options.layers = {"A"};
   const std::string shapeless = "<tileset firstgid='1' tilewidth='32' tileheight='32'/>";
-  EXPECT_EQ(suggestionsOf(shapeless + layer("A", "1,1,0,0") + layer("B", "1,0,0,0"), options),
-            (std::vector<std::string>{"tile layer A, 50 % of the map: nothing says what it is | --layer A --solid"}));
+  EXPECT_EQ(suggestionsOf(shapeless + layer("A", "1,1,1,0") + layer("B", "1,0,0,0"), options),
+            (std::vector<std::string>{"tile layer A, 75 % of the map: nothing says what it is | --layer A --solid"}));
   const std::string open = "<object id='1'><polyline points='0,0 32,0'/></object>";
   for (const char* name : {"L", "Ground"}) {
     EXPECT_TRUE(suggestionsOf(tilesetXml({open}) + layer(name, "1,1,0,0")).empty()) << "the tile has a shape, left out";

@@ -19,7 +19,7 @@ std::string firstNote(const ImportedMap& map) {
 
 std::vector<Ring> ringsOf(const ImportedMap& map) {
   std::vector<Ring> rings;
-  for (const Placement& p : map.placements) rings.push_back(map.shapes[p.shape]);
+  for (const MapPolygon& p : map.placements) rings.push_back(map.shapes[p.shape]);
   return rings;
 }
 

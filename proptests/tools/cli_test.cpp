@@ -245,7 +245,8 @@ TEST_F(Command, AMapWithNothingSolidIsRefusedWithWhatCouldBeTaken) {
   expect("import m.tmx -o m.trace --allow-empty", 0, "0 polygons");
   EXPECT_TRUE(fs::exists(folder_ / "m.trace"));
   expect("check --map m.tmx --edits 9", 2, "    lgs check --map m.tmx --objects 'My boxes'");
-  expect("import m.tmx --solid-if Hards", 2, "note: no tile and no tile layer has a property 'Hards'; there is 'hard'");
+  expect("import m.tmx --solid-if Hards", 2,
+         "note: no tile, tile layer or object has a property 'Hards'; there is 'hard'");
   // A hint keeps what was asked for.
   expect("import m.tmx --layer l --visible --no-objects", 2,
          "    lgs import m.tmx --layer l --solid --no-objects --visible\n");

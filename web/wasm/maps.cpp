@@ -97,7 +97,7 @@ LGS_EXPORT("importMap") std::size_t importMap(std::size_t pathBytes, std::size_t
     numbers.push_back(static_cast<double>(shape.size()));
     for (const LocalPoint v : shape) numbers.insert(numbers.end(), {cellsOf(v.x), cellsOf(v.y)});
   }
-  for (const tiled::Placement& p : map->placements)
+  for (const tiled::MapPolygon& p : map->placements)
     numbers.insert(numbers.end(),
                    {static_cast<double>(p.cell.i), static_cast<double>(p.cell.j), static_cast<double>(p.shape),
                     static_cast<double>(p.block), p.tile == tiled::kNoTile ? -1.0 : static_cast<double>(p.tile),

@@ -63,6 +63,7 @@ void AskedNames::see(const Layer& layer) {
   if (layer.kind != LayerKind::objects) return;
   seeClass(classOf(layer.node));
   for (const auto node : layer.node.children("object")) {
+    if (!rules_.empty()) seeProperties(propertiesOf(node));
     seeClass(classOf(node));
     seeObjectName(node.attribute("name").value());
   }
@@ -93,13 +94,13 @@ void AskedNames::seeObjectName(const std::string& name) {
 std::string AskedNames::noProperty(const std::string& rule) const {
   const std::string name = propertyIn(rule);
   if (!properties_.contains(name)) {
-    return "no tile and no tile layer has a property '" + name + "'" + thereIs(name, properties_);
+    return "no tile, tile layer or object has a property '" + name + "'" + thereIs(name, properties_);
   }
   if (name == rule) return {};
   const std::string value = rule.substr(name.size() + 1);
   const Names& values = values_.at(name);
   if (values.contains(value)) return {};
-  return "no tile and no tile layer has '" + value + "' as its property '" + name + "'" + thereAre(value, values);
+  return "no tile, tile layer or object has '" + value + "' as its property '" + name + "'" + thereAre(value, values);
 }
 
 std::string AskedNames::notUsed(const std::string& name) const {

@@ -15,7 +15,7 @@ void BlockNumbers::report(ImportedMap& map) const {
                                ". An edit of the map may change the numbers. Choose them, or look them up by name");
   }
   std::map<Block, std::uint64_t> polygons;
-  for (const Placement& placement : map.placements) ++polygons[placement.block];
+  for (const MapPolygon& placement : map.placements) ++polygons[placement.block];
   std::map<Block, std::string> names;
   for (const auto& [name, number] : numbers_) listed(names[number], name);
   for (const auto& [block, count] : polygons) map.report.blocks.push_back({names[block], block, count});

@@ -11,6 +11,7 @@ namespace lgs::tiled {
 namespace {
 
 constexpr std::size_t kMostValue = 32;  // bytes of a value that can be a word
+constexpr std::size_t kMostKnown = 64;  // rules that are counted; so a map of n bytes takes work in proportion to n
 
 /// Columns and rows of tiles that are not empty.
 struct TileBox {
@@ -70,6 +71,7 @@ class Census {
     facts.kind = layer.kind;
     facts.saying = sayingOf(layer.node, &facts.why);
     facts.isForOther = isForOtherUse(layer.node.attribute("name").value());
+    facts.isOnlySeen = isOnlySeen(layer.node.attribute("name").value());
     facts.isDrawn = layer.node.attribute(kDrawnAttribute);
     return at->second;
   }
@@ -101,21 +103,47 @@ class Census {
       return;
     }
     const Tile& tile = found->second;
+    if (isLeftOut(tile, options_)) return;
     const auto hasArea = [&](const CollisionObject& object) {
       const auto kind = asAsked(object, options_).kind;
       return kind != CollisionObject::Kind::unsupported && kind != CollisionObject::Kind::tile;
     };
-    if (std::any_of(tile.objects.begin(), tile.objects.end(), hasArea)) facts.shaped += uses;
-    if (!tile.objects.empty() || tile.isSettled || tile.isLeftOut) return;
-    facts.bare += uses;
-    for (const auto& [name, value] : tile.properties) {
-      const auto [rule, says] = ruleOf(name, value);
-      if (rule.empty()) continue;
-      RuleFacts& known = facts_.rules[rule];
-      known.says = says;
-      known.uses += uses;
-      known.layers[facts.name] += uses;
+    const bool isShaped = std::any_of(tile.objects.begin(), tile.objects.end(), hasArea);
+    if (isShaped) facts.shaped += uses;
+    if (facts_.isLdtk && isShaped && tile.className.size() <= kMostValue) {
+      facts.values[tile.className] = saying(tile.className);
     }
+    if (tile.isSettled) return;
+    const bool isBare = tile.objects.empty();
+    if (isBare) facts.bare += uses;
+    for (RuleFacts* const known : rulesOf(tile)) {
+      known->isOfShaped = known->isOfShaped || isShaped;
+      if (!isBare) continue;
+      known->uses += uses;
+      known->layers[facts.name] += uses;
+    }
+  }
+
+  /// The rule that takes what has a property; null if the property says nothing.
+  RuleFacts* ruleFacts(const std::string& name, const std::string& value) {
+    const auto [rule, says] = ruleOf(name, value);
+    if (rule.empty()) return nullptr;
+    const auto found = facts_.rules.find(rule);
+    if (found != facts_.rules.end()) return &found->second;
+    if (facts_.rules.size() == kMostKnown) return nullptr;
+    RuleFacts& known = facts_.rules[rule];
+    known.says = says;
+    return &known;
+  }
+
+  /// A tile may be in all layers, so its properties are looked at once.
+  const std::vector<RuleFacts*>& rulesOf(const Tile& tile) {
+    const auto [at, isNew] = rulesOf_.try_emplace(&tile);
+    if (!isNew) return at->second;
+    for (const auto& [name, value] : tile.properties) {
+      if (RuleFacts* const known = ruleFacts(name, value)) at->second.push_back(known);
+    }
+    return at->second;
   }
 
   void takeObjects(const MapSource& map, const Layer& layer) {
@@ -126,9 +154,19 @@ class Census {
       facts.lines += isLine;
       if (isLine || node.child("point") || node.child("text")) continue;
       ++facts.objects;
-      facts.named += *node.attribute("name").value() != 0 || !classOf(node).empty();
+      facts.figures += static_cast<bool>(node.attribute("gid"));
+      bool isNamed = false, isSilent = true;
       for (const std::string& name : {classOf(node), std::string(node.attribute("name").value())}) {
-        if (const Saying said = saying(name); said.says != Says::nothing) facts.classes[name] = said;
+        const Saying said = saying(name);
+        isNamed = isNamed || !name.empty();
+        isSilent = isSilent && said.says == Says::nothing;
+        if (said.says != Says::nothing) facts.classes[name] = said;
+      }
+      facts.named += isNamed;
+      facts.silent += isNamed && isSilent;
+      if (isNamed || facts_.isLdtk || node.attribute("gid")) continue;  // what has a name is judged by that
+      for (const auto& [name, value] : propertiesOf(node)) {
+        if (RuleFacts* const known = ruleFacts(name, value)) ++known->objects;
       }
     }
   }
@@ -142,7 +180,8 @@ class Census {
   std::size_t& tilesLeft_;
   Facts facts_;
   std::map<std::pair<LayerKind, std::string>, std::size_t> known_;
-  TileBox box_;                     // of all tile layers of one map
+  std::unordered_map<const Tile*, std::vector<RuleFacts*>> rulesOf_;  // into facts_, whose map keeps them in place
+  TileBox box_;                                                       // of all tile layers of one map
   std::vector<std::size_t> boxed_;  // layers of one map that have no rectangle of their own
 };
 

@@ -13,6 +13,7 @@ struct LayerFacts {
   std::string why;          ///< in words
   bool isDrawn = false;     ///< of LDtk, and only drawn
   bool isForOther = false;  ///< its name has a word for another use, such as "background"
+  bool isOnlySeen = false;  ///< its name says that it lies behind or above the others
 
   std::uint64_t tiles = 0;   ///< that are not empty
   std::uint64_t shaped = 0;  ///< of these, with shapes of their own
@@ -20,18 +21,27 @@ struct LayerFacts {
   std::uint64_t cells = 0;   ///< of its rectangle
 
   std::uint64_t objects = 0;                   ///< that can have an area
+  std::uint64_t figures = 0;                   ///< of these, tile objects
   std::uint64_t named = 0;                     ///< of these, with a name or class: things rather than ground
+  std::uint64_t silent = 0;                    ///< of these, those whose name and class say nothing
   std::uint64_t lines = 0;                     ///< open polylines
   std::map<std::string, Saying> classes = {};  ///< classes and names of objects that say something
+  std::map<std::string, Saying> values = {};   ///< of an IntGrid layer: its values by name, with what they say
+
+  /// Whether some of its objects are called a wall or the like, and others are called something else. Then the layer
+  /// holds things of all kinds, whatever its own name is.
+  bool isMixed() const { return !classes.empty() && silent > 0; }
 
   /// How much of its rectangle it fills, from 0 to 1.
   double share() const { return cells == 0 ? 0 : static_cast<double>(tiles) / static_cast<double>(cells); }
 };
 
-/// Of a property of tiles without shapes that says something.
+/// Of a property of tiles that says something.
 struct RuleFacts {
   Says says = Says::nothing;
-  std::uint64_t uses = 0;                       ///< tiles in layers that have it
+  bool isOfShaped = false;                      ///< tiles with shapes have it as well
+  std::uint64_t uses = 0;                       ///< tiles without shapes, in layers, that have it
+  std::uint64_t objects = 0;                    ///< objects without names that have it
   std::map<std::string, std::uint64_t> layers;  ///< the same by layer
 };
 

@@ -1,4 +1,4 @@
-// What Options choose, and how a command says it.
+// What Options choose, and how a command says it; and which layers and values could be chosen.
 #include "evidence.h"
 
 #include <algorithm>
@@ -32,6 +32,33 @@ std::vector<std::string> choosingArguments(const Options& options) {
     add("--polyline-thickness", {number});
   }
   return result;
+}
+
+const LayerFacts* onlyLayer(const Facts& facts) {
+  const LayerFacts* only = nullptr;
+  for (const LayerFacts& layer : facts.layers) {
+    if (layer.kind == LayerKind::objects) {
+      const bool areBoxes = layer.objects > layer.figures && !areThings(layer);
+      if (layer.saying.says == Says::nothing && areBoxes) return nullptr;
+    } else if (layer.tiles > 0 && !layer.isForOther) {
+      if (only || layer.isDrawn) return nullptr;
+      only = &layer;
+    }
+  }
+  return only && only->bare > 0 && 2 * only->tiles <= only->cells ? only : nullptr;
+}
+
+std::vector<std::string> valuesGoneThrough(const Layers& layers) {
+  std::map<std::string, Saying> values;
+  for (const LayerFacts* layer : layers) values.insert(layer->values.begin(), layer->values.end());
+  const bool isWalled =
+      std::any_of(values.begin(), values.end(), [](const auto& value) { return value.second.word == "wall"; });
+  std::vector<std::string> result;
+  for (const auto& [name, said] : values) {
+    const bool isFloor = isWalled && (said.word == "floor" || said.word == "ground");
+    if ((isGoneThrough(name) || isFloor) && result.size() < kMostRules) result.push_back(name);
+  }
+  return result.size() == values.size() ? std::vector<std::string>{} : result;
 }
 
 Options wholeLayer(const LayerFacts& layer, const Options& options) {

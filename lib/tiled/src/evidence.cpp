@@ -7,10 +7,6 @@
 namespace lgs::tiled {
 namespace {
 
-constexpr std::size_t kMostRules = 16;  // of one choice
-
-using Layers = std::vector<const LayerFacts*>;
-
 std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
 std::string kindOf(const LayerFacts& layer) { return layer.kind == LayerKind::tiles ? "tile layer" : "object layer"; }
@@ -33,6 +29,7 @@ class Chooser {
     addNamed(Says::ground);
     addRules(Says::ground);
     if (hasShapes() && !areShapesEnough()) addShapes();
+    addOnlyLayer();
     addObjectLayers(false);
     addTileLayers();
     addObjectLayers(true);
@@ -44,8 +41,8 @@ class Chooser {
     return std::any_of(facts_.layers.begin(), facts_.layers.end(), [](const LayerFacts& l) { return l.shaped > 0; });
   }
 
-  /// Whether shapes of tiles are how this map says what is solid. They are not if the layers that say it have more tiles
-  /// without shapes than there are with shapes anywhere.
+  /// Whether shapes of tiles are how this map says what is solid. They are not if the layers that say it have more
+  /// tiles without shapes than there are with shapes anywhere.
   bool areShapesEnough() const {
     std::uint64_t bare = 0, shaped = 0;
     for (const LayerFacts& layer : facts_.layers) {
@@ -59,39 +56,76 @@ class Chooser {
     result_.push_back({evidence, std::move(options), std::move(text)});
   }
 
+  /// Where a property of shaped tiles says that they are solid, tiles that have it and no shape are taken, too.
   void addShapes() {
     std::uint64_t uses = 0;
     std::vector<std::string> names;
-    for (const LayerFacts& layer : facts_.layers) {
-      uses += layer.shaped;
-      if (layer.shaped > 0) names.push_back(layer.name);
+    const Layers layers = withoutPictures([](const LayerFacts& layer) { return layer.shaped > 0; });
+    for (const LayerFacts* layer : layers) {
+      uses += layer->shaped;
+      names.push_back(layer->name);
     }
-    add(Evidence::shapes, options_, "the shapes of " + counted(uses, "tile") + " in " + listed(names));
+    Options options = narrowedTo(layers, [](const LayerFacts& layer) { return layer.shaped > 0; });
+    for (const auto& [rule, known] : facts_.rules) {
+      const bool isTaken = known.isOfShaped && known.uses > 0 && known.says == Says::collision;
+      if (isTaken && options.solidIf.size() < kMostRules) options.solidIf.push_back(rule);
+    }
+    add(Evidence::shapes, std::move(options), "the shapes of " + counted(uses, "tile") + " in " + listed(names));
   }
 
-  /// IntGrid layers are all taken. But if some are called collision, the others are for something else.
+  /// The tile layers that have something; of these no background and nothing above the player, unless all are so: they
+  /// use the same tiles only to look the same.
+  template <class Has>
+  Layers withoutPictures(const Has& hasIt) const {
+    Layers all, some;
+    for (const LayerFacts& layer : facts_.layers) {
+      if (!hasIt(layer)) continue;
+      all.push_back(&layer);
+      if (!layer.isOnlySeen) some.push_back(&layer);
+    }
+    return some.empty() ? all : some;
+  }
+
+  /// The options, with these layers if others have the same thing.
+  template <class Has>
+  Options narrowedTo(const Layers& layers, const Has& hasIt) const {
+    Options options = options_;
+    const auto all = std::count_if(facts_.layers.begin(), facts_.layers.end(), hasIt);
+    if (static_cast<std::size_t>(all) == layers.size()) return options;
+    options.layers = namesOf(layers);
+    options.objects = namesOfSaying();
+    return options;
+  }
+
+  /// IntGrid layers are all taken. But if some are called collision, the others are for something else. Values that one
+  /// goes through are left out, and so is a floor beside walls.
   void addIntGrids() {
-    Layers some;
-    bool areAll = true;
+    Layers some, all;
     for (const LayerFacts& layer : facts_.layers) {
       if (layer.kind != LayerKind::tiles || layer.isDrawn || layer.tiles == 0) continue;
-      const bool says = layer.saying.word.starts_with("coll");  // "Solid" may be one of several materials
-      if (says) some.push_back(&layer);
-      areAll = areAll && says;
+      all.push_back(&layer);
+      if (layer.saying.word.starts_with("coll")) some.push_back(&layer);  // "Solid" may be one of several materials
     }
-    if (some.empty() || areAll) return;
+    if (some.empty()) some = all;
+    const std::vector<std::string> through = valuesGoneThrough(some);
+    if (some.size() == all.size() && through.empty()) return;
     Options options = options_;
-    options.layers = namesOf(some);
-    options.objects = namesOf(saying(LayerKind::objects, Says::collision));
-    if (options.objects->empty()) options.objects.reset();
-    add(Evidence::shapes, std::move(options), reasons(some));
+    if (some.size() < all.size()) {
+      options.layers = namesOf(some);
+      options.objects = namesOf(saying(LayerKind::objects, Says::collision));
+      if (options.objects->empty()) options.objects.reset();
+    }
+    options.leaveOut.insert(options.leaveOut.end(), through.begin(), through.end());
+    std::string text = some.size() < all.size() ? reasons(some) : "IntGrid layers: " + listed(namesOf(some));
+    if (!through.empty()) text += ", without " + listed(through);
+    add(Evidence::shapes, std::move(options), std::move(text));
   }
 
   /// Layers of a kind that say so, and hold what could be solid.
   Layers saying(LayerKind kind, Says says) const {
     Layers layers;
     for (const LayerFacts& layer : facts_.layers) {
-      if (layer.kind != kind || layer.saying.says != says) continue;
+      if (layer.kind != kind || layer.saying.says != says || isMixed(layer)) continue;
       const bool isThere = kind == LayerKind::objects ? layer.objects + layer.lines > 0 : layer.tiles > 0;
       const bool isThing = facts_.isLdtk && kind == LayerKind::objects && !isDrawnGround(layer.saying.word);
       if (isThing && says == Says::ground) continue;
@@ -99,6 +133,9 @@ class Chooser {
     }
     return layers;
   }
+
+  /// In LDtk each kind of entity is a layer of its own.
+  bool isMixed(const LayerFacts& layer) const { return !facts_.isLdtk && layer.isMixed(); }
 
   /// A floor beside walls is what one walks on, seen from above, unless it is smaller than they are.
   bool isWalkedOn(const LayerFacts& floor) const {
@@ -116,9 +153,10 @@ class Chooser {
     std::vector<std::string> objectNames = namesOf(objects);
     std::string text = reasons(objects);
     addClasses(says, objectNames, text);
-    if (says == Says::ground && std::any_of(objects.begin(), objects.end(), [](const LayerFacts* layer) {
-          return isDrawnGround(layer->saying.word);
-        })) {
+    const bool areCalled = objectNames.size() > objects.size();
+    if (says == Says::ground && (areCalled || std::any_of(objects.begin(), objects.end(), [](const LayerFacts* layer) {
+                                   return isDrawnGround(layer->saying.word);
+                                 }))) {
       addObjects(evidence, objectNames, text);  // they were drawn for it; the tiles need not be meant so
       objectNames.clear();
       text.clear();
@@ -137,20 +175,26 @@ class Chooser {
 
   /// Those that are taken by themselves need not be named.
   void addObjects(Evidence evidence, const std::vector<std::string>& names, const std::string& text) {
-    std::vector<std::string> all;
-    for (const LayerFacts& layer : facts_.layers) {
-      if (layer.kind == LayerKind::objects && layer.saying.says != Says::nothing) all.push_back(layer.name);
-    }
     Options options = options_;
-    if (names != all || !leaveChoice(options_)) options.objects = names;
+    if (names != namesOfSaying() || !leaveChoice(options_)) options.objects = names;
     add(evidence, std::move(options), text);
   }
 
-  /// Classes and names of objects in layers that say nothing.
+  /// The object layers that are taken without options.
+  std::vector<std::string> namesOfSaying() const {
+    std::vector<std::string> names;
+    for (const LayerFacts& layer : facts_.layers) {
+      if (names.size() == kMostLayers) break;
+      if (layer.kind == LayerKind::objects && layer.saying.says != Says::nothing) names.push_back(layer.name);
+    }
+    return names;
+  }
+
+  /// Classes and names of objects in layers that say nothing, or that hold things of all kinds.
   void addClasses(Says says, std::vector<std::string>& names, std::string& text) const {
     std::vector<std::string> classes;
     for (const LayerFacts& layer : facts_.layers) {
-      if (layer.saying.says != Says::nothing) continue;
+      if (layer.saying.says != Says::nothing && !isMixed(layer)) continue;
       for (const auto& [name, said] : layer.classes) {
         if (says == Says::ground && !isDrawnGround(said.word)) continue;  // "Platform" may be a thing that moves
         const bool isNew = std::find(classes.begin(), classes.end(), name) == classes.end();
@@ -162,36 +206,54 @@ class Chooser {
     text += (text.empty() ? "" : "; ") + std::string("objects that are called ") + listed(classes);
   }
 
-  /// Properties of tiles that say so, all together, or classes of tiles.
+  /// Properties of tiles and objects that say so, all together, or classes of tiles.
   void addRules(Says says, bool ofClass = false) {
     std::vector<std::pair<std::uint64_t, std::string>> rules;
+    bool areObjects = false;
     for (const auto& [rule, known] : facts_.rules) {
-      if (known.says == says && rule.starts_with("class=") == ofClass) rules.push_back({known.uses, rule});
+      const std::uint64_t uses = known.uses + known.objects;
+      if (known.says != says || uses == 0 || rule.starts_with("class=") != ofClass) continue;
+      rules.push_back({uses, rule});
+      areObjects = areObjects || known.objects > 0;
     }
     std::stable_sort(rules.begin(), rules.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     if (rules.size() > kMostRules) rules.resize(kMostRules);
     if (rules.empty()) return;
-    Options options = options_;
+    const auto hasRule = [&](const LayerFacts& layer) {
+      return std::any_of(rules.begin(), rules.end(), [&](const auto& rule) {
+        return layer.kind == LayerKind::tiles && facts_.rules.at(rule.second).layers.contains(layer.name);
+      });
+    };
+    Options options = areObjects ? options_ : narrowedTo(withoutPictures(hasRule), hasRule);
     std::vector<std::string> names;
     for (const auto& [uses, rule] : rules) {
       options.solidIf.push_back(rule);
-      names.push_back(rule + " (" + counted(uses, "tile") + ")");
+      const RuleFacts& known = facts_.rules.at(rule);
+      const std::string tiles = known.uses == 0 ? "" : counted(known.uses, "tile");
+      const std::string both = tiles.empty() || known.objects == 0 ? "" : ", ";
+      names.push_back(rule + " (" + tiles + both + (known.objects == 0 ? "" : counted(known.objects, "object")) + ")");
     }
-    const bool isSaid = std::any_of(facts_.layers.begin(), facts_.layers.end(), [](const LayerFacts& layer) {
-      return layer.kind == LayerKind::objects && layer.saying.says != Says::nothing;
-    });
-    if (isSaid) options.objects = std::vector<std::string>{};
+    if (!areObjects && !namesOfSaying().empty()) options.objects = std::vector<std::string>{};
     const Evidence evidence = says == Says::ground ? Evidence::ground
                               : ofClass            ? Evidence::collision
                                                    : Evidence::properties;
-    add(evidence, std::move(options), "tiles by a property: " + listed(names));
+    add(evidence, std::move(options),
+        std::string(areObjects ? "what has a property: " : "tiles by a property: ") + listed(names));
+  }
+
+  void addOnlyLayer() {
+    const LayerFacts* const only = onlyLayer(facts_);
+    if (!only) return;
+    Options options = wholeLayer(*only, options_);
+    if (!namesOfSaying().empty()) options.objects = std::vector<std::string>{};
+    add(Evidence::onlyLayer, std::move(options),
+        "tile layer " + only->name + ", " + percent(only->share()) + " of the map: it is the only one that could be");
   }
 
   void addObjectLayers(bool ofThings) {
     for (const LayerFacts& layer : facts_.layers) {
-      const bool areThings = layer.isForOther || 2 * layer.named > layer.objects;
       const bool isCovered = layer.saying.says != Says::nothing;
-      if (layer.kind != LayerKind::objects || layer.objects == 0 || isCovered || areThings != ofThings) continue;
+      if (layer.kind != LayerKind::objects || layer.objects == 0 || isCovered || areThings(layer) != ofThings) continue;
       Options options = options_;
       options.objects = {layer.name};
       add(Evidence::objectLayer, std::move(options),
@@ -199,7 +261,8 @@ class Chooser {
     }
   }
 
-  /// The likeliest first: what is no background, and does not fill the map, and of these the largest.
+  /// The likeliest first: what is no background, and does not fill the map; of these what is called "tiles" or the
+  /// like, and then the largest.
   void addTileLayers() {
     Layers layers;
     for (const LayerFacts& layer : facts_.layers) {
@@ -207,7 +270,7 @@ class Chooser {
       if (layer.kind == LayerKind::tiles && layer.bare > 0 && !isCovered) layers.push_back(&layer);
     }
     const auto key = [](const LayerFacts* layer) {
-      return std::tuple(layer->isForOther, isFull(*layer), -layer->share());
+      return std::tuple(layer->isForOther, isFull(*layer), !isMainName(layer->name), -layer->share());
     };
     std::stable_sort(layers.begin(), layers.end(), [&](auto* a, auto* b) { return key(a) < key(b); });
     for (const LayerFacts* layer : layers) {
@@ -218,7 +281,7 @@ class Chooser {
 
   static std::vector<std::string> namesOf(const Layers& layers) {
     std::vector<std::string> names;
-    for (const LayerFacts* layer : layers) names.push_back(layer->name);
+    for (std::size_t k = 0; k < std::min(layers.size(), kMostLayers); ++k) names.push_back(layers[k]->name);
     return names;
   }
 

@@ -26,6 +26,7 @@ enum class Evidence : std::uint8_t {
   collision,    ///< layers, and classes of objects, that say collision
   properties,   ///< of tiles, that say so
   ground,       ///< layers, and classes of objects, that say ground or wall
+  onlyLayer,    ///< the only tile layer that could be it, and it is half empty
   objectLayer,  ///< nothing but objects with an area; it is offered and not taken
   tileLayer,    ///< nothing but tiles; likewise
 };
@@ -37,11 +38,28 @@ struct Choice {
   std::string text;  ///< what it takes, and what speaks for it
 };
 
+/// Of one choice. Each name is looked for in each layer. More layers than that are said to be missed.
+inline constexpr std::size_t kMostRules = 16, kMostLayers = 64;
+
+using Layers = std::vector<const LayerFacts*>;
+
+/// Whether the objects of a layer are things with names, rather than the boxes of a ground.
+inline bool areThings(const LayerFacts& layer) { return layer.isForOther || 2 * layer.named > layer.objects; }
+
+/// The only tile layer that could be solid, in a map that says nothing; or null. It must be half empty: a layer that
+/// fills the map is a picture, or its tiles mean different things. So it may be between layers of which nothing is
+/// said.
+const LayerFacts* onlyLayer(const Facts& facts);
+
+/// Values of IntGrid layers that are not solid beside the others: those that bodies go through, and a floor beside
+/// walls.
+std::vector<std::string> valuesGoneThrough(const Layers& layers);
+
 /// All choices, the strongest first.
 std::vector<Choice> choices(const Facts& facts, const Options& options);
 
 /// Whether a choice may be made without a wish of the user's.
-inline bool isTakenByItself(const Choice& choice) { return choice.evidence <= Evidence::ground; }
+inline bool isTakenByItself(const Choice& choice) { return choice.evidence <= Evidence::onlyLayer; }
 
 /// What says that it is solid and is not in a choice, or only in small part.
 struct Missed {

@@ -293,8 +293,8 @@ std::uint32_t Import::reportOf(const Tileset& tileset, std::uint32_t number) {
     const auto tile = tileset.tiles.find(report.id);
     if (tile != tileset.tiles.end()) {
       report.className = tile->second.className;
-      report.hasShapes = !tile->second.objects.empty();
-      report.isLeftOut = tile->second.isLeftOut;
+      report.isLeftOut = tiled::isLeftOut(tile->second, options_);
+      report.hasShapes = !report.isLeftOut && !tile->second.objects.empty();
     }
   }
   return at->second;

@@ -20,6 +20,7 @@ class Lister {
         visibleOnly_(options.visibleOnly),
         objectsAreNamed_(options.objects.has_value()),
         drawnCounts_(options.solidWithoutShapes || !options.solidIf.empty()),
+        rules_(options.solidIf),
         names_(names) {}
 
   struct Parent {
@@ -112,8 +113,19 @@ class Lister {
       layer.remark = "not chosen";
     } else {
       layer.wanted = sayingOf(layer.node, &layer.remark).says != Says::nothing;
+      if (!layer.wanted) chooseByProperty(layer);
       if (!layer.wanted) layer.remark = "neither its name, its class nor a property says that it is solid";
     }
+  }
+
+  void chooseByProperty(Layer& layer) const {
+    if (rules_.empty()) return;
+    const auto objects = layer.node.children("object");
+    layer.isByProperty = std::any_of(objects.begin(), objects.end(), [&](const auto object) {
+      return firstFit(rules_, propertiesOf(object)) != nullptr;
+    });
+    layer.wanted = layer.isByProperty;
+    if (layer.wanted) layer.remark = "objects with the property that was asked for";
   }
 
   /// What was asked for may be a class or name that some of the objects have.
@@ -129,6 +141,7 @@ class Lister {
   bool visibleOnly_;
   bool objectsAreNamed_;
   bool drawnCounts_;  // tiles of LDtk that are only drawn
+  const std::vector<std::string>& rules_;
   LayerNames& names_;
   std::vector<Layer> layers_;
 };

@@ -18,6 +18,7 @@ struct Layer {
   bool isInReach = true;               ///< of an object layer: Options::layers do not rule it out
   DoublePoint offset;                  ///< pixels, y down; the sum of its own and those of its groups
   std::set<std::string> classes = {};  ///< of an object layer: only objects of these classes or names; empty: all
+  bool isByProperty = false;           ///< of an object layer: only objects that have one of Options::solidIf
   std::string remark;                  ///< for the report: why it is taken or passed over, or what is special about it
 };
 

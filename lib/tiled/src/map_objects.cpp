@@ -28,6 +28,7 @@ std::vector<MapShape> MapObjects::read(const Layer& layer) {
   std::vector<MapShape> shapes;
   const bool isOneWay = saysOneWay(layer.node);
   for (const auto node : layer.node.children("object")) {
+    if (layer.isByProperty && !firstFit(options_.solidIf, propertiesOf(node))) continue;
     CollisionObject object = readObject(map_, node, layer.offset, source_.templates);
     if (map_.failed()) return {};
     if (!layer.classes.empty() && !layer.classes.contains(object.className) && !layer.classes.contains(object.name)) {
@@ -74,6 +75,7 @@ void MapObjects::readTileObject(const CollisionObject& object, std::vector<MapSh
   }
   if (!budget_.tile(*tileset, number - tileset->firstGid)) return;
   Tile tile = tileAt(*tileset, number - tileset->firstGid);
+  if (isLeftOut(tile, options_)) tile.objects.clear();
   if (isSolidAsAsked(tile, {}, options_)) tile.objects.push_back(fullSquare(tile));
   if (tile.objects.empty()) return shapes.push_back(leftOut(object, "its tile has no collision shapes"));
   const DoublePoint size{object.size.x > 0 ? object.size.x : tile.size.x,

@@ -22,15 +22,23 @@ std::uint64_t taken(const LayerFacts& layer, const Facts& facts, const Options& 
   return std::min(tiles, layer.tiles);
 }
 
-bool isTaken(const LayerFacts& objects, const Options& options) {
+bool isTaken(const LayerFacts& objects, const Options& options, bool isLdtk) {
   if (!options.objects) return options.layers.empty();  // then those that say something are
-  return std::find(options.objects->begin(), options.objects->end(), objects.name) != options.objects->end();
+  const auto isNamed = [&](const std::string& name) {
+    return std::find(options.objects->begin(), options.objects->end(), name) != options.objects->end();
+  };
+  const bool isByClass =
+      !isLdtk && objects.isMixed() &&
+      std::any_of(objects.classes.begin(), objects.classes.end(), [&](const auto& one) { return isNamed(one.first); });
+  return isByClass || isNamed(objects.name);
 }
 
-/// Whether a layer that says so must be in a choice, or is only weaker evidence beside it.
-bool isDue(const LayerFacts& layer, const Choice& choice) {
+/// Whether a layer that says so must be in a choice, or is only weaker evidence beside it. Tiles that are called ground
+/// are what one sees of a collision layer; objects that are called so are drawn for the game, as those of that layer.
+bool isDue(const LayerFacts& layer, const Choice& choice, bool isLdtk) {
   if (layer.saying.says == Says::collision) return true;
-  const bool isWeaker = choice.evidence == Evidence::shapes || choice.evidence == Evidence::properties;
+  const bool isWeaker = choice.evidence == Evidence::shapes || choice.evidence == Evidence::properties ||
+                        (choice.evidence == Evidence::collision && layer.kind == LayerKind::objects && !isLdtk);
   if (layer.saying.says != Says::ground || !isWeaker) return false;
   return layer.kind == LayerKind::objects || layer.saying.word == "wall" || layer.saying.word == "block" ||
          layer.saying.word.starts_with("plat");
@@ -76,11 +84,12 @@ Missed missedLines(const LayerFacts& layer, const Choice& choice, const Options&
 std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Options& options) {
   std::vector<Missed> result;
   for (const LayerFacts& layer : facts.layers) {
-    if (!isDue(layer, choice)) continue;
+    if (result.size() == kMaxSuggestions) break;  // as many commands follow
+    if (!isDue(layer, choice, facts.isLdtk)) continue;
     if (layer.kind == LayerKind::tiles) {
       const std::uint64_t tiles = taken(layer, facts, choice.options);
       if (4 * tiles < 3 * layer.tiles && !isFull(layer)) result.push_back(missedTiles(layer, tiles, choice, options));
-    } else if (!isTaken(layer, choice.options)) {
+    } else if (!isTaken(layer, choice.options, facts.isLdtk)) {
       if (layer.objects > 0) result.push_back(missedObjects(layer, choice));
     } else if (options.polylineThickness == 0 && 3 * layer.lines > layer.objects) {
       result.push_back(missedLines(layer, choice, options));

@@ -18,7 +18,7 @@ namespace lgs::tiled {
 
 class Placer {
  public:
-  /// A Placement without its cell.
+  /// A MapPolygon without its cell.
   struct Entry {
     std::uint32_t shape = 0;
     Block block = 1;

@@ -78,6 +78,7 @@ class ObjectImport {
 TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& grid, const Options& options,
                     Budget& budget) {
   TileParts result;
+  if (isLeftOut(tile, options)) return result;
   for (const CollisionObject& drawn : tile.objects) {
     const CollisionObject object = asAsked(drawn, options);
     ObjectImport(tile, object, budget, result).run(frame, grid, options);

@@ -85,7 +85,7 @@ Tile tileAt(const Tileset& tileset, std::uint32_t id) {
 }
 
 bool isSolidAsAsked(const Tile& tile, const Properties& layer, const Options& options) {
-  return !tile.isSettled && !tile.isLeftOut && tile.objects.empty() &&
+  return !tile.isSettled && !isLeftOut(tile, options) && tile.objects.empty() &&
          (options.solidWithoutShapes || firstFit(options.solidIf, tile.properties) != nullptr ||
           firstFit(options.solidIf, layer) != nullptr);
 }
@@ -110,13 +110,11 @@ void Tilesets::read(const XmlFile& map, const FileReader& reader, Templates& tem
             [](const Tileset& a, const Tileset& b) { return a.firstGid < b.firstGid; });
 }
 
-void settle(Tileset& tileset, const Options& options) {
-  reshape(tileset, options.tiles);
+void settle(Tileset& tileset, const Options& options) { reshape(tileset, options.tiles); }
+
+bool isLeftOut(const Tile& tile, const Options& options) {
   const std::vector<std::string>& names = options.leaveOut;
-  for (auto& [id, tile] : tileset.tiles) {
-    tile.isLeftOut = std::find(names.begin(), names.end(), tile.className) != names.end();
-    if (tile.isLeftOut) tile.objects.clear();
-  }
+  return std::find(names.begin(), names.end(), tile.className) != names.end();
 }
 
 void Tilesets::settle(const Options& options) {

@@ -14,7 +14,6 @@ struct Tile {
   Properties properties;
   std::vector<CollisionObject> objects;  ///< from the Tile Collision Editor
   bool isSettled = false;                ///< Options::tiles says what it is: no rule makes it a full square
-  bool isLeftOut = false;                ///< Options::leaveOut has its class
 };
 
 struct Tileset {
@@ -31,8 +30,11 @@ struct Tileset {
 /// A tile of a tileset, with the size of its image; one without shapes if the file has no <tile> for it.
 Tile tileAt(const Tileset& tileset, std::uint32_t id);
 
-/// Applies Options::tiles and Options::leaveOut.
+/// Applies Options::tiles.
 void settle(Tileset& tileset, const Options& options);
+
+/// Whether Options::leaveOut has the class of a tile.
+bool isLeftOut(const Tile& tile, const Options& options);
 
 /// Whether a tile without shapes is to be a full square. `layer` are the properties of its layer.
 bool isSolidAsAsked(const Tile& tile, const Properties& layer, const Options& options);
@@ -45,7 +47,7 @@ class Tilesets {
  public:
   void read(const XmlFile& map, const FileReader& reader, Templates& templates, std::optional<ImportError>& error);
 
-  /// Applies Options::tiles and Options::leaveOut.
+  /// Applies Options::tiles.
   void settle(const Options& options);
 
   const std::vector<Tileset>& all() const { return tilesets_; }

@@ -10,10 +10,10 @@ namespace lgs::tiled {
 namespace {
 
 constexpr auto kCollision = std::to_array<std::string_view>(
-    {"collision", "collider", "collidable", "collides", "collide", "collid", "collis", "solid", "blocked", "blocking",
-     "blocker", "obstacle", "impassable", "barrier", "boundary", "boundaries"});
-constexpr auto kGround = std::to_array<std::string_view>(
-    {"ground", "wall", "floor", "terrain", "platform", "plateform", "plataform", "plattform", "block"});
+    {"collision", "collider", "collidable", "collides", "collide", "collid", "collis", "colis", "hitbox", "solid",
+     "blocked", "blocking", "blocker", "obstacle", "impassable", "barrier", "boundary", "boundaries"});
+constexpr auto kGround = std::to_array<std::string_view>({"ground", "wall", "floor", "terrain", "platform", "plateform",
+                                                          "plataform", "plattform", "block", "brick", "pipe"});
 
 /// Words for another use, as they are. They are also looked for before and after a word that is written together.
 constexpr auto kOther = std::to_array<std::string_view>(
@@ -25,8 +25,16 @@ constexpr auto kOther = std::to_array<std::string_view>(
 
 /// The same for words that begin so.
 constexpr auto kOtherBegins = std::to_array<std::string_view>(
-    {"ambient", "coin",  "damag",   "decal",  "deco",  "detail", "effect", "enem",  "event", "ignor", "overlay",
-     "shadow",  "spawn", "trigger", "visual", "water", "ladder", "rope",   "spike", "lava",  "sky",   "cloud"});
+    {"ambient", "coin",    "damag",  "decal", "deco",    "detail", "effect", "enem",   "event",
+     "ignor",   "overlay", "shadow", "spawn", "trigger", "visual", "water",  "ladder", "rope",
+     "spike",   "lava",    "sky",    "cloud", "acid",    "liquid", "toxic"});
+
+/// What lies behind or above the layer that one walks in, and is only seen.
+constexpr auto kSeen = std::to_array<std::string_view>({"above", "back", "background", "behind", "below", "bg", "far",
+                                                        "fg", "fore", "foreground", "front", "over", "sky"});
+
+/// Values of cells that are no ground to stand on, in whatever layer they are.
+constexpr auto kThroughBegins = std::to_array<std::string_view>({"acid", "ladder", "lava", "rope", "spike", "vine"});
 
 /// What a property can be that is about collision, and does not say that there is any.
 constexpr auto kOfProperties =
@@ -105,6 +113,25 @@ Saying saying(std::string_view name) { return sayingOf(wordsIn(name), isOther); 
 
 Saying sayingOfProperty(std::string_view name) {
   return sayingOf(wordsIn(name), [](std::string_view word) { return isOther(word) || has(kOfProperties, word); });
+}
+
+bool isGoneThrough(std::string_view name) {
+  const std::vector<std::string> words = wordsIn(name);
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return std::any_of(kThroughBegins.begin(), kThroughBegins.end(),
+                       [&](std::string_view begin) { return word.starts_with(begin); });
+  });
+}
+
+bool isMainName(std::string_view name) {
+  constexpr auto kMain = std::to_array<std::string_view>({"level", "main", "map", "tile", "tiles", "world"});
+  const std::vector<std::string> words = wordsIn(name);
+  return words.size() == 1 && has(kMain, words.front());
+}
+
+bool isOnlySeen(std::string_view name) {
+  const std::vector<std::string> words = wordsIn(name);
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) { return has(kSeen, word); });
 }
 
 bool isForOtherUse(std::string_view name) {

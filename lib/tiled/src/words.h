@@ -28,6 +28,15 @@ Saying saying(std::string_view name);
 /// "groundSpeed".
 Saying sayingOfProperty(std::string_view name);
 
+/// Whether the name of a kind of cells says that bodies go through them: ladders, spikes and the like.
+bool isGoneThrough(std::string_view name);
+
+/// Whether a layer is called "tiles", "main" or the like.
+bool isMainName(std::string_view name);
+
+/// Whether the name of a layer says that it lies behind or above the others.
+bool isOnlySeen(std::string_view name);
+
 /// Whether a name has a word for another use.
 bool isForOtherUse(std::string_view name);
 

@@ -98,7 +98,7 @@ void WorldImport::add(const ImportedMap& map) {
     for (const LocalPoint p : shape) ring.push_back({p.x, p.y});
     shapes.push_back(placer_.shape(ring));
   }
-  for (const Placement& p : map.placements) {
+  for (const MapPolygon& p : map.placements) {
     const std::uint32_t tile = p.tile == kNoTile ? kNoTile : tiles[p.tile];
     placer_.place(p.cell, placer_.entry({shapes[p.shape], p.block, tile, p.object, firstLayer + p.layer}));
   }

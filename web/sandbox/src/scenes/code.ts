@@ -42,7 +42,7 @@ map.place(world)${jsEnd}`,
     'if (!map) return std::puts(lgs::tiled::message(map.error()).c_str()), 1;',
     'std::vector<lgs::ShapeId> shapes;',
     'for (const auto& shape : map->shapes) shapes.push_back(*world.shape(shape));',
-    'for (const lgs::tiled::Placement& p : map->placements)',
+    'for (const lgs::tiled::MapPolygon& p : map->placements)',
     '  if (!world.add(p.cell, shapes[p.shape], p.block)) return 1;',
   ]),
 })

@@ -20,7 +20,7 @@
 // property (of the tile, or of its layer).
 //   Object layers hold the same shapes, of any size, and tile objects, which bring the shapes of their tile. Object
 // templates are read. Options::objects says which object layers count. By default these are all whose name, class or
-// property has one of the words collision, collider, solid, wall, ground, terrain, blocked in it, such as "InnerWalls".
+// property says that they are solid, such as "InnerWalls".
 //   The importer leaves out what has no area or is not supported: points, open polylines (but see
 // Options::polylineThickness), texts; in the shapes of a tile also tile objects. The report names them. The importer
 // passes over image layers. Hidden layers and objects count like visible ones, unless Options::visibleOnly is set. If
@@ -62,6 +62,8 @@
 // combination of tiles that meet in a cell. A combination of polygons that lie on each other takes a brush some 0.2 ms.
 // Whatever is in the files, an import takes work and memory in proportion to their bytes, beyond the limits of Options.
 #pragma once
+
+#include <lgs/tiled/report.h>
 
 #include <lgs/ids.h>
 #include <lgs/lattice.h>
@@ -131,18 +133,19 @@ tl::expected<TileTable, std::string> parseTileTable(std::string_view text);
 ///
 /// Without solidWithoutShapes, solidIf, objects and tiles the map itself decides what is solid, by the strongest
 /// evidence that there is in it: 1. shapes of tiles, and those of object layers that say that they are solid; 2.
-/// layers, and classes of tiles and objects, that say collision; 3. properties of tiles that do; 4. layers that say
-/// ground or wall. docs/maps.md, "What is taken by itself", has the words. Report::choice says what was taken. `layers`
-/// narrows where that is looked for. With any of the four nothing is chosen: they hold, and so do the shapes of tiles.
+/// layers, and classes of tiles and objects, that say collision; 3. properties of tiles and objects that do; 4. layers
+/// that say ground or wall; 5. the only tile layer, if it is half empty. docs/maps.md, "What is taken by itself", has
+/// the words. Report::choice says what was taken. `layers` narrows where that is looked for. With any of the four
+/// nothing is chosen: they hold, and so do the shapes of tiles.
 struct Options {
   double tolerance = 1.0;            ///< pixels, finite, 0 or more; at most a quarter of a tile is used
   Outside outside = Outside::carry;  ///< what happens to what reaches out of its cell
   bool solidWithoutShapes = false;   ///< a tile without any collision object is a full square (true) or empty (false)
 
   /// Properties, "NAME" or "NAME=VALUE". A tile without any collision object is a full square if it or its layer has
-  /// one of them. "NAME" alone takes any value that is not empty, "false" or "0". The report names those that no
-  /// tile and no tile layer has, names and values alike.
-  /// A tile has its class as a property "class".
+  /// one of them. "NAME" alone takes any value that is not empty, "false" or "0". A tile has its class as a property
+  /// "class". Unless `objects` names some, objects that have such a property are taken from any object layer. The
+  /// report names those properties that nothing has, names and values alike.
   std::vector<std::string> solidIf;
 
   TileTable tiles;                    ///< shapes of tiles by their numbers; they replace those in the tileset
@@ -205,11 +208,11 @@ struct ImportError {
 /// "FILE:LINE: element: what is wrong (Options::maxTiles)"
 std::string message(const ImportError& error);
 
-/// Placement::tile for a polygon from an object layer.
+/// MapPolygon::tile for a polygon from an object layer.
 inline constexpr std::uint32_t kNoTile = ~std::uint32_t{0};
 
 /// One polygon in a cell.
-struct Placement {
+struct MapPolygon {
   Cell cell;                 ///< where
   Block block = 1;           ///< what Options::blockFrom asks for
   std::uint32_t shape = 0;   ///< index in ImportedMap::shapes
@@ -218,110 +221,10 @@ struct Placement {
   std::uint32_t layer = 0;   ///< index in Report::layers
 };
 
-/// The kinds of notes, those that matter most first.
-enum class NoteKind : std::uint8_t {
-  leftOut,       ///< the object, or a part of it, is not in the result
-  clipped,       ///< a part that reached out of the cell was cut off
-  carried,       ///< a part that reached out of the cell went into a neighbouring cell
-  trimmed,       ///< a part lay on a polygon that was there before, and was taken away
-  approximated,  ///< a curve became a polygon
-  snapped,       ///< coordinates moved onto grid lines
-  takenBack,     ///< no coordinate moved onto a grid line: sides of the outline would have met there
-  nearMiss,      ///< a vertex on a grid line misses a corner by little more than the tolerance, and was not moved
-  hidden,        ///< the object is hidden, and was taken all the same
-};
-
-/// Something that happened to one collision object of a tile, or to one object of an object layer.
-struct Note {
-  NoteKind kind{};           ///< what happened
-  std::uint32_t object = 0;  ///< id of the collision object
-  double pixels = 0;         ///< snapped, takenBack: the furthest move; carried, clipped: the furthest reach; nearMiss:
-                             ///< the miss
-  std::uint64_t places = 0;  ///< in how many cells; 0 for notes that hold wherever the tile is used
-  Cell cell;                 ///< the first of these cells
-  std::string text;          ///< the note in words, without the object's number
-  std::uint32_t layer = 0;   ///< of the cells, if there are places: index in Report::layers
-};
-
-/// A tile that the map uses. Flipped and rotated ones count as the same tile.
-struct TileReport {
-  std::string tileset;      ///< name
-  std::uint32_t id = 0;     ///< in the tileset, from 0
-  std::string className;    ///< as BlockFrom::tileClass has it; may be empty
-  std::uint64_t uses = 0;   ///< how often the imported layers show it
-  bool hasShapes = false;   ///< whether it has any collision object
-  std::vector<Note> notes;  ///< sorted by kind, then object
-  bool isSolid = false;     ///< it has no shapes, and is a full square as Options asked, at least in one layer
-  bool isLeftOut = false;   ///< as Options::leaveOut asked
-  std::vector<std::uint32_t> layers = {};  ///< in which it is used: indices in Report::layers
-};
-
-/// What a layer holds.
-enum class LayerKind : std::uint8_t { tiles, objects, image };
-
-/// A layer of the map, whether it was taken or not.
-struct LayerReport {
-  std::string path;                   ///< "Group/Layer"; before it the name of the map in a world, or of the level
-  bool imported = false;              ///< whether it was taken
-  std::uint64_t tiles = 0;            ///< tiles that are not empty
-  std::string note;                   ///< why it was taken or passed over, or what is special about it; may be empty
-  LayerKind kind = LayerKind::tiles;  ///< what it holds
-  std::uint64_t objects = 0;          ///< of an object layer
-  std::vector<Note> notes = {};       ///< of its objects; sorted by kind, then object
-};
-
-/// A block that the import used.
-struct BlockReport {
-  std::string name;  ///< of the class or the path of the layer, several with commas; empty with BlockFrom::one
-  Block block = 1;   ///< the number
-  std::uint64_t polygons = 0;  ///< placements with this block
-};
-
-/// Something in a map that could be taken instead of what was. It was tried.
-struct Suggestion {
-  std::string text;  ///< "tile layer Ground, 34 % of the map: its name says 'ground'"
-  std::vector<std::string>
-      arguments;               ///< of `lgs import` that choose it: "--objects", "Boxes". The same as in Options.
-                               ///< They stand for all of Options that choose, up to `visibleOnly`
-  std::uint64_t polygons = 0;  ///< how many it gives, more than none
-};
-
-/// How many suggestions there are at most, and so how often a map is imported for them.
-inline constexpr std::size_t kMaxSuggestions = 12;
-
-/// An argument as a shell takes it: in quotes if it has to be. Names come from files, so control characters have
-/// escapes.
-std::string shellWord(std::string_view argument);
-
-/// What came in, and what was left out or changed: toText() writes it.
-struct Report {
-  std::string file;                 ///< the map
-  int width = 0;                    ///< of the map, tiles; what its file says
-  int height = 0;                   ///< of the map, tiles
-  int tileWidth = 0;                ///< of the grid, in pixels
-  int tileHeight = 0;               ///< of the grid, in pixels
-  bool infinite = false;            ///< whether the map has no size of its own
-  double tolerance = 0;             ///< pixels, as used
-  std::uint64_t cells = 0;          ///< that hold a polygon
-  std::uint64_t polygons = 0;       ///< placements
-  std::uint64_t shapes = 0;         ///< distinct polygons
-  std::vector<LayerReport> layers;  ///< all of the map, in its order
-  std::vector<BlockReport> blocks;  ///< that are used, by number
-  std::vector<TileReport> tiles;    ///< that are used, in the order of their first use
-  std::vector<std::string> notes;   ///< about the map as a whole
-  std::string choice;               ///< what was taken by itself, and why; empty if shapes of tiles were, or nothing
-  std::string partial;              ///< what says that it is solid and was not taken; empty if all of it was
-  std::vector<Suggestion> suggestions;  ///< if nothing came out, or `partial`: what could be taken, the likeliest first
-};
-
-/// The report for a terminal: what came in, then what was left out and what was changed, tile by tile. Control
-/// characters in names become blanks.
-std::string toText(const Report& report);
-
 /// What importMap() makes of a map.
 struct ImportedMap {
   std::vector<std::vector<LocalPoint>> shapes;  ///< distinct polygons; for World::shape() or World::add()
-  std::vector<Placement> placements;            ///< sorted by cell (j, then i), and in a cell as they were placed
+  std::vector<MapPolygon> placements;        ///< sorted by cell (j, then i), and in a cell as they were placed
   std::map<std::string, Block> blocks;          ///< of all names in Options::blocks, and of those that the import met
   Report report;                                ///< what came in, and what was left out or changed
 
@@ -338,8 +241,8 @@ struct ImportedMap {
 /// map's path and for paths that lie below the map's folder as they are written: without "..", with slashes only. What
 /// it makes of them is its own affair. A reader of a server's disk must not follow links out of the folder, nor open
 /// what is no regular file, as it may block; readerBelow() is such a reader. In a browser the files that were given are
-/// all there are. What a reader says of a file that it can not read becomes part of the error. What it throws comes out
-/// of importMap(), and nothing is leaked; so it is with a FolderLister.
+/// all there are. What a reader says of a file that it can not read becomes part of the error. What it throws comes
+/// out of importMap(), and nothing is leaked; so it is with a FolderLister.
 using FileReader = std::function<tl::expected<std::string, std::string>(const std::string& path)>;
 
 /// Returns the names of the files in a folder, without that of the folder, in any order; or says why it can not. Only a
