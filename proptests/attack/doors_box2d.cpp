@@ -165,12 +165,12 @@ void addDoorsOfBox2d(Doors& door) {
     groundOf(s).physics.Step(1.0F / 60, 8, 3);
     return groundOf(s).terrain.afterStep().size();
   });
-  door("box2d::TerrainBase::moved(const Body&)", [](Scene& s, Who who, const b2Vec2& place, Angle angle) {
+  door("box2d::TerrainBase::moved(BodyArgument)", [](Scene& s, Who who, const b2Vec2& place, Angle angle) {
     b2Body& body = who.in(groundOf(s));
     if (place.IsValid() && b2IsValid(angle.value) && place.Length() < 1e10F) body.SetTransform(place, angle.value);
     return groundOf(s).terrain.moved(body), 0;
   });
-  door("box2d::TerrainBase::fits(const Body&)",
+  door("box2d::TerrainBase::fits(BodyArgument)",
        [](Scene& s, Who who) { return groundOf(s).terrain.fits(who.in(groundOf(s))); });
   door("box2d::Terrain::fits(const b2Body&, const b2Transform&)",
        [](Scene& s, Who who, const b2Vec2& place, Angle angle) {

@@ -41,11 +41,11 @@ KINDS = {
     "names": "SvgOverlay Partial<ErrorDetails>&{cause?:unknown} readonly(readonly[Block,Block])[]",
     "number": "Int128 number int int32_t uint32_t uint64_t int64_t size_t double float Handles",
     "options": "Options EdgeOptions PiecesOptions TerrainOptions WorldOptions ImportOptions InitOptions lgs_world_options",
-    "part": "vector<BodyPolygon> lgs_body",
+    "part": "vector<BodyPolygon> lgs_body constBody&",
     "piece": "PieceId",
     "pieces": "Pieces lgs_pieces",
-    "physics": "Body ConstBodyHandle Shape b2World b2Body b2Fixture b2Contact b2Transform Fixture ObjectId Box2D PhysicsId "
-               "Physics Material",
+    "physics": "Body BodyArgument ConstBodyHandle Shape b2World b2Body b2Fixture b2Contact b2Transform Fixture ObjectId "
+               "Box2D PhysicsId Physics Material",
     "place": "Placing {x:number;y:number;angle:number} {readonlyi:number;readonlyj:number} Place Position Chunk Metres "
              "b2Vec2 Vec2 Vec2Value",
     "point": "Point DoublePoint LocalPoint lgs_point lgs_double_point",
@@ -70,9 +70,10 @@ KIND_OF = {name: kind for kind, names in KINDS.items() for name in names.split()
 
 
 def kind_of(type_name):
-    """A pointer of C's is written, or an array is read; other types are as they are without const and reference."""
+    """A pointer of C's is written, or an array is read; other types are as they are without const and reference.
+    Only `const Body&` is the engine's: a Body of JavaScript is the physics engine's."""
     text = re.sub(r"^const ", "", type_name).rstrip("&* ")
-    kind = KIND_OF.get(text.replace(" ", "")) or ("struct" if text.startswith("lgs_") else None)
+    kind = KIND_OF.get(type_name.replace(" ", "")) or KIND_OF.get(text.replace(" ", "")) or ("struct" if text.startswith("lgs_") else None)
     if kind is None:
         raise SystemExit(f"proptests/doors/table.py: a kind is missing for the type {type_name}")
     if type_name.endswith("**") or (type_name.endswith("*") and not type_name.startswith("const ")

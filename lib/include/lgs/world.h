@@ -53,13 +53,13 @@ inline constexpr std::size_t kMaxChunks =
 #endif
 inline constexpr std::size_t kMaxEntries = 0x7fff'ffff;  ///< of a call that takes many
 
-/// Which handles a file was compiled for. It is a parameter of World's constructor that nobody gives: where a program and
-/// its library disagree about LGS_HANDLES_IN_53_BITS, they do not link.
 #ifdef LGS_HANDLES_IN_53_BITS
 enum class HandlesIn53Bits : bool {};
 using Handles = HandlesIn53Bits;
 #else
 enum class HandlesIn60Bits : bool {};
+/// Which handles a file was compiled for. It is a parameter of World's constructor that nobody gives: where a program and
+/// its library disagree about LGS_HANDLES_IN_53_BITS, they do not link.
 using Handles = HandlesIn60Bits;
 #endif
 
@@ -222,7 +222,7 @@ class World {
   Expected<std::uint64_t> clear(const Rect& cells) noexcept {
     return clearRect(cells);
   }
-  Expected<std::uint64_t> clear(Cell cell) noexcept { return clearRect({cell, cell}); }
+  Expected<std::uint64_t> clear(Cell cell) noexcept { return clearRect({cell, cell}); }  ///< the same for one cell
 
   /// Begins a group of edits that happens as a whole or not at all.
   [[nodiscard]] Transaction edit() noexcept;

@@ -129,7 +129,7 @@ void TerrainBase::noteAll() {
     if (isFree(body, box2d::poseOf(body))) note(body);
 }
 
-void TerrainBase::moved(const Body& body) { footings_->forget(numberOf(handleOf(body))); }
+void TerrainBase::moved(BodyArgument body) { footings_->forget(numberOf(handleOf(body))); }
 
 void TerrainBase::note(ConstBodyHandle body) {
   const Pose at = box2d::poseOf(body);
@@ -162,7 +162,7 @@ Pose TerrainBase::poseOf(const Footing& footing) const {
   return at;
 }
 
-bool TerrainBase::fits(const Body& body) { return fitsAt(handleOf(body), box2d::poseOf(handleOf(body))); }
+bool TerrainBase::fits(BodyArgument body) { return fitsAt(handleOf(body), box2d::poseOf(handleOf(body))); }
 
 bool TerrainBase::fitsAt(ConstBodyHandle body, const Pose& at) {
   const std::vector<Form> forms = formsOf(body, at);

@@ -74,15 +74,17 @@ struct Frame {
   Point latticePoint(Place p) const {
     return lgs::latticePoint({p.x / cellSize + origin.i, p.y / cellSize + origin.j});
   }
-  /// A place of the physics world in lattice units, and back; both are rounded as doubles are.
+  /// A place of the physics world in lattice units, rounded as doubles are.
   DoublePoint units(Place p) const {
     return {(p.x / cellSize + origin.i) * kUnitsPerCell, (p.y / cellSize + origin.j) * kUnitsPerCell};
   }
+  /// Where a point in lattice units is in the physics world, rounded as doubles are.
   Place placeOf(DoublePoint units) const {
     return position(DoublePoint{units.x / kUnitsPerCell, units.y / kUnitsPerCell});
   }
-  /// A length in lattice units, and back.
+  /// A length in lattice units.
   double units(double metres) const { return metres / cellSize * kUnitsPerCell; }
+  /// A length in metres.
   float metres(double units) const { return static_cast<float>(units * cellSize / kUnitsPerCell); }
   /// A length in lattice units, rounded up. It is a tenth longer than asked for, so that what is at least as long on
   /// the lattice is still long enough after rounding to `float`. At most 2^62, also for what is no number. Asserts that

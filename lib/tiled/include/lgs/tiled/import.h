@@ -94,8 +94,9 @@ inline constexpr std::size_t kMaxObjectVertices = 1'024;
 /// So is an outline that crosses itself more often, and a shape of a tile that crosses what is in a cell already.
 inline constexpr std::size_t kMaxCrossings = 1'024;
 
-/// What each byte that is read adds to Options::maxWork and Options::maxObjectCells.
+/// What each byte that is read adds to Options::maxWork.
 inline constexpr std::size_t kWorkPerByte = 1'024;
+/// What each byte that is read adds to Options::maxObjectCells.
 inline constexpr std::size_t kObjectCellsPerByte = 256;
 
 /// A layer whose path has more bytes than this is an error.

@@ -103,10 +103,10 @@ class TerrainBase {
 
   /// Call it when the game itself has put a body elsewhere, through a portal or to where it starts anew: else it seems
   /// to have come through the ground that is between, and afterStep() puts it back. Not needed before resync().
-  void moved(const Body& body);
+  void moved(BodyArgument body);
 
   /// Whether the ground, as of the last commit, reaches into no shape of a body by more than Box2D's slop.
-  bool fits(const Body& body);
+  bool fits(BodyArgument body);
 
   /// Polygons around the shapes of a body that edges hold, in lattice units of the world: for a brush. Round ones are
   /// somewhat larger.
@@ -153,7 +153,7 @@ class TerrainBase {
   std::vector<BodyHandle> bodiesIn(const Rect& cells) const {
     return bodiesInRect(cells);
   }
-  std::vector<BodyHandle> bodiesIn(Cell cell) const { return bodiesInRect({cell, cell}); }
+  std::vector<BodyHandle> bodiesIn(Cell cell) const { return bodiesInRect({cell, cell}); }  ///< the same for one cell
 
   /// Makes the corner of another cell (0, 0) of the physics world, for a world that keeps its origin near the player.
   /// Moves the terrain's bodies, and no others. In Box2D 2.4 the game calls, before it,
@@ -176,16 +176,17 @@ class TerrainBase {
   Cell cellAt(const Position& p) const;
 
  protected:
+  /// The static body that has the shapes of a chunk.
   struct ChunkBody {
-    BodyHandle body{};
-    std::size_t shapes = 0;
+    BodyHandle body{};       ///< null, while there is no shape
+    std::size_t shapes = 0;  ///< how many it has
   };
-  TerrainBase(Physics physics, const World& world, TerrainOptions options);
-  ~TerrainBase();  // destroys its bodies
+  TerrainBase(Physics physics, const World& world, TerrainOptions options);  ///< makes all shapes
+  ~TerrainBase();                                                            ///< destroys its bodies
 
-  bool fitsAt(ConstBodyHandle body, const Pose& at);
-  EdgeId edgeOf(const Shape& shape) const;  // null if it is none of the terrain's
-  void lookAt(BodyHandle body, const std::optional<Footing>& last);
+  bool fitsAt(ConstBodyHandle body, const Pose& at);                 ///< fits(), as if the body were there
+  EdgeId edgeOf(const Shape& shape) const;                           ///< null if it is none of the terrain's
+  void lookAt(BodyHandle body, const std::optional<Footing>& last);  ///< afterStep() for one body that was moved
 
  private:
   std::vector<BodyHandle> bodiesInRect(const CellRect& cells) const;
@@ -213,19 +214,19 @@ class TerrainBase {
   Position positionOf(std::uint32_t chunk) const;
 
  protected:
-  Physics physics_;
-  const World& world_;
-  Frame frame_;
-  OnCaught onCaught_;
-  Materials<Material> materials_;
-  EdgeSet edges_;
-  std::vector<SegmentShape> shapes_ = std::vector<SegmentShape>(1);  // by EdgeId
-  std::vector<ChunkBody> bodies_;                                    // by number of the chunk
-  std::size_t bodyCount_ = 0;
-  std::vector<Caught> caught_;
-  std::vector<BodyHandle> held_;
-  std::unique_ptr<Footings> footings_;
-  std::vector<BodyHandle> putBack_;
+  Physics physics_;                ///< the physics world
+  const World& world_;             ///< the world whose outline this is
+  Frame frame_;                    ///< where cells are in metres
+  OnCaught onCaught_;              ///< what sync() does with bodies that new ground catches
+  Materials<Material> materials_;  ///< by block
+  EdgeSet edges_;                  ///< the edges behind the shapes
+  std::vector<SegmentShape> shapes_ = std::vector<SegmentShape>(1);  ///< by EdgeId
+  std::vector<ChunkBody> bodies_;                                    ///< by number of the chunk
+  std::size_t bodyCount_ = 0;                                        ///< chunks with at least one shape
+  std::vector<Caught> caught_;                                       ///< of the last sync()
+  std::vector<BodyHandle> held_;                                     ///< bodies that wait until their place is free
+  std::unique_ptr<Footings> footings_;                               ///< where each body was free last
+  std::vector<BodyHandle> putBack_;                                  ///< by the last afterStep()
 };
 
 }  // namespace lgs::box2d

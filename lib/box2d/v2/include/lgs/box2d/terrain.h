@@ -32,17 +32,17 @@ class Terrain : public TerrainBase {
   /// resync() if `world` is assigned to. Cost: O(segments).
   Terrain(b2World& physics, const World& world, TerrainOptions options = {});
 
+  using TerrainBase::fits;
   /// Whether the ground, as of the last commit, reaches into no fixture of a body by more than Box2D's slop, as if it
   /// were at another place.
-  using TerrainBase::fits;
   bool fits(const b2Body& body, const b2Transform& at);
 
+  using TerrainBase::hit;
   /// What a contact touches of the terrain; nothing if neither fixture is the terrain's, or if the contact does not
   /// touch: Box2D has contacts also of fixtures that are only near. If the edge stands for several segments, the hit is
   /// the one nearest to the middle of the contact's points; without points, as with a sensor, to the middle of the
   /// other fixture. Can be called in a b2ContactListener: in BeginContact, PreSolve and PostSolve every contact
   /// touches. In EndContact use hit(fixture), because a contact that ends does not touch any more.
-  using TerrainBase::hit;
   std::optional<Touch> hit(b2Contact& contact) const;
 
   /// The fixture that stands for a segment; null if the segment is left out, because it is too short, or is not alive.

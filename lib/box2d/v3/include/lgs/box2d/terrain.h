@@ -41,9 +41,9 @@ class Terrain : public TerrainBase {
   /// where it is; resync() if it is assigned to. Cost: O(segments).
   Terrain(b2WorldId physics, const World& world, TerrainOptions options = {}, Precision = {});
 
+  using TerrainBase::fits;
   /// Whether the ground, as of the last commit, reaches into no shape of a body by more than Box2D's slop, as if it
   /// were at another place.
-  using TerrainBase::fits;
   bool fits(b2BodyId body, Position at, b2Rot rotation);
 
   /// What recall() needs to bring the terrain back to now, and nobody else can read. For this terrain alone.
@@ -66,11 +66,11 @@ class Terrain : public TerrainBase {
   MemoryPtr remember() const;
   void recall(const MemoryPtr& memory);  ///< see remember()
 
+  using TerrainBase::hit;
   /// What a contact touches of the terrain; nothing if it is none of the terrain's, or has no points. If the edge
   /// stands for several segments, the hit is the one nearest to the middle of the points. Box2D gives out the data of
   /// contacts that touch, and of no others. But it looks ahead: what is less than four slops (2 cm) away touches for
   /// it, and a point's `separation` is greater than 0 then.
-  using TerrainBase::hit;
   std::optional<Touch> hit(const b2ContactData& contact) const;
 
   /// The same by the id of a contact, which Box2D's events have from 3.2 on; nothing if the contact is no more.

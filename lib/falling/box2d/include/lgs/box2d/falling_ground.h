@@ -34,7 +34,7 @@ struct FallingOptions {
 
 /// A body, and the ground that it is. The body's origin is where the ground's origin was.
 struct Falling {
-  FallingBody body{};  ///< null: every part is thinner than Box2D's slop, and there is nothing to see
+  BodyHandle body{};  ///< null: every part is thinner than Box2D's slop, and there is nothing to see
   Body ground;         ///< what it is made of
 };
 
@@ -42,7 +42,7 @@ struct Falling {
 class FallingGround {
  public:
   /// All of them must outlive it and stay where they are.
-  FallingGround(FallingWorld physics, World& world, Terrain& terrain, FallingOptions options = {})
+  FallingGround(Physics physics, World& world, Terrain& terrain, FallingOptions options = {})
       : physics_(physics), world_(world), terrain_(terrain), options_(std::move(options)) {}
 
   /// Takes an island out of the ground. Its body is made by the next afterSync(). Errors and cost as of take().
@@ -62,7 +62,7 @@ class FallingGround {
       const Position at = terrain_.position(toWorld(ground.origin, {}));
       const auto parts = convexParts(ground, 8);  // it was in a world, so it fits into one
       const double size = cellSize();
-      const FallingBody body = makeBody(physics_, at, fallingParts(parts.value(), size, slopOf(physics_)),
+      const BodyHandle body = makeBody(physics_, at, fallingParts(parts.value(), size, slopOf(physics_)),
                                         fallingMass(ground, options_.density, size), [&](Block block) {
                                           return options_.material ? options_.material(block) : Material{};
                                         });
@@ -81,7 +81,7 @@ class FallingGround {
   /// island with what it rests on; what is ground already stays. Then the body is destroyed. Refused, and nothing is
   /// changed: overlap, where the ground reaches into it by more than two slops; staleHandle, if there is no such body;
   /// and as by putAsItLies(). Cost: as of Terrain::fits() and putAsItLies().
-  Expected<void> settle(FallingBody body) {
+  Expected<void> settle(BodyHandle body) {
     const auto found = find(body);
     if (found == bodies_.end()) return tl::unexpected(Error{.code = ErrorCode::staleHandle});
     const Place down = downOf(physics_);
@@ -104,15 +104,13 @@ class FallingGround {
   }
 
   /// For a body that the game destroys itself, or keeps for itself.
-  void forget(FallingBody body) {
+  void forget(BodyHandle body) {
     if (const auto found = find(body); found != bodies_.end()) bodies_.erase(found);
   }
 
  private:
-  using Position = decltype(std::declval<const Terrain&>().position(Point{}));
-
-  static bool isNull(FallingBody body) { return body == FallingBody{}; }
-  typename std::vector<Falling>::iterator find(FallingBody body) {
+  static bool isNull(BodyHandle body) { return body == BodyHandle{}; }
+  typename std::vector<Falling>::iterator find(BodyHandle body) {
     return std::find_if(bodies_.begin(), bodies_.end(), [&](const Falling& f) { return f.body == body; });
   }
   /// The corner of a cell is at the origin of the physics, so nothing is rounded here but the size itself.
@@ -121,7 +119,7 @@ class FallingGround {
     return static_cast<double>(terrain_.position({corner.x + kUnitsPerCell, corner.y}).x);
   }
 
-  FallingWorld physics_;
+  Physics physics_;
   World& world_;
   Terrain& terrain_;
   FallingOptions options_;

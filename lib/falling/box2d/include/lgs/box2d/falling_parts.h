@@ -1,6 +1,7 @@
 // What a body of Box2D is made of: shapes in metres, and its mass. For lgs/box2d/falling.h of either Box2D.
 #pragma once
 
+#include <lgs/box2d/frame.h>
 #include <lgs/falling.h>
 
 #include <algorithm>

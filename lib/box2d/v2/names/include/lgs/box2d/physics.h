@@ -6,7 +6,7 @@
 namespace lgs::box2d {
 
 using Physics = b2World&;               ///< the physics world
-using Body = b2Body;                    ///< a body, as an argument
+using BodyArgument = const b2Body&;     ///< a body, as an argument
 using BodyHandle = b2Body*;             ///< a body that the terrain names
 using ConstBodyHandle = const b2Body*;  ///< a body that is only read
 using Shape = b2Fixture;                ///< a shape, as an argument

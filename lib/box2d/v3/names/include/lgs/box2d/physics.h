@@ -6,7 +6,7 @@
 namespace lgs::box2d {
 
 using Physics = b2WorldId;         ///< the physics world
-using Body = b2BodyId;             ///< a body, as an argument
+using BodyArgument = b2BodyId;     ///< a body, as an argument
 using BodyHandle = b2BodyId;       ///< a body that the terrain names
 using ConstBodyHandle = b2BodyId;  ///< a body that is only read
 using Shape = b2ShapeId;           ///< a shape, as an argument

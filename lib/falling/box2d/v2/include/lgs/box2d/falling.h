@@ -10,10 +10,6 @@
 
 namespace lgs::box2d {
 
-/// How Box2D 2.4 names a body, and its world.
-using FallingBody = b2Body*;
-using FallingWorld = b2World&;
-
 /// Of one step down, as gravity pulls: where there is none the length is 0.
 inline Place downOf(b2World& physics) {
   const b2Vec2 g = physics.GetGravity();

@@ -10,10 +10,6 @@
 
 namespace lgs::box2d {
 
-/// How Box2D 3 names a body, and its world.
-using FallingBody = b2BodyId;
-using FallingWorld = b2WorldId;
-
 /// Ids of Box2D are plain structs.
 inline bool operator==(b2BodyId a, b2BodyId b) { return B2_ID_EQUALS(a, b); }
 
