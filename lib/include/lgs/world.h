@@ -39,9 +39,9 @@ namespace lgs {
 /// records of cells with segments, or more than 2^31 - 4,097 segments, ends the program, as it does when memory runs
 /// out.
 ///
-/// A program for JavaScript, whose numbers are whole up to 2^53, may define LGS_HANDLES_IN_53_BITS for all of its files.
-/// Then every PolygonHandle has cellRef < 2^30 and serial < 2^23: at most 2^20 - 1 chunks and, in one cell, 2^23 - 1
-/// polygons ever placed.
+/// A program for JavaScript, whose numbers are whole up to 2^53, may define LGS_HANDLES_IN_53_BITS for all of its
+/// files. Then every PolygonHandle has cellRef < 2^30 and serial < 2^23: at most 2^20 - 1 chunks and, in one cell, 2^23
+/// - 1 polygons ever placed.
 inline constexpr std::size_t kMaxVerticesPerCell = 4'096;  ///< of all polygons of one cell together
 inline constexpr std::size_t kMaxPolygonsPerCell = 254;    ///< in one cell
 #ifdef LGS_HANDLES_IN_53_BITS
@@ -57,9 +57,9 @@ inline constexpr std::size_t kMaxEntries = 0x7fff'ffff;  ///< of a call that tak
 enum class HandlesIn53Bits : bool {};
 using Handles = HandlesIn53Bits;
 #else
-enum class HandlesIn60Bits : bool {};
-/// Which handles a file was compiled for. It is a parameter of World's constructor that nobody gives: where a program and
-/// its library disagree about LGS_HANDLES_IN_53_BITS, they do not link.
+enum class HandlesIn60Bits : bool {};  ///< says it by its name
+/// Which handles a file was compiled for. It is a parameter of World's constructor that nobody gives: where a program
+/// and its library disagree about LGS_HANDLES_IN_53_BITS, they do not link.
 using Handles = HandlesIn60Bits;
 #endif
 
@@ -193,11 +193,11 @@ class World {
   [[nodiscard]] Expected<PolygonHandle> replace(Cell cell, ShapeId shape, Block block,
                                                 std::span<PolygonHandle> handles = {}) noexcept;
 
-  /// Takes some polygons of a cell away and places others: all of it, or nothing. The others of the cell stay. `handles`
-  /// receives the handles of `added`, or as many as it has room for. Only what stands in the cell at the end must fit:
-  /// nothing is worked out for the steps on the way. Refused: cellOutOfRange; staleHandle, for a handle that is not of
-  /// this cell or comes twice, and Error::index says which; as by shape(), and by add() for what stays. Cost: as of one
-  /// add().
+  /// Takes some polygons of a cell away and places others: all of it, or nothing. The others of the cell stay.
+  /// `handles` receives the handles of `added`, or as many as it has room for. Only what stands in the cell at the end
+  /// must fit: nothing is worked out for the steps on the way. Refused: cellOutOfRange; staleHandle, for a handle that
+  /// is not of this cell or comes twice, and Error::index says which; as by shape(), and by add() for what stays. Cost:
+  /// as of one add().
   [[nodiscard]] Expected<void> exchange(Cell cell, std::span<const PolygonHandle> removed,
                                         std::span<const NewPolygon> added,
                                         std::span<PolygonHandle> handles = {}) noexcept;
@@ -292,15 +292,16 @@ class World {
   /// holds no polygon gives its memory back. Chunks that hold polygons, or lie in the rectangle in part, stay as they
   /// are. Returns how many chunks went. An empty rectangle is no error.
   ///
-  /// All handles that were ever given out for cells of these chunks are *void*: drop them. They name nothing, until they
-  /// are given out again, maybe for another place: what comes next is as if no edit had ever been there. Segments and
-  /// their ids, shapes, all other handles, and later outlines are not touched, so nothing is to be told to anybody. In
-  /// a world that is saved, loaded or copied the same chunks are forgotten (law 12).
+  /// All handles that were ever given out for cells of these chunks are *void*: drop them. They name nothing, until
+  /// they are given out again, maybe for another place: what comes next is as if no edit had ever been there. Segments
+  /// and their ids, shapes, all other handles, and later outlines are not touched, so nothing is to be told to anybody.
+  /// In a world that is saved, loaded or copied the same chunks are forgotten (law 12).
   ///
   /// Refused: cellOutOfRange, with a corner of the rectangle that is out of range; uncommitted, while edits are not
-  /// committed or there are marks, since those may need the chunks. A game that always has marks forgets the chunks at a
-  /// moment to which it does not go back: it lets go of its marks, forgets, and makes a new one. Cost: in proportion to
-  /// the cells of the chunks in the rectangle, and to the chunks in the rectangle or in the world, whichever are fewer.
+  /// committed or there are marks, since those may need the chunks. A game that always has marks forgets the chunks at
+  /// a moment to which it does not go back: it lets go of its marks, forgets, and makes a new one. Cost: in proportion
+  /// to the cells of the chunks in the rectangle, and to the chunks in the rectangle or in the world, whichever are
+  /// fewer.
   template <std::same_as<CellRect> Rect = CellRect>
   [[nodiscard]] Expected<std::uint64_t> forget(const Rect& cells) noexcept {
     return forgetRect(cells);
@@ -352,9 +353,9 @@ class World {
   bool isEmpty(Cell cell) const noexcept;
 
   /// Calls visit(cell, polygon) for every placed polygon, buried ones too: chunk by chunk, in the order in which edits
-  /// first reached the chunks (a new one takes the place of a forgotten one); each by rows, each cell by handle. The second form visits the cells of a rectangle, and
-  /// chunks in any order. `visit` must not change the world; if it is empty, nobody is called. Cost: in proportion to the
-  /// cells that have a chunk.
+  /// first reached the chunks (a new one takes the place of a forgotten one); each by rows, each cell by handle. The
+  /// second form visits the cells of a rectangle, and chunks in any order. `visit` must not change the world; if it is
+  /// empty, nobody is called. Cost: in proportion to the cells that have a chunk.
   using PolygonVisitor = std::function<void(Cell, const PlacedPolygon&)>;
   /// See PolygonVisitor.
   void forEachPolygon(const PolygonVisitor& visit) const noexcept;
