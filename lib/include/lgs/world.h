@@ -54,10 +54,12 @@ inline constexpr std::size_t kMaxChunks =
 inline constexpr std::size_t kMaxEntries = 0x7fff'ffff;  ///< of a call that takes many
 
 #ifdef LGS_HANDLES_IN_53_BITS
+/// Says by its name how wide handles are.
 enum class HandlesIn53Bits : bool {};
 using Handles = HandlesIn53Bits;
 #else
-enum class HandlesIn60Bits : bool {};  ///< says it by its name
+/// Says by its name how wide handles are.
+enum class HandlesIn60Bits : bool {};
 /// Which handles a file was compiled for. It is a parameter of World's constructor that nobody gives: where a program
 /// and its library disagree about LGS_HANDLES_IN_53_BITS, they do not link.
 using Handles = HandlesIn60Bits;
