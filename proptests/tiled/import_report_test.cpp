@@ -149,7 +149,7 @@ TEST(TiledReport, OfAWholeImport) {
   options.blockFrom = BlockFrom::tileClass;
   options.outside = Outside::clip;
   const auto map = mustImport(set + csvLayer(2, 2, "2,3,1,2") +
-                                  "<layer name='Over' width='2' height='2' offsety='32'><data encoding='csv'>"
+                                  "<layer name='More' width='2' height='2' offsety='32'><data encoding='csv'>"
                                   "2,0,0,0</data></layer><imagelayer name='Sky'/>",
                               options);
   EXPECT_EQ(
@@ -157,7 +157,7 @@ TEST(TiledReport, OfAWholeImport) {
       "maps/test.tmx: 4×3 tiles of 32×32 px\n"
       "  9 polygons (5 distinct) in 3 cells\n"
       "  layer Ground  4 tiles\n"
-      "  layer Over    1 tile\n"
+      "  layer More    1 tile\n"
       "  layer Sky     passed over: an image\n"
       "  block 1  6 polygons  slope\n"
       "  block 2  2 polygons  ice\n"
@@ -167,21 +167,21 @@ TEST(TiledReport, OfAWholeImport) {
       "numbers. Choose them, or look them up by name\n"
       "\n"
       "Left out or cut off:\n"
-      "  Höhle #1 'slope', 3 uses in layers Ground, Over\n"
+      "  Höhle #1 'slope', 3 uses in layers Ground, More\n"
       "    object 5: a point has no area\n"
       "    object 2: reaches up to 4 px out of its cell: cut off\n"
       "\n"
       "Changed on the way in:\n"
-      "  Höhle #1 'slope', 3 uses in layers Ground, Over\n"
-      "    object 1: lies on what is there already: the common part was taken away (1 place in layer Over, first in "
+      "  Höhle #1 'slope', 3 uses in layers Ground, More\n"
+      "    object 1: lies on what is there already: the common part was taken away (1 place in layer More, first in "
       "cell 0, -2)\n"
-      "    object 2: lies on what is there already: the common part was taken away (1 place in layer Over, first in "
+      "    object 2: lies on what is there already: the common part was taken away (1 place in layer More, first in "
       "cell 0, -2)\n"
-      "    object 3: lies on what is there already: the common part was taken away (1 place in layer Over, first in "
+      "    object 3: lies on what is there already: the common part was taken away (1 place in layer More, first in "
       "cell 0, -2)\n"
       "    object 4: lies on what is there already: the common part was taken away (2 places in layer Ground, first in "
       "cell 0, -1)\n"
-      "    object 4: lies on what is there already: the common part was taken away (1 place in layer Over, first in "
+      "    object 4: lies on what is there already: the common part was taken away (1 place in layer More, first in "
       "cell 0, -2)\n"
       "    object 3: an ellipse became a polygon of 32 vertices\n"
       "    object 4: a capsule became a polygon of 32 vertices\n"

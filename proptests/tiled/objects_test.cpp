@@ -161,15 +161,15 @@ TEST(TiledObjectLayers, NotesAreOfTheirLayer) {
 TEST(TiledObjectLayers, NotesOfTilesNameTheLayersToo) {
   const std::string tiles = tilesetXml({kFullTile, "<object id='2' y='-8' width='32' height='32'/>"});
   const auto map = mustImport(tiles + csvLayer(2, 1, "1,2") +
-                              "<layer name='Over' width='2' height='1' offsety='32'><data encoding='csv'>2,2</data>"
+                              "<layer name='More' width='2' height='1' offsety='32'><data encoding='csv'>2,2</data>"
                               "</layer>");
   const std::string text = toText(map.report);
-  EXPECT_NE(text.find("  set #1, 3 uses in layers Ground, Over\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  set #1, 3 uses in layers Ground, More\n"), std::string::npos) << text;
   EXPECT_EQ(text.find("set #0"), std::string::npos) << "nothing is to be said of it\n" << text;
   EXPECT_EQ(map.report.tiles.at(0).layers, (std::vector<std::uint32_t>{0}));
   EXPECT_EQ(map.report.tiles.at(1).layers, (std::vector<std::uint32_t>{0, 1}));
   const std::string trimmed = "object 2: lies on what is there already: the common part was taken away ";
-  EXPECT_NE(text.find(trimmed + "(1 place in layer Over, first in cell 0, -1)\n"), std::string::npos) << text;
+  EXPECT_NE(text.find(trimmed + "(1 place in layer More, first in cell 0, -1)\n"), std::string::npos) << text;
   const auto flipped = mustImport(tiles + csvLayer(2, 1, "2,2147483650"));
   EXPECT_NE(toText(flipped.report).find("  set #1, 2 uses in layer Ground\n"), std::string::npos);
 }

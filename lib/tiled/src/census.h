@@ -29,8 +29,8 @@ struct LayerFacts {
   std::map<std::string, Saying> values = {};   ///< of an IntGrid layer: its values by name, with what they say
 
   /// Whether some of its objects are called a wall or the like, and others are called something else. Then the layer
-  /// holds things of all kinds, whatever its own name is.
-  bool isMixed() const { return !classes.empty() && silent > 0; }
+  /// holds things of all kinds, also if it is called "Obstacles". Of one that is called "Walls" all are parts.
+  bool isMixed() const { return !classes.empty() && silent > 0 && saying.says != Says::ground; }
 
   /// How much of its rectangle it fills, from 0 to 1.
   double share() const { return cells == 0 ? 0 : static_cast<double>(tiles) / static_cast<double>(cells); }
