@@ -10,6 +10,8 @@ export interface GroundChange {
   readonly cells: CellRect
   /** A tile is put, a brush strokes; to undo is to go back. */
   readonly what: 'tile' | 'stroke' | 'undo'
+  /** Of an undo: the moment that it led back to. */
+  readonly mark: Mark | null
   /** How long the edits and the commit took, in milliseconds; the browser may round that to 0.1. */
   readonly editTime: number
   readonly commitTime: number
@@ -29,6 +31,8 @@ export class Ground {
   /** Before the first and after the last edit of a stroke, and of an undo. */
   onBegin: () => void = () => {}
   onEnd: () => void = () => {}
+  /** When the moment is noted to which an undo leads back. */
+  onMark: (mark: Mark) => void = () => {}
   #document: Document
   #past: Stroke[] = []
   #future: Stroke[] = []
@@ -66,6 +70,7 @@ export class Ground {
   begin(): void {
     this.end()
     this.#stroke = { mark: this.world.checkpoint(), edits: [], cells: null }
+    this.onMark(this.#stroke.mark)
     this.onBegin()
   }
 
@@ -108,6 +113,22 @@ export class Ground {
     this.#pending = union(this.#pending, cells)
   }
 
+  /**
+   * An edit that no hand makes, of what falls, and its commit. An undo of the last stroke takes it back, and a redo lets
+   * it happen again. False, and nothing has changed, if the edit says so.
+   */
+  editAlone(edit: () => boolean, cells: readonly CellRect[]): boolean {
+    this.commit()
+    if (!edit()) return false
+    const stroke = this.#stroke ?? this.#past.at(-1)
+    for (const each of cells) {
+      this.#pending = union(this.#pending, each)
+      if (stroke) stroke.cells = union(stroke.cells, each)
+    }
+    this.commit()
+    return true
+  }
+
   /** Brings the segments up to date, once a frame. */
   commit(): void {
     if (this.#pending === null) return
@@ -118,7 +139,7 @@ export class Ground {
     const start = performance.now()
     const changes = this.world.commit()
     const commitTime = performance.now() - start
-    this.onChange({ changes, cells, what: this.#what, editTime, commitTime })
+    this.onChange({ changes, cells, what: this.#what, mark: null, editTime, commitTime })
   }
 
   /** Also in the middle of a stroke: that one ends then. */
@@ -144,7 +165,7 @@ export class Ground {
     const start = performance.now()
     const changes = this.world.rollBack(stroke.mark)
     const commitTime = performance.now() - start
-    this.onChange({ changes, cells: stroke.cells!, what: 'undo', editTime: 0, commitTime })
+    this.onChange({ changes, cells: stroke.cells!, what: 'undo', mark: stroke.mark, editTime: 0, commitTime })
     this.world.forget(stroke.mark)
     this.onEnd()
   }
