@@ -223,6 +223,27 @@ test('a change of blocks alone is followed; the same changes twice are nothing',
   islands.free()
 })
 
+test('an anchor that is buried, and shows no segment, is followed', () => {
+  const world = createWorld(), square = world.shape(unitSquare)
+  world.fill({ i0: 0, j0: 0, i1: 2, j1: 2 }, square, 1)
+  world.setBlock(world.polygonsAt(1, 1)[0].id, bedrock)
+  world.commit()
+  const islands = new Islands(world, { blocks: [bedrock] })
+  assert.equal(islands.island(islands.all()[0]).anchors, 1)
+  world.setBlock(world.polygonsAt(1, 1)[0].id, 2)
+  const changes = world.commit()
+  assert.equal(changes.before, changes.after)
+  islands.update(changes)
+  assert.deepEqual(islands.loose(), islands.all())
+  world.setBlock(world.polygonsAt(1, 1)[0].id, bedrock)
+  world.commit()
+  world.clear(0, 0)
+  const later = world.commit()
+  assert.throws(() => islands.update(later), code('left-out'))
+  islands.free()
+  world.free()
+})
+
 test('hostile arguments end in an LgsError', () => {
   const world = arm(), islands = new Islands(world), body = islands.take(islands.all()[0])
   const polygon = body.polygons[0], square = [0, 0, 1, 0, 1, 1, 0, 1]
