@@ -8,8 +8,8 @@ export interface GroundChange {
   readonly changes: Changes
   /** The cells whose polygons may differ. */
   readonly cells: CellRect
-  /** A tile is put, a brush strokes; to undo is to go back. */
-  readonly what: 'tile' | 'stroke' | 'undo'
+  /** A tile is put, a brush strokes; to undo is to go back; what falls leaves the ground, or is ground again. */
+  readonly what: 'tile' | 'stroke' | 'undo' | 'fall'
   /** Of an undo: the moment that it led back to. */
   readonly mark: Mark | null
   /** How long the edits and the commit took, in milliseconds; the browser may round that to 0.1. */
@@ -39,7 +39,7 @@ export class Ground {
   #stroke: Stroke | null = null
   #pending: CellRect | null = null
   #editTime = 0
-  #what: 'tile' | 'stroke' = 'stroke'
+  #what: 'tile' | 'stroke' | 'fall' = 'stroke'
   #forgotten = false // whether strokes are so long ago that they cannot be undone
 
   constructor(document: Document) {
@@ -120,6 +120,7 @@ export class Ground {
   editAlone(edit: () => boolean, cells: readonly CellRect[]): boolean {
     this.commit()
     if (!edit()) return false
+    this.#what = 'fall'
     const stroke = this.#stroke ?? this.#past.at(-1)
     for (const each of cells) {
       this.#pending = union(this.#pending, each)
@@ -140,6 +141,10 @@ export class Ground {
     const changes = this.world.commit()
     const commitTime = performance.now() - start
     this.onChange({ changes, cells, what: this.#what, mark: null, editTime, commitTime })
+  }
+
+  get isInStroke(): boolean {
+    return this.#stroke !== null
   }
 
   /** Also in the middle of a stroke: that one ends then. */

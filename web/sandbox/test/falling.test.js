@@ -50,6 +50,7 @@ test('a table whose leg is dug away falls in both worlds, lies, is ground again,
       [11, 3],
     ])
     assert.deepEqual(await rocks(page), [1, 1])
+    assert.match(await page.locator('#times').textContent(), /^stroke: /, 'times are those of strokes')
     assert.equal(await blockAt(page, 7, 5.5), 0)
     await page.evaluate(() => window.sandbox.step(5))
     const heights = await page.evaluate(() =>
