@@ -40,8 +40,9 @@ KINDS = {
     "mark": "Mark lgs_mark",
     "names": "SvgOverlay Partial<ErrorDetails>&{cause?:unknown} readonly(readonly[Block,Block])[]",
     "number": "Int128 number int int32_t uint32_t uint64_t int64_t size_t double float Handles",
-    "options": "Options EdgeOptions PiecesOptions TerrainOptions WorldOptions ImportOptions InitOptions lgs_world_options",
-    "part": "vector<BodyPolygon> lgs_body constBody&",
+    "options": "Options EdgeOptions PiecesOptions TerrainOptions WorldOptions ImportOptions InitOptions Anchors FallingOptions "
+               "lgs_world_options",
+    "part": "vector<BodyPolygon> lgs_body constBody& GroundBody readonlyGroundPolygon[] {readonlypolygons:readonlyGroundPolygon[]}",
     "piece": "PieceId",
     "pieces": "Pieces lgs_pieces",
     "physics": "Body BodyArgument ConstBodyHandle Shape b2World b2Body b2Fixture b2Contact b2Transform Fixture ObjectId "
@@ -61,7 +62,7 @@ KINDS = {
     "several": "lgs_new_polygon span<constPlacement> span<constNewPolygon> Int32Array span<constvector<LocalPoint>> "
                "span<constvector<DoublePoint>>",
     "shape": "ShapeId lgs_shape_id",
-    "terrain": "Terrain TerrainBase<Body,Material>",
+    "terrain": "Terrain PlanckTerrain TerrainBase<Body,Material>",
     "trace": "Trace",
     "user": "void",
     "world": "World lgs_world",

@@ -66,12 +66,15 @@ inline const Changes kNoChanges;
 /// A world, and what it last handed out.
 struct Bridge {
   World world;
-  bool isFloat = false;                     ///< geometry is handed out as float
-  const Changes* last = &kNoChanges;        ///< of the last commit or roll-back
-  Block64 changes = {};                     ///< the same, as JavaScript reads it
-  Block64 segments = {};                    ///< of the last question for segments
-  BrushResult brushed = {};                 ///< what the last brush did
-  std::vector<SegmentId> ids = {};          ///< working memory of the lists
+  bool isFloat = false;                 ///< geometry is handed out as float
+  const Changes* last = &kNoChanges;    ///< of the last commit or roll-back
+  std::uint64_t moment = 0;             ///< how many of them have changed anything
+  bool isEdited = false;                ///< whether edits wait for their commit
+  std::vector<Mark> marksInEdits = {};  ///< those that were made while edits waited
+  Block64 changes = {};                 ///< the same, as JavaScript reads it
+  Block64 segments = {};                ///< of the last question for segments
+  BrushResult brushed = {};             ///< what the last brush did
+  std::vector<SegmentId> ids = {};      ///< working memory of the lists
   std::vector<DoubleSegment> doubles = {};
   std::vector<FloatSegment> floats = {};
   std::vector<std::unique_ptr<Terrain, DropTerrain>> terrains = {};

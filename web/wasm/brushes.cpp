@@ -24,6 +24,7 @@ Region inputRegion(std::size_t numbers) {
 std::int32_t kept(Bridge& bridge, Expected<BrushResult> result) {
   if (!result) return refused(result.error(), 0);
   bridge.brushed = std::move(*result);
+  bridge.isEdited = true;
   return 1;
 }
 

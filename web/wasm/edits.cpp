@@ -6,12 +6,20 @@ namespace {
 
 CellRect rect(std::int32_t i0, std::int32_t j0, std::int32_t i1, std::int32_t j1) { return {{i0, j0}, {i1, j1}}; }
 
-double orZero(const Expected<PolygonHandle>& handle) {
-  return handle ? toNumber(*handle) : refused(handle.error(), 0.0);
+/// What an edit came to, noted in its bridge.
+template <class Result>
+bool isDone(Bridge* bridge, const Expected<Result>& result) {
+  if (result) bridge->isEdited = true;
+  return result.has_value();
 }
-std::int32_t orZero(const Expected<void>& done) { return done ? 1 : refused(done.error(), 0); }
-double orMinusOne(const Expected<std::uint64_t>& count) {
-  return count ? static_cast<double>(*count) : refused(count.error(), -1.0);
+double orZero(Bridge* bridge, const Expected<PolygonHandle>& handle) {
+  return isDone(bridge, handle) ? toNumber(*handle) : refused(handle.error(), 0.0);
+}
+std::int32_t orZero(Bridge* bridge, const Expected<void>& done) {
+  return isDone(bridge, done) ? 1 : refused(done.error(), 0);
+}
+double orMinusOne(Bridge* bridge, const Expected<std::uint64_t>& count) {
+  return isDone(bridge, count) ? static_cast<double>(*count) : refused(count.error(), -1.0);
 }
 
 }  // namespace
@@ -23,7 +31,7 @@ LGS_EXPORT("shape") std::uint32_t shape(Bridge* bridge, std::size_t vertices) {
 }
 
 LGS_EXPORT("add") double add(Bridge* bridge, std::int32_t i, std::int32_t j, std::uint32_t shape, Block block) {
-  return orZero(bridge->world.add({i, j}, ShapeId{shape}, block));
+  return orZero(bridge, bridge->world.add({i, j}, ShapeId{shape}, block));
 }
 
 /// Four integers an entry are in the input: i, j, shape, block. The answer has the handles.
@@ -36,7 +44,8 @@ LGS_EXPORT("addMany") std::int32_t addMany(Bridge* bridge, std::size_t entries) 
                           .shape = {static_cast<std::uint32_t>(numbers[k + 2])},
                           .block = static_cast<Block>(numbers[k + 3])});
   std::vector<PolygonHandle> handles(entries);
-  if (const auto done = bridge->world.addMany(placements, handles); !done) return refused(done.error(), 0);
+  if (const auto done = bridge->world.addMany(placements, handles); !isDone(bridge, done))
+    return refused(done.error(), 0);
   answer().clear();
   for (const PolygonHandle handle : handles) answer().push_back(toNumber(handle));
   return 1;
@@ -45,11 +54,11 @@ LGS_EXPORT("addMany") std::int32_t addMany(Bridge* bridge, std::size_t entries) 
 /// The vertices are in the input.
 LGS_EXPORT("addPolygon")
 double addPolygon(Bridge* bridge, std::int32_t i, std::int32_t j, std::size_t vertices, Block block) {
-  return orZero(bridge->world.add({i, j}, inputPoints(vertices), block));
+  return orZero(bridge, bridge->world.add({i, j}, inputPoints(vertices), block));
 }
 
 LGS_EXPORT("remove") std::int32_t remove(Bridge* bridge, double polygon) {
-  return orZero(bridge->world.remove(toHandle(polygon)));
+  return orZero(bridge, bridge->world.remove(toHandle(polygon)));
 }
 
 /// The handles are in the input.
@@ -57,32 +66,37 @@ LGS_EXPORT("removeMany") std::int32_t removeMany(Bridge* bridge, std::size_t cou
   std::vector<PolygonHandle> handles;
   handles.reserve(count);
   for (const double number : input<double>(count)) handles.push_back(toHandle(number));
-  return orZero(bridge->world.removeMany(handles));
+  return orZero(bridge, bridge->world.removeMany(handles));
 }
 
 LGS_EXPORT("replace") double replace(Bridge* bridge, std::int32_t i, std::int32_t j, std::uint32_t shape, Block block) {
-  return orZero(bridge->world.replace({i, j}, ShapeId{shape}, block));
+  return orZero(bridge, bridge->world.replace({i, j}, ShapeId{shape}, block));
 }
 
 LGS_EXPORT("setBlock") std::int32_t setBlock(Bridge* bridge, double polygon, Block block) {
-  return orZero(bridge->world.setBlock(toHandle(polygon), block));
+  return orZero(bridge, bridge->world.setBlock(toHandle(polygon), block));
 }
 
 LGS_EXPORT("fill")
 double fill(Bridge* bridge, std::int32_t i0, std::int32_t j0, std::int32_t i1, std::int32_t j1, std::uint32_t shape,
             Block block) {
-  return orMinusOne(bridge->world.fill(rect(i0, j0, i1, j1), ShapeId{shape}, block));
+  return orMinusOne(bridge, bridge->world.fill(rect(i0, j0, i1, j1), ShapeId{shape}, block));
 }
 
 LGS_EXPORT("clear") double clear(Bridge* bridge, std::int32_t i0, std::int32_t j0, std::int32_t i1, std::int32_t j1) {
-  return orMinusOne(bridge->world.clear(rect(i0, j0, i1, j1)));
+  return orMinusOne(bridge, bridge->world.clear(rect(i0, j0, i1, j1)));
 }
 
 LGS_EXPORT("checkpoint") double checkpoint(Bridge* bridge) {
-  return static_cast<double>(bridge->world.checkpoint().value);
+  const Mark mark = bridge->world.checkpoint();
+  if (bridge->isEdited) bridge->marksInEdits.push_back(mark);
+  return static_cast<double>(mark.value);
 }
 LGS_EXPORT("forget") std::int32_t forget(Bridge* bridge, double mark) {
-  return orZero(bridge->world.forget(markOf(mark)));
+  const auto done = bridge->world.forget(markOf(mark));
+  if (!done) return refused(done.error(), 0);
+  std::erase(bridge->marksInEdits, markOf(mark));
+  return 1;
 }
 
 }  // namespace lgs::web

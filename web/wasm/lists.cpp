@@ -64,8 +64,10 @@ const std::uint64_t* listed(Bridge& bridge, Block64& block, std::span<const Segm
 
 std::uint32_t count(const std::vector<SegmentId>& ids) { return static_cast<std::uint32_t>(ids.size()); }
 
-const std::uint64_t* listed(Bridge& bridge, const Changes& changes) {
+const std::uint64_t* listed(Bridge& bridge, const Changes& changes, bool isEdited) {
   bridge.last = &changes;
+  bridge.isEdited = isEdited;
+  if (changes.before != changes.after || !bridge.world.cellChanges().empty()) ++bridge.moment;
   bridge.ids.clear();
   for (const auto* list : {&changes.removed, &changes.added, &changes.relinked})
     bridge.ids.insert(bridge.ids.end(), list->begin(), list->end());
@@ -81,7 +83,9 @@ const std::uint64_t* listed(Bridge& bridge, const std::vector<SegmentId>& ids) {
 
 }  // namespace
 
-LGS_EXPORT("commit") const std::uint64_t* commit(Bridge* bridge) { return listed(*bridge, bridge->world.commit()); }
+LGS_EXPORT("commit") const std::uint64_t* commit(Bridge* bridge) {
+  return listed(*bridge, bridge->world.commit(), false);
+}
 
 // `way`: 0 goes back, 1 goes back and keeps what it undoes, 2 goes forward.
 LGS_EXPORT("roll") const std::uint64_t* roll(Bridge* bridge, double mark, std::int32_t way) {
@@ -89,7 +93,8 @@ LGS_EXPORT("roll") const std::uint64_t* roll(Bridge* bridge, double mark, std::i
   const auto done =
       way == 2 ? world.rollForward(markOf(mark)) : world.rollBack(markOf(mark), way == 1 ? Undone::keep : Undone::drop);
   if (!done) return refused(done.error(), static_cast<const std::uint64_t*>(nullptr));
-  return listed(*bridge, bridge->world.changesOfRollBack());
+  const bool isEdited = std::ranges::find(bridge->marksInEdits, markOf(mark)) != bridge->marksInEdits.end();
+  return listed(*bridge, bridge->world.changesOfRollBack(), isEdited);
 }
 
 LGS_EXPORT("segments") const std::uint64_t* segments(Bridge* bridge) {

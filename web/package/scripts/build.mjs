@@ -10,7 +10,7 @@ const built = `${root}/../../build/web/web/wasm`
 process.chdir(root)
 await rm('dist', { recursive: true, force: true })
 await mkdir('dist')
-for (const name of ['lgs.wasm', 'lgs-full.wasm']) await copyFile(`${built}/${name}`, `dist/${name}`)
+for (const name of ['lgs.wasm', 'lgs-full.wasm', 'lgs-islands.wasm']) await copyFile(`${built}/${name}`, `dist/${name}`)
 
 /** The code of WebAssembly as text, in the place of src/wasm.ts. */
 const inlined = {
@@ -22,7 +22,7 @@ const inlined = {
   },
 }
 await build({
-  entryPoints: ['index', 'inline', 'full', 'trace', 'draw', 'planck', 'box2d3'].map((name) => `src/${name}.ts`),
+  entryPoints: ['index', 'inline', 'full', 'islands', 'trace', 'draw', 'planck', 'box2d3'].map((name) => `src/${name}.ts`),
   outdir: 'dist',
   format: 'esm',
   target: 'es2022',

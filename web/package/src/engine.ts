@@ -2,6 +2,7 @@
 // through its memory. web/wasm/ is the other side.
 import { bad } from './check.js'
 import { LgsError, engineError } from './error.js'
+import type { IslandCalls } from './island-calls.js'
 
 /** What lgs.wasm exports. Addresses are numbers. */
 export interface Exports {
@@ -86,7 +87,7 @@ export type Holds = (form: number, block: number) => boolean
 const noFiles: Files = { read: () => null, list: () => [] }
 
 export class Engine {
-  readonly call: Exports
+  readonly call: Exports & Partial<IslandCalls>
   #raw: Exports
   #memory: WebAssembly.Memory
   #words = new Uint32Array()

@@ -12,6 +12,8 @@ export type { Material } from './planck-bodies.js'
 export type { Caught } from './bodies.js'
 export type { OnCaught } from './terrain.js'
 export { cutOut } from './terrain-base.js'
+export { FallingGround } from './planck-falling.js'
+export type { Falling, FallingOptions } from './planck-falling.js'
 
 export interface TerrainOptions extends CommonOptions<Material> {
   /** Without ghosts bodies bump at the seams. That is for comparison only: see PlanckTerrain.ghosts. */

@@ -2,6 +2,7 @@
 import type { CellRect } from 'localgridseg'
 import { type Riding, setMotions, type Start } from './bodies.js'
 import type { Document } from './documents.js'
+import { Rocks } from './falling.js'
 import { Ground, type GroundChange } from './ground.js'
 import { Mirror } from './mirror.js'
 import { cell } from './scale.js'
@@ -22,6 +23,8 @@ const most = 22
 export class Game {
   readonly ground: Ground
   readonly mirror = new Mirror()
+  /** Ground that was cut off. */
+  readonly rocks: Rocks
   /** With ghosts first. */
   sides: Side[] = []
   onChange: (change: GroundChange) => void = () => {}
@@ -37,7 +40,12 @@ export class Game {
       this.mirror.update(change.changes)
       for (const side of this.sides) side.sync(change.changes)
       this.#freeRiders(change.cells)
+      if (change.mark === null) this.rocks.update(change.changes)
+      else this.rocks.goBack(change.changes, change.mark)
     }
+    this.ground.onMark = (mark) => this.rocks.note(mark)
+    this.rocks = new Rocks(this.ground)
+    this.rocks.reset()
     this.#begin(landscapeRiders())
   }
 
@@ -59,11 +67,13 @@ export class Game {
       first.setGhosts(view === 'with')
     }
     this.#view = view
+    this.rocks.sides = this.sides
   }
 
   /** Another world, and who rolls on it. Without a cast marbles and a car start above it. */
   open(document: Document, cast?: Cast): void {
     this.ground.open(document)
+    this.rocks.reset()
     const cells = document.world.bounds() ?? { i0: 0, j0: 0, i1: 20, j1: 0 }
     const { starts, gate } = cast ?? {
       starts: ridersOver(cells),
@@ -103,6 +113,7 @@ export class Game {
     this.ground.commit()
     const speed = this.#drive === null ? cruise : this.#drive * most
     for (const side of this.sides) side.step(speed, this.#gate)
+    this.rocks.afterStep(this.#gate.bottom)
   }
 
   #begin(starts: Start[]): void {
@@ -111,6 +122,7 @@ export class Game {
     this.#drive = null
     const ghosts = { both: [true, false], with: [true], without: [false] }[this.#view]
     this.sides = ghosts.map((on) => this.#makeSide(on))
+    this.rocks.sides = this.sides
     for (const start of starts) this.drop(start)
   }
 

@@ -8,8 +8,10 @@ export interface GroundChange {
   readonly changes: Changes
   /** The cells whose polygons may differ. */
   readonly cells: CellRect
-  /** A tile is put, a brush strokes; to undo is to go back. */
-  readonly what: 'tile' | 'stroke' | 'undo'
+  /** A tile is put, a brush strokes; to undo is to go back; what falls leaves the ground, or is ground again. */
+  readonly what: 'tile' | 'stroke' | 'undo' | 'fall'
+  /** Of an undo: the moment that it led back to. */
+  readonly mark: Mark | null
   /** How long the edits and the commit took, in milliseconds; the browser may round that to 0.1. */
   readonly editTime: number
   readonly commitTime: number
@@ -29,13 +31,15 @@ export class Ground {
   /** Before the first and after the last edit of a stroke, and of an undo. */
   onBegin: () => void = () => {}
   onEnd: () => void = () => {}
+  /** When the moment is noted to which an undo leads back. */
+  onMark: (mark: Mark) => void = () => {}
   #document: Document
   #past: Stroke[] = []
   #future: Stroke[] = []
   #stroke: Stroke | null = null
   #pending: CellRect | null = null
   #editTime = 0
-  #what: 'tile' | 'stroke' = 'stroke'
+  #what: 'tile' | 'stroke' | 'fall' = 'stroke'
   #forgotten = false // whether strokes are so long ago that they cannot be undone
 
   constructor(document: Document) {
@@ -66,6 +70,7 @@ export class Ground {
   begin(): void {
     this.end()
     this.#stroke = { mark: this.world.checkpoint(), edits: [], cells: null }
+    this.onMark(this.#stroke.mark)
     this.onBegin()
   }
 
@@ -108,6 +113,23 @@ export class Ground {
     this.#pending = union(this.#pending, cells)
   }
 
+  /**
+   * An edit that no hand makes, of what falls, and its commit. An undo of the last stroke takes it back, and a redo lets
+   * it happen again. False, and nothing has changed, if the edit says so.
+   */
+  editAlone(edit: () => boolean, cells: readonly CellRect[]): boolean {
+    this.commit()
+    if (!edit()) return false
+    this.#what = 'fall'
+    const stroke = this.#stroke ?? this.#past.at(-1)
+    for (const each of cells) {
+      this.#pending = union(this.#pending, each)
+      if (stroke) stroke.cells = union(stroke.cells, each)
+    }
+    this.commit()
+    return true
+  }
+
   /** Brings the segments up to date, once a frame. */
   commit(): void {
     if (this.#pending === null) return
@@ -118,7 +140,11 @@ export class Ground {
     const start = performance.now()
     const changes = this.world.commit()
     const commitTime = performance.now() - start
-    this.onChange({ changes, cells, what: this.#what, editTime, commitTime })
+    this.onChange({ changes, cells, what: this.#what, mark: null, editTime, commitTime })
+  }
+
+  get isInStroke(): boolean {
+    return this.#stroke !== null
   }
 
   /** Also in the middle of a stroke: that one ends then. */
@@ -144,7 +170,7 @@ export class Ground {
     const start = performance.now()
     const changes = this.world.rollBack(stroke.mark)
     const commitTime = performance.now() - start
-    this.onChange({ changes, cells: stroke.cells!, what: 'undo', editTime: 0, commitTime })
+    this.onChange({ changes, cells: stroke.cells!, what: 'undo', mark: stroke.mark, editTime: 0, commitTime })
     this.world.forget(stroke.mark)
     this.onEnd()
   }

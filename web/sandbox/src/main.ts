@@ -1,5 +1,5 @@
 // The page: puts the parts together, and the controls to them.
-import { init } from 'localgridseg'
+import { init } from 'localgridseg/islands'
 import { Camera } from './camera.js'
 import { element } from './dom.js'
 import { Game } from './game.js'

@@ -6,7 +6,7 @@ import type { Game } from './game.js'
 import type { Glow } from './glow.js'
 import type { GroundLayer } from './layer.js'
 import { drawOverlay, drawSegment } from './overlay.js'
-import { drawKicks, drawRiders } from './riders-view.js'
+import { drawKicks, drawRiders, drawRocks } from './riders-view.js'
 import { cell } from './scale.js'
 import type { Side } from './side.js'
 import { theme } from './theme.js'
@@ -66,6 +66,7 @@ export class Pane {
     scenery.glow.draw(c, pixel)
     c.save()
     c.scale(1 / cell, 1 / cell) // bodies are in metres
+    drawRocks(c, game.rocks.of(side), pixel * cell)
     drawRiders(c, side, pixel * cell)
     drawKicks(c, side, pixel * cell)
     c.restore()

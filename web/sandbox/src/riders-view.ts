@@ -1,6 +1,8 @@
 // Draws the riders and the kicks of one physics world.
 import type { Body, Circle, Polygon } from 'planck'
+import { kindOf } from './blocks.js'
 import type { Rider } from './bodies.js'
+import type { Rocks } from './falling.js'
 import { type Kick, remembered } from './kicks.js'
 import { cell } from './scale.js'
 import type { Side } from './side.js'
@@ -17,6 +19,28 @@ export function drawRiders(c: CanvasRenderingContext2D, side: Side, pixel: numbe
     if (!rider.bodies[0].isActive()) continue
     if (rider.start.size * cell < tiny * pixel) drawDot(c, rider, colours)
     else for (const body of rider.bodies) drawBody(c, body, rider, colours, pixel)
+  }
+}
+
+/** Ground that falls, with the colours that it has as ground. */
+export function drawRocks(c: CanvasRenderingContext2D, rocks: ReturnType<Rocks['of']>, pixel: number): void {
+  const colours = theme()
+  for (const { body, ground } of rocks) {
+    const { x, y } = body.getPosition()
+    c.save()
+    c.translate(x, y)
+    c.rotate(body.getAngle())
+    c.scale(cell, cell)
+    c.lineWidth = pixel / cell // so that no seams are seen between polygons
+    for (const { i, j, block, vertices } of ground.polygons) {
+      c.beginPath()
+      for (let k = 0; k < vertices.length; k += 2) c.lineTo(i + vertices[k], j + vertices[k + 1])
+      c.closePath()
+      c.fillStyle = c.strokeStyle = colours.special[kindOf(block).block] ?? colours.ground
+      c.fill()
+      c.stroke()
+    }
+    c.restore()
   }
 }
 

@@ -90,6 +90,10 @@ export class Ui {
       this.#viewer.layer.touch(change.cells)
       this.#viewer.glow.note(change.changes, this.#game.mirror)
       this.#viewer.differences = new Float64Array()
+      if (change.what === 'fall') {
+        if (!ground.isInStroke) setTimeout(() => void this.#keep()) // otherwise its end does that
+        return
+      }
       this.#facts.note(change)
       this.#touched = change.cells
     }

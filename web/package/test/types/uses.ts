@@ -8,8 +8,12 @@ import {
 } from 'localgridseg'
 import { init as initInline, createWorld as createInline } from 'localgridseg/inline'
 import { importMap, type ImportedMap, init as initFull } from 'localgridseg/full'
+import {
+  Islands, convexParts, init as initIslands, massOf, type Anchors, type ConvexPart, type GroundBody, type Island,
+  type IslandChanges, type IslandId, type IslandPair, type Mass,
+} from 'localgridseg/islands'
 import { TracePlayer, dump, parseTrace, preserveOf, traceOf, type Edit, type Trace } from 'localgridseg/trace'
-import { PlanckTerrain, cutOut, type Caught } from 'localgridseg/planck'
+import { FallingGround, PlanckTerrain, cutOut, type Caught, type Falling } from 'localgridseg/planck'
 import { Box2dTerrain, type Box2D, type ObjectId, type PhysicsId } from 'localgridseg/box2d3'
 import { GroundMeshes, OutlineLines, linesIn, trianglesIn, type ChunkLines, type ChunkMesh } from 'localgridseg/draw'
 import { World as Planck, type Body, type Fixture } from 'planck'
@@ -23,6 +27,7 @@ export async function starts(module: WebAssembly.Module, bytes: Uint8Array<Array
   await init({ module })
   await initInline()
   await initFull({ module })
+  await initIslands({ url: '/lgs-islands.wasm' })
   // @ts-expect-error: not a path
   await init('/lgs.wasm')
   // @ts-expect-error: nothing to say
@@ -215,4 +220,38 @@ export function drawing(world: World): number {
   const mesh: ChunkMesh[] = [...meshes.all(), ...meshes.update(world.commit())]
   const cells: CellRect = { i0: 0, j0: 0, i1: 1, j1: 1 }
   return lines.length + linesIn(world, cells).length + trianglesIn(world, cells).indices.length + mesh.length
+}
+
+export function islandsOf(world: World, physics: Planck, terrain: PlanckTerrain): void {
+  const anchors: Anchors = { blocks: [9], cells: [{ i0: 0, j0: 0, i1: 99, j1: 0 }] }
+  using islands = new Islands(world, anchors)
+  islands.update(world.commit())
+  const { cutOff, came }: IslandChanges = islands.changes
+  const pair: IslandPair | undefined = cutOff[0]
+  const [id]: IslandId[] = [...islands.loose(), ...islands.all(), ...came, pair?.into ?? 0]
+  if (id === undefined) return
+  const facts: Island | null = islands.island(id)
+  // @ts-expect-error: the id may name none
+  facts.area.toFixed()
+  const polygon: PolygonId = world.polygons()[0]!.id
+  const same: IslandId = islands.of(polygon)
+  // @ts-expect-error: an island is no polygon
+  world.remove(same)
+  const body: GroundBody = islands.take(id)
+  islands.put(body)
+  islands.put(body, 1, 2)
+  islands.putAsItLies(body, { x: 1, y: 2, angle: 3 })
+  // @ts-expect-error: an angle is missing
+  islands.putAsItLies(body, { x: 1, y: 2 })
+  const parts: ConvexPart[] = [...convexParts(body), ...convexParts(body, 4)]
+  const mass: Mass = massOf(body.polygons)
+  // @ts-expect-error: a body is to be read
+  body.mass = mass
+  const falling = new FallingGround(physics, terrain, islands, { density: (block) => block, material: () => ({ friction: 1 }) })
+  falling.takeAsBody(id)
+  const fallen: readonly Falling[] = [...falling.afterSync(), ...falling.bodies]
+  for (const { body: each } of fallen) if (!each.isAwake() && !falling.settle(each)) falling.forget(each)
+  const other: Falling | null = falling.make(body, { x: 0, y: 0, angle: 0 })
+  void [parts, other && falling.placeOf(other.body)]
+  islands.free()
 }

@@ -1,0 +1,288 @@
+// Islands, against a flood fill by hand that shares no code with them: all pairs of polygons, with whole numbers.
+import assert from 'node:assert/strict'
+import { before, test } from 'node:test'
+import fc from 'fast-check'
+import { circle, convexParts, createWorld, init, Islands, loadWorld, massOf, unitSquare } from '../dist/islands.js'
+
+before(() => init())
+
+const quarter = (vertices) => vertices.map((v) => v / 4)
+const shapes = [
+  [0, 0, 4, 0, 4, 4, 0, 4], [0, 0, 4, 0, 4, 4], [0, 0, 4, 4, 0, 4], [1, 1, 3, 1, 3, 3, 1, 3], [0, 0, 4, 0, 4, 1, 0, 1],
+  [2, 0, 4, 2, 2, 4, 0, 2], [0, 0, 1, 0, 1, 4, 0, 4],
+]
+const bedrock = 9
+
+/** In quarters of a cell: x, y, x, y, … */
+const corners = ({ i, j, vertices }) => Array.from(vertices, (v, k) => 4 * v + 4 * (k % 2 === 0 ? i : j))
+
+function turn(a, b, c, d, e, f) { return Math.sign((c - a) * (f - b) - (d - b) * (e - a)) }
+
+function edgesMeet([a, b, c, d], [e, f, g, h]) {
+  if (Math.max(a, c) < Math.min(e, g) || Math.max(e, g) < Math.min(a, c)) return false
+  if (Math.max(b, d) < Math.min(f, h) || Math.max(f, h) < Math.min(b, d)) return false
+  return turn(a, b, c, d, e, f) * turn(a, b, c, d, g, h) <= 0 && turn(e, f, g, h, a, b) * turn(e, f, g, h, c, d) <= 0
+}
+
+function edgesOf(polygon) {
+  const v = corners(polygon)
+  return Array.from({ length: v.length / 2 }, (_, k) => [v[2 * k], v[2 * k + 1], v[(2 * k + 2) % v.length], v[(2 * k + 3) % v.length]])
+}
+
+/** Sets of polygons that share at least a point. */
+function flood(polygons) {
+  const edges = polygons.map(edgesOf), left = new Set(polygons.keys()), found = []
+  while (left.size > 0) {
+    const [first] = left, part = [first]
+    left.delete(first)
+    for (const a of part)
+      for (const b of [...left])
+        if (edges[a].some((e) => edges[b].some((f) => edgesMeet(e, f)))) {
+          left.delete(b)
+          part.push(b)
+        }
+    found.push(part.map((k) => polygons[k]))
+  }
+  return found
+}
+
+const areaOf = (polygon) => edgesOf(polygon).reduce((sum, [a, b, c, d]) => sum + a * d - b * c, 0) / 32
+const isHeld = (part) => part.some(({ block }) => block === bedrock)
+const keyOf = (part) => part.map(({ id }) => id).sort((a, b) => a - b).join()
+
+function assertIsFlood(islands, world) {
+  const parts = flood(world.polygons())
+  const byId = new Map(parts.map((part) => [islands.of(part[0].id), part]))
+  assert.deepEqual([...byId.keys()].sort((a, b) => a - b), islands.all())
+  assert.equal(byId.size, parts.length)
+  for (const [id, part] of byId) {
+    for (const polygon of part) assert.equal(islands.of(polygon.id), id)
+    const { area, x0, y0, x1, y1, anchors } = islands.island(id)
+    const xs = part.flatMap((p) => corners(p).filter((_, k) => k % 2 === 0)), ys = part.flatMap((p) => corners(p).filter((_, k) => k % 2 === 1))
+    assert.deepEqual([x0, y0, x1, y1].map((v) => 4 * v), [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)])
+    assert.equal(anchors, part.filter(({ block }) => block === bedrock).length)
+    assert.ok(area >= part.reduce((sum, p) => sum + areaOf(p), 0), 'holes count')
+  }
+  return byId
+}
+
+const edit = fc.record({ i: fc.nat(5), j: fc.nat(5), shape: fc.nat(shapes.length), block: fc.constantFrom(1, 1, 1, 1, 1, 2, bedrock) })
+const commits = fc.array(fc.array(edit, { minLength: 1, maxLength: 12 }), { minLength: 1, maxLength: 12 })
+
+for (const preserve of [undefined, (a, b) => a !== b])
+  test(`random worlds${preserve ? ' under a relation' : ''}: islands are those of a flood fill, and what is loose is named`, () => {
+    fc.assert(fc.property(commits, fc.nat(), (steps, which) => {
+      const world = createWorld({ preserve })
+      const ids = shapes.map((shape) => world.shape(quarter(shape)))
+      for (let i = 0; i < 6; ++i) for (let j = 0; j < 6; ++j) world.add(i, j, ids[0], j === 0 && i === 2 ? bedrock : 1)
+      world.commit()
+      const islands = new Islands(world, { blocks: [bedrock] })
+      let held = new Set(world.polygons().map(({ id }) => id))
+      for (const step of steps) {
+        for (const { i, j, shape, block } of step) shape === shapes.length ? world.clear(i, j) : world.replace(i, j, ids[shape], block)
+        islands.update(world.commit())
+        const byId = assertIsFlood(islands, world), loose = islands.loose()
+        for (const id of loose) assert.ok(!isHeld(byId.get(id)))
+        for (const [id, part] of byId)
+          if (!isHeld(part) && part.some((polygon) => held.has(polygon.id))) assert.ok(loose.includes(id), `${id} was held, and nobody says that it is loose`)
+        const { changed, came, went, cutOff, joined } = islands.changes
+        for (const id of [...came, ...changed, ...cutOff.map(({ into }) => into)]) assert.ok(byId.has(id))
+        for (const id of [...went, ...joined.map(({ from }) => from)]) assert.equal(islands.island(id) !== null, byId.has(id))
+        held = new Set([...byId.values()].filter(isHeld).flat().map(({ id }) => id))
+      }
+      takeAndPut(islands, world, which)
+      islands.free()
+      world.free()
+    }), { numRuns: 60 })
+  })
+
+function takeAndPut(islands, world, which) {
+  const all = islands.all()
+  if (all.length === 0) return
+  const id = all[which % all.length], part = world.polygons().filter((polygon) => islands.of(polygon.id) === id)
+  const told = () => world.polygons().map(({ i, j, block, vertices }) => [i, j, block, ...vertices].join()).sort()
+  const was = told(), body = islands.take(id)
+  assert.equal(body.polygons.length, part.length)
+  const { area, x, y } = body.mass
+  assert.ok(Math.abs(area - part.reduce((sum, p) => sum + areaOf(p), 0)) < 1e-12)
+  assert.deepEqual(massOf(body.polygons), body.mass)
+  const parts = convexParts(body)
+  assert.ok(Math.abs(parts.reduce((sum, { vertices }) => sum + areaOf({ i: 0, j: 0, vertices }), 0) - area) < 1e-9)
+  const sum = [0, 0]
+  for (const { vertices: v } of parts)
+    for (let k = 2; k < v.length - 2; k += 2) {
+      const weight = ((v[k] - v[0]) * (v[k + 3] - v[1]) - (v[k + 1] - v[1]) * (v[k + 2] - v[0])) / 2
+      sum[0] += weight * (v[0] + v[k] + v[k + 2]) / 3
+      sum[1] += weight * (v[1] + v[k + 1] + v[k + 3]) / 3
+    }
+  assert.ok(Math.abs(sum[0] / area - x) < 1e-9 && Math.abs(sum[1] / area - y) < 1e-9, 'the centroid')
+  islands.update(world.commit())
+  assertIsFlood(islands, world)
+  assert.equal(islands.island(id), null)
+  islands.put(JSON.parse(JSON.stringify(body, (_, v) => (ArrayBuffer.isView(v) ? [...v] : v))))
+  islands.update(world.commit())
+  assert.deepEqual(told(), was)
+}
+
+/** A floor of bedrock, a pillar and an arm: block 1. */
+function arm() {
+  const world = createWorld(), square = world.shape(unitSquare)
+  world.fill({ i0: -10, j0: -1, i1: 20, j1: -1 }, square, bedrock)
+  world.fill({ i0: 0, j0: 0, i1: 0, j1: 3 }, square, 1)
+  world.fill({ i0: 1, j0: 3, i1: 4, j1: 3 }, square, 1)
+  world.commit()
+  return world
+}
+const code = (wanted) => (error) => error.code === wanted || assert.fail(`${error.code}: ${error.message}`)
+
+test('a bridge is cut: the arm is named, taken, and comes back by undo', () => {
+  const world = arm(), islands = new Islands(world, { cells: [{ i0: -100, j0: -1, i1: 100, j1: -1 }] })
+  assert.equal(islands.island(islands.all()[0]).anchors, 31)
+  assert.deepEqual(islands.loose(), [])
+  const mark = world.checkpoint()
+  world.clear(1, 3)
+  islands.update(world.commit())
+  const [cut] = islands.changes.cutOff
+  assert.deepEqual(islands.loose(), [cut.into])
+  const { area, x0, y0, x1, y1, anchors, segments } = islands.island(cut.into)
+  assert.deepEqual({ area, x0, y0, x1, y1, anchors, segments }, { area: 3, x0: 2, y0: 3, x1: 5, y1: 4, anchors: 0, segments: 8 })
+  const body = islands.take(cut.into)
+  assert.deepEqual({ ...body, polygons: body.polygons.length }, { i: 2, j: 3, polygons: 3, mass: { area: 3, x: 1.5, y: 0.5, secondMoment: 2.5 } })
+  islands.update(world.commit())
+  assert.equal(islands.all().length, 1)
+  islands.putAsItLies(body, { x: 6, y: 0, angle: Math.PI / 2 })
+  islands.update(world.commit())
+  assert.deepEqual([world.at(5.5, 2.5).where, world.at(6.5, 0.5).where], ['inside', 'outside'])
+  assert.equal(islands.all().length, 1, 'it stands on the floor')
+  islands.update(world.rollBack(mark))
+  assert.equal(islands.island(islands.all()[0]).area, 39)
+  islands.free()
+  islands.free()
+  assert.throws(() => islands.all(), code('freed'))
+  world.free()
+})
+
+test('what is refused, and has changed nothing', () => {
+  const world = arm()
+  world.clear(4, 3)
+  assert.throws(() => new Islands(world), code('uncommitted'))
+  world.commit()
+  const mark = world.checkpoint()
+  assert.throws(() => new Islands(world), code('uncommitted'))
+  world.forget(mark)
+  const islands = new Islands(world, { blocks: [bedrock] })
+  world.clear(1, 3)
+  const { before, after } = world.commit()
+  world.clear(2, 3)
+  assert.throws(() => islands.update({ before, after }), code('uncommitted'))
+  const last = world.commit()
+  assert.throws(() => islands.update({ before, after }), code('not-the-last'))
+  assert.throws(() => islands.update(last), code('left-out'))
+  assert.throws(() => islands.take(islands.all()[0]), code('left-out'))
+  assert.equal(islands.island(islands.all()[0]).area, 31 + 4 + 3, 'as it was')
+  islands.free()
+
+  const anew = new Islands(world, { blocks: [bedrock] })
+  assert.equal(anew.all().length, 2)
+  assert.throws(() => anew.take(7), code('stale-handle'))
+  assert.throws(() => world.add(0, -1, world.shape(unitSquare), 1), code('overlap'))
+  anew.update(world.commit())
+  const polygon = world.add(9, 9, world.shape(unitSquare), 1)
+  assert.throws(() => anew.of(polygon), code('uncommitted'))
+  const body = anew.take(anew.all()[1])
+  assert.throws(() => anew.put(body, 0, 0), code('overlap'))
+  anew.put(body)
+  const inEdits = world.checkpoint()
+  anew.update(world.commit())
+  assert.equal(anew.all().length, 3)
+  const back = world.rollBack(inEdits)
+  assert.throws(() => anew.update(back), code('uncommitted'))
+  const told = world.commit()
+  assert.throws(() => anew.update(told), code('left-out'))
+  anew.free()
+  world.free()
+  assert.throws(() => new Islands(world), code('freed'))
+})
+
+test('a change of blocks alone is followed; the same changes twice are nothing', () => {
+  const world = arm(), islands = new Islands(world, { blocks: [bedrock] })
+  for (let i = -10; i <= 20; ++i) world.setBlock(world.polygonsAt(i, -1)[0].id, i === 5 ? bedrock : 2)
+  const changes = world.commit()
+  islands.update(changes)
+  islands.update(changes)
+  assert.equal(islands.island(islands.all()[0]).anchors, 1)
+  assert.deepEqual(islands.loose(), [], 'nothing is new')
+  world.setBlock(world.polygonsAt(5, -1)[0].id, 2)
+  islands.update(world.commit())
+  assert.deepEqual(islands.loose(), islands.all(), 'it lost its anchor')
+  world.commit()
+  islands.update(world.commit())
+  assert.deepEqual(islands.loose(), [])
+  world.free()
+  assert.throws(() => islands.all(), code('freed'))
+  islands.free()
+})
+
+test('an anchor that is buried, and shows no segment, is followed', () => {
+  const world = createWorld(), square = world.shape(unitSquare)
+  world.fill({ i0: 0, j0: 0, i1: 2, j1: 2 }, square, 1)
+  world.setBlock(world.polygonsAt(1, 1)[0].id, bedrock)
+  world.commit()
+  const islands = new Islands(world, { blocks: [bedrock] })
+  assert.equal(islands.island(islands.all()[0]).anchors, 1)
+  world.setBlock(world.polygonsAt(1, 1)[0].id, 2)
+  const changes = world.commit()
+  assert.equal(changes.before, changes.after)
+  islands.update(changes)
+  assert.deepEqual(islands.loose(), islands.all())
+  world.setBlock(world.polygonsAt(1, 1)[0].id, bedrock)
+  world.commit()
+  world.clear(0, 0)
+  const later = world.commit()
+  assert.throws(() => islands.update(later), code('left-out'))
+  islands.free()
+  world.free()
+})
+
+test('hostile arguments end in an LgsError', () => {
+  const world = arm(), islands = new Islands(world), body = islands.take(islands.all()[0])
+  const polygon = body.polygons[0], square = [0, 0, 1, 0, 1, 1, 0, 1]
+  const odd = [null, undefined, {}, [], 'x', NaN, -1, 2 ** 32, 0.5, 1e300, Infinity, () => 1]
+  const refusedOr = (f) => { try { f() } catch (error) { assert.equal(error.name, 'LgsError', error.stack) } }
+  for (const v of odd) {
+    for (const f of [
+      () => new Islands(v), () => new Islands(world, v), () => new Islands(world, { blocks: v }), () => new Islands(world, { blocks: [v] }),
+      () => new Islands(world, { cells: v }), () => new Islands(world, { cells: [v] }), () => new Islands(world, { cells: [{ i0: v, j0: 0, i1: 0, j1: 0 }] }),
+      () => islands.update(v), () => islands.island(v), () => islands.of(v), () => islands.take(v),
+      () => islands.put(v, 0, 0), () => islands.put(v), () => islands.put(body, v, 0), () => islands.putAsItLies(v, { x: 0, y: 0, angle: 0 }),
+      () => islands.putAsItLies(body, v), () => islands.putAsItLies(body, { x: v, y: 0, angle: 0 }), () => islands.putAsItLies(body, { x: 0, y: 0, angle: v }),
+      () => convexParts(v), () => convexParts(body, v), () => massOf(v), () => massOf([v]), () => massOf([{ ...polygon, i: v }]),
+      () => massOf([{ ...polygon, block: v }]), () => massOf([{ ...polygon, vertices: v }]), () => massOf([{ ...polygon, vertices: [v, ...square] }]),
+      () => convexParts({ polygons: [{ ...polygon, vertices: [v, v, ...square] }] }),
+    ]) refusedOr(f)
+  }
+  for (const i of [2 ** 31 - 1, -(2 ** 31), 2 ** 30 + 1]) {
+    assert.throws(() => massOf([{ i, j: i, block: 1, vertices: square }]), code('cell-out-of-range'))
+    assert.throws(() => convexParts({ polygons: [{ i, j: i, block: 1, vertices: square }] }), code('cell-out-of-range'))
+    assert.throws(() => islands.put(body, i, i), code('cell-out-of-range'))
+  }
+  assert.throws(() => massOf([{ i: 0, j: 0, block: 1, vertices: [0, 0, 1, 1, 1, 0] }]), code('clockwise'))
+  assert.throws(() => massOf([polygon, polygon]), code('overlap'))
+  assert.throws(() => massOf([{ i: 0, j: 0, block: 1, vertices: [0, 0, 1, 0, 1, 1.5] }]), code('bad-argument'))
+  assert.deepEqual(massOf([]), { area: 0, x: 0, y: 0, secondMoment: 0 })
+  assert.deepEqual(convexParts({ polygons: [] }), [])
+  islands.put({ i: 0, j: 0, polygons: [] })
+  islands.putAsItLies(body, { x: 2 ** 29, y: -(2 ** 29), angle: 1e9 })
+  assert.throws(() => islands.putAsItLies(body, { x: 2 ** 40, y: 0, angle: 0 }), (error) => error.name === 'LgsError')
+  world.commit()
+  world.free()
+})
+
+test('a world that was loaded has islands, too', () => {
+  const world = arm(), loaded = loadWorld(world.save()), islands = new Islands(loaded, { blocks: [bedrock] })
+  loaded.carve(circle(1.5, 3.5, 0.9))
+  islands.update(loaded.commit())
+  assert.equal(islands.loose().length, 1)
+  islands[Symbol.dispose]()
+  for (const each of [world, loaded]) each.free()
+})
