@@ -44,6 +44,16 @@ function(lgs_target target)
   endif()
 endfunction()
 
+# lgs_component(<name>): makes the library lgs_<name> of this folder a component of the package: gives it an alias, a file
+# name with a version, and the folder of its public headers.
+function(lgs_component name)
+  add_library(LocalGridSeg::${name} ALIAS lgs_${name})
+  set_target_properties(lgs_${name} PROPERTIES EXPORT_NAME ${name} OUTPUT_NAME localgridseg_${name}
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  target_include_directories(lgs_${name}
+    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+endfunction()
+
 # lgs_without_exceptions(<target>): compiles it without exceptions and RTTI, which it does not need. Microsoft's compiler
 # and clang-cl do not know these options.
 function(lgs_without_exceptions target)

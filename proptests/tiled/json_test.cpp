@@ -273,7 +273,8 @@ TEST(TiledJson, HugeNumbersAndDeepNesting) {
       EXPECT_EQ(refusal, "accepted") << "a text ends at its first zero";
     }
   }
-  EXPECT_NE(refusalOf(layerJson(R"("data":[1,1,1,1], "offsetx":-1e300)")).find("its offset is too large"), std::string::npos);
+  EXPECT_NE(refusalOf(layerJson(R"("data":[1,1,1,1], "offsetx":-1e300)")).find("its offset is too large"),
+            std::string::npos);
 }
 
 /// A template whose tileset has a tile whose shape is of that template.

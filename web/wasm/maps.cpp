@@ -106,7 +106,8 @@ LGS_EXPORT("importMap") std::size_t importMap(std::size_t pathBytes, std::size_t
   for (const auto& tile : map->report.tiles)
     tiles.push_back({{"tileset", tile.tileset}, {"id", tile.id}, {"class", tile.className}});
   for (const auto& layer : map->report.layers) layers.push_back(layer.path);
-  for (const auto& suggestion : map->report.suggestions) suggestions.push_back(std::to_string(suggestion.polygons) + " polygons: " + suggestion.text);
+  for (const auto& suggestion : map->report.suggestions)
+    suggestions.push_back(std::to_string(suggestion.polygons) + " polygons: " + suggestion.text);
   return told({{"shapes", map->shapes.size()},
                {"placements", map->placements.size()},
                {"numbers", numbers.size()},

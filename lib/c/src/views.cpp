@@ -38,6 +38,22 @@ template <class Out, class Id>
 lgs_status putIds(const std::vector<Id>& ids, Out* out, std::size_t capacity, std::size_t* count) {
   return putList(ids, out, capacity, count, [](Id id) { return Out{id.value}; });
 }
+/// What islands and loops both list.
+template <class Out, class View>
+lgs_status putIdsOf(const View& view, std::int32_t which, Out* out, std::size_t capacity, std::size_t* count) {
+  switch (which) {
+    case LGS_ALL:
+      return putIds(view.all(), out, capacity, count);
+    case LGS_CAME:
+      return putIds(view.changes().came, out, capacity, count);
+    case LGS_WENT:
+      return putIds(view.changes().went, out, capacity, count);
+    case LGS_CHANGED:
+      return putIds(view.changes().changed, out, capacity, count);
+    default:
+      return LGS_BAD_ARGUMENT;
+  }
+}
 template <class Out, class Pair>
 lgs_status putPairs(const std::vector<Pair>& pairs, Out* out, std::size_t capacity, std::size_t* count) {
   return putList(pairs, out, capacity, count, [](const Pair& p) { return Out{{p.from.value}, {p.into.value}}; });
@@ -90,39 +106,14 @@ lgs_status lgs_islands_update(lgs_islands* islands, const lgs_world* world, cons
 lgs_status lgs_islands_ids(const lgs_islands* islands, int32_t which, lgs_island_id* out, size_t capacity,
                            size_t* count) noexcept {
   if (!islands) return LGS_BAD_ARGUMENT;
-  const lgs::IslandChanges& told = islands->view.changes();
-  switch (which) {
-    case LGS_ALL:
-      return putIds(islands->view.all(), out, capacity, count);
-    case LGS_CAME:
-      return putIds(told.came, out, capacity, count);
-    case LGS_WENT:
-      return putIds(told.went, out, capacity, count);
-    case LGS_CHANGED:
-      return putIds(told.changed, out, capacity, count);
-    case LGS_LOOSE:
-      return putIds(islands->view.loose(), out, capacity, count);
-    default:
-      return LGS_BAD_ARGUMENT;
-  }
+  if (which == LGS_LOOSE) return putIds(islands->view.loose(), out, capacity, count);
+  return putIdsOf(islands->view, which, out, capacity, count);
 }
 
 lgs_status lgs_islands_loop_ids(const lgs_islands* islands, int32_t which, lgs_loop_id* out, size_t capacity,
                                 size_t* count) noexcept {
   if (!islands) return LGS_BAD_ARGUMENT;
-  const lgs::LoopChanges& told = islands->view.loops().changes();
-  switch (which) {
-    case LGS_ALL:
-      return putIds(islands->view.loops().all(), out, capacity, count);
-    case LGS_CAME:
-      return putIds(told.came, out, capacity, count);
-    case LGS_WENT:
-      return putIds(told.went, out, capacity, count);
-    case LGS_CHANGED:
-      return putIds(told.changed, out, capacity, count);
-    default:
-      return LGS_BAD_ARGUMENT;
-  }
+  return putIdsOf(islands->view.loops(), which, out, capacity, count);
 }
 
 lgs_status lgs_islands_pairs(const lgs_islands* islands, int32_t which, lgs_island_pair* out, size_t capacity,

@@ -4,7 +4,6 @@
 #include <lgs/pieces.h>
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 namespace lgs {

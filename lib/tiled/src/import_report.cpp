@@ -95,8 +95,8 @@ void appendHead(const Report& report, std::string& out) {
   width = 0;
   for (const BlockReport& block : report.blocks) width = std::max(width, std::to_string(block.block).size());
   for (const BlockReport& block : report.blocks) {
-    out +=
-        "  block " + padded(std::to_string(block.block), width) + "  " + numbered(block.polygons, "polygon", "polygons");
+    out += "  block " + padded(std::to_string(block.block), width) + "  " +
+           numbered(block.polygons, "polygon", "polygons");
     out += (block.name.empty() ? "" : "  " + block.name) + "\n";
   }
   for (const std::string& note : report.notes) out += "  note: " + note + "\n";

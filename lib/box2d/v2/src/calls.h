@@ -134,13 +134,9 @@ inline b2EdgeShape edgeShapeOf(const LocalEdge& edge) {
 
 inline b2Fixture* makeSegment(b2Body* body, EdgeId id, const Material& material, const LocalEdge& edge) {
   const b2EdgeShape shape = edgeShapeOf(edge);
-  b2FixtureDef definition;
+  b2FixtureDef definition = definitionOf(material);
   definition.shape = &shape;
   definition.userData.pointer = id.value;
-  definition.friction = material.friction;
-  definition.restitution = material.restitution;
-  definition.restitutionThreshold = material.restitutionThreshold;
-  definition.filter = material.filter;
   return body->CreateFixture(&definition);
 }
 

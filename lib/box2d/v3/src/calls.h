@@ -155,15 +155,8 @@ inline void* userDataOf(EdgeId id) {
 }
 
 inline b2ShapeDef definitionOf(EdgeId id, const Material& material) {
-  b2ShapeDef definition = b2DefaultShapeDef();
+  b2ShapeDef definition = definitionOf(material);
   definition.userData = userDataOf(id);
-  definition.material = material.surface;
-  definition.filter = material.filter;
-  definition.enableSensorEvents = material.enableSensorEvents;
-  definition.enableContactEvents = material.enableContactEvents;
-  definition.enableHitEvents = material.enableHitEvents;
-  definition.enablePreSolveEvents = material.enablePreSolveEvents;
-  setCustomFiltering(definition, material.enableCustomFiltering);
   return definition;
 }
 

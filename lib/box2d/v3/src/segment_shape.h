@@ -63,12 +63,6 @@ void changeSegment(SegmentShape& made, b2BodyId body, const b2ShapeDef& definiti
   }
 }
 
-/// From 3.2 on Box2D calls the custom filter only if one of the two shapes asks for it.
-template <class ShapeDef>
-void setCustomFiltering(ShapeDef& definition, bool enable) {
-  if constexpr (requires { definition.enableCustomFiltering; }) definition.enableCustomFiltering = enable;
-}
-
 /// Calls a function for each shape whose box overlaps `box`, which is relative to `corner`.
 template <class Corner>
 void overlapBox(b2WorldId physics, Corner corner, b2AABB box, b2QueryFilter filter, b2OverlapResultFcn* call,

@@ -225,7 +225,7 @@ struct MapPolygon {
 /// What importMap() makes of a map.
 struct ImportedMap {
   std::vector<std::vector<LocalPoint>> shapes;  ///< distinct polygons; for World::shape() or World::add()
-  std::vector<MapPolygon> placements;        ///< sorted by cell (j, then i), and in a cell as they were placed
+  std::vector<MapPolygon> placements;           ///< sorted by cell (j, then i), and in a cell as they were placed
   std::map<std::string, Block> blocks;          ///< of all names in Options::blocks, and of those that the import met
   Report report;                                ///< what came in, and what was left out or changed
 

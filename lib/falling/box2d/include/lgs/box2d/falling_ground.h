@@ -19,6 +19,7 @@
 #include <lgs/box2d/terrain.h>
 #include <lgs/islands.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -35,7 +36,7 @@ struct FallingOptions {
 /// A body, and the ground that it is. The body's origin is where the ground's origin was.
 struct Falling {
   BodyHandle body{};  ///< null: every part is thinner than Box2D's slop, and there is nothing to see
-  Body ground;         ///< what it is made of
+  Body ground;        ///< what it is made of
 };
 
 /// The ground of one world that falls. What it makes is the game's to move; whoever destroys a body calls forget().
@@ -63,9 +64,9 @@ class FallingGround {
       const auto parts = convexParts(ground, 8);  // it was in a world, so it fits into one
       const double size = cellSize();
       const BodyHandle body = makeBody(physics_, at, fallingParts(parts.value(), size, slopOf(physics_)),
-                                        fallingMass(ground, options_.density, size), [&](Block block) {
-                                          return options_.material ? options_.material(block) : Material{};
-                                        });
+                                       fallingMass(ground, options_.density, size), [&](Block block) {
+                                         return options_.material ? options_.material(block) : Material{};
+                                       });
       made.push_back({body, std::move(ground)});
       if (!isNull(body)) bodies_.push_back(made.back());
     }

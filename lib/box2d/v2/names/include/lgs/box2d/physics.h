@@ -24,4 +24,14 @@ struct Material {
   friend bool operator==(const Material& a, const Material& b);
 };
 
+/// Box2D's defaults for a fixture, but for what the material says. `isPassable` is the terrain's alone.
+inline b2FixtureDef definitionOf(const Material& material) {
+  b2FixtureDef definition;
+  definition.friction = material.friction;
+  definition.restitution = material.restitution;
+  definition.restitutionThreshold = material.restitutionThreshold;
+  definition.filter = material.filter;
+  return definition;
+}
+
 }  // namespace lgs::box2d

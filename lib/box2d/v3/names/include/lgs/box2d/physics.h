@@ -36,4 +36,19 @@ struct Material {
   friend bool operator==(const Material& a, const Material& b);
 };
 
+/// Box2D's defaults for a shape, but for what the material says. `isPassable` is the terrain's alone.
+inline b2ShapeDef definitionOf(const Material& material) {
+  b2ShapeDef definition = b2DefaultShapeDef();
+  definition.material = material.surface;
+  definition.filter = material.filter;
+  definition.enableSensorEvents = material.enableSensorEvents;
+  definition.enableContactEvents = material.enableContactEvents;
+  definition.enableHitEvents = material.enableHitEvents;
+  definition.enablePreSolveEvents = material.enablePreSolveEvents;
+  [&](auto& d) {
+    if constexpr (requires { d.enableCustomFiltering; }) d.enableCustomFiltering = material.enableCustomFiltering;
+  }(definition);
+  return definition;
+}
+
 }  // namespace lgs::box2d

@@ -4,7 +4,6 @@
 #include <lgs/box2d/falling_parts.h>
 #include <lgs/box2d/terrain.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -35,13 +34,8 @@ b2Body* makeBody(b2World& physics, b2Vec2 at, const std::vector<FallingPart>& pa
     for (const Place& p : part.corners) corners.emplace_back(static_cast<float>(p.x), static_cast<float>(p.y));
     b2PolygonShape shape;
     shape.Set(corners.data(), static_cast<int32>(corners.size()));
-    const Material material = materialOf(part.block);
-    b2FixtureDef fixture;
+    b2FixtureDef fixture = definitionOf(materialOf(part.block));
     fixture.shape = &shape;
-    fixture.friction = material.friction;
-    fixture.restitution = material.restitution;
-    fixture.restitutionThreshold = material.restitutionThreshold;
-    fixture.filter = material.filter;
     body->CreateFixture(&fixture);
   }
   const b2Vec2 center{static_cast<float>(mass.center.x), static_cast<float>(mass.center.y)};

@@ -4,7 +4,6 @@
 #include <lgs/box2d/falling_parts.h>
 #include <lgs/box2d/terrain.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -41,14 +40,7 @@ b2BodyId makeBody(b2WorldId physics, Position at, const std::vector<FallingPart>
       body = b2CreateBody(physics, &definition);
     }
     const b2Polygon polygon = b2MakePolygon(&hull, 0);
-    const Material material = materialOf(part.block);
-    b2ShapeDef shape = b2DefaultShapeDef();
-    shape.material = material.surface;
-    shape.filter = material.filter;
-    shape.enableSensorEvents = material.enableSensorEvents;
-    shape.enableContactEvents = material.enableContactEvents;
-    shape.enableHitEvents = material.enableHitEvents;
-    shape.enablePreSolveEvents = material.enablePreSolveEvents;
+    b2ShapeDef shape = definitionOf(materialOf(part.block));
     shape.updateBodyMass = false;
     b2CreatePolygonShape(body, &shape, &polygon);
   }
