@@ -33,6 +33,7 @@ BesideTheWhole::BesideTheWhole(oracle::Choices choices, WithOut with)
     EXPECT_TRUE(part_.followCells(true));
   }
   loaded_ = loadedChunks();
+  if (!with_.preserves) loops_.emplace(part_);
 }
 
 void BesideTheWhole::step() {
@@ -286,6 +287,7 @@ void BesideTheWhole::follow(const Changes& changes) {
   EXPECT_EQ(part_.segments(), ids);
   EXPECT_EQ(part_.stats().segments, ids.size());
   expectSameOutline();
+  if (loops_) expectSameLoops(changes);
   expectSameGround();
   expectSameAnswers();
 }
@@ -309,6 +311,23 @@ void BesideTheWhole::expectSameOutline() {
     ++count;
   }
   EXPECT_EQ(count, here.size());
+}
+
+/// The view that follows has the closed loops, as one has that begins now.
+void BesideTheWhole::expectSameLoops(const Changes& changes) {
+  EXPECT_TRUE(loops_->update(part_, changes));
+  const auto factsOf = [](const Loops& loops) {
+    std::multiset<std::tuple<Point, bool, std::uint64_t>> facts;
+    for (const LoopId id : loops.all()) {
+      const LoopFacts f = *loops.loop(id);
+      facts.emplace(f.west, f.isHole(), f.segments);
+    }
+    return facts;
+  };
+  EXPECT_EQ(factsOf(*loops_), factsOf(Loops(part_)));
+  std::set<SegmentId> closed;
+  for (const Loop& loop : part_.loops()) closed.insert(loop.segments.begin(), loop.segments.end());
+  for (const SegmentId id : part_.segments()) EXPECT_EQ(static_cast<bool>(loops_->of(id)), closed.contains(id));
 }
 
 BesideTheWhole::Polygons BesideTheWhole::polygonsOf(const World& world) const {

@@ -4,6 +4,7 @@
 #include "oracle/calls/choices.h"
 #include "proptests/support/worlds.h"
 
+#include <lgs/loops.h>
 #include <lgs/world.h>
 
 #include <cstddef>
@@ -91,6 +92,7 @@ class BesideTheWhole {
   void expectSameAnswers();
   void follow(const Changes& changes);
   void followCells();
+  void expectSameLoops(const Changes& changes);
   Polygons polygonsOf(const World& world) const;
 
   oracle::Choices choices_;
@@ -100,6 +102,7 @@ class BesideTheWhole {
   Shelf shelf_;
   std::set<Cell> loaded_;  ///< chunks, as of the last commit
   std::map<SegmentId, Segment> copy_;
+  std::optional<Loops> loops_;  ///< of the part, unless something is preserved
   Polygons told_;
   bool follows_ = false;
   std::vector<Marks> marks_, ahead_;
