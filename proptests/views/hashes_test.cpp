@@ -34,6 +34,7 @@ void expectRight(const World& world, const GroundHashes& hashes) {
   }
   EXPECT_EQ(hashes.whole(), least);
   EXPECT_EQ(hashes.hash(), least.hash);
+  EXPECT_EQ(groundHash(world, least.cells), least.hash);
   for (const HashedSquare& asked : levels[1])
     for (const CellRect& cells : {asked.cells, CellRect{asked.cells.min, {asked.cells.max.i, asked.cells.min.j}},
                                   CellRect{asked.cells.max, asked.cells.max}}) {
@@ -42,6 +43,7 @@ void expectRight(const World& world, const GroundHashes& hashes) {
         if (touch(s.cells, cells)) there.push_back(s);
       EXPECT_EQ(hashes.hashes(cells), there);
       EXPECT_EQ(hashes.hashes(asked.cells, 1), std::vector{asked});
+      EXPECT_EQ(groundHash(world, asked.cells), asked.hash);
     }
 }
 

@@ -173,6 +173,12 @@ void GroundHashes::collect(const GroundHashes& a, std::uint32_t nodeOfA, const G
   }
 }
 
+std::uint64_t groundHash(const World& world, const CellRect& cells) noexcept {
+  std::uint64_t hash = 0;
+  world.forEachPolygon(cells, [&](Cell cell, const PlacedPolygon& polygon) { hash += hashOf(cell, polygon); });
+  return hash;
+}
+
 std::uint64_t GroundHashes::bytes() const noexcept {
   return nodes_.capacity() * sizeof(Node) + free_.capacity() * sizeof(std::uint32_t);
 }

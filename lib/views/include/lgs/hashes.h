@@ -110,4 +110,8 @@ class GroundHashes {
 
 std::vector<CellRect> differences(const GroundHashes& a, const GroundHashes& b) noexcept;
 
+/// The hash of the polygons in a rectangle of cells, worked out anew, after all edits, committed or not: for parts of a
+/// chunk, of which no hash is kept. Cost: that of World::forEachPolygon(), and the vertices there.
+std::uint64_t groundHash(const World& world, const CellRect& cells) noexcept;
+
 }  // namespace lgs
