@@ -263,7 +263,7 @@ class Load {
 
   /// Whether the overlaps in a cell with these polygons are preserved as this world's relation wants it.
   bool isPreservedAsHere(const Filled& cell) const {
-    const InternedContent& content = ground_.catalogue.content(cell.content);
+    const Content& content = ground_.catalogue.content(cell.content);
     return std::ranges::all_of(content.contacts, [&](const auto& contact) {
       return ground_.keeps(placed(cell)[contact.first].block, placed(cell)[contact.second].block) ==
              std::ranges::binary_search(content.preserved, contact);
