@@ -83,7 +83,7 @@ void addWorldOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& a
                        "Paint and carve among the other edits, and measure each stroke\nagainst CGAL's exact result");
   CLI::Option* const views = command.add_flag(
       "--views", arguments->options.views,
-      "Follow the world with views of loops and islands, and compare\nthem with a full recompute after every commit");
+      "Follow the world with loops, islands and hashes, and compare\nthem with a full recompute after every commit");
   CLI::Option* const map =
       command
           .add_option("--map", arguments->map,

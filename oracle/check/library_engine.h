@@ -14,6 +14,7 @@
 #include "oracle/trace/dump.h"
 #include "oracle/trace/mirror.h"
 #include "oracle/trace/player.h"
+#include "oracle/views/ground_hashes.h"
 #include "oracle/views/island_check.h"
 
 #include <optional>
@@ -84,6 +85,7 @@ class LibraryEngine : public Engine {
   struct Followed {
     Islands islands;
     IslandCheck check;
+    GroundHashes hashes;
   };
   std::optional<Followed> views_;
 };
