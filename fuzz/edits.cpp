@@ -1,6 +1,6 @@
 // Edits: after every commit the engine against the naive reference, its change list against a mirror; at the end CGAL's
 // union, the loops, and the same world built in another order. Most of what `edits` tries is good, most of what
-// `polygons` tries is bad. `views` has views of loops and islands follow the world, and holds them against full
+// `polygons` tries is bad. `views` has views of loops, islands and pieces follow the world, and holds them against full
 // recomputes.
 #include "fuzz/check_edits.h"
 
@@ -37,8 +37,8 @@ std::optional<Finding> checkEdits(const Trace& trace, oracle::CheckOptions optio
 const Target kEdits{"edits", "edit sequences against the references", check<mostlyGood, checkTrace>, mostlyGood,
                     checkTrace};
 
-const Target kViews{"views", "loops and islands against full recomputes", check<mostlyGood, checkViews>, mostlyGood,
-                    checkViews};
+const Target kViews{"views", "loops, islands and pieces against full recomputes", check<mostlyGood, checkViews>,
+                    mostlyGood, checkViews};
 
 const Target kPolygons{"polygons", "bad polygons: refusals are right and total", check<mostlyBad, checkTrace>,
                        mostlyBad, checkTrace};
