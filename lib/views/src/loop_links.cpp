@@ -112,7 +112,7 @@ void LoopView::findRests() {
   for (const std::uint32_t id : ends_) {
     if (!treaps_.has(id)) continue;
     const std::uint32_t root = treaps_.climb(id);
-    rests_.push_back({root, treaps_[root].loop, treaps_[root].count});
+    if (treaps_[root].loop != 0) rests_.push_back({root, treaps_[root].loop, treaps_[root].count});
   }
   detail::sort(rests_, [](const Rest& a, const Rest& b) { return a.node < b.node; });
   const auto same = [](const Rest& a, const Rest& b) { return a.node == b.node; };
@@ -124,14 +124,14 @@ void LoopView::putAll(std::span<const Segment> added) {
   for (const Segment& s : added) {
     treaps_.put(s.id.value, s.start, s.end);
     const auto same = std::lower_bound(gone_.begin(), gone_.end(), Gone{s.start, s.end, 0});
-    if (same != gone_.end() && same->start == s.start && same->end == s.end)
+    if (same != gone_.end() && same->start == s.start && same->end == s.end && same->loop != 0)
       rests_.push_back({s.id.value, same->loop, 1});
   }
 }
 
-/// Joins a segment with the one that follows it, if they are not joined yet.
+/// Joins a segment with the one that follows it, if they are not joined yet. One of an unloaded chunk is not here.
 void LoopView::join(std::uint32_t a, std::uint32_t b) {
-  if (treaps_.next(a) != kNoNode) return;
+  if (!treaps_.has(a) || !treaps_.has(b) || treaps_.next(a) != kNoNode) return;
   const std::uint32_t first = treaps_.climb(a), second = treaps_.climb(b);
   if (first == second)
     treaps_[first].isClosed = 1;

@@ -13,7 +13,8 @@
 // the part. An island that lies in a hole of another one is an island by itself.
 //
 // The view follows loops (loops.h) and has one inside: loops(). What is said there of preserve relations, copies,
-// threads and memory holds here.
+// threads and memory holds here. It is not made for worlds with unloaded chunks (World::unload()): unload none while you
+// follow islands.
 #pragma once
 
 #include <lgs/body.h>

@@ -13,6 +13,9 @@
 // have without the relation. It keeps that in a second world of its own, outline(), which takes as much memory again,
 // and each commit is made there as well. Such a world must follow its cells: World::followCells(true).
 //
+// A chain that leads into an unloaded chunk (World::unload()) is no loop as long as it does. Under a preserve relation
+// the second world has no polygons where chunks are unloaded, and its loops close there.
+//
 // Every function is noexcept: when memory runs out the program ends. A copy of a world goes on with a copy of its view.
 // Calls that are const are safe beside each other.
 #pragma once
