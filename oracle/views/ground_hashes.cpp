@@ -1,5 +1,6 @@
 #include "oracle/views/ground_hashes.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -73,6 +74,18 @@ std::vector<HashedSquare> groundHashes(const World& world, int level) {
   for (const auto& [key, square] : squares)
     if (square.hash != 0) found.push_back(square);
   return found;
+}
+
+std::optional<std::string> faultOf(const GroundHashes& hashes, const World& world) {
+  const std::vector<HashedSquare> chunks = groundHashes(world, 0);
+  std::uint64_t sum = 0;
+  for (const HashedSquare& chunk : chunks) sum += chunk.hash;
+  if (hashes.hash() != sum) return fmt::format("the hash of the world is {:x}, expected {:x}", hashes.hash(), sum);
+  const std::vector<HashedSquare> found = hashes.hashes({{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}});
+  const auto [wrong, right] = std::ranges::mismatch(found, chunks);
+  if (wrong == found.end() && right == chunks.end()) return {};
+  const Cell at = (right == chunks.end() ? *wrong : *right).cells.min;
+  return fmt::format("the hash of the chunk from cell ({}, {}) on is not that of its polygons", at.i, at.j);
 }
 
 }  // namespace lgs::oracle

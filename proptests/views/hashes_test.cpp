@@ -32,6 +32,7 @@ void expectRight(const World& world, const GroundHashes& hashes) {
     EXPECT_EQ(hashes.hashes(kEverywhere, level), squares) << "level " << level;
     if (squares.size() == 1) least = squares.front();
   }
+  failIf(oracle::faultOf(hashes, world));
   EXPECT_EQ(hashes.whole(), least);
   EXPECT_EQ(hashes.hash(), least.hash);
   EXPECT_EQ(groundHash(world, least.cells), least.hash);
