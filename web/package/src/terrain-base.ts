@@ -96,9 +96,12 @@ export abstract class TerrainBase<Body, Material> {
     bodies.settle(box !== null, onCaught)
   }
 
-  #refuseInStep(): void {
+  #refuseGone(): void {
     if (this.#isGone) throw new LgsError('freed', 'this terrain was destroyed')
-    if (this.#adapter.isInStep())
+  }
+
+  #refuseInStep(): void {
+    if (this.isInStep)
       throw new LgsError('busy', 'the physics world is in a step: note what was hit, and change the ground after the step')
     if (this.#isSyncing) throw new LgsError('busy', 'the terrain is changing: a listener of contacts must not change it')
   }
@@ -111,6 +114,12 @@ export abstract class TerrainBase<Body, Material> {
     } finally {
       this.#isSyncing = false
     }
+  }
+
+  /** Whether the physics world is in a step, in which nothing can be changed. */
+  get isInStep(): boolean {
+    this.#refuseGone()
+    return this.#adapter.isInStep()
   }
 
   /** Takes everything out of the physics world. A second call does nothing. */
