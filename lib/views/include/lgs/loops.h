@@ -94,8 +94,8 @@ class Loops {
   Loops& operator=(Loops&&) noexcept;             ///< the same
 
   /// Takes over what the world's last commit or roll-back changed: World::commit() or World::changesOfRollBack(). If
-  /// these do not lead from the version() that the view shows, it stays as it is, and the result is false: then begin
-  /// again with another view. Cost: O(k log n) expected, for k segments in the three lists and loops of n segments.
+  /// these do not lead from the version() that the view shows, or are lists that somebody made up, it stays as it is,
+  /// and the result is false: then begin again with another view. Cost: O(k log n) expected, for k segments in the three lists and loops of n segments.
   /// Allocates nothing once world and view have reached their size.
   [[nodiscard]] bool update(const World& world, const Changes& changes) noexcept;
 
