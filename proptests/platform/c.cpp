@@ -1,10 +1,11 @@
-// The part of the C interface: the calls of lgs/lgs.h, with polygons as elsewhere (oracle/calls).
+// The part of the C interface: the calls of lgs/lgs.h, and hashes of the ground, with polygons as elsewhere (oracle/calls).
 #include "parts.h"
 
-#include "oracle/calls/choices.h"
 #include "oracle/calls/draw.h"
+#include "oracle/calls/random.h"
 
 #include <lgs/lgs.h>
+#include <lgs/lgs_views.h>
 
 #include <vector>
 
@@ -18,8 +19,7 @@ std::int32_t keepsSomeOverlaps(void*, lgs_block smaller, lgs_block greater) {
 
 class CEditor {
  public:
-  CEditor(lgs_world* world, Hash& hash, std::uint64_t seed)
-      : world_(world), hash_(hash), choices_(oracle::choicesFrom(seed)) {}
+  CEditor(lgs_world* world, Hash& hash, std::uint64_t seed) : world_(world), hash_(hash), choices_(seed) {}
 
   void edit();
   void commit();
@@ -47,7 +47,7 @@ class CEditor {
 
   lgs_world* world_;
   Hash& hash_;
-  oracle::Choices choices_;
+  oracle::Random choices_;
   lgs_error error_{};
   std::vector<lgs_shape_id> shapes_;
   std::vector<lgs_polygon_id> handles_;
@@ -140,6 +140,13 @@ void CEditor::read() {
       platform::put(hash_, lgs::Point{loop.vertices[v].x, loop.vertices[v].y});
   }
   lgs_loops_free(loops);
+  lgs_hashes* hashes = nullptr;
+  put(lgs_hashes_new(world_, &hashes));
+  lgs_hashed_square square{};
+  put(lgs_hashes_whole(hashes, &square));
+  hash_.number(square.hash);
+  hash_.sign(square.level);
+  lgs_hashes_free(hashes);
   std::vector<std::uint8_t> bytes(1u << 16);
   std::size_t count = 0;
   put(lgs_save_to_buffer(world_, bytes.data(), bytes.size(), &count, &error_));

@@ -9,7 +9,7 @@
 //   …
 //   islands.update(world.commit())                           // after each commit and roll-back
 //   for (const id of islands.loose()) fall(islands.take(id))
-import { bad, int32, rect, reals, uint32 } from './check.js'
+import { bad, int32, object, rect, reals, uint32 } from './check.js'
 import { type Engine, start } from './engine.js'
 import { LgsError } from './error.js'
 import { bodyOf, placeIn, putPolygons } from './ground-body.js'
@@ -50,8 +50,7 @@ export class Islands {
 
   /** Looks at everything once. Without anchors nothing holds, and all that an update names is loose. */
   constructor(world: World, anchors: Anchors = {}) {
-    if (typeof anchors !== 'object' || anchors === null) throw bad('anchors', '{ blocks, cells }', anchors)
-    const numbers = numbersOf(anchors)
+    const numbers = numbersOf(object('anchors', '{ blocks, cells }', anchors))
     const { engine, address } = placeOf(world)
     this.#world = world
     this.#from = engine
@@ -72,8 +71,7 @@ export class Islands {
    * was made while edits waited it is 'uncommitted': make new Islands after the next commit.
    */
   update(changes: Changes): void {
-    if (typeof changes !== 'object' || changes === null) throw bad('changes', 'those of a commit', changes)
-    if (changes.after !== this.#world.version) throw new LgsError('not-the-last', misfits['not-the-last'])
+    if (object('changes', 'those of a commit', changes).after !== this.#world.version) throw new LgsError('not-the-last', misfits['not-the-last'])
     const { call, islands, world } = this.#at
     const misfit = ([null, 'left-out', 'uncommitted'] as const)[call.updateIslands(islands, world)]!
     if (misfit !== null) throw new LgsError(misfit, misfits[misfit])

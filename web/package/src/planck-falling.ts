@@ -1,6 +1,6 @@
 // Ground that falls, as bodies of planck. lgs/box2d/falling.h does the same for Box2D, by the same rules.
 import { type Body, type FixtureOpt, Polygon, Settings, Vec2, type Vec2Value, type World as Physics } from 'planck'
-import { bad, within } from './check.js'
+import { bad, object, within } from './check.js'
 import { LgsError } from './error.js'
 import { convexParts, massOf, placeIn } from './ground-body.js'
 import type { GroundBody, GroundPolygon, IslandId } from './island-types.js'
@@ -61,7 +61,7 @@ export class FallingGround {
    */
   make(ground: GroundBody, place?: { x: number; y: number; angle: number }): Falling | null {
     this.#refuseInStep()
-    if (typeof ground !== 'object' || ground === null) throw bad('ground', 'a body of ground', ground)
+    object('ground', 'a body of ground', ground)
     const at = place === undefined ? { x: ground.i, y: ground.j, angle: 0 } : place
     const [x, y] = placeIn(at)
     const fixtures = this.#shapesOf(ground).map(({ shape, block }) =>
