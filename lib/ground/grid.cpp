@@ -41,7 +41,11 @@ void Chunk::makeRoomForBlock(Block block) {
 }
 
 std::uint32_t Grid::numberAt(std::int32_t ci, std::int32_t cj) const {
-  return index_.find(hashOf(index_.seed(), ci, cj), [&](std::uint32_t k) { return placeOf(k) == std::pair(ci, cj); });
+  return index_.find(hashOf(index_.seed(), ci, cj), [&](std::uint32_t k) {
+    if (const Chunk* chunk = chunks_[k].get()) [[likely]]
+      return chunk->ci == ci && chunk->cj == cj;
+    return borders_[k]->ci == ci && borders_[k]->cj == cj;
+  });
 }
 
 std::optional<std::pair<std::int32_t, std::int32_t>> Grid::placeOf(std::uint32_t number) const {

@@ -91,9 +91,14 @@ class Ground {
   /// After a chunk came: the unloaded ones beside it hold what it needs.
   void settleAround(const Chunk& chunk);
   /// What forget() left to be done, before a commit.
-  void settle();
+  void settle() {
+    if (!unsettled_.empty()) [[unlikely]]
+      settleAll();
+  }
   /// After a commit: chunks that nobody needs are no Chunk any more, unless marks may need them. Returns their numbers.
   std::vector<std::uint32_t> sleep();
+  /// Whether that may find any.
+  bool isSleepy() const { return !sleepy_.empty(); }
 
   // --- The primitive
 
@@ -216,6 +221,7 @@ class Ground {
   Note turn(const Note& note);
   void settle(std::uint32_t number, bool isNeeded);
   void settleIfUnloaded(std::uint32_t number);
+  void settleAll();
   bool isUnloaded(CellAt at) const { return at && at.chunk->isUnloaded; }
   static CellWord moveList(CellWord word, RecordArena& from, RecordArena& to);
   void undo(const Note& note, Undone undone);

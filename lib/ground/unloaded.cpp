@@ -214,7 +214,7 @@ void Ground::settleAround(const Chunk& chunk) {
       if (di != 0 || dj != 0) settleIfUnloaded(grid.numberAt(chunk.ci + di, chunk.cj + dj));
 }
 
-void Ground::settle() {
+void Ground::settleAll() {
   for (const std::uint32_t number : unsettled_) settleIfUnloaded(number);
   if (!isNoting(For::marks)) unsettled_ = {};  // a world that goes back has to do it again
 }

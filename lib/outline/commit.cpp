@@ -17,7 +17,9 @@ namespace lgs::detail {
 void Outline::update(const Ground& ground, const Executor& executor) {
   if (isNoting_ && (!ground.changedChunks().empty() || !changes_.removed.empty())) note_ = &notes_.emplace_back();
   begin();
-  turn(ground);
+  isFiltered_ = ground.grid.unloadedCount() != 0 || hasHidden();
+  if (isFiltered_) [[unlikely]]
+    turn(ground);
   if (executor && segments.isEmpty() && ground.grid.unloadedCount() == 0) {
     build(ground, *this, executor);
   } else {
@@ -34,7 +36,6 @@ void Outline::update(const Ground& ground, const Executor& executor) {
 /// Chunks that were unloaded, or loaded again: their segments go, and those that show now are new ones. So no id names a
 /// hidden segment and then one that is not, or the other way around.
 void Outline::turn(const Ground& ground) {
-  if (ground.grid.unloadedCount() == 0 && !hasHidden()) return;
   for (const Chunk* chunk : ground.changedChunks()) {
     if (chunk->isUnloaded == isHidden(chunk->index)) continue;
     clear(*chunk);
@@ -58,8 +59,6 @@ void Outline::clear(const Chunk& chunk) {
 
 /// Of what changed, what is not hidden, or was not.
 void Outline::filter() {
-  isFiltered_ = hasHidden() || !turned_.empty();
-  if (!isFiltered_) return;
   const auto take = [&](const std::vector<SegmentId>& all, std::uint8_t hides, std::vector<SegmentId>& out) {
     out.clear();
     for (const SegmentId id : all) {
@@ -97,7 +96,8 @@ void Outline::begin() {
 
 void Outline::finish() {
   for (const SegmentId id : changes_.relinked) segments[id.value].listed = 0;
-  filter();
+  if (isFiltered_) [[unlikely]]
+    filter();
   for (const SegmentId id : changes_.removed) {
     note(id.value);
     segments[id.value].cellRef = 0;
