@@ -197,7 +197,9 @@ AmongBodies amongBodies(int edits) {
   AmongBodies result;
   for (int k = 0; k < edits; ++k) {
     const Point at = terrain.latticePoint(physics.placeOf(static_cast<std::size_t>(random.below(50))));
-    const auto within = [](std::int64_t v, std::int64_t cells) { return std::clamp<std::int64_t>(v, 2 * U, (cells - 2) * U); };
+    const auto within = [](std::int64_t v, std::int64_t cells) {
+      return std::clamp<std::int64_t>(v, 2 * U, (cells - 2) * U);
+    };
     const Region region = circle({within(at.x, kWidth), within(at.y, kHeight)}, (2 + random.below(6)) * U / 4, 24);
     (void)(random.chance(40) ? paint(world, region, 2, PaintMode::fill) : carve(world, region));
     const Changes& changes = world.commit();

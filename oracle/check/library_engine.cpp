@@ -123,9 +123,9 @@ std::optional<Complaint> LibraryEngine::checkViews() {
   const World& world = player_->world();
   auto& [islands, islandCheck, pieces, pieceCheck, hashes] = *views_;
   if (!islands.update(world, *changes_)) return Complaint{Mismatch::Kind::views, "the views refuse what was committed"};
+  hashes.update(world.cellChanges());
   auto wrong = islandCheck.update(world, islands);
   if (!wrong) wrong = pieceCheck.update(world, pieces, pieces.update(world.cellChanges()));
-  hashes.update(world.cellChanges());
   if (!wrong) wrong = faultOf(hashes, world);
   if (!wrong) return std::nullopt;
   return Complaint{Mismatch::Kind::views, std::move(*wrong)};

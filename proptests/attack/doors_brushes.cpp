@@ -47,7 +47,9 @@ void addDoorsOfBrushes(Doors& door) {
   });
   door("without(const Region&, const Region&)", [](Scene&, const Region& region, const Region& except) {
     const auto rest = without(region, except);
-    if (rest) EXPECT_TRUE(cellsOf(*rest).has_value());
+    if (rest) {
+      EXPECT_TRUE(cellsOf(*rest).has_value());
+    }
     return rest;
   });
   door("meets(const Region&, const Ring&)",
