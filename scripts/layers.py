@@ -51,7 +51,7 @@ ROOMS = {
                           "lib/box2d/v2/include", "lib/box2d/v3/include"],
     "lib/tiled/include": ["lib/include"],
     "lib/tiled/src": ["lib/include", "lib/geometry", "lib/text", "lib/brush/include", "lib/tiled/include"],
-    "web/bench": ["lib/include"],
+    "web/bench": ["lib/include", "lib/brush/include"],
     # The rules of terrains are compiled into the package, and the reference into the article.
     "web/wasm": ["lib/include", "lib/brush/include", "lib/falling/include", "lib/views/include", "lib/pieces/include",
                  "lib/tiled/include", "lib/box2d/include", "lib/box2d/src", "oracle/reference"],
