@@ -82,8 +82,8 @@ void addWorldOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& a
       command.add_flag("--brushes", arguments->world.brushes,
                        "Paint and carve among the other edits, and measure each stroke\nagainst CGAL's exact result");
   CLI::Option* const views = command.add_flag("--views", arguments->options.views,
-                                              "Follow the world with views of loops, islands and pieces, and\ncompare "
-                                              "them with a full recompute after every commit");
+                                              "Follow the world with views of loops, islands, pieces and hashes, and\n"
+                                              "compare them with a full recompute after every commit");
   CLI::Option* const map =
       command
           .add_option("--map", arguments->map,

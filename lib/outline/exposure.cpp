@@ -62,9 +62,13 @@ inline void Exposure::renew(CellAt at) {
     create(at);
 }
 
-/// A cell that has no segments yet: a merge with nothing.
+/// A cell that has no segments yet: a merge with nothing, which is quick for simple cells.
 void Exposure::create(CellAt at) {
   const Look look(ground_, at);
+  if (!look.isSimple()) {
+    merge(at, kAllParts);
+    return;
+  }
   const std::uint32_t count = look.count(), ref = at.ref();
   if (count == 0) return;
   look.fill(outline_.splice(at, 0, 0, count), count,
@@ -84,7 +88,7 @@ void Exposure::renewSide(CellAt at, unsigned side, unsigned beyond) {
   const unsigned sides = layout.wholeSides();
   const unsigned before = sides >> side & 1u, now = facts >> side & ~(beyond >> opposite(side)) & 1u;
   if (now == before) return;
-  const InternedContent& content = ground_.content(at);
+  const Content& content = ground_.content(at);
   const std::uint32_t inside = layout.end(kInterior), place = inside + kSideCounts[sides][side];
   std::uint32_t id = 0;
   if (now != 0)

@@ -14,6 +14,7 @@
 #include "oracle/trace/dump.h"
 #include "oracle/trace/mirror.h"
 #include "oracle/trace/player.h"
+#include "oracle/views/ground_hashes.h"
 #include "oracle/views/island_check.h"
 #include "oracle/views/piece_check.h"
 
@@ -87,6 +88,7 @@ class LibraryEngine : public Engine {
     IslandCheck islandCheck;
     Pieces pieces;
     PieceCheck pieceCheck;
+    GroundHashes hashes;
   };
   std::optional<Followed> views_;
 };

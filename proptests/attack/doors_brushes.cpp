@@ -45,6 +45,11 @@ void addDoorsOfBrushes(Doors& door) {
     if (cells) EXPECT_TRUE(std::ranges::all_of(*cells, [](Cell cell) { return inRange(cell); }));
     return cells;
   });
+  door("without(const Region&, const Region&)", [](Scene&, const Region& region, const Region& except) {
+    const auto rest = without(region, except);
+    if (rest) EXPECT_TRUE(cellsOf(*rest).has_value());
+    return rest;
+  });
   door("meets(const Region&, const Ring&)",
        [](Scene&, const Region& region, const std::vector<Point>& ring) { return meets(region, ring); });
   door("paint(World&, const Region&, Block, PaintMode, const StayingBlocks&)",

@@ -16,10 +16,7 @@ namespace {
 using detail::Vector;
 using detail::operator-;  // NOLINT(misc-unused-using-decls): p.b - p.a uses it
 
-int side(Point p, Line line, bool keepsGreater) {
-  const int greater = detail::sign((line.isVertical ? p.x : p.y) - line.at);
-  return keepsGreater ? greater : -greater;
-}
+int side(Point p, Line line) { return detail::sign((line.isVertical ? p.x : p.y) - line.at); }
 
 /// Where the edge a→b crosses the line, rounded along the line.
 Point crossing(Point a, Point b, Line line) {
@@ -37,6 +34,21 @@ void append(Pieces& ring, const Piece& piece) {
     ring.push_back({from, piece.start, from, piece.start, false});
   }
   if (piece.start != piece.end) ring.push_back(piece);
+}
+
+/// The same with what is on one side of the line of a piece that has an end on the other side. It crosses the line `at`
+/// a point; `start` and `end` say where its ends are: +1 on that side, 0 on the line.
+void appendPart(Pieces& kept, const Piece& p, int start, int end, Point at) {
+  // An end on the line can be a rounded one: the edge itself can go on beside the line.
+  const auto isAfter = [&](Point u, Point v) { return dot(u - v, p.b - p.a) > 0; };
+  if (start >= 0 && isAfter(at, p.start)) append(kept, {p.a, p.b, p.start, at, p.isOfRegion});
+  if (end >= 0 && isAfter(p.end, at)) append(kept, {p.a, p.b, at, p.end, p.isOfRegion});
+}
+
+void close(Pieces& ring) {
+  if (ring.empty() || ring.back().end == ring.front().start) return;
+  const Point from = ring.back().end, to = ring.front().start;
+  ring.push_back({from, to, from, to, false});
 }
 
 /// The line that a piece lies on, the same for all edges on it, in lowest terms.
@@ -65,7 +77,16 @@ bool overlap(const Piece& p, const Piece& q) {
              std::min(std::max(p.start, p.end), std::max(q.start, q.end));
 }
 
+/// Nearly always there are few, and none are parallel.
 bool anyOverlap(PieceSpan pieces) {
+  constexpr std::size_t kFew = 16;
+  if (pieces.size() <= kFew) {
+    for (std::size_t k = 1; k < pieces.size(); ++k)
+      for (std::size_t l = 0; l < k; ++l)
+        if (cross(pieces[k].b - pieces[k].a, pieces[l].b - pieces[l].a) == 0 && overlap(pieces[k], pieces[l]))
+          return true;
+    return false;
+  }
   return anyPair(
       pieces,
       [](const Piece& p) {
@@ -104,29 +125,26 @@ Pieces piecesOf(std::span<const Point> ring) {
   return pieces;
 }
 
-Pieces cut(PieceSpan ring, Line line, bool keepsGreater) {
-  Pieces kept;
-  kept.reserve(ring.size() + 2);
+Halves halves(PieceSpan ring, Line line) {
+  Halves kept;
+  kept.less.reserve(ring.size() + 2);
+  kept.greater.reserve(ring.size() + 2);
   for (const Piece& p : ring) {
-    const int start = side(p.start, line, keepsGreater), end = side(p.end, line, keepsGreater);
-    if (start < 0 && end < 0) continue;
-    if (start >= 0 && end >= 0) {
-      append(kept, p);
-      continue;
-    }
+    const int start = side(p.start, line), end = side(p.end, line);
+    if (start <= 0 && end <= 0) append(kept.less, p);
+    if (start >= 0 && end >= 0) append(kept.greater, p);
+    if (start == end) continue;
     const Point at = crossing(p.a, p.b, line);
-    // An end on the line can be a rounded one: the edge itself can go on beside the line.
-    const auto isAfter = [&](Point u, Point v) { return dot(u - v, p.b - p.a) > 0; };
-    if (start >= 0 && isAfter(at, p.start)) append(kept, {p.a, p.b, p.start, at, p.isOfRegion});
-    if (end >= 0 && isAfter(p.end, at)) append(kept, {p.a, p.b, at, p.end, p.isOfRegion});
+    if (start > 0 || end > 0) appendPart(kept.less, p, -start, -end, at);
+    if (start < 0 || end < 0) appendPart(kept.greater, p, start, end, at);
   }
-  if (!kept.empty() && kept.back().end != kept.front().start)
-    kept.push_back({kept.back().end, kept.front().start, kept.back().end, kept.front().start, false});
+  close(kept.less);
+  close(kept.greater);
   return kept;
 }
 
-Pieces withoutSpikes(Pieces pieces, FillRule rule) {
-  if (!anyOverlap(pieces)) return pieces;  // nearly always
+std::optional<Pieces> withoutSpikes(PieceSpan pieces, FillRule rule) {
+  if (!anyOverlap(pieces)) return std::nullopt;
   struct Keyed {
     Carrier carrier;
     Point low, high;

@@ -31,6 +31,12 @@ export function finite(name: string, value: number): number {
   return value
 }
 
+/** Options, changes, places: whatever has names. */
+export function object<T extends object>(name: string, wanted: string, value: T): T {
+  if (typeof value !== 'object' || value === null) throw bad(name, wanted, value)
+  return value
+}
+
 /** A mark: a number that checkpoint() gave. */
 export function whole(name: string, value: number): number {
   if (!Number.isSafeInteger(value) || value < 0) throw bad(name, 'a mark of this world', value)
@@ -44,7 +50,7 @@ export function within(name: string, value: number, least: number, most: number)
 }
 
 export function rect(cells: CellRect): CellRect {
-  if (cells === null || typeof cells !== 'object') throw bad('cells', '{ i0, j0, i1, j1 }', cells)
+  object('cells', '{ i0, j0, i1, j1 }', cells)
   return { i0: int32('i0', cells.i0), j0: int32('j0', cells.j0), i1: int32('i1', cells.i1), j1: int32('j1', cells.j1) }
 }
 

@@ -1,7 +1,7 @@
 // What a game draws, chunk by chunk: lines along the outline, and filled triangles. After a commit those chunks come that
 // look different, so that a game draws anew only these. Phaser, Pixi, a canvas: examples/ has each.
 import earcut from 'earcut'
-import { bad, int32, rect, within } from './check.js'
+import { int32, object, rect, within } from './check.js'
 import { LgsError } from './error.js'
 import type { Block, CellRect, Changes, SegmentId, Version, World } from './types.js'
 import { placeOf } from './world.js'
@@ -69,7 +69,7 @@ export function linesIn(world: World, cells: CellRect): Float64Array[] {
 
 /** Refuses changes that do not follow what is drawn, and says whether there are any. */
 function follow(changes: Changes, version: Version, world: World): boolean {
-  if (changes.before === changes.after) return false
+  if (object('changes', 'those of a commit', changes).before === changes.after) return false
   if (changes.before !== version || changes.after !== world.version)
     throw new LgsError('left-out', 'these changes do not follow those that were drawn: make it anew, for all chunks')
   return true
@@ -83,6 +83,7 @@ export class OutlineLines {
   #version: Version
 
   constructor(world: World, chunkCells = 16) {
+    placeOf(world)
     this.#world = world
     this.#chunks = new Chunks(chunkCells)
     this.#version = world.version
@@ -117,6 +118,7 @@ export class OutlineLines {
 
 /** The polygons in a rectangle of cells as triangles, with positions from its lower left corner. */
 export function trianglesIn(world: World, cells: CellRect): Omit<ChunkMesh, 'key'> {
+  placeOf(world)
   const { i0, j0 } = rect(cells)
   const positions: number[] = [], indices: number[] = [], blocks: Block[] = []
   for (const { i, j, block, vertices } of world.polygons(cells)) {
@@ -162,8 +164,7 @@ export class GroundMeshes {
 
   /** The chunks that a commit or a roll-back changed. Give it each one's changes, in order, before the next edit. */
   update(changes: Changes): ChunkMesh[] {
-    if (typeof changes !== 'object' || changes === null) throw bad('changes', 'those of a commit', changes)
-    if (changes.before !== changes.after) follow(changes, this.#version, this.#world)
+    if (object('changes', 'those of a commit', changes).before !== changes.after) follow(changes, this.#version, this.#world)
     this.#version = changes.after
     // A block may have changed where no segment has.
     const { engine, address } = placeOf(this.#world)

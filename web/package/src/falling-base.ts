@@ -1,6 +1,6 @@
 // Ground that falls, as bodies of whichever physics engine. planck-falling.ts and box2d3-falling.ts say how these are
 // made. lgs/box2d/falling.h does the same for Box2D in C++, by the same rules.
-import { bad, within } from './check.js'
+import { bad, object, within } from './check.js'
 import { LgsError } from './error.js'
 import { convexParts, massOf, placeIn } from './ground-body.js'
 import type { GroundBody, GroundPolygon, IslandId } from './island-types.js'
@@ -67,7 +67,10 @@ export abstract class FallingBase<Body, Material> {
   protected constructor(terrain: TerrainBase<Body, any>, islands: Islands, options: FallingOptions<Material>, maker: Maker<Body>) {
     this.#terrain = terrain
     this.#islands = islands
-    this.#density = options.density ?? (() => 1)
+    const { density = () => 1, material } = object('options', '{ density, material }', options)
+    if (typeof density !== 'function') throw bad('density', 'a function', density)
+    if (material !== undefined && typeof material !== 'function') throw bad('material', 'a function', material)
+    this.#density = density
     this.#maker = maker
   }
 
@@ -95,7 +98,7 @@ export abstract class FallingBase<Body, Material> {
    */
   make(ground: GroundBody, place?: { x: number; y: number; angle: number }): Falling<Body> | null {
     this.#refuseInStep()
-    if (typeof ground !== 'object' || ground === null) throw bad('ground', 'a body of ground', ground)
+    object('ground', 'a body of ground', ground)
     const at = place === undefined ? { x: ground.i, y: ground.j, angle: 0 } : place
     const [x, y] = placeIn(at)
     const parts = this.#partsOf(ground), mass = this.#massOf(ground.polygons)

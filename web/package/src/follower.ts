@@ -1,5 +1,5 @@
 // What islands and pieces have in common: a view of a world in the engine, which is told of each commit and roll-back.
-import { bad } from './check.js'
+import { object } from './check.js'
 import type { Engine } from './engine.js'
 import { LgsError } from './error.js'
 import { type IslandCalls, islandCalls } from './island-calls.js'
@@ -55,8 +55,7 @@ export abstract class Follower {
   }
 
   protected follow(changes: Changes, update: (at: Place) => number): void {
-    if (typeof changes !== 'object' || changes === null) throw bad('changes', 'those of a commit', changes)
-    if (changes.after !== this.world.version) throw misfit('not-the-last')
+    if (object('changes', 'those of a commit', changes).after !== this.world.version) throw misfit('not-the-last')
     const code = ([null, 'left-out', 'uncommitted'] as const)[update(this.at)]!
     if (code !== null) throw misfit(code)
   }

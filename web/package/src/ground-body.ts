@@ -1,5 +1,5 @@
 // Ground that has left its world: its convex parts, what it weighs, and how it is read from and written to the engine.
-import { bad, finite, int32, reals, uint32, within } from './check.js'
+import { bad, finite, int32, object, reals, uint32, within } from './check.js'
 import { type Engine, engine } from './engine.js'
 import { type IslandCalls, islandCalls } from './island-calls.js'
 import type { ConvexPart, GroundBody, GroundPolygon, Mass } from './island-types.js'
@@ -9,7 +9,7 @@ export function numbersOf(polygons: readonly GroundPolygon[]): number[] {
   if (!Array.isArray(polygons)) throw bad('polygons', 'an array of polygons', polygons)
   const numbers: number[] = []
   Array.from(polygons as readonly GroundPolygon[], (polygon, k) => {
-    if (typeof polygon !== 'object' || polygon === null) throw bad(`polygons[${k}]`, '{ i, j, block, vertices }', polygon)
+    object(`polygons[${k}]`, '{ i, j, block, vertices }', polygon)
     const { i, j, block, vertices } = polygon
     const corners = reals('vertices', vertices)
     if (corners.length % 2 !== 0) throw bad('the length of vertices', 'even: x, y, x, y, …', corners.length)
@@ -75,7 +75,7 @@ export function massOf(polygons: readonly GroundPolygon[]): Mass {
 
 /** Where a body lies: its origin in cells of the world, and its angle. */
 export function placeIn(place: { x: number; y: number; angle: number }): [number, number, number, number] {
-  if (typeof place !== 'object' || place === null) throw bad('place', '{ x, y, angle }', place)
+  object('place', '{ x, y, angle }', place)
   const { x, y, angle } = place
   finite('angle', angle)
   return [finite('x', x), finite('y', y), Math.cos(angle), Math.sin(angle)]

@@ -9,7 +9,7 @@
 //   …
 //   islands.update(world.commit())                           // after each commit and roll-back
 //   for (const id of islands.loose()) fall(islands.take(id))
-import { bad, int32, rect, reals, uint32 } from './check.js'
+import { bad, int32, object, rect, reals, uint32 } from './check.js'
 import { start } from './engine.js'
 import { LgsError } from './error.js'
 import { Follower, type Place } from './follower.js'
@@ -39,8 +39,7 @@ function numbersOf({ blocks = [], cells = [] }: Anchors): number[] {
 export class Islands extends Follower {
   /** Looks at everything once. Without anchors nothing holds, and all that an update names is loose. */
   constructor(world: World, anchors: Anchors = {}) {
-    if (typeof anchors !== 'object' || anchors === null) throw bad('anchors', '{ blocks, cells }', anchors)
-    const numbers = numbersOf(anchors)
+    const numbers = numbersOf(object('anchors', '{ blocks, cells }', anchors))
     super(world, 'freeIslands', (call, engine, address) => call.islands(address, engine.put(numbers)))
   }
 

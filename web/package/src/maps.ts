@@ -1,8 +1,9 @@
 // Maps of Tiled and LDtk as polygons in cells.
-import { bad } from './check.js'
+import { bad, object } from './check.js'
 import { engine } from './engine.js'
 import { LgsError } from './error.js'
 import type { Block, ImportedMap, ImportOptions, MapFiles, World } from './types.js'
+import { placeOf } from './world.js'
 
 /** What lgs::web::importMap() tells, apart from the numbers. */
 interface Told {
@@ -24,7 +25,7 @@ const folderOf = (path: string) => path.slice(0, -nameOf(path).length - 1) || '.
 
 /** Files given as an object, as the importer asks for them. */
 function lookup(files: MapFiles) {
-  const all = new Map(Object.entries(files))
+  const all = new Map(Object.entries(object('files', 'contents by their paths', files)))
   // What is found wrong later would end the engine: it can not be told while the importer runs.
   for (const [path, content] of all)
     if (typeof content !== 'string' && !(content instanceof Uint8Array)) throw bad(path, 'a string or a Uint8Array', content)
@@ -58,13 +59,16 @@ function isTexts(v: unknown): boolean {
   return Array.isArray(v) && Array.from(v).every(isText)  // every() leaves holes out
 }
 
+/** A copy: what a getter gives may be another thing the next time. */
 function checked(options: ImportOptions): ImportOptions {
-  for (const [name, value] of Object.entries(options)) {
-    const isRight = kinds[name as keyof ImportOptions]
+  if (Array.isArray(options)) throw bad('options', 'an object', options)
+  const all = Object.entries(object('options', 'an object', options))
+  for (const [name, value] of all) {
+    const isRight = Object.hasOwn(kinds, name) && kinds[name as keyof ImportOptions]
     if (!isRight) throw bad('the option', `one of ${Object.keys(kinds).join(', ')}`, name)
     if (value !== undefined && !isRight(value)) throw bad(`options.${name}`, 'what ImportOptions says', value)
   }
-  return options
+  return Object.fromEntries(all)
 }
 
 /**
@@ -101,6 +105,7 @@ export function importMap(path: string, files: MapFiles, options: ImportOptions 
 }
 
 function place(world: World, shapes: readonly Float64Array[], placements: Int32Array): Float64Array {
+  placeOf(world)
   const ids = shapes.map((shape) => world.shape(shape))
   return world.addMany(placements.map((value, k) => (k % 4 === 2 ? ids[value]! : value)))
 }

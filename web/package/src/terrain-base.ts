@@ -1,9 +1,10 @@
 // A terrain for whichever physics engine: when which of its edges and bodies change. planck.ts and box2d3.ts say how.
-import { bad } from './check.js'
+import { bad, object, real, rect } from './check.js'
 import { Bodies, type Caught, type Physics } from './bodies.js'
 import { LgsError } from './error.js'
 import { checked, type CommonOptions, type EdgeChanges, type Frame, type OnCaught, onCaughtOf, originOf, type Point, TerrainRules } from './terrain.js'
 import type { CellRect, Changes, Region, World } from './types.js'
+import { placeOf } from './world.js'
 
 /** What the engine of a terrain does. */
 export interface Adapter<Body, Material> extends Physics<Body, Material> {
@@ -77,7 +78,8 @@ export abstract class TerrainBase<Body, Material> {
 
   /**
    * Compares the terrain with its world, and changes what differs, after changes were left out. Or with another world,
-   * which is the terrain's from now on: one that was loaded. Free the old one after that, not before.
+   * which is the terrain's from now on: one that was loaded. Free the old one after that, not before. Bodies may have
+   * been put elsewhere meanwhile: whoever is in the ground is pushed or held, and whoever is held and free is released.
    */
   resync(world: World = this.world): void {
     this.#during(() => {
@@ -89,15 +91,18 @@ export abstract class TerrainBase<Body, Material> {
 
   #show(which: 'last' | 'all', onCaught: OnCaught, end: () => EdgeChanges): void {
     const bodies = this.#bodies, catches = onCaught !== 'leave'
-    const matters = (catches || bodies.holdsSomebody) && !this.#adapter.isAlone()
+    const matters = which === 'all' || ((catches || bodies.holdsSomebody) && !this.#adapter.isAlone())
     const box = matters ? this.rules.begin(which) : null
     bodies.caught = box !== null && catches ? bodies.find(box) : []
     this.#adapter.apply(end())
     bodies.settle(box !== null, onCaught)
+    if (which === 'all') bodies.noteAll(box!)
   }
 
-  #refuseGone(): void {
+  /** What answers, until destroy() has taken the handles of the physics engine away. */
+  get #asked(): Bodies<Body, Material> {
     if (this.#isGone) throw new LgsError('freed', 'this terrain was destroyed')
+    return this.#bodies
   }
 
   #refuseInStep(): void {
@@ -118,7 +123,7 @@ export abstract class TerrainBase<Body, Material> {
 
   /** Whether the physics world is in a step, in which nothing can be changed. */
   get isInStep(): boolean {
-    this.#refuseGone()
+    void this.#asked
     return this.#adapter.isInStep()
   }
 
@@ -137,7 +142,7 @@ export abstract class TerrainBase<Body, Material> {
   caughtBy(changes: Changes): Caught<Body>[] {
     if (!this.rules.fits(changes)) return []
     const box = this.rules.begin('last')
-    return box === null ? [] : this.#bodies.find(box)
+    return box === null ? [] : this.#asked.find(box)
   }
 
   /** Who was caught by the last sync() or resync(), and pushed or held. */
@@ -155,17 +160,27 @@ export abstract class TerrainBase<Body, Material> {
     return this.#bodies.afterStep()
   }
 
+  /**
+   * Call it when the game itself has put a body elsewhere, through a portal: else it seems to have come through the
+   * ground between, and afterStep() puts it back. Not needed before resync().
+   */
+  moved(body: Body): void { this.#bodies.forget(body) }
+
   /** Whether the ground leaves a body room: where it is, or at a place in metres. */
   fits(body: Body, place?: { x: number; y: number; angle: number }): boolean {
-    if (place === undefined) return this.#bodies.fits(body)
-    return this.#bodies.fits(body, { ...this.point(place), cos: Math.cos(place.angle), sin: Math.sin(place.angle) })
+    if (place === undefined) return this.#asked.fits(body)
+    const at = this.point(place), angle = real('angle', place.angle)
+    return this.#asked.fits(body, { ...at, cos: Math.cos(angle), sin: Math.sin(angle) })
   }
 
   /** Polygons around the shapes of a body, for a brush. */
-  outlinesOf(body: Body): Region { return { rings: this.#bodies.outlinesOf(body) } }
+  outlinesOf(body: Body): Region { return { rings: this.#asked.outlinesOf(body) } }
 
   /** The bodies that reach into a rectangle of cells, but the terrain's; each once. Sensors are not looked at. */
-  bodiesIn(cells: CellRect): Body[] { return this.#adapter.bodiesIn(cells) }
+  bodiesIn(cells: CellRect): Body[] {
+    void this.#asked
+    return this.#adapter.bodiesIn(rect(cells))
+  }
 
   // --- Places
 
@@ -182,12 +197,12 @@ export abstract class TerrainBase<Body, Material> {
   /** From cells of the world to metres of the physics world, and back. */
   position(x: number, y: number): { x: number; y: number } {
     const { cellSize, origin } = this.frame
-    return { x: (x - origin.i) * cellSize, y: (y - origin.j) * cellSize }
+    return { x: (real('x', x) - origin.i) * cellSize, y: (real('y', y) - origin.j) * cellSize }
   }
 
   point(position: Point): { x: number; y: number } {
-    const { cellSize, origin } = this.frame
-    return { x: position.x / cellSize + origin.i, y: position.y / cellSize + origin.j }
+    const { cellSize, origin } = this.frame, { x, y } = object('position', '{ x, y }', position)
+    return { x: real('x', x) / cellSize + origin.i, y: real('y', y) / cellSize + origin.j }
   }
 }
 
@@ -198,6 +213,7 @@ export abstract class TerrainBase<Body, Material> {
  */
 export function cutOut<Body, Material>(terrain: TerrainBase<Body, Material>, world: World, changes: Changes): void {
   if (!(terrain instanceof TerrainBase)) throw bad('terrain', 'a terrain', terrain)
+  placeOf(world)
   const regions = terrain.caughtBy(changes).map(({ body }) => terrain.outlinesOf(body))
   // The terrain is told of the changes while they are the last ones: what is carved comes with the next commit.
   const isCut = regions.every((region) => carved(world, region))

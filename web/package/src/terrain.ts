@@ -1,7 +1,7 @@
 // What the terrains for physics engines have in common. The rules are the engine's, in C++: which edges there are, which
 // are welded, which bodies new ground catches and how they get out. web/wasm/terrain.cpp is the other side. Here they are
 // asked; what they say is done by planck.ts and box2d3.ts.
-import { bad, int32, within } from './check.js'
+import { bad, int32, object, uint32, within } from './check.js'
 import type { Engine } from './engine.js'
 import { LgsError } from './error.js'
 import type { Block, Changes, SegmentId, World } from './types.js'
@@ -54,8 +54,9 @@ export function onCaughtOf(value: OnCaught | undefined): OnCaught {
 }
 
 /** The options, checked. */
-export function checked<Material>({ cellSize = 1, origin = { i: 0, j: 0 }, chunkCells = 16, material, onCaught }:
-    CommonOptions<Material>) {
+export function checked<Material>(options: CommonOptions<Material>) {
+  const { cellSize = 1, origin = { i: 0, j: 0 }, chunkCells = 16, material, onCaught } =
+    object('options', 'those of a terrain', options)
   within('cellSize', cellSize, 2e-6, 1e9)
   within('chunkCells', int32('chunkCells', chunkCells), 1, 4096)
   if (material !== undefined && typeof material !== 'function') throw bad('material', 'a function', material)
@@ -63,7 +64,7 @@ export function checked<Material>({ cellSize = 1, origin = { i: 0, j: 0 }, chunk
 }
 
 export function originOf(cell: { readonly i: number; readonly j: number }) {
-  if (typeof cell !== 'object' || cell === null) throw bad('origin', '{ i, j }', cell)
+  object('origin', '{ i, j }', cell)
   return { i: int32('origin.i', cell.i), j: int32('origin.j', cell.j) }
 }
 
@@ -151,7 +152,7 @@ export class TerrainRules<Material> {
     let material = this.#materials.get(block)
     if (material === undefined) {
       material = this.#material(block)
-      if (typeof material !== 'object' || material === null) throw bad('what material() gives', 'an object', material)
+      object('what material() gives', 'an object', material as object)
       this.#materials.set(block, material)
     }
     return material
@@ -174,7 +175,8 @@ export class TerrainRules<Material> {
     return true
   }
 
-  #check({ before, after }: Changes): void {
+  #check(changes: Changes): void {
+    const { before, after } = object('changes', 'those of a commit', changes)
     if (this.#terrain === 0) throw new LgsError('freed', 'this terrain was destroyed')
     const what = after !== this.#world.version ? 'not-the-last'
       : before === this.#version ? null
@@ -195,7 +197,8 @@ export class TerrainRules<Material> {
 
   /** Before endAll(): from now on these are the rules of another world, or of the same. */
   follow(world: World): void {
-    this.#askFor(world.segments().block)
+    placeOf(world)
+    this.#askFor(world.segments().block) // may free it
     const { engine, address } = placeOf(world)
     if (world === this.#world) return
     if (engine !== this.#engine) throw bad('world', 'of the same engine', world)
@@ -220,7 +223,10 @@ export class TerrainRules<Material> {
   }
 
   /** The edge of a segment; 0 if it has none. */
-  edgeOf(segment: SegmentId): number { return this.#terrain === 0 ? 0 : this.#engine.call.edgeOf(this.#terrain, segment) >>> 0 }
+  edgeOf(segment: SegmentId): number {
+    uint32('segment', segment)
+    return this.#terrain === 0 ? 0 : this.#engine.call.edgeOf(this.#terrain, segment) >>> 0
+  }
   /** Of the segments of an edge that one which is nearest to a point; 0 if they have changed since. */
   segmentAt(edge: number, { x, y }: Point): SegmentId { return this.#engine.call.segmentAt(this.#terrain, edge, x, y) >>> 0 }
 

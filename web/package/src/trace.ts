@@ -5,8 +5,10 @@
 //   const player = new TracePlayer(world)
 //   for (const edit of trace.edits) player.apply(edit)
 //   world.commit()
+import { bad, object } from './check.js'
 import { LgsError } from './error.js'
 import type { Block, PolygonId, Region, World } from './types.js'
+import { placeOf } from './world.js'
 
 export type Edit = { readonly line: number } & (
   | { readonly kind: 'add'; readonly name: string; readonly i: number; readonly j: number; readonly block: Block;
@@ -80,6 +82,7 @@ function edit(words: readonly string[], line: number, hasBrushes: boolean): Edit
 
 /** Reads a trace. Looks at the words alone: whether a polygon is good is seen when the trace is played. */
 export function parseTrace(text: string): Trace {
+  if (typeof text !== 'string') throw bad('text', 'a string', text)
   const preserve: [Block, Block][] = []
   const edits: Edit[] = []
   let version = ''
@@ -105,10 +108,16 @@ export function parseTrace(text: string): Trace {
   return { preserve, edits }
 }
 
+function pairsOf(preserve: readonly (readonly [Block, Block])[]): readonly (readonly [Block, Block])[] {
+  if (!Array.isArray(preserve) || !Array.from(preserve).every(Array.isArray)) throw bad('preserve', 'pairs of blocks', preserve)
+  return preserve
+}
+
 /** The preserve relation of a trace, for createWorld(); undefined if it has none. */
 export function preserveOf(trace: Trace): ((smaller: Block, greater: Block) => boolean) | undefined {
-  if (trace.preserve.length === 0) return undefined
-  const pairs = new Set(trace.preserve.map(([a, b]) => `${Math.min(a, b)} ${Math.max(a, b)}`))
+  const { preserve } = object('trace', 'one of parseTrace()', trace)
+  const pairs = new Set(pairsOf(preserve).map(([a, b]) => `${Math.min(a, b)} ${Math.max(a, b)}`))
+  if (pairs.size === 0) return undefined
   return (smaller, greater) => pairs.has(`${smaller} ${greater}`)
 }
 
@@ -120,6 +129,7 @@ export class TracePlayer {
 
   /** An edit that the world refuses throws the world's LgsError, with the line; then nothing has changed. */
   apply(edit: Edit): void {
+    object('edit', 'one of a trace', edit)
     try {
       this.#apply(edit)
     } catch (error) {
@@ -168,7 +178,8 @@ export class TracePlayer {
 
 /** The world's polygons as a trace: they are its edits, and a commit. With a preserve relation, name its pairs. */
 export function traceOf(world: World, preserve: readonly (readonly [Block, Block])[] = []): string {
-  const lines = ['lgs-trace 1', ...preserve.map(([a, b]) => `preserve ${a} ${b}`)]
+  placeOf(world)
+  const lines = ['lgs-trace 1', ...pairsOf(preserve).map(([a, b]) => `preserve ${a} ${b}`)]
   world.polygons().forEach(({ i, j, block, vertices }, k) => lines.push(`add p${k} ${i} ${j} ${block}  ${vertices.join(' ')}`))
   return [...lines, 'commit', ''].join('\n')
 }
@@ -178,6 +189,7 @@ const units = (cells: number) => cells * 65_536
 
 /** The outline as of the last commit, sorted by start, end and block: what `lgs replay --dump` writes. */
 export function dump(world: World): string {
+  placeOf(world)
   const { length, geometry, block, predecessor, successor } = world.segments()
   const rows = Array.from({ length }, (_, k) => {
     const g = Array.from(geometry.subarray(8 * k, 8 * k + 8), units)

@@ -1,5 +1,5 @@
 // The world: each method checks its arguments, calls the engine once, and makes objects of the answer.
-import { bad, flat, int32, real, reals, rect, uint32, whole } from './check.js'
+import { bad, flat, int32, object, real, reals, rect, uint32, whole } from './check.js'
 import { type Engine, engine } from './engine.js'
 import { LgsError } from './error.js'
 import { changesOf, Lists, listOf } from './lists.js'
@@ -49,7 +49,7 @@ class EngineWorld implements World {
   #brush = 0
 
   constructor(make: Maker, options: WorldOptions) {
-    const { preserve, precision = 'double' } = options
+    const { preserve, precision = 'double' } = object('options', '{ preserve, precision }', options)
     if (preserve !== undefined && typeof preserve !== 'function') throw bad('preserve', 'a function', preserve)
     if (precision !== 'double' && precision !== 'float') throw bad('precision', "'double' or 'float'", precision)
     this.#engine = engine()
@@ -196,7 +196,8 @@ class EngineWorld implements World {
     const { polygon, block, i, j } = this.segment(id)
     return { polygon, block, i, j }
   }
-  loops({ merge }: { merge?: boolean } = {}): Loop[] {
+  loops(options: { merge?: boolean } = {}): Loop[] {
+    const { merge } = object('options', '{ merge }', options)
     const count = this.#call.loops(this.#live, merge ? 1 : 0)
     const numbers = this.#engine.answer(count)
     const loops: Loop[] = []

@@ -1,0 +1,7 @@
+// The attack on the importer, and on worlds that are made of maps.
+import { init } from '../dist/full.js'
+
+await init()
+const { attack, doors } = await import('./attack/attack.js')
+
+attack(doors.filter(({ name }) => /^(importMap|ImportedMap|createWorld|loadWorld|World\.(add|commit|shape))\b/.test(name)), init)
