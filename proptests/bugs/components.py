@@ -24,6 +24,6 @@ COMPONENTS = {
     "debug": Component(("lib/debug",), "lgs_tests", "Debug*"),
     "judge": Component(("oracle/check", "oracle/reference"), "lgs_tests",
                        "Check*:Compare*:Comparable*:Reference*:Naive*:Canonical*:Shrink*:Validity*:Fuzz*"),
-    "views": Component(("lib/views", "lib/pieces"), "lgs_view_tests", "*"),
+    "views": Component(("lib/views", "lib/pieces", "lib/falling/src"), "lgs_view_tests", "*"),
     "terrain": Component(("lib/box2d/include", "lib/box2d/src", "lib/box2d/both", "lib/box2d/v2"), "lgs_box2d_tests", "*"),
 }

@@ -25,7 +25,7 @@ KINDS = {
     "cell": "Cell lgs_cell",
     "cells": "Rect CellRect lgs_cell_rect",
     "changes": "Changes EdgeChanges span<constCellChange>",
-    "choice": "bool Collinear FillRule PaintMode OnCaught Outside Part BlockFrom Undone 'drop'|'keep' 'fill'|'replace' {merge?:boolean}",
+    "choice": "bool Collinear FillRule PaintMode OnCaught Outside Part BlockFrom Undone 'drop'|'keep' 'fill'|'replace' 'solid'|'free' {merge?:boolean}",
     "code": "ErrorCode SyncError lgs_status",
     "edit": "Edit",
     "edges": "span<constDirectedEdge> span<constEdgeLinks>",
@@ -33,7 +33,7 @@ KINDS = {
     "file": "string string_view MapFiles char",
     "function": "StayingBlocks Executor ByteSink ChunkSink World::PolygonVisitor PolygonVisitor PreserveRelation FileReader FolderLister "
                 "function<Material(Block)> lgs_executor_fn lgs_write_fn lgs_chunk_fn lgs_polygon_fn "
-                "lgs_cell_change_fn lgs_anchor_fn IsAnchor function<bool(World&)>",
+                "lgs_cell_change_fn lgs_anchor_fn IsAnchor function<bool(World&)> (world:World)=>void",
     "group": "lgs_group",
     "island": "IslandId LoopId lgs_island_id lgs_loop_id",
     "hashes": "GroundHashes lgs_hashes",
@@ -64,7 +64,7 @@ KINDS = {
     "several": "lgs_new_polygon span<constPlacement> span<constNewPolygon> Int32Array span<constvector<LocalPoint>> "
                "span<constvector<DoublePoint>>",
     "shape": "ShapeId lgs_shape_id",
-    "terrain": "Terrain PlanckTerrain TerrainBase<Body,Material>",
+    "terrain": "Terrain Box2dTerrain PlanckTerrain TerrainBase<Body,Material>",
     "trace": "Trace",
     "user": "void",
     "world": "World lgs_world",

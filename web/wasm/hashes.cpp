@@ -6,9 +6,8 @@
 namespace lgs::web {
 
 /// The hashes of a world. JavaScript says which world it is, in each call.
-struct Hashed {
+struct Hashed : Follower {
   GroundHashes hashes;
-  std::uint64_t moment;  ///< Bridge::moment that it shows
 };
 
 namespace {
@@ -29,18 +28,15 @@ void putSquare(const HashedSquare& square) {
 LGS_EXPORT("hashes") Hashed* hashes(Bridge* bridge) {
   if (const auto done = bridge->world.followCells(true); !done)
     return refused(done.error(), static_cast<Hashed*>(nullptr));
-  return new Hashed{.hashes = GroundHashes(bridge->world), .moment = bridge->moment};
+  return new Hashed{{.moment = bridge->moment}, GroundHashes(bridge->world)};
 }
 LGS_EXPORT("freeHashes") void freeHashes(Hashed* hashed) { delete hashed; }
 
-/// 0: done. 1: a commit was left out. 2: there are edits that are not committed.
 LGS_EXPORT("updateHashes") std::int32_t updateHashes(Hashed* hashed, const Bridge* bridge) {
-  if (bridge->isEdited) return 2;
-  if (hashed->moment == bridge->moment) return 0;
-  if (hashed->moment + 1 != bridge->moment) return 1;
-  hashed->hashes.update(bridge->world.cellChanges());
-  hashed->moment = bridge->moment;
-  return 0;
+  return hashed->follow(*bridge, [&] {
+    hashed->hashes.update(bridge->world.cellChanges());
+    return true;
+  });
 }
 
 LGS_EXPORT("wholeHash") void wholeHash(const Hashed* hashed) {

@@ -67,7 +67,10 @@ export abstract class FallingBase<Body, Material> {
   protected constructor(terrain: TerrainBase<Body, any>, islands: Islands, options: FallingOptions<Material>, maker: Maker<Body>) {
     this.#terrain = terrain
     this.#islands = islands
-    this.#density = options.density ?? (() => 1)
+    const { density = () => 1, material } = object('options', '{ density, material }', options)
+    if (typeof density !== 'function') throw bad('density', 'a function', density)
+    if (material !== undefined && typeof material !== 'function') throw bad('material', 'a function', material)
+    this.#density = density
     this.#maker = maker
   }
 

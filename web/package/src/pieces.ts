@@ -9,7 +9,7 @@
 //   …
 //   for (const { i, j } of pieces.update(world.commit()))    // after each commit and roll-back: these have others now
 //     for (const { vertices, block } of pieces.solidPieces(i, j)) …
-import { int32, rect, real, uint32, within, bad } from './check.js'
+import { bad, int32, object, real, rect, uint32, within } from './check.js'
 import { Follower, type Place } from './follower.js'
 import type { Block, CellRect, Changes, PolygonId, World } from './types.js'
 
@@ -60,8 +60,7 @@ const mostCells = 2 ** 24
 export class Pieces extends Follower {
   /** Reads all polygons once. */
   constructor(world: World, options: PiecesOptions = {}) {
-    if (typeof options !== 'object' || options === null) throw bad('options', '{ maxVertices }', options)
-    const { maxVertices = 8 } = options
+    const { maxVertices = 8 } = object('options', '{ maxVertices }', options)
     within('maxVertices', int32('maxVertices', maxVertices), 3, 4096)
     super(world, 'dropPieces', (call, _, address) => call.pieces(address, maxVertices))
   }
@@ -109,7 +108,7 @@ export class Pieces extends Follower {
 
   /** The ways out of a free piece, as of the last update. A piece that is not there has none. */
   portals(piece: PieceId): Portal[] {
-    if (typeof piece !== 'object' || piece === null) throw bad('piece', '{ i, j, index }', piece)
+    object('piece', '{ i, j, index }', piece)
     const i = int32('i', piece.i), j = int32('j', piece.j), index = uint32('index', piece.index)
     const { call, view } = this.at
     const n = this.numbers(call.portals(view, i, j, index))

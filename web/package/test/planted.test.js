@@ -1,5 +1,5 @@
-// Plants bugs of law 13 in the terrains, one at a time, and runs buried.test.js against each: it must fail. That takes
-// minutes, so by itself this only sees that each bug fits the code:
+// Plants bugs in src/, one at a time, and runs the tests against each that must fail. That takes minutes, so by itself this
+// only sees that each bug fits the code:
 //
 //     LGS_PLANT=1 node --test web/package/test/planted.test.js
 import assert from 'node:assert/strict'
@@ -22,12 +22,12 @@ function planted(file, edits) {
   }, readFileSync(here(`../src/${file}`), 'utf8'))
 }
 
-/** Runs the tests of law 13 for an engine in a copy with these substitutions. */
-async function judge(edits, engine) {
+/** Runs some tests in a copy with these substitutions. */
+async function judge(edits, { file, begin }) {
   const folder = mkdtempSync(join(tmpdir(), 'lgs-planted-'))
   try {
     await build({
-      entryPoints: ['index', 'planck', 'box2d3'].map((name) => here(`../src/${name}.ts`)),
+      entryPoints: ['index', 'islands', 'pieces', 'draw', 'planck', 'box2d3'].map((name) => here(`../src/${name}.ts`)),
       outdir: join(folder, 'dist'), format: 'esm', target: 'es2022', bundle: true, splitting: true, external: ['planck'],
       plugins: [{
         name: 'planted',
@@ -35,13 +35,13 @@ async function judge(edits, engine) {
           ({ contents: planted(path.match(/[^/\\]*$/)[0], edits), loader: 'ts' })),
       }],
     })
-    copyFileSync(here('../dist/lgs.wasm'), join(folder, 'dist/lgs.wasm'))
+    for (const name of ['lgs.wasm', 'lgs-islands.wasm']) copyFileSync(here(`../dist/${name}`), join(folder, 'dist', name))
     writeFileSync(join(folder, 'package.json'), '{ "type": "module" }')
     symlinkSync(here('../../node_modules'), join(folder, 'node_modules'))
     mkdirSync(join(folder, 'test'))
-    for (const name of ['buried.test.js', 'turmoil.js', 'crowds.js', 'box2d3.js']) copyFileSync(here(name), join(folder, 'test', name))
+    for (const name of [file, 'turmoil.js', 'crowds.js', 'box2d3.js']) copyFileSync(here(name), join(folder, 'test', name))
     const { NODE_TEST_CONTEXT: _, ...env } = process.env // else the child reports to this test
-    return spawnSync(process.execPath, ['--test', `--test-name-pattern=^${engine}:`, join(folder, 'test/buried.test.js')],
+    return spawnSync(process.execPath, ['--test', `--test-name-pattern=^${begin}`, join(folder, 'test', file)],
       { encoding: 'utf8', env, timeout: 600_000 })
   } finally {
     rmSync(folder, { recursive: true })
@@ -50,18 +50,19 @@ async function judge(edits, engine) {
 
 const failed = (output) => [...output.matchAll(/^not ok \d+ - (.*)|^✖ (.*?) \(/gm)].map(([, tap, spec]) => tap ?? spec)
 
-for (const { game, edits, engines } of bugs) {
-  test(`${engines.length === 1 ? `${engines[0]}: ` : ''}${game}`, async (t) => {
+for (const { game, edits, runs } of bugs) {
+  test(`${runs.map(({ file, begin }) => begin || file).join(' ')} ${game}`, async (t) => {
     for (const file of new Set(edits.map((edit) => edit.file))) planted(file, edits)
     if (!process.env.LGS_PLANT) return
-    for (const engine of engines) {
-      const { status, stdout } = await judge(edits, engine)
-      assert.equal(status, 1, `${engine}: a test finds it`)
-      t.diagnostic(`${engine}: found by ${failed(stdout).join('; ')}`)
+    for (const run of runs) {
+      const { status, stdout } = await judge(edits, run)
+      assert.equal(status, 1, `${run.begin}${run.file}: a test finds it`)
+      t.diagnostic(`${run.begin}${run.file}: found by ${failed(stdout).join('; ')}`)
     }
   })
 }
 
 test('without a bug the copy passes', { skip: !process.env.LGS_PLANT }, async () => {
-  for (const engine of ['planck', 'box2d3-wasm']) assert.equal((await judge([], engine)).status, 0, engine)
+  const all = new Map(bugs.flatMap(({ runs }) => runs).map((run) => [run.begin + run.file, run]))
+  for (const [name, run] of all) assert.equal((await judge([], run)).status, 0, name)
 })

@@ -9,6 +9,7 @@ import { inspect } from 'node:util'
 import fc from 'fast-check'
 import * as full from '../../dist/full.js'
 import * as islands from '../../dist/islands.js'
+import * as pieces from '../../dist/pieces.js'
 import * as trace from '../../dist/trace.js'
 import * as draw from '../../dist/draw.js'
 import * as planck from '../../dist/planck.js'
@@ -17,7 +18,7 @@ import { LgsError, createWorld } from '../../dist/islands.js'
 import { Mine, Scene, seen, valuesFor } from './values.js'
 
 const scale = Number(process.env.LGS_TEST_SCALE ?? 1)
-const modules = { '': full, islands, trace, draw, planck, box2d3 }
+const modules = { '': full, islands, pieces, trace, draw, planck, box2d3 }
 
 /** The types of arguments: commas within brackets part none. */
 function split(text) {
@@ -40,7 +41,7 @@ function doorOf(row) {
   const call = (scene, args) => {
     if (of === undefined) return exported[name](...args)
     if (name === 'constructor') return new exported[of](...args)
-    const receiver = scene.receiver(of), member = name === '[Symbol.dispose]' ? receiver[Symbol.dispose] : receiver[name]
+    const receiver = scene.receiver(of, module), member = name === '[Symbol.dispose]' ? receiver[Symbol.dispose] : receiver[name]
     return typeof member === 'function' ? member.apply(receiver, args) : member
   }
   return { name: row.split(' | ')[1], types: split(types), call }

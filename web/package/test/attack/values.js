@@ -1,10 +1,11 @@
 // What a stranger hands in: of each type of an argument the values that are right, the first one plain, and those that
 // look like them: stale, made up, of another world, one beyond each limit. And what is of no type of ours.
 import { Circle, World as Planck } from 'planck'
-import { circle, createWorld, LgsError } from '../../dist/index.js'
+import { circle, createWorld, GroundHashes, LgsError } from '../../dist/index.js'
 import { Islands } from '../../dist/islands.js'
+import { Pieces } from '../../dist/pieces.js'
 import { FallingGround, PlanckTerrain } from '../../dist/planck.js'
-import { Box2dTerrain } from '../../dist/box2d3.js'
+import { Box2dTerrain, FallingGround as Box2dFalling } from '../../dist/box2d3.js'
 import { OutlineLines, GroundMeshes } from '../../dist/draw.js'
 import { parseTrace, TracePlayer } from '../../dist/trace.js'
 import { importMap } from '../../dist/full.js'
@@ -43,11 +44,15 @@ const cells = [{ i: 0, j: 0 }, { i: -7, j: 9 }, { i: 2 ** 31 - 1, j: -(2 ** 31) 
 const ofType = {
   "'drop' | 'keep'": ['drop', 'keep'],
   "'fill' | 'replace'": ['fill', 'replace'],
+  "'solid' | 'free'": ['solid', 'free'],
+  '(world: World) => void': (s) => [() => s.world.clear(0, 0), () => {}, () => s.world.commit(), () => s.world.rollBack(s.marks[0]), () => s.receivers.Islands.free(),
+    () => s.receivers.Islands.foresee(() => {}), () => { s.world.clear(0, 0); mine() }, () => s.world.remove(-1), () => s.world.forget(s.marks[0])],
   Anchors: [{}, { blocks: [9], cells: rects.slice(0, 1) }, { blocks: [0.5] }, { cells: rects }, { blocks: new Array(3) }],
   'ArrayLike<PolygonId>': ({ polygons }) => [[polygons()[0]], [], [polygons()[0], polygons()[0]], polygons(), new Array(3000).fill(polygons()[0])],
   Block: [1, 0, 9, 2 ** 32 - 1],
   Body: (s) => [s.planck.ball, s.planck.platform, s.planck.gone],
   Box2D: [b2],
+  Box2dTerrain: (s) => [s.box2d.terrain],
   CellRect: [...rects, undefined],
   Changes: (s) => [s.changes, s.old, s.other.changes, { before: s.version(), after: s.version() }, { before: -1, after: s.version(), added: [], removed: [], relinked: [] },
     { before: s.shown, after: s.version(), added: s.old.added, removed: [2 ** 32], relinked: s.old.added }, { before: s.shown, after: s.version() }],
@@ -60,6 +65,7 @@ const ofType = {
     { ...ground, polygons: [{ i: 0, j: 0, block: 1, vertices: [0, 0, 9, 0, 0, 9] }] }, { ...ground, polygons: [null] }, { ...ground, polygons: new Array(2) }],
   ImportOptions: [{}, { tolerance: 1e308 }, { tolerance: -1 }, { solid: true }, { polylineThickness: 0 }, { tiles: '[]' }, { tiles: '{' }, { numbers: { a: 2 ** 32 } }, { nothing: 1 }, { layers: ['*', '['] }],
   'Int32Array': ({ square: shape }) => rowsOf(shape),
+  GroundHashes: (s) => [s.receivers.GroundHashes, s.other.hashes],
   IslandId: (s) => [1, 0, 2, 999, 2 ** 32 - 1],
   Islands: (s) => [s.receivers.Islands, s.other.islands],
   MapFiles: [{ 'a.tmx': map('1,2'), 'b.tmx': map('1,2,3', '<objectgroup><object/></objectgroup>'), 'c.tmx': '<map', 'd.tmj': '{"a":' }, {}, { 'a.tmx': new Uint8Array([60, 0, 255]) }, { 'a.tmx': map('4294967295,-1') },
@@ -70,6 +76,8 @@ const ofType = {
   'Partial<ErrorDetails> & { cause?: unknown }': [{}, { cause: 7 }, { line: -1 }],
   Physics: (s) => [s.planck.physics, s.other.physics],
   PhysicsId: (s) => [s.box2d.physics],
+  PieceId: [{ i: 1, j: 1, index: 0 }, { i: 2, j: 0, index: 0 }, { i: 1, j: 1, index: 2 ** 32 - 1 }, { i: 2 ** 31 - 1, j: -(2 ** 31), index: 0 }, { i: 0.5, j: 0, index: 0 }],
+  PiecesOptions: [{}, { maxVertices: 3 }, { maxVertices: 2 }, { maxVertices: 4096 }, { maxVertices: 4097 }, { maxVertices: NaN }],
   PlanckTerrain: (s) => [s.planck.terrain],
   Point: places,
   PolygonId: (s) => [s.polygons()[0], s.gone, s.other.polygon, s.polygons()[0] + 0.5],
@@ -99,12 +107,13 @@ const ofPhysics = ['Body', 'Box2D', 'Fixture', 'ObjectId', 'Physics', 'PhysicsId
 /** In the terrain for Box2D a body is an id of its module. */
 const ofBox2d = { Body: (s) => [s.box2d.body] }
 /** Cells, where a number alone would be a coordinate. */
-const isCell = /^World\.(add|addPolygon|replace|clear|polygonsAt)\(/
+const isCell = /^World\.(add|addPolygon|replace|clear|polygonsAt)\(|^pieces\/Pieces\.(solid|free)Pieces\(/
 
 export function valuesFor(scene, name, type) {
   const values = (name.startsWith('box2d3/') && ofBox2d[type]) || (type === 'number' && isCell.test(name) ? whole : ofType[type])
   if (!values) throw new Error(`web/package/test/attack/values.js has no values of the type ${type} of ${name}`)
-  return [...(typeof values === 'function' ? values(scene) : values), ...(ofPhysics.includes(type) ? [] : anything)]
+  const strange = type.startsWith('(') ? anything.filter((value) => typeof value !== 'function' || value === mine) : anything
+  return [...(typeof values === 'function' ? values(scene) : values), ...(ofPhysics.includes(type) ? [] : strange)]
 }
 
 /** A world in the middle of its life, another one that it knows nothing of, and of what follows it what these doors need. */
@@ -139,7 +148,12 @@ export class Scene {
     const receivers = (this.receivers = { World: world, ChangesCopy: this.old, TracePlayer: new TracePlayer(world) })
     if (needs('draw/')) Object.assign(receivers, { OutlineLines: new OutlineLines(world), GroundMeshes: new GroundMeshes(world) })
     if (needs('ImportedMap')) receivers.ImportedMap = importMap('a.tmx', ofType.MapFiles[0], { solid: true })
-    if (needs('islands/', 'planck/')) {
+    if (needs('GroundHashes')) {
+      receivers.GroundHashes = new GroundHashes(world)
+      this.other.hashes = new GroundHashes(other)
+    }
+    if (needs('pieces/')) receivers.Pieces = new Pieces(world)
+    if (needs('islands/', 'planck/', 'box2d3/FallingGround')) {
       receivers.Islands = new Islands(world, { blocks: [9] })
       this.other.islands = new Islands(other)
     }
@@ -165,7 +179,7 @@ export class Scene {
     physics.destroyBody(gone)
     this.planck = { physics, terrain, ball: bodyAt('dynamic', 0.5, 3.2), platform: bodyAt('static', 5, 5), gone }
     this.receivers.PlanckTerrain = terrain
-    if (this.receivers.Islands) this.receivers.FallingGround = new FallingGround(physics, terrain, this.receivers.Islands)
+    if (this.receivers.Islands) this.receivers['planck/FallingGround'] = new FallingGround(physics, terrain, this.receivers.Islands)
     this.other.physics = new Planck({ x: 0, y: 0 })
   }
 
@@ -176,11 +190,12 @@ export class Scene {
     b2.b2DestroyBody(gone)
     this.box2d = { physics, terrain, body, gone, shape }
     this.receivers.Box2dTerrain = terrain
+    if (this.receivers.Islands) this.receivers['box2d3/FallingGround'] = new Box2dFalling(b2, physics, terrain, this.receivers.Islands)
   }
 
   /** On what a method of a class is called. */
-  receiver(of) {
-    const made = of === 'SegmentList' ? this.world.segments() : of === 'Changes' ? this.changes : this.receivers[of]
+  receiver(of, module) {
+    const made = of === 'SegmentList' ? this.world.segments() : of === 'Changes' ? this.changes : this.receivers[`${module}/${of}`] ?? this.receivers[of]
     if (!made) throw new Error(`web/package/test/attack/values.js makes no ${of}`)
     return made
   }
@@ -188,6 +203,7 @@ export class Scene {
   free() {
     if (this.box2d) b2.b2DestroyWorld(this.box2d.physics)
     this.receivers.Islands?.free()
+    for (const follower of [this.receivers.Pieces, this.receivers.GroundHashes, this.other.hashes]) follower?.free()
     this.other.islands?.free()
     this.world.free()
     this.other.world.free()
