@@ -53,8 +53,8 @@ ROOMS = {
     "lib/tiled/src": ["lib/include", "lib/geometry", "lib/text", "lib/brush/include", "lib/tiled/include"],
     "web/bench": ["lib/include"],
     # The rules of terrains are compiled into the package, and the reference into the article.
-    "web/wasm": ["lib/include", "lib/brush/include", "lib/falling/include", "lib/views/include", "lib/tiled/include",
-                 "lib/box2d/include", "lib/box2d/src", "oracle/reference"],
+    "web/wasm": ["lib/include", "lib/brush/include", "lib/falling/include", "lib/views/include", "lib/pieces/include",
+                 "lib/tiled/include", "lib/box2d/include", "lib/box2d/src", "oracle/reference"],
     "lib/box2d/include": ["lib/include"],
     "lib/box2d/src": ["lib/include", "lib/geometry", "lib/box2d/include"],
     "lib/box2d/v2/names": [],

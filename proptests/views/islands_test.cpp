@@ -257,6 +257,21 @@ TEST(IslandViewByHand, AllIsRemovedUndoneAndLoaded) {
   EXPECT_EQ(d.changes().came.size(), 2U);
   EXPECT_EQ(d.anchors({0, 1}), 1U);
   EXPECT_EQ(d.anchors({3, 1}), 0U);
+
+  std::vector<std::byte> saved;
+  ASSERT_TRUE(
+      d.world.save([&](std::span<const std::byte> bytes) { saved.insert(saved.end(), bytes.begin(), bytes.end()); }));
+  auto loaded = World::load(saved);
+  ASSERT_TRUE(loaded);
+  ASSERT_TRUE(loaded->followCells(true));
+  Islands islands(*loaded, isBedrock);
+  oracle::IslandCheck check(isBedrock);
+  EXPECT_EQ(check.begin(*loaded, islands), std::nullopt);
+  EXPECT_EQ(islands.all().size(), 2U);
+  ASSERT_TRUE(loaded->clear(Cell{0, 2}));
+  ASSERT_TRUE(islands.update(*loaded, loaded->commit()));
+  EXPECT_EQ(check.update(*loaded, islands), std::nullopt);
+  EXPECT_EQ(islands.loose().size(), 1U) << "it has lost its bedrock";
 }
 
 TEST(IslandViewByHand, ThatAnEditWouldCutSomethingOffIsKnownBeforeIt) {

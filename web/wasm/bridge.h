@@ -69,6 +69,7 @@ struct Bridge {
   bool isFloat = false;                 ///< geometry is handed out as float
   const Changes* last = &kNoChanges;    ///< of the last commit or roll-back
   std::uint64_t moment = 0;             ///< how many of them have changed anything
+  bool isLastNews = false;              ///< whether the last one did, so that it leads here from the moment before
   bool isEdited = false;                ///< whether edits wait for their commit
   std::vector<Mark> marksInEdits = {};  ///< those that were made while edits waited
   Block64 changes = {};                 ///< the same, as JavaScript reads it
@@ -78,6 +79,27 @@ struct Bridge {
   std::vector<DoubleSegment> doubles = {};
   std::vector<FloatSegment> floats = {};
   std::vector<std::unique_ptr<Terrain, DropTerrain>> terrains = {};
+};
+
+/// A view of a world: which moment of it it shows.
+struct Follower {
+  std::uint64_t moment;  ///< Bridge::moment that it shows
+  bool hasNews = false;  ///< whether what it tells is of the last update
+
+  /// Takes over what the last commit or roll-back did, by `update`, which may find that it can not. 0: done. 1: a commit
+  /// was left out. 2: there are edits that are not committed.
+  template <class Update>
+  std::int32_t follow(const Bridge& bridge, const Update& update) {
+    if (bridge.isEdited) return 2;
+    const bool wasOther = moment != bridge.moment;
+    if (wasOther && (moment + 1 != bridge.moment || !bridge.isLastNews || !update())) return 1;
+    moment = bridge.moment;
+    hasNews = wasOther;
+    return 0;
+  }
+
+  /// Whether it shows the last commit or roll-back: 0 if not, 1 if there was no edit since, 2 if there was.
+  std::int32_t isOfNow(const Bridge& bridge) const { return moment != bridge.moment ? 0 : bridge.isEdited ? 2 : 1; }
 };
 
 constexpr int kSerialBits = 23;

@@ -11,10 +11,8 @@
 namespace lgs::web {
 
 /// The islands of a world. JavaScript says which world it is, in each call: it knows whether that still lives.
-struct Followed {
+struct Followed : Follower {
   Islands islands;
-  std::uint64_t moment;  ///< Bridge::moment that it shows
-  bool hasNews = false;  ///< whether islands.changes() are those of the last update
 };
 
 namespace {
@@ -52,6 +50,19 @@ void putMass(const MassOfPolygons& mass) {
   answer().insert(answer().end(), {mass.area, mass.centroid.x, mass.centroid.y, mass.secondMoment});
 }
 
+void putBody(const Body& body) {
+  auto& out = answer();
+  const std::size_t head = out.size();
+  out.insert(out.end(), {0, static_cast<double>(body.origin.i), static_cast<double>(body.origin.j)});
+  putMass(body.mass);
+  for (const BodyPolygon& p : body.polygons) {
+    out.insert(out.end(), {static_cast<double>(p.cell.i), static_cast<double>(p.cell.j), static_cast<double>(p.block),
+                           static_cast<double>(p.vertices.size())});
+    for (const LocalPoint v : p.vertices) out.insert(out.end(), {cellsOf(v.x), cellsOf(v.y)});
+  }
+  out[head] = static_cast<double>(out.size() - head - 1);
+}
+
 /// The polygons of a body: i, j, block, the number of vertices, and these in cells.
 Body inputBody(std::size_t count) {
   const auto in = input<double>(count);
@@ -84,25 +95,15 @@ LGS_EXPORT("islands") Followed* islands(Bridge* bridge, std::size_t numbers) {
   IsAnchor isAnchor = numbers > 1 ? inputAnchors(numbers) : IsAnchor{};
   if (const auto done = bridge->world.followCells(true); !done)
     return refused(done.error(), static_cast<Followed*>(nullptr));
-  return new Followed{.islands = Islands(bridge->world, std::move(isAnchor)), .moment = bridge->moment};
+  return new Followed{{.moment = bridge->moment}, Islands(bridge->world, std::move(isAnchor))};
 }
 LGS_EXPORT("freeIslands") void freeIslands(Followed* followed) { delete followed; }
 
-/// 0: done. 1: a commit was left out. 2: there are edits that are not committed.
 LGS_EXPORT("updateIslands") std::int32_t updateIslands(Followed* followed, const Bridge* bridge) {
-  if (bridge->isEdited) return 2;
-  const bool hasNews = followed->moment != bridge->moment;
-  if (hasNews && (followed->moment + 1 != bridge->moment || !followed->islands.update(bridge->world, *bridge->last)))
-    return 1;
-  followed->moment = bridge->moment;
-  followed->hasNews = hasNews;
-  return 0;
+  return followed->follow(*bridge, [&] { return followed->islands.update(bridge->world, *bridge->last); });
 }
-
-/// Whether it shows the last commit or roll-back: 0 if not, 1 if there was no edit since, 2 if there was.
 LGS_EXPORT("areIslandsOfNow") std::int32_t areIslandsOfNow(const Followed* followed, const Bridge* bridge) {
-  if (followed->moment != bridge->moment) return 0;
-  return bridge->isEdited ? 2 : 1;
+  return followed->isOfNow(*bridge);
 }
 
 /// 0: came, 1: went, 2: changed, 3: cut off, 4: joined. Of the last two a pair each.
@@ -148,20 +149,48 @@ LGS_EXPORT("islandOf") std::uint32_t islandOf(const Followed* followed, const Br
   return followed->islands.of(bridge->world, toHandle(polygon)).value;
 }
 
-/// i, j of the origin, area, centroid, second moment, and the polygons, as inputBody() reads them.
-LGS_EXPORT("takeIsland") std::size_t takeIsland(const Followed* followed, Bridge* bridge, std::uint32_t id) {
-  const auto body = take(bridge->world, followed->islands, {id});
-  if (!body) return refused(body.error(), std::size_t{0});
-  bridge->isEdited = true;
-  auto& out = answer();
-  out = {static_cast<double>(body->origin.i), static_cast<double>(body->origin.j)};
-  putMass(body->mass);
-  for (const BodyPolygon& p : body->polygons) {
-    out.insert(out.end(), {static_cast<double>(p.cell.i), static_cast<double>(p.cell.j), static_cast<double>(p.block),
-                           static_cast<double>(p.vertices.size())});
-    for (const LocalPoint v : p.vertices) out.insert(out.end(), {cellsOf(v.x), cellsOf(v.y)});
+/// A body, or its parts: the number of its numbers, i, j of the origin, area, centroid, second moment, and the polygons,
+/// as inputBody() reads them.
+LGS_EXPORT("takeIsland")
+std::size_t takeIsland(const Followed* followed, Bridge* bridge, std::uint32_t id, std::int32_t isApart) {
+  std::vector<Body> bodies;
+  if (isApart != 0) {
+    auto parts = takeApart(bridge->world, followed->islands, {id});
+    if (!parts) return refused(parts.error(), std::size_t{0});
+    bodies = std::move(*parts);
+  } else {
+    auto body = take(bridge->world, followed->islands, {id});
+    if (!body) return refused(body.error(), std::size_t{0});
+    bodies.push_back(std::move(*body));
   }
-  return out.size();
+  bridge->isEdited = true;
+  answer().clear();
+  for (const Body& body : bodies) putBody(body);
+  return answer().size();
+}
+
+/// What the edits that wait would do: commits them beside the bridge, so that nobody else hears of it. Returns 0 if there
+/// was a commit before.
+LGS_EXPORT("tryEdits") std::int32_t tryEdits(Followed* followed, Bridge* bridge) {
+  if (followed->moment != bridge->moment) return 0;
+  followed->hasNews = followed->islands.update(bridge->world, bridge->world.commit());
+  return 1;
+}
+
+/// Goes back to before them. Returns 0 if the edits were not edits alone: then all followers must begin anew.
+LGS_EXPORT("untryEdits") std::int32_t untryEdits(Followed* followed, Bridge* bridge, double mark) {
+  World& world = bridge->world;
+  const bool isBack = world.rollBack(markOf(mark)).has_value();
+  const bool wereEdits =
+      isBack && followed->moment == bridge->moment && followed->islands.update(world, world.changesOfRollBack());
+  if (isBack) {
+    bridge->isEdited = false;
+    static_cast<void>(world.forget(markOf(mark)));
+  }
+  bridge->isLastNews = false;
+  followed->hasNews = false;
+  if (!wereEdits) ++bridge->moment;
+  return wereEdits ? 1 : 0;
 }
 
 // --- Bodies

@@ -67,7 +67,8 @@ std::uint32_t count(const std::vector<SegmentId>& ids) { return static_cast<std:
 const std::uint64_t* listed(Bridge& bridge, const Changes& changes, bool isEdited) {
   bridge.last = &changes;
   bridge.isEdited = isEdited;
-  if (changes.before != changes.after || !bridge.world.cellChanges().empty()) ++bridge.moment;
+  bridge.isLastNews = changes.before != changes.after || !bridge.world.cellChanges().empty();
+  if (bridge.isLastNews) ++bridge.moment;
   bridge.ids.clear();
   for (const auto* list : {&changes.removed, &changes.added, &changes.relinked})
     bridge.ids.insert(bridge.ids.end(), list->begin(), list->end());

@@ -22,7 +22,7 @@ const inlined = {
   },
 }
 await build({
-  entryPoints: ['index', 'inline', 'full', 'islands', 'trace', 'draw', 'planck', 'box2d3'].map((name) => `src/${name}.ts`),
+  entryPoints: ['index', 'inline', 'full', 'islands', 'pieces', 'trace', 'draw', 'planck', 'box2d3'].map((name) => `src/${name}.ts`),
   outdir: 'dist',
   format: 'esm',
   target: 'es2022',

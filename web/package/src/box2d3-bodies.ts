@@ -44,6 +44,16 @@ interface Polygon extends Handle {
   readonly radius: number
   GetVertex(k: number): Vector
 }
+interface ShapeDef extends Handle {
+  readonly material: { friction: number; restitution: number }
+  readonly filter: { categoryBits: number; maskBits: number; groupIndex: number }
+  updateBodyMass: boolean
+}
+interface MassData extends Handle {
+  mass: number
+  readonly center: Vec2
+  rotationalInertia: number
+}
 interface ChainDef extends Handle {
   isLoop: boolean
   readonly filter: { categoryBits: number; maskBits: number; groupIndex: number }
@@ -51,17 +61,25 @@ interface ChainDef extends Handle {
 }
 type Found = (result: { readonly shapeId: ObjectId }) => boolean
 
-/** What the terrain uses of the module that box2d3-wasm makes. */
+/** What terrain and falling ground use of the module that box2d3-wasm makes. */
 export interface Box2D {
   b2Vec2: new (x: number, y: number) => Vector
   b2Rot: new () => Rotation
   b2AABB: new () => Aabb
-  b2DefaultBodyDef(): { position: Vec2 } & Handle
+  b2MassData: new () => MassData
+  b2MakeRot(angle: number): any
+  b2DefaultBodyDef(): { position: Vec2; type: any; rotation: any } & Handle
+  b2DefaultShapeDef(): ShapeDef
   b2DefaultChainDef(): ChainDef
   b2DefaultQueryFilter(): Handle & { categoryBits: number; maskBits: number }
   // The types of box2d3-wasm call its structs by names of their own, so here they are `any`.
   b2CreateBody(physics: PhysicsId, def: any): ObjectId
   b2DestroyBody(body: ObjectId): void
+  readonly b2BodyType: { readonly b2_dynamicBody: any }
+  b2ComputeHull(points: readonly Vec2[]): any
+  b2MakePolygon(hull: any, radius: number): Handle
+  b2CreatePolygonShape(body: ObjectId, def: any, polygon: any): ObjectId
+  b2Body_SetMassData(body: ObjectId, data: any): void
   b2Body_IsValid(body: ObjectId): boolean
   b2Body_IsEnabled(body: ObjectId): boolean
   b2Body_Enable(body: ObjectId): void
@@ -88,6 +106,7 @@ export interface Box2D {
   b2Shape_GetCircle(shape: ObjectId): any
   b2Shape_GetCapsule(shape: ObjectId): any
   b2Shape_GetPolygon(shape: ObjectId): any
+  b2World_GetGravity(physics: PhysicsId): any
   b2World_GetBodyEvents(physics: PhysicsId): any
   b2World_GetCounters(physics: PhysicsId): any
   b2World_OverlapAABB(physics: PhysicsId, box: any, filter: any, found: Found): { readonly nodeVisits: number }
@@ -109,6 +128,8 @@ export const idOf = ({ index1, generation }: ObjectId) => index1 * 65536 + gener
 
 const dynamic = 2 // of b2BodyType
 const shapeTypes = { circle: 0, capsule: 1, polygon: 3 }
+/** Box2D's linear slop, in metres. */
+export const slop = 0.005
 /** Skin, in metres: what just rests beside a box does not reach into it. */
 const skin = 0.005
 
@@ -121,7 +142,7 @@ export abstract class Box2dBodies implements Physics<ObjectId, Material> {
   readonly #rotation: Rotation
   readonly #aabb: Aabb
   readonly #all: Handle // a filter that lets everything through
-  readonly slop = 0.005
+  readonly slop = slop
 
   constructor(box2d: Box2D, physics: PhysicsId, frame: Frame, rules: TerrainRules<Material>) {
     this.box2d = box2d
@@ -295,8 +316,17 @@ export abstract class Box2dBodies implements Physics<ObjectId, Material> {
 /** What is part of something: that is deleted, not the part. */
 const pointOf = ({ x, y }: Vec2): Vec2 => ({ x, y })
 
+/** What is not given is as in Box2D. */
+export function setMaterial(def: ShapeDef, { friction, restitution, categoryBits, maskBits, groupIndex }: Material): void {
+  if (friction !== undefined) def.material.friction = friction
+  if (restitution !== undefined) def.material.restitution = restitution
+  if (categoryBits !== undefined) def.filter.categoryBits = categoryBits
+  if (maskBits !== undefined) def.filter.maskBits = maskBits
+  if (groupIndex !== undefined) def.filter.groupIndex = groupIndex
+}
+
 /** What a function gave; its handle is deleted. */
-function taken(handle: Vector): Vec2 {
+export function taken(handle: Vector): Vec2 {
   const { x, y } = handle
   handle.delete()
   return { x, y }

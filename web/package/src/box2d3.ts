@@ -14,6 +14,8 @@ export type { Box2D, Material, ObjectId, PhysicsId, Vec2 } from './box2d3-bodies
 export type { Caught } from './bodies.js'
 export type { OnCaught } from './terrain.js'
 export { cutOut } from './terrain-base.js'
+export { FallingGround } from './box2d3-falling.js'
+export type { Falling, FallingOptions } from './box2d3-falling.js'
 
 export interface TerrainOptions extends CommonOptions<Material> {}
 

@@ -24,15 +24,20 @@ export function putPolygons(to: Engine, body: { readonly polygons: readonly Grou
   return to.put(numbersOf(body?.polygons))
 }
 
-/** Of an answer that begins with the origin and the mass. */
-export function bodyOf(n: Float64Array): GroundBody {
-  const polygons: GroundPolygon[] = []
-  for (let k = 6; k < n.length; ) {
-    const end = k + 4 + 2 * n[k + 3]!
-    polygons.push({ i: n[k]!, j: n[k + 1]!, block: n[k + 2]!, vertices: n.slice(k + 4, end) })
-    k = end
+/** Of an answer that has of each body the number of its numbers, the origin, the mass and the polygons. */
+export function bodiesOf(n: Float64Array): GroundBody[] {
+  const bodies: GroundBody[] = []
+  for (let at = 0; at < n.length; ) {
+    const end = at + 1 + n[at]!, polygons: GroundPolygon[] = []
+    for (let k = at + 7; k < end; ) {
+      const last = k + 4 + 2 * n[k + 3]!
+      polygons.push({ i: n[k]!, j: n[k + 1]!, block: n[k + 2]!, vertices: n.slice(k + 4, last) })
+      k = last
+    }
+    bodies.push({ i: n[at + 1]!, j: n[at + 2]!, polygons, mass: massIn(n, at + 3) })
+    at = end
   }
-  return { i: n[0]!, j: n[1]!, polygons, mass: massIn(n, 2) }
+  return bodies
 }
 
 const massIn = (n: Float64Array, k: number): Mass =>

@@ -49,6 +49,14 @@ export interface IslandChanges {
   readonly joined: readonly IslandPair[]
 }
 
+/** What an edit would do. */
+export interface Foreseen {
+  /** With the ids that there would be. */
+  readonly changes: IslandChanges
+  /** The islands that `changes` names and that there would be then. */
+  readonly after: readonly Island[]
+}
+
 export interface GroundPolygon {
   /** Its cell, from that of the body's origin. */
   readonly i: number

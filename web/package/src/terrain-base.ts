@@ -106,8 +106,7 @@ export abstract class TerrainBase<Body, Material> {
   }
 
   #refuseInStep(): void {
-    void this.#asked
-    if (this.#adapter.isInStep())
+    if (this.isInStep)
       throw new LgsError('busy', 'the physics world is in a step: note what was hit, and change the ground after the step')
     if (this.#isSyncing) throw new LgsError('busy', 'the terrain is changing: a listener of contacts must not change it')
   }
@@ -120,6 +119,12 @@ export abstract class TerrainBase<Body, Material> {
     } finally {
       this.#isSyncing = false
     }
+  }
+
+  /** Whether the physics world is in a step, in which nothing can be changed. */
+  get isInStep(): boolean {
+    void this.#asked
+    return this.#adapter.isInStep()
   }
 
   /** Takes everything out of the physics world. A second call does nothing. */

@@ -2,7 +2,9 @@
 import assert from 'node:assert/strict'
 import { before, test } from 'node:test'
 import fc from 'fast-check'
+import { OutlineLines } from '../dist/draw.js'
 import { circle, convexParts, createWorld, init, Islands, loadWorld, massOf, unitSquare } from '../dist/islands.js'
+import { Pieces } from '../dist/pieces.js'
 
 before(() => init())
 
@@ -79,8 +81,13 @@ for (const preserve of [undefined, (a, b) => a !== b])
       const islands = new Islands(world, { blocks: [bedrock] })
       let held = new Set(world.polygons().map(({ id }) => id))
       for (const step of steps) {
-        for (const { i, j, shape, block } of step) shape === shapes.length ? world.clear(i, j) : world.replace(i, j, ids[shape], block)
+        const make = () => {
+          for (const { i, j, shape, block } of step) shape === shapes.length ? world.clear(i, j) : world.replace(i, j, ids[shape], block)
+        }
+        const foreseen = foresee(islands, world, make)
+        make()
         islands.update(world.commit())
+        assertIsAsForeseen(islands, foreseen)
         const byId = assertIsFlood(islands, world), loose = islands.loose()
         for (const id of loose) assert.ok(!isHeld(byId.get(id)))
         for (const [id, part] of byId)
@@ -96,12 +103,37 @@ for (const preserve of [undefined, (a, b) => a !== b])
     }), { numRuns: 60 })
   })
 
+const told = (world) => world.polygons().map(({ i, j, block, vertices }) => [i, j, block, ...vertices].join()).sort()
+
+/** What an edit would do; and the world and its islands are as before. */
+function foresee(islands, world, edit) {
+  const was = told(world), { version } = world, segments = [...world.segments().id]
+  const foreseen = islands.foresee((given) => {
+    assert.equal(given, world)
+    edit()
+  })
+  assert.deepEqual(told(world), was)
+  assert.equal(world.version, version)
+  assert.deepEqual([...world.segments().id], segments)
+  assertIsFlood(islands, world)
+  assert.deepEqual(islands.loose(), [])
+  return foreseen
+}
+
+/** Ids may be others, all else is the same. */
+function assertIsAsForeseen(islands, { changes, after }) {
+  const now = islands.changes
+  for (const list of Object.keys(now)) assert.equal(changes[list].length, now[list].length, list)
+  const ids = new Set([...now.came, ...now.changed, ...now.cutOff.flatMap(({ from, into }) => [from, into]), ...now.joined.map(({ into }) => into)])
+  const facts = (all) => all.map(({ area, x0, y0, x1, y1, segments, anchors }) => [area, x0, y0, x1, y1, segments, anchors].join()).sort()
+  assert.deepEqual(facts(after), facts([...ids].map((id) => islands.island(id)).filter(Boolean)))
+}
+
 function takeAndPut(islands, world, which) {
   const all = islands.all()
   if (all.length === 0) return
   const id = all[which % all.length], part = world.polygons().filter((polygon) => islands.of(polygon.id) === id)
-  const told = () => world.polygons().map(({ i, j, block, vertices }) => [i, j, block, ...vertices].join()).sort()
-  const was = told(), body = islands.take(id)
+  const was = told(world), body = islands.take(id)
   assert.equal(body.polygons.length, part.length)
   const { area, x, y } = body.mass
   assert.ok(Math.abs(area - part.reduce((sum, p) => sum + areaOf(p), 0)) < 1e-12)
@@ -121,7 +153,15 @@ function takeAndPut(islands, world, which) {
   assert.equal(islands.island(id), null)
   islands.put(JSON.parse(JSON.stringify(body, (_, v) => (ArrayBuffer.isView(v) ? [...v] : v))))
   islands.update(world.commit())
-  assert.deepEqual(told(), was)
+  assert.deepEqual(told(world), was)
+  const bodies = islands.takeApart(islands.of(world.polygons().find((p) => p.i === part[0].i && p.j === part[0].j).id))
+  assert.equal(bodies.reduce((sum, { polygons }) => sum + polygons.length, 0), part.length)
+  for (const one of bodies) {
+    assert.deepEqual(massOf(one.polygons), one.mass)
+    islands.put(one)
+  }
+  islands.update(world.commit())
+  assert.deepEqual(told(world), was)
 }
 
 /** A floor of bedrock, a pillar and an arm: block 1. */
@@ -160,6 +200,70 @@ test('a bridge is cut: the arm is named, taken, and comes back by undo', () => {
   islands.free()
   assert.throws(() => islands.all(), code('freed'))
   world.free()
+})
+
+test('what touches with corners only is one island, and two bodies if it is taken apart', () => {
+  const world = createWorld(), square = world.shape(unitSquare)
+  for (const [i, j] of [[1, 2], [2, 2], [0, 1], [0, 0], [1, 0]]) world.add(i, j, square, 1)
+  world.commit()
+  const islands = new Islands(world)
+  assert.equal(islands.all().length, 1)
+  const bodies = islands.takeApart(islands.all()[0])
+  assert.deepEqual(bodies.map(({ i, j, polygons, mass }) => [i, j, polygons.length, mass.area]), [[0, 0, 3, 3], [1, 2, 2, 2]])
+  islands.update(world.commit())
+  assert.deepEqual(islands.all(), [])
+  assert.throws(() => islands.takeApart(1), code('stale-handle'))
+  islands.free()
+  world.free()
+})
+
+test('what an edit would cut off is known before it, and nobody else hears of it', () => {
+  const world = arm(), islands = new Islands(world, { blocks: [bedrock] }), pieces = new Pieces(world), late = new Islands(world)
+  const outline = new OutlineLines(world)
+  world.clear(4, 3)
+  const changes = world.commit()
+  islands.update(changes)
+  pieces.update(changes)
+  outline.update(changes)
+  const { changes: { cutOff, changed }, after } = islands.foresee(() => world.clear(1, 3))
+  assert.deepEqual([cutOff.length, changed.length, after.length], [1, 1, 2])
+  const [{ area, anchors, x0 }] = after.filter(({ id }) => id === cutOff[0].into)
+  assert.deepEqual([area, anchors, x0], [2, 0, 2])
+  assert.deepEqual(islands.loose(), [])
+  assert.equal(pieces.solidPieces(1, 3).length, 1, 'pieces are still those of now')
+  assert.throws(() => late.update(changes), code('left-out'), 'what it missed is gone')
+  assert.throws(() => islands.foresee(() => { world.clear(1, 3); world.remove(-1) }), code('stale-handle'))
+  assert.deepEqual(islands.foresee(() => {}), { changes: { came: [], went: [], changed: [], cutOff: [], joined: [] }, after: [] })
+  assert.equal(islands.island(islands.all()[0]).area, 31 + 4 + 3)
+  world.clear(1, 3)
+  assert.throws(() => islands.foresee(() => {}), code('uncommitted'))
+  const real = world.commit()
+  islands.update(real)
+  assert.deepEqual(pieces.update(real), [{ i: 1, j: 3 }])
+  assert.equal(outline.update(real).length, 1)
+  assert.equal(islands.loose().length, 1)
+
+  for (const foul of [
+    () => { world.clear(2, 3); world.commit() },
+    () => { world.clear(2, 3); world.commit(); world.clear(3, 3) },
+    (mark) => world.rollBack(mark),
+  ]) {
+    const fresh = new Islands(world), mark = world.checkpoint(), was = told(world)
+    assert.throws(() => fresh.foresee(() => foul(mark)), code('left-out'))
+    assert.deepEqual(told(world), was)
+    assert.throws(() => fresh.take(fresh.all()[0]), code('left-out'))
+    assert.throws(() => pieces.solidPieces(0, 0), code('left-out'))
+    world.forget(mark)
+    fresh.free()
+  }
+  const other = arm(), gone = new Islands(other)
+  assert.throws(() => gone.foresee(() => gone.free()), code('busy'))
+  assert.throws(() => gone.foresee(() => gone.foresee(() => other.clear(1, 3))), code('busy'))
+  assert.equal(other.polygons().length, 39)
+  assert.throws(() => gone.foresee(() => other.free()), code('freed'))
+  gone.free()
+  for (const each of [islands, pieces, late, world]) each.free()
+  assert.throws(() => islands.foresee(() => {}), code('freed'))
 })
 
 test('what is refused, and has changed nothing', () => {
@@ -253,7 +357,7 @@ test('hostile arguments end in an LgsError', () => {
     for (const f of [
       () => new Islands(v), () => new Islands(world, v), () => new Islands(world, { blocks: v }), () => new Islands(world, { blocks: [v] }),
       () => new Islands(world, { cells: v }), () => new Islands(world, { cells: [v] }), () => new Islands(world, { cells: [{ i0: v, j0: 0, i1: 0, j1: 0 }] }),
-      () => islands.update(v), () => islands.island(v), () => islands.of(v), () => islands.take(v),
+      () => islands.update(v), () => islands.island(v), () => islands.of(v), () => islands.take(v), () => islands.takeApart(v), () => islands.foresee(v),
       () => islands.put(v, 0, 0), () => islands.put(v), () => islands.put(body, v, 0), () => islands.putAsItLies(v, { x: 0, y: 0, angle: 0 }),
       () => islands.putAsItLies(body, v), () => islands.putAsItLies(body, { x: v, y: 0, angle: 0 }), () => islands.putAsItLies(body, { x: 0, y: 0, angle: v }),
       () => convexParts(v), () => convexParts(body, v), () => massOf(v), () => massOf([v]), () => massOf([{ ...polygon, i: v }]),

@@ -21,7 +21,7 @@ after(() => rmSync(folder, { recursive: true }))
 
 test('the package holds what it should, and nothing else', () => {
   const names = packed.files.map(({ path }) => path)
-  const modules = ['index', 'inline', 'full', 'islands', 'trace', 'draw', 'planck', 'box2d3'].map((name) => `dist/${name}`)
+  const modules = ['index', 'inline', 'full', 'islands', 'pieces', 'trace', 'draw', 'planck', 'box2d3'].map((name) => `dist/${name}`)
   const wanted = ['LICENSE', 'NOTICES.md', 'README.md', 'package.json', 'dist/lgs.wasm', 'dist/lgs-full.wasm',
     'dist/lgs-islands.wasm',
     ...modules.flatMap((name) => [`${name}.js`, `${name}.js.map`, `${name}.d.ts`])]

@@ -10,11 +10,12 @@ import { init as initInline, createWorld as createInline } from 'localgridseg/in
 import { importMap, type ImportedMap, init as initFull } from 'localgridseg/full'
 import {
   Islands, convexParts, init as initIslands, massOf, type Anchors, type ConvexPart, type GroundBody, type Island,
-  type IslandChanges, type IslandId, type IslandPair, type Mass,
+  type Foreseen, type IslandChanges, type IslandId, type IslandPair, type Mass,
 } from 'localgridseg/islands'
+import { Pieces, init as initPieces, type PieceId, type Portal, type SolidPiece } from 'localgridseg/pieces'
 import { TracePlayer, dump, parseTrace, preserveOf, traceOf, type Edit, type Trace } from 'localgridseg/trace'
 import { FallingGround, PlanckTerrain, cutOut, type Caught, type Falling } from 'localgridseg/planck'
-import { Box2dTerrain, type Box2D, type ObjectId, type PhysicsId } from 'localgridseg/box2d3'
+import { Box2dTerrain, FallingGround as Box2dFalling, type Box2D, type Falling as Box2dFallen, type ObjectId, type PhysicsId } from 'localgridseg/box2d3'
 import { GroundMeshes, OutlineLines, linesIn, trianglesIn, type ChunkLines, type ChunkMesh } from 'localgridseg/draw'
 import { World as Planck, type Body, type Fixture } from 'planck'
 
@@ -28,6 +29,7 @@ export async function starts(module: WebAssembly.Module, bytes: Uint8Array<Array
   await initInline()
   await initFull({ module })
   await initIslands({ url: '/lgs-islands.wasm' })
+  await initPieces()
   // @ts-expect-error: not a path
   await init('/lgs.wasm')
   // @ts-expect-error: nothing to say
@@ -252,6 +254,11 @@ export function islandsOf(world: World, physics: Planck, terrain: PlanckTerrain)
   const body: GroundBody = islands.take(id)
   islands.put(body)
   islands.put(body, 1, 2)
+  const bodies: GroundBody[] = islands.takeApart(id)
+  const { changes, after }: Foreseen = islands.foresee((given) => { given.clear(1, 2) })
+  // @ts-expect-error: what is foreseen is to be read
+  after.push(facts)
+  void [bodies, changes]
   islands.putAsItLies(body, { x: 1, y: 2, angle: 3 })
   // @ts-expect-error: an angle is missing
   islands.putAsItLies(body, { x: 1, y: 2 })
@@ -266,4 +273,24 @@ export function islandsOf(world: World, physics: Planck, terrain: PlanckTerrain)
   const other: Falling | null = falling.make(body, { x: 0, y: 0, angle: 0 })
   void [parts, other && falling.placeOf(other.body)]
   islands.free()
+}
+
+export function piecesOf(world: World): number {
+  using pieces = new Pieces(world, { maxVertices: 4 })
+  const cells: { readonly i: number; readonly j: number }[] = pieces.update(world.commit())
+  const solid: SolidPiece[] = cells.flatMap(({ i, j }) => pieces.solidPieces(i, j))
+  const at: PieceId | null = pieces.freePieceAt(1, 2)
+  // @ts-expect-error: there may be none
+  pieces.portals(at)
+  const ways: Portal[] = at ? pieces.portals(at) : []
+  const rects: CellRect[] = pieces.wholeCells({ i0: 0, j0: 0, i1: 9, j1: 9 }, 'free')
+  // @ts-expect-error: solid or free
+  pieces.wholeCells({ i0: 0, j0: 0, i1: 9, j1: 9 }, 'full')
+  return solid.length + ways.length + rects.length + pieces.freePieces(0, 0).length
+}
+
+export function fallsInBox2d(box2d: Box2D, physics: PhysicsId, terrain: Box2dTerrain, islands: Islands): ObjectId[] {
+  const falling = new Box2dFalling(box2d, physics, terrain, islands, { material: () => ({ friction: 1 }) })
+  const made: Box2dFallen[] = falling.afterSync()
+  return made.map(({ body }) => body).filter((body) => !falling.settle(body))
 }
