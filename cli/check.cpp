@@ -81,9 +81,9 @@ void addWorldOptions(CLI::App& command, const std::shared_ptr<CheckArguments>& a
   CLI::Option* const brushes =
       command.add_flag("--brushes", arguments->world.brushes,
                        "Paint and carve among the other edits, and measure each stroke\nagainst CGAL's exact result");
-  CLI::Option* const views = command.add_flag(
-      "--views", arguments->options.views,
-      "Follow the world with views of loops and islands, and compare\nthem with a full recompute after every commit");
+  CLI::Option* const views = command.add_flag("--views", arguments->options.views,
+                                              "Follow the world with views of loops, islands, pieces and hashes, and\n"
+                                              "compare them with a full recompute after every commit");
   CLI::Option* const map =
       command
           .add_option("--map", arguments->map,

@@ -1,6 +1,6 @@
 // Edits: after every commit the engine against the naive reference, its change list against a mirror; at the end CGAL's
 // union, the loops, and the same world built in another order. Most of the edits of `edits` are good, most of
-// `polygons` are bad. `views` has views of loops and islands follow the world, and holds them against full recomputes.
+// `polygons` are bad. `views` has views of loops, islands and pieces follow the world, and holds them against full recomputes.
 #include "fuzz/check_edits.h"
 
 #include <array>
@@ -38,8 +38,8 @@ std::optional<Finding> checkEdits(const oracle::Trace& trace, oracle::CheckOptio
 
 const Target kEdits{"edits", "edit sequences against the references", check, decode, checkTrace, kMostlyGood, {}};
 
-const Target kViews{"views", "loops and islands against full recomputes", checkViews, decode, checkViews, kMostlyGood,
-                    {}};
+const Target kViews{
+    "views", "loops, islands and pieces against full recomputes", checkViews, decode, checkViews, kMostlyGood, {}};
 
 const Target kPolygons{"polygons", "bad polygons: refusals are right and total", check, decode, checkTrace, kMostlyBad,
                        {}};

@@ -78,14 +78,14 @@ ROOMS = {
     # Traces have edits by brushes, and it plays them.
     "oracle/trace": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/calls"],
     # What it compares are values of the views' public headers.
-    "oracle/views": ENGINE + ["lib/views/include", "oracle/reference"],
+    "oracle/views": ENGINE + ["lib/views/include", "lib/pieces/include", "oracle/reference", "oracle/cgal"],
     "oracle/page": ENGINE + ["oracle/reference", "oracle/trace", "oracle/draw"],
     "oracle/engine/include": [],
     "oracle/engine": ENGINE + ["oracle/engine/include", "oracle/reference", "oracle/trace"],
     # Random brushes are circles and lines of the library's making.
     "oracle/generate": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/calls", "oracle/trace",
                                  "oracle/engine"],
-    "oracle/check": ENGINE + REFERENCES + ["oracle/views", "lib/views/include", "lib/text", "oracle/draw", "oracle/engine", "oracle/page",
+    "oracle/check": ENGINE + REFERENCES + ["oracle/views", "lib/views/include", "lib/pieces/include", "lib/text", "oracle/draw", "oracle/engine", "oracle/page",
                                             "oracle/generate"],
     "bench/published": ENGINE + ["oracle/engine/include", "oracle/reference"],
     "bench/ride": ENGINE + ADAPTERS + ORACLE,

@@ -15,8 +15,8 @@ namespace {
 constexpr lgs::Block kSoil = 1, kRock = 2, kOre = 3;
 constexpr lgs::CellRect kCells{{0, 0}, {47, 13}};
 
-const char* lookOf(lgs::Block block) { return block == kSoil ? "g" : block == kRock ? "r" : "o"; }
-const char* lookOfDug(lgs::Block /*any*/) { return "d"; }
+const char* lookOf(lgs::Block block) { return block == kSoil ? "soil" : block == kRock ? "rock" : "ore"; }
+const char* lookOfDug(lgs::Block /*any*/) { return "dug"; }
 
 lgs::Region polygon(const std::vector<lgs::DoublePoint>& corners) { return lgs::region({{corners}}); }
 
@@ -64,18 +64,19 @@ bool dig(Game& game, double from, double to) {
   return true;
 }
 
-/// The outlines of a body's polygons, where it is.
-void drawBody(const lgs::box2d::Falling& fallen, const char* look, std::vector<examples::Drawn>& out) {
+/// A body, where it is.
+void drawBody(const lgs::box2d::Falling& fallen, std::vector<examples::Drawn>& out) {
+  const std::size_t first = out.size();
   for (const lgs::BodyPolygon& p : fallen.ground.polygons) {
-    examples::Drawn drawn{{}, look};
+    std::vector<lgs::DoublePoint> corners;
     for (const lgs::LocalPoint v : p.vertices) {
       const auto metres = [](std::int32_t cell, std::int32_t units) {
         return static_cast<float>(cell) + static_cast<float>(units) / lgs::kUnitsPerCell;
       };
       const auto at = examples::Physics::placeOf(fallen.body, {metres(p.cell.i, v.x), metres(p.cell.j, v.y)});
-      drawn.corners.push_back({at.x, at.y});
+      corners.push_back({at.x, at.y});
     }
-    out.push_back(std::move(drawn));
+    examples::draw(out, first, p.block == kOre ? "falling-ore" : "falling-rock", std::move(corners));
   }
 }
 
@@ -98,7 +99,7 @@ int main(int argc, char** argv) {
   const lgs::box2d::Falling rock = game.falling.bodies().front();
   int steps = 0;
   for (; steps < 60 * 60 && examples::Physics::isAwake(rock.body); ++steps) {
-    if (steps % 30 == 0 && steps < 480) drawBody(rock, "w", way);
+    if (steps % 30 == 0 && steps < 480) drawBody(rock, way);
     game.physics.step();
     if (!game.terrain.afterStep().empty()) return 1;
   }
@@ -117,8 +118,8 @@ int main(int argc, char** argv) {
   std::printf("dug into it: %zu island\n", game.islands.all().size());
 
   if (argc < 2) return 0;
-  drawGround(game.world, lookOf, picture);
   picture.insert(picture.end(), way.begin(), way.end());
+  drawGround(game.world, lookOf, picture);
   std::ofstream file(argv[1]);
   writePicture(file, kCells, picture);
   return file ? 0 : 1;

@@ -4,15 +4,19 @@
 #include <lgs/world.h>
 
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace examples {
 
-/// A polygon in cells of the world, and what it is drawn as: a class of the picture's style.
+/// Polygons in cells of the world that are drawn as one, and as what: a class of the picture's style.
 struct Drawn {
-  std::vector<lgs::DoublePoint> corners;
-  const char* look;
+  std::string look;
+  std::vector<std::vector<lgs::DoublePoint>> polygons;
 };
+
+/// Puts a polygon to those of its look among the last ones, from `first` on.
+void draw(std::vector<Drawn>& out, std::size_t first, const char* look, std::vector<lgs::DoublePoint> polygon);
 
 /// The polygons of a world, a look for each block.
 void drawGround(const lgs::World& world, const char* (*lookOf)(lgs::Block), std::vector<Drawn>& out);

@@ -6,6 +6,7 @@
 #include <lgs/world.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace lgs::detail {
 namespace {
@@ -27,28 +28,28 @@ std::uint64_t hashOf(std::uint64_t seed, std::span<const PolygonId> polygons,
 
 /// Puts the value at a free number, or at the next one.
 template <class T>
-std::uint32_t store(std::vector<Owned<T>>& table, std::vector<std::uint32_t>& free, T value) {
+std::uint32_t store(std::vector<T>& table, std::vector<std::uint32_t>& free, T value) {
   if (free.empty()) {
-    table.emplace_back(std::make_unique<T>(std::move(value)));
+    table.push_back(std::move(value));
     return static_cast<std::uint32_t>(table.size() - 1);
   }
   const std::uint32_t id = free.back();
   free.pop_back();
-  *table[id] = std::move(value);
+  table[id] = std::move(value);
   return id;
 }
 
 }  // namespace
 
 Catalogue::Catalogue() {
-  contents_.emplace_back(std::make_unique<InternedContent>(InternedContent{builder_.build({}, {}), {}, {}, 0}));
+  contents_.push_back(std::make_shared<const Content>(builder_.build({}, {}, {})));
   uses_.push_back({.users = kForever});
 }
 
 Expected<PolygonId> Catalogue::internPolygon(PolygonView vertices) {
   const std::uint64_t hash = hashOf(polygonIndex_.seed(), vertices);
   const std::uint32_t found =
-      polygonIndex_.find(hash, [&](PolygonId id) { return std::ranges::equal(polygons_[id]->vertices, vertices); });
+      polygonIndex_.find(hash, [&](PolygonId id) { return std::ranges::equal(polygons_[id].vertices, vertices); });
   if (found != HashIndex::kNone) return found;
   if (const auto defect = findDefect(vertices))
     return refuse({.code = defect->code, .polygon = 0, .vertex = defect->vertex, .vertex2 = defect->vertex2});
@@ -62,7 +63,7 @@ Expected<PolygonId> Catalogue::internPolygon(PolygonView vertices) {
 }
 
 Expected<ContentId> Catalogue::internSole(PolygonId polygon) {
-  if (polygons_[polygon]->sole != kEmptyContent) return polygons_[polygon]->sole;
+  if (polygons_[polygon].sole != kEmptyContent) return polygons_[polygon].sole;
   return internContent({&polygon, 1}, {}, {});
 }
 
@@ -91,16 +92,16 @@ Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons
       if ((a < b || isKnown(a)) && interiorsMeet(views_[a], views_[b])) return refuse({.code = ErrorCode::overlap});
   }
 
-  InternedContent content{builder_.build(views_, preserved), {}, {}, hash};
-  content.polygons.assign(polygons.begin(), polygons.end());
-  content.preserved.assign(preserved.begin(), preserved.end());
-  const ContentId id = store(contents_, freeContents_, std::move(content));
-  widestFan_ = std::max(widestFan_, contents_[id]->widestFan);
+  auto content = std::make_shared<Content>(builder_.build(polygons, views_, preserved));
+  content->hash = hash;
+  widestFan_ = std::max(widestFan_, content->widestFan);
+  const Facts facts = content->facts;
+  const ContentId id = store<std::shared_ptr<const Content>>(contents_, freeContents_, std::move(content));
   uses_.resize(contents_.size());
-  uses_[id] = {.users = 0, .facts = contents_[id]->facts};
+  uses_[id] = {.users = 0, .facts = facts};
   contentIndex_.insert(hash, id);
-  for (const PolygonId polygon : polygons) acquire(polygons_[polygon]->users);
-  if (polygons.size() == 1) polygons_[polygons[0]]->sole = id;
+  for (const PolygonId polygon : polygons) acquire(polygons_[polygon].users);
+  if (polygons.size() == 1) polygons_[polygons[0]].sole = id;
   ++unused_;
   return id;
 }
@@ -153,26 +154,25 @@ void Catalogue::collect() {
   // contents without users still use their polygons.
   if (unused_ < 1024 || 4 * unused_ < contents_.size() + polygons_.size()) return;
   for (ContentId id = 1; id < contents_.size(); ++id)
-    if (uses_[id].users == 0 && !contents_[id]->polygons.empty()) forgetContent(id);
+    if (uses_[id].users == 0 && contents_[id]) forgetContent(id);
   for (PolygonId id = 0; id < polygons_.size(); ++id)
-    if (polygons_[id]->users == 0 && !polygons_[id]->vertices.empty()) forgetPolygon(id);
+    if (polygons_[id].users == 0 && !polygons_[id].vertices.empty()) forgetPolygon(id);
 }
 
 void Catalogue::forgetContent(ContentId id) {
-  InternedContent& content = *contents_[id];
-  contentIndex_.erase(content.hash, id);
-  for (const PolygonId polygon : content.polygons) {
-    drop(polygons_[polygon]->users);
-    if (polygons_[polygon]->sole == id) polygons_[polygon]->sole = kEmptyContent;
+  const auto content = std::exchange(contents_[id], nullptr);
+  contentIndex_.erase(content->hash, id);
+  for (const PolygonId polygon : content->polygons) {
+    drop(polygons_[polygon].users);
+    if (polygons_[polygon].sole == id) polygons_[polygon].sole = kEmptyContent;
   }
-  content = InternedContent{};
   --unused_;
   freeContents_.push_back(id);
 }
 
 void Catalogue::forgetPolygon(PolygonId id) {
-  polygonIndex_.erase(polygons_[id]->hash, id);
-  *polygons_[id] = InternedPolygon{};
+  polygonIndex_.erase(polygons_[id].hash, id);
+  polygons_[id] = InternedPolygon{};
   --unused_;
   freePolygons_.push_back(id);
 }
@@ -180,14 +180,12 @@ void Catalogue::forgetPolygon(PolygonId id) {
 std::uint64_t Catalogue::bytes() const {
   std::uint64_t sum = polygonIndex_.bytes() + contentIndex_.bytes();
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  for (const auto& p : polygons_) sum += sizeof p + sizeof *p + of(p->vertices);
-  for (const auto& c : contents_) {
-    sum +=
-        sizeof c + sizeof *c + of(c->polygons) + of(c->preserved) + of(c->interior) + of(c->spokes) + of(c->contacts);
-    for (const Side& side : c->sides) sum += of(side.covered) + of(side.points);
-  }
+  for (const InternedPolygon& p : polygons_) sum += of(p.vertices);
+  for (const auto& content : contents_)
+    if (content) sum += sizeof *content + content->listBytes;
   for (const InternedShape& s : shapes_) sum += 2 * of(s.polygons);
-  return sum + builder_.bytes() + of(views_) + of(uses_) + of(shapes_) + of(freePolygons_) + of(freeContents_);
+  return sum + builder_.bytes() + of(polygons_) + of(contents_) + of(views_) + of(uses_) + of(shapes_) +
+         of(freePolygons_) + of(freeContents_);
 }
 
 }  // namespace lgs::detail

@@ -4,29 +4,21 @@
 
 #include "ground/content.h"
 #include "storage/hash_index.h"
-#include "storage/owned.h"
 
 #include <lgs/error.h>
 #include <lgs/ids.h>
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace lgs::detail {
 
-using PolygonId = std::uint32_t;
 using ContentId = std::uint32_t;
 inline constexpr ContentId kEmptyContent = 0;
 inline constexpr ContentId kMaxContent = (1u << 23) - 1;  ///< a cell's word has 23 bits for it
-
-/// A content, and what it was worked out from.
-struct InternedContent : Content {
-  std::vector<PolygonId> polygons;               ///< by slot, in increasing order
-  std::vector<std::pair<Slot, Slot>> preserved;  ///< the overlaps that are kept
-  std::uint64_t hash = 0;
-};
 
 /// The order of shapes. The vector's own one will not do: where the most significant byte comes first, GCC 12's library
 /// compares as many bytes as there are numbers, so that different shapes are equal.
@@ -48,11 +40,11 @@ class Catalogue {
  public:
   Catalogue();
 
-  const InternedContent& content(ContentId id) const { return *contents_[id]; }
+  const Content& content(ContentId id) const { return *contents_[id]; }
   /// How many interior half-edges meet at most in one vertex on the rim, in all contents that there ever were.
   std::uint32_t widestFan() const { return widestFan_; }
   Facts facts(ContentId id) const { return uses_[id].facts; }
-  PolygonView vertices(PolygonId id) const { return polygons_[id]->vertices; }
+  PolygonView vertices(PolygonId id) const { return polygons_[id].vertices; }
   /// Valid until the next shape is made. Without polygons if the id is none of ours.
   const InternedShape& shape(ShapeId id) const { return shapes_[id.value < shapes_.size() ? id.value : 0]; }
 
@@ -124,10 +116,10 @@ class Catalogue {
   void forgetContent(ContentId id);
   void forgetPolygon(PolygonId id);
 
-  std::vector<Owned<InternedPolygon>> polygons_;
-  std::vector<Owned<InternedContent>> contents_;
-  std::vector<Use> uses_;                               ///< by content
-  std::vector<InternedShape> shapes_{InternedShape{}};  ///< by ShapeId, whose 0 names none
+  std::vector<InternedPolygon> polygons_;
+  std::vector<std::shared_ptr<const Content>> contents_;  ///< null if it is forgotten
+  std::vector<Use> uses_;                                 ///< by content
+  std::vector<InternedShape> shapes_{InternedShape{}};    ///< by ShapeId, whose 0 names none
   std::map<std::vector<PolygonId>, ShapeId, PolygonsLess> shapeIndex_;
   HashIndex polygonIndex_;
   HashIndex contentIndex_;

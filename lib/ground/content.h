@@ -11,13 +11,16 @@
 #include <lgs/lattice.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
 namespace lgs::detail {
 
+using PolygonId = std::uint32_t;
 /// Index of a polygon in its cell's content.
 using Slot = std::uint16_t;
 
@@ -63,8 +66,8 @@ struct RimPoint {
 
 /// The profile of a side.
 struct Side {
-  std::vector<Interval> covered;  ///< in increasing order, disjoint
-  std::vector<RimPoint> points;   ///< in increasing order
+  std::span<const Interval> covered;  ///< in increasing order, disjoint
+  std::span<const RimPoint> points;   ///< in increasing order
 };
 
 /// What a commit asks first of a content, and of those beside it. Each cell keeps this byte. Zero if the cell is empty.
@@ -81,15 +84,26 @@ constexpr unsigned hiddenSides(unsigned south, unsigned east, unsigned north, un
   return (south >> 2 & 1u) | (east >> 2 & 2u) | (north << 2 & 4u) | (west << 2 & 8u);
 }
 
+/// Never changed once it is made, so that copies of a world share it.
 struct Content {
   Facts facts = 0;
+  CornerEnds cornerEnds;        ///< of the half-edges inside, by their places in `interior`
+  std::uint32_t widestFan = 0;  ///< the longest of the ranges
   std::array<SpokeRange, 4> corners{};
-  CornerEnds cornerEnds;               ///< of the half-edges inside, by their places in `interior`
-  std::uint32_t widestFan = 0;         ///< the longest of the ranges
-  std::vector<InteriorEdge> interior;  ///< sorted by start, then end
-  std::vector<Spoke> spokes;           ///< `segment` is an index in `interior`, `direction` a rank at that vertex
-  std::array<Side, 4> sides;
-  std::vector<std::pair<Slot, Slot>> contacts;  ///< polygons with a common edge inside the cell, smaller slot first
+  std::array<Side, 4> sides;  ///< parts of the next two lists
+  std::span<const Interval> covered;
+  std::span<const RimPoint> points;
+  std::span<const InteriorEdge> interior;  ///< sorted by start, then end
+  std::span<const Spoke> spokes;           ///< `segment` is an index in `interior`, `direction` a rank at that vertex
+  std::span<const std::pair<Slot, Slot>> contacts;  ///< polygons with a common edge inside, smaller slot first
+
+  // What it was worked out from.
+  std::span<const PolygonId> polygons;               ///< by slot, in increasing order
+  std::span<const std::pair<Slot, Slot>> preserved;  ///< the overlaps that are kept
+  std::uint64_t hash = 0;                            ///< of these two
+
+  std::unique_ptr<std::byte[]> lists;  ///< all of the above, one behind the other
+  std::size_t listBytes = 0;
 
   /// The polygon that covers a whole side.
   Slot wholeSlot(unsigned side) const { return sides[side].covered.front().slot; }
@@ -98,14 +112,19 @@ struct Content {
 /// Works out contents. It keeps its working memory from one to the next.
 class ContentBuilder {
  public:
-  /// The content of a cell with these polygons, which have no defects and disjoint interiors. `preserved` lists pairs
-  /// of slots, sorted, the smaller slot first: overlaps between them inside the cell are kept. Cost: O(n log n) in the
-  /// vertices. With several polygons each edge is also compared with the vertices between its ends by x, then y.
-  Content build(std::span<const PolygonView> polygons, std::span<const std::pair<Slot, Slot>> preserved);
+  /// The content of a cell with these polygons, which have no defects and disjoint interiors; `views` are their
+  /// vertices. `preserved` lists pairs of slots, sorted, the smaller slot first: overlaps between them inside the cell
+  /// are kept. Cost: O(n log n) in the vertices. With several polygons each edge is also compared with the vertices
+  /// between its ends by x, then y.
+  Content build(std::span<const PolygonId> polygons, std::span<const PolygonView> views,
+                std::span<const std::pair<Slot, Slot>> preserved);
 
   std::uint64_t bytes() const {
     const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
-    return of(order_, points_, ranks_, edges_, ends_, sorted_, interior_, first_, contacts_, fan_);
+    std::uint64_t sum = of(order_, points_, sidesAt_, ranks_, edges_, edgesAt_, ends_, endsAt_, sorted_, fan_,
+                           interior_, spokes_, keys_, contacts_);
+    for (unsigned s = 0; s < kSides; ++s) sum += of(covered_[s], rimPoints_[s]);
+    return sum;
   }
 
  private:
@@ -116,25 +135,39 @@ class ContentBuilder {
     Rank at, to;
     std::uint32_t what;  ///< the slot of its polygon, or the interior edge and whether it leaves
   };
+  /// By vertex, where its half-edges begin; and where the last ones end.
+  using Begins = std::vector<std::uint32_t>;
 
   void takeVertices(std::span<const PolygonView> polygons);
+  void takeEdges(std::span<const PolygonView> polygons);
   void cutEdges(std::span<const PolygonView> polygons);
-  void sortByEnd(std::vector<HalfEdge>& edges, Rank HalfEdge::*end);
-  void placeEdges(Content& content, std::span<const std::pair<Slot, Slot>> preserved);
+  void sortByEnd(std::vector<HalfEdge>& edges, Rank HalfEdge::*end, Begins& begins);
+  void placeInside(std::span<const std::pair<Slot, Slot>> preserved);
+  std::span<HalfEdge> endsAt(Rank vertex);
   std::span<const Spoke> fanAt(Rank vertex, Vector from);
-  std::span<const Spoke> fanAt(LocalPoint point, Vector from);
-  void linkInside(Content& content);
+  void linkInside();
+  void linkAtCorner(Content& content, unsigned corner, std::span<const Spoke> fan);
+  SpokeRange storeFan(Content& content, std::span<const Spoke> fan);
+  void takeSides(Content& content, bool linksCorners);
 
-  std::vector<PlacedVertex> order_;  ///< the polygons' vertices in order
-  std::vector<LocalPoint> points_;   ///< the same, each once
-  std::vector<Rank> ranks_;          ///< of the polygons' vertices, one polygon after the other
+  // The vertices, and the edges between them.
+  std::vector<PlacedVertex> order_;    ///< the polygons' vertices in order
+  std::vector<LocalPoint> points_;     ///< the same, each once
+  std::vector<std::uint8_t> sidesAt_;  ///< by point: bit s, if it is on side s
+  std::vector<Rank> ranks_;            ///< of the polygons' vertices, one polygon after the other
   std::vector<HalfEdge> edges_;
+  Begins edgesAt_;
   std::vector<HalfEdge> ends_;  ///< of the interior edges
+  Begins endsAt_;
   std::vector<HalfEdge> sorted_;
-  std::vector<InteriorEdge> interior_;  ///< for a copy without room to spare
-  std::vector<std::uint32_t> first_;    ///< of each vertex, in what was sorted last
-  std::vector<std::uint64_t> contacts_;
   std::vector<Spoke> fan_;
+  // The lists of the content.
+  std::vector<InteriorEdge> interior_;
+  std::vector<Spoke> spokes_;
+  std::array<std::vector<Interval>, kSides> covered_;
+  std::array<std::vector<RimPoint>, kSides> rimPoints_;
+  std::vector<std::uint64_t> keys_;  ///< of contacts
+  std::vector<std::pair<Slot, Slot>> contacts_;
 };
 
 }  // namespace lgs::detail

@@ -16,7 +16,7 @@ void Edit::open(Cell cell) {
   lastSerial_ = ground_.lastSerial(at_);
   newOnes_ = 0;
   entries_.clear();
-  const std::vector<PolygonId>& polygons = ground_.content(at_).polygons;
+  const std::span<const PolygonId> polygons = ground_.content(at_).polygons;
   for (std::size_t slot = 0; slot < polygons.size(); ++slot)
     entries_.push_back({polygons[slot], ground_.placed(at_)[static_cast<Slot>(slot)]});
 }

@@ -73,7 +73,7 @@ void Ground::read(const Held& held, std::vector<PlacedPolygon>& out) const {
   const bool hasList = isListed(held.word);
   const PolygonList listed = hasList ? list(held.word, *held.lists) : PolygonList(nullptr);
   const ContentId content = hasList ? listed.content() : held.word >> kLowBits;
-  const std::vector<PolygonId>& polygons = catalogue.content(content).polygons;
+  const std::span<const PolygonId> polygons = catalogue.content(content).polygons;
   const std::size_t first = out.size();
   for (std::size_t slot = 0; slot < polygons.size(); ++slot) {
     const Placed placed = hasList ? listed[static_cast<Slot>(slot)] : Placed{held.word & kLowMask, held.block};

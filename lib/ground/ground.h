@@ -33,7 +33,7 @@ class Ground {
     if (!at) return kEmptyContent;
     return isListed(at) ? list(at.word()).content() : at.word() >> kLowBits;
   }
-  const InternedContent& content(CellAt at) const { return catalogue.content(contentId(at)); }
+  const Content& content(CellAt at) const { return catalogue.content(contentId(at)); }
   /// What a cell holds, or held when a note was made of it.
   struct Held {
     std::uint32_t ref = 0;  ///< of the cell

@@ -170,7 +170,7 @@ class Load {
   }
 
   /// Whether the overlaps in a cell with these polygons are preserved as this world's relation wants it.
-  bool isPreservedAsHere(const InternedContent& content) const {
+  bool isPreservedAsHere(const Content& content) const {
     return std::ranges::all_of(content.contacts, [&](const auto& contact) {
       return ground_.keeps(placed_[contact.first].block, placed_[contact.second].block) ==
              std::ranges::binary_search(content.preserved, contact);

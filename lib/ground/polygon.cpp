@@ -11,6 +11,9 @@
 namespace lgs::detail {
 namespace {
 
+/// So few vertices are compared in pairs sooner than they are sorted.
+constexpr std::size_t kSmall = 12;
+
 std::int32_t index(std::size_t i) { return static_cast<std::int32_t>(i); }
 
 bool isInsideCell(LocalPoint p) { return p.x >= 0 && p.x <= kUnitsPerCell && p.y >= 0 && p.y <= kUnitsPerCell; }
@@ -43,15 +46,18 @@ std::optional<Defect> findDefect(PolygonView polygon) {
   if (polygon.size() > kMaxVerticesPerCell) return Defect{ErrorCode::capacity};
   for (std::size_t i = 0; i < polygon.size(); ++i)
     if (!isInsideCell(polygon[i])) return Defect{ErrorCode::outsideCell, index(i)};
-  std::vector<PlacedVertex> order;
-  order.reserve(polygon.size());
-  inOrder({&polygon, 1}, order);
-  if (const auto repeated = findRepeatedVertex(order)) return repeated;
-  for (std::uint64_t& vertex : order) vertex = indexOf(vertex);
-  if (!isSimple(polygon, order)) {
-    if (doubleArea(polygon) == 0) return Defect{ErrorCode::zeroArea};
-    if (const auto edges = findSelfIntersection(polygon))
-      return Defect{ErrorCode::selfIntersecting, index(edges->first), index(edges->second)};
+  const bool isSmall = polygon.size() <= kSmall;
+  if (!isSmall || findSelfIntersection(polygon)) {
+    std::vector<PlacedVertex> order;
+    order.reserve(polygon.size());
+    inOrder({&polygon, 1}, order);
+    if (const auto repeated = findRepeatedVertex(order)) return repeated;
+    for (std::uint64_t& vertex : order) vertex = indexOf(vertex);
+    if (isSmall || !isSimple(polygon, order)) {
+      if (doubleArea(polygon) == 0) return Defect{ErrorCode::zeroArea};
+      if (const auto edges = findSelfIntersection(polygon))
+        return Defect{ErrorCode::selfIntersecting, index(edges->first), index(edges->second)};
+    }
   }
   if (doubleArea(polygon) < 0) return Defect{ErrorCode::clockwise};
   return std::nullopt;

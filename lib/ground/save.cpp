@@ -30,7 +30,7 @@ class Numbers {
   }
 
   /// The slots of a content by the numbers of their polygons: the slots that the content will have in a loaded world.
-  std::vector<Slot> slots(const InternedContent& content) const {
+  std::vector<Slot> slots(const Content& content) const {
     std::vector<Slot> slots(content.polygons.size());
     std::iota(slots.begin(), slots.end(), Slot{0});
     detail::sort(slots, [&](Slot a, Slot b) { return of(content.polygons[a]) < of(content.polygons[b]); });
@@ -87,7 +87,7 @@ class Save {
   void contents() {
     out_.number(numbers_.contents().size());
     for (const ContentId id : numbers_.contents()) {
-      const InternedContent& content = ground_.catalogue.content(id);
+      const Content& content = ground_.catalogue.content(id);
       const std::vector<Slot> slots = numbers_.slots(content);
       std::vector<Slot> after(slots.size());  // the new slot of an old one
       out_.number(slots.size());

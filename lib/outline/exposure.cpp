@@ -62,9 +62,13 @@ inline void Exposure::renew(CellAt at) {
     create(at);
 }
 
-/// A cell that has no segments yet: a merge with nothing.
+/// A cell that has no segments yet: a merge with nothing, which is quick for simple cells.
 void Exposure::create(CellAt at) {
   const Look look(ground_, at);
+  if (!look.isSimple()) {
+    merge(at, kAllParts);
+    return;
+  }
   const std::uint32_t count = look.count(), ref = at.ref();
   if (count == 0) return;
   look.fill(outline_.splice(at, 0, 0, count), count,
@@ -84,7 +88,7 @@ void Exposure::renewSide(CellAt at, unsigned side, unsigned beyond) {
   const unsigned sides = layout.wholeSides();
   const unsigned before = sides >> side & 1u, now = facts >> side & ~(beyond >> opposite(side)) & 1u;
   if (now == before) return;
-  const InternedContent& content = ground_.content(at);
+  const Content& content = ground_.content(at);
   const std::uint32_t inside = layout.end(kInterior), place = inside + kSideCounts[sides][side];
   std::uint32_t id = 0;
   if (now != 0)
@@ -154,7 +158,7 @@ void Exposure::merge(CellAt at, unsigned parts) {
   Touching touches = 0;
   ids_.clear();
   for (unsigned part = 0; part < kParts; ++part) {
-    const std::span<const std::uint32_t> before = shown.part(part);
+    const auto before = shown ? shown.part(part) : std::span<const std::uint32_t>();
     if ((parts >> part & 1u) == 0) {
       ids_.insert(ids_.end(), before.begin(), before.end());
       if (part != kInterior) touches |= shown.layout().touching() & bothEnds(1u << (part - 1));

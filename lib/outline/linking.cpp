@@ -31,7 +31,11 @@ void Linking::linkChunk(const Chunk& chunk) {
     if (y < kChunkSize) {
       if ((chunk.everFacts & kLinkedInside) != 0)
         forEachColumn(here, [&](std::int32_t x) { linkInterior(cellAt(chunk, x, y)); });
-      if (nearRimPoints) forEachColumn(here, [&](std::int32_t x) { linkSides(cellAt(chunk, x, y)); });
+      if (nearRimPoints)
+        forEachColumn(here, [&](std::int32_t x) {
+          const auto isDone = [x](WideRow row) { return (row >> (x + 1) & 1u) != 0; };  // the cell there was before
+          linkSides(cellAt(chunk, x, y), isDone(dirtyRow(chunk, y - 1)), isDone(here << 1));
+        });
     }
     // The corners below row y: corner x lies between columns x - 1 and x.
     const WideRow dirty = here | dirtyRow(chunk, y - 1);
@@ -51,7 +55,7 @@ void Linking::linkChunk(const Chunk& chunk) {
 /// In and around the only changed cell of its chunk.
 void Linking::linkAround(CellAt at) {
   linkInterior(at);
-  linkSides(at);
+  linkSides(at, false, false);
   const auto x = static_cast<std::int32_t>(at.local % kChunkSize), y = static_cast<std::int32_t>(at.local / kChunkSize);
   linkCorner(*at.chunk, x, y);
   linkCorner(*at.chunk, x + 1, y);
@@ -63,7 +67,7 @@ void Linking::linkAround(CellAt at) {
 
 void Linking::linkInterior(CellAt at) {
   if ((at.chunk->facts[at.local] & kLinkedInside) == 0) return;
-  const InternedContent& content = ground_.content(at);
+  const Content& content = ground_.content(at);
   const std::uint32_t* ids = lists_.of(at).ids();
   const auto idOf = [&](std::uint32_t k) { return k == InteriorEdge::kNone ? kNoSegment : ids[k]; };
   for (std::size_t k = 0; k < content.interior.size(); ++k) {
@@ -113,13 +117,13 @@ void Linking::linkCornerBySpokes(const std::array<CellAt, 4>& cells, const Quadr
 
 // --- In the open sides of a cell
 
-void Linking::linkSides(CellAt at) {
+void Linking::linkSides(CellAt at, bool isSouthDone, bool isWestDone) {
   const unsigned here = at.chunk->facts[at.local];
   const FactsAround around = factsAround(at);
-  if (((here | around.south) & kRimPoints) != 0) linkSide(at, kSouth);
+  if (!isSouthDone && ((here | around.south) & kRimPoints) != 0) linkSide(at, kSouth);
   if (((here | around.east) & kRimPoints) != 0) linkSide(at, kEast);
   if (((here | around.north) & kRimPoints) != 0) linkSide(at, kNorth);
-  if (((here | around.west) & kRimPoints) != 0) linkSide(at, kWest);
+  if (!isWestDone && ((here | around.west) & kRimPoints) != 0) linkSide(at, kWest);
 }
 
 void Linking::linkSide(CellAt at, unsigned side) {

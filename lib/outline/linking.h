@@ -22,7 +22,7 @@ class Linking {
 
   void linkAround(CellAt at);
   void linkInterior(CellAt at);
-  void linkSides(CellAt at);
+  void linkSides(CellAt at, bool isSouthDone, bool isWestDone);
   void linkSide(CellAt at, unsigned side);
   void linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y);
   void linkCornerBySpokes(const std::array<CellAt, 4>& cells, const Quadrants& shown);

@@ -21,6 +21,9 @@ class Look {
     sides_ = here & kWholeSides & ~hiddenSides(around.south, around.east, around.north, around.west);
   }
 
+  /// Most cells have one polygon, and each of their sides shows as a whole or not at all.
+  bool isSimple() const { return hasWholeSides_ && content_.polygons.size() == 1; }
+
   /// How many segments the cell shows.
   std::uint32_t count() const {
     auto count = static_cast<std::uint32_t>(content_.interior.size());
@@ -35,7 +38,7 @@ class Look {
   /// and what is missing is the last edge again, so that no memory is touched that is not the list's.
   template <class Create>
   void fill(std::uint32_t* words, std::uint32_t count, Create&& create) const {
-    if (hasWholeSides_ && content_.polygons.size() == 1)
+    if (isSimple())
       fillSimple(words, create);
     else
       fillParts(words, count, create);
@@ -56,7 +59,7 @@ class Look {
     }
   }
 
-  const InternedContent& content() const { return content_; }
+  const Content& content() const { return content_; }
 
  private:
   template <class Emit>
@@ -74,7 +77,6 @@ class Look {
         });
   }
 
-  /// Most cells have one polygon, and each of their sides shows as a whole or not at all.
   template <class Create>
   void fillSimple(std::uint32_t* words, Create& create) const {
     const Placed sole = ground_.placed(at_)[0];
@@ -110,7 +112,7 @@ class Look {
 
   const Ground& ground_;
   CellAt at_;
-  const InternedContent& content_;
+  const Content& content_;
   bool hasWholeSides_ = false;  ///< each side shows as a whole or not at all
   unsigned sides_ = 0;          ///< then these show
 };

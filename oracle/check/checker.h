@@ -40,7 +40,7 @@ struct CheckOptions {
   /// lists are always checked for the whole world.
   std::size_t wholeEvery = 1;
 
-  /// Follow this library's engine with views of loops and islands, and hold these against a full recompute after every
+  /// Follow this library's engine with views of loops, islands and pieces, and hold these against a full recompute after every
   /// commit. It takes a time in proportion to the square of the polygons.
   bool views = false;
 
@@ -63,7 +63,7 @@ struct Mismatch {
     reach,     ///< a brush changed a polygon that law 9 keeps
     rounding,  ///< a brush is farther from its exact result than law 8 allows
     history,   ///< the outline depends on how it came about
-    views,     ///< a view of loops or islands is not that of the world
+    views,     ///< a view of loops, islands or pieces is not that of the world
     terrain,   ///< a physics engine's copy is not that of the world; the checker itself knows no such copy
     crash,     ///< the engine ended
     hang,      ///< the engine gave no answer in time

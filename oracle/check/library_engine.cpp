@@ -31,7 +31,8 @@ void LibraryEngine::reset(const PreservePairs& preserve) {
   player_.emplace(preserve, followsViews_ ? Loads::never : Loads::sometimes);
   views_.reset();
   if (followsViews_ && player_->world().followCells(true))
-    views_.emplace(Followed{Islands(player_->world(), isAnchor), IslandCheck(isAnchor)});
+    views_.emplace(Followed{Islands(player_->world(), isAnchor), IslandCheck(isAnchor), Pieces(player_->world()),
+                            PieceCheck(), GroundHashes(player_->world())});
   mirror_ = {};
   stale_.clear();
   refused_.clear();
@@ -119,11 +120,15 @@ std::optional<Complaint> LibraryEngine::afterCommit(const CellSet& edited, const
 }
 
 std::optional<Complaint> LibraryEngine::checkViews() {
-  if (!views_->islands.update(player_->world(), *changes_))
-    return Complaint{Mismatch::Kind::views, "the views refuse what was committed"};
-  if (auto wrong = views_->check.update(player_->world(), views_->islands))
-    return Complaint{Mismatch::Kind::views, std::move(*wrong)};
-  return std::nullopt;
+  const World& world = player_->world();
+  auto& [islands, islandCheck, pieces, pieceCheck, hashes] = *views_;
+  if (!islands.update(world, *changes_)) return Complaint{Mismatch::Kind::views, "the views refuse what was committed"};
+  hashes.update(world.cellChanges());
+  auto wrong = islandCheck.update(world, islands);
+  if (!wrong) wrong = pieceCheck.update(world, pieces, pieces.update(world.cellChanges()));
+  if (!wrong) wrong = faultOf(hashes, world);
+  if (!wrong) return std::nullopt;
+  return Complaint{Mismatch::Kind::views, std::move(*wrong)};
 }
 
 std::optional<Complaint> LibraryEngine::readAll(const Model& model) const {

@@ -2,7 +2,7 @@
 //  - each step goes through one of its doors (step.h): the refusal has the right reason, and names what is to blame; a
 //    refused step changes nothing; a stale handle stays stale;
 //  - each commit: the change list is exact (mirror.h); the polygons of the edited cells read as they were placed;
-//  - if it is asked for, views of loops and islands are held against a full recompute after each commit;
+//  - if it is asked for, views of loops, islands and pieces are held against a full recompute after each commit;
 //  - now and then: everything else that a world can be asked (reads.h).
 #pragma once
 
@@ -14,7 +14,9 @@
 #include "oracle/trace/dump.h"
 #include "oracle/trace/mirror.h"
 #include "oracle/trace/player.h"
+#include "oracle/views/ground_hashes.h"
 #include "oracle/views/island_check.h"
+#include "oracle/views/piece_check.h"
 
 #include <optional>
 #include <string>
@@ -34,7 +36,7 @@ class LibraryEngine : public Engine {
  public:
   LibraryEngine() { introduce("LocalGridSeg", Capabilities::all()); }
 
-  /// From the next reset() on views of loops and islands follow the world, and are checked after each commit.
+  /// From the next reset() on views of loops, islands and pieces follow the world, and are checked after each commit.
   void followViews() { followsViews_ = true; }
 
   void reset(const PreservePairs& preserve) override;
@@ -83,7 +85,10 @@ class LibraryEngine : public Engine {
   bool followsViews_ = false;
   struct Followed {
     Islands islands;
-    IslandCheck check;
+    IslandCheck islandCheck;
+    Pieces pieces;
+    PieceCheck pieceCheck;
+    GroundHashes hashes;
   };
   std::optional<Followed> views_;
 };

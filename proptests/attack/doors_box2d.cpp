@@ -255,6 +255,10 @@ void addDoorsOfBox2d(Doors& door) {
     static_cast<void>(box2d::cutOut(groundOf(s).terrain, s.world, changes));
     return 0;
   });
+  door("box2d::bodiesIn(Terrain&, const Region&)",
+       [](Scene& s, const Region& region) { return box2d::bodiesIn(groundOf(s).terrain, region).size(); });
+  door("box2d::withoutBodies(Terrain&, const Region&)",
+       [](Scene& s, const Region& region) { return box2d::withoutBodies(groundOf(s).terrain, region); });
 }
 
 void addDoorsOfFrames(Doors& door) {

@@ -49,6 +49,13 @@ void addDoorsOfBrushes(Doors& door) {
     }
     return cells;
   });
+  door("without(const Region&, const Region&)", [](Scene&, const Region& region, const Region& except) {
+    const auto rest = without(region, except);
+    if (rest) {
+      EXPECT_TRUE(cellsOf(*rest).has_value());
+    }
+    return rest;
+  });
   door("meets(const Region&, const Ring&)",
        [](Scene&, const Region& region, const std::vector<Point>& ring) { return meets(region, ring); });
   door("paint(World&, const Region&, Block, PaintMode, const StayingBlocks&)",

@@ -287,5 +287,24 @@ TEST_F(Box2dCaught, BodiesAreCutOutOfWhatIsPainted) {
   }
 }
 
+TEST_F(Box2dCaught, WhatIsPaintedGoesAroundBodies) {
+  Terrain terrain(physics, field.world);
+  const Body body = addBody({0.6F, 0.36F}, Form::box, 0);
+  step(60);
+  const Position at = positionOf(body);
+  const auto room = withoutBodies(terrain, circle({U / 2, U / 2}, 2 * U));
+  ASSERT_TRUE(room);
+  ASSERT_TRUE(paint(field.world, *room, 5, PaintMode::fill));
+  const Changes& changes = field.world.commit();
+  EXPECT_TRUE(terrain.caughtBy(changes).empty());
+  ASSERT_TRUE(terrain.sync(changes));
+  EXPECT_TRUE(fits(terrain, body));
+  EXPECT_EQ(field.world.at({U / 2, 5 * U / 4}).block, 5U);
+  step(60);
+  EXPECT_NEAR(positionOf(body).y, at.y, 0.05F);
+  const Region away = circle({9 * U, 9 * U}, U);
+  EXPECT_EQ(withoutBodies(terrain, away)->rings, away.rings) << "nobody is there";
+}
+
 }  // namespace
 }  // namespace lgs::box2d_test

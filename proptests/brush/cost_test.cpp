@@ -20,12 +20,7 @@ std::uint64_t allocationsOf(const World& world, const Region& region, brush::Dee
     const std::vector<PlacedPolygon> placed = world.polygons(cell.cell);
     const std::uint64_t before = allocations().count;
     const brush::Frame frame;
-    brush::List<brush::CellPolygon> polygons;
-    for (const PlacedPolygon& p : placed) {
-      polygons.push_back({{}, p.block});
-      for (const LocalPoint v : p.vertices) polygons.back().ring.push_back({v.x, v.y});
-    }
-    (void)editOf(polygons, cell.pieces, {deed, 2, region.rule});
+    (void)editOf(placed, cell.pieces, {deed, 2, region.rule});
     count += allocations().count - before;
   }
   return count;

@@ -28,12 +28,14 @@ std::size_t comparePlainCells(const Region& region) {
   constexpr std::int64_t kEnd = kUnitsPerCell;
   const brush::Frame frame;
   const brush::List<CellPolygon> full{{{{0, 0}, {kEnd / 2, 0}, {kEnd, 0}, {kEnd, kEnd}, {0, kEnd}}, 1}};
+  const std::vector<LocalPoint> vertices{{0, 0}, {kEnd / 2, 0}, {kEnd, 0}, {kEnd, kEnd}, {0, kEnd}};
+  const std::vector<PlacedPolygon> placed{{{}, 1, vertices}};
   std::size_t plain = 0;
   for (const brush::CutCell& cell : brush::coverage(region).cut) {
     for (const auto& polygons : {brush::List<CellPolygon>{}, full}) {
       for (const brush::Deed deed : {brush::Deed::carve, brush::Deed::fill, brush::Deed::replace}) {
         const brush::Stroke stroke{deed, 2, region.rule};
-        const auto edit = plainEdit(polygons, cell.pieces, stroke);
+        const auto edit = plainEdit(polygons.empty() ? std::span<const PlacedPolygon>() : placed, cell.pieces, stroke);
         if (!edit) continue;
         ++plain;
         expectSame(*edit, arrangedEdit(polygons, cell.pieces, stroke));

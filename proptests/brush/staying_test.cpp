@@ -1,10 +1,12 @@
 // Blocks that stay, whatever a brush does around them; and the questions about regions.
+#include "oracle/calls/random.h"
 #include "proptests/brush/strokes.h"
 #include "proptests/support/law.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -61,6 +63,59 @@ LGS_LAW(BrushRegions, CellsAreThoseInWhichSomethingChanges, 1'000, (const AnyReg
   });
 }
 
+/// Of a point whose coordinates are doubled: how often a ring runs around it.
+std::int64_t windingOf(const Ring& ring, Point doubled) {
+  std::int64_t winding = 0;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point a{2 * ring[k].x, 2 * ring[k].y}, next = ring[(k + 1) % ring.size()], b{2 * next.x, 2 * next.y};
+    const std::int64_t side = (b.x - a.x) * (doubled.y - a.y) - (b.y - a.y) * (doubled.x - a.x);
+    if (a.y <= doubled.y && b.y > doubled.y && side > 0) ++winding;
+    if (b.y <= doubled.y && a.y > doubled.y && side < 0) --winding;
+  }
+  return winding;
+}
+
+bool isIn(const Region& region, Point doubled) {
+  std::int64_t winding = 0;
+  for (const Ring& ring : region.rings) winding += windingOf(ring, doubled);
+  return region.rule == FillRule::evenOdd ? winding % 2 != 0 : winding != 0;
+}
+
+/// Whether an edge is at most so many units from a point whose coordinates are doubled.
+bool isNearAnEdge(const Region& region, Point doubled, double units) {
+  for (const Ring& ring : region.rings) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Point a{2 * ring[k].x, 2 * ring[k].y}, next = ring[(k + 1) % ring.size()], b{2 * next.x, 2 * next.y};
+      const auto ux = static_cast<double>(b.x - a.x), uy = static_cast<double>(b.y - a.y);
+      const auto x = static_cast<double>(doubled.x - a.x), y = static_cast<double>(doubled.y - a.y);
+      const double t = std::clamp((x * ux + y * uy) / std::max(ux * ux + uy * uy, 1e-9), 0.0, 1.0);
+      if (std::hypot(x - t * ux, y - t * uy) <= 2 * units) return true;
+    }
+  }
+  return false;
+}
+
+LGS_LAW(BrushRegions, WithoutIsTheDifference, 300, (const AnyRegion& any, const AnyRegion& except, int seed)) {
+  const auto rest = without(any.region, except.region);
+  ASSERT_TRUE(rest);
+  const CellRect cells = boundsOf(any.region).value();
+  if (isEmpty(cells)) return failUnless(rest->rings.empty(), "something is left of nothing");
+  Point min = any.region.rings[0][0], max = min;
+  for (const Ring& ring : any.region.rings) {
+    for (const Point p : ring) {
+      min = {std::min(min.x, p.x), std::min(min.y, p.y)};
+      max = {std::max(max.x, p.x), std::max(max.y, p.y)};
+    }
+  }
+  oracle::Random random(static_cast<std::uint64_t>(seed));
+  for (int k = 0; k < 400; ++k) {
+    const Point p{2 * min.x - 5 + random.below(static_cast<int>(2 * (max.x - min.x) + 10)),
+                  2 * min.y - 5 + random.below(static_cast<int>(2 * (max.y - min.y) + 10))};
+    if (isNearAnEdge(any.region, p, 2) || isNearAnEdge(except.region, p, 2)) continue;
+    EXPECT_EQ(isIn(*rest, p), isIn(any.region, p) && !isIn(except.region, p)) << p.x << " " << p.y << " / 2";
+  }
+}
+
 constexpr std::int64_t kCellUnits = kUnitsPerCell;
 
 Region rect(Point min, Point max) { return {{{min, {max.x, min.y}, max, {min.x, max.y}}}}; }
@@ -98,6 +153,17 @@ TEST(BrushStayingByHand, AFullCellThatStaysIsNotCut) {
     EXPECT_TRUE(done->went.empty() && done->changed.empty());
     EXPECT_TRUE(world.polygon(bedrock));
   }
+}
+
+TEST(BrushRegionsByHand, WithoutSaysWhichRingWasRefused) {
+  const Region region = rect({0, 0}, {3 * kCellUnits, kCellUnits}), far = rect({5, 5}, {kMaxCoordinate + 1, 9});
+  const Region hole = rect({kCellUnits, 9}, {2 * kCellUnits, 90});
+  EXPECT_EQ(
+      without(region, hole)->rings,
+      (std::vector<Ring>{region.rings[0], {hole.rings[0][0], hole.rings[0][3], hole.rings[0][2], hole.rings[0][1]}}));
+  EXPECT_TRUE(without(hole, region)->rings.empty());
+  EXPECT_EQ(without(far, region).error().polygon, 0);
+  EXPECT_EQ(without(region, far).error().polygon, 1);
 }
 
 TEST(BrushRegionsByHand, BoundsAndCells) {

@@ -218,5 +218,10 @@ int main(void) {
   FIELD(lgs_portal, reserved);
   FIELD(lgs_portal, right);
   FIELD(lgs_portal, left);
+  STRUCT(lgs_hashed_square);
+  FIELD(lgs_hashed_square, hash);
+  FIELD(lgs_hashed_square, cells);
+  FIELD(lgs_hashed_square, level);
+  FIELD(lgs_hashed_square, reserved);
   return 0;
 }

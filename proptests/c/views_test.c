@@ -1,4 +1,4 @@
-/* Views: loops and islands, bodies, pieces. */
+/* Views: loops and islands, bodies, pieces, hashes. */
 #include "check.h"
 
 #include <lgs/lgs_views.h>
@@ -194,9 +194,53 @@ static void pieces(void) {
   lgs_free(world);
 }
 
+static void hashes(void) {
+  lgs_world* world = ground();
+  lgs_hashes *view = NULL, *copy = NULL;
+  lgs_hashed_square whole = {0}, squares[4];
+  lgs_cell_rect differ[4];
+  size_t count = 0;
+  CHECK(lgs_hashes_new(NULL, &view) == LGS_BAD_ARGUMENT && lgs_hashes_new(world, NULL) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_hashes_new(world, &view) == LGS_OK);
+  CHECK(lgs_hashes_copy(NULL, &copy) == LGS_BAD_ARGUMENT && lgs_hashes_copy(view, NULL) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_hashes_copy(view, &copy) == LGS_OK);
+  CHECK(lgs_hashes_whole(NULL, &whole) == LGS_BAD_ARGUMENT && lgs_hashes_whole(view, NULL) == LGS_OK);
+  CHECK(lgs_hashes_whole(view, &whole) == LGS_OK && whole.hash != 0 && whole.level == 0 && whole.reserved == 0);
+  CHECK(whole.cells.min.i == 0 && whole.cells.min.j == 0 && whole.cells.max.i == 31 && whole.cells.max.j == 31);
+  CHECK(lgs_hashes_in(view, rectOf(-9, -9, 9, 9), 0, squares, 4, &count) == LGS_OK && count == 1);
+  CHECK(squares[0].hash == whole.hash && squares[0].reserved == 0);
+  CHECK(lgs_hashes_in(view, rectOf(-9, -9, 9, 9), 0, squares, 0, &count) == LGS_SHORT_BUFFER && count == 1);
+  CHECK(lgs_hashes_in(view, rectOf(-9, -9, -1, 9), 0, squares, 4, &count) == LGS_OK && count == 0);
+  CHECK(lgs_hashes_in(view, rectOf(-9, -9, -1, 9), 1, squares, 4, &count) == LGS_OK && count == 1 &&
+        squares[0].level == 1);
+  CHECK(lgs_hashes_in(view, rectOf(0, 0, 0, 0), 15, squares, 4, &count) == LGS_OK && count == 0);
+  CHECK(lgs_hashes_in(NULL, rectOf(0, 0, 0, 0), 0, squares, 4, &count) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_hashes_in(view, rectOf(0, 0, 0, 0), 0, NULL, 4, &count) == LGS_BAD_ARGUMENT);
+
+  CHECK(lgs_hashes_differences(view, copy, differ, 4, &count) == LGS_OK && count == 0);
+  cut(world);
+  CHECK(lgs_hashes_update(NULL, world) == LGS_BAD_ARGUMENT && lgs_hashes_update(view, NULL) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_hashes_update(view, world) == LGS_OK);
+  CHECK(lgs_hashes_differences(view, copy, differ, 4, &count) == LGS_OK && count == 1);
+  CHECK(differ[0].min.i == 0 && differ[0].max.j == 31);
+  CHECK(lgs_hashes_differences(view, copy, differ, 0, &count) == LGS_SHORT_BUFFER && count == 1);
+  CHECK(lgs_hashes_differences(view, copy, NULL, 1, &count) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_hashes_differences(NULL, copy, differ, 4, &count) == LGS_BAD_ARGUMENT);
+  CHECK(lgs_hashes_differences(view, NULL, differ, 4, &count) == LGS_BAD_ARGUMENT);
+
+  CHECK(lgs_clear(world, rectOf(0, 0, 9, 9), NULL, NULL) == LGS_OK && lgs_commit(world, NULL) == LGS_OK);
+  CHECK(lgs_hashes_update(view, world) == LGS_OK);
+  CHECK(lgs_hashes_whole(view, &whole) == LGS_OK && whole.hash == 0);
+  lgs_hashes_free(view);
+  lgs_hashes_free(copy);
+  lgs_hashes_free(NULL);
+  lgs_free(world);
+}
+
 int main(void) {
   islands();
   bodies();
   pieces();
+  hashes();
   return 0;
 }

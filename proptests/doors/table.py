@@ -36,6 +36,7 @@ KINDS = {
                 "lgs_cell_change_fn lgs_anchor_fn IsAnchor function<bool(World&)>",
     "group": "lgs_group",
     "island": "IslandId LoopId lgs_island_id lgs_loop_id",
+    "hashes": "GroundHashes lgs_hashes",
     "islands": "Islands Loops lgs_islands",
     "loops": "lgs_loops",
     "mark": "Mark lgs_mark",
@@ -79,9 +80,9 @@ def kind_of(type_name):
     if kind is None:
         raise SystemExit(f"proptests/doors/table.py: a kind is missing for the type {type_name}")
     if type_name.endswith("**") or (type_name.endswith("*") and not type_name.startswith("const ")
-                                    and kind not in ("world", "group", "loops", "user", "physics", "islands", "pieces", "part")):
+                                    and kind not in ("world", "group", "loops", "user", "physics", "islands", "hashes", "pieces", "part")):
         return "output"
-    return "array" if type_name.startswith("const lgs_") and type_name.endswith("*") and kind not in ("world", "islands", "pieces", "part") else kind
+    return "array" if type_name.startswith("const lgs_") and type_name.endswith("*") and kind not in ("world", "islands", "hashes", "pieces", "part") else kind
 
 
 def row(function, test):

@@ -72,7 +72,9 @@ constexpr int kNobody = 2;  ///< who covers a unit: slot 0, slot 1 or nobody
 struct Profile {
   std::array<int, kUnits> cover{};
   std::array<bool, kUnits + 1> vertex{};  ///< at 1 … 3
-  Side side;
+  std::vector<detail::Interval> covered;
+  std::vector<detail::RimPoint> points;
+  Side side() const { return {covered, points}; }
 };
 
 /// All profiles: a vertex must be wherever the cover changes, and may be elsewhere.
@@ -85,12 +87,12 @@ std::vector<Profile> allProfiles() {
     for (std::size_t k = 1; k < kUnits; ++k) p.vertex[k] = p.cover[k - 1] != p.cover[k] || all.coin();
     for (std::size_t k = 0; k < kUnits; ++k) {
       const auto at = static_cast<std::int32_t>(k) * kUnit;
-      if (p.vertex[k]) p.side.points.push_back({at, {}});
+      if (p.vertex[k]) p.points.push_back({at, {}});
       if (p.cover[k] == kNobody) continue;
       if (k > 0 && !p.vertex[k] && p.cover[k - 1] == p.cover[k])
-        p.side.covered.back().end += kUnit;
+        p.covered.back().end += kUnit;
       else
-        p.side.covered.push_back({at, at + kUnit, static_cast<Slot>(p.cover[k])});
+        p.covered.push_back({at, at + kUnit, static_cast<Slot>(p.cover[k])});
     }
     profiles.push_back(std::move(p));
   }
@@ -130,7 +132,7 @@ TEST(Exposure, IsLaw1OnAllPairsOfSideProfiles) {
     for (unsigned relation = 0; relation < 16; ++relation, ++tried) {
       parts.clear();
       detail::exposedIntervals(
-          mine.side, theirs.side, [&](Slot a, Slot b) { return (relation >> (2 * a + b) & 1U) != 0; },
+          mine.side(), theirs.side(), [&](Slot a, Slot b) { return (relation >> (2 * a + b) & 1U) != 0; },
           [&](std::int32_t begin, std::int32_t end, Slot slot) { parts.emplace_back(begin, end, slot); });
       ASSERT_EQ(parts, slowlyExposed(mine, theirs, relation))
           << "profiles " << &mine - &profiles[0] << " and " << &theirs - &profiles[0] << ", relation " << relation;

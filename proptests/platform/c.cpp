@@ -1,10 +1,11 @@
-// The part of the C interface: the calls of lgs/lgs.h, with polygons as elsewhere (oracle/calls).
+// The part of the C interface: the calls of lgs/lgs.h, and hashes of the ground, with polygons as elsewhere (oracle/calls).
 #include "parts.h"
 
 #include "oracle/calls/choices.h"
 #include "oracle/calls/draw.h"
 
 #include <lgs/lgs.h>
+#include <lgs/lgs_views.h>
 
 #include <vector>
 
@@ -140,6 +141,13 @@ void CEditor::read() {
       platform::put(hash_, lgs::Point{loop.vertices[v].x, loop.vertices[v].y});
   }
   lgs_loops_free(loops);
+  lgs_hashes* hashes = nullptr;
+  put(lgs_hashes_new(world_, &hashes));
+  lgs_hashed_square square{};
+  put(lgs_hashes_whole(hashes, &square));
+  hash_.number(square.hash);
+  hash_.sign(square.level);
+  lgs_hashes_free(hashes);
   std::vector<std::uint8_t> bytes(1u << 16);
   std::size_t count = 0;
   put(lgs_save_to_buffer(world_, bytes.data(), bytes.size(), &count, &error_));

@@ -1,5 +1,5 @@
 // Pieces by hand: contents that are degenerate on purpose, portals, whole cells, and what calls answer at their limits.
-#include "pieces_reference.h"
+#include "oracle/views/piece_check.h"
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +7,10 @@
 namespace lgs::test {
 namespace {
 
+using oracle::CellPieces;
+using oracle::faultOfPieces;
+using oracle::PiecesByCell;
+using oracle::piecesIn;
 using Polygons = std::vector<LocalPolygon>;
 
 /// The pieces of a cell with these polygons, once the reference is content with them.
@@ -14,7 +18,7 @@ CellPieces piecesOf(const Polygons& polygons, std::size_t maxVertices = 8) {
   World world;
   for (const LocalPolygon& polygon : polygons) place(world, {}, polygon);
   const Pieces pieces(world, {maxVertices});
-  EXPECT_EQ(faultOfPieces(world, pieces, {{0, 0}, {0, 0}}), std::nullopt);
+  EXPECT_EQ(faultOfPieces(world, pieces, {Cell{}}), std::nullopt);
   return piecesIn(pieces, Cell{});
 }
 
@@ -102,7 +106,7 @@ TEST(PiecesByHand, PortalsAcrossASideAreCutAtVerticesOfEither) {
   place(world, {1, 0}, eighths({{0, 0}, {8, 0}, {8, 3}, {0, 3}}));
   place(world, {1, 0}, eighths({{0, 5}, {8, 5}, {8, 6}, {0, 6}}));
   const Pieces pieces(world);
-  EXPECT_EQ(faultOfPieces(world, pieces, {{-1, -1}, {2, 2}}), std::nullopt);
+  EXPECT_EQ(faultOfPieces(world, pieces, cellsOf({{-1, -1}, {2, 2}})), std::nullopt);
   std::vector<Portal> east;
   for (const Portal& portal : pieces.portals({{0, 0}, 0}))
     if (portal.to.cell == Cell{1, 0}) east.push_back(portal);
@@ -189,7 +193,7 @@ TEST(PiecesByHand, UndoneAndRedone) {
   world.commit();
   ASSERT_TRUE(world.followCells(true));
   Pieces pieces(world);
-  const CellRect both{{0, 0}, {1, 0}};
+  const std::vector<Cell> both{{0, 0}, {1, 0}};
   const PiecesByCell before = piecesIn(pieces, both);
   const Mark start = world.checkpoint();
   ASSERT_TRUE(world.clear(Cell{}));

@@ -1,6 +1,6 @@
 // Pieces are the parts of what is solid and of what is free, in any content; and they are kept up to date: after each
 // commit and roll-back they are those of a full recompute, and the cells that have other pieces are told exactly.
-#include "pieces_reference.h"
+#include "oracle/views/piece_check.h"
 #include "proptests/laws/calls.h"
 #include "proptests/support/law.h"
 #include "proptests/support/played.h"
@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 
 namespace lgs::test {
 namespace {
@@ -21,10 +20,7 @@ constexpr std::array<std::size_t, 4> kLimits{8, 3, 5, kMaxVerticesPerCell};
 class FollowerOfPieces {
  public:
   FollowerOfPieces(const Setting& setting, std::size_t maxVertices)
-      : caller_(setting.start()),
-        options_{maxVertices},
-        cells_{{setting.corner.i - 1, setting.corner.j - 1}, {setting.corner.i + 5, setting.corner.j + 5}},
-        pieces_(caller_.world, options_) {
+      : caller_(setting.start()), options_{maxVertices}, pieces_(caller_.world, options_) {
     begin();
   }
 
@@ -35,19 +31,12 @@ class FollowerOfPieces {
     if (call.kind == Call::Kind::commit || (call.kind == Call::Kind::goBack && caller_.marks() > 0)) follow();
   }
 
-  void commit() {
-    caller_.world.commit();
-    follow();
-    failIf(faultOfPieces(caller_.world, pieces_, cells_));
-  }
-
  private:
   /// A loaded world follows nothing yet.
   void begin() {
     EXPECT_TRUE(caller_.world.followCells(true));
     pieces_ = Pieces(caller_.world, options_);
-    told_ = piecesIn(pieces_, cells_);
-    caller_.world.forEachPolygon([&](Cell cell, const PlacedPolygon&) { told_[cell] = piecesIn(pieces_, cell); });
+    failIf(check_.begin(caller_.world, pieces_));
   }
 
   void follow() {
@@ -55,36 +44,28 @@ class FollowerOfPieces {
     const std::span<const CellChange> changes = caller_.world.cellChanges();
     const std::vector<Cell> changed = pieces_.update(changes);
     EXPECT_LE(pieces_.stats().workedOut, workedOut + changes.size());
-    for (const CellChange& change : changes) told_.try_emplace(change.cell, CellPieces{{}, {unitSquare()}});
-    std::set<Cell> differ;
-    for (auto& [cell, before] : told_) {
-      CellPieces now = piecesIn(pieces_, cell);
-      if (now != before) differ.insert(cell);
-      before = std::move(now);
-    }
-    EXPECT_EQ(std::set<Cell>(changed.begin(), changed.end()), differ);
-    EXPECT_EQ(changed.size(), differ.size()) << "a cell is told twice";
+    const bool isPending = !caller_.world.save([](std::span<const std::byte>) {});
+    failIf(isPending ? check_.updateOfPending(caller_.world, pieces_, changed)
+                     : check_.update(caller_.world, pieces_, changed));
   }
 
   Caller caller_;
   PiecesOptions options_;
-  CellRect cells_;
   Pieces pieces_;
-  PiecesByCell told_;  ///< those near the setting, and all that ever held polygons
+  oracle::PieceCheck check_;
 };
 
 LGS_LAW(Pieces, FollowEdits, 150, (const Setting& setting, const AnyCalls& calls, Chance chance)) {
   FollowerOfPieces follower(setting, kLimits[chance.below(kLimits.size())]);
   for (const Call& call : calls.list) follower.make(call);
-  follower.commit();
+  follower.make(Call());  // a commit
 }
 
 /// Pieces of a world that is read once.
 void expectPieces(const World& world, std::size_t maxVertices) {
   const Pieces pieces(world, {maxVertices});
   EXPECT_EQ(pieces.maxVertices(), maxVertices);
-  CellRect cells = world.bounds().value_or(CellRect{});
-  failIf(faultOfPieces(world, pieces, cells));
+  failIf(oracle::PieceCheck().begin(world, pieces));
 }
 
 LGS_LAW(Pieces, MakeUpAnyGround, 1'000, (const GoodTrace& trace, Chance chance)) {
@@ -109,11 +90,11 @@ LGS_LAW(Pieces, DoNotDependOnHistory, 150, (const PlainTrace& trace, Chance chan
                 polygon.end());
     place(other, cell, polygon, static_cast<Block>(chance.below(3)));
   }
-  const CellRect cells = world.bounds().value_or(CellRect{});
+  const std::vector<Cell> cells = cellsOf(world.bounds().value_or(CellRect{}));
   const lgs::Pieces one(world), two(other);
-  EXPECT_EQ(piecesIn(one, cells), piecesIn(two, cells));
+  EXPECT_EQ(oracle::piecesIn(one, cells), oracle::piecesIn(two, cells));
   EXPECT_EQ(one.stats().contents, two.stats().contents);
-  for (const Cell cell : cellsOf(cells)) {  // each solid piece is in the polygon that it names
+  for (const Cell cell : cells) {  // each solid piece is in the polygon that it names
     const auto placed = polygonsByPieces(world, cell), again = polygonsByPieces(other, cell);
     ASSERT_EQ(placed.size(), again.size());
     for (std::size_t k = 0; k < placed.size(); ++k)
@@ -128,7 +109,7 @@ TEST(PiecesOf, EveryDegenerateShapeTurned) {
       World world;
       for (const LocalPolygon& polygon : shape.polygons) place(world, {}, oracle::turned(polygon, symmetry));
       for (const std::size_t limit : kLimits) {
-        const auto fault = faultOfPieces(world, lgs::Pieces(world, {limit}), {{0, 0}, {0, 0}});
+        const auto fault = oracle::faultOfPieces(world, lgs::Pieces(world, {limit}), {Cell{}});
         EXPECT_EQ(fault, std::nullopt) << shape.name << ", turned by " << symmetry << ", at most " << limit
                                        << " vertices";
       }

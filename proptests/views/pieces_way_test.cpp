@@ -1,7 +1,6 @@
 // Ways through free pieces (examples/cave): there is one where portals lead from piece to piece, and it stays in what
 // is free.
 #include "examples/cave/way.h"
-#include "pieces_reference.h"
 #include "proptests/support/law.h"
 #include "proptests/support/played.h"
 #include "proptests/support/traces.h"

@@ -19,6 +19,8 @@ struct Terrain {
   Bridge* bridge;
   box2d::EdgeSet edges;
   std::optional<box2d::NewGround> ground = {};  ///< what the change did that is being shown
+  std::optional<box2d::Box> around = {};        ///< where that concerns bodies
+  box2d::Whose whose = box2d::Whose::free;      ///< which of them
   Block64 block = {};
 
   const World& world() const { return bridge->world; }
@@ -124,11 +126,13 @@ LGS_EXPORT("moveTerrain") void moveTerrain(Terrain* terrain, Bridge* to) {
   to->terrains.push_back(std::move(*own));
   from.erase(own);
   terrain->ground.reset();
+  terrain->around.reset();
   terrain->bridge = to;
 }
 
 /// The first half of a sync: what is different from the edges. 0: nothing that matters; 1: what the last commit or
-/// roll-back did; 2: whatever was done. Returns 1 if anything is, and around it a box: x0, y0, x1, y1 in cells.
+/// roll-back did; 2: whatever was done, to bodies too. Returns 1 if bodies must be looked at, and around them a box: x0,
+/// y0, x1, y1 in cells.
 LGS_EXPORT("beginSync") std::int32_t beginSync(Terrain* terrain, std::int32_t what) {
   auto& ground = terrain->ground;
   if (what == 1)
@@ -137,7 +141,8 @@ LGS_EXPORT("beginSync") std::int32_t beginSync(Terrain* terrain, std::int32_t wh
     ground.emplace(terrain->world(), terrain->edges);
   else
     ground.emplace(terrain->world());
-  const auto& box = ground->box();
+  const auto& box = terrain->around = what == 2 ? box2d::kEverywhere : ground->box();
+  terrain->whose = what == 2 ? box2d::Whose::all : box2d::Whose::free;
   if (!box) return 0;
   answer() = {cells(box->min.x), cells(box->min.y), cells(box->max.x), cells(box->max.y)};
   return 1;
@@ -172,7 +177,7 @@ LGS_EXPORT("segmentAt") std::uint32_t segmentAt(const Terrain* terrain, std::uin
 LGS_EXPORT("caught")
 std::int32_t caught(const Terrain* terrain, std::size_t forms, std::size_t numbers, double tolerance) {
   const auto found =
-      box2d::catchOf(*terrain->ground, inputForms(forms, numbers), box2d::Whose::free, tolerance * kUnitsPerCell);
+      box2d::catchOf(*terrain->ground, inputForms(forms, numbers), terrain->whose, tolerance * kUnitsPerCell);
   if (!found) return 0;
   const DoublePoint way = found->way.value_or(DoublePoint{});
   answer() = {cells(found->depth), found->way ? 1.0 : 0.0, cells(way.x), cells(way.y)};
@@ -182,9 +187,9 @@ std::int32_t caught(const Terrain* terrain, std::size_t forms, std::size_t numbe
 /// After beginSync(): 1 if who was held comes free, and the way.
 LGS_EXPORT("released")
 std::int32_t released(const Terrain* terrain, std::size_t forms, std::size_t numbers, double tolerance) {
-  const auto& box = terrain->ground->box();
-  if (!box) return 0;
-  const auto way = box2d::releaseOf(terrain->world(), inputForms(forms, numbers), *box, tolerance * kUnitsPerCell);
+  const auto& around = terrain->around;
+  if (!around) return 0;
+  const auto way = box2d::releaseOf(terrain->world(), inputForms(forms, numbers), *around, tolerance * kUnitsPerCell);
   if (!way) return 0;
   answer() = {cells(way->x), cells(way->y)};
   return 1;

@@ -3,6 +3,9 @@
 
 #include <box2d/box2d.h>
 
+#include <cstddef>
+#include <vector>
+
 namespace lgs::bench {
 
 class Physics {
@@ -13,10 +16,21 @@ class Physics {
     body.type = b2_dynamicBody;
     world_.CreateBody(&body);
   }
+  void addBox(b2Vec2 at, float half) {
+    b2BodyDef body;
+    body.type = b2_dynamicBody;
+    body.position = at;
+    b2PolygonShape box;
+    box.SetAsBox(half, half);
+    bodies_.push_back(world_.CreateBody(&body));
+    bodies_.back()->CreateFixture(&box, 1);
+  }
+  b2Vec2 placeOf(std::size_t box) const { return bodies_[box]->GetPosition(); }
   void step() { world_.Step(1.0F / 60, 8, 3); }
 
  private:
   b2World world_{{0, -10}};
+  std::vector<b2Body*> bodies_;
 };
 
 }  // namespace lgs::bench

@@ -1,7 +1,10 @@
 // A world of Box2D 3, as terrain_costs.cpp needs it.
 #pragma once
 
-#include <box2d/box2d.h>
+#include <lgs/box2d/physics.h>
+
+#include <cstddef>
+#include <vector>
 
 namespace lgs::bench {
 
@@ -21,10 +24,21 @@ class Physics {
     body.type = b2_dynamicBody;
     b2CreateBody(world_, &body);
   }
+  void addBox(box2d::Position at, float half) {
+    b2BodyDef body = b2DefaultBodyDef();
+    body.type = b2_dynamicBody;
+    body.position = at;
+    const b2ShapeDef shape = b2DefaultShapeDef();
+    const b2Polygon box = b2MakeSquare(half);
+    bodies_.push_back(b2CreateBody(world_, &body));
+    b2CreatePolygonShape(bodies_.back(), &shape, &box);
+  }
+  box2d::Position placeOf(std::size_t box) const { return b2Body_GetPosition(bodies_[box]); }
   void step() { b2World_Step(world_, 1.0F / 60, 4); }
 
  private:
   b2WorldId world_;
+  std::vector<b2BodyId> bodies_;
 };
 
 }  // namespace lgs::bench

@@ -23,14 +23,7 @@ class Brush {
   Expected<void> cut(Cell cell, PieceSpan region) {
     const Frame frame;
     world_.polygons(cell, placed_);
-    List<CellPolygon> old;
-    old.reserve(placed_.size());
-    for (const PlacedPolygon& p : placed_) {
-      old.push_back({{}, p.block});
-      old.back().ring.reserve(p.vertices.size());
-      for (const LocalPoint v : p.vertices) old.back().ring.push_back({v.x, v.y});
-    }
-    const CellEdit edit = editOf(old, region, stroke_);
+    const CellEdit edit = editOf(placed_, region, stroke_);
     if (edit.isTooMuch) return tl::unexpected(Error{.code = ErrorCode::capacity, .cell = cell});
 
     List<PolygonHandle> removed;

@@ -5,6 +5,7 @@
 #include "geometry/ring.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace lgs {
 namespace {
@@ -85,6 +86,21 @@ Expected<std::vector<Cell>> cellsOf(const Region& region) noexcept {
   for (const brush::CutCell& cut : coverage.cut)
     if (!cut.pieces.empty()) cells.push_back(cut.cell);
   return cells;
+}
+
+// The outline has the solid on its left. So its loops run once around each point of it, and around no other.
+Expected<Region> without(const Region& region, const Region& except) noexcept {
+  World world;
+  if (const auto done = paint(world, region, 0, PaintMode::fill); !done) return tl::unexpected(done.error());
+  if (const auto done = carve(world, except); !done) {
+    Error error = done.error();
+    if (error.polygon >= 0) error.polygon += static_cast<std::int32_t>(region.rings.size());
+    return tl::unexpected(error);
+  }
+  world.commit();
+  Region result;
+  for (Loop& loop : world.loops(Collinear::merge)) result.rings.push_back(std::move(loop.vertices));
+  return result;
 }
 
 bool meets(const Region& region, const Ring& polygon) noexcept {

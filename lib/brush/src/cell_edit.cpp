@@ -54,9 +54,16 @@ std::optional<List<Atom>> atomsOf(Ground& ground, PieceSpan region, FillRule rul
 
 }  // namespace
 
-CellEdit editOf(const List<CellPolygon>& polygons, PieceSpan region, const Stroke& stroke) {
+CellEdit editOf(std::span<const PlacedPolygon> polygons, PieceSpan region, const Stroke& stroke) {
   if (auto edit = plainEdit(polygons, region, stroke)) return std::move(*edit);
-  return arrangedEdit(polygons, region, stroke);
+  List<CellPolygon> old;
+  old.reserve(polygons.size());
+  for (const PlacedPolygon& p : polygons) {
+    old.push_back({{}, p.block});
+    old.back().ring.reserve(p.vertices.size());
+    for (const LocalPoint v : p.vertices) old.back().ring.push_back({v.x, v.y});
+  }
+  return arrangedEdit(old, region, stroke);
 }
 
 CellEdit arrangedEdit(const List<CellPolygon>& polygons, PieceSpan region, const Stroke& stroke) {

@@ -3,8 +3,11 @@
 
 #include "pieces.h"
 
+#include <lgs/world.h>
+
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -61,7 +64,7 @@ struct CellEdit {
 bool meets(PieceSpan region, FillRule rule, const Points& ring);
 
 /// What a stroke does in a cell.
-CellEdit editOf(const List<CellPolygon>& polygons, PieceSpan region, const Stroke& stroke);
+CellEdit editOf(std::span<const PlacedPolygon> polygons, PieceSpan region, const Stroke& stroke);
 
 /// The same for any cell, by an arrangement of all edges. Cost: O(n²) in the edges of the cell's polygons and of the
 /// region there.

@@ -26,21 +26,31 @@ Pieces all(const Rings& rings) {
   return pieces;
 }
 
-Point shifted(Point p, Cell cell) { return {p.x - units(cell.i), p.y - units(cell.j)}; }
-
-CutCell cutCell(Cell cell, Pieces pieces, FillRule rule) {
-  for (Piece& p : pieces)
-    for (Point* const point : {&p.a, &p.b, &p.start, &p.end}) *point = shifted(*point, cell);
-  pieces = withoutSpikes(std::move(pieces), rule);
-  return {cell, {pieces.begin(), pieces.end()}};
+Piece shifted(Piece p, Cell cell) {
+  for (Point* const point : {&p.a, &p.b, &p.start, &p.end})
+    *point = {point->x - units(cell.i), point->y - units(cell.j)};
+  return p;
 }
 
-Rings half(const Rings& rings, Line line, bool keepsGreater) {
-  Rings kept;
-  kept.reserve(rings.size());
-  for (const Pieces& ring : rings)
-    if (Pieces part = cut(ring, line, keepsGreater); !part.empty()) kept.push_back(std::move(part));
-  return kept;
+void addCutCell(Cell cell, const Rings& rings, FillRule rule, Coverage& result) {
+  std::vector<Piece>& all = result.pieces;
+  const std::size_t first = all.size();
+  std::size_t ofRegion = 0;
+  for (const Pieces& ring : rings) {
+    for (const Piece& p : ring) {
+      all.push_back(shifted(p, cell));
+      ofRegion += p.isOfRegion ? 1 : 0;
+    }
+  }
+  if (ofRegion > kMaxRegionEdgesPerCell) {
+    result.crowded = cell;
+    return;
+  }
+  if (const auto kept = withoutSpikes(std::span(all).subspan(first), rule)) {
+    all.resize(first);
+    all.insert(all.end(), kept->begin(), kept->end());
+  }
+  result.cut.push_back({cell, std::span(all).subspan(first)});  // coverage() says where they are in the end
 }
 
 /// Halves the box until no edge runs through its inside. The rings are cut to it.
@@ -54,13 +64,7 @@ void divide(const Rings& rings, const CellRect& box, FillRule rule, Coverage& re
     const Point inside{2 * units(box.min.i) + 1, 2 * units(box.min.j) + 1};
     if (isFilled(windingLeftOf(inside, all(rings)), rule)) result.whole.push_back(box);
   } else if (box.min == box.max) {
-    Pieces pieces = all(rings);
-    const auto isOfRegion = [](const Piece& p) { return p.isOfRegion; };
-    if (std::ranges::count_if(pieces, isOfRegion) > std::int64_t{kMaxRegionEdgesPerCell}) {
-      result.crowded = box.min;
-    } else {
-      result.cut.push_back(cutCell(box.min, std::move(pieces), rule));
-    }
+    addCutCell(box.min, rings, rule, result);
   } else {
     const bool isWide = box.max.i - box.min.i >= box.max.j - box.min.j;
     CellRect lower = box, upper = box;
@@ -72,8 +76,16 @@ void divide(const Rings& rings, const CellRect& box, FillRule rule, Coverage& re
       upper.min.j = lower.max.j + 1;
     }
     const Line line{isWide, units(isWide ? upper.min.i : upper.min.j)};
-    divide(half(rings, line, false), lower, rule, result);
-    divide(half(rings, line, true), upper, rule, result);
+    Rings less, greater;
+    less.reserve(rings.size());
+    greater.reserve(rings.size());
+    for (const Pieces& ring : rings) {
+      Halves parts = halves(ring, line);
+      if (!parts.less.empty()) less.push_back(std::move(parts.less));
+      if (!parts.greater.empty()) greater.push_back(std::move(parts.greater));
+    }
+    divide(less, lower, rule, result);
+    divide(greater, upper, rule, result);
   }
 }
 
@@ -93,7 +105,13 @@ Coverage coverage(const Region& region) {
     max = {std::max(max.x, p.a.x), std::max(max.y, p.a.y)};
   }
   if (min.x == max.x || min.y == max.y) return result;
+  result.pieces.reserve(4 * pieces.size());
   divide(rings, {cellAt(min), cellAt({max.x - 1, max.y - 1})}, region.rule, result);
+  const Piece* at = result.pieces.data();
+  for (CutCell& cell : result.cut) {
+    cell.pieces = {at, cell.pieces.size()};
+    at += cell.pieces.size();
+  }
   return result;
 }
 

@@ -11,12 +11,20 @@ namespace lgs::brush {
 /// A cell that edges of the region run through, with its part of the region's edges, in units from the cell's corner.
 struct CutCell {
   Cell cell;
-  std::vector<Piece> pieces;
+  PieceSpan pieces;
 };
 
 struct Coverage {
+  Coverage() = default;
+  Coverage(const Coverage&) = delete;
+  Coverage& operator=(const Coverage&) = delete;
+  Coverage(Coverage&&) = default;
+  Coverage& operator=(Coverage&&) = default;
+  ~Coverage() = default;
+
   std::vector<CellRect> whole;
   std::vector<CutCell> cut;
+  std::vector<Piece> pieces;    ///< of the cut cells, one after the other
   std::optional<Cell> crowded;  ///< more than kMaxRegionEdgesPerCell edges run through it: the rest is not known
 };
 

@@ -16,10 +16,8 @@ namespace {
 using detail::Vector;
 using detail::operator-;  // NOLINT(misc-unused-using-decls): p.b - p.a uses it
 
-int side(Point p, Line line, bool keepsGreater) {
-  const int greater = detail::sign((line.isVertical ? p.x : p.y) - line.at);
-  return keepsGreater ? greater : -greater;
-}
+/// How far a point is beyond a line.
+std::int64_t beyond(Point p, Line line) { return (line.isVertical ? p.x : p.y) - line.at; }
 
 /// Where the edge a→b crosses the line, rounded along the line.
 Point crossing(Point a, Point b, Line line) {
@@ -31,12 +29,27 @@ Point crossing(Point a, Point b, Line line) {
 }
 
 /// Adds a piece; and one along the line before it, where the ring has left the line's side since.
-void append(Pieces& ring, const Piece& piece) {
+inline void append(Pieces& ring, const Piece& piece) {
   if (!ring.empty() && ring.back().end != piece.start) {
     const Point from = ring.back().end;
     ring.push_back({from, piece.start, from, piece.start, false});
   }
   if (piece.start != piece.end) ring.push_back(piece);
+}
+
+/// The same with what is on one side of the line of a piece that has an end on the other side. It crosses the line `at`
+/// a point; `start` and `end` say where its ends are: above 0 on that side, 0 on the line.
+void appendPart(Pieces& kept, const Piece& p, std::int64_t start, std::int64_t end, Point at) {
+  // An end on the line can be a rounded one: the edge itself can go on beside the line.
+  const auto isAfter = [&](Point u, Point v) { return dot(u - v, p.b - p.a) > 0; };
+  if (start >= 0 && isAfter(at, p.start)) append(kept, {p.a, p.b, p.start, at, p.isOfRegion});
+  if (end >= 0 && isAfter(p.end, at)) append(kept, {p.a, p.b, at, p.end, p.isOfRegion});
+}
+
+void close(Pieces& ring) {
+  if (ring.empty() || ring.back().end == ring.front().start) return;
+  const Point from = ring.back().end, to = ring.front().start;
+  ring.push_back({from, to, from, to, false});
 }
 
 /// The line that a piece lies on, the same for all edges on it, in lowest terms.
@@ -65,7 +78,16 @@ bool overlap(const Piece& p, const Piece& q) {
              std::min(std::max(p.start, p.end), std::max(q.start, q.end));
 }
 
+/// Nearly always there are few, and none are parallel.
 bool anyOverlap(PieceSpan pieces) {
+  constexpr std::size_t kFew = 16;
+  if (pieces.size() <= kFew) {
+    for (std::size_t k = 1; k < pieces.size(); ++k)
+      for (std::size_t l = 0; l < k; ++l)
+        if (cross(pieces[k].b - pieces[k].a, pieces[l].b - pieces[l].a) == 0 && overlap(pieces[k], pieces[l]))
+          return true;
+    return false;
+  }
   return anyPair(
       pieces,
       [](const Piece& p) {
@@ -104,29 +126,27 @@ Pieces piecesOf(std::span<const Point> ring) {
   return pieces;
 }
 
-Pieces cut(PieceSpan ring, Line line, bool keepsGreater) {
-  Pieces kept;
-  kept.reserve(ring.size() + 2);
+Halves halves(PieceSpan ring, Line line) {
+  Halves kept;
+  kept.less.reserve(ring.size() + 2);
+  kept.greater.reserve(ring.size() + 2);
   for (const Piece& p : ring) {
-    const int start = side(p.start, line, keepsGreater), end = side(p.end, line, keepsGreater);
-    if (start < 0 && end < 0) continue;
-    if (start >= 0 && end >= 0) {
-      append(kept, p);
-      continue;
-    }
+    const std::int64_t start = beyond(p.start, line), end = beyond(p.end, line);
+    if (start <= 0 && end <= 0) append(kept.less, p);
+    if (start >= 0 && end >= 0) append(kept.greater, p);
+    const bool cutsLess = (start > 0) != (end > 0), cutsGreater = (start < 0) != (end < 0);
+    if (!cutsLess && !cutsGreater) continue;
     const Point at = crossing(p.a, p.b, line);
-    // An end on the line can be a rounded one: the edge itself can go on beside the line.
-    const auto isAfter = [&](Point u, Point v) { return dot(u - v, p.b - p.a) > 0; };
-    if (start >= 0 && isAfter(at, p.start)) append(kept, {p.a, p.b, p.start, at, p.isOfRegion});
-    if (end >= 0 && isAfter(p.end, at)) append(kept, {p.a, p.b, at, p.end, p.isOfRegion});
+    if (cutsLess) appendPart(kept.less, p, -start, -end, at);
+    if (cutsGreater) appendPart(kept.greater, p, start, end, at);
   }
-  if (!kept.empty() && kept.back().end != kept.front().start)
-    kept.push_back({kept.back().end, kept.front().start, kept.back().end, kept.front().start, false});
+  close(kept.less);
+  close(kept.greater);
   return kept;
 }
 
-Pieces withoutSpikes(Pieces pieces, FillRule rule) {
-  if (!anyOverlap(pieces)) return pieces;  // nearly always
+std::optional<Pieces> withoutSpikes(PieceSpan pieces, FillRule rule) {
+  if (!anyOverlap(pieces)) return std::nullopt;
   struct Keyed {
     Carrier carrier;
     Point low, high;

@@ -6,6 +6,7 @@
 #include <lgs/brush.h>
 
 #include <array>
+#include <optional>
 #include <span>
 
 namespace lgs::brush {
@@ -36,12 +37,15 @@ struct Line {
 /// The ring as pieces. Equal neighbours are one vertex.
 Pieces piecesOf(std::span<const Point> ring);
 
-/// The part of a closed ring on one side of a line: a closed ring again, which may run along the line to and fro.
-Pieces cut(PieceSpan ring, Line line, bool keepsGreater);
+/// The parts of a closed ring on the two sides of a line: closed rings again, which may run along the line to and fro.
+struct Halves {
+  Pieces less, greater;
+};
+Halves halves(PieceSpan ring, Line line);
 
 /// Pieces of several rings without those that have no area beside them: the same piece the other way around, or, in
-/// even-odd regions, the same piece again. All must lie in one cell.
-Pieces withoutSpikes(Pieces pieces, FillRule rule);
+/// even-odd regions, the same piece again. All must lie in one cell. Nothing, nearly always, if there are none.
+std::optional<Pieces> withoutSpikes(PieceSpan pieces, FillRule rule);
 
 /// How often the pieces run around the place just to the left of a point, or just to its right. Where a piece runs
 /// level there, it is the place above, or the one below. Both coordinates are doubled.

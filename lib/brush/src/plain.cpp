@@ -5,6 +5,7 @@
 #include "snap.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace lgs::brush {
@@ -17,7 +18,7 @@ using detail::operator-;
 constexpr std::int64_t kEnd = kUnitsPerCell;
 constexpr std::size_t kMostPieces = 16;
 
-bool isCorner(Point p) { return std::ranges::find(kCorners, p) != kCorners.end(); }
+bool isCorner(Point p) { return (p.x == 0 || p.x == kEnd) && (p.y == 0 || p.y == kEnd); }
 
 bool isOnRim(Point p) { return p.x == 0 || p.y == 0 || p.x == kEnd || p.y == kEnd; }
 
@@ -43,12 +44,13 @@ bool isOneRing(PieceSpan pieces) {
 bool isConvex(const Points& ring) {
   const auto isUp = [](Vector v) { return v.y > 0 || (v.y == 0 && v.x > 0); };
   int upwards = 0;  // how often it begins to
+  Vector in = ring.front() - ring.back();
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Vector in = nextVertex(ring, k) - ring[k];
-    const Vector out = ring[(k + 2) % ring.size()] - nextVertex(ring, k);
+    const Vector out = nextVertex(ring, k) - ring[k];
     const std::int64_t turn = cross(in, out);
     if (turn < 0 || (turn == 0 && dot(in, out) < 0)) return false;
     upwards += !isUp(in) && isUp(out) ? 1 : 0;
+    in = out;
   }
   return upwards == 1;
 }
@@ -59,8 +61,10 @@ bool bends(PieceSpan region, const Points& ring) {
   for (const Piece& p : region) {
     if (!p.isOfRegion) continue;
     if (isCorner(p.start) || isCorner(p.end)) return true;
-    const auto isOnWay = [&p](Point z) {
-      return z != p.start && z != p.end && isInBox(z, p.start, p.end) && passes(p.a, p.b, z);
+    const auto box = detail::boundingBox(std::array{p.start, p.end});
+    const auto isOnWay = [&](Point z) {
+      return z.x >= box.min.x && z.x <= box.max.x && z.y >= box.min.y && z.y <= box.max.y && z != p.start &&
+             z != p.end && passes(p.a, p.b, z);
     };
     if (std::ranges::any_of(ring, isOnWay) || std::ranges::any_of(kCorners, isOnWay)) return true;
   }
@@ -73,7 +77,9 @@ std::optional<List<Points>> fullWithout(const Points& ring) {
   List<Points> parts;
   for (std::size_t first = 0; first < ring.size(); ++first) {
     if (!isOnRim(ring[first]) || runsAlongRim(ring[first], nextVertex(ring, first))) continue;
-    Points part{ring[first]};
+    Points part;
+    part.reserve(ring.size() + kCorners.size());
+    part.push_back(ring[first]);
     std::size_t k = first;
     do {
       k = k + 1 == ring.size() ? 0 : k + 1;
@@ -97,9 +103,10 @@ std::optional<List<Points>> fullWithout(const Points& ring) {
 
 }  // namespace
 
-std::optional<CellEdit> plainEdit(const List<CellPolygon>& polygons, PieceSpan region, const Stroke& stroke) {
+std::optional<CellEdit> plainEdit(std::span<const PlacedPolygon> polygons, PieceSpan region, const Stroke& stroke) {
   const bool isEmpty = polygons.empty();
-  if (!isEmpty && (polygons.size() > 1 || detail::doubleArea(polygons[0].ring) != 2 * kEnd * kEnd)) return std::nullopt;
+  if (!isEmpty && (polygons.size() > 1 || detail::doubleArea(polygons[0].vertices) != 2 * kEnd * kEnd))
+    return std::nullopt;
   if (!isEmpty && stroke.deed == Deed::replace && polygons[0].block == stroke.block) return std::nullopt;
   const bool keepsAll =
       isEmpty ? stroke.deed == Deed::carve : stroke.deed == Deed::fill || stroke.stays(polygons[0].block);

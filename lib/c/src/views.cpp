@@ -1,6 +1,7 @@
-// Loops, islands, bodies and pieces.
+// Loops, islands, bodies, pieces and hashes.
 #include "inside.h"
 
+#include <lgs/hashes.h>
 #include <lgs/islands.h>
 #include <lgs/lgs_views.h>
 #include <lgs/pieces.h>
@@ -25,8 +26,14 @@ struct lgs_pieces {
   lgs::Pieces view;
   std::vector<lgs_cell> changed;  ///< by the last update
 };
+struct lgs_hashes {
+  lgs::GroundHashes view;
+};
 
 namespace {
+
+lgs_cell_rect described(const lgs::CellRect& r) { return {toC(r.min), toC(r.max)}; }
+lgs_hashed_square described(const lgs::HashedSquare& s) { return {s.hash, described(s.cells), s.level, 0}; }
 
 lgs_loop_facts described(const lgs::LoopFacts& f) {
   return {f.doubleArea.high, f.doubleArea.low, f.area(),        toC(f.min), toC(f.max),
@@ -180,12 +187,8 @@ lgs_status lgs_put(lgs_world* world, const lgs_body* body, lgs_cell cell, lgs_er
 lgs_status lgs_body_get(const lgs_body* body, lgs_body_facts* facts) noexcept {
   if (!body) return LGS_BAD_ARGUMENT;
   const lgs::Body& b = body->body;
-  put(facts, {b.mass.area,
-              toC(b.mass.centroid),
-              b.mass.secondMoment,
-              {toC(b.cells.min), toC(b.cells.max)},
-              toC(b.origin),
-              b.polygons.size()});
+  put(facts,
+      {b.mass.area, toC(b.mass.centroid), b.mass.secondMoment, described(b.cells), toC(b.origin), b.polygons.size()});
   return LGS_OK;
 }
 
@@ -245,4 +248,44 @@ lgs_status lgs_pieces_portals(const lgs_pieces* pieces, lgs_cell cell, uint32_t 
   return putList(pieces->view.portals({fromC(cell), index}), out, capacity, count, [](const lgs::Portal& p) {
     return lgs_portal{toC(p.to.cell), p.to.index, 0, toC(p.right), toC(p.left)};
   });
+}
+
+lgs_status lgs_hashes_new(const lgs_world* world, lgs_hashes** hashes) noexcept {
+  if (!world || !hashes) return LGS_BAD_ARGUMENT;
+  *hashes = new lgs_hashes{lgs::GroundHashes(world->world)};
+  return LGS_OK;
+}
+
+lgs_status lgs_hashes_copy(const lgs_hashes* hashes, lgs_hashes** copy) noexcept {
+  if (!hashes || !copy) return LGS_BAD_ARGUMENT;
+  *copy = new lgs_hashes(*hashes);
+  return LGS_OK;
+}
+
+void lgs_hashes_free(lgs_hashes* hashes) noexcept { delete hashes; }
+
+lgs_status lgs_hashes_update(lgs_hashes* hashes, const lgs_world* world) noexcept {
+  if (!hashes || !world) return LGS_BAD_ARGUMENT;
+  hashes->view.update(world->world.cellChanges());
+  return LGS_OK;
+}
+
+lgs_status lgs_hashes_whole(const lgs_hashes* hashes, lgs_hashed_square* square) noexcept {
+  if (!hashes) return LGS_BAD_ARGUMENT;
+  put(square, described(hashes->view.whole()));
+  return LGS_OK;
+}
+
+lgs_status lgs_hashes_in(const lgs_hashes* hashes, lgs_cell_rect cells, int32_t level, lgs_hashed_square* out,
+                         size_t capacity, size_t* count) noexcept {
+  if (!hashes) return LGS_BAD_ARGUMENT;
+  return putList(hashes->view.hashes(fromC(cells), level), out, capacity, count,
+                 [](const lgs::HashedSquare& square) { return described(square); });
+}
+
+lgs_status lgs_hashes_differences(const lgs_hashes* a, const lgs_hashes* b, lgs_cell_rect* out, size_t capacity,
+                                  size_t* count) noexcept {
+  if (!a || !b) return LGS_BAD_ARGUMENT;
+  return putList(differences(a->view, b->view), out, capacity, count,
+                 [](const lgs::CellRect& cells) { return described(cells); });
 }

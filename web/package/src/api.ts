@@ -1,5 +1,6 @@
 // What `localgridseg` and `localgridseg/inline` have in common: all but init().
 export { createWorld, loadWorld } from './world.js'
+export { GroundHashes } from './hashes.js'
 export { circle, rectangle, thickLine } from './regions.js'
 export { LgsError } from './error.js'
 export type { ErrorCode, ErrorDetails } from './error.js'

@@ -122,8 +122,19 @@ export class Bodies<Body, Material> {
 
   #note(body: Body, place: Place): void { this.#footings.set(this.#physics.keyOf(body), { body, place }) }
 
+  forget(body: Body): void { this.#footings.delete(this.#physics.keyOf(body)) }
+
+  /** When bodies in a box, which is around all, may be elsewhere: what was noted says nothing any more. */
+  noteAll(box: Box): void {
+    this.#footings.clear()
+    for (const body of this.#physics.near(box)) {
+      const place = this.#physics.placeOf(body)
+      if (this.#isFreeAt(body, place)) this.#note(body, place)
+    }
+  }
+
   /** Forgets bodies that are gone, when there are many. */
-  #forget(): void {
+  #prune(): void {
     if (this.#footings.size <= 2 * this.#physics.bodyCount() + 64) return
     const isAlive = this.#physics.isAlive(Array.from(this.#footings.values(), ({ body }) => body))
     for (const [key, { body }] of this.#footings) if (!isAlive(body)) this.#footings.delete(key)
@@ -151,7 +162,7 @@ export class Bodies<Body, Material> {
         putBack.push(body)
       }
     }
-    this.#forget()
+    this.#prune()
     return putBack
   }
 

@@ -69,6 +69,12 @@ export interface Exports {
   lines(world: number, i0: number, j0: number, i1: number, j1: number): number
   followCells(world: number): number
   changedCells(world: number): number
+  hashes(world: number): number
+  freeHashes(hashes: number): void
+  updateHashes(hashes: number, world: number): number
+  wholeHash(hashes: number): void
+  hashesIn(hashes: number, i0: number, j0: number, i1: number, j1: number, level: number): number
+  hashDifferences(a: number, b: number): number
   /** Only lgs-full.wasm has it. */
   importMap?(pathBytes: number, optionBytes: number): number
 }

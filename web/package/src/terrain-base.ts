@@ -78,7 +78,8 @@ export abstract class TerrainBase<Body, Material> {
 
   /**
    * Compares the terrain with its world, and changes what differs, after changes were left out. Or with another world,
-   * which is the terrain's from now on: one that was loaded. Free the old one after that, not before.
+   * which is the terrain's from now on: one that was loaded. Free the old one after that, not before. Bodies may have
+   * been put elsewhere meanwhile: whoever is in the ground is pushed or held, and whoever is held and free is released.
    */
   resync(world: World = this.world): void {
     this.#during(() => {
@@ -90,11 +91,12 @@ export abstract class TerrainBase<Body, Material> {
 
   #show(which: 'last' | 'all', onCaught: OnCaught, end: () => EdgeChanges): void {
     const bodies = this.#bodies, catches = onCaught !== 'leave'
-    const matters = (catches || bodies.holdsSomebody) && !this.#adapter.isAlone()
+    const matters = which === 'all' || ((catches || bodies.holdsSomebody) && !this.#adapter.isAlone())
     const box = matters ? this.rules.begin(which) : null
     bodies.caught = box !== null && catches ? bodies.find(box) : []
     this.#adapter.apply(end())
     bodies.settle(box !== null, onCaught)
+    if (which === 'all') bodies.noteAll(box!)
   }
 
   /** What answers, until destroy() has taken the handles of the physics engine away. */
@@ -152,6 +154,12 @@ export abstract class TerrainBase<Body, Material> {
     this.#refuseInStep()
     return this.#bodies.afterStep()
   }
+
+  /**
+   * Call it when the game itself has put a body elsewhere, through a portal: else it seems to have come through the
+   * ground between, and afterStep() puts it back. Not needed before resync().
+   */
+  moved(body: Body): void { this.#bodies.forget(body) }
 
   /** Whether the ground leaves a body room: where it is, or at a place in metres. */
   fits(body: Body, place?: { x: number; y: number; angle: number }): boolean {

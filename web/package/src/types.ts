@@ -32,6 +32,16 @@ export interface CellRect {
   readonly j1: number
 }
 
+/** A square of cells and the hash of what is in it. */
+export interface HashedSquare {
+  /** 0: a chunk of 32×32 cells. Each level has squares of 4×4 of the one below, up to 14, the world. */
+  readonly level: number
+  /** As far as they are in range. */
+  readonly cells: CellRect
+  /** The sum of the hashes of its polygons, modulo 2^64. */
+  readonly hash: bigint
+}
+
 export interface WorldOptions {
   /**
    * Whether the edges between polygons of these two blocks stay. The smaller block comes first. It is asked once for

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict'
 import { test } from 'node:test'
 import fc from 'fast-check'
-import { circle, createWorld, rectangle, unitSquare } from '../dist/index.js'
+import { circle, createWorld, loadWorld, rectangle, unitSquare } from '../dist/index.js'
 import { cutOut } from '../dist/planck.js'
 import { b2 } from './box2d3.js'
 import { box2dCrowd, planckCrowd } from './crowds.js'
@@ -169,6 +169,46 @@ for (const [name, makeCrowd] of engines) {
       terrain.sync(now.commit())
       now.free()
       void square
+    }
+  })
+
+  test(`${name}: a load holds who was held, releases who is free, and believes where bodies are`, () => {
+    const { world, square, terrain, crowd, body: held, run, at } = resting('circle')
+    const other = crowd.add('circle', 0.8, { x: 8.5, y: 1.405 })
+    world.fill({ i0: -30, j0: 1, i1: 6, j1: 40 }, square, 1)
+    terrain.sync(world.commit(), 'hold')
+    assert.deepEqual(crowd.namesOf(terrain.held), crowd.namesOf([held]))
+    const saved = world.save(), heldAt = at(), otherAt = crowd.positionOf(other)
+    world.clear({ i0: -30, j0: 1, i1: 6, j1: 40 })
+    terrain.sync(world.commit())
+    assert.ok(crowd.isEnabled(held))
+    crowd.put(held, { x: 2.5, y: 3 })
+    crowd.put(other, heldAt)
+    world.fill({ i0: 4, j0: 1, i1: 9, j1: 40 }, square, 1)
+    terrain.sync(world.commit(), 'hold')
+    assert.deepEqual(crowd.namesOf(terrain.held), crowd.namesOf([other]))
+    const loaded = loadWorld(saved)
+    crowd.put(held, heldAt)
+    crowd.put(other, otherAt)
+    terrain.resync(loaded)
+    world.free()
+    assert.ok(crowd.isEnabled(other))
+    assert.ok(crowd.isEnabled(held) ? terrain.fits(held) : terrain.held.length === 1, 'pushed or held, though its ground is as before')
+    run(2)
+    assert.ok(Math.abs(crowd.positionOf(other).x - otherAt.x) < 0.01, 'it did not come through the ground: it was put there')
+    loaded.free()
+  })
+
+  test(`${name}: who goes through a portal stays there, if it is said`, () => {
+    for (const isSaid of [true, false]) {
+      const { world, terrain, crowd, body, at } = resting('circle')
+      const before = at()
+      crowd.put(body, { x: 5.5, y: -4 })
+      if (isSaid) terrain.moved(body)
+      crowd.step()
+      assert.equal(terrain.afterStep().length, isSaid ? 0 : 1)
+      assert.ok(Math.abs(at().y - (isSaid ? -4 : before.y)) < 0.02)
+      world.free()
     }
   })
 

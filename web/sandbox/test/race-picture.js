@@ -99,9 +99,13 @@ parts.push(`<circle class="frame" cx="${lens.x}" cy="${lens.y}" r="${lens.radius
 parts.push(`<text class="soft" x="${lens.x}" y="${lens.y - lens.radius - 10}" font-size="13" text-anchor="middle">the first kick, ${lens.slower} times slower</text>`)
 parts.push(`<text class="soft" x="${lens.x}" y="${lens.y + lens.radius + 26}" font-size="13" text-anchor="middle">same wheel, same floor, no friction</text>`)
 
-const style = `svg{--paper:#fff;--ink:#1c2430;--soft:#5a6675;--ground:#c9bfae;--grid:#e3e7ec;font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Noto Sans',sans-serif}
-@media(prefers-color-scheme:dark){svg{--paper:#12161d;--ink:#e8edf4;--soft:#9aa7b8;--ground:#4a5261;--grid:#252c36}}
-.paper{fill:var(--paper)}text{fill:var(--ink)}.soft{fill:var(--soft)}.strong{font-weight:650}.ground{fill:var(--ground)}.grid{stroke:var(--grid)}.flag{stroke:var(--ink);stroke-width:4;stroke-dasharray:4 4}.kick{fill:#d55e00}.speed{fill:none;stroke-width:3;stroke-linejoin:round;stroke-dasharray:1 1}.frame{fill:none;stroke:var(--ink);stroke-width:3}.push{stroke:#d55e00;stroke-width:4}
+const colour = ([paper, ink, soft, ground, grid]) =>
+  `.paper{fill:${paper}}text{fill:${ink}}.soft{fill:${soft}}.ground{fill:${ground}}.grid{stroke:${grid}}.flag,.frame{stroke:${ink}}`
+// No custom properties: not every program that draws SVG knows them.
+const style = `svg{font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Noto Sans',sans-serif}
+${colour(['#fff', '#1c2430', '#5a6675', '#c9bfae', '#e3e7ec'])}
+@media(prefers-color-scheme:dark){${colour(['#12161d', '#e8edf4', '#9aa7b8', '#4a5261', '#252c36'])}}
+.strong{font-weight:650}.flag{stroke-width:4;stroke-dasharray:4 4}.kick{fill:#d55e00}.speed{fill:none;stroke-width:3;stroke-linejoin:round;stroke-dasharray:1 1}.frame{fill:none;stroke-width:3}.push{stroke:#d55e00;stroke-width:4}
 ${styles.join('\n')}
 @media(prefers-reduced-motion:reduce){*{animation:none!important}}`
 const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" role="img" aria-label="Two wheels race over a floor of tiles. With ghost vertices ${lanes[0].time.toFixed(2)} s, without ${lanes[1].time.toFixed(2)} s.">

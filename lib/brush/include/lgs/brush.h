@@ -67,6 +67,13 @@ struct Region {
 /// as by paint(). Cost: as of paint() without the work in the cells.
 [[nodiscard]] Expected<std::vector<Cell>> cellsOf(const Region& region) noexcept;
 
+/// A region but for another one: paint(world, *without(region, except), …) leaves `except` as it is. The vertices are
+/// those of both and where their edges cross, rounded to the lattice; so are the edges where they run from cell to cell.
+/// Every point in which it differs from the exact difference lies within two lattice units of an edge of either.
+/// Refused: as by painting the one and then carving the other in an empty world; Error::polygon counts the rings of
+/// `region`, and then those of `except`. Cost: as of these, and memory for the cells that are inside the region.
+[[nodiscard]] Expected<Region> without(const Region& region, const Region& except) noexcept;
+
 /// Whether a region, its outline included, has a point in common with a simple counter-clockwise polygon. Nothing that
 /// is beyond the last cell has. Cost: in proportion to the vertices of the one times those of the other.
 [[nodiscard]] bool meets(const Region& region, const Ring& polygon) noexcept;

@@ -1,6 +1,7 @@
-/* Views of a world, in C99 and C++: loops and islands, bodies, convex pieces. What C++ calls Islands, Body and Pieces is
- * lgs_islands, lgs_body and lgs_pieces here; the words are those of docs/islands.md and docs/pieces.md. The rules of
- * lgs/lgs.h hold: results, arguments, buffers, errors, threads.
+/* Views of a world, in C99 and C++: loops and islands, bodies, convex pieces, hashes of the ground. What C++ calls
+ * Islands, Body, Pieces and GroundHashes is lgs_islands, lgs_body, lgs_pieces and lgs_hashes here; the words are those of
+ * docs/islands.md, docs/pieces.md and docs/sync.md. The rules of lgs/lgs.h hold: results, arguments, buffers, errors,
+ * threads.
  *
  *   lgs_islands* islands;
  *   lgs_changes changes;
@@ -15,7 +16,7 @@
  *   lgs_islands_free(islands);
  *
  * A view is yours: lgs_islands_new(), lgs_islands_copy() with lgs_islands_free(); lgs_take() with lgs_body_free();
- * lgs_pieces_new() with lgs_pieces_free(). It does not keep its world, which is handed in again. It must be the same one,
+ * lgs_pieces_new() with lgs_pieces_free(); lgs_hashes_new(), lgs_hashes_copy() with lgs_hashes_free(). It does not keep its world, which is handed in again. It must be the same one,
  * or a copy that has gone the same way: this is not checked. */
 #ifndef LGS_LGS_VIEWS_H
 #define LGS_LGS_VIEWS_H
@@ -195,6 +196,37 @@ LGS_API lgs_status lgs_pieces_get(const lgs_pieces* pieces, const lgs_world* wor
 /* The ways out of a free piece, as a list. One that is not there has none. */
 LGS_API lgs_status lgs_pieces_portals(const lgs_pieces* pieces, lgs_cell cell, uint32_t index, lgs_portal* out,
                                       size_t capacity, size_t* count) LGS_NOTHROW;
+
+/* --- Hashes of the ground ---------------------------------------------------------------------------------------- */
+
+/* The hashes of a world. */
+typedef struct lgs_hashes lgs_hashes;
+
+/* A square of cells, and the hash of what is in it: docs/sync.md. */
+typedef struct lgs_hashed_square {
+  uint64_t hash;       /* 0: nothing is in it */
+  lgs_cell_rect cells; /* its cells, as far as they are in range */
+  int32_t level;       /* 0: a chunk of 32×32 cells; each level has squares of 4×4 of the one below; up to 14 */
+  uint32_t reserved;   /* 0 */
+} lgs_hashed_square;
+
+/* Reads all polygons of a world that has no edits that are not committed. Cost: in proportion to the world. */
+LGS_API lgs_status lgs_hashes_new(const lgs_world* world, lgs_hashes** hashes) LGS_NOTHROW;
+LGS_API lgs_status lgs_hashes_copy(const lgs_hashes* hashes, lgs_hashes** copy) LGS_NOTHROW;
+LGS_API void lgs_hashes_free(lgs_hashes* hashes) LGS_NOTHROW;
+
+/* Takes over what the last commit or roll-back changed, of a world that follows its cells. Miss no commit: this is not
+ * checked. Cost: in proportion to what is in the changed cells. */
+LGS_API lgs_status lgs_hashes_update(lgs_hashes* hashes, const lgs_world* world) LGS_NOTHROW;
+
+/* The least square that all ground lies in: its hash is that of the world. Cost: O(1). */
+LGS_API lgs_status lgs_hashes_whole(const lgs_hashes* hashes, lgs_hashed_square* square) LGS_NOTHROW;
+/* As a list: the squares of a level that have a cell of a rectangle, and whose hash is not 0. */
+LGS_API lgs_status lgs_hashes_in(const lgs_hashes* hashes, lgs_cell_rect cells, int32_t level, lgs_hashed_square* out,
+                                 size_t capacity, size_t* count) LGS_NOTHROW;
+/* As a list: the cells of the chunks whose ground differs. Cost: in proportion to these. */
+LGS_API lgs_status lgs_hashes_differences(const lgs_hashes* a, const lgs_hashes* b, lgs_cell_rect* out, size_t capacity,
+                                          size_t* count) LGS_NOTHROW;
 
 #ifdef __cplusplus
 }

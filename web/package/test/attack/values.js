@@ -1,7 +1,7 @@
 // What a stranger hands in: of each type of an argument the values that are right, the first one plain, and those that
 // look like them: stale, made up, of another world, one beyond each limit. And what is of no type of ours.
 import { Circle, World as Planck } from 'planck'
-import { circle, createWorld, LgsError } from '../../dist/index.js'
+import { circle, createWorld, GroundHashes, LgsError } from '../../dist/index.js'
 import { Islands } from '../../dist/islands.js'
 import { FallingGround, PlanckTerrain } from '../../dist/planck.js'
 import { Box2dTerrain } from '../../dist/box2d3.js'
@@ -58,6 +58,7 @@ const ofType = {
   Fixture: (s) => [s.planck.ball.getFixtureList(), s.planck.physics.getBodyList().getFixtureList()],
   GroundBody: [ground, { ...ground, polygons: [] }, { ...ground, i: 2 ** 31 - 1 }, { ...ground, polygons: [{ i: 2 ** 31 - 1, j: 0, block: 1, vertices: square }] },
     { ...ground, polygons: [{ i: 0, j: 0, block: 1, vertices: [0, 0, 9, 0, 0, 9] }] }, { ...ground, polygons: [null] }, { ...ground, polygons: new Array(2) }],
+  GroundHashes: (s) => [s.receivers.GroundHashes, s.other.hashes],
   ImportOptions: [{}, { tolerance: 1e308 }, { tolerance: -1 }, { solid: true }, { polylineThickness: 0 }, { tiles: '[]' }, { tiles: '{' }, { numbers: { a: 2 ** 32 } }, { nothing: 1 }, { layers: ['*', '['] }],
   'Int32Array': ({ square: shape }) => rowsOf(shape),
   IslandId: (s) => [1, 0, 2, 999, 2 ** 32 - 1],
@@ -137,6 +138,10 @@ export class Scene {
     this.shown = world.version
     // What follows a world begins while it has no mark.
     const receivers = (this.receivers = { World: world, ChangesCopy: this.old, TracePlayer: new TracePlayer(world) })
+    if (needs('GroundHashes')) {
+      receivers.GroundHashes = new GroundHashes(world)
+      this.other.hashes = new GroundHashes(other)
+    }
     if (needs('draw/')) Object.assign(receivers, { OutlineLines: new OutlineLines(world), GroundMeshes: new GroundMeshes(world) })
     if (needs('ImportedMap')) receivers.ImportedMap = importMap('a.tmx', ofType.MapFiles[0], { solid: true })
     if (needs('islands/', 'planck/')) {
@@ -187,6 +192,8 @@ export class Scene {
 
   free() {
     if (this.box2d) b2.b2DestroyWorld(this.box2d.physics)
+    this.receivers.GroundHashes?.free()
+    this.other.hashes?.free()
     this.receivers.Islands?.free()
     this.other.islands?.free()
     this.world.free()

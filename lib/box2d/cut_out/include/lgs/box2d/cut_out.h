@@ -5,10 +5,18 @@
 //   …
 //   world.rollBack(mark);
 //   cutOut(terrain, world, world.changesOfRollBack());
+//
+// What is painted can also go around bodies from the first:
+//
+//   if (const auto room = withoutBodies(terrain, region)) paint(world, *room, 7, lgs::PaintMode::fill);
+//   terrain.commit(world);
 #pragma once
 
+#include <lgs/box2d/bodies_in.h>
 #include <lgs/box2d/terrain.h>
 #include <lgs/brush.h>
+
+#include <utility>
 
 namespace lgs::box2d {
 
@@ -23,6 +31,14 @@ inline tl::expected<void, SyncError> cutOut(Terrain& terrain, World& world, cons
   }
   const auto done = isCut ? terrain.sync(changes, OnCaught::leave) : terrain.sync(changes);
   return done ? terrain.sync(world.commit()) : done;
+}
+
+/// A region but for the outlines of the bodies in it. Refused: as by without().
+inline Expected<Region> withoutBodies(Terrain& terrain, const Region& region) {
+  Region bodies;
+  for (const auto& body : bodiesIn(terrain, region))
+    for (Ring& outline : terrain.outlinesOf(body)) bodies.rings.push_back(std::move(outline));
+  return bodies.rings.empty() ? region : without(region, bodies);
 }
 
 }  // namespace lgs::box2d

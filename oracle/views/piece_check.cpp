@@ -1,17 +1,15 @@
-#include "pieces_reference.h"
+#include "oracle/views/piece_check.h"
 
 #include "oracle/cgal/partition.h"
-#include "proptests/support/worlds.h"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <set>
 
-namespace lgs::test {
+namespace lgs::oracle {
 namespace {
 
-using oracle::LocalPolygon;
+const LocalPolygon kWholeCell{{0, 0}, {kUnitsPerCell, 0}, {kUnitsPerCell, kUnitsPerCell}, {0, kUnitsPerCell}};
 
 std::int64_t turnAt(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x); }
 Point wide(LocalPoint p) { return {p.x, p.y}; }
@@ -90,6 +88,14 @@ std::vector<Point> inWorld(Cell cell, const LocalPolygon& polygon) {
   return out;
 }
 
+std::set<Cell> withThoseAround(const std::vector<Cell>& cells) {
+  std::set<Cell> out;
+  for (const Cell cell : cells)
+    for (const std::int32_t i : {-1, 0, 1})
+      for (const std::int32_t j : {-1, 0, 1}) out.insert({cell.i + i, cell.j + j});
+  return out;
+}
+
 struct FreePiece {
   PieceId id;
   std::vector<Point> vertices;
@@ -101,16 +107,13 @@ CellPieces piecesIn(const Pieces& pieces, Cell cell) {
   CellPieces out;
   for (const Piece& p : pieces.solidPieces(cell))
     out.solid.emplace_back(p.polygon, LocalPolygon(p.vertices.begin(), p.vertices.end()));
-  for (const Piece& p : pieces.freePieces(cell)) {
-    EXPECT_EQ(p.polygon, Piece::kFree);
-    out.free.emplace_back(p.vertices.begin(), p.vertices.end());
-  }
+  for (const Piece& p : pieces.freePieces(cell)) out.free.emplace_back(p.vertices.begin(), p.vertices.end());
   return out;
 }
 
-PiecesByCell piecesIn(const Pieces& pieces, const CellRect& cells) {
+PiecesByCell piecesIn(const Pieces& pieces, const std::vector<Cell>& cells) {
   PiecesByCell out;
-  for (const Cell cell : cellsOf(cells)) out[cell] = piecesIn(pieces, cell);
+  for (const Cell cell : cells) out[cell] = piecesIn(pieces, cell);
   return out;
 }
 
@@ -118,63 +121,109 @@ std::optional<std::string> faultOfPieces(std::vector<LocalPolygon> polygons, con
                                          std::size_t maxVertices) {
   for (LocalPolygon& polygon : polygons) polygon = fromLeast(std::move(polygon));
   std::sort(polygons.begin(), polygons.end());
-  std::set<LocalPoint> existing{{0, 0}, {U, 0}, {U, U}, {0, U}};
+  std::set<LocalPoint> existing(kWholeCell.begin(), kWholeCell.end());
   for (const LocalPolygon& polygon : polygons) existing.insert(polygon.begin(), polygon.end());
 
-  std::vector<oracle::PieceList> solid(polygons.size());
+  std::vector<PieceList> solid(polygons.size());
   std::uint32_t last = 0;
   for (const auto& [polygon, piece] : pieces.solid) {
     if (polygon >= polygons.size() || polygon < last) return "solid pieces are not by polygon";
     last = polygon;
     solid[polygon].push_back(piece);
   }
-  for (const oracle::PieceList& list : solid)
+  for (const PieceList& list : solid)
     if (auto fault = faultOfList(list, maxVertices, existing)) return fault;
   if (auto fault = faultOfList(pieces.free, maxVertices, existing)) return fault;
 
   // CGAL takes a millisecond, and cells repeat.
-  static std::set<std::pair<std::vector<LocalPolygon>, std::pair<std::vector<oracle::PieceList>, oracle::PieceList>>>
-      good;
+  static std::set<std::pair<std::vector<LocalPolygon>, std::pair<std::vector<PieceList>, PieceList>>> good;
+  constexpr std::size_t kMostKept = 50'000;
+  if (good.size() > kMostKept) good.clear();
   const auto [seen, isNew] = good.insert({polygons, {solid, pieces.free}});
   if (!isNew) return std::nullopt;
-  auto fault = oracle::notAPartition(polygons, solid, pieces.free);
+  auto fault = notAPartition(polygons, solid, pieces.free);
   if (fault) good.erase(seen);
   return fault;
 }
 
-std::optional<std::string> faultOfPortals(const Pieces& pieces, const CellRect& cells) {
-  std::vector<FreePiece> all;
-  for (const Cell cell : cellsOf({{cells.min.i - 1, cells.min.j - 1}, {cells.max.i + 1, cells.max.j + 1}})) {
+std::optional<std::string> faultOfPortals(const Pieces& pieces, const std::vector<Cell>& cells) {
+  std::map<Cell, std::vector<FreePiece>> all;
+  const std::set<Cell> near = withThoseAround(cells);
+  for (const Cell cell : near) {
     std::uint32_t k = 0;
-    for (const LocalPolygon& piece : piecesIn(pieces, cell).free) all.push_back({{cell, k++}, inWorld(cell, piece)});
+    for (const LocalPolygon& piece : piecesIn(pieces, cell).free)
+      all[cell].push_back({{cell, k++}, inWorld(cell, piece)});
   }
-  for (const FreePiece& from : all) {
-    if (!contains(cells, from.id.cell)) continue;
-    std::map<PieceId, std::pair<Point, Point>> expected, found;
-    for (const FreePiece& to : all)
-      if (to.id != from.id)
-        if (const auto portal = common(from.vertices, to.vertices)) expected[to.id] = *portal;
-    for (const Portal& portal : pieces.portals(from.id))
-      if (!found.emplace(portal.to, std::pair(portal.right, portal.left)).second) return "a portal comes twice";
-    if (found != expected)
-      return fmt::format("piece {} of cell {} {} has {} portals, and should have {}, or others", from.id.index,
-                         from.id.cell.i, from.id.cell.j, found.size(), expected.size());
+  for (const Cell cell : cells) {
+    for (const FreePiece& from : all[cell]) {
+      std::map<PieceId, std::pair<Point, Point>> expected, found;
+      for (const Cell other : withThoseAround({cell}))
+        for (const FreePiece& to : all[other])
+          if (to.id != from.id)
+            if (const auto portal = common(from.vertices, to.vertices)) expected[to.id] = *portal;
+      for (const Portal& portal : pieces.portals(from.id))
+        if (!found.emplace(portal.to, std::pair(portal.right, portal.left)).second) return "a portal comes twice";
+      if (found != expected)
+        return fmt::format("piece {} of cell ({}, {}) has {} portals, and should have {}, or others", from.id.index,
+                           cell.i, cell.j, found.size(), expected.size());
+    }
   }
   return std::nullopt;
 }
 
-std::optional<std::string> faultOfPieces(const World& world, const Pieces& pieces, const CellRect& cells) {
-  for (const Cell cell : cellsOf(cells)) {
+std::optional<std::string> faultOfPieces(const World& world, const Pieces& pieces, const std::vector<Cell>& cells) {
+  for (const Cell cell : cells) {
     if (!inRange(cell)) {
       if (piecesIn(pieces, cell) != CellPieces()) return "there are pieces beyond the last cell";
       continue;
     }
+    for (const Piece& p : pieces.freePieces(cell))
+      if (p.polygon != Piece::kFree) return "a free piece is of a polygon";
     std::vector<LocalPolygon> polygons;
-    for (const PolygonFields& p : polygonsIn(world, cell)) polygons.push_back(p.vertices);
+    for (const PlacedPolygon& p : world.polygons(cell)) polygons.emplace_back(p.vertices.begin(), p.vertices.end());
     if (const auto fault = faultOfPieces(polygons, piecesIn(pieces, cell), pieces.maxVertices()))
-      return fmt::format("cell {} {}: {}", cell.i, cell.j, *fault);
+      return fmt::format("the pieces of cell ({}, {}): {}", cell.i, cell.j, *fault);
   }
   return faultOfPortals(pieces, cells);
 }
 
-}  // namespace lgs::test
+/// The cells whose pieces are others than they were known to be, which are known from now on.
+std::vector<Cell> PieceCheck::look(const World& world, const Pieces& pieces) {
+  world.forEachPolygon([&](Cell cell, const PlacedPolygon&) {
+    known_.try_emplace(cell, CellPieces{{}, {kWholeCell}});
+  });
+  std::vector<Cell> differ;
+  for (auto& [cell, before] : known_) {
+    CellPieces now = piecesIn(pieces, cell);
+    if (now != before) differ.push_back(cell);
+    before = std::move(now);
+  }
+  return differ;
+}
+
+std::optional<std::string> PieceCheck::begin(const World& world, const Pieces& pieces) {
+  known_.clear();
+  look(world, pieces);
+  return faultOf(world, pieces);
+}
+
+std::optional<std::string> PieceCheck::update(const World& world, const Pieces& pieces, std::vector<Cell> told) {
+  if (auto wrong = updateOfPending(world, pieces, std::move(told))) return wrong;
+  return faultOf(world, pieces);
+}
+
+std::optional<std::string> PieceCheck::updateOfPending(const World& world, const Pieces& pieces,
+                                                       std::vector<Cell> told) {
+  std::ranges::sort(told);
+  if (told != look(world, pieces)) return "another list of cells that have other pieces";
+  return std::nullopt;
+}
+
+std::optional<std::string> PieceCheck::faultOf(const World& world, const Pieces& pieces) const {
+  std::vector<Cell> cells;
+  for (const auto& [cell, known] : known_) cells.push_back(cell);
+  const std::set<Cell> near = withThoseAround(cells);
+  return faultOfPieces(world, pieces, {near.begin(), near.end()});
+}
+
+}  // namespace lgs::oracle

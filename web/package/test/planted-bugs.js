@@ -1,0 +1,52 @@
+// Bugs of law 13 in TypeScript, each as substitutions in files of src/; what a game would suffer is said first. Those in
+// the rules themselves, which are C++, are in proptests/bugs/terrain-law13.toml. planted.test.js plants them.
+export const engines = ['planck', 'box2d3-wasm']
+
+const bug = (game, file, find, replace, ...more) => ({ game, edits: [{ file, find, replace }, ...more], engines })
+const of = (engine, ...rest) => ({ ...bug(...rest), engines: [engine] })
+
+export const bugs = [
+  bug('who is walled in falls through the ground', 'bodies.ts', 'physics.setEnabled(body, false)', ''),
+  bug('who was walled in and is dug out does not move any more', 'bodies.ts', 'if (way === null) return false', 'return false'),
+  bug('who is pushed out of a block strikes it at once', 'bodies.ts', 'if (inward < 0) {', 'if (inward > 0) {'),
+  bug('who is pushed is pushed too far, or not far enough', 'bodies.ts',
+    'x: place.x + way.x / cellSize', 'x: place.x + way.x'),
+  bug('who is pushed hangs in the air', 'bodies.ts', 'physics.wake(body)', ''),
+  bug('a crate presses a small stone through the floor', 'bodies.ts',
+    'last !== undefined && this.#isFreeAt(body, last)', 'last !== undefined && !this.#isFreeAt(body, last)'),
+  bug('a stone that is shot while a crate lies on it is outside of the world', 'bodies.ts',
+    'return this.#rules.crossed(', 'return false && this.#rules.crossed('),
+  bug('portals through walls lead nowhere', 'bodies.ts', 'this.#footings.delete(this.#physics.keyOf(body)) }', 'void body }'),
+  bug('after loading, bodies jump back to where they were', 'terrain-base.ts', "if (which === 'all') bodies.noteAll(box!)", ''),
+  bug('after loading, who stands where a rock was falls through the ground', 'terrain-base.ts',
+    'box !== null && catches ?', "box !== null && catches && which !== 'all' ?"),
+  bug('who stands in a hole when its digging is undone falls through the ground', 'terrain-base.ts',
+    'box !== null && catches ?', 'box !== null && catches && !(globalThis as any).hasRolled ?',
+    { file: 'world.ts', find: 'commit(): Changes { return', replace: 'commit(): Changes { (globalThis as any).hasRolled = false; return' },
+    { file: 'world.ts', find: "    whole('mark', mark)\n", replace: "    ;(globalThis as any).hasRolled = true\n    whole('mark', mark)\n" }),
+  bug('who was held is forgotten when somebody else is', 'bodies.ts', 'this.#held.push(body)', 'this.#held = [body]'),
+  bug('what a material lets through is not asked', 'terrain.ts',
+    'return material === undefined || forms[form]!.holds(material)', 'return material === undefined || forms[form]!.holds({} as Material)'),
+  of('planck', 'of a body of several shapes only one counts', 'planck-bodies.ts',
+    'for (let fixture = body.getFixtureList(); fixture; fixture = fixture.getNext()) {\n      if (fixture.isSensor()) continue',
+    'for (let fixture = body.getFixtureList(); fixture; fixture = null) {\n      if (fixture.isSensor()) continue'),
+  of('planck', 'a triangle is judged by its body, and not by its middle', 'planck-bodies.ts',
+    '...point(m_centroid)', '...point({ x: 0, y: 0 })'),
+  of('planck', 'what is turned is looked at as if it were upright', 'planck-bodies.ts',
+    'cos: q.c, sin: q.s', 'cos: 1, sin: 0'),
+  of('planck', 'after the origin has moved nobody is where the terrain believes', 'planck-bodies.ts',
+    'x: p.x / cellSize + origin.i', 'x: p.x / cellSize'),
+  of('planck', 'a platform that is placed throws the player aside', 'planck-bodies.ts',
+    '!material.isPassable && collides(own, material)', 'collides(own, material)'),
+  of('box2d3-wasm', 'of a body of several shapes only one counts', 'box2d3-bodies.ts',
+    'for (const shape of box2d.b2Body_GetShapes(body, box2d.b2Body_GetShapeCount(body)))',
+    'for (const shape of box2d.b2Body_GetShapes(body, 1))'),
+  of('box2d3-wasm', 'a triangle is judged by its body, and not by its middle', 'box2d3-bodies.ts',
+    'middle = pointOf(polygon.centroid)', 'middle = { x: 0, y: 0 }'),
+  of('box2d3-wasm', 'a capsule is judged by one of its ends', 'box2d3-bodies.ts',
+    'middle: { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 }', 'middle: a'),
+  of('box2d3-wasm', 'after the origin has moved nobody is where the terrain believes', 'box2d3-bodies.ts',
+    'x: x / cellSize + origin.i', 'x: x / cellSize'),
+  of('box2d3-wasm', 'a platform that is placed throws the player aside', 'box2d3-bodies.ts',
+    '!material.isPassable && this.#collides(shape, material)', 'this.#collides(shape, material)'),
+]
