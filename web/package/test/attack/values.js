@@ -63,6 +63,7 @@ const ofType = {
   Fixture: (s) => [s.planck.ball.getFixtureList(), s.planck.physics.getBodyList().getFixtureList()],
   GroundBody: [ground, { ...ground, polygons: [] }, { ...ground, i: 2 ** 31 - 1 }, { ...ground, polygons: [{ i: 2 ** 31 - 1, j: 0, block: 1, vertices: square }] },
     { ...ground, polygons: [{ i: 0, j: 0, block: 1, vertices: [0, 0, 9, 0, 0, 9] }] }, { ...ground, polygons: [null] }, { ...ground, polygons: new Array(2) }],
+  GroundHashes: (s) => [s.receivers.GroundHashes, s.other.hashes],
   ImportOptions: [{}, { tolerance: 1e308 }, { tolerance: -1 }, { solid: true }, { polylineThickness: 0 }, { tiles: '[]' }, { tiles: '{' }, { numbers: { a: 2 ** 32 } }, { nothing: 1 }, { layers: ['*', '['] }],
   'Int32Array': ({ square: shape }) => rowsOf(shape),
   GroundHashes: (s) => [s.receivers.GroundHashes, s.other.hashes],
@@ -146,6 +147,10 @@ export class Scene {
     this.shown = world.version
     // What follows a world begins while it has no mark.
     const receivers = (this.receivers = { World: world, ChangesCopy: this.old, TracePlayer: new TracePlayer(world) })
+    if (needs('GroundHashes')) {
+      receivers.GroundHashes = new GroundHashes(world)
+      this.other.hashes = new GroundHashes(other)
+    }
     if (needs('draw/')) Object.assign(receivers, { OutlineLines: new OutlineLines(world), GroundMeshes: new GroundMeshes(world) })
     if (needs('ImportedMap')) receivers.ImportedMap = importMap('a.tmx', ofType.MapFiles[0], { solid: true })
     if (needs('GroundHashes')) {
@@ -202,6 +207,8 @@ export class Scene {
 
   free() {
     if (this.box2d) b2.b2DestroyWorld(this.box2d.physics)
+    this.receivers.GroundHashes?.free()
+    this.other.hashes?.free()
     this.receivers.Islands?.free()
     for (const follower of [this.receivers.Pieces, this.receivers.GroundHashes, this.other.hashes]) follower?.free()
     this.other.islands?.free()
