@@ -95,7 +95,7 @@ Status finish(const CheckArguments& arguments, const Totals& totals, const Scene
   if (arguments.svg.empty()) return Status::fine;
   Player player(last.preserve);  // builds the world anew, because history does not matter
   for (const ScenePolygon& polygon : last.polygons) {
-    const std::string name = fmt::format("{}", player.scene().polygons.size());
+    const std::string name = fmt::format("{}", player.standing().polygons());
     if (const auto done = player.apply(Edit::add(name, polygon)); !done) return complain(done.error().text);
   }
   player.commit();

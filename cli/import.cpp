@@ -80,6 +80,8 @@ void addImport(CLI::App& app, Action& chosen) {
                    "Accept a map from which nothing comes out; otherwise there is\nno trace, and the exit status is 2");
   addImportOptions(command, arguments->options);
   command.footer(
+      "Without --solid, --solid-if, --objects, --no-objects and --tiles the map decides what is solid, by the "
+      "strongest evidence in it: the report says what was taken and why, and what was not (docs/maps.md).\n\n"
       "The tile in column c and row r of the map becomes cell (c, -1 - r): y is up, and the map's top edge is y = "
       "0.\n\n"
       "Example: lgs import level.tmx -o level.trace --block class --number water=7 --svg level.svg");

@@ -79,7 +79,7 @@ void addShapeOptions(CLI::App& command, tiled::Options& options) {
   command
       .add_option("--solid-if", options.solidIf,
                   "The same for tiles with this property, or in layers with it;\n"
-                  "and objects with it. NAME alone takes any value but false, 0\nand none. May be repeated")
+                  "and objects with it. NAME alone takes any value but false and 0.\nMay be repeated")
       ->allow_extra_args(false)
       ->option_text("NAME[=VALUE]");
   addReal(

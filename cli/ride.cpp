@@ -73,7 +73,7 @@ Status run(RideArguments arguments) {
   if (!trace) return complain(trace.error());
   oracle::Player player(trace->preserve);
   if (const auto done = play(*trace, player); !done) return complain(message(done.error(), arguments.file));
-  const Scene& scene = player.scene();
+  const Scene scene = player.scene();
   if (scene.polygons.empty()) return complain(arguments.file + ": nothing to ride on; the world is empty at its end");
 
   RideOptions& options = arguments.options;

@@ -2,7 +2,7 @@
 // ghosts, no more and no fewer, and a fixture that is hit says which segment that is. Where segments are too short for
 // Box2D, or merged, the rules of <lgs/box2d/edges.h> say what stands for them: then the terrain that was kept up to date
 // must equal one made anew.
-#include "fuzz/target.h"
+#include "fuzz/check_edits.h"
 #include "oracle/check/refusal.h"
 #include "oracle/generate/steps.h"
 #include "oracle/trace/dump.h"
@@ -26,9 +26,6 @@ using box2d::EdgeId;
 using box2d::Hit;
 using box2d::Terrain;
 using box2d::TerrainOptions;
-
-constexpr std::array kActions{Action::replace, Action::replace, Action::place,  Action::hull,
-                              Action::fill,    Action::remove,  Action::remove, Action::clear};
 
 constexpr double kCellSize = 64;  // metres: a lattice unit is a fifth of what Box2D takes for nothing
 
@@ -307,10 +304,8 @@ std::optional<Finding> checkTrace(const oracle::Trace& trace, oracle::CheckStats
   return Session(trace, options, stats).run();
 }
 
-std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) { return checkTrace(decode(input), stats); }
-
-constexpr Target kTarget{
-    "box2d", "the Box2D adapter: fixtures are the world's segments", check, decode, checkTrace, kActions, {}};
+constexpr Target kTarget{"box2d", "the Box2D adapter: fixtures are the world's segments", check<mostlyGood, checkTrace>,
+                         mostlyGood, checkTrace};
 
 }  // namespace
 }  // namespace box2d_target

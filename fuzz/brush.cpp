@@ -27,9 +27,6 @@ constexpr std::int64_t kCells = 3;
 constexpr std::int32_t U = kUnitsPerCell;
 constexpr std::size_t kMaxStrokes = 60;
 
-// The low four bits of a record's first byte mean something else here; new records may have any.
-constexpr std::array kAny{Action::replace, Action::place, Action::fill, Action::hull, Action::free, Action::clear};
-
 std::vector<oracle::ScenePolygon> groundOf(unsigned kind) {
   std::vector<oracle::ScenePolygon> ground;
   if (kind == 0) return ground;
@@ -118,9 +115,8 @@ std::optional<Finding> checkTrace(const Trace& trace, oracle::CheckStats& stats)
   return std::nullopt;
 }
 
-std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) { return checkTrace(traceOf(input), stats); }
-
-constexpr Target kTarget{"brush", "strokes of brushes on a small world", check, traceOf, checkTrace, kAny, {}};
+constexpr Target kTarget{"brush", "strokes of brushes on a small world", check<traceOf, checkTrace>, traceOf,
+                         checkTrace};
 
 }  // namespace
 }  // namespace brush_target

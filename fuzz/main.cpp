@@ -187,18 +187,6 @@ Status toTrace(const Arguments& arguments) {
   return cli::write(arguments.output, printTrace(trace));
 }
 
-// Not readTrace(): edits that are refused are inputs like others.
-Status toInput(const Arguments& arguments) {
-  const std::string& path = arguments.paths.front();
-  const auto content = oracle::readFile(path);
-  if (!content) return complain(message(content.error(), path));
-  const oracle::ParsedTrace parsed = oracle::parseTrace(*content);
-  if (parsed.error) return complain(message(*parsed.error, path));
-  const auto bytes = encode(parsed.trace);
-  if (!bytes) return complain(path + ": no input can hold this trace: " + bytes.error());
-  return cli::write(arguments.output, textOf(*bytes));
-}
-
 std::string listOfTargets() {
   std::string text = "Targets:\n";
   for (const auto& [name, target] : targets()) text += fmt::format("  {:<10} {}\n", name, target->about);
@@ -229,7 +217,6 @@ class CommandLine {
     addSmoke();
     addReport();
     addToTrace();
-    addToInput();
   }
 
   Status run(int argc, char** argv) {
@@ -294,11 +281,6 @@ class CommandLine {
     addOneFile(sub, "INPUT");
     addOutput(sub);
     sub.add_flag("--all", arguments_.all, "With the edits that must be refused, which lgs replay does not take");
-  }
-  void addToInput() {
-    CLI::App& sub = add("to-input", "Turn a trace into an input of the targets that take edits", toInput);
-    addOneFile(sub, "TRACE");
-    addOutput(sub);
   }
 
   CLI::App app_{

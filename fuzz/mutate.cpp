@@ -12,7 +12,7 @@ std::uint8_t randomByte(Random& random) { return static_cast<std::uint8_t>(rando
 
 std::ptrdiff_t offset(std::size_t n) { return static_cast<std::ptrdiff_t>(n); }
 
-void mutateRecords(std::span<const Action> actions, Buffer& input, std::size_t maxSize, Random& random) {
+void mutateRecords(Buffer& input, std::size_t maxSize, Random& random) {
   constexpr std::size_t kHeader = kRecord;
   input.resize(std::max((input.size() + kRecord - 1) / kRecord, std::size_t{1}) * kRecord);
   const std::size_t count = input.size() / kRecord - 1;
@@ -26,10 +26,6 @@ void mutateRecords(std::span<const Action> actions, Buffer& input, std::size_t m
   const auto fresh = [&] {
     Buffer record(kRecord);
     for (std::uint8_t& byte : record) byte = randomByte(random);
-    if (random.chance(85)) {
-      record[0] =
-          static_cast<std::uint8_t>((record[0] & 0xf0U) | static_cast<unsigned>(actions[random.below(actions.size())]));
-    }
     return record;
   };
   const std::size_t k = count == 0 ? 0 : random.below(count);
@@ -49,12 +45,12 @@ void mutateRecords(std::span<const Action> actions, Buffer& input, std::size_t m
       std::swap_ranges(input.begin() + offset(at(k)), input.begin() + offset(at(k) + kRecord),
                        input.begin() + offset(at(m)));
       break;
-    case 5:  // into the same cell, or the one beside it
-      input[at(k) + 1] = static_cast<std::uint8_t>(input[at(m) + 1] + random.below(3) - 1);
+    case 5:  // the same choice
+    case 6: {
+      const std::size_t choice = random.below(kRecord);
+      input[at(k) + choice] = input[at(m) + choice];
       break;
-    case 6:  // the same vertices
-      std::copy_n(input.begin() + offset(at(m) + 4), kRecord - 4, input.begin() + offset(at(k) + 4));
-      break;
+    }
     case 7:
       input[random.below(5U)] = randomByte(random);
       break;
@@ -103,7 +99,7 @@ void mutateText(std::span<const std::string_view> words, Buffer& input, std::siz
 void mutate(const Target& target, Buffer& input, std::size_t maxSize, Random& random) {
   for (int times = 1 + random.below(4); times > 0; --times) {
     if (target.words.empty()) {
-      mutateRecords(target.actions, input, maxSize, random);
+      mutateRecords(input, maxSize, random);
     } else {
       mutateText(target.words, input, maxSize, random);
     }

@@ -145,7 +145,7 @@ oracle::Trace traceOf(Bytes) { return {}; }
 
 std::string whyEmpty(Bytes) { return "a saved world has no edits; `lgs replay` takes it as it is"; }
 
-constexpr Target kTarget{"snapshot", "saved worlds, as bytes", check, traceOf, nullptr, {}, kWords, whyEmpty};
+constexpr Target kTarget{"snapshot", "saved worlds, as bytes", check, traceOf, nullptr, kWords, whyEmpty};
 
 }  // namespace
 }  // namespace snapshot_target

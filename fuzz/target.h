@@ -1,8 +1,8 @@
 // What is fuzzed: each target is one function from bytes to a finding, or none. The drivers know nothing else of it.
 #pragma once
 
-#include "fuzz/format.h"
 #include "oracle/check/checker.h"
+#include "oracle/generate/generator.h"
 #include "oracle/trace/trace.h"
 
 #include <optional>
@@ -11,6 +11,9 @@
 #include <string_view>
 
 namespace lgs::fuzz {
+
+using Bytes = std::span<const std::uint8_t>;
+using oracle::kRecord;
 
 struct Finding {
   std::string text;                               ///< what is wrong; whole lines
@@ -30,9 +33,8 @@ struct Target {
   /// Runs edits. Null if the target is not about edits.
   std::optional<Finding> (*checkTrace)(const oracle::Trace& trace, oracle::CheckStats& stats);
 
-  /// How inputs are changed to get others. Records: the actions that new ones mostly have. Text: what it is made of.
-  std::span<const Action> actions;
-  std::span<const std::string_view> words;
+  /// What an input that is text is made of. None: an input is a header and records of 16 bytes.
+  std::span<const std::string_view> words = {};
 
   /// Why an input has no edits. Null if any bytes can have some.
   std::string (*whyEmpty)(Bytes input) = nullptr;

@@ -160,7 +160,7 @@ std::string whyEmpty(Bytes input) {
   return map ? "the map has no solid tiles" : message(map.error());
 }
 
-constexpr Target kTarget{"tiled", "maps of Tiled and LDtk", check, traceOf, nullptr, {}, kWords, whyEmpty};
+constexpr Target kTarget{"tiled", "maps of Tiled and LDtk", check, traceOf, nullptr, kWords, whyEmpty};
 
 }  // namespace
 }  // namespace tiled_target

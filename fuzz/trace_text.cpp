@@ -75,8 +75,8 @@ std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) {
   return checkTrace(parsed.trace, stats);
 }
 
-constexpr Target kTarget{
-    "trace", "the text of traces, parsed, played and printed", check, traceOf, checkTrace, {}, kWords, whyEmpty};
+constexpr Target kTarget{"trace", "the text of traces, parsed, played and printed", check, traceOf, checkTrace, kWords,
+                         whyEmpty};
 
 }  // namespace
 }  // namespace trace_target

@@ -11,6 +11,7 @@ packages=(
   libcgal-dev libboost-dev libcli11-dev libfmt-dev  # the references and the lgs command
   libpolyclipping-dev libgeos-dev libbenchmark-dev  # the timings
   libgtest-dev libgmock-dev librapidcheck-dev    # the tests
+  libsqlite3-dev                                 # worlds in files, an example
   "$@"                                           # what a script needs beyond that
 )
 

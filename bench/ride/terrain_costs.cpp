@@ -1,6 +1,7 @@
 // What the terrain costs, by the size of a chunk: bodies and shapes, loading 100×100 cells, a sync after one edit and
-// after 1,000; what it costs to undo 100 edits, and to do them again; and what law 13 costs among bodies. Each time of
-// the first two is the least of some rounds on one core; those after the first table are of the processor. Compare
+// after 1,000; what it costs to undo 100 edits, and to do them again; what law 13 costs among bodies; and a sync beside
+// the edit, and beside what Box2D itself takes to make and destroy as many shapes. Each time of the first two is the
+// least of some rounds on one core; those of law 13 are of the processor; the last ones are medians of 200. Compare
 // times of one run only.
 #include "oracle/calls/random.h"
 
@@ -197,7 +198,9 @@ AmongBodies amongBodies(int edits) {
   AmongBodies result;
   for (int k = 0; k < edits; ++k) {
     const Point at = terrain.latticePoint(physics.placeOf(static_cast<std::size_t>(random.below(50))));
-    const auto within = [](std::int64_t v, std::int64_t cells) { return std::clamp<std::int64_t>(v, 2 * U, (cells - 2) * U); };
+    const auto within = [](std::int64_t v, std::int64_t cells) {
+      return std::clamp<std::int64_t>(v, 2 * U, (cells - 2) * U);
+    };
     const Region region = circle({within(at.x, kWidth), within(at.y, kHeight)}, (2 + random.below(6)) * U / 4, 24);
     (void)(random.chance(40) ? paint(world, region, 2, PaintMode::fill) : carve(world, region));
     const Changes& changes = world.commit();
@@ -249,6 +252,49 @@ void printLine(bool ramps, std::int32_t chunk, bool merge) {
              load(field, options) / 1e3, oneEdit(field, options), thousandDigs(field, options) / 1e3);
 }
 
+// The edit is made anywhere in full blocks, and undone. Medians.
+template <class Edit>
+void printBeside(std::int32_t side, const char* name, Edit edit) {
+  constexpr std::size_t kTimes = 200, kOnAChunk = 150;
+  World world;
+  (void)world.fill({{0, 0}, {side - 1, side - 1}}, *world.shape(kUnitSquare), 1);
+  world.commit();
+  Physics physics, bare;
+  box2d::Terrain terrain(physics.world(), world);
+  BareEdges edges(bare);
+  oracle::Random random{1};
+  std::vector<double> edited, synced, made;
+  while (edited.size() < kTimes) {
+    const auto coordinate = [&] { return 4 * U + random.below((side - 8) * U); };
+    const Point at{coordinate(), coordinate()};
+    while (edges.size() < kOnAChunk) edges.make();
+    const Mark mark = world.checkpoint();
+    const Changes* changes = nullptr;
+    edited.push_back(microseconds([&] {
+      edit(world, at);
+      changes = &world.commit();
+    }));
+    synced.push_back(microseconds([&] { terrain.sync(*changes); }));
+    made.push_back(microseconds([&] {
+      for (std::size_t k = 0; k < changes->added.size(); ++k) edges.make();
+      for (std::size_t k = 0; k < changes->removed.size(); ++k) edges.destroy();
+    }));
+    while (edges.size() > kOnAChunk) edges.destroy();
+    (void)world.rollBack(mark);
+    terrain.sync(world.changesOfRollBack());
+    (void)world.forget(mark);
+    physics.step();
+    bare.step();
+  }
+  const auto median = [](std::vector<double>& times) {
+    std::nth_element(times.begin(), times.begin() + kTimes / 2, times.end());
+    return times[kTimes / 2];
+  };
+  const double ofEdit = median(edited), ofSync = median(synced), itself = median(made);
+  fmt::print("| {0}×{0} | {1} | {2:.2f} | {3:.2f} | {4:.2f} | {5:.2f} |\n", side, name, ofEdit, ofSync, itself,
+             (ofSync - itself) / ofEdit);
+}
+
 void run() {
   fmt::print("| world | chunk | merged | bodies | shapes | most on a body | load, ms | sync after 1 edit, µs | ");
   fmt::print("after 1,000 digs, ms |\n|---|---|---|---|---|---|---|---|---|\n");
@@ -256,6 +302,13 @@ void run() {
     for (const std::int32_t chunk : {1, 4, 8, 16, 32, 100}) {
       for (const bool merge : {false, true}) printLine(ramps, chunk, merge);
     }
+  }
+  fmt::print("\n| world | edit | with its commit, µs | sync, µs | Box2D itself, µs | beyond it ÷ the edit |\n");
+  fmt::print("|---|---|---|---|---|---|\n");
+  for (const std::int32_t side : {16, 64, 256}) {
+    printBeside(side, "a tile", [](World& world, Point at) { (void)world.clear(cellAt(at)); });
+    printBeside(side, "a stroke of radius 3",
+                [](World& world, Point at) { (void)carve(world, circle(at, 3 * U, 32)); });
   }
   fmt::print("\n| world | edits | undo 100, ms | and redo, ms |\n|---|---|---|---|\n");
   for (const bool ramps : {false, true}) {

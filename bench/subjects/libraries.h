@@ -9,6 +9,7 @@ using Made = tl::expected<std::unique_ptr<Subject>, std::string>;
 
 Made makePublishedPort();
 Made makePublishedPortWithNewSets();
+Made makePublishedArrays();
 Made makeCgal();
 Made makeClipper();
 Made makeGeosUnaryUnion();

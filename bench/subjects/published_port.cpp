@@ -1,17 +1,39 @@
-// The published algorithm, ported word for word (bench/published), in worlds with one polygon in each cell. Its
-// vertices are floats, in cells. They are made beforehand, and they are exact, because all are corners of cells.
+// The published algorithm, ported word for word, and its optimised form (bench/published), in worlds with one polygon
+// in each cell. Its vertices are floats, in cells. They are made beforehand, and they are exact, because all are corners of cells.
+#include "bench/published/published_arrays.h"
 #include "bench/published/published_lattice.h"
 #include "bench/subjects/libraries.h"
 #include "oracle/reference/outline.h"
 
 #include <algorithm>
+#include <optional>
+#include <span>
+#include <utility>
 
 namespace lgs::bench {
 namespace {
 
+/// Their segments, as the bench compares them.
+Edges edgesOf(const Published& world) {
+  Edges edges;
+  for (const oracle::OutlineSegment& s : outlineOf(world)) edges.push_back({s.start, s.end});
+  return edges;
+}
+Edges edgesOf(const PublishedArrays& world) {
+  Edges edges;
+  world.forEachSegment([&](const PublishedArrays::Segment& s) {
+    edges.push_back({toLattice(PublishedArrays::unpacked(s.start)), toLattice(PublishedArrays::unpacked(s.end))});
+  });
+  return edges;
+}
+bool takes(const Published&, std::span<const Vec2>) { return true; }
+bool takes(const PublishedArrays&, std::span<const Vec2> polygon) { return PublishedArrays::takes(polygon); }
+
+/// `Make` makes the world for tiles.
+template <class World, class Make>
 class PublishedPort final : public Incremental {
  public:
-  explicit PublishedPort(Published::Sets sets) : world_({}, sets) {}
+  explicit PublishedPort(Make make) : make_(std::move(make)) {}
 
   void prepare(const Tiles& tiles) override {
     tiles_ = &tiles;
@@ -22,32 +44,31 @@ class PublishedPort final : public Incremental {
   bool build() override {
     const auto isOne = [](const Kind& kind) { return kind.polygons.size() == 1; };
     if (!std::all_of(tiles_->kinds.begin(), tiles_->kinds.end(), isOne)) return false;
+    world_.emplace(make_(*tiles_));  // what the algorithm's own memory costs counts
+    const auto isTaken = [&](const Placed& placed) { return takes(*world_, placed.vertices); };
+    if (!std::all_of(polygons_.begin(), polygons_.end(), isTaken)) return false;
     std::size_t k = 0;
     for (std::int32_t j = 0; j < tiles_->height; ++j) {
-      for (std::int32_t i = 0; i < tiles_->width; ++i, ++k) world_.add({i, j}, polygons_[k].vertices, blockOf(k));
+      for (std::int32_t i = 0; i < tiles_->width; ++i, ++k) world_->add({i, j}, polygons_[k].vertices, blockOf(k));
     }
-    world_.compute();
+    world_->compute();
     return true;
   }
 
-  Edges edges() const override {
-    Edges edges;
-    for (const oracle::OutlineSegment& s : outlineOf(world_)) edges.push_back({s.start, s.end});
-    return edges;
-  }
+  Edges edges() const override { return edgesOf(*world_); }
 
   void find(std::size_t cell) override { at_ = tiles_->cell(cell); }
   void remove(std::size_t cell) override {
-    world_.remove(at_, polygons_[cell].vertices, blockOf(cell));
-    world_.compute();
+    world_->remove(at_, polygons_[cell].vertices, blockOf(cell));
+    world_->compute();
   }
   void add(std::size_t cell, std::size_t kind) override {
     if (polygons_[cell].kind != kind) place(cell, kind);
-    world_.add(at_, polygons_[cell].vertices, blockOf(cell));
-    world_.compute();
+    world_->add(at_, polygons_[cell].vertices, blockOf(cell));
+    world_->compute();
   }
   void replace(std::size_t cell, std::size_t kind) override {
-    world_.remove(at_, polygons_[cell].vertices, blockOf(cell));
+    world_->remove(at_, polygons_[cell].vertices, blockOf(cell));
     add(cell, kind);
   }
 
@@ -67,12 +88,25 @@ class PublishedPort final : public Incremental {
   const Tiles* tiles_ = nullptr;
   std::vector<Placed> polygons_;  // by cell
   Cell at_;
-  Published world_;
+  Make make_;
+  std::optional<World> world_;
 };
+
+template <class World, class Make>
+Made made(Make make) {
+  return std::make_unique<PublishedPort<World, Make>>(std::move(make));
+}
 
 }  // namespace
 
-Made makePublishedPort() { return std::make_unique<PublishedPort>(Published::Sets::cleared); }
-Made makePublishedPortWithNewSets() { return std::make_unique<PublishedPort>(Published::Sets::renewed); }
+Made makePublishedPort() {
+  return made<Published>([](const Tiles&) { return Published({}, Published::Sets::cleared); });
+}
+Made makePublishedPortWithNewSets() {
+  return made<Published>([](const Tiles&) { return Published({}, Published::Sets::renewed); });
+}
+Made makePublishedArrays() {
+  return made<PublishedArrays>([](const Tiles& tiles) { return PublishedArrays(tiles.width, tiles.height); });
+}
 
 }  // namespace lgs::bench

@@ -20,6 +20,7 @@ const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
       {{"published-port", true}, makePublishedPort},
       {{"published-port-new-sets", true}, makePublishedPortWithNewSets},
+      {{"published-arrays", true}, makePublishedArrays},
       {{"engine-polygons", true}, []() -> Made { return std::make_unique<Engine>(Engine::By::polygons); }},
       {{"engine-shapes", true}, []() -> Made { return std::make_unique<Engine>(Engine::By::shapes); }},
       {{"engine-bulk", true}, []() -> Made { return std::make_unique<Engine>(Engine::By::bulk); }},

@@ -10,8 +10,9 @@ using lgs::GroundHashes;
 
 namespace {
 
+/// Of a cell that is the corner of a leaf.
 Square squareOf(Cell cell, int level) {
-  if (level == kLeaf) return {kLeaf, {cell.i & -kLeafSide, cell.j & -kLeafSide}};
+  if (level == kLeaf) return {kLeaf, cell};
   return {level, GroundHashes::square(cell, level).cells.min};
 }
 

@@ -35,6 +35,7 @@ struct Chunk {
   std::uint32_t index = 0;
   RowMask dirtyRows = 0;                    ///< the rows that have a dirty cell
   Facts everFacts = 0;                      ///< of all contents that any of its cells has or had
+  bool isUnloaded = false;                  ///< its cells have what the chunks beside it need: see border.h
   std::array<Chunk*, 9> around{};           ///< row by row from the lower left; null where there is none
   std::array<RowMask, kChunkSize> dirty{};  ///< cells edited since the last commit
   std::uint64_t commonBlock = kNoBlock;     ///< of all cells that list no polygons, while `blocks` is null
@@ -121,7 +122,8 @@ inline constexpr CellRect kWholeWorld{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCel
 struct ChunkRect {
   explicit ChunkRect(const CellRect& r) : i0(r.min.i >> 5), j0(r.min.j >> 5), i1(r.max.i >> 5), j1(r.max.j >> 5) {}
   std::int32_t i0, j0, i1, j1;
-  bool contains(const Chunk& c) const { return c.ci >= i0 && c.ci <= i1 && c.cj >= j0 && c.cj <= j1; }
+  bool contains(std::int32_t ci, std::int32_t cj) const { return ci >= i0 && ci <= i1 && cj >= j0 && cj <= j1; }
+  bool contains(const Chunk& c) const { return contains(c.ci, c.cj); }
   std::uint64_t count() const {
     return (static_cast<std::uint64_t>(i1 - i0) + 1) * (static_cast<std::uint64_t>(j1 - j0) + 1);
   }

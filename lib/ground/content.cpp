@@ -4,6 +4,7 @@
 #include "geometry/sort.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace lgs::detail {
 namespace {
@@ -12,6 +13,12 @@ namespace {
 std::uint8_t sidesAt(LocalPoint p) {
   return static_cast<std::uint8_t>((p.y == 0 ? 1u << kSouth : 0u) | (p.x == kUnitsPerCell ? 1u << kEast : 0u) |
                                    (p.y == kUnitsPerCell ? 1u << kNorth : 0u) | (p.x == 0 ? 1u << kWest : 0u));
+}
+
+/// The side that a point with these bits is on; of the two at a corner the one that starts there.
+unsigned sideFrom(unsigned sides) {
+  constexpr unsigned kSouthWest = 1u << kSouth | 1u << kWest;
+  return sides == kSouthWest ? unsigned{kSouth} : static_cast<unsigned>(std::bit_width(sides)) - 1;
 }
 
 /// One interval without a rim point can only run from corner to corner.
@@ -48,8 +55,8 @@ void put(std::span<const T>& list, std::byte*& at) {
 /// The content's lists, which are somewhere, become its own.
 void keepLists(Content& content) {
   const auto forEachList = [&content](auto&& use) {
-    use(content.interior), use(content.spokes), use(content.covered), use(content.points);
-    use(content.contacts), use(content.polygons), use(content.preserved);
+    for (Side& side : content.sides) use(side.covered), use(side.points);
+    use(content.interior), use(content.spokes), use(content.contacts), use(content.polygons), use(content.preserved);
   };
   forEachList([&](const auto& list) { content.listBytes += bytesOf(list); });
   content.lists = std::make_unique_for_overwrite<std::byte[]>(content.listBytes);
@@ -228,24 +235,32 @@ SpokeRange ContentBuilder::storeFan(Content& content, std::span<const Spoke> fan
   return range;
 }
 
-/// The profile of a side, and the fan at the corner where it starts. Its vertices, and so the intervals between them,
-/// are in increasing order already.
-void ContentBuilder::takeSide(Content& content, unsigned side, bool linksCorner) {
+/// The profiles of the sides, and the fans at the vertices on them. The vertices of a side, and so the intervals between
+/// them, are in increasing order already.
+void ContentBuilder::takeSides(Content& content, bool linksCorners) {
+  for (unsigned s = 0; s < kSides; ++s) {
+    covered_[s].clear();
+    rimPoints_[s].clear();
+  }
+  spokes_.clear();
   for (Rank v = 0; v < points_.size(); ++v) {
-    if ((sidesAt_[v] >> side & 1u) == 0) continue;
-    const std::int32_t at = along(side, points_[v]);
+    const unsigned sides = sidesAt_[v];
+    if (sides == 0) continue;
     for (std::size_t k = edgesAt_[v]; k < edgesAt_[v + std::size_t{1}]; ++k) {
-      if ((sidesAt_[edges_[k].to] >> side & 1u) == 0) continue;
-      const std::int32_t end = along(side, points_[edges_[k].to]);
-      covered_.push_back({std::min(at, end), std::max(at, end), static_cast<Slot>(edges_[k].what)});
+      const HalfEdge& edge = edges_[k];
+      if ((sides & sidesAt_[edge.to]) == 0) continue;
+      const unsigned side = sideFrom(sides & sidesAt_[edge.to]);
+      const std::int32_t start = along(side, points_[v]), end = along(side, points_[edge.to]);
+      covered_[side].push_back({std::min(start, end), std::max(start, end), static_cast<Slot>(edge.what)});
     }
-    const bool isCorner = at == 0 || at == kUnitsPerCell;
+    const unsigned side = sideFrom(sides);
+    const bool isCorner = (sides & (sides - 1)) != 0;
     if (!isCorner) {
-      rimPoints_.push_back({at, storeFan(content, fanAt(v, kSideDirections[side]))});
-    } else if (points_[v] == kCorners[side] && !endsAt(v).empty()) {
+      rimPoints_[side].push_back({along(side, points_[v]), storeFan(content, fanAt(v, kSideDirections[side]))});
+    } else if (!endsAt(v).empty()) {
       const std::span<const Spoke> fan = fanAt(v, kSideDirections[side]);
       content.corners[side] = storeFan(content, fan);
-      if (linksCorner) linkAtCorner(content, side, fan);
+      if (linksCorners) linkAtCorner(content, side, fan);
     }
   }
 }
@@ -257,27 +272,15 @@ Content ContentBuilder::build(std::span<const PolygonId> polygons, std::span<con
   placeInside(preserved);
   linkInside();
   Content content;
-  spokes_.clear();
-  covered_.clear();
-  rimPoints_.clear();
-  std::array<std::size_t, kSides + 1> coveredAt{}, pointsAt{};
-  for (unsigned s = 0; s < kSides; ++s) {
-    takeSide(content, s, preserved.empty());
-    coveredAt[s + 1] = covered_.size();
-    pointsAt[s + 1] = rimPoints_.size();
-  }
+  takeSides(content, preserved.empty());
+  for (unsigned s = 0; s < kSides; ++s) content.sides[s] = {covered_[s], rimPoints_[s]};
   content.interior = interior_;
   content.spokes = spokes_;
-  content.covered = covered_;
-  content.points = rimPoints_;
   content.contacts = contacts_;
   content.polygons = polygons;
   content.preserved = preserved;
-  keepLists(content);
-  for (unsigned s = 0; s < kSides; ++s)
-    content.sides[s] = {content.covered.subspan(coveredAt[s], coveredAt[s + 1] - coveredAt[s]),
-                        content.points.subspan(pointsAt[s], pointsAt[s + 1] - pointsAt[s])};
   content.facts = factsOf(content);
+  keepLists(content);
   return content;
 }
 

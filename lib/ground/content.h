@@ -121,8 +121,10 @@ class ContentBuilder {
 
   std::uint64_t bytes() const {
     const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
-    return of(order_, points_, sidesAt_, ranks_, edges_, edgesAt_, ends_, endsAt_, sorted_, fan_, interior_, spokes_,
-              covered_, rimPoints_, keys_, contacts_);
+    std::uint64_t sum = of(order_, points_, sidesAt_, ranks_, edges_, edgesAt_, ends_, endsAt_, sorted_, fan_,
+                           interior_, spokes_, keys_, contacts_);
+    for (unsigned s = 0; s < kSides; ++s) sum += of(covered_[s], rimPoints_[s]);
+    return sum;
   }
 
  private:
@@ -146,7 +148,7 @@ class ContentBuilder {
   void linkInside();
   void linkAtCorner(Content& content, unsigned corner, std::span<const Spoke> fan);
   SpokeRange storeFan(Content& content, std::span<const Spoke> fan);
-  void takeSide(Content& content, unsigned side, bool linksCorner);
+  void takeSides(Content& content, bool linksCorners);
 
   // The vertices, and the edges between them.
   std::vector<PlacedVertex> order_;    ///< the polygons' vertices in order
@@ -162,8 +164,8 @@ class ContentBuilder {
   // The lists of the content.
   std::vector<InteriorEdge> interior_;
   std::vector<Spoke> spokes_;
-  std::vector<Interval> covered_;    ///< of all sides
-  std::vector<RimPoint> rimPoints_;  ///< the same
+  std::array<std::vector<Interval>, kSides> covered_;
+  std::array<std::vector<RimPoint>, kSides> rimPoints_;
   std::vector<std::uint64_t> keys_;  ///< of contacts
   std::vector<std::pair<Slot, Slot>> contacts_;
 };

@@ -30,6 +30,7 @@ void Edit::place(PolygonId polygon, Block block) {
 
 /// Whether the cell can hold `entries_`. Overlaps between them are kept where the preserve relation says so.
 Expected<void> Edit::check() {
+  if (ground_.grid.isUnloaded(cell_)) return refuse({.code = ErrorCode::unloaded}, cell_);
   if (newOnes_ > kMaxSerial - lastSerial_ || (!at_ && ground_.grid.isFull()))
     return refuse({.code = ErrorCode::capacity}, cell_);
   content_ = kEmptyContent;
@@ -108,6 +109,7 @@ Expected<ShapeId> Edit::shape(std::span<const PolygonView> polygons) {
 Expected<void> Edit::check(Cell cell, ShapeId shape) const {
   if (!inRange(cell)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = cell});
   if (ground_.catalogue.shape(shape).polygons.empty()) return refuse({.code = ErrorCode::unknownShape, .cell = cell});
+  if (ground_.grid.isUnloaded(cell)) return refuse({.code = ErrorCode::unloaded, .cell = cell});
   return {};
 }
 
@@ -138,7 +140,7 @@ Expected<PolygonHandle> Edit::add(Cell cell, PolygonView polygon, Block block) {
 
 Expected<void> Edit::remove(PolygonHandle polygon) {
   const auto slot = ground_.slotOf(polygon);
-  if (!slot) return refuse({.code = ErrorCode::staleHandle, .other = polygon});
+  if (!slot) return refuse(ground_.noPolygon(polygon));
   const CellAt at = ground_.grid.find(polygon.cellRef);
   if (ground_.content(at).polygons.size() == 1) {  // what is left needs no content
     ground_.set(at, kEmptyContent, ground_.lastSerial(at), {});
@@ -161,6 +163,7 @@ Expected<PolygonHandle> Edit::replace(Cell cell, ShapeId shape, Block block, std
 Expected<void> Edit::exchange(Cell cell, std::span<const PolygonHandle> removed, std::span<const NewPolygon> added,
                               std::span<PolygonHandle> handles) {
   if (!inRange(cell)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = cell});
+  if (ground_.grid.isUnloaded(cell)) return refuse({.code = ErrorCode::unloaded, .cell = cell});
   ground_.catalogue.collect();
   open(cell);
   for (std::size_t k = 0; k < removed.size(); ++k) {
@@ -182,7 +185,7 @@ Expected<void> Edit::exchange(Cell cell, std::span<const PolygonHandle> removed,
 
 Expected<void> Edit::setBlock(PolygonHandle polygon, Block block) {
   const auto slot = ground_.slotOf(polygon);
-  if (!slot) return refuse({.code = ErrorCode::staleHandle, .other = polygon});
+  if (!slot) return refuse(ground_.noPolygon(polygon));
   open(ground_.grid.cellOf(polygon.cellRef));
   if (entries_[*slot].placed.block == block) return {};
   entries_[*slot].placed.block = block;  // another overlap may be preserved now
@@ -213,6 +216,7 @@ Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block b
   placeAll();
   if (const auto content = this->content(); !content) return refuse(content.error(), cells.min);
   std::optional<Error> refusal;
+  if (const auto cell = ground_.firstUnloaded(cells)) refusal = {.code = ErrorCode::unloaded, .cell = *cell};
   ground_.grid.forEachCell(cells, [&](CellAt at, Cell cell) {
     if (at.word() < kLowMask || (refusal && std::pair(refusal->cell.j, refusal->cell.i) < std::pair(cell.j, cell.i)))
       return;
@@ -247,6 +251,7 @@ Expected<std::uint64_t> Edit::clear(const CellRect& cells) {
   if (lgs::isEmpty(cells)) return std::uint64_t{0};
   for (const Cell corner : {cells.min, cells.max})
     if (!inRange(corner)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = corner});
+  if (const auto cell = ground_.firstUnloaded(cells)) return refuse({.code = ErrorCode::unloaded, .cell = *cell});
   std::uint64_t count = 0;
   ground_.grid.forEachCell(cells, [&](CellAt at, Cell) {
     const std::size_t polygons = ground_.content(at).polygons.size();

@@ -57,7 +57,7 @@ bool Edit::addSoles(std::span<const Placement> placements, std::span<PolygonHand
   const auto takes = [&](const Placement& p) {
     const InternedShape& interned = ground_.catalogue.shape(p.shape);
     CellAt at = ground_.grid.findLast(p.cell);
-    if (!at && inRange(p.cell) && !ground_.grid.isFull()) {
+    if (!at && inRange(p.cell) && !ground_.grid.isFull() && ground_.grid.unloadedCount() == 0) {
       const std::size_t before = ground_.grid.count();
       at = ground_.grid.obtain(p.cell);
       if (ground_.grid.count() != before) made.push_back(at.chunk->index);

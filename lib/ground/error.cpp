@@ -74,6 +74,10 @@ std::string what(const Error& e) {
       return "a point is beyond the last cell, or a radius is not from 0 to 4,096 cells, "
              "or a ray is longer than 16,384 cells on an axis, or a region of a brush is more than 4,096 cells wide or "
              "high, or was made with a length that is not from 1 lattice unit to 2,048 cells";
+    case ErrorCode::unloaded:
+      if (e.segment) return "segment " + number(e.segment.value) + " is of ground that is unloaded";
+      if (e.other) return "the handle " + handle + " is of a chunk that is unloaded; reload it first";
+      return "the chunk with this cell is unloaded; reload it first";
   }
   return "unknown error";
 }
@@ -116,6 +120,8 @@ const char* name(ErrorCode code) {
       return "uncommitted";
     case ErrorCode::outOfReach:
       return "out of reach";
+    case ErrorCode::unloaded:
+      return "unloaded";
   }
   return "unknown error";
 }

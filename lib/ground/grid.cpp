@@ -14,7 +14,13 @@ std::uint64_t hashOf(std::uint64_t seed, std::int32_t ci, std::int32_t cj) {
 
 }  // namespace
 
-Grid::Grid(const Grid& other) : chunks_(other.chunks_), free_(other.free_), count_(other.count_), index_(other.index_) {
+Grid::Grid(const Grid& other)
+    : chunks_(other.chunks_),
+      borders_(other.borders_),
+      free_(other.free_),
+      count_(other.count_),
+      unloaded_(other.unloaded_),
+      index_(other.index_) {
   for (Chunk* chunk : chunks())
     for (Chunk*& beside : chunk->around)
       if (beside) beside = chunks_[beside->index].get();
@@ -34,14 +40,20 @@ void Chunk::makeRoomForBlock(Block block) {
   commonBlock = kNoBlock;
 }
 
-std::uint32_t Grid::indexOf(std::int32_t ci, std::int32_t cj) const {
-  return index_.find(hashOf(index_.seed(), ci, cj),
-                     [&](std::uint32_t k) { return chunks_[k]->ci == ci && chunks_[k]->cj == cj; });
+std::uint32_t Grid::numberAt(std::int32_t ci, std::int32_t cj) const {
+  return index_.find(hashOf(index_.seed(), ci, cj), [&](std::uint32_t k) { return placeOf(k) == std::pair(ci, cj); });
+}
+
+std::optional<std::pair<std::int32_t, std::int32_t>> Grid::placeOf(std::uint32_t number) const {
+  if (number >= chunks_.size()) return {};
+  if (const Chunk* chunk = chunks_[number].get()) return std::pair(chunk->ci, chunk->cj);
+  if (const Border* known = border(number)) return std::pair(known->ci, known->cj);
+  return {};
 }
 
 Chunk* Grid::findChunk(Cell cell) const {
-  const std::uint32_t found = indexOf(cell.i >> 5, cell.j >> 5);
-  return found == HashIndex::kNone ? nullptr : chunks_[found].get();
+  const std::uint32_t found = numberAt(cell.i >> 5, cell.j >> 5);
+  return found == kNoNumber ? nullptr : chunks_[found].get();
 }
 
 Chunk* Grid::obtainChunk(Cell cell) {
@@ -73,8 +85,8 @@ void Grid::link(Chunk& chunk) {
   chunk.around[4] = &chunk;
   for (std::int32_t dj = -1; dj <= 1; ++dj) {
     for (std::int32_t di = -1; di <= 1; ++di) {
-      const std::uint32_t found = indexOf(chunk.ci + di, chunk.cj + dj);
-      if (found == HashIndex::kNone) continue;
+      const std::uint32_t found = numberAt(chunk.ci + di, chunk.cj + dj);
+      if (found == kNoNumber || !chunks_[found]) continue;
       const auto there = 3 * static_cast<std::size_t>(dj + 1) + static_cast<std::size_t>(di + 1);
       chunk.around[there] = chunks_[found].get();
       chunks_[found]->around[8 - there] = &chunk;
@@ -82,22 +94,85 @@ void Grid::link(Chunk& chunk) {
   }
 }
 
-void Grid::forget(std::uint32_t number) {
-  const Chunk& chunk = *chunks_[number];
+void Grid::unlink(const Chunk& chunk) {
   for (std::size_t k = 0; k < chunk.around.size(); ++k)
     if (Chunk* beside = chunk.around[k]; beside && beside != &chunk) beside->around[8 - k] = nullptr;
   if (last_ == &chunk) last_ = nullptr;
-  index_.erase(hashOf(index_.seed(), chunk.ci, chunk.cj), number);
-  chunks_[number] = {};
+}
+
+void Grid::forget(std::uint32_t number) {
+  const auto [ci, cj] = *placeOf(number);
+  index_.erase(hashOf(index_.seed(), ci, cj), number);
+  sleep(number);
+  if (border(number)) {
+    borders_[number] = {};
+    --unloaded_;
+  }
   --count_;
   free_.push_back(number);
   std::push_heap(free_.begin(), free_.end(), std::greater());
-  while (count_ < highest() && !chunks_.back()) chunks_.pop_back();
+  while (count_ < highest() && !chunks_.back() && !border(static_cast<std::uint32_t>(highest()))) chunks_.pop_back();
   giveBackSpare(chunks_);
+  while (!borders_.empty() && !borders_.back()) borders_.pop_back();
+  giveBackSpare(borders_);
+}
+
+void Grid::unload(Chunk& chunk, Border border) {
+  if (last_ == &chunk) last_ = nullptr;
+  chunk.isUnloaded = true;
+  if (borders_.size() <= chunk.index) borders_.resize(std::size_t{chunk.index} + 1);
+  border.ci = chunk.ci;
+  border.cj = chunk.cj;
+  borders_[chunk.index] = Owned(std::make_unique<Border>(std::move(border)));
+  ++unloaded_;
+}
+
+Border Grid::load(Chunk& chunk) {
+  Border border = std::move(*borders_[chunk.index]);
+  borders_[chunk.index] = {};
+  --unloaded_;
+  chunk.isUnloaded = false;
+  return border;
+}
+
+Chunk& Grid::wake(std::uint32_t number) {
+  if (!chunks_[number]) {
+    auto chunk = std::make_unique<Chunk>();
+    chunk->ci = borders_[number]->ci;
+    chunk->cj = borders_[number]->cj;
+    chunk->index = number;
+    chunk->isUnloaded = true;
+    chunks_[number] = Owned(std::move(chunk));
+    link(*chunks_[number]);
+  }
+  return *chunks_[number];
+}
+
+bool Grid::isAsleep(std::uint32_t number) const {
+  const Chunk* chunk = chunks_[number].get();
+  return !chunk || std::ranges::all_of(chunk->cells, [](std::uint32_t word) { return word == 0; });
+}
+
+void Grid::sleep(std::uint32_t number) {
+  if (!chunks_[number]) return;
+  unlink(*chunks_[number]);
+  chunks_[number] = {};
+}
+
+bool Grid::hasLoadedBeside(const Border& border) const {
+  for (std::int32_t dj = -1; dj <= 1; ++dj) {
+    for (std::int32_t di = -1; di <= 1; ++di) {
+      const std::uint32_t there = numberAt(border.ci + di, border.cj + dj);
+      if (there != kNoNumber && !this->border(there)) return true;
+    }
+  }
+  return false;
 }
 
 std::uint64_t Grid::bytes() const {
   std::uint64_t sum = chunks_.capacity() * sizeof chunks_[0] + free_.capacity() * sizeof free_[0] + index_.bytes();
+  sum += borders_.capacity() * sizeof borders_[0];
+  for (const Owned<Border>& border : borders_) sum += border ? border->bytes() : 0;
   for (const Chunk* chunk : chunks()) sum += sizeof(Chunk) + (chunk->blocks ? kChunkCells * sizeof(Block) : 0);
   return sum;
 }

@@ -3,8 +3,11 @@
 //
 // Chunks have numbers. A new one takes the least that is free. So the numbers in use say which one comes next, and
 // nothing else has to be saved.
+//
+// An unloaded chunk keeps its number, and has a border (border.h). It is a Chunk, too, while a loaded one is beside it.
 #pragma once
 
+#include "ground/border.h"
 #include "ground/chunk.h"
 #include "storage/hash_index.h"
 #include "storage/owned.h"
@@ -16,6 +19,7 @@
 #include <cstdint>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -71,6 +75,10 @@ class Grid {
   CellAt seek(Cell cell) { return {isLast(cell) ? last_ : remember(findChunk(cell)), localOf(cell)}; }
   /// Makes the chunk if there is none yet. The caller has seen that the grid is not full, or has the chunk.
   CellAt obtain(Cell cell) { return {isLast(cell) ? last_ : obtainChunk(cell), localOf(cell)}; }
+  /// Whether a cell is in an unloaded chunk. Then it may be without chunk, and must not be obtained.
+  bool isUnloaded(Cell cell) const {
+    return unloaded_ != 0 && !isLast(cell) && border(numberAt(cell.i >> 5, cell.j >> 5)) != nullptr;
+  }
   /// Whether there are as many chunks as there can be.
   bool isFull() const;
   /// The cell that a handle or a segment names. Without chunk if the number is none of ours.
@@ -80,14 +88,50 @@ class Grid {
     return {chunks_[index].get(), cellRef % kChunkCells};
   }
   Cell cellOf(std::uint32_t cellRef) const { return chunks_[cellRef / kChunkCells]->cell(cellRef % kChunkCells); }
+  static constexpr std::uint32_t kNoNumber = HashIndex::kNone;
+  /// The number of the chunk in a place, given in chunks, loaded or not; kNoNumber if there is none.
+  std::uint32_t numberAt(std::int32_t ci, std::int32_t cj) const;
+  /// Where a chunk is, in chunks, loaded or not; nothing if the number is not in use.
+  std::optional<std::pair<std::int32_t, std::int32_t>> placeOf(std::uint32_t number) const;
   /// The chunk with a number that is in use.
   Chunk& chunk(std::uint32_t number) const { return *chunks_[number]; }
+
+  // --- Unloaded chunks, by their numbers
+
+  /// Null if the chunk is loaded, or the number is none of ours.
+  Border* border(std::uint32_t number) const { return number < borders_.size() ? borders_[number].get() : nullptr; }
+  std::size_t unloadedCount() const { return unloaded_; }
+  /// A chunk is unloaded from now on.
+  void unload(Chunk& chunk, Border border);
+  /// It is loaded from now on.
+  Border load(Chunk& chunk);
+  /// The chunk of a number with a border. It is made, if there is none: then its cells hold nothing.
+  Chunk& wake(std::uint32_t number);
+  /// Whether all cells hold nothing, if it is a Chunk at all.
+  bool isAsleep(std::uint32_t number) const;
+  /// Takes the Chunk away. The border stays.
+  void sleep(std::uint32_t number);
+  bool hasLoadedBeside(const Border& border) const;
+  /// Calls visit(number) for the unloaded chunks with cells of a rectangle, in no particular order.
+  template <class Visit>
+  void forEachUnloaded(const CellRect& cells, Visit&& visit) const {
+    if (unloaded_ == 0) return;
+    const ChunkRect reach(cells);
+    if (reach.count() > borders_.size()) {
+      for (std::uint32_t number = 1; number < borders_.size(); ++number)
+        if (const Border* b = border(number); b && reach.contains(b->ci, b->cj)) visit(number);
+      return;
+    }
+    for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
+      for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci)
+        if (const std::uint32_t number = numberAt(ci, cj); border(number)) visit(number);
+  }
   /// By number: Chunk::index, from 1 on.
   Chunks chunks() const {
     const Owned<Chunk>* end = chunks_.data() + chunks_.size();
     return {{chunks_.data() + 1, end}, {end, end}};
   }
-  /// How many there are.
+  /// How many there are, with those that are unloaded.
   std::size_t count() const { return count_; }
   /// The greatest number in use.
   std::size_t highest() const { return chunks_.size() - 1; }
@@ -128,19 +172,19 @@ class Grid {
   void leaveOut() { chunks_.emplace_back(); }
   void setFree(std::vector<std::uint32_t> numbers) { free_ = std::move(numbers); }
 
-  /// Takes a chunk away that nothing refers to any more.
+  /// Takes a chunk away that nothing refers to any more, or the border of one.
   void forget(std::uint32_t number);
 
   std::uint64_t bytes() const;
 
  private:
-  std::uint32_t indexOf(std::int32_t ci, std::int32_t cj) const;
   Chunk* findChunk(Cell cell) const;
   Chunk* obtainChunk(Cell cell);
   void link(Chunk& chunk);
+  void unlink(const Chunk& chunk);
   std::uint32_t freeNumber();
   Chunk* remember(Chunk* chunk) {
-    if (chunk && inRange(chunk->cell(kChunkCells - 1))) last_ = chunk;
+    if (chunk && !chunk->isUnloaded && inRange(chunk->cell(kChunkCells - 1))) last_ = chunk;
     return chunk;
   }
   bool isLast(Cell cell) const { return last_ && last_->ci == cell.i >> 5 && last_->cj == cell.j >> 5; }
@@ -148,9 +192,11 @@ class Grid {
   // Index 0 is no chunk of the world. A segment that is not alive says that it is in cell 0, and that is there. So a
   // link to one, should there ever be such a link, can be followed: the harness then reports it, where a crash says
   // little.
-  std::vector<Owned<Chunk>> chunks_;  ///< by number; null where it is free. The last one is there.
-  std::vector<std::uint32_t> free_;   ///< numbers, as a heap with the least first; those beyond the last one are none
-  std::size_t count_ = 0;
+  std::vector<Owned<Chunk>> chunks_;    ///< by number; null where it is free, or asleep. The last one is in use.
+  std::vector<Owned<Border>> borders_;  ///< by number; of those that are unloaded
+  std::vector<std::uint32_t> free_;     ///< numbers, as a heap with the least first; those beyond the last one are none
+  std::size_t count_ = 0;               ///< of numbers in use
+  std::size_t unloaded_ = 0;
   HashIndex index_;
   // Edits come in neighbourhoods, so the chunk of the last one is tried first. It has no cell out of range, so who finds
   // a cell there need not ask.

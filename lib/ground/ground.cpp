@@ -20,6 +20,8 @@ Ground::Ground(const Ground& other)
       forgotten_(other.forgotten_),
       committed_(other.committed_),
       notesFor_(other.notesFor_),
+      unsettled_(other.unsettled_),
+      sleepy_(other.sleepy_),
       undoneNotes_(other.undoneNotes_),
       undoneShapes_(other.undoneShapes_),
       cellChanges_(other.cellChanges_) {
@@ -28,6 +30,7 @@ Ground::Ground(const Ground& other)
 
 std::optional<Slot> Ground::slotOf(PolygonHandle handle) const {
   const CellAt at = grid.find(handle.cellRef);
+  if (isUnloaded(at)) return std::nullopt;
   const std::size_t count = content(at).polygons.size();
   for (Slot slot = 0; slot < count; ++slot)
     if (placed(at)[slot].serial == handle.serial) return slot;
@@ -107,6 +110,13 @@ void Ground::noteCommit() {
   if (!isNoting(For::marks)) forgetNotes(committed_);
 }
 
+void Ground::noteNewChunk(const Chunk& chunk) {
+  if (isNoting())
+    notes_.push_back(
+        {chunk.index, static_cast<std::uint32_t>(chunk.ci), static_cast<std::uint32_t>(chunk.cj), Note::Of::chunk});
+  settleAround(chunk);
+}
+
 // The note takes over what the word stands for.
 void Ground::note(CellAt at) {
   const bool isChanged = (at.chunk->dirty[at.row()] & at.bit()) != 0;
@@ -121,11 +131,17 @@ void Ground::giveBack(CellAt at, const Note& note) {
 }
 
 void Ground::undo(const Note& note, Undone undone) {
-  if (!note.isOfCell()) {
-    if (undone == Undone::keep) undoneNotes_.push_back(note);
-    note.of == Note::Of::row ? undoRow(note) : grid.forget(note.ref);
+  if (note.isOfCell()) return undoCell(note, undone);
+  if (note.of == Note::Of::turn) {
+    const Note again = turn(note);
+    if (undone == Undone::keep) undoneNotes_.push_back(again);
     return;
   }
+  if (undone == Undone::keep) undoneNotes_.push_back(note);
+  note.of == Note::Of::row ? undoRow(note) : grid.forget(note.ref);
+}
+
+void Ground::undoCell(const Note& note, Undone undone) {
   const CellAt at = grid.find(note.ref);
   if (undone == Undone::keep)
     undoneNotes_.push_back({note.ref, moveList(at.word(), lists_, notedLists_), at.chunk->block(at.local), note.of});
@@ -179,7 +195,13 @@ void Ground::redo(const Note& note) {
     return;
   }
   if (note.of == Note::Of::chunk) {  // the same number is the least that is free
-    obtain({static_cast<std::int32_t>(note.word) * kChunkSize, static_cast<std::int32_t>(note.block) * kChunkSize});
+    grid.obtain(
+        {static_cast<std::int32_t>(note.word) * kChunkSize, static_cast<std::int32_t>(note.block) * kChunkSize});
+    notes_.push_back(note);
+    return;
+  }
+  if (note.of == Note::Of::turn) {
+    notes_.push_back(turn(note));
     return;
   }
   const CellAt at = grid.find(note.ref);
@@ -212,9 +234,12 @@ void Ground::forgetUndone() {
 }
 
 /// Tells followers what changed between two commits, of which these are the notes. The ground is as of the later one.
-/// The first note of a cell says what it held at the earlier one.
+/// The first note of a cell says what it held at the earlier one. Of a chunk that is, or was, unloaded nothing is told.
 void Ground::tell(std::uint64_t begin, std::uint64_t end, Way way) {
-  std::unordered_set<std::uint32_t> told;
+  std::unordered_set<std::uint32_t> told, turned;
+  for (std::uint64_t k = begin; k < end; ++k)
+    if (const Note& note = notes_[k - forgotten_]; note.of == Note::Of::turn && !turned.insert(note.ref).second)
+      turned.erase(note.ref);
   std::vector<PlacedPolygon> before, now;
   cellChanges_.clear();
   for (std::uint64_t k = begin; k < end; ++k) {
@@ -223,8 +248,10 @@ void Ground::tell(std::uint64_t begin, std::uint64_t end, Way way) {
     const CellAt at = grid.find(note.ref);
     before.clear();
     now.clear();
-    read({note.ref, note.word, note.block, &notedLists_}, way == Way::back ? now : before);
-    read(held(at), way == Way::back ? before : now);
+    const bool isUnloaded = at.chunk->isUnloaded, wasUnloaded = isUnloaded != turned.contains(at.chunk->index);
+    if (isUnloaded && wasUnloaded) continue;
+    if (!wasUnloaded) read({note.ref, note.word, note.block, &notedLists_}, way == Way::back ? now : before);
+    if (!isUnloaded) read(held(at), way == Way::back ? before : now);
     cellChanges_.add(at.cell(), before, now);
   }
   cellChanges_.own();
@@ -238,25 +265,6 @@ std::vector<Cell> Ground::editedSince(const Moment& moment) const {
     if (note.isOfCell() && known.insert(note.ref).second) cells.push_back(grid.cellOf(note.ref));
   }
   return cells;
-}
-
-std::vector<std::uint32_t> Ground::forget(const CellRect& cells) {
-  std::vector<std::uint32_t> gone;
-  const auto isWithin = [&](Cell cell) {  // cells that there are not need not be
-    return cells.min.i <= std::max(cell.i, -kMaxCell) && std::min(cell.i, kMaxCell) <= cells.max.i &&
-           cells.min.j <= std::max(cell.j, -kMaxCell) && std::min(cell.j, kMaxCell) <= cells.max.j;
-  };
-  grid.forEachChunk(cells, [&](Chunk& chunk) {
-    CellAt at{&chunk, 0};
-    if (!isWithin(at.cell()) || !isWithin(chunk.cell(kChunkCells - 1))) return;
-    while (at.local < kChunkCells && contentId(at) == kEmptyContent) ++at.local;
-    if (at.local == kChunkCells) gone.push_back(chunk.index);
-  });
-  for (const std::uint32_t number : gone) {
-    for (const CellWord word : grid.chunk(number).cells) drop(word, lists_);
-    grid.forget(number);
-  }
-  return gone;
 }
 
 void Ground::startNoting(For whom) {
@@ -287,9 +295,9 @@ void Ground::forgetNotes(std::uint64_t end) {
 }
 
 std::uint64_t Ground::bytes() const {
-  return grid.bytes() + catalogue.bytes() + lists_.bytes() + notedLists_.bytes() +
-         changed_.capacity() * sizeof changed_[0] + cellChanges_.bytes() +
-         (notes_.capacity() + undoneNotes_.capacity()) * sizeof notes_[0];
+  const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
+  return grid.bytes() + catalogue.bytes() + lists_.bytes() + notedLists_.bytes() + cellChanges_.bytes() +
+         of(changed_, notes_, undoneNotes_, unsettled_, sleepy_);
 }
 
 }  // namespace lgs::detail

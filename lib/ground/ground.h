@@ -56,6 +56,8 @@ class Ground {
   }
   static bool isListed(CellAt at) { return (at.word() & kListBit) != 0; }
   std::optional<Slot> slotOf(PolygonHandle handle) const;
+  /// Why slotOf() finds none.
+  Error noPolygon(PolygonHandle handle) const;
   bool keeps(Block a, Block b) const { return preserve && (a < b ? preserve(a, b) : preserve(b, a)); }
 
   PreserveRelation preserve;
@@ -66,14 +68,32 @@ class Ground {
   CellAt obtain(Cell cell) {
     const std::size_t before = grid.count();
     const CellAt at = grid.obtain(cell);
-    if (grid.count() != before && isNoting())
-      notes_.push_back({at.chunk->index, static_cast<std::uint32_t>(at.chunk->ci),
-                        static_cast<std::uint32_t>(at.chunk->cj), Note::Of::chunk});
+    if (grid.count() != before) [[unlikely]]
+      noteNewChunk(*at.chunk);
     return at;
   }
-  /// Forgets the chunks that lie in a rectangle as a whole and hold nothing. Returns their numbers. Nothing may be noted
-  /// for marks, and nothing may have changed since the last commit.
+  /// Forgets the chunks that lie in a rectangle as a whole and hold nothing, and the unloaded ones that no loaded one is
+  /// beside. Returns their numbers. Nothing may be noted for marks, and nothing may have changed since the last commit.
   std::vector<std::uint32_t> forget(const CellRect& cells);
+
+  // --- Chunks that are not in memory (unloaded.cpp). Their cells hold what the loaded chunks beside them need.
+
+  /// The loaded chunks, or the unloaded ones, that lie in a rectangle as a whole: their numbers, by rows.
+  std::vector<std::uint32_t> chunksWithin(const CellRect& cells, bool areUnloaded) const;
+  /// The first unloaded cell of a rectangle, by rows; nothing if it has none.
+  std::optional<Cell> firstUnloaded(const CellRect& cells) const;
+  /// A loaded chunk leaves. The checksum is that of the bytes with which it can come back.
+  void unload(std::uint32_t number, std::uint32_t checksum);
+  /// An unloaded chunk comes back. Its cells are for the caller to set(), with and without polygons; then settleAround().
+  Chunk& load(std::uint32_t number);
+  /// The same, and its cells hold nothing. No serial of before is given out again.
+  void loadEmpty(std::uint32_t number);
+  /// After a chunk came: the unloaded ones beside it hold what it needs.
+  void settleAround(const Chunk& chunk);
+  /// What forget() left to be done, before a commit.
+  void settle();
+  /// After a commit: chunks that nobody needs are no Chunk any more, unless marks may need them. Returns their numbers.
+  std::vector<std::uint32_t> sleep();
 
   // --- The primitive
 
@@ -139,13 +159,13 @@ class Ground {
   std::uint64_t bytes() const;
 
  private:
-  /// A cell before an edit, with all that its word stands for; a row of changed cells before a commit; or a chunk that
-  /// an edit made.
+  /// A cell before an edit, with all that its word stands for; a row of changed cells before a commit; a chunk that an
+  /// edit made; or the border of a chunk before it was unloaded or came back.
   struct Note {
-    enum class Of : std::uint32_t { cell, changedCell, row, chunk };  // changed: since the commit before
+    enum class Of : std::uint32_t { cell, changedCell, row, chunk, turn };  // changed: since the commit before
     std::uint32_t ref = 0;   ///< of the cell; of a row 32 * Chunk::index + row; number of the chunk
-    std::uint32_t word = 0;  ///< of the cell; the bits of the row; column of the chunk
-    Block block = 0;         ///< of the cell; row of the chunk
+    std::uint32_t word = 0;  ///< of the cell; the bits of the row; column of the chunk; checksum of the border, or 0
+    Block block = 0;         ///< of the cell; row of the chunk; last serial of the border, or 0
     Of of = Of::cell;
     bool isOfCell() const { return of == Of::cell || of == Of::changedCell; }
   };
@@ -159,6 +179,9 @@ class Ground {
     at.word() = word;
     if (hasSole(word)) at.chunk->setBlock(at.local, block);
     touch(at, facts);
+  }
+  bool holdsNothing(CellWord word) const {
+    return word <= kLowMask || (isListed(word) && list(word).content() == kEmptyContent);
   }
   static bool isListed(CellWord word) { return (word & kListBit) != 0; }
   static PolygonList list(CellWord word, const RecordArena& lists) { return PolygonList(lists.at(word & ~kListBit)); }
@@ -184,10 +207,19 @@ class Ground {
     chunk.facts[at.local] = facts;
     chunk.everFacts |= facts;
   }
+  void noteNewChunk(const Chunk& chunk);
   void note(CellAt at);
   void noteCommit();
+  CellWord copyOf(CellWord word);
+  void touchAgain(CellAt at);
+  Border borderOf(const Chunk& chunk, const Note& as);
+  Note turn(const Note& note);
+  void settle(std::uint32_t number, bool isNeeded);
+  void settleIfUnloaded(std::uint32_t number);
+  bool isUnloaded(CellAt at) const { return at && at.chunk->isUnloaded; }
   static CellWord moveList(CellWord word, RecordArena& from, RecordArena& to);
   void undo(const Note& note, Undone undone);
+  void undoCell(const Note& note, Undone undone);
   void undoRow(const Note& note);
   void undoTo(std::uint64_t notes, Undone undone);
   void redo(const Note& note);
@@ -201,11 +233,13 @@ class Ground {
   RecordArena lists_;
   std::vector<Chunk*> changed_;
   std::vector<Note> notes_;
-  RecordArena notedLists_;       ///< of the words in notes: so the other arena does not grow with them
-  std::size_t dropped_ = 0;      ///< notes at the front of the vector that are forgotten already
-  std::uint64_t forgotten_ = 0;  ///< notes that are gone from the front of the vector
-  std::uint64_t committed_ = 0;  ///< how many notes there were at the last commit, if somebody follows
-  std::uint8_t notesFor_ = 0;    ///< bits of For
+  RecordArena notedLists_;                ///< of the words in notes: so the other arena does not grow with them
+  std::size_t dropped_ = 0;               ///< notes at the front of the vector that are forgotten already
+  std::uint64_t forgotten_ = 0;           ///< notes that are gone from the front of the vector
+  std::uint64_t committed_ = 0;           ///< how many notes there were at the last commit, if somebody follows
+  std::uint8_t notesFor_ = 0;             ///< bits of For
+  std::vector<std::uint32_t> unsettled_;  ///< numbers of chunks that forget() left for the next commit
+  std::vector<std::uint32_t> sleepy_;     ///< numbers of unloaded chunks that may have become empty
   // What was undone and can come back, the first to come last.
   std::vector<Note> undoneNotes_;
   std::vector<InternedShape> undoneShapes_;

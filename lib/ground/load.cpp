@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -17,16 +18,59 @@ class Load {
  public:
   Load(Ground& ground, SnapshotReader& in) : ground_(ground), in_(in) {}
 
-  void run(bool hasFreeNumbers) {
-    if ((in_.byte() != 0) != static_cast<bool>(ground_.preserve)) in_.fail(What::relation);
+  void world(bool hasFreeNumbers) {
+    relation();
     polygons();
+    // save() writes each polygon once, so each is new here, and gets the next number.
+    for (PolygonId id = 0; id < polygons_.size(); ++id)
+      if (polygons_[id] != id) return in_.fail(What::badPolygon);
     contents();
     shapes();
     if (hasFreeNumbers) freeNumbers();
     chunks();
   }
 
+  Cell chunk(std::uint32_t checksum) {
+    relation();
+    const auto [ci, cj] = place({}, {});
+    if (in_.failed()) return {};
+    const std::uint32_t number = ground_.grid.numberAt(ci, cj);
+    const Border* border = ground_.grid.border(number);
+    if (border ? border->checksum != checksum : number != Grid::kNoNumber)
+      in_.fail(border ? What::otherBytes : What::loaded);
+    if (number == Grid::kNoNumber && ground_.grid.isFull()) in_.fail(What::capacity);
+    polygons();
+    contents();
+    const Cell corner{ci * kChunkSize, cj * kChunkSize};
+    cells(corner);
+    if (in_.left() != 0) in_.fail(What::tooLong);
+    if (in_.failed()) return {};
+    Chunk& chunk = border ? ground_.load(number) : *ground_.obtain(corner).chunk;
+    for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local)
+      if (at.word() != 0) ground_.set(at, kEmptyContent, 0, {});  // at the rim
+    fill(chunk);
+    ground_.settleAround(chunk);
+    return corner;
+  }
+
  private:
+  /// A content by its number in the bytes. There the slots are in the order of the polygons' numbers.
+  struct Known {
+    ContentId content = kEmptyContent;
+    std::vector<Slot> slots;  ///< here, by those in the bytes
+  };
+  /// What a cell gets.
+  struct Filled {
+    std::uint32_t local = 0;
+    ContentId content = kEmptyContent;
+    std::uint32_t lastSerial = 0;
+    std::uint32_t first = 0, count = 0;  ///< of placed_
+  };
+
+  void relation() {
+    if ((in_.byte() != 0) != static_cast<bool>(ground_.preserve)) in_.fail(What::relation);
+  }
+
   void polygons() {
     const std::size_t count = in_.count(~std::uint64_t{0});
     std::vector<LocalPoint> vertices;
@@ -38,50 +82,70 @@ class Load {
       }
       if (in_.failed()) return;
       const auto id = ground_.catalogue.internPolygon(vertices);
-      // save() writes each polygon once, so each is new here, and gets the next number.
-      if (!id || *id != polygons_.size()) return in_.fail(What::badPolygon);
+      if (!id) return in_.fail(What::badPolygon);
       polygons_.push_back(*id);
     }
   }
 
-  /// Polygons by number, as one cell may hold them.
+  /// Numbers of polygons, as one cell may hold them; ids_ are their names here.
   const std::vector<PolygonId>& list() {
     list_.resize(in_.count(kMaxPolygonsPerCell));
-    for (PolygonId& id : list_) id = static_cast<PolygonId>(in_.number(polygons_.size()));
-    for (const PolygonId id : list_)
-      if (id >= polygons_.size()) in_.fail(What::badNumber);
+    for (PolygonId& number : list_) number = static_cast<PolygonId>(in_.number(polygons_.size()));
+    ids_.clear();
+    for (const PolygonId number : list_) {
+      if (number >= polygons_.size()) in_.fail(What::badNumber);
+      ids_.push_back(in_.failed() ? 0 : polygons_[number]);
+    }
     return list_;
   }
 
   void contents() {
-    contents_.push_back(kEmptyContent);
+    contents_.emplace_back();
     const std::size_t count = in_.count(kMaxContent);
     std::vector<std::pair<Slot, Slot>> preserved;
     for (std::size_t k = 0; k < count && !in_.failed(); ++k) {
-      const std::vector<PolygonId>& polygons = list();
+      const std::vector<PolygonId>& numbers = list();
       preserved.resize(in_.count(kMaxPolygonsPerCell * kMaxPolygonsPerCell));
       for (auto& [a, b] : preserved) {
         a = static_cast<Slot>(in_.number(kMaxPolygonsPerCell));
         b = static_cast<Slot>(in_.number(kMaxPolygonsPerCell));
+        if (a >= numbers.size() || b >= numbers.size()) in_.fail(What::badNumber);
       }
       if (in_.failed()) return;
-      if (polygons.empty() || !isIncreasing(polygons) || !isIncreasing(preserved)) return in_.fail(What::badNumber);
-      const auto content = ground_.catalogue.internContent(polygons, {}, preserved);
+      if (numbers.empty() || !isIncreasing(numbers) || !isIncreasing(preserved)) return in_.fail(What::badNumber);
+      const std::vector<Slot> slots = sorted(ids_);
+      if (!isIncreasing(ids_)) return in_.fail(What::badPolygon);  // the same one twice
+      for (auto& [a, b] : preserved) std::tie(a, b) = std::pair(std::minmax(slots[a], slots[b]));
+      detail::sort(preserved);
+      const auto content = ground_.catalogue.internContent(ids_, {}, preserved);
       if (!content) return in_.fail(content.error().code == ErrorCode::capacity ? What::capacity : What::badPolygon);
       // Only an overlap that is there can be preserved, and only by a relation.
       const auto& contacts = ground_.catalogue.content(*content).contacts;
       if (!std::ranges::includes(contacts, preserved) || (!preserved.empty() && !ground_.preserve))
         return in_.fail(What::badNumber);
-      contents_.push_back(*content);
+      contents_.push_back({*content, slots});
     }
+  }
+
+  /// Sorts. Returns where each of them went.
+  static std::vector<Slot> sorted(std::vector<PolygonId>& ids) {
+    std::vector<std::pair<PolygonId, Slot>> order;
+    for (std::size_t k = 0; k < ids.size(); ++k) order.emplace_back(ids[k], static_cast<Slot>(k));
+    detail::sort(order);
+    std::vector<Slot> slots(ids.size());
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      ids[k] = order[k].first;
+      slots[order[k].second] = static_cast<Slot>(k);
+    }
+    return slots;
   }
 
   void shapes() {
     const std::size_t count = in_.count(~std::uint64_t{0});
     for (std::size_t k = 0; k < count && !in_.failed(); ++k) {
-      const std::vector<PolygonId>& polygons = list();
+      list();
       if (in_.failed()) return;
-      const auto shape = ground_.catalogue.internShape(polygons);
+      const auto shape = ground_.catalogue.internShape(ids_);
       if (!shape || shape->value != k + 1) return in_.fail(What::badPolygon);
     }
   }
@@ -104,95 +168,122 @@ class Load {
   }
 
   void chunks() {
-    constexpr std::int64_t kFarthest = kMaxCell / kChunkSize;
     const std::size_t count = in_.count(kMaxChunks);
-    std::int64_t ci = 0, cj = 0;
+    std::pair<std::int32_t, std::int32_t> at;
     std::size_t left = 0;  // free numbers that are passed
     for (std::size_t k = 0; k < count && !in_.failed(); ++k) {
-      ci += unfolded(in_.number(8 * kFarthest));
-      cj += unfolded(in_.number(8 * kFarthest));
-      if (std::max(std::abs(ci), std::abs(cj)) > kFarthest) in_.fail(What::badNumber);
+      at = place(at.first, at.second);
       if (in_.failed()) return;
       for (; left < free_.size() && free_[left] == ground_.grid.highest() + 1; ++left) ground_.grid.leaveOut();
-      const CellAt at =
-          ground_.grid.obtain({static_cast<std::int32_t>(ci * kChunkSize), static_cast<std::int32_t>(cj * kChunkSize)});
-      if (at.chunk->index != left + k + 1) return in_.fail(What::badNumber);  // it is there already
-      cells(*at.chunk);
+      const Cell corner{at.first * kChunkSize, at.second * kChunkSize};
+      Chunk& chunk = *ground_.grid.obtain(corner).chunk;
+      if (chunk.index != left + k + 1) return in_.fail(What::badNumber);  // it is there already
+      cells(corner);
+      if (!in_.failed()) fill(chunk);
     }
     if (left != free_.size()) in_.fail(What::badNumber);  // beyond the last chunk none counts as free
     ground_.grid.setFree(std::move(free_));
   }
 
-  void cells(Chunk& chunk) {
+  /// Of a chunk, in chunks, from the one before.
+  std::pair<std::int32_t, std::int32_t> place(std::int64_t ci, std::int64_t cj) {
+    constexpr std::int64_t kFarthest = kMaxCell / kChunkSize;
+    ci += unfolded(in_.number(8 * kFarthest));
+    cj += unfolded(in_.number(8 * kFarthest));
+    if (std::max(std::abs(ci), std::abs(cj)) > kFarthest) in_.fail(What::badNumber);
+    return {static_cast<std::int32_t>(ci), static_cast<std::int32_t>(cj)};
+  }
+
+  /// Reads what the cells of a chunk get. Nothing is changed yet.
+  void cells(Cell corner) {
     std::array<std::uint64_t, kChunkCells> contents{}, serials{};
     RunReader contentRuns(in_, 2 * contents_.size());
     for (std::uint64_t& content : contents) content = contentRuns.next();
     contentRuns.end();
     const auto isListed = [&](std::uint32_t local) { return (contents[local] & 1u) != 0; };
-    const auto contentAt = [&](std::uint32_t local) -> ContentId {
+    const auto contentAt = [&](std::uint32_t local) -> const Known& {
       const auto number = static_cast<std::size_t>(contents[local] >> 1);
       if (number >= contents_.size()) in_.fail(What::badNumber);
-      return in_.failed() ? kEmptyContent : contents_[number];
+      return contents_[in_.failed() ? 0 : number];
     };
     RunReader serialRuns(in_, kLowMask);
     for (std::uint32_t local = 0; local < kChunkCells; ++local)
       if (!isListed(local)) serials[local] = serialRuns.next();
     serialRuns.end();
+    filled_.clear();
+    placed_.clear();
     RunReader blockRuns(in_, ~Block{0});
     for (std::uint32_t local = 0; local < kChunkCells && !in_.failed(); ++local)
-      if (!isListed(local)) compactCell({&chunk, local}, contentAt(local), serials[local], blockRuns);
+      if (!isListed(local)) compactCell(local, contentAt(local), serials[local], blockRuns);
     blockRuns.end();
     for (std::uint32_t local = 0; local < kChunkCells && !in_.failed(); ++local)
-      if (isListed(local)) listedCell({&chunk, local}, contentAt(local));
+      if (isListed(local)) listedCell(local, contentAt(local));
+    for (const Filled& f : filled_)
+      if (!inRange(Cell{corner.i + static_cast<std::int32_t>(f.local % kChunkSize),
+                        corner.j + static_cast<std::int32_t>(f.local / kChunkSize)}))
+        in_.fail(What::badNumber);
   }
 
-  void compactCell(CellAt at, ContentId content, std::uint64_t serial, RunReader& blocks) {
-    const bool isEmpty = content == kEmptyContent;
+  void compactCell(std::uint32_t local, const Known& known, std::uint64_t serial, RunReader& blocks) {
+    const bool isEmpty = known.content == kEmptyContent;
     if (isEmpty && serial == 0) return;
-    if (!isEmpty && (serial == 0 || ground_.catalogue.content(content).polygons.size() != 1)) in_.fail(What::badNumber);
-    const Placed sole{static_cast<std::uint32_t>(serial), isEmpty ? 0 : static_cast<Block>(blocks.next())};
-    set(at, content, sole.serial, {&sole, isEmpty ? 0u : 1u});
+    if (!isEmpty && (serial == 0 || known.slots.size() != 1)) in_.fail(What::badNumber);
+    begin(local, known, static_cast<std::uint32_t>(serial));
+    if (!in_.failed() && !isEmpty) placed_.back() = {filled_.back().lastSerial, static_cast<Block>(blocks.next())};
   }
 
-  void listedCell(CellAt at, ContentId content) {
-    const auto lastSerial = static_cast<std::uint32_t>(in_.number(kMaxSerial));
-    placed_.resize(ground_.catalogue.content(content).polygons.size());
+  void listedCell(std::uint32_t local, const Known& known) {
+    begin(local, known, static_cast<std::uint32_t>(in_.number(kMaxSerial)));
+    const Filled& cell = filled_.back();
     serials_.clear();
-    for (Placed& placed : placed_) {
-      placed.serial = static_cast<std::uint32_t>(in_.number(lastSerial));
+    for (const Slot slot : known.slots) {
+      Placed& placed = placed_[cell.first + slot];
+      placed.serial = static_cast<std::uint32_t>(in_.number(cell.lastSerial));
       placed.block = static_cast<Block>(in_.number(~Block{0}));
       serials_.push_back(placed.serial);
     }
     detail::sort(serials_);
     if (!isIncreasing(serials_) || (!serials_.empty() && serials_.front() == 0)) in_.fail(What::badNumber);
-    if (!in_.failed() && !isPreservedAsHere(ground_.catalogue.content(content))) in_.fail(What::relation);
-    set(at, content, lastSerial, placed_);
+    if (!in_.failed() && !isPreservedAsHere(cell)) in_.fail(What::relation);
+  }
+
+  void begin(std::uint32_t local, const Known& known, std::uint32_t lastSerial) {
+    filled_.push_back({local, known.content, lastSerial, static_cast<std::uint32_t>(placed_.size()),
+                       static_cast<std::uint32_t>(known.slots.size())});
+    placed_.resize(placed_.size() + known.slots.size());
+  }
+
+  std::span<const Placed> placed(const Filled& cell) const {
+    return std::span(placed_).subspan(cell.first, cell.count);
+  }
+
+  void fill(Chunk& chunk) {
+    for (const Filled& f : filled_) ground_.set({&chunk, f.local}, f.content, f.lastSerial, placed(f));
   }
 
   /// Whether the overlaps in a cell with these polygons are preserved as this world's relation wants it.
-  bool isPreservedAsHere(const Content& content) const {
+  bool isPreservedAsHere(const Filled& cell) const {
+    const Content& content = ground_.catalogue.content(cell.content);
     return std::ranges::all_of(content.contacts, [&](const auto& contact) {
-      return ground_.keeps(placed_[contact.first].block, placed_[contact.second].block) ==
+      return ground_.keeps(placed(cell)[contact.first].block, placed(cell)[contact.second].block) ==
              std::ranges::binary_search(content.preserved, contact);
     });
-  }
-
-  void set(CellAt at, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
-    if (!inRange(at.cell())) in_.fail(What::badNumber);
-    if (!in_.failed()) ground_.set(at, content, lastSerial, polygons);
   }
 
   Ground& ground_;
   SnapshotReader& in_;
   std::vector<std::uint32_t> free_;  ///< numbers of chunks
-  std::vector<PolygonId> polygons_, list_;
-  std::vector<ContentId> contents_;
+  std::vector<PolygonId> polygons_, list_, ids_;
+  std::vector<Known> contents_;
+  std::vector<Filled> filled_;  ///< of one chunk
   std::vector<Placed> placed_;
   std::vector<std::uint32_t> serials_;
 };
 
 }  // namespace
 
-void load(Ground& ground, SnapshotReader& in, bool hasFreeNumbers) { Load(ground, in).run(hasFreeNumbers); }
+void load(Ground& ground, SnapshotReader& in, bool hasFreeNumbers) { Load(ground, in).world(hasFreeNumbers); }
+
+Cell loadChunk(Ground& ground, SnapshotReader& in, std::uint32_t checksum) { return Load(ground, in).chunk(checksum); }
 
 }  // namespace lgs::detail

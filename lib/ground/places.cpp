@@ -20,7 +20,8 @@ Spot::Where locate(PolygonView polygon, LocalPoint p) {
 
 void polygonsOf(const Ground& ground, Cell cell, std::vector<PlacedPolygon>& out) {
   out.clear();
-  if (const CellAt at = ground.grid.find(cell)) ground.read(ground.held(at), out);
+  const CellAt at = ground.grid.find(cell);
+  if (at && !at.chunk->isUnloaded) ground.read(ground.held(at), out);
 }
 
 std::optional<PlacedPolygon> polygonOf(const Ground& ground, PolygonHandle handle) {
@@ -43,7 +44,7 @@ void forEachPolygon(const Ground& ground, const CellRect& cells, const World::Po
 std::optional<CellRect> boundsOf(const Ground& ground) {
   std::optional<CellRect> bounds;
   ground.grid.forEachCell(kWholeWorld, [&](CellAt at, Cell cell) {
-    if (ground.contentId(at) == kEmptyContent) return;
+    if (at.chunk->isUnloaded || ground.contentId(at) == kEmptyContent) return;
     if (!bounds) bounds = CellRect{cell, cell};
     bounds->min = {std::min(bounds->min.i, cell.i), std::min(bounds->min.j, cell.j)};
     bounds->max = {std::max(bounds->max.i, cell.i), std::max(bounds->max.j, cell.j)};
@@ -60,6 +61,7 @@ Spot spotAt(const Ground& ground, Point p) {
   const Cell low = lgs::cellAt(Point{p.x - 1, p.y - 1}), high = lgs::cellAt(p);
   for (Cell cell = low; cell.j <= high.j; ++cell.j) {
     for (cell.i = low.i; cell.i <= high.i; ++cell.i) {
+      if (ground.grid.isUnloaded(cell)) return {Spot::Where::unloaded, {}, 0, cell};
       polygonsOf(ground, cell, polygons);
       const Point origin = toWorld(cell, {});
       const LocalPoint local{static_cast<std::int32_t>(p.x - origin.x), static_cast<std::int32_t>(p.y - origin.y)};
@@ -89,6 +91,7 @@ bool holdsPolygonsOf(const Ground& ground, const Ground& other) {
     return out;
   };
   return std::ranges::all_of(other.grid.chunks(), [&](Chunk* chunk) {
+    if (chunk->isUnloaded) return true;
     for (CellAt at{chunk, 0}; at.local < kChunkCells; ++at.local)
       if (other.contentId(at) != kEmptyContent && read(ground, at.cell()) != read(other, at.cell())) return false;
     return true;
@@ -97,6 +100,7 @@ bool holdsPolygonsOf(const Ground& ground, const Ground& other) {
 
 void count(const Ground& ground, Stats& stats) {
   for (Chunk* chunk : ground.grid.chunks()) {
+    if (chunk->isUnloaded) continue;
     for (CellAt at{chunk, 0}; at.local < kChunkCells; ++at.local) {
       const std::size_t polygons = ground.content(at).polygons.size();
       stats.polygons += polygons;

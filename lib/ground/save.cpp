@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -14,17 +15,19 @@ namespace {
 /// same bytes, whatever their history.
 class Numbers {
  public:
-  explicit Numbers(const Ground& ground) : ground_(ground) {
-    ofContent_.assign(ground.catalogue.contentLimit(), kNone);
-    ofPolygon_.assign(ground.catalogue.polygonLimit(), kNone);
-    for (Chunk* chunk : ground.grid.chunks())
-      for (std::uint32_t local = 0; local < kChunkCells; ++local) use(ground.contentId({chunk, local}));
-    for (std::uint32_t k = 1; k <= ground.catalogue.shapeCount(); ++k)
-      for (const PolygonId polygon : ground.catalogue.shape(ShapeId{k}).polygons) ofPolygon_[polygon] = 0;
-    for (PolygonId id = 0; id < ofPolygon_.size(); ++id)
-      if (ofPolygon_[id] != kNone) polygons_.push_back(id);
+  explicit Numbers(const Ground& ground) : ground_(ground) {}
+
+  void use(const Chunk& chunk) {
+    for (std::uint32_t local = 0; local < kChunkCells; ++local) use(ground_.contentId({chunk.around[4], local}));
+  }
+  void use(ShapeId shape) {
+    for (const PolygonId polygon : ground_.catalogue.shape(shape).polygons) ofPolygon_[polygon] = 0;
+  }
+  /// After all that is used.
+  void end() {
+    for (const auto& [id, number] : ofPolygon_) polygons_.push_back(id);
     detail::sort(polygons_, [&](PolygonId a, PolygonId b) {
-      return std::ranges::lexicographical_compare(ground.catalogue.vertices(a), ground.catalogue.vertices(b));
+      return std::ranges::lexicographical_compare(ground_.catalogue.vertices(a), ground_.catalogue.vertices(b));
     });
     for (std::uint32_t number = 0; number < polygons_.size(); ++number) ofPolygon_[polygons_[number]] = number;
   }
@@ -39,22 +42,20 @@ class Numbers {
 
   const std::vector<PolygonId>& polygons() const { return polygons_; }
   const std::vector<ContentId>& contents() const { return contents_; }
-  std::uint32_t of(PolygonId polygon) const { return ofPolygon_[polygon]; }
+  std::uint32_t of(PolygonId polygon) const { return ofPolygon_.at(polygon); }
   /// From 1; the empty content is 0.
-  std::uint32_t ofContent(ContentId content) const { return content == kEmptyContent ? 0 : ofContent_[content]; }
+  std::uint32_t ofContent(ContentId content) const { return content == kEmptyContent ? 0 : ofContent_.at(content); }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffff'ffff;
-
   void use(ContentId content) {
-    if (content == kEmptyContent || ofContent_[content] != kNone) return;
+    const auto next = static_cast<std::uint32_t>(contents_.size() + 1);
+    if (content == kEmptyContent || !ofContent_.emplace(content, next).second) return;
     contents_.push_back(content);
-    ofContent_[content] = static_cast<std::uint32_t>(contents_.size());
     for (const PolygonId polygon : ground_.catalogue.content(content).polygons) ofPolygon_[polygon] = 0;
   }
 
   const Ground& ground_;
-  std::vector<std::uint32_t> ofContent_, ofPolygon_;
+  std::unordered_map<std::uint32_t, std::uint32_t> ofContent_, ofPolygon_;
   std::vector<ContentId> contents_;
   std::vector<PolygonId> polygons_;
 };
@@ -63,12 +64,26 @@ class Save {
  public:
   Save(const Ground& ground, SnapshotWriter& out) : ground_(ground), numbers_(ground), out_(out) {}
 
-  void run() {
+  void world() {
+    for (const Chunk* chunk : ground_.grid.chunks()) numbers_.use(*chunk);
+    for (std::uint32_t k = 1; k <= ground_.catalogue.shapeCount(); ++k) numbers_.use(ShapeId{k});
+    numbers_.end();
     out_.byte(ground_.preserve ? 1 : 0);
     polygons();
     contents();
     shapes();
     chunks();
+  }
+
+  void chunk(const Chunk& chunk) {
+    numbers_.use(chunk);
+    numbers_.end();
+    out_.byte(ground_.preserve ? 1 : 0);
+    out_.number(folded(chunk.ci));
+    out_.number(folded(chunk.cj));
+    polygons();
+    contents();
+    cells(chunk);
   }
 
  private:
@@ -179,6 +194,8 @@ class Save {
 
 bool hasFreeNumbers(const Ground& ground) { return ground.grid.count() != ground.grid.highest(); }
 
-void save(const Ground& ground, SnapshotWriter& out) { Save(ground, out).run(); }
+void save(const Ground& ground, SnapshotWriter& out) { Save(ground, out).world(); }
+
+void save(const Ground& ground, const Chunk& chunk, SnapshotWriter& out) { Save(ground, out).chunk(chunk); }
 
 }  // namespace lgs::detail

@@ -10,12 +10,15 @@
 #include "outline/linking.h"
 #include "outline/outline.h"
 
+#include <bit>
+
 namespace lgs::detail {
 
 void Outline::update(const Ground& ground, const Executor& executor) {
   if (isNoting_ && (!ground.changedChunks().empty() || !changes_.removed.empty())) note_ = &notes_.emplace_back();
   begin();
-  if (executor && segments.isEmpty()) {
+  turn(ground);
+  if (executor && segments.isEmpty() && ground.grid.unloadedCount() == 0) {
     build(ground, *this, executor);
   } else {
     Exposure phase1(ground, *this, ids_);
@@ -26,6 +29,50 @@ void Outline::update(const Ground& ground, const Executor& executor) {
   if (ground.preserve)
     for (const SegmentId id : changes_.added) endWithoutLinks(id.value);
   finish();
+}
+
+/// Chunks that were unloaded, or loaded again: their segments go, and those that show now are new ones. So no id names a
+/// hidden segment and then one that is not, or the other way around.
+void Outline::turn(const Ground& ground) {
+  if (ground.grid.unloadedCount() == 0 && !hasHidden()) return;
+  for (const Chunk* chunk : ground.changedChunks()) {
+    if (chunk->isUnloaded == isHidden(chunk->index)) continue;
+    clear(*chunk);
+    turn(chunk->index);
+    hidden_[chunk->index] ^= kWasHidden;  // until the update ends
+    turned_.push_back(chunk->index);
+  }
+}
+
+/// All segments of a chunk go.
+void Outline::clear(const Chunk& chunk) {
+  for (std::uint32_t row = 0; row < kChunkSize; ++row) {
+    for (RowMask left = lists.liveRow(chunk, row); left != 0; left &= left - 1) {
+      const CellAt at{chunk.around[4], row * kChunkSize + static_cast<std::uint32_t>(std::countr_zero(left))};
+      const std::span<const std::uint32_t> ids = lists.of(at).all();
+      for (const std::uint32_t id : ids) remove(id);
+      splice(at, 0, static_cast<std::uint32_t>(ids.size()), 0);
+    }
+  }
+}
+
+/// Of what changed, what is not hidden, or was not.
+void Outline::filter() {
+  isFiltered_ = hasHidden() || !turned_.empty();
+  if (!isFiltered_) return;
+  const auto take = [&](const std::vector<SegmentId>& all, std::uint8_t hides, std::vector<SegmentId>& out) {
+    out.clear();
+    for (const SegmentId id : all) {
+      const std::uint32_t chunk = segments[id.value].cellRef / kChunkCells;
+      if (chunk >= hidden_.size() || (hidden_[chunk] & hides) == 0) out.push_back(id);
+    }
+  };
+  take(changes_.removed, kWasHidden, shown_.removed);
+  take(changes_.added, kHidden, shown_.added);
+  take(changes_.relinked, kHidden, shown_.relinked);
+  for (const std::uint32_t chunk : turned_) hidden_[chunk] ^= kWasHidden;
+  if (note_) note_->turned = turned_;
+  turned_.clear();
 }
 
 /// A preserve relation that contradicts itself can leave ends that phase 2 never visits. They get no link.
@@ -50,13 +97,15 @@ void Outline::begin() {
 
 void Outline::finish() {
   for (const SegmentId id : changes_.relinked) segments[id.value].listed = 0;
+  filter();
   for (const SegmentId id : changes_.removed) {
     note(id.value);
     segments[id.value].cellRef = 0;
   }
-  changes_.before = version_;
-  if (!changes_.removed.empty() || !changes_.added.empty() || !changes_.relinked.empty()) version_ = versions_.next();
-  changes_.after = version_;
+  Changes& shown = isFiltered_ ? shown_ : changes_;
+  shown.before = version_;
+  if (!shown.removed.empty() || !shown.added.empty() || !shown.relinked.empty()) version_ = versions_.next();
+  shown.after = version_;
   if (note_) std::exchange(note_, nullptr)->changes = changes_;
 }
 

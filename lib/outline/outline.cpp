@@ -29,7 +29,7 @@ SeenById look(const Grid& grid, const Outline& outline, const std::vector<std::u
   SeenById seen(ids.size());
   for (std::size_t k = 0; k < ids.size(); ++k) {
     const std::uint32_t id = ids[k];
-    if (!outline.segments.isLive(id)) continue;
+    if (!outline.isShown({id})) continue;
     const SegmentRecord& s = outline.segments[id];
     Seen& now = seen[k].emplace(outline.startOf(grid, id), outline.endOf(grid, id), s.block, s.cellRef, s.serial);
     if (s.predecessor != kNoSegment) now.ghost1 = outline.startOf(grid, s.predecessor);
@@ -50,6 +50,10 @@ Outline::Outline(const Outline& other)
     : segments(other.segments),
       lists(other.lists),
       changes_(other.changes_),
+      shown_(other.shown_),
+      isFiltered_(other.isFiltered_),
+      hidden_(other.hidden_),
+      hiddenChunks_(other.hiddenChunks_),
       versions_(other.versions_),
       version_(other.version_),
       notes_(other.notes_),
@@ -66,6 +70,30 @@ std::span<const SegmentId> Outline::createIds(std::size_t count) {
 void Outline::load(std::uint32_t count, std::vector<std::uint32_t> free, std::span<const std::uint32_t> removed) {
   segments.reset(count, std::move(free));
   for (const std::uint32_t id : removed) changes_.removed.push_back({id});
+}
+
+std::uint64_t Outline::liveCount(const Grid& grid) const {
+  std::uint64_t count = segments.maxId() - segments.free().size() - changes_.removed.size();
+  if (hasHidden()) {
+    for (Chunk* chunk : grid.chunks())
+      for (CellAt at{chunk, 0}; isHidden(chunk->index) && at.local < kChunkCells; ++at.local)
+        count -= lists.of(at).count();
+  }
+  return count;
+}
+
+void Outline::forget(std::uint32_t chunk) {
+  lists.forget(chunk);
+  if (isHidden(chunk)) turn(chunk);
+  while (!hidden_.empty() && hidden_.back() == 0) hidden_.pop_back();
+  giveBackSpare(hidden_);
+}
+
+/// A chunk was loaded and is unloaded now, or the other way around.
+void Outline::turn(std::uint32_t chunk) {
+  if (hidden_.size() <= chunk) hidden_.resize(std::size_t{chunk} + 1);
+  hidden_[chunk] ^= kHidden | kWasHidden;
+  isHidden(chunk) ? ++hiddenChunks_ : --hiddenChunks_;
 }
 
 void Outline::noteList(CellAt at, std::vector<std::uint32_t>& out) const {
@@ -128,6 +156,7 @@ void Outline::go(const Grid& grid, std::vector<std::uint32_t> ids, std::uint64_t
 }
 
 void Outline::undo(const Grid& grid, const Note& note) {
+  for (const std::uint32_t chunk : note.turned) turn(chunk);
   for (const SegmentId id : note.changes.added) segments[id.value].cellRef = 0;
   putLists(grid, note.lists);
   for (auto old = note.segments.rbegin(); old != note.segments.rend(); ++old) segments[old->first] = old->second;
@@ -160,6 +189,7 @@ Outline::UndoneNote Outline::kept(const Grid& grid, const Note& note) const {
 
 /// The same update again: it takes the same ids, as the same are available.
 void Outline::redo(const Grid& grid, UndoneNote& undone) {
+  for (const std::uint32_t chunk : undone.note.turned) turn(chunk);
   for (const SegmentId id : undone.note.removedBefore) segments.recycle(id.value);
   for (std::size_t k = undone.note.changes.added.size(); k != 0; --k) segments.take();
   putLists(grid, undone.lists);
@@ -170,9 +200,10 @@ void Outline::redo(const Grid& grid, UndoneNote& undone) {
 
 std::uint64_t Outline::bytes() const {
   const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
-  std::uint64_t sum = segments.bytes() + lists.bytes() + bytesOf(changes_) + of(ids_, fan_);
+  std::uint64_t sum =
+      segments.bytes() + lists.bytes() + bytesOf(changes_) + bytesOf(shown_) + of(hidden_, turned_, ids_, fan_);
   const auto bytesOfNote = [&](const Note& n) {
-    return sizeof n + bytesOf(n.changes) + of(n.removedBefore, n.segments, n.lists);
+    return sizeof n + bytesOf(n.changes) + of(n.removedBefore, n.segments, n.lists, n.turned);
   };
   for (const Note& n : notes_) sum += bytesOfNote(n);
   for (const UndoneNote& u : undone_) sum += sizeof u - sizeof u.note + bytesOfNote(u.note) + of(u.segments, u.lists);

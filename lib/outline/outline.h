@@ -31,12 +31,21 @@ class Outline {
   /// Renews what the changed cells of the ground can have changed: the segments in them and beside them (law 5).
   void update(const Ground& ground, const Executor& executor);
 
-  /// Of the last update. Ids in `removed` are available with the next one.
-  const Changes& changes() const { return changes_; }
+  /// Of the last update, without the segments that are hidden.
+  const Changes& changes() const { return isFiltered_ ? shown_ : changes_; }
+  /// What it removed, hidden or not. These ids are available with the next one.
+  const std::vector<SegmentId>& removed() const { return changes_.removed; }
   std::uint64_t version() const { return version_; }
 
-  /// How many segments there are.
-  std::uint64_t liveCount() const { return segments.maxId() - segments.free().size() - changes_.removed.size(); }
+  /// How many segments there are that are not hidden.
+  std::uint64_t liveCount(const Grid& grid) const;
+  /// As of the last update. A segment of an unloaded chunk is *hidden*: it is there to be linked to.
+  bool isHidden(std::uint32_t chunk) const { return chunk < hidden_.size() && (hidden_[chunk] & kHidden) != 0; }
+  bool hasHidden() const { return hiddenChunks_ != 0; }
+  bool isHidden(SegmentId id) const { return hasHidden() && isHidden(segments[id.value].cellRef / kChunkCells); }
+  bool isShown(SegmentId id) const { return segments.isLive(id.value) && !isHidden(id); }
+  /// A chunk of which nothing is left. Its number may name another chunk from now on.
+  void forget(std::uint32_t chunk);
   /// Where a segment is.
   Point startOf(const Grid& grid, std::uint32_t id) const {
     return toWorld(grid.cellOf(segments[id].cellRef), segments[id].start());
@@ -103,6 +112,7 @@ class Outline {
     Changes changes;
     std::vector<SegmentId> removedBefore;                           ///< by the update before; this one recycled them
     std::uint32_t topBefore = 0;                                    ///< one more than the greatest id
+    std::vector<std::uint32_t> turned;                              ///< numbers of chunks that were loaded or unloaded
     std::vector<std::pair<std::uint32_t, SegmentRecord>> segments;  ///< by id, in the order in which they changed
     std::vector<std::uint32_t> lists;  ///< in that order the words of each list, how many these are, and the cell
   };
@@ -115,6 +125,10 @@ class Outline {
   };
 
   void begin();
+  void turn(const Ground& ground);
+  void turn(std::uint32_t chunk);
+  void clear(const Chunk& chunk);
+  void filter();
   void finish();
   void endWithoutLinks(std::uint32_t id);
   void noteList(CellAt at, std::vector<std::uint32_t>& out) const;
@@ -126,6 +140,13 @@ class Outline {
   void go(const Grid& grid, std::vector<std::uint32_t> ids, std::uint64_t version, Changes& changes, Go&& go);
 
   Changes changes_;
+  Changes shown_;  ///< the same without what is hidden, if some of it may be
+  bool isFiltered_ = false;
+  // By number of a chunk: whether it is unloaded, and was before the update under way.
+  static constexpr std::uint8_t kHidden = 1, kWasHidden = 2;
+  std::vector<std::uint8_t> hidden_;
+  std::size_t hiddenChunks_ = 0;
+  std::vector<std::uint32_t> turned_;  ///< numbers of the chunks that the update under way turned
   Versions versions_;
   std::uint64_t version_ = 0;
   std::deque<Note> notes_;

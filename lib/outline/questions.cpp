@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <tuple>
 
 namespace lgs::detail {
@@ -72,6 +73,54 @@ SegmentEnds endsOf(const Grid& grid, const Outline& outline, std::uint32_t id) {
   return {outline.startOf(grid, id), outline.endOf(grid, id)};
 }
 
+/// The chunks with cells of a rectangle that were unloaded at the last commit: calls visit(cells) with those of each.
+template <class Visit>
+void forEachHidden(const Grid& grid, const Outline& outline, const CellRect& cells, Visit&& visit) {
+  const ChunkRect reach(cells);
+  const auto see = [&](std::int32_t ci, std::int32_t cj, std::uint32_t number) {
+    if (!outline.isHidden(number)) return;
+    const Cell first{ci * kChunkSize, cj * kChunkSize};
+    visit(CellRect{first, {first.i + kChunkSize - 1, first.j + kChunkSize - 1}});
+  };
+  if (reach.count() > grid.highest()) {
+    for (std::uint32_t number = 1; number <= grid.highest(); ++number)
+      if (const auto place = grid.placeOf(number); place && reach.contains(place->first, place->second))
+        see(place->first, place->second, number);
+    return;
+  }
+  for (std::int32_t cj = reach.j0; cj <= reach.j1; ++cj)
+    for (std::int32_t ci = reach.i0; ci <= reach.i1; ++ci) see(ci, cj, grid.numberAt(ci, cj));
+}
+
+/// The cell of a rectangle that is nearest to a point, and how far it is.
+std::pair<Cell, SquaredDistance> nearestCell(const CellRect& cells, Point p) {
+  const Point low = toWorld(cells.min, {}), high = toWorld(cells.max, {kUnitsPerCell, kUnitsPerCell});
+  const Point nearest{std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y)};
+  const auto square = [](std::int64_t v) { return static_cast<std::uint64_t>(v * v); };
+  const Cell cell = lgs::cellAt(nearest);
+  return {{std::min(cell.i, cells.max.i), std::min(cell.j, cells.max.j)},
+          {{0, square(p.x - nearest.x) + square(p.y - nearest.y)}, 1}};
+}
+
+/// Whether a ray meets a closed cell; `at` receives where first.
+bool meets(const Ray& ray, CellIndex cell, Fraction& at) {
+  Fraction enter{0, 1}, leave{1, 1};
+  const auto narrow = [&](std::int64_t from, std::int64_t to, std::int64_t low) {
+    const std::int64_t high = low + kUnitsPerCell, length = std::abs(to - from);
+    if (length == 0) return low <= from && from <= high;
+    const std::int64_t first = to > from ? low - from : from - high, last = first + kUnitsPerCell;
+    if (last < 0) return false;
+    enter = std::max(enter, Fraction{std::max<std::int64_t>(first, 0), length});
+    leave = std::min(leave, Fraction{last, length});
+    return true;
+  };
+  if (!narrow(ray.from.x, ray.to.x, cell.i * kUnitsPerCell) || !narrow(ray.from.y, ray.to.y, cell.j * kUnitsPerCell) ||
+      leave < enter)
+    return false;
+  at = enter;
+  return true;
+}
+
 /// Of two segments that a question can not tell apart: the order that no history has a part in.
 bool comesFirst(const Grid& grid, const Outline& outline, std::uint32_t a, std::uint32_t b) {
   const auto key = [&](std::uint32_t id) {
@@ -91,8 +140,10 @@ Expected<Nearest> nearest(const Grid& grid, const Outline& outline, Point p, dou
   const std::int64_t most = std::llround(radius * kUnitsPerCell);
   std::uint32_t nearest = kNoSegment;
   NearestOnEdge best{squared(most), {}};
-  for (std::int64_t reach = std::min<std::int64_t>(most, kUnitsPerCell);; reach = std::min(most, 2 * reach)) {
+  std::int64_t reach = std::min<std::int64_t>(most, kUnitsPerCell);
+  for (;; reach = std::min(most, 2 * reach)) {
     grid.forEachCell(cellsWithin(p, reach), [&](CellAt at, Cell) {
+      if (outline.isHidden(at.chunk->index)) return;
       for (const std::uint32_t id : outline.lists.of(at).all()) {
         const NearestOnEdge here = nearestOnEdge(endsOf(grid, outline, id), p);
         const auto order = here.squared <=> best.squared;
@@ -103,6 +154,15 @@ Expected<Nearest> nearest(const Grid& grid, const Outline& outline, Point p, dou
       }
     });
     if (reach == most || (nearest != kNoSegment && best.squared <= squared(reach))) break;
+  }
+  if (outline.hasHidden()) {
+    std::optional<Cell> unseen;
+    forEachHidden(grid, outline, cellsWithin(p, reach), [&](const CellRect& chunk) {
+      const auto [cell, distance] = nearestCell(chunk, p);
+      if (distance <= best.squared && (!unseen || std::pair(cell.j, cell.i) < std::pair(unseen->j, unseen->i)))
+        unseen = cell;
+    });
+    if (unseen) return refuse({.code = ErrorCode::unloaded, .cell = *unseen});
   }
   if (nearest == kNoSegment) return Nearest{};
   const double part = static_cast<double>(best.along.numerator) / static_cast<double>(best.along.denominator);
@@ -116,15 +176,26 @@ Expected<RayHit> rayCast(const Grid& grid, const Outline& outline, Point from, P
   if (!inRange(from) || !inRange(to) || std::abs(to.x - from.x) > kMax || std::abs(to.y - from.y) > kMax)
     return refuse({.code = ErrorCode::outOfReach});
   const Ray ray{from, to};
+  const auto cellOf = [](CellIndex cell) {
+    return Cell{static_cast<std::int32_t>(cell.i), static_cast<std::int32_t>(cell.j)};
+  };
   const auto find = [&](CellIndex cell) {
     if (std::abs(cell.i) > kMaxCell || std::abs(cell.j) > kMaxCell) return CellAt{};
-    return grid.find(Cell{static_cast<std::int32_t>(cell.i), static_cast<std::int32_t>(cell.j)});
+    return grid.find(cellOf(cell));
   };
-  Fraction best;
+  Fraction best, unseenAt;
+  std::optional<Cell> unseen;  // the first unloaded cell on the way
   std::uint32_t first = kNoSegment;
   walk(
       ray,
       [&](CellIndex cell) {
+        if (outline.hasHidden() && outline.isHidden(grid.numberAt(cellOf(cell).i >> 5, cellOf(cell).j >> 5))) {
+          Fraction at;
+          if (!meets(ray, cell, at) || (unseen && unseenAt <= at)) return;
+          unseenAt = at;
+          unseen = cellOf(cell);
+          return;
+        }
         const CellAt here = find(cell);
         for (const std::uint32_t id : outline.lists.of(here).all()) {
           Fraction at;
@@ -136,8 +207,11 @@ Expected<RayHit> rayCast(const Grid& grid, const Outline& outline, Point from, P
         }
       },
       [&](std::int64_t passed, std::int64_t length) {  // what comes later is met there at the earliest
-        return first == kNoSegment || !(best < Fraction{passed, length});
+        const Fraction now{passed, length};
+        return (first == kNoSegment || !(best < now)) && (!unseen || !(unseenAt < now));
       });
+  if (unseen && (first == kNoSegment || unseenAt <= best))
+    return refuse({.code = ErrorCode::unloaded, .cell = *unseen});
   if (first == kNoSegment) return RayHit{};
   const double fraction = static_cast<double>(best.numerator) / static_cast<double>(best.denominator);
   return RayHit{{first}, fraction, pointOn(from, to, fraction), segmentOf(grid, outline, first).normal()};

@@ -25,7 +25,8 @@ std::size_t leastRotation(const std::vector<Point>& cycle) {
 /// Drops the vertices where one segment arrives and one leaves in the same direction.
 void mergeCollinear(const Grid& grid, const Outline& outline, std::vector<Loop>& loops) {
   std::vector<Point> starts;  // as many segments arrive at a vertex as leave it, so these are enough to count
-  for (const SegmentId id : liveSegments(outline)) starts.push_back(outline.startOf(grid, id.value));
+  for (std::uint32_t id = 1; id <= outline.segments.maxId(); ++id)
+    if (outline.segments.isLive(id)) starts.push_back(outline.startOf(grid, id));
   detail::sort(starts);
   const auto isShared = [&](Point v) {
     const auto [begin, end] = std::equal_range(starts.begin(), starts.end(), v);
@@ -65,7 +66,7 @@ Segment segmentOf(const Grid& grid, const Outline& outline, std::uint32_t id) {
 std::vector<SegmentId> liveSegments(const Outline& outline) {
   std::vector<SegmentId> out;
   for (std::uint32_t id = 1; id <= outline.segments.maxId(); ++id)
-    if (outline.segments.isLive(id)) out.push_back({id});
+    if (outline.isShown({id})) out.push_back({id});
   return out;
 }
 
@@ -73,6 +74,7 @@ std::vector<SegmentId> segmentsIn(const Grid& grid, const Outline& outline, cons
   std::vector<SegmentId> out;
   if (lgs::isEmpty(cells)) return out;
   grid.forEachCell(cells, [&](CellAt at, Cell) {
+    if (outline.isHidden(at.chunk->index)) return;
     for (const std::uint32_t id : outline.lists.of(at).all()) out.push_back({id});
   });
   return out;
@@ -91,7 +93,7 @@ std::vector<Loop> loopsOf(const Grid& grid, const Outline& outline, Collinear co
       loop.vertices.push_back(outline.startOf(grid, at));
       loop.segments.push_back({at});
       const std::uint32_t next = segments[at].successor;
-      if (next == kNoSegment || segments[next].predecessor != at) break;
+      if (next == kNoSegment || segments[next].predecessor != at || outline.isHidden(SegmentId{next})) break;
       at = next;
     } while (at != first.value && !seen[at]);
     const std::uint32_t last = loop.segments.back().value;

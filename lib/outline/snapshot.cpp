@@ -69,7 +69,7 @@ void save(const Ground& ground, const Outline& outline, SnapshotWriter& out) {
   const std::vector<std::uint32_t>& free = outline.segments.free();
   out.number(free.size());
   for (const std::uint32_t id : free) ids.write(id);
-  const std::vector<SegmentId>& removed = outline.changes().removed;
+  const std::vector<SegmentId>& removed = outline.removed();
   out.number(removed.size());
   for (const SegmentId id : removed) ids.write(id.value);
   forEachCell(ground, [&](CellAt at) {

@@ -12,9 +12,12 @@
 
 namespace lgs::detail {
 
-inline constexpr std::array<std::uint8_t, 7> kSnapshotMagic{'l', 'g', 's', 's', 'n', 'a', 'p'};
+using Magic = std::array<std::uint8_t, 7>;
+inline constexpr Magic kSnapshotMagic{'l', 'g', 's', 's', 'n', 'a', 'p'};
+inline constexpr Magic kChunkMagic{'l', 'g', 's', 'c', 'h', 'n', 'k'};
 inline constexpr std::uint8_t kSnapshotVersion = 1;          ///< of a world whose chunks have the numbers from 1 on
 inline constexpr std::uint8_t kSnapshotWithFreeNumbers = 2;  ///< some of them are free, and are listed
+inline constexpr std::uint8_t kChunkVersion = 1;
 
 /// CRC-32 as in Ethernet and zlib (IEEE 802.3, section 3.2.9): reflected, polynomial 0xedb88320.
 class Checksum {

@@ -19,43 +19,78 @@ std::uint8_t versionOf(std::span<const std::byte> bytes) {
 }
 
 /// What can be told before anything is made of the bytes: whether they are a snapshot, whole and undamaged.
-std::optional<SnapshotError> lookAt(std::span<const std::byte> bytes) {
-  const auto letters = std::span(kSnapshotMagic);
+std::optional<SnapshotError> lookAt(std::span<const std::byte> bytes, const Magic& letters, std::uint8_t newest) {
   const std::size_t compared = std::min(bytes.size(), letters.size());
   for (std::size_t k = 0; k < compared; ++k)
     if (bytes[k] != std::byte{letters[k]}) return SnapshotError{What::notASnapshot, k};
   if (bytes.size() < kHead + kTail) return SnapshotError{What::cut, bytes.size()};
-  if (const std::uint8_t version = versionOf(bytes); version < kSnapshotVersion || version > kSnapshotWithFreeNumbers)
+  if (const std::uint8_t version = versionOf(bytes); version < 1 || version > newest)
     return SnapshotError{What::unknownVersion, letters.size()};
   Checksum sum;
   for (const std::byte byte : bytes.first(bytes.size() - kTail)) sum.add(byte);
-  for (unsigned k = 0; k < kTail; ++k)
-    if (bytes[bytes.size() - kTail + k] != static_cast<std::byte>(sum.value() >> 8 * k & 0xffu))
-      return SnapshotError{What::damaged, bytes.size() - kTail};
+  if (sum.value() != checksumOf(bytes)) return SnapshotError{What::damaged, bytes.size() - kTail};
   return std::nullopt;
+}
+
+/// What is between head and checksum.
+SnapshotReader reader(std::span<const std::byte> bytes) {
+  return SnapshotReader(bytes.subspan(kHead, bytes.size() - kHead - kTail));
+}
+
+SnapshotError errorOf(const SnapshotReader& in) { return {in.error().what, in.error().offset + kHead}; }
+
+void writeHead(SnapshotWriter& out, const Magic& letters, std::uint8_t version) {
+  for (const std::uint8_t letter : letters) out.byte(letter);
+  out.byte(version);
 }
 
 }  // namespace
 
 void save(const Ground& ground, const Outline& outline, const ByteSink& sink) {
   SnapshotWriter out(sink);
-  for (const std::uint8_t letter : kSnapshotMagic) out.byte(letter);
-  out.byte(hasFreeNumbers(ground) ? kSnapshotWithFreeNumbers : kSnapshotVersion);
+  writeHead(out, kSnapshotMagic, hasFreeNumbers(ground) ? kSnapshotWithFreeNumbers : kSnapshotVersion);
   save(ground, out);
   save(ground, outline, out);
   out.end();
 }
 
 std::optional<SnapshotError> load(std::span<const std::byte> bytes, Ground& ground, Outline& outline) {
-  if (const auto error = lookAt(bytes)) return error;
-  SnapshotReader in(bytes.subspan(kHead, bytes.size() - kHead - kTail));
+  if (const auto error = lookAt(bytes, kSnapshotMagic, kSnapshotWithFreeNumbers)) return error;
+  SnapshotReader in = reader(bytes);
   load(ground, in, versionOf(bytes) == kSnapshotWithFreeNumbers);
   load(ground, outline, in);
   if (in.left() != 0) in.fail(What::tooLong);
-  if (in.failed()) return SnapshotError{in.error().what, in.error().offset + kHead};
+  if (in.failed()) return errorOf(in);
   outline.linkAll(ground);
   ground.commit();
   return std::nullopt;
+}
+
+std::vector<std::byte> saveChunk(const Ground& ground, const Chunk& chunk) {
+  std::vector<std::byte> bytes;
+  const ByteSink sink = [&](std::span<const std::byte> piece) {
+    bytes.insert(bytes.end(), piece.begin(), piece.end());
+  };
+  SnapshotWriter out(sink);
+  writeHead(out, kChunkMagic, kChunkVersion);
+  save(ground, chunk, out);
+  out.end();
+  return bytes;
+}
+
+std::uint32_t checksumOf(std::span<const std::byte> bytes) {
+  std::uint32_t sum = 0;
+  for (std::size_t k = 0; k < kTail; ++k)
+    sum |= std::to_integer<std::uint32_t>(bytes[bytes.size() - kTail + k]) << 8 * k;
+  return sum;
+}
+
+tl::expected<Cell, SnapshotError> loadChunk(std::span<const std::byte> bytes, Ground& ground) {
+  if (const auto error = lookAt(bytes, kChunkMagic, kChunkVersion)) return tl::unexpected(*error);
+  SnapshotReader in = reader(bytes);
+  const Cell corner = loadChunk(ground, in, checksumOf(bytes));
+  if (in.failed()) return tl::unexpected(errorOf(in));
+  return corner;
 }
 
 }  // namespace lgs::detail
@@ -85,6 +120,10 @@ std::string message(const SnapshotError& error) {
         return "the ids of the segments do not fit this world";
       case SnapshotError::What::capacity:
         return "more than a world can hold";
+      case SnapshotError::What::loaded:
+        return "the chunk is there, and not unloaded";
+      case SnapshotError::What::otherBytes:
+        return "the chunk was unloaded with other bytes than these since";
     }
     return "unknown error";
   };

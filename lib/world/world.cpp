@@ -54,14 +54,20 @@ Expected<void> roundIn(Cell cell, std::span<const RealPoint<Real>> polygon, std:
   return {};
 }
 
+/// Why a segment can not be read: it is not there, or hidden.
+Error noSegment(const World::Impl& world, SegmentId id) {
+  if (!world.outline.segments.isLive(id.value)) return {.code = ErrorCode::unknownSegment, .segment = id};
+  const Cell cell = world.ground.grid.cellOf(world.outline.segments[id.value].cellRef);
+  return {.code = ErrorCode::unloaded, .cell = cell, .segment = id};
+}
+
 /// Writes what `convert` makes of each segment.
 template <class Out, class Convert>
 Expected<void> write(const World::Impl& world, std::span<const SegmentId> ids, std::span<Out> out, Convert&& convert) {
   const std::size_t count = std::min(ids.size(), out.size());
   if (count > kMaxEntries) return refuse({.code = ErrorCode::capacity});
   for (std::size_t k = 0; k < count; ++k) {
-    if (!world.outline.segments.isLive(ids[k].value))
-      return refuseAt({.code = ErrorCode::unknownSegment, .segment = ids[k]}, &Error::index, k);
+    if (!world.outline.isShown(ids[k])) return refuseAt(noSegment(world, ids[k]), &Error::index, k);
     out[k] = convert(segmentOf(world.ground.grid, world.outline, ids[k].value));
   }
   return {};
@@ -182,8 +188,10 @@ Expected<std::uint64_t> World::clearRect(const CellRect& cells) noexcept { retur
 
 const Changes& World::commit() noexcept { return commit({}); }
 const Changes& World::commit(const Executor& executor) noexcept {
+  impl_->ground.settle();
   impl_->outline.update(impl_->ground, executor);
   impl_->ground.commit();
+  for (const std::uint32_t chunk : impl_->ground.sleep()) impl_->outline.lists.forget(chunk);
   return impl_->outline.changes();
 }
 
@@ -233,15 +241,56 @@ Transaction::~Transaction() noexcept {
 
 // --- Leaving places
 
-Expected<std::uint64_t> World::forgetRect(const CellRect& cells) noexcept {
-  if (lgs::isEmpty(cells)) return std::uint64_t{0};
+namespace {
+
+/// An empty rectangle is no error.
+Expected<void> checkCorners(const CellRect& cells) {
+  if (lgs::isEmpty(cells)) return {};
   for (const Cell corner : {cells.min, cells.max})
     if (!inRange(corner)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = corner});
+  return {};
+}
+
+}  // namespace
+
+Expected<std::uint64_t> World::forgetRect(const CellRect& cells) noexcept {
+  if (const auto done = checkCorners(cells); !done) return refuse(done.error());
+  if (lgs::isEmpty(cells)) return std::uint64_t{0};
   if (!impl_->ground.changedChunks().empty() || impl_->history.hasMarks())
     return refuse({.code = ErrorCode::uncommitted});
   const std::vector<std::uint32_t> gone = impl_->ground.forget(cells);
-  for (const std::uint32_t chunk : gone) impl_->outline.lists.forget(chunk);
+  for (const std::uint32_t chunk : gone) impl_->outline.forget(chunk);
   return gone.size();
+}
+
+Expected<std::uint64_t> World::unload(const CellRect& cells, const ChunkSink& sink) noexcept {
+  if (const auto done = checkCorners(cells); !done) return refuse(done.error());
+  if (lgs::isEmpty(cells)) return std::uint64_t{0};
+  const std::vector<std::uint32_t> chunks = impl_->ground.chunksWithin(cells, false);
+  for (const std::uint32_t number : chunks) {
+    const detail::Chunk& chunk = impl_->ground.grid.chunk(number);
+    const std::vector<std::byte> bytes = detail::saveChunk(impl_->ground, chunk);
+    if (sink) sink(chunk.cell(0), bytes);
+    impl_->ground.unload(number, detail::checksumOf(bytes));
+  }
+  return chunks.size();
+}
+
+tl::expected<Cell, SnapshotError> World::reload(std::span<const std::byte> chunk) noexcept {
+  return detail::loadChunk(chunk, impl_->ground);
+}
+
+Expected<std::uint64_t> World::reloadEmpty(const CellRect& cells) noexcept {
+  if (const auto done = checkCorners(cells); !done) return refuse(done.error());
+  if (lgs::isEmpty(cells)) return std::uint64_t{0};
+  const std::vector<std::uint32_t> chunks = impl_->ground.chunksWithin(cells, true);
+  for (const std::uint32_t number : chunks) impl_->ground.loadEmpty(number);
+  return chunks.size();
+}
+
+std::optional<Cell> World::firstUnloaded(const CellRect& cells) const noexcept {
+  if (lgs::isEmpty(cells)) return std::nullopt;
+  return impl_->ground.firstUnloaded(cells);
 }
 
 // --- Following the ground
@@ -262,6 +311,7 @@ std::span<const CellChange> World::cellChanges() const noexcept { return impl_->
 
 Expected<void> World::save(const ByteSink& sink) const noexcept {
   if (!impl_->ground.changedChunks().empty()) return refuse({.code = ErrorCode::uncommitted});
+  if (const auto cell = firstUnloaded(detail::kWholeWorld)) return refuse({.code = ErrorCode::unloaded, .cell = *cell});
   detail::save(impl_->ground, impl_->outline, sink);
   return {};
 }
@@ -285,7 +335,8 @@ void World::polygons(Cell cell, std::vector<PlacedPolygon>& out) const noexcept 
   detail::polygonsOf(impl_->ground, cell, out);
 }
 bool World::isEmpty(Cell cell) const noexcept {
-  return impl_->ground.contentId(impl_->ground.grid.find(cell)) == detail::kEmptyContent;
+  const detail::CellAt at = impl_->ground.grid.find(cell);
+  return !at || at.chunk->isUnloaded || impl_->ground.contentId(at) == detail::kEmptyContent;
 }
 void World::forEachPolygon(const PolygonVisitor& visit) const noexcept { forEachPolygon(detail::kWholeWorld, visit); }
 void World::forEachPolygon(const CellRect& cells, const PolygonVisitor& visit) const noexcept {
@@ -296,7 +347,7 @@ Spot World::at(Point point) const noexcept { return spotAt(impl_->ground, point)
 
 Expected<PlacedPolygon> World::polygon(PolygonHandle handle) const noexcept {
   if (const auto found = polygonOf(impl_->ground, handle)) return *found;
-  return refuse({.code = ErrorCode::staleHandle, .other = handle});
+  return refuse(impl_->ground.noPolygon(handle));
 }
 
 Expected<Cell> World::cellOf(PolygonHandle handle) const noexcept {
@@ -312,7 +363,7 @@ const PreserveRelation& World::preserveRelation() const noexcept { return impl_-
 // --- Reading the outline
 
 Expected<Segment> World::segment(SegmentId id) const noexcept {
-  if (!impl_->outline.segments.isLive(id.value)) return refuse({.code = ErrorCode::unknownSegment, .segment = id});
+  if (!impl_->outline.isShown(id)) return refuse(noSegment(*impl_, id));
   return segmentOf(impl_->ground.grid, impl_->outline, id.value);
 }
 Expected<void> World::segments(std::span<const SegmentId> ids, std::span<Segment> out) const noexcept {
@@ -345,7 +396,7 @@ std::uint32_t World::maxSegmentId() const noexcept { return impl_->outline.segme
 Stats World::stats() const noexcept {
   Stats stats;
   count(impl_->ground, stats);
-  stats.segments = impl_->outline.liveCount();
+  stats.segments = impl_->outline.liveCount(impl_->ground.grid);
   stats.bytes += sizeof(World) + sizeof(Impl) + impl_->outline.bytes() + impl_->history.bytes() + impl_->edit.bytes() +
                  detail::bytesOf(impl_->changesOfRollBack) + impl_->rounded.capacity() * sizeof(LocalPoint);
   return stats;

@@ -25,7 +25,7 @@ std::int32_t plus(std::int32_t index, int step) {
 // that is drawn.
 class Drawer {
  public:
-  Drawer(Choices& choices, const Habits& habits) : choices_(choices), habits_(habits) {}
+  Drawer(Random& choices, const Habits& habits) : choices_(choices), habits_(habits) {}
 
   Call call(Kind kind) {
     Call call;
@@ -175,11 +175,11 @@ class Drawer {
     return all;
   }
 
-  Choices& choices_;
+  Random& choices_;
   const Habits& habits_;
 };
 
-LocalPoint drawPoint(Choices& choices, std::int32_t lines) {
+LocalPoint drawPoint(Random& choices, std::int32_t lines) {
   const std::int32_t x = choices.below(lines + 1), y = choices.below(lines + 1);
   return {x * (kUnit / lines), y * (kUnit / lines)};
 }
@@ -196,12 +196,12 @@ Habits withLoads(Habits habits) {
   return habits;
 }
 
-Call drawCall(Choices& choices, const Habits& habits) {
+Call drawCall(Random& choices, const Habits& habits) {
   Drawer drawer(choices, habits);
   return drawer.call(drawer.kind());
 }
 
-LocalPolygon drawPolygon(Choices& choices) {
+LocalPolygon drawPolygon(Random& choices) {
   const int kind = choices.below(10);
   if (kind < 7) {
     const Shape& shape = degenerateShapes()[choices.below(degenerateShapes().size())].polygons;
@@ -223,7 +223,7 @@ LocalPolygon drawPolygon(Choices& choices) {
   return triangle;
 }
 
-LocalPolygon spoilt(Choices& choices, LocalPolygon polygon) {
+LocalPolygon spoilt(Random& choices, LocalPolygon polygon) {
   const std::size_t n = polygon.size(), k = choices.below(n), m = choices.below(n);
   switch (choices.below(9)) {
     case 0:

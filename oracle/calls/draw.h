@@ -2,7 +2,7 @@
 #pragma once
 
 #include "oracle/calls/call.h"
-#include "oracle/calls/choices.h"
+#include "oracle/calls/random.h"
 
 #include <array>
 
@@ -22,12 +22,12 @@ struct Habits {
 Habits withMarks(Habits habits);
 Habits withLoads(Habits habits);
 
-Call drawCall(Choices& choices, const Habits& habits);
+Call drawCall(Random& choices, const Habits& habits);
 
 /// A polygon: of a degenerate shape as a rule, or a box or a triangle.
-LocalPolygon drawPolygon(Choices& choices);
+LocalPolygon drawPolygon(Random& choices);
 
 /// With something wrong with it, as a rule.
-LocalPolygon spoilt(Choices& choices, LocalPolygon polygon);
+LocalPolygon spoilt(Random& choices, LocalPolygon polygon);
 
 }  // namespace lgs::oracle

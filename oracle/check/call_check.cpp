@@ -47,7 +47,7 @@ std::string CallCheck::makeOne(const Call& call, bool& isAccepted) {
 }
 
 std::string CallCheck::look() const {
-  Scene scene{{}, preserve_};
+  const Scene scene = model_.standing().scene(preserve_);
   for (const auto& [cell, placed] : model_.standing().cells()) {
     const std::vector<PlacedPolygon> there = caller_.world.polygons(cell);
     const auto isThere = [&](const Model::Placed& p) {
@@ -58,7 +58,6 @@ std::string CallCheck::look() const {
     };
     if (there.size() != placed.size() || !std::ranges::all_of(placed, isThere))
       return fmt::format("other polygons stand in cell ({}, {})", cell.i, cell.j);
-    for (const Model::Placed& p : placed) scene.polygons.push_back({cell, p.block, p.vertices});
   }
   if (caller_.world.stats().polygons != scene.polygons.size()) return "another number of polygons stands there";
   const Outline expected = NaiveReference()(scene).outline, actual = outlineOf(caller_.world);

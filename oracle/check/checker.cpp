@@ -14,7 +14,6 @@
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
 #include "oracle/trace/brushing.h"
-#include "oracle/trace/named_scene.h"
 #include "oracle/views/named_islands.h"
 
 #include <fmt/format.h>
@@ -46,7 +45,6 @@ class Check {
         stats_(stats),
         library_(options.engine ? nullptr : &own_),
         engine_(options.engine ? *options.engine : own_),
-        placed_(trace.preserve),
         steps_(trace) {
     if (options.views) own_.followViews();
   }
@@ -55,6 +53,7 @@ class Check {
     engine_.reset(trace_.preserve);
     while (const auto step = steps_.next()) {
       edits_ = step->end;
+      edited_.merge(steps_.takeEdited());
       if (step->isCommit()) {
         if (auto found = commit()) return found;
         if (stopped_) return std::nullopt;
@@ -80,7 +79,7 @@ class Check {
   using Result = std::optional<Mismatch>;
 
   const Model& model() const { return steps_.model(); }
-  const Scene& scene() const { return placed_.scene(); }
+  Scene scene() const { return model().scene(trace_.preserve); }
 
   Mismatch mismatch(Mismatch::Kind kind, std::string text) const {
     if (!text.ends_with('\n')) text += '\n';
@@ -115,18 +114,7 @@ class Check {
   void note(const Step& step) {
     stats_.doors[static_cast<std::size_t>(step.door)] += step.edits.size();
     stats_.worn += step.worn == 0 ? 0 : 1;
-    for (const Edit& edit : step.edits) note(edit);
-  }
-
-  void note(const Edit& edit) {
     pending_ = true;
-    if (edit.kind == Edit::Kind::remove) {
-      edited_.insert(placed_[edit.name].cell);
-      placed_.remove(edit.name);
-    } else {
-      edited_.insert(edit.polygon.cell);
-      placed_.add(edit.name, edit.polygon);
-    }
   }
 
   // From then on, what the brush did is as if it had been done by hand.
@@ -141,14 +129,14 @@ class Check {
     if (!step.verdict.accepted) return mismatch(Mismatch::Kind::verdict, "a brush is out of reach, but is accepted");
     pending_ = true;
     ++stats_.doors[static_cast<std::size_t>(step.door)];
-    if (std::string wrong = wrongReach(edit.brush, *done, placed_); !wrong.empty())
+    if (std::string wrong = wrongReach(edit.brush, *done, model()); !wrong.empty())
       return mismatch(Mismatch::Kind::reach, std::move(wrong));
     for (const Edit& part : done->edits) {
       if (!model().judge(part).accepted)
         return mismatch(Mismatch::Kind::verdict, "a brush makes what must be refused: " + printEdit(part));
-      note(part);
       steps_.brushed({&part, 1});
     }
+    edited_.merge(steps_.takeEdited());
     if (!options_.cgal) return Result();
     ++stats_.brushed;
     auto far = farFromExact(before, edit.brush, sceneOf(model(), near));
@@ -326,7 +314,6 @@ class Check {
   LibraryEngine own_;
   LibraryEngine* const library_;  // null, if another engine is checked
   Engine& engine_;
-  NamedScene placed_;
   Steps steps_;
   NaiveReference naive_;
   std::vector<RefusedEdit> expected_;  // what must be refused since the last commit, and why

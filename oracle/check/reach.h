@@ -3,7 +3,7 @@
 
 #include "oracle/reference/brush_edit.h"
 #include "oracle/reference/scene.h"
-#include "oracle/trace/named_scene.h"
+#include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
 
 #include <string>
@@ -16,6 +16,6 @@ bool mayMeet(const BrushEdit& brush, const ScenePolygon& polygon);
 
 /// Which polygon a brush has changed without reaching it, and without telling that it is bent; empty if there is none.
 /// `before` has what was there before.
-std::string wrongReach(const BrushEdit& brush, const Brushed& done, const NamedScene& before);
+std::string wrongReach(const BrushEdit& brush, const Brushed& done, const Model& before);
 
 }  // namespace lgs::oracle

@@ -15,23 +15,19 @@ ReferenceEngine::ReferenceEngine(bool naive, bool cgal) : isNaive_(naive), isCga
 
 void ReferenceEngine::reset(const PreservePairs& preserve) {
   model_ = {};
-  placed_ = NamedScene(isNaive_ ? preserve : PreservePairs());
+  preserve_ = isNaive_ ? preserve : PreservePairs();
   outline_.clear();
   refused_.clear();
 }
 
 void ReferenceEngine::add(const std::string& name, const ScenePolygon& polygon) {
   const Edit edit = Edit::add(name, polygon);
-  if (!accepts(edit)) return;
-  model_.apply(edit);
-  placed_.add(name, polygon);
+  if (accepts(edit)) model_.apply(edit);
 }
 
 void ReferenceEngine::remove(const std::string& name) {
   const Edit edit = Edit::remove(name);
-  if (!accepts(edit)) return;
-  model_.apply(edit);
-  placed_.remove(name);
+  if (accepts(edit)) model_.apply(edit);
 }
 
 // Notes the refusal, if the edit must be refused.
@@ -44,7 +40,7 @@ bool ReferenceEngine::accepts(const Edit& edit) {
 }
 
 Engine::Refusals ReferenceEngine::commit() {
-  if (isNaive_) outline_ = naive_(placed_.scene()).outline;
+  if (isNaive_) outline_ = naive_(model_.scene(preserve_)).outline;
   if (isCgal_) {
     if (auto failure = unite()) return tl::unexpected(std::move(*failure));
   }
@@ -52,7 +48,7 @@ Engine::Refusals ReferenceEngine::commit() {
 }
 
 std::optional<Failure> ReferenceEngine::unite() {
-  auto united = cgalUnion(placed_.scene());
+  auto united = cgalUnion(model_.scene(preserve_));
   if (!isNaive_) {  // then there is no preserve relation, so CGAL knows everything
     outline_ = std::move(united->outline);
     return std::nullopt;

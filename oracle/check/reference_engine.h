@@ -4,7 +4,6 @@
 #include "oracle/engine/engine.h"
 #include "oracle/reference/naive.h"
 #include "oracle/trace/model.h"
-#include "oracle/trace/named_scene.h"
 
 #include <optional>
 #include <string>
@@ -34,7 +33,7 @@ class ReferenceEngine : public Engine {
   bool isNaive_;
   bool isCgal_;
   Model model_;
-  NamedScene placed_;
+  PreservePairs preserve_;
   NaiveReference naive_;
   Outline outline_;                   // of the last commit
   std::vector<RefusedEdit> refused_;  // since then

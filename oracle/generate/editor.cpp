@@ -11,23 +11,25 @@ namespace lgs::oracle {
 
 // A call has at most one random argument: compilers differ in the order in which they evaluate arguments.
 
-Editor::Editor(Trace start, Habits habits, std::uint64_t seed)
-    : trace_(std::move(start)), habits_(std::move(habits)), random_(seed) {
+Editor::Editor(Trace start, EditHabits habits, Random random)
+    : trace_(std::move(start)), habits_(std::move(habits)), random_(random) {
   for (const Edit& edit : trace_.edits) model_.apply(edit);
   start_ = model_;
   at_ = random_.pick(habits_.cells);
 }
 
+void Editor::operate() {
+  constexpr std::int32_t kSteps[] = {kUnitsPerCell / 4, kUnitsPerCell / 4, kUnitsPerCell / 8, 1};
+  step_ = std::max(kSteps[random_.below(4)], kUnitsPerCell / habits_.can.lattice);
+  const Operation operation = pickOperation();
+  (this->*operation)(pickCell());
+  // An operation may come to nothing; a commit of nothing is worth a try now and then.
+  const bool pending = !trace_.edits.empty() && trace_.edits.back().kind != Edit::Kind::commit;
+  if (random_.chance(pending ? habits_.commitPercent : 2)) push(Edit::commit());
+}
+
 void Editor::run(std::size_t edits) {
-  while (edits_ < edits) {
-    constexpr std::int32_t kSteps[] = {kUnitsPerCell / 4, kUnitsPerCell / 4, kUnitsPerCell / 8, 1};
-    step_ = std::max(kSteps[random_.below(4)], kUnitsPerCell / habits_.can.lattice);
-    const Operation operation = pickOperation();
-    (this->*operation)(pickCell());
-    // An operation may come to nothing; a commit of nothing is worth a try now and then.
-    const bool pending = !trace_.edits.empty() && trace_.edits.back().kind != Edit::Kind::commit;
-    if (random_.chance(pending ? habits_.commitPercent : 2)) push(Edit::commit());
-  }
+  while (edits_ < edits) operate();
   for (; edits_ > edits; trace_.edits.pop_back()) {  // the last operation may have made more
     if (trace_.edits.back().kind != Edit::Kind::commit) --edits_;
   }

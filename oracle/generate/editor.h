@@ -12,7 +12,7 @@
 namespace lgs::oracle {
 
 /// What an editor likes to do; the weights are relative to each other.
-struct Habits {
+struct EditHabits {
   std::vector<std::vector<LocalPolygon>> shapes;  ///< at least one
   bool turnShapes = true;                         ///< by the symmetries of the cell
   std::vector<Block> blocks;                      ///< at least one
@@ -37,10 +37,19 @@ struct Habits {
 class Editor {
  public:
   /// Goes on where `start` ends. The trace must hold no refused edits.
-  Editor(Trace start, Habits habits, std::uint64_t seed);
+  Editor(Trace start, EditHabits habits, Random random);
+
+  /// One operation, and perhaps a commit.
+  void operate();
+  void operate(Random random) {
+    random_ = random;
+    operate();
+  }
 
   /// Makes this many edits, the last ones committed. To be called once.
   void run(std::size_t edits);
+
+  std::size_t edits() const { return edits_; }  ///< made so far, commits not counted
 
   Trace takeTrace() { return std::move(trace_); }
 
@@ -71,13 +80,13 @@ class Editor {
   LocalPoint randomPoint();
 
   Trace trace_;
-  Habits habits_;
+  EditHabits habits_;
   Random random_;
   Model model_;
   Model start_;
   Cell at_;
   std::int32_t step_ = 1;  // of the grid for random points
-  std::size_t edits_ = 0;  // made so far, commits not counted
+  std::size_t edits_ = 0;
   std::size_t names_ = 0;
   std::string lastRemoved_;
 };

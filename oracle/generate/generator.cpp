@@ -90,11 +90,9 @@ PreservePairs randomPreserve(Random& random, const std::vector<Block>& blocks) {
   return pairs;
 }
 
-}  // namespace
-
-Trace randomCase(const GeneratorOptions& options, std::uint64_t seed) {
-  Random random(seed);
-  Habits habits;
+// One that has its habits, and has edited nothing yet.
+Editor editorOf(const GeneratorOptions& options, Random& random) {
+  EditHabits habits;
   habits.can = options.can;
   habits.shapes = randomShapes(random, options.can);
   habits.blocks = randomBlocks(random);
@@ -117,6 +115,7 @@ Trace randomCase(const GeneratorOptions& options, std::uint64_t seed) {
   habits.clear = random.below(3);
   habits.replace = random.below(3);
   habits.refused = random.chance(40) ? 1 + random.below(3) : 0;
+  if (options.bad) habits.refused = 100;
   if (!options.can.refuses) habits.refused = 0;
   habits.commitPercent = random.chance(50) ? 100 : 10 + random.below(60);
   if (isLow) {
@@ -127,8 +126,29 @@ Trace randomCase(const GeneratorOptions& options, std::uint64_t seed) {
   Trace start;
   start.preserve = randomPreserve(random, habits.blocks);
   if (!options.can.preserve) start.preserve = {};
-  Editor editor(std::move(start), std::move(habits), random.next());
+  return Editor(std::move(start), std::move(habits), Random(random.next()));
+}
+
+}  // namespace
+
+Trace randomCase(const GeneratorOptions& options, std::uint64_t seed) {
+  Random random(seed);
+  Editor editor = editorOf(options, random);
   editor.run(options.edits);
+  return editor.takeTrace();
+}
+
+Trace caseOf(std::span<const std::uint8_t> bytes, const GeneratorOptions& options) {
+  const auto next = [&bytes] {
+    const auto record = bytes.first(std::min(bytes.size(), kRecord));
+    bytes = bytes.subspan(record.size());
+    return record;
+  };
+  std::uint64_t seed = 0;
+  for (const std::uint8_t byte : next()) seed = seed * 257 + byte;
+  Random habits(seed);
+  Editor editor = editorOf(options, habits);
+  while (!bytes.empty() && editor.edits() < options.edits) editor.operate(Random::of(next()));
   return editor.takeTrace();
 }
 
@@ -170,7 +190,7 @@ Trace digIn(Trace start, std::size_t edits, std::uint64_t seed, const Capabiliti
   Model world;
   for (const Edit& edit : start.edits) world.apply(edit);
 
-  Habits habits;
+  EditHabits habits;
   habits.can = can;
   std::set<std::vector<LocalPolygon>> contents;
   std::set<Block> blocks;
@@ -203,7 +223,7 @@ Trace digIn(Trace start, std::size_t edits, std::uint64_t seed, const Capabiliti
   habits.clear = 4;
   habits.replace = 1;
   habits.commitPercent = 60;
-  Editor editor(std::move(start), std::move(habits), seed);
+  Editor editor(std::move(start), std::move(habits), Random(seed));
   editor.run(edits);
   return editor.takeTrace();
 }

@@ -12,6 +12,7 @@
 #include "oracle/trace/trace.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace lgs::oracle {
@@ -23,10 +24,17 @@ struct GeneratorOptions {
   Capabilities can = Capabilities::all();  ///< what the worlds must be fit for
   bool crowds = true;    ///< the limits of a cell are this library's: other engines need not know them
   bool brushes = false;  ///< among the other edits: these are this library's, and come on top of `edits`
+  bool bad = false;      ///< most of the edits must be refused
 };
 
 /// A case of its own. The trace may hold edits that must be refused; see CheckOptions::skipRefused.
 Trace randomCase(const GeneratorOptions& options, std::uint64_t seed);
+
+/// A case of a fuzzer's bytes: any bytes are one. The first record of 16 is the seed of its habits; each one after that
+/// chooses an operation, of which a choice takes a byte. So a byte that changes changes one operation, but that what
+/// comes later meets another world.
+Trace caseOf(std::span<const std::uint8_t> bytes, const GeneratorOptions& options);
+inline constexpr std::size_t kRecord = 16;
 
 /// A case about the limits of <lgs/world.h>: it fills a cell until no polygon, or no vertex, may be added.
 enum class Crowd : std::uint8_t { none, polygons, vertices };

@@ -72,7 +72,12 @@ std::optional<Step> Steps::next() {
 }
 
 void Steps::brushed(std::span<const Edit> edits) {
-  for (const Edit& edit : edits) model_.apply(edit);
+  for (const Edit& edit : edits) make(edit);
+}
+
+void Steps::make(const Edit& edit) {
+  edited_.insert(edit.kind == Edit::Kind::add ? edit.polygon.cell : model_.cellOf(edit.name));
+  model_.apply(edit);
 }
 
 Step Steps::take(std::size_t count, Door door) {
@@ -98,7 +103,7 @@ Step Steps::addition() {
   step.verdict = model_.judge(edit);
   if (step.verdict.accepted) {
     wear(step);
-    model_.apply(edit);
+    make(edit);
   } else if (step.verdict.code) {
     step.verdict = judgeTrial(step);
   }
@@ -118,7 +123,7 @@ Step Steps::removal() {
   Step step = take(std::max<std::size_t>(count, 1), count > 0 ? Door::clear : Door::remove);
   step.verdict = verdict;
   if (!verdict.accepted) return step;
-  for (const Edit& gone : step.edits) model_.apply(gone);
+  for (const Edit& gone : step.edits) make(gone);
   step.cells = cells;
   if (count > 0) widen(step.cells, step.chance);
   return step;
@@ -172,7 +177,7 @@ std::optional<Step> Steps::replacement() {
 // Takes the next edits, all of them good, and makes them in the model.
 Step Steps::taken(std::size_t count, Door door) {
   Step step = take(count, door);
-  for (const Edit& edit : step.edits) model_.apply(edit);
+  for (const Edit& edit : step.edits) make(edit);
   return step;
 }
 
@@ -269,6 +274,7 @@ bool Steps::makes(const Step& step) {
     for (const Edit& edit : step.edits.first(k)) model_.apply(Edit::remove(edit.name));
     return false;
   }
+  for (const Edit& edit : step.edits) edited_.insert(edit.polygon.cell);
   return true;
 }
 

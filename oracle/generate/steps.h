@@ -16,6 +16,8 @@
 #include "oracle/trace/step.h"
 
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace lgs::oracle {
@@ -33,7 +35,11 @@ class Steps {
 
   const Model& model() const { return model_; }
 
+  /// The cells of the edits that were accepted since the last call of this.
+  std::set<Cell> takeEdited() { return std::exchange(edited_, {}); }
+
  private:
+  void make(const Edit& edit);
   Step take(std::size_t count, Door door);
   Step addition();
   Step removal();
@@ -54,6 +60,7 @@ class Steps {
   std::size_t at_ = 0;           // the next one
   std::size_t oneByOne_ = 0;     // the edits before this one were tried together
   Model model_;
+  std::set<Cell> edited_;
 };
 
 }  // namespace lgs::oracle

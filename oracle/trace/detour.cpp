@@ -11,7 +11,7 @@ namespace lgs::oracle {
 namespace {
 
 // Some edits in the cells around one.
-std::vector<Call> editsDrawn(Choices& choices) {
+std::vector<Call> editsDrawn(Random& choices) {
   Habits habits{.width = 3, .height = 3};
   std::fill(habits.weights.begin() + static_cast<std::size_t>(Call::Kind::commit), habits.weights.end(), 0);
   std::vector<Call> edits;
@@ -34,7 +34,7 @@ std::optional<std::string> commitAndGoBack(Caller& caller, Mark mark, const std:
   return "changesOfRollBack() is not the reverse of the commit that was undone";
 }
 
-std::optional<std::string> editAndGoBack(Caller& caller, Choices& choices) {
+std::optional<std::string> editAndGoBack(Caller& caller, Random& choices) {
   if (choices.chance(50)) {
     Call group;  // it is not kept
     group.kind = Call::Kind::group;
@@ -52,7 +52,7 @@ std::optional<std::string> editAndGoBack(Caller& caller, Choices& choices) {
 }  // namespace
 
 std::optional<std::string> editAndGoBack(World& world, Cell cell, std::uint64_t chance) {
-  Choices choices = choicesFrom(chance);
+  Random choices(chance);
   Caller caller(std::move(world), {cell.i - 1, cell.j - 1});
   auto complaint = editAndGoBack(caller, choices);
   world = std::move(caller.world);

@@ -35,6 +35,20 @@ std::size_t Model::polygonsIn(const CellRect& cells) const {
   return count;
 }
 
+Scene Model::scene(PreservePairs preserve) const {
+  Scene scene{{}, std::move(preserve)};
+  scene.polygons.reserve(polygons());
+  for (const auto& [cell, there] : cells_)
+    for (const Placed& placed : there) scene.polygons.push_back({cell, placed.block, placed.vertices});
+  return scene;
+}
+
+ScenePolygon Model::operator[](const std::string& name) const {
+  const Cell cell = cellOf(name);
+  const auto placed = std::ranges::find(in(cell), name, &Placed::name);
+  return {cell, placed->block, placed->vertices};
+}
+
 Verdict Model::judge(const Edit& edit) const {
   if (edit.kind == Edit::Kind::commit) return {};
   if (edit.kind == Edit::Kind::remove) return {isAlive(edit.name)};

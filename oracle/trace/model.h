@@ -39,6 +39,8 @@ class Model {
   const std::vector<Placed>& in(Cell cell) const;  ///< what stands in a cell, in order of adding
   const std::map<Cell, std::vector<Placed>>& cells() const { return cells_; }  ///< those that are not empty
   std::size_t polygonsIn(const CellRect& cells) const;
+  Scene scene(PreservePairs preserve) const;               ///< of all that stands
+  ScenePolygon operator[](const std::string& name) const;  ///< of a name alive
   bool isAlive(const std::string& name) const { return cellOf_.contains(name); }
   Cell cellOf(const std::string& name) const { return cellOf_.at(name); }  ///< of a name alive
   std::size_t polygons() const { return cellOf_.size(); }

@@ -23,7 +23,7 @@ Executor executorOf(bool apart) {
 }  // namespace
 
 Player::Player(PreservePairs preserve, Loads loads)
-    : world_(relationOf(preserve)), placed_(std::move(preserve)), loads_(loads) {}
+    : world_(relationOf(preserve)), preserve_(std::move(preserve)), loads_(loads) {}
 
 tl::expected<void, TraceError> Player::apply(const Edit& edit) {
   Step step;
@@ -53,7 +53,7 @@ Player::Done Player::leaveAndComeBack(const Step& step) {
   const auto told = [](std::optional<std::string> complaint) -> Done {
     return complaint ? Done(wrong(std::move(*complaint))) : Done();
   };
-  if (loads_ == Loads::sometimes && wantsSaving(step.chance) && !pending_ && scene().polygons.size() <= kSmall) {
+  if (loads_ == Loads::sometimes && wantsSaving(step.chance) && !pending_ && placed_.polygons() <= kSmall) {
     ++detours_.saved;
     mark_.reset();  // it is not saved
     if (auto done = told(saveAndLoad(world_)); !done) return done;
@@ -179,12 +179,12 @@ Player::Done Player::setBlock(const Step& step) {
 
 void Player::note(const Edit& add, PolygonHandle handle) {
   lost_.erase(add.name);
-  placed_.add(add.name, add.polygon);
+  placed_.apply(add);
   handles_.emplace(add.name, handle);
 }
 
 void Player::forget(const std::string& name) {
-  placed_.remove(name);
+  placed_.apply(Edit::remove(name));
   handles_.erase(name);
 }
 

@@ -1,10 +1,10 @@
-// Plays a trace into a World, edit by edit or step by step. Beside the world it keeps the scene of what is placed.
+// Plays a trace into a World, edit by edit or step by step. Beside the world it keeps what is placed.
 //
 // It is an error without a refusal if the engine accepts an edit but answers it wrongly, for instance with the handle
 // of another polygon. So is a name that is taken, or unknown.
 #pragma once
 
-#include "oracle/trace/named_scene.h"
+#include "oracle/trace/model.h"
 #include "oracle/trace/step.h"
 #include "oracle/trace/trace.h"
 
@@ -69,11 +69,12 @@ class Player {
 
   World& world() { return world_; }
   const World& world() const { return world_; }
-  const Scene& scene() const { return placed_.scene(); }  ///< uncommitted edits included; in no particular order
-  bool pending() const { return pending_; }               ///< edits since the last commit
-  bool isAlive(const std::string& name) const { return placed_.contains(name); }
+  const Model& standing() const { return placed_; }  ///< uncommitted edits included
+  Scene scene() const { return placed_.scene(preserve_); }
+  bool pending() const { return pending_; }  ///< edits since the last commit
+  bool isAlive(const std::string& name) const { return placed_.isAlive(name); }
   PolygonHandle handleOf(const std::string& name) const { return handles_.at(name); }  ///< of a name alive
-  Cell cellOf(const std::string& name) const { return placed_[name].cell; }
+  Cell cellOf(const std::string& name) const { return placed_.cellOf(name); }
   const Detours& detours() const { return detours_; }
   const Brushed& brushed() const { return brushed_; }    ///< by the last edit; empty if that was none of a brush
   std::size_t shapes() const { return shapes_.size(); }  ///< the number of different ones that the world has made
@@ -105,7 +106,8 @@ class Player {
   void forget(const std::string& name);
 
   World world_;
-  NamedScene placed_;
+  PreservePairs preserve_;
+  Model placed_;
   std::unordered_map<std::string, PolygonHandle> handles_;
   std::map<Shape, ShapeId> shapes_;
   std::set<ShapeId> shapeIds_;

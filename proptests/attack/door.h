@@ -113,6 +113,7 @@ void addDoorsOfWorlds(Doors& door);
 void addDoorsOfReading(Doors& door);
 void addDoorsOfBrushes(Doors& door);
 void addDoorsOfC(Doors& door);
+void addDoorsOfViews(Doors& door);
 void addDoorsOfBox2d(Doors& door);
 
 }  // namespace lgs::test

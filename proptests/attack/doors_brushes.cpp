@@ -16,7 +16,9 @@ void addDoorsOfBrushes(Doors& door) {
   // What these make is used at once: a region may be refused, but nothing else.
   const auto used = [](Scene& s, const Region& region) {
     const auto painted = paint(s.other, region, 4, PaintMode::fill);
-    if (painted) EXPECT_TRUE(carve(s.other, region));
+    if (painted) {
+      EXPECT_TRUE(carve(s.other, region));
+    }
   };
   door("region(span<const vector<DoublePoint>>, FillRule)",
        [used](Scene& s, const std::vector<Reals<double>>& rings, FillRule rule) {
@@ -42,12 +44,16 @@ void addDoorsOfBrushes(Doors& door) {
   door("boundsOf(const Region&)", [](Scene&, const Region& region) { return boundsOf(region); });
   door("cellsOf(const Region&)", [](Scene&, const Region& region) {
     const auto cells = cellsOf(region);
-    if (cells) EXPECT_TRUE(std::ranges::all_of(*cells, [](Cell cell) { return inRange(cell); }));
+    if (cells) {
+      EXPECT_TRUE(std::ranges::all_of(*cells, [](Cell cell) { return inRange(cell); }));
+    }
     return cells;
   });
   door("without(const Region&, const Region&)", [](Scene&, const Region& region, const Region& except) {
     const auto rest = without(region, except);
-    if (rest) EXPECT_TRUE(cellsOf(*rest).has_value());
+    if (rest) {
+      EXPECT_TRUE(cellsOf(*rest).has_value());
+    }
     return rest;
   });
   door("meets(const Region&, const Ring&)",

@@ -265,6 +265,38 @@ void addEdits(Doors& door) {
     lgs_error error{};
     return checked(lgs_forget_chunks(worldOf(s, w), toC(r), out(count), e(error)), w);
   });
+  // These are of a copy: what is unloaded would be missing to all others.
+  door("lgs_unload", [](Scene& s, Given w, const CellRect& r, Given function, Given out, Given e) {
+    lgs_world* copy = nullptr;
+    EXPECT_EQ(lgs_copy(s.c.get(), &copy), LGS_OK);
+    const lgs_chunk_fn take = [](void* user, lgs_cell, const std::uint8_t*, std::size_t) {
+      static_cast<void>(lgs_count(static_cast<const lgs_world*>(user), nullptr));
+    };
+    std::uint64_t count = 0;
+    lgs_error error{};
+    const lgs_status status =
+        lgs_unload(w.isGiven ? copy : nullptr, toC(r), function.isGiven ? take : nullptr, copy, out(count), e(error));
+    lgs_free(copy);
+    return checked(status, w);
+  });
+  door("lgs_reload", [](Scene& s, Given w, const std::vector<std::byte>& file, Given list, Given out, Given e) {
+    lgs_cell corner{};
+    lgs_error error{};
+    return checked(
+        lgs_reload(worldOf(s, w), list.isGiven ? reinterpret_cast<const std::uint8_t*>(file.data()) : nullptr,
+                   file.size(), out(corner), e(error)),
+        w.isGiven && (list.isGiven || file.empty()));
+  });
+  door("lgs_reload_empty", [](Scene& s, Given w, const CellRect& r, Given out, Given e) {
+    std::uint64_t count = 0;
+    lgs_error error{};
+    return checked(lgs_reload_empty(worldOf(s, w), toC(r), out(count), e(error)), w);
+  });
+  door("lgs_first_unloaded", [](Scene& s, Given w, const CellRect& r, Given out, Given cell) {
+    std::int32_t found = 0;
+    lgs_cell first{};
+    return checked(lgs_first_unloaded(worldOf(s, w), toC(r), out(found), cell(first)), w);
+  });
 }
 
 void addReading(Doors& door) {

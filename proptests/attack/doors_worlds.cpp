@@ -182,6 +182,31 @@ void addDoorsOfWorlds(Doors& door) {
     return 0U;
   });
   door("World::forget(Mark)", [](Scene& s, Mark mark) { return s.world.forget(mark); });
+  door("World::unload(const CellRect&, const ChunkSink&)", [](Scene& s, const CellRect& r) {
+    World copy = s.world;  // what is unloaded would be missing to all others
+    std::vector<std::vector<std::byte>> chunks;
+    const auto gone = copy.unload(
+        r, [&](Cell, std::span<const std::byte> bytes) { chunks.emplace_back(bytes.begin(), bytes.end()); });
+    const bool isBad = !isEmpty(r) && (isOutOfRange(r.min) || isOutOfRange(r.max));
+    EXPECT_EQ(gone.has_value(), !isBad);
+    EXPECT_EQ(gone.value_or(0), chunks.size());
+    copy.commit();
+    for (const auto& bytes : chunks) EXPECT_TRUE(copy.reload(bytes));
+    copy.commit();
+    EXPECT_TRUE(samePolygons(copy, s.world));
+    return gone;
+  });
+  door("World::reload(span<const byte>)", [](Scene& s, const std::vector<std::byte>& file) {
+    World copy = s.world;
+    static_cast<void>(copy.reload(file));
+    copy.commit();
+    return 0U;
+  });
+  door("World::reloadEmpty(const CellRect&)", [](Scene& s, const CellRect& r) { return s.world.reloadEmpty(r); });
+  door("World::firstUnloaded(const CellRect&) const", [](Scene& s, const CellRect& r) {
+    EXPECT_FALSE(s.world.firstUnloaded(r));
+    return 0U;
+  });
   door("World::forget(const Rect&)", [](Scene& s, const CellRect& r, bool leaves) {
     if (leaves) s.world.commit();
     for (const Mark mark : s.marks)

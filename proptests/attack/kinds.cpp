@@ -28,7 +28,7 @@ VALUES(CellRect, {{0, 0}, {1, 1}}, {{0, 0}, {0, 0}}, {{1, 1}, {0, 0}}, {{0, 0}, 
        {{-kMaxCell - 1, 0}, {0, 0}}, {{kMaxCell, kMaxCell}, {kMaxCell, kMaxCell}}, {{kMost, kMost}, {kMost, kMost}},
        {{kLeast, kLeast}, {kLeast, kLeast}}, {{kMaxCell, 0}, {kMost, 0}})
 VALUES(Point, {32'768, 32'768}, {0, 0}, {-1, 65'536}, {kFar, kFar}, {-kFar, -kFar}, {kFar + 1, 0}, {0, -kFar - 1},
-       {INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN}, {INT64_MIN, INT64_MAX}, {0, INT64_MAX},
+       {INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN}, {INT64_MIN, INT64_MAX}, {0, INT64_MAX}, {INT64_MIN, 0},
        {kMaxRay * std::int64_t{kUnitsPerCell}, 0}, {kMaxRay * std::int64_t{kUnitsPerCell} + 1, 0}, {65'536, 65'535})
 VALUES(LocalPoint, {0, 0}, {kUnitsPerCell, kUnitsPerCell}, {-1, 0}, {0, kUnitsPerCell + 1}, {kLeast, kLeast},
        {kMost, kMost})

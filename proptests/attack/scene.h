@@ -18,7 +18,8 @@ struct FreeWorld {
 };
 using CWorld = std::unique_ptr<lgs_world, FreeWorld>;
 
-struct Ground;  // of a physics engine: doors_box2d.cpp
+struct Ground;    // of a physics engine: doors_box2d.cpp
+struct Followed;  // a world with its views: doors_views.cpp
 
 struct Scene {
   Scene();
@@ -31,8 +32,9 @@ struct Scene {
   std::vector<SegmentId> segments;
   std::vector<ShapeId> shapes;
   std::vector<Mark> marks, marksOfC;
-  Changes reported;                ///< by an early commit of the world
-  std::shared_ptr<Ground> ground;  ///< made when it is asked for; it goes before the world
+  Changes reported;                    ///< by an early commit of the world
+  std::shared_ptr<Ground> ground;      ///< made when it is asked for; it goes before the world
+  std::shared_ptr<Followed> followed;  ///< made when it is asked for
 
   /// Looks anew for who is alive.
   void refresh();

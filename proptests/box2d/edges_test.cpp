@@ -146,6 +146,37 @@ TEST(Box2dEdges, FollowAWorldThatGoesBack) {
   });
 }
 
+// An edge that leads into what is unloaded has the ghost of its last segment.
+TEST(Box2dEdges, FollowAWorldWhoseChunksComeAndGo) {
+  box2d_test::forAllEdits(100, [](const oracle::Trace& trace, box2d_test::Chance random) {
+    const EdgeOptions options = randomOptions(random);
+    SCOPED_TRACE(inWords(options));
+    Player player(trace.preserve, oracle::Loads::never);
+    World& world = player.world();
+    EdgeSet set(options);
+    Copy copy;
+    copy.apply(set, set.load(world));
+    const auto update = [&](const Changes& changes) {
+      copy.apply(set, set.update(world, changes));
+      const NaiveEdges naive = NaiveBuilder(world, options).build();
+      EXPECT_EQ(plain(set), naive.edges);
+      EXPECT_EQ(set.counts(), naive.counts);
+    };
+    box2d_test::playAll(trace, player, [&] {
+      update(player.commit());
+      const Cell last = world.bounds().value_or(CellRect{}).max, corner{last.i & ~31, last.j & ~31};
+      std::vector<std::vector<std::byte>> chunks;
+      EXPECT_TRUE(world.unload({corner, {std::min(corner.i + 31, kMaxCell), std::min(corner.j + 31, kMaxCell)}},
+                               [&](Cell, std::span<const std::byte> bytes) {
+                                 chunks.emplace_back(bytes.begin(), bytes.end());
+                               }));
+      update(world.commit());
+      for (const auto& chunk : chunks) EXPECT_TRUE(world.reload(chunk));
+      update(world.commit());
+    });
+  });
+}
+
 TEST(Box2dEdges, WithoutMergingEverySegmentIsAnEdge) {
   box2d_test::forAllEdits(60, [](const oracle::Trace& trace, box2d_test::Chance) {
     Player player(trace.preserve, oracle::Loads::never);

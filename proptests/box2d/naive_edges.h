@@ -60,14 +60,12 @@ class NaiveBuilder {
   using Strip = std::vector<Segment>;
 
   const Segment* before(const Segment& s) const {
-    if (!s.predecessor) return nullptr;
-    const Segment& other = segments_.at(s.predecessor);
-    return other.successor == s.id ? &other : nullptr;
+    const auto other = segments_.find(s.predecessor);  // none, too, if its chunk is unloaded
+    return other != segments_.end() && other->second.successor == s.id ? &other->second : nullptr;
   }
   const Segment* after(const Segment& s) const {
-    if (!s.successor) return nullptr;
-    const Segment& other = segments_.at(s.successor);
-    return other.predecessor == s.id ? &other : nullptr;
+    const auto other = segments_.find(s.successor);
+    return other != segments_.end() && other->second.predecessor == s.id ? &other->second : nullptr;
   }
 
   static std::pair<std::int64_t, std::int64_t> direction(const Segment& s) {

@@ -36,6 +36,23 @@ TEST(BrushRules, RingsMayRunEitherWayAround) {
   }
 }
 
+TEST(BrushRules, WhatReachesUnloadedCellsIsRefusedAsAWhole) {
+  World world;
+  const ShapeId square = *world.shape(kUnitSquare);
+  ASSERT_TRUE(world.fill({{0, 0}, {63, 31}}, square, 1));
+  EXPECT_EQ(world.unload({{32, 0}, {63, 31}}, {}), 1U);
+  world.commit();
+  for (const std::int64_t radius : {2, 20}) {
+    const Region hole = circle(latticePoint({31, 16}), radius * kCell);
+    EXPECT_EQ(carve(world, hole).error().code, ErrorCode::unloaded);
+    EXPECT_EQ(carve(world, hole, [](Block b) { return b == 1; }).error().code, ErrorCode::unloaded);
+    EXPECT_EQ(paint(world, hole, 2, PaintMode::fill).error().code, ErrorCode::unloaded);
+    EXPECT_EQ(paint(world, hole, 2, PaintMode::replace).error().code, ErrorCode::unloaded);
+  }
+  EXPECT_EQ(world.stats().polygons, 1'024U);
+  EXPECT_TRUE(carve(world, circle(latticePoint({29, 16}), 2 * kCell)));
+}
+
 TEST(BrushRules, VerticesMayBeRepeated) {
   World world;
   ASSERT_TRUE(

@@ -158,8 +158,9 @@ TEST(BrushStayingByHand, AFullCellThatStaysIsNotCut) {
 TEST(BrushRegionsByHand, WithoutSaysWhichRingWasRefused) {
   const Region region = rect({0, 0}, {3 * kCellUnits, kCellUnits}), far = rect({5, 5}, {kMaxCoordinate + 1, 9});
   const Region hole = rect({kCellUnits, 9}, {2 * kCellUnits, 90});
-  EXPECT_EQ(without(region, hole)->rings, (std::vector<Ring>{region.rings[0], {hole.rings[0][0], hole.rings[0][3],
-                                                                               hole.rings[0][2], hole.rings[0][1]}}));
+  EXPECT_EQ(
+      without(region, hole)->rings,
+      (std::vector<Ring>{region.rings[0], {hole.rings[0][0], hole.rings[0][3], hole.rings[0][2], hole.rings[0][1]}}));
   EXPECT_TRUE(without(hole, region)->rings.empty());
   EXPECT_EQ(without(far, region).error().polygon, 0);
   EXPECT_EQ(without(region, far).error().polygon, 1);

@@ -41,7 +41,7 @@ rc::Gen<Region> regions(std::int64_t step) {
   return rc::gen::weightedOneOf<Region>({{2, any}, {1, triangles}});
 }
 
-rc::Gen<BrushStroke> strokes(std::int64_t step) {
+rc::Gen<BrushStroke> strokesOn(std::int64_t step) {
   return rc::gen::map(rc::gen::tuple(rc::gen::element(Deed::carve, Deed::fill, Deed::replace),
                                      rc::gen::inRange<Block>(1, 4), regions(step)),
                       [](std::tuple<Deed, Block, Region> parts) {
@@ -120,29 +120,24 @@ std::map<PolygonHandle, Standing> standingIn(const World& world) {
   return all;
 }
 
+rc::Gen<AnyStrokes> AnyStrokes::arbitrary() {
+  return rc::gen::mapcat(steps(), [](std::int64_t step) {
+    return rc::gen::map(rc::gen::pair(rc::gen::element(Ground::empty, Ground::solid, Ground::slanted, Ground::halved),
+                                      rc::gen::mapcat(rc::gen::inRange<std::size_t>(1, 7),
+                                                      [step](std::size_t count) {
+                                                        return rc::gen::container<std::vector<BrushStroke>>(
+                                                            count, strokesOn(step));
+                                                      })),
+                        [](std::pair<Ground, std::vector<BrushStroke>> p) {
+                          return AnyStrokes{p.first, std::move(p.second)};
+                        });
+  });
+}
+
+rc::Gen<AnyRegion> AnyRegion::arbitrary() {
+  return rc::gen::mapcat(steps(), [](std::int64_t step) {
+    return rc::gen::map(regions(step), [](lgs::Region region) { return AnyRegion{std::move(region)}; });
+  });
+}
+
 }  // namespace lgs::test
-
-namespace rc {
-
-using namespace lgs::test;
-
-Gen<AnyStrokes> Arbitrary<AnyStrokes>::arbitrary() {
-  return gen::mapcat(steps(), [](std::int64_t step) {
-    return gen::map(gen::pair(gen::element(Ground::empty, Ground::solid, Ground::slanted, Ground::halved),
-                              gen::mapcat(gen::inRange<std::size_t>(1, 7),
-                                          [step](std::size_t count) {
-                                            return gen::container<std::vector<BrushStroke>>(count, strokes(step));
-                                          })),
-                    [](std::pair<Ground, std::vector<BrushStroke>> p) {
-                      return AnyStrokes{p.first, std::move(p.second)};
-                    });
-  });
-}
-
-Gen<AnyRegion> Arbitrary<AnyRegion>::arbitrary() {
-  return gen::mapcat(steps(), [](std::int64_t step) {
-    return gen::map(regions(step), [](lgs::Region region) { return AnyRegion{std::move(region)}; });
-  });
-}
-
-}  // namespace rc

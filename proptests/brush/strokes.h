@@ -2,10 +2,9 @@
 #pragma once
 
 #include "oracle/cgal/brushed.h"
+#include "proptests/support/arbitrary.h"
 
 #include <lgs/brush.h>
-#include <rapidcheck.h>
-
 #include <iosfwd>
 #include <map>
 #include <vector>
@@ -29,12 +28,14 @@ enum class Ground : std::uint8_t { empty, solid, slanted, halved };
 struct AnyStrokes {
   Ground ground = Ground::empty;
   std::vector<BrushStroke> strokes;
+  static rc::Gen<AnyStrokes> arbitrary();
 };
 void showValue(const AnyStrokes& strokes, std::ostream& out);
 
 /// One region of that kind.
 struct AnyRegion {
   Region region;
+  static rc::Gen<AnyRegion> arbitrary();
 };
 void showValue(const AnyRegion& region, std::ostream& out);
 
@@ -53,16 +54,3 @@ struct Standing {
 std::map<PolygonHandle, Standing> standingIn(const World& world);
 
 }  // namespace lgs::test
-
-namespace rc {
-
-template <>
-struct Arbitrary<lgs::test::AnyStrokes> {
-  static Gen<lgs::test::AnyStrokes> arbitrary();
-};
-template <>
-struct Arbitrary<lgs::test::AnyRegion> {
-  static Gen<lgs::test::AnyRegion> arbitrary();
-};
-
-}  // namespace rc

@@ -208,6 +208,64 @@ static void places(void) {
   lgs_free(world);
 }
 
+/* The bytes of one chunk. */
+typedef struct shelf {
+  uint8_t bytes[256];
+  size_t count;
+  lgs_cell corner;
+} shelf;
+
+static void keep(void* user, lgs_cell corner, const uint8_t* bytes, size_t count) {
+  shelf* kept = user;
+  CHECK(count <= sizeof kept->bytes);
+  memcpy(kept->bytes, bytes, count);
+  kept->count = count;
+  kept->corner = corner;
+}
+
+static void unloading(void) {
+  lgs_world* world = newWorld();
+  const lgs_shape_id square = squareOf(world);
+  const lgs_cell_rect first = rectOf(0, 0, 31, 31);
+  lgs_changes changes;
+  lgs_error error;
+  lgs_spot spot;
+  lgs_cell cell = {7, 7};
+  lgs_point inside = {LGS_UNITS_PER_CELL * 31 + 1, 1};
+  shelf kept;
+  uint64_t count = 7;
+  int32_t found = 7;
+  const lgs_polygon_id polygon = placed(world, cellAt(31, 0), square, 1);
+  placed(world, cellAt(32, 0), square, 1);
+  CHECK(lgs_commit(world, &changes) == LGS_OK && changes.added_count == 6);
+  CHECK(lgs_unload(world, first, keep, &kept, &count, NULL) == LGS_OK && count == 1);
+  CHECK(kept.corner.i == 0 && kept.corner.j == 0);
+  CHECK(lgs_commit(world, &changes) == LGS_OK && changes.removed_count == 3);
+  CHECK(changes.added_count == 0 && changes.relinked_count == 0);
+  REFUSED(LGS_UNLOADED, lgs_remove(world, polygon, &error));
+  CHECK(error.cell.i == 31 && error.cell.j == 0);
+  CHECK(lgs_at(world, inside, &spot) == LGS_OK && spot.where == LGS_UNKNOWN && spot.cell.i == 31);
+  CHECK(lgs_first_unloaded(world, rectOf(5, 5, 40, 40), &found, &cell) == LGS_OK && found == 1);
+  CHECK(cell.i == 5 && cell.j == 5);
+  CHECK(lgs_first_unloaded(world, rectOf(32, 0, 40, 40), &found, NULL) == LGS_OK && found == 0);
+  CHECK(lgs_first_unloaded(world, first, NULL, NULL) == LGS_OK);
+  REFUSED(LGS_SAVE_CUT, lgs_reload(world, kept.bytes, 0, &cell, &error));
+  CHECK(lgs_reload(world, kept.bytes, kept.count, &cell, NULL) == LGS_OK && cell.i == 0 && cell.j == 0);
+  REFUSED(LGS_SAVE_LOADED, lgs_reload(world, kept.bytes, kept.count, &cell, &error));
+  CHECK(lgs_commit(world, &changes) == LGS_OK && changes.added_count == 3);
+  CHECK(lgs_remove(world, polygon, NULL) == LGS_OK);
+  CHECK(lgs_unload(world, first, NULL, NULL, NULL, NULL) == LGS_OK && lgs_commit(world, NULL) == LGS_OK);
+  REFUSED(LGS_SAVE_OTHER_BYTES, lgs_reload(world, kept.bytes, kept.count, NULL, &error));
+  CHECK(lgs_reload_empty(world, first, &count, NULL) == LGS_OK && count == 1);
+  REFUSED(LGS_STALE_HANDLE, lgs_remove(world, polygon, &error));
+  REFUSED(LGS_BAD_ARGUMENT, lgs_unload(NULL, first, keep, &kept, &count, &error));
+  REFUSED(LGS_BAD_ARGUMENT, lgs_reload(NULL, kept.bytes, kept.count, &cell, &error));
+  REFUSED(LGS_BAD_ARGUMENT, lgs_reload(world, NULL, kept.count, &cell, &error));
+  REFUSED(LGS_BAD_ARGUMENT, lgs_reload_empty(NULL, first, &count, &error));
+  CHECK(lgs_first_unloaded(NULL, first, &found, &cell) == LGS_BAD_ARGUMENT);
+  lgs_free(world);
+}
+
 static void integers(void) {
   lgs_polygon_id polygon = {0x12345678, 0x9abcdef0};
   lgs_shape_id shape = {7};
@@ -241,6 +299,7 @@ static void statuses(void) {
                                    LGS_UNKNOWN_MARK,
                                    LGS_UNCOMMITTED,
                                    LGS_OUT_OF_REACH,
+                                   LGS_UNLOADED,
                                    LGS_BAD_ARGUMENT,
                                    LGS_SHORT_BUFFER,
                                    LGS_SAVE_NO_SNAPSHOT,
@@ -252,9 +311,11 @@ static void statuses(void) {
                                    LGS_SAVE_BAD_NUMBER,
                                    LGS_SAVE_BAD_POLYGON,
                                    LGS_SAVE_BAD_SEGMENTS,
-                                   LGS_SAVE_CAPACITY};
+                                   LGS_SAVE_CAPACITY,
+                                   LGS_SAVE_LOADED,
+                                   LGS_SAVE_OTHER_BYTES};
   enum { kAll = sizeof all / sizeof all[0] };
-  static const lgs_status none[] = {-1, 18, 99, 102, 199, 210, INT32_MAX, INT32_MIN};
+  static const lgs_status none[] = {-1, 19, 99, 102, 199, 212, INT32_MAX, INT32_MIN};
   static char texts[kAll][400];
   lgs_error error;
   char text[200] = "";
@@ -304,6 +365,7 @@ int main(void) {
   copiesOfGroups();
   goingBack();
   places();
+  unloading();
   integers();
   statuses();
   sentences();

@@ -128,9 +128,8 @@ TEST(CostSearch, OfMapsFindsNoneBeyondTheirLimit) {
 using Calls = std::vector<oracle::Call>;
 
 Calls drawCalls(Random& random) {
-  oracle::Choices choices([&random] { return random.next(); });
   Calls calls;
-  for (int k = 0; k < 20; ++k) calls.push_back(drawCall(choices, oracle::Habits()));
+  for (int k = 0; k < 20; ++k) calls.push_back(drawCall(random, oracle::Habits()));
   return calls;
 }
 

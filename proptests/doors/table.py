@@ -31,8 +31,8 @@ KINDS = {
     "edges": "span<constDirectedEdge> span<constEdgeLinks>",
     "error": "Error SnapshotError ImportError",
     "file": "string string_view MapFiles char",
-    "function": "StayingBlocks Executor ByteSink World::PolygonVisitor PolygonVisitor PreserveRelation FileReader FolderLister "
-                "function<Material(Block)> lgs_executor_fn lgs_write_fn lgs_polygon_fn "
+    "function": "StayingBlocks Executor ByteSink ChunkSink World::PolygonVisitor PolygonVisitor PreserveRelation FileReader FolderLister "
+                "function<Material(Block)> lgs_executor_fn lgs_write_fn lgs_chunk_fn lgs_polygon_fn "
                 "lgs_cell_change_fn lgs_anchor_fn IsAnchor function<bool(World&)> (world:World)=>void",
     "group": "lgs_group",
     "island": "IslandId LoopId lgs_island_id lgs_loop_id",

@@ -1,4 +1,4 @@
-// fill() and clear() by examples: all or nothing, across chunks, at negative cells and the range's ends.
+// fill() and clear() of more cells than the laws of calls reach (laws/doors_test.cpp).
 #include "oracle/trace/dump.h"
 #include "proptests/support/worlds.h"
 
@@ -12,24 +12,6 @@ namespace lgs::test {
 namespace {
 
 using oracle::outlineOf;
-
-TEST(Fill, CountsCellsAndClearCountsPolygons) {
-  World world;
-  const ShapeId halves = shapeOf(world, shapeNamed("two halves"));
-  EXPECT_EQ(world.fill({{-40, -33}, {35, 2}}, halves, 3).value(), 76U * 36U);
-  EXPECT_EQ(world.stats().polygons, 2U * 76U * 36U);
-  EXPECT_EQ(world.stats().cells, 76U * 36U);
-  world.commit();
-  EXPECT_EQ(world.loops(Collinear::merge).size(), 1U);
-  EXPECT_EQ(world.clear({{-1000, -1}, {1000, 0}}).value(), 2U * 2U * 76U);
-  EXPECT_EQ(world.clear({{-1000, -1}, {1000, 0}}).value(), 0U);
-  world.commit();
-  EXPECT_EQ(world.loops(Collinear::merge).size(), 2U);
-  EXPECT_EQ(world.clear({{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}}).value(), 2U * 34U * 76U);
-  world.commit();
-  EXPECT_TRUE(world.segments().empty());
-  EXPECT_EQ(world.stats().polygons, 0U);
-}
 
 TEST(Fill, TellsHandlesByRows) {
   World world;
@@ -59,32 +41,6 @@ TEST(Fill, ABracedPairIsACell) {
   EXPECT_EQ(world.clear({{0, 0}, {3, 4}}).value(), 19U);
 }
 
-TEST(Fill, OfNothingIsFine) {
-  World world;
-  const ShapeId square = shapeOf(world, {unitSquare()});
-  EXPECT_EQ(world.fill({{1, 0}, {0, 5}}, square, 1).value(), 0U);
-  EXPECT_EQ(world.fill({{0, 5}, {9, 4}}, ShapeId{}, 1).value(), 0U);
-  EXPECT_EQ(world.clear({{1, 0}, {0, 5}}).value(), 0U);
-  EXPECT_EQ(world.clear({{-5, -5}, {5, 5}}).value(), 0U);
-  EXPECT_EQ(world.stats().chunks, 0U);
-}
-
-TEST(Fill, IsRefusedForTheFirstCellByRows) {
-  std::vector<Cell> cells{{-40, 5}, {0, 40}, {39, 3}, {40, 3}};
-  do {  // in every order, which is that in which chunks are made and may be looked at
-    World world;
-    const ShapeId square = shapeOf(world, {unitSquare()});
-    for (const Cell cell : cells) place(world, cell, ramp());
-    const Snapshot before = snapshotOf(world, cellsOf({{-45, 0}, {45, 45}}));
-    const auto refused = world.fill({{-45, 0}, {45, 45}}, square, 1);
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().code, ErrorCode::overlap);
-    EXPECT_EQ(refused.error().cell, (Cell{39, 3}));
-    EXPECT_EQ(refused.error().other, world.polygons({39, 3})[0].handle);
-    EXPECT_EQ(snapshotOf(world, cellsOf({{-45, 0}, {45, 45}})), before);
-  } while (std::next_permutation(cells.begin(), cells.end()));
-}
-
 // Few chunks in a big rectangle are gone through one and all, those beside it too.
 TEST(Fill, LooksAtItsOwnCellsOnly) {
   World world;
@@ -97,17 +53,6 @@ TEST(Fill, LooksAtItsOwnCellsOnly) {
   EXPECT_EQ(world.clear(rect).value(), 201U * 141U);
   for (const Cell& cell : outside) EXPECT_EQ(world.polygons(cell).size(), 1U);
   EXPECT_EQ(world.stats().polygons, outside.size());
-}
-
-TEST(Fill, ReachesTheEndsOfTheRange) {
-  World world;
-  const ShapeId square = shapeOf(world, {unitSquare()});
-  EXPECT_EQ(world.fill({{kMaxCell - 2, -kMaxCell}, {kMaxCell, -kMaxCell + 1}}, square, 1).value(), 6U);
-  EXPECT_EQ(world.fill({{-kMaxCell, kMaxCell - 1}, {-kMaxCell + 2, kMaxCell}}, square, 1).value(), 6U);
-  world.commit();
-  EXPECT_EQ(world.stats().segments, 20U);
-  EXPECT_EQ(world.loops(Collinear::merge).size(), 2U);
-  EXPECT_EQ(world.clear({{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}}).value(), 12U);
 }
 
 // A commit passes over what is buried, so it must know what no longer is.
@@ -130,17 +75,6 @@ TEST(Fill, OfOtherShapesWhereItWasSolid) {
   ASSERT_TRUE(world.fill(inner, squareIn(world), 1));
   EXPECT_TRUE(world.commit().added.empty());
   EXPECT_EQ(world.stats().segments, 4U * 41U);
-}
-
-TEST(Fill, AddsToCellsThatHoldOthersAlready) {
-  World world;
-  const auto halves = shapeNamed("two halves");
-  place(world, {3, 3}, halves[0], 5);
-  ASSERT_TRUE(world.fill({{2, 2}, {4, 4}}, shapeOf(world, {halves[1]}), 6));
-  world.commit();
-  EXPECT_EQ(world.polygons({3, 3}).size(), 2U);
-  EXPECT_EQ(world.polygons({3, 3})[1].block, 6U);
-  EXPECT_EQ(world.polygons({2, 2}).size(), 1U);
 }
 
 // Once read past the end of a page of records: a cell that lists its polygons and has no segments, looked at from a

@@ -238,21 +238,6 @@ TEST(QuestionsByHand, BeyondTheWorldIsRefused) {
   EXPECT_FALSE(world.rayCast({}, {longest, -longest})->segment);
 }
 
-TEST(QuestionsByHand, ARayLeavesASolidAndMeetsTheNext) {
-  World world;
-  place(world, {0, 0}, unitSquare());
-  place(world, {2, 0}, unitSquare());
-  world.commit();
-  const auto hit = world.rayCast({U / 2, U / 2}, {4 * U, U / 2});
-  ASSERT_TRUE(hit);
-  EXPECT_EQ(world.segment(hit->segment)->cell, (Cell{2, 0}));
-  EXPECT_DOUBLE_EQ(hit->fraction, 1.5 / 3.5);
-  EXPECT_DOUBLE_EQ(hit->point.x, 2);
-  EXPECT_DOUBLE_EQ(hit->point.y, 0.5);
-  EXPECT_EQ(world.rayCast({0, U}, {4 * U, U})->point.x, 0) << "along the tops: the end of a side counts";
-  EXPECT_FALSE(world.rayCast({0, U + 1}, {4 * U, U + 1})->segment) << "just above";
-}
-
 TEST(QuestionsByHand, PolygonsOfAShapeAndOfTheWorld) {
   World world;
   const std::vector<LocalPolygon> halves = shapeNamed("two halves");

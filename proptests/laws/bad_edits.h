@@ -23,8 +23,7 @@ Stage makeStage();
 struct BadEdit {
   std::string name;
   std::function<Error(Stage&)> attempt;  ///< tries it; code {} if it was accepted
-  Error expected;
-  std::string text;  ///< the message
+  std::string text;                      ///< the message, which tells each field that has a value
 };
 const std::vector<BadEdit>& badEdits();
 

@@ -31,7 +31,7 @@ rc::Seq<std::vector<Call>> shorter(const std::vector<Call>& list) {
 /// Some have marks, if there are any at all: without marks an edit goes quicker ways.
 rc::Gen<std::vector<Call>> lists(const Habits& plain, const Habits& marked) {
   return [=](rc::Random random, int size) {
-    oracle::Choices choices = choicesFrom(random.next());
+    oracle::Random choices(random.next());
     const Habits& habits = choices.chance(40) ? marked : plain;
     std::vector<Call> list;
     for (int k = choices.below(size + 1); k > 0; --k) list.push_back(drawCall(choices, habits));
@@ -51,7 +51,7 @@ rc::Gen<List> listsOf(const Habits& plain, const Habits& marked) {
 
 }  // namespace
 
-Call drawOne(oracle::Choices& choices, Kind kind) { return drawCall(choices, only({kind})); }
+Call drawOne(oracle::Random& choices, Kind kind) { return drawCall(choices, only({kind})); }
 
 void makeAll(Caller& caller, const Calls& calls) {
   for (const Call& call : calls.list) caller.make(call);
@@ -87,38 +87,29 @@ void showValue(const Calls& calls, std::ostream& out) {
 
 void showValue(const CallOfParts& call, std::ostream& out) { out << inWords(call.call); }
 
-}  // namespace lgs::test
-
-namespace rc {
-
-using namespace lgs;
-using namespace lgs::test;
-using lgs::oracle::Habits;
-
-Gen<Setting> Arbitrary<Setting>::arbitrary() {
+rc::Gen<Setting> Setting::arbitrary() {
   // About the origin, across borders of chunks, at the ends of the world.
-  const auto index = gen::element<std::int32_t>(0, -2, 30, -34, kMaxCell - 3, -kMaxCell);
+  const auto index = rc::gen::element<std::int32_t>(0, -2, 30, -34, kMaxCell - 3, -kMaxCell);
   using Pair = std::pair<Block, Block>;
-  const auto block = gen::resize(kNominalSize, gen::inRange<Block>(0, Habits().blocks));
-  const auto pairs = gen::container<std::vector<Pair>>(gen::pair(block, block));
-  return gen::map(gen::tuple(index, index, gen::oneOf(gen::just(std::vector<Pair>()), gen::scale(0.05, pairs))),
-                  [](const std::tuple<std::int32_t, std::int32_t, std::vector<Pair>>& drawn) {
-                    const auto& [i, j, preserved] = drawn;
-                    Setting setting{{i, j}, {}};
-                    for (const auto& [a, b] : preserved) setting.preserve.add(a, b);
-                    return setting;
-                  });
+  const auto block = rc::gen::resize(rc::kNominalSize, rc::gen::inRange<Block>(0, Habits().blocks));
+  const auto pairs = rc::gen::container<std::vector<Pair>>(rc::gen::pair(block, block));
+  return rc::gen::map(
+      rc::gen::tuple(index, index, rc::gen::oneOf(rc::gen::just(std::vector<Pair>()), rc::gen::scale(0.05, pairs))),
+      [](const std::tuple<std::int32_t, std::int32_t, std::vector<Pair>>& drawn) {
+        const auto& [i, j, preserved] = drawn;
+        Setting setting{{i, j}, {}};
+        for (const auto& [a, b] : preserved) setting.preserve.add(a, b);
+        return setting;
+      });
 }
 
-Gen<Calls> Arbitrary<Calls>::arbitrary() { return listsOf<Calls>(Habits(), Habits()); }
-Gen<CallsAndMarks> Arbitrary<CallsAndMarks>::arbitrary() {
-  return listsOf<CallsAndMarks>(Habits(), withMarks(Habits()));
-}
-Gen<AnyCalls> Arbitrary<AnyCalls>::arbitrary() {
+rc::Gen<Calls> Calls::arbitrary() { return listsOf<Calls>(Habits(), Habits()); }
+rc::Gen<CallsAndMarks> CallsAndMarks::arbitrary() { return listsOf<CallsAndMarks>(Habits(), withMarks(Habits())); }
+rc::Gen<AnyCalls> AnyCalls::arbitrary() {
   return listsOf<AnyCalls>(withLoads(Habits()), withLoads(withMarks(Habits())));
 }
 
-Gen<HostileCalls> Arbitrary<HostileCalls>::arbitrary() {
+rc::Gen<HostileCalls> HostileCalls::arbitrary() {
   Habits habits = withLoads(withMarks(Habits()));
   habits.hostilePercent = 10;
   Habits plain;
@@ -126,15 +117,15 @@ Gen<HostileCalls> Arbitrary<HostileCalls>::arbitrary() {
   return listsOf<HostileCalls>(plain, habits);
 }
 
-Gen<CallOfParts> Arbitrary<CallOfParts>::arbitrary() {
+rc::Gen<CallOfParts> CallOfParts::arbitrary() {
   using enum Call::Kind;
   const Habits habits = only({addMany, removeMany, replace, exchange, exchange, fill, clear});
-  return [=](Random random, int) {
-    oracle::Choices choices = choicesFrom(random.next());
-    return shrinkable::map(
-        shrinkable::shrinkRecur(drawCall(choices, habits), [](const Call& call) { return simplerCalls(call); }),
+  return [=](rc::Random random, int) {
+    oracle::Random choices(random.next());
+    return rc::shrinkable::map(
+        rc::shrinkable::shrinkRecur(drawCall(choices, habits), [](const Call& call) { return simplerCalls(call); }),
         [](Call&& call) { return CallOfParts{std::move(call)}; });
   };
 }
 
-}  // namespace rc
+}  // namespace lgs::test

@@ -7,10 +7,9 @@
 #include "oracle/reference/outline.h"
 #include "oracle/reference/scene.h"
 #include "oracle/trace/call_model.h"
+#include "proptests/support/arbitrary.h"
 #include "proptests/support/outline_by_laws.h"
 #include "proptests/support/worlds.h"
-
-#include <rapidcheck.h>
 
 #include <iosfwd>
 #include <vector>
@@ -19,7 +18,6 @@ namespace lgs::test {
 
 using oracle::Call;
 using oracle::Caller;
-using oracle::choicesFrom;
 
 /// Where the cells of calls lie, and what is preserved there.
 struct Setting {
@@ -27,32 +25,41 @@ struct Setting {
   oracle::PreservePairs preserve;
 
   Caller start() const { return Caller(World(oracle::relationOf(preserve)), corner); }
+  static rc::Gen<Setting> arbitrary();
 };
 void showValue(const Setting& setting, std::ostream& out);
 
 /// Edits, groups and commits.
 struct Calls {
   std::vector<Call> list;
+  static rc::Gen<Calls> arbitrary();
 };
 void showValue(const Calls& calls, std::ostream& out);
 
 /// Marks among them, in some.
-struct CallsAndMarks : Calls {};
+struct CallsAndMarks : Calls {
+  static rc::Gen<CallsAndMarks> arbitrary();
+};
 
 /// The world is saved and loaded among them, too.
-struct AnyCalls : Calls {};
+struct AnyCalls : Calls {
+  static rc::Gen<AnyCalls> arbitrary();
+};
 
 /// Some of their numbers are the ends of what there is, or mean something inside. Marks and loads are among them.
-struct HostileCalls : Calls {};
+struct HostileCalls : Calls {
+  static rc::Gen<HostileCalls> arbitrary();
+};
 
 /// One that is made of parts: of many, or in the place of what stands there.
 struct CallOfParts {
   Call call;
+  static rc::Gen<CallOfParts> arbitrary();
 };
 void showValue(const CallOfParts& call, std::ostream& out);
 
 /// A call of one kind.
-Call drawOne(oracle::Choices& choices, Call::Kind kind);
+Call drawOne(oracle::Random& choices, Call::Kind kind);
 
 void makeAll(Caller& caller, const Calls& calls);
 
@@ -71,32 +78,3 @@ struct Story {
 Story storyOf(const Calls& calls, const Setting& setting, bool triesRefused = true);
 
 }  // namespace lgs::test
-
-namespace rc {
-
-template <>
-struct Arbitrary<lgs::test::Setting> {
-  static Gen<lgs::test::Setting> arbitrary();
-};
-template <>
-struct Arbitrary<lgs::test::Calls> {
-  static Gen<lgs::test::Calls> arbitrary();
-};
-template <>
-struct Arbitrary<lgs::test::CallsAndMarks> {
-  static Gen<lgs::test::CallsAndMarks> arbitrary();
-};
-template <>
-struct Arbitrary<lgs::test::AnyCalls> {
-  static Gen<lgs::test::AnyCalls> arbitrary();
-};
-template <>
-struct Arbitrary<lgs::test::HostileCalls> {
-  static Gen<lgs::test::HostileCalls> arbitrary();
-};
-template <>
-struct Arbitrary<lgs::test::CallOfParts> {
-  static Gen<lgs::test::CallOfParts> arbitrary();
-};
-
-}  // namespace rc

@@ -120,7 +120,7 @@ TEST(GoingBack, ALongGameOfPredictionsStaysInStep) {
   Caller server = setting.start(), client = setting.start();
   const std::int64_t frames = scaled(1'500);
   for (std::int64_t frame = 0; frame < frames; ++frame) {
-    oracle::Choices choices = choicesFrom(testSeed() + static_cast<std::uint64_t>(frame));
+    oracle::Random choices(testSeed() + static_cast<std::uint64_t>(frame));
     const auto calls = [&choices] {
       Calls some;
       for (int k = choices.below(6); k > 0; --k) some.list.push_back(drawCall(choices, oracle::Habits()));

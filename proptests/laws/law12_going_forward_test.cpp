@@ -3,16 +3,58 @@
 #include "twins.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include <cstddef>
+#include <ostream>
 #include <utility>
 #include <vector>
 
 namespace lgs::test {
-namespace {
 
-using Frames = std::vector<Calls>;
-using Visits = std::vector<unsigned>;
+/// Calls between marks: some frames of a game. Each mark costs a copy of the world here, so there are a dozen at most.
+struct Frames {
+  std::vector<Calls> list;
+};
+void showValue(const Frames& frames, std::ostream& out) {
+  for (const Calls& frame : frames.list) {
+    showValue(frame, out);
+    out << "a mark\n";
+  }
+}
+
+/// To which marks the game goes, one after the other.
+struct Visits {
+  std::vector<unsigned> list;
+};
+void showValue(const Visits& visits, std::ostream& out) { rc::show(visits.list, out); }
+
+}  // namespace lgs::test
+
+namespace rc {
+
+/// A list an eighth as long as others are, of things of the usual size.
+template <class List, class T>
+Gen<List> shortListOf() {
+  return gen::withSize([](int size) {
+    const auto list = gen::container<std::vector<T>>(gen::resize(size, gen::arbitrary<T>()));
+    return gen::map(gen::resize(size / 8, list), [](std::vector<T>&& drawn) { return List{std::move(drawn)}; });
+  });
+}
+
+template <>
+struct Arbitrary<lgs::test::Frames> {
+  static Gen<lgs::test::Frames> arbitrary() { return shortListOf<lgs::test::Frames, lgs::test::Calls>(); }
+};
+template <>
+struct Arbitrary<lgs::test::Visits> {
+  static Gen<lgs::test::Visits> arbitrary() { return shortListOf<lgs::test::Visits, unsigned>(); }
+};
+
+}  // namespace rc
+
+namespace lgs::test {
+namespace {
 
 /// A world with marks, and what it was at each of them.
 struct Timeline {
@@ -35,7 +77,7 @@ struct Timeline {
 Timeline timelineOf(const Setting& setting, const Calls& before, const Frames& frames) {
   Timeline line{grown(setting, before), {}, {}};
   line.note();
-  for (const Calls& frame : frames) {
+  for (const Calls& frame : frames.list) {
     makeAll(line.now, frame);
     line.note();
   }
@@ -46,11 +88,11 @@ bool isCommitted(const World& world) {
   return world.save([](auto) {}).has_value();
 }
 
-LGS_LAW(GoingForward, IsNeverHavingGoneBack, 500,
+LGS_LAW(GoingForward, IsNeverHavingGoneBack, 1'500,
         (const Calls& before, const Frames& frames, const Visits& visits, const Calls& after, const Setting& setting)) {
   Timeline line = timelineOf(setting, before, frames);
-  std::size_t at = frames.size();
-  for (const unsigned visit : visits) {
+  std::size_t at = frames.list.size();
+  for (const unsigned visit : visits.list) {
     const std::size_t to = visit % line.marks.size();
     ASSERT_NO_FATAL_FAILURE(line.go(at, to));
     at = to;
@@ -69,16 +111,16 @@ LGS_LAW(GoingForward, IsNeverHavingGoneBack, 500,
       line.now.given = given;
     }
   }
-  ASSERT_NO_FATAL_FAILURE(line.go(at, frames.size()));
+  ASSERT_NO_FATAL_FAILURE(line.go(at, frames.list.size()));
   expectNoDifference(line.then.back(), line.now, after);
 }
 
-LGS_LAW(GoingForward, ReportsExactlyWhatItDoesToTheSegments, 300,
+LGS_LAW(GoingForward, ReportsExactlyWhatItDoesToTheSegments, 600,
         (const Calls& before, const Frames& frames, const Visits& visits, const Setting& setting)) {
   Timeline line = timelineOf(setting, before, frames);
   Follower follower(line.now.world);
-  std::size_t at = frames.size();
-  for (const unsigned visit : visits) {
+  std::size_t at = frames.list.size();
+  for (const unsigned visit : visits.list) {
     const std::size_t to = visit % line.marks.size();
     ASSERT_NO_FATAL_FAILURE(line.go(at, to));
     at = to;
@@ -90,11 +132,11 @@ LGS_LAW(GoingForward, ReportsExactlyWhatItDoesToTheSegments, 300,
 }
 
 // Whoever undoes, edits something else and undoes that has left the first line for good, or has not: as it says.
-LGS_LAW(GoingForward, WhatIsDroppedStandsNowhereInTheWay, 300,
+LGS_LAW(GoingForward, WhatIsDroppedStandsNowhereInTheWay, 600,
         (const Calls& before, const Frames& frames, const Calls& other, const Calls& after, const Setting& setting,
          bool keeps)) {
   Timeline line = timelineOf(setting, before, frames);
-  const std::size_t last = frames.size(), middle = last / 2;
+  const std::size_t last = frames.list.size(), middle = last / 2;
   ASSERT_NO_FATAL_FAILURE(line.go(last, middle));
   makeAll(line.now, other);
   const Mark end = line.now.world.checkpoint();

@@ -39,7 +39,7 @@ std::multiset<Seen> seen(const World& world, const std::vector<SegmentId>& ids) 
 /// Edits cells on both sides of the borders of 3×3 chunks, in a world that forgets and in one that does not.
 class Beside {
  public:
-  explicit Beside(oracle::Choices choices) : choices_(choices) {
+  explicit Beside(std::uint64_t seed) : choices_(seed) {
     for (World* world : {&forgets_, &stays_}) {
       oracle::Random random(3);  // the same turns
       shapes_ = turnedShapes(*world, random);
@@ -95,13 +95,13 @@ class Beside {
     for (const PolygonHandle handle : handles) EXPECT_TRUE(forgets_.polygon(handle));
   }
 
-  oracle::Choices choices_;
+  oracle::Random choices_;
   World forgets_, stays_;
   std::vector<ShapeId> shapes_;
 };
 
 LGS_LAW(Leaving, ChangesNoOutline, 300, (std::uint64_t seed)) {
-  Beside worlds(oracle::choicesFrom(seed));
+  Beside worlds(seed);
   for (int k = 0; k < 60; ++k) worlds.step();
   worlds.commit();
 }

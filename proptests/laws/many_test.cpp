@@ -127,26 +127,5 @@ TEST(ManyEdits, OfOneCellGoTogether) {
   EXPECT_TRUE(stage.world.removeMany(std::span(both).first(2)));
 }
 
-TEST(ManyEdits, NameTheEntryThatPlacedTheOtherPolygon) {
-  Stage stage = makeStage();
-  const LocalPolygon sliver = eighths({{0, 0}, {1, 0}, {1, 1}});
-  const ShapeId small = shapeOf(stage.world, {sliver});
-  const Cell cell{9, 9}, other{10, 9};
-  const PolygonHandle old = place(stage.world, cell, sliver, 5);
-  const LocalPolygon rest = eighths({{1, 0}, {8, 0}, {8, 8}});
-  const ShapeId two = shapeOf(stage.world, {rest, eighths({{0, 1}, {7, 8}, {0, 8}})});
-  const auto refusal = [&](ShapeId last) {
-    const Placement entries[] = {{other, stage.twoRamps, 1}, {cell, two, 2}, {other, small, 3}, {cell, last, 4}};
-    return stage.world.addMany(std::span(entries).subspan(1)).error();
-  };
-  const Error ofNew = refusal(shapeOf(stage.world, {eighths({{0, 6}, {1, 7}, {0, 8}})}));
-  EXPECT_EQ(ofNew.index2, 0) << "its second polygon";
-  EXPECT_EQ(ofNew.otherBlock, 2U);
-  EXPECT_EQ(ofNew.other, PolygonHandle{});
-  const Error ofOld = refusal(small);
-  EXPECT_EQ(ofOld.index2, -1);
-  EXPECT_EQ(ofOld.other, old);
-}
-
 }  // namespace
 }  // namespace lgs::test

@@ -24,7 +24,7 @@ LGS_LAW(SetBlock, ChangesTheBlockAlone, 1'000, (const Calls& calls, const Settin
   Caller caller = grown(setting, calls);
   World& world = caller.world;
   world.commit();
-  oracle::Choices choices = choicesFrom(chance.next());
+  oracle::Random choices(chance.next());
   const Call call = caller.resolved(drawOne(choices, Call::Kind::setBlock));
   const PolygonHandle polygon = call.goes[0].handle;
   const Block block = call.comes[0].block;

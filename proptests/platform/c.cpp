@@ -1,8 +1,8 @@
 // The part of the C interface: the calls of lgs/lgs.h, and hashes of the ground, with polygons as elsewhere (oracle/calls).
 #include "parts.h"
 
-#include "oracle/calls/choices.h"
 #include "oracle/calls/draw.h"
+#include "oracle/calls/random.h"
 
 #include <lgs/lgs.h>
 #include <lgs/lgs_views.h>
@@ -19,8 +19,7 @@ std::int32_t keepsSomeOverlaps(void*, lgs_block smaller, lgs_block greater) {
 
 class CEditor {
  public:
-  CEditor(lgs_world* world, Hash& hash, std::uint64_t seed)
-      : world_(world), hash_(hash), choices_(oracle::choicesFrom(seed)) {}
+  CEditor(lgs_world* world, Hash& hash, std::uint64_t seed) : world_(world), hash_(hash), choices_(seed) {}
 
   void edit();
   void commit();
@@ -48,7 +47,7 @@ class CEditor {
 
   lgs_world* world_;
   Hash& hash_;
-  oracle::Choices choices_;
+  oracle::Random choices_;
   lgs_error error_{};
   std::vector<lgs_shape_id> shapes_;
   std::vector<lgs_polygon_id> handles_;

@@ -12,11 +12,7 @@ const oracle::Habits Editor::kHabits = [] {
 }();
 
 Editor::Editor(Hash& hash, std::uint64_t seed, lgs::World world, oracle::Habits habits, lgs::Cell origin)
-    : hash_(hash),
-      choices_(choicesFrom(seed)),
-      habits_(std::move(habits)),
-      caller_(std::move(world), origin),
-      origin_(origin) {}
+    : hash_(hash), choices_(seed), habits_(std::move(habits)), caller_(std::move(world), origin), origin_(origin) {}
 
 void Editor::edit() { put(hash_, caller_.make(drawCall(choices_, habits_))); }
 

@@ -4,13 +4,12 @@
 #include "hash.h"
 
 #include "oracle/calls/caller.h"
-#include "oracle/calls/choices.h"
 #include "oracle/calls/draw.h"
+#include "oracle/calls/random.h"
 
 namespace platform {
 
-using oracle::Choices;
-using oracle::choicesFrom;
+using oracle::Random;
 
 class Editor {
  public:
@@ -34,7 +33,7 @@ class Editor {
 
  private:
   Hash& hash_;
-  Choices choices_;
+  Random choices_;
   oracle::Habits habits_;
   oracle::Caller caller_;
   lgs::Cell origin_;

@@ -9,19 +9,19 @@ namespace platform {
 namespace {
 
 /// In or near the cells from −2 to 10. One in four is a corner of cells, or the middle of a side.
-lgs::Point randomPoint(Choices& choices) {
+lgs::Point randomPoint(Random& choices) {
   const bool isOnGrid = choices.chance(25);
   const std::int32_t x = choices.between(-2 * 65'536, 10 * 65'536), y = choices.between(-2 * 65'536, 10 * 65'536);
   return isOnGrid ? lgs::Point{x / 32'768 * 32'768, y / 32'768 * 32'768} : lgs::Point{x, y};
 }
 
-std::vector<lgs::Point> randomPoints(Choices& choices, std::uint32_t count) {
+std::vector<lgs::Point> randomPoints(Random& choices, std::uint32_t count) {
   std::vector<lgs::Point> points;
   for (; count > 0; --count) points.push_back(randomPoint(choices));
   return points;
 }
 
-lgs::Region randomRegion(Choices& choices) {
+lgs::Region randomRegion(Random& choices) {
   const lgs::Point at = randomPoint(choices);
   const std::int64_t size = choices.between(1, 2 * 65'536);
   switch (choices.below(6)) {
@@ -65,7 +65,7 @@ Editor prepared(Hash& hash, std::uint64_t seed) {
   return editor;
 }
 
-std::vector<lgs::DirectedEdge> randomEdges(Choices& choices, std::uint32_t points) {
+std::vector<lgs::DirectedEdge> randomEdges(Random& choices, std::uint32_t points) {
   std::vector<lgs::DirectedEdge> edges;
   for (std::uint32_t k = 3 * points; k > 0; --k) {
     const std::uint32_t from = choices.below(points), to = choices.below(points);
@@ -78,7 +78,7 @@ std::vector<lgs::DirectedEdge> randomEdges(Choices& choices, std::uint32_t point
 
 void brushes(Hash& hash) {
   for (std::uint64_t seed = 500; seed < 504; ++seed) {
-    Choices choices = choicesFrom(seed + 1'000);
+    Random choices(seed + 1'000);
     Editor editor = prepared(hash, seed);
     lgs::World& world = editor.world();
     for (int k = 0; k < 120; ++k) {
@@ -94,7 +94,7 @@ void brushes(Hash& hash) {
 }
 
 void questions(Hash& hash) {
-  Choices choices = choicesFrom(1600);
+  Random choices(1600);
   Editor editor = prepared(hash, 600);
   const lgs::World& world = editor.world();
   for (int k = 0; k < 4'000; ++k) {
@@ -112,7 +112,7 @@ void questions(Hash& hash) {
 }
 
 void radial(Hash& hash) {
-  Choices choices = choicesFrom(700);
+  Random choices(700);
   for (int k = 0; k < 150; ++k) {
     const std::vector<lgs::Point> points = randomPoints(choices, 2 + choices.below(30));
     const auto links = lgs::radialMatch(points, randomEdges(choices, static_cast<std::uint32_t>(points.size())));
@@ -126,7 +126,7 @@ void radial(Hash& hash) {
 }
 
 void answers(Hash& hash) {
-  Choices choices = choicesFrom(1800);
+  Random choices(1800);
   Editor editor = prepared(hash, 800);
   const lgs::World& world = editor.world();
   for (int k = 0; k < 4'000; ++k) {

@@ -9,7 +9,7 @@ namespace platform {
 namespace {
 
 /// Commits now and then, and reads everything more seldom.
-void play(Editor& editor, Choices& choices, int rounds) {
+void play(Editor& editor, Random& choices, int rounds) {
   for (int k = 0; k < rounds; ++k) {
     editor.edits(choices.between(1, 8));
     editor.commit();
@@ -32,7 +32,7 @@ void putBytes(Hash& hash, std::span<const std::byte> bytes) {
 }
 
 /// Damaged in one byte, or cut: the error says where it was noticed.
-void loadDamaged(Hash& hash, Choices& choices, std::vector<std::byte> bytes) {
+void loadDamaged(Hash& hash, Random& choices, std::vector<std::byte> bytes) {
   if (choices.chance(50)) {
     bytes[choices.below(static_cast<std::uint32_t>(bytes.size()))] ^= std::byte{1} << choices.below(8);
   } else {
@@ -50,7 +50,7 @@ void loadDamaged(Hash& hash, Choices& choices, std::vector<std::byte> bytes) {
 
 void edits(Hash& hash) {
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    Choices choices = choicesFrom(seed + 1'000);
+    Random choices(seed + 1'000);
     Editor editor(hash, seed);
     play(editor, choices, 1'500);
   }
@@ -64,7 +64,7 @@ void relations(Hash& hash) {
   };
   std::uint64_t seed = 100;
   for (const lgs::PreserveRelation& relation : relations) {
-    Choices choices = choicesFrom(++seed + 1'000);
+    Random choices(++seed + 1'000);
     Editor editor(hash, seed, lgs::World(relation));
     play(editor, choices, 900);
   }
@@ -89,7 +89,7 @@ void executor(Hash& hash) {
 }
 
 void goingBack(Hash& hash) {
-  Choices choices = choicesFrom(1'300);
+  Random choices(1'300);
   Editor editor(hash, 300, lgs::World(), withMarks(Editor::kHabits));
   for (int k = 0; k < 2'000; ++k) {
     editor.edits(choices.between(0, 4));
@@ -100,7 +100,7 @@ void goingBack(Hash& hash) {
 }
 
 void saves(Hash& hash) {
-  Choices choices = choicesFrom(1'400);
+  Random choices(1'400);
   Editor editor(hash, 400);
   lgs::World& world = editor.world();
   for (int k = 0; k < 250; ++k) {

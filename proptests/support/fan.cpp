@@ -46,34 +46,30 @@ void showValue(const Fan& fan, std::ostream& out) {
     out << fmt::format("{} ({}, {})\n", edge.isOutgoing ? "to" : "from", edge.towards.x, edge.towards.y);
 }
 
-}  // namespace lgs::test
-
-namespace rc {
-
-using namespace lgs::test;
-
-Gen<Fan> Arbitrary<Fan>::arbitrary() {
+rc::Gen<Fan> Fan::arbitrary() {
   // Small vectors often point alike or against each other, and lie close to those of a large cell.
-  const auto number = gen::oneOf(gen::inRange<std::int64_t>(-4, 5), gen::inRange<std::int64_t>(-65'536, 65'537));
+  const auto number =
+      rc::gen::oneOf(rc::gen::inRange<std::int64_t>(-4, 5), rc::gen::inRange<std::int64_t>(-65'536, 65'537));
   using Drawn = std::tuple<std::int64_t, std::int64_t, bool>;
-  const auto edges = gen::container<std::vector<Drawn>>(gen::tuple(number, number, gen::arbitrary<bool>()));
-  return gen::map(gen::pair(gen::scale(0.16, edges), gen::arbitrary<unsigned>()), [](const auto& drawn) {
-    Fan fan;
-    for (const auto& [x, y, isOutgoing] : drawn.first) {
-      const HalfEdge edge{{x, y}, isOutgoing};
-      const auto isSame = [&](const HalfEdge& e) { return e.isOutgoing == edge.isOutgoing && pointAlike(e, edge); };
-      if ((x != 0 || y != 0) && std::ranges::none_of(fan.edges, isSame)) fan.edges.push_back(edge);
-    }
-    std::stable_sort(fan.edges.begin(), fan.edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-      const lgs::oracle::Vector west{-1, 0};
-      return isMetBefore(west, a.towards, b.towards);
-    });
-    if (!fan.edges.empty()) {
-      const auto start = static_cast<std::ptrdiff_t>(drawn.second % fan.edges.size());
-      std::rotate(fan.edges.begin(), fan.edges.begin() + start, fan.edges.end());
-    }
-    return fan;
-  });
+  const auto edges = rc::gen::container<std::vector<Drawn>>(rc::gen::tuple(number, number, rc::gen::arbitrary<bool>()));
+  return rc::gen::map(
+      rc::gen::pair(rc::gen::scale(0.16, edges), rc::gen::arbitrary<unsigned>()), [](const auto& drawn) {
+        Fan fan;
+        for (const auto& [x, y, isOutgoing] : drawn.first) {
+          const HalfEdge edge{{x, y}, isOutgoing};
+          const auto isSame = [&](const HalfEdge& e) { return e.isOutgoing == edge.isOutgoing && pointAlike(e, edge); };
+          if ((x != 0 || y != 0) && std::ranges::none_of(fan.edges, isSame)) fan.edges.push_back(edge);
+        }
+        std::stable_sort(fan.edges.begin(), fan.edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+          const oracle::Vector west{-1, 0};
+          return isMetBefore(west, a.towards, b.towards);
+        });
+        if (!fan.edges.empty()) {
+          const auto start = static_cast<std::ptrdiff_t>(drawn.second % fan.edges.size());
+          std::rotate(fan.edges.begin(), fan.edges.begin() + start, fan.edges.end());
+        }
+        return fan;
+      });
 }
 
-}  // namespace rc
+}  // namespace lgs::test

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "oracle/reference/vector.h"
-
-#include <rapidcheck.h>
+#include "proptests/support/arbitrary.h"
 
 #include <iosfwd>
 #include <optional>
@@ -30,12 +29,8 @@ std::optional<HalfEdge> metFirst(const HalfEdges& around, const HalfEdge& from);
 /// Any half-edges in counter-clockwise order, beginning anywhere: even between two that point alike.
 struct Fan {
   HalfEdges edges;
+  static rc::Gen<Fan> arbitrary();
 };
 void showValue(const Fan& fan, std::ostream& out);
 
 }  // namespace lgs::test
-
-template <>
-struct rc::Arbitrary<lgs::test::Fan> {
-  static Gen<lgs::test::Fan> arbitrary();
-};

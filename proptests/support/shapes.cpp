@@ -86,19 +86,18 @@ void showValue(const AnyPolygon& polygon, std::ostream& out) { out << inWords(po
 void showValue(const AnyReal<float>& real, std::ostream& out) { out << fmt::format("{:a} of a cell", real.value); }
 void showValue(const AnyReal<double>& real, std::ostream& out) { out << fmt::format("{:a} of a cell", real.value); }
 
-}  // namespace lgs::test
-
-namespace rc {
-
-using namespace lgs::test;
-using lgs::oracle::Trace;
-
-Gen<AnyPolygon> Arbitrary<AnyPolygon>::arbitrary() {
+rc::Gen<AnyPolygon> AnyPolygon::arbitrary() {
   const auto mayBe = [](const Trace& t) { return t.edits.size() == 1 && isGood(t); };
-  return gen::map(traces(anyPolygon, mayBe), [](const Trace& trace) { return AnyPolygon{polygonsOf(trace)[0]}; });
+  return rc::gen::map(traces(anyPolygon, mayBe), [](const Trace& trace) { return AnyPolygon{polygonsOf(trace)[0]}; });
 }
 
-Gen<AnyReal<float>> Arbitrary<AnyReal<float>>::arbitrary() { return anyReal<float>(); }
-Gen<AnyReal<double>> Arbitrary<AnyReal<double>>::arbitrary() { return anyReal<double>(); }
+template <>
+rc::Gen<AnyReal<float>> AnyReal<float>::arbitrary() {
+  return anyReal<float>();
+}
+template <>
+rc::Gen<AnyReal<double>> AnyReal<double>::arbitrary() {
+  return anyReal<double>();
+}
 
-}  // namespace rc
+}  // namespace lgs::test

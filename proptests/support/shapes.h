@@ -2,8 +2,7 @@
 #pragma once
 
 #include "oracle/reference/validity.h"
-
-#include <rapidcheck.h>
+#include "proptests/support/arbitrary.h"
 
 #include <iosfwd>
 #include <vector>
@@ -13,6 +12,7 @@ namespace lgs::test {
 /// A good polygon: of a degenerate shape, or what random edits leave.
 struct AnyPolygon {
   oracle::LocalPolygon vertices;
+  static rc::Gen<AnyPolygon> arbitrary();
 };
 void showValue(const AnyPolygon& polygon, std::ostream& out);
 
@@ -20,25 +20,13 @@ void showValue(const AnyPolygon& polygon, std::ostream& out);
 template <class Real>
 struct AnyReal {
   Real value;
+  static rc::Gen<AnyReal> arbitrary();
 };
+template <>
+rc::Gen<AnyReal<float>> AnyReal<float>::arbitrary();
+template <>
+rc::Gen<AnyReal<double>> AnyReal<double>::arbitrary();
 void showValue(const AnyReal<float>& real, std::ostream& out);
 void showValue(const AnyReal<double>& real, std::ostream& out);
 
 }  // namespace lgs::test
-
-namespace rc {
-
-template <>
-struct Arbitrary<lgs::test::AnyPolygon> {
-  static Gen<lgs::test::AnyPolygon> arbitrary();
-};
-template <>
-struct Arbitrary<lgs::test::AnyReal<float>> {
-  static Gen<lgs::test::AnyReal<float>> arbitrary();
-};
-template <>
-struct Arbitrary<lgs::test::AnyReal<double>> {
-  static Gen<lgs::test::AnyReal<double>> arbitrary();
-};
-
-}  // namespace rc

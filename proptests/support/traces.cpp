@@ -114,23 +114,16 @@ void showValue(const Chance& chance, std::ostream& out) {
   chance.seed ? out << "chance " << *chance.seed : out << "as it comes";
 }
 
-}  // namespace lgs::test
-
-namespace rc {
-
-using namespace lgs::test;
-
-Gen<AnyTrace> Arbitrary<AnyTrace>::arbitrary() { return ofKind<AnyTrace>(traces(randomTrace, {})); }
-Gen<GoodTrace> Arbitrary<GoodTrace>::arbitrary() { return ofKind<GoodTrace>(traces(goodTrace)); }
-Gen<PlainTrace> Arbitrary<PlainTrace>::arbitrary() {
-  return ofKind<PlainTrace>(
-      traces(plainTrace, [](const lgs::oracle::Trace& t) { return t.preserve.empty() && isGood(t); }));
+rc::Gen<AnyTrace> AnyTrace::arbitrary() { return ofKind<AnyTrace>(traces(randomTrace, {})); }
+rc::Gen<GoodTrace> GoodTrace::arbitrary() { return ofKind<GoodTrace>(traces(goodTrace)); }
+rc::Gen<PlainTrace> PlainTrace::arbitrary() {
+  return ofKind<PlainTrace>(traces(plainTrace, [](const oracle::Trace& t) { return t.preserve.empty() && isGood(t); }));
 }
-Gen<Chance> Arbitrary<Chance>::arbitrary() {
-  return [](Random random, int) {
-    const auto simpler = [](const Chance& chance) { return chance.seed ? seq::just(Chance()) : Seq<Chance>(); };
-    return shrinkable::shrinkRecur(Chance(random.next()), simpler);
+rc::Gen<Chance> Chance::arbitrary() {
+  return [](rc::Random random, int) {
+    const auto simpler = [](const Chance& chance) { return chance.seed ? rc::seq::just(Chance()) : rc::Seq<Chance>(); };
+    return rc::shrinkable::shrinkRecur(Chance(random.next()), simpler);
   };
 }
 
-}  // namespace rc
+}  // namespace lgs::test

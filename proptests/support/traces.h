@@ -4,8 +4,7 @@
 
 #include "oracle/calls/random.h"
 #include "oracle/trace/trace.h"
-
-#include <rapidcheck.h>
+#include "proptests/support/arbitrary.h"
 
 #include <cstdint>
 #include <functional>
@@ -17,13 +16,19 @@
 namespace lgs::test {
 
 /// Any edits, those among them that must be refused; in some cases a preserve relation.
-struct AnyTrace : oracle::Trace {};
+struct AnyTrace : oracle::Trace {
+  static rc::Gen<AnyTrace> arbitrary();
+};
 
 /// Every edit is good.
-struct GoodTrace : oracle::Trace {};
+struct GoodTrace : oracle::Trace {
+  static rc::Gen<GoodTrace> arbitrary();
+};
 
 /// Every edit is good, and nothing is preserved.
-struct PlainTrace : oracle::Trace {};
+struct PlainTrace : oracle::Trace {
+  static rc::Gen<PlainTrace> arbitrary();
+};
 
 /// A source of chance of a law's own, the same each time that a case is tried. It becomes simple where everything goes
 /// as it comes.
@@ -31,6 +36,7 @@ struct Chance : oracle::Random {
   explicit Chance(std::uint64_t s) : Random(s), seed(s) {}
   Chance() : Random(asItComes()) {}
   std::optional<std::uint64_t> seed;
+  static rc::Gen<Chance> arbitrary();
 };
 void showValue(const Chance& chance, std::ostream& out);
 
@@ -60,24 +66,3 @@ namespace lgs::oracle {
 void showValue(const Trace& trace, std::ostream& out);
 
 }  // namespace lgs::oracle
-
-namespace rc {
-
-template <>
-struct Arbitrary<lgs::test::AnyTrace> {
-  static Gen<lgs::test::AnyTrace> arbitrary();
-};
-template <>
-struct Arbitrary<lgs::test::GoodTrace> {
-  static Gen<lgs::test::GoodTrace> arbitrary();
-};
-template <>
-struct Arbitrary<lgs::test::PlainTrace> {
-  static Gen<lgs::test::PlainTrace> arbitrary();
-};
-template <>
-struct Arbitrary<lgs::test::Chance> {
-  static Gen<lgs::test::Chance> arbitrary();
-};
-
-}  // namespace rc

@@ -307,6 +307,22 @@ TEST(SyncByHand, WhatIsRefusedIsNotHalfDone) {
   EXPECT_TRUE(world.save([](std::span<const std::byte>) {})) << "nothing is pending";
 }
 
+LGS_LAW(Sync, GroundComesBackFromItsBytes, 500, (Chance chance)) {
+  in_step::Ground ground;
+  const std::int32_t i = chance.chance(50) ? -2 : kMaxCell - 4, j = chance.chance(50) ? -2 : -kMaxCell;
+  for (int k = chance.below(30); k > 0; --k) {
+    const std::int32_t column = i + chance.below(5);
+    in_step::Content& content = ground[{column, j + chance.below(5)}];
+    content.clear();
+    if (chance.chance(80)) content.push_back({unitSquare(), static_cast<Block>(chance.below(2))});
+  }
+  Bytes bytes;
+  in_step::put(bytes, ground);
+  in_step::Reader in(bytes);
+  EXPECT_EQ(in_step::readGround(in), ground);
+  EXPECT_TRUE(in.isGood() && in.isAtEnd());
+}
+
 /// Messages with a byte that is another one, or that are cut, are refused or understood; worlds stay worlds.
 LGS_LAW(Sync, DamagedMessagesDoNoHarm, 200, (const Calls& calls, Chance chance)) {
   Caller caller;

@@ -82,6 +82,10 @@ TEST(TiledEvidence, WhatIsTakenInPartIsSaid) {
   const auto lines =
       import(meant::objects("Collision", meant::line(0, 1, 3) + meant::line(4, 1, 3) + meant::box(0, 3, 1, 1)));
   EXPECT_EQ(lines.report.partial, "object layer Collision, of which 2 open polylines are left out");
+  const auto line = import(meant::objects(
+      "Collision", meant::line(0, 1, 3) + meant::box(0, 3, 1, 1) + meant::box(2, 3, 1, 1) + meant::box(4, 3, 1, 1)));
+  EXPECT_EQ(line.report.partial, "object layer Collision, of which 1 open polyline is left out");
+  EXPECT_TRUE(line.report.suggestions.empty()) << "a thickness adds nothing, as it is not one-way";
   const auto walls = import(meant::tiles("Main", kHills) + meant::objects("Walls", meant::box(0, 0, 1, 1)), {},
                             meant::tile('a', property("solid", "true")));
   EXPECT_EQ(walls.report.partial, "object layer Walls, of which nothing is taken");

@@ -66,6 +66,12 @@ TEST(TiledLayers, GroupsOffsetsAndChoice) {
   EXPECT_NE(refusalOf(mapXml(content), options).find("has no tile layer or group 'C'"), std::string::npos);
 }
 
+TEST(TiledTilesets, OneThatTiledHasInItselfIsNoFile) {
+  const auto map = mustImport(tilesetXml({kFullTile}) + "<tileset firstgid='9' source=':/automap-tiles.tsx'/>" +
+                              csvLayer(2, 1, "1,9"));
+  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{0, -1}}));
+}
+
 TEST(TiledLayers, AShiftAgainstTheGridIsCarried) {
   const auto map = mustImport(tilesetXml({kFullTile}) + csvLayer(1, 1, "1", "offsetx='8' offsety='0'"));
   EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{8, 0}, {32, 0}, {32, 32}, {8, 32}})}));

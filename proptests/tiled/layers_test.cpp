@@ -30,8 +30,9 @@ TEST(TiledLayers, WhatIsSaidOfThem) {
                                       "[I: an image]", "[G/D: not chosen]", "[G/O: not chosen]", "G/H/A" + slow}));
   for (const char* name : {"I", ""}) {  // these exist, but have nothing to import
     options.layers = {name};
-    EXPECT_EQ(refusalOf(mapXml(content), options),
-              "maps/test.tmx:2: <map> has no tile layer or group '" + std::string(name) + "'");
+    EXPECT_EQ(refusalOf(mapXml(content), options), "maps/test.tmx:2: <map> has no tile layer or group '" +
+                                                       std::string(name) +
+                                                       "'; there are 'A', 'B', 'C', 'G', 'G/D', 'G/H' and 1 more");
   }
 }
 

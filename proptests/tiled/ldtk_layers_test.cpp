@@ -54,6 +54,20 @@ TEST(TiledLdtk, TilesThatAreOnlyDrawnCanBeSolid) {
   }
 }
 
+/// What is only drawn is no evidence beside the cells of an IntGrid layer, whatever it is called and its grid.
+TEST(TiledLdtk, TilesThatAreOnlyDrawnDoNotSayWhatIsSolid) {
+  const auto called = [](const std::string& name, const std::string& grid, std::string layer) {
+    layer.replace(layer.find("Deco"), 4, name);
+    layer.replace(layer.find("Size\":8") + 6, 1, grid);
+    return layer;
+  };
+  const std::string two = tile(0, 0, "70") + "," + tile(16, 8, "5");
+  const auto map = mustImportProject(projectWithTiles(called("Walls", "8", tiles(two)) + "," +
+                                                      called("Ground", "4", tiles(two)) + "," + grid("0,3,0,0,0,0")));
+  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{2, -1}}));
+  EXPECT_EQ(map.report.partial, "");
+}
+
 TEST(TiledLdtk, ALayerOfTilesHasABlockThatNoValueHas) {
   std::string text = projectWithTiles(tiles(tile(0, 0, "70")) + "," + grid("0,3,0,0,0,0"));
   text.replace(text.find("\"dirt\""), 6, "\"Deco\"");
@@ -94,7 +108,8 @@ TEST(TiledLdtk, WhatIsSaidOfTilesThatAreOnlyDrawn) {
     one.replace(one.find("\"layerDefUid\":9"), 15, "\"layerDefUid\":" + std::to_string(uid));
     many += (uid > 100 ? "," : "") + one;
   }
-  EXPECT_EQ(refusalOf(projectWithTiles(many), options), "maps/test.tmx: <map> has no tile layer or group 'Solid'");
+  EXPECT_EQ(refusalOf(projectWithTiles(many), options),
+            "maps/test.tmx: <map> has no tile layer or group 'Solid'; there are 'A', 'Deco'");
   options.layers = {};
   EXPECT_NE(refusalOf(projectWithTiles(many), options).find("is one layer of tiles too many to be solid"),
             std::string::npos);

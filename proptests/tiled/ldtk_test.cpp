@@ -187,7 +187,7 @@ TEST(TiledLdtk, Refusals) {
   Options options;
   options.layers = {"None"};
   EXPECT_EQ(refusalOf(project(level("A", 0, 0, grid("1,0,0,0,0,0"))), options),
-            "maps/test.tmx: <map> has no tile layer or group 'None'");
+            "maps/test.tmx: <map> has no tile layer or group 'None'; there are 'A', 'Solid'");
   std::string many;
   for (int uid = 100; uid < 228; ++uid) many += (uid > 100 ? "," : "") + grid("0,0,0,0,0,0", "G", uid);
   EXPECT_EQ(layer(many).substr(0, 90),

@@ -48,6 +48,11 @@ std::vector<MeantMap> meantMaps() {
            tiles("World", "......../......../aabaaaaa/aaaaaaab") + tiles("Sky", "cccccccc/......../......../........")),
        U},
 
+      {"shapes of a floor that fills the map",
+       mapOf(shape, tiles("ground", "aaaaaaaa/aaaaaaaa/aaaaaaaa/aaaaaaaa") + objects("border", ground) +
+                        tiles("obstacles", "...a..../......../......../........")),
+       "...a..../......../aaaaaaaa/aaaaaaaa"},
+
       // 2. Layers and classes that say collision.
       {"a layer called Collision", mapOf(none, tiles("Background", B) + tiles("Collision", G)), G},
       {"collision and ground: a floor", mapOf(none, tiles("Ground", B) + tiles("Collision", W)), W},
@@ -97,6 +102,19 @@ std::vector<MeantMap> meantMaps() {
        mapOf(none, objects("Collisions", ground) + objects("Blocks", box(3, 0, 1, 1))),
        "...a..../......../aaaaaaaa/aaaaaaaa"},
 
+      {"obstacles, and walls that were drawn",
+       mapOf(none, tiles("Land", B) + objects("Walls", box(0, 2, 8, 2)) + objects("Obstacles", box(3, 0, 1, 1))),
+       "...a..../......../aaaaaaaa/aaaaaaaa"},
+      {"a surface and obstacles",
+       mapOf(none, tiles("T1", U) + objects("surface", ground) + objects("obstacles", box(3, 0, 1, 1)) +
+                       objects("text", spot(1, 1))),
+       "...a..../......../aaaaaaaa/aaaaaaaa"},
+      {"colider", mapOf(none, tiles("floor", B) + objects("black", boxes) + objects("colider", ground)), U},
+      {"Kollision", mapOf(none, tiles("Boden", B) + tiles("Kollision", W)), W},
+      {"col", mapOf(none, tiles("FG", F) + tiles("col", G) + tiles("det", D)), G},
+      {"things with pictures in a layer called obstacles",
+       mapOf(none, tiles("Platforms", P) + objects("obstacles", figure(1, 1) + figure(5, 1))), P},
+
       // 3. Properties of tiles and objects.
       {"a property collides", mapOf(tile('a', yes) + tile('b', no), tiles("World", G) + tiles("Sky", S)), G},
       {"a property solid, in one layer with the rest",
@@ -114,6 +132,12 @@ std::vector<MeantMap> meantMaps() {
        mapOf(has('a', "collides"), tiles("Ground", G) + tiles("Walls", D)), G},
       {"kind is solid", mapOf(has('a', "kind", "solid") + has('b', "kind", "sky"), tiles("Main", U) + tiles("Back", S)),
        U},
+      {"a property without a value", mapOf(has('a', "blocked", ""), tiles("Ground", G) + tiles("Walls", D)), G},
+      {"what one walks on is no wall",
+       mapOf(tile('a', none, "wall") + tile('b', none, "floor"), tiles("base", "aaaaaaaa/abbbbbba/abbbbbba/aaaaaaaa")),
+       W},
+      {"a property of tiles that lie below the player as well",
+       mapOf(has('a', "collides"), tiles("belowplayer", "aaaaaaaa/......../......../........") + tiles("game", U)), U},
       {"a mask is no answer", mapOf(has('b', "collision_mask", "3"), tiles("Sky", S) + tiles("Ground", U)), U},
 
       {"a property of tiles that lie behind as well",
@@ -152,6 +176,15 @@ std::vector<MeantMap> meantMaps() {
       {"walls in the background are no walls", mapOf(none, tiles("BG Wall", S) + tiles("terrain", U)), U},
       {"ground in a group", mapOf(none, "<group name='Level'>" + tiles("Ground", U) + "</group>" + tiles("Sky", S)), U},
 
+      {"World and a few blocks",
+       mapOf(none, tiles("WorldLayer", U) + tiles("CoinLayer", D) +
+                       tiles("BlocksLayer", ".a....../......../......../........")),
+       ".a....../......../aaaaaaaa/aaaaaaaa"},
+      {"a fence", mapOf(none, tiles("Grass", B) + tiles("Fence", W)), W},
+      {"suelo y pared", mapOf(none, tiles("fondo", B) + tiles("Suelo", U)), U},
+      {"objects that are called STATIC",
+       mapOf(none, tiles("T1", B) + objects("Object Layer 1", box(0, 2, 8, 2, "name='STATIC'"))), U},
+
       {"pipes and bricks drawn as objects",
        mapOf(none, tiles("Graphic Layer", B) + objects("Ground", ground) + objects("Pipes", box(3, 1, 1, 1)) +
                        objects("Bricks", box(1, 0, 1, 1)) + objects("Goombas", box(5, 1, 1, 1))),
@@ -160,6 +193,10 @@ std::vector<MeantMap> meantMaps() {
       // 5. The only layer, if it is half empty.
       {"one layer alone", mapOf(none, tiles("T1", P)), P},
       {"one layer before a background", mapOf(none, tiles("Background", B) + tiles("Tile Layer 1", G)), G},
+      {"one layer called Level", mapOf(none, tiles("Detail 1", D) + tiles("Level", G) + tiles("Bush", D)), G},
+      {"one layer, and where the level ends",
+       mapOf(none, tiles("wg", P) + objects("FinishLine", box(7, 0, 1, 4)) + objects("Checkpoint", box(1, 0, 1, 4))),
+       P},
       {"one layer, water and spawns", mapOf(none, spawns + tiles("Water", S) + tiles("Tiles", P)), P},
 
       // 6. Object layers with an area, and 7. tile layers, that nothing is said of: what is first offered.

@@ -98,7 +98,8 @@ TEST(TiledObjectLayers, ThoseAreTakenThatSaySo) {
   for (const char* name : {"Background", "FOREGROUND", "Objects", ""}) {
     EXPECT_EQ(remark("name='" + std::string(name) + "'"), "") << name;
   }
-  for (const char* value : {"false", "0", ""}) EXPECT_EQ(remark("name='A'", property("solid", value)), "") << value;
+  for (const char* value : {"false", "0"}) EXPECT_EQ(remark("name='A'", property("solid", value)), "") << value;
+  EXPECT_EQ(remark("name='A'", property("solid", "")), "its property 'solid' says so") << "games ask if there is one";
   EXPECT_EQ(remark("name='A'", property("speed", "9")), "");
 }
 

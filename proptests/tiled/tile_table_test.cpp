@@ -46,6 +46,9 @@ TEST(TiledTileTable, ShapesOfATilesetReplaceItsOwn) {
   const auto map = mustImport(tilesetXml({kFullTile, kFullTile}) + csvLayer(2, 1, "1,2"), options);
   EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{0, 0}, {16, 0}, {16, 32}, {0, 32}})}));
   EXPECT_EQ(ringsIn(map, {1, -1}), (std::vector<Ring>{kSquare})) << "the table does not name it";
+  EXPECT_EQ(
+      map.report.notes,
+      (std::vector<std::string>{"the map has no tileset 'other', which the table of tiles names; there is 'set'"}));
 }
 
 TEST(TiledTileTable, Refusals) {

@@ -99,7 +99,8 @@ TEST(TiledWorlds, NamesOfLayersAreTheSameInAllMaps) {
   options.objects = std::vector<std::string>{"Doors"};
   const auto refused = importFiles(files, options);
   ASSERT_FALSE(refused);
-  EXPECT_EQ(message(refused.error()), "maps/test.tmx: <world> has no object layer or group 'Doors'");
+  EXPECT_EQ(message(refused.error()),
+            "maps/test.tmx: <world> has no object layer or group 'Doors'; there are 'Walls', 'a', 'b'");
   for (const char* none : {"", "c", "Ground/b"}) {
     options = {};
     options.layers = {none};

@@ -135,7 +135,7 @@ TEST(TraceBrush, ThePlayerReadsBackWhatABrushDid) {
     EXPECT_EQ(std::ranges::count(player.scene().polygons, polygon), 1);
     ++there;
   });
-  EXPECT_EQ(player.scene().polygons.size(), there);
+  EXPECT_EQ(player.standing().polygons(), there);
   const auto& did = player.brushed().edits;
   EXPECT_EQ(std::ranges::count(did, Edit::Kind::remove, &Edit::kind), 2);
   EXPECT_EQ(did.size(), 2 + there - 1);

@@ -6,17 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <vector>
 
 namespace lgs::test {
 namespace {
 
-LGS_LAW(Views, AreToldExactlyTheCellsThatChanged, 500, (const std::vector<std::uint32_t>& seeds, bool preserves)) {
-  FollowerOfCells follower(preserves);
-  for (const std::uint32_t seed : seeds) {
-    Chance chance(seed);
-    for (int k = 0; k < 4; ++k) follower.move(chance);
-  }
+LGS_LAW(Views, AreToldExactlyTheCellsThatChanged, 500, (const AnyCalls& calls, const Setting& setting)) {
+  FollowerOfCells follower(setting);
+  for (const Call& call : calls.list) follower.make(call);
   follower.commit();
 }
 

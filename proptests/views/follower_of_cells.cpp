@@ -21,27 +21,6 @@ std::vector<PolygonFields> in(const Cells& cells, Cell cell) {
   return found == cells.end() ? std::vector<PolygonFields>() : found->second;
 }
 
-constexpr Cell kCorner{30, -2};  // of four chunks
-
-Cell someCell(Chance& chance) { return {kCorner.i + chance.below(4), kCorner.j + chance.below(4)}; }
-
-oracle::PreservePairs somePairs(bool preserves) {
-  oracle::PreservePairs pairs;
-  if (!preserves) return pairs;
-  pairs.add(1, 2);
-  pairs.add(2, 2);
-  return pairs;
-}
-
-/// Single edits, good and bad.
-Call someEdit(Chance& chance) {
-  oracle::Choices choices([&chance] { return static_cast<std::uint64_t>(chance.below(1 << 30)); });
-  oracle::Habits habits;
-  for (const auto kind : {Call::Kind::group, Call::Kind::commit, Call::Kind::copy})
-    habits.weights[static_cast<std::size_t>(kind)] = 0;
-  return drawCall(choices, habits);
-}
-
 /// The cells that an edit may change.
 std::vector<Cell> reached(const World& world, const Call& edit) {
   std::vector<Cell> cells{edit.cells.min};
@@ -74,67 +53,60 @@ std::map<Block, std::int64_t> recomputedAreas(const World& world) {
   return areas;
 }
 
-FollowerOfCells::FollowerOfCells(bool preserves)
-    : preserve_(somePairs(preserves)), caller_(World(oracle::relationOf(preserve_)), kCorner), view_(world_) {
+FollowerOfCells::FollowerOfCells(const Setting& setting) : caller_(setting.start()), view_(world_) {
   EXPECT_TRUE(world_.followCells(true));
 }
 
-void FollowerOfCells::move(Chance& chance) {
-  const int what = chance.below(100);
-  if (what < 46) return edit(chance);
-  if (what < 54) return editMany(chance);
-  if (what < 60) return group(chance);
-  if (what < 75) return commit();
-  if (what < 83) return mark();
-  if (what < 92) return goBack(chance);
-  if (what < 95) return forget(chance);
-  if (what < 98) return world_ = World(world_), void();  // nothing of the original is shared
-  load();
+void FollowerOfCells::make(const Call& call) {
+  using Kind = Call::Kind;
+  const std::size_t k = marks_.empty() ? 0 : call.nth % marks_.size();
+  switch (call.kind) {
+    case Kind::commit:
+      return commit();
+    case Kind::mark:  // edits may be pending
+      return marks_.push_back({world_.checkpoint(), told_, committed_, log_.size(), caller_.given.size()});
+    case Kind::goBack:
+      return marks_.empty() ? void() : goBack(k);
+    case Kind::forget:
+      if (marks_.empty()) return;
+      EXPECT_TRUE(world_.forget(marks_[k].mark));
+      marks_.erase(marks_.begin() + static_cast<std::ptrdiff_t>(k));
+      return;
+    case Kind::load:
+      return load();
+    case Kind::group:
+      return group(call);
+    default:
+      static_cast<void>(edit(call));
+  }
 }
 
-/// Makes a call that may change these cells, and writes down those that it has changed.
-template <class Call>
-void FollowerOfCells::logged(const std::vector<Cell>& cells, Call&& call) {
+/// Makes a call, and writes down the cells that it has changed. Whether it is accepted.
+bool FollowerOfCells::edit(const Call& call) {
+  const Call edit = caller_.resolved(call);
   Cells before;
-  for (const Cell cell : cells) before[cell] = polygonsIn(world_, cell);
-  call();
+  for (const Cell cell : reached(world_, edit)) before[cell] = polygonsIn(world_, cell);
+  const bool isAccepted = !caller_.makeResolved(edit).refusal;
   ++edits_;
   for (const auto& [cell, polygons] : before)
     if (polygonsIn(world_, cell) != polygons) log_.push_back({edits_, cell});
+  return isAccepted;
 }
 
-void FollowerOfCells::edit(Chance& chance) {
-  const Call edit = caller_.resolved(someEdit(chance));
-  logged(reached(world_, edit), [&] { caller_.makeResolved(edit); });
-}
-
-void FollowerOfCells::editMany(Chance& chance) {
-  std::vector<Placement> placements;
-  std::vector<PolygonHandle> removed;
-  std::vector<Cell> cells;
-  for (int k = 0; k < 3; ++k) {
-    cells.push_back(someCell(chance));
-    placements.push_back({cells.back(), {1}, static_cast<Block>(1 + chance.below(3))});
-    for (const PlacedPolygon& p : world_.polygons(cells.back())) removed.push_back(p.handle);
-  }
-  const bool adds = chance.chance(50);
-  // A cell that comes twice is refused, and so all are.
-  logged(cells, [&] { static_cast<void>(adds ? world_.addMany(placements) : world_.removeMany(removed)); });
-}
-
-void FollowerOfCells::group(Chance& chance) {
+/// A commit in a group keeps what was edited before it.
+void FollowerOfCells::group(const Call& call) {
   const std::size_t before = log_.size();
-  bool stays = chance.chance(40);
-  {
-    Transaction group = world_.edit();
-    for (int k = chance.below(4); k > 0; --k) edit(chance);
-    if (log_.size() > before && chance.chance(10)) {  // a commit keeps what was edited before it
+  std::size_t parts = 0;
+  bool isCommitted = false;
+  const bool isKept = caller_.makeGroup(call, [&](const Call& part) {
+    const bool isAccepted = edit(part);
+    if (++parts == call.group.size() && call.nth % 8 == 0 && log_.size() > before) {
       commit();
-      stays = true;
+      isCommitted = true;
     }
-    if (stays) group.keep();
-  }
-  if (!stays) log_.resize(before);
+    return isAccepted;
+  });
+  if (!isKept && !isCommitted) log_.resize(before);
 }
 
 void FollowerOfCells::commit() {
@@ -153,12 +125,7 @@ void FollowerOfCells::commit() {
   EXPECT_EQ(areas, recomputedAreas(world_));
 }
 
-/// Edits may be pending.
-void FollowerOfCells::mark() { marks_.push_back({world_.checkpoint(), told_, committed_, log_.size()}); }
-
-void FollowerOfCells::goBack(Chance& chance) {
-  if (marks_.empty()) return;
-  const std::size_t k = chance.below(marks_.size());
+void FollowerOfCells::goBack(std::size_t k) {
   const Marked& to = marks_[k];
   const auto edited = std::span(log_).first(committed_).subspan(to.committed);
   const Mark end = world_.checkpoint();
@@ -171,20 +138,14 @@ void FollowerOfCells::goBack(Chance& chance) {
   expectTold(edited, to.told);
   committed_ = to.committed;
   log_.resize(to.edits);
+  caller_.given.resize(to.given);
   marks_.resize(k + 1);
-}
-
-void FollowerOfCells::forget(Chance& chance) {
-  if (marks_.empty()) return;
-  const std::size_t k = chance.below(marks_.size());
-  EXPECT_TRUE(world_.forget(marks_[k].mark));
-  marks_.erase(marks_.begin() + static_cast<std::ptrdiff_t>(k));
 }
 
 /// A loaded world follows nothing yet. Its view begins anew.
 void FollowerOfCells::load() {
   commit();
-  auto loaded = World::load(saved(world_), oracle::relationOf(preserve_));
+  auto loaded = World::load(saved(world_), world_.preserveRelation());
   ASSERT_TRUE(loaded);
   world_ = std::move(*loaded);
   marks_.clear();

@@ -5,7 +5,6 @@
 
 #include "examples/area/area_by_block.h"
 #include "proptests/laws/twins.h"
-#include "proptests/support/traces.h"
 
 #include <lgs/world.h>
 
@@ -24,10 +23,9 @@ std::map<Block, std::int64_t> recomputedAreas(const World& world);
 
 class FollowerOfCells {
  public:
-  explicit FollowerOfCells(bool preserves);
+  explicit FollowerOfCells(const Setting& setting);
 
-  /// An edit as a rule; or one of the other things.
-  void move(Chance& chance);
+  void make(const Call& call);
   /// Commits, and expects all that must hold then.
   void commit();
 
@@ -40,21 +38,15 @@ class FollowerOfCells {
   struct Marked {
     Mark mark;
     Cells told;
-    std::size_t committed = 0, edits = 0;  ///< how long the log was: at the commit before, and then
+    std::size_t committed = 0, edits = 0, given = 0;  ///< how long lists were: at the commit before, and then
   };
 
-  void edit(Chance& chance);
-  void editMany(Chance& chance);
-  void group(Chance& chance);
-  void mark();
-  void goBack(Chance& chance);
-  void forget(Chance& chance);
+  bool edit(const Call& call);
+  void group(const Call& call);
+  void goBack(std::size_t k);
   void load();
-  template <class Call>
-  void logged(const std::vector<Cell>& cells, Call&& call);
   void expectTold(std::span<const Edited> edited, const Cells& now);
 
-  oracle::PreservePairs preserve_;
   Caller caller_;
   World& world_ = caller_.world;
   examples::AreaByBlock view_;

@@ -333,7 +333,7 @@ TEST(IslandViewByHand, TouchingCornersAreCutWhenItIsTakenApart) {
 
 /// By rational numbers of 128 bits, which are enough for a few cells.
 TEST(Bodies, HaveMomentsThatAreRoundedOnce) {
-  oracle::Choices choices = choicesFrom(7);
+  oracle::Random choices(7);
   for (int round = 0; round < 2'000; ++round) {
     std::vector<BodyPolygon> polygons;
     World world;

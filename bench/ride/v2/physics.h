@@ -33,4 +33,27 @@ class Physics {
   std::vector<b2Body*> bodies_;
 };
 
+/// Edges that Box2D makes and destroys by itself, on one body.
+class BareEdges {
+ public:
+  explicit BareEdges(Physics& physics) {
+    b2BodyDef body;
+    body_ = physics.world().CreateBody(&body);
+  }
+  std::size_t size() const { return fixtures_.size(); }
+  void make() {
+    b2EdgeShape edge;
+    edge.SetOneSided({-1, 0}, {0, 0}, {1, 0}, {2, 0});
+    fixtures_.push_back(body_->CreateFixture(&edge, 0));
+  }
+  void destroy() {
+    body_->DestroyFixture(fixtures_.back());
+    fixtures_.pop_back();
+  }
+
+ private:
+  b2Body* body_;
+  std::vector<b2Fixture*> fixtures_;
+};
+
 }  // namespace lgs::bench

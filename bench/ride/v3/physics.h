@@ -41,4 +41,27 @@ class Physics {
   std::vector<b2BodyId> bodies_;
 };
 
+/// Segments that Box2D makes and destroys by itself, on one body.
+class BareEdges {
+ public:
+  explicit BareEdges(Physics& physics) {
+    const b2BodyDef body = b2DefaultBodyDef();
+    body_ = b2CreateBody(physics.world(), &body);
+  }
+  std::size_t size() const { return shapes_.size(); }
+  void make() {
+    const b2ShapeDef shape = b2DefaultShapeDef();
+    const b2Segment segment{{0, 0}, {1, 0}};
+    shapes_.push_back(b2CreateSegmentShape(body_, &shape, &segment));
+  }
+  void destroy() {
+    b2DestroyShape(shapes_.back(), false);
+    shapes_.pop_back();
+  }
+
+ private:
+  b2BodyId body_;
+  std::vector<b2ShapeId> shapes_;
+};
+
 }  // namespace lgs::bench

@@ -11,10 +11,9 @@ using detail::operator-;  // NOLINT(misc-unused-using-decls): a template below u
 
 std::optional<Segment> EdgeSet::neighbour(const Segment& s, Way way) const {
   const SegmentId id = way == Way::before ? s.predecessor : s.successor;
-  if (!id) return {};
-  const Segment other = read(id);
-  const SegmentId back = way == Way::before ? other.successor : other.predecessor;
-  return back == s.id ? std::optional(other) : std::nullopt;
+  const auto other = world_->segment(id);  // none, too, if its chunk is unloaded
+  if (!other || (way == Way::before ? other->successor : other->predecessor) != s.id) return {};
+  return *other;
 }
 
 // Whether two neighbours belong to one strip.

@@ -79,22 +79,27 @@ bool WayOut::isOpen(DoublePoint by) {
   return true;
 }
 
+// A direction in which an edge is in the way stays closed on all larger rings; one that is open is open up to there.
 std::optional<DoublePoint> WayOut::find() {
   static const std::array<DoublePoint, kDirections> all = directions();
   if (isFree()) return DoublePoint{0, 0};
   double core = std::numeric_limits<double>::infinity();
   for (const Form& form : forms_) core = std::min(core, coreOf(form));
+  std::vector<DoublePoint> open(all.begin(), all.end());
   double inner = 0;
   for (double radius = std::max(core / 2, 64.0); radius < kFarthest && work_ < kMostWork; radius *= kGrowth) {
+    look(radius);
+    std::erase_if(open, [&](DoublePoint direction) { return !isOpen({radius * direction.x, radius * direction.y}); });
+    if (open.empty()) break;
     double best = std::numeric_limits<double>::infinity();
     DoublePoint way;
-    for (const DoublePoint& direction : all) {
+    for (const DoublePoint& direction : open) {
       const auto at = [&](double r) { return DoublePoint{r * direction.x, r * direction.y}; };
-      if (!isWay(at(radius))) continue;
+      if (!isFree(at(radius))) continue;
       double near = inner, far = radius;
       for (int k = 0; k < kHalvings && near < best; ++k) {
         const double r = (near + far) / 2;
-        (isWay(at(r)) ? far : near) = r;
+        (isFree(at(r)) ? far : near) = r;
       }
       if (far < best) {
         best = far;

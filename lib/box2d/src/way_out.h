@@ -31,7 +31,6 @@ class WayOut {
   void look(double radius);
   bool isFree(DoublePoint by);
   bool isOpen(DoublePoint by);
-  bool isWay(DoublePoint by) { return isFree(by) && isOpen(by); }
 
   const NewGround& ground_;
   std::span<const Form> forms_;

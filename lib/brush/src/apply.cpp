@@ -3,6 +3,7 @@
 #include "geometry/ring.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace lgs::brush {
 namespace {
@@ -113,6 +114,14 @@ class Brush {
 }  // namespace
 
 Expected<void> apply(World& world, const Coverage& coverage, const Stroke& stroke, BrushResult& result) {
+  const auto refused = [&](const CellRect& cells) -> std::optional<Error> {
+    const auto cell = world.firstUnloaded(cells);
+    return cell ? std::optional(Error{.code = ErrorCode::unloaded, .cell = *cell}) : std::nullopt;
+  };
+  for (const CellRect& cells : coverage.whole)
+    if (const auto error = refused(cells)) return tl::unexpected(*error);
+  for (const CutCell& cut : coverage.cut)
+    if (const auto error = refused({cut.cell, cut.cell})) return tl::unexpected(*error);
   Brush brush(world, stroke, result);
   for (const CellRect& cells : coverage.whole)
     if (const auto done = brush.whole(cells); !done) return done;

@@ -105,6 +105,7 @@ Coverage coverage(const Region& region) {
     max = {std::max(max.x, p.a.x), std::max(max.y, p.a.y)};
   }
   if (min.x == max.x || min.y == max.y) return result;
+  result.pieces.reserve(4 * pieces.size());
   divide(rings, {cellAt(min), cellAt({max.x - 1, max.y - 1})}, region.rule, result);
   const Piece* at = result.pieces.data();
   for (CutCell& cell : result.cut) {

@@ -16,7 +16,8 @@ namespace {
 using detail::Vector;
 using detail::operator-;  // NOLINT(misc-unused-using-decls): p.b - p.a uses it
 
-int side(Point p, Line line) { return detail::sign((line.isVertical ? p.x : p.y) - line.at); }
+/// How far a point is beyond a line.
+std::int64_t beyond(Point p, Line line) { return (line.isVertical ? p.x : p.y) - line.at; }
 
 /// Where the edge a→b crosses the line, rounded along the line.
 Point crossing(Point a, Point b, Line line) {
@@ -28,7 +29,7 @@ Point crossing(Point a, Point b, Line line) {
 }
 
 /// Adds a piece; and one along the line before it, where the ring has left the line's side since.
-void append(Pieces& ring, const Piece& piece) {
+inline void append(Pieces& ring, const Piece& piece) {
   if (!ring.empty() && ring.back().end != piece.start) {
     const Point from = ring.back().end;
     ring.push_back({from, piece.start, from, piece.start, false});
@@ -37,8 +38,8 @@ void append(Pieces& ring, const Piece& piece) {
 }
 
 /// The same with what is on one side of the line of a piece that has an end on the other side. It crosses the line `at`
-/// a point; `start` and `end` say where its ends are: +1 on that side, 0 on the line.
-void appendPart(Pieces& kept, const Piece& p, int start, int end, Point at) {
+/// a point; `start` and `end` say where its ends are: above 0 on that side, 0 on the line.
+void appendPart(Pieces& kept, const Piece& p, std::int64_t start, std::int64_t end, Point at) {
   // An end on the line can be a rounded one: the edge itself can go on beside the line.
   const auto isAfter = [&](Point u, Point v) { return dot(u - v, p.b - p.a) > 0; };
   if (start >= 0 && isAfter(at, p.start)) append(kept, {p.a, p.b, p.start, at, p.isOfRegion});
@@ -130,13 +131,14 @@ Halves halves(PieceSpan ring, Line line) {
   kept.less.reserve(ring.size() + 2);
   kept.greater.reserve(ring.size() + 2);
   for (const Piece& p : ring) {
-    const int start = side(p.start, line), end = side(p.end, line);
+    const std::int64_t start = beyond(p.start, line), end = beyond(p.end, line);
     if (start <= 0 && end <= 0) append(kept.less, p);
     if (start >= 0 && end >= 0) append(kept.greater, p);
-    if (start == end) continue;
+    const bool cutsLess = (start > 0) != (end > 0), cutsGreater = (start < 0) != (end < 0);
+    if (!cutsLess && !cutsGreater) continue;
     const Point at = crossing(p.a, p.b, line);
-    if (start > 0 || end > 0) appendPart(kept.less, p, -start, -end, at);
-    if (start < 0 || end < 0) appendPart(kept.greater, p, start, end, at);
+    if (cutsLess) appendPart(kept.less, p, -start, -end, at);
+    if (cutsGreater) appendPart(kept.greater, p, start, end, at);
   }
   close(kept.less);
   close(kept.greater);

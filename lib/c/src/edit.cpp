@@ -233,6 +233,37 @@ lgs_status lgs_forget_chunks(lgs_world* world, lgs_cell_rect cells, uint64_t* fo
   return answer(world->world.forget(fromC(cells)), forgotten, error);
 }
 
+lgs_status lgs_unload(lgs_world* world, lgs_cell_rect cells, lgs_chunk_fn take, void* user, uint64_t* unloaded,
+                      lgs_error* error) noexcept {
+  if (!world) return refuse(LGS_BAD_ARGUMENT, error);
+  const lgs::ChunkSink sink = [&](lgs::Cell corner, std::span<const std::byte> bytes) {
+    if (take) take(user, toC(corner), reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  };
+  return answer(world->world.unload(fromC(cells), sink), unloaded, error);
+}
+
+lgs_status lgs_reload(lgs_world* world, const uint8_t* bytes, size_t count, lgs_cell* corner,
+                      lgs_error* error) noexcept {
+  if (!world || !isArray(bytes, count)) return refuse(LGS_BAD_ARGUMENT, error);
+  const auto done = world->world.reload(std::as_bytes(std::span(bytes, count)));
+  if (!done) return refuse(done.error(), error);
+  put(corner, toC(*done));
+  return LGS_OK;
+}
+
+lgs_status lgs_reload_empty(lgs_world* world, lgs_cell_rect cells, uint64_t* reloaded, lgs_error* error) noexcept {
+  if (!world) return refuse(LGS_BAD_ARGUMENT, error);
+  return answer(world->world.reloadEmpty(fromC(cells)), reloaded, error);
+}
+
+lgs_status lgs_first_unloaded(const lgs_world* world, lgs_cell_rect cells, int32_t* found, lgs_cell* first) noexcept {
+  if (!world) return LGS_BAD_ARGUMENT;
+  const auto cell = world->world.firstUnloaded(fromC(cells));
+  put(found, std::int32_t{cell.has_value()});
+  if (cell) put(first, toC(*cell));
+  return LGS_OK;
+}
+
 // --- Groups ----------------------------------------------------------------------------------------------------------
 
 struct lgs_group {

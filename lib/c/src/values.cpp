@@ -36,6 +36,7 @@ static_assert(statusOf(ErrorCode::unknownSegment) == LGS_UNKNOWN_SEGMENT);
 static_assert(statusOf(ErrorCode::unknownMark) == LGS_UNKNOWN_MARK);
 static_assert(statusOf(ErrorCode::uncommitted) == LGS_UNCOMMITTED);
 static_assert(statusOf(ErrorCode::outOfReach) == LGS_OUT_OF_REACH);
+static_assert(statusOf(ErrorCode::unloaded) == LGS_UNLOADED);
 static_assert(statusOf(SnapshotError::What::notASnapshot) == LGS_SAVE_NO_SNAPSHOT);
 static_assert(statusOf(SnapshotError::What::unknownVersion) == LGS_SAVE_UNKNOWN_VERSION);
 static_assert(statusOf(SnapshotError::What::cut) == LGS_SAVE_CUT);
@@ -46,12 +47,14 @@ static_assert(statusOf(SnapshotError::What::badNumber) == LGS_SAVE_BAD_NUMBER);
 static_assert(statusOf(SnapshotError::What::badPolygon) == LGS_SAVE_BAD_POLYGON);
 static_assert(statusOf(SnapshotError::What::badSegments) == LGS_SAVE_BAD_SEGMENTS);
 static_assert(statusOf(SnapshotError::What::capacity) == LGS_SAVE_CAPACITY);
+static_assert(statusOf(SnapshotError::What::loaded) == LGS_SAVE_LOADED);
+static_assert(statusOf(SnapshotError::What::otherBytes) == LGS_SAVE_OTHER_BYTES);
 static_assert(kUnitsPerCell == LGS_UNITS_PER_CELL && kMaxCell == LGS_MAX_CELL && kMaxChunks == LGS_MAX_CHUNKS);
 static_assert(kMaxVerticesPerCell == LGS_MAX_CELL_VERTICES && kMaxPolygonsPerCell == LGS_MAX_CELL_POLYGONS);
 static_assert(kMaxEntries == LGS_MAX_ENTRIES && kMaxRadius == LGS_MAX_RADIUS && kMaxRay == LGS_MAX_RAY);
 
-bool isOfWorld(lgs_status status) { return status >= LGS_CELL_OUT_OF_RANGE && status <= LGS_OUT_OF_REACH; }
-bool isOfSnapshot(lgs_status status) { return status >= kFirstOfSnapshots && status <= LGS_SAVE_CAPACITY; }
+bool isOfWorld(lgs_status status) { return status >= LGS_CELL_OUT_OF_RANGE && status <= LGS_UNLOADED; }
+bool isOfSnapshot(lgs_status status) { return status >= kFirstOfSnapshots && status <= LGS_SAVE_OTHER_BYTES; }
 
 std::string sentence(const lgs_error& e) {
   if (e.code == LGS_OK) return "no error";
@@ -98,6 +101,10 @@ const char* nameOfSnapshot(lgs_status status) {
       return "bad polygon";
     case LGS_SAVE_BAD_SEGMENTS:
       return "bad segments";
+    case LGS_SAVE_LOADED:
+      return "chunk is loaded";
+    case LGS_SAVE_OTHER_BYTES:
+      return "other bytes";
     default:
       return "saved world too large";
   }

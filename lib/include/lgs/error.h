@@ -30,6 +30,7 @@ enum class ErrorCode : std::uint32_t {
   unknownMark,         ///< a Mark that this world did not make, or that was forgotten, or gone back beyond
   uncommitted,         ///< edits are not committed, or there are marks where there may be none
   outOfReach,          ///< a point, a radius or a ray of a question goes beyond what questions.h allows
+  unloaded,            ///< ground that is not in memory: see World::unload()
 };
 
 /// Says what was refused, and where. A field that does not apply is kNoCell, -1 or null.

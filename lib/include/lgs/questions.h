@@ -27,11 +27,13 @@ struct Spot {
     outside,  ///< no polygon
     edge,     ///< on the outline of a polygon, or of several
     inside,   ///< in the interior of one polygon
+    unloaded  ///< not known: one of the cells that the point is in is unloaded
   };
   Where where = Where::outside;  ///< whether there is ground
-  PolygonHandle polygon{};       ///< null outside; on an edge the first that has it, by cell (j, then i) and handle
-  Block block = 0;               ///< of that polygon
-  Cell cell{};                   ///< of that polygon; outside the cell of the point, see cellAt(Point)
+  PolygonHandle
+      polygon{};  ///< null outside, and if it is not known; on an edge the first that has it, by cell (j, then i) and handle
+  Block block = 0;  ///< of that polygon
+  Cell cell{};      ///< of that polygon; outside the cell of the point, see cellAt(Point); or the unloaded one
 };
 
 /// The segment nearest to a point.

@@ -2,6 +2,8 @@
 // docs/internals/snapshot.md has the format, byte by byte.
 #pragma once
 
+#include <lgs/lattice.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -14,6 +16,10 @@ namespace lgs {
 /// Takes the bytes of a snapshot in order, in pieces of at most 4,096. It must not change the world. An empty
 /// one is not called.
 using ByteSink = std::function<void(std::span<const std::byte>)>;
+
+/// Takes the bytes of one chunk of 32×32 cells, all at once. `corner` is its lower-left cell. It must not change the
+/// world.
+using ChunkSink = std::function<void(Cell corner, std::span<const std::byte>)>;
 
 /// Why a snapshot is refused, and where.
 struct SnapshotError {
@@ -29,6 +35,8 @@ struct SnapshotError {
     badPolygon,      ///< a polygon is none, or two of one cell overlap
     badSegments,     ///< the ids of the segments are not those of this world's segments, or one occurs twice
     capacity,        ///< more than the engine can hold
+    loaded,          ///< of World::reload(): the chunk is not unloaded
+    otherBytes,      ///< of World::reload(): not the bytes with which the chunk was unloaded last
   };
   What what{};               ///< the reason
   std::uint64_t offset = 0;  ///< the byte at which it was noticed

@@ -22,9 +22,11 @@ std::string thereIs(const std::string& name, const std::set<std::string>& names)
   return similar ? "; there is '" + *similar + "'" : "";
 }
 
-/// "; there are 'rock', 'ice' and 3 more": the one that is similar to the value comes first.
+}  // namespace
+
 std::string thereAre(const std::string& value, const std::set<std::string>& values) {
   constexpr std::size_t kMost = 6;
+  if (values.empty()) return {};
   std::vector<std::string> list;
   const std::string* const similar = similarOne(value, values);
   if (similar) list.push_back(*similar);
@@ -36,8 +38,6 @@ std::string thereAre(const std::string& value, const std::set<std::string>& valu
   return values.size() > kMost ? text + " and " + std::to_string(values.size() - kMost) + " more" : text;
 }
 
-}  // namespace
-
 AskedNames::AskedNames(const Options& options)
     : blockFrom_(options.blockFrom), leftOut_(options.leaveOut.begin(), options.leaveOut.end()) {
   for (const std::string& rule : options.solidIf) {
@@ -47,9 +47,13 @@ AskedNames::AskedNames(const Options& options)
   for (const auto& [name, block] : options.blocks) {
     if (!name.empty()) askedBlocks_.insert(name);  // "" stands for no class
   }
+  for (const auto& [name, shapes] : options.tiles) {
+    if (!name.empty()) tables_.insert(name);  // "" stands for any tileset
+  }
 }
 
 void AskedNames::see(const Tileset& tileset) {
+  if (!tables_.empty()) tilesets_.insert(tileset.name);
   for (const auto& [id, tile] : tileset.tiles) {
     seeProperties(tile.properties);
     seeClass(tile.className);
@@ -120,6 +124,12 @@ std::vector<std::string> AskedNames::notes() const {
     if (!classes_.contains(name)) {
       result.push_back("no tile and no object has the class '" + name + "', which was to be left out" +
                        thereIs(name, classes_));
+    }
+  }
+  for (const std::string& name : tables_) {
+    if (!tilesets_.contains(name)) {
+      result.push_back("the map has no tileset '" + name + "', which the table of tiles names" +
+                       thereAre(name, tilesets_));
     }
   }
   if (blockFrom_ == BlockFrom::one) {

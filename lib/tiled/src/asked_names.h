@@ -36,7 +36,11 @@ class AskedNames {
   std::map<std::string, Names> values_;  // that were seen, of the properties whose value is asked for
   Names askedBlocks_, blocks_;
   Names leftOut_, classes_;  // asked to be left out; all that were seen, if any are
+  Names tables_, tilesets_;  // the same of the tilesets that tables of tiles name
 };
+
+/// "; there are 'rock', 'ice' and 3 more": the one that is similar to the value comes first. Nothing if there are none.
+std::string thereAre(const std::string& value, const std::set<std::string>& values);
 
 /// Whether two names differ by upper and lower case, or by one edit: a letter more, another, or two swapped.
 bool areSimilar(std::string_view a, std::string_view b);

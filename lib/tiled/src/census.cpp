@@ -32,11 +32,11 @@ struct TileBox {
 };
 
 /// The rule that takes tiles with a property; empty if it says nothing.
-std::pair<std::string, Says> ruleOf(const std::string& name, const std::string& value) {
+std::pair<std::string, Saying> ruleOf(const std::string& name, const std::string& value) {
   if (name.find('=') != std::string::npos || !saysYes(value)) return {};
-  if (const Says says = sayingOfProperty(name).says; says != Says::nothing) return {name, says};
-  const Says says = value.size() > kMostValue ? Says::nothing : saying(value).says;
-  return {says == Says::nothing ? "" : name + "=" + value, says};
+  if (const Saying said = sayingOfProperty(name); said.says != Says::nothing) return {name, said};
+  const Saying said = value.size() > kMostValue ? Saying{} : saying(value);
+  return {said.says == Says::nothing ? "" : name + "=" + value, said};
 }
 
 class Census {
@@ -126,13 +126,13 @@ class Census {
 
   /// The rule that takes what has a property; null if the property says nothing.
   RuleFacts* ruleFacts(const std::string& name, const std::string& value) {
-    const auto [rule, says] = ruleOf(name, value);
+    const auto [rule, said] = ruleOf(name, value);
     if (rule.empty()) return nullptr;
     const auto found = facts_.rules.find(rule);
     if (found != facts_.rules.end()) return &found->second;
     if (facts_.rules.size() == kMostKnown) return nullptr;
     RuleFacts& known = facts_.rules[rule];
-    known.says = says;
+    known.saying = said;
     return &known;
   }
 

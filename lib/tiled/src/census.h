@@ -38,7 +38,7 @@ struct LayerFacts {
 
 /// Of a property of tiles that says something.
 struct RuleFacts {
-  Says says = Says::nothing;
+  Saying saying;
   bool isOfShaped = false;                      ///< tiles with shapes have it as well
   std::uint64_t uses = 0;                       ///< tiles without shapes, in layers, that have it
   std::uint64_t objects = 0;                    ///< objects without names that have it

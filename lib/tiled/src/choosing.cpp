@@ -35,16 +35,19 @@ std::vector<std::string> choosingArguments(const Options& options) {
 }
 
 const LayerFacts* onlyLayer(const Facts& facts) {
-  const LayerFacts* only = nullptr;
+  Layers all, called;
   for (const LayerFacts& layer : facts.layers) {
     if (layer.kind == LayerKind::objects) {
       const bool areBoxes = layer.objects > layer.figures && !areThings(layer);
       if (layer.saying.says == Says::nothing && areBoxes) return nullptr;
     } else if (layer.tiles > 0 && !layer.isForOther) {
-      if (only || layer.isDrawn) return nullptr;
-      only = &layer;
+      if (layer.isDrawn) return nullptr;
+      all.push_back(&layer);
+      if (isMainName(layer.name)) called.push_back(&layer);
     }
   }
+  const Layers& some = all.size() > 1 ? called : all;
+  const LayerFacts* const only = some.size() == 1 ? some.front() : nullptr;
   return only && only->bare > 0 && 2 * only->tiles <= only->cells ? only : nullptr;
 }
 
@@ -52,10 +55,10 @@ std::vector<std::string> valuesGoneThrough(const Layers& layers) {
   std::map<std::string, Saying> values;
   for (const LayerFacts* layer : layers) values.insert(layer->values.begin(), layer->values.end());
   const bool isWalled =
-      std::any_of(values.begin(), values.end(), [](const auto& value) { return value.second.word == "wall"; });
+      std::any_of(values.begin(), values.end(), [](const auto& value) { return value.second.isWall(); });
   std::vector<std::string> result;
   for (const auto& [name, said] : values) {
-    const bool isFloor = isWalled && (said.word == "floor" || said.word == "ground");
+    const bool isFloor = isWalled && said.isFloor();
     if ((isGoneThrough(name) || isFloor) && result.size() < kMostRules) result.push_back(name);
   }
   return result.size() == values.size() ? std::vector<std::string>{} : result;

@@ -11,10 +11,8 @@ std::string percent(double share) { return std::to_string(std::lround(100 * shar
 
 std::string kindOf(const LayerFacts& layer) { return layer.kind == LayerKind::tiles ? "tile layer" : "object layer"; }
 
-bool isUnderfoot(std::string_view word) { return word == "ground" || word == "floor" || word == "terrain"; }
-
 /// Whether an object that says so is ground: a platform or a block may be a thing that moves.
-bool isDrawnGround(std::string_view word) { return word == "wall" || isUnderfoot(word); }
+bool isDrawnGround(const Saying& said) { return said.isWall() || said.isFloor(); }
 
 /// Finds the choices of a map.
 class Chooser {
@@ -46,6 +44,7 @@ class Chooser {
   bool areShapesEnough() const {
     std::uint64_t bare = 0, shaped = 0;
     for (const LayerFacts& layer : facts_.layers) {
+      if (layer.isDrawn) continue;
       shaped += layer.shaped;
       if (layer.saying.says != Says::nothing && !isFull(layer)) bare += layer.bare;
     }
@@ -67,21 +66,23 @@ class Chooser {
     }
     Options options = narrowedTo(layers, [](const LayerFacts& layer) { return layer.shaped > 0; });
     for (const auto& [rule, known] : facts_.rules) {
-      const bool isTaken = known.isOfShaped && known.uses > 0 && known.says == Says::collision;
+      const bool isTaken = known.isOfShaped && known.uses > 0 && known.saying.says == Says::collision;
       if (isTaken && options.solidIf.size() < kMostRules) options.solidIf.push_back(rule);
     }
     add(Evidence::shapes, std::move(options), "the shapes of " + counted(uses, "tile") + " in " + listed(names));
   }
 
   /// The tile layers that have something; of these no background and nothing above the player, unless all are so: they
-  /// use the same tiles only to look the same.
+  /// use the same tiles only to look the same. Nor a floor that fills the map, if another layer says collision.
   template <class Has>
   Layers withoutPictures(const Has& hasIt) const {
     Layers all, some;
+    const bool isSaid = !saying(LayerKind::tiles, Says::collision).empty() && !facts_.isLdtk;
     for (const LayerFacts& layer : facts_.layers) {
       if (!hasIt(layer)) continue;
       all.push_back(&layer);
-      if (!layer.isOnlySeen) some.push_back(&layer);
+      const bool isFilled = isSaid && layer.saying.isFloor() && isFull(layer);
+      if (!layer.isOnlySeen && !isFilled) some.push_back(&layer);
     }
     return some.empty() ? all : some;
   }
@@ -126,8 +127,8 @@ class Chooser {
     Layers layers;
     for (const LayerFacts& layer : facts_.layers) {
       if (layer.kind != kind || layer.saying.says != says || isMixed(layer)) continue;
-      const bool isThere = kind == LayerKind::objects ? layer.objects + layer.lines > 0 : layer.tiles > 0;
-      const bool isThing = facts_.isLdtk && kind == LayerKind::objects && !isDrawnGround(layer.saying.word);
+      const bool isThere = kind == LayerKind::objects ? isDrawnByHand(layer) : layer.tiles > 0;
+      const bool isThing = facts_.isLdtk && kind == LayerKind::objects && !isDrawnGround(layer.saying);
       if (isThing && says == Says::ground) continue;
       if (isThere && !(kind == LayerKind::tiles && (isFull(layer) || isWalkedOn(layer)))) layers.push_back(&layer);
     }
@@ -139,23 +140,25 @@ class Chooser {
 
   /// A floor beside walls is what one walks on, seen from above, unless it is smaller than they are.
   bool isWalkedOn(const LayerFacts& floor) const {
-    if (!isUnderfoot(floor.saying.word)) return false;
+    if (!floor.saying.isFloor()) return false;
     std::uint64_t walls = 0;
     for (const LayerFacts& layer : facts_.layers) {
-      if (layer.kind == LayerKind::tiles && layer.saying.word == "wall" && !isFull(layer)) walls += layer.tiles;
+      if (layer.kind == LayerKind::tiles && layer.saying.isWall() && !isFull(layer)) walls += layer.tiles;
     }
     return walls > 0 && floor.tiles > walls;
   }
 
   void addNamed(Says says) {
     const Evidence evidence = says == Says::collision ? Evidence::collision : Evidence::ground;
-    const Layers tiles = saying(LayerKind::tiles, says), objects = saying(LayerKind::objects, says);
+    const Layers tiles = saying(LayerKind::tiles, says);
+    Layers objects = saying(LayerKind::objects, says);
+    if (says == Says::collision && !(tiles.empty() && objects.empty())) addDrawnGround(objects);
     std::vector<std::string> objectNames = namesOf(objects);
     std::string text = reasons(objects);
     addClasses(says, objectNames, text);
     const bool areCalled = objectNames.size() > objects.size();
     if (says == Says::ground && (areCalled || std::any_of(objects.begin(), objects.end(), [](const LayerFacts* layer) {
-                                   return isDrawnGround(layer->saying.word);
+                                   return isDrawnGround(layer->saying);
                                  }))) {
       addObjects(evidence, objectNames, text);  // they were drawn for it; the tiles need not be meant so
       objectNames.clear();
@@ -171,6 +174,13 @@ class Chooser {
       add(evidence, std::move(options), reasons(tiles) + (text.empty() ? "" : "; " + text));
     }
     addRules(says, true);
+  }
+
+  /// Walls and grounds that were drawn are there for collision as well.
+  void addDrawnGround(Layers& objects) const {
+    for (const LayerFacts* layer : saying(LayerKind::objects, Says::ground)) {
+      if (isDrawnGround(layer->saying)) objects.push_back(layer);
+    }
   }
 
   /// Those that are taken by themselves need not be named.
@@ -196,7 +206,7 @@ class Chooser {
     for (const LayerFacts& layer : facts_.layers) {
       if (layer.saying.says != Says::nothing && !isMixed(layer)) continue;
       for (const auto& [name, said] : layer.classes) {
-        if (says == Says::ground && !isDrawnGround(said.word)) continue;  // "Platform" may be a thing that moves
+        if (says == Says::ground && !isDrawnGround(said)) continue;  // "Platform" may be a thing that moves
         const bool isNew = std::find(classes.begin(), classes.end(), name) == classes.end();
         if (said.says == says && isNew && classes.size() < kMostRules) classes.push_back(name);
       }
@@ -210,9 +220,12 @@ class Chooser {
   void addRules(Says says, bool ofClass = false) {
     std::vector<std::pair<std::uint64_t, std::string>> rules;
     bool areObjects = false;
+    const bool isWalled = std::any_of(facts_.rules.begin(), facts_.rules.end(),
+                                      [](const auto& rule) { return rule.second.saying.isWall(); });
     for (const auto& [rule, known] : facts_.rules) {
       const std::uint64_t uses = known.uses + known.objects;
-      if (known.says != says || uses == 0 || rule.starts_with("class=") != ofClass) continue;
+      if (known.saying.says != says || uses == 0 || rule.starts_with("class=") != ofClass) continue;
+      if (isWalled && known.saying.isFloor()) continue;  // what one walks on between the walls
       rules.push_back({uses, rule});
       areObjects = areObjects || known.objects > 0;
     }
@@ -252,7 +265,7 @@ class Chooser {
 
   void addObjectLayers(bool ofThings) {
     for (const LayerFacts& layer : facts_.layers) {
-      const bool isCovered = layer.saying.says != Says::nothing;
+      const bool isCovered = layer.saying.says != Says::nothing && isDrawnByHand(layer);
       if (layer.kind != LayerKind::objects || layer.objects == 0 || isCovered || areThings(layer) != ofThings) continue;
       Options options = options_;
       options.objects = {layer.name};

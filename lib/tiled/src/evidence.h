@@ -43,12 +43,15 @@ inline constexpr std::size_t kMostRules = 16, kMostLayers = 64;
 
 using Layers = std::vector<const LayerFacts*>;
 
+/// Whether an object layer has more than figures, which are things with pictures.
+inline bool isDrawnByHand(const LayerFacts& layer) { return layer.objects > layer.figures || layer.lines > 0; }
+
 /// Whether the objects of a layer are things with names, rather than the boxes of a ground.
 inline bool areThings(const LayerFacts& layer) { return layer.isForOther || 2 * layer.named > layer.objects; }
 
-/// The only tile layer that could be solid, in a map that says nothing; or null. It must be half empty: a layer that
-/// fills the map is a picture, or its tiles mean different things. So it may be between layers of which nothing is
-/// said.
+/// The only tile layer that could be solid, in a map that says nothing, or the only one of several that is called
+/// "level" or the like; or null. It must be half empty: a layer that fills the map is a picture, or its tiles mean
+/// different things.
 const LayerFacts* onlyLayer(const Facts& facts);
 
 /// Values of IntGrid layers that are not solid beside the others: those that bodies go through, and a floor beside
@@ -63,8 +66,9 @@ inline bool isTakenByItself(const Choice& choice) { return choice.evidence <= Ev
 
 /// What says that it is solid and is not in a choice, or only in small part.
 struct Missed {
-  std::string text;             ///< "tile layer Blocks, of which 211 of 349 tiles are taken"
-  std::vector<Choice> choices;  ///< that would take it
+  std::string text;   ///< "tile layer Blocks, of which 211 of 349 tiles are taken"
+  Options options;    ///< that would take it
+  std::string offer;  ///< what these take
 };
 std::vector<Missed> missed(const Facts& facts, const Choice& taken, const Options& options);
 

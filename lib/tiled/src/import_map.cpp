@@ -82,7 +82,8 @@ class WholeImport {
     std::vector<std::string> arguments = choosingArguments(options);
     if (!offered_.insert(arguments).second) return;
     const std::uint64_t polygons = polygonsOf(options);
-    if (polygons > 0) report.suggestions.push_back({text, std::move(arguments), polygons});
+    if (polygons > 0 && polygons != report.polygons)
+      report.suggestions.push_back({text, std::move(arguments), polygons});
   }
 
   void offerAll(Report& report) {
@@ -111,7 +112,7 @@ class WholeImport {
   void offerMissed(Report& report) {
     for (const Missed& part : missed(facts_, *taken_, options_)) {
       report.partial += (report.partial.empty() ? "" : "; ") + part.text;
-      for (const Choice& choice : part.choices) offer(report, choice.options, choice.text);
+      offer(report, part.options, part.offer);
     }
   }
 

@@ -1,5 +1,6 @@
 #include "layers.h"
 
+#include "asked_names.h"
 #include "encoding.h"
 #include "properties.h"
 
@@ -202,6 +203,7 @@ std::vector<std::size_t> LayerNames::List::fitting(const Layer& layer) const {
 }
 
 bool LayerNames::List::fit(const Layer& layer) {
+  if (!names.empty()) known.insert(layer.pathInMap.empty() ? layer.path : layer.pathInMap);
   const std::vector<std::size_t> all = fitting(layer);
   for (const std::size_t i : all) found[i] = true;
   return !all.empty();
@@ -220,7 +222,9 @@ void LayerNames::List::see(const Layer& layer, const char* what) {
 void LayerNames::List::checkAll(const XmlFile& file, const char* kind) const {
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!found[i] && !others[i].empty()) file.fail({}, "'" + names[i] + "' is " + others[i] + shellWord(names[i]));
-    if (!found[i]) file.fail(file.root(), std::string("has no ") + kind + " layer or group '" + names[i] + "'");
+    if (found[i]) continue;
+    file.fail(file.root(),
+              std::string("has no ") + kind + " layer or group '" + names[i] + "'" + thereAre(names[i], known));
   }
 }
 

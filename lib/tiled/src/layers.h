@@ -59,6 +59,7 @@ class LayerNames {
     std::vector<std::string> names;
     std::vector<bool> found = std::vector<bool>(names.size(), false);
     std::vector<std::string> others = std::vector<std::string>(names.size());  // which other layer it is that of
+    std::set<std::string> known = {};  // the names of all layers and groups that were looked at, if any is asked for
 
     std::vector<std::size_t> fitting(const Layer& layer) const;
     bool fit(const Layer& layer);

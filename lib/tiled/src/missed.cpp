@@ -36,47 +36,42 @@ bool isTaken(const LayerFacts& objects, const Options& options, bool isLdtk) {
 /// Whether a layer that says so must be in a choice, or is only weaker evidence beside it. Tiles that are called ground
 /// are what one sees of a collision layer; objects that are called so are drawn for the game, as those of that layer.
 bool isDue(const LayerFacts& layer, const Choice& choice, bool isLdtk) {
+  if (layer.isDrawn || (layer.kind == LayerKind::objects && !isDrawnByHand(layer))) return false;
   if (layer.saying.says == Says::collision) return true;
+  if (isLdtk && layer.kind == LayerKind::objects) return false;
   const bool isWeaker = choice.evidence == Evidence::shapes || choice.evidence == Evidence::properties ||
-                        (choice.evidence == Evidence::collision && layer.kind == LayerKind::objects && !isLdtk);
+                        (choice.evidence == Evidence::collision && layer.kind == LayerKind::objects);
   if (layer.saying.says != Says::ground || !isWeaker) return false;
-  return layer.kind == LayerKind::objects || layer.saying.word == "wall" || layer.saying.word == "block" ||
-         layer.saying.word.starts_with("plat");
+  return layer.kind == LayerKind::objects || !layer.saying.isFloor();
 }
 
 Missed missedTiles(const LayerFacts& layer, std::uint64_t tiles, const Choice& choice, const Options& options) {
-  Missed result{"tile layer " + layer.name + ", of which " + std::to_string(tiles) + " of " +
-                    counted(layer.tiles, "tile") + " are taken",
-                {}};
-  if (tiles == 0 && !choice.options.layers.empty()) {
-    Options more = choice.options;
-    more.layers.push_back(layer.name);
-    result.choices.push_back({choice.evidence, more, "the same with tile layer " + layer.name});
-  } else {
-    const std::string text = "all of tile layer " + layer.name + ", and no other";
-    result.choices.push_back({choice.evidence, wholeLayer(layer, options), text});
+  const std::string text = "tile layer " + layer.name + ", of which " + std::to_string(tiles) + " of " +
+                           counted(layer.tiles, "tile") + " are taken";
+  if (tiles > 0 || choice.options.layers.empty()) {
+    return {text, wholeLayer(layer, options), "all of tile layer " + layer.name + ", and no other"};
   }
-  return result;
+  Options more = choice.options;
+  more.layers.push_back(layer.name);
+  return {text, std::move(more), "the same with tile layer " + layer.name};
 }
 
 Missed missedObjects(const LayerFacts& layer, const Choice& choice) {
-  Missed result{"object layer " + layer.name + ", of which nothing is taken", {}};
   Options more = choice.options;
   if (!more.objects) more.objects.emplace();
   more.objects->push_back(layer.name);
-  result.choices.push_back({choice.evidence, more, "the same with object layer " + layer.name});
-  return result;
+  return {"object layer " + layer.name + ", of which nothing is taken", std::move(more),
+          "the same with object layer " + layer.name};
 }
 
 /// Open polylines have no area. Those that are one-way can be made thick.
 Missed missedLines(const LayerFacts& layer, const Choice& choice, const Options& options) {
   constexpr double kThickness = 4;  // pixels
-  Missed result{"object layer " + layer.name + ", of which " + counted(layer.lines, "open polyline") + " are left out",
-                {}};
   Options thick = choice.evidence == Evidence::shapes ? options : choice.options;
   thick.polylineThickness = kThickness;
-  result.choices.push_back({choice.evidence, thick, "the same with the polylines that are one-way"});
-  return result;
+  return {"object layer " + layer.name + ", of which " + counted(layer.lines, "open polyline") +
+              (layer.lines == 1 ? " is" : " are") + " left out",
+          std::move(thick), "the same with the polylines that are one-way"};
 }
 
 }  // namespace
@@ -91,7 +86,7 @@ std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Optio
       if (4 * tiles < 3 * layer.tiles && !isFull(layer)) result.push_back(missedTiles(layer, tiles, choice, options));
     } else if (!isTaken(layer, choice.options, facts.isLdtk)) {
       if (layer.objects > 0) result.push_back(missedObjects(layer, choice));
-    } else if (options.polylineThickness == 0 && 3 * layer.lines > layer.objects) {
+    } else if (options.polylineThickness == 0 && layer.lines > 0) {
       result.push_back(missedLines(layer, choice, options));
     }
   }

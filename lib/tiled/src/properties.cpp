@@ -33,7 +33,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-bool saysYes(std::string_view value) { return !value.empty() && value != "false" && value != "0"; }
+bool saysYes(std::string_view value) { return value != "false" && value != "0"; }
 
 std::string propertyIn(const std::string& rule) { return rule.substr(0, rule.find('=')); }
 

@@ -16,7 +16,7 @@ Properties propertiesOf(pugi::xml_node node);
 /// Upper case letters of ASCII become lower case.
 std::string lower(std::string_view text);
 
-/// Whether a value says yes: it is not empty, and neither "false" nor "0".
+/// Whether a value says yes: it is neither "false" nor "0". An empty one says yes, as games ask whether there is one.
 bool saysYes(std::string_view value);
 
 /// The name in a rule, "NAME" or "NAME=VALUE".

@@ -10,8 +10,9 @@
 namespace lgs::tiled {
 namespace {
 
-constexpr std::int64_t kMaxPixels = 1 << 20;   // of a tile
-constexpr std::int64_t kMaxGid = 0x0FFF'FFFF;  // above are the flags for flipping
+constexpr std::int64_t kMaxPixels = 1 << 20;     // of a tile
+constexpr std::int64_t kMaxGid = 0x0FFF'FFFF;    // above are the flags for flipping
+constexpr std::string_view kInsideTiled = ":/";  // begins the names of files that Tiled has in itself, without shapes
 
 Tile readTile(const XmlFile& file, pugi::xml_node node, Templates& templates) {
   Tile tile;
@@ -66,7 +67,7 @@ Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& r
     readContent(map, node, templates, tileset);
     return tileset;
   }
-  if (map.failed()) return tileset;
+  if (map.failed() || source.starts_with(kInsideTiled)) return tileset;
   const XmlFile file(map.pathTo(std::move(source)), reader, "tileset", error, map.quotingOfOthers());
   if (error && !file.wasRead()) {  // the map is to blame for naming it
     std::string what = "the tileset's file " + error->file + " " + error->what;

@@ -9,11 +9,20 @@
 namespace lgs::tiled {
 namespace {
 
+/// A longer word stands before a shorter one that is in it, as reports name the first that fits.
 constexpr auto kCollision = std::to_array<std::string_view>(
-    {"collision", "collider", "collidable", "collides", "collide", "collid", "collis", "colis", "hitbox", "solid",
-     "blocked", "blocking", "blocker", "obstacle", "impassable", "barrier", "boundary", "boundaries"});
-constexpr auto kGround = std::to_array<std::string_view>({"ground", "wall", "floor", "terrain", "platform", "plateform",
-                                                          "plataform", "plattform", "block", "brick", "pipe"});
+    {"collision", "collider", "collidable", "collides",   "collide", "collid",   "collis",
+     "colid",     "colis",    "kollis",     "hitbox",     "solid",   "blocked",  "blocking",
+     "blocker",   "obstacle", "obstac",     "impassable", "barrier", "boundary", "boundaries"});
+constexpr auto kWalls = std::to_array<std::string_view>({"wall", "border", "fence", "static", "parede", "muro"});
+constexpr auto kFloors = std::to_array<std::string_view>(
+    {"ground", "floor", "terrain", "surface", "world", "gnd", "suelo", "boden", "terreno"});
+constexpr auto kParts = std::to_array<std::string_view>(
+    {"platform", "plateform", "plataform", "plattform", "block", "brick", "pipe", "bloque", "bloco"});
+
+/// Words that are too short to be looked for in others.
+constexpr auto kWholeWords = std::to_array<Saying>(
+    {{Says::ground, "mur", Ground::wall}, {Says::ground, "murs", Ground::wall}, {Says::ground, "sol", Ground::floor}});
 
 /// Words for another use, as they are. They are also looked for before and after a word that is written together.
 constexpr auto kOther = std::to_array<std::string_view>(
@@ -24,32 +33,38 @@ constexpr auto kOther = std::to_array<std::string_view>(
      "passable", "path",   "paths", "play",       "player", "sprite", "sur",    "un",    "with",       "without"});
 
 /// The same for words that begin so.
-constexpr auto kOtherBegins = std::to_array<std::string_view>(
-    {"ambient", "coin",    "damag",  "decal", "deco",    "detail", "effect", "enem",   "event",
-     "ignor",   "overlay", "shadow", "spawn", "trigger", "visual", "water",  "ladder", "rope",
-     "spike",   "lava",    "sky",    "cloud", "acid",    "liquid", "toxic"});
+constexpr auto kOtherBegins = std::to_array<std::string_view>({
+    "acid",   "ambient", "check",  "cloud",    "coin",   "collect", "damag",  "decal", "deco",   "detail",
+    "door",   "effect",  "enem",   "entr",     "event",  "exit",    "finish", "flag",  "fond",   "goal",
+    "hinter", "ignor",   "ladder", "lava",     "liquid", "overlay", "portal", "rope",  "shadow", "sky",
+    "spawn",  "spike",   "start",  "teleport", "toxic",  "trigger", "visual", "warp",  "water",
+});
 
-/// What lies behind or above the layer that one walks in, and is only seen.
-constexpr auto kSeen = std::to_array<std::string_view>({"above", "back", "background", "behind", "below", "bg", "far",
-                                                        "fg", "fore", "foreground", "front", "over", "sky"});
+/// What lies behind or above the layer that one walks in, and is only seen; the second for words that begin so.
+constexpr auto kSeen = std::to_array<std::string_view>({"back", "bg", "far", "fg", "fore", "front", "over", "sky"});
+constexpr auto kSeenBegins = std::to_array<std::string_view>({"above", "background", "behind", "below", "foreground"});
 
 /// Values of cells that are no ground to stand on, in whatever layer they are.
-constexpr auto kThroughBegins = std::to_array<std::string_view>({"acid", "ladder", "lava", "rope", "spike", "vine"});
+constexpr auto kThroughBegins =
+    std::to_array<std::string_view>({"acid", "ladder", "lava", "rope", "spike", "vine", "water"});
 
 /// What a property can be that is about collision, and does not say that there is any.
-constexpr auto kOfProperties =
-    std::to_array<std::string_view>({"category", "color", "colour", "filter", "friction", "group", "height", "id",
-                                     "index", "mask", "message", "name", "script", "sound", "speed", "type"});
+constexpr auto kOfProperties = std::to_array<std::string_view>(
+    {"category", "col", "color", "colour", "filter", "friction", "group", "height", "id", "index", "mask", "message",
+     "name", "script", "sound", "speed", "type", "world"});
 
 template <class List>
 bool has(const List& list, std::string_view word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-bool isOther(std::string_view word) {
-  return has(kOther, word) || std::any_of(kOtherBegins.begin(), kOtherBegins.end(),
-                                          [&](std::string_view begin) { return word.starts_with(begin); });
+/// Whether a word begins with one of a list.
+template <class List>
+bool begins(const List& list, std::string_view word) {
+  return std::any_of(list.begin(), list.end(), [&](std::string_view begin) { return word.starts_with(begin); });
 }
+
+bool isOther(std::string_view word) { return has(kOther, word) || begins(kOtherBegins, word); }
 
 /// Words in lower case; an empty one stands where the name has an "and".
 std::vector<std::string> wordsIn(std::string_view name) {
@@ -79,17 +94,19 @@ Saying sayingOf(std::string_view text) {
     const std::size_t at = text.find(word);
     return at != std::string_view::npos && !isOther(text.substr(0, at)) && !isOther(text.substr(at + word.size()));
   };
-  for (const std::string_view word : kCollision) {
-    if (fits(word)) return {Says::collision, word};
-  }
-  for (const std::string_view word : kGround) {
-    if (fits(word)) return {Says::ground, word};
-  }
-  return {};
+  const auto find = [&](const auto& list) { return std::find_if(list.begin(), list.end(), fits); };
+  if (const auto at = find(kCollision); at != kCollision.end()) return {Says::collision, *at};
+  if (const auto at = find(kWalls); at != kWalls.end()) return {Says::ground, *at, Ground::wall};
+  if (const auto at = find(kFloors); at != kFloors.end()) return {Says::ground, *at, Ground::floor};
+  if (const auto at = find(kParts); at != kParts.end()) return {Says::ground, *at, Ground::part};
+  const auto whole =
+      std::find_if(kWholeWords.begin(), kWholeWords.end(), [&](const Saying& one) { return one.word == text; });
+  return whole == kWholeWords.end() ? Saying{} : *whole;
 }
 
 template <class IsOther>
 Saying sayingOf(const std::vector<std::string>& words, const IsOther& isOtherUse) {
+  if (words.size() == 1 && (words.front() == "col" || words.front() == "coll")) return {Says::collision, "col"};
   Saying best, part;
   bool isOtherPart = false;
   const auto endPart = [&] {
@@ -107,6 +124,12 @@ Saying sayingOf(const std::vector<std::string>& words, const IsOther& isOtherUse
   return best;
 }
 
+template <class Fits>
+bool anyWord(std::string_view name, const Fits& fits) {
+  const std::vector<std::string> words = wordsIn(name);
+  return std::any_of(words.begin(), words.end(), fits);
+}
+
 }  // namespace
 
 Saying saying(std::string_view name) { return sayingOf(wordsIn(name), isOther); }
@@ -116,27 +139,19 @@ Saying sayingOfProperty(std::string_view name) {
 }
 
 bool isGoneThrough(std::string_view name) {
-  const std::vector<std::string> words = wordsIn(name);
-  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
-    return std::any_of(kThroughBegins.begin(), kThroughBegins.end(),
-                       [&](std::string_view begin) { return word.starts_with(begin); });
-  });
+  return anyWord(name, [](const std::string& word) { return begins(kThroughBegins, word); });
 }
 
 bool isMainName(std::string_view name) {
-  constexpr auto kMain = std::to_array<std::string_view>({"level", "main", "map", "tile", "tiles", "world"});
+  constexpr auto kMain = std::to_array<std::string_view>({"level", "main", "map", "tile", "tiles"});
   const std::vector<std::string> words = wordsIn(name);
   return words.size() == 1 && has(kMain, words.front());
 }
 
 bool isOnlySeen(std::string_view name) {
-  const std::vector<std::string> words = wordsIn(name);
-  return std::any_of(words.begin(), words.end(), [](const std::string& word) { return has(kSeen, word); });
+  return anyWord(name, [](const std::string& word) { return has(kSeen, word) || begins(kSeenBegins, word); });
 }
 
-bool isForOtherUse(std::string_view name) {
-  const std::vector<std::string> words = wordsIn(name);
-  return std::any_of(words.begin(), words.end(), isOther);
-}
+bool isForOtherUse(std::string_view name) { return anyWord(name, isOther); }
 
 }  // namespace lgs::tiled

@@ -14,9 +14,20 @@ enum class Says : std::uint8_t {
   collision,  ///< it is there for collision: collision, solid, blocked, obstacle …
 };
 
+/// What a word for ground means.
+enum class Ground : std::uint8_t {
+  part,   ///< a platform, a block: it may be a thing that moves
+  wall,   ///< it stands in the way: wall, fence, border …
+  floor,  ///< one stands on it; or, with walls beside it, walks on it, seen from above: ground, floor, terrain …
+};
+
 struct Saying {
   Says says = Says::nothing;
   std::string_view word = {};  ///< the one that says so, in lower case
+  Ground ground = Ground::part;
+
+  bool isWall() const { return says == Says::ground && ground == Ground::wall; }
+  bool isFloor() const { return says == Says::ground && ground == Ground::floor; }
 };
 
 /// Names are taken apart into words at capitals, digits and signs; "innerwalls" has "wall" in it as well. A name with a

@@ -8,18 +8,39 @@
 
 namespace lgs::detail {
 
-void LoopView::update(const World& outline, const Changes& lists) {
+/// The segments of the lists; false where the lists can not be those of the outline.
+bool LoopView::read(const World& outline, const Changes& lists) {
+  const auto byId = [](std::span<const SegmentId> from, std::vector<SegmentId>& to) {
+    to.assign(from.begin(), from.end());
+    detail::sort(to, [](SegmentId a, SegmentId b) { return a < b; });
+    return std::adjacent_find(to.begin(), to.end()) == to.end();
+  };
+  if (!byId(lists.removed, removed_) || !byId(lists.added, added_) || !byId(lists.relinked, relinked_)) return false;
+  const auto in = [](const std::vector<SegmentId>& list, SegmentId id) {
+    return std::binary_search(list.begin(), list.end(), id);
+  };
+  const auto was = [&](SegmentId id) { return treaps_.has(id.value); };
+  const auto stays = [&](SegmentId id) { return was(id) && !in(removed_, id); };
+  const auto isGone = [&](SegmentId id) { return was(id) && (in(added_, id) || !outline.segment(id)); };
+  if (!std::ranges::all_of(removed_, isGone) || std::ranges::any_of(added_, stays) ||
+      !std::ranges::all_of(relinked_, stays))
+    return false;
+
+  const std::size_t added = lists.added.size();
+  segments_.resize(added + lists.relinked.size());
+  if (!outline.segments(lists.added, std::span(segments_).first(added)) ||
+      !outline.segments(lists.relinked, std::span(segments_).subspan(added)))
+    return false;
+  const auto isLinked = [&](SegmentId id) { return stays(id) || in(added_, id); };
+  return std::ranges::all_of(segments_,
+                             [&](const Segment& s) { return isLinked(s.predecessor) && isLinked(s.successor); });
+}
+
+bool LoopView::update(const World& outline, const Changes& lists) {
+  if (!read(outline, lists)) return false;
   begin();
   treaps_.reserve(outline.maxSegmentId());
   const std::size_t added = lists.added.size();
-  segments_.resize(added + lists.relinked.size());
-  const auto read = [&](std::span<const SegmentId> ids, std::span<Segment> out) {
-    [[maybe_unused]] const auto done = outline.segments(ids, out);
-    assert(done);
-  };
-  read(lists.added, std::span(segments_).first(added));
-  read(lists.relinked, std::span(segments_).subspan(added));
-
   cutAll(lists.removed, std::span(segments_).subspan(added));
   dropAll(lists.removed);
   findRests();
@@ -29,6 +50,7 @@ void LoopView::update(const World& outline, const Changes& lists) {
     join(s.id.value, s.successor.value);
   }
   nameAll(lists.added);
+  return true;
 }
 
 void LoopView::begin() {
@@ -112,7 +134,7 @@ void LoopView::findRests() {
   for (const std::uint32_t id : ends_) {
     if (!treaps_.has(id)) continue;
     const std::uint32_t root = treaps_.climb(id);
-    rests_.push_back({root, treaps_[root].loop, treaps_[root].count});
+    if (treaps_[root].loop != 0) rests_.push_back({root, treaps_[root].loop, treaps_[root].count});
   }
   detail::sort(rests_, [](const Rest& a, const Rest& b) { return a.node < b.node; });
   const auto same = [](const Rest& a, const Rest& b) { return a.node == b.node; };
@@ -124,14 +146,14 @@ void LoopView::putAll(std::span<const Segment> added) {
   for (const Segment& s : added) {
     treaps_.put(s.id.value, s.start, s.end);
     const auto same = std::lower_bound(gone_.begin(), gone_.end(), Gone{s.start, s.end, 0});
-    if (same != gone_.end() && same->start == s.start && same->end == s.end)
+    if (same != gone_.end() && same->start == s.start && same->end == s.end && same->loop != 0)
       rests_.push_back({s.id.value, same->loop, 1});
   }
 }
 
-/// Joins a segment with the one that follows it, if they are not joined yet.
+/// Joins a segment with the one that follows it, if they are not joined yet. One of an unloaded chunk is not here.
 void LoopView::join(std::uint32_t a, std::uint32_t b) {
-  if (treaps_.next(a) != kNoNode) return;
+  if (!treaps_.has(a) || !treaps_.has(b) || treaps_.next(a) != kNoNode) return;
   const std::uint32_t first = treaps_.climb(a), second = treaps_.climb(b);
   if (first == second)
     treaps_[first].isClosed = 1;

@@ -4,10 +4,23 @@
 #include "geometry/sort.h"
 
 #include <algorithm>
-#include <cassert>
 #include <tuple>
 
 namespace lgs::detail {
+
+namespace {
+
+/// With which a chain begins that comes from an unloaded chunk; of a closed one any.
+SegmentId firstOfChain(const World& outline, SegmentId start) {
+  SegmentId first = start;
+  for (auto s = outline.segment(start); s; s = outline.segment(s->predecessor)) {
+    first = s->id;
+    if (s->predecessor == start) return start;
+  }
+  return first;
+}
+
+}  // namespace
 
 void LoopView::load(const World& outline) {
   treaps_.reserve(outline.maxSegmentId());
@@ -15,16 +28,16 @@ void LoopView::load(const World& outline) {
   for (const SegmentId start : outline.segments()) {
     if (treaps_.has(start.value)) continue;
     ids.clear();
-    SegmentId at = start;
+    const SegmentId first = firstOfChain(outline, start);
+    auto s = outline.segment(first);
     do {
-      const Segment s = *outline.segment(at);
-      treaps_.put(s.id.value, s.start, s.end);
-      ids.push_back(s.id.value);
-      at = s.successor;
-    } while (at != start);
+      treaps_.put(s->id.value, s->start, s->end);
+      ids.push_back(s->id.value);
+      s = outline.segment(s->successor);
+    } while (s && s->id != first);
     const std::uint32_t root = treaps_.build(ids);
-    treaps_[root].isClosed = 1;
-    newId(root);
+    treaps_[root].isClosed = s ? 1 : 0;
+    if (s) newId(root);
   }
 }
 
@@ -43,10 +56,10 @@ void LoopView::nameAll(std::span<const SegmentId> added) {
   for (const SegmentId id : added) made_.push_back(treaps_.climb(id.value));
   detail::sort(made_);
   made_.erase(std::unique(made_.begin(), made_.end()), made_.end());
-  for (const std::uint32_t root : made_) {
-    assert(treaps_[root].isClosed != 0);
-    treaps_[root].loop = 0;
-  }
+  for (const std::uint32_t root : made_) treaps_[root].loop = 0;
+  const auto isOpen = [this](std::uint32_t root) { return treaps_[root].isClosed == 0; };
+  std::erase_if(made_, isOpen);  // they lead into unloaded chunks
+  std::erase_if(rests_, [&](const Rest& rest) { return isOpen(rest.node); });
   findShares();
   findHeirs();
   tell();

@@ -17,8 +17,9 @@ class LoopView {
  public:
   /// Walks all segments of an outline.
   void load(const World& outline);
-  /// Takes over the lists of its last commit or roll-back.
-  void update(const World& outline, const Changes& lists);
+  /// Takes over the lists of its last commit or roll-back. False, and nothing has changed, where they name segments that
+  /// neither were there nor are there now, or leave out some that others are linked with: somebody made them up.
+  bool update(const World& outline, const Changes& lists);
 
   const LoopChanges& changes() const { return changes_; }
   bool isLoop(LoopId id) const { return id.value < roots_.size() && roots_[id.value] != kNoNode; }
@@ -44,6 +45,7 @@ class LoopView {
     std::uint32_t loop, root, count;
   };
 
+  bool read(const World& outline, const Changes& lists);
   void begin();
   void cutAll(std::span<const SegmentId> removed, std::span<const Segment> relinked);
   void cutBefore(std::uint32_t id);
@@ -69,8 +71,9 @@ class LoopView {
   std::vector<std::uint32_t> free_;                                   ///< ids that the next loops get
   LoopChanges changes_;
   // Working memory of an update.
-  std::vector<Segment> segments_;    ///< that were added, then those that were relinked
-  std::vector<std::uint32_t> ends_;  ///< segments on both sides of a cut
+  std::vector<Segment> segments_;                      ///< that were added, then those that were relinked
+  std::vector<SegmentId> removed_, added_, relinked_;  ///< the lists, by id
+  std::vector<std::uint32_t> ends_;                    ///< segments on both sides of a cut
   std::vector<Rest> rests_;
   std::vector<Gone> gone_;
   std::vector<std::uint32_t> made_;  ///< roots of the loops of now that may be others than before

@@ -68,7 +68,7 @@ Expected<std::vector<Body>> takeApart(World& world, const Islands& islands, Isla
 Foreseen foresee(World& world, Islands& islands, const std::function<bool(World&)>& edit) noexcept {
   Foreseen out;
   const Mark mark = world.checkpoint();
-  if (edit(world) && islands.update(world, world.commit())) {
+  if (edit && edit(world) && islands.update(world, world.commit())) {
     out.changes = islands.changes();
     const auto look = [&](IslandId id) {
       if (const auto facts = islands.island(id)) out.after.push_back(*facts);

@@ -199,6 +199,45 @@ for (const [name, makeCrowd] of engines) {
     loaded.free()
   })
 
+  test(`${name}: after a load who was below the ground is there again`, () => {
+    const { world, terrain, crowd, body, run, at } = resting('circle')
+    const loaded = loadWorld(world.save())
+    crowd.put(body, { x: 5.5, y: -4 })
+    terrain.resync(loaded)
+    world.free()
+    run(1)
+    assert.ok(Math.abs(at().y + 4) < 0.02)
+    loaded.free()
+  })
+
+  test(`${name}: each that is held is held, and comes free`, () => {
+    const { world, crowd, terrain, body } = resting('circle')
+    const others = [3.5, 7.5].map((x) => crowd.add('circle', 0.8, { x, y: 1.405 }))
+    for (const [j, count] of [[1, 3], [1, 0]]) {
+      count ? world.fill({ i0: -30, j0: j, i1: 40, j1: 40 }, world.shape(unitSquare), 1) : world.clear({ i0: -30, j0: j, i1: 40, j1: 40 })
+      terrain.sync(world.commit())
+      assert.equal(terrain.held.length, count)
+    }
+    for (const one of [body, ...others]) assert.ok(crowd.isEnabled(one))
+    world.free()
+  })
+
+  test(`${name}: a shape is where its body has turned it`, () => {
+    const { world, crowd, terrain } = resting('circle')
+    const flag = crowd.add('flag', 1, { x: 3.5, y: 2 }) // the shape is within (3.75, 1.75) and (4.25, 2.25)
+    const box = () => terrain.outlinesOf(flag).rings[0].reduce(([x0, y0, x1, y1], v, k) =>
+      k % 2 ? [x0, Math.min(y0, v), x1, Math.max(y1, v)] : [Math.min(x0, v), y0, Math.max(x1, v), y1], [1e9, 1e9, -1e9, -1e9])
+    const near = (numbers) => box().forEach((v, k) => assert.ok(Math.abs(v - numbers[k]) < 0.01, `${box()} is not ${numbers}`))
+    near([3.75, 1.75, 4.25, 2.25])
+    crowd.turn(flag)
+    near([3.25, 2.25, 3.75, 2.75])
+    world.add(3, 2, world.shape(unitSquare), 1)
+    const [caught] = terrain.caughtBy(world.commit())
+    assert.deepEqual(crowd.namesOf([caught.body]), crowd.namesOf([flag]))
+    assert.ok(Math.abs(caught.depth - 0.25) < 0.01, 'all of it, to its middle')
+    world.free()
+  })
+
   test(`${name}: who goes through a portal stays there, if it is said`, () => {
     for (const isSaid of [true, false]) {
       const { world, terrain, crowd, body, at } = resting('circle')

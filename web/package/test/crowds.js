@@ -13,6 +13,7 @@ function shapesOf(figure, size) {
     case 'octagon': return [Array.from({ length: 8 }, (_, k) => [h * Math.cos(k * Math.PI / 4), h * Math.sin(k * Math.PI / 4)])]
     case 'stick': return [box(h, 0.1 * h)]
     case 'cross': return [box(h, 0.3 * h), box(0.3 * h, h)]
+    case 'flag': return [box(h / 2, h / 2).map(([x, y]) => [x + h, y])] // beside the origin of its body
     default: return [box(h, h)]
   }
 }
@@ -43,6 +44,7 @@ export const planckCrowd = () => {
     namesOf: (some) => some.map((body) => bodies.indexOf(body)), // a failed comparison of bodies themselves takes minutes
     velocityOf: (body) => ({ ...body.getLinearVelocity() }),
     put: (body, position) => body.setTransform(position, body.getAngle()),
+    turn: (body) => body.setTransform(body.getPosition(), body.getAngle() + Math.PI / 2),
     isEnabled: (body) => body.isActive(),
     kick(body, x, y) {
       body.setLinearVelocity({ x, y })
@@ -120,6 +122,11 @@ export const box2dCrowd = (b2) => () => {
     namesOf: (some) => some.map(({ index1 }) => index1),
     velocityOf: (body) => own(b2.b2Body_GetLinearVelocity(body)),
     put,
+    turn(body) {
+      const { x, y } = own(b2.b2Body_GetPosition(body)), at = vec(x, y)
+      b2.b2Body_SetTransform(body, at, Object.assign(turned, { c: 0, s: 1 }))
+      at.delete()
+    },
     isEnabled: (body) => b2.b2Body_IsEnabled(body),
     kick(body, x, y) {
       const velocity = vec(x, y)

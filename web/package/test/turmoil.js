@@ -3,7 +3,7 @@
 import { circle, createWorld, loadWorld, thickLine, unitSquare } from '../dist/index.js'
 
 const mostUndo = 12
-export const figures = ['circle', 'box', 'capsule', 'triangle', 'octagon', 'stick', 'cross']
+export const figures = ['circle', 'box', 'capsule', 'triangle', 'octagon', 'stick', 'cross', 'flag']
 export const kinds = ['body', 'paint', 'line', 'carve', 'tile', 'dig', 'undo', 'redo', 'save', 'load', 'origin', 'kick']
 
 const common = ['paint', 'paint', 'paint', 'line', 'carve', 'carve', 'carve', 'carve', 'carve', 'tile', 'tile', 'dig', 'dig',

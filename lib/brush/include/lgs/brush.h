@@ -122,8 +122,8 @@ struct BrushResult {
 /// Cells that are inside the region as a whole cost what add() and setBlock() cost. Refused, and nothing is changed:
 /// outOfReach, if a vertex lies in no cell or was no number (Error::polygon is the ring, Error::vertex the vertex), or
 /// if the region is more than kMaxRegionCells wide or high, or was made with a length out of range; capacity, if a cell
-/// would hold too much (see world.h), or the region is too much for it (see kMaxRegionEdgesPerCell). A region without
-/// area changes nothing.
+/// would hold too much (see world.h), or the region is too much for it (see kMaxRegionEdgesPerCell); unloaded, if it has
+/// a part of an unloaded cell. A region without area changes nothing.
 ///
 /// `staying` is asked once for each block. What it names is painted around, as by PaintMode::fill: its edges are cut
 /// where the region's edge meets them, and the corner there is rounded (law 8), so now and then such a polygon gets

@@ -13,7 +13,8 @@
 // the part. An island that lies in a hole of another one is an island by itself.
 //
 // The view follows loops (loops.h) and has one inside: loops(). What is said there of preserve relations, copies,
-// threads and memory holds here.
+// threads and memory holds here. It is not made for worlds with unloaded chunks (World::unload()): unload none while you
+// follow islands.
 #pragma once
 
 #include <lgs/body.h>
@@ -142,7 +143,7 @@ struct Foreseen {
 
 /// What an edit would do to the islands: makes it, commits, and goes back. The world and the view are as before, but for
 /// the ids of loops and islands (see LoopId); ids in the result name nothing. An edit that is refused, so that it
-/// returns false, would do nothing. No edit may be pending. Cost: that of the edit, of two updates and of going back.
+/// returns false, would do nothing; nor would an empty function. No edit may be pending. Cost: that of the edit, of two updates and of going back.
 [[nodiscard]] Foreseen foresee(World& world, Islands& islands, const std::function<bool(World&)>& edit) noexcept;
 
 }  // namespace lgs

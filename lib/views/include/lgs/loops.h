@@ -13,6 +13,9 @@
 // have without the relation. It keeps that in a second world of its own, outline(), which takes as much memory again,
 // and each commit is made there as well. Such a world must follow its cells: World::followCells(true).
 //
+// A chain that leads into an unloaded chunk (World::unload()) is no loop as long as it does. Under a preserve relation
+// the second world has no polygons where chunks are unloaded, and its loops close there.
+//
 // Every function is noexcept: when memory runs out the program ends. A copy of a world goes on with a copy of its view.
 // Calls that are const are safe beside each other.
 #pragma once
@@ -91,8 +94,8 @@ class Loops {
   Loops& operator=(Loops&&) noexcept;             ///< the same
 
   /// Takes over what the world's last commit or roll-back changed: World::commit() or World::changesOfRollBack(). If
-  /// these do not lead from the version() that the view shows, it stays as it is, and the result is false: then begin
-  /// again with another view. Cost: O(k log n) expected, for k segments in the three lists and loops of n segments.
+  /// these do not lead from the version() that the view shows, or are lists that somebody made up, it stays as it is,
+  /// and the result is false: then begin again with another view. Cost: O(k log n) expected, for k segments in the three lists and loops of n segments.
   /// Allocates nothing once world and view have reached their size.
   [[nodiscard]] bool update(const World& world, const Changes& changes) noexcept;
 

@@ -177,7 +177,8 @@ LGS_API void lgs_loops_free(lgs_loops* loops) LGS_NOTHROW;
 enum {
   LGS_OUTSIDE = 0, /* no polygon */
   LGS_EDGE = 1,    /* on the outline of a polygon, or of several */
-  LGS_INSIDE = 2   /* in the interior of one polygon */
+  LGS_INSIDE = 2,  /* in the interior of one polygon */
+  LGS_UNKNOWN = 3  /* one of the cells that the point is in is unloaded; it is `cell` */
 };
 
 /* What lies at a point: see lgs_at(). */

@@ -72,6 +72,7 @@ enum {
   LGS_UNKNOWN_MARK = 15,     /* a mark that this world did not make, or forgot, or went back beyond */
   LGS_UNCOMMITTED = 16,      /* edits are not committed, or there are marks */
   LGS_OUT_OF_REACH = 17,     /* a point, a radius or a ray of a question goes too far */
+  LGS_UNLOADED = 18,         /* ground that is not in memory: see lgs_unload() */
   /* A call is refused. */
   LGS_BAD_ARGUMENT = 100, /* NULL where that must not be, a number that means nothing, options of an unknown size */
   LGS_SHORT_BUFFER = 101, /* there is more than the buffer has room for */
@@ -85,7 +86,9 @@ enum {
   LGS_SAVE_BAD_NUMBER = 206,      /* a number is out of its range */
   LGS_SAVE_BAD_POLYGON = 207,     /* a polygon is none, or two of one cell overlap */
   LGS_SAVE_BAD_SEGMENTS = 208,    /* the ids of the segments are not those of its segments, or one occurs twice */
-  LGS_SAVE_CAPACITY = 209         /* more than the engine can hold */
+  LGS_SAVE_CAPACITY = 209,        /* more than the engine can hold */
+  LGS_SAVE_LOADED = 210,          /* of lgs_reload(): the chunk is not unloaded */
+  LGS_SAVE_OTHER_BYTES = 211      /* of lgs_reload(): not the bytes with which the chunk was unloaded last */
 };
 
 /* --- Ids --------------------------------------------------------------------------------------------------------- */

@@ -144,7 +144,7 @@ struct Options {
   bool solidWithoutShapes = false;   ///< a tile without any collision object is a full square (true) or empty (false)
 
   /// Properties, "NAME" or "NAME=VALUE". A tile without any collision object is a full square if it or its layer has
-  /// one of them. "NAME" alone takes any value that is not empty, "false" or "0". A tile has its class as a property
+  /// one of them. "NAME" alone takes any value but "false" and "0". A tile has its class as a property
   /// "class". Unless `objects` names some, objects that have such a property are taken from any object layer. The
   /// report names those properties that nothing has, names and values alike.
   std::vector<std::string> solidIf;

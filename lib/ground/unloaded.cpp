@@ -1,0 +1,234 @@
+// Chunks that leave memory, and come back. Of an unloaded chunk the border stays known (border.h). While a loaded chunk is
+// beside it, its cells at the rim hold what they held, so that a commit can show and link them as ever: what is loaded
+// gets the segments and ghosts that it has in the whole world (law 14). Otherwise its cells hold nothing, and it need not
+// be a Chunk.
+//
+// Cells are emptied and filled by put(), as edits do it. So marks go back across it.
+#include "geometry/sort.h"
+#include "ground/ground.h"
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+
+namespace lgs::detail {
+namespace {
+
+/// Whether a chunk lies in a rectangle as a whole. Cells that there are not need not.
+bool isWithin(const CellRect& cells, std::int32_t ci, std::int32_t cj) {
+  const auto fits = [](std::int32_t chunk, std::int32_t min, std::int32_t max) {
+    const std::int32_t first = chunk * kChunkSize, last = first + kChunkSize - 1;
+    return min <= std::max(first, -kMaxCell) && std::min(last, kMaxCell) <= max;
+  };
+  return fits(ci, cells.min.i, cells.max.i) && fits(cj, cells.min.j, cells.max.j);
+}
+
+bool isAtRim(std::uint32_t local) { return !isInner(local); }
+
+/// A cell of the chunk at the origin.
+Cell cellOfLocal(std::uint32_t local) {
+  return {static_cast<std::int32_t>(local % kChunkSize), static_cast<std::int32_t>(local / kChunkSize)};
+}
+
+}  // namespace
+
+// --- Which chunks
+
+std::vector<std::uint32_t> Ground::chunksWithin(const CellRect& cells, bool areUnloaded) const {
+  std::vector<std::tuple<std::int32_t, std::int32_t, std::uint32_t>> found;
+  const auto take = [&](std::int32_t ci, std::int32_t cj, std::uint32_t number) {
+    if (isWithin(cells, ci, cj)) found.emplace_back(cj, ci, number);
+  };
+  if (areUnloaded)
+    grid.forEachUnloaded(cells, [&](std::uint32_t k) { take(grid.border(k)->ci, grid.border(k)->cj, k); });
+  else
+    grid.forEachChunk(cells, [&](const Chunk& c) {
+      if (!c.isUnloaded) take(c.ci, c.cj, c.index);
+    });
+  detail::sort(found);
+  std::vector<std::uint32_t> numbers;
+  for (const auto& [cj, ci, number] : found) numbers.push_back(number);
+  return numbers;
+}
+
+std::optional<Cell> Ground::firstUnloaded(const CellRect& cells) const {
+  std::optional<Cell> first;
+  grid.forEachUnloaded(cells, [&](std::uint32_t number) {
+    const Border& border = *grid.border(number);
+    const Cell here{std::max(border.ci * kChunkSize, cells.min.i), std::max(border.cj * kChunkSize, cells.min.j)};
+    if (!first || std::pair(here.j, here.i) < std::pair(first->j, first->i)) first = here;
+  });
+  return first;
+}
+
+Error Ground::noPolygon(PolygonHandle handle) const {
+  const Border* border = grid.border(handle.cellRef / kChunkCells);
+  if (!border) return {.code = ErrorCode::staleHandle, .other = handle};
+  const Cell first{border->ci * kChunkSize, border->cj * kChunkSize}, at = cellOfLocal(handle.cellRef % kChunkCells);
+  return {.code = ErrorCode::unloaded, .cell = {first.i + at.i, first.j + at.j}, .other = handle};
+}
+
+std::vector<std::uint32_t> Ground::forget(const CellRect& cells) {
+  std::vector<std::uint32_t> gone;
+  for (const std::uint32_t number : chunksWithin(cells, false))
+    if (std::ranges::all_of(grid.chunk(number).cells, [&](CellWord word) { return holdsNothing(word); }))
+      gone.push_back(number);
+  for (const std::uint32_t number : gone) {
+    const Chunk& chunk = grid.chunk(number);
+    for (const Chunk* beside : chunk.around)
+      if (beside && beside->isUnloaded) unsettled_.push_back(beside->index);
+    for (const CellWord word : chunk.cells) drop(word, lists_);
+    grid.forget(number);
+  }
+  for (const std::uint32_t number : chunksWithin(cells, true)) {
+    const Border& border = *grid.border(number);
+    if (!grid.isAsleep(number) || grid.hasLoadedBeside(border)) continue;
+    for (const Border::Run& run : border.runs) drop(run.word, lists_);
+    grid.forget(number);
+    gone.push_back(number);
+  }
+  return gone;
+}
+
+// --- Leaving and coming back
+
+void Ground::unload(std::uint32_t number, std::uint32_t checksum) {
+  Chunk& chunk = grid.chunk(number);
+  std::uint32_t lastSerial = 0;
+  for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local)
+    lastSerial = std::max(lastSerial, this->lastSerial(at));
+  const Note back = turn({number, checksum, lastSerial, Note::Of::turn});
+  if (isNoting()) notes_.push_back(back);
+  for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local) {
+    if (isAtRim(at.local) && !holdsNothing(at.word()))
+      touchAgain(at);  // its segments are hidden from now on
+    else if (at.word() != 0)
+      put(at, 0, 0, 0);
+  }
+  if (chunk.dirtyRows == 0) touchAgain({&chunk, 0});
+  settleIfUnloaded(number);
+  settleAround(chunk);
+}
+
+Chunk& Ground::load(std::uint32_t number) {
+  settle(number, true);  // so that undoing finds the border
+  Chunk& chunk = grid.chunk(number);
+  const Note back = turn({number, 0, 0, Note::Of::turn});
+  if (isNoting()) notes_.push_back(back);
+  if (chunk.dirtyRows == 0) touchAgain({&chunk, 0});
+  return chunk;
+}
+
+void Ground::loadEmpty(std::uint32_t number) {
+  const std::uint32_t lastSerial = grid.border(number)->lastSerial;
+  Chunk& chunk = load(number);
+  for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local)
+    if (at.word() != 0 || lastSerial != 0) set(at, kEmptyContent, lastSerial, {});
+  settleAround(chunk);
+}
+
+/// A loaded chunk gets the border that the note says; an unloaded one loses its. Returns what undoes this.
+Ground::Note Ground::turn(const Note& note) {
+  Chunk& chunk = grid.chunk(note.ref);
+  if (!chunk.isUnloaded) {
+    grid.unload(chunk, borderOf(chunk, note));
+    return {note.ref, 0, 0, Note::Of::turn};
+  }
+  const Border border = grid.load(chunk);
+  for (const Border::Run& run : border.runs) drop(run.word, lists_);
+  return {note.ref, border.checksum, border.lastSerial, Note::Of::turn};
+}
+
+/// What the cells at the rim hold.
+Border Ground::borderOf(const Chunk& chunk, const Note& as) {
+  Border border;
+  border.checksum = as.word;
+  border.lastSerial = as.block;
+  for (std::uint32_t k = 0; k < kRimCells; ++k) {
+    const std::uint32_t local = rimCell(k);
+    const CellWord word = holdsNothing(chunk.cells[local]) ? 0 : chunk.cells[local];
+    const Block block = hasSole(word) ? chunk.block(local) : 0;
+    if (!border.runs.empty() && !isListed(word)) {
+      Border::Run& last = border.runs.back();
+      if (last.word == word && last.block == block) {
+        ++last.cells;
+        continue;
+      }
+    }
+    border.runs.push_back({1, chunk.facts[local], copyOf(word), block});
+  }
+  border.runs.shrink_to_fit();
+  return border;
+}
+
+/// A word that stands for the same, and has its own list.
+CellWord Ground::copyOf(CellWord word) {
+  if (word <= kLowMask) return word;
+  if (!isListed(word)) {
+    catalogue.use(word >> kLowBits);
+    return word;
+  }
+  const PolygonList old = list(word);
+  catalogue.use(old.content());
+  const std::uint32_t size = PolygonList::sizeOf(old.size());
+  const RecordArena::Ref ref = lists_.allocate(size);
+  std::copy_n(lists_.at(word & ~kListBit), size, lists_.at(ref));
+  return kListBit | ref;
+}
+
+/// A cell counts as changed, and holds what it held.
+void Ground::touchAgain(CellAt at) {
+  if (isNoting()) {
+    const CellWord again = copyOf(at.word());
+    note(at);
+    at.word() = again;
+  }
+  touch(at, at.chunk->facts[at.local]);
+}
+
+// --- What an unloaded chunk holds
+
+void Ground::settle(std::uint32_t number, bool isNeeded) {
+  sleepy_.push_back(number);
+  if (!isNeeded && grid.isAsleep(number)) return;
+  Chunk& chunk = grid.wake(number);
+  grid.border(number)->forEachCell([&](std::uint32_t local, const Border::Run& run) {
+    const CellAt at{&chunk, local};
+    if (run.word == 0 || (at.word() != 0) == isNeeded) return;
+    if (isNeeded)
+      put(at, copyOf(run.word), run.block, static_cast<Facts>(run.facts));
+    else
+      put(at, 0, 0, 0);
+  });
+}
+
+void Ground::settleIfUnloaded(std::uint32_t number) {
+  if (number == Grid::kNoNumber) return;
+  if (const Border* border = grid.border(number)) settle(number, grid.hasLoadedBeside(*border));
+}
+
+void Ground::settleAround(const Chunk& chunk) {
+  if (grid.unloadedCount() == 0) return;
+  for (std::int32_t dj = -1; dj <= 1; ++dj)
+    for (std::int32_t di = -1; di <= 1; ++di)
+      if (di != 0 || dj != 0) settleIfUnloaded(grid.numberAt(chunk.ci + di, chunk.cj + dj));
+}
+
+void Ground::settle() {
+  for (const std::uint32_t number : unsettled_) settleIfUnloaded(number);
+  if (!isNoting(For::marks)) unsettled_ = {};  // a world that goes back has to do it again
+}
+
+std::vector<std::uint32_t> Ground::sleep() {
+  std::vector<std::uint32_t> asleep;
+  if (isNoting(For::marks)) return asleep;
+  for (const std::uint32_t number : sleepy_) {
+    if (!grid.border(number) || !grid.isAsleep(number)) continue;
+    grid.sleep(number);
+    asleep.push_back(number);
+  }
+  sleepy_ = {};
+  return asleep;
+}
+
+}  // namespace lgs::detail

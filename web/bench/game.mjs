@@ -1,0 +1,278 @@
+// What a game on the web waits for: strokes, physics, drawing, large worlds. It prints the table "The web" of
+// docs/internals/performance.md. Nanoseconds are of the processor, medians of rounds; subjects take turns in a round.
+//
+//   npm run game [ROWS]        (here, after what bench.mjs wants)      ROWS: strokes, tiles, worlds, spikes, sizes, article
+import { readFileSync } from 'node:fs'
+import { fileURLToPath } from 'node:url'
+import Clipper from 'clipper2-wasm/dist/es/clipper2z.js'
+import initIShape, { FillRule, Overlay, OverlayRule } from 'ishape_wasm'
+import { circle, createWorld, init, unitSquare } from 'localgridseg'
+import { OutlineLines } from 'localgridseg/draw'
+import { PlanckTerrain } from 'localgridseg/planck'
+import { EdgeShape, World as Physics } from 'planck'
+import polygonClipping from 'polygon-clipping'
+import ts from 'typescript'
+import { randomNumbers, shapesOf, shapesOfCells, side } from './scenario.mjs'
+import { Native, timed } from './subjects.mjs'
+
+const program = process.env.LGS_NATIVE ?? fileURLToPath(new URL('../../build/release/web/bench/lgs_web_native', import.meta.url))
+const median = (numbers) => [...numbers].sort((a, b) => a - b)[numbers.length >> 1]
+const units = (ns) => (Math.abs(ns) < 1e3 ? `${Math.round(ns)} ns` : Math.abs(ns) < 1e6 ? `${(ns / 1e3).toPrecision(3)} µs` : `${(ns / 1e6).toPrecision(3)} ms`)
+const row = (...cells) => console.log(`| ${cells.join(' | ')} |`)
+
+/** Of each subject, the median of its rounds. A subject is a function that returns nanoseconds. */
+async function rounds(count, subjects) {
+  const times = subjects.map(() => [])
+  for (let round = -2; round < count; ++round)  // the first ones warm up
+    for (let k = 0; k < subjects.length; ++k) {
+      const time = await subjects[k](round + 2)
+      if (round >= 0) times[k].push(time)
+    }
+  return times.map(median)
+}
+
+function fullWorld(cells) {
+  const world = createWorld()
+  const square = world.shape(unitSquare)
+  world.fill({ i0: 0, j0: 0, i1: cells - 1, j1: cells - 1 }, square, 7)
+  return { world, square, changes: world.commit() }
+}
+
+/** Holes of radius 3 with 32 corners that do not meet, in full blocks; native.cpp carves the same. */
+const holes = 100
+function* hole(random) {
+  for (let k = 0; k < holes; ++k) {
+    const x = 8 * (k % 12) + 4 + random(65536) / 65536
+    yield [x, 8 * Math.floor(k / 12) + 4 + random(65536) / 65536]
+  }
+}
+
+async function strokes() {
+  const { world } = fullWorld(side)
+  const native = new Native(program)
+  const clipper = await Clipper()
+  const path = (points) => clipper.MakePath64(BigInt64Array.from(points, (v) => BigInt(Math.round(v * 65536))))
+  const ours = () => {
+    const mark = world.checkpoint(), random = randomNumbers()
+    const time = timed(() => {
+      for (const [x, y] of hole(random)) {
+        world.carve(circle(x, y, 3, 32))
+        world.commit()
+      }
+    })
+    world.rollBack(mark)
+    world.forget(mark)
+    return time / holes
+  }
+  const others = () => {
+    const random = randomNumbers()
+    const tasks = [...hole(random)].map(([x, y]) => {
+      const cells = new clipper.Paths64(), cut = new clipper.Paths64()
+      for (let j = Math.floor(y - 3); j <= Math.floor(y + 3); ++j)
+        for (let i = Math.floor(x - 3); i <= Math.floor(x + 3); ++i) cells.push_back(path([i, j, i + 1, j, i + 1, j + 1, i, j + 1]))
+      cut.push_back(path(circle(x, y, 3, 32).rings[0]))
+      return [cells, cut]
+    })
+    const time = timed(() => {
+      for (const [cells, cut] of tasks) {
+        const left = clipper.Difference64(cells, cut, clipper.FillRule.NonZero)
+        for (let k = 0; k < left.size(); ++k) left.get(k).view()
+        left.delete()
+      }
+    })
+    for (const paths of tasks.flat()) paths.delete()
+    return time / holes
+  }
+  const [web, wasm, c] = await rounds(15, [ours, others, async () => (await native.ask('strokes full'))[0]])
+  native.end()
+  row('stroke of radius 3 with its commit', units(web), `native ${units(c)}: ${(web / c).toFixed(2)}×`)
+  row("clipper2-wasm's difference of the touched cells", units(wasm), `stroke ÷ it: ${(web / wasm).toFixed(2)}`)
+}
+
+/** A tile goes and comes. What planck takes by itself: as many edges made and destroyed on a body with as many. */
+async function tiles() {
+  for (const cells of [16, 64, 256]) {
+    const { world, square } = fullWorld(cells)
+    const physics = new Physics(), terrain = new PlanckTerrain(physics, world), lines = new OutlineLines(world)
+    const bare = new Physics(), body = bare.createBody()
+    const edge = () => body.createFixture(new EdgeShape({ x: 0, y: 0 }, { x: 1, y: 0 }))
+    for (let k = 0; k < 64; ++k) edge()
+    const random = randomNumbers(), times = 400
+    let sync = 0, draw = 0, edit = 0
+    const round = () => {
+      sync = draw = edit = 0
+      for (let k = 0; k < times; ++k) {
+        const i = 1 + random(cells - 2), j = 1 + random(cells - 2)
+        for (const isDug of [true, false]) {
+          let changes
+          edit += timed(() => {
+            isDug ? world.clear(i, j) : world.add(i, j, square, 7)
+            changes = world.commit()
+          })
+          sync += timed(() => terrain.sync(changes))
+          draw += timed(() => lines.update(changes))
+        }
+      }
+      return sync / (2 * times)
+    }
+    const planck = () => {
+      let made = []
+      return timed(() => {
+        for (let k = 0; k < times; ++k) {
+          for (let n = 0; n < 4; ++n) made.push(edge())
+          for (const fixture of made) body.destroyFixture(fixture)
+          made = []
+        }
+      }) / (2 * times)
+    }
+    const [inAll, own, drawn] = await rounds(7, [round, planck, () => draw / (2 * times)])
+    row(`a tile, world of ${cells}²: planck's sync`, units(inAll), `planck itself ${units(own)}, beyond it ${units(inAll - own)}`)
+    row(`a tile, world of ${cells}²: lines drawn anew`, units(drawn), '')
+    world.free()
+  }
+}
+
+async function worlds() {
+  const kept = Array.from({ length: 1000 }, () => createWorld())
+  const [made] = await rounds(7, [() => {
+    const more = []
+    const time = timed(() => { for (let k = 0; k < 200; ++k) more.push(createWorld()) }) / 200
+    kept.push(...more)  // all are kept: no memory is used again
+    return time
+  }])
+  row('createWorld with 1,000 and more kept', units(made), '')
+  for (const world of kept) world.free()
+  const filled = (cells) => () => {
+    const world = createWorld(), square = world.shape(unitSquare)
+    const time = timed(() => world.fill({ i0: 0, j0: 0, i1: cells - 1, j1: cells - 1 }, square, 7))
+    world.free()
+    return time
+  }
+  const [small, large] = await rounds(3, [filled(3000), filled(10000)])
+  row('fill of 3,000²', units(small), '')
+  row('fill of 10,000²', units(large), `${(large / small).toFixed(1)} × the other; cells: 11.1 ×`)
+}
+
+/** 10,000 vertices on two circles in turn. */
+function spikes(radius, depth) {
+  const ring = new Float64Array(20000)
+  for (let k = 0; k < 10000; ++k) {
+    const r = radius * (k % 2 === 0 ? 1 : 1 - depth), angle = (2 * Math.PI * k) / 10000
+    ring.set([50 + r * Math.cos(angle), 50 + r * Math.sin(angle)], 2 * k)
+  }
+  return { rings: [ring] }
+}
+
+async function spiky() {
+  const { world } = fullWorld(side)
+  for (const [radius, depth] of [[2, 0.02], [10, 0.02], [30, 0.02], [10, 0.2], [10, 0.9]]) {
+    let what = ''
+    const carved = () => {
+      const mark = world.checkpoint(), region = spikes(radius, depth)
+      const time = timed(() => {
+        try {
+          world.carve(region)
+          world.commit()
+        } catch (error) {
+          what = `refused: ${error.code}`
+        }
+      })
+      world.rollBack(mark)
+      world.forget(mark)
+      return time
+    }
+    const [time] = await rounds(3, [carved])
+    row(`10,000 vertices, spikes of ${100 * depth} % over ${2 * radius}² cells`, units(time), what)
+  }
+}
+
+/** All squares of a world, united. Each library takes them in its own types, made beforehand. */
+async function sizes() {
+  const clipper = await Clipper()
+  await initIShape({ module_or_path: readFileSync(new URL('node_modules/ishape_wasm/ishape_wasm_bg.wasm', import.meta.url)) })
+  for (const cells of [100, 300, 1000]) {
+    const rings = []
+    for (let j = 0; j < cells; ++j) for (let i = 0; i < cells; ++i) rings.push([[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]])
+    const ours = () => {
+      const world = createWorld(), square = world.shape(unitSquare), entries = new Int32Array(4 * rings.length)
+      rings.forEach(([[i, j]], k) => entries.set([i, j, square, 7], 4 * k))
+      const time = timed(() => {
+        world.addMany(entries)
+        world.commit()
+        world.loops({ merge: true })
+      })
+      world.free()
+      return time
+    }
+    const clipper2 = () => {
+      const paths = new clipper.Paths64()
+      for (const ring of rings) paths.push_back(clipper.MakePath64(BigInt64Array.from(ring.flat(), BigInt)))
+      const time = timed(() => clipper.UnionSelf64(paths, clipper.FillRule.NonZero).delete())
+      paths.delete()
+      return time
+    }
+    const ishape = () => {
+      const shapes = rings.map((ring) => [ring])
+      return timed(() => {
+        const overlay = Overlay.new_with_subj_and_clip(shapes, [])
+        overlay.overlay(OverlayRule.Subject, FillRule.NonZero)  // it frees itself
+      })
+    }
+    const clipping = () => timed(() => polygonClipping.union(...rings.map((ring) => [ring])))
+    const names = ['localgridseg', 'clipper2-wasm', 'ishape_wasm (iOverlay)', ...(cells === 100 ? ['polygon-clipping'] : [])]
+    const times = await rounds(cells === 1000 ? 1 : 3, [ours, clipper2, ishape, ...(cells === 100 ? [clipping] : [])])
+    row(`${cells}² squares united`, names.map((name, k) => `${name} ${units(times[k])}`).join(', '), '')
+  }
+}
+
+/** The article's TypeScript, as it stands in published.ts, beside the package. Both must come to the same segments. */
+async function article() {
+  const source = readFileSync(new URL('published.ts', import.meta.url), 'utf8')
+  const { outputText } = ts.transpileModule(source, { compilerOptions: { target: 'ES2022', module: 'ESNext' } })
+  const { Published } = await import(`data:text/javascript,${encodeURIComponent(outputText)}`)
+  for (const kind of ['full', 'ramps']) {
+    const shapes = shapesOfCells(kind, randomNumbers())
+    let polygons, sum = 0
+    const build = () => timed(() => {
+      polygons = shapes.map((shape, cell) => shapesOf[kind][shape].map(([x, y]) => ({ x: x + (cell % side), y: y + Math.floor(cell / side) })))
+    })
+    const segments = () => {
+      const published = new Published()
+      const time = timed(() => {
+        polygons.forEach((polygon, cell) => published.add(cell % side, Math.floor(cell / side), polygon, 7))
+        published.compute()
+      })
+      sum = 0
+      for (const { start, end } of published.segments()) sum += start.x + 2 * start.y + 3 * end.x + 4 * end.y
+      return time
+    }
+    let ourSum = 0
+    const ours = () => {
+      const world = createWorld(), ids = shapesOf[kind].map((vertices) => world.shape(vertices))
+      const entries = new Int32Array(4 * shapes.length)
+      shapes.forEach((shape, cell) => entries.set([cell % side, Math.floor(cell / side), ids[shape], 7], 4 * cell))
+      let changes
+      const time = timed(() => {
+        world.addMany(entries)
+        changes = world.commit()
+      })
+      const { geometry, length } = changes.added
+      ourSum = 0
+      for (let k = 0; k < 8 * length; k += 8)
+        ourSum += geometry[k] + 2 * geometry[k + 1] + 3 * geometry[k + 2] + 4 * geometry[k + 3]
+      world.free()
+      return time
+    }
+    const [polygonTime, segmentTime, ourTime] = await rounds(11, [build, segments, ours])
+    if (sum !== ourSum) throw new Error(`${kind}: the published algorithm comes to ${sum}, the package to ${ourSum}`)
+    row(`article's TypeScript, ${kind}: polygons, segments`, `${units(polygonTime)}, ${units(segmentTime)}`,
+      `the package's segments ${units(ourTime)}: ${(segmentTime / ourTime).toFixed(1)}×`)
+  }
+}
+
+await init()
+const all = { strokes, tiles, worlds, spikes: spiky, sizes, article }
+const chosen = process.argv.slice(2)
+row('work', 'now', 'beside it')
+row('---', '---', '---')
+for (const [name, run] of Object.entries(all)) if (chosen.length === 0 || chosen.includes(name)) await run()
