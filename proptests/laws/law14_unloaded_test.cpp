@@ -11,7 +11,7 @@ namespace {
 
 /// A day of edits, commits, marks and chunks that go and come.
 void live(std::uint64_t seed, WithOut with, int steps) {
-  BesideTheWhole worlds(oracle::choicesFrom(seed), with);
+  BesideTheWhole worlds(oracle::Random(seed), with);
   for (int k = 0; k < steps && !::testing::Test::HasFailure(); ++k) worlds.step();
   worlds.commit();
   worlds.bringAllBack();

@@ -19,8 +19,8 @@ Cell chunkOf(Cell cell) { return {cell.i & ~31, cell.j & ~31}; }
 
 }  // namespace
 
-BesideTheWhole::BesideTheWhole(oracle::Choices choices, WithOut with)
-    : choices_(std::move(choices)),
+BesideTheWhole::BesideTheWhole(oracle::Random choices, WithOut with)
+    : choices_(choices),
       with_(with),
       part_(relation(with.preserves)),
       whole_(relation(with.preserves)),

@@ -1,7 +1,7 @@
 // Law 14 needs a whole world beside one whose chunks leave memory.
 #pragma once
 
-#include "oracle/calls/choices.h"
+#include "oracle/calls/random.h"
 #include "proptests/support/worlds.h"
 
 #include <lgs/loops.h>
@@ -61,7 +61,7 @@ struct WithOut {
 /// Edits cells near the borders of 4×4 chunks, in a world that unloads chunks and in one that does not.
 class BesideTheWhole {
  public:
-  BesideTheWhole(oracle::Choices choices, WithOut with);
+  BesideTheWhole(oracle::Random choices, WithOut with);
   void step();
   void commit();
   void bringAllBack();
@@ -95,7 +95,7 @@ class BesideTheWhole {
   void expectSameLoops(const Changes& changes);
   Polygons polygonsOf(const World& world) const;
 
-  oracle::Choices choices_;
+  oracle::Random choices_;
   WithOut with_;
   World part_, whole_;
   std::vector<ShapeId> shapes_;
