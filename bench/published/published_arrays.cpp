@@ -13,7 +13,7 @@ PublishedArrays::Packed packed(Vec2 v) {
 }
 
 /// The angle from one direction to the other, normalised to [0, 2π), as the article has it.
-float directionalAngle(Vec2 from, Vec2 to, bool clockwise) {
+float turningAngle(Vec2 from, Vec2 to, bool clockwise) {
   const float a = std::atan2(from.y, from.x), b = std::atan2(to.y, to.x);
   const float angle = clockwise ? a - b : b - a;
   return angle < 0 ? angle + 2 * std::numbers::pi_v<float> : angle;
@@ -141,7 +141,7 @@ void PublishedArrays::assignGhostVertices(std::uint32_t corner) {
       const Segment& cand = pool_[other];
       if ((cand.start == here) == isOutgoing) continue;
       const Packed candFar = isOutgoing ? cand.start : cand.end;
-      const float angle = directionalAngle(direction(far), direction(candFar), isOutgoing);
+      const float angle = turningAngle(direction(far), direction(candFar), isOutgoing);
       if (angle < 1e-3F || angle >= minAngle) continue;
       minAngle = angle;
       (isOutgoing ? seg.ghost1 : seg.ghost2) = candFar;

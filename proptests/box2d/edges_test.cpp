@@ -166,10 +166,9 @@ TEST(Box2dEdges, FollowAWorldWhoseChunksComeAndGo) {
       update(player.commit());
       const Cell last = world.bounds().value_or(CellRect{}).max, corner{last.i & ~31, last.j & ~31};
       std::vector<std::vector<std::byte>> chunks;
-      EXPECT_TRUE(world.unload({corner, {std::min(corner.i + 31, kMaxCell), std::min(corner.j + 31, kMaxCell)}},
-                               [&](Cell, std::span<const std::byte> bytes) {
-                                 chunks.emplace_back(bytes.begin(), bytes.end());
-                               }));
+      EXPECT_TRUE(world.unload(
+          {corner, {std::min(corner.i + 31, kMaxCell), std::min(corner.j + 31, kMaxCell)}},
+          [&](Cell, std::span<const std::byte> bytes) { chunks.emplace_back(bytes.begin(), bytes.end()); }));
       update(world.commit());
       for (const auto& chunk : chunks) EXPECT_TRUE(world.reload(chunk));
       update(world.commit());

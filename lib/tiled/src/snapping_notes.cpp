@@ -7,13 +7,13 @@
 namespace lgs::tiled {
 
 void noteSnapping(const CollisionObject& object, const Snapped& snapped, std::vector<Note>& notes) {
-  using Kind = CollisionObject::Kind;
+  using Object = CollisionObject::Kind;
   const auto note = [&](NoteKind kind, double amount, std::string text) {
     notes.push_back({kind, object.id, amount, 0, {}, std::move(text)});
   };
-  if (object.kind == Kind::ellipse || object.kind == Kind::capsule) {
+  if (object.kind == Object::ellipse || object.kind == Object::capsule) {
     note(NoteKind::approximated, 0,
-         std::string(object.kind == Kind::ellipse ? "an ellipse" : "a capsule") + " became a polygon of " +
+         std::string(object.kind == Object::ellipse ? "an ellipse" : "a capsule") + " became a polygon of " +
              std::to_string(kCurveVertices) + " vertices");
   }
   if (object.thickness > 0) {

@@ -31,7 +31,8 @@ bool LoopView::read(const World& outline, const Changes& lists) {
   if (!outline.segments(lists.added, std::span(segments_).first(added)) ||
       !outline.segments(lists.relinked, std::span(segments_).subspan(added)))
     return false;
-  const auto isLinked = [&](SegmentId id) { return stays(id) || in(added_, id); };
+  // What is not to be read is beyond the end of what is loaded: chains are open there.
+  const auto isLinked = [&](SegmentId id) { return stays(id) || in(added_, id) || !outline.segment(id); };
   return std::ranges::all_of(segments_,
                              [&](const Segment& s) { return isLinked(s.predecessor) && isLinked(s.successor); });
 }
