@@ -110,7 +110,7 @@ TEST_F(Reports, ShowWhatAnEngineSays) {
 }
 
 TEST_F(Reports, OnThePublishedAlgorithm) {
-  expectKinds("--engine-so '" LGS_PUBLISHED_SO "'",
+  expectKinds("--edits 1000 --engine-so '" LGS_PUBLISHED_SO "'",
               {"missing cut", "uncancelled edge", "lost preserve", "wrong block"});
 }
 

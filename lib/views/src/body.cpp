@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 
 namespace lgs {
 namespace {
@@ -27,7 +29,16 @@ struct Sums {
   void add(const BodyPolygon& p);
 };
 
+/// Of what no world hands out the sums could overflow.
+bool isOfAWorld(const BodyPolygon& p) {
+  constexpr std::int32_t kBeyond = std::numeric_limits<std::int32_t>::min();
+  return p.cell.i != kBeyond && p.cell.j != kBeyond && std::ranges::all_of(p.vertices, [](LocalPoint v) {
+           return v.x >= 0 && v.y >= 0 && v.x <= kUnitsPerCell && v.y <= kUnitsPerCell;
+         });
+}
+
 void Sums::add(const BodyPolygon& p) {
+  if (!isOfAWorld(p)) return;
   std::int64_t area = 0, mx = 0, my = 0;
   for (std::size_t k = 0; k < p.vertices.size(); ++k) {
     const LocalPoint u = p.vertices[k], v = p.vertices[k + 1 == p.vertices.size() ? 0 : k + 1];
