@@ -1,11 +1,12 @@
-// A long walk through a world without end: a window of 40×25 chunks goes to the right while holes are dug, and comes back.
+// A long walk through a world without end: a window of 40×25 chunks goes to the right while holes are dug, and comes
+// back.
 //
 //   walk [COLUMNS]    so many columns of chunks there and back; 40 if nothing is said
 //
-// A frame brings one chunk, lets one go, digs and commits. Around the window lies a ring of chunks that are unloaded: so
-// no wall appears where the window ends. What is further away is forgotten. Chunks that were dug in go to the disk (here
-// a map), all others are made anew. On the way back nothing is dug, and each chunk must leave with the bytes with which
-// it came: so nothing was lost.
+// A frame brings one chunk, lets one go, digs and commits. Around the window lies a ring of chunks that are unloaded:
+// so no wall appears where the window ends. What is further away is forgotten. Chunks that were dug in go to the disk
+// (here a map), all others are made anew. On the way back nothing is dug, and each chunk must leave with the bytes with
+// which it came: so nothing was lost.
 #include <lgs/world.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The Box2D adapter: after every commit the fixtures are the world's segments, vertex by vertex, with the ways to their
 // ghosts, no more and no fewer, and a fixture that is hit says which segment that is. Where segments are too short for
-// Box2D, or merged, the rules of <lgs/box2d/edges.h> say what stands for them: then the terrain that was kept up to date
-// must equal one made anew.
+// Box2D, or merged, the rules of <lgs/box2d/edges.h> say what stands for them: then the terrain that was kept up to
+// date must equal one made anew.
 #include "fuzz/check_edits.h"
 #include "oracle/check/refusal.h"
 #include "oracle/generate/steps.h"

@@ -93,7 +93,8 @@ void floodFill(benchmark::State& state, std::int64_t cells, bool inChunk) {
   putTimes(state, times);
 }
 
-/// A cave of 100 × 100 blocks apart from each other, 10,000 islands; a row of cells is filled between them, and dug again.
+/// A cave of 100 × 100 blocks apart from each other, 10,000 islands; a row of cells is filled between them, and dug
+/// again.
 void strokeInCave(benchmark::State& state, std::int64_t edits) {
   World world;
   const ShapeId square = world.shape(kUnitSquare).value();

@@ -2,9 +2,9 @@
 // in the place of hash maps, "to eliminate allocations and hash computations" (section 5.1). That sentence is all that
 // the article says of it. "Silent:" marks how the rest was filled in, always in favour of speed.
 //
-// Silent: how large the arrays are, and how a vertex finds its own. Here the world has a fixed number of cells, and each
-// vertex is a corner of a cell, as in both worlds of the article's benchmark: so a vertex packed into 32 bits is its
-// place in an array. Other vertices are refused. The 1:1 port (published.h) takes any.
+// Silent: how large the arrays are, and how a vertex finds its own. Here the world has a fixed number of cells, and
+// each vertex is a corner of a cell, as in both worlds of the article's benchmark: so a vertex packed into 32 bits is
+// its place in an array. Other vertices are refused. The 1:1 port (published.h) takes any.
 #pragma once
 
 #include "bench/published/published.h"

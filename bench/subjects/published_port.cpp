@@ -1,5 +1,6 @@
 // The published algorithm, ported word for word, and its optimised form (bench/published), in worlds with one polygon
-// in each cell. Its vertices are floats, in cells. They are made beforehand, and they are exact, because all are corners of cells.
+// in each cell. Its vertices are floats, in cells. They are made beforehand, and they are exact, because all are
+// corners of cells.
 #include "bench/published/published_arrays.h"
 #include "bench/published/published_lattice.h"
 #include "bench/subjects/libraries.h"

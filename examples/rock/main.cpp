@@ -1,5 +1,6 @@
 // A miner digs around a rock that sits in a cliff. As the last of the cliff goes that holds it, the rock falls, rolls
-// down the slope and comes to rest. There it is ground again, and is dug through. With a file as argument it draws that.
+// down the slope and comes to rest. There it is ground again, and is dug through. With a file as argument it draws
+// that.
 #include "physics.h"
 #include "picture.h"
 

@@ -52,8 +52,8 @@ struct Run {
   std::size_t content = 0;  ///< its number among the distinct ones
 };
 
-/// Says in its lowest bits what else stands in the head of a run: a run in the row of the last one, right beside it, has
-/// nothing more.
+/// Says in its lowest bits what else stands in the head of a run: a run in the row of the last one, right beside it,
+/// has nothing more.
 constexpr std::uint64_t kHasGap = 1, kIsInNewRow = 2;
 
 bool setCell(lgs::World& world, Cell cell, const Content& wanted) {

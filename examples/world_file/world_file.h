@@ -1,12 +1,12 @@
 // A world in a file, chunk by chunk: so that a game saves what changed, and loads what it comes near to.
 //
 //   auto file = world_file::WorldFile::open("cave.lgsw");       // made, if it is not there
-//   if (const auto done = file->save(world, hashes, cells); !done) …  // what differs from the file, all of it or nothing
-//   if (const auto done = file->load(world, cells); !done) …          // the ground of these chunks
+//   if (const auto done = file->save(world, hashes, cells); !done) …  // what differs from the file, all of it or
+//   nothing if (const auto done = file->load(world, cells); !done) …          // the ground of these chunks
 //
 // The container is SQLite: it writes a change as a whole whenever the program or the machine stops, other programs can
-// read the file, and it comes with Debian. A chunk is a row: its place, its hash (<lgs/hashes.h>), which is the checksum,
-// and its polygons and blocks. Handles are not in it: a loaded chunk has new ones. World::save() keeps them.
+// read the file, and it comes with Debian. A chunk is a row: its place, its hash (<lgs/hashes.h>), which is the
+// checksum, and its polygons and blocks. Handles are not in it: a loaded chunk has new ones. World::save() keeps them.
 #pragma once
 
 #include "examples/sync/ground.h"

@@ -1,5 +1,6 @@
-// What stays known of a chunk that is unloaded: the cells at its rim, which the chunks beside it need. Their segments end
-// on that rim, and so do the segments of the rim's cells that they are linked to. The cells further inside have no say.
+// What stays known of a chunk that is unloaded: the cells at its rim, which the chunks beside it need. Their segments
+// end on that rim, and so do the segments of the rim's cells that they are linked to. The cells further inside have no
+// say.
 #pragma once
 
 #include "ground/cell.h"

@@ -235,8 +235,8 @@ SpokeRange ContentBuilder::storeFan(Content& content, std::span<const Spoke> fan
   return range;
 }
 
-/// The profiles of the sides, and the fans at the vertices on them. The vertices of a side, and so the intervals between
-/// them, are in increasing order already.
+/// The profiles of the sides, and the fans at the vertices on them. The vertices of a side, and so the intervals
+/// between them, are in increasing order already.
 void ContentBuilder::takeSides(Content& content, bool linksCorners) {
   for (unsigned s = 0; s < kSides; ++s) {
     covered_[s].clear();

@@ -49,8 +49,8 @@ Error nameEntry(const Ground& ground, std::span<const Placement> placed, Error e
 
 }  // namespace
 
-/// The usual case of addMany(): each entry puts a shape of one polygon into a cell that has nothing. First all cells get
-/// their words, which can be put back, and then what can not fail. False, and nothing is done, in any other case.
+/// The usual case of addMany(): each entry puts a shape of one polygon into a cell that has nothing. First all cells
+/// get their words, which can be put back, and then what can not fail. False, and nothing is done, in any other case.
 bool Edit::addSoles(std::span<const Placement> placements, std::span<PolygonHandle> handles) {
   if (ground_.isNoting()) return false;
   std::vector<std::uint32_t> made;

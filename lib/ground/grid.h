@@ -198,8 +198,8 @@ class Grid {
   std::size_t count_ = 0;               ///< of numbers in use
   std::size_t unloaded_ = 0;
   HashIndex index_;
-  // Edits come in neighbourhoods, so the chunk of the last one is tried first. It has no cell out of range, so who finds
-  // a cell there need not ask.
+  // Edits come in neighbourhoods, so the chunk of the last one is tried first. It has no cell out of range, so who
+  // finds a cell there need not ask.
   Chunk* last_ = nullptr;
 };
 

@@ -1,7 +1,8 @@
 // What stands where: the cells of a world and the polygons in them. It knows no segment. Every edit, whatever its door,
 // ends in one primitive, set(): this cell holds these polygons from now on.
 //
-// The ground says which cells changed since the last commit. Views, such as the outline, are brought up to date by that.
+// The ground says which cells changed since the last commit. Views, such as the outline, are brought up to date by
+// that.
 #pragma once
 
 #include "ground/catalogue.h"
@@ -72,8 +73,9 @@ class Ground {
       noteNewChunk(*at.chunk);
     return at;
   }
-  /// Forgets the chunks that lie in a rectangle as a whole and hold nothing, and the unloaded ones that no loaded one is
-  /// beside. Returns their numbers. Nothing may be noted for marks, and nothing may have changed since the last commit.
+  /// Forgets the chunks that lie in a rectangle as a whole and hold nothing, and the unloaded ones that no loaded one
+  /// is beside. Returns their numbers. Nothing may be noted for marks, and nothing may have changed since the last
+  /// commit.
   std::vector<std::uint32_t> forget(const CellRect& cells);
 
   // --- Chunks that are not in memory (unloaded.cpp). Their cells hold what the loaded chunks beside them need.
@@ -84,7 +86,8 @@ class Ground {
   std::optional<Cell> firstUnloaded(const CellRect& cells) const;
   /// A loaded chunk leaves. The checksum is that of the bytes with which it can come back.
   void unload(std::uint32_t number, std::uint32_t checksum);
-  /// An unloaded chunk comes back. Its cells are for the caller to set(), with and without polygons; then settleAround().
+  /// An unloaded chunk comes back. Its cells are for the caller to set(), with and without polygons; then
+  /// settleAround().
   Chunk& load(std::uint32_t number);
   /// The same, and its cells hold nothing. No serial of before is given out again.
   void loadEmpty(std::uint32_t number);
@@ -109,8 +112,8 @@ class Ground {
     put(at, wordOf(shape.content, sole.serial), sole.block, static_cast<Facts>(shape.facts));
   }
 
-  /// The same in a chunk that has changed already and has room for the block, while nothing is noted. Such an edit needs
-  /// no call. False, and nothing is done, if it is not so.
+  /// The same in a chunk that has changed already and has room for the block, while nothing is noted. Such an edit
+  /// needs no call. False, and nothing is done, if it is not so.
   bool setSoleAgain(CellAt at, const InternedShape& shape, Placed sole) {
     if (isNoting() || at.chunk->dirtyRows == 0 || !at.chunk->hasRoomFor(sole.block)) return false;
     at.word() = wordOf(shape.content, sole.serial);

@@ -17,8 +17,8 @@ void save(const Ground& ground, const Chunk& chunk, SnapshotWriter& out);
 /// Fills a ground that is new. No byte is believed. All cells with polygons have changed then.
 void load(Ground& ground, SnapshotReader& in, bool hasFreeNumbers);
 
-/// The chunk that was saved comes back, unless reading fails: then nothing has changed. `checksum` is that of the bytes:
-/// of a chunk that is unloaded they must be the last ones. Returns its lower-left cell.
+/// The chunk that was saved comes back, unless reading fails: then nothing has changed. `checksum` is that of the
+/// bytes: of a chunk that is unloaded they must be the last ones. Returns its lower-left cell.
 Cell loadChunk(Ground& ground, SnapshotReader& in, std::uint32_t checksum);
 
 }  // namespace lgs::detail

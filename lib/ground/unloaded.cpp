@@ -1,7 +1,7 @@
-// Chunks that leave memory, and come back. Of an unloaded chunk the border stays known (border.h). While a loaded chunk is
-// beside it, its cells at the rim hold what they held, so that a commit can show and link them as ever: what is loaded
-// gets the segments and ghosts that it has in the whole world (law 14). Otherwise its cells hold nothing, and it need not
-// be a Chunk.
+// Chunks that leave memory, and come back. Of an unloaded chunk the border stays known (border.h). While a loaded chunk
+// is beside it, its cells at the rim hold what they held, so that a commit can show and link them as ever: what is
+// loaded gets the segments and ghosts that it has in the whole world (law 14). Otherwise its cells hold nothing, and it
+// need not be a Chunk.
 //
 // Cells are emptied and filled by put(), as edits do it. So marks go back across it.
 #include "geometry/sort.h"

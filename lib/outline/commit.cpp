@@ -33,8 +33,8 @@ void Outline::update(const Ground& ground, const Executor& executor) {
   finish();
 }
 
-/// Chunks that were unloaded, or loaded again: their segments go, and those that show now are new ones. So no id names a
-/// hidden segment and then one that is not, or the other way around.
+/// Chunks that were unloaded, or loaded again: their segments go, and those that show now are new ones. So no id names
+/// a hidden segment and then one that is not, or the other way around.
 void Outline::turn(const Ground& ground) {
   for (const Chunk* chunk : ground.changedChunks()) {
     if (chunk->isUnloaded == isHidden(chunk->index)) continue;

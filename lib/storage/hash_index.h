@@ -1,6 +1,7 @@
 // An index from 64-bit hashes to the numbers of things that are stored elsewhere: polygons, contents, chunks. It uses
-// open addressing with linear probing. The number of places is a power of two; at most half of them are taken, and at least an eighth.
-// Edits look things up all the time. Here that touches one cache line, while std::unordered_map follows pointers.
+// open addressing with linear probing. The number of places is a power of two; at most half of them are taken, and at
+// least an eighth. Edits look things up all the time. Here that touches one cache line, while std::unordered_map
+// follows pointers.
 //
 // Nobody can go through an index, so no order that is given out depends on where things are in it. That is why each
 // index may have a seed of its own: hashes begin with it. Otherwise a stranger could choose chunks or polygons that all

@@ -40,8 +40,8 @@ struct CheckOptions {
   /// lists are always checked for the whole world.
   std::size_t wholeEvery = 1;
 
-  /// Follow this library's engine with views of loops, islands and pieces, and hold these against a full recompute after every
-  /// commit. It takes a time in proportion to the square of the polygons.
+  /// Follow this library's engine with views of loops, islands and pieces, and hold these against a full recompute
+  /// after every commit. It takes a time in proportion to the square of the polygons.
   bool views = false;
 
   /// Compare with CGAL after the last commit only: it costs more than all the rest together.

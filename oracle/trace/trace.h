@@ -7,14 +7,15 @@
 //   remove <name>
 //   commit
 //
-// A trace whose first line is `lgs-trace 2` may also hold edits by brushes (<lgs/brush.h>), in coordinates of the world:
+// A trace whose first line is `lgs-trace 2` may also hold edits by brushes (<lgs/brush.h>), in coordinates of the
+// world:
 //
 //   paint <block> <fill|replace> <x> <y> <x> <y> … [| <x> <y> …]    x y: in cells; | begins the next ring
 //   carve <x> <y> <x> <y> … [| <x> <y> …]
 //
 // Inside is where the rings run around an odd number of times: so they may run either way around and cross, and a ring
-// within a ring is a hole. A polygon that a brush changes in any way loses its name. What the brush puts there has names
-// that no trace can use.
+// within a ring is a hole. A polygon that a brush changes in any way loses its name. What the brush puts there has
+// names that no trace can use.
 //
 // Words are parted by spaces, tabs and commas; a line may end in CR LF. A name is any word, and is unique while its
 // polygon is alive. A coordinate is a decimal (0.25, -1e-3) or a fraction of two integers (1/3), of up to a thousand

@@ -1,5 +1,5 @@
-// Doors of what follows a world: loops, islands and their bodies, pieces, falling ground. They have a world of their own,
-// since it must have no mark when they begin; names are those of the scene.
+// Doors of what follows a world: loops, islands and their bodies, pieces, falling ground. They have a world of their
+// own, since it must have no mark when they begin; names are those of the scene.
 #include "door.h"
 
 #include <lgs/falling.h>

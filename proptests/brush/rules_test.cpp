@@ -157,7 +157,8 @@ TEST(BrushRules, APolygonKeepsItsHandleWhereAnotherIsCutBesideIt) {
   EXPECT_TRUE(world.polygon(floor).has_value());
 }
 
-// --- What a region just misses. Each time a vertex of the region lies in a pixel that an edge passes -------------------
+// --- What a region just misses. Each time a vertex of the region lies in a pixel that an edge passes
+//  -------------------
 
 TEST(BrushRules, ASpikeReachesNothing) {
   World world;

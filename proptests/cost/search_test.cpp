@@ -1,6 +1,6 @@
-// Cost under attack, found by a search: from any input one climbs to one that costs more for its size, by small changes,
-// as far as that goes. What is counted is basic blocks, not time. A bound holds for all that the search tries: it is two
-// to three times what the search finds as it stands.
+// Cost under attack, found by a search: from any input one climbs to one that costs more for its size, by small
+// changes, as far as that goes. What is counted is basic blocks, not time. A bound holds for all that the search tries:
+// it is two to three times what the search finds as it stands.
 #include "oracle/calls/caller.h"
 #include "oracle/calls/draw.h"
 #include "proptests/support/scale.h"

@@ -1,5 +1,5 @@
-// What no law of calls can see (laws/doors_test.cpp): where a cell is looked for, what outlives what, values that answers
-// are made of.
+// What no law of calls can see (laws/doors_test.cpp): where a cell is looked for, what outlives what, values that
+// answers are made of.
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>

@@ -103,7 +103,8 @@ TEST(Memory, OfAHundredThousandEmptyChunksIsGivenBack) {
   expectHonestStats(m);
 }
 
-/// A window over a world without end: 8 columns of chunks that hold some polygons each, one of which goes and one comes.
+/// A window over a world without end: 8 columns of chunks that hold some polygons each, one of which goes and one
+/// comes.
 class Window {
  public:
   Window() : square_(shapeOf(world, {unitSquare()})) {

@@ -67,7 +67,8 @@ struct rc::Arbitrary<lgs::test::AnyEdges> {
 namespace lgs::test {
 namespace {
 
-// --- Each link by itself ----------------------------------------------------------------------------------------------
+// --- Each link by itself
+//  ----------------------------------------------------------------------------------------------
 
 /// The edge that law 2 says, of those that coincide the one with the greatest or the least index.
 std::uint32_t linkByLaw(const AnyEdges& any, std::uint32_t edge, bool isPredecessor) {
@@ -123,7 +124,8 @@ LGS_LAW(RadialMatch, LoopsAreTheCyclesOfMutualLinks, 4'000, (const AnyEdges& any
   }
 }
 
-// --- Against the boundaries of unions ---------------------------------------------------------------------------------
+// --- Against the boundaries of unions
+//  ---------------------------------------------------------------------------------
 
 /// An outline's segments as edges, in any order.
 AnyEdges edgesOf(const oracle::Outline& outline, Chance chance) {
@@ -158,7 +160,8 @@ LGS_LAW(RadialMatch, GivesTheFreeFacesOfAnyUnion, 400, (const PlainTrace& trace,
   EXPECT_EQ(oracle::canonical(std::move(loops)), oracle::canonical(united->loops));
 }
 
-// --- What is refused, and the ends of the range -----------------------------------------------------------------------
+// --- What is refused, and the ends of the range
+//  -----------------------------------------------------------------------
 
 TEST(RadialMatchOfEdges, RefusesWhatHasNoDirectionOrIsTooLong) {
   const Point points[] = {{0, 0},

@@ -1,4 +1,5 @@
-// The part of the C interface: the calls of lgs/lgs.h, and hashes of the ground, with polygons as elsewhere (oracle/calls).
+// The part of the C interface: the calls of lgs/lgs.h, and hashes of the ground, with polygons as elsewhere
+// (oracle/calls).
 #include "parts.h"
 
 #include "oracle/calls/draw.h"

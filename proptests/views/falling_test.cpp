@@ -123,8 +123,8 @@ Extent extentOf(const World& world) {
   return out;
 }
 
-// Turns by a quarter and whole cells need no rounding: nothing is gained and nothing lost. (Ground that is thinner than a
-// lattice unit may go, as by any brush.)
+// Turns by a quarter and whole cells need no rounding: nothing is gained and nothing lost. (Ground that is thinner than
+// a lattice unit may go, as by any brush.)
 TEST(FallingByHand, AQuarterTurnKeepsTheAreaOfEachBlock) {
   constexpr int kSines[] = {0, 1, 0, -1};
   constexpr std::int32_t U = kUnitsPerCell;

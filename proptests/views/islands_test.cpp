@@ -1,4 +1,5 @@
-// The view of islands equals a union-find over all polygons, after each commit and roll-back, and says what was cut off.
+// The view of islands equals a union-find over all polygons, after each commit and roll-back, and says what was cut
+// off.
 #include "oracle/views/island_check.h"
 #include "proptests/laws/calls.h"
 #include "proptests/support/law.h"

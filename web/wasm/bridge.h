@@ -86,8 +86,8 @@ struct Follower {
   std::uint64_t moment;  ///< Bridge::moment that it shows
   bool hasNews = false;  ///< whether what it tells is of the last update
 
-  /// Takes over what the last commit or roll-back did, by `update`, which may find that it can not. 0: done. 1: a commit
-  /// was left out. 2: there are edits that are not committed.
+  /// Takes over what the last commit or roll-back did, by `update`, which may find that it can not. 0: done. 1: a
+  /// commit was left out. 2: there are edits that are not committed.
   template <class Update>
   std::int32_t follow(const Bridge& bridge, const Update& update) {
     if (bridge.isEdited) return 2;

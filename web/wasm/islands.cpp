@@ -149,8 +149,8 @@ LGS_EXPORT("islandOf") std::uint32_t islandOf(const Followed* followed, const Br
   return followed->islands.of(bridge->world, toHandle(polygon)).value;
 }
 
-/// A body, or its parts: the number of its numbers, i, j of the origin, area, centroid, second moment, and the polygons,
-/// as inputBody() reads them.
+/// A body, or its parts: the number of its numbers, i, j of the origin, area, centroid, second moment, and the
+/// polygons, as inputBody() reads them.
 LGS_EXPORT("takeIsland")
 std::size_t takeIsland(const Followed* followed, Bridge* bridge, std::uint32_t id, std::int32_t isApart) {
   std::vector<Body> bodies;
@@ -169,8 +169,8 @@ std::size_t takeIsland(const Followed* followed, Bridge* bridge, std::uint32_t i
   return answer().size();
 }
 
-/// What the edits that wait would do: commits them beside the bridge, so that nobody else hears of it. Returns 0 if there
-/// was a commit before.
+/// What the edits that wait would do: commits them beside the bridge, so that nobody else hears of it. Returns 0 if
+/// there was a commit before.
 LGS_EXPORT("tryEdits") std::int32_t tryEdits(Followed* followed, Bridge* bridge) {
   if (followed->moment != bridge->moment) return 0;
   followed->hasNews = followed->islands.update(bridge->world, bridge->world.commit());

@@ -131,8 +131,8 @@ LGS_EXPORT("moveTerrain") void moveTerrain(Terrain* terrain, Bridge* to) {
 }
 
 /// The first half of a sync: what is different from the edges. 0: nothing that matters; 1: what the last commit or
-/// roll-back did; 2: whatever was done, to bodies too. Returns 1 if bodies must be looked at, and around them a box: x0,
-/// y0, x1, y1 in cells.
+/// roll-back did; 2: whatever was done, to bodies too. Returns 1 if bodies must be looked at, and around them a box:
+/// x0, y0, x1, y1 in cells.
 LGS_EXPORT("beginSync") std::int32_t beginSync(Terrain* terrain, std::int32_t what) {
   auto& ground = terrain->ground;
   if (what == 1)

@@ -291,9 +291,9 @@ class World {
   // --- Leaving places -----------------------------------------------------------------------------------------------
 
   /// Lets go of a place that the game has left. Each chunk of 32×32 cells that lies in the rectangle as a whole and
-  /// holds no polygon gives its memory back; and so does each unloaded one that had no loaded chunk around it at the last
-  /// commit. Other chunks, and those that lie in the rectangle in part, stay as they are. Returns how many chunks went.
-  /// An empty rectangle is no error.
+  /// holds no polygon gives its memory back; and so does each unloaded one that had no loaded chunk around it at the
+  /// last commit. Other chunks, and those that lie in the rectangle in part, stay as they are. Returns how many chunks
+  /// went. An empty rectangle is no error.
   ///
   /// All handles that were ever given out for cells of these chunks are *void*: drop them. They name nothing, until
   /// they are given out again, maybe for another place: what comes next is as if no edit had ever been there. Segments
@@ -313,32 +313,34 @@ class World {
   // Chunks leave memory with unload(), and come back with reload() or reloadEmpty(). These are edits: the next commit
   // reports which segments went, came and were relinked, and marks go back across them.
   //
-  // Law 14, unloaded is not gone: what is loaded shows the segments and ghosts that it has in the whole world. So no wall
-  // appears where the loaded world ends. For that the cells at the rim of an unloaded chunk stay known. They take 12 bytes
-  // for each row of equal ones among these 124, and some 60 more.
+  // Law 14, unloaded is not gone: what is loaded shows the segments and ghosts that it has in the whole world. So no
+  // wall appears where the loaded world ends. For that the cells at the rim of an unloaded chunk stay known. They take
+  // 12 bytes for each row of equal ones among these 124, and some 60 more.
   //
-  // In an unloaded chunk every edit is refused (ErrorCode::unloaded); so are handles of its polygons, and they are valid
-  // again when it is back from its bytes. Questions that would have to look there say so. Whatever lists or counts
-  // polygons or segments leaves it out. A segment may have a predecessor or a successor in it: the ghost is as ever, and
-  // to ask for that segment is refused as unloaded. A place where no chunk ever was is empty. To have it count as solid,
-  // fill it and unload it.
+  // In an unloaded chunk every edit is refused (ErrorCode::unloaded); so are handles of its polygons, and they are
+  // valid again when it is back from its bytes. Questions that would have to look there say so. Whatever lists or
+  // counts polygons or segments leaves it out. A segment may have a predecessor or a successor in it: the ghost is as
+  // ever, and to ask for that segment is refused as unloaded. A place where no chunk ever was is empty. To have it
+  // count as solid, fill it and unload it.
 
-  /// Chunks of 32×32 cells leave memory: those that are loaded and lie in the rectangle as a whole, by rows. `sink` gets
-  /// the bytes of each: its polygons, blocks and handles, as they are after all edits, committed or not. Returns how many
-  /// chunks these are. While there are marks, what is needed to go back stays in memory. Refused: cellOutOfRange, with a
-  /// corner of the rectangle that is out of range. Cost: in proportion to the cells of these chunks.
+  /// Chunks of 32×32 cells leave memory: those that are loaded and lie in the rectangle as a whole, by rows. `sink`
+  /// gets the bytes of each: its polygons, blocks and handles, as they are after all edits, committed or not. Returns
+  /// how many chunks these are. While there are marks, what is needed to go back stays in memory. Refused:
+  /// cellOutOfRange, with a corner of the rectangle that is out of range. Cost: in proportion to the cells of these
+  /// chunks.
   [[nodiscard]] Expected<std::uint64_t> unload(const CellRect& cells, const ChunkSink& sink) noexcept;
 
-  /// A chunk comes back as it was, to the last handle. Returns its lower-left cell. `chunk` is what unload() gave last for
-  /// this chunk; where there is no chunk, as after forget(), it may be what any world gave that has the same preserve
-  /// relation, and the handles are new. Bytes that are cut, damaged or made up are refused, as by load(). Cost: in
-  /// proportion to the cells of the chunk, and quadratic in the vertices of each content of a cell that is new.
+  /// A chunk comes back as it was, to the last handle. Returns its lower-left cell. `chunk` is what unload() gave last
+  /// for this chunk; where there is no chunk, as after forget(), it may be what any world gave that has the same
+  /// preserve relation, and the handles are new. Bytes that are cut, damaged or made up are refused, as by load().
+  /// Cost: in proportion to the cells of the chunk, and quadratic in the vertices of each content of a cell that is
+  /// new.
   [[nodiscard]] tl::expected<Cell, SnapshotError> reload(std::span<const std::byte> chunk) noexcept;
 
-  /// The unloaded chunks that lie in a rectangle as a whole come back, and are empty: for a game that makes their ground
-  /// anew, with edits, before the next commit. Handles from before name nothing, and are never given out again. Returns
-  /// how many chunks these are. Refused: cellOutOfRange, with a corner of the rectangle that is out of range. Cost: in
-  /// proportion to the cells of these chunks.
+  /// The unloaded chunks that lie in a rectangle as a whole come back, and are empty: for a game that makes their
+  /// ground anew, with edits, before the next commit. Handles from before name nothing, and are never given out again.
+  /// Returns how many chunks these are. Refused: cellOutOfRange, with a corner of the rectangle that is out of range.
+  /// Cost: in proportion to the cells of these chunks.
   [[nodiscard]] Expected<std::uint64_t> reloadEmpty(const CellRect& cells) noexcept;
 
   /// The first cell of a rectangle that is unloaded, by rows from `min`; nothing if none is. Cost: in proportion to the
@@ -368,8 +370,8 @@ class World {
   // --- Saving -------------------------------------------------------------------------------------------------------
 
   /// Writes the world as bytes: polygons, handles, shapes and segment ids. Marks are not written, nor is the preserve
-  /// relation, which is a function. Refused: uncommitted; unloaded, with the first such cell. Cost: in proportion to the world. Full blocks take less than
-  /// a byte for each cell, ramps some four.
+  /// relation, which is a function. Refused: uncommitted; unloaded, with the first such cell. Cost: in proportion to
+  /// the world. Full blocks take less than a byte for each cell, ramps some four.
   [[nodiscard]] Expected<void> save(const ByteSink& sink) const noexcept;
 
   /// The world that was saved. It goes on exactly: the same edits give the same ids and lists as if it had never been

@@ -66,8 +66,8 @@ void LoopView::begin() {
   gone_.clear();
 }
 
-/// First come the links of what is removed. Of a link that is gone between two segments that stay, both are relinked, as
-/// each has another ghost: no two segments of now have the same ends. So it is enough to look at what follows.
+/// First come the links of what is removed. Of a link that is gone between two segments that stay, both are relinked,
+/// as each has another ghost: no two segments of now have the same ends. So it is enough to look at what follows.
 void LoopView::cutAll(std::span<const SegmentId> removed, std::span<const Segment> relinked) {
   for (const SegmentId id : removed) {
     cutBefore(id.value);

@@ -17,8 +17,8 @@ class LoopView {
  public:
   /// Walks all segments of an outline.
   void load(const World& outline);
-  /// Takes over the lists of its last commit or roll-back. False, and nothing has changed, where they name segments that
-  /// neither were there nor are there now, or leave out some that others are linked with: somebody made them up.
+  /// Takes over the lists of its last commit or roll-back. False, and nothing has changed, where they name segments
+  /// that neither were there nor are there now, or leave out some that others are linked with: somebody made them up.
   bool update(const World& outline, const Changes& lists);
 
   const LoopChanges& changes() const { return changes_; }

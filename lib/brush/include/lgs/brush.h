@@ -12,8 +12,8 @@
 //      lies within one lattice unit of an edge of that exact result.
 //   9. What is not reached stays. A polygon whose interior and outline the region does not meet keeps its handle and
 //      its vertices. Rounding breaks this now and then, by less than a unit; BrushResult::bent then names the polygon.
-//  10. No seams. Blocks that shared an edge share it afterwards, cut or not, inside cells and across them. Ground of one
-//      block that was carved is whole again when the same region is painted.
+//  10. No seams. Blocks that shared an edge share it afterwards, cut or not, inside cells and across them. Ground of
+//      one block that was carved is whole again when the same region is painted.
 //  11. Total. Any finite region in range works, or is refused as a whole.
 //
 // Units: a Point is in lattice units of the world, 65,536 to a cell. Lengths are in lattice units too.
@@ -68,8 +68,8 @@ struct Region {
 [[nodiscard]] Expected<std::vector<Cell>> cellsOf(const Region& region) noexcept;
 
 /// A region but for another one: paint(world, *without(region, except), …) leaves `except` as it is. The vertices are
-/// those of both and where their edges cross, rounded to the lattice; so are the edges where they run from cell to cell.
-/// Every point in which it differs from the exact difference lies within two lattice units of an edge of either.
+/// those of both and where their edges cross, rounded to the lattice; so are the edges where they run from cell to
+/// cell. Every point in which it differs from the exact difference lies within two lattice units of an edge of either.
 /// Refused: as by painting the one and then carving the other in an empty world; Error::polygon counts the rings of
 /// `region`, and then those of `except`. Cost: as of these, and memory for the cells that are inside the region.
 [[nodiscard]] Expected<Region> without(const Region& region, const Region& except) noexcept;
@@ -122,8 +122,8 @@ struct BrushResult {
 /// Cells that are inside the region as a whole cost what add() and setBlock() cost. Refused, and nothing is changed:
 /// outOfReach, if a vertex lies in no cell or was no number (Error::polygon is the ring, Error::vertex the vertex), or
 /// if the region is more than kMaxRegionCells wide or high, or was made with a length out of range; capacity, if a cell
-/// would hold too much (see world.h), or the region is too much for it (see kMaxRegionEdgesPerCell); unloaded, if it has
-/// a part of an unloaded cell. A region without area changes nothing.
+/// would hold too much (see world.h), or the region is too much for it (see kMaxRegionEdgesPerCell); unloaded, if it
+/// has a part of an unloaded cell. A region without area changes nothing.
 ///
 /// `staying` is asked once for each block. What it names is painted around, as by PaintMode::fill: its edges are cut
 /// where the region's edge meets them, and the corner there is rounded (law 8), so now and then such a polygon gets

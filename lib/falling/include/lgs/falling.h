@@ -25,13 +25,13 @@ struct ConvexPart {
 
 /// Convex parts of a body: by block, then by squares of 32×32 cells. The parts of a block make up its polygons exactly,
 /// with no common interior, on vertices that are there already; a part has at most `maxVertices` of them (3 to
-/// kMaxVerticesPerCell, asserted). Cells that one block fills as a whole are merged to rectangles, inside those squares.
-/// All other parts are what `Pieces` makes of a cell. Refused: as by put(), for a body that fits nowhere; index is of
-/// the polygon. Cost: as of Pieces, for each block; and the squares that have a part of it.
+/// kMaxVerticesPerCell, asserted). Cells that one block fills as a whole are merged to rectangles, inside those
+/// squares. All other parts are what `Pieces` makes of a cell. Refused: as by put(), for a body that fits nowhere;
+/// index is of the polygon. Cost: as of Pieces, for each block; and the squares that have a part of it.
 [[nodiscard]] Expected<std::vector<ConvexPart>> convexParts(const Body& body, std::size_t maxVertices = 8) noexcept;
 
-/// How a body lies: turned about its origin, then moved. The angle is given by its cosine and sine, of which the squares
-/// have the sum 1.
+/// How a body lies: turned about its origin, then moved. The angle is given by its cosine and sine, of which the
+/// squares have the sum 1.
 struct Placing {
   DoublePoint origin{};  ///< where the body's origin lies now: in cells of the world
   double cosine = 1;     ///< of the angle
@@ -39,10 +39,10 @@ struct Placing {
 };
 
 /// Sets a body into the ground as it lies. Its vertices are rounded to the lattice, its polygons are cut along the
-/// cells, and what is solid already stays as it is: what the body has beyond that is painted with its blocks, by a brush
-/// (law 8 with one more unit of rounding). Edges that two blocks of the body share stay shared. All of it is one edit,
-/// or nothing. Refused: as by paint(); or as by put(), for a body that fits nowhere. Cost: as of paint(), for each block
-/// and once more.
+/// cells, and what is solid already stays as it is: what the body has beyond that is painted with its blocks, by a
+/// brush (law 8 with one more unit of rounding). Edges that two blocks of the body share stay shared. All of it is one
+/// edit, or nothing. Refused: as by paint(); or as by put(), for a body that fits nowhere. Cost: as of paint(), for
+/// each block and once more.
 [[nodiscard]] Expected<void> putAsItLies(World& world, const Body& body, const Placing& placing) noexcept;
 
 }  // namespace lgs

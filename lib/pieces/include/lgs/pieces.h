@@ -1,5 +1,5 @@
-// Convex pieces of what is solid and of what is free, cell by cell, kept up to date at the cost of the edit: for bodies,
-// for navigation, for whatever needs convex polygons.
+// Convex pieces of what is solid and of what is free, cell by cell, kept up to date at the cost of the edit: for
+// bodies, for navigation, for whatever needs convex polygons.
 //
 //   if (const auto done = world.followCells(true); !done) return refused(done.error());
 //   lgs::Pieces pieces(world);                                 // reads all polygons once
@@ -115,10 +115,10 @@ class Pieces {
   /// O(1).
   std::span<const Piece> freePieces(Cell cell) const noexcept;
 
-  /// The ways out of a free piece: inside the cell, in the order of their right ends, then across the south, east, north
-  /// and west side, each from its lower coordinates on. A piece that is not there has none. Portals are symmetric: the
-  /// other piece has the same one, with left and right exchanged. Cost: in proportion to the portals of the piece, and
-  /// to the free pieces on the sides that it touches, here and in the neighbour.
+  /// The ways out of a free piece: inside the cell, in the order of their right ends, then across the south, east,
+  /// north and west side, each from its lower coordinates on. A piece that is not there has none. Portals are
+  /// symmetric: the other piece has the same one, with left and right exchanged. Cost: in proportion to the portals of
+  /// the piece, and to the free pieces on the sides that it touches, here and in the neighbour.
   std::vector<Portal> portals(PieceId piece) const noexcept;
   void portals(PieceId piece, std::vector<Portal>& out) const noexcept;  ///< the same, replacing the content of `out`
 

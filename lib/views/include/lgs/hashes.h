@@ -1,5 +1,5 @@
-// Hashes of the ground, kept up to date at the cost of the edit: whether two worlds hold the same, and where they differ.
-// So two ends of a line find out with a few numbers what one of them missed (docs/sync.md).
+// Hashes of the ground, kept up to date at the cost of the edit: whether two worlds hold the same, and where they
+// differ. So two ends of a line find out with a few numbers what one of them missed (docs/sync.md).
 //
 //   if (const auto done = world.followCells(true); !done) return refused(done.error());
 //   lgs::GroundHashes hashes(world);       // reads all polygons once
@@ -10,15 +10,15 @@
 // What a hash is:
 //
 //  1. A polygon has one of 64 bits, of its cell, its block and its vertices, read from the least one on (by x, then by
-//     y). Start with h = 0 and take over one word after the other, h = mix(h xor word): i · 2^32 + j of the cell, each in
-//     32 bits of two's complement; block · 2^32 + number of vertices; then for each vertex x · 2^32 + y. `mix` is
+//     y). Start with h = 0 and take over one word after the other, h = mix(h xor word): i · 2^32 + j of the cell, each
+//     in 32 bits of two's complement; block · 2^32 + number of vertices; then for each vertex x · 2^32 + y. `mix` is
 //     fmix64, the finaliser of MurmurHash3 (Appleby, in the public domain).
 //  2. Some ground has the sum of the hashes of its polygons, modulo 2^64. Where there is none it is 0.
 //
 // So it follows from the polygons and blocks alone: not from handles, nor from what was edited before, nor from the
-// machine or the version of this library. It never changes what samePolygons() says: equal ground has equal hashes. Ground
-// that differs by chance has equal hashes once in 2^64. Whoever wants to can make up such ground: these hashes find
-// faults, and keep no liar out.
+// machine or the version of this library. It never changes what samePolygons() says: equal ground has equal hashes.
+// Ground that differs by chance has equal hashes once in 2^64. Whoever wants to can make up such ground: these hashes
+// find faults, and keep no liar out.
 //
 // Ground is divided into squares. One of level 0 is a chunk of 32×32 cells; one of level k + 1 are 4×4 of level k. The
 // only one of level kTopLevel is the world. The square of level k with the origin reaches (4^k − 1) / 3 chunks to the

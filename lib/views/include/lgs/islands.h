@@ -9,12 +9,12 @@
 //   for (const lgs::IslandId id : islands.loose()) fall(lgs::take(world, islands, id));
 //
 // Solids that share at least a point are one island (law 3): two blocks that touch with a corner hang together. So an
-// island has exactly one outer loop, and a cut shows as one loop that became two, before anybody has looked at a cell of
-// the part. An island that lies in a hole of another one is an island by itself.
+// island has exactly one outer loop, and a cut shows as one loop that became two, before anybody has looked at a cell
+// of the part. An island that lies in a hole of another one is an island by itself.
 //
 // The view follows loops (loops.h) and has one inside: loops(). What is said there of preserve relations, copies,
-// threads and memory holds here. It is not made for worlds with unloaded chunks (World::unload()): unload none while you
-// follow islands.
+// threads and memory holds here. It is not made for worlds with unloaded chunks (World::unload()): unload none while
+// you follow islands.
 #pragma once
 
 #include <lgs/body.h>
@@ -109,8 +109,8 @@ class Islands {
   /// All islands, by id.
   std::vector<IslandId> all() const noexcept;
 
-  /// The islands of now that the last update names and that nothing holds, by id: both sides of a cut are looked at, and
-  /// who lost an anchor. They may fall. After construction none. Cost: that of island() for each that is named.
+  /// The islands of now that the last update names and that nothing holds, by id: both sides of a cut are looked at,
+  /// and who lost an anchor. They may fall. After construction none. Cost: that of island() for each that is named.
   std::vector<IslandId> loose() const noexcept;
 
   /// The loops that are followed.
@@ -141,9 +141,10 @@ struct Foreseen {
   std::vector<IslandFacts> after;  ///< the islands that `changes` names and that there would be then
 };
 
-/// What an edit would do to the islands: makes it, commits, and goes back. The world and the view are as before, but for
-/// the ids of loops and islands (see LoopId); ids in the result name nothing. An edit that is refused, so that it
-/// returns false, would do nothing; nor would an empty function. No edit may be pending. Cost: that of the edit, of two updates and of going back.
+/// What an edit would do to the islands: makes it, commits, and goes back. The world and the view are as before, but
+/// for the ids of loops and islands (see LoopId); ids in the result name nothing. An edit that is refused, so that it
+/// returns false, would do nothing; nor would an empty function. No edit may be pending. Cost: that of the edit, of two
+/// updates and of going back.
 [[nodiscard]] Foreseen foresee(World& world, Islands& islands, const std::function<bool(World&)>& edit) noexcept;
 
 }  // namespace lgs

@@ -32,8 +32,8 @@
 
 namespace lgs {
 
-/// One loop. Ids are small dense integers. An id stays with its loop until an update says that the loop is no more; from
-/// the next update on it may name another one. Ids are names of the moment: law 12 does not hold for them. After a
+/// One loop. Ids are small dense integers. An id stays with its loop until an update says that the loop is no more;
+/// from the next update on it may name another one. Ids are names of the moment: law 12 does not hold for them. After a
 /// roll-back the same loop may have another id, and so may the loops of a view that began at another time. Views that
 /// begin and go on alike have the same ids everywhere. Zero is null.
 struct LoopId {
@@ -95,8 +95,8 @@ class Loops {
 
   /// Takes over what the world's last commit or roll-back changed: World::commit() or World::changesOfRollBack(). If
   /// these do not lead from the version() that the view shows, or are lists that somebody made up, it stays as it is,
-  /// and the result is false: then begin again with another view. Cost: O(k log n) expected, for k segments in the three lists and loops of n segments.
-  /// Allocates nothing once world and view have reached their size.
+  /// and the result is false: then begin again with another view. Cost: O(k log n) expected, for k segments in the
+  /// three lists and loops of n segments. Allocates nothing once world and view have reached their size.
   [[nodiscard]] bool update(const World& world, const Changes& changes) noexcept;
 
   /// Of the last update. Empty after construction.
