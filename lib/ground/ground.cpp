@@ -1,6 +1,7 @@
 #include "ground/ground.h"
 
 #include "geometry/sort.h"
+#include "storage/held_bytes.h"
 
 #include <algorithm>
 #include <bit>
@@ -295,9 +296,8 @@ void Ground::forgetNotes(std::uint64_t end) {
 }
 
 std::uint64_t Ground::bytes() const {
-  const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
   return grid.bytes() + catalogue.bytes() + lists_.bytes() + notedLists_.bytes() + cellChanges_.bytes() +
-         of(changed_, notes_, undoneNotes_, unsettled_, sleepy_);
+         heldBytes(changed_, notes_, undoneNotes_, unsettled_, sleepy_);
 }
 
 }  // namespace lgs::detail

@@ -19,7 +19,7 @@ void Outline::update(const Ground& ground, const Executor& executor) {
   begin();
   isFiltered_ = ground.grid.unloadedCount() != 0 || hasHidden();
   if (isFiltered_) [[unlikely]]
-    turn(ground);
+    dropTurned(ground);
   if (executor && segments.isEmpty() && ground.grid.unloadedCount() == 0) {
     build(ground, *this, executor);
   } else {
@@ -35,11 +35,11 @@ void Outline::update(const Ground& ground, const Executor& executor) {
 
 /// Chunks that were unloaded, or loaded again: their segments go, and those that show now are new ones. So no id names
 /// a hidden segment and then one that is not, or the other way around.
-void Outline::turn(const Ground& ground) {
+void Outline::dropTurned(const Ground& ground) {
   for (const Chunk* chunk : ground.changedChunks()) {
     if (chunk->isUnloaded == isHidden(chunk->index)) continue;
     clear(*chunk);
-    turn(chunk->index);
+    toggleHidden(chunk->index);
     hidden_[chunk->index] ^= kWasHidden;  // until the update ends
     turned_.push_back(chunk->index);
   }
@@ -49,7 +49,7 @@ void Outline::turn(const Ground& ground) {
 void Outline::clear(const Chunk& chunk) {
   for (std::uint32_t row = 0; row < kChunkSize; ++row) {
     for (RowMask left = lists.liveRow(chunk, row); left != 0; left &= left - 1) {
-      const CellAt at{chunk.around[4], row * kChunkSize + static_cast<std::uint32_t>(std::countr_zero(left))};
+      const CellAt at{chunk.self(), row * kChunkSize + static_cast<std::uint32_t>(std::countr_zero(left))};
       const std::span<const std::uint32_t> ids = lists.of(at).all();
       for (const std::uint32_t id : ids) remove(id);
       splice(at, 0, static_cast<std::uint32_t>(ids.size()), 0);

@@ -1,6 +1,7 @@
 #include "outline/outline.h"
 
 #include "geometry/sort.h"
+#include "storage/held_bytes.h"
 
 #include <algorithm>
 #include <optional>
@@ -46,21 +47,6 @@ void addTo(std::vector<std::uint32_t>& all, const Changes& changes) {
 
 }  // namespace
 
-Outline::Outline(const Outline& other)
-    : segments(other.segments),
-      lists(other.lists),
-      changes_(other.changes_),
-      shown_(other.shown_),
-      isFiltered_(other.isFiltered_),
-      hidden_(other.hidden_),
-      hiddenChunks_(other.hiddenChunks_),
-      versions_(other.versions_),
-      version_(other.version_),
-      notes_(other.notes_),
-      forgotten_(other.forgotten_),
-      undone_(other.undone_),
-      isNoting_(other.isNoting_) {}
-
 std::span<const SegmentId> Outline::createIds(std::size_t count) {
   changes_.added.reserve(count);
   for (; count != 0; --count) changes_.added.push_back({segments.take()});
@@ -84,13 +70,13 @@ std::uint64_t Outline::liveCount(const Grid& grid) const {
 
 void Outline::forget(std::uint32_t chunk) {
   lists.forget(chunk);
-  if (isHidden(chunk)) turn(chunk);
+  if (isHidden(chunk)) toggleHidden(chunk);
   while (!hidden_.empty() && hidden_.back() == 0) hidden_.pop_back();
   giveBackSpare(hidden_);
 }
 
 /// A chunk was loaded and is unloaded now, or the other way around.
-void Outline::turn(std::uint32_t chunk) {
+void Outline::toggleHidden(std::uint32_t chunk) {
   if (hidden_.size() <= chunk) hidden_.resize(std::size_t{chunk} + 1);
   hidden_[chunk] ^= kHidden | kWasHidden;
   isHidden(chunk) ? ++hiddenChunks_ : --hiddenChunks_;
@@ -156,7 +142,7 @@ void Outline::go(const Grid& grid, std::vector<std::uint32_t> ids, std::uint64_t
 }
 
 void Outline::undo(const Grid& grid, const Note& note) {
-  for (const std::uint32_t chunk : note.turned) turn(chunk);
+  for (const std::uint32_t chunk : note.turned) toggleHidden(chunk);
   for (const SegmentId id : note.changes.added) segments[id.value].cellRef = 0;
   putLists(grid, note.lists);
   for (auto old = note.segments.rbegin(); old != note.segments.rend(); ++old) segments[old->first] = old->second;
@@ -189,7 +175,7 @@ Outline::UndoneNote Outline::kept(const Grid& grid, const Note& note) const {
 
 /// The same update again: it takes the same ids, as the same are available.
 void Outline::redo(const Grid& grid, UndoneNote& undone) {
-  for (const std::uint32_t chunk : undone.note.turned) turn(chunk);
+  for (const std::uint32_t chunk : undone.note.turned) toggleHidden(chunk);
   for (const SegmentId id : undone.note.removedBefore) segments.recycle(id.value);
   for (std::size_t k = undone.note.changes.added.size(); k != 0; --k) segments.take();
   putLists(grid, undone.lists);
@@ -199,14 +185,14 @@ void Outline::redo(const Grid& grid, UndoneNote& undone) {
 }
 
 std::uint64_t Outline::bytes() const {
-  const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
   std::uint64_t sum =
-      segments.bytes() + lists.bytes() + bytesOf(changes_) + bytesOf(shown_) + of(hidden_, turned_, ids_, fan_);
+      segments.bytes() + lists.bytes() + bytesOf(changes_) + bytesOf(shown_) + heldBytes(hidden_, turned_, ids_, fan_);
   const auto bytesOfNote = [&](const Note& n) {
-    return sizeof n + bytesOf(n.changes) + of(n.removedBefore, n.segments, n.lists, n.turned);
+    return sizeof n + bytesOf(n.changes) + heldBytes(n.removedBefore, n.segments, n.lists, n.turned);
   };
   for (const Note& n : notes_) sum += bytesOfNote(n);
-  for (const UndoneNote& u : undone_) sum += sizeof u - sizeof u.note + bytesOfNote(u.note) + of(u.segments, u.lists);
+  for (const UndoneNote& u : undone_)
+    sum += sizeof u - sizeof u.note + bytesOfNote(u.note) + heldBytes(u.segments, u.lists);
   return sum;
 }
 

@@ -24,7 +24,7 @@ inline std::uint64_t bytesOf(const Changes& c) {
 class Outline {
  public:
   Outline() = default;
-  Outline(const Outline& other);
+  Outline(const Outline&) = default;
   Outline& operator=(const Outline&) = delete;
   ~Outline() = default;
 
@@ -125,8 +125,8 @@ class Outline {
   };
 
   void begin();
-  void turn(const Ground& ground);
-  void turn(std::uint32_t chunk);
+  void dropTurned(const Ground& ground);
+  void toggleHidden(std::uint32_t chunk);
   void clear(const Chunk& chunk);
   void filter();
   void finish();
