@@ -1,6 +1,7 @@
 """What there is to count in the project, as the documents have it: for scripts/claims.py."""
 import json
 import re
+import runpy
 from collections import Counter
 
 from links import tracked
@@ -168,7 +169,15 @@ def hashes(root):
             "run since.\n")
 
 
-BLOCKS = {"totals": totals, "evidence": evidence, "bugs": bugs_by_law, "canaries": canaries,
+def ceilings(root):
+    folder = root / "bench/instructions"
+    said = runpy.run_path(str(folder / "gate.py"))["STEPS"]
+    counted = json.loads((folder / "ceilings.json").read_text(encoding="utf-8"))["ceilings"]
+    return table(["loop", "a step", "instructions, at most"],
+                 [[f"`{name}`", said[name], f"{most:,}"] for name, most in counted.items()])
+
+
+BLOCKS = {"totals": totals, "ceilings": ceilings, "evidence": evidence, "bugs": bugs_by_law, "canaries": canaries,
           "presets": table_of_presets,
           "options": table_of_options, "platforms": hashes}
 
