@@ -5,7 +5,7 @@
 namespace lgs::detail {
 
 void SegmentPool::addPage() {
-  if (top_ / kPage < pages_.size()) return;  // it is still there, after giveBack()
+  if (top_ / kPage < pages_.size()) return;  // it is still there, after putBack()
   if (top_ > kMaxSegment) std::abort();      // with 56 GiB of segments, as if memory had run out
   pages_.add();
 }

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -72,19 +73,17 @@ class SegmentPool {
       free_.pop_back();
       return id;
     }
-    if (top_ % kPage == 0) addPage();
-    return top_++;
+    return takeTop();
   }
   /// Makes an id available again. Its record must say that it is not alive.
   void recycle(std::uint32_t id) { free_.push_back(id); }
 
-  /// Undoes a commit. It took the ids `taken`, in this order, after it had recycled `recycled` ids. Before it, `top`
-  /// was one more than the greatest id.
-  template <class Ids>
-  void giveBack(const Ids& taken, std::uint32_t top, std::size_t recycled) {
-    for (auto id = taken.rbegin(); id != taken.rend(); ++id)
-      if (id->value < top) free_.push_back(id->value);
-    free_.resize(free_.size() - recycled);
+  /// What can be taken becomes what it was at another time. Since then `kept` of the available ids stayed so; behind
+  /// these there were others, of which `taken` has the last one first. `top` is one more than the greatest id of then.
+  void putBack(std::size_t kept, std::span<const std::uint32_t> taken, std::uint32_t top) {
+    free_.resize(kept);
+    free_.insert(free_.end(), taken.rbegin(), taken.rend());
+    while (top_ < top) takeTop();
     top_ = top;
   }
 
@@ -113,6 +112,10 @@ class SegmentPool {
   static constexpr std::uint32_t kPage = kSegmentPage;
   using Page = std::array<SegmentRecord, kPage>;
 
+  std::uint32_t takeTop() {
+    if (top_ % kPage == 0) addPage();
+    return top_++;
+  }
   void addPage();  // in its own file, so that take() is small and inlined
 
   Pages<Page> pages_;

@@ -191,6 +191,8 @@ const Changes& World::commit(const Executor& executor) noexcept {
   impl_->ground.settle();
   impl_->outline.update(impl_->ground, executor);
   impl_->ground.commit();
+  if (impl_->history.hasMarks()) [[unlikely]]
+    impl_->history.squeeze();
   if (impl_->ground.isSleepy()) [[unlikely]]
     for (const std::uint32_t chunk : impl_->ground.sleep()) impl_->outline.lists.forget(chunk);
   return impl_->outline.changes();
