@@ -99,7 +99,7 @@ class Ground {
     if (!unsettled_.empty()) [[unlikely]]
       settleAll();
   }
-  /// After a commit: chunks that nobody needs are no Chunk any more, unless marks may need them. Returns their numbers.
+  /// After a commit, without marks: chunks that nobody needs are no Chunk any more. Returns their numbers.
   std::vector<std::uint32_t> sleep();
   /// Whether that may find any.
   bool isSleepy() const { return !sleepy_.empty(); }

@@ -47,6 +47,8 @@ class Outline {
   bool isShown(SegmentId id) const { return segments.isLive(id.value) && !isHidden(id); }
   /// A chunk of which nothing is left. Its number may name another chunk from now on.
   void forget(std::uint32_t chunk);
+  /// After chunks went, while nothing is noted.
+  void giveBackPages() { segments.giveBackPages(segments.maxId() - segments.free().size() - changes_.removed.size()); }
   /// Where a segment is.
   Point startOf(const Grid& grid, std::uint32_t id) const {
     return toWorld(grid.cellOf(segments[id].cellRef), segments[id].start());

@@ -71,6 +71,8 @@ class SegmentPool {
     if (!free_.empty()) {
       const std::uint32_t id = free_.back();
       free_.pop_back();
+      if (pages_.missing() != 0) [[unlikely]]
+        bringBack(id / kPage);
       return id;
     }
     return takeTop();
@@ -102,7 +104,12 @@ class SegmentPool {
     top_ = static_cast<std::uint32_t>(pages_.size()) * kPage;
   }
 
-  bool isLive(std::uint32_t id) const { return id != kNoSegment && id < top_ && (*this)[id].cellRef != 0; }
+  bool isLive(std::uint32_t id) const {
+    return id != kNoSegment && id < top_ && pages_.has(id / kPage) && (*this)[id].cellRef != 0;
+  }
+  /// Pages on which no segment is alive take no memory until an id of theirs is taken. `live` says how many are. To be
+  /// called after many went, while nobody notes segments. Cost: O(1) for each that went, amortised.
+  void giveBackPages(std::size_t live);
   /// Whether every id is available: no segment is alive, and none was removed without being recycled.
   bool isEmpty() const { return free_.size() == top_ - 1; }
   std::uint32_t maxId() const { return top_ - 1; }
@@ -117,8 +124,10 @@ class SegmentPool {
     return top_++;
   }
   void addPage();  // in its own file, so that take() is small and inlined
+  void bringBack(std::size_t page);
 
   Pages<Page> pages_;
+  std::size_t dead_ = 0;  ///< records without a segment, when pages were last given back
   std::vector<std::uint32_t> free_;
   std::uint32_t top_ = 0;  // 0 names no segment
 };

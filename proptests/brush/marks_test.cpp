@@ -57,7 +57,8 @@ class Digging {
   void circle(DoublePoint at, bool paints) {
     const Region region = lgs::circle(latticePoint(at), static_cast<std::int64_t>(radius_ * kUnitsPerCell), 24);
     std::map<Cell, std::vector<PlacedPolygon>> before;
-    for (const Cell cell : lgs::cellsOf(region).value()) before[cell] = marked.polygons(cell);
+    const std::vector<Cell> cells = lgs::cellsOf(region).value();
+    for (const Cell cell : cells) before[cell] = marked.polygons(cell);
     std::map<Cell, std::int64_t> bytes;
     for (const auto& [cell, polygons] : before)
       for (const PlacedPolygon& p : polygons) bytes[cell] += static_cast<std::int64_t>(8 * p.vertices.size());
