@@ -216,12 +216,17 @@ void Ground::settleAround(const Chunk& chunk) {
 
 void Ground::settleAll() {
   for (const std::uint32_t number : unsettled_) settleIfUnloaded(number);
-  if (!isNoting(For::marks)) unsettled_ = {};  // a world that goes back has to do it again
+  if (!isNoting(For::marks)) {
+    unsettled_ = {};
+    return;
+  }
+  // A world that goes back has to do it again, so each commit does; it names no chunk twice.
+  detail::sort(sleepy_);
+  sleepy_.erase(std::unique(sleepy_.begin(), sleepy_.end()), sleepy_.end());
 }
 
 std::vector<std::uint32_t> Ground::sleep() {
   std::vector<std::uint32_t> asleep;
-  if (isNoting(For::marks)) return asleep;
   for (const std::uint32_t number : sleepy_) {
     if (!grid.border(number) || !grid.isAsleep(number)) continue;
     grid.sleep(number);

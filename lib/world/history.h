@@ -38,6 +38,8 @@ class History {
   void takeBack(Mark mark);
   /// The mark must be known.
   void forget(Mark mark);
+  /// After a commit, while there are marks: forgets what nobody can go back to, the moments between two of them.
+  void squeeze();
   /// Whether a commit changed something since the mark, which must be known.
   bool committedSince(Mark mark) const { return find(mark)->outline != outline_.now(); }
 

@@ -57,8 +57,8 @@ std::string doorsInWords(const CheckStats& stats) {
 
 std::string detoursInWords(const CheckStats& stats) {
   const Detours& d = stats.detours;
-  return fmt::format("saved and loaded {}, undone {}, marks {}, groups {}, other block first {}", d.saved, d.undone,
-                     d.marked, d.grouped, d.repainted);
+  return fmt::format("saved and loaded {}, undone {}, marks {}, groups {}, other block first {}, unloaded {}", d.saved,
+                     d.undone, d.marked, d.grouped, d.repainted, d.unloaded);
 }
 
 }  // namespace lgs::oracle

@@ -23,5 +23,6 @@ inline bool wantsGroup(std::uint64_t chance) { return bitsOf(chance, 45, 4) == 1
 inline bool wantsMark(std::uint64_t chance) { return bitsOf(chance, 45, 4) == 1; }
 inline bool wantsSaving(std::uint64_t chance) { return bitsOf(chance, 49, 5) == 31; }
 inline bool wantsDetour(std::uint64_t chance) { return bitsOf(chance, 54, 5) == 31; }
+inline bool wantsUnloading(std::uint64_t chance) { return bitsOf(chance, 59, 5) == 31; }
 
 }  // namespace lgs::oracle

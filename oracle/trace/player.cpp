@@ -48,6 +48,7 @@ tl::expected<void, TraceError> Player::apply(const Step& step) {
 }
 
 // What nobody may notice: the world is saved and loaded, edited wrongly and brought back, or keeps a mark for a while.
+// Or chunks leave memory and come back: only if a commit is to follow, as they count as changed then.
 Player::Done Player::leaveAndComeBack(const Step& step) {
   constexpr std::size_t kSmall = 200;  // polygons: it costs in proportion to the world
   const auto told = [](std::optional<std::string> complaint) -> Done {
@@ -68,7 +69,12 @@ Player::Done Player::leaveAndComeBack(const Step& step) {
   }
   const Edit& first = step.edits.front();
   const Cell cell = isAlive(first.name) ? cellOf(first.name) : first.polygon.cell;
-  if (!wantsDetour(step.chance) || !inRange(cell)) return {};
+  if (!inRange(cell)) return {};
+  if (wantsUnloading(step.chance) && pending_) {
+    ++detours_.unloaded;
+    if (auto done = told(unloadAndReload(world_, cell, step.chance)); !done) return done;
+  }
+  if (!wantsDetour(step.chance)) return {};
   ++detours_.undone;
   return told(editAndGoBack(world_, cell, step.chance));
 }

@@ -29,6 +29,7 @@ struct Detours {
   std::uint64_t marked = 0;     ///< a mark was made, to which the world never goes back
   std::uint64_t grouped = 0;    ///< the edit was a group
   std::uint64_t repainted = 0;  ///< a polygon had another block at first
+  std::uint64_t unloaded = 0;   ///< chunks with uncommitted edits left memory, and came back
 
   Detours& operator+=(const Detours& other) {
     saved += other.saved;
@@ -36,6 +37,7 @@ struct Detours {
     marked += other.marked;
     grouped += other.grouped;
     repainted += other.repainted;
+    unloaded += other.unloaded;
     return *this;
   }
 };

@@ -87,7 +87,7 @@ class Bulk : public testing::TestWithParam<std::int64_t> {
     EXPECT_GT(stats.full, 0U);
     EXPECT_GT(stats.worn, 0U);
     const oracle::Detours& d = stats.detours;
-    for (const std::uint64_t detours : {d.saved, d.undone, d.marked, d.grouped, d.repainted})
+    for (const std::uint64_t detours : {d.saved, d.undone, d.marked, d.grouped, d.repainted, d.unloaded})
       EXPECT_GE(200 * detours, stats.edits) << detoursInWords(stats);  // of small worlds only: some have 0.9 %
     for (std::size_t door = 0; door < oracle::kDoors; ++door) {
       if (oracle::Door{static_cast<std::uint8_t>(door)} == oracle::Door::brush) continue;  // proptests/brush has those
