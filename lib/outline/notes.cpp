@@ -123,7 +123,7 @@ void Outline::Note::addTo(std::vector<std::uint32_t>& ids) const {
 }
 
 std::uint64_t Outline::Note::bytes() const {
-  return sizeof *this + heldBytes(removedBefore, freeTaken, added, turned, segments, lists);
+  return heldBytes(removedBefore, freeTaken, added, turned, segments, lists);
 }
 
 void Outline::stopNoting() {
@@ -135,7 +135,10 @@ void Outline::stopNoting() {
 
 void Outline::forgetBefore(std::uint64_t moment) {
   if (opened_ <= moment) closeNote();
-  for (; forgotten_ < moment; ++forgotten_) notes_.pop_front();
+  for (; forgotten_ + dropped_ < moment; ++dropped_) notes_[dropped_] = {};
+  if (dropped_ < notes_.size() / 2) return;  // the rest moves to the front seldom
+  notes_.erase(notes_.begin(), notes_.begin() + static_cast<std::ptrdiff_t>(dropped_));
+  forgotten_ += std::exchange(dropped_, 0);
 }
 
 // --- Going back

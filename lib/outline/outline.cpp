@@ -41,10 +41,10 @@ void Outline::toggleHidden(std::uint32_t chunk) {
 
 std::uint64_t Outline::bytes() const {
   std::uint64_t sum = segments.bytes() + lists.bytes() + bytesOf(changes_) + bytesOf(shown_) +
-                      heldBytes(hidden_, turned_, ids_, fan_) + notedSegments_.bytes() + notedLists_.bytes();
+                      heldBytes(hidden_, turned_, ids_, fan_, notes_, undone_) + notedSegments_.bytes() +
+                      notedLists_.bytes();
   for (const Note& n : notes_) sum += n.bytes();
-  for (const UndoneNote& u : undone_)
-    sum += sizeof u - sizeof u.note + u.note.bytes() + heldBytes(u.removed, u.freeTaken, u.segments, u.lists);
+  for (const UndoneNote& u : undone_) sum += u.note.bytes() + heldBytes(u.removed, u.freeTaken, u.segments, u.lists);
   return sum;
 }
 
