@@ -96,7 +96,8 @@ std::optional<List<Points>> fullWithout(const Points& ring) {
       part.push_back(kCorners[(side + n) % 4]);
     parts.push_back(straightened(part));
   }
-  detail::sort(parts, [](const Points& a, const Points& b) { return a.front() < b.front(); });
+  const auto begin = [](const Points& part) { return part.front(); };
+  detail::sort(parts, [&](const Points& a, const Points& b) { return begin(a) < begin(b); });
   if (parts.empty() || std::ranges::adjacent_find(parts, {}, begin) != parts.end()) return std::nullopt;
   return parts;
 }
