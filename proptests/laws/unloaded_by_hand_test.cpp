@@ -341,6 +341,25 @@ TEST(UnloadedByHand, SegmentsThatWentGiveTheirMemoryBack) {
   EXPECT_EQ(copy.segments().size(), kSegments);
 }
 
+// Its border is made of what its cells held then, and not of what the notes between two commits have left of that.
+TEST(UnloadedByHand, AChunkThatGoesBackToBeingUnloadedHasTheBorderOfThen) {
+  World world;
+  Shelf shelf;
+  const ShapeId square = shapeOf(world, {unitSquare()});
+  EXPECT_TRUE(world.add({32, 5}, square, 1));
+  EXPECT_EQ(world.unload(chunkAt(1, 0), shelf.sink()), 1U);
+  world.commit();
+  const Mark mark = world.checkpoint();
+  EXPECT_TRUE(world.add({31, 5}, square, 1));  // it wakes the border
+  EXPECT_EQ(world.commit().added.size(), 3U);
+  EXPECT_TRUE(shelf.reload(world, {32, 0}));
+  EXPECT_TRUE(world.clear(Cell{32, 5}));
+  EXPECT_EQ(world.commit().added.size(), 1U);
+  EXPECT_TRUE(world.rollBack(mark));
+  EXPECT_TRUE(world.add({31, 5}, square, 1));
+  EXPECT_EQ(world.commit().added.size(), 3U);
+}
+
 TEST(UnloadedByHand, BordersDoNotKeepWhatTheyHeld) {
   World world;
   Shelf shelf;

