@@ -33,15 +33,16 @@ std::string CallCheck::makeGroup(const Call& call) {
 
 std::string CallCheck::makeOne(const Call& call, bool& isAccepted) {
   const Call resolved = caller_.resolved(call);
-  isAccepted = model_.judge(resolved).accepted;
+  const Verdict verdict = model_.judge(resolved);
+  isAccepted = verdict.accepted;
   if (!isAccepted && !triesRefused) {
     caller_.makeShapes(resolved);
     return "";
   }
   const Outcome outcome = caller_.makeResolved(resolved);
-  if (std::string wrong = model_.wrongAnswer(resolved, outcome, caller_.world); !wrong.empty()) return wrong;
+  if (std::string wrong = model_.wrongAnswer(resolved, verdict, outcome, caller_.world); !wrong.empty()) return wrong;
   if (!isAccepted) return "";
-  model_.apply(resolved, outcome);
+  model_.apply(resolved, outcome.handles);
   if (afterAccepted) afterAccepted(resolved, outcome);
   return call.kind == Call::Kind::commit || call.kind == Call::Kind::load ? look() : "";
 }
@@ -52,8 +53,7 @@ std::string CallCheck::look() const {
     const std::vector<PlacedPolygon> there = caller_.world.polygons(cell);
     const auto isThere = [&](const Model::Placed& p) {
       return std::ranges::any_of(there, [&](const PlacedPolygon& q) {
-        return CallModel::nameOf(q.handle) == p.name && q.block == p.block &&
-               std::ranges::equal(q.vertices, p.vertices);
+        return q.handle == p.handle && q.block == p.block && std::ranges::equal(q.vertices, p.vertices);
       });
     };
     if (there.size() != placed.size() || !std::ranges::all_of(placed, isThere))

@@ -56,9 +56,10 @@ std::string doorsInWords(const CheckStats& stats) {
 }
 
 std::string detoursInWords(const CheckStats& stats) {
-  const Detours& d = stats.detours;
-  return fmt::format("saved and loaded {}, undone {}, marks {}, groups {}, other block first {}", d.saved, d.undone,
-                     d.marked, d.grouped, d.repainted);
+  std::string text;
+  for (std::size_t k = 1; k < kDetours; ++k)
+    text += fmt::format("{}{} {}", k == 1 ? "" : ", ", kDetourNames[k], stats.detours[k]);
+  return text;
 }
 
 }  // namespace lgs::oracle

@@ -1,6 +1,7 @@
 #include "oracle/generate/editor.h"
 
 #include "oracle/calls/shapes.h"
+#include "oracle/generate/ways.h"
 
 #include <fmt/format.h>
 #include <lgs/world.h>
@@ -22,10 +23,12 @@ void Editor::operate() {
   constexpr std::int32_t kSteps[] = {kUnitsPerCell / 4, kUnitsPerCell / 4, kUnitsPerCell / 8, 1};
   step_ = std::max(kSteps[random_.below(4)], kUnitsPerCell / habits_.can.lattice);
   const Operation operation = pickOperation();
+  const std::size_t first = trace_.edits.size();
   (this->*operation)(pickCell());
   // An operation may come to nothing; a commit of nothing is worth a try now and then.
   const bool pending = !trace_.edits.empty() && trace_.edits.back().kind != Edit::Kind::commit;
   if (random_.chance(pending ? habits_.commitPercent : 2)) push(Edit::commit());
+  chooseWays(std::span(trace_.edits).subspan(first), random_);
 }
 
 void Editor::run(std::size_t edits) {
@@ -236,8 +239,7 @@ void Editor::push(Edit edit) {
 std::string Editor::freshName() {
   if (!lastRemoved_.empty() && !model_.isAlive(lastRemoved_) && random_.chance(20)) return lastRemoved_;
   std::string name;
-  const std::string letters = randomLetters(random_.next());
-  do name = fmt::format("p{}{}", ++names_, letters);
+  do name = fmt::format("p{}", ++names_);
   while (model_.isAlive(name));
   return name;
 }

@@ -49,14 +49,17 @@ class Moved:
         return ", ".join(f"{x} {y}" for x, y in ring)
 
     def name(self, name: str) -> str:
-        """The letters at the end of a name choose the call: they stay."""
-        letters = re.search(r"(?<=\d)[^\d]*$", name)
-        return self.names.setdefault(name, f"p{len(self.names) + 1}{letters[0] if letters else ''}")
+        return self.names.setdefault(name, f"p{len(self.names) + 1}")
 
     def block(self, block: str) -> str:
         return self.blocks.setdefault(block, str(len(self.blocks) + 1))
 
     def line(self, line: str) -> str:
+        """How an edit is made, which comes after `by`, stays."""
+        line, by, way = line.partition(" by ")
+        return self.edit(line) + by + way
+
+    def edit(self, line: str) -> str:
         words = line.replace(",", " ").replace("|", " | ").split()
         if words[0] == "add":
             i, j = int(words[2]), int(words[3])
