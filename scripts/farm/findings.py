@@ -6,7 +6,7 @@ import shlex
 from fractions import Fraction
 from pathlib import Path
 
-TRACE = re.compile(r"^lgs-trace [12]\n(?:(?:preserve|add|remove|commit|paint|carve)\b.*\n?)*", re.M)
+TRACE = re.compile(r"^lgs-trace [123]\n(?:(?:preserve|add|remove|commit|paint|carve)\b.*\n?)*", re.M)
 PICTURE = re.compile(r"^picture    (\S+\.svg)$", re.M)
 AGAIN = re.compile(r"^again      (.+)$", re.M)
 # The sentences of a mismatch that say what kind of fault it is, those that say most first.
@@ -55,9 +55,9 @@ class Moved:
         return self.blocks.setdefault(block, str(len(self.blocks) + 1))
 
     def line(self, line: str) -> str:
-        """How an edit is made, which comes after `by`, stays."""
-        line, by, way = line.partition(" by ")
-        return self.edit(line) + by + way
+        """How an edit is made, which comes after `by`, stays; it stands before the edit."""
+        edit, _, way = line.partition(" by ")
+        return f"{way} {self.edit(edit)}"
 
     def edit(self, line: str) -> str:
         words = line.replace(",", " ").replace("|", " | ").split()
