@@ -152,7 +152,7 @@ Error Catalogue::overlapAmong(std::span<const PolygonId> polygons) const {
 void Catalogue::collect() {
   // Looking through the catalogue is worth it once a quarter has no users. That share hardly passes a half, since
   // contents without users still use their polygons.
-  if (unused_ < 1024 || 4 * unused_ < contents_.size() + polygons_.size()) return;
+  if (unused_ < 1024 || 8 * unused_ < contents_.size() + polygons_.size()) return;
   for (ContentId id = 1; id < contents_.size(); ++id)
     if (uses_[id].users == 0 && contents_[id]) forgetContent(id);
   for (PolygonId id = 0; id < polygons_.size(); ++id)

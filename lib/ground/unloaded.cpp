@@ -221,7 +221,6 @@ void Ground::settleAll() {
 
 std::vector<std::uint32_t> Ground::sleep() {
   std::vector<std::uint32_t> asleep;
-  if (isNoting(For::marks)) return asleep;
   for (const std::uint32_t number : sleepy_) {
     if (!grid.border(number) || !grid.isAsleep(number)) continue;
     grid.sleep(number);

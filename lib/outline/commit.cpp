@@ -87,6 +87,7 @@ void Outline::begin() {
   if (note_) {
     note_->removedBefore = changes_.removed;
     note_->topBefore = segments.maxId() + 1;
+    note_->freeKept = segments.free().size();
   }
   for (const SegmentId id : changes_.removed) segments.recycle(id.value);
   changes_.removed.clear();
@@ -106,7 +107,8 @@ void Outline::finish() {
   shown.before = version_;
   if (!shown.removed.empty() || !shown.added.empty() || !shown.relinked.empty()) version_ = versions_.next();
   shown.after = version_;
-  if (note_) std::exchange(note_, nullptr)->changes = changes_;
+  if (note_) [[unlikely]]
+    endNote();
 }
 
 void Outline::linkAll(const Ground& ground) {

@@ -5,6 +5,7 @@
 #include "ground/ground.h"
 #include "outline/segment_lists.h"
 #include "outline/segment_pool.h"
+#include "storage/bit_set.h"
 #include "storage/versions.h"
 
 #include <lgs/world.h>
@@ -46,6 +47,8 @@ class Outline {
   bool isShown(SegmentId id) const { return segments.isLive(id.value) && !isHidden(id); }
   /// A chunk of which nothing is left. Its number may name another chunk from now on.
   void forget(std::uint32_t chunk);
+  /// After chunks went, while nothing is noted.
+  void giveBackPages() { segments.giveBackPages(segments.maxId() - segments.free().size() - changes_.removed.size()); }
   /// Where a segment is.
   Point startOf(const Grid& grid, std::uint32_t id) const {
     return toWorld(grid.cellOf(segments[id].cellRef), segments[id].start());
@@ -88,6 +91,9 @@ class Outline {
 
   std::uint64_t now() const { return forgotten_ + notes_.size(); }
   void startNoting() { isNoting_ = true; }
+  /// After an update: nobody will go back to a moment between this one and now. One note for all updates since is
+  /// enough then.
+  void squeeze(std::uint64_t moment);
   void stopNoting();
   void forgetBefore(std::uint64_t moment);
   /// `version` is that of the moment. `changes` receives what this does to the segments, by id. The ground must not
@@ -107,20 +113,30 @@ class Outline {
   std::uint64_t bytes() const;
 
  private:
-  /// What an update changed, and how that was before it.
+  using Records = std::vector<std::pair<std::uint32_t, SegmentRecord>>;  ///< by id
+
+  /// What an update changed, or several, and how that was before.
   struct Note {
-    Changes changes;
-    std::vector<SegmentId> removedBefore;                           ///< by the update before; this one recycled them
-    std::uint32_t topBefore = 0;                                    ///< one more than the greatest id
-    std::vector<std::uint32_t> turned;                              ///< numbers of chunks that were loaded or unloaded
-    std::vector<std::pair<std::uint32_t, SegmentRecord>> segments;  ///< by id, in the order in which they changed
-    std::vector<std::uint32_t> lists;  ///< in that order the words of each list, how many these are, and the cell
+    std::vector<SegmentId> removedBefore;  ///< by the update before; these ids were recycled
+    std::uint32_t topBefore = 0;           ///< one more than the greatest id
+    std::size_t freeKept = 0;              ///< of the ids that were available: see SegmentPool::putBack()
+    std::vector<std::uint32_t> freeTaken;
+    std::vector<std::uint32_t> added;   ///< ids that named no segment before, and did then
+    std::vector<std::uint32_t> turned;  ///< numbers of chunks that were loaded or unloaded
+    Records segments;                   ///< the others that changed, in that order
+    std::vector<std::uint32_t> lists;   ///< in that order the words of each list, how many these are, and the cell
+
+    void addTo(std::vector<std::uint32_t>& ids) const;
+    std::uint64_t bytes() const;
   };
 
-  /// An update that was undone, and what there was after it.
+  /// What was undone, and what there was after it.
   struct UndoneNote {
     Note note;
-    std::vector<std::pair<std::uint32_t, SegmentRecord>> segments;
+    std::vector<SegmentId> removed;
+    std::uint32_t top = 0;
+    std::vector<std::uint32_t> freeTaken;
+    Records segments;
     std::vector<std::uint32_t> lists;  ///< as in the note
   };
 
@@ -132,6 +148,10 @@ class Outline {
   void finish();
   void endWithoutLinks(std::uint32_t id);
   void noteList(CellAt at, std::vector<std::uint32_t>& out) const;
+  void endNote();
+  void openNote();
+  void closeNote();
+  void take(Note& open, const Note& next);
   UndoneNote kept(const Grid& grid, const Note& note) const;
   void putLists(const Grid& grid, const std::vector<std::uint32_t>& noted);
   void undo(const Grid& grid, const Note& note);
@@ -153,6 +173,10 @@ class Outline {
   std::uint64_t forgotten_ = 0;     ///< notes that are gone from the front
   std::vector<UndoneNote> undone_;  ///< the first to come back last
   Note* note_ = nullptr;            ///< of the update under way
+  // Which segments and lists the last note has, if it is open: now() is this number then. So it can take over the next.
+  std::uint64_t opened_ = 0;
+  BitSet notedSegments_;
+  BitSet notedLists_;
   bool isNoting_ = false;
   // Working memory. It is kept from one update to the next, to spare allocations.
   std::vector<std::uint32_t> ids_;

@@ -37,6 +37,8 @@ class History {
   /// The same in silence, where no commit changed something since: the segments are as they were at the mark.
   void takeBack(Mark mark);
   void forget(Mark mark);
+  /// After a commit, while there are marks: forgets what nobody can go back to, the moments between two of them.
+  void squeeze();
   /// Whether a commit changed something since.
   bool committedSince(Mark mark) const { return find(mark)->outline != outline_.now(); }
 

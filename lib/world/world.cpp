@@ -191,8 +191,12 @@ const Changes& World::commit(const Executor& executor) noexcept {
   impl_->ground.settle();
   impl_->outline.update(impl_->ground, executor);
   impl_->ground.commit();
-  if (impl_->ground.isSleepy()) [[unlikely]]
+  if (impl_->history.hasMarks()) [[unlikely]]
+    impl_->history.squeeze();
+  if (impl_->ground.isSleepy() && !impl_->history.hasMarks()) [[unlikely]] {
     for (const std::uint32_t chunk : impl_->ground.sleep()) impl_->outline.lists.forget(chunk);
+    impl_->outline.giveBackPages();
+  }
   return impl_->outline.changes();
 }
 
@@ -261,6 +265,7 @@ Expected<std::uint64_t> World::forgetRect(const CellRect& cells) noexcept {
     return refuse({.code = ErrorCode::uncommitted});
   const std::vector<std::uint32_t> gone = impl_->ground.forget(cells);
   for (const std::uint32_t chunk : gone) impl_->outline.forget(chunk);
+  impl_->outline.giveBackPages();
   return gone.size();
 }
 

@@ -49,7 +49,7 @@ std::vector<Door> doorsFor(std::size_t removes, std::size_t adds, bool isOneCell
 Detour anyDetour(Random& random) {
   using enum Detour;
   if (!random.chance(45)) return none;
-  const std::vector<Detour> all{grouped, marked, repainted, repainted, saved, saved, saved, undone, worn};
+  const std::vector<Detour> all{grouped, marked, repainted, repainted, saved, saved, undone, unloaded, worn};
   return random.pick(all);
 }
 
@@ -59,8 +59,9 @@ void choose(std::span<Edit> row, Random& random) {
   Way way;
   way.door = random.pick(doorsFor(removes, adds, isOneCell));
   way.detour = anyDetour(random);
-  const bool isPlain = way.detour != Detour::undone && (way.door == Door::points || way.door == Door::list ||
-                                                        way.door == Door::floats || way.door == Door::remove);
+  const bool isPlain =
+      way.detour != Detour::undone && way.detour != Detour::unloaded &&
+      (way.door == Door::points || way.door == Door::list || way.door == Door::floats || way.door == Door::remove);
   if (!isPlain) way.number = random.below(1U << 8);
   for (Edit& edit : row) {
     edit.way = way;

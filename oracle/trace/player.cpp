@@ -35,7 +35,8 @@ tl::expected<void, TraceError> Player::apply(const Row& row) {
   return done;
 }
 
-// What nobody may notice: the world is saved and loaded, edited wrongly and brought back, or keeps a mark for a while.
+// What nobody may notice: the world is saved and loaded, edited wrongly and brought back, or keeps a mark for a while. Or
+// chunks leave memory and come back.
 Player::Done Player::detour(const Row& row) {
   constexpr std::size_t kSmall = 200;  // polygons: it costs in proportion to the world
   const auto told = [](std::optional<std::string> complaint) -> Done {
@@ -58,6 +59,8 @@ Player::Done Player::detour(const Row& row) {
   if (what == Detour::marked && counted(!mark_)) mark_ = world().checkpoint();
   const bool isSomewhere = !row.cells.empty() && inRange(row.cells[0]);
   if (what == Detour::undone && counted(isSomewhere)) return told(editAndGoBack(world(), row.cells[0], row.way.number));
+  if (what == Detour::unloaded && counted(isSomewhere && pending_))  // a commit follows: chunks count as changed
+    return told(unloadAndReload(world(), row.cells[0], row.way.number));
   const bool isEmpty = isSomewhere && row.verdict.accepted && standing().in(row.cells[0]).empty();
   return what == Detour::worn && counted(isEmpty) ? wear(row.cells[0], 250 + bitsOf(row.way.number, 0, 4)) : Done();
 }

@@ -45,9 +45,11 @@ enum class Detour : std::uint8_t {
   marked,     ///< a mark is made before, to which the world never goes back
   grouped,    ///< the call is a group
   repainted,  ///< what comes has another block at first
+  unloaded,   ///< chunks with uncommitted edits leave memory before, and come back
   worn        ///< hundreds of polygons come and go in the cell before
 };
-inline constexpr std::array kDetourNames{"plain", "saved", "undone", "marked", "grouped", "repainted", "worn"};
+inline constexpr std::array kDetourNames{"plain",   "saved",     "undone",   "marked",
+                                         "grouped", "repainted", "unloaded", "worn"};
 inline constexpr std::size_t kDetours = kDetourNames.size();
 
 struct Way {

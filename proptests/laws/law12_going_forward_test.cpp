@@ -271,6 +271,7 @@ TEST_F(GoingForwardByHand, WhatIsDroppedTakesNoMemory) {
     for (std::int32_t k = 1; k <= 3'000; ++k) {
       place(world, {1, 1}, {{0, 0}, {k, 0}, {0, k}});
       world.commit();
+      (void)world.checkpoint();
       removeAll(world, {1, 1});
       world.commit();
     }

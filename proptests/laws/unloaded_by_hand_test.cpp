@@ -314,5 +314,49 @@ TEST(UnloadedByHand, MemoryGoesDownAndStaysDown) {
   EXPECT_LT(world.stats().bytes, after - 197U * 60);
 }
 
+TEST(UnloadedByHand, SegmentsThatWentGiveTheirMemoryBack) {
+  World world;
+  const ShapeId diamond = shapeOf(world, shapeNamed("diamond"));
+  constexpr std::uint64_t kSegments = 64 * 1'024 * 4;
+  EXPECT_TRUE(world.fill({{0, 0}, {255, 255}}, diamond, 1));
+  EXPECT_EQ(world.commit().added.size(), kSegments);
+  const World copy = world;
+  const std::uint64_t full = world.stats().bytes;
+  std::uint64_t left = 0;
+  for (int k = 0; k < 10; ++k) {
+    Shelf shelf;
+    EXPECT_EQ(world.unload({{0, 32}, {255, 255}}, shelf.sink()), 56U);
+    world.commit();
+    if (k == 1) left = world.stats().bytes;
+    EXPECT_LT(world.stats().bytes, full - 28 * kSegments * 3 / 4) << "a segment takes 28 bytes";
+    const World part = world;
+    EXPECT_EQ(part.segments().size(), 8U * 1'024 * 4);
+    for (std::int32_t j = 1; j < 8; ++j)
+      for (std::int32_t i = 0; i < 8; ++i) EXPECT_TRUE(shelf.reload(world, chunkAt(i, j).min));
+    EXPECT_EQ(world.commit().added.size(), 7U * 8 * 1'024 * 4);
+  }
+  EXPECT_EQ(world.unload({{0, 32}, {255, 255}}, {}), 56U);
+  world.commit();
+  EXPECT_EQ(world.stats().bytes, left) << "goings and comings leave nothing";
+  EXPECT_EQ(copy.segments().size(), kSegments);
+}
+
+TEST(UnloadedByHand, BordersDoNotKeepWhatTheyHeld) {
+  World world;
+  Shelf shelf;
+  for (std::int32_t k = 1; k <= 4'000; ++k) {
+    place(world, {0, 5}, {{0, 0}, {k, 0}, {0, k}});
+    place(world, {31, 5}, {{0, 0}, {k, 0}, {0, k}});
+    place(world, {31, 5}, {{kUnitsPerCell, 0}, {kUnitsPerCell, k}, {kUnitsPerCell - k, 0}});
+    EXPECT_EQ(world.unload(chunkAt(0, 0), shelf.sink()), 1U);
+    if (k % 2 == 0) world.commit();
+    EXPECT_TRUE(shelf.reload(world, {0, 0}));
+    removeAll(world, {0, 5});
+    removeAll(world, {31, 5});
+    world.commit();
+  }
+  EXPECT_LT(world.stats().contents, 2'000U) << "there were 8,000";
+}
+
 }  // namespace
 }  // namespace lgs::test
