@@ -1,11 +1,11 @@
 #include "oracle/check/call_check.h"
 
+#include "oracle/check/reads.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
 #include "oracle/trace/dump.h"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <utility>
 
 namespace lgs::oracle {
@@ -49,16 +49,8 @@ std::string CallCheck::makeOne(const Call& call, bool& isAccepted) {
 
 std::string CallCheck::look() const {
   const Scene scene = model_.standing().scene(preserve_);
-  for (const auto& [cell, placed] : model_.standing().cells()) {
-    const std::vector<PlacedPolygon> there = caller_.world.polygons(cell);
-    const auto isThere = [&](const Model::Placed& p) {
-      return std::ranges::any_of(there, [&](const PlacedPolygon& q) {
-        return q.handle == p.handle && q.block == p.block && std::ranges::equal(q.vertices, p.vertices);
-      });
-    };
-    if (there.size() != placed.size() || !std::ranges::all_of(placed, isThere))
-      return fmt::format("other polygons stand in cell ({}, {})", cell.i, cell.j);
-  }
+  for (const auto& entry : model_.standing().cells())
+    if (const auto wrong = readCell(caller_.world, model_.standing(), entry.first)) return wrong->text;
   if (caller_.world.stats().polygons != scene.polygons.size()) return "another number of polygons stands there";
   const Outline expected = NaiveReference()(scene).outline, actual = outlineOf(caller_.world);
   return expected == actual ? "" : "the outline is not that of the laws\n" + describe(compare(expected, actual));

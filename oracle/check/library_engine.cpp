@@ -89,7 +89,8 @@ std::optional<Complaint> LibraryEngine::afterRefusedBrush() const {
 }
 
 std::optional<Complaint> LibraryEngine::afterRefusal(const Row& row, const Stats& before) const {
-  const bool isSame = std::ranges::none_of(row.cells, [&](Cell cell) { return readCell(*player_, cell).has_value(); });
+  const bool isSame = std::ranges::none_of(
+      row.cells, [&](Cell cell) { return readCell(player_->world(), player_->standing(), cell).has_value(); });
   if (isSame && sameCounts(player_->world().stats(), before)) return std::nullopt;
   return Complaint{Mismatch::Kind::refusal, fmt::format("the refusal changed something: {}", inWords(row))};
 }
@@ -111,7 +112,7 @@ std::optional<Complaint> LibraryEngine::afterCommit(const CellSet& edited) {
   if (auto problem = mirror_.update(player_->world(), *changes_))
     return Complaint{Mismatch::Kind::changes, std::move(*problem), mirror_.blamed()};
   for (const Cell& cell : edited)
-    if (auto complaint = reading(readCell(*player_, cell))) return complaint;
+    if (auto complaint = reading(readCell(player_->world(), player_->standing(), cell))) return complaint;
   return views_ ? checkViews() : std::nullopt;
 }
 

@@ -55,13 +55,12 @@ std::optional<WrongRead> readRect(const World& world, std::span<const Segment> s
 
 }  // namespace
 
-std::optional<WrongRead> readCell(const Player& player, Cell cell) {
-  const World& world = player.world();
+std::optional<WrongRead> readCell(const World& world, const Model& model, Cell cell) {
   const auto wrong = [&](const std::string& text) {
     return WrongRead{fmt::format("cell ({}, {}) {}", cell.i, cell.j, text)};
   };
   const std::vector<PlacedPolygon> there = world.polygons(cell);
-  const std::vector<Model::Placed>& expected = player.standing().in(cell);
+  const std::vector<Model::Placed>& expected = model.in(cell);
   if (there.size() != expected.size())
     return wrong(fmt::format("has {} polygons, but should have {}", there.size(), expected.size()));
   std::vector<PlacedPolygon> again(3);
@@ -83,7 +82,7 @@ std::optional<WrongRead> readCell(const Player& player, Cell cell) {
 std::optional<WrongRead> readPolygons(const Player& player) {
   const Model& model = player.standing();
   for (const auto& entry : model.cells())
-    if (auto wrong = readCell(player, entry.first)) return wrong;
+    if (auto wrong = readCell(player.world(), model, entry.first)) return wrong;
   const Stats stats = player.world().stats();
   const auto differs = [](const char* of, std::uint64_t actual, std::uint64_t expected) {
     return WrongRead{fmt::format("stats() counts {} {}, but there should be {}", actual, of, expected)};

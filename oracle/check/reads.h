@@ -17,7 +17,7 @@ struct WrongRead {
 };
 
 /// The polygons of a cell, asked for by cell and by handle.
-std::optional<WrongRead> readCell(const Player& player, Cell cell);
+std::optional<WrongRead> readCell(const World& world, const Model& model, Cell cell);
 
 /// The polygons of all cells, and how many there are.
 std::optional<WrongRead> readPolygons(const Player& player);

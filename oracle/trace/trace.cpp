@@ -113,20 +113,10 @@ class Parser {
   }
 
   static Fault readWay(std::string_view word, Edit& edit) {
-    const auto door = std::ranges::find(kDoorNames, word);
-    const auto detour = std::ranges::find(kDetourNames, word);
-    if (word == "too") {
-      edit.way.joins = true;
-    } else if (word[0] >= '0' && word[0] <= '9') {
+    if (word[0] >= '0' && word[0] <= '9')
       return readInteger<std::uint32_t>(word, "number of a call", 0, UINT32_MAX, edit.way.number);
-    } else if (detour != kDetourNames.end()) {
-      edit.way.detour = static_cast<Detour>(detour - kDetourNames.begin());
-    } else if (door != kDoorNames.end()) {
-      edit.way.door = static_cast<Door>(door - kDoorNames.begin());
-    } else {
-      return fmt::format("by {}: there is no such door or detour", quote(word));
-    }
-    return {};
+    return oracle::readWay(word, edit.way) ? Fault()
+                                           : fmt::format("by {}: there is no such door or detour", quote(word));
   }
 
   Fault preserve(const std::vector<std::string_view>& words) {
@@ -156,17 +146,22 @@ class Parser {
     if (coordinates % 2 != 0) {
       return fmt::format("{} coordinates: they come in pairs x y, so one is missing or one too many", coordinates);
     }
-    edit.polygon.vertices.reserve(coordinates / 2);
-    for (std::size_t k = 0; k < coordinates; ++k) {
-      const std::string_view word = words[kFirstCoordinate + k];
-      const auto units = parseCoordinate(word);
+    return readPoints(std::span(words).subspan(kFirstCoordinate), "", parseCoordinate, edit.polygon.vertices);
+  }
+
+  template <class Parse, class Vertex>
+  static Fault readPoints(std::span<const std::string_view> words, std::string_view of, Parse parse,
+                          std::vector<Vertex>& out) {
+    for (std::size_t k = 0; k < words.size(); ++k) {
+      const auto units = parse(words[k]);
       if (!units) {
-        return fmt::format("the {} of vertex {}, {}: {}", k % 2 == 0 ? 'x' : 'y', k / 2, quote(word), units.error());
+        return fmt::format("the {} of vertex {}{}, {}: {}", k % 2 == 0 ? 'x' : 'y', k / 2, of, quote(words[k]),
+                           units.error());
       }
       if (k % 2 == 0) {
-        edit.polygon.vertices.push_back({*units, 0});
+        out.push_back({*units, 0});
       } else {
-        edit.polygon.vertices.back().y = *units;
+        out.back().y = *units;
       }
     }
     return {};
@@ -199,19 +194,7 @@ class Parser {
     if (words.size() % 2 != 0)
       return fmt::format("ring {} has {} coordinates: they come in pairs x y, so one is missing or one too many",
                          number, words.size());
-    for (std::size_t k = 0; k < words.size(); ++k) {
-      const auto units = parseWorldCoordinate(words[k]);
-      if (!units) {
-        return fmt::format("the {} of vertex {} of ring {}, {}: {}", k % 2 == 0 ? 'x' : 'y', k / 2, number,
-                           quote(words[k]), units.error());
-      }
-      if (k % 2 == 0) {
-        out.push_back({*units, 0});
-      } else {
-        out.back().y = *units;
-      }
-    }
-    return {};
+    return readPoints(words, fmt::format(" of ring {}", number), parseWorldCoordinate, out);
   }
 
   static Fault remove(const std::vector<std::string_view>& words, Edit& edit) {
@@ -225,17 +208,6 @@ class Parser {
   bool sawHeader_ = false;
   int version_ = 1;
 };
-
-std::string printWay(const Edit& edit) {
-  const Way plain = Edit::plainWay(edit.kind);
-  if (edit.way == plain) return "";
-  std::string text = " by";
-  if (edit.way.door != plain.door) text += fmt::format(" {}", describe(edit.way.door));
-  if (edit.way.number != 0) text += fmt::format(" {}", edit.way.number);
-  if (edit.way.detour != Detour::none)
-    text += fmt::format(" {}", kDetourNames[static_cast<std::size_t>(edit.way.detour)]);
-  return text + (edit.way.joins ? " too" : "");
-}
 
 std::string printBrush(const BrushEdit& brush) {
   std::string text = "carve ";
@@ -280,15 +252,15 @@ ParsedTrace parseTrace(std::string_view text) {
 }
 
 std::string printEdit(const Edit& edit) {
-  if (edit.kind == Edit::Kind::commit) return "commit" + printWay(edit);
+  if (edit.kind == Edit::Kind::commit) return "commit" + print(edit.way, Edit::plainWay(edit.kind));
   if (edit.kind == Edit::Kind::brush) return printBrush(edit.brush);
-  if (edit.kind == Edit::Kind::remove) return "remove " + edit.name + printWay(edit);
+  if (edit.kind == Edit::Kind::remove) return "remove " + edit.name + print(edit.way, Edit::plainWay(edit.kind));
   const ScenePolygon& polygon = edit.polygon;
   std::string text = fmt::format("add {} {} {} {} ", edit.name, polygon.cell.i, polygon.cell.j, polygon.block);
   for (const LocalPoint& p : polygon.vertices) {
     for (const std::int32_t units : {p.x, p.y}) (text += ' ') += printCoordinate(units);
   }
-  return text + printWay(edit);
+  return text + print(edit.way, Edit::plainWay(edit.kind));
 }
 
 std::string printTrace(const Trace& trace) {

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 namespace lgs::oracle {
 
@@ -59,6 +61,12 @@ struct Way {
   std::uint32_t number = 0;  ///< all else that a call can be told, in bits (row.cpp); 0: as plain as it can be
   friend bool operator==(const Way&, const Way&) = default;
 };
+
+/// What stands at the end of a line: " by fill 3 undone too". Nothing, if the way is the plain one.
+std::string print(const Way& way, const Way& plain);
+
+/// Takes one of its words, except for the number. Returns whether there is such a word.
+bool readWay(std::string_view word, Way& way);
 
 /// Some bits of a way's number.
 constexpr unsigned bitsOf(std::uint32_t number, unsigned first, unsigned count) {

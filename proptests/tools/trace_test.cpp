@@ -167,11 +167,10 @@ TEST(Trace, SaysHowEditsAreMade) {
 
 TEST(Rows, AreWhatOneCallMakes) {
   const std::string square = "0 0 1 0 1 1 0 1";
-  const Trace trace = mustParse("lgs-trace 3\nadd a 0 0 1 " + square + " by fill\nadd b 1 0 1 " + square +
-                                " by fill too\nadd c 3 0 1 " + square + " by fill\nadd d 5 0 1 " + square +
-                                " by fill too\nremove a by setBlock\nadd a 0 0 2 " + square +
-                                " by setBlock too\nadd e 7 0 1 " + square + " by many\nadd f 1 0 1 " + square +
-                                " by many too\n");
+  const Trace trace = mustParse(
+      "lgs-trace 3\nadd a 0 0 1 " + square + " by fill\nadd b 1 0 1 " + square + " by fill too\nadd c 3 0 1 " + square +
+      " by fill\nadd d 5 0 1 " + square + " by fill too\nremove a by setBlock\nadd a 0 0 2 " + square +
+      " by setBlock too\nadd e 7 0 1 " + square + " by many\nadd f 1 0 1 " + square + " by many too\n");
   Player player({});
   Rows rows(trace);
   std::string told;
@@ -181,7 +180,7 @@ TEST(Rows, AreWhatOneCallMakes) {
   }
   EXPECT_EQ(told,
             "fill of 'a' to 'b'\nfill of 'c'\nfill of 'd'\nsetBlock of 'a' to 'a'\n"  // c and d are no rectangle
-            "many of 'e' to 'f', as a trial\nmany of 'e'\nmany of 'f', refused\n");    // f overlaps b
+            "many of 'e' to 'f', as a trial\nmany of 'e'\nmany of 'f', refused\n");   // f overlaps b
   EXPECT_EQ(player.standing()["a"].block, 2U);
 }
 
