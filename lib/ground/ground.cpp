@@ -4,9 +4,30 @@
 
 #include <algorithm>
 #include <bit>
-#include <unordered_set>
 
 namespace lgs::detail {
+namespace {
+
+/// A set of numbers.
+class Numbers {
+ public:
+  bool contains(std::uint32_t number) const {
+    return index_.find(hashOf(number), [&](std::uint32_t other) { return other == number; }) != HashIndex::kNone;
+  }
+  /// Whether it was not in it yet.
+  bool insert(std::uint32_t number) {
+    if (contains(number)) return false;
+    index_.insert(hashOf(number), number);
+    return true;
+  }
+  void erase(std::uint32_t number) { index_.erase(hashOf(number), number); }
+
+ private:
+  std::uint64_t hashOf(std::uint32_t number) const { return mix(index_.seed(), number); }
+  HashIndex index_;
+};
+
+}  // namespace
 
 Ground::Ground(const Ground& other)
     : preserve(other.preserve),
@@ -241,16 +262,16 @@ void Ground::forgetUndone() {
 /// Tells followers what changed between two commits, of which these are the notes. The ground is as of the later one.
 /// The first note of a cell says what it held at the earlier one. Of a chunk that is, or was, unloaded nothing is told.
 void Ground::tell(std::uint64_t begin, std::uint64_t end, Way way) {
-  std::unordered_set<std::uint32_t> told, turned;
+  Numbers told, turned;
   for (std::uint64_t k = begin; k < end; ++k)
-    if (const Note& note = notes_[k - forgotten_]; note.of == Note::Of::turn && !turned.insert(note.ref).second)
+    if (const Note& note = notes_[k - forgotten_]; note.of == Note::Of::turn && !turned.insert(note.ref))
       turned.erase(note.ref);
   std::vector<PlacedPolygon> before, now;
   cellChanges_.clear();
   for (std::uint64_t k = begin; k < end; ++k) {
     const Note& note = notes_[k - forgotten_];
     if (!note.isOfCell() || note.of == Note::Of::changedCell) continue;
-    if (way != Way::commit && !told.insert(note.ref).second) continue;
+    if (way != Way::commit && !told.insert(note.ref)) continue;
     const CellAt at = grid.find(note.ref);
     before.clear();
     now.clear();
@@ -265,10 +286,10 @@ void Ground::tell(std::uint64_t begin, std::uint64_t end, Way way) {
 
 std::vector<Cell> Ground::editedSince(const Moment& moment) const {
   std::vector<Cell> cells;
-  std::unordered_set<std::uint32_t> known;
+  Numbers known;
   for (std::uint64_t k = moment.notes; k < noteCount(); ++k) {
     const Note& note = notes_[k - forgotten_];
-    if (note.isOfCell() && known.insert(note.ref).second) cells.push_back(grid.cellOf(note.ref));
+    if (note.isOfCell() && known.insert(note.ref)) cells.push_back(grid.cellOf(note.ref));
   }
   return cells;
 }

@@ -14,13 +14,19 @@
 
 namespace lgs::detail {
 
+#ifdef LGS_SMALL_CODE
+constexpr bool kHasThreads = false;  // in WebAssembly there are none
+#else
+constexpr bool kHasThreads = true;
+#endif
+
 void Outline::update(const Ground& ground, const Executor& executor) {
   if (isNoting_ && (!ground.changedChunks().empty() || !changes_.removed.empty())) note_ = &notes_.emplace_back();
   begin();
   isFiltered_ = ground.grid.unloadedCount() != 0 || hasHidden();
   if (isFiltered_) [[unlikely]]
     turn(ground);
-  if (executor && segments.isEmpty() && ground.grid.unloadedCount() == 0) {
+  if (kHasThreads && executor && segments.isEmpty() && ground.grid.unloadedCount() == 0) {
     build(ground, *this, executor);
   } else {
     Exposure phase1(ground, *this, ids_);

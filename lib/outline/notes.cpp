@@ -123,19 +123,23 @@ void Outline::Note::addTo(std::vector<std::uint32_t>& ids) const {
 
 std::uint64_t Outline::Note::bytes() const {
   const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
-  return sizeof *this + of(removedBefore, freeTaken, added, turned, segments, lists);
+  return of(removedBefore, freeTaken, added, turned, segments, lists);
 }
 
 void Outline::stopNoting() {
   isNoting_ = false;
   forgetBefore(now());
+  notes_ = {};
   notedSegments_ = {};
   notedLists_ = {};
 }
 
 void Outline::forgetBefore(std::uint64_t moment) {
   if (opened_ <= moment) closeNote();
-  for (; forgotten_ < moment; ++forgotten_) notes_.pop_front();
+  for (; forgotten_ + dropped_ < moment; ++dropped_) notes_[dropped_] = {};
+  if (dropped_ < notes_.size() / 2) return;  // the rest moves to the front seldom
+  notes_.erase(notes_.begin(), notes_.begin() + static_cast<std::ptrdiff_t>(dropped_));
+  forgotten_ += std::exchange(dropped_, 0);
 }
 
 // --- Going back

@@ -13,6 +13,7 @@ Outline::Outline(const Outline& other)
       versions_(other.versions_),
       version_(other.version_),
       notes_(other.notes_),
+      dropped_(other.dropped_),
       forgotten_(other.forgotten_),
       undone_(other.undone_),
       isNoting_(other.isNoting_) {}
@@ -55,10 +56,9 @@ void Outline::turn(std::uint32_t chunk) {
 std::uint64_t Outline::bytes() const {
   const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
   std::uint64_t sum = segments.bytes() + lists.bytes() + bytesOf(changes_) + bytesOf(shown_) +
-                      of(hidden_, turned_, ids_, fan_) + notedSegments_.bytes() + notedLists_.bytes();
+                      of(hidden_, turned_, ids_, fan_, notes_, undone_) + notedSegments_.bytes() + notedLists_.bytes();
   for (const Note& n : notes_) sum += n.bytes();
-  for (const UndoneNote& u : undone_)
-    sum += sizeof u - sizeof u.note + u.note.bytes() + of(u.removed, u.freeTaken, u.segments, u.lists);
+  for (const UndoneNote& u : undone_) sum += u.note.bytes() + of(u.removed, u.freeTaken, u.segments, u.lists);
   return sum;
 }
 

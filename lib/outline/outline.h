@@ -11,7 +11,6 @@
 #include <lgs/world.h>
 
 #include <cstdint>
-#include <deque>
 #include <utility>
 #include <vector>
 
@@ -169,7 +168,8 @@ class Outline {
   std::vector<std::uint32_t> turned_;  ///< numbers of the chunks that the update under way turned
   Versions versions_;
   std::uint64_t version_ = 0;
-  std::deque<Note> notes_;
+  std::vector<Note> notes_;
+  std::size_t dropped_ = 0;         ///< notes at the front that are forgotten already
   std::uint64_t forgotten_ = 0;     ///< notes that are gone from the front
   std::vector<UndoneNote> undone_;  ///< the first to come back last
   Note* note_ = nullptr;            ///< of the update under way
