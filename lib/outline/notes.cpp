@@ -129,7 +129,7 @@ std::uint64_t Outline::Note::bytes() const {
 void Outline::stopNoting() {
   isNoting_ = false;
   forgetBefore(now());
-  notes_ = {};
+  notes_ = std::vector<Note>();
   notedSegments_ = {};
   notedLists_ = {};
 }
