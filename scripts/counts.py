@@ -54,7 +54,7 @@ def planted(root):
 
 
 def doors(root):
-    return int(re.search(r"kDoors = (\d+);", text(root, "oracle/trace/step.h"))[1])
+    return int(re.search(r"kDoors = (\d+);", text(root, "oracle/trace/way.h"))[1])
 
 
 def platforms(root):
