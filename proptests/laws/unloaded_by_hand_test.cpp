@@ -83,6 +83,17 @@ TEST(UnloadedByHand, OnlyChunksWithinTheRectangleGo) {
   EXPECT_EQ(world.firstUnloaded({{0, 0}, {-1, 0}}), std::nullopt);
 }
 
+TEST(UnloadedByHand, TheFirstUnloadedCellIsTheFirstByRows) {
+  World world;
+  for (const Cell cell : {Cell{0, 0}, Cell{64, 0}, Cell{0, 32}, Cell{32, 32}}) place(world, cell, unitSquare());
+  world.commit();
+  EXPECT_EQ(world.unload({{32, 0}, {95, 31}}, {}), 1U);
+  EXPECT_EQ(world.unload({{0, 32}, {95, 63}}, {}), 2U);
+  EXPECT_EQ(world.firstUnloaded(kEverywhere), (Cell{64, 0}));
+  EXPECT_EQ(world.firstUnloaded({{0, 0}, {63, 63}}), (Cell{0, 32}));
+  EXPECT_EQ(world.firstUnloaded({{5, 40}, {95, 63}}), (Cell{5, 40}));
+}
+
 TEST(UnloadedByHand, HandlesAreRefusedAndValidAgain) {
   World world;
   const PolygonHandle gone = place(world, {3, 4}, unitSquare()), stale = place(world, {5, 5}, unitSquare());
