@@ -207,6 +207,20 @@ TEST(UnloadedByHand, ForgottenPlacesGiveTheirNumbersAndBordersBack) {
   EXPECT_TRUE(world.save({}));
 }
 
+TEST(UnloadedByHand, WhatNobodyNeedsCanBeForgottenAfterGoingBackToo) {
+  World world = rowOfChunks(2);
+  EXPECT_EQ(world.unload(chunkAt(0, 0), {}), 1U);
+  EXPECT_TRUE(world.clear(CellRect{{32, 0}, {63, 31}}));
+  world.commit();
+  EXPECT_EQ(world.forget(kEverywhere), 1U) << "the empty one";
+  const Mark mark = world.checkpoint();
+  world.commit();
+  EXPECT_TRUE(world.rollBack(mark));
+  EXPECT_TRUE(world.forget(mark));
+  world.commit();
+  EXPECT_EQ(world.forget(kEverywhere), 1U);
+}
+
 TEST(UnloadedByHand, AnUnknownPlaceCanCountAsSolid) {
   World world = rowOfChunks(1);
   const ShapeId square = shapeOf(world, {unitSquare()});
