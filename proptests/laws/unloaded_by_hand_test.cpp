@@ -252,6 +252,7 @@ TEST(UnloadedByHand, QuestionsSayWhereTheyWouldHaveToLook) {
   EXPECT_TRUE(world.rayCast(at(20, 40), at(60, 20)).error().code == ErrorCode::unloaded);
   EXPECT_TRUE(world.rayCast(at(28, 33), at(36, 31)).error().code == ErrorCode::unloaded) << "it meets both at once";
   EXPECT_TRUE(world.rayCast(at(27, 33), at(35, 31))->segment) << "it is hit at (31, 32), and would go on";
+  EXPECT_TRUE(world.rayCast(Point{63 * U, 33 * U}, Point{65 * U, 31 * U + 1})) << "half a unit beside the corner";
   // The nearest segment, unless an unknown one may be as near.
   EXPECT_TRUE(world.nearest(at(10, 35), 10)->segment);
   EXPECT_EQ(world.nearest(at(30, 35), 10)->distance, 3.0);
