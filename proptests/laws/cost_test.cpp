@@ -185,6 +185,23 @@ TEST(Memory, StatsAreHonestWithManyShapesAndPolygons) {
   expectHonestStats(m);
 }
 
+TEST(Memory, StatsAreHonestAboutWhatMarksKeep) {
+  Measured m;
+  const ShapeId diamond = shapeOf(m.world, shapeNamed("diamond"));
+  constexpr CellRect kPlace{{0, 0}, {60, 60}};
+  const Mark first = m.world.checkpoint();
+  for (int k = 0; k < 10; ++k) {
+    ASSERT_TRUE(m.world.fill(kPlace, diamond, 1));
+    m.world.commit();
+    static_cast<void>(m.world.checkpoint());
+    ASSERT_TRUE(m.world.clear(kPlace));
+    m.world.commit();
+  }
+  expectHonestStats(m);
+  ASSERT_TRUE(m.world.rollBack(first, Undone::keep));
+  expectHonestStats(m);
+}
+
 /// Edits a grown world, as often as it takes to reach its size, and then counts allocations.
 class SteadyState {
  public:

@@ -291,5 +291,19 @@ TEST(GoingBackByHand, NothingIsKeptOfCommitsThatFindNothing) {
   EXPECT_EQ(world.changesOfRollBack().removed.size(), 4U);
 }
 
+TEST(GoingBackByHand, FollowersAreToldWhatWasCommittedAndNotWhatIsPending) {
+  World world;
+  ASSERT_TRUE(world.followCells(true));
+  const Mark mark = world.checkpoint();
+  place(world, {1, 0}, unitSquare());
+  world.commit();
+  ASSERT_TRUE(world.clear(Cell{1, 0}));
+  ASSERT_TRUE(world.rollBack(mark));
+  const auto changes = world.cellChanges();
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_EQ(changes[0].before.size(), 1U);
+  EXPECT_TRUE(changes[0].now.empty());
+}
+
 }  // namespace
 }  // namespace lgs::test

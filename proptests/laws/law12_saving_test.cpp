@@ -198,6 +198,7 @@ TEST(GoingBackByHand, EveryNumberBeyondItsRangeIsRefused) {
   EXPECT_EQ(one(2, kMuch), What::badNumber) << "more polygons than bytes";
   EXPECT_EQ(one(4, 65'537), What::badNumber) << "a coordinate";
   EXPECT_EQ(reasonWith(19, 7, {3, 0, 0, 65'536, 0, 0, 65'536}), What::badPolygon) << "polygon 0 again";
+  EXPECT_EQ(reasonWith(10, 9, {3, 0, 0, 65'536, 0, 0, 65'536}), What::badPolygon) << "again, in a content of its own";
 
   EXPECT_EQ(one(26, kMuch), What::badNumber) << "more contents than bytes";
   EXPECT_EQ(one(28, 3), What::badNumber) << "a polygon that is not there";

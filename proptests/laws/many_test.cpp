@@ -105,6 +105,15 @@ TEST(ManyEdits, HaveAnIndexThatFits) {
   }
 }
 
+TEST(ManyEdits, TellTheHandlesOfWhatComesIntoEmptyCells) {
+  World world;
+  const ShapeId square = shapeOf(world, {unitSquare()});
+  const Placement placements[] = {{{0, 0}, square, 1}, {{40, 0}, square, 2}, {{1, 0}, square, 3}};
+  std::vector<PolygonHandle> handles(2);
+  ASSERT_TRUE(world.addMany(placements, handles));
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(handles[k], world.polygons(placements[k].cell)[0].handle);
+}
+
 TEST(ManyEdits, OfOneCellGoTogether) {
   Stage stage = makeStage();
   const Placement twice[] = {{{9, 9}, stage.square, 1}, {{9, 9}, stage.square, 2}};

@@ -83,6 +83,17 @@ TEST(UnloadedByHand, OnlyChunksWithinTheRectangleGo) {
   EXPECT_EQ(world.firstUnloaded({{0, 0}, {-1, 0}}), std::nullopt);
 }
 
+TEST(UnloadedByHand, TheFirstUnloadedCellIsTheFirstByRows) {
+  World world;
+  for (const Cell cell : {Cell{0, 0}, Cell{64, 0}, Cell{0, 32}, Cell{32, 32}}) place(world, cell, unitSquare());
+  world.commit();
+  EXPECT_EQ(world.unload({{32, 0}, {95, 31}}, {}), 1U);
+  EXPECT_EQ(world.unload({{0, 32}, {95, 63}}, {}), 2U);
+  EXPECT_EQ(world.firstUnloaded(kEverywhere), (Cell{64, 0}));
+  EXPECT_EQ(world.firstUnloaded({{0, 0}, {63, 63}}), (Cell{0, 32}));
+  EXPECT_EQ(world.firstUnloaded({{5, 40}, {95, 63}}), (Cell{5, 40}));
+}
+
 TEST(UnloadedByHand, HandlesAreRefusedAndValidAgain) {
   World world;
   const PolygonHandle gone = place(world, {3, 4}, unitSquare()), stale = place(world, {5, 5}, unitSquare());
@@ -196,6 +207,20 @@ TEST(UnloadedByHand, ForgottenPlacesGiveTheirNumbersAndBordersBack) {
   EXPECT_TRUE(world.save({}));
 }
 
+TEST(UnloadedByHand, WhatNobodyNeedsCanBeForgottenAfterGoingBackToo) {
+  World world = rowOfChunks(2);
+  EXPECT_EQ(world.unload(chunkAt(0, 0), {}), 1U);
+  EXPECT_TRUE(world.clear(CellRect{{32, 0}, {63, 31}}));
+  world.commit();
+  EXPECT_EQ(world.forget(kEverywhere), 1U) << "the empty one";
+  const Mark mark = world.checkpoint();
+  world.commit();
+  EXPECT_TRUE(world.rollBack(mark));
+  EXPECT_TRUE(world.forget(mark));
+  world.commit();
+  EXPECT_EQ(world.forget(kEverywhere), 1U);
+}
+
 TEST(UnloadedByHand, AnUnknownPlaceCanCountAsSolid) {
   World world = rowOfChunks(1);
   const ShapeId square = shapeOf(world, {unitSquare()});
@@ -227,6 +252,7 @@ TEST(UnloadedByHand, QuestionsSayWhereTheyWouldHaveToLook) {
   EXPECT_TRUE(world.rayCast(at(20, 40), at(60, 20)).error().code == ErrorCode::unloaded);
   EXPECT_TRUE(world.rayCast(at(28, 33), at(36, 31)).error().code == ErrorCode::unloaded) << "it meets both at once";
   EXPECT_TRUE(world.rayCast(at(27, 33), at(35, 31))->segment) << "it is hit at (31, 32), and would go on";
+  EXPECT_TRUE(world.rayCast(Point{63 * U, 33 * U}, Point{65 * U, 31 * U + 1})) << "half a unit beside the corner";
   // The nearest segment, unless an unknown one may be as near.
   EXPECT_TRUE(world.nearest(at(10, 35), 10)->segment);
   EXPECT_EQ(world.nearest(at(30, 35), 10)->distance, 3.0);
@@ -360,23 +386,6 @@ TEST(UnloadedByHand, AChunkThatGoesBackToBeingUnloadedHasTheBorderOfThen) {
   EXPECT_EQ(world.commit().added.size(), 3U);
 }
 
-TEST(UnloadedByHand, BordersDoNotKeepWhatTheyHeld) {
-  World world;
-  Shelf shelf;
-  for (std::int32_t k = 1; k <= 4'000; ++k) {
-    place(world, {0, 5}, {{0, 0}, {k, 0}, {0, k}});
-    place(world, {31, 5}, {{0, 0}, {k, 0}, {0, k}});
-    place(world, {31, 5}, {{kUnitsPerCell, 0}, {kUnitsPerCell, k}, {kUnitsPerCell - k, 0}});
-    EXPECT_EQ(world.unload(chunkAt(0, 0), shelf.sink()), 1U);
-    if (k % 2 == 0) world.commit();
-    EXPECT_TRUE(shelf.reload(world, {0, 0}));
-    removeAll(world, {0, 5});
-    removeAll(world, {31, 5});
-    world.commit();
-  }
-  EXPECT_LT(world.stats().contents, 2'000U) << "there were 8,000";
-}
-
 // The border of the unloaded chunk is to be settled anew, since the chunk beside it was forgotten. While a mark is held
 // each commit does that again.
 TEST(UnloadedByHand, CommitsUnderAMarkDoNotAddUp) {
@@ -392,6 +401,25 @@ TEST(UnloadedByHand, CommitsUnderAMarkDoNotAddUp) {
   for (int k = 0; k < 1'000; ++k) world.commit();
   EXPECT_EQ(world.stats().bytes, before);
   EXPECT_TRUE(world.forget(mark));
+}
+
+TEST(UnloadedByHand, WhatABorderHeldIsForgotten) {
+  World world;
+  Shelf shelf;
+  for (std::int32_t round = 0; round < 80; ++round) {
+    for (std::int32_t i = 0; i < 32; ++i) place(world, {i, 0}, {{0, 0}, {1 + 32 * round + i, 0}, {0, 1}});
+    world.commit();
+    EXPECT_EQ(world.unload(kEverywhere, shelf.sink()), 1U);
+    world.commit();
+    if (round % 2 == 0) {
+      EXPECT_TRUE(shelf.reload(world, {0, 0}));
+      EXPECT_EQ(world.clear(chunkAt(0, 0)), 32U);
+      world.commit();
+    } else {
+      EXPECT_EQ(world.forget(kEverywhere), 1U);
+    }
+  }
+  EXPECT_LT(world.stats().contents, 1'200U) << "of 2,560 that there were";
 }
 
 }  // namespace

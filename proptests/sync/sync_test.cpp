@@ -3,6 +3,7 @@
 #include "examples/sync/client.h"
 #include "examples/sync/server.h"
 #include "proptests/laws/calls.h"
+#include "proptests/laws/twins.h"
 #include "proptests/support/law.h"
 #include "proptests/support/traces.h"
 

@@ -70,6 +70,8 @@ TEST(ViewsByHand, WhatCellsHeldOutlivesIt) {
   world.commit();  // forgets the contents that no cell has
   EXPECT_EQ(world.stats().contents, 0U);
   const World copy = world;
+  ASSERT_TRUE(world.fill({{1, 0}, {3'000, 0}}, shapeOf(world, {unitSquare()}), 1));
+  world.commit();  // what it told before is overwritten
   world = World();
   ASSERT_EQ(copy.cellChanges().size(), 3'000U);
   for (const CellChange& change : copy.cellChanges()) {

@@ -3,6 +3,7 @@
 #include "oracle/views/ground_hashes.h"
 #include "proptests/laws/calls.h"
 #include "proptests/support/law.h"
+#include "proptests/support/traces.h"
 
 #include <lgs/hashes.h>
 

@@ -310,7 +310,10 @@ TEST(IslandViewByHand, ABodyGoesBackWhereItFits) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::overlap);
   EXPECT_EQ(refused.error().index, 0);
-  EXPECT_TRUE(d.world.isEmpty({3, 1})) << "nothing of it was placed";
+  const auto later = put(d.world, *body, {0, 1});
+  ASSERT_FALSE(later);
+  EXPECT_EQ(later.error().index, 1);
+  EXPECT_TRUE(d.world.isEmpty({0, 1})) << "nothing of it was placed";
   ASSERT_TRUE(put(d.world, *body, {2, 1}));
   d.commit();
   EXPECT_EQ(d.at({3, 2}), d.at({0, 0}));

@@ -25,20 +25,19 @@ LoopId Locator::ofPolygon(Cell cell, std::span<const LocalPoint> vertices) const
     if (here && (!first || *here < *first)) first = here;
     return false;
   });
-  return ofLoop(leftWestOf(*first, {}));
+  return ofLoop(leftWestOf(*first));
 }
 
 LoopId Locator::ofLoop(LoopId loop) const {
   for (;;) {
     const auto facts = loops_.loop(loop);
     if (!facts || !facts->isHole()) return loop;
-    loop = leftWestOf(wallWestOf(*facts), loop);
+    loop = leftWestOf(wallWestOf(*facts));
   }
 }
 
-/// A ray comes from a solid and runs to the west. The loop through which it leaves the island first. At the westernmost
-/// vertex of a hole it may run across that hole once more, between edges that start there: this is passed over.
-LoopId Locator::leftWestOf(const Crossing& from, LoopId except) const {
+/// A ray comes from a solid and runs to the west. The loop through which it leaves the island first.
+LoopId Locator::leftWestOf(const Crossing& from) const {
   const auto j = static_cast<std::int32_t>(from.y >> kCellBits);
   std::int32_t last = from.i;
   for (std::int32_t width = 1; last >= -kMaxCell; width = std::min(2 * width, 64)) {
@@ -50,10 +49,8 @@ LoopId Locator::leftWestOf(const Crossing& from, LoopId except) const {
       if (s.end.y >= s.start.y) continue;  // the solid is on its western side
       const auto here = crossing(from.y, s.cell, s.start, s.end);
       if (!here || *here > from || (best && *here <= *best)) continue;
-      const LoopId loop = loops_.of(id);
-      if (loop == except) continue;
       best = here;
-      found = loop;
+      found = loops_.of(id);
     }
     if (best) return found;
     last = first - 1;

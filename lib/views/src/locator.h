@@ -36,7 +36,7 @@ class Locator {
   };
 
   static std::optional<Crossing> crossing(std::int64_t y, Cell cell, Point start, Point end);
-  LoopId leftWestOf(const Crossing& from, LoopId except) const;
+  LoopId leftWestOf(const Crossing& from) const;
   Crossing wallWestOf(const LoopFacts& hole) const;
 
   const World& outline_;

@@ -74,7 +74,9 @@ function assertAreRight(pieces, world, most) {
   }
 }
 
-const edit = fc.record({ i: fc.nat(2), j: fc.nat(2), shape: fc.nat(shapes.length), block: fc.nat(2) })
+const edit = fc.record({
+  i: fc.nat(2), j: fc.nat(2), shape: fc.nat(shapes.length), block: fc.nat(2), how: fc.constantFrom('replace', 'add'),
+})
 const commits = fc.array(fc.array(edit, { minLength: 1, maxLength: 5 }), { minLength: 1, maxLength: 6 })
 
 test('random worlds: pieces make up the cells, portals are what two of them share, and changed cells are told', () => {
@@ -91,7 +93,10 @@ test('random worlds: pieces make up the cells, portals are what two of them shar
       assertAreRight(pieces, world, maxVertices)
     }
     for (const step of steps) {
-      for (const { i, j, shape, block } of step) shape === shapes.length ? world.clear(i, j) : world.replace(i, j, ids[shape], block)
+      for (const { i, j, shape, block, how } of step) {
+        if (shape === shapes.length) world.clear(i, j)
+        else try { world[how](i, j, ids[shape], block) } catch (error) { code('overlap')(error) }
+      }
       follow(world.commit())
     }
     follow(world.rollBack(mark))
@@ -113,6 +118,17 @@ test('whole cells are merged, and a polygon that only gets another block keeps i
   assert.deepEqual(pieces.update(world.commit()), [])
   assert.equal(pieces.solidPieces(3, 3)[0].block, 7)
   assert.equal(pieces.freePieceAt(3.5, 3.5), null)
+  pieces.free()
+  world.free()
+})
+
+test('in a cell of two polygons each piece has the block of its own one', () => {
+  const world = createWorld()
+  const [rock, ledge] = [world.addPolygon(0, 0, [0, 0, 1, 0, 1, 0.5], 1), world.addPolygon(0, 0, [0, 0.75, 1, 0.75, 1, 1], 2)]
+  world.commit()
+  const pieces = new Pieces(world)
+  const told = pieces.solidPieces(0, 0).map(({ polygon, block }) => ({ polygon, block }))
+  assert.deepEqual(told, [{ polygon: rock, block: 1 }, { polygon: ledge, block: 2 }])
   pieces.free()
   world.free()
 })
