@@ -201,6 +201,9 @@ class TerrainBase {
   bool release(BodyHandle body, const Box& changed);
   void push(BodyHandle body, b2Vec2 way);
   bool isFree(ConstBodyHandle body, const Pose& at);
+  std::optional<Pose> freeNear(ConstBodyHandle body, const Pose& at);
+  bool returnTo(BodyHandle body, const Footing& last);
+  void afterRounding();
   bool hasCrossed(ConstBodyHandle body, const Footing& last);
   void noteAll();
   void note(ConstBodyHandle body);
