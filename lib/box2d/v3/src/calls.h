@@ -74,9 +74,10 @@ inline bool canBeCaught(b2BodyId body) { return b2Body_GetType(body) == b2_dynam
 inline Pose poseOf(b2BodyId body) { return {b2Body_GetPosition(body), b2Body_GetRotation(body)}; }
 /// What setPose() makes of it.
 inline Pose settled(const Pose& at) { return at; }
+/// Rounded as b2Body_GetWorldPoint() rounds.
 inline Place placed(b2Vec2 local, const Pose& at) {
   const b2Vec2 turned = b2RotateVector(at.q, local);
-  return {at.p.x + double{turned.x}, at.p.y + double{turned.y}};
+  return {at.p.x + turned.x, at.p.y + turned.y};
 }
 inline b2Vec2 velocityOf(b2BodyId body) { return b2Body_GetLinearVelocity(body); }
 
