@@ -10,8 +10,9 @@ namespace lgs::detail {
 namespace {
 
 /// A set of numbers.
-class Numbers {
+class NumberSet {
  public:
+  explicit NumberSet(const void* seed) : index_(anySeed(seed)) {}
   bool contains(std::uint32_t number) const {
     return index_.find(hashOf(number), [&](std::uint32_t other) { return other == number; }) != HashIndex::kNone;
   }
@@ -263,14 +264,15 @@ void Ground::forgetUndone() {
 /// Tells followers what changed between two commits, of which these are the notes. The ground is as of the later one.
 /// The first note of a cell says what it held at the earlier one. Of a chunk that is, or was, unloaded nothing is told.
 void Ground::tell(std::uint64_t begin, std::uint64_t end, Way way) {
-  Numbers told, turned;
+  NumberSet told(this), turned(this);
   for (std::uint64_t k = begin; k < end; ++k)
-    if (const Note& note = notes_[k - forgotten_]; note.of == Note::Of::turn && !turned.insert(note.ref))
+    if (const Note& note = notes_[static_cast<std::size_t>(k - forgotten_)];
+        note.of == Note::Of::turn && !turned.insert(note.ref))
       turned.erase(note.ref);
   std::vector<PlacedPolygon> before, now;
   cellChanges_.clear();
   for (std::uint64_t k = begin; k < end; ++k) {
-    const Note& note = notes_[k - forgotten_];
+    const Note& note = notes_[static_cast<std::size_t>(k - forgotten_)];
     if (!note.isOfCell() || note.of == Note::Of::changedCell) continue;
     if (way != Way::commit && !told.insert(note.ref)) continue;
     const CellAt at = grid.find(note.ref);
@@ -287,9 +289,9 @@ void Ground::tell(std::uint64_t begin, std::uint64_t end, Way way) {
 
 std::vector<Cell> Ground::editedSince(const Moment& moment) const {
   std::vector<Cell> cells;
-  Numbers known;
+  NumberSet known(this);
   for (std::uint64_t k = moment.notes; k < noteCount(); ++k) {
-    const Note& note = notes_[k - forgotten_];
+    const Note& note = notes_[static_cast<std::size_t>(k - forgotten_)];
     if (note.isOfCell() && known.insert(note.ref)) cells.push_back(grid.cellOf(note.ref));
   }
   return cells;
@@ -348,7 +350,7 @@ void Ground::squeeze(const Moment& moment) {
 
 void Ground::endSqueezing() {
   for (std::uint64_t k = squeezedFrom_; k < squeezed_; ++k)
-    if (const Note& note = notes_[k - forgotten_]; note.isOfCell()) noted_.erase(note.ref);
+    if (const Note& note = notes_[static_cast<std::size_t>(k - forgotten_)]; note.isOfCell()) noted_.erase(note.ref);
   squeezed_ = squeezedFrom_;
 }
 

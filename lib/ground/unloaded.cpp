@@ -119,6 +119,7 @@ Chunk& Ground::load(std::uint32_t number) {
   const Note back = turn({number, 0, 0, Note::Of::turn});
   if (isNoting()) notes_.push_back(back);
   if (chunk.dirtyRows == 0) touchAgain({&chunk, 0});
+  if (grid.unloadedCount() == 0 && !isNoting(For::marks)) sleepy_ = {};  // there is none that could sleep
   return chunk;
 }
 

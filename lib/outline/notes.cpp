@@ -86,7 +86,7 @@ void Outline::openNote() {
 
 void Outline::closeNote() {
   if (opened_ == 0) return;
-  Note& note = notes_[std::exchange(opened_, 0) - 1 - forgotten_];
+  Note& note = notes_[static_cast<std::size_t>(std::exchange(opened_, 0) - 1 - forgotten_)];
   for (const std::uint32_t id : note.added) notedSegments_.erase(id);
   for (const auto& [id, record] : note.segments) notedSegments_.erase(id);
   for (std::size_t end = note.lists.size(); end != 0; end -= 2 + std::size_t{note.lists[end - 2]})
@@ -112,7 +112,8 @@ void Outline::take(Note& open, const Note& next) {
     ids_.push_back(static_cast<std::uint32_t>(end));
   for (; !ids_.empty(); ids_.pop_back()) {
     const auto end = next.lists.begin() + static_cast<std::ptrdiff_t>(ids_.back());
-    if (notedLists_.insert(end[-1])) open.lists.insert(open.lists.end(), end - 2 - end[-2], end);
+    if (notedLists_.insert(end[-1]))
+      open.lists.insert(open.lists.end(), end - 2 - static_cast<std::ptrdiff_t>(end[-2]), end);
   }
 }
 
@@ -147,7 +148,7 @@ void Outline::forgetBefore(std::uint64_t moment) {
 void Outline::goBack(const Grid& grid, std::uint64_t moment, std::uint64_t version, Undone undone, Changes& changes) {
   closeNote();
   std::vector<std::uint32_t> ids;
-  for (std::uint64_t k = moment; k < now(); ++k) notes_[k - forgotten_].addTo(ids);
+  for (std::uint64_t k = moment; k < now(); ++k) notes_[static_cast<std::size_t>(k - forgotten_)].addTo(ids);
   go(grid, std::move(ids), version, changes, [&] {
     for (; now() > moment; notes_.pop_back()) {
       if (undone == Undone::keep) undone_.push_back(kept(grid, notes_.back()));

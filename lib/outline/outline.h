@@ -33,6 +33,8 @@ class Outline {
 
   /// Of the last update, without the segments that are hidden.
   const Changes& changes() const { return isFiltered_ ? shown_ : changes_; }
+  /// Whether there were hidden segments, or unloaded chunks.
+  bool isFiltered() const { return isFiltered_; }
   /// What it removed, hidden or not. These ids are available with the next one.
   const std::vector<SegmentId>& removed() const { return changes_.removed; }
   std::uint64_t version() const { return version_; }

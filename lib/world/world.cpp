@@ -191,9 +191,9 @@ const Changes& World::commit(const Executor& executor) noexcept {
   impl_->ground.settle();
   impl_->outline.update(impl_->ground, executor);
   impl_->ground.commit();
-  if (impl_->history.hasMarks()) [[unlikely]]
+  if (impl_->ground.isNoting(detail::Ground::For::marks)) [[unlikely]]
     impl_->history.squeeze();
-  if (impl_->ground.isSleepy() && !impl_->history.hasMarks()) [[unlikely]] {
+  if (impl_->outline.isFiltered() && impl_->ground.isSleepy() && !impl_->history.hasMarks()) [[unlikely]] {
     for (const std::uint32_t chunk : impl_->ground.sleep()) impl_->outline.lists.forget(chunk);
     impl_->outline.giveBackPages();
   }

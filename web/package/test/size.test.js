@@ -1,5 +1,5 @@
 // The size is a promise: what `localgridseg` makes a page load, with gzip, is at most 140 kB. (It was 130 kB before
-// chunks could leave memory: the engine has that, though JavaScript cannot ask for it yet.)
+// chunks could leave memory.)
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { test } from 'node:test'
