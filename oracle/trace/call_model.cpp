@@ -180,8 +180,10 @@ Verdict CallModel::judgeParts(const Call& call) const {
       Shape comes;
       for (const Coming& coming : call.comes) comes.push_back(coming.shape[0]);
       const auto fault = comes.empty() ? std::nullopt : oracle::faultOf(std::span<const LocalPolygon>(comes));
-      const auto refusal = fault ? std::nullopt : tried.refusalIn(cell, comes);
-      if (fault || refusal) verdicts.push_back({false, fault ? fault : refusal, cell});
+      if (fault) verdicts.push_back({false, fault, cell});
+      const bool areSimple = !fault || fault == ErrorCode::overlap;
+      const auto refusal = areSimple ? tried.refusalIn(cell, comes) : std::nullopt;
+      if (refusal) verdicts.push_back({false, refusal, cell});
       if (verdicts.size() > 1) return {false, std::nullopt, cell};
       return verdicts.empty() ? Verdict{} : verdicts[0];
     }
