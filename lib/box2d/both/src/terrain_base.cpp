@@ -76,6 +76,7 @@ void TerrainBase::moveOrigin(Cell origin) {
     if (isThere(bodies_[k].body)) moveTo(bodies_[k].body, positionOf(static_cast<std::uint32_t>(k)));
   }
   afterMovingOf(physics_);
+  if (!isAlone()) afterRounding();
 }
 
 // Whether there are no bodies but the terrain's.
