@@ -10,6 +10,7 @@
 #include <concepts>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace lgs::box2d {
@@ -214,7 +215,10 @@ class TerrainBase {
   void create(EdgeId id);
   void destroy(EdgeId id);
   void remake(EdgeId id);
-  void wakeAround(EdgeId id);
+  void wakeAround(const EdgeChanges& changes);
+  void wakeAround(std::span<const EdgeId> ids);
+  template <class Call>
+  void forEachBodyAround(std::span<const EdgeId> ids, const Call& call);
   LocalEdge localEdge(EdgeId id) const;
   Position positionOf(std::uint32_t chunk) const;
 
