@@ -25,6 +25,7 @@ TerrainBase::TerrainBase(Physics physics, const World& world, TerrainOptions opt
 }
 
 TerrainBase::~TerrainBase() {
+  if (!isThere(physics_)) return;
   for (const ChunkBody& chunk : bodies_) {
     if (isThere(chunk.body)) destroyBody(physics_, chunk.body);
   }

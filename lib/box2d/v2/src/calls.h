@@ -33,6 +33,7 @@ inline constexpr bool kDestroyingWakes = true;
 
 // --- the physics world
 
+inline bool isThere(const b2World& /*physics*/) { return true; }
 inline std::size_t bodyCountOf(const b2World& physics) { return static_cast<std::size_t>(physics.GetBodyCount()); }
 inline void assertUnlocked([[maybe_unused]] const b2World& physics) { assert(!physics.IsLocked()); }
 inline void afterMovingOf(const b2World& /*physics*/) {}

@@ -35,6 +35,7 @@ inline constexpr bool kDestroyingWakes = false;
 
 // --- the physics world
 
+inline bool isThere(b2WorldId physics) { return b2World_IsValid(physics); }
 inline std::size_t bodyCountOf(b2WorldId physics) {
   return static_cast<std::size_t>(b2World_GetCounters(physics).bodyCount);
 }
