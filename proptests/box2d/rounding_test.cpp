@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace lgs::box2d_test {
@@ -21,6 +22,8 @@ void turnTo(b2Body* body, float angle) { body->SetTransform(body->GetPosition(),
 Crowd::Position worldPoint(b2BodyId body, b2Vec2 local) { return b2Body_GetWorldPoint(body, local); }
 void turnTo(b2BodyId body, float angle) { b2Body_SetTransform(body, b2Body_GetPosition(body), b2MakeRot(angle)); }
 #endif
+
+float again(float angle) { return std::atan2(std::sin(angle), std::cos(angle)); }
 
 /// So far away that a float in metres is 32 lattice units.
 constexpr Cell kFarUp{0, 4'096};
@@ -63,6 +66,41 @@ TEST_F(Box2dRounding, WhoIsPutBackAfterTheOriginMovedIsFree) {
   ASSERT_EQ(terrain.afterStep().size(), 1U);
   EXPECT_TRUE(isFree(terrain, body));
   EXPECT_NEAR(Crowd::positionOf(body).y, -4'096, 0.001);
+}
+
+// Its middle is beside the origin of its body: where that is turned by the last bit, it may be in the ground.
+TEST(Box2dRoundedPlaces, WhoIsPutBackIsTurnedAsItWas) {
+  test::forAll(
+      500,
+      [](Chance random) {
+        Field field;
+        field.addFloor(-8, 8);
+        field.world.commit();
+        Crowd crowd;
+        Terrain terrain(crowd.physics, field.world);
+        const auto body = crowd.add(Figure::triangle, 2, {0.5F, 1});
+        float angle = 0;  // one that changes when it is taken from its sine and cosine again and again
+        for (int k = 0; k < 200 && again(angle) == again(again(angle)); ++k)
+          angle = 1e-6F * static_cast<float>(random.below(3'000'000));
+        turnTo(body, angle);
+        const auto isFree = [&] {
+          return field.world.at(terrain.latticePoint(Crowd::middlesOf(body)[0])).where == Spot::Where::outside;
+        };
+        float solid = -0.5F, free = 0.5F;  // as near to the floor as it is free
+        for (int k = 0; k < 40; ++k) {
+          const float y = (solid + free) / 2;
+          Crowd::put(body, {0.5F, y});
+          (isFree() ? free : solid) = y;
+        }
+        Crowd::put(body, {0.5F, free});
+        terrain.resync();
+        Crowd::put(body, {0.5F, free - 0.3F});
+        Crowd::kick(body, {0, -1});
+        crowd.step();
+        ASSERT_EQ(terrain.afterStep().size(), 1U);
+        EXPECT_TRUE(isFree());
+      },
+      rc::gen::arbitrary<Chance>());
 }
 
 // A stick is as thin as what Box2D lets overlap, so its way may end with the middle on the outline.

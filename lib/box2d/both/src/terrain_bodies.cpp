@@ -199,11 +199,10 @@ bool TerrainBase::hasCrossed(ConstBodyHandle body, const Footing& last) {
 }
 
 Pose TerrainBase::poseOf(const Footing& footing) const {
-  Pose at;
-  at.p = toBox2D(frame_.placeOf(footing.at));
-  at.q.c = footing.cosine;
-  at.q.s = footing.sine;
-  return settled(at);
+  b2Rot rotation;
+  rotation.c = footing.cosine;
+  rotation.s = footing.sine;
+  return settled(toBox2D(frame_.placeOf(footing.at)), rotation);
 }
 
 bool TerrainBase::fits(BodyArgument body) { return fitsAt(handleOf(body), box2d::poseOf(handleOf(body))); }

@@ -20,6 +20,7 @@ namespace lgs::box2d {
 struct Pose {
   b2Vec2 p;
   b2Rot q;
+  float angle = 0;  ///< that of `q`, which does not follow from it to the last bit
 };
 
 inline b2Vec2 toBox2D(Metres m) { return {m.x, m.y}; }
@@ -61,9 +62,9 @@ inline bool isStatic(const b2Body* body) { return body->GetType() == b2_staticBo
 inline bool isEnabled(const b2Body* body) { return body->IsEnabled(); }
 inline bool canBeCaught(const b2Body* body) { return body->GetType() == b2_dynamicBody && body->IsEnabled(); }
 
-inline Pose poseOf(const b2Body* body) { return {body->GetPosition(), body->GetTransform().q}; }
-/// What setPose() makes of it: Box2D sets angles.
-inline Pose settled(const Pose& at) { return {at.p, b2Rot(at.q.GetAngle())}; }
+inline Pose poseOf(const b2Body* body) { return {body->GetPosition(), body->GetTransform().q, body->GetAngle()}; }
+/// What Box2D can make of a place and a rotation: it sets angles.
+inline Pose settled(b2Vec2 p, b2Rot q) { return {p, b2Rot(q.GetAngle()), q.GetAngle()}; }
 inline Place placed(b2Vec2 local, const Pose& at) {
   const b2Vec2 p = b2Mul(b2Transform(at.p, at.q), local);
   return {p.x, p.y};
@@ -84,7 +85,7 @@ inline void stop(b2Body* body) {
   body->SetAngularVelocity(0);
 }
 inline void moveTo(b2Body* body, b2Vec2 at) { body->SetTransform(at, body->GetAngle()); }
-inline void setPose(b2Body* body, const Pose& at) { body->SetTransform(at.p, at.q.GetAngle()); }
+inline void setPose(b2Body* body, const Pose& at) { body->SetTransform(at.p, at.angle); }
 
 /// The game may have destroyed some.
 inline void eraseGone(b2World& physics, std::vector<b2Body*>& bodies) {

@@ -42,7 +42,7 @@ bool operator==(const Material& a, const Material& b) {
 Terrain::Terrain(b2World& physics, const World& world, TerrainOptions options)
     : TerrainBase(physics, world, std::move(options)) {}
 
-bool Terrain::fits(const b2Body& body, const b2Transform& at) { return fitsAt(&body, {at.p, at.q}); }
+bool Terrain::fits(const b2Body& body, const b2Transform& at) { return fitsAt(&body, {at.p, at.q, 0}); }
 
 EdgeId TerrainBase::edgeOf(const b2Fixture& fixture) const {
   const std::uintptr_t id = const_cast<b2Fixture&>(fixture).GetUserData().pointer;  // NOLINT: Box2D's is not const

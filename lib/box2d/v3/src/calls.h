@@ -73,8 +73,8 @@ inline bool isEnabled(b2BodyId body) { return b2Body_IsEnabled(body); }
 inline bool canBeCaught(b2BodyId body) { return b2Body_GetType(body) == b2_dynamicBody && b2Body_IsEnabled(body); }
 
 inline Pose poseOf(b2BodyId body) { return {b2Body_GetPosition(body), b2Body_GetRotation(body)}; }
-/// What setPose() makes of it.
-inline Pose settled(const Pose& at) { return at; }
+/// What Box2D can make of a place and a rotation.
+inline Pose settled(Position p, b2Rot q) { return {p, q}; }
 /// Rounded as b2Body_GetWorldPoint() rounds.
 inline Place placed(b2Vec2 local, const Pose& at) {
   const b2Vec2 turned = b2RotateVector(at.q, local);
