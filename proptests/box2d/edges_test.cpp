@@ -207,7 +207,7 @@ std::vector<Point> cornersOf(const std::vector<Point>& loop) {
 
 TEST(Box2dEdges, MergedInOneChunkTheyAreTheMergedLoops) {
   const oracle::Shared<std::size_t> compared;
-  box2d_test::forAllEdits(60, [&](oracle::Trace trace, box2d_test::Chance) {
+  box2d_test::forAllEdits(80, [&](oracle::Trace trace, box2d_test::Chance) {
     if (!trace.preserve.empty()) return;      // there are no loops then
     for (oracle::Edit& edit : trace.edits) {  // cases may lie anywhere; here all is to be in one chunk
       Cell& cell = edit.polygon.cell;
