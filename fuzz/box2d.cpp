@@ -4,7 +4,6 @@
 // date must equal one made anew.
 #include "fuzz/check_edits.h"
 #include "oracle/check/refusal.h"
-#include "oracle/generate/steps.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/player.h"
 
@@ -242,12 +241,13 @@ class Run {
 class Session {
  public:
   Session(const oracle::Trace& trace, TerrainOptions options, oracle::CheckStats& stats)
-      : steps_(trace), run_(trace, std::move(options)), stats_(stats) {}
+      : rows_(trace), run_(trace, std::move(options)), stats_(stats) {}
 
   std::optional<Finding> run() {
-    while (const auto step = steps_.next()) {
-      edits_ = step->end;
-      MayComplain complaint = step->isCommit() ? commit() : apply(*step);
+    while (const auto row = rows_.next(run_.player().calls())) {
+      edits_ = row->end;
+      if (row->isCommit()) run_.player().useExecutor(row->way.number);
+      MayComplain complaint = row->isCommit() ? commit() : apply(*row);
       if (complaint) return finding(*complaint);
     }
     if (const MayComplain complaint = commit()) return finding(*complaint);
@@ -261,13 +261,13 @@ class Session {
     return run_.commit();
   }
 
-  MayComplain apply(const oracle::Step& step) {
-    const auto done = run_.player().apply(step);
-    if (!step.isTrial) stats_.edits += step.edits.size();
-    if (!done && !step.verdict.accepted && !step.isTrial) ++stats_.refused;
-    const std::string wrong = oracle::wrongAnswer(step, done, steps_.model(), run_.player().world());
-    if (wrong.empty()) return std::nullopt;
-    return Complaint{wrong + '\n', {}, oracle::Mismatch::Kind::verdict};
+  MayComplain apply(const oracle::Row& row) {
+    const auto done = run_.player().apply(row);
+    if (!row.isTrial) stats_.edits += row.edits.size();
+    if (done) return std::nullopt;
+    if (done.error().isWrong) return Complaint{done.error().text + '\n', {}, oracle::Mismatch::Kind::verdict};
+    if (!row.isTrial) ++stats_.refused;
+    return std::nullopt;
   }
 
   Finding finding(Complaint complaint) {
@@ -282,7 +282,7 @@ class Session {
     return Finding{std::move(complaint.text), std::move(mismatch)};
   }
 
-  oracle::Steps steps_;
+  oracle::Rows rows_;
   Run run_;
   oracle::CheckStats& stats_;
   std::size_t edits_ = 0;

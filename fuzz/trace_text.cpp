@@ -12,8 +12,11 @@ namespace {
 using oracle::Edit;
 using oracle::Trace;
 
-constexpr std::array<std::string_view, 30> kWords{"lgs-trace 1\n",
+constexpr std::array<std::string_view, 33> kWords{"lgs-trace 1\n",
                                                   "lgs-trace 2\n",
+                                                  "lgs-trace 3\n",
+                                                  " by several 5 marked\n",
+                                                  " by fill too\n",
                                                   "carve 0.2 0 1.5 0.3 1 1\n",
                                                   "paint 1 fill ",
                                                   "paint 2 replace 0 0 2 0 0 2 |",

@@ -1,6 +1,7 @@
 """What there is to count in the project, as the documents have it: for scripts/claims.py."""
 import json
 import re
+import runpy
 from collections import Counter
 
 from links import tracked
@@ -53,7 +54,7 @@ def planted(root):
 
 
 def doors(root):
-    return int(re.search(r"kDoors = (\d+);", text(root, "oracle/trace/step.h"))[1])
+    return int(re.search(r"kDoors = (\d+);", text(root, "oracle/trace/way.h"))[1])
 
 
 def platforms(root):
@@ -100,7 +101,7 @@ def totals(root):
     return table(["what there is", "how many"], [
         ["laws, all of them tested on random cases", len(laws(root))],
         ["calls that mean the same edit (*doors*), all tested alike", doors(root)],
-        ["planted bugs, each of which a test must find; found in the last runs",
+        ["planted bugs, each of which a test must find; tried, and found",
          f"{sum(map(len, planted(root).values()))}; {found(root)}"],
         ["fuzz targets; traces that once showed a bug", f"{len(fuzz_targets(root))}; {regressions(root)}"],
         ["systems, compilers and options that must give the same ids", len(platforms(root))],
@@ -168,7 +169,15 @@ def hashes(root):
             "run since.\n")
 
 
-BLOCKS = {"totals": totals, "evidence": evidence, "bugs": bugs_by_law, "canaries": canaries,
+def ceilings(root):
+    folder = root / "bench/instructions"
+    said = runpy.run_path(str(folder / "gate.py"))["STEPS"]
+    counted = json.loads((folder / "ceilings.json").read_text(encoding="utf-8"))["ceilings"]
+    return table(["loop", "a step", "instructions, at most"],
+                 [[f"`{name}`", said[name], f"{most:,}"] for name, most in counted.items()])
+
+
+BLOCKS = {"totals": totals, "ceilings": ceilings, "evidence": evidence, "bugs": bugs_by_law, "canaries": canaries,
           "presets": table_of_presets,
           "options": table_of_options, "platforms": hashes}
 

@@ -43,14 +43,6 @@ Sight sightOf(const Ring& a, const Ring& b, Cuts cuts = {}) {
   return sight;
 }
 
-/// Whether p lies in the interior of a simple ring.
-template <class Ring>
-constexpr bool isStrictlyInside(PointOf<Ring> p, const Ring& ring) {
-  Sight sight;
-  look(p, p, ring, sight);
-  return sight.inside;
-}
-
 template <class Ring>
 constexpr bool anyCrossing(const Ring& a, const Ring& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {

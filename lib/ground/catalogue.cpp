@@ -62,11 +62,6 @@ Expected<PolygonId> Catalogue::internPolygon(PolygonView vertices) {
   return id;
 }
 
-Expected<ContentId> Catalogue::internSole(PolygonId polygon) {
-  if (polygons_[polygon].sole != kEmptyContent) return polygons_[polygon].sole;
-  return internContent({&polygon, 1}, {}, {});
-}
-
 Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons, std::span<const std::uint8_t> known,
                                              std::span<const std::pair<Slot, Slot>> preserved) {
   const std::uint64_t hash = hashOf(contentIndex_.seed(), polygons, preserved);
@@ -101,7 +96,6 @@ Expected<ContentId> Catalogue::internContent(std::span<const PolygonId> polygons
   uses_[id] = {.users = 0, .facts = facts};
   contentIndex_.insert(hash, id);
   for (const PolygonId polygon : polygons) acquire(polygons_[polygon].users);
-  if (polygons.size() == 1) polygons_[polygons[0]].sole = id;
   ++unused_;
   return id;
 }
@@ -152,7 +146,7 @@ Error Catalogue::overlapAmong(std::span<const PolygonId> polygons) const {
 void Catalogue::collect() {
   // Looking through the catalogue is worth it once a quarter has no users. That share hardly passes a half, since
   // contents without users still use their polygons.
-  if (unused_ < 1024 || 4 * unused_ < contents_.size() + polygons_.size()) return;
+  if (unused_ < 1024 || 8 * unused_ < contents_.size() + polygons_.size()) return;
   for (ContentId id = 1; id < contents_.size(); ++id)
     if (uses_[id].users == 0 && contents_[id]) forgetContent(id);
   for (PolygonId id = 0; id < polygons_.size(); ++id)
@@ -162,10 +156,7 @@ void Catalogue::collect() {
 void Catalogue::forgetContent(ContentId id) {
   const auto content = std::exchange(contents_[id], nullptr);
   contentIndex_.erase(content->hash, id);
-  for (const PolygonId polygon : content->polygons) {
-    drop(polygons_[polygon].users);
-    if (polygons_[polygon].sole == id) polygons_[polygon].sole = kEmptyContent;
-  }
+  for (const PolygonId polygon : content->polygons) drop(polygons_[polygon].users);
   --unused_;
   freeContents_.push_back(id);
 }
@@ -179,13 +170,11 @@ void Catalogue::forgetPolygon(PolygonId id) {
 
 std::uint64_t Catalogue::bytes() const {
   std::uint64_t sum = polygonIndex_.bytes() + contentIndex_.bytes();
-  const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  for (const InternedPolygon& p : polygons_) sum += of(p.vertices);
+  for (const InternedPolygon& p : polygons_) sum += heldBytes(p.vertices);
   for (const auto& content : contents_)
     if (content) sum += sizeof *content + content->listBytes;
-  for (const InternedShape& s : shapes_) sum += 2 * of(s.polygons);
-  return sum + builder_.bytes() + of(polygons_) + of(contents_) + of(views_) + of(uses_) + of(shapes_) +
-         of(freePolygons_) + of(freeContents_);
+  for (const InternedShape& s : shapes_) sum += 2 * heldBytes(s.polygons);
+  return sum + builder_.bytes() + heldBytes(polygons_, contents_, views_, uses_, shapes_, freePolygons_, freeContents_);
 }
 
 }  // namespace lgs::detail

@@ -50,8 +50,6 @@ class Catalogue {
 
   /// The polygon with these vertices. It is validated if it is new.
   Expected<PolygonId> internPolygon(PolygonView vertices);
-  /// The content of a cell with only this polygon.
-  Expected<ContentId> internSole(PolygonId polygon);
   Expected<ShapeId> internShape(std::span<const PolygonId> polygons);
 
   /// The content with these polygons, which are in increasing order. Those marked in `known` are known to be disjoint
@@ -86,9 +84,8 @@ class Catalogue {
   InternedShape takeShape();
   /// Puts back the one taken away last.
   void putShape(InternedShape shape);
-  /// One more than the greatest number of a content, and of a polygon.
+  /// One more than the greatest number of a content.
   std::size_t contentLimit() const { return contents_.size(); }
-  std::size_t polygonLimit() const { return polygons_.size(); }
   std::uint64_t bytes() const;
 
  private:
@@ -96,7 +93,6 @@ class Catalogue {
     std::vector<LocalPoint> vertices;
     std::uint64_t hash = 0;
     std::uint32_t users = 0;  ///< contents
-    ContentId sole = kEmptyContent;
   };
 
   /// What edits ask of a content. It stands apart from the rest, so that they touch little memory.

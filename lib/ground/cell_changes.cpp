@@ -1,5 +1,7 @@
 #include "ground/cell_changes.h"
 
+#include "storage/held_bytes.h"
+
 namespace lgs::detail {
 
 void CellChanges::clear() {
@@ -33,9 +35,6 @@ void CellChanges::own() {
   }
 }
 
-std::uint64_t CellChanges::bytes() const {
-  const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
-  return of(changes_, polygons_, vertices_);
-}
+std::uint64_t CellChanges::bytes() const { return heldBytes(changes_, polygons_, vertices_); }
 
 }  // namespace lgs::detail

@@ -49,6 +49,7 @@ struct Chunk {
     const std::int32_t there = 3 * dj + di + 4;
     return around[static_cast<std::size_t>(there)];
   }
+  Chunk* self() const { return around[4]; }
   /// Of a cell that has a word and no list.
   Block block(std::uint32_t local) const { return blocks ? (*blocks)[local] : static_cast<Block>(commonBlock); }
   bool hasRoomFor(Block block) const { return blocks || commonBlock == block; }
@@ -70,7 +71,7 @@ struct Chunk {
   void makeRoomForBlock(Block block);
 };
 
-/// A cell of an existing chunk.
+/// A cell of a chunk; or none, if there is no such chunk.
 struct CellAt {
   Chunk* chunk = nullptr;
   std::uint32_t local = 0;

@@ -7,6 +7,7 @@
 #include "geometry/radial_match.h"
 #include "ground/edge.h"
 #include "ground/polygon.h"
+#include "storage/held_bytes.h"
 
 #include <lgs/lattice.h>
 
@@ -90,9 +91,7 @@ struct Content {
   CornerEnds cornerEnds;        ///< of the half-edges inside, by their places in `interior`
   std::uint32_t widestFan = 0;  ///< the longest of the ranges
   std::array<SpokeRange, 4> corners{};
-  std::array<Side, 4> sides;  ///< parts of the next two lists
-  std::span<const Interval> covered;
-  std::span<const RimPoint> points;
+  std::array<Side, 4> sides;
   std::span<const InteriorEdge> interior;  ///< sorted by start, then end
   std::span<const Spoke> spokes;           ///< `segment` is an index in `interior`, `direction` a rank at that vertex
   std::span<const std::pair<Slot, Slot>> contacts;  ///< polygons with a common edge inside, smaller slot first
@@ -120,10 +119,9 @@ class ContentBuilder {
                 std::span<const std::pair<Slot, Slot>> preserved);
 
   std::uint64_t bytes() const {
-    const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
-    std::uint64_t sum = of(order_, points_, sidesAt_, ranks_, edges_, edgesAt_, ends_, endsAt_, sorted_, fan_,
-                           interior_, spokes_, keys_, contacts_);
-    for (unsigned s = 0; s < kSides; ++s) sum += of(covered_[s], rimPoints_[s]);
+    std::uint64_t sum = heldBytes(order_, points_, sidesAt_, ranks_, edges_, edgesAt_, ends_, endsAt_, sorted_, fan_,
+                                  interior_, spokes_, keys_, contacts_);
+    for (unsigned s = 0; s < kSides; ++s) sum += heldBytes(covered_[s], rimPoints_[s]);
     return sum;
   }
 

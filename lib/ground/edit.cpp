@@ -117,7 +117,7 @@ Expected<PolygonHandle> Edit::add(Cell cell, ShapeId shape, Block block, std::sp
   if (const auto done = check(cell, shape); !done) return refuse(done.error());
   const InternedShape& interned = ground_.catalogue.shape(shape);
   const CellAt at = ground_.grid.seek(cell);
-  if (at && at.word() < kLowMask && interned.isSole) {  // the cell takes the shape's own content
+  if (at && takesSole(at, interned)) {
     const PolygonHandle handle{at.ref(), at.word() + 1};
     ground_.setSole(at, interned, {handle.serial, block});
     if (!handles.empty()) handles[0] = handle;
@@ -195,8 +195,7 @@ Expected<void> Edit::setBlock(PolygonHandle polygon, Block block) {
 Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block block,
                                    std::span<PolygonHandle> handles) {
   if (lgs::isEmpty(cells)) return std::uint64_t{0};
-  for (const Cell corner : {cells.min, cells.max})
-    if (!inRange(corner)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = corner});
+  if (const auto done = checkCorners(cells); !done) return refuse(done.error());
   if (const auto done = check(cells.min, shape); !done) return refuse(done.error());
   const InternedShape& interned = ground_.catalogue.shape(shape);
   const ChunkRect reach(cells);
@@ -237,8 +236,8 @@ Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block b
   };
   ground_.grid.forEachCell(cells, [&](CellAt at, Cell cell) {
     PolygonHandle handle{at.ref(), at.word() + 1};
-    if (interned.isSole && at.word() < kLowMask)
-      ground_.setSole(at, interned, {at.word() + 1, block});
+    if (takesSole(at, interned))
+      ground_.setSole(at, interned, {handle.serial, block});
     else
       handle = *add(cell, shape, block, {});
     if (!handles.empty()) tell(cell, handle);
@@ -249,8 +248,7 @@ Expected<std::uint64_t> Edit::fill(const CellRect& cells, ShapeId shape, Block b
 
 Expected<std::uint64_t> Edit::clear(const CellRect& cells) {
   if (lgs::isEmpty(cells)) return std::uint64_t{0};
-  for (const Cell corner : {cells.min, cells.max})
-    if (!inRange(corner)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = corner});
+  if (const auto done = checkCorners(cells); !done) return refuse(done.error());
   if (const auto cell = ground_.firstUnloaded(cells)) return refuse({.code = ErrorCode::unloaded, .cell = *cell});
   std::uint64_t count = 0;
   ground_.grid.forEachCell(cells, [&](CellAt at, Cell) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ground/ground.h"
+#include "storage/held_bytes.h"
 
 #include <lgs/world.h>
 
@@ -21,7 +22,7 @@ class Edit {
   bool addSole(Cell cell, ShapeId shape, Block block, PolygonHandle& handle) {
     const InternedShape& interned = ground_.catalogue.shape(shape);
     const CellAt at = ground_.grid.findLast(cell);
-    if (!at || !interned.isSole || at.word() >= kLowMask) return false;
+    if (!at || !takesSole(at, interned)) return false;
     handle = {at.ref(), at.word() + 1};
     return ground_.setSoleAgain(at, interned, {handle.serial, block});
   }
@@ -41,10 +42,7 @@ class Edit {
   Expected<std::uint64_t> clear(const CellRect& cells);
 
   /// Of working memory.
-  std::uint64_t bytes() const {
-    const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
-    return of(entries_, placed_, ids_, known_, kept_);
-  }
+  std::uint64_t bytes() const { return heldBytes(entries_, placed_, ids_, known_, kept_); }
 
  private:
   class Group;
@@ -56,6 +54,8 @@ class Edit {
     bool isNew = false;
   };
 
+  /// Whether a cell gets the shape's own content by it, and a word is enough for that.
+  static bool takesSole(CellAt at, const InternedShape& shape) { return shape.isSole && at.word() < kLowMask; }
   bool addSoles(std::span<const Placement> placements, std::span<PolygonHandle> handles);
   Expected<void> check(Cell cell, ShapeId shape) const;
 
@@ -64,7 +64,6 @@ class Edit {
   void place(PolygonId polygon, Block block);
   Expected<void> check();
   Expected<ContentId> content();
-  void set(ContentId content);
   Expected<PolygonHandle> close(std::span<PolygonHandle> handles = {});
   Error overlap();
 

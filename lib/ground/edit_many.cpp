@@ -62,7 +62,7 @@ bool Edit::addSoles(std::span<const Placement> placements, std::span<PolygonHand
       at = ground_.grid.obtain(p.cell);
       if (ground_.grid.count() != before) made.push_back(at.chunk->index);
     }
-    if (!at || !interned.isSole || at.word() >= kLowMask) return false;
+    if (!at || !takesSole(at, interned)) return false;
     at.word() = wordOf(interned.content, at.word() + 1);
     return true;
   };

@@ -1,12 +1,34 @@
 #include "ground/ground.h"
 
 #include "geometry/sort.h"
+#include "storage/held_bytes.h"
 
 #include <algorithm>
 #include <bit>
-#include <unordered_set>
 
 namespace lgs::detail {
+namespace {
+
+/// A set of numbers.
+class Numbers {
+ public:
+  bool contains(std::uint32_t number) const {
+    return index_.find(hashOf(number), [&](std::uint32_t other) { return other == number; }) != HashIndex::kNone;
+  }
+  /// Whether it was not in it yet.
+  bool insert(std::uint32_t number) {
+    if (contains(number)) return false;
+    index_.insert(hashOf(number), number);
+    return true;
+  }
+  void erase(std::uint32_t number) { index_.erase(hashOf(number), number); }
+
+ private:
+  std::uint64_t hashOf(std::uint32_t number) const { return mix(index_.seed(), number); }
+  HashIndex index_;
+};
+
+}  // namespace
 
 Ground::Ground(const Ground& other)
     : preserve(other.preserve),
@@ -106,7 +128,7 @@ void Ground::noteCommit() {
       notes_.push_back({chunk.index * kChunkSize + row, chunk.dirty[row], 0, Note::Of::row});
     }
   }
-  committed_ = noteCount();
+  committedBefore_ = std::exchange(committed_, noteCount());
   if (!isNoting(For::marks)) forgetNotes(committed_);
 }
 
@@ -149,7 +171,7 @@ void Ground::undoCell(const Note& note, Undone undone) {
     drop(at.word(), lists_);
   giveBack(at, note);
   at.chunk->facts[at.local] = catalogue.facts(contentId(at));
-  if (note.of == Note::Of::changedCell) return;
+  if (note.of != Note::Of::cell) return;
   at.chunk->dirty[at.row()] &= ~at.bit();
   if (at.chunk->dirty[at.row()] == 0) at.chunk->dirtyRows &= ~(RowMask{1} << at.row());
   if (at.chunk->dirtyRows == 0) changed_.pop_back();  // the edit was the first in its chunk
@@ -176,6 +198,7 @@ void Ground::goBack(const Moment& moment, Undone undone) {
 }
 
 void Ground::rollBack(const Moment& moment, Undone undone) {
+  endSqueezing();
   if (isNoting(For::followers)) {
     // Followers never saw the edits that are pending. Without a commit since the mark there is nothing to tell them.
     if (moment.committed != committed_) undoTo(committed_, undone);
@@ -207,7 +230,10 @@ void Ground::redo(const Note& note) {
   const CellAt at = grid.find(note.ref);
   this->note(at);
   giveBack(at, note);
-  touch(at, catalogue.facts(contentId(at)));
+  if (note.of != Note::Of::settledCell) return touch(at, catalogue.facts(contentId(at)));
+  notes_.back().of = note.of;
+  at.chunk->facts[at.local] = catalogue.facts(contentId(at));
+  at.chunk->everFacts |= at.chunk->facts[at.local];
 }
 
 void Ground::redoTo(std::uint64_t notes) {
@@ -215,6 +241,7 @@ void Ground::redoTo(std::uint64_t notes) {
 }
 
 void Ground::rollForward(const Moment& moment) {
+  endSqueezing();
   for (; catalogue.shapeCount() < moment.shapes; undoneShapes_.pop_back())
     catalogue.putShape(std::move(undoneShapes_.back()));
   if (isNoting(For::followers)) {
@@ -236,15 +263,16 @@ void Ground::forgetUndone() {
 /// Tells followers what changed between two commits, of which these are the notes. The ground is as of the later one.
 /// The first note of a cell says what it held at the earlier one. Of a chunk that is, or was, unloaded nothing is told.
 void Ground::tell(std::uint64_t begin, std::uint64_t end, Way way) {
-  std::unordered_set<std::uint32_t> told, turned;
+  Numbers told, turned;
   for (std::uint64_t k = begin; k < end; ++k)
-    if (const Note& note = notes_[k - forgotten_]; note.of == Note::Of::turn && !turned.insert(note.ref).second)
+    if (const Note& note = notes_[k - forgotten_]; note.of == Note::Of::turn && !turned.insert(note.ref))
       turned.erase(note.ref);
   std::vector<PlacedPolygon> before, now;
   cellChanges_.clear();
   for (std::uint64_t k = begin; k < end; ++k) {
     const Note& note = notes_[k - forgotten_];
-    if (note.of != Note::Of::cell || (way != Way::commit && !told.insert(note.ref).second)) continue;
+    if (!note.isOfCell() || note.of == Note::Of::changedCell) continue;
+    if (way != Way::commit && !told.insert(note.ref)) continue;
     const CellAt at = grid.find(note.ref);
     before.clear();
     now.clear();
@@ -259,10 +287,10 @@ void Ground::tell(std::uint64_t begin, std::uint64_t end, Way way) {
 
 std::vector<Cell> Ground::editedSince(const Moment& moment) const {
   std::vector<Cell> cells;
-  std::unordered_set<std::uint32_t> known;
+  Numbers known;
   for (std::uint64_t k = moment.notes; k < noteCount(); ++k) {
     const Note& note = notes_[k - forgotten_];
-    if (note.isOfCell() && known.insert(note.ref).second) cells.push_back(grid.cellOf(note.ref));
+    if (note.isOfCell() && known.insert(note.ref)) cells.push_back(grid.cellOf(note.ref));
   }
   return cells;
 }
@@ -277,16 +305,55 @@ void Ground::stopNoting(For whom) {
   if (whom == For::followers) cellChanges_.clear();
   if (!isNoting(For::marks)) forgetNotes(isNoting(For::followers) ? committed_ : noteCount());
   constexpr std::size_t kMost = 4'096;
-  if (isNoting() || notes_.capacity() <= kMost) return;
+  if (isNoting() || (notes_.capacity() <= kMost && noted_.bytes() == 0)) return;
   notes_ = std::vector<Note>();
   notedLists_ = RecordArena();
+  noted_ = BitSet();
 }
 
 void Ground::forgetBefore(const Moment& moment) {
   forgetNotes(isNoting(For::followers) ? moment.committed : moment.notes);
 }
 
+/// Which of the notes since two commits are needed: of each cell the first one. Where nothing had changed since a commit
+/// at the moment, no row is, either. What was unloaded in between, and came back, is undone step by step.
+void Ground::squeeze(const Moment& moment) {
+  const std::uint64_t begin = std::max(moment.notes, committedBefore_);
+  const bool isClean = begin > moment.notes || moment.isClean;
+  if (squeezed_ != begin || squeezedFrom_ < moment.notes) {
+    endSqueezing();
+    squeezedFrom_ = squeezed_ = begin;
+  }
+  const auto first = notes_.begin() + static_cast<std::ptrdiff_t>(begin - forgotten_);
+  if (std::any_of(first, notes_.end(), [](const Note& note) { return note.of == Note::Of::turn; })) {
+    endSqueezing();
+    squeezedFrom_ = squeezed_ = committed_;
+    return;
+  }
+  auto end = first;
+  for (auto note = first; note != notes_.end(); ++note) {
+    if (note->of == Note::Of::row && isClean) continue;
+    if (note->isOfCell()) {
+      if (!noted_.insert(note->ref)) {
+        drop(note->word, notedLists_);
+        continue;
+      }
+      if (isClean) note->of = Note::Of::settledCell;
+    }
+    *end++ = *note;
+  }
+  notes_.erase(end, notes_.end());
+  squeezed_ = committed_ = noteCount();
+}
+
+void Ground::endSqueezing() {
+  for (std::uint64_t k = squeezedFrom_; k < squeezed_; ++k)
+    if (const Note& note = notes_[k - forgotten_]; note.isOfCell()) noted_.erase(note.ref);
+  squeezed_ = squeezedFrom_;
+}
+
 void Ground::forgetNotes(std::uint64_t end) {
+  if (end > squeezedFrom_) endSqueezing();
   for (; forgotten_ + dropped_ < end; ++dropped_)
     if (notes_[dropped_].isOfCell()) drop(notes_[dropped_].word, notedLists_);
   if (dropped_ < notes_.size() / 2) return;  // the rest moves to the front seldom
@@ -295,9 +362,8 @@ void Ground::forgetNotes(std::uint64_t end) {
 }
 
 std::uint64_t Ground::bytes() const {
-  const auto of = [](const auto&... v) { return (... + (v.capacity() * sizeof(v[0]))); };
   return grid.bytes() + catalogue.bytes() + lists_.bytes() + notedLists_.bytes() + cellChanges_.bytes() +
-         of(changed_, notes_, undoneNotes_, unsettled_, sleepy_);
+         heldBytes(changed_, notes_, undoneNotes_, unsettled_, sleepy_) + noted_.bytes();
 }
 
 }  // namespace lgs::detail

@@ -9,6 +9,7 @@
 #include "ground/cell.h"
 #include "ground/cell_changes.h"
 #include "ground/grid.h"
+#include "storage/bit_set.h"
 #include "storage/record_arena.h"
 
 #include <lgs/world.h>
@@ -98,7 +99,7 @@ class Ground {
     if (!unsettled_.empty()) [[unlikely]]
       settleAll();
   }
-  /// After a commit: chunks that nobody needs are no Chunk any more, unless marks may need them. Returns their numbers.
+  /// After a commit, without marks: chunks that nobody needs are no Chunk any more. Returns their numbers.
   std::vector<std::uint32_t> sleep();
   /// Whether that may find any.
   bool isSleepy() const { return !sleepy_.empty(); }
@@ -140,10 +141,11 @@ class Ground {
 
   struct Moment {
     std::uint64_t notes = 0;      ///< how many there ever were
-    std::uint64_t committed = 0;  ///< how many there were at the last commit, if somebody follows
+    std::uint64_t committed = 0;  ///< how many there were at the last commit
     std::uint64_t shapes = 0;
+    bool isClean = true;  ///< whether nothing had changed since that commit
   };
-  Moment now() const { return {noteCount(), committed_, catalogue.shapeCount()}; }
+  Moment now() const { return {noteCount(), committed_, catalogue.shapeCount(), changed_.empty()}; }
   /// Who needs notes. The ground notes while there is anybody.
   enum class For : std::uint8_t { marks = 1, group = 2, followers = 4 };
   bool isNoting() const { return notesFor_ != 0; }
@@ -154,6 +156,8 @@ class Ground {
   void stopNoting(For whom);
   /// For marks: there is none from before this moment any more.
   void forgetBefore(const Moment& moment);
+  /// After a commit: nobody will go back to a moment between this one and now. One note for each cell is enough then.
+  void squeeze(const Moment& moment);
   /// In silence: for groups of edits, which know that there was no commit since.
   void goBack(const Moment& moment, Undone undone = Undone::drop);
   /// For marks: the same, and cellChanges() says what it did.
@@ -170,12 +174,13 @@ class Ground {
   /// A cell before an edit, with all that its word stands for; a row of changed cells before a commit; a chunk that an
   /// edit made; or the border of a chunk before it was unloaded or came back.
   struct Note {
-    enum class Of : std::uint32_t { cell, changedCell, row, chunk, turn };  // changed: since the commit before
+    // changedCell: since the commit before; settledCell: commits have followed, which have no notes of their own
+    enum class Of : std::uint32_t { cell, changedCell, settledCell, row, chunk, turn };
     std::uint32_t ref = 0;   ///< of the cell; of a row 32 * Chunk::index + row; number of the chunk
     std::uint32_t word = 0;  ///< of the cell; the bits of the row; column of the chunk; checksum of the border, or 0
     Block block = 0;         ///< of the cell; row of the chunk; last serial of the border, or 0
     Of of = Of::cell;
-    bool isOfCell() const { return of == Of::cell || of == Of::changedCell; }
+    bool isOfCell() const { return of <= Of::settledCell; }
   };
 
   /// Gives a cell this word, which has its content in use already. The block is that of a word with a polygon.
@@ -235,6 +240,7 @@ class Ground {
   void redoTo(std::uint64_t notes);
   void giveBack(CellAt at, const Note& note);
   void forgetNotes(std::uint64_t end);
+  void endSqueezing();
   enum class Way { commit, back, forth };
   void tell(std::uint64_t begin, std::uint64_t end, Way way);
   std::uint64_t noteCount() const { return forgotten_ + notes_.size(); }
@@ -242,10 +248,15 @@ class Ground {
   RecordArena lists_;
   std::vector<Chunk*> changed_;
   std::vector<Note> notes_;
-  RecordArena notedLists_;                ///< of the words in notes: so the other arena does not grow with them
-  std::size_t dropped_ = 0;               ///< notes at the front of the vector that are forgotten already
-  std::uint64_t forgotten_ = 0;           ///< notes that are gone from the front of the vector
-  std::uint64_t committed_ = 0;           ///< how many notes there were at the last commit, if somebody follows
+  RecordArena notedLists_;             ///< of the words in notes: so the other arena does not grow with them
+  std::size_t dropped_ = 0;            ///< notes at the front of the vector that are forgotten already
+  std::uint64_t forgotten_ = 0;        ///< notes that are gone from the front of the vector
+  std::uint64_t committed_ = 0;        ///< how many notes there were at the last commit
+  std::uint64_t committedBefore_ = 0;  ///< the same for the commit before that one
+  // The cells of the notes from squeezedFrom_ on, up to squeezed_.
+  BitSet noted_;
+  std::uint64_t squeezedFrom_ = 0;
+  std::uint64_t squeezed_ = 0;
   std::uint8_t notesFor_ = 0;             ///< bits of For
   std::vector<std::uint32_t> unsettled_;  ///< numbers of chunks that forget() left for the next commit
   std::vector<std::uint32_t> sleepy_;     ///< numbers of unloaded chunks that may have become empty

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lgs/error.h>
+#include <lgs/lattice.h>
 
 #include <cstddef>
 
@@ -19,6 +20,13 @@ inline tl::unexpected<Error> refuse(Error error, Cell cell) {
 inline tl::unexpected<Error> refuseAt(Error error, std::int32_t Error::*index, std::size_t which) {
   error.*index = static_cast<std::int32_t>(which);
   return tl::unexpected(error);
+}
+
+/// Whether a rectangle that is not empty lies in the world.
+inline Expected<void> checkCorners(const CellRect& cells) {
+  for (const Cell corner : {cells.min, cells.max})
+    if (!inRange(corner)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = corner});
+  return {};
 }
 
 }  // namespace lgs::detail

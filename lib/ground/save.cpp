@@ -18,7 +18,7 @@ class Numbers {
   explicit Numbers(const Ground& ground) : ground_(ground) {}
 
   void use(const Chunk& chunk) {
-    for (std::uint32_t local = 0; local < kChunkCells; ++local) use(ground_.contentId({chunk.around[4], local}));
+    for (std::uint32_t local = 0; local < kChunkCells; ++local) use(ground_.contentId({chunk.self(), local}));
   }
   void use(ShapeId shape) {
     for (const PolygonId polygon : ground_.catalogue.shape(shape).polygons) ofPolygon_[polygon] = 0;
@@ -159,7 +159,7 @@ class Save {
   /// Visits the cells of a chunk by rows.
   template <class Visit>
   static void forEachCell(const Chunk& chunk, Visit&& visit) {
-    for (std::uint32_t local = 0; local < kChunkCells; ++local) visit(CellAt{chunk.around[4], local});
+    for (std::uint32_t local = 0; local < kChunkCells; ++local) visit(CellAt{chunk.self(), local});
   }
 
   void cells(const Chunk& chunk) {

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <tuple>
 
 namespace lgs::detail {
 namespace {
@@ -35,19 +34,23 @@ Cell cellOfLocal(std::uint32_t local) {
 // --- Which chunks
 
 std::vector<std::uint32_t> Ground::chunksWithin(const CellRect& cells, bool areUnloaded) const {
-  std::vector<std::tuple<std::int32_t, std::int32_t, std::uint32_t>> found;
-  const auto take = [&](std::int32_t ci, std::int32_t cj, std::uint32_t number) {
-    if (isWithin(cells, ci, cj)) found.emplace_back(cj, ci, number);
+  constexpr std::int32_t kHalf = 1 << 26;  // columns and rows of chunks are less far from 0
+  std::vector<std::uint64_t> places;       // row and column: they sort as numbers
+  const auto take = [&](std::int32_t ci, std::int32_t cj) {
+    if (isWithin(cells, ci, cj))
+      places.push_back(static_cast<std::uint64_t>(cj + kHalf) << 32 | static_cast<std::uint64_t>(ci + kHalf));
   };
   if (areUnloaded)
-    grid.forEachUnloaded(cells, [&](std::uint32_t k) { take(grid.border(k)->ci, grid.border(k)->cj, k); });
+    grid.forEachUnloaded(cells, [&](std::uint32_t k) { take(grid.border(k)->ci, grid.border(k)->cj); });
   else
     grid.forEachChunk(cells, [&](const Chunk& c) {
-      if (!c.isUnloaded) take(c.ci, c.cj, c.index);
+      if (!c.isUnloaded) take(c.ci, c.cj);
     });
-  detail::sort(found);
+  detail::sort(places);
   std::vector<std::uint32_t> numbers;
-  for (const auto& [cj, ci, number] : found) numbers.push_back(number);
+  for (const std::uint64_t place : places)
+    numbers.push_back(grid.numberAt(static_cast<std::int32_t>(place & 0xffff'ffff) - kHalf,
+                                    static_cast<std::int32_t>(place >> 32) - kHalf));
   return numbers;
 }
 
@@ -216,12 +219,17 @@ void Ground::settleAround(const Chunk& chunk) {
 
 void Ground::settleAll() {
   for (const std::uint32_t number : unsettled_) settleIfUnloaded(number);
-  if (!isNoting(For::marks)) unsettled_ = {};  // a world that goes back has to do it again
+  if (!isNoting(For::marks)) {
+    unsettled_ = {};
+    return;
+  }
+  // A world that goes back has to do it again, so each commit does; it names no chunk twice.
+  detail::sort(sleepy_);
+  sleepy_.erase(std::unique(sleepy_.begin(), sleepy_.end()), sleepy_.end());
 }
 
 std::vector<std::uint32_t> Ground::sleep() {
   std::vector<std::uint32_t> asleep;
-  if (isNoting(For::marks)) return asleep;
   for (const std::uint32_t number : sleepy_) {
     if (!grid.border(number) || !grid.isAsleep(number)) continue;
     grid.sleep(number);

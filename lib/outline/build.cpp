@@ -1,8 +1,8 @@
-// The result is the same on any number of threads, because the segments of each cell are counted first. So records and
+// The result is the same on any number of threads, because the segments of each cell are counted first. So lists and
 // ids can be given out in order, before the threads fill them in.
 //
 // No thread writes what another one reads or writes. Counting writes nothing of the world. To create segments, a job
-// writes to the records of its own chunk and to the segments in them. Of the cells around it reads only which polygons
+// writes to the lists of its own chunk and to the segments in them. Of the cells around it reads only which polygons
 // they hold. Linking writes across the rim of a chunk, so chunks that touch are never linked at the same time.
 #include "outline/build.h"
 
@@ -86,7 +86,7 @@ class Build {
     plan.cells = {plan.cells.data(), last};
   }
 
-  /// Gives out records and ids, in the order of the chunks.
+  /// Gives out lists and ids, in the order of the chunks.
   void allot() {
     std::size_t segments = 0;
     for (ChunkPlan& plan : plans_) plan.first = std::exchange(segments, segments + plan.segments);

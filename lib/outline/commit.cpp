@@ -14,13 +14,19 @@
 
 namespace lgs::detail {
 
+#ifdef LGS_SMALL_CODE
+constexpr bool kHasThreads = false;  // in WebAssembly there are none
+#else
+constexpr bool kHasThreads = true;
+#endif
+
 void Outline::update(const Ground& ground, const Executor& executor) {
   if (isNoting_ && (!ground.changedChunks().empty() || !changes_.removed.empty())) note_ = &notes_.emplace_back();
   begin();
   isFiltered_ = ground.grid.unloadedCount() != 0 || hasHidden();
   if (isFiltered_) [[unlikely]]
-    turn(ground);
-  if (executor && segments.isEmpty() && ground.grid.unloadedCount() == 0) {
+    dropTurned(ground);
+  if (kHasThreads && executor && segments.isEmpty() && ground.grid.unloadedCount() == 0) {
     build(ground, *this, executor);
   } else {
     Exposure phase1(ground, *this, ids_);
@@ -35,11 +41,11 @@ void Outline::update(const Ground& ground, const Executor& executor) {
 
 /// Chunks that were unloaded, or loaded again: their segments go, and those that show now are new ones. So no id names
 /// a hidden segment and then one that is not, or the other way around.
-void Outline::turn(const Ground& ground) {
+void Outline::dropTurned(const Ground& ground) {
   for (const Chunk* chunk : ground.changedChunks()) {
     if (chunk->isUnloaded == isHidden(chunk->index)) continue;
     clear(*chunk);
-    turn(chunk->index);
+    toggleHidden(chunk->index);
     hidden_[chunk->index] ^= kWasHidden;  // until the update ends
     turned_.push_back(chunk->index);
   }
@@ -49,7 +55,7 @@ void Outline::turn(const Ground& ground) {
 void Outline::clear(const Chunk& chunk) {
   for (std::uint32_t row = 0; row < kChunkSize; ++row) {
     for (RowMask left = lists.liveRow(chunk, row); left != 0; left &= left - 1) {
-      const CellAt at{chunk.around[4], row * kChunkSize + static_cast<std::uint32_t>(std::countr_zero(left))};
+      const CellAt at{chunk.self(), row * kChunkSize + static_cast<std::uint32_t>(std::countr_zero(left))};
       const std::span<const std::uint32_t> ids = lists.of(at).all();
       for (const std::uint32_t id : ids) remove(id);
       splice(at, 0, static_cast<std::uint32_t>(ids.size()), 0);
@@ -87,6 +93,7 @@ void Outline::begin() {
   if (note_) {
     note_->removedBefore = changes_.removed;
     note_->topBefore = segments.maxId() + 1;
+    note_->freeKept = segments.free().size();
   }
   for (const SegmentId id : changes_.removed) segments.recycle(id.value);
   changes_.removed.clear();
@@ -106,7 +113,8 @@ void Outline::finish() {
   shown.before = version_;
   if (!shown.removed.empty() || !shown.added.empty() || !shown.relinked.empty()) version_ = versions_.next();
   shown.after = version_;
-  if (note_) std::exchange(note_, nullptr)->changes = changes_;
+  if (note_) [[unlikely]]
+    endNote();
 }
 
 void Outline::linkAll(const Ground& ground) {

@@ -158,7 +158,7 @@ void Exposure::merge(CellAt at, unsigned parts) {
   Touching touches = 0;
   ids_.clear();
   for (unsigned part = 0; part < kParts; ++part) {
-    const auto before = shown ? shown.part(part) : std::span<const std::uint32_t>();
+    const auto before = shown ? shown.part(part) : std::span<const std::uint32_t>();  // quicker than five empty parts
     if ((parts >> part & 1u) == 0) {
       ids_.insert(ids_.end(), before.begin(), before.end());
       if (part != kInterior) touches |= shown.layout().touching() & bothEnds(1u << (part - 1));

@@ -11,7 +11,7 @@
 namespace lgs::detail {
 
 Linking::Linking(const Ground& ground, Outline& outline, std::vector<Spoke>& fan)
-    : ground_(ground), lists_(outline.lists), outline_(outline), links_(ground.grid, outline), fan_(fan) {
+    : ground_(ground), outline_(outline), links_(ground.grid, outline), fan_(fan) {
   constexpr std::size_t kAlongSides = 8;  // two in each of four directions
   fan_.resize(4 * std::size_t{ground.catalogue.widestFan()} + kAlongSides + 1);
 }
@@ -41,7 +41,7 @@ void Linking::linkChunk(const Chunk& chunk) {
     const WideRow dirty = here | dirtyRow(chunk, y - 1);
     WideRow corners = dirty | dirty << 1;
     if (isCrowded(corners)) {
-      const WideRow live = wideLiveRow(lists_, chunk, y) | wideLiveRow(lists_, chunk, y - 1);
+      const WideRow live = wideLiveRow(outline_.lists, chunk, y) | wideLiveRow(outline_.lists, chunk, y - 1);
       corners &= live | live << 1;
       if (y == kChunkSize) {  // corners at a dirty cell of the chunk above are linked with that chunk
         const WideRow above = wideDirtyRow(chunk, y) & kOwnColumns;
@@ -68,7 +68,7 @@ void Linking::linkAround(CellAt at) {
 void Linking::linkInterior(CellAt at) {
   if ((at.chunk->facts[at.local] & kLinkedInside) == 0) return;
   const Content& content = ground_.content(at);
-  const std::uint32_t* ids = lists_.of(at).ids();
+  const std::uint32_t* ids = outline_.lists.of(at).ids();
   const auto idOf = [&](std::uint32_t k) { return k == InteriorEdge::kNone ? kNoSegment : ids[k]; };
   for (std::size_t k = 0; k < content.interior.size(); ++k) {
     const InteriorEdge& e = content.interior[k];
@@ -81,7 +81,7 @@ void Linking::linkInterior(CellAt at) {
 
 /// Links at the vertex where columns x - 1, x and rows y - 1, y meet.
 void Linking::linkCorner(const Chunk& chunk, std::int32_t x, std::int32_t y) {
-  const Quadrants shown = lists_.aroundCorner(chunk, x, y);
+  const Quadrants shown = outline_.lists.aroundCorner(chunk, x, y);
   if (ground_.preserve || !CellSegments::areFew(shown)) {
     linkCornerBySpokes(
         {cellAt(chunk, x, y), cellAt(chunk, x - 1, y), cellAt(chunk, x - 1, y - 1), cellAt(chunk, x, y - 1)}, shown);

@@ -29,7 +29,6 @@ class Linking {
   void match(std::span<const Spoke> fan);
 
   const Ground& ground_;
-  const SegmentLists& lists_;
   const Outline& outline_;
   Links links_;
   std::vector<Spoke>& fan_;

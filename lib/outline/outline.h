@@ -5,12 +5,12 @@
 #include "ground/ground.h"
 #include "outline/segment_lists.h"
 #include "outline/segment_pool.h"
+#include "storage/bit_set.h"
 #include "storage/versions.h"
 
 #include <lgs/world.h>
 
 #include <cstdint>
-#include <deque>
 #include <utility>
 #include <vector>
 
@@ -24,7 +24,7 @@ inline std::uint64_t bytesOf(const Changes& c) {
 class Outline {
  public:
   Outline() = default;
-  Outline(const Outline& other);
+  Outline(const Outline&) = default;
   Outline& operator=(const Outline&) = delete;
   ~Outline() = default;
 
@@ -46,6 +46,8 @@ class Outline {
   bool isShown(SegmentId id) const { return segments.isLive(id.value) && !isHidden(id); }
   /// A chunk of which nothing is left. Its number may name another chunk from now on.
   void forget(std::uint32_t chunk);
+  /// After chunks went, while nothing is noted.
+  void giveBackPages() { segments.giveBackPages(segments.maxId() - segments.free().size() - changes_.removed.size()); }
   /// Where a segment is.
   Point startOf(const Grid& grid, std::uint32_t id) const {
     return toWorld(grid.cellOf(segments[id].cellRef), segments[id].start());
@@ -88,6 +90,9 @@ class Outline {
 
   std::uint64_t now() const { return forgotten_ + notes_.size(); }
   void startNoting() { isNoting_ = true; }
+  /// After an update: nobody will go back to a moment between this one and now. One note for all updates since is
+  /// enough then.
+  void squeeze(std::uint64_t moment);
   void stopNoting();
   void forgetBefore(std::uint64_t moment);
   /// `version` is that of the moment. `changes` receives what this does to the segments, by id. The ground must not
@@ -107,31 +112,45 @@ class Outline {
   std::uint64_t bytes() const;
 
  private:
-  /// What an update changed, and how that was before it.
+  using Records = std::vector<std::pair<std::uint32_t, SegmentRecord>>;  ///< by id
+
+  /// What an update changed, or several, and how that was before.
   struct Note {
-    Changes changes;
-    std::vector<SegmentId> removedBefore;                           ///< by the update before; this one recycled them
-    std::uint32_t topBefore = 0;                                    ///< one more than the greatest id
-    std::vector<std::uint32_t> turned;                              ///< numbers of chunks that were loaded or unloaded
-    std::vector<std::pair<std::uint32_t, SegmentRecord>> segments;  ///< by id, in the order in which they changed
-    std::vector<std::uint32_t> lists;  ///< in that order the words of each list, how many these are, and the cell
+    std::vector<SegmentId> removedBefore;  ///< by the update before; these ids were recycled
+    std::uint32_t topBefore = 0;           ///< one more than the greatest id
+    std::size_t freeKept = 0;              ///< of the ids that were available: see SegmentPool::putBack()
+    std::vector<std::uint32_t> freeTaken;
+    std::vector<std::uint32_t> added;   ///< ids that named no segment before, and did then
+    std::vector<std::uint32_t> turned;  ///< numbers of chunks that were loaded or unloaded
+    Records segments;                   ///< the others that changed, in that order
+    std::vector<std::uint32_t> lists;   ///< in that order the words of each list, how many these are, and the cell
+
+    void addTo(std::vector<std::uint32_t>& ids) const;
+    std::uint64_t bytes() const;
   };
 
-  /// An update that was undone, and what there was after it.
+  /// What was undone, and what there was after it.
   struct UndoneNote {
     Note note;
-    std::vector<std::pair<std::uint32_t, SegmentRecord>> segments;
+    std::vector<SegmentId> removed;
+    std::uint32_t top = 0;
+    std::vector<std::uint32_t> freeTaken;
+    Records segments;
     std::vector<std::uint32_t> lists;  ///< as in the note
   };
 
   void begin();
-  void turn(const Ground& ground);
-  void turn(std::uint32_t chunk);
+  void dropTurned(const Ground& ground);
+  void toggleHidden(std::uint32_t chunk);
   void clear(const Chunk& chunk);
   void filter();
   void finish();
   void endWithoutLinks(std::uint32_t id);
   void noteList(CellAt at, std::vector<std::uint32_t>& out) const;
+  void endNote();
+  void openNote();
+  void closeNote();
+  void take(Note& open, const Note& next);
   UndoneNote kept(const Grid& grid, const Note& note) const;
   void putLists(const Grid& grid, const std::vector<std::uint32_t>& noted);
   void undo(const Grid& grid, const Note& note);
@@ -149,10 +168,15 @@ class Outline {
   std::vector<std::uint32_t> turned_;  ///< numbers of the chunks that the update under way turned
   Versions versions_;
   std::uint64_t version_ = 0;
-  std::deque<Note> notes_;
+  std::vector<Note> notes_;
+  std::size_t dropped_ = 0;         ///< notes at the front that are forgotten already
   std::uint64_t forgotten_ = 0;     ///< notes that are gone from the front
   std::vector<UndoneNote> undone_;  ///< the first to come back last
   Note* note_ = nullptr;            ///< of the update under way
+  // Which segments and lists the last note has, if it is open: now() is this number then. So it can take over the next.
+  std::uint64_t opened_ = 0;
+  BitSet notedSegments_;
+  BitSet notedLists_;
   bool isNoting_ = false;
   // Working memory. It is kept from one update to the next, to spare allocations.
   std::vector<std::uint32_t> ids_;

@@ -1,13 +1,30 @@
 #include "outline/segment_pool.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace lgs::detail {
 
 void SegmentPool::addPage() {
-  if (top_ / kPage < pages_.size()) return;  // it is still there, after giveBack()
-  if (top_ > kMaxSegment) std::abort();      // with 56 GiB of segments, as if memory had run out
+  if (top_ / kPage < pages_.size()) return bringBack(top_ / kPage);  // it is still there, after putBack()
+  if (top_ > kMaxSegment) std::abort();  // with 56 GiB of segments, as if memory had run out
   pages_.add();
+}
+
+void SegmentPool::bringBack(std::size_t page) {
+  if (!pages_.has(page)) pages_.make(page).fill(SegmentRecord{});
+}
+
+void SegmentPool::giveBackPages(std::size_t live) {
+  const std::size_t there = (pages_.size() - pages_.missing()) * kPage, dead = there - live;
+  dead_ = std::min(dead_, dead);
+  if (dead < there / 2 || dead - dead_ < there / 8) return;
+  std::vector<std::size_t> gone;
+  for (std::size_t k = 1; k < (top_ - 1) / kPage; ++k)
+    if (pages_.has(k) && std::ranges::all_of(pages_[k], [](const SegmentRecord& s) { return s.cellRef == 0; }))
+      gone.push_back(k);
+  pages_.giveBack(gone);
+  dead_ = dead - gone.size() * kPage;
 }
 
 }  // namespace lgs::detail

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -70,21 +71,21 @@ class SegmentPool {
     if (!free_.empty()) {
       const std::uint32_t id = free_.back();
       free_.pop_back();
+      if (pages_.missing() != 0) [[unlikely]]
+        bringBack(id / kPage);
       return id;
     }
-    if (top_ % kPage == 0) addPage();
-    return top_++;
+    return takeTop();
   }
   /// Makes an id available again. Its record must say that it is not alive.
   void recycle(std::uint32_t id) { free_.push_back(id); }
 
-  /// Undoes a commit. It took the ids `taken`, in this order, after it had recycled `recycled` ids. Before it, `top`
-  /// was one more than the greatest id.
-  template <class Ids>
-  void giveBack(const Ids& taken, std::uint32_t top, std::size_t recycled) {
-    for (auto id = taken.rbegin(); id != taken.rend(); ++id)
-      if (id->value < top) free_.push_back(id->value);
-    free_.resize(free_.size() - recycled);
+  /// What can be taken becomes what it was at another time. Since then `kept` of the available ids stayed so; behind
+  /// these there were others, of which `taken` has the last one first. `top` is one more than the greatest id of then.
+  void putBack(std::size_t kept, std::span<const std::uint32_t> taken, std::uint32_t top) {
+    free_.resize(kept);
+    free_.insert(free_.end(), taken.rbegin(), taken.rend());
+    while (top_ < top) takeTop();
     top_ = top;
   }
 
@@ -103,7 +104,12 @@ class SegmentPool {
     top_ = static_cast<std::uint32_t>(pages_.size()) * kPage;
   }
 
-  bool isLive(std::uint32_t id) const { return id != kNoSegment && id < top_ && (*this)[id].cellRef != 0; }
+  bool isLive(std::uint32_t id) const {
+    return id != kNoSegment && id < top_ && pages_.has(id / kPage) && (*this)[id].cellRef != 0;
+  }
+  /// Pages on which no segment is alive take no memory until an id of theirs is taken. `live` says how many are. To be
+  /// called after many went, while nobody notes segments. Cost: O(1) for each that went, amortised.
+  void giveBackPages(std::size_t live);
   /// Whether every id is available: no segment is alive, and none was removed without being recycled.
   bool isEmpty() const { return free_.size() == top_ - 1; }
   std::uint32_t maxId() const { return top_ - 1; }
@@ -113,9 +119,15 @@ class SegmentPool {
   static constexpr std::uint32_t kPage = kSegmentPage;
   using Page = std::array<SegmentRecord, kPage>;
 
+  std::uint32_t takeTop() {
+    if (top_ % kPage == 0) addPage();
+    return top_++;
+  }
   void addPage();  // in its own file, so that take() is small and inlined
+  void bringBack(std::size_t page);
 
   Pages<Page> pages_;
+  std::size_t dead_ = 0;  ///< records without a segment, when pages were last given back
   std::vector<std::uint32_t> free_;
   std::uint32_t top_ = 0;  // 0 names no segment
 };

@@ -18,6 +18,8 @@ namespace lgs::detail {
 /// No branch depends on the half-edges, as on random terrain the processor could not foresee it.
 class Turn {
  public:
+  Turn() { wedges_[0].incoming = kNoSegment; }  // close() reads it, also if no cell was passed
+
   /// The next cell, which has few segments. To it the vertex is corner q.
   template <unsigned q>
   void pass(CellSegments shown) {

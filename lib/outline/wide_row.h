@@ -15,7 +15,7 @@ namespace lgs::detail {
 using WideRow = std::uint64_t;
 inline constexpr WideRow kOwnColumns = WideRow{0xffff'ffff} << 1;
 
-/// Row y (-1 … 32) of a bitmap, continued into the chunks around. bits(chunk, row) are those of one chunk.
+/// Row y (-1 … 32) of a bitmap, continued into the chunks around. bitsOf(chunk, row) are those of one chunk.
 template <class Bits>
 WideRow wideRow(const Chunk& chunk, std::int32_t y, Bits&& bitsOf) {
   const auto row = static_cast<std::uint32_t>(y & (kChunkSize - 1));
@@ -44,7 +44,7 @@ inline CellAt onlyDirtyCell(const Chunk& chunk) {
   const auto row = static_cast<std::uint32_t>(std::countr_zero(chunk.dirtyRows));
   const RowMask cells = chunk.dirty[row];
   if ((chunk.dirtyRows & (chunk.dirtyRows - 1)) != 0 || (cells & (cells - 1)) != 0) return {};
-  return {chunk.around[4], row * kChunkSize + static_cast<std::uint32_t>(std::countr_zero(cells))};
+  return {chunk.self(), row * kChunkSize + static_cast<std::uint32_t>(std::countr_zero(cells))};
 }
 
 /// Calls visit(y) for y from -1 to 32 if row y has a dirty cell, or a row beside it.

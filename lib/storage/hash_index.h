@@ -28,7 +28,6 @@ std::uint64_t anySeed(const void* where);
 class HashIndex {
  public:
   HashIndex() : seed_(anySeed(this)) {}
-  explicit HashIndex(std::uint64_t seed) : seed_(seed) {}
 
   /// What the hashes of this index begin with. A copy has the same.
   std::uint64_t seed() const { return seed_; }

@@ -1,14 +1,18 @@
-// Pages of plain data that never move. A large world has many, and looks at them in no order. Then a good part of the
-// time goes into finding where memory is, and with large pages the processor has less to look up. So pages beyond the
-// first few are parts of slabs, for which Linux is asked for large pages. Where there are none nothing is lost.
+// Pages of plain data that never move. Those that nobody needs can be given back, and made again. A large world has
+// many, and looks at them in no order. Then a good part of the time goes into finding where memory is, and with large
+// pages the processor has less to look up. So pages beyond the first few are parts of slabs, for which Linux is asked
+// for large pages. Where there are none nothing is lost.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <new>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace lgs::detail {
@@ -27,6 +31,9 @@ class Slab {
   std::byte* memory() const { return memory_.get(); }
   std::size_t pages() const { return pages_; }
   std::uint64_t bytes() const { return bytes_; }
+  bool contains(const std::byte* p) const {
+    return std::greater_equal()(p, memory()) && std::less()(p, memory() + bytes_);
+  }
 
  private:
   std::unique_ptr<std::byte, FreeSlab> memory_;
@@ -41,11 +48,9 @@ class Pages {
  public:
   Pages() = default;
   /// A page may be written in part only. Its bytes can be copied all the same.
-  Pages(const Pages& other) {
-    while (pages_.size() < other.pages_.size()) {
-      add();
-      std::memcpy(pages_.back(), other.pages_[pages_.size() - 1], sizeof(Page));
-    }
+  Pages(const Pages& other) : pages_(other.pages_.size()), missing_(pages_.size()) {
+    for (std::size_t k = 0; k < pages_.size(); ++k)
+      if (other.pages_[k]) std::memcpy(&make(k), other.pages_[k], sizeof(Page));
   }
   Pages& operator=(const Pages&) = delete;
   Pages(Pages&&) noexcept = default;
@@ -56,25 +61,48 @@ class Pages {
   std::size_t size() const { return pages_.size(); }
   /// One more. What it holds is not determined.
   void add() {
-    if (spare_ == 0) {
-      slabs_.push_back(Slab::forPages(sizeof(Page), pages_.size()));
-      spare_ = slabs_.back().pages();
+    pages_.push_back(nullptr);
+    ++missing_;
+    make(pages_.size() - 1);
+  }
+  bool has(std::size_t k) const { return pages_[k] != nullptr; }
+  std::size_t missing() const { return missing_; }
+  /// One that is missing. What it holds is not determined.
+  Page& make(std::size_t k) {
+    if (spare_.empty()) {
+      const Slab& slab = slabs_.emplace_back(Slab::forPages(sizeof(Page), pages_.size() - missing_));
+      for (std::size_t n = slab.pages(); n-- != 0;) spare_.push_back(slab.memory() + n * sizeof(Page));
     }
-    const std::size_t at = slabs_.back().pages() - spare_--;
-    pages_.push_back(new (slabs_.back().memory() + at * sizeof(Page)) Page);
+    pages_[k] = new (spare_.back()) Page;
+    spare_.pop_back();
+    --missing_;
+    return *pages_[k];
+  }
+  /// They are missing from now on, and slabs of which no page is left are given back.
+  void giveBack(const std::vector<std::size_t>& gone) {
+    for (const std::size_t k : gone) spare_.push_back(reinterpret_cast<std::byte*>(std::exchange(pages_[k], nullptr)));
+    missing_ += gone.size();
+    std::erase_if(slabs_, [&](const Slab& slab) {
+      const auto isOfIt = [&](const std::byte* page) { return slab.contains(page); };
+      if (static_cast<std::size_t>(std::count_if(spare_.begin(), spare_.end(), isOfIt)) < slab.pages()) return false;
+      std::erase_if(spare_, isOfIt);
+      return true;
+    });
   }
   /// For tests of limits: so many more that nobody may look at.
   void passOver(std::size_t pages) { pages_.resize(pages_.size() + pages, nullptr); }
   std::uint64_t bytes() const {
-    std::uint64_t sum = pages_.capacity() * sizeof pages_[0] + slabs_.capacity() * sizeof slabs_[0];
+    std::uint64_t sum = pages_.capacity() * sizeof pages_[0] + slabs_.capacity() * sizeof slabs_[0] +
+                        spare_.capacity() * sizeof spare_[0];
     for (const Slab& slab : slabs_) sum += slab.bytes();
     return sum;
   }
 
  private:
-  std::vector<Page*> pages_;
+  std::vector<Page*> pages_;  ///< null where one is missing
+  std::size_t missing_ = 0;
   std::vector<Slab> slabs_;
-  std::size_t spare_ = 0;  ///< pages of the last slab that are not given out yet
+  std::vector<std::byte*> spare_;  ///< pages of slabs that are not given out
 };
 
 }  // namespace lgs::detail

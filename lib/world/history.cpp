@@ -85,6 +85,13 @@ void History::forgetUndone() {
   outline_.forgetUndone();
 }
 
+void History::squeeze() {
+  const bool isRedoLater = !ahead_.empty() && went_.mark > marks_.back().mark;
+  const Marked& last = isRedoLater ? went_ : marks_.back();
+  ground_.squeeze(last.ground);
+  outline_.squeeze(last.outline);
+}
+
 void History::takeBack(Mark mark) {
   const auto to = find(mark);
   if (!ahead_.empty() && to->ground.notes < went_.ground.notes) forgetUndone();

@@ -29,15 +29,18 @@ class History {
   bool isAhead(Mark mark) const;
   bool hasMarks() const { return !marks_.empty(); }
 
-  // The mark must be known.
-  /// It stays, and later ones are void. `changes` receives what this does to the segments.
+  /// The mark must be known. It stays, and later ones are void. `changes` receives what this does to the segments.
   void rollBack(Mark mark, Undone undone, Changes& changes);
   /// The mark must be ahead. Marks that were made since the world went back are void.
   void rollForward(Mark mark, Changes& changes);
-  /// The same in silence, where no commit changed something since: the segments are as they were at the mark.
+  /// Goes back in silence. The mark must be known, and no commit may have changed something since: the segments are as
+  /// they were at the mark.
   void takeBack(Mark mark);
+  /// The mark must be known.
   void forget(Mark mark);
-  /// Whether a commit changed something since.
+  /// After a commit, while there are marks: forgets what nobody can go back to, the moments between two of them.
+  void squeeze();
+  /// Whether a commit changed something since the mark, which must be known.
   bool committedSince(Mark mark) const { return find(mark)->outline != outline_.now(); }
 
   /// The cells, each once, in the order of their first edit.

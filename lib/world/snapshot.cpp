@@ -22,13 +22,13 @@ std::uint8_t versionOf(std::span<const std::byte> bytes) {
 std::optional<SnapshotError> lookAt(std::span<const std::byte> bytes, const Magic& letters, std::uint8_t newest) {
   const std::size_t compared = std::min(bytes.size(), letters.size());
   for (std::size_t k = 0; k < compared; ++k)
-    if (bytes[k] != std::byte{letters[k]}) return SnapshotError{What::notASnapshot, k};
-  if (bytes.size() < kHead + kTail) return SnapshotError{What::cut, bytes.size()};
+    if (bytes[k] != std::byte{letters[k]}) return SnapshotError{.what = What::notASnapshot, .offset = k};
+  if (bytes.size() < kHead + kTail) return SnapshotError{.what = What::cut, .offset = bytes.size()};
   if (const std::uint8_t version = versionOf(bytes); version < 1 || version > newest)
-    return SnapshotError{What::unknownVersion, letters.size()};
+    return SnapshotError{What::unknownVersion, letters.size(), version, newest};
   Checksum sum;
   for (const std::byte byte : bytes.first(bytes.size() - kTail)) sum.add(byte);
-  if (sum.value() != checksumOf(bytes)) return SnapshotError{What::damaged, bytes.size() - kTail};
+  if (sum.value() != checksumOf(bytes)) return SnapshotError{.what = What::damaged, .offset = bytes.size() - kTail};
   return std::nullopt;
 }
 
@@ -37,7 +37,9 @@ SnapshotReader reader(std::span<const std::byte> bytes) {
   return SnapshotReader(bytes.subspan(kHead, bytes.size() - kHead - kTail));
 }
 
-SnapshotError errorOf(const SnapshotReader& in) { return {in.error().what, in.error().offset + kHead}; }
+SnapshotError errorOf(const SnapshotReader& in) {
+  return {.what = in.error().what, .offset = in.error().offset + kHead};
+}
 
 void writeHead(SnapshotWriter& out, const Magic& letters, std::uint8_t version) {
   for (const std::uint8_t letter : letters) out.byte(letter);
@@ -103,7 +105,8 @@ std::string message(const SnapshotError& error) {
       case SnapshotError::What::notASnapshot:
         return "this is no snapshot of a world";
       case SnapshotError::What::unknownVersion:
-        return "a newer version of the library wrote this snapshot";
+        return "the snapshot has version " + std::to_string(error.version) +
+               " of its format, and this library reads versions from 1 to " + std::to_string(error.newest);
       case SnapshotError::What::cut:
         return "the snapshot ends too early";
       case SnapshotError::What::damaged:

@@ -191,8 +191,12 @@ const Changes& World::commit(const Executor& executor) noexcept {
   impl_->ground.settle();
   impl_->outline.update(impl_->ground, executor);
   impl_->ground.commit();
-  if (impl_->ground.isSleepy()) [[unlikely]]
+  if (impl_->history.hasMarks()) [[unlikely]]
+    impl_->history.squeeze();
+  if (impl_->ground.isSleepy() && !impl_->history.hasMarks()) [[unlikely]] {
     for (const std::uint32_t chunk : impl_->ground.sleep()) impl_->outline.lists.forget(chunk);
+    impl_->outline.giveBackPages();
+  }
   return impl_->outline.changes();
 }
 
@@ -242,31 +246,20 @@ Transaction::~Transaction() noexcept {
 
 // --- Leaving places
 
-namespace {
-
-/// An empty rectangle is no error.
-Expected<void> checkCorners(const CellRect& cells) {
-  if (lgs::isEmpty(cells)) return {};
-  for (const Cell corner : {cells.min, cells.max})
-    if (!inRange(corner)) return refuse({.code = ErrorCode::cellOutOfRange, .cell = corner});
-  return {};
-}
-
-}  // namespace
-
 Expected<std::uint64_t> World::forgetRect(const CellRect& cells) noexcept {
-  if (const auto done = checkCorners(cells); !done) return refuse(done.error());
   if (lgs::isEmpty(cells)) return std::uint64_t{0};
+  if (const auto done = detail::checkCorners(cells); !done) return refuse(done.error());
   if (!impl_->ground.changedChunks().empty() || impl_->history.hasMarks())
     return refuse({.code = ErrorCode::uncommitted});
   const std::vector<std::uint32_t> gone = impl_->ground.forget(cells);
   for (const std::uint32_t chunk : gone) impl_->outline.forget(chunk);
+  impl_->outline.giveBackPages();
   return gone.size();
 }
 
 Expected<std::uint64_t> World::unload(const CellRect& cells, const ChunkSink& sink) noexcept {
-  if (const auto done = checkCorners(cells); !done) return refuse(done.error());
   if (lgs::isEmpty(cells)) return std::uint64_t{0};
+  if (const auto done = detail::checkCorners(cells); !done) return refuse(done.error());
   const std::vector<std::uint32_t> chunks = impl_->ground.chunksWithin(cells, false);
   for (const std::uint32_t number : chunks) {
     const detail::Chunk& chunk = impl_->ground.grid.chunk(number);
@@ -282,8 +275,8 @@ tl::expected<Cell, SnapshotError> World::reload(std::span<const std::byte> chunk
 }
 
 Expected<std::uint64_t> World::reloadEmpty(const CellRect& cells) noexcept {
-  if (const auto done = checkCorners(cells); !done) return refuse(done.error());
   if (lgs::isEmpty(cells)) return std::uint64_t{0};
+  if (const auto done = detail::checkCorners(cells); !done) return refuse(done.error());
   const std::vector<std::uint32_t> chunks = impl_->ground.chunksWithin(cells, true);
   for (const std::uint32_t number : chunks) impl_->ground.loadEmpty(number);
   return chunks.size();

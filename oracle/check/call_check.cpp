@@ -1,11 +1,11 @@
 #include "oracle/check/call_check.h"
 
+#include "oracle/check/reads.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
 #include "oracle/trace/dump.h"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <utility>
 
 namespace lgs::oracle {
@@ -33,32 +33,24 @@ std::string CallCheck::makeGroup(const Call& call) {
 
 std::string CallCheck::makeOne(const Call& call, bool& isAccepted) {
   const Call resolved = caller_.resolved(call);
-  isAccepted = model_.judge(resolved).accepted;
+  const Verdict verdict = model_.judge(resolved);
+  isAccepted = verdict.accepted;
   if (!isAccepted && !triesRefused) {
     caller_.makeShapes(resolved);
     return "";
   }
   const Outcome outcome = caller_.makeResolved(resolved);
-  if (std::string wrong = model_.wrongAnswer(resolved, outcome, caller_.world); !wrong.empty()) return wrong;
+  if (std::string wrong = model_.wrongAnswer(resolved, verdict, outcome, caller_.world); !wrong.empty()) return wrong;
   if (!isAccepted) return "";
-  model_.apply(resolved, outcome);
+  model_.apply(resolved, outcome.handles);
   if (afterAccepted) afterAccepted(resolved, outcome);
   return call.kind == Call::Kind::commit || call.kind == Call::Kind::load ? look() : "";
 }
 
 std::string CallCheck::look() const {
   const Scene scene = model_.standing().scene(preserve_);
-  for (const auto& [cell, placed] : model_.standing().cells()) {
-    const std::vector<PlacedPolygon> there = caller_.world.polygons(cell);
-    const auto isThere = [&](const Model::Placed& p) {
-      return std::ranges::any_of(there, [&](const PlacedPolygon& q) {
-        return CallModel::nameOf(q.handle) == p.name && q.block == p.block &&
-               std::ranges::equal(q.vertices, p.vertices);
-      });
-    };
-    if (there.size() != placed.size() || !std::ranges::all_of(placed, isThere))
-      return fmt::format("other polygons stand in cell ({}, {})", cell.i, cell.j);
-  }
+  for (const auto& entry : model_.standing().cells())
+    if (const auto wrong = readCell(caller_.world, model_.standing(), entry.first)) return wrong->text;
   if (caller_.world.stats().polygons != scene.polygons.size()) return "another number of polygons stands there";
   const Outline expected = NaiveReference()(scene).outline, actual = outlineOf(caller_.world);
   return expected == actual ? "" : "the outline is not that of the laws\n" + describe(compare(expected, actual));

@@ -9,11 +9,12 @@
 #include "oracle/check/reach.h"
 #include "oracle/check/refusal.h"
 #include "oracle/check/window.h"
-#include "oracle/generate/steps.h"
+#include "oracle/generate/ways.h"
 #include "oracle/reference/canonical.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
 #include "oracle/trace/brushing.h"
+#include "oracle/trace/row.h"
 #include "oracle/views/named_islands.h"
 
 #include <fmt/format.h>
@@ -30,10 +31,9 @@ Trace inAnotherOrder(const Scene& scene) {
   random.shuffle(polygons);
   std::ranges::stable_sort(polygons, std::greater(), &ScenePolygon::cell);
   Trace trace{scene.preserve, {}};
-  for (ScenePolygon& polygon : polygons) {
-    const std::string name = fmt::format("p{}{}", trace.edits.size(), randomLetters(random.next()));
-    trace.edits.push_back(Edit::add(name, std::move(polygon)));
-  }
+  for (ScenePolygon& polygon : polygons)
+    trace.edits.push_back(Edit::add(fmt::format("p{}", trace.edits.size()), std::move(polygon)));
+  chooseWays(trace.edits, random);
   return trace;
 }
 
@@ -45,20 +45,21 @@ class Check {
         stats_(stats),
         library_(options.engine ? nullptr : &own_),
         engine_(options.engine ? *options.engine : own_),
-        steps_(trace) {
+        rows_(trace) {
     if (options.views) own_.followViews();
   }
 
   tl::expected<std::optional<Mismatch>, TraceError> run() {
     engine_.reset(trace_.preserve);
-    while (const auto step = steps_.next()) {
-      edits_ = step->end;
-      edited_.merge(steps_.takeEdited());
-      if (step->isCommit()) {
+    while (const auto row = rows_.next(calls())) {
+      edits_ = row->end;
+      if (row->isCommit()) {
+        own_.useExecutor(row->way.number);
         if (auto found = commit()) return found;
         if (stopped_) return std::nullopt;
       } else {
-        auto found = apply(*step);
+        if (row->verdict.accepted) edited_.insert(row->cells.begin(), row->cells.end());
+        auto found = apply(*row);
         if (!found || *found) return found;
       }
     }
@@ -73,12 +74,15 @@ class Check {
     return checkHistory();
   }
 
-  void addDetours() { stats_.detours += own_.detours(); }
+  void addDetours() {
+    for (std::size_t k = 0; k < kDetours; ++k) stats_.detours[k] += own_.detours()[k];
+  }
 
  private:
   using Result = std::optional<Mismatch>;
 
-  const Model& model() const { return steps_.model(); }
+  const CallModel& calls() const { return library_ != nullptr ? library_->calls() : placed_; }
+  const Model& model() const { return calls().standing(); }
   Scene scene() const { return model().scene(trace_.preserve); }
 
   Mismatch mismatch(Mismatch::Kind kind, std::string text) const {
@@ -103,40 +107,35 @@ class Check {
     return found;
   }
 
-  tl::expected<Result, TraceError> apply(const Step& step) {
-    if (!step.isTrial) stats_.edits += step.edits.size();
-    if (step.door == Door::brush) return brush(step);
-    if (step.verdict.accepted) note(step);
-    if (library_ != nullptr) return applyByDoor(step);
-    return step.isTrial ? Result() : applyOneByOne(step);
+  tl::expected<Result, TraceError> apply(const Row& row) {
+    if (!row.isTrial) stats_.edits += row.edits.size();
+    if (row.way.door == Door::brush) return brush(row);
+    if (row.verdict.accepted) note(row);
+    if (library_ != nullptr) return applyByDoor(row);
+    return row.isTrial ? Result() : applyOneByOne(row);
   }
 
-  void note(const Step& step) {
-    stats_.doors[static_cast<std::size_t>(step.door)] += step.edits.size();
-    stats_.worn += step.worn == 0 ? 0 : 1;
+  void note(const Row& row) {
+    stats_.doors[static_cast<std::size_t>(row.way.door)] += row.edits.size();
     pending_ = true;
   }
 
   // From then on, what the brush did is as if it had been done by hand.
-  tl::expected<Result, TraceError> brush(const Step& step) {
-    const Edit& edit = step.edits.front();
+  tl::expected<Result, TraceError> brush(const Row& row) {
+    const Edit& edit = row.edits.front();
     if (library_ == nullptr) return tl::unexpected(TraceError{edit.line, "only this library's engine has brushes", {}});
     const auto [min, max] = cellsUnder(edit.brush);
     const CellRect near{{min.i - 1, min.j - 1}, {max.i + 1, max.j + 1}};
     const Scene before = sceneOf(model(), near);
     const auto done = library_->brush(edit);
-    if (!done) return refusedBrush(step, done.error());
-    if (!step.verdict.accepted) return mismatch(Mismatch::Kind::verdict, "a brush is out of reach, but is accepted");
-    pending_ = true;
-    ++stats_.doors[static_cast<std::size_t>(step.door)];
-    if (std::string wrong = wrongReach(edit.brush, *done, model()); !wrong.empty())
+    if (!done) return refusedBrush(row, done.error());
+    if (!row.verdict.accepted) return mismatch(Mismatch::Kind::verdict, "a brush is out of reach, but is accepted");
+    note(row);
+    if (std::string wrong = wrongReach(edit.brush, *done); !wrong.empty())
       return mismatch(Mismatch::Kind::reach, std::move(wrong));
-    for (const Edit& part : done->edits) {
-      if (!model().judge(part).accepted)
-        return mismatch(Mismatch::Kind::verdict, "a brush makes what must be refused: " + printEdit(part));
-      steps_.brushed({&part, 1});
-    }
-    edited_.merge(steps_.takeEdited());
+    for (const auto& entry : done->went) edited_.insert(entry.second.cell);
+    for (const Edit& part : done->edits)
+      if (part.kind == Edit::Kind::add) edited_.insert(part.polygon.cell);
     if (!options_.cgal) return Result();
     ++stats_.brushed;
     auto far = farFromExact(before, edit.brush, sceneOf(model(), near));
@@ -146,44 +145,47 @@ class Check {
   }
 
   // Whether a cell is full can not be known beforehand.
-  tl::expected<Result, TraceError> refusedBrush(const Step& step, const TraceError& error) {
+  tl::expected<Result, TraceError> refusedBrush(const Row& row, const TraceError& error) {
     const std::optional<Error>& refusal = error.refusal;
-    const bool isExpected = refusal && refusal->code == step.verdict.code.value_or(ErrorCode::capacity);
+    const bool isExpected = refusal && refusal->code == row.verdict.code.value_or(ErrorCode::capacity);
     if (!isExpected)
       return mismatch(Mismatch::Kind::verdict, (refusal ? "a brush is refused, but is good: " : "") + error.text);
-    if (auto complaint = library_->afterRefusedBrush(model())) return mismatch(std::move(*complaint));
+    if (auto complaint = library_->afterRefusedBrush()) return mismatch(std::move(*complaint));
     if (!options_.skipRefused) return tl::unexpected(error);
     ++stats_.refused;
     return Result();
   }
 
-  tl::expected<Result, TraceError> applyByDoor(const Step& step) {
-    stats_.full += step.verdict.code == ErrorCode::capacity ? 1 : 0;
-    auto complaint = library_->apply(step, model());
-    if (!complaint) return refused(step, complaint.error());
+  tl::expected<Result, TraceError> applyByDoor(const Row& row) {
+    stats_.full += row.verdict.code == ErrorCode::capacity ? 1 : 0;
+    auto complaint = library_->apply(row);
+    if (!complaint) return refused(row, complaint.error());
     if (*complaint) return mismatch(std::move(**complaint));
     return Result();
   }
 
   // The limits of a cell are this library's: other engines never see an edit that is refused for them.
-  tl::expected<Result, TraceError> applyOneByOne(const Step& step) {
-    const auto& [accepted, code, cell, index] = step.verdict;
+  tl::expected<Result, TraceError> applyOneByOne(const Row& row) {
+    const auto& [accepted, code, cell, index] = row.verdict;
     if (accepted || (engine_.can().refuses && code != ErrorCode::capacity)) {
-      for (const Edit& edit : step.edits)
+      for (const Edit& edit : row.edits) {
         edit.kind == Edit::Kind::add ? engine_.add(edit.name, edit.polygon) : engine_.remove(edit.name);
+        if (accepted)
+          placed_.apply(edit, edit.kind == Edit::Kind::add ? PolygonHandle{1, ++handles_} : PolygonHandle{});
+      }
     } else if (options_.skipRefused) {
       return Result();
     }
     if (accepted) return Result();
     pending_ = true;  // the refusal comes with the next commit
-    return refused(step, {step.edits.front().line, "must be refused: " + inWords(step), {}});
+    return refused(row, {row.edits.front().line, "must be refused: " + inWords(row), {}});
   }
 
-  tl::expected<Result, TraceError> refused(const Step& step, const TraceError& error) {
+  tl::expected<Result, TraceError> refused(const Row& row, const TraceError& error) {
     if (!options_.skipRefused) return tl::unexpected(error);
     ++stats_.refused;
-    const auto& code = step.verdict.code;
-    expected_.push_back({step.edits.front().name, code ? lgs::name(*code) : "a bad name"});
+    const auto& code = row.verdict.code;
+    expected_.push_back({row.edits.front().name, code ? lgs::name(*code) : "a bad name"});
     return Result();
   }
 
@@ -196,7 +198,7 @@ class Check {
     if (std::string wrong = wrongRefusals(std::exchange(expected_, {}), *refusals); !wrong.empty())
       return mismatch(Mismatch::Kind::verdict, std::move(wrong));
     if (library_ != nullptr) {
-      if (auto complaint = library_->afterCommit(edited_, model())) return mismatch(std::move(*complaint));
+      if (auto complaint = library_->afterCommit(edited_)) return mismatch(std::move(*complaint));
     }
     // A joined segment belongs to many cells, so nothing can be said of some of them.
     lastWasWhole_ = engine_.can().merged || (options_.wholeEvery != 0 && commits_ % options_.wholeEvery == 0);
@@ -214,7 +216,7 @@ class Check {
   Result readAll() {
     if (library_ == nullptr) return std::nullopt;
     ++stats_.read;
-    auto complaint = library_->readAll(model());
+    auto complaint = library_->readAll();
     return complaint ? Result(mismatch(std::move(*complaint))) : std::nullopt;
   }
 
@@ -314,7 +316,9 @@ class Check {
   LibraryEngine own_;
   LibraryEngine* const library_;  // null, if another engine is checked
   Engine& engine_;
-  Steps steps_;
+  Rows rows_;
+  CallModel placed_;           // in another engine
+  std::uint32_t handles_ = 0;  // that it might have given
   NaiveReference naive_;
   std::vector<RefusedEdit> expected_;  // what must be refused since the last commit, and why
   CellSet edited_;

@@ -16,7 +16,6 @@
 #include "oracle/reference/outline.h"
 #include "oracle/reference/scene.h"
 #include "oracle/trace/player.h"
-#include "oracle/trace/step.h"
 #include "oracle/trace/trace.h"
 
 #include <array>
@@ -97,9 +96,8 @@ struct CheckStats {
   std::uint64_t segments = 0;                 ///< compared with a reference
   std::uint64_t read = 0;                     ///< how often everything was read
   std::uint64_t full = 0;                     ///< calls refused because of a limit
-  std::uint64_t worn = 0;                     ///< cells in which hundreds of polygons came and went
   std::array<std::uint64_t, kDoors> doors{};  ///< edits through each
-  Detours detours = {};
+  Detours detours{};
 };
 
 /// "points 20%, floats 10%, …": the share of the edits that took each door.

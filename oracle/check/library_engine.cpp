@@ -1,7 +1,6 @@
 #include "oracle/check/library_engine.h"
 
-#include "oracle/check/refusal.h"
-#include "oracle/generate/steps.h"
+#include "oracle/trace/row.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -62,20 +61,19 @@ Outline LibraryEngine::outlineIn(const CellSet& cells) const {
   return outline;
 }
 
-tl::expected<std::optional<Complaint>, TraceError> LibraryEngine::apply(const Step& step, const Model& model) {
+tl::expected<std::optional<Complaint>, TraceError> LibraryEngine::apply(const Row& row) {
   std::vector<PolygonHandle> removed;
-  for (const Edit& edit : step.edits) {
-    const bool isRemoval = step.verdict.accepted && edit.kind == Edit::Kind::remove;
-    if (isRemoval && step.door != Door::setBlock) removed.push_back(player_->handleOf(edit.name));
+  for (const Edit& edit : row.edits) {
+    const bool isRemoval = row.verdict.accepted && edit.kind == Edit::Kind::remove;
+    if (isRemoval && row.way.door != Door::setBlock) removed.push_back(player_->handleOf(edit.name));
   }
-  const Stats before = step.verdict.accepted ? Stats() : player_->world().stats();
-  const auto done = player_->apply(step);
-  if (std::string wrong = wrongAnswer(step, done, model, player_->world()); !wrong.empty())
-    return Complaint{Mismatch::Kind::verdict, std::move(wrong)};
-  if (step.verdict.accepted) return checkStale(removed);
-  if (auto complaint = afterRefusal(step, done.error(), before, model)) return complaint;
-  if (step.isTrial) return std::nullopt;
-  refused_.push_back({step.edits.front().name, done.error().text});
+  const Stats before = row.verdict.accepted ? Stats() : player_->world().stats();
+  const auto done = player_->apply(row);
+  if (!done && done.error().isWrong) return Complaint{Mismatch::Kind::verdict, done.error().text};
+  if (done) return checkStale(removed);
+  if (auto complaint = afterRefusal(row, before)) return complaint;
+  if (row.isTrial) return std::nullopt;
+  refused_.push_back({row.edits.front().name, done.error().text});
   return tl::unexpected(done.error());
 }
 
@@ -84,18 +82,17 @@ tl::expected<Brushed, TraceError> LibraryEngine::brush(const Edit& edit) {
   return player_->brushed();
 }
 
-std::optional<Complaint> LibraryEngine::afterRefusedBrush(const Model& model) const {
-  auto wrong = readPolygons(*player_, model);
+std::optional<Complaint> LibraryEngine::afterRefusedBrush() const {
+  auto wrong = readPolygons(*player_);
   if (!wrong) return std::nullopt;
   return Complaint{Mismatch::Kind::refusal, "the refusal of a brush changed something: " + wrong->text};
 }
 
-std::optional<Complaint> LibraryEngine::afterRefusal(const Step& step, const TraceError& error, const Stats& before,
-                                                     const Model& model) const {
-  if (!error.refusal) return std::nullopt;
-  const Cell cell = step.edits.front().polygon.cell;
-  if (!readCell(*player_, model, cell) && sameCounts(player_->world().stats(), before)) return std::nullopt;
-  return Complaint{Mismatch::Kind::refusal, fmt::format("the refusal changed something: {}", inWords(step))};
+std::optional<Complaint> LibraryEngine::afterRefusal(const Row& row, const Stats& before) const {
+  const bool isSame = std::ranges::none_of(
+      row.cells, [&](Cell cell) { return readCell(player_->world(), player_->standing(), cell).has_value(); });
+  if (isSame && sameCounts(player_->world().stats(), before)) return std::nullopt;
+  return Complaint{Mismatch::Kind::refusal, fmt::format("the refusal changed something: {}", inWords(row))};
 }
 
 std::optional<Complaint> LibraryEngine::checkStale(const std::vector<PolygonHandle>& handles) {
@@ -111,11 +108,11 @@ std::optional<Complaint> LibraryEngine::checkStale(const std::vector<PolygonHand
   return std::nullopt;
 }
 
-std::optional<Complaint> LibraryEngine::afterCommit(const CellSet& edited, const Model& model) {
+std::optional<Complaint> LibraryEngine::afterCommit(const CellSet& edited) {
   if (auto problem = mirror_.update(player_->world(), *changes_))
     return Complaint{Mismatch::Kind::changes, std::move(*problem), mirror_.blamed()};
   for (const Cell& cell : edited)
-    if (auto complaint = reading(readCell(*player_, model, cell))) return complaint;
+    if (auto complaint = reading(readCell(player_->world(), player_->standing(), cell))) return complaint;
   return views_ ? checkViews() : std::nullopt;
 }
 
@@ -131,12 +128,12 @@ std::optional<Complaint> LibraryEngine::checkViews() {
   return Complaint{Mismatch::Kind::views, std::move(*wrong)};
 }
 
-std::optional<Complaint> LibraryEngine::readAll(const Model& model) const {
+std::optional<Complaint> LibraryEngine::readAll() const {
   const World& world = player_->world();
   const auto isThere = [&](PolygonHandle handle) { return world.polygon(handle).has_value(); };
   if (std::ranges::any_of(stale_, isThere))
     return Complaint{Mismatch::Kind::reading, "the handle of a removed polygon names another one now"};
-  if (auto complaint = reading(readPolygons(*player_, model))) return complaint;
+  if (auto complaint = reading(readPolygons(*player_))) return complaint;
   if (auto complaint = reading(readSegments(world, mirror_.segments()))) return complaint;
   return reading(readLoops(world, mirror_.segments()));
 }
@@ -149,9 +146,9 @@ Loops LibraryEngine::loops() const {
 
 tl::expected<Outline, TraceError> LibraryEngine::outlineAtOnce(const Trace& trace) {
   Player fresh(trace.preserve);
-  Steps steps(trace);
-  while (const auto step = steps.next())
-    if (const auto done = fresh.apply(*step); !done) return tl::unexpected(done.error());
+  Rows rows(trace);
+  while (const auto row = rows.next(fresh.calls()))
+    if (const auto done = fresh.apply(*row); !done) return tl::unexpected(done.error());
   // Threads would share the jobs of this executor. It runs the last one first: their order must not matter either.
   fresh.world().commit([](std::size_t jobs, const std::function<void(std::size_t)>& run) {
     while (jobs-- > 0) run(jobs);

@@ -1,6 +1,6 @@
 // This library's engine as an engine, and what is checked of it beyond refusals and the outline:
-//  - each step goes through one of its doors (step.h): the refusal has the right reason, and names what is to blame; a
-//    refused step changes nothing; a stale handle stays stale;
+//  - each row goes through one of its doors (way.h): the refusal has the right reason, and names what is to blame; a
+//    refused row changes nothing; a stale handle stays stale;
 //  - each commit: the change list is exact (mirror.h); the polygons of the edited cells read as they were placed;
 //  - if it is asked for, views of loops, islands and pieces are held against a full recompute after each commit;
 //  - now and then: everything else that a world can be asked (reads.h).
@@ -48,20 +48,23 @@ class LibraryEngine : public Engine {
   /// The segments of these cells.
   Outline outlineIn(const CellSet& cells) const;
 
-  /// Makes a step by one call. `model` is as after the step. The error is that of an edit that is rightly refused.
-  tl::expected<std::optional<Complaint>, TraceError> apply(const Step& step, const Model& model);
+  /// Makes a row by one call. The error is that of an edit that is rightly refused.
+  tl::expected<std::optional<Complaint>, TraceError> apply(const Row& row);
+
+  /// By which executor the next commit is made (player.h).
+  void useExecutor(std::uint32_t number) { player_->useExecutor(number); }
 
   /// Makes an edit by a brush. Returns what it did; or why it was refused.
   tl::expected<Brushed, TraceError> brush(const Edit& edit);
 
   /// To be called after a brush was refused.
-  std::optional<Complaint> afterRefusedBrush(const Model& model) const;
+  std::optional<Complaint> afterRefusedBrush() const;
 
   /// To be called after each commit, with the cells edited since the one before.
-  std::optional<Complaint> afterCommit(const CellSet& edited, const Model& model);
+  std::optional<Complaint> afterCommit(const CellSet& edited);
 
   /// Asks the world everything. To be called after a commit.
-  std::optional<Complaint> readAll(const Model& model) const;
+  std::optional<Complaint> readAll() const;
 
   /// The loops, collinear vertices dropped.
   Loops loops() const;
@@ -69,11 +72,11 @@ class LibraryEngine : public Engine {
   /// The outline of a world that plays a trace and commits once, by an executor. An error if an edit is refused.
   static tl::expected<Outline, TraceError> outlineAtOnce(const Trace& trace);
 
+  const CallModel& calls() const { return player_->calls(); }
   const Detours& detours() const { return player_->detours(); }
 
  private:
-  std::optional<Complaint> afterRefusal(const Step& step, const TraceError& error, const Stats& before,
-                                        const Model& model) const;
+  std::optional<Complaint> afterRefusal(const Row& row, const Stats& before) const;
   std::optional<Complaint> checkViews();
   std::optional<Complaint> checkStale(const std::vector<PolygonHandle>& handles);
 

@@ -58,10 +58,10 @@ bool mayMeet(const BrushEdit& brush, const ScenePolygon& polygon) {
   return brush.isEvenOdd ? winding % 2 != 0 : winding != 0;
 }
 
-std::string wrongReach(const BrushEdit& brush, const Brushed& done, const Model& before) {
+std::string wrongReach(const BrushEdit& brush, const Brushed& done) {
   for (const Edit& part : done.edits) {
     if (part.kind != Edit::Kind::remove || std::ranges::find(done.bent, part.name) != done.bent.end()) continue;
-    if (!mayMeet(brush, before[part.name])) return fmt::format("'{}' has changed, but is not reached", part.name);
+    if (!mayMeet(brush, done.went.at(part.name))) return fmt::format("'{}' has changed, but is not reached", part.name);
   }
   return "";
 }

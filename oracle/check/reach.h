@@ -3,7 +3,6 @@
 
 #include "oracle/reference/brush_edit.h"
 #include "oracle/reference/scene.h"
-#include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
 
 #include <string>
@@ -15,7 +14,6 @@ namespace lgs::oracle {
 bool mayMeet(const BrushEdit& brush, const ScenePolygon& polygon);
 
 /// Which polygon a brush has changed without reaching it, and without telling that it is bent; empty if there is none.
-/// `before` has what was there before.
-std::string wrongReach(const BrushEdit& brush, const Brushed& done, const Model& before);
+std::string wrongReach(const BrushEdit& brush, const Brushed& done);
 
 }  // namespace lgs::oracle

@@ -55,8 +55,7 @@ std::optional<WrongRead> readRect(const World& world, std::span<const Segment> s
 
 }  // namespace
 
-std::optional<WrongRead> readCell(const Player& player, const Model& model, Cell cell) {
-  const World& world = player.world();
+std::optional<WrongRead> readCell(const World& world, const Model& model, Cell cell) {
   const auto wrong = [&](const std::string& text) {
     return WrongRead{fmt::format("cell ({}, {}) {}", cell.i, cell.j, text)};
   };
@@ -68,7 +67,7 @@ std::optional<WrongRead> readCell(const Player& player, const Model& model, Cell
   world.polygons(cell, again);
   if (again.size() != there.size()) return wrong("reads otherwise into a list that was not empty");
   for (const Model::Placed& placed : expected) {
-    const PolygonHandle handle = player.handleOf(placed.name);
+    const PolygonHandle handle = placed.handle;
     const auto isIt = [&](const PlacedPolygon& p) { return p.handle == handle && isPlaced(p, placed); };
     if (std::none_of(there.begin(), there.end(), isIt) || std::none_of(again.begin(), again.end(), isIt))
       return wrong(fmt::format("does not hold '{}' as it was placed", placed.name));
@@ -80,9 +79,10 @@ std::optional<WrongRead> readCell(const Player& player, const Model& model, Cell
   return std::nullopt;
 }
 
-std::optional<WrongRead> readPolygons(const Player& player, const Model& model) {
+std::optional<WrongRead> readPolygons(const Player& player) {
+  const Model& model = player.standing();
   for (const auto& entry : model.cells())
-    if (auto wrong = readCell(player, model, entry.first)) return wrong;
+    if (auto wrong = readCell(player.world(), model, entry.first)) return wrong;
   const Stats stats = player.world().stats();
   const auto differs = [](const char* of, std::uint64_t actual, std::uint64_t expected) {
     return WrongRead{fmt::format("stats() counts {} {}, but there should be {}", actual, of, expected)};

@@ -4,7 +4,6 @@
 
 #include "oracle/reference/outline.h"
 #include "oracle/trace/mirror.h"
-#include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
 
 #include <optional>
@@ -18,10 +17,10 @@ struct WrongRead {
 };
 
 /// The polygons of a cell, asked for by cell and by handle.
-std::optional<WrongRead> readCell(const Player& player, const Model& model, Cell cell);
+std::optional<WrongRead> readCell(const World& world, const Model& model, Cell cell);
 
 /// The polygons of all cells, and how many there are.
-std::optional<WrongRead> readPolygons(const Player& player, const Model& model);
+std::optional<WrongRead> readPolygons(const Player& player);
 
 /// Segments by id, dead ids too; and by rectangle, for a few rectangles.
 std::optional<WrongRead> readSegments(const World& world, std::span<const Segment> segments);

@@ -1,7 +1,6 @@
 #include "oracle/check/shrink.h"
 
 #include "oracle/check/simpler.h"
-#include "oracle/trace/step.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -13,13 +12,13 @@ namespace lgs::oracle {
 namespace {
 
 // Every polygon gets a name of its own, p1, p2, … in order; so an add can go without touching another's removal. The
-// letters of a name decide which door its edit takes (step.h): they stay, or they go.
-Trace renamed(Trace trace, bool withLetters) {
+// ways of the edits stay, or they become plain.
+Trace renamed(Trace trace, bool withWays) {
   std::map<std::string, std::string> nameOf;
   std::size_t count = 0;
   for (Edit& edit : trace.edits) {
-    if (edit.kind == Edit::Kind::add)
-      nameOf[edit.name] = fmt::format("p{}{}", ++count, withLetters ? lettersOf(edit.name) : "");
+    if (!withWays) edit.way = Edit::plainWay(edit.kind);
+    if (edit.kind == Edit::Kind::add) nameOf[edit.name] = fmt::format("p{}", ++count);
     if (edit.kind != Edit::Kind::commit) edit.name = nameOf[edit.name];
   }
   return trace;
@@ -47,7 +46,7 @@ const std::vector<ShrinkWalk::Pass>& ShrinkWalk::passes() {
   using W = ShrinkWalk;
   static const std::vector<Pass> kPasses{
       &W::rename,   &W::dropEdits,   &W::simplifyPolygons, &W::simplifyBrushes, &W::dropPairs, &W::renumberBlocks,
-      &W::oneBlock, &W::moveColumns, &W::moveRows,         &W::plainDoors,      &W::rename};
+      &W::oneBlock, &W::moveColumns, &W::moveRows,         &W::plainWays,       &W::rename};
   return kPasses;
 }
 
@@ -80,16 +79,15 @@ std::optional<Trace> ShrinkWalk::rename() {
   return renamed(best_, variant_++ != 0);
 }
 
-// One edit after the other takes the plain door, and its removal with it.
-std::optional<Trace> ShrinkWalk::plainDoors() {
-  for (; at_ < best_.edits.size(); ++at_) {
-    const Edit& plain = best_.edits[at_];
-    const std::size_t length = plain.name.size() - lettersOf(plain.name).size();
-    if (plain.kind != Edit::Kind::add || length == 0 || length == plain.name.size()) continue;
+// One edit after the other is made in the plain way; or at least by itself, or without a detour and all that.
+std::optional<Trace> ShrinkWalk::plainWays() {
+  for (; at_ < best_.edits.size(); ++at_, variant_ = 0) {
+    const Way way = best_.edits[at_].way;
+    const std::array ways{Edit::plainWay(best_.edits[at_].kind), Way{way.door, way.detour, false, way.number},
+                          Way{way.door, Detour::none, way.joins, 0}};
+    if (variant_ == ways.size() || way == ways[0]) continue;
     Trace candidate = best_;
-    for (Edit& edit : candidate.edits)
-      if (edit.name == plain.name) edit.name.resize(length);
-    ++at_;
+    candidate.edits[at_].way = ways[variant_++];
     return candidate;
   }
   return std::nullopt;

@@ -16,7 +16,7 @@ namespace lgs::oracle {
 ///   edits dropped in chunks, then one by one (a polygon takes its removal with it); commits dropped;
 ///   polygons with fewer vertices, on rounder coordinates, or replaced by a full square or half of one;
 ///   brushes with fewer rings, fewer vertices, on rounder coordinates;
-///   blocks small, preserve pairs dropped, cells near the origin and near each other; plain doors (step.h);
+///   blocks small, preserve pairs dropped, cells near the origin and near each other; plain ways (way.h);
 ///   names p1, p2, …
 /// and again from the start while that helps. A candidate may be bad (a polygon made simpler may overlap another).
 /// A walk is a value: a copy goes its own way.
@@ -38,7 +38,7 @@ class ShrinkWalk {
   using Pass = std::optional<Trace> (ShrinkWalk::*)();
   static const std::vector<Pass>& passes();
   std::optional<Trace> rename();
-  std::optional<Trace> plainDoors();
+  std::optional<Trace> plainWays();
   std::optional<Trace> dropEdits();
   std::optional<Trace> simplifyPolygons();
   std::optional<Trace> simplifyBrushes();

@@ -7,39 +7,23 @@
 namespace lgs::oracle {
 
 std::string describe(Mismatch::Kind kind) {
-  switch (kind) {
-    case Mismatch::Kind::verdict:
-      return "an edit was not judged as it must be";
-    case Mismatch::Kind::refusal:
-      return "a refused edit changed something";
-    case Mismatch::Kind::changes:
-      return "the change list is wrong";
-    case Mismatch::Kind::reading:
-      return "the world does not read as it was edited";
-    case Mismatch::Kind::naive:
-      return "the outline differs from the naive reference's";
-    case Mismatch::Kind::cgal:
-      return "the outline differs from CGAL's";
-    case Mismatch::Kind::loops:
-      return "the loops are wrong";
-    case Mismatch::Kind::reach:
-      return "a brush changed what it does not reach";
-    case Mismatch::Kind::rounding:
-      return "a brush is too far from the exact result";
-    case Mismatch::Kind::history:
-      return "the outline depends on the order of the edits";
-    case Mismatch::Kind::views:
-      return "a view is not that of the world";
-    case Mismatch::Kind::terrain:
-      return "the terrain is not that of the world";
-    case Mismatch::Kind::crash:
-      return "there is no answer";
-    case Mismatch::Kind::hang:
-      return "there is no answer in time";
-    case Mismatch::Kind::protocol:
-      return "the engine does not keep to the protocol";
-  }
-  return {};
+  constexpr std::array kWords{"an edit was not judged as it must be",
+                              "a refused edit changed something",
+                              "the change list is wrong",
+                              "the world does not read as it was edited",
+                              "the outline differs from the naive reference's",
+                              "the outline differs from CGAL's",
+                              "the loops are wrong",
+                              "a brush changed what it does not reach",
+                              "a brush is too far from the exact result",
+                              "the outline depends on the order of the edits",
+                              "a view is not that of the world",
+                              "the terrain is not that of the world",
+                              "there is no answer",
+                              "there is no answer in time",
+                              "the engine does not keep to the protocol"};
+  static_assert(kWords.size() == static_cast<std::size_t>(Mismatch::Kind::protocol) + 1);
+  return kWords[static_cast<std::size_t>(kind)];
 }
 
 std::string doorsInWords(const CheckStats& stats) {
@@ -56,9 +40,10 @@ std::string doorsInWords(const CheckStats& stats) {
 }
 
 std::string detoursInWords(const CheckStats& stats) {
-  const Detours& d = stats.detours;
-  return fmt::format("saved and loaded {}, undone {}, marks {}, groups {}, other block first {}", d.saved, d.undone,
-                     d.marked, d.grouped, d.repainted);
+  std::string text;
+  for (std::size_t k = 1; k < kDetours; ++k)
+    text += fmt::format("{}{} {}", k == 1 ? "" : ", ", kDetourNames[k], stats.detours[k]);
+  return text;
 }
 
 }  // namespace lgs::oracle

@@ -1,37 +1,28 @@
 #include "oracle/engine/ending.h"
 
 #include <fmt/format.h>
+#include <array>
 #include <csignal>
+#include <utility>
 
 namespace lgs::oracle {
 namespace {
 
 // Empty for a signal that no program ends by, as a rule.
 std::string nameOf(int signal) {
-  switch (signal) {
-    case SIGABRT:
-      return "SIGABRT";
-    case SIGBUS:
-      return "SIGBUS";
-    case SIGFPE:
-      return "SIGFPE";
-    case SIGILL:
-      return "SIGILL";
-    case SIGKILL:
-      return "SIGKILL";
-    case SIGPIPE:
-      return "SIGPIPE";
-    case SIGSEGV:
-      return "SIGSEGV";
-    case SIGSYS:
-      return "SIGSYS";
-    case SIGTERM:
-      return "SIGTERM";
-    case SIGTRAP:
-      return "SIGTRAP";
-    default:
-      return "";
-  }
+  constexpr std::array<std::pair<int, const char*>, 10> kNames{{{SIGABRT, "SIGABRT"},
+                                                                {SIGBUS, "SIGBUS"},
+                                                                {SIGFPE, "SIGFPE"},
+                                                                {SIGILL, "SIGILL"},
+                                                                {SIGKILL, "SIGKILL"},
+                                                                {SIGPIPE, "SIGPIPE"},
+                                                                {SIGSEGV, "SIGSEGV"},
+                                                                {SIGSYS, "SIGSYS"},
+                                                                {SIGTERM, "SIGTERM"},
+                                                                {SIGTRAP, "SIGTRAP"}}};
+  for (const auto& [number, name] : kNames)
+    if (number == signal) return name;
+  return "";
 }
 
 }  // namespace

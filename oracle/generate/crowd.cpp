@@ -1,7 +1,7 @@
 #include "oracle/calls/random.h"
 #include "oracle/generate/generator.h"
+#include "oracle/generate/ways.h"
 #include "oracle/reference/validity.h"
-#include "oracle/trace/step.h"
 
 #include <fmt/format.h>
 #include <lgs/world.h>
@@ -45,6 +45,7 @@ class Crowder {
   Trace run(Crowd of) {
     of == Crowd::polygons ? fillWithPolygons() : fillWithVertices();
     trace_.edits.push_back(Edit::commit());
+    chooseWays(trace_.edits, random_);
     return std::move(trace_);
   }
 
@@ -103,7 +104,7 @@ class Crowder {
   void add(LocalPolygon vertices, Block block) {
     if (left_ == 0) return;
     --left_;
-    names_.push_back(fmt::format("p{}{}", ++count_, randomLetters(random_.next())));
+    names_.push_back(fmt::format("p{}", ++count_));
     trace_.edits.push_back(Edit::add(names_.back(), {cell_, block, std::move(vertices)}));
   }
 

@@ -1,6 +1,8 @@
 #include "oracle/generate/editor.h"
 
+#include "oracle/calls/draw.h"
 #include "oracle/calls/shapes.h"
+#include "oracle/generate/ways.h"
 
 #include <fmt/format.h>
 #include <lgs/world.h>
@@ -22,10 +24,12 @@ void Editor::operate() {
   constexpr std::int32_t kSteps[] = {kUnitsPerCell / 4, kUnitsPerCell / 4, kUnitsPerCell / 8, 1};
   step_ = std::max(kSteps[random_.below(4)], kUnitsPerCell / habits_.can.lattice);
   const Operation operation = pickOperation();
+  const std::size_t first = trace_.edits.size();
   (this->*operation)(pickCell());
   // An operation may come to nothing; a commit of nothing is worth a try now and then.
   const bool pending = !trace_.edits.empty() && trace_.edits.back().kind != Edit::Kind::commit;
   if (random_.chance(pending ? habits_.commitPercent : 2)) push(Edit::commit());
+  chooseWays(std::span(trace_.edits).subspan(first), random_);
 }
 
 void Editor::run(std::size_t edits) {
@@ -143,48 +147,11 @@ void Editor::tryRefused(Cell cell) {
   if (model_.in(cell).empty()) return place(cell);
   const Model::Placed pattern = random_.pick(model_.in(cell));
   LocalPolygon polygon = pattern.vertices;  // as it is: overlaps itself
-  const std::size_t k = random_.below(polygon.size());
-  bool isSpoilt = true;
-  switch (random_.below(11)) {
-    case 0:
-      std::reverse(polygon.begin(), polygon.end());
-      break;
-    case 1:
-      polygon.resize(random_.below(3U));
-      break;
-    case 2:
-      polygon[k].x = random_.chance(50) ? -1 : kUnitsPerCell + 1;
-      break;
-    case 3:
-      polygon.push_back(polygon[k]);
-      break;
-    case 4:
-      std::swap(polygon[k], polygon[random_.below(polygon.size())]);
-      break;
-    case 5:
-      polygon = {{0, 0}, {step_, step_}, {3 * step_, 3 * step_}};
-      break;
-    case 6:
-      polygon[k] = randomPoint();
-      break;
-    case 7: {  // a new corner in the middle of another edge
-      const std::size_t m = random_.below(polygon.size());
-      const LocalPoint a = polygon[m], b = polygon[(m + 1) % polygon.size()];
-      polygon.insert(polygon.begin() + static_cast<std::ptrdiff_t>(k), {(a.x + b.x) / 2, (a.y + b.y) / 2});
-      break;
-    }
-    case 8:
-      polygon = {kUnitSquare.begin(), kUnitSquare.end()};  // around what is there
-      isSpoilt = false;
-      break;
-    case 9:
-      polygon = random_.pick(random_.pick(habits_.shapes));
-      isSpoilt = false;
-      break;
-    default:
-      isSpoilt = false;
-      break;
-  }
+  const int kind = random_.below(10);
+  if (kind == 0) polygon = {kUnitSquare.begin(), kUnitSquare.end()};  // around what is there
+  if (kind == 1) polygon = random_.pick(random_.pick(habits_.shapes));
+  const bool isSpoilt = kind > 2;
+  if (isSpoilt) polygon = spoilt(random_, std::move(polygon));
   const Block block = random_.pick(habits_.blocks);
   if (isSpoilt && random_.chance(50)) removeNamed(pattern.name);
   Edit edit = Edit::add(freshName(), {cell, block, std::move(polygon)});
@@ -236,8 +203,7 @@ void Editor::push(Edit edit) {
 std::string Editor::freshName() {
   if (!lastRemoved_.empty() && !model_.isAlive(lastRemoved_) && random_.chance(20)) return lastRemoved_;
   std::string name;
-  const std::string letters = randomLetters(random_.next());
-  do name = fmt::format("p{}{}", ++names_, letters);
+  do name = fmt::format("p{}", ++names_);
   while (model_.isAlive(name));
   return name;
 }

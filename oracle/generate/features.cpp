@@ -1,7 +1,8 @@
 #include "oracle/generate/features.h"
 
+#include "oracle/reference/vector.h"
+
 #include <fmt/format.h>
-#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <set>
@@ -15,12 +16,7 @@ struct Edge {
 };
 
 // Neighbours only, so that nothing overflows: see note().
-std::int64_t cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
-
-bool between(Point p, Point a, Point b) {
-  return cross(a, b, p) == 0 && p != a && p != b && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
-         std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
-}
+bool between(Point p, Point a, Point b) { return p != a && p != b && isOnSegment(p, a, b); }
 
 std::vector<Edge> edgesOf(const ScenePolygon& polygon) {
   std::vector<Edge> edges;
@@ -50,7 +46,7 @@ class Noter {
     const bool aCut = between(b.from, a.from, a.to) || between(b.to, a.from, a.to);
     const bool bCut = between(a.from, b.from, b.to) || between(a.to, b.from, b.to);
     if ((aCut || bCut) && !sameCell) mark(Feature::midEdge);
-    const bool collinear = cross(a.from, a.to, b.from) == 0 && cross(a.from, a.to, b.to) == 0;
+    const bool collinear = cross(a.to - a.from, b.from - a.from) == 0 && cross(a.to - a.from, b.to - a.from) == 0;
     const bool equal = a.from == b.to && a.to == b.from;
     // Edges that are collinear and cut share a part. If they run the same way they do not: two solids meet end to end.
     if (!collinear || (!equal && !aCut && !bCut)) return;
@@ -65,27 +61,12 @@ class Noter {
 }  // namespace
 
 const char* describe(Feature feature) {
-  switch (feature) {
-    case Feature::midEdge:
-      return "a vertex in mid-edge of a neighbour";
-    case Feature::partialOverlap:
-      return "edges that overlap in part";
-    case Feature::sharedInCell:
-      return "an edge shared inside a cell";
-    case Feature::sharedSlope:
-      return "a slanted edge shared inside a cell";
-    case Feature::fourSolids:
-      return "four solids at a corner";
-    case Feature::manyInCell:
-      return "several polygons in a cell";
-    case Feature::preserve:
-      return "a preserve relation at work";
-    case Feature::refusal:
-      return "edits that are refused";
-    case Feature::count:
-      break;
-  }
-  return "";
+  constexpr std::array kWords{
+      "a vertex in mid-edge of a neighbour", "edges that overlap in part", "an edge shared inside a cell",
+      "a slanted edge shared inside a cell", "four solids at a corner",    "several polygons in a cell",
+      "a preserve relation at work",         "edits that are refused"};
+  static_assert(kWords.size() == static_cast<std::size_t>(Feature::count));
+  return kWords[static_cast<std::size_t>(feature)];
 }
 
 void note(const Scene& scene, Features& features) {

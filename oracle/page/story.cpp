@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 namespace lgs::oracle::paging {
@@ -36,21 +37,8 @@ bool isOf(const OutlineSegment& s, const ScenePolygon& polygon) {
 }
 
 const char* nameOf(Difference::Kind kind) {
-  switch (kind) {
-    case Difference::Kind::missing:
-      return "missing";
-    case Difference::Kind::extra:
-      return "extra";
-    case Difference::Kind::ghost1:
-      return "ghost1";
-    case Difference::Kind::ghost2:
-      return "ghost2";
-    case Difference::Kind::block:
-      return "block";
-    case Difference::Kind::owner:
-      break;
-  }
-  return "owner";
+  constexpr std::array kNames{"missing", "extra", "ghost1", "ghost2", "block", "owner"};
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 class Story {

@@ -49,7 +49,7 @@ bool isOutOfReach(const BrushEdit& brush) {
 }
 
 Player::Done Player::brush(const Edit& edit) {
-  const auto done = stroke(world_, edit.brush);
+  const auto done = stroke(world(), edit.brush);
   if (done) return readBack(edit, *done);
   const Error& error = done.error();
   auto refusal = refused(error);
@@ -68,31 +68,34 @@ Player::Done Player::readBack(const Edit& edit, const BrushResult& result) {
   }
   const CellRect cells = cellsUnder(edit.brush);
   std::map<PolygonHandle, ScenePolygon> there;
-  world_.forEachPolygon(cells, [&](Cell cell, const PlacedPolygon& p) {
+  world().forEachPolygon(cells, [&](Cell cell, const PlacedPolygon& p) {
     there[p.handle] = {cell, p.block, {p.vertices.begin(), p.vertices.end()}};
   });
-  std::set<std::string> gone;
-  for (const auto& [name, handle] : handles_) {
-    if (!contains(cells, cellOf(name))) continue;
-    const auto now = there.find(handle);
-    const bool isKept = now != there.end() && now->second == placed_[name];
-    if (isKept == old.contains(handle)) return wrong(fmt::format("the brush does not tell what it did to '{}'", name));
-    if (std::ranges::find(result.bent, handle) != result.bent.end()) brushed_.bent.push_back(name);
-    if (isKept) {
-      there.erase(now);
-    } else {
-      gone.insert(name);
+  for (const auto& [cell, placed] : standing().cells()) {
+    if (!contains(cells, cell)) continue;
+    for (const auto& [name, block, vertices, handle] : placed) {
+      const auto now = there.find(handle);
+      const bool isKept = now != there.end() && now->second == ScenePolygon{cell, block, vertices};
+      if (isKept == old.contains(handle))
+        return wrong(fmt::format("the brush does not tell what it did to '{}'", name));
+      if (std::ranges::find(result.bent, handle) != result.bent.end()) brushed_.bent.push_back(name);
+      if (isKept) {
+        there.erase(now);
+      } else {
+        brushed_.went[name] = {cell, block, vertices};
+      }
     }
   }
-  for (const std::string& name : gone) {
-    forget(name);
-    lost_[name] = edit.line;
-    brushed_.edits.push_back(Edit::remove(name));
+  for (const auto& entry : brushed_.went) {
+    lost_[entry.first] = edit.line;
+    brushed_.edits.push_back(Edit::remove(entry.first));
+    calls_.apply(brushed_.edits.back());
   }
   for (auto& [handle, polygon] : there) {
     if (made.erase(handle) == 0) return wrong("the brush does not tell of a polygon that it made");
-    brushed_.edits.push_back(Edit::add(fmt::format("#{}", ++brushNames_), std::move(polygon)));
-    note(brushed_.edits.back(), handle);
+    const Edit& part = brushed_.edits.emplace_back(Edit::add(fmt::format("#{}", ++brushNames_), std::move(polygon)));
+    if (!standing().judge(part).accepted) return wrong("a brush makes what must be refused: " + printEdit(part));
+    calls_.apply(part, handle);
   }
   return made.empty() ? Done() : wrong("the brush tells of a polygon that it did not make");
 }

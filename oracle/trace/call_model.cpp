@@ -1,5 +1,7 @@
 #include "oracle/trace/call_model.h"
 
+#include "oracle/reference/blame.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <set>
@@ -42,6 +44,20 @@ bool isTooLarge(const CellRect& r) {
   return chunks(r.min.i, r.max.i) * chunks(r.min.j, r.max.j) > 2 * static_cast<std::int64_t>(kMaxChunks);
 }
 
+void remove(Model& standing, PolygonHandle handle) {
+  standing.apply(Edit::remove(std::string(*standing.nameOf(handle))));
+}
+
+void place(Model& standing, Cell cell, const Coming& coming, std::span<const PolygonHandle> handles,
+           std::span<const std::string> names) {
+  for (std::size_t k = 0; k < coming.shape.size(); ++k) {
+    const auto [cellRef, serial] = handles[k];
+    standing.apply(Edit::add(names.empty() ? fmt::format("{}:{}", cellRef, serial) : names[k],
+                             {cell, coming.block, coming.shape[k]}),
+                   handles[k]);
+  }
+}
+
 // The polygon of the error is one that comes, and overlaps another one that comes or the one that stands there.
 std::string wrongOverlap(const Error& error, const Call& call, const World& world) {
   if (call.kind == Kind::addMany && error.index2 >= 0) return "";  // with another entry's, which has no handle
@@ -59,16 +75,22 @@ std::string wrongOverlap(const Error& error, const Call& call, const World& worl
   return overlap(polygon, {other->vertices.begin(), other->vertices.end()}) ? "" : "names what does not overlap";
 }
 
+// What the refusal of a call that brings one polygon says of that.
+std::string wrongPart(const Call& call, const Error& error) {
+  if (error.code == ErrorCode::capacity) return error.vertex == -1 ? "" : "names a vertex, which is not to blame";
+  const bool isOfOne = call.kind == Kind::add || call.kind == Kind::addShape || call.kind == Kind::shape ||
+                       call.kind == Kind::replace || call.kind == Kind::fill;
+  const bool isSpoilt = isReal(call.notation) && call.offset >= kSpoiltOffset;
+  if (!isOfOne || isSpoilt || call.comes[0].id != 0 || call.comes[0].shape.size() != 1) return "";
+  return wrongBlame(error, call.comes[0].shape[0]);
+}
+
 }  // namespace
 
 PreserveRelation relationOf(const PreservePairs& pairs) {
   if (pairs.empty()) return {};
   return [pairs](Block a, Block b) { return pairs(a, b); };
 }
-
-std::string CallModel::nameOf(PolygonHandle handle) { return fmt::format("{}:{}", handle.cellRef, handle.serial); }
-
-bool CallModel::isAlive(PolygonHandle handle) const { return standing_.isAlive(nameOf(handle)); }
 
 Verdict CallModel::judge(const Call& call) const {
   if (call.kind == Kind::add) {
@@ -120,17 +142,19 @@ Verdict CallModel::judgeParts(const Call& call) const {
     case Kind::setBlock:
       return isAlive(call.goes[0].handle) ? Verdict{} : Verdict{false, ErrorCode::staleHandle};
     case Kind::addMany: {
-      CallModel tried = *this;
+      std::set<Cell> cells;
+      for (const Coming& coming : call.comes) cells.insert(coming.cell);
+      Model tried = standing_.part(cells);
       for (std::size_t k = 0; k < call.comes.size(); ++k) {
         const Coming& coming = call.comes[k];
-        auto verdict = addingTo(tried.standing_, coming.cell, coming);
+        auto verdict = addingTo(tried, coming.cell, coming);
         verdict.index = static_cast<int>(k);
         if (!verdict.accepted) return verdict;
         const auto number = static_cast<std::uint32_t>(k << 8);  // handles that are not given out: of no cell
         std::vector<PolygonHandle> handles;
         for (std::size_t m = 0; m < coming.shape.size(); ++m)
           handles.push_back({0, number + static_cast<std::uint32_t>(m)});
-        tried.place(coming.cell, coming, handles);
+        place(tried, coming.cell, coming, handles, {});
       }
       return {};
     }
@@ -144,19 +168,19 @@ Verdict CallModel::judgeParts(const Call& call) const {
     case Kind::exchange: {
       const Cell cell = call.cells.min;
       if (!inRange(cell)) return {false, ErrorCode::cellOutOfRange, cell};
-      CallModel tried = *this;
+      Model tried = standing_.part({cell});
       std::vector<Verdict> verdicts;
       for (std::size_t k = 0; k < call.goes.size() && verdicts.empty(); ++k) {
         const PolygonHandle handle = call.goes[k].handle;
-        if (tried.isAlive(handle) && tried.standing_.cellOf(nameOf(handle)) == cell)
-          tried.remove(handle);
+        if (tried.nameOf(handle) != nullptr)
+          remove(tried, handle);
         else
           verdicts.push_back({false, ErrorCode::staleHandle, cell, static_cast<int>(k)});
       }
       Shape comes;
       for (const Coming& coming : call.comes) comes.push_back(coming.shape[0]);
       const auto fault = comes.empty() ? std::nullopt : oracle::faultOf(std::span<const LocalPolygon>(comes));
-      const auto refusal = fault ? std::nullopt : tried.standing_.refusalIn(cell, comes);
+      const auto refusal = fault ? std::nullopt : tried.refusalIn(cell, comes);
       if (fault || refusal) verdicts.push_back({false, fault ? fault : refusal, cell});
       if (verdicts.size() > 1) return {false, std::nullopt, cell};
       return verdicts.empty() ? Verdict{} : verdicts[0];
@@ -166,8 +190,6 @@ Verdict CallModel::judgeParts(const Call& call) const {
   }
 }
 
-void CallModel::remove(PolygonHandle handle) { standing_.apply(Edit::remove(nameOf(handle))); }
-
 void CallModel::clear(const CellRect& cells) {
   std::vector<std::string> gone;
   for (const auto& [cell, placed] : standing_.cells())
@@ -176,26 +198,20 @@ void CallModel::clear(const CellRect& cells) {
   for (const std::string& name : gone) standing_.apply(Edit::remove(name));
 }
 
-void CallModel::place(Cell cell, const Coming& coming, std::span<const PolygonHandle> handles) {
-  for (std::size_t k = 0; k < coming.shape.size(); ++k)
-    standing_.apply(Edit::add(nameOf(handles[k]), {cell, coming.block, coming.shape[k]}));
-}
-
-void CallModel::apply(const Call& call, const Outcome& outcome) {
-  std::span<const PolygonHandle> handles = outcome.handles;
+void CallModel::apply(const Call& call, std::span<const PolygonHandle> handles, std::span<const std::string> names) {
   const auto next = [&](Cell cell, const Coming& coming) {
-    place(cell, coming, handles);
+    place(standing_, cell, coming, handles, names);
     handles = handles.subspan(coming.shape.size());
+    if (!names.empty()) names = names.subspan(coming.shape.size());
   };
   switch (call.kind) {
     case Kind::setBlock: {
-      const std::string name = nameOf(call.goes[0].handle);
-      const auto& there = standing_.in(standing_.cellOf(name));
-      const LocalPolygon polygon = std::ranges::find(there, name, &Model::Placed::name)->vertices;
-      const Coming same{standing_.cellOf(name), {polygon}, call.comes[0].block};
-      remove(call.goes[0].handle);
-      place(same.cell, same, {&call.goes[0].handle, 1});
-      return;
+      const PolygonHandle handle = call.goes[0].handle;
+      const std::string name = *standing_.nameOf(handle);
+      ScenePolygon polygon = standing_[name];
+      polygon.block = call.comes[0].block;
+      standing_.apply(Edit::remove(name));
+      return standing_.apply(Edit::add(names.empty() ? name : names[0], std::move(polygon)), handle);
     }
     case Kind::clear:
       return clear(call.cells);
@@ -225,23 +241,27 @@ void CallModel::apply(const Call& call, const Outcome& outcome) {
     default:
       break;
   }
-  for (const Named& named : call.goes) remove(named.handle);
+  for (const Named& named : call.goes) remove(standing_, named.handle);
   for (const Coming& coming : call.comes) next(call.kind == Kind::exchange ? call.cells.min : coming.cell, coming);
 }
 
-std::string CallModel::wrongAnswer(const Call& call, const Outcome& outcome, const World& world) const {
-  Verdict verdict = judge(call);
+std::string CallModel::wrongAnswer(const Call& call, Verdict verdict, const Outcome& outcome,
+                                   const World& world) const {
   if (call.kind == Kind::leave && verdict.accepted && !isEmpty(call.cells) && !world.save({}))  // edits are pending
     verdict = {false, ErrorCode::uncommitted};
   if (verdict.accepted)
     return outcome.refusal ? "refused, but is good: " + message(*outcome.refusal) : wrongHandles(call, outcome);
-  if (!outcome.refusal) return "accepted, but must be refused";
+  if (!outcome.refusal)
+    return fmt::format("accepted, but must be refused{}",
+                       verdict.code ? fmt::format(" as {}", name(*verdict.code)) : "");
   const Error& error = *outcome.refusal;
   if (!verdict.code) return "";
   if (error.code != *verdict.code)
     return fmt::format("refused as {} instead of {}", name(error.code), name(*verdict.code));
   if (error.cell != verdict.cell)
     return fmt::format("refused in cell {} instead of {}", cellInWords(error.cell), cellInWords(verdict.cell));
+  if (message(error).empty()) return "refused without a word";
+  if (std::string wrong = wrongPart(call, error); !wrong.empty()) return "the refusal " + wrong;
   if (error.index != verdict.index) return fmt::format("blames entry {} instead of {}", error.index, verdict.index);
   const auto isNamed = [&](const Named& named) { return named.handle == error.other; };
   if (error.code == ErrorCode::staleHandle && std::ranges::none_of(call.goes, isNamed))

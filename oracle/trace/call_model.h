@@ -4,6 +4,7 @@
 #include "oracle/calls/caller.h"
 #include "oracle/trace/model.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,22 +17,23 @@ class CallModel {
   /// Of a resolved call (caller.h) that is no group. Where two things are wrong with an exchange, either may be told.
   Verdict judge(const Call& call) const;
 
-  /// Makes a call that was accepted.
-  void apply(const Call& call, const Outcome& outcome);
+  /// Makes a call that was accepted. What it places has these handles, and these names; without names, any.
+  void apply(const Call& call, std::span<const PolygonHandle> handles, std::span<const std::string> names = {});
 
-  /// What is wrong with the answer to a call, if anything is. `world` is as after the call, the model as before.
-  std::string wrongAnswer(const Call& call, const Outcome& outcome, const World& world) const;
+  /// The same for an edit by itself, whoever made it.
+  void apply(const Edit& edit, PolygonHandle handle = {}) { standing_.apply(edit, handle); }
 
-  const Model& standing() const { return standing_; }  ///< its names are those of handles
-  static std::string nameOf(PolygonHandle handle);
+  /// What is wrong with the answer to a call that was judged, if anything is. `world` is as after the call, the model as
+  /// before.
+  std::string wrongAnswer(const Call& call, Verdict verdict, const Outcome& outcome, const World& world) const;
+
+  const Model& standing() const { return standing_; }
 
  private:
   Verdict judgeParts(const Call& call) const;
-  bool isAlive(PolygonHandle handle) const;
+  bool isAlive(PolygonHandle handle) const { return standing_.nameOf(handle) != nullptr; }
   std::string wrongHandles(const Call& call, const Outcome& outcome) const;
-  void remove(PolygonHandle handle);
   void clear(const CellRect& cells);
-  void place(Cell cell, const Coming& coming, std::span<const PolygonHandle> handles);
 
   Model standing_;
   std::vector<Model> marks_;

@@ -70,4 +70,29 @@ std::optional<std::string> saveAndLoad(World& world) {
   return std::nullopt;
 }
 
+std::optional<std::string> unloadAndReload(World& world, Cell cell, std::uint64_t chance) {
+  Random choices(chance);
+  const Cell corner{cell.i & ~31, cell.j & ~31};
+  const std::int32_t i = 32 * choices.below(2), j = 32 * choices.below(2);  // its neighbours, too
+  const auto inside = [](std::int32_t k) { return std::clamp(k, -kMaxCell, kMaxCell); };
+  const CellRect chunks{{inside(corner.i - i), inside(corner.j - j)},
+                        {inside(corner.i + i + 31), inside(corner.j + j + 31)}};
+  std::vector<std::vector<std::byte>> bytes;
+  bool hasCell = false;
+  const auto gone = world.unload(chunks, [&](Cell at, std::span<const std::byte> chunk) {
+    bytes.emplace_back(chunk.begin(), chunk.end());
+    hasCell |= at == corner;
+  });
+  if (!gone || *gone != bytes.size()) return "unload() does not hand out each chunk once";
+  if (hasCell && (world.firstUnloaded({cell, cell}) != cell || !world.polygons(cell).empty()))
+    return "a chunk that was unloaded is still there";
+  if (const auto done = world.clear(cell); hasCell && (done || done.error().code != ErrorCode::unloaded))
+    return "a cell that is unloaded is cleared";
+  choices.shuffle(bytes);
+  for (const auto& chunk : bytes)
+    if (const auto back = world.reload(chunk); !back) return "a chunk does not come back: " + message(back.error());
+  if (world.firstUnloaded(chunks)) return "a chunk that came back is unloaded";
+  return std::nullopt;
+}
+
 }  // namespace lgs::oracle

@@ -15,4 +15,8 @@ std::optional<std::string> editAndGoBack(World& world, Cell cell, std::uint64_t 
 /// Saves the world, and puts the one that is loaded in its place. It must have no uncommitted edits.
 std::optional<std::string> saveAndLoad(World& world);
 
+/// Unloads the chunks around a cell in range, sees that they are gone, and brings them back, in an order that `chance`
+/// decides. There is no commit in between, so no segment may come or go.
+std::optional<std::string> unloadAndReload(World& world, Cell cell, std::uint64_t chance);
+
 }  // namespace lgs::oracle

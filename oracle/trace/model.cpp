@@ -43,10 +43,25 @@ Scene Model::scene(PreservePairs preserve) const {
   return scene;
 }
 
+const Model::Placed& Model::placed(const std::string& name) const {
+  return *std::ranges::find(in(cellOf(name)), name, &Placed::name);
+}
+
 ScenePolygon Model::operator[](const std::string& name) const {
-  const Cell cell = cellOf(name);
-  const auto placed = std::ranges::find(in(cell), name, &Placed::name);
-  return {cell, placed->block, placed->vertices};
+  const Placed& found = placed(name);
+  return {cellOf(name), found.block, found.vertices};
+}
+
+const std::string* Model::nameOf(PolygonHandle handle) const {
+  const auto found = names_.find(handle);
+  return found == names_.end() ? nullptr : &found->second;
+}
+
+Model Model::part(const std::set<Cell>& cells) const {
+  Model part;
+  for (const Cell cell : cells)
+    for (const Placed& p : in(cell)) part.apply(Edit::add(p.name, {cell, p.block, p.vertices}), p.handle);
+  return part;
 }
 
 Verdict Model::judge(const Edit& edit) const {
@@ -75,13 +90,15 @@ std::optional<ErrorCode> Model::refusalIn(Cell cell, std::span<const LocalPolygo
   return std::nullopt;
 }
 
-void Model::apply(const Edit& edit) {
+void Model::apply(const Edit& edit, PolygonHandle handle) {
   if (edit.kind == Edit::Kind::add) {
-    cells_[edit.polygon.cell].push_back({edit.name, edit.polygon.block, edit.polygon.vertices});
+    cells_[edit.polygon.cell].push_back({edit.name, edit.polygon.block, edit.polygon.vertices, handle});
+    if (handle) names_.emplace(handle, edit.name);
     cellOf_.emplace(edit.name, edit.polygon.cell);
     chunks_.insert(chunkOf(edit.polygon.cell));
   } else if (edit.kind == Edit::Kind::remove) {
     const auto found = cells_.find(cellOf_.at(edit.name));
+    names_.erase(handleOf(edit.name));
     std::erase_if(found->second, [&](const Placed& placed) { return placed.name == edit.name; });
     if (found->second.empty()) cells_.erase(found);
     cellOf_.erase(edit.name);

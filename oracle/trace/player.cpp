@@ -1,7 +1,5 @@
 #include "oracle/trace/player.h"
 
-#include "oracle/trace/call_model.h"
-#include "oracle/trace/choices.h"
 #include "oracle/trace/detour.h"
 
 #include <fmt/format.h>
@@ -23,182 +21,149 @@ Executor executorOf(bool apart) {
 }  // namespace
 
 Player::Player(PreservePairs preserve, Loads loads)
-    : world_(relationOf(preserve)), preserve_(std::move(preserve)), loads_(loads) {}
+    : caller_(World(relationOf(preserve))), preserve_(std::move(preserve)), loads_(loads) {}
 
-tl::expected<void, TraceError> Player::apply(const Edit& edit) {
-  Step step;
-  step.door = doorOf(edit);
-  step.edits = {&edit, 1};
-  step.cells = {edit.polygon.cell, edit.polygon.cell};
-  step.chance = chanceOf(edit.name);
-  return apply(step);
-}
-
-tl::expected<void, TraceError> Player::apply(const Step& step) {
+tl::expected<void, TraceError> Player::apply(const Row& row) {
   brushed_ = {};
-  auto done = step.isTrial ? Done() : leaveAndComeBack(step);
-  if (done) done = wantsGroup(step.chance) ? inGroup(step) : make(step);
+  auto done = row.isTrial ? Done() : detour(row);
+  if (done) done = make(row);
   if (done) {
     pending_ = true;
-    chance_ = step.chance;
   } else {
-    done.error().line = step.edits.front().line;
+    done.error().line = row.edits.front().line;
   }
   return done;
 }
 
-// What nobody may notice: the world is saved and loaded, edited wrongly and brought back, or keeps a mark for a while.
-Player::Done Player::leaveAndComeBack(const Step& step) {
+// What nobody may notice: the world is saved and loaded, edited wrongly and brought back, or keeps a mark for a while. Or
+// chunks leave memory and come back.
+Player::Done Player::detour(const Row& row) {
   constexpr std::size_t kSmall = 200;  // polygons: it costs in proportion to the world
   const auto told = [](std::optional<std::string> complaint) -> Done {
     return complaint ? Done(wrong(std::move(*complaint))) : Done();
   };
-  if (loads_ == Loads::sometimes && wantsSaving(step.chance) && !pending_ && placed_.polygons() <= kSmall) {
-    ++detours_.saved;
+  const Detour what = row.way.detour;
+  const auto counted = [&](bool isMade) {
+    detours_[static_cast<std::size_t>(what)] += isMade ? 1 : 0;
+    return isMade;
+  };
+  const bool isSmall = standing().polygons() <= kSmall;
+  if (what == Detour::saved && counted(loads_ == Loads::sometimes && !pending_ && isSmall)) {
     mark_.reset();  // it is not saved
-    if (auto done = told(saveAndLoad(world_)); !done) return done;
+    if (auto done = told(saveAndLoad(world())); !done) return done;
   }
   if (mark_ && !pending_) {  // it has seen a commit
-    if (!world_.forget(*mark_)) return wrong("a mark is forgotten too early");
+    if (!world().forget(*mark_)) return wrong("a mark is forgotten too early");
     mark_.reset();
   }
-  if (wantsMark(step.chance) && !mark_) {
-    ++detours_.marked;
-    mark_ = world_.checkpoint();
-  }
-  const Edit& first = step.edits.front();
-  const Cell cell = isAlive(first.name) ? cellOf(first.name) : first.polygon.cell;
-  if (!wantsDetour(step.chance) || !inRange(cell)) return {};
-  ++detours_.undone;
-  return told(editAndGoBack(world_, cell, step.chance));
+  if (what == Detour::marked && counted(!mark_)) mark_ = world().checkpoint();
+  const bool isSomewhere = !row.cells.empty() && inRange(row.cells[0]);
+  if (what == Detour::undone && counted(isSomewhere)) return told(editAndGoBack(world(), row.cells[0], row.way.number));
+  if (what == Detour::unloaded && counted(isSomewhere && pending_))  // a commit follows: chunks count as changed
+    return told(unloadAndReload(world(), row.cells[0], row.way.number));
+  const bool isEmpty = isSomewhere && row.verdict.accepted && standing().in(row.cells[0]).empty();
+  return what == Detour::worn && counted(isEmpty) ? wear(row.cells[0], 250 + bitsOf(row.way.number, 0, 4)) : Done();
 }
 
-Player::Done Player::inGroup(const Step& step) {
-  ++detours_.grouped;
-  Transaction group = world_.edit();
-  auto done = make(step);
+Player::Done Player::make(const Row& row) {
+  const Edit& first = row.edits.front();
+  if (first.kind == Edit::Kind::brush) return brush(first);
+  if (row.cells.empty()) return tl::unexpected(TraceError{0, badName(first), {}});
+  if (row.way.detour != Detour::grouped) return makeCall(row);
+  ++detours_[static_cast<std::size_t>(Detour::grouped)];
+  Transaction group = world().edit();
+  auto done = makeCall(row);
   group.keep();  // if the edit is refused, there is nothing to undo
   return done;
 }
 
-Player::Done Player::make(const Step& step) {
-  if (step.door == Door::brush) return brush(step.edits.front());
-  if (step.door == Door::setBlock) return setBlock(step);
-  return step.adds().empty() ? remove(step) : add(step);
+Player::Done Player::makeCall(const Row& row) {
+  Call call = row.call;
+  const bool isRepainted =
+      row.way.detour == Detour::repainted && row.verdict.accepted && call.kind != Call::Kind::setBlock;
+  for (Coming& coming : call.comes) coming.block ^= isRepainted ? 1U : 0U;
+  const Outcome outcome = caller_.makeResolved(call);
+  if (std::string text = calls_.wrongAnswer(call, row.verdict, outcome, world()); !text.empty())
+    return wrong(fmt::format("{}: {}", text, inWords(row)));
+  if (auto done = checkShapes(call, outcome); !done) return done;
+  if (outcome.refusal) return refused(*outcome.refusal);
+  calls_.apply(row.call, outcome.handles, row.names);
+  for (const std::string& name : row.names) {
+    lost_.erase(name);
+    const PolygonHandle handle = handleOf(name);
+    const auto [cell, block, vertices] = standing()[name];
+    if (isRepainted) {
+      ++detours_[static_cast<std::size_t>(Detour::repainted)];
+      if (const auto done = world().setBlock(handle, block); !done) return wrong(message(done.error()));
+    }
+    const auto placed = world().polygon(handle);
+    if (!placed || placed->block != block || !std::ranges::equal(placed->vertices, vertices) ||
+        world().cellOf(handle) != cell)
+      return wrong(fmt::format("'{}' is accepted, but is not what its handle names: {}", name, inWords(row)));
+  }
+  return {};
 }
 
 const Changes& Player::commit() {
   pending_ = false;
-  switch (executor(chance_)) {
+  switch (bitsOf(std::exchange(executor_, 0), 0, 2)) {
     case 0:
-      return world_.commit();
+      return world().commit();
     case 1:
-      return world_.commit(Executor());
+      return world().commit(Executor());
+    case 2:
+      return world().commit(executorOf(false));
     default:
-      return world_.commit(executorOf(executor(chance_) % 2 != 0));
+      return world().commit(executorOf(true));
   }
 }
 
 // A shape always gets the same id, and no two shapes get one id.
-tl::expected<ShapeId, TraceError> Player::checked(const Expected<ShapeId>& id, const Shape& shape, Cell cell) {
-  if (!id) {
-    TraceError error = refused(id.error()).value();
-    Error inCell = id.error();
-    inCell.cell = cell;
-    error.text = message(inCell);
-    return tl::unexpected(std::move(error));
+Player::Done Player::checkShapes(const Call& call, const Outcome& outcome) {
+  if (!isByShape(call.kind)) return {};
+  for (const Coming& coming : call.comes) {
+    if (faultOf(std::span(coming.shape))) return {};  // the call has gone no further
+    const bool isLast = &coming == &call.comes.back();
+    const auto id =
+        isLast ? outcome.shape : world().shape(std::span<const std::vector<LocalPoint>>(coming.shape)).value();
+    const auto [made, isNew] = shapes_.emplace(coming.shape, id);
+    if (made->second != id || shapeIds_.insert(id).second != isNew)
+      return wrong("shape() gives a shape another id, or two shapes one");
   }
-  const auto [made, isNew] = shapes_.emplace(shape, *id);
-  if (made->second != *id || shapeIds_.insert(*id).second != isNew)
-    return wrong("shape() gives a shape another id, or two shapes one");
-  return *id;
+  return {};
 }
 
 Player::Done Player::wear(Cell cell, unsigned times) {
-  if (times == 0) return {};
-  const auto square = checked(world_.shape(kUnitSquare), {{kUnitSquare.begin(), kUnitSquare.end()}}, cell);
-  if (!square) return tl::unexpected(square.error());
+  Call square;
+  square.kind = Call::Kind::addShape;
+  square.comes = {{cell, {{kUnitSquare.begin(), kUnitSquare.end()}}, 0}};
   for (; times > 0; --times) {
-    const auto handle = world_.add(cell, *square, times);
-    if (!handle) return refused(handle.error());
-    if (const auto gone = world_.remove(*handle); !gone) return refused(gone.error());
+    square.comes[0].block = times;
+    const Outcome outcome = caller_.makeResolved(square);
+    if (outcome.refusal || !world().remove(outcome.handles[0])) return wrong("a square can not come and go");
+    if (auto done = checkShapes(square, outcome); !done) return done;
   }
   return {};
 }
 
-// No two polygons of a cell have equal vertices, so the vertices tell which one it is.
-PolygonHandle Player::find(const ScenePolygon& polygon) const {
-  for (const PlacedPolygon& placed : world_.polygons(polygon.cell)) {
-    if (placed.block == polygon.block && std::ranges::equal(placed.vertices, polygon.vertices)) return placed.handle;
-  }
-  return {};
-}
-
-Player::Done Player::checkNames(const Step& step) const {
-  for (const Edit& edit : step.removes()) {
-    if (isAlive(edit.name)) continue;
-    const auto lost = lost_.find(edit.name);
-    const std::string why = lost == lost_.end() ? "" : "; a brush has changed it, and a changed polygon has no name";
-    const std::string where = why.empty() || lost->second == 0 ? "" : fmt::format(" (line {})", lost->second);
-    return wrong(fmt::format("there is no polygon named '{}' to remove{}{}", edit.name, why, where));
-  }
-  for (const Edit& edit : step.adds()) {
-    const auto goes = [&](const Edit& remove) { return remove.name == edit.name; };
-    if (isAlive(edit.name) && std::ranges::none_of(step.removes(), goes))
-      return wrong(fmt::format("the name '{}' is in use; remove that polygon first, or choose another", edit.name));
-  }
-  return {};
-}
-
-Player::Done Player::remove(const Step& step) {
-  if (auto done = checkNames(step); !done) return done;
-  if (step.door == Door::clear) {
-    const bool isOneCell = step.cells.min == step.cells.max && wantsOverload(step.chance);
-    const auto count = isOneCell ? world_.clear(step.cells.min) : world_.clear(step.cells);
-    if (!count) return refused(count.error());
-    if (*count != step.edits.size())
-      return wrong(fmt::format("clear() of {} polygons says that it removed {}", step.edits.size(), *count));
-  } else if (auto done = world_.remove(handleOf(step.edits.front().name)); !done) {
-    return refused(done.error());
-  }
-  for (const Edit& edit : step.edits) forget(edit.name);
-  return {};
-}
-
-// The polygon keeps its handle, and gets the name of the add.
-Player::Done Player::setBlock(const Step& step) {
-  if (auto done = checkNames(step); !done) return done;
-  const Edit &old = step.removes().front(), &next = step.adds().front();
-  const PolygonHandle handle = handleOf(old.name);
-  if (auto done = world_.setBlock(handle, next.polygon.block); !done) return refused(done.error());
-  forget(old.name);
-  if (find(next.polygon) != handle) return wrong("setBlock() does not give the polygon its block, or not only that");
-  note(next, handle);
-  return {};
-}
-
-void Player::note(const Edit& add, PolygonHandle handle) {
-  lost_.erase(add.name);
-  placed_.apply(add);
-  handles_.emplace(add.name, handle);
-}
-
-void Player::forget(const std::string& name) {
-  placed_.apply(Edit::remove(name));
-  handles_.erase(name);
+std::string Player::badName(const Edit& edit) const {
+  if (edit.kind == Edit::Kind::add)
+    return fmt::format("the name '{}' is in use; remove that polygon first, or choose another", edit.name);
+  const auto lost = lost_.find(edit.name);
+  const std::string why = lost == lost_.end() ? "" : "; a brush has changed it, and a changed polygon has no name";
+  const std::string where = why.empty() || lost->second == 0 ? "" : fmt::format(" (line {})", lost->second);
+  return fmt::format("there is no polygon named '{}' to remove{}{}", edit.name, why, where);
 }
 
 // Names the polygon that is overlapped: a reader of the trace knows names, and not the engine's handles.
 tl::unexpected<TraceError> Player::refused(const Error& error) const {
   TraceError refusal{0, {}, error};
-  for (const auto& [name, handle] : handles_) {
-    if (error.code != ErrorCode::overlap || !error.other || handle != error.other) continue;
-    refusal.text = fmt::format("cell ({}, {}): its interior overlaps '{}'", error.cell.i, error.cell.j, name);
-    return tl::unexpected(std::move(refusal));
-  }
+  const std::string* const other = standing().nameOf(error.other);
   Error ofOne = error;
   ofOne.polygon = -1;
-  refusal.text = message(ofOne);
+  refusal.text = error.code == ErrorCode::overlap && other != nullptr
+                     ? fmt::format("cell ({}, {}): its interior overlaps '{}'", error.cell.i, error.cell.j, *other)
+                     : message(ofOne);
   return tl::unexpected(std::move(refusal));
 }
 
@@ -207,10 +172,12 @@ tl::expected<void, TraceError> play(const Trace& trace, Player& player, const Co
     const Changes& changes = player.commit();
     return !afterCommit || afterCommit(player, changes);
   };
-  for (const Edit& edit : trace.edits) {
-    if (edit.kind == Edit::Kind::commit) {
+  Rows rows(trace);
+  while (const auto row = rows.next(player.calls())) {
+    if (row->isCommit()) {
+      player.useExecutor(row->way.number);
       if (!commit()) return {};
-    } else if (auto done = player.apply(edit); !done) {
+    } else if (auto done = player.apply(*row); !done && (!row->isTrial || done.error().isWrong)) {
       return done;
     }
   }

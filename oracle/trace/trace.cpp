@@ -55,26 +55,29 @@ class Parser {
 
   Fault line(std::string_view text, std::size_t number) {
     if (Fault fault = checkBytes(text); !fault.empty()) return fault;
-    const std::vector<std::string_view> words = splitWords(text);
+    std::vector<std::string_view> words = splitWords(text);
     if (words.empty()) return {};
     if (!sawHeader_) return header(words);
+    if (words[0] == "preserve") return preserve(words);
     Edit edit;
     edit.line = number;
-    if (words[0] == "preserve") return preserve(words);
+    const std::vector<std::string_view> way = version_ < 3 ? std::vector<std::string_view>() : takeWay(words);
     Fault fault;
     if (words[0] == "add") {
       fault = add(words, edit);
     } else if (words[0] == "remove") {
       fault = remove(words, edit);
     } else if (words[0] == "paint" || words[0] == "carve") {
-      fault = isOfBrushes_ ? brush(words, edit)
-                           : fmt::format("{} needs 'lgs-trace 2' as the first line of the trace", words[0]);
+      fault = version_ >= 2 ? brush(words, edit)
+                            : fmt::format("{} needs 'lgs-trace 2' as the first line of the trace", words[0]);
     } else if (words[0] != "commit") {
       fault = fmt::format("unknown word {}; a line starts with preserve, add, remove, commit, {}or #", quote(words[0]),
-                          isOfBrushes_ ? "paint, carve " : "");
+                          version_ >= 2 ? "paint, carve " : "");
     } else if (words.size() != 1) {
       fault = fmt::format("commit stands alone on its line; found {} after it", quote(words[1]));
     }
+    edit.way = Edit::plainWay(edit.kind);
+    for (std::size_t k = 0; fault.empty() && k < way.size(); ++k) fault = readWay(way[k], edit);
     if (fault.empty()) out_.trace.edits.push_back(std::move(edit));
     return fault;
   }
@@ -86,12 +89,34 @@ class Parser {
     if (words[0] != "lgs-trace") {
       return fmt::format("not a trace: the first line must be 'lgs-trace 1', not {}", quote(words[0]));
     }
-    if (words.size() != 2 || (words[1] != "1" && words[1] != "2")) {
-      return "the first line must be 'lgs-trace 1', or 'lgs-trace 2' if brushes paint or carve; there are no others";
+    if (words.size() != 2 || (words[1] != "1" && words[1] != "2" && words[1] != "3")) {
+      return "the first line must be 'lgs-trace 1', or 'lgs-trace 2' if brushes paint or carve, or 'lgs-trace 3' if "
+             "lines say how edits are made; there are no others";
     }
     sawHeader_ = true;
-    isOfBrushes_ = words[1] == "2";
+    version_ = words[1][0] - '0';
     return {};
+  }
+
+  // Takes what comes after `by` away from a line, where that may stand.
+  static std::vector<std::string_view> takeWay(std::vector<std::string_view>& words) {
+    const std::size_t first = words[0] == "add"      ? 5
+                              : words[0] == "remove" ? 2
+                              : words[0] == "commit" ? 1
+                                                     : words.size();
+    const auto by =
+        std::find(words.begin() + static_cast<std::ptrdiff_t>(std::min(first, words.size())), words.end(), "by");
+    if (by == words.end()) return {};
+    std::vector<std::string_view> way(by + 1, words.end());
+    words.erase(by, words.end());
+    return way;
+  }
+
+  static Fault readWay(std::string_view word, Edit& edit) {
+    if (word[0] >= '0' && word[0] <= '9')
+      return readInteger<std::uint32_t>(word, "number of a call", 0, UINT32_MAX, edit.way.number);
+    return oracle::readWay(word, edit.way) ? Fault()
+                                           : fmt::format("by {}: there is no such door or detour", quote(word));
   }
 
   Fault preserve(const std::vector<std::string_view>& words) {
@@ -121,17 +146,22 @@ class Parser {
     if (coordinates % 2 != 0) {
       return fmt::format("{} coordinates: they come in pairs x y, so one is missing or one too many", coordinates);
     }
-    edit.polygon.vertices.reserve(coordinates / 2);
-    for (std::size_t k = 0; k < coordinates; ++k) {
-      const std::string_view word = words[kFirstCoordinate + k];
-      const auto units = parseCoordinate(word);
+    return readPoints(std::span(words).subspan(kFirstCoordinate), "", parseCoordinate, edit.polygon.vertices);
+  }
+
+  template <class Parse, class Vertex>
+  static Fault readPoints(std::span<const std::string_view> words, std::string_view of, Parse parse,
+                          std::vector<Vertex>& out) {
+    for (std::size_t k = 0; k < words.size(); ++k) {
+      const auto units = parse(words[k]);
       if (!units) {
-        return fmt::format("the {} of vertex {}, {}: {}", k % 2 == 0 ? 'x' : 'y', k / 2, quote(word), units.error());
+        return fmt::format("the {} of vertex {}{}, {}: {}", k % 2 == 0 ? 'x' : 'y', k / 2, of, quote(words[k]),
+                           units.error());
       }
       if (k % 2 == 0) {
-        edit.polygon.vertices.push_back({*units, 0});
+        out.push_back({*units, 0});
       } else {
-        edit.polygon.vertices.back().y = *units;
+        out.back().y = *units;
       }
     }
     return {};
@@ -164,19 +194,7 @@ class Parser {
     if (words.size() % 2 != 0)
       return fmt::format("ring {} has {} coordinates: they come in pairs x y, so one is missing or one too many",
                          number, words.size());
-    for (std::size_t k = 0; k < words.size(); ++k) {
-      const auto units = parseWorldCoordinate(words[k]);
-      if (!units) {
-        return fmt::format("the {} of vertex {} of ring {}, {}: {}", k % 2 == 0 ? 'x' : 'y', k / 2, number,
-                           quote(words[k]), units.error());
-      }
-      if (k % 2 == 0) {
-        out.push_back({*units, 0});
-      } else {
-        out.back().y = *units;
-      }
-    }
-    return {};
+    return readPoints(words, fmt::format(" of ring {}", number), parseWorldCoordinate, out);
   }
 
   static Fault remove(const std::vector<std::string_view>& words, Edit& edit) {
@@ -188,7 +206,7 @@ class Parser {
 
   ParsedTrace& out_;
   bool sawHeader_ = false;
-  bool isOfBrushes_ = false;  // the version that has them
+  int version_ = 1;
 };
 
 std::string printBrush(const BrushEdit& brush) {
@@ -234,19 +252,21 @@ ParsedTrace parseTrace(std::string_view text) {
 }
 
 std::string printEdit(const Edit& edit) {
-  if (edit.kind == Edit::Kind::commit) return "commit";
+  if (edit.kind == Edit::Kind::commit) return "commit" + print(edit.way, Edit::plainWay(edit.kind));
   if (edit.kind == Edit::Kind::brush) return printBrush(edit.brush);
-  if (edit.kind == Edit::Kind::remove) return "remove " + edit.name;
+  if (edit.kind == Edit::Kind::remove) return "remove " + edit.name + print(edit.way, Edit::plainWay(edit.kind));
   const ScenePolygon& polygon = edit.polygon;
   std::string text = fmt::format("add {} {} {} {} ", edit.name, polygon.cell.i, polygon.cell.j, polygon.block);
   for (const LocalPoint& p : polygon.vertices) {
     for (const std::int32_t units : {p.x, p.y}) (text += ' ') += printCoordinate(units);
   }
-  return text;
+  return text + print(edit.way, Edit::plainWay(edit.kind));
 }
 
 std::string printTrace(const Trace& trace) {
-  std::string text = hasBrushes(trace) ? "lgs-trace 2\n" : "lgs-trace 1\n";
+  const auto isPlain = [](const Edit& edit) { return edit.way == Edit::plainWay(edit.kind); };
+  const int version = !std::ranges::all_of(trace.edits, isPlain) ? 3 : hasBrushes(trace) ? 2 : 1;
+  std::string text = fmt::format("lgs-trace {}\n", version);
   for (const auto& [a, b] : trace.preserve.pairs()) text += fmt::format("preserve {} {}\n", a, b);
   for (const Edit& edit : trace.edits) text += printEdit(edit) + '\n';
   return text;

@@ -13,6 +13,13 @@
 //   paint <block> <fill|replace> <x> <y> <x> <y> … [| <x> <y> …]    x y: in cells; | begins the next ring
 //   carve <x> <y> <x> <y> … [| <x> <y> …]
 //
+// A trace whose first line is `lgs-trace 3` may also say how an edit is made (way.h), at the end of a line:
+//
+//   add … by <door>      remove <name> by <door>      commit by <number>
+//
+// After `by` there may be a door, a number that says more of the call, a detour, and `too`: the call of the edit before
+// makes this one too. Where a call can not make all that it is said to make, each of its edits is one by itself.
+//
 // Inside is where the rings run around an odd number of times: so they may run either way around and cross, and a ring
 // within a ring is a hole. A polygon that a brush changes in any way loses its name. What the brush puts there has
 // names that no trace can use.
@@ -27,6 +34,7 @@
 
 #include "oracle/reference/brush_edit.h"
 #include "oracle/reference/scene.h"
+#include "oracle/trace/way.h"
 
 #include <lgs/error.h>
 #include <algorithm>
@@ -45,6 +53,7 @@ struct Edit {
   ScenePolygon polygon;  ///< of add
   std::size_t line = 0;  ///< where it was read; 0 if it was not read from text
   BrushEdit brush = {};  ///< of brush
+  Way way = plainWay(kind);
 
   static Edit add(std::string name, ScenePolygon polygon) {
     return {Kind::add, std::move(name), std::move(polygon), 0};
@@ -52,9 +61,13 @@ struct Edit {
   static Edit remove(std::string name) { return {Kind::remove, std::move(name), {}, 0}; }
   static Edit commit() { return {}; }
   static Edit byBrush(BrushEdit brush) { return {Kind::brush, {}, {}, 0, std::move(brush)}; }
+  static Way plainWay(Kind kind) {
+    constexpr std::array kPlain{Door::points, Door::remove, Door::commit, Door::brush};
+    return {kPlain[static_cast<std::size_t>(kind)]};
+  }
   /// Where an edit was read is no part of what it is.
   friend bool operator==(const Edit& a, const Edit& b) {
-    return a.kind == b.kind && a.name == b.name && a.polygon == b.polygon && a.brush == b.brush;
+    return a.kind == b.kind && a.name == b.name && a.polygon == b.polygon && a.brush == b.brush && a.way == b.way;
   }
 };
 
@@ -69,6 +82,7 @@ struct TraceError {
   std::size_t line = 0;               ///< 0: the file as a whole
   std::string text;                   ///< what is wrong, and what to do about it
   std::optional<Error> refusal = {};  ///< what the engine said, if it refused an edit
+  bool isWrong = false;               ///< the engine is to blame, and not the trace
 };
 
 /// "FILE:LINE: text", or "FILE: text" where no line is to blame.
@@ -81,7 +95,7 @@ struct ParsedTrace {
 
 ParsedTrace parseTrace(std::string_view text);
 
-/// The text that parseTrace() reads back as the same trace. It is of version 2 if there is an edit by a brush.
+/// The text that parseTrace() reads back as the same trace. Its version is the first one that has all that is in it.
 std::string printTrace(const Trace& trace);
 
 /// The line of one edit, without an end of line.

@@ -1,13 +1,12 @@
 // Random edits that an edge set or a terrain must follow.
 #pragma once
 
-#include "oracle/check/refusal.h"
 #include "oracle/generate/generator.h"
-#include "oracle/generate/steps.h"
 #include "oracle/trace/player.h"
 #include "proptests/support/law.h"
 #include "proptests/support/traces.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -31,26 +30,23 @@ void forAllEdits(std::int64_t cases, Law law) {
 /// Where a trace places its first polygon. That may be at the rim of the world, and Box2D 3 in float asserts that
 /// nothing is 100 km from its origin.
 inline Cell firstCell(const Trace& trace) {
-  oracle::Steps steps(trace);
-  while (const auto step = steps.next()) {
-    const oracle::Edit& edit = step->edits.front();
-    if (edit.kind == oracle::Edit::Kind::add && step->verdict.accepted) return edit.polygon.cell;
-  }
-  return {};
+  const Trace good = withoutRefused(trace);
+  const auto first = std::ranges::find(good.edits, oracle::Edit::Kind::add, &oracle::Edit::kind);
+  return first == good.edits.end() ? Cell{} : first->polygon.cell;
 }
 
 /// Plays a trace, of which some edits may have to be refused. `commit` is called at each of its commits and at its end,
 /// to commit the player's world and say with expectations what must hold then. The first that fails ends the case.
 inline void playAll(const Trace& trace, oracle::Player& player, const std::function<void()>& commit) {
-  oracle::Steps steps(trace);
-  while (const auto step = steps.next()) {
-    if (step->isCommit()) {
+  oracle::Rows rows(trace);
+  while (const auto row = rows.next(player.calls())) {
+    if (row->isCommit()) {
+      player.useExecutor(row->way.number);
       test::failIf(test::failedExpectation(commit));
       continue;
     }
-    const auto done = player.apply(*step);
-    const std::string wrong = oracle::wrongAnswer(*step, done, steps.model(), player.world());
-    test::failUnless(wrong.empty(), wrong.c_str());
+    const auto done = player.apply(*row);
+    test::failUnless(done || !done.error().isWrong, done ? "" : done.error().text.c_str());
   }
   test::failIf(test::failedExpectation(commit));
 }

@@ -38,6 +38,19 @@ TEST_F(Box2d3Terrain, ShapesFollowRandomEdits) {
   });
 }
 
+// As in a game whose destructor destroys it, and whose members go after that.
+TEST_F(Box2d3Terrain, ThePhysicsWorldMayGoFirst) {
+  field.addFloor(0, 3);
+  field.world.commit();
+  const b2WorldDef definition = b2DefaultWorldDef();
+  const b2WorldId gone = b2CreateWorld(&definition);
+  const Terrain terrain(gone, field.world);
+  b2DestroyWorld(gone);
+  const b2WorldId other = b2CreateWorld(&definition);  // in its place
+  EXPECT_FALSE(b2World_IsValid(gone));
+  b2DestroyWorld(other);
+}
+
 // Box2D's own way to say it: an open chain of the same four vertices.
 TEST_F(Box2d3Terrain, AShapeIsWhatBox2dMakesOfAnOpenChain) {
   field.add({0, 0}, below(3, 8));

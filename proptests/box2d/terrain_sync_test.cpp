@@ -226,5 +226,25 @@ TEST_F(Box2dTerrainSync, BodiesSleepOnOverAResyncThatChangesNothingBelowThem) {
   expectEdges(terrain, {});
 }
 
+// So many edges in a square of cells that Box2D is asked for all of them first.
+TEST_F(Box2dTerrainSync, WhoSleepsBelowOneOfManyNewEdgesWakes) {
+  field.addFloor(0, 20);
+  field.world.commit();
+  Terrain terrain(physics, field.world);
+  const Body below = addBody({9.6F, 0.36F}, Form::box, 0.5F), far = addBody({4.5F, 0.36F}, Form::box, 0.5F);
+  step(120);
+  ASSERT_FALSE(isAwake(below) || isAwake(far));
+  field.add({10, 2}, kSquare);
+  field.add({8, 2}, kSquare);
+  ASSERT_TRUE(terrain.commit(field.world));
+  EXPECT_FALSE(isAwake(below));
+  for (const Cell cell : {Cell{10, 3}, Cell{8, 3}}) field.add(cell, kSquare);
+  constexpr std::int32_t kAbove = U * 25 / 32;
+  field.add({9, 0}, {{0, kAbove}, {U, kAbove}, {U, U}, {0, U}});  // a slab that hangs closely above the first one
+  ASSERT_TRUE(terrain.commit(field.world));
+  EXPECT_TRUE(isAwake(below));
+  EXPECT_FALSE(isAwake(far));
+}
+
 }  // namespace
 }  // namespace lgs::box2d_test

@@ -131,6 +131,7 @@ static void madeUp(void) {
       seal(&file);
       status = loaded(&file, file.size, &error);
       CHECK(status == LGS_OK || (status >= LGS_SAVE_NO_SNAPSHOT && status <= LGS_SAVE_CAPACITY));
+      if (status == LGS_SAVE_UNKNOWN_VERSION) CHECK(error.index == file.bytes[k] && error.index2 == 2);
       ++seen[status];
       file.bytes[k] ^= (uint8_t)change;
     }

@@ -20,10 +20,10 @@ import page
 import work
 from units import Unit, read_plan, split, split_fuzz
 
-TRACE = """lgs-trace 1
+TRACE = """lgs-trace 3
 preserve 1 2
 add p1 0 0 1  0 0, 1 0, 1 1/4, 0 1
-add p2abc 0 1 2  0 0, 1 0, 0.5 1
+add p2 0 1 2  0 0, 1 0, 0.5 1 by fill
 remove p1
 """
 # Does what the file `plan` beside it says of a block: a word for each attempt.
@@ -56,6 +56,7 @@ def moved(trace: str, chance: random.Random) -> str:
     is_over = findings.SYMMETRIES.index(turn) > 3
     out, numbers, blocks = [], {}, {}
     for line in trace.splitlines():
+        line, by, way = line.partition(" by ")
         words = line.replace(",", " ").split()
         if words[0] == "add":
             i, j, points = int(words[2]), int(words[3]), [Fraction(w) for w in words[5:]]
@@ -65,14 +66,14 @@ def moved(trace: str, chance: random.Random) -> str:
             ring = [(x - ci, y - cj) for x, y in ring][:: -1 if is_over else 1]
             start = chance.randrange(len(ring))
             ring = ring[start:] + ring[:start]
-            name = numbers.setdefault(words[1], f"q{50 + len(numbers)}" + re.search(r"\d+(\D*)$", words[1])[1])
+            name = numbers.setdefault(words[1], f"q{50 + len(numbers)}")
             words = ["add", name, str(ci + di), str(cj + dj), blocks.setdefault(words[4], str(70 + len(blocks))),
                      *(str(v) for point in ring for v in point)]
         elif words[0] == "remove":
             words[1] = numbers[words[1]]
         elif words[0] == "preserve":
             words[1:] = [blocks.setdefault(word, str(70 + len(blocks))) for word in words[1:]]
-        out.append(" ".join(words))
+        out.append(" ".join(words) + by + way)
     return "\n".join(out) + "\n"
 
 
@@ -83,8 +84,9 @@ class Findings(unittest.TestCase):
             self.assertEqual(findings.normal(TRACE), findings.normal(moved(TRACE, chance)))
 
     def test_other_traces_are_others(self):
-        others = [TRACE.replace("1/4", "1/3"), TRACE.replace("remove p1", "remove p2abc"), TRACE.replace("abc", "abd"),
-                  TRACE.replace("p2abc 0 1 2", "p2abc 0 1 1"), TRACE.replace("remove p1", "commit\nremove p1"),
+        others = [TRACE.replace("1/4", "1/3"), TRACE.replace("remove p1", "remove p2"),
+                  TRACE.replace("by fill", "by many"),
+                  TRACE.replace("p2 0 1 2", "p2 0 1 1"), TRACE.replace("remove p1", "commit\nremove p1"),
                   TRACE.replace("add p1 0 0", "add p1 1 0"), TRACE.replace("preserve 1 2\n", "")]
         self.assertEqual(len({findings.normal(trace) for trace in [TRACE, *others]}), len(others) + 1)
 

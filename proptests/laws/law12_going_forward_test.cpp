@@ -265,12 +265,30 @@ TEST_F(GoingForwardByHand, AMarkMadeSinceThatTheWorldGoesBackBeyondIsAhead) {
   EXPECT_TRUE(world.rollBack(marks[2]));
 }
 
+// It went back to where an edit was pending. That is committed then, and the mark of there is forgotten.
+TEST(GoingForwardWithPendingEdits, ACommitEndsTheRedo) {
+  World world;
+  const Mark first = world.checkpoint();
+  place(world, {0, 0}, unitSquare());
+  const Mark pending = world.checkpoint();
+  place(world, {1, 0}, unitSquare());
+  world.commit();
+  const Mark ahead = world.checkpoint();
+  ASSERT_TRUE(world.rollBack(pending, Undone::keep));
+  ASSERT_TRUE(world.forget(pending));
+  EXPECT_EQ(world.commit().added.size(), 4U);
+  EXPECT_FALSE(world.rollForward(ahead));
+  ASSERT_TRUE(world.rollBack(first));
+  EXPECT_EQ(world.segments().size(), 0U);
+}
+
 TEST_F(GoingForwardByHand, WhatIsDroppedTakesNoMemory) {
   const auto work = [&](Undone undone) {
     const Mark begin = world.checkpoint();
     for (std::int32_t k = 1; k <= 3'000; ++k) {
       place(world, {1, 1}, {{0, 0}, {k, 0}, {0, k}});
       world.commit();
+      (void)world.checkpoint();
       removeAll(world, {1, 1});
       world.commit();
     }

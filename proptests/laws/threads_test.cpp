@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <rapidcheck/state.h>
 
+#include <array>
 #include <ostream>
 #include <thread>
 
@@ -58,91 +58,87 @@ struct Building {
   }
 };
 
-struct NoModel {};
-using Step = rc::state::Command<NoModel, Building>;
+struct Step {
+  enum class Kind : std::uint8_t { sow, dig, empty, commit };
+  Kind kind{};
+  CellRect cells;      ///< to sow: on some chunks, on both sides of zero
+  int percent = 100;   ///< of the cells that get something
+  bool isMix = false;  ///< of all kinds of shapes, else squares alone
+  std::uint64_t seed = 0;
+};
 
-/// Many edits on some chunks on both sides of zero, the same each time that they are made.
-struct Sow : Step {
-  std::int32_t i = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-100, 40));
-  std::int32_t j = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-100, 40));
-  std::int32_t width = *rc::gen::inRange(1, 101), height = *rc::gen::inRange(1, 72);
-  int percent = *rc::gen::oneOf(rc::gen::just(100), rc::gen::inRange(1, 61));  // of the cells that get something
-  bool isMix = *rc::gen::weightedElement<bool>({{7, true}, {3, false}});       // of all kinds, else squares alone
-  std::uint64_t seed = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::uint64_t>(0, 1'000'000));
-
-  void run(const NoModel&, Building& building) const override {
-    World& world = building.world;
-    Random random(seed);
-    const std::vector<ShapeId> shapes = turnedShapes(world, random);
-    const ShapeId square = shapeOf(world, {unitSquare()});
-    for (const Cell cell : cellsOf({{i, j}, {i + width - 1, j + height - 1}})) {
-      if (!random.chance(percent)) continue;
-      building.cells.push_back(cell);
-      for (int times = random.chance(20) ? 2 : 1; times != 0; --times) {
-        const bool isEmpty = world.isEmpty(cell);
-        const ShapeId shape = isMix ? random.pick(shapes) : square;
-        const auto added = world.add(cell, shape, random.below(3U));
-        if (added) {
-          failUnless(isEmpty || shape != square, "a square is accepted where something stands");
-        } else {  // as good an edit as any
-          failUnless(!isEmpty, "refused in an empty cell");
-          failUnless(added.error().code == ErrorCode::overlap && added.error().cell == cell,
-                     "refused for another reason than an overlap, or with another cell");
-        }
+/// Many edits, the same each time that they are made.
+void sow(const Step& step, Building& building) {
+  World& world = building.world;
+  Random random(step.seed);
+  const std::vector<ShapeId> shapes = turnedShapes(world, random);
+  const ShapeId square = shapeOf(world, {unitSquare()});
+  for (const Cell cell : cellsOf(step.cells)) {
+    if (!random.chance(step.percent)) continue;
+    building.cells.push_back(cell);
+    for (int times = random.chance(20) ? 2 : 1; times != 0; --times) {
+      const bool isEmpty = world.isEmpty(cell);
+      const ShapeId shape = step.isMix ? random.pick(shapes) : square;
+      const auto added = world.add(cell, shape, random.below(3U));
+      if (added) {
+        failUnless(isEmpty || shape != square, "a square is accepted where something stands");
+      } else {  // as good an edit as any
+        failUnless(!isEmpty, "refused in an empty cell");
+        failUnless(added.error().code == ErrorCode::overlap && added.error().cell == cell,
+                   "refused for another reason than an overlap, or with another cell");
       }
     }
   }
-  void show(std::ostream& out) const override {
-    out << fmt::format("sow {} x {} cells from ({}, {}), {} %, {}, seed {}", width, height, i, j, percent,
-                       isMix ? "any shapes" : "squares", seed);
-  }
-};
+}
 
-struct Dig : Step {
-  std::uint64_t seed = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::uint64_t>(0, 1'000'000));
-
-  void run(const NoModel&, Building& building) const override {
-    Random random(seed);
+void make(const Step& step, Building& building) {
+  Random random(step.seed);
+  if (step.kind == Step::Kind::sow) sow(step, building);
+  if (step.kind == Step::Kind::dig)
     for (int k = 0; k < 20 && !building.cells.empty(); ++k) removeAll(building.world, random.pick(building.cells));
-  }
-  void show(std::ostream& out) const override { out << "dig 20 times, seed " << seed; }
-};
-
-struct Empty : Step {
-  void run(const NoModel&, Building& building) const override {
+  if (step.kind == Step::Kind::empty)  // the next commit finds no segments: it is a build
     failUnless(building.world.clear({{-200, -200}, {200, 200}}).has_value(), "it can not be cleared");
-    building.commit();  // the next commit finds no segments: it is a build
-  }
-  void show(std::ostream& out) const override { out << "clear all, and commit"; }
-};
-
-struct JustCommit : Step {
-  void run(const NoModel&, Building& building) const override { building.commit(); }
-  void show(std::ostream& out) const override { out << "commit"; }
-};
+  if (step.kind == Step::Kind::empty || step.kind == Step::Kind::commit) building.commit();
+}
 
 struct Steps {
-  rc::state::Commands<Step> list;
+  std::vector<Step> list;
 };
 
 void showValue(const Steps& steps, std::ostream& out) {
-  for (const auto& step : steps.list) {
-    step->show(out);
-    out << '\n';
+  constexpr std::array kKinds{"sow", "dig 20 times", "clear all, and commit", "commit"};
+  for (const auto& [kind, cells, percent, isMix, seed] : steps.list) {
+    out << kKinds[static_cast<std::size_t>(kind)];
+    if (kind == Step::Kind::sow)
+      out << fmt::format(" cells ({}, {}) to ({}, {}), {} %, {}", cells.min.i, cells.min.j, cells.max.i, cells.max.j,
+                         percent, isMix ? "any shapes" : "squares");
+    out << fmt::format(", seed {}\n", seed);
   }
   out << "commit";
 }
 
+Step anyStep(Random& random) {
+  using enum Step::Kind;
+  Step step;
+  step.kind = random.pick(std::vector{sow, sow, dig, empty, commit});
+  const Cell min{random.between(-100, 39), random.between(-100, 39)};
+  const std::int32_t width = random.between(1, 100), height = random.between(1, 71);
+  step.cells = {min, {min.i + width - 1, min.j + height - 1}};
+  if (random.chance(50)) step.percent = random.between(1, 60);
+  step.isMix = random.chance(70);
+  step.seed = random.below(1'000'000U);
+  return step;
+}
+
 rc::Gen<Steps> anySteps() {
-  const auto one = [](const NoModel&) {
-    return rc::state::gen::execOneOfWithArgs<Sow, Sow, Dig, Empty, JustCommit>()();
+  return [](rc::Random chance, int size) {
+    Random random(chance.next());
+    std::vector<Step> list;
+    for (int k = random.below(2 + size / 10); k > 0; --k) list.push_back(anyStep(random));
+    return rc::shrinkable::map(
+        rc::shrinkable::shrinkRecur(std::move(list), rc::shrink::removeChunks<std::vector<Step>>),
+        [](std::vector<Step>&& shorter) { return Steps{std::move(shorter)}; });
   };
-  return rc::gen::withSize([=](int size) {
-    // A tenth as many steps, which are no smaller for that.
-    const auto fullSize = [=](const NoModel& model) { return rc::gen::resize(size, one(model)); };
-    return rc::gen::map(rc::gen::resize(1 + size / 10, rc::state::gen::commands(NoModel(), fullSize)),
-                        [](const rc::state::Commands<Step>& list) { return Steps{list}; });
-  });
 }
 
 rc::Gen<PreserveRelation> anyRelation() {
@@ -153,7 +149,7 @@ rc::Gen<PreserveRelation> anyRelation() {
 
 Story storyOf(const Steps& steps, const PreserveRelation& relation, const Executor& executor) {
   Building building{World(relation), executor, {}, {}};
-  rc::state::runAll(steps.list, NoModel(), building);
+  for (const Step& step : steps.list) make(step, building);
   building.commit();
   return building.story;
 }

@@ -86,7 +86,6 @@ class BesideTheWhole {
   Seen seen(const Segment& segment) const;
   std::multiset<Seen> seen(const World& world, const std::vector<SegmentId>& ids, const std::set<Cell>& chunks) const;
   std::set<Cell> loadedChunks() const;
-  void expectSameReports(const Changes& part, const Changes& whole, const std::set<Cell>& stayed);
   void expectSameOutline();
   void expectSameGround();
   void expectSameAnswers();

@@ -16,12 +16,13 @@ struct Part {
   void (*run)(platform::Hash& hash);
 };
 
-constexpr std::array<Part, 10> kParts{{
+constexpr std::array<Part, 11> kParts{{
     {"edits", platform::edits},
     {"relations", platform::relations},
     {"executor", platform::executor},
     {"going-back", platform::goingBack},
     {"saves", platform::saves},
+    {"unloading", platform::unloading},
     {"brushes", platform::brushes},
     {"questions", platform::questions},
     {"radial", platform::radial},

@@ -10,6 +10,7 @@ void relations(Hash& hash);  ///< the same under preserve relations
 void executor(Hash& hash);   ///< first builds, job by job
 void goingBack(Hash& hash);  ///< marks, roll-backs, copies, groups that are undone
 void saves(Hash& hash);      ///< bytes of saved worlds, worlds from them, damaged ones
+void unloading(Hash& hash);  ///< bytes of chunks that leave, and what is there without them
 void brushes(Hash& hash);    ///< paint and carve
 void questions(Hash& hash);  ///< what is at places, by id
 void radial(Hash& hash);     ///< links of any directed edges

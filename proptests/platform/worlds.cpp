@@ -117,4 +117,33 @@ void saves(Hash& hash) {
   editor.readAll();
 }
 
+void unloading(Hash& hash) {
+  Random choices(1'500);
+  Editor editor(hash, 500);
+  lgs::World& world = editor.world();
+  for (int k = 0; k < 250; ++k) {
+    editor.edits(choices.between(1, 30));
+    std::vector<std::vector<std::byte>> gone;
+    const std::int32_t i = choices.between(-2, 0), j = choices.between(-2, 0);  // some of the four chunks
+    const lgs::CellRect away{{i * 32, j * 32}, {31, 31}};
+    putResult(hash, world.unload(away, [&](lgs::Cell corner, std::span<const std::byte> bytes) {
+      put(hash, corner);
+      putBytes(hash, bytes);
+      gone.emplace_back(bytes.begin(), bytes.end());
+    }));
+    if (choices.chance(50)) editor.commit();
+    editor.edits(choices.between(0, 8));
+    editor.commit();
+    if (k % 50 == 49) editor.readAll();
+    while (!gone.empty()) {
+      const auto corner = world.reload(gone.back());
+      put(hash, corner ? *corner : lgs::Cell{});
+      gone.pop_back();
+      if (choices.chance(30)) editor.commit();
+    }
+    editor.commit();
+  }
+  editor.readAll();
+}
+
 }  // namespace platform

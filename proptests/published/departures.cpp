@@ -134,33 +134,10 @@ bool movesAsFloats(const ScenePolygon& polygon) {
 }  // namespace
 
 std::string_view nameOf(Departure departure) {
-  switch (departure) {
-    case Departure::uncutSingle:
-      return "uncut-single";
-    case Departure::uncutSwept:
-      return "uncut-swept";
-    case Departure::uncutInCell:
-      return "uncut-in-cell";
-    case Departure::keptInCell:
-      return "kept-in-cell";
-    case Departure::preservedPair:
-      return "preserved-pair";
-    case Departure::preservedSide:
-      return "preserved-side";
-    case Departure::otherBlock:
-      return "other-block";
-    case Departure::nearVertices:
-      return "near-vertices";
-    case Departure::smallAngle:
-      return "small-angle";
-    case Departure::removedOther:
-      return "removed-other";
-    case Departure::staleGhosts:
-      return "stale-ghosts";
-    case Departure::coarseFloats:
-      return "coarse-floats";
-  }
-  return "";
+  constexpr std::array<std::string_view, kDepartures.size()> kNames{
+      "uncut-single", "uncut-swept",   "uncut-in-cell", "kept-in-cell",  "preserved-pair", "preserved-side",
+      "other-block",  "near-vertices", "small-angle",   "removed-other", "stale-ghosts",   "coarse-floats"};
+  return kNames[static_cast<std::size_t>(departure)];
 }
 
 Outline publishedOutline(const oracle::Trace& trace) {

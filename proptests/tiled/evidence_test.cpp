@@ -92,6 +92,24 @@ TEST(TiledEvidence, WhatIsTakenInPartIsSaid) {
   EXPECT_EQ(offersOf(walls), (std::vector<std::string>{"--solid-if solid --objects Walls"}));
 }
 
+TEST(TiledEvidence, BoxesWithoutANameBesideTheGroundAreSaid) {
+  const std::string ground = meant::tiles("Ground", kHills), box = meant::box(0, 0, 2, 1);
+  const auto map = import(ground + meant::objects("poly", box + meant::box(4, 0, 1, 1)));
+  EXPECT_EQ(map.report.choice, "tile layer Ground: its name says 'ground' (--layer Ground --solid)");
+  EXPECT_EQ(map.report.partial, "");
+  EXPECT_EQ(map.report.notes,
+            (std::vector<std::string>{"object layer poly, of which nothing is taken, as nothing says that it is solid; "
+                                      "it is with --layer Ground --solid --objects poly"}));
+  Options options;
+  options.layers = {"Ground"};
+  options.solidWithoutShapes = true;
+  options.objects = {"poly"};
+  EXPECT_EQ(import(ground + meant::objects("poly", box), options).placements.size(), map.placements.size() + 2);
+  for (const char* other : {"Background", "Enemies"})
+    EXPECT_TRUE(import(ground + meant::objects(other, box)).report.notes.empty()) << other;
+  EXPECT_TRUE(import(ground + meant::objects("Places", meant::box(0, 0, 2, 1, "name='a'"))).report.notes.empty());
+}
+
 TEST(TiledEvidence, AValueOfLdtkCanBeLeftOut) {
   const std::string text = project(level("A", 0, 0, grid("1,2,0,2,3,0")));
   Options options;

@@ -148,6 +148,42 @@ TEST(Trace, RoundTrips) {
   EXPECT_EQ(printTrace(mustParse(text)), text);
 }
 
+// The ways of edits (way.h): the plain ones are not written.
+TEST(Trace, SaysHowEditsAreMade) {
+  const std::string square = "0 0 1 0 1 1 0 1";
+  const std::string text = "lgs-trace 3\nadd by 0 0 1  " + square + " by fill 3 undone\nadd b 1 0 1  " + square +
+                           " by fill too\ncommit by 2\nremove by by 7 marked\nremove b by removeMany too\n";
+  const Trace trace = mustParse(text);
+  ASSERT_EQ(trace.edits.size(), 5U);
+  EXPECT_EQ(trace.edits[0].name, "by");
+  EXPECT_EQ(trace.edits[0].way, (Way{Door::fill, Detour::undone, false, 3}));
+  EXPECT_EQ(trace.edits[1].way, (Way{Door::fill, Detour::none, true, 0}));
+  EXPECT_EQ(trace.edits[2].way, (Way{Door::commit, Detour::none, false, 2}));
+  EXPECT_EQ(trace.edits[3].way, (Way{Door::remove, Detour::marked, false, 7}));
+  EXPECT_EQ(printTrace(trace), text);
+  const auto old = "lgs-trace 2\nadd a1xyz 0 0 1  " + square + "\nremove a1xyz\n";
+  for (const Edit& edit : mustParse(old).edits) EXPECT_EQ(edit.way, Edit::plainWay(edit.kind));
+}
+
+TEST(Rows, AreWhatOneCallMakes) {
+  const std::string square = "0 0 1 0 1 1 0 1";
+  const Trace trace = mustParse(
+      "lgs-trace 3\nadd a 0 0 1 " + square + " by fill\nadd b 1 0 1 " + square + " by fill too\nadd c 3 0 1 " + square +
+      " by fill\nadd d 5 0 1 " + square + " by fill too\nremove a by setBlock\nadd a 0 0 2 " + square +
+      " by setBlock too\nadd e 7 0 1 " + square + " by many\nadd f 1 0 1 " + square + " by many too\n");
+  Player player({});
+  Rows rows(trace);
+  std::string told;
+  while (const auto row = rows.next(player.calls())) {
+    const bool isDone = player.apply(*row).has_value();
+    told += inWords(*row) + (isDone ? "\n" : row->isTrial ? ", as a trial\n" : ", refused\n");
+  }
+  EXPECT_EQ(told,
+            "fill of 'a' to 'b'\nfill of 'c'\nfill of 'd'\nsetBlock of 'a' to 'a'\n"  // c and d are no rectangle
+            "many of 'e' to 'f', as a trial\nmany of 'e'\nmany of 'f', refused\n");   // f overlaps b
+  EXPECT_EQ(player.standing()["a"].block, 2U);
+}
+
 struct BadText {
   std::string text;
   std::string begin;  // of the message
@@ -169,7 +205,7 @@ TEST(Trace, BadWordsSayFileLineAndReason) {
       {"# nothing\n\n", "bad.trace:2: the trace ends before its first line"},
       {"add p 0 0 1 0 0 1 0 1 1\n", "bad.trace:1: not a trace: the first line must be 'lgs-trace 1', not 'add'"},
       {"lgs-trace\n", "bad.trace:1: the first line must be 'lgs-trace 1'"},
-      {"lgs-trace 3\n",
+      {"lgs-trace 4\n",
        "bad.trace:1: the first line must be 'lgs-trace 1', or 'lgs-trace 2' if brushes paint or carve"},
       {"lgs-trace 2 3\n", "bad.trace:1: the first line must be 'lgs-trace 1', or 'lgs-trace 2'"},
       {kHeadLine + "lgs-trace 1\n", "bad.trace:2: unknown word 'lgs-trace'"},
@@ -180,6 +216,9 @@ TEST(Trace, BadWordsSayFileLineAndReason) {
       {kHeadLine + "preserve 1 2 3\n", "bad.trace:2: preserve needs two blocks; found 3"},
       {kHeadLine + "preserve a 2\n", "bad.trace:2: the block 'a' is not an integer"},
       {kHeadLine + kSquareLine + "preserve 1 2\n", "bad.trace:3: preserve must stand before the first edit"},
+      {"lgs-trace 3\nremove p by magic\n", "bad.trace:2: by 'magic': there is no such door or detour"},
+      {"lgs-trace 3\ncommit by 4294967296\n", "bad.trace:2: the number of a call '4294967296' is out of range"},
+      {kHeadLine + "remove p by fill\n", "bad.trace:2: remove needs one name; found 3"},
       {kHeadLine + "remove p q\n", "bad.trace:2: remove needs one name; found 2"},
       {kHeadLine + "remove p\n", "bad.trace:2: there is no polygon named 'p' to remove"},
       {kHeadLine + kSquareLine + "remove p\nremove p\n", "bad.trace:4: there is no polygon named 'p' to remove"},

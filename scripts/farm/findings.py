@@ -6,7 +6,7 @@ import shlex
 from fractions import Fraction
 from pathlib import Path
 
-TRACE = re.compile(r"^lgs-trace [12]\n(?:(?:preserve|add|remove|commit|paint|carve)\b.*\n?)*", re.M)
+TRACE = re.compile(r"^lgs-trace [123]\n(?:(?:preserve|add|remove|commit|paint|carve)\b.*\n?)*", re.M)
 PICTURE = re.compile(r"^picture    (\S+\.svg)$", re.M)
 AGAIN = re.compile(r"^again      (.+)$", re.M)
 # The sentences of a mismatch that say what kind of fault it is, those that say most first.
@@ -49,14 +49,17 @@ class Moved:
         return ", ".join(f"{x} {y}" for x, y in ring)
 
     def name(self, name: str) -> str:
-        """The letters at the end of a name choose the call: they stay."""
-        letters = re.search(r"(?<=\d)[^\d]*$", name)
-        return self.names.setdefault(name, f"p{len(self.names) + 1}{letters[0] if letters else ''}")
+        return self.names.setdefault(name, f"p{len(self.names) + 1}")
 
     def block(self, block: str) -> str:
         return self.blocks.setdefault(block, str(len(self.blocks) + 1))
 
     def line(self, line: str) -> str:
+        """How an edit is made, which comes after `by`, stays; it stands before the edit."""
+        edit, _, way = line.partition(" by ")
+        return f"{way} {self.edit(edit)}"
+
+    def edit(self, line: str) -> str:
         words = line.replace(",", " ").replace("|", " | ").split()
         if words[0] == "add":
             i, j = int(words[2]), int(words[3])

@@ -82,6 +82,11 @@ Body inputBody(std::size_t count) {
   return body;
 }
 
+/// There are no islands where a chunk is unloaded.
+std::optional<Cell> firstUnloaded(const World& world) {
+  return world.firstUnloaded({{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}});
+}
+
 std::int32_t putDone(Bridge& bridge, const Expected<void>& done) {
   if (!done) return refused(done.error(), 0);
   bridge.isEdited = true;
@@ -93,6 +98,8 @@ std::int32_t putDone(Bridge& bridge, const Expected<void>& done) {
 /// The anchors are in the input; with none of them nothing is an anchor.
 LGS_EXPORT("islands") Followed* islands(Bridge* bridge, std::size_t numbers) {
   IsAnchor isAnchor = numbers > 1 ? inputAnchors(numbers) : IsAnchor{};
+  if (const auto cell = firstUnloaded(bridge->world))
+    return refused({.code = ErrorCode::unloaded, .cell = *cell}, static_cast<Followed*>(nullptr));
   if (const auto done = bridge->world.followCells(true); !done)
     return refused(done.error(), static_cast<Followed*>(nullptr));
   return new Followed{{.moment = bridge->moment}, Islands(bridge->world, std::move(isAnchor))};
@@ -100,7 +107,9 @@ LGS_EXPORT("islands") Followed* islands(Bridge* bridge, std::size_t numbers) {
 LGS_EXPORT("freeIslands") void freeIslands(Followed* followed) { delete followed; }
 
 LGS_EXPORT("updateIslands") std::int32_t updateIslands(Followed* followed, const Bridge* bridge) {
-  return followed->follow(*bridge, [&] { return followed->islands.update(bridge->world, *bridge->last); });
+  return followed->follow(*bridge, [&] {
+    return !firstUnloaded(bridge->world) && followed->islands.update(bridge->world, *bridge->last);
+  });
 }
 LGS_EXPORT("areIslandsOfNow") std::int32_t areIslandsOfNow(const Followed* followed, const Bridge* bridge) {
   return followed->isOfNow(*bridge);

@@ -1,6 +1,7 @@
 #include "plain.h"
 
 #include "geometry/ring.h"
+#include "geometry/sort.h"
 #include "outline.h"
 #include "snap.h"
 
@@ -96,7 +97,7 @@ std::optional<List<Points>> fullWithout(const Points& ring) {
     parts.push_back(straightened(part));
   }
   const auto begin = [](const Points& part) { return part.front(); };
-  std::ranges::sort(parts, {}, begin);
+  detail::sort(parts, [&](const Points& a, const Points& b) { return begin(a) < begin(b); });
   if (parts.empty() || std::ranges::adjacent_find(parts, {}, begin) != parts.end()) return std::nullopt;
   return parts;
 }

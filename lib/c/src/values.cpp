@@ -61,7 +61,8 @@ std::string sentence(const lgs_error& e) {
   if (e.code == LGS_BAD_ARGUMENT) return "an argument is NULL where it must not be, or a number that means nothing";
   if (e.code == LGS_SHORT_BUFFER) return "there is more than the buffer has room for";
   if (isOfSnapshot(e.code))
-    return message(SnapshotError{static_cast<SnapshotError::What>(e.code - kFirstOfSnapshots), e.offset});
+    return message(SnapshotError{static_cast<SnapshotError::What>(e.code - kFirstOfSnapshots), e.offset,
+                                 static_cast<std::uint32_t>(e.index), static_cast<std::uint32_t>(e.index2)});
   if (!isOfWorld(e.code)) return "unknown error";
   return message(Error{.code = static_cast<ErrorCode>(e.code),
                        .cell = fromC(e.cell),
@@ -86,7 +87,7 @@ const char* nameOfSnapshot(lgs_status status) {
     case LGS_SAVE_NO_SNAPSHOT:
       return "no saved world";
     case LGS_SAVE_UNKNOWN_VERSION:
-      return "saved by a newer version";
+      return "saved by another version";
     case LGS_SAVE_CUT:
       return "cut";
     case LGS_SAVE_DAMAGED:
@@ -122,7 +123,11 @@ lgs_status refuse(lgs_status status, lgs_error* out) {
 
 lgs_status refuse(const SnapshotError& error, lgs_error* out) {
   const lgs_status status = refuse(statusOf(error.what), out);
-  if (out) out->offset = error.offset;
+  if (!out) return status;
+  out->offset = error.offset;
+  if (error.what != SnapshotError::What::unknownVersion) return status;
+  out->index = static_cast<std::int32_t>(error.version);
+  out->index2 = static_cast<std::int32_t>(error.newest);
   return status;
 }
 

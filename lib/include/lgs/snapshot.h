@@ -26,7 +26,7 @@ struct SnapshotError {
   /// What is wrong with it.
   enum class What : std::uint64_t {
     notASnapshot,    ///< it does not begin as one
-    unknownVersion,  ///< it was written by a newer version of this library
+    unknownVersion,  ///< it has a version of the format that this library does not know
     cut,             ///< it ends too early
     damaged,         ///< its checksum does not fit
     tooLong,         ///< bytes follow its end
@@ -38,8 +38,10 @@ struct SnapshotError {
     loaded,          ///< of World::reload(): the chunk is not unloaded
     otherBytes,      ///< of World::reload(): not the bytes with which the chunk was unloaded last
   };
-  What what{};               ///< the reason
-  std::uint64_t offset = 0;  ///< the byte at which it was noticed
+  What what{};                ///< the reason
+  std::uint64_t offset = 0;   ///< the byte at which it was noticed
+  std::uint32_t version = 0;  ///< of the format, if it is unknown
+  std::uint32_t newest = 0;   ///< then: the newest version that is read; the oldest is 1
   friend constexpr bool operator==(const SnapshotError&, const SnapshotError&) = default;
 };
 static_assert(std::has_unique_object_representations_v<SnapshotError>);  // no padding: error.h says why

@@ -72,6 +72,9 @@ struct Missed {
 };
 std::vector<Missed> missed(const Facts& facts, const Choice& taken, const Options& options);
 
+/// Object layers beside a choice whose shapes have no names, and which say nothing: they may be ground, or not.
+std::vector<Missed> silentBeside(const Facts& facts, const Choice& taken);
+
 /// Those of the options that choose what is solid, as arguments of `lgs import`.
 std::vector<std::string> choosingArguments(const Options& options);
 

@@ -11,6 +11,13 @@ namespace {
 
 using Imported = tl::expected<ImportedMap, ImportError>;
 
+/// Arguments as a shell takes them, each after a blank.
+std::string commandLine(const std::vector<std::string>& arguments) {
+  std::string result;
+  for (const std::string& argument : arguments) result += " " + shellWord(argument);
+  return result;
+}
+
 class WholeImport {
  public:
   WholeImport(Opened& opened, const Options& options) : opened_(opened), options_(options) {}
@@ -27,6 +34,7 @@ class WholeImport {
     } else if (taken_) {
       tellChoice(map->report);
       offerMissed(map->report);
+      tellSilent(map->report);
     }
     return map;
   }
@@ -60,10 +68,7 @@ class WholeImport {
   void tellChoice(Report& report) const {
     const std::vector<std::string> arguments = choosingArguments(taken_->options);
     if (arguments == choosingArguments(options_)) return;
-    report.choice = taken_->text + " (";
-    for (const std::string& argument : arguments)
-      report.choice += (&argument == &arguments[0] ? "" : " ") + shellWord(argument);
-    report.choice += ")";
+    report.choice = taken_->text + " (" + commandLine(arguments).substr(1) + ")";
   }
 
   /// How many polygons a choice gives; 0 if it cannot be had. All that is tried shares what one import may cost.
@@ -114,6 +119,12 @@ class WholeImport {
       report.partial += (report.partial.empty() ? "" : "; ") + part.text;
       offer(report, part.options, part.offer);
     }
+  }
+
+  void tellSilent(Report& report) const {
+    for (const Missed& beside : silentBeside(facts_, *taken_))
+      report.notes.push_back(beside.text + ", as nothing says that it is solid; it is with" +
+                             commandLine(choosingArguments(beside.options)));
   }
 
   Opened& opened_;

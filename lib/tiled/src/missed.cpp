@@ -93,4 +93,16 @@ std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Optio
   return result;
 }
 
+std::vector<Missed> silentBeside(const Facts& facts, const Choice& choice) {
+  std::vector<Missed> result;
+  for (const LayerFacts& layer : facts.layers) {
+    const bool areBoxes = layer.kind == LayerKind::objects && layer.objects > layer.figures && !areThings(layer);
+    if (!areBoxes || facts.isLdtk || layer.saying.says != Says::nothing || !layer.classes.empty()) continue;
+    if (choice.options.objects && isTaken(layer, choice.options, false)) continue;
+    if (result.size() == kMaxSuggestions) break;
+    result.push_back(missedObjects(layer, choice));
+  }
+  return result;
+}
+
 }  // namespace lgs::tiled

@@ -64,7 +64,8 @@ export class Figure {
 
   /** Cells a pixel. */
   get pixel(): number {
-    return (this.box.x1 - this.box.x0) / (this.svg.clientWidth || 600)
+    const { x0, y0, x1, y1 } = this.box // it is drawn as large as fits, in a low window too
+    return Math.max((x1 - x0) / (this.svg.clientWidth || 600), (y1 - y0) / (this.svg.clientHeight || Infinity))
   }
 
   /** A group to draw into, above those before it and below the handles. */

@@ -30,14 +30,17 @@ export function words(kind: string, [x, y]: Point, size: number, text: string): 
   return made
 }
 
-/** A line with a head in its middle that says which way it runs; half a head's width to the right of it if `aside`. */
-export function arrow(kind: string, a: Point, b: Point, head: number, aside = 0): SVGPathElement {
+/**
+ * A line with a head, in its middle or `where` along it, that says which way it runs; half a head's width to the right of
+ * it if `aside`.
+ */
+export function arrow(kind: string, a: Point, b: Point, head: number, aside = 0, where = 0.5): SVGPathElement {
   const [dx, dy] = [b[0] - a[0], b[1] - a[1]]
   const length = Math.hypot(dx, dy) || 1
   const [ux, uy] = [dx / length, dy / length]
   const [ox, oy] = [uy * aside, -ux * aside]
   const size = Math.min(head, length / 2)
-  const [mx, my] = [(a[0] + b[0]) / 2 + ox + (ux * size) / 2, (a[1] + b[1]) / 2 + oy + (uy * size) / 2]
+  const [mx, my] = [a[0] + dx * where + ox + (ux * size) / 2, a[1] + dy * where + oy + (uy * size) / 2]
   const barb = (side: number): Point => [mx - ux * size - side * uy * size * 0.6, my - uy * size + side * ux * size * 0.6]
   const from: Point = [a[0] + ox, a[1] + oy]
   const to: Point = [b[0] + ox, b[1] + oy]

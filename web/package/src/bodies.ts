@@ -23,6 +23,8 @@ export interface Physics<Body, Material> {
   readonly frame: Frame
   /** In metres: the least that counts. */
   readonly slop: number
+  /** How much rounding changes a number, at most, in proportion to it. */
+  readonly epsilon: number
   /** What tells bodies apart. */
   keyOf(body: Body): unknown
   /** Dynamic bodies that are enabled and reach into a box of cells, each once. */
@@ -43,9 +45,18 @@ export interface Physics<Body, Material> {
   wake(body: Body): void
 }
 
-/** Cells: who has moved by less since it was free can not have come through anything. */
-const far = 1 / 16
+/** Who has moved by less since it was free can not have come through anything. */
+const isFar = (a: Point, b: Point) => Math.abs(a.x - b.x) > 1 / 16 || Math.abs(a.y - b.y) > 1 / 16
 const nowhere = { x: 0, y: 0 }
+const everywhere: Box = { x0: -1e9, y0: -1e9, x1: 1e9, y1: 1e9 }
+/** How many cells a lattice unit is. */
+const unit = 1 / 65536
+
+/** From no way on, to the nearest first: up to three steps to each side. */
+const steps = [0, 1, 2, 3].flatMap((far) => {
+  const line = Array.from({ length: 2 * far + 1 }, (_, k) => k - far)
+  return line.flatMap((x) => line.map((y): Point => ({ x, y }))).filter(({ x, y }) => Math.max(Math.abs(x), Math.abs(y)) === far)
+})
 
 export class Bodies<Body, Material> {
   caught: readonly Caught<Body>[] = []
@@ -109,7 +120,8 @@ export class Bodies<Body, Material> {
   #push(body: Body, way: Point): void {
     const physics = this.#physics, { cellSize } = physics.frame
     const place = physics.placeOf(body)
-    physics.moveTo(body, { ...place, x: place.x + way.x / cellSize, y: place.y + way.y / cellSize })
+    const end = { ...place, x: place.x + way.x / cellSize, y: place.y + way.y / cellSize }
+    physics.moveTo(body, this.#freeNear(body, end) ?? end)
     const velocity = physics.velocityOf(body)
     const inward = velocity.x * way.x + velocity.y * way.y
     if (inward < 0) {
@@ -156,8 +168,7 @@ export class Bodies<Body, Material> {
       next += forms.length
       if (this.#isFree(forms, solids, from) && !(last !== undefined && this.#hasCrossed(body, last, place, forms))) {
         this.#note(body, place)
-      } else if (last !== undefined && this.#isFreeAt(body, last)) {
-        physics.moveTo(body, last)
+      } else if (last !== undefined && this.#return(body, last)) {
         physics.setVelocity(body, nowhere, true)
         putBack.push(body)
       }
@@ -180,8 +191,37 @@ export class Bodies<Body, Material> {
     return this.#isFree(forms, this.#solids(forms.flatMap(({ x, y }) => [x, y])), 0)
   }
 
-  #hasCrossed(body: Body, last: Place, { x, y }: Place, forms: readonly Form<Material>[]): boolean {
-    if (Math.abs(x - last.x) <= far && Math.abs(y - last.y) <= far) return false
+  /**
+   * Where a place is rounded, as the origin moved since or as a way ends there, a middle may come onto the outline. Then
+   * the nearest of the places around that is free; null if none is.
+   */
+  #freeNear(body: Body, place: Place): Place | null {
+    const { frame: { origin }, epsilon } = this.#physics, forms = this.#physics.formsOf(body, place)
+    const step = Math.max(unit, epsilon * Math.max(Math.abs(place.x - origin.i), Math.abs(place.y - origin.j)))
+    const solids = this.#solids(steps.flatMap((by) => forms.flatMap(({ x, y }) => [x + step * by.x, y + step * by.y])))
+    for (const [k, by] of steps.entries()) {
+      const near = k === 0 ? place : { ...place, x: place.x + step * by.x, y: place.y + step * by.y }
+      if (this.#isFree(forms, solids, k * forms.length) && this.#isFreeAt(body, near)) return near
+    }
+    return null
+  }
+
+  #return(body: Body, last: Place): boolean {
+    const free = this.#freeNear(body, last)
+    if (free !== null) this.#physics.moveTo(body, free)
+    return free !== null
+  }
+
+  /** When the game has rounded bodies to other places. One that is not near to where it was free is not moved yet. */
+  afterRounding(): void {
+    for (const body of this.#physics.near(everywhere)) {
+      const last = this.#footings.get(this.#physics.keyOf(body))?.place, place = this.#physics.placeOf(body)
+      if (last !== undefined && !isFar(last, place) && !this.#isFreeAt(body, place)) this.#return(body, last)
+    }
+  }
+
+  #hasCrossed(body: Body, last: Place, place: Place, forms: readonly Form<Material>[]): boolean {
+    if (!isFar(last, place)) return false
     return this.#rules.crossed(this.#physics.formsOf(body, last), forms)
   }
 

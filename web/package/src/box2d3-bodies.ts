@@ -126,6 +126,7 @@ export interface Material {
 /** Names a body, shape or chain among those of one kind in a world. */
 export const idOf = ({ index1, generation }: ObjectId) => index1 * 65536 + generation
 
+const { fround } = Math
 const dynamic = 2 // of b2BodyType
 const shapeTypes = { circle: 0, capsule: 1, polygon: 3 }
 /** Box2D's linear slop, in metres. */
@@ -143,6 +144,7 @@ export abstract class Box2dBodies implements Physics<ObjectId, Material> {
   readonly #aabb: Aabb
   readonly #all: Handle // a filter that lets everything through
   readonly slop = slop
+  readonly epsilon = 2 ** -23
 
   constructor(box2d: Box2D, physics: PhysicsId, frame: Frame, rules: TerrainRules<Material>) {
     this.box2d = box2d
@@ -236,10 +238,10 @@ export abstract class Box2dBodies implements Physics<ObjectId, Material> {
   }
 
   formsOf(body: ObjectId, place: Place): Form<Material>[] {
-    const { box2d } = this, { cellSize } = this.frame
-    const point = ({ x, y }: Point) => ({
-      x: place.x + (place.cos * x - place.sin * y) / cellSize,
-      y: place.y + (place.sin * x + place.cos * y) / cellSize,
+    const { box2d } = this, { cellSize, origin } = this.frame, { x: left, y: low } = this.metres(place), { cos, sin } = place
+    const point = ({ x, y }: Point) => ({ // as b2Body_GetWorldPoint() rounds
+      x: fround(fround(left) + fround(fround(cos * x) - fround(sin * y))) / cellSize + origin.i,
+      y: fround(fround(low) + fround(fround(sin * x) + fround(cos * y))) / cellSize + origin.j,
     })
     const forms: Form<Material>[] = []
     for (const shape of box2d.b2Body_GetShapes(body, box2d.b2Body_GetShapeCount(body))) {

@@ -27,6 +27,10 @@ export interface Exports {
   setBlock(world: number, polygon: number, block: number): number
   fill(world: number, i0: number, j0: number, i1: number, j1: number, shape: number, block: number): number
   clear(world: number, i0: number, j0: number, i1: number, j1: number): number
+  unload(world: number, i0: number, j0: number, i1: number, j1: number): number
+  reload(world: number, bytes: number): number
+  reloadEmpty(world: number, i0: number, j0: number, i1: number, j1: number): number
+  firstUnloaded(world: number, i0: number, j0: number, i1: number, j1: number): number
   paint(world: number, numbers: number, block: number, replace: number): number
   carve(world: number, numbers: number): number
   brushed(world: number, list: number): number

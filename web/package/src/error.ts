@@ -5,13 +5,13 @@ import type { Block, PolygonId, SegmentId } from './types.js'
 const engineCodes = [
   'cell-out-of-range', 'empty-shape', 'too-few-vertices', 'capacity', 'not-finite', 'outside-cell', 'repeated-vertex',
   'zero-area', 'self-intersecting', 'clockwise', 'overlap', 'unknown-shape', 'stale-handle', 'unknown-segment',
-  'unknown-mark', 'uncommitted', 'out-of-reach',
+  'unknown-mark', 'uncommitted', 'out-of-reach', 'unloaded',
 ] as const
 
 /** In the order of lgs::SnapshotError::What, from 0. */
 const snapshotCodes = [
   'not-a-snapshot', 'unknown-version', 'cut', 'damaged', 'too-long', 'relation', 'bad-number', 'bad-polygon',
-  'bad-segments', 'snapshot-capacity',
+  'bad-segments', 'snapshot-capacity', 'loaded', 'other-bytes',
 ] as const
 
 /**

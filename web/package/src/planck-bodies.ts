@@ -45,6 +45,7 @@ export abstract class PlanckBodies implements OfPhysics<Body, Material> {
   abstract isOwn(fixture: Fixture): boolean
 
   get slop(): number { return Settings.linearSlop }
+  readonly epsilon = 2 ** -52
 
   /** From cells to metres of the physics world. */
   metres({ x, y }: Point): Vec2Value {

@@ -186,12 +186,14 @@ export abstract class TerrainBase<Body, Material> {
 
   /**
    * Makes the corner of another cell (0, 0) of the physics world, which keeps its origin near the player. Moves the
-   * terrain's bodies; the others are yours to move.
+   * terrain's bodies; the others are yours to move, before. Where that rounded a middle into the ground, the body is moved
+   * on by some units.
    */
   moveOrigin(cell: { readonly i: number; readonly j: number }): void {
     this.#refuseInStep()
     this.frame.origin = originOf(cell)
     this.#adapter.placeChunks()
+    if (!this.#adapter.isAlone()) this.#bodies.afterRounding()
   }
 
   /** From cells of the world to metres of the physics world, and back. */

@@ -80,6 +80,13 @@ function edit(words: readonly string[], line: number, hasBrushes: boolean): Edit
   }
 }
 
+/** Without what comes after `by`: which of the engine's calls makes an edit, which means the same here. */
+function withoutWay(words: readonly string[]): readonly string[] {
+  const first: Record<string, number> = { add: 5, remove: 2, commit: 1 }
+  const by = words.indexOf('by', first[words[0]!] ?? words.length)
+  return by < 0 ? words : words.slice(0, by)
+}
+
 /** Reads a trace. Looks at the words alone: whether a polygon is good is seen when the trace is played. */
 export function parseTrace(text: string): Trace {
   if (typeof text !== 'string') throw bad('text', 'a string', text)
@@ -93,18 +100,18 @@ export function parseTrace(text: string): Trace {
     if (comment >= 0) words.length = comment
     if (words.length === 0) return
     if (version === '') {
-      if (words[0] !== 'lgs-trace' || (words[1] !== '1' && words[1] !== '2') || words.length !== 2)
-        throw badTrace(line, "a trace begins with 'lgs-trace 1' or 'lgs-trace 2'")
-      version = words[1]
+      if (words[0] !== 'lgs-trace' || !/^[123]$/.test(words[1] ?? '') || words.length !== 2)
+        throw badTrace(line, "a trace begins with 'lgs-trace 1', 'lgs-trace 2' or 'lgs-trace 3'")
+      version = words[1]!
     } else if (words[0] === 'preserve') {
       if (edits.length > 0) throw badTrace(line, 'preserve must come before the first edit')
       if (words.length !== 3) throw badTrace(line, 'preserve needs two blocks')
       preserve.push([integer(words[1], line, 'a block'), integer(words[2], line, 'a block')])
     } else {
-      edits.push(edit(words, line, version === '2'))
+      edits.push(edit(version === '3' ? withoutWay(words) : words, line, version !== '1'))
     }
   })
-  if (version === '') throw badTrace(1, "a trace begins with 'lgs-trace 1' or 'lgs-trace 2'")
+  if (version === '') throw badTrace(1, "a trace begins with 'lgs-trace 1', 'lgs-trace 2' or 'lgs-trace 3'")
   return { preserve, edits }
 }
 

@@ -138,6 +138,15 @@ export interface Loop {
   readonly segments: Uint32Array
 }
 
+/** A chunk of 32×32 cells that left memory. */
+export interface UnloadedChunk {
+  /** Its lower-left cell. */
+  readonly i: number
+  readonly j: number
+  /** What World.reload() takes. */
+  readonly bytes: Uint8Array
+}
+
 /** What was hit. */
 export interface Hit {
   readonly polygon: PolygonId
@@ -147,8 +156,9 @@ export interface Hit {
 }
 
 export interface Spot extends Hit {
-  /** On an edge the polygon is the first that has it; outside it is 0, and the cell is that of the point. */
-  readonly where: 'outside' | 'edge' | 'inside'
+  /** On an edge the polygon is the first that has it; outside it is 0, and the cell is that of the point. Where a chunk
+   * is unloaded that decides it, nothing is known: the polygon is 0, too. */
+  readonly where: 'outside' | 'edge' | 'inside' | 'unloaded'
 }
 
 export interface Nearest {
@@ -242,6 +252,21 @@ export interface World {
   /** To a mark that is ahead: what was undone comes back with its handles and ids, if nothing was edited since. */
   rollForward(mark: Mark): Changes
   forget(mark: Mark): void
+
+  /**
+   * The chunks of 32×32 cells that lie in a rectangle as a whole leave memory. They are handed out as bytes, with which
+   * they come back. The next commit tells that their segments went, and no wall appears where the loaded world ends.
+   * Until they are back edits there are refused as 'unloaded', and so are handles of their polygons, and questions that
+   * would have to look there.
+   */
+  unload(cells: CellRect): UnloadedChunk[]
+  /** A chunk comes back as it was, to the last handle: the bytes that unload() gave last for it. Returns where it is. */
+  reload(chunk: Uint8Array): { i: number; j: number }
+  /** The unloaded chunks that lie in a rectangle as a whole come back empty, for a game that makes their ground anew.
+   * Returns how many these are. */
+  reloadEmpty(cells: CellRect): number
+  /** The first unloaded cell of a rectangle, by rows; null if there is none. */
+  firstUnloaded(cells: CellRect): { i: number; j: number } | null
 
   /** All segments, or those of polygons in a rectangle of cells, as of the last commit. By id, or in no order. */
   segments(cells?: CellRect): SegmentList

@@ -7,7 +7,7 @@ import { putRegion } from './regions.js'
 import { bytesOf, textOf } from './text.js'
 import type {
   Block, BrushResult, CellRect, Changes, Hit, Loop, Mark, Nearest, Polygon, PolygonId, RayHit, Region, Segment,
-  SegmentId, SegmentList, ShapeId, Spot, Stats, Version, Vertices, World, WorldOptions,
+  SegmentId, SegmentList, ShapeId, Spot, Stats, UnloadedChunk, Version, Vertices, World, WorldOptions,
 } from './types.js'
 
 const brushLists = ['removed', 'added', 'rounded']
@@ -175,6 +175,38 @@ class EngineWorld implements World {
     }
   }
 
+  // --- Chunks that leave memory and come back
+
+  unload(cells: CellRect): UnloadedChunk[] {
+    const { i0, j0, i1, j1 } = rect(cells)
+    const count = this.#orFail(this.#call.unload(this.#live, i0, j0, i1, j1), -1)
+    const bytes = this.#engine.answerBytes(count), chunks: UnloadedChunk[] = []
+    for (let k = 0, begin = 0; begin < count; k += 3) {
+      const [i, j, length] = this.#engine.answer(k + 3).subarray(k) as unknown as [number, number, number]
+      chunks.push({ i, j, bytes: bytes.slice(begin, (begin += length)) })
+    }
+    return chunks
+  }
+  reload(chunk: Uint8Array): { i: number; j: number } {
+    if (!(chunk instanceof Uint8Array)) throw bad('chunk', 'a Uint8Array', chunk)
+    const own = new Uint8Array(chunk)
+    this.#engine.putBytes(own)
+    this.#orFail(this.#call.reload(this.#live, own.length), 0)
+    return this.#place()
+  }
+  reloadEmpty(cells: CellRect): number {
+    const { i0, j0, i1, j1 } = rect(cells)
+    return this.#orFail(this.#call.reloadEmpty(this.#live, i0, j0, i1, j1), -1)
+  }
+  firstUnloaded(cells: CellRect): { i: number; j: number } | null {
+    const { i0, j0, i1, j1 } = rect(cells)
+    return this.#call.firstUnloaded(this.#live, i0, j0, i1, j1) ? this.#place() : null
+  }
+  #place() {
+    const [i, j] = this.#engine.answer(2) as unknown as [number, number]
+    return { i, j }
+  }
+
   // --- Reading
 
   segments(cells?: CellRect): SegmentList {
@@ -230,7 +262,7 @@ class EngineWorld implements World {
   at(x: number, y: number): Spot {
     this.#orFail(this.#call.at(this.#live, real('x', x), real('y', y)), 0)
     const n = this.#engine.answer(5)
-    return { where: (['outside', 'edge', 'inside'] as const)[n[0]!]!, polygon: n[1]!, block: n[2]!, i: n[3]!, j: n[4]! }
+    return { where: (['outside', 'edge', 'inside', 'unloaded'] as const)[n[0]!]!, polygon: n[1]!, block: n[2]!, i: n[3]!, j: n[4]! }
   }
   nearest(x: number, y: number, radius: number): Nearest | null {
     this.#orFail(this.#call.nearest(this.#live, real('x', x), real('y', y), real('radius', radius)), 0)

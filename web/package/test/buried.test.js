@@ -57,6 +57,23 @@ for (const [name, makeCrowd] of engines) {
     return { world, square, crowd, terrain, body, run, at: () => crowd.positionOf(body), isFree: () => crowd.middlesOf(body).every(({ x, y }) => world.at(x, y).where === 'outside') }
   }
 
+  // The middle is 0.6 lattice units above the floor, and so it is free. Then a float is 32 units.
+  if (name !== 'planck') test(`${name}: rounding puts nobody into the ground when the origin moves`, () => {
+    const { world, crowd, terrain, body, at, run } = resting('circle')
+    const isFree = () => crowd.middlesOf(body).every((middle) => world.at(terrain.point(middle).x, terrain.point(middle).y).where === 'outside')
+    crowd.put(body, { x: 5.5, y: 1 + 0.6 / 65536 })
+    terrain.resync()
+    assert.ok(isFree(), 'before')
+    crowd.moveOrigin(terrain, { i: 0, j: 4096 })
+    assert.ok(isFree(), 'at once')
+    crowd.put(body, { x: 5.5, y: 0.7 - 4096 })
+    crowd.kick(body, 0, -1)
+    run(1)
+    assert.ok(isFree(), 'after it was put back')
+    assert.ok(Math.abs(at().y + 4095) < 0.01)
+    world.free()
+  })
+
   test(`${name}: who is built over is pushed out, the shortest way, and stands`, () => {
     const { world, square, crowd, terrain, body, run, at, isFree } = resting()
     world.add(5, 1, square, 1)

@@ -85,8 +85,15 @@ test('the project\'s traces: those that once showed a bug, those of the docs; wi
     assert.ok(brushes >= 2, `${brushes} with brushes`)
   }))
 
+test('how the edits of a trace are made does not matter', () => {
+  const square = '0 0 1 0 1 1 0 1'
+  const text = `lgs-trace 3\nadd by 0 0 1 ${square} by fill 3 marked\nadd b 1 0 1 ${square} by fill too\ncommit by 2\nremove by by 7\n`
+  const plain = `lgs-trace 1\nadd by 0 0 1 ${square}\nadd b 1 0 1 ${square}\ncommit\nremove by\n`
+  assert.deepEqual(parseTrace(text), parseTrace(plain))
+})
+
 test('a bad line of a trace is named', () => {
-  for (const [line, text] of [[1, 'lgs-trace 3\n'], [1, ''], [2, 'lgs-trace 1\nput a\n'], [3, 'lgs-trace 1\n\nadd a 0 0 1 0 0 1\n'],
+  for (const [line, text] of [[1, 'lgs-trace 4\n'], [1, ''], [2, 'lgs-trace 1\nput a\n'], [3, 'lgs-trace 1\n\nadd a 0 0 1 0 0 1\n'],
     [2, 'lgs-trace 1\nadd a 0 0 1 0 0 1 0 x 1\n'], [2, 'lgs-trace 1\ncarve 0 0 1 0 1 1\n'], [2, 'lgs-trace 1\nadd a 0.5 0 1 0 0 1 0 1 1'],
     [2, 'lgs-trace 1\nadd a 0 0 1 0 0 1/0 0 1 1'], [3, 'lgs-trace 1\ncommit\npreserve 1 2'], [2, 'lgs-trace 2\npaint 1 over 0 0 1 0 1 1']])
     assert.throws(() => parseTrace(text), (error) => error instanceof LgsError && error.code === 'bad-trace' && error.line === line, text)

@@ -17,7 +17,7 @@ test('the other examples of the README run, one after the other', () => {
   const page = readFileSync(new URL('../README.md', import.meta.url), 'utf8')
   const blocks = [...page.matchAll(/```js\n([^]*?)```/g)].map(([, code]) => code).filter((code) => !code.includes('vite.config'))
   assert.equal(blocks.length, 6, "blocks")
-  const code = blocks.join('').replace('world.free()\n', '').replace("createWorld, unitSquare } from 'localgridseg'", "createWorld, unitSquare, circle } from 'localgridseg/islands'")
+  const code = blocks.join('').replace('world.free()\n', '').replaceAll("from 'localgridseg'", "from 'localgridseg/islands'")
   const cwd = fileURLToPath(new URL('.', import.meta.url))
   assert.match(execFileSync(process.execPath, ['--input-type=module', '-e', code], { cwd, encoding: 'utf8' }), /^1 island$[^]*triangles/m)
 })

@@ -5,6 +5,7 @@
 #include "new_ground.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace lgs::box2d {
@@ -24,6 +25,7 @@ TerrainBase::TerrainBase(Physics physics, const World& world, TerrainOptions opt
 }
 
 TerrainBase::~TerrainBase() {
+  if (!isThere(physics_)) return;
   for (const ChunkBody& chunk : bodies_) {
     if (isThere(chunk.body)) destroyBody(physics_, chunk.body);
   }
@@ -66,7 +68,7 @@ void TerrainBase::materialsChanged() {
 void TerrainBase::remake(EdgeId id) {
   destroy(id);
   create(id);
-  if (!isAlone()) wakeAround(id);
+  if (!isAlone()) wakeAround({&id, 1});
 }
 
 void TerrainBase::moveOrigin(Cell origin) {
@@ -76,6 +78,7 @@ void TerrainBase::moveOrigin(Cell origin) {
     if (isThere(bodies_[k].body)) moveTo(bodies_[k].body, positionOf(static_cast<std::uint32_t>(k)));
   }
   afterMovingOf(physics_);
+  if (!isAlone()) afterRounding();
 }
 
 // Whether there are no bodies but the terrain's.
@@ -84,12 +87,7 @@ bool TerrainBase::isAlone() const { return bodyCountOf(physics_) <= bodyCount_; 
 void TerrainBase::apply(const EdgeChanges& changes) {
   assertUnlocked(physics_);
   bodies_.resize(edges_.chunkCount());
-  if (!isAlone()) {
-    for (const EdgeId id : changes.removed)
-      if (!kDestroyingWakes) wakeAround(id);
-    for (const EdgeId id : changes.added) wakeAround(id);
-    for (const EdgeId id : changes.turned) wakeAround(id);
-  }
+  if (!isAlone()) wakeAround(changes);
   for (const EdgeId id : changes.removed) destroy(id);
   for (const EdgeId id : changes.added) create(id);
   for (const EdgeId id : changes.turned) {
@@ -128,14 +126,58 @@ LocalEdge TerrainBase::localEdge(EdgeId id) const {
   return box2d::localEdge(edge, edges_.chunk(edge.chunk), frame_, slop());
 }
 
-void TerrainBase::wakeAround(EdgeId id) {
-  const Edge& edge = edges_.edge(id);
-  const Chunk chunk = edges_.chunk(edge.chunk);
-  const Metres a = frame_.local(edge.start, chunk), b = frame_.local(edge.end, chunk);
+// Where many edges of a square of cells change, as when much is undone, Box2D is asked first whether anybody is there.
+void TerrainBase::wakeAround(const EdgeChanges& changes) {
+  constexpr std::int64_t kSquare = 4 * kUnitsPerCell;
+  std::vector<std::pair<std::uint64_t, EdgeId>> bySquare;
+  const auto add = [&](const std::vector<EdgeId>& ids) {
+    for (const EdgeId id : ids) {
+      const Edge& edge = edges_.edge(id);
+      const Point corner = frame_.cornerOf(edges_.chunk(edge.chunk));
+      const auto column = static_cast<std::uint64_t>((edge.start.x - corner.x) / kSquare);
+      const auto row = static_cast<std::uint64_t>((edge.start.y - corner.y) / kSquare);
+      bySquare.emplace_back(std::uint64_t{edge.chunk} << 32 | row << 16 | column, id);
+    }
+  };
+  if (!kDestroyingWakes) add(changes.removed);
+  add(changes.added);
+  add(changes.turned);
+  std::sort(bySquare.begin(), bySquare.end());
+  std::vector<EdgeId> square;
+  for (std::size_t k = 0; k < bySquare.size(); ++k) {
+    square.push_back(bySquare[k].second);
+    if (k + 1 < bySquare.size() && bySquare[k + 1].first == bySquare[k].first) continue;
+    wakeAround(square);
+    square.clear();
+  }
+}
+
+void TerrainBase::wakeAround(std::span<const EdgeId> ids) {
+  constexpr std::size_t kFew = 4;
+  bool isSomebodyThere = ids.size() <= kFew;
+  if (!isSomebodyThere) forEachBodyAround(ids, [&](BodyHandle /*body*/) { isSomebodyThere = true; });
+  if (!isSomebodyThere) return;
+  for (const EdgeId& id : ids) forEachBodyAround({&id, 1}, [](BodyHandle body) { wakeUp(body); });
+}
+
+// The edges are of one chunk.
+template <class Call>
+void TerrainBase::forEachBodyAround(std::span<const EdgeId> ids, const Call& call) {
+  const std::uint32_t chunk = edges_.edge(ids.front()).chunk;
+  constexpr float kMost = std::numeric_limits<float>::max();
+  b2Vec2 lower{kMost, kMost}, upper{-kMost, -kMost};
+  for (const EdgeId id : ids) {
+    const Edge& edge = edges_.edge(id);
+    for (const Point p : {edge.start, edge.end}) {
+      const Metres m = frame_.local(p, edges_.chunk(chunk));
+      lower = {std::min(lower.x, m.x), std::min(lower.y, m.y)};
+      upper = {std::max(upper.x, m.x), std::max(upper.y, m.y)};
+    }
+  }
   const float around = wakingDistance();
-  forEachShapeIn(physics_, positionOf(edge.chunk), {std::min(a.x, b.x) - around, std::min(a.y, b.y) - around},
-                 {std::max(a.x, b.x) + around, std::max(a.y, b.y) + around}, [](ShapeHandle shape) {
-                   if (!isStatic(bodyOf(shape))) wakeUp(bodyOf(shape));
+  forEachShapeIn(physics_, positionOf(chunk), {lower.x - around, lower.y - around},
+                 {upper.x + around, upper.y + around}, [&](ShapeHandle shape) {
+                   if (!isStatic(bodyOf(shape))) call(bodyOf(shape));
                  });
 }
 

@@ -5,6 +5,9 @@
 #include "new_ground.h"
 #include "way_out.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <unordered_set>
 #include <utility>
 
@@ -103,7 +106,10 @@ bool TerrainBase::release(BodyHandle body, const Box& changed) {
 }
 
 void TerrainBase::push(BodyHandle body, b2Vec2 way) {
-  moveBy(body, way);
+  Pose at = box2d::poseOf(body);
+  at.p.x += way.x;
+  at.p.y += way.y;
+  moveTo(body, freeNear(body, at).value_or(at).p);
   const b2Vec2 velocity = velocityOf(body);
   const float inward = b2Dot(velocity, way);
   if (inward < 0) {
@@ -120,6 +126,29 @@ bool TerrainBase::isFree(ConstBodyHandle body, const Pose& at) {
     if (spot.where != Spot::Where::outside && holds(materials_.of(spot.block), filterOf(shape))) return false;
   }
   return true;
+}
+
+// Places are floats. Where one is rounded, as the origin moved since or as a way ends there, a middle may come onto the
+// outline. Then the nearest of the places around is taken that is free.
+std::optional<Pose> TerrainBase::freeNear(ConstBodyHandle body, const Pose& at) {
+  constexpr int kFarthest = 3;
+  if (isFree(body, at)) return at;
+  using Real = decltype(at.p.x);
+  const auto most = std::max(std::abs(at.p.x), std::abs(at.p.y));
+  const auto rounding = std::nextafter(most, std::numeric_limits<Real>::max()) - most;
+  const auto unit = std::max(rounding, static_cast<Real>(frame_.cellSize / kUnitsPerCell));
+  for (int far = 1; far <= kFarthest; ++far) {
+    for (int x = -far; x <= far; ++x) {
+      for (int y = -far; y <= far; ++y) {
+        if (std::abs(x) != far && std::abs(y) != far) continue;
+        Pose near = at;
+        near.p.x += static_cast<Real>(x) * unit;
+        near.p.y += static_cast<Real>(y) * unit;
+        if (isFree(body, near)) return near;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 // Of bodies that are elsewhere since, what was noted says nothing any more.
@@ -140,11 +169,26 @@ void TerrainBase::note(ConstBodyHandle body) {
 void TerrainBase::lookAt(BodyHandle body, const std::optional<Footing>& last) {
   if (isFree(body, box2d::poseOf(body)) && !(last && hasCrossed(body, *last))) {
     note(body);
-  } else if (last && isFree(body, poseOf(*last))) {
-    setPose(body, poseOf(*last));
+  } else if (last && returnTo(body, *last)) {
     stop(body);
-    footings_->set(numberOf(body), *last);
     putBack_.push_back(body);
+  }
+}
+
+bool TerrainBase::returnTo(BodyHandle body, const Footing& last) {
+  const std::optional<Pose> free = freeNear(body, poseOf(last));
+  if (!free) return false;
+  setPose(body, *free);
+  footings_->set(numberOf(body), last);
+  return true;
+}
+
+// The game has moved bodies to other floats. One that is not near to where it was free is not moved yet.
+void TerrainBase::afterRounding() {
+  for (const BodyHandle body : catchableIn(kEverywhere)) {
+    const Pose at = box2d::poseOf(body);
+    const std::optional<Footing> last = footings_->of(numberOf(body));
+    if (last && !isFar(*last, frame_.units(Place{at.p.x, at.p.y})) && !isFree(body, at)) returnTo(body, *last);
   }
 }
 
@@ -159,7 +203,7 @@ Pose TerrainBase::poseOf(const Footing& footing) const {
   at.p = toBox2D(frame_.placeOf(footing.at));
   at.q.c = footing.cosine;
   at.q.s = footing.sine;
-  return at;
+  return settled(at);
 }
 
 bool TerrainBase::fits(BodyArgument body) { return fitsAt(handleOf(body), box2d::poseOf(handleOf(body))); }

@@ -33,6 +33,7 @@ inline constexpr bool kDestroyingWakes = true;
 
 // --- the physics world
 
+inline bool isThere(const b2World& /*physics*/) { return true; }
 inline std::size_t bodyCountOf(const b2World& physics) { return static_cast<std::size_t>(physics.GetBodyCount()); }
 inline void assertUnlocked([[maybe_unused]] const b2World& physics) { assert(!physics.IsLocked()); }
 inline void afterMovingOf(const b2World& /*physics*/) {}
@@ -61,6 +62,8 @@ inline bool isEnabled(const b2Body* body) { return body->IsEnabled(); }
 inline bool canBeCaught(const b2Body* body) { return body->GetType() == b2_dynamicBody && body->IsEnabled(); }
 
 inline Pose poseOf(const b2Body* body) { return {body->GetPosition(), body->GetTransform().q}; }
+/// What setPose() makes of it: Box2D sets angles.
+inline Pose settled(const Pose& at) { return {at.p, b2Rot(at.q.GetAngle())}; }
 inline Place placed(b2Vec2 local, const Pose& at) {
   const b2Vec2 p = b2Mul(b2Transform(at.p, at.q), local);
   return {p.x, p.y};
@@ -81,7 +84,6 @@ inline void stop(b2Body* body) {
   body->SetAngularVelocity(0);
 }
 inline void moveTo(b2Body* body, b2Vec2 at) { body->SetTransform(at, body->GetAngle()); }
-inline void moveBy(b2Body* body, b2Vec2 way) { moveTo(body, body->GetPosition() + way); }
 inline void setPose(b2Body* body, const Pose& at) { body->SetTransform(at.p, at.q.GetAngle()); }
 
 /// The game may have destroyed some.

@@ -35,6 +35,7 @@ inline constexpr bool kDestroyingWakes = false;
 
 // --- the physics world
 
+inline bool isThere(b2WorldId physics) { return b2World_IsValid(physics); }
 inline std::size_t bodyCountOf(b2WorldId physics) {
   return static_cast<std::size_t>(b2World_GetCounters(physics).bodyCount);
 }
@@ -72,9 +73,12 @@ inline bool isEnabled(b2BodyId body) { return b2Body_IsEnabled(body); }
 inline bool canBeCaught(b2BodyId body) { return b2Body_GetType(body) == b2_dynamicBody && b2Body_IsEnabled(body); }
 
 inline Pose poseOf(b2BodyId body) { return {b2Body_GetPosition(body), b2Body_GetRotation(body)}; }
+/// What setPose() makes of it.
+inline Pose settled(const Pose& at) { return at; }
+/// Rounded as b2Body_GetWorldPoint() rounds.
 inline Place placed(b2Vec2 local, const Pose& at) {
   const b2Vec2 turned = b2RotateVector(at.q, local);
-  return {at.p.x + double{turned.x}, at.p.y + double{turned.y}};
+  return {at.p.x + turned.x, at.p.y + turned.y};
 }
 inline b2Vec2 velocityOf(b2BodyId body) { return b2Body_GetLinearVelocity(body); }
 
@@ -93,12 +97,6 @@ inline void stop(b2BodyId body) {
 }
 inline void setPose(b2BodyId body, const Pose& at) { b2Body_SetTransform(body, at.p, at.q); }
 inline void moveTo(b2BodyId body, Position at) { setPose(body, {at, b2Body_GetRotation(body)}); }
-inline void moveBy(b2BodyId body, b2Vec2 way) {
-  Pose at = poseOf(body);
-  at.p.x += way.x;
-  at.p.y += way.y;
-  setPose(body, at);
-}
 
 /// The game may have destroyed some.
 inline void eraseGone(b2WorldId /*physics*/, std::vector<b2BodyId>& bodies) {

@@ -4,7 +4,7 @@ import { counted, grid, outline, segmentsOf, solids, square } from '../ground.js
 import { clamp, Figure } from '../kit.js'
 import { disc } from '../svg.js'
 
-const reach = 1 / 64 // cells: nearer than this the tip goes to the wall
+const reach = 3 / 32 // cells: nearer than this the tip goes to the wall
 
 export default function cuts(element: HTMLElement): void {
   const fig = new Figure(element, { x0: -0.6, y0: -0.4, x1: 3.6, y1: 1.4 }, 'A wedge whose tip touches a wall')
@@ -15,9 +15,9 @@ export default function cuts(element: HTMLElement): void {
   const tip = fig.handle({
     at: [1, 0.5],
     label: 'The tip of the wedge',
-    step: 1 / 16,
+    step: 1 / 8,
     move(x, y) {
-      const to: [number, number] = [x < 1 + 6 * reach ? 1 : clamp(x, 1, 1.8), clamp(y, 0, 1)]
+      const to: [number, number] = [x < 1 + reach ? 1 : clamp(x, 1, 1.8), clamp(y, 0, 1)]
       world.clear(1, 0)
       world.addPolygon(1, 0, [[to[0] - 1, to[1]], [1, 0.2], [1, 0.8]], 2)
       return to

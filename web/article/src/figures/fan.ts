@@ -15,30 +15,34 @@ const near = 0.12 // radians: the hand stops this near
 const angleOf = ([x, y]: Point) => Math.atan2(y, x)
 
 export default function fan(element: HTMLElement): void {
-  const fig = new Figure(element, { x0: -2.2, y0: -1.3, x1: 2.2, y1: 1.3 }, 'Half-edges around a vertex')
+  const fig = new Figure(element, { x0: -2.2, y0: -1.3, x1: 2.2, y1: 1.3 }, 'Segments around a vertex')
   const world = createWorld()
   const wedges: Wedge[] = [
     { cell: [0, 0], ends: [[0.95, 0.15], [0.3, 0.95]] },
     { cell: [-1, 0], ends: [[-0.35, 0.9], [-0.95, 0.35]] },
     { cell: [-1, -1], ends: [[-0.9, -0.3], [-0.25, -0.95]] },
   ]
+  const middle = 1 // the wedge that can be taken away
+  let hasMiddle = true
   let chosen = 0 // of which wedge the incoming side is followed
   let hand = 0.5 // how far it has turned, in radians
   const layer = fig.layer()
   const build = () => {
     world.clear({ i0: -1, j0: -1, i1: 0, j1: 0 })
-    for (const { cell, ends } of wedges) {
+    for (const [w, { cell, ends }] of wedges.entries()) {
+      if (w === middle && !hasMiddle) continue
       const ring = [[0, 0] as Point, ...ends].map(([x, y]): Point => [x - cell[0], y - cell[1]])
       world.addPolygon(...cell, ring, 1)
     }
     world.commit()
   }
   build()
+  const ofMiddle: SVGGElement[] = []
   for (const [w, wedge] of wedges.entries()) {
     for (const side of [0, 1] as const) {
-      fig.handle({
+      const made = fig.handle({
         at: wedge.ends[side],
-        label: `Half-edge ${2 * w + side + 1}`,
+        label: `End ${2 * w + side + 1}`,
         step: 0.05,
         move(x, y) {
           const [i, j] = wedge.cell
@@ -50,6 +54,7 @@ export default function fan(element: HTMLElement): void {
           return wedge.ends[side]
         },
       })
+      if (w === middle) ofMiddle.push(made.element)
     }
   }
   const handle = fig.handle({
@@ -66,8 +71,15 @@ export default function fan(element: HTMLElement): void {
   })
   handle.element.classList.add('turner')
   fig.button('Next segment', () => {
-    chosen = (chosen + 1) % wedges.length
+    chosen = (chosen + (chosen + 1 === middle && !hasMiddle ? 2 : 1)) % wedges.length
     hand = 0.4
+    fig.redraw()
+  })
+  fig.toggle('The upper left wedge', hasMiddle, (isOn) => {
+    hasMiddle = isOn
+    for (const element of ofMiddle) element.style.display = isOn ? '' : 'none'
+    if (chosen === middle) chosen = 0
+    build()
     fig.redraw()
   })
   // The segment that comes in along the chosen wedge, and the one that the engine links to it.
@@ -102,7 +114,7 @@ export default function fan(element: HTMLElement): void {
     const degrees = Math.round((hand * 360) / turn)
     fig.say(
       isThere
-        ? `After ${degrees} degrees the hand meets the first half-edge that leaves the vertex. It is the successor: its far end is the ghost.`
+        ? `After ${degrees} degrees the hand meets the first segment that leaves the vertex. It is the successor: its far end is the ghost.`
         : `Turned by ${degrees} degrees. Nothing that leaves the vertex was met yet.`,
     )
   })

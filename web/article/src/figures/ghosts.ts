@@ -57,7 +57,7 @@ export default function ghosts(element: HTMLElement): void {
     const floor = segmentsOf(world).filter(({ start, end }) => start[1] === 1 && end[1] === 1)
     const under = floor.find(({ start, end }) => end[0] <= at[0] && at[0] <= start[0])!
     const parts: SVGElement[] = [...solids(world, 'ground tile')]
-    for (const segment of floor) parts.push(arrow(segment.id === under.id ? 'chosen' : 'segment', segment.start, segment.end, 10 * fig.pixel))
+    for (const segment of floor) parts.push(arrow(segment.id === under.id ? 'chosen' : 'segment', segment.start, segment.end, 10 * fig.pixel, 0, 0.85))
     if (isOn) {
       parts.push(path('whisker', [under.start, under.ghost1]), path('whisker', [under.end, under.ghost2]))
       parts.push(disc('ghostpoint', under.ghost1, 7 * fig.pixel), disc('ghostpoint', under.ghost2, 7 * fig.pixel))
@@ -71,7 +71,7 @@ export default function ghosts(element: HTMLElement): void {
       parts.push(arrow(kind, [x, y], [x + normal[0] * 0.9, y + normal[1] * 0.9], 12 * fig.pixel))
     }
     layer.replaceChildren(...parts)
-    const skew = skewed === 0 ? 'all straight up' : `${skewed} of them askew, against the side of a tile that nobody can touch`
+    const skew = skewed === 0 ? (found.length === 1 ? 'straight up' : 'all straight up') : `${skewed} of them askew, against the side of a tile that nobody can touch`
     fig.say(found.length === 0 ? 'The ball touches nothing.' : `The floor pushes ${counted(found.length, 'time')}, ${skew}.`)
   })
 }

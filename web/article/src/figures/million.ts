@@ -7,6 +7,7 @@ import { path, type Point, rect } from '../svg.js'
 const side = 1000 // cells
 const width = 18 // of the part that is shown, in cells
 const height = 9
+const radius = 0.7 // of the brush
 
 export default function million(element: HTMLElement): void {
   const fig = new Figure(element, { x0: 0, y0: 0, x1: width, y1: height }, 'A small part of a world of a million cells')
@@ -14,6 +15,7 @@ export default function million(element: HTMLElement): void {
   let world: World | null = null
   let at: Point = [490, 495]
   let touched: Point[] = []
+  let near: Point[] = [] // these and their neighbours
   let changed: { list: Seen[]; kind: string }[] = []
   let report = ''
 
@@ -28,7 +30,7 @@ export default function million(element: HTMLElement): void {
     const [x, y] = [at[0] + handle.at[0], at[1] + handle.at[1]]
     const before = new Map(segmentsAround(world, x, y).map((segment) => [segment.id, segment]))
     const start = performance.now()
-    world.carve(circle(x, y, 0.7, 16))
+    world.carve(circle(x, y, radius, 16))
     const changes = world.commit()
     const time = performance.now() - start
     const { removed, added, relinked } = changes
@@ -38,21 +40,25 @@ export default function million(element: HTMLElement): void {
       { list: seen(relinked), kind: 'relinked' },
     ]
     touched = []
-    for (let j = Math.floor(y - 0.7); j <= Math.floor(y + 0.7); ++j) {
-      for (let i = Math.floor(x - 0.7); i <= Math.floor(x + 0.7); ++i) touched.push([i, j])
+    for (let j = Math.floor(y - radius); j <= Math.floor(y + radius); ++j) {
+      for (let i = Math.floor(x - radius); i <= Math.floor(x + radius); ++i) {
+        const [dx, dy] = [x - clamp(x, i, i + 1), y - clamp(y, j, j + 1)] // from the nearest place of the cell
+        if (Math.hypot(dx, dy) < radius) touched.push([i, j])
+      }
     }
-    const near = new Set(touched.flatMap(([i, j]) => [-1, 0, 1].flatMap((dj) => [-1, 0, 1].map((di) => `${i + di} ${j + dj}`))))
+    const around = touched.flatMap(([i, j]) => [-1, 0, 1].flatMap((dj) => [-1, 0, 1].map((di): Point => [i + di, j + dj])))
+    near = [...new Map(around.map((cell) => [String(cell), cell])).values()]
     const cells = world.stats().cells
     const spent = time < 0.1 ? 'less than 0.1' : time.toFixed(1)
     report =
-      `The brush reached ${counted(touched.length, 'cell')}; with all their neighbours ${near.size}. The world has ${cells.toLocaleString('en')}. ` +
-      `${removed.length} segments removed, ${added.length} added, ${relinked.length} relinked, in ${spent} ms.`
+      `The brush reached ${counted(touched.length, 'cell')}; with all their neighbours ${near.length}. ${cells.toLocaleString('en')} cells of the world hold rock. ` +
+      `${removed.length} segments removed, ${added.length} added, ${relinked.length} with another ghost, in ${spent} ms.`
     fig.redraw()
   }
   fig.button('Dig here', dig)
   fig.button('Elsewhere', () => {
     at = [Math.floor(Math.random() * (side - width)), Math.floor(Math.random() * (side - height))]
-    touched = []
+    touched = near = []
     changed = []
     report = `Another place: columns ${at[0]} to ${at[0] + width}, rows ${at[1]} to ${at[1] + height}.`
     fig.redraw()
@@ -72,12 +78,12 @@ export default function million(element: HTMLElement): void {
       parts.push(path('ground', ring, true))
     }
     parts.push(...grid(0, 0, width, height))
-    for (const [i, j] of touched) parts.push(rect('near', ...shift([i - 1, j - 1]), ...shift([i + 2, j + 2])))
+    for (const [i, j] of near) parts.push(rect('near', ...shift([i, j]), ...shift([i + 1, j + 1])))
     for (const [i, j] of touched) parts.push(rect('own', ...shift([i, j]), ...shift([i + 1, j + 1])))
     for (const { start, end } of segmentsIn(world, cells)) parts.push(path('segment far', [shift(start), shift(end)]))
     for (const { list, kind } of changed) for (const { start, end } of list) parts.push(path(kind, [shift(start), shift(end)]))
     layer.replaceChildren(...parts)
-    fig.say(report || `${world.stats().cells.toLocaleString('en')} cells. Tap somewhere to dig.`)
+    fig.say(report || `${world.stats().cells.toLocaleString('en')} of a million cells hold rock. Tap somewhere to dig.`)
   }
   fig.draws(draw)
   // A tenth of a second of work, which waits until somebody comes near.

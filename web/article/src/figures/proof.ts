@@ -42,7 +42,8 @@ export default async function proof(element: HTMLElement): Promise<void> {
   }
   const show = async () => {
     const isSame = await check()
-    report = isSame ? `The same: ${counted(got.length, 'segment')}, with all their ghosts.` : 'They differ.'
+    const next = subject === planted ? ' Now test it.' : ''
+    report = isSame ? `The same: ${counted(got.length, 'segment')}, with all their ghosts.${next}` : 'They differ.'
     fig.redraw()
   }
   fig.handle({
@@ -106,12 +107,12 @@ export default async function proof(element: HTMLElement): Promise<void> {
 
   fig.draws(() => {
     const right = columns + gap
-    layer.replaceChildren(...picture(0, 'The reference', wanted, got), ...picture(right, 'The engine', got, wanted))
+    layer.replaceChildren(...picture(0, 'The reference', 'expected', wanted, got), ...picture(right, 'The engine', 'wrong', got, wanted))
     fig.say(report)
   })
   await show()
 
-  function picture(shift: number, title: string, own: readonly Edge[], other: readonly Edge[]): SVGElement[] {
+  function picture(shift: number, title: string, odd: string, own: readonly Edge[], other: readonly Edge[]): SVGElement[] {
     const move = ([x, y]: Point): Point => [x + shift, y]
     const keys = new Set(other.map(({ key }) => key))
     const parts: SVGElement[] = grid(0, 0, columns, rows).map((line) => {
@@ -120,7 +121,7 @@ export default async function proof(element: HTMLElement): Promise<void> {
     })
     for (const { i, j, ring } of placed) parts.push(path('ground', ring.map(([x, y]) => move([i + x, j + y])), true))
     for (const { start, end, key } of own) {
-      parts.push(arrow(keys.has(key) ? 'segment' : 'wrong', move(start), move(end), 8 * fig.pixel))
+      parts.push(arrow(keys.has(key) ? 'segment' : odd, move(start), move(end), 8 * fig.pixel))
       parts.push(disc('vertex', move(start), 2 * fig.pixel))
     }
     parts.push(words('label', [shift + columns / 2, rows + 0.2], 14 * fig.pixel, title))

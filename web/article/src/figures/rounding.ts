@@ -41,7 +41,7 @@ export default function rounding(element: HTMLElement): void {
     parts.push(...underLens(segments, vertex, exact, fig.pixel))
     layer.replaceChildren(...parts)
     world.free()
-    fig.say(`The exact crossing is ${Math.abs(off).toFixed(2)} units from the vertex that the brush made. Never is it more than one.`)
+    fig.say(`The exact crossing is ${Math.abs(off).toFixed(2)} units from the vertex that the brush made. It is never more than one.`)
   })
 }
 

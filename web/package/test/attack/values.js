@@ -90,6 +90,7 @@ const ofType = {
   TerrainOptions: [{}, { cellSize: 0.5, chunkCells: 1, origin: cells[1] }, { cellSize: 0 }, { cellSize: 1e9 }, { chunkCells: 4097 }, { origin: cells[3] }, { origin: cells[2] }, { onCaught: 'eat' },
     { material: () => null }, { material: mine }, { material: 7 }],
   Trace: [parseTrace(trace), { preserve: [[1, 2]], edits: [] }, { preserve: [7] }, { preserve: 7 }],
+  Uint8Array: (s) => [s.chunk, s.chunk.slice(0, -1), s.saved, ...Array.from({ length: 40 }, (_, k) => s.chunk.map((byte, n) => (n === (7 * k) % s.chunk.length ? byte ^ 129 : byte)))],
   'Uint8Array | string': (s) => [s.saved, s.saved.slice(0, -1), s.savedText, 'AAAA', 'ä', ...Array.from({ length: 40 }, (_, k) => s.saved.map((byte, n) => (n === (7 * k) % s.saved.length ? byte ^ 129 : byte)))],
   Vertices: rings,
   World: (s) => [s.world, s.other.world, s.freed],
@@ -139,6 +140,10 @@ export class Scene {
     this.savedText = world.saveText()
     this.freed = createWorld()
     this.freed.free()
+    const far = createWorld()
+    far.fill({ i0: 64, j0: 64, i1: 70, j1: 64 }, far.shape(ramp), 5)
+    this.chunk = far.unload({ i0: 64, j0: 64, i1: 95, j1: 95 })[0].bytes
+    far.free()
     const other = createWorld(), polygon = other.addPolygon(-40, 77, square, 9)
     this.other = { world: other, polygon, changes: other.commit().copy() }
     world.add(0, 2, this.ramp, 2)

@@ -78,7 +78,7 @@ enum {
   LGS_SHORT_BUFFER = 101, /* there is more than the buffer has room for */
   /* A saved world is refused: lgs_error has the offset of the byte at which that was noticed. */
   LGS_SAVE_NO_SNAPSHOT = 200,     /* it does not begin as one */
-  LGS_SAVE_UNKNOWN_VERSION = 201, /* it was written by a newer version of this library */
+  LGS_SAVE_UNKNOWN_VERSION = 201, /* it has a version of the format that this library does not know */
   LGS_SAVE_CUT = 202,             /* it ends too early */
   LGS_SAVE_DAMAGED = 203,         /* its checksum does not fit */
   LGS_SAVE_TOO_LONG = 204,        /* bytes follow its end */
@@ -201,7 +201,8 @@ typedef struct lgs_error {
   int32_t index;          /* a call that takes many: index of the one that is refused */
   uint64_t offset;        /* a saved world: the byte */
   int32_t index2;         /* a call that takes many: index of the other one involved. It placed the other polygon, which
-                             is undone, so that `other` is null; or it has the same handle. */
+                             is undone, so that `other` is null; or it has the same handle. LGS_SAVE_UNKNOWN_VERSION:
+                             `index` is the version of the format, and this the newest that is read. */
   uint32_t reserved[3];   /* 0 */
 } lgs_error;
 

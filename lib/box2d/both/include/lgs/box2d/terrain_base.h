@@ -10,6 +10,7 @@
 #include <concepts>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace lgs::box2d {
@@ -82,7 +83,8 @@ class TerrainBase {
   /// The bodies that these changes would catch. Ask after a commit or roll-back and before its sync(): so the game can
   /// roll back, or leave the rest to sync(). A body is caught if its middle was free and is in the solid, or if a new
   /// edge reaches deeper than half way to its middle. Of a body of several shapes each has a middle: the one by which
-  /// Box2D judges on which side of an edge it is. Sensors, bodies that are not dynamic or not enabled, and shapes
+  /// Box2D judges on which side of an edge it is. A middle is free if latticePoint() of it is in no polygon and on no
+  /// edge of one: on an edge counts as in the solid, as there rounding decides on which side Box2D sees it. Sensors, bodies that are not dynamic or not enabled, and shapes
   /// whose filter lets them through the block do not count. Nothing, if sync() would refuse the changes. Cost: the
   /// number of changes, for each body in the box around them; and up to some milliseconds for one that has no way out.
   std::vector<Caught> caughtBy(const Changes& changes);
@@ -156,11 +158,12 @@ class TerrainBase {
   std::vector<BodyHandle> bodiesIn(Cell cell) const { return bodiesInRect({cell, cell}); }  ///< the same for one cell
 
   /// Makes the corner of another cell (0, 0) of the physics world, for a world that keeps its origin near the player.
-  /// Moves the terrain's bodies, and no others. In Box2D 2.4 the game calls, before it,
+  /// Moves the terrain's bodies. In Box2D 2.4 the game moves its own before it:
   ///
   ///   physics.ShiftOrigin(terrain.position(lgs::toWorld(cell, {})));
   ///
-  /// In Box2D 3 it moves its own bodies, by the place that the corner had before. Cost: in proportion to the shapes.
+  /// In Box2D 3 it moves each of them, by the place that the corner had before. Where that rounded a middle into the
+  /// ground, the body is moved on by some units. Cost: in proportion to the shapes and to the bodies.
   void moveOrigin(Cell origin);
 
   /// The edges behind the shapes: counts, ends, ghosts. The user data of a shape are its EdgeId. The terrain needs
@@ -201,6 +204,9 @@ class TerrainBase {
   bool release(BodyHandle body, const Box& changed);
   void push(BodyHandle body, b2Vec2 way);
   bool isFree(ConstBodyHandle body, const Pose& at);
+  std::optional<Pose> freeNear(ConstBodyHandle body, const Pose& at);
+  bool returnTo(BodyHandle body, const Footing& last);
+  void afterRounding();
   bool hasCrossed(ConstBodyHandle body, const Footing& last);
   void noteAll();
   void note(ConstBodyHandle body);
@@ -209,7 +215,10 @@ class TerrainBase {
   void create(EdgeId id);
   void destroy(EdgeId id);
   void remake(EdgeId id);
-  void wakeAround(EdgeId id);
+  void wakeAround(const EdgeChanges& changes);
+  void wakeAround(std::span<const EdgeId> ids);
+  template <class Call>
+  void forEachBodyAround(std::span<const EdgeId> ids, const Call& call);
   LocalEdge localEdge(EdgeId id) const;
   Position positionOf(std::uint32_t chunk) const;
 

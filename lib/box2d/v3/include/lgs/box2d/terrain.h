@@ -37,8 +37,9 @@ using Precision = std::conditional_t<std::is_same_v<decltype(Position::x), float
 /// most of what it can do.
 class Terrain : public TerrainBase {
  public:
-  /// Makes the terrain of what the world held at its last commit. Both worlds must outlive it, and `world` must stay
-  /// where it is; resync() if it is assigned to. Cost: O(segments).
+  /// Makes the terrain of what the world held at its last commit. `world` must outlive it and stay where it is; resync()
+  /// if it is assigned to. When the physics world is destroyed, nothing but the terrain's destructor may be called.
+  /// Cost: O(segments).
   Terrain(b2WorldId physics, const World& world, TerrainOptions options = {}, Precision = {});
 
   using TerrainBase::fits;

@@ -1,0 +1,144 @@
+// Chunks that leave memory and come back: a world beside one that is whole shows, answers and tells the same.
+import assert from 'node:assert/strict'
+import { before, test } from 'node:test'
+import fc from 'fast-check'
+import { createWorld, init, Islands, LgsError, unitSquare } from '../dist/islands.js'
+
+before(() => init())
+
+const chunkAt = (i, j) => ({ i0: 32 * i, j0: 32 * j, i1: 32 * i + 31, j1: 32 * j + 31 })
+const everywhere = { i0: -(2 ** 30), j0: -(2 ** 30), i1: 2 ** 30, j1: 2 ** 30 }
+const refuses = (code, call, details = {}) =>
+  assert.throws(call, (error) => {
+    assert.ok(error instanceof LgsError, String(error))
+    assert.equal(error.code, code)
+    for (const [name, value] of Object.entries(details)) assert.deepEqual(error[name], value)
+    return true
+  })
+const shapes = [unitSquare, [0, 0, 1, 0, 1, 1], [0, 0, 1, 0, 0, 1], [0.25, 0, 0.75, 0, 1, 0.5, 0.5, 1, 0, 0.5]]
+
+/** Segments without ids, as text. */
+function shown(world, isHere) {
+  const lines = []
+  for (const { start, end, ghost1, ghost2, block, polygon, i, j } of world.segments())
+    if (isHere(i, j)) lines.push(JSON.stringify([start, end, ghost1, ghost2, block, polygon]))
+  return lines.sort()
+}
+
+test('what is loaded shows, reads and answers what it does in the whole world', () => {
+  const near = fc.integer({ min: -3, max: 3 }).chain((d) => fc.constantFrom(-32, 0, 32).map((border) => border + d))
+  const edit = fc.record({ what: fc.nat(9), i: near, j: near, shape: fc.nat(3), block: fc.nat(2), ci: fc.integer({ min: -2, max: 1 }), cj: fc.integer({ min: -2, max: 1 }) })
+  const holds = (edits) => {
+    const part = createWorld(), whole = createWorld()
+    const ids = shapes.map((shape) => [part, whole].map((world) => world.shape(shape))[0])
+    const away = new Map()
+    const isHere = (i, j) => !away.has(`${i >> 5},${j >> 5}`)
+    for (const { what, i, j, shape, block, ci, cj } of edits) {
+      if (what < 6 && isHere(i, j)) {
+        for (const world of [part, whole]) what < 5 ? world.replace(i, j, ids[shape], block) : world.clear(i, j)
+      } else if (what < 6) {
+        refuses('unloaded', () => part.add(i, j, ids[0], 1), { cell: { i, j } })
+      } else if (what < 8) {
+        const key = `${ci},${cj}`
+        if (away.has(key)) {
+          assert.deepEqual(part.reload(away.get(key)), { i: 32 * ci, j: 32 * cj })
+          away.delete(key)
+        } else {
+          for (const { i: x, j: y, bytes } of part.unload(chunkAt(ci, cj))) {
+            assert.deepEqual([x, y], [32 * ci, 32 * cj])
+            away.set(key, bytes)
+          }
+        }
+      } else {
+        for (const world of [part, whole]) world.commit()
+        assert.deepEqual(shown(part, isHere), shown(whole, isHere))
+        assert.ok([...part.segments()].every(({ i: x, j: y }) => isHere(x, y)))
+        assert.deepEqual(part.polygons(), whole.polygons().filter(({ i: x, j: y }) => isHere(x, y)))
+        const first = part.firstUnloaded(chunkAt(ci, cj))
+        assert.deepEqual(first, away.has(`${ci},${cj}`) ? { i: 32 * ci, j: 32 * cj } : null)
+        assert.equal(part.at(i + 0.5, j + 0.4).where, isHere(i, j) ? whole.at(i + 0.5, j + 0.4).where : 'unloaded')
+      }
+    }
+    for (const bytes of away.values()) part.reload(bytes)
+    for (const world of [part, whole]) world.commit()
+    assert.deepEqual(shown(part, () => true), shown(whole, () => true))
+  }
+  fc.assert(fc.property(fc.array(edit, { minLength: 5, maxLength: 60 }), holds), { numRuns: 60, seed: 39 })
+})
+
+test('handles are refused while their chunk is away, and valid again', () => {
+  const world = createWorld()
+  const square = world.shape(unitSquare), here = world.add(40, 3, square, 1), away = world.add(31, 3, square, 2)
+  world.commit()
+  const [{ bytes }] = world.unload(chunkAt(0, 0))
+  const { removed, added } = world.commit()
+  assert.deepEqual([removed.length, added.length], [4, 0])
+  for (const call of [(id) => world.remove(id), (id) => world.polygon(id), (id) => world.setBlock(id, 3), (id) => world.removeMany([id])])
+    refuses('unloaded', () => call(away), { other: away })
+  assert.equal(world.polygon(here).block, 1)
+  for (const call of [() => world.fill({ i0: 30, j0: 0, i1: 33, j1: 0 }, square, 1), () => world.clear(31, 3), () => world.carve({ rings: [[30, 2, 34, 2, 34, 5]] }),
+    () => world.nearest(20, 3, 9), () => world.rayCast(39, 3.5, 10, 3.5)])
+    refuses('unloaded', call)
+  refuses('unloaded', () => world.save())
+  assert.equal(world.polygonsAt(31, 3).length, 0)
+  refuses('damaged', () => world.reload(bytes.map((byte, k) => (k === 9 ? byte ^ 1 : byte))))
+  refuses('cut', () => world.reload(bytes.subarray(0, 6)))
+  refuses('not-a-snapshot', () => world.reload(new Uint8Array(40)))
+  assert.deepEqual(world.reload(bytes), { i: 0, j: 0 })
+  refuses('loaded', () => world.reload(bytes))
+  assert.equal(world.polygon(away).block, 2)
+  world.setBlock(away, 7)
+  world.unload(chunkAt(0, 0))
+  refuses('other-bytes', () => world.reload(bytes))
+  assert.equal(world.reloadEmpty(everywhere), 1)
+  refuses('stale-handle', () => world.remove(away), { other: away })
+  world.commit()
+  assert.equal(world.firstUnloaded(everywhere), null)
+  assert.equal(world.segments().length, 4)
+})
+
+test('a ray says unloaded only where it would have to look there', () => {
+  const world = createWorld()
+  world.fill({ i0: 0, j0: 0, i1: 95, j1: 0 }, world.shape(unitSquare), 1)
+  world.commit()
+  world.unload(chunkAt(1, 0))
+  world.commit()
+  assert.ok(world.rayCast(5.5, 9, 5.5, -3))
+  refuses('unloaded', () => world.rayCast(5.5, 9, 60.5, 9))
+  refuses('unloaded', () => world.nearest(40.5, 1.5, 3))
+  assert.equal(world.nearest(5.5, 1.5, 3).distance, 0.5)
+})
+
+test('there are no islands where a chunk is away', () => {
+  const world = createWorld()
+  world.fill({ i0: 0, j0: 0, i1: 40, j1: 40 }, world.shape(unitSquare), 1)
+  world.commit()
+  const islands = new Islands(world)
+  const [{ bytes }] = world.unload(chunkAt(0, 0))
+  const changes = world.commit()
+  refuses('left-out', () => islands.update(changes))
+  refuses('unloaded', () => new Islands(world))
+  world.reload(bytes)
+  world.commit()
+  const again = new Islands(world)
+  assert.equal(again.all().length, 1)
+  for (const view of [islands, again]) view.free()
+})
+
+test('memory goes down when chunks leave, and stays down', () => {
+  const world = createWorld()
+  world.fill({ i0: 0, j0: 0, i1: 255, j1: 255 }, world.shape(shapes[3]), 1)
+  world.commit()
+  let full = world.stats().bytes, left = 0
+  for (let k = 0; k < 20; ++k) {
+    const chunks = world.unload({ i0: 0, j0: 32, i1: 255, j1: 255 })
+    assert.equal(chunks.length, 56)
+    world.commit()
+    if (k === 1) left = world.stats().bytes
+    assert.ok(world.stats().bytes < full - 4e6, `${world.stats().bytes} of ${full} bytes: a segment takes 28`)
+    if (k > 1) assert.equal(world.stats().bytes, left)
+    for (const { bytes } of chunks) world.reload(bytes)
+    world.commit()
+    full = world.stats().bytes  // with the lists of changes, which are as long as they ever were
+  }
+})
