@@ -1,4 +1,5 @@
 // What a stroke costs: memory, and work in cells with very much in them.
+#include "cell_edit.h"
 #include "cells.h"
 #include "proptests/brush/strokes.h"
 #include "proptests/laws/allocations.h"

@@ -142,6 +142,20 @@ TEST(BrushStayingByHand, OreAndBedrockKeepTheirHandles) {
   EXPECT_EQ(world.at({2 * kCellUnits + 3 * kCellUnits / 4, kCellUnits / 4}).block, 4U);
 }
 
+TEST(BrushStayingByHand, OreStaysWhereALargeStrokeCoversManyCellsAtOnce) {
+  World world;
+  std::vector<PolygonHandle> ores;
+  for (std::int32_t k = 0; k < 16; ++k) {
+    ores.push_back(*world.add({k, k}, kUnitSquare, 9));
+    ASSERT_TRUE(world.add({k, 15 - k}, kUnitSquare, 1));
+  }
+  const Region blast = rect({-5, -5}, {16 * kCellUnits + 5, 16 * kCellUnits + 5});
+  const auto done = carve(world, blast, [](Block block) { return block == 9; });
+  ASSERT_TRUE(done);
+  EXPECT_EQ(done->went.size(), 16U);
+  for (const PolygonHandle ore : ores) EXPECT_TRUE(world.polygon(ore));
+}
+
 TEST(BrushStayingByHand, AFullCellThatStaysIsNotCut) {
   World world;
   const PolygonHandle bedrock = *world.add({0, 0}, kUnitSquare, 9);
