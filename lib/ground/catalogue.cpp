@@ -144,8 +144,8 @@ Error Catalogue::overlapAmong(std::span<const PolygonId> polygons) const {
 }
 
 void Catalogue::collect() {
-  // Looking through the catalogue is worth it once a quarter has no users. That share hardly passes a half, since
-  // contents without users still use their polygons.
+  // Looking through the catalogue is worth it once an eighth has no users: marks keep contents, and more would wait.
+  // That share hardly passes a half, since contents without users still use their polygons.
   if (unused_ < 1024 || 8 * unused_ < contents_.size() + polygons_.size()) return;
   for (ContentId id = 1; id < contents_.size(); ++id)
     if (uses_[id].users == 0 && contents_[id]) forgetContent(id);

@@ -244,12 +244,12 @@ TEST(Catalogue, ForgetsOnceAndNeverWhatIsUsed) {
     fresh.commit();
     ASSERT_EQ(oracle::outlineOf(world), oracle::outlineOf(fresh));
   };
-  put(0, 3000);
+  put(0, 5000);
   take(0, 1200);  // more than a thousand unused, but not enough of all
-  put(3000, 3001);
-  EXPECT_GT(world.stats().contents, 3000U);
-  take(1200, 2900);  // forgotten with the next edit
-  put(3001, 3010);
+  put(5000, 5001);
+  EXPECT_GT(world.stats().contents, 5000U);
+  take(1200, 4900);  // forgotten with the next edit
+  put(5001, 5010);
   EXPECT_LT(world.stats().contents, 200U);
   expectRight();
   put(8000, 10'000);
@@ -258,7 +258,7 @@ TEST(Catalogue, ForgetsOnceAndNeverWhatIsUsed) {
   EXPECT_LT(world.stats().contents, 200U);
   put(3010, 4700);
   take(3100, 4700);  // forgotten too, while there are free places left of the first time
-  put(4700, 8000);
+  put(5010, 8000);
   expectRight();
 }
 
