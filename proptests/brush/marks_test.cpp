@@ -28,7 +28,7 @@ class Digging {
 
   void stroke() {
     marks.push_back(marked.checkpoint());
-    DoublePoint at{random_.between(10, 110), random_.between(10, 58)};
+    DoublePoint at{1.0 * random_.between(10, 110), 1.0 * random_.between(10, 58)};
     const DoublePoint step{random_.between(-100, 100) / 250.0, random_.between(-100, 100) / 250.0};
     const bool paints = random_.chance(33);
     for (int k = 0; k < kCircles; ++k) {

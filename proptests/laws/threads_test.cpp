@@ -136,7 +136,8 @@ rc::Gen<Steps> anySteps() {
     std::vector<Step> list;
     for (int k = random.below(2 + size / 10); k > 0; --k) list.push_back(anyStep(random));
     return rc::shrinkable::map(
-        rc::shrinkable::shrinkRecur(std::move(list), rc::shrink::removeChunks<std::vector<Step>>),
+        rc::shrinkable::shrinkRecur(std::move(list),
+                                    [](const std::vector<Step>& all) { return rc::shrink::removeChunks(all); }),
         [](std::vector<Step>&& shorter) { return Steps{std::move(shorter)}; });
   };
 }
