@@ -54,7 +54,7 @@ class Check {
     while (const auto row = rows_.next(calls())) {
       edits_ = row->end;
       if (row->isCommit()) {
-        own_.useExecutor(row->way.number);
+        if (library_ != nullptr) library_->useExecutor(row->way.number);
         if (auto found = commit()) return found;
         if (stopped_) return std::nullopt;
       } else {
@@ -75,7 +75,7 @@ class Check {
   }
 
   void addDetours() {
-    for (std::size_t k = 0; k < kDetours; ++k) stats_.detours[k] += own_.detours()[k];
+    for (std::size_t k = 0; library_ != nullptr && k < kDetours; ++k) stats_.detours[k] += library_->detours()[k];
   }
 
  private:
