@@ -12,6 +12,7 @@ namespace {
 /// A set of numbers.
 class NumberSet {
  public:
+  explicit NumberSet(const Ground& ground) : index_(&ground) {}
   bool contains(std::uint32_t number) const {
     return index_.find(hashOf(number), [&](std::uint32_t other) { return other == number; }) != HashIndex::kNone;
   }
@@ -263,7 +264,7 @@ void Ground::forgetUndone() {
 /// Tells followers what changed between two commits, of which these are the notes. The ground is as of the later one.
 /// The first note of a cell says what it held at the earlier one. Of a chunk that is, or was, unloaded nothing is told.
 void Ground::tell(std::uint64_t begin, std::uint64_t end, Way way) {
-  NumberSet told, turned;
+  NumberSet told(*this), turned(*this);
   for (std::uint64_t k = begin; k < end; ++k)
     if (const Note& note = notes_[static_cast<std::size_t>(k - forgotten_)];
         note.of == Note::Of::turn && !turned.insert(note.ref))
@@ -288,7 +289,7 @@ void Ground::tell(std::uint64_t begin, std::uint64_t end, Way way) {
 
 std::vector<Cell> Ground::editedSince(const Moment& moment) const {
   std::vector<Cell> cells;
-  NumberSet known;
+  NumberSet known(*this);
   for (std::uint64_t k = moment.notes; k < noteCount(); ++k) {
     const Note& note = notes_[static_cast<std::size_t>(k - forgotten_)];
     if (note.isOfCell() && known.insert(note.ref)) cells.push_back(grid.cellOf(note.ref));

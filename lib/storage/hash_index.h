@@ -27,7 +27,9 @@ std::uint64_t anySeed(const void* where);
 
 class HashIndex {
  public:
-  HashIndex() : seed_(anySeed(this)) {}
+  HashIndex() : HashIndex(this) {}
+  /// `where` is an object that is there already: of an index on the stack compilers think that it is read.
+  explicit HashIndex(const void* where) : seed_(anySeed(where)) {}
 
   /// What the hashes of this index begin with. A copy has the same.
   std::uint64_t seed() const { return seed_; }
