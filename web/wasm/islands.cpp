@@ -107,9 +107,8 @@ LGS_EXPORT("islands") Followed* islands(Bridge* bridge, std::size_t numbers) {
 LGS_EXPORT("freeIslands") void freeIslands(Followed* followed) { delete followed; }
 
 LGS_EXPORT("updateIslands") std::int32_t updateIslands(Followed* followed, const Bridge* bridge) {
-  return followed->follow(*bridge, [&] {
-    return !firstUnloaded(bridge->world) && followed->islands.update(bridge->world, *bridge->last);
-  });
+  return followed->follow(
+      *bridge, [&] { return !firstUnloaded(bridge->world) && followed->islands.update(bridge->world, *bridge->last); });
 }
 LGS_EXPORT("areIslandsOfNow") std::int32_t areIslandsOfNow(const Followed* followed, const Bridge* bridge) {
   return followed->isOfNow(*bridge);
