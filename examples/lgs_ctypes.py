@@ -1,6 +1,6 @@
 """LocalGridSeg for Python, by ctypes: what a game needs of lgs/lgs.h, to use as it is or to carry on from.
 
-    world = World("liblgs.so.0.2")
+    world = World("liblgs.so.0.3")
     square = world.shape([(0, 0), (65536, 0), (65536, 65536), (0, 65536)])
     floor = world.add((3, 4), square, block=7)
     removed, added, relinked = world.commit()

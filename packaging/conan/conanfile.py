@@ -11,7 +11,7 @@ COMPONENTS = ["c", "brush", "debug", "pieces", "views", "falling", "tiled", "box
 
 class LocalGridSeg(ConanFile):
     name = "localgridseg"
-    version = "0.2.0"
+    version = "0.3.0"
     license = "MIT"
     description = "Boundary segments and ghost vertices of an editable grid of polygons, at the cost of the edit"
     topics = ("game-development", "geometry", "box2d", "tiled")

@@ -16,7 +16,7 @@ struct Version {
 };
 
 /// The version of these headers.
-inline constexpr Version kVersion{0, 2, 0};
+inline constexpr Version kVersion{0, 3, 0};
 
 /// The version of the library that the program runs with. A shared library may be newer than the headers that the
 /// program was compiled with.
