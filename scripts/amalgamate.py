@@ -33,8 +33,9 @@ class Writer:
         if path in self.done:
             return
         self.done.add(path)
-        body = []
+        body, conditions = [], 0
         for line in path.read_text(encoding="utf-8").splitlines():
+            conditions += line.startswith("#if") - line.startswith("#endif")
             include = INCLUDE.match(line)
             if include is None:
                 if line != "#pragma once":
@@ -43,6 +44,8 @@ class Writer:
             found = self.resolve(include[2], path)
             if found is not None:
                 self.add(found)
+            elif include[1] == "<" and conditions != 0:
+                body.append(line)  # it is for some systems only
             elif include[1] == "<":
                 self.include_once(line)
             else:

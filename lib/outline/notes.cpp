@@ -161,7 +161,7 @@ void Outline::goBack(const Grid& grid, std::uint64_t moment, std::uint64_t versi
 void Outline::goForward(const Grid& grid, std::uint64_t moment, std::uint64_t version, Changes& changes) {
   closeNote();
   std::vector<std::uint32_t> ids;
-  for (std::uint64_t k = 0; k < moment - now(); ++k) undone_[undone_.size() - 1 - k].note.addTo(ids);
+  for (std::size_t k = 0; k < moment - now(); ++k) undone_[undone_.size() - 1 - k].note.addTo(ids);
   go(grid, std::move(ids), version, changes, [&] {
     for (; now() < moment; undone_.pop_back()) redo(grid, undone_.back());
   });
