@@ -56,6 +56,8 @@ def complaints():
         ("lgs/version.h has the version of CMakeLists.txt",
          f"kVersion{{{version.replace('.', ', ')}}};" in text("lib/include/lgs/version.h")),
         (f"{', '.join(ASKING)} ask for {version.rpartition('.')[0]}", asked == {version.rpartition(".")[0]}),
+        ("lgs/c/values.h has the version of CMakeLists.txt",
+         version == ".".join(re.findall(r"#define LGS_VERSION_\w+ (\d+)", text("lib/c/include/lgs/c/values.h")))),
         ("README.md has the version of CMakeLists.txt", f"| version | {version};" in text("README.md")),
         ("vcpkg.json has the version of CMakeLists.txt", port["version-semver"] == version),
         ("conanfile.py has the version of CMakeLists.txt", conan["version"] == version),

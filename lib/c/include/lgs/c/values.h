@@ -30,7 +30,7 @@ extern "C" {
 
 /* Of this header. lgs_version() has that of the library. */
 #define LGS_VERSION_MAJOR 0
-#define LGS_VERSION_MINOR 2 /* of this header */
+#define LGS_VERSION_MINOR 3 /* of this header */
 #define LGS_VERSION_PATCH 0 /* of this header */
 
 /* --- Limits and units -------------------------------------------------------------------------------------------- */
