@@ -9,6 +9,9 @@ void SegmentPool::addPage() {
   if (top_ / kPage < pages_.size()) return bringBack(top_ / kPage);  // it is still there, after putBack()
   if (top_ > kMaxSegment) std::abort();  // with 56 GiB of segments, as if memory had run out
   pages_.add();
+  if (top_ != kNoSegment) return;
+  pages_[0][kNoSegment] = SegmentRecord{};  // so that a dangling link, should there ever be one, can be followed
+  ++top_;
 }
 
 void SegmentPool::bringBack(std::size_t page) {
@@ -20,7 +23,7 @@ void SegmentPool::giveBackPages(std::size_t live) {
   dead_ = std::min(dead_, dead);
   if (dead < there / 2 || dead - dead_ < there / 8) return;
   std::vector<std::size_t> gone;
-  for (std::size_t k = 1; k < (top_ - 1) / kPage; ++k)
+  for (std::size_t k = 1; k < maxId() / kPage; ++k)
     if (pages_.has(k) && std::ranges::all_of(pages_[k], [](const SegmentRecord& s) { return s.cellRef == 0; }))
       gone.push_back(k);
   pages_.giveBack(gone);

@@ -58,11 +58,6 @@ inline SegmentRecord newSegment(std::uint32_t cellRef, const PackedEnds& ends, P
 
 class SegmentPool {
  public:
-  SegmentPool() {
-    const std::uint32_t none = take();
-    (*this)[none] = SegmentRecord{};  // so that a dangling link, should there ever be one, can be followed
-  }
-
   SegmentRecord& operator[](std::uint32_t id) { return pages_[id / kPage][id % kPage]; }
   const SegmentRecord& operator[](std::uint32_t id) const { return pages_[id / kPage][id % kPage]; }
 
@@ -94,12 +89,13 @@ class SegmentPool {
 
   /// Gives a new pool `count` ids. None is alive; those in `free` can be taken.
   void reset(std::uint32_t count, std::vector<std::uint32_t> free) {
-    while (top_ <= count) (*this)[take()].cellRef = 0;
+    while (maxId() < count) (*this)[take()].cellRef = 0;
     free_ = std::move(free);
   }
 
   /// For tests of the limit, in a pool that is as new: its first pages count as given out, and are not there.
   void passOver(std::uint32_t pages) {
+    addPage();
     pages_.passOver(pages);
     top_ = static_cast<std::uint32_t>(pages_.size()) * kPage;
   }
@@ -111,8 +107,8 @@ class SegmentPool {
   /// called after many went, while nobody notes segments. Cost: O(1) for each that went, amortised.
   void giveBackPages(std::size_t live);
   /// Whether every id is available: no segment is alive, and none was removed without being recycled.
-  bool isEmpty() const { return free_.size() == top_ - 1; }
-  std::uint32_t maxId() const { return top_ - 1; }
+  bool isEmpty() const { return free_.size() == maxId(); }
+  std::uint32_t maxId() const { return top_ == 0 ? 0 : top_ - 1; }
   std::uint64_t bytes() const { return pages_.bytes() + free_.capacity() * sizeof free_[0]; }
 
  private:
@@ -129,7 +125,7 @@ class SegmentPool {
   Pages<Page> pages_;
   std::size_t dead_ = 0;  ///< records without a segment, when pages were last given back
   std::vector<std::uint32_t> free_;
-  std::uint32_t top_ = 0;  // 0 names no segment
+  std::uint32_t top_ = 0;  ///< one more than the greatest id; 0 until the first page is made
 };
 
 }  // namespace lgs::detail

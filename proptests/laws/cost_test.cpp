@@ -40,6 +40,12 @@ TEST(Memory, ABuriedFullCellCostsAtMostEightBytes) {
   expectHonestStats(m);
 }
 
+TEST(Memory, OfAnEmptyWorldIsSmall) {
+  Measured m;
+  EXPECT_LT(m.bytes(), 12'000) << "a server keeps a thousand of them";
+  EXPECT_LT(World(m.world).stats().bytes, 12'000U) << "a copy, too";
+}
+
 TEST(Memory, GrowsWithWhatIsThere) {
   Measured m;
   const ShapeId square = shapeOf(m.world, {unitSquare()}), diamond = shapeOf(m.world, shapeNamed("diamond"));

@@ -18,7 +18,11 @@ struct Blocks {
   std::size_t current = 0;  ///< the one that memory is taken from
   std::size_t frames = 0;
 };
+#if defined(__wasm__) && !defined(_REENTRANT)
+Blocks ofThread;  // there is one thread, and nobody can be asked to tell of its end
+#else
 thread_local Blocks ofThread;
+#endif
 
 }  // namespace
 
