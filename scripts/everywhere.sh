@@ -34,7 +34,7 @@ native|Linux x86-64|g++-12|-O3 -march=x86-64-v3 (FMA)|FLAGS=-march=x86-64-v3
 lto|Linux x86-64|g++-12|-O3 -flto|-DCMAKE_INTERPROCEDURAL_OPTIMIZATION=ON
 debug-stl|Linux x86-64|g++-12|-O1 -D_GLIBCXX_DEBUG, assertions|-DCMAKE_CXX_FLAGS_RELEASE=-O1;FLAGS=-D_GLIBCXX_DEBUG
 ms-layout|Linux x86-64|g++-12|-O3 -mms-bitfields -fms-extensions|FLAGS=-mms-bitfields -fms-extensions
-small|Linux x86-64|g++-12|-O3 -DLGS_SMALL_CODE|FLAGS=-DLGS_SMALL_CODE
+small|Linux x86-64|g++-12|-O3 -DLGS_SMALL_CODE|FLAGS=-DLGS_SMALL_CODE;-DCMAKE_C_FLAGS=-DLGS_SMALL_CODE
 '
 packages=(
   g++-12 clang-14 clang-19 libc++-19-dev libc++abi-19-dev g++-i686-linux-gnu

@@ -95,7 +95,10 @@ static void commits(void) {
   squareOf(other);
   CHECK(lgs_fill(world, rectOf(0, 0, 99, 0), square, 1, NULL, NULL) == LGS_OK);
   CHECK(lgs_fill(other, rectOf(0, 0, 99, 0), square, 1, NULL, NULL) == LGS_OK);
-  CHECK(lgs_commit_with(world, backwards, &jobs, &changes) == LGS_OK && jobs > 0);
+  CHECK(lgs_commit_with(world, backwards, &jobs, &changes) == LGS_OK);
+#ifndef LGS_SMALL_CODE /* which has no threads */
+  CHECK(jobs > 0);
+#endif
   CHECK(lgs_commit(other, &expected) == LGS_OK && expected.added_count == 202 && changes.added_count == 202);
   for (k = 0; k < 202; ++k) CHECK(changes.added[k].value == expected.added[k].value);
   CHECK(changes.removed_count == 0 && changes.relinked_count == 0);
