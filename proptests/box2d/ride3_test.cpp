@@ -1,5 +1,5 @@
 // Rides in Box2D 3: the floor and the map are as smooth as chains built from CGAL's union of the whole world. The
-// control is a shape for each polygon. docs/box2d.md says what is not tested here, and why.
+// control is a shape for each polygon. docs/reports/box2d.md says what is not tested here, and why.
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/reference/canonical.h"
 

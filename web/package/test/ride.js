@@ -1,5 +1,5 @@
 // A body rides over the ground, and kicks are counted: pushes in a direction that the ground does not have there
-// (docs/box2d.md, The ride). For planck.
+// (docs/reports/box2d.md, The ride). For planck.
 const near = 0.06 // metres
 const leastKick = 0.01 // metres a second
 const degree = Math.PI / 180

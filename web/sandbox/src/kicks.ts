@@ -1,4 +1,4 @@
-// Counts kicks: pushes in a direction that the ground does not have there (docs/box2d.md, The ride).
+// Counts kicks: pushes in a direction that the ground does not have there (docs/reports/box2d.md, The ride).
 import {
   type Contact,
   type ContactImpulse,
