@@ -101,7 +101,7 @@ def totals(root):
     return table(["what there is", "how many"], [
         ["laws, all of them tested on random cases", len(laws(root))],
         ["calls that mean the same edit (*doors*), all tested alike", doors(root)],
-        ["planted bugs, each of which a test must find; tried, and found",
+        ["planted bugs, each of which a test must find; run, and found",
          f"{sum(map(len, planted(root).values()))}; {found(root)}"],
         ["fuzz targets; traces that once showed a bug", f"{len(fuzz_targets(root))}; {regressions(root)}"],
         ["systems, compilers and options that must give the same ids", len(platforms(root))],
