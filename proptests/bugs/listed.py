@@ -1,5 +1,6 @@
 """The list of planted bugs: the *.toml files beside this one, one to each law or part of the project."""
 
+import re
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
@@ -42,8 +43,17 @@ def read_list() -> tuple[dict[str, Group], list[Bug]]:
     return groups, bugs
 
 
-def faults(bugs: list[Bug]) -> list[str]:
-    found = []
+def tests_there() -> list[str]:
+    """Names of tests as they stand in the sources."""
+    names = re.compile(r"^(?:TEST|TEST_F|TEST_P|LGS_LAW)\((\w+),\s*(\w+)", re.M)
+    return [f"{suite}.{name}" for path in (ROOT / "proptests").rglob("*.cpp")
+            for suite, name in names.findall(path.read_text())]
+
+
+def faults(groups: dict[str, Group], bugs: list[Bug]) -> list[str]:
+    there = tests_there()
+    found = [f"{group}.toml: no test begins with {prefix}" for group, listed in groups.items()
+             for prefix in listed.tests if not any(test.startswith(prefix.rstrip("/").split("/")[-1]) for test in there)]
     for bug in bugs:
         what = f"{bug.group}: {bug.name}"
         path = ROOT / bug.file

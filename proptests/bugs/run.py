@@ -100,7 +100,7 @@ def main() -> int:
             print(f"{bug.group:22}  {bug.name}\n{'':22}  {bug.game}")
         print(f"{len(bugs)} bugs")
         report(arguments, groups, everything, {})
-    if wrong := faults(everything):
+    if wrong := faults(groups, everything):
         print(*wrong, sep="\n", file=sys.stderr)
         return 2
     if arguments.list:
