@@ -35,9 +35,9 @@
 namespace lgs {
 
 /// Limits. Beyond them an edit is refused with ErrorCode::capacity. Two more refuse in this way: 2^23 - 1 distinct
-/// contents of cells, and 2^28 - 1 polygons ever placed in one cell. A commit that needs more than 8 GiB for the
-/// records of cells with segments, or more than 2^31 - 4,097 segments, ends the program, as it does when memory runs
-/// out.
+/// contents of cells, and 2^28 - 1 polygons ever placed in one cell. The program ends, as when memory runs out, where a
+/// commit needs more than 8 GiB for the lists of segments that cells show, or more than 2^31 - 4,097 segments; and where
+/// an edit needs more than 8 GiB for the lists of polygons of cells that hold several.
 ///
 /// A program for JavaScript, whose numbers are whole up to 2^53, may define LGS_HANDLES_IN_53_BITS for all of its
 /// files. Then every PolygonHandle has cellRef < 2^30 and serial < 2^23: at most 2^20 - 1 chunks and, in one cell, 2^23
@@ -378,7 +378,7 @@ class World {
   /// saved (law 12). It has no marks. `snapshot` is what save() wrote and nothing more: a file with more in it says how
   /// long this part is. `preserve` must be the relation that it was saved with, or empty if it had none. Bytes that are
   /// cut, damaged or made up are refused; they take no more memory than a constant for each byte. Cost: in proportion
-  /// to the world, and quadratic in the vertices of each content of a cell, as shape() is.
+  /// to the world, and quadratic in the vertices of each content of a cell that has several polygons, as shape() is.
   [[nodiscard]] static tl::expected<World, SnapshotError> load(std::span<const std::byte> snapshot,
                                                                PreserveRelation preserve = {}) noexcept;
 
