@@ -16,7 +16,7 @@ struct Part {
   void (*run)(platform::Hash& hash);
 };
 
-constexpr std::array<Part, 11> kParts{{
+constexpr std::array<Part, 12> kParts{{
     {"edits", platform::edits},
     {"relations", platform::relations},
     {"executor", platform::executor},
@@ -24,6 +24,7 @@ constexpr std::array<Part, 11> kParts{{
     {"saves", platform::saves},
     {"unloading", platform::unloading},
     {"brushes", platform::brushes},
+    {"views", platform::views},
     {"questions", platform::questions},
     {"radial", platform::radial},
     {"c", platform::c},

@@ -12,6 +12,7 @@ void goingBack(Hash& hash);  ///< marks, roll-backs, copies, groups that are und
 void saves(Hash& hash);      ///< bytes of saved worlds, worlds from them, damaged ones
 void unloading(Hash& hash);  ///< bytes of chunks that leave, and what is there without them
 void brushes(Hash& hash);    ///< paint and carve
+void views(Hash& hash);      ///< loops, islands and hashes of the ground, and what changed of them
 void questions(Hash& hash);  ///< what is at places, by id
 void radial(Hash& hash);     ///< links of any directed edges
 void c(Hash& hash);          ///< the C interface

@@ -18,6 +18,8 @@ export interface HandleOptions {
   move(x: number, y: number): Point
   /** The pointer has let go of it, or the key has moved it. */
   drop?(): void
+  /** It was pressed without being dragged, here, or Enter was. */
+  tap?(x: number, y: number): void
 }
 
 export interface Handle {
@@ -32,6 +34,7 @@ const arrows: Readonly<Record<string, Point>> = {
   ArrowDown: [0, -1],
 }
 const finger = 22 // pixels: the radius in which a handle is hit
+const still = 4 // pixels: who moves the pointer by less has tapped
 const longestFrame = 0.05 // seconds
 
 export class Figure {
@@ -90,7 +93,7 @@ export class Figure {
 
   handle(options: HandleOptions): Handle {
     const element = el('g', { class: 'handle', tabindex: 0, role: 'button', 'aria-label': options.label })
-    element.setAttribute('aria-description', 'Drag it, or move it by the arrow keys')
+    element.setAttribute('aria-description', `Drag it, or move it by the arrow keys${options.tap ? '. Tap it or press Enter to use it' : ''}`)
     element.append(el('circle', { class: 'hit', r: finger }), el('circle', { class: 'grip', r: 8 }))
     const handle: Handle = { at: options.at, element }
     const move = (x: number, y: number) => {
@@ -98,27 +101,34 @@ export class Figure {
       this.redraw()
     }
     let off: Point | null = null // from the pointer to the middle of the handle
+    let pressed: Point = [0, 0] // where on the page
+    let isTap = false
     element.addEventListener('pointerdown', (event) => {
       event.preventDefault()
       element.focus({ preventScroll: true })
       element.setPointerCapture(event.pointerId)
       const [x, y] = this.#place(event)
       off = [handle.at[0] - x, handle.at[1] - y]
+      pressed = [event.clientX, event.clientY]
+      isTap = true
     })
     element.addEventListener('pointermove', (event) => {
       if (off === null) return
+      if (Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) >= still) isTap = false
       const [x, y] = this.#place(event)
       move(x + off[0], y + off[1])
     })
-    for (const end of ['pointerup', 'pointercancel']) {
-      element.addEventListener(end, () => {
+    for (const end of ['pointerup', 'pointercancel'] as const) {
+      element.addEventListener(end, (event) => {
         if (off === null) return
         off = null
         options.drop?.()
+        if (isTap && end === 'pointerup') options.tap?.(...this.#place(event))
         this.redraw()
       })
     }
     element.addEventListener('keydown', (event) => {
+      if (event.key === 'Enter') options.tap?.(...handle.at)
       const way = arrows[event.key]
       if (way === undefined) return
       event.preventDefault()

@@ -87,7 +87,7 @@ test('what is outside of the 3x3 changes nothing in the cell', () =>
 test('law 2: the hand stops at the successor, and a walk leads through the free wedge', () =>
   browser.onPath(async (page) => {
     await drag(page, 'fan', -0.6, -0.05, 6)
-    const degrees = async () => Number(/After (\d+) degrees the hand meets the first segment that leaves/.exec(await says(page, 'fan'))[1])
+    const degrees = async () => Number(/After (\d+) degrees the hand meets a segment\. It is the (?:suc|prede)cessor/.exec(await says(page, 'fan'))[1])
     const before = await degrees()
     await page.locator('#fan input').uncheck() // without the wedge there the next one is met
     await drag(page, 'fan', -0.6, -0.9, 6)

@@ -1,6 +1,6 @@
 // The cell and its 3x3: what lies farther away changes nothing in it.
 import { createWorld } from 'localgridseg'
-import { counted, grid, outline, segmentsOf, solids, square } from '../ground.js'
+import { counted, grid, outline, type Seen, segmentsOf, solids, square } from '../ground.js'
 import { clamp, Figure } from '../kit.js'
 import { arrow, path, type Point, rect } from '../svg.js'
 
@@ -24,6 +24,7 @@ export default function cells(element: HTMLElement): void {
   }
   let cell: Point = [4, 2]
   let same = 0 // how many shuffles in a row have left the cell as it was
+  let changed = '' // what the last shuffle has changed
   const layer = fig.layer()
   const isNear = (i: number, j: number) => Math.abs(i - cell[0]) < 2 && Math.abs(j - cell[1]) < 2
   const fill = (where: (i: number, j: number) => boolean) => {
@@ -49,13 +50,17 @@ export default function cells(element: HTMLElement): void {
     move(x, y) {
       cell = [clamp(Math.floor(x), 1, columns - 2), clamp(Math.floor(y), 1, rows - 2)]
       same = 0
+      changed = ''
       return [cell[0] + 0.5, cell[1] + 0.5]
     },
   })
   const shuffle = (where: (i: number, j: number) => boolean) => {
-    const before = JSON.stringify(own())
+    const before = own()
     fill(where)
-    same = JSON.stringify(own()) === before ? same + 1 : 0
+    const after = own()
+    const isSame = keys(after, withGhosts) === keys(before, withGhosts)
+    same = isSame ? same + 1 : 0
+    changed = isSame ? '' : keys(after, withoutGhosts) === keys(before, withoutGhosts) ? ' Its ghosts have changed.' : ' Its segments have changed.'
     fig.redraw()
   }
   fig.button('Shuffle all outside', () => shuffle((i, j) => !isNear(i, j)))
@@ -69,10 +74,14 @@ export default function cells(element: HTMLElement): void {
       parts.push(arrow('segment', start, end, 9 * fig.pixel))
     }
     layer.replaceChildren(...parts)
-    const kept = same === 0 ? '' : ` Shuffled ${same === 1 ? 'once' : `${same} times`}: nothing of it has changed.`
-    fig.say(`The cell shows ${counted(mine.length, 'segment')}, with ghosts.${kept}`)
+    const kept = same === 0 ? changed : ` Shuffled ${same === 1 ? 'once' : `${same} times`}: nothing of it has changed.`
+    fig.say(`The cell shows ${mine.length === 0 ? 'no segment' : `${counted(mine.length, 'segment')}, with ghosts`}.${kept}`)
   })
 }
+
+const withoutGhosts = ({ start, end }: Seen) => `${start} ${end}`
+const withGhosts = ({ start, end, ghost1, ghost2 }: Seen) => `${start} ${end} ${ghost1} ${ghost2}`
+const keys = (segments: readonly Seen[], key: (segment: Seen) => string) => segments.map(key).sort().join()
 
 // A segment of the cell has it on the left: its middle, a little to the left, lies in the cell.
 function isIn(start: Point, end: Point, [i, j]: Point): boolean {

@@ -12,10 +12,11 @@ interface Wedge {
 
 const turn = 2 * Math.PI
 const near = 0.12 // radians: the hand stops this near
+const length = 0.5 // of the hand: short, so that a finger does not take it for an end
 const angleOf = ([x, y]: Point) => Math.atan2(y, x)
 
 export default function fan(element: HTMLElement): void {
-  const fig = new Figure(element, { x0: -2.2, y0: -1.3, x1: 2.2, y1: 1.3 }, 'Segments around a vertex')
+  const fig = new Figure(element, { x0: -1.3, y0: -1.15, x1: 1.3, y1: 1.15 }, 'Segments around a vertex')
   const world = createWorld()
   const wedges: Wedge[] = [
     { cell: [0, 0], ends: [[0.95, 0.15], [0.3, 0.95]] },
@@ -24,7 +25,8 @@ export default function fan(element: HTMLElement): void {
   ]
   const middle = 1 // the wedge that can be taken away
   let hasMiddle = true
-  let chosen = 0 // of which wedge the incoming side is followed
+  let chosen = 0 // of which wedge the segment is that one starts from
+  let isBack = false // from the start of a segment to its predecessor
   let hand = 0.5 // how far it has turned, in radians
   const layer = fig.layer()
   const build = () => {
@@ -62,8 +64,8 @@ export default function fan(element: HTMLElement): void {
     label: 'The hand that turns',
     step: 0.1,
     move(x, y) {
-      const own = angleOf(wedges[chosen].ends[1])
-      const way = (Math.atan2(y, x) - own + 2 * turn) % turn
+      const own = angleOf(outer(found()[0]))
+      const way = ((Math.atan2(y, x) - own) * sense() + 2 * turn) % turn
       const end = sweep(found())
       hand = way > end + (turn - end) / 2 ? 0 : Math.min(way, end)
       return handle.at
@@ -82,40 +84,55 @@ export default function fan(element: HTMLElement): void {
     build()
     fig.redraw()
   })
-  // The segment that comes in along the chosen wedge, and the one that the engine links to it.
+  fig.toggle('Predecessor', isBack, (isOn) => {
+    isBack = isOn
+    hand = 0.4
+    fig.redraw()
+  })
+  // The segment that comes in along the chosen wedge, or goes out, and the one that the engine links to it.
   const found = (): [Seen, Seen] => {
     const segments = segmentsOf(world)
-    const [x, y] = wedges[chosen].ends[1]
-    const own = segments.find(({ start, end }) => end[0] === 0 && end[1] === 0 && Math.hypot(start[0] - x, start[1] - y) < 0.001)!
-    return [own, segments.find(({ id }) => id === own.successor)!]
+    const [x, y] = wedges[chosen].ends[isBack ? 0 : 1]
+    const own = segments.find((segment) => {
+      const [pivot, far] = isBack ? [segment.start, segment.end] : [segment.end, segment.start]
+      return isTip(pivot) && Math.hypot(far[0] - x, far[1] - y) < 0.001
+    })!
+    return [own, segments.find(({ id }) => id === (isBack ? own.predecessor : own.successor))!]
   }
-  const sweep = ([own, next]: [Seen, Seen]) => (angleOf(next.end) - angleOf(own.start) + 2 * turn) % turn
+  const sense = () => (isBack ? -1 : 1)
+  const sweep = ([own, next]: [Seen, Seen]) => ((angleOf(outer(next)) - angleOf(outer(own))) * sense() + 2 * turn) % turn
 
   fig.draws(() => {
     const [own, next] = found()
-    const from = angleOf(own.start)
+    const from = angleOf(outer(own))
     const end = sweep([own, next])
     hand = Math.min(hand, end)
     const isThere = end - hand < near
     if (isThere) hand = end
-    const tip: Point = [0.7 * Math.cos(from + hand), 0.7 * Math.sin(from + hand)]
+    const to = from + hand * sense()
+    const tip: Point = [length * Math.cos(to), length * Math.sin(to)]
     handle.at = tip
     handle.element.setAttribute('transform', `translate(${tip[0]} ${-tip[1]}) scale(${fig.pixel})`)
     const parts: SVGElement[] = [...grid(-1, -1, 1, 1), ...solids(world)]
+    parts.push(arc('sweep', [0, 0], 0.7 * length, from, to), path('hand', [[0, 0], tip]))
     for (const segment of segmentsOf(world)) {
-      const touches = [segment.start, segment.end].some(([x, y]) => x === 0 && y === 0)
-      if (!touches) continue
+      if (!isTip(segment.start) && !isTip(segment.end)) continue
       const kind = segment.id === own.id ? 'chosen' : isThere && segment.id === next.id ? 'ghost' : 'segment'
       parts.push(arrow(kind, segment.start, segment.end, 11 * fig.pixel))
     }
-    parts.push(arc('sweep', [0, 0], 0.5, from, from + hand), path('hand', [[0, 0], tip]), disc('vertex', [0, 0], 4 * fig.pixel))
-    if (isThere) parts.push(disc('ghostpoint', next.end, 7 * fig.pixel))
+    parts.push(disc('vertex', [0, 0], 4 * fig.pixel))
+    if (isThere) parts.push(disc('ghostpoint', outer(next), 13 * fig.pixel)) // around the grip that is there
     layer.replaceChildren(...parts)
     const degrees = Math.round((hand * 360) / turn)
     fig.say(
       isThere
-        ? `After ${degrees} degrees the hand meets the first segment that leaves the vertex. It is the successor: its far end is the ghost.`
-        : `Turned by ${degrees} degrees. Nothing that leaves the vertex was met yet.`,
+        ? `After ${degrees} degrees the hand meets a segment. It is the ${isBack ? 'predecessor' : 'successor'}: its far end is the ghost.`
+        : `Turned by ${degrees} degrees. The hand has met no segment yet.`,
     )
   })
 }
+
+const isTip = ([x, y]: Point) => x === 0 && y === 0
+
+/** Its end that is not in the middle. */
+const outer = ({ start, end }: Seen) => (isTip(start) ? end : start)

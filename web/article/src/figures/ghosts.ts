@@ -68,10 +68,10 @@ export default function ghosts(element: HTMLElement): void {
       const angle = Math.atan2(normal[0], normal[1])
       if (Math.abs(angle) > straight) ++skewed
       const kind = Math.abs(angle) > straight ? 'push wrong' : 'push'
-      parts.push(arrow(kind, [x, y], [x + normal[0] * 0.9, y + normal[1] * 0.9], 12 * fig.pixel))
+      parts.push(arrow(kind, [x, y], [x + normal[0] * 0.9, y + normal[1] * 0.9], 12 * fig.pixel, 0, 0.95))
     }
     layer.replaceChildren(...parts)
-    const skew = skewed === 0 ? (found.length === 1 ? 'straight up' : 'all straight up') : `${skewed} of them askew, against the side of a tile that nobody can touch`
+    const skew = skewed === 0 ? (found.length === 1 ? 'straight up' : 'all straight up') : `${skewed} of them askew, from the end of the next tile's edge`
     fig.say(found.length === 0 ? 'The ball touches nothing.' : `The floor pushes ${counted(found.length, 'time')}, ${skew}.`)
   })
 }

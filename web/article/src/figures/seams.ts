@@ -9,6 +9,7 @@ import { disc, path, type Point, words } from '../svg.js'
 const cell = 0.25 // metres, as in the sandbox: marbles are small, and a seam is large for them
 const speed = 3 // cells a second
 const radius = 0.4
+const skin = 0.005 // metres: so far from an edge planck lets a wheel rest. This one is made smaller by it
 const tiles = 12
 const jolt = 0.01 // metres a second: the floor is level, so who moves up by more was kicked
 const height = 9 // times: how much higher than it is the path is drawn
@@ -21,7 +22,7 @@ export default function seams(element: HTMLElement): void {
   const physics = new Physics({ gravity: { x: 0, y: -3 } })
   const terrain = new PlanckTerrain(physics, world, { cellSize: cell, ghosts: false, material: () => ({ friction: 0 }) })
   const wheel = physics.createBody({ type: 'dynamic', bullet: true })
-  wheel.createFixture(new Circle(radius * cell), { density: 1, friction: 0 })
+  wheel.createFixture(new Circle(radius * cell - skin), { density: 1, friction: 0 })
   let trail: Point[] = []
   let kicks: Point[] = []
   let isHeld = false
@@ -36,7 +37,7 @@ export default function seams(element: HTMLElement): void {
   const begin = () => {
     trail = []
     kicks = []
-    put(0.5, 1 + radius + 0.005 / cell, speed)
+    put(0.5, 1 + radius, speed)
   }
   const at = (): Point => [wheel.getPosition().x / cell, wheel.getPosition().y / cell]
 
