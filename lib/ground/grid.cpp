@@ -75,9 +75,9 @@ Chunk* Grid::obtainChunk(Cell cell) {
   return remember(there.get());
 }
 
-/// The least one. Takes it off the list.
+/// The least one; at most one beyond the last chunk, as all numbers from there on that were ever given out are free.
+/// Takes it off the list.
 std::uint32_t Grid::freeNumber() {
-  if (!free_.empty() && free_.front() >= chunks_.size()) free_.clear();  // all are beyond the last chunk
   if (free_.empty()) return static_cast<std::uint32_t>(chunks_.size());
   std::pop_heap(free_.begin(), free_.end(), std::greater());
   const std::uint32_t number = free_.back();

@@ -194,7 +194,7 @@ class Grid {
   // little.
   std::vector<Owned<Chunk>> chunks_;    ///< by number; null where it is free, or asleep. The last one is in use.
   std::vector<Owned<Border>> borders_;  ///< by number; of those that are unloaded
-  std::vector<std::uint32_t> free_;     ///< numbers, as a heap with the least first; those beyond the last one are none
+  std::vector<std::uint32_t> free_;     ///< numbers, as a heap with the least first
   std::size_t count_ = 0;               ///< of numbers in use
   std::size_t unloaded_ = 0;
   HashIndex index_;

@@ -176,6 +176,24 @@ TEST(Memory, OfAThousandGoingsAndComingsStaysTheSame) {
   EXPECT_EQ(allocations().bytes, allocated);
 }
 
+TEST(Memory, OfCellsThatHeldManyPolygonsInTurnIsGivenBack) {
+  World world;
+  const ShapeId square = shapeOf(world, {unitSquare()});
+  const auto goAndCome = [&](std::int32_t column) {
+    const CellRect chunk{{32 * column, 0}, {32 * column + 31, 31}};
+    for (int k = 0; k < 257; ++k) {  // from the 256th on a cell has a list, to know how many there were
+      ASSERT_TRUE(world.fill(chunk, square, 1));
+      ASSERT_TRUE(world.clear(chunk));
+    }
+    world.commit();
+    ASSERT_EQ(world.forget(chunk), 1U);
+  };
+  for (std::int32_t column = 0; column < 5; ++column) goAndCome(column);
+  const std::int64_t allocated = allocations().bytes;
+  for (std::int32_t column = 5; column < 70; ++column) goAndCome(column);  // lists of these would fill two pages
+  EXPECT_EQ(allocations().bytes, allocated);
+}
+
 TEST(Memory, StatsAreHonestWithManyShapesAndPolygons) {
   Measured m;
   Random random(5);

@@ -16,6 +16,8 @@ interface Exports {
 export interface Edge {
   readonly start: Point
   readonly end: Point
+  readonly ghost1: Point
+  readonly ghost2: Point
   readonly key: string
 }
 
@@ -47,6 +49,7 @@ export async function loadReference(): Promise<Reference> {
 export function edges(numbers: Float64Array): Edge[] {
   return Array.from({ length: numbers.length / 9 }, (_, k) => {
     const nine = [...numbers.subarray(9 * k, 9 * k + 9)]
-    return { start: [nine[0], nine[1]], end: [nine[2], nine[3]], key: nine.join(' ') }
+    const at = (n: number): Point => [nine[n], nine[n + 1]]
+    return { start: at(0), end: at(2), ghost1: at(4), ghost2: at(6), key: nine.join(' ') }
   })
 }

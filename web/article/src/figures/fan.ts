@@ -118,7 +118,7 @@ export default function fan(element: HTMLElement): void {
     for (const segment of segmentsOf(world)) {
       if (!isTip(segment.start) && !isTip(segment.end)) continue
       const kind = segment.id === own.id ? 'chosen' : isThere && segment.id === next.id ? 'ghost' : 'segment'
-      parts.push(arrow(kind, segment.start, segment.end, 11 * fig.pixel))
+      parts.push(arrow(kind, segment.start, segment.end, 11 * fig.pixel, 0, isTip(segment.start) ? 0.75 : 0.25))
     }
     parts.push(disc('vertex', [0, 0], 4 * fig.pixel))
     if (isThere) parts.push(disc('ghostpoint', outer(next), 13 * fig.pixel)) // around the grip that is there

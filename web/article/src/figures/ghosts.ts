@@ -11,7 +11,7 @@ const tiles = 4
 const straight = 0.02 // radians
 
 export default function ghosts(element: HTMLElement): void {
-  const fig = new Figure(element, { x0: -0.1, y0: -0.1, x1: tiles + 0.1, y1: 2.7 }, 'A ball pressed onto the seam of two tiles')
+  const fig = new Figure(element, { x0: -0.15, y0: -0.1, x1: tiles + 0.15, y1: 2.7 }, 'A ball pressed onto the seam of two tiles')
   const world = createWorld()
   world.fill({ i0: 0, j0: 0, i1: tiles - 1, j1: 0 }, world.shape(square), 1)
   world.commit()

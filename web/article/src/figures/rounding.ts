@@ -12,7 +12,7 @@ const lens = { x: 5.6, y: 1.5, radius: 1.35 }
 export default function rounding(element: HTMLElement): void {
   const fig = new Figure(element, { x0: -0.1, y0: -0.1, x1: 7.1, y1: 3.1 }, 'A triangle carved out of rock, and a lens')
   const layer = fig.layer()
-  const corners: Point[] = [[0.7, 2.3], [1.1, 0.7], [3.4, 1.15]]
+  const corners: Point[] = [[0.7, 2.3], [1.1, 0.7], [3.4, 1.23]]
   const rock = () => {
     const world = createWorld()
     world.fill({ i0: 0, j0: 0, i1: 3, j1: 2 }, world.shape(square), 1)
@@ -41,7 +41,11 @@ export default function rounding(element: HTMLElement): void {
     parts.push(...underLens(segments, vertex, exact, fig.pixel))
     layer.replaceChildren(...parts)
     world.free()
-    fig.say(`The exact crossing is ${Math.abs(off).toFixed(2)} units from the vertex that the brush made. It is never more than one.`)
+    const most = farthest(segments, corners[1], corners[2])
+    fig.say(
+      `The vertex that the brush made is ${Math.abs(off).toFixed(2)} units from the exact crossing. ` +
+        `This whole edge is nowhere more than ${most.toFixed(2)} units from the exact one.`,
+    )
   })
 }
 
@@ -49,6 +53,18 @@ export default function rounding(element: HTMLElement): void {
 function crossing(a: Point, b: Point): number {
   const [ax, ay, bx, by] = [...a, ...b].map((x) => Math.round(x * units))
   return (ay + ((by - ay) * (seam * units - ax)) / (bx - ax)) / units
+}
+
+/** How far, in units, the made edge from a to b is from the exact one: that is at a vertex, since between them it is straight. */
+function farthest(segments: readonly Seen[], a: Point, b: Point): number {
+  const [ax, ay, bx, by] = [...a, ...b].map((x) => Math.round(x * units))
+  const length = Math.hypot(bx - ax, by - ay)
+  const offs = segments.map(({ start: [x, y] }) => {
+    const [dx, dy] = [x * units - ax, y * units - ay]
+    const along = (dx * (bx - ax) + dy * (by - ay)) / length
+    return along < 0 || along > length ? Infinity : Math.abs(dx * (by - ay) - dy * (bx - ax)) / length
+  })
+  return Math.max(...offs.filter((off) => off < 2)) // what is farther away is of another edge
 }
 
 function nearest(segments: readonly Seen[], y: number): Point {
