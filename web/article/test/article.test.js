@@ -84,14 +84,20 @@ test('what is outside of the 3x3 changes nothing in the cell', () =>
     assert.doesNotMatch(await says(page, 'cells'), /Shuffled 6 times/)
   }, 'article/', { context: { reducedMotion: 'reduce' } }))
 
-test('law 2: the hand stops at the successor, and a walk leads through the free wedge', () =>
+test('law 2: the hand stops at the successor and at the predecessor, and a walk leads through the free wedge', () =>
   browser.onPath(async (page) => {
     await drag(page, 'fan', -0.6, -0.05, 6)
     const degrees = async () => Number(/After (\d+) degrees the hand meets a segment\. It is the (?:suc|prede)cessor/.exec(await says(page, 'fan'))[1])
     const before = await degrees()
-    await page.locator('#fan input').uncheck() // without the wedge there the next one is met
+    await page.getByLabel('The upper left wedge').uncheck() // without the wedge there the next one is met
     await drag(page, 'fan', -0.6, -0.9, 6)
     assert.ok((await degrees()) > before)
+    assert.match(await says(page, 'fan'), /successor/)
+    await page.getByLabel('Predecessor').check()
+    assert.match(await says(page, 'fan'), /has met no segment yet/)
+    await drag(page, 'fan', -0.6, -0.36, 6)
+    assert.equal(await degrees(), 114)
+    assert.match(await says(page, 'fan'), /predecessor/)
     assert.match(await says(page, 'touch'), /in a point.*1 closed loop/)
     await drag(page, 'touch', 1, 0)
     assert.match(await says(page, 'touch'), /2 closed loops/)
@@ -102,7 +108,7 @@ test('a dig in a million cells, and a vertex under the lens', () =>
     await page.locator('#million').scrollIntoViewIfNeeded()
     await saysSoon(page, 'million', /Tap somewhere/)
     await press(page, 'million', 'Dig here')
-    const dug = /reached [1-9] cells; .* of a million\. \d+ segments? removed, [1-9]\d* added/
+    const dug = /reached [1-9] cells; .* of a million cells\. \d+ segments? removed, [1-9]\d* added/
     assert.match(await says(page, 'million'), dug)
     const mine = await says(page, 'million')
     await handle(page, 'million').focus() // Enter on the grip digs, and so does a tap on it
