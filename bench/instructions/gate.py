@@ -27,6 +27,8 @@ SPARE = 1.02  # the C library has several forms of some functions, and picks one
 LOOPS = {
     "edit-full": (1, 3),
     "edit-ramps": (1, 3),
+    "edges-full": (1, 3),
+    "edges-ramps": (1, 3),
     "add-full": (1, 3),
     "bulk-full": (1, 3),
     "bulk-ramps": (1, 3),
@@ -37,6 +39,8 @@ LOOPS = {
 STEPS = {
     "edit-full": "an edit and its commit, full blocks",
     "edit-ramps": "an edit and its commit, ramps",
+    "edges-full": "an edit, its commit and the edges of a terrain (EdgeSet), full blocks",
+    "edges-ramps": "the same among ramps",
     "add-full": "a cell of a first build, full blocks by add()",
     "bulk-full": "the same by addMany()",
     "bulk-ramps": "a cell of a first build, ramps by addMany()",

@@ -1,10 +1,11 @@
-// Loops whose instructions are counted: gate.py runs this program under Valgrind. It links the engine and the brushes
-// alone, and does the same on every machine.
+// Loops whose instructions are counted: gate.py runs this program under Valgrind. It links the engine, the brushes and
+// the rules of the terrain's edges, without Box2D, and does the same on every machine.
 //
 //   lgs_loops LOOP TIMES          runs a loop
 //   lgs_loops --steps LOOP TIMES  says how many steps that is
 #include "strokes.h"
 
+#include <lgs/box2d/edges.h>
 #include <lgs/world.h>
 
 #include <array>
@@ -74,8 +75,8 @@ void build(std::size_t times) {
   }
 }
 
-/// A polygon goes, and comes back. A commit follows each of the two.
-template <Ground ground>
+/// A polygon goes, and comes back. A commit follows each of the two, and what `view` does with its changes.
+template <Ground ground, class View>
 void edit(std::size_t times) {
   const std::vector<Placement> all = placements(ground);
   std::vector<PolygonHandle> handles(kCells);
@@ -83,15 +84,26 @@ void edit(std::size_t times) {
   shapesOf(world, ground);
   addAtOnce(world, all, handles);
   world.commit();
+  View view(world);
   std::mt19937 random(2);
   for (std::size_t n = times * kEdits; n != 0; --n) {
     const std::size_t k = random() % kCells;
     must(world.remove(handles[k]));
-    world.commit();
+    view.update(world, world.commit());
     handles[k] = world.add(all[k].cell, all[k].shape, all[k].block).value();
-    world.commit();
+    view.update(world, world.commit());
   }
 }
+
+struct NoView {
+  explicit NoView(const World&) {}
+  void update(const World&, const Changes&) {}
+};
+
+/// The edges of a terrain.
+struct Edges : box2d::EdgeSet {
+  explicit Edges(const World& world) : EdgeSet({}) { load(world); }
+};
 
 /// A polygon of 64 vertices that the world has never seen comes with a commit, and goes with another one.
 void neverSeen(std::size_t times) {
@@ -124,14 +136,16 @@ struct Loop {
   void (*run)(std::size_t times);
   std::size_t (*steps)(std::size_t times);
 };
-constexpr std::array<Loop, 8> kLoops{{{"edit-full", edit<Ground::full>, each<2 * kEdits>},
-                                      {"edit-ramps", edit<Ground::ramps>, each<2 * kEdits>},
-                                      {"add-full", build<Ground::full, addOneByOne>, each<kCells>},
-                                      {"bulk-full", build<Ground::full, addAtOnce>, each<kCells>},
-                                      {"bulk-ramps", build<Ground::ramps, addAtOnce>, each<kCells>},
-                                      {"never-seen", neverSeen, each<1>},
-                                      {"stroke-full", strokes<StrokeGround::full>, cellsCut},
-                                      {"stroke-mixed", strokes<StrokeGround::mixed>, cellsCut}}};
+constexpr std::array<Loop, 10> kLoops{{{"edit-full", edit<Ground::full, NoView>, each<2 * kEdits>},
+                                       {"edit-ramps", edit<Ground::ramps, NoView>, each<2 * kEdits>},
+                                       {"edges-full", edit<Ground::full, Edges>, each<2 * kEdits>},
+                                       {"edges-ramps", edit<Ground::ramps, Edges>, each<2 * kEdits>},
+                                       {"add-full", build<Ground::full, addOneByOne>, each<kCells>},
+                                       {"bulk-full", build<Ground::full, addAtOnce>, each<kCells>},
+                                       {"bulk-ramps", build<Ground::ramps, addAtOnce>, each<kCells>},
+                                       {"never-seen", neverSeen, each<1>},
+                                       {"stroke-full", strokes<StrokeGround::full>, cellsCut},
+                                       {"stroke-mixed", strokes<StrokeGround::mixed>, cellsCut}}};
 
 }  // namespace
 }  // namespace lgs::bench

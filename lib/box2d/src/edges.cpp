@@ -87,6 +87,7 @@ void EdgeSet::begin(const World& world) {
   changes_.added.clear();
   changes_.relinked.clear();
   changes_.turned.clear();
+  reads_.clear();
   seeds_.clear();
   retired_.clear();
   placed_.clear();
@@ -262,7 +263,7 @@ void EdgeSet::relinkNearest(SegmentId from, Way way) {
 }
 
 // This ends: a ring leads back to the edge itself, which then has no other edge beside it.
-std::optional<Point> EdgeSet::ghostOf(std::uint32_t edge, Way way) const {
+std::optional<Point> EdgeSet::ghostOf(std::uint32_t edge, Way way) {
   const bool isBefore = way == Way::before;
   const Edge& own = slots_[edge].edge;
   for (Segment s = read(isBefore ? own.first : own.last);;) {

@@ -9,11 +9,24 @@ namespace lgs::box2d {
 
 using detail::operator-;  // NOLINT(misc-unused-using-decls): a template below uses it
 
-std::optional<Segment> EdgeSet::neighbour(const Segment& s, Way way) const {
+// A segment of the world; none, too, if its chunk is unloaded.
+std::optional<Segment> EdgeSet::find(SegmentId id) {
+  constexpr std::size_t kMost = 1'024;  // a load() reads all there are
+  Record& record = records_[id.value];
+  if (record.read < reads_.size() && reads_[record.read].id == id) return reads_[record.read];
+  const auto found = world_->segment(id);
+  if (!found) return {};
+  if (reads_.size() == kMost) reads_.clear();
+  record.read = static_cast<std::uint32_t>(reads_.size());
+  reads_.push_back(*found);
+  return *found;
+}
+
+std::optional<Segment> EdgeSet::neighbour(const Segment& s, Way way) {
   const SegmentId id = way == Way::before ? s.predecessor : s.successor;
-  const auto other = world_->segment(id);  // none, too, if its chunk is unloaded
-  if (!other || (way == Way::before ? other->successor : other->predecessor) != s.id) return {};
-  return *other;
+  std::optional<Segment> other = find(id);
+  if (other && (way == Way::before ? other->successor : other->predecessor) != s.id) other.reset();
+  return other;
 }
 
 // Whether two neighbours belong to one strip.
@@ -25,7 +38,7 @@ bool EdgeSet::straight(const Segment& a, const Segment& b) const {
 }
 
 // The first or the last segment of the strip that s is in.
-Segment EdgeSet::stripEnd(Segment s, Way way) const {
+Segment EdgeSet::stripEnd(Segment s, Way way) {
   while (options_.merge) {
     const std::optional<Segment> next = neighbour(s, way);
     if (!next || !straight(s, *next)) break;

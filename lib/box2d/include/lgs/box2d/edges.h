@@ -142,6 +142,7 @@ class EdgeSet {
     std::uint32_t predecessor = 0;  // when it was last looked at; if the segment goes, those two are to be looked at
     std::uint32_t successor = 0;
     std::uint32_t renewed = 0;  // number of an update
+    std::uint32_t read = 0;     // where it is in reads_, if it is there
     Fate fate = Fate::dead;
     Line line;
   };
@@ -169,10 +170,11 @@ class EdgeSet {
   void retire(std::uint32_t edge);
   void removeRetired();
 
-  Segment read(SegmentId id) const { return *world_->segment(id); }
-  std::optional<Segment> neighbour(const Segment& s, Way way) const;
+  std::optional<Segment> find(SegmentId id);
+  Segment read(SegmentId id) { return *find(id); }
+  std::optional<Segment> neighbour(const Segment& s, Way way);
   bool straight(const Segment& a, const Segment& b) const;
-  Segment stripEnd(Segment s, Way way) const;
+  Segment stripEnd(Segment s, Way way);
   bool isShort(Point from, Point to) const;
   bool isTurned(const std::optional<Point>& before, const std::optional<Point>& now, Point end) const;
 
@@ -186,7 +188,7 @@ class EdgeSet {
   void place(std::size_t first, std::size_t last, Fate fate);
   void relinkNearest(SegmentId from, Way way);
   void relink(std::uint32_t edge);
-  std::optional<Point> ghostOf(std::uint32_t edge, Way way) const;
+  std::optional<Point> ghostOf(std::uint32_t edge, Way way);
   std::uint32_t chunkNumber(Cell cell);
 
   EdgeOptions options_;
@@ -204,6 +206,7 @@ class EdgeSet {
   std::size_t fates_[6] = {};
   EdgeChanges changes_;
   // Of the update. They are members so that their memory is used again.
+  std::vector<Segment> reads_;          // segments that were read, as each is asked for some ten times
   std::vector<SegmentId> seeds_;        // segments to look at
   std::vector<std::uint32_t> retired_;  // edges that go unless they are placed again
   std::vector<std::uint32_t> placed_;   // edges that were placed
