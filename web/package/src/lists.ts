@@ -93,14 +93,17 @@ const keptBlocks = 256
 /** Bytes; a greater page is given back when it is far too great. */
 const greatPage = 1 << 20
 
+/** Of lists that never held anything, as most of a thousand worlds may be. Nobody writes there. */
+const noPage = new ArrayBuffer(0), noWords = new Uint32Array(noPage), noVersions = new Float64Array(2)
+
 /** Lists of a world: those of its last commit or roll-back, or of its last question for segments. */
 export class Lists {
   readonly engine: Engine
   readonly #geometryBytes: GeometryBytes
   #number = 0  // of the last call that made lists: earlier ones are stale
-  #page = new ArrayBuffer(1024)
-  #words = new Uint32Array(this.#page)
-  #versions = new Float64Array(this.#page, 0, 2)
+  #page = noPage
+  #words = noWords
+  #versions = noVersions
   // To make a view takes as long as a small commit. So those of a block with the same lengths are used again.
   #blocks: (Block | undefined)[] = []
 
