@@ -326,6 +326,24 @@ TEST(UnloadedByHand, ThreadsSeeNoDifference) {
   EXPECT_EQ(world.commit(inLine).added.size(), 96U) << "no wall towards the second chunk";
 }
 
+TEST(UnloadedByHand, APlaceNeverSeenIsEmptyOrUnknownAsTheGameSays) {
+  World world = rowOfChunks(1);
+  const ShapeId square = shapeOf(world, {unitSquare()});
+  EXPECT_EQ(world.at({40 * U, U}).where, Spot::Where::outside);
+  for (const Cell cell : {Cell{40, 1}, Cell{-40, 1}}) {  // on the right it is unknown what is there
+    ASSERT_TRUE(world.add(cell, square, 1));
+    ASSERT_TRUE(world.clear(cell));
+  }
+  Shelf shelf;
+  EXPECT_EQ(world.unload(chunkAt(1, 0), shelf.sink()), 1U);
+  EXPECT_TRUE(world.commit().removed.empty()) << "to the ground beside it, it is empty";
+  EXPECT_EQ(world.at({40 * U, U}).where, Spot::Where::unloaded);
+  EXPECT_EQ(world.add({40, 1}, square, 1).error().code, ErrorCode::unloaded);
+  EXPECT_EQ(world.at({-40 * U, U}).where, Spot::Where::outside);
+  EXPECT_EQ(world.reloadEmpty(chunkAt(1, 0)), 1U) << "now the game makes it";
+  EXPECT_TRUE(world.add({40, 1}, square, 1));
+}
+
 TEST(UnloadedByHand, MemoryGoesDownAndStaysDown) {
   World world = rowOfChunks(1);
   const ShapeId square = shapeOf(world, {unitSquare()});

@@ -321,7 +321,8 @@ class World {
   // valid again when it is back from its bytes. Questions that would have to look there say so. Whatever lists or
   // counts polygons or segments leaves it out. A segment may have a predecessor or a successor in it: the ghost is as
   // ever, and to ask for that segment is refused as unloaded. A place where no chunk ever was is empty. To have it
-  // count as solid, fill it and unload it.
+  // be unknown, put something there, take it away and unload the chunk: then questions and edits there say unloaded,
+  // and the ground beside it ends as at empty space; without taking it away, as at what was put there.
 
   /// Chunks of 32×32 cells leave memory: those that are loaded and lie in the rectangle as a whole, by rows. `sink`
   /// gets the bytes of each: its polygons, blocks and handles, as they are after all edits, committed or not. Returns
