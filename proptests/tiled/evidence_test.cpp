@@ -7,14 +7,15 @@ namespace lgs::tiled {
 namespace {
 
 const std::string kFull = "bbbbbbbb/bbbbbbbb/bbbbbbbb/bbbbbbbb", kHills = "......../..aa..../aaaa..aa/aaaaaaaa";
-const std::string kRim = "aaaaaaaa/a......a/a......a/aaaaaaaa";
+const std::string kRim = "aaaaaaaa/a......a/a......a/aaaaaaaa", kPlatforms = "......../.aaa..../....aaa./........";
+
+std::string textOf(const std::string& layers, const std::string& tileset = "") {
+  return "<map orientation='orthogonal' width='8' height='4' tilewidth='16' tileheight='16'>" +
+         meant::mapOf(tileset, layers) + "</map>";
+}
 
 ImportedMap import(const std::string& layers, const Options& options = {}, const std::string& tileset = "") {
-  return mustImportFiles({{"maps/test.tmx",
-                           "<map orientation='orthogonal' width='8' height='4' tilewidth='16' "
-                           "tileheight='16'>" +
-                               meant::mapOf(tileset, layers) + "</map>"}},
-                         options);
+  return mustImportFiles({{"maps/test.tmx", textOf(layers, tileset)}}, options);
 }
 
 /// "--layer A --solid" of each offer.
@@ -43,6 +44,30 @@ TEST(TiledEvidence, GroundIsNotMixedWithCollision) {
     EXPECT_EQ(map.placements.size(), 20U);
     EXPECT_EQ(map.report.partial, "");
   }
+}
+
+/// The author gave shapes to the spikes, and means the platforms to be full squares.
+TEST(TiledEvidence, FewShapesDoNotHideThePlatforms) {
+  const std::string spikes = meant::tiles("Spikes", "......../......../......../...d.d..");
+  const std::string platforms = meant::tiles("Platforms", kPlatforms);
+  const auto map = import(spikes + platforms, {}, meant::tile('d', meant::kShape));
+  EXPECT_EQ(cellsOf(map), cellsOf(import(platforms)));
+  EXPECT_EQ(map.report.choice, "tile layer Platforms: its name says 'platform' (--layer Platforms --solid)");
+}
+
+/// The author means boulders and the walls around them to be solid, and drew both.
+TEST(TiledEvidence, WallsDrawnBesideObstaclesAreTaken) {
+  const std::string walls = meant::objects("Walls", meant::box(0, 2, 8, 2));
+  const auto map = import(meant::tiles("Land", kFull) + walls + meant::objects("Obstacles", meant::box(3, 0, 1, 1)));
+  EXPECT_EQ(map.placements.size(), 17U);
+  EXPECT_EQ(map.report.partial, "");
+}
+
+/// The author means spikes that hurt, with pictures whose tile has a shape, and platforms to stand on.
+TEST(TiledEvidence, ThingsWithPicturesAreNoCollisionLayer) {
+  const std::string spikes = meant::objects("obstacles", meant::figure(1, 1) + meant::figure(5, 1));
+  const std::string platforms = meant::tiles("Platforms", kPlatforms), shape = meant::tile('e', meant::kShape);
+  EXPECT_EQ(cellsOf(import(platforms + spikes, {}, shape)), cellsOf(import(platforms)));
 }
 
 TEST(TiledEvidence, WhatGivesNothingIsNotOffered) {
@@ -223,6 +248,22 @@ TEST(TiledEvidence, WhatIsTriedSharesOneBudget) {
   Options strict;
   strict.maxPlacements = 40;  // each layer has 16
   EXPECT_EQ(offersOf(import(layers, strict)).size(), 2U);
+}
+
+/// The same for cells of objects: there are enough for three of the boxes, each in a layer of its own.
+TEST(TiledEvidence, WhatIsTriedSharesTheCellsOfItsShapes) {
+  constexpr std::size_t kCells = 400 * 200;
+  std::string layers;
+  for (int k = 0; k < 5; ++k) layers += meant::objects("L" + std::to_string(k), meant::box(0, 0, 400, 200));
+  const std::string text = textOf(layers);
+  ASSERT_LT(kObjectCellsPerByte * text.size(), 3 * kCells);
+  Options options;
+  for (const std::size_t less : {std::size_t{0}, std::size_t{1}}) {
+    options.maxObjectCells = 3 * kCells - less - kObjectCellsPerByte * text.size();
+    const auto map = importFiles({{"maps/test.tmx", text}}, options);
+    ASSERT_TRUE(map);
+    EXPECT_EQ(offersOf(*map).size(), 3U - less);
+  }
 }
 
 }  // namespace

@@ -62,10 +62,12 @@ TEST(TiledLdtk, TilesThatAreOnlyDrawnDoNotSayWhatIsSolid) {
     return layer;
   };
   const std::string two = tile(0, 0, "70") + "," + tile(16, 8, "5");
-  const auto map = mustImportProject(projectWithTiles(called("Walls", "8", tiles(two)) + "," +
-                                                      called("Ground", "4", tiles(two)) + "," + grid("0,3,0,0,0,0")));
-  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{2, -1}}));
-  EXPECT_EQ(map.report.partial, "");
+  for (const char* name : {"Solid", "Cells"}) {  // one says that it is solid, one says nothing
+    const auto map = mustImportProject(projectWithTiles(
+        called("Walls", "8", tiles(two)) + "," + called("Ground", "4", tiles(two)) + "," + grid("0,3,0,0,0,0", name)));
+    EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{2, -1}})) << name;
+    EXPECT_EQ(map.report.partial, "") << name;
+  }
 }
 
 TEST(TiledLdtk, ALayerOfTilesHasABlockThatNoValueHas) {

@@ -159,6 +159,27 @@ TEST(TiledPlacer, SliversAreDropped) {
   EXPECT_EQ(left(5), 1U);
 }
 
+/// Bars beside each other, as tiles of several layers bring them: each is compared with all that are there, once.
+TEST(TiledPlacer, WhatMeetsInACellIsTakenFromTheBudget) {
+  constexpr std::size_t kSteps = 3 * 1'000 + (1 + 2) * (100 + 8 * 8);  // three bars of four corners
+  for (const std::size_t less : {std::size_t{0}, std::size_t{1}}) {
+    Options options;
+    options.maxWork = kSteps - less;
+    Budget budget(options);
+    Placer placer(budget);
+    for (const Cell cell : {Cell{0, 0}, Cell{1, 0}}) {  // what happened in one cell is known in the next
+      for (std::int64_t x = 0; x < 3'000; x += 1'000) {
+        placer.place(cell, placer.entry({placer.shape({{x, 0}, {x + 900, 0}, {x + 900, 900}, {x, 900}}), 1, kNoTile}));
+      }
+    }
+    EXPECT_EQ(budget.isOutOfWork(), less == 1);
+    ImportedMap map;
+    map.report.layers.emplace_back();
+    placer.finish(map);
+    EXPECT_EQ(map.placements.size(), less == 0 ? 6U : 4U) << "what there are no steps for is not done";
+  }
+}
+
 /// A polygon of 1024 vertices below a line: teeth of 1/16 pixel.
 std::string combObject(int id, int y) {
   std::string points = "0,0";
