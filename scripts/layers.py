@@ -89,7 +89,8 @@ ROOMS = {
                                             "oracle/generate"],
     "bench/published": ENGINE + ["oracle/engine/include", "oracle/reference"],
     "bench/ride": ENGINE + ADAPTERS + ORACLE,
-    "bench/instructions": ENGINE + ["lib/brush/include", "lib/brush/src", "oracle/calls"],  # it counts cut cells
+    # it counts cut cells, and the rules of edges, which know no Box2D
+    "bench/instructions": ENGINE + ["lib/box2d/include", "lib/brush/include", "lib/brush/src", "oracle/calls"],
     "bench": ENGINE + ADAPTERS + ORACLE + ["bench/published"],
     "cli": ENGINE + ADAPTERS + ORACLE + ["lib/text", "bench", "bench/ride"],
     "examples": ENGINE + ADAPTERS + ["oracle/engine/include"],
