@@ -23,7 +23,7 @@ export LGS_TEST_SCALE=${1:-0.25}
 step engine 'Tests of the engine' "$build/proptests/lgs_engine_tests"
 step views 'Tests of views' "$build/proptests/lgs_view_tests"
 step brush 'Tests of brushes' "$build/proptests/brush/lgs_brush_tests"
-step tools 'Tests of the importer' "$build/proptests/lgs_tests" --gtest_filter='Tiled*'
+step tools 'Tests of the importer, of traces and pictures' "$build/proptests/lgs_tests" --gtest_filter='Tiled*:Debug*'
 step box2d 'Tests of the terrain for Box2D' "$build/proptests/lgs_box2d_tests"
 
 # Gathered once. A report then is two tables of the files that match: lines, and branches.

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -237,6 +239,17 @@ TEST(GoingBackByHand, EveryNumberBeyondItsRangeIsRefused) {
   EXPECT_EQ(one(84, 1), What::badSegments) << "id 0, just removed";
   EXPECT_EQ(one(88, 33), What::badSegments) << "id 0 of a segment";
   EXPECT_EQ(one(95, 2), What::badSegments) << "an id beyond those that there are";
+}
+
+TEST(GoingBackByHand, EveryReasonOfARefusalHasItsSentence) {
+  constexpr auto kLastReason = SnapshotError::What::otherBytes;
+  std::set<std::string> sentences;
+  for (std::uint64_t what = 0; what <= static_cast<std::uint64_t>(kLastReason); ++what)
+    sentences.insert(message(SnapshotError{.what = static_cast<SnapshotError::What>(what), .offset = 17}));
+  EXPECT_EQ(sentences.size(), static_cast<std::size_t>(kLastReason) + 1);
+  for (const std::string& sentence : sentences) EXPECT_TRUE(sentence.starts_with("byte 17: ")) << sentence;
+  const auto beyond = static_cast<SnapshotError::What>(static_cast<std::uint64_t>(kLastReason) + 1);
+  EXPECT_EQ(message(SnapshotError{.what = beyond}), "byte 0: unknown error") << "so that was not the last";
 }
 
 TEST(GoingBackByHand, AnotherRelationIsRefused) {

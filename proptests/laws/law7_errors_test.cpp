@@ -9,7 +9,7 @@
 namespace lgs::test {
 namespace {
 
-constexpr ErrorCode kLast = ErrorCode::outOfReach;
+constexpr ErrorCode kLast = ErrorCode::unloaded;
 
 TEST(Errors, SayWhatAndWhere) {
   for (const BadEdit& edit : badEdits()) {
@@ -23,9 +23,10 @@ TEST(Errors, SayWhatAndWhere) {
 }
 
 TEST(Errors, EveryCodeIsTried) {
-  // These are of no edit: segments_test.cpp, law12_going_back_test.cpp and questions_test.cpp try them.
+  // These are of no edit in this world: segments_test.cpp, law12_going_back_test.cpp, questions_test.cpp and
+  // unloaded_by_hand_test.cpp try them.
   std::set<ErrorCode> tried{ErrorCode::unknownSegment, ErrorCode::unknownMark, ErrorCode::uncommitted,
-                            ErrorCode::outOfReach};
+                            ErrorCode::outOfReach, ErrorCode::unloaded};
   Stage stage = makeStage();
   for (const BadEdit& edit : badEdits()) tried.insert(edit.attempt(stage).code);
   EXPECT_EQ(tried.size(), static_cast<std::size_t>(kLast));
@@ -37,6 +38,20 @@ TEST(Errors, EveryCodeHasAName) {
   EXPECT_EQ(names.size(), static_cast<std::size_t>(kLast));
   EXPECT_FALSE(names.contains(name(ErrorCode{})));
   EXPECT_EQ(message(Error{}), "unknown error");
+  EXPECT_STREQ(name(static_cast<ErrorCode>(static_cast<int>(kLast) + 1)), "unknown error")
+      << "so that was not the last";
+}
+
+TEST(Errors, OfUnloadedGroundSayWhatIsThere) {
+  const Cell cell{3, 4};
+  std::set<std::string> texts;
+  for (const Error& error : {Error{.code = ErrorCode::unloaded, .cell = cell},
+                             Error{.code = ErrorCode::unloaded, .cell = cell, .other = PolygonHandle{1, 1}},
+                             Error{.code = ErrorCode::unloaded, .cell = cell, .segment = {7}}}) {
+    texts.insert(message(error));
+    EXPECT_NE(message(error).find("(3, 4)"), std::string::npos) << message(error);
+  }
+  EXPECT_EQ(texts.size(), 3U);
 }
 
 TEST(Errors, PolygonsInACellAreLimited) {
