@@ -104,6 +104,24 @@ test('memory above 2 GiB, where addresses are negative numbers', () => {
     if (world.polygons().length !== 30_000 || world.loops().length !== 30_000) throw new Error('wrong')
     if (loadWorld(world.save()).stats().segments !== 90_000) throw new Error('wrong')`), '')
 })
+test('memory grows in great steps, as each of them takes a millisecond', () => {
+  assert.equal(run(`${imports}
+    const { instantiate } = WebAssembly
+    let memory
+    WebAssembly.instantiate = async (...all) => {
+      const { exports } = await instantiate(...all)
+      memory = exports.memory
+      return { exports }
+    }
+    await init()
+    const lengths = new Set(), worlds = []
+    for (let k = 0; k < 4000; ++k) {
+      worlds.push(createWorld())
+      lengths.add(memory.buffer.byteLength)
+    }
+    if (memory.buffer.byteLength < 2e7) throw new Error('the worlds are too small for this test')
+    if (lengths.size > 60) throw new Error(lengths.size + ' steps')`), '')
+})
 test('the names are there when a server renders, without a window, and nothing starts by itself', () => {
   assert.equal(run(`import * as all from 'localgridseg'; import * as draw from 'localgridseg/draw'; import * as trace from 'localgridseg/trace'; if (typeof window !== 'undefined') throw 1`), '')
 })
