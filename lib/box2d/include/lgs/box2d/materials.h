@@ -26,7 +26,7 @@ template <class Material>
 struct BasicTerrainOptions {
   double cellSize = 1;  ///< metres; finite, at least 2e-6
   Cell origin = {};     ///< its lower left corner is (0, 0) of the physics world; best where most things happen
-  std::int32_t chunkCells = 16;  ///< each square of this many cells by as many is a body, 1 … 4,096; see docs/reports/box2d.md
+  std::int32_t chunkCells = 16;  ///< each square of so many cells by as many is a body, 1 … 4,096
   bool merge = false;            ///< collinear neighbours of equal material in a chunk become one edge
   OnCaught onCaught = OnCaught::push;  ///< what a sync does with bodies in new ground
   std::function<Material(Block)> material =
