@@ -26,8 +26,8 @@ template <class Material>
 struct BasicTerrainOptions {
   double cellSize = 1;  ///< metres; finite, at least 2e-6
   Cell origin = {};     ///< its lower left corner is (0, 0) of the physics world; best where most things happen
-  std::int32_t chunkCells = 16;  ///< each square of so many cells by as many is a body, 1 … 4,096
-  bool merge = false;            ///< collinear neighbours of equal material in a chunk become one edge
+  std::int32_t chunkCells = 16;        ///< each square of so many cells by as many is a body, 1 … 4,096
+  bool merge = false;                  ///< collinear neighbours of equal material in a chunk become one edge
   OnCaught onCaught = OnCaught::push;  ///< what a sync does with bodies in new ground
   std::function<Material(Block)> material =
       {};  ///< called once for each block, and again after materialsChanged(); empty: the defaults for all blocks
