@@ -113,6 +113,7 @@ REBUILT = "before it was rebuilt"  # what a row of an earlier engine says of its
 
 def evidence(root):
     runs = rows_of(text(root, LONG_RUNS), "what")
+    earlier = [row for row in runs if REBUILT in row[0]]
     fuzzed = rows_of(text(root, FUZZ_RUNS), "on")
     mutants = next(row for row in rows_of(text(root, MUTANTS), "component") if row[0] == "all")
     covered = next(row for row in rows_of(text(root, COVERAGE), "| lines") if row[0].startswith("all"))
@@ -124,8 +125,8 @@ def evidence(root):
          "were written for those that lived", "[mutants.md](reports/mutants.md)"],
         ["random commits, each compared with the naive reference; with CGAL, too",
          "; ".join(f"{when} {sum(whole(row[5]) for row in of):,}; {sum(whole(row[4]) for row in of):,}"
-                   for when, of in (("of today's engine", [row for row in runs if REBUILT not in row[0]]),
-                                    ("before it was rebuilt in two halves", [row for row in runs if REBUILT in row[0]])))
+                   for when, of in (("of today's engine", [row for row in runs if row not in earlier]),
+                                    ("before it was rebuilt in two halves", earlier)))
          + "; mismatches: " + ", ".join(sorted({row[6] for row in runs})), "[long-runs.md](reports/long-runs.md)"],
         ["fuzzing with sanitizers",
          f"{sum(whole(row[1]) for row in fuzzed) / 60:.1f} hours of a processor, "
