@@ -27,6 +27,7 @@ const EdgeChanges& EdgeSet::load(const World& world) {
     setFate(record, Fate::dead);
   }
   for (const SegmentId id : world.segments()) {
+    forgetReads();
     admit(id);
     seedAround(id);
   }
@@ -59,13 +60,18 @@ const EdgeChanges& EdgeSet::update(const World& world, const Changes& changes) {
 
 const EdgeChanges& EdgeSet::renewAll() {
   for (std::size_t k = 0; k < seeds_.size(); ++k) {  // renewing may add seeds
+    forgetReads();
     const SegmentId id = seeds_[k];
     const Record& record = records_[id.value];
     if (record.fate != Fate::dead && record.renewed != update_) renew(id);
   }
   removeRetired();
-  for (const std::uint32_t edge : placed_) relink(edge);
+  for (const std::uint32_t edge : placed_) {
+    forgetReads();
+    relink(edge);
+  }
   for (const auto& [first, last] : ends_) {
+    forgetReads();
     relinkNearest(first, Way::before);
     relinkNearest(last, Way::after);
   }
@@ -87,7 +93,7 @@ void EdgeSet::begin(const World& world) {
   changes_.added.clear();
   changes_.relinked.clear();
   changes_.turned.clear();
-  reads_.clear();
+  readCount_ = 0;
   seeds_.clear();
   retired_.clear();
   placed_.clear();
@@ -143,7 +149,7 @@ void EdgeSet::seed(SegmentId id) {
 
 // Neighbours in a row get ids in a row.
 void EdgeSet::seedAround(SegmentId id) {
-  const Segment s = read(id);
+  const Segment& s = read(id);
   seed(id);
   seed(s.predecessor);
   seed(s.successor);
@@ -161,7 +167,7 @@ void EdgeSet::setFate(Record& record, Fate fate) {
 }
 
 void EdgeSet::admit(SegmentId id) {
-  const Segment s = read(id);
+  const Segment& s = read(id);
   Record& record = records_[id.value];
   record.line = {s.start, s.end};
   setFate(record, Fate::pending);
@@ -218,8 +224,8 @@ bool EdgeSet::isEdge(std::uint32_t number, const Segment& head, Point end) const
 
 // Makes an edge of segments of the group. If there was an edge with the same first segment and the same end, it stays.
 void EdgeSet::place(std::size_t first, std::size_t last, Fate fate) {
-  const Segment& head = group_[first];
-  const Segment& tail = group_[last];
+  const Segment& head = *group_[first];
+  const Segment& tail = *group_[last];
   std::uint32_t edge = records_[head.id.value].edge;
   if (edge != 0 && isEdge(edge, head, tail.end)) {
     slots_[edge].edge.last = tail.id;
@@ -233,7 +239,7 @@ void EdgeSet::place(std::size_t first, std::size_t last, Fate fate) {
   }
   placed_.push_back(edge);
   for (std::size_t k = first; k <= last; ++k) {
-    Record& record = records_[group_[k].id.value];
+    Record& record = records_[group_[k]->id.value];
     record.edge = edge;
     setFate(record, fate);
   }
@@ -257,7 +263,10 @@ void EdgeSet::relink(std::uint32_t edge) {
 
 // The ghost of the nearest edge beside a group is an end of the group's edges.
 void EdgeSet::relinkNearest(SegmentId from, Way way) {
-  for (auto s = neighbour(read(from), way); s && s->id != from; s = neighbour(*s, way)) {
+  const Record& record = records_[from.value];
+  const std::uint32_t beside = way == Way::before ? record.predecessor : record.successor;
+  if (slots_[records_[beside].edge].linked == update_) return;
+  for (const Segment* s = neighbour(read(from), way); s && s->id != from; s = neighbour(*s, way)) {
     if (const std::uint32_t edge = records_[s->id.value].edge; edge != 0) return relink(edge);
   }
 }
@@ -266,14 +275,14 @@ void EdgeSet::relinkNearest(SegmentId from, Way way) {
 std::optional<Point> EdgeSet::ghostOf(std::uint32_t edge, Way way) {
   const bool isBefore = way == Way::before;
   const Edge& own = slots_[edge].edge;
-  for (Segment s = read(isBefore ? own.first : own.last);;) {
-    if (!(isBefore ? s.predecessor : s.successor)) return {};
-    const std::optional<Segment> next = neighbour(s, way);
-    if (!next) return isBefore ? s.ghost1 : s.ghost2;
+  for (const Segment* s = &read(isBefore ? own.first : own.last);;) {
+    if (!(isBefore ? s->predecessor : s->successor)) return {};
+    const Segment* const next = neighbour(*s, way);
+    if (!next) return isBefore ? s->ghost1 : s->ghost2;
     const std::uint32_t other = records_[next->id.value].edge;
     if (other == edge) return {};
     if (other != 0) return isBefore ? slots_[other].edge.start : slots_[other].edge.end;
-    s = *next;
+    s = next;
   }
 }
 

@@ -10,23 +10,27 @@ namespace lgs::box2d {
 using detail::operator-;  // NOLINT(misc-unused-using-decls): a template below uses it
 
 // A segment of the world; none, too, if its chunk is unloaded.
-std::optional<Segment> EdgeSet::find(SegmentId id) {
-  constexpr std::size_t kMost = 1'024;  // a load() reads all there are
+const Segment* EdgeSet::find(SegmentId id) {
   Record& record = records_[id.value];
-  if (record.read < reads_.size() && reads_[record.read].id == id) return reads_[record.read];
+  if (record.read < readCount_ && reads_[record.read].id == id) return &reads_[record.read];
   const auto found = world_->segment(id);
-  if (!found) return {};
-  if (reads_.size() == kMost) reads_.clear();
-  record.read = static_cast<std::uint32_t>(reads_.size());
-  reads_.push_back(*found);
-  return *found;
+  if (!found) return nullptr;
+  record.read = static_cast<std::uint32_t>(readCount_++);
+  if (record.read == reads_.size()) reads_.emplace_back();
+  reads_[record.read] = *found;
+  return &reads_[record.read];
 }
 
-std::optional<Segment> EdgeSet::neighbour(const Segment& s, Way way) {
-  const SegmentId id = way == Way::before ? s.predecessor : s.successor;
-  std::optional<Segment> other = find(id);
-  if (other && (way == Way::before ? other->successor : other->predecessor) != s.id) other.reset();
-  return other;
+// Between two groups nobody looks at a segment. An update of all segments would have a copy of all.
+void EdgeSet::forgetReads() {
+  constexpr std::size_t kMost = 1'024;
+  if (readCount_ > kMost) readCount_ = 0;
+}
+
+const Segment* EdgeSet::neighbour(const Segment& s, Way way) {
+  const bool isBefore = way == Way::before;
+  const Segment* const other = find(isBefore ? s.predecessor : s.successor);
+  return other && (isBefore ? other->successor : other->predecessor) == s.id ? other : nullptr;
 }
 
 // Whether two neighbours belong to one strip.
@@ -38,13 +42,14 @@ bool EdgeSet::straight(const Segment& a, const Segment& b) const {
 }
 
 // The first or the last segment of the strip that s is in.
-Segment EdgeSet::stripEnd(Segment s, Way way) {
+const Segment& EdgeSet::stripEnd(const Segment& from, Way way) {
+  const Segment* s = &from;
   while (options_.merge) {
-    const std::optional<Segment> next = neighbour(s, way);
-    if (!next || !straight(s, *next)) break;
-    s = *next;
+    const Segment* const next = neighbour(*s, way);
+    if (!next || !straight(*s, *next)) break;
+    s = next;
   }
-  return s;
+  return *s;
 }
 
 // One strip spans at most a chunk, and strips since the last edge hardly more than `shortest`: squares fit in 64 bits.
@@ -65,22 +70,22 @@ bool EdgeSet::isTurned(const std::optional<Point>& before, const std::optional<P
 void EdgeSet::renew(SegmentId id) {
   gather(id);
   bool wasShort = false;
-  for (const Segment& s : group_) {
-    Record& record = records_[s.id.value];
+  for (const Segment* s : group_) {
+    Record& record = records_[s->id.value];
     wasShort = wasShort || record.fate == Fate::welded || record.fate == Fate::leftOut;
     record.renewed = update_;
-    record.predecessor = s.predecessor.value;
-    record.successor = s.successor.value;
+    record.predecessor = s->predecessor.value;
+    record.successor = s->successor.value;
     retire(record.edge);
   }
-  ends_.emplace_back(group_.front().id, group_.back().id);
+  ends_.emplace_back(group_.front()->id, group_.back()->id);
   const std::size_t last = group_.size() - 1;
-  if (strips_.size() > 1 || isShort(group_[0].start, group_[last].end)) {
+  if (strips_.size() > 1 || isShort(group_[0]->start, group_[last]->end)) {
     weld();
   } else {
     if (wasShort) {  // the strip has grown. The short strips beside it were of its group and are not any more
-      seed(group_.front().predecessor);
-      seed(group_.back().successor);
+      seed(group_.front()->predecessor);
+      seed(group_.back()->successor);
     }
     place(0, last, last == 0 ? Fate::single : Fate::merged);
   }
@@ -90,43 +95,40 @@ void EdgeSet::renew(SegmentId id) {
 void EdgeSet::gather(SegmentId id) {
   group_.clear();
   strips_.clear();
-  Segment first = stripEnd(read(id), Way::before);
-  if (!isShort(first.start, stripEnd(first, Way::after).end)) return gatherStrip(first);
+  const Segment* const begin = &stripEnd(read(id), Way::before);
+  if (!isShort(begin->start, stripEnd(*begin, Way::after).end)) return gatherStrip(*begin);
 
-  const SegmentId begin = first.id;
+  const Segment* first = begin;
   bool ring = false;
-  while (const std::optional<Segment> previous = neighbour(first, Way::before)) {
-    const Segment start = stripEnd(*previous, Way::before);
-    if (!isShort(start.start, previous->end)) break;
-    ring = start.id == begin;
-    if (ring) break;
+  while (const Segment* const previous = neighbour(*first, Way::before)) {
+    const Segment* const start = &stripEnd(*previous, Way::before);
+    if (!isShort(start->start, previous->end)) break;
+    ring = start == begin;
     first = start;
+    if (ring) break;
   }
-  const SegmentId end = ring ? begin : first.id;
-  if (ring) first = read(begin);
-  for (;;) {
-    gatherStrip(first);
-    const std::optional<Segment> next = neighbour(group_.back(), Way::after);
-    if (!next || next->id == end || !isShort(next->start, stripEnd(*next, Way::after).end)) break;
-    first = *next;
-  }
+  const Segment* const end = first;
+  do {
+    gatherStrip(*first);
+    first = neighbour(*group_.back(), Way::after);
+  } while (first && first != end && isShort(first->start, stripEnd(*first, Way::after).end));
   if (ring) startRingAtLeast();
 }
 
 void EdgeSet::gatherStrip(const Segment& first) {
   const std::size_t begin = group_.size();
-  group_.push_back(first);
+  group_.push_back(&first);
   while (options_.merge) {
-    const std::optional<Segment> next = neighbour(group_.back(), Way::after);
-    if (!next || !straight(group_.back(), *next)) break;
-    group_.push_back(*next);
+    const Segment* const next = neighbour(*group_.back(), Way::after);
+    if (!next || !straight(*group_.back(), *next)) break;
+    group_.push_back(next);
   }
   strips_.push_back({begin, group_.size() - 1});
 }
 
 // A ring of short strips has no first one. It begins with the least, so that the edges do not depend on the seed.
 void EdgeSet::startRingAtLeast() {
-  const auto ends = [&](const Strip& s) { return std::pair(group_[s.first].start, group_[s.first].end); };
+  const auto ends = [&](const Strip& s) { return std::pair(group_[s.first]->start, group_[s.first]->end); };
   const auto least = std::min_element(strips_.begin(), strips_.end(),
                                       [&](const Strip& a, const Strip& b) { return ends(a) < ends(b); });
   const std::size_t shift = least->first;
@@ -142,18 +144,18 @@ void EdgeSet::weld() {
   std::optional<Strip> edge;  // the last one, which may grow
   std::size_t first = 0;      // of the segments since then
   for (const Strip& strip : strips_) {
-    if (isShort(group_[first].start, group_[strip.last].end)) continue;
+    if (isShort(group_[first]->start, group_[strip.last]->end)) continue;
     if (edge) place(edge->first, edge->last, Fate::welded);
     edge = {first, strip.last};
     first = strip.last + 1;
   }
-  if (edge && !isShort(group_[edge->first].start, group_.back().end)) {
+  if (edge && !isShort(group_[edge->first]->start, group_.back()->end)) {
     edge->last = group_.size() - 1;
     first = group_.size();
   }
   if (edge) place(edge->first, edge->last, Fate::welded);
   for (; first < group_.size(); ++first) {
-    Record& record = records_[group_[first].id.value];
+    Record& record = records_[group_[first]->id.value];
     record.edge = 0;
     setFate(record, Fate::leftOut);
   }

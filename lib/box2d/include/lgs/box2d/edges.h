@@ -26,6 +26,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <unordered_map>
@@ -170,11 +171,12 @@ class EdgeSet {
   void retire(std::uint32_t edge);
   void removeRetired();
 
-  std::optional<Segment> find(SegmentId id);
-  Segment read(SegmentId id) { return *find(id); }
-  std::optional<Segment> neighbour(const Segment& s, Way way);
+  const Segment* find(SegmentId id);
+  const Segment& read(SegmentId id) { return *find(id); }
+  void forgetReads();
+  const Segment* neighbour(const Segment& s, Way way);
   bool straight(const Segment& a, const Segment& b) const;
-  Segment stripEnd(Segment s, Way way);
+  const Segment& stripEnd(const Segment& from, Way way);
   bool isShort(Point from, Point to) const;
   bool isTurned(const std::optional<Point>& before, const std::optional<Point>& now, Point end) const;
 
@@ -206,11 +208,12 @@ class EdgeSet {
   std::size_t fates_[6] = {};
   EdgeChanges changes_;
   // Of the update. They are members so that their memory is used again.
-  std::vector<Segment> reads_;          // segments that were read, as each is asked for some ten times
+  std::deque<Segment> reads_;  // segments that were read, as each is asked for some ten times; they stay where they are
+  std::size_t readCount_ = 0;  // those of reads_ that are of now
   std::vector<SegmentId> seeds_;        // segments to look at
   std::vector<std::uint32_t> retired_;  // edges that go unless they are placed again
   std::vector<std::uint32_t> placed_;   // edges that were placed
-  std::vector<Segment> group_;          // the strips that are being worked on
+  std::vector<const Segment*> group_;   // the strips that are being worked on
   std::vector<Strip> strips_;
   std::vector<std::pair<SegmentId, SegmentId>> ends_;  // the first and last segment of each group
 };
