@@ -5,6 +5,7 @@
 #include <lgs/ids.h>
 #include <lgs/lattice.h>
 
+#include <algorithm>
 #include <functional>
 #include <span>
 #include <vector>
@@ -28,11 +29,27 @@ struct Box {
 /// All places where a body may be.
 inline constexpr Box kEverywhere{{-1e15, -1e15}, {1e15, 1e15}};
 
+/// The least box around two.
+inline Box around(const Box& a, const Box& b) {
+  return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
+          {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};
+}
+
+/// Whether two boxes have a point in common.
+inline bool overlap(const Box& a, const Box& b) {
+  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+}
+
 /// A lattice point, exactly.
 inline DoublePoint real(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
 /// A point that was moved.
 inline DoublePoint moved(DoublePoint p, DoublePoint by) { return {p.x + by.x, p.y + by.y}; }
+
+/// The least box around a line.
+inline Box boxOf(Point a, Point b) {
+  return {real({std::min(a.x, b.x), std::min(a.y, b.y)}), real({std::max(a.x, b.x), std::max(a.y, b.y)})};
+}
 
 /// The least box around forms.
 Box boxOf(std::span<const Form> forms);

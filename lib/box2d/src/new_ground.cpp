@@ -26,11 +26,7 @@ int windingOf(const Line& line, Point p) {
   return isUp ? 1 : -1;
 }
 
-bool isBeside(const Line& line, const Box& box) {
-  const auto [a, b] = line;
-  return static_cast<double>(std::max(a.x, b.x)) < box.min.x || static_cast<double>(std::min(a.x, b.x)) > box.max.x ||
-         static_cast<double>(std::max(a.y, b.y)) < box.min.y || static_cast<double>(std::min(a.y, b.y)) > box.max.y;
-}
+bool isBeside(const Line& line, const Box& box) { return !overlap(boxOf(line.start, line.end), box); }
 
 Cell cellOf(DoublePoint p) {
   const auto index = [](double units) {
@@ -66,10 +62,15 @@ NewGround::NewGround(const World& world, const EdgeSet& before) : world_(world) 
 
 void NewGround::add(std::vector<Piece>& list, const Piece& piece) {
   list.push_back(piece);
-  const DoublePoint a = real(piece.line.start), b = real(piece.line.end);
-  if (!box_) box_ = {a, a};
-  box_->min = {std::min({box_->min.x, a.x, b.x}), std::min({box_->min.y, a.y, b.y})};
-  box_->max = {std::max({box_->max.x, a.x, b.x}), std::max({box_->max.y, a.y, b.y})};
+  const Box box = boxOf(piece.line.start, piece.line.end);
+  box_ = box_ ? around(*box_, box) : box;
+}
+
+std::vector<Box> NewGround::boxes() const {
+  std::vector<Box> boxes;
+  for (const auto* list : {&went_, &came_})
+    for (const Piece& piece : *list) boxes.push_back(boxOf(piece.line.start, piece.line.end));
+  return boxes;
 }
 
 int NewGround::becameSolid(Point p) const {

@@ -128,9 +128,7 @@ std::optional<Catch> catchOf(const NewGround& ground, std::vector<Form> forms, W
 // A way from where the middles are free crosses no edge of the outline.
 std::optional<DoublePoint> releaseOf(const World& world, std::span<const Form> forms, const Box& changed,
                                      double tolerance) {
-  const Box box = boxOf(forms);
-  if (box.max.x < changed.min.x || box.min.x > changed.max.x || box.max.y < changed.min.y || box.min.y > changed.max.y)
-    return std::nullopt;
+  if (!overlap(boxOf(forms), changed)) return std::nullopt;
   const NewGround ground(world);
   if (!std::all_of(forms.begin(), forms.end(), [&](const Form& form) { return ground.isFree(form); }))
     return std::nullopt;

@@ -3,9 +3,9 @@
 #include "find_hit.h"
 #include "footing.h"
 #include "new_ground.h"
+#include "way_out.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace lgs::box2d {
@@ -41,16 +41,20 @@ tl::expected<void, SyncError> TerrainBase::sync(const Changes& changes) { return
 tl::expected<void, SyncError> TerrainBase::sync(const Changes& changes, OnCaught onCaught) {
   if (const auto misfit = edges_.misfit(world_, changes)) return tl::unexpected(*misfit);
   const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_, changes);
-  caught_ = onCaught == OnCaught::leave ? std::vector<Caught>() : find(ground);
-  apply(edges_.update(world_, changes));
+  const EdgeChanges& edges = edges_.update(world_, changes);
+  const std::vector<BodyHandle> near = isAlone() ? std::vector<BodyHandle>() : wakeAround(edges, ground.boxes());
+  caught_ = onCaught == OnCaught::leave ? std::vector<Caught>() : find(near, ground, Whose::free);
+  apply(edges);
   settle(ground.box(), onCaught);
   return {};
 }
 
 void TerrainBase::resync() {
   const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_);
-  caught_ = onCaught_ == OnCaught::leave ? std::vector<Caught>() : findAll(ground);
-  apply(edges_.load(world_));
+  caught_ = onCaught_ == OnCaught::leave ? std::vector<Caught>() : find(catchableIn(kEverywhere), ground, Whose::all);
+  const EdgeChanges& edges = edges_.load(world_);
+  if (!isAlone()) wakeAround(edges, {});
+  apply(edges);
   settle(kEverywhere, onCaught_);
   noteAll();
 }
@@ -68,7 +72,7 @@ void TerrainBase::materialsChanged() {
 void TerrainBase::remake(EdgeId id) {
   destroy(id);
   create(id);
-  if (!isAlone()) wakeAround({&id, 1});
+  if (!isAlone()) wakeAround({.removed = {}, .added = {id}, .relinked = {}, .turned = {}}, {});
 }
 
 void TerrainBase::moveOrigin(Cell origin) {
@@ -87,7 +91,6 @@ bool TerrainBase::isAlone() const { return bodyCountOf(physics_) <= bodyCount_; 
 void TerrainBase::apply(const EdgeChanges& changes) {
   assertUnlocked(physics_);
   bodies_.resize(edges_.chunkCount());
-  if (!isAlone()) wakeAround(changes);
   for (const EdgeId id : changes.removed) destroy(id);
   for (const EdgeId id : changes.added) create(id);
   for (const EdgeId id : changes.turned) {
@@ -124,61 +127,6 @@ void TerrainBase::destroy(EdgeId id) {
 LocalEdge TerrainBase::localEdge(EdgeId id) const {
   const Edge& edge = edges_.edge(id);
   return box2d::localEdge(edge, edges_.chunk(edge.chunk), frame_, slop());
-}
-
-// Where many edges of a square of cells change, as when much is undone, Box2D is asked first whether anybody is there.
-void TerrainBase::wakeAround(const EdgeChanges& changes) {
-  constexpr std::int64_t kSquare = 4 * kUnitsPerCell;
-  std::vector<std::pair<std::uint64_t, EdgeId>> bySquare;
-  const auto add = [&](const std::vector<EdgeId>& ids) {
-    for (const EdgeId id : ids) {
-      const Edge& edge = edges_.edge(id);
-      const Point corner = frame_.cornerOf(edges_.chunk(edge.chunk));
-      const auto column = static_cast<std::uint64_t>((edge.start.x - corner.x) / kSquare);
-      const auto row = static_cast<std::uint64_t>((edge.start.y - corner.y) / kSquare);
-      bySquare.emplace_back(std::uint64_t{edge.chunk} << 32 | row << 16 | column, id);
-    }
-  };
-  if (!kDestroyingWakes) add(changes.removed);
-  add(changes.added);
-  add(changes.turned);
-  std::sort(bySquare.begin(), bySquare.end());
-  std::vector<EdgeId> square;
-  for (std::size_t k = 0; k < bySquare.size(); ++k) {
-    square.push_back(bySquare[k].second);
-    if (k + 1 < bySquare.size() && bySquare[k + 1].first == bySquare[k].first) continue;
-    wakeAround(square);
-    square.clear();
-  }
-}
-
-void TerrainBase::wakeAround(std::span<const EdgeId> ids) {
-  constexpr std::size_t kFew = 4;
-  bool isSomebodyThere = ids.size() <= kFew;
-  if (!isSomebodyThere) forEachBodyAround(ids, [&](BodyHandle /*body*/) { isSomebodyThere = true; });
-  if (!isSomebodyThere) return;
-  for (const EdgeId& id : ids) forEachBodyAround({&id, 1}, [](BodyHandle body) { wakeUp(body); });
-}
-
-// The edges are of one chunk.
-template <class Call>
-void TerrainBase::forEachBodyAround(std::span<const EdgeId> ids, const Call& call) {
-  const std::uint32_t chunk = edges_.edge(ids.front()).chunk;
-  constexpr float kMost = std::numeric_limits<float>::max();
-  b2Vec2 lower{kMost, kMost}, upper{-kMost, -kMost};
-  for (const EdgeId id : ids) {
-    const Edge& edge = edges_.edge(id);
-    for (const Point p : {edge.start, edge.end}) {
-      const Metres m = frame_.local(p, edges_.chunk(chunk));
-      lower = {std::min(lower.x, m.x), std::min(lower.y, m.y)};
-      upper = {std::max(upper.x, m.x), std::max(upper.y, m.y)};
-    }
-  }
-  const float around = wakingDistance();
-  forEachShapeIn(physics_, positionOf(chunk), {lower.x - around, lower.y - around},
-                 {upper.x + around, upper.y + around}, [&](ShapeHandle shape) {
-                   if (!isStatic(bodyOf(shape))) call(bodyOf(shape));
-                 });
 }
 
 std::optional<Hit> TerrainBase::hit(const Shape& shape) const {

@@ -3,6 +3,7 @@
 #include "calls.h"
 #include "footing.h"
 #include "new_ground.h"
+#include "places.h"
 #include "way_out.h"
 
 #include <algorithm>
@@ -56,16 +57,43 @@ std::vector<BodyHandle> TerrainBase::catchableIn(const Box& box) const {
   return bodies;
 }
 
-std::vector<Caught> TerrainBase::find(const NewGround& ground) {
-  std::vector<Caught> caught;
-  if (!ground.box()) return caught;
-  for (const BodyHandle body : catchableIn(*ground.box())) addIfCaught(body, ground, Whose::free, caught);
-  return caught;
+// Box2D is asked once for each place. A body may be at several of them.
+std::vector<BodyHandle> TerrainBase::wakeNear(std::span<const Box> boxes, std::size_t waking) {
+  std::vector<BodyHandle> bodies;
+  std::unordered_set<std::uint64_t> known;
+  for (const ChangedPlace& place : placesOf(boxes)) {
+    for (const BodyHandle body : catchableIn(place.box)) {
+      if (known.insert(numberOf(body)).second) bodies.push_back(body);
+      const auto first = std::ranges::lower_bound(place.boxes, waking);
+      if (first == place.boxes.end()) continue;
+      const std::vector<Form> forms = formsOf(body, box2d::poseOf(body));
+      const auto isBeside = [&](std::uint32_t k) {
+        return std::ranges::any_of(forms, [&](const Form& form) { return overlap(boxOf({&form, 1}), boxes[k]); });
+      };
+      if (std::any_of(first, place.boxes.end(), isBeside)) wakeUp(body);
+    }
+  }
+  return bodies;
 }
 
-std::vector<Caught> TerrainBase::findAll(const NewGround& ground) {
+std::vector<BodyHandle> TerrainBase::wakeAround(const EdgeChanges& changes, std::vector<Box> boxes) {
+  const std::size_t others = boxes.size();
+  const double far = frame_.units(wakingDistance());
+  const auto add = [&](const std::vector<EdgeId>& ids) {
+    for (const EdgeId id : ids) {
+      const auto [min, max] = boxOf(edges_.edge(id).start, edges_.edge(id).end);
+      boxes.push_back({{min.x - far, min.y - far}, {max.x + far, max.y + far}});
+    }
+  };
+  if (!kDestroyingWakes) add(changes.removed);
+  add(changes.added);
+  add(changes.turned);
+  return wakeNear(boxes, others);
+}
+
+std::vector<Caught> TerrainBase::find(const std::vector<BodyHandle>& bodies, const NewGround& ground, Whose whose) {
   std::vector<Caught> caught;
-  for (const BodyHandle body : catchableIn(kEverywhere)) addIfCaught(body, ground, Whose::all, caught);
+  for (const BodyHandle body : bodies) addIfCaught(body, ground, whose, caught);
   return caught;
 }
 
@@ -79,7 +107,9 @@ void TerrainBase::addIfCaught(BodyHandle body, const NewGround& ground, Whose wh
 
 std::vector<Caught> TerrainBase::caughtBy(const Changes& changes) {
   if (edges_.misfit(world_, changes)) return {};
-  return find(NewGround(world_, edges_, changes));
+  const NewGround ground(world_, edges_, changes);
+  const std::vector<Box> boxes = ground.boxes();
+  return find(wakeNear(boxes, boxes.size()), ground, Whose::free);
 }
 
 // Those that were held before come first. So who is caught now is not tried twice.

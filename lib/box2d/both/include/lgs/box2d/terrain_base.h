@@ -197,8 +197,9 @@ class TerrainBase {
   std::vector<Form> formsOf(ConstBodyHandle body, const Pose& at);
   b2Vec2 metres(DoublePoint units) const;
   std::vector<BodyHandle> catchableIn(const Box& box) const;
-  std::vector<Caught> find(const NewGround& ground);
-  std::vector<Caught> findAll(const NewGround& ground);
+  /// The bodies at boxes, each once. Wakes those at boxes from the index `waking` on.
+  std::vector<BodyHandle> wakeNear(std::span<const Box> boxes, std::size_t waking);
+  std::vector<Caught> find(const std::vector<BodyHandle>& bodies, const NewGround& ground, Whose whose);
   void addIfCaught(BodyHandle body, const NewGround& ground, Whose whose, std::vector<Caught>& caught);
   void settle(const std::optional<Box>& changed, OnCaught onCaught);
   bool release(BodyHandle body, const Box& changed);
@@ -215,10 +216,8 @@ class TerrainBase {
   void create(EdgeId id);
   void destroy(EdgeId id);
   void remake(EdgeId id);
-  void wakeAround(const EdgeChanges& changes);
-  void wakeAround(std::span<const EdgeId> ids);
-  template <class Call>
-  void forEachBodyAround(std::span<const EdgeId> ids, const Call& call);
+  /// Wakes who is near edges that change. Returns those bodies, and those at boxes.
+  std::vector<BodyHandle> wakeAround(const EdgeChanges& changes, std::vector<Box> boxes);
   LocalEdge localEdge(EdgeId id) const;
   Position positionOf(std::uint32_t chunk) const;
 
