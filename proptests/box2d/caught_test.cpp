@@ -41,6 +41,20 @@ class Box2dCaught : public EitherBox2d {
   PolygonHandle handle;
 };
 
+TEST_F(Box2dCaught, WhoIsInTheMiddleOfALargeHillIsFound) {
+  Terrain terrain(physics, field.world);
+  const Body here = addBody({4.5F, 5.5F}, Form::ball, 0), there = addBody({54.5F, 5.5F}, Form::box, 0);
+  addBody({29.5F, 5.5F}, Form::ball, 0);  // between two hills
+  for (const std::int32_t from : {0, 50})
+    for (std::int32_t j = 1; j <= 9; ++j)
+      for (std::int32_t i = 0; i < 9; ++i) field.add({from + i, j}, kSquare);
+  const std::vector<Caught> who = terrain.caughtBy(field.world.commit());
+  ASSERT_EQ(who.size(), 2U);
+  const bool isInOrder = isSame(who[0].body, here);
+  EXPECT_TRUE(isSame(who[isInOrder ? 0 : 1].body, here));
+  EXPECT_TRUE(isSame(who[isInOrder ? 1 : 0].body, there));
+}
+
 TEST_F(Box2dCaught, WhoIsInNewGroundIsPushedOut) {
   Terrain terrain(physics, field.world);
   for (const Form form : {Form::ball, Form::box}) {
