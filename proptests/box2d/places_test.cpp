@@ -36,7 +36,7 @@ std::set<std::set<std::uint32_t>> searched(const std::vector<Box>& boxes) {
   return places;
 }
 
-TEST(Box2dPlaces, AreThoseThatASearchFinds) {
+TEST(Box2dChangedPlaces, AreThoseThatASearchFinds) {
   oracle::Random random(1);
   for (int times = 0; times < 2'000; ++times) {
     std::vector<Box> boxes(static_cast<std::size_t>(random.below(40)));

@@ -28,7 +28,7 @@ inline b2Vec2 toBox2D(Place p) { return {static_cast<float>(p.x), static_cast<fl
 
 inline float slop() { return b2_linearSlop; }
 /// New ground wakes who is not further away.
-inline float wakingDistance() { return b2_aabbExtension + b2_polygonRadius; }
+inline float wakingDistance() { return 2 * b2_aabbExtension + b2_polygonRadius; }
 /// Whether Box2D itself wakes what touched a shape that is destroyed.
 inline constexpr bool kDestroyingWakes = true;
 

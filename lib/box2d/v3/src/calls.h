@@ -28,8 +28,9 @@ inline Position toBox2D(Place p) {
 }
 
 inline float slop() { return 0.005F * b2GetLengthUnitsPerMeter(); }  // B2_LINEAR_SLOP is public from 3.2 on
-/// New ground wakes who is not further away.
-inline float wakingDistance() { return 0.1F * b2GetLengthUnitsPerMeter(); }
+/// New ground wakes who is not further away. Box2D makes no contact between who sleeps and a static shape that is new,
+/// although its box of a sleeper, which is larger by two of its margins at most, may reach so far.
+inline float wakingDistance() { return 0.35F * b2GetLengthUnitsPerMeter(); }
 /// Whether Box2D itself wakes what touched a shape that is destroyed.
 inline constexpr bool kDestroyingWakes = false;
 
