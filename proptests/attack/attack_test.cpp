@@ -2,6 +2,7 @@
 // random ones in random order. Whatever is refused has changed nothing; what the documents refuse is refused; and in
 // the end the outline is that of the laws, worked out the slow way. The sanitizers look on.
 #include "door.h"
+#include "followed.h"
 
 #include "oracle/check/isolated.h"
 #include "oracle/trace/dump.h"
@@ -77,6 +78,7 @@ void strikeAll(const std::vector<Blow>& blows) {
     world->commit();
     EXPECT_EQ(oracle::outlineOf(*world), outlineByLaws(*world, {}));
   }
+  expectViewsAreRight(scene);
 }
 
 /// As they would be called one after the other: the names lead to what is there by then.
@@ -171,6 +173,8 @@ const std::vector<Door>& doors() {
     addDoorsOfBrushes(every);
     addDoorsOfC(every);
     addDoorsOfViews(every);
+    addDoorsOfHashes(every);
+    addDoorsOfViewsInC(every);
 #ifdef LGS_HAS_BOX2D
     addDoorsOfBox2d(every);
 #endif
