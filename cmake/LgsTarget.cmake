@@ -46,12 +46,12 @@ function(lgs_target target)
   endif()
 endfunction()
 
-# lgs_check_integers(<target>): no number may be cut, change its sign or wrap unasked: with clang and LGS_SANITIZE_INTEGERS.
-# What wraps on purpose has LGS_WRAPS; cmake/integers.txt names what is not ours.
+# lgs_check_integers(<target>): with clang and LGS_SANITIZE_INTEGERS no number may be cut, change its sign or wrap unasked.
+# cmake/integers.txt names the files where numbers wrap on purpose.
 function(lgs_check_integers target)
   if(LGS_SANITIZE_INTEGERS AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     set(ignored ${LocalGridSeg_SOURCE_DIR}/cmake/integers.txt)
-    target_compile_options(${target} PRIVATE -fsanitize=integer -fsanitize-recover=integer
+    target_compile_options(${target} PRIVATE -fsanitize=integer -fno-sanitize-recover=all
       -fsanitize-ignorelist=${ignored})
   endif()
 endfunction()

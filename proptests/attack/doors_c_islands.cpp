@@ -204,6 +204,9 @@ void addDoorsOfIslandsInC(Doors& door) {
     const lgs_status status = checked(
         lgs_islands_update(i.isGiven ? view.get() : nullptr, asked, told.which == ToldOfC::none ? nullptr : &changes),
         i.isGiven && asked && told.which != ToldOfC::none);
+    if (i.isGiven && w.which == WorldOfC::own && told.which == ToldOfC::last && edit.which != EditOfC::pending) {
+      EXPECT_EQ(status == LGS_OK, edit.isHonest());
+    }
     if (asked) askAll(view.get(), asked);
     if (edit.isHonest()) edit(f.world.get(), f.square);
     f.commit();

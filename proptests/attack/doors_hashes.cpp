@@ -109,6 +109,7 @@ void addDoorsOfHashes(Doors& door) {
   door("GroundHashes::whole() const", [](Scene& s) {
     const Followed& f = followedBy(s);
     EXPECT_EQ(f.hashes->whole().hash, f.hashes->hash());
+    EXPECT_EQ(GroundHashes(World()).whole(), GroundHashes::square({0, 0}, 0));
     return 0U;
   });
   door("GroundHashes::square(Cell, int)", [](Scene&, Cell cell, int level) {

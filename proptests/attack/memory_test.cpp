@@ -68,7 +68,6 @@ TEST(Attack, MemoryThatRunsOut) {
       ++cases;
       EXPECT_NE(end, End::broken) << door.name << ", allocation " << number << ", case " << cases;
       if (end == End::broken) break;
-      if (end == End::wentOn && std::getenv("LGS_TELL")) std::printf("%s %d\n", door.name.c_str(), static_cast<int>(number));
     }
   }
   RecordProperty("cases", static_cast<int>(cases));
