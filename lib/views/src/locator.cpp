@@ -54,7 +54,7 @@ LoopId Locator::leftWestOf(const Crossing& from) const {
     std::optional<Crossing> best;
     LoopId found;
     const std::vector<SegmentId> here = outline_.segments(CellRect{{first, j}, {last, j}});
-    most = here.empty() ? std::min(2 * most, kMaxCell) : 64;
+    most = here.empty() ? std::min(2 * most, 1 << 28) : 64;
     for (const SegmentId id : here) {
       const Segment s = *outline_.segment(id);
       if (s.end.y >= s.start.y) continue;  // the solid is on its western side
