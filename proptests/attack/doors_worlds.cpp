@@ -92,7 +92,8 @@ void addDoorsOfWorlds(Doors& door) {
          World fresh;  // where no mark and no segment makes it take the long way
          shapeOf(fresh, {unitSquare()});
          shapeOf(fresh, shapeNamed("two ramps"));
-         static_cast<void>(refusedIf(std::ranges::any_of(all, isBad), fresh.addMany(all)));
+         const auto isOut = [](const Placement& p) { return isOutOfRange(p.cell); };
+         static_cast<void>(refusedIf(std::ranges::any_of(all, isOut), fresh.addMany(all)));
          World(fresh).commit();
          return withRoom(room, [&](auto handles) {
            return refusedIf(std::ranges::any_of(all, isBad), s.world.addMany(all, handles));
