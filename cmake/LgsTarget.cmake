@@ -30,7 +30,9 @@ function(lgs_target target)
           -fsanitize=${LGS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
           -D_GLIBCXX_ASSERTIONS  # an index beyond a vector's end may be within its memory
           $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC takes the sanitizers' own code for uses
-        if(NOT CMAKE_CURRENT_SOURCE_DIR MATCHES "^${LocalGridSeg_SOURCE_DIR}/lib(/|$)")
+        if(CMAKE_CURRENT_SOURCE_DIR MATCHES "^${LocalGridSeg_SOURCE_DIR}/lib(/|$)")
+          lgs_check_integers(${target})
+        else()
           # These checks of pointers take up to a fifth of the time to compile. Outside lib/ they find nothing more: a
           # null pointer crashes anyway, and the others are for casts of pointers, which only lib/ has.
           target_compile_options(${target} PRIVATE -fno-sanitize=null,alignment,vptr)
@@ -41,6 +43,16 @@ function(lgs_target target)
       endif()
       target_link_options(${target} PUBLIC -fsanitize=${LGS_SANITIZE})
     endif()
+  endif()
+endfunction()
+
+# lgs_check_integers(<target>): with clang and LGS_SANITIZE_INTEGERS no number may be cut, change its sign or wrap unasked.
+# cmake/integers.txt names the files where numbers wrap on purpose.
+function(lgs_check_integers target)
+  if(LGS_SANITIZE_INTEGERS AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    set(ignored ${LocalGridSeg_SOURCE_DIR}/cmake/integers.txt)
+    target_compile_options(${target} PRIVATE -fsanitize=integer -fno-sanitize-recover=all
+      -fsanitize-ignorelist=${ignored})
   endif()
 endfunction()
 

@@ -114,6 +114,8 @@ void addDoorsOfReading(Doors& door);
 void addDoorsOfBrushes(Doors& door);
 void addDoorsOfC(Doors& door);
 void addDoorsOfViews(Doors& door);
+void addDoorsOfHashes(Doors& door);
+void addDoorsOfViewsInC(Doors& door);
 void addDoorsOfBox2d(Doors& door);
 
 }  // namespace lgs::test

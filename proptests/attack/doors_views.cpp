@@ -1,53 +1,14 @@
 // Doors of what follows a world: loops, islands and their bodies, pieces, falling ground. They have a world of their
 // own, since it must have no mark when they begin; names are those of the scene.
 #include "door.h"
+#include "followed.h"
 
 #include <lgs/falling.h>
-#include <lgs/islands.h>
-#include <lgs/pieces.h>
 
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace lgs::test {
-
-/// A floor of two blocks, with a hole in it, and a rock above it; cut once. And another world with its views.
-struct Followed {
-  Followed() {
-    static_cast<void>(world.followCells(true));
-    const ShapeId square = shapeOf(world, {unitSquare()});
-    static_cast<void>(world.fill({{-2, -1}, {4, 1}}, square, 1));
-    static_cast<void>(world.clear(Cell{0, 0}));
-    static_cast<void>(world.fill({{1, 3}, {2, 3}}, square, 2));
-    place(world, {2, 4}, ramp(), 3);
-    world.commit();
-    static_cast<void>(other.followCells(true));
-    place(other, {5, 5}, ramp(), 4);
-    world.commit();
-    other.commit();
-    loops.emplace(world);
-    islands.emplace(world, [](Block block, Cell) { return block == 1; });
-    pieces.emplace(world);
-    early = world.commit();
-    static_cast<void>(world.clear(Cell{2, 3}));
-    follow(world.commit());
-  }
-  void follow(const Changes& changes) {
-    static_cast<void>(loops->update(world, changes));
-    static_cast<void>(islands->update(world, changes));
-    pieces->update(world.cellChanges());
-    last = changes;
-  }
-  /// As a game does it: each commit is told to all.
-  void commit() { follow(Changes(world.commit())); }
-
-  World world, other;
-  Changes early, last;
-  std::optional<Loops> loops;
-  std::optional<Islands> islands;
-  std::optional<Pieces> pieces;
-};
 
 namespace {
 
@@ -55,11 +16,6 @@ using Edit = std::function<bool(World&)>;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-Followed& followedBy(Scene& scene) {
-  if (!scene.followed) scene.followed = std::make_shared<Followed>();
-  return *scene.followed;
-}
 
 /// What every view can go through as a value; it goes on as what it became.
 template <class View>
@@ -227,8 +183,11 @@ void addDoorsOfViews(Doors& door) {
   door("Loops::Loops(Loops&&)", moved(&Followed::loops));
   door("Loops::operator=(Loops&&)", moveAssigned(&Followed::loops));
   door("Loops::update(const World&, const Changes&)", [](Scene& s, bool isOther, const Told& told) {
-    Followed& f = followedBy(s);
-    return f.loops->update(isOther ? f.other : f.world, told.in(s));
+    const Followed& f = followedBy(s);
+    Loops copy = *f.loops;  // which is out of step, if lists are made up well enough
+    const bool isTaken = copy.update(isOther ? f.other : f.world, told.in(s));
+    for (const LoopId id : copy.all()) static_cast<void>(copy.loop(id));
+    return isTaken;
   });
   door("Loops::changes() const", [](Scene& s) { return followedBy(s).loops->changes().came.size(); });
   door("Loops::loop(LoopId) const", [](Scene& s, LoopId id) { return followedBy(s).loops->loop(id).has_value(); });
@@ -245,14 +204,21 @@ void addDoorsOfViews(Doors& door) {
     const IsAnchor isAnchor = [](Block, Cell) { return true; };
     return Islands(followedBy(s).world, holds ? isAnchor : IsAnchor()).all().size();
   });
-  door("Islands::~Islands()", ended(&Followed::islands));
+  door("Islands::~Islands()", [](Scene& s) {
+    followedBy(s).commit();
+    followedBy(s).islands.emplace(followedBy(s).world, [](Block block, Cell) { return isBedrock(block); });
+    return 0U;
+  });
   door("Islands::Islands(const Islands&)", copied(&Followed::islands));
   door("Islands::operator=(const Islands&)", assignedToItself(&Followed::islands));
   door("Islands::Islands(Islands&&)", moved(&Followed::islands));
   door("Islands::operator=(Islands&&)", moveAssigned(&Followed::islands));
   door("Islands::update(const World&, const Changes&)", [](Scene& s, bool isOther, const Told& told) {
-    Followed& f = followedBy(s);
-    return f.islands->update(isOther ? f.other : f.world, told.in(s));
+    const Followed& f = followedBy(s);
+    Islands copy = *f.islands;
+    const bool isTaken = copy.update(isOther ? f.other : f.world, told.in(s));
+    for (const IslandId id : copy.all()) static_cast<void>(copy.island(id));
+    return isTaken;
   });
   door("Islands::changes() const", [](Scene& s) { return followedBy(s).islands->changes().came.size(); });
   door("Islands::island(IslandId) const",

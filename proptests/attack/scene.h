@@ -18,8 +18,9 @@ struct FreeWorld {
 };
 using CWorld = std::unique_ptr<lgs_world, FreeWorld>;
 
-struct Ground;    // of a physics engine: doors_box2d.cpp
-struct Followed;  // a world with its views: doors_views.cpp
+struct Ground;     // of a physics engine: doors_box2d.cpp
+struct Followed;   // a world with its views: followed.h
+struct FollowedC;  // the same in C
 
 struct Scene {
   Scene();
@@ -32,9 +33,10 @@ struct Scene {
   std::vector<SegmentId> segments;
   std::vector<ShapeId> shapes;
   std::vector<Mark> marks, marksOfC;
-  Changes reported;                    ///< by an early commit of the world
-  std::shared_ptr<Ground> ground;      ///< made when it is asked for; it goes before the world
-  std::shared_ptr<Followed> followed;  ///< made when it is asked for
+  Changes reported;                        ///< by an early commit of the world
+  std::shared_ptr<Ground> ground;          ///< made when it is asked for; it goes before the world
+  std::shared_ptr<Followed> followed;      ///< made when it is asked for
+  std::shared_ptr<FollowedC> followedInC;  ///< made when it is asked for
 
   /// Looks anew for who is alive.
   void refresh();

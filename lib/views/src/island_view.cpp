@@ -3,7 +3,6 @@
 #include "geometry/sort.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace lgs::detail {
 
@@ -12,9 +11,11 @@ void IslandView::load(const World& world, const Loops& loops) {
     if (!loops.loop(id)->isHole()) set(newId(), id, anchorsIn(world, loops, id));
 }
 
-IslandFacts IslandView::facts(const Loops& loops, IslandId id) const {
+std::optional<IslandFacts> IslandView::facts(const Loops& loops, IslandId id) const {
   const Island& island = islands_[id.value];
-  return {id, *loops.loop(island.outer), island.anchors};
+  const auto outer = loops.loop(island.outer);
+  if (!outer) return std::nullopt;
+  return IslandFacts{id, *outer, island.anchors};
 }
 
 std::vector<IslandId> IslandView::all() const {
@@ -125,7 +126,7 @@ std::uint64_t IslandView::anchorsIn(const World& world, const Loops& loops, Loop
   if (!isAnchor_) return 0;
   const Segment first = *loops.outline(world).segment(loops.loop(outer)->first);
   const auto start = ownerOf(world, first);
-  assert(start);
+  if (!start) return 0;  // the world has edits that are not committed
   const std::vector<Standing>& all = walk_.from(world, *start, Contact::point);
   return static_cast<std::uint64_t>(
       std::ranges::count_if(all, [&](const Standing& s) { return isAnchor(s.polygon, s.cell); }));

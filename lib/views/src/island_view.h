@@ -7,6 +7,7 @@
 #include <lgs/islands.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,7 +23,7 @@ class IslandView {
 
   const IslandChanges& changes() const { return changes_; }
   bool isIsland(IslandId id) const { return id.value < islands_.size() && islands_[id.value].outer; }
-  IslandFacts facts(const Loops& loops, IslandId id) const;
+  std::optional<IslandFacts> facts(const Loops& loops, IslandId id) const;
   IslandId of(LoopId outer) const { return outer.value < ofLoop_.size() ? ofLoop_[outer.value] : IslandId{}; }
   std::vector<IslandId> all() const;
   std::uint64_t walked() const { return walk_.walked(); }

@@ -1,7 +1,6 @@
 #include "kin.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace lgs::detail {
 namespace {
@@ -90,10 +89,7 @@ Kin::Node Kin::ofTaken(std::size_t index) {
   }
   // It meets no loop. So it lies in the interior of one island, or in the free.
   const Spot spot = world_.at(taken_[index].ring.front());
-  if (spot.polygon) {
-    const PlacedPolygon p = *world_.polygon(spot.polygon);
-    unite(node, ofStanding(spot.cell, p.vertices));
-  }
+  if (const auto p = world_.polygon(spot.polygon)) unite(node, ofStanding(spot.cell, p->vertices));
   return node;
 }
 
@@ -104,15 +100,16 @@ Kin::Node Kin::at(Point point) {
   });
   if (taken) return ofTaken(*taken);
   const Spot spot = world_.at(point);
-  assert(spot.polygon);
-  const PlacedPolygon p = *world_.polygon(spot.polygon);
-  return ofStanding(spot.cell, p.vertices);
+  if (const auto p = world_.polygon(spot.polygon)) return ofStanding(spot.cell, p->vertices);
+  return nodeOf({});  // the world has edits that are not committed
 }
 
 std::vector<LoopId> Kin::outers() const {
   std::vector<LoopId> out;
-  for (const LoopId loop : loop_)
-    if (!loops_.loop(loop)->isHole()) out.push_back(loop);
+  for (const LoopId loop : loop_) {
+    const auto facts = loops_.loop(loop);
+    if (facts && !facts->isHole()) out.push_back(loop);
+  }
   return out;
 }
 

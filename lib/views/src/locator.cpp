@@ -3,7 +3,6 @@
 #include "rings.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace lgs::detail {
 
@@ -25,43 +24,54 @@ LoopId Locator::ofPolygon(Cell cell, std::span<const LocalPoint> vertices) const
     if (here && (!first || *here < *first)) first = here;
     return false;
   });
-  return ofLoop(leftWestOf(*first));
+  return first ? ofLoop(leftWestOf(*first)) : LoopId();
 }
 
+// No hole lies to the east of the one before, and no more begin in one vertex than cells have vertices there; unless
+// this is another world than the one that the loops are of.
 LoopId Locator::ofLoop(LoopId loop) const {
-  for (;;) {
+  std::optional<Point> last;
+  for (std::size_t inOneVertex = 0; inOneVertex < 4 * kMaxVerticesPerCell; ++inOneVertex) {
     const auto facts = loops_.loop(loop);
     if (!facts || !facts->isHole()) return loop;
-    loop = leftWestOf(wallWestOf(*facts));
+    const auto wall = wallWestOf(*facts);
+    if (!wall || (last && facts->west > *last)) return {};
+    if (last && facts->west < *last) inOneVertex = 0;
+    last = facts->west;
+    loop = leftWestOf(*wall);
   }
+  return {};
 }
 
-/// A ray comes from a solid and runs to the west. The loop through which it leaves the island first.
+/// A ray comes from a solid and runs to the west. The loop through which it leaves the island first; null, if it comes
+/// from what is no solid yet.
 LoopId Locator::leftWestOf(const Crossing& from) const {
   const auto j = static_cast<std::int32_t>(from.y >> kCellBits);
   std::int32_t last = from.i;
-  for (std::int32_t width = 1; last >= -kMaxCell; width = std::min(2 * width, 64)) {
+  std::int32_t most = 64;  // at a time; more where there is nothing at all, as the world may end far away
+  for (std::int32_t width = 1; last >= -kMaxCell; width = std::min(2 * width, most)) {
     const std::int32_t first = std::max(last - width + 1, -kMaxCell);
     std::optional<Crossing> best;
     LoopId found;
-    for (const SegmentId id : outline_.segments(CellRect{{first, j}, {last, j}})) {
+    const std::vector<SegmentId> here = outline_.segments(CellRect{{first, j}, {last, j}});
+    most = here.empty() ? std::min(2 * most, 1 << 28) : 64;
+    for (const SegmentId id : here) {
       const Segment s = *outline_.segment(id);
       if (s.end.y >= s.start.y) continue;  // the solid is on its western side
-      const auto here = crossing(from.y, s.cell, s.start, s.end);
-      if (!here || *here > from || (best && *here <= *best)) continue;
-      best = here;
+      const auto at = crossing(from.y, s.cell, s.start, s.end);
+      if (!at || *at > from || (best && *at <= *best)) continue;
+      best = at;
       found = loops_.of(id);
     }
     if (best) return found;
     last = first - 1;
   }
-  assert(false && "every solid has a western end");
   return {};
 }
 
 /// Where a row beside the westernmost vertex of a hole crosses the hole's first edge from the west. Above the vertex,
-/// if an edge leads up from there; otherwise one comes up to it from below.
-Locator::Crossing Locator::wallWestOf(const LoopFacts& hole) const {
+/// if an edge leads up from there; otherwise one comes up to it from below. Nothing, if the hole is of another world.
+std::optional<Locator::Crossing> Locator::wallWestOf(const LoopFacts& hole) const {
   const Point v = hole.west;
   std::optional<Crossing> above, below;
   const auto keep = [](std::optional<Crossing>& best, const std::optional<Crossing>& here) {
@@ -80,8 +90,7 @@ Locator::Crossing Locator::wallWestOf(const LoopFacts& hole) const {
     else
       keep(below, crossing(v.y - 1, s.cell, s.start, s.end));
   }
-  assert(above || below);
-  return above ? *above : *below;
+  return above ? above : below;
 }
 
 }  // namespace lgs::detail

@@ -16,7 +16,8 @@ class Locator {
  public:
   Locator(const World& outline, const Loops& loops) : outline_(outline), loops_(loops) {}
 
-  /// The outer loop of the island of a polygon, which stands in the outline's world.
+  /// The outer loop of the island of a polygon, which stands in the outline's world since its last commit. Of another one
+  /// it is any loop, or null.
   LoopId ofPolygon(Cell cell, std::span<const LocalPoint> vertices) const;
 
   /// The outer loop of the island of a loop: itself, if it is one.
@@ -37,7 +38,7 @@ class Locator {
 
   static std::optional<Crossing> crossing(std::int64_t y, Cell cell, Point start, Point end);
   LoopId leftWestOf(const Crossing& from) const;
-  Crossing wallWestOf(const LoopFacts& hole) const;
+  std::optional<Crossing> wallWestOf(const LoopFacts& hole) const;
 
   const World& outline_;
   const Loops& loops_;

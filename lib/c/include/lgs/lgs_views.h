@@ -96,7 +96,9 @@ LGS_API lgs_status lgs_islands_copy(const lgs_islands* islands, lgs_islands** co
 LGS_API void lgs_islands_free(lgs_islands* islands) LGS_NOTHROW;
 
 /* Takes over what the last commit or roll-back changed. The world must follow its cells. Refused, and nothing changes:
- * LGS_BAD_ARGUMENT, if these changes do not lead from what the view shows to what the world shows; then make a new view.
+ * LGS_BAD_ARGUMENT, if these changes do not lead from what the view shows to what the world shows, or if the world does
+ * not follow its cells; then make a new view. If it has edits that are not committed, what the view says of islands may
+ * be wrong from then on, and nothing worse.
  * Cost: docs/islands.md. */
 LGS_API lgs_status lgs_islands_update(lgs_islands* islands, const lgs_world* world,
                                       const lgs_changes* changes) LGS_NOTHROW;

@@ -85,7 +85,8 @@ class Islands {
   /// Takes over what the world's last commit or roll-back changed. The world must follow its cells, and have no edits
   /// that are not committed: after it went back to a mark that was made while edits were pending, begin again with
   /// another view, after the next commit. To be called once for each commit and roll-back. False, and nothing changes,
-  /// where Loops::update() says so.
+  /// where Loops::update() says so, and if the world does not follow its cells. If it has edits that are not committed,
+  /// what the view says of islands may be wrong from then on, and nothing worse.
   ///
   /// Cost: that of the loops; the polygons and vertices of the changed cells; the segments in and around those where
   /// polygons were taken away, if that may have cut something off. To know which island a hole, or an anchor that
@@ -99,8 +100,9 @@ class Islands {
   /// What is known of an island; nothing, if the id names none. Cost: as of Loops::loop().
   std::optional<IslandFacts> island(IslandId id) const noexcept;
 
-  /// The island that a polygon in a cell is of, as of the last update; null, if there is no such polygon. Cost: the
-  /// cells passed to the next segment in the west, and so on, as in update().
+  /// The island that a polygon in a cell is of, as of the last update; null, if there is no such polygon. Of one that
+  /// was placed since it may be any, or null. Cost: the cells passed to the next segment in the west, and so on, as in
+  /// update().
   IslandId of(const World& world, PolygonHandle polygon) const noexcept;
 
   /// The island of an outer loop; null, if the id names a hole, or nothing.

@@ -1,0 +1,268 @@
+// Doors of islands of the C interface. The views of a scene go on as a game's would; what is out of step, of another world
+// or made up is tried with copies.
+#include "c_views.h"
+
+#include <algorithm>
+#include <array>
+
+namespace lgs::test {
+namespace {
+
+/// An anchor's word, which may be none, or change.
+struct AnchorOfC {
+  enum { honest, none, lying, reading } which = honest;
+  lgs_anchor_fn function() const {
+    switch (which) {
+      case honest:
+        return [](void*, lgs_block block, lgs_cell) -> std::int32_t { return isBedrock(block) ? 1 : 0; };
+      case none:
+        return nullptr;
+      case lying:
+        return [](void*, lgs_block, lgs_cell) -> std::int32_t {
+          static std::uint32_t calls = 0;
+          return ++calls % 3 == 0 ? INT32_MIN : 0;
+        };
+      default:
+        return [](void* user, lgs_block, lgs_cell cell) -> std::int32_t {
+          std::int32_t isEmpty = 0;
+          static_cast<void>(lgs_is_empty(static_cast<const lgs_world*>(user), cell, &isEmpty));
+          return isEmpty;
+        };
+    }
+  }
+};
+
+/// What becomes of a world before its views are told.
+struct EditOfC {
+  enum { build, clear, all, goBack, nothing, pending, isNotFollowed } which = build;
+  static constexpr lgs_cell_rect kRock{{1, 2}, {1, 4}};
+
+  /// False, if a view can not know of it: it may say anything then, but must live.
+  bool isHonest() const { return which < pending; }
+  void operator()(lgs_world* world, lgs_shape_id square) const {
+    lgs_mark mark{};
+    switch (which) {
+      case build:
+        static_cast<void>(lgs_add(world, {1, 2}, square, 2, nullptr, nullptr));
+        break;
+      case clear:
+        EXPECT_EQ(lgs_clear(world, kRock, nullptr, nullptr), LGS_OK);
+        break;
+      case isNotFollowed:
+      case all:
+        if (which == isNotFollowed) static_cast<void>(lgs_follow_cells(world, 0, nullptr));
+        EXPECT_EQ(lgs_clear(world, {{-9, -9}, {99, 99}}, nullptr, nullptr), LGS_OK);
+        break;
+      case goBack:
+        EXPECT_EQ(lgs_checkpoint(world, &mark), LGS_OK);
+        EXPECT_EQ(lgs_clear(world, kRock, nullptr, nullptr), LGS_OK);
+        EXPECT_EQ(lgs_roll_back(world, mark, nullptr, nullptr), LGS_OK);
+        EXPECT_EQ(lgs_forget(world, mark, nullptr), LGS_OK);
+        break;
+      default:
+        break;
+    }
+  }
+  /// What is not committed when the views are told.
+  void afterCommit(lgs_world* world, lgs_shape_id square) const {
+    if (which != pending) return;
+    EXPECT_EQ(lgs_clear(world, {{-9, -9}, {1, 9}}, nullptr, nullptr), LGS_OK);
+    static_cast<void>(lgs_add(world, {40, 40}, square, 1, nullptr, nullptr));
+  }
+};
+
+/// Lists that a view is told.
+struct ToldOfC {
+  enum { last, none, early, empty, segments, noLists, ahead } which = last;
+  void in(Scene& s, const FollowedC& f, const ListsOfC& lists, lgs_changes& changes) const {
+    static std::vector<lgs_segment_id> ids;
+    changes = lists.asChanges();
+    switch (which) {
+      case early:
+        changes = f.early.asChanges();
+        break;
+      case empty:
+        changes.removed_count = changes.added_count = changes.relinked_count = 0;
+        break;
+      case segments:
+        ids = idsOf<lgs_segment_id>(s.segments);
+        changes.removed = changes.added = changes.relinked = ids.data();
+        changes.removed_count = changes.added_count = changes.relinked_count = ids.size();
+        break;
+      case noLists:
+        changes.removed = changes.added = changes.relinked = nullptr;
+        changes.added_count = SIZE_MAX;
+        break;
+      case ahead:
+        changes.after = UINT64_MAX;
+        break;
+      default:
+        break;
+    }
+  }
+};
+
+}  // namespace
+
+// NOLINTBEGIN(readability-identifier-naming): a table
+#define EACH(Type, ...)                                                                                    \
+  template <>                                                                                              \
+  struct Hostile<Type> {                                                                                   \
+    static const std::vector<Type>& values(Scene&) {                                                       \
+      static const std::vector<Type> all{__VA_ARGS__};                                                     \
+      return all;                                                                                          \
+    }                                                                                                      \
+    static std::string told(const Type& v) { return fmt::format(#Type " {}", static_cast<int>(v.which)); } \
+  };
+
+EACH(AnchorOfC, {AnchorOfC::honest}, {AnchorOfC::none}, {AnchorOfC::lying}, {AnchorOfC::reading})
+EACH(EditOfC, {EditOfC::build}, {EditOfC::clear}, {EditOfC::all}, {EditOfC::goBack}, {EditOfC::nothing},
+     {EditOfC::pending}, {EditOfC::isNotFollowed})
+EACH(ToldOfC, {ToldOfC::last}, {ToldOfC::none}, {ToldOfC::early}, {ToldOfC::empty}, {ToldOfC::segments},
+     {ToldOfC::noLists}, {ToldOfC::ahead})
+#undef EACH
+// NOLINTEND(readability-identifier-naming)
+
+namespace {
+
+Owned<lgs_islands> copyOf(const lgs_islands* islands) {
+  lgs_islands* copy = nullptr;
+  EXPECT_EQ(lgs_islands_copy(islands, &copy), LGS_OK);
+  return Owned<lgs_islands>(copy);
+}
+CWorld copyOf(const lgs_world* world) {
+  lgs_world* copy = nullptr;
+  EXPECT_EQ(lgs_copy(world, &copy), LGS_OK);
+  return CWorld(copy);
+}
+
+/// Asks for all that a view knows, right or wrong.
+void askAll(const lgs_islands* islands, const lgs_world* world) {
+  std::array<lgs_island_id, 64> ids{};
+  std::array<lgs_loop_id, 64> loops{};
+  std::size_t count = 0;
+  for (const std::int32_t which : {LGS_ALL, LGS_CAME, LGS_WENT, LGS_CHANGED, LGS_LOOSE}) {
+    static_cast<void>(lgs_islands_loop_ids(islands, which, loops.data(), loops.size(), &count));
+    static_cast<void>(lgs_islands_ids(islands, which, ids.data(), ids.size(), &count));
+    for (std::size_t k = 0; k < std::min(count, ids.size()); ++k)
+      static_cast<void>(lgs_islands_get(islands, ids[k], nullptr));
+  }
+  std::vector<lgs_polygon_id> polygons;
+  const lgs_polygon_fn visit = [](void* user, const lgs_polygon* p, const lgs_local_point*) {
+    static_cast<std::vector<lgs_polygon_id>*>(user)->push_back(p->id);
+  };
+  static_cast<void>(lgs_visit_polygons(world, {{kLeast, kLeast}, {kMost, kMost}}, visit, &polygons));
+  for (const lgs_polygon_id polygon : polygons) static_cast<void>(lgs_islands_of(islands, world, polygon, ids.data()));
+}
+
+}  // namespace
+
+void addDoorsOfIslandsInC(Doors& door) {
+  door("lgs_islands_new", [](Scene& s, WorldOfC w, AnchorOfC anchor, EditOfC edit, Given out) {
+    const FollowedC& f = followedInCBy(s);
+    const CWorld copy = copyOf(f.world.get());
+    edit.afterCommit(copy.get(), f.square);
+    lgs_world* const world = w.which == WorldOfC::own ? copy.get() : w(f);
+    lgs_islands* made = nullptr;
+    const lgs_status status = lgs_islands_new(world, anchor.function(), world, out(made));
+    const Owned<lgs_islands> view(made);
+    EXPECT_EQ(status == LGS_OK, made != nullptr);
+    if (made) askAll(made, world);
+    // Whoever lies must not do harm later, either.
+    for (const auto later : {EditOfC::clear, EditOfC::build, EditOfC::all}) {
+      if (!made) break;
+      lgs_changes changes{};
+      EditOfC{later}(world, f.square);
+      EXPECT_EQ(lgs_commit(world, &changes), LGS_OK);
+      static_cast<void>(lgs_islands_update(made, world, &changes));
+      askAll(made, world);
+    }
+    return checked(status, world && out.isGiven);
+  });
+  door("lgs_islands_copy", [](Scene& s, Given i, Given out) {
+    FollowedC& f = followedInCBy(s);
+    lgs_islands* copy = nullptr;
+    const lgs_status status = lgs_islands_copy(islandsOf(f, i), out(copy));
+    if (copy) f.islands.reset(copy);
+    return checked(status, i.isGiven && out.isGiven);
+  });
+  door("lgs_islands_free", [](Scene&) {
+    lgs_islands_free(nullptr);
+    return 0U;
+  });
+  door("lgs_islands_update", [](Scene& s, Given i, WorldOfC w, EditOfC edit, ToldOfC told) {
+    FollowedC& f = followedInCBy(s);
+    const CWorld world = copyOf(f.world.get());
+    const Owned<lgs_islands> view = copyOf(f.islands.get());
+    edit(world.get(), f.square);
+    lgs_changes changes{};
+    EXPECT_EQ(lgs_commit(world.get(), &changes), LGS_OK);
+    const ListsOfC lists(changes);
+    edit.afterCommit(world.get(), f.square);
+    told.in(s, f, lists, changes);
+    lgs_world* const asked = w.which == WorldOfC::own ? world.get() : w(f);
+    const lgs_status status = checked(
+        lgs_islands_update(i.isGiven ? view.get() : nullptr, asked, told.which == ToldOfC::none ? nullptr : &changes),
+        i.isGiven && asked && told.which != ToldOfC::none);
+    if (i.isGiven && w.which == WorldOfC::own && told.which == ToldOfC::last && edit.which != EditOfC::pending) {
+      EXPECT_EQ(status == LGS_OK, edit.isHonest());
+    }
+    if (asked) askAll(view.get(), asked);
+    if (edit.isHonest()) edit(f.world.get(), f.square);
+    f.commit();
+    return status == LGS_OK;
+  });
+  door("lgs_islands_ids", [](Scene& s, Given i, ListOfC which, Room room, Given list, Given out) {
+    std::vector<lgs_island_id> ids(room.size);
+    std::size_t count = 0;
+    return checked(
+        lgs_islands_ids(islandsOf(followedInCBy(s), i), which.number, arrayOf(ids, list), room.size, out(count)),
+        i.isGiven && which.number >= 0 && which.number <= LGS_LOOSE && (list.isGiven || room.size == 0));
+  });
+  door("lgs_islands_loop_ids", [](Scene& s, Given i, ListOfC which, Room room, Given list, Given out) {
+    std::vector<lgs_loop_id> ids(room.size);
+    std::size_t count = 0;
+    return checked(
+        lgs_islands_loop_ids(islandsOf(followedInCBy(s), i), which.number, arrayOf(ids, list), room.size, out(count)),
+        i.isGiven && which.number >= 0 && which.number < LGS_LOOSE && (list.isGiven || room.size == 0));
+  });
+  door("lgs_islands_pairs", [](Scene& s, Given i, ListOfC which, Room room, Given list, Given out) {
+    std::vector<lgs_island_pair> pairs(room.size);
+    std::size_t count = 0;
+    return checked(
+        lgs_islands_pairs(islandsOf(followedInCBy(s), i), which.number, arrayOf(pairs, list), room.size, out(count)),
+        i.isGiven && which.number >= 0 && which.number <= LGS_JOINED && (list.isGiven || room.size == 0));
+  });
+  door("lgs_islands_loop_pairs", [](Scene& s, Given i, ListOfC which, Room room, Given list, Given out) {
+    std::vector<lgs_loop_pair> pairs(room.size);
+    std::size_t count = 0;
+    return checked(lgs_islands_loop_pairs(islandsOf(followedInCBy(s), i), which.number, arrayOf(pairs, list), room.size,
+                                          out(count)),
+                   i.isGiven && which.number >= 0 && which.number <= LGS_JOINED && (list.isGiven || room.size == 0));
+  });
+  door("lgs_islands_get", [](Scene& s, Given i, std::uint32_t id, Given out) {
+    const FollowedC& f = followedInCBy(s);
+    lgs_island facts{};
+    const lgs_status status = lgs_islands_get(islandsOf(f, i), islandOf(f, id), out(facts));
+    EXPECT_TRUE(id <= 2 || status != LGS_OK);
+    return checked(status, i);
+  });
+  door("lgs_islands_loop", [](Scene& s, Given i, std::uint32_t id, Given out) {
+    lgs_loop_facts facts{};
+    const lgs_status status = lgs_islands_loop(islandsOf(followedInCBy(s), i), {id}, out(facts));
+    EXPECT_TRUE((id > 0 && id <= 2) || status != LGS_OK);
+    return checked(status, i);
+  });
+  door("lgs_islands_of", [](Scene& s, Given i, WorldOfC w, PolygonHandle h, Given out) {
+    const FollowedC& f = followedInCBy(s);
+    lgs_island_id id{};
+    return checked(lgs_islands_of(islandsOf(f, i), w(f), toC(h), out(id)), i.isGiven && w(f));
+  });
+  door("lgs_islands_loop_of", [](Scene& s, Given i, WorldOfC w, SegmentId segment, Given out) {
+    const FollowedC& f = followedInCBy(s);
+    lgs_loop_id id{};
+    return checked(lgs_islands_loop_of(islandsOf(f, i), w(f), toC(segment), out(id)), i.isGiven && w(f));
+  });
+}
+
+}  // namespace lgs::test

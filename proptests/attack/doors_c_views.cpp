@@ -1,0 +1,178 @@
+// Doors of bodies, pieces and hashes of the C interface. What is out of step is tried with copies.
+#include "c_views.h"
+
+namespace lgs::test {
+namespace {
+
+lgs_pieces* piecesOf(const FollowedC& f, Given given) { return given.isGiven ? f.pieces.get() : nullptr; }
+lgs_hashes* hashesOf(const FollowedC& f, Given given) { return given.isGiven ? f.hashes.get() : nullptr; }
+lgs_body* bodyOf(const FollowedC& f, Given given) { return given.isGiven ? f.body.get() : nullptr; }
+
+bool isPart(ListOfC part) { return part.number == LGS_SOLID || part.number == LGS_FREE; }
+
+Owned<lgs_hashes> copyOf(const lgs_hashes* hashes) {
+  lgs_hashes* copy = nullptr;
+  EXPECT_EQ(lgs_hashes_copy(hashes, &copy), LGS_OK);
+  return Owned<lgs_hashes>(copy);
+}
+
+void addBodies(Doors& door) {
+  door("lgs_take", [](Scene& s, WorldOfC w, Given i, std::uint32_t id, Given out, Given e) {
+    FollowedC& f = followedInCBy(s);
+    lgs_body* body = nullptr;
+    lgs_error error{};
+    const lgs_status status = lgs_take(w(f), islandsOf(f, i), islandOf(f, id), out(body), e(error));
+    EXPECT_EQ(status == LGS_OK, body != nullptr);
+    if (body) f.body.reset(body);
+    if (w.which == WorldOfC::other) static_cast<void>(lgs_commit(f.other.get(), nullptr));
+    f.commit();
+    return checked(status, w.which != WorldOfC::none && i.isGiven && out.isGiven);
+  });
+  door("lgs_put", [](Scene& s, WorldOfC w, Given body, Cell c, Given e) {
+    FollowedC& f = followedInCBy(s);
+    lgs_error error{};
+    const lgs_status status = lgs_put(w(f), bodyOf(f, body), toC(c), e(error));
+    EXPECT_TRUE(inRange(c) || status != LGS_OK);
+    if (w.which == WorldOfC::other) static_cast<void>(lgs_commit(f.other.get(), nullptr));
+    f.commit();
+    return checked(status, w.which != WorldOfC::none && body.isGiven);
+  });
+  door("lgs_body_get", [](Scene& s, Given body, Given out) {
+    lgs_body_facts facts{};
+    return checked(lgs_body_get(bodyOf(followedInCBy(s), body), out(facts)), body);
+  });
+  door("lgs_body_polygon_at", [](Scene& s, Given body, std::uint64_t index, Given out) {
+    const FollowedC& f = followedInCBy(s);
+    lgs_body_facts facts{};
+    EXPECT_EQ(lgs_body_get(f.body.get(), &facts), LGS_OK);
+    lgs_body_polygon polygon{};
+    return checked(lgs_body_polygon_at(bodyOf(f, body), index, out(polygon)), body.isGiven && index < facts.polygons);
+  });
+  door("lgs_body_free", [](Scene&) {
+    lgs_body_free(nullptr);
+    return 0U;
+  });
+}
+
+void addPieces(Doors& door) {
+  door("lgs_pieces_new", [](Scene& s, WorldOfC w, int vertices, Given out) {
+    const FollowedC& f = followedInCBy(s);
+    lgs_pieces* made = nullptr;
+    const auto most = static_cast<std::size_t>(std::int64_t{vertices});  // a negative one is very large
+    const lgs_status status = lgs_pieces_new(w(f), most, out(made));
+    const Owned<lgs_pieces> owner(made);
+    EXPECT_EQ(status == LGS_OK, made != nullptr);
+    return checked(status, w(f) && out.isGiven && most >= 3 && most <= kMaxVerticesPerCell);
+  });
+  door("lgs_pieces_free", [](Scene&) {
+    lgs_pieces_free(nullptr);
+    return 0U;
+  });
+  door("lgs_pieces_update", [](Scene& s, Given p, WorldOfC w, Given list, Given out) {
+    const FollowedC& f = followedInCBy(s);
+    lgs_pieces* made = nullptr;  // it may be told what was in another world
+    EXPECT_EQ(lgs_pieces_new(f.world.get(), 8, &made), LGS_OK);
+    const Owned<lgs_pieces> owner(made);
+    const lgs_cell* cells = nullptr;
+    std::size_t count = 0;
+    const lgs_status status = lgs_pieces_update(p.isGiven ? made : nullptr, w(f), list(cells), out(count));
+    for (std::size_t k = 0; k < count && cells; ++k)
+      static_cast<void>(lgs_pieces_portals(made, cells[k], 0, nullptr, 0, nullptr));
+    return checked(status, p.isGiven && w(f));
+  });
+  door("lgs_pieces_count", [](Scene& s, Given p, Cell c, ListOfC part, Given out) {
+    std::size_t count = 0;
+    const lgs_status status = lgs_pieces_count(piecesOf(followedInCBy(s), p), toC(c), part.number, out(count));
+    EXPECT_TRUE(inRange(c) || count == 0);
+    return checked(status, p.isGiven && isPart(part));
+  });
+  door("lgs_pieces_get",
+       [](Scene& s, Given p, WorldOfC w, Cell c, ListOfC part, std::uint64_t index, Room room, Given list) {
+         const FollowedC& f = followedInCBy(s);
+         std::vector<lgs_local_point> vertices(room.size);
+         std::size_t count = 0, pieces = 0;
+         lgs_polygon_id polygon{};
+         static_cast<void>(lgs_pieces_count(f.pieces.get(), toC(c), part.number, &pieces));
+         return checked(lgs_pieces_get(piecesOf(f, p), w(f), toC(c), part.number, index, arrayOf(vertices, list),
+                                       room.size, list(count), list(polygon)),
+                        p.isGiven && w(f) && isPart(part) && index < pieces && (list.isGiven || room.size == 0));
+       });
+  door("lgs_pieces_portals", [](Scene& s, Given p, Cell c, std::uint32_t index, Room room, Given list, Given out) {
+    std::vector<lgs_portal> portals(room.size);
+    std::size_t count = 0;
+    return checked(
+        lgs_pieces_portals(piecesOf(followedInCBy(s), p), toC(c), index, arrayOf(portals, list), room.size, out(count)),
+        p.isGiven && (list.isGiven || room.size == 0));
+  });
+}
+
+void addHashes(Doors& door) {
+  door("lgs_hashes_new", [](Scene& s, WorldOfC w, Given out) {
+    const FollowedC& f = followedInCBy(s);
+    lgs_hashes* made = nullptr;
+    const lgs_status status = lgs_hashes_new(w(f), out(made));
+    const Owned<lgs_hashes> owner(made);
+    EXPECT_EQ(status == LGS_OK, made != nullptr);
+    return checked(status, w(f) && out.isGiven);
+  });
+  door("lgs_hashes_copy", [](Scene& s, Given h, Given out) {
+    FollowedC& f = followedInCBy(s);
+    lgs_hashes* copy = nullptr;
+    const lgs_status status = lgs_hashes_copy(hashesOf(f, h), out(copy));
+    if (copy) f.hashes.reset(copy);
+    return checked(status, h.isGiven && out.isGiven);
+  });
+  door("lgs_hashes_free", [](Scene&) {
+    lgs_hashes_free(nullptr);
+    return 0U;
+  });
+  door("lgs_hashes_update", [](Scene& s, Given h, WorldOfC w) {
+    const FollowedC& f = followedInCBy(s);
+    const Owned<lgs_hashes> copy = copyOf(f.hashes.get());
+    std::size_t count = 0;
+    const lgs_status status = lgs_hashes_update(h.isGiven ? copy.get() : nullptr, w(f));
+    static_cast<void>(lgs_hashes_whole(copy.get(), nullptr));
+    static_cast<void>(lgs_hashes_differences(copy.get(), f.hashes.get(), nullptr, 0, &count));
+    return checked(status, h.isGiven && w(f));
+  });
+  door("lgs_hashes_whole", [](Scene& s, Given h, Given out) {
+    lgs_hashed_square square{};
+    return checked(lgs_hashes_whole(hashesOf(followedInCBy(s), h), out(square)), h);
+  });
+  door("lgs_hashes_in", [](Scene& s, Given h, const CellRect& r, int level, Room room, Given list, Given out) {
+    std::vector<lgs_hashed_square> squares(room.size);
+    std::size_t count = 0;
+    const lgs_status status =
+        lgs_hashes_in(hashesOf(followedInCBy(s), h), toC(r), level, arrayOf(squares, list), room.size, out(count));
+    EXPECT_TRUE((level >= 0 && level <= 14 && !isEmpty(r)) || count == 0);
+    return checked(status, h.isGiven && (list.isGiven || room.size == 0));
+  });
+  door("lgs_hashes_differences", [](Scene& s, Given a, Given b, bool isOther, Room room, Given list, Given out) {
+    const FollowedC& f = followedInCBy(s);
+    lgs_hashes* ofOther = nullptr;
+    EXPECT_EQ(lgs_hashes_new(f.other.get(), &ofOther), LGS_OK);
+    const Owned<lgs_hashes> owner(ofOther);
+    std::vector<lgs_cell_rect> cells(room.size);
+    std::size_t count = 0;
+    const lgs_status status = lgs_hashes_differences(hashesOf(f, a),
+                                                     !b.isGiven ? nullptr
+                                                     : isOther  ? ofOther
+                                                                : f.hashes.get(),
+                                                     arrayOf(cells, list), room.size, out(count));
+    EXPECT_TRUE(isOther || count == 0);
+    return checked(status, a.isGiven && b.isGiven && (list.isGiven || room.size == 0));
+  });
+}
+
+}  // namespace
+
+void addDoorsOfIslandsInC(Doors& door);
+
+void addDoorsOfViewsInC(Doors& door) {
+  addDoorsOfIslandsInC(door);
+  addBodies(door);
+  addPieces(door);
+  addHashes(door);
+}
+
+}  // namespace lgs::test
