@@ -129,8 +129,12 @@ std::string beside(World& world, unsigned which, Random& random) {
       return commitByExecutor(world);
     case 4:
       return followByViews(world, random);
-    default:
+    case 5:
       return strokeAndGoBack(world, random);
+    case 6:
+      return refuseAll(world);
+    default:
+      return crowdAndLeave(world, random);
   }
 }
 

@@ -16,12 +16,16 @@ namespace lgs::fuzz {
 ///  3. A world with the same polygons is committed at once, with jobs in another order.
 ///  4. Views follow a copy through edits, commits and roll-backs; bodies leave its ground and come back.
 ///  5. A stroke of a brush is made and undone (laws 8 to 11).
+///  6. What must be refused is refused, in words, and changes nothing (law 7).
+///  7. In a copy much comes and goes, a place is left, and all of it is saved, unloaded and brought back.
 std::string beside(World& world, unsigned which, oracle::Random& random);
-inline constexpr unsigned kBesides = 6;
+inline constexpr unsigned kBesides = 8;
 
 std::string undoAndRedo(World& world, oracle::Random& random);
 std::string unloadSome(const World& world, oracle::Random& random);
 std::string commitByExecutor(const World& world);
+std::string refuseAll(World& world);
+std::string crowdAndLeave(const World& world, oracle::Random& random);
 std::string followByViews(const World& world, oracle::Random& random);
 
 /// Some edits about the polygons of a world, and now and then a stroke.

@@ -39,6 +39,8 @@ class Beside {
 
   std::string run() {
     cells_ = someChunks(whole_, random_);
+    const World before = part_;
+    const Mark mark = part_.checkpoint();
     const auto gone = part_.unload(cells_, [&](Cell corner, auto bytes) {
       corners_.push_back(corner);
       chunks_.emplace_back(bytes.begin(), bytes.end());
@@ -50,6 +52,7 @@ class Beside {
       if (std::string wrong = ask(); !wrong.empty()) return wrong;
       if (std::string wrong = editLoaded(); !wrong.empty()) return wrong;
     }
+    if (random_.chance(30)) return goBack(before, mark);
     if (std::string wrong = random_.chance(25) ? comeEmpty() : comeBack(); !wrong.empty()) return wrong;
     return commit();
   }
@@ -152,6 +155,21 @@ class Beside {
     }
     if (std::string wrong = commit(); !wrong.empty()) return wrong;
     return samePolygons(part_, whole_) ? "" : "the chunks that came back hold other polygons";
+  }
+
+  /// Across a mark of before; and forth again.
+  std::string goBack(const World& before, Mark mark) {
+    part_.commit();
+    const World after = part_;
+    const Mark end = part_.checkpoint();
+    Follower follower(part_);
+    if (!part_.rollBack(mark, Undone::keep)) return "a mark of before the unloading is lost";
+    if (std::string wrong = follower.follow(part_, part_.changesOfRollBack()); !wrong.empty()) return wrong;
+    if (std::string wrong = differenceOf(before, part_); !wrong.empty()) return "back before the unloading: " + wrong;
+    if (!part_.rollForward(end)) return "the world does not go forward to where chunks are unloaded";
+    if (std::string wrong = follower.follow(part_, part_.changesOfRollBack()); !wrong.empty()) return wrong;
+    const std::string wrong = differenceOf(after, part_);
+    return wrong.empty() ? wrong : "forward to where chunks are unloaded: " + wrong;
   }
 
   std::string comeEmpty() {
