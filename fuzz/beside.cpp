@@ -61,7 +61,6 @@ void editSome(World& world, Random& random) {
   if (random.chance(40)) static_cast<void>(drawStroke(world, random).make(world));
 }
 
-
 std::string undoAndRedo(World& world, Random& random) {
   const World before = world;
   std::vector<Mark> marks{world.checkpoint()};
@@ -92,8 +91,8 @@ std::string undoAndRedo(World& world, Random& random) {
     live(left, random);
     if (std::string wrong = differenceOf(stayed, left); !wrong.empty()) return "after going back and forth: " + wrong;
   }
-  const bool isBack = random.chance(50) ? world.rollBack(marks[0]).has_value()
-                                        : world.rollBack(marks[0], Undone::keep).has_value();
+  const bool isBack =
+      random.chance(50) ? world.rollBack(marks[0]).has_value() : world.rollBack(marks[0], Undone::keep).has_value();
   if (!isBack || !world.forget(marks[0])) return "the first mark is lost";
   return differenceOf(before, world);
 }

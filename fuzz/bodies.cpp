@@ -259,10 +259,12 @@ class Game {
         return addBody(at, choices);
       case 11:
         if (!body || !body->IsEnabled()) return;
-        body->SetLinearVelocity({static_cast<float>(choices.below(61) - 30), static_cast<float>(choices.below(61) - 30)});
+        body->SetLinearVelocity(
+            {static_cast<float>(choices.below(61) - 30), static_cast<float>(choices.below(61) - 30)});
         return body->SetAwake(true);
       case 12:
-        if (!body || !body->IsEnabled() || !terrain_->fits(*body, b2Transform(terrain_->position(at), b2Rot(0)))) return;
+        if (!body || !body->IsEnabled() || !terrain_->fits(*body, b2Transform(terrain_->position(at), b2Rot(0))))
+          return;
         body->SetTransform(terrain_->position(at), 0);
         watched_.erase(body);
         return terrain_->moved(*body);
@@ -280,7 +282,8 @@ class Game {
       Watched& watched = watched_[body];
       const bool isHeld = !body->IsEnabled();
       const auto held = terrain_->held();
-      if (isHeld && std::ranges::find(held, body) == held.end()) return fmt::format("{}, who is held is not told", after);
+      if (isHeld && std::ranges::find(held, body) == held.end())
+        return fmt::format("{}, who is held is not told", after);
       const Point at = terrain_->latticePoint(body->GetPosition());
       if (isHeld && watched.isHeld && std::hypot(at.x - watched.at.x, at.y - watched.at.y) > U / 100.0)
         return fmt::format("{}, a body moved while it was held", after);
@@ -293,7 +296,8 @@ class Game {
       }
       for (std::size_t k = 0; k < free.size(); ++k) {
         const bool wasFree = !watched.isHeld && k < watched.free.size() && watched.free[k];
-        if (!isHeld && wasFree && !free[k]) return fmt::format("{}, a body is in the ground at ({}, {})", after, at.x, at.y);
+        if (!isHeld && wasFree && !free[k])
+          return fmt::format("{}, a body is in the ground at ({}, {})", after, at.x, at.y);
       }
       watched = {std::move(free), isHeld, at};
     }
@@ -317,6 +321,14 @@ class Game {
       const auto touch = terrain_->hit(*contact);
       if (touch && !world_.segment(touch->hit.segment)) return "a contact is with a segment that is not there";
     }
+    for (const b2Body* body = physics_.GetBodyList(); body; body = body->GetNext())
+      for (const b2Fixture* f = body->GetFixtureList(); f; f = f->GetNext())
+        if (terrain_->hit(*f, from).has_value() != (f->GetType() == b2Shape::e_edge))
+          return "hit() takes another shape";
+    World other;
+    Changes none;
+    none.after = world_.version() + 1;
+    if (terrain_->commit(other) || terrain_->sync(none)) return "changes that are not the next ones are shown";
     const std::size_t there = terrain_->bodiesIn(CellRect{{-9, -9}, {kWidth + 9, kHeight + 9}}).size();
     return there <= bodies().size() ? "" : "bodiesIn() finds too many bodies";
   }

@@ -16,9 +16,8 @@ constexpr std::int32_t U = kUnitsPerCell, kSide = 32;  // of a chunk, in cells
 /// A world with the same polygons and no marks.
 World copyOf(const World& world) {
   World twin(world.preserveRelation());
-  world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
-    static_cast<void>(twin.add(cell, p.vertices, p.block));
-  });
+  world.forEachPolygon(
+      [&](Cell cell, const PlacedPolygon& p) { static_cast<void>(twin.add(cell, p.vertices, p.block)); });
   twin.commit();
   return twin;
 }
@@ -37,7 +36,8 @@ std::string saveAndLoad(World& world) {
 /// Chunks in a place where nothing else is.
 CellRect emptyPlace(const World& world) {
   const CellRect all = world.bounds().value_or(CellRect{});
-  const std::int32_t i = all.max.i < kMaxCell / 2 ? ((all.max.i | (kSide - 1)) + 1) : (all.min.i & -kSide) - 4 * kSide;
+  const std::int32_t i =
+      all.max.i < kMaxCell / 2 ? ((all.max.i | (kSide - 1)) + 1 + kSide) : (all.min.i & -kSide) - 4 * kSide;
   const std::int32_t j = std::clamp(all.min.j, -kMaxCell / 2, kMaxCell / 2) & -kSide;
   return {{i, j}, {i + 2 * kSide - 1, j + 2 * kSide - 1}};
 }

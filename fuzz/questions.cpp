@@ -109,7 +109,9 @@ std::string wrongNearest(const World& world, const std::vector<Segment>& segment
   const auto found = world.segment(actual->segment);
   if (!found || nameOf(*found) != nameOf(*nearest)) return where + " finds another segment";
   const double expected = std::sqrt(least.real()) / static_cast<double>(U);
-  const auto away = [](double at, std::int64_t from) { return at - static_cast<double>(from) / static_cast<double>(U); };
+  const auto away = [](double at, std::int64_t from) {
+    return at - static_cast<double>(from) / static_cast<double>(U);
+  };
   const double told = std::hypot(away(actual->point.x, p.x), away(actual->point.y, p.y));
   const bool isRight = std::abs(actual->distance - expected) <= 1e-12 * std::max(1.0, expected);
   return isRight && std::abs(told - expected) <= 1e-6 ? "" : where + " finds it at another distance";

@@ -30,7 +30,8 @@ std::vector<LocalPoint> manyVertices() {
 
 bool refusesMarks(World& world) {
   return isRefused(world.rollBack({}), ErrorCode::unknownMark) &&
-         isRefused(world.rollForward({}), ErrorCode::unknownMark) && isRefused(world.forget({}), ErrorCode::unknownMark) &&
+         isRefused(world.rollForward({}), ErrorCode::unknownMark) &&
+         isRefused(world.forget({}), ErrorCode::unknownMark) &&
          isRefused(world.editedSince({}), ErrorCode::unknownMark);
 }
 
@@ -49,8 +50,10 @@ bool refusesShapes(World& world) {
   const std::array<FloatPoint, 3> none{{{0, 0}, {1, 0}, {0, std::numeric_limits<float>::quiet_NaN()}}};
   const std::vector<DoublePoint> reals(many.size());
   const Cell cell = world.bounds().value_or(CellRect{}).min;
-  return isRefused(world.shape(many), ErrorCode::capacity) && isRefused(world.add(cell, many, 1), ErrorCode::capacity) &&
-         isRefused(world.shape(reals), ErrorCode::capacity) && isRefused(world.add(cell, none, 1), ErrorCode::notFinite) &&
+  return isRefused(world.shape(many), ErrorCode::capacity) &&
+         isRefused(world.add(cell, many, 1), ErrorCode::capacity) &&
+         isRefused(world.shape(reals), ErrorCode::capacity) &&
+         isRefused(world.add(cell, none, 1), ErrorCode::notFinite) &&
          isRefused(world.shape(std::vector<std::vector<LocalPoint>>()), ErrorCode::emptyShape) &&
          isRefused(world.fill(kAll, ShapeId{0x7fff'ffff}, 1), ErrorCode::unknownShape) &&
          isRefused(world.addMany(std::array{Placement{cell, ShapeId{}, 1}}), ErrorCode::unknownShape) &&
@@ -95,8 +98,8 @@ bool refusesRegions(World& world) {
                          isRefused(cellsOf(crowded), ErrorCode::capacity);
   const Region tiny = rectangle({9, 9}, {std::int64_t{1} << 40, 1}, 99, 9), flat{{{{0, 0}, {U, 0}, {9, 0}}}};
   const auto nothing = paint(empty, flat, 1, PaintMode::fill);
-  return isCrowded && boundsOf(tiny) && nothing && empty.stats().polygons == 0 &&
-         samePolygons(empty, World()) && !meets(tiny, {{0, 0}, {1, 0}}) && thickLine({}, U).rings.empty();
+  return isCrowded && boundsOf(tiny) && nothing && empty.stats().polygons == 0 && samePolygons(empty, World()) &&
+         !meets(tiny, {{0, 0}, {1, 0}}) && thickLine({}, U).rings.empty();
 }
 
 }  // namespace

@@ -62,7 +62,8 @@ class Beside {
 
   std::string commit() {
     Follower follower(part_);
-    if (std::string wrong = follower.follow(part_, part_.commit()); !wrong.empty()) return "with unloaded chunks " + wrong;
+    if (std::string wrong = follower.follow(part_, part_.commit()); !wrong.empty())
+      return "with unloaded chunks " + wrong;
     whole_.commit();
     oracle::Outline here = oracle::outlineOf(part_), there;
     for (const SegmentId id : whole_.segments())

@@ -1,14 +1,12 @@
 // Views follow a copy of a world through edits, commits and roll-backs; bodies leave its ground and come back.
 #include "fuzz/beside.h"
 #include "fuzz/same.h"
+#include "fuzz/views.h"
 #include "oracle/views/ground_hashes.h"
 #include "oracle/views/island_check.h"
 #include "oracle/views/piece_check.h"
 
 #include <lgs/falling.h>
-#include <lgs/hashes.h>
-#include <lgs/islands.h>
-#include <lgs/pieces.h>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -32,42 +30,46 @@ std::optional<World> fresh(const World& world) {
   return isPlaced ? std::optional(std::move(twin)) : std::nullopt;
 }
 
-class Followed {
+class Following {
  public:
-  explicit Followed(World world)
-      : world_(std::move(world)), islands_(world_, isAnchor), pieces_(world_), hashes_(world_), islandCheck_(isAnchor) {}
+  explicit Following(World world)
+      : world_(std::move(world)),
+        views_{Islands(world_, isAnchor), Pieces(world_), GroundHashes(world_)},
+        islandCheck_(isAnchor) {}
 
   std::string run(Random& random) {
-    if (auto wrong = islandCheck_.begin(world_, islands_)) return *wrong;
-    if (auto wrong = pieceCheck_.begin(world_, pieces_)) return *wrong;
-    const GroundHashes before = hashes_;
+    if (auto wrong = islandCheck_.begin(world_, views_.islands)) return *wrong;
+    if (auto wrong = pieceCheck_.begin(world_, views_.pieces)) return *wrong;
+    const GroundHashes before = views_.hashes;
     const Mark mark = world_.checkpoint();
     for (int days = 1 + random.below(3); days > 0; --days) {
       editSome(world_, random);
       if (std::string wrong = update(world_.commit()); !wrong.empty()) return wrong;
     }
-    if (differences(before, hashes_).empty() != (before.hash() == hashes_.hash())) return "differences() finds none";
+    if (differences(before, views_.hashes).empty() != (before.hash() == views_.hashes.hash()))
+      return "differences() finds none";
+    if (std::string wrong = wrongViewReads(world_, views_, random); !wrong.empty()) return wrong;
     if (std::string wrong = foreseen(random); !wrong.empty()) return wrong;
     if (std::string wrong = fall(random); !wrong.empty()) return wrong;
     if (!world_.rollBack(mark, Undone::keep)) return "a mark is lost";
     if (std::string wrong = update(world_.changesOfRollBack()); !wrong.empty()) return wrong;
-    return hashes_.hash() == before.hash() ? "" : "what went back has another hash";
+    return views_.hashes.hash() == before.hash() ? "" : "what went back has another hash";
   }
 
  private:
   std::string update(const Changes& changes) {
-    if (!islands_.update(world_, changes)) return "the views refuse what was committed";
-    hashes_.update(world_.cellChanges());
-    auto wrong = islandCheck_.update(world_, islands_);
-    if (!wrong) wrong = pieceCheck_.update(world_, pieces_, pieces_.update(world_.cellChanges()));
-    if (!wrong) wrong = oracle::faultOf(hashes_, world_);
+    if (!views_.islands.update(world_, changes)) return "the views refuse what was committed";
+    views_.hashes.update(world_.cellChanges());
+    auto wrong = islandCheck_.update(world_, views_.islands);
+    if (!wrong) wrong = pieceCheck_.update(world_, views_.pieces, views_.pieces.update(world_.cellChanges()));
+    if (!wrong) wrong = oracle::faultOf(views_.hashes, world_);
     return wrong.value_or("");
   }
 
   /// What an edit would do leaves no trace, and is what it then does.
   std::string foreseen(Random& random) {
     const World before = world_;
-    const std::vector<IslandId> all = islands_.all();
+    const std::vector<IslandId> all = views_.islands.all();
     Random same = random;
     const auto edit = [](Random& choices) {
       return [&choices](World& world) {
@@ -75,14 +77,14 @@ class Followed {
         return true;
       };
     };
-    const Foreseen would = foresee(world_, islands_, edit(random));
+    const Foreseen would = foresee(world_, views_.islands, edit(random));
     if (std::string wrong = differenceOf(before, world_); !wrong.empty()) return "foresee() leaves " + wrong;
-    if (islands_.all().size() != all.size()) return "foresee() leaves other islands";
+    if (views_.islands.all().size() != all.size()) return "foresee() leaves other islands";
     islandCheck_ = oracle::IslandCheck(isAnchor);  // which knows them by their ids of before
-    if (auto wrong = islandCheck_.begin(world_, islands_)) return *wrong;
+    if (auto wrong = islandCheck_.begin(world_, views_.islands)) return *wrong;
     edit(same)(world_);
     if (std::string wrong = update(world_.commit()); !wrong.empty()) return wrong;
-    const IslandChanges& did = islands_.changes();
+    const IslandChanges& did = views_.islands.changes();
     const bool isSame = would.changes.came.size() == did.came.size() && would.changes.went.size() == did.went.size() &&
                         would.changes.changed.size() == did.changed.size() &&
                         would.changes.cutOff.size() == did.cutOff.size() &&
@@ -92,10 +94,10 @@ class Followed {
 
   /// An island leaves the ground, and comes back where it was, or lies elsewhere.
   std::string fall(Random& random) {
-    const std::vector<IslandId> all = islands_.all();
+    const std::vector<IslandId> all = views_.islands.all();
     if (all.empty()) return "";
     const World before = world_;
-    const auto body = take(world_, islands_, random.pick(all));
+    const auto body = take(world_, views_.islands, random.pick(all));
     if (!body) return "an island can not be taken: " + message(body.error());
     const auto parts = convexParts(*body, 3 + random.below(6U));
     if (!parts) return "a body has no convex parts: " + message(parts.error());
@@ -129,9 +131,7 @@ class Followed {
   }
 
   World world_;
-  Islands islands_;
-  Pieces pieces_;
-  GroundHashes hashes_;
+  Followed views_;
   oracle::IslandCheck islandCheck_;
   oracle::PieceCheck pieceCheck_;
 };
@@ -142,7 +142,7 @@ std::string followByViews(const World& world, Random& random) {
   constexpr std::uint64_t kManyPolygons = 60;  // the checks take their time
   if (world.stats().polygons > kManyPolygons) return "";
   auto twin = fresh(world);
-  return twin ? Followed(std::move(*twin)).run(random) : "what stands in a world can not be placed in another one";
+  return twin ? Following(std::move(*twin)).run(random) : "what stands in a world can not be placed in another one";
 }
 
 }  // namespace lgs::fuzz
