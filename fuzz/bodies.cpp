@@ -1,5 +1,6 @@
 #include "fuzz/bodies.h"
 
+#include "fuzz/body_watch.h"
 #include "oracle/calls/random.h"
 #include "oracle/calls/shapes.h"
 
@@ -13,8 +14,6 @@
 #include <lgs/islands.h>
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <map>
 #include <vector>
 
 namespace lgs::fuzz {
@@ -26,7 +25,6 @@ using oracle::Random;
 constexpr std::int64_t U = kUnitsPerCell;
 constexpr std::int32_t kWidth = 6, kHeight = 4;  // cells within the walls
 constexpr std::size_t kMostBodies = 12, kMaxMoves = 40, kMostUndo = 6;
-constexpr Block kPassable = 5, kFiltered = 6;
 
 bool isAnchor(Block block, Cell cell) { return block == 1 || cell.j < 1; }
 
@@ -41,17 +39,19 @@ class Game {
     begin();
     terrain_.emplace(physics_, world_, options_);
     falling_.emplace(physics_, world_, *terrain_);
+    watch_.emplace(physics_, world_, *terrain_);
   }
 
   std::string play(Random& choices) {
     move(choices);
-    std::string wrong = look("after the move");
+    std::string wrong = wrong_.empty() ? watch_->look("after the move") : wrong_;
     for (int k = choices.below(3); k >= 0 && wrong.empty(); --k) {
       physics_.Step(1.0F / 60, 8, 3);
       terrain_->afterStep();
-      wrong = look("after a step");
+      wrong = watch_->look("after a step");
     }
-    return wrong.empty() ? ask(choices) : wrong;
+    const Point p = pointOf(choices);
+    return wrong.empty() ? watch_->ask(p, pointOf(choices), 2 * options_.cellSize) : wrong;
   }
 
  private:
@@ -66,8 +66,8 @@ class Game {
     options.material = [](Block block) {
       box2d::Material material;
       material.friction = block == 2 ? 0.9F : 0.2F;
-      material.isPassable = block == kPassable;
-      if (block == kFiltered) material.filter.maskBits = 0;
+      material.isPassable = block == BodyWatch::kPassable;
+      if (block == BodyWatch::kFiltered) material.filter.maskBits = 0;
       return material;
     };
     return options;
@@ -86,15 +86,10 @@ class Game {
     return {x * (U / 16), y * (U / 16)};
   }
 
-  bool isFree(b2Vec2 middle) const {
-    const Spot spot = world_.at(terrain_->latticePoint(middle));
-    return spot.where == Spot::Where::outside || spot.block == kPassable || spot.block == kFiltered;
-  }
-
   void addBody(Point at, Random& choices) {
     const float h = static_cast<float>((0.1 + 0.1 * choices.below(8)) * options_.cellSize);
     const b2Vec2 place = terrain_->position(at);
-    if (physics_.GetBodyCount() > 40 || bodies().size() >= kMostBodies || !isFree(place) ||
+    if (physics_.GetBodyCount() > 40 || watch_->bodies().size() >= kMostBodies || !watch_->isFree(place) ||
         terrain_->nearest(place, 1.5F * h))
       return;
     b2BodyDef definition;
@@ -122,13 +117,6 @@ class Game {
         box.SetAsBox(h / 3, h / 3, {h / 2, 0}, 0);
     }
     body->CreateFixture(&box, 1);
-  }
-
-  std::vector<b2Body*> bodies() {
-    std::vector<b2Body*> all;
-    for (b2Body* body = physics_.GetBodyList(); body; body = body->GetNext())
-      if (body->GetType() == b2_dynamicBody) all.push_back(body);
-    return all;
   }
 
   Region regionOf(Point at, Random& choices) {
@@ -201,7 +189,7 @@ class Game {
     if (falling_->bodies().empty()) return;
     b2Body* const body = choices.pick(falling_->bodies()).body;
     if (!falling_->settle(body)) return;
-    watched_.erase(body);
+    watch_->leave(body);
     show(world_.commit());
     note();
   }
@@ -224,7 +212,7 @@ class Game {
   void move(Random& choices) {
     const int kind = choices.below(16);
     const Point at = pointOf(choices);
-    const auto all = bodies();
+    const auto all = watch_->bodies();
     b2Body* const body = all.empty() ? nullptr : all[choices.below(all.size())];
     switch (kind) {
       case 0:
@@ -266,7 +254,7 @@ class Game {
         if (!body || !body->IsEnabled() || !terrain_->fits(*body, b2Transform(terrain_->position(at), b2Rot(0))))
           return;
         body->SetTransform(terrain_->position(at), 0);
-        watched_.erase(body);
+        watch_->leave(body);
         return terrain_->moved(*body);
       default:
         edit(at, choices);
@@ -275,77 +263,13 @@ class Game {
     }
   }
 
-  /// A middle that was free is free, unless the body is held: then it does not move.
-  std::string look(const char* after) {
-    if (!wrong_.empty()) return wrong_;
-    for (b2Body* const body : bodies()) {
-      Watched& watched = watched_[body];
-      const bool isHeld = !body->IsEnabled();
-      const auto held = terrain_->held();
-      if (isHeld && std::ranges::find(held, body) == held.end())
-        return fmt::format("{}, who is held is not told", after);
-      const Point at = terrain_->latticePoint(body->GetPosition());
-      if (isHeld && watched.isHeld && std::hypot(at.x - watched.at.x, at.y - watched.at.y) > U / 100.0)
-        return fmt::format("{}, a body moved while it was held", after);
-      std::vector<bool> free;
-      for (const b2Fixture* f = body->GetFixtureList(); f; f = f->GetNext()) {
-        const b2Shape& shape = *f->GetShape();
-        const bool isRound = shape.GetType() == b2Shape::e_circle;
-        free.push_back(isFree(body->GetWorldPoint(isRound ? static_cast<const b2CircleShape&>(shape).m_p
-                                                          : static_cast<const b2PolygonShape&>(shape).m_centroid)));
-      }
-      for (std::size_t k = 0; k < free.size(); ++k) {
-        const bool wasFree = !watched.isHeld && k < watched.free.size() && watched.free[k];
-        if (!isHeld && wasFree && !free[k])
-          return fmt::format("{}, a body is in the ground at ({}, {})", after, at.x, at.y);
-      }
-      watched = {std::move(free), isHeld, at};
-    }
-    return "";
-  }
-
-  /// What a terrain is asked is what the world says of the same places.
-  std::string ask(Random& choices) {
-    if (!terrain_->isCurrent()) return "the terrain is not current";
-    const Point p = pointOf(choices), q = pointOf(choices);
-    const b2Vec2 from = terrain_->position(p), to = terrain_->position(q);
-    const auto near = terrain_->nearest(from, static_cast<float>(2 * options_.cellSize));
-    const auto nearest = world_.nearest(terrain_->latticePoint(from), 2);
-    if (near.has_value() != bool{nearest->segment} || (near && near->hit.segment != nearest->segment))
-      return "nearest() finds another segment than the world's";
-    const auto hit = terrain_->rayCast(from, to);
-    const auto ray = world_.rayCast(terrain_->latticePoint(from), terrain_->latticePoint(to));
-    if (hit.has_value() != bool{ray->segment} || (hit && hit->hit.segment != ray->segment))
-      return "rayCast() meets another segment than the world's";
-    for (b2Contact* contact = physics_.GetContactList(); contact; contact = contact->GetNext()) {
-      const auto touch = terrain_->hit(*contact);
-      if (touch && !world_.segment(touch->hit.segment)) return "a contact is with a segment that is not there";
-    }
-    for (const b2Body* body = physics_.GetBodyList(); body; body = body->GetNext())
-      for (const b2Fixture* f = body->GetFixtureList(); f; f = f->GetNext())
-        if (terrain_->hit(*f, from).has_value() != (f->GetType() == b2Shape::e_edge))
-          return "hit() takes another shape";
-    World other;
-    Changes none;
-    none.after = world_.version() + 1;
-    if (terrain_->commit(other) || terrain_->sync(none)) return "changes that are not the next ones are shown";
-    const std::size_t there = terrain_->bodiesIn(CellRect{{-9, -9}, {kWidth + 9, kHeight + 9}}).size();
-    return there <= bodies().size() ? "" : "bodiesIn() finds too many bodies";
-  }
-
-  struct Watched {
-    std::vector<bool> free;  // each of its middles
-    bool isHeld = false;
-    Point at;
-  };
-
   box2d::TerrainOptions options_;
   World world_;
   b2World physics_{{0, -10}};
   std::optional<Islands> islands_;
   std::optional<Terrain> terrain_;
   std::optional<box2d::FallingGround> falling_;
-  std::map<b2Body*, Watched> watched_;
+  std::optional<BodyWatch> watch_;
   std::vector<Mark> marks_;
   std::size_t now_ = 0;
   std::string wrong_;

@@ -34,11 +34,10 @@ trap 'rm -rf "$found"' EXIT
 program=$build/fuzz/lgs_fuzz
 tool() { "$(clang++ -print-prog-name="$1")" "${@:2}"; }  # of the compiler's own version
 
-# report NAME: a line for each file of lib/ with the branches that the profile NAME reaches and has: "12 34 lib/…".
+# report NAME: a line for each file of lib/ with the branches that the profile NAME reaches, and has: "12 34 lib/…".
 report() {
   tool llvm-cov report "$program" -instr-profile="$found/$1.profdata" -show-branch-summary |
-    awk -v root="$PWD/" '/^\// || /^lib\// { file = $1; sub(root, "", file); if (file ~ /^lib\//) print $(NF - 2) - $(NF - 1), $(NF - 2), file }
-      /^[^ ]*(geometry|brush|storage)\// && !/^\// && !/^lib\// { print $(NF - 2) - $(NF - 1), $(NF - 2), "lib/" $1 }'
+    awk -v root="$PWD/" '{ file = $1; sub(root, "", file) } file ~ /^lib\// { print $(NF - 2) - $(NF - 1), $(NF - 2), file }'
 }
 
 for folder in "$corpus"/*/; do
