@@ -9,7 +9,7 @@
 #                 out/fuzz-coverage.txt
 #   CORPUS        a folder with one for each target; default fuzz/corpus
 #
-# What is counted is branches: the two ways out of each condition in the source, so `a && b` has four. That are the
+# What is counted is branches: the two ways out of each condition in the source, so `a && b` has four. These are the
 # edges of the control flow where it parts. A branch is reached if any target reaches it; one in a template counts once,
 # however often the template is used. Assertions are off (NDEBUG): no input can make one of them fail.
 # Needs clang, llvm-profdata and llvm-cov. Exit status: 0 fine, 1 something failed, 2 bad usage.
@@ -56,10 +56,14 @@ tool llvm-cov show "$program" -instr-profile="$found/all.profdata" -show-branche
 
 echo
 report all | awk '
-  function line(hits, all, what) { return sprintf("%5d of %5d  %3d%%  %s", hits, all, 100 * hits / all, what) }
+  function line(hit, of, what) { return sprintf("%5d of %5d  %3.0f%%  %s", hit, of, 100 * hit / of, what) }
   $2 > 0 {
-    part = $3 ~ /^lib\/tiled/ ? "importer" : $3 ~ /^lib\/box2d/ ? "terrain for Box2D" : $3 ~ /^lib\/brush/ ? "brushes" :
-           $3 ~ /^lib\/(views|pieces)/ ? "views" : $3 ~ /^lib\/(falling|debug)/ ? "falling ground, debug" : "engine"
+    part = "engine"
+    if ($3 ~ /^lib\/tiled/) part = "importer"
+    if ($3 ~ /^lib\/box2d/) part = "terrain for Box2D"
+    if ($3 ~ /^lib\/brush/) part = "brushes"
+    if ($3 ~ /^lib\/(views|pieces)/) part = "views"
+    if ($3 ~ /^lib\/(falling|debug)/) part = "falling ground, debug"
     print line($1, $2, $3) | "sort -k5"
     h[part] += $1; n[part] += $2; hits += $1; all += $2
   }
