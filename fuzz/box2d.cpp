@@ -1,7 +1,8 @@
 // The Box2D adapter: after every commit the fixtures are the world's segments, vertex by vertex, with the ways to their
 // ghosts, no more and no fewer, and a fixture that is hit says which segment that is. Where segments are too short for
 // Box2D, or merged, the rules of <lgs/box2d/edges.h> say what stands for them: then the terrain that was kept up to
-// date must equal one made anew.
+// date must equal one made anew. An input whose first byte is kBodies or more is a game with bodies (bodies.h).
+#include "fuzz/bodies.h"
 #include "fuzz/check_edits.h"
 #include "oracle/check/refusal.h"
 #include "oracle/trace/dump.h"
@@ -304,8 +305,17 @@ std::optional<Finding> checkTrace(const oracle::Trace& trace, oracle::CheckStats
   return Session(trace, options, stats).run();
 }
 
-constexpr Target kTarget{"box2d", "the Box2D adapter: fixtures are the world's segments", check<mostlyGood, checkTrace>,
-                         mostlyGood, checkTrace};
+constexpr std::uint8_t kBodies = 128;
+bool hasBodies(Bytes input) { return !input.empty() && input[0] >= kBodies; }
+
+oracle::Trace traceOf(Bytes input) { return hasBodies(input) ? oracle::Trace() : mostlyGood(input); }
+
+std::optional<Finding> checkInput(Bytes input, oracle::CheckStats& stats) {
+  return hasBodies(input) ? checkBodies(input, stats) : check<mostlyGood, checkTrace>(input, stats);
+}
+
+constexpr Target kTarget{"box2d", "the Box2D adapter: fixtures are the world's segments; bodies", checkInput, traceOf,
+                         checkTrace};
 
 }  // namespace
 }  // namespace box2d_target

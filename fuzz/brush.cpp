@@ -4,11 +4,14 @@
 // `lgs check --brushes`: here it would take most of the time.
 //
 //   header  byte 0      the ground: empty, solid, or two blocks with a slanted seam in each cell
-//   record  byte 0      bits 0-3: the deed, or another ring of the stroke before
+//   record  byte 0      bits 0-3: the deed, or another ring of the stroke before. From kAnyForm on: a stroke of any form
+//                       (strokes.h), of which all other bytes are the seed. A trace has none of these. They are made
+//                       after the others, on the same ground
 //           byte 1      bits 0, 1: the block; 2-4: the step of the lattice; 5, 6: how many vertices, 3 to 6
 //           bytes 2, 3  the middle, in sixteenths of a cell
 //           bytes 4-15  the vertices, x and y: so many steps from the middle
 #include "fuzz/check_edits.h"
+#include "fuzz/strokes.h"
 
 #include <fmt/format.h>
 #include <lgs/brush.h>
@@ -26,6 +29,8 @@ using oracle::Trace;
 constexpr std::int64_t kCells = 3;
 constexpr std::int32_t U = kUnitsPerCell;
 constexpr std::size_t kMaxStrokes = 60;
+constexpr std::size_t kMaxOfAnyForm = 12;  // each is made several times over
+constexpr std::uint8_t kAnyForm = 192;
 
 std::vector<oracle::ScenePolygon> groundOf(unsigned kind) {
   std::vector<oracle::ScenePolygon> ground;
@@ -66,6 +71,7 @@ Trace traceOf(Bytes input) {
   std::size_t strokes = 0;
   for (std::size_t at = kRecord; at < bytes.size(); at += kRecord) {
     const Bytes record = Bytes(bytes).subspan(at, kRecord);
+    if (record[0] >= kAnyForm) continue;
     const unsigned deed = record[0] & 15U;
     const bool isNew = deed < 12 || strokes == 0;
     if (isNew && ++strokes > kMaxStrokes) break;
@@ -115,8 +121,28 @@ std::optional<Finding> checkTrace(const Trace& trace, oracle::CheckStats& stats)
   return std::nullopt;
 }
 
-constexpr Target kTarget{"brush", "strokes of brushes on a small world", check<traceOf, checkTrace>, traceOf,
-                         checkTrace};
+std::optional<Finding> checkAll(Bytes input, oracle::CheckStats& stats) {
+  if (auto finding = check<traceOf, checkTrace>(input, stats)) return finding;
+  World world;
+  for (const auto& [cell, block, vertices] : groundOf(input.empty() ? 0 : input[0] % 3U))
+    static_cast<void>(world.add(cell, vertices, block));
+  world.commit();
+  std::size_t strokes = 0;
+  for (std::size_t at = kRecord; at < input.size() && strokes < kMaxOfAnyForm; at += kRecord) {
+    const Bytes record = input.subspan(at, std::min(kRecord, input.size() - at));
+    if (record[0] < kAnyForm) continue;
+    std::uint64_t seed = 0;
+    for (const std::uint8_t byte : record) seed = seed * 257 + byte;
+    oracle::Random random(seed);
+    ++strokes;
+    ++stats.edits;
+    if (const std::string wrong = strokeAndGoBack(world, random, record[0] % 2 != 0); !wrong.empty())
+      return Finding{fmt::format("stroke {} of any form: {}\n", strokes, wrong)};
+  }
+  return std::nullopt;
+}
+
+constexpr Target kTarget{"brush", "strokes of brushes on a small world", checkAll, traceOf, checkTrace};
 
 }  // namespace
 }  // namespace brush_target

@@ -1,67 +1,76 @@
 #!/usr/bin/env bash
-# How many edges of lib/ the committed corpus reaches: by targets, by files, and by parts, all targets together.
+# How much of lib/ the committed corpus reaches: by files, by targets, and by parts, all targets together.
 #
-#   fuzz/coverage.sh [--build DIR] [CORPUS]
+#   fuzz/coverage.sh [--build DIR] [--lines FILE] [CORPUS]
 #
-#   --build DIR  programs that are built already; default: builds the preset `fuzz` without the sanitizers, whose own
-#                checks count as edges, in build/fuzz-coverage
-#   CORPUS       a folder with one for each target; default fuzz/corpus
+#   --build DIR   where lgs_fuzz is built, or built already, with clang's source-based coverage; default
+#                 build/fuzz-coverage
+#   --lines FILE  where to write the sources with how often each line and branch was run; default
+#                 out/fuzz-coverage.txt
+#   CORPUS        a folder with one for each target; default fuzz/corpus
 #
-# A function that several targets reach counts as the one that reaches most of it does, so the sum is a lower bound.
-# Exit status: 0 fine, 1 a program failed or has no edges, 2 bad usage.
+# What is counted is branches: the two ways out of each condition in the source, so `a && b` has four. These are the
+# edges of the control flow where it parts. A branch is reached if any target reaches it; one in a template counts once,
+# however often the template is used. Assertions are off (NDEBUG): no input can make one of them fail.
+# Needs clang, llvm-profdata and llvm-cov. Exit status: 0 fine, 1 something failed, 2 bad usage.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-build=
-declare -A settings=([--build]=build)
+build=build/fuzz-coverage lines=out/fuzz-coverage.txt
+declare -A settings=([--build]=build [--lines]=lines)
 source fuzz/options.sh
 if ((${#words[@]} > 1)); then
   echo "coverage.sh: one corpus at a time; see --help" >&2
   exit 2
 fi
 corpus=${words[0]:-fuzz/corpus}
-for folder in "$corpus" ${build:+"$build/fuzz"}; do
-  [[ -d $folder ]] || { echo "coverage.sh: there is no folder $folder" >&2; exit 2; }
-done
-if [[ -z $build ]]; then
-  build=build/fuzz-coverage
-  cmake --preset fuzz -B "$build" -DLGS_SANITIZE= >/dev/null
-  cmake --build "$build" --target fuzz/all
-fi
+[[ -d $corpus ]] || { echo "coverage.sh: there is no folder $corpus" >&2; exit 2; }
+cmake --preset fuzz -B "$build" -DLGS_SANITIZE= '-DLGS_FUZZ_COVERAGE=-fprofile-instr-generate;-fcoverage-mapping' \
+  -DCMAKE_CXX_FLAGS_DEBUG='-O1 -g1 -DNDEBUG' >/dev/null
+cmake --build "$build" --target lgs_fuzz
 
 found=$(mktemp -d)
 trap 'rm -rf "$found"' EXIT
-for program in "$build"/fuzz/fuzz_*; do
-  target=${program##*/fuzz_}
-  [[ -x $program ]] || { echo "coverage.sh: there is no program in $build/fuzz" >&2; exit 2; }
-  [[ -d $corpus/$target ]] || { echo "coverage.sh: there is no folder $corpus/$target" >&2; exit 2; }
-  LGS_FUZZ_OUT=$found "$program" -runs=0 -print_coverage=1 -artifact_prefix="$found/" "$corpus/$target" \
-    >"$found/log" 2>&1 || { tail -n 20 "$found/log" >&2; echo "coverage.sh: $program failed" >&2; exit 1; }
-  # COVERED_FUNC: hits: 5 edges: 3/7 name file:line
-  sed -n 's/^.*COVERED_FUNC: hits: [0-9]* edges: \([0-9]*\)\/\([0-9]*\) \(.*\) [^ ]*\/\(lib\/\(include\|geometry\|storage\|ground\|outline\|world\|tiled\|box2d\)\/[^ :]*\):[0-9]*$/\1\t\2\t\4\t\3/p' \
-    "$found/log" >"$found/$target.edges"
-  [[ -s $found/$target.edges ]] ||
-    { echo "coverage.sh: $program counts no edges of lib/; was it built for libFuzzer, with -g1?" >&2; exit 1; }
-  awk -F'\t' -v t="$target" -v inputs="$(find "$corpus/$target" -type f | wc -l)" \
-    -v bytes="$(cat "$corpus/$target"/* | wc -c)" '{ hit += $1; all += $2 }
-      END { printf "%-10s %5d inputs %7d bytes %6d of %6d edges of lib/\n", t, inputs, bytes, hit, all }' \
-    "$found/$target.edges"
+program=$build/fuzz/lgs_fuzz
+tool() { "$(clang++ -print-prog-name="$1")" "${@:2}"; }  # of the compiler's own version
+
+# report NAME: a line for each file of lib/ with the branches that the profile NAME reaches, and has: "12 34 lib/…".
+report() {
+  tool llvm-cov report "$program" -instr-profile="$found/$1.profdata" -show-branch-summary |
+    awk -v root="$PWD/" '{ file = $1; sub(root, "", file) } file ~ /^lib\// { print $(NF - 2) - $(NF - 1), $(NF - 2), file }'
+}
+
+for folder in "$corpus"/*/; do
+  target=$(basename "$folder")
+  LLVM_PROFILE_FILE=$found/$target.profraw "$program" run "$target" "$folder" --out "$found" >"$found/log" 2>&1 ||
+    { tail -n 20 "$found/log" >&2; echo "coverage.sh: $target failed" >&2; exit 1; }
+  tool llvm-profdata merge -o "$found/$target.profdata" "$found/$target.profraw"
+  report "$target" >"$found/$target.files"
+  awk -v t="$target" -v inputs="$(find "$folder" -type f | wc -l)" -v bytes="$(cat "$folder"/* | wc -c)" \
+    '{ hit += $1 } END { printf "%-10s %5d inputs %7d bytes %6d branches of lib/\n", t, inputs, bytes, hit }' \
+    "$found/$target.files"
 done
+tool llvm-profdata merge -o "$found/all.profdata" "$found"/*.profraw
+mkdir -p "$(dirname "$lines")"
+tool llvm-cov show "$program" -instr-profile="$found/all.profdata" -show-branches=count >"$lines"
 
 echo
-awk -F'\t' '
-  { key = $3 "\t" $4; if ($2 > all[key]) all[key] = $2; if ($1 > hit[key]) hit[key] = $1 }
-  function line(hits, edges, what) { return sprintf("%5d of %5d  %3d%%  %s", hits, edges, 100 * hits / edges, what) }
+report all | awk '
+  function line(hit, of, what) { return sprintf("%5d of %5d  %3.0f%%  %s", hit, of, 100 * hit / of, what) }
+  $2 > 0 {
+    part = "engine"
+    if ($3 ~ /^lib\/tiled/) part = "importer"
+    if ($3 ~ /^lib\/box2d/) part = "terrain for Box2D"
+    if ($3 ~ /^lib\/brush/) part = "brushes"
+    if ($3 ~ /^lib\/(views|pieces)/) part = "views"
+    if ($3 ~ /^lib\/(falling|debug)/) part = "falling ground, debug"
+    print line($1, $2, $3) | "sort -k5"
+    h[part] += $1; n[part] += $2; hits += $1; all += $2
+  }
   END {
-    for (key in all) {
-      split(key, words, "\t"); file = words[1]
-      part = file ~ /^lib\/tiled/ ? "tiled" : file ~ /^lib\/box2d/ ? "box2d" : "engine"
-      H[file] += hit[key]; N[file] += all[key]; h[part] += hit[key]; n[part] += all[key]
-    }
-    for (file in N) print line(H[file], N[file], file) | "sort -k5"
     close("sort -k5")
     print ""
-    for (part in n) { print line(h[part], n[part], part) | "sort -k5"; total += n[part]; reached += h[part] }
+    for (part in n) print line(h[part], n[part], part) | "sort -k5"
     close("sort -k5")
-    print line(reached, total, "all of lib/")
-  }' "$found"/*.edges
+    print line(hits, all, "all of lib/")
+  }'

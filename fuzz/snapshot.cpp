@@ -1,6 +1,7 @@
-// Bytes that claim to be a saved world. The checksum is made right, so that what follows it is read. Then the bytes are
+// Bytes that claim to be a saved world, or a chunk of one. The checksum is made right, so that what follows it is read. Then the bytes are
 // refused, or are a world like any other: its outline is the naive reference's, it can be saved and loaded again,
 // edited and emptied.
+#include "fuzz/beside.h"
 #include "fuzz/target.h"
 #include "oracle/check/window.h"
 #include "oracle/reference/compare.h"
@@ -34,10 +35,12 @@ constexpr std::array kWords{"\0"sv,
                             "\x80\0"sv,
                             "\xff\xff\xff\xff\x0f"sv,
                             "\xff\xff\xff\xff\xff\xff\xff\xff\x7f"sv,
-                            "lgssnap\1"sv};
+                            "lgssnap\1"sv,
+                            "lgschnk\1"sv};
 
 constexpr std::size_t kHead = 8, kTail = 4;   // letters and version; checksum
 constexpr std::uint64_t kManyPolygons = 200;  // the reference takes its time
+constexpr std::uint64_t kFewPolygons = 30;
 
 using Snapshot = std::vector<std::byte>;
 
@@ -119,14 +122,38 @@ std::optional<Finding> checkWorld(World world, bool preserves, std::size_t size)
   if (!samePolygons(world, *twin)) return Finding{"saved and loaded again it has other polygons\n"};
   if (const std::string difference = differenceByLaws(world, preserves); !difference.empty())
     return Finding{difference};
+  // A loaded world is like any other: one of these, too.
+  oracle::Random random(size);
+  if (stats.polygons <= kFewPolygons && stats.segments <= kManyPolygons)
+    if (const std::string wrong = beside(world, static_cast<unsigned>(again.size()), random); !wrong.empty())
+      return Finding{"beside the edits: " + wrong + "\n"};
   if (!world.clear(world.bounds().value_or(CellRect{}))) return Finding{"it can not be emptied\n"};
   const std::size_t removed = world.commit().removed.size();
   if (removed != stats.segments || !world.segments().empty()) return Finding{"emptied it still has segments\n"};
   return std::nullopt;
 }
 
+/// The same bytes as a chunk (World::reload()): it is refused, or stands in a world that can be saved.
+std::optional<Finding> checkChunk(const Snapshot& bytes) {
+  World world;
+  const auto cell = world.reload(bytes);
+  if (!cell && (cell.error().offset > bytes.size() || message(cell.error()).empty()))
+    return Finding{"a chunk is refused at a byte that is not there, or without a word\n"};
+  if (!cell) return std::nullopt;
+  world.commit();
+  auto finding = checkWorld(world, false, bytes.size());
+  if (finding) return finding;
+  Snapshot again;
+  const CellRect cells{*cell, {std::min(cell->i + 31, kMaxCell), std::min(cell->j + 31, kMaxCell)}};
+  const auto gone = world.unload(cells, [&](Cell, auto chunk) { again.assign(chunk.begin(), chunk.end()); });
+  if (!gone || *gone != 1) return Finding{"a chunk that came can not leave\n"};
+  if (!World().reload(again)) return Finding{"a chunk that came and left does not come again\n"};
+  return std::nullopt;
+}
+
 std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) {
   const Snapshot bytes = sealed(input);
+  if (auto finding = checkChunk(bytes)) return finding;
   for (const bool preserves : {false, true}) {
     PreserveRelation relation;
     if (preserves) relation = [](Block a, Block b) { return a != b; };

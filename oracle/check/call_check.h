@@ -23,6 +23,7 @@ class CallCheck {
   std::function<void(const Call&, const Outcome&)> afterAccepted;  ///< no groups, but their parts
 
   const World& world() const { return caller_.world; }
+  World& world() { return caller_.world; }  ///< for what is done beside the calls, of which they may notice nothing
 
  private:
   std::string makeOne(const Call& call, bool& isAccepted);
