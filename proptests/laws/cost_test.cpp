@@ -242,5 +242,16 @@ TEST(Memory, ForgetsThePolygonsThatNothingUses) {
   EXPECT_LT(m.world.stats().contents, 5000U);
 }
 
+TEST(Memory, ForgetsThePolygonsThatWereExchangedInOneCommit) {
+  Measured m;
+  PolygonHandle last = place(m.world, {0, 0}, {{0, 0}, {1, 0}, {0, 5}});
+  for (std::int32_t k = 0; k < 20'000; ++k) {
+    const std::vector<LocalPoint> triangle{{0, 0}, {k + 2, 0}, {0, 5}};
+    const std::vector<NewPolygon> added{{triangle, 1}};
+    EXPECT_TRUE(m.world.exchange({0, 0}, std::vector{last}, added, std::span(&last, 1)));
+  }
+  EXPECT_LT(m.world.stats().contents, 5'000U);
+}
+
 }  // namespace
 }  // namespace lgs::test

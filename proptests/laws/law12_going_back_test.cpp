@@ -291,6 +291,23 @@ TEST(GoingBackByHand, NothingIsKeptOfCommitsThatFindNothing) {
   EXPECT_EQ(world.changesOfRollBack().removed.size(), 4U);
 }
 
+// The third block's segments get the ids that the first one's had.
+TEST(GoingBackByHand, AnIdThatNamesAnotherSegmentAtTheSamePlaceIsToldAsGoneAndCome) {
+  World world;
+  const PolygonHandle square = place(world, {0, 0}, unitSquare());
+  const std::vector<SegmentId> ids = world.commit().added;
+  const Mark mark = world.checkpoint();
+  for (const Block block : {2U, 3U}) {
+    ASSERT_TRUE(world.setBlock(square, block));
+    world.commit();
+  }
+  ASSERT_EQ(world.segment(ids[0])->block, 3U);
+  ASSERT_TRUE(world.rollBack(mark));
+  EXPECT_EQ(world.changesOfRollBack().removed, ids);
+  EXPECT_EQ(world.changesOfRollBack().added, ids);
+  EXPECT_TRUE(world.changesOfRollBack().relinked.empty());
+}
+
 TEST(GoingBackByHand, FollowersAreToldWhatWasCommittedAndNotWhatIsPending) {
   World world;
   ASSERT_TRUE(world.followCells(true));

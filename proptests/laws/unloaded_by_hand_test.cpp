@@ -263,6 +263,7 @@ TEST(UnloadedByHand, QuestionsSayWhereTheyWouldHaveToLook) {
   EXPECT_TRUE(world.rayCast(at(28, 33), at(36, 31)).error().code == ErrorCode::unloaded) << "it meets both at once";
   EXPECT_TRUE(world.rayCast(at(27, 33), at(35, 31))->segment) << "it is hit at (31, 32), and would go on";
   EXPECT_TRUE(world.rayCast(Point{63 * U, 33 * U}, Point{65 * U, 31 * U + 1})) << "half a unit beside the corner";
+  EXPECT_TRUE(world.rayCast(at(31.25, 33), at(32.75, 31))->segment) << "it is hit, and further on meets both in a row";
   // The nearest segment, unless an unknown one may be as near.
   EXPECT_TRUE(world.nearest(at(10, 35), 10)->segment);
   EXPECT_EQ(world.nearest(at(30, 35), 10)->distance, 3.0);
@@ -270,6 +271,32 @@ TEST(UnloadedByHand, QuestionsSayWhereTheyWouldHaveToLook) {
   EXPECT_EQ(world.nearest(at(48, 35), 10).error().cell, (Cell{48, 31}));
   EXPECT_FALSE(world.nearest(at(48, 35), 2.5)->segment);
   EXPECT_EQ(world.nearest(at(200, 16), 200)->distance, 104.0) << "the nearer one is loaded";
+}
+
+TEST(UnloadedByHand, OfPlacesThatMayBeNearestTheFirstByRowsIsNamed) {
+  std::vector<Cell> beside;
+  for (std::int32_t j = -1; j <= 1; ++j)
+    for (std::int32_t i = -1; i <= 1; ++i)
+      if (i != 0 || j != 0) beside.push_back({i, j});
+  const auto nearestCell = [](Cell chunk) {
+    const auto along = [](std::int32_t c) { return c == 0 ? 16 : c < 0 ? -1 : 32; };
+    return Cell{along(chunk.i), along(chunk.j)};
+  };
+  for (const Cell first : beside) {
+    for (const Cell second : beside) {
+      if (first == second) continue;
+      World world;
+      const ShapeId square = shapeOf(world, {unitSquare()});
+      for (const Cell chunk : {first, second}) {
+        EXPECT_TRUE(world.fill(chunkAt(chunk.i, chunk.j), square, 1));
+        EXPECT_EQ(world.unload(chunkAt(chunk.i, chunk.j), {}), 1U);
+      }
+      world.commit();
+      const Cell a = nearestCell(first), b = nearestCell(second);
+      EXPECT_EQ(world.nearest({16 * U + 1, 16 * U + 1}, 30).error().cell,
+                std::pair(a.j, a.i) < std::pair(b.j, b.i) ? a : b);
+    }
+  }
 }
 
 TEST(UnloadedByHand, TheFirstChunkBesideWakesTheBorder) {
@@ -375,6 +402,9 @@ TEST(UnloadedByHand, SegmentsThatWentGiveTheirMemoryBack) {
   EXPECT_TRUE(world.fill({{0, 0}, {255, 255}}, diamond, 1));
   EXPECT_EQ(world.commit().added.size(), kSegments);
   const World copy = world;
+  World small;
+  EXPECT_TRUE(small.fill({{0, 0}, {255, 31}}, shapeOf(small, shapeNamed("diamond")), 1));
+  small.commit();
   std::uint64_t full = 0, left = 0;
   for (int k = 0; k < 10; ++k) {
     Shelf shelf;
@@ -384,6 +414,7 @@ TEST(UnloadedByHand, SegmentsThatWentGiveTheirMemoryBack) {
     EXPECT_LT(world.stats().bytes, k == 0 ? UINT64_MAX : full - 28 * kSegments / 2) << "a segment takes 28 bytes";
     const World part = world;
     EXPECT_EQ(part.segments().size(), 8U * 1'024 * 4);
+    EXPECT_LT(part.stats().bytes, World(small).stats().bytes + 56U * 2'000) << "a chunk's lists alone take 4,096";
     for (std::int32_t j = 1; j < 8; ++j)
       for (std::int32_t i = 0; i < 8; ++i) EXPECT_TRUE(shelf.reload(world, chunkAt(i, j).min));
     EXPECT_EQ(world.commit().added.size(), 7U * 8 * 1'024 * 4);
