@@ -4,6 +4,7 @@
 #include "field.h"
 #include "lib/box2d/src/way_out.h"
 #include "played.h"
+#include "proptests/support/must.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -169,9 +170,8 @@ TEST_F(Box2dWayOut, WhoIsWalledInHasNone) {
     for (std::int32_t i = -1; i <= 1; ++i)
       if (i != 0 || j != 1) field.add({i, j}, kSquare);
   const NewGround ground = place({{0, 1}});
-  const auto found = caught(ground, ballAt(0.5, 1.5, 0.3));
-  ASSERT_TRUE(found);
-  EXPECT_FALSE(found->way);
+  const auto found = test::must(caught(ground, ballAt(0.5, 1.5, 0.3)));
+  EXPECT_FALSE(found.way);
 }
 
 TEST_F(Box2dWayOut, OfSeveralFormsEachMustBeFree) {

@@ -1,4 +1,5 @@
 #include "unloaded.h"
+#include "proptests/support/must.h"
 
 #include <gtest/gtest.h>
 
@@ -280,9 +281,8 @@ void BesideTheWhole::follow(const Changes& changes) {
   std::vector<SegmentId> ids;
   for (const auto& [id, s] : copy_) {
     ids.push_back(id);
-    const auto now = part_.segment(id);
-    ASSERT_TRUE(now);
-    EXPECT_EQ(seen(s), seen(*now)) << "a change of segment " << id.value << " was not told";
+    const auto now = must(part_.segment(id));
+    EXPECT_EQ(seen(s), seen(now)) << "a change of segment " << id.value << " was not told";
   }
   EXPECT_EQ(part_.segments(), ids);
   EXPECT_EQ(part_.stats().segments, ids.size());

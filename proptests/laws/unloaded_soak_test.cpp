@@ -1,5 +1,6 @@
 // A long journey through a world of many chunks, of which a window is in memory, with marks: law 14 at length. At
 // LGS_TEST_SCALE=250 there are 10^5 chunks and 10^6 edits.
+#include "proptests/support/must.h"
 #include "proptests/support/scale.h"
 #include "unloaded.h"
 
@@ -110,9 +111,8 @@ class Journey {
       if (clears) {
         EXPECT_TRUE(world->clear(at));
       } else {
-        const auto handle = world->replace(at, shape, block);
-        ASSERT_TRUE(handle);
-        made.push_back(*handle);
+        const auto handle = must(world->replace(at, shape, block));
+        made.push_back(handle);
       }
     }
     if (!clears) {

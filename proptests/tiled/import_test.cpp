@@ -1,6 +1,7 @@
 // Reading Tiled maps: encodings, layers, flips, objects, blocks, and the project's own map.
 #include "maps.h"
 #include "packed.h"
+#include "proptests/support/must.h"
 
 #include <cstdint>
 
@@ -91,9 +92,8 @@ TEST(TiledTilesets, ExternalFilesAreFoundBesideTheMap) {
   ASSERT_EQ(map.report.tiles.size(), 3U);
   EXPECT_EQ(map.report.tiles[0].tileset, "a");
   EXPECT_FALSE(map.report.tiles[1].hasShapes);
-  Options options;
-  options.solidWithoutShapes = true;
-  EXPECT_EQ(cellsOf(mustImportFiles(files, options)), (std::vector<Cell>{{0, -1}, {1, -1}, {2, -1}}));
+  EXPECT_EQ(cellsOf(mustImportFiles(files, {.solidWithoutShapes = true})),
+            (std::vector<Cell>{{0, -1}, {1, -1}, {2, -1}}));
 }
 
 TEST(TiledTilesets, LargerTilesStandOnTheirCellAndReachIntoOthers) {
@@ -156,8 +156,7 @@ TEST(TiledObjects, OffsetsAndRotation) {
 }
 
 TEST(TiledObjects, CurvesArePolygonsAndTheRestIsLeftOut) {
-  Options exact;
-  exact.tolerance = 0;
+  const Options exact{.tolerance = 0};
   const auto ellipse = importTile("<object id='7' x='0' y='8' width='32' height='16'><ellipse/></object>", exact);
   EXPECT_EQ(ellipse.shapes.at(0).size(), static_cast<std::size_t>(kCurveVertices));
   EXPECT_NEAR(areaInCells(ellipse), 3.14159 / 8, 0.003);
@@ -246,8 +245,7 @@ TEST(TiledBlocks, AreFoundByName) {
     return mustImport(set + "<layer name='A' width='2' height='1'><data encoding='csv'>" + tiles + "</data></layer>",
                       options);
   };
-  Options options;
-  options.blocks = {{"lava", 5}};
+  Options options{.blocks = {{"lava", 5}}};
   EXPECT_EQ(import("1,2", options).block("lava"), std::nullopt) << "all are of one block";
   EXPECT_EQ(import("1,2", options).report.notes.size(), 1U) << "that the number is not used";
 
@@ -271,17 +269,15 @@ TEST(TiledBlocks, AreFoundByName) {
 }
 
 TEST(TiledMap, TheProjectsOwn) {
-  Options options;
-  options.blockFrom = BlockFrom::tileClass;
-  const auto map = importMap(LGS_SOURCE_DIR "/examples/maps/landscape.tmx", options);
-  ASSERT_TRUE(map) << message(map.error());
-  const World world = worldOf(*map);
-  EXPECT_GE(map->report.width, 150);
-  EXPECT_GE(map->report.height, 40);
-  EXPECT_GT(map->report.polygons, 3'000U);
-  EXPECT_EQ(map->report.blocks.size(), 5U);
+  const auto map =
+      test::must(importMap(LGS_SOURCE_DIR "/examples/maps/landscape.tmx", {.blockFrom = BlockFrom::tileClass}));
+  const World world = worldOf(map);
+  EXPECT_GE(map.report.width, 150);
+  EXPECT_GE(map.report.height, 40);
+  EXPECT_GT(map.report.polygons, 3'000U);
+  EXPECT_EQ(map.report.blocks.size(), 5U);
   EXPECT_GT(world.loops().size(), 10U);
-  const std::string text = toText(map->report);
+  const std::string text = toText(map.report);
   EXPECT_NE(text.find("coordinates put on the grid, by up to 0.4 px"), std::string::npos) << text;
   EXPECT_EQ(text.find("Left out"), std::string::npos) << text;
 }

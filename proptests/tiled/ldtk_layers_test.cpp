@@ -38,8 +38,7 @@ TEST(TiledLdtk, TilesThatAreOnlyDrawnCanBeSolid) {
   for (const char* type : {"Tiles", "AutoLayer"}) {
     const std::string text = projectWithTiles(tiles(two + "," + astray, type) + "," + ground);
     EXPECT_EQ(cellsOf(mustImportProject(text)), (std::vector<Cell>{{2, -1}}));
-    Options options;
-    options.solidWithoutShapes = true;
+    Options options{.solidWithoutShapes = true};
     const auto map = mustImportProject(text, options);
     EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{0, -2}, {3, -2}, {1, -1}, {2, -1}}));
     EXPECT_EQ(blocksOf(map), (std::vector<Block>{4, 4, 4, 3})) << "no block of a value";
@@ -73,17 +72,14 @@ TEST(TiledLdtk, TilesThatAreOnlyDrawnDoNotSayWhatIsSolid) {
 TEST(TiledLdtk, ALayerOfTilesHasABlockThatNoValueHas) {
   std::string text = projectWithTiles(tiles(tile(0, 0, "70")) + "," + grid("0,3,0,0,0,0"));
   text.replace(text.find("\"dirt\""), 6, "\"Deco\"");
-  Options options;
-  options.solidWithoutShapes = true;
-  const auto map = mustImportProject(text, options);
+  const auto map = mustImportProject(text, {.solidWithoutShapes = true});
   EXPECT_EQ(blocksOf(map), (std::vector<Block>{4, 3}));
   EXPECT_EQ(map.block("Deco.Deco"), 4U);
 }
 
 TEST(TiledLdtk, WhatIsSaidOfTilesThatAreOnlyDrawn) {
   const std::string text = projectWithTiles(tiles(tile(0, 0, "70")));
-  Options options;
-  options.layers = {"Deco"};
+  Options options{.layers = {"Deco"}};
   EXPECT_EQ(refusalOf(text, options),
             "maps/test.tmx: 'Deco' is a layer of tiles that are only drawn: --solid --layer Deco");
   const auto empty = mustImportProject(text);
@@ -128,9 +124,7 @@ TEST(TiledLdtk, OneWorldAtATime) {
   EXPECT_EQ(refusalOf(both),
             "maps/test.tmx: <map> has several worlds, which lie over each other: choose one of Sea, Sky "
             "(Options::layers)");
-  Options options;
-  options.layers = {"Sky"};
-  EXPECT_EQ(cellsOf(mustImportProject(both, options)), (std::vector<Cell>{{1, -1}}));
+  EXPECT_EQ(cellsOf(mustImportProject(both, {.layers = {"Sky"}})), (std::vector<Cell>{{1, -1}}));
 }
 
 /// A world with the levels given, and one called "Sky".
@@ -148,9 +142,7 @@ TEST(TiledLdtk, TheWorldThatIsChosenIsAllThatIsRead) {
   deep.replace(deep.find("\"worldDepth\":0"), 14, "\"worldDepth\":1");
   const std::string both = skyAnd("Sea", level("Sea1", 0, 0, things(boulder) + "," + fine) + "," + deep,
                                   level("Sky1", 0, 0, things(boulder) + "," + grid("1,0,0,0,0,0")));
-  Options options;
-  options.layers = {"Sky"};
-  options.objects = std::vector<std::string>{"Boulder"};
+  Options options{.layers = {"Sky"}, .objects = std::vector<std::string>{"Boulder"}};
   const auto sky = mustImportProject(both, options);
   EXPECT_EQ(cellsOf(sky), (std::vector<Cell>{{1, -2}, {0, -1}})) << "not the boulder of the other world";
   EXPECT_EQ(sky.report.width, 3);

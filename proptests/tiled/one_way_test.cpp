@@ -19,8 +19,7 @@ std::string polyline(const std::string& points, const std::string& attributes = 
 }
 
 Options thick(double pixels) {
-  Options options;
-  options.polylineThickness = pixels;
+  const Options options{.polylineThickness = pixels};
   return options;
 }
 

@@ -42,8 +42,7 @@ TEST(TiledShellWord, BashGivesItBack) {
 }
 
 TEST(TiledShellWord, IsInTheErrorsThatNameAnOption) {
-  Options options;
-  options.layers = {"Bob's boxes"};
+  Options options{.layers = {"Bob's boxes"}};
   const std::string walls = "<objectgroup name=\"Bob's boxes\"/>";
   EXPECT_EQ(refusalOf(mapXml(walls), options),
             "maps/test.tmx: 'Bob's boxes' is an object layer: --objects 'Bob'\\''s boxes'");

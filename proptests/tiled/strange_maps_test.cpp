@@ -102,9 +102,7 @@ class TiledDisk : public testing::Test {
   /// What the import of a map that names a tileset says.
   std::string said(const std::string& source, bool anywhere = false) const {
     put("maps/a.tmx", mapXml("<tileset firstgid='1' source='" + source + "'/>" + csvLayer(1, 1, "1")));
-    Options options;
-    options.filesAnywhere = anywhere;
-    const auto map = importMap((top_ / "maps/a.tmx").string(), options);
+    const auto map = importMap((top_ / "maps/a.tmx").string(), {.filesAnywhere = anywhere});
     if (map) return "accepted";
     const std::string text = message(map.error());
     return text.substr(std::min(text.size(), text.find("cannot be read: ") + 16));

@@ -83,9 +83,8 @@ TEST(TiledTileObjects, ClassesFromTheNearestThatHasOne) {
     const std::string set = "<tileset firstgid='1' tilewidth='32' tileheight='32'><tile id='0' class='" + tile +
                             "'><objectgroup><object id='1' class='" + shape +
                             "' width='32' height='32'/></objectgroup></tile></tileset>";
-    Options options;
-    options.blockFrom = BlockFrom::tileClass;
-    options.blocks = {{"shape", 1}, {"object", 2}, {"tile", 3}, {"layer", 4}};
+    const Options options{.blockFrom = BlockFrom::tileClass,
+                          .blocks = {{"shape", 1}, {"object", 2}, {"tile", 3}, {"layer", 4}}};
     return mustImport(set + "<objectgroup name='Walls' class='layer'><object id='3' gid='1' class='" + object +
                           "' x='0' y='32'/></objectgroup>",
                       options)

@@ -4,6 +4,7 @@
 #include "oracle/trace/dump.h"
 #include "oracle/trace/file.h"
 #include "oracle/trace/player.h"
+#include "proptests/support/must.h"
 
 #include <gtest/gtest.h>
 #include <filesystem>
@@ -269,9 +270,8 @@ TEST(Trace, BytesThatAreNoTextAreRefused) {
 }
 
 TEST(Trace, FilesThatCanNotBeRead) {
-  const auto missing = readTrace("no/such/file.trace");
-  ASSERT_FALSE(missing);
-  EXPECT_EQ(message(missing.error(), "f"), "f: cannot open the file: No such file or directory");
+  const auto missing = test::refusal(readTrace("no/such/file.trace"));
+  EXPECT_EQ(message(missing, "f"), "f: cannot open the file: No such file or directory");
   const auto directory = readTrace(std::filesystem::temp_directory_path().string());
   ASSERT_FALSE(directory);
   EXPECT_EQ(message(directory.error(), "f"), "f: cannot read the file: Is a directory");
