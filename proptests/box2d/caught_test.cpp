@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 #include <lgs/box2d/cut_out.h>
-#include <cmath>
 
 namespace lgs::box2d_test {
 namespace {

@@ -5,8 +5,6 @@
 #include <lgs/box2d/falling.h>
 #include <lgs/brush.h>
 
-#include <cmath>
-
 namespace lgs::box2d_test {
 namespace {
 

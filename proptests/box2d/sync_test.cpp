@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 #include <lgs/box2d/edges.h>
-#include <algorithm>
 #include <optional>
 #include <set>
 #include <tuple>

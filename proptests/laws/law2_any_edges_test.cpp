@@ -16,10 +16,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
-#include <optional>
 #include <ostream>
 #include <set>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -6,13 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <optional>
 
 namespace lgs::test {
 namespace {
-
-constexpr CellRect kEverywhere{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
 
 /// So many chunks in a row, full of squares.
 World rowOfChunks(std::int32_t chunks) {

@@ -10,8 +10,11 @@ namespace lgs::test {
 
 template <class T, class Error>
 T must(tl::expected<T, Error> result) {
-  if (!result) throw std::runtime_error(message(result.error()));
-  return *std::move(result);
+  if (result) return *std::move(result);
+  if constexpr (requires { std::runtime_error(result.error()); })
+    throw std::runtime_error(result.error());
+  else
+    throw std::runtime_error(message(result.error()));
 }
 
 template <class T>

@@ -106,8 +106,7 @@ class Game {
       for (const Bytes& message : follower->down.come(chance_, isQuiet)) ask(follower->client.hear(message));
       if (chance_.chance(30)) ask(follower->client.tick());
       for (const Bytes& question : follower->up.come(chance_, isQuiet)) {
-        const auto answer = must(server_.answer(question));
-        follower->down.send(answer, chance_);
+        follower->down.send(must(server_.answer(question)), chance_);
       }
     }
   }
@@ -159,8 +158,7 @@ struct Talk {
       waiting.pop_back();
       bytes += question.size();
       ++messages;
-      const auto answer = must(server.answer(question));
-      hear(answer);
+      hear(must(server.answer(question)));
     }
   }
 

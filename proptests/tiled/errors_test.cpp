@@ -47,11 +47,9 @@ TEST(TiledErrors, NameFileLineAndReason) {
   for (const auto& [xml, expected] : cases) {
     EXPECT_NE(refusalOf(xml).find(expected), std::string::npos) << expected << "\n  but: " << refusalOf(xml);
   }
-  Options options{.tolerance = -1};
-  EXPECT_NE(refusalOf(mapXml(set), options).find("tolerance"), std::string::npos);
-  options = {};
-  options.maxPlacements = 3;
-  EXPECT_NE(refusalOf(mapXml(set + csvLayer(2, 2, "1,1,1,1")), options).find("maxPlacements"), std::string::npos);
+  EXPECT_NE(refusalOf(mapXml(set), {.tolerance = -1}).find("tolerance"), std::string::npos);
+  EXPECT_NE(refusalOf(mapXml(set + csvLayer(2, 2, "1,1,1,1")), {.maxPlacements = 3}).find("maxPlacements"),
+            std::string::npos);
   EXPECT_NE(message(importMap("no/such/map.tmx").error()).find("no/such/map.tmx: cannot be read"), std::string::npos);
 }
 

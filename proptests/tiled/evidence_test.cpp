@@ -137,14 +137,13 @@ TEST(TiledEvidence, BoxesWithoutANameBesideTheGroundAreSaid) {
 
 TEST(TiledEvidence, AValueOfLdtkCanBeLeftOut) {
   const std::string text = project(level("A", 0, 0, grid("1,2,0,2,3,0")));
-  Options options{.leaveOut = {"ice"}};
-  const auto map = test::must(importFiles({{"maps/test.tmx", text}}, options));
+  const auto map = test::must(importFiles({{"maps/test.tmx", text}}, {.leaveOut = {"ice"}}));
   EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{1, -2}, {0, -1}}));
   EXPECT_EQ(map.report.notes, (std::vector<std::string>{"left out, as asked: 2 uses of 'ice'"}));
-  options.solidWithoutShapes = true;
-  EXPECT_EQ(importFiles({{"maps/test.tmx", text}}, options)->placements.size(), 2U) << "it stays free";
-  options.leaveOut = {"Ice"};
-  EXPECT_EQ(importFiles({{"maps/test.tmx", text}}, options)->report.notes,
+  EXPECT_EQ(
+      importFiles({{"maps/test.tmx", text}}, {.solidWithoutShapes = true, .leaveOut = {"ice"}})->placements.size(), 2U)
+      << "it stays free";
+  EXPECT_EQ(importFiles({{"maps/test.tmx", text}}, {.solidWithoutShapes = true, .leaveOut = {"Ice"}})->report.notes,
             (std::vector<std::string>{
                 "no tile and no object has the class 'Ice', which was to be left out; there is 'ice'"}));
 }
@@ -206,11 +205,9 @@ TEST(TiledEvidence, AClassOfObjectsCanBeLeftOutOrTaken) {
   const std::string things =
       meant::objects("Things", meant::box(0, 0, 1, 1, "type='door'") + meant::box(2, 0, 1, 1, "type='rock'") +
                                    meant::box(4, 0, 1, 1, "name='rock'"));
-  Options options{.objects = {{"rock"}}};
-  EXPECT_EQ(cellsOf(import(things, options)), (std::vector<Cell>{{2, -1}, {4, -1}}));
-  options.objects = {"Things"};
-  options.leaveOut = {"door"};
-  EXPECT_EQ(cellsOf(import(things, options)), (std::vector<Cell>{{2, -1}, {4, -1}}));
+  EXPECT_EQ(cellsOf(import(things, {.objects = {{"rock"}}})), (std::vector<Cell>{{2, -1}, {4, -1}}));
+  EXPECT_EQ(cellsOf(import(things, {.leaveOut = {"door"}, .objects = {{"Things"}}})),
+            (std::vector<Cell>{{2, -1}, {4, -1}}));
 }
 
 TEST(TiledEvidence, AMissingMapOfAWorldIsLeftOut) {

@@ -55,16 +55,11 @@ TEST(TiledLayers, GroupsOffsetsAndChoice) {
       "<layer name='A' width='1' height='1' offsety='-64'><data encoding='csv'>1</data></layer>" +
       "<layer name='B' width='1' height='1'><data encoding='csv'>1</data></layer></group>" +
       "<layer name='A' width='1' height='1'><data encoding='csv'>1</data></layer>";
-  Options options;
   EXPECT_EQ(cellsOf(mustImport(content)), (std::vector<Cell>{{0, -1}, {1, -1}, {1, 1}}));
-  options.layers = {"World/B"};
-  EXPECT_EQ(cellsOf(mustImport(content, options)), (std::vector<Cell>{{1, -1}}));
-  options.layers = {"World"};
-  EXPECT_EQ(cellsOf(mustImport(content, options)), (std::vector<Cell>{{1, -1}, {1, 1}}));
-  options.layers = {"A"};
-  EXPECT_EQ(cellsOf(mustImport(content, options)), (std::vector<Cell>{{0, -1}, {1, 1}}));
-  options.layers = {"C"};
-  EXPECT_NE(refusalOf(mapXml(content), options).find("has no tile layer or group 'C'"), std::string::npos);
+  EXPECT_EQ(cellsOf(mustImport(content, {.layers = {"World/B"}})), (std::vector<Cell>{{1, -1}}));
+  EXPECT_EQ(cellsOf(mustImport(content, {.layers = {"World"}})), (std::vector<Cell>{{1, -1}, {1, 1}}));
+  EXPECT_EQ(cellsOf(mustImport(content, {.layers = {"A"}})), (std::vector<Cell>{{0, -1}, {1, 1}}));
+  EXPECT_NE(refusalOf(mapXml(content), {.layers = {"C"}}).find("has no tile layer or group 'C'"), std::string::npos);
 }
 
 TEST(TiledTilesets, OneThatTiledHasInItselfIsNoFile) {
@@ -192,15 +187,11 @@ TEST(TiledBlocks, ByClassAndByLayer) {
     for (const MapPolygon& p : mustImport(set + layers, options).placements) found.push_back(p.block);
     return found;  // the lower row first
   };
-  Options options;
-  EXPECT_EQ(blocks(options), (std::vector<Block>{1, 1, 1, 1, 1}));
-  options.blockFrom = BlockFrom::tileClass;
-  EXPECT_EQ(blocks(options), (std::vector<Block>{3, 1, 2, 3, 4}));
-  options.blocks = {{"lava", 1}, {"ice", 90}};
-  EXPECT_EQ(blocks(options), (std::vector<Block>{1, 2, 90, 1, 3}));
-  options.blockFrom = BlockFrom::layer;
-  options.blocks = {{"B", 7}};
-  EXPECT_EQ(blocks(options), (std::vector<Block>{7, 1, 1, 1, 1}));
+  EXPECT_EQ(blocks({}), (std::vector<Block>{1, 1, 1, 1, 1}));
+  EXPECT_EQ(blocks({.blockFrom = BlockFrom::tileClass}), (std::vector<Block>{3, 1, 2, 3, 4}));
+  EXPECT_EQ(blocks({.blockFrom = BlockFrom::tileClass, .blocks = {{"lava", 1}, {"ice", 90}}}),
+            (std::vector<Block>{1, 2, 90, 1, 3}));
+  EXPECT_EQ(blocks({.blockFrom = BlockFrom::layer, .blocks = {{"B", 7}}}), (std::vector<Block>{7, 1, 1, 1, 1}));
 }
 
 TEST(TiledMap, SidesAreWholeNumbersFromNothingOn) {

@@ -153,13 +153,15 @@ TEST(TiledJson, OldFormsOfTheFormat) {
   const std::string set = R"({"name":"old", "tilewidth":32, "tileheight":32,
     "tiles":{"1":{"type":"mud", "objectgroup":{"objects":[{"id":7, "x":0, "y":0, "width":32, "height":32}]}}, "3":{}},
     "tileproperties":{"1":{"a":1}, "2":{"solid":true}, "3":{"solid":false}}})";
-  Options options{.solidIf = {"solid"}, .blockFrom = BlockFrom::tileClass};
-  const auto map = mustImportFiles({{"maps/test.tmx", old}, {"maps/old.json", set}}, options);
+  const auto map = mustImportFiles({{"maps/test.tmx", old}, {"maps/old.json", set}},
+                                   {.solidIf = {"solid"}, .blockFrom = BlockFrom::tileClass});
   EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{1, -1}, {2, -1}}));
   EXPECT_EQ(map.placements.at(0).object, 7U);
   EXPECT_EQ(map.blocks, (std::map<std::string, Block>{{"mud", 1}, {"", 2}}));
-  options.solidIf = {"p=q"};
-  EXPECT_EQ(mustImportFiles({{"maps/test.tmx", old}, {"maps/old.json", set}}, options).placements.size(), 4U);
+  EXPECT_EQ(mustImportFiles({{"maps/test.tmx", old}, {"maps/old.json", set}},
+                            {.solidIf = {"p=q"}, .blockFrom = BlockFrom::tileClass})
+                .placements.size(),
+            4U);
 }
 
 TEST(TiledJson, ErrorsNameThePlace) {

@@ -84,10 +84,8 @@ TEST(TiledLimits, Options) {
 
 TEST(TiledLimits, TilesOfAllLayers) {
   const std::string content = tilesetXml({kFullTile}) + csvLayer(2, 1, "1,0") + csvLayer(2, 2, "0,0,0,1");
-  Options options{.maxTiles = 6};
-  EXPECT_EQ(mustImport(content, options).placements.size(), 2U);
-  options.maxTiles = 5;
-  EXPECT_EQ(refusalOf(mapXml(content), options),
+  EXPECT_EQ(mustImport(content, {.maxTiles = 6}).placements.size(), 2U);
+  EXPECT_EQ(refusalOf(mapXml(content), {.maxTiles = 5}),
             "maps/test.tmx:7: <data> the map has more tiles than the limit (Options::maxTiles)");
 }
 

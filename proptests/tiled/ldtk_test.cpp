@@ -25,11 +25,11 @@ TEST(TiledLdtk, CellsBecomeBlocksByTheirValue) {
   EXPECT_EQ(map.report.tiles.at(1).id, 2U) << "the value";
   EXPECT_EQ(map.report.tiles.at(1).className, "ice");
   EXPECT_TRUE(map.report.notes.empty());
-  Options options{.blockFrom = BlockFrom::tileClass, .blocks = {{"ice", 40}}};
-  EXPECT_EQ(blocksOf(mustImportProject(project(level("A", 0, 0, grid("1,0,2, 3,7,0"))), options)),
+  EXPECT_EQ(blocksOf(mustImportProject(project(level("A", 0, 0, grid("1,0,2, 3,7,0"))),
+                                       {.blockFrom = BlockFrom::tileClass, .blocks = {{"ice", 40}}})),
             (std::vector<Block>{3, 7, 1, 40}));
-  options.blockFrom = BlockFrom::layer;
-  const auto byLayer = mustImportProject(project(level("A", 0, 0, grid("1,0,2, 3,7,0"))), options);
+  const auto byLayer = mustImportProject(project(level("A", 0, 0, grid("1,0,2, 3,7,0"))),
+                                         {.blockFrom = BlockFrom::layer, .blocks = {{"ice", 40}}});
   EXPECT_EQ(byLayer.block("Solid"), 1U) << "of all levels";
 }
 
@@ -140,12 +140,10 @@ TEST(TiledLdtk, OneGridAtATime) {
       refusalOf(text),
       "maps/test.tmx: levels/0/layerInstances/0 'Fine' has a grid of 4 px, and A/Solid one of 8 px. One cell of the "
       "grid becomes one cell of the world, so choose layers that have one grid (Options::layers)");
-  Options options{.layers = {"Fine"}};
-  const auto chosen = mustImportProject(text, options);
+  const auto chosen = mustImportProject(text, {.layers = {"Fine"}});
   EXPECT_EQ(chosen.report.tileWidth, 4);
   EXPECT_EQ(cellsOf(chosen), (std::vector<Cell>{{0, -3}}));
-  options.layers = {"Solid"};
-  EXPECT_EQ(cellsOf(mustImportProject(text, options)), (std::vector<Cell>{{0, -2}}));
+  EXPECT_EQ(cellsOf(mustImportProject(text, {.layers = {"Solid"}})), (std::vector<Cell>{{0, -2}}));
 }
 
 TEST(TiledLdtk, LevelsAtDifferentDepthsGetANote) {

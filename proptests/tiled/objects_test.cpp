@@ -173,8 +173,7 @@ TEST(TiledObjectLayers, BlocksByClassOrLayer) {
   const std::string content = objectLayer(rectangle(0, 0, 32, 32) + rectangle(32, 0, 32, 32, "id='2' class='ice'"),
                                           "name='Walls' class='rock'") +
                               objectLayer(rectangle(64, 0, 32, 32), "name='Ground'");
-  Options options{.blockFrom = BlockFrom::tileClass};
-  const auto byClass = mustImport(content, options);
+  const auto byClass = mustImport(content, {.blockFrom = BlockFrom::tileClass});
   const auto blocks = [](const ImportedMap& map) {
     std::vector<Block> result;
     for (const MapPolygon& p : map.placements) result.push_back(p.block);
@@ -182,9 +181,8 @@ TEST(TiledObjectLayers, BlocksByClassOrLayer) {
   };
   EXPECT_EQ(blocks(byClass), (std::vector<Block>{byClass.block("rock").value(), byClass.block("ice").value(),
                                                  byClass.block("").value()}));
-  options.blockFrom = BlockFrom::layer;
-  options.blocks = {{"Ground", 7}};
-  EXPECT_EQ(blocks(mustImport(content, options)), (std::vector<Block>{1, 1, 7}));
+  EXPECT_EQ(blocks(mustImport(content, {.blockFrom = BlockFrom::layer, .blocks = {{"Ground", 7}}})),
+            (std::vector<Block>{1, 1, 7}));
 }
 
 TEST(TiledObjectLayers, BlocksByName) {
@@ -278,11 +276,9 @@ TEST(TiledObjectLayers, ALayerOfTheOtherKindIsNamedWithItsOption) {
     EXPECT_EQ(refusalOf(mapXml(content), {.layers = {name}}),
               "maps/test.tmx: '" + text + "' is an object layer: --objects " + text);
   }
-  Options options{.objects = {{"Ground"}}};
-  EXPECT_EQ(refusalOf(mapXml(content), options), "maps/test.tmx: 'Ground' is a tile layer: --layer Ground");
-  options.objects = {{"Boxes"}};
-  options.layers = {"G"};
-  EXPECT_EQ(refusalOf(mapXml(content), options), "accepted");
+  EXPECT_EQ(refusalOf(mapXml(content), {.objects = {{"Ground"}}}),
+            "maps/test.tmx: 'Ground' is a tile layer: --layer Ground");
+  EXPECT_EQ(refusalOf(mapXml(content), {.layers = {"G"}, .objects = {{"Boxes"}}}), "accepted");
 }
 
 TEST(TiledObjectLayers, TheProjectsOwnCave) {

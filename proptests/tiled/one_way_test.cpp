@@ -1,8 +1,6 @@
 // Open polylines that are one-way become thin polygons, if that is asked for.
 #include "maps.h"
 
-#include "lib/tiled/src/properties.h"
-
 #include <cmath>
 #include <limits>
 

@@ -3,8 +3,6 @@
 #include "proptests/support/law.h"
 
 #include <array>
-#include <cmath>
-#include <cstdint>
 #include <ostream>
 
 namespace lgs::tiled {

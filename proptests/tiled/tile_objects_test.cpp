@@ -104,12 +104,10 @@ TEST(TiledTileObjects, WithoutShapesTheyAreSquaresIfAskedFor) {
   const std::string content = set + wall(
                                         "<object id='3' gid='1' x='0' y='32' width='64' height='32'/>"
                                         "<object id='4' gid='2' x='0' y='64' width='32' height='32'/>");
-  Options options;
   EXPECT_TRUE(mustImport(content).placements.empty());
-  options.solidIf = {"hard"};
-  EXPECT_EQ(cellsOf(mustImport(content, options)), (std::vector<Cell>{{0, -1}, {1, -1}}));
-  options.solidWithoutShapes = true;
-  EXPECT_EQ(cellsOf(mustImport(content, options)), (std::vector<Cell>{{0, -2}, {0, -1}, {1, -1}}));
+  EXPECT_EQ(cellsOf(mustImport(content, {.solidIf = {"hard"}})), (std::vector<Cell>{{0, -1}, {1, -1}}));
+  EXPECT_EQ(cellsOf(mustImport(content, {.solidWithoutShapes = true, .solidIf = {"hard"}})),
+            (std::vector<Cell>{{0, -2}, {0, -1}, {1, -1}}));
 }
 
 Files templateFiles(const std::string& objects, const std::string& text) {

@@ -144,26 +144,23 @@ TEST(TiledWorlds, PathsOfLayersBeginWithTheMapOrNot) {
 
 TEST(TiledWorlds, ANameHasOneBlockInAllMaps) {
   const Files files = worldFiles(kBeside, small("1,0,0,0"), small("2,0,0,1"));
-  Options options{.blockFrom = BlockFrom::tileClass};
-  const auto byClass = mustImportWorld(files, options);
+  const auto byClass = mustImportWorld(files, {.blockFrom = BlockFrom::tileClass});
   EXPECT_EQ(byClass.blocks, (std::map<std::string, Block>{{"rock", 1}, {"ice", 2}}));
   ASSERT_EQ(byClass.report.blocks.size(), 2U);
   EXPECT_EQ(byClass.report.blocks.at(0).name, "rock");
   EXPECT_EQ(byClass.report.blocks.at(0).polygons, 2U);
-  options.blockFrom = BlockFrom::layer;
-  const auto byLayer = mustImportWorld(files, options);
+  const auto byLayer = mustImportWorld(files, {.blockFrom = BlockFrom::layer});
   EXPECT_EQ(byLayer.blocks, (std::map<std::string, Block>{{"Ground", 1}})) << "whatever map it is in";
 }
 
 TEST(TiledWorlds, LimitsAreForAllMapsTogether) {
   const Files files = worldFiles(kBeside, small("1,1,0,0"), small("0,0,1,1"));
-  Options options{.maxTiles = 8, .maxPlacements = 4};
-  EXPECT_EQ(mustImportWorld(files, options).placements.size(), 4U);
-  options.maxTiles = 7;
-  EXPECT_NE(message(importFiles(files, options).error()).find("more tiles than the limit"), std::string::npos);
-  options.maxTiles = 8;
-  options.maxPlacements = 3;
-  EXPECT_NE(message(importFiles(files, options).error()).find("more polygons than the limit"), std::string::npos);
+  EXPECT_EQ(mustImportWorld(files, {.maxTiles = 8, .maxPlacements = 4}).placements.size(), 4U);
+  EXPECT_NE(message(importFiles(files, {.maxTiles = 7, .maxPlacements = 4}).error()).find("more tiles than the limit"),
+            std::string::npos);
+  EXPECT_NE(
+      message(importFiles(files, {.maxTiles = 8, .maxPlacements = 3}).error()).find("more polygons than the limit"),
+      std::string::npos);
 }
 
 TEST(TiledWorlds, AnEmptyWorldSaysWhatCouldBeTaken) {

@@ -11,10 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <initializer_list>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace lgs::oracle {

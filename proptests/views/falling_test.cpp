@@ -15,7 +15,6 @@
 
 #include <cmath>
 #include <map>
-#include <string>
 #include <vector>
 
 namespace lgs::test {
