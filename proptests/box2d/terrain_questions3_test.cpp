@@ -194,7 +194,7 @@ TEST_F(Box2d3Questions, BodiesInCellsAreThoseThatReachIntoThem) {
     *found += expected;
     for (const b2BodyId body : bodies) b2DestroyBody(body);
   };
-  test::forAll(300, law, rc::gen::arbitrary<Chance>());
+  test::forAll(300, law);
   if (HasFailure() || test::testScale() < 1) return;
   EXPECT_GT(*found, 100U);
 }

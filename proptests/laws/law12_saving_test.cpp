@@ -29,16 +29,6 @@ LGS_LAW(GoingBack, LoadingIsNeverHavingLeft, 1'000, (const Calls& before, const 
 // Of a snapshot, in bytes: letters and version; checksum.
 constexpr std::size_t kHead = 8, kTail = 4;
 
-/// Gives bytes the checksum that they should have.
-void seal(std::vector<std::byte>& bytes) {
-  std::uint32_t sum = 0xffff'ffff;
-  for (std::size_t k = 0; k + 4 < bytes.size(); ++k) {
-    sum ^= std::to_integer<std::uint32_t>(bytes[k]);
-    for (int bit = 0; bit < 8; ++bit) sum = sum >> 1 ^ (0xedb8'8320u & (0u - (sum & 1u)));
-  }
-  for (std::size_t k = 0; k < 4; ++k) bytes[bytes.size() - 4 + k] = static_cast<std::byte>(~sum >> 8 * k & 0xffu);
-}
-
 LGS_LAW(GoingBack, BytesThatWereNotWrittenAreRefused, 500,
         (const Calls& before, const Setting& setting, Chance chance)) {
   World world = grown({setting.corner, {}}, before).world;
