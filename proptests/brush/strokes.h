@@ -12,6 +12,7 @@
 
 namespace lgs::test {
 
+using oracle::stroke;
 using Deed = oracle::BrushEdit::Deed;
 using Strokes = std::vector<oracle::BrushEdit>;
 

@@ -67,7 +67,7 @@ TEST(TiledAskedNames, SomeValuesAreNamed) {
 }
 
 Notes notesWithNumbers(BlockFrom from, const std::vector<std::string>& names) {
-  const Options options{.solidWithoutShapes = true, .blockFrom = from};
+  Options options{.solidWithoutShapes = true, .blockFrom = from};
   for (const char* known : {"ice", "oak", "Gate", "G/Ground", "Walls"}) options.blocks[known] = 9;
   for (const std::string& name : names) options.blocks[name] = 9;
   const auto map = mustImport(kContent, options);
@@ -101,9 +101,8 @@ TEST(TiledAskedNames, TemplatesHaveNamesToo) {
        "</template>"},
       {"maps/a.tsx",
        "<tileset tilewidth='32' tileheight='32'><tile id='0'>" + property("solid", "1") + "</tile></tileset>"}};
-  const Options options{.solidIf = {"solid"}, .blockFrom = BlockFrom::tileClass};
-  options.blocks["crate"] = 3;
-  const auto map = mustImportFiles(files, options);
+  const auto map =
+      mustImportFiles(files, {.solidIf = {"solid"}, .blockFrom = BlockFrom::tileClass, .blocks = {{"crate", 3}}});
   EXPECT_EQ(map.report.polygons, 1U);
   EXPECT_EQ(map.report.notes, Notes{});
 }

@@ -7,7 +7,7 @@ namespace lgs::tiled {
 namespace {
 
 Options with(std::size_t bytes, std::size_t work, std::size_t cells) {
-  const Options options{.maxBytes = bytes, .maxObjectCells = cells, .maxWork = work};
+  Options options{.maxBytes = bytes, .maxObjectCells = cells, .maxWork = work};
   return options;
 }
 
@@ -55,7 +55,7 @@ TEST(TiledBudget, AStroke) {
 TEST(TiledBudget, FilesTogether) {
   const std::string set = "<tileset tilewidth='32' tileheight='32'/>";
   const std::string map = mapXml("<tileset firstgid='1' source='a.tsx'/>" + csvLayer(1, 1, "0"));
-  const Options options{.maxBytes = set.size() + map.size()};
+  Options options{.maxBytes = set.size() + map.size()};
   EXPECT_TRUE(importFiles({{"maps/test.tmx", map}, {"maps/a.tsx", set}}, options));
   --options.maxBytes;
   EXPECT_EQ(message(importFiles({{"maps/test.tmx", map}, {"maps/a.tsx", set}}, options).error()),
