@@ -56,12 +56,7 @@ TEST(TiledPlacer, CellsComeRowByRowAndEachWithItsNumber) {
 
 /// As importTile(), but without a World, which is slow if hundreds of polygons share a cell.
 ImportedMap importAlone(const std::string& objects, const Options& options) {
-  auto map = importFiles({{"maps/test.tmx", mapXml(tilesetXml({objects}) + csvLayer(1, 1, "1"))}}, options);
-  if (!map) {
-    ADD_FAILURE() << message(map.error());
-    return {};
-  }
-  return std::move(*map);
+  return test::must(importFiles({{"maps/test.tmx", mapXml(tilesetXml({objects}) + csvLayer(1, 1, "1"))}}, options));
 }
 
 TEST(TiledPlacer, WhatIsLeftIsFilledHoweverMuchIsThere) {
