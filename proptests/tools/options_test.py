@@ -1,13 +1,9 @@
-#!/ usr / bin / env python3
-""
-        "Every option of the lgs command, as its own --help lists them, with hostile values.
+#!/usr/bin/env python3
+"""Every option of the lgs command, as its own --help lists them, with hostile values.
 
-        proptests /
-        tools /
-        options_test.py LGS[COMMAND]
+    proptests/tools/options_test.py LGS [COMMAND]
 
-        Each run ends by itself : with status 2 and
-    a sentence; or with status 0, if the value is a good one for this option.
+Each run ends by itself: with status 2 and a sentence; or with status 0, if the value is a good one for this option.
 Status 1 is for options that name an engine, which must be there: a word that names none is a mismatch. A signal, a
 report of a sanitizer and a run without an end are faults. An option whose kind of value is in no table here is one, too.
 """
@@ -29,14 +25,14 @@ NUMBERS = ["-0", "-0.0", "1e-320", "5e-324", "1e308", "-1e308", "1e400", "-1", "
 WORDS = ["", " ", "text", "nan", "-1", "\x1b[31m", "%s%n", "9" * 4_000, "a=b=c", "=", "=7", "x=-1", "x=4294967296", "é\n"]
 FILES = ["", " ", "{folder}", "{folder}/none/none", "/dev/null/x", "/proc/self/mem/x", "x" * 4_000]
 
-#What an option takes, by the word for it in the help; and which answers to a number are good beside status 2.
+# What an option takes, by the word for it in the help; and which answers to a number are good beside status 2.
 REALS = {"SECONDS", "CELLS", "F", "V", "PX", "PIXELS", "X Y"}
 WHOLES = {"N", "S", "K"}
 TEXTS = {"NAME", "NAME=NUMBER", "NAME[=VALUE]", "TEXT", "KIND", "WxH", "COMMAND", "'WORD ...'", "LETTERS", "CLASS"}
 PATHS = {"FILE", "FOLDER...", "FILE.lgs", "DIR", "TRACE", "FILE.so", "MAP"}
 ENGINES = {"--engine", "--engine-so"}  # the only options with which a mismatch is an answer
 
-#What each command needs to end soon, and what options need beside them.
+# What each command needs to end soon, and what options need beside them.
 COMMANDS = {
     "replay": [str(TRACE)],
     "check": ["--edits", "3", "--oracle", "naive", "--out", "{folder}/out"],
@@ -82,11 +78,9 @@ def values(kind):
 def answers(option, kind, value):
     """The statuses that are right."""
     if kind in REALS | WHOLES and value in NO_NUMBERS:
-        return {
-          2
-        }
-if option
-  in ENGINES | set(NEEDS) - {"--whole-every"} : return { 0, 1, 2 }
+        return {2}
+    if option in ENGINES | set(NEEDS) - {"--whole-every"}:
+        return {0, 1, 2}
     return {0, 2}
 
 
