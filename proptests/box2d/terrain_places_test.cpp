@@ -54,10 +54,10 @@ TEST_F(Box2dPlaces, NearestIsTheLeastOfAllDistances) {
 }
 
 TEST_F(Box2dPlaces, NearestFarAwayAndOutOfReach) {
-  constexpr Cell kFar{1 << 29, -(1 << 29)};
-  field.add(kFar, kSquare, 5);
+  constexpr Cell kRemote{1 << 29, -(1 << 29)};
+  field.add(kRemote, kSquare, 5);
   field.world.commit();
-  const Terrain terrain(physics, field.world, {.cellSize = 0.5, .origin = kFar});
+  const Terrain terrain(physics, field.world, {.cellSize = 0.5, .origin = kRemote});
   const auto nearest = terrain.nearest({0.25F, 0.75F}, 1'000'000);  // more than kMaxRadius cells
   ASSERT_TRUE(nearest);
   EXPECT_EQ(nearest->point.x, 0.25F);
