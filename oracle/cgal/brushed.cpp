@@ -8,7 +8,6 @@
 #include <iterator>
 #include <map>
 #include <sstream>
-#include <utility>
 
 namespace lgs::oracle {
 namespace {

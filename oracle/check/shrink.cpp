@@ -111,34 +111,30 @@ std::optional<Trace> ShrinkWalk::dropEdits() {
   return candidate;
 }
 
-std::optional<Trace> ShrinkWalk::simplifyPolygons() {
+// What edits of a kind are made with, in all the simpler forms that there are of it.
+template <class Part, class Simpler>
+std::optional<Trace> ShrinkWalk::simplify(Edit::Kind kind, Part part, Simpler simpler) {
   for (; at_ < best_.edits.size(); ++at_, variant_ = 0) {
-    if (best_.edits[at_].kind != Edit::Kind::add) continue;
-    const LocalPolygon& polygon = best_.edits[at_].polygon.vertices;
-    while (variant_ < variantsOf(polygon)) {
-      auto simpler = simplerPolygon(polygon, variant_++);
-      if (!simpler) continue;
+    if (best_.edits[at_].kind != kind) continue;
+    while (variant_ < variantsOf(part(best_.edits[at_]))) {
+      auto simple = simpler(part(best_.edits[at_]), variant_++);
+      if (!simple) continue;
       Trace candidate = best_;
-      candidate.edits[at_].polygon.vertices = std::move(*simpler);
+      part(candidate.edits[at_]) = std::move(*simple);
       return candidate;
     }
   }
   return std::nullopt;
 }
 
+std::optional<Trace> ShrinkWalk::simplifyPolygons() {
+  return simplify(
+      Edit::Kind::add, [](Edit & edit) -> auto& { return edit.polygon.vertices; }, simplerPolygon);
+}
+
 std::optional<Trace> ShrinkWalk::simplifyBrushes() {
-  for (; at_ < best_.edits.size(); ++at_, variant_ = 0) {
-    if (best_.edits[at_].kind != Edit::Kind::brush) continue;
-    const BrushEdit& brush = best_.edits[at_].brush;
-    while (variant_ < variantsOf(brush)) {
-      auto simpler = simplerBrush(brush, variant_++);
-      if (!simpler) continue;
-      Trace candidate = best_;
-      candidate.edits[at_].brush = std::move(*simpler);
-      return candidate;
-    }
-  }
-  return std::nullopt;
+  return simplify(
+      Edit::Kind::brush, [](Edit & edit) -> auto& { return edit.brush; }, simplerBrush);
 }
 
 std::optional<Trace> ShrinkWalk::dropPairs() {

@@ -40,6 +40,8 @@ class ShrinkWalk {
   std::optional<Trace> rename();
   std::optional<Trace> plainWays();
   std::optional<Trace> dropEdits();
+  template <class Part, class Simpler>
+  std::optional<Trace> simplify(Edit::Kind kind, Part part, Simpler simpler);
   std::optional<Trace> simplifyPolygons();
   std::optional<Trace> simplifyBrushes();
   std::optional<Trace> dropPairs();

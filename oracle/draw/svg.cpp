@@ -1,7 +1,8 @@
 #include "oracle/draw/svg.h"
 
+#include <fmt/format.h>
+#include <array>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 namespace lgs::oracle::drawing {
@@ -14,39 +15,20 @@ Vec unit(Vec v) {
 }
 
 std::string number(double value) {
-  // Integers, because printf depends on the locale and prints "-0".
-  const long long hundredths = std::llround(value * 100);
-  const long long magnitude = std::llabs(hundredths);
-  std::string text = hundredths < 0 ? "-" : "";
-  text += std::to_string(magnitude / 100);
-  if (const long long rest = magnitude % 100; rest != 0) {
-    text += '.';
-    text += static_cast<char>('0' + rest / 10);
-    if (rest % 10 != 0) text += static_cast<char>('0' + rest % 10);
-  }
-  return text;
+  const double rounded = std::round(value * 100) / 100;
+  return fmt::format("{}", rounded == 0 ? 0 : rounded);  // not -0
 }
 
 std::string escape(std::string_view text) {
+  constexpr std::string_view kSpecial = "&<>\"";
+  constexpr std::array kEntities{"&amp;", "&lt;", "&gt;", "&quot;"};
   std::string out;
-  out.reserve(text.size());
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
+    const std::size_t k = kSpecial.find(c);
+    if (k != std::string_view::npos)
+      out += kEntities[k];
+    else
+      out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
   }
   return out;
 }

@@ -1,9 +1,7 @@
 #include "oracle/engine/answer.h"
 
 #include <fmt/format.h>
-#include <array>
 #include <charconv>
-#include <limits>
 
 namespace lgs::oracle {
 namespace {

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <bit>
-#include <exception>
 #include <span>
 
 namespace lgs::oracle {

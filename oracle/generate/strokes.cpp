@@ -43,9 +43,7 @@ class Painter {
   }
 
  private:
-  std::int64_t between(std::int64_t least, std::int64_t most) {
-    return least + static_cast<std::int64_t>(random_.below(static_cast<std::uint64_t>(most - least + 1)));
-  }
+  std::int64_t between(std::int64_t least, std::int64_t most) { return random_.between(least, most); }
   Point near(Point p, std::int64_t reach) { return {p.x + between(-reach, reach), p.y + between(-reach, reach)}; }
 
   /// A place in a cell: on its rim, on a coarse lattice, or anywhere.

@@ -18,13 +18,8 @@ std::string dumped(const Json& data) { return data.dump(-1, ' ', false, Json::er
 // JSON that stands in a script element: nothing in it may end the element, or begin a comment.
 std::string inScript(const Json& data) {
   std::string out;
-  for (const char c : dumped(data)) {
-    if (c == '<') {
-      out += "\\u003c";  // outside of strings JSON has none
-    } else {
-      out += c;
-    }
-  }
+  for (const char c : dumped(data))
+    out += c == '<' ? "\\u003c" : std::string(1, c);  // outside of strings JSON has none
   return out;
 }
 

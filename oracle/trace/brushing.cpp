@@ -3,7 +3,6 @@
 #include "oracle/trace/player.h"
 
 #include <fmt/format.h>
-#include <lgs/brush.h>
 #include <algorithm>
 
 namespace lgs::oracle {
@@ -24,14 +23,20 @@ Box boxOf(const BrushEdit& brush) {
   return box;
 }
 
-Expected<BrushResult> stroke(World& world, const BrushEdit& edit) {
-  const Region region{edit.rings, edit.isEvenOdd ? FillRule::evenOdd : FillRule::nonZero};
-  if (edit.deed == BrushEdit::Deed::carve) return lgs::carve(world, region);
-  return lgs::paint(world, region, edit.block,
-                    edit.deed == BrushEdit::Deed::fill ? PaintMode::fill : PaintMode::replace);
+}  // namespace
+
+Region regionOf(const BrushEdit& brush) {
+  return {brush.rings, brush.isEvenOdd ? FillRule::evenOdd : FillRule::nonZero};
 }
 
-}  // namespace
+Expected<BrushResult> stroke(World& world, const BrushEdit& brush) {
+  StayingBlocks staying;
+  if (!brush.staying.empty())
+    staying = [&brush](Block block) { return std::ranges::find(brush.staying, block) != brush.staying.end(); };
+  if (brush.deed == BrushEdit::Deed::carve) return carve(world, regionOf(brush), staying);
+  const PaintMode mode = brush.deed == BrushEdit::Deed::fill ? PaintMode::fill : PaintMode::replace;
+  return paint(world, regionOf(brush), brush.block, mode, staying);
+}
 
 CellRect cellsUnder(const BrushEdit& brush) {
   const auto [min, max] = boxOf(brush);

@@ -3,9 +3,15 @@
 
 #include "oracle/trace/trace.h"
 
+#include <lgs/brush.h>
 #include <vector>
 
 namespace lgs::oracle {
+
+Region regionOf(const BrushEdit& brush);
+
+/// Makes the edit.
+Expected<BrushResult> stroke(World& world, const BrushEdit& brush);
 
 /// The cells that a region may reach: those of its box.
 CellRect cellsUnder(const BrushEdit& brush);

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <utility>
 
 namespace lgs::oracle {
 namespace {

@@ -7,8 +7,6 @@
 #include <lgs/lattice.h>
 #include <lgs/world.h>
 
-#include <compare>
-#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>

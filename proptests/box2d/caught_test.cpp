@@ -1,9 +1,9 @@
 // What the terrain does with bodies in new ground: for whichever Box2D there is.
 #include "either.h"
+#include "proptests/support/must.h"
 
 #include <gtest/gtest.h>
 #include <lgs/box2d/cut_out.h>
-#include <cmath>
 
 namespace lgs::box2d_test {
 namespace {
@@ -306,9 +306,8 @@ TEST_F(Box2dCaught, WhatIsPaintedGoesAroundBodies) {
   const Body body = addBody({0.6F, 0.36F}, Form::box, 0);
   step(60);
   const Position at = positionOf(body);
-  const auto room = withoutBodies(terrain, circle({U / 2, U / 2}, 2 * U));
-  ASSERT_TRUE(room);
-  ASSERT_TRUE(paint(field.world, *room, 5, PaintMode::fill));
+  const auto room = test::must(withoutBodies(terrain, circle({U / 2, U / 2}, 2 * U)));
+  ASSERT_TRUE(paint(field.world, room, 5, PaintMode::fill));
   const Changes& changes = field.world.commit();
   EXPECT_TRUE(terrain.caughtBy(changes).empty());
   ASSERT_TRUE(terrain.sync(changes));

@@ -112,86 +112,80 @@ TEST(Box2dEdges, UpdatesEqualTheRulesAndChangesAreExact) {
 }
 
 // What a roll-back reports may name an id twice: removed, then added. Edges follow it as they follow a commit.
-TEST(Box2dEdges, FollowAWorldThatGoesBack) {
-  box2d_test::forAllEdits(100, [](const oracle::Trace& trace, box2d_test::Chance random) {
-    const EdgeOptions options = randomOptions(random);
-    SCOPED_TRACE(inWords(options));
-    Player player(trace.preserve, oracle::Loads::never);
-    World& world = player.world();
-    const ShapeId square = world.shape(kUnitSquare).value();
-    EdgeSet set(options);
-    Copy copy;
-    copy.apply(set, set.load(world));
-    box2d_test::playAll(trace, player, [&] {
-      copy.apply(set, set.update(world, player.commit()));
-      const Mark mark = world.checkpoint();
-      for (int guesses = random.below(4); guesses > 0; --guesses) {
-        const CellRect all = world.bounds().value_or(CellRect{});
-        const Cell cell{std::min(all.min.i + random.below(4), kMaxCell),
-                        std::min(all.min.j + random.below(4), kMaxCell)};
-        if (random.chance(50)) {
-          EXPECT_TRUE(world.replace(cell, square, 7));
-        } else {
-          EXPECT_TRUE(world.clear(cell));
-        }
-        copy.apply(set, set.update(world, world.commit()));
+LGS_LAW(Box2dEdges, FollowAWorldThatGoesBack, 100, (const box2d_test::Edits& trace, box2d_test::Chance random)) {
+  const EdgeOptions options = randomOptions(random);
+  SCOPED_TRACE(inWords(options));
+  Player player(trace.preserve, oracle::Loads::never);
+  World& world = player.world();
+  const ShapeId square = world.shape(kUnitSquare).value();
+  EdgeSet set(options);
+  Copy copy;
+  copy.apply(set, set.load(world));
+  box2d_test::playAll(trace, player, [&] {
+    copy.apply(set, set.update(world, player.commit()));
+    const Mark mark = world.checkpoint();
+    for (int guesses = random.below(4); guesses > 0; --guesses) {
+      const CellRect all = world.bounds().value_or(CellRect{});
+      const Cell cell{std::min(all.min.i + random.below(4), kMaxCell), std::min(all.min.j + random.below(4), kMaxCell)};
+      if (random.chance(50)) {
+        EXPECT_TRUE(world.replace(cell, square, 7));
+      } else {
+        EXPECT_TRUE(world.clear(cell));
       }
-      ASSERT_TRUE(world.rollBack(mark));
-      ASSERT_TRUE(world.forget(mark));
-      copy.apply(set, set.update(world, world.changesOfRollBack()), Copy::Ids::mayReturn);
-      const NaiveEdges naive = NaiveBuilder(world, options).build();
-      EXPECT_EQ(plain(set), naive.edges);
-      EXPECT_EQ(set.counts(), naive.counts);
-    });
+      copy.apply(set, set.update(world, world.commit()));
+    }
+    ASSERT_TRUE(world.rollBack(mark));
+    ASSERT_TRUE(world.forget(mark));
+    copy.apply(set, set.update(world, world.changesOfRollBack()), Copy::Ids::mayReturn);
+    const NaiveEdges naive = NaiveBuilder(world, options).build();
+    EXPECT_EQ(plain(set), naive.edges);
+    EXPECT_EQ(set.counts(), naive.counts);
   });
 }
 
 // An edge that leads into what is unloaded has the ghost of its last segment.
-TEST(Box2dEdges, FollowAWorldWhoseChunksComeAndGo) {
-  box2d_test::forAllEdits(100, [](const oracle::Trace& trace, box2d_test::Chance random) {
-    const EdgeOptions options = randomOptions(random);
-    SCOPED_TRACE(inWords(options));
-    Player player(trace.preserve, oracle::Loads::never);
-    World& world = player.world();
-    EdgeSet set(options);
-    Copy copy;
-    copy.apply(set, set.load(world));
-    const auto update = [&](const Changes& changes) {
-      copy.apply(set, set.update(world, changes));
-      const NaiveEdges naive = NaiveBuilder(world, options).build();
-      EXPECT_EQ(plain(set), naive.edges);
-      EXPECT_EQ(set.counts(), naive.counts);
-    };
-    box2d_test::playAll(trace, player, [&] {
-      update(player.commit());
-      const Cell last = world.bounds().value_or(CellRect{}).max, corner{last.i & ~31, last.j & ~31};
-      std::vector<std::vector<std::byte>> chunks;
-      EXPECT_TRUE(world.unload(
-          {corner, {std::min(corner.i + 31, kMaxCell), std::min(corner.j + 31, kMaxCell)}},
-          [&](Cell, std::span<const std::byte> bytes) { chunks.emplace_back(bytes.begin(), bytes.end()); }));
-      update(world.commit());
-      for (const auto& chunk : chunks) EXPECT_TRUE(world.reload(chunk));
-      update(world.commit());
-    });
+LGS_LAW(Box2dEdges, FollowAWorldWhoseChunksComeAndGo, 100,
+        (const box2d_test::Edits& trace, box2d_test::Chance random)) {
+  const EdgeOptions options = randomOptions(random);
+  SCOPED_TRACE(inWords(options));
+  Player player(trace.preserve, oracle::Loads::never);
+  World& world = player.world();
+  EdgeSet set(options);
+  Copy copy;
+  copy.apply(set, set.load(world));
+  const auto update = [&](const Changes& changes) {
+    copy.apply(set, set.update(world, changes));
+    const NaiveEdges naive = NaiveBuilder(world, options).build();
+    EXPECT_EQ(plain(set), naive.edges);
+    EXPECT_EQ(set.counts(), naive.counts);
+  };
+  box2d_test::playAll(trace, player, [&] {
+    update(player.commit());
+    const Cell last = world.bounds().value_or(CellRect{}).max, corner{last.i & ~31, last.j & ~31};
+    std::vector<std::vector<std::byte>> chunks;
+    EXPECT_TRUE(
+        world.unload({corner, {std::min(corner.i + 31, kMaxCell), std::min(corner.j + 31, kMaxCell)}},
+                     [&](Cell, std::span<const std::byte> bytes) { chunks.emplace_back(bytes.begin(), bytes.end()); }));
+    update(world.commit());
+    for (const auto& chunk : chunks) EXPECT_TRUE(world.reload(chunk));
+    update(world.commit());
   });
 }
 
-TEST(Box2dEdges, WithoutMergingEverySegmentIsAnEdge) {
-  box2d_test::forAllEdits(60, [](const oracle::Trace& trace, box2d_test::Chance) {
-    Player player(trace.preserve, oracle::Loads::never);
-    box2d_test::playAll(trace, player, [&] {
-      player.commit();
-      EdgeSet set({});
-      set.load(player.world());
-      ASSERT_EQ(set.counts().single, player.world().segments().size());
-      for (const SegmentId id : player.world().segments()) {
-        const Segment s = *player.world().segment(id);
-        const Edge& e = set.edge(set.edgeOf(id));
-        EXPECT_EQ(std::pair(e.start, e.end), std::pair(s.start, s.end));
-        EXPECT_EQ(e.ghost1, s.predecessor ? std::optional(s.ghost1) : std::nullopt);
-        EXPECT_EQ(e.ghost2, s.successor ? std::optional(s.ghost2) : std::nullopt);
-      }
-    });
+LGS_LAW(Box2dEdges, WithoutMergingEverySegmentIsAnEdge, 60, (const box2d_test::Edits& trace)) {
+  Player player(trace.preserve, oracle::Loads::never);
+  box2d_test::playAll(trace, player, [&] {
+    player.commit();
+    EdgeSet set({});
+    set.load(player.world());
+    ASSERT_EQ(set.counts().single, player.world().segments().size());
+    for (const SegmentId id : player.world().segments()) {
+      const Segment s = *player.world().segment(id);
+      const Edge& e = set.edge(set.edgeOf(id));
+      EXPECT_EQ(std::pair(e.start, e.end), std::pair(s.start, s.end));
+      EXPECT_EQ(e.ghost1, s.predecessor ? std::optional(s.ghost1) : std::nullopt);
+      EXPECT_EQ(e.ghost2, s.successor ? std::optional(s.ghost2) : std::nullopt);
+    }
   });
 }
 

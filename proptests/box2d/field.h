@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 #include <lgs/world.h>
-#include <string>
 #include <vector>
 
 namespace lgs::box2d_test {

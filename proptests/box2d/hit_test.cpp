@@ -1,6 +1,7 @@
 // What a fixture stands for: Terrain::hit() before and after a sync, and for fixtures that are not the terrain's.
 #include "field.h"
 #include "played.h"
+#include "proptests/support/must.h"
 
 #include <gtest/gtest.h>
 #include <lgs/box2d/terrain.h>
@@ -30,11 +31,10 @@ TEST_F(Box2dHit, AFixtureLeadsToSegmentPolygonBlockAndCell) {
   Terrain terrain(physics, field.world);
   for (const SegmentId id : field.world.segments()) {
     const Segment s = *field.world.segment(id);
-    const std::optional<Hit> hit = terrain.hit(*terrain.fixture(id));
-    ASSERT_TRUE(hit);
-    EXPECT_EQ(std::tie(hit->segment, hit->polygon, hit->block, hit->cell), std::tie(s.id, s.polygon, s.block, s.cell));
-    if (hit->block == 7) {
-      EXPECT_EQ(hit->polygon, ramp);
+    const Hit hit = test::must(terrain.hit(*terrain.fixture(id)));
+    EXPECT_EQ(std::tie(hit.segment, hit.polygon, hit.block, hit.cell), std::tie(s.id, s.polygon, s.block, s.cell));
+    if (hit.block == 7) {
+      EXPECT_EQ(hit.polygon, ramp);
     }
   }
   const b2BodyDef definition;
@@ -67,9 +67,8 @@ TEST_F(Box2dHit, AMergedEdgeIsAskedByPoint) {
   } callback;
   physics.RayCast(&callback, {13, 5}, {13, -5});
   ASSERT_NE(callback.fixture, nullptr);
-  const std::optional<Hit> hit = terrain.hit(*callback.fixture, callback.point);
-  ASSERT_TRUE(hit);
-  EXPECT_EQ(hit->cell, (Cell{6, -1}));
+  const Hit hit = test::must(terrain.hit(*callback.fixture, callback.point));
+  EXPECT_EQ(hit.cell, (Cell{6, -1}));
 }
 
 // Each slope lies in one chunk, as merged edges end with theirs.
@@ -89,9 +88,8 @@ TEST_F(Box2dHit, AMergedSlopeIsAskedByPoint) {
       for (const float along : {0.25F, 0.5F, 0.75F}) {
         const b2Vec2 point(2 * (static_cast<float>(cell.i) + along),
                            2 * (static_cast<float>(cell.j) + (rises ? along : 1 - along)));
-        const std::optional<Hit> hit = terrain.hit(*terrain.fixture(id), point);
-        ASSERT_TRUE(hit);
-        EXPECT_EQ(hit->cell, cell);
+        const Hit hit = test::must(terrain.hit(*terrain.fixture(id), point));
+        EXPECT_EQ(hit.cell, cell);
       }
     }
   }
@@ -119,13 +117,12 @@ void expectHits(const World& world, const Terrain& terrain) {
     if (!edge) continue;  // left out
     const Segment s = *world.segment(id);
     const Point middle{s.start.x + (s.end.x - s.start.x) / 2, s.start.y + (s.end.y - s.start.y) / 2};
-    const std::optional<Hit> hit = terrain.hit(*terrain.fixture(id), terrain.position(middle));
-    ASSERT_TRUE(hit);
-    const Segment behind = *world.segment(hit->segment);
+    const Hit hit = test::must(terrain.hit(*terrain.fixture(id), terrain.position(middle)));
+    const Segment behind = *world.segment(hit.segment);
     EXPECT_EQ(edges.edgeOf(behind.id), edge);
-    EXPECT_EQ(std::tie(hit->polygon, hit->block, hit->cell), std::tie(behind.polygon, behind.block, behind.cell));
+    EXPECT_EQ(std::tie(hit.polygon, hit.block, hit.cell), std::tie(behind.polygon, behind.block, behind.cell));
     if (isLong(s) && !bent.contains(edge)) {
-      EXPECT_EQ(hit->segment, id);
+      EXPECT_EQ(hit.segment, id);
     }
   }
 }

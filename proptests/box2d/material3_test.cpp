@@ -3,7 +3,6 @@
 
 #include <set>
 #include <span>
-#include <string>
 
 namespace lgs::box2d_test {
 namespace {

@@ -4,6 +4,7 @@
 #include "field.h"
 #include "lib/box2d/src/way_out.h"
 #include "played.h"
+#include "proptests/support/must.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -30,39 +31,37 @@ box2d::Form boxAt(double x, double y, double half) {
 }
 
 // After commits, roll-backs and loads: the segments that came and went say what a copy of the old world says.
-TEST(Box2dNewGround, WasFreeIsWhatTheOldWorldSays) {
-  forAllEdits(150, [](const Trace& trace, Chance random) {
-    oracle::Player player(trace.preserve, oracle::Loads::never);
-    EdgeSet set(box2d::EdgeOptions{.merge = random.chance(50)});
-    set.load(player.world());
-    World before = player.world();
-    const auto expectAgreement = [&](const NewGround& ground) {
-      const CellRect all = player.world().bounds().value_or(CellRect{});
-      for (int k = 0; k < 40; ++k) {
-        const auto along = [&](std::int32_t from, std::int32_t to) {
-          return (from - 1 + double{between(random, 0, 1)} * (to - from + 3)) * U + 0.25;
-        };
-        box2d::Form form;
-        form.middle = {along(all.min.i, all.max.i), along(all.min.j, all.max.j)};
-        form.holds = holdsAll;
-        const Point p = latticePoint({form.middle.x / U, form.middle.y / U});
-        const Spot::Where was = before.at(p).where, is = player.world().at(p).where;
-        EXPECT_EQ(ground.isFree(form), is == Spot::Where::outside);
-        if (was == Spot::Where::edge || is == Spot::Where::edge) continue;
-        EXPECT_EQ(ground.wasFree(form), was == Spot::Where::outside) << p.x << ' ' << p.y;
-      }
-    };
-    playAll(trace, player, [&] {
-      const Changes changes = player.commit();
-      if (random.chance(20)) {
-        expectAgreement(NewGround(player.world(), set));
-        set.load(player.world());
-      } else {
-        expectAgreement(NewGround(player.world(), set, changes));
-        set.update(player.world(), changes);
-      }
-      before = player.world();
-    });
+LGS_LAW(Box2dNewGround, WasFreeIsWhatTheOldWorldSays, 150, (const Edits& trace, Chance random)) {
+  oracle::Player player(trace.preserve, oracle::Loads::never);
+  EdgeSet set(box2d::EdgeOptions{.merge = random.chance(50)});
+  set.load(player.world());
+  World before = player.world();
+  const auto expectAgreement = [&](const NewGround& ground) {
+    const CellRect all = player.world().bounds().value_or(CellRect{});
+    for (int k = 0; k < 40; ++k) {
+      const auto along = [&](std::int32_t from, std::int32_t to) {
+        return (from - 1 + double{between(random, 0, 1)} * (to - from + 3)) * U + 0.25;
+      };
+      box2d::Form form;
+      form.middle = {along(all.min.i, all.max.i), along(all.min.j, all.max.j)};
+      form.holds = holdsAll;
+      const Point p = latticePoint({form.middle.x / U, form.middle.y / U});
+      const Spot::Where was = before.at(p).where, is = player.world().at(p).where;
+      EXPECT_EQ(ground.isFree(form), is == Spot::Where::outside);
+      if (was == Spot::Where::edge || is == Spot::Where::edge) continue;
+      EXPECT_EQ(ground.wasFree(form), was == Spot::Where::outside) << p.x << ' ' << p.y;
+    }
+  };
+  playAll(trace, player, [&] {
+    const Changes changes = player.commit();
+    if (random.chance(20)) {
+      expectAgreement(NewGround(player.world(), set));
+      set.load(player.world());
+    } else {
+      expectAgreement(NewGround(player.world(), set, changes));
+      set.update(player.world(), changes);
+    }
+    before = player.world();
   });
 }
 
@@ -79,29 +78,24 @@ double depthOf(const box2d::Form& form, DoublePoint p) {
 }
 
 // The deepest of many points of the line.
-TEST(Box2dNewGround, ALineReachesAsDeepAsItsDeepestPoint) {
-  test::forAll(
-      300,
-      [](Chance random) {
-        box2d::Form form;
-        const int corners = 1 + random.below(6);
-        for (int k = 0; k < corners; ++k) {
-          const double angle = 6.28 * k / corners;
-          form.hull.push_back({100 * std::cos(angle), 60 * std::sin(angle)});
-        }
-        form.radius = corners < 3 || random.chance(50) ? between(random, 5, 40) : 0;
-        const DoublePoint a{between(random, -150, 150), between(random, -150, 150)};
-        const DoublePoint b{between(random, -150, 150), between(random, -150, 150)};
-        double deepest = -1e9;
-        for (int k = 0; k <= 2'000; ++k) {
-          const double t = k / 2'000.0;
-          deepest = std::max(deepest, depthOf(form, {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}));
-        }
-        const double depth = between(random, 0, 80);
-        if (std::abs(depth - deepest) < 0.3) return;
-        if (reaches(form, a, b, depth) != (deepest > depth)) FAIL() << "asked for " << depth << ", is " << deepest;
-      },
-      rc::gen::arbitrary<Chance>());
+LGS_LAW(Box2dNewGround, ALineReachesAsDeepAsItsDeepestPoint, 300, (Chance random)) {
+  box2d::Form form;
+  const int corners = 1 + random.below(6);
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 6.28 * k / corners;
+    form.hull.push_back({100 * std::cos(angle), 60 * std::sin(angle)});
+  }
+  form.radius = corners < 3 || random.chance(50) ? between(random, 5, 40) : 0;
+  const DoublePoint a{between(random, -150, 150), between(random, -150, 150)};
+  const DoublePoint b{between(random, -150, 150), between(random, -150, 150)};
+  double deepest = -1e9;
+  for (int k = 0; k <= 2'000; ++k) {
+    const double t = k / 2'000.0;
+    deepest = std::max(deepest, depthOf(form, {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}));
+  }
+  const double depth = between(random, 0, 80);
+  if (std::abs(depth - deepest) < 0.3) return;
+  if (reaches(form, a, b, depth) != (deepest > depth)) FAIL() << "asked for " << depth << ", is " << deepest;
 }
 
 class Box2dWayOut : public testing::Test {
@@ -169,9 +163,8 @@ TEST_F(Box2dWayOut, WhoIsWalledInHasNone) {
     for (std::int32_t i = -1; i <= 1; ++i)
       if (i != 0 || j != 1) field.add({i, j}, kSquare);
   const NewGround ground = place({{0, 1}});
-  const auto found = caught(ground, ballAt(0.5, 1.5, 0.3));
-  ASSERT_TRUE(found);
-  EXPECT_FALSE(found->way);
+  const auto found = test::must(caught(ground, ballAt(0.5, 1.5, 0.3)));
+  EXPECT_FALSE(found.way);
 }
 
 TEST_F(Box2dWayOut, OfSeveralFormsEachMustBeFree) {

@@ -1,5 +1,6 @@
 // Places in Box2D 3. Where its positions are `double` (BOX2D_DOUBLE_PRECISION) the ground far away is as good as near.
 #include "physics3.h"
+#include "proptests/support/must.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,9 +58,8 @@ TEST_F(Box2d3Places, TheCellIsFoundFarFromTheOrigin) {
     const Segment segment = *field.world.segment(id);
     const Position middle =
         terrain.position({(segment.start.x + segment.end.x) / 2, (segment.start.y + segment.end.y) / 2});
-    const auto hit = terrain.hit(terrain.shape(id), middle);
-    ASSERT_TRUE(hit);
-    EXPECT_EQ(hit->segment, id);
+    const auto hit = test::must(terrain.hit(terrain.shape(id), middle));
+    EXPECT_EQ(hit.segment, id);
     EXPECT_EQ(terrain.cellAt(terrain.position(toWorld(segment.cell, {U / 2, U / 2}))), segment.cell);
   }
   const Position corner = terrain.position(toWorld({kFar + 1, kFar}, {}));

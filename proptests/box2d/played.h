@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
-#include <string>
 #include <utility>
 
 namespace lgs::box2d_test {
@@ -17,14 +16,20 @@ namespace lgs::box2d_test {
 using oracle::Trace;
 using test::Chance;
 
-/// Fails the running test with the first case that a law, of a trace and a source of chance, does not hold for. Some of
-/// the edits are there to be refused.
+/// Random edits. Some are there to be refused.
+struct Edits : Trace {
+  static rc::Gen<Edits> arbitrary() {
+    const auto edits = [](int, oracle::Random random) {
+      return oracle::randomCase({.width = 5, .height = 4, .edits = 60}, random.next());
+    };
+    return rc::gen::map(test::traces(edits, {}), [](Trace&& trace) { return Edits{std::move(trace)}; });
+  }
+};
+
+/// Fails the running test with the first case that a law, of edits and a source of chance, does not hold for.
 template <class Law>
 void forAllEdits(std::int64_t cases, Law law) {
-  const auto edits = [](int, oracle::Random random) {
-    return oracle::randomCase({.width = 5, .height = 4, .edits = 60}, random.next());
-  };
-  test::forAll(cases, std::move(law), test::traces(edits, {}), rc::gen::arbitrary<Chance>());
+  test::forAll(cases, [law](const Edits& edits, Chance chance) { law(edits, chance); });
 }
 
 /// Where a trace places its first polygon. That may be at the rim of the world, and Box2D 3 in float asserts that

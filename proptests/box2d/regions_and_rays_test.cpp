@@ -3,6 +3,7 @@
 #include "crowd.h"
 #include "either.h"
 #include "played.h"
+#include "proptests/support/must.h"
 
 #include <gtest/gtest.h>
 #include <lgs/box2d/bodies_in.h>
@@ -39,17 +40,16 @@ TEST_F(Box2dGround, ARayHitsWhatIsTooShortForAnEdge) {
   const Terrain terrain(physics, field.world, {.cellSize = 1, .origin = {4, 4}});
   ASSERT_EQ(terrain.edges().counts().leftOut, 1U);
   const float corner = 2 - kShort / 2.0F / U;
-  const std::optional<GroundRayHit> hit = terrain.rayCast({2.5F, 2.5F}, {1.5F, 1.5F});
-  ASSERT_TRUE(hit);
-  EXPECT_EQ(terrain.edges().edgeOf(hit->hit.segment), EdgeId{});
-  EXPECT_EQ(hit->hit.polygon, block);
-  EXPECT_EQ(hit->hit.block, 7U);
-  EXPECT_EQ(hit->hit.cell, (Cell{5, 5}));
-  EXPECT_NEAR(hit->point.x, corner, 1e-4F);
-  EXPECT_NEAR(hit->point.y, corner, 1e-4F);
-  EXPECT_NEAR(hit->fraction, 2.5F - corner, 1e-4F);
-  EXPECT_NEAR(hit->normal.x, std::sqrt(0.5F), 1e-5F);
-  EXPECT_NEAR(hit->normal.y, std::sqrt(0.5F), 1e-5F);
+  const GroundRayHit hit = test::must(terrain.rayCast({2.5F, 2.5F}, {1.5F, 1.5F}));
+  EXPECT_EQ(terrain.edges().edgeOf(hit.hit.segment), EdgeId{});
+  EXPECT_EQ(hit.hit.polygon, block);
+  EXPECT_EQ(hit.hit.block, 7U);
+  EXPECT_EQ(hit.hit.cell, (Cell{5, 5}));
+  EXPECT_NEAR(hit.point.x, corner, 1e-4F);
+  EXPECT_NEAR(hit.point.y, corner, 1e-4F);
+  EXPECT_NEAR(hit.fraction, 2.5F - corner, 1e-4F);
+  EXPECT_NEAR(hit.normal.x, std::sqrt(0.5F), 1e-5F);
+  EXPECT_NEAR(hit.normal.y, std::sqrt(0.5F), 1e-5F);
   EXPECT_FALSE(terrain.rayCast({1.5F, 1.5F}, {2.5F, 2.5F})) << "out of the solid";
   EXPECT_FALSE(terrain.rayCast({2.5F, 2.5F}, {2.1F, 2.1F})) << "too short";
 }
@@ -89,9 +89,9 @@ TEST_F(Box2dGround, AWeldedEdgeIsHitWhereItsMaterialIs) {
         const EdgeId edge = terrain.edges().edgeOf(id);
         if (!edge) continue;
         const Segment s = *player.world().segment(id);
-        const auto hit = hitOf(terrain, edge, terrain.position({(s.start.x + s.end.x) / 2, (s.start.y + s.end.y) / 2}));
-        ASSERT_TRUE(hit);
-        EXPECT_EQ(static_cast<float>(hit->block % 3), frictionOf(terrain, edge));
+        const auto hit =
+            test::must(hitOf(terrain, edge, terrain.position({(s.start.x + s.end.x) / 2, (s.start.y + s.end.y) / 2})));
+        EXPECT_EQ(static_cast<float>(hit.block % 3), frictionOf(terrain, edge));
       }
     });
   });

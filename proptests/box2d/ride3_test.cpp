@@ -2,6 +2,7 @@
 // control is a shape for each polygon. docs/reports/box2d.md says what is not tested here, and why.
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/reference/canonical.h"
+#include "proptests/support/must.h"
 
 #include "fields.h"
 #include "physics3.h"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <set>
 #include <string>
 
@@ -43,9 +43,8 @@ b2Vec2 at(Point p) { return {static_cast<float>(p.x) / U, static_cast<float>(p.y
 
 // CGAL's loops as chains on a body of their own.
 void addChains(b2BodyId body, const Field& field, const b2SurfaceMaterial& material, bool straight, b2Vec2 corner) {
-  const auto united = oracle::cgalUnion(field.scene);
-  ASSERT_TRUE(united);
-  for (const std::vector<Point>& loop : straight ? oracle::canonical(united->loops) : united->loops) {
+  const auto united = test::must(oracle::cgalUnion(field.scene));
+  for (const std::vector<Point>& loop : straight ? oracle::canonical(united.loops) : united.loops) {
     std::vector<b2Vec2> points;
     points.reserve(loop.size());
     for (const Point p : loop) points.push_back(b2Sub(at(p), corner));

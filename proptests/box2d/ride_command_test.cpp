@@ -1,27 +1,14 @@
 // `lgs ride` as a user meets it.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <array>
+#include "proptests/support/command.h"
+
 #include <cstdio>
-#include <string>
 
 namespace {
 
-struct Outcome {
-  int status = -1;
-  std::string text;
-};
+using lgs::test::Outcome;
 
 Outcome ride(const std::string& arguments) {
-  const std::string line = "'" LGS_COMMAND "' ride " + arguments + " 2>&1";
-  Outcome outcome;
-  std::FILE* const pipe = ::popen(line.c_str(), "r");
-  if (pipe == nullptr) return outcome;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) outcome.text.append(buffer.data(), n);
-  const int ended = ::pclose(pipe);
-  outcome.status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
-  return outcome;
+  return lgs::test::outcomeOf("'" LGS_COMMAND "' ride " + arguments + " 2>&1");
 }
 
 const std::string kTrace = "'" LGS_SOURCE_DIR "/docs/ride.trace' ";

@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 #include <lgs/box2d/edges.h>
-#include <algorithm>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -116,55 +115,51 @@ class Careless {
   int states_ = 0, state_ = 0, shown_ = 0;
 };
 
-TEST(Box2dSync, EachMisuseIsNoticedAndALoadRepairs) {
-  forAllEdits(300, [](const Trace& trace, Chance random) {
-    oracle::Player player(trace.preserve, oracle::Loads::never);
-    World& world = player.world();
-    Careless careless(world, randomOptions(random));
-    playAll(trace, player, [&] {
-      careless.hand(player.commit(), random);
-      if (random.chance(70)) return;
-      const Mark mark = world.checkpoint();
-      const int state = careless.state();
-      const ShapeId square = world.shape(kUnitSquare).value();
-      for (int guesses = random.below(3); guesses > 0; --guesses) {
-        const CellRect all = world.bounds().value_or(CellRect{});
-        ASSERT_TRUE(world.replace(random.chance(50) ? all.min : all.max, square, 7));
-        careless.hand(world.commit(), random);
-      }
-      careless.goBack(mark, state, random);
-      ASSERT_TRUE(world.forget(mark));
-    });
-    careless.load();
+LGS_LAW(Box2dSync, EachMisuseIsNoticedAndALoadRepairs, 300, (const Edits& trace, Chance random)) {
+  oracle::Player player(trace.preserve, oracle::Loads::never);
+  World& world = player.world();
+  Careless careless(world, randomOptions(random));
+  playAll(trace, player, [&] {
+    careless.hand(player.commit(), random);
+    if (random.chance(70)) return;
+    const Mark mark = world.checkpoint();
+    const int state = careless.state();
+    const ShapeId square = world.shape(kUnitSquare).value();
+    for (int guesses = random.below(3); guesses > 0; --guesses) {
+      const CellRect all = world.bounds().value_or(CellRect{});
+      ASSERT_TRUE(world.replace(random.chance(50) ? all.min : all.max, square, 7));
+      careless.hand(world.commit(), random);
+    }
+    careless.goBack(mark, state, random);
+    ASSERT_TRUE(world.forget(mark));
   });
+  careless.load();
 }
 
 // Ids mean something else in the other world, or they mean the same where the worlds are alike.
-TEST(Box2dSync, ALoadTakesOverAnyOtherWorld) {
-  forAllEdits(200, [](const Trace& trace, Chance random) {
-    const EdgeOptions options = randomOptions(random);
-    std::vector<World> worlds(1);
-    oracle::Player player(trace.preserve, oracle::Loads::never);
-    playAll(trace, player, [&] {
-      player.commit();
-      worlds.push_back(player.world());
-    });
-    EdgeSet set(options);
-    Copy copy;
-    for (int k = 0; k < 6; ++k) {
-      const World& world = random.pick(worlds);
-      const box2d::EdgeChanges& changes = set.load(world);
-      copy.apply(set, changes, Copy::Ids::mayReturn);
-      expectEdgesOf(world, set);
-      const auto what = [&](EdgeId id) {
-        const Edge& e = set.edge(id);
-        return std::tuple(e.first, e.start, e.end, e.block, e.chunk);
-      };
-      std::set<decltype(what({}))> gone;
-      for (const EdgeId id : changes.removed) gone.insert(what(id));
-      for (const EdgeId id : changes.added) EXPECT_FALSE(gone.contains(what(id))) << "it should have stayed";
-    }
+LGS_LAW(Box2dSync, ALoadTakesOverAnyOtherWorld, 200, (const Edits& trace, Chance random)) {
+  const EdgeOptions options = randomOptions(random);
+  std::vector<World> worlds(1);
+  oracle::Player player(trace.preserve, oracle::Loads::never);
+  playAll(trace, player, [&] {
+    player.commit();
+    worlds.push_back(player.world());
   });
+  EdgeSet set(options);
+  Copy copy;
+  for (int k = 0; k < 6; ++k) {
+    const World& world = random.pick(worlds);
+    const box2d::EdgeChanges& changes = set.load(world);
+    copy.apply(set, changes, Copy::Ids::mayReturn);
+    expectEdgesOf(world, set);
+    const auto what = [&](EdgeId id) {
+      const Edge& e = set.edge(id);
+      return std::tuple(e.first, e.start, e.end, e.block, e.chunk);
+    };
+    std::set<decltype(what({}))> gone;
+    for (const EdgeId id : changes.removed) gone.insert(what(id));
+    for (const EdgeId id : changes.added) EXPECT_FALSE(gone.contains(what(id))) << "it should have stayed";
+  }
 }
 
 World worldWith(Cell cell, std::initializer_list<LocalPoint> polygon, Block block) {

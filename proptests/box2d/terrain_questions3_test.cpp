@@ -1,5 +1,6 @@
 // What a terrain answers about contacts and cells in Box2D 3, against the slow way.
 #include "oracle/check/isolated.h"
+#include "proptests/support/must.h"
 
 #include "distances.h"
 #include "physics3.h"
@@ -128,10 +129,9 @@ TEST_F(Box2d3Questions, ABoxOnAMergedFloorTouchesTheCellBelowItsMiddle) {
   const std::vector<b2ContactData> contacts = contactsOf(box);
   ASSERT_EQ(contacts.size(), 1U);
   ASSERT_EQ(contacts[0].manifold.pointCount, 2);
-  const std::optional<Touch> touch = terrain.hit(contacts[0]);
-  ASSERT_TRUE(touch);
-  EXPECT_EQ(touch->hit.cell, (Cell{5, -1}));
-  EXPECT_EQ(std::pair(touch->normal.x, touch->normal.y), std::pair(0.0F, 1.0F));
+  const Touch touch = test::must(terrain.hit(contacts[0]));
+  EXPECT_EQ(touch.hit.cell, (Cell{5, -1}));
+  EXPECT_EQ(std::pair(touch.normal.x, touch.normal.y), std::pair(0.0F, 1.0F));
   b2ContactData empty = contacts[0];
   empty.manifold.pointCount = 0;
   EXPECT_FALSE(terrain.hit(empty));
@@ -194,7 +194,7 @@ TEST_F(Box2d3Questions, BodiesInCellsAreThoseThatReachIntoThem) {
     *found += expected;
     for (const b2BodyId body : bodies) b2DestroyBody(body);
   };
-  test::forAll(300, law, rc::gen::arbitrary<Chance>());
+  test::forAll(300, law);
   if (HasFailure() || test::testScale() < 1) return;
   EXPECT_GT(*found, 100U);
 }

@@ -8,7 +8,6 @@
 #include <lgs/box2d/terrain.h>
 #include <lgs/brush.h>
 
-#include <cstdint>
 #include <iosfwd>
 #include <optional>
 #include <string>

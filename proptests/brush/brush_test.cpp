@@ -2,6 +2,7 @@
 #include "outline.h"
 #include "pieces.h"
 #include "proptests/brush/strokes.h"
+#include "proptests/support/must.h"
 #include "snap.h"
 
 #include <gtest/gtest.h>
@@ -58,9 +59,8 @@ TEST(BrushRegion, LengthsOutOfRangeAreRefused) {
 TEST(BrushRegion, WhatIsNoNumberIsTold) {
   World world;
   const std::vector<DoublePoint> ring{{0, 0}, {1, 0}, {std::numeric_limits<double>::quiet_NaN(), 1}};
-  const auto done = paint(world, region({&ring, 1}), 1, PaintMode::fill);
-  ASSERT_FALSE(done);
-  EXPECT_EQ(message(done.error()), "polygon 0: vertex 2 is beyond the last cell, or was no number");
+  const auto done = refusal(paint(world, region({&ring, 1}), 1, PaintMode::fill));
+  EXPECT_EQ(message(done), "polygon 0: vertex 2 is beyond the last cell, or was no number");
 }
 
 TEST(BrushRegion, CornersAndDirectionsAreBroughtIntoTheirRange) {
@@ -127,13 +127,11 @@ TEST(BrushOutline, AHoleIsCutOpenByTwoChords) {
 TEST(Brush, WholeCellsAreFilledClearedAndRecoloured) {
   World world;
   const Region cells = box({0, 0}, {3 * kCell, 2 * kCell});
-  const auto painted = paint(world, cells, 1, PaintMode::fill);
-  ASSERT_TRUE(painted.has_value());
-  EXPECT_EQ(painted->came.size(), 6U);
-  const auto recoloured = paint(world, cells, 2, PaintMode::replace);
-  ASSERT_TRUE(recoloured.has_value());
-  ASSERT_EQ(recoloured->changed.size(), 6U);
-  EXPECT_EQ(recoloured->changed[0].now, std::vector{recoloured->changed[0].old}) << "it keeps its handle";
+  const auto painted = must(paint(world, cells, 1, PaintMode::fill));
+  EXPECT_EQ(painted.came.size(), 6U);
+  const auto recoloured = must(paint(world, cells, 2, PaintMode::replace));
+  ASSERT_EQ(recoloured.changed.size(), 6U);
+  EXPECT_EQ(recoloured.changed[0].now, std::vector{recoloured.changed[0].old}) << "it keeps its handle";
   EXPECT_EQ(world.at({5, 5}).block, 2U);
   EXPECT_TRUE(paint(world, cells, 3, PaintMode::fill)->came.empty()) << "nothing is free";
   const auto carved = carve(world, cells);
@@ -144,15 +142,13 @@ TEST(Brush, WholeCellsAreFilledClearedAndRecoloured) {
 TEST(Brush, AHoleCarvedIntoABlockIsTold) {
   World world;
   const PolygonHandle block = *world.add({0, 0}, kUnitSquare, 7);
-  const auto carved = carve(world, box({100, 100}, {200, 200}));
-  ASSERT_TRUE(carved.has_value());
-  ASSERT_EQ(carved->changed.size(), 1U);
-  EXPECT_EQ(carved->changed[0].old, block);
-  EXPECT_EQ(carved->changed[0].now.size(), 2U) << "the hole is cut open";
-  EXPECT_TRUE(carved->bent.empty()) << "it was met";
+  const auto carved = must(carve(world, box({100, 100}, {200, 200})));
+  ASSERT_EQ(carved.changed.size(), 1U);
+  EXPECT_EQ(carved.changed[0].old, block);
+  EXPECT_EQ(carved.changed[0].now.size(), 2U) << "the hole is cut open";
+  EXPECT_TRUE(carved.bent.empty()) << "it was met";
   EXPECT_EQ(world.at({150, 150}).where, Spot::Where::outside);
-  const auto filled = paint(world, box({100, 100}, {200, 200}), 7, PaintMode::fill);
-  ASSERT_TRUE(filled.has_value());
+  must(paint(world, box({100, 100}, {200, 200}), 7, PaintMode::fill));
   EXPECT_EQ(world.stats().polygons, 1U) << "equal blocks are united again";
 }
 
@@ -183,63 +179,58 @@ TEST(Brush, APolygonThatComesOutAsItWasKeepsItsHandle) {
 }
 
 /// Plays strokes, and returns how many polygons the last one bends that it should have kept.
-std::size_t bentByTheLast(Ground ground, const std::vector<BrushStroke>& strokes) {
+std::size_t bentByTheLast(Ground ground, const Strokes& strokes) {
   World world = worldOf(ground);
   std::size_t bent = 0;
-  for (const BrushStroke& stroke : strokes) {
-    const auto result = brush(world, stroke);
-    EXPECT_TRUE(result.has_value()) << message(result.error());
-    if (result) bent = result->bent.size();
+  for (const oracle::BrushEdit& edit : strokes) {
+    bent = must(stroke(world, edit)).bent.size();
   }
   return bent;
 }
 
 TEST(Brush, APolygonThatAChainWouldRunThroughStays) {
-  EXPECT_EQ(bentByTheLast(
-                Ground::solid,
-                {{Deed::carve,
-                  1,
-                  {{{{65496, 65526}, {65476, 65536}, {65521, 65511}, {65476, 65541}, {65481, 65541}, {65551, 65491}},
-                    {{65501, 65526}, {65476, 65476}, {65506, 65521}, {65491, 65526}, {65556, 65491}}},
-                   FillRule::evenOdd}},
-                 {Deed::replace, 1, {{{{65476, 65476}, {65481, 65476}, {65476, 65481}}}}}}),
-            0U);
+  EXPECT_EQ(
+      bentByTheLast(Ground::solid,
+                    {{Deed::carve,
+                      1,
+                      {{{65496, 65526}, {65476, 65536}, {65521, 65511}, {65476, 65541}, {65481, 65541}, {65551, 65491}},
+                       {{65501, 65526}, {65476, 65476}, {65506, 65521}, {65491, 65526}, {65556, 65491}}}},
+                     {Deed::replace, 1, {{{65476, 65476}, {65481, 65476}, {65476, 65481}}}, false}}),
+      0U);
 }
 
 TEST(Brush, APolygonThatAChainWouldRunAroundStays) {
-  EXPECT_EQ(bentByTheLast(
-                Ground::slanted,
-                {{Deed::fill, 1, {{{{65534, 65529}, {65524, 65524}, {65524, 65526}}}, FillRule::evenOdd}},
-                 {Deed::carve,
-                  1,
-                  {{{{65534, 65525}, {65524, 65524}, {65527, 65532}}, {{65539, 65524}, {65524, 65524}, {65526, 65533}}},
-                   FillRule::evenOdd}},
-                 {Deed::fill, 3, {{{{65527, 65530}, {65524, 65524}, {65537, 65527}}}}},
-                 {Deed::replace, 1, {{{{65524, 65524}, {65524, 65525}, {65525, 65524}}}, FillRule::evenOdd}}}),
+  EXPECT_EQ(bentByTheLast(Ground::slanted, {{Deed::fill, 1, {{{65534, 65529}, {65524, 65524}, {65524, 65526}}}},
+                                            {Deed::carve,
+                                             1,
+                                             {{{65534, 65525}, {65524, 65524}, {65527, 65532}},
+                                              {{65539, 65524}, {65524, 65524}, {65526, 65533}}}},
+                                            {Deed::fill, 3, {{{65527, 65530}, {65524, 65524}, {65537, 65527}}}, false},
+                                            {Deed::replace, 1, {{{65524, 65524}, {65524, 65525}, {65525, 65524}}}}}),
             0U);
 }
 
 TEST(Brush, APolygonThatCanNotStayIsToldAsBent) {
-  EXPECT_EQ(bentByTheLast(Ground::slanted,
-                          {{Deed::carve, 1, {{{{65528, 65526}, {65524, 65524}, {65524, 65525}}}, FillRule::evenOdd}},
-                           {Deed::carve, 1, {{{{65527, 65524}, {65529, 65526}, {65526, 65524}}}, FillRule::evenOdd}}}),
+  EXPECT_EQ(bentByTheLast(Ground::slanted, {{Deed::carve, 1, {{{65528, 65526}, {65524, 65524}, {65524, 65525}}}},
+                                            {Deed::carve, 1, {{{65527, 65524}, {65529, 65526}, {65526, 65524}}}}}),
             1U);
 }
 
 // Where the region meets a line between cells, what closes it there is rounded, and may reach farther than its edges.
 TEST(Brush, APolygonAtARoundedRimPointStays) {
   World world = worldOf(Ground::slanted);
-  ASSERT_TRUE(brush(world, {Deed::replace, 1, {{{{65571, 65556}, {65511, 65506}, {65561, 65541}}}}}).has_value());
+  ASSERT_TRUE(stroke(world, {Deed::replace, 1, {{{65571, 65556}, {65511, 65506}, {65561, 65541}}}, false}).has_value());
   const auto before = standingIn(world);
   const auto beside = std::ranges::find_if(before, [](const auto& p) {
     return p.second.cell == Cell{1, 1} && p.second.vertices.front() == LocalPoint{11, 0};
   });
   ASSERT_NE(beside, before.end());
-  ASSERT_TRUE(brush(world, {Deed::replace,
-                            1,
-                            {{{{65476, 65476}, {65496, 65481}, {65556, 65546}},
+  ASSERT_TRUE(stroke(world, {Deed::replace,
+                             1,
+                             {{{65476, 65476}, {65496, 65481}, {65556, 65546}},
                               {{65571, 65546}, {65476, 65486}, {65476, 65476}},
-                              {{65476, 65476}, {65546, 65536}, {65476, 65536}}}}})
+                              {{65476, 65476}, {65546, 65536}, {65476, 65536}}},
+                             false})
                   .has_value());
   EXPECT_TRUE(world.polygon(beside->first).has_value());
 }
@@ -286,19 +277,17 @@ TEST(Brush, BadRegionsAreRefusedAndNothingChanges) {
   const auto before = standingIn(world);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<std::vector<DoublePoint>> notANumber{{{0, 0}, {1, 0}, {1, 1}}, {{0, 0}, {1, 1}, {1, nan}}};
-  const auto refused = carve(world, region(notANumber));
-  ASSERT_FALSE(refused.has_value());
-  EXPECT_EQ(refused.error().code, ErrorCode::outOfReach);
-  EXPECT_EQ(refused.error().polygon, 1);
-  EXPECT_EQ(refused.error().vertex, 2);
+  const auto refused = refusal(carve(world, region(notANumber)));
+  EXPECT_EQ(refused.code, ErrorCode::outOfReach);
+  EXPECT_EQ(refused.polygon, 1);
+  EXPECT_EQ(refused.vertex, 2);
   const std::int64_t most = kMaxRegionCells * kCell;
   EXPECT_FALSE(carve(world, box({0, 0}, {most + 1, 10})).has_value());
   EXPECT_FALSE(carve(world, box({0, 0}, {10, most + 1})).has_value());
   EXPECT_FALSE(carve(world, circle({kMaxCoordinate + 1, 0}, 10)).has_value());
   constexpr Point kFirst{-kMaxCell * kCell, -kMaxCell * kCell};  // where the first cell begins
-  const auto beyond = carve(world, box({kFirst.x - 1, 0}, {kFirst.x + 5, 9}));
-  ASSERT_FALSE(beyond.has_value());
-  EXPECT_EQ(beyond.error().code, ErrorCode::outOfReach);
+  const auto beyond = refusal(carve(world, box({kFirst.x - 1, 0}, {kFirst.x + 5, 9})));
+  EXPECT_EQ(beyond.code, ErrorCode::outOfReach);
   EXPECT_FALSE(carve(world, box({0, kFirst.y - 1}, {9, kFirst.y + 5})).has_value());
   EXPECT_EQ(standingIn(world), before);
   EXPECT_TRUE(carve(world, box(kFirst, {kFirst.x + 5, kFirst.y + 9})).has_value());
@@ -309,10 +298,9 @@ TEST(Brush, TooMuchForACellIsRefusedAsAWhole) {
   Region comb;  // 300 teeth of a cell, and all of the cell beside it
   for (std::int64_t k = 0; k < 300; ++k) comb.rings.push_back(box({kCell + 4 * k, 1}, {kCell + 4 * k + 2, 9}).rings[0]);
   comb.rings.push_back(box({0, 0}, {kCell, kCell}).rings[0]);
-  const auto refused = paint(world, comb, 1, PaintMode::fill);
-  ASSERT_FALSE(refused.has_value());
-  EXPECT_EQ(refused.error().code, ErrorCode::capacity);
-  EXPECT_EQ(refused.error().cell, (Cell{1, 0}));
+  const auto refused = refusal(paint(world, comb, 1, PaintMode::fill));
+  EXPECT_EQ(refused.code, ErrorCode::capacity);
+  EXPECT_EQ(refused.cell, (Cell{1, 0}));
   EXPECT_EQ(world.stats().polygons, 0U);
 }
 

@@ -2,22 +2,22 @@
 #include "oracle/check/reach.h"
 #include "proptests/brush/strokes.h"
 #include "proptests/support/law.h"
+#include "proptests/support/must.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
-#include <vector>
 
 namespace lgs::test {
 namespace {
 
 LGS_LAW(Brush, Law8RoundsByAUnitAtMost, 400, (const AnyStrokes& strokes)) {
   World world = worldOf(strokes.ground);
-  for (const BrushStroke& stroke : strokes.strokes) {
+  for (const oracle::BrushEdit& edit : strokes.strokes) {
     const oracle::Scene before = sceneOf(world);
-    ASSERT_TRUE(brush(world, stroke).has_value());
-    failIf(farFromExact(before, editOf(stroke), sceneOf(world)));
+    must(stroke(world, edit));
+    failIf(farFromExact(before, edit, sceneOf(world)));
   }
 }
 
@@ -25,28 +25,28 @@ LGS_LAW(Brush, Law8RoundsByAUnitAtMost, 400, (const AnyStrokes& strokes)) {
 template <class Look>
 void afterEach(const AnyStrokes& strokes, const Look& look) {
   World world = worldOf(strokes.ground);
-  for (const BrushStroke& stroke : strokes.strokes) {
+  for (const oracle::BrushEdit& edit : strokes.strokes) {
     const auto before = standingIn(world);
-    const auto result = brush(world, stroke);
-    ASSERT_TRUE(result.has_value());
-    look(stroke, *result, before, standingIn(world));
+    const auto result = must(stroke(world, edit));
+    look(edit, result, before, standingIn(world));
   }
 }
 
 LGS_LAW(Brush, Law9WhatIsNotReachedStays, 3'000, (const AnyStrokes& strokes)) {
-  afterEach(strokes, [](const BrushStroke& stroke, const BrushResult& result, const auto& before, const auto& after) {
-    for (const auto& [handle, standing] : before) {
-      const auto now = after.find(handle);
-      if (now != after.end() && now->second == standing) continue;
-      const bool isTold = std::ranges::find(result.bent, handle) != result.bent.end();
-      failUnless(isTold || oracle::mayMeet(editOf(stroke), {standing.cell, standing.block, standing.vertices}),
-                 "a polygon changed that the region does not reach");
-    }
-  });
+  afterEach(strokes,
+            [](const oracle::BrushEdit& edit, const BrushResult& result, const auto& before, const auto& after) {
+              for (const auto& [handle, standing] : before) {
+                const auto now = after.find(handle);
+                if (now != after.end() && now->second == standing) continue;
+                const bool isTold = std::ranges::find(result.bent, handle) != result.bent.end();
+                failUnless(isTold || oracle::mayMeet(edit, {standing.cell, standing.block, standing.vertices}),
+                           "a polygon changed that the region does not reach");
+              }
+            });
 }
 
 LGS_LAW(Brush, TheResultTellsWhatHappened, 1'000, (const AnyStrokes& strokes)) {
-  afterEach(strokes, [](const BrushStroke&, const BrushResult& result, const auto& before, const auto& after) {
+  afterEach(strokes, [](const oracle::BrushEdit&, const BrushResult& result, const auto& before, const auto& after) {
     std::set<PolygonHandle> old(result.went.begin(), result.went.end());
     std::set<PolygonHandle> now(result.came.begin(), result.came.end());
     EXPECT_EQ(old.size(), result.went.size());
@@ -69,13 +69,6 @@ LGS_LAW(Brush, TheResultTellsWhatHappened, 1'000, (const AnyStrokes& strokes)) {
   });
 }
 
-/// The outlines, with straight lines as one segment each.
-std::vector<std::vector<Point>> outlines(const World& world) {
-  std::vector<std::vector<Point>> all;
-  for (const Loop& loop : world.loops(Collinear::merge)) all.push_back(loop.vertices);
-  return all;
-}
-
 /// The region, as far as it lies over the ground.
 Region within(Region region) {
   constexpr std::int64_t kEnd = 3 * kUnitsPerCell;
@@ -85,35 +78,22 @@ Region within(Region region) {
 }
 
 LGS_LAW(Brush, Law10CarveAndPaintLeavesNoSeam, 3'000, (const AnyRegion& any)) {
-  const Region region = within(any.region);
-  for (const Ground ground : {Ground::solid, Ground::halved}) {
-    World world = worldOf(ground);
-    world.commit();
-    const auto solid = outlines(world);
-    ASSERT_TRUE(carve(world, region).has_value());
-    world.commit();
-    ASSERT_TRUE(paint(world, region, 1, PaintMode::fill).has_value());
-    world.commit();
-    EXPECT_EQ(outlines(world), solid);
-  }
+  for (const Ground ground : {Ground::solid, Ground::halved}) expectNoSeam(ground, within(any.region));
 }
 
 LGS_LAW(Brush, Law10AnotherBlockLeavesNoSeam, 3'000, (const AnyStrokes& strokes)) {
   World world = worldOf(Ground::slanted);
-  world.commit();
   const auto solid = outlines(world);
-  for (const BrushStroke& stroke : strokes.strokes) {
-    ASSERT_TRUE(paint(world, within(stroke.region), stroke.block, PaintMode::replace).has_value());
-    world.commit();
+  for (const oracle::BrushEdit& edit : strokes.strokes) {
+    must(paint(world, within(regionOf(edit)), edit.block, PaintMode::replace));
     EXPECT_EQ(outlines(world), solid);
   }
 }
 
 LGS_LAW(Brush, Law11IsNeverRefused, 3'000, (const AnyStrokes& strokes)) {
   World world = worldOf(strokes.ground);
-  for (const BrushStroke& stroke : strokes.strokes) {
-    const auto result = brush(world, stroke);
-    ASSERT_TRUE(result.has_value()) << message(result.error());
+  for (const oracle::BrushEdit& edit : strokes.strokes) {
+    must(stroke(world, edit));
     world.commit();
   }
 }

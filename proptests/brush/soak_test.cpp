@@ -14,55 +14,44 @@ namespace {
 
 constexpr std::int64_t kSide = 100;  // cells
 
-class Painter {
- public:
-  explicit Painter(std::uint64_t seed) : random_(seed) {}
+Point near(oracle::Random& random, Point p, std::int64_t reach) {
+  return {p.x + random.between(-reach, reach), p.y + random.between(-reach, reach)};
+}
 
-  BrushStroke next() {
-    constexpr Deed kDeeds[] = {Deed::carve, Deed::fill, Deed::replace};
-    return {kDeeds[random_.below(3)], static_cast<Block>(1 + random_.below(4)), region()};
-  }
-
- private:
-  std::int64_t between(std::int64_t least, std::int64_t most) {
-    return least + static_cast<std::int64_t>(random_.below(static_cast<std::uint64_t>(most - least + 1)));
-  }
-  Point near(Point p, std::int64_t reach) { return {p.x + between(-reach, reach), p.y + between(-reach, reach)}; }
-
-  Region region() {
-    constexpr std::int64_t kEnd = kSide * kUnitsPerCell;
-    const Point at{between(0, kEnd), between(0, kEnd)};
-    const std::int64_t size = kUnitsPerCell >> random_.below(8);  // from two cells down to a hundredth
-    switch (random_.below(4)) {
-      case 0:
-        return circle(at, size, 32);
-      case 1:
-        return rectangle(at, near({0, 0}, 1'000), size, between(1, size));
-      case 2: {
-        const Point line[]{at, near(at, 2 * size)};
-        return thickLine(line, between(1, size / 2), 16);
-      }
-      default: {  // crosses itself, as a rule
-        Ring ring;
-        for (std::int64_t k = between(3, 7); k > 0; --k) ring.push_back(near(at, size));
-        return {{std::move(ring)}, FillRule::evenOdd};
-      }
+Region region(oracle::Random& random) {
+  constexpr std::int64_t kEnd = kSide * kUnitsPerCell;
+  const Point at = near(random, {kEnd / 2, kEnd / 2}, kEnd / 2);
+  const std::int64_t size = kUnitsPerCell >> random.below(8);  // from two cells down to a hundredth
+  switch (random.below(4)) {
+    case 0:
+      return circle(at, size, 32);
+    case 1:
+      return rectangle(at, near(random, {0, 0}, 1'000), size, random.between<std::int64_t>(1, size));
+    case 2: {
+      const Point line[]{at, near(random, at, 2 * size)};
+      return thickLine(line, random.between<std::int64_t>(1, size / 2), 16);
+    }
+    default: {  // crosses itself, as a rule
+      Ring ring;
+      for (int k = random.between(3, 7); k > 0; --k) ring.push_back(near(random, at, size));
+      return {{std::move(ring)}, FillRule::evenOdd};
     }
   }
-
-  oracle::Random random_;
-};
+}
 
 TEST(BrushSoak, Law11ManyBrushesOnALargeWorld) {
   World world;
   const ShapeId square = world.shape(kUnitSquare).value();
   ASSERT_TRUE(world.fill({{0, 0}, {kSide - 1, kSide - 1}}, square, 1).has_value());
-  Painter painter(testSeed());
+  oracle::Random random(testSeed());
   const auto edits = static_cast<std::int64_t>(4'000 * testScale());
   std::size_t bent = 0;
   for (std::int64_t k = 0; k < edits; ++k) {
-    const BrushStroke stroke = painter.next();
-    const auto result = brush(world, stroke);
+    constexpr Deed kDeeds[] = {Deed::carve, Deed::fill, Deed::replace};
+    const Deed deed = kDeeds[random.below(3)];
+    const Block block = 1 + random.below(4U);
+    const auto [rings, rule] = region(random);
+    const auto result = stroke(world, {deed, block, rings, rule == FillRule::evenOdd});
     ASSERT_TRUE(result.has_value()) << "edit " << k << ": " << message(result.error());
     bent += result->bent.size();
     world.commit();

@@ -2,6 +2,7 @@
 #include "oracle/calls/random.h"
 #include "proptests/brush/strokes.h"
 #include "proptests/support/law.h"
+#include "proptests/support/must.h"
 
 #include <gtest/gtest.h>
 
@@ -13,32 +14,26 @@
 namespace lgs::test {
 namespace {
 
-Expected<BrushResult> brushAround(World& world, const BrushStroke& stroke, const StayingBlocks& staying) {
-  if (stroke.deed == Deed::carve) return carve(world, stroke.region, staying);
-  const PaintMode mode = stroke.deed == Deed::fill ? PaintMode::fill : PaintMode::replace;
-  return paint(world, stroke.region, stroke.block, mode, staying);
-}
-
 LGS_LAW(BrushStaying, IsRoundedByAUnitAtMost, 300, (const AnyStrokes& strokes)) {
   World world = worldOf(strokes.ground);
-  for (const BrushStroke& stroke : strokes.strokes) {
+  for (oracle::BrushEdit edit : strokes.strokes) {
     const oracle::Scene before = sceneOf(world);
-    oracle::BrushEdit edit = editOf(stroke);
     edit.staying = {2, 3};
-    ASSERT_TRUE(brushAround(world, stroke, [](Block block) { return block == 2 || block == 3; }).has_value());
+    must(stroke(world, edit));
     failIf(farFromExact(before, edit, sceneOf(world)));
   }
 }
 
 LGS_LAW(BrushStaying, AllIsToFillAndNoneIsNothingSpecial, 500, (const AnyStrokes& strokes)) {
   World around = worldOf(strokes.ground), filled = around, plain = around, none = around;
-  for (const BrushStroke& stroke : strokes.strokes) {
-    if (stroke.deed != Deed::carve) {
-      ASSERT_TRUE(paint(around, stroke.region, stroke.block, PaintMode::replace, [](Block) { return true; }));
-      ASSERT_TRUE(paint(filled, stroke.region, stroke.block, PaintMode::fill));
+  for (oracle::BrushEdit edit : strokes.strokes) {
+    if (edit.deed != Deed::carve) {
+      must(paint(around, regionOf(edit), edit.block, PaintMode::replace, [](Block) { return true; }));
+      must(paint(filled, regionOf(edit), edit.block, PaintMode::fill));
     }
-    ASSERT_TRUE(brush(plain, stroke).has_value());
-    ASSERT_TRUE(brushAround(none, stroke, [](Block) { return false; }).has_value());
+    must(stroke(plain, edit));
+    edit.staying = {4'711};  // a block that is nowhere
+    must(stroke(none, edit));
   }
   EXPECT_TRUE(standingIn(around) == standingIn(filled));
   EXPECT_TRUE(standingIn(plain) == standingIn(none));
@@ -96,10 +91,9 @@ bool isNearAnEdge(const Region& region, Point doubled, double units) {
 }
 
 LGS_LAW(BrushRegions, WithoutIsTheDifference, 300, (const AnyRegion& any, const AnyRegion& except, int seed)) {
-  const auto rest = without(any.region, except.region);
-  ASSERT_TRUE(rest);
+  const auto rest = must(without(any.region, except.region));
   const CellRect cells = boundsOf(any.region).value();
-  if (isEmpty(cells)) return failUnless(rest->rings.empty(), "something is left of nothing");
+  if (isEmpty(cells)) return failUnless(rest.rings.empty(), "something is left of nothing");
   Point min = any.region.rings[0][0], max = min;
   for (const Ring& ring : any.region.rings) {
     for (const Point p : ring) {
@@ -112,7 +106,7 @@ LGS_LAW(BrushRegions, WithoutIsTheDifference, 300, (const AnyRegion& any, const 
     const Point p{2 * min.x - 5 + random.below(static_cast<int>(2 * (max.x - min.x) + 10)),
                   2 * min.y - 5 + random.below(static_cast<int>(2 * (max.y - min.y) + 10))};
     if (isNearAnEdge(any.region, p, 2) || isNearAnEdge(except.region, p, 2)) continue;
-    EXPECT_EQ(isIn(*rest, p), isIn(any.region, p) && !isIn(except.region, p)) << p.x << " " << p.y << " / 2";
+    EXPECT_EQ(isIn(rest, p), isIn(any.region, p) && !isIn(except.region, p)) << p.x << " " << p.y << " / 2";
   }
 }
 
@@ -128,14 +122,12 @@ TEST(BrushStayingByHand, OreAndBedrockKeepTheirHandles) {
   const PolygonHandle ore = *world.add({2, 0}, {{0, 0}, {kUnitsPerCell, kUnitsPerCell}, {0, kUnitsPerCell}}, 9);
   const auto stays = [](Block block) { return block == 9; };
   World dug = world;
-  const auto done = carve(dug, rect({-5, -5}, {3 * kCellUnits + 5, kCellUnits + 5}), stays);
-  ASSERT_TRUE(done);
-  EXPECT_EQ(done->went, (std::vector<PolygonHandle>{stone, half}));
-  EXPECT_TRUE(done->changed.empty() && done->came.empty());
+  const auto done = must(carve(dug, rect({-5, -5}, {3 * kCellUnits + 5, kCellUnits + 5}), stays));
+  EXPECT_EQ(done.went, (std::vector<PolygonHandle>{stone, half}));
+  EXPECT_TRUE(done.changed.empty() && done.came.empty());
   EXPECT_TRUE(dug.polygon(bedrock) && dug.polygon(ore));
 
-  const auto painted = paint(world, rect({-5, -5}, {3 * kCellUnits + 5, kCellUnits + 5}), 4, PaintMode::replace, stays);
-  ASSERT_TRUE(painted);
+  must(paint(world, rect({-5, -5}, {3 * kCellUnits + 5, kCellUnits + 5}), 4, PaintMode::replace, stays));
   EXPECT_EQ(world.polygon(bedrock)->block, 9U);
   EXPECT_EQ(world.polygon(ore)->block, 9U);
   EXPECT_EQ(world.polygon(stone)->block, 4U);
@@ -150,9 +142,8 @@ TEST(BrushStayingByHand, OreStaysWhereALargeStrokeCoversManyCellsAtOnce) {
     ASSERT_TRUE(world.add({k, 15 - k}, kUnitSquare, 1));
   }
   const Region blast = rect({-5, -5}, {16 * kCellUnits + 5, 16 * kCellUnits + 5});
-  const auto done = carve(world, blast, [](Block block) { return block == 9; });
-  ASSERT_TRUE(done);
-  EXPECT_EQ(done->went.size(), 16U);
+  const auto done = must(carve(world, blast, [](Block block) { return block == 9; }));
+  EXPECT_EQ(done.went.size(), 16U);
   for (const PolygonHandle ore : ores) EXPECT_TRUE(world.polygon(ore));
 }
 
@@ -162,9 +153,8 @@ TEST(BrushStayingByHand, AFullCellThatStaysIsNotCut) {
   const Region hole = circle({kCellUnits / 2, kCellUnits}, kCellUnits / 3, 16);
   for (const bool carves : {true, false}) {
     const auto stays = [](Block) { return true; };
-    const auto done = carves ? carve(world, hole, stays) : paint(world, hole, 3, PaintMode::replace, stays);
-    ASSERT_TRUE(done);
-    EXPECT_TRUE(done->went.empty() && done->changed.empty());
+    const auto done = must(carves ? carve(world, hole, stays) : paint(world, hole, 3, PaintMode::replace, stays));
+    EXPECT_TRUE(done.went.empty() && done.changed.empty());
     EXPECT_TRUE(world.polygon(bedrock));
   }
 }

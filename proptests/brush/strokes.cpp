@@ -1,8 +1,10 @@
 #include "proptests/brush/strokes.h"
 
 #include "geometry/ring.h"
+#include "proptests/support/must.h"
 
-#include <algorithm>
+#include <gtest/gtest.h>
+
 #include <ostream>
 
 namespace lgs::test {
@@ -41,17 +43,19 @@ rc::Gen<Region> regions(std::int64_t step) {
   return rc::gen::weightedOneOf<Region>({{2, any}, {1, triangles}});
 }
 
-rc::Gen<BrushStroke> strokesOn(std::int64_t step) {
-  return rc::gen::map(rc::gen::tuple(rc::gen::element(Deed::carve, Deed::fill, Deed::replace),
-                                     rc::gen::inRange<Block>(1, 4), regions(step)),
-                      [](std::tuple<Deed, Block, Region> parts) {
-                        return BrushStroke{std::get<0>(parts), std::get<1>(parts), std::get<2>(parts)};
-                      });
+rc::Gen<oracle::BrushEdit> strokesOn(std::int64_t step) {
+  const auto parts = rc::gen::tuple(rc::gen::element(Deed::carve, Deed::fill, Deed::replace),
+                                    rc::gen::inRange<Block>(1, 4), regions(step));
+  return rc::gen::map(parts, [](const std::tuple<Deed, Block, Region>& drawn) {
+    const auto& [deed, block, region] = drawn;
+    return oracle::BrushEdit{deed, block, region.rings, region.rule == FillRule::evenOdd};
+  });
 }
 
 rc::Gen<std::int64_t> steps() { return rc::gen::element<std::int64_t>(8'192, 10'007, 977, 37, 5, 1); }
 
 void show(const Region& region, std::ostream& out) {
+  out << (region.rule == FillRule::evenOdd ? "even-odd" : "non-zero");
   for (const Ring& ring : region.rings) {
     for (const Point p : ring) out << ' ' << p.x << ',' << p.y;
     out << " |";
@@ -62,19 +66,15 @@ void show(const Region& region, std::ostream& out) {
 
 void showValue(const AnyStrokes& strokes, std::ostream& out) {
   out << "ground " << static_cast<int>(strokes.ground) << '\n';
-  for (const BrushStroke& s : strokes.strokes) {
+  for (const oracle::BrushEdit& s : strokes.strokes) {
     constexpr const char* kNames[] = {"carve", "fill", "replace"};
-    out << kNames[static_cast<int>(s.deed)] << " block " << s.block
-        << (s.region.rule == FillRule::evenOdd ? " even-odd" : " non-zero");
-    show(s.region, out);
+    out << kNames[static_cast<int>(s.deed)] << " block " << s.block << ' ';
+    show(regionOf(s), out);
     out << '\n';
   }
 }
 
-void showValue(const AnyRegion& region, std::ostream& out) {
-  out << (region.region.rule == FillRule::evenOdd ? "even-odd" : "non-zero");
-  show(region.region, out);
-}
+void showValue(const AnyRegion& region, std::ostream& out) { show(region.region, out); }
 
 World worldOf(Ground ground) {
   World world;
@@ -95,21 +95,28 @@ World worldOf(Ground ground) {
   return world;
 }
 
-Expected<BrushResult> brush(World& world, const BrushStroke& stroke) {
-  if (stroke.deed == Deed::carve) return carve(world, stroke.region);
-  return paint(world, stroke.region, stroke.block, stroke.deed == Deed::fill ? PaintMode::fill : PaintMode::replace);
-}
-
-oracle::BrushEdit editOf(const BrushStroke& stroke) {
-  return {stroke.deed, stroke.block, stroke.region.rings, stroke.region.rule == FillRule::evenOdd};
-}
-
 oracle::Scene sceneOf(const World& world) {
   oracle::Scene scene;
   world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
     scene.polygons.push_back({cell, p.block, {p.vertices.begin(), p.vertices.end()}});
   });
   return scene;
+}
+
+std::vector<std::vector<Point>> outlines(World& world) {
+  world.commit();
+  std::vector<std::vector<Point>> all;
+  for (const Loop& loop : world.loops(Collinear::merge)) all.push_back(loop.vertices);
+  return all;
+}
+
+void expectNoSeam(Ground ground, const Region& region) {
+  World world = worldOf(ground);
+  const auto solid = outlines(world);
+  must(carve(world, region));
+  world.commit();
+  must(paint(world, region, 1, PaintMode::fill));
+  EXPECT_EQ(outlines(world), solid);
 }
 
 std::map<PolygonHandle, Standing> standingIn(const World& world) {
@@ -122,15 +129,13 @@ std::map<PolygonHandle, Standing> standingIn(const World& world) {
 
 rc::Gen<AnyStrokes> AnyStrokes::arbitrary() {
   return rc::gen::mapcat(steps(), [](std::int64_t step) {
-    return rc::gen::map(rc::gen::pair(rc::gen::element(Ground::empty, Ground::solid, Ground::slanted, Ground::halved),
-                                      rc::gen::mapcat(rc::gen::inRange<std::size_t>(1, 7),
-                                                      [step](std::size_t count) {
-                                                        return rc::gen::container<std::vector<BrushStroke>>(
-                                                            count, strokesOn(step));
-                                                      })),
-                        [](std::pair<Ground, std::vector<BrushStroke>> p) {
-                          return AnyStrokes{p.first, std::move(p.second)};
-                        });
+    const auto grounds = rc::gen::element(Ground::empty, Ground::solid, Ground::slanted, Ground::halved);
+    const auto some = rc::gen::mapcat(rc::gen::inRange<std::size_t>(1, 7), [step](std::size_t count) {
+      return rc::gen::container<Strokes>(count, strokesOn(step));
+    });
+    return rc::gen::map(rc::gen::pair(grounds, some), [](std::pair<Ground, Strokes> drawn) {
+      return AnyStrokes{drawn.first, std::move(drawn.second)};
+    });
   });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "oracle/cgal/brushed.h"
+#include "oracle/trace/brushing.h"
 #include "proptests/support/arbitrary.h"
 
 #include <lgs/brush.h>
@@ -11,13 +12,9 @@
 
 namespace lgs::test {
 
+using oracle::stroke;
 using Deed = oracle::BrushEdit::Deed;
-
-struct BrushStroke {
-  Deed deed = Deed::carve;
-  Block block = 1;
-  Region region;
-};
+using Strokes = std::vector<oracle::BrushEdit>;
 
 /// What the cells (0, 0) … (2, 2) hold at first: nothing, one polygon, or two with an edge between them. `slanted` has
 /// three blocks, the others have one.
@@ -27,7 +24,7 @@ enum class Ground : std::uint8_t { empty, solid, slanted, halved };
 /// few, so that everything is near everything else; or as long as that strokes reach over all cells.
 struct AnyStrokes {
   Ground ground = Ground::empty;
-  std::vector<BrushStroke> strokes;
+  Strokes strokes;
   static rc::Gen<AnyStrokes> arbitrary();
 };
 void showValue(const AnyStrokes& strokes, std::ostream& out);
@@ -40,9 +37,13 @@ struct AnyRegion {
 void showValue(const AnyRegion& region, std::ostream& out);
 
 World worldOf(Ground ground);
-Expected<BrushResult> brush(World& world, const BrushStroke& stroke);
-oracle::BrushEdit editOf(const BrushStroke& stroke);
 oracle::Scene sceneOf(const World& world);
+
+/// The outlines, with straight lines as one segment each.
+std::vector<std::vector<Point>> outlines(World& world);
+
+/// What a region carves out of solid ground and fills again must leave no seam.
+void expectNoSeam(Ground ground, const Region& region);
 
 /// A polygon as it stands.
 struct Standing {

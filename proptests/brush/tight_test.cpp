@@ -1,5 +1,6 @@
 // Strokes on tight lattices, each of which a law depends on in a way that random ones seldom show.
 #include "proptests/brush/strokes.h"
+#include "proptests/support/must.h"
 
 #include <gtest/gtest.h>
 
@@ -10,39 +11,34 @@ namespace lgs::test::tight {
 namespace {
 
 /// Makes the strokes. Each must hold law 8, and none may bend what it does not reach.
-void expectRounding(Ground ground, const std::vector<BrushStroke>& strokes) {
+void expectRounding(Ground ground, const Strokes& strokes) {
   World world = worldOf(ground);
-  for (const BrushStroke& stroke : strokes) {
+  for (const oracle::BrushEdit& edit : strokes) {
     const oracle::Scene before = sceneOf(world);
-    const auto result = brush(world, stroke);
-    ASSERT_TRUE(result.has_value()) << message(result.error());
-    EXPECT_TRUE(result->bent.empty());
-    EXPECT_EQ(farFromExact(before, editOf(stroke), sceneOf(world)), std::nullopt);
+    const auto result = must(stroke(world, edit));
+    EXPECT_TRUE(result.bent.empty());
+    EXPECT_EQ(farFromExact(before, edit, sceneOf(world)), std::nullopt);
   }
 }
 
 // The region's edge begins beside a line between blocks, crosses it at once, and runs on less than a unit from it.
 TEST(BrushTight, ALineThatIsCrossedWhereTheRegionBegins) {
-  expectRounding(Ground::slanted,
-                 {{Deed::replace, 1, {{{{65530, 65524}, {65526, 65530}, {65529, 65524}}}}},
-                  {Deed::replace, 2, {{{{65531, 65529}, {65525, 65524}, {65527, 65524}}}, FillRule::evenOdd}}});
+  expectRounding(Ground::slanted, {{Deed::replace, 1, {{{65530, 65524}, {65526, 65530}, {65529, 65524}}}, false},
+                                   {Deed::replace, 2, {{{65531, 65529}, {65525, 65524}, {65527, 65524}}}}});
 }
 
 // The region's edge runs along an edge of the ground. Its chain passes beside, with ground between.
 TEST(BrushTight, GroundBetweenTheRegionAndItsChain) {
-  expectRounding(
-      Ground::empty,
-      {{Deed::fill, 1, {{{{65531, 65524}, {65524, 65524}, {65524, 65524}, {65533, 65540}}}, FillRule::evenOdd}},
-       {Deed::carve,
-        1,
-        {{{{65531, 65536},
-           {65534, 65542},
-           {65528, 65524},
-           {65533, 65539},
-           {65527, 65545},
-           {65530, 65545},
-           {65536, 65534}}},
-         FillRule::evenOdd}}});
+  expectRounding(Ground::empty, {{Deed::fill, 1, {{{65531, 65524}, {65524, 65524}, {65524, 65524}, {65533, 65540}}}},
+                                 {Deed::carve,
+                                  1,
+                                  {{{65531, 65536},
+                                    {65534, 65542},
+                                    {65528, 65524},
+                                    {65533, 65539},
+                                    {65527, 65545},
+                                    {65530, 65545},
+                                    {65536, 65534}}}}});
 }
 
 // In the upper cell the region is half a unit high, or wide in the right one. Both ends of its edge are rounded to the
@@ -50,8 +46,7 @@ TEST(BrushTight, GroundBetweenTheRegionAndItsChain) {
 TEST(BrushTight, AnEdgeWhoseEndsAreRoundedToTheRim) {
   Ring carved{{65524, 65538}, {65524, 65524}, {65540, 65535}}, filled{{65524, 65524}, {65525, 65535}, {65540, 65537}};
   for (int k = 0; k < 2; ++k) {
-    expectRounding(Ground::solid,
-                   {{Deed::carve, 1, {{carved}, FillRule::evenOdd}}, {Deed::fill, 1, {{filled}, FillRule::evenOdd}}});
+    expectRounding(Ground::solid, {{Deed::carve, 1, {carved}}, {Deed::fill, 1, {filled}}});
     for (Ring* const ring : {&carved, &filled})
       for (Point& p : *ring) std::swap(p.x, p.y);
   }
@@ -59,39 +54,29 @@ TEST(BrushTight, AnEdgeWhoseEndsAreRoundedToTheRim) {
 
 // Near the line between the two polygons of a cell, and near an end of that: what was carved can be filled again.
 TEST(BrushTight, ACornerInsideTheGroundIsForgotten) {
-  World world = worldOf(Ground::halved);
-  world.commit();
-  const std::size_t solid = world.loops(Collinear::merge).size();
-  const Region region{{{{65544, 65539}, {65533, 65529}, {65540, 65526}, {65534, 65532}}}, FillRule::evenOdd};
-  ASSERT_TRUE(carve(world, region).has_value());
-  ASSERT_TRUE(paint(world, region, 1, PaintMode::fill).has_value());
-  world.commit();
-  EXPECT_EQ(world.loops(Collinear::merge).size(), solid);
+  expectNoSeam(Ground::halved, {{{{65544, 65539}, {65533, 65529}, {65540, 65526}, {65534, 65532}}}, FillRule::evenOdd});
 }
 
 // A polygon stands in the way, so edges that nothing crosses are left straight. One of them lies between the region and
 // a vertex that its chain goes through: it would be crossed. So the polygon is bent, and told.
 TEST(BrushTight, AnEdgeThatMayNotBeLeftStraight) {
   World world = worldOf(Ground::solid);
-  const auto carved =
-      brush(world, {Deed::carve,
-                    1,
-                    {{{{65496, 65526}, {65476, 65536}, {65521, 65511}, {65476, 65541}, {65481, 65541}, {65551, 65491}},
-                      {{65501, 65526}, {65476, 65476}, {65506, 65521}, {65491, 65526}, {65556, 65491}},
-                      {{900, 800}, {1200, 800}, {1200, 1100}, {900, 1100}}},
-                     FillRule::evenOdd}});
-  ASSERT_TRUE(carved.has_value());
+  must(stroke(world, {Deed::carve,
+                      1,
+                      {{{65496, 65526}, {65476, 65536}, {65521, 65511}, {65476, 65541}, {65481, 65541}, {65551, 65491}},
+                       {{65501, 65526}, {65476, 65476}, {65506, 65521}, {65491, 65526}, {65556, 65491}},
+                       {{900, 800}, {1200, 800}, {1200, 1100}, {900, 1100}}}}));
   ASSERT_TRUE(world.add({0, 0}, {{1000, 1000}, {1100, 900}, {1100, 1007}}, 2).has_value());
   ASSERT_TRUE(world.add({0, 0}, {{1009, 1001}, {1020, 1010}, {1000, 1010}}, 3).has_value());
-  const BrushStroke stroke{
+  const oracle::BrushEdit edit{
       Deed::replace,
       1,
-      {{{{65476, 65476}, {65481, 65476}, {65476, 65481}}, {{1000, 1000}, {1099, 990}, {1099, 1006}}}}};
+      {{{65476, 65476}, {65481, 65476}, {65476, 65481}}, {{1000, 1000}, {1099, 990}, {1099, 1006}}},
+      false};
   const oracle::Scene before = sceneOf(world);
-  const auto result = brush(world, stroke);
-  ASSERT_TRUE(result.has_value()) << message(result.error());
-  EXPECT_EQ(result->bent.size(), 1U);
-  EXPECT_EQ(farFromExact(before, editOf(stroke), sceneOf(world)), std::nullopt);
+  const auto result = must(stroke(world, edit));
+  EXPECT_EQ(result.bent.size(), 1U);
+  EXPECT_EQ(farFromExact(before, edit, sceneOf(world)), std::nullopt);
 }
 
 // Two edges of the region cross half a unit below a polygon's edge, between its ends. The pixel's centre is inside the
@@ -100,12 +85,12 @@ TEST(BrushTight, AnEdgeThatMayNotBeLeftStraight) {
 TEST(BrushTight, AChainThatEntersAtAVertex) {
   World world;
   ASSERT_TRUE(world.add({0, 0}, {{5000, 5000}, {5020, 5001}, {5010, 5040}}, 2).has_value());
-  const auto result = brush(world, {Deed::fill,
-                                    1,
-                                    {{{{5000 - 475, 5000 - 24}, {5500, 4000}, {5000 + 1525, 5000 + 77}},
-                                      {{5000 - 404, 5000 - 20}, {5500, 4000}, {5000 + 1596, 5000 + 79}}}}});
-  ASSERT_TRUE(result.has_value()) << message(result.error());
-  EXPECT_EQ(result->bent.size(), 1U);
+  const auto result = must(stroke(world, {Deed::fill,
+                                          1,
+                                          {{{5000 - 475, 5000 - 24}, {5500, 4000}, {5000 + 1525, 5000 + 77}},
+                                           {{5000 - 404, 5000 - 20}, {5500, 4000}, {5000 + 1596, 5000 + 79}}},
+                                          false}));
+  EXPECT_EQ(result.bent.size(), 1U);
 }
 
 // The same edges, with the region on their other side. The polygon is inside of it, and nothing of it may be left
@@ -113,11 +98,11 @@ TEST(BrushTight, AChainThatEntersAtAVertex) {
 TEST(BrushTight, AnEdgeBetweenTheRegionAndItsChains) {
   World world;
   ASSERT_TRUE(world.add({0, 0}, {{5000, 5000}, {5020, 5001}, {5010, 5040}}, 2).has_value());
-  const auto result = brush(world, {Deed::carve,
-                                    1,
-                                    {{{{5000 - 475, 5000 - 24}, {5000 + 1525, 5000 + 77}, {5010, 6000}},
-                                      {{5000 - 404, 5000 - 20}, {5000 + 1596, 5000 + 79}, {5010, 6000}}}}});
-  ASSERT_TRUE(result.has_value()) << message(result.error());
+  must(stroke(world, {Deed::carve,
+                      1,
+                      {{{5000 - 475, 5000 - 24}, {5000 + 1525, 5000 + 77}, {5010, 6000}},
+                       {{5000 - 404, 5000 - 20}, {5000 + 1596, 5000 + 79}, {5010, 6000}}},
+                      false}));
   EXPECT_TRUE(world.isEmpty({0, 0}));
 }
 
@@ -147,14 +132,14 @@ TEST(BrushTight, AnEdgeThatCrossesTheChainAlone) {
   ASSERT_TRUE(world.add({0, 0}, {at(-50, -100), at(20, -100), at(20, 1), at(-50, 0)}, 1).has_value());
   ASSERT_TRUE(world.add({0, 0}, {at(0, 1), at(2, 9), at(-2, 9)}, 2).has_value());
   const auto point = [](std::int64_t x, std::int64_t y) { return Point{30'000 + x, 30'000 + y}; };
-  const BrushStroke stroke{
+  const oracle::BrushEdit edit{
       Deed::carve,
       1,
-      {{{point(-970, -14), point(0, -2'000), point(1'030, 16)}, {point(-40, 0), point(-45, -30), point(-35, -30)}}}};
+      {{point(-970, -14), point(0, -2'000), point(1'030, 16)}, {point(-40, 0), point(-45, -30), point(-35, -30)}},
+      false};
   const oracle::Scene before = sceneOf(world);
-  const auto result = brush(world, stroke);
-  ASSERT_TRUE(result.has_value()) << message(result.error());
-  EXPECT_EQ(farFromExact(before, editOf(stroke), sceneOf(world)), std::nullopt);
+  must(stroke(world, edit));
+  EXPECT_EQ(farFromExact(before, edit, sceneOf(world)), std::nullopt);
 }
 
 }  // namespace

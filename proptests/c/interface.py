@@ -3,6 +3,7 @@
 
     proptests/c/interface.py             # exit status 1, and a diff, if interface.txt says something else
     proptests/c/interface.py --write     # writes interface.txt: from 1.0 on only with more lines than before
+    proptests/c/interface.py --layout    # prints a program in C that prints where the fields of all structs lie
 
 symbols.txt has the names that the library shows, and layout.txt where the fields of structs lie; neither knows the
 arguments of a function, nor the number behind a constant.
@@ -35,8 +36,23 @@ def declarations(text):
             yield line
 
 
+def layout(found):
+    """A program that prints the size of each struct, then the offset of each field."""
+    yield "#include <lgs/lgs.h>\n#include <lgs/lgs_engine.h>\n#include <lgs/lgs_views.h>\n#include <stdio.h>"
+    yield "int main(void) {"
+    for name, fields in re.findall(r"typedef struct (\w+) \{ (.*); \}", "\n".join(found)):
+        yield f'  printf("{name} %d\\n", (int)sizeof({name}));'
+        fields = re.sub(r"\(\*(\w+)\)\([^)]*\)", r"\1", fields)  # a pointer to a function
+        for field in re.findall(r"(\w+)(?:\[\d+\])?(?:[;,]|$)", fields):
+            yield f'  printf("  {field} %d\\n", (int)offsetof({name}, {field}));'
+    yield "  return 0;\n}"
+
+
 def main():
     found = [line for header in HEADERS for line in declarations(header.read_text(encoding="utf-8"))]
+    if sys.argv[1:] == ["--layout"]:
+        print("\n".join(layout(found)))
+        return 0
     text = "\n".join(found) + "\n"
     listed = HERE / "interface.txt"
     if sys.argv[1:] == ["--write"]:

@@ -17,10 +17,7 @@ using tiled::Options;
 
 /// With the least base, so that what is counted is what the bytes of a map allow for.
 Options strict() {
-  Options options;
-  options.maxWork = 1 << 20;
-  options.maxObjectCells = 1 << 12;
-  options.blockFrom = tiled::BlockFrom::tileClass;
+  const Options options{.blockFrom = tiled::BlockFrom::tileClass, .maxObjectCells = 1 << 12, .maxWork = 1 << 20};
   return options;
 }
 

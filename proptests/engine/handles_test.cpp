@@ -1,4 +1,5 @@
 // Handles: one for each polygon, stale for good once it is removed, never another polygon.
+#include "proptests/support/must.h"
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
@@ -10,10 +11,9 @@ namespace lgs::test {
 namespace {
 
 void expectStale(World& world, PolygonHandle handle) {
-  const auto refused = world.remove(handle);
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::staleHandle);
-  EXPECT_EQ(refused.error().other, handle);
+  const auto refused = refusal(world.remove(handle));
+  EXPECT_EQ(refused.code, ErrorCode::staleHandle);
+  EXPECT_EQ(refused.other, handle);
   EXPECT_FALSE(world.polygon(handle));
   EXPECT_FALSE(world.cellOf(handle));
 }

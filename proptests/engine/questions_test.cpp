@@ -1,5 +1,6 @@
 // Questions about places, each against the slow way: all polygons, all segments, fractions of any length.
 #include "proptests/support/law.h"
+#include "proptests/support/must.h"
 #include "proptests/support/played.h"
 #include "proptests/support/traces.h"
 #include "proptests/support/worlds.h"
@@ -136,15 +137,14 @@ LGS_LAW(Questions, WhatIsAtAPoint, 200, (const GoodTrace& trace, Chance chance))
 }
 
 void expectNearest(const World& world, Point p, double radius) {
-  const auto actual = world.nearest(p, radius);
-  ASSERT_TRUE(actual);
+  const auto actual = must(world.nearest(p, radius));
   const SlowNearest expected = slowNearest(world, p, std::llround(radius * U));
-  ASSERT_EQ(bool{actual->segment}, expected.segment.has_value()) << p.x << ' ' << p.y << " within " << radius;
+  ASSERT_EQ(bool{actual.segment}, expected.segment.has_value()) << p.x << ' ' << p.y << " within " << radius;
   if (!expected.segment) return;
-  EXPECT_EQ(nameOf(*world.segment(actual->segment)), nameOf(*expected.segment)) << p.x << ' ' << p.y;
-  EXPECT_DOUBLE_EQ(actual->distance, std::sqrt(expected.squared.convert_to<double>()) / U);
-  const double dx = actual->point.x - static_cast<double>(p.x) / U, dy = actual->point.y - static_cast<double>(p.y) / U;
-  EXPECT_NEAR(std::hypot(dx, dy), actual->distance, 1e-6);
+  EXPECT_EQ(nameOf(*world.segment(actual.segment)), nameOf(*expected.segment)) << p.x << ' ' << p.y;
+  EXPECT_DOUBLE_EQ(actual.distance, std::sqrt(expected.squared.convert_to<double>()) / U);
+  const double dx = actual.point.x - static_cast<double>(p.x) / U, dy = actual.point.y - static_cast<double>(p.y) / U;
+  EXPECT_NEAR(std::hypot(dx, dy), actual.distance, 1e-6);
 }
 
 LGS_LAW(Questions, WhichSegmentIsNearest, 200, (const GoodTrace& trace, Chance chance)) {
@@ -173,16 +173,15 @@ LGS_LAW(Questions, WhatARayHits, 200, (const GoodTrace& trace, Chance chance)) {
     Point to = somePoint(world, random);
     if (random.chance(20)) to = {from.x, to.y};
     if (random.chance(20)) to = {to.x, from.y};
-    const auto actual = world.rayCast(from, to);
-    ASSERT_TRUE(actual);
+    const auto actual = must(world.rayCast(from, to));
     const SlowHit expected = slowRay(world, from, to);
-    ASSERT_EQ(bool{actual->segment}, expected.segment.has_value())
+    ASSERT_EQ(bool{actual.segment}, expected.segment.has_value())
         << from.x << ' ' << from.y << " to " << to.x << ' ' << to.y;
-    EXPECT_DOUBLE_EQ(actual->fraction, expected.fraction.convert_to<double>());
+    EXPECT_DOUBLE_EQ(actual.fraction, expected.fraction.convert_to<double>());
     if (!expected.segment) return;
-    EXPECT_EQ(nameOf(*world.segment(actual->segment)), nameOf(*expected.segment));
-    EXPECT_EQ(actual->normal.x, expected.segment->normal().x);
-    EXPECT_EQ(actual->normal.y, expected.segment->normal().y);
+    EXPECT_EQ(nameOf(*world.segment(actual.segment)), nameOf(*expected.segment));
+    EXPECT_EQ(actual.normal.x, expected.segment->normal().x);
+    EXPECT_EQ(actual.normal.y, expected.segment->normal().y);
   });
 }
 
@@ -193,16 +192,15 @@ TEST(QuestionsByHand, FarApartAndFarAway) {
     const Cell cell = cellAt({at, at});
     place(world, cell, unitSquare(), 3);
     world.commit();
-    const auto nearest = world.nearest({at - 4096 * std::int64_t{U} * (at < far ? 0 : 1), at + U / 2}, kMaxRadius);
-    ASSERT_TRUE(nearest);
-    EXPECT_TRUE(nearest->segment);
+    const auto nearest =
+        must(world.nearest({at - 4096 * std::int64_t{U} * (at < far ? 0 : 1), at + U / 2}, kMaxRadius));
+    EXPECT_TRUE(nearest.segment);
     const std::int64_t away = at > 0 ? -std::int64_t{kMaxRay} * U : std::int64_t{kMaxRay} * U;
-    const auto hit = world.rayCast({at + away, at + U / 2}, {at, at + U / 2});
-    ASSERT_TRUE(hit);
-    ASSERT_TRUE(hit->segment);
-    EXPECT_EQ(world.segment(hit->segment)->cell, cell);
-    EXPECT_EQ(hit->normal.x, at > 0 ? -1 : 1);
-    EXPECT_EQ(hit->normal.y, 0);
+    const auto hit = must(world.rayCast({at + away, at + U / 2}, {at, at + U / 2}));
+    ASSERT_TRUE(hit.segment);
+    EXPECT_EQ(world.segment(hit.segment)->cell, cell);
+    EXPECT_EQ(hit.normal.x, at > 0 ? -1 : 1);
+    EXPECT_EQ(hit.normal.y, 0);
     EXPECT_EQ(world.at({at + 1, at + 1}).where, Spot::Where::inside);
     EXPECT_EQ(world.at({at + U, at + U}).where, Spot::Where::edge);
   }
@@ -242,10 +240,9 @@ TEST(QuestionsByHand, PolygonsOfAShapeAndOfTheWorld) {
   World world;
   const std::vector<LocalPolygon> halves = shapeNamed("two halves");
   const ShapeId shape = shapeOf(world, halves);
-  const auto polygons = world.polygonsOf(shape);
-  ASSERT_TRUE(polygons);
-  ASSERT_EQ(polygons->size(), 2U);
-  for (std::size_t k = 0; k < 2; ++k) EXPECT_TRUE(std::ranges::equal((*polygons)[k], halves[k]));
+  const auto polygons = must(world.polygonsOf(shape));
+  ASSERT_EQ(polygons.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_TRUE(std::ranges::equal(polygons[k], halves[k]));
   EXPECT_EQ(world.polygonsOf(ShapeId{9}).error().code, ErrorCode::unknownShape);
 
   EXPECT_EQ(world.bounds(), std::nullopt);

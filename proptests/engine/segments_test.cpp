@@ -1,4 +1,5 @@
 // What calls of segments mean that no outline shows: ids, and what is seen before a commit.
+#include "proptests/support/must.h"
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
@@ -14,12 +15,10 @@ TEST(Segments, UnknownIdsAreRefused) {
   place(world, {}, ramp());
   world.commit();
   for (const std::uint32_t value : {0U, 4U, 5000U, 0xffff'ffffU}) {
-    const auto refused = world.segment({value});
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().code, ErrorCode::unknownSegment);
-    EXPECT_EQ(refused.error().segment, (SegmentId{value}));
-    EXPECT_EQ(message(refused.error()),
-              "segment " + std::to_string(value) + " is not alive; it was removed, or never existed");
+    const auto refused = refusal(world.segment({value}));
+    EXPECT_EQ(refused.code, ErrorCode::unknownSegment);
+    EXPECT_EQ(refused.segment, (SegmentId{value}));
+    EXPECT_EQ(message(refused), "segment " + std::to_string(value) + " is not alive; it was removed, or never existed");
   }
   EXPECT_TRUE(world.segment({3}));
   removeAll(world, {});

@@ -1,5 +1,6 @@
 // What no law of calls can see (laws/doors_test.cpp): where a cell is looked for, what outlives what, values that
 // answers are made of.
+#include "proptests/support/must.h"
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
@@ -19,9 +20,8 @@ TEST(World, FindsACellWhateverCellWasEditedBefore) {
   std::vector<std::int32_t> places{0};
   for (std::int32_t far = kMaxCell; far > 0; far /= 2) places.insert(places.end(), {-far, far});
   const auto expectPlaced = [&](Cell cell) {
-    const auto handle = world.add(cell, square, 1);
-    ASSERT_TRUE(handle);
-    EXPECT_EQ(*world.cellOf(*handle), cell);
+    const auto handle = must(world.add(cell, square, 1));
+    EXPECT_EQ(*world.cellOf(handle), cell);
     EXPECT_EQ(world.polygons(cell).size(), 1U);
   };
   for (const std::int32_t a : places) {

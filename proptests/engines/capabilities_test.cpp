@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 #include <algorithm>
-#include <set>
 
 namespace lgs::oracle {
 namespace {

@@ -5,6 +5,7 @@
 #include "oracle/reference/naive.h"
 #include "oracle/trace/file.h"
 #include "proptests/engines/workbench.h"
+#include "proptests/support/must.h"
 
 #include <algorithm>
 #include <chrono>
@@ -199,10 +200,9 @@ TEST_F(Reports, AreWrittenAsTheRunGoes) {
   const oracle::CheckOptions options{.engine = &engine, .skipRefused = true};
   oracle::Survey survey(options, (folder_ / "report").string(), "lgs check", std::chrono::milliseconds(10));
   const oracle::Trace trace{{}, {oracle::Edit::commit()}};
-  const auto found = oracle::findMismatch(trace, options);
-  ASSERT_TRUE(found);
+  const auto found = must(oracle::findMismatch(trace, options));
   for (const int count : {1, 2, 3, 4}) {
-    survey.add(*found, trace, {});
+    survey.add(found, trace, {});
     EXPECT_NE(page("report.md").find("| hang | " + std::to_string(count) + " |"), std::string::npos);
     EXPECT_EQ(engine.isInHurry_, count >= 3);
   }

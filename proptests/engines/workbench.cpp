@@ -3,11 +3,7 @@
 #include "oracle/check/shell.h"
 #include "oracle/trace/file.h"
 
-#include <sys/wait.h>
-#include <unistd.h>
-#include <array>
 #include <chrono>
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -29,16 +25,9 @@ std::string contentOf(const fs::path& path) {
 
 }  // namespace
 
-void Workbench::SetUp() {
-  folder_ = fs::temp_directory_path() /
-            ("lgs-engines-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + "-" +
-             std::to_string(::getpid()));
-  fs::create_directories(folder_);
-}
-
 void Workbench::TearDown() {
   EXPECT_FALSE(isAnyoneLeft());
-  fs::remove_all(folder_);
+  InAFolder::TearDown();
 }
 
 std::string Workbench::naiveWith(const std::string& piece, const std::string& instead) const {
@@ -53,9 +42,8 @@ std::string Workbench::naiveWith(const std::vector<std::pair<std::string, std::s
     if (at != std::string::npos) text.replace(at, piece.size(), instead);
     EXPECT_EQ(text.find(piece, at + instead.size()), std::string::npos) << piece << " is there twice";
   }
-  const std::string file = (folder_ / "engine.py").string();
-  std::ofstream(file) << text;
-  return "exec " LGS_PYTHON " -S " + oracle::shellWord(file);
+  put("engine.py", text);
+  return "exec " LGS_PYTHON " -S " + oracle::shellWord(path("engine.py"));
 }
 
 std::string Workbench::naiveThat(const std::string& statement) const {
@@ -67,13 +55,7 @@ Workbench::Outcome Workbench::sh(const std::string& line) const {
   const auto begin = std::chrono::steady_clock::now();
   const std::string all = "cd " + oracle::shellWord(folder_.string()) + " && lgs() { " +
                           oracle::shellWord(LGS_COMMAND) + " \"$@\"; }; { " + line + "; } 2>&1";
-  Outcome outcome;
-  std::FILE* const pipe = ::popen(all.c_str(), "r");
-  if (pipe == nullptr) return outcome;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) outcome.text.append(buffer.data(), n);
-  const int ended = ::pclose(pipe);
-  outcome.status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
+  Outcome outcome{outcomeOf(all)};
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return outcome;
 }

@@ -1,23 +1,20 @@
 // A folder in which engines are made by changing a line of a good one, and are checked by the lgs command.
 #pragma once
 
-#include <gtest/gtest.h>
-#include <filesystem>
+#include "proptests/support/command.h"
+
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace lgs::test {
 
-class Workbench : public ::testing::Test {
+class Workbench : public InAFolder {
  protected:
-  struct Outcome {
-    int status = -1;
-    std::string text;
+  struct Outcome : test::Outcome {
     double seconds = 0;
   };
 
-  void SetUp() override;
   void TearDown() override;
 
   /// examples/engines/naive.py with one piece of it changed; the command that runs it. The piece must be there once.
@@ -46,8 +43,6 @@ class Workbench : public ::testing::Test {
 
   /// How many edits and commits a saved mismatch has; commits at its end do not count.
   std::size_t editsOfMismatch() const;
-
-  std::filesystem::path folder_;
 };
 
 }  // namespace lgs::test

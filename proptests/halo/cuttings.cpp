@@ -1,7 +1,5 @@
 #include "proptests/halo/cuttings.h"
 
-#include <utility>
-
 namespace lgs::test {
 namespace {
 

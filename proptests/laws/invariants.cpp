@@ -4,7 +4,6 @@
 #include "oracle/reference/vector.h"
 #include "oracle/reference/words.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace lgs::test {

@@ -1,6 +1,7 @@
 // Law 12, saved worlds: to load what was saved is never having left. Bytes that were not written are refused.
 #include "oracle/trace/dump.h"
 #include "proptests/support/law.h"
+#include "proptests/support/must.h"
 #include "proptests/support/traces.h"
 #include "twins.h"
 
@@ -18,26 +19,15 @@ LGS_LAW(GoingBack, LoadingIsNeverHavingLeft, 1'000, (const Calls& before, const 
   Caller stayed = grown(setting, before), left = stayed;
   stayed.world.commit();
   const std::vector<std::byte> bytes = saved(stayed.world);
-  auto loaded = World::load(bytes, oracle::relationOf(setting.preserve));
-  ASSERT_TRUE(loaded) << message(loaded.error());
-  EXPECT_TRUE(saved(*loaded) == bytes) << "saved again, a loaded world gives other bytes";
-  EXPECT_EQ(snapshotOf(*loaded, {}), snapshotOf(stayed.world, {}));
-  left.world = std::move(*loaded);
+  auto loaded = must(World::load(bytes, oracle::relationOf(setting.preserve)));
+  EXPECT_TRUE(saved(loaded) == bytes) << "saved again, a loaded world gives other bytes";
+  EXPECT_EQ(snapshotOf(loaded, {}), snapshotOf(stayed.world, {}));
+  left.world = std::move(loaded);
   expectNoDifference(stayed, left, after);
 }
 
 // Of a snapshot, in bytes: letters and version; checksum.
 constexpr std::size_t kHead = 8, kTail = 4;
-
-/// Gives bytes the checksum that they should have.
-void seal(std::vector<std::byte>& bytes) {
-  std::uint32_t sum = 0xffff'ffff;
-  for (std::size_t k = 0; k + 4 < bytes.size(); ++k) {
-    sum ^= std::to_integer<std::uint32_t>(bytes[k]);
-    for (int bit = 0; bit < 8; ++bit) sum = sum >> 1 ^ (0xedb8'8320u & (0u - (sum & 1u)));
-  }
-  for (std::size_t k = 0; k < 4; ++k) bytes[bytes.size() - 4 + k] = static_cast<std::byte>(~sum >> 8 * k & 0xffu);
-}
 
 LGS_LAW(GoingBack, BytesThatWereNotWrittenAreRefused, 500,
         (const Calls& before, const Setting& setting, Chance chance)) {
@@ -49,10 +39,9 @@ LGS_LAW(GoingBack, BytesThatWereNotWrittenAreRefused, 500,
   } else {
     wrong[chance.below(wrong.size())] ^= std::byte{1} << chance.below(8);
   }
-  const auto loaded = World::load(wrong);
-  ASSERT_FALSE(loaded);
-  EXPECT_LE(loaded.error().offset, wrong.size());
-  EXPECT_FALSE(message(loaded.error()).empty());
+  const auto loaded = refusal(World::load(wrong));
+  EXPECT_LE(loaded.offset, wrong.size());
+  EXPECT_FALSE(message(loaded).empty());
 }
 
 /// Bytes of ill will have the right checksum. So they are read; what they say must be good, or be refused.
@@ -73,9 +62,8 @@ LGS_LAW(GoingBack, BytesOfIllWillAreRefusedOrAreAWorld, 2'000,
     return;
   }
   EXPECT_EQ(oracle::outlineOf(*loaded), outlineByLaws(*loaded, {}));
-  auto twin = World::load(saved(*loaded));
-  ASSERT_TRUE(twin) << message(twin.error());
-  Caller one(std::move(*loaded), setting.corner), other(std::move(*twin), setting.corner);
+  auto twin = must(World::load(saved(*loaded)));
+  Caller one(std::move(*loaded), setting.corner), other(std::move(twin), setting.corner);
   expectNoDifference(one, other, after);
 }
 
@@ -113,9 +101,8 @@ TEST(GoingBackByHand, MadeUpBytesAreRefusedForTheirReason) {
   std::vector<std::byte> longer = good;
   longer.insert(longer.end() - 4, std::byte{});
   seal(longer);
-  const auto loaded = World::load(longer);
-  ASSERT_FALSE(loaded);
-  EXPECT_EQ(loaded.error().what, What::tooLong);
+  const auto loaded = refusal(World::load(longer));
+  EXPECT_EQ(loaded.what, What::tooLong);
 }
 
 // --- Numbers beyond their range --------------------------------------------------------------------------------------
@@ -259,18 +246,16 @@ TEST(GoingBackByHand, AnotherRelationIsRefused) {
   place(world, {0, 0}, eighths({{0, 4}, {8, 4}, {8, 8}, {0, 8}}), 2);
   world.commit();
   EXPECT_TRUE(World::load(saved(world), relation));
-  const auto other = World::load(saved(world), [](Block, Block) { return false; });
-  ASSERT_FALSE(other);
-  EXPECT_EQ(other.error().what, SnapshotError::What::relation);
+  const auto other = refusal(World::load(saved(world), [](Block, Block) { return false; }));
+  EXPECT_EQ(other.what, SnapshotError::What::relation);
 }
 
 TEST(GoingBackByHand, AWorldWithPendingEditsIsNotSaved) {
   World world;
   place(world, {}, unitSquare());
-  const auto refused = world.save([](std::span<const std::byte>) { FAIL() << "nothing is written"; });
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::uncommitted);
-  EXPECT_EQ(message(refused.error()),
+  const auto refused = refusal(world.save([](std::span<const std::byte>) { FAIL() << "nothing is written"; }));
+  EXPECT_EQ(refused.code, ErrorCode::uncommitted);
+  EXPECT_EQ(message(refused),
             "the world has edits that are not committed; commit them first (to follow or to forget cells, let go of "
             "marks, too)");
 }

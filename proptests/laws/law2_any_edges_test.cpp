@@ -7,6 +7,7 @@
 #include "oracle/reference/vector.h"
 #include "proptests/support/fan.h"
 #include "proptests/support/law.h"
+#include "proptests/support/must.h"
 #include "proptests/support/played.h"
 #include "proptests/support/traces.h"
 
@@ -15,10 +16,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
-#include <optional>
 #include <ostream>
 #include <set>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -89,12 +88,11 @@ std::uint32_t linkByLaw(const AnyEdges& any, std::uint32_t edge, bool isPredeces
 }
 
 LGS_LAW(RadialMatch, IsLaw2OnAnyEdges, 4'000, (const AnyEdges& any)) {
-  const auto links = radialMatch(any.points, any.edges);
-  ASSERT_TRUE(links);
-  ASSERT_EQ(links->size(), any.edges.size());
+  const auto links = must(radialMatch(any.points, any.edges));
+  ASSERT_EQ(links.size(), any.edges.size());
   for (std::uint32_t e = 0; e < any.edges.size(); ++e) {
-    EXPECT_EQ((*links)[e].predecessor, linkByLaw(any, e, true)) << "before edge " << e;
-    EXPECT_EQ((*links)[e].successor, linkByLaw(any, e, false)) << "after edge " << e;
+    EXPECT_EQ(links[e].predecessor, linkByLaw(any, e, true)) << "before edge " << e;
+    EXPECT_EQ(links[e].successor, linkByLaw(any, e, false)) << "after edge " << e;
   }
 }
 
@@ -144,20 +142,18 @@ AnyEdges edgesOf(const oracle::Outline& outline, Chance chance) {
 LGS_LAW(RadialMatch, GivesTheFreeFacesOfAnyUnion, 400, (const PlainTrace& trace, Chance chance)) {
   oracle::Player player({});
   playAll(trace, player);
-  const auto united = oracle::cgalUnion(player.scene());
-  ASSERT_TRUE(united);
-  const AnyEdges any = edgesOf(united->outline, chance);
-  const auto links = radialMatch(any.points, any.edges);
-  ASSERT_TRUE(links);
+  const auto united = must(oracle::cgalUnion(player.scene()));
+  const AnyEdges any = edgesOf(united.outline, chance);
+  const auto links = must(radialMatch(any.points, any.edges));
   oracle::Loops loops;
   std::size_t edges = 0;
-  for (const std::vector<std::uint32_t>& loop : loopsOf(*links)) {
+  for (const std::vector<std::uint32_t>& loop : loopsOf(links)) {
     edges += loop.size();
     loops.emplace_back();
     for (const std::uint32_t e : loop) loops.back().push_back(any.points[any.edges[e].from]);
   }
   EXPECT_EQ(edges, any.edges.size()) << "the boundary of a union has loops only";
-  EXPECT_EQ(oracle::canonical(std::move(loops)), oracle::canonical(united->loops));
+  EXPECT_EQ(oracle::canonical(std::move(loops)), oracle::canonical(united.loops));
 }
 
 // --- What is refused, and the ends of the range

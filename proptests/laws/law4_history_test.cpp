@@ -1,6 +1,5 @@
 // Law 4, no history: which segments there are, and their links, depends on the placed polygons alone: not on the order
 // of edits, nor on what was removed, nor on how edits were grouped into commits.
-#include "oracle/trace/dump.h"
 #include "proptests/support/law.h"
 #include "proptests/support/played.h"
 #include "proptests/support/traces.h"

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <string>
 
 namespace lgs::test {
 namespace {

@@ -1,13 +1,11 @@
 // Law 7: whether a ring is simple. The sweep against all pairs of edges, on rings that touch, fold and repeat.
 #include "geometry/simple.h"
-#include "ground/polygon.h"
 #include "oracle/calls/random.h"
 #include "proptests/support/scale.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace lgs::test {

@@ -3,6 +3,7 @@
 #include "bad_edits.h"
 #include "calls.h"
 #include "proptests/support/law.h"
+#include "proptests/support/must.h"
 #include "proptests/support/traces.h"
 
 #include <gtest/gtest.h>
@@ -58,11 +59,10 @@ TEST(ManySegments, FillAsMuchAsThereIsRoomForAndNameTheUnknownOne) {
   ids[2] = {4711};
   ASSERT_TRUE(stage.world.segments(ids, two)) << "there is no room for the unknown one";
   std::vector<Segment> all(ids.size());
-  const auto refused = stage.world.segments(ids, all);
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::unknownSegment);
-  EXPECT_EQ(refused.error().segment, ids[2]);
-  EXPECT_EQ(message(refused.error()), "entry 2: segment 4711 is not alive; it was removed, or never existed");
+  const auto refused = refusal(stage.world.segments(ids, all));
+  EXPECT_EQ(refused.code, ErrorCode::unknownSegment);
+  EXPECT_EQ(refused.segment, ids[2]);
+  EXPECT_EQ(message(refused), "entry 2: segment 4711 is not alive; it was removed, or never existed");
   EXPECT_EQ(all[1].id, ids[1]);
   std::vector<DoubleSegment> reals(ids.size());
   EXPECT_EQ(stage.world.segments(ids, {kMaxCoordinate + 1, 0}, std::span(reals)).error().code, ErrorCode::outOfReach);
@@ -129,21 +129,19 @@ TEST(ManyEdits, OfOneCellGoTogether) {
   Stage stage = makeStage();
   const Placement twice[] = {{{9, 9}, stage.square, 1}, {{9, 9}, stage.square, 2}};
   std::vector<PolygonHandle> handles(2);
-  const auto refused = stage.world.addMany(twice, handles);
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().index, 1);
-  EXPECT_EQ(refused.error().other, PolygonHandle{}) << "the next polygon of this cell gets that handle";
+  const auto refused = refusal(stage.world.addMany(twice, handles));
+  EXPECT_EQ(refused.index, 1);
+  EXPECT_EQ(refused.other, PolygonHandle{}) << "the next polygon of this cell gets that handle";
   EXPECT_EQ(
-      message(refused.error()),
+      message(refused),
       "entry 1, cell (9, 9), polygon 0: its interior overlaps that of a polygon of block 1 that entry 0 places in "
       "this cell");
   EXPECT_TRUE(stage.world.isEmpty({9, 9}));
   const PolygonHandle both[] = {stage.upper, stage.lower, stage.upper};
-  const auto again = stage.world.removeMany(both);
-  ASSERT_FALSE(again);
-  EXPECT_EQ(again.error().index, 2);
-  EXPECT_EQ(message(again.error()), "entry 2: the handle " + std::to_string(stage.upper.cellRef) + ":" +
-                                        std::to_string(stage.upper.serial) + " comes twice: entry 0 has it, too");
+  const auto again = refusal(stage.world.removeMany(both));
+  EXPECT_EQ(again.index, 2);
+  EXPECT_EQ(message(again), "entry 2: the handle " + std::to_string(stage.upper.cellRef) + ":" +
+                                std::to_string(stage.upper.serial) + " comes twice: entry 0 has it, too");
   EXPECT_TRUE(stage.world.removeMany(std::span(both).first(2)));
 }
 

@@ -39,10 +39,10 @@ void backwards(std::size_t count, const Job& job) {
 }
 
 /// What a world shows after each commit.
-struct Story {
+struct Built {
   std::vector<ChangeLists> changes;
   std::vector<Snapshot> snapshots;
-  friend bool operator==(const Story&, const Story&) = default;
+  friend bool operator==(const Built&, const Built&) = default;
 };
 
 /// A world that is built, changed, emptied, and built again, always with one executor.
@@ -50,7 +50,7 @@ struct Building {
   World world;
   Executor executor;
   std::vector<Cell> cells;  // that were sown
-  Story story;
+  Built story;
 
   void commit() {
     story.changes.push_back(copyOf(world.commit(executor)));
@@ -148,7 +148,7 @@ rc::Gen<PreserveRelation> anyRelation() {
                                                      {15, [](Block a, Block b) { return (a + b) % 3 == 0; }}});
 }
 
-Story storyOf(const Steps& steps, const PreserveRelation& relation, const Executor& executor) {
+Built builtBy(const Steps& steps, const PreserveRelation& relation, const Executor& executor) {
   Building building{World(relation), executor, {}, {}};
   for (const Step& step : steps.list) make(step, building);
   building.commit();
@@ -158,12 +158,12 @@ Story storyOf(const Steps& steps, const PreserveRelation& relation, const Execut
 TEST(Threads, ABuildIsTheSameWithAnyExecutor) {
   const oracle::Shared<std::size_t> segments;
   const auto law = [&](const Steps& steps, const PreserveRelation& relation) {
-    const Story alone = storyOf(steps, relation, {});
+    const Built alone = builtBy(steps, relation, {});
     for (const ChangeLists& changes : alone.changes) *segments += changes.added.size();
-    failUnless(storyOf(steps, relation, inOrder) == alone, "another one where the jobs are done in order");
-    failUnless(storyOf(steps, relation, backwards) == alone, "another one where the jobs are done backwards");
-    failUnless(storyOf(steps, relation, onThreads<2>) == alone, "another one on two threads");
-    failUnless(storyOf(steps, relation, onThreads<5>) == alone, "another one on five threads");
+    failUnless(builtBy(steps, relation, inOrder) == alone, "another one where the jobs are done in order");
+    failUnless(builtBy(steps, relation, backwards) == alone, "another one where the jobs are done backwards");
+    failUnless(builtBy(steps, relation, onThreads<2>) == alone, "another one on two threads");
+    failUnless(builtBy(steps, relation, onThreads<5>) == alone, "another one on five threads");
   };
   forAll(60, law, anySteps(), anyRelation());
   if (testScale() < 1) return;  // a few cases may have nearly nothing

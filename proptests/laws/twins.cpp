@@ -49,4 +49,13 @@ std::vector<std::byte> saved(const World& world) {
   return bytes;
 }
 
+void seal(std::vector<std::byte>& bytes) {
+  std::uint32_t sum = 0xffff'ffff;
+  for (std::size_t k = 0; k + 4 < bytes.size(); ++k) {
+    sum ^= std::to_integer<std::uint32_t>(bytes[k]);
+    for (int bit = 0; bit < 8; ++bit) sum = sum >> 1 ^ (0xedb8'8320u & (0u - (sum & 1u)));
+  }
+  for (std::size_t k = 0; k < 4; ++k) bytes[bytes.size() - 4 + k] = static_cast<std::byte>(~sum >> 8 * k & 0xffu);
+}
+
 }  // namespace lgs::test

@@ -10,8 +10,6 @@
 #include <cstddef>
 #include <map>
 #include <set>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 namespace lgs::test {
@@ -41,7 +39,9 @@ class Shelf {
   std::map<Cell, std::vector<std::vector<std::byte>>> chunks_;
 };
 
-/// A segment by what it is, without the names of one world.
+inline constexpr CellRect kEverywhere{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
+
+/// A segment by what it is, without the names of one world; a handle is such a name where chunks are forgotten.
 struct Seen {
   Point start, end;
   Block block = 0;
@@ -50,6 +50,9 @@ struct Seen {
   PolygonHandle polygon;
   friend auto operator<=>(const Seen&, const Seen&) = default;
 };
+
+Seen seen(const Segment& segment, bool withHandle);
+std::multiset<Seen> seen(const World& world, const std::vector<SegmentId>& ids, bool withHandles);
 
 /// What the days may have in them.
 struct WithOut {
@@ -83,8 +86,7 @@ class BesideTheWhole {
   void goBack();
   void forget();
   static std::vector<Cell> corners();
-  Seen seen(const Segment& segment) const;
-  std::multiset<Seen> seen(const World& world, const std::vector<SegmentId>& ids, const std::set<Cell>& chunks) const;
+  std::multiset<Seen> seenIn(const std::set<Cell>& chunks, const World& world, std::vector<SegmentId> ids) const;
   std::set<Cell> loadedChunks() const;
   void expectSameOutline();
   void expectSameGround();

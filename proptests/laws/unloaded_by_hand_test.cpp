@@ -1,18 +1,14 @@
 // Chunks that are unloaded, by hand: what is refused, what bytes are taken, what memory it costs.
 #include "proptests/support/law.h"
-#include "storage/snapshot_bytes.h"
 #include "twins.h"
 #include "unloaded.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <optional>
 
 namespace lgs::test {
 namespace {
-
-constexpr CellRect kEverywhere{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}};
 
 /// So many chunks in a row, full of squares.
 World rowOfChunks(std::int32_t chunks) {
@@ -28,9 +24,7 @@ std::size_t segmentsOf(const World& world) { return world.segments().size(); }
 /// The bytes of a chunk with one of them changed, and with the checksum that fits.
 std::vector<std::byte> spoilt(std::vector<std::byte> bytes, std::size_t at, std::byte by) {
   bytes[at] ^= by;
-  detail::Checksum sum;
-  for (std::size_t k = 0; k + 4 < bytes.size(); ++k) sum.add(bytes[k]);
-  for (unsigned k = 0; k < 4; ++k) bytes[bytes.size() - 4 + k] = static_cast<std::byte>(sum.value() >> 8 * k & 0xffu);
+  seal(bytes);
   return bytes;
 }
 

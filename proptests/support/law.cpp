@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstring>
 #include <filesystem>
 
 // A race that the thread sanitizer sees in a child has to end it: a child leaves without telling how it went.

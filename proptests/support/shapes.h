@@ -5,7 +5,6 @@
 #include "proptests/support/arbitrary.h"
 
 #include <iosfwd>
-#include <vector>
 
 namespace lgs::test {
 

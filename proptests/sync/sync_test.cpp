@@ -5,6 +5,7 @@
 #include "proptests/laws/calls.h"
 #include "proptests/laws/twins.h"
 #include "proptests/support/law.h"
+#include "proptests/support/must.h"
 #include "proptests/support/traces.h"
 
 #include <gtest/gtest.h>
@@ -105,9 +106,7 @@ class Game {
       for (const Bytes& message : follower->down.come(chance_, isQuiet)) ask(follower->client.hear(message));
       if (chance_.chance(30)) ask(follower->client.tick());
       for (const Bytes& question : follower->up.come(chance_, isQuiet)) {
-        const auto answer = server_.answer(question);
-        ASSERT_TRUE(answer);
-        follower->down.send(*answer, chance_);
+        follower->down.send(must(server_.answer(question)), chance_);
       }
     }
   }
@@ -159,9 +158,7 @@ struct Talk {
       waiting.pop_back();
       bytes += question.size();
       ++messages;
-      const auto answer = server.answer(question);
-      ASSERT_TRUE(answer);
-      hear(*answer);
+      hear(must(server.answer(question)));
     }
   }
 

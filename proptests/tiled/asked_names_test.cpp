@@ -18,9 +18,7 @@ const std::string kContent =
     "<object id='4' name='Gate' type='oak' width='9' height='9'/></objectgroup>";
 
 Notes notesWithRules(const std::vector<std::string>& rules) {
-  Options options;
-  options.solidIf = rules;
-  return mustImport(kContent, options).report.notes;
+  return mustImport(kContent, {.solidIf = rules}).report.notes;
 }
 
 TEST(TiledAskedNames, PropertiesThatNothingHas) {
@@ -49,8 +47,7 @@ Notes notesWithValues(const std::vector<std::string>& values, const std::string&
   for (std::size_t k = 0; k < values.size(); ++k) {
     tiles += "<tile id='" + std::to_string(k) + "'>" + property("kind", values[k]) + "</tile>";
   }
-  Options options;
-  options.solidIf = {rule};
+  const Options options{.solidIf = {rule}};
   return mustImport("<tileset firstgid='1' name='set' tilewidth='32' tileheight='32'>" + tiles + "</tileset>" +
                         "<layer name='L' width='1' height='1'>" + property("other", "sand") +
                         "<data encoding='csv'>1</data></layer>",
@@ -70,9 +67,7 @@ TEST(TiledAskedNames, SomeValuesAreNamed) {
 }
 
 Notes notesWithNumbers(BlockFrom from, const std::vector<std::string>& names) {
-  Options options;
-  options.blockFrom = from;
-  options.solidWithoutShapes = true;
+  Options options{.solidWithoutShapes = true, .blockFrom = from};
   for (const char* known : {"ice", "oak", "Gate", "G/Ground", "Walls"}) options.blocks[known] = 9;
   for (const std::string& name : names) options.blocks[name] = 9;
   const auto map = mustImport(kContent, options);
@@ -106,11 +101,8 @@ TEST(TiledAskedNames, TemplatesHaveNamesToo) {
        "</template>"},
       {"maps/a.tsx",
        "<tileset tilewidth='32' tileheight='32'><tile id='0'>" + property("solid", "1") + "</tile></tileset>"}};
-  Options options;
-  options.solidIf = {"solid"};
-  options.blockFrom = BlockFrom::tileClass;
-  options.blocks["crate"] = 3;
-  const auto map = mustImportFiles(files, options);
+  const auto map =
+      mustImportFiles(files, {.solidIf = {"solid"}, .blockFrom = BlockFrom::tileClass, .blocks = {{"crate", 3}}});
   EXPECT_EQ(map.report.polygons, 1U);
   EXPECT_EQ(map.report.notes, Notes{});
 }
@@ -121,9 +113,7 @@ TEST(TiledAskedNames, OneMapOfAWorldIsEnough) {
                                          {"fileName":"b.tmx", "x":128, "y":0}]})"},
                     {"maps/a.tmx", mapXml(kContent)},
                     {"maps/b.tmx", mapXml(second)}};
-  Options options;
-  options.solidIf = {"collides", "unuse"};
-  EXPECT_EQ(mustImportWorld(files, options).report.notes,
+  EXPECT_EQ(mustImportWorld(files, {.solidIf = {"collides", "unuse"}}).report.notes,
             Notes{"no tile, tile layer or object has a property 'unuse'; there is 'unused'"});
 }
 

@@ -7,10 +7,7 @@ namespace lgs::tiled {
 namespace {
 
 Options with(std::size_t bytes, std::size_t work, std::size_t cells) {
-  Options options;
-  options.maxBytes = bytes;
-  options.maxWork = work;
-  options.maxObjectCells = cells;
+  Options options{.maxBytes = bytes, .maxObjectCells = cells, .maxWork = work};
   return options;
 }
 
@@ -58,8 +55,7 @@ TEST(TiledBudget, AStroke) {
 TEST(TiledBudget, FilesTogether) {
   const std::string set = "<tileset tilewidth='32' tileheight='32'/>";
   const std::string map = mapXml("<tileset firstgid='1' source='a.tsx'/>" + csvLayer(1, 1, "0"));
-  Options options;
-  options.maxBytes = set.size() + map.size();
+  Options options{.maxBytes = set.size() + map.size()};
   EXPECT_TRUE(importFiles({{"maps/test.tmx", map}, {"maps/a.tsx", set}}, options));
   --options.maxBytes;
   EXPECT_EQ(message(importFiles({{"maps/test.tmx", map}, {"maps/a.tsx", set}}, options).error()),

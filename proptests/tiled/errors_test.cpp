@@ -1,5 +1,6 @@
 // Maps that cannot be read: each message names the file and the line and says what is wrong.
 #include "maps.h"
+#include "proptests/support/must.h"
 
 #include <random>
 
@@ -46,22 +47,18 @@ TEST(TiledErrors, NameFileLineAndReason) {
   for (const auto& [xml, expected] : cases) {
     EXPECT_NE(refusalOf(xml).find(expected), std::string::npos) << expected << "\n  but: " << refusalOf(xml);
   }
-  Options options;
-  options.tolerance = -1;
-  EXPECT_NE(refusalOf(mapXml(set), options).find("tolerance"), std::string::npos);
-  options = {};
-  options.maxPlacements = 3;
-  EXPECT_NE(refusalOf(mapXml(set + csvLayer(2, 2, "1,1,1,1")), options).find("maxPlacements"), std::string::npos);
+  EXPECT_NE(refusalOf(mapXml(set), {.tolerance = -1}).find("tolerance"), std::string::npos);
+  EXPECT_NE(refusalOf(mapXml(set + csvLayer(2, 2, "1,1,1,1")), {.maxPlacements = 3}).find("maxPlacements"),
+            std::string::npos);
   EXPECT_NE(message(importMap("no/such/map.tmx").error()).find("no/such/map.tmx: cannot be read"), std::string::npos);
 }
 
 TEST(TiledErrors, ATilesetFileIsBlamedForItsOwnMistakes) {
-  const auto map =
+  const auto error = test::refusal(
       importFiles({{"maps/test.tmx", mapXml("<tileset firstgid='1' source='bad.tsx'/>")},
-                   {"maps/bad.tsx", "<tileset tilewidth='8' tileheight='8'>\n\n <tile id='x'/></tileset>"}});
-  ASSERT_FALSE(map);
-  EXPECT_EQ(map.error().file, "maps/bad.tsx");
-  EXPECT_EQ(map.error().line, 3);
+                   {"maps/bad.tsx", "<tileset tilewidth='8' tileheight='8'>\n\n <tile id='x'/></tileset>"}}));
+  EXPECT_EQ(error.file, "maps/bad.tsx");
+  EXPECT_EQ(error.line, 3);
 }
 
 TEST(TiledErrors, DeepGroupsAndStrayTiles) {
@@ -87,13 +84,11 @@ TEST(TiledErrors, APolygonTooManyForACell) {
     objects += "<object id='" + std::to_string(i + 1) + "' x='" + std::to_string(x) + "' y='" + std::to_string(y) +
                "' width='1' height='1'/>";
   }
-  Options options;
-  options.tolerance = 0;
   // The polygons are not placed in a World. That takes quadratic time if so many share a cell.
-  const auto map = importFiles({{"maps/test.tmx", mapXml(tilesetXml({objects}) + csvLayer(1, 1, "1"))}}, options);
-  ASSERT_TRUE(map);
-  EXPECT_EQ(map->placements.size(), kMaxPolygonsPerCell);
-  EXPECT_EQ(noteKinds(*map), std::vector<NoteKind>(300 - kMaxPolygonsPerCell, NoteKind::leftOut));
+  const auto map = test::must(
+      importFiles({{"maps/test.tmx", mapXml(tilesetXml({objects}) + csvLayer(1, 1, "1"))}}, {.tolerance = 0}));
+  EXPECT_EQ(map.placements.size(), kMaxPolygonsPerCell);
+  EXPECT_EQ(noteKinds(map), std::vector<NoteKind>(300 - kMaxPolygonsPerCell, NoteKind::leftOut));
 }
 
 TEST(TiledErrors, DamagedFilesNeverCrash) {

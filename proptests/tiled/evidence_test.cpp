@@ -2,6 +2,7 @@
 // maps.
 #include "ldtk_projects.h"
 #include "meant_maps.h"
+#include "proptests/support/must.h"
 
 namespace lgs::tiled {
 namespace {
@@ -125,11 +126,10 @@ TEST(TiledEvidence, BoxesWithoutANameBesideTheGroundAreSaid) {
   EXPECT_EQ(map.report.notes,
             (std::vector<std::string>{"object layer poly, of which nothing is taken, as nothing says that it is solid; "
                                       "it is with --layer Ground --solid --objects poly"}));
-  Options options;
-  options.layers = {"Ground"};
-  options.solidWithoutShapes = true;
-  options.objects = {"poly"};
-  EXPECT_EQ(import(ground + meant::objects("poly", box), options).placements.size(), map.placements.size() + 2);
+  EXPECT_EQ(import(ground + meant::objects("poly", box),
+                   {.solidWithoutShapes = true, .layers = {"Ground"}, .objects = {{"poly"}}})
+                .placements.size(),
+            map.placements.size() + 2);
   for (const char* other : {"Background", "Enemies"})
     EXPECT_TRUE(import(ground + meant::objects(other, box)).report.notes.empty()) << other;
   EXPECT_TRUE(import(ground + meant::objects("Places", meant::box(0, 0, 2, 1, "name='a'"))).report.notes.empty());
@@ -137,25 +137,21 @@ TEST(TiledEvidence, BoxesWithoutANameBesideTheGroundAreSaid) {
 
 TEST(TiledEvidence, AValueOfLdtkCanBeLeftOut) {
   const std::string text = project(level("A", 0, 0, grid("1,2,0,2,3,0")));
-  Options options;
-  options.leaveOut = {"ice"};
-  const auto map = importFiles({{"maps/test.tmx", text}}, options);
-  ASSERT_TRUE(map);
-  EXPECT_EQ(cellsOf(*map), (std::vector<Cell>{{1, -2}, {0, -1}}));
-  EXPECT_EQ(map->report.notes, (std::vector<std::string>{"left out, as asked: 2 uses of 'ice'"}));
-  options.solidWithoutShapes = true;
-  EXPECT_EQ(importFiles({{"maps/test.tmx", text}}, options)->placements.size(), 2U) << "it stays free";
-  options.leaveOut = {"Ice"};
-  EXPECT_EQ(importFiles({{"maps/test.tmx", text}}, options)->report.notes,
+  const auto map = test::must(importFiles({{"maps/test.tmx", text}}, {.leaveOut = {"ice"}}));
+  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{1, -2}, {0, -1}}));
+  EXPECT_EQ(map.report.notes, (std::vector<std::string>{"left out, as asked: 2 uses of 'ice'"}));
+  EXPECT_EQ(
+      importFiles({{"maps/test.tmx", text}}, {.solidWithoutShapes = true, .leaveOut = {"ice"}})->placements.size(), 2U)
+      << "it stays free";
+  EXPECT_EQ(importFiles({{"maps/test.tmx", text}}, {.solidWithoutShapes = true, .leaveOut = {"Ice"}})->report.notes,
             (std::vector<std::string>{
                 "no tile and no object has the class 'Ice', which was to be left out; there is 'ice'"}));
 }
 
 TEST(TiledEvidence, IntGridsThatAreCalledCollisionAreEnough) {
   const std::string acid = grid("0,0,0,0,1,0", "Acid", 2), both = acid + "," + grid("1,1,0,0,0,0", "Collisions", 1);
-  const auto map = importFiles({{"maps/test.tmx", project(level("A", 0, 0, both))}});
-  ASSERT_TRUE(map);
-  EXPECT_EQ(map->placements.size(), 2U);
+  const auto map = test::must(importFiles({{"maps/test.tmx", project(level("A", 0, 0, both))}}));
+  EXPECT_EQ(map.placements.size(), 2U);
   EXPECT_EQ(importFiles({{"maps/test.tmx", project(level("A", 0, 0, acid))}})->placements.size(), 1U);
 }
 
@@ -168,13 +164,12 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 TEST(TiledEvidence, ValuesOfLdtkThatOneGoesThroughAreLeftOut) {
   const std::string text = project(level("A", 0, 0, grid("1,2,0,2,3,0")));
-  const auto ladders = importFiles({{"maps/test.tmx", replaced(text, "ice", "Ladder_top")}});
-  ASSERT_TRUE(ladders);
-  EXPECT_EQ(cellsOf(*ladders), (std::vector<Cell>{{1, -2}, {0, -1}}));
-  EXPECT_EQ(ladders->report.choice, "IntGrid layers: Solid, without Ladder_top (--not Ladder_top)");
-  const auto floors = importFiles({{"maps/test.tmx", replaced(replaced(text, "ice", "Floor"), "dirt", "Walls")}});
-  ASSERT_TRUE(floors);
-  EXPECT_EQ(cellsOf(*floors), (std::vector<Cell>{{1, -2}, {0, -1}})) << "a floor beside walls";
+  const auto ladders = test::must(importFiles({{"maps/test.tmx", replaced(text, "ice", "Ladder_top")}}));
+  EXPECT_EQ(cellsOf(ladders), (std::vector<Cell>{{1, -2}, {0, -1}}));
+  EXPECT_EQ(ladders.report.choice, "IntGrid layers: Solid, without Ladder_top (--not Ladder_top)");
+  const auto floors =
+      test::must(importFiles({{"maps/test.tmx", replaced(replaced(text, "ice", "Floor"), "dirt", "Walls")}}));
+  EXPECT_EQ(cellsOf(floors), (std::vector<Cell>{{1, -2}, {0, -1}})) << "a floor beside walls";
   const auto floorAlone = importFiles({{"maps/test.tmx", replaced(text, "ice", "Floor")}});
   EXPECT_EQ(floorAlone->placements.size(), 4U) << "a platformer stands on it";
   const std::string only = replaced(project(level("A", 0, 0, grid("2,2,0,0,0,0"))), "ice", "ladder");
@@ -197,8 +192,7 @@ TEST(TiledEvidence, ObjectsAreTakenByAPropertyToo) {
   const std::string layer =
       meant::objects("Things", meant::box(0, 0, 1, 1) + "<object id='9' x='32' y='0' width='16' height='16'>" +
                                    property("rocky", "true") + "</object>");
-  Options options;
-  options.solidIf = {"rocky"};
+  Options options{.solidIf = {"rocky"}};
   const auto map = import(layer, options);
   EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{2, -1}}));
   EXPECT_TRUE(map.report.notes.empty());
@@ -211,12 +205,9 @@ TEST(TiledEvidence, AClassOfObjectsCanBeLeftOutOrTaken) {
   const std::string things =
       meant::objects("Things", meant::box(0, 0, 1, 1, "type='door'") + meant::box(2, 0, 1, 1, "type='rock'") +
                                    meant::box(4, 0, 1, 1, "name='rock'"));
-  Options options;
-  options.objects = {"rock"};
-  EXPECT_EQ(cellsOf(import(things, options)), (std::vector<Cell>{{2, -1}, {4, -1}}));
-  options.objects = {"Things"};
-  options.leaveOut = {"door"};
-  EXPECT_EQ(cellsOf(import(things, options)), (std::vector<Cell>{{2, -1}, {4, -1}}));
+  EXPECT_EQ(cellsOf(import(things, {.objects = {{"rock"}}})), (std::vector<Cell>{{2, -1}, {4, -1}}));
+  EXPECT_EQ(cellsOf(import(things, {.leaveOut = {"door"}, .objects = {{"Things"}}})),
+            (std::vector<Cell>{{2, -1}, {4, -1}}));
 }
 
 TEST(TiledEvidence, AMissingMapOfAWorldIsLeftOut) {
@@ -225,14 +216,11 @@ TEST(TiledEvidence, AMissingMapOfAWorldIsLeftOut) {
     "y":0}, {"fileName":"../out.tmx", "x":128, "y":0}]})";
   const std::string map = mapXml(tilesetXml({kFullTile}) + csvLayer(1, 1, "1"));
   Files files{{"maps/test.tmx", world}, {"maps/a.tmx", map}, {"out.tmx", map}};
-  const auto two = importFiles(files);
-  ASSERT_TRUE(two);
-  EXPECT_EQ(two->placements.size(), 2U);
+  const auto two = test::must(importFiles(files));
+  EXPECT_EQ(two.placements.size(), 2U);
   const std::string missing = "the map's file maps/no.tmx cannot be read: there is no such file";
-  EXPECT_EQ(two->report.notes, (std::vector<std::string>{"a map of the world is left out: " + missing}));
-  Options all;
-  all.allMaps = true;
-  EXPECT_EQ(message(importFiles(files, all).error()), "maps/test.tmx: maps/1 " + missing);
+  EXPECT_EQ(two.report.notes, (std::vector<std::string>{"a map of the world is left out: " + missing}));
+  EXPECT_EQ(message(importFiles(files, {.allMaps = true}).error()), "maps/test.tmx: maps/1 " + missing);
   const auto read = [&](const std::string& path) -> tl::expected<std::string, std::string> { return files.at(path); };
   files["maps/no.tmx"] = map;
   const auto outside = importMap("maps/test.tmx", {}, read);
@@ -245,8 +233,7 @@ TEST(TiledEvidence, WhatIsTriedSharesOneBudget) {
   std::string layers;
   for (int k = 0; k < 20; ++k) layers += meant::tiles("L" + std::to_string(k), kHills);
   EXPECT_EQ(offersOf(import(layers)).size(), kMaxSuggestions);
-  Options strict;
-  strict.maxPlacements = 40;  // each layer has 16
+  const Options strict{.maxPlacements = 40};  // each layer has 16
   EXPECT_EQ(offersOf(import(layers, strict)).size(), 2U);
 }
 
@@ -260,9 +247,8 @@ TEST(TiledEvidence, WhatIsTriedSharesTheCellsOfItsShapes) {
   Options options;
   for (const std::size_t less : {std::size_t{0}, std::size_t{1}}) {
     options.maxObjectCells = 3 * kCells - less - kObjectCellsPerByte * text.size();
-    const auto map = importFiles({{"maps/test.tmx", text}}, options);
-    ASSERT_TRUE(map);
-    EXPECT_EQ(offersOf(*map).size(), 3U - less);
+    const auto map = test::must(importFiles({{"maps/test.tmx", text}}, options));
+    EXPECT_EQ(offersOf(map).size(), 3U - less);
   }
 }
 

@@ -1,35 +1,19 @@
 // Files and their content: reading from the disk, numbers, names as messages quote them, packed tiles.
 #include "maps.h"
 #include "packed.h"
+#include "proptests/support/command.h"
 
-#include <filesystem>
-#include <fstream>
-#include <random>
 #include <stdexcept>
 
 namespace lgs::tiled {
 namespace {
 
-/// A folder for one test. It is removed when the test ends.
-class TiledReadFile : public testing::Test {
+class TiledReadFile : public test::InAFolder {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("lgs_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) +
-               std::to_string(std::random_device()()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::string file(const std::string& content) const {
-    std::string path = (folder_ / "file").string();
-    std::ofstream(path, std::ios::binary) << content;
-    return path;
+    put("file", content);
+    return path("file");
   }
-  std::string folder() const { return folder_.string(); }
-
- private:
-  std::filesystem::path folder_;
 };
 
 std::string whyNot(const std::string& path) {
@@ -56,9 +40,9 @@ TEST_F(TiledReadFile, GivesTheContentByteForByte) {
 }
 
 TEST_F(TiledReadFile, OrSaysWhyNot) {
-  EXPECT_EQ(whyNot(folder()), "it is a folder");
-  EXPECT_EQ(whyNot(folder() + "/none"), "there is no such file, or no permission to read it");
-  EXPECT_EQ(message(importMap(folder()).error()), folder() + ": cannot be read: it is a folder");
+  EXPECT_EQ(whyNot(folder_.string()), "it is a folder");
+  EXPECT_EQ(whyNot(path("none")), "there is no such file, or no permission to read it");
+  EXPECT_EQ(message(importMap(folder_.string()).error()), folder_.string() + ": cannot be read: it is a folder");
 }
 
 TEST_F(TiledReadFile, UpToAGigabyte) {

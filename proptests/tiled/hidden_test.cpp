@@ -14,8 +14,7 @@ std::string box(int column, const std::string& attributes = "") {
 }
 
 Options visibleOnly() {
-  Options options;
-  options.visibleOnly = true;
+  const Options options{.visibleOnly = true};
   return options;
 }
 

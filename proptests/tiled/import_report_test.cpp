@@ -145,9 +145,7 @@ TEST(TiledReport, OfAWholeImport) {
                             "<object id='4' x='20' y='9' width='6' height='3'><capsule/></object>"
                             "<object id='5'><point/></object></objectgroup></tile><tile id='2'/>";
   const std::string set = "<tileset firstgid='1' name='Höhle' tilewidth='32' tileheight='32'>" + tiles + "</tileset>";
-  Options options;
-  options.blockFrom = BlockFrom::tileClass;
-  options.outside = Outside::clip;
+  const Options options{.outside = Outside::clip, .blockFrom = BlockFrom::tileClass};
   const auto map = mustImport(set + csvLayer(2, 2, "2,3,1,2") +
                                   "<layer name='More' width='2' height='2' offsety='32'><data encoding='csv'>"
                                   "2,0,0,0</data></layer><imagelayer name='Sky'/>",

@@ -1,6 +1,7 @@
 // Reading Tiled maps: encodings, layers, flips, objects, blocks, and the project's own map.
 #include "maps.h"
 #include "packed.h"
+#include "proptests/support/must.h"
 
 #include <cstdint>
 
@@ -54,16 +55,11 @@ TEST(TiledLayers, GroupsOffsetsAndChoice) {
       "<layer name='A' width='1' height='1' offsety='-64'><data encoding='csv'>1</data></layer>" +
       "<layer name='B' width='1' height='1'><data encoding='csv'>1</data></layer></group>" +
       "<layer name='A' width='1' height='1'><data encoding='csv'>1</data></layer>";
-  Options options;
   EXPECT_EQ(cellsOf(mustImport(content)), (std::vector<Cell>{{0, -1}, {1, -1}, {1, 1}}));
-  options.layers = {"World/B"};
-  EXPECT_EQ(cellsOf(mustImport(content, options)), (std::vector<Cell>{{1, -1}}));
-  options.layers = {"World"};
-  EXPECT_EQ(cellsOf(mustImport(content, options)), (std::vector<Cell>{{1, -1}, {1, 1}}));
-  options.layers = {"A"};
-  EXPECT_EQ(cellsOf(mustImport(content, options)), (std::vector<Cell>{{0, -1}, {1, 1}}));
-  options.layers = {"C"};
-  EXPECT_NE(refusalOf(mapXml(content), options).find("has no tile layer or group 'C'"), std::string::npos);
+  EXPECT_EQ(cellsOf(mustImport(content, {.layers = {"World/B"}})), (std::vector<Cell>{{1, -1}}));
+  EXPECT_EQ(cellsOf(mustImport(content, {.layers = {"World"}})), (std::vector<Cell>{{1, -1}, {1, 1}}));
+  EXPECT_EQ(cellsOf(mustImport(content, {.layers = {"A"}})), (std::vector<Cell>{{0, -1}, {1, 1}}));
+  EXPECT_NE(refusalOf(mapXml(content), {.layers = {"C"}}).find("has no tile layer or group 'C'"), std::string::npos);
 }
 
 TEST(TiledTilesets, OneThatTiledHasInItselfIsNoFile) {
@@ -91,9 +87,8 @@ TEST(TiledTilesets, ExternalFilesAreFoundBesideTheMap) {
   ASSERT_EQ(map.report.tiles.size(), 3U);
   EXPECT_EQ(map.report.tiles[0].tileset, "a");
   EXPECT_FALSE(map.report.tiles[1].hasShapes);
-  Options options;
-  options.solidWithoutShapes = true;
-  EXPECT_EQ(cellsOf(mustImportFiles(files, options)), (std::vector<Cell>{{0, -1}, {1, -1}, {2, -1}}));
+  EXPECT_EQ(cellsOf(mustImportFiles(files, {.solidWithoutShapes = true})),
+            (std::vector<Cell>{{0, -1}, {1, -1}, {2, -1}}));
 }
 
 TEST(TiledTilesets, LargerTilesStandOnTheirCellAndReachIntoOthers) {
@@ -156,8 +151,7 @@ TEST(TiledObjects, OffsetsAndRotation) {
 }
 
 TEST(TiledObjects, CurvesArePolygonsAndTheRestIsLeftOut) {
-  Options exact;
-  exact.tolerance = 0;
+  const Options exact{.tolerance = 0};
   const auto ellipse = importTile("<object id='7' x='0' y='8' width='32' height='16'><ellipse/></object>", exact);
   EXPECT_EQ(ellipse.shapes.at(0).size(), static_cast<std::size_t>(kCurveVertices));
   EXPECT_NEAR(areaInCells(ellipse), 3.14159 / 8, 0.003);
@@ -193,15 +187,11 @@ TEST(TiledBlocks, ByClassAndByLayer) {
     for (const MapPolygon& p : mustImport(set + layers, options).placements) found.push_back(p.block);
     return found;  // the lower row first
   };
-  Options options;
-  EXPECT_EQ(blocks(options), (std::vector<Block>{1, 1, 1, 1, 1}));
-  options.blockFrom = BlockFrom::tileClass;
-  EXPECT_EQ(blocks(options), (std::vector<Block>{3, 1, 2, 3, 4}));
-  options.blocks = {{"lava", 1}, {"ice", 90}};
-  EXPECT_EQ(blocks(options), (std::vector<Block>{1, 2, 90, 1, 3}));
-  options.blockFrom = BlockFrom::layer;
-  options.blocks = {{"B", 7}};
-  EXPECT_EQ(blocks(options), (std::vector<Block>{7, 1, 1, 1, 1}));
+  EXPECT_EQ(blocks({}), (std::vector<Block>{1, 1, 1, 1, 1}));
+  EXPECT_EQ(blocks({.blockFrom = BlockFrom::tileClass}), (std::vector<Block>{3, 1, 2, 3, 4}));
+  EXPECT_EQ(blocks({.blockFrom = BlockFrom::tileClass, .blocks = {{"lava", 1}, {"ice", 90}}}),
+            (std::vector<Block>{1, 2, 90, 1, 3}));
+  EXPECT_EQ(blocks({.blockFrom = BlockFrom::layer, .blocks = {{"B", 7}}}), (std::vector<Block>{7, 1, 1, 1, 1}));
 }
 
 TEST(TiledMap, SidesAreWholeNumbersFromNothingOn) {
@@ -246,8 +236,7 @@ TEST(TiledBlocks, AreFoundByName) {
     return mustImport(set + "<layer name='A' width='2' height='1'><data encoding='csv'>" + tiles + "</data></layer>",
                       options);
   };
-  Options options;
-  options.blocks = {{"lava", 5}};
+  Options options{.blocks = {{"lava", 5}}};
   EXPECT_EQ(import("1,2", options).block("lava"), std::nullopt) << "all are of one block";
   EXPECT_EQ(import("1,2", options).report.notes.size(), 1U) << "that the number is not used";
 
@@ -271,17 +260,15 @@ TEST(TiledBlocks, AreFoundByName) {
 }
 
 TEST(TiledMap, TheProjectsOwn) {
-  Options options;
-  options.blockFrom = BlockFrom::tileClass;
-  const auto map = importMap(LGS_SOURCE_DIR "/examples/maps/landscape.tmx", options);
-  ASSERT_TRUE(map) << message(map.error());
-  const World world = worldOf(*map);
-  EXPECT_GE(map->report.width, 150);
-  EXPECT_GE(map->report.height, 40);
-  EXPECT_GT(map->report.polygons, 3'000U);
-  EXPECT_EQ(map->report.blocks.size(), 5U);
+  const auto map =
+      test::must(importMap(LGS_SOURCE_DIR "/examples/maps/landscape.tmx", {.blockFrom = BlockFrom::tileClass}));
+  const World world = worldOf(map);
+  EXPECT_GE(map.report.width, 150);
+  EXPECT_GE(map.report.height, 40);
+  EXPECT_GT(map.report.polygons, 3'000U);
+  EXPECT_EQ(map.report.blocks.size(), 5U);
   EXPECT_GT(world.loops().size(), 10U);
-  const std::string text = toText(map->report);
+  const std::string text = toText(map.report);
   EXPECT_NE(text.find("coordinates put on the grid, by up to 0.4 px"), std::string::npos) << text;
   EXPECT_EQ(text.find("Left out"), std::string::npos) << text;
 }

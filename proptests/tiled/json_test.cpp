@@ -2,6 +2,7 @@
 #include "maps.h"
 #include "packed.h"
 #include "proptests/support/law.h"
+#include "proptests/support/must.h"
 
 #include <array>
 #include <iterator>
@@ -98,21 +99,16 @@ rc::Gen<AnyFiles> anyFiles() {
 
 TEST(TiledJson, MeansWhatTheSameMapInXmlMeans) {
   const auto law = [](const AnyFiles& any) {
-    Options options;
-    options.blockFrom = BlockFrom::tileClass;
-    options.solidIf = {"hard=2"};
+    const Options options{.solidIf = {"hard=2"}, .blockFrom = BlockFrom::tileClass};
     const Files files = filesOf(any);
-    const auto json = asJson(files, [&](const std::string& name) {
+    const auto json = test::must(asJson(files, [&](const std::string& name) {
       const auto at = std::distance(files.begin(), files.find(name));
       return (any.inJson >> at & 1U) != 0;
-    });
-    ASSERT_TRUE(json);
-    ASSERT_NE(*json, files);
-    const auto a = importFiles(files, options), b = importFiles(*json, options);
-    ASSERT_TRUE(a) << message(a.error());
-    ASSERT_TRUE(b) << message(b.error());
-    expectAlike(*a, *b);
-    worldOf(*b);
+    }));
+    ASSERT_NE(json, files);
+    const auto a = test::must(importFiles(files, options)), b = test::must(importFiles(json, options));
+    expectAlike(a, b);
+    worldOf(b);
   };
   test::forAll(200, law, rc::gen::resize(rc::kNominalSize / 4, anyFiles()));
 }
@@ -143,9 +139,8 @@ TEST(TiledJson, FieldsThatXmlDoesNotHave) {
   const std::string object = R"({"x":0, "y":0, "width":32, "height":64, "ellipse":false, "point":false})";
   EXPECT_EQ(cells(mapJson(R"("layers":[{"type":"objectgroup", "name":"wall", "objects":[)" + object + "]}]")),
             (std::vector<Cell>{{0, -2}, {0, -1}}));
-  Options byClass;
-  byClass.blockFrom = BlockFrom::tileClass;
-  const auto map = mustImportFiles({{"maps/test.tmx", layerJson(R"("data":[1,0,0,0])")}}, byClass);
+  const auto map =
+      mustImportFiles({{"maps/test.tmx", layerJson(R"("data":[1,0,0,0])")}}, {.blockFrom = BlockFrom::tileClass});
   EXPECT_EQ(map.blocks, (std::map<std::string, Block>{{"", 1}})) << "the type of a layer is no class";
 }
 
@@ -157,15 +152,15 @@ TEST(TiledJson, OldFormsOfTheFormat) {
   const std::string set = R"({"name":"old", "tilewidth":32, "tileheight":32,
     "tiles":{"1":{"type":"mud", "objectgroup":{"objects":[{"id":7, "x":0, "y":0, "width":32, "height":32}]}}, "3":{}},
     "tileproperties":{"1":{"a":1}, "2":{"solid":true}, "3":{"solid":false}}})";
-  Options options;
-  options.solidIf = {"solid"};
-  options.blockFrom = BlockFrom::tileClass;
-  const auto map = mustImportFiles({{"maps/test.tmx", old}, {"maps/old.json", set}}, options);
+  const auto map = mustImportFiles({{"maps/test.tmx", old}, {"maps/old.json", set}},
+                                   {.solidIf = {"solid"}, .blockFrom = BlockFrom::tileClass});
   EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{1, -1}, {2, -1}}));
   EXPECT_EQ(map.placements.at(0).object, 7U);
   EXPECT_EQ(map.blocks, (std::map<std::string, Block>{{"mud", 1}, {"", 2}}));
-  options.solidIf = {"p=q"};
-  EXPECT_EQ(mustImportFiles({{"maps/test.tmx", old}, {"maps/old.json", set}}, options).placements.size(), 4U);
+  EXPECT_EQ(mustImportFiles({{"maps/test.tmx", old}, {"maps/old.json", set}},
+                            {.solidIf = {"p=q"}, .blockFrom = BlockFrom::tileClass})
+                .placements.size(),
+            4U);
 }
 
 TEST(TiledJson, ErrorsNameThePlace) {

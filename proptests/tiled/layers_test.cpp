@@ -23,8 +23,7 @@ TEST(TiledLayers, WhatIsSaidOfThem) {
   EXPECT_EQ(remarks(mustImport(content)),
             (std::vector<std::string>{"A", "B" + slow, "C" + slow, "[O" + objects, "[I: an image]", "G/D" + slow,
                                       "[G/O" + objects, "G/H/A" + slow}));
-  Options options;
-  options.layers = {"G/H", "B"};
+  Options options{.layers = {"G/H", "B"}};
   EXPECT_EQ(remarks(mustImport(content, options)),
             (std::vector<std::string>{"[A: not chosen]", "B" + slow, "[C: not chosen]", "[O: not chosen]",
                                       "[I: an image]", "[G/D: not chosen]", "[G/O: not chosen]", "G/H/A" + slow}));
@@ -77,20 +76,16 @@ TEST(TiledLayers, OffsetsThatAreTooLarge) {
 
 TEST(TiledLimits, Options) {
   for (const double bad : {-0.5, std::numeric_limits<double>::infinity(), std::nan("")}) {
-    Options options;
-    options.tolerance = bad;
-    EXPECT_EQ(refusalOf(mapXml(""), options), "maps/test.tmx: the tolerance should be 0 or more (Options::tolerance)")
+    EXPECT_EQ(refusalOf(mapXml(""), {.tolerance = bad}),
+              "maps/test.tmx: the tolerance should be 0 or more (Options::tolerance)")
         << bad;
   }
 }
 
 TEST(TiledLimits, TilesOfAllLayers) {
   const std::string content = tilesetXml({kFullTile}) + csvLayer(2, 1, "1,0") + csvLayer(2, 2, "0,0,0,1");
-  Options options;
-  options.maxTiles = 6;
-  EXPECT_EQ(mustImport(content, options).placements.size(), 2U);
-  options.maxTiles = 5;
-  EXPECT_EQ(refusalOf(mapXml(content), options),
+  EXPECT_EQ(mustImport(content, {.maxTiles = 6}).placements.size(), 2U);
+  EXPECT_EQ(refusalOf(mapXml(content), {.maxTiles = 5}),
             "maps/test.tmx:7: <data> the map has more tiles than the limit (Options::maxTiles)");
 }
 
@@ -98,8 +93,7 @@ TEST(TiledLimits, PolygonsPlacedAndCarried) {
   // Each tile has two polygons: one in its cell, one that is carried.
   const std::string content =
       tilesetXml({"<object id='1' x='16' width='32' height='8'/>"}) + csvLayer(4, 1, "1,0,1,1") + csvLayer(1, 1, "1");
-  Options options;
-  options.maxPlacements = 8;
+  Options options{.maxPlacements = 8};
   EXPECT_EQ(mustImport(content, options).report.tiles.at(0).uses, 4U);
   for (std::size_t most = 0; most < 8; ++most) {
     options.maxPlacements = most;
@@ -116,9 +110,7 @@ TEST(TiledTilesets, ImagesOfTheirOwnSizes) {
       "<tile id='2' width='32' height='32'><image source='a' width='99' height='99'/></tile>"
       "<tile id='3' width='16'/><tile id='4' height='16'/></tileset>";
   const auto size = [&](int gid) {
-    Options options;
-    options.solidWithoutShapes = true;
-    const auto map = mustImport(set + csvLayer(1, 1, std::to_string(gid)), options);
+    const auto map = mustImport(set + csvLayer(1, 1, std::to_string(gid)), {.solidWithoutShapes = true});
     return std::pair(cellsOf(map), map.shapes.at(0));
   };
   const std::vector<Cell> home{{0, -1}}, four{{0, -1}, {1, -1}, {0, 0}, {1, 0}};
@@ -142,10 +134,8 @@ TEST(TiledBlocks, NamesThatShareANumber) {
   const std::string set =
       "<tileset firstgid='1' tilewidth='32' tileheight='32'><tile id='0' class='ice'><objectgroup>" + kFullTile +
       "</objectgroup></tile><tile id='1'><objectgroup>" + kFullTile + "</objectgroup></tile></tileset>";
-  Options options;
-  options.blockFrom = BlockFrom::tileClass;
-  options.blocks = {{"", 4}, {"ice", 4}, {"unused", 9}};
-  const auto map = mustImport(set + csvLayer(3, 1, "1,2,2"), options);
+  const auto map = mustImport(set + csvLayer(3, 1, "1,2,2"),
+                              {.blockFrom = BlockFrom::tileClass, .blocks = {{"", 4}, {"ice", 4}, {"unused", 9}}});
   ASSERT_EQ(map.report.blocks.size(), 1U);
   EXPECT_EQ(map.report.blocks[0].name, "(no class), ice");
   EXPECT_EQ(map.report.blocks[0].block, 4);

@@ -38,19 +38,15 @@ TEST(TiledLdtk, TilesThatAreOnlyDrawnCanBeSolid) {
   for (const char* type : {"Tiles", "AutoLayer"}) {
     const std::string text = projectWithTiles(tiles(two + "," + astray, type) + "," + ground);
     EXPECT_EQ(cellsOf(mustImportProject(text)), (std::vector<Cell>{{2, -1}}));
-    Options options;
-    options.solidWithoutShapes = true;
-    const auto map = mustImportProject(text, options);
+    const auto map = mustImportProject(text, {.solidWithoutShapes = true});
     EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{0, -2}, {3, -2}, {1, -1}, {2, -1}}));
     EXPECT_EQ(blocksOf(map), (std::vector<Block>{4, 4, 4, 3})) << "no block of a value";
     EXPECT_EQ(map.block("Deco"), 4U);
     EXPECT_EQ(map.report.layers.at(1).note, "1 tiles beside the grid are left out");
     EXPECT_EQ(map.report.layers.at(1).tiles, 3U) << "the same tile twice in a cell is one";
-    options.layers = {"Deco"};
-    EXPECT_EQ(cellsOf(mustImportProject(text, options)).size(), 3U);
-    options = {};
-    options.solidIf = {"Hard"};
-    EXPECT_EQ(cellsOf(mustImportProject(text, options)), (std::vector<Cell>{{0, -2}, {1, -1}, {2, -1}})) << "by tags";
+    EXPECT_EQ(cellsOf(mustImportProject(text, {.solidWithoutShapes = true, .layers = {"Deco"}})).size(), 3U);
+    EXPECT_EQ(cellsOf(mustImportProject(text, {.solidIf = {"Hard"}})), (std::vector<Cell>{{0, -2}, {1, -1}, {2, -1}}))
+        << "by tags";
   }
 }
 
@@ -73,32 +69,26 @@ TEST(TiledLdtk, TilesThatAreOnlyDrawnDoNotSayWhatIsSolid) {
 TEST(TiledLdtk, ALayerOfTilesHasABlockThatNoValueHas) {
   std::string text = projectWithTiles(tiles(tile(0, 0, "70")) + "," + grid("0,3,0,0,0,0"));
   text.replace(text.find("\"dirt\""), 6, "\"Deco\"");
-  Options options;
-  options.solidWithoutShapes = true;
-  const auto map = mustImportProject(text, options);
+  const auto map = mustImportProject(text, {.solidWithoutShapes = true});
   EXPECT_EQ(blocksOf(map), (std::vector<Block>{4, 3}));
   EXPECT_EQ(map.block("Deco.Deco"), 4U);
 }
 
 TEST(TiledLdtk, WhatIsSaidOfTilesThatAreOnlyDrawn) {
   const std::string text = projectWithTiles(tiles(tile(0, 0, "70")));
-  Options options;
-  options.layers = {"Deco"};
-  EXPECT_EQ(refusalOf(text, options),
+  EXPECT_EQ(refusalOf(text, {.layers = {"Deco"}}),
             "maps/test.tmx: 'Deco' is a layer of tiles that are only drawn: --solid --layer Deco");
   const auto empty = mustImportProject(text);
   ASSERT_EQ(empty.report.suggestions.size(), 1U);
   EXPECT_EQ(empty.report.suggestions[0].text, "tile layer Deco, 100 % of the map: nothing says what it is");
   EXPECT_EQ(empty.report.suggestions[0].arguments, (std::vector<std::string>{"--layer", "Deco", "--solid"}));
-  options = {};
-  options.solidWithoutShapes = true;
   const std::string at = "maps/test.tmx: levels/0/layerInstances/0";
   const std::string large = projectWithTiles(tiles(tile(0, 0, "70")) + "," + grid("1,0,0,0,0,0"), "16");
-  EXPECT_EQ(refusalOf(large, options),
+  EXPECT_EQ(refusalOf(large, {.solidWithoutShapes = true}),
             at + " 'Deco' has tiles of 16 px on a grid of 8 px. Only tiles as large as the grid can be solid: choose "
                  "other layers (Options::layers)");
-  options.layers = {"Solid"};
-  EXPECT_EQ(cellsOf(mustImportProject(large, options)).size(), 1U) << "the others do not matter";
+  EXPECT_EQ(cellsOf(mustImportProject(large, {.solidWithoutShapes = true, .layers = {"Solid"}})).size(), 1U)
+      << "the others do not matter";
   for (const char* bad : {"{\"px\":[1], \"t\":1}", "{\"px\":[8,8], \"t\":-1}", "{\"px\":[8,8], \"t\":0.5}",
                           "{\"px\":[8,8], \"t\":1048576}"}) {
     EXPECT_EQ(refusalOf(projectWithTiles(tiles(bad))),
@@ -110,10 +100,10 @@ TEST(TiledLdtk, WhatIsSaidOfTilesThatAreOnlyDrawn) {
     one.replace(one.find("\"layerDefUid\":9"), 15, "\"layerDefUid\":" + std::to_string(uid));
     many += (uid > 100 ? "," : "") + one;
   }
-  EXPECT_EQ(refusalOf(projectWithTiles(many), options),
+  EXPECT_EQ(refusalOf(projectWithTiles(many), {.solidWithoutShapes = true, .layers = {"Solid"}}),
             "maps/test.tmx: <map> has no tile layer or group 'Solid'; there are 'A', 'Deco'");
-  options.layers = {};
-  EXPECT_NE(refusalOf(projectWithTiles(many), options).find("is one layer of tiles too many to be solid"),
+  EXPECT_NE(refusalOf(projectWithTiles(many), {.solidWithoutShapes = true, .layers = {}})
+                .find("is one layer of tiles too many to be solid"),
             std::string::npos);
 }
 
@@ -128,9 +118,7 @@ TEST(TiledLdtk, OneWorldAtATime) {
   EXPECT_EQ(refusalOf(both),
             "maps/test.tmx: <map> has several worlds, which lie over each other: choose one of Sea, Sky "
             "(Options::layers)");
-  Options options;
-  options.layers = {"Sky"};
-  EXPECT_EQ(cellsOf(mustImportProject(both, options)), (std::vector<Cell>{{1, -1}}));
+  EXPECT_EQ(cellsOf(mustImportProject(both, {.layers = {"Sky"}})), (std::vector<Cell>{{1, -1}}));
 }
 
 /// A world with the levels given, and one called "Sky".
@@ -148,23 +136,20 @@ TEST(TiledLdtk, TheWorldThatIsChosenIsAllThatIsRead) {
   deep.replace(deep.find("\"worldDepth\":0"), 14, "\"worldDepth\":1");
   const std::string both = skyAnd("Sea", level("Sea1", 0, 0, things(boulder) + "," + fine) + "," + deep,
                                   level("Sky1", 0, 0, things(boulder) + "," + grid("1,0,0,0,0,0")));
-  Options options;
-  options.layers = {"Sky"};
-  options.objects = std::vector<std::string>{"Boulder"};
-  const auto sky = mustImportProject(both, options);
+  const auto sky = mustImportProject(both, {.layers = {"Sky"}, .objects = std::vector<std::string>{"Boulder"}});
   EXPECT_EQ(cellsOf(sky), (std::vector<Cell>{{1, -2}, {0, -1}})) << "not the boulder of the other world";
   EXPECT_EQ(sky.report.width, 3);
   EXPECT_EQ(sky.report.height, 2);
   EXPECT_EQ(sky.report.layers.size(), 2U);
   EXPECT_EQ(sky.report.layers.at(0).path, "Sky/Sky1/Solid");
   EXPECT_TRUE(sky.report.notes.empty() || sky.report.notes.at(0).find("depths") == std::string::npos);
-  options.layers = {"Sea"};
-  const auto sea = mustImportProject(both, options);
+  const auto sea = mustImportProject(both, {.layers = {"Sea"}, .objects = std::vector<std::string>{"Boulder"}});
   EXPECT_EQ(sea.report.tileWidth, 4);
   EXPECT_EQ(sea.report.width, 206);
   EXPECT_NE(sea.report.notes.at(0).find("depths"), std::string::npos);
-  options.layers = {"Sky", "Sea"};
-  EXPECT_NE(refusalOf(both, options).find("choose one of Sea, Sky"), std::string::npos);
+  EXPECT_NE(refusalOf(both, {.layers = {"Sky", "Sea"}, .objects = std::vector<std::string>{"Boulder"}})
+                .find("choose one of Sea, Sky"),
+            std::string::npos);
 }
 
 }  // namespace

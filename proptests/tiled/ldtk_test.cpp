@@ -1,6 +1,7 @@
 // LDtk projects: where levels, cells and entities land, which blocks they get, and what is said of bad projects.
 #include "ldtk_projects.h"
 #include "proptests/support/law.h"
+#include "proptests/support/must.h"
 
 #include <array>
 #include <random>
@@ -24,13 +25,11 @@ TEST(TiledLdtk, CellsBecomeBlocksByTheirValue) {
   EXPECT_EQ(map.report.tiles.at(1).id, 2U) << "the value";
   EXPECT_EQ(map.report.tiles.at(1).className, "ice");
   EXPECT_TRUE(map.report.notes.empty());
-  Options options;
-  options.blocks = {{"ice", 40}};
-  options.blockFrom = BlockFrom::tileClass;
-  EXPECT_EQ(blocksOf(mustImportProject(project(level("A", 0, 0, grid("1,0,2, 3,7,0"))), options)),
+  EXPECT_EQ(blocksOf(mustImportProject(project(level("A", 0, 0, grid("1,0,2, 3,7,0"))),
+                                       {.blockFrom = BlockFrom::tileClass, .blocks = {{"ice", 40}}})),
             (std::vector<Block>{3, 7, 1, 40}));
-  options.blockFrom = BlockFrom::layer;
-  const auto byLayer = mustImportProject(project(level("A", 0, 0, grid("1,0,2, 3,7,0"))), options);
+  const auto byLayer = mustImportProject(project(level("A", 0, 0, grid("1,0,2, 3,7,0"))),
+                                         {.blockFrom = BlockFrom::layer, .blocks = {{"ice", 40}}});
   EXPECT_EQ(byLayer.block("Solid"), 1U) << "of all levels";
 }
 
@@ -79,10 +78,8 @@ TEST(TiledLdtk, EntitiesAreTakenByName) {
   const std::string boulder = entity("Boulder", 11, "\"px\":[20,8], \"__pivot\":[0.5,1], \"width\":8, \"height\":8");
   const std::string spot = entity("Spot", 13, "\"px\":[0,0], \"width\":8, \"height\":8", ", \"__tags\":[\"solid\"]");
   const auto import = [&](const std::string& layer, std::optional<std::vector<std::string>> objects) {
-    Options options;
-    options.objects = std::move(objects);
-    options.tolerance = 0;
-    return mustImportProject(project(level("A", 0, 0, things(wall + "," + boulder, layer))), options);
+    return mustImportProject(project(level("A", 0, 0, things(wall + "," + boulder, layer))),
+                             {.tolerance = 0, .objects = std::move(objects)});
   };
   const auto byWord = import("Things", {});
   EXPECT_EQ(cellsOf(byWord), (std::vector<Cell>{{1, -3}, {1, -2}})) << "below the offset of the layer";
@@ -143,13 +140,10 @@ TEST(TiledLdtk, OneGridAtATime) {
       refusalOf(text),
       "maps/test.tmx: levels/0/layerInstances/0 'Fine' has a grid of 4 px, and A/Solid one of 8 px. One cell of the "
       "grid becomes one cell of the world, so choose layers that have one grid (Options::layers)");
-  Options options;
-  options.layers = {"Fine"};
-  const auto chosen = mustImportProject(text, options);
+  const auto chosen = mustImportProject(text, {.layers = {"Fine"}});
   EXPECT_EQ(chosen.report.tileWidth, 4);
   EXPECT_EQ(cellsOf(chosen), (std::vector<Cell>{{0, -3}}));
-  options.layers = {"Solid"};
-  EXPECT_EQ(cellsOf(mustImportProject(text, options)), (std::vector<Cell>{{0, -2}}));
+  EXPECT_EQ(cellsOf(mustImportProject(text, {.layers = {"Solid"}})), (std::vector<Cell>{{0, -2}}));
 }
 
 TEST(TiledLdtk, LevelsAtDifferentDepthsGetANote) {
@@ -184,9 +178,7 @@ TEST(TiledLdtk, Refusals) {
   EXPECT_EQ(refusalOf(project(level("A", 0, 0, grid("1,0,0,0,0,0")) + "," +
                               level("B", 2'000'000'000, 0, grid("1,0,0,0,0,0")))),
             "maps/test.tmx: levels/1/layerInstances/0 'Solid' its offset is too large");
-  Options options;
-  options.layers = {"None"};
-  EXPECT_EQ(refusalOf(project(level("A", 0, 0, grid("1,0,0,0,0,0"))), options),
+  EXPECT_EQ(refusalOf(project(level("A", 0, 0, grid("1,0,0,0,0,0"))), {.layers = {"None"}}),
             "maps/test.tmx: <map> has no tile layer or group 'None'; there are 'A', 'Solid'");
   std::string many;
   for (int uid = 100; uid < 228; ++uid) many += (uid > 100 ? "," : "") + grid("0,0,0,0,0,0", "G", uid);
@@ -195,13 +187,11 @@ TEST(TiledLdtk, Refusals) {
 }
 
 TEST(TiledLdtk, TheProjectsOwnQuarry) {
-  Options options;
-  options.objects = std::vector<std::string>{"Boulder", "Plank"};
-  const auto map = importMap(LGS_SOURCE_DIR "/examples/maps/quarry.ldtk", options);
-  ASSERT_TRUE(map) << message(map.error());
-  worldOf(*map);
+  const auto map = test::must(importMap(LGS_SOURCE_DIR "/examples/maps/quarry.ldtk",
+                                        {.objects = std::vector<std::string>{"Boulder", "Plank"}}));
+  worldOf(map);
   std::vector<std::string> blocks;
-  for (const BlockReport& block : map->report.blocks) blocks.push_back(std::to_string(block.block) + " " + block.name);
+  for (const BlockReport& block : map.report.blocks) blocks.push_back(std::to_string(block.block) + " " + block.name);
   EXPECT_EQ(blocks, (std::vector<std::string>{"1 grass", "2 stone", "3 ice", "4 Boulder", "5 Plank"}));
 }
 

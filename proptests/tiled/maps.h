@@ -3,6 +3,7 @@
 
 #include "as_json.h"
 #include "oracle/reference/validity.h"
+#include "proptests/support/must.h"
 
 #include <lgs/tiled/import.h>
 #include <lgs/world.h>
@@ -72,22 +73,15 @@ inline void mustBeAlikeInJson(const Files& files, const Options& options, const 
   for (const bool all : {true, false}) {
     if (!all && files.size() == 1) break;
     const auto json = asJson(files, [&](const std::string& name) { return all || name == "maps/test.tmx"; });
-    if (!json) continue;
-    const auto again = importFiles(*json, options);
-    ASSERT_TRUE(again) << message(again.error());
-    expectAlike(map, *again);
+    if (json) expectAlike(map, test::must(importFiles(*json, options)));
   }
 }
 
 /// Imports what is no map of Tiled's by itself: a world, or a project of LDtk.
 inline ImportedMap mustImportWorld(const Files& files, const Options& options = {}) {
-  auto map = importFiles(files, options);
-  if (!map) {
-    ADD_FAILURE() << message(map.error());
-    return {};
-  }
-  worldOf(*map);
-  return std::move(*map);
+  ImportedMap map = test::must(importFiles(files, options));
+  worldOf(map);
+  return map;
 }
 
 /// Imports a map, and then the same map in JSON.

@@ -3,7 +3,6 @@
 #include "meant_maps.h"
 
 #include <algorithm>
-#include <set>
 
 namespace lgs::tiled::meant {
 namespace {

@@ -77,9 +77,7 @@ double slack(const Star& star) { return (2 * lengthOf(star) + 1) * 2 / kUnitsPer
 
 TEST(TiledObjectLaws, NoAreaIsLostOrWon) {
   const auto law = [](const Star& star) {
-    Options options;
-    options.tolerance = 0;
-    const ImportedMap map = mustImport(xmlOf({star}), options);
+    const ImportedMap map = mustImport(xmlOf({star}), {.tolerance = 0});
     EXPECT_NEAR(areaInCells(map), areaOf(star), slack(star));
     EXPECT_EQ(worldOf(map).loops().size(), 1U) << "there is a seam inside, or a part is missing";
   };
@@ -92,8 +90,7 @@ TEST(TiledObjectLaws, TheWorldTakesAllOverlaps) {
     const std::string tiles = tilesetXml({"<object id='1' x='0' y='32'><polygon points='0,0 32,0 32,-16'/></object>",
                                           "<object id='1' x='-10' y='4' width='30' height='20' rotation='20'/>"}) +
                               csvLayer(4, 3, "1,2,0,1,2,1,1,0,2,2,1,1");
-    Options options;
-    options.tolerance = 0;
+    const Options options{.tolerance = 0};
     const double ofTiles = areaInCells(mustImport(tiles, options));
     const double area = areaInCells(mustImport(tiles + xmlOf({a, b, c}), options));
     const double some = 0.001;

@@ -1,5 +1,6 @@
 // Object layers: which are taken, where their objects land, and what is left out.
 #include "maps.h"
+#include "proptests/support/must.h"
 
 #include <numbers>
 
@@ -53,8 +54,7 @@ TEST(TiledObjectLayers, ObjectsOfEachKind) {
     EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{1, -2}})) << object;
     EXPECT_EQ(ringsIn(map, {1, -2}), (std::vector<Ring>{lowerHalf})) << object;
   }
-  Options exact;
-  exact.tolerance = 0;
+  const Options exact{.tolerance = 0};
   const auto ellipse = mustImport(objectLayer("<object id='1' width='128' height='64'><ellipse/></object>"), exact);
   EXPECT_NEAR(areaInCells(ellipse), 2 * std::numbers::pi, 0.06);
   const auto capsule = mustImport(objectLayer("<object id='1' width='128' height='64'><capsule/></object>"), exact);
@@ -74,9 +74,7 @@ TEST(TiledObjectLayers, WhatIsNearAGridLineSnaps) {
   EXPECT_EQ(areaInCells(mustImport(objectLayer(object))), 2);
   EXPECT_EQ(layerNotes(mustImport(objectLayer(object))),
             (std::vector<std::string>{"Walls 4: 8 coordinates put on the grid, by up to 0.75 px"}));
-  Options exact;
-  exact.tolerance = 0;
-  EXPECT_EQ(areaInCells(mustImport(objectLayer(object), exact)), 62.75 / 32);
+  EXPECT_EQ(areaInCells(mustImport(objectLayer(object), {.tolerance = 0})), 62.75 / 32);
 }
 
 TEST(TiledObjectLayers, ThoseAreTakenThatSaySo) {
@@ -108,10 +106,7 @@ TEST(TiledObjectLayers, TheyCanBeChosen) {
                               objectLayer(rectangle(32, 0, 32, 32), "name='A'") +
                               objectLayer(rectangle(64, 0, 32, 32)) + "</group>" + csvLayer(1, 1, "0");
   const auto cells = [&](std::optional<std::vector<std::string>> objects, std::vector<std::string> layers = {}) {
-    Options options;
-    options.objects = std::move(objects);
-    options.layers = std::move(layers);
-    return cellsOf(mustImport(content, options));
+    return cellsOf(mustImport(content, {.layers = std::move(layers), .objects = std::move(objects)}));
   };
   using Cells = std::vector<Cell>;
   EXPECT_EQ(cells(std::nullopt), (Cells{{2, -1}}));
@@ -122,9 +117,8 @@ TEST(TiledObjectLayers, TheyCanBeChosen) {
   EXPECT_EQ(cells(std::nullopt, {"Ground"}), Cells{}) << "only this layer";
   EXPECT_EQ(cells(std::nullopt, {"G"}), (Cells{{2, -1}}));
   EXPECT_EQ(cells({{"A"}}, {"Ground"}), (Cells{{0, -1}, {1, -1}}));
-  Options options;
-  options.objects = {"Ground"};
-  EXPECT_EQ(refusalOf(mapXml(content), options), "maps/test.tmx: 'Ground' is a tile layer: --layer Ground");
+  EXPECT_EQ(refusalOf(mapXml(content), {.objects = {{"Ground"}}}),
+            "maps/test.tmx: 'Ground' is a tile layer: --layer Ground");
 }
 
 TEST(TiledObjectLayers, WhatComesFirstStays) {
@@ -179,9 +173,7 @@ TEST(TiledObjectLayers, BlocksByClassOrLayer) {
   const std::string content = objectLayer(rectangle(0, 0, 32, 32) + rectangle(32, 0, 32, 32, "id='2' class='ice'"),
                                           "name='Walls' class='rock'") +
                               objectLayer(rectangle(64, 0, 32, 32), "name='Ground'");
-  Options options;
-  options.blockFrom = BlockFrom::tileClass;
-  const auto byClass = mustImport(content, options);
+  const auto byClass = mustImport(content, {.blockFrom = BlockFrom::tileClass});
   const auto blocks = [](const ImportedMap& map) {
     std::vector<Block> result;
     for (const MapPolygon& p : map.placements) result.push_back(p.block);
@@ -189,15 +181,12 @@ TEST(TiledObjectLayers, BlocksByClassOrLayer) {
   };
   EXPECT_EQ(blocks(byClass), (std::vector<Block>{byClass.block("rock").value(), byClass.block("ice").value(),
                                                  byClass.block("").value()}));
-  options.blockFrom = BlockFrom::layer;
-  options.blocks = {{"Ground", 7}};
-  EXPECT_EQ(blocks(mustImport(content, options)), (std::vector<Block>{1, 1, 7}));
+  EXPECT_EQ(blocks(mustImport(content, {.blockFrom = BlockFrom::layer, .blocks = {{"Ground", 7}}})),
+            (std::vector<Block>{1, 1, 7}));
 }
 
 TEST(TiledObjectLayers, BlocksByName) {
-  Options options;
-  options.blockFrom = BlockFrom::name;
-  options.blocks = {{"lava", 9}, {"rock", 5}};
+  const Options options{.blockFrom = BlockFrom::name, .blocks = {{"lava", 9}, {"rock", 5}}};
   const auto map =
       mustImport(objectLayer(rectangle(0, 0, 32, 32, "id='1' name='lava' type='rock'") +
                                  rectangle(32, 0, 32, 32, "id='2' type='rock'") + rectangle(64, 0, 32, 32, "id='3'"),
@@ -245,8 +234,7 @@ TEST(TiledObjectLayers, WhatIsLeftOutAndWhy) {
 TEST(TiledObjectLayers, TheLimitCountsTheCellsOfTheirBoxes) {
   constexpr std::size_t kCells = 1'000 * 1'000;
   const auto limit = [](const std::string& xml, std::size_t cells) {
-    Options options;
-    options.maxObjectCells = cells - kObjectCellsPerByte * xml.size();
+    const Options options{.maxObjectCells = cells - kObjectCellsPerByte * xml.size()};
     return options;
   };
   const std::string xml = mapXml(objectLayer(rectangle(0, 0, 32'000, 32'000)));
@@ -284,28 +272,20 @@ TEST(TiledObjectLayers, ANoteOfSeveralIsOfEachOfThem) {
 TEST(TiledObjectLayers, ALayerOfTheOtherKindIsNamedWithItsOption) {
   const std::string content = csvLayer(1, 1, "0") + "<group name='G'>" + objectLayer("", "name='Boxes'") + "</group>";
   for (const char* name : {"Boxes", "G/Boxes"}) {
-    Options options;
-    options.layers = {name};
     const std::string text = name;
-    EXPECT_EQ(refusalOf(mapXml(content), options),
+    EXPECT_EQ(refusalOf(mapXml(content), {.layers = {name}}),
               "maps/test.tmx: '" + text + "' is an object layer: --objects " + text);
   }
-  Options options;
-  options.objects = {{"Ground"}};
-  EXPECT_EQ(refusalOf(mapXml(content), options), "maps/test.tmx: 'Ground' is a tile layer: --layer Ground");
-  options.objects = {{"Boxes"}};
-  options.layers = {"G"};
-  EXPECT_EQ(refusalOf(mapXml(content), options), "accepted");
+  EXPECT_EQ(refusalOf(mapXml(content), {.objects = {{"Ground"}}}),
+            "maps/test.tmx: 'Ground' is a tile layer: --layer Ground");
+  EXPECT_EQ(refusalOf(mapXml(content), {.layers = {"G"}, .objects = {{"Boxes"}}}), "accepted");
 }
 
 TEST(TiledObjectLayers, TheProjectsOwnCave) {
-  Options options;
-  options.blockFrom = BlockFrom::tileClass;
-  const auto map = importMap(LGS_SOURCE_DIR "/examples/maps/cave.tmx", options);
-  ASSERT_TRUE(map) << message(map.error());
-  EXPECT_EQ(worldOf(*map).loops().size(), 2U) << "the plank, and all else";
-  EXPECT_EQ(map->report.blocks.size(), 3U);
-  EXPECT_EQ(layerNotes(*map).front(), "Walls 10: an open polyline has no area: close it, or draw a polygon instead");
+  const auto map = test::must(importMap(LGS_SOURCE_DIR "/examples/maps/cave.tmx", {.blockFrom = BlockFrom::tileClass}));
+  EXPECT_EQ(worldOf(map).loops().size(), 2U) << "the plank, and all else";
+  EXPECT_EQ(map.report.blocks.size(), 3U);
+  EXPECT_EQ(layerNotes(map).front(), "Walls 10: an open polyline has no area: close it, or draw a polygon instead");
 }
 
 }  // namespace

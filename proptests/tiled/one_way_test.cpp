@@ -1,8 +1,6 @@
 // Open polylines that are one-way become thin polygons, if that is asked for.
 #include "maps.h"
 
-#include "lib/tiled/src/properties.h"
-
 #include <cmath>
 #include <limits>
 
@@ -19,8 +17,7 @@ std::string polyline(const std::string& points, const std::string& attributes = 
 }
 
 Options thick(double pixels) {
-  Options options;
-  options.polylineThickness = pixels;
+  const Options options{.polylineThickness = pixels};
   return options;
 }
 

@@ -56,12 +56,7 @@ TEST(TiledPlacer, CellsComeRowByRowAndEachWithItsNumber) {
 
 /// As importTile(), but without a World, which is slow if hundreds of polygons share a cell.
 ImportedMap importAlone(const std::string& objects, const Options& options) {
-  auto map = importFiles({{"maps/test.tmx", mapXml(tilesetXml({objects}) + csvLayer(1, 1, "1"))}}, options);
-  if (!map) {
-    ADD_FAILURE() << message(map.error());
-    return {};
-  }
-  return std::move(*map);
+  return test::must(importFiles({{"maps/test.tmx", mapXml(tilesetXml({objects}) + csvLayer(1, 1, "1"))}}, options));
 }
 
 TEST(TiledPlacer, WhatIsLeftIsFilledHoweverMuchIsThere) {
@@ -72,9 +67,7 @@ TEST(TiledPlacer, WhatIsLeftIsFilledHoweverMuchIsThere) {
   };
   for (int k = 0; k < 11; ++k) add(2, 2 + k, 8, 0.5);
   for (int k = 0; k < 14; ++k) add(11 + k * 0.5, 1.5, 0.25, 29);
-  Options options;
-  options.tolerance = 0;
-  const auto map = importTile(objects + "<object id='7' width='32' height='32'/>", options);
+  const auto map = importTile(objects + "<object id='7' width='32' height='32'/>", {.tolerance = 0});
   EXPECT_EQ(areaInCells(map), 1);
   EXPECT_EQ(noteKinds(map), (std::vector<NoteKind>{NoteKind::trimmed}));
 }
@@ -163,9 +156,7 @@ TEST(TiledPlacer, SliversAreDropped) {
 TEST(TiledPlacer, WhatMeetsInACellIsTakenFromTheBudget) {
   constexpr std::size_t kSteps = 3 * 1'000 + (1 + 2) * (100 + 8 * 8);  // three bars of four corners
   for (const std::size_t less : {std::size_t{0}, std::size_t{1}}) {
-    Options options;
-    options.maxWork = kSteps - less;
-    Budget budget(options);
+    Budget budget({.maxWork = kSteps - less});
     Placer placer(budget);
     for (const Cell cell : {Cell{0, 0}, Cell{1, 0}}) {  // what happened in one cell is known in the next
       for (std::int64_t x = 0; x < 3'000; x += 1'000) {
@@ -191,8 +182,7 @@ std::string combObject(int id, int y) {
 }
 
 TEST(TiledPlacer, VerticesTooManyForACell) {
-  Options options;
-  options.tolerance = 0;
+  const Options options{.tolerance = 0};
   std::string objects;
   for (int k = 1; k <= 4; ++k) objects += combObject(k, 4 * k);
   const std::string corner = "<object id='9'><polygon points='0,32 1,32 0,31'/></object>";

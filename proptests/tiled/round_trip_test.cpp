@@ -5,6 +5,7 @@
 #include "oracle/trace/dump.h"
 #include "oracle/trace/player.h"
 #include "proptests/support/law.h"
+#include "proptests/support/must.h"
 
 #include <gtest/gtest.h>
 
@@ -67,9 +68,7 @@ rc::Gen<AnyMap> anyMap() {
 
 TEST(TiledRoundTrip, RandomMaps) {
   const auto law = [](const AnyMap& any) {
-    Options options;
-    options.outside = any.outside;
-    const ImportedMap map = mustImportFiles({{"maps/test.tmx", xmlOf(any)}}, options);
+    const ImportedMap map = mustImportFiles({{"maps/test.tmx", xmlOf(any)}}, {.outside = any.outside});
     const bool isEmpty = std::ranges::all_of(any.tiles, [](std::uint32_t tile) { return tile == 0; });
     ASSERT_EQ(map.report.polygons == 0, isEmpty);
     comesBack(cli::traceOf(map), worldOf(map));
@@ -78,9 +77,8 @@ TEST(TiledRoundTrip, RandomMaps) {
 }
 
 TEST(TiledRoundTrip, TheProjectsOwnMap) {
-  const auto map = importMap(LGS_SOURCE_DIR "/examples/maps/landscape.tmx");
-  ASSERT_TRUE(map) << message(map.error());
-  comesBack(cli::traceOf(*map), worldOf(*map));
+  const auto map = test::must(importMap(LGS_SOURCE_DIR "/examples/maps/landscape.tmx"));
+  comesBack(cli::traceOf(map), worldOf(map));
 }
 
 }  // namespace

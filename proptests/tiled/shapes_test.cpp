@@ -30,8 +30,7 @@ TEST(TiledSnapping, SlopesJoinTheFlatGroundWithoutAStep) {
   EXPECT_NEAR(map.report.tiles[0].notes[0].pixels, 0.8, 1e-9);
   EXPECT_NE(toText(map.report).find("6 coordinates put on the grid, by up to 0.8 px"), std::string::npos);
 
-  Options strict;
-  strict.tolerance = 0.5;  // the foot of the slope is 0.8 px too high and stays there
+  const Options strict{.tolerance = 0.5};  // the foot of the slope is 0.8 px too high and stays there
   const auto steps = mustImportFiles({{"maps/test.tmx", slopeMap()}}, strict);
   EXPECT_GT(worldOf(steps).loops(Collinear::merge).at(0).vertices.size(), 6U);
   EXPECT_EQ(noteKinds(steps), (std::vector<NoteKind>{NoteKind::snapped, NoteKind::nearMiss}));
@@ -39,8 +38,7 @@ TEST(TiledSnapping, SlopesJoinTheFlatGroundWithoutAStep) {
 
 TEST(TiledSnapping, AVertexNearACornerIsNotedUpToA32thOfATile) {
   const auto imported = [](const std::string& miss) {
-    Options options;
-    options.tolerance = 0.75;  // pixels, of 32
+    const Options options{.tolerance = 0.75};  // pixels, of 32
     return importTile("<object id='1'><polygon points='0,32 32,32 32," + miss + "'/></object>", options);
   };
   const auto kindsOf = [&](const std::string& miss) { return noteKinds(imported(miss)); };
@@ -55,8 +53,7 @@ TEST(TiledSnapping, AVertexNearACornerIsNotedUpToA32thOfATile) {
 TEST(TiledSnapping, OnlyWithinTheTolerance) {
   const std::string objects = "<object id='1' x='2.5' y='-1' width='29' height='20'/>";
   EXPECT_EQ(ringsIn(importTile(objects), {0, -1}), (std::vector<Ring>{px({{2.5, 13}, {32, 13}, {32, 32}, {2.5, 32}})}));
-  Options options;
-  options.tolerance = 3;
+  Options options{.tolerance = 3};
   EXPECT_EQ(ringsIn(importTile(objects, options), {0, -1}),
             (std::vector<Ring>{px({{0, 13}, {32, 13}, {32, 32}, {0, 32}})}));
   options.tolerance = 1000;  // a quarter of the tile is used
@@ -71,9 +68,7 @@ TEST(TiledReach, CarriedOrCutOff) {
   EXPECT_EQ(cellsOf(carried), (std::vector<Cell>{{0, -2}, {1, -2}, {0, -1}, {1, -1}}));
   EXPECT_DOUBLE_EQ(areaInCells(carried), 1.0);
   EXPECT_EQ(worldOf(carried).loops(Collinear::merge).at(0).vertices.size(), 4U);
-  Options options;
-  options.outside = Outside::clip;
-  const auto clipped = importTile(objects, options);
+  const auto clipped = importTile(objects, {.outside = Outside::clip});
   EXPECT_EQ(ringsIn(clipped, {0, -1}), (std::vector<Ring>{px({{16, 0}, {32, 0}, {32, 16}, {16, 16}})}));
   EXPECT_EQ(clipped.placements.size(), 1U);
   EXPECT_EQ(noteKinds(clipped), (std::vector<NoteKind>{NoteKind::clipped}));
@@ -165,8 +160,6 @@ int insideOf(const Outline& ring, DoublePoint p) {
 
 TEST(TiledProperty, CoverageIsTheUnionOfTheObjects) {
   std::mt19937 random(20);
-  Options options;
-  options.tolerance = 0;
   for (int round = 0; round < 200; ++round) {
     std::vector<Outline> stars;
     std::string objects;
@@ -176,7 +169,7 @@ TEST(TiledProperty, CoverageIsTheUnionOfTheObjects) {
       for (DoublePoint p : stars.back()) objects += std::to_string(p.x) + "," + std::to_string(p.y) + " ";
       objects += "'/></object>";
     }
-    const auto map = importTile(objects, options);
+    const auto map = importTile(objects, {.tolerance = 0});
     const auto kinds = noteKinds(map);
     ASSERT_EQ(std::count(kinds.begin(), kinds.end(), NoteKind::leftOut), 0) << objects;
     for (int probe = 0; probe < 200; ++probe) {

@@ -1,8 +1,9 @@
 // Names in commands that messages print: a shell must give back what the map says.
 #include "maps.h"
+#include "oracle/check/shell.h"
+#include "proptests/support/command.h"
 
 #include <cctype>
-#include <cstdio>
 
 namespace lgs::tiled {
 namespace {
@@ -29,26 +30,15 @@ TEST(TiledShellWord, IsInQuotesIfItHasToBe) {
 TEST(TiledShellWord, BashGivesItBack) {
   for (const std::string word :
        {"it's \"so\"", "$HOME `x` $(y)", "a\tb\\n'c'", "\x1B]0;x\a", "~", "*", "-x", "\n", "é \n7"}) {
-    const std::string script = "printf %s " + shellWord(word);
-    std::string quotedScript;
-    for (const char c : script) quotedScript += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    FILE* const pipe = ::popen(("bash -c '" + quotedScript + "'").c_str(), "r");
-    ASSERT_NE(pipe, nullptr);
-    char bytes[99] = {};
-    const std::size_t size = std::fread(bytes, 1, sizeof bytes, pipe);
-    ::pclose(pipe);
-    EXPECT_EQ(std::string(bytes, size), word);
+    EXPECT_EQ(test::outcomeOf("bash -c " + oracle::shellWord("printf %s " + shellWord(word))).text, word);
   }
 }
 
 TEST(TiledShellWord, IsInTheErrorsThatNameAnOption) {
-  Options options;
-  options.layers = {"Bob's boxes"};
   const std::string walls = "<objectgroup name=\"Bob's boxes\"/>";
-  EXPECT_EQ(refusalOf(mapXml(walls), options),
+  EXPECT_EQ(refusalOf(mapXml(walls), {.layers = {"Bob's boxes"}}),
             "maps/test.tmx: 'Bob's boxes' is an object layer: --objects 'Bob'\\''s boxes'");
-  options.layers = {"a\nb"};
-  EXPECT_EQ(refusalOf(mapXml("<objectgroup name='a&#10;b'/>"), options),
+  EXPECT_EQ(refusalOf(mapXml("<objectgroup name='a&#10;b'/>"), {.layers = {"a\nb"}}),
             "maps/test.tmx: 'a b' is an object layer: --objects $'a\\012b'");
 }
 

@@ -23,9 +23,7 @@ std::string layer(const std::string& name, const std::string& csv, const std::st
 TEST(TiledSolidIf, PropertiesOfTiles) {
   const std::string content = plainTiles({"true", "false", "0", "rock"}) + layer("L", "1,2,3,4");
   const auto cells = [&](std::vector<std::string> rules) {
-    Options options;
-    options.solidIf = std::move(rules);
-    return cellsOf(mustImport(content, options));
+    return cellsOf(mustImport(content, {.solidIf = std::move(rules)}));
   };
   EXPECT_EQ(cells({}), std::vector<Cell>{});
   EXPECT_EQ(cells({"p"}), (std::vector<Cell>{{0, -1}, {3, -1}}));
@@ -37,9 +35,8 @@ TEST(TiledSolidIf, PropertiesOfTiles) {
 TEST(TiledSolidIf, PropertiesOfLayers) {
   const std::string half = "<object id='1' y='16' width='32' height='16'/>";
   const std::string set = tilesetXml({half}, "") + "<tileset firstgid='7' tilewidth='32' tileheight='32'/>";
-  Options options;
-  options.solidIf = {"wall"};
-  const auto map = mustImport(set + layer("A", "7,0,0,0") + layer("B", "0,7,1,0", property("wall", "true")), options);
+  const auto map =
+      mustImport(set + layer("A", "7,0,0,0") + layer("B", "0,7,1,0", property("wall", "true")), {.solidIf = {"wall"}});
   EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{1, -1}, {2, -1}}));
   EXPECT_EQ(ringsIn(map, {1, -1}), (std::vector<Ring>{kSquare}));
   EXPECT_NE(ringsIn(map, {2, -1}), (std::vector<Ring>{kSquare})) << "a tile with shapes keeps them";
@@ -50,9 +47,8 @@ TEST(TiledSolidIf, ValuesMayStandInTheElement) {
   const std::string set =
       "<tileset firstgid='1' tilewidth='32' tileheight='32'><tile id='0'><properties>"
       "<property name='p'>rock\nand stone</property></properties></tile></tileset>";
-  Options options;
-  options.solidIf = {"p=rock\nand stone"};
-  EXPECT_EQ(cellsOf(mustImport(set + layer("L", "1,0,0,0"), options)), (std::vector<Cell>{{0, -1}}));
+  EXPECT_EQ(cellsOf(mustImport(set + layer("L", "1,0,0,0"), {.solidIf = {"p=rock\nand stone"}})),
+            (std::vector<Cell>{{0, -1}}));
 }
 
 /// "collision solid", "ground wall" or "-".
@@ -151,10 +147,8 @@ TEST(TiledSuggestions, WhatLooksLikeCollisionIsTakenByItself) {
 }
 
 TEST(TiledSuggestions, FullSquaresOnlyWhereTheyHelp) {
-  Options options;
-  options.layers = {"A"};
   const std::string shapeless = "<tileset firstgid='1' tilewidth='32' tileheight='32'/>";
-  EXPECT_EQ(suggestionsOf(shapeless + layer("A", "1,1,1,0") + layer("B", "1,0,0,0"), options),
+  EXPECT_EQ(suggestionsOf(shapeless + layer("A", "1,1,1,0") + layer("B", "1,0,0,0"), {.layers = {"A"}}),
             (std::vector<std::string>{"tile layer A, 75 % of the map: nothing says what it is | --layer A --solid"}));
   const std::string open = "<object id='1'><polyline points='0,0 32,0'/></object>";
   for (const char* name : {"L", "Ground"}) {

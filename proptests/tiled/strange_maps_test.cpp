@@ -1,12 +1,9 @@
 // What a map from a stranger may read: regular files below its folder, unless an option opens more.
 #include "maps.h"
+#include "proptests/support/command.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
-#include <filesystem>
-#include <fstream>
-#include <random>
-
 #include "lib/tiled/src/below.h"
 
 namespace lgs::tiled {
@@ -86,32 +83,26 @@ TEST(TiledStrangeMaps, OtherFilesAreNotQuoted) {
   EXPECT_NE(said(mapXml("", "width='mine'"), asked).find("mine"), std::string::npos) << "the map's own text is";
 }
 
-class TiledDisk : public testing::Test {
+class TiledDisk : public test::InAFolder {
  protected:
   void SetUp() override {
-    top_ = fs::temp_directory_path() / ("lgs_strange_" + std::to_string(std::random_device()()));
-    fs::create_directories(top_ / "maps/sub");
+    InAFolder::SetUp();
+    fs::create_directories(folder_ / "maps/sub");
     put("secret.tsx", kSet);
     put("maps/own.tsx", kSet);
     put("maps/sub/own.tsx", kSet);
   }
-  void TearDown() override { fs::remove_all(top_); }
-
-  void put(const std::string& name, const std::string& text) const { std::ofstream(top_ / name) << text; }
 
   /// What the import of a map that names a tileset says.
   std::string said(const std::string& source, bool anywhere = false) const {
     put("maps/a.tmx", mapXml("<tileset firstgid='1' source='" + source + "'/>" + csvLayer(1, 1, "1")));
-    Options options;
-    options.filesAnywhere = anywhere;
-    const auto map = importMap((top_ / "maps/a.tmx").string(), options);
+    const auto map = importMap(path("maps/a.tmx"), {.filesAnywhere = anywhere});
     if (map) return "accepted";
     const std::string text = message(map.error());
     return text.substr(std::min(text.size(), text.find("cannot be read: ") + 16));
   }
 
   static constexpr const char* kSet = "<tileset name='s' tilewidth='32' tileheight='32'/>";
-  fs::path top_;
 };
 
 TEST_F(TiledDisk, OnlyFilesBelowTheFolderOfTheMap) {
@@ -120,18 +111,18 @@ TEST_F(TiledDisk, OnlyFilesBelowTheFolderOfTheMap) {
   EXPECT_EQ(said("sub/../own.tsx"), "accepted");
   EXPECT_EQ(said("../secret.tsx"), kOutside);
   EXPECT_EQ(said("../secret.tsx", true), "accepted");
-  EXPECT_EQ(said((top_ / "secret.tsx").string()), kOutside);
-  EXPECT_EQ(said((top_ / "secret.tsx").string(), true), "accepted");
+  EXPECT_EQ(said(path("secret.tsx")), kOutside);
+  EXPECT_EQ(said(path("secret.tsx"), true), "accepted");
   EXPECT_EQ(said("none.tsx"), "there is no such file, or no permission to read it");
   EXPECT_EQ(said("sub"), "it is a folder");
 }
 
 TEST_F(TiledDisk, LinksLeadNowhereElse) {
-  fs::create_symlink(top_ / "secret.tsx", top_ / "maps/out.tsx");
-  fs::create_symlink(top_ / "none.tsx", top_ / "maps/broken.tsx");
-  fs::create_directory_symlink(top_, top_ / "maps/up");
-  fs::create_symlink("sub/own.tsx", top_ / "maps/in.tsx");
-  fs::create_symlink("loop.tsx", top_ / "maps/loop.tsx");
+  fs::create_symlink(folder_ / "secret.tsx", folder_ / "maps/out.tsx");
+  fs::create_symlink(folder_ / "none.tsx", folder_ / "maps/broken.tsx");
+  fs::create_directory_symlink(folder_, folder_ / "maps/up");
+  fs::create_symlink("sub/own.tsx", folder_ / "maps/in.tsx");
+  fs::create_symlink("loop.tsx", folder_ / "maps/loop.tsx");
   EXPECT_EQ(said("out.tsx"), "it is a symbolic link out of the map's folder");
   EXPECT_EQ(said("up/secret.tsx"), "it is a symbolic link out of the map's folder");
   EXPECT_EQ(said("out.tsx", true), "accepted");
@@ -139,23 +130,23 @@ TEST_F(TiledDisk, LinksLeadNowhereElse) {
   for (const char* none : {"broken.tsx", "up/none.tsx", "loop.tsx"}) {
     EXPECT_EQ(said(none), "there is no such file, or no permission to read it") << none;
   }
-  fs::create_directory_symlink(top_ / "maps", top_ / "here");
+  fs::create_directory_symlink(folder_ / "maps", folder_ / "here");
   put("maps/a.tmx", mapXml("<tileset firstgid='1' source='own.tsx'/>"));
-  EXPECT_TRUE(importMap((top_ / "here/a.tmx").string())) << "the map's own folder may be a link";
+  EXPECT_TRUE(importMap(path("here/a.tmx"))) << "the map's own folder may be a link";
 }
 
 TEST_F(TiledDisk, NothingThatCouldBlock) {
-  ASSERT_EQ(::mkfifo((top_ / "maps/fifo.tsx").c_str(), 0600), 0);
+  ASSERT_EQ(::mkfifo(path("maps/fifo.tsx").c_str(), 0600), 0);
   EXPECT_EQ(said("fifo.tsx"), "it is no regular file");
   EXPECT_EQ(said("fifo.tsx", true), "it is no regular file");
   EXPECT_EQ(said("/dev/zero", true), "it is no regular file");
-  EXPECT_EQ(readFile((top_ / "maps/fifo.tsx").string()).error(), "it is no regular file");
+  EXPECT_EQ(readFile(path("maps/fifo.tsx")).error(), "it is no regular file");
 }
 
 TEST_F(TiledDisk, AReaderOfAFolderChecksItsPathsItself) {
-  const FileReader reader = readerBelow((top_ / "maps").string());
-  EXPECT_TRUE(reader((top_ / "maps/own.tsx").string()));
-  EXPECT_EQ(reader((top_ / "maps/../secret.tsx").string()).error(), "it is not below the folder");
+  const FileReader reader = readerBelow(path("maps"));
+  EXPECT_TRUE(reader(path("maps/own.tsx")));
+  EXPECT_EQ(reader(path("maps/../secret.tsx")).error(), "it is not below the folder");
   EXPECT_EQ(reader("own.tsx").error(), "it is not below the folder");
 }
 

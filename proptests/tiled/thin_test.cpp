@@ -3,8 +3,6 @@
 #include "proptests/support/law.h"
 
 #include <array>
-#include <cmath>
-#include <cstdint>
 #include <ostream>
 
 namespace lgs::tiled {
@@ -76,9 +74,8 @@ TEST(TiledThinShapes, NeighboursMayBecomeOneVertex) {
 }
 
 TEST(TiledThinShapes, ASmallerToleranceSnapsTheRest) {
-  Options options;
-  options.tolerance = 0.5;
-  for (const auto& map : bothWays("<object id='1' x='0.25' y='0.25' width='0.75' height='31.5'/>", options)) {
+  for (const auto& map :
+       bothWays("<object id='1' x='0.25' y='0.25' width='0.75' height='31.5'/>", {.tolerance = 0.5})) {
     EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{0, 0}, {1, 0}, {1, 32}, {0, 32}})}));
     EXPECT_EQ(noteTexts(map), (std::vector<std::string>{"6 coordinates put on the grid, by up to 0.25 px"}));
   }
@@ -119,9 +116,7 @@ rc::Gen<Bar> anyBar() {
 
 TEST(TiledThinShapes, NoBarIsLostOrFallsApart) {
   const auto law = [](const Bar& bar, int tolerance) {
-    Options options;
-    options.tolerance = tolerance / 4.0;
-    for (const auto& map : bothWays(objectOf(bar), options)) {
+    for (const auto& map : bothWays(objectOf(bar), {.tolerance = tolerance / 4.0})) {
       EXPECT_GT(areaInCells(map), 0);
       EXPECT_EQ(worldOf(map).loops().size(), 1U);
     }

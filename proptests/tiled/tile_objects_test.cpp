@@ -83,9 +83,8 @@ TEST(TiledTileObjects, ClassesFromTheNearestThatHasOne) {
     const std::string set = "<tileset firstgid='1' tilewidth='32' tileheight='32'><tile id='0' class='" + tile +
                             "'><objectgroup><object id='1' class='" + shape +
                             "' width='32' height='32'/></objectgroup></tile></tileset>";
-    Options options;
-    options.blockFrom = BlockFrom::tileClass;
-    options.blocks = {{"shape", 1}, {"object", 2}, {"tile", 3}, {"layer", 4}};
+    const Options options{.blockFrom = BlockFrom::tileClass,
+                          .blocks = {{"shape", 1}, {"object", 2}, {"tile", 3}, {"layer", 4}}};
     return mustImport(set + "<objectgroup name='Walls' class='layer'><object id='3' gid='1' class='" + object +
                           "' x='0' y='32'/></objectgroup>",
                       options)
@@ -105,12 +104,10 @@ TEST(TiledTileObjects, WithoutShapesTheyAreSquaresIfAskedFor) {
   const std::string content = set + wall(
                                         "<object id='3' gid='1' x='0' y='32' width='64' height='32'/>"
                                         "<object id='4' gid='2' x='0' y='64' width='32' height='32'/>");
-  Options options;
   EXPECT_TRUE(mustImport(content).placements.empty());
-  options.solidIf = {"hard"};
-  EXPECT_EQ(cellsOf(mustImport(content, options)), (std::vector<Cell>{{0, -1}, {1, -1}}));
-  options.solidWithoutShapes = true;
-  EXPECT_EQ(cellsOf(mustImport(content, options)), (std::vector<Cell>{{0, -2}, {0, -1}, {1, -1}}));
+  EXPECT_EQ(cellsOf(mustImport(content, {.solidIf = {"hard"}})), (std::vector<Cell>{{0, -1}, {1, -1}}));
+  EXPECT_EQ(cellsOf(mustImport(content, {.solidWithoutShapes = true, .solidIf = {"hard"}})),
+            (std::vector<Cell>{{0, -2}, {0, -1}, {1, -1}}));
 }
 
 Files templateFiles(const std::string& objects, const std::string& text) {

@@ -25,25 +25,20 @@ TEST(TiledTileTable, PolygonsSquaresAndNothing) {
   EXPECT_EQ(ringsIn(map, {1, -1}), (std::vector<Ring>{px({{0, 0}, {32, 0}, {32, 16}})}));
   EXPECT_TRUE(ringsIn(map, {2, -1}).empty());
   EXPECT_EQ(ringsIn(map, {3, -1}), ringsIn(map, {1, -1}));
-  Options all;
-  all.solidWithoutShapes = true;
-  EXPECT_EQ(cellsOf(importRow("2 none", all)), (std::vector<Cell>{{0, -1}, {1, -1}, {3, -1}})) << "it stays free";
+  EXPECT_EQ(cellsOf(importRow("2 none", {.solidWithoutShapes = true})), (std::vector<Cell>{{0, -1}, {1, -1}, {3, -1}}))
+      << "it stays free";
 }
 
 TEST(TiledTileTable, OneWayPlatforms) {
-  Options thick;
-  thick.polylineThickness = 8;
-  thick.blockFrom = BlockFrom::tileClass;
-  const auto map = importRow("0 oneway 0 1, 1 1", thick);
+  const auto map = importRow("0 oneway 0 1, 1 1", {.blockFrom = BlockFrom::tileClass, .polylineThickness = 8});
   EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{0, 24}, {32, 24}, {32, 32}, {0, 32}})}));
   EXPECT_TRUE(map.block("one-way"));
   EXPECT_TRUE(importRow("0 oneway 0 1, 1 1").placements.empty()) << "it has no area";
 }
 
 TEST(TiledTileTable, ShapesOfATilesetReplaceItsOwn) {
-  Options options;
-  options.tiles = tableOf("tileset other\n0 none\ntileset set\n0 0 0, 1/2 0, 0.5 1, 0 1");
-  const auto map = mustImport(tilesetXml({kFullTile, kFullTile}) + csvLayer(2, 1, "1,2"), options);
+  const auto map = mustImport(tilesetXml({kFullTile, kFullTile}) + csvLayer(2, 1, "1,2"),
+                              {.tiles = tableOf("tileset other\n0 none\ntileset set\n0 0 0, 1/2 0, 0.5 1, 0 1")});
   EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{0, 0}, {16, 0}, {16, 32}, {0, 32}})}));
   EXPECT_EQ(ringsIn(map, {1, -1}), (std::vector<Ring>{kSquare})) << "the table does not name it";
   EXPECT_EQ(

@@ -47,13 +47,9 @@ tl::expected<ImportedMap, ImportError> importWorld(const std::string& text, File
 }
 
 ImportedMap mustImportPatterns(const std::string& text, const Files& files) {
-  auto map = importWorld(text, files);
-  if (!map) {
-    ADD_FAILURE() << message(map.error());
-    return {};
-  }
-  worldOf(*map);
-  return std::move(*map);
+  ImportedMap map = test::must(importWorld(text, files));
+  worldOf(map);
+  return map;
 }
 
 std::vector<std::string> layersOf(const ImportedMap& map) {

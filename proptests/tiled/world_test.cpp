@@ -1,5 +1,6 @@
 // Worlds of Tiled: maps side by side.
 #include "maps.h"
+#include "proptests/support/must.h"
 
 #include <algorithm>
 
@@ -47,9 +48,8 @@ TEST(TiledWorlds, MapsLieWhereTheWorldPutsThem) {
   EXPECT_EQ(map.placements.at(1).layer, 1U);
   ASSERT_EQ(map.report.tiles.size(), 1U) << "both maps use the same tile";
   EXPECT_EQ(map.report.tiles.at(0).uses, 2U);
-  const auto json = asJson(small("1,0,0,0"));
-  ASSERT_TRUE(json);
-  expectAlike(map, mustImportWorld(worldFiles(kBeside, *json, small("0,0,0,1"))));
+  const auto json = test::must(asJson(small("1,0,0,0")));
+  expectAlike(map, mustImportWorld(worldFiles(kBeside, json, small("0,0,0,1"))));
 }
 
 /// What reaches out of a map goes into the next one, where nothing is in its way; what comes later loses what is
@@ -83,8 +83,7 @@ TEST(TiledWorlds, NamesOfLayersAreTheSameInAllMaps) {
   const Files files = worldFiles(kBeside, small("1,0,0,0", walls), small("0,0,0,1"));
   const auto cells = [&](const Options& options) { return cellsOf(mustImportWorld(files, options)); };
   const std::vector<Cell> box{{0, -2}}, a{{0, -2}, {0, -1}}, grounds{{0, -1}, {3, -1}}, ofB{{3, -1}};
-  Options options;
-  options.layers = {"Ground"};
+  Options options{.layers = {"Ground"}};
   EXPECT_EQ(cells(options), grounds);
   options.layers = {"a"};
   EXPECT_EQ(cells(options), a);
@@ -97,9 +96,8 @@ TEST(TiledWorlds, NamesOfLayersAreTheSameInAllMaps) {
   options.layers = {"Ground"};
   EXPECT_EQ(cells(options), (std::vector<Cell>{{0, -2}, {0, -1}, {3, -1}}));
   options.objects = std::vector<std::string>{"Doors"};
-  const auto refused = importFiles(files, options);
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(message(refused.error()),
+  const auto refused = test::refusal(importFiles(files, options));
+  EXPECT_EQ(message(refused),
             "maps/test.tmx: <world> has no object layer or group 'Doors'; there are 'Walls', 'a', 'b'");
   for (const char* none : {"", "c", "Ground/b"}) {
     options = {};
@@ -117,9 +115,7 @@ TEST(TiledWorlds, ATileNamesItsLayersInAllMaps) {
   EXPECT_EQ(map.report.tiles[0].layers, (std::vector<std::uint32_t>{0, 2}));
   EXPECT_EQ(map.report.tiles[1].layers, (std::vector<std::uint32_t>{1}));
   EXPECT_NE(toText(map.report).find("in layer"), std::string::npos);
-  Options options;
-  options.visibleOnly = true;
-  EXPECT_EQ(mustImportWorld(files, options).report.tiles.size(), 1U);
+  EXPECT_EQ(mustImportWorld(files, {.visibleOnly = true}).report.tiles.size(), 1U);
 }
 
 TEST(TiledWorlds, PathsOfLayersBeginWithTheMapOrNot) {
@@ -133,9 +129,7 @@ TEST(TiledWorlds, PathsOfLayersBeginWithTheMapOrNot) {
   files["maps/a.tmx"] = inGroup("Upper");
   files["maps/b.tmx"] = inGroup("Upper");
   const auto cells = [&](const char* layer) {
-    Options options;
-    options.layers = {layer};
-    const auto map = mustImportWorld(files, options);
+    const auto map = mustImportWorld(files, {.layers = {layer}});
     EXPECT_TRUE(map.report.infinite);
     return cellsOf(map);
   };
@@ -150,29 +144,23 @@ TEST(TiledWorlds, PathsOfLayersBeginWithTheMapOrNot) {
 
 TEST(TiledWorlds, ANameHasOneBlockInAllMaps) {
   const Files files = worldFiles(kBeside, small("1,0,0,0"), small("2,0,0,1"));
-  Options options;
-  options.blockFrom = BlockFrom::tileClass;
-  const auto byClass = mustImportWorld(files, options);
+  const auto byClass = mustImportWorld(files, {.blockFrom = BlockFrom::tileClass});
   EXPECT_EQ(byClass.blocks, (std::map<std::string, Block>{{"rock", 1}, {"ice", 2}}));
   ASSERT_EQ(byClass.report.blocks.size(), 2U);
   EXPECT_EQ(byClass.report.blocks.at(0).name, "rock");
   EXPECT_EQ(byClass.report.blocks.at(0).polygons, 2U);
-  options.blockFrom = BlockFrom::layer;
-  const auto byLayer = mustImportWorld(files, options);
+  const auto byLayer = mustImportWorld(files, {.blockFrom = BlockFrom::layer});
   EXPECT_EQ(byLayer.blocks, (std::map<std::string, Block>{{"Ground", 1}})) << "whatever map it is in";
 }
 
 TEST(TiledWorlds, LimitsAreForAllMapsTogether) {
   const Files files = worldFiles(kBeside, small("1,1,0,0"), small("0,0,1,1"));
-  Options options;
-  options.maxTiles = 8;
-  options.maxPlacements = 4;
-  EXPECT_EQ(mustImportWorld(files, options).placements.size(), 4U);
-  options.maxTiles = 7;
-  EXPECT_NE(message(importFiles(files, options).error()).find("more tiles than the limit"), std::string::npos);
-  options.maxTiles = 8;
-  options.maxPlacements = 3;
-  EXPECT_NE(message(importFiles(files, options).error()).find("more polygons than the limit"), std::string::npos);
+  EXPECT_EQ(mustImportWorld(files, {.maxTiles = 8, .maxPlacements = 4}).placements.size(), 4U);
+  EXPECT_NE(message(importFiles(files, {.maxTiles = 7, .maxPlacements = 4}).error()).find("more tiles than the limit"),
+            std::string::npos);
+  EXPECT_NE(
+      message(importFiles(files, {.maxTiles = 8, .maxPlacements = 3}).error()).find("more polygons than the limit"),
+      std::string::npos);
 }
 
 TEST(TiledWorlds, AnEmptyWorldSaysWhatCouldBeTaken) {

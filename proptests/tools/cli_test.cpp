@@ -1,54 +1,15 @@
 // The lgs command as a user meets it: exit statuses, messages, files.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
-#include <array>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
+#include "proptests/support/command.h"
 
 namespace {
 
 namespace fs = std::filesystem;
+using ::lgs::test::Outcome;
 
-struct Outcome {
-  int status = -1;
-  std::string text;
-};
-
-class Command : public ::testing::Test {
+class Command : public lgs::test::InAFolder {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() /
-              (std::string("lgs-cli-") + ::testing::UnitTest::GetInstance()->current_test_info()->name() + "-" +
-               std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   Outcome lgs(const std::string& arguments, const std::string& errors = "2>&1") const {
-    const std::string line = "cd '" + folder_.string() + "' && '" LGS_COMMAND "' " + arguments + " " + errors;
-    Outcome outcome;
-    std::FILE* const pipe = ::popen(line.c_str(), "r");
-    if (pipe == nullptr) return outcome;
-    std::array<char, 4096> buffer{};
-    while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
-      outcome.text.append(buffer.data(), n);
-    }
-    const int ended = ::pclose(pipe);
-    outcome.status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
-    return outcome;
-  }
-
-  void put(const std::string& name, const std::string& content) const { std::ofstream(folder_ / name) << content; }
-
-  std::string get(const std::string& name) const {
-    std::ostringstream content;
-    content << std::ifstream(folder_ / name).rdbuf();
-    return content.str();
+    return lgs::test::outcomeOf("cd '" + folder_.string() + "' && '" LGS_COMMAND "' " + arguments + " " + errors);
   }
 
   void expect(const std::string& arguments, int status, const std::string& part) const {
@@ -56,8 +17,6 @@ class Command : public ::testing::Test {
     EXPECT_EQ(outcome.status, status) << arguments << "\n" << outcome.text;
     EXPECT_NE(outcome.text.find(part), std::string::npos) << arguments << "\n" << outcome.text;
   }
-
-  fs::path folder_;
 };
 
 const char* const kTwoSquares = "lgs-trace 1\nadd a 0 0 1  0 0 1 0 1 1 0 1\ncommit\nadd b 1 0 2  0 0 1 0 1 1 0 1\n";

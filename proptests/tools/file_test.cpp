@@ -1,5 +1,6 @@
 // Files that are written: the old one or the new one, never a part of it, when the writer dies or the disk is full.
 #include "oracle/trace/file.h"
+#include "proptests/support/command.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -7,29 +8,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include <csignal>
-#include <filesystem>
-#include <fstream>
 #include <functional>
-#include <random>
 
 namespace lgs::oracle {
 namespace {
 
 namespace fs = std::filesystem;
 
-class WrittenFile : public testing::Test {
+class WrittenFile : public test::InAFolder {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("lgs_written_" + std::to_string(std::random_device()()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name = "file") const { return (folder_ / name).string(); }
+  std::string path(const std::string& name = "file") const { return InAFolder::path(name); }
   static std::string content(const std::string& file) { return readFile(file).value_or("(none)"); }
   std::ptrdiff_t files() const { return std::distance(fs::directory_iterator(folder_), fs::directory_iterator()); }
-
-  fs::path folder_;
 };
 
 TEST_F(WrittenFile, IsNewOrReplaced) {

@@ -1,5 +1,6 @@
 // The naive reference and CGAL's union against each other, on random degenerate scenes.
 #include "oracle/calls/random.h"
+#include "oracle/calls/shapes.h"
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/check/isolated.h"
 #include "oracle/reference/compare.h"
@@ -19,91 +20,33 @@
 #include <functional>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace lgs::oracle {
 namespace {
 
-using Content = std::vector<std::vector<LocalPoint>>;  // the polygons of one cell
-
-constexpr std::int32_t kFull = kUnitsPerCell;
-constexpr std::int32_t kHalf = kFull / 2;
-constexpr std::int32_t kThird = kFull / 3;
-
-// Contents of a cell that touch each other and the rim in every degenerate way there is; used in all eight symmetries.
-const std::vector<Content> kPalette = {
-    {{{0, 0}, {kFull, 0}, {kFull, kFull}, {0, kFull}}},                                             // full
-    {{{0, 0}, {kFull, 0}, {kFull, kFull}}},                                                         // ramp
-    {{{0, 0}, {kFull, 0}, {kFull, kFull}}, {{0, 0}, {kFull, kFull}, {0, kFull}}},                   // diagonal shared
-    {{{0, 0}, {kFull, 0}, {kFull, kFull}}, {{0, 0}, {kHalf, kHalf}, {0, kFull}}},                   // shared in part
-    {{{0, 0}, {kFull, 0}, {kFull, kFull}}, {{kThird, kThird}, {kThird, kFull}, {0, kFull}}},        // tip on a slope
-    {{{0, 0}, {kFull, 0}, {kFull, kHalf}, {0, kHalf}}},                                             // half tile
-    {{{0, 0}, {kFull, 0}, {kFull, kHalf}, {0, kHalf}}, {{0, kHalf}, {kThird, kHalf}, {0, kFull}}},  // T-contact
-    {{{kHalf, 0}, {kFull, kHalf}, {kHalf, kFull}, {0, kHalf}}},                                     // diamond
-    {{{kHalf, 0}, {kFull, kHalf}, {kHalf, kFull}, {0, kHalf}}, {{0, 0}, {kHalf, 0}, {0, kHalf}}},   // and a corner
-    {{{0, 0}, {kFull, 0}, {kFull, kThird}, {kThird, kThird}, {kThird, kFull}, {0, kFull}}},         // L
-    {{{0, 0},
-      {kFull, 0},
-      {kFull, kFull},
-      {kThird, kFull},
-      {kThird, kHalf},
-      {kHalf, kHalf},
-      {kHalf, kThird},
-      {0, kThird}},
-     {{0, kThird}, {kThird, kHalf}, {kThird, kFull}, {0, kFull}}},                                // pocket, closed
-    {{{kThird, kThird}, {kHalf, kThird}, {kHalf, kHalf}, {kThird, kHalf}}},                       // island
-    {{{0, 0}, {kHalf, kHalf}, {0, kFull}}, {{kFull, 0}, {kFull, kFull}, {kHalf, kHalf}}},         // hourglass
-    {{{0, 1}, {1, 0}, {kFull, kFull - 1}, {kFull - 1, kFull}}},                                   // sliver, by 1 unit
-    {{{0, kThird}, {kFull, 0}, {kFull, kHalf}}, {{0, kThird}, {kFull, kHalf}, {kThird, kFull}}},  // slanted, shared
-    {{{0, 0}, {kThird, 0}, {kHalf, 0}, {kFull, 0}, {kHalf, kThird}}},                             // collinear vertices
-};
-
-class RandomScenes {
- public:
-  explicit RandomScenes(Random random) : random_(random) {}
-
-  Scene scene(std::int32_t side, Cell origin, Block blocks) {
-    Scene result;
-    for (std::int32_t i = 0; i < side; ++i) {
-      for (std::int32_t j = 0; j < side; ++j) {
-        if (below(8) == 0) continue;
-        const auto symmetry = below(8);
-        for (const auto& shape : kPalette[below(kPalette.size())]) {
-          if (below(6) == 0) continue;
-          result.polygons.push_back({{origin.i + i, origin.j + j}, static_cast<Block>(below(blocks)), {}});
-          result.polygons.back().vertices = transformed(shape, symmetry);
-        }
+// Of shapes that touch each other and the rim in every degenerate way there is, in all eight symmetries.
+Scene sceneOf(Random& random, std::int32_t side, Cell origin, Block blocks) {
+  Scene result;
+  for (std::int32_t i = 0; i < side; ++i) {
+    for (std::int32_t j = 0; j < side; ++j) {
+      if (random.below(8) == 0) continue;
+      const int symmetry = random.below(8);
+      for (const LocalPolygon& polygon : random.pick(degenerateShapes()).polygons) {
+        if (random.below(6) == 0) continue;
+        result.polygons.push_back({{origin.i + i, origin.j + j}, random.below(blocks), turned(polygon, symmetry)});
       }
     }
-    return result;
   }
+  return result;
+}
 
-  PreservePairs anyRelation(Block blocks) {
-    PreservePairs result;
-    for (Block a = 0; a < blocks; ++a) {
-      for (Block b = a; b < blocks; ++b) {
-        if (below(3) == 0) result.add(a, b);
-      }
-    }
-    return result;
-  }
-
-  std::uint64_t below(std::uint64_t limit) { return random_.below(limit); }
-
- private:
-  static std::vector<LocalPoint> transformed(std::vector<LocalPoint> shape, std::uint64_t symmetry) {
-    for (LocalPoint& p : shape) {
-      if (symmetry & 1) p.x = kFull - p.x;
-      if (symmetry & 2) p.y = kFull - p.y;
-      if (symmetry & 4) std::swap(p.x, p.y);
-    }
-    const bool mirrored = ((symmetry ^ symmetry >> 1 ^ symmetry >> 2) & 1) != 0;
-    if (mirrored) std::reverse(shape.begin(), shape.end());
-    return shape;
-  }
-
-  Random random_;
-};
+PreservePairs anyRelation(Random& random, Block blocks) {
+  PreservePairs result;
+  for (Block a = 0; a < blocks; ++a)
+    for (Block b = a; b < blocks; ++b)
+      if (random.below(3) == 0) result.add(a, b);
+  return result;
+}
 
 constexpr std::array kOrigins = {Cell{0, 0}, Cell{-2, -3}, Cell{kMaxCell - 6, -kMaxCell},
                                  Cell{-kMaxCell, kMaxCell - 6}};
@@ -126,8 +69,8 @@ Scene sceneOf(const Trace& trace) {
 }
 
 /// Scenes as traces, so that they can be made small.
-rc::Gen<Trace> tracesOf(const std::function<Scene(RandomScenes)>& scene) {
-  return test::traces([=](int, Random random) { return traceOf(scene(RandomScenes(random))); });
+rc::Gen<Trace> tracesOf(const std::function<Scene(Random)>& scene) {
+  return test::traces([=](int, Random random) { return traceOf(scene(random)); });
 }
 
 /// Fails the case that is running where the two references disagree; also where one of them says that the relation
@@ -142,10 +85,9 @@ void expectAgreement(const Scene& scene, const OwnedOutline& naive, const std::o
 }
 
 TEST(NaiveAgainstCgal, OneMaterial) {
-  const auto scene = [](RandomScenes random) {
-    const auto side = static_cast<std::int32_t>(1 + random.below(6));
+  const auto scene = [](Random random) {
     const Cell origin = kOrigins[random.below(kOrigins.size())];
-    return random.scene(side, origin, 4);
+    return sceneOf(random, random.between(1, 6), origin, 4);
   };
   NaiveReference naive;  // one for all scenes: it keeps its buffers from one to the next
   const auto law = [&](const Trace& trace) {
@@ -161,8 +103,8 @@ TEST(NaiveAgainstCgal, OneMaterial) {
 }
 
 TEST(NaiveAgainstCgal, TenThousandCells) {
-  const auto scene = [](RandomScenes random) { return random.scene(100, {-50, -50}, 2); };
-  EXPECT_GT(scene(RandomScenes(Random(0))).polygons.size(), 10'000U);
+  const auto scene = [](Random random) { return sceneOf(random, 100, {-50, -50}, 2); };
+  EXPECT_GT(scene(Random(0)).polygons.size(), 10'000U);
   const auto law = [](const Trace& trace) {
     const Scene s = sceneOf(trace);
     NaiveReference naive;
@@ -172,10 +114,9 @@ TEST(NaiveAgainstCgal, TenThousandCells) {
 }
 
 TEST(NaiveAgainstCgal, SeveralMaterials) {
-  const auto scene = [](RandomScenes random) {
-    const auto side = static_cast<std::int32_t>(1 + random.below(4));
+  const auto scene = [](Random random) {
     const Cell origin = kOrigins[random.below(kOrigins.size())];
-    Scene result = random.scene(side, origin, 5);
+    Scene result = sceneOf(random, random.between(1, 4), origin, 5);
     for (const auto& [a, b] : {std::pair<Block, Block>{0, 1}, {0, 3}, {2, 1}, {2, 3}, {4, 0}, {4, 1}, {4, 2}, {4, 3}}) {
       result.preserve.add(a, b);  // materials {0, 2}, {1, 3} and {4}
     }
@@ -203,9 +144,9 @@ TEST(NaiveAgainstCgal, SeveralMaterials) {
 }
 
 TEST(NaiveAgainstCgal, AnyRelationThatHappensToPartition) {
-  const auto scene = [](RandomScenes random) {
-    Scene result = random.scene(2, {0, 0}, 4);
-    result.preserve = random.anyRelation(4);
+  const auto scene = [](Random random) {
+    Scene result = sceneOf(random, 2, {0, 0}, 4);
+    result.preserve = anyRelation(random, 4);
     return result;
   };
   const Shared<std::int64_t> compared;
@@ -222,9 +163,9 @@ TEST(NaiveAgainstCgal, AnyRelationThatHappensToPartition) {
 }
 
 TEST(NaiveAgainstCgal, TheOrderOfPolygonsDoesNotMatter) {
-  const auto scene = [](RandomScenes random) {
-    Scene result = random.scene(4, {-1, -1}, 3);
-    result.preserve = random.anyRelation(3);
+  const auto scene = [](Random random) {
+    Scene result = sceneOf(random, 4, {-1, -1}, 3);
+    result.preserve = anyRelation(random, 3);
     return result;
   };
   NaiveReference naive;

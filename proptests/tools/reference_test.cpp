@@ -6,14 +6,13 @@
 #include "oracle/reference/naive.h"
 #include "oracle/reference/scene.h"
 #include "outlines_by_hand.h"
+#include "proptests/support/must.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <initializer_list>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace lgs::oracle {
@@ -23,13 +22,11 @@ namespace {
 void expectChains(const Scene& scene, const std::vector<Outline>& chains) {
   const Outline expected = together(chains);
   EXPECT_EQ(differences(expected, naiveOutline(scene)), "") << "naive";
-  const auto united = cgalUnion(scene);
-  ASSERT_TRUE(united);
-  EXPECT_EQ(differences(expected, united->outline), "") << "CGAL";
-  EXPECT_TRUE(std::all_of(united->known.begin(), united->known.end(), [](KnownLinks k) { return k == KnownLinks{}; }));
-  const auto followed = followLinks(expected);
-  ASSERT_TRUE(followed);
-  EXPECT_EQ(canonical(*followed), canonical(united->loops));
+  const auto united = test::must(cgalUnion(scene));
+  EXPECT_EQ(differences(expected, united.outline), "") << "CGAL";
+  EXPECT_TRUE(std::all_of(united.known.begin(), united.known.end(), [](KnownLinks k) { return k == KnownLinks{}; }));
+  const auto followed = test::must(followLinks(expected));
+  EXPECT_EQ(canonical(followed), canonical(united.loops));
 }
 
 const OutlineSegment& segment(const Outline& outline, At start, At end) {
@@ -197,14 +194,13 @@ TEST(Preserve, FloorOfTwoMaterialsIsSmoothAndKeepsBothWalls) {
   EXPECT_EQ(segment(outline, {1, 1}, {1, 0}).ghost2, point({2, 0}));
 
   // CGAL, a union for each material, agrees on the segments, and knows the links where only one material is.
-  const auto united = cgalUnion(scene);
-  ASSERT_TRUE(united);
-  for (std::size_t k = 0; k < united->outline.size(); ++k) {
-    EXPECT_EQ(united->known[k].ghost1, united->outline[k].start.x != kUnitsPerCell);
-    EXPECT_EQ(united->known[k].ghost2, united->outline[k].end.x != kUnitsPerCell);
+  const auto united = test::must(cgalUnion(scene));
+  for (std::size_t k = 0; k < united.outline.size(); ++k) {
+    EXPECT_EQ(united.known[k].ghost1, united.outline[k].start.x != kUnitsPerCell);
+    EXPECT_EQ(united.known[k].ghost2, united.outline[k].end.x != kUnitsPerCell);
   }
-  EXPECT_NE(differences(united->outline, outline), "");
-  EXPECT_EQ(differences(withUnknownLinksOf(outline, united->outline, united->known), outline), "");
+  EXPECT_NE(differences(united.outline, outline), "");
+  EXPECT_EQ(differences(withUnknownLinksOf(outline, united.outline, united.known), outline), "");
 }
 
 TEST(Preserve, OverlapWithNothingElseHasNoLinks) {
@@ -225,11 +221,10 @@ TEST(Preserve, OverlapWithNothingElseHasNoLinks) {
 TEST(Preserve, EdgesAreCutAtVerticesOfOtherMaterials) {
   const Scene scene{{square({0, 0}, 1), polygon({1, 0}, 2, {{0, 0.5}, {0.5, 0}, {1, 0.5}, {0.5, 1}})},
                     preserving({{1, 2}})};
-  const auto united = cgalUnion(scene);
-  ASSERT_TRUE(united);
+  const auto united = test::must(cgalUnion(scene));
   const Outline outline = naiveOutline(scene);
   EXPECT_EQ(outline.size(), 9U);
-  EXPECT_EQ(differences(withUnknownLinksOf(outline, united->outline, united->known), outline), "");
+  EXPECT_EQ(differences(withUnknownLinksOf(outline, united.outline, united.known), outline), "");
 }
 
 TEST(Preserve, InsideACell) {
@@ -254,12 +249,11 @@ TEST(Preserve, MaterialsAreFoundOrRefused) {
   EXPECT_FALSE(materials(scene({1, 2, 3}, {{1, 2}}))) << "not transitive: 1 joins 3, 3 joins 2";
   EXPECT_FALSE(materials(scene({1, 2}, {{1, 1}}))) << "not reflexive";
   EXPECT_FALSE(materials(scene({1, 2, 3, 4}, {{1, 2}, {2, 3}, {3, 4}}))) << "3 and 4 both join 1, but not each other";
-  const auto pairwise = materials(scene({1, 2, 3, 4}, {{1, 2}, {2, 3}, {3, 4}, {4, 1}}));
-  ASSERT_TRUE(pairwise);
-  EXPECT_EQ(pairwise->count, 2U);
-  EXPECT_EQ(pairwise->of(1), pairwise->of(3));
-  EXPECT_EQ(pairwise->of(2), pairwise->of(4));
-  EXPECT_NE(pairwise->of(1), pairwise->of(2));
+  const auto pairwise = test::must(materials(scene({1, 2, 3, 4}, {{1, 2}, {2, 3}, {3, 4}, {4, 1}})));
+  EXPECT_EQ(pairwise.count, 2U);
+  EXPECT_EQ(pairwise.of(1), pairwise.of(3));
+  EXPECT_EQ(pairwise.of(2), pairwise.of(4));
+  EXPECT_NE(pairwise.of(1), pairwise.of(2));
 }
 
 TEST(Preserve, PairsAreSymmetric) {

@@ -5,10 +5,9 @@
 #include "oracle/generate/generator.h"
 #include "oracle/generate/strokes.h"
 #include "oracle/trace/brushing.h"
-#include "oracle/trace/coordinate.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/model.h"
-#include "oracle/trace/player.h"
+#include "read_traces.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -21,20 +20,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::int64_t U = kUnitsPerCell;
-
-Trace mustParse(const std::string& text) {
-  ParsedTrace parsed = parseTrace(text);
-  EXPECT_FALSE(parsed.error) << message(*parsed.error, "trace");
-  return std::move(parsed.trace);
-}
-
-// The message that `lgs replay bad.trace` would give, empty if there is none.
-std::string faultOf(const std::string& text) {
-  const ParsedTrace parsed = parseTrace(text);
-  Player player(parsed.trace.preserve);
-  if (const auto played = play(parsed.trace, player); !played) return message(played.error(), "bad.trace");
-  return parsed.error ? message(*parsed.error, "bad.trace") : "";
-}
 
 const std::string kHead = "lgs-trace 2\n";
 const std::string kGround =
@@ -84,11 +69,7 @@ TEST(TraceBrush, TheVersionSaysWhetherThereAreBrushes) {
 }
 
 TEST(TraceBrush, BadLinesSayFileLineAndReason) {
-  struct Row {
-    std::string text;
-    std::string begin;  // of the message
-  };
-  const Row rows[] = {
+  expectFaults({
       {"lgs-trace 1\ncarve 0 0 1 0 1 1\n", "bad.trace:2: carve needs 'lgs-trace 2' as the first line of the trace"},
       {"lgs-trace 1\npaint 1 fill 0 0 1 0 1 1\n", "bad.trace:2: paint needs 'lgs-trace 2' as the first line"},
       {kHead + "dig 0 0\n",
@@ -114,12 +95,7 @@ TEST(TraceBrush, BadLinesSayFileLineAndReason) {
        "bad.trace:6: cell (0, 0): its interior overlaps '#"},
       {kHead + kGround + "carve 0 0 1 0 1 1 0 1\nadd left 0 0 1  0 0 0.1 0 0.1 0.1\nremove left\nremove left\n",
        "bad.trace:8: there is no polygon named 'left' to remove"},
-  };
-  for (const Row& row : rows) {
-    const std::string fault = faultOf(row.text);
-    EXPECT_TRUE(fault.starts_with(row.begin)) << "got   " << fault << "\nwant  " << row.begin;
-    EXPECT_EQ(fault.empty(), row.begin.empty()) << fault;
-  }
+  });
 }
 
 TEST(TraceBrush, ThePlayerReadsBackWhatABrushDid) {

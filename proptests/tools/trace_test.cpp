@@ -3,7 +3,8 @@
 #include "oracle/trace/coordinate.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/file.h"
-#include "oracle/trace/player.h"
+#include "proptests/support/must.h"
+#include "read_traces.h"
 
 #include <gtest/gtest.h>
 #include <filesystem>
@@ -13,20 +14,6 @@ namespace lgs::oracle {
 namespace {
 
 using namespace std::string_literals;
-
-// The message that `lgs replay bad.trace` would give, empty if there is none.
-std::string faultOf(const std::string& text) {
-  const ParsedTrace parsed = parseTrace(text);
-  Player player(parsed.trace.preserve);
-  if (const auto played = play(parsed.trace, player); !played) return message(played.error(), "bad.trace");
-  return parsed.error ? message(*parsed.error, "bad.trace") : "";
-}
-
-Trace mustParse(const std::string& text) {
-  ParsedTrace parsed = parseTrace(text);
-  EXPECT_FALSE(parsed.error) << message(*parsed.error, "trace");
-  return std::move(parsed.trace);
-}
 
 TEST(Coordinate, RoundsExactly) {
   struct Row {
@@ -184,18 +171,6 @@ TEST(Rows, AreWhatOneCallMakes) {
   EXPECT_EQ(player.standing()["a"].block, 2U);
 }
 
-struct BadText {
-  std::string text;
-  std::string begin;  // of the message
-};
-
-void expectFaults(const std::vector<BadText>& rows) {
-  for (const BadText& row : rows) {
-    const std::string fault = faultOf(row.text);
-    EXPECT_TRUE(fault.starts_with(row.begin)) << "got   " << fault << "\nwant  " << row.begin;
-  }
-}
-
 const std::string kHeadLine = "lgs-trace 1\n";
 const std::string kSquareLine = "add p 0 0 1  0 0 1 0 1 1 0 1\n";
 
@@ -269,12 +244,9 @@ TEST(Trace, BytesThatAreNoTextAreRefused) {
 }
 
 TEST(Trace, FilesThatCanNotBeRead) {
-  const auto missing = readTrace("no/such/file.trace");
-  ASSERT_FALSE(missing);
-  EXPECT_EQ(message(missing.error(), "f"), "f: cannot open the file: No such file or directory");
-  const auto directory = readTrace(std::filesystem::temp_directory_path().string());
-  ASSERT_FALSE(directory);
-  EXPECT_EQ(message(directory.error(), "f"), "f: cannot read the file: Is a directory");
+  const auto fault = [](const std::string& path) { return message(test::refusal(readTrace(path)), "f"); };
+  EXPECT_EQ(fault("no/such/file.trace"), "f: cannot open the file: No such file or directory");
+  EXPECT_EQ(fault(std::filesystem::temp_directory_path().string()), "f: cannot read the file: Is a directory");
   EXPECT_FALSE(writeFile("no/such/folder/file", "x"));
 }
 

@@ -2,6 +2,7 @@
 // and does work in proportion to those cells.
 #include "follower_of_cells.h"
 #include "proptests/support/law.h"
+#include "proptests/support/must.h"
 
 #include <gtest/gtest.h>
 
@@ -39,9 +40,8 @@ TEST(ViewsByHand, FollowingBeginsAndEndsBetweenCommitsWithoutMarks) {
   World world;
   place(world, {}, unitSquare());
   for (const bool follow : {true, false}) {
-    const auto refused = world.followCells(follow);
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().code, ErrorCode::uncommitted);
+    const auto refused = refusal(world.followCells(follow));
+    EXPECT_EQ(refused.code, ErrorCode::uncommitted);
   }
   world.commit();
   const Mark mark = world.checkpoint();

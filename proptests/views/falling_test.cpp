@@ -3,6 +3,7 @@
 #include "oracle/cgal/partition.h"
 #include "proptests/laws/calls.h"
 #include "proptests/support/law.h"
+#include "proptests/support/must.h"
 #include "proptests/support/played.h"
 #include "proptests/support/traces.h"
 
@@ -14,7 +15,6 @@
 
 #include <cmath>
 #include <map>
-#include <string>
 #include <vector>
 
 namespace lgs::test {
@@ -71,15 +71,14 @@ LGS_LAW(Falling, PartsOfEachBlockMakeUpItsPolygons, 300, (const PlainTrace& trac
   oracle::Player player(trace.preserve);
   playAll(trace, player);
   const Body body = allOf(player.world());
-  const auto parts = convexParts(body, 8);
-  ASSERT_TRUE(parts);
+  const auto parts = must(convexParts(body, 8));
   std::map<Block, World> byBlock;
   for (const BodyPolygon& p : body.polygons) place(byBlock[p.block], p.cell, p.vertices, p.block);
   std::size_t count = 0;
   for (auto& [block, world] : byBlock) {
     world.commit();
     const Pieces pieces(world);
-    auto lists = byCell(*parts, block);
+    auto lists = byCell(parts, block);
     world.forEachPolygon([&](Cell cell, const PlacedPolygon&) { lists.try_emplace(cell); });
     for (const auto& [cell, list] : lists) {
       count += list.size();
@@ -94,16 +93,15 @@ LGS_LAW(Falling, PartsOfEachBlockMakeUpItsPolygons, 300, (const PlainTrace& trac
       failIf(oracle::notAPartition(list, solid, free));
     }
   }
-  EXPECT_GE(count, parts->size());
+  EXPECT_GE(count, parts.size());
 }
 
 TEST(FallingByHand, WholeCellsOfOneBlockAreMerged) {
   World world;
   for (std::int32_t i = 0; i < 40; ++i)
     for (std::int32_t j = 0; j < 2; ++j) place(world, {i, j}, unitSquare(), i == 5 ? 2U : 1U);
-  const auto parts = convexParts(allOf(world));
-  ASSERT_TRUE(parts);
-  EXPECT_EQ(parts->size(), 4U) << "left and right of the other block, beyond 32 cells, and that block";
+  const auto parts = must(convexParts(allOf(world)));
+  EXPECT_EQ(parts.size(), 4U) << "left and right of the other block, beyond 32 cells, and that block";
   EXPECT_EQ(convexParts(allOf(world), 3)->size(), 160U) << "triangles";
 }
 
@@ -182,9 +180,8 @@ TEST(FallingByHand, WhatIsRefusedChangesNothing) {
   Body body;
   body.polygons.push_back({{0, 0}, 1, {kUnitSquare.begin(), kUnitSquare.end()}});
   body.polygons.push_back({{kMaxCell, 0}, 2, {kUnitSquare.begin(), kUnitSquare.end()}});
-  const auto tooWide = putAsItLies(world, body, {});
-  ASSERT_FALSE(tooWide);
-  EXPECT_EQ(tooWide.error().code, ErrorCode::outOfReach);
+  const auto tooWide = refusal(putAsItLies(world, body, {}));
+  EXPECT_EQ(tooWide.code, ErrorCode::outOfReach);
   body.polygons.back() = {{0, 0}, 2, {kUnitSquare.begin(), kUnitSquare.end()}};
   EXPECT_EQ(putAsItLies(world, body, {}).error().index, 1);
   EXPECT_EQ(convexParts(body).value().size(), 2U) << "each block by itself fits";

@@ -1,4 +1,5 @@
 #include "follower_of_cells.h"
+#include "proptests/support/must.h"
 
 #include <gtest/gtest.h>
 
@@ -145,9 +146,8 @@ void FollowerOfCells::goBack(std::size_t k) {
 /// A loaded world follows nothing yet. Its view begins anew.
 void FollowerOfCells::load() {
   commit();
-  auto loaded = World::load(saved(world_), world_.preserveRelation());
-  ASSERT_TRUE(loaded);
-  world_ = std::move(*loaded);
+  auto loaded = must(World::load(saved(world_), world_.preserveRelation()));
+  world_ = std::move(loaded);
   marks_.clear();
   EXPECT_TRUE(world_.cellChanges().empty());
   EXPECT_TRUE(world_.followCells(true));

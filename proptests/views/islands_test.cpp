@@ -3,6 +3,7 @@
 #include "oracle/views/island_check.h"
 #include "proptests/laws/calls.h"
 #include "proptests/support/law.h"
+#include "proptests/support/must.h"
 
 #include <lgs/islands.h>
 
@@ -230,9 +231,8 @@ TEST(IslandViewByHand, AnIslandLiesInAHoleOfAnIslandInAHole) {
   EXPECT_EQ(d.islands.all().size(), 3U);
   EXPECT_EQ(d.anchors({4, 4}), 1U);
   EXPECT_EQ(d.anchors({2, 4}), 0U);
-  const auto body = take(d.world, d.islands, d.at({2, 4}));
-  ASSERT_TRUE(body);
-  EXPECT_EQ(body->polygons.size(), 16U);
+  const auto body = must(take(d.world, d.islands, d.at({2, 4})));
+  EXPECT_EQ(body.polygons.size(), 16U);
   d.commit();
   EXPECT_EQ(d.islands.all().size(), 2U) << "what lies in its hole stays";
   EXPECT_EQ(d.changes().went.size(), 1U);
@@ -262,16 +262,15 @@ TEST(IslandViewByHand, AllIsRemovedUndoneAndLoaded) {
   std::vector<std::byte> saved;
   ASSERT_TRUE(
       d.world.save([&](std::span<const std::byte> bytes) { saved.insert(saved.end(), bytes.begin(), bytes.end()); }));
-  auto loaded = World::load(saved);
-  ASSERT_TRUE(loaded);
-  ASSERT_TRUE(loaded->followCells(true));
-  Islands islands(*loaded, isBedrock);
+  auto loaded = must(World::load(saved));
+  ASSERT_TRUE(loaded.followCells(true));
+  Islands islands(loaded, isBedrock);
   oracle::IslandCheck check(isBedrock);
-  EXPECT_EQ(check.begin(*loaded, islands), std::nullopt);
+  EXPECT_EQ(check.begin(loaded, islands), std::nullopt);
   EXPECT_EQ(islands.all().size(), 2U);
-  ASSERT_TRUE(loaded->clear(Cell{0, 2}));
-  ASSERT_TRUE(islands.update(*loaded, loaded->commit()));
-  EXPECT_EQ(check.update(*loaded, islands), std::nullopt);
+  ASSERT_TRUE(loaded.clear(Cell{0, 2}));
+  ASSERT_TRUE(islands.update(loaded, loaded.commit()));
+  EXPECT_EQ(check.update(loaded, islands), std::nullopt);
   EXPECT_EQ(islands.loose().size(), 1U) << "it has lost its bedrock";
 }
 
@@ -299,38 +298,34 @@ TEST(IslandViewByHand, ABodyGoesBackWhereItFits) {
   EXPECT_EQ(id, d.at({0, 0})) << "it stands on the ground";
   d.become({"B.##", "B.#.", "....", "BBBB"});
   const Mark mark = d.world.checkpoint();
-  const auto body = take(d.world, d.islands, d.at({2, 3}));
-  ASSERT_TRUE(body);
-  EXPECT_EQ(body->origin, (Cell{2, 2}));
-  EXPECT_EQ(body->mass.area, 3);
-  EXPECT_DOUBLE_EQ(body->mass.centroid.x, 2.5 / 3);
-  EXPECT_DOUBLE_EQ(body->mass.centroid.y, 3.5 / 3);
+  const auto body = must(take(d.world, d.islands, d.at({2, 3})));
+  EXPECT_EQ(body.origin, (Cell{2, 2}));
+  EXPECT_EQ(body.mass.area, 3);
+  EXPECT_DOUBLE_EQ(body.mass.centroid.x, 2.5 / 3);
+  EXPECT_DOUBLE_EQ(body.mass.centroid.y, 3.5 / 3);
   d.commit();
-  const auto refused = put(d.world, *body, {2, 0});
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::overlap);
-  EXPECT_EQ(refused.error().index, 0);
-  const auto later = put(d.world, *body, {0, 1});
-  ASSERT_FALSE(later);
-  EXPECT_EQ(later.error().index, 1);
+  const auto refused = refusal(put(d.world, body, {2, 0}));
+  EXPECT_EQ(refused.code, ErrorCode::overlap);
+  EXPECT_EQ(refused.index, 0);
+  const auto later = refusal(put(d.world, body, {0, 1}));
+  EXPECT_EQ(later.index, 1);
   EXPECT_TRUE(d.world.isEmpty({0, 1})) << "nothing of it was placed";
-  ASSERT_TRUE(put(d.world, *body, {2, 1}));
+  ASSERT_TRUE(put(d.world, body, {2, 1}));
   d.commit();
   EXPECT_EQ(d.at({3, 2}), d.at({0, 0}));
   d.goBack(mark);
   EXPECT_EQ(d.islands.all().size(), 3U);
-  EXPECT_FALSE(put(d.world, *body, {kMaxCell, 0}));
+  EXPECT_FALSE(put(d.world, body, {kMaxCell, 0}));
   EXPECT_FALSE(take(d.world, d.islands, {}));
 }
 
 TEST(IslandViewByHand, TouchingCornersAreCutWhenItIsTakenApart) {
   Drawn d({".##", "#..", "##."});
   ASSERT_EQ(d.islands.all().size(), 1U);
-  const auto bodies = takeApart(d.world, d.islands, d.islands.all().front());
-  ASSERT_TRUE(bodies);
-  ASSERT_EQ(bodies->size(), 2U);
-  EXPECT_EQ(bodies->front().mass.area, 3);
-  EXPECT_EQ(bodies->back().mass.area, 2);
+  const auto bodies = must(takeApart(d.world, d.islands, d.islands.all().front()));
+  ASSERT_EQ(bodies.size(), 2U);
+  EXPECT_EQ(bodies.front().mass.area, 3);
+  EXPECT_EQ(bodies.back().mass.area, 2);
   d.commit();
   EXPECT_TRUE(d.islands.all().empty());
 }

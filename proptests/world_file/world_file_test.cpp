@@ -1,5 +1,6 @@
 // Worlds in files: what was said to be written is there, wherever the writer is killed; what is damaged is found.
 #include "examples/world_file/world_file.h"
+#include "proptests/support/must.h"
 
 #include <sqlite3.h>
 #include <sys/wait.h>
@@ -122,9 +123,8 @@ TEST(WorldFile, WhatIsDamagedIsFoundAndTheRestIsSaved) {
   EXPECT_FALSE(file.load(untouched, kAll));
   EXPECT_FALSE(untouched.bounds());
   ASSERT_TRUE(file.load(untouched, {{-32, -32}, {-1, -1}})) << "the others can be read";
-  const auto removed = file.repair();
-  ASSERT_TRUE(removed);
-  EXPECT_EQ(*removed, 3U);
+  const auto removed = must(file.repair());
+  EXPECT_EQ(removed, 3U);
   ASSERT_TRUE(world.clear({{0, -32}, {31, 31}}));
   EXPECT_TRUE(samePolygons(loaded(file), world));
 }
@@ -135,9 +135,8 @@ TEST(WorldFile, AnotherFormatIsRefusedWithBothVersions) {
   sqlite3* raw = nullptr;
   ASSERT_EQ(sqlite3_open(path.string().c_str(), &raw), SQLITE_OK);
   ASSERT_EQ(sqlite3_exec(raw, "PRAGMA user_version = 7", nullptr, nullptr, nullptr), SQLITE_OK);
-  const auto refused = WorldFile::open(path);
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error(), "the file is of version 7, and this program reads version 1");
+  const auto refused = refusal(WorldFile::open(path));
+  EXPECT_EQ(refused, "the file is of version 7, and this program reads version 1");
   ASSERT_EQ(sqlite3_exec(raw, "PRAGMA application_id = 9", nullptr, nullptr, nullptr), SQLITE_OK);
   EXPECT_EQ(WorldFile::open(path).error(), "this is no world of LocalGridSeg");
   sqlite3_close(raw);

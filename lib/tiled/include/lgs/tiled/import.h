@@ -147,10 +147,10 @@ struct Options {
   /// one of them. "NAME" alone takes any value but "false" and "0". A tile has its class as a property
   /// "class". Unless `objects` names some, objects that have such a property are taken from any object layer. The
   /// report names those properties that nothing has, names and values alike.
-  std::vector<std::string> solidIf;
+  std::vector<std::string> solidIf = {};
 
-  TileTable tiles;                    ///< shapes of tiles by their numbers; they replace those in the tileset
-  std::vector<std::string> leaveOut;  ///< classes: of tiles, values of IntGrid layers, objects. They are not solid
+  TileTable tiles = {};                    ///< shapes of tiles by their numbers; they replace those in the tileset
+  std::vector<std::string> leaveOut = {};  ///< classes: of tiles, values of IntGrid layers, objects. They are not solid
 
   BlockFrom blockFrom = BlockFrom::one;  ///< where blocks come from
 
@@ -158,18 +158,18 @@ struct Options {
   /// get the least unused numbers from 1 up, in the order in which the import meets them: layers in the map's order,
   /// and tiles in a layer by rows from the top. Such numbers may change with an edit of the map, and the report warns
   /// of them. A game that knows a class gives it a number here, or asks for it: ImportedMap::block("ice").
-  std::map<std::string, Block> blocks;
+  std::map<std::string, Block> blocks = {};
 
   /// Tile layers to import: names or paths ("Group/Layer") of layers or groups; in worlds and LDtk projects also of
   /// maps or levels, and paths may begin with them or not. Empty means all tile layers. A name that fits none is an
   /// error.
-  std::vector<std::string> layers;
+  std::vector<std::string> layers = {};
 
   /// Object layers to import: names or paths of layers or groups, or classes or names of objects, which then are taken
   /// from any layer; an empty list takes none. A name that fits none is an error. Without a list, all are taken whose
   /// name, class or property says that they are solid. If `layers` has names, they must also be in a group that it
   /// names.
-  std::optional<std::vector<std::string>> objects;
+  std::optional<std::vector<std::string>> objects = {};
 
   bool visibleOnly = false;  ///< hidden layers and objects, and what is in hidden groups, are left out
 
