@@ -32,7 +32,7 @@ std::int32_t roundToLattice(double cells) {
 template <class Real>
 Expected<void> round(std::span<const RealPoint<Real>> polygon, std::vector<LocalPoint>& rounded) {
   rounded.clear();
-  if (polygon.size() < 3) return {};  // none is refused for the same reason
+  if (polygon.size() < 3) return {};  // an empty polygon is refused as tooFewVertices, too
   if (polygon.size() > kMaxVerticesPerCell) return refuse({.code = ErrorCode::capacity, .polygon = 0});
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const auto [x, y] = polygon[k];

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <lgs/box2d/terrain.h>
+#include <optional>
 #include <vector>
 
 namespace lgs::box2d_test {
@@ -225,7 +226,18 @@ TEST_F(Box2dTerrainSync, BodiesSleepOnOverAResyncThatChangesNothingBelowThem) {
   expectEdges(terrain, {});
 }
 
-// So many edges in a square of cells that Box2D is asked for all of them first.
+TEST_F(Box2dTerrainSync, WhoSleepsWhereATerrainIsMadeWakes) {
+  field.addFloor(0, 20);
+  field.world.commit();
+  std::optional<Terrain> terrain(std::in_place, physics, field.world);
+  const Body near = addBody({9.6F, 0.36F}, Form::box, 0.5F), far = addBody({4.5F, 0.36F}, Form::box, 0.5F);
+  step(120);
+  ASSERT_FALSE(isAwake(near) || isAwake(far));
+  terrain.emplace(physics, field.world);
+  EXPECT_TRUE(isAwake(near) && isAwake(far));
+}
+
+// Each body is held against each of the edges of its place.
 TEST_F(Box2dTerrainSync, WhoSleepsBelowOneOfManyNewEdgesWakes) {
   field.addFloor(0, 20);
   field.world.commit();

@@ -14,13 +14,13 @@ std::uint64_t keyOf(Chunk chunk) {
 
 }  // namespace
 
-EdgeSet::EdgeSet(EdgeOptions options) : options_(std::move(options)), slots_(1) {
+EdgeSet::EdgeSet(EdgeOptions options) noexcept : options_(std::move(options)), slots_(1) {
   assert(options_.chunkCells >= 1 && options_.chunkCells <= 4'096);
   assert(options_.shortest >= 0 && options_.shortest <= std::int64_t{1} << 28);
 }
 
 // What an id named before says nothing about what it names now. So every edge goes, unless the same is placed again.
-const EdgeChanges& EdgeSet::load(const World& world) {
+const EdgeChanges& EdgeSet::load(const World& world) noexcept {
   begin(world);
   for (Record& record : records_) {
     retire(record.edge);
@@ -37,7 +37,7 @@ const EdgeChanges& EdgeSet::load(const World& world) {
   return renewAll();
 }
 
-std::optional<SyncError> EdgeSet::misfit(const World& world, const Changes& changes) const {
+std::optional<SyncError> EdgeSet::misfit(const World& world, const Changes& changes) const noexcept {
   if (changes.after != world.version()) return SyncError::notTheLast;
   if (changes.before != version_) return changes.after == version_ ? SyncError::shownAlready : SyncError::leftOut;
   const auto wasThere = [&](SegmentId id) { return lineOf(id).has_value(); };
@@ -51,7 +51,7 @@ std::optional<SyncError> EdgeSet::misfit(const World& world, const Changes& chan
 // An update has three steps. The first one collects the segments where something can have changed. The second one works
 // out the strips and edges around each of them; edges that were there before keep their ids. The third one works out
 // ghosts.
-const EdgeChanges& EdgeSet::update(const World& world, const Changes& changes) {
+const EdgeChanges& EdgeSet::update(const World& world, const Changes& changes) noexcept {
   assert(!misfit(world, changes));
   begin(world);
   seedAll(changes);
@@ -112,22 +112,28 @@ void EdgeSet::seedAll(const Changes& changes) {
     record.edge = 0;
   }
   for (const SegmentId id : changes.relinked) seedLinks(records_[id.value]);
-  for (const SegmentId id : changes.added) admit(id);
+  for (const SegmentId id : changes.added) {
+    forgetReads();
+    admit(id);
+  }
   for (const auto* ids : {&changes.added, &changes.relinked}) {
-    for (const SegmentId id : *ids) seedAround(id);
+    for (const SegmentId id : *ids) {
+      forgetReads();
+      seedAround(id);
+    }
   }
 }
 
-EdgeId EdgeSet::edgeOf(SegmentId segment) const {
+EdgeId EdgeSet::edgeOf(SegmentId segment) const noexcept {
   return segment.value < records_.size() ? EdgeId{records_[segment.value].edge} : EdgeId{};
 }
 
-std::optional<Line> EdgeSet::lineOf(SegmentId segment) const {
+std::optional<Line> EdgeSet::lineOf(SegmentId segment) const noexcept {
   if (segment.value >= records_.size() || records_[segment.value].fate == Fate::dead) return {};
   return records_[segment.value].line;
 }
 
-std::vector<EdgeId> EdgeSet::edges() const {
+std::vector<EdgeId> EdgeSet::edges() const noexcept {
   std::vector<EdgeId> ids;
   for (std::uint32_t k = 1; k < slots_.size(); ++k) {
     if (slots_[k].live) ids.push_back({k});
@@ -135,7 +141,7 @@ std::vector<EdgeId> EdgeSet::edges() const {
   return ids;
 }
 
-EdgeCounts EdgeSet::counts() const {
+EdgeCounts EdgeSet::counts() const noexcept {
   const auto of = [&](Fate fate) { return fates_[static_cast<std::size_t>(fate)]; };
   EdgeCounts counts{0, 0, of(Fate::single), of(Fate::merged), of(Fate::welded), of(Fate::leftOut)};
   counts.segments = counts.single + counts.merged + counts.welded + counts.leftOut;

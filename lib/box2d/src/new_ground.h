@@ -35,7 +35,7 @@ class NewGround {
 
   /// Around all that came or went; a middle that is elsewhere was as free as it is. Nothing if nothing changed.
   const std::optional<Box>& box() const { return box_; }
-  /// A box around each piece that came or went.
+  /// A box around each piece that came or went. Those of an outline that is closed are one place (placesOf()).
   std::vector<Box> boxes() const;
 
   /// Whether the middle of a form is outside of what holds it.

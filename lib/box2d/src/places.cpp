@@ -28,9 +28,7 @@ class Joined {
     while (parents_[cell] != cell) cell = parents_[cell] = parents_[parents_[cell]];
     return cell;
   }
-  void join(std::uint32_t a, std::uint32_t b) {
-    parents_[setOf(b)] = setOf(a);
-  }
+  void join(std::uint32_t a, std::uint32_t b) { parents_[setOf(b)] = setOf(a); }
 
  private:
   std::vector<std::uint32_t> parents_;
@@ -55,6 +53,7 @@ std::vector<ChangedPlace> placesOf(std::span<const Box> boxes) {
     const CornerCell& cell = cells[k];
     if (cells[k - 1].row == cell.row && cells[k - 1].column + 1 >= cell.column)
       joined.join(cells[k - 1].number, cell.number);
+    if (cells[k - 1].key() == cell.key()) continue;  // what is below that one is below this one
     const auto below = std::pair(cell.row - 1, cell.column - 1);
     for (auto other = std::ranges::lower_bound(cells, below, {}, &CornerCell::key);
          other->row == below.first && other->column <= cell.column + 1; ++other)

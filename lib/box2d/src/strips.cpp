@@ -21,7 +21,8 @@ const Segment* EdgeSet::find(SegmentId id) {
   return &reads_[record.read];
 }
 
-// Between two groups nobody looks at a segment. An update of all segments would have a copy of all.
+// Else an update of all segments would have a copy of all. It is called between two groups, where nobody holds a pointer
+// to one that was read.
 void EdgeSet::forgetReads() {
   constexpr std::size_t kMost = 1'024;
   if (readCount_ > kMost) readCount_ = 0;

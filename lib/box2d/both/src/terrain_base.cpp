@@ -10,7 +10,7 @@
 
 namespace lgs::box2d {
 
-TerrainBase::TerrainBase(Physics physics, const World& world, TerrainOptions options)
+TerrainBase::TerrainBase(Physics physics, const World& world, TerrainOptions options) noexcept
     : physics_(physics),
       world_(world),
       frame_{options.cellSize, options.origin, options.chunkCells},
@@ -21,45 +21,52 @@ TerrainBase::TerrainBase(Physics physics, const World& world, TerrainOptions opt
               .merge = options.merge,
               .material = [this](Block block) { return materials_.number(block); }}),
       footings_(std::make_unique<Footings>()) {
-  apply(edges_.load(world_));
+  loadEdges();
 }
 
-TerrainBase::~TerrainBase() {
+TerrainBase::~TerrainBase() noexcept {
   if (!isThere(physics_)) return;
   for (const ChunkBody& chunk : bodies_) {
     if (isThere(chunk.body)) destroyBody(physics_, chunk.body);
   }
 }
 
-tl::expected<void, SyncError> TerrainBase::commit(World& world) {
+tl::expected<void, SyncError> TerrainBase::commit(World& world) noexcept {
   if (&world != &world_) return tl::unexpected(SyncError::notTheLast);
   return sync(world.commit());
 }
 
-tl::expected<void, SyncError> TerrainBase::sync(const Changes& changes) { return sync(changes, onCaught_); }
+tl::expected<void, SyncError> TerrainBase::sync(const Changes& changes) noexcept { return sync(changes, onCaught_); }
 
-tl::expected<void, SyncError> TerrainBase::sync(const Changes& changes, OnCaught onCaught) {
+tl::expected<void, SyncError> TerrainBase::sync(const Changes& changes, OnCaught onCaught) noexcept {
   if (const auto misfit = edges_.misfit(world_, changes)) return tl::unexpected(*misfit);
+  assertUnlocked(physics_);
+  const bool catches = onCaught != OnCaught::leave && !isAlone();
   const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_, changes);
   const EdgeChanges& edges = edges_.update(world_, changes);
-  const std::vector<BodyHandle> near = isAlone() ? std::vector<BodyHandle>() : wakeAround(edges, ground.boxes());
-  caught_ = onCaught == OnCaught::leave ? std::vector<Caught>() : find(near, ground, Whose::free);
+  const std::vector<BodyHandle> near = wakeAround(edges, catches ? ground.boxes() : std::vector<Box>());
+  caught_ = catches ? find(near, ground, Whose::free) : std::vector<Caught>();
   apply(edges);
   settle(ground.box(), onCaught);
   return {};
 }
 
-void TerrainBase::resync() {
+void TerrainBase::resync() noexcept {
+  assertUnlocked(physics_);
   const NewGround ground = isAlone() ? NewGround(world_) : NewGround(world_, edges_);
   caught_ = onCaught_ == OnCaught::leave ? std::vector<Caught>() : find(catchableIn(kEverywhere), ground, Whose::all);
-  const EdgeChanges& edges = edges_.load(world_);
-  if (!isAlone()) wakeAround(edges, {});
-  apply(edges);
+  loadEdges();
   settle(kEverywhere, onCaught_);
   noteAll();
 }
 
-void TerrainBase::materialsChanged() {
+void TerrainBase::loadEdges() {
+  const EdgeChanges& edges = edges_.load(world_);
+  wakeAround(edges, {});
+  apply(edges);
+}
+
+void TerrainBase::materialsChanged() noexcept {
   std::vector<std::pair<EdgeId, Material>> before;
   for (const EdgeId id : edges_.edges()) before.emplace_back(id, materials_.of(edges_.edge(id).block));
   materials_.askAgain();
@@ -72,10 +79,10 @@ void TerrainBase::materialsChanged() {
 void TerrainBase::remake(EdgeId id) {
   destroy(id);
   create(id);
-  if (!isAlone()) wakeAround({.removed = {}, .added = {id}, .relinked = {}, .turned = {}}, {});
+  wakeAround({.removed = {}, .added = {id}, .relinked = {}, .turned = {}}, {});
 }
 
-void TerrainBase::moveOrigin(Cell origin) {
+void TerrainBase::moveOrigin(Cell origin) noexcept {
   assertUnlocked(physics_);
   frame_.origin = origin;
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
@@ -89,7 +96,6 @@ void TerrainBase::moveOrigin(Cell origin) {
 bool TerrainBase::isAlone() const { return bodyCountOf(physics_) <= bodyCount_; }
 
 void TerrainBase::apply(const EdgeChanges& changes) {
-  assertUnlocked(physics_);
   bodies_.resize(edges_.chunkCount());
   for (const EdgeId id : changes.removed) destroy(id);
   for (const EdgeId id : changes.added) create(id);
@@ -129,34 +135,34 @@ LocalEdge TerrainBase::localEdge(EdgeId id) const {
   return box2d::localEdge(edge, edges_.chunk(edge.chunk), frame_, slop());
 }
 
-std::optional<Hit> TerrainBase::hit(const Shape& shape) const {
+std::optional<Hit> TerrainBase::hit(const Shape& shape) const noexcept {
   const EdgeId id = edgeOf(shape);
   return id ? firstHit(world_, edges_, id) : std::nullopt;
 }
 
-std::optional<Hit> TerrainBase::hit(const Shape& shape, const Position& point) const {
+std::optional<Hit> TerrainBase::hit(const Shape& shape, const Position& point) const noexcept {
   const EdgeId id = edgeOf(shape);
   return id ? nearestHit(world_, edges_, id, frame_, {point.x, point.y}) : std::nullopt;
 }
 
-std::optional<NearestHit> TerrainBase::nearest(const Position& point, float radius) const {
+std::optional<NearestHit> TerrainBase::nearest(const Position& point, float radius) const noexcept {
   const auto found = nearestTo(world_, frame_, {point.x, point.y}, radius);
   if (!found) return {};
   return NearestHit{found->hit, toBox2D(found->point), toBox2D(found->normal), found->distance};
 }
 
-std::optional<GroundRayHit> TerrainBase::rayCast(const Position& from, const Position& to) const {
+std::optional<GroundRayHit> TerrainBase::rayCast(const Position& from, const Position& to) const noexcept {
   const auto ray = box2d::rayCast(world_, frame_, {from.x, from.y}, {to.x, to.y});
   if (!ray) return {};
   return GroundRayHit{ray->hit, toBox2D(ray->point), toBox2D(ray->normal), ray->fraction};
 }
 
-Position TerrainBase::position(Point p) const { return toBox2D(frame_.position(p)); }
+Position TerrainBase::position(Point p) const noexcept { return toBox2D(frame_.position(p)); }
 
 Position TerrainBase::positionOf(std::uint32_t chunk) const { return position(frame_.cornerOf(edges_.chunk(chunk))); }
 
-Point TerrainBase::latticePoint(const Position& p) const { return frame_.latticePoint({p.x, p.y}); }
+Point TerrainBase::latticePoint(const Position& p) const noexcept { return frame_.latticePoint({p.x, p.y}); }
 
-Cell TerrainBase::cellAt(const Position& p) const { return frame_.cellAt({p.x, p.y}); }
+Cell TerrainBase::cellAt(const Position& p) const noexcept { return frame_.cellAt({p.x, p.y}); }
 
 }  // namespace lgs::box2d

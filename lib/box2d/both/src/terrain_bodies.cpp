@@ -58,25 +58,29 @@ std::vector<BodyHandle> TerrainBase::catchableIn(const Box& box) const {
 }
 
 // Box2D is asked once for each place. A body may be at several of them.
-std::vector<BodyHandle> TerrainBase::wakeNear(std::span<const Box> boxes, std::size_t waking) {
+std::vector<BodyHandle> TerrainBase::bodiesAt(std::span<const Box> boxes, std::size_t firstToWake) {
   std::vector<BodyHandle> bodies;
   std::unordered_set<std::uint64_t> known;
   for (const ChangedPlace& place : placesOf(boxes)) {
+    const auto waking = std::ranges::subrange(std::ranges::lower_bound(place.boxes, firstToWake), place.boxes.end());
     for (const BodyHandle body : catchableIn(place.box)) {
       if (known.insert(numberOf(body)).second) bodies.push_back(body);
-      const auto first = std::ranges::lower_bound(place.boxes, waking);
-      if (first == place.boxes.end()) continue;
-      const std::vector<Form> forms = formsOf(body, box2d::poseOf(body));
-      const auto isBeside = [&](std::uint32_t k) {
-        return std::ranges::any_of(forms, [&](const Form& form) { return overlap(boxOf({&form, 1}), boxes[k]); });
-      };
-      if (std::any_of(first, place.boxes.end(), isBeside)) wakeUp(body);
+      if (!waking.empty() && reachesOne(body, boxes, waking)) wakeUp(body);
     }
   }
   return bodies;
 }
 
+bool TerrainBase::reachesOne(ConstBodyHandle body, std::span<const Box> boxes, std::span<const std::uint32_t> which) {
+  std::vector<Box> own;
+  for (const Form& form : formsOf(body, box2d::poseOf(body))) own.push_back(boxOf({&form, 1}));
+  return std::ranges::any_of(which, [&](std::uint32_t k) {
+    return std::ranges::any_of(own, [&](const Box& box) { return overlap(box, boxes[k]); });
+  });
+}
+
 std::vector<BodyHandle> TerrainBase::wakeAround(const EdgeChanges& changes, std::vector<Box> boxes) {
+  if (isAlone()) return {};
   const std::size_t others = boxes.size();
   const double far = frame_.units(wakingDistance());
   const auto add = [&](const std::vector<EdgeId>& ids) {
@@ -88,7 +92,7 @@ std::vector<BodyHandle> TerrainBase::wakeAround(const EdgeChanges& changes, std:
   if (!kDestroyingWakes) add(changes.removed);
   add(changes.added);
   add(changes.turned);
-  return wakeNear(boxes, others);
+  return bodiesAt(boxes, others);
 }
 
 std::vector<Caught> TerrainBase::find(const std::vector<BodyHandle>& bodies, const NewGround& ground, Whose whose) {
@@ -105,11 +109,11 @@ void TerrainBase::addIfCaught(BodyHandle body, const NewGround& ground, Whose wh
   caught.push_back(one);
 }
 
-std::vector<Caught> TerrainBase::caughtBy(const Changes& changes) {
+std::vector<Caught> TerrainBase::caughtBy(const Changes& changes) noexcept {
   if (edges_.misfit(world_, changes)) return {};
   const NewGround ground(world_, edges_, changes);
   const std::vector<Box> boxes = ground.boxes();
-  return find(wakeNear(boxes, boxes.size()), ground, Whose::free);
+  return find(bodiesAt(boxes, boxes.size()), ground, Whose::free);
 }
 
 // Those that were held before come first. So who is caught now is not tried twice.
@@ -188,7 +192,7 @@ void TerrainBase::noteAll() {
     if (isFree(body, box2d::poseOf(body))) note(body);
 }
 
-void TerrainBase::moved(BodyArgument body) { footings_->forget(numberOf(handleOf(body))); }
+void TerrainBase::moved(BodyArgument body) noexcept { footings_->forget(numberOf(handleOf(body))); }
 
 void TerrainBase::note(ConstBodyHandle body) {
   const Pose at = box2d::poseOf(body);
@@ -235,7 +239,7 @@ Pose TerrainBase::poseOf(const Footing& footing) const {
   return settled(toBox2D(frame_.placeOf(footing.at)), rotation);
 }
 
-bool TerrainBase::fits(BodyArgument body) { return fitsAt(handleOf(body), box2d::poseOf(handleOf(body))); }
+bool TerrainBase::fits(BodyArgument body) noexcept { return fitsAt(handleOf(body), box2d::poseOf(handleOf(body))); }
 
 bool TerrainBase::fitsAt(ConstBodyHandle body, const Pose& at) {
   const std::vector<Form> forms = formsOf(body, at);
@@ -243,7 +247,7 @@ bool TerrainBase::fitsAt(ConstBodyHandle body, const Pose& at) {
   return WayOut(ground, forms, frame_.units(slop())).isFree();
 }
 
-std::vector<std::vector<Point>> TerrainBase::outlinesOf(ConstBodyHandle body) {
+std::vector<std::vector<Point>> TerrainBase::outlinesOf(ConstBodyHandle body) noexcept {
   std::vector<std::vector<Point>> outlines;
   for (const Form& form : formsOf(body, box2d::poseOf(body))) outlines.push_back(outlineOf(form));
   return outlines;

@@ -27,8 +27,8 @@ inline b2Vec2 toBox2D(Metres m) { return {m.x, m.y}; }
 inline b2Vec2 toBox2D(Place p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 inline float slop() { return b2_linearSlop; }
-/// New ground wakes who is not further away.
-inline float wakingDistance() { return 2 * b2_aabbExtension + b2_polygonRadius; }
+/// New ground wakes who is not further away: who touches it, or would soon.
+inline float wakingDistance() { return 0.2F * b2_lengthUnitsPerMeter; }
 /// Whether Box2D itself wakes what touched a shape that is destroyed.
 inline constexpr bool kDestroyingWakes = true;
 
@@ -58,7 +58,6 @@ void forEachShapeIn(b2World& physics, b2Vec2 at, b2Vec2 lower, b2Vec2 upper, con
 inline const b2Body* handleOf(const b2Body& body) { return &body; }
 inline std::uint64_t numberOf(const b2Body* body) { return reinterpret_cast<std::uintptr_t>(body); }
 inline bool isThere(const b2Body* body) { return body != nullptr; }
-inline bool isStatic(const b2Body* body) { return body->GetType() == b2_staticBody; }
 inline bool isEnabled(const b2Body* body) { return body->IsEnabled(); }
 inline bool canBeCaught(const b2Body* body) { return body->GetType() == b2_dynamicBody && body->IsEnabled(); }
 

@@ -39,10 +39,10 @@ bool operator==(const Material& a, const Material& b) {
          a.isPassable == b.isPassable;
 }
 
-Terrain::Terrain(b2World& physics, const World& world, TerrainOptions options)
+Terrain::Terrain(b2World& physics, const World& world, TerrainOptions options) noexcept
     : TerrainBase(physics, world, std::move(options)) {}
 
-bool Terrain::fits(const b2Body& body, const b2Transform& at) { return fitsAt(&body, {at.p, at.q, 0}); }
+bool Terrain::fits(const b2Body& body, const b2Transform& at) noexcept { return fitsAt(&body, {at.p, at.q, 0}); }
 
 EdgeId TerrainBase::edgeOf(const b2Fixture& fixture) const {
   const std::uintptr_t id = const_cast<b2Fixture&>(fixture).GetUserData().pointer;  // NOLINT: Box2D's is not const
@@ -51,7 +51,7 @@ EdgeId TerrainBase::edgeOf(const b2Fixture& fixture) const {
 }
 
 // In Box2D an edge is always fixture A: edges touch circles and polygons, and are before both in the order of types.
-std::optional<Touch> Terrain::hit(b2Contact& contact) const {
+std::optional<Touch> Terrain::hit(b2Contact& contact) const noexcept {
   const EdgeId id = edgeOf(*contact.GetFixtureA());
   if (!id || !contact.IsTouching()) return {};
   b2Fixture& other = *contact.GetFixtureB();
@@ -60,7 +60,7 @@ std::optional<Touch> Terrain::hit(b2Contact& contact) const {
   return Touch{*found, toBox2D(normalOf(edges_.edge(id))), &other};
 }
 
-std::vector<b2Body*> TerrainBase::bodiesInRect(const CellRect& cells) const {
+std::vector<b2Body*> TerrainBase::bodiesInRect(const CellRect& cells) const noexcept {
   if (isEmpty(cells)) return {};
   const b2AABB bounds{position(toWorld(cells.min, {})), position(toWorld(cells.max, {kUnitsPerCell, kUnitsPerCell}))};
   b2PolygonShape box;
@@ -77,7 +77,7 @@ std::vector<b2Body*> TerrainBase::bodiesInRect(const CellRect& cells) const {
 }
 
 // Box2D does not say who moved.
-const std::vector<b2Body*>& TerrainBase::afterStep() {
+const std::vector<b2Body*>& TerrainBase::afterStep() noexcept {
   putBack_.clear();
   Footings before;  // those of this step are noted anew, so that nobody is known who is gone
   std::swap(before, *footings_);

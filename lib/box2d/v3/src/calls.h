@@ -28,9 +28,8 @@ inline Position toBox2D(Place p) {
 }
 
 inline float slop() { return 0.005F * b2GetLengthUnitsPerMeter(); }  // B2_LINEAR_SLOP is public from 3.2 on
-/// New ground wakes who is not further away. Box2D makes no contact between who sleeps and a static shape that is new,
-/// although its box of a sleeper, which is larger by two of its margins at most, may reach so far.
-inline float wakingDistance() { return 0.35F * b2GetLengthUnitsPerMeter(); }
+/// New ground wakes who is not further away: who touches it, or would soon.
+inline float wakingDistance() { return 0.2F * b2GetLengthUnitsPerMeter(); }
 /// Whether Box2D itself wakes what touched a shape that is destroyed.
 inline constexpr bool kDestroyingWakes = false;
 
@@ -69,7 +68,6 @@ void forEachShapeIn(b2WorldId physics, Position at, b2Vec2 lower, b2Vec2 upper, 
 inline b2BodyId handleOf(b2BodyId body) { return body; }
 inline std::uint64_t numberOf(b2BodyId body) { return b2StoreBodyId(body); }
 inline bool isThere(b2BodyId body) { return B2_IS_NON_NULL(body); }
-inline bool isStatic(b2BodyId body) { return b2Body_GetType(body) == b2_staticBody; }
 inline bool isEnabled(b2BodyId body) { return b2Body_IsEnabled(body); }
 inline bool canBeCaught(b2BodyId body) { return b2Body_GetType(body) == b2_dynamicBody && b2Body_IsEnabled(body); }
 

@@ -40,15 +40,15 @@ class Terrain::Memory {
   Footings footings;
 };
 
-Terrain::Terrain(b2WorldId physics, const World& world, TerrainOptions options, Precision /*precision*/)
+Terrain::Terrain(b2WorldId physics, const World& world, TerrainOptions options, Precision /*precision*/) noexcept
     : TerrainBase(physics, world, std::move(options)) {}
 
-Terrain::MemoryPtr Terrain::remember() const {
+Terrain::MemoryPtr Terrain::remember() const noexcept {
   return std::make_shared<Memory>(Memory{frame_, edges_, shapes_, bodies_, bodyCount_, held_, *footings_});
 }
 
 // Going back over commits that come to nothing leaves the world another version than the mark's.
-void Terrain::recall(const MemoryPtr& memory) {
+void Terrain::recall(const MemoryPtr& memory) noexcept {
   frame_ = memory->frame;
   edges_ = memory->edges;
   shapes_ = memory->shapes;
@@ -61,7 +61,7 @@ void Terrain::recall(const MemoryPtr& memory) {
   if (!isCurrent()) resync();
 }
 
-bool Terrain::fits(b2BodyId body, Position at, b2Rot rotation) { return fitsAt(body, {at, rotation}); }
+bool Terrain::fits(b2BodyId body, Position at, b2Rot rotation) noexcept { return fitsAt(body, {at, rotation}); }
 
 EdgeId TerrainBase::edgeOf(const b2ShapeId& shape) const {
   if (!b2Shape_IsValid(shape)) return {};
@@ -71,7 +71,7 @@ EdgeId TerrainBase::edgeOf(const b2ShapeId& shape) const {
 }
 
 // In Box2D a chain segment is always shape A: it is after all others in the order of types.
-std::optional<Touch> Terrain::hit(const b2ContactData& contact) const {
+std::optional<Touch> Terrain::hit(const b2ContactData& contact) const noexcept {
   const EdgeId id = edgeOf(contact.shapeIdA);
   const b2Manifold& manifold = contact.manifold;
   if (!id || manifold.pointCount == 0) return {};
@@ -87,7 +87,7 @@ std::optional<Touch> Terrain::hit(const b2ContactData& contact) const {
   return Touch{*found, toBox2D(normalOf(edge)), contact.shapeIdB};
 }
 
-std::vector<b2BodyId> TerrainBase::bodiesInRect(const CellRect& cells) const {
+std::vector<b2BodyId> TerrainBase::bodiesInRect(const CellRect& cells) const noexcept {
   if (isEmpty(cells)) return {};
   const auto metres = [&](std::int32_t from, std::int32_t to) {
     return static_cast<float>((1.0 + to - from) * frame_.cellSize);
@@ -107,7 +107,7 @@ std::vector<b2BodyId> TerrainBase::bodiesInRect(const CellRect& cells) const {
   return bodies;
 }
 
-const std::vector<b2BodyId>& TerrainBase::afterStep() {
+const std::vector<b2BodyId>& TerrainBase::afterStep() noexcept {
   putBack_.clear();
   const b2BodyEvents events = b2World_GetBodyEvents(physics_);
   for (int k = 0; k < events.moveCount; ++k) {

@@ -87,18 +87,18 @@ typedef int32_t (*lgs_anchor_fn)(void* user, lgs_block block, lgs_cell cell);
 /* The loops and islands of a world. */
 typedef struct lgs_islands lgs_islands;
 
-/* Looks at all polygons of a world that has no edits that are not committed. `is_anchor` may be NULL: then nothing is an
- * anchor; else it is kept, with its `user`, for as long as the view and its copies live. Cost: in proportion to the
- * world. */
+/* Looks at all polygons of a world that has no edits that are not committed. If it has some, what the view says may be
+ * wrong, and nothing worse. `is_anchor` may be NULL: then nothing is an anchor; else it is kept, with its `user`, for as
+ * long as the view and its copies live. Cost: in proportion to the world. */
 LGS_API lgs_status lgs_islands_new(const lgs_world* world, lgs_anchor_fn is_anchor, void* user,
                                    lgs_islands** islands) LGS_NOTHROW;
 LGS_API lgs_status lgs_islands_copy(const lgs_islands* islands, lgs_islands** copy) LGS_NOTHROW;
 LGS_API void lgs_islands_free(lgs_islands* islands) LGS_NOTHROW;
 
 /* Takes over what the last commit or roll-back changed. The world must follow its cells. Refused, and nothing changes:
- * LGS_BAD_ARGUMENT, if these changes do not lead from what the view shows to what the world shows, or if the world does
- * not follow its cells; then make a new view. If it has edits that are not committed, what the view says of islands may
- * be wrong from then on, and nothing worse.
+ * LGS_BAD_ARGUMENT, if these changes do not lead from what the view shows to what the world shows: then make a new view;
+ * and if the world does not follow its cells: then call lgs_follow_cells() and make a new view. If the world has edits
+ * that are not committed, what the view says of islands may be wrong from then on, and nothing worse.
  * Cost: docs/islands.md. */
 LGS_API lgs_status lgs_islands_update(lgs_islands* islands, const lgs_world* world,
                                       const lgs_changes* changes) LGS_NOTHROW;
@@ -118,8 +118,9 @@ LGS_API lgs_status lgs_islands_loop_pairs(const lgs_islands* islands, int32_t wh
 LGS_API lgs_status lgs_islands_get(const lgs_islands* islands, lgs_island_id id, lgs_island* island) LGS_NOTHROW;
 LGS_API lgs_status lgs_islands_loop(const lgs_islands* islands, lgs_loop_id id, lgs_loop_facts* loop) LGS_NOTHROW;
 
-/* The island that a polygon is of, and the loop that a segment is on; null, if there is none. Under a preserve relation
- * no segment of the world is on a loop. */
+/* The island that a polygon is of, and the loop that a segment is on; null, if there is none. Of a polygon that was
+ * placed since the last update it may be any island, or null. Under a preserve relation no segment of the world is on a
+ * loop. */
 LGS_API lgs_status lgs_islands_of(const lgs_islands* islands, const lgs_world* world, lgs_polygon_id polygon,
                                   lgs_island_id* island) LGS_NOTHROW;
 LGS_API lgs_status lgs_islands_loop_of(const lgs_islands* islands, const lgs_world* world, lgs_segment_id segment,

@@ -73,8 +73,9 @@ struct IslandChanges {
 /// The islands of a world. The comment at the top of this file has an example.
 class Islands {
  public:
-  /// Looks at all polygons of a world that has no edits that are not committed. Without `isAnchor` nothing is an
-  /// anchor, and nothing is ever counted. Cost: in proportion to the world.
+  /// Looks at all polygons of a world that has no edits that are not committed. If it has some, what the view says may
+  /// be wrong, and nothing worse. Without `isAnchor` nothing is an anchor, and nothing is ever counted. Cost: in
+  /// proportion to the world.
   explicit Islands(const World& world, IsAnchor isAnchor = {}) noexcept;
   ~Islands() noexcept;
   Islands(const Islands& other) noexcept;             ///< cost: in proportion to what it knows

@@ -17,7 +17,8 @@
 //
 // An edge belongs to the chunk of its first segment's cell. It ends in that chunk, too, unless it is welded.
 //
-// No function fails. Functions of edges and segments cost O(1), unless it is said otherwise.
+// No function fails. Every function is noexcept: when memory runs out, or EdgeOptions::material throws, the program ends.
+// Functions of edges and segments cost O(1), unless it is said otherwise.
 #pragma once
 
 #include <lgs/box2d/frame.h>
@@ -97,43 +98,45 @@ struct EdgeCounts {
 /// The edges for the segments of one world. The comment at the top of this file says which.
 class EdgeSet {
  public:
-  explicit EdgeSet(EdgeOptions options);  ///< no edges: load() makes them
+  explicit EdgeSet(EdgeOptions options) noexcept;  ///< no edges: load() makes them
 
   /// Brings the edges up to date with a world, whatever they were before. Edges that the world has as well stay. The
   /// result is valid until the next load or update. Cost: O(segments).
-  const EdgeChanges& load(const World& world);
+  const EdgeChanges& load(const World& world) noexcept;
 
   /// The same with what a commit or roll-back of the loaded world reported. Call it after each of them, before the next
   /// edit. That nothing speaks against it (misfit()) is asserted. Cost: the number of changes, times the segments of
   /// the edges near them.
-  const EdgeChanges& update(const World& world, const Changes& changes);
+  const EdgeChanges& update(const World& world, const Changes& changes) noexcept;
 
   /// What speaks against an update with these changes, if anything does. Lists that name what is not there, since no
   /// world made them, are `notTheLast`. Cost: O(changes).
-  std::optional<SyncError> misfit(const World& world, const Changes& changes) const;
+  std::optional<SyncError> misfit(const World& world, const Changes& changes) const noexcept;
 
   /// The World::version() that the edges are up to date with.
-  std::uint64_t version() const { return version_; }
+  std::uint64_t version() const noexcept { return version_; }
 
   /// The edge of a live id, or of one that the last update removed. For the null id, and for one that never was, an
   /// edge of no segment.
-  const Edge& edge(EdgeId id) const { return slots_[id.value < slots_.size() ? id.value : 0].edge; }
+  const Edge& edge(EdgeId id) const noexcept { return slots_[id.value < slots_.size() ? id.value : 0].edge; }
   /// The edge that stands for a segment; null if the segment is left out or is no live segment.
-  EdgeId edgeOf(SegmentId segment) const;
+  EdgeId edgeOf(SegmentId segment) const noexcept;
   /// Where a segment was at the last load or update; nothing if it was not alive then. So between a commit and its
   /// update this says what the commit took away.
-  std::optional<Line> lineOf(SegmentId segment) const;
+  std::optional<Line> lineOf(SegmentId segment) const noexcept;
   /// The highest SegmentId::value that lineOf() may know, and maybe a higher one.
-  std::uint32_t maxSegmentId() const { return records_.empty() ? 0 : static_cast<std::uint32_t>(records_.size() - 1); }
+  std::uint32_t maxSegmentId() const noexcept {
+    return records_.empty() ? 0 : static_cast<std::uint32_t>(records_.size() - 1);
+  }
   /// All live edges, in increasing order. Cost: O(edges).
-  std::vector<EdgeId> edges() const;
+  std::vector<EdgeId> edges() const noexcept;
   /// Where the chunk with a number is. Numbers run from 0 to chunkCount() - 1: one for each chunk that has an edge. A
   /// chunk that loses its last edge keeps its number until the next load or update; then another one may get it. (0, 0)
   /// for any other number.
-  Chunk chunk(std::uint32_t number) const { return number < chunks_.size() ? chunks_[number] : Chunk{}; }
-  std::size_t chunkCount() const { return chunks_.size(); }  ///< how many there are, or were at a time
-  EdgeCounts counts() const;                                 ///< as of the last load or update
-  const EdgeOptions& options() const { return options_; }    ///< those that it was made with
+  Chunk chunk(std::uint32_t number) const noexcept { return number < chunks_.size() ? chunks_[number] : Chunk{}; }
+  std::size_t chunkCount() const noexcept { return chunks_.size(); }  ///< how many there are, or were at a time
+  EdgeCounts counts() const noexcept;                                 ///< as of the last load or update
+  const EdgeOptions& options() const noexcept { return options_; }    ///< those that it was made with
 
  private:
   enum class Fate : std::uint8_t { dead, pending, single, merged, welded, leftOut };
@@ -209,7 +212,7 @@ class EdgeSet {
   EdgeChanges changes_;
   // Of the update. They are members so that their memory is used again.
   std::deque<Segment> reads_;  // segments that were read, as each is asked for some ten times; they stay where they are
-  std::size_t readCount_ = 0;  // those of reads_ that are of now
+  std::size_t readCount_ = 0;  // how many of reads_ are valid; the rest is memory that is used again
   std::vector<SegmentId> seeds_;        // segments to look at
   std::vector<std::uint32_t> retired_;  // edges that go unless they are placed again
   std::vector<std::uint32_t> placed_;   // edges that were placed

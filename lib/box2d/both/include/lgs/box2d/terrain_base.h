@@ -58,7 +58,8 @@ struct Caught {
   b2Vec2 way{0, 0};     ///< that way: a straight move without a turn
 };
 
-/// What every terrain can do. Only a Terrain can be made.
+/// What every terrain can do. Only a Terrain can be made. Every function is noexcept: when memory runs out, or a function
+/// of the game's throws, the program ends.
 class TerrainBase {
  public:
   TerrainBase(const TerrainBase&) = delete;
@@ -68,17 +69,17 @@ class TerrainBase {
 
   /// Commits the edits of its world, and syncs. Errors as of sync(). `world` must be the terrain's own; if it is
   /// another one, the error is `notTheLast`, and nothing is committed. After `leftOut` the world is committed.
-  tl::expected<void, SyncError> commit(World& world);
+  tl::expected<void, SyncError> commit(World& world) noexcept;
 
   /// Applies a commit, or what a roll-back reports. Call it once after each of them, before the next edit. Changes that
   /// are not the next ones are refused: the terrain stays as it was, and the error says why. After `leftOut` call
   /// resync(). After `shownAlready` there is nothing to do. After `notTheLast` call resync() unless isCurrent(). Cost:
-  /// the number of changes, times the segments of an edge; in Box2D 2.4 also, for each fixture that goes, the fixtures
-  /// of its body, because Box2D looks for it there.
-  tl::expected<void, SyncError> sync(const Changes& changes);
+  /// the number of changes, times the segments of an edge; for each body near a change, the changes that are connected
+  /// with it; in Box2D 2.4 also, for each fixture that goes, the fixtures of its body, because Box2D looks for it there.
+  tl::expected<void, SyncError> sync(const Changes& changes) noexcept;
 
   /// The same, with another answer to what happens to bodies in new ground.
-  tl::expected<void, SyncError> sync(const Changes& changes, OnCaught onCaught);
+  tl::expected<void, SyncError> sync(const Changes& changes, OnCaught onCaught) noexcept;
 
   /// The bodies that these changes would catch. Ask after a commit or roll-back and before its sync(): so the game can
   /// roll back, or leave the rest to sync(). A body is caught if its middle was free and is in the solid, or if a new
@@ -86,65 +87,66 @@ class TerrainBase {
   /// Box2D judges on which side of an edge it is. A middle is free if latticePoint() of it is in no polygon and on no
   /// edge of one: on an edge counts as in the solid, as there rounding decides on which side Box2D sees it. Sensors, bodies that are not dynamic or not enabled, and shapes
   /// whose filter lets them through the block do not count. Nothing, if sync() would refuse the changes. Cost: the
-  /// number of changes, for each body in the box around them; and up to some milliseconds for one that has no way out.
-  std::vector<Caught> caughtBy(const Changes& changes);
+  /// number of changes, for each body near one of them; and up to some milliseconds for one that has no way out.
+  std::vector<Caught> caughtBy(const Changes& changes) noexcept;
 
   /// Those that the last sync or resync pushed or held. Who was pushed was moved along the way out and woken, and has
   /// no velocity against it any more. None if they are left.
-  const std::vector<Caught>& caught() const { return caught_; }
+  const std::vector<Caught>& caught() const noexcept { return caught_; }
 
   /// The bodies that are held: disabled where they were caught, at rest. A later sync nearby enables them if they are
   /// free there, or pushes them out if their middles are. A game that destroys or enables one itself may do so.
-  std::vector<BodyHandle> held() const { return held_; }
+  std::vector<BodyHandle> held() const noexcept { return held_; }
 
   /// Call it after each step. Bodies press each other, and Box2D may press a light one through an edge. Each body whose
   /// middle got into the ground in the step, or came through, is put back to where it was free before, at rest. Those
   /// are returned. Bodies that the game itself moves into the ground come back, too. Cost: World::at() for each shape
   /// of a body that is awake.
-  const std::vector<BodyHandle>& afterStep();
+  const std::vector<BodyHandle>& afterStep() noexcept;
 
   /// Call it when the game itself has put a body elsewhere, through a portal or to where it starts anew: else it seems
   /// to have come through the ground that is between, and afterStep() puts it back. Not needed before resync().
-  void moved(BodyArgument body);
+  void moved(BodyArgument body) noexcept;
 
   /// Whether the ground, as of the last commit, reaches into no shape of a body by more than Box2D's slop.
-  bool fits(BodyArgument body);
+  bool fits(BodyArgument body) noexcept;
 
   /// Polygons around the shapes of a body that edges hold, in lattice units of the world: for a brush. Round ones are
   /// somewhat larger.
-  std::vector<std::vector<Point>> outlinesOf(ConstBodyHandle body);
+  std::vector<std::vector<Point>> outlinesOf(ConstBodyHandle body) noexcept;
 
   /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world:
   /// changes were left out, or another world was assigned to it, loaded or copied. Bodies may have been moved
   /// meanwhile: whoever is in the ground is pushed or held, however it came there; and whoever is held and free is
-  /// held no more. Shapes that are right as they are stay, and bodies on them sleep on. Cost: O(segments).
-  void resync();
+  /// held no more. Shapes that are right as they are stay, and bodies on them sleep on. Cost: O(segments), and for each
+  /// body near a change the changes that are connected with it.
+  void resync() noexcept;
 
   /// Asks TerrainOptions::material again for all blocks, as what blocks are like has changed; and syncs as resync()
   /// does. The shapes of blocks that are another material now are made anew, so what rests there wakes up. Nobody is
   /// pushed out of a block that was passable and is solid now. Cost: O(segments).
-  void materialsChanged();
+  void materialsChanged() noexcept;
 
   /// Whether the terrain is up to date with the last commit.
-  bool isCurrent() const { return edges_.version() == world_.version(); }
+  bool isCurrent() const noexcept { return edges_.version() == world_.version(); }
 
   /// What a shape stands for; nothing if it is none of the terrain's. If it stands for several segments, merged or
   /// welded, this is the one nearest to a point of the physics world; without a point, the first one. Between a commit
   /// and its sync(): nothing if the commit changed those segments.
-  std::optional<Hit> hit(const Shape& shape) const;
-  std::optional<Hit> hit(const Shape& shape, const Position& point) const;
+  std::optional<Hit> hit(const Shape& shape) const noexcept;
+  std::optional<Hit> hit(const Shape& shape, const Position& point) const noexcept;
 
   /// The segment of the outline nearest to a point of the physics world, as of the last commit; nothing if none is
   /// within `radius` metres, or kMaxRadius cells, or if the point is beyond the last cell. The point may be in the
   /// solid. Segments that are too short for an edge count as well. Cost: as of World::nearest().
-  std::optional<NearestHit> nearest(const Position& point, float radius) const;
+  std::optional<NearestHit> nearest(const Position& point, float radius) const noexcept;
 
   /// The first piece of the outline that a ray meets from outside, as of the last commit; nothing if it meets none, is
   /// longer than kMaxRay cells on an axis, or has an end beyond the last cell. It is exact but for its ends, which are
   /// rounded to the lattice. A ray of Box2D leaks where segments were too short for an edge; this one does not. It
   /// looks at no filter and at no body: for what stands before the ground cast a ray of Box2D as well, and take the
   /// nearer hit. Cost: as of World::rayCast().
-  std::optional<GroundRayHit> rayCast(const Position& from, const Position& to) const;
+  std::optional<GroundRayHit> rayCast(const Position& from, const Position& to) const noexcept;
 
   /// The bodies that reach into a rectangle of cells, but for the terrain's; each once, in no particular order. Sensors
   /// are not looked at. caughtBy() says which of them new ground would hold. Bodies that just rest beside the cells are
@@ -152,10 +154,12 @@ class TerrainBase {
   /// that are less than 1 cm (b2_polygonRadius) away are found, because the skin of a polygon counts. Cost: the shapes
   /// near the cells.
   template <std::same_as<CellRect> Rect = CellRect>  // so that bodiesIn({3, 4}) is of a cell
-  std::vector<BodyHandle> bodiesIn(const Rect& cells) const {
+  std::vector<BodyHandle> bodiesIn(const Rect& cells) const noexcept {
     return bodiesInRect(cells);
   }
-  std::vector<BodyHandle> bodiesIn(Cell cell) const { return bodiesInRect({cell, cell}); }  ///< the same for one cell
+  std::vector<BodyHandle> bodiesIn(Cell cell) const noexcept {
+    return bodiesInRect({cell, cell});
+  }  ///< the same for one cell
 
   /// Makes the corner of another cell (0, 0) of the physics world, for a world that keeps its origin near the player.
   /// Moves the terrain's bodies. In Box2D 2.4 the game moves its own before it:
@@ -164,19 +168,19 @@ class TerrainBase {
   ///
   /// In Box2D 3 it moves each of them, by the place that the corner had before. Where that rounded a middle into the
   /// ground, the body is moved on by some units. Cost: in proportion to the shapes and to the bodies.
-  void moveOrigin(Cell origin);
+  void moveOrigin(Cell origin) noexcept;
 
   /// The edges behind the shapes: counts, ends, ghosts. The user data of a shape are its EdgeId. The terrain needs
   /// them; do not write there.
-  const EdgeSet& edges() const { return edges_; }
-  std::size_t bodyCount() const { return bodyCount_; }  ///< chunks with at least one shape
+  const EdgeSet& edges() const noexcept { return edges_; }
+  std::size_t bodyCount() const noexcept { return bodyCount_; }  ///< chunks with at least one shape
 
-  Position position(Point p) const;  ///< where a lattice point is in the physics world, in range or not
+  Position position(Point p) const noexcept;  ///< where a lattice point is in the physics world, in range or not
   /// The lattice point nearest to a place in the physics world; not inRange() if that is beyond the last cell. It leads
   /// from a click to a polygon: world.at(terrain.latticePoint(mouse)).
-  Point latticePoint(const Position& p) const;
+  Point latticePoint(const Position& p) const noexcept;
   /// The cell at a place in the physics world; not inRange() if that is beyond the last cell, or no number.
-  Cell cellAt(const Position& p) const;
+  Cell cellAt(const Position& p) const noexcept;
 
  protected:
   /// The static body that has the shapes of a chunk.
@@ -184,21 +188,22 @@ class TerrainBase {
     BodyHandle body{};       ///< null, while there is no shape
     std::size_t shapes = 0;  ///< how many it has
   };
-  TerrainBase(Physics physics, const World& world, TerrainOptions options);  ///< makes all shapes
-  ~TerrainBase();                                                            ///< destroys its bodies
+  TerrainBase(Physics physics, const World& world, TerrainOptions options) noexcept;  ///< makes all shapes
+  ~TerrainBase() noexcept;                                                            ///< destroys its bodies
 
   bool fitsAt(ConstBodyHandle body, const Pose& at);                 ///< fits(), as if the body were there
   EdgeId edgeOf(const Shape& shape) const;                           ///< null if it is none of the terrain's
   void lookAt(BodyHandle body, const std::optional<Footing>& last);  ///< afterStep() for one body that was moved
 
  private:
-  std::vector<BodyHandle> bodiesInRect(const CellRect& cells) const;
+  std::vector<BodyHandle> bodiesInRect(const CellRect& cells) const noexcept;
   bool isAlone() const;
   std::vector<Form> formsOf(ConstBodyHandle body, const Pose& at);
   b2Vec2 metres(DoublePoint units) const;
   std::vector<BodyHandle> catchableIn(const Box& box) const;
-  /// The bodies at boxes, each once. Wakes those at boxes from the index `waking` on.
-  std::vector<BodyHandle> wakeNear(std::span<const Box> boxes, std::size_t waking);
+  /// The bodies at boxes that can be caught, each once. Wakes those that reach one from the index `firstToWake` on.
+  std::vector<BodyHandle> bodiesAt(std::span<const Box> boxes, std::size_t firstToWake);
+  bool reachesOne(ConstBodyHandle body, std::span<const Box> boxes, std::span<const std::uint32_t> which);
   std::vector<Caught> find(const std::vector<BodyHandle>& bodies, const NewGround& ground, Whose whose);
   void addIfCaught(BodyHandle body, const NewGround& ground, Whose whose, std::vector<Caught>& caught);
   void settle(const std::optional<Box>& changed, OnCaught onCaught);
@@ -216,7 +221,8 @@ class TerrainBase {
   void create(EdgeId id);
   void destroy(EdgeId id);
   void remake(EdgeId id);
-  /// Wakes who is near edges that change. Returns those bodies, and those at boxes.
+  void loadEdges();
+  /// Wakes who is near edges that change. Returns bodies that can be caught: those, and those at other boxes.
   std::vector<BodyHandle> wakeAround(const EdgeChanges& changes, std::vector<Box> boxes);
   LocalEdge localEdge(EdgeId id) const;
   Position positionOf(std::uint32_t chunk) const;

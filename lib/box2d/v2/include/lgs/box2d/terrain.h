@@ -14,7 +14,8 @@
 //   for (lgs::Cell cell : touched) world.clear(cell);
 //   terrain.commit(world);
 //
-// Bodies that rest on changed ground wake up, and so do bodies where new ground appears. Nothing else is touched.
+// Dynamic bodies that rest on changed ground wake up, and so do those within 20 cm of where new ground appears. Nothing
+// else is touched.
 //
 // To be called from one thread at a time, and not during b2World::Step(), but for functions that are const. Nothing
 // fails, unless it is said.
@@ -30,12 +31,12 @@ class Terrain : public TerrainBase {
  public:
   /// Makes the terrain of what the world held at its last commit. Both worlds must outlive it and stay where they are;
   /// resync() if `world` is assigned to. Cost: O(segments).
-  Terrain(b2World& physics, const World& world, TerrainOptions options = {});
+  Terrain(b2World& physics, const World& world, TerrainOptions options = {}) noexcept;
 
   using TerrainBase::fits;
   /// Whether the ground, as of the last commit, reaches into no fixture of a body by more than Box2D's slop, as if it
   /// were at another place.
-  bool fits(const b2Body& body, const b2Transform& at);
+  bool fits(const b2Body& body, const b2Transform& at) noexcept;
 
   using TerrainBase::hit;
   /// What a contact touches of the terrain; nothing if neither fixture is the terrain's, or if the contact does not
@@ -43,12 +44,12 @@ class Terrain : public TerrainBase {
   /// the one nearest to the middle of the contact's points; without points, as with a sensor, to the middle of the
   /// other fixture. Can be called in a b2ContactListener: in BeginContact, PreSolve and PostSolve every contact
   /// touches. In EndContact use hit(fixture), because a contact that ends does not touch any more.
-  std::optional<Touch> hit(b2Contact& contact) const;
+  std::optional<Touch> hit(b2Contact& contact) const noexcept;
 
   /// The fixture that stands for a segment; null if the segment is left out, because it is too short, or is not alive.
-  b2Fixture* fixture(SegmentId segment) const { return fixture(edges_.edgeOf(segment)); }
+  b2Fixture* fixture(SegmentId segment) const noexcept { return fixture(edges_.edgeOf(segment)); }
   /// The fixture of a live edge; null for the null id and for one that never was. Its userData.pointer is the EdgeId.
-  b2Fixture* fixture(EdgeId edge) const { return shapes_[edge.value < shapes_.size() ? edge.value : 0]; }
+  b2Fixture* fixture(EdgeId edge) const noexcept { return shapes_[edge.value < shapes_.size() ? edge.value : 0]; }
 };
 
 }  // namespace lgs::box2d

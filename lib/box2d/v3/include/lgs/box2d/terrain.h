@@ -14,7 +14,8 @@
 // From Box2D 3.2 on the chain segments are loose (b2CreateChainSegmentShape), and a ghost that changes is written in
 // place. Before 3.2 each is an open chain of four points, which is made anew when a ghost changes.
 //
-// Bodies that rest on changed ground wake up, and so do bodies where new ground appears. Nothing else is touched.
+// Dynamic bodies that rest on changed ground wake up, and so do those within 20 cm of where new ground appears. Nothing
+// else is touched.
 //
 // To be called from one thread at a time, and not during b2World_Step(). Nothing fails, unless it is said.
 #pragma once
@@ -40,12 +41,12 @@ class Terrain : public TerrainBase {
   /// Makes the terrain of what the world held at its last commit. `world` must outlive it and stay where it is; resync()
   /// if it is assigned to. When the physics world is destroyed, nothing but the terrain's destructor may be called.
   /// Cost: O(segments).
-  Terrain(b2WorldId physics, const World& world, TerrainOptions options = {}, Precision = {});
+  Terrain(b2WorldId physics, const World& world, TerrainOptions options = {}, Precision = {}) noexcept;
 
   using TerrainBase::fits;
   /// Whether the ground, as of the last commit, reaches into no shape of a body by more than Box2D's slop, as if it
   /// were at another place.
-  bool fits(b2BodyId body, Position at, b2Rot rotation);
+  bool fits(b2BodyId body, Position at, b2Rot rotation) noexcept;
 
   /// What recall() needs to bring the terrain back to now, and nobody else can read. For this terrain alone.
   class Memory;
@@ -64,27 +65,27 @@ class Terrain : public TerrainBase {
   ///
   /// From then on all goes on as it did, to the last bit. User data of the game's own bodies and shapes are not
   /// brought back: Box2D sets them to null. Cost: O(segments), 10 to 20 µs for a thousand.
-  MemoryPtr remember() const;
-  void recall(const MemoryPtr& memory);  ///< see remember()
+  MemoryPtr remember() const noexcept;
+  void recall(const MemoryPtr& memory) noexcept;  ///< see remember()
 
   using TerrainBase::hit;
   /// What a contact touches of the terrain; nothing if it is none of the terrain's, or has no points. If the edge
   /// stands for several segments, the hit is the one nearest to the middle of the points. Box2D gives out the data of
   /// contacts that touch, and of no others. But it looks ahead: what is less than four slops (2 cm) away touches for
   /// it, and a point's `separation` is greater than 0 then.
-  std::optional<Touch> hit(const b2ContactData& contact) const;
+  std::optional<Touch> hit(const b2ContactData& contact) const noexcept;
 
   /// The same by the id of a contact, which Box2D's events have from 3.2 on; nothing if the contact is no more.
   template <class ContactId>
   requires requires(ContactId contact) { b2Contact_GetData(contact); }
-  std::optional<Touch> hit(ContactId contact) const {
+  std::optional<Touch> hit(ContactId contact) const noexcept {
     return b2Contact_IsValid(contact) ? hit(b2Contact_GetData(contact)) : std::nullopt;
   }
 
   /// The shape that stands for a segment; null if the segment is left out, because it is too short, or is not alive.
-  b2ShapeId shape(SegmentId segment) const { return shape(edges_.edgeOf(segment)); }
+  b2ShapeId shape(SegmentId segment) const noexcept { return shape(edges_.edgeOf(segment)); }
   /// The shape of a live edge; null for the null id and for one that never was.
-  b2ShapeId shape(EdgeId edge) const { return shapes_[edge.value < shapes_.size() ? edge.value : 0].shape; }
+  b2ShapeId shape(EdgeId edge) const noexcept { return shapes_[edge.value < shapes_.size() ? edge.value : 0].shape; }
 };
 
 }  // namespace lgs::box2d
