@@ -1,6 +1,7 @@
 #include "fuzz/bodies.h"
 
 #include "fuzz/body_watch.h"
+#include "fuzz/units.h"
 #include "oracle/calls/random.h"
 #include "oracle/calls/shapes.h"
 
@@ -22,11 +23,10 @@ namespace {
 using box2d::Terrain;
 using oracle::Random;
 
-constexpr std::int64_t U = kUnitsPerCell;
 constexpr std::int32_t kWidth = 6, kHeight = 4;  // cells within the walls
 constexpr std::size_t kMostBodies = 12, kMaxMoves = 40, kMostUndo = 6;
 
-bool isAnchor(Block block, Cell cell) { return block == 1 || cell.j < 1; }
+bool isBedrock(Block block, Cell cell) { return block == 1 || cell.j < 1; }
 
 class Game {
  public:
@@ -76,14 +76,14 @@ class Game {
   /// Of a world that has just been made, or loaded.
   void begin() {
     static_cast<void>(world_.followCells(true));
-    islands_.emplace(world_, isAnchor);
+    islands_.emplace(world_, isBedrock);
     marks_ = {world_.checkpoint()};
     now_ = 0;
   }
 
   Point pointOf(Random& choices) {
     const std::int64_t x = choices.below(kWidth * 16), y = choices.below(kHeight * 16);
-    return {x * (U / 16), y * (U / 16)};
+    return {x * (kCell / 16), y * (kCell / 16)};
   }
 
   void addBody(Point at, Random& choices) {
@@ -120,11 +120,11 @@ class Game {
   }
 
   Region regionOf(Point at, Random& choices) {
-    const std::int64_t radius = U / 4 + choices.below(6) * (U / 4);
-    const auto within = [&](std::int64_t x, int cells) { return std::clamp(x, U / 8, cells * U - U / 8); };
+    const std::int64_t radius = kCell / 4 + choices.below(6) * (kCell / 4);
+    const auto within = [&](std::int64_t x, int cells) { return std::clamp(x, kCell / 8, cells * kCell - kCell / 8); };
     if (choices.chance(40)) {
       const std::array line{at, Point{within(at.x + radius, kWidth), within(at.y - radius, kHeight)}};
-      return thickLine(line, U / 8, 8);
+      return thickLine(line, kCell / 8, 8);
     }
     Region region = circle(at, radius, 8 + choices.below(9));
     for (Ring& ring : region.rings)
@@ -238,7 +238,7 @@ class Game {
         static_cast<void>(islands_->update(world_, changes));
         const auto version = world_.version();
         if (!box2d::cutOut(*terrain_, world_, changes)) wrong_ = "cutOut() is refused";
-        if (version != world_.version()) islands_.emplace(world_, isAnchor);  // it has committed
+        if (version != world_.version()) islands_.emplace(world_, isBedrock);  // it has committed
         return note();
       }
       case 8:

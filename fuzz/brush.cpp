@@ -12,6 +12,7 @@
 //           bytes 4-15  the vertices, x and y: so many steps from the middle
 #include "fuzz/check_edits.h"
 #include "fuzz/strokes.h"
+#include "fuzz/units.h"
 
 #include <fmt/format.h>
 #include <lgs/brush.h>
@@ -27,7 +28,6 @@ using oracle::Edit;
 using oracle::Trace;
 
 constexpr std::int64_t kCells = 3;
-constexpr std::int32_t U = kUnitsPerCell;
 constexpr std::size_t kMaxStrokes = 60;
 constexpr std::size_t kMaxOfAnyForm = 12;  // each is made several times over
 constexpr std::uint8_t kAnyForm = 192;

@@ -2,6 +2,7 @@
 // stays as it was.
 #include "fuzz/beside.h"
 #include "fuzz/same.h"
+#include "fuzz/units.h"
 
 #include <algorithm>
 #include <vector>
@@ -10,8 +11,6 @@ namespace lgs::fuzz {
 namespace {
 
 using oracle::Random;
-
-constexpr std::int32_t U = kUnitsPerCell, kSide = 32;  // of a chunk, in cells
 
 /// A world with the same polygons and no marks.
 World copyOf(const World& world) {
@@ -36,10 +35,10 @@ std::string saveAndLoad(World& world) {
 /// Chunks in a place where nothing else is.
 CellRect emptyPlace(const World& world) {
   const CellRect all = world.bounds().value_or(CellRect{});
-  const std::int32_t i =
-      all.max.i < kMaxCell / 2 ? ((all.max.i | (kSide - 1)) + 1 + kSide) : (all.min.i & -kSide) - 4 * kSide;
-  const std::int32_t j = std::clamp(all.min.j, -kMaxCell / 2, kMaxCell / 2) & -kSide;
-  return {{i, j}, {i + 2 * kSide - 1, j + 2 * kSide - 1}};
+  const std::int32_t i = all.max.i < kMaxCell / 2 ? ((all.max.i | (kChunkSide - 1)) + 1 + kChunkSide)
+                                                  : (all.min.i & -kChunkSide) - 4 * kChunkSide;
+  const std::int32_t j = std::clamp(all.min.j, -kMaxCell / 2, kMaxCell / 2) & -kChunkSide;
+  return {{i, j}, {i + 2 * kChunkSide - 1, j + 2 * kChunkSide - 1}};
 }
 
 /// So many segments that pages of them are given back; on every second cell, so that none is hidden.

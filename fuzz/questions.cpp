@@ -1,5 +1,6 @@
 #include "fuzz/questions.h"
 
+#include "fuzz/units.h"
 #include "oracle/trace/trace.h"
 #include "oracle/views/recompute.h"
 
@@ -16,8 +17,6 @@ namespace {
 
 using oracle::Random;
 using oracle::Wide;
-
-constexpr std::int64_t U = kUnitsPerCell;
 
 struct Vector {
   Wide x, y;
@@ -90,7 +89,7 @@ Ratio distance(const Segment& s, Point p) {
 std::string wrongNearest(const World& world, const std::vector<Segment>& segments, Point p, double radius) {
   const auto actual = world.nearest(p, radius);
   if (!actual) return "nearest() is refused: " + message(actual.error());
-  const std::int64_t reach = std::llround(radius * static_cast<double>(U));
+  const std::int64_t reach = std::llround(radius * static_cast<double>(kCell));
   const Segment* nearest = nullptr;
   Ratio least{Wide{reach} * reach, 1};
   for (const Segment& s : segments) {
@@ -108,9 +107,9 @@ std::string wrongNearest(const World& world, const std::vector<Segment>& segment
     return nearest || actual->segment ? where + " finds a segment too many, or none" : "";
   const auto found = world.segment(actual->segment);
   if (!found || nameOf(*found) != nameOf(*nearest)) return where + " finds another segment";
-  const double expected = std::sqrt(least.real()) / static_cast<double>(U);
+  const double expected = std::sqrt(least.real()) / static_cast<double>(kCell);
   const auto away = [](double at, std::int64_t from) {
-    return at - static_cast<double>(from) / static_cast<double>(U);
+    return at - static_cast<double>(from) / static_cast<double>(kCell);
   };
   const double told = std::hypot(away(actual->point.x, p.x), away(actual->point.y, p.y));
   const bool isRight = std::abs(actual->distance - expected) <= 1e-12 * std::max(1.0, expected);
@@ -152,7 +151,7 @@ std::string wrongReals(const World& world, const std::vector<Segment>& segments)
   const Point origin = segments.front().start;
   if (!world.segments(ids, origin, reals)) return "segments() in reals is refused";
   const auto is = [&](RealPoint<Real> real, Point p) {
-    const auto of = [](std::int64_t units) { return static_cast<Real>(static_cast<double>(units) / U); };
+    const auto of = [](std::int64_t units) { return static_cast<Real>(static_cast<double>(units) / kCell); };
     return real.x == of(p.x - origin.x) && real.y == of(p.y - origin.y);
   };
   for (std::size_t k = 0; k < ids.size(); ++k) {
@@ -212,19 +211,19 @@ Point somePoint(const World& world, Random& random) {
   const auto ids = world.segments();
   if (ids.empty() || random.chance(20)) {
     const Point origin = toWorld(world.bounds().value_or(CellRect{}).min, {});
-    const std::int64_t x = random.below(6 * U) - U, y = random.below(6 * U) - U;
+    const std::int64_t x = random.below(6 * kCell) - kCell, y = random.below(6 * kCell) - kCell;
     return inTheWorld(origin.x + x, origin.y + y);
   }
   const Segment s = *world.segment(random.pick(ids));
   const Point p = random.chance(50) ? s.start : Point{(s.start.x + s.end.x) / 2, (s.start.y + s.end.y) / 2};
-  const std::int64_t spread = random.chance(30) ? 0 : random.chance(50) ? 1 : U;
+  const std::int64_t spread = random.chance(30) ? 0 : random.chance(50) ? 1 : kCell;
   const std::int64_t x = random.below(2 * spread + 1) - spread, y = random.below(2 * spread + 1) - spread;
   return inTheWorld(p.x + x, p.y + y);
 }
 
 std::string wrongAnswers(const World& world, Random& random) {
   const std::vector<Segment> segments = segmentsOf(world);
-  const std::vector<double> radii{0, 1.0 / U, 0.25, 1, 3, 40};
+  const std::vector<double> radii{0, 1.0 / kCell, 0.25, 1, 3, 40};
   for (int k = 0; k < 4; ++k) {
     const Point p = somePoint(world, random);
     Point q = somePoint(world, random);
@@ -232,7 +231,7 @@ std::string wrongAnswers(const World& world, Random& random) {
     if (random.chance(20)) q.y = p.y;
     if (std::string wrong = wrongSpot(world, p); !wrong.empty()) return wrong;
     if (std::string wrong = wrongNearest(world, segments, p, random.pick(radii)); !wrong.empty()) return wrong;
-    const bool isNear = std::max(std::abs(p.x - q.x), std::abs(p.y - q.y)) <= kMaxRay * U;
+    const bool isNear = std::max(std::abs(p.x - q.x), std::abs(p.y - q.y)) <= kMaxRay * kCell;
     if (!isNear && world.rayCast(p, q)) return "a ray that is too long is not refused";
     if (!isNear) continue;
     if (std::string wrong = wrongRay(world, segments, p, q); !wrong.empty()) return wrong;

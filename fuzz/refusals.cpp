@@ -3,6 +3,7 @@
 #include "fuzz/beside.h"
 #include "fuzz/questions.h"
 #include "fuzz/same.h"
+#include "fuzz/units.h"
 
 #include <lgs/brush.h>
 #include <lgs/debug.h>
@@ -78,28 +79,28 @@ bool refusesNames(World& world) {
 
 /// Regions that are none: too large, too far, made with a length that is none, too much for a cell.
 bool refusesRegions(World& world) {
-  constexpr std::int64_t U = kUnitsPerCell, kTooLong = (kMaxRegionCells / 2 + 1) * U;
+  constexpr std::int64_t kTooLong = (kMaxRegionCells / 2 + 1) * kCell;
   const Point far{kMaxCoordinate + 1, 0};
   const std::array line{Point{}, far}, still{Point{}, Point{}};
   Region crowded;
   for (std::int64_t k = 0; k <= 3'000; ++k)
-    crowded.rings.push_back({{1, 2 * k}, {U - 1, 2 * k + 1}, {U - 1, 2 * k + 2}});
-  const Region wide{{{{0, 0}, {2 * kTooLong, 0}, {0, U}}}}, high{{{{0, 0}, {U, 0}, {0, 2 * kTooLong}}}};
-  for (const Region& region :
-       {circle({}, 0), circle({}, kTooLong), circle(far, U), rectangle({}, {1, 0}, 0, U), rectangle({}, {1, 0}, U, 0),
-        rectangle(far, {1, 0}, U, U), thickLine(line, U), thickLine(still, 0), wide, high}) {
+    crowded.rings.push_back({{1, 2 * k}, {kCell - 1, 2 * k + 1}, {kCell - 1, 2 * k + 2}});
+  const Region wide{{{{0, 0}, {2 * kTooLong, 0}, {0, kCell}}}}, high{{{{0, 0}, {kCell, 0}, {0, 2 * kTooLong}}}};
+  for (const Region& region : {circle({}, 0), circle({}, kTooLong), circle(far, kCell), rectangle({}, {1, 0}, 0, kCell),
+                               rectangle({}, {1, 0}, kCell, 0), rectangle(far, {1, 0}, kCell, kCell),
+                               thickLine(line, kCell), thickLine(still, 0), wide, high}) {
     if (!isRefused(carve(world, region), ErrorCode::outOfReach) || !isRefused(cellsOf(region), ErrorCode::outOfReach) ||
         !isRefused(without(region, crowded), ErrorCode::outOfReach) || meets(region, {{0, 0}, {1, 0}, {0, 1}}))
       return false;
   }
-  if (!isRefused(without(circle({}, U), wide), ErrorCode::outOfReach)) return false;
+  if (!isRefused(without(circle({}, kCell), wide), ErrorCode::outOfReach)) return false;
   World empty;
   const bool isCrowded = isRefused(paint(empty, crowded, 1, PaintMode::fill), ErrorCode::capacity) &&
                          isRefused(cellsOf(crowded), ErrorCode::capacity);
-  const Region tiny = rectangle({9, 9}, {std::int64_t{1} << 40, 1}, 99, 9), flat{{{{0, 0}, {U, 0}, {9, 0}}}};
+  const Region tiny = rectangle({9, 9}, {std::int64_t{1} << 40, 1}, 99, 9), flat{{{{0, 0}, {kCell, 0}, {9, 0}}}};
   const auto nothing = paint(empty, flat, 1, PaintMode::fill);
   return isCrowded && boundsOf(tiny) && nothing && empty.stats().polygons == 0 && samePolygons(empty, World()) &&
-         !meets(tiny, {{0, 0}, {1, 0}}) && thickLine({}, U).rings.empty();
+         !meets(tiny, {{0, 0}, {1, 0}}) && thickLine({}, kCell).rings.empty();
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "fuzz/questions.h"
 #include "fuzz/same.h"
+#include "fuzz/units.h"
 
 #include <algorithm>
 #include <array>
@@ -13,18 +14,16 @@ namespace {
 
 using oracle::Random;
 
-constexpr std::int64_t U = kUnitsPerCell;
-
 Point near(Point p, std::int64_t reach, Random& random) {
   const std::int64_t x = random.between(-reach, reach), y = random.between(-reach, reach);
   return {std::clamp(p.x + x, -kMaxCoordinate, kMaxCoordinate), std::clamp(p.y + y, -kMaxCoordinate, kMaxCoordinate)};
 }
 
 Region drawRegion(const World& world, Random& random) {
-  constexpr std::array<std::int64_t, 6> kSizes{3 * U, U, U / 3, U / 16, 40, 2};
+  constexpr std::array<std::int64_t, 6> kSizes{3 * kCell, kCell, kCell / 3, kCell / 16, 40, 2};
   const std::int64_t size = kSizes[random.below(kSizes.size())];
   Point at = somePoint(world, random);
-  if (random.chance(40)) at = {at.x & ~(U / 4 - 1), at.y & ~(U / 4 - 1)};
+  if (random.chance(40)) at = {at.x & ~(kCell / 4 - 1), at.y & ~(kCell / 4 - 1)};
   Region region;
   switch (random.below(6)) {
     case 0:
@@ -41,7 +40,7 @@ Region drawRegion(const World& world, Random& random) {
       std::vector<std::vector<DoublePoint>> rings(1);
       for (int k = 3 + random.below(3); k > 0; --k) {
         const Point p = near(at, size, random);
-        rings[0].push_back({static_cast<double>(p.x) / U, static_cast<double>(p.y) / U});
+        rings[0].push_back({static_cast<double>(p.x) / kCell, static_cast<double>(p.y) / kCell});
       }
       if (random.chance(5)) rings[0][0].x = random.chance(50) ? 1e300 : std::nan("");
       return lgs::region(rings);
@@ -162,7 +161,7 @@ std::string wrongRest(const Region& region, const World& world, Random& random) 
   const auto in = [](const World& w, Point p) { return w.at(p).where != Spot::Where::outside; };
   for (int k = 0; k < 20; ++k) {
     const Point p = somePoint(all, random);
-    const double away = 8.0 / U;
+    const double away = 8.0 / kCell;
     if (all.nearest(p, away)->segment || hole.nearest(p, away)->segment) continue;
     if (!inRange(p) || all.at(p).where == Spot::Where::edge || hole.at(p).where == Spot::Where::edge) continue;
     if (in(left, p) != (in(all, p) && !in(hole, p))) return "without() is not the difference";

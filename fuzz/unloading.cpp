@@ -3,6 +3,7 @@
 #include "fuzz/questions.h"
 #include "fuzz/same.h"
 #include "fuzz/strokes.h"
+#include "fuzz/units.h"
 #include "oracle/reference/outline.h"
 #include "oracle/trace/dump.h"
 
@@ -17,16 +18,14 @@ namespace {
 using oracle::Random;
 using Chunk = std::vector<std::byte>;
 
-constexpr std::int32_t kSide = 32;  // of a chunk, in cells
-
 /// Some chunks about the polygons of a world.
 CellRect someChunks(const World& world, Random& random) {
   const CellRect all = world.bounds().value_or(CellRect{});
   const Cell at = random.chance(50) ? all.min : all.max;
   const auto inside = [](std::int32_t k) { return std::clamp(k, -kMaxCell, kMaxCell); };
-  const std::int32_t i = kSide * random.below(2), j = kSide * random.below(2);
-  return {{inside((at.i & -kSide) - i), inside((at.j & -kSide) - j)},
-          {inside((at.i | (kSide - 1)) + i), inside((at.j | (kSide - 1)) + j)}};
+  const std::int32_t i = kChunkSide * random.below(2), j = kChunkSide * random.below(2);
+  return {{inside((at.i & -kChunkSide) - i), inside((at.j & -kChunkSide) - j)},
+          {inside((at.i | (kChunkSide - 1)) + i), inside((at.j | (kChunkSide - 1)) + j)}};
 }
 
 /// A world of which a part is unloaded, and one with all of it.
@@ -177,7 +176,8 @@ class Beside {
     const auto count = part_.reloadEmpty(cells_);
     if (!count || *count != chunks_.size()) return "reloadEmpty() counts other chunks";
     for (const auto [i, j] : corners_)
-      if (!whole_.clear(CellRect{{i, j}, {std::min(i + kSide - 1, kMaxCell), std::min(j + kSide - 1, kMaxCell)}}))
+      if (!whole_.clear(
+              CellRect{{i, j}, {std::min(i + kChunkSide - 1, kMaxCell), std::min(j + kChunkSide - 1, kMaxCell)}}))
         return "a chunk can not be cleared";
     return samePolygons(part_, whole_) ? "" : "chunks that came back empty are not empty";
   }

@@ -139,8 +139,8 @@ class Following {
 }  // namespace
 
 std::string followByViews(const World& world, Random& random) {
-  constexpr std::uint64_t kManyPolygons = 60;  // the checks take their time
-  if (world.stats().polygons > kManyPolygons) return "";
+  constexpr std::uint64_t kMostPolygons = 60;  // the checks take their time
+  if (world.stats().polygons > kMostPolygons) return "";
   auto twin = fresh(world);
   return twin ? Following(std::move(*twin)).run(random) : "what stands in a world can not be placed in another one";
 }

@@ -62,7 +62,8 @@ std::vector<BodyHandle> TerrainBase::bodiesAt(std::span<const Box> boxes, std::s
   std::vector<BodyHandle> bodies;
   std::unordered_set<std::uint64_t> known;
   for (const ChangedPlace& place : placesOf(boxes)) {
-    const auto waking = std::ranges::subrange(std::ranges::lower_bound(place.boxes, firstToWake), place.boxes.end());
+    const auto first = std::lower_bound(place.boxes.begin(), place.boxes.end(), firstToWake);
+    const std::span waking(first, place.boxes.end());
     for (const BodyHandle body : catchableIn(place.box)) {
       if (known.insert(numberOf(body)).second) bodies.push_back(body);
       if (!waking.empty() && reachesOne(body, boxes, waking)) wakeUp(body);
@@ -165,13 +166,13 @@ bool TerrainBase::isFree(ConstBodyHandle body, const Pose& at) {
 // Places are floats. Where one is rounded, as the origin moved since or as a way ends there, a middle may come onto the
 // outline. Then the nearest of the places around is taken that is free.
 std::optional<Pose> TerrainBase::freeNear(ConstBodyHandle body, const Pose& at) {
-  constexpr int kFarthest = 3;
+  constexpr int kMostSteps = 3;
   if (isFree(body, at)) return at;
   using Real = decltype(at.p.x);
   const auto most = std::max(std::abs(at.p.x), std::abs(at.p.y));
   const auto rounding = std::nextafter(most, std::numeric_limits<Real>::max()) - most;
   const auto unit = std::max(rounding, static_cast<Real>(frame_.cellSize / kUnitsPerCell));
-  for (int far = 1; far <= kFarthest; ++far) {
+  for (int far = 1; far <= kMostSteps; ++far) {
     for (int x = -far; x <= far; ++x) {
       for (int y = -far; y <= far; ++y) {
         if (std::abs(x) != far && std::abs(y) != far) continue;
