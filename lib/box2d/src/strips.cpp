@@ -11,14 +11,15 @@ using detail::operator-;  // NOLINT(misc-unused-using-decls): a template below u
 
 // A segment of the world; none, too, if its chunk is unloaded.
 const Segment* EdgeSet::find(SegmentId id) {
+  constexpr std::size_t kPage = 64;
+  const auto place = [&](std::size_t k) -> Segment& { return reads_[k / kPage][k % kPage]; };
   Record& record = records_[id.value];
-  if (record.read < readCount_ && reads_[record.read].id == id) return &reads_[record.read];
+  if (record.read < readCount_ && place(record.read).id == id) return &place(record.read);
   const auto found = world_->segment(id);
   if (!found) return nullptr;
+  if (readCount_ == kPage * reads_.size()) reads_.emplace_back(kPage);
   record.read = static_cast<std::uint32_t>(readCount_++);
-  if (record.read == reads_.size()) reads_.emplace_back();
-  reads_[record.read] = *found;
-  return &reads_[record.read];
+  return &(place(record.read) = *found);
 }
 
 // Else an update of all segments would have a copy of all. It is called between two groups, where nobody holds a pointer

@@ -27,7 +27,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <optional>
 #include <unordered_map>
@@ -211,12 +210,12 @@ class EdgeSet {
   std::size_t fates_[6] = {};
   EdgeChanges changes_;
   // Of the update. They are members so that their memory is used again.
-  std::deque<Segment> reads_;  // segments that were read, as each is asked for some ten times; they stay where they are
-  std::size_t readCount_ = 0;  // how many of reads_ are valid; the rest is memory that is used again
-  std::vector<SegmentId> seeds_;        // segments to look at
-  std::vector<std::uint32_t> retired_;  // edges that go unless they are placed again
-  std::vector<std::uint32_t> placed_;   // edges that were placed
-  std::vector<const Segment*> group_;   // the strips that are being worked on
+  std::vector<std::vector<Segment>> reads_;  // segments that were read, by pages, so that they stay where they are
+  std::size_t readCount_ = 0;                // how many of reads_ are valid; the rest is memory that is used again
+  std::vector<SegmentId> seeds_;             // segments to look at
+  std::vector<std::uint32_t> retired_;       // edges that go unless they are placed again
+  std::vector<std::uint32_t> placed_;        // edges that were placed
+  std::vector<const Segment*> group_;        // the strips that are being worked on
   std::vector<Strip> strips_;
   std::vector<std::pair<SegmentId, SegmentId>> ends_;  // the first and last segment of each group
 };
