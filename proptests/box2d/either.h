@@ -50,6 +50,7 @@ class EitherBox2d : public testing::Test {
     for (int k = 0; k < times; ++k) physics.Step(1.0F / 60, 8, 3);
   }
   static bool isAwake(Body body) { return body->IsAwake(); }
+  static void letSleep(Body body) { body->SetAwake(false); }
   static b2Transform transformOf(Body body) { return body->GetTransform(); }
   /// All contacts of a body, also with what is only near.
   static std::size_t contactCount(Body body) {
@@ -126,6 +127,7 @@ class EitherBox2d : public Physics3 {
     b2Body_SetAwake(body, true);
   }
   static bool isAwake(Body body) { return b2Body_IsAwake(body); }
+  static void letSleep(Body body) { b2Body_SetAwake(body, false); }
   static auto transformOf(Body body) { return b2Body_GetTransform(body); }
   /// All contacts of a body, also with what is only near.
   static std::size_t contactCount(Body body) { return static_cast<std::size_t>(b2Body_GetContactCapacity(body)); }
