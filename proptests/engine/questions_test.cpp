@@ -207,6 +207,15 @@ TEST(QuestionsByHand, FarApartAndFarAway) {
   EXPECT_EQ(world.bounds(), (CellRect{{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}}));
 }
 
+TEST(QuestionsByHand, APointThatIsNearlyOnASegmentIsNearIt) {
+  World world;
+  place(world, {0, 0}, {{0, 0}, {5, 0}, {5, 3}});
+  world.commit();
+  const auto nearest = must(world.nearest({3, 2}, 1));  // twice the area with the long side is 1
+  ASSERT_TRUE(nearest.segment);
+  EXPECT_NEAR(nearest.distance * U, 1 / std::sqrt(34.0), 1e-9);
+}
+
 TEST(QuestionsByHand, APlaceBeyondTheWorldIsNoLatticePoint) {
   constexpr Point kBeyond{kMaxCoordinate + 1, kMaxCoordinate + 1};
   constexpr auto kLast = static_cast<double>(kMaxCoordinate) / kUnitsPerCell;

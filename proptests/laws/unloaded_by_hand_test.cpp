@@ -1,5 +1,6 @@
 // Chunks that are unloaded, by hand: what is refused, what bytes are taken, what memory it costs.
 #include "proptests/support/law.h"
+#include "proptests/support/must.h"
 #include "twins.h"
 #include "unloaded.h"
 
@@ -248,23 +249,23 @@ TEST(UnloadedByHand, QuestionsSayWhereTheyWouldHaveToLook) {
   EXPECT_EQ(world.at(at(40.5, 32)).where, Spot::Where::unloaded);
   EXPECT_EQ(world.at(at(40.5, 32.5)).where, Spot::Where::outside);
   // From above: what is loaded is hit, unless the way there leads through what is not.
-  EXPECT_TRUE(world.rayCast(at(10, 40), at(10, 20))->segment);
+  EXPECT_TRUE(must(world.rayCast(at(10, 40), at(10, 20))).segment);
   EXPECT_EQ(world.rayCast(at(40, 40), at(40, 20)).error().cell, (Cell{39, 31}));
-  EXPECT_FALSE(world.rayCast(at(40, 40), at(40, 33))->segment);
-  EXPECT_TRUE(world.rayCast(at(30, 34), at(40, 24))->segment) << "it is hit at (32, 32)";
+  EXPECT_FALSE(must(world.rayCast(at(40, 40), at(40, 33))).segment);
+  EXPECT_EQ(world.rayCast(at(30, 34), at(40, 24)).error().code, ErrorCode::unloaded) << "it meets both at (32, 32)";
   EXPECT_EQ(world.rayCast(at(29, 40), at(39, 20)).error().code, ErrorCode::unloaded);
   EXPECT_TRUE(world.rayCast(at(20, 40), at(60, 20)).error().code == ErrorCode::unloaded);
   EXPECT_TRUE(world.rayCast(at(28, 33), at(36, 31)).error().code == ErrorCode::unloaded) << "it meets both at once";
-  EXPECT_TRUE(world.rayCast(at(27, 33), at(35, 31))->segment) << "it is hit at (31, 32), and would go on";
+  EXPECT_TRUE(must(world.rayCast(at(27, 33), at(35, 31))).segment) << "it is hit at (31, 32), and would go on";
   EXPECT_TRUE(world.rayCast(Point{63 * U, 33 * U}, Point{65 * U, 31 * U + 1})) << "half a unit beside the corner";
-  EXPECT_TRUE(world.rayCast(at(31.25, 33), at(32.75, 31))->segment) << "it is hit, and further on meets both in a row";
+  EXPECT_TRUE(must(world.rayCast(at(31.4, 33), at(32.4, 31))).segment) << "it is hit, and in that row would go on";
   // The nearest segment, unless an unknown one may be as near.
-  EXPECT_TRUE(world.nearest(at(10, 35), 10)->segment);
-  EXPECT_EQ(world.nearest(at(30, 35), 10)->distance, 3.0);
+  EXPECT_TRUE(must(world.nearest(at(10, 35), 10)).segment);
+  EXPECT_EQ(must(world.nearest(at(30, 35), 10)).distance, 3.0);
   EXPECT_EQ(world.nearest(at(32, 35), 10).error().code, ErrorCode::unloaded);
   EXPECT_EQ(world.nearest(at(48, 35), 10).error().cell, (Cell{48, 31}));
-  EXPECT_FALSE(world.nearest(at(48, 35), 2.5)->segment);
-  EXPECT_EQ(world.nearest(at(200, 16), 200)->distance, 104.0) << "the nearer one is loaded";
+  EXPECT_FALSE(must(world.nearest(at(48, 35), 2.5)).segment);
+  EXPECT_EQ(must(world.nearest(at(200, 16), 200)).distance, 104.0) << "the nearer one is loaded";
 }
 
 TEST(UnloadedByHand, OfPlacesThatMayBeNearestTheFirstByRowsIsNamed) {
