@@ -123,8 +123,8 @@ rc::Gen<CallOfParts> CallOfParts::arbitrary() {
   return [=](rc::Random random, int) {
     oracle::Random choices(random.next());
     return rc::shrinkable::map(
-        rc::shrinkable::shrinkRecur(drawCall(choices, habits), [](const Call& call) { return simplerCalls(call); }),
-        [](Call&& call) { return CallOfParts{std::move(call)}; });
+        rc::shrinkable::shrinkRecur(drawCall(choices, habits), [](const Call& drawn) { return simplerCalls(drawn); }),
+        [](Call&& drawn) { return CallOfParts{std::move(drawn)}; });
   };
 }
 
