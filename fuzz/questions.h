@@ -15,7 +15,4 @@ std::string wrongAnswers(const World& world, oracle::Random& random);
 /// The same for all that can be read: segments in reals, shapes, bounds, counts, the trace that a world is written as.
 std::string wrongReads(const World& world);
 
-/// A point in or near the polygons of a world: as a rule one where something happens.
-Point somePoint(const World& world, oracle::Random& random);
-
 }  // namespace lgs::fuzz

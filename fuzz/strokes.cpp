@@ -3,6 +3,7 @@
 #include "fuzz/questions.h"
 #include "fuzz/same.h"
 #include "fuzz/units.h"
+#include "oracle/check/questions.h"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +23,7 @@ Point near(Point p, std::int64_t reach, Random& random) {
 Region drawRegion(const World& world, Random& random) {
   constexpr std::array<std::int64_t, 6> kSizes{3 * kCell, kCell, kCell / 3, kCell / 16, 40, 2};
   const std::int64_t size = kSizes[random.below(kSizes.size())];
-  Point at = somePoint(world, random);
+  Point at = oracle::somePoint(world, random);
   if (random.chance(40)) at = {at.x & ~(kCell / 4 - 1), at.y & ~(kCell / 4 - 1)};
   Region region;
   switch (random.below(6)) {
@@ -160,7 +161,7 @@ std::string wrongRest(const Region& region, const World& world, Random& random) 
   for (World* w : {&all, &hole, &left}) w->commit();
   const auto in = [](const World& w, Point p) { return w.at(p).where != Spot::Where::outside; };
   for (int k = 0; k < 20; ++k) {
-    const Point p = somePoint(all, random);
+    const Point p = oracle::somePoint(all, random);
     const double away = 8.0 / kCell;
     if (all.nearest(p, away)->segment || hole.nearest(p, away)->segment) continue;
     if (!inRange(p) || all.at(p).where == Spot::Where::edge || hole.at(p).where == Spot::Where::edge) continue;

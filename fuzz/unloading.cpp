@@ -4,6 +4,7 @@
 #include "fuzz/same.h"
 #include "fuzz/strokes.h"
 #include "fuzz/units.h"
+#include "oracle/check/questions.h"
 #include "oracle/reference/outline.h"
 #include "oracle/trace/dump.h"
 
@@ -99,7 +100,7 @@ class Beside {
   /// The same, or that it is not known.
   std::string ask() {
     for (int k = 0; k < 4; ++k) {
-      const Point p = somePoint(whole_, random_), q = somePoint(whole_, random_);
+      const Point p = oracle::somePoint(whole_, random_), q = oracle::somePoint(whole_, random_);
       const Spot here = part_.at(p), there = whole_.at(p);
       const bool isSpot = here.where == Spot::Where::unloaded
                               ? !isLoaded(here.cell)

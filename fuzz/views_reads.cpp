@@ -2,6 +2,7 @@
 #include "fuzz/beside.h"
 #include "fuzz/questions.h"
 #include "fuzz/views.h"
+#include "oracle/check/questions.h"
 
 #include <lgs/islands.h>
 
@@ -117,7 +118,7 @@ std::string wrongParts(World world, const Islands& islands, Random& random) {
 std::string wrongViewReads(const World& world, const Followed& views, Random& random) {
   const auto& [islands, pieces, hashes] = views;
   for (int k = 0; k < 6; ++k)
-    if (std::string wrong = wrongPieceAt(pieces, somePoint(world, random)); !wrong.empty()) return wrong;
+    if (std::string wrong = wrongPieceAt(pieces, oracle::somePoint(world, random)); !wrong.empty()) return wrong;
   if (pieces.freePieceAt({kMaxCoordinate + 1, 0}) || !pieces.portals({{kMaxCell + 1, 0}, 0}).empty())
     return "beyond the last cell there is a free piece";
   const CellRect bounds = world.bounds().value_or(CellRect{});

@@ -157,9 +157,8 @@ class TerrainBase {
   std::vector<BodyHandle> bodiesIn(const Rect& cells) const noexcept {
     return bodiesInRect(cells);
   }
-  std::vector<BodyHandle> bodiesIn(Cell cell) const noexcept {
-    return bodiesInRect({cell, cell});
-  }  ///< the same for one cell
+  /// The same for one cell.
+  std::vector<BodyHandle> bodiesIn(Cell cell) const noexcept { return bodiesInRect({cell, cell}); }
 
   /// Makes the corner of another cell (0, 0) of the physics world, for a world that keeps its origin near the player.
   /// Moves the terrain's bodies. In Box2D 2.4 the game moves its own before it:

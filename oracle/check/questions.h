@@ -1,0 +1,25 @@
+// What a world answers when it is asked about places, against the slow way: all polygons, all segments, exact fractions.
+#pragma once
+
+#include "oracle/calls/random.h"
+
+#include <lgs/world.h>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lgs::oracle {
+
+/// All segments of a world. All of its chunks are in memory.
+std::vector<Segment> segmentsOf(const World& world);
+
+/// A point in or near the polygons of a world: as a rule one where something happens.
+Point somePoint(const World& world, Random& random);
+
+/// What is wrong about World::at(), nearest() or rayCast(); nothing, if all is right. The segments are those of the world;
+/// what is asked for is within reach.
+std::string wrongSpot(const World& world, Point p);
+std::string wrongNearest(const World& world, std::span<const Segment> segments, Point p, double radius);
+std::string wrongRay(const World& world, std::span<const Segment> segments, Point from, Point to);
+
+}  // namespace lgs::oracle
