@@ -33,7 +33,7 @@ Status dig(const CheckArguments& arguments, const Trace& start, const Checked& d
   totals.built = editCount(start);
   Scene last;
   Progress progress;
-  options.afterCommit = [&](const Scene& scene) {
+  options.afterCommit = [&](const Model& standing) {
     stillAlive();
     if (totals.stats.edits <= totals.built) {
       totals.begin = std::chrono::steady_clock::now();  // only digging is timed
@@ -43,7 +43,7 @@ Status dig(const CheckArguments& arguments, const Trace& start, const Checked& d
       progress.show(fmt::format("{} of {}, {}, no mismatch", totals.stats.edits - totals.built,
                                 counted(arguments.edits, "edit"), counted(totals.stats.commits, "commit")));
     }
-    if (!arguments.svg.empty()) last = scene;
+    if (!arguments.svg.empty()) last = standing.scene(digging.trace.preserve);
     return true;
   };
   const auto mismatch = checkTrace(digging.trace, options, totals.stats);

@@ -65,10 +65,10 @@ Status playCases(const CheckArguments& arguments, CheckOptions options, Case& at
     const Checked checked = caseOf(arguments, at);
     Features features{};
     std::size_t commits = 0;
-    options.afterCommit = [&](const Scene& scene) {
+    options.afterCommit = [&](const Model& standing) {
       constexpr std::size_t kSample = 8;  // looking for features after each commit would take as long as the check
-      if (commits++ % kSample == 0) note(scene, features);
-      if (!arguments.svg.empty()) last = scene;
+      if (commits++ % kSample == 0) note(standing.scene(checked.trace.preserve), features);
+      if (!arguments.svg.empty()) last = standing.scene(checked.trace.preserve);
       stillAlive();
       return true;
     };

@@ -209,7 +209,7 @@ class Check {
       if (auto found = readAll()) return found;
     }
     edited_.clear();
-    stopped_ = options_.afterCommit && !options_.afterCommit(scene());
+    stopped_ = options_.afterCommit && !options_.afterCommit(model());
     return std::nullopt;
   }
 
@@ -224,14 +224,15 @@ class Check {
   Result compareWhole(bool withUnion) {
     ++stats_.whole;
     const Outline actual = engine_.outline();
+    const Scene all = scene();
     if (options_.naive) {
       ++stats_.naive;
-      if (auto found = compareOutlines(Mismatch::Kind::naive, scene(), naive_(scene()).outline, actual)) return found;
+      if (auto found = compareOutlines(Mismatch::Kind::naive, all, naive_(all).outline, actual)) return found;
     }
     if (!withUnion || !options_.cgal) return std::nullopt;
-    const auto united = cgalUnion(scene());
+    const auto united = cgalUnion(all);
     if (!united) return std::nullopt;  // a preserve relation that is no partition: CGAL has no say
-    if (auto found = compareUnion(scene(), *united, actual, nullptr)) return found;
+    if (auto found = compareUnion(all, *united, actual, nullptr)) return found;
     return library_ != nullptr && trace_.preserve.empty() ? compareLoops(canonical(united->loops)) : std::nullopt;
   }
 

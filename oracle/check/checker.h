@@ -15,6 +15,7 @@
 #include "oracle/engine/engine.h"
 #include "oracle/reference/outline.h"
 #include "oracle/reference/scene.h"
+#include "oracle/trace/model.h"
 #include "oracle/trace/player.h"
 #include "oracle/trace/trace.h"
 
@@ -46,8 +47,8 @@ struct CheckOptions {
   /// Compare with CGAL after the last commit only: it costs more than all the rest together.
   bool unionAtEnd = false;
 
-  /// Called after each commit that was found right; false stops the check there.
-  std::function<bool(const Scene&)> afterCommit = {};
+  /// Called after each commit that was found right, with what stands then; false stops the check there.
+  std::function<bool(const Model&)> afterCommit = {};
 };
 
 struct Mismatch {

@@ -18,8 +18,10 @@ struct Edge {
 // Neighbours only, so that nothing overflows: see note().
 bool between(Point p, Point a, Point b) { return p != a && p != b && isOnSegment(p, a, b); }
 
-std::vector<Edge> edgesOf(const ScenePolygon& polygon) {
-  std::vector<Edge> edges;
+using Edges = std::vector<Edge>;
+
+Edges edgesOf(const ScenePolygon& polygon) {
+  Edges edges;
   const std::size_t n = polygon.vertices.size();
   for (std::size_t k = 0; k < n; ++k) {
     edges.push_back({toWorld(polygon.cell, polygon.vertices[k]), toWorld(polygon.cell, polygon.vertices[(k + 1) % n])});
@@ -33,11 +35,10 @@ class Noter {
 
   void mark(Feature feature) { features_[static_cast<std::size_t>(feature)] = true; }
 
-  void pair(const ScenePolygon& p, const ScenePolygon& q) {
-    const bool sameCell = p.cell == q.cell;
+  void pair(const Edges& p, const Edges& q, bool sameCell) {
     if (sameCell) mark(Feature::manyInCell);
-    for (const Edge& a : edgesOf(p)) {
-      for (const Edge& b : edgesOf(q)) edges(a, b, sameCell);
+    for (const Edge& a : p) {
+      for (const Edge& b : q) edges(a, b, sameCell);
     }
   }
 
@@ -73,6 +74,8 @@ void note(const Scene& scene, Features& features) {
   Noter noter(features);
   std::map<Point, std::set<Cell>> corners;
   std::set<Block> blocks;
+  std::vector<Edges> edges;
+  for (const ScenePolygon& p : scene.polygons) edges.push_back(edgesOf(p));
   for (std::size_t k = 0; k < scene.polygons.size(); ++k) {
     const ScenePolygon& p = scene.polygons[k];
     blocks.insert(p.block);
@@ -81,7 +84,7 @@ void note(const Scene& scene, Features& features) {
     }
     for (std::size_t l = 0; l < k; ++l) {
       const ScenePolygon& q = scene.polygons[l];
-      if (std::abs(p.cell.i - q.cell.i) <= 1 && std::abs(p.cell.j - q.cell.j) <= 1) noter.pair(p, q);
+      if (std::abs(p.cell.i - q.cell.i) <= 1 && std::abs(p.cell.j - q.cell.j) <= 1) noter.pair(edges[k], edges[l], p.cell == q.cell);
     }
   }
   for (const auto& entry : corners) {

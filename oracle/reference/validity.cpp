@@ -14,11 +14,7 @@ struct Doubled {
   friend auto operator<=>(const Doubled&, const Doubled&) = default;
 };
 
-std::vector<Doubled> doubled(const LocalPolygon& polygon) {
-  std::vector<Doubled> points;
-  for (const LocalPoint& p : polygon) points.push_back({2 * std::int64_t{p.x}, 2 * std::int64_t{p.y}});
-  return points;
-}
+Doubled doubled(LocalPoint p) { return {2 * std::int64_t{p.x}, 2 * std::int64_t{p.y}}; }
 
 // Positive: c is on the left of a→b.
 std::int64_t orientation(Doubled a, Doubled b, Doubled c) {
@@ -43,15 +39,20 @@ bool doTouch(Doubled a, Doubled b, Doubled c, Doubled d) {
 }
 
 template <class Visit>
-void forEachEdge(const std::vector<Doubled>& polygon, Visit visit) {
-  for (std::size_t k = 0; k < polygon.size(); ++k) visit(polygon[k], polygon[(k + 1) % polygon.size()]);
+void forEachEdge(const LocalPolygon& polygon, Visit visit) {
+  Doubled last = doubled(polygon.back());
+  for (const LocalPoint& p : polygon) {
+    const Doubled next = doubled(p);
+    visit(last, next);
+    last = next;
+  }
 }
 
 enum class Position { inside, alongBoundary, againstBoundary, outside };
 
 // Where the middle of the directed edge a→b lies in relation to a polygon. The polygon's boundary must not cross the
 // edge.
-Position positionOf(Doubled a, Doubled b, const std::vector<Doubled>& polygon) {
+Position positionOf(Doubled a, Doubled b, const LocalPolygon& polygon) {
   const Doubled middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
   Position position = Position::outside;
   bool odd = false;
@@ -67,12 +68,14 @@ Position positionOf(Doubled a, Doubled b, const std::vector<Doubled>& polygon) {
 }
 
 // Whether a piece of a's boundary lies inside b, or along b's boundary with the solid on the same side.
-bool boundaryEnters(const std::vector<Doubled>& a, const std::vector<Doubled>& b) {
+bool boundaryEnters(const LocalPolygon& a, const LocalPolygon& b) {
   bool enters = false;
+  std::vector<Doubled> cuts;
   forEachEdge(a, [&](Doubled from, Doubled to) {
-    std::vector<Doubled> cuts{from, to};
-    for (const Doubled& p : b) {
-      if (onSegment(p, from, to)) cuts.push_back(p);
+    if (enters) return;
+    cuts.assign({from, to});
+    for (const LocalPoint& p : b) {
+      if (onSegment(doubled(p), from, to)) cuts.push_back(doubled(p));
     }
     std::sort(cuts.begin(), cuts.end());
     if (to < from) std::reverse(cuts.begin(), cuts.end());
@@ -92,15 +95,6 @@ bool areApart(const LocalPolygon& a, const LocalPolygon& b, std::int32_t LocalPo
   return maxA.*axis <= minB.*axis || maxB.*axis <= minA.*axis;
 }
 
-bool edgesMeet(const std::vector<Doubled>& p, std::size_t i, std::size_t j) {
-  const auto after = [&](std::size_t k) { return (k + 1) % p.size(); };
-  const Doubled a = p[i], b = p[after(i)], c = p[j], d = p[after(j)];
-  if (i == j) return false;
-  if (after(i) == j) return onSegment(d, a, b) || onSegment(a, c, d);  // folds back
-  if (after(j) == i) return onSegment(c, a, b) || onSegment(b, c, d);
-  return doTouch(a, b, c, d);
-}
-
 }  // namespace
 
 std::optional<ErrorCode> faultOf(const LocalPolygon& polygon) {
@@ -113,28 +107,32 @@ std::optional<ErrorCode> faultOf(const LocalPolygon& polygon) {
   LocalPolygon sorted = polygon;
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return ErrorCode::repeatedVertex;
-  const std::vector<Doubled> points = doubled(polygon);
   std::int64_t area = 0;
-  forEachEdge(points, [&](Doubled a, Doubled b) { area += a.x * b.y - a.y * b.x; });
+  forEachEdge(polygon, [&](Doubled a, Doubled b) { area += a.x * b.y - a.y * b.x; });
   if (area == 0) return ErrorCode::zeroArea;
   for (std::size_t j = 0; j < polygon.size(); ++j)
     for (std::size_t i = 0; i < j; ++i)
-      if (edgesMeet(points, i, j)) return ErrorCode::selfIntersecting;
+      if (edgesMeet(polygon, i, j)) return ErrorCode::selfIntersecting;
   if (area < 0) return ErrorCode::clockwise;
   return std::nullopt;
 }
 
-bool edgesMeet(const LocalPolygon& polygon, std::size_t i, std::size_t j) { return edgesMeet(doubled(polygon), i, j); }
+bool edgesMeet(const LocalPolygon& p, std::size_t i, std::size_t j) {
+  const auto after = [&](std::size_t k) { return k + 1 == p.size() ? 0 : k + 1; };
+  const Doubled a = doubled(p[i]), b = doubled(p[after(i)]), c = doubled(p[j]), d = doubled(p[after(j)]);
+  if (i == j) return false;
+  if (after(i) == j) return onSegment(d, a, b) || onSegment(a, c, d);  // folds back
+  if (after(j) == i) return onSegment(c, a, b) || onSegment(b, c, d);
+  return doTouch(a, b, c, d);
+}
 
 bool overlap(const LocalPolygon& a, const LocalPolygon& b) {
   if (areApart(a, b, &LocalPoint::x) || areApart(a, b, &LocalPoint::y)) return false;
-  const std::vector<Doubled> p = doubled(a);
-  const std::vector<Doubled> q = doubled(b);
   bool crossing = false;
-  forEachEdge(p, [&](Doubled s, Doubled t) {
-    forEachEdge(q, [&](Doubled u, Doubled v) { crossing = crossing || doCross(s, t, u, v); });
+  forEachEdge(a, [&](Doubled s, Doubled t) {
+    forEachEdge(b, [&](Doubled u, Doubled v) { crossing = crossing || doCross(s, t, u, v); });
   });
-  return crossing || boundaryEnters(p, q) || boundaryEnters(q, p);
+  return crossing || boundaryEnters(a, b) || boundaryEnters(b, a);
 }
 
 }  // namespace lgs::oracle

@@ -24,8 +24,9 @@ constexpr std::int64_t dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
 
 /// Whether c lies on the closed segment from a to b, a ≠ b.
 constexpr bool isOnSegment(Point c, Point a, Point b) {
+  if (cross(b - a, c - a) != 0) return false;
   const std::int64_t along = dot(c - a, b - a);
-  return cross(b - a, c - a) == 0 && along >= 0 && along <= dot(b - a, b - a);
+  return along >= 0 && along <= dot(b - a, b - a);
 }
 
 /// The shortest integer vector of the same direction: equal for vectors of one direction, however long they are.

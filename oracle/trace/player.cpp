@@ -137,13 +137,13 @@ Player::Done Player::wear(Cell cell, unsigned times) {
   Call square;
   square.kind = Call::Kind::addShape;
   square.comes = {{cell, {{kUnitSquare.begin(), kUnitSquare.end()}}, 0}};
-  for (; times > 0; --times) {
-    square.comes[0].block = times;
-    const Outcome outcome = caller_.makeResolved(square);
-    if (outcome.refusal || !world().remove(outcome.handles[0])) return wrong("a square can not come and go");
-    if (auto done = checkShapes(square, outcome); !done) return done;
+  const Outcome first = caller_.makeResolved(square);
+  if (first.refusal || !world().remove(first.handles[0])) return wrong("a square can not come and go");
+  for (; times > 1; --times) {
+    const auto again = world().add(cell, first.shape, times);
+    if (!again || !world().remove(*again)) return wrong("a square can not come and go");
   }
-  return {};
+  return checkShapes(square, first);
 }
 
 std::string Player::badName(const Edit& edit) const {

@@ -17,7 +17,8 @@ constexpr std::size_t kHeader = alignof(std::max_align_t);
 void* allocate(std::size_t size, std::size_t alignment = kHeader) noexcept {
   if (newCalls >= mostCalls) return nullptr;
   const std::size_t whole = (alignment + size + alignment - 1) / alignment * alignment;
-  auto* block = static_cast<std::byte*>(std::aligned_alloc(alignment, whole));
+  void* const memory = alignment == kHeader ? std::malloc(whole) : std::aligned_alloc(alignment, whole);  // NOLINT
+  auto* block = static_cast<std::byte*>(memory);
   if (!block) return nullptr;
   ::new (block) std::size_t(size);
   ++newCalls;

@@ -35,9 +35,9 @@ void agreesWithTheReferences(const Trace& trace, bool cgal, Tally& tally) {
   options.cgal = cgal;
   oracle::Features features{};
   std::size_t commits = 0;
-  options.afterCommit = [&](const oracle::Scene& scene) {
+  options.afterCommit = [&](const oracle::Model& standing) {
     constexpr std::size_t kSample = 32;  // looking at each commit would cost as much as the check
-    if (commits++ % kSample == 0) note(scene, features);
+    if (commits++ % kSample == 0) note(standing.scene(trace.preserve), features);
     oracle::stillAlive();
     return true;
   };
