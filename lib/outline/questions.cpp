@@ -179,10 +179,6 @@ Expected<RayHit> rayCast(const Grid& grid, const Outline& outline, Point from, P
   const auto cellOf = [](CellIndex cell) {
     return Cell{static_cast<std::int32_t>(cell.i), static_cast<std::int32_t>(cell.j)};
   };
-  const auto find = [&](CellIndex cell) {
-    if (std::abs(cell.i) > kMaxCell || std::abs(cell.j) > kMaxCell) return CellAt{};
-    return grid.find(cellOf(cell));
-  };
   Fraction best, unseenAt;
   std::optional<Cell> unseen;  // the first unloaded cell on the way
   std::uint32_t first = kNoSegment;
@@ -196,7 +192,7 @@ Expected<RayHit> rayCast(const Grid& grid, const Outline& outline, Point from, P
           unseen = cellOf(cell);
           return;
         }
-        const CellAt here = find(cell);
+        const CellAt here = grid.find(cellOf(cell));
         for (const std::uint32_t id : outline.lists.of(here).all()) {
           Fraction at;
           if (!meets(ray, endsOf(grid, outline, id), at)) continue;
