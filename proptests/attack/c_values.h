@@ -39,11 +39,28 @@ inline lgs_status checked(lgs_status status, bool areGiven) {
 }
 inline lgs_status checked(lgs_status status, Given world) { return checked(status, world.isGiven); }
 
-/// Makes a polygon's points in C, and calls with them, with their number, and perhaps with NULL for them.
-template <class To, class From, class Call>
-lgs_status withPoints(const std::vector<From>& points, Given given, Call call) {
-  const std::vector<To> list = listOf<To>(points);
-  return checked(call(given.isGiven ? list.data() : nullptr, list.size()), given.isGiven || list.empty());
-}
+/// The vertices of a polygon in C, or NULL for them.
+template <class T>
+struct Ring : Space<T> {};
+
+template <class T>
+struct Hostile<Ring<T>> {
+  using From = std::conditional_t<std::is_same_v<T, lgs_local_point>, Points,
+                                  std::conditional_t<std::is_same_v<T, lgs_float_point>, Reals<float>, Reals<double>>>;
+  static const std::vector<Ring<T>>& values(Scene& scene) {
+    static const std::vector<Ring<T>> kAll = [&] {
+      std::vector<Ring<T>> all;
+      for (const From& points : Hostile<From>::values(scene)) all.push_back({{listOf<T>(points), true}});
+      all.push_back({{all.front().items, false}});
+      all.push_back({});
+      all.back().isGiven = false;
+      return all;
+    }();
+    return kAll;
+  }
+  static std::string told(const Ring<T>& ring) {
+    return fmt::format("{} vertices{}", ring.size(), ring.isGiven ? "" : " at NULL");
+  }
+};
 
 }  // namespace lgs::test

@@ -37,11 +37,6 @@ struct Hostile<ListOfC> {
   static std::string told(const ListOfC& v) { return fmt::format("list {}", v.number); }
 };
 
-/// A list's own memory, or none.
-template <class T>
-T* arrayOf(std::vector<T>& list, Given given) {
-  return given.isGiven ? list.data() : nullptr;
-}
 inline lgs_islands* islandsOf(const FollowedC& f, Given given) { return given.isGiven ? f.islands.get() : nullptr; }
 
 /// Its own island, or a number.

@@ -6,158 +6,103 @@ namespace lgs::test {
 namespace {
 
 void addShapes(Doors& door) {
-  door("lgs_shape", [](Scene& s, Given w, const Points& p, Given points, Given out, Given e) {
-    lgs_shape_id id{};
-    lgs_error error{};
-    return checked(withPoints<lgs_local_point>(p, points,
-                                               [&](auto* list, std::size_t count) {
-                                                 return lgs_shape(worldOf(s, w), list, count, out(id), e(error));
-                                               }),
-                   w);
+  door("lgs_shape", [](Scene& s, Given w, const Ring<lgs_local_point>& p, Out<lgs_shape_id> out, Out<lgs_error> e) {
+    return checked(lgs_shape(worldOf(s, w), p.data(), p.size(), out, e), w.isGiven && p.isThere());
   });
-  door("lgs_shape_floats", [](Scene& s, Given w, const Reals<float>& p, Given points, Given out, Given e) {
-    lgs_shape_id id{};
-    lgs_error error{};
-    return checked(withPoints<lgs_float_point>(p, points,
-                                               [&](auto* list, std::size_t count) {
-                                                 return lgs_shape_floats(worldOf(s, w), list, count, out(id), e(error));
-                                               }),
-                   w);
-  });
-  door("lgs_shape_doubles", [](Scene& s, Given w, const Reals<double>& p, Given points, Given out, Given e) {
-    lgs_shape_id id{};
-    lgs_error error{};
-    return checked(withPoints<lgs_double_point>(p, points,
-                                                [&](auto* list, std::size_t count) {
-                                                  return lgs_shape_doubles(worldOf(s, w), list, count, out(id),
-                                                                           e(error));
-                                                }),
-                   w);
-  });
+  door("lgs_shape_floats",
+       [](Scene& s, Given w, const Ring<lgs_float_point>& p, Out<lgs_shape_id> out, Out<lgs_error> e) {
+         return checked(lgs_shape_floats(worldOf(s, w), p.data(), p.size(), out, e), w.isGiven && p.isThere());
+       });
+  door("lgs_shape_doubles",
+       [](Scene& s, Given w, const Ring<lgs_double_point>& p, Out<lgs_shape_id> out, Out<lgs_error> e) {
+         return checked(lgs_shape_doubles(worldOf(s, w), p.data(), p.size(), out, e), w.isGiven && p.isThere());
+       });
   door("lgs_shape_of_several",
-       [](Scene& s, Given w, const std::vector<Points>& all, Given counted, Given out, Given e) {
+       [](Scene& s, Given w, const std::vector<Points>& all, Given counted, Out<lgs_shape_id> out, Out<lgs_error> e) {
          std::vector<lgs_local_point> points;
          std::vector<std::uint32_t> counts;
          for (const Points& p : all) {
            counts.push_back(static_cast<std::uint32_t>(p.size()));
            for (const LocalPoint v : p) points.push_back({v.x, v.y});
          }
-         lgs_shape_id id{};
-         lgs_error error{};
          return checked(lgs_shape_of_several(worldOf(s, w), points.data(), counted.isGiven ? counts.data() : nullptr,
-                                             counts.size(), out(id), e(error)),
+                                             counts.size(), out, e),
                         w.isGiven && (counted.isGiven || counts.empty()));
        });
-  door("lgs_shape_polygons", [](Scene& s, Given w, ShapeId id, Given out) {
-    std::size_t count = 0;
-    return checked(lgs_shape_polygons(worldOf(s, w), toC(id), out(count)), w);
+  door("lgs_shape_polygons", [](Scene& s, Given w, ShapeId id, Out<std::size_t> out) {
+    return checked(lgs_shape_polygons(worldOf(s, w), toC(id), out), w);
   });
-  door("lgs_shape_vertices", [](Scene& s, Given w, ShapeId id, std::uint64_t index, Room room, Given list, Given out) {
-    std::vector<lgs_local_point> vertices(room.size);
-    std::size_t count = 0;
-    return checked(lgs_shape_vertices(worldOf(s, w), toC(id), index, list.isGiven ? vertices.data() : nullptr,
-                                      room.size, out(count)),
-                   w);
-  });
-  door("lgs_shape_box", [](Scene& s, Given w, ShapeId id, Given out) {
-    lgs_local_box box{};
-    return checked(lgs_shape_box(worldOf(s, w), toC(id), out(box)), w);
+  door("lgs_shape_vertices",
+       [](Scene& s, Given w, ShapeId id, std::uint64_t index, Space<lgs_local_point> vertices, Out<std::size_t> out) {
+         return checked(lgs_shape_vertices(worldOf(s, w), toC(id), index, vertices.data(), vertices.size(), out), w);
+       });
+  door("lgs_shape_box", [](Scene& s, Given w, ShapeId id, Out<lgs_local_box> out) {
+    return checked(lgs_shape_box(worldOf(s, w), toC(id), out), w);
   });
 }
 
 void addEdits(Doors& door) {
-  door("lgs_add", [](Scene& s, Given w, Cell c, ShapeId id, std::uint32_t b, Given out, Given e) {
-    lgs_polygon_id polygon{};
-    lgs_error error{};
-    return checked(lgs_add(worldOf(s, w), toC(c), toC(id), b, out(polygon), e(error)), w);
+  door("lgs_add", [](Scene& s, Given w, Cell c, ShapeId id, std::uint32_t b, Out<lgs_polygon_id> out,
+                     Out<lgs_error> e) { return checked(lgs_add(worldOf(s, w), toC(c), toC(id), b, out, e), w); });
+  door("lgs_add_several", [](Scene& s, Given w, Cell c, ShapeId id, Space<lgs_polygon_id> ids, Out<lgs_error> e) {
+    return checked(lgs_add_several(worldOf(s, w), toC(c), toC(id), 1, ids.data(), ids.size(), e),
+                   w.isGiven && ids.isThere());
   });
-  door("lgs_add_several", [](Scene& s, Given w, Cell c, ShapeId id, Room room, Given list, Given e) {
-    std::vector<lgs_polygon_id> ids(room.size);
-    lgs_error error{};
-    return checked(
-        lgs_add_several(worldOf(s, w), toC(c), toC(id), 1, list.isGiven ? ids.data() : nullptr, room.size, e(error)),
-        w.isGiven && (list.isGiven || room.size == 0));
-  });
-  door("lgs_add_points", [](Scene& s, Given w, Cell c, const Points& p, Given points, std::uint32_t b, Given out) {
-    lgs_polygon_id polygon{};
-    return checked(withPoints<lgs_local_point>(p, points,
-                                               [&](auto* list, std::size_t count) {
-                                                 return lgs_add_points(worldOf(s, w), toC(c), list, count, b,
-                                                                       out(polygon), nullptr);
-                                               }),
-                   w);
-  });
+  door("lgs_add_points",
+       [](Scene& s, Given w, Cell c, const Ring<lgs_local_point>& p, std::uint32_t b, Out<lgs_polygon_id> out) {
+         return checked(lgs_add_points(worldOf(s, w), toC(c), p.data(), p.size(), b, out, nullptr),
+                        w.isGiven && p.isThere());
+       });
   door("lgs_add_floats",
-       [](Scene& s, Given w, Cell c, const Reals<float>& p, Given points, std::uint32_t b, Given out) {
-         lgs_polygon_id polygon{};
-         return checked(withPoints<lgs_float_point>(p, points,
-                                                    [&](auto* list, std::size_t count) {
-                                                      return lgs_add_floats(worldOf(s, w), toC(c), list, count, b,
-                                                                            out(polygon), nullptr);
-                                                    }),
-                        w);
+       [](Scene& s, Given w, Cell c, const Ring<lgs_float_point>& p, std::uint32_t b, Out<lgs_polygon_id> out) {
+         return checked(lgs_add_floats(worldOf(s, w), toC(c), p.data(), p.size(), b, out, nullptr),
+                        w.isGiven && p.isThere());
        });
   door("lgs_add_doubles",
-       [](Scene& s, Given w, Cell c, const Reals<double>& p, Given points, std::uint32_t b, Given out) {
-         lgs_polygon_id polygon{};
-         return checked(withPoints<lgs_double_point>(p, points,
-                                                     [&](auto* list, std::size_t count) {
-                                                       return lgs_add_doubles(worldOf(s, w), toC(c), list, count, b,
-                                                                              out(polygon), nullptr);
-                                                     }),
-                        w);
+       [](Scene& s, Given w, Cell c, const Ring<lgs_double_point>& p, std::uint32_t b, Out<lgs_polygon_id> out) {
+         return checked(lgs_add_doubles(worldOf(s, w), toC(c), p.data(), p.size(), b, out, nullptr),
+                        w.isGiven && p.isThere());
        });
-  door("lgs_add_many", [](Scene& s, Given w, const std::vector<Placement>& all, Given list, Given out, Given e) {
-    std::vector<lgs_placement> placements;
-    for (const Placement& p : all) placements.push_back({toC(p.cell), toC(p.shape), p.block});
-    std::vector<lgs_polygon_id> ids(all.size());
-    lgs_error error{};
-    return checked(lgs_add_many(worldOf(s, w), list.isGiven ? placements.data() : nullptr, placements.size(),
-                                out.isGiven ? ids.data() : nullptr, e(error)),
-                   w.isGiven && (list.isGiven || all.empty()));
+  door("lgs_add_many",
+       [](Scene& s, Given w, const std::vector<Placement>& all, Given list, Given out, Out<lgs_error> e) {
+         std::vector<lgs_placement> placements;
+         for (const Placement& p : all) placements.push_back({toC(p.cell), toC(p.shape), p.block});
+         std::vector<lgs_polygon_id> ids(all.size());
+         return checked(lgs_add_many(worldOf(s, w), list.isGiven ? placements.data() : nullptr, placements.size(),
+                                     out.isGiven ? ids.data() : nullptr, e),
+                        w.isGiven && (list.isGiven || all.empty()));
+       });
+  door("lgs_remove", [](Scene& s, Given w, PolygonHandle h, Out<lgs_error> e) {
+    return checked(lgs_remove(worldOf(s, w), toC(h), e), w);
   });
-  door("lgs_remove", [](Scene& s, Given w, PolygonHandle h, Given e) {
-    lgs_error error{};
-    return checked(lgs_remove(worldOf(s, w), toC(h), e(error)), w);
-  });
-  door("lgs_remove_many", [](Scene& s, Given w, const std::vector<PolygonHandle>& all, Given list, Given e) {
+  door("lgs_remove_many", [](Scene& s, Given w, const std::vector<PolygonHandle>& all, Given list, Out<lgs_error> e) {
     const auto ids = idsOf<lgs_polygon_id>(all);
-    lgs_error error{};
-    return checked(lgs_remove_many(worldOf(s, w), list.isGiven ? ids.data() : nullptr, ids.size(), e(error)),
+    return checked(lgs_remove_many(worldOf(s, w), list.isGiven ? ids.data() : nullptr, ids.size(), e),
                    w.isGiven && (list.isGiven || ids.empty()));
   });
-  door("lgs_replace", [](Scene& s, Given w, Cell c, ShapeId id, std::uint32_t b, Room room, Given list) {
-    std::vector<lgs_polygon_id> ids(room.size);
-    return checked(
-        lgs_replace(worldOf(s, w), toC(c), toC(id), b, list.isGiven ? ids.data() : nullptr, room.size, nullptr),
-        w.isGiven && (list.isGiven || room.size == 0));
+  door("lgs_replace", [](Scene& s, Given w, Cell c, ShapeId id, std::uint32_t b, Space<lgs_polygon_id> ids) {
+    return checked(lgs_replace(worldOf(s, w), toC(c), toC(id), b, ids.data(), ids.size(), nullptr),
+                   w.isGiven && ids.isThere());
   });
   door("lgs_exchange", [](Scene& s, Given w, Cell c, const std::vector<PolygonHandle>& gone,
-                          const std::vector<Points>& come, Given vertices, Given list, Given e) {
+                          const std::vector<Points>& come, Given vertices, Given list, Out<lgs_error> e) {
     const auto removed = idsOf<lgs_polygon_id>(gone);
     std::vector<std::vector<lgs_local_point>> points;
     std::vector<lgs_new_polygon> added;
     for (const Points& p : come) points.push_back(listOf<lgs_local_point>(p));
     for (const auto& p : points) added.push_back({vertices.isGiven ? p.data() : nullptr, p.size(), 1, 0});
     std::vector<lgs_polygon_id> ids(added.size());
-    lgs_error error{};
     return checked(lgs_exchange(worldOf(s, w), toC(c), list.isGiven ? removed.data() : nullptr, removed.size(),
-                                added.data(), added.size(), list.isGiven ? ids.data() : nullptr, e(error)),
+                                added.data(), added.size(), list.isGiven ? ids.data() : nullptr, e),
                    w.isGiven && (list.isGiven || removed.empty()));
   });
-  door("lgs_set_block", [](Scene& s, Given w, PolygonHandle h, std::uint32_t b, Given e) {
-    lgs_error error{};
-    return checked(lgs_set_block(worldOf(s, w), toC(h), b, e(error)), w);
+  door("lgs_set_block", [](Scene& s, Given w, PolygonHandle h, std::uint32_t b, Out<lgs_error> e) {
+    return checked(lgs_set_block(worldOf(s, w), toC(h), b, e), w);
   });
-  door("lgs_fill", [](Scene& s, Given w, const CellRect& r, ShapeId id, std::uint32_t b, Given out, Given e) {
-    std::uint64_t count = 0;
-    lgs_error error{};
-    return checked(lgs_fill(worldOf(s, w), toC(r), toC(id), b, out(count), e(error)), w);
-  });
-  door("lgs_clear", [](Scene& s, Given w, const CellRect& r, Given out, Given e) {
-    std::uint64_t count = 0;
-    lgs_error error{};
-    return checked(lgs_clear(worldOf(s, w), toC(r), out(count), e(error)), w);
+  door("lgs_fill", [](Scene& s, Given w, const CellRect& r, ShapeId id, std::uint32_t b, Out<std::uint64_t> out,
+                      Out<lgs_error> e) { return checked(lgs_fill(worldOf(s, w), toC(r), toC(id), b, out, e), w); });
+  door("lgs_clear", [](Scene& s, Given w, const CellRect& r, Out<std::uint64_t> out, Out<lgs_error> e) {
+    return checked(lgs_clear(worldOf(s, w), toC(r), out, e), w);
   });
   door("lgs_begin", [](Scene& s, Given w, Given out, Cell c) {
     lgs_group* group = nullptr;
@@ -182,151 +127,112 @@ void addEdits(Doors& door) {
     lgs_keep(group);
     return 0U;
   });
-  door("lgs_commit", [](Scene& s, Given w, Given out) {
-    lgs_changes changes{};
-    return checked(lgs_commit(worldOf(s, w), out(changes)), w);
-  });
-  door("lgs_commit_with", [](Scene& s, Given w, Given function, Given out, bool isFirst) {
+  door("lgs_commit",
+       [](Scene& s, Given w, Out<lgs_changes> out) { return checked(lgs_commit(worldOf(s, w), out), w); });
+  door("lgs_commit_with", [](Scene& s, Given w, Given function, Out<lgs_changes> out, bool isFirst) {
     const lgs_executor_fn inTurn = [](void*, std::size_t count, lgs_job_fn run, void* job) {
       for (std::size_t k = 2 * count; k-- > 0;) run(job, k);
     };
     lgs_world* fresh = nullptr;
     EXPECT_EQ(lgs_new(nullptr, &fresh), LGS_OK);
     const CWorld owner(fresh);
-    lgs_changes changes{};
     lgs_world* const world = isFirst && w.isGiven ? fresh : worldOf(s, w);
-    return checked(lgs_commit_with(world, function.isGiven ? inTurn : nullptr, nullptr, out(changes)),
+    return checked(lgs_commit_with(world, function.isGiven ? inTurn : nullptr, nullptr, out),
                    w.isGiven && function.isGiven);
   });
-  door("lgs_checkpoint", [](Scene& s, Given w, Given out) {
-    lgs_mark mark{};
-    return checked(lgs_checkpoint(worldOf(s, w), out(mark)), w.isGiven && out.isGiven);
+  door("lgs_checkpoint", [](Scene& s, Given w, Out<lgs_mark> out) {
+    return checked(lgs_checkpoint(worldOf(s, w), out), w.isGiven && out.isGiven);
   });
-  door("lgs_roll_back", [](Scene& s, Given w, const lgs_mark& mark, Given out, Given e) {
-    lgs_changes changes{};
-    lgs_error error{};
-    return checked(lgs_roll_back(worldOf(s, w), mark, out(changes), e(error)), w);
+  door("lgs_roll_back", [](Scene& s, Given w, const lgs_mark& mark, Out<lgs_changes> out, Out<lgs_error> e) {
+    return checked(lgs_roll_back(worldOf(s, w), mark, out, e), w);
   });
-  door("lgs_roll_back_keeping", [](Scene& s, Given w, const lgs_mark& mark, Given out, Given e) {
-    lgs_changes changes{};
-    lgs_error error{};
-    return checked(lgs_roll_back_keeping(worldOf(s, w), mark, out(changes), e(error)), w);
+  door("lgs_roll_back_keeping", [](Scene& s, Given w, const lgs_mark& mark, Out<lgs_changes> out, Out<lgs_error> e) {
+    return checked(lgs_roll_back_keeping(worldOf(s, w), mark, out, e), w);
   });
-  door("lgs_roll_forward", [](Scene& s, Given w, const lgs_mark& mark, Given out, Given e) {
-    lgs_changes changes{};
-    lgs_error error{};
-    return checked(lgs_roll_forward(worldOf(s, w), mark, out(changes), e(error)), w);
+  door("lgs_roll_forward", [](Scene& s, Given w, const lgs_mark& mark, Out<lgs_changes> out, Out<lgs_error> e) {
+    return checked(lgs_roll_forward(worldOf(s, w), mark, out, e), w);
   });
-  door("lgs_forget", [](Scene& s, Given w, const lgs_mark& mark, Given e) {
-    lgs_error error{};
-    return checked(lgs_forget(worldOf(s, w), mark, e(error)), w);
+  door("lgs_forget", [](Scene& s, Given w, const lgs_mark& mark, Out<lgs_error> e) {
+    return checked(lgs_forget(worldOf(s, w), mark, e), w);
   });
-  door("lgs_forget_chunks", [](Scene& s, Given w, const CellRect& r, Given out, Given e) {
-    std::uint64_t count = 0;
-    lgs_error error{};
-    return checked(lgs_forget_chunks(worldOf(s, w), toC(r), out(count), e(error)), w);
+  door("lgs_forget_chunks", [](Scene& s, Given w, const CellRect& r, Out<std::uint64_t> out, Out<lgs_error> e) {
+    return checked(lgs_forget_chunks(worldOf(s, w), toC(r), out, e), w);
   });
   // These are of a copy: what is unloaded would be missing to all others.
-  door("lgs_unload", [](Scene& s, Given w, const CellRect& r, Given function, Given out, Given e) {
-    lgs_world* copy = nullptr;
-    EXPECT_EQ(lgs_copy(s.c.get(), &copy), LGS_OK);
-    const lgs_chunk_fn take = [](void* user, lgs_cell, const std::uint8_t*, std::size_t) {
-      static_cast<void>(lgs_count(static_cast<const lgs_world*>(user), nullptr));
-    };
-    std::uint64_t count = 0;
-    lgs_error error{};
-    const lgs_status status =
-        lgs_unload(w.isGiven ? copy : nullptr, toC(r), function.isGiven ? take : nullptr, copy, out(count), e(error));
-    lgs_free(copy);
-    return checked(status, w);
+  door("lgs_unload",
+       [](Scene& s, Given w, const CellRect& r, Given function, Out<std::uint64_t> out, Out<lgs_error> e) {
+         lgs_world* copy = nullptr;
+         EXPECT_EQ(lgs_copy(s.c.get(), &copy), LGS_OK);
+         const lgs_chunk_fn take = [](void* user, lgs_cell, const std::uint8_t*, std::size_t) {
+           static_cast<void>(lgs_count(static_cast<const lgs_world*>(user), nullptr));
+         };
+         const lgs_status status =
+             lgs_unload(w.isGiven ? copy : nullptr, toC(r), function.isGiven ? take : nullptr, copy, out, e);
+         lgs_free(copy);
+         return checked(status, w);
+       });
+  door("lgs_reload",
+       [](Scene& s, Given w, const std::vector<std::byte>& file, Given list, Out<lgs_cell> out, Out<lgs_error> e) {
+         return checked(
+             lgs_reload(worldOf(s, w), list.isGiven ? reinterpret_cast<const std::uint8_t*>(file.data()) : nullptr,
+                        file.size(), out, e),
+             w.isGiven && (list.isGiven || file.empty()));
+       });
+  door("lgs_reload_empty", [](Scene& s, Given w, const CellRect& r, Out<std::uint64_t> out, Out<lgs_error> e) {
+    return checked(lgs_reload_empty(worldOf(s, w), toC(r), out, e), w);
   });
-  door("lgs_reload", [](Scene& s, Given w, const std::vector<std::byte>& file, Given list, Given out, Given e) {
-    lgs_cell corner{};
-    lgs_error error{};
-    return checked(
-        lgs_reload(worldOf(s, w), list.isGiven ? reinterpret_cast<const std::uint8_t*>(file.data()) : nullptr,
-                   file.size(), out(corner), e(error)),
-        w.isGiven && (list.isGiven || file.empty()));
-  });
-  door("lgs_reload_empty", [](Scene& s, Given w, const CellRect& r, Given out, Given e) {
-    std::uint64_t count = 0;
-    lgs_error error{};
-    return checked(lgs_reload_empty(worldOf(s, w), toC(r), out(count), e(error)), w);
-  });
-  door("lgs_first_unloaded", [](Scene& s, Given w, const CellRect& r, Given out, Given cell) {
-    std::int32_t found = 0;
-    lgs_cell first{};
-    return checked(lgs_first_unloaded(worldOf(s, w), toC(r), out(found), cell(first)), w);
+  door("lgs_first_unloaded", [](Scene& s, Given w, const CellRect& r, Out<std::int32_t> out, Out<lgs_cell> cell) {
+    return checked(lgs_first_unloaded(worldOf(s, w), toC(r), out, cell), w);
   });
 }
 
 void addReading(Doors& door) {
-  door("lgs_segments", [](Scene& s, Given w, const std::vector<SegmentId>& all, Given list, Given out, Given e) {
-    const auto ids = idsOf<lgs_segment_id>(all);
-    std::vector<lgs_segment> segments(ids.size());
-    lgs_error error{};
-    return checked(lgs_segments(worldOf(s, w), list.isGiven ? ids.data() : nullptr, ids.size(),
-                                out.isGiven ? segments.data() : nullptr, e(error)),
-                   w.isGiven && ((list.isGiven && out.isGiven) || ids.empty()));
-  });
+  door("lgs_segments",
+       [](Scene& s, Given w, const std::vector<SegmentId>& all, Given list, Given out, Out<lgs_error> e) {
+         const auto ids = idsOf<lgs_segment_id>(all);
+         std::vector<lgs_segment> segments(ids.size());
+         return checked(lgs_segments(worldOf(s, w), list.isGiven ? ids.data() : nullptr, ids.size(),
+                                     out.isGiven ? segments.data() : nullptr, e),
+                        w.isGiven && ((list.isGiven && out.isGiven) || ids.empty()));
+       });
   door("lgs_segments_float",
-       [](Scene& s, Given w, const std::vector<SegmentId>& all, Point origin, Given out, Given e) {
+       [](Scene& s, Given w, const std::vector<SegmentId>& all, Point origin, Given out, Out<lgs_error> e) {
          const auto ids = idsOf<lgs_segment_id>(all);
          std::vector<lgs_segment_float> segments(ids.size());
-         lgs_error error{};
          return checked(lgs_segments_float(worldOf(s, w), ids.data(), ids.size(), toC(origin),
-                                           out.isGiven ? segments.data() : nullptr, e(error)),
+                                           out.isGiven ? segments.data() : nullptr, e),
                         w.isGiven && (out.isGiven || ids.empty()));
        });
   door("lgs_segments_double",
-       [](Scene& s, Given w, const std::vector<SegmentId>& all, Point origin, Given out, Given e) {
+       [](Scene& s, Given w, const std::vector<SegmentId>& all, Point origin, Given out, Out<lgs_error> e) {
          const auto ids = idsOf<lgs_segment_id>(all);
          std::vector<lgs_segment_double> segments(ids.size());
-         lgs_error error{};
          return checked(lgs_segments_double(worldOf(s, w), ids.data(), ids.size(), toC(origin),
-                                            out.isGiven ? segments.data() : nullptr, e(error)),
+                                            out.isGiven ? segments.data() : nullptr, e),
                         w.isGiven && (out.isGiven || ids.empty()));
        });
-  door("lgs_all_segments", [](Scene& s, Given w, Room room, Given list, Given out) {
-    std::vector<lgs_segment_id> ids(room.size);
-    std::size_t count = 0;
-    return checked(lgs_all_segments(worldOf(s, w), list.isGiven ? ids.data() : nullptr, room.size, out(count)),
-                   w.isGiven && (list.isGiven || room.size == 0));
+  door("lgs_all_segments", [](Scene& s, Given w, Space<lgs_segment_id> ids, Out<std::size_t> out) {
+    return checked(lgs_all_segments(worldOf(s, w), ids.data(), ids.size(), out), w.isGiven && ids.isThere());
   });
-  door("lgs_segments_in", [](Scene& s, Given w, const CellRect& r, Room room, Given list, Given out) {
-    std::vector<lgs_segment_id> ids(room.size);
-    std::size_t count = 0;
-    return checked(lgs_segments_in(worldOf(s, w), toC(r), list.isGiven ? ids.data() : nullptr, room.size, out(count)),
-                   w.isGiven && (list.isGiven || room.size == 0));
+  door("lgs_segments_in", [](Scene& s, Given w, const CellRect& r, Space<lgs_segment_id> ids, Out<std::size_t> out) {
+    return checked(lgs_segments_in(worldOf(s, w), toC(r), ids.data(), ids.size(), out), w.isGiven && ids.isThere());
   });
-  door("lgs_polygon_of", [](Scene& s, Given w, PolygonHandle h, Given out, Given e) {
-    lgs_polygon polygon{};
-    lgs_error error{};
-    return checked(lgs_polygon_of(worldOf(s, w), toC(h), out(polygon), e(error)), w);
+  door("lgs_polygon_of", [](Scene& s, Given w, PolygonHandle h, Out<lgs_polygon> out, Out<lgs_error> e) {
+    return checked(lgs_polygon_of(worldOf(s, w), toC(h), out, e), w);
   });
-  door("lgs_polygon_vertices", [](Scene& s, Given w, PolygonHandle h, Room room, Given list, Given out, Given e) {
-    std::vector<lgs_local_point> vertices(room.size);
-    std::size_t count = 0;
-    lgs_error error{};
-    return checked(lgs_polygon_vertices(worldOf(s, w), toC(h), list.isGiven ? vertices.data() : nullptr, room.size,
-                                        out(count), e(error)),
-                   w);
+  door("lgs_polygon_vertices",
+       [](Scene& s, Given w, PolygonHandle h, Space<lgs_local_point> vertices, Out<std::size_t> out, Out<lgs_error> e) {
+         return checked(lgs_polygon_vertices(worldOf(s, w), toC(h), vertices.data(), vertices.size(), out, e), w);
+       });
+  door("lgs_owner", [](Scene& s, Given w, SegmentId id, Out<lgs_polygon> out, Out<lgs_error> e) {
+    return checked(lgs_owner(worldOf(s, w), toC(id), out, e), w);
   });
-  door("lgs_owner", [](Scene& s, Given w, SegmentId id, Given out, Given e) {
-    lgs_polygon polygon{};
-    lgs_error error{};
-    return checked(lgs_owner(worldOf(s, w), toC(id), out(polygon), e(error)), w);
+  door("lgs_polygons_in", [](Scene& s, Given w, Cell c, Space<lgs_polygon> polygons, Out<std::size_t> out) {
+    return checked(lgs_polygons_in(worldOf(s, w), toC(c), polygons.data(), polygons.size(), out),
+                   w.isGiven && polygons.isThere());
   });
-  door("lgs_polygons_in", [](Scene& s, Given w, Cell c, Room room, Given list, Given out) {
-    std::vector<lgs_polygon> polygons(room.size);
-    std::size_t count = 0;
-    return checked(
-        lgs_polygons_in(worldOf(s, w), toC(c), list.isGiven ? polygons.data() : nullptr, room.size, out(count)),
-        w.isGiven && (list.isGiven || room.size == 0));
-  });
-  door("lgs_is_empty", [](Scene& s, Given w, Cell c, Given out) {
-    std::int32_t isEmpty = 0;
-    return checked(lgs_is_empty(worldOf(s, w), toC(c), out(isEmpty)), w);
+  door("lgs_is_empty", [](Scene& s, Given w, Cell c, Out<std::int32_t> out) {
+    return checked(lgs_is_empty(worldOf(s, w), toC(c), out), w);
   });
   door("lgs_visit_polygons", [](Scene& s, Given w, const CellRect& r, Given function) {
     const lgs_polygon_fn visit = [](void* user, const lgs_polygon* p, const lgs_local_point*) {
@@ -335,9 +241,8 @@ void addReading(Doors& door) {
     return checked(lgs_visit_polygons(worldOf(s, w), toC(r), function.isGiven ? visit : nullptr, s.c.get()),
                    w.isGiven && function.isGiven);
   });
-  door("lgs_follow_cells", [](Scene& s, Given w, int follow, Given e) {
-    lgs_error error{};
-    return checked(lgs_follow_cells(worldOf(s, w), follow, e(error)), w);
+  door("lgs_follow_cells", [](Scene& s, Given w, int follow, Out<lgs_error> e) {
+    return checked(lgs_follow_cells(worldOf(s, w), follow, e), w);
   });
   door("lgs_visit_cell_changes", [](Scene& s, Given w, Given function) {
     const lgs_cell_change_fn visit = [](void* user, const lgs_cell_change* change) {
@@ -346,10 +251,8 @@ void addReading(Doors& door) {
     return checked(lgs_visit_cell_changes(worldOf(s, w), function.isGiven ? visit : nullptr, s.c.get()),
                    w.isGiven && function.isGiven);
   });
-  door("lgs_bounds", [](Scene& s, Given w, Given out) {
-    lgs_cell_rect cells{};
-    return checked(lgs_bounds(worldOf(s, w), out(cells)), w);
-  });
+  door("lgs_bounds",
+       [](Scene& s, Given w, Out<lgs_cell_rect> out) { return checked(lgs_bounds(worldOf(s, w), out), w); });
   door("lgs_loops_new", [](Scene& s, Given w, int collinear, Given out) {
     lgs_loops* loops = nullptr;
     const lgs_status status = lgs_loops_new(worldOf(s, w), collinear, out(loops));
@@ -357,12 +260,11 @@ void addReading(Doors& door) {
     return checked(status, w.isGiven && out.isGiven && (collinear == 0 || collinear == 1));
   });
   door("lgs_loops_count", [](Scene&) { return lgs_loops_count(nullptr); });
-  door("lgs_loops_get", [](Scene& s, Given list, std::uint64_t index, Given out) {
+  door("lgs_loops_get", [](Scene& s, Given list, std::uint64_t index, Out<lgs_loop> out) {
     lgs_loops* loops = nullptr;
     EXPECT_EQ(lgs_loops_new(s.c.get(), LGS_MERGE, &loops), LGS_OK);
-    lgs_loop loop{};
     const bool isThere = index < lgs_loops_count(loops);
-    const lgs_status status = lgs_loops_get(list.isGiven ? loops : nullptr, index, out(loop));
+    const lgs_status status = lgs_loops_get(list.isGiven ? loops : nullptr, index, out);
     lgs_loops_free(loops);
     return checked(status, list.isGiven && isThere);
   });
@@ -370,19 +272,13 @@ void addReading(Doors& door) {
     lgs_loops_free(nullptr);
     return 0U;
   });
-  door("lgs_at", [](Scene& s, Given w, Point p, Given out) {
-    lgs_spot spot{};
-    return checked(lgs_at(worldOf(s, w), toC(p), out(spot)), w);
+  door("lgs_at",
+       [](Scene& s, Given w, Point p, Out<lgs_spot> out) { return checked(lgs_at(worldOf(s, w), toC(p), out), w); });
+  door("lgs_nearest", [](Scene& s, Given w, Point p, double radius, Out<lgs_nearest_segment> out, Out<lgs_error> e) {
+    return checked(lgs_nearest(worldOf(s, w), toC(p), radius, out, e), w);
   });
-  door("lgs_nearest", [](Scene& s, Given w, Point p, double radius, Given out, Given e) {
-    lgs_nearest_segment nearest{};
-    lgs_error error{};
-    return checked(lgs_nearest(worldOf(s, w), toC(p), radius, out(nearest), e(error)), w);
-  });
-  door("lgs_ray_cast", [](Scene& s, Given w, Point from, Point to, Given out, Given e) {
-    lgs_ray_hit hit{};
-    lgs_error error{};
-    return checked(lgs_ray_cast(worldOf(s, w), toC(from), toC(to), out(hit), e(error)), w);
+  door("lgs_ray_cast", [](Scene& s, Given w, Point from, Point to, Out<lgs_ray_hit> out, Out<lgs_error> e) {
+    return checked(lgs_ray_cast(worldOf(s, w), toC(from), toC(to), out, e), w);
   });
 }
 
@@ -421,43 +317,31 @@ void addWorlds(Doors& door) {
     lgs_free(copy);
     return checked(status, w.isGiven && out.isGiven);
   });
-  door("lgs_same_polygons", [](Scene& s, Given a, Given b, Given out) {
-    std::int32_t same = 0;
-    return checked(lgs_same_polygons(worldOf(s, a), worldOf(s, b), out(same)), a.isGiven && b.isGiven);
+  door("lgs_same_polygons", [](Scene& s, Given a, Given b, Out<std::int32_t> out) {
+    return checked(lgs_same_polygons(worldOf(s, a), worldOf(s, b), out), a.isGiven && b.isGiven);
   });
-  door("lgs_preserves", [](Scene& s, Given w, std::uint32_t a, std::uint32_t b, Given out) {
-    std::int32_t preserves = 0;
-    return checked(lgs_preserves(worldOf(s, w), a, b, out(preserves)), w);
+  door("lgs_preserves", [](Scene& s, Given w, std::uint32_t a, std::uint32_t b, Out<std::int32_t> out) {
+    return checked(lgs_preserves(worldOf(s, w), a, b, out), w);
   });
-  door("lgs_save", [](Scene& s, Given w, Given function, Given e) {
+  door("lgs_save", [](Scene& s, Given w, Given function, Out<lgs_error> e) {
     const lgs_write_fn write = [](void* user, const std::uint8_t*, std::size_t) {
       static_cast<void>(lgs_count(static_cast<const lgs_world*>(user), nullptr));
     };
-    lgs_error error{};
-    return checked(lgs_save(worldOf(s, w), function.isGiven ? write : nullptr, s.c.get(), e(error)),
+    return checked(lgs_save(worldOf(s, w), function.isGiven ? write : nullptr, s.c.get(), e),
                    w.isGiven && function.isGiven);
   });
-  door("lgs_save_to_buffer", [](Scene& s, Given w, Room room, Given list, Given out, Given e) {
-    std::vector<std::uint8_t> bytes(room.size);
-    std::size_t count = 0;
-    lgs_error error{};
-    return checked(
-        lgs_save_to_buffer(worldOf(s, w), list.isGiven ? bytes.data() : nullptr, room.size, out(count), e(error)),
-        w.isGiven && (list.isGiven || room.size == 0));
+  door("lgs_save_to_buffer", [](Scene& s, Given w, Space<std::uint8_t> bytes, Out<std::size_t> out, Out<lgs_error> e) {
+    return checked(lgs_save_to_buffer(worldOf(s, w), bytes.data(), bytes.size(), out, e), w.isGiven && bytes.isThere());
   });
-  door("lgs_load", [](Scene&, const std::vector<std::byte>& file, Given list, Given out, Given e) {
+  door("lgs_load", [](Scene&, const std::vector<std::byte>& file, Given list, Given out, Out<lgs_error> e) {
     lgs_world* loaded = nullptr;
-    lgs_error error{};
     const lgs_status status = lgs_load(list.isGiven ? reinterpret_cast<const std::uint8_t*>(file.data()) : nullptr,
-                                       file.size(), nullptr, out(loaded), e(error));
+                                       file.size(), nullptr, out(loaded), e);
     EXPECT_EQ(status == LGS_OK, loaded != nullptr);
     lgs_free(loaded);
     return checked(status, out.isGiven && (list.isGiven || file.empty()));
   });
-  door("lgs_count", [](Scene& s, Given w, Given out) {
-    lgs_stats stats{};
-    return checked(lgs_count(worldOf(s, w), out(stats)), w);
-  });
+  door("lgs_count", [](Scene& s, Given w, Out<lgs_stats> out) { return checked(lgs_count(worldOf(s, w), out), w); });
   door("lgs_segments_version", [](Scene& s, Given w) { return lgs_segments_version(worldOf(s, w)); });
   door("lgs_max_segment_id", [](Scene& s, Given w) { return lgs_max_segment_id(worldOf(s, w)); });
 }
@@ -510,11 +394,10 @@ void addValues(Doors& door) {
     EXPECT_NE(lgs_status_name(status), nullptr);
     return 0U;
   });
-  door("lgs_message", [](Scene&, const lgs_error& error, Given e, Room room, Given list, Given out) {
+  door("lgs_message", [](Scene&, const lgs_error& error, Given e, Room room, Given list, Out<std::size_t> out) {
     std::vector<char> text(room.size + 1, 'x');
-    std::size_t count = 0;
     const lgs_status status =
-        lgs_message(e.isGiven ? &error : nullptr, list.isGiven ? text.data() : nullptr, room.size, out(count));
+        lgs_message(e.isGiven ? &error : nullptr, list.isGiven ? text.data() : nullptr, room.size, out);
     EXPECT_EQ(text.back(), 'x');
     return checked(status, e.isGiven && (list.isGiven || room.size == 0));
   });

@@ -212,56 +212,42 @@ void addDoorsOfIslandsInC(Doors& door) {
     f.commit();
     return status == LGS_OK;
   });
-  door("lgs_islands_ids", [](Scene& s, Given i, ListOfC which, Room room, Given list, Given out) {
-    std::vector<lgs_island_id> ids(room.size);
-    std::size_t count = 0;
-    return checked(
-        lgs_islands_ids(islandsOf(followedInCBy(s), i), which.number, arrayOf(ids, list), room.size, out(count)),
-        i.isGiven && which.number >= 0 && which.number <= LGS_LOOSE && (list.isGiven || room.size == 0));
+  door("lgs_islands_ids", [](Scene& s, Given i, ListOfC which, Space<lgs_island_id> ids, Out<std::size_t> out) {
+    return checked(lgs_islands_ids(islandsOf(followedInCBy(s), i), which.number, ids.data(), ids.size(), out),
+                   i.isGiven && which.number >= 0 && which.number <= LGS_LOOSE && ids.isThere());
   });
-  door("lgs_islands_loop_ids", [](Scene& s, Given i, ListOfC which, Room room, Given list, Given out) {
-    std::vector<lgs_loop_id> ids(room.size);
-    std::size_t count = 0;
-    return checked(
-        lgs_islands_loop_ids(islandsOf(followedInCBy(s), i), which.number, arrayOf(ids, list), room.size, out(count)),
-        i.isGiven && which.number >= 0 && which.number < LGS_LOOSE && (list.isGiven || room.size == 0));
+  door("lgs_islands_loop_ids", [](Scene& s, Given i, ListOfC which, Space<lgs_loop_id> ids, Out<std::size_t> out) {
+    return checked(lgs_islands_loop_ids(islandsOf(followedInCBy(s), i), which.number, ids.data(), ids.size(), out),
+                   i.isGiven && which.number >= 0 && which.number < LGS_LOOSE && ids.isThere());
   });
-  door("lgs_islands_pairs", [](Scene& s, Given i, ListOfC which, Room room, Given list, Given out) {
-    std::vector<lgs_island_pair> pairs(room.size);
-    std::size_t count = 0;
-    return checked(
-        lgs_islands_pairs(islandsOf(followedInCBy(s), i), which.number, arrayOf(pairs, list), room.size, out(count)),
-        i.isGiven && which.number >= 0 && which.number <= LGS_JOINED && (list.isGiven || room.size == 0));
+  door("lgs_islands_pairs", [](Scene& s, Given i, ListOfC which, Space<lgs_island_pair> pairs, Out<std::size_t> out) {
+    return checked(lgs_islands_pairs(islandsOf(followedInCBy(s), i), which.number, pairs.data(), pairs.size(), out),
+                   i.isGiven && which.number >= 0 && which.number <= LGS_JOINED && pairs.isThere());
   });
-  door("lgs_islands_loop_pairs", [](Scene& s, Given i, ListOfC which, Room room, Given list, Given out) {
-    std::vector<lgs_loop_pair> pairs(room.size);
-    std::size_t count = 0;
-    return checked(lgs_islands_loop_pairs(islandsOf(followedInCBy(s), i), which.number, arrayOf(pairs, list), room.size,
-                                          out(count)),
-                   i.isGiven && which.number >= 0 && which.number <= LGS_JOINED && (list.isGiven || room.size == 0));
-  });
-  door("lgs_islands_get", [](Scene& s, Given i, std::uint32_t id, Given out) {
+  door("lgs_islands_loop_pairs",
+       [](Scene& s, Given i, ListOfC which, Space<lgs_loop_pair> pairs, Out<std::size_t> out) {
+         return checked(
+             lgs_islands_loop_pairs(islandsOf(followedInCBy(s), i), which.number, pairs.data(), pairs.size(), out),
+             i.isGiven && which.number >= 0 && which.number <= LGS_JOINED && pairs.isThere());
+       });
+  door("lgs_islands_get", [](Scene& s, Given i, std::uint32_t id, Out<lgs_island> out) {
     const FollowedC& f = followedInCBy(s);
-    lgs_island facts{};
-    const lgs_status status = lgs_islands_get(islandsOf(f, i), islandOf(f, id), out(facts));
+    const lgs_status status = lgs_islands_get(islandsOf(f, i), islandOf(f, id), out);
     EXPECT_TRUE(id <= 2 || status != LGS_OK);
     return checked(status, i);
   });
-  door("lgs_islands_loop", [](Scene& s, Given i, std::uint32_t id, Given out) {
-    lgs_loop_facts facts{};
-    const lgs_status status = lgs_islands_loop(islandsOf(followedInCBy(s), i), {id}, out(facts));
+  door("lgs_islands_loop", [](Scene& s, Given i, std::uint32_t id, Out<lgs_loop_facts> out) {
+    const lgs_status status = lgs_islands_loop(islandsOf(followedInCBy(s), i), {id}, out);
     EXPECT_TRUE((id > 0 && id <= 2) || status != LGS_OK);
     return checked(status, i);
   });
-  door("lgs_islands_of", [](Scene& s, Given i, WorldOfC w, PolygonHandle h, Given out) {
+  door("lgs_islands_of", [](Scene& s, Given i, WorldOfC w, PolygonHandle h, Out<lgs_island_id> out) {
     const FollowedC& f = followedInCBy(s);
-    lgs_island_id id{};
-    return checked(lgs_islands_of(islandsOf(f, i), w(f), toC(h), out(id)), i.isGiven && w(f));
+    return checked(lgs_islands_of(islandsOf(f, i), w(f), toC(h), out), i.isGiven && w(f));
   });
-  door("lgs_islands_loop_of", [](Scene& s, Given i, WorldOfC w, SegmentId segment, Given out) {
+  door("lgs_islands_loop_of", [](Scene& s, Given i, WorldOfC w, SegmentId segment, Out<lgs_loop_id> out) {
     const FollowedC& f = followedInCBy(s);
-    lgs_loop_id id{};
-    return checked(lgs_islands_loop_of(islandsOf(f, i), w(f), toC(segment), out(id)), i.isGiven && w(f));
+    return checked(lgs_islands_loop_of(islandsOf(f, i), w(f), toC(segment), out), i.isGiven && w(f));
   });
 }
 

@@ -17,36 +17,32 @@ Owned<lgs_hashes> copyOf(const lgs_hashes* hashes) {
 }
 
 void addBodies(Doors& door) {
-  door("lgs_take", [](Scene& s, WorldOfC w, Given i, std::uint32_t id, Given out, Given e) {
+  door("lgs_take", [](Scene& s, WorldOfC w, Given i, std::uint32_t id, Given out, Out<lgs_error> e) {
     FollowedC& f = followedInCBy(s);
     lgs_body* body = nullptr;
-    lgs_error error{};
-    const lgs_status status = lgs_take(w(f), islandsOf(f, i), islandOf(f, id), out(body), e(error));
+    const lgs_status status = lgs_take(w(f), islandsOf(f, i), islandOf(f, id), out(body), e);
     EXPECT_EQ(status == LGS_OK, body != nullptr);
     if (body) f.body.reset(body);
     if (w.which == WorldOfC::other) static_cast<void>(lgs_commit(f.other.get(), nullptr));
     f.commit();
     return checked(status, w.which != WorldOfC::none && i.isGiven && out.isGiven);
   });
-  door("lgs_put", [](Scene& s, WorldOfC w, Given body, Cell c, Given e) {
+  door("lgs_put", [](Scene& s, WorldOfC w, Given body, Cell c, Out<lgs_error> e) {
     FollowedC& f = followedInCBy(s);
-    lgs_error error{};
-    const lgs_status status = lgs_put(w(f), bodyOf(f, body), toC(c), e(error));
+    const lgs_status status = lgs_put(w(f), bodyOf(f, body), toC(c), e);
     EXPECT_TRUE(inRange(c) || status != LGS_OK);
     if (w.which == WorldOfC::other) static_cast<void>(lgs_commit(f.other.get(), nullptr));
     f.commit();
     return checked(status, w.which != WorldOfC::none && body.isGiven);
   });
-  door("lgs_body_get", [](Scene& s, Given body, Given out) {
-    lgs_body_facts facts{};
-    return checked(lgs_body_get(bodyOf(followedInCBy(s), body), out(facts)), body);
+  door("lgs_body_get", [](Scene& s, Given body, Out<lgs_body_facts> out) {
+    return checked(lgs_body_get(bodyOf(followedInCBy(s), body), out), body);
   });
-  door("lgs_body_polygon_at", [](Scene& s, Given body, std::uint64_t index, Given out) {
+  door("lgs_body_polygon_at", [](Scene& s, Given body, std::uint64_t index, Out<lgs_body_polygon> out) {
     const FollowedC& f = followedInCBy(s);
     lgs_body_facts facts{};
     EXPECT_EQ(lgs_body_get(f.body.get(), &facts), LGS_OK);
-    lgs_body_polygon polygon{};
-    return checked(lgs_body_polygon_at(bodyOf(f, body), index, out(polygon)), body.isGiven && index < facts.polygons);
+    return checked(lgs_body_polygon_at(bodyOf(f, body), index, out), body.isGiven && index < facts.polygons);
   });
   door("lgs_body_free", [](Scene&) {
     lgs_body_free(nullptr);
@@ -86,24 +82,22 @@ void addPieces(Doors& door) {
     EXPECT_TRUE(inRange(c) || count == 0);
     return checked(status, p.isGiven && isPart(part));
   });
-  door("lgs_pieces_get",
-       [](Scene& s, Given p, WorldOfC w, Cell c, ListOfC part, std::uint64_t index, Room room, Given list) {
-         const FollowedC& f = followedInCBy(s);
-         std::vector<lgs_local_point> vertices(room.size);
-         std::size_t count = 0, pieces = 0;
-         lgs_polygon_id polygon{};
-         static_cast<void>(lgs_pieces_count(f.pieces.get(), toC(c), part.number, &pieces));
-         return checked(lgs_pieces_get(piecesOf(f, p), w(f), toC(c), part.number, index, arrayOf(vertices, list),
-                                       room.size, list(count), list(polygon)),
-                        p.isGiven && w(f) && isPart(part) && index < pieces && (list.isGiven || room.size == 0));
-       });
-  door("lgs_pieces_portals", [](Scene& s, Given p, Cell c, std::uint32_t index, Room room, Given list, Given out) {
-    std::vector<lgs_portal> portals(room.size);
-    std::size_t count = 0;
-    return checked(
-        lgs_pieces_portals(piecesOf(followedInCBy(s), p), toC(c), index, arrayOf(portals, list), room.size, out(count)),
-        p.isGiven && (list.isGiven || room.size == 0));
+  door("lgs_pieces_get", [](Scene& s, Given p, WorldOfC w, Cell c, ListOfC part, std::uint64_t index,
+                            Space<lgs_local_point> vertices, Given out) {
+    const FollowedC& f = followedInCBy(s);
+    lgs_polygon_id polygon{};
+    std::size_t count = 0, pieces = 0;
+    static_cast<void>(lgs_pieces_count(f.pieces.get(), toC(c), part.number, &pieces));
+    return checked(lgs_pieces_get(piecesOf(f, p), w(f), toC(c), part.number, index, vertices.data(), vertices.size(),
+                                  out(count), out(polygon)),
+                   p.isGiven && w(f) && isPart(part) && index < pieces && vertices.isThere());
   });
+  door("lgs_pieces_portals",
+       [](Scene& s, Given p, Cell c, std::uint32_t index, Space<lgs_portal> portals, Out<std::size_t> out) {
+         return checked(
+             lgs_pieces_portals(piecesOf(followedInCBy(s), p), toC(c), index, portals.data(), portals.size(), out),
+             p.isGiven && portals.isThere());
+       });
 }
 
 void addHashes(Doors& door) {
@@ -135,32 +129,30 @@ void addHashes(Doors& door) {
     static_cast<void>(lgs_hashes_differences(copy.get(), f.hashes.get(), nullptr, 0, &count));
     return checked(status, h.isGiven && w(f));
   });
-  door("lgs_hashes_whole", [](Scene& s, Given h, Given out) {
-    lgs_hashed_square square{};
-    return checked(lgs_hashes_whole(hashesOf(followedInCBy(s), h), out(square)), h);
+  door("lgs_hashes_whole", [](Scene& s, Given h, Out<lgs_hashed_square> out) {
+    return checked(lgs_hashes_whole(hashesOf(followedInCBy(s), h), out), h);
   });
-  door("lgs_hashes_in", [](Scene& s, Given h, const CellRect& r, int level, Room room, Given list, Given out) {
-    std::vector<lgs_hashed_square> squares(room.size);
-    std::size_t count = 0;
-    const lgs_status status =
-        lgs_hashes_in(hashesOf(followedInCBy(s), h), toC(r), level, arrayOf(squares, list), room.size, out(count));
-    EXPECT_TRUE((level >= 0 && level <= 14 && !isEmpty(r)) || count == 0);
-    return checked(status, h.isGiven && (list.isGiven || room.size == 0));
-  });
-  door("lgs_hashes_differences", [](Scene& s, Given a, Given b, bool isOther, Room room, Given list, Given out) {
+  door("lgs_hashes_in",
+       [](Scene& s, Given h, const CellRect& r, int level, Space<lgs_hashed_square> squares, Given out) {
+         std::size_t count = 0;
+         const lgs_status status =
+             lgs_hashes_in(hashesOf(followedInCBy(s), h), toC(r), level, squares.data(), squares.size(), out(count));
+         EXPECT_TRUE((level >= 0 && level <= 14 && !isEmpty(r)) || count == 0);
+         return checked(status, h.isGiven && squares.isThere());
+       });
+  door("lgs_hashes_differences", [](Scene& s, Given a, Given b, bool isOther, Space<lgs_cell_rect> cells, Given out) {
     const FollowedC& f = followedInCBy(s);
     lgs_hashes* ofOther = nullptr;
     EXPECT_EQ(lgs_hashes_new(f.other.get(), &ofOther), LGS_OK);
     const Owned<lgs_hashes> owner(ofOther);
-    std::vector<lgs_cell_rect> cells(room.size);
     std::size_t count = 0;
     const lgs_status status = lgs_hashes_differences(hashesOf(f, a),
                                                      !b.isGiven ? nullptr
                                                      : isOther  ? ofOther
                                                                 : f.hashes.get(),
-                                                     arrayOf(cells, list), room.size, out(count));
+                                                     cells.data(), cells.size(), out(count));
     EXPECT_TRUE(isOther || count == 0);
-    return checked(status, a.isGiven && b.isGiven && (list.isGiven || room.size == 0));
+    return checked(status, a.isGiven && b.isGiven && cells.isThere());
   });
 }
 

@@ -39,6 +39,26 @@ struct Given {
   }
 };
 
+/// Where a call writes a T, or NULL. What is there comes last, so that the sanitizers see who writes beyond it.
+template <class T>
+struct Out {
+  bool isGiven = true;
+  T there{};
+  operator T*() { return isGiven ? &there : nullptr; }
+};
+
+/// An array that a call fills, or NULL with a size all the same.
+template <class T>
+struct Space {
+  std::vector<T> items;
+  bool isGiven = true;
+  T* data() { return isGiven ? items.data() : nullptr; }
+  const T* data() const { return isGiven ? items.data() : nullptr; }
+  std::size_t size() const { return items.size(); }
+  /// Whether there is as much room as is said.
+  bool isThere() const { return isGiven || items.empty(); }
+};
+
 /// How long an array is said to be. It has so many elements, and more.
 struct Said {
   std::size_t count = 0;
@@ -108,5 +128,31 @@ LGS_HOSTILE(Undone);
 LGS_HOSTILE(StayingBlocks);
 LGS_HOSTILE(SvgOverlay);
 #undef LGS_HOSTILE
+
+template <class T>
+struct Hostile<Out<T>> {
+  static const std::vector<Out<T>>& values(Scene&) {
+    static const std::vector<Out<T>> kBoth{{true}, {false}};
+    return kBoth;
+  }
+  static std::string told(const Out<T>& out) { return out.isGiven ? "a pointer" : "NULL"; }
+};
+
+template <class T>
+struct Hostile<Space<T>> {
+  static const std::vector<Space<T>>& values(Scene& scene) {
+    static const std::vector<Space<T>> kAll = [&] {
+      std::vector<Space<T>> all;
+      for (const Room room : Hostile<Room>::values(scene)) all.push_back({std::vector<T>(room.size), true});
+      all.push_back({std::vector<T>(9), false});
+      all.push_back({{}, false});
+      return all;
+    }();
+    return kAll;
+  }
+  static std::string told(const Space<T>& space) {
+    return fmt::format("room {}{}", space.size(), space.isGiven ? "" : " at NULL");
+  }
+};
 
 }  // namespace lgs::test
