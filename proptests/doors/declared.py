@@ -34,6 +34,7 @@ class Function:
     interface: str
     name: str
     arguments: tuple[str, ...]
+    may_throw: bool = False  # of C++
 
 
 def clang():
@@ -84,9 +85,10 @@ def functions(tree, scope, interface):
         if kind in FUNCTIONS:
             known = part.get("explicitlyDefaulted") or part.get("explicitlyDeleted") or "parentDeclContextId" in part
             if not known:
-                is_const = "const" in part["type"]["qualType"].rpartition(")")[2].split()
+                after = part["type"]["qualType"].rpartition(")")[2].split()
                 types = arguments_of(part)
-                yield Function(interface, f"{scope}{name}({', '.join(types)})" + (" const" if is_const else ""), types)
+                yield Function(interface, f"{scope}{name}({', '.join(types)})" + (" const" if "const" in after else ""),
+                               types, "noexcept" not in after and not part.get("constexpr"))
         elif kind == "NamespaceDecl" and name not in ("detail", "brush"):
             yield from functions(part, f"{scope}{name}::", interface)
         elif kind == "CXXRecordDecl" and part.get("completeDefinition"):

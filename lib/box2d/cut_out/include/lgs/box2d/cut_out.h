@@ -23,7 +23,7 @@ namespace lgs::box2d {
 /// Shows the last changes of a world, as sync() does. But who is caught by them stays where it is: its outline is
 /// carved out of the ground, and that is committed and shown as well. If a brush is refused somewhere, because a cell
 /// is full to its limits, the terrain does with bodies what its options say. Errors as of sync().
-inline tl::expected<void, SyncError> cutOut(Terrain& terrain, World& world, const Changes& changes) {
+inline tl::expected<void, SyncError> cutOut(Terrain& terrain, World& world, const Changes& changes) noexcept {
   bool isCut = true;
   for (const Caught& caught : terrain.caughtBy(changes)) {
     for (const Ring& outline : terrain.outlinesOf(caught.body))
@@ -34,7 +34,7 @@ inline tl::expected<void, SyncError> cutOut(Terrain& terrain, World& world, cons
 }
 
 /// A region but for the outlines of the bodies in it. Refused: as by without().
-inline Expected<Region> withoutBodies(Terrain& terrain, const Region& region) {
+inline Expected<Region> withoutBodies(Terrain& terrain, const Region& region) noexcept {
   Region bodies;
   for (const auto& body : bodiesIn(terrain, region))
     for (Ring& outline : terrain.outlinesOf(body)) bodies.rings.push_back(std::move(outline));
