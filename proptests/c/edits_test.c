@@ -253,6 +253,7 @@ struct told {
   int cells;
   lgs_cell cell;
   size_t before, now;
+  uint32_t was, is; /* of a cell that had polygons and has some */
   lgs_local_point last;
 };
 
@@ -265,6 +266,10 @@ static void tell(void* user, const lgs_cell_change* change) {
   told->cell = change->cell;
   told->before = change->before_count;
   told->now = change->now_count;
+  if (told->before != 0 && told->now != 0) {
+    told->was = change->before[0].block;
+    told->is = change->now[0].block;
+  }
   if (vertices != 0) told->last = change->vertices[vertices - 1];
 }
 
@@ -295,7 +300,7 @@ static void following(void) {
   CHECK(lgs_commit(world, NULL) == LGS_OK);
   told = toldBy(world);
   CHECK(told.cells == 2 && told.cell.j == 6 && told.before == 0 && told.now == 1);
-  CHECK(told.last.x == U && told.last.y == U);
+  CHECK(told.last.x == U && told.last.y == U && told.was == 1 && told.is == 2);
   CHECK(lgs_roll_back(world, mark, NULL, NULL) == LGS_OK && toldBy(world).cells == 2);
   CHECK(lgs_forget(world, mark, NULL) == LGS_OK);
   CHECK(lgs_clear(world, rectOf(4, 5, 4, 5), NULL, NULL) == LGS_OK);

@@ -341,6 +341,20 @@ static void statuses(void) {
   }
 }
 
+/* Each number of an error has its place in the sentence. */
+static void numbers(void) {
+  lgs_error error;
+  char text[200] = "";
+  memset(&error, 0, sizeof error);
+  error.code = LGS_SAVE_UNKNOWN_VERSION;
+  error.index = 71;
+  error.index2 = 5;
+  CHECK(lgs_message(&error, text, sizeof text, NULL) == LGS_OK);
+  CHECK(strstr(text, "has version 71 of its format") && strstr(text, "from 1 to 5"));
+  REFUSED(LGS_BAD_ARGUMENT, lgs_forget_chunks(NULL, rectOf(0, 0, 0, 0), NULL, &error)); /* it has no numbers */
+  CHECK(error.polygon == -1 && error.index == -1 && error.other_block == 0 && error.cell.i == INT32_MIN);
+}
+
 static void sentences(void) {
   lgs_world* world = newWorld();
   lgs_error error;
@@ -371,6 +385,7 @@ int main(void) {
   unloading();
   integers();
   statuses();
+  numbers();
   sentences();
   return 0;
 }
