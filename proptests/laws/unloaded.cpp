@@ -20,6 +20,14 @@ Cell chunkOf(Cell cell) { return {cell.i & ~31, cell.j & ~31}; }
 
 }  // namespace
 
+World rowOfChunks(std::int32_t chunks) {
+  World world;
+  const ShapeId square = shapeOf(world, {unitSquare()});
+  EXPECT_TRUE(world.fill({{0, 0}, {32 * chunks - 1, 31}}, square, 1));
+  world.commit();
+  return world;
+}
+
 Seen seen(const Segment& segment, bool withHandle) {
   const SegmentFields s = fieldsOf(segment);
   return {s.start, s.end, s.block, s.cell, s.ghost1, s.ghost2, withHandle ? s.polygon : PolygonHandle{}};

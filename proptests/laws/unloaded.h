@@ -17,6 +17,9 @@ namespace lgs::test {
 /// Of a chunk by its place, in chunks.
 inline CellRect chunkAt(std::int32_t ci, std::int32_t cj) { return {{32 * ci, 32 * cj}, {32 * ci + 31, 32 * cj + 31}}; }
 
+/// So many chunks in a row, full of squares.
+World rowOfChunks(std::int32_t chunks);
+
 /// The bytes of chunks, by their lower-left cells, as a game would keep them: the newest last.
 class Shelf {
  public:

@@ -1,4 +1,4 @@
-// Chunks that are unloaded, by hand: what is refused, what bytes are taken, what memory it costs.
+// Chunks that are unloaded, by hand: what is refused, and what bytes are taken.
 #include "proptests/support/law.h"
 #include "proptests/support/must.h"
 #include "twins.h"
@@ -10,15 +10,6 @@
 
 namespace lgs::test {
 namespace {
-
-/// So many chunks in a row, full of squares.
-World rowOfChunks(std::int32_t chunks) {
-  World world;
-  const ShapeId square = shapeOf(world, {unitSquare()});
-  EXPECT_TRUE(world.fill({{0, 0}, {32 * chunks - 1, 31}}, square, 1));
-  world.commit();
-  return world;
-}
 
 std::size_t segmentsOf(const World& world) { return world.segments().size(); }
 
@@ -216,84 +207,6 @@ TEST(UnloadedByHand, WhatNobodyNeedsCanBeForgottenAfterGoingBackToo) {
   EXPECT_EQ(world.forget(kEverywhere), 1U);
 }
 
-TEST(UnloadedByHand, AnUnknownPlaceCanCountAsSolid) {
-  World world = rowOfChunks(1);
-  const ShapeId square = shapeOf(world, {unitSquare()});
-  EXPECT_TRUE(world.fill(chunkAt(1, 0), square, 1));
-  EXPECT_EQ(world.unload(chunkAt(1, 0), {}), 1U);
-  world.commit();
-  EXPECT_EQ(segmentsOf(world), 96U) << "no wall towards it";
-  EXPECT_EQ(world.reloadEmpty(chunkAt(1, 0)), 1U);
-  EXPECT_EQ(world.commit().added.size(), 32U) << "it is known now, and there is nothing";
-}
-
-TEST(UnloadedByHand, AChainThatLeadsIntoWhatIsUnloadedIsNoLoop) {
-  World world = rowOfChunks(2);
-  Loops loops(world);
-  ASSERT_EQ(loops.all().size(), 1U);
-  EXPECT_EQ(world.unload(chunkAt(1, 0), {}), 1U);
-  ASSERT_TRUE(loops.update(world, world.commit()));
-  EXPECT_TRUE(loops.all().empty());
-  for (const SegmentId id : world.segments()) EXPECT_FALSE(loops.of(id));
-}
-
-TEST(UnloadedByHand, QuestionsSayWhereTheyWouldHaveToLook) {
-  World world = rowOfChunks(3);
-  EXPECT_EQ(world.unload(chunkAt(1, 0), {}), 1U);
-  world.commit();
-  const auto at = [](double x, double y) { return latticePoint({x, y}); };
-  EXPECT_EQ(world.at(at(31.5, 3.5)).where, Spot::Where::inside);
-  EXPECT_EQ(world.at(at(32, 3.5)).where, Spot::Where::unloaded);
-  EXPECT_EQ(world.at(at(40.5, 3.5)).where, Spot::Where::unloaded);
-  EXPECT_EQ(world.at(at(40.5, 3.5)).cell, (Cell{40, 3}));
-  EXPECT_EQ(world.at(at(40.5, 32)).where, Spot::Where::unloaded);
-  EXPECT_EQ(world.at(at(40.5, 32.5)).where, Spot::Where::outside);
-  // From above: what is loaded is hit, unless the way there leads through what is not.
-  EXPECT_TRUE(must(world.rayCast(at(10, 40), at(10, 20))).segment);
-  EXPECT_EQ(world.rayCast(at(40, 40), at(40, 20)).error().cell, (Cell{39, 31}));
-  EXPECT_FALSE(must(world.rayCast(at(40, 40), at(40, 33))).segment);
-  EXPECT_EQ(world.rayCast(at(30, 34), at(40, 24)).error().code, ErrorCode::unloaded) << "it meets both at (32, 32)";
-  EXPECT_EQ(world.rayCast(at(29, 40), at(39, 20)).error().code, ErrorCode::unloaded);
-  EXPECT_TRUE(world.rayCast(at(20, 40), at(60, 20)).error().code == ErrorCode::unloaded);
-  EXPECT_TRUE(world.rayCast(at(28, 33), at(36, 31)).error().code == ErrorCode::unloaded) << "it meets both at once";
-  EXPECT_TRUE(must(world.rayCast(at(27, 33), at(35, 31))).segment) << "it is hit at (31, 32), and would go on";
-  EXPECT_TRUE(world.rayCast(Point{63 * U, 33 * U}, Point{65 * U, 31 * U + 1})) << "half a unit beside the corner";
-  EXPECT_TRUE(must(world.rayCast(at(31.4, 33), at(32.4, 31))).segment) << "it is hit, and in that row would go on";
-  // The nearest segment, unless an unknown one may be as near.
-  EXPECT_TRUE(must(world.nearest(at(10, 35), 10)).segment);
-  EXPECT_EQ(must(world.nearest(at(30, 35), 10)).distance, 3.0);
-  EXPECT_EQ(world.nearest(at(32, 35), 10).error().code, ErrorCode::unloaded);
-  EXPECT_EQ(world.nearest(at(48, 35), 10).error().cell, (Cell{48, 31}));
-  EXPECT_FALSE(must(world.nearest(at(48, 35), 2.5)).segment);
-  EXPECT_EQ(must(world.nearest(at(200, 16), 200)).distance, 104.0) << "the nearer one is loaded";
-}
-
-TEST(UnloadedByHand, OfPlacesThatMayBeNearestTheFirstByRowsIsNamed) {
-  std::vector<Cell> beside;
-  for (std::int32_t j = -1; j <= 1; ++j)
-    for (std::int32_t i = -1; i <= 1; ++i)
-      if (i != 0 || j != 0) beside.push_back({i, j});
-  const auto nearestCell = [](Cell chunk) {
-    const auto along = [](std::int32_t c) { return c == 0 ? 16 : c < 0 ? -1 : 32; };
-    return Cell{along(chunk.i), along(chunk.j)};
-  };
-  for (const Cell first : beside) {
-    for (const Cell second : beside) {
-      if (first == second) continue;
-      World world;
-      const ShapeId square = shapeOf(world, {unitSquare()});
-      for (const Cell chunk : {first, second}) {
-        EXPECT_TRUE(world.fill(chunkAt(chunk.i, chunk.j), square, 1));
-        EXPECT_EQ(world.unload(chunkAt(chunk.i, chunk.j), {}), 1U);
-      }
-      world.commit();
-      const Cell a = nearestCell(first), b = nearestCell(second);
-      EXPECT_EQ(world.nearest({16 * U + 1, 16 * U + 1}, 30).error().cell,
-                std::pair(a.j, a.i) < std::pair(b.j, b.i) ? a : b);
-    }
-  }
-}
-
 TEST(UnloadedByHand, TheFirstChunkBesideWakesTheBorder) {
   World world = rowOfChunks(1);
   EXPECT_EQ(world.unload(kEverywhere, {}), 1U);
@@ -364,126 +277,6 @@ TEST(UnloadedByHand, APlaceNeverSeenIsEmptyOrUnknownAsTheGameSays) {
   EXPECT_EQ(world.at({-40 * U, U}).where, Spot::Where::outside);
   EXPECT_EQ(world.reloadEmpty(chunkAt(1, 0)), 1U) << "now the game makes it";
   EXPECT_TRUE(world.add({40, 1}, square, 1));
-}
-
-TEST(UnloadedByHand, MemoryGoesDownAndStaysDown) {
-  World world = rowOfChunks(1);
-  const ShapeId square = shapeOf(world, {unitSquare()});
-  EXPECT_TRUE(world.fill({{0, 32}, {32 * 200 - 1, 63}}, square, 1));
-  world.commit();
-  const std::uint64_t full = world.stats().bytes;
-  Shelf shelf;
-  EXPECT_EQ(world.unload({{64, 32}, {32 * 200 - 1, 63}}, shelf.sink()), 198U);
-  world.commit();
-  const std::uint64_t empty = world.stats().bytes;
-  EXPECT_LT(empty + 195U * 5'000, full) << "each chunk had its cells alone 5,120 bytes";
-  std::uint64_t after = 0;
-  for (int k = 0; k < 1'000; ++k) {
-    EXPECT_TRUE(shelf.reload(world, {64, 32}));
-    world.commit();
-    EXPECT_EQ(world.unload(chunkAt(2, 1), {}), 1U);
-    world.commit();
-    if (k == 2) after = world.stats().bytes;
-  }
-  EXPECT_EQ(world.stats().bytes, after) << "a thousand goings and comings leave nothing";
-  EXPECT_EQ(world.forget(kEverywhere), 197U);
-  EXPECT_LT(world.stats().bytes, after - 197U * 60);
-}
-
-TEST(UnloadedByHand, AWalkLeavesLittleBehind) {
-  World world;
-  const ShapeId diamond = shapeOf(world, shapeNamed("diamond"));
-  std::uint64_t before = 0;
-  for (std::int32_t k = 0; k < 201; ++k) {
-    EXPECT_TRUE(world.fill(chunkAt(k, 0), diamond, 1));
-    world.commit();
-    EXPECT_EQ(world.unload(chunkAt(k - 1, 0), {}), k == 0 ? 0U : 1U);
-    world.commit();
-    if (k == 100) before = world.stats().bytes;
-  }
-  EXPECT_LT(world.stats().bytes, before + 100U * 1'500) << "a chunk's lists of segments alone take 4,096";
-}
-
-TEST(UnloadedByHand, SegmentsThatWentGiveTheirMemoryBack) {
-  World world;
-  const ShapeId diamond = shapeOf(world, shapeNamed("diamond"));
-  constexpr std::uint64_t kSegments = 64 * 1'024 * 4;
-  EXPECT_TRUE(world.fill({{0, 0}, {255, 255}}, diamond, 1));
-  EXPECT_EQ(world.commit().added.size(), kSegments);
-  const World copy = world;
-  std::uint64_t full = 0, left = 0;
-  for (int k = 0; k < 10; ++k) {
-    Shelf shelf;
-    EXPECT_EQ(world.unload({{0, 32}, {255, 255}}, shelf.sink()), 56U);
-    world.commit();
-    if (k == 1) left = world.stats().bytes;
-    EXPECT_LT(world.stats().bytes, k == 0 ? UINT64_MAX : full - 28 * kSegments / 2) << "a segment takes 28 bytes";
-    const World part = world;
-    EXPECT_EQ(part.segments().size(), 8U * 1'024 * 4);
-    for (std::int32_t j = 1; j < 8; ++j)
-      for (std::int32_t i = 0; i < 8; ++i) EXPECT_TRUE(shelf.reload(world, chunkAt(i, j).min));
-    EXPECT_EQ(world.commit().added.size(), 7U * 8 * 1'024 * 4);
-    full = world.stats().bytes;  // with the lists of changes, which are as long as they ever were
-  }
-  EXPECT_EQ(world.unload({{0, 32}, {255, 255}}, {}), 56U);
-  world.commit();
-  EXPECT_EQ(world.stats().bytes, left) << "goings and comings leave nothing";
-  EXPECT_EQ(copy.segments().size(), kSegments);
-}
-
-// Its border is made of what its cells held then, and not of what the notes between two commits have left of that.
-TEST(UnloadedByHand, AChunkThatGoesBackToBeingUnloadedHasTheBorderOfThen) {
-  World world;
-  Shelf shelf;
-  const ShapeId square = shapeOf(world, {unitSquare()});
-  EXPECT_TRUE(world.add({32, 5}, square, 1));
-  EXPECT_EQ(world.unload(chunkAt(1, 0), shelf.sink()), 1U);
-  world.commit();
-  const Mark mark = world.checkpoint();
-  EXPECT_TRUE(world.add({31, 5}, square, 1));  // it wakes the border
-  EXPECT_EQ(world.commit().added.size(), 3U);
-  EXPECT_TRUE(shelf.reload(world, {32, 0}));
-  EXPECT_TRUE(world.clear(Cell{32, 5}));
-  EXPECT_EQ(world.commit().added.size(), 1U);
-  EXPECT_TRUE(world.rollBack(mark));
-  EXPECT_TRUE(world.add({31, 5}, square, 1));
-  EXPECT_EQ(world.commit().added.size(), 3U);
-}
-
-// The border of the unloaded chunk is to be settled anew, since the chunk beside it was forgotten. While a mark is held
-// each commit does that again.
-TEST(UnloadedByHand, CommitsUnderAMarkDoNotAddUp) {
-  World world = rowOfChunks(3);
-  ASSERT_TRUE(world.unload({{0, 0}, {31, 31}}, {}));
-  world.commit();
-  ASSERT_TRUE(world.clear(CellRect{{32, 0}, {63, 31}}));
-  world.commit();
-  ASSERT_EQ(world.forget(CellRect{{32, 0}, {63, 31}}), 1U);
-  const Mark mark = world.checkpoint();
-  for (int k = 0; k < 100; ++k) world.commit();
-  const std::uint64_t before = world.stats().bytes;
-  for (int k = 0; k < 1'000; ++k) world.commit();
-  EXPECT_EQ(world.stats().bytes, before);
-  EXPECT_TRUE(world.forget(mark));
-}
-
-TEST(UnloadedByHand, WhatABorderHeldIsForgotten) {
-  World world;
-  Shelf shelf;
-  for (std::int32_t round = 0; round < 80; ++round) {
-    for (std::int32_t i = 0; i < 32; ++i) place(world, {i, 0}, {{0, 0}, {1 + 32 * round + i, 0}, {0, 1}});
-    world.commit();
-    EXPECT_EQ(world.unload(kEverywhere, shelf.sink()), 1U);
-    world.commit();
-    if (round % 2 == 0) {
-      EXPECT_TRUE(shelf.reload(world, {0, 0}));
-      EXPECT_EQ(world.clear(chunkAt(0, 0)), 32U);
-      world.commit();
-    } else {
-      EXPECT_EQ(world.forget(kEverywhere), 1U);
-    }
-  }
-  EXPECT_LT(world.stats().contents, 1'200U) << "of 2,560 that there were";
 }
 
 }  // namespace

@@ -1,0 +1,89 @@
+// Chunks that are unloaded, by hand: questions that would have to look there.
+#include "proptests/support/must.h"
+#include "unloaded.h"
+
+#include <gtest/gtest.h>
+
+namespace lgs::test {
+namespace {
+
+TEST(UnloadedByHand, AnUnknownPlaceCanCountAsSolid) {
+  World world = rowOfChunks(1);
+  const ShapeId square = shapeOf(world, {unitSquare()});
+  EXPECT_TRUE(world.fill(chunkAt(1, 0), square, 1));
+  EXPECT_EQ(world.unload(chunkAt(1, 0), {}), 1U);
+  world.commit();
+  EXPECT_EQ(world.segments().size(), 96U) << "no wall towards it";
+  EXPECT_EQ(world.reloadEmpty(chunkAt(1, 0)), 1U);
+  EXPECT_EQ(world.commit().added.size(), 32U) << "it is known now, and there is nothing";
+}
+
+TEST(UnloadedByHand, AChainThatLeadsIntoWhatIsUnloadedIsNoLoop) {
+  World world = rowOfChunks(2);
+  Loops loops(world);
+  ASSERT_EQ(loops.all().size(), 1U);
+  EXPECT_EQ(world.unload(chunkAt(1, 0), {}), 1U);
+  ASSERT_TRUE(loops.update(world, world.commit()));
+  EXPECT_TRUE(loops.all().empty());
+  for (const SegmentId id : world.segments()) EXPECT_FALSE(loops.of(id));
+}
+
+TEST(UnloadedByHand, QuestionsSayWhereTheyWouldHaveToLook) {
+  World world = rowOfChunks(3);
+  EXPECT_EQ(world.unload(chunkAt(1, 0), {}), 1U);
+  world.commit();
+  const auto at = [](double x, double y) { return latticePoint({x, y}); };
+  EXPECT_EQ(world.at(at(31.5, 3.5)).where, Spot::Where::inside);
+  EXPECT_EQ(world.at(at(32, 3.5)).where, Spot::Where::unloaded);
+  EXPECT_EQ(world.at(at(40.5, 3.5)).where, Spot::Where::unloaded);
+  EXPECT_EQ(world.at(at(40.5, 3.5)).cell, (Cell{40, 3}));
+  EXPECT_EQ(world.at(at(40.5, 32)).where, Spot::Where::unloaded);
+  EXPECT_EQ(world.at(at(40.5, 32.5)).where, Spot::Where::outside);
+  // From above: what is loaded is hit, unless the way there leads through what is not.
+  EXPECT_TRUE(must(world.rayCast(at(10, 40), at(10, 20))).segment);
+  EXPECT_EQ(world.rayCast(at(40, 40), at(40, 20)).error().cell, (Cell{39, 31}));
+  EXPECT_FALSE(must(world.rayCast(at(40, 40), at(40, 33))).segment);
+  EXPECT_EQ(world.rayCast(at(30, 34), at(40, 24)).error().code, ErrorCode::unloaded) << "it meets both at (32, 32)";
+  EXPECT_EQ(world.rayCast(at(29, 40), at(39, 20)).error().code, ErrorCode::unloaded);
+  EXPECT_TRUE(world.rayCast(at(20, 40), at(60, 20)).error().code == ErrorCode::unloaded);
+  EXPECT_TRUE(world.rayCast(at(28, 33), at(36, 31)).error().code == ErrorCode::unloaded) << "it meets both at once";
+  EXPECT_TRUE(must(world.rayCast(at(27, 33), at(35, 31))).segment) << "it is hit at (31, 32), and would go on";
+  EXPECT_TRUE(world.rayCast(Point{63 * U, 33 * U}, Point{65 * U, 31 * U + 1})) << "half a unit beside the corner";
+  EXPECT_TRUE(must(world.rayCast(at(31.4, 33), at(32.4, 31))).segment) << "it is hit, and in that row would go on";
+  // The nearest segment, unless an unknown one may be as near.
+  EXPECT_TRUE(must(world.nearest(at(10, 35), 10)).segment);
+  EXPECT_EQ(must(world.nearest(at(30, 35), 10)).distance, 3.0);
+  EXPECT_EQ(world.nearest(at(32, 35), 10).error().code, ErrorCode::unloaded);
+  EXPECT_EQ(world.nearest(at(48, 35), 10).error().cell, (Cell{48, 31}));
+  EXPECT_FALSE(must(world.nearest(at(48, 35), 2.5)).segment);
+  EXPECT_EQ(must(world.nearest(at(200, 16), 200)).distance, 104.0) << "the nearer one is loaded";
+}
+
+TEST(UnloadedByHand, OfPlacesThatMayBeNearestTheFirstByRowsIsNamed) {
+  std::vector<Cell> beside;
+  for (std::int32_t j = -1; j <= 1; ++j)
+    for (std::int32_t i = -1; i <= 1; ++i)
+      if (i != 0 || j != 0) beside.push_back({i, j});
+  const auto nearestCell = [](Cell chunk) {
+    const auto along = [](std::int32_t c) { return c == 0 ? 16 : c < 0 ? -1 : 32; };
+    return Cell{along(chunk.i), along(chunk.j)};
+  };
+  for (const Cell first : beside) {
+    for (const Cell second : beside) {
+      if (first == second) continue;
+      World world;
+      const ShapeId square = shapeOf(world, {unitSquare()});
+      for (const Cell chunk : {first, second}) {
+        EXPECT_TRUE(world.fill(chunkAt(chunk.i, chunk.j), square, 1));
+        EXPECT_EQ(world.unload(chunkAt(chunk.i, chunk.j), {}), 1U);
+      }
+      world.commit();
+      const Cell a = nearestCell(first), b = nearestCell(second);
+      EXPECT_EQ(world.nearest({16 * U + 1, 16 * U + 1}, 30).error().cell,
+                std::pair(a.j, a.i) < std::pair(b.j, b.i) ? a : b);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lgs::test
