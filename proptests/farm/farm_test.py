@@ -148,6 +148,7 @@ class Farm(unittest.TestCase):
         self.told({})
         self.assertEqual(self.run_units("0-2").returncode, 0)
         self.assertEqual(self.merge().returncode, 75, "two are missing")
+        self.assertIn("## Never begun\n\n2 units.", (self.folder / "page.md").read_text())
         again = self.run_units()
         self.assertIn("3 units passed before; 2 to do", again.stdout)
         twins = list((self.folder / "results").glob("*.json"))

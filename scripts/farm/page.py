@@ -70,11 +70,12 @@ def markdown(ledger: Ledger, before: Ledger | None) -> str:
     if ledger.torn:
         lines += ["## Passed and failed", "", "The same unit did both: something that is not in the unit decides.", "",
                   *(f"- {unit.key}" for unit in ledger.torn), ""]
-    lost = [[unit.key, str(len(ledger.lost[unit])), "; ".join(sorted({a["why"] for a in ledger.lost[unit]})) or "never begun",
-             "no" if unit in ledger.missing else "yes"] for unit in ledger.units
-            if ledger.lost[unit] or unit in ledger.missing]
+    lost = [[unit.key, str(len(ledger.lost[unit])), "; ".join(sorted({a["why"] for a in ledger.lost[unit]})),
+             "no" if unit in ledger.missing else "yes"] for unit in ledger.units if ledger.lost[unit]]
     if lost:
         lines += ["## Lost", "", *table(["unit", "attempts lost", "why", "done later"], lost)]
+    if never := sum(not ledger.lost[unit] for unit in ledger.missing):
+        lines += ["## Never begun", "", f"{never} units. `scripts/farm.py show PLAN --left RESULTS` names them.", ""]
     if ledger.foreign:
         lines += ["## Not of this plan", "", f"{len(ledger.foreign)} results are of units that the plan has not, such as "
                   f"{ledger.foreign[0]}. They do not count.", ""]
