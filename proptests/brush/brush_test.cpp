@@ -1,4 +1,4 @@
-// Brushes by hand: helpers, whole cells, refusals, and what the result says.
+// Brushes by hand: their parts, whole cells, refusals, and what the result says.
 #include "outline.h"
 #include "pieces.h"
 #include "proptests/brush/strokes.h"
@@ -8,8 +8,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace lgs::test {
 namespace {
@@ -17,74 +19,6 @@ namespace {
 constexpr std::int64_t kCell = kUnitsPerCell;  // in lattice units
 
 Region box(Point min, Point max) { return {{{min, {max.x, min.y}, max, {min.x, max.y}}}}; }
-
-TEST(BrushRegion, ACircleHasItsCornersOnTheCircle) {
-  for (const std::int64_t radius : {std::int64_t{1}, std::int64_t{7}, 3 * kCell, 2'000 * kCell}) {
-    const Region region = circle({5, -7}, radius, 30);
-    ASSERT_EQ(region.rings.size(), 1U);
-    EXPECT_EQ(region.rings[0].size(), 32U);
-    for (const Point p : region.rings[0]) {
-      const double away = std::hypot(static_cast<double>(p.x - 5), static_cast<double>(p.y + 7));
-      EXPECT_NEAR(away, static_cast<double>(radius), 0.75);
-    }
-  }
-}
-
-TEST(BrushRegion, ARectangleIsTurned) {
-  const Region region = rectangle({100, 100}, {0, 5}, 50, 20);
-  EXPECT_EQ(region.rings, (std::vector<Ring>{{{120, 50}, {120, 150}, {80, 150}, {80, 50}}}));
-  EXPECT_EQ(rectangle({0, 0}, {0, 0}, 2, 1).rings, rectangle({0, 0}, {1, 0}, 2, 1).rings);
-}
-
-// A game that says nothing, or far too much, is told so when it uses the region.
-TEST(BrushRegion, LengthsOutOfRangeAreRefused) {
-  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max(), kLongest = kMaxRegionCells / 2 * kCell;
-  World world;
-  const Point line[] = {{0, 0}, {kCell, 0}};
-  for (const std::int64_t length : {std::int64_t{0}, std::int64_t{-5}, -kMost, INT64_MIN, kLongest + 1, kMost}) {
-    for (const Region& region : {circle({0, 0}, length, 8), rectangle({0, 0}, {1, 0}, length, 5),
-                                 rectangle({0, 0}, {1, 0}, 5, length), thickLine(line, length)}) {
-      const auto done = carve(world, region);
-      ASSERT_FALSE(done) << length;
-      EXPECT_EQ(done.error().code, ErrorCode::outOfReach);
-      EXPECT_NE(message(done.error()).find("1 lattice unit to 2,048 cells"), std::string::npos);
-    }
-  }
-  for (const std::int64_t length : {std::int64_t{1}, kLongest}) {
-    EXPECT_TRUE(carve(world, circle({0, 0}, length, 8)));
-    EXPECT_TRUE(carve(world, rectangle({0, 0}, {1, 0}, length, 1)));
-  }
-}
-
-TEST(BrushRegion, WhatIsNoNumberIsTold) {
-  World world;
-  const std::vector<DoublePoint> ring{{0, 0}, {1, 0}, {std::numeric_limits<double>::quiet_NaN(), 1}};
-  const auto done = refusal(paint(world, region({&ring, 1}), 1, PaintMode::fill));
-  EXPECT_EQ(message(done), "polygon 0: vertex 2 is beyond the last cell, or was no number");
-}
-
-TEST(BrushRegion, CornersAndDirectionsAreBroughtIntoTheirRange) {
-  EXPECT_EQ(circle({0, 0}, kCell, -3).rings[0].size(), 8U);
-  EXPECT_EQ(circle({0, 0}, kCell, 5'000).rings[0].size(), 4'096U);
-  EXPECT_EQ(rectangle({0, 0}, {INT64_MIN, INT64_MIN}, kCell, 5).rings, rectangle({0, 0}, {-1, -1}, kCell, 5).rings);
-  EXPECT_EQ(rectangle({0, 0}, {kMaxCoordinate, -kMaxCoordinate}, kCell, 5).rings,
-            rectangle({0, 0}, {1, -1}, kCell, 5).rings);
-}
-
-TEST(BrushRegion, AThickLineHasRoundJoints) {
-  const std::vector<Point> points{{0, 0}, {10'000, 0}, {10'000, 10'000}};
-  EXPECT_EQ(thickLine(points, 1'000).rings.size(), 5U);
-  World world;
-  ASSERT_TRUE(paint(world, thickLine(points, 1'000), 1, PaintMode::fill).has_value());
-  EXPECT_EQ(world.at({10'700, -700}).where, Spot::Where::inside) << "the joint is round";
-  EXPECT_EQ(world.at({10'800, -800}).where, Spot::Where::outside);
-  EXPECT_TRUE(thickLine({}, 10).rings.empty());
-}
-
-TEST(BrushRegion, PositionsInCellsAreRounded) {
-  const std::vector<std::vector<DoublePoint>> rings{{{0, 0}, {1, 0}, {0.5 / kCell, 2}}};
-  EXPECT_EQ(region(rings).rings, (std::vector<Ring>{{{0, 0}, {kCell, 0}, {1, 2 * kCell}}}));
-}
 
 TEST(BrushSnap, APixelHasItsLeftAndLowerSide) {
   using brush::passes;
@@ -106,22 +40,45 @@ TEST(BrushSnap, CrossingsAreRoundedToTheNearestPoint) {
             (Point{0, 0}));
 }
 
+TEST(BrushPieces, APlaceOnAnEdgeHasTwoSides) {
+  const brush::Pieces square = brush::piecesOf(std::array<Point, 4>{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});
+  const auto windings = [&](Point doubled) {
+    return std::pair(windingLeftOf(doubled, square), windingRightOf(doubled, square));
+  };
+  using Windings = std::pair<std::int64_t, std::int64_t>;
+  EXPECT_EQ(windings({0, 4}), Windings(0, 1)) << "its left edge";
+  EXPECT_EQ(windings({4, 4}), Windings(1, 1)) << "inside";
+  EXPECT_EQ(windings({8, 4}), Windings(1, 0)) << "its right edge";
+  EXPECT_EQ(windings({12, 4}), Windings(0, 0)) << "beyond";
+  EXPECT_EQ(windings({4, 0}), Windings(1, 0)) << "its lower edge: above, and below";
+  EXPECT_EQ(windings({4, 8}), Windings(0, 1)) << "its upper edge";
+}
+
 TEST(BrushAtoms, ARayThroughAVertexMeetsOneOfItsEdges) {
   const brush::Sum solid{1, 0};
   const brush::List<brush::Atom> wall{{{0, 0}, {0, 10}, solid, {}, {}}, {{0, 10}, {0, 20}, solid, {}, {}}};
   EXPECT_EQ(sumLeftOf({10, 20}, wall), -solid);  // doubled
 }
 
-TEST(BrushOutline, AHoleIsCutOpenByTwoChords) {
+brush::List<brush::HalfEdge> edgesOf(const std::vector<Ring>& rings) {
   brush::List<brush::HalfEdge> edges;
-  const auto addRing = [&](const Ring& ring) {
+  for (const Ring& ring : rings)
     for (std::size_t k = 0; k < ring.size(); ++k) edges.push_back({ring[k], ring[(k + 1) % ring.size()]});
-  };
-  addRing({{0, 0}, {9, 0}, {9, 9}, {0, 9}});
-  addRing({{3, 3}, {3, 6}, {6, 6}, {6, 3}});
-  const brush::List<brush::Points> polygons = brush::simplePolygons(edges);
+  return edges;
+}
+
+TEST(BrushOutline, AHoleIsCutOpenByTwoChords) {
+  const brush::List<brush::Points> polygons =
+      brush::simplePolygons(edgesOf({{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{3, 3}, {3, 6}, {6, 6}, {6, 3}}}));
   EXPECT_EQ(polygons, (brush::List<brush::Points>{{{0, 0}, {3, 3}, {3, 6}, {6, 6}, {9, 9}, {0, 9}},
                                                   {{0, 0}, {9, 0}, {9, 9}, {6, 6}, {6, 3}, {3, 3}}}));
+}
+
+TEST(BrushOutline, AChordLeadsToTheLeastOfTheNearestVertices) {
+  const brush::List<brush::Points> polygons =
+      brush::simplePolygons(edgesOf({{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{2, 4}, {4, 6}, {6, 4}, {4, 2}}}));
+  EXPECT_EQ(polygons, (brush::List<brush::Points>{{{0, 0}, {2, 4}, {4, 6}, {6, 4}, {8, 0}, {8, 8}, {0, 8}},
+                                                  {{0, 0}, {8, 0}, {6, 4}, {4, 2}, {2, 4}}}));
 }
 
 TEST(Brush, WholeCellsAreFilledClearedAndRecoloured) {

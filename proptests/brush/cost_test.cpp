@@ -39,6 +39,22 @@ TEST(BrushCost, ACutCellAllocatesNothing) {
   }
 }
 
+// What a thread keeps is one block of 64 KiB. A longer list gets memory of its own, which goes with the frame.
+TEST(BrushCost, AThreadKeepsOneBlock) {
+  constexpr std::size_t kBlock = std::size_t{1} << 16;
+  for (const std::size_t size : {kBlock + 1, kBlock + 1, 9 * kBlock}) {
+    const Allocations before = allocations();
+    std::uint64_t count = 0;
+    {
+      const brush::Frame frame;
+      const brush::List<char> list(size);
+      count = allocations().count - before.count;
+    }
+    EXPECT_GT(count, 0U);
+    EXPECT_LT(allocations().bytes - before.bytes, 1'000) << "the list of blocks may have grown";
+  }
+}
+
 /// A ring of spikes around the middle of a cell.
 Ring spikes(std::size_t count) {
   Ring ring;
@@ -54,14 +70,31 @@ TEST(BrushCost, ARegionWithTooManyEdgesInACellIsRefused) {
   for (const std::size_t count : {kMaxRegionEdgesPerCell - 100, kMaxRegionEdgesPerCell + 2}) {
     World world;
     ASSERT_TRUE(world.add({0, 0}, {{0, 0}, {900, 0}, {900, 300}, {0, 300}}, 1).has_value());
-    const auto carved = carve(world, {{spikes(count)}});
+    const Region region{{spikes(count)}};
+    const auto carved = carve(world, region);
+    const auto cells = cellsOf(region);
     EXPECT_EQ(carved.has_value(), count < kMaxRegionEdgesPerCell);
-    if (!carved) {
-      EXPECT_EQ(carved.error().code, ErrorCode::capacity);
-      EXPECT_EQ(carved.error().cell, (Cell{0, 0}));
+    EXPECT_EQ(cells.has_value(), carved.has_value());
+    if (!carved && !cells) {
+      for (const Error& error : {carved.error(), cells.error()}) {
+        EXPECT_EQ(error.code, ErrorCode::capacity);
+        EXPECT_EQ(error.cell, (Cell{0, 0}));
+      }
     }
     EXPECT_EQ(world.stats().polygons, 1U);
   }
+}
+
+// Each half is not too much. No polygon is to blame for their union: nobody gave it.
+TEST(BrushCost, AnAreaWithTooManyCornersIsRefused) {
+  World world;
+  Ring half = spikes(kMaxVerticesPerCell / 2 + 100);
+  ASSERT_TRUE(paint(world, {{half}}, 1, PaintMode::fill).has_value());
+  for (Point& p : half) p.x += static_cast<std::int64_t>(12 * (half.size() / 2 - 1));  // from its last spike on
+  const auto painted = paint(world, {{half}}, 1, PaintMode::fill);
+  ASSERT_FALSE(painted.has_value());
+  EXPECT_EQ(painted.error().code, ErrorCode::capacity);
+  EXPECT_EQ(painted.error().polygon, -1);
 }
 
 // 200 edges from left to right cross 200 from below.

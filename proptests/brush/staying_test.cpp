@@ -168,12 +168,17 @@ TEST(BrushRegionsByHand, WithoutSaysWhichRingWasRefused) {
   EXPECT_TRUE(without(hole, region)->rings.empty());
   EXPECT_EQ(without(far, region).error().polygon, 0);
   EXPECT_EQ(without(region, far).error().polygon, 1);
+  const Region wide = rect({0, 0}, {(kMaxRegionCells + 1) * kCellUnits, 9});
+  EXPECT_EQ(without(region, wide).error().polygon, -1) << "none of its rings, but all of it";
 }
 
 TEST(BrushRegionsByHand, BoundsAndCells) {
   const Region region = rect({5, 5}, {2 * kCellUnits, kCellUnits + 1});
   EXPECT_EQ(boundsOf(region).value(), (CellRect{{0, 0}, {1, 1}}));
   EXPECT_EQ(cellsOf(region)->size(), 4U);
+  // Where its right edge runs from cell to cell it is rounded to the line on which it ends.
+  const Region leaning{{{{9, -3 * kCellUnits}, {kCellUnits - 1, -3 * kCellUnits}, {kCellUnits, 3 * kCellUnits}}}};
+  EXPECT_EQ(cellsOf(leaning)->size(), 6U) << "nothing of it is in the next column";
   EXPECT_TRUE(isEmpty(boundsOf(Region{}).value()));
   EXPECT_TRUE(isEmpty(boundsOf(rect({0, 0}, {0, 5})).value()));
   EXPECT_TRUE(cellsOf(Region{})->empty());

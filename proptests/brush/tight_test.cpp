@@ -1,4 +1,5 @@
 // Strokes on tight lattices, each of which a law depends on in a way that random ones seldom show.
+#include "calm.h"
 #include "proptests/brush/strokes.h"
 #include "proptests/support/must.h"
 
@@ -55,6 +56,37 @@ TEST(BrushTight, AnEdgeWhoseEndsAreRoundedToTheRim) {
 // Near the line between the two polygons of a cell, and near an end of that: what was carved can be filled again.
 TEST(BrushTight, ACornerInsideTheGroundIsForgotten) {
   expectNoSeam(Ground::halved, {{{{65544, 65539}, {65533, 65529}, {65540, 65526}, {65534, 65532}}}, FillRule::evenOdd});
+}
+
+/// What a region carves out of ground of one block is whole when it is filled again.
+void expectNoSeams(const Ring& ring) {
+  for (const Ground ground : {Ground::solid, Ground::halved}) expectNoSeam(ground, {{ring}, FillRule::evenOdd});
+}
+
+// In the cell on the right, or above, the region is so thin that its chains lie on the rim. It is there all the same.
+TEST(BrushTight, TheRegionBetweenTheRimAndItsChain) {
+  Ring ring{{65524, 65524}, {65536, 65524}, {65537, 65529}, {65524, 65529}, {65541, 65527}};
+  expectNoSeams(ring);
+  for (Point& p : ring) std::swap(p.x, p.y);
+  expectNoSeams(ring);
+}
+
+// The region's edge passes a third of a unit below a corner of the ground, so its chain goes through the corner: nothing
+// crosses. That is another thing where the corner is three units higher.
+TEST(BrushTight, AnEdgeMayBeCrossedInThePixelWhereItEnds) {
+  const brush::Frame frame;
+  const brush::Pieces region = brush::piecesOf(Ring{{0, 9'999}, {30'000, 10'001}, {15'000, 40'000}});
+  for (const std::int64_t y : {10'000, 10'003}) {
+    const brush::List<brush::CellPolygon> polygons{{{{9'000, 5'000}, {11'000, 5'000}, {10'000, y}}, 1}};
+    const auto ground = brush::groundOf(polygons, {true}, region);
+    ASSERT_TRUE(ground.has_value());
+    EXPECT_EQ(brush::calmAtoms(*ground, region, FillRule::nonZero).has_value(), y == 10'000);
+  }
+}
+
+// An edge of the ground begins where one of the rounded region begins, and is another one.
+TEST(BrushTight, TwoEdgesThatBeginInTheSamePoint) {
+  expectNoSeams({{65314, 65240}, {65869, 65832}, {65092, 65092}, {65832, 65795}});
 }
 
 // A polygon stands in the way, so edges that nothing crosses are left straight. One of them lies between the region and
