@@ -72,6 +72,22 @@ TEST(BrushRules, WholeCellsKnowAllRings) {
   EXPECT_EQ(world.stats().cells, 0U);
 }
 
+// Whichever cells of a row or a column these are, each is found when the row is halved.
+TEST(BrushRules, WholeCellsMayLieApart) {
+  for (const bool isRow : {true, false}) {
+    Region region;
+    std::vector<Cell> cells;
+    for (const std::int32_t k : {0, 4, 7, 11}) {
+      const Cell cell = isRow ? Cell{k, 0} : Cell{0, k};
+      cells.push_back(cell);
+      region.rings.push_back(box(toWorld(cell, {0, 0}), toWorld(cell, {kUnitsPerCell, kUnitsPerCell})));
+    }
+    auto found = must(cellsOf(region));
+    std::ranges::sort(found);
+    EXPECT_EQ(found, cells);
+  }
+}
+
 TEST(BrushRules, AFillLeavesFullCellsAsTheyAre) {
   World world;
   const Region cells{{box({0, 0}, {2 * kCell, kCell})}};
@@ -163,6 +179,32 @@ TEST(BrushRules, ASpikeReachesNothing) {
   EXPECT_EQ(painted.came.size(), 1U);
   EXPECT_TRUE(painted.changed.empty()) << "there is no area around a spike";
   EXPECT_TRUE(world.polygon(wedge).has_value());
+}
+
+// The corner of a triangle is a fifth of a unit above a wedge. An edge goes on from there into the wedge and back.
+TEST(BrushRules, AnEdgeReachesNothingBeyondWhereASpikeBegins) {
+  const Ring ring{{300, 2'000}, {300, 10}, {300, 17}, {900, 2'000}};
+  for (const Ring& either : {ring, reversed(ring)}) {
+    World world;
+    const PolygonHandle wedge = *world.add({0, 0}, {{0, 0}, {536, 0}, {536, 30}}, 1);
+    const auto painted = must(paint(world, {{either}}, 2, PaintMode::replace));
+    EXPECT_EQ(painted.came.size(), 1U);
+    EXPECT_TRUE(painted.changed.empty());
+    EXPECT_TRUE(world.polygon(wedge).has_value());
+  }
+}
+
+// Each edge begins at the tip of a spike, and no corner of the triangle is the first point of one.
+TEST(BrushRules, SpikesAtAllCornersTakeNothingFromARegion) {
+  const Ring triangle{{20'000, 20'000}, {40'000, 20'000}, {40'000, 40'000}};
+  const Ring spiked{{15'000, 20'000}, triangle[1], {40'000, 15'000}, triangle[2], {45'000, 45'000}, triangle[0]};
+  for (const FillRule rule : {FillRule::nonZero, FillRule::evenOdd}) {
+    World world, same;
+    for (World* const w : {&world, &same}) ASSERT_TRUE(w->add({0, 0}, kUnitSquare, 1));
+    must(carve(world, {{spiked}, rule}));
+    must(carve(same, {{triangle}, rule}));
+    EXPECT_EQ(standingIn(world), standingIn(same));
+  }
 }
 
 TEST(BrushRules, ARegionReachesNothingWhereItsRimPointIsRounded) {

@@ -96,7 +96,8 @@ bool anyOverlap(PieceSpan pieces) {
       overlap);
 }
 
-/// The pieces, cut at the ends of others that lie on them: what overlaps is then equal.
+/// The pieces, cut at the ends of others that lie on them: what overlaps is then equal. Such a cut is a point of the
+/// edge, so that the parts are edges by themselves. Where a spike was, nothing of the edge is left.
 Pieces cutAtEnds(PieceSpan pieces) {
   Pieces parts;
   Points cuts;
@@ -109,7 +110,10 @@ Pieces cutAtEnds(PieceSpan pieces) {
         cuts.push_back(q.start);
     detail::sort(cuts, before);
     cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
-    for (std::size_t k = 1; k < cuts.size(); ++k) parts.push_back({p.a, p.b, cuts[k - 1], cuts[k], p.isOfRegion});
+    for (std::size_t k = 1; k < cuts.size(); ++k) {
+      const Point a = k == 1 ? p.a : cuts[k - 1], b = k + 1 == cuts.size() ? p.b : cuts[k];
+      parts.push_back({a, b, cuts[k - 1], cuts[k], p.isOfRegion});
+    }
   }
   return parts;
 }
@@ -165,7 +169,7 @@ std::optional<Pieces> withoutSpikes(PieceSpan pieces, FillRule rule) {
   for (std::size_t k = 0; k < all.size();) {
     const std::size_t first = k;
     std::int64_t turns = 0;
-    std::size_t shown = first;  // one of the region, if there is any: a line between cells may reach beyond its edge
+    std::size_t shown = first;  // one of the region, if there is any
     for (; k < all.size() && all[k].key() == all[first].key(); ++k) {
       turns += all[k].turns;
       if (all[k].piece.isOfRegion) shown = k;
