@@ -1,29 +1,40 @@
 """Which tests can see a change of which folders: the table for mutants.
 
 Not in it are `lib/include`, which the references use too, so that a mutant would stand on both sides; the terrain for
-Box2D 3, which is not built where Box2D 2.4 is; and `web/wasm`, the bridge to JavaScript, whose tests are no program of
-GoogleTest's.
+Box2D 3, which is not built where Box2D 2.4 is; and the naive reference for the article, `web/wasm/reference.cpp`.
 """
 
 from dataclasses import dataclass
 
+from googletest import GoogleTests
+from package import PackageTests
+
 
 @dataclass(frozen=True)
 class Component:
+    """Its tests are an object that knows
+    - `sources`: what its results depend on, beside what all do (workshop.py);
+    - `kind(file)`: which build of a workshop a mutant of the file is tried with;
+    - `build(workshop, kind)`: builds them, and returns the files of which a mutant must change one;
+    - `measure(…)`: runs all of them, and returns the result and how long each took, in seconds of the clock;
+    - `run(…)`: runs some of them until one fails."""
     folders: tuple[str, ...]
-    program: str
-    tests: str  # a GoogleTest filter
+    tests: GoogleTests | PackageTests
+    without: tuple[str, ...] = ()  # files
 
 
 COMPONENTS = {
-    "engine": Component(("lib/geometry", "lib/storage", "lib/ground", "lib/outline", "lib/world"), "lgs_engine_tests",
-                        "*"),
-    "importer": Component(("lib/tiled",), "lgs_tests", "Tiled*"),
-    "brushes": Component(("lib/brush",), "lgs_brush_tests", "*"),
-    "C": Component(("lib/c/src",), "lgs_attack", "*"),
-    "debug": Component(("lib/debug",), "lgs_tests", "Debug*"),
-    "judge": Component(("oracle/check", "oracle/reference"), "lgs_tests",
-                       "Check*:Compare*:Comparable*:Reference*:Naive*:Canonical*:Shrink*:Validity*:Fuzz*"),
-    "views": Component(("lib/views", "lib/pieces", "lib/falling/src"), "lgs_view_tests", "*"),
-    "terrain": Component(("lib/box2d/include", "lib/box2d/src", "lib/box2d/both", "lib/box2d/v2"), "lgs_box2d_tests", "*"),
+    "engine": Component(("lib/geometry", "lib/storage", "lib/ground", "lib/outline", "lib/world"),
+                        GoogleTests("lgs_engine_tests")),
+    "importer": Component(("lib/tiled",), GoogleTests("lgs_tests", "Tiled*")),
+    "brushes": Component(("lib/brush",), GoogleTests("lgs_brush_tests")),
+    "C": Component(("lib/c/src",), GoogleTests("lgs_attack")),
+    "debug": Component(("lib/debug",), GoogleTests("lgs_tests", "Debug*")),
+    "judge": Component(("oracle/check", "oracle/reference"), GoogleTests(
+        "lgs_tests", "Check*:Compare*:Comparable*:Reference*:Naive*:Canonical*:Shrink*:Validity*:Fuzz*")),
+    "views": Component(("lib/views", "lib/pieces", "lib/falling/src"), GoogleTests("lgs_view_tests")),
+    "terrain": Component(("lib/box2d/include", "lib/box2d/src", "lib/box2d/both", "lib/box2d/v2"),
+                         GoogleTests("lgs_box2d_tests")),
+    "WebAssembly": Component(("web/wasm",), PackageTests(), without=("web/wasm/reference.cpp",)),
 }
+NATIVE = [name for name, component in COMPONENTS.items() if isinstance(component.tests, GoogleTests)]

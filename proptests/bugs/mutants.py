@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes mutants of lib/ by rule, takes a sample of them, and shows which the tests let live.
+"""Makes mutants of the C++ code by rule, takes a sample of them, and shows which the tests let live.
 
 A mutant is the code with one small change: an operator for another, a constant one more or less, a condition negated,
 a statement dropped, two arguments swapped (rules.py). If the tests that are built with it are the same program as
@@ -19,7 +19,7 @@ import sys
 
 import mutation
 import tables
-from components import COMPONENTS
+from components import COMPONENTS, NATIVE
 from mutation import Mutant
 from options import add_common, positive, regex, whole_number
 from results import Results
@@ -33,8 +33,9 @@ def parser() -> argparse.ArgumentParser:
     result.add_argument("--sample", metavar="N", type=whole_number, help="how many, by --seed (default: all there are)")
     result.add_argument("--from", metavar="N", type=int, default=0, dest="first",
                         help="without the first N of the sample, which others try")
-    result.add_argument("--of", metavar="COMPONENT", choices=COMPONENTS, nargs="+", default=list(COMPONENTS),
-                        help=f"of {', '.join(COMPONENTS)} (default: of all)")
+    result.add_argument("--of", metavar="COMPONENT", choices=COMPONENTS, nargs="+", default=NATIVE,
+                        help=f"of {', '.join(COMPONENTS)} (default: of all but WebAssembly, which needs what "
+                        "scripts/web_setup.sh installs)")
     result.add_argument("--only", metavar="REGEX", type=regex, help="of the sample, those whose file and diff match")
     result.add_argument("--list", action="store_true", help="show the sample as diffs, and build nothing")
     result.add_argument("--again", choices=mutation.VERDICTS, help="try those again that had this verdict")

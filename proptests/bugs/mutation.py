@@ -9,11 +9,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pool
-import programs
 from components import COMPONENTS
 from results import Results
 from rules import Change, changes_of
-from workshop import ROOT, AtFault, DoesNotBuild, Workshop
+from workshop import ROOT, AtFault, DoesNotBuild, Workshop, state_of
 
 VERDICTS = ("killed", "lives", "time-out", "same code", "does not compile")
 QUICK = (0.05, 0.5)  # seconds: tests that take less are run before the others
@@ -56,9 +55,13 @@ class Mutant:
 
 
 def mutants_of(component: str) -> list[Mutant]:
+    return [Mutant(component, file, change) for file in files_of(component) for change in changes_of(text_of(file))]
+
+
+def files_of(component: str) -> list[str]:
     files = sorted(str(path.relative_to(ROOT)) for folder in COMPONENTS[component].folders
                    for path in (ROOT / folder).rglob("*") if path.suffix in (".h", ".cpp"))
-    return [Mutant(component, file, change) for file in files for change in changes_of(text_of(file))]
+    return [file for file in files if file not in COMPONENTS[component].without]
 
 
 # --- Those that are explained -----------------------------------------------------------------------------------------
@@ -90,7 +93,7 @@ class Explained:
 
 @dataclass(frozen=True)
 class Batch:
-    """Tests that one process runs."""
+    """Tests that are run together."""
     tests: tuple[str, ...]
     limit: float  # seconds of CPU
 
@@ -104,37 +107,32 @@ class Bench:
     def __init__(self, workshop: Workshop, seed: int, scale: float):
         self.workshop = workshop
         self.environment = {"LGS_TEST_SCALE": str(scale), "LGS_TEST_SEED": str(seed)}
-        self.ready: set[tuple[str, str]] = set()  # kinds of builds, and components
-        self.clean: dict[Path, bytes] = {}  # digests of programs without a mutant
+        self.clean: dict[tuple[str, str], bytes] = {}  # of a build and a component: the digest without a mutant
 
-    def build(self, kind: str, name: str) -> Path:
-        """The program with the tests of a component."""
-        self.workshop.build(kind, COMPONENTS[name].program)
-        return self.workshop.program(kind, COMPONENTS[name].program)
-
-    def digest(self, program: Path) -> bytes:
-        return hashlib.sha256(program.read_bytes()).digest()
+    def build(self, kind: str, name: str) -> bytes:
+        """Builds the tests of a component, and gives a digest of what they run."""
+        digest = hashlib.sha256()
+        for built in COMPONENTS[name].tests.build(self.workshop, kind):
+            digest.update(built.read_bytes())
+        return digest.digest()
 
     def prepare(self, kind: str, name: str) -> None:
-        if (kind, name) in self.ready:
+        if (kind, name) in self.clean:
             return
         try:
-            program = self.build(kind, name)
+            digest = self.build(kind, name)
         except DoesNotBuild as error:
-            raise AtFault(f"without any mutant {COMPONENTS[name].program} does not build:\n{error}") from error
-        self.ready.add((kind, name))
-        self.clean[program] = self.digest(program)
+            raise AtFault(f"without any mutant the tests of {name} do not build:\n{error}") from error
+        self.clean[kind, name] = digest
         with self.preparing:
             if name not in self.batches:
-                self.batches[name] = self.measure(name, program)
+                self.batches[name] = self.measure(kind, name)
 
-    def measure(self, name: str, program: Path) -> list[Batch]:
+    def measure(self, kind: str, name: str) -> list[Batch]:
         """The tests by how long they take."""
-        result = programs.run_tests(program, COMPONENTS[name].tests, self.workshop.folder, 3_600,
-                                    self.environment)
+        result, times = COMPONENTS[name].tests.measure(self.workshop, kind, 3_600, self.environment)
         if result["verdict"] != "passes":
             raise AtFault(f"without any mutant {result['test']} fails; mend that first")
-        times = programs.times(self.workshop.folder)
         a_second = result["cpu"] / max(sum(times.values()), 0.01)  # of the clock, in CPU seconds
         batches, least = [], 0.0
         for most in (*QUICK, 1e9):
@@ -145,18 +143,18 @@ class Bench:
         return batches
 
     def try_mutant(self, mutant: Mutant) -> dict:
-        kind = "batches" if mutant.file.endswith(".h") else "tests"
-        self.prepare(kind, mutant.component)
+        name, tests = mutant.component, COMPONENTS[mutant.component].tests
+        kind = tests.kind(mutant.file)
+        self.prepare(kind, name)
         with self.workshop.changed(mutant.file, mutant.text()):
             try:
-                program = self.build(kind, mutant.component)
+                digest = self.build(kind, name)
             except DoesNotBuild:
                 return {"verdict": "does not compile"}
-            if self.digest(program) == self.clean[program]:
+            if digest == self.clean[kind, name]:
                 return {"verdict": "same code"}
-            for batch in self.batches[mutant.component]:
-                result = programs.run_tests(program, ":".join(batch.tests), self.workshop.folder, batch.limit,
-                                            self.environment)
+            for batch in self.batches[name]:
+                result = tests.run(self.workshop, kind, batch.tests, batch.limit, self.environment)
                 if result["verdict"] != "passes":
                     return {**result, "verdict": "killed" if result["verdict"] == "found" else "time-out"}
         return {"verdict": "lives"}
@@ -165,14 +163,20 @@ class Bench:
 def run(mutants: list[Mutant], files: list[str], results: Results, arguments: argparse.Namespace, show) -> None:
     """show(mutant, result) for each: those that are known first."""
     waiting = []
+    sources = {COMPONENTS[mutant.component].tests.sources for mutant in mutants}
+    states = {folders: [state_of(files, folders)] if folders else [] for folders in sources}
+
+    def words(mutant: Mutant) -> list:
+        return [*states[COMPONENTS[mutant.component].tests.sources], *mutant.words()]
+
     for mutant in mutants:
-        known = results.get(*mutant.words())
+        known = results.get(*words(mutant))
         if known and known["verdict"] != arguments.again:
             show(mutant, known)
         else:
             waiting.append(mutant)
 
     def done(mutant: Mutant, result: dict) -> None:
-        show(mutant, results.put(result, *mutant.words()))
+        show(mutant, results.put(result, *words(mutant)))
 
     pool.spread(waiting, files, arguments.jobs, lambda w: Bench(w, arguments.seed, arguments.scale).try_mutant, done)

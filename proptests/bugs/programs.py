@@ -28,9 +28,9 @@ class Ran:
         return self.status in (-signal.SIGXCPU, -signal.SIGKILL)
 
 
-def run(command: list, limit: float, environment: dict[str, str] | None = None) -> Ran:
+def run(command: list, limit: float, environment: dict[str, str] | None = None, memory: int | str = MEMORY) -> Ran:
     """Ends a process that takes more CPU seconds than `limit`, and a program that sleeps, after ten times as long."""
-    limited = f"ulimit -S -t {int(limit) + 1}; ulimit -c 0; ulimit -v {MEMORY}; exec \"$@\""
+    limited = f"ulimit -S -t {int(limit) + 1}; ulimit -c 0; ulimit -v {memory}; exec \"$@\""
     with tempfile.TemporaryFile() as output:
         process = subprocess.Popen(["sh", "-c", limited, "sh", *map(str, command)], stdin=subprocess.DEVNULL,
                                    stdout=output, stderr=subprocess.STDOUT, start_new_session=True,

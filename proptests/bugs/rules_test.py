@@ -1,8 +1,12 @@
-"""Which mutants are made of a line of code, and which are not."""
+"""Which mutants are made of a line of code, and which are not; and that the table of components is up to date."""
 
 import unittest
 
+import mutation
+import package
+from components import COMPONENTS
 from rules import changes_of
+from workshop import ROOT
 
 INSIDE = "void f() {{\n  {}\n}}\n"
 IN_CLASS = "struct A {{\n  {}\n}};\n"
@@ -73,6 +77,21 @@ class Rules(unittest.TestCase):
                      "/* f(a, b); */", "#define A (1 < 2)", "template <int N = 3>", "[[maybe_unused]] int a;",
                      'const auto a = R"(1 < 2)";'):
             self.assertEqual(changes_of(INSIDE.format(line)), [], line)
+
+
+class Components(unittest.TestCase):
+    def test_every_folder_has_code(self):
+        for name, component in COMPONENTS.items():
+            files = mutation.files_of(name)
+            for folder in component.folders:
+                self.assertTrue(any(file.startswith(f"{folder}/") for file in files), folder)
+
+    def test_what_is_left_out_is_there(self):
+        for component in COMPONENTS.values():
+            for file in component.without:
+                self.assertTrue((ROOT / file).is_file(), file)
+        for name in package.OF_OTHER_THINGS:
+            self.assertTrue((ROOT / package.FOLDER / "test" / f"{name}.test.js").is_file(), name)
 
 
 if __name__ == "__main__":

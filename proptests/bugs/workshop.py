@@ -17,12 +17,14 @@ def sources() -> list[str]:
     return [f for f in listed if (ROOT / f).is_file()]
 
 
-def state_of(files: list[str]) -> str:
-    """Of all that can change a result: the code, what tests it, and how they are built."""
+# What can change any result: the code, what tests it, and how they are built.
+SOURCES = ("CMakeLists.txt", "lib/", "oracle/", "proptests/", "fuzz/", "cmake/", "bench/ride/", "examples/regions/")
+
+
+def state_of(files: list[str], folders: tuple[str, ...] = SOURCES) -> str:
     digest = hashlib.sha256()
-    folders = ("lib/", "oracle/", "proptests/", "fuzz/", "cmake/", "bench/ride/", "examples/regions/")
     for file in sorted(files):
-        if (file == "CMakeLists.txt" or file.startswith(folders)) and not file.startswith("proptests/bugs/"):
+        if file.startswith(folders) and not file.startswith("proptests/bugs/"):
             digest.update(file.encode() + (ROOT / file).read_bytes())
     return digest.hexdigest()
 
@@ -51,7 +53,8 @@ def alone():
 class Workshop:
     """A copy of the project, with a build of each kind that is asked for. "tests": with optimisation and without
     assertions. "batches": the same, with the files of lib/ compiled in batches, which takes half the time when a header
-    of many of them has changed. "fuzz": the fuzz targets, with clang and for libFuzzer."""
+    of many of them has changed. "fuzz": the fuzz targets, with clang and for libFuzzer. "web": the modules of
+    WebAssembly, without what makes them small: then they are linked at once."""
 
     def __init__(self, number: int, files: list[str], jobs: int):
         self.folder = FOLDER / str(number)
@@ -82,6 +85,8 @@ class Workshop:
         options = {
             "tests": tests,
             "batches": [*tests, "-DLGS_BUGS_IN_BATCHES=ON"],
+            "web": ["--preset", "web", f"-DLGS_WEB_SOURCES={ROOT}/build/web-sources",
+                    "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG -fno-lto", "-DCMAKE_EXE_LINKER_FLAGS_RELEASE=-O0"],
             "fuzz": ["-DCMAKE_CXX_COMPILER=clang++", "-DLGS_BUILD_TESTS=OFF", "-DLGS_BUILD_FUZZERS=ON"],
         }
         done = subprocess.run(["cmake", "-S", self.tree, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
