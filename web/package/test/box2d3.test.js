@@ -157,3 +157,28 @@ test('which tile was hit', () => {
   b2.b2DestroyWorld(physics)
   world.free()
 })
+
+test('which tile was hit where short segments are welded: the one at the point', () => {
+  const cellSize = 0.004, world = floorOf(6), physics = makePhysics()
+  world.add(2, 1, world.shape(unitSquare), 1)
+  world.commit()
+  const terrain = new Box2dTerrain(b2, physics, world, { cellSize, origin: { i: -3, j: 5 } })
+  const segments = [...world.segments()], middle = ({ start, end }) => terrain.position((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
+  const shapes = segments.map(({ id }) => terrain.shape(id))
+  assert.ok(new Set(shapes.map((shape) => terrain.segment(shape))).size < segments.length, 'some are welded')
+  segments.forEach((segment, k) => {
+    assert.equal(terrain.segment(shapes[k], middle(segment)), segment.id)
+    const { i, j } = terrain.hit(shapes[k], middle(segment))
+    assert.deepEqual([i, j], [segment.i, segment.j])
+  })
+  // Between a commit and its sync shapes may be of segments that are no more.
+  world.clear({ i0: 0, j0: 0, i1: 5, j1: 1 })
+  const changes = world.commit()
+  segments.forEach((segment, k) => {
+    assert.equal(terrain.segment(shapes[k], middle(segment)), 0)
+    assert.equal(terrain.hit(shapes[k], middle(segment)), null)
+  })
+  terrain.sync(changes)
+  b2.b2DestroyWorld(physics)
+  world.free()
+})

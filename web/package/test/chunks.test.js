@@ -3,6 +3,7 @@ import assert from 'node:assert/strict'
 import { before, test } from 'node:test'
 import fc from 'fast-check'
 import { createWorld, init, Islands, LgsError, unitSquare } from '../dist/islands.js'
+import { Pieces } from '../dist/pieces.js'
 
 before(() => init())
 
@@ -107,6 +108,35 @@ test('a ray says unloaded only where it would have to look there', () => {
   refuses('unloaded', () => world.rayCast(5.5, 9, 60.5, 9))
   refuses('unloaded', () => world.nearest(40.5, 1.5, 3))
   assert.equal(world.nearest(5.5, 1.5, 3).distance, 0.5)
+})
+
+test('a rectangle beyond the world is refused', () => {
+  const world = createWorld(), beyond = { i0: 0, j0: 0, i1: 2 ** 30 + 1, j1: 0 }, cell = { i: 2 ** 30 + 1, j: 0 }
+  for (const call of ['unload', 'reloadEmpty']) refuses('cell-out-of-range', () => world[call](beyond), { cell })
+  world.free()
+})
+
+test('what comes back waits for its commit: pieces say so until then', () => {
+  const world = createWorld(), square = world.shape(unitSquare)
+  for (const i of [3, 40]) world.add(i, 3, square, 1)
+  world.commit()
+  const pieces = new Pieces(world)
+  const away = () => {
+    const [{ bytes }] = world.unload(chunkAt(1, 0))
+    pieces.update(world.commit())
+    return bytes
+  }
+  for (const back of [(bytes) => world.reload(bytes), () => world.reloadEmpty(chunkAt(1, 0))]) {
+    const bytes = away()
+    assert.equal(pieces.solidPieces(3, 3).length, 1)
+    assert.deepEqual(pieces.solidPieces(40, 3), [])
+    back(bytes)
+    refuses('uncommitted', () => pieces.solidPieces(3, 3))
+    pieces.update(world.commit())
+  }
+  assert.equal(world.reloadEmpty(chunkAt(1, 0)), 0)
+  assert.equal(pieces.solidPieces(3, 3).length, 1, 'nothing came back: no edit waits')
+  for (const each of [pieces, world]) each.free()
 })
 
 test('there are no islands where a chunk is away', () => {

@@ -22,6 +22,18 @@ test('a floor is one closed line of four corners', () => {
   world.free()
 })
 
+test('a line that leaves the rectangle is one line, from where it comes in', () => {
+  const world = createWorld()
+  world.fill({ i0: 0, j0: 0, i1: 9, j1: 1 }, world.shape(unitSquare), 1)
+  world.commit()
+  const [left, ...others] = linesIn(world, { i0: 0, j0: 0, i1: 3, j1: 9 })
+  assert.deepEqual([...left], [4, 2, 0, 2, 0, 0, 4, 0])
+  assert.equal(others.length, 0)
+  const middle = linesIn(world, { i0: 4, j0: 0, i1: 7, j1: 9 }).map((line) => [...line].join())
+  assert.deepEqual(middle.sort(), ['4,0,8,0', '8,2,4,2'])
+  world.free()
+})
+
 test('a picture that draws the changed chunks anew is the picture of the world', () => {
   const world = createWorld()
   world.fill({ i0: -12, j0: -6, i1: 12, j1: 6 }, world.shape(unitSquare), 1)

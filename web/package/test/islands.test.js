@@ -308,6 +308,48 @@ test('what is refused, and has changed nothing', () => {
   assert.throws(() => new Islands(world), code('freed'))
 })
 
+test('after every kind of edit, and until its commit, islands and pieces of now are refused', () => {
+  const region = { rings: [[0.5, 2, 3, 2, 3, 3.5, 0.5, 3.5]] }
+  const top = (world) => world.polygonsAt(4, 3)[0].id
+  const edits = [
+    (world) => world.add(9, 9, world.shape(unitSquare), 1),
+    (world) => world.addMany(Int32Array.of(9, 9, world.shape(unitSquare), 1)),
+    (world) => world.addPolygon(9, 9, unitSquare, 1),
+    (world) => world.replace(4, 3, world.shape(unitSquare), 1),
+    (world) => world.setBlock(top(world), 2),
+    (world) => world.fill({ i0: 9, j0: 9, i1: 10, j1: 9 }, world.shape(unitSquare), 1),
+    (world) => world.remove(top(world)),
+    (world) => world.removeMany([top(world)]),
+    (world) => world.clear(4, 3),
+    (world) => world.paint(region, 1),
+    (world) => world.carve(region),
+    (_, islands, body) => islands.put(body, 9, 9),
+    (_, islands, body) => islands.putAsItLies(body, { x: 9, y: 9, angle: 1 }),
+    (_, islands) => islands.take(islands.all()[0]),
+    (_, islands) => islands.takeApart(islands.all()[0]),
+    (world) => world.unload({ i0: 32, j0: 0, i1: 63, j1: 31 }),
+  ]
+  for (const edit of edits) {
+    const world = arm(), far = world.add(40, 3, world.shape(unitSquare), 1), rock = world.polygonsAt(0, -1)[0].id
+    world.commit()
+    const islands = new Islands(world), pieces = new Pieces(world)
+    const commit = () => {
+      const changes = world.commit()
+      for (const each of [islands, pieces]) each.update(changes)
+    }
+    const body = islands.take(islands.of(far))
+    commit()
+    islands.put(body)
+    commit()
+    assert.equal(islands.of(rock), islands.all()[0])
+    assert.equal(pieces.solidPieces(40, 3).length, 1)
+    edit(world, islands, body)
+    assert.throws(() => islands.of(rock), code('uncommitted'), String(edit))
+    assert.throws(() => pieces.solidPieces(0, 0), code('uncommitted'), String(edit))
+    for (const each of [islands, pieces, world]) each.free()
+  }
+})
+
 test('a change of blocks alone is followed; the same changes twice are nothing', () => {
   const world = arm(), islands = new Islands(world, { blocks: [bedrock] })
   for (let i = -10; i <= 20; ++i) world.setBlock(world.polygonsAt(i, -1)[0].id, i === 5 ? bedrock : 2)

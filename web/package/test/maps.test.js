@@ -94,3 +94,47 @@ test('files are found by the path that the map names, or by their name alone', (
   ].map((map) => map.placements.length)
   assert.equal(counts[0], counts[1])
 })
+
+/** Tiles with a shape, with a property and with nothing; a hidden layer; a crate, and a one-way polyline. */
+const rich = `<?xml version="1.0"?>
+<map version="1.10" orientation="orthogonal" width="4" height="1" tilewidth="16" tileheight="16" infinite="0">
+ <tileset firstgid="1" name="set" tilewidth="16" tileheight="16" tilecount="3" columns="3">
+  <tile id="0" type="stone"><objectgroup><object id="1" x="0" y="0" width="16" height="16"/></objectgroup></tile>
+  <tile id="1" type="grass"><properties><property name="hard" type="bool" value="true"/></properties></tile>
+ </tileset>
+ <layer id="1" name="Near" width="4" height="1"><data encoding="csv">1,2,3,0</data></layer>
+ <layer id="2" name="Far" width="4" height="1" visible="0"><data encoding="csv">0,0,0,1</data></layer>
+ <objectgroup id="3" name="Boxes">
+  <object id="9" name="Big" type="crate" x="0" y="-16" width="16" height="16"/>
+  <object id="10" name="one-way" x="16" y="-32"><polyline points="0,0 16,0"/></object>
+ </objectgroup>
+</map>`
+
+test('every option that chooses, and every one that gives blocks', () => {
+  for (const [options, expected] of [
+    [{ objects: [] }, '0,-1,1 3,-1,1'],
+    [{ objects: [], visible: true }, '0,-1,1'],
+    [{ objects: [], layers: ['Near'] }, '0,-1,1'],
+    [{ solid: true }, '0,-1,1 1,-1,1 2,-1,1 3,-1,1'],
+    [{ solid: true, not: ['stone'] }, '1,-1,1 2,-1,1'],
+    [{ solidIf: ['hard'] }, '0,-1,1 1,-1,1 3,-1,1'],
+    [{ tiles: 'lgs-tiles 1\n2 full' }, '0,-1,1 2,-1,1 3,-1,1'],
+    [{ objects: ['crate'] }, '0,-1,1 3,-1,1 0,0,1'],
+    [{ objects: ['Boxes'], polylineThickness: 4 }, '0,-1,1 3,-1,1 0,0,1 1,1,1'],
+    [{ objects: ['Boxes'], block: 'class', numbers: { stone: 7, crate: 8 } }, '0,-1,7 3,-1,7 0,0,8'],
+    [{ objects: ['Boxes'], block: 'layer', numbers: { Near: 4, Far: 5, Boxes: 6 } }, '0,-1,4 3,-1,5 0,0,6'],
+    [{ objects: ['Boxes'], block: 'name', numbers: { stone: 7, Big: 9 } }, '0,-1,7 3,-1,7 0,0,9'],
+  ]) {
+    const { placements } = importMap('a.tmx', { 'a.tmx': rich }, options)
+    const told = Array.from({ length: placements.length / 4 }, (_, k) => [0, 1, 3].map((n) => placements[4 * k + n]).join())
+    assert.equal(told.join(' '), expected, JSON.stringify(options))
+  }
+  refuses('bad-map', () => importMap('a.tmx', { 'a.tmx': rich }, { tiles: '2 full' }), { line: null })
+})
+
+test('a map of a world that is not there is left out, and an error with allMaps', () => {
+  const files = { 'a.tmx': rich, 'w.world': JSON.stringify({ type: 'world', maps: [
+    { fileName: 'a.tmx', x: 0, y: 0 }, { fileName: 'b.tmx', x: 64, y: 0 }] }) }
+  assert.match(importMap('w.world', files).report, /left out: .*b\.tmx/)
+  assert.throws(() => importMap('w.world', files, { allMaps: true }), /b\.tmx/)
+})

@@ -1,7 +1,9 @@
 // Worlds that make the memory of WebAssembly grow, and worlds that come and go.
 import assert from 'node:assert/strict'
 import { before, test } from 'node:test'
+import { World as Physics } from 'planck'
 import { createWorld, init, unitSquare } from 'localgridseg'
+import { PlanckTerrain } from 'localgridseg/planck'
 
 let memory
 before(async () => {
@@ -15,6 +17,18 @@ before(async () => {
   WebAssembly.instantiate = instantiate
 })
 const ramp = [0, 0, 1, 0, 0, 1]
+
+// The first one: after the others there is room for a million cells.
+test('a terrain that goes from world to world leaves nothing in them', () => {
+  const worlds = [createWorld(), createWorld()], terrain = new PlanckTerrain(new Physics(), worlds[0])
+  const goAround = (times) => {
+    for (let k = 0; k < times; ++k) for (const world of [worlds[1], worlds[0]]) terrain.resync(world)
+    return memory.buffer.byteLength
+  }
+  const first = goAround(10)
+  assert.equal(goAround(40_000), first)
+  for (const world of worlds) world.free()
+})
 
 test('lists stay good while another world makes the memory grow', () => {
   const small = createWorld()

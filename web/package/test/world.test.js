@@ -137,6 +137,13 @@ test('polygons: of a cell, of a rectangle, of an id, at a point', () => {
   assert.equal(createWorld().bounds(), null)
 })
 
+test('bounds: the least rectangle of cells', () => {
+  const world = createWorld(), square = world.shape(unitSquare)
+  world.add(2, -7, square, 1)
+  world.add(5, -1, square, 1)
+  assert.deepEqual(world.bounds(), { i0: 2, j0: -7, i1: 5, j1: -1 })
+})
+
 test('add, addMany, remove, removeMany, replace, setBlock, clear', () => {
   const world = createWorld()
   const square = world.shape(unitSquare)
