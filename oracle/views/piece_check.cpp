@@ -101,6 +101,9 @@ struct FreePiece {
   std::vector<Point> vertices;
 };
 
+/// Those of a cell that nothing was ever told of. With at most three vertices that is two triangles.
+CellPieces ofEmptyCell(std::size_t maxVertices) { return piecesIn(Pieces(World(), {maxVertices}), {0, 0}); }
+
 }  // namespace
 
 CellPieces piecesIn(const Pieces& pieces, Cell cell) {
@@ -189,9 +192,8 @@ std::optional<std::string> faultOfPieces(const World& world, const Pieces& piece
 
 /// The cells whose pieces are others than they were known to be, which are known from now on.
 std::vector<Cell> PieceCheck::look(const World& world, const Pieces& pieces) {
-  world.forEachPolygon([&](Cell cell, const PlacedPolygon&) {
-    known_.try_emplace(cell, CellPieces{{}, {kWholeCell}});
-  });
+  const CellPieces empty = ofEmptyCell(pieces.maxVertices());
+  world.forEachPolygon([&](Cell cell, const PlacedPolygon&) { known_.try_emplace(cell, empty); });
   std::vector<Cell> differ;
   for (auto& [cell, before] : known_) {
     CellPieces now = piecesIn(pieces, cell);
