@@ -42,6 +42,7 @@ TEST(BrushCost, ACutCellAllocatesNothing) {
 // What a thread keeps is one block of 64 KiB. A longer list gets memory of its own, which goes with the frame.
 TEST(BrushCost, AThreadKeepsOneBlock) {
   constexpr std::size_t kBlock = std::size_t{1} << 16;
+  { const brush::Frame first; }  // makes the block that the thread keeps
   for (const std::size_t size : {kBlock + 1, kBlock + 1, 9 * kBlock}) {
     const Allocations before = allocations();
     std::uint64_t count = 0;
