@@ -350,6 +350,21 @@ test('after every kind of edit, and until its commit, islands and pieces of now 
   }
 })
 
+test('a rectangle of anchors holds what is in it, to its corners, and nothing beside it', () => {
+  const world = createWorld(), square = world.shape(unitSquare), rect = { i0: -6, j0: 2, i1: 8, j1: 11 }
+  const inside = [[-6, 2], [8, 2], [8, 11], [-6, 11], [1, 5]]
+  const outside = [[-7, 5], [9, 5], [1, 1], [1, 12], [-6, -6], [2, -6], [11, 8], [3, 13]]
+  for (const [i, j] of [...inside, ...outside]) world.add(i, j, world.shape([0.25, 0.25, 0.75, 0.25, 0.5, 0.75]), 1)
+  world.add(30, 30, square, bedrock)
+  world.commit()
+  const islands = new Islands(world, { blocks: [3, bedrock], cells: [{ i0: 40, j0: 50, i1: 41, j1: 51 }, rect] })
+  const anchors = (i, j) => islands.island(islands.of(world.polygonsAt(i, j)[0].id)).anchors
+  assert.deepEqual(inside.map((cell) => anchors(...cell)), inside.map(() => 1))
+  assert.deepEqual(outside.map((cell) => anchors(...cell)), outside.map(() => 0))
+  assert.equal(anchors(30, 30), 1)
+  for (const each of [islands, world]) each.free()
+})
+
 test('a change of blocks alone is followed; the same changes twice are nothing', () => {
   const world = arm(), islands = new Islands(world, { blocks: [bedrock] })
   for (let i = -10; i <= 20; ++i) world.setBlock(world.polygonsAt(i, -1)[0].id, i === 5 ? bedrock : 2)

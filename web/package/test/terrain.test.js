@@ -138,6 +138,29 @@ for (const { name, make, inStep, count } of engines) {
     world.free()
   })
 
+  test(`${name}: a sync costs what changed, a resync() all of the world`, () => {
+    const world = createWorld(), triangle = world.shape([0.25, 0.25, 0.75, 0.25, 0.5, 0.75])
+    world.fill({ i0: 0, j0: 0, i1: 39, j1: 39 }, triangle, 1)
+    world.commit()
+    const { terrain } = make(world)
+    const least = (prepare, act) => {
+      const times = Array.from({ length: 20 }, () => {
+        const what = prepare(), begin = performance.now()
+        act(what)
+        return performance.now() - begin
+      })
+      return Math.min(...times)
+    }
+    const edit = () => {
+      if (world.clear(30, 30) === 0) world.add(30, 30, triangle, 1)
+      return world.commit()
+    }
+    const ofSync = least(edit, (changes) => terrain.sync(changes)), ofAll = least(() => {}, () => terrain.resync())
+    assert.ok(ofSync < ofAll / 20, `${ofSync} ms, and ${ofAll} ms`)
+    terrain.destroy()
+    world.free()
+  })
+
   test(`${name}: a material() that throws has changed nothing`, () => {
     const world = floorOf(4)
     let isWrong = false
