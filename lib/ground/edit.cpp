@@ -174,6 +174,7 @@ Expected<void> Edit::exchange(Cell cell, std::span<const PolygonHandle> removed,
       return refuseAt({.code = ErrorCode::staleHandle, .cell = cell, .other = removed[k]}, &Error::index, k);
     entries_.erase(found);
   }
+  if (added.size() > kMaxPolygonsPerCell - entries_.size()) return refuse({.code = ErrorCode::capacity}, cell);
   for (std::size_t k = 0; k < added.size(); ++k) {
     const auto id = ground_.catalogue.internPolygon(added[k].vertices);
     if (!id) return refuse(refuseAt(id.error(), &Error::polygon, k).value(), cell);

@@ -146,8 +146,9 @@ std::optional<Trace> ShrinkWalk::dropPairs() {
   if (at_ >= pairs.size()) return std::nullopt;
   Trace candidate = best_;
   candidate.preserve = {};
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    if (k != at_) candidate.preserve.add(pairs[k].first, pairs[k].second);
+  std::size_t k = 0;
+  for (const auto& [a, b] : pairs)
+    if (k++ != at_) candidate.preserve.add(a, b);
   return candidate;
 }
 

@@ -5,16 +5,9 @@
 
 namespace lgs::oracle {
 
-void PreservePairs::add(Block a, Block b) {
-  const std::pair<Block, Block> pair = std::minmax(a, b);
-  const auto place = std::lower_bound(pairs_.begin(), pairs_.end(), pair);
-  if (place == pairs_.end() || *place != pair) pairs_.insert(place, pair);
-}
+void PreservePairs::add(Block a, Block b) { pairs_.insert(std::minmax(a, b)); }
 
-bool PreservePairs::operator()(Block a, Block b) const {
-  return !pairs_.empty() &&
-         std::binary_search(pairs_.begin(), pairs_.end(), std::pair<Block, Block>(std::minmax(a, b)));
-}
+bool PreservePairs::operator()(Block a, Block b) const { return pairs_.contains(std::minmax(a, b)); }
 
 std::uint32_t Materials::of(Block block) const {
   return std::lower_bound(ofBlocks.begin(), ofBlocks.end(), std::pair<Block, std::uint32_t>(block, 0))->second;

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -26,11 +27,11 @@ class PreservePairs {
   void add(Block a, Block b);  ///< once is enough for both directions; a pair already there is ignored
   bool operator()(Block a, Block b) const;
   bool empty() const { return pairs_.empty(); }
-  const std::vector<std::pair<Block, Block>>& pairs() const { return pairs_; }  ///< sorted, the smaller block first
+  const std::set<std::pair<Block, Block>>& pairs() const { return pairs_; }  ///< the smaller block first
   friend bool operator==(const PreservePairs&, const PreservePairs&) = default;
 
  private:
-  std::vector<std::pair<Block, Block>> pairs_;
+  std::set<std::pair<Block, Block>> pairs_;
 };
 
 struct Scene {

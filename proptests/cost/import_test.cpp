@@ -154,6 +154,26 @@ const Attack kAttacks[] = {
                     1);
      },
      1'000},
+    {"values of an LDtk project that all have one name",
+     [](int n) {
+       std::string values, used;
+       for (int k = 1; k <= n; ++k) {
+         values += (k == 1 ? "" : ",") + ("{\"value\":" + std::to_string(k)) + ",\"identifier\":\"x\"}";
+         used += (k == 1 ? "" : ",") + std::to_string(k);
+       }
+       const std::string number = std::to_string(n);
+       return R"({"jsonVersion":"1.5.3","defaultGridSize":8,"worldLayout":"Free","defs":{"layers":[{"uid":1,)"
+              R"("type":"IntGrid","identifier":"g","intGridValues":[)" +
+              values +
+              R"(]}],"entities":[]},"levels":[{)"
+              R"("identifier":"A","worldX":0,"worldY":0,"pxWid":8,"pxHei":8,"layerInstances":[{"__identifier":"g",)"
+              R"("__type":"IntGrid","__cWid":)" +
+              number +
+              R"(,"__cHei":1,"__gridSize":8,"layerDefUid":1,)"
+              R"("visible":true,"intGridCsv":[)" +
+              used + "]}]}]}";
+     },
+     1'000},
 };
 
 /// The most that was counted is 2,100 blocks of code a byte, for rings of many corners; a byte allows for kWorkPerByte

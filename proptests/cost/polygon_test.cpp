@@ -1,4 +1,5 @@
-// Cost of a polygon that was never seen: it grows with its vertices, and not with their square.
+// Cost of a polygon that was never seen: it grows with its vertices, and not with their square. And of more polygons
+// than a cell may have.
 #include "visits.h"
 
 #include <lgs/world.h>
@@ -42,6 +43,17 @@ TEST(Cost, OfARefusedPolygonGrowsHardlyFasterIfItOnlyRunsClockwise) {
   constexpr std::int32_t kFew = 60, kMany = 16 * kFew;
   const auto turned = [](Polygon polygon) { return Polygon(polygon.rbegin(), polygon.rend()); };
   EXPECT_LT(costOf(turned(comb(kMany)), false), 16 * 2 * costOf(turned(comb(kFew)), false));
+}
+
+TEST(Cost, OfAnExchangeWithMoreThanACellHoldsIsThatOfARefusal) {
+  const std::vector<NewPolygon> many(100 * kMaxPolygonsPerCell, {kUnitSquare, 1});
+  World world;
+  const auto cost = visitsOf([&] {
+    const auto done = world.exchange({0, 0}, {}, many);
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().code, ErrorCode::capacity);
+  });
+  EXPECT_LT(cost, 200);
 }
 
 }  // namespace

@@ -1,48 +1,16 @@
-// Cost under attack, found by a search: from any input one climbs to one that costs more for its size, by small
-// changes, as far as that goes. What is counted is basic blocks, not time. A bound holds for all that the search tries:
-// it is two to three times what the search finds as it stands.
-#include "oracle/calls/caller.h"
-#include "oracle/calls/draw.h"
-#include "proptests/support/scale.h"
-#include "visits.h"
+// Cost under attack, found by a search (search.h): of maps, saves, strokes and questions.
+#include "search.h"
 
 #include <lgs/brush.h>
-#include <lgs/tiled/import.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace lgs::cost_test {
 namespace {
-
-using oracle::Random;
-
-/// Climbs from inputs that `make` makes. Each step keeps the dearer one of two. Returns the greatest cost for its size.
-template <class Input>
-double dearest(const std::function<Input(Random&)>& make, const std::function<void(Input&, Random&)>& change,
-               const std::function<double(const Input&)>& cost, int starts, int steps) {
-  double most = 0;
-  Random random(test::testSeed());
-  for (int start = 0; start < starts; ++start) {
-    Input best = make(random);
-    double height = cost(best);
-    for (std::int64_t step = 0; step < test::scaled(steps); ++step) {
-      Input next = best;
-      for (int k = 1 + random.below(3); k > 0; --k) change(next, random);
-      const double reached = cost(next);
-      if (reached < height) continue;
-      best = std::move(next);
-      height = reached;
-    }
-    most = std::max(most, height);
-  }
-  testing::Test::RecordProperty("most", std::to_string(most));
-  return most;
-}
 
 // --- Maps
 
@@ -102,17 +70,6 @@ void changeMap(Map& map, Random& random) {
   }
 }
 
-/// For each byte of the file, as a part of what the documents allow.
-double costOfImport(const std::string& text) {
-  tiled::Options options;
-  options.maxWork = 1 << 20;
-  options.maxObjectCells = 1 << 12;
-  const auto reader = [&](const std::string&) -> tl::expected<std::string, std::string> { return text; };
-  const auto cost = visitsOf([&] { static_cast<void>(tiled::importMap("a", options, reader)); });
-  const auto steps = static_cast<double>(tiled::kWorkPerByte * text.size() + options.maxWork);
-  return static_cast<double>(cost) / steps;
-}
-
 TEST(CostSearch, OfMapsFindsNoneBeyondTheirLimit) {
   const std::function<Map(Random&)> make = [](Random& random) {
     return Map{{drawObject(random), drawObject(random)}, 32};
@@ -125,27 +82,9 @@ TEST(CostSearch, OfMapsFindsNoneBeyondTheirLimit) {
 
 // --- Saved worlds
 
-using Calls = std::vector<oracle::Call>;
-
-Calls drawCalls(Random& random) {
-  Calls calls;
-  for (int k = 0; k < 20; ++k) calls.push_back(drawCall(random, oracle::Habits()));
-  return calls;
-}
-
-void changeCalls(Calls& calls, Random& random) {
-  const std::size_t at = random.below(calls.size());
-  if (random.chance(30) && calls.size() > 1) calls.erase(calls.begin() + static_cast<std::ptrdiff_t>(at));
-  const Calls more = drawCalls(random);
-  calls.insert(calls.begin() + static_cast<std::ptrdiff_t>(random.below(calls.size() + 1)), more[0]);
-}
-
 double costOfLoading(const Calls& calls) {
-  oracle::Caller caller;
-  for (const oracle::Call& call : calls) caller.make(call);
-  caller.world.commit();
   std::vector<std::byte> file;
-  EXPECT_TRUE(caller.world.save(
+  EXPECT_TRUE(worldOf(calls).save(
       [&](std::span<const std::byte> piece) { file.insert(file.end(), piece.begin(), piece.end()); }));
   const auto cost = visitsOf([&] { EXPECT_TRUE(World::load(file)); });
   return static_cast<double>(cost) / static_cast<double>(file.size());
@@ -203,16 +142,14 @@ void changeQuestion(Question& question, Random& random) {
 
 /// For each cell that the question may look at.
 double costOfQuestion(const Question& question) {
-  oracle::Caller caller;
-  for (const oracle::Call& call : question.calls) caller.make(call);
-  caller.world.commit();
-  const auto ray = visitsOf([&] { static_cast<void>(caller.world.rayCast(question.from, question.to)); });
-  const auto near = visitsOf([&] { static_cast<void>(caller.world.nearest(question.from, kMaxRadius)); });
+  const World world = worldOf(question.calls);
+  const auto ray = visitsOf([&] { static_cast<void>(world.rayCast(question.from, question.to)); });
+  const auto near = visitsOf([&] { static_cast<void>(world.nearest(question.from, kMaxRadius)); });
   const auto cells = [](std::int64_t a, std::int64_t b) {
     return static_cast<double>(std::max(a, b) - std::min(a, b)) / kCell + 2;
   };
   const double touched = cells(question.from.x, question.to.x) + cells(question.from.y, question.to.y);
-  const auto chunks = static_cast<double>(caller.world.stats().chunks);
+  const auto chunks = static_cast<double>(world.stats().chunks);
   return std::max(static_cast<double>(ray) / touched, static_cast<double>(near) / (1'024 * chunks + 1));
 }
 

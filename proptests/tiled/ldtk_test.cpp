@@ -41,6 +41,27 @@ TEST(TiledLdtk, ANameOfTwoValuesGetsTheNameOfItsLayer) {
   EXPECT_EQ(map.block("Other.dirt"), 2U);
 }
 
+TEST(TiledLdtk, ANameThatIsTakenTwiceGetsTheNumberOfTheValue) {
+  const std::string defined = R"({"value":4, "identifier":"dirt"}, {"value":5, "identifier":"dirt"},
+                                 {"value":6, "identifier":"Solid.dirt.5"}, )";
+  std::string text = project(level("A", 0, 0, grid("1,4,5,6,0,0")));
+  text.insert(text.find("{\"value\":2"), defined);
+  const auto map = mustImportProject(text);
+  EXPECT_EQ(map.block("dirt"), 1U);
+  EXPECT_EQ(map.block("Solid.dirt"), 4U);
+  EXPECT_EQ(map.block("Solid.dirt.5"), 5U);
+  EXPECT_EQ(map.block("Solid.Solid.dirt.5"), 6U);
+}
+
+TEST(TiledLdtk, ALayerMayNotHaveALongName) {
+  const auto named = [](std::size_t length) {
+    return project(level("A", 0, 0, grid("1,0,0,0,0,0", std::string(length, 'x'))));
+  };
+  EXPECT_EQ(mustImportProject(named(255)).report.layers.at(0).path, "A/" + std::string(255, 'x'));
+  EXPECT_EQ(refusalOf(named(256)),
+            "maps/test.tmx: levels/0/layerInstances/0/__identifier should have at most 255 bytes");
+}
+
 TEST(TiledLdtk, LevelsLieInTheWorld) {
   const std::string one = grid("1,0,0,0,0,0");
   const std::string levels = level("A", 0, 0, one) + "," + level("B", 24, -16, one) + "," + level("C", -8, 16, one);

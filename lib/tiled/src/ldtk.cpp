@@ -9,6 +9,8 @@
 namespace lgs::tiled {
 namespace {
 
+constexpr std::size_t kMaxLayerName = 255;  ///< of an IntGrid layer
+
 /// What the project says of an IntGrid layer, for all levels.
 struct IntGrid {
   std::uint64_t firstGid = 0;
@@ -172,6 +174,10 @@ IntGrid* LdtkProject::intGridOf(const JsonPlace& layer) {
   }
   grid.firstGid = intGrids_.size() * kLdtkSetSize;
   grid.name = layer.text("__identifier");
+  if (grid.name.size() > kMaxLayerName) {  // the names of its values may have it, each one anew
+    reading_.fail(layer["__identifier"], "should have at most " + std::to_string(kMaxLayerName) + " bytes");
+    return nullptr;
+  }
   grid.grid = reading_.number(layer["__gridSize"]);
   const auto definition = layerDefinitions_.find(uid);
   if (definition == layerDefinitions_.end()) return &grid;
@@ -240,10 +246,16 @@ void LdtkProject::writeIntGrids() {
   }
 }
 
-/// The name of a value, or its number. Layers may give one name to several values; then it gets the layer's name too.
+/// The name of a value, or its number. If another value has that name, the layer's name stands before it; if that is
+/// taken, too, the number behind it.
 std::string LdtkProject::nameOf(const IntGrid& grid, std::uint64_t value, const std::string& identifier) {
-  std::string name = identifier.empty() ? std::to_string(value) : identifier;
-  while (valueOf_.try_emplace(name, value).first->second != value) name.insert(0, grid.name + ".");
+  const std::string number = std::to_string(value);
+  const auto isTaken = [&](const std::string& name) {
+    return valueOf_.try_emplace(name, value).first->second != value;
+  };
+  std::string name = identifier.empty() ? number : identifier;
+  if (isTaken(name)) name.insert(0, grid.name + ".");
+  while (isTaken(name)) name += "." + number;
   return name;
 }
 
