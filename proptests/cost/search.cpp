@@ -26,14 +26,18 @@ World worldOf(const Calls& calls) {
   return std::move(caller.world);
 }
 
+constexpr std::size_t kMaxWork = 1 << 20;
+
 double costOfImport(const std::string& map) {
   tiled::Options options;
-  options.maxWork = 1 << 20;
+  options.maxWork = kMaxWork;
   options.maxObjectCells = 1 << 12;
   const auto reader = [&](const std::string&) -> tl::expected<std::string, std::string> { return map; };
-  const auto cost = visitsOf([&] { static_cast<void>(tiled::importMap("a", options, reader)); });
-  const auto steps = static_cast<double>(tiled::kWorkPerByte * map.size() + options.maxWork);
-  return static_cast<double>(cost) / steps;
+  return static_cast<double>(visitsOf([&] { static_cast<void>(tiled::importMap("a", options, reader)); }));
+}
+
+double shareOfLimit(const std::string& map) {
+  return costOfImport(map) / static_cast<double>(tiled::kWorkPerByte * map.size() + kMaxWork);
 }
 
 }  // namespace lgs::cost_test

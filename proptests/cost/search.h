@@ -52,7 +52,8 @@ void changeCalls(Calls& calls, Random& random);
 /// The world that they lead to, committed.
 World worldOf(const Calls& calls);
 
-/// Of a map of any format, for each byte of it, as a part of what the documents allow.
+/// Of a map of any format, with low limits: in blocks, and as a share of what the documents allow for its bytes.
 double costOfImport(const std::string& map);
+double shareOfLimit(const std::string& map);
 
 }  // namespace lgs::cost_test

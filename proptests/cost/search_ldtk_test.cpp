@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -77,28 +78,30 @@ std::string drawName(Random& random) {
 void changeProject(Project& project, Random& random) {
   const int many = random.pick(std::vector{1, 8, 64});
   const int next = static_cast<int>(project.values.size());
-  switch (random.below(7)) {
-    case 0: {
+  switch (random.below(9)) {
+    case 0:
+    case 1:
+    case 2: {
       const std::string name = drawName(random);
       for (int k = 0; k < many; ++k) project.values.push_back({next + k + 1, name});
       return;
     }
-    case 1:
-      project.values.push_back({random.below(1 << 20), drawName(random)});
+    case 3:
+      project.values.push_back({random.below(1 << 10), drawName(random)});
       return;
-    case 2:
+    case 4:
       if (project.layers.size() < 200) project.layers.push_back({random.below(4), drawName(random), {}});
       return;
-    case 3: {
+    case 5: {
       auto& cells = project.layers[random.below(project.layers.size())].cells;
       for (int k = 0; k < many; ++k) cells.push_back(random.chance(80) ? next + k : random.below(1 << 20));
       return;
     }
-    case 4:
+    case 6:
       for (int k = 0; k < many; ++k)
         project.entities.push_back({drawName(random), k * random.below(9), random.below(99), 1 + random.below(99), 8});
       return;
-    case 5:
+    case 7:
       if (project.levels * many < 200) project.levels *= many;
       return;
     default:
@@ -108,7 +111,7 @@ void changeProject(Project& project, Random& random) {
 
 Project drawProject(Random& random) {
   Project project;
-  for (int k = 0; k < 10; ++k) changeProject(project, random);
+  for (int k = 0; k < 2; ++k) changeProject(project, random);
   return project;
 }
 
@@ -116,9 +119,38 @@ TEST(CostSearch, OfLdtkProjectsFindsNoneBeyondTheirLimit) {
   constexpr std::size_t kMost = 8'000;  // bytes: to climb further takes long, and is as steep
   const auto cost = [](const Project& project) {
     const std::string text = asText(project);
-    return text.size() < kMost ? costOfImport(text) : 0;
+    return text.size() < kMost ? shareOfLimit(text) : -1;
   };
   EXPECT_LT(dearest<Project>(drawProject, changeProject, cost, 3, 120), 5);
+}
+
+/// So many times as large: more values of the same names, used in the same layers, and more entities beside.
+Project repeated(const Project& project, int times) {
+  Project all = project;
+  int last = 0;
+  for (const Value& value : project.values) last = std::max(last, value.number);
+  for (int k = 1; k < times; ++k) {
+    for (const Value& value : project.values) all.values.push_back({value.number + k * last, value.name});
+    for (std::size_t at = 0; at < project.layers.size(); ++at)
+      for (const int cell : project.layers[at].cells)
+        if (cell <= last) all.layers[at].cells.push_back(cell + k * last);
+    for (const Entity& e : project.entities) all.entities.push_back({e.name, e.x + k * 1'000, e.y, e.width, e.height});
+  }
+  return all;
+}
+
+/// The bound of bytes is wide for a project that is small. What is four times as large may cost four times as much.
+TEST(CostSearch, OfLdtkProjectsFindsNoneThatGrowsFasterThanItsLists) {
+  constexpr std::size_t kLeast = 3'000, kMost = 9'000;  // bytes
+  constexpr int kTimes = 4;
+  const auto growth = [](const Project& project) {
+    const std::string text = asText(project);
+    if (text.size() > kMost) return -1.0;
+    const std::string larger = asText(repeated(project, kTimes));
+    const bool isSmall = text.size() < kLeast;  // what an import costs in any case would hide it
+    return isSmall ? static_cast<double>(text.size()) / 1e6 : costOfImport(larger) / costOfImport(text);
+  };
+  EXPECT_LT(dearest<Project>(drawProject, changeProject, growth, 4, 100), 1.25 * kTimes);
 }
 
 }  // namespace

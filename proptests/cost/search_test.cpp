@@ -76,7 +76,7 @@ TEST(CostSearch, OfMapsFindsNoneBeyondTheirLimit) {
   };
   for (const auto& write : {asXml, asJson})
     EXPECT_LT(dearest<Map>(
-                  make, changeMap, [&](const Map& map) { return costOfImport(write(map)); }, 3, 120),
+                  make, changeMap, [&](const Map& map) { return shareOfLimit(write(map)); }, 3, 120),
               8);
 }
 
