@@ -30,14 +30,17 @@ void IslandView::nameAll(const World& world, const Loops& loops) {
   for (const New& now : news_) kins.push_back(now.kin);
   detail::sort(kins);
   kins.erase(std::unique(kins.begin(), kins.end()), kins.end());
-  for (const Old& old : olds_) ofLoop_[old.facts.outer.id.value] = {};
+  for (std::size_t k = 0; k < olds_.size(); ++k) islands_[olds_[k].facts.id.value].old = static_cast<std::uint32_t>(k);
+  const auto ofKin = [](auto& sorted, Kin::Node kin, auto member) {
+    return std::span(std::ranges::lower_bound(sorted, kin, {}, member),
+                     std::ranges::upper_bound(sorted, kin, {}, member));
+  };
+  for (const KinShift& shift : kinShifts_)
+    if (const std::span<New> news = ofKin(news_, shift.kin, &New::kin); !news.empty())
+      news.front().anchors += static_cast<std::uint64_t>(shift.by);
   for (const Kin::Node kin : kins) {
-    const auto ofKin = [kin](auto& sorted, auto member) {
-      return std::span(std::ranges::lower_bound(sorted, kin, {}, member),
-                       std::ranges::upper_bound(sorted, kin, {}, member));
-    };
-    const std::span<Old> olds = ofKin(olds_, &Old::kin);
-    const std::span<New> news = ofKin(news_, &New::kin);
+    const std::span<Old> olds = ofKin(olds_, kin, &Old::kin);
+    const std::span<New> news = ofKin(news_, kin, &New::kin);
     nameKin(olds, news);
     if (isAnchor_) countAnchors(world, loops, olds, news);
     tellKin(loops, olds, news);
@@ -47,26 +50,28 @@ void IslandView::nameAll(const World& world, const Loops& loops) {
   detail::sort(changes_.before, [](const IslandFacts& a, const IslandFacts& b) { return a.id < b.id; });
 }
 
+/// The island of before that had this loop; null, if none did. Loops keep their ids within one kin.
+const IslandView::Old* IslandView::oldOf(LoopId outer) const {
+  return of(outer) ? &olds_[islands_[of(outer).value].old] : nullptr;
+}
+
 /// The largest inherits from the largest. The others keep what their loops had.
 void IslandView::nameKin(std::span<const Old> olds, std::span<New> news) {
   for (New& now : news) {
-    if (&now == news.data()) {
-      now.id = olds.empty() ? newId() : olds.front().facts.id;
-      continue;
-    }
-    const auto own = std::ranges::find(olds, now.outer.id, [](const Old& old) { return old.facts.outer.id; });
-    const bool keeps = own != olds.end() && own->facts.id != news.front().id;
-    now.id = keeps ? own->facts.id : newId();
+    if (&now == news.data())
+      now.old = olds.empty() ? nullptr : olds.data();
+    else if (const Old* own = oldOf(now.outer.id); own != news.front().old)
+      now.old = own;
+    now.id = now.old ? now.old->facts.id : newId();
   }
 }
 
-/// The kin keeps its anchors, but for those that came and went. All but the largest are counted.
+/// The kin keeps its anchors, but for those that came and went: of these the largest has the sum so far. All but the
+/// largest are counted.
 void IslandView::countAnchors(const World& world, const Loops& loops, std::span<const Old> olds, std::span<New> news) {
   if (news.empty()) return;
-  std::uint64_t sum = 0;
+  std::uint64_t sum = news.front().anchors;
   for (const Old& old : olds) sum += old.facts.anchors;
-  for (const KinShift& shift : kinShifts_)
-    if (shift.kin == news.front().kin) sum += static_cast<std::uint64_t>(shift.by);
   for (New& now : news.subspan(1)) {
     now.anchors = anchorsIn(world, loops, now.outer.id);
     sum -= now.anchors;
@@ -75,28 +80,29 @@ void IslandView::countAnchors(const World& world, const Loops& loops, std::span<
 }
 
 void IslandView::tellKin(const Loops& loops, std::span<const Old> olds, std::span<const New> news) {
-  const auto idOf = [](const Old& old) { return old.facts.id; };
   for (const Old& old : olds) {
-    if (std::ranges::count(news, old.facts.id, &New::id) > 0) continue;
+    islands_[old.facts.id.value] = {};
+    ofLoop_[old.facts.outer.id.value] = {};
+  }
+  for (const New& now : news) set(now.id, now.outer.id, now.anchors);
+  for (const Old& old : olds) {
+    if (isIsland(old.facts.id)) continue;
     changes_.before.push_back(old.facts);
     ended_.push_back(old.facts.id);
-    islands_[old.facts.id.value] = {};
     if (news.empty())
       changes_.went.push_back(old.facts.id);
     else
       changes_.joined.push_back({old.facts.id, news.front().id});
   }
   for (const New& now : news) {
-    set(now.id, now.outer.id, now.anchors);
-    const auto old = std::ranges::find(olds, now.id, idOf);
     if (olds.empty()) {
       changes_.came.push_back(now.id);
-    } else if (old == olds.end()) {
+    } else if (!now.old) {
       changes_.cutOff.push_back({news.front().id, now.id});
-    } else if (old->facts.outer.id != now.outer.id || old->facts.anchors != now.anchors ||
+    } else if (now.old->facts.outer.id != now.outer.id || now.old->facts.anchors != now.anchors ||
                std::ranges::binary_search(loops.changes().changed, now.outer.id)) {
       changes_.changed.push_back(now.id);
-      changes_.before.push_back(old->facts);
+      changes_.before.push_back(now.old->facts);
     }
   }
 }

@@ -113,7 +113,7 @@ void IslandView::collect(const Loops& loops, Kin& kin) {
     const LoopFacts now = *loops.loop(id);
     const auto before = std::ranges::lower_bound(changed.before, id, {}, &LoopFacts::id);
     const bool wasOther = before != changed.before.end() && before->id == id;
-    news_.push_back({kin.ofOuter(id), now, {}, 0});
+    news_.push_back({kin.ofOuter(id), now, {}});
     if (of(id)) olds_.push_back({kin.ofOuter(id), {of(id), wasOther ? *before : now, islands_[of(id).value].anchors}});
   }
   for (Old& old : olds_) old.kin = kin.root(old.kin);
@@ -133,7 +133,7 @@ std::uint64_t IslandView::anchorsIn(const World& world, const Loops& loops, Loop
 }
 
 void IslandView::set(IslandId id, LoopId outer, std::uint64_t anchors) {
-  islands_[id.value] = {outer, anchors};
+  islands_[id.value] = {outer, 0, anchors};
   if (ofLoop_.size() <= outer.value) ofLoop_.resize(outer.value + std::size_t{1});
   ofLoop_[outer.value] = id;
 }

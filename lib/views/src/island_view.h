@@ -30,7 +30,8 @@ class IslandView {
 
  private:
   struct Island {
-    LoopId outer;  ///< null: no island has this id
+    LoopId outer;           ///< null: no island has this id
+    std::uint32_t old = 0;  ///< in an update: its place in olds_, if it is there
     std::uint64_t anchors = 0;
   };
   /// An island of before that may be no more, or of now that may be new, with its kin.
@@ -43,6 +44,7 @@ class IslandView {
     LoopFacts outer;
     IslandId id;
     std::uint64_t anchors = 0;
+    const Old* old = nullptr;  ///< what has its id; null: it is new
   };
   /// Where the number of anchors has changed, and by how much.
   struct Shift {
@@ -61,6 +63,7 @@ class IslandView {
   bool isAnchor(const PlacedPolygon& p, Cell cell) const { return isAnchor_ && isAnchor_(p.block, cell); }
   void collect(const Loops& loops, Kin& kin);
   void nameAll(const World& world, const Loops& loops);
+  const Old* oldOf(LoopId outer) const;
   void nameKin(std::span<const Old> olds, std::span<New> news);
   void countAnchors(const World& world, const Loops& loops, std::span<const Old> olds, std::span<New> news);
   void tellKin(const Loops& loops, std::span<const Old> olds, std::span<const New> news);

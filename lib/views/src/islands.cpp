@@ -42,7 +42,7 @@ std::optional<IslandFacts> Islands::island(IslandId id) const noexcept {
 IslandId Islands::of(const World& world, PolygonHandle polygon) const noexcept {
   const auto found = world.polygon(polygon);
   if (!found) return {};
-  const detail::Locator locator(impl_->loops.outline(world), impl_->loops);
+  detail::Locator locator(impl_->loops.outline(world), impl_->loops);
   return of(locator.ofPolygon(*world.cellOf(polygon), found->vertices));
 }
 IslandId Islands::of(LoopId outer) const noexcept { return impl_->view.of(outer); }

@@ -28,7 +28,7 @@ Kin::Node Kin::root(Node node) {
 
 Kin::Node Kin::nodeOf(LoopId loop) {
   const auto node = static_cast<Node>(links_.size());
-  const auto [known, isNew] = nodes_.try_emplace(loop, node);
+  const auto [known, isNew] = nodes_.try_emplace(loop.value, node);
   if (isNew) {
     loop_.push_back(loop);
     links_.push_back({node, loop, 1});

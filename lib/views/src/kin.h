@@ -66,9 +66,9 @@ class Kin {
   const Loops& loops_;
   Locator locator_;
   std::span<const Taken> taken_;
-  std::vector<Link> links_;                 ///< by node: first those of what was taken away, then those of loops
-  std::vector<LoopId> loop_;                ///< by node - taken_.size()
-  std::unordered_map<LoopId, Node> nodes_;  ///< of loops
+  std::vector<Link> links_;                        ///< by node: first those of what was taken away, then those of loops
+  std::vector<LoopId> loop_;                       ///< by node - taken_.size()
+  std::unordered_map<std::uint64_t, Node> nodes_;  ///< by LoopId
 };
 
 }  // namespace lgs::detail

@@ -15,7 +15,7 @@ std::optional<Locator::Crossing> Locator::crossing(std::int64_t y, Cell cell, Po
   return Crossing{y, cell.i, (start.x - origin.x) * height + along, height};
 }
 
-LoopId Locator::ofPolygon(Cell cell, std::span<const LocalPoint> vertices) const {
+LoopId Locator::ofPolygon(Cell cell, std::span<const LocalPoint> vertices) {
   const WorldRing ring = ringOf(cell, vertices);
   const std::int64_t y = std::ranges::min_element(ring, {}, &Point::y)->y;
   std::optional<Crossing> first;
@@ -27,13 +27,22 @@ LoopId Locator::ofPolygon(Cell cell, std::span<const LocalPoint> vertices) const
   return first ? ofLoop(leftWestOf(*first)) : LoopId();
 }
 
+LoopId Locator::ofLoop(LoopId loop) {
+  std::vector<LoopId> passed;
+  const LoopId outer = throughHoles(loop, passed);
+  for (const LoopId hole : passed) outers_[hole.value] = outer.value;
+  return outer;
+}
+
 // No hole lies to the east of the one before, and no more begin in one vertex than cells have vertices there; unless
 // this is another world than the one that the loops are of.
-LoopId Locator::ofLoop(LoopId loop) const {
+LoopId Locator::throughHoles(LoopId loop, std::vector<LoopId>& passed) {
   std::optional<Point> last;
   for (std::size_t inOneVertex = 0; inOneVertex < 4 * kMaxVerticesPerCell; ++inOneVertex) {
+    if (const auto known = outers_.find(loop.value); known != outers_.end()) return {known->second};
     const auto facts = loops_.loop(loop);
     if (!facts || !facts->isHole()) return loop;
+    passed.push_back(loop);
     const auto wall = wallWestOf(*facts);
     if (!wall || (last && facts->west > *last)) return {};
     if (last && facts->west < *last) inOneVertex = 0;
@@ -45,11 +54,19 @@ LoopId Locator::ofLoop(LoopId loop) const {
 
 /// A ray comes from a solid and runs to the west. The loop through which it leaves the island first; null, if it comes
 /// from what is no solid yet.
-LoopId Locator::leftWestOf(const Crossing& from) const {
+LoopId Locator::leftWestOf(const Crossing& from) {
   const auto j = static_cast<std::int32_t>(from.y >> kCellBits);
+  const auto [place, isNew] =
+      rows_.try_emplace(static_cast<std::uint64_t>(from.y), static_cast<std::uint32_t>(passages_.size()));
+  if (isNew) passages_.emplace_back();
+  Passage& known = passages_[place->second];
   std::int32_t last = from.i;
   std::int32_t most = 64;  // at a time; more where there is nothing at all, as the world may end far away
   for (std::int32_t width = 1; last >= -kMaxCell; width = std::min(2 * width, most)) {
+    if (known.first <= last && last <= known.last) {
+      known.last = std::max(known.last, from.i - 1);
+      return known.loop;
+    }
     const std::int32_t first = std::max(last - width + 1, -kMaxCell);
     std::optional<Crossing> best;
     LoopId found;
@@ -63,7 +80,10 @@ LoopId Locator::leftWestOf(const Crossing& from) const {
       best = at;
       found = loops_.of(id);
     }
-    if (best) return found;
+    if (best) {
+      if (best->i + 1 < from.i) known = {best->i + 1, from.i - 1, found};
+      return found;
+    }
     last = first - 1;
   }
   return {};

@@ -1,6 +1,9 @@
 // Which island a polygon, or a hole, belongs to: a ray to the west meets the outline. If that is an outer loop, it is
 // the answer. If it is a hole, that hole belongs to the same island, and the search goes on from its westernmost
 // vertex. The ray runs half a unit above a row of lattice points, so it never meets a vertex.
+//
+// A locator remembers where holes led to, and what the last ray of each row came to. So many rays that follow each other
+// cost little more than the longest one. It lives no longer than the loops stay as they are.
 #pragma once
 
 #include <lgs/loops.h>
@@ -9,6 +12,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <unordered_map>
+#include <vector>
 
 namespace lgs::detail {
 
@@ -18,10 +23,10 @@ class Locator {
 
   /// The outer loop of the island of a polygon, which stands in the outline's world since its last commit. Of another one
   /// it is any loop, or null.
-  LoopId ofPolygon(Cell cell, std::span<const LocalPoint> vertices) const;
+  LoopId ofPolygon(Cell cell, std::span<const LocalPoint> vertices);
 
   /// The outer loop of the island of a loop: itself, if it is one.
-  LoopId ofLoop(LoopId loop) const;
+  LoopId ofLoop(LoopId loop);
 
  private:
   /// Where an edge crosses the row half a unit above y: in its cell, as a fraction.
@@ -37,11 +42,22 @@ class Locator {
   };
 
   static std::optional<Crossing> crossing(std::int64_t y, Cell cell, Point start, Point end);
-  LoopId leftWestOf(const Crossing& from) const;
+  LoopId throughHoles(LoopId loop, std::vector<LoopId>& passed);
+  LoopId leftWestOf(const Crossing& from);
   std::optional<Crossing> wallWestOf(const LoopFacts& hole) const;
+
+  /// Cells that a ray went all through, and the loop through which it left the island then.
+  struct Passage {
+    std::int32_t first = 0, last = -1;
+    LoopId loop;
+  };
+  using Numbers = std::unordered_map<std::uint64_t, std::uint32_t>;
 
   const World& outline_;
   const Loops& loops_;
+  Numbers outers_;  ///< the outer loop of a hole, by LoopId
+  Numbers rows_;    ///< the last ray's place in passages_, by Crossing::y
+  std::vector<Passage> passages_;
 };
 
 }  // namespace lgs::detail

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <unordered_set>
 
 namespace lgs::detail {
 
@@ -21,8 +22,8 @@ std::optional<Standing> ownerOf(const World& world, const Segment& segment) {
 
 const std::vector<Standing>& Walk::from(const World& world, const Standing& start, Contact contact) {
   found_.assign(1, start);
-  seen_.clear();
-  seen_.insert(start.polygon.handle);
+  // Not kept: to clear it costs as much as the largest walk so far.
+  std::unordered_set<PolygonHandle> seen{start.polygon.handle};
   for (std::size_t k = 0; k < found_.size(); ++k) {
     const Standing here = found_[k];
     const WorldRing ring = ringOf(here.cell, here.polygon.vertices);
@@ -30,10 +31,10 @@ const std::vector<Standing>& Walk::from(const World& world, const Standing& star
       for (std::int32_t i = here.cell.i - 1; i <= here.cell.i + 1; ++i) {
         world.polygons({i, j}, held_);
         for (const PlacedPolygon& p : held_) {
-          if (seen_.contains(p.handle)) continue;
+          if (seen.contains(p.handle)) continue;
           const WorldRing other = ringOf({i, j}, p.vertices);
           if (contact == Contact::point ? !touch(ring, other) : !shareAnEdge(ring, other)) continue;
-          seen_.insert(p.handle);
+          seen.insert(p.handle);
           found_.push_back({{i, j}, p});
         }
       }

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <unordered_set>
 #include <vector>
 
 namespace lgs::detail {
@@ -31,7 +30,6 @@ class Walk {
 
  private:
   std::vector<Standing> found_;
-  std::unordered_set<PolygonHandle> seen_;
   std::vector<PlacedPolygon> held_;
   std::uint64_t walked_ = 0;
 };

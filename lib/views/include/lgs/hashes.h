@@ -56,7 +56,8 @@ class GroundHashes {
   explicit GroundHashes(const World& world) noexcept;
 
   /// Takes over what a commit, a roll-back or a roll-forward changed. Miss no commit: this is not checked. Cost: in
-  /// proportion to the polygons and vertices of these cells. It looks at no other cell.
+  /// proportion to the polygons and vertices of these cells. A search for the worst commit found some 180 basic blocks
+  /// for each vertex and cell; a test holds it below 400. It looks at no other cell.
   void update(std::span<const CellChange> changes) noexcept;
 
   /// That of the whole world. Cost: O(1).

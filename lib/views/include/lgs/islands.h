@@ -90,9 +90,17 @@ class Islands {
   /// what the view says of islands may be wrong from then on, and nothing worse.
   ///
   /// Cost: that of the loops; the polygons and vertices of the changed cells; the segments in and around those where
-  /// polygons were taken away, if that may have cut something off. To know which island a hole, or an anchor that
-  /// changed, belongs to, the cells west of it are passed up to the next segment, a few times if holes lie beside each
-  /// other. Where an island was cut, and there is `isAnchor`, all parts but the largest are walked through.
+  /// polygons were taken away, each with the vertices of these, if that may have cut something off. Of n islands that
+  /// came, went or changed it is O(n log n), whichever are kin. Where an island was cut, and there is `isAnchor`, all
+  /// parts but the largest are walked through.
+  ///
+  /// To know which island a hole, an anchor that changed, or one that joined is of, a ray passes the cells west of it,
+  /// up to where it leaves the island; behind a hole it goes on. One update passes no hole twice, and rays of one
+  /// height that end at the same wall pass it once, unless another one of that height comes between them. So n rays at
+  /// n heights, through w cells each, pass n·w cells.
+  ///
+  /// A search for the worst commit, in a field of 160×12 cells, found some 1,200 basic blocks for each segment in the
+  /// lists, changed cell, edge in these, polygon walked through, and cell of four rows. A test holds it below 2,500.
   [[nodiscard]] bool update(const World& world, const Changes& changes) noexcept;
 
   /// Of the last update. Empty after construction.

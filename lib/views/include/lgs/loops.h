@@ -96,7 +96,8 @@ class Loops {
   /// Takes over what the world's last commit or roll-back changed: World::commit() or World::changesOfRollBack(). If
   /// these do not lead from the version() that the view shows, or are lists that somebody made up, it stays as it is,
   /// and the result is false: then begin again with another view. Cost: O(k log n) expected, for k segments in the
-  /// three lists and loops of n segments. Allocates nothing once world and view have reached their size.
+  /// three lists and loops of n segments. A search for the worst commit, among 160×12 cells, found some 900 basic blocks
+  /// for a segment; a test holds it below 2,000. Allocates nothing once world and view have reached their size.
   [[nodiscard]] bool update(const World& world, const Changes& changes) noexcept;
 
   /// Of the last update. Empty after construction.
