@@ -1,10 +1,7 @@
-// The commit that costs a view most, found by a search as in search_test.cpp. What is counted is basic blocks, for each
-// unit that the header of the view says its update() costs. The bounds are two to three times what the search finds
-// with any of some seeds; the headers state them.
-#include "oracle/calls/random.h"
+// The commit that costs a view most, found by a search (search.h): for each unit that the header of the view says its
+// update() costs. The headers state the bounds.
 #include "oracle/calls/shapes.h"
-#include "proptests/support/scale.h"
-#include "visits.h"
+#include "search.h"
 
 #include <lgs/hashes.h>
 #include <lgs/islands.h>
@@ -15,7 +12,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -24,7 +20,6 @@ namespace lgs::cost_test {
 namespace {
 
 using oracle::LocalPolygon;
-using oracle::Random;
 using Polygons = std::vector<LocalPolygon>;
 
 constexpr CellRect kField{{-80, -6}, {79, 5}};  // over twelve chunks
@@ -213,37 +208,18 @@ double costOf(const Edits& edits) {
   return static_cast<double>(cost) / static_cast<double>(view.units(world, changes) + 1);
 }
 
-/// Climbs from several starts. Returns the greatest cost of a unit.
 template <class View>
-double dearestUnit(int starts, int steps) {
-  double most = 0;
-  Random random(test::testSeed());
-  for (int start = 0; start < starts; ++start) {
-    Edits best = drawEdits(random);
-    double height = costOf<View>(best);
-    for (std::int64_t step = 0; step < test::scaled(steps); ++step) {
-      Edits next = best;
-      for (int k = 1 + random.below(3); k > 0; --k) changeEdits(next, random);
-      const double reached = costOf<View>(next);
-      if (reached < height) continue;
-      best = std::move(next);
-      height = reached;
-    }
-    most = std::max(most, height);
-  }
-  testing::Test::RecordProperty("most", std::to_string(most));
-  return most;
+double dearestUnit() {
+  return dearest<Edits>(drawEdits, changeEdits, costOf<View>, 3, 120);
 }
 
-TEST(CostSearchOfViews, LoopsCostTheSegmentsThatChanged) { EXPECT_LT(dearestUnit<OfLoops>(3, 120), 2'000); }
+TEST(CostSearchOfViews, LoopsCostTheSegmentsThatChanged) { EXPECT_LT(dearestUnit<OfLoops>(), 2'000); }
 
-TEST(CostSearchOfViews, IslandsCostWhatChangedAndWhatIsWalkedThrough) {
-  EXPECT_LT(dearestUnit<OfIslands>(3, 120), 2'500);
-}
+TEST(CostSearchOfViews, IslandsCostWhatChangedAndWhatIsWalkedThrough) { EXPECT_LT(dearestUnit<OfIslands>(), 2'500); }
 
-TEST(CostSearchOfViews, HashesCostTheChangedCells) { EXPECT_LT(dearestUnit<OfCells<GroundHashes>>(3, 120), 400); }
+TEST(CostSearchOfViews, HashesCostTheChangedCells) { EXPECT_LT(dearestUnit<OfCells<GroundHashes>>(), 400); }
 
-TEST(CostSearchOfViews, PiecesCostTheChangedCells) { EXPECT_LT(dearestUnit<OfCells<Pieces>>(3, 120), 2'500); }
+TEST(CostSearchOfViews, PiecesCostTheChangedCells) { EXPECT_LT(dearestUnit<OfCells<Pieces>>(), 2'500); }
 
 }  // namespace
 }  // namespace lgs::cost_test
