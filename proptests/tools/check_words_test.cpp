@@ -24,7 +24,10 @@ TEST(CheckWords, EachKindHasItsOwn) {
 TEST(CheckWords, AMismatchHasAPlaceInItsTrace) {
   Trace trace{{}, {Edit::commit(), Edit::commit()}};
   trace.edits[1].line = 7;
-  Mismatch found{.kind = Mismatch::Kind::cgal, .text = "all of it\n", .edits = 1, .commit = 1};
+  Mismatch found;
+  found.kind = Mismatch::Kind::cgal;
+  found.text = "all of it\n";
+  found.edits = found.commit = 1;
   EXPECT_EQ(describe(found, trace), "after edit 1 (1 commit): the outline differs from CGAL's:\nall of it\n");
   found.edits = found.commit = 2;
   EXPECT_EQ(describe(found, trace), "after edit 2, line 7 (2 commits): the outline differs from CGAL's:\nall of it\n");
@@ -86,7 +89,9 @@ class Stubborn : public ReferenceEngine {
 };
 
 std::string kindOf(const Outline& actual, bool isStubborn = true) {
-  Mismatch found{.kind = Mismatch::Kind::naive, .scene = twoSquares()};
+  Mismatch found;
+  found.kind = Mismatch::Kind::naive;
+  found.scene = twoSquares();
   found.expected = naiveOutline(found.scene);
   found.actual = actual;
   Stubborn stubborn(actual);
@@ -103,6 +108,11 @@ std::string kindOfChanged(const std::function<void(Outline&)>& change, bool isSt
 
 TEST(CheckFindings, AreNamedByWhatDiffers) {
   EXPECT_EQ(kindOf(chain({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}}, {1})), "missing cut");
+  EXPECT_EQ(kindOfChanged([](Outline& o) {
+              std::erase_if(o, [](const OutlineSegment& s) { return s.start == point({1, 0}) && s.end == point({2, 0}); });
+              o.push_back({point({0, 0}), point({2, 0}), 1, {}, {}});
+            }),
+            "missing cut");
   EXPECT_EQ(kindOfChanged([](Outline& o) { o.push_back({point({1, 1}), point({1, 0}), 1, {}, {}}); }),
             "other segments");
   EXPECT_EQ(kindOf(together({chain({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {1}), chain({{1, 0}, {2, 0}, {2, 1}, {1, 1}}, {1})})),
@@ -114,7 +124,9 @@ TEST(CheckFindings, AreNamedByWhatDiffers) {
 }
 
 TEST(CheckFindings, ArePreservedEdgesThatAreLost) {
-  Mismatch found{.kind = Mismatch::Kind::cgal, .scene = {{square({0, 0}, 1), square({1, 0}, 2)}, {}}};
+  Mismatch found;
+  found.kind = Mismatch::Kind::cgal;
+  found.scene.polygons = {square({0, 0}, 1), square({1, 0}, 2)};
   found.actual = naiveOutline(found.scene);
   found.scene.preserve.add(1, 2);
   found.expected = naiveOutline(found.scene);
@@ -129,7 +141,11 @@ TEST(CheckFindings, AreThingsOfThePastWhereTheEngineIsRightAfresh) {
 
 TEST(CheckFindings, AreWhatTheCheckSaysWhereNoOutlineTells) {
   ReferenceEngine right(true, false);
-  const auto kind = [&](Mismatch::Kind of) { return kindOfFinding({.kind = of}, right); };
+  const auto kind = [&](Mismatch::Kind of) {
+    Mismatch found;
+    found.kind = of;
+    return kindOfFinding(found, right);
+  };
   EXPECT_EQ(kind(Mismatch::Kind::crash), "crash");
   EXPECT_EQ(kind(Mismatch::Kind::hang), "hang");
   EXPECT_EQ(kind(Mismatch::Kind::protocol), "protocol");
