@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace lgs::oracle {
+namespace lgs::oracle::engines {
 namespace {
 
 using test::must;
@@ -283,4 +283,4 @@ TEST(CheckCalls, WhatIsDoneBesideIsSeenAtTheNextCommitOrLoad) {
 }
 
 }  // namespace
-}  // namespace lgs::oracle
+}  // namespace lgs::oracle::engines

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-namespace lgs::oracle {
+namespace lgs::oracle::isolated {
 namespace {
 
 const IsolationOptions kQuiet{.seconds = 5, .quiet = true};
@@ -39,4 +39,4 @@ TEST(CheckIsolated, IsQuietWhereThatIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace lgs::oracle
+}  // namespace lgs::oracle::isolated

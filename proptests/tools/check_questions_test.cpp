@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
-namespace lgs::oracle {
+namespace lgs::oracle::asking {
 namespace {
 
 using test::place;
@@ -79,4 +79,4 @@ TEST(CheckQuestions, AsksWhereSomethingHappens) {
 }
 
 }  // namespace
-}  // namespace lgs::oracle
+}  // namespace lgs::oracle::asking

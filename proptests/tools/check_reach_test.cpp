@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
-namespace lgs::oracle {
+namespace lgs::oracle::reaching {
 namespace {
 
 using test::U;
@@ -72,4 +72,4 @@ TEST(CheckReach, BlamesWhatIsNeitherReachedNorBent) {
 }
 
 }  // namespace
-}  // namespace lgs::oracle
+}  // namespace lgs::oracle::reaching

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
-namespace lgs::oracle {
+namespace lgs::oracle::reading {
 namespace {
 
 using test::U;
@@ -170,4 +170,4 @@ TEST_F(CheckReads, SeesOtherLoops) {
 }
 
 }  // namespace
-}  // namespace lgs::oracle
+}  // namespace lgs::oracle::reading

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace lgs::oracle {
+namespace lgs::oracle::telling {
 namespace {
 
 TEST(CheckWords, EachKindHasItsOwn) {
@@ -108,15 +108,19 @@ std::string kindOfChanged(const std::function<void(Outline&)>& change, bool isSt
 
 TEST(CheckFindings, AreNamedByWhatDiffers) {
   EXPECT_EQ(kindOf(chain({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}}, {1})), "missing cut");
+  EXPECT_EQ(
+      kindOfChanged([](Outline& o) {
+        std::erase_if(o, [](const OutlineSegment& s) { return s.start == point({1, 0}) && s.end == point({2, 0}); });
+        o.push_back({point({0, 0}), point({2, 0}), 1, {}, {}});
+      }),
+      "missing cut");
   EXPECT_EQ(kindOfChanged([](Outline& o) {
-              std::erase_if(o, [](const OutlineSegment& s) { return s.start == point({1, 0}) && s.end == point({2, 0}); });
-              o.push_back({point({0, 0}), point({2, 0}), 1, {}, {}});
+              o.push_back({point({1, 1}), point({1, 0}), 1, {}, {}});
             }),
-            "missing cut");
-  EXPECT_EQ(kindOfChanged([](Outline& o) { o.push_back({point({1, 1}), point({1, 0}), 1, {}, {}}); }),
             "other segments");
-  EXPECT_EQ(kindOf(together({chain({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {1}), chain({{1, 0}, {2, 0}, {2, 1}, {1, 1}}, {1})})),
-            "uncancelled edge");
+  EXPECT_EQ(
+      kindOf(together({chain({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {1}), chain({{1, 0}, {2, 0}, {2, 1}, {1, 1}}, {1})})),
+      "uncancelled edge");
   EXPECT_EQ(kindOfChanged([](Outline& o) { o.pop_back(); }), "other segments");
   EXPECT_EQ(kindOfChanged([](Outline& o) { o[0].ghost1 = point({1, 1}); }), "wrong link");
   EXPECT_EQ(kindOfChanged([](Outline& o) { o[0].ghost2.reset(); }), "wrong link");
@@ -154,4 +158,4 @@ TEST(CheckFindings, AreWhatTheCheckSaysWhereNoOutlineTells) {
 }
 
 }  // namespace
-}  // namespace lgs::oracle
+}  // namespace lgs::oracle::telling

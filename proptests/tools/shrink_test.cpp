@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <set>
 
-namespace lgs::oracle {
+namespace lgs::oracle::shrinking {
 namespace {
 
 using namespace std::chrono_literals;
@@ -48,6 +48,16 @@ TEST(ShrinkWalk, BeginsWithPlainWaysAndPlainNames) {
   EXPECT_EQ(walk.best(), trace);
 }
 
+TEST(ShrinkWalk, DropsHalfOfTheEditsAndThenTheOtherHalf) {
+  const std::vector<Edit> edits{square("p1", {0, 0}), square("p2", {1, 0}), square("p3", {2, 0}), square("p4", {3, 0})};
+  const Trace half{{}, {edits[0], edits[1]}};
+  ShrinkWalk walk({{}, edits});
+  EXPECT_EQ(walk.next(), half);
+  walk.accept(half);
+  EXPECT_EQ(walk.next(), Trace());
+  EXPECT_EQ(walk.next(), (Trace{{}, {edits[0]}}));
+}
+
 TEST(ShrinkWalk, TakesARemovalAwayWithItsPolygon) {
   const auto candidates = candidatesOf({{}, {square("p1", {0, 0}), Edit::remove("p1"), square("p2", {1, 0})}});
   EXPECT_TRUE(has(candidates, {{}, {square("p2", {1, 0})}}));
@@ -82,8 +92,8 @@ TEST(ShrinkWalk, DropsTheLastOfSeveralEditsByItself) {
     for (const Edit& edit : trace.edits) rows.insert(edit.polygon.cell.j);
     return rows.contains(1) && rows.contains(2) && rows.contains(3);
   };
-  const Trace small = shrink(
-      {{}, {square("a", {0, 1}), square("b", {0, 2}), square("c", {0, 3}), square("d", {0, 4})}}, hasThree, 60s);
+  const Trace small =
+      shrink({{}, {square("a", {0, 1}), square("b", {0, 2}), square("c", {0, 3}), square("d", {0, 4})}}, hasThree, 60s);
   EXPECT_EQ(small.edits.size(), 3U);
 }
 
@@ -121,8 +131,11 @@ TEST(ShrinkWalk, MakesEachBlockOneByItself) {
 TEST(ShrinkWalk, MovesLinesOfCellsTogetherAndToTheOrigin) {
   const auto candidates = candidatesOf({{}, {square("p1", {5, 7}), square("p2", {9, 7})}});
   const auto with = [](Cell a, Cell b) { return Trace{{}, {square("p1", a), square("p2", b)}}; };
-  for (const auto& [a, b] : {std::pair<Cell, Cell>{{5, 7}, {6, 7}}, {{0, 7}, {4, 7}}, {{-1, 7}, {3, 7}},
-                             {{5, 0}, {9, 0}}, {{5, -1}, {9, -1}}})
+  for (const auto& [a, b] : {std::pair<Cell, Cell>{{5, 7}, {6, 7}},
+                             {{0, 7}, {4, 7}},
+                             {{-1, 7}, {3, 7}},
+                             {{5, 0}, {9, 0}},
+                             {{5, -1}, {9, -1}}})
     EXPECT_TRUE(has(candidates, with(a, b))) << a.i << ", " << a.j;
 }
 
@@ -156,9 +169,11 @@ std::set<LocalPolygon> rounded(const LocalPolygon& polygon) {
 }
 
 TEST(ShrinkPolygon, RoundsEachCoordinateDownAndUp) {
-  const std::set<LocalPolygon> expected{
-      {{0, 0}, {U, 0}, {U, U}},     {{0, 0}, {U, 0}, {U / 2, U}}, {{0, 0}, {U, 0}, {3 * U / 4, U}},
-      {{0, 0}, {U, 0}, {0, U}},     {{0, 0}, {U, 0}, {5 * U / 8 + 0, U}}};
+  const std::set<LocalPolygon> expected{{{0, 0}, {U, 0}, {U, U}},
+                                        {{0, 0}, {U, 0}, {U / 2, U}},
+                                        {{0, 0}, {U, 0}, {3 * U / 4, U}},
+                                        {{0, 0}, {U, 0}, {0, U}},
+                                        {{0, 0}, {U, 0}, {5 * U / 8 + 0, U}}};
   std::set<LocalPolygon> found = rounded({{0, 0}, {U, 0}, {11 * U / 16, U}});
   EXPECT_EQ(found, expected);
   const LocalPolygon upright{{0, 0}, {U, 11 * U / 16}, {0, U}};
@@ -193,4 +208,4 @@ TEST(ShrinkBrush, DropsRingsAndVerticesAndRoundsCoordinates) {
 }
 
 }  // namespace
-}  // namespace lgs::oracle
+}  // namespace lgs::oracle::shrinking
