@@ -112,6 +112,24 @@ TEST(CheckEngines, ASegmentOfNothingIsToldBeforeAnyEdit) {
   EXPECT_EQ(found.commit, 0U);
 }
 
+TEST(CheckEngines, AWindowAroundTheEditsIsComparedWhereTheWholeWorldIsNot) {
+  Wrong engine;
+  engine.change = [](Outline& o) {
+    if (o.size() == 6) o.pop_back();  // a part of the second square
+  };
+  Trace trace = twoSquares();
+  trace.edits.insert(trace.edits.end(), {Edit::commit(), square("c", {9, 0})});
+  for (const bool naive : {true, false}) {
+    CheckStats stats;
+    const Mismatch found = must(checked(trace, {.engine = &engine, .naive = naive, .wholeEvery = 0}, stats));
+    EXPECT_EQ(found.kind, naive ? Kind::naive : Kind::cgal);
+    EXPECT_EQ(found.commit, 2U);
+    EXPECT_EQ(found.actual.size(), 5U);
+    EXPECT_EQ(found.scene.polygons.size(), 2U);
+    EXPECT_EQ(stats.whole, 0U);
+  }
+}
+
 TEST(CheckEngines, WithoutTheNaiveReferenceCgalTells) {
   Wrong engine;
   engine.change = [](Outline& o) { o[0].block = 9; };
