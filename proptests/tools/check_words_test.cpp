@@ -5,6 +5,7 @@
 #include "oracle/check/reference_engine.h"
 #include "oracle/check/refusal.h"
 #include "oracle/reference/naive.h"
+#include "oracle/reference/words.h"
 #include "outlines_by_hand.h"
 
 #include <gtest/gtest.h>
@@ -62,6 +63,14 @@ TEST(CheckWords, SharesOfDoorsAndNumbersOfDetours) {
   EXPECT_EQ(doorsInWords(stats), plain + ", brush 0%");
   for (std::size_t k = 0; k < kDetours; ++k) stats.detours[k] = k;
   EXPECT_EQ(detoursInWords(stats), "saved 1, undone 2, marked 3, grouped 4, repainted 5, unloaded 6, worn 7");
+}
+
+TEST(CheckWords, NumbersAreInThousands) {
+  EXPECT_EQ(counted(0, "edit"), "0 edits");
+  EXPECT_EQ(counted(1, "edit"), "1 edit");
+  EXPECT_EQ(counted(999, "edit"), "999 edits");
+  EXPECT_EQ(counted(1'000, "edit"), "1,000 edits");
+  EXPECT_EQ(counted(123'456'789, "edit"), "123,456,789 edits");
 }
 
 TEST(CheckWords, RefusalsTooManyTooFewAndInAnotherOrder) {
