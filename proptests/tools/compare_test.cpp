@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace lgs::oracle {
 namespace {
@@ -40,6 +41,9 @@ TEST(Canonical, FollowsOnlyMutualLinks) {
       broken[k].ghost2 = wrong;
       EXPECT_EQ(followLinks(broken), std::nullopt);
     }
+    Outline broken = outline;
+    --broken[k].ghost2->y;  // no segment leads there; the next one in order is the right one
+    EXPECT_EQ(followLinks(broken), std::nullopt);
   }
 }
 
@@ -69,6 +73,18 @@ TEST(Compare, SaysWhatDiffersAndWhere) {
             "extra segment: (1, 1) → (1, 0), the left side of cell (1, 0), block 7\n");
   EXPECT_EQ(differences(squareOutline, changed([](Outline& o) { o.push_back(o[0]); })),
             "extra segment: (1, 0) → (2, 0), the bottom of cell (1, 0), block 7: it is there twice\n");
+}
+
+TEST(Compare, TellsMissingAndExtraSegmentsFirst) {
+  const Outline expected = together({chain({{0, 0}, {1, 0}, {1, 1}, {0, 1}})});
+  Outline actual = expected;
+  actual[0].block = 9;
+  actual.pop_back();
+  actual.push_back({point({2, 0}), point({3, 0}), 0, {}, {}});
+  using enum Difference::Kind;
+  std::vector<Difference::Kind> kinds;
+  for (const Difference& difference : compare(expected, actual)) kinds.push_back(difference.kind);
+  EXPECT_EQ(kinds, (std::vector{missing, extra, block}));
 }
 
 TEST(Compare, RecognisesOverlapsAndCuts) {
