@@ -1,17 +1,14 @@
-// Engines that are wrong in one thing: what the checker says of each, and what it counts.
-#include "oracle/check/call_check.h"
-#include "oracle/check/checker.h"
+// Engines that are wrong in one thing: what the checker says of each.
+#include "checking.h"
 #include "oracle/check/failure.h"
 #include "oracle/check/reference_engine.h"
 #include "oracle/generate/generator.h"
 #include "oracle/views/named_islands.h"
 #include "proptests/support/must.h"
-#include "proptests/support/worlds.h"
 #include "read_traces.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
-#include <stdexcept>
 
 namespace lgs::oracle::engines {
 namespace {
@@ -20,9 +17,6 @@ using test::must;
 using test::U;
 using Kind = Mismatch::Kind;
 
-Edit square(const std::string& name, Cell cell, Block block = 1) {
-  return Edit::add(name, {cell, block, test::unitSquare()});
-}
 Trace twoSquares() { return {{}, {square("a", {0, 0}), Edit::commit(), square("b", {1, 0})}}; }
 
 // The references, but for what a test changes.
@@ -39,6 +33,7 @@ class Wrong : public ReferenceEngine {
   void add(const std::string& name, const ScenePolygon& polygon) override {
     ReferenceEngine::add(name, polygon);
     scene_.polygons.push_back(polygon);
+    ++adds;
   }
   Refusals commit() override {
     auto refusals = ReferenceEngine::commit();
@@ -56,6 +51,7 @@ class Wrong : public ReferenceEngine {
   std::function<void(Outline&)> change;
   bool isIslandMissing = false;
   int resets = 0;
+  std::size_t adds = 0;
 
  private:
   Scene scene_;  // of what was added; nothing is removed in these tests
@@ -63,12 +59,6 @@ class Wrong : public ReferenceEngine {
 
 std::optional<Mismatch> check(Engine& engine, const Trace& trace) {
   return findMismatch(trace, {.engine = &engine, .skipRefused = true});
-}
-
-std::optional<Mismatch> checked(const Trace& trace, const CheckOptions& options, CheckStats& stats) {
-  auto result = checkTrace(trace, options, stats);
-  if (!result) throw std::runtime_error(result.error().text);
-  return *std::move(result);
 }
 
 TEST(CheckEngines, ARightOneIsFoundRight) {
@@ -127,6 +117,10 @@ TEST(CheckEngines, AWindowAroundTheEditsIsComparedWhereTheWholeWorldIsNot) {
     EXPECT_EQ(found.scene.polygons.size(), 2U);
     EXPECT_EQ(stats.whole, 0U);
   }
+  engine.change = nullptr;
+  CheckStats stats;
+  EXPECT_FALSE(checked(trace, {.engine = &engine, .cgal = false, .wholeEvery = 0}, stats));
+  EXPECT_EQ(stats.cgal, 0U);
 }
 
 TEST(CheckEngines, WithoutTheNaiveReferenceCgalTells) {
@@ -196,6 +190,39 @@ TEST(CheckEngines, AnIslandThatIsMissingIsTold) {
   EXPECT_TRUE(found.text.starts_with("missing island: westernmost vertex (0, 0)")) << found.text;
 }
 
+TEST(CheckEngines, OfJoinedSegmentsCgalTellsNoGhostsWhereSomethingIsPreserved) {
+  Capabilities can = Capabilities::all();
+  can.merged = true;
+  Wrong engine(can);
+  engine.change = [](Outline& o) {
+    for (OutlineSegment& s : o) s.block = 9;
+  };
+  for (const bool preserves : {true, false}) {
+    Trace trace{{}, {square("a", {0, 0}, 1), square("b", {1, 0}, 2)}};
+    if (preserves) trace.preserve.add(1, 2);
+    CheckStats stats;
+    const Mismatch found = must(checked(trace, {.engine = &engine, .naive = false}, stats));
+    EXPECT_EQ(found.can.ghosts, !preserves);
+  }
+}
+
+// The limits of a cell are this library's; and some engines refuse nothing.
+TEST(CheckEngines, AreNotAskedForWhatTheyNeedNotRefuse) {
+  const Trace crowded = crowdedCase(Crowd::polygons, kCrowdedEdits, 1);
+  Wrong engine;
+  EXPECT_FALSE(check(engine, crowded));
+  const auto isAdd = [](const Edit& edit) { return edit.kind == Edit::Kind::add; };
+  const auto good = std::ranges::count_if(withoutRefused(crowded).edits, isAdd);
+  EXPECT_LT(good, std::ranges::count_if(crowded.edits, isAdd));
+  EXPECT_LE(engine.adds, 2 * static_cast<std::size_t>(good)) << "once, and at most once more in another order";
+
+  Capabilities can = Capabilities::all();
+  can.refuses = false;
+  Wrong careless(can);
+  EXPECT_FALSE(check(careless, {{}, {square("a", {0, 0}), square("b", {0, 0})}}));
+  EXPECT_EQ(careless.adds, 1U + 1U) << "once, and once more in another order";
+}
+
 TEST(CheckEngines, BrushesAreForThisLibraryAlone) {
   Wrong engine;
   CheckStats stats;
@@ -214,83 +241,6 @@ TEST(CheckEngines, AnEditThatIsRightlyRefusedEndsIt) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().line, 3U);
   EXPECT_TRUE(result.error().text.starts_with("must be refused: ")) << result.error().text;
-}
-
-// --- This library's engine ----------------------------------------------------------------------------------------
-
-TEST(CheckStatistics, CountWhatWasDone) {
-  CheckStats stats;
-  Trace trace;
-  for (int k = 0; k < 7; ++k) {
-    trace.edits.push_back(square("p" + std::to_string(k), {2 * k, 0}));
-    trace.edits.push_back(Edit::commit());
-  }
-  EXPECT_FALSE(checked(trace, {}, stats));
-  EXPECT_EQ(stats.edits, 7U);
-  EXPECT_EQ(stats.commits, 7U);
-  EXPECT_EQ(stats.whole, 7U);
-  EXPECT_EQ(stats.naive, 7U);
-  EXPECT_EQ(stats.cgal, 7U);
-  EXPECT_EQ(stats.read, 1U) << "at the end; of the wholes every eighth";
-  trace.edits.push_back(Edit::commit());
-  EXPECT_FALSE(checked(trace, {}, stats));
-  EXPECT_EQ(stats.read, 1U + 2U);
-}
-
-TEST(CheckStatistics, CountDetoursAndRefusedBrushes) {
-  CheckStats stats;
-  for (std::uint64_t seed = 0; seed < 5; ++seed)
-    EXPECT_FALSE(checked(randomCase({3, 3, 60}, seed), {.skipRefused = true}, stats));
-  for (std::size_t k = 1; k < kDetours; ++k) EXPECT_GT(stats.detours[k], 0U) << kDetourNames[k];
-  stats = {};
-  const Trace beyond = mustParse("lgs-trace 2\ncarve 0 0 1e9 0 1e9 1e9\n");
-  EXPECT_FALSE(checked(beyond, {.skipRefused = true}, stats));
-  EXPECT_EQ(stats.refused, 1U);
-  EXPECT_FALSE(checkTrace(beyond, {}, stats));
-}
-
-// Views can not follow into a world that was loaded, so there no world is saved.
-TEST(CheckViews, AreFollowedWhereTheyAreAskedFor) {
-  CheckStats stats;
-  for (std::uint64_t seed = 0; seed < 5; ++seed)
-    EXPECT_FALSE(checked(randomCase({3, 3, 60}, seed), {.skipRefused = true, .views = true}, stats));
-  for (std::size_t k = 1; k < kDetours; ++k)
-    EXPECT_EQ(stats.detours[k] > 0, static_cast<Detour>(k) != Detour::saved) << kDetourNames[k];
-}
-
-// --- Calls ------------------------------------------------------------------------------------------------------------
-
-Call call(Call::Kind kind) {
-  Call call;
-  call.kind = kind;
-  return call;
-}
-
-Call adding(Cell cell) {
-  Call add = call(Call::Kind::add);
-  add.comes = {{cell, {test::unitSquare()}, 1}};
-  return add;
-}
-
-TEST(CheckCalls, AGroupIsKeptOrNot) {
-  for (const auto keeps : {Call::Keeps::always, Call::Keeps::never, Call::Keeps::ifAll}) {
-    CallCheck check({}, {});
-    Call group = call(Call::Kind::group);
-    group.group = {adding({0, 0}), adding({1, 0})};
-    group.keeps = keeps;
-    EXPECT_EQ(check.make(group), std::nullopt);
-    EXPECT_EQ(check.make(call(Call::Kind::commit)), std::nullopt);
-    EXPECT_EQ(check.world().stats().polygons, keeps == Call::Keeps::never ? 0U : 2U);
-  }
-}
-
-TEST(CheckCalls, WhatIsDoneBesideIsSeenAtTheNextCommitOrLoad) {
-  for (const auto kind : {Call::Kind::commit, Call::Kind::load}) {
-    CallCheck check({}, {});
-    EXPECT_EQ(check.make(adding({0, 0})), std::nullopt);
-    ASSERT_TRUE(check.world().add({5, 5}, kUnitSquare, 1));
-    EXPECT_EQ(check.make(call(kind)), inWords(call(kind)) + ": another number of polygons stands there");
-  }
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include "oracle/check/isolated.h"
 
 #include <gtest/gtest.h>
+#include <sys/time.h>
+#include <unistd.h>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -20,6 +22,18 @@ TEST(CheckIsolated, SaysHowItEnds) {
   EXPECT_EQ(crashOf([] { std::raise(SIGSEGV); }, kQuiet), "crashed with SIGSEGV");
   EXPECT_EQ(crashOf([] { std::_Exit(1); }, kQuiet), "crashed");
   EXPECT_EQ(crashOf([] { throw std::runtime_error("oh"); }, kQuiet), "crashed");
+}
+
+TEST(CheckIsolated, WaitsAlthoughASignalComes) {
+  struct sigaction handled {
+  }, before{};
+  handled.sa_handler = [](int) {};
+  sigaction(SIGALRM, &handled, &before);
+  const itimerval soon{{}, {0, 50'000}}, never{};
+  setitimer(ITIMER_REAL, &soon, nullptr);
+  EXPECT_EQ(crashOf([] { usleep(200'000); }, {.seconds = 5, .asleep = 0}), std::nullopt);
+  setitimer(ITIMER_REAL, &never, nullptr);
+  sigaction(SIGALRM, &before, nullptr);
 }
 
 TEST(CheckIsolated, KeepsWhatIsShared) {

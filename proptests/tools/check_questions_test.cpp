@@ -34,6 +34,16 @@ TEST(CheckQuestions, AgreesAboutEveryPlace) {
   forEachPoint([&](Point p) { EXPECT_EQ(wrongSpot(world, p), ""); });
 }
 
+// Of two cells the left one comes first, although its polygon has the greater handle.
+TEST(CheckQuestions, AgreesAboutAPlaceBetweenTwoChunks) {
+  World world;
+  const PolygonHandle right = place(world, {0, 0}, test::unitSquare()),
+                      left = place(world, {-1, 0}, test::unitSquare());
+  ASSERT_LT(right, left);
+  EXPECT_EQ(world.at({0, U / 2}).polygon, left);
+  EXPECT_EQ(wrongSpot(world, {0, U / 2}), "");
+}
+
 TEST(CheckQuestions, AgreesAboutTheNearestSegmentOfEveryPlace) {
   const World world = someWorld();
   const std::vector<Segment> segments = segmentsOf(world);
@@ -44,7 +54,8 @@ TEST(CheckQuestions, AgreesAboutTheNearestSegmentOfEveryPlace) {
 TEST(CheckQuestions, AgreesAboutRaysFromEveryPlace) {
   const World world = someWorld();
   const std::vector<Segment> segments = segmentsOf(world);
-  for (const Point to : {Point{U / 2, U / 2}, Point{9 * U / 4, U / 8}, Point{-U, 5 * U / 2}, Point{4 * U, 4 * U}})
+  for (const Point to :
+       {Point{4 * U, 0}, Point{U / 2, U / 2}, Point{9 * U / 4, U / 8}, Point{-U, 5 * U / 2}, Point{4 * U, 4 * U}})
     forEachPoint([&](Point p) { EXPECT_EQ(wrongRay(world, segments, p, to), ""); });
 }
 
@@ -72,10 +83,16 @@ TEST(CheckQuestions, AsksWhereSomethingHappens) {
   place(world, {0, 0}, test::unitSquare());
   world.commit();
   Random random(1);
-  int onTheOutline = 0;
-  for (int k = 0; k < 1'000; ++k)
-    if (world.at(somePoint(world, random)).where == Spot::Where::edge) ++onTheOutline;
+  int onTheOutline = 0, farRight = 0, farAbove = 0;  // of the square
+  for (int k = 0; k < 1'000; ++k) {
+    const Point p = somePoint(world, random);
+    if (world.at(p).where == Spot::Where::edge) ++onTheOutline;
+    if (p.x > 2 * U) ++farRight;
+    if (p.y > 2 * U) ++farAbove;
+  }
   EXPECT_GT(onTheOutline, 250);
+  EXPECT_GT(farRight, 50);
+  EXPECT_GT(farAbove, 50);
 }
 
 }  // namespace

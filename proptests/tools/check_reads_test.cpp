@@ -1,9 +1,9 @@
 // What reads a world agrees with a right one, and complains, each time in other words, where the world is not what the
 // model or the mirror says.
+#include "checking.h"
 #include "oracle/check/reads.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/mirror.h"
-#include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -15,10 +15,6 @@ using test::U;
 using Segments = std::vector<Segment>;
 
 std::string textOf(const std::optional<WrongRead>& wrong) { return wrong ? wrong->text : ""; }
-
-Edit square(const std::string& name, Cell cell, Block block = 1) {
-  return Edit::add(name, {cell, block, test::unitSquare()});
-}
 
 // Two squares that touch in a corner, one that went, a floor in two pieces, and a small polygon far away.
 class CheckReads : public testing::Test {

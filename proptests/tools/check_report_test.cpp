@@ -1,4 +1,5 @@
 // What is printed and saved of a mismatch, for engines that are wrong once there are two polygons.
+#include "checking.h"
 #include "oracle/check/reference_engine.h"
 #include "oracle/check/report.h"
 #include "oracle/check/shell.h"
@@ -6,7 +7,6 @@
 #include "oracle/trace/file.h"
 #include "proptests/support/command.h"
 #include "proptests/support/must.h"
-#include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -19,10 +19,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using test::must;
-
-Edit square(const std::string& name, Cell cell, Block block = 1) {
-  return Edit::add(name, {cell, block, test::unitSquare()});
-}
 
 /// Four squares, each committed. What an engine gets wrong with two of them shows after the fourth edit.
 Trace fourSquares() {
@@ -163,6 +159,13 @@ TEST_F(CheckReport, OfACrashHasTheSmallestTraceThatCrashes) {
   expectSaid(text, "\nlook at it ");
   EXPECT_EQ(saved().edits.size(), 2U);
   expectSaid(get("some where/found.svg"), "the engine crashed with SIGABRT");
+}
+
+TEST_F(CheckReport, OfACrashShowsWhatIsPreserved) {
+  Trace trace{{}, {square("a", {0, 0}, 1), square("b", {1, 0}, 2)}};
+  const std::string without = drawWithoutEngine(trace, "title");
+  trace.preserve.add(1, 2);
+  EXPECT_NE(drawWithoutEngine(trace, "title"), without);
 }
 
 TEST_F(CheckReport, OfACrashThatIsNotThereAgain) {
