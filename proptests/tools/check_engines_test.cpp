@@ -74,6 +74,20 @@ TEST(CheckEngines, ARightOneIsFoundRight) {
   EXPECT_FALSE(ReferenceEngine(false, true).can().preserve);
 }
 
+TEST(CheckEngines, TheReferencesSayWhyTheyRefuse) {
+  ReferenceEngine engine(true, true);
+  engine.reset({});
+  engine.add("a", {{0, 0}, 1, test::unitSquare()});
+  engine.add("a", {{1, 0}, 1, test::unitSquare()});
+  engine.remove("b");
+  engine.add("c", {{0, 0}, 1, test::unitSquare()});
+  const std::vector<RefusedEdit> all = engine.commit().value();
+  std::vector<std::string> said;
+  for (const RefusedEdit& refused : all) said.push_back(refused.name + ": " + refused.reason);
+  EXPECT_EQ(said, (std::vector<std::string>{"a: name in use", "b: unknown name", "c: overlap"}));
+  EXPECT_TRUE(engine.commit().value().empty());
+}
+
 TEST(CheckEngines, AnotherOutlineIsToldWithAllThatBelongsToIt) {
   Wrong engine;
   engine.change = [](Outline& o) {

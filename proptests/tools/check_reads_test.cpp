@@ -150,6 +150,21 @@ TEST_F(CheckReads, SeesThatACellHasNothing) {
   EXPECT_TRUE(readSegments(world(), segments_));
 }
 
+// A cell with few segments between two with many: a rectangle from one of these to the other holds it.
+TEST_F(CheckReads, SeesThatACellBetweenOthersHasNothing) {
+  start();
+  LocalPolygon comb{{0, U}, {0, 0}};
+  for (std::int32_t k = 1; k < 200; ++k) comb.push_back({7 * k, k % 2});
+  for (const auto& [name, cell] : {std::pair{"left", Cell{0, 0}}, {"right", Cell{9, 0}}})
+    EXPECT_TRUE(player_.apply(Edit::add(name, {cell, 1, comb})));
+  EXPECT_TRUE(player_.apply(square("middle", {5, 0})));
+  commit();
+  for (Segment& s : segments_)
+    if (s.id && s.cell == Cell{5, 0}) s.cell = {5, 500};
+  EXPECT_EQ(textOf(readSegments(world(), segments_)),
+            "406 segments in cells (0, 0) to (9, 0), but there should be 402, or others");
+}
+
 TEST_F(CheckReads, SeesOtherLoops) {
   Segments broken = segments_;
   for (Segment& s : broken) s.successor = {};

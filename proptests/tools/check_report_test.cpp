@@ -192,6 +192,15 @@ TEST_F(CheckReport, HurriesAnEngineThatHangsWhileItIsLookedForAgain) {
   }
 }
 
+TEST_F(CheckReport, IsNoSmallerThanWhatABegunEngineShows) {
+  Wrong engine([](Outline&) {});
+  const Trace trace = fourSquares();
+  Mismatch found;
+  found.edits = 4;
+  const auto untilRestarted = [&](const Trace&) { return engine.restarts == 0 ? std::optional(found) : std::nullopt; };
+  EXPECT_EQ(shrinkWithEngine(found, trace, engine, untilRestarted, 60s), untilFound(trace, found));
+}
+
 // --- The report on a whole engine -------------------------------------------------------------------------------------
 
 class CheckSurvey : public CheckReport {
@@ -216,6 +225,7 @@ TEST_F(CheckSurvey, KeepsTheSmallestTraceOfEachKind) {
              "\n| wrong block | 1 | [2 edits](wrong-block.trace) | [wrong-block.svg](wrong-block.svg) | "
              "[wrong-block.html](wrong-block.html) |\n");
   expectSaid(md, "\n## wrong block\n\n    lgs-trace 1\n    add p1 ");
+  expectSaid(md, "\n    after edit 2 (1 commit): the outline differs from the naive reference's:\n    wrong block: ");
   expectSaid(get("report/report.html"),
              "<tr><td><a href=\"#wrong-block\">wrong block</a><td>1<td><a "
              "href=\"wrong-block.trace\">2 edits</a>");

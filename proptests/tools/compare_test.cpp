@@ -104,6 +104,23 @@ TEST(Compare, RecognisesOverlapsAndCuts) {
   EXPECT_NE(differences(outline, cut).find("it should go on to (1, 0)"), std::string::npos);
 }
 
+TEST(Compare, RecognisesWallsThatAreLostAndTurned) {
+  const OutlineSegment up{point({0.5, 0.25}), point({0.5, 0.5}), 1, {}, {}}, down{up.end, up.start, 2, {}, {}};
+  const auto notes = [](const Outline& expected, const Outline& actual) {
+    std::vector<std::string> all;
+    for (const Difference& difference : compare(expected, actual)) all.push_back(difference.note);
+    return all;
+  };
+  using Notes = std::vector<std::string>;
+  EXPECT_EQ(notes({up, down}, {up}), Notes{"an overlap to be preserved, of which only the other side is there"});
+  EXPECT_EQ(notes({up, down}, {}), Notes(2, "an overlap to be preserved, cancelled"));
+  EXPECT_EQ(notes({up}, {}), Notes{""});
+  EXPECT_EQ(notes({}, {up}), Notes{""});
+  EXPECT_EQ(notes({up}, {down}),
+            (Notes{"it is there in the opposite direction", "only the opposite direction should be there"}));
+  EXPECT_EQ(notes({}, {{up.start, up.start, 1, {}, {}}}), Notes{"it has no length"});
+}
+
 TEST(Compare, Owners) {
   const OwnedOutline expected{chain({{-0.25, -1}, {0, -1}, {0, 0}}), {4, 4, 5}};
   OwnedOutline actual = expected;

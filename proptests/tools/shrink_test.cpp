@@ -158,6 +158,8 @@ TEST(ShrinkPolygon, TriesTheSquareAndItsHalvesWhereTheyAreSimpler) {
   EXPECT_EQ(simplerPolygon(plain[1], 2), plain[2]) << "one zero more";
   EXPECT_EQ(simplerPolygon(plain[2], 1), std::nullopt);
   EXPECT_EQ(simplerPolygon({{0, 0}, {U, 0}, {U, 3}}, 1), plain[1]);
+  EXPECT_EQ(simplerPolygon({{0, 0}, {U / 2, 0}, {0, U / 2}}, 4), std::nullopt) << "a half counts as two wholes";
+  EXPECT_EQ(simplerPolygon({{0, 0}, {U / 2, 0}, {0, U / 4}}, 4), plain[4]);
 }
 
 /// The polygons with one coordinate changed that are simpler than this one.
