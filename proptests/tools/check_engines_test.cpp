@@ -9,6 +9,9 @@
 
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
 
 namespace lgs::oracle::engines {
 namespace {

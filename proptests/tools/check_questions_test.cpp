@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace lgs::oracle::asking {
 namespace {

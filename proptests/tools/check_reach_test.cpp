@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace lgs::oracle::reaching {
 namespace {

@@ -5,8 +5,12 @@
 #include "oracle/trace/dump.h"
 #include "oracle/trace/mirror.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace lgs::oracle::reading {
 namespace {

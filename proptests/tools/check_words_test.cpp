@@ -9,6 +9,10 @@
 #include "outlines_by_hand.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <utility>
 
 namespace lgs::oracle::telling {
 namespace {

@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace lgs::oracle::shrinking {
 namespace {
