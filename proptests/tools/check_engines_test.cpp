@@ -86,6 +86,7 @@ TEST(CheckEngines, TheReferencesSayWhyTheyRefuse) {
   engine.add("c", {{0, 0}, 1, test::unitSquare()});
   const std::vector<RefusedEdit> all = engine.commit().value();
   std::vector<std::string> said;
+  said.reserve(all.size());
   for (const RefusedEdit& refused : all) said.push_back(refused.name + ": " + refused.reason);
   EXPECT_EQ(said, (std::vector<std::string>{"a: name in use", "b: unknown name", "c: overlap"}));
   EXPECT_TRUE(engine.commit().value().empty());
@@ -170,7 +171,7 @@ TEST(CheckEngines, WhatTheOrderOfEditsChangesIsTold) {
 
 TEST(CheckEngines, OtherRefusalsAreTold) {
   Wrong engine;
-  engine.answer = [](std::vector<RefusedEdit>) -> Engine::Refusals { return std::vector<RefusedEdit>(); };
+  engine.answer = [](const std::vector<RefusedEdit>&) -> Engine::Refusals { return std::vector<RefusedEdit>(); };
   const auto textOf = [&](const Edit& edit) {
     const Mismatch found = must(check(engine, {{}, {square("a", {0, 0}), edit}}));
     EXPECT_EQ(found.kind, Kind::verdict);
@@ -184,7 +185,7 @@ TEST(CheckEngines, OtherRefusalsAreTold) {
 TEST(CheckEngines, NoAnswerIsToldWithWhatItShouldHaveBeen) {
   Wrong engine;
   int commits = 0;
-  engine.answer = [&](std::vector<RefusedEdit> refused) -> Engine::Refusals {
+  engine.answer = [&](const std::vector<RefusedEdit>& refused) -> Engine::Refusals {
     if (++commits == 2) return tl::unexpected(Failure{Failure::Kind::hang, "is silent"});
     return refused;
   };

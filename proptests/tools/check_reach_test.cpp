@@ -29,13 +29,13 @@ const ScenePolygon kSquare{{0, 0}, 1, test::eighths({{2, 2}, {6, 2}, {6, 6}, {2,
 // Whether they meet, whichever vertex each of the two begins with, and whichever way the ring runs around.
 void expectMeets(Ring ring, bool meets, const std::string& what) {
   for (std::size_t k = 0; k < 2 * ring.size(); ++k) {
-    if (k == ring.size()) std::ranges::reverse(ring);
+    if (k == ring.size()) std::reverse(ring.begin(), ring.end());
     ScenePolygon square = kSquare;
     for (int corner = 0; corner < 4; ++corner) {
       EXPECT_EQ(mayMeet(brush({ring}), square), meets) << what << ", from vertex " << k << ", corner " << corner;
-      std::ranges::rotate(square.vertices, square.vertices.begin() + 1);
+      std::rotate(square.vertices.begin(), square.vertices.begin() + 1, square.vertices.end());
     }
-    std::ranges::rotate(ring, ring.begin() + 1);
+    std::rotate(ring.begin(), ring.begin() + 1, ring.end());
   }
 }
 
