@@ -108,7 +108,6 @@ void sortForReading(std::vector<Difference>& found) {
 
 std::vector<Difference> compare(const Outline& expected, const Outline& actual) {
   std::vector<Difference> found;
-  if (expected == actual) return found;
   walkBoth(
       expected, actual,
       [&](std::size_t e) {

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <string>
 
 namespace lgs::oracle {
 namespace {
@@ -53,6 +54,19 @@ TEST(Window, KnowsTheCellOfASegment) {
   EXPECT_EQ(cell({0, 0}, {U, U}), (Cell{0, 0}));
   EXPECT_EQ(cell({-U, -1}, {-U, 0}), (Cell{-2, -1}));
   EXPECT_EQ(cell({-5, -5}, {-3, -9}), (Cell{-1, -1}));
+}
+
+TEST(Window, HasTheCellsAroundAndWhatStandsThere) {
+  const CellSet nine = around({{5, -5}});
+  EXPECT_EQ(nine.size(), 9U);
+  EXPECT_TRUE(nine.contains({4, -6}) && nine.contains({6, -4}) && nine.contains({5, -5}));
+  EXPECT_EQ(around({{0, 0}, {1, 0}}).size(), 12U);
+
+  Model model;
+  for (const Cell cell : {Cell{4, -6}, Cell{5, -5}, Cell{7, -5}})
+    model.apply(Edit::add("a" + std::to_string(cell.i), {cell, 1, test::unitSquare()}));
+  EXPECT_EQ(sceneOf(model, {}, nine).polygons.size(), 2U);
+  EXPECT_EQ(sceneOf(model, CellRect{{5, -5}, {7, -5}}).polygons.size(), 2U);
 }
 
 TEST(Generator, MakesAsManyEditsAsAskedFor) {

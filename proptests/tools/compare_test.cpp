@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace lgs::oracle {
 namespace {
@@ -40,6 +41,9 @@ TEST(Canonical, FollowsOnlyMutualLinks) {
       broken[k].ghost2 = wrong;
       EXPECT_EQ(followLinks(broken), std::nullopt);
     }
+    Outline broken = outline;
+    --broken[k].ghost2->y;  // no segment leads there; the next one in order is the right one
+    EXPECT_EQ(followLinks(broken), std::nullopt);
   }
 }
 
@@ -71,6 +75,18 @@ TEST(Compare, SaysWhatDiffersAndWhere) {
             "extra segment: (1, 0) → (2, 0), the bottom of cell (1, 0), block 7: it is there twice\n");
 }
 
+TEST(Compare, TellsMissingAndExtraSegmentsFirst) {
+  const Outline expected = together({chain({{0, 0}, {1, 0}, {1, 1}, {0, 1}})});
+  Outline actual = expected;
+  actual[0].block = 9;
+  actual.pop_back();
+  actual.push_back({point({2, 0}), point({3, 0}), 0, {}, {}});
+  using enum Difference::Kind;
+  std::vector<Difference::Kind> kinds;
+  for (const Difference& difference : compare(expected, actual)) kinds.push_back(difference.kind);
+  EXPECT_EQ(kinds, (std::vector{missing, extra, block}));
+}
+
 TEST(Compare, RecognisesOverlapsAndCuts) {
   const Outline outline = together({chain({{0, 0}, {1, 0}, {1, 1}, {0, 1}})});
   const Outline overlap = together(
@@ -86,6 +102,23 @@ TEST(Compare, RecognisesOverlapsAndCuts) {
             "missing segment: (0, 0) → (0+21845/65536, 0), the bottom of cell (0, 0), block 0: not cut at "
             "(0+21845/65536, 0)\n... and 4 more\n");
   EXPECT_NE(differences(outline, cut).find("it should go on to (1, 0)"), std::string::npos);
+}
+
+TEST(Compare, RecognisesWallsThatAreLostAndTurned) {
+  const OutlineSegment up{point({0.5, 0.25}), point({0.5, 0.5}), 1, {}, {}}, down{up.end, up.start, 2, {}, {}};
+  const auto notes = [](const Outline& expected, const Outline& actual) {
+    std::vector<std::string> all;
+    for (const Difference& difference : compare(expected, actual)) all.push_back(difference.note);
+    return all;
+  };
+  using Notes = std::vector<std::string>;
+  EXPECT_EQ(notes({up, down}, {up}), Notes{"an overlap to be preserved, of which only the other side is there"});
+  EXPECT_EQ(notes({up, down}, {}), Notes(2, "an overlap to be preserved, cancelled"));
+  EXPECT_EQ(notes({up}, {}), Notes{""});
+  EXPECT_EQ(notes({}, {up}), Notes{""});
+  EXPECT_EQ(notes({up}, {down}),
+            (Notes{"it is there in the opposite direction", "only the opposite direction should be there"}));
+  EXPECT_EQ(notes({}, {{up.start, up.start, 1, {}, {}}}), Notes{"it has no length"});
 }
 
 TEST(Compare, Owners) {

@@ -151,6 +151,12 @@ TEST(Reference, CollinearVerticesOfTheInputStay) {
                {chain({{0, 0}, {0.5, 0}, {1, 0}, {1, 1}, {0, 1}})});
 }
 
+TEST(Reference, VerticesAUnitApart) {
+  const double unit = 1. / kUnitsPerCell;
+  expectChains({{polygon({0, 0}, 0, {{0, 0}, {unit, 0}, {2 * unit, 0}, {1, 0}, {1, 1}, {0, 1}})}, {}},
+               {chain({{0, 0}, {unit, 0}, {2 * unit, 0}, {1, 0}, {1, 1}, {0, 1}})});
+}
+
 TEST(Reference, FarCells) {
   const auto expectSquareAt = [](Cell cell) {
     const double i = cell.i;

@@ -1,0 +1,78 @@
+// Which polygons a brush may meet, and which of its changes are blamed on it (law 9).
+#include "oracle/check/reach.h"
+#include "proptests/support/worlds.h"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lgs::oracle::reaching {
+namespace {
+
+using test::U;
+using Ring = std::vector<Point>;  // in eighths of a cell
+
+Ring box(std::int64_t left, std::int64_t bottom, std::int64_t right, std::int64_t top) {
+  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+}
+
+BrushEdit brush(std::vector<Ring> rings, bool isEvenOdd = true) {
+  for (Ring& ring : rings)
+    for (Point& p : ring) p = {p.x * U / 8, p.y * U / 8};
+  return {.rings = std::move(rings), .isEvenOdd = isEvenOdd};
+}
+
+const ScenePolygon kSquare{{0, 0}, 1, test::eighths({{2, 2}, {6, 2}, {6, 6}, {2, 6}})};
+
+// Whether they meet, whichever vertex each of the two begins with, and whichever way the ring runs around.
+void expectMeets(Ring ring, bool meets, const std::string& what) {
+  for (std::size_t k = 0; k < 2 * ring.size(); ++k) {
+    if (k == ring.size()) std::reverse(ring.begin(), ring.end());
+    ScenePolygon square = kSquare;
+    for (int corner = 0; corner < 4; ++corner) {
+      EXPECT_EQ(mayMeet(brush({ring}), square), meets) << what << ", from vertex " << k << ", corner " << corner;
+      std::rotate(square.vertices.begin(), square.vertices.begin() + 1, square.vertices.end());
+    }
+    std::rotate(ring.begin(), ring.begin() + 1, ring.end());
+  }
+}
+
+TEST(CheckReach, OfOneRing) {
+  expectMeets(box(7, 7, 8, 8), false, "beside it");
+  expectMeets(box(0, 0, 1, 8), false, "along it");
+  expectMeets(box(6, 6, 8, 8), true, "corner to corner");
+  expectMeets(box(6, 3, 8, 5), true, "side to side");
+  expectMeets(box(3, 0, 5, 8), true, "across it");
+  expectMeets(box(3, 3, 5, 5), true, "within it");
+  expectMeets(box(0, 0, 8, 8), true, "around it");
+  expectMeets({{8, 4}, {8, 0}, {4, 0}}, true, "a corner on a slanted edge");
+  expectMeets({{8, 3}, {8, 0}, {5, 0}}, false, "a corner near a slanted edge");
+  expectMeets({{0, 0}, {8, 0}, {7, 2}, {8, 8}, {0, 8}}, true, "around it, with a vertex as high as its lower side");
+  expectMeets({{4, 0}, {4, 2}}, true, "two vertices, which enclose nothing");
+  expectMeets({{4, 0}, {4, 1}}, false, "two vertices below");
+}
+
+TEST(CheckReach, OfSeveralRings) {
+  const std::vector<Ring> withAHole{box(0, 0, 8, 8), box(1, 1, 7, 7)}, twice{box(0, 0, 8, 8), box(0, 0, 7, 7)};
+  EXPECT_FALSE(mayMeet(brush(withAHole), kSquare));
+  EXPECT_TRUE(mayMeet(brush(withAHole, false), kSquare));
+  EXPECT_TRUE(mayMeet(brush({{}, box(7, 7, 8, 8), box(5, 5, 7, 7)}), kSquare));
+  EXPECT_FALSE(mayMeet(brush({{}, box(7, 7, 8, 8), box(7, 0, 8, 1)}), kSquare));
+  EXPECT_FALSE(mayMeet(brush({box(7, 7, 8, 8)}, false), kSquare));
+  EXPECT_FALSE(mayMeet(brush({}), kSquare));
+}
+
+TEST(CheckReach, BlamesWhatIsNeitherReachedNorBent) {
+  Brushed done;
+  done.edits = {Edit::remove("a"), Edit::add("b", kSquare)};
+  done.went["a"] = kSquare;
+  EXPECT_EQ(wrongReach(brush({box(7, 7, 8, 8)}), done), "'a' has changed, but is not reached");
+  EXPECT_EQ(wrongReach(brush({box(5, 5, 8, 8)}), done), "");
+  done.bent = {"a"};
+  EXPECT_EQ(wrongReach(brush({box(7, 7, 8, 8)}), done), "");
+}
+
+}  // namespace
+}  // namespace lgs::oracle::reaching

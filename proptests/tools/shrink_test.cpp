@@ -1,0 +1,216 @@
+// The steps by which a trace is made smaller: which candidates there are, and in which order.
+#include "oracle/check/shrink.h"
+#include "oracle/check/simpler.h"
+#include "proptests/support/worlds.h"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lgs::oracle::shrinking {
+namespace {
+
+using namespace std::chrono_literals;
+using test::U;
+
+Edit square(const std::string& name, Cell cell, Block block = 1, Way way = Edit::plainWay(Edit::Kind::add)) {
+  Edit edit = Edit::add(name, {cell, block, test::unitSquare()});
+  edit.way = way;
+  return edit;
+}
+
+Edit painting(std::vector<std::vector<Point>> rings, Block block = 1) {
+  return Edit::byBrush({BrushEdit::Deed::fill, block, std::move(rings)});
+}
+
+/// All candidates of a walk that accepts none.
+std::vector<Trace> candidatesOf(const Trace& trace) {
+  ShrinkWalk walk(trace);
+  std::vector<Trace> candidates;
+  while (auto candidate = walk.next()) candidates.push_back(std::move(*candidate));
+  return candidates;
+}
+
+bool has(const std::vector<Trace>& candidates, const Trace& trace) {
+  return std::ranges::find(candidates, trace) != candidates.end();
+}
+
+bool isPlain(const Edit& edit) { return edit.way == Edit::plainWay(edit.kind); }
+
+// --- Traces -----------------------------------------------------------------------------------------------------------
+
+TEST(ShrinkWalk, BeginsWithPlainWaysAndPlainNames) {
+  const Way way{Door::shape, Detour::marked, false, 3};
+  const Trace trace{{}, {square("a", {0, 0}, 1, way), Edit::commit(), Edit::remove("a")}};
+  ShrinkWalk walk(trace);
+  EXPECT_EQ(walk.next(), (Trace{{}, {square("p1", {0, 0}), Edit::commit(), Edit::remove("p1")}}));
+  EXPECT_EQ(walk.next(), (Trace{{}, {square("p1", {0, 0}, 1, way), Edit::commit(), Edit::remove("p1")}}));
+  EXPECT_EQ(walk.best(), trace);
+}
+
+TEST(ShrinkWalk, DropsHalfOfTheEditsAndThenTheOtherHalf) {
+  const std::vector<Edit> edits{square("p1", {0, 0}), square("p2", {1, 0}), square("p3", {2, 0}), square("p4", {3, 0})};
+  const Trace half{{}, {edits[0], edits[1]}};
+  ShrinkWalk walk({{}, edits});
+  EXPECT_EQ(walk.next(), half);
+  walk.accept(half);
+  EXPECT_EQ(walk.next(), Trace());
+  EXPECT_EQ(walk.next(), (Trace{{}, {edits[0]}}));
+}
+
+TEST(ShrinkWalk, TakesARemovalAwayWithItsPolygon) {
+  const auto candidates = candidatesOf({{}, {square("p1", {0, 0}), Edit::remove("p1"), square("p2", {1, 0})}});
+  EXPECT_TRUE(has(candidates, {{}, {square("p2", {1, 0})}}));
+  EXPECT_FALSE(has(candidates, {{}, {Edit::remove("p1"), square("p2", {1, 0})}}));
+}
+
+TEST(ShrinkWalk, MakesOneWayAfterTheOtherPlain) {
+  const Way way{Door::shape, Detour::marked, true, 3};
+  std::set<std::vector<int>> ways;  // detour, joins, number, of what still takes the door
+  for (const Trace& trace : candidatesOf({{}, {square("p1", {0, 0}, 1, way)}}))
+    if (trace.edits.size() == 1 && trace.edits[0].way.door == Door::shape)
+      ways.insert({static_cast<int>(trace.edits[0].way.detour), trace.edits[0].way.joins ? 1 : 0,
+                   static_cast<int>(trace.edits[0].way.number)});
+  const int marked = static_cast<int>(Detour::marked);
+  EXPECT_EQ(ways, (std::set<std::vector<int>>{{marked, 1, 3}, {marked, 0, 3}, {0, 1, 0}}));
+}
+
+// With two edits one way must be plain and the other one not; with one edit it must be plain.
+TEST(ShrinkWalk, DropsEditsAgainOnceAWayIsPlain) {
+  const Way way{Door::shape, Detour::marked, false, 3};
+  const auto stillFails = [](const Trace& trace) {
+    const auto plain = std::ranges::count_if(trace.edits, isPlain);
+    return trace.edits.size() == 2 ? plain < 2 : trace.edits.size() == 1 && plain == 1;
+  };
+  const Trace small = shrink({{}, {square("a", {0, 0}, 1, way), square("b", {1, 0}, 1, way)}}, stillFails, 60s);
+  EXPECT_EQ(small, (Trace{{}, {Edit::add("p1", small.edits.at(0).polygon)}}));
+}
+
+TEST(ShrinkWalk, DropsTheLastOfSeveralEditsByItself) {
+  const auto hasThree = [](const Trace& trace) {
+    std::set<std::int32_t> rows;
+    for (const Edit& edit : trace.edits) rows.insert(edit.polygon.cell.j);
+    return rows.contains(1) && rows.contains(2) && rows.contains(3);
+  };
+  const Trace small =
+      shrink({{}, {square("a", {0, 1}), square("b", {0, 2}), square("c", {0, 3}), square("d", {0, 4})}}, hasThree, 60s);
+  EXPECT_EQ(small.edits.size(), 3U);
+}
+
+TEST(ShrinkWalk, NumbersBlocksInTheOrderOfTheirUse) {
+  Trace trace{{}, {square("p1", {0, 0}, 9), square("p2", {1, 0}, 7), painting({{{0, 0}, {U, 0}, {0, U}}}, 8)}};
+  trace.preserve.add(7, 9);
+  trace.preserve.add(8, 20);
+  Trace numbered{{}, {square("p1", {0, 0}, 1), square("p2", {1, 0}, 2), painting({{{0, 0}, {U, 0}, {0, U}}}, 3)}};
+  numbered.preserve.add(1, 2);
+  numbered.preserve.add(3, 4);
+  EXPECT_TRUE(has(candidatesOf(trace), numbered));
+}
+
+TEST(ShrinkWalk, DropsOnePairAfterTheOther) {
+  Trace trace{{}, {square("p1", {0, 0})}};
+  for (const auto& [a, b] : {std::pair{1U, 2U}, {1U, 3U}, {2U, 3U}}) trace.preserve.add(a, b);
+  std::size_t without = 0;
+  for (const Trace& candidate : candidatesOf(trace))
+    if (candidate.edits == trace.edits && candidate.preserve.pairs().size() == 2) ++without;
+  EXPECT_EQ(without, 3U);
+}
+
+TEST(ShrinkWalk, MakesEachBlockOneByItself) {
+  const auto hasTwo = [](const Trace& trace) {
+    return trace.edits.size() == 5 && trace.edits[1].kind == Edit::Kind::commit;
+  };
+  const Trace small = shrink(
+      {{},
+       {square("p1", {0, 0}, 1), Edit::commit(), square("p2", {1, 0}, 2), Edit::remove("p1"), square("p3", {0, 0}, 3)}},
+      hasTwo, 60s);
+  ASSERT_EQ(small.edits.size(), 5U);
+  for (const std::size_t k : {0U, 2U, 4U}) EXPECT_EQ(small.edits[k].polygon.block, 1U);
+}
+
+TEST(ShrinkWalk, MovesLinesOfCellsTogetherAndToTheOrigin) {
+  const auto candidates = candidatesOf({{}, {square("p1", {5, 7}), square("p2", {9, 7})}});
+  const auto with = [](Cell a, Cell b) { return Trace{{}, {square("p1", a), square("p2", b)}}; };
+  for (const auto& [a, b] : {std::pair<Cell, Cell>{{5, 7}, {6, 7}},
+                             {{0, 7}, {4, 7}},
+                             {{-1, 7}, {3, 7}},
+                             {{5, 0}, {9, 0}},
+                             {{5, -1}, {9, -1}}})
+    EXPECT_TRUE(has(candidates, with(a, b))) << a.i << ", " << a.j;
+}
+
+TEST(ShrinkWalk, EndsWhereNothingIsAccepted) {
+  EXPECT_EQ(candidatesOf({}).size(), 0U);
+  EXPECT_EQ(candidatesOf({{}, {Edit::commit()}}), std::vector<Trace>{Trace()});
+}
+
+// --- Polygons and regions ----------------------------------------------------------------------------------------
+
+TEST(ShrinkPolygon, TriesTheSquareAndItsHalvesWhereTheyAreSimpler) {
+  const LocalPolygon odd{{0, 0}, {U, 1}, {U, U}, {1, U}};
+  const std::vector<LocalPolygon> plain{{{0, 0}, {U, 0}, {U, U}, {0, U}},
+                                        {{0, 0}, {U, 0}, {U, U}},
+                                        {{0, 0}, {U, 0}, {0, U}},
+                                        {{0, 0}, {U, U}, {0, U}},
+                                        {{U, 0}, {U, U}, {0, U}}};
+  for (std::size_t k = 0; k < plain.size(); ++k) EXPECT_EQ(simplerPolygon(odd, k), plain[k]) << k;
+  EXPECT_EQ(simplerPolygon(plain[1], 0), std::nullopt);
+  EXPECT_EQ(simplerPolygon(plain[1], 2), plain[2]) << "one zero more";
+  EXPECT_EQ(simplerPolygon(plain[2], 1), std::nullopt);
+  EXPECT_EQ(simplerPolygon({{0, 0}, {U, 0}, {U, 3}}, 1), plain[1]);
+  EXPECT_EQ(simplerPolygon({{0, 0}, {U / 2, 0}, {0, U / 2}}, 4), std::nullopt) << "a half counts as two wholes";
+  EXPECT_EQ(simplerPolygon({{0, 0}, {U / 2, 0}, {0, U / 4}}, 4), plain[4]);
+}
+
+/// The polygons with one coordinate changed that are simpler than this one.
+std::set<LocalPolygon> rounded(const LocalPolygon& polygon) {
+  std::set<LocalPolygon> all;
+  for (std::size_t k = 5; k < variantsOf(polygon); ++k)
+    if (const auto simple = simplerPolygon(polygon, k); simple && simple->size() == polygon.size()) all.insert(*simple);
+  return all;
+}
+
+TEST(ShrinkPolygon, RoundsEachCoordinateDownAndUp) {
+  const std::set<LocalPolygon> expected{{{0, 0}, {U, 0}, {U, U}},
+                                        {{0, 0}, {U, 0}, {U / 2, U}},
+                                        {{0, 0}, {U, 0}, {3 * U / 4, U}},
+                                        {{0, 0}, {U, 0}, {0, U}},
+                                        {{0, 0}, {U, 0}, {5 * U / 8 + 0, U}}};
+  std::set<LocalPolygon> found = rounded({{0, 0}, {U, 0}, {11 * U / 16, U}});
+  EXPECT_EQ(found, expected);
+  const LocalPolygon upright{{0, 0}, {U, 11 * U / 16}, {0, U}};
+  for (const LocalPolygon& simple : rounded(upright)) EXPECT_EQ(simple[1].x, U);
+  EXPECT_EQ(rounded(upright).size(), 5U);
+}
+
+TEST(ShrinkBrush, DropsRingsAndVerticesAndRoundsCoordinates) {
+  const std::vector<Point> ring{{-3, 0}, {8 * U, 5}, {0, 9 * U}, {-8, U}}, other{{0, 0}, {U, 0}, {0, U}};
+  const BrushEdit two{BrushEdit::Deed::carve, 0, {ring, other}}, one{BrushEdit::Deed::carve, 0, {ring}};
+  EXPECT_EQ(simplerBrush(two, 0), (BrushEdit{BrushEdit::Deed::carve, 0, {other}}));
+  EXPECT_EQ(simplerBrush(two, 1), one);
+  EXPECT_EQ(simplerBrush(one, 0), std::nullopt);
+  ASSERT_LT(variantsOf(one), 1'000U);
+  std::set<std::vector<Point>> rings;
+  for (std::size_t k = 0; k < variantsOf(one); ++k)
+    if (const auto simple = simplerBrush(one, k)) rings.insert(simple->rings.at(0));
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    std::vector<Point> without = ring;
+    without.erase(without.begin() + static_cast<std::ptrdiff_t>(k));
+    EXPECT_TRUE(rings.contains(without)) << k;
+  }
+  const auto with = [&](std::size_t vertex, Point p) {
+    std::vector<Point> changed = ring;
+    changed[vertex] = p;
+    return changed;
+  };
+  for (const Point p : {Point{-U, 0}, Point{0, 0}, Point{-4, 0}, Point{-2, 0}}) EXPECT_TRUE(rings.contains(with(0, p)));
+  for (const std::int64_t y : {0, U, 4, 6, 8}) EXPECT_TRUE(rings.contains(with(1, {8 * U, y}))) << y;
+  EXPECT_FALSE(rings.contains(ring));
+  EXPECT_FALSE(rings.contains(with(3, {-9, U}))) << "it is not rounder";
+}
+
+}  // namespace
+}  // namespace lgs::oracle::shrinking
