@@ -161,6 +161,9 @@ TEST(TiledWorlds, LimitsAreForAllMapsTogether) {
   EXPECT_NE(
       message(importFiles(files, {.maxTiles = 8, .maxPlacements = 3}).error()).find("more polygons than the limit"),
       std::string::npos);
+  const auto map = importFiles(files, {.solidWithoutShapes = true, .maxTiles = 7});  // no census has counted them
+  ASSERT_FALSE(map);
+  EXPECT_NE(message(map.error()).find("more tiles than the limit"), std::string::npos);
 }
 
 TEST(TiledWorlds, AnEmptyWorldSaysWhatCouldBeTaken) {
