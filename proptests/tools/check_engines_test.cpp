@@ -241,24 +241,24 @@ TEST(CheckEngines, AreNotAskedForWhatTheyNeedNotRefuse) {
   EXPECT_EQ(careless.adds, 1U + 1U) << "once, and once more in another order";
 }
 
-TEST(CheckEngines, BrushesAreForThisLibraryAlone) {
+/// Why a trace can not be checked with an engine at all.
+TraceError errorOf(const std::string& trace) {
   Wrong engine;
   CheckStats stats;
-  const Trace trace = mustParse("lgs-trace 2\ncommit\ncarve 0 0 1 0 1 1\n");
-  const auto result = checkTrace(trace, {.engine = &engine}, stats);
-  ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().line, 3U);
-  EXPECT_EQ(result.error().text, "only this library's engine has brushes");
+  const auto result = checkTrace(mustParse(trace), {.engine = &engine}, stats);
+  return result ? TraceError{} : result.error();
+}
+
+TEST(CheckEngines, BrushesAreForThisLibraryAlone) {
+  const TraceError error = errorOf("lgs-trace 2\ncommit\ncarve 0 0 1 0 1 1\n");
+  EXPECT_EQ(error.line, 3U);
+  EXPECT_EQ(error.text, "only this library's engine has brushes");
 }
 
 TEST(CheckEngines, AnEditThatIsRightlyRefusedEndsIt) {
-  Wrong engine;
-  CheckStats stats;
-  const Trace trace = mustParse("lgs-trace 1\nadd a 0 0 1 0 0 1 0 1 1\nadd b 0 0 1 0 0 1 0 1 1\n");
-  const auto result = checkTrace(trace, {.engine = &engine}, stats);
-  ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().line, 3U);
-  EXPECT_TRUE(result.error().text.starts_with("must be refused: ")) << result.error().text;
+  const TraceError error = errorOf("lgs-trace 1\nadd a 0 0 1 0 0 1 0 1 1\nadd b 0 0 1 0 0 1 0 1 1\n");
+  EXPECT_EQ(error.line, 3U);
+  EXPECT_TRUE(error.text.starts_with("must be refused: ")) << error.text;
 }
 
 }  // namespace
