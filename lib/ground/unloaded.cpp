@@ -24,11 +24,6 @@ bool isWithin(const CellRect& cells, std::int32_t ci, std::int32_t cj) {
 
 bool isAtRim(std::uint32_t local) { return !isInner(local); }
 
-/// A cell of the chunk at the origin.
-Cell cellOfLocal(std::uint32_t local) {
-  return {static_cast<std::int32_t>(local % kChunkSize), static_cast<std::int32_t>(local / kChunkSize)};
-}
-
 }  // namespace
 
 // --- Which chunks
@@ -64,13 +59,6 @@ std::optional<Cell> Ground::firstUnloaded(const CellRect& cells) const {
   return first;
 }
 
-Error Ground::noPolygon(PolygonHandle handle) const {
-  const Border* border = grid.border(handle.cellRef / kChunkCells);
-  if (!border) return {.code = ErrorCode::staleHandle, .other = handle};
-  const Cell first{border->ci * kChunkSize, border->cj * kChunkSize}, at = cellOfLocal(handle.cellRef % kChunkCells);
-  return {.code = ErrorCode::unloaded, .cell = {first.i + at.i, first.j + at.j}, .other = handle};
-}
-
 std::vector<std::uint32_t> Ground::forget(const CellRect& cells) {
   std::vector<std::uint32_t> gone;
   for (const std::uint32_t number : chunksWithin(cells, false))
@@ -80,13 +68,13 @@ std::vector<std::uint32_t> Ground::forget(const CellRect& cells) {
     const Chunk& chunk = grid.chunk(number);
     for (const Chunk* beside : chunk.around)
       if (beside && beside->isUnloaded) unsettled_.push_back(beside->index);
-    for (const CellWord word : chunk.cells) drop(word, lists_);
+    for (const CellWord word : chunk.cells) drop(word);
     grid.forget(number);
   }
   for (const std::uint32_t number : chunksWithin(cells, true)) {
     const Border& border = *grid.border(number);
     if (!grid.isAsleep(number) || grid.hasLoadedBeside(border)) continue;
-    for (const Border::Run& run : border.runs) drop(run.word, lists_);
+    for (const Border::Run& run : border.runs) drop(run.word);
     grid.forget(number);
     gone.push_back(number);
   }
@@ -100,8 +88,7 @@ void Ground::unload(std::uint32_t number, std::uint32_t checksum) {
   std::uint32_t lastSerial = 0;
   for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local)
     lastSerial = std::max(lastSerial, this->lastSerial(at));
-  const Note back = turn({number, checksum, lastSerial, Note::Of::turn});
-  if (isNoting()) notes_.push_back(back);
+  turnAround({number, checksum, lastSerial});
   for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local) {
     if (isAtRim(at.local) && !holdsNothing(at.word()))
       touchAgain(at);  // its segments are hidden from now on
@@ -116,10 +103,10 @@ void Ground::unload(std::uint32_t number, std::uint32_t checksum) {
 Chunk& Ground::load(std::uint32_t number) {
   settle(number, true);  // so that undoing finds the border
   Chunk& chunk = grid.chunk(number);
-  const Note back = turn({number, 0, 0, Note::Of::turn});
-  if (isNoting()) notes_.push_back(back);
+  turnAround({.number = number});
   if (chunk.dirtyRows == 0) touchAgain({&chunk, 0});
-  if (grid.unloadedCount() == 0 && !isNoting(For::marks)) sleepy_ = {};  // there is none that could sleep
+  if (grid.unloadedCount() == 0 && !notes.areTaken(CellNotes::For::marks))
+    sleepy_ = {};  // there is none that could sleep
   return chunk;
 }
 
@@ -131,60 +118,16 @@ void Ground::loadEmpty(std::uint32_t number) {
   settleAround(chunk);
 }
 
-/// A loaded chunk gets the border that the note says; an unloaded one loses its. Returns what undoes this.
-Ground::Note Ground::turn(const Note& note) {
-  Chunk& chunk = grid.chunk(note.ref);
-  if (!chunk.isUnloaded) {
-    grid.unload(chunk, borderOf(chunk, note));
-    return {note.ref, 0, 0, Note::Of::turn};
-  }
-  const Border border = grid.load(chunk);
-  for (const Border::Run& run : border.runs) drop(run.word, lists_);
-  return {note.ref, border.checksum, border.lastSerial, Note::Of::turn};
-}
-
-/// What the cells at the rim hold.
-Border Ground::borderOf(const Chunk& chunk, const Note& as) {
-  Border border;
-  border.checksum = as.word;
-  border.lastSerial = as.block;
-  for (std::uint32_t k = 0; k < kRimCells; ++k) {
-    const std::uint32_t local = rimCell(k);
-    const CellWord word = holdsNothing(chunk.cells[local]) ? 0 : chunk.cells[local];
-    const Block block = hasSole(word) ? chunk.block(local) : 0;
-    if (!border.runs.empty() && !isListed(word)) {
-      Border::Run& last = border.runs.back();
-      if (last.word == word && last.block == block) {
-        ++last.cells;
-        continue;
-      }
-    }
-    border.runs.push_back({1, chunk.facts[local], copyOf(word), block});
-  }
-  border.runs.shrink_to_fit();
-  return border;
-}
-
-/// A word that stands for the same, and has its own list.
-CellWord Ground::copyOf(CellWord word) {
-  if (word <= kLowMask) return word;
-  if (!isListed(word)) {
-    catalogue.use(word >> kLowBits);
-    return word;
-  }
-  const PolygonList old = list(word);
-  catalogue.use(old.content());
-  const std::uint32_t size = PolygonList::sizeOf(old.size());
-  const RecordArena::Ref ref = lists_.allocate(size);
-  std::copy_n(lists_.at(word & ~kListBit), size, lists_.at(ref));
-  return kListBit | ref;
+void Ground::turnAround(const Turn& to) {
+  const Turn back = turn(to);
+  if (notes.areTaken()) notes.ofTurn(back);
 }
 
 /// A cell counts as changed, and holds what it held.
 void Ground::touchAgain(CellAt at) {
-  if (isNoting()) {
+  if (notes.areTaken()) {
     const CellWord again = copyOf(at.word());
-    note(at);
+    notes.ofCell(at);
     at.word() = again;
   }
   touch(at, at.chunk->facts[at.local]);
@@ -220,7 +163,7 @@ void Ground::settleAround(const Chunk& chunk) {
 
 void Ground::settleAll() {
   for (const std::uint32_t number : unsettled_) settleIfUnloaded(number);
-  if (!isNoting(For::marks)) {
+  if (!notes.areTaken(CellNotes::For::marks)) {
     unsettled_ = {};
     return;
   }

@@ -10,7 +10,9 @@
 #include "outline/linking.h"
 #include "outline/outline.h"
 
+#include <algorithm>
 #include <bit>
+#include <iterator>
 
 namespace lgs::detail {
 
@@ -21,9 +23,9 @@ constexpr bool kHasThreads = true;
 #endif
 
 void Outline::update(const Ground& ground, const Executor& executor) {
-  if (isNoting_ && (!ground.changedChunks().empty() || !changes_.removed.empty())) note_ = &notes_.emplace_back();
+  if (notes.areTaken() && (!ground.changedChunks().empty() || !changes_.removed.empty())) note_ = &notes.add();
   begin();
-  isFiltered_ = ground.grid.unloadedCount() != 0 || hasHidden();
+  isFiltered_ = ground.grid.unloadedCount() != 0 || hidden_.any();
   if (isFiltered_) [[unlikely]]
     dropTurned(ground);
   if (kHasThreads && executor && segments.isEmpty() && ground.grid.unloadedCount() == 0) {
@@ -43,11 +45,9 @@ void Outline::update(const Ground& ground, const Executor& executor) {
 /// a hidden segment and then one that is not, or the other way around.
 void Outline::dropTurned(const Ground& ground) {
   for (const Chunk* chunk : ground.changedChunks()) {
-    if (chunk->isUnloaded == isHidden(chunk->index)) continue;
+    if (chunk->isUnloaded == hidden_.are(chunk->index)) continue;
     clear(*chunk);
-    toggleHidden(chunk->index);
-    hidden_[chunk->index] ^= kWasHidden;  // until the update ends
-    turned_.push_back(chunk->index);
+    hidden_.turn(chunk->index);
   }
 }
 
@@ -65,19 +65,18 @@ void Outline::clear(const Chunk& chunk) {
 
 /// Of what changed, what is not hidden, or was not.
 void Outline::filter() {
-  const auto take = [&](const std::vector<SegmentId>& all, std::uint8_t hides, std::vector<SegmentId>& out) {
+  const auto take = [&](const std::vector<SegmentId>& all, const auto& hides, std::vector<SegmentId>& out) {
     out.clear();
-    for (const SegmentId id : all) {
-      const std::uint32_t chunk = segments[id.value].cellRef / kChunkCells;
-      if (chunk >= hidden_.size() || (hidden_[chunk] & hides) == 0) out.push_back(id);
-    }
+    std::ranges::copy_if(all, std::back_inserter(out),
+                         [&](SegmentId id) { return !hides(segments[id.value].cellRef / kChunkCells); });
   };
-  take(changes_.removed, kWasHidden, shown_.removed);
-  take(changes_.added, kHidden, shown_.added);
-  take(changes_.relinked, kHidden, shown_.relinked);
-  for (const std::uint32_t chunk : turned_) hidden_[chunk] ^= kWasHidden;
-  if (note_) note_->turned = turned_;
-  turned_.clear();
+  const auto isNow = [&](std::uint32_t chunk) { return hidden_.are(chunk); };
+  take(
+      changes_.removed, [&](std::uint32_t chunk) { return hidden_.were(chunk); }, shown_.removed);
+  take(changes_.added, isNow, shown_.added);
+  take(changes_.relinked, isNow, shown_.relinked);
+  if (note_) note_->turned = hidden_.turned();
+  hidden_.endUpdate();
 }
 
 /// A preserve relation that contradicts itself can leave ends that phase 2 never visits. They get no link.
@@ -115,6 +114,16 @@ void Outline::finish() {
   shown.after = version_;
   if (note_) [[unlikely]]
     endNote();
+}
+
+/// The update under way has ended: what of the note is known by now.
+void Outline::endNote() {
+  SegmentNote& note = *std::exchange(note_, nullptr);
+  for (const SegmentId id : changes_.added) note.added.push_back(id.value);
+  // The ids that the update recycled were taken first, and then those that were available before.
+  const std::size_t before = note.freeKept, recycled = note.removedBefore.size();
+  note.freeKept = std::min(before, segments.free().size());
+  for (std::size_t k = 0; k < before - note.freeKept; ++k) note.freeTaken.push_back(changes_.added[recycled + k].value);
 }
 
 void Outline::linkAll(const Ground& ground) {

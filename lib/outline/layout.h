@@ -106,6 +106,8 @@ class CellSegments {
   std::uint32_t count() const { return layout().count(); }
   const std::uint32_t* ids() const { return words_ + Layout::kWords; }
   std::span<const std::uint32_t> all() const { return {ids(), count()}; }
+  /// With the layout.
+  std::span<const std::uint32_t> words() const { return {words_, Layout::kWords + count()}; }
   std::span<const std::uint32_t> part(unsigned part) const {
     return {ids() + layout().begin(part), layout().end(part) - layout().begin(part)};
   }

@@ -3,15 +3,15 @@
 #pragma once
 
 #include "ground/ground.h"
+#include "outline/hidden_chunks.h"
 #include "outline/segment_lists.h"
+#include "outline/segment_notes.h"
 #include "outline/segment_pool.h"
-#include "storage/bit_set.h"
 #include "storage/versions.h"
 
 #include <lgs/world.h>
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace lgs::detail {
@@ -41,10 +41,9 @@ class Outline {
 
   /// How many segments there are that are not hidden.
   std::uint64_t liveCount(const Grid& grid) const;
-  /// As of the last update. A segment of an unloaded chunk is *hidden*: it is there to be linked to.
-  bool isHidden(std::uint32_t chunk) const { return chunk < hidden_.size() && (hidden_[chunk] & kHidden) != 0; }
-  bool hasHidden() const { return hiddenChunks_ != 0; }
-  bool isHidden(SegmentId id) const { return hasHidden() && isHidden(segments[id.value].cellRef / kChunkCells); }
+  /// As of the last update.
+  const HiddenChunks& hidden() const { return hidden_; }
+  bool isHidden(SegmentId id) const { return hidden_.any() && hidden_.are(segments[id.value].cellRef / kChunkCells); }
   bool isShown(SegmentId id) const { return segments.isLive(id.value) && !isHidden(id); }
   /// A chunk of which nothing is left. Its number may name another chunk from now on.
   void forget(std::uint32_t chunk);
@@ -73,7 +72,7 @@ class Outline {
   void remove(std::uint32_t id) { changes_.removed.push_back({id}); }
   /// As SegmentLists::splice().
   std::uint32_t* splice(CellAt at, std::uint32_t begin, std::uint32_t removed, std::uint32_t added) {
-    if (note_) noteList(at, note_->lists);
+    if (note_) note_->lists.add(at.ref(), lists.of(at).words());
     return lists.splice(at, begin, removed, added);
   }
   /// Before a segment that was there changes.
@@ -90,13 +89,7 @@ class Outline {
 
   // --- Going back, as the ground does: there is a note for each update that changed something.
 
-  std::uint64_t now() const { return forgotten_ + notes_.size(); }
-  void startNoting() { isNoting_ = true; }
-  /// After an update: nobody will go back to a moment between this one and now. One note for all updates since is
-  /// enough then.
-  void squeeze(std::uint64_t moment);
-  void stopNoting();
-  void forgetBefore(std::uint64_t moment);
+  SegmentNotes notes;
   /// `version` is that of the moment. `changes` receives what this does to the segments, by id. The ground must not
   /// have gone back yet.
   void goBack(const Grid& grid, std::uint64_t moment, std::uint64_t version, Undone undone, Changes& changes);
@@ -114,72 +107,38 @@ class Outline {
   std::uint64_t bytes() const;
 
  private:
-  using Records = std::vector<std::pair<std::uint32_t, SegmentRecord>>;  ///< by id
-
-  /// What an update changed, or several, and how that was before.
-  struct Note {
-    std::vector<SegmentId> removedBefore;  ///< by the update before; these ids were recycled
-    std::uint32_t topBefore = 0;           ///< one more than the greatest id
-    std::size_t freeKept = 0;              ///< of the ids that were available: see SegmentPool::putBack()
-    std::vector<std::uint32_t> freeTaken;
-    std::vector<std::uint32_t> added;   ///< ids that named no segment before, and did then
-    std::vector<std::uint32_t> turned;  ///< numbers of chunks that were loaded or unloaded
-    Records segments;                   ///< the others that changed, in that order
-    std::vector<std::uint32_t> lists;   ///< in that order the words of each list, how many these are, and the cell
-
-    void addTo(std::vector<std::uint32_t>& ids) const;
-    std::uint64_t bytes() const;
-  };
-
   /// What was undone, and what there was after it.
-  struct UndoneNote {
-    Note note;
+  struct UndoneUpdate {
+    SegmentNote note;
     std::vector<SegmentId> removed;
     std::uint32_t top = 0;
     std::vector<std::uint32_t> freeTaken;
-    Records segments;
-    std::vector<std::uint32_t> lists;  ///< as in the note
+    RecordsById segments;
+    NotedLists lists;
   };
 
   void begin();
   void dropTurned(const Ground& ground);
-  void toggleHidden(std::uint32_t chunk);
   void clear(const Chunk& chunk);
   void filter();
   void finish();
   void endWithoutLinks(std::uint32_t id);
-  void noteList(CellAt at, std::vector<std::uint32_t>& out) const;
   void endNote();
-  void openNote();
-  void closeNote();
-  void take(Note& open, const Note& next);
-  UndoneNote kept(const Grid& grid, const Note& note) const;
-  void putLists(const Grid& grid, const std::vector<std::uint32_t>& noted);
-  void undo(const Grid& grid, const Note& note);
-  void redo(const Grid& grid, UndoneNote& undone);
+  UndoneUpdate afterIt(const Grid& grid, const SegmentNote& note) const;
+  void put(const Grid& grid, const NotedLists& noted, const RecordsById& records);
+  void undo(const Grid& grid, const SegmentNote& note);
+  void redo(const Grid& grid, UndoneUpdate& undone);
   template <class Go>
   void go(const Grid& grid, std::vector<std::uint32_t> ids, std::uint64_t version, Changes& changes, Go&& go);
 
   Changes changes_;
   Changes shown_;  ///< the same without what is hidden, if some of it may be
   bool isFiltered_ = false;
-  // By number of a chunk: whether it is unloaded, and was before the update under way.
-  static constexpr std::uint8_t kHidden = 1, kWasHidden = 2;
-  std::vector<std::uint8_t> hidden_;
-  std::size_t hiddenChunks_ = 0;
-  std::vector<std::uint32_t> turned_;  ///< numbers of the chunks that the update under way turned
+  HiddenChunks hidden_;
   Versions versions_;
   std::uint64_t version_ = 0;
-  std::vector<Note> notes_;
-  std::size_t dropped_ = 0;         ///< notes at the front that are forgotten already
-  std::uint64_t forgotten_ = 0;     ///< notes that are gone from the front
-  std::vector<UndoneNote> undone_;  ///< the first to come back last
-  Note* note_ = nullptr;            ///< of the update under way
-  // Which segments and lists the last note has, if it is open: now() is this number then. So it can take over the next.
-  std::uint64_t opened_ = 0;
-  BitSet notedSegments_;
-  BitSet notedLists_;
-  bool isNoting_ = false;
+  SegmentNote* note_ = nullptr;       ///< of the update under way
+  std::vector<UndoneUpdate> undone_;  ///< the first to come back last
   // Working memory. It is kept from one update to the next, to spare allocations.
   std::vector<std::uint32_t> ids_;
   std::vector<Spoke> fan_;

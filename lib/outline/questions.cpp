@@ -78,7 +78,7 @@ template <class Visit>
 void forEachHidden(const Grid& grid, const Outline& outline, const CellRect& cells, Visit&& visit) {
   const ChunkRect reach(cells);
   const auto see = [&](std::int32_t ci, std::int32_t cj, std::uint32_t number) {
-    if (!outline.isHidden(number)) return;
+    if (!outline.hidden().are(number)) return;
     const Cell first{ci * kChunkSize, cj * kChunkSize};
     visit(CellRect{first, {first.i + kChunkSize - 1, first.j + kChunkSize - 1}});
   };
@@ -143,7 +143,7 @@ Expected<Nearest> nearest(const Grid& grid, const Outline& outline, Point p, dou
   std::int64_t reach = std::min<std::int64_t>(most, kUnitsPerCell);
   for (;; reach = std::min(most, 2 * reach)) {
     grid.forEachCell(cellsWithin(p, reach), [&](CellAt at, Cell) {
-      if (outline.isHidden(at.chunk->index)) return;
+      if (outline.hidden().are(at.chunk->index)) return;
       for (const std::uint32_t id : outline.lists.of(at).all()) {
         const NearestOnEdge here = nearestOnEdge(endsOf(grid, outline, id), p);
         const auto order = here.squared <=> best.squared;
@@ -155,7 +155,7 @@ Expected<Nearest> nearest(const Grid& grid, const Outline& outline, Point p, dou
     });
     if (reach == most || (nearest != kNoSegment && best.squared <= squared(reach))) break;
   }
-  if (outline.hasHidden()) {
+  if (outline.hidden().any()) {
     std::optional<Cell> unseen;
     forEachHidden(grid, outline, cellsWithin(p, reach), [&](const CellRect& chunk) {
       const auto [cell, distance] = nearestCell(chunk, p);
@@ -185,7 +185,7 @@ Expected<RayHit> rayCast(const Grid& grid, const Outline& outline, Point from, P
   walk(
       ray,
       [&](CellIndex cell) {
-        if (outline.hasHidden() && outline.isHidden(grid.numberAt(cellOf(cell).i >> 5, cellOf(cell).j >> 5))) {
+        if (outline.hidden().any() && outline.hidden().are(grid.numberAt(cellOf(cell).i >> 5, cellOf(cell).j >> 5))) {
           Fraction at;
           if (!meets(ray, cell, at) || (unseen && unseenAt <= at)) return;
           unseenAt = at;

@@ -12,10 +12,10 @@ History::History(const History& other, Ground& ground, Outline& outline)
 }
 
 Mark History::mark(bool ofGroup) {
-  ground_.startNoting(Ground::For::marks);
-  outline_.startNoting();
+  ground_.notes.start(CellNotes::For::marks);
+  outline_.notes.start();
   const Mark mark{numbers_.next()};  // greater than all before, also in a copy
-  marks_.push_back({mark, ground_.now(), outline_.now(), outline_.version(), ofGroup});
+  marks_.push_back({mark, ground_.notes.now(), outline_.notes.now(), outline_.version(), ofGroup});
   return mark;
 }
 
@@ -28,7 +28,7 @@ void History::rollBack(Mark mark, Undone undone, Changes& changes) {
   if (!ahead_.empty()) leave(*find(mark), undone);
   const auto to = find(mark);
   outline_.goBack(ground_.grid, to->outline, to->version, undone, changes);
-  ground_.rollBack(to->ground, undone);
+  ground_.notes.rollBack(to->ground, undone);
   if (undone == Undone::keep) {
     std::copy_if(marks_.crbegin(), std::make_reverse_iterator(to + 1), std::back_inserter(ahead_),
                  [](const Marked& m) { return !m.ofGroup; });
@@ -60,7 +60,7 @@ void History::rollForward(Mark mark, Changes& changes) {
     ahead_.pop_back();
     marks_.push_back(went_);
   }
-  ground_.rollForward(went_.ground);
+  ground_.notes.rollForward(went_.ground);
   outline_.goForward(ground_.grid, went_.outline, went_.version, changes);
   if (ahead_.empty()) forgetUndone();
 }
@@ -68,7 +68,7 @@ void History::rollForward(Mark mark, Changes& changes) {
 /// Whether nothing was edited since the world went back or forward, nor a shape made. A commit that found nothing does
 /// no harm.
 bool History::isWhereItWent() const {
-  const Ground::Moment now = ground_.now();
+  const CellNotes::Moment now = ground_.notes.now();
   return now.notes == went_.ground.notes && now.shapes == went_.ground.shapes;
 }
 
@@ -81,21 +81,21 @@ void History::returnToWhereItWent() {
 
 void History::forgetUndone() {
   ahead_.clear();
-  ground_.forgetUndone();
+  ground_.notes.forgetUndone();
   outline_.forgetUndone();
 }
 
 void History::squeeze() {
   const bool isRedoLater = !ahead_.empty() && went_.mark > marks_.back().mark;
   const Marked& last = isRedoLater ? went_ : marks_.back();
-  ground_.squeeze(last.ground);
-  outline_.squeeze(last.outline);
+  ground_.notes.squeeze(last.ground);
+  outline_.notes.squeeze(last.outline);
 }
 
 void History::takeBack(Mark mark) {
   const auto to = find(mark);
   if (!ahead_.empty() && to->ground.notes < went_.ground.notes) forgetUndone();
-  ground_.goBack(to->ground);
+  ground_.notes.goBack(to->ground);
   marks_.erase(to + 1, marks_.end());
 }
 
@@ -108,13 +108,13 @@ void History::forget(Mark mark) {
 void History::forgetNotes() {
   if (marks_.empty()) {
     forgetUndone();
-    ground_.stopNoting(Ground::For::marks);
-    outline_.stopNoting();
+    ground_.notes.stop(CellNotes::For::marks);
+    outline_.notes.stop();
   } else {
     const Marked& first = marks_.front();
     if (first.ground.notes > went_.ground.notes || first.outline > went_.outline) forgetUndone();
-    ground_.forgetBefore(first.ground);
-    outline_.forgetBefore(first.outline);
+    ground_.notes.forgetBefore(first.ground);
+    outline_.notes.forgetBefore(first.outline);
   }
 }
 

@@ -41,17 +41,17 @@ class History {
   /// After a commit, while there are marks: forgets what nobody can go back to, the moments between two of them.
   void squeeze();
   /// Whether a commit changed something since the mark, which must be known.
-  bool committedSince(Mark mark) const { return find(mark)->outline != outline_.now(); }
+  bool committedSince(Mark mark) const { return find(mark)->outline != outline_.notes.now(); }
 
   /// The cells, each once, in the order of their first edit.
-  std::vector<Cell> editedSince(Mark mark) const { return ground_.editedSince(find(mark)->ground); }
+  std::vector<Cell> editedSince(Mark mark) const { return ground_.notes.editedSince(find(mark)->ground); }
 
   std::uint64_t bytes() const { return (marks_.capacity() + ahead_.capacity()) * sizeof marks_[0]; }
 
  private:
   struct Marked {
     Mark mark;
-    Ground::Moment ground;
+    CellNotes::Moment ground;
     std::uint64_t outline = 0;
     std::uint64_t version = 0;  ///< of the segments
     bool ofGroup = false;

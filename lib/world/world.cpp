@@ -188,7 +188,7 @@ const Changes& World::commit(const Executor& executor) noexcept {
   impl_->ground.settle();
   impl_->outline.update(impl_->ground, executor);
   impl_->ground.commit();
-  if (impl_->ground.isNoting(detail::Ground::For::marks)) [[unlikely]]
+  if (impl_->ground.notes.areTaken(detail::CellNotes::For::marks)) [[unlikely]]
     impl_->history.squeeze();
   if (impl_->outline.isFiltered() && impl_->ground.isSleepy() && !impl_->history.hasMarks()) [[unlikely]] {
     for (const std::uint32_t chunk : impl_->ground.sleep()) impl_->outline.lists.forget(chunk);
@@ -287,16 +287,14 @@ std::optional<Cell> World::firstUnloaded(const CellRect& cells) const noexcept {
 // --- Following the ground
 
 Expected<void> World::followCells(bool follow) noexcept {
-  detail::Ground& ground = impl_->ground;
-  if (!ground.changedChunks().empty() || impl_->history.hasMarks()) return refuse({.code = ErrorCode::uncommitted});
-  if (follow)
-    ground.startNoting(detail::Ground::For::followers);
-  else
-    ground.stopNoting(detail::Ground::For::followers);
+  if (!impl_->ground.changedChunks().empty() || impl_->history.hasMarks())
+    return refuse({.code = ErrorCode::uncommitted});
+  constexpr auto kFollowers = detail::CellNotes::For::followers;
+  follow ? impl_->ground.notes.start(kFollowers) : impl_->ground.notes.stop(kFollowers);
   return {};
 }
 
-std::span<const CellChange> World::cellChanges() const noexcept { return impl_->ground.cellChanges().all(); }
+std::span<const CellChange> World::cellChanges() const noexcept { return impl_->ground.notes.cellChanges().all(); }
 
 // --- Saving
 

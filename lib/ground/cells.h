@@ -1,0 +1,140 @@
+// What stands where: the polygons in each cell, and which cells changed since the last commit. It knows no segment, and
+// nothing of what was before. Who reads the ground needs no more than this.
+#pragma once
+
+#include "ground/catalogue.h"
+#include "ground/cell.h"
+#include "ground/grid.h"
+#include "storage/record_arena.h"
+
+#include <lgs/world.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace lgs::detail {
+
+class Cells {
+ public:
+  explicit Cells(PreserveRelation relation) : preserve(std::move(relation)) {}
+  Cells(const Cells& other);
+  Cells& operator=(const Cells&) = delete;
+  ~Cells() = default;
+
+  PreserveRelation preserve;
+  Catalogue catalogue;
+  Grid grid;
+
+  // --- Reading. A cell may be without chunk: then it holds nothing.
+
+  ContentId contentId(CellAt at) const {
+    if (!at) return kEmptyContent;
+    return isListed(at) ? list(at.word()).content() : at.word() >> kLowBits;
+  }
+  const Content& content(CellAt at) const { return catalogue.content(contentId(at)); }
+  /// Of a cell that holds polygons.
+  PlacedBySlot placed(CellAt at) const {
+    if (isListed(at)) return PlacedBySlot(list(at.word()));
+    return PlacedBySlot(Placed{at.word() & kLowMask, at.chunk->block(at.local)});
+  }
+  /// The serial given out last in the cell.
+  std::uint32_t lastSerial(CellAt at) const {
+    if (!at) return 0;
+    return isListed(at) ? list(at.word()).lastSerial() : at.word() & kLowMask;
+  }
+  static bool isListed(CellAt at) { return isListed(at.word()); }
+  bool holdsNothing(CellWord word) const {
+    return word <= kLowMask || (isListed(word) && list(word).content() == kEmptyContent);
+  }
+  std::optional<Slot> slotOf(PolygonHandle handle) const;
+  /// Why slotOf() finds none.
+  Error noPolygon(PolygonHandle handle) const;
+  bool keeps(Block a, Block b) const { return preserve && (a < b ? preserve(a, b) : preserve(b, a)); }
+
+  /// What a cell holds, or held when a note was made of it.
+  struct Held {
+    std::uint32_t ref = 0;  ///< of the cell
+    CellWord word = 0;
+    Block block = 0;                     ///< of the only polygon, if the word has one
+    const RecordArena* lists = nullptr;  ///< where the list is, if the word refers to one
+  };
+  Held held(CellAt at) const { return {at.ref(), at.word(), at.chunk->block(at.local), &lists_}; }
+  /// By handle, behind what is in `out`. Valid until the next edit.
+  void read(const Held& held, std::vector<PlacedPolygon>& out) const;
+
+  // --- What changed since the last commit
+
+  /// The chunks with changed cells, in the order of their first change. Chunk::dirty says which cells these are.
+  std::span<Chunk* const> changedChunks() const { return changed_; }
+  void touch(CellAt at, Facts facts) {
+    if (at.chunk->dirtyRows == 0) changed_.push_back(at.chunk);
+    mark(at, facts);
+  }
+  /// In a chunk that has changed already.
+  static void mark(CellAt at, Facts facts) {
+    Chunk& chunk = *at.chunk;
+    chunk.dirtyRows |= RowMask{1} << at.row();
+    chunk.dirty[at.row()] |= at.bit();
+    chunk.facts[at.local] = facts;
+    chunk.everFacts |= facts;
+  }
+  /// Says which cells of a row have changed. A chunk in which none has any more was the last one to change.
+  void setChanged(Chunk& chunk, std::uint32_t row, RowMask cells);
+  /// From now on none has.
+  void settleChanges();
+
+  // --- The words of cells, and what they stand for: a content in use, and a list
+
+  CellWord makeList(ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons);
+  /// A word that stands for the same, and has its own list.
+  CellWord copyOf(CellWord word);
+  /// Lets go of what a word stands for.
+  void drop(CellWord word) { drop(word, lists_); }
+  /// The same if its list is in this arena.
+  void drop(CellWord word, RecordArena& lists) {
+    if (word <= kLowMask) return;  // it had no polygons
+    if (isListed(word))
+      dropList(word, lists);
+    else
+      catalogue.release(word >> kLowBits);
+  }
+  /// A cell gets a word instead of the one that it has. The block is that of a word with a polygon.
+  void write(CellAt at, CellWord word, Block block, Facts facts) {
+    at.word() = word;
+    if (hasSole(word)) at.chunk->setBlock(at.local, block);
+    touch(at, facts);
+  }
+  /// What a cell holds is moved into a note, which has its lists in another arena. The cell must get another word.
+  CellWord moveOut(CellAt at, RecordArena& lists) { return moveList(at.word(), lists_, lists); }
+  /// A cell gets back what was moved out. Whether it has changed is not touched.
+  void moveIn(CellAt at, CellWord word, Block block, RecordArena& lists);
+
+  // --- Chunks that are not in memory
+
+  /// A chunk that was unloaded, and how; or one that is loaded, and has the rest 0.
+  struct Turn {
+    std::uint32_t number = 0;
+    std::uint32_t checksum = 0;    ///< of the bytes with which it comes back
+    std::uint32_t lastSerial = 0;  ///< the greatest one that any of its cells gave out
+  };
+  /// A loaded chunk gets a border, as the turn says; an unloaded one loses its. Returns what undoes this.
+  Turn turn(const Turn& to);
+
+  std::uint64_t bytes() const;
+
+ private:
+  static bool isListed(CellWord word) { return (word & kListBit) != 0; }
+  static PolygonList list(CellWord word, const RecordArena& lists) { return PolygonList(lists.at(word & ~kListBit)); }
+  PolygonList list(CellWord word) const { return list(word, lists_); }
+  void dropList(CellWord word, RecordArena& lists);
+  static CellWord moveList(CellWord word, RecordArena& from, RecordArena& to);
+  Border borderOf(const Chunk& chunk, const Turn& turn);
+
+  RecordArena lists_;
+  std::vector<Chunk*> changed_;
+};
+
+}  // namespace lgs::detail
