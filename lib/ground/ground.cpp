@@ -11,6 +11,13 @@ void Ground::commit() {
   catalogue.collect();
 }
 
+void Ground::set(CellAt at, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
+  const Facts facts = catalogue.use(content);
+  const bool fits = fitsWord(lastSerial, polygons);
+  put(at, fits ? wordOf(content, lastSerial) : makeList(content, lastSerial, polygons),
+      polygons.empty() ? 0 : polygons[0].block, facts);
+}
+
 void Ground::beginChunk(const Chunk& chunk) {
   if (notes.areTaken()) notes.ofNewChunk(chunk);
   settleAround(chunk);

@@ -42,12 +42,7 @@ class Ground : public Cells {
   // --- The primitive
 
   /// Gives a cell these polygons, by slot of this content, and notes that it changed.
-  void set(CellAt at, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons) {
-    const Facts facts = catalogue.use(content);
-    const bool fits = fitsWord(lastSerial, polygons);
-    put(at, fits ? wordOf(content, lastSerial) : makeList(content, lastSerial, polygons),
-        polygons.empty() ? 0 : polygons[0].block, facts);
-  }
+  void set(CellAt at, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons);
   /// The same with a shape of one polygon, placed last, whose serial fits a word.
   void setSole(CellAt at, const InternedShape& shape, Placed sole) {
     put(at, wordOf(shape.content, sole.serial), sole.block, shape.facts);

@@ -71,6 +71,9 @@ void Outline::forget(std::uint32_t chunk) {
 
 // --- Going back
 
+/// In its own file, so that splice() is small and inlined.
+void Outline::noteList(CellAt at) { note_->lists.add(at.ref(), lists.of(at).words()); }
+
 void Outline::goBack(const Grid& grid, std::uint64_t moment, std::uint64_t version, Undone undone, Changes& changes) {
   notes.close();
   std::vector<std::uint32_t> ids;

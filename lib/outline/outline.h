@@ -72,7 +72,7 @@ class Outline {
   void remove(std::uint32_t id) { changes_.removed.push_back({id}); }
   /// As SegmentLists::splice().
   std::uint32_t* splice(CellAt at, std::uint32_t begin, std::uint32_t removed, std::uint32_t added) {
-    if (note_) note_->lists.add(at.ref(), lists.of(at).words());
+    if (note_) noteList(at);
     return lists.splice(at, begin, removed, added);
   }
   /// Before a segment that was there changes.
@@ -123,6 +123,7 @@ class Outline {
   void filter();
   void finish();
   void endWithoutLinks(std::uint32_t id);
+  void noteList(CellAt at);
   void endNote();
   UndoneUpdate afterIt(const Grid& grid, const SegmentNote& note) const;
   void put(const Grid& grid, const NotedLists& noted, const RecordsById& records);
