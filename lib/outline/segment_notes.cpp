@@ -45,8 +45,8 @@ void SegmentNotes::squeeze(std::uint64_t moment) {
 void SegmentNotes::open() {
   close();
   opened_ = now();
-  const SegmentNote note = std::exchange(notes_.back(), {});
-  notes_.back().removedBefore = note.removedBefore;
+  SegmentNote note = std::exchange(notes_.back(), {});
+  notes_.back().removedBefore = std::move(note.removedBefore);
   notes_.back().topBefore = note.topBefore;
   notes_.back().freeKept = note.freeKept + note.freeTaken.size();
   merge(notes_.back(), note);
