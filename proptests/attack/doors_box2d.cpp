@@ -151,7 +151,6 @@ void addDoorsOfBox2d(Doors& door) {
       EXPECT_FALSE(done);
     }
     EXPECT_EQ(s.other.version(), before);
-    return 0;
   });
   door("box2d::TerrainBase::sync(const Changes&)",
        [](Scene& s, const Changes& changes) { return groundOf(s).terrain.sync(changes); });
@@ -168,7 +167,7 @@ void addDoorsOfBox2d(Doors& door) {
   door("box2d::TerrainBase::moved(BodyArgument)", [](Scene& s, Who who, const b2Vec2& place, Angle angle) {
     b2Body& body = who.in(groundOf(s));
     if (place.IsValid() && b2IsValid(angle.value) && place.Length() < 1e10F) body.SetTransform(place, angle.value);
-    return groundOf(s).terrain.moved(body), 0;
+    groundOf(s).terrain.moved(body);
   });
   door("box2d::TerrainBase::fits(BodyArgument)",
        [](Scene& s, Who who) { return groundOf(s).terrain.fits(who.in(groundOf(s))); });
@@ -186,9 +185,8 @@ void addDoorsOfBox2d(Doors& door) {
     const box2d::Terrain fresh(physics, s.world, {.chunkCells = 2, .merge = true});
     EXPECT_EQ(ground.terrain.edges().counts(), fresh.edges().counts());
     EXPECT_EQ(ground.terrain.bodyCount(), fresh.bodyCount());
-    return 0;
   });
-  door("box2d::TerrainBase::materialsChanged()", [](Scene& s) { return groundOf(s).terrain.materialsChanged(), 0; });
+  door("box2d::TerrainBase::materialsChanged()", [](Scene& s) { groundOf(s).terrain.materialsChanged(); });
   door("box2d::TerrainBase::isCurrent() const", [](Scene& s) { return groundOf(s).terrain.isCurrent(); });
   door("box2d::TerrainBase::hit(const Shape&) const", [](Scene& s, Who who) {
     int hits = 0;
@@ -227,8 +225,7 @@ void addDoorsOfBox2d(Doors& door) {
        [](Scene& s, const CellRect& cells) { return groundOf(s).terrain.bodiesIn(cells).size(); });
   door("box2d::TerrainBase::bodiesIn(Cell) const",
        [](Scene& s, Cell cell) { return groundOf(s).terrain.bodiesIn(cell).size(); });
-  door("box2d::TerrainBase::moveOrigin(Cell)",
-       [](Scene& s, Cell cell) { return groundOf(s).terrain.moveOrigin(cell), 0; });
+  door("box2d::TerrainBase::moveOrigin(Cell)", [](Scene& s, Cell cell) { groundOf(s).terrain.moveOrigin(cell); });
   door("box2d::Terrain::fixture(SegmentId) const",
        [](Scene& s, SegmentId id) { return groundOf(s).terrain.fixture(id) != nullptr; });
   door("box2d::Terrain::fixture(EdgeId) const",
@@ -253,7 +250,6 @@ void addDoorsOfBox2d(Doors& door) {
   });
   door("box2d::cutOut(Terrain&, World&, const Changes&)", [](Scene& s, const Changes& changes) {
     static_cast<void>(box2d::cutOut(groundOf(s).terrain, s.world, changes));
-    return 0;
   });
   door("box2d::bodiesIn(Terrain&, const Region&)",
        [](Scene& s, const Region& region) { return box2d::bodiesIn(groundOf(s).terrain, region).size(); });
@@ -333,7 +329,7 @@ void addDoorsOfEdges(Doors& door) {
        [](Scene&, std::uint32_t block) { return box2d::Materials<box2d::Material>({}).number(block); });
   door("box2d::Materials::of(Block)",
        [](Scene&, std::uint32_t block) { return box2d::Materials<box2d::Material>({}).of(block).friction; });
-  door("box2d::Materials::askAgain()", [](Scene&) { return box2d::Materials<box2d::Material>({}).askAgain(), 0; });
+  door("box2d::Materials::askAgain()", [](Scene&) { box2d::Materials<box2d::Material>({}).askAgain(); });
 }
 
 }  // namespace lgs::test

@@ -28,7 +28,6 @@ void addDoorsOfBrushes(Doors& door) {
       std::ranges::transform(rings[k], std::back_inserter(expected[k]), [](DoublePoint p) { return latticePoint(p); });
     EXPECT_EQ(made.rings, expected);  // no vertex is lost, so the message can name the one that is no number
     used(s, made);
-    return 0U;
   });
   door("circle(Point, int64_t, int)", [](Scene& s, Point center, std::int64_t radius, int corners) {
     return refusedIf(!inRange(center) || isNoLength(radius), carve(s.world, circle(center, radius, corners)));

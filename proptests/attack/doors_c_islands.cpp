@@ -186,10 +186,7 @@ void addDoorsOfIslandsInC(Doors& door) {
     if (copy) f.islands.reset(copy);
     return checked(status, i.isGiven && out.isGiven);
   });
-  door("lgs_islands_free", [](Scene&) {
-    lgs_islands_free(nullptr);
-    return 0U;
-  });
+  door("lgs_islands_free", [](Scene&) { lgs_islands_free(nullptr); });
   door("lgs_islands_update", [](Scene& s, Given i, WorldOfC w, EditOfC edit, ToldOfC told) {
     FollowedC& f = followedInCBy(s);
     const CWorld world = copyOf(f.world.get());

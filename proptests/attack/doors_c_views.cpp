@@ -44,10 +44,7 @@ void addBodies(Doors& door) {
     EXPECT_EQ(lgs_body_get(f.body.get(), &facts), LGS_OK);
     return checked(lgs_body_polygon_at(bodyOf(f, body), index, out), body.isGiven && index < facts.polygons);
   });
-  door("lgs_body_free", [](Scene&) {
-    lgs_body_free(nullptr);
-    return 0U;
-  });
+  door("lgs_body_free", [](Scene&) { lgs_body_free(nullptr); });
 }
 
 void addPieces(Doors& door) {
@@ -60,10 +57,7 @@ void addPieces(Doors& door) {
     EXPECT_EQ(status == LGS_OK, made != nullptr);
     return checked(status, w(f) && out.isGiven && most >= 3 && most <= kMaxVerticesPerCell);
   });
-  door("lgs_pieces_free", [](Scene&) {
-    lgs_pieces_free(nullptr);
-    return 0U;
-  });
+  door("lgs_pieces_free", [](Scene&) { lgs_pieces_free(nullptr); });
   door("lgs_pieces_update", [](Scene& s, Given p, WorldOfC w, Given list, Given out) {
     const FollowedC& f = followedInCBy(s);
     lgs_pieces* made = nullptr;  // it may be told what was in another world
@@ -116,10 +110,7 @@ void addHashes(Doors& door) {
     if (copy) f.hashes.reset(copy);
     return checked(status, h.isGiven && out.isGiven);
   });
-  door("lgs_hashes_free", [](Scene&) {
-    lgs_hashes_free(nullptr);
-    return 0U;
-  });
+  door("lgs_hashes_free", [](Scene&) { lgs_hashes_free(nullptr); });
   door("lgs_hashes_update", [](Scene& s, Given h, WorldOfC w) {
     const FollowedC& f = followedInCBy(s);
     const Owned<lgs_hashes> copy = copyOf(f.hashes.get());

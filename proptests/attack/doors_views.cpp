@@ -23,7 +23,6 @@ auto copied(std::optional<View> Followed::*view) {
   return [view](Scene& s) {
     const View copy(*(followedBy(s).*view));
     followedBy(s).*view = copy;
-    return 0U;
   };
 }
 template <class View>
@@ -31,7 +30,6 @@ auto assignedToItself(std::optional<View> Followed::*view) {
   return [view](Scene& s) {
     const View& same = *(followedBy(s).*view);
     *(followedBy(s).*view) = same;
-    return 0U;
   };
 }
 template <class View>
@@ -39,7 +37,6 @@ auto moved(std::optional<View> Followed::*view) {
   return [view](Scene& s) {
     View next(std::move(*(followedBy(s).*view)));
     *(followedBy(s).*view) = next;  // all that may be done to what was moved from
-    return 0U;
   };
 }
 template <class View>
@@ -48,7 +45,6 @@ auto moveAssigned(std::optional<View> Followed::*view) {
     View next(followedBy(s).other);
     next = std::move(*(followedBy(s).*view));
     *(followedBy(s).*view) = std::move(next);
-    return 0U;
   };
 }
 /// Ends, and begins anew.
@@ -57,7 +53,6 @@ auto ended(std::optional<View> Followed::*view) {
   return [view](Scene& s) {
     followedBy(s).commit();
     (followedBy(s).*view).emplace(followedBy(s).world);
-    return 0U;
   };
 }
 
@@ -207,7 +202,6 @@ void addDoorsOfViews(Doors& door) {
   door("Islands::~Islands()", [](Scene& s) {
     followedBy(s).commit();
     followedBy(s).islands.emplace(followedBy(s).world, [](Block block, Cell) { return isBedrock(block); });
-    return 0U;
   });
   door("Islands::Islands(const Islands&)", copied(&Followed::islands));
   door("Islands::operator=(const Islands&)", assignedToItself(&Followed::islands));
@@ -243,24 +237,16 @@ void addDoorsOfViews(Doors& door) {
 void addDoorsOfBodies(Doors& door) {
   door("Int128::Int128(int64_t, uint64_t)",
        [](Scene&, std::int64_t high, std::uint64_t low) { return Int128(high, low).toDouble(); });
-  door("Int128::Int128(int64_t)", [](Scene&, std::int64_t v) {
-    EXPECT_EQ(Int128(v).toDouble(), static_cast<double>(v));
-    return 0U;
-  });
-  door("Int128::isNegative() const", [](Scene&, std::int64_t v) {
-    EXPECT_EQ(Int128(v).isNegative(), v < 0);
-    return 0U;
-  });
-  door("Int128::toDouble() const", [](Scene&, std::int64_t high, std::uint64_t low) {
-    EXPECT_EQ(Int128(high, low).toDouble() < 0, high < 0);
-    return 0U;
-  });
+  door("Int128::Int128(int64_t)",
+       [](Scene&, std::int64_t v) { EXPECT_EQ(Int128(v).toDouble(), static_cast<double>(v)); });
+  door("Int128::isNegative() const", [](Scene&, std::int64_t v) { EXPECT_EQ(Int128(v).isNegative(), v < 0); });
+  door("Int128::toDouble() const",
+       [](Scene&, std::int64_t high, std::uint64_t low) { EXPECT_EQ(Int128(high, low).toDouble() < 0, high < 0); });
   door("Int128::operator+=(Int128)", [](Scene&, std::int64_t a, std::uint64_t b, std::int64_t c, std::uint64_t d) {
     Int128 sum(a, b);
     sum += Int128(c, d);
     sum -= Int128(c, d);
     EXPECT_EQ(sum, Int128(a, b));
-    return 0U;
   });
   door("Int128::operator-=(Int128)", [](Scene&, std::int64_t a, std::uint64_t b, std::int64_t c, std::uint64_t d) {
     Int128 rest(a, b);
@@ -270,7 +256,6 @@ void addDoorsOfBodies(Doors& door) {
   door("multiply(int64_t, int64_t)", [](Scene&, std::int64_t a, std::int64_t b) {
     EXPECT_EQ(multiply(a, b), multiply(b, a));
     EXPECT_EQ(multiply(a, b).isNegative(), a != 0 && b != 0 && (a < 0) != (b < 0));
-    return 0U;
   });
   door("massOf(const vector<BodyPolygon>&)", [](Scene&, const Body& body) { return massOf(body.polygons).area; });
   door("put(World&, const Body&, Cell)",
