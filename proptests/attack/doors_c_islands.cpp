@@ -104,24 +104,12 @@ struct ToldOfC {
 
 }  // namespace
 
-// NOLINTBEGIN(readability-identifier-naming): a table
-#define EACH(Type, ...)                                                                                    \
-  template <>                                                                                              \
-  struct Hostile<Type> {                                                                                   \
-    static const std::vector<Type>& values(Scene&) {                                                       \
-      static const std::vector<Type> all{__VA_ARGS__};                                                     \
-      return all;                                                                                          \
-    }                                                                                                      \
-    static std::string told(const Type& v) { return fmt::format(#Type " {}", static_cast<int>(v.which)); } \
-  };
-
-EACH(AnchorOfC, {AnchorOfC::honest}, {AnchorOfC::none}, {AnchorOfC::lying}, {AnchorOfC::reading})
-EACH(EditOfC, {EditOfC::build}, {EditOfC::clear}, {EditOfC::all}, {EditOfC::goBack}, {EditOfC::nothing},
-     {EditOfC::pending}, {EditOfC::isNotFollowed})
-EACH(ToldOfC, {ToldOfC::last}, {ToldOfC::none}, {ToldOfC::early}, {ToldOfC::empty}, {ToldOfC::segments},
-     {ToldOfC::noLists}, {ToldOfC::ahead})
-#undef EACH
-// NOLINTEND(readability-identifier-naming)
+LGS_VALUES(AnchorOfC, fmt::format("anchor {}", static_cast<int>(v.which)), {AnchorOfC::honest}, {AnchorOfC::none},
+           {AnchorOfC::lying}, {AnchorOfC::reading})
+LGS_VALUES(EditOfC, fmt::format("edit {}", static_cast<int>(v.which)), {EditOfC::build}, {EditOfC::clear},
+           {EditOfC::all}, {EditOfC::goBack}, {EditOfC::nothing}, {EditOfC::pending}, {EditOfC::isNotFollowed})
+LGS_VALUES(ToldOfC, fmt::format("lists {}", static_cast<int>(v.which)), {ToldOfC::last}, {ToldOfC::none},
+           {ToldOfC::early}, {ToldOfC::empty}, {ToldOfC::segments}, {ToldOfC::noLists}, {ToldOfC::ahead})
 
 namespace {
 

@@ -55,16 +55,7 @@ MadeUp madeUp(const Followed& f, ToldCells told) {
 
 }  // namespace
 
-// NOLINTBEGIN(readability-identifier-naming): a table
-template <>
-struct Hostile<ToldCells> {
-  static const std::vector<ToldCells>& values(Scene&) {
-    static const std::vector<ToldCells> all{{0}, {1}, {2}, {3}, {4}, {5}};
-    return all;
-  }
-  static std::string told(const ToldCells& v) { return fmt::format("changes {} of cells", v.which); }
-};
-// NOLINTEND(readability-identifier-naming)
+LGS_VALUES(ToldCells, fmt::format("changes {} of cells", v.which), {0}, {1}, {2}, {3}, {4}, {5})
 
 void addDoorsOfHashes(Doors& door) {
   door("GroundHashes::GroundHashes(const World&)", [](Scene& s, bool isOther) {

@@ -129,6 +129,17 @@ LGS_HOSTILE(StayingBlocks);
 LGS_HOSTILE(SvgOverlay);
 #undef LGS_HOSTILE
 
+/// The list of a type that the doors of one library alone have, and a value of it in words.
+#define LGS_VALUES(Type, words, ...)                           \
+  template <>                                                  \
+  struct Hostile<Type> {                                       \
+    static const std::vector<Type>& values(Scene&) {           \
+      static const std::vector<Type> all{__VA_ARGS__};         \
+      return all;                                              \
+    }                                                          \
+    static std::string told(const Type& v) { return (words); } \
+  };
+
 template <class T>
 struct Hostile<Out<T>> {
   static const std::vector<Out<T>>& values(Scene&) {
