@@ -57,9 +57,7 @@ LGS_LAW(SamePolygons, DoNotDependOnHowTheyCame, 500, (const Calls& calls, const 
   const World world = grown(setting, calls).world;
   World other;
   std::vector<std::pair<Cell, PolygonFields>> all;
-  world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
-    all.push_back({cell, {p.handle, p.block, LocalPolygon(p.vertices.begin(), p.vertices.end())}});
-  });
+  world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) { all.emplace_back(cell, fieldsOf(p)); });
   chance.shuffle(all);
   for (auto& [cell, polygon] : all) {
     EXPECT_FALSE(samePolygons(world, other) || samePolygons(other, world)) << "something is still missing";
