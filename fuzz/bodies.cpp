@@ -1,6 +1,7 @@
 #include "fuzz/bodies.h"
 
 #include "fuzz/body_watch.h"
+#include "fuzz/same.h"
 #include "fuzz/units.h"
 #include "oracle/calls/random.h"
 #include "oracle/calls/shapes.h"
@@ -195,9 +196,8 @@ class Game {
   }
 
   void load() {
-    std::vector<std::byte> bytes;
-    const auto keep = [&](std::span<const std::byte> piece) { bytes.insert(bytes.end(), piece.begin(), piece.end()); };
-    if (!world_.save(keep)) return;
+    const std::vector<std::byte> bytes = saved(world_);
+    if (bytes.empty()) return;
     world_ = World::load(bytes).value();
     begin();
     terrain_->resync();

@@ -162,14 +162,9 @@ Status reportInput(const Arguments& arguments) {
   const auto content = oracle::readFile(arguments.paths.front());
   if (!content) return complain(message(content.error(), arguments.paths.front()));
   const Bytes input = bytesOf(*content);
-  if (crashes(arguments.chosen(), input)) {
-    reportCrash(arguments.chosen(), input, arguments.where());
-    return Status::mismatch;
-  }
-  Session session(arguments);
-  if (!session.run(input)) return Status::mismatch;
-  session.printSummary();
-  return Status::fine;
+  if (!crashes(arguments.chosen(), input)) return run(arguments);
+  reportCrash(arguments.chosen(), input, arguments.where());
+  return Status::mismatch;
 }
 
 Status toTrace(const Arguments& arguments) {
