@@ -23,7 +23,7 @@ LGS_VALUES(WorldOfC, fmt::format("world {}", static_cast<int>(v.which)), {WorldO
            {WorldOfC::none})
 LGS_VALUES(ListOfC, fmt::format("list {}", v.number), {0}, {1}, {2}, {3}, {4}, {5}, {-1}, {kLeast}, {kMost})
 
-inline lgs_islands* islandsOf(const FollowedC& f, Given given) { return given.isGiven ? f.islands.get() : nullptr; }
+inline lgs_islands* islandsOf(const FollowedC& f, Given given) { return given ? f.islands.get() : nullptr; }
 
 /// Its own island, or a number.
 inline lgs_island_id islandOf(const FollowedC& f, std::uint32_t number) {

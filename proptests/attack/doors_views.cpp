@@ -6,7 +6,6 @@
 #include <lgs/falling.h>
 
 #include <limits>
-#include <utility>
 
 namespace lgs::test {
 

@@ -2,7 +2,6 @@
 #include "door.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace lgs::test {
 namespace {
