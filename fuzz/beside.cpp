@@ -10,7 +10,6 @@
 #include <functional>
 #include <set>
 #include <utility>
-#include <vector>
 
 namespace lgs::fuzz {
 namespace {

@@ -6,17 +6,14 @@
 #include "oracle/calls/random.h"
 #include "oracle/calls/shapes.h"
 
-#include <box2d/box2d.h>
 #include <fmt/format.h>
 #include <lgs/box2d/cut_out.h>
 #include <lgs/box2d/falling.h>
 #include <lgs/box2d/falling_ground.h>
-#include <lgs/box2d/terrain.h>
 #include <lgs/brush.h>
 #include <lgs/islands.h>
 #include <algorithm>
 #include <array>
-#include <vector>
 
 namespace lgs::fuzz {
 namespace {

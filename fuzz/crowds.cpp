@@ -5,7 +5,6 @@
 #include "fuzz/units.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace lgs::fuzz {
 namespace {

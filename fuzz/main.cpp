@@ -10,7 +10,6 @@
 #include <sys/resource.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <map>
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <tuple>
-#include <vector>
 
 namespace lgs::fuzz {
 namespace {

@@ -10,11 +10,9 @@
 #include "oracle/trace/dump.h"
 
 #include <fmt/format.h>
-#include <lgs/world.h>
 #include <algorithm>
 #include <array>
 #include <set>
-#include <vector>
 
 namespace lgs::fuzz {
 namespace snapshot_target {

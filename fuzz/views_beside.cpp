@@ -8,9 +8,7 @@
 
 #include <lgs/falling.h>
 #include <cmath>
-#include <optional>
 #include <utility>
-#include <vector>
 
 namespace lgs::fuzz {
 namespace {

@@ -10,12 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdint>
 #include <span>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 namespace lgs::cost_test {
 namespace {

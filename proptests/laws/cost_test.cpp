@@ -1,13 +1,11 @@
 // What memory a world takes: the statistics against what is really allocated, and what is given back.
 #include "allocations.h"
-#include "oracle/calls/random.h"
 #include "proptests/support/scale.h"
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cmath>
 
 namespace lgs::test {
 namespace {

@@ -1,7 +1,6 @@
 // What holds in every world without a preserve relation, whatever led to it (invariants.h); in big worlds too, where no
 // reference can follow.
 #include "invariants.h"
-#include "oracle/calls/random.h"
 #include "proptests/support/law.h"
 #include "proptests/support/played.h"
 #include "proptests/support/scale.h"
@@ -9,9 +8,6 @@
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace lgs::test {
 namespace {

@@ -7,11 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <optional>
-#include <utility>
-#include <vector>
-
 namespace lgs::test {
 namespace {
 

@@ -5,10 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <cstddef>
 #include <ostream>
-#include <utility>
-#include <vector>
 
 namespace lgs::test {
 

@@ -1,10 +1,8 @@
 // Law 2 without the grid (lgs/radial_match.h): on any directed edges, and on the boundaries of unions that CGAL made.
 #include <lgs/radial_match.h>
 
-#include "oracle/calls/random.h"
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/reference/canonical.h"
-#include "oracle/reference/vector.h"
 #include "proptests/support/fan.h"
 #include "proptests/support/law.h"
 #include "proptests/support/must.h"
@@ -15,11 +13,8 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <map>
 #include <ostream>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace lgs::test {
 

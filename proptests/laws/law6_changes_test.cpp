@@ -1,6 +1,5 @@
 // Law 6, exact changes: a commit lists the ids removed, added and relinked. Applied to a copy of the old output the
 // lists give the new one; a segment that kept its ends, owner and ghosts is in none of them and keeps its id.
-#include "oracle/calls/random.h"
 #include "oracle/trace/mirror.h"
 #include "proptests/support/law.h"
 #include "proptests/support/played.h"

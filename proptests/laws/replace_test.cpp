@@ -4,12 +4,10 @@
 #include "oracle/trace/dump.h"
 #include "proptests/support/law.h"
 #include "proptests/support/traces.h"
-#include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <vector>
 
 namespace lgs::test {
 namespace {

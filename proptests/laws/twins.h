@@ -3,11 +3,8 @@
 #pragma once
 
 #include "calls.h"
-#include "proptests/support/worlds.h"
 
 #include <cstddef>
-#include <map>
-#include <vector>
 
 namespace lgs::test {
 

@@ -6,12 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <set>
-#include <vector>
-
 namespace lgs::test {
 namespace {
 

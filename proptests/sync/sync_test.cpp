@@ -11,11 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <iostream>
-#include <memory>
 #include <random>
-#include <vector>
 
 namespace lgs::test {
 namespace {

@@ -11,8 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <vector>
 
 namespace lgs::test {
 namespace {

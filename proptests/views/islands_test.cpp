@@ -11,9 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <string>
-#include <vector>
 
 namespace lgs::test {
 namespace {
