@@ -10,7 +10,6 @@
 #include <functional>
 #include <set>
 #include <utility>
-#include <vector>
 
 namespace lgs::fuzz {
 namespace {
@@ -20,10 +19,6 @@ using oracle::Random;
 void live(World& world, Random& random) {
   editSome(world, random);
   if (random.chance(70)) world.commit();
-}
-
-bool isCommitted(const World& world) {
-  return world.save([](auto) {}).has_value();
 }
 
 /// A group of edits that is not kept leaves no trace.
@@ -81,7 +76,7 @@ std::string undoAndRedo(World& world, Random& random) {
     if (std::string wrong = follower.follow(world, world.changesOfRollBack()); !wrong.empty())
       return "going back and forth: " + wrong;
     if (std::string wrong = differenceOf(then[at], world); !wrong.empty()) return "going back and forth: " + wrong;
-    if (random.chance(30) && isCommitted(world)) world.commit();
+    if (random.chance(30) && !saved(world).empty()) world.commit();  // nothing is pending
     if (random.chance(30)) tryInVain(world, random);
     if (!random.chance(30)) continue;
     // What comes later is as if it had never gone back.
@@ -98,12 +93,8 @@ std::string undoAndRedo(World& world, Random& random) {
 }
 
 std::string commitByExecutor(const World& world) {
-  World slow(world.preserveRelation());
-  bool isPlaced = true;
-  world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
-    isPlaced = isPlaced && slow.add(cell, p.vertices, p.block).has_value();
-  });
-  if (!isPlaced) return "what stands in a world can not be placed in another one";
+  World slow = builtAnew(world);
+  if (!samePolygons(world, slow)) return "what stands in a world can not be placed in another one";
   World quick = slow;
   const oracle::ChangeLists one = oracle::copyOf(slow.commit());
   const auto backwards = [](std::size_t count, const std::function<void(std::size_t)>& job) {

@@ -1,21 +1,19 @@
 #include "fuzz/bodies.h"
 
 #include "fuzz/body_watch.h"
+#include "fuzz/same.h"
 #include "fuzz/units.h"
 #include "oracle/calls/random.h"
 #include "oracle/calls/shapes.h"
 
-#include <box2d/box2d.h>
 #include <fmt/format.h>
 #include <lgs/box2d/cut_out.h>
 #include <lgs/box2d/falling.h>
 #include <lgs/box2d/falling_ground.h>
-#include <lgs/box2d/terrain.h>
 #include <lgs/brush.h>
 #include <lgs/islands.h>
 #include <algorithm>
 #include <array>
-#include <vector>
 
 namespace lgs::fuzz {
 namespace {
@@ -195,9 +193,8 @@ class Game {
   }
 
   void load() {
-    std::vector<std::byte> bytes;
-    const auto keep = [&](std::span<const std::byte> piece) { bytes.insert(bytes.end(), piece.begin(), piece.end()); };
-    if (!world_.save(keep)) return;
+    const std::vector<std::byte> bytes = saved(world_);
+    if (bytes.empty()) return;
     world_ = World::load(bytes).value();
     begin();
     terrain_->resync();

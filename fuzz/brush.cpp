@@ -88,6 +88,13 @@ Trace traceOf(Bytes input) {
   return trace;
 }
 
+World worldOf(unsigned kind) {
+  World world;
+  for (const auto& [cell, block, vertices] : groundOf(kind)) static_cast<void>(world.add(cell, vertices, block));
+  world.commit();
+  return world;
+}
+
 // Outlines with straight lines as one segment each.
 std::vector<std::vector<Point>> outlinesOf(World& world) {
   world.commit();
@@ -102,8 +109,7 @@ bool leavesASeam(const BrushEdit& brush) {
   for (Ring& ring : region.rings)
     for (Point& p : ring)
       p = {std::clamp<std::int64_t>(p.x, 0, kCells * U), std::clamp<std::int64_t>(p.y, 0, kCells * U)};
-  World world;
-  for (const auto& [cell, block, vertices] : groundOf(1)) static_cast<void>(world.add(cell, vertices, block));
+  World world = worldOf(1);
   const auto solid = outlinesOf(world);
   const bool isCarved = carve(world, region).has_value();
   world.commit();
@@ -123,17 +129,12 @@ std::optional<Finding> checkTrace(const Trace& trace, oracle::CheckStats& stats)
 
 std::optional<Finding> checkAll(Bytes input, oracle::CheckStats& stats) {
   if (auto finding = check<traceOf, checkTrace>(input, stats)) return finding;
-  World world;
-  for (const auto& [cell, block, vertices] : groundOf(input.empty() ? 0 : input[0] % 3U))
-    static_cast<void>(world.add(cell, vertices, block));
-  world.commit();
+  World world = worldOf(input.empty() ? 0 : input[0] % 3U);
   std::size_t strokes = 0;
   for (std::size_t at = kRecord; at < input.size() && strokes < kMaxOfAnyForm; at += kRecord) {
     const Bytes record = input.subspan(at, std::min(kRecord, input.size() - at));
     if (record[0] < kAnyForm) continue;
-    std::uint64_t seed = 0;
-    for (const std::uint8_t byte : record) seed = seed * 257 + byte;
-    oracle::Random random(seed);
+    oracle::Random random = seededBy(record);
     ++strokes;
     ++stats.edits;
     if (const std::string wrong = strokeAndGoBack(world, random, record[0] % 2 != 0); !wrong.empty())

@@ -30,9 +30,7 @@ oracle::Call callOf(Bytes record) {
 }
 
 std::optional<std::string> doBeside(World& world, Bytes record) {
-  std::uint64_t seed = 0;
-  for (const std::uint8_t byte : record) seed = seed * 257 + byte;
-  oracle::Random random(seed);
+  oracle::Random random = seededBy(record);
   std::string wrong = beside(world, record[0], random);
   return wrong.empty() ? std::nullopt : std::optional(std::move(wrong));
 }

@@ -5,26 +5,15 @@
 #include "fuzz/units.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace lgs::fuzz {
 namespace {
 
 using oracle::Random;
 
-/// A world with the same polygons and no marks.
-World copyOf(const World& world) {
-  World twin(world.preserveRelation());
-  world.forEachPolygon(
-      [&](Cell cell, const PlacedPolygon& p) { static_cast<void>(twin.add(cell, p.vertices, p.block)); });
-  twin.commit();
-  return twin;
-}
-
 std::string saveAndLoad(World& world) {
-  std::vector<std::byte> bytes;
-  const auto keep = [&](std::span<const std::byte> piece) { bytes.insert(bytes.end(), piece.begin(), piece.end()); };
-  if (!world.save(keep)) return "a world can not be saved";
+  const std::vector<std::byte> bytes = saved(world);
+  if (bytes.empty()) return "a world can not be saved";
   auto loaded = World::load(bytes, world.preserveRelation());
   if (!loaded) return "a world that was saved can not be loaded: " + message(loaded.error());
   std::string wrong = differenceOf(world, *loaded);
@@ -69,7 +58,8 @@ std::string wear(World& world, Cell cell) {
 }  // namespace
 
 std::string crowdAndLeave(const World& world, Random& random) {
-  World twin = copyOf(world);
+  World twin = builtAnew(world);
+  twin.commit();
   const World before = twin;
   const CellRect place = emptyPlace(twin);
   if (std::string wrong = random.chance(50) ? comeAndGo(twin, place) : wear(twin, place.min); !wrong.empty())

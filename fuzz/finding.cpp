@@ -8,7 +8,6 @@
 #include "oracle/trace/file.h"
 
 #include <fmt/format.h>
-#include <cstdio>
 #include <filesystem>
 #include <functional>
 

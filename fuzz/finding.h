@@ -4,7 +4,6 @@
 #include "fuzz/target.h"
 
 #include <chrono>
-#include <string>
 
 namespace lgs::fuzz {
 

@@ -10,7 +10,6 @@
 #include <sys/resource.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <map>
 
@@ -162,14 +161,9 @@ Status reportInput(const Arguments& arguments) {
   const auto content = oracle::readFile(arguments.paths.front());
   if (!content) return complain(message(content.error(), arguments.paths.front()));
   const Bytes input = bytesOf(*content);
-  if (crashes(arguments.chosen(), input)) {
-    reportCrash(arguments.chosen(), input, arguments.where());
-    return Status::mismatch;
-  }
-  Session session(arguments);
-  if (!session.run(input)) return Status::mismatch;
-  session.printSummary();
-  return Status::fine;
+  if (!crashes(arguments.chosen(), input)) return run(arguments);
+  reportCrash(arguments.chosen(), input, arguments.where());
+  return Status::mismatch;
 }
 
 Status toTrace(const Arguments& arguments) {

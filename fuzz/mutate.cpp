@@ -1,7 +1,6 @@
 #include "fuzz/mutate.h"
 
 #include <algorithm>
-#include <array>
 
 namespace lgs::fuzz {
 namespace {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "fuzz/target.h"
-#include "oracle/calls/random.h"
 
 #include <cstdint>
 #include <vector>

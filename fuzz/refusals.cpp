@@ -7,10 +7,8 @@
 
 #include <lgs/brush.h>
 #include <lgs/debug.h>
-#include <algorithm>
 #include <array>
 #include <limits>
-#include <vector>
 
 namespace lgs::fuzz {
 namespace {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <tuple>
-#include <vector>
 
 namespace lgs::fuzz {
 namespace {
@@ -43,6 +42,19 @@ std::map<PolygonHandle, Standing> standingIn(const World& world) {
 }
 
 }  // namespace
+
+std::vector<std::byte> saved(const World& world) {
+  std::vector<std::byte> bytes;
+  const auto keep = [&](std::span<const std::byte> piece) { bytes.insert(bytes.end(), piece.begin(), piece.end()); };
+  return world.save(keep) ? bytes : std::vector<std::byte>();
+}
+
+World builtAnew(const World& world) {
+  World twin(world.preserveRelation());
+  world.forEachPolygon(
+      [&](Cell cell, const PlacedPolygon& p) { static_cast<void>(twin.add(cell, p.vertices, p.block)); });
+  return twin;
+}
 
 std::string differenceOf(const World& a, const World& b) {
   if (standingIn(a) != standingIn(b)) return "other polygons, or by other handles";

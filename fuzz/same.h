@@ -4,8 +4,15 @@
 #include <lgs/world.h>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace lgs::fuzz {
+
+/// The bytes of a world; none, if it can not be saved.
+std::vector<std::byte> saved(const World& world);
+
+/// A world with the same polygons and no marks; nothing is committed.
+World builtAnew(const World& world);
 
 /// What differs in what the laws fix: polygons by handle, segments by id, counts. For law 12. Nothing, if all is equal.
 std::string differenceOf(const World& a, const World& b);

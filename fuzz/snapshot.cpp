@@ -2,6 +2,7 @@
 // refused, or are a world like any other: its outline is the naive reference's, it can be saved and loaded again,
 // edited and emptied.
 #include "fuzz/beside.h"
+#include "fuzz/same.h"
 #include "fuzz/target.h"
 #include "oracle/check/window.h"
 #include "oracle/reference/compare.h"
@@ -9,11 +10,9 @@
 #include "oracle/trace/dump.h"
 
 #include <fmt/format.h>
-#include <lgs/world.h>
 #include <algorithm>
 #include <array>
 #include <set>
-#include <vector>
 
 namespace lgs::fuzz {
 namespace snapshot_target {
@@ -21,22 +20,12 @@ namespace {
 
 using namespace std::string_view_literals;
 
-// Numbers as a snapshot has them, and the beginnings of runs.
-constexpr std::array kWords{"\0"sv,
-                            "\1"sv,
-                            "\2"sv,
-                            "\3"sv,
-                            "\4"sv,
-                            "\x81\x10"sv,
-                            "\x80\x10"sv,
-                            "\xff\x7f"sv,
-                            "\x80\x80\4"sv,
-                            "\x80\x80\2"sv,
-                            "\x80\0"sv,
-                            "\xff\xff\xff\xff\x0f"sv,
+constexpr std::array kWords{// Numbers as a snapshot has them.
+                            "\0"sv, "\1"sv, "\2"sv, "\3"sv, "\4"sv, "\x81\x10"sv, "\x80\x10"sv, "\xff\x7f"sv,
+                            "\x80\x80\4"sv, "\x80\x80\2"sv, "\x80\0"sv, "\xff\xff\xff\xff\x0f"sv,
                             "\xff\xff\xff\xff\xff\xff\xff\xff\x7f"sv,
-                            "lgssnap\1"sv,
-                            "lgschnk\1"sv};
+                            // The beginnings of files.
+                            "lgssnap\1"sv, "lgschnk\1"sv};
 
 constexpr std::size_t kHead = 8, kTail = 4;   // letters and version; checksum
 constexpr std::uint64_t kManyPolygons = 200;  // the reference takes its time
@@ -61,13 +50,6 @@ Snapshot sealed(Bytes input) {
   const std::uint32_t sum = checksumOf(std::span(bytes).first(bytes.size() - kTail));
   for (unsigned k = 0; k < kTail; ++k) bytes[bytes.size() - kTail + k] = static_cast<std::byte>(sum >> 8 * k & 0xffU);
   return bytes;
-}
-
-Snapshot saved(const World& world) {
-  Snapshot bytes;
-  const auto done =
-      world.save([&](std::span<const std::byte> piece) { bytes.insert(bytes.end(), piece.begin(), piece.end()); });
-  return done ? bytes : Snapshot();
 }
 
 /// So many cells more on each side, but none outside of `all`.

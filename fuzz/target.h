@@ -1,6 +1,7 @@
 // What is fuzzed: each target is one function from bytes to a finding, or none. The drivers know nothing else of it.
 #pragma once
 
+#include "oracle/calls/random.h"
 #include "oracle/check/checker.h"
 #include "oracle/generate/generator.h"
 #include "oracle/trace/trace.h"
@@ -51,6 +52,13 @@ extern const Target kTiled;     // tiled.cpp
 #ifdef LGS_FUZZ_BOX2D
 extern const Target kBox2d;  // box2d.cpp
 #endif
+
+/// A record as the seed of random choices.
+inline oracle::Random seededBy(Bytes record) {
+  std::uint64_t seed = 0;
+  for (const std::uint8_t byte : record) seed = seed * 257 + byte;
+  return oracle::Random(seed);
+}
 
 inline std::string_view textOf(Bytes input) { return {reinterpret_cast<const char*>(input.data()), input.size()}; }
 

@@ -12,39 +12,17 @@ namespace {
 using oracle::Edit;
 using oracle::Trace;
 
-constexpr std::array<std::string_view, 33> kWords{"lgs-trace 1\n",
-                                                  "lgs-trace 2\n",
-                                                  "lgs-trace 3\n",
-                                                  " by several 5 marked\n",
-                                                  " by fill too\n",
-                                                  "carve 0.2 0 1.5 0.3 1 1\n",
-                                                  "paint 1 fill ",
-                                                  "paint 2 replace 0 0 2 0 0 2 |",
-                                                  "add p 0 0 1 0 0 1 0 1 1\n",
-                                                  "add ",
-                                                  "remove ",
-                                                  "remove p\n",
-                                                  "commit\n",
-                                                  "preserve ",
-                                                  "preserve 1 2\n",
-                                                  "# ",
-                                                  " ",
-                                                  ",",
-                                                  "\n",
-                                                  "\r\n",
-                                                  "\t",
-                                                  "-",
-                                                  "/",
-                                                  "1/3",
-                                                  "0.5",
-                                                  "1e-3",
-                                                  "-0",
-                                                  "1e1000",
-                                                  "1073741824",
-                                                  "-1073741824",
-                                                  "4294967295",
-                                                  "\xef\xbb\xbf",
-                                                  "0 0 1 0 1 1 0 1"};
+constexpr std::array<std::string_view, 33> kWords{
+    // Lines, and how they begin and end.
+    "lgs-trace 1\n", "lgs-trace 2\n", "lgs-trace 3\n", " by several 5 marked\n", " by fill too\n",
+    "carve 0.2 0 1.5 0.3 1 1\n", "paint 1 fill ", "paint 2 replace 0 0 2 0 0 2 |", "add p 0 0 1 0 0 1 0 1 1\n", "add ",
+    "remove ", "remove p\n", "commit\n", "preserve ", "preserve 1 2\n",
+    // What stands between words.
+    "# ", " ", ",", "\n", "\r\n", "\t", "-", "/",
+    // Numbers.
+    "1/3", "0.5", "1e-3", "-0", "1e1000", "1073741824", "-1073741824", "4294967295",
+    // A mark of the byte order; a square.
+    "\xef\xbb\xbf", "0 0 1 0 1 1 0 1"};
 
 std::optional<Finding> checkTrace(const Trace& trace, oracle::CheckStats& stats) {
   const auto isLarge = [](const Edit& edit) {

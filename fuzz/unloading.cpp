@@ -10,8 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
-#include <vector>
 
 namespace lgs::fuzz {
 namespace {

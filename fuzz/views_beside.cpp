@@ -8,9 +8,7 @@
 
 #include <lgs/falling.h>
 #include <cmath>
-#include <optional>
 #include <utility>
-#include <vector>
 
 namespace lgs::fuzz {
 namespace {
@@ -18,17 +16,6 @@ namespace {
 using oracle::Random;
 
 bool isAnchor(Block block, Cell cell) { return block % 3 == 1 || (std::int64_t{cell.i} + cell.j) % 5 == 0; }
-
-/// A world with the same polygons, and no marks: it can be followed.
-std::optional<World> fresh(const World& world) {
-  World twin(world.preserveRelation());
-  bool isPlaced = twin.followCells(true).has_value();
-  world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
-    isPlaced = isPlaced && twin.add(cell, p.vertices, p.block).has_value();
-  });
-  twin.commit();
-  return isPlaced ? std::optional(std::move(twin)) : std::nullopt;
-}
 
 class Following {
  public:
@@ -141,8 +128,10 @@ class Following {
 std::string followByViews(const World& world, Random& random) {
   constexpr std::uint64_t kMostPolygons = 60;  // the checks take their time
   if (world.stats().polygons > kMostPolygons) return "";
-  auto twin = fresh(world);
-  return twin ? Following(std::move(*twin)).run(random) : "what stands in a world can not be placed in another one";
+  World twin = builtAnew(world);  // without marks it can be followed
+  twin.commit();
+  const bool isThere = samePolygons(world, twin) && twin.followCells(true);
+  return isThere ? Following(std::move(twin)).run(random) : "what stands in a world can not be placed in another one";
 }
 
 }  // namespace lgs::fuzz

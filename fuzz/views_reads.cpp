@@ -4,12 +4,8 @@
 #include "fuzz/views.h"
 #include "oracle/check/questions.h"
 
-#include <lgs/islands.h>
-
-#include <algorithm>
 #include <cmath>
 #include <set>
-#include <vector>
 
 namespace lgs::fuzz {
 namespace {

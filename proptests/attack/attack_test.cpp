@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
 #include <ostream>
 
 namespace lgs::test {

@@ -28,7 +28,7 @@ std::vector<To> idsOf(const std::vector<From>& from) {
 }
 
 /// The world, or none.
-inline lgs_world* worldOf(Scene& s, Given given) { return given.isGiven ? s.c.get() : nullptr; }
+inline lgs_world* worldOf(Scene& s, Given given) { return given ? s.c.get() : nullptr; }
 
 /// What a function says that must refuse a NULL for its world, or another pointer that must not be NULL.
 inline lgs_status checked(lgs_status status, bool areGiven) {
@@ -37,7 +37,7 @@ inline lgs_status checked(lgs_status status, bool areGiven) {
   }
   return status;
 }
-inline lgs_status checked(lgs_status status, Given world) { return checked(status, world.isGiven); }
+inline lgs_status checked(lgs_status status, Given world) { return checked(status, bool{world}); }
 
 /// The vertices of a polygon in C, or NULL for them.
 template <class T>

@@ -19,25 +19,11 @@ struct ListOfC {
   std::int32_t number = 0;
 };
 
-template <>
-struct Hostile<WorldOfC> {
-  static const std::vector<WorldOfC>& values(Scene&) {
-    static const std::vector<WorldOfC> all{{WorldOfC::own}, {WorldOfC::other}, {WorldOfC::none}};
-    return all;
-  }
-  static std::string told(const WorldOfC& v) { return fmt::format("world {}", static_cast<int>(v.which)); }
-};
+LGS_VALUES(WorldOfC, fmt::format("world {}", static_cast<int>(v.which)), {WorldOfC::own}, {WorldOfC::other},
+           {WorldOfC::none})
+LGS_VALUES(ListOfC, fmt::format("list {}", v.number), {0}, {1}, {2}, {3}, {4}, {5}, {-1}, {kLeast}, {kMost})
 
-template <>
-struct Hostile<ListOfC> {
-  static const std::vector<ListOfC>& values(Scene&) {
-    static const std::vector<ListOfC> all{{0}, {1}, {2}, {3}, {4}, {5}, {-1}, {kLeast}, {kMost}};
-    return all;
-  }
-  static std::string told(const ListOfC& v) { return fmt::format("list {}", v.number); }
-};
-
-inline lgs_islands* islandsOf(const FollowedC& f, Given given) { return given.isGiven ? f.islands.get() : nullptr; }
+inline lgs_islands* islandsOf(const FollowedC& f, Given given) { return given ? f.islands.get() : nullptr; }
 
 /// Its own island, or a number.
 inline lgs_island_id islandOf(const FollowedC& f, std::uint32_t number) {

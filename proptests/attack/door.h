@@ -8,17 +8,14 @@
 #pragma once
 
 #include "kinds.h"
-#include "scene.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace lgs::test {
 

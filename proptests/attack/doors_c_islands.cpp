@@ -104,24 +104,12 @@ struct ToldOfC {
 
 }  // namespace
 
-// NOLINTBEGIN(readability-identifier-naming): a table
-#define EACH(Type, ...)                                                                                    \
-  template <>                                                                                              \
-  struct Hostile<Type> {                                                                                   \
-    static const std::vector<Type>& values(Scene&) {                                                       \
-      static const std::vector<Type> all{__VA_ARGS__};                                                     \
-      return all;                                                                                          \
-    }                                                                                                      \
-    static std::string told(const Type& v) { return fmt::format(#Type " {}", static_cast<int>(v.which)); } \
-  };
-
-EACH(AnchorOfC, {AnchorOfC::honest}, {AnchorOfC::none}, {AnchorOfC::lying}, {AnchorOfC::reading})
-EACH(EditOfC, {EditOfC::build}, {EditOfC::clear}, {EditOfC::all}, {EditOfC::goBack}, {EditOfC::nothing},
-     {EditOfC::pending}, {EditOfC::isNotFollowed})
-EACH(ToldOfC, {ToldOfC::last}, {ToldOfC::none}, {ToldOfC::early}, {ToldOfC::empty}, {ToldOfC::segments},
-     {ToldOfC::noLists}, {ToldOfC::ahead})
-#undef EACH
-// NOLINTEND(readability-identifier-naming)
+LGS_VALUES(AnchorOfC, fmt::format("anchor {}", static_cast<int>(v.which)), {AnchorOfC::honest}, {AnchorOfC::none},
+           {AnchorOfC::lying}, {AnchorOfC::reading})
+LGS_VALUES(EditOfC, fmt::format("edit {}", static_cast<int>(v.which)), {EditOfC::build}, {EditOfC::clear},
+           {EditOfC::all}, {EditOfC::goBack}, {EditOfC::nothing}, {EditOfC::pending}, {EditOfC::isNotFollowed})
+LGS_VALUES(ToldOfC, fmt::format("lists {}", static_cast<int>(v.which)), {ToldOfC::last}, {ToldOfC::none},
+           {ToldOfC::early}, {ToldOfC::empty}, {ToldOfC::segments}, {ToldOfC::noLists}, {ToldOfC::ahead})
 
 namespace {
 
@@ -177,19 +165,16 @@ void addDoorsOfIslandsInC(Doors& door) {
       static_cast<void>(lgs_islands_update(made, world, &changes));
       askAll(made, world);
     }
-    return checked(status, world && out.isGiven);
+    return checked(status, world && out);
   });
   door("lgs_islands_copy", [](Scene& s, Given i, Given out) {
     FollowedC& f = followedInCBy(s);
     lgs_islands* copy = nullptr;
     const lgs_status status = lgs_islands_copy(islandsOf(f, i), out(copy));
     if (copy) f.islands.reset(copy);
-    return checked(status, i.isGiven && out.isGiven);
+    return checked(status, i && out);
   });
-  door("lgs_islands_free", [](Scene&) {
-    lgs_islands_free(nullptr);
-    return 0U;
-  });
+  door("lgs_islands_free", [](Scene&) { lgs_islands_free(nullptr); });
   door("lgs_islands_update", [](Scene& s, Given i, WorldOfC w, EditOfC edit, ToldOfC told) {
     FollowedC& f = followedInCBy(s);
     const CWorld world = copyOf(f.world.get());
@@ -201,10 +186,10 @@ void addDoorsOfIslandsInC(Doors& door) {
     edit.afterCommit(world.get(), f.square);
     told.in(s, f, lists, changes);
     lgs_world* const asked = w.which == WorldOfC::own ? world.get() : w(f);
-    const lgs_status status = checked(
-        lgs_islands_update(i.isGiven ? view.get() : nullptr, asked, told.which == ToldOfC::none ? nullptr : &changes),
-        i.isGiven && asked && told.which != ToldOfC::none);
-    if (i.isGiven && w.which == WorldOfC::own && told.which == ToldOfC::last && edit.which != EditOfC::pending) {
+    const lgs_status status =
+        checked(lgs_islands_update(i ? view.get() : nullptr, asked, told.which == ToldOfC::none ? nullptr : &changes),
+                i && asked && told.which != ToldOfC::none);
+    if (i && w.which == WorldOfC::own && told.which == ToldOfC::last && edit.which != EditOfC::pending) {
       EXPECT_EQ(status == LGS_OK, edit.isHonest());
     }
     if (asked) askAll(view.get(), asked);
@@ -214,21 +199,21 @@ void addDoorsOfIslandsInC(Doors& door) {
   });
   door("lgs_islands_ids", [](Scene& s, Given i, ListOfC which, Space<lgs_island_id> ids, Out<std::size_t> out) {
     return checked(lgs_islands_ids(islandsOf(followedInCBy(s), i), which.number, ids.data(), ids.size(), out),
-                   i.isGiven && which.number >= 0 && which.number <= LGS_LOOSE && ids.isThere());
+                   i && which.number >= 0 && which.number <= LGS_LOOSE && ids.isThere());
   });
   door("lgs_islands_loop_ids", [](Scene& s, Given i, ListOfC which, Space<lgs_loop_id> ids, Out<std::size_t> out) {
     return checked(lgs_islands_loop_ids(islandsOf(followedInCBy(s), i), which.number, ids.data(), ids.size(), out),
-                   i.isGiven && which.number >= 0 && which.number < LGS_LOOSE && ids.isThere());
+                   i && which.number >= 0 && which.number < LGS_LOOSE && ids.isThere());
   });
   door("lgs_islands_pairs", [](Scene& s, Given i, ListOfC which, Space<lgs_island_pair> pairs, Out<std::size_t> out) {
     return checked(lgs_islands_pairs(islandsOf(followedInCBy(s), i), which.number, pairs.data(), pairs.size(), out),
-                   i.isGiven && which.number >= 0 && which.number <= LGS_JOINED && pairs.isThere());
+                   i && which.number >= 0 && which.number <= LGS_JOINED && pairs.isThere());
   });
   door("lgs_islands_loop_pairs",
        [](Scene& s, Given i, ListOfC which, Space<lgs_loop_pair> pairs, Out<std::size_t> out) {
          return checked(
              lgs_islands_loop_pairs(islandsOf(followedInCBy(s), i), which.number, pairs.data(), pairs.size(), out),
-             i.isGiven && which.number >= 0 && which.number <= LGS_JOINED && pairs.isThere());
+             i && which.number >= 0 && which.number <= LGS_JOINED && pairs.isThere());
        });
   door("lgs_islands_get", [](Scene& s, Given i, std::uint32_t id, Out<lgs_island> out) {
     const FollowedC& f = followedInCBy(s);
@@ -243,11 +228,11 @@ void addDoorsOfIslandsInC(Doors& door) {
   });
   door("lgs_islands_of", [](Scene& s, Given i, WorldOfC w, PolygonHandle h, Out<lgs_island_id> out) {
     const FollowedC& f = followedInCBy(s);
-    return checked(lgs_islands_of(islandsOf(f, i), w(f), toC(h), out), i.isGiven && w(f));
+    return checked(lgs_islands_of(islandsOf(f, i), w(f), toC(h), out), i && w(f));
   });
   door("lgs_islands_loop_of", [](Scene& s, Given i, WorldOfC w, SegmentId segment, Out<lgs_loop_id> out) {
     const FollowedC& f = followedInCBy(s);
-    return checked(lgs_islands_loop_of(islandsOf(f, i), w(f), toC(segment), out), i.isGiven && w(f));
+    return checked(lgs_islands_loop_of(islandsOf(f, i), w(f), toC(segment), out), i && w(f));
   });
 }
 

@@ -4,9 +4,9 @@
 namespace lgs::test {
 namespace {
 
-lgs_pieces* piecesOf(const FollowedC& f, Given given) { return given.isGiven ? f.pieces.get() : nullptr; }
-lgs_hashes* hashesOf(const FollowedC& f, Given given) { return given.isGiven ? f.hashes.get() : nullptr; }
-lgs_body* bodyOf(const FollowedC& f, Given given) { return given.isGiven ? f.body.get() : nullptr; }
+lgs_pieces* piecesOf(const FollowedC& f, Given given) { return given ? f.pieces.get() : nullptr; }
+lgs_hashes* hashesOf(const FollowedC& f, Given given) { return given ? f.hashes.get() : nullptr; }
+lgs_body* bodyOf(const FollowedC& f, Given given) { return given ? f.body.get() : nullptr; }
 
 bool isPart(ListOfC part) { return part.number == LGS_SOLID || part.number == LGS_FREE; }
 
@@ -25,7 +25,7 @@ void addBodies(Doors& door) {
     if (body) f.body.reset(body);
     if (w.which == WorldOfC::other) static_cast<void>(lgs_commit(f.other.get(), nullptr));
     f.commit();
-    return checked(status, w.which != WorldOfC::none && i.isGiven && out.isGiven);
+    return checked(status, w.which != WorldOfC::none && i && out);
   });
   door("lgs_put", [](Scene& s, WorldOfC w, Given body, Cell c, Out<lgs_error> e) {
     FollowedC& f = followedInCBy(s);
@@ -33,7 +33,7 @@ void addBodies(Doors& door) {
     EXPECT_TRUE(inRange(c) || status != LGS_OK);
     if (w.which == WorldOfC::other) static_cast<void>(lgs_commit(f.other.get(), nullptr));
     f.commit();
-    return checked(status, w.which != WorldOfC::none && body.isGiven);
+    return checked(status, w.which != WorldOfC::none && body);
   });
   door("lgs_body_get", [](Scene& s, Given body, Out<lgs_body_facts> out) {
     return checked(lgs_body_get(bodyOf(followedInCBy(s), body), out), body);
@@ -42,12 +42,9 @@ void addBodies(Doors& door) {
     const FollowedC& f = followedInCBy(s);
     lgs_body_facts facts{};
     EXPECT_EQ(lgs_body_get(f.body.get(), &facts), LGS_OK);
-    return checked(lgs_body_polygon_at(bodyOf(f, body), index, out), body.isGiven && index < facts.polygons);
+    return checked(lgs_body_polygon_at(bodyOf(f, body), index, out), body && index < facts.polygons);
   });
-  door("lgs_body_free", [](Scene&) {
-    lgs_body_free(nullptr);
-    return 0U;
-  });
+  door("lgs_body_free", [](Scene&) { lgs_body_free(nullptr); });
 }
 
 void addPieces(Doors& door) {
@@ -58,12 +55,9 @@ void addPieces(Doors& door) {
     const lgs_status status = lgs_pieces_new(w(f), most, out(made));
     const Owned<lgs_pieces> owner(made);
     EXPECT_EQ(status == LGS_OK, made != nullptr);
-    return checked(status, w(f) && out.isGiven && most >= 3 && most <= kMaxVerticesPerCell);
+    return checked(status, w(f) && out && most >= 3 && most <= kMaxVerticesPerCell);
   });
-  door("lgs_pieces_free", [](Scene&) {
-    lgs_pieces_free(nullptr);
-    return 0U;
-  });
+  door("lgs_pieces_free", [](Scene&) { lgs_pieces_free(nullptr); });
   door("lgs_pieces_update", [](Scene& s, Given p, WorldOfC w, Given list, Given out) {
     const FollowedC& f = followedInCBy(s);
     lgs_pieces* made = nullptr;  // it may be told what was in another world
@@ -71,16 +65,16 @@ void addPieces(Doors& door) {
     const Owned<lgs_pieces> owner(made);
     const lgs_cell* cells = nullptr;
     std::size_t count = 0;
-    const lgs_status status = lgs_pieces_update(p.isGiven ? made : nullptr, w(f), list(cells), out(count));
+    const lgs_status status = lgs_pieces_update(p ? made : nullptr, w(f), list(cells), out(count));
     for (std::size_t k = 0; k < count && cells; ++k)
       static_cast<void>(lgs_pieces_portals(made, cells[k], 0, nullptr, 0, nullptr));
-    return checked(status, p.isGiven && w(f));
+    return checked(status, p && w(f));
   });
   door("lgs_pieces_count", [](Scene& s, Given p, Cell c, ListOfC part, Given out) {
     std::size_t count = 0;
     const lgs_status status = lgs_pieces_count(piecesOf(followedInCBy(s), p), toC(c), part.number, out(count));
     EXPECT_TRUE(inRange(c) || count == 0);
-    return checked(status, p.isGiven && isPart(part));
+    return checked(status, p && isPart(part));
   });
   door("lgs_pieces_get", [](Scene& s, Given p, WorldOfC w, Cell c, ListOfC part, std::uint64_t index,
                             Space<lgs_local_point> vertices, Given out) {
@@ -90,13 +84,13 @@ void addPieces(Doors& door) {
     static_cast<void>(lgs_pieces_count(f.pieces.get(), toC(c), part.number, &pieces));
     return checked(lgs_pieces_get(piecesOf(f, p), w(f), toC(c), part.number, index, vertices.data(), vertices.size(),
                                   out(count), out(polygon)),
-                   p.isGiven && w(f) && isPart(part) && index < pieces && vertices.isThere());
+                   p && w(f) && isPart(part) && index < pieces && vertices.isThere());
   });
   door("lgs_pieces_portals",
        [](Scene& s, Given p, Cell c, std::uint32_t index, Space<lgs_portal> portals, Out<std::size_t> out) {
          return checked(
              lgs_pieces_portals(piecesOf(followedInCBy(s), p), toC(c), index, portals.data(), portals.size(), out),
-             p.isGiven && portals.isThere());
+             p && portals.isThere());
        });
 }
 
@@ -107,27 +101,24 @@ void addHashes(Doors& door) {
     const lgs_status status = lgs_hashes_new(w(f), out(made));
     const Owned<lgs_hashes> owner(made);
     EXPECT_EQ(status == LGS_OK, made != nullptr);
-    return checked(status, w(f) && out.isGiven);
+    return checked(status, w(f) && out);
   });
   door("lgs_hashes_copy", [](Scene& s, Given h, Given out) {
     FollowedC& f = followedInCBy(s);
     lgs_hashes* copy = nullptr;
     const lgs_status status = lgs_hashes_copy(hashesOf(f, h), out(copy));
     if (copy) f.hashes.reset(copy);
-    return checked(status, h.isGiven && out.isGiven);
+    return checked(status, h && out);
   });
-  door("lgs_hashes_free", [](Scene&) {
-    lgs_hashes_free(nullptr);
-    return 0U;
-  });
+  door("lgs_hashes_free", [](Scene&) { lgs_hashes_free(nullptr); });
   door("lgs_hashes_update", [](Scene& s, Given h, WorldOfC w) {
     const FollowedC& f = followedInCBy(s);
     const Owned<lgs_hashes> copy = copyOf(f.hashes.get());
     std::size_t count = 0;
-    const lgs_status status = lgs_hashes_update(h.isGiven ? copy.get() : nullptr, w(f));
+    const lgs_status status = lgs_hashes_update(h ? copy.get() : nullptr, w(f));
     static_cast<void>(lgs_hashes_whole(copy.get(), nullptr));
     static_cast<void>(lgs_hashes_differences(copy.get(), f.hashes.get(), nullptr, 0, &count));
-    return checked(status, h.isGiven && w(f));
+    return checked(status, h && w(f));
   });
   door("lgs_hashes_whole", [](Scene& s, Given h, Out<lgs_hashed_square> out) {
     return checked(lgs_hashes_whole(hashesOf(followedInCBy(s), h), out), h);
@@ -138,7 +129,7 @@ void addHashes(Doors& door) {
          const lgs_status status =
              lgs_hashes_in(hashesOf(followedInCBy(s), h), toC(r), level, squares.data(), squares.size(), out(count));
          EXPECT_TRUE((level >= 0 && level <= 14 && !isEmpty(r)) || count == 0);
-         return checked(status, h.isGiven && squares.isThere());
+         return checked(status, h && squares.isThere());
        });
   door("lgs_hashes_differences", [](Scene& s, Given a, Given b, bool isOther, Space<lgs_cell_rect> cells, Given out) {
     const FollowedC& f = followedInCBy(s);
@@ -147,12 +138,12 @@ void addHashes(Doors& door) {
     const Owned<lgs_hashes> owner(ofOther);
     std::size_t count = 0;
     const lgs_status status = lgs_hashes_differences(hashesOf(f, a),
-                                                     !b.isGiven ? nullptr
-                                                     : isOther  ? ofOther
-                                                                : f.hashes.get(),
+                                                     !b        ? nullptr
+                                                     : isOther ? ofOther
+                                                               : f.hashes.get(),
                                                      cells.data(), cells.size(), out(count));
     EXPECT_TRUE(isOther || count == 0);
-    return checked(status, a.isGiven && b.isGiven && cells.isThere());
+    return checked(status, a && b && cells.isThere());
   });
 }
 

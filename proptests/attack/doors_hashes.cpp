@@ -55,22 +55,12 @@ MadeUp madeUp(const Followed& f, ToldCells told) {
 
 }  // namespace
 
-// NOLINTBEGIN(readability-identifier-naming): a table
-template <>
-struct Hostile<ToldCells> {
-  static const std::vector<ToldCells>& values(Scene&) {
-    static const std::vector<ToldCells> all{{0}, {1}, {2}, {3}, {4}, {5}};
-    return all;
-  }
-  static std::string told(const ToldCells& v) { return fmt::format("changes {} of cells", v.which); }
-};
-// NOLINTEND(readability-identifier-naming)
+LGS_VALUES(ToldCells, fmt::format("changes {} of cells", v.which), {0}, {1}, {2}, {3}, {4}, {5})
 
 void addDoorsOfHashes(Doors& door) {
   door("GroundHashes::GroundHashes(const World&)", [](Scene& s, bool isOther) {
     const World& world = isOther ? s.other : s.world;  // with edits that are not committed
     EXPECT_EQ(oracle::faultOf(GroundHashes(world), world).value_or(""), "");
-    return 0U;
   });
   door("GroundHashes::update(span<const CellChange>)", [](Scene& s, ToldCells told) {
     const Followed& f = followedBy(s);
@@ -85,12 +75,10 @@ void addDoorsOfHashes(Doors& door) {
     copy.update(back);
     EXPECT_EQ(differences(copy, *f.hashes).size(), 0U);
     EXPECT_EQ(oracle::faultOf(copy, f.world).value_or(""), "");
-    return 0U;
   });
   door("GroundHashes::hash() const", [](Scene& s) {
     const Followed& f = followedBy(s);
     EXPECT_EQ(f.hashes->hash(), groundHash(f.world, kEverywhere));
-    return 0U;
   });
   door("GroundHashes::hashes(const CellRect&, int) const", [](Scene& s, const CellRect& rect, int level) {
     const Followed& f = followedBy(s);
@@ -104,20 +92,17 @@ void addDoorsOfHashes(Doors& door) {
              q.cells.min.j > asked.max.j;
     });
     EXPECT_EQ(f.hashes->hashes(rect, level), expected);
-    return 0U;
   });
   door("GroundHashes::whole() const", [](Scene& s) {
     const Followed& f = followedBy(s);
     EXPECT_EQ(f.hashes->whole().hash, f.hashes->hash());
     EXPECT_EQ(GroundHashes(World()).whole(), GroundHashes::square({0, 0}, 0));
-    return 0U;
   });
   door("GroundHashes::square(Cell, int)", [](Scene&, Cell cell, int level) {
     const HashedSquare square = GroundHashes::square(cell, level);
     EXPECT_TRUE(inRange(square.cells.min) && inRange(square.cells.max) && !isEmpty(square.cells));
     EXPECT_EQ(square.level, std::clamp(level, 0, GroundHashes::kTopLevel));
     EXPECT_TRUE(!inRange(cell) || contains(square.cells, cell));
-    return 0U;
   });
   door("GroundHashes::bytes() const", [](Scene& s) { return followedBy(s).hashes->bytes(); });
   door("differences(const GroundHashes&, const GroundHashes&)", [](Scene& s, bool isOther) {
@@ -125,21 +110,19 @@ void addDoorsOfHashes(Doors& door) {
     const GroundHashes none{World()}, ofOther{f.other};
     const std::vector<CellRect> cells = differences(isOther ? ofOther : none, *f.hashes);
     EXPECT_EQ(cells.empty(), f.hashes->hash() == (isOther ? ofOther : none).hash());
-    return 0U;
   });
   // A rectangle that is cut in two has the sum.
   door("groundHash(const World&, const CellRect&)", [](Scene& s, const CellRect& rect) {
     const std::uint64_t whole = groundHash(s.world, rect);
     if (isEmpty(rect)) {
       EXPECT_EQ(whole, 0U);
-      return 0U;
+      return;
     }
     const auto middle =
         static_cast<std::int32_t>(rect.min.i + (std::int64_t{rect.max.i} - std::int64_t{rect.min.i}) / 2);
     std::uint64_t sum = groundHash(s.world, {rect.min, {middle, rect.max.j}});
     if (middle < rect.max.i) sum += groundHash(s.world, {{middle + 1, rect.min.j}, rect.max});
     EXPECT_EQ(sum, whole);
-    return 0U;
   });
 }
 

@@ -31,34 +31,23 @@ void addDoorsOfReading(Doors& door) {
   door("World::editedSince(Mark) const", [](Scene& s, Mark mark) { return s.world.editedSince(mark); });
   door("World::cellChanges() const", [](Scene& s) { return s.world.cellChanges().size(); });
   door("World::save(const ByteSink&) const", [](Scene& s, const ByteSink& sink) { return s.world.save(sink); });
-  door("World::polygons(Cell) const", [](Scene& s, Cell c) {
-    EXPECT_EQ(s.world.polygons(c).empty(), s.world.isEmpty(c));
-    return 0U;
-  });
+  door("World::polygons(Cell) const",
+       [](Scene& s, Cell c) { EXPECT_EQ(s.world.polygons(c).empty(), s.world.isEmpty(c)); });
   door("World::polygons(Cell, vector<PlacedPolygon>&) const", [](Scene& s, Cell c) {
     std::vector<PlacedPolygon> out(77);
     s.world.polygons(c, out);
     EXPECT_EQ(out.size(), s.world.polygons(c).size());
-    return 0U;
   });
-  door("World::isEmpty(Cell) const", [](Scene& s, Cell c) {
-    EXPECT_TRUE(inRange(c) || s.world.isEmpty(c));
-    return 0U;
-  });
-  door("World::forEachPolygon(const World::PolygonVisitor&) const", [](Scene& s, const World::PolygonVisitor& visit) {
-    s.world.forEachPolygon(visit);
-    return 0U;
-  });
+  door("World::isEmpty(Cell) const", [](Scene& s, Cell c) { EXPECT_TRUE(inRange(c) || s.world.isEmpty(c)); });
+  door("World::forEachPolygon(const World::PolygonVisitor&) const",
+       [](Scene& s, const World::PolygonVisitor& visit) { s.world.forEachPolygon(visit); });
   door("World::forEachPolygon(const CellRect&, const World::PolygonVisitor&) const",
        [](Scene& s, const CellRect& r, const World::PolygonVisitor& visit) {
          s.world.forEachPolygon(r, visit);
          s.world.forEachPolygon(r, [&](Cell cell, const PlacedPolygon&) { EXPECT_TRUE(contains(r, cell)); });
-         return 0U;
        });
-  door("World::bounds() const", [](Scene& s) {
-    EXPECT_EQ(s.world.bounds().has_value(), s.world.stats().polygons != 0);
-    return 0U;
-  });
+  door("World::bounds() const",
+       [](Scene& s) { EXPECT_EQ(s.world.bounds().has_value(), s.world.stats().polygons != 0); });
   const auto isStale = [](Scene& s, PolygonHandle h) { return !s.isAlive(h); };
   door(
       "World::polygon(PolygonHandle) const", [](Scene& s, PolygonHandle h) { return s.world.polygon(h); }, isStale);
@@ -94,22 +83,18 @@ void addDoorsOfReading(Doors& door) {
   door("World::segments() const", [](Scene& s) { return s.world.segments().size(); });
   door("World::segments(const CellRect&) const", [](Scene& s, const CellRect& r) {
     for (const SegmentId id : s.world.segments(r)) EXPECT_TRUE(contains(r, s.world.segment(id)->cell));
-    return 0U;
   });
   door("World::loops(Collinear) const", [](Scene& s, Collinear collinear) { return s.world.loops(collinear).size(); });
   door("World::at(Point) const", [](Scene& s, Point p) {
     const Spot spot = s.world.at(p);
     EXPECT_EQ(spot.where == Spot::Where::outside, !spot.polygon);
     EXPECT_TRUE(inRange(p) || !spot.polygon);
-    return 0U;
   });
   door(
       "World::nearest(Point, double) const",
       [](Scene& s, Point p, double radius) {
         const auto found = s.world.nearest(p, radius);
-        if (found && found->segment) {
-          EXPECT_LE(found->distance, radius + 1.0 / kUnitsPerCell);
-        }
+        EXPECT_TRUE(!found || !found->segment || found->distance <= radius + 1.0 / kUnitsPerCell);
         return found;
       },
       [](Scene&, Point p, double radius) {

@@ -30,13 +30,17 @@ std::vector<Facts> islandsOf(const Islands& islands) {
   return all;
 }
 
-std::vector<Facts> islandsOf(const lgs_islands* islands) {
+std::vector<lgs_island_id> idsIn(const lgs_islands* islands) {
   std::size_t count = 0;
   static_cast<void>(lgs_islands_ids(islands, LGS_ALL, nullptr, 0, &count));
   std::vector<lgs_island_id> ids(count);
   EXPECT_EQ(lgs_islands_ids(islands, LGS_ALL, ids.data(), count, nullptr), LGS_OK);
+  return ids;
+}
+
+std::vector<Facts> islandsOf(const lgs_islands* islands) {
   std::vector<Facts> all;
-  for (const lgs_island_id id : ids) {
+  for (const lgs_island_id id : idsIn(islands)) {
     lgs_island f{};
     EXPECT_EQ(lgs_islands_get(islands, id, &f), LGS_OK);
     all.emplace_back(f.outer.west.x, f.outer.west.y, f.outer.double_area_high, f.outer.double_area_low,
@@ -57,16 +61,11 @@ std::vector<Cell> cellsToAsk(const World& world) {
 }
 
 void expectRight(const Followed& f) {
-  const bool areIslandsTold = f.islands->loops().version() == f.world.version();
-  oracle::LoopCheck loops;
-  oracle::IslandCheck islands(isAnchored);
-  if (f.loops->version() == f.world.version()) {
-    EXPECT_EQ(loops.begin(f.world, *f.loops).value_or(""), "");
-  }
-  if (areIslandsTold) {
-    EXPECT_EQ(islands.begin(f.world, *f.islands).value_or(""), "");
-  }
-  EXPECT_EQ(oracle::faultOf(*f.hashes, f.world).value_or(""), "");
+  const auto expectNone = [](const std::optional<std::string>& fault) { EXPECT_EQ(fault.value_or(""), ""); };
+  if (f.loops->version() == f.world.version()) expectNone(oracle::LoopCheck().begin(f.world, *f.loops));
+  if (f.islands->loops().version() == f.world.version())
+    expectNone(oracle::IslandCheck(isAnchored).begin(f.world, *f.islands));
+  expectNone(oracle::faultOf(*f.hashes, f.world));
   const Pieces fresh(f.world);
   for (const Cell cell : cellsToAsk(f.world)) {
     EXPECT_EQ(f.pieces->solidPieces(cell).size(), fresh.solidPieces(cell).size());
@@ -77,9 +76,8 @@ void expectRight(const Followed& f) {
 World copyOf(const lgs_world* world) {
   std::vector<std::byte> bytes;
   const lgs_write_fn keep = [](void* user, const std::uint8_t* data, std::size_t size) {
-    const auto* const first = reinterpret_cast<const std::byte*>(data);
-    static_cast<std::vector<std::byte>*>(user)->insert(static_cast<std::vector<std::byte>*>(user)->end(), first,
-                                                       first + size);
+    auto& all = *static_cast<std::vector<std::byte>*>(user);
+    for (const std::uint8_t byte : std::span(data, size)) all.push_back(std::byte{byte});
   };
   EXPECT_EQ(lgs_save(world, keep, &bytes, nullptr), LGS_OK);
   return World::load(bytes).value();
@@ -151,16 +149,7 @@ ListsOfC::ListsOfC(const lgs_changes& changes)
       after(changes.after) {}
 
 lgs_changes ListsOfC::asChanges() const {
-  lgs_changes changes{};
-  changes.removed = removed.data();
-  changes.removed_count = removed.size();
-  changes.added = added.data();
-  changes.added_count = added.size();
-  changes.relinked = relinked.data();
-  changes.relinked_count = relinked.size();
-  changes.before = before;
-  changes.after = after;
-  return changes;
+  return {removed.data(), added.data(), relinked.data(), removed.size(), added.size(), relinked.size(), before, after};
 }
 
 FollowedC::FollowedC() {
@@ -184,9 +173,8 @@ FollowedC::FollowedC() {
   early = last;
   EXPECT_EQ(lgs_add(world.get(), {9, 9}, square, 7, nullptr, nullptr), LGS_OK);
   commit();
-  const lgs_island_id rock = anIsland();
   lgs_body* taken = nullptr;
-  EXPECT_EQ(lgs_take(world.get(), islands.get(), rock, &taken, nullptr), LGS_OK);
+  EXPECT_EQ(lgs_take(world.get(), islands.get(), anIsland(), &taken, nullptr), LGS_OK);
   body.reset(taken);
   commit();
 }
@@ -213,13 +201,8 @@ void FollowedC::commit() {
 }
 
 lgs_island_id FollowedC::anIsland() const {
-  lgs_island_id id{};
-  std::size_t count = 0;
-  static_cast<void>(lgs_islands_ids(islands.get(), LGS_ALL, nullptr, 0, &count));
-  std::vector<lgs_island_id> ids(count);
-  static_cast<void>(lgs_islands_ids(islands.get(), LGS_ALL, ids.data(), count, nullptr));
-  if (!ids.empty()) id = ids.back();
-  return id;
+  const std::vector<lgs_island_id> ids = idsIn(islands.get());
+  return ids.empty() ? lgs_island_id{} : ids.back();
 }
 
 FollowedC& followedInCBy(Scene& scene) {

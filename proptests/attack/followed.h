@@ -9,10 +9,7 @@
 #include <lgs/lgs_views.h>
 #include <lgs/pieces.h>
 
-#include <memory>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace lgs::test {
 

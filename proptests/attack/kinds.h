@@ -8,15 +8,11 @@
 #include <lgs/brush.h>
 #include <lgs/debug.h>
 #include <lgs/radial_match.h>
-#include <lgs/world.h>
 
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <span>
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace lgs::test {
 
@@ -33,10 +29,14 @@ struct Room {
 /// A pointer that may be NULL.
 struct Given {
   bool isGiven = true;
+  explicit operator bool() const { return isGiven; }
   template <class T>
   T* operator()(T& value) const {
     return isGiven ? &value : nullptr;
   }
+  /// Where the elements of a list are, or NULL; and whether that is as many as is said.
+  auto of(auto& list) const { return isGiven ? list.data() : nullptr; }
+  bool hasAll(const auto& list) const { return isGiven || list.empty(); }
 };
 
 /// Where a call writes a T, or NULL. What is there comes last, so that the sanitizers see who writes beyond it.
@@ -128,6 +128,17 @@ LGS_HOSTILE(Undone);
 LGS_HOSTILE(StayingBlocks);
 LGS_HOSTILE(SvgOverlay);
 #undef LGS_HOSTILE
+
+/// The list of a type that the doors of one library alone have, and a value of it in words.
+#define LGS_VALUES(Type, words, ...)                           \
+  template <>                                                  \
+  struct Hostile<Type> {                                       \
+    static const std::vector<Type>& values(Scene&) {           \
+      static const std::vector<Type> all{__VA_ARGS__};         \
+      return all;                                              \
+    }                                                          \
+    static std::string told(const Type& v) { return (words); } \
+  };
 
 template <class T>
 struct Hostile<Out<T>> {

@@ -5,10 +5,8 @@
 #include "proptests/support/worlds.h"
 
 #include <lgs/lgs.h>
-#include <lgs/world.h>
 
 #include <memory>
-#include <vector>
 
 namespace lgs::test {
 

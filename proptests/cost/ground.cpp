@@ -22,6 +22,17 @@ T good(const Expected<T>& result) {
 
 }  // namespace
 
+std::vector<LocalPoint> comb(std::int32_t teeth) {
+  const std::int32_t step = kUnitsPerCell / teeth;
+  Polygon polygon{{0, 0}};
+  for (std::int32_t k = 0; k < teeth; ++k) {
+    polygon.push_back({kUnitsPerCell, k * step + step / 2});
+    polygon.push_back({1, (k + 1) * step});
+  }
+  polygon.back().x = 0;
+  return polygon;
+}
+
 Ground::Ground(std::int32_t side) {
   shapes_ = {good(world.shape(kUnitSquare)),
              good(world.shape(kUnitSquare)),

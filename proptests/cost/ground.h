@@ -17,6 +17,9 @@ using Costs = std::map<std::string, std::uint64_t>;
 inline constexpr std::int32_t kSmall = 80;   ///< cells along a side
 inline constexpr std::int32_t kLarge = 250;  ///< ten times as many cells
 
+/// A comb of long teeth that lie above each other: all of them cross each upright line.
+std::vector<LocalPoint> comb(std::int32_t teeth);
+
 class Ground {
  public:
   /// A square of so many cells on a side, with blocks, slopes, cells of several polygons, gaps, and cells unlike all

@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <vector>
-
 namespace lgs::cost_test {
 namespace {
 
@@ -26,17 +24,10 @@ TEST(Cost, OfPiecesAfterACommitIsNoMoreInALargerWorld) {
   expectNoMore(costs(kSmall), costs(kLarge));
 }
 
-/// Of the pieces of a comb, whose teeth all cross each upright line.
+/// Of the pieces of a comb.
 std::uint64_t costOfPieces(std::int32_t teeth) {
-  const std::int32_t step = kUnitsPerCell / teeth;
-  std::vector<LocalPoint> comb{{0, 0}};
-  for (std::int32_t k = 0; k < teeth; ++k) {
-    comb.push_back({kUnitsPerCell, k * step + step / 2});
-    comb.push_back({1, (k + 1) * step});
-  }
-  comb.back().x = 0;
   World world;
-  EXPECT_TRUE(world.add({0, 0}, comb, 1));
+  EXPECT_TRUE(world.add({0, 0}, comb(teeth), 1));
   return visitsOf([&] { EXPECT_FALSE(Pieces(world).solidPieces({0, 0}).empty()); });
 }
 

@@ -1,29 +1,13 @@
 // Cost of a polygon that was never seen: it grows with its vertices, and not with their square. And of more polygons
 // than a cell may have.
-#include "visits.h"
-
-#include <lgs/world.h>
+#include "ground.h"
 
 #include <gtest/gtest.h>
-
-#include <vector>
 
 namespace lgs::cost_test {
 namespace {
 
 using Polygon = std::vector<LocalPoint>;
-
-/// A comb of long teeth that lie above each other: all of them cross each upright line.
-Polygon comb(std::int32_t teeth) {
-  const std::int32_t step = kUnitsPerCell / teeth;
-  Polygon polygon{{0, 0}};
-  for (std::int32_t k = 0; k < teeth; ++k) {
-    polygon.push_back({kUnitsPerCell, k * step + step / 2});
-    polygon.push_back({1, (k + 1) * step});
-  }
-  polygon.back().x = 0;
-  return polygon;
-}
 
 /// What it costs to place a polygon and to take its edges apart. A refusal costs something, too.
 std::uint64_t costOf(const Polygon& polygon, bool isGood) {

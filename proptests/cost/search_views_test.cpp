@@ -1,5 +1,6 @@
 // The commit that costs a view most, found by a search (search.h): for each unit that the header of the view says its
 // update() costs. The headers state the bounds.
+#include "ground.h"
 #include "oracle/calls/shapes.h"
 #include "search.h"
 
@@ -9,12 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdint>
 #include <span>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 namespace lgs::cost_test {
 namespace {
@@ -44,21 +41,10 @@ Polygons frame() {
           {{0, kSide}, {0, 0}, kA, kD}};
 }
 
-/// A polygon with so many teeth.
-Polygons combOf(std::int32_t teeth) {
-  const std::int32_t step = kSide / teeth;
-  LocalPolygon polygon{{0, 0}};
-  for (std::int32_t k = 0; k < teeth; ++k) {
-    polygon.push_back({kSide, k * step + step / 2});
-    polygon.push_back({k + 1 < teeth ? 1 : 0, (k + 1) * step});
-  }
-  return {polygon};
-}
-
 const std::vector<Polygons>& shapes() {
   static const std::vector<Polygons> all = [] {
     std::vector<Polygons> made{
-        {{{0, 0}, {kSide, 0}, {kSide, kSide}, {0, kSide}}}, dots(), frame(), combOf(3), combOf(8)};
+        {{{0, 0}, {kSide, 0}, {kSide, kSide}, {0, kSide}}}, dots(), frame(), {comb(3)}, {comb(8)}};
     for (const oracle::NamedShape& shape : oracle::degenerateShapes()) made.push_back(shape.polygons);
     return made;
   }();

@@ -52,9 +52,7 @@ TEST(Handles, StayStaleHoweverOftenACellIsEdited) {
       if (k % 3 == 0) world.commit();
       if (k % 5 == 0) {
         ASSERT_EQ(world.clear({{0, 0}, {0, 0}}).value(), beside ? 2U : 1U);
-        if (beside) {
-          ASSERT_TRUE(seen.insert(place(world, {}, other, 77)).second);
-        }
+        ASSERT_TRUE(!beside || seen.insert(place(world, {}, other, 77)).second);
       } else {
         ASSERT_TRUE(world.remove(handle));
       }
@@ -76,8 +74,8 @@ TEST(Handles, SegmentsKeepTheHandleOfARemovedPolygonUntilTheCommit) {
   EXPECT_EQ(world.segment(id).value().polygon, gone);
   EXPECT_FALSE(world.polygon(gone));
   const ChangeLists changes = copyOf(world.commit());
-  EXPECT_EQ(changes.removed.size(),
-            3U);  // another polygon's segments are others, though they lie where the old ones did
+  EXPECT_EQ(changes.removed.size(), 3U)
+      << "another polygon's segments are others, though they lie where the old ones did";
   EXPECT_EQ(changes.added.size(), 3U);
   EXPECT_FALSE(world.segment(id));
   EXPECT_EQ(world.segment(world.segments().at(0)).value().polygon, next);

@@ -1,7 +1,6 @@
 // The documented limits that no test can reach by edits alone, reached by going in behind the edits; what the index and
 // the catalogue must do when it gets tight.
 #include "ground/places.h"
-#include "oracle/calls/random.h"
 #include "oracle/trace/dump.h"
 #include "proptests/support/scale.h"
 #include "proptests/support/worlds.h"
@@ -10,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <iterator>
-#include <map>
 #include <set>
 
 namespace lgs::test {

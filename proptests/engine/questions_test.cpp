@@ -11,8 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <tuple>
 
 namespace lgs::test {
 namespace {
@@ -113,15 +111,11 @@ TEST(QuestionsByHand, BeyondTheWorldIsRefused) {
   const double notANumber = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(world.at({beyond, 0}).where, Spot::Where::outside);
   for (const auto& answer : {world.nearest({0, beyond}, 1), world.nearest({}, -0.5), world.nearest({}, 4096.5),
-                             world.nearest({}, notANumber)}) {
-    ASSERT_FALSE(answer);
-    EXPECT_EQ(answer.error().code, ErrorCode::outOfReach);
-  }
+                             world.nearest({}, notANumber)})
+    EXPECT_EQ(refusal(answer).code, ErrorCode::outOfReach);
   for (const auto& answer : {world.rayCast({}, {0, -beyond}), world.rayCast({}, {0, longest + 1}),
-                             world.rayCast({longest / 2 + 1, 0}, {-longest / 2, 0})}) {
-    ASSERT_FALSE(answer);
-    EXPECT_EQ(answer.error().code, ErrorCode::outOfReach);
-  }
+                             world.rayCast({longest / 2 + 1, 0}, {-longest / 2, 0})})
+    EXPECT_EQ(refusal(answer).code, ErrorCode::outOfReach);
   EXPECT_TRUE(world.nearest({kMaxCoordinate, -kMaxCoordinate}, kMaxRadius));
   EXPECT_FALSE(world.rayCast({}, {longest, -longest})->segment);
 }

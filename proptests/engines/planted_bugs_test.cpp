@@ -2,8 +2,6 @@
 // small.
 #include "proptests/engines/workbench.h"
 
-#include <vector>
-
 namespace lgs::test {
 namespace {
 

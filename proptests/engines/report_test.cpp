@@ -11,8 +11,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <regex>
-#include <utility>
-#include <vector>
 
 namespace lgs::test {
 namespace {

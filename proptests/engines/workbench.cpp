@@ -7,7 +7,6 @@
 #include <fstream>
 #include <sstream>
 #include <thread>
-#include <utility>
 
 namespace lgs::test {
 

@@ -3,7 +3,6 @@
 
 #include "proptests/support/command.h"
 
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -9,9 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-#include <string>
-
 namespace lgs::test {
 namespace {
 

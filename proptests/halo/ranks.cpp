@@ -1,15 +1,11 @@
 #include "proptests/halo/ranks.h"
 
-#include "proptests/support/law.h"
-
 #include <algorithm>
 #include <numeric>
 
 namespace lgs::test {
 
 using regions::Outbox;
-
-void failUnlessFit(bool fits, const char* what) { failUnless(fits, what); }
 
 std::pair<Key, Row> rowOf(const World& world, SegmentId id) {
   const Segment s = *world.segment(id);
@@ -80,15 +76,16 @@ void Ranks::commit(std::size_t rank) {
 
 void Ranks::step(oracle::Random& random) {
   if (mail_.empty() || random.chance(30)) return commit(random.below(size()));
+  deliverAny(random);
+}
+
+void Ranks::deliverAny(oracle::Random& random) {
   const auto [from, to] = std::next(mail_.begin(), static_cast<std::ptrdiff_t>(random.below(mail_.size())))->first;
   deliver(from, to);
 }
 
 void Ranks::deliverAll(oracle::Random& random) {
-  while (!mail_.empty()) {
-    const auto [from, to] = std::next(mail_.begin(), static_cast<std::ptrdiff_t>(random.below(mail_.size())))->first;
-    deliver(from, to);
-  }
+  while (!mail_.empty()) deliverAny(random);
 }
 
 void Ranks::finish(oracle::Random& random) {

@@ -3,6 +3,7 @@
 
 #include "examples/regions/region.h"
 #include "oracle/calls/random.h"
+#include "proptests/support/law.h"
 
 #include <lgs/world.h>
 
@@ -86,6 +87,7 @@ class Ranks {
 
   void send(Kind kind, std::size_t from, regions::Outbox& out);
   void deliver(std::size_t from, std::size_t to);
+  void deliverAny(oracle::Random& random);
   void deliverAll(oracle::Random& random);
   void commit(std::size_t rank);
 
@@ -97,28 +99,26 @@ class Ranks {
   Listed listed_;
 };
 
-// --- Inline
-//  -----------------------------------------------------------------------------------------------------------
+// --- Inline ----------------------------------------------------------------------------------------------------------
 
 /// What a segment is, but for its id.
 std::pair<Key, Row> rowOf(const World& world, SegmentId id);
-void failUnlessFit(bool fits, const char* what);
 
 template <class Lists>
 void Copy::update(const World& world, const Lists& lists, Listed& listed) {
   for (const SegmentId id : lists.removed) {
     const auto gone = rows_.extract(id);
-    failUnlessFit(!gone.empty(), "a segment was removed that was not there");
+    failUnless(!gone.empty(), "a segment was removed that was not there");
     listed.emplace(Change::removed, gone.mapped().first);
   }
   for (const SegmentId id : lists.added) {
     const auto [place, isNew] = rows_.emplace(id, rowOf(world, id));
-    failUnlessFit(isNew, "a segment was added that was there");
+    failUnless(isNew, "a segment was added that was there");
     listed.emplace(Change::added, place->second.first);
   }
   for (const SegmentId id : lists.relinked) {
     const auto there = rows_.find(id);
-    failUnlessFit(there != rows_.end(), "a segment was relinked that was not there");
+    failUnless(there != rows_.end(), "a segment was relinked that was not there");
     there->second = rowOf(world, id);
     listed.emplace(Change::relinked, there->second.first);
   }

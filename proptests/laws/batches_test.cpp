@@ -1,7 +1,5 @@
 // Commits of many edits at once, in rows across the borders of chunks: a commit then goes by whole rows of cells, and
 // passes over what is buried. Against the naive reference, and by change lists on a mirror.
-#include "oracle/calls/random.h"
-#include "oracle/calls/shapes.h"
 #include "proptests/support/law.h"
 #include "proptests/support/played.h"
 #include "proptests/support/traces.h"
@@ -9,8 +7,6 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-
-#include <map>
 
 namespace lgs::test {
 namespace {

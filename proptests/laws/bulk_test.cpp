@@ -5,7 +5,6 @@
 //   GTEST_TOTAL_SHARDS=50 GTEST_SHARD_INDEX=7 LGS_TEST_SCALE=25 lgs_engine_tests --gtest_filter='Bulk*'
 //
 // LGS_TEST_SCALE is how many times as many blocks there are; no two blocks of a run have a case in common.
-#include "oracle/check/checker.h"
 #include "oracle/check/isolated.h"
 #include "oracle/generate/features.h"
 #include "oracle/generate/generator.h"

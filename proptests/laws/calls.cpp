@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <ostream>
-#include <utility>
 
 namespace lgs::test {
 namespace {

@@ -2,17 +2,13 @@
 // leaving calls out, and by simpler calls.
 #pragma once
 
-#include "oracle/calls/caller.h"
 #include "oracle/calls/draw.h"
-#include "oracle/reference/outline.h"
-#include "oracle/reference/scene.h"
 #include "oracle/trace/call_model.h"
 #include "proptests/support/arbitrary.h"
 #include "proptests/support/outline_by_laws.h"
 #include "proptests/support/worlds.h"
 
 #include <iosfwd>
-#include <vector>
 
 namespace lgs::test {
 

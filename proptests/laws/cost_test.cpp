@@ -1,13 +1,11 @@
 // What memory a world takes: the statistics against what is really allocated, and what is given back.
 #include "allocations.h"
-#include "oracle/calls/random.h"
 #include "proptests/support/scale.h"
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cmath>
 
 namespace lgs::test {
 namespace {
@@ -30,8 +28,7 @@ TEST(Memory, ABuriedFullCellCostsAtMostEightBytes) {
   const int chunks = std::max(4, static_cast<int>(31 * std::min(1.0, std::sqrt(testScale()))));  // each way
   const std::int32_t side = 32 * chunks;
   Measured m;
-  const ShapeId square = shapeOf(m.world, {unitSquare()});
-  ASSERT_TRUE(m.world.fill({{0, 0}, {side - 1, side - 1}}, square, 1));
+  fill(m.world, {{0, 0}, {side - 1, side - 1}});
   m.world.commit();
   EXPECT_EQ(m.world.stats().segments, 4U * static_cast<unsigned>(side));
   constexpr double kFirstPages = 400'000;  // of segments and contents, however few there are
@@ -70,8 +67,7 @@ TEST(Memory, GrowsWithWhatIsThere) {
 
 TEST(Memory, OfCellsWhoseEditsAreUndoneIsGivenBack) {
   World world;
-  const ShapeId square = shapeOf(world, {unitSquare()});
-  ASSERT_TRUE(world.fill({{0, 0}, {159, 159}}, square, 1));
+  fill(world, {{0, 0}, {159, 159}});
   world.commit();
   // A buried cell holds two halves for a while. Only then it needs a record of its own.
   const auto visit = [&](Cell cell) {

@@ -1,6 +1,5 @@
 // Calls come through many doors, and mean the same through each: a polygon by its vertices, in lattice units or reals;
 // a shape of one or several polygons; a rectangle of cells; many at once; some in the place of others.
-#include "calls.h"
 #include "oracle/trace/dump.h"
 #include "proptests/support/law.h"
 #include "twins.h"

@@ -7,12 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <iterator>
-#include <optional>
-#include <utility>
-#include <vector>
-
 namespace lgs::test {
 namespace {
 
@@ -33,9 +27,7 @@ LGS_LAW(GoingBack, IsNeverHavingLeft, 1'000,
     const Mark inner = left.world.checkpoint();
     ASSERT_TRUE(left.world.rollBack(mark));
     EXPECT_FALSE(left.world.rollBack(inner)) << "a mark that was made after the moment that the world went back to";
-    if (forgets) {
-      EXPECT_TRUE(left.world.forget(mark));
-    }
+    EXPECT_TRUE(!forgets || left.world.forget(mark));
     ASSERT_NO_FATAL_FAILURE(expectNoDifference(stayed, left, after));
   }
 }
@@ -90,15 +82,6 @@ LGS_LAW(GoingBack, ACopyIsNeverHavingLeft, 1'000,
     caller->given = given;
   }
   expectNoDifference(stayed, copy, after);
-}
-
-Call groupOf(const Calls& calls, Call::Keeps keeps) {
-  Call group;
-  group.kind = Call::Kind::group;
-  group.keeps = keeps;
-  std::ranges::copy_if(calls.list, std::back_inserter(group.group),
-                       [](const Call& call) { return call.kind < Call::Kind::commit; });
-  return group;
 }
 
 LGS_LAW(GoingBack, ATransactionIsUndoneUnlessItIsKept, 500,
@@ -236,12 +219,11 @@ TEST(GoingBackByHand, ATransactionThatWasGoneBackBeyondEnds) {
 
 TEST(GoingBackByHand, NothingIsKeptWithoutMarks) {
   World world;
-  const ShapeId square = shapeOf(world, {unitSquare()});
   std::vector<Mark> marks;
   const auto work = [&](bool isMarked = false) {
     for (int k = 0; k < 100; ++k) {
       if (isMarked) marks.push_back(world.checkpoint());
-      ASSERT_TRUE(world.fill({{0, 0}, {20, 20}}, square, 1));
+      fill(world, {{0, 0}, {20, 20}});
       world.commit();
       ASSERT_TRUE(world.clear(CellRect{{0, 0}, {20, 20}}));
       world.commit();

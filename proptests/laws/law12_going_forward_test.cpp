@@ -5,16 +5,23 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <cstddef>
 #include <ostream>
-#include <utility>
-#include <vector>
 
 namespace lgs::test {
+
+/// A list an eighth as long as others are, of things of the usual size.
+template <class List, class T>
+rc::Gen<List> shortListOf() {
+  return rc::gen::withSize([](int size) {
+    const auto list = rc::gen::container<std::vector<T>>(rc::gen::resize(size, rc::gen::arbitrary<T>()));
+    return rc::gen::map(rc::gen::resize(size / 8, list), [](std::vector<T>&& drawn) { return List{std::move(drawn)}; });
+  });
+}
 
 /// Calls between marks: some frames of a game. Each mark costs a copy of the world here, so there are a dozen at most.
 struct Frames {
   std::vector<Calls> list;
+  static rc::Gen<Frames> arbitrary() { return shortListOf<Frames, Calls>(); }
 };
 void showValue(const Frames& frames, std::ostream& out) {
   for (const Calls& frame : frames.list) {
@@ -26,34 +33,10 @@ void showValue(const Frames& frames, std::ostream& out) {
 /// To which marks the game goes, one after the other.
 struct Visits {
   std::vector<unsigned> list;
+  static rc::Gen<Visits> arbitrary() { return shortListOf<Visits, unsigned>(); }
 };
 void showValue(const Visits& visits, std::ostream& out) { rc::show(visits.list, out); }
 
-}  // namespace lgs::test
-
-namespace rc {
-
-/// A list an eighth as long as others are, of things of the usual size.
-template <class List, class T>
-Gen<List> shortListOf() {
-  return gen::withSize([](int size) {
-    const auto list = gen::container<std::vector<T>>(gen::resize(size, gen::arbitrary<T>()));
-    return gen::map(gen::resize(size / 8, list), [](std::vector<T>&& drawn) { return List{std::move(drawn)}; });
-  });
-}
-
-template <>
-struct Arbitrary<lgs::test::Frames> {
-  static Gen<lgs::test::Frames> arbitrary() { return shortListOf<lgs::test::Frames, lgs::test::Calls>(); }
-};
-template <>
-struct Arbitrary<lgs::test::Visits> {
-  static Gen<lgs::test::Visits> arbitrary() { return shortListOf<lgs::test::Visits, unsigned>(); }
-};
-
-}  // namespace rc
-
-namespace lgs::test {
 namespace {
 
 /// A world with marks, and what it was at each of them.
@@ -61,15 +44,17 @@ struct Timeline {
   Caller now;
   std::vector<Mark> marks;
   std::vector<Caller> then;  ///< by mark
+  std::size_t at = 0;        ///< the mark at which it is
 
   void note() {
+    at = marks.size();
     marks.push_back(now.world.checkpoint());
     then.push_back(now);
   }
-  /// From one of the marks to another one.
-  void go(std::size_t from, std::size_t to) {
-    ASSERT_TRUE(to <= from ? now.world.rollBack(marks[to], Undone::keep) : now.world.rollForward(marks[to]))
-        << "from " << from << " to " << to;
+  void go(std::size_t to) {
+    ASSERT_TRUE(to <= at ? now.world.rollBack(marks[to], Undone::keep) : now.world.rollForward(marks[to]))
+        << "from " << at << " to " << to;
+    at = to;
     now.given = then[to].given;
   }
 };
@@ -84,34 +69,22 @@ Timeline timelineOf(const Setting& setting, const Calls& before, const Frames& f
   return line;
 }
 
-bool isCommitted(const World& world) {
-  return world.save([](auto) {}).has_value();
-}
-
 LGS_LAW(GoingForward, IsNeverHavingGoneBack, 1'500,
         (const Calls& before, const Frames& frames, const Visits& visits, const Calls& after, const Setting& setting)) {
   Timeline line = timelineOf(setting, before, frames);
-  std::size_t at = frames.list.size();
   for (const unsigned visit : visits.list) {
-    const std::size_t to = visit % line.marks.size();
-    ASSERT_NO_FATAL_FAILURE(line.go(at, to));
-    at = to;
-    Caller stayed = line.then[at], left = line.now;
-    ASSERT_NO_FATAL_FAILURE(expectNoDifference(stayed, left, after)) << "at mark " << at;
+    ASSERT_NO_FATAL_FAILURE(line.go(visit % line.marks.size()));
+    Caller stayed = line.then[line.at], left = line.now;
+    ASSERT_NO_FATAL_FAILURE(expectNoDifference(stayed, left, after)) << "at mark " << line.at;
     // What leaves no trace does not stand in the way.
     if (visit % 3 == 0 && isCommitted(line.now.world)) line.now.world.commit();
     if (visit % 3 == 1) {
       const std::vector<PolygonHandle> given = line.now.given;
-      Call group;
-      group.kind = Call::Kind::group;
-      group.keeps = Call::Keeps::never;
-      for (const Call& call : after.list)
-        if (call.kind < Call::Kind::commit) group.group.push_back(call);
-      line.now.make(group);
+      line.now.make(groupOf(after, Call::Keeps::never));
       line.now.given = given;
     }
   }
-  ASSERT_NO_FATAL_FAILURE(line.go(at, frames.list.size()));
+  ASSERT_NO_FATAL_FAILURE(line.go(frames.list.size()));
   expectNoDifference(line.then.back(), line.now, after);
 }
 
@@ -119,11 +92,8 @@ LGS_LAW(GoingForward, ReportsExactlyWhatItDoesToTheSegments, 600,
         (const Calls& before, const Frames& frames, const Visits& visits, const Setting& setting)) {
   Timeline line = timelineOf(setting, before, frames);
   Follower follower(line.now.world);
-  std::size_t at = frames.list.size();
   for (const unsigned visit : visits.list) {
-    const std::size_t to = visit % line.marks.size();
-    ASSERT_NO_FATAL_FAILURE(line.go(at, to));
-    at = to;
+    ASSERT_NO_FATAL_FAILURE(line.go(visit % line.marks.size()));
     const Changes& changes = line.now.world.changesOfRollBack();
     follower.follow(line.now.world, oracle::copyOf(changes));
     EXPECT_TRUE(follower.agrees(line.now.world));
@@ -137,7 +107,7 @@ LGS_LAW(GoingForward, WhatIsDroppedStandsNowhereInTheWay, 600,
          bool keeps)) {
   Timeline line = timelineOf(setting, before, frames);
   const std::size_t last = frames.list.size(), middle = last / 2;
-  ASSERT_NO_FATAL_FAILURE(line.go(last, middle));
+  ASSERT_NO_FATAL_FAILURE(line.go(middle));
   makeAll(line.now, other);
   const Mark end = line.now.world.checkpoint();
   const Caller there = line.now;
@@ -150,7 +120,7 @@ LGS_LAW(GoingForward, WhatIsDroppedStandsNowhereInTheWay, 600,
     expectNoDifference(stayed, line.now, after);
   } else if (middle < last) {
     EXPECT_FALSE(line.now.world.rollForward(end));
-    ASSERT_NO_FATAL_FAILURE(line.go(middle, last));
+    ASSERT_NO_FATAL_FAILURE(line.go(last));
     expectNoDifference(line.then.back(), line.now, after);
   }
 }

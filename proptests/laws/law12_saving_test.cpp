@@ -8,9 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace lgs::test {
 namespace {

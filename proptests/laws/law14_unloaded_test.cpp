@@ -1,7 +1,6 @@
 // Law 14, unloaded is not gone: a world whose chunks leave memory and come back beside one that is whole. What is
 // loaded must show, answer and report what it does in the whole world.
 #include "proptests/support/law.h"
-#include "proptests/support/worlds.h"
 #include "unloaded.h"
 
 #include <gtest/gtest.h>

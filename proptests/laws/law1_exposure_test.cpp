@@ -11,9 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <tuple>
-#include <vector>
 
 namespace lgs::test {
 namespace {
@@ -59,8 +57,7 @@ LGS_LAW(Exposure, IsOfTheCutEdgesThatNoOtherPolygonHas, 2'000, (const GoodTrace&
 }
 
 // --- The pure function for a side between two cells: all pairs of profiles of a side of four units, with up to two
-// polygons on each and all vertices that there can be besides, under all 16 relations between those polygons
-// ------------------------
+// polygons on each and all vertices that there can be besides, under all 16 relations between those polygons.
 
 using detail::Side;
 using detail::Slot;

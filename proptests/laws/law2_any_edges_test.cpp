@@ -1,10 +1,8 @@
 // Law 2 without the grid (lgs/radial_match.h): on any directed edges, and on the boundaries of unions that CGAL made.
 #include <lgs/radial_match.h>
 
-#include "oracle/calls/random.h"
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/reference/canonical.h"
-#include "oracle/reference/vector.h"
 #include "proptests/support/fan.h"
 #include "proptests/support/law.h"
 #include "proptests/support/must.h"
@@ -15,11 +13,8 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <map>
 #include <ostream>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace lgs::test {
 
@@ -29,6 +24,7 @@ using oracle::operator-;
 struct AnyEdges {
   std::vector<Point> points;
   std::vector<DirectedEdge> edges;
+  static rc::Gen<AnyEdges> arbitrary();
   HalfEdge outgoing(std::uint32_t e) const { return {points[edges[e].to] - points[edges[e].from], true}; }
   HalfEdge incoming(std::uint32_t e) const { return {points[edges[e].from] - points[edges[e].to], false}; }
 };
@@ -53,21 +49,15 @@ AnyEdges edgesOf(const Pairs& ends) {
 }
 
 }  // namespace
-}  // namespace lgs::test
 
-template <>
-struct rc::Arbitrary<lgs::test::AnyEdges> {
-  static Gen<lgs::test::AnyEdges> arbitrary() {
-    const auto place = gen::inRange(0, 16);
-    return gen::map(gen::container<lgs::test::Pairs>(gen::pair(place, place)), lgs::test::edgesOf);
-  }
-};
+rc::Gen<AnyEdges> AnyEdges::arbitrary() {
+  const auto place = rc::gen::inRange(0, 16);
+  return rc::gen::map(rc::gen::container<Pairs>(rc::gen::pair(place, place)), edgesOf);
+}
 
-namespace lgs::test {
 namespace {
 
-// --- Each link by itself
-//  ----------------------------------------------------------------------------------------------
+// --- Each link by itself ---------------------------------------------------------------------------------------------
 
 /// The edge that law 2 says, of those that coincide the one with the greatest or the least index.
 std::uint32_t linkByLaw(const AnyEdges& any, std::uint32_t edge, bool isPredecessor) {
@@ -122,8 +112,7 @@ LGS_LAW(RadialMatch, LoopsAreTheCyclesOfMutualLinks, 4'000, (const AnyEdges& any
   }
 }
 
-// --- Against the boundaries of unions
-//  ---------------------------------------------------------------------------------
+// --- Against the boundaries of unions --------------------------------------------------------------------------------
 
 /// An outline's segments as edges, in any order.
 AnyEdges edgesOf(const oracle::Outline& outline, Chance chance) {
@@ -156,8 +145,7 @@ LGS_LAW(RadialMatch, GivesTheFreeFacesOfAnyUnion, 400, (const PlainTrace& trace,
   EXPECT_EQ(oracle::canonical(std::move(loops)), oracle::canonical(united.loops));
 }
 
-// --- What is refused, and the ends of the range
-//  -----------------------------------------------------------------------
+// --- What is refused, and the ends of the range ----------------------------------------------------------------------
 
 TEST(RadialMatchOfEdges, RefusesWhatHasNoDirectionOrIsTooLong) {
   const Point points[] = {{0, 0},

@@ -2,7 +2,6 @@
 // start, its successor the outgoing one met first when turning counter-clockwise around its end. A coincident direction
 // is skipped; where there is no candidate there is no link.
 #include "geometry/radial_match.h"
-#include "oracle/reference/vector.h"
 #include "proptests/support/exhaust.h"
 #include "proptests/support/fan.h"
 #include "proptests/support/law.h"
@@ -13,9 +12,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
-#include <optional>
-#include <vector>
 
 namespace lgs::test {
 namespace {
@@ -111,8 +107,8 @@ TEST(RadialMatch, IsLaw2OnAllFans) {
     ASSERT_EQ(linksByEngine(fan), linksByLaw(fan)) << rc::toString(Fan{fan});
     if (std::ranges::any_of(fan, [](const HalfEdge& e) { return e.towards == kRing[0] || e.towards == kRing[1]; }))
       continue;
-    for (std::size_t k = 1; k < fan.size();
-         ++k, ++rotations) {  // it may begin anywhere, even between two that are alike
+    // It may begin anywhere, even between two that are alike.
+    for (std::size_t k = 1; k < fan.size(); ++k, ++rotations) {
       std::rotate(fan.begin(), fan.begin() + 1, fan.end());
       ASSERT_EQ(linksByEngine(fan), linksByLaw(fan)) << rc::toString(Fan{fan});
     }

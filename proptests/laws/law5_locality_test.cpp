@@ -1,6 +1,5 @@
 // Law 5, locality: a commit changes only segments that lie in, or end on the rim of, an edited cell, and links at that
 // rim's vertices.
-#include "oracle/trace/player.h"
 #include "proptests/support/law.h"
 #include "proptests/support/played.h"
 #include "proptests/support/traces.h"
@@ -9,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 namespace lgs::test {

@@ -3,7 +3,6 @@
 #include "bad_edits.h"
 #include "calls.h"
 #include "proptests/support/law.h"
-#include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
 

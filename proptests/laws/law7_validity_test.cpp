@@ -1,7 +1,6 @@
 // Law 7, what is refused: validation by itself, exhausted on tiny lattices. Every sequence of two to five points
 // against slow rules that can be seen to be right.
 #include "ground/polygon.h"
-#include "oracle/reference/validity.h"
 #include "oracle/reference/vector.h"
 #include "proptests/support/exhaust.h"
 #include "proptests/support/shapes.h"
@@ -9,11 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <bitset>
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace lgs::test {
 namespace {

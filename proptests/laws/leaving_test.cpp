@@ -6,10 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-#include <utility>
-#include <vector>
-
 namespace lgs::test {
 namespace {
 

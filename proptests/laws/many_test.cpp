@@ -9,8 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <string>
-#include <vector>
 
 namespace lgs::test {
 namespace {

@@ -4,12 +4,10 @@
 #include "oracle/trace/dump.h"
 #include "proptests/support/law.h"
 #include "proptests/support/traces.h"
-#include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <vector>
 
 namespace lgs::test {
 namespace {
@@ -57,9 +55,7 @@ LGS_LAW(SamePolygons, DoNotDependOnHowTheyCame, 500, (const Calls& calls, const 
   const World world = grown(setting, calls).world;
   World other;
   std::vector<std::pair<Cell, PolygonFields>> all;
-  world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
-    all.push_back({cell, {p.handle, p.block, LocalPolygon(p.vertices.begin(), p.vertices.end())}});
-  });
+  world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) { all.emplace_back(cell, fieldsOf(p)); });
   chance.shuffle(all);
   for (auto& [cell, polygon] : all) {
     EXPECT_FALSE(samePolygons(world, other) || samePolygons(other, world)) << "something is still missing";

@@ -14,8 +14,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 namespace lgs::test {
 namespace {

@@ -1,13 +1,11 @@
 // A world that has reached its size allocates nothing.
 #include "allocations.h"
-#include "oracle/calls/random.h"
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace lgs::test {
 namespace {

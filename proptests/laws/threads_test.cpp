@@ -1,6 +1,5 @@
 // Threads: a build with an executor gives what a build without gives, to the last id, whatever the executor does; and
 // reading is safe beside reading. Built a second time with the thread sanitizer, which sees races that change nothing.
-#include "oracle/calls/random.h"
 #include "oracle/check/isolated.h"
 #include "proptests/support/law.h"
 #include "proptests/support/scale.h"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace lgs::test {
 
@@ -14,6 +15,15 @@ void expectNoDifference(Caller& stayed, Caller& left, const Calls& calls) {
   EXPECT_EQ(snapshotOf(stayed.world, {}), snapshotOf(left.world, {}));
   EXPECT_TRUE(samePolygons(stayed.world, left.world));
   EXPECT_TRUE(saved(stayed.world) == saved(left.world)) << "saved, they are different bytes";
+}
+
+Call groupOf(const Calls& calls, Call::Keeps keeps) {
+  Call group;
+  group.kind = Call::Kind::group;
+  group.keeps = keeps;
+  std::ranges::copy_if(calls.list, std::back_inserter(group.group),
+                       [](const Call& call) { return call.kind < Call::Kind::commit; });
+  return group;
 }
 
 Follower::Follower(const World& world) {
@@ -39,14 +49,6 @@ bool Follower::agrees(const World& world) const {
     const auto found = segments_.find(id);
     return found != segments_.end() && told(found->second) == told(fieldsOf(*world.segment(id)));
   });
-}
-
-std::vector<std::byte> saved(const World& world) {
-  std::vector<std::byte> bytes;
-  const auto done =
-      world.save([&](std::span<const std::byte> piece) { bytes.insert(bytes.end(), piece.begin(), piece.end()); });
-  EXPECT_TRUE(done);
-  return bytes;
 }
 
 void seal(std::vector<std::byte>& bytes) {

@@ -3,16 +3,16 @@
 #pragma once
 
 #include "calls.h"
-#include "proptests/support/worlds.h"
 
 #include <cstddef>
-#include <map>
-#include <vector>
 
 namespace lgs::test {
 
 /// Makes the same calls in both worlds, which must answer the same, report the same and be saved as the same bytes.
 void expectNoDifference(Caller& stayed, Caller& left, const Calls& calls);
+
+/// The edits among these calls.
+Call groupOf(const Calls& calls, Call::Keeps keeps);
 
 /// Segments that follow the change lists alone.
 class Follower {
@@ -24,8 +24,6 @@ class Follower {
  private:
   std::map<SegmentId, SegmentFields> segments_;
 };
-
-std::vector<std::byte> saved(const World& world);
 
 /// Gives the bytes of a world or a chunk the checksum that they should have.
 void seal(std::vector<std::byte>& bytes);

@@ -22,8 +22,7 @@ Cell chunkOf(Cell cell) { return {cell.i & ~31, cell.j & ~31}; }
 
 World rowOfChunks(std::int32_t chunks) {
   World world;
-  const ShapeId square = shapeOf(world, {unitSquare()});
-  EXPECT_TRUE(world.fill({{0, 0}, {32 * chunks - 1, 31}}, square, 1));
+  fill(world, {{0, 0}, {32 * chunks - 1, 31}});
   world.commit();
   return world;
 }
@@ -49,9 +48,7 @@ BesideTheWhole::BesideTheWhole(oracle::Random choices, WithOut with)
     oracle::Random random(7);  // the same turns
     shapes_ = turnedShapes(*world, random);
   }
-  if (follows_) {
-    EXPECT_TRUE(part_.followCells(true));
-  }
+  EXPECT_TRUE(!follows_ || part_.followCells(true));
   loaded_ = loadedChunks();
   if (!with_.preserves) loops_.emplace(part_);
 }
@@ -163,9 +160,7 @@ void BesideTheWhole::turn() {
   }
   for (std::int32_t j = cells.min.j; j <= cells.max.j; j += 32)
     for (std::int32_t i = cells.min.i; i <= cells.max.i; i += 32)
-      if (!isLoaded({i, j})) {
-        EXPECT_TRUE(shelf_.reload(part_, {i, j}));
-      }
+      EXPECT_TRUE(isLoaded({i, j}) || shelf_.reload(part_, {i, j}));
 }
 
 /// What is forgotten would count as empty: it comes back at once, and some of it goes again.
@@ -174,18 +169,12 @@ void BesideTheWhole::forget() {
   for (const Cell corner : corners())
     if (!isLoaded(corner)) unloaded.push_back(corner);
   EXPECT_TRUE(part_.forget(kAll));
-  for (const Cell corner : unloaded)
-    if (isLoaded(corner)) {
-      EXPECT_TRUE(shelf_.reload(part_, corner));
-    }
+  for (const Cell corner : unloaded) EXPECT_TRUE(!isLoaded(corner) || shelf_.reload(part_, corner));
   EXPECT_TRUE(part_.unload(someChunks(), shelf_.sink()));
 }
 
 void BesideTheWhole::bringAllBack() {
-  for (const Cell corner : corners())
-    if (!isLoaded(corner)) {
-      EXPECT_TRUE(shelf_.reload(part_, corner));
-    }
+  for (const Cell corner : corners()) EXPECT_TRUE(isLoaded(corner) || shelf_.reload(part_, corner));
 }
 
 /// The lower-left cells of all chunks that there may be.
@@ -281,14 +270,11 @@ void BesideTheWhole::commit() {
 /// Whoever applies the lists alone has the segments.
 void BesideTheWhole::follow(const Changes& changes) {
   for (const SegmentId id : changes.removed) EXPECT_EQ(copy_.erase(id), 1U);
-  for (const SegmentId id : changes.added) {
-    EXPECT_FALSE(copy_.contains(id));
-    if (const auto s = part_.segment(id)) copy_[id] = *s;
-  }
-  for (const SegmentId id : changes.relinked) {
-    EXPECT_TRUE(copy_.contains(id));
-    if (const auto s = part_.segment(id)) copy_[id] = *s;
-  }
+  for (const SegmentId id : changes.added) EXPECT_FALSE(copy_.contains(id));
+  for (const SegmentId id : changes.relinked) EXPECT_TRUE(copy_.contains(id));
+  for (const auto* ids : {&changes.added, &changes.relinked})
+    for (const SegmentId id : *ids)
+      if (const auto s = part_.segment(id)) copy_[id] = *s;
   std::vector<SegmentId> ids;
   for (const auto& [id, s] : copy_) {
     ids.push_back(id);
@@ -317,12 +303,9 @@ void BesideTheWhole::expectSameOutline() {
       there.push_back(loop.vertices);
   EXPECT_EQ(here, there);
   for (const Loop& loop : whole_.loops(Collinear::merge)) merged.push_back(loop.vertices);
-  std::size_t count = 0;
-  for (const Loop& loop : part_.loops(Collinear::merge)) {
-    EXPECT_NE(std::ranges::find(merged, loop.vertices), merged.end());
-    ++count;
-  }
-  EXPECT_EQ(count, here.size());
+  const std::vector<Loop> loops = part_.loops(Collinear::merge);
+  for (const Loop& loop : loops) EXPECT_NE(std::ranges::find(merged, loop.vertices), merged.end());
+  EXPECT_EQ(loops.size(), here.size());
 }
 
 /// The view that follows has the closed loops, as one has that begins now.

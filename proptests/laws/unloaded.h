@@ -1,16 +1,12 @@
 // Law 14 needs a whole world beside one whose chunks leave memory.
 #pragma once
 
-#include "oracle/calls/random.h"
 #include "proptests/support/worlds.h"
 
 #include <lgs/loops.h>
-#include <lgs/world.h>
 
 #include <cstddef>
-#include <map>
 #include <set>
-#include <vector>
 
 namespace lgs::test {
 

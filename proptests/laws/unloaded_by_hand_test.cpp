@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <optional>
-
 namespace lgs::test {
 namespace {
 
@@ -106,9 +104,7 @@ TEST(UnloadedByHand, AChunkThatComesBackEmptyGivesNoHandleTwice) {
     World world;
     PolygonHandle old;
     for (int k = 0; k < edits; ++k) {
-      if (old) {
-        EXPECT_TRUE(world.remove(old));
-      }
+      EXPECT_TRUE(!old || world.remove(old));
       old = place(world, {3, 4}, unitSquare());
     }
     place(world, {40, 4}, unitSquare());
@@ -253,8 +249,7 @@ TEST(UnloadedByHand, ThreadsSeeNoDifference) {
   EXPECT_EQ(world.unload({{0, 0}, {95, 31}}, {}), 3U);
   world.commit();
   EXPECT_EQ(world.reloadEmpty(chunkAt(0, 0)), 1U);
-  const ShapeId square = shapeOf(world, {unitSquare()});
-  EXPECT_TRUE(world.fill(chunkAt(0, 0), square, 1));
+  fill(world, chunkAt(0, 0));
   const Executor inLine = [](std::size_t count, const std::function<void(std::size_t)>& job) {
     for (std::size_t k = 0; k < count; ++k) job(k);
   };

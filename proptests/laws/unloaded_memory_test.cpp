@@ -8,8 +8,7 @@ namespace {
 
 TEST(UnloadedByHand, MemoryGoesDownAndStaysDown) {
   World world = rowOfChunks(1);
-  const ShapeId square = shapeOf(world, {unitSquare()});
-  EXPECT_TRUE(world.fill({{0, 32}, {32 * 200 - 1, 63}}, square, 1));
+  fill(world, {{0, 32}, {32 * 200 - 1, 63}});
   world.commit();
   const std::uint64_t full = world.stats().bytes;
   Shelf shelf;

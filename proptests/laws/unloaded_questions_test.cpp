@@ -9,8 +9,7 @@ namespace {
 
 TEST(UnloadedByHand, AnUnknownPlaceCanCountAsSolid) {
   World world = rowOfChunks(1);
-  const ShapeId square = shapeOf(world, {unitSquare()});
-  EXPECT_TRUE(world.fill(chunkAt(1, 0), square, 1));
+  fill(world, chunkAt(1, 0));
   EXPECT_EQ(world.unload(chunkAt(1, 0), {}), 1U);
   world.commit();
   EXPECT_EQ(world.segments().size(), 96U) << "no wall towards it";
@@ -72,9 +71,8 @@ TEST(UnloadedByHand, OfPlacesThatMayBeNearestTheFirstByRowsIsNamed) {
     for (const Cell second : beside) {
       if (first == second) continue;
       World world;
-      const ShapeId square = shapeOf(world, {unitSquare()});
       for (const Cell chunk : {first, second}) {
-        EXPECT_TRUE(world.fill(chunkAt(chunk.i, chunk.j), square, 1));
+        fill(world, chunkAt(chunk.i, chunk.j));
         EXPECT_EQ(world.unload(chunkAt(chunk.i, chunk.j), {}), 1U);
       }
       world.commit();

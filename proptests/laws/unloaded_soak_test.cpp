@@ -6,12 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <set>
-#include <vector>
-
 namespace lgs::test {
 namespace {
 
@@ -32,9 +26,7 @@ class Journey {
           const ShapeId shape = random_.pick(shapes_);
           for (World* world : {&part_, &whole_}) EXPECT_TRUE(world->replace(at, shape, 1));
         }
-        if (i >= kWindow || j >= kWindow) {
-          EXPECT_TRUE(part_.unload(chunkAt(i, j), shelf_.sink()));
-        }
+        EXPECT_TRUE((i < kWindow && j < kWindow) || part_.unload(chunkAt(i, j), shelf_.sink()));
       }
       commit();
     }
@@ -60,9 +52,7 @@ class Journey {
     forgetMarks();
     for (std::int32_t j = 0; j < side_; ++j)
       for (std::int32_t i = 0; i < side_; ++i)
-        if (part_.firstUnloaded(chunkAt(i, j))) {
-          EXPECT_TRUE(shelf_.reload(part_, chunkAt(i, j).min));
-        }
+        EXPECT_TRUE(!part_.firstUnloaded(chunkAt(i, j)) || shelf_.reload(part_, chunkAt(i, j).min));
     part_.commit();
     whole_.commit();
     EXPECT_TRUE(samePolygons(part_, whole_));
@@ -95,9 +85,7 @@ class Journey {
       for (World* world : {&part_, &whole_}) world->commit();
     window_ = to;
     for (std::int32_t j = 0; j < kWindow; ++j)
-      for (std::int32_t i = 0; i < kWindow; ++i) {
-        EXPECT_TRUE(shelf_.reload(part_, chunkAt(to.i + i, to.j + j).min));
-      }
+      for (std::int32_t i = 0; i < kWindow; ++i) EXPECT_TRUE(shelf_.reload(part_, chunkAt(to.i + i, to.j + j).min));
   }
 
   void edit() {

@@ -2,13 +2,8 @@
 // another.
 #include "calls.h"
 #include "proptests/support/law.h"
-#include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
-
-#include <map>
-#include <utility>
-#include <vector>
 
 namespace lgs::test {
 namespace {

@@ -3,7 +3,6 @@
 
 #include "hash.h"
 
-#include "oracle/calls/caller.h"
 #include "oracle/calls/draw.h"
 #include "oracle/calls/random.h"
 

@@ -8,7 +8,6 @@
 #include <lgs/segment.h>
 
 #include <bit>
-#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <string_view>

@@ -7,7 +7,6 @@
 #include "oracle/trace/dump.h"
 #include "oracle/trace/file.h"
 #include "oracle/trace/model.h"
-#include "oracle/trace/player.h"
 #include "proptests/support/exhaust.h"
 #include "proptests/support/played.h"
 #include "proptests/support/traces.h"
@@ -17,7 +16,6 @@
 #include <unistd.h>
 #include <algorithm>
 #include <cstdlib>
-#include <map>
 #include <set>
 
 namespace lgs::test {

@@ -5,10 +5,6 @@
 
 #include "proptests/support/law.h"
 
-#include <functional>
-#include <optional>
-#include <string>
-
 namespace lgs::test::rapid {
 
 /// Has RapidCheck try the cases, up to the first of which `holds` says no. If it `shrinks`, it then makes that one

@@ -11,8 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <ostream>
-#include <utility>
-#include <vector>
 
 namespace lgs::oracle {
 namespace {

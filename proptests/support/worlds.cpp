@@ -33,6 +33,10 @@ ShapeId shapeOf(World& world, const std::vector<LocalPolygon>& polygons) {
   return shape.value_or(ShapeId{});
 }
 
+void fill(World& world, const CellRect& cells, const LocalPolygon& polygon) {
+  EXPECT_TRUE(world.fill(cells, shapeOf(world, {polygon}), 1));
+}
+
 void removeAll(World& world, Cell cell) {
   for (const PlacedPolygon& p : world.polygons(cell)) EXPECT_TRUE(world.remove(p.handle));
 }
@@ -55,10 +59,11 @@ SegmentFields fieldsOf(const Segment& s) {
   return fields;
 }
 
+PolygonFields fieldsOf(const PlacedPolygon& p) { return {p.handle, p.block, {p.vertices.begin(), p.vertices.end()}}; }
+
 std::vector<PolygonFields> polygonsIn(const World& world, Cell cell) {
   std::vector<PolygonFields> out;
-  for (const PlacedPolygon& p : world.polygons(cell))
-    out.push_back({p.handle, p.block, LocalPolygon(p.vertices.begin(), p.vertices.end())});
+  for (const PlacedPolygon& p : world.polygons(cell)) out.push_back(fieldsOf(p));
   return out;
 }
 
@@ -75,6 +80,17 @@ Snapshot snapshotOf(const World& world, std::span<const Cell> cells) {
   snapshot.shapeCount = stats.shapes;
   snapshot.chunkCount = stats.chunks;
   return snapshot;
+}
+
+std::vector<std::byte> saved(const World& world) {
+  std::vector<std::byte> bytes;
+  EXPECT_TRUE(
+      world.save([&](std::span<const std::byte> piece) { bytes.insert(bytes.end(), piece.begin(), piece.end()); }));
+  return bytes;
+}
+
+bool isCommitted(const World& world) {
+  return world.save([](auto) {}).has_value();
 }
 
 std::vector<Cell> cellsOf(const CellRect& rect) {

@@ -36,6 +36,7 @@ std::vector<LocalPolygon> shapeNamed(std::string_view name);
 /// Edits that must succeed.
 PolygonHandle place(World& world, Cell cell, const LocalPolygon& polygon, Block block = 1);
 ShapeId shapeOf(World& world, const std::vector<LocalPolygon>& polygons);
+void fill(World& world, const CellRect& cells, const LocalPolygon& polygon = unitSquare());
 void removeAll(World& world, Cell cell);
 
 /// Every degenerate shape, each turned by chance.
@@ -61,6 +62,7 @@ struct PolygonFields {
   LocalPolygon vertices;
   friend bool operator==(const PolygonFields&, const PolygonFields&) = default;
 };
+PolygonFields fieldsOf(const PlacedPolygon& polygon);
 std::vector<PolygonFields> polygonsIn(const World& world, Cell cell);
 
 /// Everything that a user can see of a world, memory used and contents interned apart: those are caches.
@@ -73,6 +75,10 @@ struct Snapshot {
   friend bool operator==(const Snapshot&, const Snapshot&) = default;
 };
 Snapshot snapshotOf(const World& world, std::span<const Cell> cells);
+
+/// The bytes of a world that has no pending edits; and whether it has none.
+std::vector<std::byte> saved(const World& world);
+bool isCommitted(const World& world);
 
 /// All cells of a rectangle, by rows.
 std::vector<Cell> cellsOf(const CellRect& rect);

@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdint>
-
 namespace lgs::test {
 namespace {
 
@@ -39,10 +37,7 @@ TEST(ViewsByHand, NothingIsFollowedUnlessItIsAskedFor) {
 TEST(ViewsByHand, FollowingBeginsAndEndsBetweenCommitsWithoutMarks) {
   World world;
   place(world, {}, unitSquare());
-  for (const bool follow : {true, false}) {
-    const auto refused = refusal(world.followCells(follow));
-    EXPECT_EQ(refused.code, ErrorCode::uncommitted);
-  }
+  for (const bool follow : {true, false}) EXPECT_EQ(refusal(world.followCells(follow)).code, ErrorCode::uncommitted);
   world.commit();
   const Mark mark = world.checkpoint();
   EXPECT_FALSE(world.followCells(true));
@@ -70,7 +65,7 @@ TEST(ViewsByHand, WhatCellsHeldOutlivesIt) {
   world.commit();  // forgets the contents that no cell has
   EXPECT_EQ(world.stats().contents, 0U);
   const World copy = world;
-  ASSERT_TRUE(world.fill({{1, 0}, {3'000, 0}}, shapeOf(world, {unitSquare()}), 1));
+  fill(world, {{1, 0}, {3'000, 0}});
   world.commit();  // what it told before is overwritten
   world = World();
   ASSERT_EQ(copy.cellChanges().size(), 3'000U);
@@ -84,10 +79,9 @@ TEST(ViewsByHand, WhatCellsHeldOutlivesIt) {
 TEST(ViewsByHand, NothingIsKeptBeyondTheLastCommit) {
   World world;
   ASSERT_TRUE(world.followCells(true));
-  const ShapeId square = shapeOf(world, {unitSquare()});
   const auto work = [&] {
     for (int k = 0; k < 100; ++k) {
-      ASSERT_TRUE(world.fill({{0, 0}, {20, 20}}, square, 1));
+      fill(world, {{0, 0}, {20, 20}});
       world.commit();
       ASSERT_TRUE(world.clear(CellRect{{0, 0}, {20, 20}}));
       world.commit();

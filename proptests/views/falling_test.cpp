@@ -14,8 +14,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
-#include <vector>
 
 namespace lgs::test {
 namespace {

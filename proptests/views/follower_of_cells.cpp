@@ -4,14 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <set>
-#include <utility>
 
 namespace lgs::test {
 namespace {
 
-PolygonFields fieldsOf(const PlacedPolygon& p) { return {p.handle, p.block, {p.vertices.begin(), p.vertices.end()}}; }
-
-std::vector<PolygonFields> fieldsOf(std::span<const PlacedPolygon> polygons) {
+std::vector<PolygonFields> allOf(std::span<const PlacedPolygon> polygons) {
   std::vector<PolygonFields> out;
   for (const PlacedPolygon& p : polygons) out.push_back(fieldsOf(p));
   return out;
@@ -169,9 +166,9 @@ void FollowerOfCells::expectTold(std::span<const Edited> edited, const Cells& no
     ASSERT_TRUE(first.contains(cell)) << "a cell that was not edited: " << cell.i << ' ' << cell.j;
     EXPECT_GE(first[cell], edit) << "a cell that was edited earlier: " << cell.i << ' ' << cell.j;
     edit = first[cell];
-    EXPECT_EQ(fieldsOf(change.before), in(told_, cell)) << "before, in cell " << cell.i << ' ' << cell.j;
-    EXPECT_EQ(fieldsOf(change.now), in(now, cell)) << "now, in cell " << cell.i << ' ' << cell.j;
-    after[cell] = fieldsOf(change.now);
+    EXPECT_EQ(allOf(change.before), in(told_, cell)) << "before, in cell " << cell.i << ' ' << cell.j;
+    EXPECT_EQ(allOf(change.now), in(now, cell)) << "now, in cell " << cell.i << ' ' << cell.j;
+    after[cell] = allOf(change.now);
     if (change.now.empty()) after.erase(cell);
   }
   EXPECT_EQ(named.size(), first.size()) << "cells that were edited are not named";

@@ -8,10 +8,6 @@
 
 #include <lgs/world.h>
 
-#include <cstddef>
-#include <map>
-#include <vector>
-
 namespace lgs::test {
 
 /// The cells that hold something.

@@ -11,9 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <string>
-#include <vector>
 
 namespace lgs::test {
 namespace {
@@ -35,16 +32,12 @@ class IslandFollower {
     if (call.kind == Call::Kind::copy) islands_ = Islands(islands_);
     if (call.kind != Call::Kind::commit && call.kind != Call::Kind::goBack) return;
     // To go back to a moment with edits that were pending is the one thing that the view can not follow.
-    const bool isPending = !caller_.world.save([](std::span<const std::byte>) {});
+    const bool isPending = !isCommitted(caller_.world);
     if (!isPending && wasPending_) return begin();
     wasPending_ = isPending;
     if (isPending) return;
-    Changes changes;
-    changes.removed = outcome.changes.removed;
-    changes.added = outcome.changes.added;
-    changes.relinked = outcome.changes.relinked;
-    changes.before = islands_.loops().version();
-    changes.after = caller_.world.version();
+    const auto& [removed, added, relinked] = outcome.changes;
+    const Changes changes{removed, added, relinked, islands_.loops().version(), caller_.world.version()};
     failUnless(islands_.update(caller_.world, changes), "the update was refused");
     failIf(check_.update(caller_.world, islands_));
   }
@@ -259,10 +252,7 @@ TEST(IslandViewByHand, AllIsRemovedUndoneAndLoaded) {
   EXPECT_EQ(d.anchors({0, 1}), 1U);
   EXPECT_EQ(d.anchors({3, 1}), 0U);
 
-  std::vector<std::byte> saved;
-  ASSERT_TRUE(
-      d.world.save([&](std::span<const std::byte> bytes) { saved.insert(saved.end(), bytes.begin(), bytes.end()); }));
-  auto loaded = must(World::load(saved));
+  auto loaded = must(World::load(saved(d.world)));
   ASSERT_TRUE(loaded.followCells(true));
   Islands islands(loaded, isBedrock);
   oracle::IslandCheck check(isBedrock);

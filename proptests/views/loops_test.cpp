@@ -8,8 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdint>
-#include <vector>
 
 namespace lgs::test {
 namespace {
@@ -26,15 +24,11 @@ class LoopFollower {
     if (call.kind == Call::Kind::load) return begin();
     if (call.kind == Call::Kind::copy) loops_ = Loops(loops_);
     if (call.kind != Call::Kind::commit && call.kind != Call::Kind::goBack) return;
-    Changes changes;
-    changes.removed = outcome.changes.removed;
-    changes.added = outcome.changes.added;
-    changes.relinked = outcome.changes.relinked;
-    changes.before = loops_.version();
-    changes.after = caller_.world.version();
+    const auto& [removed, added, relinked] = outcome.changes;
+    const Changes changes{removed, added, relinked, loops_.version(), caller_.world.version()};
     failUnless(loops_.update(caller_.world, changes), "the update was refused");
     // What is pending again after going back can be read, and has no segments yet: then there is nothing to compare.
-    const bool isPending = !caller_.world.save([](std::span<const std::byte>) {});
+    const bool isPending = !isCommitted(caller_.world);
     if (!isPending) failIf(wasPending_ ? check_.begin(caller_.world, loops_) : check_.update(caller_.world, loops_));
     wasPending_ = isPending;
   }
@@ -184,8 +178,7 @@ TEST(Int128, IsRoundedToTheNearestDouble) {
 /// How many nodes of trees it takes to cut a bar of so many cells in the middle.
 std::uint64_t visitsToCut(std::int32_t length) {
   World world;
-  const ShapeId square = shapeOf(world, {unitSquare()});
-  EXPECT_TRUE(world.fill({{0, 0}, {length - 1, 0}}, square, 1));
+  fill(world, {{0, 0}, {length - 1, 0}});
   world.commit();
   Loops loops(world);
   std::uint64_t most = 0;
