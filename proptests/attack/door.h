@@ -74,9 +74,9 @@ class Doors {
     door.isRefused = drawn(std::function<bool(Scene&, Args...)>([call = std::move(call)](Scene& scene, Args... args) {
       if constexpr (std::is_same_v<Result, lgs_status>) {
         return call(scene, args...) != LGS_OK;
-      } else if constexpr (requires(Result r) {
-                             r.has_value();
-                             r.error();
+      } else if constexpr (requires(Result * r) {
+                             r->has_value();
+                             r->error();
                            }) {
         return !call(scene, args...).has_value();
       } else {
