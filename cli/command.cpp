@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <lgs/debug.h>
 #include <lgs/world.h>
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>

@@ -18,12 +18,7 @@ CellSet around(const CellSet& cells) {
 }
 
 Scene sceneOf(const Model& model, const PreservePairs& preserve, const CellSet& cells) {
-  Scene scene;
-  scene.preserve = preserve;
-  for (const Cell& cell : cells) {
-    for (const Model::Placed& placed : model.in(cell)) scene.polygons.push_back({cell, placed.block, placed.vertices});
-  }
-  return scene;
+  return model.part(cells).scene(preserve);
 }
 
 Scene sceneOf(const Model& model, const CellRect& cells) {

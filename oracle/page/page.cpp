@@ -5,7 +5,6 @@
 #include "oracle/page/template.h"
 
 #include <algorithm>
-#include <string_view>
 
 namespace lgs::oracle {
 namespace {

@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
-#include <iterator>
 
 namespace lgs::oracle::paging {
 namespace {

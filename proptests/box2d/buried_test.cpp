@@ -3,11 +3,6 @@
 #include "proptests/support/scale.h"
 #include "turmoil.h"
 
-#include <gtest/gtest.h>
-#include <cstdio>
-#include <string>
-#include <vector>
-
 namespace lgs::box2d_test {
 namespace {
 

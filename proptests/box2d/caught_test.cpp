@@ -2,7 +2,6 @@
 #include "either.h"
 #include "proptests/support/must.h"
 
-#include <gtest/gtest.h>
 #include <lgs/box2d/cut_out.h>
 
 namespace lgs::box2d_test {

@@ -31,6 +31,15 @@ inline std::vector<PlainEdge> plain(const EdgeSet& set) {
   return edges;
 }
 
+/// Expects the edges that the rules say, and no others.
+inline void expectEdgesOf(const World& world, const EdgeSet& set) {
+  const NaiveEdges naive = NaiveBuilder(world, set.options()).build();
+  EXPECT_EQ(plain(set), naive.edges);
+  EXPECT_EQ(set.counts(), naive.counts);
+  EXPECT_EQ(set.version(), world.version());
+  for (const EdgeId id : set.edges()) EXPECT_EQ(set.edge(id).block, world.segment(set.edge(id).first)->block);
+}
+
 /// Whether two ghosts beside a place are different to an engine that knows directions alone. Coordinates are small
 /// here.
 inline bool isTurned(const std::optional<Point>& a, const std::optional<Point>& b, Point from, double shortest) {

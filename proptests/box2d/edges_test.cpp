@@ -10,11 +10,7 @@
 #include "proptests/support/scale.h"
 #include "proptests/support/worlds.h"
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <lgs/box2d/edges.h>
-#include <algorithm>
-#include <set>
 
 namespace lgs::box2d {
 namespace {
@@ -25,8 +21,7 @@ using oracle::Random;
 using test::U;
 
 using box2d_test::Copy;
-using box2d_test::NaiveBuilder;
-using box2d_test::NaiveEdges;
+using box2d_test::expectEdgesOf;
 using box2d_test::plain;
 
 // Expects what holds for any set of edges and any options.
@@ -93,9 +88,7 @@ TEST(Box2dEdges, UpdatesEqualTheRulesAndChangesAreExact) {
       fresh.load(player.world());
       EXPECT_EQ(plain(set), plain(fresh));
       EXPECT_EQ(set.counts(), fresh.counts());
-      const NaiveEdges naive = NaiveBuilder(player.world(), options).build();
-      EXPECT_EQ(plain(set), naive.edges);
-      EXPECT_EQ(set.counts(), naive.counts);
+      expectEdgesOf(player.world(), set);
       expectLaws(player.world(), set);
       seen->merged += set.counts().merged;
       seen->welded += set.counts().welded;
@@ -137,9 +130,7 @@ LGS_LAW(Box2dEdges, FollowAWorldThatGoesBack, 100, (const box2d_test::Edits& tra
     ASSERT_TRUE(world.rollBack(mark));
     ASSERT_TRUE(world.forget(mark));
     copy.apply(set, set.update(world, world.changesOfRollBack()), Copy::Ids::mayReturn);
-    const NaiveEdges naive = NaiveBuilder(world, options).build();
-    EXPECT_EQ(plain(set), naive.edges);
-    EXPECT_EQ(set.counts(), naive.counts);
+    expectEdgesOf(world, set);
   });
 }
 
@@ -155,9 +146,7 @@ LGS_LAW(Box2dEdges, FollowAWorldWhoseChunksComeAndGo, 100,
   copy.apply(set, set.load(world));
   const auto update = [&](const Changes& changes) {
     copy.apply(set, set.update(world, changes));
-    const NaiveEdges naive = NaiveBuilder(world, options).build();
-    EXPECT_EQ(plain(set), naive.edges);
-    EXPECT_EQ(set.counts(), naive.counts);
+    expectEdgesOf(world, set);
   };
   box2d_test::playAll(trace, player, [&] {
     update(player.commit());

@@ -1,13 +1,10 @@
 // What a fixture stands for: Terrain::hit() before and after a sync, and for fixtures that are not the terrain's.
-#include "field.h"
+#include "either.h"
 #include "played.h"
 #include "proptests/support/must.h"
 
-#include <gtest/gtest.h>
 #include <lgs/box2d/terrain.h>
-#include <algorithm>
 #include <cstdlib>
-#include <map>
 #include <set>
 
 namespace lgs::box2d_test {
@@ -18,11 +15,7 @@ using box2d::Hit;
 using box2d::Terrain;
 using box2d::TerrainOptions;
 
-class Box2dHit : public testing::Test {
- protected:
-  b2World physics{{0, -10}};
-  Field field;
-};
+using Box2dHit = EitherBox2d;
 
 TEST_F(Box2dHit, AFixtureLeadsToSegmentPolygonBlockAndCell) {
   field.addFloor(0, 3);

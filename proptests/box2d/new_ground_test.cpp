@@ -6,10 +6,6 @@
 #include "played.h"
 #include "proptests/support/must.h"
 
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <cmath>
-
 namespace lgs::box2d_test {
 namespace {
 

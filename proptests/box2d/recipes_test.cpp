@@ -2,11 +2,9 @@
 #include "recipes.h"
 #include "either.h"
 
-#include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <vector>
 
 namespace lgs::box2d_test {
 namespace {

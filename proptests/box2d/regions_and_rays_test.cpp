@@ -5,11 +5,8 @@
 #include "played.h"
 #include "proptests/support/must.h"
 
-#include <gtest/gtest.h>
 #include <lgs/box2d/bodies_in.h>
-#include <cmath>
 #include <limits>
-#include <optional>
 
 namespace lgs::box2d_test {
 namespace {

@@ -4,7 +4,6 @@
 
 #include "fields.h"
 
-#include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
 

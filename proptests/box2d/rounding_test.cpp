@@ -4,10 +4,7 @@
 #include "proptests/support/law.h"
 #include "proptests/support/traces.h"
 
-#include <gtest/gtest.h>
 #include <algorithm>
-#include <cmath>
-#include <vector>
 
 namespace lgs::box2d_test {
 namespace {

@@ -7,11 +7,7 @@
 #include "naive_edges.h"
 #include "played.h"
 
-#include <gtest/gtest.h>
 #include <lgs/box2d/edges.h>
-#include <optional>
-#include <set>
-#include <tuple>
 
 namespace lgs::box2d_test {
 namespace {
@@ -26,14 +22,6 @@ EdgeOptions randomOptions(Chance& random) {
   options.merge = random.chance(60);
   if (random.chance(50)) options.material = [](Block block) { return block % 2; };
   return options;
-}
-
-void expectEdgesOf(const World& world, const EdgeSet& set) {
-  const NaiveEdges naive = NaiveBuilder(world, set.options()).build();
-  EXPECT_EQ(plain(set), naive.edges);
-  EXPECT_EQ(set.counts(), naive.counts);
-  EXPECT_EQ(set.version(), world.version());
-  for (const EdgeId id : set.edges()) EXPECT_EQ(set.edge(id).block, world.segment(set.edge(id).first)->block);
 }
 
 bool isEmpty(const Changes& changes) {

@@ -4,11 +4,7 @@
 #include "played.h"
 #include "proptests/support/scale.h"
 
-#include <gtest/gtest.h>
-#include <cmath>
-#include <limits>
 #include <tuple>
-#include <vector>
 
 namespace lgs::box2d_test {
 namespace {

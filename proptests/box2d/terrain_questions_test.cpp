@@ -2,16 +2,11 @@
 #include "oracle/check/isolated.h"
 
 #include "distances.h"
-#include "field.h"
+#include "either.h"
 #include "played.h"
 #include "proptests/support/scale.h"
 
-#include <gtest/gtest.h>
 #include <lgs/box2d/terrain.h>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
 #include <set>
 
 namespace lgs::box2d_test {
@@ -21,7 +16,7 @@ using box2d::Terrain;
 using box2d::TerrainOptions;
 using box2d::Touch;
 
-b2Body& addBody(b2World& physics, b2Vec2 at, float angle = 0) {
+b2Body& addMoving(b2World& physics, b2Vec2 at, float angle = 0) {
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
   definition.position = at;
@@ -42,14 +37,7 @@ b2Fixture& addBox(b2Body& body, b2Vec2 half, b2Vec2 at = {0, 0}, float angle = 0
   return *body.CreateFixture(&box, 1);
 }
 
-class Box2dQuestions : public testing::Test {
- protected:
-  void step(int times) {
-    for (int k = 0; k < times; ++k) physics.Step(1.0F / 60, 8, 3);
-  }
-  b2World physics{{0, -10}};
-  Field field;
-};
+using Box2dQuestions = EitherBox2d;
 
 // --- hit(contact) ----------------------------------------------------------------------------------------------------
 
@@ -100,7 +88,7 @@ TEST_F(Box2dQuestions, AContactLeadsToWhatItTouches) {
     b2World still({0, -1'000});
     Terrain terrain(still, player.world(), options);
     for (int k = 0; k < 12; ++k) {
-      b2Body& body = addBody(still, {between(random, 0, 5'000), between(random, 0, 6'000)}, between(random, 0, 3));
+      b2Body& body = addMoving(still, {between(random, 0, 5'000), between(random, 0, 6'000)}, between(random, 0, 3));
       b2Fixture& fixture = random.chance(50) ? addCircle(body, between(random, 100, 600))
                                              : addBox(body, {300, between(random, 100, 600)});
       fixture.SetSensor(random.chance(30));
@@ -122,7 +110,7 @@ TEST_F(Box2dQuestions, ABoxOnAMergedFloorTouchesTheCellBelowItsMiddle) {
   field.addFloor(0, 9);
   Terrain terrain(physics, field.world, {.merge = true});
   terrain.commit(field.world);
-  b2Body& box = addBody(physics, {5.5F, 1});
+  b2Body& box = addMoving(physics, {5.5F, 1});
   addBox(box, {2, 0.5F});
   step(60);
   int touches = 0;
@@ -169,7 +157,7 @@ TEST_F(Box2dQuestions, BodiesInCellsAreThoseThatReachIntoThem) {
     const Terrain terrain(still, ground.world, {.cellSize = size});
     std::vector<b2Body*> bodies;
     for (int k = 0; k < 8; ++k) {
-      b2Body& body = addBody(still, {between(random, -1, 5), between(random, -1, 5)}, between(random, 0, 3));
+      b2Body& body = addMoving(still, {between(random, -1, 5), between(random, -1, 5)}, between(random, 0, 3));
       for (int fixtures = 1 + random.below(2); fixtures > 0; --fixtures) {
         const b2Vec2 at{between(random, -1, 1), between(random, -1, 1)};
         const float width = between(random, 0.05F, 0.8F);
@@ -202,9 +190,9 @@ TEST_F(Box2dQuestions, BodiesThatRestBesideACellAreNotInIt) {
   field.add({4, 0}, kSquare);  // a wall
   field.world.commit();
   Terrain terrain(physics, field.world);
-  b2Body& box = addBody(physics, {3.48F, 0.52F});
+  b2Body& box = addMoving(physics, {3.48F, 0.52F});
   addBox(box, {0.5F, 0.5F});
-  b2Body& ball = addBody(physics, {1.5F, 0.4F});
+  b2Body& ball = addMoving(physics, {1.5F, 0.4F});
   addCircle(ball, 0.35F);
   step(120);
   EXPECT_EQ(terrain.bodiesIn(Cell{3, 0}), std::vector<b2Body*>{&box});
@@ -218,7 +206,7 @@ TEST_F(Box2dQuestions, BodiesThatRestBesideACellAreNotInIt) {
 // A chain has several children; the second one reaches into the cell.
 TEST_F(Box2dQuestions, EachPartOfAChainIsLookedAt) {
   const Terrain terrain(physics, field.world);
-  b2Body& body = addBody(physics, {0, 0});
+  b2Body& body = addMoving(physics, {0, 0});
   const b2Vec2 vertices[] = {{-5, 0}, {-2, 0.5F}, {0.5F, 0.5F}};
   b2ChainShape chain;
   chain.CreateChain(vertices, 3, {-6, 0}, {1, 0.5F});

@@ -3,9 +3,7 @@
 #include "played.h"
 #include "proptests/support/must.h"
 
-#include <gtest/gtest.h>
 #include <lgs/box2d/terrain.h>
-#include <vector>
 
 namespace lgs::box2d_test {
 namespace {

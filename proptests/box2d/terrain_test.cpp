@@ -3,14 +3,11 @@
 #include "oracle/calls/random.h"
 #include "oracle/trace/player.h"
 
-#include "field.h"
-#include "fixtures.h"
+#include "either.h"
 #include "played.h"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <lgs/box2d/terrain.h>
-#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -21,8 +18,6 @@ using box2d::EdgeId;
 using box2d::Terrain;
 using box2d::TerrainOptions;
 
-constexpr float kStep = 1.0F / 60;
-
 b2Body& addBall(b2World& physics, b2Vec2 at, float radius = 0.35F, float friction = 0.5F) {
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
@@ -32,10 +27,6 @@ b2Body& addBall(b2World& physics, b2Vec2 at, float radius = 0.35F, float frictio
   circle.m_radius = radius;
   body.CreateFixture(&circle, 1)->SetFriction(friction);
   return body;
-}
-
-void step(b2World& physics, int times) {
-  for (int k = 0; k < times; ++k) physics.Step(kStep, 8, 3);
 }
 
 // If nothing is merged and nothing too short, the edges are the segments.
@@ -51,11 +42,7 @@ void expectSegments(const World& world, const Terrain& terrain) {
   }
 }
 
-class Box2dTerrain : public testing::Test {
- protected:
-  b2World physics{{0, -10}};
-  Field field;
-};
+using Box2dTerrain = EitherBox2d;
 
 TEST_F(Box2dTerrain, FixturesFollowRandomEdits) {
   forAllEdits(40, [](const Trace& trace, Chance random) {
@@ -88,7 +75,7 @@ TEST_F(Box2dTerrain, ARestingBodyFallsWhenItsCellIsDugAway) {
   field.world.commit();
   Terrain terrain(physics, field.world);
   b2Body& ball = addBall(physics, {4.5F, 0.4F});
-  step(physics, 120);
+  step(120);
   ASSERT_FALSE(ball.IsAwake());
   const b2Vec2 rest = ball.GetPosition();
 
@@ -96,13 +83,13 @@ TEST_F(Box2dTerrain, ARestingBodyFallsWhenItsCellIsDugAway) {
   ASSERT_TRUE(field.world.remove(field.world.polygons({0, -1})[0].handle));
   terrain.sync(field.world.commit());
   EXPECT_FALSE(ball.IsAwake());
-  step(physics, 10);
+  step(10);
   EXPECT_EQ(ball.GetPosition(), rest);
 
   ASSERT_TRUE(field.world.remove(field.world.polygons({4, -1})[0].handle));
   terrain.sync(field.world.commit());
   EXPECT_TRUE(ball.IsAwake());
-  step(physics, 120);
+  step(120);
   EXPECT_NEAR(ball.GetPosition().y, -2 + 0.35F, 0.02F);
 }
 
@@ -111,7 +98,7 @@ TEST_F(Box2dTerrain, ABodyWakesWhereGroundAppearsOrIsRelinked) {
   field.world.commit();
   Terrain terrain(physics, field.world);
   b2Body& ball = addBall(physics, {4.5F, 0.4F});
-  step(physics, 120);
+  step(120);
   ASSERT_FALSE(ball.IsAwake());
   field.add({5, 0}, kSquare);  // beside the ball: the edge below the ball gets another ghost
   const Changes& changes = field.world.commit();
@@ -127,7 +114,7 @@ TEST_F(Box2dTerrain, ABallRollsOnOverAGapFilledAheadOfIt) {
   field.world.commit();
   Terrain terrain(physics, field.world, {.material = [](Block) { return box2d::Material{.friction = 0}; }});
   b2Body& ball = addBall(physics, {0, 0.36F}, 0.35F, 0);
-  step(physics, 60);
+  step(60);
   ball.SetLinearVelocity({6, 0});
   bool filled = false;
   float unrest = 0;
@@ -137,7 +124,7 @@ TEST_F(Box2dTerrain, ABallRollsOnOverAGapFilledAheadOfIt) {
       terrain.sync(field.world.commit());
       filled = true;
     }
-    step(physics, 1);
+    step(1);
     unrest = std::max({unrest, std::abs(ball.GetLinearVelocity().y), std::abs(ball.GetLinearVelocity().x - 6)});
     ASSERT_GT(ball.GetPosition().y, 0.3F);
   }
@@ -175,7 +162,7 @@ TEST_F(Box2dTerrain, DiggingAndRefillingBesideABallForThousandsOfSteps) {
     expectSegments(field.world, terrain);
     expectFixtures(physics, terrain, options);
     if (HasFailure()) return;
-    step(physics, 1);
+    step(1);
     ASSERT_GT(ball.GetPosition().y, -1.2F);
   }
 }
@@ -237,9 +224,9 @@ TEST_F(Box2dTerrain, ShortSegmentsAreCountedAndHarmless) {
   EXPECT_EQ(terrain.edges().counts().leftOut, 2U);
   b2Body& ball = addBall(physics, {1, 0.36F}, 0.35F, 0);
   ball.GetFixtureList()->SetFriction(0);
-  step(physics, 60);
+  step(60);
   ball.SetLinearVelocity({4, 0});
-  step(physics, 100);
+  step(100);
   EXPECT_NEAR(ball.GetLinearVelocity().x, 4, 0.1F);
 }
 
@@ -249,7 +236,7 @@ TEST_F(Box2dTerrain, FarAwayIsAsNear) {
   field.world.commit();
   Terrain terrain(physics, field.world, {.origin = kFar});
   b2Body& ball = addBall(physics, {4.25F, 1.4F});
-  step(physics, 120);
+  step(120);
   EXPECT_NEAR(ball.GetPosition().y, 1.35F, 0.01F);
   EXPECT_EQ(terrain.cellAt({4.25F, 0.5F}), (Cell{kFar.i + 4, kFar.j}));
 }

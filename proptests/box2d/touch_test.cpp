@@ -1,11 +1,8 @@
 // A contact of what is only near leads nowhere: for whichever Box2D there is.
 #include "either.h"
 
-#include <gtest/gtest.h>
 #include <map>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace lgs::box2d_test {
 namespace {

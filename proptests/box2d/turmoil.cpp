@@ -2,7 +2,6 @@
 #include "field.h"
 
 #include <algorithm>
-#include <cmath>
 #include <ostream>
 #include <sstream>
 #include <utility>

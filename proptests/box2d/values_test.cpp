@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <lgs/box2d/edges.h>
 #include <cmath>
-#include <vector>
 
 namespace lgs::box2d {
 namespace {

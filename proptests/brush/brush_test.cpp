@@ -10,8 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <utility>
-#include <vector>
 
 namespace lgs::test {
 namespace {

@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <map>
-#include <vector>
 
 namespace lgs::test {
 namespace {

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <vector>
 
 namespace lgs::test {
 namespace {

@@ -5,9 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <utility>
-#include <vector>
-
 namespace lgs::test::tight {
 namespace {
 

@@ -10,9 +10,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <iterator>
 #include <set>
-#include <string_view>
 
 namespace lgs::bench {
 namespace {

@@ -19,11 +19,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <map>
-#include <optional>
 #include <set>
-#include <string>
 
 namespace lgs::bench {
 

@@ -45,12 +45,11 @@ TEST(TiledErrors, NameFileLineAndReason) {
       {mapXml(tilesetXml({"<object x='1,5'/>"})), "x='1,5' should be a finite number"},
   };
   for (const auto& [xml, expected] : cases) {
-    EXPECT_NE(refusalOf(xml).find(expected), std::string::npos) << expected << "\n  but: " << refusalOf(xml);
+    EXPECT_THAT(refusalOf(xml), HasSubstr(expected)) << expected << "\n  but: " << refusalOf(xml);
   }
-  EXPECT_NE(refusalOf(mapXml(set), {.tolerance = -1}).find("tolerance"), std::string::npos);
-  EXPECT_NE(refusalOf(mapXml(set + csvLayer(2, 2, "1,1,1,1")), {.maxPlacements = 3}).find("maxPlacements"),
-            std::string::npos);
-  EXPECT_NE(message(importMap("no/such/map.tmx").error()).find("no/such/map.tmx: cannot be read"), std::string::npos);
+  EXPECT_THAT(refusalOf(mapXml(set), {.tolerance = -1}), HasSubstr("tolerance"));
+  EXPECT_THAT(refusalOf(mapXml(set + csvLayer(2, 2, "1,1,1,1")), {.maxPlacements = 3}), HasSubstr("maxPlacements"));
+  EXPECT_THAT(message(importMap("no/such/map.tmx").error()), HasSubstr("no/such/map.tmx: cannot be read"));
 }
 
 TEST(TiledErrors, ATilesetFileIsBlamedForItsOwnMistakes) {
@@ -67,13 +66,13 @@ TEST(TiledErrors, DeepGroupsAndStrayTiles) {
     open += "<group>";
     close += "</group>";
   }
-  EXPECT_NE(refusalOf(mapXml(open + close)).find("nested too deeply"), std::string::npos);
+  EXPECT_THAT(refusalOf(mapXml(open + close)), HasSubstr("nested too deeply"));
   const auto stray = mustImport(tilesetXml({kFullTile}, "tilecount='1'") + csvLayer(2, 1, "1,0"));
   EXPECT_TRUE(stray.report.notes.empty());
   const std::string sheet =
       "<tileset firstgid='5' tilewidth='32' tileheight='32' tilecount='2'><image source='x'/></tileset>";
-  EXPECT_EQ(mustImport(sheet + csvLayer(2, 2, "1,5,7,6")).report.notes,
-            (std::vector<std::string>{"2 tiles belong to no tileset of the map"}));
+  EXPECT_THAT(mustImport(sheet + csvLayer(2, 2, "1,5,7,6")).report.notes,
+              ElementsAre("2 tiles belong to no tileset of the map"));
 }
 
 TEST(TiledErrors, APolygonTooManyForACell) {

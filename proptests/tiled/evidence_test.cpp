@@ -73,15 +73,15 @@ TEST(TiledEvidence, ThingsWithPicturesAreNoCollisionLayer) {
 
 TEST(TiledEvidence, WhatGivesNothingIsNotOffered) {
   const std::string spawns = meant::objects("Spawns", meant::figure(1, 1) + meant::figure(3, 1));
-  EXPECT_EQ(offersOf(import(spawns + meant::tiles("A", kHills) + meant::tiles("B", kRim))),
-            (std::vector<std::string>{"--layer B --solid", "--layer A --solid"}));
+  EXPECT_THAT(offersOf(import(spawns + meant::tiles("A", kHills) + meant::tiles("B", kRim))),
+              ElementsAre("--layer B --solid", "--layer A --solid"));
   EXPECT_TRUE(offersOf(import(spawns)).empty());
 }
 
 TEST(TiledEvidence, EachLayerIsOfferedWithItsShareOfTheMap) {
   const auto map = import(meant::tiles("A", kFull) + meant::tiles("B", kHills) + meant::tiles("C", kRim));
   EXPECT_TRUE(map.placements.empty());
-  EXPECT_EQ(offersOf(map), (std::vector<std::string>{"--layer C --solid", "--layer B --solid", "--layer A --solid"}));
+  EXPECT_THAT(offersOf(map), ElementsAre("--layer C --solid", "--layer B --solid", "--layer A --solid"));
   EXPECT_EQ(map.report.suggestions.at(0).text, "tile layer C, 63 % of the map: nothing says what it is");
   EXPECT_EQ(map.report.suggestions.at(0).polygons, 20U);
 }
@@ -97,14 +97,14 @@ TEST(TiledEvidence, WhatIsTakenInPartIsSaid) {
   const std::string shape = meant::tile('a', meant::kShape);
   const auto blocks = import(meant::tiles("Blocks", "......../..ba..../baaa..aa/bababbaa"), {}, shape);
   EXPECT_EQ(blocks.report.partial, "tile layer Blocks, of which 10 of 16 tiles are taken");
-  EXPECT_EQ(offersOf(blocks), (std::vector<std::string>{"--layer Blocks --solid"}));
+  EXPECT_THAT(offersOf(blocks), ElementsAre("--layer Blocks --solid"));
   EXPECT_EQ(blocks.report.suggestions.at(0).polygons, 16U);
   const auto solid =
       import(meant::tiles("World", kHills) + meant::tiles("Solid", "b......./......../......../........"), {}, shape);
   EXPECT_EQ(solid.report.partial, "tile layer Solid, of which 0 of 1 tile are taken");
   const std::string text = toText(solid.report);
-  EXPECT_NE(text.substr(0, text.find('\n')).find("; IN PART: tile layer Solid"), std::string::npos) << text;
-  EXPECT_NE(text.find("Not all came out. What could be taken instead, and how:\n"), std::string::npos) << text;
+  EXPECT_THAT(text.substr(0, text.find('\n')), HasSubstr("; IN PART: tile layer Solid")) << text;
+  EXPECT_THAT(text, HasSubstr("Not all came out. What could be taken instead, and how:\n"));
   const auto lines =
       import(meant::objects("Collision", meant::line(0, 1, 3) + meant::line(4, 1, 3) + meant::box(0, 3, 1, 1)));
   EXPECT_EQ(lines.report.partial, "object layer Collision, of which 2 open polylines are left out");
@@ -115,7 +115,7 @@ TEST(TiledEvidence, WhatIsTakenInPartIsSaid) {
   const auto walls = import(meant::tiles("Main", kHills) + meant::objects("Walls", meant::box(0, 0, 1, 1)), {},
                             meant::tile('a', property("solid", "true")));
   EXPECT_EQ(walls.report.partial, "object layer Walls, of which nothing is taken");
-  EXPECT_EQ(offersOf(walls), (std::vector<std::string>{"--solid-if solid --objects Walls"}));
+  EXPECT_THAT(offersOf(walls), ElementsAre("--solid-if solid --objects Walls"));
 }
 
 TEST(TiledEvidence, BoxesWithoutANameBesideTheGroundAreSaid) {
@@ -123,9 +123,9 @@ TEST(TiledEvidence, BoxesWithoutANameBesideTheGroundAreSaid) {
   const auto map = import(ground + meant::objects("poly", box + meant::box(4, 0, 1, 1)));
   EXPECT_EQ(map.report.choice, "tile layer Ground: its name says 'ground' (--layer Ground --solid)");
   EXPECT_EQ(map.report.partial, "");
-  EXPECT_EQ(map.report.notes,
-            (std::vector<std::string>{"object layer poly, of which nothing is taken, as nothing says that it is solid; "
-                                      "it is with --layer Ground --solid --objects poly"}));
+  EXPECT_THAT(map.report.notes,
+              ElementsAre("object layer poly, of which nothing is taken, as nothing says that it is solid; "
+                          "it is with --layer Ground --solid --objects poly"));
   EXPECT_EQ(import(ground + meant::objects("poly", box),
                    {.solidWithoutShapes = true, .layers = {"Ground"}, .objects = {{"poly"}}})
                 .placements.size(),
@@ -138,14 +138,13 @@ TEST(TiledEvidence, BoxesWithoutANameBesideTheGroundAreSaid) {
 TEST(TiledEvidence, AValueOfLdtkCanBeLeftOut) {
   const std::string text = project(level("A", 0, 0, grid("1,2,0,2,3,0")));
   const auto map = test::must(importFiles({{"maps/test.tmx", text}}, {.leaveOut = {"ice"}}));
-  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{1, -2}, {0, -1}}));
-  EXPECT_EQ(map.report.notes, (std::vector<std::string>{"left out, as asked: 2 uses of 'ice'"}));
+  EXPECT_EQ(cellsOf(map), (Cells{{1, -2}, {0, -1}}));
+  EXPECT_THAT(map.report.notes, ElementsAre("left out, as asked: 2 uses of 'ice'"));
   EXPECT_EQ(
       importFiles({{"maps/test.tmx", text}}, {.solidWithoutShapes = true, .leaveOut = {"ice"}})->placements.size(), 2U)
       << "it stays free";
-  EXPECT_EQ(importFiles({{"maps/test.tmx", text}}, {.solidWithoutShapes = true, .leaveOut = {"Ice"}})->report.notes,
-            (std::vector<std::string>{
-                "no tile and no object has the class 'Ice', which was to be left out; there is 'ice'"}));
+  EXPECT_THAT(importFiles({{"maps/test.tmx", text}}, {.solidWithoutShapes = true, .leaveOut = {"Ice"}})->report.notes,
+              ElementsAre("no tile and no object has the class 'Ice', which was to be left out; there is 'ice'"));
 }
 
 TEST(TiledEvidence, IntGridsThatAreCalledCollisionAreEnough) {
@@ -165,11 +164,11 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 TEST(TiledEvidence, ValuesOfLdtkThatOneGoesThroughAreLeftOut) {
   const std::string text = project(level("A", 0, 0, grid("1,2,0,2,3,0")));
   const auto ladders = test::must(importFiles({{"maps/test.tmx", replaced(text, "ice", "Ladder_top")}}));
-  EXPECT_EQ(cellsOf(ladders), (std::vector<Cell>{{1, -2}, {0, -1}}));
+  EXPECT_EQ(cellsOf(ladders), (Cells{{1, -2}, {0, -1}}));
   EXPECT_EQ(ladders.report.choice, "IntGrid layers: Solid, without Ladder_top (--not Ladder_top)");
   const auto floors =
       test::must(importFiles({{"maps/test.tmx", replaced(replaced(text, "ice", "Floor"), "dirt", "Walls")}}));
-  EXPECT_EQ(cellsOf(floors), (std::vector<Cell>{{1, -2}, {0, -1}})) << "a floor beside walls";
+  EXPECT_EQ(cellsOf(floors), (Cells{{1, -2}, {0, -1}})) << "a floor beside walls";
   const auto floorAlone = importFiles({{"maps/test.tmx", replaced(text, "ice", "Floor")}});
   EXPECT_EQ(floorAlone->placements.size(), 4U) << "a platformer stands on it";
   const std::string only = replaced(project(level("A", 0, 0, grid("2,2,0,0,0,0"))), "ice", "ladder");
@@ -194,7 +193,7 @@ TEST(TiledEvidence, ObjectsAreTakenByAPropertyToo) {
                                    property("rocky", "true") + "</object>");
   Options options{.solidIf = {"rocky"}};
   const auto map = import(layer, options);
-  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{2, -1}}));
+  EXPECT_EQ(cellsOf(map), (Cells{{2, -1}}));
   EXPECT_TRUE(map.report.notes.empty());
   EXPECT_EQ(remarks(map).at(0), "Things: objects with the property that was asked for");
   options.objects.emplace();
@@ -205,9 +204,8 @@ TEST(TiledEvidence, AClassOfObjectsCanBeLeftOutOrTaken) {
   const std::string things =
       meant::objects("Things", meant::box(0, 0, 1, 1, "type='door'") + meant::box(2, 0, 1, 1, "type='rock'") +
                                    meant::box(4, 0, 1, 1, "name='rock'"));
-  EXPECT_EQ(cellsOf(import(things, {.objects = {{"rock"}}})), (std::vector<Cell>{{2, -1}, {4, -1}}));
-  EXPECT_EQ(cellsOf(import(things, {.leaveOut = {"door"}, .objects = {{"Things"}}})),
-            (std::vector<Cell>{{2, -1}, {4, -1}}));
+  EXPECT_EQ(cellsOf(import(things, {.objects = {{"rock"}}})), (Cells{{2, -1}, {4, -1}}));
+  EXPECT_EQ(cellsOf(import(things, {.leaveOut = {"door"}, .objects = {{"Things"}}})), (Cells{{2, -1}, {4, -1}}));
 }
 
 TEST(TiledEvidence, AMissingMapOfAWorldIsLeftOut) {
@@ -219,13 +217,13 @@ TEST(TiledEvidence, AMissingMapOfAWorldIsLeftOut) {
   const auto two = test::must(importFiles(files));
   EXPECT_EQ(two.placements.size(), 2U);
   const std::string missing = "the map's file maps/no.tmx cannot be read: there is no such file";
-  EXPECT_EQ(two.report.notes, (std::vector<std::string>{"a map of the world is left out: " + missing}));
+  EXPECT_THAT(two.report.notes, ElementsAre("a map of the world is left out: " + missing));
   EXPECT_EQ(message(importFiles(files, {.allMaps = true}).error()), "maps/test.tmx: maps/1 " + missing);
   const auto read = [&](const std::string& path) -> tl::expected<std::string, std::string> { return files.at(path); };
   files["maps/no.tmx"] = map;
   const auto outside = importMap("maps/test.tmx", {}, read);
   ASSERT_FALSE(outside) << "what may not be read is not missing";
-  EXPECT_NE(message(outside.error()).find("it is not below the map's folder"), std::string::npos);
+  EXPECT_THAT(message(outside.error()), HasSubstr("it is not below the map's folder"));
 }
 
 /// A map that is as costly as can be is not tried twelve times: what is tried shares one budget.

@@ -2,8 +2,6 @@
 #include "lattice.h"
 #include "lib/tiled/src/pixel_grid.h"
 
-#include <gtest/gtest.h>
-
 #include <map>
 #include <set>
 

@@ -106,7 +106,7 @@ TEST(TiledReport, NamesCanNotSpeakToATerminal) {
   const std::string text = toText(report) + message({evil, 3, evil, evil});
   const auto isControl = [](char c) { return c != '\n' && (static_cast<unsigned char>(c) < 0x20 || c == 0x7F); };
   EXPECT_EQ(std::ranges::count_if(text, isControl), 0) << text;
-  EXPECT_EQ(text.find("a\nb"), std::string::npos) << text;
+  EXPECT_THAT(text, Not(HasSubstr("a\nb")));
 }
 
 TEST(TiledReport, TilesWithoutShapesAreNamedUpToTwelve) {

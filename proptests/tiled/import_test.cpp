@@ -3,8 +3,6 @@
 #include "packed.h"
 #include "proptests/support/must.h"
 
-#include <cstdint>
-
 namespace lgs::tiled {
 namespace {
 
@@ -19,7 +17,7 @@ TEST(TiledEncodings, AllGiveTheSameTiles) {
       "<data encoding='base64' compression='zstd'>" + base64(zstdPacked(raw)) + "</data>",
   };
   for (const std::string& layer : layers) {
-    EXPECT_EQ(cellsOf(mustImport(dataLayer(layer))), (std::vector<Cell>{{1, -2}, {0, -1}, {2, -1}})) << layer;
+    EXPECT_EQ(cellsOf(mustImport(dataLayer(layer))), (Cells{{1, -2}, {0, -1}, {2, -1}})) << layer;
   }
 }
 
@@ -29,13 +27,12 @@ TEST(TiledEncodings, BombsAndDamageAreRefused) {
   };
   const std::string bomb(8'000'000, '\0');
   const std::string zlib = deflated(rawTiles({1, 0, 1, 0, 1, 0}), 15);
-  EXPECT_NE(refusal("compression='zlib'", deflated(bomb, 15)).find("more than the 6 tiles"), std::string::npos);
-  EXPECT_NE(refusal("compression='zstd'", zstdPacked(bomb)).find("2000000 tiles where its size asks for 6"),
-            std::string::npos);
-  EXPECT_NE(refusal("compression='zlib'", zlib.substr(0, 8)).find("damaged"), std::string::npos);
-  EXPECT_NE(refusal("compression='zstd'", zlib).find("not zstd"), std::string::npos);
-  EXPECT_NE(refusal("compression='lzma'", zlib).find("unknown compression 'lzma'"), std::string::npos);
-  EXPECT_NE(refusal("", rawTiles({1, 2})).find("holds 2 tiles where its size asks for 6"), std::string::npos);
+  EXPECT_THAT(refusal("compression='zlib'", deflated(bomb, 15)), HasSubstr("more than the 6 tiles"));
+  EXPECT_THAT(refusal("compression='zstd'", zstdPacked(bomb)), HasSubstr("2000000 tiles where its size asks for 6"));
+  EXPECT_THAT(refusal("compression='zlib'", zlib.substr(0, 8)), HasSubstr("damaged"));
+  EXPECT_THAT(refusal("compression='zstd'", zlib), HasSubstr("not zstd"));
+  EXPECT_THAT(refusal("compression='lzma'", zlib), HasSubstr("unknown compression 'lzma'"));
+  EXPECT_THAT(refusal("", rawTiles({1, 2})), HasSubstr("holds 2 tiles where its size asks for 6"));
 }
 
 TEST(TiledLayers, InfiniteMapsHaveNegativeCells) {
@@ -44,7 +41,7 @@ TEST(TiledLayers, InfiniteMapsHaveNegativeCells) {
       "<chunk x='-16' y='-16' width='2' height='2'>0,0,0,1</chunk><chunk x='0' y='0' width='2' height='1'>1,0</chunk>"
       "</data></layer>";
   const auto map = mustImportFiles({{"maps/test.tmx", mapXml(tilesetXml({kFullTile}) + layer, "infinite='1'")}});
-  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{0, -1}, {-15, 14}}));
+  EXPECT_EQ(cellsOf(map), (Cells{{0, -1}, {-15, 14}}));
   const std::string empty = "<layer name='L' width='30' height='20'><data encoding='csv'/></layer>";
   EXPECT_TRUE(mustImportFiles({{"maps/test.tmx", mapXml(empty, "infinite='1'")}}).placements.empty());
 }
@@ -55,40 +52,37 @@ TEST(TiledLayers, GroupsOffsetsAndChoice) {
       "<layer name='A' width='1' height='1' offsety='-64'><data encoding='csv'>1</data></layer>" +
       "<layer name='B' width='1' height='1'><data encoding='csv'>1</data></layer></group>" +
       "<layer name='A' width='1' height='1'><data encoding='csv'>1</data></layer>";
-  EXPECT_EQ(cellsOf(mustImport(content)), (std::vector<Cell>{{0, -1}, {1, -1}, {1, 1}}));
-  EXPECT_EQ(cellsOf(mustImport(content, {.layers = {"World/B"}})), (std::vector<Cell>{{1, -1}}));
-  EXPECT_EQ(cellsOf(mustImport(content, {.layers = {"World"}})), (std::vector<Cell>{{1, -1}, {1, 1}}));
-  EXPECT_EQ(cellsOf(mustImport(content, {.layers = {"A"}})), (std::vector<Cell>{{0, -1}, {1, 1}}));
-  EXPECT_NE(refusalOf(mapXml(content), {.layers = {"C"}}).find("has no tile layer or group 'C'"), std::string::npos);
+  EXPECT_EQ(cellsOf(mustImport(content)), (Cells{{0, -1}, {1, -1}, {1, 1}}));
+  EXPECT_EQ(cellsOf(mustImport(content, {.layers = {"World/B"}})), (Cells{{1, -1}}));
+  EXPECT_EQ(cellsOf(mustImport(content, {.layers = {"World"}})), (Cells{{1, -1}, {1, 1}}));
+  EXPECT_EQ(cellsOf(mustImport(content, {.layers = {"A"}})), (Cells{{0, -1}, {1, 1}}));
+  EXPECT_THAT(refusalOf(mapXml(content), {.layers = {"C"}}), HasSubstr("has no tile layer or group 'C'"));
 }
 
 TEST(TiledTilesets, OneThatTiledHasInItselfIsNoFile) {
   const auto map = mustImport(tilesetXml({kFullTile}) + "<tileset firstgid='9' source=':/automap-tiles.tsx'/>" +
                               csvLayer(2, 1, "1,9"));
-  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{0, -1}}));
+  EXPECT_EQ(cellsOf(map), (Cells{{0, -1}}));
 }
 
 TEST(TiledLayers, AShiftAgainstTheGridIsCarried) {
   const auto map = mustImport(tilesetXml({kFullTile}) + csvLayer(1, 1, "1", "offsetx='8' offsety='0'"));
-  EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{8, 0}, {32, 0}, {32, 32}, {8, 32}})}));
-  EXPECT_EQ(ringsIn(map, {1, -1}), (std::vector<Ring>{px({{0, 0}, {8, 0}, {8, 32}, {0, 32}})}));
+  EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{pxBox(8, 0, 32, 32)}));
+  EXPECT_EQ(ringsIn(map, {1, -1}), (Rings{pxBox(0, 0, 8, 32)}));
 }
 
 TEST(TiledTilesets, ExternalFilesAreFoundBesideTheMap) {
   const Files files = {
       {"maps/test.tmx", mapXml("<tileset firstgid='1' source='../sets/a.tsx'/><tileset firstgid='10' source='b.tsx'/>" +
                                csvLayer(3, 1, "1,10,11"))},
-      {"sets/a.tsx", "<tileset tilewidth='32' tileheight='32'><tile id='0'><objectgroup>" + kFullTile +
-                         "</objectgroup></tile></tileset>"},
-      {"maps/b.tsx", "<tileset name='b' tilewidth='32' tileheight='32'><tile id='1'><objectgroup>" + kFullTile +
-                         "</objectgroup></tile></tileset>"}};
+      {"sets/a.tsx", tilesOf32(tileXml(0, kFullTile), "")},
+      {"maps/b.tsx", tilesOf32(tileXml(1, kFullTile), "name='b'")}};
   const auto map = mustImportFiles(files);
-  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{0, -1}, {2, -1}}));
+  EXPECT_EQ(cellsOf(map), (Cells{{0, -1}, {2, -1}}));
   ASSERT_EQ(map.report.tiles.size(), 3U);
   EXPECT_EQ(map.report.tiles[0].tileset, "a");
   EXPECT_FALSE(map.report.tiles[1].hasShapes);
-  EXPECT_EQ(cellsOf(mustImportFiles(files, {.solidWithoutShapes = true})),
-            (std::vector<Cell>{{0, -1}, {1, -1}, {2, -1}}));
+  EXPECT_EQ(cellsOf(mustImportFiles(files, {.solidWithoutShapes = true})), (Cells{{0, -1}, {1, -1}, {2, -1}}));
 }
 
 TEST(TiledTilesets, LargerTilesStandOnTheirCellAndReachIntoOthers) {
@@ -97,13 +91,13 @@ TEST(TiledTilesets, LargerTilesStandOnTheirCellAndReachIntoOthers) {
       "<objectgroup><object id='1' x='0' y='0' width='64' height='48'/></objectgroup></tile></tileset>";
   const auto map = mustImport(large + csvLayer(1, 2, "0,1"));
   // The image is 48 high and hangs 16 below its cell's lower edge.
-  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{0, -3}, {1, -3}, {0, -2}, {1, -2}}));
-  EXPECT_EQ(ringsIn(map, {1, -3}), (std::vector<Ring>{px({{0, 16}, {32, 16}, {32, 32}, {0, 32}})}));
-  EXPECT_EQ(ringsIn(map, {1, -2}), (std::vector<Ring>{kSquare}));
+  EXPECT_EQ(cellsOf(map), (Cells{{0, -3}, {1, -3}, {0, -2}, {1, -2}}));
+  EXPECT_EQ(ringsIn(map, {1, -3}), (Rings{pxBox(0, 16, 32, 32)}));
+  EXPECT_EQ(ringsIn(map, {1, -2}), (Rings{kSquare}));
   std::string fitted = large;
   fitted.insert(fitted.find(" firstgid"), " tilerendersize='grid'");
   fitted.replace(fitted.find("y='16'"), 6, "y='0' ");
-  EXPECT_EQ(ringsIn(mustImport(fitted + csvLayer(1, 1, "1")), {0, -1}), (std::vector<Ring>{kSquare}));
+  EXPECT_EQ(ringsIn(mustImport(fitted + csvLayer(1, 1, "1")), {0, -1}), (Rings{kSquare}));
 }
 
 TEST(TiledFlips, AllEight) {
@@ -122,30 +116,28 @@ TEST(TiledFlips, AllEight) {
       {v, px({{0, 0}, {16, 0}, {0, 8}})},     {h | v, px({{16, 0}, {32, 0}, {32, 8}})},
       {d, px({{0, 16}, {8, 32}, {0, 32}})},   {d | h, px({{24, 32}, {32, 16}, {32, 32}})},
       {d | v, px({{0, 0}, {8, 0}, {0, 16}})}, {d | h | v, px({{24, 0}, {32, 0}, {32, 16}})}};
-  for (const auto& [flags, ring] : cases) {
-    const auto map = mustImport(tilesetXml({tile}) + csvLayer(1, 1, std::to_string(1 + flags)));
-    EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{ring})) << std::hex << flags;
-  }
-  for (const auto& [flags, ring] : skewCases) {
-    const auto map = mustImport(tilesetXml({skew}) + csvLayer(1, 1, std::to_string(1 + flags)));
-    EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{ring})) << std::hex << flags;
+  for (const auto& [object, flips] : {std::pair(tile, cases), {skew, skewCases}}) {
+    for (const auto& [flags, ring] : flips) {
+      const auto map = mustImport(tilesetXml({object}) + csvLayer(1, 1, std::to_string(1 + flags)));
+      EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{ring})) << object << ": " << std::hex << flags;
+    }
   }
 }
 
 TEST(TiledObjects, OffsetsAndRotation) {
-  const Ring lowerHalf = px({{0, 0}, {32, 0}, {32, 16}, {0, 16}});
+  const Ring lowerHalf = pxBox(0, 0, 32, 16);
   for (const char* objects :
        {"<object id='1' x='0' y='16' width='32' height='16'/>",
         "<object id='1' x='32' y='16' width='16' height='32' rotation='90'/>",
         "<object id='1' x='32' y='32' width='32' height='16' rotation='-180'/>",
         "<object id='1' x='0' y='32' width='16' height='32' rotation='270'/>",
         "<object id='1' x='10' y='26' rotation='360'><polygon points='-10,6 -10,-10 22,-10 22,6'/></object>"}) {
-    EXPECT_EQ(ringsIn(importTile(objects), {0, -1}), (std::vector<Ring>{lowerHalf})) << objects;
+    EXPECT_EQ(ringsIn(importTile(objects), {0, -1}), (Rings{lowerHalf})) << objects;
   }
   const std::string shifted =
       "<tileset firstgid='1' tilewidth='32' tileheight='32'><tile id='0'><objectgroup offsetx='4' "
       "offsety='8'><object x='-4' y='8' width='32' height='16'/></objectgroup></tile></tileset>";
-  EXPECT_EQ(ringsIn(mustImport(shifted + csvLayer(1, 1, "1")), {0, -1}), (std::vector<Ring>{lowerHalf}));
+  EXPECT_EQ(ringsIn(mustImport(shifted + csvLayer(1, 1, "1")), {0, -1}), (Rings{lowerHalf}));
   const auto diamond = importTile("<object id='1' x='16' y='2' width='16' height='16' rotation='45'/>");
   EXPECT_NEAR(areaInCells(diamond), 0.25, 1e-4);
 }
@@ -158,7 +150,7 @@ TEST(TiledObjects, CurvesArePolygonsAndTheRestIsLeftOut) {
   const auto capsule = importTile("<object id='7' x='8' y='0' width='16' height='32'><capsule/></object>", exact);
   EXPECT_EQ(capsule.shapes.at(0).size(), static_cast<std::size_t>(kCurveVertices) + 2);
   EXPECT_NEAR(areaInCells(capsule), 0.25 + 3.14159 / 16, 0.003);
-  EXPECT_EQ(noteKinds(capsule), (std::vector<NoteKind>{NoteKind::approximated}));
+  EXPECT_THAT(noteKinds(capsule), ElementsAre(NoteKind::approximated));
   const auto rest = importTile(
       "<object id='1' x='1' y='1'><point/></object><object id='2'><polyline points='0,0 4,4'/></object>"
       "<object id='3' width='9' height='9'><text>hi</text></object><object id='4' width='0' height='5'/>"
@@ -170,28 +162,21 @@ TEST(TiledObjects, CurvesArePolygonsAndTheRestIsLeftOut) {
 }
 
 TEST(TiledBlocks, ByClassAndByLayer) {
+  const std::string halves =
+      "<object id='1' width='32' height='16'/><object id='2' class='ice' y='16' width='32' height='16'/>";
   const std::string set =
-      "<tileset firstgid='1' tilewidth='32' tileheight='32'>"
-      "<tile id='0' class='stone'><objectgroup><object id='1' width='32' height='16'/>"
-      "<object id='2' class='ice' y='16' width='32' height='16'/></objectgroup></tile>"
-      "<tile id='1' type='lava'><objectgroup>" +
-      kFullTile +
-      "</objectgroup></tile>"
-      "<tile id='2'><objectgroup>" +
-      kFullTile + "</objectgroup></tile></tileset>";
+      tilesOf32(tileXml(0, halves, "class='stone'") + tileXml(1, kFullTile, "type='lava'") + tileXml(2, kFullTile));
   const std::string layers =
       "<layer name='A' width='3' height='1'><data encoding='csv'>1,2,3</data></layer>"
       "<layer name='B' width='3' height='2'><data encoding='csv'>0,0,0,2,0,0</data></layer>";
   const auto blocks = [&](const Options& options) {
-    std::vector<Block> found;
-    for (const MapPolygon& p : mustImport(set + layers, options).placements) found.push_back(p.block);
-    return found;  // the lower row first
+    return blocksOf(mustImport(set + layers, options));  // the lower row first
   };
-  EXPECT_EQ(blocks({}), (std::vector<Block>{1, 1, 1, 1, 1}));
-  EXPECT_EQ(blocks({.blockFrom = BlockFrom::tileClass}), (std::vector<Block>{3, 1, 2, 3, 4}));
-  EXPECT_EQ(blocks({.blockFrom = BlockFrom::tileClass, .blocks = {{"lava", 1}, {"ice", 90}}}),
-            (std::vector<Block>{1, 2, 90, 1, 3}));
-  EXPECT_EQ(blocks({.blockFrom = BlockFrom::layer, .blocks = {{"B", 7}}}), (std::vector<Block>{7, 1, 1, 1, 1}));
+  EXPECT_THAT(blocks({}), ElementsAre(1, 1, 1, 1, 1));
+  EXPECT_THAT(blocks({.blockFrom = BlockFrom::tileClass}), ElementsAre(3, 1, 2, 3, 4));
+  EXPECT_THAT(blocks({.blockFrom = BlockFrom::tileClass, .blocks = {{"lava", 1}, {"ice", 90}}}),
+              ElementsAre(1, 2, 90, 1, 3));
+  EXPECT_THAT(blocks({.blockFrom = BlockFrom::layer, .blocks = {{"B", 7}}}), ElementsAre(7, 1, 1, 1, 1));
 }
 
 TEST(TiledMap, SidesAreWholeNumbersFromNothingOn) {
@@ -199,7 +184,7 @@ TEST(TiledMap, SidesAreWholeNumbersFromNothingOn) {
   for (const char* size : {"width='1' height='1'", "width='0' height='0'", ""})
     EXPECT_EQ(refusalOf(mapXml(content, size)), "accepted") << size;
   for (const char* size : {"width='-1' height='1'", "width='1' height='-1'", "width='1.5' height='1'"})
-    EXPECT_NE(refusalOf(mapXml(content, size)).find("should be a whole number from 0 to "), std::string::npos) << size;
+    EXPECT_THAT(refusalOf(mapXml(content, size)), HasSubstr("should be a whole number from 0 to ")) << size;
 }
 
 TEST(TiledMap, TilesetsMayBeEmptyAndTilesAPixel) {
@@ -207,31 +192,27 @@ TEST(TiledMap, TilesetsMayBeEmptyAndTilesAPixel) {
             "accepted");
   for (const char* wrong : {"tilewidth='0' tileheight='1' tilecount='1'", "tilewidth='1' tileheight='0' tilecount='1'",
                             "tilewidth='1' tileheight='1' tilecount='-1'"})
-    EXPECT_NE(refusalOf(mapXml("<tileset firstgid='1' " + std::string(wrong) + "><image/></tileset>"))
-                  .find("should be a whole number"),
-              std::string::npos)
+    EXPECT_THAT(refusalOf(mapXml("<tileset firstgid='1' " + std::string(wrong) + "><image/></tileset>")),
+                HasSubstr("should be a whole number"))
         << wrong;
 }
 
 TEST(TiledMap, TilesetsMayComeInAnyOrder) {
   const auto tileset = [](int first, const std::string& object) {
-    return "<tileset firstgid='" + std::to_string(first) + "' tilewidth='32' tileheight='32' tilecount='2'>" +
-           "<tile id='1'><objectgroup>" + object + "</objectgroup></tile></tileset>";
+    return tilesOf32(tileXml(1, object), fmt::format("firstgid='{}' tilecount='2'", first));
   };
   const std::string first = tileset(1, kFullTile), half = "<object id='1' width='32' height='16'/>";
   const std::string second = tileset(3, half), third = tileset(5, kFullTile), layer = csvLayer(3, 1, "2,4,6");
   const ImportedMap sorted = mustImport(first + second + third + layer);
-  ASSERT_EQ(ringsIn(sorted, {0, -1}), std::vector<Ring>{kSquare});
-  ASSERT_NE(ringsIn(sorted, {1, -1}), std::vector<Ring>{kSquare});
+  ASSERT_EQ(ringsIn(sorted, {0, -1}), Rings{kSquare});
+  ASSERT_NE(ringsIn(sorted, {1, -1}), Rings{kSquare});
   const ImportedMap turned = mustImport(third + second + first + layer);
   for (const std::int32_t i : {0, 1, 2}) EXPECT_EQ(ringsIn(turned, {i, -1}), ringsIn(sorted, {i, -1})) << i;
 }
 
 TEST(TiledBlocks, AreFoundByName) {
-  const std::string set =
-      "<tileset firstgid='1' tilewidth='16' tileheight='16' tilecount='2'>"
-      "<tile id='0' class='ice'><objectgroup>" +
-      kFullTile + "</objectgroup></tile><tile id='1'><objectgroup>" + kFullTile + "</objectgroup></tile></tileset>";
+  const std::string set = "<tileset firstgid='1' tilewidth='16' tileheight='16' tilecount='2'>" +
+                          tileXml(0, kFullTile, "class='ice'") + tileXml(1, kFullTile) + "</tileset>";
   const auto import = [&](const std::string& tiles, const Options& options) {
     return mustImport(set + "<layer name='A' width='2' height='1'><data encoding='csv'>" + tiles + "</data></layer>",
                       options);
@@ -249,11 +230,10 @@ TEST(TiledBlocks, AreFoundByName) {
     EXPECT_EQ(map.block("lava"), 5U) << "the map does not use it";
     EXPECT_EQ(map.block("water"), std::nullopt);
   }
-  EXPECT_EQ(
-      import("1,2", options).report.notes,
-      (std::vector<std::string>{"blocks are numbered in the order of their first use: ice, (no class). An edit of "
-                                "the map may change the numbers. Choose them, or look them up by name",
-                                "the number of 'lava' is not used: no tile, object or object layer has this class"}));
+  EXPECT_THAT(import("1,2", options).report.notes,
+              ElementsAre("blocks are numbered in the order of their first use: ice, (no class). An edit of "
+                          "the map may change the numbers. Choose them, or look them up by name",
+                          "the number of 'lava' is not used: no tile, object or object layer has this class"));
   options.blocks = {{"", 2}, {"ice", 7}};
   EXPECT_EQ(import("1,2", options).block("ice"), 7U);
   EXPECT_TRUE(import("1,2", options).report.notes.empty()) << "all numbers were chosen";
@@ -269,8 +249,8 @@ TEST(TiledMap, TheProjectsOwn) {
   EXPECT_EQ(map.report.blocks.size(), 5U);
   EXPECT_GT(world.loops().size(), 10U);
   const std::string text = toText(map.report);
-  EXPECT_NE(text.find("coordinates put on the grid, by up to 0.4 px"), std::string::npos) << text;
-  EXPECT_EQ(text.find("Left out"), std::string::npos) << text;
+  EXPECT_THAT(text, HasSubstr("coordinates put on the grid, by up to 0.4 px"));
+  EXPECT_THAT(text, Not(HasSubstr("Left out")));
 }
 
 }  // namespace

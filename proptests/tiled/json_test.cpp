@@ -130,15 +130,14 @@ TEST(TiledJson, FieldsThatXmlDoesNotHave) {
   const auto cells = [](const std::string& json, const Options& options = {}) {
     return cellsOf(mustImportFiles({{"maps/test.tmx", json}}, options));
   };
-  EXPECT_EQ(cells(layerJson(R"("data":[1,0,0,1])")), (std::vector<Cell>{{1, -2}, {0, -1}}));
-  EXPECT_EQ(cells("\xEF\xBB\xBF \n" + layerJson(R"("data":[1.0,0,0,0])")), (std::vector<Cell>{{0, -1}}));
-  EXPECT_EQ(cells(layerJson(R"("data":[1,0,0,0], "startx":-3, "starty":5)")), (std::vector<Cell>{{-3, -6}}))
+  EXPECT_EQ(cells(layerJson(R"("data":[1,0,0,1])")), (Cells{{1, -2}, {0, -1}}));
+  EXPECT_EQ(cells("\xEF\xBB\xBF \n" + layerJson(R"("data":[1.0,0,0,0])")), (Cells{{0, -1}}));
+  EXPECT_EQ(cells(layerJson(R"("data":[1,0,0,0], "startx":-3, "starty":5)")), (Cells{{-3, -6}}))
       << "an infinite map without chunks";
-  EXPECT_EQ(cells(layerJson(R"("data":[1,0,0,0], "class":null, "properties":null, "chunks":null)")),
-            (std::vector<Cell>{{0, -1}}));
+  EXPECT_EQ(cells(layerJson(R"("data":[1,0,0,0], "class":null, "properties":null, "chunks":null)")), (Cells{{0, -1}}));
   const std::string object = R"({"x":0, "y":0, "width":32, "height":64, "ellipse":false, "point":false})";
   EXPECT_EQ(cells(mapJson(R"("layers":[{"type":"objectgroup", "name":"wall", "objects":[)" + object + "]}]")),
-            (std::vector<Cell>{{0, -2}, {0, -1}}));
+            (Cells{{0, -2}, {0, -1}}));
   const auto map =
       mustImportFiles({{"maps/test.tmx", layerJson(R"("data":[1,0,0,0])")}}, {.blockFrom = BlockFrom::tileClass});
   EXPECT_EQ(map.blocks, (std::map<std::string, Block>{{"", 1}})) << "the type of a layer is no class";
@@ -154,7 +153,7 @@ TEST(TiledJson, OldFormsOfTheFormat) {
     "tileproperties":{"1":{"a":1}, "2":{"solid":true}, "3":{"solid":false}}})";
   const auto map = mustImportFiles({{"maps/test.tmx", old}, {"maps/old.json", set}},
                                    {.solidIf = {"solid"}, .blockFrom = BlockFrom::tileClass});
-  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{1, -1}, {2, -1}}));
+  EXPECT_EQ(cellsOf(map), (Cells{{1, -1}, {2, -1}}));
   EXPECT_EQ(map.placements.at(0).object, 7U);
   EXPECT_EQ(map.blocks, (std::map<std::string, Block>{{"mud", 1}, {"", 2}}));
   EXPECT_EQ(mustImportFiles({{"maps/test.tmx", old}, {"maps/old.json", set}},
@@ -252,7 +251,7 @@ TEST(TiledJson, HugeNumbersAndDeepNesting) {
     return mapJson("\"layers\":[" + open + close + "]");
   };
   EXPECT_EQ(refusalOf(nested(60)), "accepted");
-  EXPECT_NE(refusalOf(nested(100)).find("groups are nested too deeply"), std::string::npos);
+  EXPECT_THAT(refusalOf(nested(100)), HasSubstr("groups are nested too deeply"));
   const std::string tooDeep = "maps/test.tmx: has arrays and objects in each other, more than 512 deep";
   EXPECT_EQ(refusalOf(nested(300)), tooDeep);
   EXPECT_EQ(refusalOf(std::string(1'000'000, '[')), tooDeep);
@@ -263,13 +262,12 @@ TEST(TiledJson, HugeNumbersAndDeepNesting) {
     const std::string refusal =
         refusalOf(R"({"layers":[], "tilewidth":32, "tileheight":32, "width":)" + std::string(width) + "}");
     if (*width != '"') {
-      EXPECT_NE(refusal.find(whole), std::string::npos) << width << ": " << refusal;
+      EXPECT_THAT(refusal, HasSubstr(whole)) << width << ": " << refusal;
     } else {
       EXPECT_EQ(refusal, "accepted") << "a text ends at its first zero";
     }
   }
-  EXPECT_NE(refusalOf(layerJson(R"("data":[1,1,1,1], "offsetx":-1e300)")).find("its offset is too large"),
-            std::string::npos);
+  EXPECT_THAT(refusalOf(layerJson(R"("data":[1,1,1,1], "offsetx":-1e300)")), HasSubstr("its offset is too large"));
 }
 
 /// A template whose tileset has a tile whose shape is of that template.

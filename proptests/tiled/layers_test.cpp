@@ -20,13 +20,12 @@ TEST(TiledLayers, WhatIsSaidOfThem) {
       "<group name='G' parallaxy='0.5'>" + oneTile("name='D'") + "<objectgroup name='O'/><group name='H'>" +
       oneTile("name='A'") + "</group></group>";
   const std::string objects = ": neither its name, its class nor a property says that it is solid]";
-  EXPECT_EQ(remarks(mustImport(content)),
-            (std::vector<std::string>{"A", "B" + slow, "C" + slow, "[O" + objects, "[I: an image]", "G/D" + slow,
-                                      "[G/O" + objects, "G/H/A" + slow}));
+  EXPECT_THAT(remarks(mustImport(content)), ElementsAre("A", "B" + slow, "C" + slow, "[O" + objects, "[I: an image]",
+                                                        "G/D" + slow, "[G/O" + objects, "G/H/A" + slow));
   Options options{.layers = {"G/H", "B"}};
-  EXPECT_EQ(remarks(mustImport(content, options)),
-            (std::vector<std::string>{"[A: not chosen]", "B" + slow, "[C: not chosen]", "[O: not chosen]",
-                                      "[I: an image]", "[G/D: not chosen]", "[G/O: not chosen]", "G/H/A" + slow}));
+  EXPECT_THAT(remarks(mustImport(content, options)),
+              ElementsAre("[A: not chosen]", "B" + slow, "[C: not chosen]", "[O: not chosen]", "[I: an image]",
+                          "[G/D: not chosen]", "[G/O: not chosen]", "G/H/A" + slow));
   for (const char* name : {"I", ""}) {  // these exist, but have nothing to import
     options.layers = {name};
     EXPECT_EQ(refusalOf(mapXml(content), options), "maps/test.tmx:2: <map> has no tile layer or group '" +
@@ -45,8 +44,8 @@ TEST(TiledLayers, AShiftIsToldForEachAxis) {
   EXPECT_EQ(shifted("offsetx='8.25'"), "shifted by 8.25 px, 0 px" + rest);
   EXPECT_EQ(shifted("offsety='70'"), "shifted by 0 px, 6 px" + rest);
   const auto map = mustImport(tilesetXml({kFullTile}) + oneTile("name='L' offsety='8'"));
-  EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{0, 0}, {32, 0}, {32, 24}, {0, 24}})}));
-  EXPECT_EQ(ringsIn(map, {0, -2}), (std::vector<Ring>{px({{0, 24}, {32, 24}, {32, 32}, {0, 32}})}));
+  EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{pxBox(0, 0, 32, 24)}));
+  EXPECT_EQ(ringsIn(map, {0, -2}), (Rings{pxBox(0, 24, 32, 32)}));
 }
 
 TEST(TiledLayers, ChunksAreReadWhateverTheMapSaysOfItself) {
@@ -55,7 +54,7 @@ TEST(TiledLayers, ChunksAreReadWhateverTheMapSaysOfItself) {
       "<chunk x='0' y='0' width='0' height='7'>none of this is read</chunk></data></layer>";
   for (const char* infinite : {"", "infinite='0'", "infinite='1'"}) {
     const auto map = mustImportFiles({{"maps/test.tmx", mapXml(tilesetXml({kFullTile}) + chunks, infinite)}});
-    EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{1, -3}})) << infinite;
+    EXPECT_EQ(cellsOf(map), (Cells{{1, -3}})) << infinite;
   }
 }
 
@@ -113,9 +112,9 @@ TEST(TiledTilesets, ImagesOfTheirOwnSizes) {
     const auto map = mustImport(set + csvLayer(1, 1, std::to_string(gid)), {.solidWithoutShapes = true});
     return std::pair(cellsOf(map), map.shapes.at(0));
   };
-  const std::vector<Cell> home{{0, -1}}, four{{0, -1}, {1, -1}, {0, 0}, {1, 0}};
-  EXPECT_EQ(size(1), std::pair(home, px({{0, 0}, {16, 0}, {16, 32}, {0, 32}})));
-  EXPECT_EQ(size(2), std::pair(home, px({{0, 0}, {32, 0}, {32, 16}, {0, 16}})));
+  const Cells home{{0, -1}}, four{{0, -1}, {1, -1}, {0, 0}, {1, 0}};
+  EXPECT_EQ(size(1), std::pair(home, pxBox(0, 0, 16, 32)));
+  EXPECT_EQ(size(2), std::pair(home, pxBox(0, 0, 32, 16)));
   EXPECT_EQ(size(3), std::pair(home, kSquare));
   for (const int gid : {4, 5, 6}) EXPECT_EQ(size(gid), std::pair(four, kSquare)) << gid;
 }
@@ -125,15 +124,13 @@ TEST(TiledTilesets, TurnedImagesAreFittedToo) {
       "<tileset firstgid='1' tilerendersize='grid' tilewidth='64' tileheight='16'><tile id='0'><objectgroup>"
       "<object id='1' width='16' height='16'/></objectgroup></tile></tileset>";  // its left quarter
   const auto turned = mustImport(set + csvLayer(1, 1, std::to_string(1 + 0x2000'0000)));
-  EXPECT_EQ(ringsIn(turned, {0, -1}), (std::vector<Ring>{px({{0, 24}, {32, 24}, {32, 32}, {0, 32}})}));
+  EXPECT_EQ(ringsIn(turned, {0, -1}), (Rings{pxBox(0, 24, 32, 32)}));
   const auto straight = mustImport(set + csvLayer(1, 1, "1"));
-  EXPECT_EQ(ringsIn(straight, {0, -1}), (std::vector<Ring>{px({{0, 0}, {8, 0}, {8, 32}, {0, 32}})}));
+  EXPECT_EQ(ringsIn(straight, {0, -1}), (Rings{pxBox(0, 0, 8, 32)}));
 }
 
 TEST(TiledBlocks, NamesThatShareANumber) {
-  const std::string set =
-      "<tileset firstgid='1' tilewidth='32' tileheight='32'><tile id='0' class='ice'><objectgroup>" + kFullTile +
-      "</objectgroup></tile><tile id='1'><objectgroup>" + kFullTile + "</objectgroup></tile></tileset>";
+  const std::string set = tilesOf32(tileXml(0, kFullTile, "class='ice'") + tileXml(1, kFullTile));
   const auto map = mustImport(set + csvLayer(3, 1, "1,2,2"),
                               {.blockFrom = BlockFrom::tileClass, .blocks = {{"", 4}, {"ice", 4}, {"unused", 9}}});
   ASSERT_EQ(map.report.blocks.size(), 1U);

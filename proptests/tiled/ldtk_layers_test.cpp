@@ -37,16 +37,15 @@ TEST(TiledLdtk, TilesThatAreOnlyDrawnCanBeSolid) {
   const std::string ground = grid("0,3,0,0,0,0");
   for (const char* type : {"Tiles", "AutoLayer"}) {
     const std::string text = projectWithTiles(tiles(two + "," + astray, type) + "," + ground);
-    EXPECT_EQ(cellsOf(mustImportProject(text)), (std::vector<Cell>{{2, -1}}));
+    EXPECT_EQ(cellsOf(mustImportProject(text)), (Cells{{2, -1}}));
     const auto map = mustImportProject(text, {.solidWithoutShapes = true});
-    EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{0, -2}, {3, -2}, {1, -1}, {2, -1}}));
-    EXPECT_EQ(blocksOf(map), (std::vector<Block>{4, 4, 4, 3})) << "no block of a value";
+    EXPECT_EQ(cellsOf(map), (Cells{{0, -2}, {3, -2}, {1, -1}, {2, -1}}));
+    EXPECT_THAT(blocksOf(map), ElementsAre(4, 4, 4, 3)) << "no block of a value";
     EXPECT_EQ(map.block("Deco"), 4U);
     EXPECT_EQ(map.report.layers.at(1).note, "1 tiles beside the grid are left out");
     EXPECT_EQ(map.report.layers.at(1).tiles, 3U) << "the same tile twice in a cell is one";
     EXPECT_EQ(cellsOf(mustImportProject(text, {.solidWithoutShapes = true, .layers = {"Deco"}})).size(), 3U);
-    EXPECT_EQ(cellsOf(mustImportProject(text, {.solidIf = {"Hard"}})), (std::vector<Cell>{{0, -2}, {1, -1}, {2, -1}}))
-        << "by tags";
+    EXPECT_EQ(cellsOf(mustImportProject(text, {.solidIf = {"Hard"}})), (Cells{{0, -2}, {1, -1}, {2, -1}})) << "by tags";
   }
 }
 
@@ -61,7 +60,7 @@ TEST(TiledLdtk, TilesThatAreOnlyDrawnDoNotSayWhatIsSolid) {
   for (const char* name : {"Solid", "Cells"}) {  // one says that it is solid, one says nothing
     const auto map = mustImportProject(projectWithTiles(
         called("Walls", "8", tiles(two)) + "," + called("Ground", "4", tiles(two)) + "," + grid("0,3,0,0,0,0", name)));
-    EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{2, -1}})) << name;
+    EXPECT_EQ(cellsOf(map), (Cells{{2, -1}})) << name;
     EXPECT_EQ(map.report.partial, "") << name;
   }
 }
@@ -70,7 +69,7 @@ TEST(TiledLdtk, ALayerOfTilesHasABlockThatNoValueHas) {
   std::string text = projectWithTiles(tiles(tile(0, 0, "70")) + "," + grid("0,3,0,0,0,0"));
   text.replace(text.find("\"dirt\""), 6, "\"Deco\"");
   const auto map = mustImportProject(text, {.solidWithoutShapes = true});
-  EXPECT_EQ(blocksOf(map), (std::vector<Block>{4, 3}));
+  EXPECT_THAT(blocksOf(map), ElementsAre(4, 3));
   EXPECT_EQ(map.block("Deco.Deco"), 4U);
 }
 
@@ -81,7 +80,7 @@ TEST(TiledLdtk, WhatIsSaidOfTilesThatAreOnlyDrawn) {
   const auto empty = mustImportProject(text);
   ASSERT_EQ(empty.report.suggestions.size(), 1U);
   EXPECT_EQ(empty.report.suggestions[0].text, "tile layer Deco, 100 % of the map: nothing says what it is");
-  EXPECT_EQ(empty.report.suggestions[0].arguments, (std::vector<std::string>{"--layer", "Deco", "--solid"}));
+  EXPECT_THAT(empty.report.suggestions[0].arguments, ElementsAre("--layer", "Deco", "--solid"));
   const std::string at = "maps/test.tmx: levels/0/layerInstances/0";
   const std::string large = projectWithTiles(tiles(tile(0, 0, "70")) + "," + grid("1,0,0,0,0,0"), "16");
   EXPECT_EQ(refusalOf(large, {.solidWithoutShapes = true}),
@@ -102,9 +101,8 @@ TEST(TiledLdtk, WhatIsSaidOfTilesThatAreOnlyDrawn) {
   }
   EXPECT_EQ(refusalOf(projectWithTiles(many), {.solidWithoutShapes = true, .layers = {"Solid"}}),
             "maps/test.tmx: <map> has no tile layer or group 'Solid'; there are 'A', 'Deco'");
-  EXPECT_NE(refusalOf(projectWithTiles(many), {.solidWithoutShapes = true, .layers = {}})
-                .find("is one layer of tiles too many to be solid"),
-            std::string::npos);
+  EXPECT_THAT(refusalOf(projectWithTiles(many), {.solidWithoutShapes = true, .layers = {}}),
+              HasSubstr("is one layer of tiles too many to be solid"));
 }
 
 TEST(TiledLdtk, OneWorldAtATime) {
@@ -113,12 +111,12 @@ TEST(TiledLdtk, OneWorldAtATime) {
            level(world + "1", world == "Sea" ? 0 : 8, 0, grid("1,0,0,0,0,0")) + "]}";
   };
   const auto with = [&](const std::string& worlds) { return project("", "", "\"worlds\":[" + worlds + "],"); };
-  EXPECT_EQ(cellsOf(mustImportProject(with(named("Sky")))), (std::vector<Cell>{{1, -1}}));
+  EXPECT_EQ(cellsOf(mustImportProject(with(named("Sky")))), (Cells{{1, -1}}));
   const std::string both = with(named("Sky") + "," + named("Sea"));
   EXPECT_EQ(refusalOf(both),
             "maps/test.tmx: <map> has several worlds, which lie over each other: choose one of Sea, Sky "
             "(Options::layers)");
-  EXPECT_EQ(cellsOf(mustImportProject(both, {.layers = {"Sky"}})), (std::vector<Cell>{{1, -1}}));
+  EXPECT_EQ(cellsOf(mustImportProject(both, {.layers = {"Sky"}})), (Cells{{1, -1}}));
 }
 
 /// A world with the levels given, and one called "Sky".
@@ -137,7 +135,7 @@ TEST(TiledLdtk, TheWorldThatIsChosenIsAllThatIsRead) {
   const std::string both = skyAnd("Sea", level("Sea1", 0, 0, things(boulder) + "," + fine) + "," + deep,
                                   level("Sky1", 0, 0, things(boulder) + "," + grid("1,0,0,0,0,0")));
   const auto sky = mustImportProject(both, {.layers = {"Sky"}, .objects = std::vector<std::string>{"Boulder"}});
-  EXPECT_EQ(cellsOf(sky), (std::vector<Cell>{{1, -2}, {0, -1}})) << "not the boulder of the other world";
+  EXPECT_EQ(cellsOf(sky), (Cells{{1, -2}, {0, -1}})) << "not the boulder of the other world";
   EXPECT_EQ(sky.report.width, 3);
   EXPECT_EQ(sky.report.height, 2);
   EXPECT_EQ(sky.report.layers.size(), 2U);
@@ -146,10 +144,9 @@ TEST(TiledLdtk, TheWorldThatIsChosenIsAllThatIsRead) {
   const auto sea = mustImportProject(both, {.layers = {"Sea"}, .objects = std::vector<std::string>{"Boulder"}});
   EXPECT_EQ(sea.report.tileWidth, 4);
   EXPECT_EQ(sea.report.width, 206);
-  EXPECT_NE(sea.report.notes.at(0).find("depths"), std::string::npos);
-  EXPECT_NE(refusalOf(both, {.layers = {"Sky", "Sea"}, .objects = std::vector<std::string>{"Boulder"}})
-                .find("choose one of Sea, Sky"),
-            std::string::npos);
+  EXPECT_THAT(sea.report.notes.at(0), HasSubstr("depths"));
+  EXPECT_THAT(refusalOf(both, {.layers = {"Sky", "Sea"}, .objects = std::vector<std::string>{"Boulder"}}),
+              HasSubstr("choose one of Sea, Sky"));
 }
 
 }  // namespace

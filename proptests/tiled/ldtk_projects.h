@@ -53,10 +53,4 @@ inline ImportedMap mustImportProject(const std::string& text, const Options& opt
   return mustImportWorld(files, options);
 }
 
-inline std::vector<Block> blocksOf(const ImportedMap& map) {
-  std::vector<Block> blocks;
-  for (const MapPolygon& p : map.placements) blocks.push_back(p.block);
-  return blocks;
-}
-
 }  // namespace lgs::tiled

@@ -8,21 +8,37 @@
 #include <lgs/tiled/import.h>
 #include <lgs/world.h>
 
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace lgs::tiled {
 
+using testing::ElementsAre, testing::HasSubstr, testing::IsEmpty, testing::Not;
+
 using Files = std::map<std::string, std::string>;
+using Cells = std::vector<Cell>;
+using Ring = std::vector<LocalPoint>;
+using Rings = std::vector<Ring>;
+
+/// A tile with these objects, for a tileset.
+inline std::string tileXml(std::size_t id, const std::string& objects, const std::string& attributes = "") {
+  return fmt::format("<tile id='{}' {}><objectgroup>{}</objectgroup></tile>", id, attributes, objects);
+}
+
+/// Tiles of 32×32 pixels; `content` is everything inside <tileset>.
+inline std::string tilesOf32(const std::string& content, const std::string& attributes = "firstgid='1'") {
+  return "<tileset " + attributes + " tilewidth='32' tileheight='32'>" + content + "</tileset>";
+}
 
 /// Tiles 1, 2, … of 32×32 pixels, each with the given objects.
 inline std::string tilesetXml(const std::vector<std::string>& objects, const std::string& attributes = "") {
   std::string xml = "<tileset firstgid='1' name='set' tilewidth='32' tileheight='32' " + attributes + ">\n";
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    xml += " <tile id='" + std::to_string(i) + "'><objectgroup>" + objects[i] + "</objectgroup></tile>\n";
-  }
+  for (std::size_t i = 0; i < objects.size(); ++i) xml += tileXml(i, objects[i]) + "\n";
   return xml + "</tileset>\n";
 }
 
@@ -33,22 +49,31 @@ inline std::string mapXml(const std::string& content, const std::string& attribu
 }
 
 inline std::string csvLayer(int width, int height, const std::string& csv, const std::string& attributes = "") {
-  return "<layer name='Ground' width='" + std::to_string(width) + "' height='" + std::to_string(height) + "' " +
-         attributes + "><data encoding='csv'>" + csv + "</data></layer>\n";
+  return fmt::format("<layer name='Ground' width='{}' height='{}' {}><data encoding='csv'>{}</data></layer>\n", width,
+                     height, attributes, csv);
+}
+
+inline std::string objectLayer(const std::string& objects, const std::string& attributes = "name='Walls'") {
+  return "<objectgroup " + attributes + ">" + objects + "</objectgroup>\n";
 }
 
 inline std::string property(const std::string& name, const std::string& value) {
   return "<properties><property name='" + name + "' value='" + value + "'/></properties>";
 }
 
-/// Imports "maps/test.tmx" with files that may lie anywhere, as in many projects of Tiled's.
-inline tl::expected<ImportedMap, ImportError> importFiles(Files files, Options options = {}) {
-  options.filesAnywhere = true;
-  return importMap("maps/test.tmx", options, [&](const std::string& path) -> tl::expected<std::string, std::string> {
+/// Reads these files, which must outlive it.
+inline FileReader readerOf(const Files& files) {
+  return [&files](const std::string& path) -> tl::expected<std::string, std::string> {
     const auto file = files.find(path);
     if (file == files.end()) return tl::unexpected<std::string>("there is no such file");
     return file->second;
-  });
+  };
+}
+
+/// Imports "maps/test.tmx" with files that may lie anywhere, as in many projects of Tiled's.
+inline tl::expected<ImportedMap, ImportError> importFiles(const Files& files, Options options = {}) {
+  options.filesAnywhere = true;
+  return importMap("maps/test.tmx", options, readerOf(files));
 }
 
 /// Places everything in a world; that is what the importer promises to be possible. World decides what overlaps by the
@@ -96,9 +121,12 @@ inline ImportedMap mustImport(const std::string& content, const Options& options
 }
 
 /// The message of a map that is refused.
-inline std::string refusalOf(const std::string& xml, const Options& options = {}) {
-  const auto map = importFiles({{"maps/test.tmx", xml}}, options);
+inline std::string refusalOf(const tl::expected<ImportedMap, ImportError>& map) {
   return map ? "accepted" : message(map.error());
+}
+
+inline std::string refusalOf(const std::string& xml, const Options& options = {}) {
+  return refusalOf(importFiles({{"maps/test.tmx", xml}}, options));
 }
 
 /// One tile with these objects, alone in the map's upper left corner: cell (0, -1).
@@ -106,22 +134,32 @@ inline ImportedMap importTile(const std::string& objects, const Options& options
   return mustImport(tilesetXml({objects}) + csvLayer(1, 1, "1"), options);
 }
 
-using Ring = std::vector<LocalPoint>;
+/// What an object becomes: as the shape of a tile in cell (0, -1), and as an object in the same place.
+inline std::array<ImportedMap, 2> bothWays(const std::string& object, const Options& options = {}) {
+  return {importTile(object, options), mustImport(objectLayer(object), options)};
+}
+
 inline const Ring kSquare(kUnitSquare.begin(), kUnitSquare.end());
 
 /// The polygons of a cell, in order.
-inline std::vector<Ring> ringsIn(const ImportedMap& map, Cell cell) {
-  std::vector<Ring> rings;
+inline Rings ringsIn(const ImportedMap& map, Cell cell) {
+  Rings rings;
   for (const MapPolygon& p : map.placements) {
     if (p.cell == cell) rings.push_back(map.shapes[p.shape]);
   }
   return rings;
 }
 
-inline std::vector<Cell> cellsOf(const ImportedMap& map) {
-  std::vector<Cell> cells;
+inline Cells cellsOf(const ImportedMap& map) {
+  Cells cells;
   for (const MapPolygon& p : map.placements) cells.push_back(p.cell);
   return cells;
+}
+
+inline std::vector<Block> blocksOf(const ImportedMap& map) {
+  std::vector<Block> blocks;
+  for (const MapPolygon& p : map.placements) blocks.push_back(p.block);
+  return blocks;
 }
 
 /// A ring in pixels of a 32×32 tile, y up. Begin with its least vertex, as the importer's rings do.
@@ -131,6 +169,11 @@ inline Ring px(const std::vector<std::pair<double, double>>& points) {
     ring.push_back({static_cast<std::int32_t>(x * 2048), static_cast<std::int32_t>(y * 2048)});
   }
   return ring;
+}
+
+/// A rectangle in pixels, as px() has it.
+inline Ring pxBox(double left, double low, double right, double high) {
+  return px({{left, low}, {right, low}, {right, high}, {left, high}});
 }
 
 inline double areaInCells(const ImportedMap& map) {
@@ -153,16 +196,18 @@ inline std::vector<NoteKind> noteKinds(const ImportedMap& map) {
   return kinds;
 }
 
-/// The texts of all notes, be they of tiles or of layers.
+/// All notes, be they of tiles or of layers.
+inline std::vector<Note> notesOf(const ImportedMap& map) {
+  std::vector<Note> notes;
+  for (const TileReport& tile : map.report.tiles) notes.insert(notes.end(), tile.notes.begin(), tile.notes.end());
+  for (const LayerReport& layer : map.report.layers) notes.insert(notes.end(), layer.notes.begin(), layer.notes.end());
+  return notes;
+}
+
 inline std::vector<std::string> noteTexts(const ImportedMap& map) {
-  std::vector<std::string> result;
-  for (const TileReport& tile : map.report.tiles) {
-    for (const Note& note : tile.notes) result.push_back(note.text);
-  }
-  for (const LayerReport& layer : map.report.layers) {
-    for (const Note& note : layer.notes) result.push_back(note.text);
-  }
-  return result;
+  std::vector<std::string> texts;
+  for (const Note& note : notesOf(map)) texts.push_back(note.text);
+  return texts;
 }
 
 /// "Path: note" of each layer; layers that are passed over are in brackets.

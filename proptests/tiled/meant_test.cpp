@@ -2,8 +2,6 @@
 // offers.
 #include "meant_maps.h"
 
-#include <algorithm>
-
 namespace lgs::tiled::meant {
 namespace {
 

@@ -7,13 +7,8 @@
 namespace lgs::tiled {
 namespace {
 
-std::string objectLayer(const std::string& objects, const std::string& attributes = "name='Walls'") {
-  return "<objectgroup " + attributes + ">" + objects + "</objectgroup>\n";
-}
-
 std::string rectangle(int x, int y, int width, int height, const std::string& attributes = "id='1'") {
-  return "<object " + attributes + " x='" + std::to_string(x) + "' y='" + std::to_string(y) + "' width='" +
-         std::to_string(width) + "' height='" + std::to_string(height) + "'/>";
+  return fmt::format("<object {} x='{}' y='{}' width='{}' height='{}'/>", attributes, x, y, width, height);
 }
 
 /// The notes of all object layers: "LAYER OBJECT: text".
@@ -21,7 +16,7 @@ std::vector<std::string> layerNotes(const ImportedMap& map) {
   std::vector<std::string> result;
   for (const LayerReport& layer : map.report.layers) {
     for (const Note& note : layer.notes) {
-      result.push_back(layer.path + " " + std::to_string(note.object) + ": " + note.text);
+      result.push_back(fmt::format("{} {}: {}", layer.path, note.object, note.text));
     }
   }
   return result;
@@ -29,11 +24,10 @@ std::vector<std::string> layerNotes(const ImportedMap& map) {
 
 TEST(TiledObjectLayers, AnObjectMayHaveAnySize) {
   const auto map = mustImport(objectLayer("", "name='Other'") + objectLayer(rectangle(32, 16, 96, 64, "id='9'")));
-  EXPECT_EQ(cellsOf(map),
-            (std::vector<Cell>{{1, -3}, {2, -3}, {3, -3}, {1, -2}, {2, -2}, {3, -2}, {1, -1}, {2, -1}, {3, -1}}));
-  EXPECT_EQ(ringsIn(map, {2, -1}), (std::vector<Ring>{px({{0, 0}, {32, 0}, {32, 16}, {0, 16}})}));
-  EXPECT_EQ(ringsIn(map, {2, -2}), (std::vector<Ring>{kSquare}));
-  EXPECT_EQ(ringsIn(map, {2, -3}), (std::vector<Ring>{px({{0, 16}, {32, 16}, {32, 32}, {0, 32}})}));
+  EXPECT_EQ(cellsOf(map), (Cells{{1, -3}, {2, -3}, {3, -3}, {1, -2}, {2, -2}, {3, -2}, {1, -1}, {2, -1}, {3, -1}}));
+  EXPECT_EQ(ringsIn(map, {2, -1}), (Rings{pxBox(0, 0, 32, 16)}));
+  EXPECT_EQ(ringsIn(map, {2, -2}), (Rings{kSquare}));
+  EXPECT_EQ(ringsIn(map, {2, -3}), (Rings{pxBox(0, 16, 32, 32)}));
   for (const MapPolygon& p : map.placements) {
     EXPECT_EQ(p.tile, kNoTile);
     EXPECT_EQ(p.object, 9U);
@@ -43,7 +37,7 @@ TEST(TiledObjectLayers, AnObjectMayHaveAnySize) {
 }
 
 TEST(TiledObjectLayers, ObjectsOfEachKind) {
-  const Ring lowerHalf = px({{0, 0}, {32, 0}, {32, 16}, {0, 16}});
+  const Ring lowerHalf = pxBox(0, 0, 32, 16);
   for (const char* object :
        {"<object id='1' x='32' y='48' width='32' height='16'/>",
         "<object id='1' x='64' y='48' width='16' height='32' rotation='90'/>",
@@ -51,29 +45,29 @@ TEST(TiledObjectLayers, ObjectsOfEachKind) {
         "<object id='1' x='40' y='50'><polygon points='-8,14 -8,-2 24,-2 24,14'/></object>",
         "<object id='1' x='40' y='50'><polyline points='-8,14 -8,-2 24,-2 24,14 -8,14'/></object>"}) {
     const auto map = mustImport(objectLayer(object));
-    EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{1, -2}})) << object;
-    EXPECT_EQ(ringsIn(map, {1, -2}), (std::vector<Ring>{lowerHalf})) << object;
+    EXPECT_EQ(cellsOf(map), (Cells{{1, -2}})) << object;
+    EXPECT_EQ(ringsIn(map, {1, -2}), (Rings{lowerHalf})) << object;
   }
   const Options exact{.tolerance = 0};
   const auto ellipse = mustImport(objectLayer("<object id='1' width='128' height='64'><ellipse/></object>"), exact);
   EXPECT_NEAR(areaInCells(ellipse), 2 * std::numbers::pi, 0.06);
   const auto capsule = mustImport(objectLayer("<object id='1' width='128' height='64'><capsule/></object>"), exact);
   EXPECT_NEAR(areaInCells(capsule), 4 + std::numbers::pi, 0.03);
-  EXPECT_EQ(layerNotes(capsule), (std::vector<std::string>{"Walls 1: a capsule became a polygon of 32 vertices"}));
+  EXPECT_THAT(layerNotes(capsule), ElementsAre("Walls 1: a capsule became a polygon of 32 vertices"));
 }
 
 TEST(TiledObjectLayers, OffsetsOfGroupsAndLayersAddUp) {
   const std::string group = "<group name='G' offsetx='32' offsety='-64'>" +
                             objectLayer(rectangle(0, 0, 32, 32), "name='Walls' offsetx='-64' offsety='32'") +
                             "</group>";
-  EXPECT_EQ(cellsOf(mustImport(group)), (std::vector<Cell>{{-1, 0}}));
+  EXPECT_EQ(cellsOf(mustImport(group)), (Cells{{-1, 0}}));
 }
 
 TEST(TiledObjectLayers, WhatIsNearAGridLineSnaps) {
   const std::string object = "<object id='4' x='32.5' y='0.25' width='62.75' height='32'/>";
   EXPECT_EQ(areaInCells(mustImport(objectLayer(object))), 2);
-  EXPECT_EQ(layerNotes(mustImport(objectLayer(object))),
-            (std::vector<std::string>{"Walls 4: 8 coordinates put on the grid, by up to 0.75 px"}));
+  EXPECT_THAT(layerNotes(mustImport(objectLayer(object))),
+              ElementsAre("Walls 4: 8 coordinates put on the grid, by up to 0.75 px"));
   EXPECT_EQ(areaInCells(mustImport(objectLayer(object), {.tolerance = 0})), 62.75 / 32);
 }
 
@@ -108,7 +102,6 @@ TEST(TiledObjectLayers, TheyCanBeChosen) {
   const auto cells = [&](std::optional<std::vector<std::string>> objects, std::vector<std::string> layers = {}) {
     return cellsOf(mustImport(content, {.layers = std::move(layers), .objects = std::move(objects)}));
   };
-  using Cells = std::vector<Cell>;
   EXPECT_EQ(cells(std::nullopt), (Cells{{2, -1}}));
   EXPECT_EQ(cells({{}}), Cells{});
   EXPECT_EQ(cells({{"A"}}), (Cells{{0, -1}, {1, -1}}));
@@ -126,23 +119,20 @@ TEST(TiledObjectLayers, WhatComesFirstStays) {
   const std::string layer = objectLayer(rectangle(0, 0, 64, 32, "id='5'") + rectangle(40, 8, 8, 8, "id='6'") +
                                         rectangle(0, 0, 16, 16, "id='7'") + rectangle(32, 16, 64, 16, "id='8'"));
   const auto map = mustImport(layer + tiles);
-  EXPECT_EQ(ringsIn(map, {0, -1}),
-            (std::vector<Ring>{px({{0, 0}, {32, 0}, {32, 16}, {0, 16}}), px({{0, 16}, {32, 16}, {32, 32}, {0, 32}})}));
-  EXPECT_EQ(ringsIn(map, {1, -1}), (std::vector<Ring>{kSquare}));
+  EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{pxBox(0, 0, 32, 16), pxBox(0, 16, 32, 32)}));
+  EXPECT_EQ(ringsIn(map, {1, -1}), (Rings{kSquare}));
   EXPECT_EQ(map.placements.size(), 4U);
   EXPECT_EQ(map.placements.at(3).object, 8U);
-  EXPECT_EQ(layerNotes(map),
-            (std::vector<std::string>{"Walls 5: lies on what is there already: the common part was taken away",
-                                      "Walls 6: objects before it cover all of it",
-                                      "Walls 7: objects before it cover all of it"}));
+  EXPECT_THAT(layerNotes(map),
+              ElementsAre("Walls 5: lies on what is there already: the common part was taken away",
+                          "Walls 6: objects before it cover all of it", "Walls 7: objects before it cover all of it"));
 }
 
 TEST(TiledObjectLayers, AnOutlineThatGoesAroundTwiceHasNoArea) {
   const auto map =
       mustImport(objectLayer("<object id='1'><polygon points='0,0 32,0 32,32 0,32 0,0 32,0 32,32 0,32'/></object>"));
   EXPECT_EQ(map.placements.size(), 0U);
-  EXPECT_EQ(layerNotes(map),
-            (std::vector<std::string>{"Walls 1: it has no area: what its outline goes around twice is not solid"}));
+  EXPECT_THAT(layerNotes(map), ElementsAre("Walls 1: it has no area: what its outline goes around twice is not solid"));
 }
 
 TEST(TiledObjectLayers, NotesAreOfTheirLayer) {
@@ -150,7 +140,7 @@ TEST(TiledObjectLayers, NotesAreOfTheirLayer) {
   const auto map = mustImport(tilesetXml({"<object id='1' y='8' width='32' height='8'/>"}) + csvLayer(2, 1, "1,1") +
                               objectLayer(object) + objectLayer(rectangle(32, 0, 32, 32, "id='5'"), "name='Ground'"));
   const std::string text = " 5: lies on what is there already: the common part was taken away";
-  EXPECT_EQ(layerNotes(map), (std::vector<std::string>{"Walls" + text, "Ground" + text}));
+  EXPECT_THAT(layerNotes(map), ElementsAre("Walls" + text, "Ground" + text));
 }
 
 TEST(TiledObjectLayers, NotesOfTilesNameTheLayersToo) {
@@ -159,14 +149,14 @@ TEST(TiledObjectLayers, NotesOfTilesNameTheLayersToo) {
                               "<layer name='More' width='2' height='1' offsety='32'><data encoding='csv'>2,2</data>"
                               "</layer>");
   const std::string text = toText(map.report);
-  EXPECT_NE(text.find("  set #1, 3 uses in layers Ground, More\n"), std::string::npos) << text;
-  EXPECT_EQ(text.find("set #0"), std::string::npos) << "nothing is to be said of it\n" << text;
+  EXPECT_THAT(text, HasSubstr("  set #1, 3 uses in layers Ground, More\n"));
+  EXPECT_THAT(text, Not(HasSubstr("set #0"))) << "nothing is to be said of it\n" << text;
   EXPECT_EQ(map.report.tiles.at(0).layers, (std::vector<std::uint32_t>{0}));
   EXPECT_EQ(map.report.tiles.at(1).layers, (std::vector<std::uint32_t>{0, 1}));
   const std::string trimmed = "object 2: lies on what is there already: the common part was taken away ";
-  EXPECT_NE(text.find(trimmed + "(1 place in layer More, first in cell 0, -1)\n"), std::string::npos) << text;
+  EXPECT_THAT(text, HasSubstr(trimmed + "(1 place in layer More, first in cell 0, -1)\n"));
   const auto flipped = mustImport(tiles + csvLayer(2, 1, "2,2147483650"));
-  EXPECT_NE(toText(flipped.report).find("  set #1, 2 uses in layer Ground\n"), std::string::npos);
+  EXPECT_THAT(toText(flipped.report), HasSubstr("  set #1, 2 uses in layer Ground\n"));
 }
 
 TEST(TiledObjectLayers, BlocksByClassOrLayer) {
@@ -174,15 +164,10 @@ TEST(TiledObjectLayers, BlocksByClassOrLayer) {
                                           "name='Walls' class='rock'") +
                               objectLayer(rectangle(64, 0, 32, 32), "name='Ground'");
   const auto byClass = mustImport(content, {.blockFrom = BlockFrom::tileClass});
-  const auto blocks = [](const ImportedMap& map) {
-    std::vector<Block> result;
-    for (const MapPolygon& p : map.placements) result.push_back(p.block);
-    return result;
-  };
-  EXPECT_EQ(blocks(byClass), (std::vector<Block>{byClass.block("rock").value(), byClass.block("ice").value(),
-                                                 byClass.block("").value()}));
-  EXPECT_EQ(blocks(mustImport(content, {.blockFrom = BlockFrom::layer, .blocks = {{"Ground", 7}}})),
-            (std::vector<Block>{1, 1, 7}));
+  EXPECT_THAT(blocksOf(byClass),
+              ElementsAre(byClass.block("rock").value(), byClass.block("ice").value(), byClass.block("").value()));
+  EXPECT_THAT(blocksOf(mustImport(content, {.blockFrom = BlockFrom::layer, .blocks = {{"Ground", 7}}})),
+              ElementsAre(1, 1, 7));
 }
 
 TEST(TiledObjectLayers, BlocksByName) {
@@ -226,8 +211,8 @@ TEST(TiledObjectLayers, WhatIsLeftOutAndWhy) {
   EXPECT_EQ(reason(rectangle(0, 0, 4'097 * 32, 9)), "Walls 1: it is more than 4096 cells wide or high");
   EXPECT_EQ(reason(rectangle(0, 0, 9, 4'097 * 32)), "Walls 1: it is more than 4096 cells wide or high");
   EXPECT_EQ(mustImport(objectLayer(rectangle(0, 0, 4'096 * 32, 9))).placements.size(), 4'096U);
-  EXPECT_EQ(layerNotes(mustImport(objectLayer("<object id='1' gid='1' width='9' height='9'/>"))),
-            (std::vector<std::string>{"Walls 1: its tile belongs to no tileset"}));
+  EXPECT_THAT(layerNotes(mustImport(objectLayer("<object id='1' gid='1' width='9' height='9'/>"))),
+              ElementsAre("Walls 1: its tile belongs to no tileset"));
   EXPECT_EQ(reason("<object id='1' gid='1' width='9' height='9'/>"), "Walls 1: its tile has no collision shapes");
 }
 
@@ -265,8 +250,7 @@ TEST(TiledObjectLayers, TheReportTellsAllOfThem) {
 
 TEST(TiledObjectLayers, ANoteOfSeveralIsOfEachOfThem) {
   const auto map = mustImport(objectLayer(rectangle(0, 0, 9, 0, "id='2'") + rectangle(0, 0, 0, 9, "id='4'")));
-  EXPECT_NE(toText(map.report).find("objects 2, 4, each: it has no area: its width or height is 0\n"),
-            std::string::npos);
+  EXPECT_THAT(toText(map.report), HasSubstr("objects 2, 4, each: it has no area: its width or height is 0\n"));
 }
 
 TEST(TiledObjectLayers, ALayerOfTheOtherKindIsNamedWithItsOption) {

@@ -7,10 +7,6 @@
 namespace lgs::tiled {
 namespace {
 
-std::string wallsOf(const std::string& content, const std::string& attributes = "name='Walls'") {
-  return "<objectgroup " + attributes + ">" + content + "</objectgroup>\n";
-}
-
 std::string polyline(const std::string& points, const std::string& attributes = "class='one-way'",
                      const std::string& properties = "") {
   return "<object id='1' x='0' y='8' " + attributes + ">" + properties + "<polyline points='" + points + "'/></object>";
@@ -24,9 +20,9 @@ Options thick(double pixels) {
 TEST(TiledOneWay, ThePolygonLiesBelowThePolyline) {
   const Ring slab = px({{0, 20}, {32, 4}, {32, 8}, {0, 24}});
   for (const char* points : {"0,0 32,16", "32,16 0,0", "0,0 16,8 32,16"}) {
-    for (const auto& map : {importTile(polyline(points), thick(4)), mustImport(wallsOf(polyline(points)), thick(4))}) {
-      EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{slab})) << points;
-      EXPECT_EQ(noteTexts(map), (std::vector<std::string>{"a one-way polyline became a polygon, 4 px thick"}));
+    for (const auto& map : bothWays(polyline(points), thick(4))) {
+      EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{slab})) << points;
+      EXPECT_THAT(noteTexts(map), ElementsAre("a one-way polyline became a polygon, 4 px thick"));
     }
   }
 }
@@ -43,24 +39,24 @@ TEST(TiledOneWay, OnlyOnRequestAndTheReportSaysHow) {
       "an open polyline has no area: as it is one-way, --polyline-thickness PIXELS makes a thin polygon";
   const std::string say =
       "an open polyline has no area: close it, or give it the class one-way, and it becomes a thin polygon";
-  for (const auto& map : {importTile(polyline("0,0 32,0")), mustImport(wallsOf(polyline("0,0 32,0")))}) {
+  for (const auto& map : bothWays(polyline("0,0 32,0"))) {
     EXPECT_TRUE(map.placements.empty());
-    EXPECT_EQ(noteTexts(map), std::vector<std::string>{how});
+    EXPECT_THAT(noteTexts(map), ElementsAre(how));
   }
   for (const auto& map : {importTile(polyline("0,0 32,0", "class='rope'"), thick(4)),
-                          mustImport(wallsOf(polyline("0,0 32,0", "")), thick(4))}) {
+                          mustImport(objectLayer(polyline("0,0 32,0", "")), thick(4))}) {
     EXPECT_TRUE(map.placements.empty());
-    EXPECT_EQ(noteTexts(map), std::vector<std::string>{say});
+    EXPECT_THAT(noteTexts(map), ElementsAre(say));
   }
   const std::string plain = "an open polyline has no area: close it, or draw a polygon instead";
-  EXPECT_EQ(noteTexts(importTile(polyline("0,0 32,0", ""))), std::vector<std::string>{plain});
-  EXPECT_EQ(noteTexts(importTile(polyline("0,0 0,32", ""), thick(4))), std::vector<std::string>{plain});
+  EXPECT_THAT(noteTexts(importTile(polyline("0,0 32,0", ""))), ElementsAre(plain));
+  EXPECT_THAT(noteTexts(importTile(polyline("0,0 0,32", ""), thick(4))), ElementsAre(plain));
 }
 
 TEST(TiledOneWay, WhatSaysSo) {
   const auto taken = [](const std::string& content) { return !mustImport(content, thick(4)).placements.empty(); };
   const auto ofObject = [&](const std::string& attributes, const std::string& properties = "") {
-    return taken(wallsOf(polyline("0,0 32,0", attributes, properties)));
+    return taken(objectLayer(polyline("0,0 32,0", attributes, properties)));
   };
   for (const char* word : {"one-way", "OneWay", "one_way_slope", "One Way", "platform 3", "jump-through", "JumpThru"}) {
     EXPECT_TRUE(ofObject("class='" + std::string(word) + "'")) << word;
@@ -68,8 +64,8 @@ TEST(TiledOneWay, WhatSaysSo) {
     EXPECT_TRUE(ofObject("name='" + std::string(word) + "'")) << word;
     EXPECT_TRUE(ofObject("", property(word, "true"))) << word;
     EXPECT_FALSE(ofObject("", property(word, "false"))) << word;
-    EXPECT_TRUE(taken(wallsOf(polyline("0,0 32,0", ""), "name='Walls, " + std::string(word) + "'"))) << word;
-    EXPECT_TRUE(taken(wallsOf(property(word, "1") + polyline("0,0 32,0", "")))) << word;
+    EXPECT_TRUE(taken(objectLayer(polyline("0,0 32,0", ""), "name='Walls, " + std::string(word) + "'"))) << word;
+    EXPECT_TRUE(taken(objectLayer(property(word, "1") + polyline("0,0 32,0", "")))) << word;
   }
   for (const char* word : {"", "one", "away", "jump", "way one"}) {
     EXPECT_FALSE(ofObject("class='" + std::string(word) + "'")) << word;
@@ -82,11 +78,11 @@ TEST(TiledOneWay, WhatSaysSo) {
   EXPECT_TRUE(ofTile("", property("oneWay", "true")));
   EXPECT_FALSE(ofTile("", property("oneWay", "0")));
   const std::string object = "<object id='3' gid='1' x='0' y='32' class='platform'/>";
-  EXPECT_TRUE(taken(tilesetXml({polyline("0,0 32,0", "")}) + wallsOf(object)));
+  EXPECT_TRUE(taken(tilesetXml({polyline("0,0 32,0", "")}) + objectLayer(object)));
   const auto ofTemplate = [&](const std::string& here, const std::string& there) {
     const std::string instance = "<object id='1' template='a.tx' x='0' y='0'>" + here + "</object>";
     const std::string text = "<template>" + polyline("0,0 32,0", "", there) + "</template>";
-    const Files files{{"maps/test.tmx", mapXml(wallsOf(instance))}, {"maps/a.tx", text}};
+    const Files files{{"maps/test.tmx", mapXml(objectLayer(instance))}, {"maps/a.tx", text}};
     return !mustImportFiles(files, thick(4)).placements.empty();
   };
   EXPECT_TRUE(ofTemplate("", property("oneWay", "true")));
@@ -97,13 +93,12 @@ TEST(TiledOneWay, WhatSaysSo) {
 
 TEST(TiledOneWay, OnlyFromLeftToRight) {
   for (const char* points : {"0,0 0,20", "0,0 8,0 8,8 16,8", "0,0 20,0 16,4", "0,0"}) {
-    for (const auto& map : {importTile(polyline(points), thick(4)), mustImport(wallsOf(polyline(points)), thick(4)),
+    for (const auto& map : {importTile(polyline(points), thick(4)), mustImport(objectLayer(polyline(points)), thick(4)),
                             importTile(polyline(points))}) {  // a thickness would not help
       EXPECT_TRUE(map.placements.empty()) << points;
-      EXPECT_EQ(
-          noteTexts(map),
-          std::vector<std::string>{"an open polyline has no area: close it, or let it run from left to right, nowhere "
-                                   "upright, for a thin polygon"})
+      EXPECT_THAT(noteTexts(map),
+                  ElementsAre("an open polyline has no area: close it, or let it run from left to right, nowhere "
+                              "upright, for a thin polygon"))
           << points;
     }
   }
@@ -111,7 +106,7 @@ TEST(TiledOneWay, OnlyFromLeftToRight) {
 
 TEST(TiledOneWay, ThinnerThanTheToleranceItStaysAsDrawn) {
   const auto map = importTile("<object id='1' class='oneway'><polyline points='0,0 32,0'/></object>", thick(1));
-  EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{0, 31}, {32, 31}, {32, 32}, {0, 32}})}));
+  EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{pxBox(0, 31, 32, 32)}));
 }
 
 TEST(TiledOneWay, TheThicknessIsANumberFromNothingOn) {

@@ -13,7 +13,7 @@ namespace {
 std::string polygon(const std::string& points) { return "<object id='1'><polygon points='" + points + "'/></object>"; }
 
 /// The notes of an object that is alone in its tile, as "kind: text" with the number of the NoteKind.
-std::vector<std::string> notesOf(const ImportedMap& map) {
+std::vector<std::string> kindsAndTexts(const ImportedMap& map) {
   std::vector<std::string> result;
   for (const Note& note : map.report.tiles.at(0).notes) {
     result.push_back(std::to_string(static_cast<int>(note.kind)) + ": " + note.text);
@@ -24,7 +24,7 @@ std::vector<std::string> notesOf(const ImportedMap& map) {
 TEST(TiledOutlines, ThatTouchThemselvesInAVertexFallApart) {
   struct Case {
     const char* points;
-    std::vector<Ring> rings;
+    Rings rings;
   };
   const Ring lower = px({{0, 0}, {32, 0}, {16, 16}}), upper = px({{0, 32}, {16, 16}, {32, 32}});
   const std::vector<Case> cases = {
@@ -36,10 +36,10 @@ TEST(TiledOutlines, ThatTouchThemselvesInAVertexFallApart) {
   };
   for (const Case& c : cases) {
     const auto map = importTile(polygon(c.points));
-    std::vector<Ring> rings = ringsIn(map, {0, -1});
+    Rings rings = ringsIn(map, {0, -1});
     std::sort(rings.begin(), rings.end());
     EXPECT_EQ(rings, c.rings) << c.points;
-    EXPECT_TRUE(notesOf(map).empty()) << c.points;
+    EXPECT_TRUE(kindsAndTexts(map).empty()) << c.points;
   }
 }
 
@@ -82,7 +82,7 @@ TEST(TiledOutlines, ThatCrossOrTouchThemselvesAreFilledAsTiledFillsThem) {
        }) {
     const auto map = importTile(polygon(points));
     EXPECT_NEAR(areaInCells(map) * 1024, oddArea(points), 0.1) << points;
-    EXPECT_TRUE(notesOf(map).empty()) << points;
+    EXPECT_TRUE(kindsAndTexts(map).empty()) << points;
   }
 }
 
@@ -95,20 +95,18 @@ TEST(TiledOutlines, ThatAreTangledAreLeftOut) {
     }
     return polygon(points);
   };
-  const auto asObject = [](const std::string& object) {
-    return mustImport("<objectgroup name='Walls'>" + object + "</objectgroup>");
-  };
-  for (const auto& map : {importTile(star(21)), asObject(star(21))}) {
+  for (const auto& map : bothWays(star(21))) {
     EXPECT_FALSE(map.placements.empty());
     EXPECT_TRUE(noteTexts(map).empty());
   }
-  const auto many =
-      importFiles({{"maps/test.tmx", mapXml("<objectgroup name='Walls'>" + star(45) + "</objectgroup>")}});
+  const auto many = importFiles({{"maps/test.tmx", mapXml(objectLayer(star(45)))}});
   ASSERT_TRUE(many);  // 945 crossings
-  EXPECT_EQ(noteTexts(*many), std::vector<std::string>{"a cell holds as many polygons or vertices as it can"});
-  for (const auto& map : {importTile(star(49)), asObject(star(49)), importTile(star(1'023)), asObject(star(1'023))}) {
-    EXPECT_TRUE(map.placements.empty());
-    EXPECT_EQ(noteTexts(map), std::vector<std::string>{"its outline crosses itself more than 1024 times"});
+  EXPECT_THAT(noteTexts(*many), ElementsAre("a cell holds as many polygons or vertices as it can"));
+  for (const int vertices : {49, 1'023}) {
+    for (const auto& map : bothWays(star(vertices))) {
+      EXPECT_TRUE(map.placements.empty());
+      EXPECT_THAT(noteTexts(map), ElementsAre("its outline crosses itself more than 1024 times"));
+    }
   }
 }
 
@@ -116,7 +114,7 @@ TEST(TiledOutlines, WithoutAreaAreLeftOut) {
   for (const char* points : {"4,4 28,4 4,4", "4,4 4,4 4,4 4,4", "4,4 16,16 28,28", "4,4 28,4 28,20 28,4"}) {
     const auto map = importTile(polygon(points));
     EXPECT_TRUE(map.placements.empty()) << points;
-    EXPECT_EQ(notesOf(map).at(0), "0: it has no area once it is on the grid") << points;
+    EXPECT_EQ(kindsAndTexts(map).at(0), "0: it has no area once it is on the grid") << points;
   }
 }
 
@@ -133,7 +131,7 @@ TEST(TiledOutlines, WhatIsLeftOutAndWhy) {
   const auto reason = [](const std::string& object) {
     const auto map = importTile(object);
     EXPECT_TRUE(map.placements.empty()) << object;
-    const std::vector<std::string> notes = notesOf(map);
+    const std::vector<std::string> notes = kindsAndTexts(map);
     EXPECT_EQ(notes.size(), 1U) << object;
     return notes.at(0);
   };

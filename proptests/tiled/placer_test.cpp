@@ -8,6 +8,19 @@
 namespace lgs::tiled {
 namespace {
 
+/// Places rings in a cell, with the blocks 1, 2, …
+ImportedMap placed(const std::vector<Polygon>& rings) {
+  Budget budget{Options{}};
+  Placer placer(budget);
+  for (Block block = 1; const Polygon& ring : rings) {
+    placer.place({3, -8}, placer.entry({placer.shape(ring), block++, kNoTile}));
+  }
+  ImportedMap map;
+  map.report.layers.emplace_back();
+  placer.finish(map);
+  return map;
+}
+
 TEST(TiledPlacer, EntriesAreToldApartByEveryField) {
   // All combinations of three values, once upwards and once downwards.
   std::vector<Placer::Entry> entries;
@@ -69,7 +82,7 @@ TEST(TiledPlacer, WhatIsLeftIsFilledHoweverMuchIsThere) {
   for (int k = 0; k < 14; ++k) add(11 + k * 0.5, 1.5, 0.25, 29);
   const auto map = importTile(objects + "<object id='7' width='32' height='32'/>", {.tolerance = 0});
   EXPECT_EQ(areaInCells(map), 1);
-  EXPECT_EQ(noteKinds(map), (std::vector<NoteKind>{NoteKind::trimmed}));
+  EXPECT_THAT(noteKinds(map), ElementsAre(NoteKind::trimmed));
 }
 
 /// The area of the polygons with a block, in square units.
@@ -88,13 +101,7 @@ TEST(TiledPlacer, WhatComesLaterLosesTheCommonPart) {
   for (std::size_t i = 0; i < rings.size(); ++i) {
     for (std::size_t j = i % 64; j < rings.size(); j += 64) {  // a 64th of all pairs
       SCOPED_TRACE(text(rings[j]) + " on " + text(rings[i]));
-      Budget budget{Options{}};
-      Placer placer(budget);
-      placer.place({3, -8}, placer.entry({placer.shape(rings[i]), 1, kNoTile}));
-      placer.place({3, -8}, placer.entry({placer.shape(rings[j]), 2, kNoTile}));
-      ImportedMap map;
-      map.report.layers.emplace_back();
-      placer.finish(map);
+      const ImportedMap map = placed({rings[i], rings[j]});
       worldOf(map);
       const double common = commonArea(rings[i], rings[j]);
       ASSERT_NEAR(areaOfBlock(map, 1), tiled::areaOf(realRing(rings[i])), kRounding) << "the first one stays";
@@ -120,32 +127,20 @@ Polygon combOf(std::int64_t teeth, bool lying) {
 }
 
 TEST(TiledPlacer, WhatCrossesTooOftenIsLeftOut) {
-  const auto placed = [](std::int64_t teeth) {
-    Budget budget{Options{}};
-    Placer placer(budget);
-    placer.place({}, placer.entry({placer.shape(combOf(teeth, false)), 1, kNoTile}));
-    placer.place({}, placer.entry({placer.shape(combOf(teeth, true)), 2, kNoTile}));
-    ImportedMap map;
-    map.report.layers.emplace_back();
-    placer.finish(map);
+  const auto noteOf = [](std::int64_t teeth) {
+    const ImportedMap map = placed({combOf(teeth, false), combOf(teeth, true)});
     EXPECT_GE(map.report.layers[0].notes.size(), 1U);
     return map.report.layers[0].notes.back().text + (map.placements.size() > 1 ? ", taken" : ", left out");
   };
-  EXPECT_EQ(placed(12), "lies on what is there already: the common part was taken away, taken");
-  EXPECT_EQ(placed(40), "crosses what is there already more than 1024 times, left out");
+  EXPECT_EQ(noteOf(12), "lies on what is there already: the common part was taken away, taken");
+  EXPECT_EQ(noteOf(40), "crosses what is there already more than 1024 times, left out");
 }
 
 TEST(TiledPlacer, SliversAreDropped) {
   const auto left = [](std::int64_t width) {  // of a square that is wider than the one before it
-    Budget budget{Options{}};
-    Placer placer(budget);
-    placer.place({}, placer.entry({placer.shape({{0, 0}, {9'000, 0}, {9'000, 65'536}, {0, 65'536}}), 1, kNoTile}));
     const std::int64_t end = 9'000 + width;
-    placer.place({}, placer.entry({placer.shape({{0, 0}, {end, 0}, {end, 65'536}, {0, 65'536}}), 2, kNoTile}));
-    ImportedMap map;
-    map.report.layers.emplace_back();
-    placer.finish(map);
-    return map.placements.size() - 1;
+    const Polygon first{{0, 0}, {9'000, 0}, {9'000, 65'536}, {0, 65'536}};
+    return placed({first, {{0, 0}, {end, 0}, {end, 65'536}, {0, 65'536}}}).placements.size() - 1;
   };
   EXPECT_EQ(left(0), 0U);
   EXPECT_EQ(left(4), 0U);

@@ -7,8 +7,6 @@
 #include "proptests/support/law.h"
 #include "proptests/support/must.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <ostream>
 

@@ -28,12 +28,12 @@ TEST(TiledSnapping, SlopesJoinTheFlatGroundWithoutAStep) {
   ASSERT_EQ(map.report.tiles[0].notes.size(), 1U);
   EXPECT_EQ(map.report.tiles[0].notes[0].kind, NoteKind::snapped);
   EXPECT_NEAR(map.report.tiles[0].notes[0].pixels, 0.8, 1e-9);
-  EXPECT_NE(toText(map.report).find("6 coordinates put on the grid, by up to 0.8 px"), std::string::npos);
+  EXPECT_THAT(toText(map.report), HasSubstr("6 coordinates put on the grid, by up to 0.8 px"));
 
   const Options strict{.tolerance = 0.5};  // the foot of the slope is 0.8 px too high and stays there
   const auto steps = mustImportFiles({{"maps/test.tmx", slopeMap()}}, strict);
   EXPECT_GT(worldOf(steps).loops(Collinear::merge).at(0).vertices.size(), 6U);
-  EXPECT_EQ(noteKinds(steps), (std::vector<NoteKind>{NoteKind::snapped, NoteKind::nearMiss}));
+  EXPECT_THAT(noteKinds(steps), ElementsAre(NoteKind::snapped, NoteKind::nearMiss));
 }
 
 TEST(TiledSnapping, AVertexNearACornerIsNotedUpToA32thOfATile) {
@@ -44,34 +44,33 @@ TEST(TiledSnapping, AVertexNearACornerIsNotedUpToA32thOfATile) {
   const auto kindsOf = [&](const std::string& miss) { return noteKinds(imported(miss)); };
   EXPECT_EQ(imported("0.83").report.tiles.at(0).notes.at(0).text,
             "a vertex misses a corner by 0.83 px: a tolerance of 0.9 px would join it");
-  EXPECT_EQ(kindsOf("0.74"), (std::vector<NoteKind>{NoteKind::snapped}));
-  EXPECT_EQ(kindsOf("0.76"), (std::vector<NoteKind>{NoteKind::nearMiss}));
-  EXPECT_EQ(kindsOf("1"), (std::vector<NoteKind>{NoteKind::nearMiss}));
+  EXPECT_THAT(kindsOf("0.74"), ElementsAre(NoteKind::snapped));
+  EXPECT_THAT(kindsOf("0.76"), ElementsAre(NoteKind::nearMiss));
+  EXPECT_THAT(kindsOf("1"), ElementsAre(NoteKind::nearMiss));
   EXPECT_EQ(kindsOf("1.02"), std::vector<NoteKind>());
 }
 
 TEST(TiledSnapping, OnlyWithinTheTolerance) {
   const std::string objects = "<object id='1' x='2.5' y='-1' width='29' height='20'/>";
-  EXPECT_EQ(ringsIn(importTile(objects), {0, -1}), (std::vector<Ring>{px({{2.5, 13}, {32, 13}, {32, 32}, {2.5, 32}})}));
+  EXPECT_EQ(ringsIn(importTile(objects), {0, -1}), (Rings{pxBox(2.5, 13, 32, 32)}));
   Options options{.tolerance = 3};
-  EXPECT_EQ(ringsIn(importTile(objects, options), {0, -1}),
-            (std::vector<Ring>{px({{0, 13}, {32, 13}, {32, 32}, {0, 32}})}));
+  EXPECT_EQ(ringsIn(importTile(objects, options), {0, -1}), (Rings{pxBox(0, 13, 32, 32)}));
   options.tolerance = 1000;  // a quarter of the tile is used
   const auto map = importTile("<object id='1' x='9' y='7' width='15' height='17.5'/>", options);
   EXPECT_EQ(map.report.tolerance, 8);
-  EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{9, 0}, {32, 0}, {32, 32}, {9, 32}})}));
+  EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{pxBox(9, 0, 32, 32)}));
 }
 
 TEST(TiledReach, CarriedOrCutOff) {
   const std::string objects = "<object id='1' x='16' y='16' width='32' height='32'/>";
   const auto carried = importTile(objects);
-  EXPECT_EQ(cellsOf(carried), (std::vector<Cell>{{0, -2}, {1, -2}, {0, -1}, {1, -1}}));
+  EXPECT_EQ(cellsOf(carried), (Cells{{0, -2}, {1, -2}, {0, -1}, {1, -1}}));
   EXPECT_DOUBLE_EQ(areaInCells(carried), 1.0);
   EXPECT_EQ(worldOf(carried).loops(Collinear::merge).at(0).vertices.size(), 4U);
   const auto clipped = importTile(objects, {.outside = Outside::clip});
-  EXPECT_EQ(ringsIn(clipped, {0, -1}), (std::vector<Ring>{px({{16, 0}, {32, 0}, {32, 16}, {16, 16}})}));
+  EXPECT_EQ(ringsIn(clipped, {0, -1}), (Rings{pxBox(16, 0, 32, 16)}));
   EXPECT_EQ(clipped.placements.size(), 1U);
-  EXPECT_EQ(noteKinds(clipped), (std::vector<NoteKind>{NoteKind::clipped}));
+  EXPECT_THAT(noteKinds(clipped), ElementsAre(NoteKind::clipped));
   EXPECT_EQ(clipped.report.tiles[0].notes[0].pixels, 16);
 }
 
@@ -79,8 +78,7 @@ TEST(TiledReach, AConcavePolygonFallsIntoPieces) {
   // A U on its side: its back lies left of the cell, its two arms inside.
   const auto map =
       importTile("<object id='1'><polygon points='-8,4 24,4 24,8 -4,8 -4,24 16,24 16,28 -8,28'/></object>");
-  EXPECT_EQ(ringsIn(map, {0, -1}),
-            (std::vector<Ring>{px({{0, 4}, {16, 4}, {16, 8}, {0, 8}}), px({{0, 24}, {24, 24}, {24, 28}, {0, 28}})}));
+  EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{pxBox(0, 4, 16, 8), pxBox(0, 24, 24, 28)}));
   EXPECT_EQ(ringsIn(map, {-1, -1}).size(), 1U);
   // An arm whose side lies on the grid is cut there, too.
   const auto touching =
@@ -92,7 +90,7 @@ TEST(TiledReach, AConcavePolygonFallsIntoPieces) {
 TEST(TiledReach, TooFarIsLeftOut) {
   const auto map = importTile("<object id='1' x='0' y='0' width='2200' height='32'/>");
   EXPECT_TRUE(map.placements.empty());
-  EXPECT_NE(map.report.tiles[0].notes.at(0).text.find("more than 64 cells"), std::string::npos);
+  EXPECT_THAT(map.report.tiles[0].notes.at(0).text, HasSubstr("more than 64 cells"));
 }
 
 TEST(TiledOutlines, WindingAndExtraVerticesDoNotMatter) {
@@ -100,7 +98,7 @@ TEST(TiledOutlines, WindingAndExtraVerticesDoNotMatter) {
   for (const char* points : {"0,32 32,32 32,0", "32,0 32,32 0,32", "0,32 16,32 16,32 32,32 32,0 16,16",
                              "0,32 32,32 32,0 0,32", "0,32 32,32 32,0 32,-9 32,0"}) {
     const auto map = importTile(std::string("<object id='1'><polygon points='") + points + "'/></object>");
-    EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{triangle})) << points;
+    EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{triangle})) << points;
   }
   // Two triangles that meet in a vertex are two polygons.
   const auto pair = importTile("<object id='1'><polygon points='0,0 16,16 32,0 32,32 16,16 0,32'/></object>");
@@ -111,17 +109,16 @@ TEST(TiledOverlaps, WhatComesLaterYields) {
   // An L of two overlapping rectangles: the second loses what the first covers.
   const auto corner =
       importTile("<object id='1' x='0' y='16' width='32' height='16'/><object id='2' width='16' height='32'/>");
-  EXPECT_EQ(ringsIn(corner, {0, -1}),
-            (std::vector<Ring>{px({{0, 0}, {32, 0}, {32, 16}, {0, 16}}), px({{0, 16}, {16, 16}, {16, 32}, {0, 32}})}));
-  EXPECT_EQ(noteKinds(corner), (std::vector<NoteKind>{NoteKind::trimmed}));
+  EXPECT_EQ(ringsIn(corner, {0, -1}), (Rings{pxBox(0, 0, 32, 16), pxBox(0, 16, 16, 32)}));
+  EXPECT_THAT(noteKinds(corner), ElementsAre(NoteKind::trimmed));
   // The same tile on two layers, and a carried part under solid ground: nothing is placed twice.
   const auto twice = mustImport(tilesetXml({kFullTile}) + csvLayer(1, 1, "1") + csvLayer(1, 1, "1"));
-  EXPECT_EQ(ringsIn(twice, {0, -1}), (std::vector<Ring>{kSquare}));
+  EXPECT_EQ(ringsIn(twice, {0, -1}), (Rings{kSquare}));
   EXPECT_EQ(twice.report.tiles[0].notes.at(0).places, 1U);
   const auto rooted = mustImport(tilesetXml({"<object id='5' x='8' y='0' width='16' height='40'/>", kFullTile}) +
                                  csvLayer(2, 2, "1,1,2,0"));
-  EXPECT_EQ(ringsIn(rooted, {0, -2}), (std::vector<Ring>{kSquare}));
-  EXPECT_EQ(ringsIn(rooted, {1, -2}), (std::vector<Ring>{px({{8, 24}, {24, 24}, {24, 32}, {8, 32}})}));
+  EXPECT_EQ(ringsIn(rooted, {0, -2}), (Rings{kSquare}));
+  EXPECT_EQ(ringsIn(rooted, {1, -2}), (Rings{pxBox(8, 24, 24, 32)}));
 }
 
 // --- Any shapes: what was drawn is solid, everything else is not -----------------------------------------------------

@@ -25,11 +25,11 @@ TEST(TiledSolidIf, PropertiesOfTiles) {
   const auto cells = [&](std::vector<std::string> rules) {
     return cellsOf(mustImport(content, {.solidIf = std::move(rules)}));
   };
-  EXPECT_EQ(cells({}), std::vector<Cell>{});
-  EXPECT_EQ(cells({"p"}), (std::vector<Cell>{{0, -1}, {3, -1}}));
-  EXPECT_EQ(cells({"p=rock"}), (std::vector<Cell>{{3, -1}}));
-  EXPECT_EQ(cells({"p=false", "q", "p=0"}), (std::vector<Cell>{{1, -1}, {2, -1}}));
-  EXPECT_EQ(cells({"q", "P", "p="}), std::vector<Cell>{});
+  EXPECT_EQ(cells({}), Cells{});
+  EXPECT_EQ(cells({"p"}), (Cells{{0, -1}, {3, -1}}));
+  EXPECT_EQ(cells({"p=rock"}), (Cells{{3, -1}}));
+  EXPECT_EQ(cells({"p=false", "q", "p=0"}), (Cells{{1, -1}, {2, -1}}));
+  EXPECT_EQ(cells({"q", "P", "p="}), Cells{});
 }
 
 TEST(TiledSolidIf, PropertiesOfLayers) {
@@ -37,18 +37,17 @@ TEST(TiledSolidIf, PropertiesOfLayers) {
   const std::string set = tilesetXml({half}, "") + "<tileset firstgid='7' tilewidth='32' tileheight='32'/>";
   const auto map =
       mustImport(set + layer("A", "7,0,0,0") + layer("B", "0,7,1,0", property("wall", "true")), {.solidIf = {"wall"}});
-  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{1, -1}, {2, -1}}));
-  EXPECT_EQ(ringsIn(map, {1, -1}), (std::vector<Ring>{kSquare}));
-  EXPECT_NE(ringsIn(map, {2, -1}), (std::vector<Ring>{kSquare})) << "a tile with shapes keeps them";
-  EXPECT_NE(toText(map.report).find("\nFull squares, as asked: 1 tile, 2 uses\n"), std::string::npos);
+  EXPECT_EQ(cellsOf(map), (Cells{{1, -1}, {2, -1}}));
+  EXPECT_EQ(ringsIn(map, {1, -1}), (Rings{kSquare}));
+  EXPECT_NE(ringsIn(map, {2, -1}), (Rings{kSquare})) << "a tile with shapes keeps them";
+  EXPECT_THAT(toText(map.report), HasSubstr("\nFull squares, as asked: 1 tile, 2 uses\n"));
 }
 
 TEST(TiledSolidIf, ValuesMayStandInTheElement) {
   const std::string set =
       "<tileset firstgid='1' tilewidth='32' tileheight='32'><tile id='0'><properties>"
       "<property name='p'>rock\nand stone</property></properties></tile></tileset>";
-  EXPECT_EQ(cellsOf(mustImport(set + layer("L", "1,0,0,0"), {.solidIf = {"p=rock\nand stone"}})),
-            (std::vector<Cell>{{0, -1}}));
+  EXPECT_EQ(cellsOf(mustImport(set + layer("L", "1,0,0,0"), {.solidIf = {"p=rock\nand stone"}})), (Cells{{0, -1}}));
 }
 
 /// "collision solid", "ground wall" or "-".
@@ -138,8 +137,8 @@ TEST(TiledSuggestions, WhatLooksLikeCollisionIsTakenByItself) {
                             property("speed", "2") + "</tile></tileset>";
   const auto choice = [](const std::string& content) { return mustImport(content).report.choice; };
   EXPECT_EQ(choice(tiles + layer("L", "1,2,3,1")), "tiles by a property: collides (3 tiles) (--solid-if collides)");
-  EXPECT_EQ(suggestionsOf(tiles + layer("L", "4,4,0,3")),
-            (std::vector<std::string>{"tile layer L, 75 % of the map: nothing says what it is | --layer L --solid"}));
+  EXPECT_THAT(suggestionsOf(tiles + layer("L", "4,4,0,3")),
+              ElementsAre("tile layer L, 75 % of the map: nothing says what it is | --layer L --solid"));
   EXPECT_EQ(choice(tiles + layer("Walls", "4,4,0,3") + layer("Solid", "0,0,0,0")),
             "tile layer Walls: its name says 'wall' (--layer Walls --solid)");
   EXPECT_EQ(choice(tiles + layer("L", "4,4,0,3", property("blocking", "true"))),
@@ -148,8 +147,8 @@ TEST(TiledSuggestions, WhatLooksLikeCollisionIsTakenByItself) {
 
 TEST(TiledSuggestions, FullSquaresOnlyWhereTheyHelp) {
   const std::string shapeless = "<tileset firstgid='1' tilewidth='32' tileheight='32'/>";
-  EXPECT_EQ(suggestionsOf(shapeless + layer("A", "1,1,1,0") + layer("B", "1,0,0,0"), {.layers = {"A"}}),
-            (std::vector<std::string>{"tile layer A, 75 % of the map: nothing says what it is | --layer A --solid"}));
+  EXPECT_THAT(suggestionsOf(shapeless + layer("A", "1,1,1,0") + layer("B", "1,0,0,0"), {.layers = {"A"}}),
+              ElementsAre("tile layer A, 75 % of the map: nothing says what it is | --layer A --solid"));
   const std::string open = "<object id='1'><polyline points='0,0 32,0'/></object>";
   for (const char* name : {"L", "Ground"}) {
     EXPECT_TRUE(suggestionsOf(tilesetXml({open}) + layer(name, "1,1,0,0")).empty()) << "the tile has a shape, left out";
@@ -166,9 +165,9 @@ TEST(TiledSuggestions, ObjectLayersThatWerePassedOver) {
   const auto group = [](const std::string& name, const std::string& objects) {
     return "<objectgroup name='" + name + "'>" + objects + "</objectgroup>";
   };
-  EXPECT_EQ(suggestionsOf(group("A", box + box) + group("B", "") + "<group name='G'>" + group("C", box) + "</group>"),
-            (std::vector<std::string>{"object layer A, 2 objects: nothing says what it is | --objects A",
-                                      "object layer G/C, 1 object: nothing says what it is | --objects G/C"}));
+  EXPECT_THAT(suggestionsOf(group("A", box + box) + group("B", "") + "<group name='G'>" + group("C", box) + "</group>"),
+              ElementsAre("object layer A, 2 objects: nothing says what it is | --objects A",
+                          "object layer G/C, 1 object: nothing says what it is | --objects G/C"));
   const auto named = mustImport(group("A", box) + group("B", "<object id='2' name='wall' width='9' height='9'/>"));
   EXPECT_EQ(named.report.choice, "objects that are called wall (--objects wall)");
 }

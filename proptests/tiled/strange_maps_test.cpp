@@ -48,7 +48,7 @@ TEST(TiledStrangeMaps, NoReaderIsAskedForWhatLiesElsewhere) {
                                  "//server/share/a.tsx", "..", "\\etc\\passwd"}) {
     std::vector<std::string> asked;
     const std::string text = said(mapXml("<tileset firstgid='1' source='" + name + "'/>"), asked);
-    EXPECT_TRUE(text.ends_with(std::string(" cannot be read: ") + kOutside)) << name << ": " << text;
+    EXPECT_TRUE(text.ends_with(fmt::format(" cannot be read: {}", kOutside))) << name << ": " << text;
     EXPECT_EQ(asked, std::vector<std::string>{"maps/a.tmx"}) << name;
   }
   std::vector<std::string> asked;

@@ -2,7 +2,6 @@
 #include "maps.h"
 #include "proptests/support/law.h"
 
-#include <array>
 #include <ostream>
 
 namespace lgs::tiled {
@@ -13,30 +12,25 @@ const std::string kTakenBack =
 
 std::string outline(const std::string& points) { return "<object id='1'><polygon points='" + points + "'/></object>"; }
 
-/// What one shape becomes: as the shape of a tile in cell (0, -1), and as an object in the same place.
-std::array<ImportedMap, 2> bothWays(const std::string& object, const Options& options = {}) {
-  return {importTile(object, options), mustImport("<objectgroup name='Walls'>" + object + "</objectgroup>", options)};
-}
-
 TEST(TiledThinShapes, AWallOfAPixelStaysAsDrawn) {
   for (const auto& map : bothWays("<object id='1' x='0' y='0' width='1' height='32'/>")) {
-    EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{0, 0}, {1, 0}, {1, 32}, {0, 32}})}));
-    EXPECT_EQ(noteTexts(map), (std::vector<std::string>{kTakenBack}));
-    EXPECT_NE(toText(map.report).find("Worth a look:\n"), std::string::npos);
+    EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{pxBox(0, 0, 1, 32)}));
+    EXPECT_THAT(noteTexts(map), ElementsAre(kTakenBack));
+    EXPECT_THAT(toText(map.report), HasSubstr("Worth a look:\n"));
   }
   for (const auto& map : bothWays("<object id='1' x='4' y='0.25' width='27.5' height='0.5'/>")) {
-    EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{4, 31.25}, {31.5, 31.25}, {31.5, 31.75}, {4, 31.75}})}))
+    EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{pxBox(4, 31.25, 31.5, 31.75)}))
         << "no vertex of it moves, not even at its end";
   }
 }
 
 TEST(TiledThinShapes, SoDoesASlantedOne) {
   for (const auto& map : bothWays(outline("0,0 1,0 32,31 32,32 31,32 0,1"))) {
-    EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{0, 31}, {31, 0}, {32, 0}, {32, 1}, {1, 32}, {0, 32}})}));
-    EXPECT_EQ(noteTexts(map), (std::vector<std::string>{kTakenBack}));
+    EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{px({{0, 31}, {31, 0}, {32, 0}, {32, 1}, {1, 32}, {0, 32}})}));
+    EXPECT_THAT(noteTexts(map), ElementsAre(kTakenBack));
   }
   for (const auto& map : bothWays(outline("0,0 0.75,0 0.5,32"))) {
-    EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{0, 32}, {0.5, 0}, {0.75, 32}})})) << "a wedge";
+    EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{px({{0, 32}, {0.5, 0}, {0.75, 32}})})) << "a wedge";
   }
   for (const auto& map : bothWays(outline("0,10 0,11 32,21 32,20"))) {
     EXPECT_TRUE(noteTexts(map).empty()) << "it does not fall together";
@@ -46,10 +40,10 @@ TEST(TiledThinShapes, SoDoesASlantedOne) {
 TEST(TiledThinShapes, AThinPartOfAThickShapeStays) {
   for (const auto& map : bothWays(outline("0,0 1,0 1,24 32,24 32,32 0,32"))) {
     EXPECT_EQ(areaInCells(map) * 1024, 24 + 8 * 32) << "an arm";
-    EXPECT_EQ(noteTexts(map), (std::vector<std::string>{kTakenBack}));
+    EXPECT_THAT(noteTexts(map), ElementsAre(kTakenBack));
   }
   for (const auto& map : bothWays(outline("0,0 32,0 32,31.5 20,31.5 20,32 0,32 0,31.5 0,31"))) {
-    EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{kSquare})) << "nothing that it has is thin";
+    EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{kSquare})) << "nothing that it has is thin";
   }
 }
 
@@ -60,7 +54,7 @@ TEST(TiledThinShapes, WhatIsApartStaysApart) {
     EXPECT_NEAR(areaInCells(waist[k]) * 1024, 2 * (16 + 1) * 16 / 2, 1e-3);
     EXPECT_EQ(waist[k].placements.size(), 2U) << "one polygon in each cell: it does not touch itself";
     EXPECT_EQ(areaInCells(slit[k]) * 1024, 32 * 32 - 20);
-    for (const auto* map : {&waist[k], &slit[k]}) EXPECT_NE(toText(map->report).find("--tolerance"), std::string::npos);
+    for (const auto* map : {&waist[k], &slit[k]}) EXPECT_THAT(toText(map->report), HasSubstr("--tolerance"));
   }
 }
 
@@ -68,7 +62,7 @@ TEST(TiledThinShapes, NeighboursMayBecomeOneVertex) {
   for (const char* points : {"0,0 31.5,0 32,0.5 32,32 0,32", "0,0 16,0 16.25,0.5 16.5,0 32,0 32,32 0,32",
                              "0.5,0.25 0,0.5 0,0 0,-0.25 32,0 32,31.5 31.5,32.5 31.5,32 0,32"}) {
     for (const auto& map : bothWays(outline(points))) {
-      EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{kSquare})) << points;
+      EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{kSquare})) << points;
     }
   }
 }
@@ -76,8 +70,8 @@ TEST(TiledThinShapes, NeighboursMayBecomeOneVertex) {
 TEST(TiledThinShapes, ASmallerToleranceSnapsTheRest) {
   for (const auto& map :
        bothWays("<object id='1' x='0.25' y='0.25' width='0.75' height='31.5'/>", {.tolerance = 0.5})) {
-    EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{0, 0}, {1, 0}, {1, 32}, {0, 32}})}));
-    EXPECT_EQ(noteTexts(map), (std::vector<std::string>{"6 coordinates put on the grid, by up to 0.25 px"}));
+    EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{pxBox(0, 0, 1, 32)}));
+    EXPECT_THAT(noteTexts(map), ElementsAre("6 coordinates put on the grid, by up to 0.25 px"));
   }
 }
 
@@ -85,7 +79,7 @@ TEST(TiledThinShapes, WhatHasNoAreaAsDrawnIsLeftOut) {
   for (const auto& map : bothWays(outline("0,0 0.5,0 0.25,0"))) {
     EXPECT_TRUE(map.placements.empty());
     EXPECT_EQ(noteTexts(map).front(), "it has no area once it is on the grid");
-    EXPECT_EQ(toText(map.report).find("--tolerance"), std::string::npos);
+    EXPECT_THAT(toText(map.report), Not(HasSubstr("--tolerance")));
   }
 }
 

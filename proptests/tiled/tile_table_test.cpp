@@ -21,17 +21,17 @@ ImportedMap importRow(const std::string& rows, Options options = {}, const std::
 
 TEST(TiledTileTable, PolygonsSquaresAndNothing) {
   const auto map = importRow("0 full\n1,3 0 0, 1 0, 1 1/2  # a slope\n2 none");
-  EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{kSquare}));
-  EXPECT_EQ(ringsIn(map, {1, -1}), (std::vector<Ring>{px({{0, 0}, {32, 0}, {32, 16}})}));
+  EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{kSquare}));
+  EXPECT_EQ(ringsIn(map, {1, -1}), (Rings{px({{0, 0}, {32, 0}, {32, 16}})}));
   EXPECT_TRUE(ringsIn(map, {2, -1}).empty());
   EXPECT_EQ(ringsIn(map, {3, -1}), ringsIn(map, {1, -1}));
-  EXPECT_EQ(cellsOf(importRow("2 none", {.solidWithoutShapes = true})), (std::vector<Cell>{{0, -1}, {1, -1}, {3, -1}}))
+  EXPECT_EQ(cellsOf(importRow("2 none", {.solidWithoutShapes = true})), (Cells{{0, -1}, {1, -1}, {3, -1}}))
       << "it stays free";
 }
 
 TEST(TiledTileTable, OneWayPlatforms) {
   const auto map = importRow("0 oneway 0 1, 1 1", {.blockFrom = BlockFrom::tileClass, .polylineThickness = 8});
-  EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{0, 24}, {32, 24}, {32, 32}, {0, 32}})}));
+  EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{pxBox(0, 24, 32, 32)}));
   EXPECT_TRUE(map.block("one-way"));
   EXPECT_TRUE(importRow("0 oneway 0 1, 1 1").placements.empty()) << "it has no area";
 }
@@ -39,11 +39,10 @@ TEST(TiledTileTable, OneWayPlatforms) {
 TEST(TiledTileTable, ShapesOfATilesetReplaceItsOwn) {
   const auto map = mustImport(tilesetXml({kFullTile, kFullTile}) + csvLayer(2, 1, "1,2"),
                               {.tiles = tableOf("tileset other\n0 none\ntileset set\n0 0 0, 1/2 0, 0.5 1, 0 1")});
-  EXPECT_EQ(ringsIn(map, {0, -1}), (std::vector<Ring>{px({{0, 0}, {16, 0}, {16, 32}, {0, 32}})}));
-  EXPECT_EQ(ringsIn(map, {1, -1}), (std::vector<Ring>{kSquare})) << "the table does not name it";
-  EXPECT_EQ(
-      map.report.notes,
-      (std::vector<std::string>{"the map has no tileset 'other', which the table of tiles names; there is 'set'"}));
+  EXPECT_EQ(ringsIn(map, {0, -1}), (Rings{pxBox(0, 0, 16, 32)}));
+  EXPECT_EQ(ringsIn(map, {1, -1}), (Rings{kSquare})) << "the table does not name it";
+  EXPECT_THAT(map.report.notes,
+              ElementsAre("the map has no tileset 'other', which the table of tiles names; there is 'set'"));
 }
 
 TEST(TiledTileTable, Refusals) {
@@ -61,7 +60,7 @@ TEST(TiledTileTable, Refusals) {
   const std::string shape = "2: should say full, none, oneway with x y of two points or more, or x y of three or more";
   for (const char* row : {"1 half", "1 0 0, 1 0, nan 1", "1 0 0, 1 0, 1/0 1"}) EXPECT_EQ(refusal(head + row), shape);
   for (const char* row : {"1", "1 0 0, 1 0", "1 0 0 1 0 1", "1 oneway 0 1"}) {
-    EXPECT_NE(refusal(head + row).find(" points or more"), std::string::npos) << row;
+    EXPECT_THAT(refusal(head + row), HasSubstr(" points or more")) << row;
   }
   EXPECT_EQ(refusal(head + "1 full 2"), "2: has more than \"full\"");
   EXPECT_EQ(refusal(head + "1-3 full\n2 none"), "3: tile 2 has a row already");

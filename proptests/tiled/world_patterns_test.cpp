@@ -10,9 +10,7 @@ namespace {
 
 /// A map of 2 by 2 tiles of 32 px, full where the numbers are 1.
 std::string squares(const std::string& csv) {
-  return mapXml("<tileset firstgid='1' name='set' tilewidth='32' tileheight='32'><tile id='0'><objectgroup>" +
-                    kFullTile + "</objectgroup></tile></tileset>" + csvLayer(2, 2, csv),
-                "width='2' height='2'");
+  return mapXml(tilesetXml({kFullTile}) + csvLayer(2, 2, csv), "width='2' height='2'");
 }
 
 std::string patternOf(const std::string& regexp, const std::string& more = "") {
@@ -38,12 +36,8 @@ tl::expected<std::vector<std::string>, std::string> namesIn(const Files& files, 
 
 tl::expected<ImportedMap, ImportError> importWorld(const std::string& text, Files files, const Options& options = {}) {
   files["maps/test.world"] = text;
-  const auto read = [&](const std::string& path) -> tl::expected<std::string, std::string> {
-    const auto file = files.find(path);
-    if (file == files.end()) return tl::unexpected<std::string>("there is no such file");
-    return file->second;
-  };
-  return importMap("maps/test.world", options, read, [&](const std::string& folder) { return namesIn(files, folder); });
+  return importMap("maps/test.world", options, readerOf(files),
+                   [&](const std::string& folder) { return namesIn(files, folder); });
 }
 
 ImportedMap mustImportPatterns(const std::string& text, const Files& files) {
@@ -67,7 +61,7 @@ TEST(TiledWorldPatterns, PlaceMapsByTheirNames) {
                     {"maps/other.tmx", squares("1,1,1,1")},
                     {"maps/.p9_9.tmx", squares("1,1,1,1")}};
   const auto map = mustImportPatterns(byPatterns(kPlaces), files);
-  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{-1, -6}, {0, -1}, {3, -1}}));
+  EXPECT_EQ(cellsOf(map), (Cells{{-1, -6}, {0, -1}, {3, -1}}));
   EXPECT_EQ(layersOf(map), (Paths{"p-1_2/Ground", "p0_0/Ground", "p1_0/Ground"}))
       << "sorted; hidden files are not seen";
   EXPECT_EQ(map.report.width, 6);
@@ -80,27 +74,22 @@ TEST(TiledWorldPatterns, NumbersAreMultipliedAndMoved) {
   const auto cells = [&](const std::string& more) {
     return cellsOf(mustImportPatterns(byPatterns(patternOf("p(\\\\d+)_(\\\\d+)", more)), files));
   };
-  EXPECT_EQ(cells(R"(, "multiplierX":64, "multiplierY":-32, "offsetX":-32, "offsetY":320)"),
-            (std::vector<Cell>{{3, -8}}));
-  EXPECT_EQ(cells(R"(, "multiplierX":32, "multiplierY":96, "mapWidth":7, "mapHeight":9)"),
-            (std::vector<Cell>{{2, -10}}))
+  EXPECT_EQ(cells(R"(, "multiplierX":64, "multiplierY":-32, "offsetX":-32, "offsetY":320)"), (Cells{{3, -8}}));
+  EXPECT_EQ(cells(R"(, "multiplierX":32, "multiplierY":96, "mapWidth":7, "mapHeight":9)"), (Cells{{2, -10}}))
       << "a map is as large as it says";
-  EXPECT_EQ(cells(R"(, "offsetX":30, "offsetY":29)"), (std::vector<Cell>{{1, -2}}))
-      << "a multiplier is 1 if there is none";
+  EXPECT_EQ(cells(R"(, "offsetX":30, "offsetY":29)"), (Cells{{1, -2}})) << "a multiplier is 1 if there is none";
   const Files plus{{"maps/p+2_3.tmx", squares("1,0,0,0")}};
-  EXPECT_EQ(cellsOf(mustImportPatterns(byPatterns(patternOf("p([+]\\\\d)_(\\\\d)", kBy64)), plus)),
-            (std::vector<Cell>{{4, -7}}));
+  EXPECT_EQ(cellsOf(mustImportPatterns(byPatterns(patternOf("p([+]\\\\d)_(\\\\d)", kBy64)), plus)), (Cells{{4, -7}}));
 }
 
 TEST(TiledWorldPatterns, WhatIsPlacedStays) {
   const Files files{{"maps/p0_0.tmx", squares("1,0,0,0")}, {"maps/p1_0.tmx", squares("1,0,0,0")}};
   const std::string listed = R"({"fileName":"p1_0.tmx", "x":0, "y":-64})";
   const auto map = mustImportPatterns(byPatterns(kPlaces, listed), files);
-  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{0, -1}, {0, 1}}));
+  EXPECT_EQ(cellsOf(map), (Cells{{0, -1}, {0, 1}}));
   EXPECT_EQ(layersOf(map), (Paths{"p1_0/Ground", "p0_0/Ground"})) << "listed maps come first";
   const std::string later = patternOf("p(\\\\d)_(\\\\d)", R"(, "multiplierX":640, "multiplierY":640, "offsetX":32)");
-  EXPECT_EQ(cellsOf(mustImportPatterns(byPatterns(kPlaces + "," + later), files)),
-            (std::vector<Cell>{{0, -1}, {2, -1}}));
+  EXPECT_EQ(cellsOf(mustImportPatterns(byPatterns(kPlaces + "," + later), files)), (Cells{{0, -1}, {2, -1}}));
 }
 
 TEST(TiledWorldPatterns, NotesOfPatterns) {
@@ -114,10 +103,7 @@ TEST(TiledWorldPatterns, NotesOfPatterns) {
             Paths{"no file in the folder fits the pattern 'q(\\d)(\\d)'"});
 }
 
-std::string refusalBy(const std::string& text, const Files& files) {
-  const auto map = importWorld(text, files);
-  return map ? "accepted" : message(map.error());
-}
+std::string refusalBy(const std::string& text, const Files& files) { return refusalOf(importWorld(text, files)); }
 
 TEST(TiledWorldPatterns, Refusals) {
   const Files files{
@@ -161,7 +147,7 @@ TEST(TiledWorldPatterns, HaveABoundOfWorkTogether) {
             "maps/test.world: patterns/0 its regexp '(1)((?:a+)+)+[bc]' takes too long to match: ");
   std::string many = patternOf("(2)(3)");
   for (int k = 0; k < 400; ++k) many += "," + patternOf("(2)(3)");
-  EXPECT_NE(refusalBy(byPatterns(many), files).find("takes too long to match"), std::string::npos)
+  EXPECT_THAT(refusalBy(byPatterns(many), files), HasSubstr("takes too long to match"))
       << "many patterns on many names";
 }
 
@@ -188,7 +174,7 @@ TEST(TiledWorldPatterns, FromTheDisk) {
   put("p0_0.tmx", squares("1,0,0,0"));
   put("p1_0.tmx", squares("1,0,0,0"));
   const auto map = importMap((folder / "a.world").string());
-  EXPECT_EQ(map ? cellsOf(*map) : std::vector<Cell>{}, (std::vector<Cell>{{0, -1}, {2, -1}}));
+  EXPECT_EQ(map ? cellsOf(*map) : Cells{}, (Cells{{0, -1}, {2, -1}}));
   EXPECT_FALSE(listFolder((folder / "none").string()));
   EXPECT_EQ(listFolder(folder.string())->size(), 3U);
   fs::remove_all(folder);

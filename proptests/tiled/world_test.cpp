@@ -14,9 +14,9 @@ std::string small(const std::string& csv, const std::string& more = "", const st
 }
 
 const std::string kSet =
-    "<tileset name='set' tilewidth='32' tileheight='32'><tile id='0' type='rock'><objectgroup>" + kFullTile +
-    "</objectgroup></tile><tile id='1' type='ice'><objectgroup><object id='1' x='0' y='32'><polygon "
-    "points='0,0 40,0 40,-16'/></object></objectgroup></tile></tileset>";
+    tilesOf32(tileXml(0, kFullTile, "type='rock'") +
+                  tileXml(1, "<object id='1' x='0' y='32'><polygon points='0,0 40,0 40,-16'/></object>", "type='ice'"),
+              "name='set'");
 
 std::string entry(const std::string& file, const std::string& x, const std::string& y) {
   return "{\"fileName\":\"" + file + "\", \"x\":" + x + ", \"y\":" + y + ", \"width\":64, \"height\":64}";
@@ -35,7 +35,7 @@ const std::string kBeside = entry("a.tmx", "0", "0") + "," + entry("b.tmx", "64"
 
 TEST(TiledWorlds, MapsLieWhereTheWorldPutsThem) {
   const auto map = mustImportWorld(worldFiles(kBeside, small("1,0,0,0"), small("0,0,0,1")));
-  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{0, -1}, {3, -1}}));
+  EXPECT_EQ(cellsOf(map), (Cells{{0, -1}, {3, -1}}));
   EXPECT_EQ(map.report.file, "maps/test.tmx");
   EXPECT_EQ(map.report.width, 4);
   EXPECT_EQ(map.report.height, 3);
@@ -57,10 +57,10 @@ TEST(TiledWorlds, MapsLieWhereTheWorldPutsThem) {
 TEST(TiledWorlds, MapsMeetAtTheirBorders) {
   const auto reaches = mustImportWorld(
       worldFiles(entry("a.tmx", "0", "0") + "," + entry("b.tmx", "64", "0"), small("0,2,0,0"), small("0,0,1,0")));
-  EXPECT_EQ(cellsOf(reaches), (std::vector<Cell>{{2, -2}, {1, -1}, {2, -1}}));
+  EXPECT_EQ(cellsOf(reaches), (Cells{{2, -2}, {1, -1}, {2, -1}}));
   const auto covers = mustImportWorld(
       worldFiles(entry("a.tmx", "0", "0") + "," + entry("b.tmx", "32", "0"), small("0,1,0,0"), small("2,1,0,0")));
-  EXPECT_EQ(ringsIn(covers, {1, -1}), (std::vector<Ring>{kSquare}));
+  EXPECT_EQ(ringsIn(covers, {1, -1}), (Rings{kSquare}));
   EXPECT_NEAR(areaInCells(covers), 2, 0.001);
   const auto isTrimmed = [](const Note& note) { return note.kind == NoteKind::trimmed; };
   const std::vector<Note>& notes = covers.report.tiles.at(1).notes;
@@ -70,8 +70,8 @@ TEST(TiledWorlds, MapsMeetAtTheirBorders) {
 TEST(TiledWorlds, AMapBesideTheGridIsShifted) {
   const auto map = mustImportWorld(
       worldFiles(entry("a.tmx", "0", "0") + "," + entry("b.tmx", "72", "0"), small("1,0,0,0"), small("1,0,0,0")));
-  EXPECT_EQ(cellsOf(map), (std::vector<Cell>{{0, -1}, {2, -1}, {3, -1}}));
-  EXPECT_EQ(ringsIn(map, {3, -1}), (std::vector<Ring>{px({{0, 0}, {8, 0}, {8, 32}, {0, 32}})}));
+  EXPECT_EQ(cellsOf(map), (Cells{{0, -1}, {2, -1}, {3, -1}}));
+  EXPECT_EQ(ringsIn(map, {3, -1}), (Rings{pxBox(0, 0, 8, 32)}));
   EXPECT_EQ(map.report.layers.at(0).note, "");
   EXPECT_EQ(map.report.layers.at(1).note,
             "shifted by 8 px, 0 px against the grid: its polygons reach out of their cells");
@@ -82,7 +82,7 @@ TEST(TiledWorlds, NamesOfLayersAreTheSameInAllMaps) {
       "<objectgroup name='Walls'><object id='1' x='0' y='32' width='32' height='32'/></objectgroup>";
   const Files files = worldFiles(kBeside, small("1,0,0,0", walls), small("0,0,0,1"));
   const auto cells = [&](const Options& options) { return cellsOf(mustImportWorld(files, options)); };
-  const std::vector<Cell> box{{0, -2}}, a{{0, -2}, {0, -1}}, grounds{{0, -1}, {3, -1}}, ofB{{3, -1}};
+  const Cells box{{0, -2}}, a{{0, -2}, {0, -1}}, grounds{{0, -1}, {3, -1}}, ofB{{3, -1}};
   Options options{.layers = {"Ground"}};
   EXPECT_EQ(cells(options), grounds);
   options.layers = {"a"};
@@ -91,10 +91,10 @@ TEST(TiledWorlds, NamesOfLayersAreTheSameInAllMaps) {
   EXPECT_EQ(cells(options), ofB);
   options.layers = {"b"};
   options.objects = std::vector<std::string>{"Walls"};
-  EXPECT_EQ(cells(options), (std::vector<Cell>{{0, -2}, {3, -1}}));
+  EXPECT_EQ(cells(options), (Cells{{0, -2}, {3, -1}}));
   options.objects = std::vector<std::string>{"a"};
   options.layers = {"Ground"};
-  EXPECT_EQ(cells(options), (std::vector<Cell>{{0, -2}, {0, -1}, {3, -1}}));
+  EXPECT_EQ(cells(options), (Cells{{0, -2}, {0, -1}, {3, -1}}));
   options.objects = std::vector<std::string>{"Doors"};
   const auto refused = test::refusal(importFiles(files, options));
   EXPECT_EQ(message(refused),
@@ -114,7 +114,7 @@ TEST(TiledWorlds, ATileNamesItsLayersInAllMaps) {
   ASSERT_EQ(map.report.tiles.size(), 2U);
   EXPECT_EQ(map.report.tiles[0].layers, (std::vector<std::uint32_t>{0, 2}));
   EXPECT_EQ(map.report.tiles[1].layers, (std::vector<std::uint32_t>{1}));
-  EXPECT_NE(toText(map.report).find("in layer"), std::string::npos);
+  EXPECT_THAT(toText(map.report), HasSubstr("in layer"));
   EXPECT_EQ(mustImportWorld(files, {.visibleOnly = true}).report.tiles.size(), 1U);
 }
 
@@ -136,10 +136,10 @@ TEST(TiledWorlds, PathsOfLayersBeginWithTheMapOrNot) {
   files["maps/a.tmx"].replace(files["maps/a.tmx"].find("infinite='1'"), 12, "");
   files["maps/b.tmx"].replace(files["maps/b.tmx"].find("<data encoding='csv'>1,0,0,0"), 28,
                               "<data encoding='csv'><chunk x='0' y='0' width='1' height='1'>1</chunk>");
-  EXPECT_EQ(cells("Upper/Ground"), (std::vector<Cell>{{0, -1}, {2, 0}}));
-  EXPECT_EQ(cells("Upper"), (std::vector<Cell>{{0, -1}, {2, 0}}));
-  EXPECT_EQ(cells("b/Upper/Ground"), (std::vector<Cell>{{2, 0}}));
-  EXPECT_EQ(cells("a/Upper"), (std::vector<Cell>{{0, -1}}));
+  EXPECT_EQ(cells("Upper/Ground"), (Cells{{0, -1}, {2, 0}}));
+  EXPECT_EQ(cells("Upper"), (Cells{{0, -1}, {2, 0}}));
+  EXPECT_EQ(cells("b/Upper/Ground"), (Cells{{2, 0}}));
+  EXPECT_EQ(cells("a/Upper"), (Cells{{0, -1}}));
 }
 
 TEST(TiledWorlds, ANameHasOneBlockInAllMaps) {
@@ -156,21 +156,20 @@ TEST(TiledWorlds, ANameHasOneBlockInAllMaps) {
 TEST(TiledWorlds, LimitsAreForAllMapsTogether) {
   const Files files = worldFiles(kBeside, small("1,1,0,0"), small("0,0,1,1"));
   EXPECT_EQ(mustImportWorld(files, {.maxTiles = 8, .maxPlacements = 4}).placements.size(), 4U);
-  EXPECT_NE(message(importFiles(files, {.maxTiles = 7, .maxPlacements = 4}).error()).find("more tiles than the limit"),
-            std::string::npos);
-  EXPECT_NE(
-      message(importFiles(files, {.maxTiles = 8, .maxPlacements = 3}).error()).find("more polygons than the limit"),
-      std::string::npos);
+  EXPECT_THAT(message(importFiles(files, {.maxTiles = 7, .maxPlacements = 4}).error()),
+              HasSubstr("more tiles than the limit"));
+  EXPECT_THAT(message(importFiles(files, {.maxTiles = 8, .maxPlacements = 3}).error()),
+              HasSubstr("more polygons than the limit"));
   const auto map = importFiles(files, {.solidWithoutShapes = true, .maxTiles = 7});  // no census has counted them
   ASSERT_FALSE(map);
-  EXPECT_NE(message(map.error()).find("more tiles than the limit"), std::string::npos);
+  EXPECT_THAT(message(map.error()), HasSubstr("more tiles than the limit"));
 }
 
 TEST(TiledWorlds, AnEmptyWorldSaysWhatCouldBeTaken) {
   const std::string boxes = "<objectgroup name='Boxes'><object id='1' width='32' height='32'/></objectgroup>";
   const auto map = mustImportWorld(worldFiles(kBeside, small("0,0,0,0", boxes), small("0,0,0,0")));
   ASSERT_EQ(map.report.suggestions.size(), 1U);
-  EXPECT_EQ(map.report.suggestions.at(0).arguments, (std::vector<std::string>{"--objects", "Boxes"}));
+  EXPECT_THAT(map.report.suggestions.at(0).arguments, ElementsAre("--objects", "Boxes"));
   EXPECT_TRUE(
       mustImportWorld(worldFiles(kBeside, small("0,0,0,0", boxes), small("1,0,0,0"))).report.suggestions.empty());
 }
@@ -180,8 +179,7 @@ TEST(TiledWorlds, Refusals) {
     Files files = worldFiles("", small("1,0,0,0"), "<map orientation='orthogonal' tilewidth='16' tileheight='32'/>");
     files["maps/test.tmx"] = text;
     files["maps/c.world"] = world(kBeside);
-    const auto map = importFiles(files);
-    return map ? "accepted" : message(map.error());
+    return refusalOf(importFiles(files));
   };
   const std::string file = "maps/test.tmx: ";
   const std::string a = entry("a.tmx", "0", "0");

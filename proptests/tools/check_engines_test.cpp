@@ -7,17 +7,16 @@
 #include "proptests/support/must.h"
 #include "read_traces.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <algorithm>
 #include <functional>
-#include <string>
-#include <vector>
 
 namespace lgs::oracle::engines {
 namespace {
 
 using test::must;
 using test::U;
+using testing::ElementsAre;
 using Kind = Mismatch::Kind;
 
 Trace twoSquares() { return {{}, {square("a", {0, 0}), Edit::commit(), square("b", {1, 0})}}; }
@@ -88,7 +87,7 @@ TEST(CheckEngines, TheReferencesSayWhyTheyRefuse) {
   std::vector<std::string> said;
   said.reserve(all.size());
   for (const RefusedEdit& refused : all) said.push_back(refused.name + ": " + refused.reason);
-  EXPECT_EQ(said, (std::vector<std::string>{"a: name in use", "b: unknown name", "c: overlap"}));
+  EXPECT_THAT(said, ElementsAre("a: name in use", "b: unknown name", "c: overlap"));
   EXPECT_TRUE(engine.commit().value().empty());
 }
 

@@ -4,9 +4,6 @@
 #include "oracle/generate/generator.h"
 #include "read_traces.h"
 
-#include <gtest/gtest.h>
-#include <utility>
-
 namespace lgs::oracle::library {
 namespace {
 

@@ -4,9 +4,7 @@
 #include "proptests/support/worlds.h"
 
 #include <gtest/gtest.h>
-#include <algorithm>
 #include <string>
-#include <vector>
 
 namespace lgs::oracle::asking {
 namespace {

@@ -8,9 +8,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <algorithm>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace lgs::oracle::reading {
 namespace {

@@ -8,15 +8,10 @@
 #include "proptests/support/command.h"
 #include "proptests/support/must.h"
 
-#include <gtest/gtest.h>
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <filesystem>
 #include <functional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace lgs::oracle::reporting {
 namespace {

@@ -9,10 +9,7 @@
 #include "outlines_by_hand.h"
 
 #include <gtest/gtest.h>
-#include <algorithm>
 #include <functional>
-#include <string>
-#include <utility>
 
 namespace lgs::oracle::telling {
 namespace {

@@ -1,10 +1,13 @@
 // The lgs command as a user meets it: exit statuses, messages, files.
 #include "proptests/support/command.h"
 
+#include <gmock/gmock.h>
+
 namespace {
 
 namespace fs = std::filesystem;
 using ::lgs::test::Outcome;
+using testing::HasSubstr, testing::Not;
 
 class Command : public lgs::test::InAFolder {
  protected:
@@ -15,7 +18,7 @@ class Command : public lgs::test::InAFolder {
   void expect(const std::string& arguments, int status, const std::string& part) const {
     const Outcome outcome = lgs(arguments);
     EXPECT_EQ(outcome.status, status) << arguments << "\n" << outcome.text;
-    EXPECT_NE(outcome.text.find(part), std::string::npos) << arguments << "\n" << outcome.text;
+    EXPECT_THAT(outcome.text, HasSubstr(part)) << arguments << "\n" << outcome.text;
   }
 };
 
@@ -103,8 +106,8 @@ TEST_F(Command, ReplayDumpsAndDraws) {
       "segment 131072 0 131072 65536 65536 0 65536 65536 2\n"
       "segment 131072 65536 65536 65536 131072 0 0 65536 2\n";
   EXPECT_EQ(get("d"), dump);
-  EXPECT_NE(get("s.svg").find("<svg"), std::string::npos);
-  EXPECT_NE(get("h.html").find("add b 1 0 2"), std::string::npos);
+  EXPECT_THAT(get("s.svg"), HasSubstr("<svg"));
+  EXPECT_THAT(get("h.html"), HasSubstr("add b 1 0 2"));
   EXPECT_EQ(lgs("replay t --dump -", "2>/dev/null").text, dump);  // nothing else on stdout
 }
 
@@ -134,8 +137,8 @@ TEST_F(Command, CheckIsTheSameEachTime) {
   };
   const Outcome first = lgs("check --cells 3x3 --edits 400 --seed 5");
   EXPECT_EQ(first.status, 0) << first.text;
-  EXPECT_NE(first.text.find("no mismatch"), std::string::npos);
-  EXPECT_EQ(first.text.find('\r'), std::string::npos) << "a progress line in a pipe";
+  EXPECT_THAT(first.text, HasSubstr("no mismatch"));
+  EXPECT_THAT(first.text, Not(HasSubstr("\r"))) << "a progress line in a pipe";
   EXPECT_EQ(withoutTime(lgs("check --cells 3x3 --edits 400 --seed 5").text), withoutTime(first.text));
   expect("check --edits 10", 0, "edits      10, ");
   expect("check --case 3 --seed 5 --edits 1000000", 0, "cases      1;");
@@ -146,7 +149,7 @@ TEST_F(Command, CheckDigsInAMap) {
   put("t", kTwoSquares);
   expect("check --map t --edits 30", 0, "built by   2 edits\nedits      30, ");
   expect("check --map t --edits 200 --whole-every 7 --svg s.svg", 0, "no mismatch");
-  EXPECT_NE(get("s.svg").find("<svg"), std::string::npos);
+  EXPECT_THAT(get("s.svg"), HasSubstr("<svg"));
 }
 
 TEST_F(Command, ImportMakesATrace) {
@@ -156,8 +159,8 @@ TEST_F(Command, ImportMakesATrace) {
       "<tile id='0'><objectgroup><object id='1' x='0' y='8' width='16' height='8'/></objectgroup></tile></tileset>"
       "<layer id='1' name='l' width='2' height='1'><data encoding='csv'>1,1</data></layer></map>");
   expect("import ./m.tmx -o m.trace --svg m.svg", 0, "");
-  EXPECT_NE(get("m.svg").find("<title>m.tmx</title>"), std::string::npos) << "the map's name";
-  EXPECT_NE(get("m.trace").find("add c1_-1_1 1 -1 1 "), std::string::npos) << get("m.trace");
+  EXPECT_THAT(get("m.svg"), HasSubstr("<title>m.tmx</title>")) << "the map's name";
+  EXPECT_THAT(get("m.trace"), HasSubstr("add c1_-1_1 1 -1 1 "));
   expect("replay m.trace --check", 0, "2 polygons in 2 cells, 6 segments, 1 loop");
   EXPECT_EQ(lgs("import m.tmx", "2>/dev/null").text, get("m.trace"));
   expect("check --map m.tmx --edits 50", 0, "no mismatch");
@@ -179,8 +182,8 @@ TEST_F(Command, MapsOfEachFormatAreTakenByEachCommand) {
     expect("replay " + name, 0, "2 polygons in 2 cells");
     expect("check --map " + name + " --edits 20 --tolerance 0", 0, "no mismatch");
   }
-  EXPECT_NE(lgs("import m.world", "2>/dev/null").text.find("add c-2_-2_1 -2 -2 1 "), std::string::npos);
-  EXPECT_NE(lgs("import m.ldtk", "2>/dev/null").text.find("add c1_-1_1 1 -1 2 "), std::string::npos);
+  EXPECT_THAT(lgs("import m.world", "2>/dev/null").text, HasSubstr("add c-2_-2_1 -2 -2 1 "));
+  EXPECT_THAT(lgs("import m.ldtk", "2>/dev/null").text, HasSubstr("add c1_-1_1 1 -1 2 "));
   put("m.tmx", "[gd_scene format=3]");
   expect("import m.tmx", 2, "m.tmx: is a Godot scene. What is read: maps of Tiled");
 }
@@ -278,7 +281,7 @@ TEST_F(Command, TheSurveyIsATable) {
         "by command         1  maps/deep/none.tmx  |  --objects 'My boxes'\n",
         "refused            0  maps/bad.tmx  |  maps/bad.tmx:1: ", "\n4 maps\n",
         "     1   25 %  at once     a world at the first try\n"}) {
-    EXPECT_NE(table.text.find(row), std::string::npos) << row << table.text;
+    EXPECT_THAT(table.text, HasSubstr(row)) << row << table.text;
   }
   expect("import --survey none", 2, "none: ");
   expect("import", 2, "MAP is required");

@@ -5,6 +5,7 @@
 #include "proptests/support/played.h"
 #include "proptests/support/traces.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <lgs/debug.h>
 #include <pugixml.hpp>
@@ -13,6 +14,8 @@
 
 namespace lgs::test {
 namespace {
+
+using testing::HasSubstr;
 
 LGS_LAW(Debug, ATraceMakesTheSameWorld, 300, (const GoodTrace& trace)) {
   oracle::Player player(trace.preserve), again(trace.preserve);
@@ -57,9 +60,9 @@ TEST(Debug, APictureHasItsOriginAtTheUpperLeft) {
   ASSERT_TRUE(world.add({-3, 7}, kUnitSquare, 0));
   world.commit();
   const std::string svg = writeSvg(world);
-  EXPECT_NE(svg.find("viewBox=\"-8 -8 80 80\""), std::string::npos) << svg;
-  EXPECT_NE(svg.find("points=\"0.000,64.000 64.000,64.000 64.000,0.000 0.000,0.000 \""), std::string::npos) << svg;
-  EXPECT_NE(svg.find("M32.000,64.000 32.000,69.333\""), std::string::npos) << "a normal that points down\n" << svg;
+  EXPECT_THAT(svg, HasSubstr("viewBox=\"-8 -8 80 80\""));
+  EXPECT_THAT(svg, HasSubstr("points=\"0.000,64.000 64.000,64.000 64.000,0.000 0.000,0.000 \""));
+  EXPECT_THAT(svg, HasSubstr("M32.000,64.000 32.000,69.333\"")) << "a normal that points down\n" << svg;
 }
 
 }  // namespace

@@ -14,8 +14,6 @@
 #include <random>
 #include <sstream>
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace lgs::oracle {
 namespace {

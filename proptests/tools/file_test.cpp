@@ -2,7 +2,6 @@
 #include "oracle/trace/file.h"
 #include "proptests/support/command.h"
 
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>

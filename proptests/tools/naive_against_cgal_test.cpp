@@ -14,12 +14,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
-#include <cstdint>
-#include <functional>
-#include <optional>
-#include <utility>
 
 namespace lgs::oracle {
 namespace {

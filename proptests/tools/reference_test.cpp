@@ -10,11 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <initializer_list>
-#include <stdexcept>
-#include <vector>
-
 namespace lgs::oracle {
 namespace {
 

@@ -9,10 +9,8 @@
 #include "oracle/trace/model.h"
 #include "read_traces.h"
 
-#include <gtest/gtest.h>
 #include <algorithm>
 #include <chrono>
-#include <string>
 
 namespace lgs::oracle::brushed {
 namespace {
