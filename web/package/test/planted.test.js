@@ -39,7 +39,7 @@ async function judge(edits, { file, begin }) {
     writeFileSync(join(folder, 'package.json'), '{ "type": "module" }')
     symlinkSync(here('../../node_modules'), join(folder, 'node_modules'))
     mkdirSync(join(folder, 'test'))
-    for (const name of [file, 'turmoil.js', 'crowds.js', 'box2d3.js']) copyFileSync(here(name), join(folder, 'test', name))
+    for (const name of [file, 'turmoil.js', 'crowds.js', 'box2d3.js', 'falling.js']) copyFileSync(here(name), join(folder, 'test', name))
     const { NODE_TEST_CONTEXT: _, ...env } = process.env // else the child reports to this test
     return spawnSync(process.execPath, ['--test', `--test-name-pattern=^${begin}`, join(folder, 'test', file)],
       { encoding: 'utf8', env, timeout: 600_000 })
