@@ -84,7 +84,8 @@ void note(const Scene& scene, Features& features) {
     }
     for (std::size_t l = 0; l < k; ++l) {
       const ScenePolygon& q = scene.polygons[l];
-      if (std::abs(p.cell.i - q.cell.i) <= 1 && std::abs(p.cell.j - q.cell.j) <= 1) noter.pair(edges[k], edges[l], p.cell == q.cell);
+      if (std::abs(p.cell.i - q.cell.i) <= 1 && std::abs(p.cell.j - q.cell.j) <= 1)
+        noter.pair(edges[k], edges[l], p.cell == q.cell);
     }
   }
   for (const auto& entry : corners) {
