@@ -32,6 +32,7 @@ class NumberSet {
 
 }  // namespace
 
+// A copy begins to squeeze anew.
 CellNotes::CellNotes(const CellNotes& other, Cells& cells)
     : cells_(cells),
       takenFor_(other.takenFor_),
@@ -44,13 +45,13 @@ CellNotes::CellNotes(const CellNotes& other, Cells& cells)
 
 void CellNotes::start(For whom) {
   takenFor_ = static_cast<std::uint8_t>(takenFor_ | static_cast<std::uint8_t>(whom));
-  if (whom == For::followers) committed_ = notes_.end();
+  if (whom == For::followers) committed_ = notes_.next();
 }
 
 void CellNotes::stop(For whom) {
   takenFor_ = static_cast<std::uint8_t>(takenFor_ & ~static_cast<std::uint8_t>(whom));
   if (whom == For::followers) cellChanges_.clear();
-  if (!areTaken(For::marks)) forget(areTaken(For::followers) ? committed_ : notes_.end());
+  if (!areTaken(For::marks)) forget(areTaken(For::followers) ? committed_ : notes_.next());
   constexpr std::size_t kMost = 4'096;
   if (areTaken() || (notes_.capacity() <= kMost && noted_.bytes() == 0)) return;
   notes_.giveBack();
@@ -74,10 +75,10 @@ void CellNotes::ofNewChunk(const Chunk& chunk) {
       {chunk.index, static_cast<std::uint32_t>(chunk.ci), static_cast<std::uint32_t>(chunk.cj), Note::Of::chunk});
 }
 
-void CellNotes::ofTurn(const Cells::Turn& back) { notes_.add(noteOf(back)); }
+void CellNotes::ofTurn(const Cells::Turning& back) { notes_.add(noteOf(back)); }
 
 void CellNotes::ofCommit() {
-  if (areTaken(For::followers)) tell(committed_, notes_.end(), Way::commit);
+  if (areTaken(For::followers)) tell(committed_, notes_.next(), Way::commit);
   const std::span<Chunk* const> changed = cells_.changedChunks();
   for (std::size_t k = changed.size(); k-- != 0;) {  // backwards, so that going back meets them in order
     const Chunk& chunk = *changed[k];
@@ -86,14 +87,14 @@ void CellNotes::ofCommit() {
       notes_.add({chunk.index * kChunkSize + row, chunk.dirty[row], 0, Note::Of::row});
     }
   }
-  committedBefore_ = std::exchange(committed_, notes_.end());
+  committedBefore_ = std::exchange(committed_, notes_.next());
   if (!areTaken(For::marks)) forget(committed_);
 }
 
 // --- Going back, and forward
 
 CellNotes::Moment CellNotes::now() const {
-  return {notes_.end(), committed_, cells_.catalogue.shapeCount(), cells_.changedChunks().empty()};
+  return {notes_.next(), committed_, cells_.catalogue.shapeCount(), cells_.changedChunks().empty()};
 }
 
 void CellNotes::goBack(const Moment& moment, Undone undone) {
@@ -116,7 +117,7 @@ void CellNotes::rollBack(const Moment& moment, Undone undone) {
 }
 
 void CellNotes::undoTo(std::uint64_t number, Undone undone) {
-  while (notes_.end() > number) undo(notes_.takeBack(), undone);
+  while (notes_.next() > number) undo(notes_.takeBack(), undone);
 }
 
 void CellNotes::undo(const Note& note, Undone undone) {
@@ -156,7 +157,7 @@ void CellNotes::rollForward(const Moment& moment) {
 }
 
 void CellNotes::redoTo(std::uint64_t number) {
-  for (; notes_.end() < number; undone_.pop_back()) redo(undone_.back());
+  for (; notes_.next() < number; undone_.pop_back()) redo(undone_.back());
 }
 
 // The same edits again: a note of each is made anew, and finds the cells changed or not as it did then.
@@ -189,7 +190,7 @@ void CellNotes::forgetUndone() {
 std::vector<Cell> CellNotes::editedSince(const Moment& moment) const {
   std::vector<Cell> cells;
   NumberSet known(this);
-  for (std::uint64_t k = moment.notes; k < notes_.end(); ++k)
+  for (std::uint64_t k = moment.notes; k < notes_.next(); ++k)
     if (notes_[k].isOfCell() && known.insert(notes_[k].ref)) cells.push_back(cells_.grid.cellOf(notes_[k].ref));
   return cells;
 }

@@ -1,5 +1,5 @@
-// Notes of what cells held before they were edited. With them the ground goes back to any moment since it began to take
-// notes, and forward again to those that it went back beyond.
+// Notes of what cells held before they were edited. With them the ground goes back to where a mark was made, and forward
+// again to marks that it went back beyond.
 #pragma once
 
 #include "ground/cell_changes.h"
@@ -30,18 +30,8 @@ class CellNotes {
   bool areTaken(For whom) const { return (takenFor_ & static_cast<std::uint8_t>(whom)) != 0; }
   /// Followers begin and stop where nothing has changed since the last commit, and there are no marks.
   void start(For whom);
-  /// And forgets the notes that nobody else needs.
+  /// Forgets the notes that nobody else needs.
   void stop(For whom);
-
-  // --- Taking them
-
-  /// Before a cell gets another word. The note takes over what its word stands for.
-  void ofCell(CellAt at);
-  void ofNewChunk(const Chunk& chunk);
-  /// What undoes a turn.
-  void ofTurn(const Cells::Turn& back);
-  /// Before a commit says that no cell has changed.
-  void ofCommit();
 
   // --- Going back, and forward
 
@@ -71,6 +61,18 @@ class CellNotes {
   std::uint64_t bytes() const;
 
  private:
+  friend class Ground;  // which takes them as it edits
+
+  // --- Taking them
+
+  /// Before a cell gets another word. The note takes over what its word stands for.
+  void ofCell(CellAt at);
+  void ofNewChunk(const Chunk& chunk);
+  /// What undoes a turn.
+  void ofTurn(const Cells::Turning& back);
+  /// Before a commit says that no cell has changed.
+  void ofCommit();
+
   /// A cell before an edit, with all that its word stands for; a row of changed cells before a commit; a chunk that an
   /// edit made; or what undoes that a chunk was unloaded or came back.
   struct Note {
@@ -84,7 +86,9 @@ class CellNotes {
   };
   enum class Way { commit, back, forth };
 
-  static Note noteOf(const Cells::Turn& turn) { return {turn.number, turn.checksum, turn.lastSerial, Note::Of::turn}; }
+  static Note noteOf(const Cells::Turning& turn) {
+    return {turn.number, turn.checksum, turn.lastSerial, Note::Of::turn};
+  }
   Note noteOf(CellAt at, Note::Of of);
   /// Does, or undoes, what the note of a turn says. Returns a note of the opposite.
   Note turn(const Note& note) { return noteOf(cells_.turn({note.ref, note.word, note.block})); }

@@ -123,7 +123,7 @@ void Cells::moveIn(CellAt at, CellWord word, Block block, RecordArena& lists) {
 
 // --- Chunks that are not in memory
 
-Cells::Turn Cells::turn(const Turn& to) {
+Cells::Turning Cells::turn(const Turning& to) {
   Chunk& chunk = grid.chunk(to.number);
   if (!chunk.isUnloaded) {
     grid.unload(chunk, borderOf(chunk, to));
@@ -135,10 +135,10 @@ Cells::Turn Cells::turn(const Turn& to) {
 }
 
 /// What the cells at the rim hold.
-Border Cells::borderOf(const Chunk& chunk, const Turn& turn) {
+Border Cells::borderOf(const Chunk& chunk, const Turning& turning) {
   Border border;
-  border.checksum = turn.checksum;
-  border.lastSerial = turn.lastSerial;
+  border.checksum = turning.checksum;
+  border.lastSerial = turning.lastSerial;
   for (std::uint32_t k = 0; k < kRimCells; ++k) {
     const std::uint32_t local = rimCell(k);
     const CellWord word = holdsNothing(chunk.cells[local]) ? 0 : chunk.cells[local];

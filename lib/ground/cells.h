@@ -1,5 +1,5 @@
-// What stands where: the polygons in each cell, and which cells changed since the last commit. It knows no segment, and
-// nothing of what was before. Who reads the ground needs no more than this.
+// What stands where: the polygons in each cell, and which cells changed since the last commit. What cells held before is
+// kept by their notes.
 #pragma once
 
 #include "ground/catalogue.h"
@@ -69,6 +69,12 @@ class Cells {
 
   /// The chunks with changed cells, in the order of their first change. Chunk::dirty says which cells these are.
   std::span<Chunk* const> changedChunks() const { return changed_; }
+
+  std::uint64_t bytes() const;
+
+ protected:  // for the ground, whose primitive goes through them, and its notes
+  friend class CellNotes;
+
   void touch(CellAt at, Facts facts) {
     if (at.chunk->dirtyRows == 0) changed_.push_back(at.chunk);
     mark(at, facts);
@@ -83,7 +89,7 @@ class Cells {
   }
   /// Says which cells of a row have changed. A chunk in which none has any more was the last one to change.
   void setChanged(Chunk& chunk, std::uint32_t row, RowMask cells);
-  /// From now on none has.
+  /// From now on no cell has changed.
   void settleChanges();
 
   // --- The words of cells, and what they stand for: a content in use, and a list
@@ -115,15 +121,13 @@ class Cells {
   // --- Chunks that are not in memory
 
   /// A chunk that was unloaded, and how; or one that is loaded, and has the rest 0.
-  struct Turn {
+  struct Turning {
     std::uint32_t number = 0;
     std::uint32_t checksum = 0;    ///< of the bytes with which it comes back
     std::uint32_t lastSerial = 0;  ///< the greatest one that any of its cells gave out
   };
-  /// A loaded chunk gets a border, as the turn says; an unloaded one loses its. Returns what undoes this.
-  Turn turn(const Turn& to);
-
-  std::uint64_t bytes() const;
+  /// A loaded chunk gets a border, as it is said; an unloaded one loses its. Returns what undoes this.
+  Turning turn(const Turning& to);
 
  private:
   static bool isListed(CellWord word) { return (word & kListBit) != 0; }
@@ -131,7 +135,7 @@ class Cells {
   PolygonList list(CellWord word) const { return list(word, lists_); }
   void dropList(CellWord word, RecordArena& lists);
   static CellWord moveList(CellWord word, RecordArena& from, RecordArena& to);
-  Border borderOf(const Chunk& chunk, const Turn& turn);
+  Border borderOf(const Chunk& chunk, const Turning& turning);
 
   RecordArena lists_;
   std::vector<Chunk*> changed_;

@@ -104,7 +104,7 @@ class Ground : public Cells {
   }
   void beginChunk(const Chunk& chunk);
   void touchAgain(CellAt at);
-  void turnAround(const Turn& turn);
+  void turnAndNote(const Turning& to);
   void settle(std::uint32_t number, bool isNeeded);
   void settleIfUnloaded(std::uint32_t number);
   void settleAll();

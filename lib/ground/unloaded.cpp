@@ -88,7 +88,7 @@ void Ground::unload(std::uint32_t number, std::uint32_t checksum) {
   std::uint32_t lastSerial = 0;
   for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local)
     lastSerial = std::max(lastSerial, this->lastSerial(at));
-  turnAround({number, checksum, lastSerial});
+  turnAndNote({number, checksum, lastSerial});
   for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local) {
     if (isAtRim(at.local) && !holdsNothing(at.word()))
       touchAgain(at);  // its segments are hidden from now on
@@ -103,7 +103,7 @@ void Ground::unload(std::uint32_t number, std::uint32_t checksum) {
 Chunk& Ground::load(std::uint32_t number) {
   settle(number, true);  // so that undoing finds the border
   Chunk& chunk = grid.chunk(number);
-  turnAround({.number = number});
+  turnAndNote({.number = number});
   if (chunk.dirtyRows == 0) touchAgain({&chunk, 0});
   if (grid.unloadedCount() == 0 && !notes.areTaken(CellNotes::For::marks))
     sleepy_ = {};  // there is none that could sleep
@@ -118,8 +118,8 @@ void Ground::loadEmpty(std::uint32_t number) {
   settleAround(chunk);
 }
 
-void Ground::turnAround(const Turn& to) {
-  const Turn back = turn(to);
+void Ground::turnAndNote(const Turning& to) {
+  const Turning back = turn(to);
   if (notes.areTaken()) notes.ofTurn(back);
 }
 

@@ -18,14 +18,15 @@ class HiddenChunks {
   bool are(std::uint32_t chunk) const { return has(chunk, kNow); }
   bool were(std::uint32_t chunk) const { return has(chunk, kBefore); }
 
-  /// The update under way unloads or loads a chunk.
+  /// The update under way finds a chunk that was loaded or unloaded since the one before.
   void turn(std::uint32_t chunk) {
     toggle(chunk);
     bits_[chunk] ^= kBefore;
     turned_.push_back(chunk);
   }
-  /// Those that it turned. After it all were what they are.
+  /// Those that it found.
   const std::vector<std::uint32_t>& turned() const { return turned_; }
+  /// From now on were() says what are() says.
   void endUpdate() {
     for (const std::uint32_t chunk : turned_) bits_[chunk] ^= kBefore;
     turned_.clear();

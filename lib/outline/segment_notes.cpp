@@ -24,8 +24,8 @@ void SegmentNotes::stop() {
   areTaken_ = false;
   forgetBefore(now());
   notes_.giveBack();
-  segments_ = {};
-  lists_ = {};
+  notedSegments_ = {};
+  notedLists_ = {};
 }
 
 void SegmentNotes::forgetBefore(std::uint64_t moment) {
@@ -55,33 +55,33 @@ void SegmentNotes::open() {
 void SegmentNotes::close() {
   if (opened_ == 0) return;
   SegmentNote& note = notes_[std::exchange(opened_, 0) - 1];
-  for (const std::uint32_t id : note.added) segments_.erase(id);
-  for (const auto& segment : note.segments) segments_.erase(segment.first);
-  note.lists.forEach([&](std::uint32_t cellRef, auto) { lists_.erase(cellRef); });
+  for (const std::uint32_t id : note.added) notedSegments_.erase(id);
+  for (const auto& segment : note.segments) notedSegments_.erase(segment.first);
+  note.lists.forEach([&](std::uint32_t cellRef, auto) { notedLists_.erase(cellRef); });
   for (auto* list : {&note.freeTaken, &note.added, &note.turned}) list->shrink_to_fit();
   note.segments.shrink_to_fit();
   note.lists.giveBackSpare();
 }
 
 /// The open note takes over the next one.
-void SegmentNotes::merge(SegmentNote& open, const SegmentNote& next) {
-  if (next.freeKept < open.freeKept) {
-    const auto count = static_cast<std::ptrdiff_t>(open.freeKept - next.freeKept);
-    open.freeTaken.insert(open.freeTaken.end(), next.freeTaken.end() - count, next.freeTaken.end());
-    open.freeKept = next.freeKept;
+void SegmentNotes::merge(SegmentNote& into, const SegmentNote& next) {
+  if (next.freeKept < into.freeKept) {
+    const auto count = static_cast<std::ptrdiff_t>(into.freeKept - next.freeKept);
+    into.freeTaken.insert(into.freeTaken.end(), next.freeTaken.end() - count, next.freeTaken.end());
+    into.freeKept = next.freeKept;
   }
   for (const std::uint32_t id : next.added)
-    if (segments_.insert(id)) open.added.push_back(id);
+    if (notedSegments_.insert(id)) into.added.push_back(id);
   for (const auto& segment : next.segments)
-    if (segments_.insert(segment.first)) open.segments.push_back(segment);
-  open.turned.insert(open.turned.end(), next.turned.begin(), next.turned.end());
+    if (notedSegments_.insert(segment.first)) into.segments.push_back(segment);
+  into.turned.insert(into.turned.end(), next.turned.begin(), next.turned.end());
   next.lists.forEach([&](std::uint32_t cellRef, std::span<const std::uint32_t> words) {
-    if (lists_.insert(cellRef)) open.lists.add(cellRef, words);
+    if (notedLists_.insert(cellRef)) into.lists.add(cellRef, words);
   });
 }
 
 std::uint64_t SegmentNotes::bytes() const {
-  std::uint64_t sum = notes_.bytes() + segments_.bytes() + lists_.bytes();
+  std::uint64_t sum = notes_.bytes() + notedSegments_.bytes() + notedLists_.bytes();
   for (const SegmentNote& note : notes_.held()) sum += note.bytes();
   return sum;
 }

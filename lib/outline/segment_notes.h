@@ -74,13 +74,8 @@ class SegmentNotes {
   void stop();
 
   /// The number of the next note.
-  std::uint64_t now() const { return notes_.end(); }
+  std::uint64_t now() const { return notes_.next(); }
   const SegmentNote& operator[](std::uint64_t number) const { return notes_[number]; }
-  const SegmentNote& back() { return notes_.back(); }
-  SegmentNote& add(SegmentNote note = {}) { return notes_.add(std::move(note)); }
-  /// Before notes are taken back.
-  void close();
-  SegmentNote takeBack() { return notes_.takeBack(); }
 
   /// After an update: nobody will go back to a moment between this one and now. One note for all updates since is
   /// enough then.
@@ -90,15 +85,21 @@ class SegmentNotes {
   std::uint64_t bytes() const;
 
  private:
+  friend class Outline;  // which takes them as it changes, and takes them back
+
+  SegmentNote& add(SegmentNote note = {}) { return notes_.add(std::move(note)); }
+  /// Before notes are taken back.
+  void close();
+  SegmentNote takeBack() { return notes_.takeBack(); }
   void open();
-  void merge(SegmentNote& open, const SegmentNote& next);
+  void merge(SegmentNote& into, const SegmentNote& next);
 
   Journal<SegmentNote> notes_;
   bool areTaken_ = false;
   // Which segments and lists the last note has, if it is open: now() is this number then. So it can take over the next.
   std::uint64_t opened_ = 0;
-  BitSet segments_;
-  BitSet lists_;
+  BitSet notedSegments_;
+  BitSet notedLists_;
 };
 
 }  // namespace lgs::detail

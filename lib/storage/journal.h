@@ -2,6 +2,7 @@
 // its number for good: how many were made before it and not taken back.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,7 +15,7 @@ template <class Note>
 class Journal {
  public:
   /// The number of the next one.
-  std::uint64_t end() const { return gone_ + notes_.size(); }
+  std::uint64_t next() const { return gone_ + notes_.size(); }
   /// Any that is not forgotten.
   Note& operator[](std::uint64_t number) { return notes_[index(number)]; }
   const Note& operator[](std::uint64_t number) const { return notes_[index(number)]; }
@@ -40,8 +41,11 @@ class Journal {
     notes_.erase(notes_.begin(), notes_.begin() + static_cast<std::ptrdiff_t>(forgotten_));
     gone_ += std::exchange(forgotten_, 0);
   }
-  /// Gives the memory back. All notes are forgotten.
-  void giveBack() { notes_ = std::vector<Note>(); }
+  /// Gives the memory back, once all notes are forgotten.
+  void giveBack() {
+    assert(notes_.empty());
+    notes_ = std::vector<Note>();
+  }
 
   std::size_t capacity() const { return notes_.capacity(); }
   /// Without what the notes hold themselves.
