@@ -4,7 +4,6 @@
 #include "storage/held_bytes.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace lgs::detail {
 
@@ -58,15 +57,6 @@ void Cells::setChanged(Chunk& chunk, std::uint32_t row, RowMask cells) {
   chunk.dirty[row] = cells;
   chunk.dirtyRows = cells != 0 ? chunk.dirtyRows | bit : chunk.dirtyRows & ~bit;
   if (chunk.dirtyRows == 0) changed_.pop_back();
-}
-
-void Cells::settleChanges() {
-  for (Chunk* chunk : changed_) {
-    for (RowMask rows = chunk->dirtyRows; rows != 0; rows &= rows - 1)
-      chunk->dirty[static_cast<std::size_t>(std::countr_zero(rows))] = 0;
-    chunk->dirtyRows = 0;
-  }
-  changed_.clear();
 }
 
 // --- Words

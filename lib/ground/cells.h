@@ -9,6 +9,8 @@
 
 #include <lgs/world.h>
 
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -90,7 +92,14 @@ class Cells {
   /// Says which cells of a row have changed. A chunk in which none has any more was the last one to change.
   void setChanged(Chunk& chunk, std::uint32_t row, RowMask cells);
   /// From now on no cell has changed.
-  void settleChanges();
+  void settleChanges() {
+    for (Chunk* chunk : changed_) {
+      for (RowMask rows = chunk->dirtyRows; rows != 0; rows &= rows - 1)
+        chunk->dirty[static_cast<std::size_t>(std::countr_zero(rows))] = 0;
+      chunk->dirtyRows = 0;
+    }
+    changed_.clear();
+  }
 
   // --- The words of cells, and what they stand for: a content in use, and a list
 
