@@ -45,6 +45,21 @@ TEST(ViewsByHand, FollowingBeginsAndEndsBetweenCommitsWithoutMarks) {
   EXPECT_TRUE(world.followCells(true));
 }
 
+TEST(ViewsByHand, FollowingBeginsBehindNotesThatAreGone) {
+  World world;
+  {
+    Transaction group = world.edit();
+    place(world, {}, unitSquare());
+    group.keep();
+  }
+  world.commit();
+  ASSERT_TRUE(world.followCells(true));
+  place(world, {1, 0}, unitSquare());
+  world.commit();
+  ASSERT_EQ(world.cellChanges().size(), 1U);
+  EXPECT_EQ(world.cellChanges()[0].cell, (Cell{1, 0}));
+}
+
 TEST(ViewsByHand, AGroupThatFailsIsNotTold) {
   World world;
   ASSERT_TRUE(world.followCells(true));
