@@ -9,20 +9,18 @@ namespace lgs::detail {
 /// Brings the ground back to where it was when the group began, unless the group is kept.
 class Edit::Group {
  public:
-  explicit Group(Ground& ground) : ground_(ground), start_(ground.notes.now()) {
-    ground_.notes.start(CellNotes::For::group);
-  }
+  explicit Group(Ground& ground) : ground_(ground), begin_(ground.journal.begin()) {}
   Group(const Group&) = delete;
   Group& operator=(const Group&) = delete;
   ~Group() {
-    if (!isKept_) ground_.notes.goBack(start_);
-    ground_.notes.stop(CellNotes::For::group);
+    if (!isKept_) ground_.takeBack(begin_);
+    ground_.letGo(begin_);
   }
   void keep() { isKept_ = true; }
 
  private:
   Ground& ground_;
-  CellNotes::Moment start_;
+  Journal::Moment begin_;
   bool isKept_ = false;
 };
 
@@ -54,7 +52,7 @@ Error nameEntry(const Ground& ground, std::span<const Placement> placed, Error e
 /// The usual case of addMany(): each entry puts a shape of one polygon into a cell that has nothing. First all cells
 /// get their words, which can be put back, and then what can not fail. False, and nothing is done, in any other case.
 bool Edit::addSoles(std::span<const Placement> placements, std::span<PolygonHandle> handles) {
-  if (ground_.notes.areTaken()) return false;
+  if (ground_.journal.isOn()) return false;
   std::vector<std::uint32_t> made;
   const auto takes = [&](const Placement& p) {
     const InternedShape& interned = ground_.catalogue.shape(p.shape);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace lgs::detail {
 namespace {
@@ -88,7 +89,11 @@ void Ground::unload(std::uint32_t number, std::uint32_t checksum) {
   std::uint32_t lastSerial = 0;
   for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local)
     lastSerial = std::max(lastSerial, this->lastSerial(at));
-  turnAndNote({number, checksum, lastSerial});
+  if (journal.isOn() && !journal.isNoted(Thing::border, number)) journal.add(Thing::border, number);
+  Border border = borderOf(chunk);
+  border.checksum = checksum;
+  border.lastSerial = lastSerial;
+  grid.unload(chunk, std::move(border));
   for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local) {
     if (isAtRim(at.local) && !holdsNothing(at.word()))
       touchAgain(at);  // its segments are hidden from now on
@@ -101,12 +106,14 @@ void Ground::unload(std::uint32_t number, std::uint32_t checksum) {
 }
 
 Chunk& Ground::load(std::uint32_t number) {
-  settle(number, true);  // so that undoing finds the border
-  Chunk& chunk = grid.chunk(number);
-  turnAndNote({.number = number});
+  Chunk& chunk = grid.wake(number);
+  const Border border = grid.load(chunk);
+  if (journal.isOn() && !journal.isNoted(Thing::border, number)) {
+    journal.add(Thing::border, number).value = keep(border);
+  } else {
+    for (const Border::Run& run : border.runs) drop(run.word);
+  }
   if (chunk.dirtyRows == 0) touchAgain({&chunk, 0});
-  if (grid.unloadedCount() == 0 && !notes.areTaken(CellNotes::For::marks))
-    sleepy_ = {};  // there is none that could sleep
   return chunk;
 }
 
@@ -118,16 +125,11 @@ void Ground::loadEmpty(std::uint32_t number) {
   settleAround(chunk);
 }
 
-void Ground::turnAndNote(const Turning& to) {
-  const Turning back = turn(to);
-  if (notes.areTaken()) notes.ofTurn(back);
-}
-
 /// A cell counts as changed, and holds what it held.
 void Ground::touchAgain(CellAt at) {
-  if (notes.areTaken()) {
+  if (journal.isOn() && !journal.isNoted(Thing::cell, at.ref())) {
     const CellWord again = copyOf(at.word());
-    notes.ofCell(at);
+    noteOrDrop(at);
     at.word() = again;
   }
   touch(at, at.chunk->facts[at.local]);
@@ -163,7 +165,7 @@ void Ground::settleAround(const Chunk& chunk) {
 
 void Ground::settleAll() {
   for (const std::uint32_t number : unsettled_) settleIfUnloaded(number);
-  if (!notes.areTaken(CellNotes::For::marks)) {
+  if (!journal.isOn()) {
     unsettled_ = {};
     return;
   }
