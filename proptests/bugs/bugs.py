@@ -92,13 +92,14 @@ def read(name: str, text: str) -> list[Bug]:
     return bugs
 
 
+ROOMS = ("proptests", "addons", "oracle", "cli", "bench", "examples", "packaging")  # that have tests
 TEST = re.compile(r"^(?:TEST|TEST_F|TEST_P|LGS_LAW)\((\w+),\s*(\w+)", re.M)
 
 
 def faults(bugs: list[Bug]) -> list[str]:
     """What is wrong with the list, as far as it can be told without building anything."""
     there = {path.name for path in (ROOT / "web/package/test").glob("*.test.js")}
-    there |= {f"{suite}.{name}" for room in ("proptests", "addons") for path in (ROOT / room).rglob("*.cpp")
+    there |= {f"{suite}.{name}" for room in ROOMS for path in (ROOT / room).rglob("*.cpp")
               for suite, name in TEST.findall(path.read_text())}
     found = [f"{group.title}: no test begins with {prefix}" for group in dict.fromkeys(bug.group for bug in bugs)
              for prefix in group.tests if not any(test.startswith(prefix.rstrip("/").split("/")[-1].partition(":")[0]) for test in there)]

@@ -24,13 +24,14 @@ COMPONENTS = {
     "engine": (("lib/geometry", "lib/storage", "lib/ground", "lib/outline", "lib/world"),
                [Tests("lgs_engine_tests", "*")]),
     "brushes": (("lib/brush",), [Tests("lgs_brush_tests", "*")]),
-    "views": (("lib/views", "lib/pieces", "lib/falling/src"), [Tests("lgs_view_tests", "*")]),
+    "views": (("lib/views", "lib/pieces"), [Tests("lgs_view_tests", "*")]),
     "judge": (("oracle/check", "oracle/reference"),
-              [Tests("lgs_tests", JUDGE), Tests("lgs_engines_tests", ENGINES, others=(("lgs_cli", "lgs"),))]),
-    "importer": (("lib/tiled",), [Tests("lgs_tests", "Tiled*")]),
-    "C": (("lib/c/src",), [Tests("lgs_attack", "*")]),
-    "debug": (("lib/debug",), [Tests("lgs_tests", "Debug*")]),
-    "terrain": (("lib/box2d/include", "lib/box2d/src", "lib/box2d/both", "lib/box2d/v2"), [Tests("lgs_box2d_tests", "*")]),
+              [Tests("lgs_oracle_tests", JUDGE), Tests("lgs_engines_tests", ENGINES, others=(("lgs_cli", "lgs"),))]),
+    "importer": (("addons/tiled",), [Tests("lgs_tiled_tests", "*")]),
+    "C": (("addons/c/src",), [Tests("lgs_attack", "*")]),
+    "debug": (("addons/debug",), [Tests("lgs_debug_tests", "*")]),
+    "falling": (("addons/falling/src",), [Tests("lgs_falling_tests", "*")]),
+    "terrain": (("addons/box2d/include", "addons/box2d/src", "addons/box2d/both", "addons/box2d/v2"), [Tests("lgs_box2d_tests", "*")]),
     "WebAssembly": (("web/wasm",), [Package(path.name) for path in sorted((ROOT / "web/package/test").glob("*.test.js"))
                                     if path.name.removesuffix(".test.js") not in NOT_OF_MODULES]),
 }
@@ -67,7 +68,7 @@ class Mutant:
 
 def mutants_of(component: str) -> list[Mutant]:
     paths = sorted(path for folder in COMPONENTS[component][0] for path in (ROOT / folder).rglob("*")
-                   if path.suffix in (".h", ".cpp") and path.name != "reference.cpp")  # the article's reference
+                   if path.suffix in (".h", ".cpp") and "tests" not in path.parts and path.name != "reference.cpp")  # the article's reference
     return [Mutant(component, file, change) for file in (str(path.relative_to(ROOT)) for path in paths)
             for change in changes_of(text_of(file))]
 
