@@ -77,7 +77,7 @@ bool isMap(const std::string& path) {
 tl::expected<oracle::Trace, std::string> readWorld(const std::string& path) {
   if (isMap(path)) {
     const auto map = tiled::importMap(path);
-    if (!map) return tl::unexpected(complaint(map.error(), "lgs import "));
+    if (!map) return tl::unexpected(complaint(map.error(), path, "lgs import "));
     return traceOf(*map);
   }
   if (path.ends_with(".lgs")) return readSaved(path);

@@ -30,7 +30,7 @@ Status run(const ImportArguments& arguments) {
   const Status bad = tryOutputs({arguments.trace, arguments.report, arguments.svg});
   if (bad != Status::fine) return bad;
   const auto map = tiled::importMap(arguments.map, arguments.options);
-  if (!map) return complain(complaint(map.error()));
+  if (!map) return complain(complaint(map.error(), arguments.map));
   const bool isEmpty = map->placements.empty() && !arguments.allowEmpty;
   const oracle::Trace trace = traceOf(*map);
   Status status = isEmpty ? Status::badInput : write(arguments.trace, printTrace(trace));

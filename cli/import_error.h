@@ -7,8 +7,8 @@
 
 namespace lgs::cli {
 
-/// The error for whoever called a command: its options instead of those of the library. `before` stands before their
-/// names, for a command that does not have them.
-std::string complaint(tiled::ImportError error, const std::string& before = {});
+/// The error for whoever called a command on a map: its options instead of those of the library, and the command that
+/// lets the map read what it names. `before` stands before options, for a command that does not have them.
+std::string complaint(tiled::ImportError error, const std::string& map, const std::string& before = {});
 
 }  // namespace lgs::cli

@@ -142,9 +142,13 @@ void addTileOptions(CLI::App& command, tiled::Options& options) {
 void addFileOptions(CLI::App& command, tiled::Options& options) {
   command.add_flag("--all-maps", options.allMaps,
                    "A map of a world that cannot be read is an error; otherwise the\nothers are imported");
+  command
+      .add_option("--files-in", options.filesIn,
+                  "Files that the map names must lie in this folder or below it;\notherwise in the folder of its "
+                  "project (docs/maps.md)")
+      ->option_text("FOLDER");
   command.add_flag("--files-anywhere", options.filesAnywhere,
-                   "Files that the map names may lie anywhere; otherwise they must\nlie in its folder or below it. For "
-                   "maps that you trust");
+                   "They may lie anywhere, and have any names. For maps that you\ntrust");
 }
 
 }  // namespace
@@ -177,7 +181,7 @@ std::string importArguments(const CLI::App& command, std::span<const std::string
 tl::expected<oracle::Trace, std::string> readMap(const std::string& path, const tiled::Options& options,
                                                  const std::string& command) {
   const auto map = tiled::importMap(path, options);
-  if (!map) return tl::unexpected(complaint(map.error()));
+  if (!map) return tl::unexpected(complaint(map.error(), path));
   if (map->placements.empty()) {
     tiled::Report shown = map->report;
     shown.suggestions.clear();  // the hints have them

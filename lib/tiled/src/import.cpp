@@ -305,6 +305,9 @@ void Import::finishReport() {
   for (const Tileset& tileset : source_.tilesets.all()) asked_.see(tileset);
   for (const auto& [origin, tileset] : source_.tilesetsOfTemplates) asked_.see(tileset);
   Report& report = map_.report;
+  for (const Tileset& tileset : source_.tilesets.all()) {
+    if (!tileset.missing.empty()) report.partial += (report.partial.empty() ? "" : "; ") + tileset.missing;
+  }
   if (const std::string left = leftOutAsAsked(report); !left.empty()) report.notes.push_back(left);
   if (strayTiles_ > 0) report.notes.push_back(std::to_string(strayTiles_) + " tiles belong to no tileset of the map");
   const auto sort = [](std::vector<Note>& notes) {

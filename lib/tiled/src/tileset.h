@@ -24,6 +24,7 @@ struct Tileset {
   DoublePoint offset;                             ///< by which tiles are drawn aside, pixels, y down
   bool fitToGrid = false;                         ///< images are scaled to the size of the map's tiles
   std::string alignment;                          ///< which point of a tile object is its place; empty: the default
+  std::string missing;                            ///< why its file is not there; then no tile has shapes or properties
   std::unordered_map<std::uint32_t, Tile> tiles;  ///< by id; only those that the file has a <tile> for
 };
 
