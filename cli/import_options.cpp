@@ -182,38 +182,19 @@ tl::expected<oracle::Trace, std::string> readMap(const std::string& path, const 
                                                  const std::string& command) {
   const auto map = tiled::importMap(path, options);
   if (!map) return tl::unexpected(complaint(map.error(), path));
-  if (map->placements.empty()) {
-    tiled::Report shown = map->report;
-    shown.suggestions.clear();  // the hints have them
-    fmt::print(stderr, "{}", tiled::toText(shown));
-    return tl::unexpected(hints(map->report, command));
+  const std::string report = tiled::toText(map->report, command);
+  if (!map->placements.empty()) {
+    if (!map->report.partial.empty()) fmt::print(stderr, "{}", summaryOf(report));
+    return traceOf(*map);
   }
-  tellPartial(map->report, command);
-  return traceOf(*map);
+  fmt::print(stderr, "{}", report.substr(summaryOf(report).size()));
+  return tl::unexpected(summaryOf(report));
 }
 
-void tellPartial(const tiled::Report& report, const std::string& command) {
-  if (report.partial.empty()) return;
-  fmt::print(stderr, "{}: in part: {}.{}{}\n", text::withoutControls(report.file),
-             text::withoutControls(report.partial),
-             report.suggestions.empty() ? "" : " What could be taken instead:", commandsOf(report, command));
-}
-
-std::string hints(const tiled::Report& report, const std::string& command) {
-  std::string lines = text::withoutControls(report.file) + ": nothing in it is solid";
-  if (!report.suggestions.empty()) lines += ". What could be taken, and how:";
-  return lines + commandsOf(report, command);
-}
-
-std::string commandsOf(const tiled::Report& report, const std::string& command) {
-  std::string lines;
-  for (const tiled::Suggestion& suggestion : report.suggestions) {
-    const char* const unit = suggestion.polygons == 1 ? "polygon" : "polygons";
-    lines += fmt::format("\n  {} {}: {}\n    {}", suggestion.polygons, unit, text::withoutControls(suggestion.text),
-                         command);
-    for (const std::string& argument : suggestion.arguments) lines += " " + text::shellWord(argument);
-  }
-  return lines;
+std::string summaryOf(const std::string& report) {
+  std::size_t end = report.find('\n') + 1;
+  while (report.compare(end, 5, "  or:") == 0) end = report.find('\n', end) + 1;
+  return report.substr(0, end);
 }
 
 }  // namespace lgs::cli

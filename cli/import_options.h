@@ -23,17 +23,11 @@ inline constexpr std::array<std::string_view, 8> kNotInHints{
     "--layer", "--solid", "--solid-if", "--objects", "--no-objects", "--not", "--visible", "--polyline-thickness"};
 
 /// Imports a map as a trace. A map from which nothing comes out is an error, and its report is shown; `command` is for
-/// the hints in it.
+/// the suggestions in it. If it was taken in part, that is said on the standard error.
 tl::expected<oracle::Trace, std::string> readMap(const std::string& path, const tiled::Options& options,
                                                  const std::string& command);
 
-/// The suggestions of a report, as commands. `command` is what was called, without what kNotInHints has.
-std::string commandsOf(const tiled::Report& report, const std::string& command);
-
-/// If the map was taken in part, says on the standard error what is missing, and the commands.
-void tellPartial(const tiled::Report& report, const std::string& command);
-
-/// What to say of a map from which nothing came out, with these commands.
-std::string hints(const tiled::Report& report, const std::string& command);
+/// The first lines of a report: what was taken, and the suggestions.
+std::string summaryOf(const std::string& report);
 
 }  // namespace lgs::cli

@@ -211,7 +211,7 @@ void Import::readLayer(const Layer& layer, std::uint32_t index) {
                        static_cast<std::int64_t>(columns),
                        static_cast<std::int64_t>(rows),
                        {layer.offset.x - columns * grid_.tile.x, layer.offset.y - rows * grid_.tile.y},
-                       propertiesOf(layer.node),
+                       propertiesOf(layer),
                        {}};
   LayerReport& report = map_.report.layers[index];
   if (current.rest.x != 0 || current.rest.y != 0) {

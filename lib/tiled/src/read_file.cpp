@@ -65,10 +65,11 @@ bool isProject(const fs::path& folder) {
   return false;
 }
 
-/// The path of a file below a folder that differs from this one by upper and lower case alone; or nothing.
-std::optional<std::string> otherCase(const std::string& folder, const std::string& path) {
-  fs::path found = folder.empty() ? "." : folder;
-  for (const fs::path& step : fs::path(path).lexically_normal().lexically_relative(found.lexically_normal())) {
+/// The file below a folder whose path differs from this one by upper and lower case alone, both as they really lie; or
+/// nothing.
+std::optional<std::string> otherCase(const fs::path& folder, const fs::path& path) {
+  fs::path found = folder;
+  for (const fs::path& step : path.lexically_relative(folder)) {
     std::error_code failed;
     std::string best;
     for (fs::directory_iterator at(found, failed); !failed && at != fs::directory_iterator(); at.increment(failed)) {
@@ -78,7 +79,7 @@ std::optional<std::string> otherCase(const std::string& folder, const std::strin
     if (best.empty()) return std::nullopt;
     found /= best;
   }
-  return found.lexically_normal().generic_string();
+  return found.generic_string();
 }
 
 }  // namespace
@@ -113,10 +114,13 @@ tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const 
     if (name == path || options.filesAnywhere) return readFile(name);
     auto text = below(name);
     if (text || !text.error().starts_with(kNoSuchFile)) return text;
-    const std::optional<std::string> other = otherCase(trusting.filesIn, name);
-    if (!other || *other == name) return text;
-    notes.push_back("for " + name + " " + *other + " is read: they differ by upper and lower case");
-    return below(*other);
+    std::error_code failed;
+    const fs::path folder = fs::canonical(trusting.filesIn, failed),
+                   file = fs::weakly_canonical(fs::absolute(name), failed);
+    const std::optional<std::string> other = failed ? std::nullopt : otherCase(folder, file);
+    if (!other || *other == file.generic_string()) return text;
+    notes.push_back(name + " is read from " + *other + ", which differs by upper and lower case");
+    return readerBelow(folder.generic_string())(*other);
   };
   auto map = importMap(path, trusting, reader, listFolder);
   if (map) map->report.notes.insert(map->report.notes.end(), notes.begin(), notes.end());

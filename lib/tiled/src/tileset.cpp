@@ -72,7 +72,8 @@ Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& r
   if (error && !file.wasRead()) {  // the map is to blame for naming it
     std::string what = "the tileset's file " + error->file + " " + error->what;
     error.reset();
-    if (!file.isMissing()) map.fail(node, std::move(what));
+    const bool isOfMap = std::string_view(map.root().name()) == "map";
+    if (!file.isMissing() || !isOfMap) map.fail(node, std::move(what));
     tileset.name = std::filesystem::path(source).stem().string();
     tileset.missing = std::move(what);
     for (auto [side, attribute] : {std::pair(&tileset.tileSize.x, "tilewidth"), {&tileset.tileSize.y, "tileheight"}})
@@ -119,8 +120,7 @@ void Tilesets::read(const XmlFile& map, const FileReader& reader, Templates& tem
 void settle(Tileset& tileset, const Options& options) { reshape(tileset, options.tiles); }
 
 bool isLeftOut(const Tile& tile, const Options& options) {
-  const std::vector<std::string>& names = options.leaveOut;
-  return std::find(names.begin(), names.end(), tile.className) != names.end();
+  return isLeftOut(options, tile.className, "", tile.properties);
 }
 
 void Tilesets::settle(const Options& options) {

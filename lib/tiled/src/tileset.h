@@ -34,7 +34,7 @@ Tile tileAt(const Tileset& tileset, std::uint32_t id);
 /// Applies Options::tiles.
 void settle(Tileset& tileset, const Options& options);
 
-/// Whether Options::leaveOut has the class of a tile.
+/// Whether Options::leaveOut has the class of a tile, or a property.
 bool isLeftOut(const Tile& tile, const Options& options);
 
 /// Whether a tile without shapes is to be a full square. `layer` are the properties of its layer.

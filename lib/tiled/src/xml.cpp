@@ -66,6 +66,7 @@ std::string whyNotToRead(std::string named, std::string_view kind) {
   const std::filesystem::path path(named);
   if (path.has_root_directory() || path.has_root_name())
     return "its path is absolute. If the map can be trusted, files may lie anywhere: Options::filesAnywhere";
+  if (kind == "map" && path.parent_path().empty()) return {};  // as all maps of a world mostly lie: in its folder
   using Extensions = std::array<std::string_view, 4>;
   const Extensions all = kind == "tileset"    ? Extensions{".tsx", ".tsj", ".json", ".xml"}
                          : kind == "template" ? Extensions{".tx", ".tj", ".json", ".xml"}

@@ -201,6 +201,9 @@ struct Options {
   std::size_t maxWork = std::size_t{1} << 28;         ///< steps: of outlines that meet, shape by shape, cell by cell
 };
 
+/// The options with the choice that a suggestion is.
+Options chosen(Options options, const Suggestion& suggestion);
+
 /// Why a map could not be read. If only a part is unusable, it is left out, and the report has a note instead.
 struct ImportError {
   std::string file;         ///< the file that is to blame
