@@ -23,8 +23,6 @@ NAME = re.compile(r"(?<![\w/.$:<>{}-])[A-Za-z_*][\w.*+-]*(?:/[\w.*+-]+)*/?(?![\w
 SOURCE = re.compile(r".*\.(h|cpp|py|sh|md|toml|cmake)$")
 # What is no file of the project: what running something makes, and what the reader is to fill in.
 OTHER = re.compile(r"localgridseg\.(?:h|cpp)$|out/|build/bugs/|fuzz/all$|origin/|projects/localgridseg/|localgridseg/\w+$|build/web|package/dist|sandbox/dist|dist/|.*/(?:NAME|name)\b")
-# Pages that a program wrote about an earlier commit, which they name: files had the names of then.
-RECORDS = ["docs/reports/planted-bugs.md"]
 HEADING = re.compile(r"#+ +(.*?) *$")
 
 
@@ -87,7 +85,7 @@ def complaints(root, files):
             if fault:
                 found.append((prose.count("\n", 0, link.start()) + 1, f"{fault}: {link[1]}"))
         for name, line in names_in(prose, code):
-            if str(file) not in RECORDS and not exists(name, ends):
+            if not exists(name, ends):
                 found.append((line, f"there is no such file: {name}"))
         for line, complaint in sorted(found):
             yield f"{file}:{line}: {complaint}"

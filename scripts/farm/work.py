@@ -44,11 +44,13 @@ def command(unit: Unit, build: Path, scratch: Path) -> tuple[list[str], dict[str
     if unit.kind == "fuzz":
         return tests + ["smoke", unit.target, str(ROOT / "fuzz/corpus" / unit.target), "--seconds",
                         str(60 * unit.count), "--seed", str(unit.seed + unit.number), "--out", str(scratch)], {}
+    planting = [sys.executable, str(ROOT / "proptests/bugs/run.py"), "--jobs", "1", "--results", str(scratch / "bugs.jsonl")]
+    if unit.kind == "canary":
+        return planting + ["--canary", str(unit.seed), "--scale", f"{unit.scale:g}"], {}
+    planting += ["--numbers", f"{numbers.start}-{numbers.stop - 1}"]
     if unit.kind == "mutants":
-        return [sys.executable, str(ROOT / "proptests/bugs/mutants.py"), "--sample", str(unit.number + unit.count),
-                "--from", str(unit.number), "--seed", str(unit.seed), "--jobs", "1"], {}
-    share = ["--canary", str(unit.seed)] if unit.kind == "canary" else ["--numbers", f"{numbers.start}-{numbers.stop - 1}"]
-    return [sys.executable, str(ROOT / "proptests/bugs/run.py"), *share, "--scale", f"{unit.scale:g}", "--jobs", "1"], {}
+        return planting + ["--mutants", "--sample", str(numbers.stop), "--seed", str(unit.seed)], {}
+    return planting + ["--scale", f"{unit.scale:g}"], {}
 
 
 @contextlib.contextmanager

@@ -1,0 +1,259 @@
+#include "census.h"
+
+#include "ldtk.h"
+#include "object_outline.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+namespace lgs::tiled {
+namespace {
+
+constexpr std::size_t kMostValue = 32;  // bytes of a value that can be a word
+constexpr std::size_t kMostKnown = 64;  // rules that are counted; so a map of n bytes takes work in proportion to n
+
+/// Columns and rows of tiles that are not empty.
+struct TileBox {
+  std::int64_t left = 0, right = 0, top = 0, bottom = 0;
+  bool isEmpty = true;
+
+  void add(std::int64_t column, std::int64_t row) {
+    left = isEmpty ? column : std::min(left, column);
+    right = isEmpty ? column : std::max(right, column);
+    top = isEmpty ? row : std::min(top, row);
+    bottom = isEmpty ? row : std::max(bottom, row);
+    isEmpty = false;
+  }
+
+  std::uint64_t cells() const {
+    return isEmpty ? 0 : static_cast<std::uint64_t>((right - left + 1) * (bottom - top + 1));
+  }
+};
+
+/// The rule that takes tiles with a property; empty if it says nothing.
+std::pair<std::string, Saying> ruleOf(const std::string& name, const std::string& value) {
+  if (name.find('=') != std::string::npos || !saysYes(value)) return {};
+  if (const Saying said = sayingOfProperty(name); said.says != Says::nothing) return {name, said};
+  const Saying said = value.size() > kMostValue ? Saying{} : saying(value);
+  return {said.says == Says::nothing ? "" : name + "=" + value, said};
+}
+
+class Census {
+ public:
+  Census(const Options& options, std::size_t& tilesLeft) : options_(options), tilesLeft_(tilesLeft) {
+    options_.solidWithoutShapes = true;  // so that layers which are only drawn are tile layers
+    options_.objects = std::nullopt;
+  }
+
+  void take(const MapSource& map) {
+    LayerNames names(options_);
+    facts_.isLdtk = map.file->root().attribute(kLdtkAttribute);
+    box_ = {};
+    boxed_.clear();
+    for (const Layer& layer : listLayers(*map.file, options_, map.place, names)) {
+      if (map.file->failed()) return;
+      if (layer.hidden) facts_.hidden.push_back(layer.path);
+      if (layer.kind == LayerKind::tiles && layer.wanted) takeTiles(map, layer);
+      if (layer.kind == LayerKind::objects && layer.isInReach) takeObjects(map, layer);
+    }
+    for (const std::size_t at : boxed_) facts_.layers[at].cells += box_.cells();
+  }
+
+  Facts finish() { return std::move(facts_); }
+
+ private:
+  std::size_t factsOf(const Layer& layer) {
+    const auto [at, isNew] = known_.try_emplace({layer.kind, layer.pathInMap}, facts_.layers.size());
+    if (!isNew) return at->second;
+    LayerFacts& facts = facts_.layers.emplace_back();
+    facts.name = layer.pathInMap;
+    facts.kind = layer.kind;
+    facts.saying = sayingOf(layer.node, &facts.why);
+    facts.isForOther = isForOtherUse(layer.node.attribute("name").value());
+    facts.isPassable = isPassable(layer.node.attribute("name").value()) || !noOf(propertiesOf(layer.node)).empty();
+    facts.isOnlySeen = isOnlySeen(layer.node.attribute("name").value());
+    facts.isDrawn = layer.node.attribute(kDrawnAttribute);
+    return at->second;
+  }
+
+  void takeTiles(const MapSource& map, const Layer& layer) {
+    if (layer.node.attribute(kLdtkNotSolidAttribute)) return;
+    const std::size_t at = factsOf(layer);
+    std::unordered_map<std::uint32_t, std::uint64_t> uses;
+    readTiles(*map.file, layer, tilesLeft_, [&](std::int64_t column, std::int64_t row, std::uint32_t gid) {
+      ++uses[tileNumber(gid)];
+      box_.add(column, row);
+    });
+    const auto side = [&](const char* name) { return layer.node.attribute(name).as_ullong(); };
+    if (layer.node.child("data").child("chunk")) {
+      boxed_.push_back(at);
+    } else {
+      facts_.layers[at].cells += side("width") * side("height");
+    }
+    LayerFacts& facts = facts_.layers[at];
+    std::vector<RuleFacts*> rules;  // of the layer, for all of its tiles
+    for (const auto& [name, value] : propertiesOf(layer.node)) {
+      if (RuleFacts* const rule = ruleFacts(name, value)) rules.push_back(rule);
+    }
+    for (RuleFacts* const rule : rules) rule->isOfShaped = true;
+    for (const auto& [number, count] : uses) takeTile(map, facts, rules, number, count);
+    if (facts.isPassable && facts.shaped > 0) pass(facts.name, facts.shaped, true);
+  }
+
+  /// The first property that says that something is not solid.
+  static std::string noOf(const Properties& properties) {
+    for (const auto& [name, value] : properties) {
+      if (std::string no = noIn(name, value); !no.empty()) return no;
+    }
+    return {};
+  }
+
+  /// The class, name or property by which something is deadly or passable; or "".
+  static std::string passableOf(const std::string& className, const std::string& name, const Properties& properties) {
+    for (const std::string& one : {className, name})
+      if (isPassable(one)) return one;
+    return noOf(properties);
+  }
+
+  void pass(const std::string& what, std::uint64_t uses, bool isLayer = false, bool areSquares = false) {
+    if (facts_.passable.size() == kMostKnown && !facts_.passable.contains(what)) return;
+    const auto [at, isNew] = facts_.passable.try_emplace(what, PassableFacts{0, isLayer, areSquares});
+    at->second.uses += uses;
+    at->second.areSquares = at->second.areSquares && areSquares;
+  }
+
+  /// What holds for a tile in all layers, so that it is looked at once.
+  struct KnownTile {
+    bool isShaped = false, isBare = true;
+    std::string passable;                // by what the tile is so
+    std::set<std::string> shapes;        // by what some of its shapes are
+    std::vector<RuleFacts*> rules = {};  // into facts_, whose map keeps them in place
+  };
+
+  const KnownTile& known(const Tile& tile) {
+    const auto [at, isNew] = tiles_.try_emplace(&tile);
+    KnownTile& result = at->second;
+    if (!isNew) return result;
+    result.isBare = tile.objects.empty();
+    result.passable = passableOf(tile.className, "", tile.properties);
+    for (const CollisionObject& drawn : tile.objects) {
+      const auto kind = asAsked(drawn, options_).kind;
+      if (kind == CollisionObject::Kind::unsupported || kind == CollisionObject::Kind::tile) continue;
+      std::string why = passableOf(drawn.className, drawn.name, drawn.properties);
+      result.isShaped = result.isShaped || why.empty();
+      if (!why.empty() && result.shapes.size() < kMostKnown) result.shapes.insert(std::move(why));
+    }
+    for (const auto& [name, value] : tile.properties) {
+      RuleFacts* const rule = ruleFacts(name, value);
+      if (!rule) continue;
+      result.rules.push_back(rule);
+      rule->isOfShaped = rule->isOfShaped || result.isShaped;
+    }
+    return result;
+  }
+
+  void takeTile(const MapSource& map, LayerFacts& facts, const std::vector<RuleFacts*>& ofLayer, std::uint32_t number,
+                std::uint64_t uses) {
+    facts.tiles += uses;
+    const Tileset* const tileset = map.tilesets.of(number);
+    if (!tileset) return;
+    static const Tile kPlain;
+    const auto found = tileset->tiles.find(number - tileset->firstGid);
+    const Tile& tile = found == tileset->tiles.end() ? kPlain : found->second;
+    if (isLeftOut(tile, options_)) return;
+    const KnownTile& all = known(tile);
+    if (facts_.isLdtk && !all.isBare) {
+      if (tile.className.size() <= kMostValue) facts.values[tile.className] += uses;
+    } else if (!all.passable.empty()) {
+      return pass(all.passable, uses, false, all.isBare);
+    }
+    if (!facts.isPassable)
+      for (const std::string& why : all.shapes) pass(why, uses);
+    if (all.isShaped) facts.shaped += uses;
+    if (tile.isSettled || !all.isBare) return;
+    facts.bare += uses;
+    std::set<RuleFacts*> rules(ofLayer.begin(), ofLayer.end());
+    rules.insert(all.rules.begin(), all.rules.end());
+    for (RuleFacts* const rule : rules) {
+      rule->uses += uses;
+      rule->layers[facts.name] += uses;
+    }
+  }
+
+  /// The rule that takes what has a property; null if the property says nothing.
+  RuleFacts* ruleFacts(const std::string& name, const std::string& value) {
+    const auto [rule, said] = ruleOf(name, value);
+    if (rule.empty()) return nullptr;
+    const auto found = facts_.rules.find(rule);
+    if (found != facts_.rules.end()) return &found->second;
+    if (facts_.rules.size() == kMostKnown) return nullptr;
+    RuleFacts& known = facts_.rules[rule];
+    known.saying = said;
+    return &known;
+  }
+
+  void takeObjects(const MapSource& map, const Layer& layer) {
+    LayerFacts& facts = facts_.layers[factsOf(layer)];
+    const bool isSaid = facts.saying.says != Says::nothing;
+    for (const auto node : layer.node.children("object")) {
+      const auto polyline = node.child("polyline");
+      const bool isLine = polyline && map.file->points(polyline, "points").size() > 0 && !isClosed(*map.file, polyline);
+      facts.lines += isLine;
+      if (isLine || node.child("point") || node.child("text")) continue;
+      ++facts.objects;
+      if (const auto gid = node.attribute("gid")) takeFigure(map, facts, gid.as_uint());
+      bool isNamed = false, isSilent = true;
+      const std::array<std::string, 2> names{classOf(node), node.attribute("name").value()};
+      if (const std::string why = passableOf(names[0], names[1], propertiesOf(node)); isSaid && !why.empty()) {
+        pass(why, 1);
+      }
+      for (const std::string& name : names) {
+        const Saying said = saying(name);
+        isNamed = isNamed || !name.empty();
+        isSilent = isSilent && said.says == Says::nothing;
+        if (said.says != Says::nothing) facts.classes[name] = said;
+      }
+      facts.named += isNamed;
+      facts.silent += isNamed && isSilent;
+      if (isNamed || facts_.isLdtk || node.attribute("gid")) continue;  // what has a name is judged by that
+      for (const auto& [name, value] : propertiesOf(node)) {
+        if (RuleFacts* const known = ruleFacts(name, value)) ++known->objects;
+      }
+    }
+  }
+
+  static void takeFigure(const MapSource& map, LayerFacts& facts, std::uint32_t gid) {
+    ++facts.figures;
+    const std::uint32_t number = tileNumber(gid);
+    const Tileset* const tileset = map.tilesets.of(number);
+    if (!tileset) return;
+    const auto tile = tileset->tiles.find(number - tileset->firstGid);
+    facts.bareFigures += tile == tileset->tiles.end() || tile->second.objects.empty();
+  }
+
+  static bool isClosed(const XmlFile& file, pugi::xml_node polyline) {
+    const std::vector<DoublePoint> points = file.points(polyline, "points");
+    return points.size() > 3 && points.front().x == points.back().x && points.front().y == points.back().y;
+  }
+
+  Options options_;
+  std::size_t& tilesLeft_;
+  Facts facts_;
+  std::map<std::pair<LayerKind, std::string>, std::size_t> known_;
+  std::unordered_map<const Tile*, KnownTile> tiles_;
+  TileBox box_;                     // of all tile layers of one map
+  std::vector<std::size_t> boxed_;  // layers of one map that have no rectangle of their own
+};
+
+}  // namespace
+
+Facts census(const std::vector<std::unique_ptr<MapSource>>& maps, const Options& options, std::size_t& tilesLeft) {
+  Census result(options, tilesLeft);
+  for (const auto& map : maps) result.take(*map);
+  return result.finish();
+}
+
+}  // namespace lgs::tiled

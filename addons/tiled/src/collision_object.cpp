@@ -1,0 +1,160 @@
+#include "collision_object.h"
+
+#include "properties.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lgs::tiled {
+namespace {
+
+using Kind = CollisionObject::Kind;
+
+constexpr std::int64_t kMostId = 0xFFFF'FFFF;
+
+void leaveOut(CollisionObject& object, std::string reason) {
+  object.kind = Kind::unsupported;
+  object.unsupported = std::move(reason);
+}
+
+/// Reads the vertices of a polygon, or of a polyline. A polyline that ends where it began is a polygon.
+void readPoints(const XmlFile& file, pugi::xml_node node, bool closed, CollisionObject& object) {
+  std::vector<DoublePoint>& points = object.points;
+  points = file.points(node, "points");
+  const auto same = [](DoublePoint a, DoublePoint b) { return a.x == b.x && a.y == b.y; };
+  const bool isOpen = !closed && (points.size() < 4 || !same(points.front(), points.back()));
+  object.kind = isOpen ? Kind::polyline : Kind::polygon;
+  if (!closed && !isOpen) points.pop_back();
+  if (!isOpen && points.size() < 3) return leaveOut(object, "the polygon has fewer than 3 vertices");
+  if (points.size() > kMaxObjectVertices) return leaveOut(object, "the polygon has more than 1024 vertices");
+}
+
+/// Reads the kind of an object, and for Kind::unsupported the reason.
+void readKind(const XmlFile& file, pugi::xml_node node, CollisionObject& object) {
+  if (node.child("point")) return leaveOut(object, "a point has no area");
+  if (node.child("text")) return leaveOut(object, "a text is no shape");
+  if (object.gid != 0) {
+    object.kind = Kind::tile;
+  } else if (const auto polygon = node.child("polygon")) {
+    readPoints(file, polygon, true, object);
+  } else if (const auto polyline = node.child("polyline")) {
+    readPoints(file, polyline, false, object);
+  } else {
+    object.kind = node.child("ellipse") ? Kind::ellipse : node.child("capsule") ? Kind::capsule : Kind::rectangle;
+    if (object.size.x <= 0 || object.size.y <= 0) leaveOut(object, "it has no area: its width or height is 0");
+  }
+}
+
+/// An object of a template: what it says itself, and else what the template says.
+void merge(pugi::xml_node instance, pugi::xml_node origin, pugi::xml_document& merged) {
+  pugi::xml_node node = merged.append_copy(origin);
+  for (const auto attribute : instance.attributes()) {
+    if (std::string_view(attribute.name()) == "template") continue;
+    node.remove_attribute(attribute.name());
+    node.append_attribute(attribute.name()) = attribute.value();
+  }
+  for (const char* shape : {"polygon", "polyline", "ellipse", "capsule", "point", "text"}) {
+    if (!instance.child(shape)) continue;
+    node.remove_child(shape);
+    node.append_copy(instance.child(shape));
+  }
+  auto properties = node.child("properties");
+  if (!properties) properties = node.append_child("properties");
+  for (const auto property : instance.child("properties").children()) properties.append_copy(property);
+}
+
+/// Lets an open polyline run from left to right. Returns whether it does, and is nowhere upright.
+bool runsAcross(std::vector<DoublePoint>& points) {
+  if (points.size() > 1 && points.front().x > points.back().x) std::reverse(points.begin(), points.end());
+  const auto turnsBack = [](DoublePoint a, DoublePoint b) { return a.x >= b.x; };
+  return points.size() > 1 && std::adjacent_find(points.begin(), points.end(), turnsBack) == points.end();
+}
+
+/// An open polyline becomes what lies up to so many pixels below it.
+void thicken(CollisionObject& object, double thickness) {
+  std::vector<DoublePoint>& points = object.points;
+  object.kind = Kind::polygon;
+  object.thickness = thickness;
+  for (std::size_t k = points.size(); k-- > 0;) points.push_back({points[k].x, points[k].y + thickness});
+}
+
+CollisionObject readPlain(const XmlFile& file, pugi::xml_node node, DoublePoint offset) {
+  CollisionObject object;
+  object.id = static_cast<std::uint32_t>(file.integer(node, "id", 0, 0, kMostId));
+  object.className = classOf(node);
+  object.name = node.attribute("name").value();
+  object.properties = propertiesOf(node);
+  object.at = {file.real(node, "x") + offset.x, file.real(node, "y") + offset.y};
+  object.size = {file.real(node, "width"), file.real(node, "height")};
+  object.rotation = file.real(node, "rotation");
+  object.gid = static_cast<std::uint32_t>(file.integer(node, "gid", 0, 0, kMostId));
+  object.hidden = !node.attribute("visible").as_bool(true);
+  readKind(file, node, object);
+  object.oneWay = (object.kind == Kind::polyline || object.kind == Kind::tile) && saysOneWay(node);
+  return object;
+}
+
+}  // namespace
+
+CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint offset, Templates& templates) {
+  const std::string named = node.attribute("template").value();
+  if (named.empty()) return readPlain(file, node, offset);
+  Template& origin = templates.of(file, named);
+  const auto model = origin.file.root().child("object");
+  if (origin.error || !model) {
+    CollisionObject object;
+    object.id = static_cast<std::uint32_t>(file.integer(node, "id", 0, 0, kMostId));
+    leaveOut(object, "its template " + (origin.error ? message(*origin.error) : named + " has no <object>"));
+    return object;
+  }
+  pugi::xml_document merged;
+  merge(node, model, merged);
+  CollisionObject object = readPlain(file, merged.first_child(), offset);
+  if (!node.attribute("gid")) object.gidFrom = &origin;
+  return object;
+}
+
+namespace {
+
+/// An open polyline is left out, with what would help; or it becomes a thin polygon.
+void settlePolyline(CollisionObject& object, double thickness) {
+  const std::string noArea = "an open polyline has no area: ";
+  const bool isAcross = runsAcross(object.points);
+  if (!object.oneWay && isAcross && thickness > 0) {
+    leaveOut(object, noArea + "close it, or give it the class one-way, and it becomes a thin polygon");
+  } else if (!object.oneWay) {
+    leaveOut(object, noArea + "close it, or draw a polygon instead");
+  } else if (!isAcross) {
+    leaveOut(object, noArea + "close it, or let it run from left to right, nowhere upright, for a thin polygon");
+  } else if (thickness == 0) {
+    leaveOut(object, noArea + "as it is one-way, --polyline-thickness PIXELS makes a thin polygon");
+  } else {
+    thicken(object, thickness);
+  }
+}
+
+}  // namespace
+
+bool isLeftOut(const Options& options, const std::string& className, const std::string& name,
+               const Properties& properties) {
+  return std::any_of(options.leaveOut.begin(), options.leaveOut.end(), [&](const std::string& rule) {
+    return (!className.empty() && rule == className) || (!name.empty() && rule == name) ||
+           (rule.find('=') != std::string::npos && firstFit({rule}, properties));
+  });
+}
+
+CollisionObject asAsked(CollisionObject object, const Options& options) {
+  const bool isNotAsked = isLeftOut(options, object.className, object.name, object.properties);
+  if (options.blockFrom == BlockFrom::name && !object.name.empty()) object.className = object.name;
+  if (object.kind == Kind::unsupported) return object;
+  if (isNotAsked) {
+    leaveOut(object, "it is left out, as asked");
+  } else if (object.hidden && options.visibleOnly) {
+    leaveOut(object, "it is hidden");
+  } else if (object.kind == Kind::polyline) {
+    settlePolyline(object, options.polylineThickness);
+  }
+  return object;
+}
+
+}  // namespace lgs::tiled

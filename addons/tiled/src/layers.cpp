@@ -1,0 +1,275 @@
+#include "layers.h"
+
+#include "asked_names.h"
+#include "collision_object.h"
+#include "encoding.h"
+#include "properties.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lgs::tiled {
+namespace {
+
+constexpr int kMaxDepth = 64;               // of groups in groups
+constexpr std::int64_t kMaxSide = 1 << 28;  // of a layer, and of a chunk's place; far below kMaxCell
+
+/// Goes through the tree of groups.
+class Lister {
+ public:
+  Lister(const XmlFile& file, const Options& options, LayerNames& names)
+      : file_(file),
+        options_(options),
+        drawnCounts_(options.solidWithoutShapes || !options.solidIf.empty()),
+        names_(names) {}
+
+  struct Parent {
+    Layer layer;                 // `wanted` is that of its tile layers
+    bool objectsWanted = false;  // its object layers, by name
+    bool parallax = false;
+    bool hidden = false;
+    int depth = 0;
+  };
+
+  void list(pugi::xml_node node, const Parent& parent) {
+    for (const auto child : node.children()) {
+      const std::string_view kind = child.name();
+      const bool isDrawn = child.attribute(kDrawnAttribute) && !drawnCounts_;
+      const bool group = kind == "group", tiles = kind == "layer" && !isDrawn, objects = kind == "objectgroup";
+      if (!group && !tiles && !objects && !isDrawn && kind != "imagelayer") continue;
+      Parent self{parent.layer, parent.objectsWanted, parent.parallax || scrollsApart(child),
+                  parent.hidden || !child.attribute("visible").as_bool(true), parent.depth + 1};
+      self.layer.node = child;
+      extend(self.layer.path, child);
+      if (!child.attribute(kPlaceAttribute).as_bool()) extend(self.layer.pathInMap, child);
+      if (self.layer.path.size() > kMaxPathLength) {  // each layer has a copy
+        return file_.fail(child, "has a path of names that is longer than 4096 bytes");
+      }
+      self.layer.offset.x += file_.real(child, "offsetx");
+      self.layer.offset.y += file_.real(child, "offsety");
+      if (group || tiles) self.layer.wanted = names_.fitTiles(self.layer) || self.layer.wanted;
+      if (tiles) names_.isTiles(self.layer);
+      if (objects) names_.isObjects(self.layer);
+      if (isDrawn) names_.isDrawn(self.layer);
+      if (group || objects) self.objectsWanted = names_.fitObjects(self.layer) || self.objectsWanted;
+      if (!group) {
+        add(tiles ? LayerKind::tiles : objects ? LayerKind::objects : LayerKind::image, self);
+      } else if (self.depth > kMaxDepth) {
+        file_.fail(child, "groups are nested too deeply");
+      } else {
+        list(child, self);
+      }
+    }
+  }
+
+  std::vector<Layer> finish() { return std::move(layers_); }
+
+ private:
+  static void extend(std::string& path, pugi::xml_node node) {
+    path += (path.empty() ? "" : "/") + std::string(node.attribute("name").value());
+  }
+
+  bool scrollsApart(pugi::xml_node node) const {
+    const auto isOther = [&](const char* factor) { return node.attribute(factor) && file_.real(node, factor) != 1; };
+    return isOther("parallaxx") || isOther("parallaxy");
+  }
+
+  void add(LayerKind kind, const Parent& self) {
+    Layer layer = self.layer;
+    layer.kind = kind;
+    layer.wanted = kind == LayerKind::tiles && self.layer.wanted;
+    if (kind == LayerKind::objects) {
+      chooseObjects(layer, self);
+    } else if (kind == LayerKind::image) {
+      layer.remark = layer.node.attribute(kDrawnAttribute) ? "tiles that are only drawn" : "an image";
+    } else {
+      layer.remark = layer.wanted ? layer.node.attribute(kRemarkAttribute).value() : "not chosen";
+    }
+    if (isLeftOut(options_, layer.node.attribute("name").value(), layer.pathInMap, propertiesOf(layer.node))) {
+      layer.wanted = layer.isInReach = false;
+      layer.remark = "left out (--not)";
+    }
+    const auto remark = [&](const char* text) {
+      layer.remark += (layer.remark.empty() ? "" : "; ") + std::string(text);
+    };
+    layer.isInReach = layer.isInReach && !(self.hidden && options_.visibleOnly);
+    if (layer.wanted && self.hidden && options_.visibleOnly) {
+      layer.wanted = false;
+      layer.hidden = true;
+      layer.remark = "hidden";
+    } else if (self.hidden && kind != LayerKind::image) {
+      remark(layer.wanted ? "hidden (--visible leaves it out)" : "hidden");
+    }
+    if (layer.wanted && self.parallax) {
+      remark("scrolls at its own speed (parallax); imported where it stands in the editor");
+    }
+    layers_.push_back(std::move(layer));
+  }
+
+  void chooseObjects(Layer& layer, const Parent& self) const {
+    layer.isInReach = self.layer.wanted;
+    if (options_.objects) {
+      if (!self.objectsWanted) chooseClasses(layer);
+      layer.wanted = self.objectsWanted || !layer.classes.empty();
+      layer.remark = layer.wanted ? "chosen" : "not chosen";
+      if (!layer.classes.empty()) layer.remark += ", of a class or name";
+    } else if (!self.layer.wanted) {
+      layer.remark = "not chosen";
+    } else {
+      layer.wanted = sayingOf(layer.node, &layer.remark).says != Says::nothing;
+      if (!layer.wanted) chooseByProperty(layer);
+      if (!layer.wanted) layer.remark = "neither its name, its class nor a property says that it is solid";
+    }
+  }
+
+  void chooseByProperty(Layer& layer) const {
+    if (options_.solidIf.empty()) return;
+    const auto objects = layer.node.children("object");
+    layer.isByProperty = std::any_of(objects.begin(), objects.end(), [&](const auto object) {
+      return firstFit(options_.solidIf, propertiesOf(object)) != nullptr;
+    });
+    layer.wanted = layer.isByProperty;
+    if (layer.wanted) layer.remark = "objects with the property that was asked for";
+  }
+
+  /// What was asked for may be a class or name that some of the objects have.
+  void chooseClasses(Layer& layer) const {
+    for (const auto object : layer.node.children("object")) {
+      for (std::string name : {classOf(object), std::string(object.attribute("name").value())}) {
+        if (!name.empty() && names_.fitObject(name)) layer.classes.insert(std::move(name));
+      }
+    }
+  }
+
+  const XmlFile& file_;
+  const Options& options_;
+  bool drawnCounts_;  // tiles of LDtk that are only drawn
+  LayerNames& names_;
+  std::vector<Layer> layers_;
+};
+
+/// A rectangle of tiles: a whole layer, or a chunk of an infinite one.
+struct TileRect {
+  pugi::xml_node node;
+  std::int64_t column = 0, row = 0, width = 0, height = 0;
+};
+
+tl::expected<Gids, std::string> decode(const XmlFile& file, pugi::xml_node data, const TileRect& rect) {
+  const auto count = static_cast<std::size_t>(rect.width * rect.height);
+  const std::string_view encoding = data.attribute("encoding").value();
+  if (encoding == "csv") return decodeCsv(rect.node.text().get(), count);
+  if (encoding == "base64") {
+    return decodeBase64(rect.node.text().get(), data.attribute("compression").value(), count);
+  }
+  if (!encoding.empty()) {
+    return tl::unexpected("has the unknown encoding" + file.quoted(" ", encoding) +
+                          ": save the map with csv or base64");
+  }
+  Gids gids;
+  for (const auto tile : rect.node.children("tile")) {
+    gids.push_back(static_cast<std::uint32_t>(file.integer(tile, "gid", 0, 0, 0xFFFF'FFFF)));
+  }
+  if (gids.size() == count) return gids;
+  return tl::unexpected("holds " + std::to_string(gids.size()) + " <tile> elements where its size asks for " +
+                        std::to_string(count));
+}
+
+void readRect(const XmlFile& file, pugi::xml_node data, const TileRect& rect, std::size_t& budget,
+              const TileSink& sink) {
+  if (file.failed()) return;
+  const auto count = static_cast<std::uint64_t>(rect.width * rect.height);
+  if (count > budget) return file.fail(rect.node, "the map has more tiles than the limit", "maxTiles");
+  budget -= static_cast<std::size_t>(count);
+  if (count == 0) return;
+  const auto gids = decode(file, data, rect);
+  if (!gids) return file.fail(rect.node, gids.error());
+  for (std::size_t i = 0; i < gids->size() && !file.failed(); ++i) {
+    const auto at = static_cast<std::int64_t>(i);
+    if ((*gids)[i] != 0) sink(rect.column + at % rect.width, rect.row + at / rect.width, (*gids)[i]);
+  }
+}
+
+}  // namespace
+
+Properties propertiesOf(const Layer& layer) {
+  Properties result = propertiesOf(layer.node);
+  result.emplace(kLayerProperty, layer.pathInMap);
+  return result;
+}
+
+LayerNames::LayerNames(const Options& options)
+    : tiles_{options.layers}, objects_{options.objects.value_or(std::vector<std::string>{})} {}
+
+std::vector<std::size_t> LayerNames::List::fitting(const Layer& layer) const {
+  const std::string_view name = layer.node ? layer.node.attribute("name").value() : std::string_view(layer.path);
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == name || names[i] == layer.path || names[i] == layer.pathInMap) result.push_back(i);
+  }
+  return result;
+}
+
+bool LayerNames::List::fit(const Layer& layer) {
+  if (!names.empty()) known.insert(layer.pathInMap.empty() ? layer.path : layer.pathInMap);
+  const std::vector<std::size_t> all = fitting(layer);
+  for (const std::size_t i : all) found[i] = true;
+  return !all.empty();
+}
+
+bool LayerNames::List::fitName(const std::string& name) {
+  const auto at = std::find(names.begin(), names.end(), name);
+  if (at != names.end()) found[static_cast<std::size_t>(at - names.begin())] = true;
+  return at != names.end();
+}
+
+void LayerNames::List::see(const Layer& layer, const char* what) {
+  for (const std::size_t i : fitting(layer)) others[i] = what;
+}
+
+void LayerNames::List::checkAll(const XmlFile& file, const char* kind) const {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!found[i] && !others[i].empty()) file.fail({}, "'" + names[i] + "' is " + others[i] + shellWord(names[i]));
+    if (found[i]) continue;
+    file.fail(file.root(),
+              std::string("has no ") + kind + " layer or group '" + names[i] + "'" + thereAre(names[i], known));
+  }
+}
+
+void LayerNames::checkAll(const XmlFile& file) const {
+  tiles_.checkAll(file, "tile");
+  objects_.checkAll(file, "object");
+}
+
+std::vector<Layer> listLayers(const XmlFile& file, const Options& options, const MapPlace& place, LayerNames& names) {
+  Lister lister(file, options, names);
+  Lister::Parent root;
+  root.layer.path = root.layer.pathInMap = place.name;
+  root.layer.offset = place.offset;
+  root.layer.wanted = options.layers.empty();
+  if (!place.name.empty()) {
+    root.layer.wanted = names.fitTiles(root.layer) || root.layer.wanted;
+    root.objectsWanted = names.fitObjects(root.layer);
+    root.layer.pathInMap.clear();
+  }
+  lister.list(file.root(), root);
+  return lister.finish();
+}
+
+void readTiles(const XmlFile& file, const Layer& layer, std::size_t& budget, const TileSink& sink) {
+  const auto data = layer.node.child("data");
+  if (!data) return file.fail(layer.node, "has no <data>");
+  const auto side = [&](pugi::xml_node node, const char* attribute) {
+    return file.integer(node, attribute, std::nullopt, 0, kMaxSide);
+  };
+  if (!file.root().attribute("infinite").as_bool() && !data.child("chunk")) {
+    return readRect(file, data, {data, 0, 0, side(layer.node, "width"), side(layer.node, "height")}, budget, sink);
+  }
+  for (const auto chunk : data.children("chunk")) {
+    const auto place = [&](const char* attribute) {
+      return file.integer(chunk, attribute, std::nullopt, -kMaxSide, kMaxSide);
+    };
+    readRect(file, data, {chunk, place("x"), place("y"), side(chunk, "width"), side(chunk, "height")}, budget, sink);
+  }
+}
+
+}  // namespace lgs::tiled

@@ -1,0 +1,92 @@
+// The layers of a map: which of them are wanted, how they are shifted, and which tiles they hold.
+#pragma once
+
+#include "properties.h"
+
+#include <functional>
+#include <set>
+
+namespace lgs::tiled {
+
+struct Layer {
+  pugi::xml_node node;
+  std::string path;       ///< "Group/Layer", after the name of its map in a world or of its level
+  std::string pathInMap;  ///< without that name
+  LayerKind kind{};
+  bool wanted = false;
+  bool hidden = false;                 ///< it would be wanted if it, or a group that it is in, were not hidden
+  bool isInReach = true;               ///< of an object layer: Options::layers do not rule it out
+  DoublePoint offset;                  ///< pixels, y down; the sum of its own and those of its groups
+  std::set<std::string> classes = {};  ///< of an object layer: only objects of these classes or names; empty: all
+  bool isByProperty = false;           ///< of an object layer: only objects that have one of Options::solidIf
+  std::string remark;                  ///< for the report: why it is taken or passed over, or what is special about it
+};
+
+/// The property of a layer that is its path in its map, unless the layer has one that is called so. By it a rule can
+/// take all tiles of a layer.
+inline constexpr const char* kLayerProperty = "layer";
+
+/// The properties of a layer, with kLayerProperty.
+Properties propertiesOf(const Layer& layer);
+
+/// The attribute of a group that is a place for layers, such as a level, and no part of their names.
+inline constexpr const char* kPlaceAttribute = "lgs:place";
+
+/// Attributes of a layer of LDtk: its tiles are only drawn; what the report says of it.
+inline constexpr const char* kDrawnAttribute = "lgs:drawn";
+inline constexpr const char* kRemarkAttribute = "lgs:remark";
+
+/// Where a map stands among others.
+struct MapPlace {
+  std::string name;    ///< empty for a map by itself
+  DoublePoint offset;  ///< of its upper left corner, pixels, y down
+};
+
+/// The names of layers that the options ask for, and which of them were found.
+class LayerNames {
+ public:
+  explicit LayerNames(const Options& options);
+
+  bool fitTiles(const Layer& layer) { return tiles_.fit(layer); }
+  bool fitObjects(const Layer& layer) { return objects_.fit(layer); }
+
+  /// Whether the class or the name of an object was asked for.
+  bool fitObject(const std::string& name) { return objects_.fitName(name); }
+
+  /// A layer of another kind, which the error for a name names.
+  void isTiles(const Layer& layer) { objects_.see(layer, "a tile layer: --layer "); }
+  void isObjects(const Layer& layer) { tiles_.see(layer, "an object layer: --objects "); }
+  void isDrawn(const Layer& layer) { tiles_.see(layer, "a layer of tiles that are only drawn: --solid --layer "); }
+
+  /// If a name fits no layer of all that were listed, the file keeps an error.
+  void checkAll(const XmlFile& file) const;
+
+ private:
+  struct List {
+    std::vector<std::string> names;
+    std::vector<bool> found = std::vector<bool>(names.size(), false);
+    std::vector<std::string> others = std::vector<std::string>(names.size());  // which other layer it is that of
+    std::set<std::string> known = {};  // the names of all layers and groups that were looked at, if any is asked for
+
+    std::vector<std::size_t> fitting(const Layer& layer) const;
+    bool fit(const Layer& layer);
+    bool fitName(const std::string& name);
+    void see(const Layer& layer, const char* what);
+    void checkAll(const XmlFile& file, const char* kind) const;
+  };
+
+  List tiles_;
+  List objects_;
+};
+
+/// All layers of a map in the map's order, with those that are passed over.
+std::vector<Layer> listLayers(const XmlFile& file, const Options& options, const MapPlace& place, LayerNames& names);
+
+/// Receives the tiles that are not empty, row by row. The number still holds the flags for flipping.
+using TileSink = std::function<void(std::int64_t column, std::int64_t row, std::uint32_t gid)>;
+
+/// Reads the tiles of a layer. `budget` says how many tiles may still be read; it goes down by the layer's, empty ones
+/// too.
+void readTiles(const XmlFile& file, const Layer& layer, std::size_t& budget, const TileSink& sink);
+
+}  // namespace lgs::tiled

@@ -1,0 +1,108 @@
+// What says that it is solid and is not in a choice.
+#include "evidence.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lgs::tiled {
+namespace {
+
+/// How many tiles of a layer a choice takes.
+std::uint64_t taken(const LayerFacts& layer, const Facts& facts, const Options& options) {
+  const std::vector<std::string>& layers = options.layers;
+  const auto has = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), layer.name) != names.end();
+  };
+  if ((!layers.empty() && !has(layers)) || has(options.leaveOut)) return 0;
+  if (options.solidWithoutShapes) return layer.tiles;
+  std::uint64_t tiles = layer.shaped;
+  for (const std::string& rule : options.solidIf) {
+    if (rule == kLayerProperty + ("=" + layer.name)) return layer.tiles;
+    const auto known = facts.rules.find(rule);
+    if (known == facts.rules.end()) continue;
+    const auto uses = known->second.layers.find(layer.name);
+    if (uses != known->second.layers.end()) tiles += uses->second;
+  }
+  return std::min(tiles, layer.tiles);
+}
+
+bool isTaken(const LayerFacts& objects, const Options& options, bool isLdtk) {
+  if (!options.objects) return options.layers.empty();  // then those that say something are
+  const auto isNamed = [&](const std::string& name) {
+    return std::find(options.objects->begin(), options.objects->end(), name) != options.objects->end();
+  };
+  const bool isByClass =
+      !isLdtk && objects.isMixed() &&
+      std::any_of(objects.classes.begin(), objects.classes.end(), [&](const auto& one) { return isNamed(one.first); });
+  return isByClass || isNamed(objects.name);
+}
+
+/// Whether a layer that says so must be in a choice, or is only weaker evidence beside it. Tiles that are called ground
+/// are what one sees of a collision layer; objects that are called so are drawn for the game, as those of that layer.
+bool isDue(const LayerFacts& layer, const Choice& choice, bool isLdtk) {
+  if (layer.isDrawn || layer.isPassable) return false;
+  if (layer.saying.says == Says::collision) return true;
+  if (layer.kind == LayerKind::objects) return !isLdtk && choice.evidence == Evidence::solid;
+  return choice.evidence == Evidence::solid && choice.options.layers.empty() && !layer.saying.isFloor();
+}
+
+Missed missedTiles(const LayerFacts& layer, std::uint64_t tiles, const Choice& choice) {
+  Options more = choice.options;
+  std::erase(more.leaveOut, layer.name);
+  if (more.layers.empty()) {
+    more.solidIf.push_back(kLayerProperty + ("=" + layer.name));
+  } else {
+    more.layers.push_back(layer.name);
+  }
+  return {"tile layer " + layer.name + ", of which " + std::to_string(tiles) + " of " + counted(layer.tiles, "tile") +
+              " are taken",
+          std::move(more), "the same with all of tile layer " + layer.name};
+}
+
+Missed missedObjects(const LayerFacts& layer, const Choice& choice) {
+  Options more = choice.options;
+  if (!more.objects) more.objects.emplace();
+  more.objects->push_back(layer.name);
+  return {"object layer " + layer.name + ", of which nothing is taken", std::move(more),
+          "the same with object layer " + layer.name};
+}
+
+/// Open polylines have no area. Those that are one-way can be made thick.
+Missed missedLines(const LayerFacts& layer, const Choice& choice, const Options& options) {
+  constexpr double kThickness = 4;  // pixels
+  Options thick = choosingArguments(choice.options) == choosingArguments(options) ? options : choice.options;
+  thick.polylineThickness = kThickness;
+  return {"object layer " + layer.name + ", of which " + counted(layer.lines, "open polyline") +
+              (layer.lines == 1 ? " is" : " are") + " left out",
+          std::move(thick), "the same with the polylines that are one-way"};
+}
+
+}  // namespace
+
+std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Options& options) {
+  std::vector<Missed> result;
+  for (const LayerFacts& layer : facts.layers) {
+    const bool says = layer.saying.says != Says::nothing, isOfObjects = layer.kind == LayerKind::objects;
+    const bool areBoxes = isOfObjects && layer.objects > layer.figures && !areThings(layer) && !facts.isLdtk;
+    if (!says && !(areBoxes && layer.classes.empty())) continue;
+    if (says && isOfObjects && !isDrawnByHand(layer)) continue;
+    const bool due = says && isDue(layer, choice, facts.isLdtk);
+    const auto add = [&](Missed one, bool isPart = true) {
+      one.isDue = due && isPart;
+      if (result.size() < kMaxSuggestions) result.push_back(std::move(one));  // as many commands follow
+    };
+    if (!isOfObjects) {
+      const std::uint64_t tiles = taken(layer, facts, choice.options);
+      const bool isWhole = tiles == layer.tiles || isFull(layer) || layer.isDrawn || layer.isPassable;
+      if (!isWhole) add(missedTiles(layer, tiles, choice), 4 * tiles < 3 * layer.tiles);
+      continue;
+    }
+    if (facts.isLdtk && !due) continue;
+    if (!isTaken(layer, choice.options, facts.isLdtk) && layer.objects > 0) add(missedObjects(layer, choice));
+    if (says && options.polylineThickness == 0 && layer.lines > 0) add(missedLines(layer, choice, options));
+  }
+  std::stable_partition(result.begin(), result.end(), [](const Missed& one) { return one.isDue; });
+  return result;
+}
+
+}  // namespace lgs::tiled

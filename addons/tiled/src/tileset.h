@@ -1,0 +1,68 @@
+// Tilesets and the collision shapes of their tiles, just as the files have them.
+#pragma once
+
+#include "collision_object.h"
+#include "properties.h"
+
+#include <unordered_map>
+
+namespace lgs::tiled {
+
+struct Tile {
+  std::string className;
+  DoublePoint size;  ///< of its image, pixels; 0: that of the tileset's tiles
+  Properties properties;
+  std::vector<CollisionObject> objects;  ///< from the Tile Collision Editor
+  bool isSettled = false;                ///< Options::tiles says what it is: no rule makes it a full square
+};
+
+struct Tileset {
+  std::string name;
+  std::uint32_t firstGid = 1;
+  std::uint32_t tileCount = 0;  ///< 0: unknown, any id may occur
+  DoublePoint tileSize;
+  DoublePoint offset;                             ///< by which tiles are drawn aside, pixels, y down
+  bool fitToGrid = false;                         ///< images are scaled to the size of the map's tiles
+  std::string alignment;                          ///< which point of a tile object is its place; empty: the default
+  std::string missing;                            ///< why its file is not there; then no tile has shapes or properties
+  std::unordered_map<std::uint32_t, Tile> tiles;  ///< by id; only those that the file has a <tile> for
+};
+
+/// A tile of a tileset, with the size of its image; one without shapes if the file has no <tile> for it.
+Tile tileAt(const Tileset& tileset, std::uint32_t id);
+
+/// Applies Options::tiles.
+void settle(Tileset& tileset, const Options& options);
+
+/// Whether Options::leaveOut has the class of a tile, or a property.
+bool isLeftOut(const Tile& tile, const Options& options);
+
+/// Whether a tile without shapes is to be a full square. `layer` are the properties of its layer.
+bool isSolidAsAsked(const Tile& tile, const Properties& layer, const Options& options);
+
+/// The object that fills the image of a tile.
+CollisionObject fullSquare(const Tile& tile);
+
+/// The tilesets of a map.
+class Tilesets {
+ public:
+  void read(const XmlFile& map, const FileReader& reader, Templates& templates, std::optional<ImportError>& error);
+
+  /// Applies Options::tiles.
+  void settle(const Options& options);
+
+  const std::vector<Tileset>& all() const { return tilesets_; }
+
+  /// The one that has a tile, by its number without flags; null if none has.
+  const Tileset* of(std::uint32_t number) const;
+
+ private:
+  std::vector<Tileset> tilesets_;  // by firstGid
+};
+
+/// Reads a <tileset> of a map or template, from another file if it names one. `error` is that of the import; it keeps a
+/// problem.
+Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& reader, Templates& templates,
+                    std::optional<ImportError>& error);
+
+}  // namespace lgs::tiled

@@ -1,0 +1,190 @@
+#include "words.h"
+
+#include "asked_names.h"
+#include "properties.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace lgs::tiled {
+namespace {
+
+/// A longer word stands before a shorter one that is in it, as reports name the first that fits.
+constexpr auto kCollision = std::to_array<std::string_view>(
+    {"collision", "collider", "collidable", "collides",   "collide", "collid",   "collis",
+     "colid",     "colis",    "kollis",     "hitbox",     "solid",   "blocked",  "blocking",
+     "blocker",   "obstacle", "obstac",     "impassable", "barrier", "boundary", "boundaries"});
+constexpr auto kWalls = std::to_array<std::string_view>({"wall", "border", "fence", "static", "parede", "muro"});
+constexpr auto kFloors = std::to_array<std::string_view>({"ground", "floor", "terrain", "surface", "world", "gnd",
+                                                          "suelo", "boden", "terreno", "geom", "slope", "pendiente"});
+constexpr auto kParts = std::to_array<std::string_view>({"platform", "block", "brick", "pipe", "bloque", "bloco"});
+
+/// Words that are too short to be looked for in others.
+constexpr auto kWholeWords = std::to_array<Saying>({{Says::ground, "mur", Ground::wall},
+                                                    {Says::ground, "murs", Ground::wall},
+                                                    {Says::ground, "sol", Ground::floor},
+                                                    {Says::ground, "ramp", Ground::floor},
+                                                    {Says::ground, "ramps", Ground::floor}});
+
+/// Words that are long enough to be known with a letter wrong: "Obsticles", "Plataformas".
+constexpr auto kLongWords = std::to_array<Saying>({{Says::collision, "collision"},
+                                                   {Says::collision, "collider"},
+                                                   {Says::collision, "collidable"},
+                                                   {Says::collision, "obstacle"},
+                                                   {Says::collision, "impassable"},
+                                                   {Says::collision, "boundary"},
+                                                   {Says::ground, "platform", Ground::part}});
+
+/// Words that turn the one after them into its opposite, or that are written together with it.
+constexpr auto kNot = std::to_array<std::string_view>({"anti", "no", "non", "not", "un", "without"});
+
+/// Words for another use, as they are. They are also looked for before and after a word that is written together.
+constexpr auto kOther = std::to_array<std::string_view>(
+    {"art",    "back",  "background", "behind", "below",      "bg",    "cam", "camera", "con",   "fake",
+     "far",    "fg",    "fire",       "fore",   "foreground", "front", "fx",  "item",   "items", "light",
+     "lights", "mid",   "middle",     "moving", "npc",        "npcs",  "old", "paper",  "pass",  "passable",
+     "path",   "paths", "play",       "player", "sprite",     "sur",   "with"});
+
+/// The same for words that begin so.
+constexpr auto kOtherBegins = std::to_array<std::string_view>({
+    "ambient", "check",  "cloud", "coin",   "collect", "decal",    "deco",  "detail", "door",  "effect", "enem",
+    "entr",    "event",  "exit",  "finish", "flag",    "fond",     "goal",  "hinter", "ignor", "liquid", "overlay",
+    "portal",  "shadow", "sky",   "spawn",  "start",   "teleport", "toxic", "visual", "warp",  "water",
+});
+
+/// What lies behind or above the layer that one walks in, and is only seen; the second for words that begin so.
+constexpr auto kSeen = std::to_array<std::string_view>({"back", "bg", "far", "fg", "fore", "front", "over", "sky"});
+constexpr auto kSeenBegins = std::to_array<std::string_view>({"above", "background", "behind", "below", "foreground"});
+
+/// What is deadly, or lets bodies through, in whatever layer it is; and values of cells that are no ground.
+constexpr auto kPassableBegins = std::to_array<std::string_view>(
+    {"damag", "dead", "death", "hazard", "hurt", "kill", "ladder", "lethal", "sensor", "spike", "trigger"});
+constexpr auto kFluidBegins = std::to_array<std::string_view>({"acid", "lava", "rope", "vine", "water"});
+
+/// What a property can be that is about collision, and does not say that there is any.
+constexpr auto kOfProperties = std::to_array<std::string_view>(
+    {"category", "col", "color", "colour", "filter", "friction", "group", "height", "id", "index", "mask", "message",
+     "name", "script", "sound", "speed", "type", "world"});
+
+template <class List>
+bool has(const List& list, std::string_view word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+/// Whether a word begins with one of a list.
+template <class List>
+bool begins(const List& list, std::string_view word) {
+  return std::any_of(list.begin(), list.end(), [&](std::string_view begin) { return word.starts_with(begin); });
+}
+
+bool isOther(std::string_view word) {
+  return has(kOther, word) || begins(kOtherBegins, word) || begins(kPassableBegins, word) || begins(kFluidBegins, word);
+}
+
+/// Whether a word begins with another one, but for a letter.
+bool nearlyBegins(std::string_view text, std::string_view word) {
+  for (std::size_t length = word.size() - 1; length <= std::min(word.size() + 1, text.size()); ++length) {
+    if (areSimilar(text.substr(0, length), word)) return true;
+  }
+  return false;
+}
+
+/// Words in lower case; an empty one stands where the name has an "and".
+std::vector<std::string> wordsIn(std::string_view name) {
+  const auto isUpper = [](char c) { return c >= 'A' && c <= 'Z'; };
+  const auto isLower = [](char c) { return (c >= 'a' && c <= 'z') || (static_cast<unsigned char>(c) & 0x80) != 0; };
+  std::vector<std::string> words;
+  std::string word;
+  const auto end = [&] {
+    if (!word.empty()) words.push_back(word == "and" ? "" : lower(word));
+    word.clear();
+  };
+  for (std::size_t k = 0; k < name.size(); ++k) {
+    const char c = name[k];
+    const bool isLetter = isUpper(c) || isLower(c);
+    const bool begins = isUpper(c) && k > 0 && (isLower(name[k - 1]) || (k + 1 < name.size() && isLower(name[k + 1])));
+    if (!isLetter || begins) end();
+    if (isLetter) word += c;
+    if (c == '&' || c == '+' || c == '/' || c == ',') words.emplace_back();
+  }
+  end();
+  return words;
+}
+
+/// What one word says, with what is written together with it.
+Saying sayingOf(std::string_view text) {
+  const auto fits = [&](std::string_view word) {
+    const std::size_t at = text.find(word);
+    return at != std::string_view::npos && !isOther(text.substr(0, at)) && !has(kNot, text.substr(0, at)) &&
+           !isOther(text.substr(at + word.size()));
+  };
+  const auto find = [&](const auto& list) { return std::find_if(list.begin(), list.end(), fits); };
+  if (const auto at = find(kCollision); at != kCollision.end()) return {Says::collision, *at};
+  if (const auto at = find(kWalls); at != kWalls.end()) return {Says::ground, *at, Ground::wall};
+  if (const auto at = find(kFloors); at != kFloors.end()) return {Says::ground, *at, Ground::floor};
+  if (const auto at = find(kParts); at != kParts.end()) return {Says::ground, *at, Ground::part};
+  for (const Saying& one : kWholeWords)
+    if (one.word == text) return one;
+  for (const Saying& one : kLongWords)
+    if (nearlyBegins(text, one.word)) return one;
+  return {};
+}
+
+template <class IsOther>
+Saying sayingOf(const std::vector<std::string>& words, const IsOther& isOtherUse) {
+  if (words.size() == 1 && (words.front() == "col" || words.front() == "coll")) return {Says::collision, "col"};
+  Saying best, part;
+  bool isOtherPart = false;
+  const auto endPart = [&] {
+    if (!isOtherPart && part.says > best.says) best = part;
+    part = {};
+    isOtherPart = false;
+  };
+  bool isNot = false;
+  for (const std::string& word : words) {
+    if (word.empty()) endPart();
+    const Saying one = sayingOf(word);
+    if (one.says > part.says) part = one;
+    isOtherPart = isOtherPart || isOtherUse(word) || (isNot && one.says != Says::nothing);
+    isNot = has(kNot, word);
+  }
+  endPart();
+  return best;
+}
+
+template <class Fits>
+bool anyWord(std::string_view name, const Fits& fits) {
+  const std::vector<std::string> words = wordsIn(name);
+  return std::any_of(words.begin(), words.end(), fits);
+}
+
+}  // namespace
+
+Saying saying(std::string_view name) { return sayingOf(wordsIn(name), isOther); }
+
+Saying sayingOfProperty(std::string_view name) {
+  return sayingOf(wordsIn(name), [](std::string_view word) { return isOther(word) || has(kOfProperties, word); });
+}
+
+bool isPassable(std::string_view name) {
+  return anyWord(name, [](const std::string& word) { return begins(kPassableBegins, word); });
+}
+
+bool isGoneThrough(std::string_view name) {
+  return isPassable(name) || anyWord(name, [](const std::string& word) { return begins(kFluidBegins, word); });
+}
+
+bool isMainName(std::string_view name) {
+  constexpr auto kMain = std::to_array<std::string_view>({"level", "main", "map", "tile", "tiles"});
+  const std::vector<std::string> words = wordsIn(name);
+  return words.size() == 1 && has(kMain, words.front());
+}
+
+bool isOnlySeen(std::string_view name) {
+  return anyWord(name, [](const std::string& word) { return has(kSeen, word) || begins(kSeenBegins, word); });
+}
+
+bool isForOtherUse(std::string_view name) { return anyWord(name, isOther); }
+
+}  // namespace lgs::tiled

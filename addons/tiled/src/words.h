@@ -1,0 +1,58 @@
+// What names say: whether something is solid. Names are those of layers, classes, objects and properties.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace lgs::tiled {
+
+/// What a name says, the weakest first.
+enum class Says : std::uint8_t {
+  nothing,
+  ground,     ///< it is what bodies stand on or run against: ground, wall, floor, platform …
+  collision,  ///< it is there for collision: collision, solid, blocked, obstacle …
+};
+
+/// What a word for ground means.
+enum class Ground : std::uint8_t {
+  part,   ///< a platform, a block: it may be a thing that moves
+  wall,   ///< it stands in the way: wall, fence, border …
+  floor,  ///< one stands on it; or, with walls beside it, walks on it, seen from above: ground, floor, terrain …
+};
+
+struct Saying {
+  Says says = Says::nothing;
+  std::string_view word = {};  ///< the one that says so, in lower case
+  Ground ground = Ground::part;
+
+  bool isWall() const { return says == Says::ground && ground == Ground::wall; }
+  bool isFloor() const { return says == Says::ground && ground == Ground::floor; }
+};
+
+/// Names are taken apart into words at capitals, digits and signs; "innerwalls" has "wall" in it as well. A long word
+/// may have a letter wrong. A name with a word for another use says nothing: "wall decoration", "kill-collision",
+/// "firewall"; nor does one that says the opposite: "noncollidable", "wall, no collision". What stands around an "and"
+/// is judged by itself.
+Saying saying(std::string_view name);
+
+/// The same for the name of a property, which may be about what is solid without saying that it is: "collidesWith",
+/// "groundSpeed".
+Saying sayingOfProperty(std::string_view name);
+
+/// Whether a name says that something is deadly, or lets bodies through: spikes, triggers, ladders and the like.
+bool isPassable(std::string_view name);
+
+/// The same for the name of a value of cells, which can also be water and the like.
+bool isGoneThrough(std::string_view name);
+
+/// Whether a layer is called "tiles", "main" or the like.
+bool isMainName(std::string_view name);
+
+/// Whether the name of a layer says that it lies behind or above the others.
+bool isOnlySeen(std::string_view name);
+
+/// Whether a name has a word for another use.
+bool isForOtherUse(std::string_view name);
+
+}  // namespace lgs::tiled

@@ -1,0 +1,221 @@
+#include "xml.h"
+
+#include "foreign.h"
+#include "json_elements.h"
+#include "properties.h"
+#include "text/words.h"
+
+#include <fast_float/fast_float.h>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+namespace lgs::tiled {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+/// What std::from_chars() takes: no blanks around it, and no plus.
+std::string_view bare(std::string_view number) {
+  number = trimmed(number);
+  return number.starts_with('+') ? number.substr(1) : number;
+}
+
+std::optional<std::int64_t> parseInteger(std::string_view text) {
+  text = bare(text);
+  std::int64_t value = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// By fast_float, since std::from_chars() of LLVM's library reads no reals. A number too small for a double is 0.
+std::optional<double> parseReal(std::string_view text) {
+  text = bare(text);
+  double value = 0;
+  const auto [end, status] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+  if (status == std::errc::invalid_argument || end != text.data() + text.size()) return std::nullopt;
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::string describe(pugi::xml_node node, bool mayQuote) {
+  if (!node) return {};
+  const std::string_view path = node.attribute(kPathAttribute).value();  // it comes from JSON
+  std::string result = path.empty() ? "<" + std::string(node.name()) + ">" : std::string(path);
+  for (const char* attribute : {"name", "id", "source"}) {
+    if (!mayQuote) break;
+    const auto value = node.attribute(attribute);
+    if (value && !(*value.value() == '\0' && !path.empty())) return result + " " + inQuotes(value.value());
+  }
+  return result;
+}
+
+/// Why a file is not read that a map names; or nothing. The map may come from a stranger, so that the name could be of
+/// what is nobody else's business.
+std::string whyNotToRead(std::string named, std::string_view kind) {
+  std::replace(named.begin(), named.end(), '\\', '/');
+  const std::filesystem::path path(named);
+  if (path.has_root_directory() || path.has_root_name())
+    return "its path is absolute. If the map can be trusted, files may lie anywhere: Options::filesAnywhere";
+  if (kind == "map" && path.parent_path().empty()) return {};  // as all maps of a world mostly lie: in its folder
+  using Extensions = std::array<std::string_view, 4>;
+  const Extensions all = kind == "tileset"    ? Extensions{".tsx", ".tsj", ".json", ".xml"}
+                         : kind == "template" ? Extensions{".tx", ".tj", ".json", ".xml"}
+                                              : Extensions{".tmx", ".tmj", ".json", ".xml"};
+  if (std::find(all.begin(), all.end(), lower(path.extension().string())) != all.end()) return {};
+  return "it has not the extension of a " + std::string(kind) + ", such as " + std::string(all.front()) +
+         ". If the map can be trusted: Options::filesAnywhere";
+}
+
+}  // namespace
+
+XmlFile::XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error,
+                 Quoting quoting)
+    : name_(std::move(name)), quoting_(quoting), error_(error) {
+  read(reader, rootName, "");
+}
+
+XmlFile::XmlFile(const XmlFile& by, const std::string& named, const FileReader& reader, const char* rootName,
+                 std::optional<ImportError>& error)
+    : name_(by.pathTo(named)), quoting_{by.quoting_.others, by.quoting_.others}, error_(error) {
+  read(reader, rootName, quoting_.own ? "" : whyNotToRead(named, rootName));
+}
+
+void XmlFile::read(const FileReader& reader, const char* rootName, const std::string& refusal) {
+  if (failed()) return;
+  auto text = refusal.empty() ? reader(name_) : tl::unexpected(refusal);
+  if (!text) {
+    isMissing_ = text.error().starts_with(kNoSuchFile);
+    error_ = ImportError{name_, 0, "", "cannot be read: " + text.error()};
+    return;
+  }
+  wasRead_ = true;
+  text_ = std::move(*text);
+  parse(reader);
+  if (!failed()) expectRoot(rootName);
+}
+
+void XmlFile::parse(const FileReader& reader) {
+  const std::string foreign = foreignText(text_);
+  const std::string_view start =
+      trimmed(std::string_view(text_).substr(text_.starts_with(kByteOrderMark) ? 3 : 0, 256));
+  if (!foreign.empty()) {
+    error_ = ImportError{name_, 0, "", isForeign(foreign)};
+  } else if (start.starts_with('{') || start.starts_with('[')) {
+    readJson(name_, text_, reader, document_, error_);
+  } else {
+    parseXml();
+  }
+}
+
+void XmlFile::parseXml() {
+  lineStarts_.push_back(0);
+  for (std::size_t i = 0; i < text_.size(); ++i) {
+    if (text_[i] == '\n') lineStarts_.push_back(i + 1);
+  }
+  const auto result = document_.load_buffer(text_.data(), text_.size());
+  if (result.status == pugi::status_no_document_element) {
+    error_ = ImportError{name_, 0, "", isForeign("neither XML nor JSON")};
+  } else if (!result) {
+    error_ =
+        ImportError{name_, lineAt(result.offset), "", std::string("is not well-formed XML: ") + result.description()};
+  }
+}
+
+/// Nothing of Tiled's is nearer to a map than a world, which names maps.
+void XmlFile::expectRoot(std::string_view rootName) const {
+  const std::string_view found = root().name();
+  if (found == rootName) return;
+  if (rootName == "map" && found == "world" && root().attribute(kPathAttribute)) return;  // there are none in XML
+  if (const std::string foreign = foreignXml(found); !foreign.empty()) return fail(root(), isForeign(foreign));
+  const std::string should = "should be <" + std::string(rootName) + ">: this is not the kind of file expected here";
+  if (quoting_.own) return fail(root(), should);
+  fail({}, "its root " + should);
+}
+
+std::string XmlFile::quoted(const char* before, std::string_view text) const {
+  return quoting_.own ? before + inQuotes(text) : "";
+}
+
+int XmlFile::line(pugi::xml_node node) const {
+  const std::ptrdiff_t offset = node.offset_debug();
+  return offset < 0 ? 0 : lineAt(offset);
+}
+
+int XmlFile::lineAt(std::ptrdiff_t offset) const {
+  const auto next = std::upper_bound(lineStarts_.begin(), lineStarts_.end(), static_cast<std::size_t>(offset));
+  return static_cast<int>(next - lineStarts_.begin());
+}
+
+void XmlFile::fail(pugi::xml_node node, std::string what, std::string option) const {
+  if (!failed())
+    error_ = ImportError{name_, line(node), describe(node, quoting_.own), std::move(what), std::move(option)};
+}
+
+std::int64_t XmlFile::integer(pugi::xml_node node, const char* attribute, std::optional<std::int64_t> fallback,
+                              std::int64_t min, std::int64_t max) const {
+  const auto found = node.attribute(attribute);
+  if (!found) {
+    if (!fallback) fail(node, std::string("has no attribute '") + attribute + "'");
+    return fallback.value_or(min);
+  }
+  const auto value = parseInteger(found.value());
+  if (value && *value >= min && *value <= max) return *value;
+  fail(node, attribute + quoted("=", found.value()) + " should be a whole number from " + std::to_string(min) + " to " +
+                 std::to_string(max));
+  return fallback.value_or(min);
+}
+
+double XmlFile::real(pugi::xml_node node, const char* attribute) const {
+  const auto found = node.attribute(attribute);
+  if (!found) return 0;
+  const auto value = parseReal(found.value());
+  if (!value) fail(node, attribute + quoted("=", found.value()) + " should be a finite number");
+  return value.value_or(0);
+}
+
+std::vector<DoublePoint> XmlFile::points(pugi::xml_node node, const char* attribute) const {
+  std::vector<DoublePoint> result;
+  const std::string_view all = node.attribute(attribute).value();
+  std::string_view rest = trimmed(all);
+  while (!rest.empty()) {
+    const auto blank = std::min(rest.find_first_of(" \t\r\n"), rest.size());
+    const std::string_view pair = rest.substr(0, blank);
+    const auto comma = std::min(pair.find(','), pair.size());
+    const auto x = parseReal(pair.substr(0, comma));
+    const auto y = comma < pair.size() ? parseReal(pair.substr(comma + 1)) : std::nullopt;
+    if (!x || !y) {
+      fail(node, attribute + quoted(": ", pair) + " should be two finite numbers 'x,y'");
+      return {};
+    }
+    result.push_back({*x, *y});
+    rest = trimmed(rest.substr(blank));
+  }
+  return result;
+}
+
+std::string inQuotes(std::string_view piece) {
+  constexpr std::size_t kMost = 40;
+  return "'" + text::withoutControls(piece.substr(0, kMost)) + (piece.size() > kMost ? "…'" : "'");
+}
+
+std::string pathBeside(const std::string& file, std::string named) {
+  std::replace(named.begin(), named.end(), '\\', '/');
+  return (std::filesystem::path(file).parent_path() / named).lexically_normal().generic_string();
+}
+
+std::string classOf(pugi::xml_node node) {
+  const auto found = node.attribute("class");
+  return found ? found.value() : node.attribute("type").value();
+}
+
+}  // namespace lgs::tiled

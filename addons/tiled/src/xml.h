@@ -1,0 +1,91 @@
+// A file with its name and lines, and its attributes as numbers. A JSON file becomes the elements that XML would have.
+// The first problem is kept; after it, all functions return defaults. So code that reads a file need not look at
+// failed() after each attribute.
+#pragma once
+
+#include <lgs/tiled/import.h>
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace lgs::tiled {
+
+/// A piece of a file as a message quotes it: short, and without control characters.
+std::string inQuotes(std::string_view piece);
+
+/// The path of a file that another one names by a path from its own folder, in either kind of slashes.
+std::string pathBeside(const std::string& file, std::string named);
+
+/// Whether errors may quote what stands in a file, and what stands in those that it names.
+struct Quoting {
+  bool own = true;
+  bool others = true;
+};
+
+class XmlFile {
+ public:
+  /// Reads and parses a file whose root element must be `rootName`; instead of a map it may be a world. All files of an
+  /// import share `error`, which must outlive them.
+  XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error,
+          Quoting quoting);
+
+  /// The same of a file that another one names. Unless files may lie anywhere, it is read only if the name is not
+  /// absolute and has an extension of its kind.
+  XmlFile(const XmlFile& by, const std::string& named, const FileReader& reader, const char* rootName,
+          std::optional<ImportError>& error);
+
+  const std::string& name() const { return name_; }
+  pugi::xml_node root() const { return document_.document_element(); }
+  bool failed() const { return error_.has_value(); }
+  bool wasRead() const { return wasRead_; }      ///< the reader gave its text, whatever there is in it
+  bool isMissing() const { return isMissing_; }  ///< the reader says that there is no such file
+
+  /// The line of a node, from 1; 0 if it has none, or comes from JSON.
+  int line(pugi::xml_node node) const;
+
+  /// The path of a file that this one names.
+  std::string pathTo(std::string named) const { return pathBeside(name_, std::move(named)); }
+
+  /// A text of the file as an error may quote it: after `before` and in quotes; or "".
+  std::string quoted(const char* before, std::string_view text) const;
+
+  /// Keeps this error, if it is the first. `option` is the field of Options that decides.
+  void fail(pugi::xml_node node, std::string what, std::string option = {}) const;
+
+  /// The value of an attribute that is a whole number from min to max. If the attribute is missing: the fallback, or an
+  /// error if there is none.
+  std::int64_t integer(pugi::xml_node node, const char* attribute, std::optional<std::int64_t> fallback,
+                       std::int64_t min, std::int64_t max) const;
+
+  /// The value of an attribute that is a finite number; 0 if the attribute is missing.
+  double real(pugi::xml_node node, const char* attribute) const;
+
+  /// The value of an attribute that is a list of pairs, such as "0,0 12.5,-3".
+  std::vector<DoublePoint> points(pugi::xml_node node, const char* attribute) const;
+
+ private:
+  void read(const FileReader& reader, const char* rootName, const std::string& refusal);
+  void parse(const FileReader& reader);
+  void parseXml();
+  void expectRoot(std::string_view rootName) const;
+  int lineAt(std::ptrdiff_t offset) const;
+
+  std::string name_;
+  Quoting quoting_;
+  bool wasRead_ = false, isMissing_ = false;
+  std::string text_;
+  std::vector<std::size_t> lineStarts_;
+  pugi::xml_document document_;
+  std::optional<ImportError>& error_;
+};
+
+/// The class of a tile or object. Tiled 1.9 writes it as "class", all other versions as "type".
+std::string classOf(pugi::xml_node node);
+
+}  // namespace lgs::tiled
