@@ -100,7 +100,7 @@ class Cells {
   /// No cell has changed; from now on these have.
   void setChangedCells(const ChangedCells& cells);
   /// From now on no cell has changed.
-  void settleChanges() {
+  void clearChanges() {
     for (Chunk* chunk : changed_) {
       for (RowMask rows = chunk->dirtyRows; rows != 0; rows &= rows - 1)
         chunk->dirty[static_cast<std::size_t>(std::countr_zero(rows))] = 0;

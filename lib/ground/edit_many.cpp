@@ -78,7 +78,7 @@ bool Edit::addSoles(std::span<const Placement> placements, std::span<PolygonHand
   }
   for (std::size_t k = 0; k < placements.size(); ++k) {
     const CellAt at = ground_.grid.obtain(placements[k].cell);
-    ground_.settleSole(at, ground_.catalogue.shape(placements[k].shape), placements[k].block);
+    ground_.completeSole(at, ground_.catalogue.shape(placements[k].shape), placements[k].block);
     if (k < handles.size()) handles[k] = {at.ref(), at.word() & kLowMask};
   }
   return true;

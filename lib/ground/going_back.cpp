@@ -26,7 +26,10 @@ void Ground::exchange(Note& note) {
   } else if (note.thing == Thing::border) {
     Chunk& chunk = grid.chunk(note.key);
     const std::uint32_t border = chunk.isUnloaded ? keep(grid.load(chunk)) : 0;
-    if (note.value != 0) grid.unload(chunk, takeKept(note.value));
+    if (note.value != 0) {
+      grid.unload(chunk, takeKept(note.value));
+      sleepy_.push_back(note.key);
+    }
     note.value = border;
   } else if (note.thing == Thing::chunk) {
     const Cell corner{static_cast<std::int32_t>(note.value) * kChunkSize,

@@ -5,7 +5,7 @@
 namespace lgs::detail {
 
 void Ground::commit() {
-  settleChanges();
+  clearChanges();
   catalogue.collect();
 }
 
@@ -22,9 +22,9 @@ void Ground::beginChunk(const Chunk& chunk) {
     note.value = static_cast<std::uint32_t>(chunk.ci);
     note.block = static_cast<std::uint32_t>(chunk.cj);
   }
-  settleAround(chunk);
+  refreshRimsAround(chunk);
 }
 
-std::uint64_t Ground::bytes() const { return Cells::bytes() + journal.bytes() + heldBytes(unsettled_, sleepy_); }
+std::uint64_t Ground::bytes() const { return Cells::bytes() + journal.bytes() + heldBytes(stale_, sleepy_); }
 
 }  // namespace lgs::detail

@@ -54,7 +54,7 @@ class Ground : public Cells {
     return true;
   }
   /// The same for many, in two steps, while nothing is noted: the words are written first, and may be put back.
-  void settleSole(CellAt at, const InternedShape& shape, Block block) {
+  void completeSole(CellAt at, const InternedShape& shape, Block block) {
     at.chunk->setBlock(at.local, block);
     touch(at, shape.facts);
   }
@@ -79,9 +79,8 @@ class Ground : public Cells {
   void letGo(Journal::Moment moment) {
     journal.letGo(moment, [this](const Note& note) { drop(note); });
   }
-  /// No cell has changed; from now on these have.
-  void setChangedCells(const ChangedCells& cells) { Cells::setChangedCells(cells); }
-  void forgetChanges() { settleChanges(); }
+  using Cells::clearChanges;
+  using Cells::setChangedCells;
 
   // --- Chunks that are not in memory (unloaded.cpp). Their cells hold what the loaded chunks beside them need.
 
@@ -95,21 +94,26 @@ class Ground : public Cells {
   /// A loaded chunk leaves. The checksum is that of the bytes with which it can come back.
   void unload(std::uint32_t number, std::uint32_t checksum);
   /// An unloaded chunk comes back. Its cells are for the caller to set(), with and without polygons; then
-  /// settleAround().
+  /// refreshRimsAround().
   Chunk& load(std::uint32_t number);
   /// The same, and its cells hold nothing. No serial of before is given out again.
   void loadEmpty(std::uint32_t number);
-  /// After a chunk came: the unloaded ones beside it hold what it needs.
-  void settleAround(const Chunk& chunk);
-  /// What forget() left to be done, before a commit.
-  void settle() {
-    if (!unsettled_.empty()) [[unlikely]]
-      settleAll();
+  /// After a chunk came or went: the unloaded ones beside it hold what is needed, and nothing else.
+  void refreshRimsAround(const Chunk& chunk);
+  /// Before a commit: refreshes the rims of unloaded chunks beside forgotten ones.
+  void refreshRims() {
+    if (!stale_.empty()) [[unlikely]]
+      refreshStaleRims();
   }
-  /// After a commit, without marks: chunks that nobody needs are no Chunk any more. Returns their numbers.
+  /// The unloaded chunks whose rims wait for that: a mark keeps them.
+  const std::vector<std::uint32_t>& staleRims() const { return stale_; }
+  void setStaleRims(const std::vector<std::uint32_t>& chunks) { stale_ = chunks; }
+  /// After a commit: frees the Chunk of unloaded chunks with no loaded neighbour. Returns their numbers.
   std::vector<std::uint32_t> sleep();
-  /// Whether that may find any.
-  bool isSleepy() const { return !sleepy_.empty(); }
+  /// The same while there are marks, which may need them: they are found later.
+  void sleepLater();
+  /// Whether there may be any.
+  bool isSleepy() const { return areSleepyUnknown_ || !sleepy_.empty(); }
 
   std::uint64_t bytes() const;
 
@@ -128,12 +132,13 @@ class Ground : public Cells {
   std::uint32_t keep(const Border& border);
   Border takeKept(std::uint32_t border);
   using Cells::drop;
-  void settle(std::uint32_t number, bool isNeeded);
-  void settleIfUnloaded(std::uint32_t number);
-  void settleAll();
+  void setRim(std::uint32_t number, bool isNeeded);
+  void refreshRim(std::uint32_t number);
+  void refreshStaleRims();
 
-  std::vector<std::uint32_t> unsettled_;  ///< numbers of chunks that forget() left for the next commit
-  std::vector<std::uint32_t> sleepy_;     ///< numbers of unloaded chunks that may have become empty
+  std::vector<std::uint32_t> stale_;   ///< unloaded chunks that forget() left for the next commit
+  std::vector<std::uint32_t> sleepy_;  ///< unloaded chunks that may have become empty since the last commit
+  bool areSleepyUnknown_ = false;      ///< or any unloaded chunk may have
 };
 
 }  // namespace lgs::detail

@@ -7,6 +7,7 @@
 // geometry/radial_match.h (law 2).
 #include "outline/build.h"
 #include "outline/exposure.h"
+#include "outline/fetch.h"
 #include "outline/linking.h"
 #include "outline/outline.h"
 
@@ -34,7 +35,15 @@ void Outline::update(const Ground& ground, Journal* journal, const Executor& exe
     build(ground, *this, executor);
   } else {
     Exposure phase1(ground, *this, ids_);
-    for (const Chunk* chunk : ground.changedChunks()) phase1.renewChunk(*chunk);
+    const std::span<Chunk* const> changed = ground.changedChunks();
+    const bool isLarge = segments.maxId() >= kManySegments;
+    if (isLarge && !changed.empty()) [[unlikely]]
+      fetchAround(*this, *changed.front());
+    for (std::size_t k = 0; k < changed.size(); ++k) {
+      if (isLarge && k + 1 < changed.size()) [[unlikely]]
+        fetchAround(*this, *changed[k + 1]);
+      phase1.renewChunk(*changed[k]);
+    }
     if (journal_) [[unlikely]]
       noteAdded();
     Linking phase2(ground, *this, fan_);

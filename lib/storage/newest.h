@@ -1,5 +1,5 @@
 // A table from 64-bit keys to 64-bit numbers, where 0 stands for none. As in HashIndex there is open addressing with
-// linear probing, and at most half of the places are taken. Nobody goes through it, so nothing depends on its order.
+// linear probing, at most half of the places are taken, hashes begin with a seed, and nobody goes through it.
 #pragma once
 
 #include "storage/hash_index.h"
@@ -53,7 +53,7 @@ class Newest {
   static constexpr std::size_t kFew = 1'024;  ///< so many are kept, since groups of edits come and go
 
   std::size_t mask() const { return entries_.size() - 1; }
-  std::size_t home(std::uint64_t key) const { return static_cast<std::size_t>(mix(0, key)) & mask(); }
+  std::size_t home(std::uint64_t key) const { return static_cast<std::size_t>(mix(seed_, key)) & mask(); }
   /// Where a key is, or where there is room for it.
   std::size_t placeOf(std::uint64_t key) const {
     std::size_t at = home(key);
@@ -67,6 +67,7 @@ class Newest {
       if (entry.number != 0) entries_[placeOf(entry.key)] = entry;
   }
 
+  std::uint64_t seed_ = anySeed(this);
   std::vector<Entry> entries_;
   std::size_t count_ = 0;
 };

@@ -30,7 +30,7 @@ Mark History::mark(Of of) {
   const Mark mark{numbers_.next()};  // greater than all before, also in a copy
   if (committed_ != 0) ground_.journal.hold(committed_);
   marks_.push_back({mark, of, ground_.journal.begin(), committed_, ground_.catalogue.shapeCount(), outline_.state(),
-                    isOfGroup ? Ground::ChangedCells() : ground_.changedCells()});
+                    isOfGroup ? Ground::ChangedCells() : ground_.changedCells(), ground_.staleRims()});
   return mark;
 }
 
@@ -144,7 +144,7 @@ void History::go(const Marked& to, CellChanges::Way way, std::span<const Note> n
   for (const Note& note : notes)
     if (note.thing == Thing::segment) ids.push_back(note.key);
   outline_.goTo(ground_.grid, to.outline, std::move(ids), changes, [&] {
-    ground_.forgetChanges();
+    ground_.clearChanges();
     cellChanges_.clear();
     if (to.committed != committed_) {
       const bool isBack = way == CellChanges::Way::back;
@@ -155,6 +155,7 @@ void History::go(const Marked& to, CellChanges::Way way, std::span<const Note> n
     }
     go(to.moment);
     ground_.setChangedCells(to.changed);
+    ground_.setStaleRims(to.staleRims);
   });
 }
 
@@ -213,7 +214,7 @@ void History::follow(bool follow) {
 std::uint64_t History::bytes() const {
   std::uint64_t sum = heldBytes(marks_, ahead_, undoneShapes_) + cellChanges_.bytes();
   for (const auto* marks : {&marks_, &ahead_})
-    for (const Marked& mark : *marks) sum += heldBytes(mark.changed);
+    for (const Marked& mark : *marks) sum += heldBytes(mark.changed, mark.staleRims);
   return sum;
 }
 

@@ -79,7 +79,8 @@ class History {
     Moment committed = 0;  ///< as that of the history, which it holds
     std::uint64_t shapes = 0;
     Outline::State outline;
-    Ground::ChangedCells changed;  ///< of a game's mark
+    Ground::ChangedCells changed;          ///< of a game's mark
+    std::vector<std::uint32_t> staleRims;  ///< the same
   };
 
   std::vector<Marked>::const_iterator find(Mark mark) const;

@@ -185,12 +185,16 @@ Expected<std::uint64_t> World::clearRect(const CellRect& cells) noexcept { retur
 
 const Changes& World::commit() noexcept { return commit({}); }
 const Changes& World::commit(const Executor& executor) noexcept {
-  impl_->ground.settle();
+  impl_->ground.refreshRims();
   impl_->outline.update(impl_->ground, impl_->history.journal(), executor);
   impl_->history.commit();
-  if (impl_->outline.isFiltered() && impl_->ground.isSleepy() && !impl_->history.hasMarks()) [[unlikely]] {
-    for (const std::uint32_t chunk : impl_->ground.sleep()) impl_->outline.lists.forget(chunk);
-    impl_->outline.giveBackPages();
+  if (impl_->ground.isSleepy()) [[unlikely]] {
+    if (impl_->history.hasMarks()) {
+      impl_->ground.sleepLater();
+    } else {
+      for (const std::uint32_t chunk : impl_->ground.sleep()) impl_->outline.lists.forget(chunk);
+      impl_->outline.giveBackPages();
+    }
   }
   return impl_->outline.changes();
 }
