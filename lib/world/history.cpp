@@ -4,6 +4,7 @@
 #include "storage/owned.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace lgs::detail {
@@ -64,6 +65,7 @@ std::vector<Cell> History::editedSince(Mark mark) const {
 // --- Going back
 
 void History::rollBack(Mark mark, Undone undone, Changes& changes) {
+  assert(knows(mark));
   if (!ahead_.empty()) leave(*find(mark), undone);
   keepOneMark(mark, undone);
   const Marked& to = marks_.back();
@@ -119,6 +121,7 @@ bool History::isAhead(Mark mark) const {
 }
 
 void History::rollForward(Mark mark, Changes& changes) {
+  assert(isAhead(mark));
   for (; !marks_.empty() && marks_.back().mark > wentTo_; marks_.pop_back()) letGo(marks_.back());
   do {
     marks_.push_back(std::move(ahead_.back()));
@@ -172,6 +175,7 @@ void History::exchange(Note& note) {
 }
 
 void History::takeBack(Mark mark) {
+  assert(knows(mark, Of::group) && !committedSince(mark));
   if (!ahead_.empty() && ground_.journal.isEarlier(find(mark)->moment, went_)) forgetUndone();
   keepOneMark(mark, Undone::drop);
   ground_.takeBack(marks_.back().moment);
