@@ -139,7 +139,7 @@ class SegmentPool {
   void bringBack(std::size_t page);
 
   Pages<Page> pages_;
-  std::size_t dead_ = 0;  ///< records without a segment, when pages were last given back
+  std::size_t dead_ = 0;             ///< records without a segment, when pages were last given back
   std::vector<std::uint32_t> free_;  ///< and behind these the ones that were taken
   std::size_t freeCount_ = 0;
   std::uint32_t top_ = 0;  ///< one more than the greatest id; 0 until the first page is made

@@ -18,9 +18,7 @@ std::size_t Journal::indexOf(Moment moment) const {
   return static_cast<std::size_t>(found - places_.begin());
 }
 
-bool Journal::isAhead(Moment moment) const {
-  return std::ranges::find(ahead_, moment, &Place::moment) != ahead_.end();
-}
+bool Journal::isAhead(Moment moment) const { return std::ranges::find(ahead_, moment, &Place::moment) != ahead_.end(); }
 
 std::span<const Note> Journal::upTo(Moment moment) const {
   const auto found = std::ranges::find(ahead_, moment, &Place::moment);

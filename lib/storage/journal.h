@@ -87,9 +87,7 @@ class Journal {
   Note& add(Thing thing, std::uint32_t key);
   /// Those since a moment, in the order in which they were made. The first of a thing, which says what it held at that
   /// moment, displaced a note of before it.
-  std::span<const Note> since(Moment moment) const {
-    return std::span(notes_).subspan(places_[indexOf(moment)].begin);
-  }
+  std::span<const Note> since(Moment moment) const { return std::span(notes_).subspan(places_[indexOf(moment)].begin); }
 
   /// Calls visit(note) for each that is there, undone or not.
   template <class Visit>

@@ -71,7 +71,8 @@ void History::rollBack(Mark mark, Undone undone, Changes& changes) {
   const Marked& to = marks_.back();
   const auto drop = [this](const Note& note) { ground_.drop(note); };
   const auto undo = [&](Moment moment) {
-    ground_.journal.undoTo(moment, undone, [this](Note& note) { exchange(note); }, drop);
+    ground_.journal.undoTo(
+        moment, undone, [this](Note& note) { exchange(note); }, drop);
   };
   go(to, CellChanges::Way::back, ground_.journal.since(to.moment), changes, undo);
   while (ground_.catalogue.shapeCount() > to.shapes) {
@@ -130,7 +131,8 @@ void History::rollForward(Mark mark, Changes& changes) {
   const Marked& to = marks_.back();
   const auto drop = [this](const Note& note) { ground_.drop(note); };
   const auto redo = [&](Moment moment) {
-    ground_.journal.redoTo(moment, [this](Note& note) { exchange(note); }, drop);
+    ground_.journal.redoTo(
+        moment, [this](Note& note) { exchange(note); }, drop);
   };
   go(to, CellChanges::Way::forth, ground_.journal.upTo(to.moment), changes, redo);
   for (; ground_.catalogue.shapeCount() < to.shapes; undoneShapes_.pop_back())

@@ -234,7 +234,8 @@ Expected<void> World::forget(Mark mark) noexcept {
   return {};
 }
 
-Transaction::Transaction(World& world) noexcept : world_(&world), mark_(world.impl_->history.mark(detail::History::Of::group)) {}
+Transaction::Transaction(World& world) noexcept
+    : world_(&world), mark_(world.impl_->history.mark(detail::History::Of::group)) {}
 
 void Transaction::keep() noexcept {
   detail::History& history = world_->impl_->history;

@@ -90,7 +90,8 @@ TEST(UnloadedByHand, AChunkAtTheEndOfTheWorldComesBackEmpty) {
   ASSERT_EQ(world.reloadEmpty(corner), 1U);
   world.commit();
   std::vector<std::byte> saved;
-  ASSERT_TRUE(world.save([&](std::span<const std::byte> part) { saved.insert(saved.end(), part.begin(), part.end()); }));
+  ASSERT_TRUE(
+      world.save([&](std::span<const std::byte> part) { saved.insert(saved.end(), part.begin(), part.end()); }));
   EXPECT_TRUE(World::load(saved)) << "no cell beyond the end has a serial";
   ASSERT_EQ(world.unload(corner, shelf.sink()), 1U);
   EXPECT_TRUE(shelf.reload(world, Cell{kMaxCell, kMaxCell}));
