@@ -1,8 +1,8 @@
 """What looks for a bug: tests of GoogleTest's, tests of the npm package, a fuzz target, the command `lgs check`.
 
 A finder knows how a workshop must be built for it (`kind`), which targets make which programs (`targets`), and looks
-(`search`, which is told where a program is). The answer is a dictionary with a verdict, "found", "passes" or "time-out";
-by which test; seconds of CPU; and how many calls are left after shrinking."""
+(`search`, which is told where a program is). The answer is a dictionary with a verdict, "found", "passes" or
+"time-out"; by which test; seconds of CPU; and how many calls are left after shrinking."""
 
 import json
 import os
@@ -99,8 +99,8 @@ def reported(shop: Workshop) -> list[dict]:
 
 @dataclass(frozen=True)
 class Fuzz:
-    """A target searches: one that reads records from nothing, one that reads texts from its corpus, as it takes millions
-    of tries to hit on a whole map. What it finds must be reported in the log, too."""
+    """A target searches: one that reads records from nothing, one that reads texts from its corpus, as it takes
+    millions of tries to hit on a whole map. What it finds must be reported in the log, too."""
     target: str
     executions: int
 
@@ -144,8 +144,8 @@ def shrunk(folder: Path) -> dict:
 
 @dataclass(frozen=True)
 class Command:
-    """`lgs check` with all that it can look at, once for each seed. It is bounded by edits, so that the answer is the same
-    on each machine; what it takes is told in CPU seconds, up to the mismatch, without shrinking."""
+    """`lgs check` with all that it can look at, once for each seed. It is bounded by edits, so that the answer is the
+    same on each machine; what it takes is told in CPU seconds, up to the mismatch, without shrinking."""
     edits: int
     seeds: tuple[int, ...] = (1, 2, 3)
 
@@ -157,7 +157,8 @@ class Command:
         for seed in self.seeds:
             out = shop.folder / "check"
             shutil.rmtree(out, ignore_errors=True)
-            command = [program("lgs"), "check", "--brushes", "--views", "--edits", self.edits, "--seed", seed, "--out", out]
+            command = [program("lgs"), "check", "--brushes", "--views", "--edits", self.edits, "--seed", seed, "--out",
+                       out]
             ran = run([*command, "--shrink", 0], self.limit, memory="unlimited")
             seconds = round(seconds + ran.seconds, 2)
             if ran.status != 0:
@@ -174,7 +175,7 @@ class Command:
 
 MODULES = {"lgs_web": "lgs.wasm", "lgs_web_full": "lgs-full.wasm", "lgs_web_islands": "lgs-islands.wasm"}
 PACKAGE = Path("web/package")
-ENTRIES = ("index", "full", "islands", "pieces", "trace", "draw", "planck", "box2d3")  # all that needs no module as text
+ENTRIES = ("index", "full", "islands", "pieces", "trace", "draw", "planck", "box2d3")  # what needs no module as text
 
 
 @dataclass(frozen=True)
@@ -206,8 +207,8 @@ def bundle(shop: Workshop) -> list[Path]:
         modules.symlink_to(ROOT / "web/node_modules")
     if not (package / "dist" / "index.d.ts").exists():
         make(["node", "scripts/build.mjs"], package)
-    make([ROOT / "web/node_modules/.bin/esbuild", *(f"src/{name}.ts" for name in ENTRIES), "--outdir=dist", "--format=esm",
-          "--target=es2022", "--bundle", "--splitting", "--external:planck", "--log-level=error"], package)
+    options = ["--outdir=dist", "--format=esm", "--target=es2022", "--bundle", "--splitting", "--external:planck"]
+    make([ROOT / "web/node_modules/.bin/esbuild", *(f"src/{name}.ts" for name in ENTRIES), *options], package)
     for name in MODULES.values():
         shutil.copy(shop.program("web", name), package / "dist")
     return sorted(file for file in (package / "dist").iterdir() if file.suffix in (".js", ".wasm"))

@@ -65,11 +65,22 @@ class Lists(unittest.TestCase):
                 self.planted(text, "f(a)", "")
 
     def test_faults(self):
-        listed = bugs.read("law", "# Law\nfound by: lgs_tests NoSuchSuite.\nREADME.md\n  one [fuzz none]\n    LocalGridSeg ==> x\n"
-                                  "  same\n    # LocalGridSeg ==> # LocalGridSeg\n  same\n    no such text ==>\nnone.cpp\n  gone\n    a ==>\n")
+        listed = bugs.read("law", """# Law
+found by: lgs_tests NoSuchSuite.
+README.md
+  one [fuzz none]
+    LocalGridSeg ==> x
+  same
+    # LocalGridSeg ==> # LocalGridSeg
+  same
+    no such text ==>
+none.cpp
+  gone
+    a ==>
+""")
         for fault, said in zip(bugs.faults(listed), (
-                "no test begins with NoSuchSuite", "one: to be found once", "no fuzz target none", "same: changes nothing",
-                "same: to be found once", "none.cpp", "2 bugs are called: same"), strict=True):
+                "no test begins with NoSuchSuite", "one: to be found once", "no fuzz target none",
+                "same: changes nothing", "same: to be found once", "none.cpp", "2 bugs are called: same"), strict=True):
             self.assertIn(said, fault)
 
 
@@ -93,7 +104,7 @@ class Outcomes(unittest.TestCase):
     def test_calls_of_a_trace_are_counted(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertEqual(shrunk(Path(folder)), {})
-            (Path(folder) / "a.trace").write_text("lgs-trace 2\npreserve 1 2\n# no\nadd a 0 0 1 0 0\ncommit\n\nremove a  # x\n")
+            (Path(folder) / "a.trace").write_text("lgs-trace 2\npreserve 1 2\n# no\nadd a 0 0 1\ncommit\n\nremove a # x\n")
             self.assertEqual(shrunk(Path(folder)), {"calls": 2})
 
 
@@ -143,7 +154,8 @@ class Attempts(unittest.TestCase):
             return outcome
 
     def test_verdicts(self):
-        for replace, verdict in (("bad", "found"), ("other", "passes"), ("GOOD", "same code"), ("error", "does not compile")):
+        for replace, verdict in (("bad", "found"), ("other", "passes"), ("GOOD", "same code"),
+                                 ("error", "does not compile")):
             self.assertEqual(self.attempt(replace, "bad", "worse")["verdict"], verdict, replace)
         self.assertEqual(self.attempt("bad", "none", "bad") | {"built": 0},
                          {"verdict": "found", "by": "bad", "seconds": 2, "built": 0})
