@@ -72,8 +72,8 @@ def parser() -> argparse.ArgumentParser:
                        help=f"mutants of {', '.join(mutants.COMPONENTS)}; without it of {', '.join(mutants.HEART)}")
     how = result.add_argument_group("what looks for them")
     how.add_argument("--score", action="store_true", help="the command lgs check, for bugs of what it can see")
-    how.add_argument("--edits", metavar="N", type=positive(int), default=50_000,
-                     help="of the command, for each seed (default: 50000, some 60 s for three)")
+    how.add_argument("--edits", metavar="N", type=positive(int), default=25_000,
+                     help="of the command, for each of three seeds (default: 25000, some 60 s in all)")
     how.add_argument("--fuzz", metavar="TARGET", nargs="?", const="own",
                      help="this fuzz target; or, of the bugs that name one, each bug's own")
     how.add_argument("--executions", metavar="N", type=positive(int), default=100_000, help="of a fuzz target")
@@ -189,9 +189,9 @@ def summary(done: dict) -> str:
 def main() -> int:
     arguments = parser().parse_args()
     try:
-        listed = bugs.read_all()
-        wrong = bugs.faults(listed) + mutants.stale(mutants.read_explained())
         chosen = select(arguments)
+        wrong = mutants.stale(mutants.read_explained()) if arguments.mutants or arguments.list else []
+        wrong += [] if arguments.mutants else bugs.faults(chosen)
         if arguments.list:
             print(*chosen, f"{len(chosen)} bugs", sep="\n")
         if wrong:
