@@ -25,10 +25,11 @@ def now(file: Path) -> str:
 
 
 def changed_since(revision: str) -> tuple[set[str], set[str]]:
-    """The files, and the lines that were added to lists of bugs."""
+    """The files, and what begins a line that was added to a list of bugs."""
     files = git("diff", "--name-only", revision, "--").splitlines()
     lines = git("diff", "-U0", revision, "--", "*.bugs").splitlines()
-    return set(files), {line[1:] for line in lines if line.startswith("+")}
+    return set(files), {line[1:].partition(" [fuzz ")[0].strip() for line in lines
+                        if line.startswith("+ ")}
 
 
 class Results:

@@ -102,7 +102,7 @@ def select(arguments: argparse.Namespace) -> list[Bug | Mutant]:
         chosen = [bug for bug in chosen if bug.fuzz]
     if arguments.changed:
         touched, added = changed_since(arguments.changed)
-        chosen = [bug for bug in chosen if bug.file in touched or f"  {getattr(bug, 'name', '')}" in added]
+        chosen = [bug for bug in chosen if bug.file in touched or getattr(bug, "name", "") in added]
     if arguments.only:
         chosen = [bug for bug in chosen if arguments.only.search(str(bug))]
     if arguments.sample:
