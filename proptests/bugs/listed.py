@@ -64,7 +64,7 @@ def faults(groups: dict[str, Group], bugs: list[Bug]) -> list[str]:
             found.append(f"{what}: changes nothing")
         if not bug.game:
             found.append(f"{what}: does not say what a game would suffer from it (game = '…')")
-        if bug.fuzz and not (ROOT / "fuzz" / "corpus" / bug.fuzz).is_dir():
+        if bug.fuzz and not (ROOT / "fuzz" / "corpus" / f"{bug.fuzz}.tar").is_file():
             found.append(f"{what}: there is no fuzz target {bug.fuzz}")
     names = [bug.name for bug in bugs]
     found += [f"{names.count(name)} bugs are called: {name}" for name in dict.fromkeys(names) if names.count(name) > 1]

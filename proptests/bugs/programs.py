@@ -105,8 +105,8 @@ def run_target(programs: Path, target: str, corpus: Path, folder: Path, executio
     options = ["-max_len=1024"]
     dictionary = corpus.parent / "dictionaries" / f"{target}.dict"
     if dictionary.exists():
-        (folder / "new").mkdir()  # what is new goes there, not into the project's corpus
-        options = ["-max_len=4096", f"-dict={dictionary}", folder / "new", corpus / target]
+        shutil.unpack_archive(corpus / f"{target}.tar", folder / "corpus")
+        options = ["-max_len=4096", f"-dict={dictionary}", folder / "corpus"]
     fixed = ["-seed=1", f"-runs={executions}", f"-artifact_prefix={findings}/"]
     ran = run([programs / f"fuzz_{target}", *fixed, *options], limit,
               {"LGS_FUZZ_OUT": str(findings), "LGS_FUZZ_SHRINK": "5"})

@@ -43,7 +43,7 @@ def command(unit: Unit, build: Path, scratch: Path) -> tuple[list[str], dict[str
     if unit.kind == "brushes":
         return tests, seed
     if unit.kind == "fuzz":
-        return tests + ["smoke", unit.target, str(ROOT / "fuzz/corpus" / unit.target), "--seconds",
+        return tests + ["smoke", unit.target, str(ROOT / f"fuzz/corpus/{unit.target}.tar"), "--seconds",
                         str(60 * unit.count), "--seed", str(unit.seed + unit.number), "--out", str(scratch)], {}
     if unit.kind == "mutants":
         return [sys.executable, str(ROOT / "proptests/bugs/mutants.py"), "--sample", str(unit.number + unit.count),
