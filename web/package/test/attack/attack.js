@@ -1,7 +1,7 @@
 // The attack: through every public function of the package with every hostile value of each argument, then with every two
 // of them, then with any in any order. A call does what it says, or throws an LgsError and has changed nothing; the engine
 // never ends; and at the end the outline is that of the same polygons in a new world. The functions are those that
-// the sources export (proptests/doors/declared.py): one that is new is attacked at once. LGS_TEST_SCALE=100 takes hours.
+// the sources export (proptests/attack/declared.py): one that is new is attacked at once. LGS_TEST_SCALE=100 takes hours.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { test } from 'node:test'
@@ -48,7 +48,7 @@ function doorOf(declared) {
   return { name: declared, types: split(types), call }
 }
 
-const script = fileURLToPath(new URL('../../../../proptests/doors/declared.py', import.meta.url))
+const script = fileURLToPath(new URL('../../../../proptests/attack/declared.py', import.meta.url))
 const declared = execFileSync('python3', [script], { encoding: 'utf8' }).trim().split('\n')
 /** All but those of doors.txt: init(), which is the engine's beginning, and what a refusal is made of. */
 export const doors = declared.filter((name) => !/^(\w+\/init|LgsError\.constructor)\(/.test(name)).map(doorOf)
