@@ -7,7 +7,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 source scripts/steps.sh
 source scripts/web_steps.sh
 
-scripts/setup.sh clang libclang-rt-dev chromium-driver libopenmpi-dev python3-shapely valgrind
+scripts/setup.sh clang libclang-rt-dev chromium-driver python3-shapely valgrind
 summary=
 # check PRESET TARGET CTEST-OPTION...: builds the target, and runs the tests on all cores. Some of them mostly wait.
 check() {

@@ -110,7 +110,7 @@ def faults(bugs: list[Bug]) -> list[str]:
                 found.append(f"{bug}: changes nothing")
         except (OSError, Wrong) as error:
             found.append(str(error))
-        if bug.fuzz and not (ROOT / "fuzz" / "corpus" / bug.fuzz).is_dir():
+        if bug.fuzz and not (ROOT / "fuzz" / "corpus" / f"{bug.fuzz}.tar").is_file():
             found.append(f"{bug}: there is no fuzz target {bug.fuzz}")
     names = [bug.name for bug in bugs]
     return found + [f"{names.count(name)} bugs are called: {name}" for name in dict.fromkeys(names) if names.count(name) > 1]
