@@ -114,11 +114,12 @@ class Fuzz:
     def search(self, shop: Workshop, program: Callable[[str], Path]) -> dict:
         out = shop.folder / "findings"
         shutil.rmtree(out, ignore_errors=True)
-        (out / "new").mkdir(parents=True)
+        out.mkdir(parents=True)
         options = ["-max_len=1024"]
         dictionary = shop.tree / "fuzz" / "dictionaries" / f"{self.target}.dict"
         if dictionary.exists():  # what is new goes there, not into the project's corpus
-            options = ["-max_len=4096", f"-dict={dictionary}", out / "new", shop.tree / "fuzz" / "corpus" / self.target]
+            shutil.unpack_archive(shop.tree / f"fuzz/corpus/{self.target}.tar", out / "corpus")
+            options = ["-max_len=4096", f"-dict={dictionary}", out / "corpus"]
         fixed = ["-seed=1", f"-runs={self.executions}", f"-artifact_prefix={out}/"]
         ran = run([program(f"fuzz_{self.target}"), *fixed, *options], self.limit,
                   {"LGS_FUZZ_OUT": str(out), "LGS_FUZZ_SHRINK": "5"})

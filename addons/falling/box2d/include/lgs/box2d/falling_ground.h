@@ -68,7 +68,9 @@ class FallingGround {
                                          return options_.material ? options_.material(block) : Material{};
                                        });
       made.push_back({body, std::move(ground)});
-      if (!isNull(body)) bodies_.push_back(made.back());
+      if (isNull(body)) continue;
+      noteWhereItIs(terrain_, body);
+      bodies_.push_back(made.back());
     }
     waiting_.clear();
     return made;
