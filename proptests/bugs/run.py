@@ -114,7 +114,7 @@ def select(arguments: argparse.Namespace) -> list[Bug | Mutant]:
 
 def try_all(arguments: argparse.Namespace, chosen: list, results: Results) -> dict:
     """The outcome of each that was tried. Takes them in order, each to a free workshop. Stops at an error."""
-    done, waiting, lock, stop = {}, deque(), threading.Lock(), threading.Event()
+    done, lock, stop = {}, threading.Lock(), threading.Event()
     ends = time.monotonic() + 60 * arguments.minutes
     explained = mutants.read_explained()
 
@@ -141,11 +141,10 @@ def try_all(arguments: argparse.Namespace, chosen: list, results: Results) -> di
             raise
 
     for bug in chosen:
-        known = None if arguments.fresh else results.of_now(bug)
-        if known:
+        if known := None if arguments.fresh else results.of_now(bug):
             tell(bug, known)
-        else:
-            waiting.append(bug)
+    # Headers at the end: they take longest.
+    waiting = deque(sorted((bug for bug in chosen if bug not in done), key=lambda bug: bug.file.endswith(".h")))
     jobs = min(arguments.jobs, len(waiting))
     if waiting:
         with alone(), ThreadPoolExecutor(jobs) as threads:
