@@ -1,6 +1,5 @@
 """What became of which bug, a line of JSON each, with the commit; and what changed since a commit."""
 
-import fcntl
 import hashlib
 import json
 import subprocess
@@ -54,6 +53,7 @@ class Results:
         return entry if entry.get("commit") == self.commit else None
 
     def put(self, bug, outcome: dict) -> dict:
+        import fcntl  # not where there is Windows, which can list the bugs
         entry = {"bug": str(bug), "with": self.method, "commit": self.commit, **outcome}
         with self.lock, self.file.open("a") as opened:
             fcntl.flock(opened, fcntl.LOCK_EX)

@@ -143,8 +143,8 @@ def try_all(arguments: argparse.Namespace, chosen: list, results: Results) -> di
     for bug in chosen:
         if known := None if arguments.fresh else results.of_now(bug):
             tell(bug, known)
-    # Headers at the end: they take longest.
-    waiting = deque(sorted((bug for bug in chosen if bug not in done), key=lambda bug: bug.file.endswith(".h")))
+    # File by file, since the one that was changed before is compiled again, too. Headers at the end: they take longest.
+    waiting = deque(sorted((bug for bug in chosen if bug not in done), key=lambda b: (b.file.endswith(".h"), b.file)))
     jobs = min(arguments.jobs, len(waiting))
     if waiting:
         with alone(), ThreadPoolExecutor(jobs) as threads:
