@@ -128,7 +128,7 @@ def test():
              "`ABOUT.md`", "`../none.md`", "wide " * 30, "    build/release/oracle/lgs check"]
     right = ["    build/release/lib/lgs check my.trace",
              "[a](ground/grid.h), [a](#a-heading-c-and-more), [a](note.md#a-heading-c-and-more)",
-             "`ground/grid.h`, `grid.h`, `lib/ground/`, `gr*.h`, `out/file`, 1/2 and/or, `1/2`, `../README.md`, <https://example.org/b.md>"]
+             "`ground/grid.h`, `grid.h`, `lib/ground/`, `gr*.h`, `out/file`, 1/2 and/or, `../README.md`, <https://example.org/b.md>"]
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
         (root / "lib/ground").mkdir(parents=True)
