@@ -19,6 +19,7 @@ import tempfile
 
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 CODE = re.compile(r"`([^`\n]+)`")
+UPWARD = re.compile(r"`(\.\./[\w./*-]+)`")  # a path from the page
 NAME = re.compile(r"(?<![\w/.$:<>{}-])[A-Za-z_*][\w.*+-]*(?:/[\w.*+-]+)*/?(?![\w/<>{}(])")
 # Names without a slash that are looked for. Those of traces, pictures and maps are mostly the reader's own.
 SOURCE = re.compile(r".*\.(h|cpp|py|sh|md|toml|cmake)$")
@@ -94,6 +95,9 @@ def complaints(root, files):
             fault = fault_of_link(root, file, link[1])
             if fault:
                 found.append((prose.count("\n", 0, link.start()) + 1, f"{fault}: {link[1]}"))
+        for upward in UPWARD.finditer(prose):
+            if not any((root / file.parent).glob(upward[1])):
+                found.append((prose.count("\n", 0, upward.start()) + 1, f"there is no such file: {upward[1]}"))
         for name, line in names_in(prose, code):
             if not exists(name, ends):
                 found.append((line, f"there is no such file: {name}"))
@@ -121,10 +125,10 @@ def fault_of_link(root, file, target):
 def test():
     """Plants links and names that lead nowhere, and some that are right; expects the first to be found and no other."""
     wrong = ["[a](b.md)", "[a](#none)", "[a](ground/grid.h#none)", "`ground/grid.cpp`", "`lib/grid.h`", "`*_test.cpp`",
-             "`ABOUT.md`", "wide " * 30, "    build/release/oracle/lgs check"]
+             "`ABOUT.md`", "`../none.md`", "wide " * 30, "    build/release/oracle/lgs check"]
     right = ["    build/release/lib/lgs check my.trace",
              "[a](ground/grid.h), [a](#a-heading-c-and-more), [a](note.md#a-heading-c-and-more)",
-             "`ground/grid.h`, `grid.h`, `lib/ground/`, `gr*.h`, `out/file`, 1/2 and/or, `1/2`, <https://example.org/b.md>"]
+             "`ground/grid.h`, `grid.h`, `lib/ground/`, `gr*.h`, `out/file`, 1/2 and/or, `../README.md`, <https://example.org/b.md>"]
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
         (root / "lib/ground").mkdir(parents=True)
