@@ -60,7 +60,8 @@ def laid_out(found: str, replace: str) -> str:
 
 
 def read_all() -> list[Bug]:
-    return [bug for pattern in LISTS for path in sorted(ROOT.glob(pattern)) for bug in read(path.stem, path.read_text())]
+    paths = [path for pattern in LISTS for path in sorted(ROOT.glob(pattern))]
+    return [bug for path in paths for bug in read(path.stem, path.read_text())]
 
 
 def read(name: str, text: str) -> list[Bug]:
@@ -88,7 +89,7 @@ def read(name: str, text: str) -> list[Bug]:
             find, _, replace = words.partition(" ==>")
             bug = bugs[-1] = Bug(name, group, file, bug.name, bug.fuzz, (*bug.changes, (find, replace.strip())))
         else:
-            raise Wrong(f"{name}.bugs:{number}: not a title, a file, a bug (2 blanks) or TEXT ==> TEXT (4 blanks): {line}")
+            raise Wrong(f"{name}.bugs:{number}: neither title, file, bug (2 blanks) nor TEXT ==> TEXT (4): {line}")
     return bugs
 
 
@@ -101,8 +102,12 @@ def faults(bugs: list[Bug]) -> list[str]:
     there = {path.name for path in (ROOT / "web/package/test").glob("*.test.js")}
     there |= {f"{suite}.{name}" for room in ROOMS for path in (ROOT / room).rglob("*.cpp")
               for suite, name in TEST.findall(path.read_text())}
-    found = [f"{group.title}: no test begins with {prefix}" for group in dict.fromkeys(bug.group for bug in bugs)
-             for prefix in group.tests if not any(test.startswith(prefix.rstrip("/").split("/")[-1].partition(":")[0]) for test in there)]
+    found = []
+    for group in dict.fromkeys(bug.group for bug in bugs):
+        for prefix in group.tests:
+            begin = prefix.rstrip("/").split("/")[-1].partition(":")[0]
+            if not any(test.startswith(begin) for test in there):
+                found.append(f"{group.title}: no test begins with {prefix}")
     for bug in bugs:
         try:
             text = (ROOT / bug.file).read_text()
@@ -113,7 +118,8 @@ def faults(bugs: list[Bug]) -> list[str]:
         if bug.fuzz and not (ROOT / "fuzz" / "corpus" / f"{bug.fuzz}.tar").is_file():
             found.append(f"{bug}: there is no fuzz target {bug.fuzz}")
     names = [bug.name for bug in bugs]
-    return found + [f"{names.count(name)} bugs are called: {name}" for name in dict.fromkeys(names) if names.count(name) > 1]
+    twice = [name for name in dict.fromkeys(names) if names.count(name) > 1]
+    return found + [f"{names.count(name)} bugs are called: {name}" for name in twice]
 
 
 def write(name: str, folder: str) -> None:

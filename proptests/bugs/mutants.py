@@ -31,7 +31,8 @@ COMPONENTS = {
     "C": (("addons/c/src",), [Tests("lgs_attack", "*")]),
     "debug": (("addons/debug",), [Tests("lgs_debug_tests", "*")]),
     "falling": (("addons/falling/src",), [Tests("lgs_falling_tests", "*")]),
-    "terrain": (("addons/box2d/include", "addons/box2d/src", "addons/box2d/both", "addons/box2d/v2"), [Tests("lgs_box2d_tests", "*")]),
+    "terrain": (("addons/box2d/include", "addons/box2d/src", "addons/box2d/both", "addons/box2d/v2"),
+                [Tests("lgs_box2d_tests", "*")]),
     "WebAssembly": (("web/wasm",), [Package(path.name) for path in sorted((ROOT / "web/package/test").glob("*.test.js"))
                                     if path.name.removesuffix(".test.js") not in NOT_OF_MODULES]),
 }
@@ -68,7 +69,8 @@ class Mutant:
 
 def mutants_of(component: str) -> list[Mutant]:
     paths = sorted(path for folder in COMPONENTS[component][0] for path in (ROOT / folder).rglob("*")
-                   if path.suffix in (".h", ".cpp") and "tests" not in path.parts and path.name != "reference.cpp")  # the article's reference
+                   if path.suffix in (".h", ".cpp") and "tests" not in path.parts
+                   and path.name != "reference.cpp")  # which is for the article
     return [Mutant(component, file, change) for file in (str(path.relative_to(ROOT)) for path in paths)
             for change in changes_of(text_of(file))]
 

@@ -1,6 +1,5 @@
 """What became of which bug, a line of JSON each, with the commit; and what changed since a commit."""
 
-import fcntl
 import hashlib
 import json
 import subprocess
@@ -25,10 +24,11 @@ def now(file: Path) -> str:
 
 
 def changed_since(revision: str) -> tuple[set[str], set[str]]:
-    """The files, and the lines that were added to lists of bugs."""
+    """The files, and what begins a line that was added to a list of bugs."""
     files = git("diff", "--name-only", revision, "--").splitlines()
     lines = git("diff", "-U0", revision, "--", "*.bugs").splitlines()
-    return set(files), {line[1:] for line in lines if line.startswith("+")}
+    return set(files), {line[1:].partition(" [fuzz ")[0].strip() for line in lines
+                        if line.startswith("+ ")}
 
 
 class Results:
@@ -53,6 +53,7 @@ class Results:
         return entry if entry.get("commit") == self.commit else None
 
     def put(self, bug, outcome: dict) -> dict:
+        import fcntl  # not where there is Windows, which can list the bugs
         entry = {"bug": str(bug), "with": self.method, "commit": self.commit, **outcome}
         with self.lock, self.file.open("a") as opened:
             fcntl.flock(opened, fcntl.LOCK_EX)

@@ -62,7 +62,7 @@ def parser() -> argparse.ArgumentParser:
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     which = result.add_argument_group("which bugs; all that are listed, if nothing is said")
     which.add_argument("--only", metavar="REGEX", type=regex, help="those whose list or name matches")
-    which.add_argument("--changed", metavar="REV", help="those in files that changed since, and those that are new since")
+    which.add_argument("--changed", metavar="REV", help="those in files that changed since, and new ones")
     which.add_argument("--numbers", metavar="FIRST-LAST", type=span, help="those at these places, from 0 on")
     which.add_argument("--sample", metavar="N", type=positive(int), help="so many of them, drawn by --seed")
     which.add_argument("--canary", metavar="SEED", type=int,
@@ -72,14 +72,15 @@ def parser() -> argparse.ArgumentParser:
                        help=f"mutants of {', '.join(mutants.COMPONENTS)}; without it of {', '.join(mutants.HEART)}")
     how = result.add_argument_group("what looks for them")
     how.add_argument("--score", action="store_true", help="the command lgs check, for bugs of what it can see")
-    how.add_argument("--edits", metavar="N", type=positive(int), default=100_000, help="of the command, for each seed")
-    how.add_argument("--fuzz", metavar="TARGET", nargs="?", const="own", help="this fuzz target; or, of the bugs that name "
-                     "one, each bug's own")
+    how.add_argument("--edits", metavar="N", type=positive(int), default=25_000,
+                     help="of the command, for each of three seeds (default: 25000, some 60 s in all)")
+    how.add_argument("--fuzz", metavar="TARGET", nargs="?", const="own",
+                     help="this fuzz target; or, of the bugs that name one, each bug's own")
     how.add_argument("--executions", metavar="N", type=positive(int), default=100_000, help="of a fuzz target")
     how.add_argument("--scale", metavar="X", type=positive(float), help="LGS_TEST_SCALE (bugs: 1; mutants: 0.02)")
     result.add_argument("--list", action="store_true", help="show them, see that each applies, and build nothing")
     result.add_argument("--seed", metavar="N", type=int, default=1, help="of what is random (default: 1)")
-    result.add_argument("--minutes", metavar="N", type=positive(float), default=1e9, help="begin no other bug after that")
+    result.add_argument("--minutes", metavar="N", type=positive(float), default=1e9, help="begin no bug after that")
     result.add_argument("--jobs", metavar="N", type=positive(int), default=os.cpu_count(),
                         help="copies of the project to work in side by side (default: one a core)")
     result.add_argument("--results", metavar="FILE", type=Path, help="default: results.jsonl; of mutants out/bugs/")
@@ -101,7 +102,7 @@ def select(arguments: argparse.Namespace) -> list[Bug | Mutant]:
         chosen = [bug for bug in chosen if bug.fuzz]
     if arguments.changed:
         touched, added = changed_since(arguments.changed)
-        chosen = [bug for bug in chosen if bug.file in touched or f"  {getattr(bug, 'name', '')}" in added]
+        chosen = [bug for bug in chosen if bug.file in touched or getattr(bug, "name", "") in added]
     if arguments.only:
         chosen = [bug for bug in chosen if arguments.only.search(str(bug))]
     if arguments.sample:
@@ -113,13 +114,14 @@ def select(arguments: argparse.Namespace) -> list[Bug | Mutant]:
 
 def try_all(arguments: argparse.Namespace, chosen: list, results: Results) -> dict:
     """The outcome of each that was tried. Takes them in order, each to a free workshop. Stops at an error."""
-    done, waiting, lock, stop = {}, deque(), threading.Lock(), threading.Event()
+    done, lock, stop = {}, threading.Lock(), threading.Event()
     ends = time.monotonic() + 60 * arguments.minutes
     explained = mutants.read_explained()
 
     def tell(bug, outcome: dict) -> None:
-        if isinstance(bug, Mutant) and outcome["verdict"] in ("passes", "time-out") and (bug.file, *bug.lines()) in explained:
-            outcome = {**outcome, "verdict": "explained"}
+        if outcome["verdict"] in ("passes", "time-out") and isinstance(bug, Mutant):
+            if (bug.file, *bug.lines()) in explained:
+                outcome = {**outcome, "verdict": "explained"}
         done[bug] = outcome
         print(f"[{len(done)}/{len(chosen)}] {bug}: {say(outcome)}", flush=True)
 
@@ -139,11 +141,10 @@ def try_all(arguments: argparse.Namespace, chosen: list, results: Results) -> di
             raise
 
     for bug in chosen:
-        known = None if arguments.fresh else results.of_now(bug)
-        if known:
+        if known := None if arguments.fresh else results.of_now(bug):
             tell(bug, known)
-        else:
-            waiting.append(bug)
+    # File by file, since the one that was changed before is compiled again, too. Headers at the end: they take longest.
+    waiting = deque(sorted((bug for bug in chosen if bug not in done), key=lambda b: (b.file.endswith(".h"), b.file)))
     jobs = min(arguments.jobs, len(waiting))
     if waiting:
         with alone(), ThreadPoolExecutor(jobs) as threads:
@@ -155,46 +156,41 @@ def try_all(arguments: argparse.Namespace, chosen: list, results: Results) -> di
 def say(outcome: dict) -> str:
     if outcome["verdict"] == "does not compile":
         return "\n".join(["does not compile", *outcome.get("output", "").splitlines()])
-    words = [] if outcome["verdict"] == "found" else [{"passes": "SURVIVES"}.get(outcome["verdict"], outcome["verdict"])]
-    words += [outcome["by"]] if "by" in outcome else []
-    words += [outcome["how"]] if "how" in outcome else []
-    words += [f"{outcome['seconds']:g} s"] if "seconds" in outcome else []
-    words += [f"case {outcome['case']}"] if "case" in outcome else []
-    words += [f"shrunk to {outcome['calls']}"] if "calls" in outcome else []
-    words += [f"built in {outcome['built']:g} s"] if "built" in outcome else []
-    return ", ".join(words)
+    words = {"by": "{}", "how": "{}", "seconds": "{:g} s", "case": "case {}", "calls": "shrunk to {}",
+             "built": "built in {:g} s"}
+    verdict = {"found": [], "passes": ["SURVIVES"]}.get(outcome["verdict"], [outcome["verdict"]])
+    return ", ".join(verdict + [text.format(outcome[key]) for key, text in words.items() if key in outcome])
 
 
 def median(numbers: list) -> str:
-    return f"{sorted(numbers)[len(numbers) // 2]:g}" if numbers else "–"
+    return f"{sorted(numbers)[len(numbers) // 2]:g}" if numbers else ""
 
 
 def summary(done: dict) -> str:
     """A table in Markdown: a line for each part of the code."""
     rooms: dict[str, list[dict]] = {}
-    for bug, outcome in done.items():
-        rooms.setdefault(getattr(bug, "component", None) or bug.list, []).append(outcome)
-    if len(rooms) > 1:
-        rooms["all"] = list(done.values())
-    lines = ["", "| of | tried | found | survive | other | found, % | s to find, median, most | calls left, median | s to build, median |",
-             "|---|---:|---:|---:|---:|---:|---:|---:|---:|"]
+    for bug, outcome in sorted(done.items(), key=lambda item: item[0].file):
+        rooms.setdefault("/".join(bug.file.split("/")[:2]), []).append(outcome)
+    rooms["all"] = list(done.values())
+    columns = ["", "tried", "found", "survive", "other", "s to find, median", "most", "calls left", "s to build"]
+    lines = ["| " + " | ".join(columns) + " |", "|---" + "|---:" * (len(columns) - 1) + "|"]
     for room, outcomes in rooms.items():
         found = [o for o in outcomes if o["verdict"] == "found"]
-        lost = [o for o in outcomes if o["verdict"] == "passes"]
+        survive = sum(o["verdict"] == "passes" for o in outcomes)
         seconds = [o["seconds"] for o in found]
-        share = f"{100 * len(found) / (len(found) + len(lost)):.0f}" if found or lost else "–"
-        lines.append(f"| {room} | {len(outcomes)} | {len(found)} | {len(lost)} | {len(outcomes) - len(found) - len(lost)} | {share} | "
-                     f"{median(seconds)}, {max(seconds, default=0):g} | {median([o['calls'] for o in found if 'calls' in o])} | "
-                     f"{median([o['built'] for o in outcomes if 'built' in o])} |")
+        cells = [room, len(outcomes), len(found), survive, len(outcomes) - len(found) - survive, median(seconds),
+                 max(seconds, default=""), median([o["calls"] for o in found if "calls" in o]),
+                 median([o["built"] for o in outcomes if "built" in o])]
+        lines.append("| " + " | ".join(map(str, cells)) + " |")
     return "\n".join(lines)
 
 
 def main() -> int:
     arguments = parser().parse_args()
     try:
-        listed = bugs.read_all()
-        wrong = bugs.faults(listed) + mutants.stale(mutants.read_explained())
         chosen = select(arguments)
+        wrong = mutants.stale(mutants.read_explained()) if arguments.mutants or arguments.list else []
+        wrong += [] if arguments.mutants else bugs.faults(chosen)
         if arguments.list:
             print(*chosen, f"{len(chosen)} bugs", sep="\n")
         if wrong:
@@ -208,7 +204,7 @@ def main() -> int:
     except Wrong as error:
         print(f"run.py: {error}", file=sys.stderr)
         return 2
-    print(summary(done))
+    print("", summary(done), "", sep="\n")
     for bug, outcome in done.items():
         if outcome["verdict"] not in ("found", "same code", "explained"):
             print(f"{say(outcome).splitlines()[0]}: {bug}")

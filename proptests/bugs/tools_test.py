@@ -5,15 +5,17 @@ import argparse
 import contextlib
 import tempfile
 import unittest
+import unittest.mock
 from dataclasses import dataclass
 from pathlib import Path
 
 import bugs
 import mutants
+import run
 import trying
 from bugs import Wrong
 from finders import shrunk
-from results import Results
+from results import Results, changed_since, git
 from rules import changes_of
 from workshop import DoesNotBuild
 
@@ -65,11 +67,22 @@ class Lists(unittest.TestCase):
                 self.planted(text, "f(a)", "")
 
     def test_faults(self):
-        listed = bugs.read("law", "# Law\nfound by: lgs_tests NoSuchSuite.\nREADME.md\n  one [fuzz none]\n    LocalGridSeg ==> x\n"
-                                  "  same\n    # LocalGridSeg ==> # LocalGridSeg\n  same\n    no such text ==>\nnone.cpp\n  gone\n    a ==>\n")
+        listed = bugs.read("law", """# Law
+found by: lgs_tests NoSuchSuite.
+README.md
+  one [fuzz none]
+    LocalGridSeg ==> x
+  same
+    # LocalGridSeg ==> # LocalGridSeg
+  same
+    no such text ==>
+none.cpp
+  gone
+    a ==>
+""")
         for fault, said in zip(bugs.faults(listed), (
-                "no test begins with NoSuchSuite", "one: to be found once", "no fuzz target none", "same: changes nothing",
-                "same: to be found once", "none.cpp", "2 bugs are called: same"), strict=True):
+                "no test begins with NoSuchSuite", "one: to be found once", "no fuzz target none",
+                "same: changes nothing", "same: to be found once", "none.cpp", "2 bugs are called: same"), strict=True):
             self.assertIn(said, fault)
 
 
@@ -90,10 +103,22 @@ class Outcomes(unittest.TestCase):
             self.assertIsNone(tests.of_now("b"))
             self.assertEqual(tests.last("b")["by"], "C.D")
 
+    def test_what_changed_since(self):
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("results.ROOT", Path(folder)):
+            (Path(folder) / "a.cpp").write_text("a")
+            (Path(folder) / "law.bugs").write_text("a.cpp\n  old\n")
+            for words in (["init", "-q"], ["add", "."], ["-c", "user.name=x", "-c", "user.email=x", "commit", "-qm", "x"]):
+                git(*words)
+            self.assertEqual(changed_since("HEAD"), (set(), set()))
+            (Path(folder) / "law.bugs").write_text("a.cpp\n  new [fuzz edits]\n  old\n")
+            self.assertEqual(changed_since("HEAD"), ({"law.bugs"}, {"new"}))
+            with self.assertRaisesRegex(Wrong, "no-such"):
+                changed_since("no-such")
+
     def test_calls_of_a_trace_are_counted(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertEqual(shrunk(Path(folder)), {})
-            (Path(folder) / "a.trace").write_text("lgs-trace 2\npreserve 1 2\n# no\nadd a 0 0 1 0 0\ncommit\n\nremove a  # x\n")
+            (Path(folder) / "a.trace").write_text("lgs-trace 2\npreserve 1 2\n# no\nadd a 0 0 1\ncommit\n\nremove a # x\n")
             self.assertEqual(shrunk(Path(folder)), {"calls": 2})
 
 
@@ -143,7 +168,8 @@ class Attempts(unittest.TestCase):
             return outcome
 
     def test_verdicts(self):
-        for replace, verdict in (("bad", "found"), ("other", "passes"), ("GOOD", "same code"), ("error", "does not compile")):
+        for replace, verdict in (("bad", "found"), ("other", "passes"), ("GOOD", "same code"),
+                                 ("error", "does not compile")):
             self.assertEqual(self.attempt(replace, "bad", "worse")["verdict"], verdict, replace)
         self.assertEqual(self.attempt("bad", "none", "bad") | {"built": 0},
                          {"verdict": "found", "by": "bad", "seconds": 2, "built": 0})
@@ -226,6 +252,22 @@ class Rules(unittest.TestCase):
                      "/* f(a, b); */", "#define A (1 < 2)", "template <int N = 3>", "[[maybe_unused]] int a;",
                      'const auto a = R"(1 < 2)";'):
             self.assertEqual(changes_of(INSIDE.format(line)), [], line)
+
+
+class Selection(unittest.TestCase):
+    def select(self, *words: str) -> list:
+        return run.select(run.parser().parse_args(words))
+
+    def test_which(self):
+        everything = self.select()
+        self.assertEqual(self.select("--numbers", "3-4"), everything[3:5])
+        self.assertEqual(self.select("--sample", "5", "--seed", "2"), self.select("--sample", "5", "--seed", "2"))
+        self.assertNotEqual(self.select("--sample", "5", "--seed", "2"), self.select("--sample", "5", "--seed", "3"))
+        self.assertEqual({bug.list for bug in self.select("--only", "^law1-")}, {"law1-exposure"})
+        self.assertEqual({bug.file.split("/")[0] for bug in self.select("--score")}, {"lib", "oracle"})
+        self.assertTrue(all(bug.fuzz for bug in self.select("--fuzz")))
+        self.assertEqual([bug.group.tests for bug in self.select("--canary", "7")], [("Bulk/",)])
+        self.assertEqual({mutant.component for mutant in self.select("--mutants", "--of", "brushes")}, {"brushes"})
 
 
 class Mutants(unittest.TestCase):

@@ -12,8 +12,10 @@ FOLDER = Path(os.environ.get("LGS_WORKSHOPS", ROOT / "build" / "bugs"))  # of ea
 
 QUICK = "-DCMAKE_PROJECT_LocalGridSeg_INCLUDE={tree}/proptests/bugs/quick.cmake"
 KINDS = {
-    "tests": ["--preset", "release", QUICK, "-DLGS_BUGS_AS_ONE=OFF"],  # a changed source file costs its object and a link
-    "headers": ["--preset", "release", QUICK, "-DLGS_BUGS_AS_ONE=ON"],  # each library as one file: a third of all one by one
+    # A changed source file costs its object and a link.
+    "tests": ["--preset", "release", QUICK, "-DLGS_BUGS_AS_ONE=OFF"],
+    # Each library is one file. That takes a third of the time of all its files, which a changed header would cost.
+    "headers": ["--preset", "release", QUICK, "-DLGS_BUGS_AS_ONE=ON"],
     "fuzz": ["--preset", "fuzz", "-DCMAKE_BUILD_TYPE=Release", "-DLGS_SANITIZE="],
     # Without what makes the modules small: then they are linked at once.
     "web": ["--preset", "web", f"-DLGS_WEB_SOURCES={ROOT}/build/web-sources",
