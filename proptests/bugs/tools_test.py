@@ -107,8 +107,9 @@ class Outcomes(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("results.ROOT", Path(folder)):
             (Path(folder) / "a.cpp").write_text("a")
             (Path(folder) / "law.bugs").write_text("a.cpp\n  old\n")
-            for words in (["init", "-q"], ["add", "."], ["-c", "user.name=x", "-c", "user.email=x", "commit", "-qm", "x"]):
-                git(*words)
+            git("init", "-q")
+            git("add", ".")
+            git("-c", "user.name=x", "-c", "user.email=x", "commit", "-qm", "x")
             self.assertEqual(changed_since("HEAD"), (set(), set()))
             (Path(folder) / "law.bugs").write_text("a.cpp\n  new [fuzz edits]\n  old\n")
             self.assertEqual(changed_since("HEAD"), ({"law.bugs"}, {"new"}))
@@ -118,7 +119,7 @@ class Outcomes(unittest.TestCase):
     def test_calls_of_a_trace_are_counted(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertEqual(shrunk(Path(folder)), {})
-            (Path(folder) / "a.trace").write_text("lgs-trace 2\npreserve 1 2\n# no\nadd a 0 0 1\ncommit\n\nremove a # x\n")
+            (Path(folder) / "a.trace").write_text("lgs-trace 2\npreserve 1 2\n# x\nadd a 0 0 1\ncommit\n\nremove a # x")
             self.assertEqual(shrunk(Path(folder)), {"calls": 2})
 
 
@@ -147,11 +148,12 @@ class Shop:
         yield
         (self.tree / file).write_text("good code")
 
-    def build(self, _, target: str) -> None:
+    def build(self, _, target: str) -> float:
         text = (self.tree / "a.cpp").read_text()
         if "error" in text:
             raise DoesNotBuild("error: here")
         (self.folder / target).write_text(text.lower())
+        return 1
 
     def program(self, _, name: str) -> Path:
         return self.folder / name
@@ -171,8 +173,8 @@ class Attempts(unittest.TestCase):
         for replace, verdict in (("bad", "found"), ("other", "passes"), ("GOOD", "same code"),
                                  ("error", "does not compile")):
             self.assertEqual(self.attempt(replace, "bad", "worse")["verdict"], verdict, replace)
-        self.assertEqual(self.attempt("bad", "none", "bad") | {"built": 0},
-                         {"verdict": "found", "by": "bad", "seconds": 2, "built": 0})
+        self.assertEqual(self.attempt("bad", "none", "bad"),
+                         {"verdict": "found", "by": "bad", "seconds": 2, "built": 1})
 
     def test_where_each_must_find_it_one_is_not_enough(self):
         self.assertEqual(self.attempt("bad and worse", "bad", "worse", each=True)["verdict"], "found")
