@@ -160,10 +160,10 @@ class Shop:
 
 
 class Attempts(unittest.TestCase):
-    def attempt(self, replace: str, *words: str, each: bool = False) -> dict:
+    def attempt(self, replace: str, *words: str, each: bool = False, score: bool = False) -> dict:
         bug = bugs.Bug("law", bugs.Group("", "", ("x",), each), "a.cpp", "bug", None, (("good", replace),))
         with tempfile.TemporaryDirectory() as folder:
-            bench = trying.Bench(Shop(Path(folder)), argparse.Namespace(), None)
+            bench = trying.Bench(Shop(Path(folder)), argparse.Namespace(score=score), None)
             bench.finders = lambda _: [Looks((word,)) for word in words]
             outcome = bench.attempt(bug)
             self.assertEqual((Path(folder) / "a.cpp").read_text(), "good code")
@@ -175,6 +175,9 @@ class Attempts(unittest.TestCase):
             self.assertEqual(self.attempt(replace, "bad", "worse")["verdict"], verdict, replace)
         self.assertEqual(self.attempt("bad", "none", "bad"),
                          {"verdict": "found", "by": "bad", "seconds": 2, "built": 1})
+
+    def test_what_the_command_does_not_have_it_does_not_find(self):
+        self.assertEqual(self.attempt("GOOD", "bad", score=True)["verdict"], "passes")
 
     def test_where_each_must_find_it_one_is_not_enough(self):
         self.assertEqual(self.attempt("bad and worse", "bad", "worse", each=True)["verdict"], "found")
