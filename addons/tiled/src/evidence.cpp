@@ -158,7 +158,7 @@ class Chooser {
       options = wholeLayers(tiles);
     } else {
       for (const LayerFacts* layer : tiles) options.solidIf.push_back(kLayerProperty + ("=" + layer->name));
-      if (!options.solidIf.empty()) leaveOutSquares(options);
+      if (!tiles.empty()) leaveOutSquares(options);
       join(reasons(tiles));
     }
     addObjects(Says::collision, !shaped.empty() || !rules.empty(), options, text);

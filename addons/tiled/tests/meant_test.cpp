@@ -48,7 +48,8 @@ TEST(TiledMeant, MapsAreTakenAsTheyAreMeant) {
     const auto isWithin = [&](std::size_t k) { return got[k] != '#' || solid[k] == '#'; };
     bool isPart = got != solid && !map.placements.empty();
     for (std::size_t k = 0; k < solid.size(); ++k) isPart = isPart && isWithin(k);
-    EXPECT_TRUE(!isPart || !map.report.partial.empty()) << "in part, and without a word: " << got << "\n" << toText(map.report);
+    EXPECT_TRUE(!isPart || !map.report.partial.empty()) << "in part, and without a word: " << got << "\n"
+                                                        << toText(map.report);
     first += got == solid;
     if (got == solid) {
       ++afterCommand;
