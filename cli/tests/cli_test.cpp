@@ -272,17 +272,20 @@ TEST_F(Command, TheSurveyIsATable) {
   put("maps/bad.tmx", "<map");
   put("maps/set.json", R"({"type":"tileset", "name":"t", "tilewidth":16, "tileheight":16})");
   put("maps/some.txt", "no map");
+  put("maps/sprites.json", R"({"frames":[], "meta":{}})");
+  put("maps/deep/copy.tmx", kInPart);
   std::string whole = kInPart;
   for (std::size_t at = whole.find(",2,"); at != std::string::npos; at = whole.find(",2,")) whole[at + 1] = '1';
   put("maps/whole.tmx", whole);
   const Outcome table = lgs("import --survey maps");
   EXPECT_EQ(table.status, 0);
   for (const char* row :
-       {"at once            5  maps/whole.tmx\n",
-        "in part            3  maps/part.tmx  |  tile layer Blocks, of which 3 of 5 tiles are taken\n",
+       {"at once            5  maps/whole.tmx  |  42 % of the map: the shapes of 5 tiles in Blocks\n",
+        "in part            3  maps/part.tmx  |  25 % of the map: tile layer Blocks, of which 3 of 5 tiles are taken\n",
         "by command         1  maps/deep/none.tmx  |  --objects 'My boxes'\n",
         "refused            0  maps/bad.tmx  |  maps/bad.tmx:1: ", "\n4 maps\n",
-        "     1   25 %  at once     a world at the first try\n"}) {
+        "     1   25 %  at once     a world at the first try\n",
+        "     1  refused: Error parsing start element tag\n"}) {
     EXPECT_THAT(table.text, HasSubstr(row)) << row << table.text;
   }
   expect("import --survey none", 2, "none: ");
