@@ -273,7 +273,7 @@ TEST_F(Command, TheSurveyIsATable) {
   put("maps/set.json", R"({"type":"tileset", "name":"t", "tilewidth":16, "tileheight":16})");
   put("maps/some.txt", "no map");
   put("maps/sprites.json", R"({"frames":[], "meta":{}})");
-  put("maps/deep/copy.tmx", kInPart);
+  put("maps/zcopy.tmx", kInPart);
   std::string whole = kInPart;
   for (std::size_t at = whole.find(",2,"); at != std::string::npos; at = whole.find(",2,")) whole[at + 1] = '1';
   put("maps/whole.tmx", whole);
