@@ -238,8 +238,11 @@ class FallingMatter : public Falling {
 
 TEST_F(FallingMatter, IsNeitherDoubledNorLostByUndoAndRedo) {
   oracle::Random random(7);
-  for (std::int32_t i = 0; i < 12; ++i)
-    for (std::int32_t j = -1; j < 8; ++j) field.add({i, j}, kSquare);
+  field.addFloor(-10, 20);
+  for (std::int32_t i = 0; i < 12; i += 3) {  // pillars with an arm
+    for (std::int32_t j = 0; j < 8; ++j) field.add({i, j}, kSquare);
+    field.add({i + 1, 7}, kSquare);
+  }
   begin();
   marks = {{field.world.checkpoint(), matter()}};
   std::size_t bodies = 0;

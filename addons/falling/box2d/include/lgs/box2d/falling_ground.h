@@ -61,7 +61,7 @@ class FallingGround {
   Expected<void> takeAsBody(const Islands& islands, IslandId island) {
     const auto facts = islands.island(island);
     if (facts && facts->anchors > 0) return tl::unexpected(Error{.code = ErrorCode::anchored});
-    const auto segment = facts ? world_.segment(facts->outer.first) : std::nullopt;
+    const auto segment = world_.segment(facts ? facts->outer.first : SegmentId{});
     auto body = take(world_, islands, island);
     if (!body) return tl::unexpected(body.error());
     waiting_.push_back({{}, std::move(*body), segment ? segment->polygon : PolygonHandle{}});
