@@ -130,7 +130,7 @@ Status checkWith(CheckArguments arguments, Engine& engine) {
   introduce(engine, stdout);
   arguments.options.engine = &engine;
   arguments.world.can = engine.can();
-  arguments.world.crowds = false;
+  arguments.world.crowds = arguments.world.isOfCalls = false;
   return check(arguments);
 }
 
@@ -213,6 +213,7 @@ void addCheck(CLI::App& app, Action& chosen) {
     arguments->engine.prepare();
     if (arguments->options.views && arguments->engine.isGiven())
       throw CLI::ExcludesError("--views", "--engine and --engine-so");
+    arguments->world.noMemory = arguments->options.views;  // which do not know what is not in memory
     if (arguments->world.brushes && arguments->engine.isGiven())
       throw CLI::ExcludesError("--brushes", "--engine and --engine-so");
     arguments->importArguments = importArguments(command);

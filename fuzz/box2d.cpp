@@ -292,8 +292,8 @@ class Session {
 
 // Where the edits are, so that floats of the physics world tell their segments apart.
 Cell originOf(const oracle::Trace& trace) {
-  for (const oracle::Edit& edit : trace.edits)
-    if (edit.kind == oracle::Edit::Kind::add && inRange(edit.polygon.cell)) return edit.polygon.cell;
+  for (const oracle::Call& edit : trace.calls)
+    if (edit.kind == oracle::Call::Kind::add && inRange(edit.polygon().cell)) return edit.polygon().cell;
   return {};
 }
 

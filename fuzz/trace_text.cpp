@@ -1,6 +1,6 @@
 // The text of traces: parsed, played and checked, printed, parsed again.
 #include "fuzz/check_edits.h"
-#include "oracle/trace/brushing.h"
+#include "oracle/trace/plain_edits.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@ namespace lgs::fuzz {
 namespace trace_target {
 namespace {
 
-using oracle::Edit;
+using oracle::Call;
 using oracle::Trace;
 
 constexpr std::array<std::string_view, 33> kWords{
@@ -25,13 +25,13 @@ constexpr std::array<std::string_view, 33> kWords{
     "\xef\xbb\xbf", "0 0 1 0 1 1 0 1"};
 
 std::optional<Finding> checkTrace(const Trace& trace, oracle::CheckStats& stats) {
-  const auto isLarge = [](const Edit& edit) {
-    std::size_t vertices = edit.polygon.vertices.size();
+  const auto isLarge = [](const Call& edit) {
+    std::size_t vertices = edit.polygon().vertices.size();
     for (const auto& ring : edit.brush.rings) vertices += ring.size();
     const auto [min, max] = oracle::cellsUnder(edit.brush);
     return vertices > 100 || std::max(max.i - min.i, max.j - min.j) > 30;
   };
-  const bool large = editCount(trace) > 200 || std::any_of(trace.edits.begin(), trace.edits.end(), isLarge);
+  const bool large = editCount(trace) > 200 || std::any_of(trace.calls.begin(), trace.calls.end(), isLarge);
   if (large) return std::nullopt;  // the references take their time
   return checkEdits(trace, {.cgal = false}, stats);
 }
