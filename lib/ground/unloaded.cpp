@@ -113,8 +113,8 @@ Chunk& Ground::load(std::uint32_t number) {
 void Ground::loadEmpty(std::uint32_t number) {
   const std::uint32_t lastSerial = grid.border(number)->lastSerial;
   Chunk& chunk = load(number);
-  for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local)
-    if (at.word() != 0 || lastSerial != 0) set(at, kEmptyContent, lastSerial, {});
+  for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local)  // a chunk may reach beyond the last cell
+    if (inRange(at.cell()) && (at.word() != 0 || lastSerial != 0)) set(at, kEmptyContent, lastSerial, {});
   settleAround(chunk);
 }
 

@@ -76,8 +76,11 @@ tl::expected<std::optional<Complaint>, TraceError> LibraryEngine::apply(const Ca
     if (isSingle && verdict.accepted && call.kind != Call::Kind::setBlock) removed.push_back(named.handle);
   const bool mayBeRefused = isSingle && (!verdict.accepted || verdict.isOpen);
   const Stats before = mayBeRefused ? player_->world().stats() : Stats();
+  const bool isNowhere = (call.kind == Call::Kind::goBack && !model().hasMarks()) ||
+                         (call.kind == Call::Kind::goForward && !model().hasAhead());
   const auto done = isSingle ? player_->make(judged) : player_->apply(call);
   if (!done && done.error().isWrong) return Complaint{Mismatch::Kind::verdict, done.error().text};
+  if (done && isNowhere) return std::nullopt;
   if (done) return isEdit(call.kind) ? checkStale(removed) : afterTravel(call.kind);
   if (auto complaint = afterRefusal(judged.call, before)) return complaint;
   refused_.push_back({call.name(), done.error().text});

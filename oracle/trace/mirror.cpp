@@ -104,8 +104,7 @@ std::optional<std::string> Mirror::update(const World& world, const Changes& cha
   if (auto complaint = relink(world, changes.relinked)) return complaint;
   if (auto complaint = add(world, changes.added)) return complaint;
   if (auto complaint = compareAll(world)) return complaint;
-  const std::size_t most = std::size_t{world.maxSegmentId()} + 1;  // going back lowers it
-  if (after != After::commit && most < segments_.size()) segments_.resize(most);
+  if (after != After::commit) segments_.resize(std::size_t{world.maxSegmentId()} + 1);  // going back lowers it
   return std::nullopt;
 }
 

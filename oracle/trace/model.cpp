@@ -69,7 +69,8 @@ std::string wrongOverlap(const Error& error, const Call& call, const World& worl
 
 // What the refusal of a call that brings one polygon says of that.
 std::string wrongPart(const Call& call, const Error& error) {
-  if (error.code == ErrorCode::capacity) return error.vertex == -1 ? "" : "names a vertex, which is not to blame";
+  if (error.code == ErrorCode::capacity || error.code == ErrorCode::unloaded)
+    return error.vertex == -1 ? "" : "names a vertex, which is not to blame";
   const bool isOfOne = call.kind == Kind::add || call.kind == Kind::addShape || call.kind == Kind::shape ||
                        call.kind == Kind::replace || call.kind == Kind::fill;
   const bool isSpoilt = isReal(call.notation) && call.offset >= kSpoiltOffset;
@@ -112,15 +113,17 @@ Call Model::resolved(const Call& call) const {
     } else if (named.how == given || named.how == beside) {
       Given one = now_.given.empty() ? Given{} : now_.given[named.nth % now_.given.size()];
       if (named.how == beside) one.handle.serial += 1 + named.nth % Caller::kFar;
-      if (named.how == beside || !isAlive(one.name)) one.name.clear();
+      if (named.how == beside || one.handle || !isAlive(one.name)) one.name.clear();  // its handle says what it is now
       put(one.handle, one.name);
     } else if (named.how == Named::How::name && isAlive(named.name)) {
       put(now_.standing.handleOf(named.name), named.name);
     } else {
       out.goes.push_back(named);
     }
-    if (Named& last = out.goes.empty() ? out.goes.emplace_back() : out.goes.back(); last.how == handle && last.handle)
-      if (const std::string* const known = now_.standing.nameOf(last.handle)) last.name = *known;
+    if (out.goes.empty()) continue;
+    Named& last = out.goes.back();
+    const std::string* const known = last.handle ? now_.standing.nameOf(last.handle) : nullptr;
+    if (known != nullptr) last.name = *known;
   }
   return out;
 }
