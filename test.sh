@@ -17,8 +17,7 @@ check() {
   show "ctest-$preset" "Tests ($preset)" ctest --preset "$preset" -j "$(($(nproc) + 2))" "$@"
   summary+="$preset $(sed -n 's/.* out of //p' "$logs/ctest-$preset.log"), "
 }
-# CTest knows no label of a program that is not built: it has one test, which says so.
-check release lgs_tested_without_tools -LE tools -E _NOT_BUILT
+check release lgs_tested_in_release -LE once
 check asan lgs_tested
 check tsan lgs_thread_tests -R '^tsan\.'
 if [[ ${LGS_WEB:-ON} == OFF ]]; then

@@ -1,5 +1,4 @@
 #include "cli/check_run.h"
-#include "cli/import_options.h"
 #include "oracle/check/isolated.h"
 
 #include <fmt/format.h>
@@ -207,7 +206,6 @@ void addCheck(CLI::App& app, Action& chosen) {
   addOutputOptions(command, *arguments);
   addEngineOptions(command, arguments->engine);
   addReportOption(command, *arguments);
-  addImportOptions(command, arguments->import);
   command.footer(std::string(kCheckHelp) + kEngineHelp + kCheckExamples);
   command.callback([arguments, &command, &chosen] {
     arguments->engine.prepare();
@@ -216,9 +214,6 @@ void addCheck(CLI::App& app, Action& chosen) {
     arguments->world.noMemory = arguments->options.views;  // which do not know what is not in memory
     if (arguments->world.brushes && arguments->engine.isGiven())
       throw CLI::ExcludesError("--brushes", "--engine and --engine-so");
-    arguments->importArguments = importArguments(command);
-    arguments->hintArguments = importArguments(command, kNotInHints);
-    if (!arguments->importArguments.empty() && arguments->map.empty()) throw CLI::RequiredError("--map");
     if (!arguments->report.empty() && !arguments->engine.isGiven()) throw CLI::RequiredError("--engine or --engine-so");
     chosen = [arguments] { return run(*arguments); };
   });

@@ -1,7 +1,5 @@
 #include "cli/check_run.h"
-#include "cli/import_options.h"
 #include "cli/progress.h"
-#include "lib/text/words.h"
 #include "oracle/check/isolated.h"
 #include "oracle/check/shell.h"
 #include "oracle/reference/words.h"
@@ -59,21 +57,16 @@ Status dig(const CheckArguments& arguments, const Trace& start, const Checked& d
 }  // namespace
 
 Status checkMap(const CheckArguments& arguments) {
-  const bool isImported = isMap(arguments.map);
-  if (!isImported && !arguments.importArguments.empty()) {
-    return complain("options of the import need a map of Tiled or LDtk, not " + arguments.map);
-  }
-  const std::string command = "lgs check --map " + text::shellWord(arguments.map) + arguments.hintArguments;
-  const auto read = isImported ? readMap(arguments.map, arguments.import, command) : readWorld(arguments.map);
+  const auto read = readWorld(arguments.map);
   if (!read) return complain(read.error());
   const Trace start = inPlainEdits(*read);
   const Capabilities& can = arguments.world.can;
   if (const std::string why = whyNot(withoutRefused(start), can); !why.empty())
     return complain(fmt::format("{}: the engine can not have it: {}", arguments.map, why));
   Checked digging{digIn(start, arguments.edits, arguments.seed, can, !arguments.engine.isGiven()), fmt::format("mismatch-map-{}", arguments.seed),
-                  fmt::format("{} --map {}{} --edits {} --seed {} --oracle {} --whole-every {}",
-                              commandAgain(arguments), shellPath(arguments.map), arguments.importArguments,
-                              arguments.edits, arguments.seed, arguments.oracleName(), arguments.options.wholeEvery)};
+                  fmt::format("{} --map {} --edits {} --seed {} --oracle {} --whole-every {}", commandAgain(arguments),
+                              shellPath(arguments.map), arguments.edits, arguments.seed, arguments.oracleName(),
+                              arguments.options.wholeEvery)};
   return isolated(
       arguments, arguments.options, [&] { return dig(arguments, start, digging); }, [&] { return digging; });
 }

@@ -1,14 +1,12 @@
 // What the two kinds of runs of `lgs check` share: their arguments, their ends, and what is said of them.
 #pragma once
 
-#include "cli/command.h"
 #include "cli/engine.h"
+#include "cli/inputs.h"
 #include "oracle/check/report.h"
 #include "oracle/check/survey.h"
 #include "oracle/generate/features.h"
 #include "oracle/generate/generator.h"
-
-#include <lgs/tiled/import.h>
 
 #include <chrono>
 #include <cstddef>
@@ -25,9 +23,6 @@ struct CheckArguments {
   std::uint64_t seed = 1;
   std::optional<std::size_t> onlyCase;
   std::string map;
-  tiled::Options import;        ///< of the map
-  std::string importArguments;  ///< the same, as they were given: " --solid"
-  std::string hintArguments;    ///< those of them that go into hints
   std::string out = "out";
   std::string svg;
   std::string report;  ///< folder of a report on the whole engine; empty: the first mismatch ends the run

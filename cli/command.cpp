@@ -1,19 +1,16 @@
 #include "cli/command.h"
 
-#include "cli/import_error.h"
-#include "cli/imported.h"
 #include "oracle/trace/file.h"
 
 #include <fmt/format.h>
-#include <lgs/debug.h>
-#include <lgs/world.h>
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
-#include <fstream>
-#include <span>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
 #include <system_error>
+#include <vector>
 
 namespace lgs::cli {
 
@@ -47,45 +44,6 @@ Status tryOutputs(std::initializer_list<std::string> paths) {
   return Status::fine;
 }
 
-namespace {
-
-// The polygons of a saved world, as edits that make them.
-tl::expected<oracle::Trace, std::string> readSaved(const std::string& path) {
-  const auto bytes = oracle::readFile(path);
-  if (!bytes) return tl::unexpected(message(bytes.error(), path));
-  const auto world = World::load(std::as_bytes(std::span(*bytes)));
-  if (!world) return tl::unexpected(path + ": " + message(world.error()));
-  return oracle::parseTrace(writeTrace(*world)).trace;
-}
-
-}  // namespace
-
-bool isMap(const std::string& path) {
-  constexpr std::array kEndings{".tmx", ".tmj", ".json", ".world", ".ldtk"};
-  if (std::any_of(kEndings.begin(), kEndings.end(), [&](const char* ending) { return path.ends_with(ending); }))
-    return true;
-  std::ifstream file(path, std::ios::binary);
-  std::string begin(64, '\0');
-  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  begin.resize(static_cast<std::size_t>(file.gcount()));
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  if (begin.starts_with(kByteOrderMark)) begin.erase(0, kByteOrderMark.size());
-  const std::size_t first = begin.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && (begin[first] == '<' || begin[first] == '{');
-}
-
-tl::expected<oracle::Trace, std::string> readWorld(const std::string& path) {
-  if (isMap(path)) {
-    const auto map = tiled::importMap(path);
-    if (!map) return tl::unexpected(complaint(map.error(), "lgs import "));
-    return traceOf(*map);
-  }
-  if (path.ends_with(".lgs")) return readSaved(path);
-  auto trace = oracle::readTrace(path);
-  if (!trace) return tl::unexpected(message(trace.error(), path));
-  return std::move(*trace);
-}
-
 CLI::Option* addWholeNumber(CLI::App& command, const std::string& name, std::function<void(std::uint64_t)> set,
                             WholeRange range, const std::string& description) {
   const auto read = [name, set = std::move(set), range](const std::string& text) {
@@ -117,19 +75,59 @@ CLI::Option* addReal(CLI::App& command, const std::string& name, std::function<v
   return command.add_option_function<std::string>(name, read, description);
 }
 
-CLI::Option* addOracleOption(CLI::App& command, oracle::CheckOptions& options) {
-  return command
-      .add_option_function<std::string>(
-          "--oracle",
-          [&options](const std::string& which) {
-            options.naive = which != "cgal";
-            options.cgal = which != "naive";
-          },
-          "Which references compare: CGAL's exact union of all polygons;\n"
-          "the naive one, which follows the laws word by word; or both\n"
-          "(the default)")
-      ->check(CLI::IsMember({"cgal", "naive", "both"}))
-      ->option_text("cgal|naive|both");
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The folder of the program that runs; empty if the system does not say.
+fs::path ownFolder() {
+  std::error_code none;
+  return fs::read_symlink("/proc/self/exe", none).parent_path();
+}
+
+}  // namespace
+
+tl::expected<std::string, std::string> programBeside(std::string_view name) {
+  const std::string program = fmt::format("lgs-{}", name);
+  std::vector<fs::path> folders{ownFolder()};
+  const char* const path = std::getenv("PATH");
+  std::istringstream rest(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(rest, folder, ':');) folders.emplace_back(folder);
+  for (const fs::path& folder : folders) {
+    std::error_code none;
+    if (!folder.empty() && fs::is_regular_file(folder / program, none)) return (folder / program).string();
+  }
+  return tl::unexpected(
+      fmt::format("{} is not beside lgs, in {}, nor in a folder of PATH. To build it in a checkout:\n"
+                  "  cmake --preset release && cmake --build --preset release --target {}",
+                  program, ownFolder().string(), program));
+}
+
+int runCommand(CLI::App& app, const Action& chosen, int argc, const char* const* argv) {
+  const auto run = [&] {
+    try {
+      app.parse(argc, argv);
+      return chosen();
+    } catch (const CLI::ParseError& error) {
+      // CLI11 has a status of its own for each kind of bad usage. Help and version have 0.
+      return app.exit(error) == 0 ? Status::fine : Status::badInput;
+    } catch (const std::exception& error) {
+      return complain(fmt::format("lgs: {}", error.what()));
+    }
+  };
+  return static_cast<int>(flushed(run()));
+}
+
+int runProgram(int argc, const char* const* argv, void (*add)(CLI::App& app, Action& chosen)) {
+  CLI::App app("", "lgs");
+  app.get_formatter()->column_width(34);
+  Action chosen;
+  add(app, chosen);
+  app.require_subcommand(1);
+  const std::string name = app.get_subcommands([](const CLI::App*) { return true; }).front()->get_name();
+  std::vector<const char*> arguments{"lgs", name.c_str()};
+  arguments.insert(arguments.end(), argv + std::min(argc, 1), argv + argc);
+  return runCommand(app, chosen, static_cast<int>(arguments.size()), arguments.data());
 }
 
 }  // namespace lgs::cli

@@ -1,12 +1,11 @@
-// What the subcommands of `lgs` share: how they end, how they read and write, how they are set up.
+// What all commands share: how they end, how they write, how they are set up. `lgs` has three; the others are programs of
+// their own (kProgramsBeside), which it starts.
 #pragma once
-
-#include "oracle/check/checker.h"
-#include "oracle/trace/trace.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
@@ -37,14 +36,6 @@ Status flushed(Status status);
 /// nobody asked for these outputs.
 Status tryOutputs(std::initializer_list<std::string> paths);
 
-/// Whether a file is a map, of Tiled (".tmx", ".tmj", ".json", ".world") or LDtk (".ldtk"): by its name, or else as it
-/// begins like XML or JSON.
-bool isMap(const std::string& path);
-
-/// Reads a trace; or imports a map if isMap(), or takes the polygons of a saved world if the name ends in ".lgs". The
-/// error is a whole complaint, "FILE:LINE: …".
-tl::expected<oracle::Trace, std::string> readWorld(const std::string& path);
-
 /// Adds an option that takes a whole number in decimal digits. CLI11's own conversion reads "010" as eight, cuts large
 /// numbers to the largest, and does not say what is wrong.
 struct WholeRange {
@@ -65,9 +56,6 @@ CLI::Option* addReal(CLI::App& command, const std::string& name, std::function<v
 /// A real number in a range; if it is none, an error of the option `name`.
 double readReal(const std::string& name, const std::string& text, RealRange range);
 
-/// Adds --oracle to a command; it sets `naive` and `cgal`.
-CLI::Option* addOracleOption(CLI::App& command, oracle::CheckOptions& options);
-
 /// Each adds a subcommand. If that is chosen, and its arguments are good, it stores what is to be done in `chosen`.
 using Action = std::function<Status()>;
 void addReplay(CLI::App& app, Action& chosen);
@@ -75,6 +63,26 @@ void addCheck(CLI::App& app, Action& chosen);
 void addOracle(CLI::App& app, Action& chosen);
 void addImport(CLI::App& app, Action& chosen);
 void addBench(CLI::App& app, Action& chosen);
-void addRide(CLI::App& app, Action& chosen);  ///< only with Box2D 2.4
+void addRide(CLI::App& app, Action& chosen);
+
+/// A program beside lgs: `lgs NAME` starts `lgs-NAME`, with the same arguments.
+struct ProgramBeside {
+  const char* name;
+  const char* job;
+};
+inline constexpr std::array<ProgramBeside, 3> kProgramsBeside{{
+    {"import", "Turn the collision shapes of a Tiled or LDtk map into a trace"},
+    {"bench", "Time the engine, the published algorithm and five polygon libraries"},
+    {"ride", "Let a body ride over a world in Box2D 2.4, with and without ghosts"},
+}};
+
+/// Where the program lies: in the folder of this one, or in one of PATH. The error says which target builds it.
+tl::expected<std::string, std::string> programBeside(std::string_view name);
+
+/// Parses the arguments, runs what is chosen, and gives the exit status of the process.
+int runCommand(CLI::App& app, const Action& chosen, int argc, const char* const* argv);
+
+/// The whole of a program `lgs-NAME`, whose one subcommand `add` adds.
+int runProgram(int argc, const char* const* argv, void (*add)(CLI::App& app, Action& chosen));
 
 }  // namespace lgs::cli

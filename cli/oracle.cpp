@@ -1,6 +1,6 @@
 // The references as a service: it reads the lines that an engine under the harness reads, and answers what a perfect
 // engine would.
-#include "cli/command.h"
+#include "cli/inputs.h"
 #include "oracle/check/reference_engine.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/line.h"

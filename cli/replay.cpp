@@ -1,5 +1,5 @@
-#include "cli/command.h"
 #include "cli/engine.h"
+#include "cli/inputs.h"
 #include "oracle/check/report.h"
 #include "oracle/draw/draw.h"
 #include "oracle/generate/generator.h"

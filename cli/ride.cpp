@@ -1,6 +1,6 @@
-#include "bench/ride/ride.h"
-#include "bench/ride/picture.h"
-#include "cli/command.h"
+#include "addons/box2d/ride/ride.h"
+#include "addons/box2d/ride/picture.h"
+#include "cli/inputs.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/player.h"
 

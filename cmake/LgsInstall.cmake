@@ -2,29 +2,39 @@
 # whoever wants the engine alone needs none of the importer's libraries.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
+include(${CMAKE_CURRENT_LIST_DIR}/LgsPkgConfig.cmake)
 set(lgs_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/LocalGridSeg)
-
-# lgs_install(<target> <exported name> <export set> <folder with the headers' folder lgs/ in it>)
+set(lgs_pkg_config_dir ${CMAKE_CURRENT_BINARY_DIR}/pkgconfig)
 add_custom_target(lgs_installed)  # builds all that is installed, and nothing else
-function(lgs_install target name export include_dir)
+
+# lgs_install(<component> <target> <folder with the headers' folder lgs/ in it>...)
+function(lgs_install component target)
   add_dependencies(lgs_installed ${target})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
-  install(TARGETS ${target} EXPORT ${export} COMPONENT development
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${component})
+  install(TARGETS ${target} EXPORT LocalGridSeg-${component} COMPONENT development
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT development)
-  install(DIRECTORY ${include_dir}/lgs DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
-    FILES_MATCHING PATTERN "*.h")
-  install(EXPORT ${export} NAMESPACE LocalGridSeg:: DESTINATION ${lgs_package_dir} COMPONENT development)
+  install(EXPORT LocalGridSeg-${component} NAMESPACE LocalGridSeg:: DESTINATION ${lgs_package_dir} COMPONENT development)
+  foreach(folder IN LISTS ARGN)
+    install(DIRECTORY ${folder}/lgs DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
+      FILES_MATCHING PATTERN "*.h")
+  endforeach()
 endfunction()
 
-configure_package_config_file(
-  ${CMAKE_CURRENT_LIST_DIR}/LocalGridSegConfig.cmake.in ${PROJECT_BINARY_DIR}/LocalGridSegConfig.cmake
-  INSTALL_DESTINATION ${lgs_package_dir})
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/LocalGridSegConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/LocalGridSegConfig.cmake ${PROJECT_BINARY_DIR}/LocalGridSegConfigVersion.cmake
-  DESTINATION ${lgs_package_dir} COMPONENT development)
-if(LGS_BUILD_TILED)
-  install(FILES ${CMAKE_CURRENT_LIST_DIR}/FindPCRE2.cmake DESTINATION ${lgs_package_dir} COMPONENT development)
-endif()
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+# lgs_install_package(): what finds them, when all are known.
+function(lgs_install_package)
+  configure_package_config_file(
+    ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/LocalGridSegConfig.cmake.in ${PROJECT_BINARY_DIR}/LocalGridSegConfig.cmake
+    INSTALL_DESTINATION ${lgs_package_dir})
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/LocalGridSegConfigVersion.cmake
+    COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/LocalGridSegConfig.cmake ${PROJECT_BINARY_DIR}/LocalGridSegConfigVersion.cmake
+    DESTINATION ${lgs_package_dir} COMPONENT development)
+  if(LGS_BUILD_TILED)
+    install(FILES ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/FindPCRE2.cmake DESTINATION ${lgs_package_dir}
+      COMPONENT development)
+  endif()
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+  install(DIRECTORY ${lgs_pkg_config_dir} DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+endfunction()

@@ -15,3 +15,8 @@ function(lgs_write_pc folder lgs_name)
   endforeach()
   configure_file(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/library.pc.in ${folder}/${lgs_name}.pc @ONLY)
 endfunction()
+
+# lgs_install_pc(<library> [REQUIRES <others>...] [PRIVATE <flags>]): writes it where lgs_install_package() installs it from.
+function(lgs_install_pc)
+  lgs_write_pc(${lgs_pkg_config_dir} ${ARGV})
+endfunction()

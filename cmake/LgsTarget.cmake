@@ -5,7 +5,7 @@
 function(lgs_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  if(CMAKE_CURRENT_SOURCE_DIR MATCHES "^${LocalGridSeg_SOURCE_DIR}/lib(/|$)")
+  if(CMAKE_CURRENT_SOURCE_DIR MATCHES "^${LocalGridSeg_SOURCE_DIR}/(lib|addons/[^/]+)$|^${LocalGridSeg_SOURCE_DIR}/lib/")
     # Some machines work out a * b + c with a single rounding, and compilers use that where they may. Processors of 1980
     # round every result twice. Then answers in `double` would depend on the machine. Microsoft's compiler does neither
     # unless it is asked to; but it has to be told that the sources are in UTF-8. MSVC means clang-cl, too.
@@ -30,7 +30,7 @@ function(lgs_target target)
           -fsanitize=${LGS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
           -D_GLIBCXX_ASSERTIONS  # an index beyond a vector's end may be within its memory
           $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC takes the sanitizers' own code for uses
-        if(CMAKE_CURRENT_SOURCE_DIR MATCHES "^${LocalGridSeg_SOURCE_DIR}/lib(/|$)")
+        if(CMAKE_CURRENT_SOURCE_DIR MATCHES "^${LocalGridSeg_SOURCE_DIR}/(lib|addons/[^/]+)$|^${LocalGridSeg_SOURCE_DIR}/lib/")
           lgs_check_integers(${target})
         else()
           # These checks of pointers take up to a fifth of the time to compile. Outside lib/ they find nothing more: a
@@ -56,14 +56,32 @@ function(lgs_check_integers target)
   endif()
 endfunction()
 
-# lgs_component(<name>): makes the library lgs_<name> of this folder a component of the package: gives it an alias, a file
-# name with a version, and the folder of its public headers.
+# lgs_component(<name> [HEADERS <folder>...] [STANDS_ON <component>...] [NO_PC]): makes the library lgs_<name> of this folder a
+# component of the package: gives it an alias, a file name with a version, the folders of its public headers (include/,
+# and those that are named), and installs it.
 function(lgs_component name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_PC" "" "HEADERS;STANDS_ON")
+  set(folders include ${arg_HEADERS})
+  list(TRANSFORM folders PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
   add_library(LocalGridSeg::${name} ALIAS lgs_${name})
   set_target_properties(lgs_${name} PROPERTIES EXPORT_NAME ${name} OUTPUT_NAME localgridseg_${name}
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   target_include_directories(lgs_${name}
-    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    PUBLIC "$<BUILD_INTERFACE:${folders}>" $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  if(LGS_INSTALL)
+    lgs_install(${name} lgs_${name} ${folders})
+    if(NOT arg_NO_PC)
+      list(TRANSFORM arg_STANDS_ON PREPEND localgridseg_)
+      lgs_install_pc(localgridseg_${name} REQUIRES localgridseg ${arg_STANDS_ON})
+    endif()
+  endif()
+endfunction()
+
+# lgs_is_timed(<target>): it is compiled file by file, as in most games.
+function(lgs_is_timed target)
+  if(PROJECT_IS_TOP_LEVEL AND LGS_BUILD_BENCH AND NOT LGS_SANITIZE)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
+  endif()
 endfunction()
 
 # lgs_without_exceptions(<target>): compiles it without exceptions and RTTI, which it does not need. Microsoft's compiler

@@ -1,4 +1,4 @@
-// Recipes for the terrain in Box2D 3. docs/box2d.md says why they are as they are; proptests/box2d/recipes_test.cpp
+// Recipes for the terrain in Box2D 3. docs/box2d.md says why they are as they are; addons/box2d/tests/recipes_test.cpp
 // tries them.
 #pragma once
 

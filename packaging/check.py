@@ -14,7 +14,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 # Files that tell a game or a user which version to ask for.
 ASKING = ["docs/install.md", "docs/internals/packages.md", "debian/copyright", "examples/lgs_ctypes.py",
-          "proptests/consumer/CMakeLists.txt", "proptests/c/consumer/CMakeLists.txt", "lib/c/liblgs.map"]
+          "packaging/tests/consumer/CMakeLists.txt", "addons/c/tests/consumer/CMakeLists.txt", "addons/c/liblgs.map"]
 
 
 def text(name):
@@ -57,7 +57,7 @@ def complaints():
          f"kVersion{{{version.replace('.', ', ')}}};" in text("lib/include/lgs/version.h")),
         (f"{', '.join(ASKING)} ask for {version.rpartition('.')[0]}", asked == {version.rpartition(".")[0]}),
         ("lgs/c/values.h has the version of CMakeLists.txt",
-         version == ".".join(re.findall(r"#define LGS_VERSION_\w+ (\d+)", text("lib/c/include/lgs/c/values.h")))),
+         version == ".".join(re.findall(r"#define LGS_VERSION_\w+ (\d+)", text("addons/c/include/lgs/c/values.h")))),
         ("README.md has the version of CMakeLists.txt", f"| version | {version};" in text("README.md")),
         ("vcpkg.json has the version of CMakeLists.txt", port["version-semver"] == version),
         ("conanfile.py has the version of CMakeLists.txt", conan["version"] == version),

@@ -20,7 +20,7 @@ for folder in lib/{,brush/,c/,debug/}include; do options+=(-I "$folder"); done
 while read -r folder; do options+=(-imsvc "$folder"); done < <(
   x86_64-w64-mingw32-g++-posix -x c++ -E -v /dev/null 2>&1 >/dev/null | sed -n '/^#include </,/^End/s/^ //p')
 found=0
-for file in "$work/engine.cpp" lib/debug/src/*.cpp lib/c/src/*.cpp; do
+for file in "$work/engine.cpp" addons/debug/src/*.cpp addons/c/src/*.cpp; do
   said=$(clang-19 "${options[@]}" -- "$file" 2>&1 | grep -E "^($PWD/)?lib/.*(error|warning):")
   [[ $said ]] && echo "$said" && found=1
 done

@@ -16,19 +16,20 @@ flags='-O1 -g1 -DNDEBUG --coverage -fno-inline -fprofile-update=atomic'
 step configure 'Configure (coverage)' cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
   "-DCMAKE_CXX_FLAGS_DEBUG=$flags" -DCMAKE_EXE_LINKER_FLAGS=-Wl,-u,__gcov_dump  # for child processes: isolated.cpp
 step build 'Build (coverage)' cmake --build "$build" --target lgs_engine_tests lgs_view_tests lgs_brush_tests \
-  lgs_tests lgs_box2d_tests
+  lgs_tiled_tests lgs_debug_tests lgs_box2d_tests
 find "$build" -name '*.gcda' -delete
 
 export LGS_TEST_SCALE=${1:-0.25}
 step engine 'Tests of the engine' "$build/proptests/lgs_engine_tests"
 step views 'Tests of views' "$build/proptests/lgs_view_tests"
 step brush 'Tests of brushes' "$build/proptests/brush/lgs_brush_tests"
-step tools 'Tests of the importer, of traces and pictures' "$build/proptests/lgs_tests" --gtest_filter='Tiled*:Debug*'
-step box2d 'Tests of the terrain for Box2D' "$build/proptests/lgs_box2d_tests"
+step tiled "Tests of the importer" "$build/addons/tiled/tests/lgs_tiled_tests"
+step debug "Tests of traces and pictures" "$build/addons/debug/tests/lgs_debug_tests"
+step box2d 'Tests of the terrain for Box2D' "$build/addons/box2d/tests/lgs_box2d_tests"
 
 # Gathered once. A report then is two tables of the files that match: lines, and branches.
 gathered=$build/coverage.json
-step gather 'Gather' gcovr --root . --filter lib/ --exclude-throw-branches --exclude-unreachable-branches --json "$gathered" \
+step gather 'Gather' gcovr --root . --filter lib/ --filter addons/ --exclude-throw-branches --exclude-unreachable-branches --json "$gathered" \
   "$build"
 report() {
   local title=$1 filter=$2
@@ -38,8 +39,8 @@ report() {
   gcovr --root . --add-tracefile "$gathered" --filter "$filter" --branches --print-summary
 }
 mkdir -p out/coverage
-report 'The importer' 'lib/tiled/'
-report 'The terrain for Box2D' 'lib/box2d/'
+report 'The importer' 'addons/tiled/'
+report 'The terrain for Box2D' 'addons/box2d/'
 report 'Brushes' 'lib/brush/'
 report 'The engine' 'lib/(include|geometry|storage|ground|outline|world)/'
 printf '\ncoverage.sh: all of lib/, line by line in %s/out/coverage/index.html\n' "$PWD"

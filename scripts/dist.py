@@ -15,7 +15,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 PARTS = ["CHANGELOG.md", "CMakeLists.txt", "LICENSE", "LICENSES.md", "README.md", "SECURITY.md", "cmake", "docs", "examples",
-         "lib"]
+         "lib", "addons"]
 
 
 def files():
@@ -24,7 +24,7 @@ def files():
     for part in PARTS:
         path = ROOT / part
         for file in [path] if path.is_file() else path.rglob("*"):
-            if file.is_file() and "__pycache__" not in file.parts:
+            if file.is_file() and not {"__pycache__", "tests", "fuzz", "ride"} & set(file.relative_to(ROOT).parts):
                 found[file.relative_to(ROOT).as_posix()] = file
     return found
 

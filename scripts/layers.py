@@ -19,10 +19,10 @@ ENGINE = ["lib/include"]
 GROUND = ENGINE + ["lib/geometry", "lib/storage"]
 REFERENCES = ["oracle/reference", "oracle/cgal", "oracle/calls", "oracle/trace"]
 ORACLE = REFERENCES + ["oracle/draw", "oracle/views", "oracle/engine/include", "oracle/engine", "oracle/page", "oracle/generate", "oracle/check"]
-TERRAIN = ["lib/box2d/include", "lib/box2d/v2/names", "lib/box2d/v3/names", "lib/box2d/both/include",
-           "lib/box2d/v2/include", "lib/box2d/v3/include", "lib/box2d/cut_out"]
-ADAPTERS = ["lib/c/include", "lib/debug/include", "lib/brush/include", "lib/pieces/include", "lib/views/include",
-            "lib/falling/include", "lib/falling/box2d", "lib/tiled/include"] + TERRAIN
+TERRAIN = ["addons/box2d/include", "addons/box2d/v2/names", "addons/box2d/v3/names", "addons/box2d/both/include",
+           "addons/box2d/v2/include", "addons/box2d/v3/include", "addons/box2d/cut_out"]
+ADAPTERS = ["addons/c/include", "addons/debug/include", "lib/brush/include", "lib/pieces/include", "lib/views/include",
+            "addons/falling/include", "addons/falling/box2d", "addons/tiled/include"] + TERRAIN
 ROOMS = {
     "lib/include": [],
     "lib/text": [],  # words as people and shells read them: of the importer, the references and the command
@@ -31,11 +31,11 @@ ROOMS = {
     "lib/ground": GROUND,
     "lib/outline": GROUND + ["lib/ground"],
     "lib/world": GROUND + ["lib/ground", "lib/outline"],
-    "lib/c/include": [],
+    "addons/c/include": [],
     # The C interface has the views in it, as their objects are in the one library that it is.
-    "lib/c/src": ["lib/include", "lib/views/include", "lib/pieces/include", "lib/c/include"],
-    "lib/debug/include": ["lib/include"],
-    "lib/debug/src": ["lib/include", "lib/debug/include"],
+    "addons/c/src": ["lib/include", "lib/views/include", "lib/pieces/include", "addons/c/include"],
+    "addons/debug/include": ["lib/include"],
+    "addons/debug/src": ["lib/include", "addons/debug/include"],
     "lib/brush/include": ["lib/include"],
     "lib/brush/src": ["lib/include", "lib/geometry", "lib/brush/include"],
     "lib/pieces/include": ["lib/include"],
@@ -44,33 +44,33 @@ ROOMS = {
     "lib/views/src": ["lib/include", "lib/geometry", "lib/views/include"],
     # It stands on three views and brushes, and knows no physics engine. What knows Box2D is headers alone, on top of
     # the terrain: so the terrain needs no islands, and islands need no Box2D.
-    "lib/falling/include": ["lib/include", "lib/views/include"],
-    "lib/falling/src": ["lib/include", "lib/views/include", "lib/pieces/include", "lib/brush/include",
-                        "lib/falling/include"],
-    "lib/falling/box2d": ["lib/include", "lib/views/include", "lib/falling/include", "lib/box2d/include",
-                          "lib/box2d/v2/include", "lib/box2d/v3/include"],
-    "lib/tiled/include": ["lib/include"],
-    "lib/tiled/src": ["lib/include", "lib/geometry", "lib/text", "lib/brush/include", "lib/tiled/include"],
+    "addons/falling/include": ["lib/include", "lib/views/include"],
+    "addons/falling/src": ["lib/include", "lib/views/include", "lib/pieces/include", "lib/brush/include",
+                        "addons/falling/include"],
+    "addons/falling/box2d": ["lib/include", "lib/views/include", "addons/falling/include", "addons/box2d/include",
+                          "addons/box2d/v2/include", "addons/box2d/v3/include"],
+    "addons/tiled/include": ["lib/include"],
+    "addons/tiled/src": ["lib/include", "lib/geometry", "lib/text", "lib/brush/include", "addons/tiled/include"],
     "web/bench": ["lib/include", "lib/brush/include"],
     # The rules of terrains are compiled into the package, and the reference into the article.
-    "web/wasm": ["lib/include", "lib/brush/include", "lib/falling/include", "lib/views/include", "lib/pieces/include",
-                 "lib/tiled/include", "lib/box2d/include", "lib/box2d/src", "oracle/reference"],
-    "lib/box2d/include": ["lib/include"],
-    "lib/box2d/src": ["lib/include", "lib/geometry", "lib/box2d/include"],
-    "lib/box2d/v2/names": [],
-    "lib/box2d/v3/names": [],
-    "lib/box2d/both/include": ["lib/include", "lib/box2d/include", "lib/box2d/v2/names", "lib/box2d/v3/names"],
-    "lib/box2d/v2/include": ["lib/box2d/both/include"],
-    "lib/box2d/v3/include": ["lib/box2d/both/include"],
-    "lib/box2d/cut_out": ["lib/include", "lib/brush/include", "lib/box2d/include", "lib/box2d/v2/include",
-                          "lib/box2d/v3/include"],
-    "lib/box2d/v2/src": ["lib/include", "lib/box2d/include", "lib/box2d/src", "lib/box2d/v2/names",
-                         "lib/box2d/v2/include"],
-    "lib/box2d/v3/src": ["lib/include", "lib/box2d/include", "lib/box2d/src", "lib/box2d/v3/names",
-                         "lib/box2d/v3/include"],
+    "web/wasm": ["lib/include", "lib/brush/include", "addons/falling/include", "lib/views/include", "lib/pieces/include",
+                 "addons/tiled/include", "addons/box2d/include", "addons/box2d/src", "oracle/reference"],
+    "addons/box2d/include": ["lib/include"],
+    "addons/box2d/src": ["lib/include", "lib/geometry", "addons/box2d/include"],
+    "addons/box2d/v2/names": [],
+    "addons/box2d/v3/names": [],
+    "addons/box2d/both/include": ["lib/include", "addons/box2d/include", "addons/box2d/v2/names", "addons/box2d/v3/names"],
+    "addons/box2d/v2/include": ["addons/box2d/both/include"],
+    "addons/box2d/v3/include": ["addons/box2d/both/include"],
+    "addons/box2d/cut_out": ["lib/include", "lib/brush/include", "addons/box2d/include", "addons/box2d/v2/include",
+                          "addons/box2d/v3/include"],
+    "addons/box2d/v2/src": ["lib/include", "addons/box2d/include", "addons/box2d/src", "addons/box2d/v2/names",
+                         "addons/box2d/v2/include"],
+    "addons/box2d/v3/src": ["lib/include", "addons/box2d/include", "addons/box2d/src", "addons/box2d/v3/names",
+                         "addons/box2d/v3/include"],
     # What both generations do alike asks physics by calls.h, which each has.
-    "lib/box2d/both/src": ["lib/include", "lib/box2d/include", "lib/box2d/src", "lib/box2d/both/include",
-                           "lib/box2d/v2/src", "lib/box2d/v3/src"],
+    "addons/box2d/both/src": ["lib/include", "addons/box2d/include", "addons/box2d/src", "addons/box2d/both/include",
+                           "addons/box2d/v2/src", "addons/box2d/v3/src"],
     "oracle/reference": ENGINE,
     "oracle/cgal": ENGINE + ["oracle/reference"],
     "oracle/draw": ENGINE + ["oracle/reference"],
@@ -88,39 +88,40 @@ ROOMS = {
     "oracle/check": ENGINE + REFERENCES + ["oracle/views", "lib/views/include", "lib/pieces/include", "lib/text", "oracle/draw", "oracle/engine", "oracle/page",
                                             "oracle/generate"],
     "bench/published": ENGINE + ["oracle/engine/include", "oracle/reference"],
-    "bench/ride": ENGINE + ADAPTERS + ORACLE,
+    "addons/box2d/ride": ENGINE + ADAPTERS + ORACLE,
     # it counts cut cells, and the rules of edges, which know no Box2D
-    "bench/instructions": ENGINE + ["lib/box2d/include", "lib/brush/include", "lib/brush/src", "oracle/calls"],
+    "bench/instructions": ENGINE + ["addons/box2d/include", "lib/brush/include", "lib/brush/src", "oracle/calls"],
     "bench": ENGINE + ADAPTERS + ORACLE + ["bench/published"],
-    "cli": ENGINE + ADAPTERS + ORACLE + ["lib/text", "bench", "bench/ride"],
+    "cli": ENGINE + ADAPTERS + ORACLE + ["lib/text", "bench", "addons/box2d/ride"],
     "examples": ENGINE + ADAPTERS + ["oracle/engine/include"],
     "packaging": ENGINE,
-    "fuzz": ENGINE + ADAPTERS + ORACLE + ["cli"],
-    # Unit tests of the engine's and the importer's parts look inside.
-    "proptests": GROUND + ADAPTERS + ORACLE + ["examples", "lib/text", "lib/ground", "lib/outline", "lib/world",
-                                               "lib/brush/src", "lib/tiled/src", "lib/box2d/src",
-                                               "bench/published", "bench/ride", "cli"],
-    "proptests/consumer": ENGINE + ADAPTERS,  # a project of its own, as a game would be
+    "addons/sync": ["lib/include", "lib/views/include"],
+    "addons/files": ["lib/include", "lib/views/include", "addons/sync", "addons/debug/include"],
+    "packaging/tests/consumer": ENGINE + ADAPTERS,  # a project of its own, as a game would be
 }
+# Tests look inside, and may include all. Nobody includes them.
+TESTS = ("proptests", "fuzz", "tests")
 # The folders from which a header is found by a path without its room.
-INCLUDE_FOLDERS = ["", "lib", "lib/include", "lib/c/include", "lib/debug/include", "lib/brush/include",
+INCLUDE_FOLDERS = ["", "lib", "lib/include", "addons/c/include", "addons/debug/include", "lib/brush/include",
                    "lib/brush/src", "lib/pieces/include", "lib/pieces/src", "lib/views/include", "lib/views/src",
-                   "lib/falling/include", "lib/falling/src", "lib/falling/box2d/include", "lib/falling/box2d/v2/include",
-                   "lib/falling/box2d/v3/include", "lib/tiled/include", "lib/tiled/src", "lib/box2d/include",
-                   "lib/box2d/src", "lib/box2d/both/include", "lib/box2d/v2/names/include", "lib/box2d/v2/include",
-                   "lib/box2d/v2/src", "lib/box2d/v3/names/include", "lib/box2d/v3/include", "lib/box2d/v3/src",
-                   "lib/box2d/cut_out/include",
+                   "addons/falling/include", "addons/falling/src", "addons/falling/box2d/include", "addons/falling/box2d/v2/include",
+                   "addons/falling/box2d/v3/include", "addons/tiled/include", "addons/tiled/src", "addons/box2d/include",
+                   "addons/box2d/src", "addons/box2d/both/include", "addons/box2d/v2/names/include", "addons/box2d/v2/include",
+                   "addons/box2d/v2/src", "addons/box2d/v3/names/include", "addons/box2d/v3/include", "addons/box2d/v3/src",
+                   "addons/box2d/cut_out/include",
                    "oracle/engine/include"]
-# What no file below a folder may include, whatever its room: lib/ is MIT and goes into games.
-FOREIGN = {"lib": re.compile(r"CGAL/|rapidcheck|gtest|gmock|fmt/|CLI/")}
+# What no file below a folder may include, tests apart: it is MIT and goes into games.
+FOREIGN = {folder: re.compile(r"CGAL/|rapidcheck|gtest|gmock|fmt/|CLI/") for folder in ("lib", "addons")}
 KINDS = ["*.h", "*.c", "*.cpp"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 
 
 def room_of(path):
-    """The longest folder of the table that holds the file, or None."""
+    """The longest folder of the table that holds the file, "tests", or None."""
     folders = [str(parent) for parent in path.parents]
-    return next((folder for folder in folders if folder in ROOMS), None)
+    room = next((folder for folder in folders if folder in ROOMS), None)
+    is_test = any(part in TESTS for part in path.relative_to(room or ".").parts[:-1])
+    return "tests" if is_test else room
 
 
 def rooms_of_include(root, path, name, quoted):
@@ -142,10 +143,10 @@ def complaints(root, files):
                 continue
             quote, name = include.groups()
             for folder, foreign in FOREIGN.items():
-                if path.is_relative_to(folder) and foreign.match(name):
+                if room not in ("tests", "addons/box2d/ride") and path.is_relative_to(folder) and foreign.match(name):
                     yield f"{path}:{number}: {folder}/ must not include {name}"
             there = rooms_of_include(root, path, name, quote == '"')
-            if there and not any(other == room or other in ROOMS[room] for other in there):
+            if room != "tests" and there and not any(other == room or other in ROOMS[room] for other in there):
                 yield f"{path}:{number}: {room} must not include {there[0]}: {line.strip()}"
 
 
@@ -178,11 +179,11 @@ def test():
         "lib/world/world.cpp": '#include "oracle/trace/trace.h"',
         "lib/ground/edit.cpp": '#include "outline/linking.h"',
         "lib/storage/pages.cpp": '#include "ground/grid.h"',
-        "lib/box2d/src/layers.cpp": '#include "ground/grid.h"',
+        "addons/box2d/src/layers.cpp": '#include "ground/grid.h"',
         "oracle/reference/naive.cpp": '#include "oracle/trace/trace.h"',
         "oracle/check/checker.cpp": '#include "outline/linking.h"',
         "bench/tiles.cpp": '#include "cli/command.h"',
-        "lib/tiled/src/import.cpp": "#include <CGAL/enum.h>",
+        "addons/tiled/src/import.cpp": "#include <CGAL/enum.h>",
         "oracle/reference/validity.cpp": '#include "geometry/ring.h"',
         "attic/old.cpp": "",
     }

@@ -23,7 +23,7 @@ class LocalGridSeg(ConanFile):
 
     def export_sources(self):
         root = os.path.join(self.recipe_folder, "..", "..")
-        for pattern in ["CMakeLists.txt", "LICENSE", "LICENSES.md", "cmake/*", "lib/*"]:
+        for pattern in ["CMakeLists.txt", "LICENSE", "LICENSES.md", "cmake/*", "lib/*", "addons/*"]:
             copy(self, pattern, root, self.export_sources_folder)
 
     def layout(self):

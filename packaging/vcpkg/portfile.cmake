@@ -19,7 +19,7 @@ vcpkg_check_features(OUT_FEATURE_OPTIONS FEATURE_OPTIONS
 
 vcpkg_cmake_configure(
   SOURCE_PATH "${SOURCE_PATH}"
-  OPTIONS ${FEATURE_OPTIONS} -DLGS_BUILD_TOOLS=OFF -DLGS_BUILD_TESTS=OFF)
+  OPTIONS ${FEATURE_OPTIONS} -DLGS_BUILD_TOOLS=OFF -DLGS_BUILD_TESTS=OFF -DLGS_BUILD_BENCH=OFF)
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(PACKAGE_NAME LocalGridSeg CONFIG_PATH lib/cmake/LocalGridSeg)
 vcpkg_fixup_pkgconfig()

@@ -88,7 +88,7 @@ run(${CMAKE_COMMAND} -S "${CMAKE_CURRENT_LIST_DIR}/../conan/test_package" -B "${
 run(${CMAKE_COMMAND} --build "${OUT}/game")
 run("${OUT}/game/game")
 foreach(feature IN LISTS FEATURES)
-  run(${CMAKE_COMMAND} -S "${CMAKE_CURRENT_LIST_DIR}/../../proptests/consumer" -B "${OUT}/${feature}"
+  run(${CMAKE_COMMAND} -S "${CMAKE_CURRENT_LIST_DIR}/../../packaging/tests/consumer" -B "${OUT}/${feature}"
     -DCMAKE_PREFIX_PATH=${CURRENT_PACKAGES_DIR} -DLGS_CONSUMER_COMPONENT=${feature})
 endforeach()
 message(STATUS "The port is fine, with the features: ${FEATURES}")

@@ -32,15 +32,15 @@ ENGINES = ("PlantedBugs*:Capabilities*:Comparable*:Checker*:Reports.StaySmall:Re
 COMPONENTS = {
     "engine": Component(("lib/geometry", "lib/storage", "lib/ground", "lib/outline", "lib/world"),
                         GoogleTests(Program("lgs_engine_tests"))),
-    "importer": Component(("lib/tiled",), GoogleTests(Program("lgs_tests", "Tiled*"))),
+    "importer": Component(("addons/tiled",), GoogleTests(Program("lgs_tiled_tests"))),
     "brushes": Component(("lib/brush",), GoogleTests(Program("lgs_brush_tests"))),
-    "C": Component(("lib/c/src",), GoogleTests(Program("lgs_attack"))),
-    "debug": Component(("lib/debug",), GoogleTests(Program("lgs_tests", "Debug*"))),
+    "C": Component(("addons/c/src",), GoogleTests(Program("lgs_attack"))),
+    "debug": Component(("addons/debug",), GoogleTests(Program("lgs_debug_tests"))),
     "judge": Component(("oracle/check", "oracle/reference"), GoogleTests(
-        Program("lgs_tests", JUDGE),
+        Program("lgs_oracle_tests", JUDGE),
         Program("lgs_engines_tests", ENGINES, runs=(("lgs_cli", "lgs"),)))),
-    "views": Component(("lib/views", "lib/pieces", "lib/falling/src"), GoogleTests(Program("lgs_view_tests"))),
-    "terrain": Component(("lib/box2d/include", "lib/box2d/src", "lib/box2d/both", "lib/box2d/v2"),
+    "views": Component(("lib/views", "lib/pieces", "addons/falling/src"), GoogleTests(Program("lgs_view_tests"))),
+    "terrain": Component(("addons/box2d/include", "addons/box2d/src", "addons/box2d/both", "addons/box2d/v2"),
                          GoogleTests(Program("lgs_box2d_tests"))),
     "WebAssembly": Component(("web/wasm",), PackageTests(), without=("web/wasm/reference.cpp",)),
 }

@@ -37,7 +37,7 @@ def read_list() -> tuple[dict[str, Group], list[Bug]]:
             continue
         groups[path.stem] = Group(listed["law"], listed.get("program", "lgs_engine_tests"), tuple(listed["tests"]))
         for bug in listed["bug"]:
-            file = bug["file"] if bug["file"].startswith(("oracle/", "examples/")) else "lib/" + bug["file"]
+            file = bug["file"] if bug["file"].startswith(("addons/", "oracle/", "examples/")) else "lib/" + bug["file"]
             bugs.append(Bug(path.stem, bug["name"], bug.get("game", ""), file, bug["find"], bug["replace"],
                             bug.get("fuzz")))
     return groups, bugs
@@ -46,7 +46,8 @@ def read_list() -> tuple[dict[str, Group], list[Bug]]:
 def tests_there() -> list[str]:
     """Names of tests as they stand in the sources."""
     names = re.compile(r"^(?:TEST|TEST_F|TEST_P|LGS_LAW)\((\w+),\s*(\w+)", re.M)
-    return [f"{suite}.{name}" for path in (ROOT / "proptests").rglob("*.cpp")
+    sources = [*ROOT.glob("proptests/**/*.cpp"), *ROOT.glob("*/**/tests/**/*.cpp")]
+    return [f"{suite}.{name}" for path in sources if "build" not in path.relative_to(ROOT).parts
             for suite, name in names.findall(path.read_text())]
 
 

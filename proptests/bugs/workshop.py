@@ -18,7 +18,7 @@ def sources() -> list[str]:
 
 
 # What can change any result: the code, what tests it, and how they are built.
-SOURCES = ("CMakeLists.txt", "lib/", "oracle/", "proptests/", "fuzz/", "cmake/", "bench/ride/", "examples/regions/")
+SOURCES = ("CMakeLists.txt", "lib/", "oracle/", "proptests/", "fuzz/", "cmake/", "addons/", "bench/", "cli/", "examples/", "packaging/")
 
 
 def state_of(files: list[str], folders: tuple[str, ...] = SOURCES) -> str:

@@ -1,5 +1,5 @@
 // Ways there and back: a world through a trace's text, coordinates through floats. (Imported maps:
-// proptests/tiled/round_trip_test.cpp.)
+// addons/tiled/tests/round_trip_test.cpp.)
 #include "oracle/trace/dump.h"
 #include "proptests/support/law.h"
 #include "proptests/support/played.h"

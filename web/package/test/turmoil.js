@@ -1,5 +1,5 @@
 // A random game in a closed world: bodies, and ground that changes under them. Law 13 is looked at after each sync and
-// each step. It is the game of proptests/box2d/turmoil.h. A crowd is the bodies of one physics engine: crowds.js.
+// each step. It is the game of addons/box2d/tests/turmoil.h. A crowd is the bodies of one physics engine: crowds.js.
 import { circle, createWorld, loadWorld, thickLine, unitSquare } from '../dist/index.js'
 
 const mostUndo = 12

@@ -1,7 +1,7 @@
 // The attack: through every public function of the package with every hostile value of each argument, then with every two
 // of them, then with any in any order. A call does what it says, or throws an LgsError and has changed nothing; the engine
 // never ends; and at the end the outline is that of the same polygons in a new world. The functions are the rows of
-// proptests/doors/doors.txt: one that is new there is attacked at once. LGS_TEST_SCALE=100 takes hours.
+// proptests/attack/doors.txt: one that is new there is attacked at once. LGS_TEST_SCALE=100 takes hours.
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { test } from 'node:test'
@@ -47,7 +47,7 @@ function doorOf(row) {
   return { name: row.split(' | ')[1], types: split(types), call }
 }
 
-const rows = readFileSync(new URL('../../../../proptests/doors/doors.txt', import.meta.url), 'utf8').split('\n')
+const rows = readFileSync(new URL('../../../../proptests/attack/doors.txt', import.meta.url), 'utf8').split('\n')
 /** All that are attacked. */
 export const doors = rows.filter((row) => /^JavaScript .* \| attack$/.test(row)).map(doorOf)
 /** Rows of functions of JavaScript that are not. */

@@ -1,0 +1,199 @@
+#include "cli/import/options.h"
+
+#include "cli/command.h"
+#include "lib/text/words.h"
+#include "oracle/trace/file.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+
+namespace lgs::cli {
+namespace {
+
+constexpr const char* kGroup = "Options of the import";
+
+// Reads "water=7". Returns what is wrong with it, or nothing.
+std::string readBlock(const std::string& text, std::map<std::string, Block>& blocks) {
+  const std::size_t equals = text.rfind('=');
+  Block block = 0;
+  const char* const begin = text.data() + (equals == std::string::npos ? text.size() : equals + 1);
+  const char* const end = text.data() + text.size();
+  const auto [stop, status] = std::from_chars(begin, end, block);
+  if (begin == end || stop != end || status != std::errc()) return "'" + text + "' is not NAME=NUMBER";
+  blocks[text.substr(0, equals)] = block;
+  return {};
+}
+
+void addBlockOptions(CLI::App& command, tiled::Options& options) {
+  command
+      .add_option_function<std::string>(
+          "--block",
+          [&options](const std::string& from) {
+            options.blockFrom = from == "class"   ? tiled::BlockFrom::tileClass
+                                : from == "name"  ? tiled::BlockFrom::name
+                                : from == "layer" ? tiled::BlockFrom::layer
+                                                  : tiled::BlockFrom::one;
+          },
+          "Which block a shape gets: one gives block 1 to all (the default;\n"
+          "in an LDtk project a cell of an IntGrid layer gets its value),\n"
+          "class and layer give one block to each class of tiles and objects,\n"
+          "or layer; name is class, but the names of objects come first")
+      ->check(CLI::IsMember({"one", "class", "name", "layer"}))
+      ->option_text("one|class|name|layer");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--number",
+          [&options](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              if (const std::string fault = readBlock(text, options.blocks); !fault.empty()) {
+                throw CLI::ValidationError("--number", fault);
+              }
+            }
+          },
+          "The block of a class, name or layer; the others get numbers in the\n"
+          "order in which they occur. May be repeated")
+      ->allow_extra_args(false)
+      ->option_text("NAME=NUMBER");
+}
+
+void addShapeOptions(CLI::App& command, tiled::Options& options) {
+  addReal(
+      command, "--tolerance", [&options](double pixels) { options.tolerance = pixels; }, {0, 1e6},
+      "A vertex that misses the tile's rim or corner by up to this\nmany pixels is put on it; default 1")
+      ->option_text("PX");
+  command
+      .add_option_function<std::string>(
+          "--outside",
+          [&options](const std::string& how) {
+            options.outside = how == "clip" ? tiled::Outside::clip : tiled::Outside::carry;
+          },
+          "What reaches out of its tile is carried into the neighbouring\ncells (the default), or clipped")
+      ->check(CLI::IsMember({"carry", "clip"}))
+      ->option_text("carry|clip");
+  command.add_flag("--solid", options.solidWithoutShapes,
+                   "Import a tile without collision shapes as a full square;\notherwise it is empty");
+  command
+      .add_option("--solid-if", options.solidIf,
+                  "The same for tiles with this property, or in layers with it;\n"
+                  "and objects with it. NAME alone takes any value but false and 0.\nMay be repeated")
+      ->allow_extra_args(false)
+      ->option_text("NAME[=VALUE]");
+  addReal(
+      command, "--polyline-thickness", [&options](double pixels) { options.polylineThickness = pixels; }, {0, 1e6},
+      "Make thin polygons of open polylines that are one-way (a class,\n"
+      "name or property says so); what lies up to so many pixels below\nthem is solid")
+      ->option_text("PIXELS");
+}
+
+void addLayerOptions(CLI::App& command, tiled::Options& options) {
+  command
+      .add_option("--layer", options.layers,
+                  "Import only this tile layer or group, or this map of a world,\nor level of LDtk. May be repeated")
+      ->allow_extra_args(false)
+      ->option_text("NAME");
+  CLI::Option* const objects =
+      command
+          .add_option_function<std::vector<std::string>>(
+              "--objects", [&options](const std::vector<std::string>& names) { options.objects = names; },
+              "Import this object layer or kind of entity, all of a group, or\n"
+              "all objects of this class or name. May be repeated")
+          ->allow_extra_args(false)
+          ->option_text("NAME");
+  command
+      .add_flag_callback(
+          "--no-objects", [&options] { options.objects = std::vector<std::string>{}; }, "Import no object layer")
+      ->excludes(objects);
+  command
+      .add_option(
+          "--not", options.leaveOut,
+          "Leave out tiles and objects of this class, or cells of LDtk\nwith a value of this name. May be repeated")
+      ->allow_extra_args(false)
+      ->option_text("CLASS");
+  command.add_flag("--visible", options.visibleOnly,
+                   "Leave out hidden layers and objects; otherwise they count like\nthose that are visible");
+}
+
+/// A table may be named once for all tilesets, or one for each.
+void readTiles(const std::string& path, tiled::TileTable& tiles) {
+  const auto text = oracle::readFile(path);
+  if (!text) throw CLI::ValidationError("--tiles", message(text.error(), path));
+  auto table = tiled::parseTileTable(*text);
+  if (!table) throw CLI::ValidationError("--tiles", path + ":" + table.error());
+  for (auto& [tileset, shapes] : *table) tiles[tileset].merge(shapes);
+}
+
+void addTileOptions(CLI::App& command, tiled::Options& options) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--tiles",
+          [&options](const std::vector<std::string>& paths) {
+            for (const std::string& path : paths) readTiles(path, options.tiles);
+          },
+          "A table of what tiles are by their numbers, if the game's own code\n"
+          "says it: full, none, a polygon or one-way (docs/maps.md). May be\nrepeated")
+      ->allow_extra_args(false)
+      ->option_text("FILE");
+}
+
+void addFileOptions(CLI::App& command, tiled::Options& options) {
+  command.add_flag("--all-maps", options.allMaps,
+                   "A map of a world that cannot be read is an error; otherwise the\nothers are imported");
+  command.add_flag("--files-anywhere", options.filesAnywhere,
+                   "Files that the map names may lie anywhere; otherwise they must\nlie in its folder or below it. For "
+                   "maps that you trust");
+}
+
+}  // namespace
+
+void addImportOptions(CLI::App& command, tiled::Options& options) {
+  const std::vector<CLI::Option*> before = command.get_options();
+  addLayerOptions(command, options);
+  addShapeOptions(command, options);
+  addTileOptions(command, options);
+  addBlockOptions(command, options);
+  addFileOptions(command, options);
+  for (CLI::Option* option : command.get_options()) {
+    if (std::find(before.begin(), before.end(), option) == before.end()) option->group(kGroup);
+  }
+}
+
+std::string importArguments(const CLI::App& command, std::span<const std::string_view> without) {
+  std::string words;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_group() != kGroup || option->count() == 0) continue;
+    if (std::find(without.begin(), without.end(), option->get_name()) != without.end()) continue;
+    if (option->get_expected_max() == 0) words += " " + option->get_name();
+    for (const std::string& value : option->get_expected_max() == 0 ? std::vector<std::string>{} : option->results()) {
+      words += " " + option->get_name() + " " + text::shellWord(value);
+    }
+  }
+  return words;
+}
+
+void tellPartial(const tiled::Report& report, const std::string& command) {
+  if (report.partial.empty()) return;
+  fmt::print(stderr, "{}: in part: {}.{}{}\n", text::withoutControls(report.file),
+             text::withoutControls(report.partial),
+             report.suggestions.empty() ? "" : " What could be taken instead:", commandsOf(report, command));
+}
+
+std::string hints(const tiled::Report& report, const std::string& command) {
+  std::string lines = text::withoutControls(report.file) + ": nothing in it is solid";
+  if (!report.suggestions.empty()) lines += ". What could be taken, and how:";
+  return lines + commandsOf(report, command);
+}
+
+std::string commandsOf(const tiled::Report& report, const std::string& command) {
+  std::string lines;
+  for (const tiled::Suggestion& suggestion : report.suggestions) {
+    const char* const unit = suggestion.polygons == 1 ? "polygon" : "polygons";
+    lines += fmt::format("\n  {} {}: {}\n    {}", suggestion.polygons, unit, text::withoutControls(suggestion.text),
+                         command);
+    for (const std::string& argument : suggestion.arguments) lines += " " + text::shellWord(argument);
+  }
+  return lines;
+}
+
+}  // namespace lgs::cli

@@ -1,0 +1,34 @@
+// The options of an import.
+#pragma once
+
+#include "cli/command.h"
+
+#include <lgs/tiled/import.h>
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace lgs::cli {
+
+/// Adds them in a group of their own.
+void addImportOptions(CLI::App& command, tiled::Options& options);
+
+/// The options that were given, as a shell takes them: " --layer Ground --solid".
+std::string importArguments(const CLI::App& command, std::span<const std::string_view> without = {});
+
+/// Options that a hint leaves out, as it has its own: those that choose what is solid.
+inline constexpr std::array<std::string_view, 8> kNotInHints{
+    "--layer", "--solid", "--solid-if", "--objects", "--no-objects", "--not", "--visible", "--polyline-thickness"};
+
+/// The suggestions of a report, as commands. `command` is what was called, without what kNotInHints has.
+std::string commandsOf(const tiled::Report& report, const std::string& command);
+
+/// If the map was taken in part, says on the standard error what is missing, and the commands.
+void tellPartial(const tiled::Report& report, const std::string& command);
+
+/// What to say of a map from which nothing came out, with these commands.
+std::string hints(const tiled::Report& report, const std::string& command);
+
+}  // namespace lgs::cli

@@ -1,0 +1,115 @@
+#include "cli/import/survey.h"
+
+#include "cli/import/error.h"
+#include "lib/text/words.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+namespace lgs::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What comes of a map, the best first.
+enum class MapOutcome : std::uint8_t { atOnce, inPart, byCommand, nothing, refused };
+
+constexpr std::array<const char*, 5> kOutcomes{"at once", "in part", "by command", "nothing", "refused"};
+constexpr std::array<const char*, 5> kMeanings{"a world at the first try", "a world, with a word on what is missing",
+                                               "a world after the first command that is offered",
+                                               "nothing in them could be solid", "not read, with the reason"};
+
+struct MapRow {
+  MapOutcome outcome{};
+  std::uint64_t polygons = 0;
+  std::string map;
+  std::string what;  ///< what was taken, or the command, or the reason
+};
+
+std::string argumentsOf(const tiled::Suggestion& suggestion) {
+  std::string text;
+  for (const std::string& argument : suggestion.arguments)
+    text += (text.empty() ? "" : " ") + text::shellWord(argument);
+  return text;
+}
+
+MapRow rowOf(const std::string& path, const tiled::Options& options) {
+  const auto map = tiled::importMap(path, options);
+  if (!map) return {MapOutcome::refused, 0, path, complaint(map.error())};
+  const tiled::Report& report = map->report;
+  if (report.polygons > 0 && report.partial.empty()) return {MapOutcome::atOnce, report.polygons, path, report.choice};
+  if (report.polygons > 0) return {MapOutcome::inPart, report.polygons, path, report.partial};
+  if (report.suggestions.empty()) return {MapOutcome::nothing, 0, path, ""};
+  const tiled::Suggestion& first = report.suggestions.front();
+  return {MapOutcome::byCommand, first.polygons, path, argumentsOf(first)};
+}
+
+/// Whether a file may be a map, by its name. Tilesets and templates in JSON have names of maps, too; they are passed
+/// over.
+bool mayBeMap(const fs::path& path) {
+  constexpr std::array kEndings{".tmx", ".tmj", ".json", ".world", ".ldtk"};
+  return std::find(kEndings.begin(), kEndings.end(), path.extension().string()) != kEndings.end();
+}
+
+bool isNoMap(const fs::path& path, const MapRow& row) {
+  return row.outcome == MapOutcome::refused && path.extension() == ".json" &&
+         (row.what.find("is JSON, but") != std::string::npos ||
+          row.what.find("this is not the kind of file expected") != std::string::npos ||
+          row.what.find("may be a tileset") != std::string::npos);
+}
+
+Status listMaps(const std::string& folder, std::vector<std::string>& maps) {
+  std::error_code fault;
+  if (fs::is_regular_file(folder, fault)) {
+    maps.push_back(folder);
+    return Status::fine;
+  }
+  fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, fault);
+  for (; !fault && at != fs::recursive_directory_iterator(); at.increment(fault)) {
+    if (at->is_regular_file(fault) && mayBeMap(at->path())) maps.push_back(at->path().generic_string());
+    fault.clear();  // a file that cannot be looked at is no map
+  }
+  return fault ? complain(folder + ": " + fault.message()) : Status::fine;
+}
+
+void printRows(const std::vector<MapRow>& rows) {
+  for (std::size_t k = 0; k < kOutcomes.size(); ++k) {
+    const auto outcome = static_cast<MapOutcome>(k);
+    for (const MapRow& row : rows) {
+      if (row.outcome != outcome) continue;
+      fmt::print("{:<10}  {:>8}  {}{}\n", kOutcomes[k], row.polygons, text::withoutControls(row.map),
+                 row.what.empty() ? "" : "  |  " + text::withoutControls(row.what));
+    }
+  }
+  fmt::print("\n{} maps\n", rows.size());
+  for (std::size_t k = 0; k < kOutcomes.size(); ++k) {
+    const auto count = std::count_if(rows.begin(), rows.end(),
+                                     [&](const MapRow& row) { return row.outcome == static_cast<MapOutcome>(k); });
+    const double share = rows.empty() ? 0 : 100.0 * static_cast<double>(count) / static_cast<double>(rows.size());
+    fmt::print("{:>6}  {:>3.0f} %  {:<10}  {}\n", count, share, kOutcomes[k], kMeanings[k]);
+  }
+}
+
+}  // namespace
+
+Status survey(const std::vector<std::string>& folders, const tiled::Options& options) {
+  std::vector<std::string> maps;
+  for (const std::string& folder : folders) {
+    if (const Status bad = listMaps(folder, maps); bad != Status::fine) return bad;
+  }
+  std::sort(maps.begin(), maps.end());
+  std::vector<MapRow> rows;
+  for (const std::string& path : maps) {
+    MapRow row = rowOf(path, options);
+    if (!isNoMap(path, row)) rows.push_back(std::move(row));
+  }
+  if (rows.empty()) return complain("there is no map in the folder");
+  printRows(rows);
+  return Status::fine;
+}
+
+}  // namespace lgs::cli

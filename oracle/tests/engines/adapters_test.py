@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""Adapters of libraries under the harness: each departs from the laws as docs/reports/engines.md says, in no other way.
+
+    oracle/tests/engines/adapters_test.py LGS NAME [FILE.so]
+
+Exit status 77, with a word, where the library is missing.
+"""
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+ENGINES = ROOT / "examples/engines"
+PYTHONS = [sys.executable, "/usr/bin/python3"]  # Debian's packages are for Debian's Python
+NODE = {"NODE_PATH": str(ROOT / "bench/polygon-clipping/node_modules")}
+
+# What an engine is assumed to be able to do, and the kinds of findings that there must be then.
+LINKS = {"ghosts squares merged": {"wrong link"}}
+RUNS = {
+    "shapely": {"several slants": set(), "ghosts several slants": {"wrong link"}},
+    "polygon-clipping": {"squares merged": set(), "several slants merged": {"missing cut"}} | LINKS,
+    "clipper": {"squares merged": set(), "several slants merged": {"missing cut"}} | LINKS,
+}
+
+
+def runs(*command):
+    try:
+        return subprocess.run(command, env=os.environ | NODE, capture_output=True, check=False).returncode == 0
+    except OSError:
+        return False
+
+
+def skip(what):
+    print(f"skipped: {what} is not there")
+    sys.exit(77)
+
+
+def engine(name, files):
+    """The options of lgs that name the engine."""
+    if name == "clipper":
+        return ["--engine-so", files[0]] if files else skip("Clipper (libpolyclipping-dev)")
+    if name == "polygon-clipping":
+        script = ENGINES / "polygon_clipping.cjs"
+        there = runs("node", "-e", "require('polygon-clipping')")
+        return ["--engine", f"exec node {shlex.quote(str(script))}"] if there else skip("polygon-clipping (npm)")
+    python = next((p for p in PYTHONS if runs(p, "-c", "import shapely")), None)
+    script = ENGINES / "shapely_engine.py"
+    return ["--engine", shlex.join(["exec", python, str(script)])] if python else skip("Shapely (python3-shapely)")
+
+
+def kinds(lgs, options, assumed):
+    """The kinds of findings in 200 edits."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = [lgs, "check", *options, "--assume", assumed, "--edits", "200", "--shrink", "0", "--report", folder]
+        done = subprocess.run(command, cwd=folder, env=os.environ | NODE, capture_output=True, text=True, check=False)
+        report = pathlib.Path(folder, "report.md")
+        if done.returncode not in (0, 1) or not report.is_file():
+            sys.exit(f"{shlex.join(command)}\n{done.stdout}{done.stderr}")
+        return set(re.findall(r"^\| ([^|]+) \| \d+ \|", report.read_text(encoding="utf-8"), re.MULTILINE))
+
+
+def main():
+    lgs, name, *files = sys.argv[1:]
+    options = engine(name, files)
+    wrong = {assumed: found for assumed, must in RUNS[name].items() if (found := kinds(lgs, options, assumed)) != must}
+    for assumed, found in wrong.items():
+        print(f"{name}, assumed '{assumed}': found {sorted(found)}, not {sorted(RUNS[name][assumed])}")
+    sys.exit(1 if wrong else 0)
+
+
+main()
