@@ -121,7 +121,7 @@ std::optional<Finding> checkTrace(const Trace& trace, oracle::CheckStats& stats)
   if (auto finding = checkEdits(trace, {.cgal = false}, stats)) return finding;
   // Fewer polygons than these stand in a cell, and all strokes are in range.
   if (stats.refused != refused) return Finding{"a stroke is refused\n"};
-  const auto first = std::ranges::find(trace.calls, Call::Kind::brush, &Edit::kind);
+  const auto first = std::ranges::find(trace.calls, Call::Kind::brush, &Call::kind);
   if (first != trace.calls.end() && leavesASeam(first->brush))
     return Finding{"to carve the first region out of solid ground, and to fill it again, leaves a seam\n"};
   return std::nullopt;

@@ -53,8 +53,8 @@ def planted(root):
     return {stem: [a or b for a, b in names] for stem, names in listed.items() if names}
 
 
-def doors(root):
-    return int(re.search(r"kDoors = (\d+);", text(root, "oracle/trace/way.h"))[1])
+def calls(root):
+    return int(re.search(r"kKinds = (\d+);", text(root, "oracle/calls/call.h"))[1])
 
 
 def platforms(root):
@@ -100,7 +100,7 @@ def found(root):
 def totals(root):
     return table(["what there is", "how many"], [
         ["laws, all of them tested on random cases", len(laws(root))],
-        ["calls that mean the same edit (*doors*), all tested alike", doors(root)],
+        ["kinds of calls that random cases make, each held against a model", calls(root)],
         ["planted bugs, each of which a test must find; run, and found",
          f"{sum(map(len, planted(root).values()))}; {found(root)}"],
         ["fuzz targets; traces that once showed a bug", f"{len(fuzz_targets(root))}; {regressions(root)}"],

@@ -66,7 +66,7 @@ Call Caller::resolved(const Call& call) const {
   }
   const std::vector<Named> goes = std::exchange(out.goes, {});
   for (const Named& named : goes) {
-    if (named.how == Named::How::handle) {
+    if (named.how == Named::How::handle || named.how == Named::How::name) {
       out.goes.push_back(named);
       continue;
     }
@@ -75,7 +75,7 @@ Call Caller::resolved(const Call& call) const {
       handles = standingIn(world, named.cell);
       if (named.how == Named::How::standing)
         handles = {handles.empty() ? PolygonHandle{} : handles[named.nth % handles.size()]};
-    } else if (named.how != Named::How::name) {
+    } else {
       handles = {given.empty() ? PolygonHandle{} : given[named.nth % given.size()]};
       if (named.how == Named::How::beside) handles[0].serial += 1 + named.nth % kFar;
     }

@@ -76,6 +76,11 @@ class Drawer {
     constexpr std::array kNotations{Notation::lattice, Notation::list, Notation::floats, Notation::doubles};
     call.notation = kNotations[choices_.below(kNotations.size())];
     call.offset = choices_.below(choices_.chance(habits_.badPercent) ? kOffsets : kSpoiltOffset);
+    const auto isHuge = [](const LocalPolygon& p) { return p.size() > kMaxVerticesPerCell; };
+    if (habits_.hostilePercent > 0 && call.comes.size() == 1 && std::ranges::any_of(call.comes[0].shape, isHuge)) {
+      call.notation = choices_.chance(50) ? Notation::floats : Notation::doubles;  // two things are wrong with it
+      call.offset = kSpoiltOffset + choices_.below(2U);
+    }
     call.room = choices_.below(4U);
     call.nth = choices_.below(16U);
     if (kind == Kind::goBack && habits_.weights[static_cast<std::size_t>(Kind::goForward)] > 0)

@@ -199,7 +199,7 @@ class Check {
     if (auto found = lastWasWhole_ ? compareWhole(!options_.unionAtEnd) : compareWindow()) return found;
     if (auto found = compareIslands()) return found;
     constexpr std::size_t kReadEvery = 8;  // it takes half as long as all the rest of a commit
-    if (lastWasWhole_ && stats_.whole % kReadEvery == 0) {
+    if (lastWasWhole_ && (options_.questions != 0 || stats_.whole % kReadEvery == 0)) {
       if (auto found = readAll()) return found;
     }
     edited_.clear();
@@ -208,9 +208,10 @@ class Check {
   }
 
   Result readAll() {
+    constexpr std::size_t kQuestions = 3;
     if (library_ == nullptr) return std::nullopt;
     ++stats_.read;
-    auto complaint = library_->readAll(wholeOutline());
+    auto complaint = library_->readAll(wholeOutline(), std::max<std::size_t>(options_.questions, kQuestions));
     return complaint ? Result(mismatch(std::move(*complaint))) : std::nullopt;
   }
 

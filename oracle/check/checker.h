@@ -47,6 +47,9 @@ struct CheckOptions {
   /// Compare with CGAL after the last commit only: it costs more than all the rest together.
   bool unionAtEnd = false;
 
+  /// Read everything after every commit, and ask so many questions each time; 0: after some, and ask a few.
+  std::size_t questions = 0;
+
   /// Called after each commit that was found right, with what stands then; false stops the check there.
   std::function<bool(const Model&)> afterCommit = {};
 };

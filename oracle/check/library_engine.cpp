@@ -29,19 +29,14 @@ std::optional<Complaint> reading(std::optional<WrongRead> wrong) {
 
 void LibraryEngine::reset(const PreservePairs& preserve) {
   player_.emplace(preserve);
-  beginViews();
-  mirror_ = {};
-  stale_.clear();
-  refused_.clear();
-  wasAway_ = false;
-}
-
-// A world that was loaded follows nothing yet.
-void LibraryEngine::beginViews() {
   views_.reset();
   if (followsViews_ && player_->world().followCells(true))
     views_.emplace(Followed{Islands(player_->world(), isAnchor), IslandCheck(isAnchor), Pieces(player_->world()),
                             PieceCheck(), GroundHashes(player_->world())});
+  mirror_ = {};
+  stale_.clear();
+  refused_.clear();
+  wasAway_ = false;
 }
 
 void LibraryEngine::add(const std::string& name, const ScenePolygon& polygon) {
@@ -92,7 +87,7 @@ std::optional<Complaint> LibraryEngine::afterTravel(Call::Kind kind) {
   const World& world = player_->world();
   stale_.clear();
   wasAway_ = wasAway_ || !model().isWhole();
-  if (kind == Call::Kind::load) beginViews();
+  if (kind == Call::Kind::load) views_.reset();  // a world that was loaded follows nothing
   if (kind == Call::Kind::group || kind == Call::Kind::repeat) return reading(readPolygons(*player_));
   if (kind != Call::Kind::goBack && kind != Call::Kind::goForward) return std::nullopt;
   using After = Mirror::After;
@@ -149,7 +144,7 @@ std::optional<Complaint> LibraryEngine::checkViews() {
   return Complaint{Mismatch::Kind::views, std::move(*wrong)};
 }
 
-std::optional<Complaint> LibraryEngine::readAll(const Outline& whole) {
+std::optional<Complaint> LibraryEngine::readAll(const Outline& whole, std::size_t questions) {
   const World& world = player_->world();
   const auto isThere = [&](PolygonHandle handle) { return world.polygon(handle).has_value(); };
   if (std::ranges::any_of(stale_, isThere))
@@ -157,8 +152,8 @@ std::optional<Complaint> LibraryEngine::readAll(const Outline& whole) {
   if (auto complaint = reading(readPolygons(*player_))) return complaint;
   if (auto complaint = reading(readSegments(world, mirror_.segments(), wasAway_))) return complaint;
   if (auto complaint = reading(readLoops(world, mirror_.segments()))) return complaint;
-  Random random(++asked_ + whole.size());
-  std::string wrong = wrongAnswers(world, player_->scene(), whole, random);
+  Random random(whole.size());
+  std::string wrong = wrongAnswers(world, player_->scene(), whole, random, questions);
   if (wrong.empty()) wrong = wrongComparison(world);
   return wrong.empty() ? std::nullopt : std::optional(Complaint{Mismatch::Kind::reading, std::move(wrong)});
 }

@@ -59,7 +59,7 @@ class LibraryEngine : public Engine {
   std::optional<Complaint> afterCommit(const CellSet& edited);
 
   /// Asks the world everything. To be called after a commit.
-  std::optional<Complaint> readAll(const Outline& whole);
+  std::optional<Complaint> readAll(const Outline& whole, std::size_t questions);
 
   /// To be called at the end.
   std::optional<Complaint> compareWithPast() const;
@@ -76,7 +76,6 @@ class LibraryEngine : public Engine {
  private:
   std::optional<Complaint> afterRefusal(const Call& call, const Stats& before) const;
   std::optional<Complaint> afterTravel(Call::Kind kind);
-  void beginViews();
   std::optional<Complaint> checkViews();
   std::optional<Complaint> checkStale(const std::vector<PolygonHandle>& handles);
 
@@ -88,7 +87,6 @@ class LibraryEngine : public Engine {
   bool followsViews_ = false;
   std::uint32_t executor_ = 0;
   bool wasAway_ = false;              // some chunks are not in memory, or were not
-  std::uint64_t asked_ = 0;           // how often the world was
   struct Followed {
     Islands islands;
     IslandCheck islandCheck;

@@ -52,11 +52,14 @@ std::string differenceOf(const World& a, const World& b) {
 
 std::string wrongPast(const Player& player) {
   Caller twin{World(relationOf(player.preserve()))};
-  for (const auto& told : player.past())
-    if (twin.makeResolved(told->call) != told->outcome)
-      return "once more, without what was undone, another answer: " + printCall(told->call);
+  for (const auto& told : player.past()) {
+    if (told->outcome.refusal)
+      twin.makeShapes(told->call);
+    else if (twin.makeResolved(told->call) != told->outcome)
+      return "once more, without what was undone or refused, another answer: " + printCall(told->call);
+  }
   const std::string difference = differenceOf(player.world(), twin.world);
-  return difference.empty() ? "" : "a world in which nothing was undone has " + difference;
+  return difference.empty() ? "" : "a world in which nothing was undone or refused has " + difference;
 }
 
 }  // namespace lgs::oracle

@@ -16,8 +16,8 @@ std::vector<std::byte> saved(const World& world);
 /// if all is equal.
 std::string differenceOf(const World& a, const World& b);
 
-/// Law 12. A new world in which only what was never undone is done must answer and report what this one did, and look
-/// like it. What is wrong, if anything is.
+/// Laws 7 and 12. A new world in which what was undone or refused is left out, but for the shapes that it made, must
+/// answer and report what this one did, and look like it. What is wrong, if anything is.
 std::string wrongPast(const Player& player);
 
 }  // namespace lgs::oracle

@@ -191,7 +191,8 @@ Point pointNear(const Outline& whole, Random& random) {
 
 }  // namespace
 
-std::string wrongAnswers(const World& world, const Scene& scene, const Outline& whole, Random& random) {
+std::string wrongAnswers(const World& world, const Scene& scene, const Outline& whole, Random& random,
+                         std::size_t count) {
   if (whole.empty()) return "";
   std::vector<Segment> segments;
   for (const OutlineSegment& s : whole) {
@@ -201,7 +202,7 @@ std::string wrongAnswers(const World& world, const Scene& scene, const Outline& 
     segment.block = s.block;
   }
   const bool isWhole = !world.firstUnloaded({{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}});
-  for (int k = 0; k < 3; ++k) {
+  for (; count > 0; --count) {
     const Point p = pointNear(whole, random), q = pointNear(whole, random);
     std::string wrong = isWhole ? wrongSpot(world, p) : wrongSpotBeside(world, scene, p);
     if (wrong.empty()) wrong = wrongNearest(world, segments, p, random.below(5) / 2.0);

@@ -27,7 +27,8 @@ std::string wrongRay(const World& world, std::span<const Segment> segments, Poin
 
 /// Asks some questions of each kind at random. Chunks may be out of memory: `scene` and `whole` are all polygons, and the
 /// outline of these. What would have to look where nothing is in memory says so; all else is as in the whole world.
-std::string wrongAnswers(const World& world, const Scene& scene, const Outline& whole, Random& random);
+std::string wrongAnswers(const World& world, const Scene& scene, const Outline& whole, Random& random,
+                         std::size_t count);
 
 /// What is wrong about samePolygons(), if anything is.
 std::string wrongComparison(const World& world);

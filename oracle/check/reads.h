@@ -23,7 +23,7 @@ std::optional<WrongRead> readCell(const World& world, const Standing& standing, 
 std::optional<WrongRead> readPolygons(const Player& player);
 
 /// Segments by id, dead ids too; and by rectangle, for a few rectangles. Some may be unloaded, or were: `isAway`.
-std::optional<WrongRead> readSegments(const World& world, std::span<const Segment> segments, bool isAway);
+std::optional<WrongRead> readSegments(const World& world, std::span<const Segment> segments, bool isAway = false);
 
 /// The loops, with and without collinear vertices.
 std::optional<WrongRead> readLoops(const World& world, std::span<const Segment> segments);

@@ -22,6 +22,7 @@ using FaultKind = Mismatch::Kind;
 CheckOptions only(FaultKind kind, CheckOptions options) {
   options.afterCommit = {};
   options.naive = options.naive && (kind == FaultKind::naive || kind == FaultKind::loops);
+  if (kind == FaultKind::reading) options.questions = 40;
   options.cgal = options.cgal && (kind == FaultKind::cgal || kind == FaultKind::loops || kind == FaultKind::rounding);
   return options;
 }

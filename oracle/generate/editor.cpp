@@ -263,7 +263,7 @@ Call Editor::anyEdit(Cell cell) {
   Habits habits{.width = 3, .height = 3, .hostilePercent = habits_.hostilePercent};
   const auto notEdits = habits.weights.begin() + static_cast<std::ptrdiff_t>(Call::Kind::group);
   std::fill(notEdits, habits.weights.end(), 0);
-  return movedBy(drawCall(random_, habits), cell);
+  return tidied(movedBy(drawCall(random_, habits), cell));
 }
 
 void Editor::any(Cell cell) {
@@ -302,7 +302,7 @@ void Editor::travel(Cell cell) {
     case 4:
       return time(copy);
     case 5:
-      return time(load);
+      return habits_.loads ? time(load) : time(copy);
     case 6:
     case 7: {  // a group
       Call call = Call::of(group);
@@ -337,6 +337,7 @@ void Editor::remember(Cell cell) {
   using enum Call::Kind;
   const auto chunks = [&](Call::Kind kind) {
     Call call = Call::of(kind);
+    if (kind == reload) cell = random_.pick(habits_.cells);
     const std::int32_t wide = 32 * random_.below(2), high = 32 * random_.below(2);
     const auto inside = [](std::int32_t k) { return std::clamp(k, -kMaxCell, kMaxCell); };
     call.cells = {{inside(cell.i & ~31), inside(cell.j & ~31)},
@@ -366,10 +367,17 @@ void Editor::remember(Cell cell) {
       forgetMarks();
       commits();
       return chunks(leave);
-    case 7:  // there and back
-      chunks(unload);
-      commits();
-      return chunks(reload);
+    case 7: {  // all of it sleeps, and some of it wakes
+      forgetMarks();
+      Call all = Call::of(unload);
+      const auto inside = [](std::int32_t k) { return std::clamp(k, -kMaxCell, kMaxCell); };
+      all.cells = {{inside((cell.i & ~31) - 64), inside((cell.j & ~31) - 64)},
+                   {inside((cell.i & ~31) + 95), inside((cell.j & ~31) + 95)}};
+      make(all);
+      make(Call::commit());
+      if (random_.chance(80)) chunks(reload);
+      return random_.chance(50) ? chunks(reload) : void();
+    }
     case 8: {  // so much comes and goes that a cell needs a list
       Call call = Call::of(repeat), square = Call::of(addShape), gone = Call::of(clear);
       square.comes = {{.cell = cell, .shape = {{kUnitSquare.begin(), kUnitSquare.end()}}, .block = 1}};

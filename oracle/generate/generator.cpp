@@ -122,9 +122,10 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
   if (options.isOfCalls) {
     habits.forms = random.chance(85);
     habits.any = random.chance(40) ? 2 + random.below(8) : 0;
-    habits.hostilePercent = habits.any > 0 && random.chance(30) ? 5 : 0;
+    habits.hostilePercent = habits.any > 0 && random.chance(40) ? 10 : 0;
     habits.travel = random.chance(45) ? 1 + random.below(5) : 0;
-    habits.memory = random.chance(35) && !options.noMemory ? 1 + random.below(5) : 0;
+    habits.loads = !options.isFollowed;
+    habits.memory = random.chance(35) && !options.isFollowed ? 1 + random.below(5) : 0;
     habits.stroke = options.brushes ? 4 : 0;
   }
   if (isLow) {

@@ -88,12 +88,9 @@ Player::Done Player::makeCall(const Judged& judged) {
   const bool isDone = !outcome.refusal;
   const auto refusal = outcome.refusal;
   if (!movesInTime(call.kind)) {
-    if (!isDone) {
-      model_.tried();
-      moments_.happened(Redo::maybe);
-    } else {
-      moments_.happened(Redo::maybe);
-    }
+    if (!isDone) model_.tried();
+    moments_.happened(Redo::maybe);
+    hasLeft_ = hasLeft_ || !isDone;
   }
   if (call.kind == Kind::reload && hasGoneBack_ && outcome.chunks.size() > 0) isOfOnePast_ = false;
   if (isDone) {

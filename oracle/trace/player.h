@@ -65,10 +65,10 @@ class Player {
   const Brushed& brushed() const { return brushed_; }      ///< by the last call; empty if that was none of a brush
   std::size_t shapes() const { return now_.shapes.size(); }  ///< the number of different ones that the world has made
 
-  /// The calls that led here: those that were undone, and those that lead back or out of memory and in, left out. In a
-  /// new world they give what they gave (law 12).
+  /// The calls that led here, without those that were undone or lead back, copy or save. In a new world they give what
+  /// they gave (law 12), also without those that were refused (law 7).
   const Past& past() const { return now_.past; }
-  bool hasLeft() const { return hasLeft_; }  ///< whether any were left out, so far
+  bool hasLeft() const { return hasLeft_; }  ///< whether any were left out or refused, so far
   bool isOfOnePast() const { return isOfOnePast_; }  ///< false after a chunk came back of a time that was undone
 
  private:

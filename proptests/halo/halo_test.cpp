@@ -1,6 +1,6 @@
 // A world that is cut into regions: whatever the cutting, the order of commits and their grouping, the segments of all
 // regions together are those of one world, with their links by rank and id (examples/regions).
-#include "oracle/trace/call_model.h"
+#include "oracle/trace/model.h"
 #include "proptests/halo/cuttings.h"
 #include "proptests/halo/ranks.h"
 #include "proptests/support/law.h"
@@ -12,12 +12,12 @@
 namespace lgs::test {
 namespace {
 
-using oracle::Edit;
+using oracle::Call;
 using oracle::Random;
 
 /// The edits that regions can play: the cells of the others belong to nobody.
 oracle::Trace inRangeOnly(oracle::Trace trace) {
-  std::erase_if(trace.edits, [](const Edit& edit) { return !inRange(edit.polygon.cell); });
+  std::erase_if(trace.calls, [](const Call& edit) { return !inRange(edit.polygon().cell); });
   return trace;
 }
 
@@ -28,15 +28,15 @@ class Twins {
   Twins(const oracle::Trace& trace, const regions::Cutting& cutting, std::uint64_t seed)
       : world_(oracle::relationOf(trace.preserve)), ranks_(cutting, oracle::relationOf(trace.preserve)), seed_(seed) {}
 
-  void play(const Edit& edit, Random& random) {
-    if (edit.kind == Edit::Kind::add) {
-      const auto& [cell, block, vertices] = edit.polygon;
-      if (alive_.contains(edit.name)) return;
+  void play(const Call& edit, Random& random) {
+    if (edit.kind == Call::Kind::add) {
+      const auto& [cell, block, vertices] = edit.polygon();
+      if (alive_.contains(edit.name())) return;
       const auto handle = world_.add(cell, vertices, block);
       refused_ += handle ? 0U : 1U;
-      if (handle) alive_[edit.name] = {*handle, edit.polygon};
+      if (handle) alive_[edit.name()] = {*handle, edit.polygon()};
       propose({regions::Edit::Kind::add, cell, block, vertices});
-    } else if (const auto found = alive_.find(edit.name); found != alive_.end()) {
+    } else if (const auto found = alive_.find(edit.name()); found != alive_.end()) {
       const auto [handle, polygon] = found->second;
       const bool isLast = world_.polygons(polygon.cell).size() == 1;
       failUnless(world_.remove(handle).has_value(), "the one world refuses a remove");
@@ -80,8 +80,8 @@ void playInRegions(const oracle::Trace& trace, Chance chance) {
   if (isEmpty(boundsOf(trace))) return;
   Twins twins(trace, randomCutting(boundsOf(trace), chance), chance.next());
   const bool together = chance.chance(30);
-  for (const Edit& edit : trace.edits) {
-    if (edit.kind == Edit::Kind::commit)
+  for (const Call& edit : trace.calls) {
+    if (edit.kind == Call::Kind::commit)
       twins.meet(together, chance);
     else
       twins.play(edit, chance);
