@@ -125,8 +125,11 @@ struct Call {
     if (!goes.empty()) return goes[0].name;
     return comes.empty() || comes[0].names.empty() ? kNone : comes[0].names[0];
   }
-  /// Of add.
-  ScenePolygon polygon() const { return {comes[0].cell, comes[0].block, comes[0].shape[0]}; }
+  /// Of add; without vertices, if nothing comes.
+  ScenePolygon polygon() const {
+    if (comes.empty()) return {};
+    return {comes[0].cell, comes[0].block, comes[0].shape.empty() ? LocalPolygon() : comes[0].shape[0]};
+  }
 
   /// Where a call was read is no part of what it is.
   friend bool operator==(const Call& a, const Call& b);

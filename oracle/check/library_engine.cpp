@@ -96,7 +96,8 @@ std::optional<Complaint> LibraryEngine::afterTravel(Call::Kind kind) {
     return Complaint{Mismatch::Kind::changes, std::move(*problem), mirror_.blamed()};
   if (auto complaint = reading(readPolygons(*player_))) return complaint;
   changes_ = &world.changesOfRollBack();
-  return views_ && !player_->pending() ? checkViews() : std::nullopt;
+  if (player_->pending()) views_.reset();  // what follows from the outline of then is not that of the polygons
+  return views_ ? checkViews() : std::nullopt;
 }
 
 std::optional<Complaint> LibraryEngine::afterRefusal(const Call& call, const Stats& before) const {

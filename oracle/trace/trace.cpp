@@ -41,8 +41,8 @@ class Parser {
     if (words[0] == "preserve") return preserve(words);
     if (version_ == 4 && words[0] == "end") return end(words);
     Call call;
-    call.line = number;
     Fault fault = version_ == 4 ? readCall(words, call) : read(words, call);
+    call.line = number;
     if (!fault.empty()) return fault;
     if (!open_.empty() && call.kind != Call::Kind::commit && !isEdit(call.kind))
       return fmt::format("{} can not stand in a group", words[0]);
@@ -140,9 +140,7 @@ class Parser {
     if (Fault fault = readNumber(words[3], "cell index", -kMaxCell, kMaxCell, cell.j); !fault.empty()) return fault;
     if (Fault fault = readBlock(words[4], polygon.block); !fault.empty()) return fault;
     Fault fault = readPoints(std::span(words).subspan(kFirstCoordinate), "", polygon.vertices);
-    const std::size_t line = call.line;
     call = Call::add(std::string(words[1]), std::move(polygon));
-    call.line = line;
     return fault;
   }
 

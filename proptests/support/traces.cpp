@@ -106,9 +106,11 @@ CellRect boundsOf(const Trace& trace) {
 
 Trace movedTo(Trace trace, Cell target) {
   const CellRect bounds = boundsOf(trace);
-  for (Call& edit : trace.calls)
-    if (edit.kind == Call::Kind::add)
-      edit = movedBy(std::move(edit), {target.i - bounds.min.i, target.j - bounds.min.j});
+  for (Call& edit : trace.calls) {
+    if (edit.kind != Call::Kind::add) continue;
+    Cell& cell = edit.comes[0].cell;
+    cell = {cell.i - bounds.min.i + target.i, cell.j - bounds.min.j + target.j};
+  }
   return trace;
 }
 
