@@ -17,7 +17,7 @@
 namespace lgs::cli {
 
 /// Exit statuses. They are fixed, because other programs read them.
-enum class Status { fine = 0, mismatch = 1, badInput = 2 };
+enum class Status { fine = 0, mismatch = 1, badInput = 2, inPart = 3 };
 
 /// The worse of two.
 inline Status worst(Status a, Status b) { return std::max(a, b); }

@@ -9,10 +9,13 @@ find_package(rapidcheck REQUIRED)
 find_package(ZLIB REQUIRED)  # to pack maps for the importer
 find_package(zstd REQUIRED)
 
-# What CTest runs, and no more, for builds that are there to be tested: all of it, for the sanitizers; and the laws, the
-# costs and the packages, which are tested in Release too. The others have the label "once".
+# What CTest runs, and no more, for builds that are there to be tested: all of it, for the sanitizers; the laws, the costs
+# and the packages, which are tested in Release too (the others have the label "once"); and what `./test.sh quick` runs,
+# with the label "quick".
 add_custom_target(lgs_tested)
 add_custom_target(lgs_tested_in_release)
+add_custom_target(lgs_tested_quick)
+add_dependencies(lgs_tested_quick lgs_cli)
 add_dependencies(lgs_tested lgs_tested_in_release lgs_cli lgs-import)
 foreach(target IN ITEMS lgs-bench lgs-ride lgs_bench)
   if(TARGET ${target})
@@ -28,13 +31,13 @@ if(LGS_SANITIZE STREQUAL "thread")  # which has an `operator new` of its own, an
   set(lgs_without_memory EXCLUDE "allocations|cost_test|memory_runs_out|steady_state")
 endif()
 
-# lgs_test_program(<program> [ALONE] [ONCE] [SHARDS <n>] SOURCES <pattern>... [EXCLUDE <regex>] [LIBRARIES <library>...]
+# lgs_test_program(<program> [ALONE] [ONCE] [QUICK] [SHARDS <n>] SOURCES <pattern>... [EXCLUDE <regex>] [LIBRARIES <library>...]
 # [FIRST <library>...] [FILTER <tests>] [PREFIX <of names>]): a program of GoogleTest's. CTest runs it in n parts side by
 # side (2 by default), since with sanitizers a process for each test takes longer to begin than the test. ALONE is for
 # programs that need nothing of lgs_test_support. ONCE: not in Release. FIRST are libraries in which the tests spend their
 # time (lgs_link_first).
 function(lgs_test_program program)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "ALONE;ONCE" "EXCLUDE;FILTER;PREFIX;SHARDS" "SOURCES;LIBRARIES;FIRST")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "ALONE;ONCE;QUICK" "EXCLUDE;FILTER;PREFIX;SHARDS" "SOURCES;LIBRARIES;FIRST")
   file(GLOB sources RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS ${arg_SOURCES})
   if(arg_EXCLUDE)
     list(FILTER sources EXCLUDE REGEX ${arg_EXCLUDE})
@@ -51,6 +54,10 @@ function(lgs_test_program program)
     lgs_link_first(${program} ${arg_FIRST})
   endif()
   set(labels ${lgs_label})
+  if(arg_QUICK)
+    add_dependencies(lgs_tested_quick ${program})
+    list(APPEND labels quick)
+  endif()
   if(arg_ONCE)
     add_dependencies(lgs_tested ${program})
     list(APPEND labels once)

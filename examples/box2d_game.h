@@ -55,6 +55,7 @@ class Game {
   int play() {
     for (int frame = 0; frame < kFrames && isBuilt_; ++frame) {
       input(frame);
+      physics_.terrain().beforeStep();
       physics_.step();
       physics_.terrain().afterStep();
     }

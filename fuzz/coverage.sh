@@ -7,7 +7,7 @@
 #                 build/fuzz-coverage
 #   --lines FILE  where to write the sources with how often each line and branch was run; default
 #                 out/fuzz-coverage.txt
-#   CORPUS        a folder with one for each target; default fuzz/corpus
+#   CORPUS        a folder with an archive or a folder for each target; default fuzz/corpus
 #
 # What is counted is branches: the two ways out of each condition in the source, so `a && b` has four. These are the
 # edges of the control flow where it parts. A branch is reached if any target reaches it; one in a template counts once,
@@ -40,14 +40,14 @@ report() {
     awk -v root="$PWD/" '{ file = $1; sub(root, "", file) } file ~ /^lib\// { print $(NF - 2) - $(NF - 1), $(NF - 2), file }'
 }
 
-for folder in "$corpus"/*/; do
-  target=$(basename "$folder")
-  LLVM_PROFILE_FILE=$found/$target.profraw "$program" run "$target" "$folder" --out "$found" >"$found/log" 2>&1 ||
+for inputs in "$corpus"/*; do
+  target=$(basename "$inputs" .tar)
+  LLVM_PROFILE_FILE=$found/$target.profraw "$program" run "$target" "$inputs" --out "$found" >"$found/log" 2>&1 ||
     { tail -n 20 "$found/log" >&2; echo "coverage.sh: $target failed" >&2; exit 1; }
   tool llvm-profdata merge -o "$found/$target.profdata" "$found/$target.profraw"
   report "$target" >"$found/$target.files"
-  awk -v t="$target" -v inputs="$(find "$folder" -type f | wc -l)" -v bytes="$(cat "$folder"/* | wc -c)" \
-    '{ hit += $1 } END { printf "%-10s %5d inputs %7d bytes %6d branches of lib/\n", t, inputs, bytes, hit }' \
+  awk -v t="$target" -v inputs="$(sed -n 's/^inputs *//p' "$found/log")" \
+    '{ hit += $1 } END { printf "%-10s %5d inputs %6d branches of lib/\n", t, inputs, hit }' \
     "$found/$target.files"
 done
 tool llvm-profdata merge -o "$found/all.profdata" "$found"/*.profraw

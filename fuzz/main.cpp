@@ -1,5 +1,6 @@
 // lgs_fuzz: the targets without an engine. Runs inputs from files, changes them at random, converts and reports them.
 #include "cli/command.h"
+#include "fuzz/archive.h"
 #include "fuzz/finding.h"
 #include "fuzz/mutate.h"
 #include "oracle/check/shell.h"
@@ -11,6 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 
 namespace lgs::fuzz {
@@ -24,13 +26,9 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kMaxSize = 1'024;  // of an input made here
 
 const std::map<std::string, const Target*>& targets() {
-  static const std::map<std::string, const Target*> all{
-      {kEdits.name, &kEdits}, {kPolygons.name, &kPolygons}, {kSnapshot.name, &kSnapshot}, {kTrace.name, &kTrace},
-      {kTiled.name, &kTiled}, {kBrush.name, &kBrush},       {kCalls.name, &kCalls},       {kViews.name, &kViews},
-#ifdef LGS_FUZZ_BOX2D
-      {kBox2d.name, &kBox2d},
-#endif
-  };
+#define LGS_FUZZ_TARGET_OF(target) {target.name, &target},
+  static const std::map<std::string, const Target*> all{LGS_FUZZ_TARGETS(LGS_FUZZ_TARGET_OF)};
+#undef LGS_FUZZ_TARGET_OF
   return all;
 }
 
@@ -66,7 +64,7 @@ double cpuSeconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-// Files as they are; of folders all files, in order.
+// Files as they are; of archives and folders all files, in order.
 tl::expected<std::vector<std::string>, std::string> readAll(const std::vector<std::string>& paths) {
   namespace fs = std::filesystem;
   std::vector<std::string> files;
@@ -86,7 +84,13 @@ tl::expected<std::vector<std::string>, std::string> readAll(const std::vector<st
   for (const std::string& file : files) {
     auto content = oracle::readFile(file);
     if (!content) return tl::unexpected(message(content.error(), file));
-    contents.push_back(std::move(*content));
+    if (!file.ends_with(".tar")) {
+      contents.push_back(std::move(*content));
+      continue;
+    }
+    auto inputs = filesOf(*content);
+    if (!inputs) return tl::unexpected(file + ": " + inputs.error());
+    std::move(inputs->begin(), inputs->end(), std::back_inserter(contents));
   }
   return contents;
 }
@@ -121,7 +125,7 @@ class Session {
 Status run(const Arguments& arguments) {
   const auto inputs = readAll(arguments.paths);
   if (!inputs) return complain(inputs.error());
-  if (inputs->empty()) return complain("no input: the folders are empty");
+  if (inputs->empty()) return complain("no input: folders and archives are empty");
   Session session(arguments);
   for (std::uint64_t round = 0; round < arguments.repeat; ++round) {
     for (const std::string& input : *inputs) {
@@ -244,7 +248,7 @@ class CommandLine {
   void addOutput(CLI::App& sub) { sub.add_option("-o,--output", arguments_.output, "Default: standard output"); }
 
   void addRun() {
-    CLI::App& sub = add("run", "Run inputs: files, or all files of folders", fuzz::run);
+    CLI::App& sub = add("run", "Run inputs: files, or all files of folders and archives (.tar)", fuzz::run);
     addTarget(sub);
     addOut(sub);
     sub.add_option("PATH", arguments_.paths)->required();
@@ -257,7 +261,7 @@ class CommandLine {
     CLI::App& sub = add("smoke", "Run inputs, then random changes of them and random ones", smoke);
     addTarget(sub);
     addOut(sub);
-    sub.add_option("PATH", arguments_.paths, "Files and folders to start from; none: from nothing");
+    sub.add_option("PATH", arguments_.paths, "Files, folders and archives to start from; none: from nothing");
     sub.add_option("--seconds", arguments_.seconds, "For how long; default 5")->check(seconds(false));
     cli::addWholeNumber(
         sub, "--seed", [this](std::uint64_t n) { arguments_.seed = n; }, {}, "Default 1")

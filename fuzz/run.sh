@@ -25,8 +25,8 @@ if [[ ! $hours =~ ^[0-9]+(\.[0-9]+)?$ || ! $hours =~ [1-9] || \
   exit 2
 fi
 for target in "${targets[@]}"; do
-  [[ -d fuzz/corpus/$target ]] ||
-    { echo "run.sh: no target $target; there are $(cd fuzz/corpus && echo *)" >&2; exit 2; }
+  [[ -e fuzz/corpus/$target.tar ]] ||
+    { echo "run.sh: no target $target; there are $(basename -s .tar fuzz/corpus/* | xargs)" >&2; exit 2; }
 done
 if [[ -z $build ]]; then
   build=build/fuzz
@@ -45,7 +45,7 @@ mkdir -p "$out/logs" "$out/findings"
 touch "$table"
 for target in "${targets[@]}"; do
   mkdir -p "$out/corpus/$target"
-  cp -n "fuzz/corpus/$target/"* "$out/corpus/$target/" 2>/dev/null || true
+  tar --skip-old-files -xf "fuzz/corpus/$target.tar" -C "$out/corpus/$target"
 done
 export LGS_FUZZ_OUT=$out/findings
 

@@ -5,6 +5,7 @@
 #include "oracle/check/checker.h"
 #include "oracle/generate/generator.h"
 #include "oracle/trace/trace.h"
+#include "targets.h"  // which CMake makes
 
 #include <optional>
 #include <span>
@@ -41,17 +42,9 @@ struct Target {
   std::string (*whyEmpty)(Bytes input) = nullptr;
 };
 
-extern const Target kEdits;     // edits.cpp
-extern const Target kPolygons;  // edits.cpp
-extern const Target kViews;     // edits.cpp
-extern const Target kTrace;     // trace_text.cpp
-extern const Target kSnapshot;  // snapshot.cpp
-extern const Target kBrush;     // brush.cpp
-extern const Target kCalls;     // calls.cpp
-extern const Target kTiled;     // tiled.cpp
-#ifdef LGS_FUZZ_BOX2D
-extern const Target kBox2d;  // box2d.cpp
-#endif
+#define LGS_FUZZ_TARGET_OF(name) extern const Target name;
+LGS_FUZZ_TARGETS(LGS_FUZZ_TARGET_OF)  // kEdits, kPolygons, …: CMakeLists.txt has the list
+#undef LGS_FUZZ_TARGET_OF
 
 /// A record as the seed of random choices.
 inline oracle::Random seededBy(Bytes record) {

@@ -3,7 +3,7 @@
 # random work (LGS_TEST_SCALE, default 0.25). Builds into build/coverage and ends with two tables for each part of lib/,
 # lines and branches, and the path of a report in HTML. Branches of exceptions are left out: lib/ is compiled without
 # them, but what it inlines of the standard library is not free of them. Assertions are off: their failing is no branch
-# that a test could take. Fails below 99 % of lines or 95 % of branches; docs/reports/coverage.md explains what is missing.
+# that a test could take. Fails below 99 % of lines or 95 % of branches.
 # Needs gcovr (Debian: gcovr).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -3,28 +3,27 @@
 
     scripts/farm.py plan --naive 400 --cgal 40 --laws 4 --canary -o out/farm/plan.jsonl
     scripts/farm.py run out/farm/plan.jsonl --jobs 2           # all units, or some: an index, or FIRST-LAST
-    scripts/farm.py merge out/farm/plan.jsonl out/farm/results # totals, and a page
+    scripts/farm.py merge out/farm/plan.jsonl out/farm/results # totals, and what was found
 
 A unit takes ten to twenty minutes of a core, does the same wherever it runs, and ends in one file of JSON. `run` skips
 units that passed; so the same command goes on where it stopped. Units that were killed, or ran out of memory, are lost:
 they have neither passed nor failed, and are run again.
 
-Exit status of `run`: 0 all passed; 42 a finding; 75 something was lost, try again. Of `merge`: 75 units are missing, whatever
-the others say; else 42 findings, or a canary that was not found; else 0. 2 is bad usage. More: docs/farm.md
+Exit status of `run`: 0 all passed; 42 a finding; 75 something was lost, try again; 130 stopped by Ctrl-C. Of `merge`: 75
+units are missing, whatever the others say; else 42 findings, or a canary that was not found; else 0. 2 is bad usage.
+More: docs/farm.md
 """
 import argparse
 import concurrent.futures
-import os
 import re
+import signal
 import subprocess
 import sys
 from datetime import date
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent / "farm"))
-import bisecting
 import ledger
-import page
 import work
 from units import KINDS, OUT, ROOT, read_plan, split, split_fuzz
 
@@ -64,83 +63,67 @@ def plan(arguments: argparse.Namespace) -> int:
 
 def chosen(units: list, words: list[str]) -> list:
     """By index from 0, as schedulers count: 7, or 0-9."""
-    if not words:
-        return units
     indices = []
     for word in words:
-        if not re.fullmatch(r"\d+(-\d+)?", word):
+        if not (found := re.fullmatch(r"(\d{1,18})(?:-(\d{1,18}))?", word)):
             raise ValueError(f"'{word}' is no index, and no range such as 0-9")
-        first, _, last = word.partition("-")
-        indices += range(int(first), int(last or first) + 1)
-    if max(indices) >= len(units):
-        raise ValueError(f"there is no unit {max(indices)}: the plan has {len(units)}")
-    return [units[k] for k in dict.fromkeys(indices)]
+        first, last = int(found[1]), int(found[2] or found[1])
+        if last < first:
+            raise ValueError(f"the range {word} ends before it begins")
+        if last >= len(units):
+            raise ValueError(f"there is no unit {last}: the plan has {len(units)}, from 0 on")
+        indices += range(first, last + 1)
+    return [units[k] for k in dict.fromkeys(indices)] if words else units
 
 
 def run(arguments: argparse.Namespace) -> int:
     units = chosen(read_plan(arguments.plan), arguments.units)
     if units and not arguments.build_is_right and (here := commit_here()) != units[0].commit:
         raise ValueError(f"the plan is for commit {units[0].commit[:12]}, and this is {here[:12]}")
-    done = ledger.of_unit(ledger.read([arguments.to])) if arguments.to.is_dir() else {}
-    left = [unit for unit in units if not (found := ledger.verdict(done.get(unit.key, []))) or found["outcome"] != work.PASS]
+    known = ledger.Ledger(units, ledger.read([arguments.to]))
+    left = [unit for unit in units if unit not in known.having(work.PASS)]
     print(f"{len(units) - len(left)} units passed before; {len(left)} to do", flush=True)
+
+    def do(unit):
+        if result := work.run(unit, arguments.build.resolve()):
+            ledger.write(arguments.to, result)  # here, so that nothing which was done waits for anything
+        return result
+
     worst = 0
-    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        running = [pool.submit(work.run, unit, arguments.build.resolve()) for unit in left]
+    pool = concurrent.futures.ThreadPoolExecutor(arguments.jobs)
+    try:
+        running = [pool.submit(do, unit) for unit in left]
         for count, future in enumerate(concurrent.futures.as_completed(running), 1):
             result = future.result()
-            ledger.write(arguments.to, result)
             worst = max(worst, STATUS[result["outcome"]], key=[0, 75, 42].index)
-            words = "; ".join(f"{f['id']} {f['fault']}" for f in result["findings"]) or result["why"]
+            words = result["finding"].strip().partition("\n")[0] or result["why"]
             print(f"[{count}/{len(left)}] {result['unit']}: {result['outcome']}, {result['seconds']:.0f} s"
                   + (f": {words}" if words else ""), flush=True)
+    except KeyboardInterrupt:
+        work.stop()
+        print("stopped; what has passed is written down. The same command goes on", flush=True)
+        worst = 130
+    finally:
+        pool.shutdown(cancel_futures=True)
     return worst
 
 
 def merge(arguments: argparse.Namespace) -> int:
     now = ledger.Ledger(read_plan(arguments.plan), ledger.read(arguments.results))
-    before = None
-    if arguments.before:
-        before = ledger.Ledger(read_plan(arguments.before[0]), ledger.read(arguments.before[1:]))
-    text = page.markdown(now, before)
-    arguments.page.parent.mkdir(parents=True, exist_ok=True)
-    pictures = {name: finding["picture"] for name, finding in now.findings().items()}
-    for path, content in ((arguments.page.with_suffix(".md"), text),
-                          (arguments.page.with_suffix(".html"), page.as_html(text, pictures))):
-        part = path.with_suffix(path.suffix + ".part")
-        part.write_text(content, encoding="utf-8")
-        os.replace(part, path)
-    print(page.summary(now))
-    print(page.canary(now))
-    for name, finding in sorted(now.findings().items()):
-        print(f"finding {name}: {finding['fault']}, {finding['count']} times")
-    for unit in now.missing[:10]:
-        print(f"missing: {unit.key}")
-    print(f"page: {arguments.page.with_suffix('.html')}")
-    canary_failed = any(u.kind == "canary" and u not in now.having(work.PASS) for u in now.units)
+    print(now.told())
     if now.missing:
         return 75
-    return 42 if now.having(work.FINDING) or canary_failed else 0
+    return 42 if now.having(work.FINDING) or now.dead_canaries() else 0
 
 
 def show(arguments: argparse.Namespace) -> int:
-    units = read_plan(arguments.plan)
-    known = ledger.Ledger(units, ledger.read([arguments.left]) if arguments.left and arguments.left.is_dir() else [])
-    for index, unit in enumerate(units):
+    known = ledger.Ledger(read_plan(arguments.plan), ledger.read([arguments.left] if arguments.left else []))
+    for index, unit in enumerate(known.counted):
         if not arguments.left:
             print(f"{index}\t{unit.key}\t{KINDS[unit.kind].about}")
         elif known.counted[unit] is None:
             print(index)
     return 0
-
-
-def bisect(arguments: argparse.Namespace) -> int:
-    found = [f for result in ledger.read(arguments.results) for f in result["findings"] if f["id"] == arguments.finding]
-    if not found:
-        raise ValueError(f"there is no finding {arguments.finding} in these results")
-    if not found[0]["trace"]:
-        raise ValueError(f"finding {arguments.finding} has no trace: only a trace can be played at other commits")
-    return bisecting.bisect(found[0]["trace"], arguments.good, arguments.bad)
 
 
 def parser() -> argparse.ArgumentParser:
@@ -171,26 +154,19 @@ def parser() -> argparse.ArgumentParser:
     sub.add_argument("--build", metavar="DIR", type=Path, default=ROOT / "build/release", help="with the programs, built")
     sub.add_argument("--build-is-right", action="store_true", help="the code here is not that of the plan, and the build is")
 
-    sub = add("merge", merge, "Add up results; write the page")
+    sub = add("merge", merge, "Add up results, and tell what was found")
     sub.add_argument("plan", metavar="PLAN", type=Path)
     sub.add_argument("results", metavar="DIR", type=Path, nargs="+")
-    sub.add_argument("--page", metavar="FILE", type=Path, default=OUT / "page", help="without its ending (default: out/farm/page)")
-    sub.add_argument("--before", metavar=("PLAN", "DIR"), type=Path, nargs=2, help="of an earlier run: what is new, resolved, rare")
 
     sub = add("show", show, "List the units of a plan with their indices")
     sub.add_argument("plan", metavar="PLAN", type=Path)
     sub.add_argument("--left", metavar="DIR", type=Path, help="only the indices of units that have no result there")
-
-    sub = add("bisect", bisect, "Find the commit that brought a finding")
-    sub.add_argument("finding", metavar="ID")
-    sub.add_argument("results", metavar="DIR", type=Path, nargs="+")
-    sub.add_argument("--good", metavar="COMMIT", required=True, help="without it")
-    sub.add_argument("--bad", metavar="COMMIT", default="HEAD", help="with it (default: HEAD)")
     return top
 
 
 def main() -> int:
     arguments = parser().parse_args()
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # as schedulers end what they began
     try:
         return arguments.does(arguments)
     except (OSError, ValueError) as error:

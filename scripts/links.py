@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Checks what the Markdown documents point at: links lead to files and headings, and files named in `code` exist.
+Also, each page is linked from another one, and no line is wider than 120 characters (but rows of tables).
 
     scripts/links.py           # exit status 0: all is well; 1: what leads nowhere, with file and line
     scripts/links.py --test    # the check finds broken links and names, planted in a folder of its own
@@ -18,13 +19,14 @@ import tempfile
 
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 CODE = re.compile(r"`([^`\n]+)`")
+UPWARD = re.compile(r"`(\.\./[\w./*-]+)`")  # a path from the page
 NAME = re.compile(r"(?<![\w/.$:<>{}-])[A-Za-z_*][\w.*+-]*(?:/[\w.*+-]+)*/?(?![\w/<>{}(])")
 # Names without a slash that are looked for. Those of traces, pictures and maps are mostly the reader's own.
 SOURCE = re.compile(r".*\.(h|cpp|py|sh|md|toml|cmake)$")
 # What is no file of the project: what running something makes, and what the reader is to fill in.
 OTHER = re.compile(r"localgridseg\.(?:h|cpp)$|out/|build/bugs/|fuzz/all$|origin/|projects/localgridseg/|localgridseg/\w+$|build/web|package/dist|sandbox/dist|dist/|.*/(?:NAME|name)\b")
-# Pages that a program wrote about an earlier commit, which they name: files had the names of then.
-RECORDS = ["docs/reports/planted-bugs.md"]
+WIDTH = 120
+LICENCES = ["web/package/NOTICES.md"]  # texts of others, word for word
 HEADING = re.compile(r"#+ +(.*?) *$")
 
 
@@ -78,19 +80,32 @@ def names_in(prose, code):
 
 
 def complaints(root, files):
-    ends = ends_of(files)
-    for file in [file for file in files if file.suffix == ".md"]:
-        prose, code = prose_and_code((root / file).read_text(encoding="utf-8"))
+    ends, linked = ends_of(files), {root / "README.md"}
+    pages = [file for file in files if file.suffix == ".md"]
+    for file in pages:
+        text = (root / file).read_text(encoding="utf-8")
+        prose, code = prose_and_code(text)
         found = []
+        for number, line in enumerate(text.splitlines(), 1):
+            if len(line) > WIDTH and not line.lstrip(" >").startswith("|") and str(file) not in LICENCES:
+                found.append((number, f"the line has {len(line)} characters; {WIDTH} are allowed"))
         for link in LINK.finditer(prose):
+            there = ((root / file).parent / link[1].partition("#")[0]).resolve()
+            linked |= {there} - {(root / file).resolve()}
             fault = fault_of_link(root, file, link[1])
             if fault:
                 found.append((prose.count("\n", 0, link.start()) + 1, f"{fault}: {link[1]}"))
+        for upward in UPWARD.finditer(prose):
+            if not any((root / file.parent).glob(upward[1])):
+                found.append((prose.count("\n", 0, upward.start()) + 1, f"there is no such file: {upward[1]}"))
         for name, line in names_in(prose, code):
-            if str(file) not in RECORDS and not exists(name, ends):
+            if not exists(name, ends):
                 found.append((line, f"there is no such file: {name}"))
         for line, complaint in sorted(found):
             yield f"{file}:{line}: {complaint}"
+    for file in pages:
+        if (root / file).resolve() not in linked:
+            yield f"{file}:1: no other page links this one"
 
 
 def fault_of_link(root, file, target):
@@ -110,18 +125,20 @@ def fault_of_link(root, file, target):
 def test():
     """Plants links and names that lead nowhere, and some that are right; expects the first to be found and no other."""
     wrong = ["[a](b.md)", "[a](#none)", "[a](ground/grid.h#none)", "`ground/grid.cpp`", "`lib/grid.h`", "`*_test.cpp`",
-             "`README.md`", "    build/release/oracle/lgs check"]
+             "`ABOUT.md`", "`../none.md`", "wide " * 30, "    build/release/oracle/lgs check"]
     right = ["    build/release/lib/lgs check my.trace",
              "[a](ground/grid.h), [a](#a-heading-c-and-more), [a](note.md#a-heading-c-and-more)",
-             "`ground/grid.h`, `grid.h`, `lib/ground/`, `gr*.h`, `out/file`, 1/2 and/or, `1/2`, <https://example.org/b.md>"]
+             "`ground/grid.h`, `grid.h`, `lib/ground/`, `gr*.h`, `out/file`, 1/2 and/or, `../README.md`, <https://example.org/b.md>"]
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
         (root / "lib/ground").mkdir(parents=True)
         (root / "lib/ground/grid.h").touch()
         text = "\n".join(["## A heading: `C++`, and more", *wrong, *right])
         (root / "lib/note.md").write_text(text, encoding="utf-8")
+        (root / "README.md").write_text("[the note](lib/note.md)", encoding="utf-8")
+        (root / "lonely.md").touch()
         found = [complaint.split(":")[1] for complaint in complaints(root, tracked(root))]
-    expected = [str(2 + k) for k in range(len(wrong))]
+    expected = [str(2 + k) for k in range(len(wrong))] + ["1"]
     if found != expected:
         print(f"links: found in lines {' '.join(found)}, expected in lines {' '.join(expected)}")
         return 1

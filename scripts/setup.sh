@@ -1,19 +1,27 @@
 #!/usr/bin/env bash
 # Installs what the project is built with, on Debian 12 and its relatives: only what is missing, with apt-get.
-# Nothing missing: it says so and is done at once. Never asks a question. Arguments: further packages to install.
+# Nothing missing: it says so and is done at once. Never asks a question. With --check as the first argument: only what the
+# preset `check` is built with, the lgs command to check an engine of yours. Further arguments: packages to add.
 set -euo pipefail
 
 packages=(
-  g++ cmake ninja-build python3                  # the tool chain
-  libexpected-dev                                # the engine
-  libpugixml-dev libpcre2-dev libfast-float-dev nlohmann-json3-dev zlib1g-dev libzstd-dev  # the importer of maps
-  libbox2d-dev                                   # the terrain for Box2D
-  libcgal-dev libboost-dev libcli11-dev libfmt-dev  # the references and the lgs command
-  libpolyclipping-dev libgeos-dev libbenchmark-dev  # the timings
-  libgtest-dev libgmock-dev librapidcheck-dev    # the tests
-  libsqlite3-dev                                 # worlds in files, an example
-  "$@"                                           # what a script needs beyond that
+  g++ cmake ninja-build                           # the tool chain
+  libexpected-dev                                 # the engine
+  libcgal-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev  # the references and the lgs command
 )
+if [[ ${1:-} == --check ]]; then
+  shift
+else
+  packages+=(
+    python3                                       # tests, and what writes files
+    libpugixml-dev libpcre2-dev libfast-float-dev zlib1g-dev libzstd-dev  # the importer of maps
+    libbox2d-dev                                  # the terrain for Box2D
+    libpolyclipping-dev libgeos-dev libbenchmark-dev  # the timings
+    libgtest-dev libgmock-dev librapidcheck-dev   # the tests
+    libsqlite3-dev                                # worlds in files, an example
+  )
+fi
+packages+=("$@")                                  # what a script needs beyond that
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   echo "setup: this is not a Debian system; nothing installed. If CMake misses something, it is one of:"

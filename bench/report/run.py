@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures everything and writes it down: figures as JSON and CSV, plots as SVG, the tables of the docs.
 
-    bench/report/run.py            all of it, some minutes; refreshes docs/timings*.svg, docs/timings.md and README.md
+    bench/report/run.py            all of it, some minutes; refreshes docs/timings.md and README.md
     bench/report/run.py --quick    smaller worlds, half a minute; leaves the docs alone
 
 The figures need a quiet machine, the plots need matplotlib (Debian: python3-matplotlib). If Node is here and
@@ -113,14 +113,11 @@ def refresh(results, paths):
         path.write_text(parts.sub(lambda m: f"{m[1]}{TABLES[m[2]](results)}\n{m[3]}", text))
 
 
-def load_plots(scale):
-    """The module of the plots, or None where matplotlib is missing. The docs can not be refreshed without it."""
+def load_plots():
+    """The module of the plots, or None where matplotlib is missing."""
     if importlib.util.find_spec("matplotlib"):
         return importlib.import_module("plots")
-    missing = "the plots need matplotlib (Debian: python3-matplotlib)"
-    if scale is FULL:
-        sys.exit(f"run.py: {missing}")
-    say(f"no plots: {missing}")
+    say("no plots: they need matplotlib (Debian: python3-matplotlib)")
     return None
 
 
@@ -139,7 +136,7 @@ def read_arguments():
 def main():
     arguments = read_arguments()
     scale = QUICK if arguments.quick else TINY if arguments.tiny else FULL
-    plots = load_plots(scale)
+    plots = load_plots()
 
     out = arguments.out.resolve()
     out.mkdir(parents=True, exist_ok=True)
@@ -158,9 +155,8 @@ def main():
     results.write_csv(out / "results.csv")
     say(f"figures: {out / 'results.json'}, .csv")
     if plots:
-        pictures = ROOT / "docs" if scale is FULL else out
-        plots.draw(results, pictures)
-        say(f"plots: {pictures}/timings-*.svg")
+        plots.draw(results, out)
+        say(f"plots: {out}/timings-*.svg")
     docs = DOCS
     if scale is not FULL:
         docs = [out / path.name for path in DOCS]

@@ -22,8 +22,6 @@ NAMES = {
     "cgal": "CGAL `Polygon_set_2`, EPECK",
     "polygon-clipping": "polygon-clipping (JavaScript)",
 }
-# For which code the figures speak.
-CODE = ("lib/geometry", "lib/ground", "lib/outline", "lib/storage", "lib/world")
 RECOMPUTE = ("geos-coverage", "clipper", "boost", "cgal", "polygon-clipping", "geos")
 # The article's figures in milliseconds: polygons and segments of FullBlock, polygons and segments of RAMP.
 PUBLISHED = {
@@ -42,10 +40,9 @@ def ratio_or_none(a, b):
 
 
 def about(results):
-    """Where the figures come from; for scripts/claims.py, too, which says when the code has changed too much since."""
+    """Where the figures come from."""
     a = results.about
-    mark = f"<!-- figures: timings commit={a['commit'].split()[0]} paths={','.join(CODE)} within=25% -->\n"
-    return mark + textwrap.fill(
+    return textwrap.fill(
         f"Measured on {a['date']}: {a['machine']}; {a['compiler']}; commit {a['commit']}; by `{a['command']}`. "
         "One core; absolute times drift, ratios are of one run.",
         120,

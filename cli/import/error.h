@@ -7,7 +7,8 @@
 
 namespace lgs::cli {
 
-/// The error for whoever called the command: its options instead of those of the library.
-std::string complaint(tiled::ImportError error);
+/// The error for whoever called the command on a map: its options instead of those of the library, and the command that
+/// lets the map read what it names.
+std::string complaint(tiled::ImportError error, const std::string& map);
 
 }  // namespace lgs::cli

@@ -21,37 +21,59 @@ struct ImportArguments {
   std::string report;
   std::string svg;
   bool allowEmpty = false;
+  bool strict = false;
   tiled::Options options;
   std::string hintArguments;  ///< those of them that go into hints: " --layer Ground"
 };
+
+/// A world as it is drawn.
+struct Drawn {
+  oracle::Scene scene;
+  oracle::Outline outline;
+};
+
+tl::expected<Drawn, std::string> drawn(const tiled::ImportedMap& map) {
+  const oracle::Trace trace = traceOf(map);
+  oracle::Player player(trace.preserve);
+  if (const auto done = play(trace, player); !done) return tl::unexpected(message(done.error(), map.report.file));
+  return Drawn{player.scene(), oracle::outlineOf(player.world())};
+}
+
+/// The picture of a map; beside it the next best reading, and where they differ.
+tl::expected<std::string, std::string> pictureOf(const ImportArguments& arguments, const tiled::ImportedMap& map) {
+  const auto taken = drawn(map);
+  if (!taken) return tl::unexpected(taken.error());
+  oracle::MismatchOptions options;
+  options.title = std::filesystem::path(arguments.map).filename().string();
+  const std::vector<tiled::Suggestion>& all = map.report.suggestions;
+  const auto other = all.empty() ? tl::unexpected(tiled::ImportError{})
+                                 : tiled::importMap(arguments.map, tiled::chosen(arguments.options, all.front()));
+  const auto next = other ? drawn(*other) : tl::unexpected(std::string());
+  if (!next) return drawWorld(taken->scene, taken->outline, options);
+  options.expectedName = "taken: " + std::to_string(map.placements.size()) + " polygons";
+  options.actualName = "or:";
+  for (const std::string& argument : all.front().arguments) options.actualName += " " + text::shellWord(argument);
+  return drawMismatch(taken->scene, taken->outline, next->outline, options);
+}
 
 Status run(const ImportArguments& arguments) {
   if (!arguments.survey.empty()) return survey(arguments.survey, arguments.options);
   const Status bad = tryOutputs({arguments.trace, arguments.report, arguments.svg});
   if (bad != Status::fine) return bad;
   const auto map = tiled::importMap(arguments.map, arguments.options);
-  if (!map) return complain(complaint(map.error()));
+  if (!map) return complain(complaint(map.error(), arguments.map));
   const bool isEmpty = map->placements.empty() && !arguments.allowEmpty;
-  const oracle::Trace trace = traceOf(*map);
-  Status status = isEmpty ? Status::badInput : write(arguments.trace, printTrace(trace));
-  tiled::Report shown = map->report;
-  if (arguments.report.empty()) shown.suggestions.clear();  // the commands below have them
-  const std::string report = tiled::toText(shown);
-  if (!arguments.report.empty()) {
-    status = worst(status, write(arguments.report, report));
-  } else {
-    fmt::print(arguments.trace == "-" ? stderr : stdout, "{}", report);
-  }
+  Status status = isEmpty ? Status::badInput : write(arguments.trace, printTrace(traceOf(*map)));
   const std::string command = "lgs import " + text::shellWord(arguments.map) + arguments.hintArguments;
-  if (isEmpty) return complain(hints(map->report, command) + "\n(--allow-empty accepts an empty map)");
-  tellPartial(map->report, command);
+  const std::string report = tiled::toText(map->report, command), summary = summaryOf(report);
+  std::FILE* const out = arguments.trace == "-" || isEmpty ? stderr : stdout;
+  fmt::print(out, "{}", arguments.report.empty() ? report : summary);
+  if (!arguments.report.empty()) status = worst(status, write(arguments.report, report));
+  if (isEmpty) return complain("(--allow-empty accepts an empty map)");
+  if (arguments.strict && !map->report.partial.empty() && status == Status::fine) status = Status::inPart;
   if (arguments.svg.empty()) return status;
-  oracle::Player player(trace.preserve);
-  if (const auto done = play(trace, player); !done) return complain(message(done.error(), arguments.map));
-  oracle::DrawOptions options;
-  options.title = std::filesystem::path(arguments.map).filename().string();
-  const oracle::Outline outline = oracle::outlineOf(player.world());
-  return worst(status, write(arguments.svg, drawWorld(player.scene(), outline, options)));
+  const auto picture = pictureOf(arguments, *map);
+  return worst(status, picture ? write(arguments.svg, *picture) : complain(picture.error()));
 }
 
 }  // namespace
@@ -75,7 +97,14 @@ void addImport(CLI::App& app, Action& chosen) {
                   "Where the report goes: what was snapped, clipped, carried or\n"
                   "left out; default stdout, or stderr if the trace is on stdout")
       ->option_text("FILE");
-  command.add_option("--svg", arguments->svg, "Draw the imported world to this file")->option_text("FILE");
+  command
+      .add_option(
+          "--svg", arguments->svg,
+          "Draw the imported world to this file; and beside it what the\nmap may mean instead, where that differs")
+      ->option_text("FILE");
+  command.add_flag(
+      "--strict", arguments->strict,
+      "The exit status is 3 if something that says that it is solid was\nnot taken, or a tileset is missing");
   command.add_flag("--allow-empty", arguments->allowEmpty,
                    "Accept a map from which nothing comes out; otherwise there is\nno trace, and the exit status is 2");
   addImportOptions(command, arguments->options);

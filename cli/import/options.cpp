@@ -140,9 +140,13 @@ void addTileOptions(CLI::App& command, tiled::Options& options) {
 void addFileOptions(CLI::App& command, tiled::Options& options) {
   command.add_flag("--all-maps", options.allMaps,
                    "A map of a world that cannot be read is an error; otherwise the\nothers are imported");
+  command
+      .add_option("--files-in", options.filesIn,
+                  "Files that the map names must lie in this folder or below it;\notherwise in the folder of its "
+                  "project (docs/maps.md)")
+      ->option_text("FOLDER");
   command.add_flag("--files-anywhere", options.filesAnywhere,
-                   "Files that the map names may lie anywhere; otherwise they must\nlie in its folder or below it. For "
-                   "maps that you trust");
+                   "They may lie anywhere, and have any names. For maps that you\ntrust");
 }
 
 }  // namespace
@@ -172,28 +176,10 @@ std::string importArguments(const CLI::App& command, std::span<const std::string
   return words;
 }
 
-void tellPartial(const tiled::Report& report, const std::string& command) {
-  if (report.partial.empty()) return;
-  fmt::print(stderr, "{}: in part: {}.{}{}\n", text::withoutControls(report.file),
-             text::withoutControls(report.partial),
-             report.suggestions.empty() ? "" : " What could be taken instead:", commandsOf(report, command));
-}
-
-std::string hints(const tiled::Report& report, const std::string& command) {
-  std::string lines = text::withoutControls(report.file) + ": nothing in it is solid";
-  if (!report.suggestions.empty()) lines += ". What could be taken, and how:";
-  return lines + commandsOf(report, command);
-}
-
-std::string commandsOf(const tiled::Report& report, const std::string& command) {
-  std::string lines;
-  for (const tiled::Suggestion& suggestion : report.suggestions) {
-    const char* const unit = suggestion.polygons == 1 ? "polygon" : "polygons";
-    lines += fmt::format("\n  {} {}: {}\n    {}", suggestion.polygons, unit, text::withoutControls(suggestion.text),
-                         command);
-    for (const std::string& argument : suggestion.arguments) lines += " " + text::shellWord(argument);
-  }
-  return lines;
+std::string summaryOf(const std::string& report) {
+  std::size_t end = report.find('\n') + 1;
+  while (report.compare(end, 5, "  or:") == 0) end = report.find('\n', end) + 1;
+  return report.substr(0, end);
 }
 
 }  // namespace lgs::cli

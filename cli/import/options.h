@@ -22,13 +22,7 @@ std::string importArguments(const CLI::App& command, std::span<const std::string
 inline constexpr std::array<std::string_view, 8> kNotInHints{
     "--layer", "--solid", "--solid-if", "--objects", "--no-objects", "--not", "--visible", "--polyline-thickness"};
 
-/// The suggestions of a report, as commands. `command` is what was called, without what kNotInHints has.
-std::string commandsOf(const tiled::Report& report, const std::string& command);
-
-/// If the map was taken in part, says on the standard error what is missing, and the commands.
-void tellPartial(const tiled::Report& report, const std::string& command);
-
-/// What to say of a map from which nothing came out, with these commands.
-std::string hints(const tiled::Report& report, const std::string& command);
+/// The first lines of a report: what was taken, and the suggestions.
+std::string summaryOf(const std::string& report);
 
 }  // namespace lgs::cli

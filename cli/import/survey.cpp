@@ -39,7 +39,7 @@ std::string argumentsOf(const tiled::Suggestion& suggestion) {
 
 MapRow rowOf(const std::string& path, const tiled::Options& options) {
   const auto map = tiled::importMap(path, options);
-  if (!map) return {MapOutcome::refused, 0, path, complaint(map.error())};
+  if (!map) return {MapOutcome::refused, 0, path, complaint(map.error(), path)};
   const tiled::Report& report = map->report;
   if (report.polygons > 0 && report.partial.empty()) return {MapOutcome::atOnce, report.polygons, path, report.choice};
   if (report.polygons > 0) return {MapOutcome::inPart, report.polygons, path, report.partial};

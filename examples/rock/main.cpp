@@ -101,6 +101,7 @@ int main(int argc, char** argv) {
   int steps = 0;
   for (; steps < 60 * 60 && examples::Physics::isAwake(rock.body); ++steps) {
     if (steps % 30 == 0 && steps < 480) drawBody(rock, way);
+    game.terrain.beforeStep();
     game.physics.step();
     if (!game.terrain.afterStep().empty()) return 1;
   }

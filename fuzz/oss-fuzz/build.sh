@@ -25,7 +25,10 @@ mkdir -p "$OUT/lib"
 for program in $targets; do
   target=${program#fuzz_}
   cp "$build/fuzz/$program" "$OUT/"
-  zip -q -j -r "$OUT/${program}_seed_corpus.zip" "$project/fuzz/corpus/$target"
+  seeds=$(mktemp -d)
+  tar -xf "$project/fuzz/corpus/$target.tar" -C "$seeds"
+  zip -q -j -r "$OUT/${program}_seed_corpus.zip" "$seeds"
+  rm -r "$seeds"
   {
     echo "[libfuzzer]"
     echo "timeout = 60"

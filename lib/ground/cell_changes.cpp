@@ -2,6 +2,8 @@
 
 #include "storage/held_bytes.h"
 
+#include <unordered_map>
+
 namespace lgs::detail {
 
 void CellChanges::clear() {
@@ -13,6 +15,29 @@ void CellChanges::clear() {
 void CellChanges::add(Cell cell, std::span<const PlacedPolygon> before, std::span<const PlacedPolygon> now) {
   changes_.push_back({cell, before, now});
   for (const auto& polygons : {before, now}) polygons_.insert(polygons_.end(), polygons.begin(), polygons.end());
+}
+
+void CellChanges::read(const Ground& ground, Journal::Moment commit, Way way) {
+  const Grid& grid = ground.grid;
+  const std::span<const Note> notes = ground.journal.since(commit);
+  std::unordered_map<std::uint32_t, bool> wasUnloaded;  // chunks of which it was noted
+  for (const Note& note : notes)
+    if (note.thing == Thing::border && note.before < commit) wasUnloaded[note.key] = note.value != 0;
+  std::vector<PlacedPolygon> then, now;
+  clear();
+  for (const Note& note : notes) {
+    if (note.thing != Thing::cell || note.before >= commit) continue;
+    const CellAt at = grid.find(note.key);
+    const auto known = wasUnloaded.find(at.chunk->index);
+    const bool isUnloaded = at.chunk->isUnloaded, was = known == wasUnloaded.end() ? isUnloaded : known->second;
+    if (isUnloaded && was) continue;
+    then.clear();
+    now.clear();
+    if (!was) ground.read(ground.held(note), then);
+    if (!isUnloaded) ground.read(ground.held(at), now);
+    way == Way::back ? add(at.cell(), now, then) : add(at.cell(), then, now);
+  }
+  own();
 }
 
 // What lies one behind the other is found again by its sizes alone, which the spans have, whatever they point to.

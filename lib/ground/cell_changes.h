@@ -2,6 +2,8 @@
 // and a world may be copied.
 #pragma once
 
+#include "ground/ground.h"
+
 #include <lgs/world.h>
 
 #include <cstdint>
@@ -20,14 +22,20 @@ class CellChanges {
   std::span<const CellChange> all() const { return changes_; }
 
   void clear();
+  /// What is different between a commit, which the journal knows, and the ground as it is. By a commit or by going forth
+  /// the world went from the former to the latter; by going back, the other way. Of a chunk that is, or was, unloaded
+  /// nothing is told.
+  enum class Way : std::uint8_t { commit, back, forth };
+  void read(const Ground& ground, Journal::Moment commit, Way way);
+
+  std::uint64_t bytes() const;
+
+ private:
   /// After the last one own() must be called. Until then the vertices must stay where they are.
   void add(Cell cell, std::span<const PlacedPolygon> before, std::span<const PlacedPolygon> now);
   /// Copies all vertices, and makes every span one of what is kept here.
   void own();
 
-  std::uint64_t bytes() const;
-
- private:
   std::vector<CellChange> changes_;
   std::vector<PlacedPolygon> polygons_;  ///< of each change those before and those of now, one behind the other
   std::vector<LocalPoint> vertices_;     ///< of each polygon, one behind the other

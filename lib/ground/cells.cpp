@@ -4,6 +4,8 @@
 #include "storage/held_bytes.h"
 
 #include <algorithm>
+#include <bit>
+#include <cassert>
 
 namespace lgs::detail {
 
@@ -37,8 +39,8 @@ Error Cells::noPolygon(PolygonHandle handle) const {
 }
 
 void Cells::read(const Held& held, std::vector<PlacedPolygon>& out) const {
-  const bool hasList = isListed(held.word);
-  const PolygonList listed = hasList ? list(held.word, *held.lists) : PolygonList(nullptr);
+  const bool hasList = held.list != nullptr;
+  const PolygonList listed(held.list);
   const ContentId content = hasList ? listed.content() : held.word >> kLowBits;
   const std::span<const PolygonId> polygons = catalogue.content(content).polygons;
   const std::size_t first = out.size();
@@ -51,12 +53,36 @@ void Cells::read(const Held& held, std::vector<PlacedPolygon>& out) const {
 
 // --- What changed
 
-void Cells::setChanged(Chunk& chunk, std::uint32_t row, RowMask cells) {
-  const RowMask bit = RowMask{1} << row;
-  if (chunk.dirtyRows == 0) changed_.push_back(&chunk);
-  chunk.dirty[row] = cells;
-  chunk.dirtyRows = cells != 0 ? chunk.dirtyRows | bit : chunk.dirtyRows & ~bit;
-  if (chunk.dirtyRows == 0) changed_.pop_back();
+Cells::ChangedCells Cells::changedCells() const {
+  ChangedCells cells;
+  for (const Chunk* chunk : changed_) {
+    cells.insert(cells.end(), {chunk->index, chunk->dirtyRows});
+    for (const RowMask row : chunk->dirty)
+      if (row != 0) cells.push_back(row);
+  }
+  return cells;
+}
+
+void Cells::setUnchanged(CellAt at) {
+  Chunk& chunk = *at.chunk;
+  RowMask& row = chunk.dirty[at.row()];
+  assert((row & at.bit()) != 0);
+  row &= ~at.bit();
+  if (row == 0) chunk.dirtyRows &= ~(RowMask{1} << at.row());
+  if (chunk.dirtyRows != 0) return;
+  assert(changed_.back() == &chunk);
+  changed_.pop_back();
+}
+
+void Cells::setChangedCells(const ChangedCells& cells) {
+  assert(changed_.empty());
+  for (std::size_t k = 0; k < cells.size();) {
+    Chunk& chunk = grid.chunk(cells[k++]);
+    changed_.push_back(&chunk);
+    chunk.dirtyRows = cells[k++];
+    for (RowMask rows = chunk.dirtyRows; rows != 0; rows &= rows - 1)
+      chunk.dirty[static_cast<std::size_t>(std::countr_zero(rows))] = cells[k++];
+  }
 }
 
 // --- Words
@@ -87,48 +113,46 @@ CellWord Cells::copyOf(CellWord word) {
   return kListBit | ref;
 }
 
-void Cells::dropList(CellWord word, RecordArena& lists) {
-  const PolygonList old = list(word, lists);
+void Cells::dropList(CellWord word) {
+  const PolygonList old = list(word);
   catalogue.release(old.content());
-  lists.release(word & ~kListBit, PolygonList::sizeOf(old.size()));
+  lists_.release(word & ~kListBit, PolygonList::sizeOf(old.size()));
 }
 
-/// The same word, with its list, if it has one, in another arena.
-CellWord Cells::moveList(CellWord word, RecordArena& from, RecordArena& to) {
-  if (!isListed(word)) return word;
-  const std::uint32_t size = PolygonList::sizeOf(list(word, from).size());
-  const RecordArena::Ref ref = to.allocate(size);
-  std::copy_n(from.at(word & ~kListBit), size, to.at(ref));
-  from.release(word & ~kListBit, size);
-  return kListBit | ref;
+CellWord Cells::moveOut(CellAt at, Journal& journal) {
+  if (!isListed(at)) return at.word();
+  const RecordArena::Ref ref = at.word() & ~kListBit;
+  const std::uint32_t size = PolygonList::sizeOf(list(at.word()).size());
+  const CellWord moved = kListBit | journal.keep({lists_.at(ref), size});
+  lists_.release(ref, size);
+  return moved;
 }
 
-void Cells::moveIn(CellAt at, CellWord word, Block block, RecordArena& lists) {
-  at.word() = moveList(word, lists, lists_);
+void Cells::moveIn(CellAt at, CellWord word, Block block, Journal& journal) {
+  if (isListed(word)) {
+    const std::span<const std::uint32_t> words = journal.kept(word & ~kListBit);
+    const RecordArena::Ref ref = lists_.allocate(static_cast<std::uint32_t>(words.size()));
+    std::ranges::copy(words, lists_.at(ref));
+    journal.release(word & ~kListBit);
+    word = kListBit | ref;
+  }
+  at.word() = word;
   if (hasSole(word)) at.chunk->setBlock(at.local, block);
   const Facts facts = catalogue.facts(contentId(at));
   at.chunk->facts[at.local] = facts;
   at.chunk->everFacts |= facts;
 }
 
-// --- Chunks that are not in memory
-
-Cells::Turning Cells::turn(const Turning& to) {
-  Chunk& chunk = grid.chunk(to.number);
-  if (!chunk.isUnloaded) {
-    grid.unload(chunk, borderOf(chunk, to));
-    return {.number = to.number};
-  }
-  const Border border = grid.load(chunk);
-  for (const Border::Run& run : border.runs) drop(run.word);
-  return {to.number, border.checksum, border.lastSerial};
+void Cells::dropMoved(CellWord word, Journal& journal) {
+  if (!isListed(word)) return drop(word);
+  catalogue.release(PolygonList(journal.kept(word & ~kListBit).data()).content());
+  journal.release(word & ~kListBit);
 }
 
-/// What the cells at the rim hold.
-Border Cells::borderOf(const Chunk& chunk, const Turning& turning) {
+// --- Chunks that are not in memory
+
+Border Cells::borderOf(const Chunk& chunk) {
   Border border;
-  border.checksum = turning.checksum;
-  border.lastSerial = turning.lastSerial;
   for (std::uint32_t k = 0; k < kRimCells; ++k) {
     const std::uint32_t local = rimCell(k);
     const CellWord word = holdsNothing(chunk.cells[local]) ? 0 : chunk.cells[local];
@@ -142,7 +166,7 @@ Border Cells::borderOf(const Chunk& chunk, const Turning& turning) {
     }
     border.runs.push_back({1, chunk.facts[local], copyOf(word), block});
   }
-  border.runs.shrink_to_fit();
+  shrink(border.runs);
   return border;
 }
 

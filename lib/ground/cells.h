@@ -5,6 +5,7 @@
 #include "ground/catalogue.h"
 #include "ground/cell.h"
 #include "ground/grid.h"
+#include "storage/journal.h"
 #include "storage/record_arena.h"
 
 #include <lgs/world.h>
@@ -60,10 +61,12 @@ class Cells {
   struct Held {
     std::uint32_t ref = 0;  ///< of the cell
     CellWord word = 0;
-    Block block = 0;                     ///< of the only polygon, if the word has one
-    const RecordArena* lists = nullptr;  ///< where the list is, if the word refers to one
+    Block block = 0;                      ///< of the only polygon, if the word has one
+    const std::uint32_t* list = nullptr;  ///< its words, if the word refers to one
   };
-  Held held(CellAt at) const { return {at.ref(), at.word(), at.chunk->block(at.local), &lists_}; }
+  Held held(CellAt at) const {
+    return {at.ref(), at.word(), at.chunk->block(at.local), isListed(at) ? lists_.at(at.word() & ~kListBit) : nullptr};
+  }
   /// By handle, behind what is in `out`. Valid until the next edit.
   void read(const Held& held, std::vector<PlacedPolygon>& out) const;
 
@@ -71,12 +74,14 @@ class Cells {
 
   /// The chunks with changed cells, in the order of their first change. Chunk::dirty says which cells these are.
   std::span<Chunk* const> changedChunks() const { return changed_; }
+  /// The changed cells as numbers: of each of these chunks its number, its rows with such cells as bits, and for each of
+  /// these rows its cells as bits.
+  using ChangedCells = std::vector<std::uint32_t>;
+  ChangedCells changedCells() const;
 
   std::uint64_t bytes() const;
 
- protected:  // for the ground, whose primitive goes through them, and its notes
-  friend class CellNotes;
-
+ protected:  // for the ground, whose primitive goes through them
   void touch(CellAt at, Facts facts) {
     if (at.chunk->dirtyRows == 0) changed_.push_back(at.chunk);
     mark(at, facts);
@@ -89,10 +94,13 @@ class Cells {
     chunk.facts[at.local] = facts;
     chunk.everFacts |= facts;
   }
-  /// Says which cells of a row have changed. A chunk in which none has any more was the last one to change.
-  void setChanged(Chunk& chunk, std::uint32_t row, RowMask cells);
+  /// An edit is undone before which a cell had not changed. Edits are undone in reverse order: so a chunk without
+  /// changed cells is the last of changedChunks().
+  void setUnchanged(CellAt at);
+  /// No cell has changed; from now on these have.
+  void setChangedCells(const ChangedCells& cells);
   /// From now on no cell has changed.
-  void settleChanges() {
+  void clearChanges() {
     for (Chunk* chunk : changed_) {
       for (RowMask rows = chunk->dirtyRows; rows != 0; rows &= rows - 1)
         chunk->dirty[static_cast<std::size_t>(std::countr_zero(rows))] = 0;
@@ -107,12 +115,10 @@ class Cells {
   /// A word that stands for the same, and has its own list.
   CellWord copyOf(CellWord word);
   /// Lets go of what a word stands for.
-  void drop(CellWord word) { drop(word, lists_); }
-  /// The same if its list is in this arena.
-  void drop(CellWord word, RecordArena& lists) {
+  void drop(CellWord word) {
     if (word <= kLowMask) return;  // it had no polygons
     if (isListed(word))
-      dropList(word, lists);
+      dropList(word);
     else
       catalogue.release(word >> kLowBits);
   }
@@ -122,29 +128,23 @@ class Cells {
     if (hasSole(word)) at.chunk->setBlock(at.local, block);
     touch(at, facts);
   }
-  /// What a cell holds is moved into a note, which has its lists in another arena. The cell must get another word.
-  CellWord moveOut(CellAt at, RecordArena& lists) { return moveList(at.word(), lists_, lists); }
+  static bool isListed(CellWord word) { return (word & kListBit) != 0; }
+  /// What a note of a cell says: the same word; a list is among the words that the journal keeps. The content stays in
+  /// use. The cell must get another word.
+  CellWord moveOut(CellAt at, Journal& journal);
   /// A cell gets back what was moved out. Whether it has changed is not touched.
-  void moveIn(CellAt at, CellWord word, Block block, RecordArena& lists);
+  void moveIn(CellAt at, CellWord word, Block block, Journal& journal);
+  /// Lets go of what was moved out.
+  void dropMoved(CellWord word, Journal& journal);
 
   // --- Chunks that are not in memory
 
-  /// A chunk that was unloaded, and how; or one that is loaded, and has the rest 0.
-  struct Turning {
-    std::uint32_t number = 0;
-    std::uint32_t checksum = 0;    ///< of the bytes with which it comes back
-    std::uint32_t lastSerial = 0;  ///< the greatest one that any of its cells gave out
-  };
-  /// A loaded chunk gets a border, as it is said; an unloaded one loses its. Returns what undoes this.
-  Turning turn(const Turning& to);
+  /// What the cells at the rim of a chunk hold. Their contents are in use once more, and their lists are copied.
+  Border borderOf(const Chunk& chunk);
 
  private:
-  static bool isListed(CellWord word) { return (word & kListBit) != 0; }
-  static PolygonList list(CellWord word, const RecordArena& lists) { return PolygonList(lists.at(word & ~kListBit)); }
-  PolygonList list(CellWord word) const { return list(word, lists_); }
-  void dropList(CellWord word, RecordArena& lists);
-  static CellWord moveList(CellWord word, RecordArena& from, RecordArena& to);
-  Border borderOf(const Chunk& chunk, const Turning& turning);
+  PolygonList list(CellWord word) const { return PolygonList(lists_.at(word & ~kListBit)); }
+  void dropList(CellWord word);
 
   RecordArena lists_;
   std::vector<Chunk*> changed_;

@@ -9,20 +9,18 @@ namespace lgs::detail {
 /// Brings the ground back to where it was when the group began, unless the group is kept.
 class Edit::Group {
  public:
-  explicit Group(Ground& ground) : ground_(ground), start_(ground.notes.now()) {
-    ground_.notes.start(CellNotes::For::group);
-  }
+  explicit Group(Ground& ground) : ground_(ground), begin_(ground.journal.begin()) {}
   Group(const Group&) = delete;
   Group& operator=(const Group&) = delete;
   ~Group() {
-    if (!isKept_) ground_.notes.goBack(start_);
-    ground_.notes.stop(CellNotes::For::group);
+    if (!isKept_) ground_.takeBack(begin_);
+    ground_.letGo(begin_);
   }
   void keep() { isKept_ = true; }
 
  private:
   Ground& ground_;
-  CellNotes::Moment start_;
+  Journal::Moment begin_;
   bool isKept_ = false;
 };
 
@@ -54,7 +52,7 @@ Error nameEntry(const Ground& ground, std::span<const Placement> placed, Error e
 /// The usual case of addMany(): each entry puts a shape of one polygon into a cell that has nothing. First all cells
 /// get their words, which can be put back, and then what can not fail. False, and nothing is done, in any other case.
 bool Edit::addSoles(std::span<const Placement> placements, std::span<PolygonHandle> handles) {
-  if (ground_.notes.areTaken()) return false;
+  if (ground_.journal.isOn()) return false;
   std::vector<std::uint32_t> made;
   const auto takes = [&](const Placement& p) {
     const InternedShape& interned = ground_.catalogue.shape(p.shape);
@@ -80,7 +78,7 @@ bool Edit::addSoles(std::span<const Placement> placements, std::span<PolygonHand
   }
   for (std::size_t k = 0; k < placements.size(); ++k) {
     const CellAt at = ground_.grid.obtain(placements[k].cell);
-    ground_.settleSole(at, ground_.catalogue.shape(placements[k].shape), placements[k].block);
+    ground_.completeSole(at, ground_.catalogue.shape(placements[k].shape), placements[k].block);
     if (k < handles.size()) handles[k] = {at.ref(), at.word() & kLowMask};
   }
   return true;

@@ -78,6 +78,8 @@ std::string what(const Error& e) {
       if (e.segment) return "segment " + number(e.segment.value) + " is of ground that is unloaded";
       if (e.other) return "the handle " + handle + " is of a chunk that is unloaded; reload it first";
       return "the chunk with this cell is unloaded; reload it first";
+    case ErrorCode::anchored:
+      return "this island is anchored: only what nothing holds can fall";
   }
   return "unknown error";
 }
@@ -122,6 +124,8 @@ const char* name(ErrorCode code) {
       return "out of reach";
     case ErrorCode::unloaded:
       return "unloaded";
+    case ErrorCode::anchored:
+      return "anchored";
   }
   return "unknown error";
 }

@@ -5,9 +5,7 @@
 namespace lgs::detail {
 
 void Ground::commit() {
-  if (notes.areTaken()) [[unlikely]]
-    notes.ofCommit();
-  settleChanges();
+  clearChanges();
   catalogue.collect();
 }
 
@@ -19,10 +17,14 @@ void Ground::set(CellAt at, ContentId content, std::uint32_t lastSerial, std::sp
 }
 
 void Ground::beginChunk(const Chunk& chunk) {
-  if (notes.areTaken()) notes.ofNewChunk(chunk);
-  settleAround(chunk);
+  if (journal.isOn()) {
+    Note& note = journal.add(Thing::chunk, chunk.index);
+    note.value = static_cast<std::uint32_t>(chunk.ci);
+    note.block = static_cast<std::uint32_t>(chunk.cj);
+  }
+  refreshRimsAround(chunk);
 }
 
-std::uint64_t Ground::bytes() const { return Cells::bytes() + notes.bytes() + heldBytes(unsettled_, sleepy_); }
+std::uint64_t Ground::bytes() const { return Cells::bytes() + journal.bytes() + heldBytes(stale_, sleepy_); }
 
 }  // namespace lgs::detail

@@ -1,12 +1,12 @@
-// The ground: its cells, and notes of what they held before. Every edit, whatever its door, ends in one primitive,
-// set(): this cell holds these polygons from now on.
+// The ground: its cells, and the journal of what they held before. Every edit, whatever its door, ends in one
+// primitive, set(): this cell holds these polygons from now on.
 //
 // The ground says which cells changed since the last commit. Views, such as the outline, are brought up to date by
 // that.
 #pragma once
 
-#include "ground/cell_notes.h"
 #include "ground/cells.h"
+#include "storage/journal.h"
 
 #include <lgs/world.h>
 
@@ -20,13 +20,10 @@ namespace lgs::detail {
 
 class Ground : public Cells {
  public:
-  explicit Ground(PreserveRelation relation) : Cells(std::move(relation)), notes(*this) {}
-  Ground(const Ground& other)
-      : Cells(other), notes(other.notes, *this), unsettled_(other.unsettled_), sleepy_(other.sleepy_) {}
+  explicit Ground(PreserveRelation relation) : Cells(std::move(relation)) {}
+  Ground(const Ground&) = default;
   Ground& operator=(const Ground&) = delete;
   ~Ground() = default;
-
-  CellNotes notes;
 
   /// As Grid::obtain(), for edits.
   CellAt obtain(Cell cell) {
@@ -36,7 +33,7 @@ class Ground : public Cells {
       beginChunk(*at.chunk);
     return at;
   }
-  /// From now on nothing has changed. If somebody follows, notes.cellChanges() says what had.
+  /// From now on nothing has changed.
   void commit();
 
   // --- The primitive
@@ -47,26 +44,48 @@ class Ground : public Cells {
   void setSole(CellAt at, const InternedShape& shape, Placed sole) {
     put(at, wordOf(shape.content, sole.serial), sole.block, shape.facts);
   }
-  /// The same in a chunk that has changed already and has room for the block, while no notes are taken. Such an edit
+  /// The same in a chunk that has changed already and has room for the block, while nothing is noted. Such an edit
   /// needs no call. False, and nothing is done, if it is not so.
   bool setSoleAgain(CellAt at, const InternedShape& shape, Placed sole) {
-    if (notes.areTaken() || at.chunk->dirtyRows == 0 || !at.chunk->hasRoomFor(sole.block)) return false;
+    if (journal.isOn() || at.chunk->dirtyRows == 0 || !at.chunk->hasRoomFor(sole.block)) return false;
     at.word() = wordOf(shape.content, sole.serial);
     at.chunk->setBlockThere(at.local, sole.block);
     mark(at, shape.facts);
     return true;
   }
-  /// The same for many, in two steps, while no notes are taken: the words are written first, and may be put back.
-  void settleSole(CellAt at, const InternedShape& shape, Block block) {
+  /// The same for many, in two steps, while nothing is noted: the words are written first, and may be put back.
+  void completeSole(CellAt at, const InternedShape& shape, Block block) {
     at.chunk->setBlock(at.local, block);
     touch(at, shape.facts);
   }
 
+  // --- Going back and forward (going_back.cpp)
+
+  /// One for all things that can go back: of the outline, too.
+  Journal journal;
+  /// A note of the ground and the ground exchange what they hold. Which cells have changed is not touched.
+  void exchange(Note& note);
+  /// Lets go of what a note holds, whatever it is of.
+  void drop(const Note& note);
+  /// What a cell held, as a note of it says.
+  using Cells::held;
+  Held held(const Note& note) const {
+    return {note.key, note.value, note.block,
+            isListed(note.value) ? journal.kept(note.value & ~kListBit).data() : nullptr};
+  }
+  /// Undoes the edits since a moment. No commit has found something since.
+  void takeBack(Journal::Moment moment);
+  /// Nobody goes back to a moment any more.
+  void letGo(Journal::Moment moment) {
+    journal.letGo(moment, [this](const Note& note) { drop(note); });
+  }
+  using Cells::clearChanges;
+  using Cells::setChangedCells;
+
   // --- Chunks that are not in memory (unloaded.cpp). Their cells hold what the loaded chunks beside them need.
 
   /// Forgets the chunks that lie in a rectangle as a whole and hold nothing, and the unloaded ones that no loaded one
-  /// is beside. Returns their numbers. No notes may be taken for marks, and nothing may have changed since the last
-  /// commit.
+  /// is beside. Returns their numbers. There are no marks, and nothing has changed since the last commit.
   std::vector<std::uint32_t> forget(const CellRect& cells);
   /// The loaded chunks, or the unloaded ones, that lie in a rectangle as a whole: their numbers, by rows.
   std::vector<std::uint32_t> chunksWithin(const CellRect& cells, bool areUnloaded) const;
@@ -75,42 +94,51 @@ class Ground : public Cells {
   /// A loaded chunk leaves. The checksum is that of the bytes with which it can come back.
   void unload(std::uint32_t number, std::uint32_t checksum);
   /// An unloaded chunk comes back. Its cells are for the caller to set(), with and without polygons; then
-  /// settleAround().
+  /// refreshRimsAround().
   Chunk& load(std::uint32_t number);
   /// The same, and its cells hold nothing. No serial of before is given out again.
   void loadEmpty(std::uint32_t number);
-  /// After a chunk came: the unloaded ones beside it hold what it needs.
-  void settleAround(const Chunk& chunk);
-  /// What forget() left to be done, before a commit.
-  void settle() {
-    if (!unsettled_.empty()) [[unlikely]]
-      settleAll();
+  /// After a chunk came or went: the unloaded ones beside it hold what is needed, and nothing else.
+  void refreshRimsAround(const Chunk& chunk);
+  /// Before a commit: refreshes the rims of unloaded chunks beside forgotten ones.
+  void refreshRims() {
+    if (!stale_.empty()) [[unlikely]]
+      refreshStaleRims();
   }
-  /// After a commit, without marks: chunks that nobody needs are no Chunk any more. Returns their numbers.
+  /// The unloaded chunks whose rims wait for that: a mark keeps them.
+  const std::vector<std::uint32_t>& staleRims() const { return stale_; }
+  void setStaleRims(const std::vector<std::uint32_t>& chunks) { stale_ = chunks; }
+  /// After a commit: frees the Chunk of unloaded chunks with no loaded neighbour. Returns their numbers.
   std::vector<std::uint32_t> sleep();
-  /// Whether that may find any.
-  bool isSleepy() const { return !sleepy_.empty(); }
+  /// The same while there are marks, which may need them: they are found later.
+  void sleepLater();
+  /// Whether there may be any.
+  bool isSleepy() const { return areSleepyUnknown_ || !sleepy_.empty(); }
 
   std::uint64_t bytes() const;
 
  private:
   /// Gives a cell this word, which has its content in use already. The block is that of a word with a polygon.
   void put(CellAt at, CellWord word, Block block, Facts facts) {
-    if (notes.areTaken()) [[unlikely]]
-      notes.ofCell(at);
+    if (journal.isOn()) [[unlikely]]
+      noteOrDrop(at);
     else
       drop(at.word());
     write(at, word, block, facts);
   }
+  void noteOrDrop(CellAt at);
   void beginChunk(const Chunk& chunk);
   void touchAgain(CellAt at);
-  void turnAndNote(const Turning& to);
-  void settle(std::uint32_t number, bool isNeeded);
-  void settleIfUnloaded(std::uint32_t number);
-  void settleAll();
+  std::uint32_t keep(const Border& border);
+  Border takeKept(std::uint32_t border);
+  using Cells::drop;
+  void setRim(std::uint32_t number, bool isNeeded);
+  void refreshRim(std::uint32_t number);
+  void refreshStaleRims();
 
-  std::vector<std::uint32_t> unsettled_;  ///< numbers of chunks that forget() left for the next commit
-  std::vector<std::uint32_t> sleepy_;     ///< numbers of unloaded chunks that may have become empty
+  std::vector<std::uint32_t> stale_;   ///< unloaded chunks that forget() left for the next commit
+  std::vector<std::uint32_t> sleepy_;  ///< unloaded chunks that may have become empty since the last commit
+  bool areSleepyUnknown_ = false;      ///< or any unloaded chunk may have
 };
 
 }  // namespace lgs::detail

@@ -49,7 +49,7 @@ class Load {
     for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local)
       if (at.word() != 0) ground_.set(at, kEmptyContent, 0, {});  // at the rim
     fill(chunk);
-    ground_.settleAround(chunk);
+    ground_.refreshRimsAround(chunk);
     return corner;
   }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace lgs::detail {
 namespace {
@@ -67,7 +68,7 @@ std::vector<std::uint32_t> Ground::forget(const CellRect& cells) {
   for (const std::uint32_t number : gone) {
     const Chunk& chunk = grid.chunk(number);
     for (const Chunk* beside : chunk.around)
-      if (beside && beside->isUnloaded) unsettled_.push_back(beside->index);
+      if (beside && beside->isUnloaded) stale_.push_back(beside->index);
     for (const CellWord word : chunk.cells) drop(word);
     grid.forget(number);
   }
@@ -88,7 +89,11 @@ void Ground::unload(std::uint32_t number, std::uint32_t checksum) {
   std::uint32_t lastSerial = 0;
   for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local)
     lastSerial = std::max(lastSerial, this->lastSerial(at));
-  turnAndNote({number, checksum, lastSerial});
+  if (journal.isOn() && !journal.isNoted(Thing::border, number)) journal.add(Thing::border, number);
+  Border border = borderOf(chunk);
+  border.checksum = checksum;
+  border.lastSerial = lastSerial;
+  grid.unload(chunk, std::move(border));
   for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local) {
     if (isAtRim(at.local) && !holdsNothing(at.word()))
       touchAgain(at);  // its segments are hidden from now on
@@ -96,38 +101,35 @@ void Ground::unload(std::uint32_t number, std::uint32_t checksum) {
       put(at, 0, 0, 0);
   }
   if (chunk.dirtyRows == 0) touchAgain({&chunk, 0});
-  settleIfUnloaded(number);
-  settleAround(chunk);
+  refreshRim(number);
+  refreshRimsAround(chunk);
 }
 
 Chunk& Ground::load(std::uint32_t number) {
-  settle(number, true);  // so that undoing finds the border
-  Chunk& chunk = grid.chunk(number);
-  turnAndNote({.number = number});
+  Chunk& chunk = grid.wake(number);
+  const Border border = grid.load(chunk);
+  if (journal.isOn() && !journal.isNoted(Thing::border, number)) {
+    journal.add(Thing::border, number).value = keep(border);
+  } else {
+    for (const Border::Run& run : border.runs) drop(run.word);
+  }
   if (chunk.dirtyRows == 0) touchAgain({&chunk, 0});
-  if (grid.unloadedCount() == 0 && !notes.areTaken(CellNotes::For::marks))
-    sleepy_ = {};  // there is none that could sleep
   return chunk;
 }
 
 void Ground::loadEmpty(std::uint32_t number) {
   const std::uint32_t lastSerial = grid.border(number)->lastSerial;
   Chunk& chunk = load(number);
-  for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local)  // a chunk may reach beyond the last cell
+  for (CellAt at{&chunk, 0}; at.local < kChunkCells; ++at.local)
     if (inRange(at.cell()) && (at.word() != 0 || lastSerial != 0)) set(at, kEmptyContent, lastSerial, {});
-  settleAround(chunk);
-}
-
-void Ground::turnAndNote(const Turning& to) {
-  const Turning back = turn(to);
-  if (notes.areTaken()) notes.ofTurn(back);
+  refreshRimsAround(chunk);
 }
 
 /// A cell counts as changed, and holds what it held.
 void Ground::touchAgain(CellAt at) {
-  if (notes.areTaken()) {
+  if (journal.isOn() && !journal.isNoted(Thing::cell, at.ref())) {
     const CellWord again = copyOf(at.word());
-    notes.ofCell(at);
+    noteOrDrop(at);
     at.word() = again;
   }
   touch(at, at.chunk->facts[at.local]);
@@ -135,7 +137,8 @@ void Ground::touchAgain(CellAt at) {
 
 // --- What an unloaded chunk holds
 
-void Ground::settle(std::uint32_t number, bool isNeeded) {
+/// The cells at its rim hold what they held, if somebody needs that, or nothing.
+void Ground::setRim(std::uint32_t number, bool isNeeded) {
   sleepy_.push_back(number);
   if (!isNeeded && grid.isAsleep(number)) return;
   Chunk& chunk = grid.wake(number);
@@ -149,37 +152,42 @@ void Ground::settle(std::uint32_t number, bool isNeeded) {
   });
 }
 
-void Ground::settleIfUnloaded(std::uint32_t number) {
+/// Of a number that may be none, or that of a loaded chunk.
+void Ground::refreshRim(std::uint32_t number) {
   if (number == Grid::kNoNumber) return;
-  if (const Border* border = grid.border(number)) settle(number, grid.hasLoadedBeside(*border));
+  if (const Border* border = grid.border(number)) setRim(number, grid.hasLoadedBeside(*border));
 }
 
-void Ground::settleAround(const Chunk& chunk) {
+void Ground::refreshRimsAround(const Chunk& chunk) {
   if (grid.unloadedCount() == 0) return;
   for (std::int32_t dj = -1; dj <= 1; ++dj)
     for (std::int32_t di = -1; di <= 1; ++di)
-      if (di != 0 || dj != 0) settleIfUnloaded(grid.numberAt(chunk.ci + di, chunk.cj + dj));
+      if (di != 0 || dj != 0) refreshRim(grid.numberAt(chunk.ci + di, chunk.cj + dj));
 }
 
-void Ground::settleAll() {
-  for (const std::uint32_t number : unsettled_) settleIfUnloaded(number);
-  if (!notes.areTaken(CellNotes::For::marks)) {
-    unsettled_ = {};
-    return;
-  }
-  // A world that goes back has to do it again, so each commit does; it names no chunk twice.
-  detail::sort(sleepy_);
-  sleepy_.erase(std::unique(sleepy_.begin(), sleepy_.end()), sleepy_.end());
+void Ground::refreshStaleRims() {
+  for (const std::uint32_t number : std::exchange(stale_, {})) refreshRim(number);
+}
+
+// --- Chunks that are no Chunk
+
+void Ground::sleepLater() {
+  areSleepyUnknown_ = true;
+  sleepy_.clear();
 }
 
 std::vector<std::uint32_t> Ground::sleep() {
+  if (std::exchange(areSleepyUnknown_, false)) {
+    sleepy_.clear();
+    grid.forEachUnloaded(kWholeWorld, [&](std::uint32_t number) { sleepy_.push_back(number); });
+  }
   std::vector<std::uint32_t> asleep;
   for (const std::uint32_t number : sleepy_) {
     if (!grid.border(number) || !grid.isAsleep(number)) continue;
     grid.sleep(number);
     asleep.push_back(number);
   }
-  sleepy_ = {};
+  sleepy_.clear();
   return asleep;
 }
 

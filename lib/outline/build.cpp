@@ -50,6 +50,7 @@ class Build {
     forEach(plans_.size(), [this](std::size_t k) { count(plans_[k]); });
     allot();
     forEach(plans_.size(), [this](std::size_t k) { create(plans_[k]); });
+    if (outline_.isNoting()) outline_.noteAdded();
     link();
   }
 

@@ -7,6 +7,7 @@
 // geometry/radial_match.h (law 2).
 #include "outline/build.h"
 #include "outline/exposure.h"
+#include "outline/fetch.h"
 #include "outline/linking.h"
 #include "outline/outline.h"
 
@@ -22,9 +23,11 @@ constexpr bool kHasThreads = false;  // in WebAssembly there are none
 constexpr bool kHasThreads = true;
 #endif
 
-void Outline::update(const Ground& ground, const Executor& executor) {
-  if (notes.areTaken() && (!ground.changedChunks().empty() || !changes_.removed.empty())) note_ = &notes.add();
-  begin();
+void Outline::update(const Ground& ground, Journal* journal, const Executor& executor) {
+  journal_ = journal;
+  changes_.removed.clear();
+  changes_.added.clear();
+  changes_.relinked.clear();
   isFiltered_ = ground.grid.unloadedCount() != 0 || hidden_.any();
   if (isFiltered_) [[unlikely]]
     dropTurned(ground);
@@ -32,13 +35,24 @@ void Outline::update(const Ground& ground, const Executor& executor) {
     build(ground, *this, executor);
   } else {
     Exposure phase1(ground, *this, ids_);
-    for (const Chunk* chunk : ground.changedChunks()) phase1.renewChunk(*chunk);
+    const std::span<Chunk* const> changed = ground.changedChunks();
+    const bool isLarge = segments.maxId() >= kManySegments;
+    if (isLarge && !changed.empty()) [[unlikely]]
+      fetchAround(*this, *changed.front());
+    for (std::size_t k = 0; k < changed.size(); ++k) {
+      if (isLarge && k + 1 < changed.size()) [[unlikely]]
+        fetchAround(*this, *changed[k + 1]);
+      phase1.renewChunk(*changed[k]);
+    }
+    if (journal_) [[unlikely]]
+      noteAdded();
     Linking phase2(ground, *this, fan_);
     for (const Chunk* chunk : ground.changedChunks()) phase2.linkChunk(*chunk);
   }
   if (ground.preserve)
     for (const SegmentId id : changes_.added) endWithoutLinks(id.value);
   finish();
+  journal_ = nullptr;
 }
 
 /// Chunks that were unloaded, or loaded again: their segments go, and those that show now are new ones. So no id names
@@ -47,6 +61,7 @@ void Outline::dropTurned(const Ground& ground) {
   for (const Chunk* chunk : ground.changedChunks()) {
     if (chunk->isUnloaded == hidden_.are(chunk->index)) continue;
     clear(*chunk);
+    if (journal_) noteHidden(chunk->index);
     hidden_.turn(chunk->index);
   }
 }
@@ -75,7 +90,6 @@ void Outline::filter() {
       changes_.removed, [&](std::uint32_t chunk) { return hidden_.were(chunk); }, shown_.removed);
   take(changes_.added, isNow, shown_.added);
   take(changes_.relinked, isNow, shown_.relinked);
-  if (note_) note_->turned = hidden_.turned();
   hidden_.endUpdate();
 }
 
@@ -86,44 +100,22 @@ void Outline::endWithoutLinks(std::uint32_t id) {
   if (s.successor == kUnlinked) s.successor = kNoSegment;
 }
 
-/// Ids that the last update removed become available now, and not then. So no id is in two lists of one update, and the
-/// ends of removed segments can be read while links are compared.
-void Outline::begin() {
-  if (note_) {
-    note_->removedBefore = changes_.removed;
-    note_->topBefore = segments.maxId() + 1;
-    note_->freeKept = segments.free().size();
-  }
-  for (const SegmentId id : changes_.removed) segments.recycle(id.value);
-  changes_.removed.clear();
-  changes_.added.clear();
-  changes_.relinked.clear();
-}
-
+/// Ids of removed segments become available only here. So no id is in two lists of one update, and the ends of removed
+/// segments can be read while links are compared.
 void Outline::finish() {
   for (const SegmentId id : changes_.relinked) segments[id.value].listed = 0;
   if (isFiltered_) [[unlikely]]
     filter();
   for (const SegmentId id : changes_.removed) {
-    note(id.value);
+    if (journal_) [[unlikely]]
+      noteRemoved(id.value);
     segments[id.value].cellRef = 0;
+    segments.recycle(id.value);
   }
   Changes& shown = isFiltered_ ? shown_ : changes_;
   shown.before = version_;
   if (!shown.removed.empty() || !shown.added.empty() || !shown.relinked.empty()) version_ = versions_.next();
   shown.after = version_;
-  if (note_) [[unlikely]]
-    endNote();
-}
-
-/// The update under way has ended: what of the note is known by now.
-void Outline::endNote() {
-  SegmentNote& note = *std::exchange(note_, nullptr);
-  for (const SegmentId id : changes_.added) note.added.push_back(id.value);
-  // The ids that the update recycled were taken first, and then those that were available before.
-  const std::size_t before = note.freeKept, recycled = note.removedBefore.size();
-  note.freeKept = std::min(before, segments.free().size());
-  for (std::size_t k = 0; k < before - note.freeKept; ++k) note.freeTaken.push_back(changes_.added[recycled + k].value);
 }
 
 void Outline::linkAll(const Ground& ground) {

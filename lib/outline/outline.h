@@ -5,13 +5,15 @@
 #include "ground/ground.h"
 #include "outline/hidden_chunks.h"
 #include "outline/segment_lists.h"
-#include "outline/segment_notes.h"
 #include "outline/segment_pool.h"
+#include "storage/journal.h"
 #include "storage/versions.h"
 
 #include <lgs/world.h>
 
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace lgs::detail {
@@ -28,15 +30,14 @@ class Outline {
   Outline& operator=(const Outline&) = delete;
   ~Outline() = default;
 
-  /// Renews what the changed cells of the ground can have changed: the segments in them and beside them (law 5).
-  void update(const Ground& ground, const Executor& executor);
+  /// Renews what the changed cells of the ground can have changed: the segments in them and beside them (law 5). Where
+  /// there is a journal, it gets what goes and changes.
+  void update(const Ground& ground, Journal* journal, const Executor& executor);
 
   /// Of the last update, without the segments that are hidden.
   const Changes& changes() const { return isFiltered_ ? shown_ : changes_; }
   /// Whether there were hidden segments, or unloaded chunks.
   bool isFiltered() const { return isFiltered_; }
-  /// What it removed, hidden or not. These ids are available with the next one.
-  const std::vector<SegmentId>& removed() const { return changes_.removed; }
   std::uint64_t version() const { return version_; }
 
   /// How many segments there are that are not hidden.
@@ -48,7 +49,7 @@ class Outline {
   /// A chunk of which nothing is left. Its number may name another chunk from now on.
   void forget(std::uint32_t chunk);
   /// After chunks went, while nothing is noted.
-  void giveBackPages() { segments.giveBackPages(segments.maxId() - segments.free().size() - changes_.removed.size()); }
+  void giveBackPages() { segments.giveBackPages(segments.maxId() - segments.free().size()); }
   /// Where a segment is.
   Point startOf(const Grid& grid, std::uint32_t id) const {
     return toWorld(grid.cellOf(segments[id].cellRef), segments[id].start());
@@ -72,13 +73,19 @@ class Outline {
   void remove(std::uint32_t id) { changes_.removed.push_back({id}); }
   /// As SegmentLists::splice().
   std::uint32_t* splice(CellAt at, std::uint32_t begin, std::uint32_t removed, std::uint32_t added) {
-    if (note_) noteList(at);
+    if (journal_) [[unlikely]]
+      noteList(at);
     return lists.splice(at, begin, removed, added);
   }
   /// Before a segment that was there changes.
   void note(std::uint32_t id) {
-    if (note_) note_->segments.emplace_back(id, segments[id]);
+    if (journal_) [[unlikely]]
+      noteSegment(id);
   }
+  /// Whether somebody may go back beyond the update under way.
+  bool isNoting() const { return journal_ != nullptr; }
+  /// The segments that phase 1 added were not alive before.
+  void noteAdded();
   void listRelinked(std::uint32_t id) {
     if (segments[id].listed) return;
     segments[id].listed = 1;
@@ -87,50 +94,39 @@ class Outline {
   /// Ids for as many new segments, in the order in which create() would take them.
   std::span<const SegmentId> createIds(std::size_t count);
 
-  // --- Going back, as the ground does: there is a note for each update that changed something.
+  // --- Going back and forward (going_back.cpp)
 
-  SegmentNotes notes;
-  /// `version` is that of the moment. `changes` receives what this does to the segments, by id. The ground must not
-  /// have gone back yet.
-  void goBack(const Grid& grid, std::uint64_t moment, std::uint64_t version, Undone undone, Changes& changes);
-  /// To a moment that goBack() left behind, where all is as it left it. The ground must be there already.
-  void goForward(const Grid& grid, std::uint64_t moment, std::uint64_t version, Changes& changes);
-  void forgetUndone() { undone_ = {}; }
+  /// Beside the notes a moment has this.
+  struct State {
+    SegmentPool::Length ids;
+    std::uint64_t version = 0;
+  };
+  State state() const { return {segments.length(), version_}; }
+  /// A note of the outline and the outline exchange what they hold.
+  void exchange(const Grid& grid, Journal& journal, Note& note);
+  /// Goes to another moment by go(), which exchanges the notes up to there, and says what that does to these segments.
+  void goTo(const Grid& grid, const State& state, std::vector<std::uint32_t> ids, Changes& changes,
+            const std::function<void()>& go);
 
   // --- Saving
 
-  /// A new outline gets ids up to `count`, of which some can be taken, and some were removed by the last update.
-  void load(std::uint32_t count, std::vector<std::uint32_t> free, std::span<const std::uint32_t> removed);
+  /// A new outline gets ids up to `count`, of which some can be taken.
+  void load(std::uint32_t count, std::vector<std::uint32_t> free) { segments.reset(count, std::move(free)); }
   /// Links all segments of a ground whose cells have all changed.
   void linkAll(const Ground& ground);
 
   std::uint64_t bytes() const;
 
  private:
-  /// What was undone, and what there was after it.
-  struct UndoneUpdate {
-    SegmentNote note;
-    std::vector<SegmentId> removed;
-    std::uint32_t top = 0;
-    std::vector<std::uint32_t> freeTaken;
-    RecordsById segments;
-    NotedLists lists;
-  };
-
-  void begin();
   void dropTurned(const Ground& ground);
   void clear(const Chunk& chunk);
   void filter();
   void finish();
   void endWithoutLinks(std::uint32_t id);
   void noteList(CellAt at);
-  void endNote();
-  UndoneUpdate afterIt(const Grid& grid, const SegmentNote& note) const;
-  void put(const Grid& grid, const NotedLists& noted, const RecordsById& records);
-  void undo(const Grid& grid, const SegmentNote& note);
-  void redo(const Grid& grid, UndoneUpdate& undone);
-  template <class Go>
-  void go(const Grid& grid, std::vector<std::uint32_t> ids, std::uint64_t version, Changes& changes, Go&& go);
+  void noteSegment(std::uint32_t id);
+  void noteHidden(std::uint32_t chunk);
+  void noteRemoved(std::uint32_t id);
 
   Changes changes_;
   Changes shown_;  ///< the same without what is hidden, if some of it may be
@@ -138,8 +134,7 @@ class Outline {
   HiddenChunks hidden_;
   Versions versions_;
   std::uint64_t version_ = 0;
-  SegmentNote* note_ = nullptr;       ///< of the update under way
-  std::vector<UndoneUpdate> undone_;  ///< the first to come back last
+  Journal* journal_ = nullptr;  ///< of the update under way, if somebody may go back beyond it
   // Working memory. It is kept from one update to the next, to spare allocations.
   std::vector<std::uint32_t> ids_;
   std::vector<Spoke> fan_;

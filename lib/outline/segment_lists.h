@@ -37,6 +37,16 @@ class SegmentLists {
     return shown ? shown->live[row] : 0;
   }
 
+#ifdef __GNUC__
+  // For fetch.h.
+  [[gnu::always_inline]] void prefetchReference(const Chunk& chunk, std::uint32_t local) const {
+    if (const ShownChunk* shown = shownBy(chunk)) __builtin_prefetch(&shown->lists[local]);
+  }
+  [[gnu::always_inline]] void prefetchList(const Chunk& chunk, std::uint32_t local) const {
+    if (const ShownChunk* shown = shownBy(chunk)) __builtin_prefetch(of(shown->lists[local]).ids());
+  }
+#endif
+
   /// Takes `removed` ids out of a cell's list, from index `begin` on, and makes room for `added` there. Returns the
   /// words of the list, into which the caller writes these ids and the new layout; null if the cell shows nothing now.
   std::uint32_t* splice(CellAt at, std::uint32_t begin, std::uint32_t removed, std::uint32_t added);

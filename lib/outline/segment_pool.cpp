@@ -6,12 +6,14 @@
 namespace lgs::detail {
 
 void SegmentPool::addPage() {
-  if (top_ / kPage < pages_.size()) return bringBack(top_ / kPage);  // it is still there, after putBack()
-  if (top_ > kMaxSegment) std::abort();  // with 56 GiB of segments, as if memory had run out
-  pages_.add();
-  if (top_ != kNoSegment) return;
-  pages_[0][kNoSegment] = SegmentRecord{};  // so that a dangling link, should there ever be one, can be followed
-  ++top_;
+  if (top_ / kPage < pages_.size()) {  // it is still there, after setLength()
+    bringBack(top_ / kPage);
+  } else {
+    if (top_ > kMaxSegment) std::abort();  // with 56 GiB of segments, as if memory had run out
+    pages_.add();
+    if (top_ == kNoSegment) pages_[0][kNoSegment] = {};  // so that a dangling link, should there be one, can be followed
+  }
+  if (top_ == kNoSegment) ++top_;
 }
 
 void SegmentPool::bringBack(std::size_t page) {

@@ -10,9 +10,10 @@
 #include <lgs/lattice.h>
 
 #include <array>
+#include <cassert>
+#include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace lgs::detail {
@@ -63,9 +64,8 @@ class SegmentPool {
 
   /// An id for a new segment. The caller writes its record.
   std::uint32_t take() {
-    if (!free_.empty()) {
-      const std::uint32_t id = free_.back();
-      free_.pop_back();
+    if (freeCount_ != 0) {
+      const std::uint32_t id = free_[--freeCount_];
       if (pages_.missing() != 0) [[unlikely]]
         bringBack(id / kPage);
       return id;
@@ -73,24 +73,38 @@ class SegmentPool {
     return takeTop();
   }
   /// Makes an id available again. Its record must say that it is not alive.
-  void recycle(std::uint32_t id) { free_.push_back(id); }
-
-  /// What can be taken becomes what it was at another time. Since then `kept` of the available ids stayed so; behind
-  /// these there were others, of which `taken` has the last one first. `top` is one more than the greatest id of then.
-  void putBack(std::size_t kept, std::span<const std::uint32_t> taken, std::uint32_t top) {
-    free_.resize(kept);
-    free_.insert(free_.end(), taken.rbegin(), taken.rend());
-    while (top_ < top) takeTop();
-    top_ = top;
+  void recycle(std::uint32_t id) {
+    if (freeCount_ == free_.size())
+      free_.push_back(id);
+    else
+      free_[freeCount_] = id;
+    ++freeCount_;
   }
 
   /// The ids that are available. The last one is taken next.
-  const std::vector<std::uint32_t>& free() const { return free_; }
+  std::span<const std::uint32_t> free() const { return std::span(free_).first(freeCount_); }
+
+  // --- Going back and forward. An id that was taken stays in its place in the list of free ids, until another one that
+  // is recycled is written there. If such a place is noted before, a length brings the list of another time back.
+
+  struct Length {
+    std::size_t free = 0;
+    std::uint32_t top = 0;
+  };
+  Length length() const { return {freeCount_, top_}; }
+  void setLength(const Length& length) {
+    assert(length.free <= free_.size());
+    freeCount_ = length.free;
+    top_ = length.top;
+  }
+  /// The places in that list that were ever written.
+  std::span<std::uint32_t> places() { return free_; }
 
   /// Gives a new pool `count` ids. None is alive; those in `free` can be taken.
   void reset(std::uint32_t count, std::vector<std::uint32_t> free) {
     while (maxId() < count) (*this)[take()].cellRef = 0;
     free_ = std::move(free);
+    freeCount_ = free_.size();
   }
 
   /// For tests of the limit, in a pool that is as new: its first pages count as given out, and are not there.
@@ -106,8 +120,8 @@ class SegmentPool {
   /// Pages on which no segment is alive take no memory until an id of theirs is taken. `live` says how many are. To be
   /// called after many went, while nobody notes segments. Cost: O(1) for each that went, amortised.
   void giveBackPages(std::size_t live);
-  /// Whether every id is available: no segment is alive, and none was removed without being recycled.
-  bool isEmpty() const { return free_.size() == maxId(); }
+  /// Whether every id is available: no segment is alive.
+  bool isEmpty() const { return freeCount_ == maxId(); }
   std::uint32_t maxId() const { return top_ == 0 ? 0 : top_ - 1; }
   std::uint64_t bytes() const { return pages_.bytes() + free_.capacity() * sizeof free_[0]; }
 
@@ -124,7 +138,8 @@ class SegmentPool {
 
   Pages<Page> pages_;
   std::size_t dead_ = 0;  ///< records without a segment, when pages were last given back
-  std::vector<std::uint32_t> free_;
+  std::vector<std::uint32_t> free_;  ///< and behind these the ones that were taken
+  std::size_t freeCount_ = 0;
   std::uint32_t top_ = 0;  ///< one more than the greatest id; 0 until the first page is made
 };
 

@@ -2,6 +2,7 @@
 
 #include "outline/look.h"
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -66,23 +67,23 @@ std::uint64_t countShown(const Ground& ground, std::uint64_t most) {
 
 void save(const Ground& ground, const Outline& outline, SnapshotWriter& out) {
   IdWriter ids(out);
-  const std::vector<std::uint32_t>& free = outline.segments.free();
+  const std::span<const std::uint32_t> free = outline.segments.free();
   out.number(free.size());
   for (const std::uint32_t id : free) ids.write(id);
-  const std::vector<SegmentId>& removed = outline.removed();
-  out.number(removed.size());
-  for (const SegmentId id : removed) ids.write(id.value);
+  out.number(0);  // older libraries have some of the free ones apart
   forEachCell(ground, [&](CellAt at) {
     for (const std::uint32_t id : outline.lists.of(at).all()) ids.write(id);
   });
 }
 
-// Each id up to the highest names a segment, or is free, or was freed by the last commit.
+// Each id up to the highest names a segment, or is free.
 void load(const Ground& ground, Outline& outline, SnapshotReader& in) {
   IdReader ids(in);
-  std::vector<std::uint32_t> free = ids.readList(), removed = ids.readList();
+  std::vector<std::uint32_t> free = ids.readList();
+  const std::vector<std::uint32_t> more = ids.readList();
+  free.insert(free.end(), more.begin(), more.end());
   if (in.failed()) return;
-  const std::uint64_t shown = countShown(ground, in.left()), count = free.size() + removed.size() + shown;
+  const std::uint64_t shown = countShown(ground, in.left()), count = free.size() + shown;
   if (shown > in.left()) return in.fail(What::cut);  // an id takes a byte at least
   if (count >= kMaxSegment) return in.fail(What::capacity);
   std::vector<bool> seen(static_cast<std::size_t>(count) + 1);
@@ -91,9 +92,8 @@ void load(const Ground& ground, Outline& outline, SnapshotReader& in) {
     if (!in.failed()) seen[id] = true;
     return !in.failed();
   };
-  for (const auto* list : {&free, &removed})
-    for (const std::uint32_t id : *list) see(id);
-  outline.load(static_cast<std::uint32_t>(count), std::move(free), removed);
+  for (const std::uint32_t id : free) see(id);
+  outline.load(static_cast<std::uint32_t>(count), std::move(free));
   forEachCell(ground, [&](CellAt at) {
     if (in.failed() || ground.contentId(at) == kEmptyContent) return;
     const Look look(ground, at);

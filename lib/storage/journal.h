@@ -1,7 +1,26 @@
-// Notes in the order in which they were made. The first ones can be forgotten, and the last ones taken back. A note has
-// its number for good: how many were made before it and not taken back.
+// The one journal of a world: what things held before they changed, so that the world can go back to a *moment*, and
+// forward again.
+//
+// A thing is a cell, a list of segments, and so on: a kind and a key. Nobody goes back to between two moments that
+// follow each other, so each thing is noted once between them, before its first change. Whether that is so already is a
+// comparison of numbers: moments are numbered, and of each thing it is known after which one it was noted last. A note
+// keeps the number that it displaced.
+//
+// To undo a note is to exchange what it says with what the thing holds. The note then says what the thing held later,
+// so the same exchange, in the other direction, does it again.
+//
+// When nobody needs a moment any more, the notes after it join those before it, and those of things that are there twice
+// are dropped: of a few behind many at once, otherwise when they are many. So that costs O(log n) a note in all, and
+// an old mark with many notes behind it costs no later edit anything.
 #pragma once
 
+#include "storage/newest.h"
+#include "storage/owned.h"
+#include "storage/record_arena.h"
+
+#include <lgs/world.h>
+
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -11,54 +30,225 @@
 
 namespace lgs::detail {
 
-template <class Note>
+/// What a note is of. The key is a reference of a cell, the number of a chunk, the id of a segment, or a place in the
+/// list of free ids.
+enum class Thing : std::uint8_t {
+  cell,     ///< the word of a cell, and its block
+  chunk,    ///< that there is this chunk; the note has its place
+  border,   ///< the border of an unloaded chunk; none if it is loaded
+  segment,  ///< the record of a segment; none if it was not alive
+  list,     ///< the list of segments that a cell shows; none if it showed nothing
+  freeId,   ///< an entry in the list of free ids
+  hidden,   ///< whether the segments of a chunk are hidden
+  commit,   ///< that a commit found something
+};
+
+struct Note {
+  std::uint64_t before = 0;  ///< the moment after which the thing was noted before this; 0 if there is no such note
+  std::uint32_t key = 0;
+  Thing thing = Thing::cell;
+  bool wasClean = false;    ///< of a cell: it had not changed since the commit before
+  std::uint32_t value = 0;  ///< what the thing held, or a reference to words that the journal keeps
+  std::uint32_t block = 0;  ///< of a cell
+};
+
 class Journal {
  public:
-  /// The number of the next one.
-  std::uint64_t next() const { return gone_ + notes_.size(); }
-  /// Any that is not forgotten.
-  Note& operator[](std::uint64_t number) { return notes_[index(number)]; }
-  const Note& operator[](std::uint64_t number) const { return notes_[index(number)]; }
-  Note& back() { return notes_.back(); }
-  /// From this one on.
-  std::span<Note> from(std::uint64_t number) { return std::span(notes_).subspan(index(number)); }
+  /// The number of a moment. Later ones have greater numbers, and so have those of a copy.
+  using Moment = std::uint64_t;
 
-  Note& add(Note note = {}) { return notes_.emplace_back(std::move(note)); }
-  Note takeBack() {
-    Note last = std::move(notes_.back());
-    notes_.pop_back();
-    return last;
-  }
-  /// Those from this one on are taken back.
-  void cut(std::uint64_t number) {
-    notes_.erase(notes_.begin() + static_cast<std::ptrdiff_t>(index(number)), notes_.end());
-  }
-  /// Those before this one. Calls drop(note) for each first.
+  /// Whether somebody may go back, so that what changes is to be noted.
+  bool isOn() const { return latest_ != 0; }
+
+  // --- Moments
+
+  /// Now, which somebody may want to go back to until he lets go of it.
+  Moment begin();
+  /// One user more for a moment that is there.
+  void hold(Moment moment) { ++places_[indexOf(moment)].users; }
+  /// One less. Calls drop(note) for each note that nobody needs from here on.
   template <class Drop>
-  void forgetBefore(std::uint64_t number, Drop&& drop) {
-    for (; gone_ + forgotten_ < number; ++forgotten_) drop(notes_[forgotten_]);
-    if (forgotten_ < notes_.size() / 2) return;  // the rest moves to the front seldom
-    notes_.erase(notes_.begin(), notes_.begin() + static_cast<std::ptrdiff_t>(forgotten_));
-    gone_ += std::exchange(forgotten_, 0);
+  void letGo(Moment moment, Drop&& drop);
+  bool has(Moment moment) const { return std::ranges::binary_search(places_, moment, {}, &Place::moment); }
+  /// Whether nothing was noted since.
+  bool isNow(Moment moment) const { return places_[indexOf(moment)].begin == notes_.size(); }
+  /// Whether the one was before the other, and something was noted in between.
+  bool isEarlier(Moment a, Moment b) const { return places_[indexOf(a)].begin < places_[indexOf(b)].begin; }
+
+  // --- Notes
+
+  /// Whether a thing was noted since a moment that is there.
+  bool isNotedSince(Moment moment, Thing thing, std::uint32_t key) const {
+    return newest_.find(keyOf(thing, key)) >= moment;
   }
-  /// Gives the memory back, once all notes are forgotten.
-  void giveBack() {
-    assert(notes_.empty());
-    notes_ = std::vector<Note>();
+  /// Whether it was since the latest one. Then no note is needed.
+  bool isNoted(Thing thing, std::uint32_t key) const { return isNotedSince(latest_, thing, key); }
+  /// Before a thing changes that is not noted: the caller says what it holds.
+  Note& add(Thing thing, std::uint32_t key);
+  /// Those since a moment, in the order in which they were made. The first of a thing, which says what it held at that
+  /// moment, displaced a note of before it.
+  std::span<const Note> since(Moment moment) const {
+    return std::span(notes_).subspan(places_[indexOf(moment)].begin);
   }
 
-  std::size_t capacity() const { return notes_.capacity(); }
-  /// Without what the notes hold themselves.
-  std::uint64_t bytes() const { return capacity() * sizeof(Note); }
-  /// Those that have memory: with the forgotten ones that are still there.
-  std::span<const Note> held() const { return notes_; }
+  /// Words that a note refers to. 0 refers to none.
+  std::uint32_t keep(std::span<const std::uint32_t> words);
+  std::span<std::uint32_t> kept(std::uint32_t reference) const {
+    return {words_.at(reference) + 1, *words_.at(reference)};
+  }
+  void release(std::uint32_t reference) {
+    if (reference != 0) words_.release(reference, 1 + *words_.at(reference));
+  }
+
+  // --- Going back and forward
+
+  /// Calls exchange(note) for each note since a moment, the last one first. They are kept, with the moments in between,
+  /// or dropped: then nobody needs these moments.
+  template <class Exchange, class Drop>
+  void undoTo(Moment moment, Undone undone, Exchange&& exchange, Drop&& drop);
+  /// To a moment that is ahead: undone, and kept.
+  template <class Exchange, class Drop>
+  void redoTo(Moment moment, Exchange&& exchange, Drop&& drop);
+  bool isAhead(Moment moment) const;
+  /// The notes up to a moment that is ahead, the next one last.
+  std::span<const Note> upTo(Moment moment) const;
+  template <class Drop>
+  void forgetUndone(Drop&& drop);
+
+  std::uint64_t bytes() const;
 
  private:
-  std::size_t index(std::uint64_t number) const { return static_cast<std::size_t>(number - gone_); }
+  /// A moment, and which of the notes was the next one then.
+  struct Place {
+    Moment moment = 0;
+    std::size_t begin = 0;  ///< in notes_; of one ahead: how many undone notes lie beyond it
+    std::uint32_t users = 1;
+  };
+
+  static std::uint64_t keyOf(Thing thing, std::uint32_t key) {
+    return (std::uint64_t{static_cast<std::uint8_t>(thing)} + 1) << 32 | key;
+  }
+  std::size_t indexOf(Moment moment) const;
+  std::size_t endOf(std::size_t place) const {
+    return place + 1 < places_.size() ? places_[place + 1].begin : notes_.size();
+  }
+  void takeBack(const Note& note);
+  void stop();
+  template <class Drop>
+  void dropOldest(std::size_t end, Drop&& drop);
+  template <class Drop>
+  void dropTwice(std::size_t from, Drop&& drop);
 
   std::vector<Note> notes_;
-  std::size_t forgotten_ = 0;  ///< at the front
-  std::uint64_t gone_ = 0;     ///< from the front
+  std::size_t dropped_ = 0;    ///< of the first ones
+  std::vector<Place> places_;  ///< by moment
+  Moment latest_ = 0;          ///< 0 if there is none
+  Moment last_ = 0;            ///< that was given out
+  Newest newest_;              ///< of each thing that is noted, the moment after which it was noted last
+  std::size_t twice_ = 0;      ///< at most so many notes are of things that are noted before, with no moment in between
+  RecordArena words_;
+  // What was undone and can come back, the first to come back last.
+  std::vector<Note> undone_;
+  std::vector<Place> ahead_;
 };
+
+template <class Drop>
+void Journal::letGo(Moment moment, Drop&& drop) {
+  const std::size_t k = indexOf(moment);
+  if (--places_[k].users != 0) return;
+  const std::size_t begin = places_[k].begin, end = endOf(k);
+  places_.erase(places_.begin() + static_cast<std::ptrdiff_t>(k));
+  giveBackSpare(places_);
+  latest_ = places_.empty() ? 0 : places_.back().moment;
+  if (k == 0) return dropOldest(end, drop);
+  const std::size_t count = end - begin, countBefore = begin - places_[k - 1].begin;
+  if (end == notes_.size() && count <= countBefore) return dropTwice(begin, drop);
+  twice_ += std::min(count, countBefore);
+  if (2 * twice_ < notes_.size() - dropped_) return;
+  dropTwice(dropped_, drop);
+  twice_ = 0;
+}
+
+/// Those that nobody can go back beyond.
+template <class Drop>
+void Journal::dropOldest(std::size_t end, Drop&& drop) {
+  for (; dropped_ < end; ++dropped_) {
+    const Note& note = notes_[dropped_];
+    const std::uint64_t key = keyOf(note.thing, note.key);
+    const Moment noted = newest_.find(key);
+    if (noted != 0 && (places_.empty() || noted < places_.front().moment)) newest_.erase(key);
+    drop(note);
+  }
+  if (places_.empty()) return stop();
+  if (dropped_ < notes_.size() / 2) return;  // the rest moves to the front seldom
+  notes_.erase(notes_.begin(), notes_.begin() + static_cast<std::ptrdiff_t>(dropped_));
+  for (Place& place : places_) place.begin -= dropped_;
+  dropped_ = 0;
+}
+
+/// From a note on: those of things that are noted before, with no moment in between.
+template <class Drop>
+void Journal::dropTwice(std::size_t from, Drop&& drop) {
+  std::size_t kept = from, next = 0;
+  while (next < places_.size() && places_[next].begin < from) ++next;
+  for (std::size_t k = from; k <= notes_.size(); ++k) {
+    for (; next < places_.size() && places_[next].begin == k; ++next) places_[next].begin = kept;
+    if (k == notes_.size()) break;
+    if (next != 0 && notes_[k].before >= places_[next - 1].moment)
+      drop(notes_[k]);
+    else
+      notes_[kept++] = notes_[k];
+  }
+  notes_.resize(kept);
+}
+
+template <class Exchange, class Drop>
+void Journal::undoTo(Moment moment, Undone undone, Exchange&& exchange, Drop&& drop) {
+  const std::size_t to = indexOf(moment);
+  const auto leaveMoments = [&] {
+    for (; undone == Undone::keep && places_.size() > to + 1 && places_.back().begin == notes_.size();
+         places_.pop_back())
+      ahead_.push_back({places_.back().moment, undone_.size(), places_.back().users});
+  };
+  for (leaveMoments(); notes_.size() > places_[to].begin; leaveMoments()) {
+    Note note = notes_.back();
+    notes_.pop_back();
+    takeBack(note);
+    exchange(note);
+    if (undone == Undone::keep)
+      undone_.push_back(note);
+    else
+      drop(note);
+  }
+  assert(places_.back().begin == notes_.size());
+  latest_ = places_.back().moment;
+}
+
+template <class Exchange, class Drop>
+void Journal::redoTo(Moment moment, Exchange&& exchange, Drop&& drop) {
+  do {
+    for (; undone_.size() > ahead_.back().begin; undone_.pop_back()) {
+      Note note = undone_.back();
+      exchange(note);
+      if (isNoted(note.thing, note.key)) {
+        drop(note);
+        continue;
+      }
+      Note& again = add(note.thing, note.key);
+      note.before = again.before;
+      again = note;
+    }
+    places_.push_back({ahead_.back().moment, notes_.size(), ahead_.back().users});
+    latest_ = places_.back().moment;
+    ahead_.pop_back();
+  } while (latest_ != moment);
+}
+
+template <class Drop>
+void Journal::forgetUndone(Drop&& drop) {
+  for (const Note& note : undone_) drop(note);
+  undone_ = std::vector<Note>();
+  ahead_.clear();
+}
 
 }  // namespace lgs::detail

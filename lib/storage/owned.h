@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -41,12 +42,18 @@ class Owned {
   std::unique_ptr<T> value_;
 };
 
-/// After a list has become shorter: the memory that it can do without, once that is most of it. So who goes on with it
-/// at this length allocates seldom.
+/// Gives back the memory that a list can do without. GCC's shrink_to_fit() does nothing without exceptions.
+template <class T>
+void shrink(std::vector<T>& list) {
+  std::vector<T>(std::make_move_iterator(list.begin()), std::make_move_iterator(list.end())).swap(list);
+}
+
+/// The same after a list has become shorter, once that is most of it. So who goes on with it at this length allocates
+/// seldom.
 template <class T>
 void giveBackSpare(std::vector<T>& list) {
   constexpr std::size_t kLeast = 64;
-  if (list.capacity() > kLeast && list.size() < list.capacity() / 4) list.shrink_to_fit();
+  if (list.capacity() > kLeast && list.size() < list.capacity() / 4) shrink(list);
 }
 
 }  // namespace lgs::detail

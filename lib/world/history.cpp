@@ -1,21 +1,36 @@
 #include "world/history.h"
 
+#include "storage/held_bytes.h"
+#include "storage/owned.h"
+
 #include <algorithm>
-#include <iterator>
+#include <utility>
 
 namespace lgs::detail {
 
 History::History(const History& other, Ground& ground, Outline& outline)
-    : ground_(ground), outline_(outline), marks_(other.marks_), ahead_(other.ahead_), went_(other.went_) {
-  std::erase_if(marks_, [](const Marked& m) { return m.ofGroup; });
-  forgetNotes();
+    : ground_(ground),
+      outline_(outline),
+      marks_(other.marks_),
+      ahead_(other.ahead_),
+      went_(other.went_),
+      wentTo_(other.wentTo_),
+      wentShapes_(other.wentShapes_),
+      undoneShapes_(other.undoneShapes_),
+      committed_(other.committed_),
+      cellChanges_(other.cellChanges_) {
+  for (std::size_t k = marks_.size(); k-- != 0;)
+    if (marks_[k].of == Of::group) forget(marks_[k].mark);
 }
 
-Mark History::mark(bool ofGroup) {
-  ground_.notes.start(CellNotes::For::marks);
-  outline_.notes.start();
+// --- Marks
+
+Mark History::mark(Of of) {
+  const bool isOfGroup = of == Of::group;
   const Mark mark{numbers_.next()};  // greater than all before, also in a copy
-  marks_.push_back({mark, ground_.notes.now(), outline_.notes.now(), outline_.version(), ofGroup});
+  if (committed_ != 0) ground_.journal.hold(committed_);
+  marks_.push_back({mark, of, ground_.journal.begin(), committed_, ground_.catalogue.shapeCount(), outline_.state(),
+                    isOfGroup ? Ground::ChangedCells() : ground_.changedCells(), ground_.staleRims()});
   return mark;
 }
 
@@ -24,29 +39,79 @@ std::vector<History::Marked>::const_iterator History::find(Mark mark) const {
   return found != marks_.end() && found->mark == mark ? found : marks_.end();
 }
 
+void History::letGo(const Marked& mark) {
+  ground_.letGo(mark.moment);
+  if (mark.committed != 0) ground_.letGo(mark.committed);
+}
+
+void History::forget(Mark mark) {
+  const auto at = find(mark);
+  const Marked gone = *at;
+  marks_.erase(at);
+  giveBackSpare(marks_);
+  if (marks_.empty() || (!ahead_.empty() && ground_.journal.isEarlier(went_, marks_.front().moment))) forgetUndone();
+  letGo(gone);
+}
+
+std::vector<Cell> History::editedSince(Mark mark) const {
+  const Moment moment = find(mark)->moment;
+  std::vector<Cell> cells;
+  for (const Note& note : ground_.journal.since(moment))
+    if (note.thing == Thing::cell && note.before < moment) cells.push_back(ground_.grid.cellOf(note.key));
+  return cells;
+}
+
+// --- Going back
+
 void History::rollBack(Mark mark, Undone undone, Changes& changes) {
   if (!ahead_.empty()) leave(*find(mark), undone);
-  const auto to = find(mark);
-  outline_.goBack(ground_.grid, to->outline, to->version, undone, changes);
-  ground_.notes.rollBack(to->ground, undone);
-  if (undone == Undone::keep) {
-    std::copy_if(marks_.crbegin(), std::make_reverse_iterator(to + 1), std::back_inserter(ahead_),
-                 [](const Marked& m) { return !m.ofGroup; });
-    went_ = *to;
-    if (ahead_.empty()) forgetUndone();
+  keepOneMark(mark, undone);
+  const Marked& to = marks_.back();
+  const auto drop = [this](const Note& note) { ground_.drop(note); };
+  const auto undo = [&](Moment moment) {
+    ground_.journal.undoTo(moment, undone, [this](Note& note) { exchange(note); }, drop);
+  };
+  go(to, CellChanges::Way::back, ground_.journal.since(to.moment), changes, undo);
+  while (ground_.catalogue.shapeCount() > to.shapes) {
+    InternedShape shape = ground_.catalogue.takeShape();
+    if (undone == Undone::keep) undoneShapes_.push_back(std::move(shape));
   }
-  marks_.erase(to + 1, marks_.end());
+  if (undone == Undone::keep) ahead_.empty() ? forgetUndone() : setWent(to);
+}
+
+/// Marks after this one are void, or ahead.
+void History::keepOneMark(Mark mark, Undone undone) {
+  for (; marks_.back().mark != mark; marks_.pop_back()) {
+    if (undone == Undone::keep && marks_.back().of == Of::game)
+      ahead_.push_back(std::move(marks_.back()));
+    else
+      letGo(marks_.back());
+  }
 }
 
 /// Before it goes back: what is ahead stays if the world goes no further than to where it went, or goes further from
 /// there and keeps that, too.
 void History::leave(const Marked& to, Undone undone) {
-  if (undone == Undone::keep) {
-    const bool goesOn = isWhereItWent() && marks_.back().mark <= went_.mark;
-    goesOn ? returnToWhereItWent() : forgetUndone();
-  } else if (to.ground.notes < went_.ground.notes || to.outline < went_.outline) {
+  if (undone == Undone::drop) {
+    if (ground_.journal.isEarlier(to.moment, went_)) forgetUndone();
+  } else if (isWhereItWent() && marks_.back().mark <= wentTo_) {
+    ground_.letGo(std::exchange(went_, 0));
+  } else {
     forgetUndone();
   }
+}
+
+void History::setWent(const Marked& to) {
+  if (went_ != 0) ground_.letGo(went_);
+  went_ = to.moment;
+  wentTo_ = to.mark;
+  wentShapes_ = to.shapes;
+  ground_.journal.hold(went_);
+}
+
+/// Whether nothing was edited since the world went back or forward, nor a shape made.
+bool History::isWhereItWent() const {
+  return ground_.journal.isNow(went_) && ground_.catalogue.shapeCount() == wentShapes_;
 }
 
 bool History::isAhead(Mark mark) const {
@@ -54,68 +119,103 @@ bool History::isAhead(Mark mark) const {
 }
 
 void History::rollForward(Mark mark, Changes& changes) {
-  returnToWhereItWent();
-  while (went_.mark != mark) {
-    went_ = ahead_.back();
+  for (; !marks_.empty() && marks_.back().mark > wentTo_; marks_.pop_back()) letGo(marks_.back());
+  do {
+    marks_.push_back(std::move(ahead_.back()));
     ahead_.pop_back();
-    marks_.push_back(went_);
-  }
-  ground_.notes.rollForward(went_.ground);
-  outline_.goForward(ground_.grid, went_.outline, went_.version, changes);
+  } while (marks_.back().mark != mark);
+  const Marked& to = marks_.back();
+  const auto drop = [this](const Note& note) { ground_.drop(note); };
+  const auto redo = [&](Moment moment) {
+    ground_.journal.redoTo(moment, [this](Note& note) { exchange(note); }, drop);
+  };
+  go(to, CellChanges::Way::forth, ground_.journal.upTo(to.moment), changes, redo);
+  for (; ground_.catalogue.shapeCount() < to.shapes; undoneShapes_.pop_back())
+    ground_.catalogue.putShape(std::move(undoneShapes_.back()));
+  setWent(to);
   if (ahead_.empty()) forgetUndone();
 }
 
-/// Whether nothing was edited since the world went back or forward, nor a shape made. A commit that found nothing does
-/// no harm.
-bool History::isWhereItWent() const {
-  const CellNotes::Moment now = ground_.notes.now();
-  return now.notes == went_.ground.notes && now.shapes == went_.ground.shapes;
+/// Goes to a mark by go(moment), which exchanges the notes up to a moment. Followers never saw the edits that are
+/// pending, here or there: so they are told what is different between the last commit before the one and the other.
+template <class Go>
+void History::go(const Marked& to, CellChanges::Way way, std::span<const Note> notes, Changes& changes, Go&& go) {
+  std::vector<std::uint32_t> ids;
+  for (const Note& note : notes)
+    if (note.thing == Thing::segment) ids.push_back(note.key);
+  outline_.goTo(ground_.grid, to.outline, std::move(ids), changes, [&] {
+    ground_.clearChanges();
+    cellChanges_.clear();
+    if (to.committed != committed_) {
+      const bool isBack = way == CellChanges::Way::back;
+      go(isBack ? committed_ : to.committed);
+      cellChanges_.read(ground_, isBack ? to.committed : committed_, way);
+      ground_.journal.hold(to.committed);
+      ground_.letGo(std::exchange(committed_, to.committed));
+    }
+    go(to.moment);
+    ground_.setChangedCells(to.changed);
+    ground_.setStaleRims(to.staleRims);
+  });
 }
 
-/// Takes back commits that found nothing, and marks that were made since.
-void History::returnToWhereItWent() {
-  Changes none;
-  outline_.goBack(ground_.grid, went_.outline, outline_.version(), Undone::drop, none);
-  std::erase_if(marks_, [&](const Marked& m) { return m.mark > went_.mark; });
-}
-
-void History::forgetUndone() {
-  ahead_.clear();
-  ground_.notes.forgetUndone();
-  outline_.forgetUndone();
-}
-
-void History::squeeze() {
-  const bool isRedoLater = !ahead_.empty() && went_.mark > marks_.back().mark;
-  const Marked& last = isRedoLater ? went_ : marks_.back();
-  ground_.notes.squeeze(last.ground);
-  outline_.notes.squeeze(last.outline);
+void History::exchange(Note& note) {
+  switch (note.thing) {
+    case Thing::segment:
+    case Thing::list:
+    case Thing::freeId:
+    case Thing::hidden:
+      return outline_.exchange(ground_.grid, ground_.journal, note);
+    default:
+      return ground_.exchange(note);
+  }
 }
 
 void History::takeBack(Mark mark) {
-  const auto to = find(mark);
-  if (!ahead_.empty() && to->ground.notes < went_.ground.notes) forgetUndone();
-  ground_.notes.goBack(to->ground);
-  marks_.erase(to + 1, marks_.end());
+  if (!ahead_.empty() && ground_.journal.isEarlier(find(mark)->moment, went_)) forgetUndone();
+  keepOneMark(mark, Undone::drop);
+  ground_.takeBack(marks_.back().moment);
+  while (ground_.catalogue.shapeCount() > marks_.back().shapes) static_cast<void>(ground_.catalogue.takeShape());
 }
 
-void History::forget(Mark mark) {
-  marks_.erase(find(mark));
-  forgetNotes();
+void History::forgetUndone() {
+  if (went_ != 0) ground_.letGo(std::exchange(went_, 0));
+  ground_.journal.forgetUndone([this](const Note& note) { ground_.drop(note); });
+  for (const Marked& mark : ahead_)
+    if (mark.committed != 0 && ground_.journal.has(mark.committed)) ground_.letGo(mark.committed);
+  ahead_.clear();
+  undoneShapes_.clear();
 }
 
-/// Those that no mark needs.
-void History::forgetNotes() {
-  if (marks_.empty()) {
-    forgetUndone();
-    ground_.notes.stop(CellNotes::For::marks);
-    outline_.notes.stop();
-  } else {
-    const Marked& first = marks_.front();
-    if (first.ground.notes > went_.ground.notes || first.outline > went_.outline) forgetUndone();
-    ground_.notes.forgetBefore(first.ground);
-    outline_.notes.forgetBefore(first.outline);
+// --- Commits, and followers
+
+void History::commit() {
+  Journal& journal = ground_.journal;
+  if (committed_ != 0) cellChanges_.read(ground_, committed_, CellChanges::Way::commit);
+  if (!ground_.changedChunks().empty() && journal.isOn()) {
+    if (!journal.isNoted(Thing::commit, 0)) journal.add(Thing::commit, 0);
+    if (committed_ != 0) {
+      ground_.letGo(committed_);
+      committed_ = journal.begin();
+    }
   }
+  ground_.commit();
+}
+
+void History::follow(bool follow) {
+  if (follow == (committed_ != 0)) return;
+  cellChanges_.clear();
+  if (follow)
+    committed_ = ground_.journal.begin();
+  else
+    ground_.letGo(std::exchange(committed_, 0));
+}
+
+std::uint64_t History::bytes() const {
+  std::uint64_t sum = heldBytes(marks_, ahead_, undoneShapes_) + cellChanges_.bytes();
+  for (const auto* marks : {&marks_, &ahead_})
+    for (const Marked& mark : *marks) sum += heldBytes(mark.changed, mark.staleRims);
+  return sum;
 }
 
 }  // namespace lgs::detail

@@ -1,8 +1,12 @@
-// The marks of a world, and going back to them: ground and outline each note what they need to undo, and a mark says
-// how far that goes. What was undone can be kept. Then the marks that the world went back beyond are kept, too, and it
-// can go forward to them, as long as it is where it went: an edit since, and what was undone is worth nothing any more.
+// The marks of a world, and going back to them. Ground and outline note in one journal what they held, and a mark is a
+// moment of that, with what is small enough to be kept as it is. What was undone can be kept. Then the marks that the
+// world went back beyond are kept, too, and it can go forward to them as long as it is where it went: an edit since, and
+// what was undone is worth nothing any more.
+//
+// A commit that finds nothing to do is none: it ends no group, and no redo.
 #pragma once
 
+#include "ground/cell_changes.h"
 #include "ground/ground.h"
 #include "outline/outline.h"
 #include "storage/versions.h"
@@ -16,6 +20,8 @@ namespace lgs::detail {
 
 class History {
  public:
+  using Moment = Journal::Moment;
+
   History(Ground& ground, Outline& outline) : ground_(ground), outline_(outline) {}
   /// That of a copy, with its own ground and outline. Marks of groups are dropped: nobody could end them there.
   History(const History& other, Ground& ground, Outline& outline);
@@ -23,8 +29,12 @@ class History {
   History& operator=(const History&) = delete;
   ~History() = default;
 
-  Mark mark(bool ofGroup = false);
-  bool knows(Mark mark) const { return find(mark) != marks_.end(); }
+  // --- Marks
+
+  /// The mark of a group of edits is known to the group alone, and nobody goes back to it after a commit.
+  enum class Of : std::uint8_t { game, group };
+  Mark mark(Of of = Of::game);
+  bool knows(Mark mark, Of of = Of::game) const { return find(mark) != marks_.end() && find(mark)->of == of; }
   /// Whether rollForward() leads there.
   bool isAhead(Mark mark) const;
   bool hasMarks() const { return !marks_.empty(); }
@@ -33,35 +43,55 @@ class History {
   void rollBack(Mark mark, Undone undone, Changes& changes);
   /// The mark must be ahead. Marks that were made since the world went back are void.
   void rollForward(Mark mark, Changes& changes);
-  /// Goes back in silence. The mark must be known, and no commit may have changed something since: the segments are as
-  /// they were at the mark.
+  /// Goes back to the mark of a group, in silence. It must be known, and no commit may have found something since: the
+  /// segments are as they were.
   void takeBack(Mark mark);
   /// The mark must be known.
   void forget(Mark mark);
-  /// After a commit, while there are marks: forgets what nobody can go back to, the moments between two of them.
-  void squeeze();
-  /// Whether a commit changed something since the mark, which must be known.
-  bool committedSince(Mark mark) const { return find(mark)->outline != outline_.notes.now(); }
-
+  /// Whether a commit found something since the mark, which must be known.
+  bool committedSince(Mark mark) const {
+    return ground_.journal.isNotedSince(find(mark)->moment, Thing::commit, 0);
+  }
   /// The cells, each once, in the order of their first edit.
-  std::vector<Cell> editedSince(Mark mark) const { return ground_.notes.editedSince(find(mark)->ground); }
+  std::vector<Cell> editedSince(Mark mark) const;
 
-  std::uint64_t bytes() const { return (marks_.capacity() + ahead_.capacity()) * sizeof marks_[0]; }
+  // --- Commits
+
+  /// Where the outline notes what it changes; null if nobody may go back beyond a commit.
+  Journal* journal() const { return hasMarks() ? &ground_.journal : nullptr; }
+  /// The last part of a commit: from now on nothing has changed.
+  void commit();
+
+  // --- Followers of the ground
+
+  /// There is no mark, and nothing has changed since the last commit.
+  void follow(bool follow);
+  /// What the last commit, rollBack() or rollForward() changed, if somebody follows.
+  const CellChanges& cellChanges() const { return cellChanges_; }
+
+  std::uint64_t bytes() const;
 
  private:
   struct Marked {
     Mark mark;
-    CellNotes::Moment ground;
-    std::uint64_t outline = 0;
-    std::uint64_t version = 0;  ///< of the segments
-    bool ofGroup = false;
+    Of of = Of::game;
+    Moment moment = 0;
+    Moment committed = 0;  ///< as that of the history, which it holds
+    std::uint64_t shapes = 0;
+    Outline::State outline;
+    Ground::ChangedCells changed;          ///< of a game's mark
+    std::vector<std::uint32_t> staleRims;  ///< the same
   };
 
   std::vector<Marked>::const_iterator find(Mark mark) const;
-  void forgetNotes();
+  void letGo(const Marked& mark);
+  void keepOneMark(Mark mark, Undone undone);
   bool isWhereItWent() const;
-  void returnToWhereItWent();
+  void setWent(const Marked& to);
   void leave(const Marked& to, Undone undone);
+  template <class Go>
+  void go(const Marked& to, CellChanges::Way way, std::span<const Note> notes, Changes& changes, Go&& go);
+  void exchange(Note& note);
   void forgetUndone();
 
   Ground& ground_;
@@ -69,7 +99,13 @@ class History {
   Versions numbers_;
   std::vector<Marked> marks_;  ///< in the order in which they were made
   std::vector<Marked> ahead_;  ///< that the world went back beyond, the next one last
-  Marked went_;                ///< where it went then, if any are ahead
+  // Where it went then, if any are ahead.
+  Moment went_ = 0;
+  Mark wentTo_;
+  std::uint64_t wentShapes_ = 0;
+  std::vector<InternedShape> undoneShapes_;  ///< the first to come back last
+  Moment committed_ = 0;                     ///< the last commit, while somebody follows; otherwise 0
+  CellChanges cellChanges_;
 };
 
 }  // namespace lgs::detail

@@ -185,14 +185,16 @@ Expected<std::uint64_t> World::clearRect(const CellRect& cells) noexcept { retur
 
 const Changes& World::commit() noexcept { return commit({}); }
 const Changes& World::commit(const Executor& executor) noexcept {
-  impl_->ground.settle();
-  impl_->outline.update(impl_->ground, executor);
-  impl_->ground.commit();
-  if (impl_->ground.notes.areTaken(detail::CellNotes::For::marks)) [[unlikely]]
-    impl_->history.squeeze();
-  if (impl_->outline.isFiltered() && impl_->ground.isSleepy() && !impl_->history.hasMarks()) [[unlikely]] {
-    for (const std::uint32_t chunk : impl_->ground.sleep()) impl_->outline.lists.forget(chunk);
-    impl_->outline.giveBackPages();
+  impl_->ground.refreshRims();
+  impl_->outline.update(impl_->ground, impl_->history.journal(), executor);
+  impl_->history.commit();
+  if (impl_->ground.isSleepy()) [[unlikely]] {
+    if (impl_->history.hasMarks()) {
+      impl_->ground.sleepLater();
+    } else {
+      for (const std::uint32_t chunk : impl_->ground.sleep()) impl_->outline.lists.forget(chunk);
+      impl_->outline.giveBackPages();
+    }
   }
   return impl_->outline.changes();
 }
@@ -226,17 +228,19 @@ Expected<void> World::forget(Mark mark) noexcept {
   return {};
 }
 
-Transaction::Transaction(World& world) noexcept : world_(&world), mark_(world.impl_->history.mark(true)) {}
+Transaction::Transaction(World& world) noexcept : world_(&world), mark_(world.impl_->history.mark(detail::History::Of::group)) {}
 
 void Transaction::keep() noexcept {
-  if (mark_) static_cast<void>(world_->forget(std::exchange(mark_, {})));
+  detail::History& history = world_->impl_->history;
+  if (history.knows(mark_, detail::History::Of::group)) history.forget(mark_);
+  mark_ = {};
 }
 
 // A commit has handed out what was edited before it, so that can not be taken back in silence.
 Transaction::~Transaction() noexcept {
   if (!mark_) return;  // kept
   detail::History& history = world_->impl_->history;
-  if (!history.knows(mark_)) return;  // the world went back to a moment before it
+  if (!history.knows(mark_, detail::History::Of::group)) return;  // the world went back to a moment before it
   if (!history.committedSince(mark_)) history.takeBack(mark_);
   history.forget(mark_);
 }
@@ -289,12 +293,11 @@ std::optional<Cell> World::firstUnloaded(const CellRect& cells) const noexcept {
 Expected<void> World::followCells(bool follow) noexcept {
   if (!impl_->ground.changedChunks().empty() || impl_->history.hasMarks())
     return refuse({.code = ErrorCode::uncommitted});
-  constexpr auto kFollowers = detail::CellNotes::For::followers;
-  follow ? impl_->ground.notes.start(kFollowers) : impl_->ground.notes.stop(kFollowers);
+  impl_->history.follow(follow);
   return {};
 }
 
-std::span<const CellChange> World::cellChanges() const noexcept { return impl_->ground.notes.cellChanges().all(); }
+std::span<const CellChange> World::cellChanges() const noexcept { return impl_->history.cellChanges().all(); }
 
 // --- Saving
 

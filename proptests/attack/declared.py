@@ -190,6 +190,6 @@ def all_functions():
     return of_cpp() + of_c() + of_javascript()
 
 
-if __name__ == "__main__":
-    for function in all_functions():
-        print(function.interface, function.name, sep="\t")
+if __name__ == "__main__":  # for web/package/test/attack
+    for function in of_javascript():
+        print(function.name)

@@ -4,7 +4,8 @@
 //   door("World::setBlock(PolygonHandle, Block)",
 //        [](Scene& s, PolygonHandle h, Block b) { return s.world.setBlock(h, b); });
 //
-// The name is that of proptests/attack/doors.txt, and the arguments of the function are drawn by their types: kinds.h.
+// The name is the one that table.py reads in the header, and the arguments of the function are drawn by their types:
+// kinds.h.
 #pragma once
 
 #include "kinds.h"

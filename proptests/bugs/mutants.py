@@ -1,89 +1,94 @@
-#!/usr/bin/env python3
-"""Makes mutants of the C++ code by rule, takes a sample of them, and shows which the tests let live.
+"""Mutants: bugs that nobody chose. Each is the code with one small change by rule: an operator for another, a constant
+one more or less, a condition negated, a statement dropped, two arguments swapped (rules.py)."""
 
-A mutant is the code with one small change: an operator for another, a constant one more or less, a condition negated,
-a statement dropped, two arguments swapped (rules.py). If the tests that are built with it are the same program as
-without it, it is none. Any other is given to the tests of its component, at a small scale, the quick ones first. What
-lives is printed as a diff; what is listed in equivalent.toml, with the reason why no test can tell it from the code,
-does not count.
+from dataclasses import dataclass
+from functools import cache
 
-The score is killed / (killed + living). A mutant on which the tests run out of CPU time is neither. Results are kept in
-out/bugs/mutants.jsonl as they come, so that an interrupted run goes on where it was; they hold for the state of the
-code and its tests that they were made with. Exit status: 0 when no mutant lives, 1 when one does, 2 on bad usage, or
-when the tests fail without a mutant.
-"""
+from bugs import ROOT
+from finders import Package, Tests
+from rules import Change, changes_of
 
-import argparse
-import random
-import sys
+EXPLAINED = ROOT / "proptests/bugs/equivalent.txt"
 
-import mutation
-import tables
-from components import COMPONENTS, NATIVE
-from mutation import Mutant
-from options import add_common, positive, regex, whole_number
-from results import Results
-from workshop import AtFault, sources, state_of
+JUDGE = ("Check*:Compare*:Comparable*:Reference*:Preserve*:Naive*:Canonical*:Shrink*:Validity*:Window*:TraceBrush*:"
+         "Fuzz*")
+# Of the engines under the harness those that are quick, and wait for nothing.
+ENGINES = ("PlantedBugs*:Capabilities*:Comparable*:Checker*:Reports.StaySmall:Reports.PagesShowWhatIsCompared:"
+           "Reports.AreWrittenAsTheRunGoes-PlantedBugs.ItHangsNowAndThen")
+# Tests of the package that see no WebAssembly, but how it is packed, typed and described; and those of a browser.
+NOT_OF_MODULES = {"example", "pack", "readme", "size", "types"}
 
-
-def parser() -> argparse.ArgumentParser:
-    first, rest = __doc__.split("\n\n", 1)
-    result = argparse.ArgumentParser(description=first, epilog=rest,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    result.add_argument("--sample", metavar="N", type=whole_number, help="how many, by --seed (default: all there are)")
-    result.add_argument("--from", metavar="N", type=int, default=0, dest="first",
-                        help="without the first N of the sample, which others try")
-    result.add_argument("--of", metavar="COMPONENT", choices=COMPONENTS, nargs="+", default=NATIVE,
-                        help=f"of {', '.join(COMPONENTS)} (default: of all but WebAssembly, which needs what "
-                        "scripts/web_setup.sh installs)")
-    result.add_argument("--only", metavar="REGEX", type=regex, help="of the sample, those whose file and diff match")
-    result.add_argument("--list", action="store_true", help="show the sample as diffs, and build nothing")
-    result.add_argument("--again", choices=mutation.VERDICTS, help="try those again that had this verdict")
-    result.add_argument("--scale", metavar="X", type=positive, default=0.02,
-                        help="LGS_TEST_SCALE (default: 0.02); results of another scale stay, see --again")
-    add_common(result)
-    return result
+# Which tests can see a change of which folders. Not in it are `lib/include`, which the references use too, so that a
+# mutant would stand on both sides, and the terrain for Box2D 3, which is not built where Box2D 2.4 is.
+COMPONENTS = {
+    "engine": (("lib/geometry", "lib/storage", "lib/ground", "lib/outline", "lib/world"),
+               [Tests("lgs_engine_tests", "*")]),
+    "brushes": (("lib/brush",), [Tests("lgs_brush_tests", "*")]),
+    "views": (("lib/views", "lib/pieces"), [Tests("lgs_view_tests", "*")]),
+    "judge": (("oracle/check", "oracle/reference"),
+              [Tests("lgs_oracle_tests", JUDGE), Tests("lgs_engines_tests", ENGINES, others=(("lgs_cli", "lgs"),))]),
+    "importer": (("addons/tiled",), [Tests("lgs_tiled_tests", "*")]),
+    "C": (("addons/c/src",), [Tests("lgs_attack", "*")]),
+    "debug": (("addons/debug",), [Tests("lgs_debug_tests", "*")]),
+    "falling": (("addons/falling/src",), [Tests("lgs_falling_tests", "*")]),
+    "terrain": (("addons/box2d/include", "addons/box2d/src", "addons/box2d/both", "addons/box2d/v2"),
+                [Tests("lgs_box2d_tests", "*")]),
+    "WebAssembly": (("web/wasm",), [Package(path.name) for path in sorted((ROOT / "web/package/test").glob("*.test.js"))
+                                    if path.name.removesuffix(".test.js") not in NOT_OF_MODULES]),
+}
+HEART = ("engine", "brushes", "views", "judge")
 
 
-def sample(arguments: argparse.Namespace) -> list[Mutant]:
-    """By file, so that one change after the other has to compile little; headers, which take longest, at the end."""
-    everything = [m for name in arguments.of for m in mutation.mutants_of(name)]
-    count = min(arguments.sample or len(everything), len(everything))
-    chosen = random.Random(arguments.seed).sample(everything, count)[arguments.first:]
-    if arguments.only:
-        chosen = [m for m in chosen if arguments.only.search(m.diff())]
-    return sorted(chosen, key=lambda m: (m.file.endswith(".h"), m.component, m.file, m.change.start, m.change.text))
+@cache
+def text_of(file: str) -> str:
+    return (ROOT / file).read_text()
 
 
-def main() -> int:
-    arguments = parser().parse_args()
-    mutants = sample(arguments)
-    if arguments.list:
-        for mutant in mutants:
-            print(mutant.diff())
-        print(f"{len(mutants)} mutants")
-        return 0
-    files = sources()
-    results = Results("mutants", state_of(files), arguments.fresh)
-    explained = mutation.Explained()
-    done: dict[Mutant, dict] = {}
+@dataclass(frozen=True)
+class Mutant:
+    component: str
+    file: str
+    change: Change
 
-    def show(mutant: Mutant, result: dict) -> None:
-        if result["verdict"] in ("lives", "time-out") and explained.of(mutant):
-            result = {"verdict": "explained"}
-        done[mutant] = result
-        print(f"[{len(done)}/{len(mutants)}] {mutant.place()} {mutant.change.rule}: {tables.say(result)}", flush=True)
+    def plant(self, text: str) -> str:
+        return text[:self.change.start] + self.change.text + text[self.change.end:]
 
-    try:
-        mutation.run(mutants, files, results, arguments, show)
-    except AtFault as error:
-        print(f"mutants.py: {error}", file=sys.stderr)
-        return 2
-    print(tables.mutants(done))
-    for entry in explained.stale():
-        print(f"{mutation.EXPLAINED.name}: this line is no more: {entry}")
-    return int(any(r["verdict"] == "lives" for r in done.values()))
+    def lines(self) -> tuple[str, str]:
+        """The lines that are changed: before, and after."""
+        text = text_of(self.file)
+        first = text.rfind("\n", 0, self.change.start) + 1
+        last = text.find("\n", self.change.end)
+        return (" ".join(text[first:last].split()),
+                " ".join((text[first:self.change.start] + self.change.text + text[self.change.end:last]).split()))
+
+    def __str__(self) -> str:
+        was, now = self.lines()
+        line = text_of(self.file).count("\n", 0, self.change.start) + 1
+        return f"{self.file}:{line}: {was} ==> {now}"
 
 
-if __name__ == "__main__":
-    sys.exit(main())
+def mutants_of(component: str) -> list[Mutant]:
+    paths = sorted(path for folder in COMPONENTS[component][0] for path in (ROOT / folder).rglob("*")
+                   if path.suffix in (".h", ".cpp") and "tests" not in path.parts
+                   and path.name != "reference.cpp")  # which is for the article
+    return [Mutant(component, file, change) for file in (str(path.relative_to(ROOT)) for path in paths)
+            for change in changes_of(text_of(file))]
+
+
+def read_explained() -> dict[tuple[str, str, str], str]:
+    """Mutants that no test can tell from the code, and why: file, line as it was, line as the mutant has it."""
+    explained, file = {}, ""
+    for line in EXPLAINED.read_text().splitlines():
+        if line.startswith("  "):
+            change, _, why = line.strip().partition("  // ")
+            was, _, now = change.partition(" ==>")
+            explained[file, was, now.strip()] = why
+        elif not line.startswith("#"):
+            file = line
+    return explained
+
+
+def stale(explained: dict) -> list[str]:
+    """Explanations of lines that are no more."""
+    return [f"{EXPLAINED.name}: {file} has no such line: {was}" for file, was, _ in explained
+            if not (ROOT / file).is_file() or was not in " ".join(text_of(file).split())]

@@ -1,40 +1,64 @@
-"""Results that are kept as they come, a line of JSON each."""
+"""What became of which bug, a line of JSON each, with the commit; and what changed since a commit."""
 
 import hashlib
 import json
+import subprocess
 import threading
 from pathlib import Path
 
-from workshop import ROOT
+from bugs import ROOT, Wrong
 
-FOLDER = ROOT / "out" / "bugs"
+
+def git(*words: str) -> str:
+    done = subprocess.run(["git", *words], cwd=ROOT, text=True, capture_output=True)
+    if done.returncode != 0:
+        raise Wrong(done.stderr.strip())
+    return done.stdout
+
+
+def now(file: Path) -> str:
+    """The commit; with a digest of what is not committed."""
+    changes = git("diff", "HEAD", "--", ".", f":!*{file.name}")
+    return git("rev-parse", "--short=10", "HEAD").strip() + (
+        f"+{hashlib.sha256(changes.encode()).hexdigest()[:6]}" if changes else "")
+
+
+def changed_since(revision: str) -> tuple[set[str], set[str]]:
+    """The files, and what begins a line that was added to a list of bugs."""
+    files = git("diff", "--name-only", revision, "--").splitlines()
+    lines = git("diff", "-U0", revision, "--", "*.bugs").splitlines()
+    return set(files), {line[1:].partition(" [fuzz ")[0].strip() for line in lines
+                        if line.startswith("+ ")}
 
 
 class Results:
-    """What was found out, by what it depends on: the state of the code and its tests, and the words of a key."""
+    """Of one way to look for bugs. The file has the last outcome of each bug and each way, in order."""
 
-    def __init__(self, name: str, state: str, fresh: bool):
-        self.path: Path = FOLDER / f"{name}.jsonl"
-        self.state = state
-        self.known: dict[str, dict] = {}
+    def __init__(self, file: Path, method: str):
+        self.file, self.method, self.commit = file, method, now(file)
         self.lock = threading.Lock()
-        self.path.parent.mkdir(parents=True, exist_ok=True)
-        if fresh:
-            self.path.unlink(missing_ok=True)
-        if self.path.exists():
-            for line in self.path.read_text().splitlines():
-                entry = json.loads(line)
-                self.known[entry["key"]] = entry["result"]
+        file.parent.mkdir(parents=True, exist_ok=True)
 
-    def key(self, *words) -> str:
-        return hashlib.sha256("\0".join([self.state, *map(str, words)]).encode()).hexdigest()[:20]
+    def read(self) -> dict[tuple[str, str], dict]:
+        lines = self.file.read_text().splitlines() if self.file.exists() else []
+        entries = [json.loads(line) for line in lines]
+        return {(entry["bug"], entry["with"]): entry for entry in entries}
 
-    def get(self, *words) -> dict | None:
-        with self.lock:
-            return self.known.get(self.key(*words))
+    def last(self, bug) -> dict:
+        """What found it at any commit."""
+        return self.read().get((str(bug), self.method), {})
 
-    def put(self, result: dict, *words) -> dict:
-        with self.lock, self.path.open("a") as file:
-            self.known[self.key(*words)] = result
-            file.write(json.dumps({"key": self.key(*words), "result": result}) + "\n")
-        return result
+    def of_now(self, bug) -> dict | None:
+        entry = self.last(bug)
+        return entry if entry.get("commit") == self.commit else None
+
+    def put(self, bug, outcome: dict) -> dict:
+        import fcntl  # not where there is Windows, which can list the bugs
+        entry = {"bug": str(bug), "with": self.method, "commit": self.commit, **outcome}
+        with self.lock, self.file.open("a") as opened:
+            fcntl.flock(opened, fcntl.LOCK_EX)
+            entries = self.read() | {(str(bug), self.method): {k: v for k, v in entry.items() if k != "output"}}
+            text = "".join(json.dumps(entries[key], ensure_ascii=False) + "\n" for key in sorted(entries))
+            opened.truncate(0)
+            opened.write(text)
+        return entry

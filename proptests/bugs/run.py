@@ -1,34 +1,43 @@
 #!/usr/bin/env python3
-"""Plants bugs in the code one at a time and shows what finds each: the tests, or a fuzz target.
+"""Plants bugs in the code one at a time and shows what finds each: the tests, a fuzz target, or the one command.
 
-A bug is a substitution in one file, listed by the law that it breaks in the *.toml files beside this script. For each
-one the tests are built with it and run until one fails: first those of its law, in the order that is given there, then
-all others; a fuzz target searches from a fixed seed. What fails with a bug is run without it as well, and must pass.
+A bug is a substitution in one file, listed in a file *.bugs. For each the tests are built with it and run until one
+fails: first the one that found it last time, then those of its group, then all others. With --score `lgs check` looks
+for it instead: seeds 1 to 3, bounded by edits. With --mutants the bugs are made by rule. What fails with a bug is run
+without it as well, and must pass.
 
 A bug that nothing finds is a defect of the tests; one that does not apply, or does not compile, is a defect of the
-list; a test that runs out of CPU time has neither found its bug nor let it pass. Results are kept in
-out/bugs/results.jsonl as they come, so that an interrupted run goes on where it was; they hold for the state of the
-code and its tests that they were made with. Exit status: 0 when every bug is found, 1 when one is not, 2 when the list
-or the code is at fault.
+list; a test that runs out of CPU time has neither found its bug nor let it pass. Outcomes go into results.jsonl as they
+come, each with its commit, so that an interrupted run goes on where it was. Exit status: 0 when every bug is found, 1
+when one is not, 2 when the list or the code is at fault.
 """
 
 import argparse
 import dataclasses
+import os
 import random
+import re
 import sys
+import threading
+import time
+from collections import deque
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
-import search
-import tables
-from listed import Bug, Group, faults, read_list
-from options import add_common, positive, regex, report_file, whole_number
-from results import Results
-from workshop import AtFault, sources, state_of
+import bugs
+import mutants
+import trying
+from bugs import Bug, Wrong
+from mutants import Mutant
+from results import Results, changed_since
+from workshop import Workshop, alone
 
 
-def method(text: str) -> str:
-    if text not in ("tests", "fuzz") and not text.startswith("fuzz:"):
-        raise argparse.ArgumentTypeError(f"'{text}' is not tests, fuzz or fuzz:TARGET")
-    return text
+def regex(text: str) -> re.Pattern:
+    try:
+        return re.compile(text)
+    except re.error as error:
+        raise argparse.ArgumentTypeError(f"'{text}' is no regular expression: {error}") from None
 
 
 def span(text: str) -> tuple[int, int]:
@@ -38,86 +47,179 @@ def span(text: str) -> tuple[int, int]:
     return int(first), int(last)
 
 
+def positive(number):
+    def parse(text: str):
+        if not 0 < number(text) <= 1e12:
+            raise ValueError
+        return number(text)
+    parse.__name__ = "positive number"
+    return parse
+
+
 def parser() -> argparse.ArgumentParser:
     first, rest = __doc__.split("\n\n", 1)
     result = argparse.ArgumentParser(description=first, epilog=rest,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    result.add_argument("--only", metavar="REGEX", type=regex, help="bugs whose group or name matches")
-    result.add_argument("--numbers", metavar="FIRST-LAST", type=span, help="bugs by their places in the list, from 0 on")
-    result.add_argument("--canary", metavar="SEED", type=int,
-                        help="one bug of laws 1 and 2, drawn by this seed, which the numbered blocks alone must find")
-    result.add_argument("--with", metavar="WHAT", type=method, default="tests", dest="method",
-                        help="tests (default); fuzz: each bug's own fuzz target, for those that have one; fuzz:TARGET")
-    result.add_argument("--list", action="store_true", help="list the bugs, see that each applies, and build nothing")
-    result.add_argument("--executions", metavar="N", type=whole_number, default=100_000,
-                        help="of a fuzz target, for each bug (default: 100000)")
-    result.add_argument("--report", metavar="FILE", type=report_file, help="write the outcomes into the tables of this page; "
-                        "what stands around them stays, and so do rows of bugs that were not tried")
-    result.add_argument("--scale", metavar="X", type=positive, default=1.0, help="LGS_TEST_SCALE (default: 1)")
-    add_common(result)
+    which = result.add_argument_group("which bugs; all that are listed, if nothing is said")
+    which.add_argument("--only", metavar="REGEX", type=regex, help="those whose list or name matches")
+    which.add_argument("--changed", metavar="REV", help="those in files that changed since, and new ones")
+    which.add_argument("--numbers", metavar="FIRST-LAST", type=span, help="those at these places, from 0 on")
+    which.add_argument("--sample", metavar="N", type=positive(int), help="so many of them, drawn by --seed")
+    which.add_argument("--canary", metavar="SEED", type=int,
+                       help="one bug of laws 1 and 2, drawn by this seed, which the numbered blocks alone must find")
+    which.add_argument("--mutants", action="store_true", help="mutants instead of listed bugs")
+    which.add_argument("--of", metavar="COMPONENT", choices=mutants.COMPONENTS, nargs="+", default=mutants.HEART,
+                       help=f"mutants of {', '.join(mutants.COMPONENTS)}; without it of {', '.join(mutants.HEART)}")
+    how = result.add_argument_group("what looks for them")
+    how.add_argument("--score", action="store_true", help="the command lgs check, for bugs of what it can see")
+    how.add_argument("--edits", metavar="N", type=positive(int), default=25_000,
+                     help="of the command, for each of three seeds (default: 25000, some 60 s in all)")
+    how.add_argument("--fuzz", metavar="TARGET", nargs="?", const="own",
+                     help="this fuzz target; or, of the bugs that name one, each bug's own")
+    how.add_argument("--executions", metavar="N", type=positive(int), default=100_000, help="of a fuzz target")
+    how.add_argument("--scale", metavar="X", type=positive(float), help="LGS_TEST_SCALE (bugs: 1; mutants: 0.02)")
+    result.add_argument("--list", action="store_true", help="show them, see that each applies, and build nothing")
+    result.add_argument("--seed", metavar="N", type=int, default=1, help="of what is random (default: 1)")
+    result.add_argument("--minutes", metavar="N", type=positive(float), default=1e9, help="begin no bug after that")
+    result.add_argument("--jobs", metavar="N", type=positive(int), default=os.cpu_count(),
+                        help="copies of the project to work in side by side (default: one a core)")
+    result.add_argument("--results", metavar="FILE", type=Path, help="default: results.jsonl; of mutants out/bugs/")
+    result.add_argument("--fresh", action="store_true", help="try again what was tried at this commit")
     return result
 
 
-def select(arguments: argparse.Namespace, bugs: list[Bug]) -> list[Bug]:
+def select(arguments: argparse.Namespace) -> list[Bug | Mutant]:
+    if arguments.mutants:
+        chosen = [mutant for name in arguments.of for mutant in mutants.mutants_of(name)]
+    else:
+        chosen = bugs.read_all()
     if arguments.canary is not None:
-        basic = [b for b in bugs if b.group.startswith(("law1-", "law2-"))]
-        return [random.Random(arguments.canary).choice(basic)]
-    chosen = bugs[arguments.numbers[0]:arguments.numbers[1] + 1] if arguments.numbers else bugs
-    chosen = [b for b in chosen if arguments.only.search(f"{b.group}: {b.name}")] if arguments.only else chosen
-    return [b for b in chosen if arguments.method != "fuzz" or b.fuzz]
+        bug = random.Random(arguments.canary).choice([b for b in chosen if b.list.startswith(("law1-", "law2-"))])
+        return [dataclasses.replace(bug, group=dataclasses.replace(bug.group, tests=("Bulk/",)))]
+    if arguments.score:
+        chosen = [bug for bug in chosen if bug.file.startswith(trying.SEEN)]
+    if arguments.fuzz == "own":
+        chosen = [bug for bug in chosen if bug.fuzz]
+    if arguments.changed:
+        touched, added = changed_since(arguments.changed)
+        chosen = [bug for bug in chosen if bug.file in touched or getattr(bug, "name", "") in added]
+    if arguments.only:
+        chosen = [bug for bug in chosen if arguments.only.search(str(bug))]
+    if arguments.sample:
+        chosen = random.Random(arguments.seed).sample(chosen, min(arguments.sample, len(chosen)))
+    if arguments.numbers:
+        chosen = chosen[arguments.numbers[0]:arguments.numbers[1] + 1]
+    return chosen
 
 
-def try_all(arguments: argparse.Namespace, groups: dict[str, Group], bugs: list[Bug]) -> dict[Bug, dict]:
-    if arguments.canary is not None:
-        groups = {name: dataclasses.replace(group, tests=("Bulk/",)) for name, group in groups.items()}
-    files = sources()
-    results = Results("results", state_of(files), arguments.fresh)
-    plan = search.Plan(arguments.method, arguments.seed, arguments.scale, arguments.executions, groups)
-    done: dict[Bug, dict] = {}
+def try_all(arguments: argparse.Namespace, chosen: list, results: Results) -> dict:
+    """The outcome of each that was tried. Takes them in order, each to a free workshop. Stops at an error."""
+    done, lock, stop = {}, threading.Lock(), threading.Event()
+    ends = time.monotonic() + 60 * arguments.minutes
+    explained = mutants.read_explained()
 
-    def show(bug: Bug, result: dict) -> None:
-        done[bug] = result
-        print(f"[{len(done)}/{len(bugs)}] {bug.group}: {bug.name}: {tables.say(result)}", flush=True)
+    def tell(bug, outcome: dict) -> None:
+        if outcome["verdict"] in ("passes", "time-out") and isinstance(bug, Mutant):
+            if (bug.file, *bug.lines()) in explained:
+                outcome = {**outcome, "verdict": "explained"}
+        done[bug] = outcome
+        print(f"[{len(done)}/{len(chosen)}] {bug}: {say(outcome)}", flush=True)
 
-    search.run(plan, bugs, files, results, arguments.jobs, show)
+    def work(number: int) -> None:
+        try:
+            bench = trying.Bench(Workshop(number, max(1, (os.cpu_count() or 1) // jobs)), arguments, results)
+            while not stop.is_set() and time.monotonic() < ends:
+                with lock:
+                    if not waiting:
+                        return
+                    bug = waiting.popleft()
+                outcome = bench.attempt(bug)
+                with lock:
+                    tell(bug, results.put(bug, outcome))
+        except BaseException:
+            stop.set()
+            raise
+
+    for bug in chosen:
+        if known := None if arguments.fresh else results.of_now(bug):
+            tell(bug, known)
+    # File by file, since the one that was changed before is compiled again, too. Headers at the end: they take longest.
+    waiting = deque(sorted((bug for bug in chosen if bug not in done), key=lambda b: (b.file.endswith(".h"), b.file)))
+    jobs = min(arguments.jobs, len(waiting))
+    if waiting:
+        with alone(), ThreadPoolExecutor(jobs) as threads:
+            for future in [threads.submit(work, number) for number in range(jobs)]:
+                future.result()
     return done
 
 
-def report(arguments: argparse.Namespace, groups: dict[str, Group], bugs: list[Bug], results: dict[Bug, dict]) -> None:
-    if arguments.report:
-        page = arguments.report.read_text() if arguments.report.exists() else "# Planted bugs\n"
-        arguments.report.write_text(tables.planted(page, groups, bugs, results))
+def say(outcome: dict) -> str:
+    if outcome["verdict"] == "does not compile":
+        return "\n".join(["does not compile", *outcome.get("output", "").splitlines()])
+    words = {"by": "{}", "how": "{}", "seconds": "{:g} s", "case": "case {}", "calls": "shrunk to {}",
+             "built": "built in {:g} s"}
+    verdict = {"found": [], "passes": ["SURVIVES"]}.get(outcome["verdict"], [outcome["verdict"]])
+    return ", ".join(verdict + [text.format(outcome[key]) for key, text in words.items() if key in outcome])
+
+
+def median(numbers: list) -> str:
+    return f"{sorted(numbers)[len(numbers) // 2]:g}" if numbers else ""
+
+
+def summary(done: dict) -> str:
+    """A table in Markdown: a line for each part of the code."""
+    rooms: dict[str, list[dict]] = {}
+    for bug, outcome in sorted(done.items(), key=lambda item: item[0].file):
+        rooms.setdefault("/".join(bug.file.split("/")[:2]), []).append(outcome)
+    rooms["all"] = list(done.values())
+    columns = ["", "tried", "found", "survive", "other", "s to find, median", "most", "calls left", "s to build"]
+    lines = ["| " + " | ".join(columns) + " |", "|---" + "|---:" * (len(columns) - 1) + "|"]
+    for room, outcomes in rooms.items():
+        found = [o for o in outcomes if o["verdict"] == "found"]
+        survive = sum(o["verdict"] == "passes" for o in outcomes)
+        seconds = [o["seconds"] for o in found]
+        cells = [room, len(outcomes), len(found), survive, len(outcomes) - len(found) - survive, median(seconds),
+                 max(seconds, default=""), median([o["calls"] for o in found if "calls" in o]),
+                 median([o["built"] for o in outcomes if "built" in o])]
+        lines.append("| " + " | ".join(map(str, cells)) + " |")
+    return "\n".join(lines)
 
 
 def main() -> int:
     arguments = parser().parse_args()
-    groups, everything = read_list()
-    bugs = select(arguments, everything)
-    if not bugs:
-        parser().error("there is no such bug")
-    if arguments.list:
-        for bug in bugs:
-            print(f"{bug.group:22}  {bug.name}\n{'':22}  {bug.game}")
-        print(f"{len(bugs)} bugs")
-        report(arguments, groups, everything, {})
-    if wrong := faults(groups, everything):
-        print(*wrong, sep="\n", file=sys.stderr)
-        return 2
-    if arguments.list:
-        return 0
-
     try:
-        results = try_all(arguments, groups, bugs)
-    except AtFault as error:
+        chosen = select(arguments)
+        wrong = mutants.stale(mutants.read_explained()) if arguments.mutants or arguments.list else []
+        wrong += [] if arguments.mutants else bugs.faults(chosen)
+        if arguments.list:
+            print(*chosen, f"{len(chosen)} bugs", sep="\n")
+        if wrong:
+            raise Wrong("\n".join(wrong))
+        if not chosen and not arguments.changed:
+            raise Wrong("there is no such bug")
+        if arguments.list:
+            return 0
+        file = arguments.results or (bugs.ROOT / "out/bugs/mutants.jsonl" if arguments.mutants else results_file())
+        done = try_all(arguments, chosen, Results(file, trying.method(arguments)))
+    except Wrong as error:
         print(f"run.py: {error}", file=sys.stderr)
         return 2
-    report(arguments, groups, everything, results)
-    verdicts = [r["verdict"] for r in results.values()]
-    print(", ".join(f"{verdicts.count(v)} {v}" for v in dict.fromkeys(["found", *verdicts])) + f", of {len(bugs)} bugs")
-    if "does not compile" in verdicts:
+    print("", summary(done), "", sep="\n")
+    for bug, outcome in done.items():
+        if outcome["verdict"] not in ("found", "same code", "explained"):
+            print(f"{say(outcome).splitlines()[0]}: {bug}")
+    if len(done) < len(chosen):
+        print(f"time is up: {len(chosen) - len(done)} were not tried")
+    verdicts = [outcome["verdict"] for outcome in done.values()]
+    if "does not compile" in verdicts and not arguments.mutants:
         return 2
-    others = arguments.canary is not None and not all(r.get("by_law", True) for r in results.values())
-    return int(verdicts.count("found") < len(bugs) or others)
+    bad = {"passes", "its report is lost"} | (set() if arguments.mutants else {"time-out", "same code"})
+    others = arguments.canary is not None and any(outcome.get("how") == "of another group" for outcome in done.values())
+    return int(bool(bad & set(verdicts)) or others)
+
+
+def results_file() -> Path:
+    return Path(__file__).parent / "results.jsonl"
 
 
 if __name__ == "__main__":

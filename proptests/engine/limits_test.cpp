@@ -41,7 +41,7 @@ struct WornWorld {
   Expected<PolygonHandle> add(Cell cell, ShapeId shape) { return impl.edit.add(cell, shape, 1, {}); }
 
   const Changes& commit() {
-    impl.outline.update(impl.ground, {});
+    impl.outline.update(impl.ground, nullptr, {});
     impl.ground.commit();
     return impl.outline.changes();
   }

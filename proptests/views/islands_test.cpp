@@ -300,7 +300,11 @@ TEST(IslandViewByHand, ABodyGoesBackWhereItFits) {
   const auto later = refusal(put(d.world, body, {0, 1}));
   EXPECT_EQ(later.index, 1);
   EXPECT_TRUE(d.world.isEmpty({0, 1})) << "nothing of it was placed";
-  ASSERT_TRUE(put(d.world, body, {2, 1}));
+  const auto placed = put(d.world, body, {2, 1});
+  ASSERT_TRUE(placed);
+  ASSERT_EQ(placed->size(), body.polygons.size());
+  for (std::size_t k = 0; k < placed->size(); ++k)
+    EXPECT_EQ(d.world.polygon((*placed)[k])->block, body.polygons[k].block);
   d.commit();
   EXPECT_EQ(d.at({3, 2}), d.at({0, 0}));
   d.goBack(mark);

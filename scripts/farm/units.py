@@ -48,7 +48,7 @@ KINDS = {
     "mutants": Kind("mutants of a random sample: none may live", 20, ""),
     "canary": Kind("a planted bug that the seed draws: the numbered blocks must find it", 1, ""),
 }
-TARGETS = ["edits", "polygons", "snapshot", "trace", "brush", "tiled", "calls"]
+TARGETS = sorted(path.stem for path in (ROOT / "fuzz" / "corpus").glob("*.tar"))
 
 
 def split(commit: str, kind: str, total: int, scale: float, seed: int, most: int | None = None) -> list[Unit]:

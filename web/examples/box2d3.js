@@ -24,6 +24,7 @@ const boxes = Array.from({ length: 10 }, (_, k) => {
 
 const mark = world.checkpoint()
 for (let step = 0; step < 300; ++step) {
+  terrain.beforeStep()
   b2.b2World_Step(physics, 1 / 60, 4)
   terrain.afterStep()
   if (step % 20 === 0) {
@@ -36,6 +37,7 @@ console.log(`${boxes.filter((box) => b2.b2Body_GetPosition(box).y < 6).length} b
 terrain.sync(world.rollBack(mark))
 console.log(`${terrain.caught.length} were in the ground that came back`)
 for (let step = 0; step < 300; ++step) {
+  terrain.beforeStep()
   b2.b2World_Step(physics, 1 / 60, 4)
   terrain.afterStep()
 }

@@ -28,6 +28,7 @@ physics.on('begin-contact', (contact) => {
 
 const mark = world.checkpoint()
 for (let step = 0; step < 300; ++step) {
+  terrain.beforeStep()
   physics.step(1 / 60)
   terrain.afterStep()
   for (const { i, j } of touched.splice(0)) if (j > 2) world.clear(i, j)
@@ -38,6 +39,7 @@ console.log(`${world.stats().cells} of 180 cells are left`)
 terrain.sync(world.rollBack(mark)) // all holes are full again
 console.log(`${terrain.caught.length} balls were in the ground that came back`)
 for (let step = 0; step < 300; ++step) {
+  terrain.beforeStep()
   physics.step(1 / 60)
   terrain.afterStep()
 }

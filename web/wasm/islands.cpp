@@ -87,7 +87,8 @@ std::optional<Cell> firstUnloaded(const World& world) {
   return world.firstUnloaded({{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}});
 }
 
-std::int32_t putDone(Bridge& bridge, const Expected<void>& done) {
+template <class Result>
+std::int32_t putDone(Bridge& bridge, const Expected<Result>& done) {
   if (!done) return refused(done.error(), 0);
   bridge.isEdited = true;
   return 1;

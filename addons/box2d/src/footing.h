@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 namespace lgs::box2d {
 
@@ -16,7 +17,12 @@ struct Footing {
   DoublePoint at;
   float cosine = 1;
   float sine = 0;
+  friend bool operator==(const Footing& a, const Footing& b) {
+    return a.at.x == b.at.x && a.at.y == b.at.y && a.cosine == b.cosine && a.sine == b.sine;
+  }
 };
+
+inline double distance(DoublePoint a, DoublePoint b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 /// Whether a body is so far from there that it may have come through something thin. It is for a quick look.
 inline bool isFar(const Footing& footing, DoublePoint at) {
@@ -33,11 +39,14 @@ class Footings {
     return known == known_.end() ? std::nullopt : std::optional(known->second);
   }
   void forget(std::uint64_t body) { known_.erase(body); }
-  /// Forgets bodies that are gone, if there are more than so many.
+  std::size_t size() const { return known_.size(); }
+  /// The numbers of all bodies that are there. Forgets those that are gone.
   template <class IsThere>
-  void prune(std::size_t most, const IsThere& isThere) {
-    if (known_.size() <= most) return;
+  std::vector<std::uint64_t> allOf(const IsThere& isThere) {
     std::erase_if(known_, [&](const auto& entry) { return !isThere(entry.first); });
+    std::vector<std::uint64_t> bodies;
+    for (const auto& entry : known_) bodies.push_back(entry.first);
+    return bodies;
   }
 
  private:

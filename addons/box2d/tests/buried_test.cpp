@@ -25,7 +25,8 @@ rc::Gen<Arena> arenas() {
   return rc::gen::build<Arena>(
       rc::gen::set(&Arena::width, element(3, 6, 12)), rc::gen::set(&Arena::height, element(3, 7)),
       rc::gen::set(&Arena::cellSize, element(2, 1, 4)), rc::gen::set(&Arena::chunkCells, element(16, 1, 3)),
-      rc::gen::set(&Arena::merge, rc::gen::arbitrary<bool>()), rc::gen::set(&Arena::steps, element(1, 4, 8)));
+      rc::gen::set(&Arena::merge, rc::gen::arbitrary<bool>()), rc::gen::set(&Arena::steps, element(1, 4, 8)),
+      rc::gen::set(&Arena::announces, rc::gen::arbitrary<bool>()));
 }
 
 // A body is added, and ground changes around it: the smallest random game in which somebody is lost.
@@ -46,7 +47,7 @@ struct Played {
 
 Played playLong(std::uint64_t seed, int bodies, std::int64_t moves) {
   Random random(seed);
-  const Arena arena{.chunkCells = 8, .merge = random.chance(50)};
+  const Arena arena{.chunkCells = 8, .merge = random.chance(50), .announces = random.chance(50)};
   Turmoil game(arena);
   for (int tries = 0; game.bodyCount() < static_cast<std::size_t>(bodies) && tries < 10'000; ++tries) {
     Move move = randomMove(random, arena);

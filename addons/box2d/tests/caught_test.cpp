@@ -236,6 +236,34 @@ TEST_F(Box2dCaught, WhoWasMovedByTheGameStaysThere) {
   EXPECT_EQ(positionOf(body).y, -1.5F);
 }
 
+TEST_F(Box2dCaught, BeforeAStepItIsNotedWhoIsNewAndWhoIsElsewhere) {
+  Terrain terrain(physics, field.world);
+  const Body body = addBody({0.5F, 0.36F}, Form::box, 0);
+  terrain.beforeStep();
+  moveTo(body, {0.5F, -0.5F});  // by the solver, say
+  ASSERT_EQ(terrain.afterStep().size(), 1U);
+  EXPECT_EQ(positionOf(body).y, 0.36F);
+  moveTo(body, {3.5F, -1.5F});  // through a portal
+  terrain.beforeStep();
+  EXPECT_TRUE(terrain.afterStep().empty());
+  EXPECT_EQ(positionOf(body).y, -1.5F);
+}
+
+// In Box2D 2.4 the second body has the address of the first one.
+TEST_F(Box2dCaught, WhoIsMadeInTheGroundIsNotPutToWhereAnotherOneWas) {
+  field.addFloor(10, 20);
+  field.world.commit();
+  Terrain terrain(physics, field.world);
+  const Body gone = addBody({0.5F, 0.36F}, Form::box, 0);
+  terrain.beforeStep();
+  EXPECT_TRUE(terrain.afterStep().empty());
+  destroy(gone);
+  const Body body = addBody({12.5F, -0.5F}, Form::box, 0);
+  terrain.beforeStep();
+  EXPECT_TRUE(terrain.afterStep().empty());
+  EXPECT_EQ(positionOf(body).x, 12.5F);
+}
+
 // Of two bodies one was held when the game was saved, and the other one is now.
 TEST_F(Box2dCaught, ALoadHoldsWhoWasHeldAndReleasesWhoIsFree) {
   Terrain terrain(physics, field.world);

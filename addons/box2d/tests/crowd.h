@@ -92,12 +92,19 @@ class Crowd {
     return middles;
   }
   static Position positionOf(Body body) { return body->GetPosition(); }
+  static bool areSame(Body a, Body b) { return a == b; }
   static bool isEnabled(Body body) { return body->IsEnabled(); }
   static void kick(Body body, b2Vec2 velocity) {
     body->SetLinearVelocity(velocity);
     body->SetAwake(true);
   }
   static void put(Body body, Position at) { body->SetTransform(at, body->GetAngle()); }
+  static void announce(box2d::Terrain& terrain, Body body) { terrain.moved(*body); }
+  /// The next one that is added may well be at the same address.
+  void destroy(std::size_t which) {
+    physics.DestroyBody(bodies[which]);
+    bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(which));
+  }
   void step() { physics.Step(1.0F / 60, 8, 3); }
   void moveOrigin(box2d::Terrain& terrain, Cell origin) {
     physics.ShiftOrigin(terrain.position(toWorld(origin, {})));
@@ -160,12 +167,18 @@ class Crowd {
     return middles;
   }
   static Position positionOf(Body body) { return b2Body_GetPosition(body); }
+  static bool areSame(Body a, Body b) { return B2_ID_EQUALS(a, b); }
   static bool isEnabled(Body body) { return b2Body_IsEnabled(body); }
   static void kick(Body body, b2Vec2 velocity) {
     b2Body_SetLinearVelocity(body, velocity);
     b2Body_SetAwake(body, true);
   }
   static void put(Body body, Position at) { b2Body_SetTransform(body, at, b2Body_GetRotation(body)); }
+  static void announce(box2d::Terrain& terrain, Body body) { terrain.moved(body); }
+  void destroy(std::size_t which) {
+    b2DestroyBody(bodies[which]);
+    bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(which));
+  }
   void step() { b2World_Step(physics, 1.0F / 60, 4); }
   void moveOrigin(box2d::Terrain& terrain, Cell origin) {
     const Position by = terrain.position(toWorld(origin, {}));

@@ -1,5 +1,6 @@
 // Islands as bodies of whichever Box2D there is: where they were, at rest, without kicks, and back in the ground.
 #include "either.h"
+#include "oracle/calls/random.h"
 #include "proptests/support/must.h"
 
 #include <lgs/box2d/falling.h>
@@ -167,6 +168,95 @@ TEST_F(Falling, WhoIsForgottenIsTheGames) {
   EXPECT_EQ(falling->settle(arm.body).error().code, ErrorCode::staleHandle);
   step(1);
   EXPECT_LT(velocityOf(arm.body).y, 0) << "it is still there";
+}
+
+TEST_F(Falling, WhatSomethingHoldsIsNotTaken) {
+  cutArm();
+  ASSERT_EQ(islands->all().size(), 1U);
+  EXPECT_EQ(test::refusal(falling->takeAsBody(*islands, islands->all().at(0))).code, ErrorCode::anchored);
+  commit();
+  EXPECT_EQ(islands->all().size(), 1U);
+  EXPECT_TRUE(falling->afterSync().empty());
+}
+
+// For a game that calls no beforeStep().
+TEST_F(Falling, ANewBodyIsGuardedFromItsFirstStepOn) {
+  const box2d::Falling arm = cutArm();
+  moveTo(arm.body, {2, -0.8F});
+  EXPECT_EQ(terrain->afterStep().size(), 1U);
+  EXPECT_EQ(positionOf(arm.body).y, 3);
+}
+
+TEST_F(Falling, WhoIsForgottenCanComeBack) {
+  const box2d::Falling arm = cutArm();
+  falling->forget(arm.body);
+  falling->add(arm.body, arm.ground);
+  for (int k = 0; k < 1'200 && isAwake(arm.body); ++k) step(1);
+  EXPECT_TRUE(falling->settle(arm.body));
+  const box2d::Falling other = falling->add(arm.ground);
+  EXPECT_EQ(positionOf(other.body).y, 3);
+  EXPECT_EQ(falling->bodies().size(), 1U);
+}
+
+/// Random digging, falling, undo and redo: the ground and its bodies together weigh what they weighed at the mark.
+class FallingMatter : public Falling {
+ protected:
+  double matter() const {
+    std::vector<BodyPolygon> ground;
+    field.world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
+      ground.push_back({cell, p.block, {p.vertices.begin(), p.vertices.end()}});
+    });
+    double sum = massOf(ground).area;
+    for (const box2d::Falling& body : falling->bodies()) sum += body.ground.mass.area;
+    return sum;
+  }
+  void note() {
+    marks.resize(now + 1);
+    marks.emplace_back(field.world.checkpoint(), matter());
+    ++now;
+  }
+  void dig(oracle::Random& random) {
+    field.world.clear(Cell{random.below(12), random.below(8)});
+    commit();
+    if (!islands->loose().empty()) letFall();
+    falling->afterSync();
+    note();
+  }
+  void go(std::size_t to) {
+    const bool isBack = to <= now;
+    ASSERT_TRUE(isBack ? field.world.rollBack(marks[to].first, Undone::keep) : field.world.rollForward(marks[to].first));
+    now = to;
+    const Changes& changes = field.world.changesOfRollBack();
+    ASSERT_TRUE(terrain->sync(changes));
+    ASSERT_TRUE(islands->update(field.world, changes));
+    falling->afterRollBack();
+  }
+
+  std::vector<std::pair<Mark, double>> marks;
+  std::size_t now = 0;
+};
+
+TEST_F(FallingMatter, IsNeitherDoubledNorLostByUndoAndRedo) {
+  oracle::Random random(7);
+  field.addFloor(-10, 20);
+  for (std::int32_t i = 0; i < 12; i += 3) {  // pillars with an arm
+    for (std::int32_t j = 0; j < 8; ++j) field.add({i, j}, kSquare);
+    field.add({i + 1, 7}, kSquare);
+  }
+  begin();
+  marks = {{field.world.checkpoint(), matter()}};
+  std::size_t bodies = 0;
+  for (int k = 0; k < 300; ++k) {
+    if (random.chance(60))
+      dig(random);
+    else
+      go(static_cast<std::size_t>(random.below(marks.size())));
+    ASSERT_NEAR(matter(), marks[now].second, 1e-6) << "move " << k;
+    bodies = std::max(bodies, falling->bodies().size());
+    step(1);
+    terrain->afterStep();
+  }
+  EXPECT_GT(bodies, 1U) << "nothing fell";
 }
 
 /// A round rock that rolls over a floor: how much it goes up at most, and how far it comes.

@@ -2,6 +2,7 @@
 #include "field.h"
 
 #include <algorithm>
+#include <functional>
 #include <ostream>
 #include <sstream>
 #include <utility>
@@ -12,8 +13,8 @@ namespace {
 
 constexpr std::size_t kMostUndo = 12;
 
-constexpr const char* kNames[] = {"body", "paint", "line", "carve", "tile",   "dig",
-                                  "undo", "redo",  "save", "load",  "origin", "kick"};
+constexpr const char* kNames[] = {"body",   "paint", "line", "carve", "tile", "dig",    "shot",
+                                  "portal", "undo",  "redo", "save",  "load", "origin", "kick"};
 
 }  // namespace
 
@@ -24,14 +25,16 @@ std::ostream& operator<<(std::ostream& out, const Move& move) {
 
 std::ostream& operator<<(std::ostream& out, const Arena& arena) {
   return out << arena.width << " x " << arena.height << " cells of " << arena.cellSize << " half metres, chunks of "
-             << arena.chunkCells << (arena.merge ? ", merged, " : ", ") << arena.steps << " steps a move";
+             << arena.chunkCells << (arena.merge ? ", merged, " : ", ") << arena.steps << " steps a move"
+             << (arena.announces ? ", announced" : "");
 }
 
 Move randomMove(oracle::Random& random, const Arena& arena) {
   using Kind = Move::Kind;
-  static const std::vector<Kind> kinds{Kind::paint, Kind::paint, Kind::paint, Kind::line, Kind::carve, Kind::carve,
-                                       Kind::carve, Kind::carve, Kind::carve, Kind::tile, Kind::tile,  Kind::dig,
-                                       Kind::dig,   Kind::kick,  Kind::kick,  Kind::kick};
+  static const std::vector<Kind> kinds{Kind::paint, Kind::paint, Kind::paint, Kind::line,  Kind::carve,
+                                       Kind::carve, Kind::carve, Kind::carve, Kind::carve, Kind::tile,
+                                       Kind::tile,  Kind::dig,   Kind::dig,   Kind::kick,  Kind::kick,
+                                       Kind::kick,  Kind::shot,  Kind::shot,  Kind::portal};
   static const std::vector<Kind> rare{Kind::undo, Kind::undo, Kind::redo, Kind::save, Kind::load, Kind::origin};
   return {random.pick(random.chance(6) ? rare : kinds), random.below(arena.width * 16), random.below(arena.height * 16),
           random.below(16), random.below(256)};
@@ -78,14 +81,52 @@ bool Turmoil::isFree(const Position& middle) const {
   return world_.at(terrain_->latticePoint(middle)).where == Spot::Where::outside;
 }
 
+bool Turmoil::isFree(Body body) const {
+  return std::ranges::all_of(Crowd::middlesOf(body), [&](const Position& middle) { return isFree(middle); });
+}
+
 // 0.2 to 2 cells long.
-void Turmoil::addBody(const Move& move) {
+bool Turmoil::addBody(const Move& move) {
   const auto size = static_cast<float>((0.2 + 0.12 * move.size) * 0.5 * arena_.cellSize);
   const auto figure = static_cast<Figure>(move.which % static_cast<int>(Figure::count));
   const Position at = terrain_->position(pointOf(move));
-  if (!isFree(at) || terrain_->nearest(at, 0.75F * size)) return;
-  crowd_.add(figure, size, at);
+  const bool isShot = move.kind == Move::Kind::shot;  // it may begin with a corner in the ground
+  if (!isFree(at) || (!isShot && terrain_->nearest(at, 0.75F * size))) return false;
+  const Body body = crowd_.add(figure, size, at);
+  if (!isFree(body)) {
+    crowd_.destroy(crowd_.bodies.size() - 1);
+    return false;
+  }
+  if (arena_.announces) Crowd::announce(*terrain_, body);
   watched_.emplace_back();
+  return true;
+}
+
+// A bullet is gone, and there is another one, at 60 metres a second and more.
+void Turmoil::shoot(const Move& move) {
+  const auto gone = crowd_.bodies.empty() ? 0 : static_cast<std::size_t>(move.which) % crowd_.bodies.size();
+  if (!crowd_.bodies.empty()) {
+    crowd_.destroy(gone);
+    watched_.erase(watched_.begin() + static_cast<std::ptrdiff_t>(gone));
+  }
+  if (!addBody(move)) return;
+  shove(crowd_.bodies.back(), move);
+}
+
+void Turmoil::portal(const Move& move) {
+  if (crowd_.bodies.empty()) return;
+  const Body body = crowd_.bodies[static_cast<std::size_t>(move.which) % crowd_.bodies.size()];
+  if (!Crowd::isEnabled(body)) return;
+  const Position from = Crowd::positionOf(body);
+  Crowd::put(body, terrain_->position(pointOf(move)));
+  if (!isFree(body)) return Crowd::put(body, from);
+  shove(body, move);
+  if (arena_.announces) Crowd::announce(*terrain_, body);
+}
+
+void Turmoil::shove(Body body, const Move& move) {
+  const auto angle = 0.0245F * static_cast<float>(move.which);
+  Crowd::kick(body, {60 * std::cos(angle), 60 * std::sin(angle)});
 }
 
 void Turmoil::edit(const Move& move) {
@@ -144,7 +185,11 @@ void Turmoil::load() {
 void Turmoil::act(const Move& move) {
   switch (move.kind) {
     case Move::Kind::body:
-      return addBody(move);
+      return static_cast<void>(addBody(move));
+    case Move::Kind::shot:
+      return shoot(move);
+    case Move::Kind::portal:
+      return portal(move);
     case Move::Kind::undo:
       return undo(move.which);
     case Move::Kind::redo:
@@ -203,6 +248,7 @@ std::optional<std::string> Turmoil::look(const char* after) {
            << double(p.y) / U;
       wrong = text.str();
     }
+    if (std::ranges::all_of(isFreeNow, std::identity())) watched.free = at;
     watched.isFree = std::move(isFreeNow);
     watched.isHeld = isHeld;
   }
@@ -213,12 +259,31 @@ std::optional<std::string> Turmoil::play(const Move& move) {
   act(move);
   std::optional<std::string> wrong = look("after the move");
   for (int k = 0; k < arena_.steps; ++k) {
-    crowd_.step();
-    putBacks_ += terrain_->afterStep().size();
+    step();
+    if (!wrong) wrong = lookAtPutBacks();
     const std::optional<std::string> later = look("after a step");
     if (!wrong) wrong = later;
   }
   return wrong;
+}
+
+void Turmoil::step() {
+  if (!arena_.announces) terrain_->beforeStep();
+  crowd_.step();
+  putBack_ = terrain_->afterStep();
+  putBacks_ += putBack_.size();
+}
+
+// Who was put back is where that very body was free last.
+std::optional<std::string> Turmoil::lookAtPutBacks() const {
+  for (const Body body : putBack_) {
+    const auto found = std::ranges::find_if(crowd_.bodies, [&](Body b) { return Crowd::areSame(b, body); });
+    const auto k = static_cast<std::size_t>(found - crowd_.bodies.begin());
+    const Point at = terrain_->latticePoint(Crowd::positionOf(body)), free = watched_[k].free;
+    if (std::hypot(at.x - free.x, at.y - free.y) > U / 8)
+      return "body " + std::to_string(k) + " was put back to where it never was";
+  }
+  return {};
 }
 
 bool Turmoil::isOut(Point p) const {

@@ -17,7 +17,7 @@ namespace lgs::box2d_test {
 
 /// What a player does. The numbers mean something else for each kind.
 struct Move {
-  enum class Kind { body, paint, line, carve, tile, dig, undo, redo, save, load, origin, kick, count };
+  enum class Kind { body, paint, line, carve, tile, dig, shot, portal, undo, redo, save, load, origin, kick, count };
   Kind kind = Kind::body;
   int x = 0, y = 0;  ///< where, in sixteenths of a cell from the lower left corner
   int size = 0;      ///< 0 … 15
@@ -31,7 +31,8 @@ struct Arena {
   int cellSize = 1;             ///< in halves of a metre
   int chunkCells = 16;
   bool merge = false;
-  int steps = 4;  ///< of the physics after each move
+  int steps = 4;           ///< of the physics after each move
+  bool announces = false;  ///< says moved() of each body that is new or elsewhere, instead of calling beforeStep()
 };
 std::ostream& operator<<(std::ostream& out, const Arena& arena);
 
@@ -58,21 +59,28 @@ class Turmoil {
   struct Watched {
     std::vector<bool> isFree;  // of each middle
     bool isHeld = false;
-    Point at;  // where it is
+    Point at;    // where it is
+    Point free;  // where it was free last
   };
   void edit(const Move& move);
   void act(const Move& move);
   void undo(int steps);
   void redo(int steps);
   void load();
-  void addBody(const Move& move);
+  bool addBody(const Move& move);
+  void shoot(const Move& move);
+  void portal(const Move& move);
+  void shove(Body body, const Move& move);
+  void step();
   Region regionOf(const Move& move) const;
   Point pointOf(const Move& move) const;
   bool isFree(const Position& middle) const;
-  bool isOut(Point p) const;  // of the world
+  bool isFree(Body body) const;  // each of its middles
+  bool isOut(Point p) const;     // of the world
   void sync(const Changes& changes);
   void count();
   std::optional<std::string> look(const char* after);
+  std::optional<std::string> lookAtPutBacks() const;
 
   Arena arena_;
   World world_;
@@ -84,6 +92,7 @@ class Turmoil {
   std::vector<Mark> marks_;  // at the begin, and after each edit
   std::size_t now_ = 0;      // at which of them the world is
   std::vector<std::byte> file_;
+  std::vector<Body> putBack_;  // by the last step
   std::size_t pushes_ = 0, holds_ = 0, putBacks_ = 0;
 };
 

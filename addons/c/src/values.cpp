@@ -37,6 +37,7 @@ static_assert(statusOf(ErrorCode::unknownMark) == LGS_UNKNOWN_MARK);
 static_assert(statusOf(ErrorCode::uncommitted) == LGS_UNCOMMITTED);
 static_assert(statusOf(ErrorCode::outOfReach) == LGS_OUT_OF_REACH);
 static_assert(statusOf(ErrorCode::unloaded) == LGS_UNLOADED);
+static_assert(statusOf(ErrorCode::anchored) == LGS_ANCHORED);
 static_assert(statusOf(SnapshotError::What::notASnapshot) == LGS_SAVE_NO_SNAPSHOT);
 static_assert(statusOf(SnapshotError::What::unknownVersion) == LGS_SAVE_UNKNOWN_VERSION);
 static_assert(statusOf(SnapshotError::What::cut) == LGS_SAVE_CUT);
@@ -53,7 +54,7 @@ static_assert(kUnitsPerCell == LGS_UNITS_PER_CELL && kMaxCell == LGS_MAX_CELL &&
 static_assert(kMaxVerticesPerCell == LGS_MAX_CELL_VERTICES && kMaxPolygonsPerCell == LGS_MAX_CELL_POLYGONS);
 static_assert(kMaxEntries == LGS_MAX_ENTRIES && kMaxRadius == LGS_MAX_RADIUS && kMaxRay == LGS_MAX_RAY);
 
-bool isOfWorld(lgs_status status) { return status >= LGS_CELL_OUT_OF_RANGE && status <= LGS_UNLOADED; }
+bool isOfWorld(lgs_status status) { return status >= LGS_CELL_OUT_OF_RANGE && status <= LGS_ANCHORED; }
 bool isOfSnapshot(lgs_status status) { return status >= kFirstOfSnapshots && status <= LGS_SAVE_OTHER_BYTES; }
 
 std::string sentence(const lgs_error& e) {

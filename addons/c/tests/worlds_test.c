@@ -286,7 +286,7 @@ static void integers(void) {
 /* From each first status to the last of its kind: no number between them is without a sentence, and none is beside. */
 static void statuses(void) {
   static const lgs_status ranges[][2] = {
-      {LGS_OK, LGS_UNLOADED}, {LGS_BAD_ARGUMENT, LGS_SHORT_BUFFER}, {LGS_SAVE_NO_SNAPSHOT, LGS_SAVE_OTHER_BYTES}};
+      {LGS_OK, LGS_ANCHORED}, {LGS_BAD_ARGUMENT, LGS_SHORT_BUFFER}, {LGS_SAVE_NO_SNAPSHOT, LGS_SAVE_OTHER_BYTES}};
   static const lgs_status none[] = {-1, 19, 99, 102, 199, 212, INT32_MAX, INT32_MIN};
   static char texts[33][400];
   lgs_status all[33], status;

@@ -38,12 +38,14 @@ std::string thereAre(const std::string& value, const std::set<std::string>& valu
   return values.size() > kMost ? text + " and " + std::to_string(values.size() - kMost) + " more" : text;
 }
 
-AskedNames::AskedNames(const Options& options)
-    : blockFrom_(options.blockFrom), leftOut_(options.leaveOut.begin(), options.leaveOut.end()) {
-  for (const std::string& rule : options.solidIf) {
+AskedNames::AskedNames(const Options& options) : blockFrom_(options.blockFrom) {
+  const auto addRule = [&](const std::string& rule) {
     rules_.insert(rule);
     if (const std::string name = propertyIn(rule); name != rule) values_[name];
-  }
+  };
+  for (const std::string& rule : options.solidIf) addRule(rule);
+  for (const std::string& name : options.leaveOut)
+    name.find('=') == std::string::npos ? void(leftOut_.insert(name)) : addRule(name);
   for (const auto& [name, block] : options.blocks) {
     if (!name.empty()) askedBlocks_.insert(name);  // "" stands for no class
   }
@@ -63,7 +65,8 @@ void AskedNames::see(const Tileset& tileset) {
 
 void AskedNames::see(const Layer& layer) {
   if (blockFrom_ == BlockFrom::layer) blocks_.insert(layer.pathInMap);
-  if (layer.kind == LayerKind::tiles) seeProperties(propertiesOf(layer.node));
+  if (!leftOut_.empty()) classes_.insert({layer.pathInMap, layer.node.attribute("name").value()});
+  if (layer.kind == LayerKind::tiles) seeProperties(propertiesOf(layer));
   if (layer.kind != LayerKind::objects) return;
   seeClass(classOf(layer.node));
   for (const auto node : layer.node.children("object")) {
@@ -76,6 +79,7 @@ void AskedNames::see(const Layer& layer) {
 void AskedNames::see(const CollisionObject& object) {
   seeClass(object.className);
   seeObjectName(object.name);
+  if (!rules_.empty()) seeProperties(object.properties);
 }
 
 void AskedNames::seeProperties(const Properties& properties) {
@@ -91,6 +95,7 @@ void AskedNames::seeClass(const std::string& className) {
 }
 
 void AskedNames::seeObjectName(const std::string& name) {
+  if (!leftOut_.empty()) classes_.insert(name);
   if (blockFrom_ == BlockFrom::name && !name.empty()) blocks_.insert(name);
 }
 
@@ -122,7 +127,7 @@ std::vector<std::string> AskedNames::notes() const {
   }
   for (const std::string& name : leftOut_) {
     if (!classes_.contains(name)) {
-      result.push_back("no tile and no object has the class '" + name + "', which was to be left out" +
+      result.push_back("no tile, object or layer has the class or name '" + name + "', which was to be left out" +
                        thereIs(name, classes_));
     }
   }

@@ -1,6 +1,8 @@
 #include "below.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 namespace lgs::tiled {
 
@@ -10,11 +12,26 @@ std::string folderOf(const std::string& file) { return fs::path(file).parent_pat
 
 bool liesBelow(const std::string& folder, const std::string& path) {
   const fs::path root = fs::path(folder).lexically_normal(), to = fs::path(path).lexically_normal();
-  const fs::path here(".");
-  const bool isHere = root.empty() || root == here;  // then the path must be one without a root, such as "a/b"
-  if (isHere && (to.has_root_name() || to.has_root_directory())) return false;
-  const fs::path from = isHere ? to : to.lexically_relative(root);
-  return !from.empty() && from != here && *from.begin() != "..";
+  const auto isUp = [](const fs::path& step) { return step == ".."; };
+  const auto ups = [&](const fs::path& p) { return std::find_if_not(p.begin(), p.end(), isUp); };
+  if (root == "." || ups(root) == root.end()) {  // "", ".", "..", "../..": what goes no further up lies below it
+    const auto up = root == "." ? 0 : std::distance(root.begin(), root.end());
+    const auto its = std::distance(to.begin(), ups(to)), steps = std::distance(to.begin(), to.end());
+    return !to.has_root_name() && !to.has_root_directory() && steps > its && to != "." && its <= up;
+  }
+  const fs::path from = to.lexically_relative(root);
+  return !from.empty() && from != "." && !isUp(*from.begin());
+}
+
+std::string folderOfBoth(const std::string& file, const std::string& other) {
+  fs::path folder = fs::path(file).parent_path().lexically_normal();
+  if (fs::path(other).has_root_directory() != folder.has_root_directory()) return folderOf(other);
+  while (!liesBelow(folder.generic_string(), other)) {
+    const fs::path up = (folder / "..").lexically_normal();
+    if (up == folder) break;
+    folder = up;
+  }
+  return folder.empty() ? "." : folder.generic_string();
 }
 
 }  // namespace lgs::tiled

@@ -11,4 +11,7 @@ std::string folderOf(const std::string& file);
 /// Whether a path leads to something below a folder: neither by "..", nor to another root or drive.
 bool liesBelow(const std::string& folder, const std::string& path);
 
+/// The nearest folder that holds both files.
+std::string folderOfBoth(const std::string& file, const std::string& other);
+
 }  // namespace lgs::tiled

@@ -4,6 +4,8 @@
 #include "object_outline.h"
 
 #include <algorithm>
+#include <array>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -71,6 +73,7 @@ class Census {
     facts.kind = layer.kind;
     facts.saying = sayingOf(layer.node, &facts.why);
     facts.isForOther = isForOtherUse(layer.node.attribute("name").value());
+    facts.isPassable = isPassable(layer.node.attribute("name").value()) || !noOf(propertiesOf(layer.node)).empty();
     facts.isOnlySeen = isOnlySeen(layer.node.attribute("name").value());
     facts.isDrawn = layer.node.attribute(kDrawnAttribute);
     return at->second;
@@ -90,37 +93,93 @@ class Census {
     } else {
       facts_.layers[at].cells += side("width") * side("height");
     }
-    for (const auto& [number, count] : uses) takeTile(map, facts_.layers[at], number, count);
+    LayerFacts& facts = facts_.layers[at];
+    std::vector<RuleFacts*> rules;  // of the layer, for all of its tiles
+    for (const auto& [name, value] : propertiesOf(layer.node)) {
+      if (RuleFacts* const rule = ruleFacts(name, value)) rules.push_back(rule);
+    }
+    for (RuleFacts* const rule : rules) rule->isOfShaped = true;
+    for (const auto& [number, count] : uses) takeTile(map, facts, rules, number, count);
+    if (facts.isPassable && facts.shaped > 0) pass(facts.name, facts.shaped, true);
   }
 
-  void takeTile(const MapSource& map, LayerFacts& facts, std::uint32_t number, std::uint64_t uses) {
+  /// The first property that says that something is not solid.
+  static std::string noOf(const Properties& properties) {
+    for (const auto& [name, value] : properties) {
+      if (std::string no = noIn(name, value); !no.empty()) return no;
+    }
+    return {};
+  }
+
+  /// The class, name or property by which something is deadly or passable; or "".
+  static std::string passableOf(const std::string& className, const std::string& name, const Properties& properties) {
+    for (const std::string& one : {className, name})
+      if (isPassable(one)) return one;
+    return noOf(properties);
+  }
+
+  void pass(const std::string& what, std::uint64_t uses, bool isLayer = false, bool areSquares = false) {
+    if (facts_.passable.size() == kMostKnown && !facts_.passable.contains(what)) return;
+    const auto [at, isNew] = facts_.passable.try_emplace(what, PassableFacts{0, isLayer, areSquares});
+    at->second.uses += uses;
+    at->second.areSquares = at->second.areSquares && areSquares;
+  }
+
+  /// What holds for a tile in all layers, so that it is looked at once.
+  struct KnownTile {
+    bool isShaped = false, isBare = true;
+    std::string passable;                // by what the tile is so
+    std::set<std::string> shapes;        // by what some of its shapes are
+    std::vector<RuleFacts*> rules = {};  // into facts_, whose map keeps them in place
+  };
+
+  const KnownTile& known(const Tile& tile) {
+    const auto [at, isNew] = tiles_.try_emplace(&tile);
+    KnownTile& result = at->second;
+    if (!isNew) return result;
+    result.isBare = tile.objects.empty();
+    result.passable = passableOf(tile.className, "", tile.properties);
+    for (const CollisionObject& drawn : tile.objects) {
+      const auto kind = asAsked(drawn, options_).kind;
+      if (kind == CollisionObject::Kind::unsupported || kind == CollisionObject::Kind::tile) continue;
+      std::string why = passableOf(drawn.className, drawn.name, drawn.properties);
+      result.isShaped = result.isShaped || why.empty();
+      if (!why.empty() && result.shapes.size() < kMostKnown) result.shapes.insert(std::move(why));
+    }
+    for (const auto& [name, value] : tile.properties) {
+      RuleFacts* const rule = ruleFacts(name, value);
+      if (!rule) continue;
+      result.rules.push_back(rule);
+      rule->isOfShaped = rule->isOfShaped || result.isShaped;
+    }
+    return result;
+  }
+
+  void takeTile(const MapSource& map, LayerFacts& facts, const std::vector<RuleFacts*>& ofLayer, std::uint32_t number,
+                std::uint64_t uses) {
     facts.tiles += uses;
     const Tileset* const tileset = map.tilesets.of(number);
     if (!tileset) return;
+    static const Tile kPlain;
     const auto found = tileset->tiles.find(number - tileset->firstGid);
-    if (found == tileset->tiles.end()) {
-      facts.bare += uses;
-      return;
-    }
-    const Tile& tile = found->second;
+    const Tile& tile = found == tileset->tiles.end() ? kPlain : found->second;
     if (isLeftOut(tile, options_)) return;
-    const auto hasArea = [&](const CollisionObject& object) {
-      const auto kind = asAsked(object, options_).kind;
-      return kind != CollisionObject::Kind::unsupported && kind != CollisionObject::Kind::tile;
-    };
-    const bool isShaped = std::any_of(tile.objects.begin(), tile.objects.end(), hasArea);
-    if (isShaped) facts.shaped += uses;
-    if (facts_.isLdtk && isShaped && tile.className.size() <= kMostValue) {
-      facts.values[tile.className] = saying(tile.className);
+    const KnownTile& all = known(tile);
+    if (facts_.isLdtk && !all.isBare) {
+      if (tile.className.size() <= kMostValue) facts.values[tile.className] += uses;
+    } else if (!all.passable.empty()) {
+      return pass(all.passable, uses, false, all.isBare);
     }
-    if (tile.isSettled) return;
-    const bool isBare = tile.objects.empty();
-    if (isBare) facts.bare += uses;
-    for (RuleFacts* const known : rulesOf(tile)) {
-      known->isOfShaped = known->isOfShaped || isShaped;
-      if (!isBare) continue;
-      known->uses += uses;
-      known->layers[facts.name] += uses;
+    if (!facts.isPassable)
+      for (const std::string& why : all.shapes) pass(why, uses);
+    if (all.isShaped) facts.shaped += uses;
+    if (tile.isSettled || !all.isBare) return;
+    facts.bare += uses;
+    std::set<RuleFacts*> rules(ofLayer.begin(), ofLayer.end());
+    rules.insert(all.rules.begin(), all.rules.end());
+    for (RuleFacts* const rule : rules) {
+      rule->uses += uses;
+      rule->layers[facts.name] += uses;
     }
   }
 
@@ -136,27 +195,22 @@ class Census {
     return &known;
   }
 
-  /// A tile may be in all layers, so its properties are looked at once.
-  const std::vector<RuleFacts*>& rulesOf(const Tile& tile) {
-    const auto [at, isNew] = rulesOf_.try_emplace(&tile);
-    if (!isNew) return at->second;
-    for (const auto& [name, value] : tile.properties) {
-      if (RuleFacts* const known = ruleFacts(name, value)) at->second.push_back(known);
-    }
-    return at->second;
-  }
-
   void takeObjects(const MapSource& map, const Layer& layer) {
     LayerFacts& facts = facts_.layers[factsOf(layer)];
+    const bool isSaid = facts.saying.says != Says::nothing;
     for (const auto node : layer.node.children("object")) {
       const auto polyline = node.child("polyline");
       const bool isLine = polyline && map.file->points(polyline, "points").size() > 0 && !isClosed(*map.file, polyline);
       facts.lines += isLine;
       if (isLine || node.child("point") || node.child("text")) continue;
       ++facts.objects;
-      facts.figures += static_cast<bool>(node.attribute("gid"));
+      if (const auto gid = node.attribute("gid")) takeFigure(map, facts, gid.as_uint());
       bool isNamed = false, isSilent = true;
-      for (const std::string& name : {classOf(node), std::string(node.attribute("name").value())}) {
+      const std::array<std::string, 2> names{classOf(node), node.attribute("name").value()};
+      if (const std::string why = passableOf(names[0], names[1], propertiesOf(node)); isSaid && !why.empty()) {
+        pass(why, 1);
+      }
+      for (const std::string& name : names) {
         const Saying said = saying(name);
         isNamed = isNamed || !name.empty();
         isSilent = isSilent && said.says == Says::nothing;
@@ -171,6 +225,15 @@ class Census {
     }
   }
 
+  static void takeFigure(const MapSource& map, LayerFacts& facts, std::uint32_t gid) {
+    ++facts.figures;
+    const std::uint32_t number = tileNumber(gid);
+    const Tileset* const tileset = map.tilesets.of(number);
+    if (!tileset) return;
+    const auto tile = tileset->tiles.find(number - tileset->firstGid);
+    facts.bareFigures += tile == tileset->tiles.end() || tile->second.objects.empty();
+  }
+
   static bool isClosed(const XmlFile& file, pugi::xml_node polyline) {
     const std::vector<DoublePoint> points = file.points(polyline, "points");
     return points.size() > 3 && points.front().x == points.back().x && points.front().y == points.back().y;
@@ -180,8 +243,8 @@ class Census {
   std::size_t& tilesLeft_;
   Facts facts_;
   std::map<std::pair<LayerKind, std::string>, std::size_t> known_;
-  std::unordered_map<const Tile*, std::vector<RuleFacts*>> rulesOf_;  // into facts_, whose map keeps them in place
-  TileBox box_;                                                       // of all tile layers of one map
+  std::unordered_map<const Tile*, KnownTile> tiles_;
+  TileBox box_;                     // of all tile layers of one map
   std::vector<std::size_t> boxed_;  // layers of one map that have no rectangle of their own
 };
 

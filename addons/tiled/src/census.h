@@ -14,19 +14,21 @@ struct LayerFacts {
   bool isDrawn = false;     ///< of LDtk, and only drawn
   bool isForOther = false;  ///< its name has a word for another use, such as "background"
   bool isOnlySeen = false;  ///< its name says that it lies behind or above the others
+  bool isPassable = false;  ///< its name or a property says that bodies go through it, or die
 
   std::uint64_t tiles = 0;   ///< that are not empty
   std::uint64_t shaped = 0;  ///< of these, with shapes of their own
   std::uint64_t bare = 0;    ///< of these, without shapes, so that they could be full squares
   std::uint64_t cells = 0;   ///< of its rectangle
 
-  std::uint64_t objects = 0;                   ///< that can have an area
-  std::uint64_t figures = 0;                   ///< of these, tile objects
-  std::uint64_t named = 0;                     ///< of these, with a name or class: things rather than ground
-  std::uint64_t silent = 0;                    ///< of these, those whose name and class say nothing
-  std::uint64_t lines = 0;                     ///< open polylines
-  std::map<std::string, Saying> classes = {};  ///< classes and names of objects that say something
-  std::map<std::string, Saying> values = {};   ///< of an IntGrid layer: its values by name, with what they say
+  std::uint64_t objects = 0;                         ///< that can have an area
+  std::uint64_t figures = 0;                         ///< of these, tile objects
+  std::uint64_t bareFigures = 0;                     ///< of these, those whose tile has no shapes
+  std::uint64_t named = 0;                           ///< of these, with a name or class: things rather than ground
+  std::uint64_t silent = 0;                          ///< of these, those whose name and class say nothing
+  std::uint64_t lines = 0;                           ///< open polylines
+  std::map<std::string, Saying> classes = {};        ///< classes and names of objects that say something
+  std::map<std::string, std::uint64_t> values = {};  ///< of an IntGrid layer: how many cells have a value, by its name
 
   /// Whether some of its objects are called a wall or the like, and others are called something else. Then the layer
   /// holds things of all kinds, also if it is called "Obstacles". Of one that is called "Walls" all are parts.
@@ -39,16 +41,25 @@ struct LayerFacts {
 /// Of a property of tiles that says something.
 struct RuleFacts {
   Saying saying;
-  bool isOfShaped = false;                      ///< tiles with shapes have it as well
+  bool isOfShaped = false;                      ///< tiles with shapes have it as well, or a layer has it
   std::uint64_t uses = 0;                       ///< tiles without shapes, in layers, that have it
   std::uint64_t objects = 0;                    ///< objects without names that have it
   std::map<std::string, std::uint64_t> layers;  ///< the same by layer
+};
+
+/// Of what is deadly or passable, and would be taken.
+struct PassableFacts {
+  std::uint64_t uses = 0;   ///< tiles, shapes or objects
+  bool isLayer = false;     ///< a tile layer
+  bool areSquares = false;  ///< tiles without shapes: they would be taken as squares alone
 };
 
 struct Facts {
   std::vector<LayerFacts> layers;          ///< tile layers and object layers that are wanted, in the order of the maps
   std::map<std::string, RuleFacts> rules;  ///< by "NAME" or "NAME=VALUE", as Options::solidIf has them
   std::vector<std::string> hidden;         ///< layers that Options::visibleOnly leaves out
+
+  std::map<std::string, PassableFacts> passable;  ///< by what Options::leaveOut takes
   bool isLdtk = false;
 };
 

@@ -34,13 +34,40 @@ std::vector<std::string> choosingArguments(const Options& options) {
   return result;
 }
 
+Options chosen(Options options, const Suggestion& suggestion) {
+  options.layers = options.solidIf = options.leaveOut = {};
+  options.objects.reset();
+  options.solidWithoutShapes = options.visibleOnly = false;
+  options.tiles = {};
+  options.polylineThickness = 0;
+  for (std::size_t k = 0; k < suggestion.arguments.size(); ++k) {
+    const std::string& word = suggestion.arguments[k];
+    if (word == "--solid") options.solidWithoutShapes = true;
+    if (word == "--visible") options.visibleOnly = true;
+    if (word == "--objects" || word == "--no-objects")
+      options.objects = options.objects.value_or(std::vector<std::string>{});
+    if (word == "--solid" || word == "--visible" || word == "--no-objects" || ++k == suggestion.arguments.size())
+      continue;
+    const std::string& value = suggestion.arguments[k];
+    if (word == "--layer") options.layers.push_back(value);
+    if (word == "--solid-if") options.solidIf.push_back(value);
+    if (word == "--not") options.leaveOut.push_back(value);
+    if (word == "--objects") options.objects->push_back(value);
+    if (word == "--polyline-thickness") options.polylineThickness = std::stod(value);
+  }
+  return options;
+}
+
 const LayerFacts* onlyLayer(const Facts& facts) {
   Layers all, called;
+  std::uint64_t passedOver = 0;  // tiles of the largest layer that its name rules out, and that is no picture
   for (const LayerFacts& layer : facts.layers) {
     if (layer.kind == LayerKind::objects) {
       const bool areBoxes = layer.objects > layer.figures && !areThings(layer);
       if (layer.saying.says == Says::nothing && areBoxes) return nullptr;
-    } else if (layer.tiles > 0 && !layer.isForOther) {
+    } else if (layer.tiles > 0 && layer.isForOther) {
+      if (!isFull(layer)) passedOver = std::max(passedOver, layer.tiles);
+    } else if (layer.tiles > 0) {
       if (layer.isDrawn) return nullptr;
       all.push_back(&layer);
       if (isMainName(layer.name)) called.push_back(&layer);
@@ -48,27 +75,41 @@ const LayerFacts* onlyLayer(const Facts& facts) {
   }
   const Layers& some = all.size() > 1 ? called : all;
   const LayerFacts* const only = some.size() == 1 ? some.front() : nullptr;
-  return only && only->bare > 0 && 2 * only->tiles <= only->cells ? only : nullptr;
+  const bool isIt = only && only->bare > 0 && 2 * only->tiles <= only->cells && only->tiles >= passedOver;
+  return isIt && !isTiny(*only) ? only : nullptr;
 }
 
-std::vector<std::string> valuesGoneThrough(const Layers& layers) {
-  std::map<std::string, Saying> values;
-  for (const LayerFacts* layer : layers) values.insert(layer->values.begin(), layer->values.end());
-  const bool isWalled =
-      std::any_of(values.begin(), values.end(), [](const auto& value) { return value.second.isWall(); });
-  std::vector<std::string> result;
-  for (const auto& [name, said] : values) {
-    const bool isFloor = isWalled && said.isFloor();
-    if ((isGoneThrough(name) || isFloor) && result.size() < kMostRules) result.push_back(name);
+namespace {
+
+/// The values of some IntGrid layers that a test fits, with what they say and how many cells have them.
+template <class Fits>
+std::vector<std::string> valuesThat(const Layers& layers, const Fits& fits) {
+  std::map<std::string, std::uint64_t> values;
+  for (const LayerFacts* layer : layers) {
+    for (const auto& [name, uses] : layer->values) values[name] += uses;
   }
+  const bool isWalled =
+      std::any_of(values.begin(), values.end(), [](const auto& value) { return saying(value.first).isWall(); });
+  std::vector<std::string> result;
+  for (const auto& [name, uses] : values)
+    if (fits(name, uses, isWalled) && result.size() < kMostRules) result.push_back(name);
   return result.size() == values.size() ? std::vector<std::string>{} : result;
 }
 
-Options wholeLayer(const LayerFacts& layer, const Options& options) {
-  Options result = options;
-  result.layers = {layer.name};
-  result.solidWithoutShapes = true;
-  return result;
+}  // namespace
+
+std::vector<std::string> valuesGoneThrough(const Layers& layers) {
+  return valuesThat(layers, [](const std::string& name, std::uint64_t, bool isWalled) {
+    return isGoneThrough(name) || (isWalled && saying(name).isFloor());
+  });
+}
+
+std::vector<std::string> floorsWithoutWalls(const Layers& layers) {
+  std::uint64_t cells = 0;
+  for (const LayerFacts* layer : layers) cells += layer->cells;
+  return valuesThat(layers, [&](const std::string& name, std::uint64_t uses, bool isWalled) {
+    return !isWalled && saying(name).isFloor() && 2 * uses > cells;
+  });
 }
 
 bool leaveChoice(const Options& options) {

@@ -83,6 +83,7 @@ CollisionObject readPlain(const XmlFile& file, pugi::xml_node node, DoublePoint 
   object.id = static_cast<std::uint32_t>(file.integer(node, "id", 0, 0, kMostId));
   object.className = classOf(node);
   object.name = node.attribute("name").value();
+  object.properties = propertiesOf(node);
   object.at = {file.real(node, "x") + offset.x, file.real(node, "y") + offset.y};
   object.size = {file.real(node, "width"), file.real(node, "height")};
   object.rotation = file.real(node, "rotation");
@@ -132,15 +133,18 @@ void settlePolyline(CollisionObject& object, double thickness) {
   }
 }
 
-bool isLeftOut(const CollisionObject& object, const Options& options) {
-  const std::vector<std::string>& names = options.leaveOut;
-  return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return name == object.className; });
-}
-
 }  // namespace
 
+bool isLeftOut(const Options& options, const std::string& className, const std::string& name,
+               const Properties& properties) {
+  return std::any_of(options.leaveOut.begin(), options.leaveOut.end(), [&](const std::string& rule) {
+    return (!className.empty() && rule == className) || (!name.empty() && rule == name) ||
+           (rule.find('=') != std::string::npos && firstFit({rule}, properties));
+  });
+}
+
 CollisionObject asAsked(CollisionObject object, const Options& options) {
-  const bool isNotAsked = isLeftOut(object, options);
+  const bool isNotAsked = isLeftOut(options, object.className, object.name, object.properties);
   if (options.blockFrom == BlockFrom::name && !object.name.empty()) object.className = object.name;
   if (object.kind == Kind::unsupported) return object;
   if (isNotAsked) {

@@ -1,6 +1,7 @@
 // A shape as a file has it: of a tile, or of an object layer.
 #pragma once
 
+#include "properties.h"
 #include "templates.h"
 
 namespace lgs::tiled {
@@ -13,6 +14,7 @@ struct CollisionObject {
   std::string unsupported;  ///< the reason, for Kind::unsupported
   std::string className;
   std::string name;
+  Properties properties;
   DoublePoint at;
   DoublePoint size;
   double rotation = 0;              ///< degrees, clockwise, around `at`
@@ -26,6 +28,10 @@ struct CollisionObject {
 
 /// Reads an <object>, with what its template says. The offset is that of its <objectgroup>.
 CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint offset, Templates& templates);
+
+/// Whether Options::leaveOut has what has this class or name and these properties.
+bool isLeftOut(const Options& options, const std::string& className, const std::string& name,
+               const Properties& properties);
 
 /// The object as the options want it: if names say what its block is, its class is its name. One that is hidden may be
 /// left out. An open polyline is left out as well, or becomes a thin polygon. What is left out is of Kind::unsupported,

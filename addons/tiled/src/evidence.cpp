@@ -14,20 +14,26 @@ std::string kindOf(const LayerFacts& layer) { return layer.kind == LayerKind::ti
 /// Whether an object that says so is ground: a platform or a block may be a thing that moves.
 bool isDrawnGround(const Saying& said) { return said.isWall() || said.isFloor(); }
 
+std::vector<std::string> namesOf(const Layers& layers) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < std::min(layers.size(), kMostLayers); ++k) names.push_back(layers[k]->name);
+  return names;
+}
+
 /// Finds the choices of a map.
 class Chooser {
  public:
-  Chooser(const Facts& facts, const Options& options) : facts_(facts), options_(options) {}
+  Chooser(const Facts& facts, const Options& options) : facts_(facts), options_(options), squares_(options) {
+    leaveOut();
+  }
 
   std::vector<Choice> run() {
-    if (facts_.isLdtk) addIntGrids();
-    if (hasShapes() && areShapesEnough()) addShapes();
-    addNamed(Says::collision);
-    addRules(Says::collision);
-    addNamed(Says::ground);
-    addRules(Says::ground);
-    if (hasShapes() && !areShapesEnough()) addShapes();
+    const bool isDecided = !facts_.isLdtk || addIntGrids();
+    if (isDecided) addSolid();
+    if (isDecided) addGround();
     addOnlyLayer();
+    if (isDecided && !namesOfSaying(facts_).empty())
+      add(Evidence::onlyLayer, options_, "object layers whose tiles have shapes: " + listed(namesOfSaying(facts_)));
     addObjectLayers(false);
     addTileLayers();
     addObjectLayers(true);
@@ -35,72 +41,43 @@ class Chooser {
   }
 
  private:
-  bool hasShapes() const {
-    return std::any_of(facts_.layers.begin(), facts_.layers.end(), [](const LayerFacts& l) { return l.shaped > 0; });
-  }
-
-  /// Whether shapes of tiles are how this map says what is solid. They are not if the layers that say it have more
-  /// tiles without shapes than there are with shapes anywhere.
-  bool areShapesEnough() const {
-    std::uint64_t bare = 0, shaped = 0;
-    for (const LayerFacts& layer : facts_.layers) {
-      if (layer.isDrawn) continue;
-      shaped += layer.shaped;
-      if (layer.saying.says != Says::nothing && !isFull(layer)) bare += layer.bare;
-    }
-    return shaped >= bare;
-  }
-
   void add(Evidence evidence, Options options, std::string text) {
     result_.push_back({evidence, std::move(options), std::move(text)});
   }
 
-  /// Where a property of shaped tiles says that they are solid, tiles that have it and no shape are taken, too.
-  void addShapes() {
-    std::uint64_t uses = 0;
-    std::vector<std::string> names;
-    const Layers layers = withoutPictures([](const LayerFacts& layer) { return layer.shaped > 0; });
-    for (const LayerFacts* layer : layers) {
-      uses += layer->shaped;
-      names.push_back(layer->name);
-    }
-    Options options = narrowedTo(layers, [](const LayerFacts& layer) { return layer.shaped > 0; });
-    for (const auto& [rule, known] : facts_.rules) {
-      const bool isTaken = known.isOfShaped && known.uses > 0 && known.saying.says == Says::collision;
-      if (isTaken && options.solidIf.size() < kMostRules) options.solidIf.push_back(rule);
-    }
-    add(Evidence::shapes, std::move(options), "the shapes of " + counted(uses, "tile") + " in " + listed(names));
+  static bool isShaped(const LayerFacts& layer) { return layer.kind == LayerKind::tiles && layer.shaped > 0; }
+
+  bool hasRule(const LayerFacts& layer) const {
+    return std::any_of(facts_.rules.begin(), facts_.rules.end(),
+                       [&](const auto& rule) { return rule.second.layers.contains(layer.name); });
   }
 
-  /// The tile layers that have something; of these no background and nothing above the player, unless all are so: they
-  /// use the same tiles only to look the same. Nor a floor that fills the map, if another layer says collision.
-  template <class Has>
-  Layers withoutPictures(const Has& hasIt) const {
-    Layers all, some;
-    const bool isSaid = !saying(LayerKind::tiles, Says::collision).empty() && !facts_.isLdtk;
+  /// No choice takes what is deadly or passable; nor pictures: backgrounds and what is above the player, whose tiles
+  /// only look the same as those of another layer, and a floor that fills the map, if a layer says collision.
+  void leaveOut() {
+    for (const auto& [what, passable] : facts_.passable) {
+      if (!passable.areSquares) options_.leaveOut.push_back(what);
+      if (!passable.isLayer) squares_.leaveOut.push_back(what);
+    }
+    const bool isSaid = !facts_.isLdtk && !saying(LayerKind::tiles, Says::collision).empty();
+    Layers pictures;
+    bool areAll = true;
     for (const LayerFacts& layer : facts_.layers) {
-      if (!hasIt(layer)) continue;
-      all.push_back(&layer);
-      const bool isFilled = isSaid && layer.saying.isFloor() && isFull(layer);
-      if (!layer.isOnlySeen && !isFilled) some.push_back(&layer);
+      if (layer.kind != LayerKind::tiles || layer.isPassable || !(isShaped(layer) || hasRule(layer))) continue;
+      const bool isPicture = layer.isOnlySeen || (isSaid && layer.saying.isFloor() && isFull(layer));
+      isPicture ? pictures.push_back(&layer) : void(areAll = false);
     }
-    return some.empty() ? all : some;
+    if (!areAll) pictures_ = namesOf(pictures);
+    options_.leaveOut.insert(options_.leaveOut.end(), pictures_.begin(), pictures_.end());
   }
 
-  /// The options, with these layers if others have the same thing.
-  template <class Has>
-  Options narrowedTo(const Layers& layers, const Has& hasIt) const {
-    Options options = options_;
-    const auto all = std::count_if(facts_.layers.begin(), facts_.layers.end(), hasIt);
-    if (static_cast<std::size_t>(all) == layers.size()) return options;
-    options.layers = namesOf(layers);
-    options.objects = namesOfSaying();
-    return options;
+  bool isPicture(const LayerFacts& layer) const {
+    return std::find(pictures_.begin(), pictures_.end(), layer.name) != pictures_.end();
   }
 
   /// IntGrid layers are all taken. But if some are called collision, the others are for something else. Values that one
-  /// goes through are left out, and so is a floor beside walls.
-  void addIntGrids() {
+  /// goes through are left out, and so is a floor beside walls. Returns whether there is something to be chosen.
+  bool addIntGrids() {
     Layers some, all;
     for (const LayerFacts& layer : facts_.layers) {
       if (layer.kind != LayerKind::tiles || layer.isDrawn || layer.tiles == 0) continue;
@@ -108,25 +85,33 @@ class Chooser {
       if (layer.saying.word.starts_with("coll")) some.push_back(&layer);  // "Solid" may be one of several materials
     }
     if (some.empty()) some = all;
-    const std::vector<std::string> through = valuesGoneThrough(some);
-    if (some.size() == all.size() && through.empty()) return;
+    if (all.empty()) return true;
     Options options = options_;
     if (some.size() < all.size()) {
       options.layers = namesOf(some);
       options.objects = namesOf(saying(LayerKind::objects, Says::collision));
       if (options.objects->empty()) options.objects.reset();
     }
-    options.leaveOut.insert(options.leaveOut.end(), through.begin(), through.end());
-    std::string text = some.size() < all.size() ? reasons(some) : "IntGrid layers: " + listed(namesOf(some));
-    if (!through.empty()) text += ", without " + listed(through);
-    add(Evidence::shapes, std::move(options), std::move(text));
+    const std::string text = some.size() < all.size() ? reasons(some) : "IntGrid layers: " + listed(namesOf(some));
+    const auto without = [&](Evidence evidence, const std::vector<std::string>& values) {
+      Options rest = options;
+      rest.leaveOut.insert(rest.leaveOut.end(), values.begin(), values.end());
+      add(evidence, std::move(rest), text + (values.empty() ? "" : ", without " + listed(values)));
+    };
+    const std::vector<std::string> floors = floorsWithoutWalls(some);
+    if (!floors.empty()) without(Evidence::objectLayer, floors);
+    const std::vector<std::string> through = valuesGoneThrough(some);
+    without(floors.empty() ? Evidence::solid : Evidence::objectLayer, through);
+    if (some.size() == all.size()) options.objects.emplace();  // all values, as whoever chooses gets them
+    if (!through.empty()) without(floors.empty() ? Evidence::solid : Evidence::objectLayer, {});
+    return floors.empty();
   }
 
   /// Layers of a kind that say so, and hold what could be solid.
   Layers saying(LayerKind kind, Says says) const {
     Layers layers;
     for (const LayerFacts& layer : facts_.layers) {
-      if (layer.kind != kind || layer.saying.says != says || isMixed(layer)) continue;
+      if (layer.kind != kind || layer.saying.says != says || layer.isPassable || isMixed(layer)) continue;
       const bool isThere = kind == LayerKind::objects ? isDrawnByHand(layer) : layer.tiles > 0;
       const bool isThing = facts_.isLdtk && kind == LayerKind::objects && !isDrawnGround(layer.saying);
       if (isThing && says == Says::ground) continue;
@@ -148,60 +133,92 @@ class Chooser {
     return walls > 0 && floor.tiles > walls;
   }
 
-  void addNamed(Says says) {
-    const Evidence evidence = says == Says::collision ? Evidence::collision : Evidence::ground;
-    const Layers tiles = saying(LayerKind::tiles, says);
-    Layers objects = saying(LayerKind::objects, says);
-    if (says == Says::collision && !(tiles.empty() && objects.empty())) addDrawnGround(objects);
-    std::vector<std::string> objectNames = namesOf(objects);
-    std::string text = reasons(objects);
-    addClasses(says, objectNames, text);
-    const bool areCalled = objectNames.size() > objects.size();
-    if (says == Says::ground && (areCalled || std::any_of(objects.begin(), objects.end(), [](const LayerFacts* layer) {
-                                   return isDrawnGround(layer->saying);
-                                 }))) {
-      addObjects(evidence, objectNames, text);  // they were drawn for it; the tiles need not be meant so
-      objectNames.clear();
-      text.clear();
-    }
-    if (tiles.empty()) {
-      if (!objectNames.empty()) addObjects(evidence, objectNames, text);
-    } else {
-      Options options = options_;
-      options.layers = namesOf(tiles);
-      options.solidWithoutShapes = true;
-      if (!objectNames.empty()) options.objects = objectNames;
-      add(evidence, std::move(options), reasons(tiles) + (text.empty() ? "" : "; " + text));
-    }
-    addRules(says, true);
-  }
-
-  /// Walls and grounds that were drawn are there for collision as well.
-  void addDrawnGround(Layers& objects) const {
-    for (const LayerFacts* layer : saying(LayerKind::objects, Says::ground)) {
-      if (isDrawnGround(layer->saying)) objects.push_back(layer);
-    }
-  }
-
-  /// Those that are taken by themselves need not be named.
-  void addObjects(Evidence evidence, const std::vector<std::string>& names, const std::string& text) {
-    Options options = options_;
-    if (names != namesOfSaying() || !leaveChoice(options_)) options.objects = names;
-    add(evidence, std::move(options), text);
-  }
-
-  /// The object layers that are taken without options.
-  std::vector<std::string> namesOfSaying() const {
-    std::vector<std::string> names;
+  /// All that says collision, each tile by its own shape or as a square; then each kind of it by itself.
+  void addSolid() {
+    Layers shaped;
+    std::uint64_t uses = 0;
     for (const LayerFacts& layer : facts_.layers) {
-      if (names.size() == kMostLayers) break;
-      if (layer.kind == LayerKind::objects && layer.saying.says != Says::nothing) names.push_back(layer.name);
+      if (!isShaped(layer) || layer.isPassable || isPicture(layer) || facts_.isLdtk) continue;
+      shaped.push_back(&layer);
+      uses += layer.shaped;
     }
-    return names;
+    const Layers tiles = facts_.isLdtk ? Layers{} : saying(LayerKind::tiles, Says::collision);
+    const std::string ofShapes = "the shapes of " + counted(uses, "tile") + " in " + listed(namesOf(shaped));
+    const bool isOneLayer = std::all_of(shaped.begin(), shaped.end(), [&](const LayerFacts* layer) {
+      return std::find(tiles.begin(), tiles.end(), layer) != tiles.end();
+    });
+    auto [rules, ofRules] = rulesOf(Says::collision, !shaped.empty());
+    Options options = options_;
+    std::string text = shaped.empty() ? "" : ofShapes;
+    const auto join = [&](const std::string& part) { text += (text.empty() || part.empty() ? "" : "; ") + part; };
+    join(ofRules);
+    options.solidIf = rules;
+    if (!tiles.empty() && rules.empty() && isOneLayer) {
+      text = reasons(tiles);
+      options = wholeLayers(tiles);
+    } else {
+      for (const LayerFacts* layer : tiles) options.solidIf.push_back(kLayerProperty + ("=" + layer->name));
+      if (!options.solidIf.empty()) leaveOutSquares(options);
+      join(reasons(tiles));
+    }
+    addObjects(Says::collision, !shaped.empty() || !rules.empty(), options, text);
+    if (text.empty()) return;
+    add(Evidence::solid, options, text);
+    Options alone = options_;
+    alone.objects.emplace();
+    if (!shaped.empty()) add(Evidence::solid, std::move(alone), ofShapes + ", and no more");
+    if (!tiles.empty()) add(Evidence::solid, wholeLayers(tiles), reasons(tiles));
+    Options byRule = options_;
+    byRule.solidIf = std::move(rules);
+    if (!byRule.solidIf.empty()) add(Evidence::solid, std::move(byRule), std::move(ofRules));
+  }
+
+  /// Layers that say ground. Those that are drawn come first: they were drawn for it; tiles need not be meant so.
+  void addGround() {
+    const Layers tiles = saying(LayerKind::tiles, Says::ground), objects = saying(LayerKind::objects, Says::ground);
+    Options drawn = options_, options = wholeLayers(tiles);
+    std::string ofObjects, text = reasons(tiles);
+    addObjects(Says::ground, tiles.empty(), drawn, ofObjects);
+    const bool areClasses = drawn.objects && drawn.objects->size() > objects.size();
+    const bool areGround = areClasses || std::any_of(objects.begin(), objects.end(), [](const LayerFacts* layer) {
+                             return isDrawnGround(layer->saying);
+                           });
+    if (!ofObjects.empty() && (areGround || tiles.empty())) add(Evidence::ground, drawn, ofObjects);
+    if (!ofObjects.empty() && !areGround) {
+      options.objects = drawn.objects;
+      text += "; " + ofObjects;
+    }
+    if (!tiles.empty()) add(Evidence::ground, std::move(options), std::move(text));
+    auto [rules, ofRules] = rulesOf(Says::ground, false);
+    if (rules.empty()) return;
+    Options byRule = options_;
+    byRule.solidIf = std::move(rules);
+    add(Evidence::ground, std::move(byRule), std::move(ofRules));
+  }
+
+  /// Object layers that say so, and with those that say collision walls and grounds that were drawn; and objects by
+  /// their class or name. `areAll`: layers need not be named that are taken without a word.
+  void addObjects(Says says, bool areAll, Options& options, std::string& text) const {
+    Layers objects = saying(LayerKind::objects, says);
+    std::vector<std::string> names = namesOf(objects), classes = classesThatSay(says);
+    const bool isAlone = text.empty() && objects.empty() && classes.empty();
+    if (says == Says::collision && !isAlone) {
+      for (const LayerFacts* layer : saying(LayerKind::objects, Says::ground)) {
+        if (isDrawnGround(layer->saying)) objects.push_back(layer);
+      }
+      names = namesOf(objects);
+    }
+    if (!objects.empty()) text += (text.empty() ? "" : "; ") + reasons(objects);
+    if (!classes.empty()) text += (text.empty() ? "" : "; ") + ("objects that are called " + listed(classes));
+    names.insert(names.end(), classes.begin(), classes.end());
+    if (names.empty()) return;
+    const bool isDefault = options.layers.empty() && leaveChoice(options_) && names == namesOfSaying(facts_);
+    if (!isDefault && !(areAll && classes.empty() && says == Says::collision && options.layers.empty()))
+      options.objects = std::move(names);
   }
 
   /// Classes and names of objects in layers that say nothing, or that hold things of all kinds.
-  void addClasses(Says says, std::vector<std::string>& names, std::string& text) const {
+  std::vector<std::string> classesThatSay(Says says) const {
     std::vector<std::string> classes;
     for (const LayerFacts& layer : facts_.layers) {
       if (layer.saying.says != Says::nothing && !isMixed(layer)) continue;
@@ -211,55 +228,38 @@ class Chooser {
         if (said.says == says && isNew && classes.size() < kMostRules) classes.push_back(name);
       }
     }
-    if (classes.empty()) return;
-    names.insert(names.end(), classes.begin(), classes.end());
-    text += (text.empty() ? "" : "; ") + std::string("objects that are called ") + listed(classes);
+    return classes;
   }
 
-  /// Properties of tiles and objects that say so, all together, or classes of tiles.
-  void addRules(Says says, bool ofClass = false) {
-    std::vector<std::pair<std::uint64_t, std::string>> rules;
-    bool areObjects = false;
+  /// Properties of tiles, layers and objects that say so, and classes of tiles; and these in words. Beside shapes only
+  /// those count that a layer has, or a tile with shapes: those of other tiles say something else.
+  std::pair<std::vector<std::string>, std::string> rulesOf(Says says, bool besideShapes) const {
+    std::vector<std::pair<std::uint64_t, std::string>> found;
     const bool isWalled = std::any_of(facts_.rules.begin(), facts_.rules.end(),
                                       [](const auto& rule) { return rule.second.saying.isWall(); });
     for (const auto& [rule, known] : facts_.rules) {
       const std::uint64_t uses = known.uses + known.objects;
-      if (known.saying.says != says || uses == 0 || rule.starts_with("class=") != ofClass) continue;
+      if (known.saying.says != says || uses == 0 || (besideShapes && !known.isOfShaped)) continue;
       if (isWalled && known.saying.isFloor()) continue;  // what one walks on between the walls
-      rules.push_back({uses, rule});
-      areObjects = areObjects || known.objects > 0;
+      found.push_back({uses, rule});
     }
-    std::stable_sort(rules.begin(), rules.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    if (rules.size() > kMostRules) rules.resize(kMostRules);
-    if (rules.empty()) return;
-    const auto hasRule = [&](const LayerFacts& layer) {
-      return std::any_of(rules.begin(), rules.end(), [&](const auto& rule) {
-        return layer.kind == LayerKind::tiles && facts_.rules.at(rule.second).layers.contains(layer.name);
-      });
-    };
-    Options options = areObjects ? options_ : narrowedTo(withoutPictures(hasRule), hasRule);
-    std::vector<std::string> names;
-    for (const auto& [uses, rule] : rules) {
-      options.solidIf.push_back(rule);
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    if (found.size() > kMostRules) found.resize(kMostRules);
+    std::vector<std::string> rules, names;
+    for (auto& [uses, rule] : found) {
       const RuleFacts& known = facts_.rules.at(rule);
       const std::string tiles = known.uses == 0 ? "" : counted(known.uses, "tile");
       const std::string both = tiles.empty() || known.objects == 0 ? "" : ", ";
       names.push_back(rule + " (" + tiles + both + (known.objects == 0 ? "" : counted(known.objects, "object")) + ")");
+      rules.push_back(std::move(rule));
     }
-    if (!areObjects && !namesOfSaying().empty()) options.objects = std::vector<std::string>{};
-    const Evidence evidence = says == Says::ground ? Evidence::ground
-                              : ofClass            ? Evidence::collision
-                                                   : Evidence::properties;
-    add(evidence, std::move(options),
-        std::string(areObjects ? "what has a property: " : "tiles by a property: ") + listed(names));
+    return {std::move(rules), names.empty() ? "" : "what has a property: " + listed(names)};
   }
 
   void addOnlyLayer() {
     const LayerFacts* const only = onlyLayer(facts_);
     if (!only) return;
-    Options options = wholeLayer(*only, options_);
-    if (!namesOfSaying().empty()) options.objects = std::vector<std::string>{};
-    add(Evidence::onlyLayer, std::move(options),
+    add(Evidence::onlyLayer, wholeLayers({only}),
         "tile layer " + only->name + ", " + percent(only->share()) + " of the map: it is the only one that could be");
   }
 
@@ -269,6 +269,12 @@ class Chooser {
       if (layer.kind != LayerKind::objects || layer.objects == 0 || isCovered || areThings(layer) != ofThings) continue;
       Options options = options_;
       options.objects = {layer.name};
+      if (layer.bareFigures > 0 && layer.saying.says != Says::nothing) {  // as squares; then tile layers would be, too
+        options.solidWithoutShapes = true;
+        for (const LayerFacts& other : facts_.layers) {
+          if (other.kind == LayerKind::tiles && other.tiles > 0) options.leaveOut.push_back(other.name);
+        }
+      }
       add(Evidence::objectLayer, std::move(options),
           "object layer " + layer.name + ", " + counted(layer.objects, "object") + ": nothing says what it is");
     }
@@ -283,19 +289,26 @@ class Chooser {
       if (layer.kind == LayerKind::tiles && layer.bare > 0 && !isCovered) layers.push_back(&layer);
     }
     const auto key = [](const LayerFacts* layer) {
-      return std::tuple(layer->isForOther, isFull(*layer), !isMainName(layer->name), -layer->share());
+      return std::tuple(isTiny(*layer), layer->isForOther, isFull(*layer), !isMainName(layer->name), -layer->share());
     };
     std::stable_sort(layers.begin(), layers.end(), [&](auto* a, auto* b) { return key(a) < key(b); });
     for (const LayerFacts* layer : layers) {
-      add(Evidence::tileLayer, wholeLayer(*layer, options_),
+      add(Evidence::tileLayer, wholeLayers({layer}),
           "tile layer " + layer->name + ", " + percent(layer->share()) + " of the map: nothing says what it is");
     }
   }
 
-  static std::vector<std::string> namesOf(const Layers& layers) {
-    std::vector<std::string> names;
-    for (std::size_t k = 0; k < std::min(layers.size(), kMostLayers); ++k) names.push_back(layers[k]->name);
-    return names;
+  void leaveOutSquares(Options& options) const {
+    for (const auto& [what, passable] : facts_.passable) {
+      if (passable.areSquares) options.leaveOut.push_back(what);
+    }
+  }
+
+  Options wholeLayers(const Layers& layers) const {
+    Options options = squares_;
+    options.layers = namesOf(layers);
+    options.solidWithoutShapes = true;
+    return options;
   }
 
   static std::string reasons(const Layers& layers) {
@@ -305,11 +318,21 @@ class Chooser {
   }
 
   const Facts& facts_;
-  const Options& options_;
+  Options options_;                    // those of the user, without what is not solid
+  Options squares_;                    // the same for whole layers that are named
+  std::vector<std::string> pictures_;  // tile layers whose shapes and properties do not count
   std::vector<Choice> result_;
 };
 
 }  // namespace
+
+std::vector<std::string> namesOfSaying(const Facts& facts) {
+  Layers layers;
+  for (const LayerFacts& layer : facts.layers) {
+    if (layer.kind == LayerKind::objects && layer.saying.says != Says::nothing) layers.push_back(&layer);
+  }
+  return namesOf(layers);
+}
 
 std::vector<Choice> choices(const Facts& facts, const Options& options) { return Chooser(facts, options).run(); }
 

@@ -22,10 +22,8 @@ std::string listed(const std::vector<std::string>& names);
 
 /// The groups of evidence, the strongest first. Those of one group are taken together, and those of two never are.
 enum class Evidence : std::uint8_t {
-  shapes,       ///< of tiles, with those of object layers that say that they are solid
-  collision,    ///< layers, and classes of objects, that say collision
-  properties,   ///< of tiles, that say so
-  ground,       ///< layers, and classes of objects, that say ground or wall
+  solid,        ///< shapes of tiles; layers, classes and properties that say collision
+  ground,       ///< those that say ground or wall
   onlyLayer,    ///< the only tile layer that could be it, and it is half empty
   objectLayer,  ///< nothing but objects with an area; it is offered and not taken
   tileLayer,    ///< nothing but tiles; likewise
@@ -51,35 +49,40 @@ inline bool areThings(const LayerFacts& layer) { return layer.isForOther || 2 * 
 
 /// The only tile layer that could be solid, in a map that says nothing, or the only one of several that is called
 /// "level" or the like; or null. It must be half empty: a layer that fills the map is a picture, or its tiles mean
-/// different things.
+/// different things. If a layer that its name rules out has more in it, or it has next to nothing, nobody can tell.
 const LayerFacts* onlyLayer(const Facts& facts);
+
+/// Whether a layer has so little in it that it is hardly the ground.
+inline bool isTiny(const LayerFacts& layer) { return layer.share() < 0.03; }
 
 /// Values of IntGrid layers that are not solid beside the others: those that bodies go through, and a floor beside
 /// walls.
 std::vector<std::string> valuesGoneThrough(const Layers& layers);
 
+/// The values of IntGrid layers that are called a floor and fill most of their layer, if there are no walls: nobody can
+/// tell whether one stands on it, or walks on it as seen from above.
+std::vector<std::string> floorsWithoutWalls(const Layers& layers);
+
 /// All choices, the strongest first.
 std::vector<Choice> choices(const Facts& facts, const Options& options);
+
+/// The object layers that say that they are solid: they are taken if options name none.
+std::vector<std::string> namesOfSaying(const Facts& facts);
 
 /// Whether a choice may be made without a wish of the user's.
 inline bool isTakenByItself(const Choice& choice) { return choice.evidence <= Evidence::onlyLayer; }
 
-/// What says that it is solid and is not in a choice, or only in small part.
+/// What else says that it is solid, and is not in a choice, or only in part.
 struct Missed {
   std::string text;   ///< "tile layer Blocks, of which 211 of 349 tiles are taken"
   Options options;    ///< that would take it
   std::string offer;  ///< what these take
+  bool isDue = true;  ///< without it the map is taken in part; otherwise it may be weaker evidence for the same thing
 };
 std::vector<Missed> missed(const Facts& facts, const Choice& taken, const Options& options);
 
-/// Object layers beside a choice whose shapes have no names, and which say nothing: they may be ground, or not.
-std::vector<Missed> silentBeside(const Facts& facts, const Choice& taken);
-
 /// Those of the options that choose what is solid, as arguments of `lgs import`.
 std::vector<std::string> choosingArguments(const Options& options);
-
-/// All of a tile layer, and no other one.
-Options wholeLayer(const LayerFacts& layer, const Options& options);
 
 /// Whether the options leave the choice to the map.
 bool leaveChoice(const Options& options);

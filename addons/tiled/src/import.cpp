@@ -211,7 +211,7 @@ void Import::readLayer(const Layer& layer, std::uint32_t index) {
                        static_cast<std::int64_t>(columns),
                        static_cast<std::int64_t>(rows),
                        {layer.offset.x - columns * grid_.tile.x, layer.offset.y - rows * grid_.tile.y},
-                       propertiesOf(layer.node),
+                       propertiesOf(layer),
                        {}};
   LayerReport& report = map_.report.layers[index];
   if (current.rest.x != 0 || current.rest.y != 0) {
@@ -305,6 +305,9 @@ void Import::finishReport() {
   for (const Tileset& tileset : source_.tilesets.all()) asked_.see(tileset);
   for (const auto& [origin, tileset] : source_.tilesetsOfTemplates) asked_.see(tileset);
   Report& report = map_.report;
+  for (const Tileset& tileset : source_.tilesets.all()) {
+    if (!tileset.missing.empty()) report.partial += (report.partial.empty() ? "" : "; ") + tileset.missing;
+  }
   if (const std::string left = leftOutAsAsked(report); !left.empty()) report.notes.push_back(left);
   if (strayTiles_ > 0) report.notes.push_back(std::to_string(strayTiles_) + " tiles belong to no tileset of the map");
   const auto sort = [](std::vector<Note>& notes) {

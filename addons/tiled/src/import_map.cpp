@@ -3,6 +3,7 @@
 #include "evidence.h"
 #include "opened.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -11,12 +12,23 @@ namespace {
 
 using Imported = tl::expected<ImportedMap, ImportError>;
 
-/// Arguments as a shell takes them, each after a blank.
-std::string commandLine(const std::vector<std::string>& arguments) {
-  std::string result;
-  for (const std::string& argument : arguments) result += " " + shellWord(argument);
-  return result;
+/// Whether two maps have the same polygons, whatever their blocks.
+bool isSameGround(const ImportedMap& a, const ImportedMap& b) {
+  return std::equal(a.placements.begin(), a.placements.end(), b.placements.begin(), b.placements.end(),
+                    [&](const MapPolygon& p, const MapPolygon& q) {
+                      return p.cell == q.cell && a.shapes[p.shape] == b.shapes[q.shape];
+                    });
 }
+
+/// Nothing of a map is taken, but its report stays.
+void forget(ImportedMap& map) {
+  map.placements.clear();
+  map.shapes.clear();
+  map.report.polygons = map.report.cells = map.report.shapes = 0;
+  map.report.blocks.clear();
+}
+
+void join(std::string& list, const std::string& text) { list += (list.empty() ? "" : "; ") + text; }
 
 class WholeImport {
  public:
@@ -29,12 +41,11 @@ class WholeImport {
     if (!map) return map;
     if (map->placements.empty()) {
       if (!leaveChoice(options_)) takeCensus();
-      offerAll(map->report);
+      offerAll(*map);
       opened_.forgive();
     } else if (taken_) {
       tellChoice(map->report);
-      offerMissed(map->report);
-      tellSilent(map->report);
+      offerMissed(*map);
     }
     return map;
   }
@@ -57,7 +68,9 @@ class WholeImport {
         return map;
       }
     }
-    return import(options_);
+    Imported map = import(options_);
+    if (map && leaveChoice(options_)) forget(*map);
+    return map;
   }
 
   Imported import(const Options& options) {
@@ -66,65 +79,69 @@ class WholeImport {
   }
 
   void tellChoice(Report& report) const {
-    const std::vector<std::string> arguments = choosingArguments(taken_->options);
-    if (arguments == choosingArguments(options_)) return;
-    report.choice = taken_->text + " (" + commandLine(arguments).substr(1) + ")";
+    std::string words;
+    for (const std::string& argument : choosingArguments(taken_->options)) words += " " + shellWord(argument);
+    report.choice = taken_->text + (words.empty() ? "" : " (" + words.substr(1) + ")");
+    for (const auto& [what, passable] : facts_.passable) {
+      const std::vector<std::string>& names = taken_->options.leaveOut;
+      if (passable.areSquares && std::find(names.begin(), names.end(), what) == names.end()) continue;
+      report.leftOut += (report.leftOut.empty() ? "" : ", ") + what + " (" + std::to_string(passable.uses) + ")";
+    }
   }
 
-  /// How many polygons a choice gives; 0 if it cannot be had. All that is tried shares what one import may cost.
-  std::uint64_t polygonsOf(const Options& options) {
-    if (isSpent_ || tried_ == kMaxSuggestions) return 0;
+  /// Offers what options give, unless it is the same as what was taken or cannot be had. All that is tried shares what
+  /// one import may cost.
+  void offer(ImportedMap& map, Options options, const std::string& text, bool isDecided = true) {
+    if (isDecided && leaveChoice(options))
+      options.objects = namesOfSaying(facts_);  // so that it is not the map that decides
+    std::vector<std::string> arguments = choosingArguments(options);
+    if (isSpent_ || tried_ == kMaxSuggestions || !offered_.insert(arguments).second) return;
     ++tried_;
     Budget budget = opened_.budget();
-    const Imported map = opened_.import(options, budget, tilesLeft_, placementsLeft_);
+    const Imported other = opened_.import(options, budget, tilesLeft_, placementsLeft_);
     isSpent_ = budget.isOutOfWork() || budget.isOutOfCells();
     if (!isSpent_) opened_.budget() = budget;
     opened_.forgive();
-    return map ? map->placements.size() : 0;
+    if (other && !other->placements.empty() && !isSameGround(map, *other))
+      map.report.suggestions.push_back({text, std::move(arguments), other->placements.size()});
   }
 
-  void offer(Report& report, const Options& options, const std::string& text) {
-    std::vector<std::string> arguments = choosingArguments(options);
-    if (!offered_.insert(arguments).second) return;
-    const std::uint64_t polygons = polygonsOf(options);
-    if (polygons > 0 && polygons != report.polygons)
-      report.suggestions.push_back({text, std::move(arguments), polygons});
-  }
-
-  void offerAll(Report& report) {
-    if (!facts_.hidden.empty()) offerHidden(report);
-    for (const Choice& choice : choices_) offer(report, choice.options, choice.text);
+  void offerAll(ImportedMap& map) {
+    if (!facts_.hidden.empty()) offerHidden(map);
+    for (const Choice& choice : choices_) offer(map, choice.options, choice.text);
   }
 
   /// What is hidden, if it was to be left out: all that would be taken without that.
-  void offerHidden(Report& report) {
+  void offerHidden(ImportedMap& map) {
     Options options = options_;
     options.visibleOnly = false;
     std::size_t tiles = options.maxTiles;
     std::vector<Choice> all = choices(census(opened_.maps(), options, tiles), options);
     opened_.forgive();
-    if (!leaveChoice(options)) all.insert(all.begin(), Choice{Evidence::shapes, options, ""});
-    const std::size_t layers = facts_.hidden.size(), before = report.suggestions.size();
+    if (!leaveChoice(options)) all.insert(all.begin(), Choice{Evidence::solid, options, ""});
+    const std::size_t layers = facts_.hidden.size(), before = map.report.suggestions.size();
     const std::string text = counted(layers, "layer") + (layers == 1 ? " is" : " are") +
                              " hidden, and --visible leaves " + (layers == 1 ? "it" : "them") +
                              " out: " + listed(facts_.hidden);
     for (const Choice& choice : all) {
-      if (!isTakenByItself(choice) || report.suggestions.size() > before) continue;
-      offer(report, choice.options, text);
+      if (!isTakenByItself(choice) || map.report.suggestions.size() > before) continue;
+      offer(map, choice.options, text, false);
     }
   }
 
-  void offerMissed(Report& report) {
+  /// What else says that it is solid; and if none of that is an offer, the next best choice.
+  void offerMissed(ImportedMap& map) {
+    offered_.insert(choosingArguments(taken_->options));
+    Report& report = map.report;
+    const double cells = static_cast<double>(report.width) * report.height;
+    if (taken_->evidence != Evidence::solid && !report.infinite && static_cast<double>(report.cells) < 0.03 * cells)
+      join(report.partial, "it is less than 3 % of the map");
     for (const Missed& part : missed(facts_, *taken_, options_)) {
-      report.partial += (report.partial.empty() ? "" : "; ") + part.text;
-      offer(report, part.options, part.offer);
+      join(part.isDue ? report.partial : report.also, part.text);
+      offer(map, part.options, part.offer);
     }
-  }
-
-  void tellSilent(Report& report) const {
-    for (const Missed& beside : silentBeside(facts_, *taken_))
-      report.notes.push_back(beside.text + ", as nothing says that it is solid; it is with" +
-                             commandLine(choosingArguments(beside.options)));
+    for (const Choice& choice : choices_)
+      if (report.suggestions.empty()) offer(map, choice.options, choice.text);
   }
 
   Opened& opened_;

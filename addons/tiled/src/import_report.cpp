@@ -4,6 +4,7 @@
 #include <lgs/tiled/import.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -33,6 +34,8 @@ Report withPlainNames(Report report) {
   for (std::string& note : report.notes) makePlain(note);
   makePlain(report.choice);
   makePlain(report.partial);
+  makePlain(report.also);
+  makePlain(report.leftOut);
   for (Suggestion& suggestion : report.suggestions) makePlain(suggestion.text);
   return report;
 }
@@ -74,13 +77,35 @@ std::string heading(const TileReport& tile, const Report& report) {
   return text;
 }
 
+/// "level.tmx: 184 polygons, 30 % of the map: tile layer Ground: its name says 'ground'; IN PART: …"
+void appendSummary(const Report& report, const std::string& command, std::string& out) {
+  out += report.file + ": ";
+  if (report.polygons == 0) {
+    out += "nothing in it is solid";
+  } else {
+    const double cells = report.infinite ? 0 : static_cast<double>(report.width) * report.height;
+    out += numbered(report.polygons, "polygon", "polygons");
+    if (cells > 0)
+      out += ", " + std::to_string(std::lround(100 * static_cast<double>(report.cells) / cells)) + " % of the map";
+  }
+  if (!report.choice.empty()) out += ": " + report.choice;
+  if (!report.partial.empty()) out += "; IN PART: " + report.partial;
+  if (!report.also.empty()) out += "; also there: " + report.also;
+  if (!report.leftOut.empty()) out += "; left out as deadly or passable: " + report.leftOut;
+  out += "\n";
+  for (const Suggestion& suggestion : report.suggestions) {
+    out += "  or:" + (command.empty() ? "" : " " + command);
+    for (const std::string& argument : suggestion.arguments) out += " " + shellWord(argument);
+    out += "  (" + numbered(suggestion.polygons, "polygon", "polygons") + ": " + suggestion.text + ")\n";
+  }
+}
+
 void appendHead(const Report& report, std::string& out) {
-  out += report.file + ": " + std::to_string(report.width) + "×" + std::to_string(report.height) + " tiles of " +
+  out += "  " + std::to_string(report.width) + "×" + std::to_string(report.height) + " tiles of " +
          std::to_string(report.tileWidth) + "×" + std::to_string(report.tileHeight) + " px" +
-         (report.infinite ? ", infinite" : "") + (report.partial.empty() ? "" : "; IN PART: " + report.partial) + "\n";
-  out += "  " + numbered(report.polygons, "polygon", "polygons") + " (" + std::to_string(report.shapes) +
-         " distinct) in " + numbered(report.cells, "cell", "cells") + "\n";
-  if (!report.choice.empty()) out += "  taken: " + report.choice + "\n";
+         (report.infinite ? ", infinite" : "") + "; " +
+         numbered(report.shapes, "distinct polygon", "distinct polygons") + " in " +
+         numbered(report.cells, "cell", "cells") + "\n";
   std::size_t width = 0;
   for (const LayerReport& layer : report.layers) width = std::max(width, columns(layer.path));
   for (const LayerReport& layer : report.layers) {
@@ -169,24 +194,12 @@ void appendShapeless(const Report& report, bool solid, const char* title, std::s
   out += "\n";
 }
 
-void appendSuggestions(const Report& report, std::string& out) {
-  if (report.suggestions.empty()) return;
-  out += report.polygons == 0 ? "\nNothing came out. What could be taken, and how:\n"
-                              : "\nNot all came out. What could be taken instead, and how:\n";
-  for (const Suggestion& suggestion : report.suggestions) {
-    out += "  " + numbered(suggestion.polygons, "polygon", "polygons") + ": " + suggestion.text + "\n";
-    if (suggestion.arguments.empty()) continue;
-    out += "   ";
-    for (const std::string& argument : suggestion.arguments) out += " " + shellWord(argument);
-    out += "\n";
-  }
-}
-
 }  // namespace
 
-std::string toText(const Report& report) {
+std::string toText(const Report& report, const std::string& command) {
   const Report plain = withPlainNames(report);
   std::string out;
+  appendSummary(plain, command, out);
   appendHead(plain, out);
   const auto missing = [](NoteKind kind) { return kind == NoteKind::leftOut || kind == NoteKind::clipped; };
   appendNotes(plain, "Left out or cut off:", missing, out);
@@ -196,7 +209,6 @@ std::string toText(const Report& report) {
   appendNotes(plain, "Worth a look:", unchanged, out);
   appendShapeless(plain, true, "Full squares, as asked", out);
   appendShapeless(plain, false, "Without collision shapes", out);
-  appendSuggestions(plain, out);
   return out;
 }
 

@@ -1,6 +1,7 @@
 #include "layers.h"
 
 #include "asked_names.h"
+#include "collision_object.h"
 #include "encoding.h"
 #include "properties.h"
 
@@ -18,10 +19,8 @@ class Lister {
  public:
   Lister(const XmlFile& file, const Options& options, LayerNames& names)
       : file_(file),
-        visibleOnly_(options.visibleOnly),
-        objectsAreNamed_(options.objects.has_value()),
+        options_(options),
         drawnCounts_(options.solidWithoutShapes || !options.solidIf.empty()),
-        rules_(options.solidIf),
         names_(names) {}
 
   struct Parent {
@@ -86,11 +85,15 @@ class Lister {
     } else {
       layer.remark = layer.wanted ? layer.node.attribute(kRemarkAttribute).value() : "not chosen";
     }
+    if (isLeftOut(options_, layer.node.attribute("name").value(), layer.pathInMap, propertiesOf(layer.node))) {
+      layer.wanted = layer.isInReach = false;
+      layer.remark = "left out (--not)";
+    }
     const auto remark = [&](const char* text) {
       layer.remark += (layer.remark.empty() ? "" : "; ") + std::string(text);
     };
-    layer.isInReach = layer.isInReach && !(self.hidden && visibleOnly_);
-    if (layer.wanted && self.hidden && visibleOnly_) {
+    layer.isInReach = layer.isInReach && !(self.hidden && options_.visibleOnly);
+    if (layer.wanted && self.hidden && options_.visibleOnly) {
       layer.wanted = false;
       layer.hidden = true;
       layer.remark = "hidden";
@@ -105,7 +108,7 @@ class Lister {
 
   void chooseObjects(Layer& layer, const Parent& self) const {
     layer.isInReach = self.layer.wanted;
-    if (objectsAreNamed_) {
+    if (options_.objects) {
       if (!self.objectsWanted) chooseClasses(layer);
       layer.wanted = self.objectsWanted || !layer.classes.empty();
       layer.remark = layer.wanted ? "chosen" : "not chosen";
@@ -120,10 +123,10 @@ class Lister {
   }
 
   void chooseByProperty(Layer& layer) const {
-    if (rules_.empty()) return;
+    if (options_.solidIf.empty()) return;
     const auto objects = layer.node.children("object");
     layer.isByProperty = std::any_of(objects.begin(), objects.end(), [&](const auto object) {
-      return firstFit(rules_, propertiesOf(object)) != nullptr;
+      return firstFit(options_.solidIf, propertiesOf(object)) != nullptr;
     });
     layer.wanted = layer.isByProperty;
     if (layer.wanted) layer.remark = "objects with the property that was asked for";
@@ -139,10 +142,8 @@ class Lister {
   }
 
   const XmlFile& file_;
-  bool visibleOnly_;
-  bool objectsAreNamed_;
+  const Options& options_;
   bool drawnCounts_;  // tiles of LDtk that are only drawn
-  const std::vector<std::string>& rules_;
   LayerNames& names_;
   std::vector<Layer> layers_;
 };
@@ -189,6 +190,12 @@ void readRect(const XmlFile& file, pugi::xml_node data, const TileRect& rect, st
 }
 
 }  // namespace
+
+Properties propertiesOf(const Layer& layer) {
+  Properties result = propertiesOf(layer.node);
+  result.emplace(kLayerProperty, layer.pathInMap);
+  return result;
+}
 
 LayerNames::LayerNames(const Options& options)
     : tiles_{options.layers}, objects_{options.objects.value_or(std::vector<std::string>{})} {}

@@ -1,7 +1,7 @@
 // The layers of a map: which of them are wanted, how they are shifted, and which tiles they hold.
 #pragma once
 
-#include "xml.h"
+#include "properties.h"
 
 #include <functional>
 #include <set>
@@ -21,6 +21,13 @@ struct Layer {
   bool isByProperty = false;           ///< of an object layer: only objects that have one of Options::solidIf
   std::string remark;                  ///< for the report: why it is taken or passed over, or what is special about it
 };
+
+/// The property of a layer that is its path in its map, unless the layer has one that is called so. By it a rule can
+/// take all tiles of a layer.
+inline constexpr const char* kLayerProperty = "layer";
+
+/// The properties of a layer, with kLayerProperty.
+Properties propertiesOf(const Layer& layer);
 
 /// The attribute of a group that is a place for layers, such as a level, and no part of their names.
 inline constexpr const char* kPlaceAttribute = "lgs:place";

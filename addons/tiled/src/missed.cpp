@@ -10,10 +10,14 @@ namespace {
 /// How many tiles of a layer a choice takes.
 std::uint64_t taken(const LayerFacts& layer, const Facts& facts, const Options& options) {
   const std::vector<std::string>& layers = options.layers;
-  if (!layers.empty() && std::find(layers.begin(), layers.end(), layer.name) == layers.end()) return 0;
+  const auto has = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), layer.name) != names.end();
+  };
+  if ((!layers.empty() && !has(layers)) || has(options.leaveOut)) return 0;
   if (options.solidWithoutShapes) return layer.tiles;
   std::uint64_t tiles = layer.shaped;
   for (const std::string& rule : options.solidIf) {
+    if (rule == kLayerProperty + ("=" + layer.name)) return layer.tiles;
     const auto known = facts.rules.find(rule);
     if (known == facts.rules.end()) continue;
     const auto uses = known->second.layers.find(layer.name);
@@ -36,24 +40,23 @@ bool isTaken(const LayerFacts& objects, const Options& options, bool isLdtk) {
 /// Whether a layer that says so must be in a choice, or is only weaker evidence beside it. Tiles that are called ground
 /// are what one sees of a collision layer; objects that are called so are drawn for the game, as those of that layer.
 bool isDue(const LayerFacts& layer, const Choice& choice, bool isLdtk) {
-  if (layer.isDrawn || (layer.kind == LayerKind::objects && !isDrawnByHand(layer))) return false;
+  if (layer.isDrawn || layer.isPassable) return false;
   if (layer.saying.says == Says::collision) return true;
-  if (isLdtk && layer.kind == LayerKind::objects) return false;
-  const bool isWeaker = choice.evidence == Evidence::shapes || choice.evidence == Evidence::properties ||
-                        (choice.evidence == Evidence::collision && layer.kind == LayerKind::objects);
-  if (layer.saying.says != Says::ground || !isWeaker) return false;
-  return layer.kind == LayerKind::objects || !layer.saying.isFloor();
+  if (layer.kind == LayerKind::objects) return !isLdtk && choice.evidence == Evidence::solid;
+  return choice.evidence == Evidence::solid && choice.options.layers.empty() && !layer.saying.isFloor();
 }
 
-Missed missedTiles(const LayerFacts& layer, std::uint64_t tiles, const Choice& choice, const Options& options) {
-  const std::string text = "tile layer " + layer.name + ", of which " + std::to_string(tiles) + " of " +
-                           counted(layer.tiles, "tile") + " are taken";
-  if (tiles > 0 || choice.options.layers.empty()) {
-    return {text, wholeLayer(layer, options), "all of tile layer " + layer.name + ", and no other"};
-  }
+Missed missedTiles(const LayerFacts& layer, std::uint64_t tiles, const Choice& choice) {
   Options more = choice.options;
-  more.layers.push_back(layer.name);
-  return {text, std::move(more), "the same with tile layer " + layer.name};
+  std::erase(more.leaveOut, layer.name);
+  if (more.layers.empty()) {
+    more.solidIf.push_back(kLayerProperty + ("=" + layer.name));
+  } else {
+    more.layers.push_back(layer.name);
+  }
+  return {"tile layer " + layer.name + ", of which " + std::to_string(tiles) + " of " + counted(layer.tiles, "tile") +
+              " are taken",
+          std::move(more), "the same with all of tile layer " + layer.name};
 }
 
 Missed missedObjects(const LayerFacts& layer, const Choice& choice) {
@@ -67,7 +70,7 @@ Missed missedObjects(const LayerFacts& layer, const Choice& choice) {
 /// Open polylines have no area. Those that are one-way can be made thick.
 Missed missedLines(const LayerFacts& layer, const Choice& choice, const Options& options) {
   constexpr double kThickness = 4;  // pixels
-  Options thick = choice.evidence == Evidence::shapes ? options : choice.options;
+  Options thick = choosingArguments(choice.options) == choosingArguments(options) ? options : choice.options;
   thick.polylineThickness = kThickness;
   return {"object layer " + layer.name + ", of which " + counted(layer.lines, "open polyline") +
               (layer.lines == 1 ? " is" : " are") + " left out",
@@ -79,29 +82,26 @@ Missed missedLines(const LayerFacts& layer, const Choice& choice, const Options&
 std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Options& options) {
   std::vector<Missed> result;
   for (const LayerFacts& layer : facts.layers) {
-    if (result.size() == kMaxSuggestions) break;  // as many commands follow
-    if (!isDue(layer, choice, facts.isLdtk)) continue;
-    if (layer.kind == LayerKind::tiles) {
+    const bool says = layer.saying.says != Says::nothing, isOfObjects = layer.kind == LayerKind::objects;
+    const bool areBoxes = isOfObjects && layer.objects > layer.figures && !areThings(layer) && !facts.isLdtk;
+    if (!says && !(areBoxes && layer.classes.empty())) continue;
+    if (says && isOfObjects && !isDrawnByHand(layer)) continue;
+    const bool due = says && isDue(layer, choice, facts.isLdtk);
+    const auto add = [&](Missed one, bool isPart = true) {
+      one.isDue = due && isPart;
+      if (result.size() < kMaxSuggestions) result.push_back(std::move(one));  // as many commands follow
+    };
+    if (!isOfObjects) {
       const std::uint64_t tiles = taken(layer, facts, choice.options);
-      if (4 * tiles < 3 * layer.tiles && !isFull(layer)) result.push_back(missedTiles(layer, tiles, choice, options));
-    } else if (!isTaken(layer, choice.options, facts.isLdtk)) {
-      if (layer.objects > 0) result.push_back(missedObjects(layer, choice));
-    } else if (options.polylineThickness == 0 && layer.lines > 0) {
-      result.push_back(missedLines(layer, choice, options));
+      const bool isWhole = tiles == layer.tiles || isFull(layer) || layer.isDrawn || layer.isPassable;
+      if (!isWhole) add(missedTiles(layer, tiles, choice), 4 * tiles < 3 * layer.tiles);
+      continue;
     }
+    if (facts.isLdtk && !due) continue;
+    if (!isTaken(layer, choice.options, facts.isLdtk) && layer.objects > 0) add(missedObjects(layer, choice));
+    if (says && options.polylineThickness == 0 && layer.lines > 0) add(missedLines(layer, choice, options));
   }
-  return result;
-}
-
-std::vector<Missed> silentBeside(const Facts& facts, const Choice& choice) {
-  std::vector<Missed> result;
-  for (const LayerFacts& layer : facts.layers) {
-    const bool areBoxes = layer.kind == LayerKind::objects && layer.objects > layer.figures && !areThings(layer);
-    if (!areBoxes || facts.isLdtk || layer.saying.says != Says::nothing || !layer.classes.empty()) continue;
-    if (choice.options.objects && isTaken(layer, choice.options, false)) continue;
-    if (result.size() == kMaxSuggestions) break;
-    result.push_back(missedObjects(layer, choice));
-  }
+  std::stable_partition(result.begin(), result.end(), [](const Missed& one) { return one.isDue; });
   return result;
 }
 

@@ -26,28 +26,25 @@ Opened::Opened(const std::string& path, const Options& options, const FileReader
 }
 
 tl::expected<std::string, std::string> Opened::read(const std::string& name) {
-  isRefused_ = true;
-  if (!options_.filesAnywhere && name != path_ && !liesBelow(folderOf(path_), name)) {
-    return tl::unexpected<std::string>(
-        "it is not below the map's folder. If the map can be trusted, files may lie anywhere: "
-        "Options::filesAnywhere");
+  const std::string folder = options_.filesIn.empty() ? folderOf(path_) : options_.filesIn;
+  if (!options_.filesAnywhere && name != path_ && !liesBelow(folder, name)) {
+    return tl::unexpected("it is not in the folder " + (folder.empty() ? "." : folder) +
+                          ". If the map can be trusted: Options::filesIn = " + folderOfBoth(path_, name));
   }
   auto text = reader_(name);
   if (text && !budget_.read(text->size())) {
     return tl::unexpected<std::string>("the files of the map are larger together than the limit (Options::maxBytes)");
   }
-  isRefused_ = false;
   return text;
 }
 
 /// Opens a map of a world. Null if it cannot be read and may be missing, or if there is a problem.
 std::unique_ptr<const XmlFile> Opened::openMapOf(const WorldMap& entry) {
-  auto file =
-      std::make_unique<const XmlFile>(world_->pathTo(entry.name), guarded_, "map", error_, world_->quotingOfOthers());
+  auto file = std::make_unique<const XmlFile>(*world_, entry.name, guarded_, "map", error_);
   if (error_ && !file->wasRead()) {  // the world is to blame for naming it
     std::string what = "the map's file " + error_->file + " " + error_->what;
     error_.reset();
-    if (isRefused_ || options_.allMaps) {
+    if (!file->isMissing() || options_.allMaps) {
       world_->fail(entry.node, std::move(what));
     } else {
       notes_.push_back("a map of the world is left out: " + what);

@@ -35,7 +35,6 @@ class Opened {
   const FileReader& reader_;
   FileReader guarded_;
   Budget budget_;
-  bool isRefused_ = false;  // the last file was not to be read, whether it is there or not
   std::optional<ImportError> error_;
   std::vector<std::string> notes_;
   std::optional<std::pair<pugi::xml_node, std::string>> missing_;  // the first map of a world that cannot be read

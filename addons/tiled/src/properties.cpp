@@ -47,6 +47,12 @@ const std::string* firstFit(const std::vector<std::string>& rules, const Propert
   return nullptr;
 }
 
+std::string noIn(const std::string& property, const std::string& value) {
+  const bool isNo =
+      !saysYes(value) && property.find('=') == std::string::npos && sayingOfProperty(property).says == Says::collision;
+  return isNo ? property + "=" + value : "";
+}
+
 Saying sayingOf(pugi::xml_node node, std::string* why) {
   Saying strongest;
   const auto hear = [&](const Saying& what, const std::string& reason) {
@@ -58,7 +64,8 @@ Saying sayingOf(pugi::xml_node node, std::string* why) {
   const Saying name = saying(node.attribute("name").value()), type = saying(classOf(node));
   hear(name, "its name" + quoted(name));
   hear(type, "its class" + quoted(type));
-  for (const auto& [property, value] : propertiesOf(node)) {
+  const Properties properties = std::string_view(node.name()) == "layer" ? Properties{} : propertiesOf(node);
+  for (const auto& [property, value] : properties) {
     if (saysYes(value)) hear(sayingOfProperty(property), "its property '" + property + "' says so");
   }
   return strongest;

@@ -25,8 +25,12 @@ std::string propertyIn(const std::string& rule);
 /// The first of some rules, "NAME" or "NAME=VALUE", that the properties fit; null if they fit none.
 const std::string* firstFit(const std::vector<std::string>& rules, const Properties& properties);
 
-/// The strongest that is said by the name of an element, its class and the properties that say yes; of equals the
-/// first. The reason in words goes into `why`.
+/// Whether a property says that something is not solid: "solid=false". Then this is a rule for it; otherwise "".
+std::string noIn(const std::string& property, const std::string& value);
+
+/// The strongest that is said by the name of an element and its class, and of an object layer by the properties that
+/// say yes; of equals the first. (A property of a tile layer is a rule for its tiles.) The reason in words goes into
+/// `why`.
 Saying sayingOf(pugi::xml_node node, std::string* why = nullptr);
 
 /// Whether an element says that it is one-way: its name, its class, or a property that says yes has "one-way",

@@ -9,8 +9,8 @@
 namespace lgs::tiled {
 
 struct Template {
-  Template(const std::string& path, const FileReader& reader, Quoting quoting)
-      : file(path, reader, "template", error, quoting) {}
+  Template(const XmlFile& by, const std::string& named, const FileReader& reader)
+      : file(by, named, reader, "template", error) {}
 
   std::optional<ImportError> error;  ///< why it or its tileset can not be read; this does not spoil the map
   XmlFile file;
@@ -24,7 +24,7 @@ class Templates {
   /// The one that a file names.
   Template& of(const XmlFile& file, const std::string& named) {
     std::unique_ptr<Template>& known = templates_[file.pathTo(named)];
-    if (!known) known = std::make_unique<Template>(file.pathTo(named), reader_, file.quotingOfOthers());
+    if (!known) known = std::make_unique<Template>(file, named, reader_);
     return *known;
   }
 

@@ -62,17 +62,23 @@ Tileset readTileset(const XmlFile& map, pugi::xml_node node, const FileReader& r
                     std::optional<ImportError>& error) {
   Tileset tileset;
   tileset.firstGid = static_cast<std::uint32_t>(map.integer(node, "firstgid", std::nullopt, 1, kMaxGid));
-  std::string source = node.attribute("source").value();
+  const std::string source = node.attribute("source").value();
   if (source.empty()) {
     readContent(map, node, templates, tileset);
     return tileset;
   }
   if (map.failed() || source.starts_with(kInsideTiled)) return tileset;
-  const XmlFile file(map.pathTo(std::move(source)), reader, "tileset", error, map.quotingOfOthers());
+  const XmlFile file(map, source, reader, "tileset", error);
   if (error && !file.wasRead()) {  // the map is to blame for naming it
     std::string what = "the tileset's file " + error->file + " " + error->what;
     error.reset();
-    map.fail(node, std::move(what));
+    const bool isOfMap = std::string_view(map.root().name()) == "map";
+    if (!file.isMissing() || !isOfMap) map.fail(node, std::move(what));
+    tileset.name = std::filesystem::path(source).stem().string();
+    tileset.missing = std::move(what);
+    for (auto [side, attribute] : {std::pair(&tileset.tileSize.x, "tilewidth"), {&tileset.tileSize.y, "tileheight"}})
+      *side = static_cast<double>(map.integer(map.root(), attribute, 0, 0, kMaxPixels));
+    return tileset;
   }
   if (!file.failed()) readContent(file, file.root(), templates, tileset);
   return tileset;
@@ -114,8 +120,7 @@ void Tilesets::read(const XmlFile& map, const FileReader& reader, Templates& tem
 void settle(Tileset& tileset, const Options& options) { reshape(tileset, options.tiles); }
 
 bool isLeftOut(const Tile& tile, const Options& options) {
-  const std::vector<std::string>& names = options.leaveOut;
-  return std::find(names.begin(), names.end(), tile.className) != names.end();
+  return isLeftOut(options, tile.className, "", tile.properties);
 }
 
 void Tilesets::settle(const Options& options) {

@@ -24,6 +24,7 @@ struct Tileset {
   DoublePoint offset;                             ///< by which tiles are drawn aside, pixels, y down
   bool fitToGrid = false;                         ///< images are scaled to the size of the map's tiles
   std::string alignment;                          ///< which point of a tile object is its place; empty: the default
+  std::string missing;                            ///< why its file is not there; then no tile has shapes or properties
   std::unordered_map<std::uint32_t, Tile> tiles;  ///< by id; only those that the file has a <tile> for
 };
 
@@ -33,7 +34,7 @@ Tile tileAt(const Tileset& tileset, std::uint32_t id);
 /// Applies Options::tiles.
 void settle(Tileset& tileset, const Options& options);
 
-/// Whether Options::leaveOut has the class of a tile.
+/// Whether Options::leaveOut has the class of a tile, or a property.
 bool isLeftOut(const Tile& tile, const Options& options);
 
 /// Whether a tile without shapes is to be a full square. `layer` are the properties of its layer.

@@ -1,5 +1,6 @@
 #include "words.h"
 
+#include "asked_names.h"
 #include "properties.h"
 
 #include <algorithm>
@@ -15,38 +16,51 @@ constexpr auto kCollision = std::to_array<std::string_view>(
      "colid",     "colis",    "kollis",     "hitbox",     "solid",   "blocked",  "blocking",
      "blocker",   "obstacle", "obstac",     "impassable", "barrier", "boundary", "boundaries"});
 constexpr auto kWalls = std::to_array<std::string_view>({"wall", "border", "fence", "static", "parede", "muro"});
-constexpr auto kFloors = std::to_array<std::string_view>(
-    {"ground", "floor", "terrain", "surface", "world", "gnd", "suelo", "boden", "terreno"});
-constexpr auto kParts = std::to_array<std::string_view>(
-    {"platform", "plateform", "plataform", "plattform", "block", "brick", "pipe", "bloque", "bloco"});
+constexpr auto kFloors = std::to_array<std::string_view>({"ground", "floor", "terrain", "surface", "world", "gnd",
+                                                          "suelo", "boden", "terreno", "geom", "slope", "pendiente"});
+constexpr auto kParts = std::to_array<std::string_view>({"platform", "block", "brick", "pipe", "bloque", "bloco"});
 
 /// Words that are too short to be looked for in others.
-constexpr auto kWholeWords = std::to_array<Saying>(
-    {{Says::ground, "mur", Ground::wall}, {Says::ground, "murs", Ground::wall}, {Says::ground, "sol", Ground::floor}});
+constexpr auto kWholeWords = std::to_array<Saying>({{Says::ground, "mur", Ground::wall},
+                                                    {Says::ground, "murs", Ground::wall},
+                                                    {Says::ground, "sol", Ground::floor},
+                                                    {Says::ground, "ramp", Ground::floor},
+                                                    {Says::ground, "ramps", Ground::floor}});
+
+/// Words that are long enough to be known with a letter wrong: "Obsticles", "Plataformas".
+constexpr auto kLongWords = std::to_array<Saying>({{Says::collision, "collision"},
+                                                   {Says::collision, "collider"},
+                                                   {Says::collision, "collidable"},
+                                                   {Says::collision, "obstacle"},
+                                                   {Says::collision, "impassable"},
+                                                   {Says::collision, "boundary"},
+                                                   {Says::ground, "platform", Ground::part}});
+
+/// Words that turn the one after them into its opposite, or that are written together with it.
+constexpr auto kNot = std::to_array<std::string_view>({"anti", "no", "non", "not", "un", "without"});
 
 /// Words for another use, as they are. They are also looked for before and after a word that is written together.
 constexpr auto kOther = std::to_array<std::string_view>(
-    {"anti",     "art",    "back",  "background", "behind", "below",  "bg",     "cam",   "camera",     "con",
-     "dead",     "deadly", "death", "fake",       "far",    "fg",     "fire",   "fore",  "foreground", "front",
-     "fx",       "hazard", "hurt",  "item",       "items",  "kill",   "killer", "light", "lights",     "mid",
-     "middle",   "moving", "no",    "non",        "not",    "npc",    "npcs",   "old",   "paper",      "pass",
-     "passable", "path",   "paths", "play",       "player", "sprite", "sur",    "un",    "with",       "without"});
+    {"art",    "back",  "background", "behind", "below",      "bg",    "cam", "camera", "con",   "fake",
+     "far",    "fg",    "fire",       "fore",   "foreground", "front", "fx",  "item",   "items", "light",
+     "lights", "mid",   "middle",     "moving", "npc",        "npcs",  "old", "paper",  "pass",  "passable",
+     "path",   "paths", "play",       "player", "sprite",     "sur",   "with"});
 
 /// The same for words that begin so.
 constexpr auto kOtherBegins = std::to_array<std::string_view>({
-    "acid",   "ambient", "check",  "cloud",    "coin",   "collect", "damag",  "decal", "deco",   "detail",
-    "door",   "effect",  "enem",   "entr",     "event",  "exit",    "finish", "flag",  "fond",   "goal",
-    "hinter", "ignor",   "ladder", "lava",     "liquid", "overlay", "portal", "rope",  "shadow", "sky",
-    "spawn",  "spike",   "start",  "teleport", "toxic",  "trigger", "visual", "warp",  "water",
+    "ambient", "check",  "cloud", "coin",   "collect", "decal",    "deco",  "detail", "door",  "effect", "enem",
+    "entr",    "event",  "exit",  "finish", "flag",    "fond",     "goal",  "hinter", "ignor", "liquid", "overlay",
+    "portal",  "shadow", "sky",   "spawn",  "start",   "teleport", "toxic", "visual", "warp",  "water",
 });
 
 /// What lies behind or above the layer that one walks in, and is only seen; the second for words that begin so.
 constexpr auto kSeen = std::to_array<std::string_view>({"back", "bg", "far", "fg", "fore", "front", "over", "sky"});
 constexpr auto kSeenBegins = std::to_array<std::string_view>({"above", "background", "behind", "below", "foreground"});
 
-/// Values of cells that are no ground to stand on, in whatever layer they are.
-constexpr auto kThroughBegins =
-    std::to_array<std::string_view>({"acid", "ladder", "lava", "rope", "spike", "vine", "water"});
+/// What is deadly, or lets bodies through, in whatever layer it is; and values of cells that are no ground.
+constexpr auto kPassableBegins = std::to_array<std::string_view>(
+    {"damag", "dead", "death", "hazard", "hurt", "kill", "ladder", "lethal", "sensor", "spike", "trigger"});
+constexpr auto kFluidBegins = std::to_array<std::string_view>({"acid", "lava", "rope", "vine", "water"});
 
 /// What a property can be that is about collision, and does not say that there is any.
 constexpr auto kOfProperties = std::to_array<std::string_view>(
@@ -64,7 +78,17 @@ bool begins(const List& list, std::string_view word) {
   return std::any_of(list.begin(), list.end(), [&](std::string_view begin) { return word.starts_with(begin); });
 }
 
-bool isOther(std::string_view word) { return has(kOther, word) || begins(kOtherBegins, word); }
+bool isOther(std::string_view word) {
+  return has(kOther, word) || begins(kOtherBegins, word) || begins(kPassableBegins, word) || begins(kFluidBegins, word);
+}
+
+/// Whether a word begins with another one, but for a letter.
+bool nearlyBegins(std::string_view text, std::string_view word) {
+  for (std::size_t length = word.size() - 1; length <= std::min(word.size() + 1, text.size()); ++length) {
+    if (areSimilar(text.substr(0, length), word)) return true;
+  }
+  return false;
+}
 
 /// Words in lower case; an empty one stands where the name has an "and".
 std::vector<std::string> wordsIn(std::string_view name) {
@@ -92,16 +116,19 @@ std::vector<std::string> wordsIn(std::string_view name) {
 Saying sayingOf(std::string_view text) {
   const auto fits = [&](std::string_view word) {
     const std::size_t at = text.find(word);
-    return at != std::string_view::npos && !isOther(text.substr(0, at)) && !isOther(text.substr(at + word.size()));
+    return at != std::string_view::npos && !isOther(text.substr(0, at)) && !has(kNot, text.substr(0, at)) &&
+           !isOther(text.substr(at + word.size()));
   };
   const auto find = [&](const auto& list) { return std::find_if(list.begin(), list.end(), fits); };
   if (const auto at = find(kCollision); at != kCollision.end()) return {Says::collision, *at};
   if (const auto at = find(kWalls); at != kWalls.end()) return {Says::ground, *at, Ground::wall};
   if (const auto at = find(kFloors); at != kFloors.end()) return {Says::ground, *at, Ground::floor};
   if (const auto at = find(kParts); at != kParts.end()) return {Says::ground, *at, Ground::part};
-  const auto whole =
-      std::find_if(kWholeWords.begin(), kWholeWords.end(), [&](const Saying& one) { return one.word == text; });
-  return whole == kWholeWords.end() ? Saying{} : *whole;
+  for (const Saying& one : kWholeWords)
+    if (one.word == text) return one;
+  for (const Saying& one : kLongWords)
+    if (nearlyBegins(text, one.word)) return one;
+  return {};
 }
 
 template <class IsOther>
@@ -114,11 +141,13 @@ Saying sayingOf(const std::vector<std::string>& words, const IsOther& isOtherUse
     part = {};
     isOtherPart = false;
   };
+  bool isNot = false;
   for (const std::string& word : words) {
     if (word.empty()) endPart();
     const Saying one = sayingOf(word);
     if (one.says > part.says) part = one;
-    isOtherPart = isOtherPart || isOtherUse(word);
+    isOtherPart = isOtherPart || isOtherUse(word) || (isNot && one.says != Says::nothing);
+    isNot = has(kNot, word);
   }
   endPart();
   return best;
@@ -138,8 +167,12 @@ Saying sayingOfProperty(std::string_view name) {
   return sayingOf(wordsIn(name), [](std::string_view word) { return isOther(word) || has(kOfProperties, word); });
 }
 
+bool isPassable(std::string_view name) {
+  return anyWord(name, [](const std::string& word) { return begins(kPassableBegins, word); });
+}
+
 bool isGoneThrough(std::string_view name) {
-  return anyWord(name, [](const std::string& word) { return begins(kThroughBegins, word); });
+  return isPassable(name) || anyWord(name, [](const std::string& word) { return begins(kFluidBegins, word); });
 }
 
 bool isMainName(std::string_view name) {

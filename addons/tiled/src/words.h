@@ -30,16 +30,20 @@ struct Saying {
   bool isFloor() const { return says == Says::ground && ground == Ground::floor; }
 };
 
-/// Names are taken apart into words at capitals, digits and signs; "innerwalls" has "wall" in it as well. A name with a
-/// word for another use says nothing: "wall decoration", "kill-collision", "firewall", "noncollidable". What stands
-/// around an "and" is judged by itself.
+/// Names are taken apart into words at capitals, digits and signs; "innerwalls" has "wall" in it as well. A long word
+/// may have a letter wrong. A name with a word for another use says nothing: "wall decoration", "kill-collision",
+/// "firewall"; nor does one that says the opposite: "noncollidable", "wall, no collision". What stands around an "and"
+/// is judged by itself.
 Saying saying(std::string_view name);
 
 /// The same for the name of a property, which may be about what is solid without saying that it is: "collidesWith",
 /// "groundSpeed".
 Saying sayingOfProperty(std::string_view name);
 
-/// Whether the name of a kind of cells says that bodies go through them: ladders, spikes and the like.
+/// Whether a name says that something is deadly, or lets bodies through: spikes, triggers, ladders and the like.
+bool isPassable(std::string_view name);
+
+/// The same for the name of a value of cells, which can also be water and the like.
 bool isGoneThrough(std::string_view name);
 
 /// Whether a layer is called "tiles", "main" or the like.

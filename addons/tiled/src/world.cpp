@@ -92,6 +92,8 @@ void WorldImport::add(const ImportedMap& map) {
     if (std::find(report.notes.begin(), report.notes.end(), note) == report.notes.end()) report.notes.push_back(note);
   }
   report.infinite = report.infinite || map.report.infinite;
+  if (report.partial.find(map.report.partial) == std::string::npos)
+    report.partial += (report.partial.empty() ? "" : "; ") + map.report.partial;
   std::vector<std::uint32_t> shapes;
   for (const std::vector<LocalPoint>& shape : map.shapes) {
     Polygon ring;

@@ -2,10 +2,12 @@
 
 #include "foreign.h"
 #include "json_elements.h"
+#include "properties.h"
 #include "text/words.h"
 
 #include <fast_float/fast_float.h>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -57,23 +59,52 @@ std::string describe(pugi::xml_node node, bool mayQuote) {
   return result;
 }
 
+/// Why a file is not read that a map names; or nothing. The map may come from a stranger, so that the name could be of
+/// what is nobody else's business.
+std::string whyNotToRead(std::string named, std::string_view kind) {
+  std::replace(named.begin(), named.end(), '\\', '/');
+  const std::filesystem::path path(named);
+  if (path.has_root_directory() || path.has_root_name())
+    return "its path is absolute. If the map can be trusted, files may lie anywhere: Options::filesAnywhere";
+  if (kind == "map" && path.parent_path().empty()) return {};  // as all maps of a world mostly lie: in its folder
+  using Extensions = std::array<std::string_view, 4>;
+  const Extensions all = kind == "tileset"    ? Extensions{".tsx", ".tsj", ".json", ".xml"}
+                         : kind == "template" ? Extensions{".tx", ".tj", ".json", ".xml"}
+                                              : Extensions{".tmx", ".tmj", ".json", ".xml"};
+  if (std::find(all.begin(), all.end(), lower(path.extension().string())) != all.end()) return {};
+  return "it has not the extension of a " + std::string(kind) + ", such as " + std::string(all.front()) +
+         ". If the map can be trusted: Options::filesAnywhere";
+}
+
 }  // namespace
 
 XmlFile::XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error,
                  Quoting quoting)
     : name_(std::move(name)), quoting_(quoting), error_(error) {
-  if (!failed()) parse(reader);
-  if (!failed()) expectRoot(rootName);
+  read(reader, rootName, "");
 }
 
-void XmlFile::parse(const FileReader& reader) {
-  auto text = reader(name_);
+XmlFile::XmlFile(const XmlFile& by, const std::string& named, const FileReader& reader, const char* rootName,
+                 std::optional<ImportError>& error)
+    : name_(by.pathTo(named)), quoting_{by.quoting_.others, by.quoting_.others}, error_(error) {
+  read(reader, rootName, quoting_.own ? "" : whyNotToRead(named, rootName));
+}
+
+void XmlFile::read(const FileReader& reader, const char* rootName, const std::string& refusal) {
+  if (failed()) return;
+  auto text = refusal.empty() ? reader(name_) : tl::unexpected(refusal);
   if (!text) {
+    isMissing_ = text.error().starts_with(kNoSuchFile);
     error_ = ImportError{name_, 0, "", "cannot be read: " + text.error()};
     return;
   }
   wasRead_ = true;
   text_ = std::move(*text);
+  parse(reader);
+  if (!failed()) expectRoot(rootName);
+}
+
+void XmlFile::parse(const FileReader& reader) {
   const std::string foreign = foreignText(text_);
   const std::string_view start =
       trimmed(std::string_view(text_).substr(text_.starts_with(kByteOrderMark) ? 3 : 0, 256));

@@ -35,19 +35,22 @@ class XmlFile {
   XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error,
           Quoting quoting);
 
+  /// The same of a file that another one names. Unless files may lie anywhere, it is read only if the name is not
+  /// absolute and has an extension of its kind.
+  XmlFile(const XmlFile& by, const std::string& named, const FileReader& reader, const char* rootName,
+          std::optional<ImportError>& error);
+
   const std::string& name() const { return name_; }
   pugi::xml_node root() const { return document_.document_element(); }
   bool failed() const { return error_.has_value(); }
-  bool wasRead() const { return wasRead_; }  ///< the reader gave its text, whatever there is in it
+  bool wasRead() const { return wasRead_; }      ///< the reader gave its text, whatever there is in it
+  bool isMissing() const { return isMissing_; }  ///< the reader says that there is no such file
 
   /// The line of a node, from 1; 0 if it has none, or comes from JSON.
   int line(pugi::xml_node node) const;
 
   /// The path of a file that this one names.
   std::string pathTo(std::string named) const { return pathBeside(name_, std::move(named)); }
-
-  /// What holds for a file that this one names.
-  Quoting quotingOfOthers() const { return {quoting_.others, quoting_.others}; }
 
   /// A text of the file as an error may quote it: after `before` and in quotes; or "".
   std::string quoted(const char* before, std::string_view text) const;
@@ -67,6 +70,7 @@ class XmlFile {
   std::vector<DoublePoint> points(pugi::xml_node node, const char* attribute) const;
 
  private:
+  void read(const FileReader& reader, const char* rootName, const std::string& refusal);
   void parse(const FileReader& reader);
   void parseXml();
   void expectRoot(std::string_view rootName) const;
@@ -74,7 +78,7 @@ class XmlFile {
 
   std::string name_;
   Quoting quoting_;
-  bool wasRead_ = false;
+  bool wasRead_ = false, isMissing_ = false;
   std::string text_;
   std::vector<std::size_t> lineStarts_;
   pugi::xml_document document_;

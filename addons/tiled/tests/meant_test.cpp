@@ -28,24 +28,6 @@ std::string meantPicture(const MeantMap& map) {
   return picture;
 }
 
-/// The options that the arguments of a suggestion stand for.
-Options optionsOf(const std::vector<std::string>& arguments) {
-  Options options;
-  for (std::size_t k = 0; k < arguments.size(); ++k) {
-    const std::string& word = arguments[k];
-    if (word == "--solid") options.solidWithoutShapes = true;
-    if (word == "--no-objects") options.objects.emplace();
-    if (k + 1 == arguments.size()) continue;
-    if (word == "--layer") options.layers.push_back(arguments[k + 1]);
-    if (word == "--solid-if") options.solidIf.push_back(arguments[k + 1]);
-    if (word == "--polyline-thickness") options.polylineThickness = std::stod(arguments[k + 1]);
-    if (word != "--objects") continue;
-    if (!options.objects) options.objects.emplace();
-    options.objects->push_back(arguments[k + 1]);
-  }
-  return options;
-}
-
 ImportedMap importMeant(const MeantMap& map, const Options& options = {}) {
   return mustImportFiles({{"maps/test.tmx", textOf(map)}}, options);
 }
@@ -60,20 +42,20 @@ TEST(TiledMeant, MapsAreTakenAsTheyAreMeant) {
     const ImportedMap map = importMeant(meant);
     const std::string solid = meantPicture(meant), got = pictureOf(map);
     for (const Suggestion& offer : map.report.suggestions) {
-      EXPECT_EQ(importMeant(meant, optionsOf(offer.arguments)).placements.size(), offer.polygons) << offer.text;
+      EXPECT_EQ(importMeant(meant, chosen({}, offer)).placements.size(), offer.polygons) << offer.text;
       EXPECT_GT(offer.polygons, 0U) << offer.text;
     }
     const auto isWithin = [&](std::size_t k) { return got[k] != '#' || solid[k] == '#'; };
     bool isPart = got != solid && !map.placements.empty();
     for (std::size_t k = 0; k < solid.size(); ++k) isPart = isPart && isWithin(k);
-    EXPECT_TRUE(!isPart || !map.report.partial.empty()) << "in part, and without a word";
+    EXPECT_TRUE(!isPart || !map.report.partial.empty()) << "in part, and without a word: " << got << "\n" << toText(map.report);
     first += got == solid;
     if (got == solid) {
       ++afterCommand;
       continue;
     }
     const std::vector<Suggestion>& offers = map.report.suggestions;
-    const bool isRight = !offers.empty() && pictureOf(importMeant(meant, optionsOf(offers.front().arguments))) == solid;
+    const bool isRight = !offers.empty() && pictureOf(importMeant(meant, chosen({}, offers.front()))) == solid;
     afterCommand += isRight;
     EXPECT_TRUE(isRight) << "got " << got << "\n" << toText(map.report);
   }

@@ -31,6 +31,7 @@ enum class ErrorCode : std::uint32_t {
   uncommitted,         ///< edits are not committed, or there are marks where there may be none
   outOfReach,          ///< a point, a radius or a ray of a question goes beyond what questions.h allows
   unloaded,            ///< ground that is not in memory: see World::unload()
+  anchored,            ///< an island that something holds can not fall
 };
 
 /// Says what was refused, and where. A field that does not apply is kNoCell, -1 or null.

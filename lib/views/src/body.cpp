@@ -97,8 +97,9 @@ MassOfPolygons massOf(const std::vector<BodyPolygon>& polygons) noexcept {
           .secondMoment = Exact::ratio(central, Exact(36) * a << 4 * kCellBits)};
 }
 
-Expected<void> put(World& world, const Body& body, Cell cell) noexcept {
+Expected<std::vector<PolygonHandle>> put(World& world, const Body& body, Cell cell) noexcept {
   Transaction group = world.edit();
+  std::vector<PolygonHandle> handles;
   for (std::size_t k = 0; k < body.polygons.size(); ++k) {
     const BodyPolygon& p = body.polygons[k];
     const std::int64_t i = std::int64_t{cell.i} + p.cell.i, j = std::int64_t{cell.j} + p.cell.j;
@@ -106,14 +107,16 @@ Expected<void> put(World& world, const Body& body, Cell cell) noexcept {
     const auto named = [](std::int64_t n) {
       return static_cast<std::int32_t>(std::clamp<std::int64_t>(n, -kMaxCell - 1, kMaxCell + 1));
     };
-    if (const auto done = world.add({named(i), named(j)}, std::span<const LocalPoint>(p.vertices), p.block); !done) {
-      Error error = done.error();
+    const auto placed = world.add({named(i), named(j)}, std::span<const LocalPoint>(p.vertices), p.block);
+    if (!placed) {
+      Error error = placed.error();
       error.index = static_cast<std::int32_t>(k);
       return tl::unexpected(error);
     }
+    handles.push_back(*placed);
   }
   group.keep();
-  return {};
+  return handles;
 }
 
 }  // namespace lgs

@@ -31,6 +31,8 @@ export interface Physics<Body, Material> {
   near(box: Box): Body[]
   /** Those that the last step may have moved: dynamic, enabled, and awake. */
   eachMoved(moved: (body: Body) => void): void
+  /** Before a step: dynamic and enabled bodies, all that may be new among them; `known` are those that are noted. */
+  eachToNote(known: readonly Body[], note: (body: Body) => void): void
   bodyCount(): number
   isAlive(bodies: readonly Body[]): (body: Body) => boolean
   isEnabled(body: Body): boolean
@@ -47,8 +49,9 @@ export interface Physics<Body, Material> {
 
 /** Who has moved by less since it was free can not have come through anything. */
 const isFar = (a: Point, b: Point) => Math.abs(a.x - b.x) > 1 / 16 || Math.abs(a.y - b.y) > 1 / 16
+const isSame = (a: Place, b: Place) => a.x === b.x && a.y === b.y && a.cos === b.cos && a.sin === b.sin
 const nowhere = { x: 0, y: 0 }
-const everywhere: Box = { x0: -1e9, y0: -1e9, x1: 1e9, y1: 1e9 }
+export const everywhere: Box = { x0: -1e9, y0: -1e9, x1: 1e9, y1: 1e9 }
 /** How many cells a lattice unit is. */
 const unit = 1 / 65536
 
@@ -134,7 +137,22 @@ export class Bodies<Body, Material> {
 
   #note(body: Body, place: Place): void { this.#footings.set(this.#physics.keyOf(body), { body, place }) }
 
-  forget(body: Body): void { this.#footings.delete(this.#physics.keyOf(body)) }
+  /** Of a body that is new, or that the game has put elsewhere. */
+  moved(body: Body): void {
+    const place = this.#physics.placeOf(body)
+    if (this.#isFreeAt(body, place)) this.#note(body, place)
+    else this.#footings.delete(this.#physics.keyOf(body))
+  }
+
+  /** Notes where those are. Who is in the ground comes back to where it was free. */
+  beforeStep(): void {
+    const physics = this.#physics
+    physics.eachToNote(Array.from(this.#footings.values(), ({ body }) => body), (body) => {
+      const place = physics.placeOf(body), last = this.#footings.get(physics.keyOf(body))?.place
+      if (last !== undefined && isSame(last, place)) return
+      if (this.#isFreeAt(body, place)) this.#note(body, place)
+    })
+  }
 
   /** When bodies in a box, which is around all, may be elsewhere: what was noted says nothing any more. */
   noteAll(box: Box): void {

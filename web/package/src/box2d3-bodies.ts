@@ -1,5 +1,5 @@
 // Bodies of box2d3-wasm, as law 13 looks at them.
-import type { Physics, Place } from './bodies.js'
+import { everywhere, type Physics, type Place } from './bodies.js'
 import type { Box, Form, Frame, Point, TerrainRules } from './terrain.js'
 import type { CellRect } from './types.js'
 
@@ -143,6 +143,7 @@ export abstract class Box2dBodies implements Physics<ObjectId, Material> {
   readonly #rotation: Rotation
   readonly #aabb: Aabb
   readonly #all: Handle // a filter that lets everything through
+  #others = -1 // bodies that were not known before the last step
   readonly slop = slop
   readonly epsilon = 2 ** -23
 
@@ -222,6 +223,16 @@ export abstract class Box2dBodies implements Physics<ObjectId, Material> {
       if (this.box2d.b2Body_IsValid(body) && this.#canBeCaught(body)) moved(body)
     }
     events.delete()
+  }
+
+  // Box2D lists no bodies, but counts them. If there are as many as before that are not known, none has come.
+  eachToNote(known: readonly ObjectId[], note: (body: ObjectId) => void): void {
+    const alive = known.filter((body) => this.box2d.b2Body_IsValid(body)), ids = new Set(alive.map(idOf))
+    for (const body of alive) if (this.#canBeCaught(body)) note(body)
+    const others = this.bodyCount() - alive.length
+    if (others === this.#others) return
+    for (const body of this.near(everywhere)) if (!ids.has(idOf(body))) note(body)
+    this.#others = others
   }
 
   placeOf(body: ObjectId): Place {

@@ -5,7 +5,7 @@ import type { Block, PolygonId, SegmentId } from './types.js'
 const engineCodes = [
   'cell-out-of-range', 'empty-shape', 'too-few-vertices', 'capacity', 'not-finite', 'outside-cell', 'repeated-vertex',
   'zero-area', 'self-intersecting', 'clockwise', 'overlap', 'unknown-shape', 'stale-handle', 'unknown-segment',
-  'unknown-mark', 'uncommitted', 'out-of-reach', 'unloaded',
+  'unknown-mark', 'uncommitted', 'out-of-reach', 'unloaded', 'anchored',
 ] as const
 
 /** In the order of lgs::SnapshotError::What, from 0. */

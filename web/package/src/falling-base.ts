@@ -74,8 +74,16 @@ export abstract class FallingBase<Body, Material> {
     this.#maker = maker
   }
 
-  /** Takes an island out of the ground: an edit. Its body is made by the next afterSync(). */
-  takeAsBody(island: IslandId): void { this.#waiting.push(this.#islands.take(island)) }
+  /**
+   * Takes an island out of the ground: an edit. Its body is made by the next afterSync(). Refused as 'anchored' if
+   * something holds it. An undo of that edit brings the ground back, and leaves the body where it is: destroy and
+   * forget() it, or there is twice the matter.
+   */
+  takeAsBody(island: IslandId): void {
+    if ((this.#islands.island(island)?.anchors ?? 0) > 0)
+      throw new LgsError('anchored', 'this island is anchored: only what nothing holds can fall')
+    this.#waiting.push(this.#islands.take(island))
+  }
 
   /**
    * Call it after the sync of the commit that holds what was taken: so no body touches the ground that it was part of.
@@ -106,6 +114,7 @@ export abstract class FallingBase<Body, Material> {
     const body = this.#maker.make({ ...this.#terrain.position(x, y), angle: at.angle }, parts, mass)
     if (body === null) return null
     const falling = { body, ground }
+    this.#terrain.moved(body)
     this.#bodies.set(this.#maker.keyOf(body), falling)
     return falling
   }

@@ -77,6 +77,9 @@ export abstract class PlanckBodies implements OfPhysics<Body, Material> {
     for (let body = this.physics.getBodyList(); body; body = body.getNext())
       if (canBeCaught(body) && body.isAwake()) moved(body)
   }
+  eachToNote(_known: readonly Body[], note: (body: Body) => void): void {
+    for (let body = this.physics.getBodyList(); body; body = body.getNext()) if (canBeCaught(body)) note(body)
+  }
   bodyCount(): number { return this.physics.getBodyCount() }
 
   isAlive(): (body: Body) => boolean {

@@ -152,6 +152,15 @@ export abstract class TerrainBase<Body, Material> {
   get held(): Body[] { return this.#bodies.held }
 
   /**
+   * Call it before each step, when bodies are made and moved. It notes where those are that are new, or that the game has
+   * put elsewhere: from there on afterStep() guards them. Without it their first step is not guarded.
+   */
+  beforeStep(): void {
+    this.#refuseInStep()
+    this.#asked.beforeStep()
+  }
+
+  /**
    * Call it after each step. The solver presses a light body through an edge when a heavy one lies on it, and lets
    * something fast through now and then. Such a body is put back to where it was free, at rest. Returns them.
    */
@@ -161,10 +170,11 @@ export abstract class TerrainBase<Body, Material> {
   }
 
   /**
-   * Call it when the game itself has put a body elsewhere, through a portal: else it seems to have come through the
-   * ground between, and afterStep() puts it back. Not needed before resync().
+   * Notes where one body is, as beforeStep() does, for a game that does not call that: of a body that it has made, or put
+   * elsewhere, through a portal. Else that seems to have come through the ground between, and afterStep() puts it back.
+   * Not needed before resync().
    */
-  moved(body: Body): void { this.#bodies.forget(body) }
+  moved(body: Body): void { this.#asked.moved(body) }
 
   /** Whether the ground leaves a body room: where it is, or at a place in metres. */
   fits(body: Body, place?: { x: number; y: number; angle: number }): boolean {

@@ -18,7 +18,7 @@ const moves = fc.array(fc.record({
 }), { maxLength: 60 })
 const arenas = fc.record({
   width: fc.constantFrom(12, 3, 6), height: fc.constantFrom(7, 3), cellSize: fc.constantFrom(1, 0.5, 2),
-  chunkCells: fc.constantFrom(16, 1, 3), steps: fc.constantFrom(1, 4, 8),
+  chunkCells: fc.constantFrom(16, 1, 3), steps: fc.constantFrom(1, 4, 8), announces: fc.boolean(),
 })
 
 for (const [name, makeCrowd] of engines) {

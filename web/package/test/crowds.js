@@ -40,6 +40,7 @@ export const planckCrowd = () => {
       }
       return middles
     },
+    remove: (k) => physics.destroyBody(bodies.splice(k, 1)[0]),
     positionOf: (body) => ({ ...body.getPosition() }),
     namesOf: (some) => some.map((body) => bodies.indexOf(body)), // a failed comparison of bodies themselves takes minutes
     velocityOf: (body) => ({ ...body.getLinearVelocity() }),
@@ -118,6 +119,7 @@ export const box2dCrowd = (b2) => () => {
         return there
       })
     },
+    remove: (k) => b2.b2DestroyBody(bodies.splice(k, 1)[0]),
     positionOf: (body) => own(b2.b2Body_GetPosition(body)),
     namesOf: (some) => some.map(({ index1 }) => index1),
     velocityOf: (body) => own(b2.b2Body_GetLinearVelocity(body)),

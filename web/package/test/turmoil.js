@@ -4,10 +4,10 @@ import { circle, createWorld, loadWorld, thickLine, unitSquare } from '../dist/i
 
 const mostUndo = 12
 export const figures = ['circle', 'box', 'capsule', 'triangle', 'octagon', 'stick', 'cross', 'flag']
-export const kinds = ['body', 'paint', 'line', 'carve', 'tile', 'dig', 'undo', 'redo', 'save', 'load', 'origin', 'kick']
+export const kinds = ['body', 'paint', 'line', 'carve', 'tile', 'dig', 'shot', 'portal', 'undo', 'redo', 'save', 'load', 'origin', 'kick']
 
 const common = ['paint', 'paint', 'paint', 'line', 'carve', 'carve', 'carve', 'carve', 'carve', 'tile', 'tile', 'dig', 'dig',
-  'kick', 'kick', 'kick']
+  'kick', 'kick', 'kick', 'shot', 'shot', 'portal']
 const rare = ['undo', 'undo', 'redo', 'save', 'load', 'origin']
 
 /** std::minstd_rand */
@@ -67,8 +67,11 @@ export class Turmoil {
     this.#act(move)
     let wrong = this.#look('after the move')
     for (let k = 0; k < this.#arena.steps; ++k) {
+      if (!this.#arena.announces) this.#terrain.beforeStep()
       this.#crowd.step()
-      this.putBacks += this.#terrain.afterStep().length
+      const putBack = this.#crowd.namesOf(this.#terrain.afterStep())
+      this.putBacks += putBack.length
+      wrong ??= this.#lookAtPutBacks(putBack)
       const later = this.#look('after a step')
       wrong ??= later
     }
@@ -100,12 +103,51 @@ export class Turmoil {
   #isOut(x, y) { return x < 0 || y < 0 || x > this.#arena.width || y > this.#arena.height }
   #middlesOf(body) { return this.#crowd.middlesOf(body).map((p) => this.#terrain.point(p)).map(({ x, y }) => [x, y]) }
 
-  // 0.2 to 2 cells long.
+  #isFreeBody(body) { return this.#middlesOf(body).every(([x, y]) => this.#isFree(x, y) && !this.#isOut(x, y)) }
+
+  // 0.2 to 2 cells long. A shot may begin with a corner in the ground.
   #addBody(move) {
     const size = 0.2 + 0.12 * move.size, [x, y] = this.#pointOf(move)
-    if (!this.#isFree(x, y) || this.#world.nearest(x, y, 0.75 * size)) return
-    this.#crowd.add(figures[move.which % figures.length], size * this.#arena.cellSize, this.#terrain.position(x, y))
-    this.#watched.push({ isFree: null, isHeld: false, at: null })
+    if (!this.#isFree(x, y) || (move.kind === 'body' && this.#world.nearest(x, y, 0.75 * size))) return
+    const body = this.#crowd.add(figures[move.which % figures.length], size * this.#arena.cellSize, this.#terrain.position(x, y))
+    if (!this.#isFreeBody(body)) return this.#crowd.remove(this.#crowd.bodies.length - 1)
+    this.#watched.push({ isFree: null, isHeld: false, at: null, free: null })
+    this.#shove(body, move)
+  }
+
+  #shove(body, { kind, which }) {
+    if (kind !== 'body') this.#crowd.kick(body, 60 * Math.cos(0.0245 * which), 60 * Math.sin(0.0245 * which))
+    if (this.#arena.announces) this.#terrain.moved(body)
+  }
+
+  // A bullet is gone, and there is another one.
+  #shoot(move) {
+    const { bodies } = this.#crowd
+    if (bodies.length > 0) {
+      const gone = move.which % bodies.length
+      this.#crowd.remove(gone)
+      this.#watched.splice(gone, 1)
+    }
+    this.#addBody(move)
+  }
+
+  #portal(move) {
+    const { bodies } = this.#crowd, body = bodies[move.which % bodies.length]
+    if (body === undefined || !this.#crowd.isEnabled(body)) return
+    const from = this.#crowd.positionOf(body)
+    this.#crowd.put(body, this.#terrain.position(...this.#pointOf(move)))
+    if (this.#isFreeBody(body)) this.#shove(body, move)
+    else this.#crowd.put(body, from)
+  }
+
+  // Who was put back is where that very body was free last.
+  #lookAtPutBacks(names) {
+    for (const name of names) {
+      const k = this.#crowd.namesOf(this.#crowd.bodies).indexOf(name), { free } = this.#watched[k]
+      const at = this.#terrain.point(this.#crowd.positionOf(this.#crowd.bodies[k]))
+      if (Math.hypot(at.x - free.x, at.y - free.y) > 1 / 8) return `body ${k} was put back to where it never was`
+    }
+    return null
   }
 
   #edit(move) {
@@ -158,6 +200,10 @@ export class Turmoil {
     switch (move.kind) {
       case 'body':
         return this.#addBody(move)
+      case 'shot':
+        return this.#shoot(move)
+      case 'portal':
+        return this.#portal(move)
       case 'undo':
         return this.#undo(move.which)
       case 'redo':
@@ -194,7 +240,7 @@ export class Turmoil {
           wrong ??= `${after}, body ${k} is in the ground, its middle ${m} at ${x} ${y}`
         return isFreeNow
       })
-      Object.assign(watched, { isFree, isHeld, at })
+      Object.assign(watched, { isFree, isHeld, at }, isFree.every(Boolean) && { free: at })
     })
     return wrong
   }

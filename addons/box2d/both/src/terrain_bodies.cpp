@@ -193,11 +193,29 @@ void TerrainBase::noteAll() {
     if (isFree(body, box2d::poseOf(body))) note(body);
 }
 
-void TerrainBase::moved(BodyArgument body) noexcept { footings_->forget(numberOf(handleOf(body))); }
+void TerrainBase::moved(BodyArgument body) noexcept {
+  const ConstBodyHandle handle = handleOf(body);
+  footings_->forget(numberOf(handle));
+  if (isFree(handle, box2d::poseOf(handle))) note(handle);
+}
 
-void TerrainBase::note(ConstBodyHandle body) {
+// Who is in the ground comes back to where it was free; unless another body was noted there.
+void TerrainBase::noteIfElsewhere(ConstBodyHandle body) {
+  const std::optional<Footing> last = footings_->of(numberOf(body));
+  const Footing now = footingOf(body);
+  if (last && *last == now) return;
+  if (isFree(body, box2d::poseOf(body))) {
+    footings_->set(numberOf(body), now);
+  } else if (last && distance(last->at, now.at) > frame_.units(surelyTheSameWithin())) {
+    footings_->forget(numberOf(body));
+  }
+}
+
+void TerrainBase::note(ConstBodyHandle body) { footings_->set(numberOf(body), footingOf(body)); }
+
+Footing TerrainBase::footingOf(ConstBodyHandle body) const {
   const Pose at = box2d::poseOf(body);
-  footings_->set(numberOf(body), {frame_.units(Place{at.p.x, at.p.y}), at.q.c, at.q.s});
+  return {frame_.units(Place{at.p.x, at.p.y}), at.q.c, at.q.s};
 }
 
 // One that moved in the step, and where it was free before.

@@ -148,6 +148,7 @@ void addDoorsOfBox2d(Doors& door) {
        [](Scene& s, const Changes& changes) { return groundOf(s).terrain.caughtBy(changes).size(); });
   door("box2d::TerrainBase::caught() const", [](Scene& s) { return groundOf(s).terrain.caught().size(); });
   door("box2d::TerrainBase::held() const", [](Scene& s) { return groundOf(s).terrain.held().size(); });
+  door("box2d::TerrainBase::beforeStep()", [](Scene& s) { groundOf(s).terrain.beforeStep(); });
   door("box2d::TerrainBase::afterStep()", [](Scene& s) {
     groundOf(s).physics.Step(1.0F / 60, 8, 3);
     return groundOf(s).terrain.afterStep().size();

@@ -29,6 +29,9 @@ inline b2Vec2 toBox2D(Place p) { return {static_cast<float>(p.x), static_cast<fl
 inline float slop() { return b2_linearSlop; }
 /// New ground wakes who is not further away: who touches it, or would soon.
 inline float wakingDistance() { return 0.2F * b2_lengthUnitsPerMeter; }
+/// A body that is further than this from where it was noted may be another one: numbers are addresses, which come again.
+/// In a step no body goes further.
+inline float surelyTheSameWithin() { return b2_maxTranslation; }
 /// Whether Box2D itself wakes what touched a shape that is destroyed.
 inline constexpr bool kDestroyingWakes = true;
 

@@ -76,6 +76,12 @@ std::vector<b2Body*> TerrainBase::bodiesInRect(const CellRect& cells) const noex
   return bodies;
 }
 
+void TerrainBase::beforeStep() noexcept {
+  for (const b2Body* body = physics_.GetBodyList(); body != nullptr; body = body->GetNext()) {
+    if (canBeCaught(body)) noteIfElsewhere(body);
+  }
+}
+
 // Box2D does not say who moved.
 const std::vector<b2Body*>& TerrainBase::afterStep() noexcept {
   putBack_.clear();

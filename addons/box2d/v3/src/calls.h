@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace lgs::box2d {
@@ -30,6 +31,8 @@ inline Position toBox2D(Place p) {
 inline float slop() { return 0.005F * b2GetLengthUnitsPerMeter(); }  // B2_LINEAR_SLOP is public from 3.2 on
 /// New ground wakes who is not further away: who touches it, or would soon.
 inline float wakingDistance() { return 0.2F * b2GetLengthUnitsPerMeter(); }
+/// A body that is further than this from where it was noted may be another one. Here none is: ids have generations.
+inline float surelyTheSameWithin() { return std::numeric_limits<float>::infinity(); }
 /// Whether Box2D itself wakes what touched a shape that is destroyed.
 inline constexpr bool kDestroyingWakes = false;
 

@@ -11,6 +11,8 @@ namespace lgs::box2d {
 
 namespace {
 
+bool isThereStill(std::uint64_t body) { return b2Body_IsValid(b2LoadBodyId(body)); }
+
 bool collect(b2ShapeId shape, void* shapes) {
   static_cast<std::vector<b2ShapeId>*>(shapes)->push_back(shape);
   return true;
@@ -107,6 +109,21 @@ std::vector<b2BodyId> TerrainBase::bodiesInRect(const CellRect& cells) const noe
   return bodies;
 }
 
+// Box2D lists no bodies, but counts them. If there are as many as before that are not known, none has come.
+void TerrainBase::beforeStep() noexcept {
+  const std::vector<std::uint64_t> known = footings_->allOf(isThereStill);
+  for (const std::uint64_t number : known) {
+    const b2BodyId body = b2LoadBodyId(number);
+    if (canBeCaught(body)) noteIfElsewhere(body);
+  }
+  const std::size_t all = bodyCountOf(physics_);
+  if (all == bodyCount_ + known.size() + others_) return;
+  for (const b2BodyId body : catchableIn(kEverywhere)) {
+    if (!footings_->of(numberOf(body))) noteIfElsewhere(body);
+  }
+  others_ = all - bodyCount_ - footings_->size();
+}
+
 const std::vector<b2BodyId>& TerrainBase::afterStep() noexcept {
   putBack_.clear();
   const b2BodyEvents events = b2World_GetBodyEvents(physics_);
@@ -114,8 +131,7 @@ const std::vector<b2BodyId>& TerrainBase::afterStep() noexcept {
     const b2BodyId body = events.moveEvents[k].bodyId;
     if (b2Body_IsValid(body) && canBeCaught(body)) lookAt(body, footings_->of(numberOf(body)));
   }
-  footings_->prune(2 * bodyCountOf(physics_) + 64,
-                   [](std::uint64_t body) { return b2Body_IsValid(b2LoadBodyId(body)); });
+  if (footings_->size() > 2 * bodyCountOf(physics_) + 64) footings_->allOf(isThereStill);
   return putBack_;
 }
 

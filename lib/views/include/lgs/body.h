@@ -35,9 +35,9 @@ struct Body {
 /// nothing: no world hands out such. Cost: in proportion to their vertices.
 MassOfPolygons massOf(const std::vector<BodyPolygon>& polygons) noexcept;
 
-/// Sets a body into the ground, so that its origin is this cell. Its polygons keep their blocks; their handles are new.
-/// All of it happens as one edit, or nothing. Refused: as by World::add(), for the first polygon that does not fit:
-/// Error::index says which.
-[[nodiscard]] Expected<void> put(World& world, const Body& body, Cell cell) noexcept;
+/// Sets a body into the ground, so that its origin is this cell. Its polygons keep their blocks; their handles are new,
+/// and are returned in the same order. All of it happens as one edit, or nothing. Refused: as by World::add(), for the
+/// first polygon that does not fit: Error::index says which.
+[[nodiscard]] Expected<std::vector<PolygonHandle>> put(World& world, const Body& body, Cell cell) noexcept;
 
 }  // namespace lgs

@@ -1,10 +1,11 @@
 // The attack: through every public function of the package with every hostile value of each argument, then with every two
 // of them, then with any in any order. A call does what it says, or throws an LgsError and has changed nothing; the engine
-// never ends; and at the end the outline is that of the same polygons in a new world. The functions are the rows of
-// proptests/attack/doors.txt: one that is new there is attacked at once. LGS_TEST_SCALE=100 takes hours.
+// never ends; and at the end the outline is that of the same polygons in a new world. The functions are those that
+// the sources export (proptests/attack/declared.py): one that is new is attacked at once. LGS_TEST_SCALE=100 takes hours.
 import assert from 'node:assert/strict'
-import { readFileSync } from 'node:fs'
+import { execFileSync } from 'node:child_process'
 import { test } from 'node:test'
+import { fileURLToPath } from 'node:url'
 import { inspect } from 'node:util'
 import fc from 'fast-check'
 import * as full from '../../dist/full.js'
@@ -34,9 +35,9 @@ function split(text) {
   return types
 }
 
-/** A row of the table as something to call. */
-function doorOf(row) {
-  const [, module, of, name, types] = /^JavaScript \| (?:(\w+)\/)?(?:(\w+)\.)?([\w[\].]+)\((.*)\) \| [^|]* \| attack$/.exec(row)
+/** A declared function as something to call. */
+function doorOf(declared) {
+  const [, module, of, name, types] = /^(?:(\w+)\/)?(?:(\w+)\.)?([\w[\].]+)\((.*)\)$/.exec(declared)
   const exported = modules[module ?? '']
   const call = (scene, args) => {
     if (of === undefined) return exported[name](...args)
@@ -44,14 +45,13 @@ function doorOf(row) {
     const receiver = scene.receiver(of, module), member = name === '[Symbol.dispose]' ? receiver[Symbol.dispose] : receiver[name]
     return typeof member === 'function' ? member.apply(receiver, args) : member
   }
-  return { name: row.split(' | ')[1], types: split(types), call }
+  return { name: declared, types: split(types), call }
 }
 
-const rows = readFileSync(new URL('../../../../proptests/attack/doors.txt', import.meta.url), 'utf8').split('\n')
-/** All that are attacked. */
-export const doors = rows.filter((row) => /^JavaScript .* \| attack$/.test(row)).map(doorOf)
-/** Rows of functions of JavaScript that are not. */
-export const others = rows.filter((row) => row.startsWith('JavaScript') && !row.endsWith('| attack'))
+const script = fileURLToPath(new URL('../../../../proptests/attack/declared.py', import.meta.url))
+const declared = execFileSync('python3', [script], { encoding: 'utf8' }).trim().split('\n')
+/** All but those of doors.txt: init(), which is the engine's beginning, and what a refusal is made of. */
+export const doors = declared.filter((name) => !/^(\w+\/init|LgsError\.constructor)\(/.test(name)).map(doorOf)
 
 const shown = (value) => inspect(value, { depth: 1, maxArrayLength: 6, breakLength: Infinity, compact: true }).slice(0, 80)
 const told = (scene, { door, picks }) => `${door.name}: ${argumentsOf(scene, door, picks).map(shown).join(', ')}`

@@ -178,9 +178,13 @@ struct Options {
   /// name, class or property, or that of its layer or tile: "one-way", "platform" or "jump-through".
   double polylineThickness = 0;
 
-  /// Files that the map names may lie anywhere that the reader reads. Otherwise they must lie in the map's folder or
-  /// below it; a name that leads out of it is an error, and so are symbolic links out of it on the disk. Errors then
-  /// quote no text of files other than the map's own: a map from a stranger could name what is nobody else's business.
+  /// The folder in which, or below which, the files lie that the map names. Empty: the map's folder; or, if importMap()
+  /// reads from the disk, the project's: projectFolder(). A name that leads out of it is an error, and so are absolute
+  /// names, names without the extension of their kind, and symbolic links out of it on the disk. Errors quote no text
+  /// of files other than the map's own: a map from a stranger could name what is nobody else's business.
+  std::string filesIn = {};
+
+  /// The map is trusted: the files that it names may lie anywhere that the reader reads, and have any name.
   bool filesAnywhere = false;
 
   /// A map of a world that cannot be read is an error. Otherwise the report names it, and the others are imported.
@@ -196,6 +200,9 @@ struct Options {
   std::size_t maxObjectCells = std::size_t{1} << 20;  ///< cells of the bounding boxes of all shapes together
   std::size_t maxWork = std::size_t{1} << 28;         ///< steps: of outlines that meet, shape by shape, cell by cell
 };
+
+/// The options with the choice that a suggestion is.
+Options chosen(Options options, const Suggestion& suggestion);
 
 /// Why a map could not be read. If only a part is unusable, it is left out, and the report has a note instead.
 struct ImportError {
@@ -234,16 +241,23 @@ struct ImportedMap {
   std::optional<Block> block(const std::string& name) const;
 };
 
+/// How a FileReader begins the reason why it has no such file.
+inline constexpr std::string_view kNoSuchFile = "there is no such file";
+
 /// Returns the content of a file, or says why it can not. importMap() calls it with the map's path, and then with the
 /// path of each tileset, template, map or level: its name in the map, appended to the map's folder. A reader of your
 /// own can serve files from memory; then an import touches no file.
 ///
-/// Maps come from strangers, and so do the names in them. Without Options::filesAnywhere a reader is asked only for the
-/// map's path and for paths that lie below the map's folder as they are written: without "..", with slashes only. What
+/// Maps come from strangers, and so do the names in them. Without Options::filesAnywhere and Options::filesIn a reader is
+/// asked only for the map's path and for paths that lie below the map's folder as they are written: without "..", with
+/// slashes only. What
 /// it makes of them is its own affair. A reader of a server's disk must not follow links out of the folder, nor open
 /// what is no regular file, as it may block; readerBelow() is such a reader. In a browser the files that were given are
 /// all there are. What a reader says of a file that it can not read becomes part of the error. What it throws comes
 /// out of importMap(), and nothing is leaked; so it is with a FolderLister.
+///
+/// A reason that begins with kNoSuchFile says that the file is missing. A tileset that is missing loses its shapes and
+/// properties, and a world its map; the report says so. Any other reason is an error of the import.
 using FileReader = std::function<tl::expected<std::string, std::string>(const std::string& path)>;
 
 /// Returns the names of the files in a folder, without that of the folder, in any order; or says why it can not. Only a
@@ -266,8 +280,13 @@ tl::expected<std::vector<std::string>, std::string> listFolder(const std::string
 tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options,
                                                  const FileReader& reader, const FolderLister& lister = {});
 
+/// The folder of the project that a map belongs to: the nearest one upwards that has a Tiled or LDtk project, a `.git`,
+/// or what marks the root of a game's project, such as `package.json`, `project.godot` or a `.sln`. Without any it is
+/// two folders above the map's. It is never above the home folder, and never the root of the disk.
+std::string projectFolder(const std::string& map);
+
 /// The same from the disk: with readFile for the map and, with Options::filesAnywhere, for all files; otherwise with
-/// readerBelow for what the map names.
+/// readerBelow for what the map names. A file whose name differs by upper and lower case alone will do, with a note.
 tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options = {});
 
 }  // namespace lgs::tiled

@@ -103,13 +103,18 @@ struct Report {
   std::vector<BlockReport> blocks;  ///< that are used, by number
   std::vector<TileReport> tiles;    ///< that are used, in the order of their first use
   std::vector<std::string> notes;   ///< about the map as a whole
-  std::string choice;               ///< what was taken by itself, and why; empty if shapes of tiles were, or nothing
-  std::string partial;              ///< what says that it is solid and was not taken; empty if all of it was
-  std::vector<Suggestion> suggestions;  ///< if nothing came out, or `partial`: what could be taken, the likeliest first
+
+  /// Of a map that decides what is solid, as no options do.
+  std::string choice;   ///< what was taken and why, with the arguments that say so; empty if nothing was
+  std::string partial;  ///< what says that it is solid and was not taken, or is missing; empty if all was taken
+  std::string also;     ///< what else could be solid: weaker evidence than what was taken
+  std::string leftOut;  ///< what was left out as it is deadly or passable: classes, names, layers, with their number
+  std::vector<Suggestion> suggestions;  ///< what could be taken instead and gives something else, the likeliest first
 };
 
-/// The report for a terminal: what came in, then what was left out and what was changed, tile by tile. Control
-/// characters in names become blanks.
-std::string toText(const Report& report);
+/// The report for a terminal. The first line says what was taken and why, and what not; the next lines are the
+/// suggestions, each with its arguments after `command`. Then comes what came in, what was left out and what was
+/// changed, tile by tile. Control characters in names become blanks.
+std::string toText(const Report& report, const std::string& command = {});
 
 }  // namespace lgs::tiled

@@ -98,14 +98,22 @@ class TerrainBase {
   /// free there, or pushes them out if their middles are. A game that destroys or enables one itself may do so.
   std::vector<BodyHandle> held() const noexcept { return held_; }
 
+  /// Call it before each step, when bodies are made and moved. It notes where those are that are new, or that the game
+  /// has put elsewhere: from there on afterStep() guards them. Without it their first step is not guarded; and in Box2D
+  /// 2.4, which uses the address of a destroyed body again, a new one may be taken for that. Cost: in Box2D 2.4 a look
+  /// at each body, in 3 at each that is noted, and where bodies have come, once at each shape; World::at() for each
+  /// shape of a body that is new or elsewhere.
+  void beforeStep() noexcept;
+
   /// Call it after each step. Bodies press each other, and Box2D may press a light one through an edge. Each body whose
   /// middle got into the ground in the step, or came through, is put back to where it was free before, at rest. Those
   /// are returned. Bodies that the game itself moves into the ground come back, too. Cost: World::at() for each shape
   /// of a body that is awake.
   const std::vector<BodyHandle>& afterStep() noexcept;
 
-  /// Call it when the game itself has put a body elsewhere, through a portal or to where it starts anew: else it seems
-  /// to have come through the ground that is between, and afterStep() puts it back. Not needed before resync().
+  /// Notes where one body is, as beforeStep() does, for a game that does not call that: of a body that it has made, or put
+  /// elsewhere, through a portal or to where it starts anew. Else that seems to have come through the ground that is
+  /// between, and afterStep() puts it back. Not needed before resync().
   void moved(BodyArgument body) noexcept;
 
   /// Whether the ground, as of the last commit, reaches into no shape of a body by more than Box2D's slop.
@@ -215,6 +223,8 @@ class TerrainBase {
   bool hasCrossed(ConstBodyHandle body, const Footing& last);
   void noteAll();
   void note(ConstBodyHandle body);
+  void noteIfElsewhere(ConstBodyHandle body);
+  Footing footingOf(ConstBodyHandle body) const;
   Pose poseOf(const Footing& footing) const;
   void apply(const EdgeChanges& changes);
   void create(EdgeId id);
@@ -239,6 +249,7 @@ class TerrainBase {
   std::vector<Caught> caught_;                                       ///< of the last sync()
   std::vector<BodyHandle> held_;                                     ///< bodies that wait until their place is free
   std::unique_ptr<Footings> footings_;                               ///< where each body was free last
+  std::size_t others_ = 0;                                           ///< bodies that were not in footings_ (Box2D 3)
   std::vector<BodyHandle> putBack_;                                  ///< by the last afterStep()
 };
 

@@ -10,8 +10,10 @@
 //     if (auto touch = terrain.hit(*contact)) touched.push_back(touch->hit.cell);
 //   }
 //   …
+//   terrain.beforeStep();
 //   physics.Step(1.0F / 60, 8, 3);  // a listener only notes what to dig: nothing may change during the step
-//   for (lgs::Cell cell : touched) world.clear(cell);
+//   terrain.afterStep();
+//   for (lgs::Cell cell : std::exchange(touched, {})) world.clear(cell);
 //   terrain.commit(world);
 //
 // Dynamic bodies that rest on changed ground wake up, and so do those within 20 cm of where new ground appears. Nothing

@@ -9,6 +9,8 @@
 //   terrain.sync(gone), islands.update(world, gone);
 //   falling.afterSync();                                      // now the bodies are there
 //   …
+//   if (world.rollBack(mark)) terrain.sync(world.changesOfRollBack()), falling.afterRollBack();  // islands, too
+//   …
 //   for (const auto& [body, ground] : falling.bodies()) …     // those that sleep, say
 //     if (!body->IsAwake()) falling.settle(body);             // an edit again: it is ground
 //
@@ -21,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -35,8 +38,15 @@ struct FallingOptions {
 
 /// A body, and the ground that it is. The body's origin is where the ground's origin was.
 struct Falling {
-  BodyHandle body{};  ///< null: every part is thinner than Box2D's slop, and there is nothing to see
-  Body ground;        ///< what it is made of
+  BodyHandle body{};    ///< null: every part is thinner than Box2D's slop, and there is nothing to see
+  Body ground;          ///< what it is made of
+  PolygonHandle was{};  ///< a polygon that it was in the ground; null, if it came in another way
+};
+
+/// What going back or forward did to bodies.
+struct RolledBack {
+  std::vector<Falling> gone;  ///< are ground again; their bodies are destroyed
+  std::vector<Falling> made;  ///< fall again
 };
 
 /// The ground of one world that falls. What it makes is the game's to move; whoever destroys a body calls forget().
@@ -46,11 +56,15 @@ class FallingGround {
   FallingGround(Physics physics, World& world, Terrain& terrain, FallingOptions options = {})
       : physics_(physics), world_(world), terrain_(terrain), options_(std::move(options)) {}
 
-  /// Takes an island out of the ground. Its body is made by the next afterSync(). Errors and cost as of take().
+  /// Takes an island out of the ground. Its body is made by the next afterSync(). Refused: anchored, if something holds
+  /// it; and as by take(). Cost: as of take().
   Expected<void> takeAsBody(const Islands& islands, IslandId island) {
+    const auto facts = islands.island(island);
+    if (facts && facts->anchors > 0) return tl::unexpected(Error{.code = ErrorCode::anchored});
+    const auto segment = world_.segment(facts ? facts->outer.first : SegmentId{});
     auto body = take(world_, islands, island);
     if (!body) return tl::unexpected(body.error());
-    waiting_.push_back(std::move(*body));
+    waiting_.push_back({{}, std::move(*body), segment ? segment->polygon : PolygonHandle{}});
     return {};
   }
 
@@ -58,21 +72,41 @@ class FallingGround {
   /// its ground was and at rest; its mass is exact but for one rounding. Returns them; they are the last of bodies().
   /// One that Box2D can make no shape of has a null body, and is not among bodies(). Cost: as of convexParts().
   std::vector<Falling> afterSync() {
+    if (world_.version() != wentTo_) undone_.clear();  // after an edit nothing is done again
     std::vector<Falling> made;
-    for (Body& ground : waiting_) {
-      const Position at = terrain_.position(toWorld(ground.origin, {}));
-      const auto parts = convexParts(ground, 8);  // it was in a world, so it fits into one
-      const double size = cellSize();
-      const BodyHandle body = makeBody(physics_, at, fallingParts(parts.value(), size, slopOf(physics_)),
-                                       fallingMass(ground, options_.density, size), [&](Block block) {
-                                         return options_.material ? options_.material(block) : Material{};
-                                       });
-      made.push_back({body, std::move(ground)});
-      if (!isNull(body)) bodies_.push_back(made.back());
-    }
+    for (Falling& falling : waiting_) made.push_back(make(std::move(falling)));
     waiting_.clear();
     return made;
   }
+
+  /// To be called after the sync of a roll-back or roll-forward. If that brought the ground of a body back, as it undid
+  /// its taking, the body is destroyed: else there would be twice the matter. If it did the taking again, the body is
+  /// made again, where its ground was. What an undone settle() has taken out of the ground is not made again. Cost: a
+  /// look at each body; as of afterSync().
+  RolledBack afterRollBack() {
+    RolledBack out;
+    const auto isGround = [&](const Falling& f) { return f.was && world_.polygon(f.was).has_value(); };
+    std::vector<Falling> again;
+    std::erase_if(undone_, [&](Falling& f) { return !isGround(f) && (again.push_back(std::move(f)), true); });
+    std::erase_if(waiting_, [&](Falling& f) { return isGround(f) && (undone_.push_back(std::move(f)), true); });
+    std::erase_if(bodies_, [&](Falling& f) {
+      if (!isGround(f)) return false;
+      destroyBody(physics_, f.body);
+      out.gone.push_back(f);
+      undone_.push_back(std::move(f));
+      return true;
+    });
+    for (Falling& falling : again) out.made.push_back(make(std::move(falling)));
+    wentTo_ = world_.version();
+    return out;
+  }
+
+  /// Makes the body of ground that is not in the world: a rock that was loaded, or thrown. It lies where the origin of
+  /// `ground` is; move it then. As of afterSync().
+  Falling add(Body ground) { return make({{}, std::move(ground), {}}); }
+
+  /// Takes a body of the game's that is made of ground: one that was forgotten, say. From here on it can be settled.
+  void add(BodyHandle body, Body ground) { bodies_.push_back({body, std::move(ground), {}}); }
 
   /// All bodies that there are.
   const std::vector<Falling>& bodies() const { return bodies_; }
@@ -104,13 +138,28 @@ class FallingGround {
     return {};
   }
 
-  /// For a body that the game destroys itself, or keeps for itself.
+  /// For a body that the game destroys itself, or keeps for itself: add() takes it back.
   void forget(BodyHandle body) {
     if (const auto found = find(body); found != bodies_.end()) bodies_.erase(found);
   }
 
  private:
   static bool isNull(BodyHandle body) { return body == BodyHandle{}; }
+  Falling make(Falling falling) {
+    const Body& ground = falling.ground;
+    const Position at = terrain_.position(toWorld(ground.origin, {}));
+    const auto parts = convexParts(ground, 8);
+    if (!parts) return falling;  // it was in no world, and fits into none
+    const double size = cellSize();
+    falling.body = makeBody(physics_, at, fallingParts(*parts, size, slopOf(physics_)),
+                            fallingMass(ground, options_.density, size), [&](Block block) {
+                              return options_.material ? options_.material(block) : Material{};
+                            });
+    if (isNull(falling.body)) return falling;
+    noteWhereItIs(terrain_, falling.body);
+    bodies_.push_back(falling);
+    return falling;
+  }
   typename std::vector<Falling>::iterator find(BodyHandle body) {
     return std::find_if(bodies_.begin(), bodies_.end(), [&](const Falling& f) { return f.body == body; });
   }
@@ -124,8 +173,10 @@ class FallingGround {
   World& world_;
   Terrain& terrain_;
   FallingOptions options_;
-  std::vector<Body> waiting_;
+  std::vector<Falling> waiting_;  // for afterSync()
   std::vector<Falling> bodies_;
+  std::vector<Falling> undone_;  // are ground again, and fall if that is done again
+  std::uint64_t wentTo_ = 0;     // the version of the world at the last afterRollBack()
 };
 
 }  // namespace lgs::box2d

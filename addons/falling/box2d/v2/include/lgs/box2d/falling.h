@@ -64,6 +64,7 @@ inline bool fitsBy(Terrain& terrain, const b2Body* body, b2Vec2 by) {
   return terrain.fits(*body, at);
 }
 
+inline void noteWhereItIs(Terrain& terrain, const b2Body* body) { terrain.moved(*body); }
 inline void destroyBody(b2World& physics, b2Body* body) { physics.DestroyBody(body); }
 
 }  // namespace lgs::box2d

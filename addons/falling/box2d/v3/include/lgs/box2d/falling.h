@@ -71,6 +71,7 @@ inline bool fitsBy(Terrain& terrain, b2BodyId body, b2Vec2 by) {
   return terrain.fits(body, at, b2Body_GetRotation(body));
 }
 
+inline void noteWhereItIs(Terrain& terrain, b2BodyId body) { terrain.moved(body); }
 inline void destroyBody(b2WorldId /*physics*/, b2BodyId body) { b2DestroyBody(body); }
 
 }  // namespace lgs::box2d

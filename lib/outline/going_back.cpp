@@ -1,0 +1,143 @@
+// The outline's part of going back and forward: what an update notes, and what a note is exchanged with.
+#include "geometry/sort.h"
+#include "outline/outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+namespace lgs::detail {
+namespace {
+
+using RecordWords = std::array<std::uint32_t, sizeof(SegmentRecord) / sizeof(std::uint32_t)>;
+
+RecordWords wordsOf(const SegmentRecord& record) {
+  RecordWords words{};
+  std::memcpy(words.data(), &record, sizeof record);
+  return words;
+}
+
+/// What a segment is as far as law 6 goes, and where its ghosts are.
+struct Seen {
+  Seen(Point from, Point to, Block b, std::uint32_t ref, std::uint32_t n)
+      : start(from), end(to), block(b), cellRef(ref), serial(n) {}
+  Point start, end;
+  Block block;
+  std::uint32_t cellRef, serial;
+  std::optional<Point> ghost1, ghost2;
+
+  bool isSameEdge(const Seen& s) const {
+    return start == s.start && end == s.end && block == s.block && cellRef == s.cellRef && serial == s.serial;
+  }
+};
+
+/// Segments by their place in a list of ids, where they are alive.
+using SeenById = std::vector<std::optional<Seen>>;
+
+SeenById look(const Grid& grid, const Outline& outline, const std::vector<std::uint32_t>& ids) {
+  SeenById seen(ids.size());
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const std::uint32_t id = ids[k];
+    if (!outline.isShown({id})) continue;
+    const SegmentRecord& s = outline.segments[id];
+    Seen& now = seen[k].emplace(outline.startOf(grid, id), outline.endOf(grid, id), s.block, s.cellRef, s.serial);
+    if (s.predecessor != kNoSegment) now.ghost1 = outline.startOf(grid, s.predecessor);
+    if (s.successor != kNoSegment) now.ghost2 = outline.endOf(grid, s.successor);
+  }
+  return seen;
+}
+
+}  // namespace
+
+// --- Taking notes
+
+void Outline::noteSegment(std::uint32_t id) {
+  if (!journal_->isNoted(Thing::segment, id))
+    journal_->add(Thing::segment, id).value = journal_->keep(wordsOf(segments[id]));
+}
+
+void Outline::noteAdded() {
+  for (const SegmentId id : changes_.added)
+    if (!journal_->isNoted(Thing::segment, id.value)) journal_->add(Thing::segment, id.value);
+}
+
+void Outline::noteList(CellAt at) {
+  if (journal_->isNoted(Thing::list, at.ref())) return;
+  const CellSegments list = lists.of(at);
+  journal_->add(Thing::list, at.ref()).value = list ? journal_->keep(list.words()) : 0;
+}
+
+void Outline::noteHidden(std::uint32_t chunk) {
+  if (!journal_->isNoted(Thing::hidden, chunk))
+    journal_->add(Thing::hidden, chunk).value = hidden_.are(chunk) ? 1 : 0;
+}
+
+/// And the place in the list of free ids that this one gets.
+void Outline::noteRemoved(std::uint32_t id) {
+  noteSegment(id);
+  const auto place = static_cast<std::uint32_t>(segments.free().size());
+  if (place < segments.places().size() && !journal_->isNoted(Thing::freeId, place))
+    journal_->add(Thing::freeId, place).value = segments.places()[place];
+}
+
+// --- Going back and forward
+
+void Outline::exchange(const Grid& grid, Journal& journal, Note& note) {
+  if (note.thing == Thing::segment) {
+    SegmentRecord& record = segments[note.key];
+    const RecordWords now = wordsOf(record);
+    if (note.value == 0) {
+      note.value = journal.keep(now);
+      record.cellRef = 0;
+      return;
+    }
+    const std::span<std::uint32_t> then = journal.kept(note.value);
+    std::memcpy(&record, then.data(), sizeof record);
+    std::ranges::copy(now, then.begin());
+  } else if (note.thing == Thing::list) {
+    const CellAt at = grid.find(note.key);
+    const CellSegments list = lists.of(at);
+    const std::uint32_t now = list.count(), kept = list ? journal.keep(list.words()) : 0;
+    const std::span then = note.value != 0 ? journal.kept(note.value) : std::span<std::uint32_t>();
+    if (list || note.value != 0) {
+      const auto count = static_cast<std::uint32_t>(then.size() - (then.empty() ? 0 : Layout::kWords));
+      if (std::uint32_t* words = lists.splice(at, 0, now, count)) std::ranges::copy(then, words);
+    }
+    journal.release(note.value);
+    note.value = kept;
+  } else if (note.thing == Thing::freeId) {
+    std::swap(segments.places()[note.key], note.value);
+  } else {
+    assert(note.thing == Thing::hidden);
+    const bool then = note.value != 0, now = hidden_.are(note.key);
+    note.value = now ? 1 : 0;
+    if (then != now) hidden_.toggle(note.key);
+  }
+}
+
+void Outline::goTo(const Grid& grid, const State& state, std::vector<std::uint32_t> ids, Changes& changes,
+                   const std::function<void()>& go) {
+  detail::sort(ids);
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());  // clang 14 does not take the one of std::ranges
+  const SeenById before = look(grid, *this, ids);
+  go();
+  segments.setLength(state.ids);
+  const SeenById after = look(grid, *this, ids);
+  changes = {};
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const SegmentId id{ids[k]};
+    const auto &then = before[k], &now = after[k];
+    const bool same = then && now && then->isSameEdge(*now);
+    if (then && !same) changes.removed.push_back(id);
+    if (now && !same) changes.added.push_back(id);
+    if (same && (then->ghost1 != now->ghost1 || then->ghost2 != now->ghost2)) changes.relinked.push_back(id);
+  }
+  changes.before = version_;
+  if (!changes.removed.empty() || !changes.added.empty() || !changes.relinked.empty()) version_ = state.version;
+  changes.after = version_;
+}
+
+}  // namespace lgs::detail

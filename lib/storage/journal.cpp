@@ -1,0 +1,70 @@
+#include "storage/journal.h"
+
+#include "storage/held_bytes.h"
+
+#include <cassert>
+
+namespace lgs::detail {
+
+Journal::Moment Journal::begin() {
+  places_.push_back({++last_, notes_.size()});
+  return latest_ = last_;
+}
+
+std::size_t Journal::indexOf(Moment moment) const {
+  const auto found = std::ranges::lower_bound(places_, moment, {}, &Place::moment);
+  assert(found != places_.end() && found->moment == moment);
+  return static_cast<std::size_t>(found - places_.begin());
+}
+
+bool Journal::isAhead(Moment moment) const {
+  return std::ranges::find(ahead_, moment, &Place::moment) != ahead_.end();
+}
+
+std::span<const Note> Journal::upTo(Moment moment) const {
+  const auto found = std::ranges::find(ahead_, moment, &Place::moment);
+  assert(found != ahead_.end());
+  return std::span(undone_).subspan(found->begin);
+}
+
+Note& Journal::add(Thing thing, std::uint32_t key) {
+  assert(isOn());
+  const std::uint64_t before = newest_.set(keyOf(thing, key), latest_);
+  return notes_.emplace_back(Note{.before = before, .key = key, .thing = thing});
+}
+
+/// The newest note of its thing is undone.
+void Journal::takeBack(const Note& note) {
+  const std::uint64_t key = keyOf(note.thing, note.key);
+  if (note.before < places_.front().moment)
+    newest_.erase(key);
+  else
+    newest_.set(key, note.before);
+}
+
+std::uint32_t Journal::keep(std::span<const std::uint32_t> words) {
+  const RecordArena::Ref reference = words_.allocate(static_cast<std::uint32_t>(1 + words.size()));
+  std::uint32_t* to = words_.at(reference);
+  *to = static_cast<std::uint32_t>(words.size());
+  std::ranges::copy(words, to + 1);
+  return reference;
+}
+
+/// Nobody needs anything. The memory for a few notes stays, for groups of edits.
+void Journal::stop() {
+  assert(undone_.empty() && newest_.count() == 0);
+  constexpr std::size_t kFew = 4'096;
+  twice_ = dropped_ = 0;
+  if (notes_.capacity() > kFew || newest_.bytes() > kFew * sizeof(Note)) {
+    notes_ = std::vector<Note>();
+    newest_ = Newest();
+    words_ = RecordArena();
+  }
+  notes_.clear();
+}
+
+std::uint64_t Journal::bytes() const {
+  return heldBytes(notes_, places_, undone_, ahead_) + newest_.bytes() + words_.bytes();
+}
+
+}  // namespace lgs::detail
