@@ -3,8 +3,8 @@
 #include "oracle/check/isolated.h"
 #include "oracle/check/shell.h"
 #include "oracle/reference/words.h"
-#include "oracle/trace/plain_edits.h"
 #include "oracle/trace/model.h"
+#include "oracle/trace/plain_edits.h"
 #include "oracle/trace/player.h"
 
 #include <fmt/format.h>
@@ -63,7 +63,8 @@ Status checkMap(const CheckArguments& arguments) {
   const Capabilities& can = arguments.world.can;
   if (const std::string why = whyNot(withoutRefused(start), can); !why.empty())
     return complain(fmt::format("{}: the engine can not have it: {}", arguments.map, why));
-  Checked digging{digIn(start, arguments.edits, arguments.seed, can, !arguments.engine.isGiven()), fmt::format("mismatch-map-{}", arguments.seed),
+  Checked digging{digIn(start, arguments.edits, arguments.seed, can, !arguments.engine.isGiven()),
+                  fmt::format("mismatch-map-{}", arguments.seed),
                   fmt::format("{} --map {} --edits {} --seed {} --oracle {} --whole-every {}", commandAgain(arguments),
                               shellPath(arguments.map), arguments.edits, arguments.seed, arguments.oracleName(),
                               arguments.options.wholeEvery)};

@@ -4,9 +4,9 @@
 #include "oracle/draw/draw.h"
 #include "oracle/generate/generator.h"
 #include "oracle/reference/words.h"
-#include "oracle/trace/plain_edits.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/model.h"
+#include "oracle/trace/plain_edits.h"
 #include "oracle/trace/player.h"
 
 #include <fmt/format.h>

@@ -42,8 +42,8 @@ std::optional<Finding> checkEdits(const Trace& trace, oracle::CheckOptions optio
 const Target kEdits{"edits", "edit sequences against the references", check<mostlyGood, checkTrace>, mostlyGood,
                     checkTrace};
 
-const Target kViews{"views", "loops, islands and pieces against full recomputes", check<inMemory, checkViews>,
-                    inMemory, checkViews};
+const Target kViews{"views", "loops, islands and pieces against full recomputes", check<inMemory, checkViews>, inMemory,
+                    checkViews};
 
 const Target kPolygons{"polygons", "bad polygons: refusals are right and total", check<mostlyBad, checkTrace>,
                        mostlyBad, checkTrace};

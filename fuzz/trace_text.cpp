@@ -14,9 +14,9 @@ using oracle::Trace;
 
 constexpr std::array<std::string_view, 41> kWords{
     // Lines, and how they begin and end.
-    "lgs-trace 1\n", "lgs-trace 2\n", "lgs-trace 3\n", "lgs-trace 4\n", " by fill too\n", "mark\nback 0 keep\nforward 0\n",
-    "fill 0 0 1 0 1  0 0 1 0 1 1\n", "unload 0 0 31 31\n", "reload 0 0 31 31\n", "group keep\nend\n", "load\n",
-    "place 0 0 1  0 0 1 0 1 1 | 0 0 1 1 0 1  as a b  room 1\n", "remove 0:0#0\n",
+    "lgs-trace 1\n", "lgs-trace 2\n", "lgs-trace 3\n", "lgs-trace 4\n", " by fill too\n",
+    "mark\nback 0 keep\nforward 0\n", "fill 0 0 1 0 1  0 0 1 0 1 1\n", "unload 0 0 31 31\n", "reload 0 0 31 31\n",
+    "group keep\nend\n", "load\n", "place 0 0 1  0 0 1 0 1 1 | 0 0 1 1 0 1  as a b  room 1\n", "remove 0:0#0\n",
     "carve 0.2 0 1.5 0.3 1 1\n", "paint 1 fill ", "paint 2 replace 0 0 2 0 0 2 |", "add p 0 0 1 0 0 1 0 1 1\n", "add ",
     "remove ", "remove p\n", "commit\n", "preserve ", "preserve 1 2\n",
     // What stands between words.
@@ -33,7 +33,8 @@ std::optional<Finding> checkTrace(const Trace& trace, oracle::CheckStats& stats)
       for (const oracle::LocalPolygon& polygon : coming.shape) vertices += polygon.size();
     for (const auto& ring : edit.brush.rings) vertices += ring.size();
     const auto [min, max] = oracle::cellsUnder(edit.brush);
-    const std::int64_t wide = std::int64_t{edit.cells.max.i} - edit.cells.min.i, high = std::int64_t{edit.cells.max.j} - edit.cells.min.j;
+    const std::int64_t wide = std::int64_t{edit.cells.max.i} - edit.cells.min.i,
+                       high = std::int64_t{edit.cells.max.j} - edit.cells.min.j;
     if (edit.kind == oracle::Call::Kind::fill && (wide > 30 || high > 30)) return true;
     return vertices > 100 || !edit.group.empty() || std::max(max.i - min.i, max.j - min.j) > 30;
   };

@@ -53,31 +53,31 @@ struct Coming {
 
 struct Call {
   enum class Kind : std::uint8_t {
-    shape,       ///< shape(); a single polygon in any notation
-    add,         ///< add() by the vertices, in any notation
-    addShape,    ///< shape(), then add() by its id
-    addMany,     ///< shape() for each, then addMany()
-    remove,      ///< remove()
-    removeMany,  ///< removeMany()
-    replace,     ///< shape(), then replace()
-    exchange,    ///< exchange(); each that comes is one polygon, in the cell of the call
-    setBlock,    ///< setBlock()
-    fill,        ///< shape(), then fill()
-    clear,       ///< clear(), of a cell or of a rectangle
-    group,       ///< edits in a transaction
-    commit,      ///< commit(), with an executor or without
-    mark,        ///< checkpoint()
-    goBack,      ///< rollBack() to one of the marks
-    forget,      ///< forget() one of the marks
-    leave,       ///< forget() the chunks in a rectangle
-    copy,        ///< the world is replaced by its copy
-    load,        ///< commit(), then the world is replaced by the one that it is saved as
-    goForward,   ///< rollForward() to one of the marks that are ahead
-    unload,      ///< unload() the chunks in a rectangle
-    reload,      ///< reload() what was unloaded in a rectangle
-    reloadEmpty, ///< reloadEmpty()
-    brush,       ///< paint() or carve()
-    repeat       ///< calls that are made some hundred times
+    shape,        ///< shape(); a single polygon in any notation
+    add,          ///< add() by the vertices, in any notation
+    addShape,     ///< shape(), then add() by its id
+    addMany,      ///< shape() for each, then addMany()
+    remove,       ///< remove()
+    removeMany,   ///< removeMany()
+    replace,      ///< shape(), then replace()
+    exchange,     ///< exchange(); each that comes is one polygon, in the cell of the call
+    setBlock,     ///< setBlock()
+    fill,         ///< shape(), then fill()
+    clear,        ///< clear(), of a cell or of a rectangle
+    group,        ///< edits in a transaction
+    commit,       ///< commit(), with an executor or without
+    mark,         ///< checkpoint()
+    goBack,       ///< rollBack() to one of the marks
+    forget,       ///< forget() one of the marks
+    leave,        ///< forget() the chunks in a rectangle
+    copy,         ///< the world is replaced by its copy
+    load,         ///< commit(), then the world is replaced by the one that it is saved as
+    goForward,    ///< rollForward() to one of the marks that are ahead
+    unload,       ///< unload() the chunks in a rectangle
+    reload,       ///< reload() what was unloaded in a rectangle
+    reloadEmpty,  ///< reloadEmpty()
+    brush,        ///< paint() or carve()
+    repeat        ///< calls that are made some hundred times
   };
   static constexpr std::size_t kKinds = 25;
 
@@ -87,15 +87,15 @@ struct Call {
   CellRect cells = {};             ///< of all that take a rectangle; its lower left one for exchange
   Notation notation{};             ///< of a single polygon
   unsigned offset = 0;             ///< how far off the lattice reals are; kSpoiltOffset and more: one is no place
-  unsigned room = 0;               ///< for handles: 0: none is asked for; 1, 2, 3: one too few, just enough, one too many
+  unsigned room = 0;  ///< for handles: 0: none is asked for; 1, 2, 3: one too few, just enough, one too many
   enum class Keeps : std::uint8_t { never, always, ifAll };
-  std::vector<Call> group = {};    ///< the parts of a group, and of what is repeated
-  Keeps keeps{};                   ///< the group; ifAll: unless a part is refused, and then that is the last one.
-                                   ///< Of goBack: whether what is undone is kept
-  std::uint32_t nth = 0;           ///< of the marks, modulo how many there are; of an executor; in which order chunks
-                                   ///< come back; how often something is repeated
+  std::vector<Call> group = {};  ///< the parts of a group, and of what is repeated
+  Keeps keeps{};                 ///< the group; ifAll: unless a part is refused, and then that is the last one.
+                                 ///< Of goBack: whether what is undone is kept
+  std::uint32_t nth = 0;         ///< of the marks, modulo how many there are; of an executor; in which order chunks
+                                 ///< come back; how often something is repeated
   BrushEdit brush = {};
-  std::size_t line = 0;            ///< where it was read; 0 if it was not read from text
+  std::size_t line = 0;  ///< where it was read; 0 if it was not read from text
 
   static Call of(Kind kind) {
     Call call;

@@ -226,8 +226,7 @@ class Check {
 
   // What is in memory shows the segments that it has in the whole world (law 14).
   Outline shown(Outline whole) const {
-    if (!model().isWhole())
-      std::erase_if(whole, [&](const OutlineSegment& s) { return !model().isLoaded(cellOf(s)); });
+    if (!model().isWhole()) std::erase_if(whole, [&](const OutlineSegment& s) { return !model().isLoaded(cellOf(s)); });
     return whole;
   }
 

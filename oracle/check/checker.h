@@ -94,14 +94,14 @@ struct CheckStats {
   std::uint64_t edits = 0;
   std::uint64_t refused = 0;
   std::uint64_t commits = 0;
-  std::uint64_t whole = 0;                    ///< comparisons of the whole world
-  std::uint64_t naive = 0;                    ///< comparisons with the naive reference
-  std::uint64_t cgal = 0;                     ///< comparisons with CGAL
-  std::uint64_t brushed = 0;                  ///< edits by brushes that were measured against the exact result
-  std::uint64_t segments = 0;                 ///< compared with a reference
-  std::uint64_t read = 0;                     ///< how often everything was read
-  std::uint64_t full = 0;                     ///< calls refused because of a limit
-  std::uint64_t pasts = 0;                    ///< worlds that were made once more without what was undone
+  std::uint64_t whole = 0;                         ///< comparisons of the whole world
+  std::uint64_t naive = 0;                         ///< comparisons with the naive reference
+  std::uint64_t cgal = 0;                          ///< comparisons with CGAL
+  std::uint64_t brushed = 0;                       ///< edits by brushes that were measured against the exact result
+  std::uint64_t segments = 0;                      ///< compared with a reference
+  std::uint64_t read = 0;                          ///< how often everything was read
+  std::uint64_t full = 0;                          ///< calls refused because of a limit
+  std::uint64_t pasts = 0;                         ///< worlds that were made once more without what was undone
   std::array<std::uint64_t, Call::kKinds> made{};  ///< calls that were accepted, by kind
 };
 

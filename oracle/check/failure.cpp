@@ -5,8 +5,8 @@
 #include "oracle/page/page.h"
 #include "oracle/reference/naive.h"
 #include "oracle/reference/words.h"
-#include "oracle/trace/plain_edits.h"
 #include "oracle/trace/model.h"
+#include "oracle/trace/plain_edits.h"
 
 #include <fmt/format.h>
 #include <utility>

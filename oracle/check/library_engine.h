@@ -86,7 +86,7 @@ class LibraryEngine : public Engine {
   std::vector<RefusedEdit> refused_;  // since the last commit
   bool followsViews_ = false;
   std::uint32_t executor_ = 0;
-  bool wasAway_ = false;              // some chunks are not in memory, or were not
+  bool wasAway_ = false;  // some chunks are not in memory, or were not
   struct Followed {
     Islands islands;
     IslandCheck islandCheck;

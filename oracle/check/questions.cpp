@@ -169,7 +169,8 @@ namespace {
 std::string wrongSpotBeside(const World& world, const Scene& scene, Point p) {
   const Spot actual = world.at(p);
   if (actual.where == Spot::Where::unloaded)
-    return world.firstUnloaded({actual.cell, actual.cell}) == actual.cell ? "" : "at() says unloaded of what is in memory";
+    return world.firstUnloaded({actual.cell, actual.cell}) == actual.cell ? ""
+                                                                          : "at() says unloaded of what is in memory";
   auto expected = Spot::Where::outside;
   for (const ScenePolygon& polygon : scene.polygons) {
     const auto turns = winding(polygon.vertices, polygon.cell, p);

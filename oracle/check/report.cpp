@@ -5,8 +5,8 @@
 #include "oracle/check/shrink.h"
 #include "oracle/generate/generator.h"
 #include "oracle/reference/words.h"
-#include "oracle/trace/plain_edits.h"
 #include "oracle/trace/file.h"
+#include "oracle/trace/plain_edits.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -151,7 +151,7 @@ Trace beforeCrash(Trace trace) {
   const auto crashes = [&] {
     return crashOf([&] { static_cast<void>(inPlainEdits(trace)); }, {.seconds = 10, .quiet = true}).has_value();
   };
-  while (hasBrushes(trace) && crashes()) trace.calls.pop_back();
+  while (!isPlain(trace) && crashes()) trace.calls.pop_back();
   return trace;
 }
 

@@ -61,7 +61,8 @@ void dropOrphans(Trace& trace) {
 std::vector<Call> formsOf(const Call& call, std::size_t at) {
   std::vector<Call> forms = simpler(call);
   const bool isOfOne = call.comes.size() == 1 && call.comes[0].shape.size() == 1 && call.comes[0].id == 0;
-  if (call.kind != Call::Kind::add && (call.kind == Call::Kind::addShape || call.kind == Call::Kind::addMany || call.kind == Call::Kind::replace) &&
+  if (call.kind != Call::Kind::add &&
+      (call.kind == Call::Kind::addShape || call.kind == Call::Kind::addMany || call.kind == Call::Kind::replace) &&
       isOfOne) {
     Call add = call;
     add.kind = Call::Kind::add;
@@ -79,10 +80,9 @@ std::vector<Call> formsOf(const Call& call, std::size_t at) {
 
 const std::vector<ShrinkWalk::Pass>& ShrinkWalk::passes() {
   using W = ShrinkWalk;
-  static const std::vector<Pass> kPasses{
-      &W::rename,    &W::dropCalls,      &W::simplifyCalls, &W::simplifyPolygons, &W::simplifyBrushes,
-      &W::dropPairs, &W::renumberBlocks, &W::oneBlock,      &W::moveColumns,      &W::moveRows,
-      &W::rename,    &W::refuseNothing};
+  static const std::vector<Pass> kPasses{&W::rename,          &W::dropCalls, &W::simplifyCalls,  &W::simplifyPolygons,
+                                         &W::simplifyBrushes, &W::dropPairs, &W::renumberBlocks, &W::oneBlock,
+                                         &W::moveColumns,     &W::moveRows,  &W::rename,         &W::refuseNothing};
   return kPasses;
 }
 

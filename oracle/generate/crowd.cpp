@@ -1,6 +1,6 @@
 #include "oracle/calls/random.h"
-#include "oracle/generate/generator.h"
 #include "oracle/generate/forms.h"
+#include "oracle/generate/generator.h"
 #include "oracle/reference/validity.h"
 
 #include <fmt/format.h>

@@ -231,8 +231,8 @@ void Editor::edit(Call edit) {
     gone_.insert(edit.name());
   } else {
     const ScenePolygon polygon = edit.polygon();
-    const bool isGood = !isAlive(edit.name()) && !faultOf(polygon.vertices) &&
-                        !near_.refusalIn(polygon.cell, {&polygon.vertices, 1});
+    const bool isGood =
+        !isAlive(edit.name()) && !faultOf(polygon.vertices) && !near_.refusalIn(polygon.cell, {&polygon.vertices, 1});
     if (isGood) near_.add(edit.name(), polygon);
   }
   op_.push_back(std::move(edit));
@@ -266,9 +266,7 @@ Call Editor::anyEdit(Cell cell) {
   return tidied(movedBy(drawCall(random_, habits), cell));
 }
 
-void Editor::any(Cell cell) {
-  make(anyEdit({cell.i - 1, cell.j - 1}));
-}
+void Editor::any(Cell cell) { make(anyEdit({cell.i - 1, cell.j - 1})); }
 
 void Editor::stroke(Cell cell) {
   const Block block = random_.pick(habits_.blocks);

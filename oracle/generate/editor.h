@@ -2,9 +2,9 @@
 // except for those that it makes in order to be refused.
 #pragma once
 
+#include "oracle/calls/draw.h"
 #include "oracle/calls/random.h"
 #include "oracle/engine/capabilities.h"
-#include "oracle/calls/draw.h"
 #include "oracle/trace/model.h"
 #include "oracle/trace/trace.h"
 
@@ -21,20 +21,20 @@ struct EditHabits {
   std::vector<Cell> cells;                        ///< at least one
   bool wander = false;                            ///< the next cell is near the last one
 
-  int place = 0;    ///< a shape, or some of its polygons
-  int fill = 0;     ///< a shape in each cell of a rectangle
-  int lean = 0;     ///< a triangle on an edge in the cell, or on a part of it
-  int scatter = 0;  ///< a random polygon, on a coarse or a fine grid
-  int restore = 0;  ///< what stood in the cell at the start
-  int remove = 0;   ///< one polygon
-  int clear = 0;    ///< the whole cell, or a rectangle
-  int replace = 0;  ///< takes a polygon away and puts it back
-  int refused = 0;  ///< something that must be refused
-  int any = 0;      ///< any call of the alphabet (oracle/calls/draw.h), good or bad
-  int stroke = 0;   ///< of a brush
-  int travel = 0;   ///< marks, back and forward; groups; copies, saves
+  int place = 0;      ///< a shape, or some of its polygons
+  int fill = 0;       ///< a shape in each cell of a rectangle
+  int lean = 0;       ///< a triangle on an edge in the cell, or on a part of it
+  int scatter = 0;    ///< a random polygon, on a coarse or a fine grid
+  int restore = 0;    ///< what stood in the cell at the start
+  int remove = 0;     ///< one polygon
+  int clear = 0;      ///< the whole cell, or a rectangle
+  int replace = 0;    ///< takes a polygon away and puts it back
+  int refused = 0;    ///< something that must be refused
+  int any = 0;        ///< any call of the alphabet (oracle/calls/draw.h), good or bad
+  int stroke = 0;     ///< of a brush
+  int travel = 0;     ///< marks, back and forward; groups; copies, saves
   bool loads = true;  ///< among these
-  int memory = 0;   ///< chunks leave memory, and come back; places are forgotten; cells are worn
+  int memory = 0;     ///< chunks leave memory, and come back; places are forgotten; cells are worn
 
   int commitPercent = 100;  ///< chance of a commit after an operation
   bool forms = false;       ///< edits are made by calls of all kinds that come to the same
@@ -90,8 +90,8 @@ class Editor {
   bool isAlive(const std::string& name) const;
   bool addIfGood(Cell cell, Block block, LocalPolygon vertices);
   void removeNamed(std::string name);
-  void edit(Call edit);   // of the operation: it is made at the end of it
-  void make(Call call);   // now
+  void edit(Call edit);  // of the operation: it is made at the end of it
+  void make(Call call);  // now
   void makeEdits();
   void push(Call call);
   std::string freshName();

@@ -7,8 +7,8 @@
 #include "oracle/reference/vector.h"
 #include "oracle/reference/words.h"
 #include "oracle/trace/call_text.h"
-#include "oracle/trace/plain_edits.h"
 #include "oracle/trace/model.h"
+#include "oracle/trace/plain_edits.h"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -75,13 +75,14 @@ TEST(CheckCalls, AGroupIsKeptOrNot) {
 // What was undone or refused is left out of the past, and must not show.
 TEST(CheckCalls, TheWorldIsThatOfItsPast) {
   Player player({});
-  for (const Call& call : {Call::of(Call::Kind::mark), square("a", {0, 0}), Call::commit(), Call::of(Call::Kind::goBack),
-                           square("b", {1, 0}), Call::commit(), square("c", {1, 0})})
+  for (const Call& call : {Call::of(Call::Kind::mark), square("a", {0, 0}), Call::commit(),
+                           Call::of(Call::Kind::goBack), square("b", {1, 0}), Call::commit(), square("c", {1, 0})})
     static_cast<void>(player.apply(call));
   EXPECT_EQ(player.past().size(), 3U);
   EXPECT_EQ(wrongPast(player), "");
   ASSERT_TRUE(player.world().add({5, 5}, kUnitSquare, 1));
-  EXPECT_EQ(wrongPast(player), "a world in which nothing was undone or refused has other polygons, or by other handles");
+  EXPECT_EQ(wrongPast(player),
+            "a world in which nothing was undone or refused has other polygons, or by other handles");
 }
 
 }  // namespace

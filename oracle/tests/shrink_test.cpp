@@ -67,11 +67,11 @@ TEST(ShrinkWalk, MakesCallsSimpler) {
   group.group = {place, Call::remove("p1")};
   const auto places = [](const Trace& trace) {
     const auto isPlaced = [](const Call& call) { return call.kind != Call::Kind::remove && !call.comes.empty(); };
-    return std::ranges::any_of(trace.calls, [&](const Call& call) {
-      return isPlaced(call) || std::ranges::any_of(call.group, isPlaced);
-    });
+    return std::ranges::any_of(
+        trace.calls, [&](const Call& call) { return isPlaced(call) || std::ranges::any_of(call.group, isPlaced); });
   };
-  const Trace small = shrink({{}, {Call::of(Call::Kind::mark), group, Call::of(Call::Kind::goBack)}, true}, places, 60s);
+  const Trace small =
+      shrink({{}, {Call::of(Call::Kind::mark), group, Call::of(Call::Kind::goBack)}, true}, places, 60s);
   EXPECT_EQ(printTrace(small), "lgs-trace 1\nadd p1 0 0 1  0 0 1 0 0 1\n");
 }
 

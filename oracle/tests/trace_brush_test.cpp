@@ -4,9 +4,9 @@
 #include "oracle/check/shrink.h"
 #include "oracle/generate/generator.h"
 #include "oracle/generate/strokes.h"
-#include "oracle/trace/plain_edits.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/model.h"
+#include "oracle/trace/plain_edits.h"
 #include "read_traces.h"
 
 #include <algorithm>
@@ -138,7 +138,8 @@ TEST(TraceBrush, RandomCasesAreChecked) {
   CheckOptions options;
   options.skipRefused = true;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    const auto found = checkTrace(randomCase({.width = 3, .height = 3, .edits = 40, .isOfCalls = true, .brushes = true}, seed), options, stats);
+    const auto found = checkTrace(
+        randomCase({.width = 3, .height = 3, .edits = 40, .isOfCalls = true, .brushes = true}, seed), options, stats);
     ASSERT_TRUE(found.has_value()) << found.error().text;
     ASSERT_FALSE(*found) << describe((*found)->kind) << ": " << (*found)->text;
   }

@@ -1,6 +1,6 @@
 // The trace and dump formats: what is read, what is refused and how, what is written.
-#include "oracle/generate/generator.h"
 #include "oracle/trace/trace.h"
+#include "oracle/generate/generator.h"
 #include "oracle/trace/coordinate.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/file.h"
@@ -104,15 +104,16 @@ TEST(Trace, OfVersion3HasPlainEdits) {
   const std::string square = "0 0 1 0 1 1 0 1";
   const Trace trace = mustParse("lgs-trace 3\nadd by 0 0 1  " + square + " by fill 3 undone\nadd b 1 0 1  " + square +
                                 " by fill too\ncommit by 2\nremove by by 7 marked\n");
-  EXPECT_EQ(printTrace(trace), "lgs-trace 1\nadd by 0 0 1  " + square + "\nadd b 1 0 1  " + square +
-                                   "\ncommit\nremove by\n");
+  EXPECT_EQ(printTrace(trace),
+            "lgs-trace 1\nadd by 0 0 1  " + square + "\nadd b 1 0 1  " + square + "\ncommit\nremove by\n");
 }
 
 TEST(Trace, OfVersion4HasAllCalls) {
   const std::string text =
       "lgs-trace 4\nadd a 0 0 1  0 0 1 0 1 1 0 1\nadd - 1 0 1  0 0 1 0 1 1  in floats 2\n"
       "place 2 0 1  0 0 1 0 1 1  |  0 0 1 1 0 1  as b c  room 2\nmany 3 0 1  0 0 1 0 1 1 ; 4 0 1  id 7\nmany\n"
-      "replace 5 0 1  none  in list\nexchange 0 0 a 0:0#1 0:0#all given#3 beside#4 handle#7:2 with 1  0 0 1 0 1 1  as d "
+      "replace 5 0 1  none  in list\nexchange 0 0 a 0:0#1 0:0#all given#3 beside#4 handle#7:2 with 1  0 0 1 0 1 1  as "
+      "d "
       "; 2  0 0 1 1 0 1\nexchange 1 0\nremove b\nremoveMany b c\nsetBlock c 4294967295\nfill 0 0 3 3 1  0 0 1 0 1 1\n"
       "clear 0 0 -1 -1\nshape  0 0 -32768 0 1 1\ngroup all\nremove a\nclear 0 0 0 0\nend\ncommit\ncommit 3\nmark\n"
       "back 2 keep\nback 0\nforward 1\nforget 0\nleave 0 0 31 31\ncopy\nload\nunload 0 0 31 31\n"

@@ -16,13 +16,15 @@ using Words = std::span<const std::string_view>;
 
 // In the order of the kinds; the last but one is of carve, too.
 constexpr std::array<const char*, Call::kKinds> kWords{
-    "shape",   "add",    "place", "many", "remove", "removeMany", "replace",   "exchange", "setBlock",
-    "fill",    "clear",  "group", "commit", "mark", "back",       "forget",    "leave",    "copy",
-    "load",    "forward", "unload", "reload", "reloadEmpty", "paint", "repeat"};
+    "shape", "add",     "place",  "many",   "remove",      "removeMany", "replace", "exchange", "setBlock",
+    "fill",  "clear",   "group",  "commit", "mark",        "back",       "forget",  "leave",    "copy",
+    "load",  "forward", "unload", "reload", "reloadEmpty", "paint",      "repeat"};
 constexpr std::array<const char*, 4> kNotations{"lattice", "list", "floats", "doubles"};
 constexpr std::array<const char*, 3> kKeeps{"drop", "keep", "all"};
 
-bool placesSomewhere(Kind kind) { return kind == Kind::add || kind == Kind::addShape || kind == Kind::addMany || kind == Kind::replace; }
+bool placesSomewhere(Kind kind) {
+  return kind == Kind::add || kind == Kind::addShape || kind == Kind::addMany || kind == Kind::replace;
+}
 bool takesRect(Kind kind) {
   using enum Call::Kind;
   return kind == fill || kind == clear || kind == leave || kind == unload || kind == reload || kind == reloadEmpty;
@@ -252,8 +254,7 @@ std::string quote(std::string_view word) {
   return word.size() <= kShown ? fmt::format("'{}'", word) : fmt::format("'{}…'", word.substr(0, kShown));
 }
 
-Fault readInteger(std::string_view word, std::string_view what, std::int64_t min, std::int64_t max,
-                  std::int64_t& out) {
+Fault readInteger(std::string_view word, std::string_view what, std::int64_t min, std::int64_t max, std::int64_t& out) {
   const std::string_view digits = word.starts_with('-') ? word.substr(1) : word;
   if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos) {
     return fmt::format("the {} {} is not an integer", what, quote(word));
@@ -335,8 +336,7 @@ std::string printCall(const Call& call) {
   if (takesRect(kind)) text += print(call.cells.min) + print(call.cells.max);
   for (const Named& named : call.goes) text += print(named);
   if (kind == Kind::exchange && !call.comes.empty()) text += " with";
-  for (const Coming& coming : call.comes)
-    text += (&coming == call.comes.data() ? "" : " ;") + print(coming, kind);
+  for (const Coming& coming : call.comes) text += (&coming == call.comes.data() ? "" : " ;") + print(coming, kind);
   if (call.notation != Notation::lattice) {
     text += fmt::format("  in {}", kNotations[static_cast<std::size_t>(call.notation)]);
     if (call.offset != 0) text += fmt::format(" {}", call.offset);
@@ -362,7 +362,9 @@ Fault readCall(Words words, Call& call) {
     return readBrush(region, call.brush);
   }
   const auto found = std::ranges::find(kWords, first);
-  if (found == kWords.end()) return fmt::format("unknown word {}; a line starts with one of {}, carve, end or #", quote(first), fmt::join(kWords, ", "));
+  if (found == kWords.end())
+    return fmt::format("unknown word {}; a line starts with one of {}, carve, end or #", quote(first),
+                       fmt::join(kWords, ", "));
   call.kind = static_cast<Kind>(found - kWords.begin());
   const Kind kind = call.kind;
   Reader in(words);
@@ -388,7 +390,8 @@ Fault readCall(Words words, Call& call) {
     if (!in.isAtEnd() && !in.is("room")) in.number("offset", call.offset);
     if (in.isGood() && call.offset >= kOffsets) in.fail(fmt::format("offsets are 0 to {}", kOffsets - 1));
   }
-  const bool hasRoom = kind == Kind::addShape || kind == Kind::addMany || kind == Kind::replace || kind == Kind::exchange;
+  const bool hasRoom =
+      kind == Kind::addShape || kind == Kind::addMany || kind == Kind::replace || kind == Kind::exchange;
   if (in.isGood() && hasRoom && in.take("room")) {
     in.number("room", call.room);
     if (in.isGood() && call.room > 3) in.fail("the room for handles is 0 to 3");

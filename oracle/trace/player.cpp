@@ -1,7 +1,7 @@
 #include "oracle/trace/player.h"
 
-#include "oracle/trace/plain_edits.h"
 #include "oracle/trace/call_text.h"
+#include "oracle/trace/plain_edits.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -115,8 +115,8 @@ Player::Done Player::makeCall(const Judged& judged) {
       const auto placed = world().polygon(handle);
       if (!placed || placed->block != block || !std::ranges::equal(placed->vertices, vertices) ||
           world().cellOf(handle) != cell)
-        return wrong(fmt::format("'{}' is accepted, but is not what its handle names: {}", coming.names[k],
-                                 printCall(call)));
+        return wrong(
+            fmt::format("'{}' is accepted, but is not what its handle names: {}", coming.names[k], printCall(call)));
     }
   }
   return {};

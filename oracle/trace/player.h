@@ -62,13 +62,13 @@ class Player {
   bool pending() const { return now_.pending; }  ///< edits since the last commit
   bool isAlive(const std::string& name) const { return standing().isAlive(name); }
   PolygonHandle handleOf(const std::string& name) const { return standing().handleOf(name); }  ///< of a name alive
-  const Brushed& brushed() const { return brushed_; }      ///< by the last call; empty if that was none of a brush
+  const Brushed& brushed() const { return brushed_; }        ///< by the last call; empty if that was none of a brush
   std::size_t shapes() const { return now_.shapes.size(); }  ///< the number of different ones that the world has made
 
   /// The calls that led here, without those that were undone or lead back, copy or save. In a new world they give what
   /// they gave (law 12), also without those that were refused (law 7).
   const Past& past() const { return now_.past; }
-  bool hasLeft() const { return hasLeft_; }  ///< whether any were left out or refused, so far
+  bool hasLeft() const { return hasLeft_; }          ///< whether any were left out or refused, so far
   bool isOfOnePast() const { return isOfOnePast_; }  ///< false after a chunk came back of a time that was undone
 
  private:

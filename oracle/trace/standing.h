@@ -25,9 +25,9 @@ class Standing {
   };
 
   void add(const std::string& name, ScenePolygon polygon, PolygonHandle handle = {});  ///< of a name that is free
-  void remove(const std::string& name);                                                 ///< of a name alive
-  void recolour(const std::string& name, Block block);                                  ///< of a name alive
-  std::vector<Placed> take(Cell cell);                                                  ///< all that stands in a cell
+  void remove(const std::string& name);                                                ///< of a name alive
+  void recolour(const std::string& name, Block block);                                 ///< of a name alive
+  std::vector<Placed> take(Cell cell);                                                 ///< all that stands in a cell
 
   /// Why a good shape must be refused in this cell; nothing if it must be accepted.
   std::optional<ErrorCode> refusalIn(Cell cell, std::span<const LocalPolygon> shape) const;

@@ -47,11 +47,10 @@ void agreesWithTheReferences(const Trace& trace, bool cgal, Tally& tally) {
 }
 
 Trace anyTrace(int, Random random) {
-  constexpr oracle::GeneratorOptions kSizes[] = {
-      {.width = 2, .height = 2, .edits = 40, .isOfCalls = true},
-      {.width = 3, .height = 3, .edits = 60, .isOfCalls = true},
-      {.width = 4, .height = 3, .edits = 80, .isOfCalls = true},
-      {.width = 1, .height = 5, .edits = 40, .isOfCalls = true}};
+  constexpr oracle::GeneratorOptions kSizes[] = {{.width = 2, .height = 2, .edits = 40, .isOfCalls = true},
+                                                 {.width = 3, .height = 3, .edits = 60, .isOfCalls = true},
+                                                 {.width = 4, .height = 3, .edits = 80, .isOfCalls = true},
+                                                 {.width = 1, .height = 5, .edits = 40, .isOfCalls = true}};
   return oracle::randomCase(kSizes[random.below(4)], random.next());
 }
 
@@ -82,8 +81,8 @@ class Bulk : public testing::TestWithParam<std::int64_t> {
     fmt::print(
         "{} commits, {} compared with CGAL, {} with the naive reference; {} edits, {} refused; by call: {}\n"
         "{} calls refused for a limit; all read {} times; {} cases, of these\n{}",
-        stats.commits, stats.cgal, stats.naive, stats.edits, stats.refused, callsInWords(stats),
-        stats.full, stats.read, tally.cases.cases, table(tally.cases));
+        stats.commits, stats.cgal, stats.naive, stats.edits, stats.refused, callsInWords(stats), stats.full, stats.read,
+        tally.cases.cases, table(tally.cases));
     for (std::size_t f = 0; f < tally.cases.with.size(); ++f) {
       EXPECT_GE(tally.cases.percent(Feature{f}), 1) << describe(Feature{f});
     }

@@ -111,8 +111,7 @@ Complaint about(const Segment& s, const std::string& text) {
 
 class Run {
  public:
-  Run(const oracle::Trace& trace, TerrainOptions options)
-      : player_(trace.preserve), options_(std::move(options)) {
+  Run(const oracle::Trace& trace, TerrainOptions options) : player_(trace.preserve), options_(std::move(options)) {
     terrain_.emplace(physics_, player_.world(), options_);
   }
 

@@ -7,9 +7,9 @@
 #include "oracle/trace/call_text.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/player.h"
-#include "proptests/support/played.h"
 #include "proptests/support/arbitrary.h"
 #include "proptests/support/law.h"
+#include "proptests/support/played.h"
 
 #include <lgs/tiled/import.h>
 

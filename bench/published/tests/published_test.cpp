@@ -1,6 +1,7 @@
 // The published algorithm under the harness: it departs from the laws in the ways that docs/internals/departures.md
 // shows, and in no way on scenes within its reach.
 #include "bench/published/published_lattice.h"
+#include "bench/published/tests/departures.h"
 #include "oracle/calls/random.h"
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/check/isolated.h"
@@ -11,7 +12,6 @@
 #include "oracle/reference/naive.h"
 #include "oracle/trace/file.h"
 #include "oracle/trace/model.h"
-#include "bench/published/tests/departures.h"
 #include "proptests/support/law.h"
 #include "proptests/support/scale.h"
 #include "proptests/support/traces.h"

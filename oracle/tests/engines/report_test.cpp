@@ -3,8 +3,8 @@
 #include "oracle/check/survey.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
-#include "oracle/trace/file.h"
 #include "oracle/tests/engines/workbench.h"
+#include "oracle/trace/file.h"
 #include "proptests/support/must.h"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 #include "oracle/check/failure.h"
 #include "oracle/engine/table_engine.h"
 #include "oracle/generate/generator.h"
+#include "oracle/tests/engines/workbench.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/player.h"
-#include "oracle/tests/engines/workbench.h"
 
 namespace lgs::oracle {
 namespace {
