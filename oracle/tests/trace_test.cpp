@@ -124,6 +124,11 @@ TEST(Trace, OfVersion4HasAllCalls) {
   EXPECT_EQ(mustParse(printTrace(trace)), trace);
 }
 
+TEST(Trace, APolygonWithoutVerticesIsWrittenAsItIsRead) {
+  const std::string text = "lgs-trace 1\nadd a 0 0 1\n";
+  EXPECT_EQ(printTrace(mustParse(text)), text);
+}
+
 TEST(Trace, AnyRandomCallsCanBeReadBack) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Trace trace = randomCase({.edits = 60, .isOfCalls = true, .brushes = true}, seed);

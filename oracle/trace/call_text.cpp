@@ -70,7 +70,8 @@ std::string print(const Coming& coming, Kind kind) {
   std::string text;
   if (placesSomewhere(kind)) text += print(coming.cell);
   if (kind != Kind::shape) text += fmt::format(" {}", coming.block);
-  text += coming.id != 0 ? fmt::format("  id {}", coming.id) : print(coming.shape);
+  const bool isBare = kind == Kind::add && coming.shape[0].empty();
+  if (!isBare) text += coming.id != 0 ? fmt::format("  id {}", coming.id) : print(coming.shape);
   if (kind == Kind::add || coming.names.empty()) return text;
   text += "  as";
   for (const std::string& name : coming.names) text += " " + name;
