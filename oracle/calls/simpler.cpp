@@ -27,7 +27,7 @@ Call tidied(Call call) {
   using enum Call::Kind;
   const auto isOneOf = [&](auto... kinds) { return ((call.kind == kinds) || ...); };
   const bool comes = isByShape(call.kind) || isOneOf(shape, add, exchange);
-  if (!comes || call.kind == exchange) call.notation = {};
+  if (!comes || call.comes.empty() || call.kind == exchange) call.notation = {};
   if (!isReal(call.notation)) call.offset = 0;
   if (!isOneOf(addShape, addMany, replace, exchange)) call.room = 0;
   if (!isOneOf(fill, clear, exchange, leave, unload, reload, reloadEmpty)) call.cells = {};

@@ -25,7 +25,15 @@ LGS_LAW(Doors, LeadToTheWorldOfTheModel, 1'000, (const TraceOfCalls& trace)) { e
 Outcome together(const Call& call, const Outcome& group) {
   Outcome whole;
   for (const Outcome& part : group.parts) {
-    if (part.refusal) return {part.refusal, {}, {}, {}, 0, {}, {}};
+    if (part.refusal)
+      return {.refusal = part.refusal,
+              .shape = {},
+              .told = {},
+              .handles = {},
+              .changes = {},
+              .chunks = {},
+              .brushed = {},
+              .parts = {}};
     whole.handles.insert(whole.handles.end(), part.handles.begin(), part.handles.end());
     whole.count += call.kind == Kind::fill ? 1 : 0;
   }
