@@ -8,6 +8,8 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <system_error>
 
 namespace lgs::cli {
@@ -41,8 +43,12 @@ MapRow rowOf(const std::string& path, const tiled::Options& options) {
   const auto map = tiled::importMap(path, options);
   if (!map) return {MapOutcome::refused, 0, path, complaint(map.error(), path)};
   const tiled::Report& report = map->report;
-  if (report.polygons > 0 && report.partial.empty()) return {MapOutcome::atOnce, report.polygons, path, report.choice};
-  if (report.polygons > 0) return {MapOutcome::inPart, report.polygons, path, report.partial};
+  const double cells = report.infinite ? 0 : static_cast<double>(report.width) * report.height;
+  const std::string share =
+      cells > 0 ? fmt::format("{:.0f} % of the map: ", 100 * static_cast<double>(report.cells) / cells) : "";
+  if (report.polygons > 0 && report.partial.empty())
+    return {MapOutcome::atOnce, report.polygons, path, share + report.choice};
+  if (report.polygons > 0) return {MapOutcome::inPart, report.polygons, path, share + report.partial};
   if (report.suggestions.empty()) return {MapOutcome::nothing, 0, path, ""};
   const tiled::Suggestion& first = report.suggestions.front();
   return {MapOutcome::byCommand, first.polygons, path, argumentsOf(first)};
@@ -58,8 +64,16 @@ bool mayBeMap(const fs::path& path) {
 bool isNoMap(const fs::path& path, const MapRow& row) {
   return row.outcome == MapOutcome::refused && path.extension() == ".json" &&
          (row.what.find("is JSON, but") != std::string::npos ||
+          row.what.find("What is read: maps of Tiled") != std::string::npos ||
           row.what.find("this is not the kind of file expected") != std::string::npos ||
           row.what.find("may be a tileset") != std::string::npos);
+}
+
+/// The last words of a complaint, without a command that follows: so that equal reasons can be counted.
+std::string reasonIn(const std::string& complaint) {
+  const std::string line = complaint.substr(0, complaint.find('\n'));
+  const std::size_t colon = line.rfind(": ", line.size() - std::min<std::size_t>(line.size(), 2));
+  return colon == std::string::npos ? line : line.substr(colon + 2);
 }
 
 Status listMaps(const std::string& folder, std::vector<std::string>& maps) {
@@ -92,20 +106,28 @@ void printRows(const std::vector<MapRow>& rows) {
     const double share = rows.empty() ? 0 : 100.0 * static_cast<double>(count) / static_cast<double>(rows.size());
     fmt::print("{:>6}  {:>3.0f} %  {:<10}  {}\n", count, share, kOutcomes[k], kMeanings[k]);
   }
+  std::map<std::string, int> reasons;
+  for (const MapRow& row : rows)
+    if (row.outcome == MapOutcome::refused) ++reasons[reasonIn(row.what)];
+  for (const auto& [reason, count] : reasons) fmt::print("{:>6}  refused: {}\n", count, text::withoutControls(reason));
 }
 
 }  // namespace
 
 Status survey(const std::vector<std::string>& folders, const tiled::Options& options) {
-  std::vector<std::string> maps;
-  for (const std::string& folder : folders) {
-    if (const Status bad = listMaps(folder, maps); bad != Status::fine) return bad;
-  }
-  std::sort(maps.begin(), maps.end());
   std::vector<MapRow> rows;
-  for (const std::string& path : maps) {
-    MapRow row = rowOf(path, options);
-    if (!isNoMap(path, row)) rows.push_back(std::move(row));
+  std::set<std::string> contents;  // equal maps count once
+  for (const std::string& folder : folders) {
+    std::vector<std::string> maps;
+    if (const Status bad = listMaps(folder, maps); bad != Status::fine) return bad;
+    std::sort(maps.begin(), maps.end());
+    tiled::Options trusting = options;  // whoever names a folder trusts it
+    if (options.filesIn.empty() && fs::is_directory(folder)) trusting.filesIn = folder;
+    for (const std::string& path : maps) {
+      MapRow row = rowOf(path, trusting);
+      const auto text = tiled::readFile(path);
+      if (!isNoMap(path, row) && (!text || contents.insert(*text).second)) rows.push_back(std::move(row));
+    }
   }
   if (rows.empty()) return complain("there is no map in the folder");
   printRows(rows);

@@ -6,6 +6,7 @@
 #include "ground/cell.h"
 #include "ground/chunk.h"
 
+#include <cassert>
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +17,7 @@ inline constexpr std::uint32_t kRimCells = 4 * (kChunkSize - 1);
 /// The places of the cells at the rim, 0 … kRimCells - 1: the lowest row, the highest, then the columns between.
 constexpr std::uint32_t rimCell(std::uint32_t k) {
   constexpr std::uint32_t kRow = kChunkSize, kColumn = kChunkSize - 2;
+  assert(k < kRimCells);
   if (k < kRow) return k;
   if (k < 2 * kRow) return kChunkCells - kRow + (k - kRow);
   k -= 2 * kRow;

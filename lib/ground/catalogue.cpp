@@ -6,6 +6,7 @@
 #include <lgs/world.h>
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace lgs::detail {
@@ -119,6 +120,7 @@ Expected<ShapeId> Catalogue::internShape(std::span<const PolygonId> polygons) {
 }
 
 InternedShape Catalogue::takeShape() {
+  assert(shapeCount() != 0);
   InternedShape shape = std::move(shapes_.back());
   shapes_.pop_back();
   shapeIndex_.erase(shape.polygons);

@@ -9,8 +9,11 @@
 #include <lgs/ids.h>
 
 #include <algorithm>
+#include <cassert>
+#include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -59,6 +62,10 @@ class Catalogue {
 
   bool meet(PolygonId a, PolygonId b) const { return interiorsMeet(vertices(a), vertices(b)); }
 
+  /// Who uses a content: its users, or nothing if nobody counts them.
+  std::optional<std::uint32_t> users(ContentId id) const {
+    return uses_[id].users == kForever ? std::nullopt : std::optional(uses_[id].users);
+  }
   /// One user more. Returns the content's facts.
   Facts use(ContentId id) {
     Use& use = uses_[id];
@@ -108,7 +115,10 @@ class Catalogue {
   /// Blames the first of these polygons that overlaps one before it.
   Error overlapAmong(std::span<const PolygonId> polygons) const;
   void acquire(std::uint32_t& users) { unused_ -= users++ == 0; }
-  void drop(std::uint32_t& users) { unused_ += --users == 0; }
+  void drop(std::uint32_t& users) {
+    assert(users != 0);
+    unused_ += --users == 0;
+  }
   void forgetContent(ContentId id);
   void forgetPolygon(PolygonId id);
 

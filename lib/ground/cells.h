@@ -11,6 +11,7 @@
 #include <lgs/world.h>
 
 #include <bit>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -37,9 +38,12 @@ class Cells {
     if (!at) return kEmptyContent;
     return isListed(at) ? list(at.word()).content() : at.word() >> kLowBits;
   }
+  /// Of a word that is no note's.
+  ContentId contentOf(CellWord word) const { return isListed(word) ? list(word).content() : word >> kLowBits; }
   const Content& content(CellAt at) const { return catalogue.content(contentId(at)); }
   /// Of a cell that holds polygons.
   PlacedBySlot placed(CellAt at) const {
+    assert(at && !holdsNothing(at.word()));
     if (isListed(at)) return PlacedBySlot(list(at.word()));
     return PlacedBySlot(Placed{at.word() & kLowMask, at.chunk->block(at.local)});
   }
@@ -53,7 +57,7 @@ class Cells {
     return word <= kLowMask || (isListed(word) && list(word).content() == kEmptyContent);
   }
   std::optional<Slot> slotOf(PolygonHandle handle) const;
-  /// Why slotOf() finds none.
+  /// The error for a handle that names no polygon here: stale, or its chunk is unloaded.
   Error noPolygon(PolygonHandle handle) const;
   bool keeps(Block a, Block b) const { return preserve && (a < b ? preserve(a, b) : preserve(b, a)); }
 

@@ -5,6 +5,11 @@
 #include <cassert>
 
 namespace lgs::detail {
+namespace {
+
+constexpr std::size_t kBorderHead = 4, kRunWords = 3;  // of a border that the journal keeps
+
+}  // namespace
 
 /// Before a cell gets another word. The note takes over what its word stands for, if there is to be one.
 void Ground::noteOrDrop(CellAt at) {
@@ -54,6 +59,18 @@ void Ground::drop(const Note& note) {
   }
 }
 
+void Ground::forEachNotedContent(const std::function<void(ContentId)>& visit) const {
+  journal.forEach([&](const Note& note) {
+    if (note.thing == Thing::cell) {
+      const Held held = this->held(note);
+      visit(held.list != nullptr ? PolygonList(held.list).content() : held.word >> kLowBits);
+    } else if (note.thing == Thing::border && note.value != 0) {
+      const std::span<const std::uint32_t> words = journal.kept(note.value);
+      for (std::size_t k = kBorderHead; k < words.size(); k += kRunWords) visit(contentOf(words[k + 1]));
+    }
+  });
+}
+
 void Ground::takeBack(Journal::Moment moment) {
   journal.undoTo(
       moment, Undone::drop,
@@ -64,7 +81,7 @@ void Ground::takeBack(Journal::Moment moment) {
       [this](const Note& note) { drop(note); });
 }
 
-// A border as words: four numbers, and three words for each run.
+// --- A border as words: some numbers, and then the runs
 
 std::uint32_t Ground::keep(const Border& border) {
   std::vector<std::uint32_t> words{static_cast<std::uint32_t>(border.ci), static_cast<std::uint32_t>(border.cj),
@@ -77,8 +94,8 @@ std::uint32_t Ground::keep(const Border& border) {
 Border Ground::takeKept(std::uint32_t kept) {
   const std::span<const std::uint32_t> words = journal.kept(kept);
   Border border{static_cast<std::int32_t>(words[0]), static_cast<std::int32_t>(words[1]), words[2], words[3], {}};
-  border.runs.reserve((words.size() - 4) / 3);
-  for (std::size_t k = 4; k < words.size(); k += 3)
+  border.runs.reserve((words.size() - kBorderHead) / kRunWords);
+  for (std::size_t k = kBorderHead; k < words.size(); k += kRunWords)
     border.runs.push_back({words[k] & 0xffu, words[k] >> 8 & 0xffu, words[k + 1], words[k + 2]});
   journal.release(kept);
   return border;

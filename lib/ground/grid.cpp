@@ -122,6 +122,7 @@ void Grid::forget(std::uint32_t number) {
 }
 
 void Grid::unload(Chunk& chunk, Border border) {
+  assert(!chunk.isUnloaded);
   if (last_ == &chunk) last_ = nullptr;
   chunk.isUnloaded = true;
   if (borders_.size() <= chunk.index) borders_.resize(std::size_t{chunk.index} + 1);
@@ -132,6 +133,7 @@ void Grid::unload(Chunk& chunk, Border border) {
 }
 
 Border Grid::load(Chunk& chunk) {
+  assert(chunk.isUnloaded);
   Border border = std::move(*borders_[chunk.index]);
   borders_[chunk.index] = {};
   --unloaded_;

@@ -15,6 +15,7 @@
 #include <lgs/lattice.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -71,7 +72,7 @@ class Grid {
   CellAt find(Cell cell) const { return {isLast(cell) ? last_ : findChunk(cell), localOf(cell)}; }
   /// Without chunk, too, unless it is the one of the last edit. All cells of that chunk are in range.
   CellAt findLast(Cell cell) const { return {isLast(cell) ? last_ : nullptr, localOf(cell)}; }
-  /// As find(), for who edits there: the chunk is remembered.
+  /// Like find(), and caches the chunk for the next edit.
   CellAt seek(Cell cell) { return {isLast(cell) ? last_ : remember(findChunk(cell)), localOf(cell)}; }
   /// Makes the chunk if there is none yet. The caller has seen that the grid is not full, or has the chunk.
   CellAt obtain(Cell cell) { return {isLast(cell) ? last_ : obtainChunk(cell), localOf(cell)}; }
@@ -94,7 +95,10 @@ class Grid {
   /// Where a chunk is, in chunks, loaded or not; nothing if the number is not in use.
   std::optional<std::pair<std::int32_t, std::int32_t>> placeOf(std::uint32_t number) const;
   /// The chunk with a number that is in use.
-  Chunk& chunk(std::uint32_t number) const { return *chunks_[number]; }
+  Chunk& chunk(std::uint32_t number) const {
+    assert(number != 0 && number < chunks_.size());
+    return *chunks_[number];
+  }
 
   // --- Unloaded chunks, by their numbers
 

@@ -10,7 +10,9 @@
 
 #include <lgs/world.h>
 
+#include <cassert>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -42,6 +44,7 @@ class Ground : public Cells {
   void set(CellAt at, ContentId content, std::uint32_t lastSerial, std::span<const Placed> polygons);
   /// The same with a shape of one polygon, placed last, whose serial fits a word.
   void setSole(CellAt at, const InternedShape& shape, Placed sole) {
+    assert(shape.isSole && sole.serial <= kLowMask);
     put(at, wordOf(shape.content, sole.serial), sole.block, shape.facts);
   }
   /// The same in a chunk that has changed already and has room for the block, while nothing is noted. Such an edit
@@ -73,6 +76,8 @@ class Ground : public Cells {
     return {note.key, note.value, note.block,
             isListed(note.value) ? journal.kept(note.value & ~kListBit).data() : nullptr};
   }
+  /// Calls visit(content) for each content that a note keeps in use.
+  void forEachNotedContent(const std::function<void(ContentId)>& visit) const;
   /// Undoes the edits since a moment. No commit has found something since.
   void takeBack(Journal::Moment moment);
   /// Nobody goes back to a moment any more.

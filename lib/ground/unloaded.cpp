@@ -8,6 +8,7 @@
 #include "ground/ground.h"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <utility>
 
@@ -61,6 +62,7 @@ std::optional<Cell> Ground::firstUnloaded(const CellRect& cells) const {
 }
 
 std::vector<std::uint32_t> Ground::forget(const CellRect& cells) {
+  assert(changedChunks().empty());
   std::vector<std::uint32_t> gone;
   for (const std::uint32_t number : chunksWithin(cells, false))
     if (std::ranges::all_of(grid.chunk(number).cells, [&](CellWord word) { return holdsNothing(word); }))

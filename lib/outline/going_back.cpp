@@ -71,8 +71,7 @@ void Outline::noteList(CellAt at) {
 }
 
 void Outline::noteHidden(std::uint32_t chunk) {
-  if (!journal_->isNoted(Thing::hidden, chunk))
-    journal_->add(Thing::hidden, chunk).value = hidden_.are(chunk) ? 1 : 0;
+  if (!journal_->isNoted(Thing::hidden, chunk)) journal_->add(Thing::hidden, chunk).value = hidden_.are(chunk) ? 1 : 0;
 }
 
 /// And the place in the list of free ids that this one gets.

@@ -27,8 +27,8 @@ class Links {
   }
 
  private:
-  // Before a link changes that was there. It can change and the ghost stay: the other segment has the same far end.
-  // Then nothing is listed. These are in another file, so that they are not inlined: a first build never needs them, as
+  // Slow path: an existing link changes. Lists the segment as relinked only if its ghost moved: the other segment may
+  // have the same far end. These are in another file, so that they are not inlined: a first build never needs them, as
   // no segment had a link before.
   void changeStart(std::uint32_t id, std::uint32_t now);
   void changeEnd(std::uint32_t id, std::uint32_t now);

@@ -34,8 +34,8 @@ class Look {
   }
 
   /// Fills a list that has room for `count` segments, as count() said. create(ends, placed) returns the id of the next
-  /// one. A preserve relation that contradicts itself may show another number now: then what is too much is left out,
-  /// and what is missing is the last edge again, so that no memory is touched that is not the list's.
+  /// one. If an inconsistent relation yields a different count, extra edges are dropped and missing slots repeat the
+  /// last edge, so that no memory is touched that is not the list's.
   template <class Create>
   void fill(std::uint32_t* words, std::uint32_t count, Create&& create) const {
     if (isSimple())

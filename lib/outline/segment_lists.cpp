@@ -1,6 +1,7 @@
 #include "outline/segment_lists.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstring>
 
 namespace lgs::detail {
@@ -17,6 +18,7 @@ std::uint32_t* SegmentLists::splice(CellAt at, std::uint32_t begin, std::uint32_
   RecordArena::Ref& ref = shown.lists[at.local];
   const RecordArena::Ref old = ref;
   const std::uint32_t before = old != 0 ? CellSegments(arena_.at(old)).count() : 0, count = before - removed + added;
+  assert(begin + removed <= before);
   const std::uint32_t oldSize = Layout::kWords + before, newSize = Layout::kWords + count;
   RowMask& live = shown.live[at.row()];
   if (count == 0) {

@@ -11,7 +11,8 @@ void SegmentPool::addPage() {
   } else {
     if (top_ > kMaxSegment) std::abort();  // with 56 GiB of segments, as if memory had run out
     pages_.add();
-    if (top_ == kNoSegment) pages_[0][kNoSegment] = {};  // so that a dangling link, should there be one, can be followed
+    if (top_ == kNoSegment)
+      pages_[0][kNoSegment] = {};  // so that a dangling link, should there be one, can be followed
   }
   if (top_ == kNoSegment) ++top_;
 }

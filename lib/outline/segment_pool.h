@@ -74,6 +74,7 @@ class SegmentPool {
   }
   /// Makes an id available again. Its record must say that it is not alive.
   void recycle(std::uint32_t id) {
+    assert(id != kNoSegment && id < top_ && (*this)[id].cellRef == 0);
     if (freeCount_ == free_.size())
       free_.push_back(id);
     else
@@ -102,6 +103,7 @@ class SegmentPool {
 
   /// Gives a new pool `count` ids. None is alive; those in `free` can be taken.
   void reset(std::uint32_t count, std::vector<std::uint32_t> free) {
+    assert(maxId() == 0);
     while (maxId() < count) (*this)[take()].cellRef = 0;
     free_ = std::move(free);
     freeCount_ = free_.size();
@@ -137,7 +139,7 @@ class SegmentPool {
   void bringBack(std::size_t page);
 
   Pages<Page> pages_;
-  std::size_t dead_ = 0;  ///< records without a segment, when pages were last given back
+  std::size_t dead_ = 0;             ///< records without a segment, when pages were last given back
   std::vector<std::uint32_t> free_;  ///< and behind these the ones that were taken
   std::size_t freeCount_ = 0;
   std::uint32_t top_ = 0;  ///< one more than the greatest id; 0 until the first page is made

@@ -8,6 +8,7 @@
 // have the same place, and a small file would take long to load. It is no secret that withstands more than that.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -57,7 +58,7 @@ class HashIndex {
   /// Removes a number that is there, and closes the gap that it leaves (Knuth, TAOCP 3, 6.4, Algorithm R).
   void erase(std::uint64_t hash, std::uint32_t number) {
     std::size_t gap = home(hash);
-    while (places_[gap].number != number) gap = (gap + 1) & mask();
+    for (; places_[gap].number != number; gap = (gap + 1) & mask()) assert(places_[gap].number != kNone);
     for (std::size_t at = (gap + 1) & mask(); places_[at].number != kNone; at = (at + 1) & mask()) {
       const std::size_t first = home(places_[at].hash);
       if (((at - first) & mask()) < ((at - gap) & mask())) continue;

@@ -3,6 +3,7 @@
 #include "storage/held_bytes.h"
 
 #include <cassert>
+#include <set>
 
 namespace lgs::detail {
 
@@ -17,9 +18,7 @@ std::size_t Journal::indexOf(Moment moment) const {
   return static_cast<std::size_t>(found - places_.begin());
 }
 
-bool Journal::isAhead(Moment moment) const {
-  return std::ranges::find(ahead_, moment, &Place::moment) != ahead_.end();
-}
+bool Journal::isAhead(Moment moment) const { return std::ranges::find(ahead_, moment, &Place::moment) != ahead_.end(); }
 
 std::span<const Note> Journal::upTo(Moment moment) const {
   const auto found = std::ranges::find(ahead_, moment, &Place::moment);
@@ -61,6 +60,18 @@ void Journal::stop() {
     words_ = RecordArena();
   }
   notes_.clear();
+}
+
+bool Journal::isValid() const {
+  std::set<std::uint64_t> keys;
+  for (const Note& note : std::span(notes_).subspan(dropped_)) keys.insert(keyOf(note.thing, note.key));
+  for (const std::uint64_t key : keys)
+    if (newest_.find(key) < places_.front().moment) return false;
+  const auto isInOrder = [](const Place& a, const Place& b) { return a.moment < b.moment && a.begin <= b.begin; };
+  for (std::size_t k = 1; k < places_.size(); ++k)
+    if (!isInOrder(places_[k - 1], places_[k])) return false;
+  return newest_.count() == keys.size() && latest_ == (places_.empty() ? 0 : places_.back().moment) &&
+         (places_.empty() || places_.front().begin == dropped_);
 }
 
 std::uint64_t Journal::bytes() const {

@@ -87,13 +87,21 @@ class Journal {
   Note& add(Thing thing, std::uint32_t key);
   /// Those since a moment, in the order in which they were made. The first of a thing, which says what it held at that
   /// moment, displaced a note of before it.
-  std::span<const Note> since(Moment moment) const {
-    return std::span(notes_).subspan(places_[indexOf(moment)].begin);
+  std::span<const Note> since(Moment moment) const { return std::span(notes_).subspan(places_[indexOf(moment)].begin); }
+
+  /// Calls visit(note) for each that is there, undone or not.
+  template <class Visit>
+  void forEach(Visit&& visit) const {
+    for (const Note& note : std::span(notes_).subspan(dropped_)) visit(note);
+    for (const Note& note : undone_) visit(note);
   }
+  /// Whether moments and notes are in order.
+  bool isValid() const;
 
   /// Words that a note refers to. 0 refers to none.
   std::uint32_t keep(std::span<const std::uint32_t> words);
   std::span<std::uint32_t> kept(std::uint32_t reference) const {
+    assert(reference != 0);
     return {words_.at(reference) + 1, *words_.at(reference)};
   }
   void release(std::uint32_t reference) {

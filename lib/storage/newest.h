@@ -32,7 +32,7 @@ class Newest {
     std::size_t gap = placeOf(key);
     assert(entries_[gap].number != 0);
     for (std::size_t at = (gap + 1) & mask(); entries_[at].number != 0; at = (at + 1) & mask()) {
-      if (((at - home(entries_[at].key)) & mask()) < ((at - gap) & mask())) continue;
+      if (distance(home(entries_[at].key), at) < distance(gap, at)) continue;
       entries_[gap] = entries_[at];
       gap = at;
     }
@@ -54,6 +54,8 @@ class Newest {
 
   std::size_t mask() const { return entries_.size() - 1; }
   std::size_t home(std::uint64_t key) const { return static_cast<std::size_t>(mix(seed_, key)) & mask(); }
+  /// From one place on to another one.
+  std::size_t distance(std::size_t from, std::size_t to) const { return (to + entries_.size() - from) & mask(); }
   /// Where a key is, or where there is room for it.
   std::size_t placeOf(std::uint64_t key) const {
     std::size_t at = home(key);

@@ -2,6 +2,7 @@
 // member by member.
 #pragma once
 
+#include <cassert>
 #include <cstring>
 #include <iterator>
 #include <memory>
@@ -23,7 +24,10 @@ class Owned {
   ~Owned() = default;
 
   T* get() const { return value_.get(); }
-  T& operator*() const { return *value_; }
+  T& operator*() const {
+    assert(value_);
+    return *value_;
+  }
   T* operator->() const { return value_.get(); }
   explicit operator bool() const { return value_ != nullptr; }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -57,7 +58,10 @@ class Pages {
   Pages& operator=(Pages&&) noexcept = default;
   ~Pages() = default;
 
-  Page& operator[](std::size_t k) const { return *pages_[k]; }
+  Page& operator[](std::size_t k) const {
+    assert(k < pages_.size() && has(k));
+    return *pages_[k];
+  }
   std::size_t size() const { return pages_.size(); }
   /// One more. What it holds is not determined.
   void add() {
@@ -69,6 +73,7 @@ class Pages {
   std::size_t missing() const { return missing_; }
   /// One that is missing. What it holds is not determined.
   Page& make(std::size_t k) {
+    assert(!has(k));
     if (spare_.empty()) {
       const Slab& slab = slabs_.emplace_back(Slab::forPages(sizeof(Page), pages_.size() - missing_));
       for (std::size_t n = slab.pages(); n-- != 0;) spare_.push_back(slab.memory() + n * sizeof(Page));

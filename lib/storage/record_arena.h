@@ -7,6 +7,7 @@
 
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 
@@ -20,6 +21,7 @@ class RecordArena {
 
   /// What the record holds is not determined.
   Ref allocate(std::uint32_t words) {
+    assert(words != 0 && words <= kPageWords);
     const std::uint32_t size = roundUp(words);
     Ref& head = free_[sizeClass(size)];
     if (head != kNone) {
@@ -34,6 +36,7 @@ class RecordArena {
   }
 
   void release(Ref ref, std::uint32_t words) {
+    assert(ref != kNone);
     Ref& head = free_[sizeClass(roundUp(words))];
     *at(ref) = head;
     head = ref;

@@ -4,6 +4,7 @@
 #include "storage/owned.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace lgs::detail {
@@ -64,12 +65,14 @@ std::vector<Cell> History::editedSince(Mark mark) const {
 // --- Going back
 
 void History::rollBack(Mark mark, Undone undone, Changes& changes) {
+  assert(knows(mark));
   if (!ahead_.empty()) leave(*find(mark), undone);
   keepOneMark(mark, undone);
   const Marked& to = marks_.back();
   const auto drop = [this](const Note& note) { ground_.drop(note); };
   const auto undo = [&](Moment moment) {
-    ground_.journal.undoTo(moment, undone, [this](Note& note) { exchange(note); }, drop);
+    ground_.journal.undoTo(
+        moment, undone, [this](Note& note) { exchange(note); }, drop);
   };
   go(to, CellChanges::Way::back, ground_.journal.since(to.moment), changes, undo);
   while (ground_.catalogue.shapeCount() > to.shapes) {
@@ -119,6 +122,7 @@ bool History::isAhead(Mark mark) const {
 }
 
 void History::rollForward(Mark mark, Changes& changes) {
+  assert(isAhead(mark));
   for (; !marks_.empty() && marks_.back().mark > wentTo_; marks_.pop_back()) letGo(marks_.back());
   do {
     marks_.push_back(std::move(ahead_.back()));
@@ -127,7 +131,8 @@ void History::rollForward(Mark mark, Changes& changes) {
   const Marked& to = marks_.back();
   const auto drop = [this](const Note& note) { ground_.drop(note); };
   const auto redo = [&](Moment moment) {
-    ground_.journal.redoTo(moment, [this](Note& note) { exchange(note); }, drop);
+    ground_.journal.redoTo(
+        moment, [this](Note& note) { exchange(note); }, drop);
   };
   go(to, CellChanges::Way::forth, ground_.journal.upTo(to.moment), changes, redo);
   for (; ground_.catalogue.shapeCount() < to.shapes; undoneShapes_.pop_back())
@@ -172,6 +177,7 @@ void History::exchange(Note& note) {
 }
 
 void History::takeBack(Mark mark) {
+  assert(knows(mark, Of::group) && !committedSince(mark));
   if (!ahead_.empty() && ground_.journal.isEarlier(find(mark)->moment, went_)) forgetUndone();
   keepOneMark(mark, Undone::drop);
   ground_.takeBack(marks_.back().moment);

@@ -8,6 +8,7 @@
 
 #include <lgs/world.h>
 
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct World::Impl {
   detail::Edit edit;
   detail::History history;
   Changes changesOfRollBack;
+  std::uint64_t commits = 0;        ///< counted in Debug alone
   std::vector<LocalPoint> rounded;  ///< working memory: the polygon that is added
 };
 

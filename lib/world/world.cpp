@@ -6,8 +6,10 @@
 #include "outline/read.h"
 #include "world/impl.h"
 #include "world/snapshot.h"
+#include "world/validate.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -196,6 +198,10 @@ const Changes& World::commit(const Executor& executor) noexcept {
       impl_->outline.giveBackPages();
     }
   }
+#ifndef NDEBUG
+  const std::uint64_t commits = ++impl_->commits;
+  assert((commits & (commits - 1)) != 0 || detail::isValid(*impl_));  // now and then, as it looks at everything
+#endif
   return impl_->outline.changes();
 }
 
@@ -228,7 +234,8 @@ Expected<void> World::forget(Mark mark) noexcept {
   return {};
 }
 
-Transaction::Transaction(World& world) noexcept : world_(&world), mark_(world.impl_->history.mark(detail::History::Of::group)) {}
+Transaction::Transaction(World& world) noexcept
+    : world_(&world), mark_(world.impl_->history.mark(detail::History::Of::group)) {}
 
 void Transaction::keep() noexcept {
   detail::History& history = world_->impl_->history;

@@ -9,49 +9,16 @@ import json
 import os
 import re
 import shutil
-import signal
-import subprocess
-import tempfile
-import threading
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
 from bugs import ROOT, Wrong
-from workshop import Workshop, make
+from workshop import Workshop, make, run
 
 # What is said of a case that used up its time, or the program's: not that the code is wrong.
 TIME_OUT = re.compile(r"hung (asleep )?for \d+ s|CPU time limit exceeded")
 REPORT = "report.json"
-MEMORY = 6_000_000  # KiB that a process may have: a bug may ask for all there is
-
-
-@dataclass(frozen=True)
-class Ran:
-    status: int  # negative: the signal that ended it
-    seconds: float  # of CPU, those of its child processes included
-    output: str
-
-    @property
-    def timed_out(self) -> bool:
-        return self.status in (-signal.SIGXCPU, -signal.SIGKILL)
-
-
-def run(command: list, limit: float, environment: dict[str, str] | None = None, memory: int | str = MEMORY) -> Ran:
-    """Ends a process that takes more CPU seconds than `limit`, and a program that sleeps, after ten times as long."""
-    limited = f"ulimit -S -t {int(limit) + 1}; ulimit -c 0; ulimit -v {memory}; exec \"$@\""
-    with tempfile.TemporaryFile() as output:
-        process = subprocess.Popen(["sh", "-c", limited, "sh", *map(str, command)], stdin=subprocess.DEVNULL,
-                                   stdout=output, stderr=subprocess.STDOUT, start_new_session=True,
-                                   env={**os.environ, **(environment or {})})
-        asleep = threading.Timer(10 * limit + 60, os.killpg, (process.pid, signal.SIGKILL))
-        asleep.start()
-        _, raw, usage = os.wait4(process.pid, 0)
-        asleep.cancel()
-        process.returncode = os.waitstatus_to_exitcode(raw)
-        output.seek(0)
-        text = output.read().decode(errors="replace")
-    return Ran(process.returncode, round(usage.ru_utime + usage.ru_stime, 2), text)
 
 
 @dataclass(frozen=True)

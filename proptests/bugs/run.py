@@ -148,8 +148,11 @@ def try_all(arguments: argparse.Namespace, chosen: list, results: Results) -> di
     jobs = min(arguments.jobs, len(waiting))
     if waiting:
         with alone(), ThreadPoolExecutor(jobs) as threads:
-            for future in [threads.submit(work, number) for number in range(jobs)]:
-                future.result()
+            try:
+                for future in [threads.submit(work, number) for number in range(jobs)]:
+                    future.result()
+            finally:
+                stop.set()  # after Ctrl-C no other is begun
     return done
 
 

@@ -107,8 +107,9 @@ class Outcomes(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("results.ROOT", Path(folder)):
             (Path(folder) / "a.cpp").write_text("a")
             (Path(folder) / "law.bugs").write_text("a.cpp\n  old\n")
-            for words in (["init", "-q"], ["add", "."], ["-c", "user.name=x", "-c", "user.email=x", "commit", "-qm", "x"]):
-                git(*words)
+            git("init", "-q")
+            git("add", ".")
+            git("-c", "user.name=x", "-c", "user.email=x", "commit", "-qm", "x")
             self.assertEqual(changed_since("HEAD"), (set(), set()))
             (Path(folder) / "law.bugs").write_text("a.cpp\n  new [fuzz edits]\n  old\n")
             self.assertEqual(changed_since("HEAD"), ({"law.bugs"}, {"new"}))
@@ -118,7 +119,7 @@ class Outcomes(unittest.TestCase):
     def test_calls_of_a_trace_are_counted(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertEqual(shrunk(Path(folder)), {})
-            (Path(folder) / "a.trace").write_text("lgs-trace 2\npreserve 1 2\n# no\nadd a 0 0 1\ncommit\n\nremove a # x\n")
+            (Path(folder) / "a.trace").write_text("lgs-trace 2\npreserve 1 2\n# x\nadd a 0 0 1\ncommit\n\nremove a # x")
             self.assertEqual(shrunk(Path(folder)), {"calls": 2})
 
 
@@ -147,21 +148,22 @@ class Shop:
         yield
         (self.tree / file).write_text("good code")
 
-    def build(self, _, target: str) -> None:
+    def build(self, _, target: str) -> float:
         text = (self.tree / "a.cpp").read_text()
         if "error" in text:
             raise DoesNotBuild("error: here")
         (self.folder / target).write_text(text.lower())
+        return 1
 
     def program(self, _, name: str) -> Path:
         return self.folder / name
 
 
 class Attempts(unittest.TestCase):
-    def attempt(self, replace: str, *words: str, each: bool = False) -> dict:
+    def attempt(self, replace: str, *words: str, each: bool = False, score: bool = False) -> dict:
         bug = bugs.Bug("law", bugs.Group("", "", ("x",), each), "a.cpp", "bug", None, (("good", replace),))
         with tempfile.TemporaryDirectory() as folder:
-            bench = trying.Bench(Shop(Path(folder)), argparse.Namespace(), None)
+            bench = trying.Bench(Shop(Path(folder)), argparse.Namespace(score=score), None)
             bench.finders = lambda _: [Looks((word,)) for word in words]
             outcome = bench.attempt(bug)
             self.assertEqual((Path(folder) / "a.cpp").read_text(), "good code")
@@ -171,8 +173,11 @@ class Attempts(unittest.TestCase):
         for replace, verdict in (("bad", "found"), ("other", "passes"), ("GOOD", "same code"),
                                  ("error", "does not compile")):
             self.assertEqual(self.attempt(replace, "bad", "worse")["verdict"], verdict, replace)
-        self.assertEqual(self.attempt("bad", "none", "bad") | {"built": 0},
-                         {"verdict": "found", "by": "bad", "seconds": 2, "built": 0})
+        self.assertEqual(self.attempt("bad", "none", "bad"),
+                         {"verdict": "found", "by": "bad", "seconds": 2, "built": 1})
+
+    def test_what_the_command_does_not_have_it_does_not_find(self):
+        self.assertEqual(self.attempt("GOOD", "bad", score=True)["verdict"], "passes")
 
     def test_where_each_must_find_it_one_is_not_enough(self):
         self.assertEqual(self.attempt("bad and worse", "bad", "worse", each=True)["verdict"], "found")

@@ -4,7 +4,6 @@ import argparse
 import dataclasses
 import hashlib
 import shutil
-import time
 from pathlib import Path
 
 import finders
@@ -41,15 +40,15 @@ class Bench:
         self.prepare(kind, targets, looking)
         if isinstance(bug, Mutant):
             looking = [part for finder in looking for part in self.by_speed(kind, finder)]
-        begin = time.monotonic()
         with self.shop.changed(bug.file, bug.plant((self.shop.tree / bug.file).read_text())):
             try:
-                digest = self.build(kind, targets)
+                seconds, digest = self.build(kind, targets)
             except DoesNotBuild as error:
                 return {"verdict": "does not compile", "output": str(error)[-2000:]}
-            built = {"built": round(time.monotonic() - begin, 1)}
+            built = {"built": round(seconds, 1)}
             if digest == self.clean[kind, *targets]:
-                return {"verdict": "same code"} | built
+                unseen = {"verdict": "passes", "seconds": 0.0, "how": "the command has none of it"}
+                return (unseen if self.arguments.score else {"verdict": "same code"}) | built
             finder, outcome = self.look(looking, kind, isinstance(bug, Bug) and bug.group.each)
         if outcome["verdict"] == "found" and isinstance(finder, Tests):
             self.must_pass(kind, dataclasses.replace(finder, filter=outcome["by"]))
@@ -91,7 +90,7 @@ class Bench:
         if (kind, *targets) in self.clean and not unseen:
             return
         try:
-            self.clean[kind, *targets] = self.build(kind, targets)
+            _, self.clean[kind, *targets] = self.build(kind, targets)
         except DoesNotBuild as error:
             raise Wrong(f"without any bug {' '.join(targets)} does not build:\n{error}") from error
         self.kept(kind).mkdir(parents=True, exist_ok=True)
@@ -124,12 +123,12 @@ class Bench:
                                   for part, limit in parts if part]
         return self.split[finder]
 
-    def build(self, kind: str, targets: dict[str, str]) -> bytes:
-        """Builds them, and returns a digest of what will be run."""
-        self.shop.build(kind, *targets)
+    def build(self, kind: str, targets: dict[str, str]) -> tuple[float, bytes]:
+        """Builds them, and returns the seconds of CPU that it took, and a digest of what will be run."""
+        seconds = self.shop.build(kind, *targets)
         programs = [self.shop.program(kind, name) for name in targets.values()]
         files = finders.bundle(self.shop) if kind == "web" else programs
         digest = hashlib.sha256()
         for file in files:
             digest.update(file.read_bytes())
-        return digest.digest()
+        return seconds, digest.digest()

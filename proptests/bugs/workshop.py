@@ -3,7 +3,11 @@
 import contextlib
 import os
 import shutil
+import signal
 import subprocess
+import tempfile
+import threading
+from dataclasses import dataclass
 from pathlib import Path
 
 from bugs import ROOT, Wrong
@@ -21,6 +25,9 @@ KINDS = {
     "web": ["--preset", "web", f"-DLGS_WEB_SOURCES={ROOT}/build/web-sources",
             "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG -fno-lto", "-DCMAKE_EXE_LINKER_FLAGS_RELEASE=-O0"],
 }
+
+
+MEMORY = 6_000_000  # KiB that a process may have: a bug may ask for all there is
 
 
 class DoesNotBuild(Exception):
@@ -66,12 +73,13 @@ class Workshop:
                 target.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copy(source, target)
 
-    def build(self, kind: str, *targets: str) -> None:
+    def build(self, kind: str, *targets: str) -> float:
+        """Seconds of CPU that it took."""
         if kind not in self.configured:
             options = [option.replace("{tree}", str(self.tree)) for option in KINDS[kind]]
             make(["cmake", *options, "-B", self.place(kind)], self.tree)
             self.configured.add(kind)
-        make(["cmake", "--build", self.place(kind), "-j", str(self.jobs), "--target", *targets])
+        return make(["cmake", "--build", self.place(kind), "-j", str(self.jobs), "--target", *targets])
 
     def place(self, kind: str) -> Path:
         return self.tree / "build" / kind
@@ -91,7 +99,38 @@ class Workshop:
             target.write_text(original)
 
 
-def make(command: list, folder: Path | None = None) -> None:
-    done = subprocess.run(command, cwd=folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    if done.returncode != 0:
-        raise DoesNotBuild(done.stdout[-4000:])
+@dataclass(frozen=True)
+class Ran:
+    status: int  # negative: the signal that ended it
+    seconds: float  # of CPU, those of its child processes included
+    output: str
+
+    @property
+    def timed_out(self) -> bool:
+        return self.status in (-signal.SIGXCPU, -signal.SIGKILL)
+
+
+def run(command: list, limit: float, environment: dict[str, str] | None = None, memory: int | str = MEMORY,
+        folder: Path | None = None) -> Ran:
+    """Ends a process that takes more CPU seconds than `limit`, and a program that sleeps, after ten times as long."""
+    limited = f"ulimit -S -t {int(limit) + 1}; ulimit -c 0; ulimit -v {memory}; exec \"$@\""
+    with tempfile.TemporaryFile() as output:
+        process = subprocess.Popen(["sh", "-c", limited, "sh", *map(str, command)], stdin=subprocess.DEVNULL,
+                                   stdout=output, stderr=subprocess.STDOUT, start_new_session=True, cwd=folder,
+                                   env={**os.environ, **(environment or {})})
+        asleep = threading.Timer(10 * limit + 60, os.killpg, (process.pid, signal.SIGKILL))
+        asleep.start()
+        _, raw, usage = os.wait4(process.pid, 0)
+        asleep.cancel()
+        process.returncode = os.waitstatus_to_exitcode(raw)
+        output.seek(0)
+        text = output.read().decode(errors="replace")
+    return Ran(process.returncode, round(usage.ru_utime + usage.ru_stime, 2), text)
+
+
+def make(command: list, folder: Path | None = None) -> float:
+    """Seconds of CPU that it took."""
+    ran = run(command, 36_000, memory="unlimited", folder=folder)
+    if ran.status != 0:
+        raise DoesNotBuild(ran.output[-4000:])
+    return ran.seconds

@@ -23,6 +23,11 @@ bool liesBelow(const std::string& folder, const std::string& path) {
   return !from.empty() && from != "." && !isUp(*from.begin());
 }
 
+std::string withoutSlash(const fs::path& folder) {
+  const fs::path plain = folder.lexically_normal();
+  return plain.empty() ? "." : (plain.has_filename() ? plain : plain.parent_path()).generic_string();
+}
+
 std::string folderOfBoth(const std::string& file, const std::string& other) {
   fs::path folder = fs::path(file).parent_path().lexically_normal();
   if (fs::path(other).has_root_directory() != folder.has_root_directory()) return folderOf(other);
@@ -31,7 +36,7 @@ std::string folderOfBoth(const std::string& file, const std::string& other) {
     if (up == folder) break;
     folder = up;
   }
-  return folder.empty() ? "." : folder.generic_string();
+  return withoutSlash(folder);
 }
 
 }  // namespace lgs::tiled

@@ -1,7 +1,9 @@
 // What Options choose, and how a command says it; and which layers and values could be chosen.
 #include "evidence.h"
 
+#include <fast_float/fast_float.h>
 #include <algorithm>
+#include <utility>
 
 namespace lgs::tiled {
 
@@ -40,20 +42,27 @@ Options chosen(Options options, const Suggestion& suggestion) {
   options.solidWithoutShapes = options.visibleOnly = false;
   options.tiles = {};
   options.polylineThickness = 0;
-  for (std::size_t k = 0; k < suggestion.arguments.size(); ++k) {
-    const std::string& word = suggestion.arguments[k];
-    if (word == "--solid") options.solidWithoutShapes = true;
-    if (word == "--visible") options.visibleOnly = true;
-    if (word == "--objects" || word == "--no-objects")
-      options.objects = options.objects.value_or(std::vector<std::string>{});
-    if (word == "--solid" || word == "--visible" || word == "--no-objects" || ++k == suggestion.arguments.size())
-      continue;
-    const std::string& value = suggestion.arguments[k];
-    if (word == "--layer") options.layers.push_back(value);
-    if (word == "--solid-if") options.solidIf.push_back(value);
-    if (word == "--not") options.leaveOut.push_back(value);
-    if (word == "--objects") options.objects->push_back(value);
-    if (word == "--polyline-thickness") options.polylineThickness = std::stod(value);
+  std::string option;
+  for (const std::string& word : suggestion.arguments) {  // an option, or the value of the one before it
+    const std::string before = std::exchange(option, {});
+    if (before == "--layer") {
+      options.layers.push_back(word);
+    } else if (before == "--solid-if") {
+      options.solidIf.push_back(word);
+    } else if (before == "--not") {
+      options.leaveOut.push_back(word);
+    } else if (before == "--objects") {
+      options.objects->push_back(word);
+    } else if (before == "--polyline-thickness") {
+      fast_float::from_chars(word.data(), word.data() + word.size(), options.polylineThickness);
+    } else if (word == "--solid") {
+      options.solidWithoutShapes = true;
+    } else if (word == "--visible") {
+      options.visibleOnly = true;
+    } else {
+      if ((word == "--objects" || word == "--no-objects") && !options.objects) options.objects.emplace();
+      if (word != "--no-objects") option = word;
+    }
   }
   return options;
 }

@@ -34,9 +34,9 @@ class Chooser {
     addOnlyLayer();
     if (isDecided && !namesOfSaying(facts_).empty())
       add(Evidence::onlyLayer, options_, "object layers whose tiles have shapes: " + listed(namesOfSaying(facts_)));
-    addObjectLayers(false);
+    for (const bool haveFigures : {false, true}) addObjectLayers(false, haveFigures);
     addTileLayers();
-    addObjectLayers(true);
+    for (const bool haveFigures : {false, true}) addObjectLayers(true, haveFigures);
     return std::move(result_);
   }
 
@@ -158,7 +158,7 @@ class Chooser {
       options = wholeLayers(tiles);
     } else {
       for (const LayerFacts* layer : tiles) options.solidIf.push_back(kLayerProperty + ("=" + layer->name));
-      if (!options.solidIf.empty()) leaveOutSquares(options);
+      if (!tiles.empty()) leaveOutSquares(options);
       join(reasons(tiles));
     }
     addObjects(Says::collision, !shaped.empty() || !rules.empty(), options, text);
@@ -263,10 +263,10 @@ class Chooser {
         "tile layer " + only->name + ", " + percent(only->share()) + " of the map: it is the only one that could be");
   }
 
-  void addObjectLayers(bool ofThings) {
+  void addObjectLayers(bool ofThings, bool haveFigures) {
     for (const LayerFacts& layer : facts_.layers) {
-      const bool isCovered = layer.saying.says != Says::nothing && isDrawnByHand(layer);
-      if (layer.kind != LayerKind::objects || layer.objects == 0 || isCovered || areThings(layer) != ofThings) continue;
+      if (layer.kind != LayerKind::objects || layer.objects == 0 || areThings(layer) != ofThings) continue;
+      if ((layer.saying.says != Says::nothing && isDrawnByHand(layer)) || (layer.figures > 0) != haveFigures) continue;
       Options options = options_;
       options.objects = {layer.name};
       if (layer.bareFigures > 0 && layer.saying.says != Says::nothing) {  // as squares; then tile layers would be, too

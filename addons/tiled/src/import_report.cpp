@@ -84,7 +84,7 @@ void appendSummary(const Report& report, const std::string& command, std::string
     out += "nothing in it is solid";
   } else {
     const double cells = report.infinite ? 0 : static_cast<double>(report.width) * report.height;
-    out += numbered(report.polygons, "polygon", "polygons");
+    out += numbered(report.polygons, "polygon", "polygons") + " (" + std::to_string(report.shapes) + " distinct)";
     if (cells > 0)
       out += ", " + std::to_string(std::lround(100 * static_cast<double>(report.cells) / cells)) + " % of the map";
   }
@@ -103,9 +103,7 @@ void appendSummary(const Report& report, const std::string& command, std::string
 void appendHead(const Report& report, std::string& out) {
   out += "  " + std::to_string(report.width) + "×" + std::to_string(report.height) + " tiles of " +
          std::to_string(report.tileWidth) + "×" + std::to_string(report.tileHeight) + " px" +
-         (report.infinite ? ", infinite" : "") + "; " +
-         numbered(report.shapes, "distinct polygon", "distinct polygons") + " in " +
-         numbered(report.cells, "cell", "cells") + "\n";
+         (report.infinite ? ", infinite" : "") + "; polygons in " + numbered(report.cells, "cell", "cells") + "\n";
   std::size_t width = 0;
   for (const LayerReport& layer : report.layers) width = std::max(width, columns(layer.path));
   for (const LayerReport& layer : report.layers) {

@@ -105,6 +105,8 @@ void LdtkProject::readLevel(const JsonPlace& level, DoublePoint at, pugi::xml_no
   const pugi::xml_node group = placeGroup(to, level, at);
   const std::string named = level.text("externalRelPath");
   if (!level["layerInstances"].isMissing() || named.empty()) return readLayers(level, group);
+  const bool isLevel = named.ends_with(".ldtkl") || named.ends_with(".json");
+  if (!isLevel || named.starts_with('/')) return reading_.fail(level, "its file should be a .ldtkl in its project");
   const std::string path = pathBeside(reading_.file(), named);
   const auto text = reader_(path);
   if (!text) return reading_.fail(level, "its file " + path + " cannot be read: " + text.error());

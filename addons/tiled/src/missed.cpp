@@ -27,7 +27,7 @@ std::uint64_t taken(const LayerFacts& layer, const Facts& facts, const Options& 
 }
 
 bool isTaken(const LayerFacts& objects, const Options& options, bool isLdtk) {
-  if (!options.objects) return options.layers.empty();  // then those that say something are
+  if (!options.objects) return options.layers.empty() && objects.saying.says != Says::nothing;
   const auto isNamed = [&](const std::string& name) {
     return std::find(options.objects->begin(), options.objects->end(), name) != options.objects->end();
   };

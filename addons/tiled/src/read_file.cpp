@@ -102,7 +102,7 @@ std::string projectFolder(const std::string& map) {
     real = real.parent_path();
     folder /= "..";
   }
-  return result.lexically_normal().generic_string();
+  return withoutSlash(result);
 }
 
 tl::expected<ImportedMap, ImportError> importMap(const std::string& path, const Options& options) {

@@ -97,14 +97,10 @@ TEST(TiledEvidence, WhatIsTakenInPartIsSaid) {
   const std::string shape = meant::tile('a', meant::kShape);
   const auto blocks = import(meant::tiles("Blocks", "......../..ba..../baaa..aa/bababbaa"), {}, shape);
   EXPECT_EQ(blocks.report.partial, "tile layer Blocks, of which 10 of 16 tiles are taken");
-  EXPECT_THAT(offersOf(blocks), ElementsAre("--layer Blocks --solid"));
+  EXPECT_THAT(offersOf(blocks), ElementsAre("--solid-if layer=Blocks"));
   EXPECT_EQ(blocks.report.suggestions.at(0).polygons, 16U);
-  const auto solid =
-      import(meant::tiles("World", kHills) + meant::tiles("Solid", "b......./......../......../........"), {}, shape);
-  EXPECT_EQ(solid.report.partial, "tile layer Solid, of which 0 of 1 tile are taken");
-  const std::string text = toText(solid.report);
-  EXPECT_THAT(text.substr(0, text.find('\n')), HasSubstr("; IN PART: tile layer Solid")) << text;
-  EXPECT_THAT(text, HasSubstr("Not all came out. What could be taken instead, and how:\n"));
+  const std::string text = toText(blocks.report);
+  EXPECT_THAT(text.substr(0, text.find('\n')), HasSubstr("; IN PART: tile layer Blocks")) << text;
   const auto lines =
       import(meant::objects("Collision", meant::line(0, 1, 3) + meant::line(4, 1, 3) + meant::box(0, 3, 1, 1)));
   EXPECT_EQ(lines.report.partial, "object layer Collision, of which 2 open polylines are left out");
@@ -112,10 +108,44 @@ TEST(TiledEvidence, WhatIsTakenInPartIsSaid) {
       "Collision", meant::line(0, 1, 3) + meant::box(0, 3, 1, 1) + meant::box(2, 3, 1, 1) + meant::box(4, 3, 1, 1)));
   EXPECT_EQ(line.report.partial, "object layer Collision, of which 1 open polyline is left out");
   EXPECT_TRUE(line.report.suggestions.empty()) << "a thickness adds nothing, as it is not one-way";
+  const auto most = import(meant::tiles("Blocks", "......../..ab..../aaaa..aa/aaaaaaaa"), {}, shape);
+  EXPECT_EQ(most.report.partial, "");
+  EXPECT_EQ(most.report.also, "tile layer Blocks, of which 15 of 16 tiles are taken");
+}
+
+/// Whatever says that it is solid counts: shapes, names, properties, walls that were drawn. None hides another.
+TEST(TiledEvidence, AllThatSaysSolidIsTakenTogether) {
+  const std::string shape = meant::tile('a', meant::kShape);
+  const auto solid =
+      import(meant::tiles("World", kHills) + meant::tiles("Solid", "b......./......../......../........"), {}, shape);
+  EXPECT_EQ(solid.placements.size(), 17U);
+  EXPECT_EQ(solid.report.choice,
+            "the shapes of 16 tiles in World; tile layer Solid: its name says 'solid' (--solid-if layer=Solid)");
+  EXPECT_THAT(offersOf(solid), ElementsAre("--no-objects")) << "the shapes alone";
   const auto walls = import(meant::tiles("Main", kHills) + meant::objects("Walls", meant::box(0, 0, 1, 1)), {},
                             meant::tile('a', property("solid", "true")));
-  EXPECT_EQ(walls.report.partial, "object layer Walls, of which nothing is taken");
-  EXPECT_THAT(offersOf(walls), ElementsAre("--solid-if solid --objects Walls"));
+  EXPECT_EQ(walls.placements.size(), 17U);
+  EXPECT_EQ(walls.report.partial, "");
+}
+
+/// A layer that says it is solid means all of its tiles, however many of them have shapes.
+TEST(TiledEvidence, ASolidLayerMeansAllOfItsTiles) {
+  const std::string shape = meant::tile('a', meant::kShape), way[] = {"solid", ""};
+  for (const std::string& property : way) {
+    const std::string name = property.empty() ? "Solid" : "Tile Layer 1";
+    for (const char* picture : {"abb...../......../......../........", "aab...../......../......../........"}) {
+      const auto map = import(meant::tiles(name, picture, property), {}, shape);
+      EXPECT_EQ(map.placements.size(), 3U) << picture << toText(map.report);
+      EXPECT_EQ(map.report.partial, "");
+    }
+  }
+}
+
+TEST(TiledEvidence, ALayerWithLessThanOneThatIsPassedOverIsNotTakenInSilence) {
+  const std::string few = "......../.c....../......../........";
+  const auto map = import(meant::tiles("bg", "......../......../aaa..aaa/aaa..aaa") + meant::tiles("things", few));
+  EXPECT_TRUE(map.placements.empty());
+  EXPECT_THAT(offersOf(map), ElementsAre("--layer things --solid", "--layer bg --solid"));
 }
 
 TEST(TiledEvidence, BoxesWithoutANameBesideTheGroundAreSaid) {
@@ -123,16 +153,15 @@ TEST(TiledEvidence, BoxesWithoutANameBesideTheGroundAreSaid) {
   const auto map = import(ground + meant::objects("poly", box + meant::box(4, 0, 1, 1)));
   EXPECT_EQ(map.report.choice, "tile layer Ground: its name says 'ground' (--layer Ground --solid)");
   EXPECT_EQ(map.report.partial, "");
-  EXPECT_THAT(map.report.notes,
-              ElementsAre("object layer poly, of which nothing is taken, as nothing says that it is solid; "
-                          "it is with --layer Ground --solid --objects poly"));
+  EXPECT_EQ(map.report.also, "object layer poly, of which nothing is taken");
+  EXPECT_THAT(offersOf(map), ElementsAre("--layer Ground --solid --objects poly"));
   EXPECT_EQ(import(ground + meant::objects("poly", box),
                    {.solidWithoutShapes = true, .layers = {"Ground"}, .objects = {{"poly"}}})
                 .placements.size(),
             map.placements.size() + 2);
   for (const char* other : {"Background", "Enemies"})
-    EXPECT_TRUE(import(ground + meant::objects(other, box)).report.notes.empty()) << other;
-  EXPECT_TRUE(import(ground + meant::objects("Places", meant::box(0, 0, 2, 1, "name='a'"))).report.notes.empty());
+    EXPECT_EQ(import(ground + meant::objects(other, box)).report.also, "") << other;
+  EXPECT_EQ(import(ground + meant::objects("Places", meant::box(0, 0, 2, 1, "name='a'"))).report.also, "");
 }
 
 TEST(TiledEvidence, AValueOfLdtkCanBeLeftOut) {
@@ -143,8 +172,9 @@ TEST(TiledEvidence, AValueOfLdtkCanBeLeftOut) {
   EXPECT_EQ(
       importFiles({{"maps/test.tmx", text}}, {.solidWithoutShapes = true, .leaveOut = {"ice"}})->placements.size(), 2U)
       << "it stays free";
-  EXPECT_THAT(importFiles({{"maps/test.tmx", text}}, {.solidWithoutShapes = true, .leaveOut = {"Ice"}})->report.notes,
-              ElementsAre("no tile and no object has the class 'Ice', which was to be left out; there is 'ice'"));
+  EXPECT_THAT(
+      importFiles({{"maps/test.tmx", text}}, {.solidWithoutShapes = true, .leaveOut = {"Ice"}})->report.notes,
+      ElementsAre("no tile, object or layer has the class or name 'Ice', which was to be left out; there is 'ice'"));
 }
 
 TEST(TiledEvidence, IntGridsThatAreCalledCollisionAreEnough) {
@@ -223,7 +253,7 @@ TEST(TiledEvidence, AMissingMapOfAWorldIsLeftOut) {
   files["maps/no.tmx"] = map;
   const auto outside = importMap("maps/test.tmx", {}, read);
   ASSERT_FALSE(outside) << "what may not be read is not missing";
-  EXPECT_THAT(message(outside.error()), HasSubstr("it is not below the map's folder"));
+  EXPECT_THAT(message(outside.error()), HasSubstr("it is not in the folder maps"));
 }
 
 /// A map that is as costly as can be is not tried twelve times: what is tried shares one budget.

@@ -1,6 +1,6 @@
 // The importer's plane geometry by itself. All cases of tiny lattices are compared with slow rules.
-#include "lattice.h"
 #include "addons/tiled/src/pixel_grid.h"
+#include "lattice.h"
 
 #include <map>
 #include <set>

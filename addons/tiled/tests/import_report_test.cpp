@@ -18,10 +18,10 @@ Report smallest() {
 
 TEST(TiledReport, OfAMapWithNothingInIt) {
   Report report = smallest();
-  const std::string rest = "  0 polygons (0 distinct) in 0 cells\n";
-  EXPECT_EQ(toText(report), "a.tmx: 3×2 tiles of 32×16 px\n" + rest);
+  const std::string nothing = "a.tmx: nothing in it is solid\n";
+  EXPECT_EQ(toText(report), nothing + "  3×2 tiles of 32×16 px; polygons in 0 cells\n");
   report.infinite = true;
-  EXPECT_EQ(toText(report), "a.tmx: 3×2 tiles of 32×16 px, infinite\n" + rest);
+  EXPECT_EQ(toText(report), nothing + "  3×2 tiles of 32×16 px, infinite; polygons in 0 cells\n");
 }
 
 TEST(TiledReport, HeadLayersBlocksAndNotes) {
@@ -35,8 +35,8 @@ TEST(TiledReport, HeadLayersBlocksAndNotes) {
   report.notes = {"2 tiles belong to no tileset of the map", "and another"};
   EXPECT_EQ(
       toText(report),
-      "a.tmx: 3×2 tiles of 32×16 px\n"
-      "  1 polygon (1 distinct) in 1 cell\n"
+      "a.tmx: 1 polygon (1 distinct), 17 % of the map\n"
+      "  3×2 tiles of 32×16 px; polygons in 1 cell\n"
       "  layer Höhle       1 tile\n"
       "  layer Boden       20 tiles; shifted by 8 px, 0 px against the grid: its polygons reach out of their cells\n"
       "  layer B           passed over: an image\n"
@@ -71,8 +71,8 @@ TEST(TiledReport, NotesByHowMuchTheyMatter) {
                   {"set", 5, "", 1, true, {}},
                   {"Höhle", 0, "", 1, true, {{NoteKind::clipped, 9, 0, 0, {}, "clipped too"}}}};
   EXPECT_EQ(toText(report),
-            "a.tmx: 3×2 tiles of 32×16 px\n"
-            "  0 polygons (0 distinct) in 0 cells\n"
+            "a.tmx: nothing in it is solid\n"
+            "  3×2 tiles of 32×16 px; polygons in 0 cells\n"
             "\n"
             "Left out or cut off:\n"
             "  set #4 'lava', 2 uses\n"
@@ -94,6 +94,25 @@ TEST(TiledReport, NotesByHowMuchTheyMatter) {
             "    object 8: near miss\n");
 }
 
+/// All that is to be known before one goes on stands in the first line, and the next best reading in the second.
+TEST(TiledReport, TheFirstLinesSayWhatWasTaken) {
+  Report report = smallest();
+  report.polygons = report.shapes = report.cells = 1;
+  report.choice = "tile layer A: its name says 'wall'";
+  report.partial = "tile layer B, of which 1 of 9 tiles are taken";
+  report.also = "object layer C, of which nothing is taken";
+  report.leftOut = "Deadly (3)";
+  report.suggestions = {{"all of B", {"--layer", "B B"}, 9}, {"C", {}, 1}};
+  const std::string text = toText(report, "lgs import a.tmx");
+  EXPECT_EQ(
+      text.substr(0, text.find("  3×2")),
+      "a.tmx: 1 polygon (1 distinct), 17 % of the map: tile layer A: its name says 'wall'; IN PART: tile layer B, "
+      "of which 1 of 9 tiles are taken; also there: object layer C, of which nothing is taken; left out as deadly "
+      "or passable: Deadly (3)\n"
+      "  or: lgs import a.tmx --layer 'B B'  (9 polygons: all of B)\n"
+      "  or: lgs import a.tmx  (1 polygon: C)\n");
+}
+
 TEST(TiledReport, NamesCanNotSpeakToATerminal) {
   const std::string evil = "a\nb\x1b[31mc\x7f";
   Report report = smallest();
@@ -103,6 +122,7 @@ TEST(TiledReport, NamesCanNotSpeakToATerminal) {
   report.tiles = {{evil, 1, evil, 1, true, {{NoteKind::snapped, 1, 0, 0, {}, evil}}}};
   report.notes = {evil};
   report.suggestions = {{evil, {}}};
+  report.choice = report.partial = report.also = report.leftOut = evil;
   const std::string text = toText(report) + message({evil, 3, evil, evil});
   const auto isControl = [](char c) { return c != '\n' && (static_cast<unsigned char>(c) < 0x20 || c == 0x7F); };
   EXPECT_EQ(std::ranges::count_if(text, isControl), 0) << text;
@@ -152,8 +172,9 @@ TEST(TiledReport, OfAWholeImport) {
                               options);
   EXPECT_EQ(
       toText(map.report),
-      "maps/test.tmx: 4×3 tiles of 32×32 px\n"
-      "  9 polygons (5 distinct) in 3 cells\n"
+      "maps/test.tmx: 9 polygons (5 distinct), 25 % of the map: the shapes of 4 tiles in Ground, More\n"
+      "  or: --layer Ground --solid  (10 polygons: tile layer Ground, 100 % of the map: nothing says what it is)\n"
+      "  4×3 tiles of 32×32 px; polygons in 3 cells\n"
       "  layer Ground  4 tiles\n"
       "  layer More    1 tile\n"
       "  layer Sky     passed over: an image\n"

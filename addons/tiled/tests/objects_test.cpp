@@ -237,8 +237,8 @@ TEST(TiledObjectLayers, TheReportTellsAllOfThem) {
                                           rectangle(0, 0, 32, 32, "id='5'")) +
                               objectLayer(rectangle(0, 0, 32, 32), "name='Doors'"));
   EXPECT_EQ(toText(map.report),
-            "maps/test.tmx: 4×3 tiles of 32×32 px\n"
-            "  1 polygon (1 distinct) in 1 cell\n"
+            "maps/test.tmx: 1 polygon (1 distinct), 8 % of the map: object layer Walls: its name says 'wall'\n"
+            "  4×3 tiles of 32×32 px; polygons in 1 cell\n"
             "  layer Walls  3 objects; its name says 'wall'\n"
             "  layer Doors  passed over, 1 object: neither its name, its class nor a property says that it is solid\n"
             "  block 1  1 polygon\n"

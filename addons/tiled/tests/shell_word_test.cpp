@@ -45,10 +45,8 @@ TEST(TiledShellWord, IsInTheErrorsThatNameAnOption) {
 TEST(TiledShellWord, IsInTheReport) {
   const std::string text = toText(
       mustImport("<objectgroup name='My &#27;boxes'><object id='1' width='9' height='9'/></objectgroup>").report);
-  EXPECT_THAT(
-      text,
-      HasSubstr(
-          "1 polygon: object layer My  boxes, 1 object: nothing says what it is\n    --objects $'My \\033boxes'\n"));
+  EXPECT_THAT(text, HasSubstr("  or: --objects $'My \\033boxes'  (1 polygon: object layer My  boxes, 1 object: nothing "
+                              "says what it is)\n"));
 }
 
 }  // namespace

@@ -73,7 +73,15 @@ TEST(TiledWords, NamesThatSayThatSomethingIsSolid) {
                                                                      {"floor2", "ground floor"},
                                                                      {"Terrain/Deco", "ground terrain"},
                                                                      {"Platforms", "ground platform"},
-                                                                     {"Plataformas", "ground plataform"},
+                                                                     {"Plataformas", "ground platform"},
+                                                                     {"Obsticles", "collision obstacle"},
+                                                                     {"colider", "collision colid"},
+                                                                     {"Geometry", "ground geom"},
+                                                                     {"ramps", "ground ramps"},
+                                                                     {"Slope left", "ground slope"},
+                                                                     {"pendientes", "ground pendiente"},
+                                                                     {"terrain_no_destructible", "ground terrain"},
+                                                                     {"anti-gravity walls", "ground wall"},
                                                                      {"block", "ground block"}}) {
     EXPECT_EQ(said(saying(name)), what) << name;
   }
@@ -95,6 +103,10 @@ TEST(TiledWords, NamesThatAreForAnotherUse) {
                            "BG Wall",
                            "Wall Decals",
                            "notSolid",
+                           "wall_no_collision",
+                           "not walls",
+                           "trampoline",
+                           "ladder_collision",
                            "NoCollision",
                            "Light-Collisions",
                            "camera-barrier",
@@ -136,13 +148,14 @@ TEST(TiledSuggestions, WhatLooksLikeCollisionIsTakenByItself) {
                             "</tile><tile id='2'>" + property("collides", "false") + "</tile><tile id='3'>" +
                             property("speed", "2") + "</tile></tileset>";
   const auto choice = [](const std::string& content) { return mustImport(content).report.choice; };
-  EXPECT_EQ(choice(tiles + layer("L", "1,2,3,1")), "tiles by a property: collides (3 tiles) (--solid-if collides)");
-  EXPECT_THAT(suggestionsOf(tiles + layer("L", "4,4,0,3")),
-              ElementsAre("tile layer L, 75 % of the map: nothing says what it is | --layer L --solid"));
+  EXPECT_EQ(choice(tiles + layer("L", "1,2,3,1")), "what has a property: collides (3 tiles) (--solid-if collides)");
+  EXPECT_THAT(
+      suggestionsOf(tiles + layer("L", "4,4,0,3")),
+      ElementsAre("tile layer L, 75 % of the map: nothing says what it is | --layer L --solid --not collides=false"));
   EXPECT_EQ(choice(tiles + layer("Walls", "4,4,0,3") + layer("Solid", "0,0,0,0")),
-            "tile layer Walls: its name says 'wall' (--layer Walls --solid)");
+            "tile layer Walls: its name says 'wall' (--layer Walls --solid --not collides=false)");
   EXPECT_EQ(choice(tiles + layer("L", "4,4,0,3", property("blocking", "true"))),
-            "tile layer L: its property 'blocking' says so (--layer L --solid)");
+            "what has a property: blocking (2 tiles) (--solid-if blocking)");
 }
 
 TEST(TiledSuggestions, FullSquaresOnlyWhereTheyHelp) {
@@ -172,17 +185,30 @@ TEST(TiledSuggestions, ObjectLayersThatWerePassedOver) {
   EXPECT_EQ(named.report.choice, "objects that are called wall (--objects wall)");
 }
 
+TEST(TiledSuggestions, AreOptions) {
+  const Options all = chosen({.tolerance = 3, .layers = {"Z"}},
+                             {"",
+                              {"--layer", "--solid", "--solid", "--solid-if", "a=b", "--objects", "A", "--objects", "B",
+                               "--not", "C", "--visible", "--polyline-thickness", "4.5"}});
+  EXPECT_EQ(all.tolerance, 3) << "what does not choose stays";
+  EXPECT_THAT(all.layers, ElementsAre("--solid"));
+  EXPECT_TRUE(all.solidWithoutShapes && all.visibleOnly);
+  EXPECT_THAT(all.solidIf, ElementsAre("a=b"));
+  EXPECT_THAT(all.objects.value(), ElementsAre("A", "B"));
+  EXPECT_THAT(all.leaveOut, ElementsAre("C"));
+  EXPECT_EQ(all.polylineThickness, 4.5);
+  EXPECT_TRUE(chosen({}, {"", {"--no-objects"}}).objects.value().empty());
+  EXPECT_EQ(chosen({}, {"", {"--polyline-thickness", "x", "--layer"}}).polylineThickness, 0);
+}
+
 TEST(TiledSuggestions, AreInTheReport) {
   const auto map = mustImport("<objectgroup name='My boxes'><object id='1' width='9' height='9'/></objectgroup>");
   EXPECT_EQ(
       toText(map.report),
-      "maps/test.tmx: 4×3 tiles of 32×32 px\n"
-      "  0 polygons (0 distinct) in 0 cells\n"
-      "  layer My boxes  passed over, 1 object: neither its name, its class nor a property says that it is solid\n"
-      "\n"
-      "Nothing came out. What could be taken, and how:\n"
-      "  1 polygon: object layer My boxes, 1 object: nothing says what it is\n"
-      "    --objects 'My boxes'\n");
+      "maps/test.tmx: nothing in it is solid\n"
+      "  or: --objects 'My boxes'  (1 polygon: object layer My boxes, 1 object: nothing says what it is)\n"
+      "  4×3 tiles of 32×32 px; polygons in 0 cells\n"
+      "  layer My boxes  passed over, 1 object: neither its name, its class nor a property says that it is solid\n");
 }
 
 }  // namespace

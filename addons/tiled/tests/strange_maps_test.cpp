@@ -4,6 +4,7 @@
 
 #include <sys/stat.h>
 #include <unistd.h>
+#include <cstdlib>
 #include "addons/tiled/src/below.h"
 
 namespace lgs::tiled {
@@ -19,6 +20,11 @@ TEST(TiledBelow, IsDecidedByThePathAsItIsWritten) {
        {"maps", "maps/", "maps/.", "a", "maps/../a", "mapsa", "/maps/a", "../maps/a", "..", "", "."}) {
     EXPECT_FALSE(liesBelow("maps", path)) << path;
   }
+  for (const char* path : {"a", "b/../a", "../a", "..a"}) EXPECT_TRUE(liesBelow("..", path)) << path;
+  for (const char* path : {"..", "../..", "../../a", "/a", "."}) EXPECT_FALSE(liesBelow("..", path)) << path;
+  EXPECT_TRUE(liesBelow("../..", "../../a/b"));
+  EXPECT_TRUE(liesBelow("../maps", "../maps/a"));
+  EXPECT_FALSE(liesBelow("../maps", "../a"));
   for (const char* folder : {"", ".", "./"}) {
     EXPECT_TRUE(liesBelow(folder, "a")) << folder;
     EXPECT_TRUE(liesBelow(folder, "b/../a")) << folder;
@@ -31,8 +37,10 @@ TEST(TiledBelow, IsDecidedByThePathAsItIsWritten) {
   EXPECT_FALSE(liesBelow("/srv/maps", "srv/maps/a"));
 }
 
-constexpr const char* kOutside =
-    "it is not below the map's folder. If the map can be trusted, files may lie anywhere: Options::filesAnywhere";
+constexpr const char* kOutside = "it is not in the folder maps. If the map can be trusted: Options::filesIn = ";
+constexpr const char* kAbsolute =
+    "its path is absolute. If the map can be trusted, files may lie anywhere: Options::filesAnywhere";
+constexpr const char* kOtherKind = "it has not the extension of a tileset, such as .tsx";
 
 /// What the import says, and which paths it has asked for.
 std::string said(const std::string& text, std::vector<std::string>& asked, const std::string& other = "<tileset/>") {
@@ -44,11 +52,19 @@ std::string said(const std::string& text, std::vector<std::string>& asked, const
 }
 
 TEST(TiledStrangeMaps, NoReaderIsAskedForWhatLiesElsewhere) {
-  for (const std::string name : {"../a.tsx", "/etc/passwd", "b/../../a.tsx", "..\\a.tsx", "\\\\server\\share\\a.tsx",
-                                 "//server/share/a.tsx", "..", "\\etc\\passwd"}) {
+  for (const auto& [name, why] : std::map<std::string, const char*>{{"../a.tsx", kOutside},
+                                                                    {"b/../../a.tsx", kOutside},
+                                                                    {"..\\a.tsx", kOutside},
+                                                                    {"/etc/passwd", kAbsolute},
+                                                                    {"\\\\server\\share\\a.tsx", kAbsolute},
+                                                                    {"//server/share/a.tsx", kAbsolute},
+                                                                    {"\\etc\\a.tsx", kAbsolute},
+                                                                    {"..", kOtherKind},
+                                                                    {"a.png", kOtherKind},
+                                                                    {".git/config", kOtherKind}}) {
     std::vector<std::string> asked;
     const std::string text = said(mapXml("<tileset firstgid='1' source='" + name + "'/>"), asked);
-    EXPECT_TRUE(text.ends_with(fmt::format(" cannot be read: {}", kOutside))) << name << ": " << text;
+    EXPECT_NE(text.find(std::string(" cannot be read: ") + why), std::string::npos) << name << ": " << text;
     EXPECT_EQ(asked, std::vector<std::string>{"maps/a.tmx"}) << name;
   }
   std::vector<std::string> asked;
@@ -70,7 +86,8 @@ TEST(TiledStrangeMaps, OtherFilesAreNotQuoted) {
         "<tileset tilewidth='1' tileheight='1'><tile id='0'><objectgroup><object><polygon points='SECRET'/></object>"
         "</objectgroup></tile></tileset>"}) {
     std::vector<std::string> asked;
-    const std::string text = said(mapXml("<tileset firstgid='1' source='s'/>" + csvLayer(1, 1, "1")), asked, secret);
+    const std::string text =
+        said(mapXml("<tileset firstgid='1' source='s.tsx'/>" + csvLayer(1, 1, "1")), asked, secret);
     EXPECT_NE(text, "accepted") << secret;
     EXPECT_EQ(text.find("SECRET"), std::string::npos) << text;
     for (const char* layer : {"<layer name='SECRET'><data encoding='SECRET'/></layer>", "", "<layer name='SECRET'/>"}) {
@@ -96,10 +113,10 @@ class TiledDisk : public test::InAFolder {
   /// What the import of a map that names a tileset says.
   std::string said(const std::string& source, bool anywhere = false) const {
     put("maps/a.tmx", mapXml("<tileset firstgid='1' source='" + source + "'/>" + csvLayer(1, 1, "1")));
-    const auto map = importMap(path("maps/a.tmx"), {.filesAnywhere = anywhere});
-    if (map) return "accepted";
-    const std::string text = message(map.error());
-    return text.substr(std::min(text.size(), text.find("cannot be read: ") + 16));
+    const auto map = importMap(path("maps/a.tmx"), {.filesIn = path("maps"), .filesAnywhere = anywhere});
+    const std::string text = map ? map->report.partial : message(map.error());
+    if (map && text.empty()) return "accepted";
+    return (map ? "missing: " : "") + text.substr(std::min(text.size(), text.find("cannot be read: ") + 16));
   }
 
   static constexpr const char* kSet = "<tileset name='s' tilewidth='32' tileheight='32'/>";
@@ -109,12 +126,15 @@ TEST_F(TiledDisk, OnlyFilesBelowTheFolderOfTheMap) {
   EXPECT_EQ(said("own.tsx"), "accepted");
   EXPECT_EQ(said("sub/own.tsx"), "accepted");
   EXPECT_EQ(said("sub/../own.tsx"), "accepted");
-  EXPECT_EQ(said("../secret.tsx"), kOutside);
+  EXPECT_EQ(said("../secret.tsx"), "it is not in the folder " + path("maps") +
+                                       ". If the map can be trusted: Options::filesIn = " + folder_.string());
   EXPECT_EQ(said("../secret.tsx", true), "accepted");
-  EXPECT_EQ(said(path("secret.tsx")), kOutside);
+  EXPECT_EQ(said(path("secret.tsx")), kAbsolute);
+  EXPECT_EQ(said(path("maps/own.tsx")), kAbsolute) << "also where it may be read";
   EXPECT_EQ(said(path("secret.tsx"), true), "accepted");
-  EXPECT_EQ(said("none.tsx"), "there is no such file, or no permission to read it");
-  EXPECT_EQ(said("sub"), "it is a folder");
+  EXPECT_EQ(said("none.tsx"), "missing: there is no such file, or no permission to read it");
+  fs::create_directory(folder_ / "maps/sub.tsx");
+  EXPECT_EQ(said("sub.tsx"), "it is a folder");
 }
 
 TEST_F(TiledDisk, LinksLeadNowhereElse) {
@@ -123,12 +143,12 @@ TEST_F(TiledDisk, LinksLeadNowhereElse) {
   fs::create_directory_symlink(folder_, folder_ / "maps/up");
   fs::create_symlink("sub/own.tsx", folder_ / "maps/in.tsx");
   fs::create_symlink("loop.tsx", folder_ / "maps/loop.tsx");
-  EXPECT_EQ(said("out.tsx"), "it is a symbolic link out of the map's folder");
-  EXPECT_EQ(said("up/secret.tsx"), "it is a symbolic link out of the map's folder");
+  EXPECT_EQ(said("out.tsx"), "it is a symbolic link out of the folder");
+  EXPECT_EQ(said("up/secret.tsx"), "it is a symbolic link out of the folder");
   EXPECT_EQ(said("out.tsx", true), "accepted");
   EXPECT_EQ(said("in.tsx"), "accepted") << "below the folder";
   for (const char* none : {"broken.tsx", "up/none.tsx", "loop.tsx"}) {
-    EXPECT_EQ(said(none), "there is no such file, or no permission to read it") << none;
+    EXPECT_EQ(said(none), "missing: there is no such file, or no permission to read it") << none;
   }
   fs::create_directory_symlink(folder_ / "maps", folder_ / "here");
   put("maps/a.tmx", mapXml("<tileset firstgid='1' source='own.tsx'/>"));
@@ -141,6 +161,69 @@ TEST_F(TiledDisk, NothingThatCouldBlock) {
   EXPECT_EQ(said("fifo.tsx", true), "it is no regular file");
   EXPECT_EQ(said("/dev/zero", true), "it is no regular file");
   EXPECT_EQ(readFile(path("maps/fifo.tsx")).error(), "it is no regular file");
+}
+
+/// The folder of the project, as a path from the map's: "" is that of the map, ".." the one above.
+TEST_F(TiledDisk, FilesMayLieInTheProjectOfTheMap) {
+  const auto project = [&](const std::string& map) {
+    return fs::relative(projectFolder(path(map)), fs::path(path(map)).parent_path()).generic_string();
+  };
+  fs::create_directories(folder_ / "a/b/c/d");
+  EXPECT_EQ(project("a/b/c/d/m.tmx"), "../..") << "of no project";
+  put("a/package.json", "{}");
+  EXPECT_EQ(project("a/b/c/d/m.tmx"), "../../..");
+  put("a/b/game.tiled-project", "{}");
+  EXPECT_EQ(project("a/b/c/d/m.tmx"), "../..") << "the nearest";
+  EXPECT_EQ(project("a/b/m.tmx"), ".");
+  const char* const home = std::getenv("HOME");
+  const std::string before = home ? home : "";
+  ::setenv("HOME", path("a/b/c").c_str(), 1);
+  fs::remove(folder_ / "a/b/game.tiled-project");
+  EXPECT_EQ(project("a/b/c/d/m.tmx"), "..") << "not above the home folder";
+  ::setenv("HOME", before.c_str(), 1);
+  EXPECT_EQ(projectFolder("/m.tmx"), "/");
+  EXPECT_EQ(projectFolder("/tmp/m.tmx"), "/tmp") << "never the root";
+}
+
+TEST_F(TiledDisk, ATilesetInASiblingFolderIsRead) {
+  fs::create_directories(folder_ / "game/maps");
+  fs::create_directories(folder_ / "game/tilesets");
+  put("game/project.godot", "");
+  put("game/tilesets/Deco.tsx", kSet);
+  const auto import = [&](const std::string& source) {
+    put("game/maps/a.tmx", mapXml("<tileset firstgid='1' source='" + source + "'/>" + csvLayer(1, 1, "1")));
+    return importMap(path("game/maps/a.tmx"));
+  };
+  EXPECT_TRUE(import("../tilesets/Deco.tsx").value().report.notes.empty());
+  const auto other = import("../TileSets/deco.TSX");
+  EXPECT_EQ(other.value().report.partial, "");
+  EXPECT_THAT(other.value().report.notes, ElementsAre(HasSubstr("which differs by upper and lower case")));
+  EXPECT_THAT(message(import("../../secret.tsx").error()),
+              HasSubstr("If the map can be trusted: Options::filesIn = " + folder_.string()));
+  fs::create_symlink(folder_ / "secret.tsx", folder_ / "game/tilesets/out.tsx");
+  EXPECT_THAT(message(import("../tilesets/out.tsx").error()), HasSubstr("a symbolic link out of the folder"));
+  EXPECT_THAT(message(import("../tilesets/OUT.tsx").error()), HasSubstr("a symbolic link out of the folder"));
+  ASSERT_EQ(::mkfifo(path("game/tilesets/fifo.tsx").c_str(), 0600), 0);
+  EXPECT_THAT(message(import("../tilesets/fifo.tsx").error()), HasSubstr("it is no regular file"));
+  put("game/tilesets/secret.tsx", "<SECRET>SECRET</SECRET>");
+  EXPECT_THAT(message(import("../tilesets/secret.tsx").error()), Not(HasSubstr("SECRET")));
+}
+
+/// Its shapes and properties are not known; the tiles are.
+TEST(TiledStrangeMaps, AMissingTilesetLosesItsShapesAlone) {
+  std::vector<std::string> asked;
+  const Files files{{"maps/test.tmx", mapXml("<tileset firstgid='1' source='no.tsx'/>" +
+                                             csvLayer(2, 2, "0,0,1,1", "class='collision'"))}};
+  const auto map = importMap("maps/test.tmx", {}, readerOf(files));
+  EXPECT_EQ(cellsOf(map.value()), (Cells{{0, -2}, {1, -2}}));
+  EXPECT_EQ(map->report.partial, "the tileset's file maps/no.tsx cannot be read: there is no such file");
+  const FileReader secretive = [&](const std::string& path) -> tl::expected<std::string, std::string> {
+    if (path == "maps/test.tmx") return files.at(path);
+    return tl::unexpected<std::string>("it is nobody's business");
+  };
+  EXPECT_EQ(
+      refusalOf(importMap("maps/test.tmx", {}, secretive)),
+      "maps/test.tmx:3: <tileset> 'no.tsx' the tileset's file maps/no.tsx cannot be read: it is nobody's business");
 }
 
 TEST_F(TiledDisk, AReaderOfAFolderChecksItsPathsItself) {

@@ -244,12 +244,14 @@ class World {
   //
   // Law 12, restore and replay is never having left: once the world is back at a mark, every later output, id and list
   // is as if the edits and commits after the mark had not been made. So handles, shapes and segment ids that were given
-  // out after it name nothing until they are given out again. While there are marks an edit costs some more, and what
-  // is needed to undo it is kept: memory in proportion to the edits and commits since the oldest mark. What a shape
-  // that was made after the mark holds stays in memory.
+  // out after it name nothing until they are given out again. While there are marks an edit costs some more, however
+  // much was edited before it, and what is needed to undo it is kept: memory in proportion to the cells and segments
+  // that changed since the oldest mark, each counted once between two marks. What a shape that was made after the mark
+  // holds stays in memory.
 
   /// Notes this moment. Edits may be pending. A mark is for this world and its later copies; no other world of this
-  /// process ever makes the same one. Its number says nothing else, and is another one in another run. Cost: O(1).
+  /// process ever makes the same one. Its number says nothing else, and is another one in another run. Cost: O(1);
+  /// while edits are pending, in proportion to the chunks that they are in.
   [[nodiscard]] Mark checkpoint() noexcept;
 
   /// Goes back to a mark. The mark stays, so that the world can go back to it again; later ones are void.
@@ -285,7 +287,8 @@ class World {
   /// edits since the mark.
   Expected<std::vector<Cell>> editedSince(Mark mark) const noexcept;
 
-  /// Lets go of a mark. Other marks stay. Refused: unknownMark.
+  /// Lets go of a mark. Other marks stay. Refused: unknownMark. Cost: in all, O(log n) for each cell and segment that is
+  /// kept to go back.
   Expected<void> forget(Mark mark) noexcept;
 
   // --- Leaving places -----------------------------------------------------------------------------------------------
@@ -486,8 +489,9 @@ bool samePolygons(const World& a, const World& b) noexcept;
 ///   if (!world.remove(door) || !world.add(cell, wall, kStone)) return;  // all is as it was
 ///   group.keep();
 ///
-/// A commit keeps what was edited before it, and ends the group: what follows is not undone. The world must not be
-/// moved, assigned to or destroyed before the group ends. A copy of it has the edits made so far, and no group.
+/// A commit keeps what was edited before it, and ends the group: what follows is not undone. A commit that finds nothing
+/// to do, since no cell was edited after the commit before it, ends no group. The world must not be moved, assigned to
+/// or destroyed before the group ends. A copy of it has the edits made so far, and no group.
 class Transaction {
  public:
   /// Begins the group: World::edit() does it. The world must outlive it.

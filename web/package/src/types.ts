@@ -354,7 +354,7 @@ export interface ImportedMap {
   readonly blocks: Readonly<Record<string, Block>>
   /** What says that it is solid and was not taken; '' if all of it was. */
   readonly partial: string
-  /** If nothing came out, or a part: what in the map could be taken, and how many polygons that gives. */
+  /** What in the map could be taken instead, and how many polygons that gives; the likeliest first. */
   readonly suggestions: readonly string[]
   /** What came in, and what was left out or changed. */
   readonly report: string

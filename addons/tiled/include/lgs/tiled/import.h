@@ -133,10 +133,10 @@ tl::expected<TileTable, std::string> parseTileTable(std::string_view text);
 /// What to import, and how. The defaults suit most maps.
 ///
 /// Without solidWithoutShapes, solidIf, objects and tiles the map itself decides what is solid, by the strongest
-/// evidence that there is in it: 1. shapes of tiles, and those of object layers that say that they are solid; 2.
-/// layers, and classes of tiles and objects, that say collision; 3. properties of tiles and objects that do; 4. layers
-/// that say ground or wall; 5. the only tile layer, if it is half empty. docs/maps.md, "What is taken by itself", has
-/// the words. Report::choice says what was taken. `layers` narrows where that is looked for. With any of the four
+/// evidence that there is in it: 1. shapes of tiles, and layers, classes and properties that say collision, all
+/// together; 2. those that say ground or wall; 3. the only tile layer, if it is half empty. What is deadly or passable
+/// is left out. docs/maps.md, "What is taken by itself", has the words. Report::choice says what was taken. Then the
+/// next best choice is tried as well, so an import takes twice as long as with options that choose. `layers` narrows where that is looked for. With any of the four
 /// nothing is chosen: they hold, and so do the shapes of tiles.
 struct Options {
   double tolerance = 1.0;            ///< pixels, finite, 0 or more; at most a quarter of a tile is used
@@ -144,13 +144,16 @@ struct Options {
   bool solidWithoutShapes = false;   ///< a tile without any collision object is a full square (true) or empty (false)
 
   /// Properties, "NAME" or "NAME=VALUE". A tile without any collision object is a full square if it or its layer has
-  /// one of them. "NAME" alone takes any value but "false" and "0". A tile has its class as a property
-  /// "class". Unless `objects` names some, objects that have such a property are taken from any object layer. The
-  /// report names those properties that nothing has, names and values alike.
+  /// one of them. "NAME" alone takes any value but "false" and "0". A tile has its class as a property "class", and a
+  /// layer its path as "layer". Unless `objects` names some, objects that have such a property are taken from any object
+  /// layer. The report names those properties that nothing has, names and values alike.
   std::vector<std::string> solidIf = {};
 
-  TileTable tiles = {};                    ///< shapes of tiles by their numbers; they replace those in the tileset
-  std::vector<std::string> leaveOut = {};  ///< classes: of tiles, values of IntGrid layers, objects. They are not solid
+  TileTable tiles = {};  ///< shapes of tiles by their numbers; they replace those in the tileset
+
+  /// What is not solid: classes of tiles and values of IntGrid layers, classes and names of shapes and objects, names of
+  /// layers, and properties of all of these, as "NAME=VALUE".
+  std::vector<std::string> leaveOut = {};
 
   BlockFrom blockFrom = BlockFrom::one;  ///< where blocks come from
 

@@ -1,0 +1,107 @@
+#include "world/validate.h"
+
+#include <cassert>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace lgs::detail {
+namespace {
+
+/// Some of it is used by assert() alone.
+class Validation {
+ public:
+  explicit Validation(const World::Impl& world) : ground_(world.ground), outline_(world.outline) {}
+
+  void run() {
+    for (const Chunk* chunk : ground_.grid.chunks()) {
+      lookAtChunk(*chunk);
+      for (CellAt at{chunk->self(), 0}; at.local < kChunkCells; ++at.local) {
+        lookAtCell(at);
+        lookAtSegments(at);
+      }
+    }
+    for (std::uint32_t number = 1; number <= ground_.grid.highest(); ++number)
+      if (const Border* border = ground_.grid.border(number))
+        for (const Border::Run& run : border->runs) use(ground_.contentOf(run.word));
+    ground_.forEachNotedContent([&](ContentId content) { use(content); });
+    lookAtUsers();
+    lookAtIds();
+    assert(ground_.journal.isValid());
+  }
+
+ private:
+  void lookAtChunk([[maybe_unused]] const Chunk& chunk) const {
+    assert(&ground_.grid.chunk(chunk.index) == &chunk && chunk.self() == &chunk);
+    assert(chunk.isUnloaded == (ground_.grid.border(chunk.index) != nullptr));
+    assert(outline_.hidden().are(chunk.index) == chunk.isUnloaded);
+    assert(chunk.dirtyRows == 0);
+    for (std::int32_t k = 0; k < 9; ++k) {
+      const std::int32_t di = k % 3 - 1, dj = k / 3 - 1;
+      [[maybe_unused]] const std::uint32_t number = ground_.grid.numberAt(chunk.ci + di, chunk.cj + dj);
+      [[maybe_unused]] const Chunk* beside = chunk.neighbour(di, dj);
+      assert(!beside || (beside->index == number && beside->neighbour(-di, -dj) == &chunk));
+    }
+  }
+
+  void lookAtCell(CellAt at) {
+    const ContentId id = ground_.contentId(at);
+    use(id);
+    const Content& content = ground_.catalogue.content(id);
+    assert(at.chunk->facts[at.local] == content.facts && (content.facts & ~at.chunk->everFacts) == 0);
+    assert(at.word() == 0 || inRange(at.cell()));
+    for (std::size_t slot = 0; slot < content.polygons.size(); ++slot) {
+      [[maybe_unused]] const std::uint32_t serial = ground_.placed(at)[static_cast<Slot>(slot)].serial;
+      assert(serial != 0 && serial <= ground_.lastSerial(at));
+    }
+  }
+
+  /// Each is alive, and says where it is; its links lead to segments that are alive, and back.
+  void lookAtSegments(CellAt at) {
+    const CellSegments list = outline_.lists.of(at);
+    assert(outline_.lists.isLive(at) == static_cast<bool>(list));
+    for (const std::uint32_t id : list.all()) {
+      ++live_;
+      [[maybe_unused]] const SegmentRecord& s = outline_.segments[id];
+      assert(outline_.segments.isLive(id) && s.cellRef == at.ref() && s.listed == 0);
+      for (const std::uint32_t other : {s.predecessor, std::uint32_t{s.successor}})
+        if (other != kNoSegment) assert(outline_.segments.isLive(other));
+      if (ground_.preserve) continue;
+      assert(s.predecessor != kNoSegment && outline_.segments[s.predecessor].successor == id);
+      assert(s.successor != kNoSegment && outline_.segments[s.successor].predecessor == id);
+    }
+  }
+
+  void lookAtUsers() const {
+    for ([[maybe_unused]] const auto& [content, users] : users_)
+      assert(ground_.catalogue.users(content).value_or(users) == users);
+  }
+
+  /// Each id names a segment or is free.
+  void lookAtIds() const {
+    std::vector<bool> isFree(std::size_t{outline_.segments.maxId()} + 1);
+    for (const std::uint32_t id : outline_.segments.free()) {
+      assert(!isFree[id] && !outline_.segments.isLive(id));
+      isFree[id] = true;
+    }
+    assert(live_ + outline_.segments.free().size() == outline_.segments.maxId());
+  }
+
+  void use(ContentId content) {
+    if (content != kEmptyContent) ++users_[content];
+  }
+
+  const Ground& ground_;
+  const Outline& outline_;
+  std::map<ContentId, std::uint32_t> users_;
+  std::size_t live_ = 0;
+};
+
+}  // namespace
+
+bool isValid(const World::Impl& world) {
+  Validation(world).run();
+  return true;
+}
+
+}  // namespace lgs::detail

@@ -1,0 +1,94 @@
+// What goes on while an old mark is held costs the same, however much was edited since that mark.
+#include "visits.h"
+
+#include <lgs/world.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace lgs::cost_test {
+namespace {
+
+struct HeldCosts {
+  std::uint64_t trial = 0;  ///< a mark, an edit, going back, the mark is let go
+  std::uint64_t edit = 0;   ///< an edit and its commit
+  std::uint64_t group = 0;  ///< a group of one edit that is kept, and a commit
+};
+
+/// Of cells in a world of full blocks, after side × side cells were edited since an old mark. They are counted twice, as
+/// the first time lists may grow.
+HeldCosts costsAfter(std::int32_t side, bool isCommittedBetween) {
+  World world;
+  const ShapeId square = world.shape(kUnitSquare).value();
+  EXPECT_TRUE(world.fill({{0, 0}, {259, 259}}, square, 1));
+  world.commit();
+  const Mark old = world.checkpoint();
+  EXPECT_TRUE(world.clear(CellRect{{0, 0}, {side - 1, side - 1}}));
+  world.commit();
+  HeldCosts costs;
+  for (std::int32_t k = 0; k < 2; ++k) {
+    const std::int32_t column = 204 + 2 * k;
+    const auto dig = [&](std::int32_t row) { EXPECT_EQ(world.clear(Cell{column, row}).value(), 1U); };
+    costs.trial = visitsOf([&] {
+      const Mark mark = world.checkpoint();
+      dig(210);
+      if (isCommittedBetween) world.commit();
+      EXPECT_TRUE(world.rollBack(mark));
+      EXPECT_TRUE(world.forget(mark));
+    });
+    costs.edit = visitsOf([&] {
+      dig(220);
+      world.commit();
+    });
+    costs.group = visitsOf([&] {
+      Transaction group = world.edit();
+      dig(230);
+      if (isCommittedBetween) world.commit();
+      group.keep();
+      world.commit();
+    });
+  }
+  EXPECT_TRUE(world.rollBack(old));
+  EXPECT_EQ(world.stats().polygons, 260U * 260U);
+  return costs;
+}
+
+TEST(GoingBackCost, DoesNotGrowWithWhatWasEditedBefore) {
+  for (const bool isCommittedBetween : {false, true}) {
+    const HeldCosts few = costsAfter(10, isCommittedBetween), many = costsAfter(200, isCommittedBetween);
+    const auto spare = [](std::uint64_t cost) { return cost + cost / 10; };
+    EXPECT_LE(many.trial, spare(few.trial)) << "with a commit between: " << isCommittedBetween;
+    EXPECT_LE(many.edit, spare(few.edit)) << "with a commit between: " << isCommittedBetween;
+    EXPECT_LE(many.group, spare(few.group)) << "with a commit between: " << isCommittedBetween;
+  }
+}
+
+/// A mark after each of many edits of the same few cells; then all but the first go, the last one first or the first one
+/// first. Each costs O(log n) in all, and what the first needs is there.
+TEST(GoingBackCost, OfMarksThatGoIsThatOfTheirEdits) {
+  for (const bool lastFirst : {false, true}) {
+    const auto cost = [&](int count) {
+      World world;
+      const ShapeId square = world.shape(kUnitSquare).value();
+      std::vector<Mark> marks{world.checkpoint()};
+      for (int k = 0; k < count; ++k) {
+        EXPECT_TRUE(world.replace({k % 50, 0}, square, static_cast<Block>(k)));
+        marks.push_back(world.checkpoint());
+      }
+      EXPECT_TRUE(world.replace({60, 0}, square, 1));
+      const std::uint64_t visits = visitsOf([&] {
+        for (std::size_t k = 1; k < marks.size(); ++k)
+          EXPECT_TRUE(world.forget(marks[lastFirst ? marks.size() - k : k]));
+      });
+      EXPECT_TRUE(world.rollBack(marks[0]));
+      EXPECT_EQ(world.stats().polygons, 0U);
+      return visits;
+    };
+    EXPECT_LT(cost(8'000), 10 * cost(1'000)) << "the last one first: " << lastFirst;
+  }
+}
+
+}  // namespace
+}  // namespace lgs::cost_test

@@ -1,0 +1,102 @@
+// What a commit that finds nothing does to groups and redo; what marks cost a game that streams; and the ends of the world.
+#include "proptests/laws/unloaded.h"
+#include "proptests/support/must.h"
+#include "proptests/support/worlds.h"
+
+#include <gtest/gtest.h>
+
+namespace lgs::test {
+namespace {
+
+// Whatever the commit before the group did.
+TEST(Groups, ACommitThatFindsNothingEndsNone) {
+  for (const bool isRemovedBefore : {false, true}) {
+    for (const bool isFollowed : {false, true}) {
+      World world;
+      EXPECT_TRUE(world.followCells(isFollowed));
+      place(world, {0, 0}, unitSquare());
+      world.commit();
+      if (isRemovedBefore) removeAll(world, {0, 0});
+      world.commit();
+      {
+        const Transaction group = world.edit();
+        EXPECT_TRUE(world.commit().added.empty());
+        place(world, {5, 5}, unitSquare());
+      }
+      EXPECT_TRUE(world.isEmpty({5, 5})) << isRemovedBefore << isFollowed;
+      {
+        const Transaction group = world.edit();
+        place(world, {5, 5}, unitSquare());
+        world.commit();
+        place(world, {6, 5}, unitSquare());
+      }
+      EXPECT_FALSE(world.isEmpty({6, 5})) << isRemovedBefore << isFollowed;
+    }
+  }
+}
+
+TEST(Groups, ACommitThatFindsNothingEndsNoRedo) {
+  for (const bool isFollowed : {false, true}) {
+    World world;
+    EXPECT_TRUE(world.followCells(isFollowed));
+    const Mark before = world.checkpoint();
+    place(world, {0, 0}, unitSquare());
+    world.commit();
+    const Mark after = world.checkpoint();
+    ASSERT_TRUE(world.rollBack(before, Undone::keep));
+    world.commit();
+    const Mark since = world.checkpoint();
+    world.commit();
+    ASSERT_TRUE(world.rollForward(after));
+    EXPECT_EQ(world.changesOfRollBack().added.size(), 4U);
+    EXPECT_EQ(world.cellChanges().size(), isFollowed ? 1U : 0U);
+    EXPECT_FALSE(world.forget(since)) << "it is void";
+    EXPECT_TRUE(world.rollBack(before));
+    EXPECT_EQ(world.segments().size(), 0U);
+  }
+}
+
+// A game that always has a mark streams chunks in and out.
+TEST(UnloadedByHand, AWalkWithMarksLeavesNothingBehind) {
+  World world;
+  for (std::int32_t k = 0; k < 8; ++k) place(world, {32 * k, 0}, unitSquare());
+  world.commit();
+  Shelf shelf;
+  Mark mark = world.checkpoint();
+  std::uint64_t bytes = 0;
+  for (std::int32_t k = 0; k < 2'000; ++k) {
+    const CellRect there{{32 * (k % 8), 0}, {32 * (k % 8) + 31, 31}};
+    ASSERT_EQ(world.unload(there, shelf.sink()), 1U);
+    if (k % 3 != 0) world.commit();
+    ASSERT_TRUE(shelf.reload(world, there.min));
+    world.commit();
+    const Mark next = world.checkpoint();
+    ASSERT_TRUE(world.forget(mark));
+    mark = next;
+    if (k == 200) bytes = world.stats().bytes;
+  }
+  EXPECT_EQ(world.stats().bytes, bytes);
+}
+
+TEST(UnloadedByHand, AChunkAtTheEndOfTheWorldComesBackEmpty) {
+  World world;
+  const CellRect corner{{kMaxCell, kMaxCell}, {kMaxCell, kMaxCell}};
+  const PolygonHandle old = place(world, corner.min, unitSquare());
+  place(world, {kMaxCell - 1, kMaxCell}, unitSquare());
+  world.commit();
+  Shelf shelf;
+  ASSERT_EQ(world.unload(corner, shelf.sink()), 1U);
+  world.commit();
+  ASSERT_EQ(world.reloadEmpty(corner), 1U);
+  world.commit();
+  std::vector<std::byte> saved;
+  ASSERT_TRUE(
+      world.save([&](std::span<const std::byte> part) { saved.insert(saved.end(), part.begin(), part.end()); }));
+  EXPECT_TRUE(World::load(saved)) << "no cell beyond the end has a serial";
+  ASSERT_EQ(world.unload(corner, shelf.sink()), 1U);
+  EXPECT_TRUE(shelf.reload(world, Cell{kMaxCell, kMaxCell}));
+  EXPECT_GT(place(world, corner.min, unitSquare()).serial, old.serial);
+}
+
+}  // namespace
+}  // namespace lgs::test
