@@ -129,7 +129,7 @@ Status checkWith(CheckArguments arguments, Engine& engine) {
   introduce(engine, stdout);
   arguments.options.engine = &engine;
   arguments.world.can = engine.can();
-  arguments.world.crowds = false;
+  arguments.world.crowds = arguments.world.isOfCalls = false;
   return check(arguments);
 }
 
@@ -177,8 +177,8 @@ constexpr const char* kCheckHelp =
     "  - the loops must be the same in canonical form, and the links consistent;\n"
     "  - the change list, applied to a copy of the old output, must give the new one.\n"
     "At the end of a case, a fresh world with the same polygons, added in another order, must have the same\n"
-    "outline. Between the edits of this library's engine there are detours that nobody may notice: the world\n"
-    "is saved and loaded, edited wrongly and brought back, or unloads chunks and loads them again.\n\n"
+    "outline. Of this library's engine all calls are tried, also those that undo, redo, save, load and unload;\n"
+    "and a world in which nothing was undone or refused must be the same to the last id.\n\n"
     "CGAL can not judge everything. It needs a preserve relation that partitions the blocks, and then it does\n"
     "not know the links at vertices where the parts meet. The naive reference judges everything.\n\n"
     "Random worlds are compared as a whole after every commit. In a map (--map) a commit is compared near its\n"
@@ -211,6 +211,8 @@ void addCheck(CLI::App& app, Action& chosen) {
     arguments->engine.prepare();
     if (arguments->options.views && arguments->engine.isGiven())
       throw CLI::ExcludesError("--views", "--engine and --engine-so");
+    arguments->world.isFollowed =
+        arguments->options.views;  // which do not know what is not in memory, nor what was before them
     if (arguments->world.brushes && arguments->engine.isGiven())
       throw CLI::ExcludesError("--brushes", "--engine and --engine-so");
     if (!arguments->report.empty() && !arguments->engine.isGiven()) throw CLI::RequiredError("--engine or --engine-so");

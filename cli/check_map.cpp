@@ -3,8 +3,8 @@
 #include "oracle/check/isolated.h"
 #include "oracle/check/shell.h"
 #include "oracle/reference/words.h"
-#include "oracle/trace/brushing.h"
 #include "oracle/trace/model.h"
+#include "oracle/trace/plain_edits.h"
 #include "oracle/trace/player.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 Status dig(const CheckArguments& arguments, const Trace& start, const Checked& digging) {
   Player player(start.preserve);
   const auto done = play(start, player);
-  const bool isBad = withoutRefused(start).edits.size() != start.edits.size();  // if not, the check finds what is wrong
+  const bool isBad = withoutRefused(start).calls.size() != start.calls.size();  // if not, the check finds what is wrong
   if (!done && isBad) return complain(message(done.error(), arguments.map));
   fmt::print("{}: built by {}, {} in {}; then dug and refilled by {}\n", arguments.map,
              counted(editCount(start), "edit"), counted(player.world().stats().polygons, "polygon"),
@@ -59,11 +59,12 @@ Status dig(const CheckArguments& arguments, const Trace& start, const Checked& d
 Status checkMap(const CheckArguments& arguments) {
   const auto read = readWorld(arguments.map);
   if (!read) return complain(read.error());
-  const Trace start = withoutBrushes(*read);
+  const Trace start = inPlainEdits(*read);
   const Capabilities& can = arguments.world.can;
   if (const std::string why = whyNot(withoutRefused(start), can); !why.empty())
     return complain(fmt::format("{}: the engine can not have it: {}", arguments.map, why));
-  Checked digging{digIn(start, arguments.edits, arguments.seed, can), fmt::format("mismatch-map-{}", arguments.seed),
+  Checked digging{digIn(start, arguments.edits, arguments.seed, can, !arguments.engine.isGiven()),
+                  fmt::format("mismatch-map-{}", arguments.seed),
                   fmt::format("{} --map {} --edits {} --seed {} --oracle {} --whole-every {}", commandAgain(arguments),
                               shellPath(arguments.map), arguments.edits, arguments.seed, arguments.oracleName(),
                               arguments.options.wholeEvery)};

@@ -26,10 +26,9 @@ void printSummary(const CheckArguments& arguments, const Totals& totals) {
   fmt::print("compared   {} times with CGAL, {} with the naive reference; {} times the whole world\n", s.cgal, s.naive,
              s.whole);
   fmt::print("segments   {} compared\n", s.segments);
-  if (arguments.world.brushes) fmt::print("brushes    {} measured against CGAL's exact result\n", s.brushed);
+  if (s.brushed > 0) fmt::print("brushes    {} measured against CGAL's exact result\n", s.brushed);
   if (!arguments.engine.isGiven()) {
-    fmt::print("doors      {}\n", doorsInWords(s));
-    fmt::print("detours    {}\n", detoursInWords(s));
+    fmt::print("calls      {}\n", callsInWords(s));
   }
   fmt::print("time       {:.1f} s, {:.0f} edits/s\n", seconds, static_cast<double>(edits) / seconds);
   if (!arguments.map.empty()) return;
@@ -96,7 +95,7 @@ Status finish(const CheckArguments& arguments, const Totals& totals, const Scene
   Player player(last.preserve);  // builds the world anew, because history does not matter
   for (const ScenePolygon& polygon : last.polygons) {
     const std::string name = fmt::format("{}", player.standing().polygons());
-    if (const auto done = player.apply(Edit::add(name, polygon)); !done) return complain(done.error().text);
+    if (const auto done = player.apply(Call::add(name, polygon)); !done) return complain(done.error().text);
   }
   player.commit();
   DrawOptions options;

@@ -18,7 +18,7 @@
 namespace lgs::cli {
 
 struct CheckArguments {
-  oracle::GeneratorOptions world{4, 4, 100};
+  oracle::GeneratorOptions world{.width = 4, .height = 4, .edits = 100, .isOfCalls = true};
   std::size_t edits = 20'000;
   std::uint64_t seed = 1;
   std::optional<std::size_t> onlyCase;

@@ -34,7 +34,7 @@ class Service {
     const ParsedTrace parsed = parseTrace("lgs-trace 1\n" + line);
     if (parsed.error) return parsed.error->text;
     if (words[0] == "preserve") return preserve(parsed.trace.preserve);
-    for (const Edit& edit : parsed.trace.edits) make(edit);
+    for (const Call& edit : parsed.trace.calls) make(edit);
     return "";
   }
 
@@ -64,12 +64,12 @@ class Service {
     return "";
   }
 
-  void make(const Edit& edit) {
+  void make(const Call& edit) {
     hasEdits_ = true;
-    if (edit.kind == Edit::Kind::add) {
-      engine_.add(edit.name, edit.polygon);
-    } else if (edit.kind == Edit::Kind::remove) {
-      engine_.remove(edit.name);
+    if (edit.kind == Call::Kind::add) {
+      engine_.add(edit.name(), edit.polygon());
+    } else if (edit.kind == Call::Kind::remove) {
+      engine_.remove(edit.name());
     } else {
       commit();
     }

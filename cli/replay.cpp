@@ -4,9 +4,9 @@
 #include "oracle/draw/draw.h"
 #include "oracle/generate/generator.h"
 #include "oracle/reference/words.h"
-#include "oracle/trace/brushing.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/model.h"
+#include "oracle/trace/plain_edits.h"
 #include "oracle/trace/player.h"
 
 #include <fmt/format.h>
@@ -96,7 +96,7 @@ Status run(const ReplayArguments& arguments) {
   if (!started) return tell(started.error(), out);
   Engine& engine = **started;
   introduce(engine, out);
-  const Trace plain = withoutBrushes(*trace);  // which every engine understands
+  const Trace plain = inPlainEdits(*trace);  // which every engine understands
   if (const std::string why = whyNot(plain, engine.can()); !why.empty())
     return complain(fmt::format("{}: the engine can not have it: {}", arguments.trace, why));
   CheckOptions options = arguments.checkOptions;

@@ -24,7 +24,7 @@ namespace brush_target {
 namespace {
 
 using oracle::BrushEdit;
-using oracle::Edit;
+using oracle::Call;
 using oracle::Trace;
 
 constexpr std::int64_t kCells = 3;
@@ -66,8 +66,8 @@ Trace traceOf(Bytes input) {
   std::vector<std::uint8_t> bytes(input.begin(), input.end());
   bytes.resize(std::max((bytes.size() + kRecord - 1) / kRecord, std::size_t{1}) * kRecord);
   for (auto& polygon : groundOf(bytes[0] % 3U))
-    trace.edits.push_back(Edit::add(fmt::format("p{}", trace.edits.size() + 1), std::move(polygon)));
-  trace.edits.push_back(Edit::commit());
+    trace.calls.push_back(Call::add(fmt::format("p{}", trace.calls.size() + 1), std::move(polygon)));
+  trace.calls.push_back(Call::commit());
   std::size_t strokes = 0;
   for (std::size_t at = kRecord; at < bytes.size(); at += kRecord) {
     const Bytes record = Bytes(bytes).subspan(at, kRecord);
@@ -80,10 +80,10 @@ Trace traceOf(Bytes input) {
       BrushEdit brush;
       brush.deed = kDeeds[deed % 3];
       if (brush.deed != BrushEdit::Deed::carve) brush.block = 1 + (record[1] & 3U);
-      trace.edits.push_back(Edit::byBrush(std::move(brush)));
-      trace.edits.push_back(Edit::commit());
+      trace.calls.push_back(Call::byBrush(std::move(brush)));
+      trace.calls.push_back(Call::commit());
     }
-    trace.edits[trace.edits.size() - 2].brush.rings.push_back(ringOf(record));
+    trace.calls[trace.calls.size() - 2].brush.rings.push_back(ringOf(record));
   }
   return trace;
 }
@@ -121,8 +121,8 @@ std::optional<Finding> checkTrace(const Trace& trace, oracle::CheckStats& stats)
   if (auto finding = checkEdits(trace, {.cgal = false}, stats)) return finding;
   // Fewer polygons than these stand in a cell, and all strokes are in range.
   if (stats.refused != refused) return Finding{"a stroke is refused\n"};
-  const auto first = std::ranges::find(trace.edits, Edit::Kind::brush, &Edit::kind);
-  if (first != trace.edits.end() && leavesASeam(first->brush))
+  const auto first = std::ranges::find(trace.calls, Call::Kind::brush, &Call::kind);
+  if (first != trace.calls.end() && leavesASeam(first->brush))
     return Finding{"to carve the first region out of solid ground, and to fill it again, leaves a seam\n"};
   return std::nullopt;
 }

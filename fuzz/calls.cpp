@@ -1,74 +1,53 @@
-// Calls of the alphabet (oracle/calls): each comes to what the model says, and after each commit the outline is the
-// naive reference's. Here are the calls that no trace has: groups, marks, saves, exchanges, many at once, reals that
-// are none. Between them is done what the calls may not notice (beside.h).
-//
-//   header  byte 0     where in the world the cells lie
-//           byte 1, 2  preserve pairs of the blocks 0 to 3, a bit each, if byte 3 is odd
-//   record  a call: each choice takes the next byte, and then there are zeros (oracle/calls/draw.h). From kBeside on
-//           the first byte says what is done beside, and all others are the seed of that
+// Any calls, by the one maker: what the bytes choose is what each operation does. Between traces of calls is done, by
+// other records, what nobody may notice (beside.h).
 #include "fuzz/beside.h"
-#include "fuzz/target.h"
-#include "oracle/calls/draw.h"
-#include "oracle/check/call_check.h"
-
-#include <algorithm>
-#include <array>
+#include "fuzz/check_edits.h"
+#include "oracle/trace/player.h"
 
 namespace lgs::fuzz {
 namespace calls_target {
 namespace {
 
 constexpr std::size_t kMaxCalls = 200;
-
 constexpr std::size_t kMaxBesides = 12;  // they take their time
 constexpr std::uint8_t kBeside = 216;
 
-oracle::Call callOf(Bytes record) {
-  static const oracle::Habits habits = oracle::withLoads(oracle::withMarks({}));
-  auto choices = oracle::Random::of(record);
-  return drawCall(choices, habits);
+bool isBeside(Bytes record) { return !record.empty() && record[0] >= kBeside; }
+
+// The records that make calls; the first is the seed of habits.
+oracle::Trace traceOf(Bytes input) {
+  std::vector<std::uint8_t> bytes;
+  for (std::size_t at = 0; at < input.size(); at += kRecord) {
+    const Bytes record = input.subspan(at, std::min(kRecord, input.size() - at));
+    if (at == 0 || !isBeside(record)) bytes.insert(bytes.end(), record.begin(), record.end());
+  }
+  return oracle::caseOf(bytes, {.edits = kMaxCalls, .isOfCalls = true});
 }
 
-std::optional<std::string> doBeside(World& world, Bytes record) {
-  oracle::Random random = seededBy(record);
-  std::string wrong = beside(world, record[0], random);
-  return wrong.empty() ? std::nullopt : std::optional(std::move(wrong));
+std::optional<Finding> checkTrace(const oracle::Trace& trace, oracle::CheckStats& stats) {
+  return checkEdits(trace, {.unionAtEnd = true}, stats);
 }
 
 std::optional<Finding> check(Bytes input, oracle::CheckStats& stats) {
-  constexpr std::array<Cell, 5> kCorners{{{0, 0}, {-2, -2}, {30, -34}, {kMaxCell - 3, 30}, {-kMaxCell, kMaxCell - 3}}};
-  std::array<std::uint8_t, kRecord> header{};
-  std::copy_n(input.begin(), std::min(input.size(), kRecord), header.begin());
-  oracle::PreservePairs preserve;
-  unsigned bits = header[3] % 2 == 0 ? 0U : header[1] | unsigned{header[2]} << 8U;
-  for (Block a = 0; a < 4; ++a)
-    for (Block b = a; b < 4; ++b, bits >>= 1)
-      if (bits & 1U) preserve.add(a, b);
-  oracle::CallCheck world(kCorners[header[0] % kCorners.size()], preserve);
-  std::string before;
-  std::size_t calls = 0, besides = 0;
-  const auto next = [&](Bytes record) -> std::optional<Finding> {
-    const bool isBeside = !record.empty() && record[0] >= kBeside;
-    if (isBeside ? ++besides > kMaxBesides : ++calls > kMaxCalls) return std::nullopt;
-    ++stats.edits;
-    const oracle::Call call = record.empty() ? oracle::Call() : callOf(record);  // a commit
-    const auto wrong = isBeside ? doBeside(world.world(), record) : world.make(call);
-    if (wrong) return Finding{before + *wrong + "\n"};
-    before += (isBeside ? "something beside" : inWords(call)) + "\n";
-    return std::nullopt;
-  };
-  for (Bytes rest = input.subspan(std::min(kRecord, input.size())); !rest.empty();) {
-    const Bytes record = rest.first(std::min(kRecord, rest.size()));
-    if (auto finding = next(record)) return finding;
-    rest = rest.subspan(record.size());
+  const oracle::Trace trace = traceOf(input);
+  if (auto finding = checkTrace(trace, stats)) return finding;
+  oracle::Player player(trace.preserve);
+  static_cast<void>(play(trace, player));
+  if (!player.model().isWhole()) return std::nullopt;
+  World world = player.world();
+  std::size_t besides = 0;
+  for (std::size_t at = kRecord; at < input.size() && besides < kMaxBesides; at += kRecord) {
+    const Bytes record = input.subspan(at, std::min(kRecord, input.size() - at));
+    if (!isBeside(record)) continue;
+    ++besides;
+    oracle::Random random = seededBy(record);
+    if (const std::string wrong = beside(world, record[0], random); !wrong.empty())
+      return Finding{"beside the calls: " + wrong + "\n"};
   }
-  return next({});
+  return std::nullopt;
 }
 
-oracle::Trace noTrace(Bytes) { return {}; }
-std::string whyEmpty(Bytes) { return "no trace has all calls"; }
-
-constexpr Target kTarget{"calls", "calls of every kind against the model", check, noTrace, nullptr, {}, whyEmpty};
+constexpr Target kTarget{"calls", "calls of every kind against the model", check, traceOf, checkTrace};
 
 }  // namespace
 }  // namespace calls_target

@@ -84,7 +84,7 @@ void reportCrash(const Target& target, Bytes input, const Where& where) {
   fmt::print("again      {}\n", saveInput(target, input, where));
   const std::string base = (std::filesystem::path(where.folder) / nameOf(target, input)).string();
   Trace trace = target.checkTrace ? target.traceOf(input) : Trace();
-  if (trace.edits.empty() || !traceDies(target, trace)) return;
+  if (trace.calls.empty() || !traceDies(target, trace)) return;
   const auto stillDies = [&](const Trace& candidate) { return traceDies(target, candidate); };
   trace = oracle::shrink(std::move(trace), stillDies, where.shrinkFor);
   const std::string text = printTrace(trace);

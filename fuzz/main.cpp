@@ -176,10 +176,10 @@ Status toTrace(const Arguments& arguments) {
   const Target& target = arguments.chosen();
   const oracle::Trace all = target.traceOf(bytesOf(*content));
   const oracle::Trace trace = arguments.all ? all : withoutRefused(all);
-  if (trace.edits.empty()) {
+  if (trace.calls.empty()) {
     std::string why = "too short for an edit";
     if (target.whyEmpty) why = target.whyEmpty(bytesOf(*content));
-    if (!all.edits.empty()) why = "every edit must be refused; --all prints them";
+    if (!all.calls.empty()) why = "every edit must be refused; --all prints them";
     return complain(fmt::format("{}: no trace: {}", arguments.paths.front(), why));
   }
   return cli::write(arguments.output, printTrace(trace));

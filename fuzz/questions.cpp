@@ -70,9 +70,9 @@ std::string wrongTrace(const World& world) {
   const oracle::ParsedTrace parsed = oracle::parseTrace(writeTrace(world));
   if (parsed.error) return "writeTrace() writes what is no trace";
   World again(world.preserveRelation());
-  for (const oracle::Edit& edit : parsed.trace.edits)
-    if (edit.kind == oracle::Edit::Kind::add &&
-        !again.add(edit.polygon.cell, edit.polygon.vertices, edit.polygon.block))
+  for (const oracle::Call& edit : parsed.trace.calls)
+    if (edit.kind == oracle::Call::Kind::add &&
+        !again.add(edit.polygon().cell, edit.polygon().vertices, edit.polygon().block))
       return "writeTrace() writes an edit that is refused";
   if (!samePolygons(world, again)) return "writeTrace() writes other polygons";
   return writeSvg(world).starts_with("<svg") ? "" : "writeSvg() writes no picture";

@@ -22,49 +22,13 @@ bool isAlike(const Segment& a, const Segment& b) {
   return fields(a) == fields(b);
 }
 
-bool isSame(const Segment& a, const Segment& b) {
-  return isAlike(a, b) && a.predecessor == b.predecessor && a.successor == b.successor;
-}
-
-struct Standing {
-  Cell cell;
-  Block block = 0;
-  std::vector<LocalPoint> vertices;
-  friend bool operator==(const Standing&, const Standing&) = default;
-};
-
-std::map<PolygonHandle, Standing> standingIn(const World& world) {
-  std::map<PolygonHandle, Standing> all;
-  world.forEachPolygon([&](Cell cell, const PlacedPolygon& p) {
-    all[p.handle] = {cell, p.block, {p.vertices.begin(), p.vertices.end()}};
-  });
-  return all;
-}
-
 }  // namespace
-
-std::vector<std::byte> saved(const World& world) {
-  std::vector<std::byte> bytes;
-  const auto keep = [&](std::span<const std::byte> piece) { bytes.insert(bytes.end(), piece.begin(), piece.end()); };
-  return world.save(keep) ? bytes : std::vector<std::byte>();
-}
 
 World builtAnew(const World& world) {
   World twin(world.preserveRelation());
   world.forEachPolygon(
       [&](Cell cell, const PlacedPolygon& p) { static_cast<void>(twin.add(cell, p.vertices, p.block)); });
   return twin;
-}
-
-std::string differenceOf(const World& a, const World& b) {
-  if (standingIn(a) != standingIn(b)) return "other polygons, or by other handles";
-  if (!samePolygons(a, b)) return "samePolygons() does not say that they are the same";
-  const auto ids = a.segments();
-  if (ids != b.segments()) return "other segments";
-  for (const SegmentId id : ids)
-    if (!isSame(*a.segment(id), *b.segment(id))) return "another segment " + std::to_string(id.value);
-  const auto counts = [](const Stats& s) { return std::tuple(s.polygons, s.cells, s.segments, s.shapes, s.chunks); };
-  return counts(a.stats()) == counts(b.stats()) ? "" : "stats() counts something else";
 }
 
 std::string differenceByLaws(const World& world) {

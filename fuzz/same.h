@@ -1,6 +1,8 @@
 // Whether two worlds are the same, and whether one is as the laws say.
 #pragma once
 
+#include "oracle/check/observed.h"
+
 #include <lgs/world.h>
 #include <map>
 #include <string>
@@ -8,14 +10,11 @@
 
 namespace lgs::fuzz {
 
-/// The bytes of a world; none, if it can not be saved.
-std::vector<std::byte> saved(const World& world);
+using oracle::differenceOf;
+using oracle::saved;
 
 /// A world with the same polygons and no marks; nothing is committed.
 World builtAnew(const World& world);
-
-/// What differs in what the laws fix: polygons by handle, segments by id, counts. For law 12. Nothing, if all is equal.
-std::string differenceOf(const World& a, const World& b);
 
 /// How the outline, as of the last commit, differs from the naive reference's. Nothing is looked at in a world of many
 /// polygons, as the reference takes its time.

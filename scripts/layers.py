@@ -74,8 +74,8 @@ ROOMS = {
     "oracle/reference": ENGINE,
     "oracle/cgal": ENGINE + ["oracle/reference"],
     "oracle/draw": ENGINE + ["oracle/reference"],
-    "oracle/calls": ENGINE + ["oracle/reference"],
-    # Traces have edits by brushes, and it plays them.
+    # Calls of brushes, too.
+    "oracle/calls": ENGINE + ["lib/brush/include", "oracle/reference"],
     "oracle/trace": ENGINE + ["lib/brush/include", "oracle/reference", "oracle/calls"],
     # What it compares are values of the views' public headers.
     "oracle/views": ENGINE + ["lib/views/include", "lib/pieces/include", "oracle/reference", "oracle/cgal"],

@@ -16,10 +16,10 @@ inline oracle::Trace traceOf(const tiled::ImportedMap& map) {
   for (const tiled::MapPolygon& p : map.placements) {  // sorted by cell
     count = count == 0 || p.cell != cell ? 1 : count + 1;
     cell = p.cell;
-    trace.edits.push_back(
-        oracle::Edit::add(fmt::format("c{}_{}_{}", cell.i, cell.j, count), {cell, p.block, map.shapes[p.shape]}));
+    trace.calls.push_back(
+        oracle::Call::add(fmt::format("c{}_{}_{}", cell.i, cell.j, count), {cell, p.block, map.shapes[p.shape]}));
   }
-  trace.edits.push_back(oracle::Edit::commit());
+  trace.calls.push_back(oracle::Call::commit());
   return trace;
 }
 

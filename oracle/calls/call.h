@@ -1,16 +1,20 @@
-// The alphabet: a call of World's that changes something, as a value that says which call with which arguments.
+// The language: a call of World's that changes something, or moves in time or memory, as a value.
 //
-// Whatever tries the engine at random draws its calls from here (draw.h) and makes them in one way (caller.h). A call
-// means something in any world: it names polygons by their place in it, and brings its shapes along. So calls can be
-// left out of a list, or be made in another world, and what is left can still be made. The headers of lib/ and the
-// standard library are all that is needed, for programs that run on many platforms.
+// Whatever tries the engine makes calls of this one kind, in one way (caller.h): those of a trace, which is their text
+// (oracle/trace/trace.h), those that are drawn at random (draw.h), a fuzzer's. A call means something in any world: it
+// names polygons, marks and chunks so that there need not be any, and brings its shapes along. So calls can be left out
+// of a list, or be made in another world, and what is left can still be made. What must be refused is a call like any
+// other. The headers of lib/ and the standard library are all that is needed, for programs that run on many platforms.
 #pragma once
 
 #include "oracle/calls/notation.h"
+#include "oracle/reference/brush_edit.h"
+#include "oracle/reference/scene.h"
 #include "oracle/reference/validity.h"
 
 #include <lgs/ids.h>
 #include <lgs/lattice.h>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -26,57 +30,109 @@ struct Named {
     all,       ///< all of these
     given,     ///< one of all that the caller was ever given
     beside,    ///< what comes some places after it: as a rule no handle of this world, or one that it gives out later
-    handle     ///< that of this handle
+    handle,    ///< that of this handle
+    name       ///< that of this name, which another call gave it
   };
   How how{};
-  Cell cell;
+  Cell cell{};
   std::uint32_t nth = 0;  ///< modulo how many there are
   PolygonHandle handle{};
+  std::string name = {};
+  friend bool operator==(const Named&, const Named&) = default;
 };
 
 /// What a call places.
 struct Coming {
-  Cell cell;
-  Shape shape;
+  Cell cell{};
+  Shape shape = {};
   Block block = 0;
   std::uint32_t id = 0;  ///< of the shape, where it goes by an id that need not be one; 0: `shape` is made first
+  std::vector<std::string> names = {};  ///< of the polygons; none: no call can name them so
+  friend bool operator==(const Coming&, const Coming&) = default;
 };
 
 struct Call {
   enum class Kind : std::uint8_t {
-    shape,       ///< shape(); a single polygon in any notation
-    add,         ///< add() by the vertices, in any notation
-    addShape,    ///< shape(), then add() by its id
-    addMany,     ///< shape() for each, then addMany()
-    remove,      ///< remove()
-    removeMany,  ///< removeMany()
-    replace,     ///< shape(), then replace()
-    exchange,    ///< exchange(); each that comes is one polygon, in the cell of the call
-    setBlock,    ///< setBlock()
-    fill,        ///< shape(), then fill()
-    clear,       ///< clear(), of a cell or of a rectangle
-    group,       ///< edits in a transaction
-    commit,      ///< commit()
-    mark,        ///< checkpoint()
-    goBack,      ///< rollBack() to one of the marks
-    forget,      ///< forget() one of the marks
-    leave,       ///< forget() the chunks in a rectangle
-    copy,        ///< the world is replaced by its copy
-    load         ///< commit(), then the world is replaced by the one that it is saved as
+    shape,        ///< shape(); a single polygon in any notation
+    add,          ///< add() by the vertices, in any notation
+    addShape,     ///< shape(), then add() by its id
+    addMany,      ///< shape() for each, then addMany()
+    remove,       ///< remove()
+    removeMany,   ///< removeMany()
+    replace,      ///< shape(), then replace()
+    exchange,     ///< exchange(); each that comes is one polygon, in the cell of the call
+    setBlock,     ///< setBlock()
+    fill,         ///< shape(), then fill()
+    clear,        ///< clear(), of a cell or of a rectangle
+    group,        ///< edits in a transaction
+    commit,       ///< commit(), with an executor or without
+    mark,         ///< checkpoint()
+    goBack,       ///< rollBack() to one of the marks
+    forget,       ///< forget() one of the marks
+    leave,        ///< forget() the chunks in a rectangle
+    copy,         ///< the world is replaced by its copy
+    load,         ///< commit(), then the world is replaced by the one that it is saved as
+    goForward,    ///< rollForward() to one of the marks that are ahead
+    unload,       ///< unload() the chunks in a rectangle
+    reload,       ///< reload() what was unloaded in a rectangle
+    reloadEmpty,  ///< reloadEmpty()
+    brush,        ///< paint() or carve()
+    repeat        ///< calls that are made some hundred times
   };
-  static constexpr std::size_t kKinds = 19;
+  static constexpr std::size_t kKinds = 25;
 
   Kind kind = Kind::commit;
-  std::vector<Coming> comes;  ///< one, but for addMany() and exchange(); none where nothing is placed
-  std::vector<Named> goes;    ///< of remove, removeMany, exchange and setBlock
-  CellRect cells;             ///< of fill, clear and leave; its lower left one for exchange
-  Notation notation{};        ///< of a single polygon
-  unsigned offset = 0;        ///< how far off the lattice reals are; kSpoiltOffset and more: one of them is no place
-  unsigned room = 0;          ///< for handles: 0: none is asked for; 1, 2, 3: one too few, just enough, one too many
+  std::vector<Coming> comes = {};  ///< one, but for addMany() and exchange(); none where nothing is placed
+  std::vector<Named> goes = {};    ///< of remove, removeMany, exchange and setBlock
+  CellRect cells = {};             ///< of all that take a rectangle; its lower left one for exchange
+  Notation notation{};             ///< of a single polygon
+  unsigned offset = 0;             ///< how far off the lattice reals are; kSpoiltOffset and more: one is no place
+  unsigned room = 0;  ///< for handles: 0: none is asked for; 1, 2, 3: one too few, just enough, one too many
   enum class Keeps : std::uint8_t { never, always, ifAll };
-  std::vector<Call> group;  ///< its parts
-  Keeps keeps{};            ///< the group; ifAll: unless a part is refused, and then that is the last one
-  std::uint32_t nth = 0;    ///< of the marks, modulo how many there are
+  std::vector<Call> group = {};  ///< the parts of a group, and of what is repeated
+  Keeps keeps{};                 ///< the group; ifAll: unless a part is refused, and then that is the last one.
+                                 ///< Of goBack: whether what is undone is kept
+  std::uint32_t nth = 0;         ///< of the marks, modulo how many there are; of an executor; in which order chunks
+                                 ///< come back; how often something is repeated
+  BrushEdit brush = {};
+  std::size_t line = 0;  ///< where it was read; 0 if it was not read from text
+
+  static Call of(Kind kind) {
+    Call call;
+    call.kind = kind;
+    return call;
+  }
+  static Call commit() { return {}; }
+  static Call add(std::string name, ScenePolygon polygon) {
+    Call call = of(Kind::add);
+    call.comes = {{polygon.cell, {std::move(polygon.vertices)}, polygon.block, 0, {std::move(name)}}};
+    return call;
+  }
+  static Call remove(std::string name) {
+    Call call = of(Kind::remove);
+    call.goes = {{.how = Named::How::name, .name = std::move(name)}};
+    return call;
+  }
+  static Call byBrush(BrushEdit brush) {
+    Call call = of(Kind::brush);
+    call.brush = std::move(brush);
+    return call;
+  }
+
+  /// The name that add() gives, or that remove() goes by; nothing, if there is none.
+  const std::string& name() const {
+    static const std::string kNone;
+    if (!goes.empty()) return goes[0].name;
+    return comes.empty() || comes[0].names.empty() ? kNone : comes[0].names[0];
+  }
+  /// Of add; without vertices, if nothing comes.
+  ScenePolygon polygon() const {
+    if (comes.empty()) return {};
+    return {comes[0].cell, comes[0].block, comes[0].shape.empty() ? LocalPolygon() : comes[0].shape[0]};
+  }
+
+  /// Where a call was read is no part of what it is.
+  friend bool operator==(const Call& a, const Call& b);
 };
 
 /// Whether what comes is shapes, which are made first.
@@ -85,8 +141,23 @@ constexpr bool isByShape(Call::Kind kind) {
   return kind == addShape || kind == addMany || kind == replace || kind == fill;
 }
 
-/// A line, in words; a group has one for each of its calls.
-std::string inWords(const Call& call);
+/// Edits that may stand in a group.
+constexpr bool isEdit(Call::Kind kind) { return kind < Call::Kind::group || kind == Call::Kind::brush; }
+
+/// Calls that go back or forward, or stand for others: they are no edits.
+constexpr bool movesInTime(Call::Kind kind) {
+  using enum Call::Kind;
+  return (group <= kind && kind <= goForward && kind != leave) || kind == repeat;
+}
+
+/// Add, remove and commit in their plain form: all that an engine of others knows.
+bool isPlain(const Call& call);
+
+/// The same call without what it does not use: so that it is the one that its text says.
+Call tidied(Call call);
+
+/// The same call so many cells further, as far as there are numbers.
+Call movedBy(Call call, Cell cells);
 
 /// Calls that are a little simpler than this one, the simplest first.
 std::vector<Call> simpler(const Call& call);

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace lgs::oracle {
 namespace {
-
-constexpr std::uint32_t kFar = 3;  // places
 
 template <class T>
 bool isDone(const Expected<T>& result, Outcome& out) {
@@ -18,6 +17,20 @@ std::vector<PolygonHandle> standingIn(const World& world, Cell cell) {
   std::vector<PolygonHandle> handles;
   for (const PlacedPolygon& p : world.polygons(cell)) handles.push_back(p.handle);
   return handles;
+}
+
+// Without one; with one that is none; or one that runs the jobs from the last to the first, by 3 the even ones before
+// the odd ones.
+const Changes& commitBy(World& world, std::uint32_t executor) {
+  if (executor % 4 == 0) return world.commit();
+  if (executor % 4 == 1) return world.commit(Executor());
+  const bool apart = executor % 4 == 3;
+  return world.commit([apart](std::size_t count, const std::function<void(std::size_t)>& job) {
+    for (std::size_t k = count; k-- > 0;)
+      if (!apart || k % 2 == 0) job(k);
+    for (std::size_t k = 0; k < count; ++k)
+      if (apart && k % 2 != 0) job(k);
+  });
 }
 
 // Where a call writes its handles: one too few, just enough, or one too many.
@@ -37,38 +50,36 @@ bool areAlike(const Error& a, const Error& b) {
 
 bool operator==(const Outcome& a, const Outcome& b) {
   const auto fields = [](const Outcome& o) {
-    return std::tie(o.shape, o.told, o.handles, o.count, o.changes, o.parts);
+    return std::tie(o.shape, o.told, o.handles, o.count, o.changes, o.chunks, o.parts, o.brushed.went, o.brushed.came);
   };
   if (a.refusal.has_value() != b.refusal.has_value() || (a.refusal && !areAlike(*a.refusal, *b.refusal))) return false;
   return fields(a) == fields(b);
 }
 
 Call Caller::resolved(const Call& call) const {
-  const auto sum = [](std::int32_t a, std::int32_t b) {  // far out of range it does not matter which cell it is
-    return static_cast<std::int32_t>(std::clamp<std::int64_t>(std::int64_t{a} + b, INT32_MIN, INT32_MAX));
-  };
-  const auto at = [&](Cell cell) { return Cell{sum(origin_.i, cell.i), sum(origin_.j, cell.j)}; };
-  Call out = call;
-  out.cells = {at(call.cells.min), at(call.cells.max)};
+  Call out = call.group.empty() ? movedBy(call, origin_) : call;
   for (Coming& coming : out.comes) {
-    coming.cell = at(coming.cell);
     if (coming.id == 0) continue;
     coming.shape.clear();
     if (const auto polygons = world.polygonsOf({coming.id}))
       for (const auto& p : *polygons) coming.shape.emplace_back(p.begin(), p.end());
   }
-  out.goes.clear();
-  for (const Named& named : call.goes) {
+  const std::vector<Named> goes = std::exchange(out.goes, {});
+  for (const Named& named : goes) {
+    if (named.how == Named::How::handle || named.how == Named::How::name) {
+      out.goes.push_back(named);
+      continue;
+    }
     std::vector<PolygonHandle> handles{named.handle};
     if (named.how == Named::How::standing || named.how == Named::How::all) {
-      handles = standingIn(world, at(named.cell));
+      handles = standingIn(world, named.cell);
       if (named.how == Named::How::standing)
         handles = {handles.empty() ? PolygonHandle{} : handles[named.nth % handles.size()]};
-    } else if (named.how != Named::How::handle) {
+    } else {
       handles = {given.empty() ? PolygonHandle{} : given[named.nth % given.size()]};
       if (named.how == Named::How::beside) handles[0].serial += 1 + named.nth % kFar;
     }
-    for (const PolygonHandle handle : handles) out.goes.push_back({Named::How::handle, {}, 0, handle});
+    for (const PolygonHandle handle : handles) out.goes.push_back({.how = Named::How::handle, .handle = handle});
   }
   return out;
 }
@@ -114,31 +125,52 @@ Outcome Caller::makeResolved(const Call& call) {
         out.parts.push_back(make(part));
         return !out.parts.back().refusal;
       });
-      break;
+      return out;
+    case Call::Kind::repeat:
+      for (std::uint32_t k = 0; k < call.nth; ++k)
+        for (const Call& part : call.group) out.parts.push_back(make(part));
+      return out;
     case Call::Kind::commit:
-      out.changes = copyOf(world.commit());
+      changes = &commitBy(world, call.nth);
+      out.changes = copyOf(*changes);
       break;
     case Call::Kind::mark:
-      marks_.push_back({world.checkpoint(), given.size()});
-      break;
+      timeline_.mark({world.checkpoint(), given});
+      return out;
     case Call::Kind::goBack:
-      if (!marks_.empty()) goBack(call, out);
-      break;
+      if (timeline_.hasMarks()) goBack(call, out);
+      return out;
+    case Call::Kind::goForward:
+      if (timeline_.hasAhead()) goForward(call, out);
+      return out;
     case Call::Kind::forget:
-      if (marks_.empty()) break;
-      isDone(world.forget(marks_[call.nth % marks_.size()].mark), out);
-      marks_.erase(marks_.begin() + static_cast<std::ptrdiff_t>(call.nth % marks_.size()));
-      break;
+      if (!timeline_.hasMarks()) return out;
+      isDone(world.forget(timeline_.at(call.nth).mark), out);
+      timeline_.forget(call.nth);
+      return out;
     case Call::Kind::leave:
       if (const auto count = world.forget(call.cells); isDone(count, out)) out.count = *count;
       break;
     case Call::Kind::copy:
       world = World(world);
-      break;
+      return out;
     case Call::Kind::load:
       load(out);
+      return out;
+    case Call::Kind::unload:
+      unload(call, out);
+      break;
+    case Call::Kind::reload:
+      reload(call, out);
+      break;
+    case Call::Kind::reloadEmpty:
+      if (const auto count = world.reloadEmpty(call.cells); isDone(count, out)) out.count = *count;
+      break;
+    case Call::Kind::brush:
+      if (auto done = stroke(world, call.brush); isDone(done, out)) out.brushed = std::move(*done);
       break;
   }
+  if (!movesInTime(call.kind)) timeline_.happened(Redo::maybe);
   given.insert(given.end(), out.handles.begin(), out.handles.end());
   return out;
 }
@@ -241,11 +273,42 @@ bool Caller::makeGroup(const Call& call, const std::function<bool(const Call&)>&
 }
 
 void Caller::goBack(const Call& call, Outcome& out) {
-  const std::size_t k = call.nth % marks_.size();
-  if (!isDone(world.rollBack(marks_[k].mark), out)) return;
-  out.changes = copyOf(world.changesOfRollBack());
-  given.resize(marks_[k].given);
-  marks_.resize(k + 1);
+  const bool keeps = call.keeps != Call::Keeps::never;
+  if (!isDone(world.rollBack(timeline_.at(call.nth).mark, keeps ? Undone::keep : Undone::drop), out)) return;
+  changes = &world.changesOfRollBack();
+  out.changes = copyOf(*changes);
+  given = timeline_.back(call.nth, keeps).given;
+}
+
+void Caller::goForward(const Call& call, Outcome& out) {
+  if (!isDone(world.rollForward(timeline_.ahead(call.nth).mark), out)) return;
+  changes = &world.changesOfRollBack();
+  out.changes = copyOf(*changes);
+  given = timeline_.forward(call.nth).given;
+}
+
+void Caller::unload(const Call& call, Outcome& out) {
+  const auto count = world.unload(call.cells, [&](Cell corner, std::span<const std::byte> bytes) {
+    shelf_[corner].emplace_back(bytes.begin(), bytes.end());
+    out.chunks.push_back(corner);
+  });
+  if (isDone(count, out)) out.count = *count;
+}
+
+// The newest bytes that fit: the world may have gone back since it gave newer ones.
+void Caller::reload(const Call& call, Outcome& out) {
+  std::vector<Cell> corners;
+  for (const auto& entry : shelf_)
+    if (contains(call.cells, entry.first)) corners.push_back(entry.first);
+  if (call.nth % 2 != 0) std::ranges::reverse(corners);
+  for (const Cell corner : corners) {
+    const std::vector<Bytes>& kept = shelf_.at(corner);
+    const bool isBack = std::any_of(kept.rbegin(), kept.rend(), [&](const Bytes& bytes) {
+      const auto done = world.reload(bytes);
+      return done && *done == corner;
+    });
+    if (isBack) out.chunks.push_back(corner);
+  }
 }
 
 void Caller::load(Outcome& out) {
@@ -257,7 +320,21 @@ void Caller::load(Outcome& out) {
   out.count = loaded ? 0 : 1;  // whoever looks at outcomes sees that it is not
   if (!loaded) return;
   world = std::move(*loaded);
-  marks_.clear();
+  changes = nullptr;
+  timeline_.clear();
+}
+
+Region regionOf(const BrushEdit& brush) {
+  return {brush.rings, brush.isEvenOdd ? FillRule::evenOdd : FillRule::nonZero};
+}
+
+Expected<BrushResult> stroke(World& world, const BrushEdit& brush) {
+  StayingBlocks staying;
+  if (!brush.staying.empty())
+    staying = [&brush](Block block) { return std::ranges::find(brush.staying, block) != brush.staying.end(); };
+  if (brush.deed == BrushEdit::Deed::carve) return carve(world, regionOf(brush), staying);
+  const PaintMode mode = brush.deed == BrushEdit::Deed::fill ? PaintMode::fill : PaintMode::replace;
+  return paint(world, regionOf(brush), brush.block, mode, staying);
 }
 
 }  // namespace lgs::oracle

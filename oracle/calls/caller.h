@@ -2,9 +2,12 @@
 #pragma once
 
 #include "oracle/calls/call.h"
+#include "oracle/calls/timeline.h"
 
+#include <lgs/brush.h>
 #include <lgs/world.h>
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -27,10 +30,16 @@ struct Outcome {
   std::vector<PolygonHandle> told;     ///< handles that the call returned, or wrote to where it was told to
   std::vector<PolygonHandle> handles;  ///< of all that it placed
   std::uint64_t count = 0;             ///< that it returned
-  ChangeLists changes;                 ///< of a commit, or of going back
+  ChangeLists changes;                 ///< of a commit, or of going back or forward
+  std::vector<Cell> chunks;            ///< that came back, by their lower-left cells
+  BrushResult brushed;                 ///< of a brush
   std::vector<Outcome> parts;          ///< of a group
   friend bool operator==(const Outcome& a, const Outcome& b);
 };
+
+/// What a brush is told, and what it does.
+Region regionOf(const BrushEdit& brush);
+Expected<BrushResult> stroke(World& world, const BrushEdit& brush);
 
 class Caller {
  public:
@@ -38,6 +47,7 @@ class Caller {
   explicit Caller(World start = World(), Cell origin = {}) : world(std::move(start)), origin_(origin) {}
 
   static constexpr PolygonHandle kUntouched{7, 7};
+  static constexpr std::uint32_t kFar = 3;  ///< places
 
   Outcome make(const Call& call) { return makeResolved(resolved(call)); }
 
@@ -52,28 +62,37 @@ class Caller {
   /// Makes the shapes that a resolved call makes, up to one that is refused, and nothing else. Whether all are made.
   bool makeShapes(const Call& call);
 
+  /// Of the last commit, or of going back or forward: valid until the next one.
+  const Changes* changes = nullptr;
+
   /// The world may be edited beside; then nothing is remembered of it.
   World world;
   std::vector<PolygonHandle> given;  ///< handles of all that was placed, in the order in which that was done
-  std::size_t marks() const { return marks_.size(); }
+  bool hasMarks() const { return timeline_.hasMarks(); }
+  bool hasAhead() const { return timeline_.hasAhead(); }
 
  private:
   struct Remembered {
     Mark mark;
-    std::size_t given = 0;
+    std::vector<PolygonHandle> given;
   };
+  using Bytes = std::vector<std::byte>;
 
   void place(const Call& call, Outcome& out);
   void addMany(const Call& call, Outcome& out);
   void exchange(const Call& call, Outcome& out);
   void fill(const Call& call, Outcome& out);
   void goBack(const Call& call, Outcome& out);
+  void goForward(const Call& call, Outcome& out);
   void load(Outcome& out);
+  void unload(const Call& call, Outcome& out);
+  void reload(const Call& call, Outcome& out);
   bool makeShape(const Call& call, const Coming& coming, Outcome& out);
   void keepLast(Cell cell, std::size_t count, Outcome& out);
 
   Cell origin_;
-  std::vector<Remembered> marks_;
+  Timeline<Remembered> timeline_;
+  std::map<Cell, std::vector<Bytes>> shelf_;  // what chunks were unloaded as, the newest last
 };
 
 }  // namespace lgs::oracle

@@ -76,9 +76,17 @@ class Drawer {
     constexpr std::array kNotations{Notation::lattice, Notation::list, Notation::floats, Notation::doubles};
     call.notation = kNotations[choices_.below(kNotations.size())];
     call.offset = choices_.below(choices_.chance(habits_.badPercent) ? kOffsets : kSpoiltOffset);
+    const auto isHuge = [](const LocalPolygon& p) { return p.size() > kMaxVerticesPerCell; };
+    if (habits_.hostilePercent > 0 && call.comes.size() == 1 && std::ranges::any_of(call.comes[0].shape, isHuge)) {
+      call.notation = choices_.chance(50) ? Notation::floats : Notation::doubles;  // two things are wrong with it
+      call.offset = kSpoiltOffset + choices_.below(2U);
+    }
     call.room = choices_.below(4U);
     call.nth = choices_.below(16U);
-    return call;
+    if (kind == Kind::goBack && habits_.weights[static_cast<std::size_t>(Kind::goForward)] > 0)
+      call.keeps = choices_.chance(60) ? Call::Keeps::always : Call::Keeps::never;
+    if (kind == Kind::commit) call.nth = 0;
+    return tidied(std::move(call));
   }
 
   Kind kind() {
@@ -153,24 +161,24 @@ class Drawer {
 
   Coming coming(Cell cell, Shape shape) {
     const Block block = isHostile() ? endOfNumbers() : choices_.below(habits_.blocks);
-    return {cell, std::move(shape), block};
+    return {.cell = cell, .shape = std::move(shape), .block = block};
   }
 
   Named named(Cell cell) {
     using enum Named::How;
     if (isHostile()) {
       const std::uint32_t cellRef = endOfNumbers(), serial = endOfNumbers();
-      return {handle, cell, 0, {cellRef, serial}};
+      return {handle, cell, 0, {cellRef, serial}, {}};
     }
     const int ticket = below(100);
     const Named::How how = ticket < 85 ? standing : ticket < 95 ? given : beside;
-    return {how, cell, choices_.below(how == standing ? 8U : 64U)};
+    return {.how = how, .cell = cell, .nth = choices_.below(how == standing ? 8U : 64U)};
   }
 
   // Of one cell for exchange(), as a rule.
   std::vector<Named> several(Kind kind, Cell here) {
     std::vector<Named> all;
-    if (choices_.chance(60)) return {{Named::How::all, here, 0}};
+    if (choices_.chance(60)) return {{.how = Named::How::all, .cell = here}};
     for (int k = below(4); k > 0; --k) all.push_back(named(kind == Kind::exchange ? here : cell()));
     return all;
   }
@@ -188,6 +196,12 @@ LocalPoint drawPoint(Random& choices, std::int32_t lines) {
 
 Habits withMarks(Habits habits) {
   for (const Kind kind : {Kind::mark, Kind::goBack, Kind::forget}) habits.weights[static_cast<std::size_t>(kind)] = 6;
+  return habits;
+}
+
+Habits withRedo(Habits habits) {
+  habits = withMarks(std::move(habits));
+  habits.weights[static_cast<std::size_t>(Kind::goForward)] = 4;
   return habits;
 }
 

@@ -9,12 +9,12 @@
 #include "oracle/check/reach.h"
 #include "oracle/check/refusal.h"
 #include "oracle/check/window.h"
-#include "oracle/generate/ways.h"
+#include "oracle/generate/forms.h"
 #include "oracle/reference/canonical.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
-#include "oracle/trace/brushing.h"
-#include "oracle/trace/row.h"
+#include "oracle/trace/call_text.h"
+#include "oracle/trace/plain_edits.h"
 #include "oracle/views/named_islands.h"
 
 #include <fmt/format.h>
@@ -24,15 +24,18 @@ namespace lgs::oracle {
 namespace {
 
 // A trace that adds the polygons of a scene, cell by cell.
-Trace inAnotherOrder(const Scene& scene) {
+Trace inAnotherOrder(const Scene& scene, bool inForms) {
   std::vector<ScenePolygon> polygons = scene.polygons;
   Random random(polygons.size());
   random.shuffle(polygons);
   std::ranges::stable_sort(polygons, std::greater(), &ScenePolygon::cell);
   Trace trace{scene.preserve, {}};
   for (ScenePolygon& polygon : polygons)
-    trace.edits.push_back(Edit::add(fmt::format("p{}", trace.edits.size()), std::move(polygon)));
-  chooseWays(trace.edits, random);
+    trace.calls.push_back(Call::add(fmt::format("p{}", trace.calls.size()), std::move(polygon)));
+  if (!inForms) return trace;
+  Model model;
+  const std::vector<Call> edits = std::exchange(trace.calls, {});
+  makeInForms(edits, model, random, [&](Call call) { trace.calls.push_back(std::move(call)); });
   return trace;
 }
 
@@ -43,45 +46,39 @@ class Check {
         options_(options),
         stats_(stats),
         library_(options.engine ? nullptr : &own_),
-        engine_(options.engine ? *options.engine : own_),
-        rows_(trace) {
+        engine_(options.engine ? *options.engine : own_) {
     if (options.views) own_.followViews();
   }
 
   tl::expected<std::optional<Mismatch>, TraceError> run() {
     engine_.reset(trace_.preserve);
-    while (const auto row = rows_.next(calls())) {
-      edits_ = row->end;
-      if (row->isCommit()) {
-        if (library_ != nullptr) library_->useExecutor(row->way.number);
-        if (auto found = commit()) return found;
+    for (const Call& call : trace_.calls) {
+      ++edits_;
+      if (call.kind == Call::Kind::commit || call.kind == Call::Kind::load) {
+        if (auto found = commit(call.nth)) return found;
         if (stopped_) return std::nullopt;
-      } else {
-        if (row->verdict.accepted) edited_.insert(row->cells.begin(), row->cells.end());
-        auto found = apply(*row);
-        if (!found || *found) return found;
       }
+      if (call.kind == Call::Kind::commit) continue;
+      auto found = apply(call);
+      if (!found || *found) return found;
     }
-    if (pending_) {
-      if (auto found = commit()) return found;
+    if (pending()) {
+      if (auto found = commit(0)) return found;
       if (stopped_) return std::nullopt;
     }
     if (!lastWasWhole_ || options_.unionAtEnd) {
       if (auto found = compareWhole(true)) return found;
     }
     if (auto found = readAll()) return found;
+    if (auto found = comparePast()) return found;
     return checkHistory();
-  }
-
-  void addDetours() {
-    for (std::size_t k = 0; library_ != nullptr && k < kDetours; ++k) stats_.detours[k] += library_->detours()[k];
   }
 
  private:
   using Result = std::optional<Mismatch>;
 
-  const CallModel& calls() const { return library_ != nullptr ? library_->calls() : placed_; }
-  const Model& model() const { return calls().standing(); }
+  const Model& model() const { return library_ != nullptr ? library_->model() : placed_; }
+  bool pending() const { return library_ != nullptr ? library_->player().pending() : pending_; }
   Scene scene() const { return model().scene(trace_.preserve); }
 
   Mismatch mismatch(Mismatch::Kind kind, std::string text) const {
@@ -106,89 +103,87 @@ class Check {
     return found;
   }
 
-  tl::expected<Result, TraceError> apply(const Row& row) {
-    if (!row.isTrial) stats_.edits += row.edits.size();
-    if (row.way.door == Door::brush) return brush(row);
-    if (row.verdict.accepted) note(row);
-    if (library_ != nullptr) return applyByDoor(row);
-    return row.isTrial ? Result() : applyOneByOne(row);
+  tl::expected<Result, TraceError> apply(const Call& call) {
+    ++stats_.edits;
+    if (library_ == nullptr) return applyByName(call);
+    Judged judged;
+    if (call.kind != Call::Kind::group && call.kind != Call::Kind::repeat) judged = library_->player().judge(call);
+    const Verdict& verdict = judged.verdict;
+    stats_.full += !verdict.accepted && verdict.code == ErrorCode::capacity ? 1 : 0;
+    const bool isBrush = call.kind == Call::Kind::brush;
+    const Scene before = isBrush ? sceneOf(model().standing(), near(call.brush)) : Scene();
+    touch(call, judged);
+    auto complaint = library_->apply(call, judged);
+    if (!complaint) return refused(call, verdict, complaint.error());
+    if (*complaint) return mismatch(std::move(**complaint));
+    ++stats_.made[static_cast<std::size_t>(call.kind)];
+    if (isBrush) return brushed(call.brush, before);
+    const bool hasTravelled = call.kind == Call::Kind::goBack || call.kind == Call::Kind::goForward;
+    return hasTravelled && !pending() ? compareWhole(false) : Result();
   }
 
-  void note(const Row& row) {
-    stats_.doors[static_cast<std::size_t>(row.way.door)] += row.edits.size();
-    pending_ = true;
+  // The cells that a call may edit.
+  void touch(const Call& call, const Judged& judged) {
+    if (!judged.verdict.accepted) return;
+    for (const Call& part : call.group) touch(part, {part, {}});
+    for (const Coming& coming : judged.call.comes) edited_.insert(coming.cell);
+    for (const Named& named : judged.call.goes)
+      if (model().isAlive(named.name)) edited_.insert(model().standing().cellOf(named.name));
+    if (call.kind == Call::Kind::fill || call.kind == Call::Kind::exchange)
+      for (std::int32_t j = call.cells.min.j; j <= call.cells.max.j; ++j)
+        for (std::int32_t i = call.cells.min.i; i <= call.cells.max.i; ++i) edited_.insert({i, j});
+    if (call.kind == Call::Kind::clear)
+      for (const auto& entry : model().standing().cells())
+        if (contains(call.cells, entry.first)) edited_.insert(entry.first);
+  }
+
+  static CellRect near(const BrushEdit& brush) {
+    const auto [min, max] = cellsUnder(brush);
+    return {{min.i - 1, min.j - 1}, {max.i + 1, max.j + 1}};
   }
 
   // From then on, what the brush did is as if it had been done by hand.
-  tl::expected<Result, TraceError> brush(const Row& row) {
-    const Edit& edit = row.edits.front();
-    if (library_ == nullptr) return tl::unexpected(TraceError{edit.line, "only this library's engine has brushes", {}});
-    const auto [min, max] = cellsUnder(edit.brush);
-    const CellRect near{{min.i - 1, min.j - 1}, {max.i + 1, max.j + 1}};
-    const Scene before = sceneOf(model(), near);
-    const auto done = library_->brush(edit);
-    if (!done) return refusedBrush(row, done.error());
-    if (!row.verdict.accepted) return mismatch(Mismatch::Kind::verdict, "a brush is out of reach, but is accepted");
-    note(row);
-    if (std::string wrong = wrongReach(edit.brush, *done); !wrong.empty())
+  Result brushed(const BrushEdit& brush, const Scene& before) {
+    const Brushed& done = library_->player().brushed();
+    if (std::string wrong = wrongReach(brush, done); !wrong.empty())
       return mismatch(Mismatch::Kind::reach, std::move(wrong));
-    for (const auto& entry : done->went) edited_.insert(entry.second.cell);
-    for (const Edit& part : done->edits)
-      if (part.kind == Edit::Kind::add) edited_.insert(part.polygon.cell);
-    if (!options_.cgal) return Result();
+    for (const auto& entry : done.went) edited_.insert(entry.second.cell);
+    for (const Call& part : done.edits)
+      if (part.kind == Call::Kind::add) edited_.insert(part.comes[0].cell);
+    if (!options_.cgal || !brush.staying.empty()) return std::nullopt;
     ++stats_.brushed;
-    auto far = farFromExact(before, edit.brush, sceneOf(model(), near));
-    if (!far) return Result();
+    auto far = farFromExact(before, brush, sceneOf(model().standing(), near(brush)));
+    if (!far) return std::nullopt;
     if (const auto refusals = engine_.commit(); !refusals) return mismatch(refusals.error());  // for the picture
     return mismatch(Mismatch::Kind::rounding, std::move(*far));
   }
 
-  // Whether a cell is full can not be known beforehand.
-  tl::expected<Result, TraceError> refusedBrush(const Row& row, const TraceError& error) {
-    const std::optional<Error>& refusal = error.refusal;
-    const bool isExpected = refusal && refusal->code == row.verdict.code.value_or(ErrorCode::capacity);
-    if (!isExpected)
-      return mismatch(Mismatch::Kind::verdict, (refusal ? "a brush is refused, but is good: " : "") + error.text);
-    if (auto complaint = library_->afterRefusedBrush()) return mismatch(std::move(*complaint));
-    if (!options_.skipRefused) return tl::unexpected(error);
-    ++stats_.refused;
-    return Result();
-  }
-
-  tl::expected<Result, TraceError> applyByDoor(const Row& row) {
-    stats_.full += row.verdict.code == ErrorCode::capacity ? 1 : 0;
-    auto complaint = library_->apply(row);
-    if (!complaint) return refused(row, complaint.error());
-    if (*complaint) return mismatch(std::move(**complaint));
-    return Result();
-  }
-
   // The limits of a cell are this library's: other engines never see an edit that is refused for them.
-  tl::expected<Result, TraceError> applyOneByOne(const Row& row) {
-    const auto& [accepted, code, cell, index] = row.verdict;
-    if (accepted || (engine_.can().refuses && code != ErrorCode::capacity)) {
-      for (const Edit& edit : row.edits) {
-        edit.kind == Edit::Kind::add ? engine_.add(edit.name, edit.polygon) : engine_.remove(edit.name);
-        if (accepted)
-          placed_.apply(edit, edit.kind == Edit::Kind::add ? PolygonHandle{1, ++handles_} : PolygonHandle{});
-      }
+  tl::expected<Result, TraceError> applyByName(const Call& call) {
+    if (!isPlain(call))
+      return tl::unexpected(TraceError{call.line, "only this library's engine has such calls: " + printCall(call), {}});
+    const Verdict verdict = placed_.judge(call);
+    if (verdict.accepted || (engine_.can().refuses && verdict.code != ErrorCode::capacity)) {
+      call.kind == Call::Kind::add ? engine_.add(call.name(), call.polygon()) : engine_.remove(call.name());
     } else if (options_.skipRefused) {
       return Result();
     }
-    if (accepted) return Result();
-    pending_ = true;  // the refusal comes with the next commit
-    return refused(row, {row.edits.front().line, "must be refused: " + inWords(row), {}});
-  }
-
-  tl::expected<Result, TraceError> refused(const Row& row, const TraceError& error) {
-    if (!options_.skipRefused) return tl::unexpected(error);
-    ++stats_.refused;
-    const auto& code = row.verdict.code;
-    expected_.push_back({row.edits.front().name, code ? lgs::name(*code) : "a bad name"});
+    pending_ = true;  // a refusal comes with the next commit
+    if (!verdict.accepted) return refused(call, verdict, {call.line, "must be refused: " + printCall(call), {}});
+    touch(call, {placed_.resolved(call), verdict});
+    placed_.play(call);
     return Result();
   }
 
-  Result commit() {
+  tl::expected<Result, TraceError> refused(const Call& call, const Verdict& verdict, const TraceError& error) {
+    if (!options_.skipRefused && !trace_.mayRefuse) return tl::unexpected(error);
+    ++stats_.refused;
+    expected_.push_back({call.name(), verdict.code ? lgs::name(*verdict.code) : "a bad name"});
+    return Result();
+  }
+
+  Result commit(std::uint32_t executor) {
+    if (library_ != nullptr) library_->useExecutor(executor);
     const auto refusals = engine_.commit();
     ++commits_;
     ++stats_.commits;
@@ -204,7 +199,7 @@ class Check {
     if (auto found = lastWasWhole_ ? compareWhole(!options_.unionAtEnd) : compareWindow()) return found;
     if (auto found = compareIslands()) return found;
     constexpr std::size_t kReadEvery = 8;  // it takes half as long as all the rest of a commit
-    if (lastWasWhole_ && stats_.whole % kReadEvery == 0) {
+    if (lastWasWhole_ && (options_.questions != 0 || stats_.whole % kReadEvery == 0)) {
       if (auto found = readAll()) return found;
     }
     edited_.clear();
@@ -213,10 +208,26 @@ class Check {
   }
 
   Result readAll() {
+    constexpr std::size_t kQuestions = 3;
     if (library_ == nullptr) return std::nullopt;
     ++stats_.read;
-    auto complaint = library_->readAll();
+    auto complaint = library_->readAll(wholeOutline(), std::max<std::size_t>(options_.questions, kQuestions));
     return complaint ? Result(mismatch(std::move(*complaint))) : std::nullopt;
+  }
+
+  Result comparePast() {
+    if (library_ == nullptr) return std::nullopt;
+    ++stats_.pasts;
+    auto complaint = library_->compareWithPast();
+    return complaint ? Result(mismatch(std::move(*complaint))) : std::nullopt;
+  }
+
+  const Outline& wholeOutline() { return naive_(scene()).outline; }
+
+  // What is in memory shows the segments that it has in the whole world (law 14).
+  Outline shown(Outline whole) const {
+    if (!model().isWhole()) std::erase_if(whole, [&](const OutlineSegment& s) { return !model().isLoaded(cellOf(s)); });
+    return whole;
   }
 
   // The union and the loops take longest, so they can be left out.
@@ -226,9 +237,9 @@ class Check {
     const Scene all = scene();
     if (options_.naive) {
       ++stats_.naive;
-      if (auto found = compareOutlines(Mismatch::Kind::naive, all, naive_(all).outline, actual)) return found;
+      if (auto found = compareOutlines(Mismatch::Kind::naive, all, shown(naive_(all).outline), actual)) return found;
     }
-    if (!withUnion || !options_.cgal) return std::nullopt;
+    if (!withUnion || !options_.cgal || !model().isWhole()) return std::nullopt;
     const auto united = cgalUnion(all);
     if (!united) return std::nullopt;  // a preserve relation that is no partition: CGAL has no say
     if (auto found = compareUnion(all, *united, actual, nullptr)) return found;
@@ -251,7 +262,7 @@ class Check {
 
   Result compareWindow() {
     const CellSet judged = around(edited_);
-    const Scene near = sceneOf(model(), trace_.preserve, around(judged));
+    const Scene near = sceneOf(model().standing(), trace_.preserve, around(judged));
     Outline actual = library_ != nullptr ? library_->outlineIn(judged) : engine_.outline();
     if (library_ == nullptr) keepOnly(actual, judged);
     if (options_.naive) {
@@ -294,7 +305,8 @@ class Check {
   }
 
   Result checkHistory() {
-    const Trace another = inAnotherOrder(scene());
+    if (!model().isWhole()) return std::nullopt;
+    const Trace another = inAnotherOrder(scene(), library_ != nullptr);
     const Outline before = engine_.outline();
     if (library_ != nullptr) {
       const auto afresh = LibraryEngine::outlineAtOnce(another);
@@ -302,7 +314,7 @@ class Check {
       return mismatch(Mismatch::Kind::history, "added in another order, a polygon is refused: " + afresh.error().text);
     }
     engine_.reset(another.preserve);
-    for (const Edit& edit : another.edits) engine_.add(edit.name, edit.polygon);
+    for (const Call& call : another.calls) engine_.add(call.name(), call.polygon());
     const auto refusals = engine_.commit();
     if (!refusals) return mismatch(refusals.error());
     if (std::string wrong = wrongRefusals({}, *refusals); !wrong.empty())
@@ -316,9 +328,7 @@ class Check {
   LibraryEngine own_;
   LibraryEngine* const library_;  // null, if another engine is checked
   Engine& engine_;
-  Rows rows_;
-  CallModel placed_;           // in another engine
-  std::uint32_t handles_ = 0;  // that it might have given
+  Model placed_;  // in another engine
   NaiveReference naive_;
   std::vector<RefusedEdit> expected_;  // what must be refused since the last commit, and why
   CellSet edited_;
@@ -333,10 +343,7 @@ class Check {
 
 tl::expected<std::optional<Mismatch>, TraceError> checkTrace(const Trace& trace, const CheckOptions& options,
                                                              CheckStats& stats) {
-  Check check(trace, options, stats);
-  auto result = check.run();
-  if (options.engine == nullptr) check.addDetours();
-  return result;
+  return Check(trace, options, stats).run();
 }
 
 }  // namespace lgs::oracle

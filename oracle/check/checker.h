@@ -8,8 +8,8 @@
 //    (law 8), as CGAL measures it; what it does not reach stays, or is told as bent (law 9);
 //  - the end: a new world with the same polygons, added in another order and committed at once, has the same outline.
 //
-// This library's engine shows more, so more is checked of it: doors, reasons, change lists, reads (library_engine.h),
-// and the loops.
+// This library's engine shows more, so more is checked of it: all calls, reasons, change lists, reads, the past
+// (library_engine.h), and the loops.
 #pragma once
 
 #include "oracle/engine/engine.h"
@@ -47,6 +47,9 @@ struct CheckOptions {
   /// Compare with CGAL after the last commit only: it costs more than all the rest together.
   bool unionAtEnd = false;
 
+  /// Read everything after every commit, and ask so many questions each time; 0: after some, and ask a few.
+  std::size_t questions = 0;
+
   /// Called after each commit that was found right, with what stands then; false stops the check there.
   std::function<bool(const Model&)> afterCommit = {};
 };
@@ -63,6 +66,7 @@ struct Mismatch {
     reach,     ///< a brush changed a polygon that law 9 keeps
     rounding,  ///< a brush is farther from its exact result than law 8 allows
     history,   ///< the outline depends on how it came about
+    past,      ///< what was undone, saved or copied has left a trace (law 12)
     views,     ///< a view of loops, islands or pieces is not that of the world
     terrain,   ///< a physics engine's copy is not that of the world; the checker itself knows no such copy
     crash,     ///< the engine ended
@@ -90,22 +94,19 @@ struct CheckStats {
   std::uint64_t edits = 0;
   std::uint64_t refused = 0;
   std::uint64_t commits = 0;
-  std::uint64_t whole = 0;                    ///< comparisons of the whole world
-  std::uint64_t naive = 0;                    ///< comparisons with the naive reference
-  std::uint64_t cgal = 0;                     ///< comparisons with CGAL
-  std::uint64_t brushed = 0;                  ///< edits by brushes that were measured against the exact result
-  std::uint64_t segments = 0;                 ///< compared with a reference
-  std::uint64_t read = 0;                     ///< how often everything was read
-  std::uint64_t full = 0;                     ///< calls refused because of a limit
-  std::array<std::uint64_t, kDoors> doors{};  ///< edits through each
-  Detours detours{};
+  std::uint64_t whole = 0;                         ///< comparisons of the whole world
+  std::uint64_t naive = 0;                         ///< comparisons with the naive reference
+  std::uint64_t cgal = 0;                          ///< comparisons with CGAL
+  std::uint64_t brushed = 0;                       ///< edits by brushes that were measured against the exact result
+  std::uint64_t segments = 0;                      ///< compared with a reference
+  std::uint64_t read = 0;                          ///< how often everything was read
+  std::uint64_t full = 0;                          ///< calls refused because of a limit
+  std::uint64_t pasts = 0;                         ///< worlds that were made once more without what was undone
+  std::array<std::uint64_t, Call::kKinds> made{};  ///< calls that were accepted, by kind
 };
 
-/// "points 20%, floats 10%, …": the share of the edits that took each door.
-std::string doorsInWords(const CheckStats& stats);
-
-/// The same for what happened beside the edits, in numbers.
-std::string detoursInWords(const CheckStats& stats);
+/// "add 20%, place 10%, …": the share of each kind among the calls that were accepted.
+std::string callsInWords(const CheckStats& stats);
 
 /// Checks a trace up to the first mismatch, if there is one; adds to `stats`. An error if an edit is rightly refused
 /// and `skipRefused` is not set, and for no other reason.

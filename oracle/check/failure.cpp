@@ -5,8 +5,8 @@
 #include "oracle/page/page.h"
 #include "oracle/reference/naive.h"
 #include "oracle/reference/words.h"
-#include "oracle/trace/brushing.h"
 #include "oracle/trace/model.h"
+#include "oracle/trace/plain_edits.h"
 
 #include <fmt/format.h>
 #include <utility>
@@ -62,8 +62,8 @@ struct Shown {
 
 std::string describe(const Mismatch& mismatch, const Trace& trace) {
   std::string where = fmt::format("after edit {}", mismatch.edits);
-  if (mismatch.edits > 0 && trace.edits[mismatch.edits - 1].line != 0) {
-    where += fmt::format(", line {}", trace.edits[mismatch.edits - 1].line);
+  if (mismatch.edits > 0 && trace.calls[mismatch.edits - 1].line != 0) {
+    where += fmt::format(", line {}", trace.calls[mismatch.edits - 1].line);
   }
   return fmt::format("{} ({}): {}:\n{}", where, counted(mismatch.commit, "commit"), describe(mismatch.kind),
                      mismatch.text);
@@ -115,14 +115,8 @@ std::string pageWithoutEngine(const Trace& trace, const std::string& title) {
 
 std::string drawWithoutEngine(const Trace& trace, const std::string& title) {
   Model model;
-  for (const Edit& edit : withoutBrushes(trace).edits) {
-    if (model.judge(edit).accepted) model.apply(edit);
-  }
-  Scene scene;
-  scene.preserve = trace.preserve;
-  for (const auto& [cell, placed] : model.cells()) {
-    for (const Model::Placed& p : placed) scene.polygons.push_back({cell, p.block, p.vertices});
-  }
+  for (const Call& call : inPlainEdits(trace).calls) model.play(call);
+  const Scene scene = model.scene(trace.preserve);
   DrawOptions options;
   options.title = title;
   return drawWorld(scene, naiveOutline(scene), options);

@@ -17,7 +17,7 @@ using Kind = Difference::Kind;
 bool isRightAfresh(const Mismatch& mismatch, Engine& engine) {
   Trace trace{mismatch.scene.preserve, {}};
   for (const ScenePolygon& polygon : mismatch.scene.polygons)
-    trace.edits.push_back(Edit::add(fmt::format("p{}", trace.edits.size() + 1), polygon));
+    trace.calls.push_back(Call::add(fmt::format("p{}", trace.calls.size() + 1), polygon));
   const auto afresh = play(trace, engine);
   return afresh && comparable(*afresh, engine.can()) == comparable(mismatch.expected, engine.can());
 }

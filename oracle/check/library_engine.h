@@ -1,9 +1,10 @@
 // This library's engine as an engine, and what is checked of it beyond refusals and the outline:
-//  - each row goes through one of its doors (way.h): the refusal has the right reason, and names what is to blame; a
-//    refused row changes nothing; a stale handle stays stale;
-//  - each commit: the change list is exact (mirror.h); the polygons of the edited cells read as they were placed;
+//  - each call is answered as the model says (model.h); one that is refused changes nothing; a stale handle stays stale;
+//  - each commit, and going back and forward: the change list is exact (mirror.h); the polygons of the edited cells read
+//    as they were placed;
 //  - if it is asked for, views of loops, islands and pieces are held against a full recompute after each commit;
-//  - now and then: everything else that a world can be asked (reads.h).
+//  - now and then: everything else that a world can be asked (reads.h, questions.h);
+//  - at the end: a world in which nothing was undone is the same (observed.h).
 #pragma once
 
 #include "oracle/check/checker.h"
@@ -48,23 +49,20 @@ class LibraryEngine : public Engine {
   /// The segments of these cells.
   Outline outlineIn(const CellSet& cells) const;
 
-  /// Makes a row by one call. The error is that of an edit that is rightly refused.
-  tl::expected<std::optional<Complaint>, TraceError> apply(const Row& row);
+  /// Makes a call that is no commit. The error is that of one that is rightly refused.
+  tl::expected<std::optional<Complaint>, TraceError> apply(const Call& call, const Judged& judged);
 
-  /// By which executor the next commit is made (player.h).
-  void useExecutor(std::uint32_t number) { player_->useExecutor(number); }
-
-  /// Makes an edit by a brush. Returns what it did; or why it was refused.
-  tl::expected<Brushed, TraceError> brush(const Edit& edit);
-
-  /// To be called after a brush was refused.
-  std::optional<Complaint> afterRefusedBrush() const;
+  /// By which executor the next commit is made (caller.h).
+  void useExecutor(std::uint32_t number) { executor_ = number; }
 
   /// To be called after each commit, with the cells edited since the one before.
   std::optional<Complaint> afterCommit(const CellSet& edited);
 
   /// Asks the world everything. To be called after a commit.
-  std::optional<Complaint> readAll() const;
+  std::optional<Complaint> readAll(const Outline& whole, std::size_t questions);
+
+  /// To be called at the end.
+  std::optional<Complaint> compareWithPast() const;
 
   /// The loops, collinear vertices dropped.
   Loops loops() const;
@@ -72,11 +70,12 @@ class LibraryEngine : public Engine {
   /// The outline of a world that plays a trace and commits once, by an executor. An error if an edit is refused.
   static tl::expected<Outline, TraceError> outlineAtOnce(const Trace& trace);
 
-  const CallModel& calls() const { return player_->calls(); }
-  const Detours& detours() const { return player_->detours(); }
+  const Player& player() const { return *player_; }
+  const Model& model() const { return player_->model(); }
 
  private:
-  std::optional<Complaint> afterRefusal(const Row& row, const Stats& before) const;
+  std::optional<Complaint> afterRefusal(const Call& call, const Stats& before) const;
+  std::optional<Complaint> afterTravel(Call::Kind kind);
   std::optional<Complaint> checkViews();
   std::optional<Complaint> checkStale(const std::vector<PolygonHandle>& handles);
 
@@ -86,6 +85,8 @@ class LibraryEngine : public Engine {
   std::vector<PolygonHandle> stale_;  // of all polygons that were removed
   std::vector<RefusedEdit> refused_;  // since the last commit
   bool followsViews_ = false;
+  std::uint32_t executor_ = 0;
+  bool wasAway_ = false;  // some chunks are not in memory, or were not
   struct Followed {
     Islands islands;
     IslandCheck islandCheck;

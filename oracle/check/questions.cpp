@@ -61,6 +61,15 @@ Spot slowSpot(const World& world, Point p) {
   return spot;
 }
 
+Point inTheWorld(std::int64_t x, std::int64_t y) {
+  return {std::clamp(x, -kMaxCoordinate, kMaxCoordinate), std::clamp(y, -kMaxCoordinate, kMaxCoordinate)};
+}
+
+/// Whether a question had to look where nothing is in memory.
+bool isRightlyUnseen(const World& world, const Error& error) {
+  return error.code == ErrorCode::unloaded && world.firstUnloaded({error.cell, error.cell}) == error.cell;
+}
+
 /// The square of the distance.
 Ratio distance(const Segment& s, Point p) {
   const Arrow along = arrow(s.start, s.end), to = arrow(s.start, p);
@@ -79,9 +88,6 @@ std::vector<Segment> segmentsOf(const World& world) {
 }
 
 Point somePoint(const World& world, Random& random) {
-  const auto inTheWorld = [](std::int64_t x, std::int64_t y) {
-    return Point{std::clamp(x, -kMaxCoordinate, kMaxCoordinate), std::clamp(y, -kMaxCoordinate, kMaxCoordinate)};
-  };
   const auto ids = world.segments();
   if (ids.empty() || random.chance(20)) {
     const Point origin = toWorld(world.bounds().value_or(CellRect{}).min, {});
@@ -103,7 +109,7 @@ std::string wrongSpot(const World& world, Point p) {
 
 std::string wrongNearest(const World& world, std::span<const Segment> segments, Point p, double radius) {
   const auto actual = world.nearest(p, radius);
-  if (!actual) return "nearest() is refused: " + message(actual.error());
+  if (!actual) return isRightlyUnseen(world, actual.error()) ? "" : "nearest() is refused: " + message(actual.error());
   const std::int64_t reach = std::llround(radius * static_cast<double>(kCell));
   const Segment* nearest = nullptr;
   Ratio least{Exact{reach} * reach, 1};
@@ -133,7 +139,7 @@ std::string wrongNearest(const World& world, std::span<const Segment> segments, 
 
 std::string wrongRay(const World& world, std::span<const Segment> segments, Point from, Point to) {
   const auto actual = world.rayCast(from, to);
-  if (!actual) return "rayCast() is refused: " + message(actual.error());
+  if (!actual) return isRightlyUnseen(world, actual.error()) ? "" : "rayCast() is refused: " + message(actual.error());
   const Segment* first = nullptr;
   Ratio least{1, 1};
   const Arrow ray = arrow(from, to);
@@ -155,6 +161,71 @@ std::string wrongRay(const World& world, std::span<const Segment> segments, Poin
   const DoublePoint normal = first->normal();
   const bool isNormal = actual->normal.x == normal.x && actual->normal.y == normal.y;
   return isNormal && std::abs(actual->fraction - least.real()) <= 1e-12 ? "" : where + " meets it elsewhere";
+}
+
+namespace {
+
+// Where nothing is in memory: handles of other chunks are not known here.
+std::string wrongSpotBeside(const World& world, const Scene& scene, Point p) {
+  const Spot actual = world.at(p);
+  if (actual.where == Spot::Where::unloaded)
+    return world.firstUnloaded({actual.cell, actual.cell}) == actual.cell ? ""
+                                                                          : "at() says unloaded of what is in memory";
+  auto expected = Spot::Where::outside;
+  for (const ScenePolygon& polygon : scene.polygons) {
+    const auto turns = winding(polygon.vertices, polygon.cell, p);
+    if (turns == 0) continue;
+    if (!turns && expected != Spot::Where::inside) expected = Spot::Where::edge;
+    if (turns) expected = Spot::Where::inside;
+    if (turns && actual.block != polygon.block) return fmt::format("at{} is of another block", told(p));
+  }
+  return actual.where == expected ? "" : fmt::format("at{} is not what lies there", told(p));
+}
+
+Point pointNear(const Outline& whole, Random& random) {
+  const OutlineSegment& s = random.pick(whole);
+  const Point p = random.chance(50) ? s.start : Point{(s.start.x + s.end.x) / 2, (s.start.y + s.end.y) / 2};
+  const std::int64_t spread = random.chance(30) ? 0 : random.chance(50) ? 1 : kCell;
+  const std::int64_t x = random.below(2 * spread + 1) - spread, y = random.below(2 * spread + 1) - spread;
+  return inTheWorld(p.x + x, p.y + y);
+}
+
+}  // namespace
+
+std::string wrongAnswers(const World& world, const Scene& scene, const Outline& whole, Random& random,
+                         std::size_t count) {
+  if (whole.empty()) return "";
+  std::vector<Segment> segments;
+  for (const OutlineSegment& s : whole) {
+    Segment& segment = segments.emplace_back();
+    segment.start = s.start;
+    segment.end = s.end;
+    segment.block = s.block;
+  }
+  const bool isWhole = !world.firstUnloaded({{-kMaxCell, -kMaxCell}, {kMaxCell, kMaxCell}});
+  for (; count > 0; --count) {
+    const Point p = pointNear(whole, random), q = pointNear(whole, random);
+    std::string wrong = isWhole ? wrongSpot(world, p) : wrongSpotBeside(world, scene, p);
+    if (wrong.empty()) wrong = wrongNearest(world, segments, p, random.below(5) / 2.0);
+    const auto isFar = [](std::int64_t a, std::int64_t b) { return std::abs(a - b) > 1'000 * kCell; };
+    if (wrong.empty() && !isFar(p.x, q.x) && !isFar(p.y, q.y)) wrong = wrongRay(world, segments, p, q);
+    if (!wrong.empty()) return wrong;
+  }
+  return "";
+}
+
+// The copy is another world as soon as one of its polygons has another block.
+std::string wrongComparison(const World& world) {
+  World other(world);
+  if (!samePolygons(world, other)) return "samePolygons() takes a copy for another world";
+  PolygonHandle any;
+  Block block = 0;
+  world.forEachPolygon([&](Cell, const PlacedPolygon& p) {
+    any = p.handle;
+    block = p.block;
+  });
+  if (!any || !other.setBlock(any, block + 1)) return "";
+  return samePolygons(world, other) ? "samePolygons() does not see another block" : "";
 }
 
 }  // namespace lgs::oracle

@@ -59,9 +59,10 @@ bool mayMeet(const BrushEdit& brush, const ScenePolygon& polygon) {
 }
 
 std::string wrongReach(const BrushEdit& brush, const Brushed& done) {
-  for (const Edit& part : done.edits) {
-    if (part.kind != Edit::Kind::remove || std::ranges::find(done.bent, part.name) != done.bent.end()) continue;
-    if (!mayMeet(brush, done.went.at(part.name))) return fmt::format("'{}' has changed, but is not reached", part.name);
+  for (const Call& part : done.edits) {
+    if (part.kind != Call::Kind::remove || std::ranges::find(done.bent, part.name()) != done.bent.end()) continue;
+    if (!mayMeet(brush, done.went.at(part.name())))
+      return fmt::format("'{}' has changed, but is not reached", part.name());
   }
   return "";
 }

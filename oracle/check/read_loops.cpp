@@ -17,7 +17,8 @@ std::vector<SegmentId> closedChain(std::span<const Segment> segments, SegmentId 
   for (;;) {
     const SegmentId here = chain.back();
     const SegmentId next = segments[here.value].successor;
-    if (!next || segments[next.value].predecessor != here) return {};
+    const bool isShown = next && next.value < segments.size() && segments[next.value].id;
+    if (!isShown || segments[next.value].predecessor != here) return {};
     if (next == first) return chain;
     chain.push_back(next);
   }

@@ -17,13 +17,13 @@ struct WrongRead {
 };
 
 /// The polygons of a cell, asked for by cell and by handle.
-std::optional<WrongRead> readCell(const World& world, const Model& model, Cell cell);
+std::optional<WrongRead> readCell(const World& world, const Standing& standing, Cell cell);
 
 /// The polygons of all cells, and how many there are.
 std::optional<WrongRead> readPolygons(const Player& player);
 
-/// Segments by id, dead ids too; and by rectangle, for a few rectangles.
-std::optional<WrongRead> readSegments(const World& world, std::span<const Segment> segments);
+/// Segments by id, dead ids too; and by rectangle, for a few rectangles. Some may be unloaded, or were: `isAway`.
+std::optional<WrongRead> readSegments(const World& world, std::span<const Segment> segments, bool isAway = false);
 
 /// The loops, with and without collinear vertices.
 std::optional<WrongRead> readLoops(const World& world, std::span<const Segment> segments);

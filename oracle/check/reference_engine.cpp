@@ -21,21 +21,21 @@ void ReferenceEngine::reset(const PreservePairs& preserve) {
 }
 
 void ReferenceEngine::add(const std::string& name, const ScenePolygon& polygon) {
-  const Edit edit = Edit::add(name, polygon);
-  if (accepts(edit)) model_.apply(edit);
+  const Call call = Call::add(name, polygon);
+  if (accepts(call)) model_.play(call);
 }
 
 void ReferenceEngine::remove(const std::string& name) {
-  const Edit edit = Edit::remove(name);
-  if (accepts(edit)) model_.apply(edit);
+  const Call call = Call::remove(name);
+  if (accepts(call)) model_.play(call);
 }
 
 // Notes the refusal, if the edit must be refused.
-bool ReferenceEngine::accepts(const Edit& edit) {
-  const Verdict verdict = model_.judge(edit);
+bool ReferenceEngine::accepts(const Call& call) {
+  const Verdict verdict = model_.judge(call);
   if (verdict.accepted) return true;
-  const char* const ofName = edit.kind == Edit::Kind::add ? "name in use" : "unknown name";
-  refused_.push_back({edit.name, verdict.code ? lgs::name(*verdict.code) : ofName});
+  const char* const ofName = call.kind == Call::Kind::add ? "name in use" : "unknown name";
+  refused_.push_back({call.name(), verdict.code ? lgs::name(*verdict.code) : ofName});
   return false;
 }
 

@@ -27,7 +27,7 @@ class ReferenceEngine : public Engine {
   Outline outline() const override { return outline_; }
 
  private:
-  bool accepts(const Edit& edit);
+  bool accepts(const Call& edit);
   std::optional<Failure> unite();
 
   bool isNaive_;

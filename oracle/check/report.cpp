@@ -5,8 +5,8 @@
 #include "oracle/check/shrink.h"
 #include "oracle/generate/generator.h"
 #include "oracle/reference/words.h"
-#include "oracle/trace/brushing.h"
 #include "oracle/trace/file.h"
+#include "oracle/trace/plain_edits.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -16,18 +16,19 @@
 namespace lgs::oracle {
 namespace {
 
-using Fault = Mismatch::Kind;
+using FaultKind = Mismatch::Kind;
 
 // What is needed to find a mismatch of this kind again, and no more: it is asked many times.
-CheckOptions only(Fault kind, CheckOptions options) {
+CheckOptions only(FaultKind kind, CheckOptions options) {
   options.afterCommit = {};
-  options.naive = options.naive && (kind == Fault::naive || kind == Fault::loops);
-  options.cgal = options.cgal && (kind == Fault::cgal || kind == Fault::loops || kind == Fault::rounding);
+  options.naive = options.naive && (kind == FaultKind::naive || kind == FaultKind::loops);
+  if (kind == FaultKind::reading) options.questions = 40;
+  options.cgal = options.cgal && (kind == FaultKind::cgal || kind == FaultKind::loops || kind == FaultKind::rounding);
   return options;
 }
 
 Trace shrunk(const Mismatch& found, Trace trace, const FindAgain& findAgain, std::chrono::milliseconds budget) {
-  trace.edits.resize(found.edits);
+  trace.calls.resize(found.edits);
   const auto stillFails = [&](const Trace& candidate) {
     stillAlive();
     return findAgain(candidate).has_value();
@@ -39,7 +40,7 @@ Trace shrunk(const Mismatch& found, Trace trace, const FindAgain& findAgain, std
 // While it lives, an engine is given up on sooner, if what is looked for again is a hang.
 class Hurry {
  public:
-  Hurry(Engine& engine, Fault kind) : engine_(engine) { engine_.hurry(kind == Fault::hang); }
+  Hurry(Engine& engine, FaultKind kind) : engine_(engine) { engine_.hurry(kind == FaultKind::hang); }
   ~Hurry() { engine_.hurry(false); }
   Hurry(const Hurry&) = delete;
   Hurry& operator=(const Hurry&) = delete;
@@ -67,10 +68,10 @@ void save(const Trace& trace, const Views& views, const ReportOptions& report, b
 
 void print(const Trace& trace, const std::string& what) {
   constexpr std::size_t kPrinted = 40;
-  if (trace.edits.size() <= kPrinted) {
+  if (trace.calls.size() <= kPrinted) {
     fmt::print("\n{}\n{}", printTrace(trace), what);
   } else {
-    fmt::print("\n{} edits are left, too many to print here\n{}", trace.edits.size(), what);
+    fmt::print("\n{} edits are left, too many to print here\n{}", trace.calls.size(), what);
   }
 }
 
@@ -87,7 +88,7 @@ Trace shrinkWithEngine(const Mismatch& found, const Trace& trace, Engine& engine
   return findAfresh(small) ? small : shrunk(found, trace, findAfresh, budget);
 }
 
-FindAgain sameKind(Fault kind, const CheckOptions& options) {
+FindAgain sameKind(FaultKind kind, const CheckOptions& options) {
   return [kind, narrow = only(kind, options)](const Trace& candidate) -> std::optional<Mismatch> {
     if (narrow.engine != nullptr && !whyNot(candidate, narrow.engine->can()).empty()) return std::nullopt;
     auto again = findMismatch(candidate, narrow);
@@ -102,7 +103,7 @@ bool writeOrComplain(const std::string& path, std::string_view content) {
 }
 
 Trace untilFound(Trace trace, const Mismatch& found) {
-  trace.edits.resize(std::min(trace.edits.size(), found.edits));
+  trace.calls.resize(std::min(trace.calls.size(), found.edits));
   return trace;
 }
 
@@ -148,15 +149,15 @@ void reportMismatch(const Mismatch& found, const Trace& trace, const CheckOption
 
 Trace beforeCrash(Trace trace) {
   const auto crashes = [&] {
-    return crashOf([&] { static_cast<void>(withoutBrushes(trace)); }, {.seconds = 10, .quiet = true}).has_value();
+    return crashOf([&] { static_cast<void>(inPlainEdits(trace)); }, {.seconds = 10, .quiet = true}).has_value();
   };
-  while (hasBrushes(trace) && crashes()) trace.edits.pop_back();
+  while (!isPlain(trace) && crashes()) trace.calls.pop_back();
   return trace;
 }
 
 void reportCrash(const std::string& how, const Trace& trace, const CheckOptions& options, const ReportOptions& report) {
   fmt::print("MISMATCH the engine {}\n", how);
-  if (report.shrinkFor.count() > 0) fmt::print("shrinking the trace of {} …\n", counted(trace.edits.size(), "line"));
+  if (report.shrinkFor.count() > 0) fmt::print("shrinking the trace of {} …\n", counted(trace.calls.size(), "line"));
   std::fflush(stdout);
 
   CheckOptions alone = options;

@@ -38,8 +38,8 @@ Trace shrinkWithEngine(const Mismatch& found, const Trace& trace, Engine& engine
 /// The trace up to where the mismatch was found: to tell it by, when it is not found again.
 Trace untilFound(Trace trace, const Mismatch& found);
 
-/// A trace without the strokes of brushes from which the engine crashes or hangs, and all that follows them: a picture
-/// needs to know what they do.
+/// A trace without the calls from which the engine crashes or hangs, and all that follows them, unless all are plain: a
+/// picture needs to know what the others do.
 Trace beforeCrash(Trace trace);
 
 /// Shrinks the trace, prints all of it, saves trace, picture and page.

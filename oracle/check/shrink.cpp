@@ -11,48 +11,84 @@
 namespace lgs::oracle {
 namespace {
 
-// Every polygon gets a name of its own, p1, p2, … in order; so an add can go without touching another's removal. The
-// ways of the edits stay, or they become plain.
-Trace renamed(Trace trace, bool withWays) {
+// All calls, those in groups too.
+template <class Visit>
+void forEachCall(std::vector<Call>& calls, Visit visit) {
+  for (Call& call : calls) {
+    visit(call);
+    forEachCall(call.group, visit);
+  }
+}
+
+// Every polygon with a name gets one of its own, p1, p2, … in order; so an add can go without touching another's
+// removal.
+Trace renamed(Trace trace) {
   std::map<std::string, std::string> nameOf;
   std::size_t count = 0;
-  for (Edit& edit : trace.edits) {
-    if (!withWays) edit.way = Edit::plainWay(edit.kind);
-    if (edit.kind == Edit::Kind::add) nameOf[edit.name] = fmt::format("p{}", ++count);
-    if (edit.kind != Edit::Kind::commit) edit.name = nameOf[edit.name];
-  }
+  forEachCall(trace.calls, [&](Call& call) {
+    for (Named& named : call.goes)
+      if (named.how == Named::How::name && nameOf.contains(named.name)) named.name = nameOf[named.name];
+    for (Coming& coming : call.comes)
+      for (std::string& name : coming.names) {
+        std::string next = fmt::format("p{}", ++count);
+        nameOf[name] = next;
+        name = std::move(next);
+      }
+  });
   return trace;
 }
 
-// The block of an edit that has one.
-Block* blockOf(Edit& edit) {
-  if (edit.kind == Edit::Kind::add) return &edit.polygon.block;
-  const bool paints = edit.kind == Edit::Kind::brush && edit.brush.deed != BrushEdit::Deed::carve;
-  return paints ? &edit.brush.block : nullptr;
+// The blocks of a call that it gives to something.
+std::vector<Block*> blocksOf(Call& call) {
+  std::vector<Block*> blocks;
+  if (call.kind != Call::Kind::shape)
+    for (Coming& coming : call.comes) blocks.push_back(&coming.block);
+  const bool paints = call.kind == Call::Kind::brush && call.brush.deed != BrushEdit::Deed::carve;
+  if (paints) blocks.push_back(&call.brush.block);
+  return blocks;
 }
 
 // Drops the removals of polygons that are not there.
 void dropOrphans(Trace& trace) {
   std::unordered_set<std::string> alive;
-  std::erase_if(trace.edits, [&](const Edit& edit) {
-    if (edit.kind == Edit::Kind::add) alive.insert(edit.name);
-    return edit.kind == Edit::Kind::remove && alive.erase(edit.name) == 0;
+  std::erase_if(trace.calls, [&](const Call& call) {
+    for (const Coming& coming : call.comes) alive.insert(coming.names.begin(), coming.names.end());
+    return call.kind == Call::Kind::remove && call.goes[0].how == Named::How::name && alive.erase(call.name()) == 0;
   });
+}
+
+// What a call may become: all that is simpler; and an unnamed one add in plain form.
+std::vector<Call> formsOf(const Call& call, std::size_t at) {
+  std::vector<Call> forms = simpler(call);
+  const bool isOfOne = call.comes.size() == 1 && call.comes[0].shape.size() == 1 && call.comes[0].id == 0;
+  if (call.kind != Call::Kind::add &&
+      (call.kind == Call::Kind::addShape || call.kind == Call::Kind::addMany || call.kind == Call::Kind::replace) &&
+      isOfOne) {
+    Call add = call;
+    add.kind = Call::Kind::add;
+    forms.insert(forms.begin(), tidied(std::move(add)));
+  }
+  if (call.kind == Call::Kind::add && call.name().empty()) {
+    Call named = call;
+    named.comes[0].names = {fmt::format("q{}", at)};
+    forms.push_back(std::move(named));
+  }
+  return forms;
 }
 
 }  // namespace
 
 const std::vector<ShrinkWalk::Pass>& ShrinkWalk::passes() {
   using W = ShrinkWalk;
-  static const std::vector<Pass> kPasses{
-      &W::rename,   &W::dropEdits,   &W::simplifyPolygons, &W::simplifyBrushes, &W::dropPairs, &W::renumberBlocks,
-      &W::oneBlock, &W::moveColumns, &W::moveRows,         &W::plainWays,       &W::rename};
+  static const std::vector<Pass> kPasses{&W::rename,          &W::dropCalls, &W::simplifyCalls,  &W::simplifyPolygons,
+                                         &W::simplifyBrushes, &W::dropPairs, &W::renumberBlocks, &W::oneBlock,
+                                         &W::moveColumns,     &W::moveRows,  &W::rename,         &W::refuseNothing};
   return kPasses;
 }
 
 std::optional<Trace> ShrinkWalk::next() {
   constexpr std::size_t kFirstOfRound = 1;
-  const std::size_t endOfRound = passes().size() - 1;
+  const std::size_t endOfRound = passes().size() - 2;
   while (pass_ < passes().size()) {
     if (auto candidate = (this->*passes()[pass_])()) {
       if (*candidate != best_) return candidate;
@@ -62,39 +98,32 @@ std::optional<Trace> ShrinkWalk::next() {
     if (pass_ == endOfRound && isSmaller_) pass_ = kFirstOfRound;
     if (pass_ == kFirstOfRound) isSmaller_ = false;
     at_ = variant_ = 0;
-    length_ = std::max<std::size_t>(best_.edits.size() / 2, 1);
+    length_ = std::max<std::size_t>(best_.calls.size() / 2, 1);
   }
   return std::nullopt;
 }
 
 void ShrinkWalk::accept(Trace candidate) {
-  at_ -= best_.edits.size() - candidate.edits.size();  // what was dropped is no longer behind
+  at_ -= best_.calls.size() - candidate.calls.size();  // what was dropped is no longer behind
   variant_ = 0;
   isSmaller_ = true;
   best_ = std::move(candidate);
 }
 
 std::optional<Trace> ShrinkWalk::rename() {
-  if (variant_ == 2) return std::nullopt;
-  return renamed(best_, variant_++ != 0);
+  if (variant_++ != 0) return std::nullopt;
+  return renamed(best_);
 }
 
-// One edit after the other is made in the plain way; or at least by itself, or without a detour and all that.
-std::optional<Trace> ShrinkWalk::plainWays() {
-  for (; at_ < best_.edits.size(); ++at_, variant_ = 0) {
-    const Way way = best_.edits[at_].way;
-    const std::array ways{Edit::plainWay(best_.edits[at_].kind), Way{way.door, way.detour, false, way.number},
-                          Way{way.door, Detour::none, way.joins, 0}};
-    if (variant_ == ways.size() || way == ways[0]) continue;
-    Trace candidate = best_;
-    candidate.edits[at_].way = ways[variant_++];
-    return candidate;
-  }
-  return std::nullopt;
+std::optional<Trace> ShrinkWalk::refuseNothing() {
+  if (variant_++ != 0 || !isPlain(best_)) return std::nullopt;
+  Trace candidate = best_;
+  candidate.mayRefuse = false;
+  return candidate;
 }
 
-std::optional<Trace> ShrinkWalk::dropEdits() {
-  const std::size_t size = best_.edits.size();
+std::optional<Trace> ShrinkWalk::dropCalls() {
+  const std::size_t size = best_.calls.size();
   if (at_ >= size) {
     at_ = 0;
     length_ /= 2;
@@ -105,36 +134,62 @@ std::optional<Trace> ShrinkWalk::dropEdits() {
   const std::size_t begin = end > length_ ? end - length_ : 0;
   at_ = size - begin;
   Trace candidate = best_;
-  candidate.edits.erase(candidate.edits.begin() + static_cast<std::ptrdiff_t>(begin),
-                        candidate.edits.begin() + static_cast<std::ptrdiff_t>(end));
+  candidate.calls.erase(candidate.calls.begin() + static_cast<std::ptrdiff_t>(begin),
+                        candidate.calls.begin() + static_cast<std::ptrdiff_t>(end));
   dropOrphans(candidate);
   return candidate;
 }
 
-// What edits of a kind are made with, in all the simpler forms that there are of it.
-template <class Part, class Simpler>
-std::optional<Trace> ShrinkWalk::simplify(Edit::Kind kind, Part part, Simpler simpler) {
-  for (; at_ < best_.edits.size(); ++at_, variant_ = 0) {
-    if (best_.edits[at_].kind != kind) continue;
-    while (variant_ < variantsOf(part(best_.edits[at_]))) {
-      auto simple = simpler(part(best_.edits[at_]), variant_++);
-      if (!simple) continue;
-      Trace candidate = best_;
-      part(candidate.edits[at_]) = std::move(*simple);
-      return candidate;
+// One call after the other in its simpler forms, as long as there are any; a part stands in the place of its group. What
+// is already an add or a remove by name is as simple as can be.
+std::optional<Trace> ShrinkWalk::simplifyCalls() {
+  for (; at_ < best_.calls.size(); ++at_, variant_ = 0) {
+    if (isPlain(best_.calls[at_])) continue;
+    const std::vector<Call> simple = formsOf(best_.calls[at_], at_);
+    if (variant_ >= simple.size()) continue;
+    Trace candidate = best_;
+    candidate.calls[at_] = simple[variant_++];
+    return candidate;
+  }
+  return std::nullopt;
+}
+
+// Polygons that calls bring, one after the other.
+std::optional<Trace> ShrinkWalk::simplifyPolygons() {
+  for (; at_ < best_.calls.size(); ++at_, variant_ = 0) {
+    std::size_t variant = variant_;
+    const Call& call = best_.calls[at_];
+    for (std::size_t c = 0; c < call.comes.size(); ++c) {
+      for (std::size_t p = 0; p < call.comes[c].shape.size(); ++p) {
+        const LocalPolygon& polygon = call.comes[c].shape[p];
+        const std::size_t variants = variantsOf(polygon);
+        for (; variant < variants; ++variant, ++variant_) {
+          auto simple = simplerPolygon(polygon, variant);
+          if (!simple) continue;
+          ++variant_;
+          Trace candidate = best_;
+          candidate.calls[at_].comes[c].shape[p] = std::move(*simple);
+          return candidate;
+        }
+        variant -= variants;
+      }
     }
   }
   return std::nullopt;
 }
 
-std::optional<Trace> ShrinkWalk::simplifyPolygons() {
-  return simplify(
-      Edit::Kind::add, [](Edit & edit) -> auto& { return edit.polygon.vertices; }, simplerPolygon);
-}
-
 std::optional<Trace> ShrinkWalk::simplifyBrushes() {
-  return simplify(
-      Edit::Kind::brush, [](Edit & edit) -> auto& { return edit.brush; }, simplerBrush);
+  for (; at_ < best_.calls.size(); ++at_, variant_ = 0) {
+    if (best_.calls[at_].kind != Call::Kind::brush) continue;
+    while (variant_ < variantsOf(best_.calls[at_].brush)) {
+      auto simple = simplerBrush(best_.calls[at_].brush, variant_++);
+      if (!simple) continue;
+      Trace candidate = best_;
+      candidate.calls[at_].brush = std::move(*simple);
+      return candidate;
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<Trace> ShrinkWalk::dropPairs() {
@@ -160,9 +215,10 @@ std::optional<Trace> ShrinkWalk::renumberBlocks() {
   const auto number = [&](Block block) {
     return numberOf.try_emplace(block, static_cast<Block>(numberOf.size() + 1)).first->second;
   };
-  for (Edit& edit : candidate.edits) {
-    if (Block* const block = blockOf(edit)) *block = number(*block);
-  }
+  forEachCall(candidate.calls, [&](Call& call) {
+    for (Block* const block : blocksOf(call)) *block = number(*block);
+    for (Block& block : call.brush.staying) block = number(block);
+  });
   candidate.preserve = {};
   for (const auto& [a, b] : best_.preserve.pairs()) {
     const Block first = number(a);
@@ -172,36 +228,62 @@ std::optional<Trace> ShrinkWalk::renumberBlocks() {
 }
 
 std::optional<Trace> ShrinkWalk::oneBlock() {
-  while (at_ < best_.edits.size() && blockOf(best_.edits[at_]) == nullptr) ++at_;
-  if (at_ >= best_.edits.size()) return std::nullopt;
-  Trace candidate = best_;
-  *blockOf(candidate.edits[at_++]) = 1;
-  return candidate;
+  for (; at_ < best_.calls.size(); ++at_) {
+    Trace candidate = best_;
+    for (Block* const block : blocksOf(candidate.calls[at_])) *block = 1;
+    if (candidate == best_) continue;
+    ++at_;
+    return candidate;
+  }
+  return std::nullopt;
 }
 
+namespace {
+
+// The cells of a call on one axis.
+std::vector<std::int32_t*> linesOf(Call& call, std::int32_t Cell::*axis) {
+  using enum Call::Kind;
+  std::vector<std::int32_t*> lines;
+  for (Coming& coming : call.comes)
+    if (call.kind == add || call.kind == addShape || call.kind == addMany || call.kind == replace)
+      lines.push_back(&(coming.cell.*axis));
+  for (Named& named : call.goes)
+    if (named.how == Named::How::standing || named.how == Named::How::all) lines.push_back(&(named.cell.*axis));
+  const bool hasCells = call.kind == fill || call.kind == clear || call.kind == exchange;
+  if (hasCells) lines.insert(lines.end(), {&(call.cells.min.*axis), &(call.cells.max.*axis)});
+  return lines;
+}
+
+}  // namespace
+
 // Moves the first line of cells to 0, or else to -1, so that a border of chunks follows it. Then it moves each line
-// next to the one before it. It goes from the last line to the first, so that earlier lines stay where they are.
+// next to the one before it. It goes from the last line to the first, so that earlier lines stay where they are. Where
+// chunks are meant nothing is moved.
 std::optional<Trace> ShrinkWalk::moveCells(std::int32_t Cell::*axis) {
   std::int64_t Point::*const coordinate = axis == &Cell::i ? &Point::x : &Point::y;
   std::set<std::int32_t> used;
-  for (const Edit& edit : best_.edits) {
-    if (edit.kind == Edit::Kind::add) used.insert(edit.polygon.cell.*axis);
-    for (const auto& ring : edit.brush.rings)
+  bool areChunks = false;
+  Trace moved = best_;
+  forEachCall(moved.calls, [&](Call& call) {
+    using enum Call::Kind;
+    areChunks = areChunks || call.kind == unload || call.kind == reload || call.kind == reloadEmpty;
+    for (const std::int32_t* line : linesOf(call, axis)) used.insert(*line);
+    for (const auto& ring : call.brush.rings)
       for (const Point p : ring) used.insert(cellAt(p).*axis);
-  }
+  });
   const std::vector<std::int32_t> lines(used.begin(), used.end());
   const auto movedTo = [&](std::int32_t line, std::int32_t target) {
-    Trace candidate = best_;
-    for (Edit& edit : candidate.edits) {
-      std::int32_t& index = edit.polygon.cell.*axis;
-      if (edit.kind == Edit::Kind::add && index >= line) index -= line - target;
-      for (auto& ring : edit.brush.rings)
+    const std::int64_t by = std::int64_t{line} - target;
+    forEachCall(moved.calls, [&](Call& call) {
+      for (std::int32_t* const index : linesOf(call, axis))
+        if (*index >= line) *index = static_cast<std::int32_t>(*index - by);
+      for (auto& ring : call.brush.rings)
         for (Point& p : ring)
-          if (cellAt(p).*axis >= line) p.*coordinate -= std::int64_t{line - target} * kUnitsPerCell;
-    }
-    return candidate;
+          if (cellAt(p).*axis >= line) p.*coordinate -= by * kUnitsPerCell;
+    });
+    return moved;
   };
-  if (at_ >= lines.size()) return std::nullopt;
+  if (at_ >= lines.size() || areChunks) return std::nullopt;
   const std::size_t k = lines.size() - 1 - at_;
   if (k != 0) {
     ++at_;

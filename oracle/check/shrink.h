@@ -1,4 +1,4 @@
-// Makes a failing trace small: fewer edits, then simpler ones.
+// Makes a failing trace small: fewer calls, then simpler ones.
 #pragma once
 
 #include "oracle/trace/trace.h"
@@ -13,11 +13,12 @@
 namespace lgs::oracle {
 
 /// A walk from a trace to ever smaller ones, for whoever decides at each step whether it still fails. In this order:
-///   edits dropped in chunks, then one by one (a polygon takes its removal with it); commits dropped;
+///   calls dropped in chunks, then one by one (a polygon takes its removal by name with it);
+///   calls simpler: with fewer parts, or one of the parts of a group in its place; in plain notation;
 ///   polygons with fewer vertices, on rounder coordinates, or replaced by a full square or half of one;
 ///   brushes with fewer rings, fewer vertices, on rounder coordinates;
-///   blocks small, preserve pairs dropped, cells near the origin and near each other; plain ways (way.h);
-///   names p1, p2, …
+///   blocks small, preserve pairs dropped, cells near the origin and near each other;
+///   names p1, p2, …; nothing that must be refused
 /// and again from the start while that helps. A candidate may be bad (a polygon made simpler may overlap another).
 /// A walk is a value: a copy goes its own way.
 class ShrinkWalk {
@@ -38,10 +39,9 @@ class ShrinkWalk {
   using Pass = std::optional<Trace> (ShrinkWalk::*)();
   static const std::vector<Pass>& passes();
   std::optional<Trace> rename();
-  std::optional<Trace> plainWays();
-  std::optional<Trace> dropEdits();
-  template <class Part, class Simpler>
-  std::optional<Trace> simplify(Edit::Kind kind, Part part, Simpler simpler);
+  std::optional<Trace> dropCalls();
+  std::optional<Trace> simplifyCalls();
+  std::optional<Trace> refuseNothing();
   std::optional<Trace> simplifyPolygons();
   std::optional<Trace> simplifyBrushes();
   std::optional<Trace> dropPairs();
@@ -53,9 +53,9 @@ class ShrinkWalk {
 
   Trace best_;
   std::size_t pass_ = 0;
-  std::size_t at_ = 0;       // where the pass is: an edit, a pair, a line of cells; while dropping, the edits behind it
+  std::size_t at_ = 0;       // where the pass is: a call, a pair, a line of cells; while dropping, the calls behind it
   std::size_t variant_ = 0;  // which candidate it tries there next
-  std::size_t length_ = 0;   // of the chunk of edits to drop
+  std::size_t length_ = 0;   // of the chunk of calls to drop
   bool isSmaller_ = false;   // than at the start of this round
 };
 

@@ -17,15 +17,15 @@ CellSet around(const CellSet& cells) {
   return result;
 }
 
-Scene sceneOf(const Model& model, const PreservePairs& preserve, const CellSet& cells) {
-  return model.part(cells).scene(preserve);
+Scene sceneOf(const Standing& standing, const PreservePairs& preserve, const CellSet& cells) {
+  return {standing.part(cells).polygonsOfAll(), preserve};
 }
 
-Scene sceneOf(const Model& model, const CellRect& cells) {
+Scene sceneOf(const Standing& standing, const CellRect& cells) {
   Scene scene;
-  for (const auto& [cell, there] : model.cells()) {
+  for (const auto& [cell, there] : standing.cells()) {
     if (!contains(cells, cell)) continue;
-    for (const Model::Placed& placed : there) scene.polygons.push_back({cell, placed.block, placed.vertices});
+    for (const Standing::Placed& placed : there) scene.polygons.push_back({cell, placed.block, placed.vertices});
   }
   return scene;
 }

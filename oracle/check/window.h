@@ -13,7 +13,7 @@
 
 #include "oracle/reference/outline.h"
 #include "oracle/reference/scene.h"
-#include "oracle/trace/model.h"
+#include "oracle/trace/standing.h"
 
 #include <set>
 
@@ -25,10 +25,10 @@ using CellSet = std::set<Cell>;
 CellSet around(const CellSet& cells);
 
 /// The polygons of these cells.
-Scene sceneOf(const Model& model, const PreservePairs& preserve, const CellSet& cells);
+Scene sceneOf(const Standing& standing, const PreservePairs& preserve, const CellSet& cells);
 
 /// The same for a rectangle, without the relation.
-Scene sceneOf(const Model& model, const CellRect& cells);
+Scene sceneOf(const Standing& standing, const CellRect& cells);
 
 /// The cell whose polygon a segment belongs to: the one on the left of it.
 Cell cellOf(const OutlineSegment& segment);

@@ -1,5 +1,6 @@
 // What the results of a check are called.
 #include "oracle/check/checker.h"
+#include "oracle/trace/call_text.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -7,7 +8,7 @@
 namespace lgs::oracle {
 
 std::string describe(Mismatch::Kind kind) {
-  constexpr std::array kWords{"an edit was not judged as it must be",
+  constexpr std::array kWords{"a call was not answered as it must be",
                               "a refused edit changed something",
                               "the change list is wrong",
                               "the world does not read as it was edited",
@@ -17,6 +18,7 @@ std::string describe(Mismatch::Kind kind) {
                               "a brush changed what it does not reach",
                               "a brush is too far from the exact result",
                               "the outline depends on the order of the edits",
+                              "what was undone has left a trace",
                               "a view is not that of the world",
                               "the terrain is not that of the world",
                               "there is no answer",
@@ -26,23 +28,15 @@ std::string describe(Mismatch::Kind kind) {
   return kWords[static_cast<std::size_t>(kind)];
 }
 
-std::string doorsInWords(const CheckStats& stats) {
+std::string callsInWords(const CheckStats& stats) {
   std::uint64_t all = 0;
-  for (const std::uint64_t edits : stats.doors) all += edits;
+  for (const std::uint64_t calls : stats.made) all += calls;
   std::string text;
-  for (std::size_t k = 0; k < kDoors; ++k) {
-    if (static_cast<Door>(k) == Door::brush && stats.brushed == 0) continue;  // it is there only if it was asked for
-    text +=
-        fmt::format("{}{} {:.0f}%", k == 0 ? "" : ", ", describe(static_cast<Door>(k)),
-                    100.0 * static_cast<double>(stats.doors[k]) / static_cast<double>(std::max<std::uint64_t>(all, 1)));
+  for (std::size_t k = 0; k < Call::kKinds; ++k) {
+    if (stats.made[k] == 0) continue;
+    text += fmt::format("{}{} {:.1f}%", text.empty() ? "" : ", ", wordFor(static_cast<Call::Kind>(k)),
+                        100.0 * static_cast<double>(stats.made[k]) / static_cast<double>(all));
   }
-  return text;
-}
-
-std::string detoursInWords(const CheckStats& stats) {
-  std::string text;
-  for (std::size_t k = 1; k < kDetours; ++k)
-    text += fmt::format("{}{} {}", k == 1 ? "" : ", ", kDetourNames[k], stats.detours[k]);
   return text;
 }
 

@@ -4,11 +4,11 @@ namespace lgs::oracle {
 
 tl::expected<Outline, Failure> play(const Trace& trace, Engine& engine) {
   engine.reset(trace.preserve);
-  for (const Edit& edit : trace.edits) {
-    if (edit.kind == Edit::Kind::add) {
-      engine.add(edit.name, edit.polygon);
-    } else if (edit.kind == Edit::Kind::remove) {
-      engine.remove(edit.name);
+  for (const Call& edit : trace.calls) {
+    if (edit.kind == Call::Kind::add) {
+      engine.add(edit.name(), edit.polygon());
+    } else if (edit.kind == Call::Kind::remove) {
+      engine.remove(edit.name());
     } else if (const auto done = engine.commit(); !done) {
       return tl::unexpected(done.error());
     }

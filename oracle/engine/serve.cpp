@@ -28,8 +28,8 @@ bool readLine(std::FILE* input, std::string& line) {
 
 // Edits are lines of a trace, so the lines between two commits are read as one.
 std::string answerTo(const Trace& edits, Engine& engine) {
-  for (const Edit& edit : edits.edits)
-    edit.kind == Edit::Kind::add ? engine.add(edit.name, edit.polygon) : engine.remove(edit.name);
+  for (const Call& edit : edits.calls)
+    edit.kind == Call::Kind::add ? engine.add(edit.name(), edit.polygon()) : engine.remove(edit.name());
   const auto refusals = engine.commit();
   if (!refusals) return refusals.error().text + "\n";  // no line of an answer: so the harness tells it
   std::string text;

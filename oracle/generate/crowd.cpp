@@ -1,6 +1,6 @@
 #include "oracle/calls/random.h"
+#include "oracle/generate/forms.h"
 #include "oracle/generate/generator.h"
-#include "oracle/generate/ways.h"
 #include "oracle/reference/validity.h"
 
 #include <fmt/format.h>
@@ -44,9 +44,12 @@ class Crowder {
 
   Trace run(Crowd of) {
     of == Crowd::polygons ? fillWithPolygons() : fillWithVertices();
-    trace_.edits.push_back(Edit::commit());
-    chooseWays(trace_.edits, random_);
-    return std::move(trace_);
+    edits_.push_back(Call::commit());
+    Trace trace;
+    Model model;
+    makeInForms(edits_, model, random_, [&](Call call) { trace.calls.push_back(std::move(call)); });
+    trace.mayRefuse = true;
+    return trace;
   }
 
  private:
@@ -58,7 +61,7 @@ class Crowder {
     const std::size_t vertices = random_.chance(50) ? 3 : 4;
     const std::size_t atOnce = kMaxPolygonsPerCell - 1 - random_.below(std::size_t{5});
     for (std::size_t k = 0; k < places.size(); ++k) {
-      if (k == atOnce) trace_.edits.push_back(Edit::commit());
+      if (k == atOnce) edits_.push_back(Call::commit());
       add(polygonIn(placeOf(places[k]), vertices), k < atOnce ? 1 : 2);
       if (k >= atOnce && random_.chance(50)) change();
     }
@@ -77,7 +80,7 @@ class Crowder {
     std::int32_t at = 0;
     for (; at < kColumns * (kRows - 1); ++at) add(polygonIn(boxAt(at), kEach), 1);
     const std::size_t room = kMaxVerticesPerCell - static_cast<std::size_t>(at) * kEach;
-    trace_.edits.push_back(Edit::commit());
+    edits_.push_back(Call::commit());
     add(polygonIn(boxAt(at), room + 1), 2);
     add(polygonIn(boxAt(at), room - (random_.chance(50) ? 3 : 0)), 2);
     add(polygonIn(boxAt(at + 1), 3), 3);
@@ -90,13 +93,13 @@ class Crowder {
   void change() {
     switch (random_.below(4)) {
       case 0:
-        return trace_.edits.push_back(Edit::commit());
+        return edits_.push_back(Call::commit());
       case 1:
         return add(polygonIn(placeOf(random_.below(kRows * kRows)), 3), 1);
       default:
         if (left_ == 0 || names_.empty()) return;
         --left_;
-        trace_.edits.push_back(Edit::remove(names_.back()));
+        edits_.push_back(Call::remove(names_.back()));
         names_.pop_back();
     }
   }
@@ -105,10 +108,10 @@ class Crowder {
     if (left_ == 0) return;
     --left_;
     names_.push_back(fmt::format("p{}", ++count_));
-    trace_.edits.push_back(Edit::add(names_.back(), {cell_, block, std::move(vertices)}));
+    edits_.push_back(Call::add(names_.back(), {cell_, block, std::move(vertices)}));
   }
 
-  Trace trace_;
+  std::vector<Call> edits_;
   Cell cell_;
   std::vector<std::string> names_;
   std::size_t left_;

@@ -1,8 +1,8 @@
 #include "oracle/generate/editor.h"
 
-#include "oracle/calls/draw.h"
 #include "oracle/calls/shapes.h"
-#include "oracle/generate/ways.h"
+#include "oracle/generate/forms.h"
+#include "oracle/generate/strokes.h"
 
 #include <fmt/format.h>
 #include <lgs/world.h>
@@ -15,8 +15,8 @@ namespace lgs::oracle {
 
 Editor::Editor(Trace start, EditHabits habits, Random random)
     : trace_(std::move(start)), habits_(std::move(habits)), random_(random) {
-  for (const Edit& edit : trace_.edits) model_.apply(edit);
-  start_ = model_;
+  for (const Call& call : trace_.calls) model_.play(call);
+  start_ = model_.standing();
   at_ = random_.pick(habits_.cells);
 }
 
@@ -24,20 +24,35 @@ void Editor::operate() {
   constexpr std::int32_t kSteps[] = {kUnitsPerCell / 4, kUnitsPerCell / 4, kUnitsPerCell / 8, 1};
   step_ = std::max(kSteps[random_.below(4)], kUnitsPerCell / habits_.can.lattice);
   const Operation operation = pickOperation();
-  const std::size_t first = trace_.edits.size();
-  (this->*operation)(pickCell());
+  const std::size_t first = trace_.calls.size();
+  const Cell cell = pickCell();
+  std::set<Cell> cells;
+  for (std::int32_t k = 0; k < 9; ++k) cells.insert({cell.i + k % 3, cell.j + k / 3});
+  near_ = model_.standing().part(cells);
+  (this->*operation)(cell);
   // An operation may come to nothing; a commit of nothing is worth a try now and then.
-  const bool pending = !trace_.edits.empty() && trace_.edits.back().kind != Edit::Kind::commit;
-  if (random_.chance(pending ? habits_.commitPercent : 2)) push(Edit::commit());
-  chooseWays(std::span(trace_.edits).subspan(first), random_);
+  const bool isLast = !op_.empty() || first != trace_.calls.size();
+  const bool pending = isLast || (!trace_.calls.empty() && trace_.calls.back().kind != Call::Kind::commit);
+  if (random_.chance(pending ? habits_.commitPercent : 2)) op_.push_back(Call::commit());
+  makeEdits();
+}
+
+void Editor::makeEdits() {
+  if (habits_.forms) {
+    makeInForms(op_, model_, random_, [this](Call call) { push(std::move(call)); });
+  } else {
+    for (Call& call : op_) make(std::move(call));
+  }
+  op_.clear();
+  gone_.clear();
 }
 
 void Editor::run(std::size_t edits) {
   while (edits_ < edits) operate();
-  for (; edits_ > edits; trace_.edits.pop_back()) {  // the last operation may have made more
-    if (trace_.edits.back().kind != Edit::Kind::commit) --edits_;
+  for (; edits_ > edits; trace_.calls.pop_back()) {  // the last operation may have made more
+    if (trace_.calls.back().kind != Call::Kind::commit) --edits_;
   }
-  push(Edit::commit());
+  push(Call::commit());
 }
 
 Editor::Operation Editor::pickOperation() {
@@ -45,6 +60,8 @@ Editor::Operation Editor::pickOperation() {
       {habits_.place, &Editor::place},     {habits_.fill, &Editor::fill},       {habits_.lean, &Editor::lean},
       {habits_.scatter, &Editor::scatter}, {habits_.restore, &Editor::restore}, {habits_.remove, &Editor::remove},
       {habits_.clear, &Editor::clear},     {habits_.replace, &Editor::replace}, {habits_.refused, &Editor::tryRefused},
+      {habits_.any, &Editor::any},         {habits_.stroke, &Editor::stroke},   {habits_.travel, &Editor::travel},
+      {habits_.memory, &Editor::remember},
   };
   int total = 0;
   for (const auto& entry : weighted) total += entry.first;
@@ -56,7 +73,14 @@ Editor::Operation Editor::pickOperation() {
   return &Editor::place;
 }
 
+// What is not in memory can not be edited: it is tried now and then.
 Cell Editor::pickCell() {
+  for (int attempt = 0; attempt < 3; ++attempt)
+    if (const Cell cell = anyCell(); model_.isLoaded(cell)) return cell;
+  return anyCell();
+}
+
+Cell Editor::anyCell() {
   if (!habits_.wander || random_.chance(3)) return at_ = random_.pick(habits_.cells);
   const Cell next{at_.i + random_.below(3) - 1, at_.j + random_.below(3) - 1};
   if (std::binary_search(habits_.cells.begin(), habits_.cells.end(), next)) at_ = next;
@@ -85,13 +109,13 @@ void Editor::fill(Cell cell) {
   if (!isRefused)
     for (const Cell& at : cells) empty(at);
   for (const Cell& at : cells) {
-    for (const LocalPolygon& polygon : shape) push(Edit::add(freshName(), {at, block, turned(polygon, symmetry)}));
+    for (const LocalPolygon& polygon : shape) edit(Call::add(freshName(), {at, block, turned(polygon, symmetry)}));
   }
 }
 
 void Editor::lean(Cell cell) {
-  if (model_.in(cell).empty() || !habits_.can.slants || !habits_.can.several) return place(cell);
-  const LocalPolygon polygon = random_.pick(model_.in(cell)).vertices;
+  if (near_.in(cell).empty() || !habits_.can.slants || !habits_.can.several) return place(cell);
+  const LocalPolygon polygon = random_.pick(near_.in(cell)).vertices;
   const std::size_t k = random_.below(polygon.size());
   const LocalPoint a = polygon[k];
   const LocalPoint b = polygon[(k + 1) % polygon.size()];
@@ -120,11 +144,11 @@ void Editor::scatter(Cell cell) {
 }
 
 void Editor::restore(Cell cell) {
-  for (const Model::Placed& placed : start_.in(cell)) addIfGood(cell, placed.block, placed.vertices);
+  for (const Standing::Placed& placed : start_.in(cell)) addIfGood(cell, placed.block, placed.vertices);
 }
 
 void Editor::remove(Cell cell) {
-  if (!model_.in(cell).empty()) removeNamed(random_.pick(model_.in(cell)).name);
+  if (!near_.in(cell).empty()) removeNamed(random_.pick(near_.in(cell)).name);
 }
 
 void Editor::clear(Cell cell) {
@@ -133,10 +157,10 @@ void Editor::clear(Cell cell) {
 }
 
 void Editor::replace(Cell cell) {
-  if (model_.in(cell).empty()) return;
-  const Model::Placed old = random_.pick(model_.in(cell));
+  if (near_.in(cell).empty()) return;
+  const Standing::Placed old = random_.pick(near_.in(cell));
   removeNamed(old.name);
-  if (random_.chance(30)) push(Edit::commit());
+  if (random_.chance(30)) op_.push_back(Call::commit());
   const Block block = random_.chance(70) ? old.block : random_.pick(habits_.blocks);
   addIfGood(cell, block, old.vertices);
 }
@@ -144,8 +168,8 @@ void Editor::replace(Cell cell) {
 // Half of what is spoilt takes the place of the polygon that it is made of: then nothing but its own fault is wrong
 // with it, and an engine that knows only of overlaps accepts it.
 void Editor::tryRefused(Cell cell) {
-  if (model_.in(cell).empty()) return place(cell);
-  const Model::Placed pattern = random_.pick(model_.in(cell));
+  if (near_.in(cell).empty()) return place(cell);
+  const Standing::Placed pattern = random_.pick(near_.in(cell));
   LocalPolygon polygon = pattern.vertices;  // as it is: overlaps itself
   const int kind = random_.below(10);
   if (kind == 0) polygon = {kUnitSquare.begin(), kUnitSquare.end()};  // around what is there
@@ -154,8 +178,8 @@ void Editor::tryRefused(Cell cell) {
   if (isSpoilt) polygon = spoilt(random_, std::move(polygon));
   const Block block = random_.pick(habits_.blocks);
   if (isSpoilt && random_.chance(50)) removeNamed(pattern.name);
-  Edit edit = Edit::add(freshName(), {cell, block, std::move(polygon)});
-  if (isFit(edit)) push(std::move(edit));
+  Call add = Call::add(freshName(), {cell, block, std::move(polygon)});
+  if (isFit(add)) edit(std::move(add));
 }
 
 // The cells of a rectangle, nine at most, as far as they are the editor's.
@@ -173,39 +197,201 @@ std::vector<Cell> Editor::rectangleAt(Cell cell) {
 }
 
 void Editor::empty(Cell cell) {
-  while (!model_.in(cell).empty()) removeNamed(model_.in(cell).back().name);
+  while (!near_.in(cell).empty()) removeNamed(near_.in(cell).back().name);
 }
 
 // Whether the engine can have it. An engine of one polygon a cell may be asked for a second one that it must refuse.
-bool Editor::isFit(const Edit& add) const {
-  if (!whyNot(add.polygon, habits_.can).empty()) return false;
-  return habits_.can.several || model_.in(add.polygon.cell).empty() || !model_.judge(add).accepted;
+bool Editor::isFit(const Call& add) const {
+  if (!whyNot(add.polygon(), habits_.can).empty()) return false;
+  const Coming& coming = add.comes[0];
+  return habits_.can.several || near_.in(coming.cell).empty() || faultOf(coming.shape) ||
+         near_.refusalIn(coming.cell, coming.shape);
+}
+
+bool Editor::isAlive(const std::string& name) const {
+  return near_.isAlive(name) || (model_.isAlive(name) && !gone_.contains(name));
 }
 
 bool Editor::addIfGood(Cell cell, Block block, LocalPolygon vertices) {
-  Edit edit = Edit::add(freshName(), {cell, block, std::move(vertices)});
-  if (!model_.judge(edit).accepted || !isFit(edit)) return false;
-  push(std::move(edit));
+  if (faultOf(vertices) || near_.refusalIn(cell, {&vertices, 1})) return false;
+  Call add = Call::add(freshName(), {cell, block, std::move(vertices)});
+  if (!isFit(add)) return false;
+  edit(std::move(add));
   return true;
 }
 
 void Editor::removeNamed(std::string name) {
-  lastRemoved_ = name;
-  push(Edit::remove(std::move(name)));
+  lastRemoved_ = name.starts_with('#') ? "" : name;
+  edit(Call::remove(std::move(name)));
 }
 
-void Editor::push(Edit edit) {
-  if (model_.judge(edit).accepted) model_.apply(edit);
-  if (edit.kind != Edit::Kind::commit) ++edits_;
-  trace_.edits.push_back(std::move(edit));
+void Editor::edit(Call edit) {
+  if (edit.kind == Call::Kind::remove) {
+    near_.remove(edit.name());
+    gone_.insert(edit.name());
+  } else {
+    const ScenePolygon polygon = edit.polygon();
+    const bool isGood =
+        !isAlive(edit.name()) && !faultOf(polygon.vertices) && !near_.refusalIn(polygon.cell, {&polygon.vertices, 1});
+    if (isGood) near_.add(edit.name(), polygon);
+  }
+  op_.push_back(std::move(edit));
+}
+
+void Editor::make(Call call) {
+  call = withoutFreshNames(std::move(call), model_);
+  model_.play(call);
+  push(std::move(call));
+}
+
+void Editor::push(Call call) {
+  if (call.kind != Call::Kind::commit) ++edits_;
+  trace_.calls.push_back(std::move(call));
 }
 
 std::string Editor::freshName() {
-  if (!lastRemoved_.empty() && !model_.isAlive(lastRemoved_) && random_.chance(20)) return lastRemoved_;
+  if (!lastRemoved_.empty() && !isAlive(lastRemoved_) && random_.chance(20)) return lastRemoved_;
   std::string name;
   do name = fmt::format("p{}", ++names_);
-  while (model_.isAlive(name));
+  while (isAlive(name));
   return name;
+}
+
+// --- Calls that are no plain edits
+
+Call Editor::anyEdit(Cell cell) {
+  Habits habits{.width = 3, .height = 3, .hostilePercent = habits_.hostilePercent};
+  const auto notEdits = habits.weights.begin() + static_cast<std::ptrdiff_t>(Call::Kind::group);
+  std::fill(notEdits, habits.weights.end(), 0);
+  return tidied(movedBy(drawCall(random_, habits), cell));
+}
+
+void Editor::any(Cell cell) { make(anyEdit({cell.i - 1, cell.j - 1})); }
+
+void Editor::stroke(Cell cell) {
+  const Block block = random_.pick(habits_.blocks);
+  for (Call& call : strokeAt(cell, block, random_)) make(std::move(call));
+}
+
+void Editor::travel(Cell cell) {
+  using enum Call::Kind;
+  const Cell from{cell.i - 1, cell.j - 1};
+  const auto time = [&](Call::Kind kind, std::uint32_t nth = 0, bool keeps = false) {
+    Call call = Call::of(kind);
+    call.nth = nth;
+    call.keeps = keeps ? Call::Keeps::always : Call::Keeps::never;
+    make(tidied(std::move(call)));
+  };
+  const auto someEdits = [&](int most) {
+    for (int k = 1 + random_.below(most); k > 0; --k) make(anyEdit(from));
+  };
+  const std::uint32_t nth = random_.below(8U);
+  const bool keeps = random_.chance(60);
+  constexpr std::size_t kManyMarks = 6;
+  if (model_.marks() > kManyMarks) time(forget, nth);
+  switch (random_.below(12)) {
+    case 0:
+    case 1:
+      return model_.hasMarks() && random_.chance(40) ? time(goBack, nth, keeps) : time(mark);
+    case 2:
+      return time(goForward, nth);
+    case 3:
+      return time(forget, nth);
+    case 4:
+      return time(copy);
+    case 5:
+      return habits_.loads ? time(load) : time(copy);
+    case 6:
+    case 7: {  // a group
+      Call call = Call::of(group);
+      call.keeps = static_cast<Call::Keeps>(random_.below(3));
+      for (int k = 1 + random_.below(4); k > 0; --k) call.group.push_back(anyEdit(from));
+      return make(std::move(call));
+    }
+    case 8:  // wrong edits, and back at once
+    case 9:
+      time(mark);
+      someEdits(3);
+      if (random_.chance(60)) time(commit);
+      if (random_.chance(20)) time(mark);
+      time(goBack, static_cast<std::uint32_t>(model_.marks()) - 1, keeps);
+      if (keeps && random_.chance(50)) time(goForward, nth);
+      return random_.chance(70) ? time(forget, nth) : void();
+    default:  // undo and redo, step by step
+      for (int k = 2 + random_.below(2); k > 0; --k) {
+        time(mark);
+        someEdits(2);
+        time(commit);
+      }
+      time(goBack, nth, true);
+      if (random_.chance(30)) time(goBack, random_.below(8U), true);
+      if (random_.chance(30)) someEdits(1);
+      time(goForward, random_.below(2U));
+      return random_.chance(50) ? time(commit) : void();
+  }
+}
+
+void Editor::remember(Cell cell) {
+  using enum Call::Kind;
+  const auto chunks = [&](Call::Kind kind) {
+    Call call = Call::of(kind);
+    if (kind == reload) cell = random_.pick(habits_.cells);
+    const std::int32_t wide = 32 * random_.below(2), high = 32 * random_.below(2);
+    const auto inside = [](std::int32_t k) { return std::clamp(k, -kMaxCell, kMaxCell); };
+    call.cells = {{inside(cell.i & ~31), inside(cell.j & ~31)},
+                  {inside((cell.i & ~31) + 31 + wide), inside((cell.j & ~31) + 31 + high)}};
+    if (random_.chance(20)) call.cells.min = {inside(call.cells.min.i - 64), inside(call.cells.min.j - 64)};
+    if (random_.chance(5)) ++call.cells.min.i;  // not all of them
+    call.nth = random_.below(2U);
+    make(tidied(std::move(call)));
+  };
+  const auto commits = [&] {
+    if (random_.chance(60)) make(Call::commit());
+  };
+  const auto forgetMarks = [&] {  // while there are some nothing is forgotten
+    while (model_.hasMarks() && random_.chance(95)) make(Call::of(forget));
+  };
+  switch (random_.below(10)) {
+    case 0:
+    case 1:
+    case 2:
+      return chunks(unload);
+    case 3:
+    case 4:
+      return chunks(reload);
+    case 5:
+      return chunks(reloadEmpty);
+    case 6:
+      forgetMarks();
+      commits();
+      return chunks(leave);
+    case 7: {  // all of it sleeps, and some of it wakes
+      forgetMarks();
+      Call all = Call::of(unload);
+      const auto inside = [](std::int32_t k) { return std::clamp(k, -kMaxCell, kMaxCell); };
+      all.cells = {{inside((cell.i & ~31) - 64), inside((cell.j & ~31) - 64)},
+                   {inside((cell.i & ~31) + 95), inside((cell.j & ~31) + 95)}};
+      make(all);
+      make(Call::commit());
+      if (random_.chance(80)) chunks(reload);
+      return random_.chance(50) ? chunks(reload) : void();
+    }
+    case 8: {  // so much comes and goes that a cell needs a list
+      Call call = Call::of(repeat), square = Call::of(addShape), gone = Call::of(clear);
+      square.comes = {{.cell = cell, .shape = {{kUnitSquare.begin(), kUnitSquare.end()}}, .block = 1}};
+      gone.cells = {cell, cell};
+      call.nth = 250U + random_.below(16U);
+      call.group = {square, gone};
+      if (near_.in(cell).empty()) make(std::move(call));
+      return;
+    }
+    default:  // leaves a place, and what was unloaded there
+      forgetMarks();
+      chunks(unload);
+      make(Call::commit());
+      chunks(leave);
+      return random_.chance(50) ? chunks(reload) : void();
+  }
 }
 
 LocalPoint Editor::randomPoint() {

@@ -2,7 +2,6 @@
 
 #include "oracle/calls/shapes.h"
 #include "oracle/generate/editor.h"
-#include "oracle/generate/strokes.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -104,6 +103,8 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
   const auto height =
       static_cast<std::int32_t>(std::min<std::int64_t>(isLow ? std::min(options.height, 3) : options.height, most));
   Cell origin{randomOrigin(random, width), randomOrigin(random, height)};
+  if (options.isOfCalls && random.chance(40))  // across the corner of four chunks, which may leave memory
+    origin = {32 * (random.below(5) - 2) - width / 2, 32 * (random.below(5) - 2) - height / 2};
   origin = {within(options.can.cells, width, origin.i), within(options.can.cells, height, origin.j)};
   habits.cells = grid(origin, width, height);
   habits.wander = random.chance(20);
@@ -118,6 +119,15 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
   if (options.bad) habits.refused = 100;
   if (!options.can.refuses) habits.refused = 0;
   habits.commitPercent = random.chance(50) ? 100 : 10 + random.below(60);
+  if (options.isOfCalls) {
+    habits.forms = random.chance(85);
+    habits.any = random.chance(40) ? 2 + random.below(8) : 0;
+    habits.hostilePercent = habits.any > 0 && random.chance(40) ? 10 : 0;
+    habits.travel = random.chance(45) ? 1 + random.below(5) : 0;
+    habits.loads = !options.isFollowed;
+    habits.memory = random.chance(35) && !options.isFollowed ? 1 + random.below(5) : 0;
+    habits.stroke = options.brushes ? 4 : 0;
+  }
   if (isLow) {
     habits.commitPercent = 3;
     habits.shapes.insert(habits.shapes.end(), 4 * habits.shapes.size(), degenerateShapes().front().polygons);
@@ -125,6 +135,7 @@ Editor editorOf(const GeneratorOptions& options, Random& random) {
   }
   Trace start;
   start.preserve = randomPreserve(random, habits.blocks);
+  start.mayRefuse = options.isOfCalls;
   if (!options.can.preserve) start.preserve = {};
   return Editor(std::move(start), std::move(habits), Random(random.next()));
 }
@@ -164,40 +175,40 @@ std::size_t editsOf(std::uint64_t number, const GeneratorOptions& options) {
 
 Trace caseOf(std::uint64_t number, const GeneratorOptions& options, std::uint64_t seed) {
   const Crowd crowd = options.crowds ? crowdOf(number) : Crowd::none;
-  Trace trace = crowd == Crowd::none ? randomCase(options, seed) : crowdedCase(crowd, options.edits, seed);
-  return options.brushes ? withBrushes(std::move(trace), seed) : trace;
+  return crowd == Crowd::none ? randomCase(options, seed) : crowdedCase(crowd, options.edits, seed);
 }
 
 std::string whyNot(const Trace& trace, const Capabilities& can) {
   if (!can.preserve && !trace.preserve.empty()) return "it has a preserve relation";
   Model model;
-  for (std::size_t k = 0; k < trace.edits.size(); ++k) {
-    const Edit& edit = trace.edits[k];
-    const bool isGood = model.judge(edit).accepted;
-    const bool isAdd = edit.kind == Edit::Kind::add;
-    std::string why = isAdd ? whyNot(edit.polygon, can) : "";
+  for (std::size_t k = 0; k < trace.calls.size(); ++k) {
+    const Call& call = trace.calls[k];
+    const bool isGood = model.judge(call).accepted;
+    const bool isAdd = call.kind == Call::Kind::add;
+    std::string why = isPlain(call) ? "" : "it is no plain edit";
+    if (isAdd && why.empty()) why = whyNot(call.polygon(), can);
     if (why.empty() && !isGood && !can.refuses) why = "it must be refused";
-    if (why.empty() && isGood && isAdd && !can.several && !model.in(edit.polygon.cell).empty())
+    if (why.empty() && isGood && isAdd && !can.several && !model.standing().in(call.comes[0].cell).empty())
       why = "its cell has a polygon already";
-    if (!why.empty()) return fmt::format("edit {}, '{}': {}", k + 1, edit.name, why);
-    if (isGood) model.apply(edit);
+    if (!why.empty()) return fmt::format("edit {}, '{}': {}", k + 1, call.name(), why);
+    model.play(call);
   }
   return "";
 }
 
-Trace digIn(Trace start, std::size_t edits, std::uint64_t seed, const Capabilities& can) {
-  start.edits.push_back(Edit::commit());
+Trace digIn(Trace start, std::size_t edits, std::uint64_t seed, const Capabilities& can, bool isOfCalls) {
+  start.calls.push_back(Call::commit());
   Model world;
-  for (const Edit& edit : start.edits) world.apply(edit);
+  for (const Call& call : start.calls) world.play(call);
 
   EditHabits habits;
   habits.can = can;
   std::set<std::vector<LocalPolygon>> contents;
   std::set<Block> blocks;
   std::set<Cell> cells;
-  for (const auto& [cell, placed] : world.cells()) {
+  for (const auto& [cell, placed] : world.standing().cells()) {
     std::vector<LocalPolygon> polygons;
-    for (const Model::Placed& p : placed) {
+    for (const Standing::Placed& p : placed) {
       polygons.push_back(p.vertices);
       blocks.insert(p.block);
     }
@@ -223,6 +234,7 @@ Trace digIn(Trace start, std::size_t edits, std::uint64_t seed, const Capabiliti
   habits.clear = 4;
   habits.replace = 1;
   habits.commitPercent = 60;
+  habits.forms = start.mayRefuse = isOfCalls;
   Editor editor(std::move(start), std::move(habits), Random(seed));
   editor.run(edits);
   return editor.takeTrace();

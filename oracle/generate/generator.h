@@ -22,9 +22,11 @@ struct GeneratorOptions {
   std::int32_t height = 4;
   std::size_t edits = 100;                 ///< adds and removes, refused ones included
   Capabilities can = Capabilities::all();  ///< what the worlds must be fit for
-  bool crowds = true;    ///< the limits of a cell are this library's: other engines need not know them
-  bool brushes = false;  ///< among the other edits: these are this library's, and come on top of `edits`
-  bool bad = false;      ///< most of the edits must be refused
+  bool crowds = true;       ///< the limits of a cell are this library's: other engines need not know them
+  bool isOfCalls = false;   ///< all calls of this library's; else adds, removes and commits alone, by name
+  bool brushes = false;     ///< among the other calls
+  bool isFollowed = false;  ///< by views: all chunks stay in memory, and the world is not saved
+  bool bad = false;         ///< most of the edits must be refused
 };
 
 /// A case of its own. The trace may hold edits that must be refused; see CheckOptions::skipRefused.
@@ -50,7 +52,8 @@ std::size_t editsOf(std::uint64_t number, const GeneratorOptions& options);
 
 /// Digs in the world of a trace, and refills it: wanders about, takes polygons away, and puts back the same ones,
 /// others of that world, or degenerate ones. Returns the trace with a commit and `edits` more edits.
-Trace digIn(Trace start, std::size_t edits, std::uint64_t seed, const Capabilities& can = Capabilities::all());
+Trace digIn(Trace start, std::size_t edits, std::uint64_t seed, const Capabilities& can = Capabilities::all(),
+            bool isOfCalls = false);
 
 /// Why an engine can not play a trace, as a phrase that names the edit; empty if it can.
 std::string whyNot(const Trace& trace, const Capabilities& can);

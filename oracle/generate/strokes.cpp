@@ -1,7 +1,5 @@
 #include "oracle/generate/strokes.h"
 
-#include "oracle/calls/random.h"
-
 #include <lgs/brush.h>
 #include <array>
 #include <vector>
@@ -11,35 +9,23 @@ namespace {
 
 class Painter {
  public:
-  Painter(const Trace& trace, std::uint64_t seed) : random_(seed) {
-    for (const Edit& edit : trace.edits) {
-      if (edit.kind != Edit::Kind::add || !inRange(edit.polygon.cell)) continue;
-      cells_.push_back(edit.polygon.cell);
-      blocks_.push_back(edit.polygon.block);
-    }
-    if (cells_.empty()) {
-      cells_.push_back({0, 0});
-      blocks_.push_back(1);
-    }
-  }
+  Painter(Cell cell, Random& random) : cell_(cell), random_(random) {}
 
-  bool isDue() { return random_.chance(30); }
-
-  /// One stroke: an edit, or one for each part of a thick line.
-  void stroke(std::vector<Edit>& edits) {
+  std::vector<Call> stroke(Block block) {
     constexpr std::array kDeeds{BrushEdit::Deed::carve, BrushEdit::Deed::fill, BrushEdit::Deed::replace};
+    std::vector<Call> calls;
     BrushEdit brush;
     brush.deed = kDeeds[random_.below(kDeeds.size())];
-    brush.block = brush.deed == BrushEdit::Deed::carve ? 0 : random_.pick(blocks_);
+    brush.block = brush.deed == BrushEdit::Deed::carve ? 0 : block;
     if (random_.chance(40)) {
       brush.rings = crossing();
-      edits.push_back(Edit::byBrush(brush));
-      return;
+      return {Call::byBrush(brush)};
     }
     for (Ring& ring : shape().rings) {
       brush.rings = {std::move(ring)};
-      edits.push_back(Edit::byBrush(brush));
+      calls.push_back(Call::byBrush(brush));
     }
+    return calls;
   }
 
  private:
@@ -49,7 +35,7 @@ class Painter {
   /// A place in a cell: on its rim, on a coarse lattice, or anywhere.
   Point place() {
     const std::int64_t step = kUnitsPerCell >> (random_.chance(70) ? random_.below(4) : 16);
-    const Point corner = toWorld(random_.pick(cells_), {0, 0});
+    const Point corner = toWorld(cell_, {0, 0});
     const std::int64_t steps = kUnitsPerCell / step;
     return {corner.x + step * between(0, steps), corner.y + step * between(0, steps)};
   }
@@ -81,21 +67,12 @@ class Painter {
     return rings;
   }
 
-  Random random_;
-  std::vector<Cell> cells_;
-  std::vector<Block> blocks_;
+  Cell cell_;
+  Random& random_;
 };
 
 }  // namespace
 
-Trace withBrushes(Trace trace, std::uint64_t seed) {
-  Painter painter(trace, seed);
-  Trace brushed{trace.preserve, {}};
-  for (Edit& edit : trace.edits) {
-    if (edit.kind == Edit::Kind::commit && painter.isDue()) painter.stroke(brushed.edits);
-    brushed.edits.push_back(std::move(edit));
-  }
-  return brushed;
-}
+std::vector<Call> strokeAt(Cell cell, Block block, Random& random) { return Painter(cell, random).stroke(block); }
 
 }  // namespace lgs::oracle

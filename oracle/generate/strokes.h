@@ -1,15 +1,15 @@
 // Random edits by brushes, among other edits.
 #pragma once
 
-#include "oracle/trace/trace.h"
+#include "oracle/calls/call.h"
+#include "oracle/calls/random.h"
 
-#include <cstdint>
+#include <vector>
 
 namespace lgs::oracle {
 
-/// The trace with edits by brushes before some of its commits: circles, rectangles, thick lines and rings that cross
-/// themselves, over several cells down to a few units, where the trace has its cells. Edits that come later may have to
-/// be refused then. The same seed gives the same ones everywhere.
-Trace withBrushes(Trace trace, std::uint64_t seed);
+/// A stroke at a cell: circles, rectangles, thick lines and rings that cross themselves, over several cells down to a few
+/// units. A thick line has a call for each of its parts.
+std::vector<Call> strokeAt(Cell cell, Block block, Random& random);
 
 }  // namespace lgs::oracle

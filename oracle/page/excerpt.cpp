@@ -1,7 +1,7 @@
 #include "oracle/page/excerpt.h"
 
 #include "oracle/reference/compare.h"
-#include "oracle/trace/brushing.h"
+#include "oracle/trace/plain_edits.h"
 
 #include <algorithm>
 #include <string>
@@ -21,14 +21,14 @@ std::vector<std::optional<Cell>> cellsOf(const Trace& trace, std::size_t count) 
   std::vector<std::optional<Cell>> cells(count);
   std::unordered_map<std::string, Cell> cellOf;
   for (std::size_t k = 0; k < count; ++k) {
-    const Edit& edit = trace.edits[k];
-    if (edit.kind == Edit::Kind::add && inRange(edit.polygon.cell)) {
-      cells[k] = cellOf.try_emplace(edit.name, edit.polygon.cell).first->second;
-    } else if (edit.kind == Edit::Kind::brush && !isOutOfReach(edit.brush)) {
+    const Call& edit = trace.calls[k];
+    if (edit.kind == Call::Kind::add && inRange(edit.polygon().cell)) {
+      cells[k] = cellOf.try_emplace(edit.name(), edit.polygon().cell).first->second;
+    } else if (edit.kind == Call::Kind::brush && !isOutOfReach(edit.brush)) {
       const auto [min, max] = cellsUnder(edit.brush);
       cells[k] = Cell{min.i + (max.i - min.i) / 2, min.j + (max.j - min.j) / 2};
-    } else if (edit.kind == Edit::Kind::remove) {
-      if (const auto found = cellOf.find(edit.name); found != cellOf.end()) {
+    } else if (edit.kind == Call::Kind::remove) {
+      if (const auto found = cellOf.find(edit.name()); found != cellOf.end()) {
         cells[k] = found->second;
         cellOf.erase(found);
       }
@@ -50,7 +50,7 @@ Cell focusOf(const std::vector<std::optional<Cell>>& cells, const std::optional<
 }  // namespace
 
 Excerpt excerptOf(const Trace& trace, const std::optional<PageEnd>& end) {
-  const std::size_t count = end ? end->edits : trace.edits.size();
+  const std::size_t count = end ? end->edits : trace.calls.size();
   Excerpt excerpt{std::vector(count, Part::step), {}};
   if (count <= kMostSteps) return excerpt;
 
@@ -59,7 +59,7 @@ Excerpt excerptOf(const Trace& trace, const std::optional<PageEnd>& end) {
   excerpt.cells = CellRect{{focus.i - kReach, focus.j - kReach}, {focus.i + kReach, focus.j + kReach}};
   bool changed = false;  // since the commit before
   for (std::size_t k = 0; k < count; ++k) {
-    const bool isCommit = trace.edits[k].kind == Edit::Kind::commit;
+    const bool isCommit = trace.calls[k].kind == Call::Kind::commit;
     const bool isNear = isCommit ? changed || k + 1 == count : cells[k] && contains(*excerpt.cells, *cells[k]);
     if (!isNear) excerpt.parts[k] = Part::hidden;
     changed = !isCommit && (changed || isNear);
@@ -68,7 +68,7 @@ Excerpt excerptOf(const Trace& trace, const std::optional<PageEnd>& end) {
   for (std::size_t k = count; k-- > 0;) {
     if (excerpt.parts[k] == Part::hidden) continue;
     // The world in which the page begins is one that was committed.
-    if (++steps > kMostSteps && (steps > 2 * kMostSteps || trace.edits[k].kind == Edit::Kind::commit)) {
+    if (++steps > kMostSteps && (steps > 2 * kMostSteps || trace.calls[k].kind == Call::Kind::commit)) {
       std::replace(excerpt.parts.begin(), excerpt.parts.begin() + static_cast<std::ptrdiff_t>(k) + 1, Part::step,
                    Part::early);
       break;

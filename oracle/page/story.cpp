@@ -6,8 +6,9 @@
 #include "oracle/reference/naive.h"
 #include "oracle/reference/vector.h"
 #include "oracle/reference/words.h"
-#include "oracle/trace/brushing.h"
+#include "oracle/trace/call_text.h"
 #include "oracle/trace/model.h"
+#include "oracle/trace/plain_edits.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -43,7 +44,7 @@ const char* nameOf(Difference::Kind kind) {
 class Story {
  public:
   Story(const Trace& trace, const PageOptions& options)
-      : trace_(trace), options_(options), excerpt_(excerptOf(trace, options.end)), brushed_(brushedBy(trace)) {}
+      : trace_(trace), options_(options), excerpt_(excerptOf(trace, options.end)), edits_(editsBy(trace)) {}
 
   Json tell() && {
     steps_.push_back({{"edit", ""}, {"number", 0}});
@@ -78,36 +79,32 @@ class Story {
   }
 
   void play(std::size_t k) {
-    const Edit& edit = trace_.edits[k];
+    const Call& edit = trace_.calls[k];
     const bool isShown = excerpt_.parts[k] == Part::step;
-    if (isShown) steps_.push_back({{"edit", printEdit(edit)}, {"number", k + 1}});
+    if (isShown) steps_.push_back({{"edit", printCall(edit)}, {"number", k + 1}});
     Json& step = steps_.back();
-    if (edit.kind == Edit::Kind::commit) {
+    if (edit.kind == Call::Kind::commit) {
       if (isShown) commit(step, k + 1 == excerpt_.parts.size());
-    } else if (!model_.judge(edit).accepted) {
+    } else if (edits_[k].empty() && isPlain(edit)) {
       if (isShown) step["note"] = "This edit must be refused, and change nothing.";
     } else {
       pending_ = pending_ || isShown;
-      if (edit.kind == Edit::Kind::brush) {
-        for (const Edit& part : brushed_[k]) make(part, isShown, step);
-      } else {
-        make(edit, isShown, step);
-      }
+      for (const Call& part : edits_[k]) make(part, isShown, step);
     }
   }
 
-  void make(const Edit& edit, bool isShown, Json& step) {
-    model_.apply(edit);
-    const auto number = edit.kind == Edit::Kind::add ? add(edit) : remove(edit.name);
-    if (isShown && number) step[edit.kind == Edit::Kind::add ? "added" : "removed"].push_back(*number);
+  void make(const Call& edit, bool isShown, Json& step) {
+    model_.play(edit);
+    const auto number = edit.kind == Call::Kind::add ? add(edit) : remove(edit.name());
+    if (isShown && number) step[edit.kind == Call::Kind::add ? "added" : "removed"].push_back(*number);
   }
 
-  std::optional<std::size_t> add(const Edit& edit) {
+  std::optional<std::size_t> add(const Call& edit) {
     // Polygons just outside have a say in the outline of the cells at the rim.
-    if (excerpt_.cells && !isInside(*excerpt_.cells, edit.polygon.cell, 1)) return std::nullopt;
+    if (excerpt_.cells && !isInside(*excerpt_.cells, edit.polygon().cell, 1)) return std::nullopt;
     const std::size_t number = tables_.addPolygon(edit);
-    placed_[edit.name] = number;
-    inCell_[edit.polygon.cell].push_back(number);
+    placed_[edit.name()] = number;
+    inCell_[edit.polygon().cell].push_back(number);
     return number;
   }
 
@@ -151,7 +148,7 @@ class Story {
       return;
     }
     Outline actual = end->actual;
-    if (end->polygons < model_.polygons()) {  // a part was compared; the rest is as it must be
+    if (end->polygons < model_.standing().polygons()) {  // a part was compared; the rest is as it must be
       std::erase_if(expected, [&](const OutlineSegment& s) {
         return std::ranges::any_of(end->expected, [&](auto& e) { return e.start == s.start && e.end == s.end; });
       });
@@ -226,7 +223,7 @@ class Story {
   const Trace& trace_;
   const PageOptions& options_;
   const Excerpt excerpt_;
-  const std::vector<std::vector<Edit>> brushed_;
+  const std::vector<std::vector<Call>> edits_;
   Model model_;
   NaiveReference naive_;
   Tables tables_;

@@ -12,11 +12,11 @@ std::size_t Tables::point(Point point) {
 
 Json Tables::pointOrNull(const std::optional<Point>& p) { return p ? Json(point(*p)) : Json(nullptr); }
 
-std::size_t Tables::addPolygon(const Edit& add) {
-  const ScenePolygon& polygon = add.polygon;
+std::size_t Tables::addPolygon(const Call& add) {
+  const ScenePolygon polygon = add.polygon();
   Json corners = Json::array();
   for (const LocalPoint& vertex : polygon.vertices) corners.push_back(point(toWorld(polygon.cell, vertex)));
-  polygons_.push_back({{"name", add.name},
+  polygons_.push_back({{"name", add.name()},
                        {"cell", {polygon.cell.i, polygon.cell.j}},
                        {"block", polygon.block},
                        {"corners", std::move(corners)}});

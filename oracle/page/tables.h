@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 class Tables {
  public:
-  std::size_t addPolygon(const Edit& add);
+  std::size_t addPolygon(const Call& add);
   const ScenePolygon& polygon(std::size_t number) const { return placed_[number]; }
   const std::vector<ScenePolygon>& polygons() const { return placed_; }
 

@@ -19,7 +19,7 @@ using test::U;
 using testing::ElementsAre;
 using Kind = Mismatch::Kind;
 
-Trace twoSquares() { return {{}, {square("a", {0, 0}), Edit::commit(), square("b", {1, 0})}}; }
+Trace twoSquares() { return {{}, {square("a", {0, 0}), Call::commit(), square("b", {1, 0})}}; }
 
 // The references, but for what a test changes.
 class Wrong : public ReferenceEngine {
@@ -124,7 +124,7 @@ TEST(CheckEngines, AWindowAroundTheEditsIsComparedWhereTheWholeWorldIsNot) {
     if (o.size() == 6) o.pop_back();  // a part of the second square
   };
   Trace trace = twoSquares();
-  trace.edits.insert(trace.edits.end(), {Edit::commit(), square("c", {9, 0})});
+  trace.calls.insert(trace.calls.end(), {Call::commit(), square("c", {9, 0})});
   for (const bool naive : {true, false}) {
     CheckStats stats;
     const Mismatch found = must(checked(trace, {.engine = &engine, .naive = naive, .wholeEvery = 0}, stats));
@@ -171,14 +171,14 @@ TEST(CheckEngines, WhatTheOrderOfEditsChangesIsTold) {
 TEST(CheckEngines, OtherRefusalsAreTold) {
   Wrong engine;
   engine.answer = [](const std::vector<RefusedEdit>&) -> Engine::Refusals { return std::vector<RefusedEdit>(); };
-  const auto textOf = [&](const Edit& edit) {
+  const auto textOf = [&](const Call& edit) {
     const Mismatch found = must(check(engine, {{}, {square("a", {0, 0}), edit}}));
     EXPECT_EQ(found.kind, Kind::verdict);
     return found.text;
   };
   EXPECT_EQ(textOf(square("b", {0, 0})), "accepted, but must be refused as overlap: 'b'\n");
   EXPECT_EQ(textOf(square("a", {1, 0})), "accepted, but must be refused as a bad name: 'a'\n");
-  EXPECT_EQ(textOf(Edit::remove("c")), "accepted, but must be refused as a bad name: 'c'\n");
+  EXPECT_EQ(textOf(Call::remove("c")), "accepted, but must be refused as a bad name: 'c'\n");
 }
 
 TEST(CheckEngines, NoAnswerIsToldWithWhatItShouldHaveBeen) {
@@ -228,9 +228,9 @@ TEST(CheckEngines, AreNotAskedForWhatTheyNeedNotRefuse) {
   const Trace crowded = crowdedCase(Crowd::polygons, kCrowdedEdits, 1);
   Wrong engine;
   EXPECT_FALSE(check(engine, crowded));
-  const auto isAdd = [](const Edit& edit) { return edit.kind == Edit::Kind::add; };
-  const auto good = std::ranges::count_if(withoutRefused(crowded).edits, isAdd);
-  EXPECT_LT(good, std::ranges::count_if(crowded.edits, isAdd));
+  const auto isAdd = [](const Call& edit) { return edit.kind == Call::Kind::add; };
+  const auto good = std::ranges::count_if(withoutRefused(crowded).calls, isAdd);
+  EXPECT_LT(good, std::ranges::count_if(crowded.calls, isAdd));
   EXPECT_LE(engine.adds, 2 * static_cast<std::size_t>(good)) << "once, and at most once more in another order";
 
   Capabilities can = Capabilities::all();
@@ -251,7 +251,7 @@ TraceError errorOf(const std::string& trace) {
 TEST(CheckEngines, BrushesAreForThisLibraryAlone) {
   const TraceError error = errorOf("lgs-trace 2\ncommit\ncarve 0 0 1 0 1 1\n");
   EXPECT_EQ(error.line, 3U);
-  EXPECT_EQ(error.text, "only this library's engine has brushes");
+  EXPECT_EQ(error.text, "only this library's engine has such calls: carve  0 0 1 0 1 1");
 }
 
 TEST(CheckEngines, AnEditThatIsRightlyRefusedEndsIt) {

@@ -65,7 +65,7 @@ TEST(CheckReach, OfSeveralRings) {
 
 TEST(CheckReach, BlamesWhatIsNeitherReachedNorBent) {
   Brushed done;
-  done.edits = {Edit::remove("a"), Edit::add("b", kSquare)};
+  done.edits = {Call::remove("a"), Call::add("b", kSquare)};
   done.went["a"] = kSquare;
   EXPECT_EQ(wrongReach(brush({box(7, 7, 8, 8)}), done), "'a' has changed, but is not reached");
   EXPECT_EQ(wrongReach(brush({box(5, 5, 8, 8)}), done), "");

@@ -21,12 +21,12 @@ std::string textOf(const std::optional<WrongRead>& wrong) { return wrong ? wrong
 class CheckReads : public testing::Test {
  protected:
   CheckReads() {
-    for (const Edit& edit : {square("gone", {9, 9}), square("a", {0, 0}), square("b", {1, 1}), square("c", {-1, 0}, 2),
-                             Edit::add("far", {{-3, 5}, 1, test::eighths({{0, 0}, {4, 0}, {0, 4}})})}) {
+    for (const Call& edit : {square("gone", {9, 9}), square("a", {0, 0}), square("b", {1, 1}), square("c", {-1, 0}, 2),
+                             Call::add("far", {{-3, 5}, 1, test::eighths({{0, 0}, {4, 0}, {0, 4}})})}) {
       EXPECT_TRUE(player_.apply(edit));
     }
     commit();
-    EXPECT_TRUE(player_.apply(Edit::remove("gone")));
+    EXPECT_TRUE(player_.apply(Call::remove("gone")));
     commit();
   }
 
@@ -63,24 +63,24 @@ TEST_F(CheckReads, AgreesWithARightWorld) {
 // Where a loop visits its first vertex twice, it begins with another visit once collinear vertices are gone.
 TEST_F(CheckReads, AgreesWithALoopThatVisitsItsFirstVertexTwice) {
   start();
-  EXPECT_TRUE(player_.apply(Edit::add("a", {{0, 0}, 1, test::eighths({{0, 0}, {1, 0}, {8, 0}, {8, 8}})})));
-  EXPECT_TRUE(player_.apply(Edit::add("b", {{0, -1}, 1, test::eighths({{0, 8}, {4, 0}, {8, 4}})})));
+  EXPECT_TRUE(player_.apply(Call::add("a", {{0, 0}, 1, test::eighths({{0, 0}, {1, 0}, {8, 0}, {8, 8}})})));
+  EXPECT_TRUE(player_.apply(Call::add("b", {{0, -1}, 1, test::eighths({{0, 8}, {4, 0}, {8, 4}})})));
   commit();
   ASSERT_EQ(world().loops(Collinear::keep).size(), 1U);
   EXPECT_EQ(textOf(readLoops(world(), segments_)), "");
 }
 
 TEST_F(CheckReads, SeesOtherPolygonsInACell) {
-  const auto readWith = [&](const Edit& edit, PolygonHandle handle) {
-    Model model;
-    model.apply(edit, handle);
-    return textOf(readCell(world(), model, {0, 0}));
+  const auto readWith = [&](const Call& edit, PolygonHandle handle) {
+    Standing standing;
+    standing.add(edit.name(), edit.polygon(), handle);
+    return textOf(readCell(world(), standing, {0, 0}));
   };
   const PolygonHandle a = player_.handleOf("a");
   EXPECT_EQ(readWith(square("a", {0, 0}), a), "");
   EXPECT_EQ(readWith(square("a", {5, 0}), a), "cell (0, 0) has 1 polygons, but should have 0");
   EXPECT_EQ(readWith(square("a", {0, 0}, 2), a), "cell (0, 0) does not hold 'a' as it was placed");
-  EXPECT_EQ(readWith(Edit::add("a", {{0, 0}, 1, test::ramp()}), a), "cell (0, 0) does not hold 'a' as it was placed");
+  EXPECT_EQ(readWith(Call::add("a", {{0, 0}, 1, test::ramp()}), a), "cell (0, 0) does not hold 'a' as it was placed");
   EXPECT_EQ(readWith(square("a", {0, 0}), player_.handleOf("b")), "cell (0, 0) does not hold 'a' as it was placed");
 }
 
@@ -90,7 +90,7 @@ TEST_F(CheckReads, SeesWhatStandsBesideTheModel) {
 }
 
 TEST_F(CheckReads, SeesAPolygonTooFewInACell) {
-  ASSERT_TRUE(player_.apply(Edit::add("d", {{-3, 5}, 1, test::eighths({{8, 8}, {4, 8}, {8, 4}})})));
+  ASSERT_TRUE(player_.apply(Call::add("d", {{-3, 5}, 1, test::eighths({{8, 8}, {4, 8}, {8, 4}})})));
   ASSERT_TRUE(player_.world().remove(player_.handleOf("d")));
   ASSERT_TRUE(player_.world().add({7, 7}, kUnitSquare, 1));
   EXPECT_EQ(textOf(readPolygons(player_)), "cell (-3, 5) has 1 polygons, but should have 2");
@@ -133,8 +133,8 @@ TEST_F(CheckReads, SeesASegmentInAnotherCell) {
   start();
   LocalPolygon comb{{0, U}, {0, 0}};
   for (std::int32_t k = 1; k < 200; ++k) comb.push_back({7 * k, k % 2});
-  EXPECT_TRUE(player_.apply(Edit::add("comb", {{0, 0}, 1, comb})));
-  EXPECT_TRUE(player_.apply(Edit::add("far", {{-3, 5}, 1, test::eighths({{0, 0}, {4, 0}, {0, 4}})})));
+  EXPECT_TRUE(player_.apply(Call::add("comb", {{0, 0}, 1, comb})));
+  EXPECT_TRUE(player_.apply(Call::add("far", {{-3, 5}, 1, test::eighths({{0, 0}, {4, 0}, {0, 4}})})));
   commit();
   Segment& moved = segment({-3 * U, 5 * U + U / 2}, {-3 * U, 5 * U});
   moved.cell.j += 45;
@@ -157,7 +157,7 @@ TEST_F(CheckReads, SeesThatACellBetweenOthersHasNothing) {
   LocalPolygon comb{{0, U}, {0, 0}};
   for (std::int32_t k = 1; k < 200; ++k) comb.push_back({7 * k, k % 2});
   for (const auto& [name, cell] : {std::pair{"left", Cell{0, 0}}, {"right", Cell{9, 0}}})
-    EXPECT_TRUE(player_.apply(Edit::add(name, {cell, 1, comb})));
+    EXPECT_TRUE(player_.apply(Call::add(name, {cell, 1, comb})));
   EXPECT_TRUE(player_.apply(square("middle", {5, 0})));
   commit();
   for (Segment& s : segments_)

@@ -23,8 +23,8 @@ using test::must;
 Trace fourSquares() {
   Trace trace;
   for (std::int32_t i = 0; i < 4; ++i) {
-    trace.edits.push_back(square("s" + std::to_string(i), {3 * i, 0}, 5));
-    trace.edits.push_back(Edit::commit());
+    trace.calls.push_back(square("s" + std::to_string(i), {3 * i, 0}, 5));
+    trace.calls.push_back(Call::commit());
   }
   return trace;
 }
@@ -82,7 +82,7 @@ TEST_F(CheckReport, HasTheSmallestTraceAndWhereItIs) {
                        ".trace' --check --engine E --svg '" + base + ".svg'\n");
   expectSaid(text, "but not again", false);
   EXPECT_EQ(editCount(saved()), 2U);
-  EXPECT_EQ(saved().edits.size(), 2U);
+  EXPECT_EQ(saved().calls.size(), 2U);
   expectSaid(get("some where/found.trace"), "\n# lgs check --again\n");
   expectSaid(get("some where/found.svg"), "<svg");
   const std::string page = get("some where/found.html");
@@ -95,7 +95,7 @@ TEST_F(CheckReport, WithoutTimeHasTheTraceUpToTheMismatch) {
   const Trace trace = fourSquares();
   const std::string text = reported(trace, {.engine = &engine}, to(0ms));
   expectSaid(text, "shrinking", false);
-  EXPECT_EQ(saved(), (Trace{{}, {trace.edits.begin(), trace.edits.begin() + 4}}));
+  EXPECT_EQ(saved(), (Trace{{}, {trace.calls.begin(), trace.calls.begin() + 4}}));
 }
 
 TEST_F(CheckReport, SaysThatItWasNotThereAgain) {
@@ -105,7 +105,7 @@ TEST_F(CheckReport, SaysThatItWasNotThereAgain) {
   });
   const std::string text = reported(fourSquares(), {.engine = &engine}, to(1s));
   expectSaid(text, "\nbut not again: the engine does not always do the same, or keeps something when it is reset\n");
-  EXPECT_EQ(saved().edits.size(), 4U);
+  EXPECT_EQ(saved().calls.size(), 4U);
   EXPECT_GT(engine.restarts, 0);
 }
 
@@ -134,16 +134,16 @@ TEST_F(CheckReport, SaysWhereNothingIsIfItCanNotBeWritten) {
   expectSaid(text, "picture", false);
   expectSaid(text, "\nagain      lgs check --again\n");
   expectSaid(text, "look at it", false);
-  EXPECT_EQ(saved().edits.size(), 4U);
+  EXPECT_EQ(saved().calls.size(), 4U);
 }
 
 TEST_F(CheckReport, HasNoTraceThatIsTooLongToRead) {
   Trace trace;
-  for (std::int32_t i = 0; i < 41; ++i) trace.edits.push_back(square("s" + std::to_string(i), {3 * i, 0}));
+  for (std::int32_t i = 0; i < 41; ++i) trace.calls.push_back(square("s" + std::to_string(i), {3 * i, 0}));
   Wrong engine([](Outline& o) { o.pop_back(); });
   expectSaid(reported(trace, {.engine = &engine}, to(0ms)),
              "\n41 edits are left, too many to print here\nafter edit 41");
-  trace.edits.pop_back();
+  trace.calls.pop_back();
   expectSaid(reported(trace, {.engine = &engine}, to(0ms)), "\nlgs-trace 1\n# ", false);
   expectSaid(reported(trace, {.engine = &engine}, to(0ms)), "\nlgs-trace 1\nadd s0 ");
 }
@@ -156,7 +156,7 @@ TEST_F(CheckReport, OfACrashHasTheSmallestTraceThatCrashes) {
   EXPECT_TRUE(text.starts_with("MISMATCH the engine crashed with SIGABRT\nshrinking the trace of 8 lines …\n")) << text;
   expectSaid(text, "\n\nthe engine crashed with SIGABRT\n\ntrace ");
   expectSaid(text, "\nlook at it ");
-  EXPECT_EQ(saved().edits.size(), 2U);
+  EXPECT_EQ(saved().calls.size(), 2U);
   expectSaid(get("some where/found.svg"), "the engine crashed with SIGABRT");
 }
 
@@ -247,7 +247,7 @@ TEST_F(CheckSurvey, ShrinksNoFaultToAnother) {
   Trace trace{{}, {square("a", {0, 0}), square("b", {3, 0})}};
   add(all, engine, trace);
   expectSaid(get("report/report.md"), "| wrong block | 1 | [2 edits]");
-  trace.edits.pop_back();
+  trace.calls.pop_back();
   add(all, engine, trace);
   expectSaid(get("report/report.md"), "| wrong link | 1 | [1 edit]");
 }

@@ -16,7 +16,7 @@ namespace {
 
 TEST(CheckWords, EachKindHasItsOwn) {
   using enum Mismatch::Kind;
-  EXPECT_EQ(describe(verdict), "an edit was not judged as it must be");
+  EXPECT_EQ(describe(verdict), "a call was not answered as it must be");
   EXPECT_EQ(describe(reach), "a brush changed what it does not reach");
   EXPECT_EQ(describe(rounding), "a brush is too far from the exact result");
   EXPECT_EQ(describe(history), "the outline depends on the order of the edits");
@@ -24,8 +24,8 @@ TEST(CheckWords, EachKindHasItsOwn) {
 }
 
 TEST(CheckWords, AMismatchHasAPlaceInItsTrace) {
-  Trace trace{{}, {Edit::commit(), Edit::commit()}};
-  trace.edits[1].line = 7;
+  Trace trace{{}, {Call::commit(), Call::commit()}};
+  trace.calls[1].line = 7;
   Mismatch found;
   found.kind = Mismatch::Kind::cgal;
   found.text = "all of it\n";
@@ -45,25 +45,18 @@ TEST(CheckWords, AFailureHasItsLog) {
 }
 
 TEST(CheckWords, ACommentHasALineForEachOfItsLines) {
-  const Trace trace{{}, {Edit::commit()}};
+  const Trace trace{{}, {Call::commit()}};
   EXPECT_EQ(printTrace(trace, "one\ntwo"), "lgs-trace 1\n# one\n# two\ncommit\n");
   EXPECT_EQ(printTrace(trace, "one\n"), "lgs-trace 1\n# one\ncommit\n");
   EXPECT_EQ(printTrace(trace, ""), "lgs-trace 1\ncommit\n");
 }
 
-TEST(CheckWords, SharesOfDoorsAndNumbersOfDetours) {
+TEST(CheckWords, SharesOfCalls) {
   CheckStats stats;
-  stats.doors[static_cast<std::size_t>(Door::list)] = 1;
-  stats.doors[static_cast<std::size_t>(Door::setBlock)] = 3;
-  stats.doors[static_cast<std::size_t>(Door::brush)] = 0;
-  const std::string plain =
-      "points 0%, list 25%, floats 0%, doubles 0%, shape 0%, handles 0%, several 0%, many 0%, fill 0%, remove 0%, "
-      "removeMany 0%, clear 0%, replace 0%, exchange 0%, setBlock 75%";
-  EXPECT_EQ(doorsInWords(stats), plain);
-  stats.brushed = 1;
-  EXPECT_EQ(doorsInWords(stats), plain + ", brush 0%");
-  for (std::size_t k = 0; k < kDetours; ++k) stats.detours[k] = k;
-  EXPECT_EQ(detoursInWords(stats), "saved 1, undone 2, marked 3, grouped 4, repainted 5, unloaded 6, worn 7");
+  EXPECT_EQ(callsInWords(stats), "");
+  stats.made[static_cast<std::size_t>(Call::Kind::add)] = 1;
+  stats.made[static_cast<std::size_t>(Call::Kind::goBack)] = 3;
+  EXPECT_EQ(callsInWords(stats), "add 25.0%, back 75.0%");
 }
 
 TEST(CheckWords, NumbersAreInThousands) {

@@ -12,8 +12,8 @@
 namespace lgs::oracle {
 
 /// Adds a whole square.
-inline Edit square(const std::string& name, Cell cell, Block block = 1) {
-  return Edit::add(name, {cell, block, test::unitSquare()});
+inline Call square(const std::string& name, Cell cell, Block block = 1) {
+  return Call::add(name, {cell, block, test::unitSquare()});
 }
 
 /// checkTrace(), where no edit may be bad.

@@ -49,8 +49,8 @@ constexpr std::array kOrigins = {Cell{0, 0}, Cell{-2, -3}, Cell{kMaxCell - 6, -k
 Trace traceOf(const Scene& scene) {
   Trace trace{scene.preserve, {}};
   for (const ScenePolygon& polygon : scene.polygons)
-    trace.edits.push_back(Edit::add(fmt::format("p{}", trace.edits.size() + 1), polygon));
-  trace.edits.push_back(Edit::commit());
+    trace.calls.push_back(Call::add(fmt::format("p{}", trace.calls.size() + 1), polygon));
+  trace.calls.push_back(Call::commit());
   return trace;
 }
 
@@ -58,8 +58,8 @@ Trace traceOf(const Scene& scene) {
 Scene sceneOf(const Trace& trace) {
   Scene scene;
   scene.preserve = trace.preserve;
-  for (const Edit& edit : trace.edits)
-    if (edit.kind == Edit::Kind::add) scene.polygons.push_back(edit.polygon);
+  for (const Call& edit : trace.calls)
+    if (edit.kind == Call::Kind::add) scene.polygons.push_back(edit.polygon());
   return scene;
 }
 

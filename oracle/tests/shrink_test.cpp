@@ -15,14 +15,12 @@ namespace {
 using namespace std::chrono_literals;
 using test::U;
 
-Edit square(const std::string& name, Cell cell, Block block = 1, Way way = Edit::plainWay(Edit::Kind::add)) {
-  Edit edit = Edit::add(name, {cell, block, test::unitSquare()});
-  edit.way = way;
-  return edit;
+Call square(const std::string& name, Cell cell, Block block = 1) {
+  return Call::add(name, {cell, block, test::unitSquare()});
 }
 
-Edit painting(std::vector<std::vector<Point>> rings, Block block = 1) {
-  return Edit::byBrush({BrushEdit::Deed::fill, block, std::move(rings)});
+Call painting(std::vector<std::vector<Point>> rings, Block block = 1) {
+  return Call::byBrush({BrushEdit::Deed::fill, block, std::move(rings)});
 }
 
 /// All candidates of a walk that accepts none.
@@ -37,21 +35,17 @@ bool has(const std::vector<Trace>& candidates, const Trace& trace) {
   return std::ranges::find(candidates, trace) != candidates.end();
 }
 
-bool isPlain(const Edit& edit) { return edit.way == Edit::plainWay(edit.kind); }
-
 // --- Traces -----------------------------------------------------------------------------------------------------------
 
-TEST(ShrinkWalk, BeginsWithPlainWaysAndPlainNames) {
-  const Way way{Door::shape, Detour::marked, false, 3};
-  const Trace trace{{}, {square("a", {0, 0}, 1, way), Edit::commit(), Edit::remove("a")}};
+TEST(ShrinkWalk, BeginsWithPlainNames) {
+  const Trace trace{{}, {square("a", {0, 0}), Call::commit(), Call::remove("a")}};
   ShrinkWalk walk(trace);
-  EXPECT_EQ(walk.next(), (Trace{{}, {square("p1", {0, 0}), Edit::commit(), Edit::remove("p1")}}));
-  EXPECT_EQ(walk.next(), (Trace{{}, {square("p1", {0, 0}, 1, way), Edit::commit(), Edit::remove("p1")}}));
+  EXPECT_EQ(walk.next(), (Trace{{}, {square("p1", {0, 0}), Call::commit(), Call::remove("p1")}}));
   EXPECT_EQ(walk.best(), trace);
 }
 
 TEST(ShrinkWalk, DropsHalfOfTheEditsAndThenTheOtherHalf) {
-  const std::vector<Edit> edits{square("p1", {0, 0}), square("p2", {1, 0}), square("p3", {2, 0}), square("p4", {3, 0})};
+  const std::vector<Call> edits{square("p1", {0, 0}), square("p2", {1, 0}), square("p3", {2, 0}), square("p4", {3, 0})};
   const Trace half{{}, {edits[0], edits[1]}};
   ShrinkWalk walk({{}, edits});
   EXPECT_EQ(walk.next(), half);
@@ -61,42 +55,35 @@ TEST(ShrinkWalk, DropsHalfOfTheEditsAndThenTheOtherHalf) {
 }
 
 TEST(ShrinkWalk, TakesARemovalAwayWithItsPolygon) {
-  const auto candidates = candidatesOf({{}, {square("p1", {0, 0}), Edit::remove("p1"), square("p2", {1, 0})}});
+  const auto candidates = candidatesOf({{}, {square("p1", {0, 0}), Call::remove("p1"), square("p2", {1, 0})}});
   EXPECT_TRUE(has(candidates, {{}, {square("p2", {1, 0})}}));
-  EXPECT_FALSE(has(candidates, {{}, {Edit::remove("p1"), square("p2", {1, 0})}}));
+  EXPECT_FALSE(has(candidates, {{}, {Call::remove("p1"), square("p2", {1, 0})}}));
 }
 
-TEST(ShrinkWalk, MakesOneWayAfterTheOtherPlain) {
-  const Way way{Door::shape, Detour::marked, true, 3};
-  std::set<std::vector<int>> ways;  // detour, joins, number, of what still takes the door
-  for (const Trace& trace : candidatesOf({{}, {square("p1", {0, 0}, 1, way)}}))
-    if (trace.edits.size() == 1 && trace.edits[0].way.door == Door::shape)
-      ways.insert({static_cast<int>(trace.edits[0].way.detour), trace.edits[0].way.joins ? 1 : 0,
-                   static_cast<int>(trace.edits[0].way.number)});
-  const int marked = static_cast<int>(Detour::marked);
-  EXPECT_EQ(ways, (std::set<std::vector<int>>{{marked, 1, 3}, {marked, 0, 3}, {0, 1, 0}}));
-}
-
-// With two edits one way must be plain and the other one not; with one edit it must be plain.
-TEST(ShrinkWalk, DropsEditsAgainOnceAWayIsPlain) {
-  const Way way{Door::shape, Detour::marked, false, 3};
-  const auto stillFails = [](const Trace& trace) {
-    const auto plain = std::ranges::count_if(trace.edits, isPlain);
-    return trace.edits.size() == 2 ? plain < 2 : trace.edits.size() == 1 && plain == 1;
+TEST(ShrinkWalk, MakesCallsSimpler) {
+  Call group = Call::of(Call::Kind::group), place = square("p1", {0, 0});
+  place.kind = Call::Kind::addShape;
+  place.room = 2;
+  group.group = {place, Call::remove("p1")};
+  const auto places = [](const Trace& trace) {
+    const auto isPlaced = [](const Call& call) { return call.kind != Call::Kind::remove && !call.comes.empty(); };
+    return std::ranges::any_of(
+        trace.calls, [&](const Call& call) { return isPlaced(call) || std::ranges::any_of(call.group, isPlaced); });
   };
-  const Trace small = shrink({{}, {square("a", {0, 0}, 1, way), square("b", {1, 0}, 1, way)}}, stillFails, 60s);
-  EXPECT_EQ(small, (Trace{{}, {Edit::add("p1", small.edits.at(0).polygon)}}));
+  const Trace small =
+      shrink({{}, {Call::of(Call::Kind::mark), group, Call::of(Call::Kind::goBack)}, true}, places, 60s);
+  EXPECT_EQ(printTrace(small), "lgs-trace 1\nadd p1 0 0 1  0 0 1 0 0 1\n");
 }
 
 TEST(ShrinkWalk, DropsTheLastOfSeveralEditsByItself) {
   const auto hasThree = [](const Trace& trace) {
     std::set<std::int32_t> rows;
-    for (const Edit& edit : trace.edits) rows.insert(edit.polygon.cell.j);
+    for (const Call& edit : trace.calls) rows.insert(edit.polygon().cell.j);
     return rows.contains(1) && rows.contains(2) && rows.contains(3);
   };
   const Trace small =
       shrink({{}, {square("a", {0, 1}), square("b", {0, 2}), square("c", {0, 3}), square("d", {0, 4})}}, hasThree, 60s);
-  EXPECT_EQ(small.edits.size(), 3U);
+  EXPECT_EQ(small.calls.size(), 3U);
 }
 
 TEST(ShrinkWalk, NumbersBlocksInTheOrderOfTheirUse) {
@@ -114,20 +101,20 @@ TEST(ShrinkWalk, DropsOnePairAfterTheOther) {
   for (const auto& [a, b] : {std::pair{1U, 2U}, {1U, 3U}, {2U, 3U}}) trace.preserve.add(a, b);
   std::size_t without = 0;
   for (const Trace& candidate : candidatesOf(trace))
-    if (candidate.edits == trace.edits && candidate.preserve.pairs().size() == 2) ++without;
+    if (candidate.calls == trace.calls && candidate.preserve.pairs().size() == 2) ++without;
   EXPECT_EQ(without, 3U);
 }
 
 TEST(ShrinkWalk, MakesEachBlockOneByItself) {
   const auto hasTwo = [](const Trace& trace) {
-    return trace.edits.size() == 5 && trace.edits[1].kind == Edit::Kind::commit;
+    return trace.calls.size() == 5 && trace.calls[1].kind == Call::Kind::commit;
   };
   const Trace small = shrink(
       {{},
-       {square("p1", {0, 0}, 1), Edit::commit(), square("p2", {1, 0}, 2), Edit::remove("p1"), square("p3", {0, 0}, 3)}},
+       {square("p1", {0, 0}, 1), Call::commit(), square("p2", {1, 0}, 2), Call::remove("p1"), square("p3", {0, 0}, 3)}},
       hasTwo, 60s);
-  ASSERT_EQ(small.edits.size(), 5U);
-  for (const std::size_t k : {0U, 2U, 4U}) EXPECT_EQ(small.edits[k].polygon.block, 1U);
+  ASSERT_EQ(small.calls.size(), 5U);
+  for (const std::size_t k : {0U, 2U, 4U}) EXPECT_EQ(small.calls[k].comes[0].block, 1U);
 }
 
 TEST(ShrinkWalk, MovesLinesOfCellsTogetherAndToTheOrigin) {
@@ -143,7 +130,7 @@ TEST(ShrinkWalk, MovesLinesOfCellsTogetherAndToTheOrigin) {
 
 TEST(ShrinkWalk, EndsWhereNothingIsAccepted) {
   EXPECT_EQ(candidatesOf({}).size(), 0U);
-  EXPECT_EQ(candidatesOf({{}, {Edit::commit()}}), std::vector<Trace>{Trace()});
+  EXPECT_EQ(candidatesOf({{}, {Call::commit()}}), std::vector<Trace>{Trace()});
 }
 
 // --- Polygons and regions ----------------------------------------------------------------------------------------

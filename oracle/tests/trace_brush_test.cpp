@@ -4,9 +4,9 @@
 #include "oracle/check/shrink.h"
 #include "oracle/generate/generator.h"
 #include "oracle/generate/strokes.h"
-#include "oracle/trace/brushing.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/model.h"
+#include "oracle/trace/plain_edits.h"
 #include "read_traces.h"
 
 #include <algorithm>
@@ -32,18 +32,18 @@ TEST(TraceBrush, ReadsWorldCoordinatesAndRings) {
       "paint 0 replace 0 0 1 0 1 1 # a comment\n"
       "carve 1073741825 0 3 0 3 1e-1\n"
       "carve 4 4\n");
-  ASSERT_EQ(trace.edits.size(), 4U);
-  const BrushEdit& fill = trace.edits[0].brush;
-  EXPECT_EQ(trace.edits[0].kind, Edit::Kind::brush);
+  ASSERT_EQ(trace.calls.size(), 4U);
+  const BrushEdit& fill = trace.calls[0].brush;
+  EXPECT_EQ(trace.calls[0].kind, Call::Kind::brush);
   EXPECT_EQ(fill.deed, BrushEdit::Deed::fill);
   EXPECT_EQ(fill.block, 5U);
   EXPECT_EQ(fill.rings, (std::vector<std::vector<Point>>{{{0, 0}, {21'845, 0}, {-U / 2, 2 * U}},
                                                          {{U, U}, {2 * U, U}, {2 * U, 2 * U}, {U, 2 * U}}}));
   EXPECT_TRUE(fill.isEvenOdd);
-  EXPECT_EQ(trace.edits[1].brush.deed, BrushEdit::Deed::replace);
-  EXPECT_EQ(trace.edits[2].brush.deed, BrushEdit::Deed::carve);
-  EXPECT_EQ(trace.edits[2].brush.rings[0][0].x, kMaxCoordinate);
-  EXPECT_EQ(trace.edits[3].line, 5U);
+  EXPECT_EQ(trace.calls[1].brush.deed, BrushEdit::Deed::replace);
+  EXPECT_EQ(trace.calls[2].brush.deed, BrushEdit::Deed::carve);
+  EXPECT_EQ(trace.calls[2].brush.rings[0][0].x, kMaxCoordinate);
+  EXPECT_EQ(trace.calls[3].line, 5U);
   EXPECT_EQ(editCount(trace), 4U);
 }
 
@@ -54,7 +54,7 @@ TEST(TraceBrush, RoundTrips) {
   const Trace trace = mustParse(text);
   EXPECT_EQ(mustParse(printTrace(trace)), trace) << printTrace(trace);
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    const Trace any = withBrushes(randomCase({3, 3, 30}, seed), seed);
+    const Trace any = randomCase({.width = 3, .height = 3, .edits = 30, .isOfCalls = true, .brushes = true}, seed);
     ASSERT_EQ(mustParse(printTrace(any)), any);
   }
 }
@@ -62,7 +62,7 @@ TEST(TraceBrush, RoundTrips) {
 TEST(TraceBrush, TheVersionSaysWhetherThereAreBrushes) {
   Trace trace = mustParse(kHead + kGround);
   EXPECT_TRUE(printTrace(trace).starts_with("lgs-trace 1\n")) << "none needs version 2";
-  trace.edits.push_back(Edit::byBrush({BrushEdit::Deed::carve, 0, {{{0, 0}, {U, 0}, {0, U}}}}));
+  trace.calls.push_back(Call::byBrush({BrushEdit::Deed::carve, 0, {{{0, 0}, {U, 0}, {0, U}}}}));
   EXPECT_TRUE(printTrace(trace).starts_with("lgs-trace 2\n"));
 }
 
@@ -90,7 +90,7 @@ TEST(TraceBrush, BadLinesSayFileLineAndReason) {
       {kHead + kGround + "paint 7 replace 0 0 1 0 1 1 0 1\nremove left\n", ""},  // it has not changed
       {kHead + kGround + "paint 8 replace 0 0 1 0 1 1 0 1\nremove left\n", "bad.trace:6: there is no polygon named"},
       {kHead + kGround + "carve 0.5 0.5 0.6 0.5 0.6 0.6\nadd x 0 0 1  0 0 0.1 0 0.1 0.1\n",
-       "bad.trace:6: cell (0, 0): its interior overlaps '#"},
+       "bad.trace:6: cell (0, 0): its interior overlaps"},
       {kHead + kGround + "carve 0 0 1 0 1 1 0 1\nadd left 0 0 1  0 0 0.1 0 0.1 0.1\nremove left\nremove left\n",
        "bad.trace:8: there is no polygon named 'left' to remove"},
   });
@@ -111,20 +111,21 @@ TEST(TraceBrush, ThePlayerReadsBackWhatABrushDid) {
   });
   EXPECT_EQ(player.standing().polygons(), there);
   const auto& did = player.brushed().edits;
-  EXPECT_EQ(std::ranges::count(did, Edit::Kind::remove, &Edit::kind), 2);
+  EXPECT_EQ(std::ranges::count(did, Call::Kind::remove, &Call::kind), 2);
   EXPECT_EQ(did.size(), 2 + there - 1);
 }
 
 TEST(TraceBrush, WithoutBrushesItIsTheSameWorld) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    const Trace trace = withoutRefused(withBrushes(randomCase({3, 3, 30}, seed), seed));
-    const Trace plain = withoutBrushes(trace);
+    const Trace trace = randomCase(
+        {.width = 3, .height = 3, .edits = 30, .isOfCalls = true, .brushes = true, .isFollowed = true}, seed);
+    const Trace plain = inPlainEdits(trace);
     EXPECT_FALSE(hasBrushes(plain));
     ASSERT_EQ(mustParse(printTrace(plain)), plain) << "its names can be written";
     const auto outline = [](const Trace& played) {
       Player player(played.preserve);
-      for (const Edit& edit : played.edits)
-        edit.kind == Edit::Kind::commit ? void(player.commit()) : void(player.apply(edit));
+      for (const Call& edit : played.calls)
+        edit.kind == Call::Kind::commit ? void(player.commit()) : void(player.apply(edit));
       player.commit();
       return outlineOf(player.world());
     };
@@ -137,7 +138,8 @@ TEST(TraceBrush, RandomCasesAreChecked) {
   CheckOptions options;
   options.skipRefused = true;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    const auto found = checkTrace(withBrushes(randomCase({3, 3, 40}, seed), seed), options, stats);
+    const auto found = checkTrace(
+        randomCase({.width = 3, .height = 3, .edits = 40, .isOfCalls = true, .brushes = true}, seed), options, stats);
     ASSERT_TRUE(found.has_value()) << found.error().text;
     ASSERT_FALSE(*found) << describe((*found)->kind) << ": " << (*found)->text;
   }
@@ -150,13 +152,13 @@ TEST(TraceBrush, TheShrinkerMakesRegionsSimpler) {
                 "carve 7.3 7.3 7.4 7.31 7.35 7.4\ncommit\n"
                 "paint 12 fill 3.11 3.07 4.2 3.3 4.9 4.1 3.1 4.8 | 20 20 21 20 21 21 | 2 2 3 2 3 2.5\n");
   const auto paints = [](const Trace& candidate) {
-    return std::ranges::any_of(candidate.edits, [](const Edit& edit) {
-      return edit.kind == Edit::Kind::brush && edit.brush.deed == BrushEdit::Deed::fill;
+    return std::ranges::any_of(candidate.calls, [](const Call& edit) {
+      return edit.kind == Call::Kind::brush && edit.brush.deed == BrushEdit::Deed::fill;
     });
   };
   const Trace small = shrink(trace, paints, 20s);
-  ASSERT_EQ(small.edits.size(), 1U) << printTrace(small);
-  const BrushEdit& brush = small.edits[0].brush;
+  ASSERT_EQ(small.calls.size(), 1U) << printTrace(small);
+  const BrushEdit& brush = small.calls[0].brush;
   EXPECT_EQ(brush.block, 1U);
   ASSERT_EQ(brush.rings.size(), 1U);
   EXPECT_EQ(brush.rings[0].size(), 3U);

@@ -1,5 +1,6 @@
 // The trace and dump formats: what is read, what is refused and how, what is written.
 #include "oracle/trace/trace.h"
+#include "oracle/generate/generator.h"
 #include "oracle/trace/coordinate.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/file.h"
@@ -80,13 +81,13 @@ TEST(Trace, ReadsEveryLine) {
       "  add b#2,0,0,7,0,0,1,0,1,1\ncommit\nremove a\ncommit");
   EXPECT_EQ(trace.preserve.pairs().size(), 1U);
   EXPECT_TRUE(trace.preserve(1, 2));
-  ASSERT_EQ(trace.edits.size(), 5U);
-  EXPECT_EQ(trace.edits[0], Edit::add("a", {{-3, 4}, 4'294'967'295, {{0, 0}, {65'536, 0}, {32'768, 32'768}}}));
-  EXPECT_EQ(trace.edits[0].line, 7U);
-  EXPECT_EQ(trace.edits[1].name, "b#2");
-  EXPECT_EQ(trace.edits[2], Edit::commit());
-  EXPECT_EQ(trace.edits[3], Edit::remove("a"));
-  EXPECT_EQ(trace.edits[4].line, 11U);
+  ASSERT_EQ(trace.calls.size(), 5U);
+  EXPECT_EQ(trace.calls[0], Call::add("a", {{-3, 4}, 4'294'967'295, {{0, 0}, {65'536, 0}, {32'768, 32'768}}}));
+  EXPECT_EQ(trace.calls[0].line, 7U);
+  EXPECT_EQ(trace.calls[1].name(), "b#2");
+  EXPECT_EQ(trace.calls[2], Call::commit());
+  EXPECT_EQ(trace.calls[3], Call::remove("a"));
+  EXPECT_EQ(trace.calls[4].line, 11U);
 }
 
 TEST(Trace, RoundTrips) {
@@ -98,40 +99,41 @@ TEST(Trace, RoundTrips) {
   EXPECT_EQ(printTrace(mustParse(text)), text);
 }
 
-// The ways of edits (way.h): the plain ones are not written.
-TEST(Trace, SaysHowEditsAreMade) {
+// Version 3 said by other words how edits are made.
+TEST(Trace, OfVersion3HasPlainEdits) {
   const std::string square = "0 0 1 0 1 1 0 1";
-  const std::string text = "lgs-trace 3\nadd by 0 0 1  " + square + " by fill 3 undone\nadd b 1 0 1  " + square +
-                           " by fill too\ncommit by 2\nremove by by 7 marked\nremove b by removeMany too\n";
-  const Trace trace = mustParse(text);
-  ASSERT_EQ(trace.edits.size(), 5U);
-  EXPECT_EQ(trace.edits[0].name, "by");
-  EXPECT_EQ(trace.edits[0].way, (Way{Door::fill, Detour::undone, false, 3}));
-  EXPECT_EQ(trace.edits[1].way, (Way{Door::fill, Detour::none, true, 0}));
-  EXPECT_EQ(trace.edits[2].way, (Way{Door::commit, Detour::none, false, 2}));
-  EXPECT_EQ(trace.edits[3].way, (Way{Door::remove, Detour::marked, false, 7}));
-  EXPECT_EQ(printTrace(trace), text);
-  const auto old = "lgs-trace 2\nadd a1xyz 0 0 1  " + square + "\nremove a1xyz\n";
-  for (const Edit& edit : mustParse(old).edits) EXPECT_EQ(edit.way, Edit::plainWay(edit.kind));
+  const Trace trace = mustParse("lgs-trace 3\nadd by 0 0 1  " + square + " by fill 3 undone\nadd b 1 0 1  " + square +
+                                " by fill too\ncommit by 2\nremove by by 7 marked\n");
+  EXPECT_EQ(printTrace(trace),
+            "lgs-trace 1\nadd by 0 0 1  " + square + "\nadd b 1 0 1  " + square + "\ncommit\nremove by\n");
 }
 
-TEST(Rows, AreWhatOneCallMakes) {
-  const std::string square = "0 0 1 0 1 1 0 1";
-  const Trace trace = mustParse(
-      "lgs-trace 3\nadd a 0 0 1 " + square + " by fill\nadd b 1 0 1 " + square + " by fill too\nadd c 3 0 1 " + square +
-      " by fill\nadd d 5 0 1 " + square + " by fill too\nremove a by setBlock\nadd a 0 0 2 " + square +
-      " by setBlock too\nadd e 7 0 1 " + square + " by many\nadd f 1 0 1 " + square + " by many too\n");
-  Player player({});
-  Rows rows(trace);
-  std::string told;
-  while (const auto row = rows.next(player.calls())) {
-    const bool isDone = player.apply(*row).has_value();
-    told += inWords(*row) + (isDone ? "\n" : row->isTrial ? ", as a trial\n" : ", refused\n");
+TEST(Trace, OfVersion4HasAllCalls) {
+  const std::string text =
+      "lgs-trace 4\nadd a 0 0 1  0 0 1 0 1 1 0 1\nadd - 1 0 1  0 0 1 0 1 1  in floats 2\n"
+      "place 2 0 1  0 0 1 0 1 1  |  0 0 1 1 0 1  as b c  room 2\nmany 3 0 1  0 0 1 0 1 1 ; 4 0 1  id 7\nmany\n"
+      "replace 5 0 1  none  in list\nexchange 0 0 a 0:0#1 0:0#all given#3 beside#4 handle#7:2 with 1  0 0 1 0 1 1  as "
+      "d "
+      "; 2  0 0 1 1 0 1\nexchange 1 0\nremove b\nremoveMany b c\nsetBlock c 4294967295\nfill 0 0 3 3 1  0 0 1 0 1 1\n"
+      "clear 0 0 -1 -1\nshape  0 0 -32768 0 1 1\ngroup all\nremove a\nclear 0 0 0 0\nend\ncommit\ncommit 3\nmark\n"
+      "back 2 keep\nback 0\nforward 1\nforget 0\nleave 0 0 31 31\ncopy\nload\nunload 0 0 31 31\n"
+      "reload 0 0 31 31 1\nreloadEmpty 0 0 31 31\npaint 1 fill  0 0 1 0 1 1 united around 1 2\ncarve  0 0 1 0 1 1\n"
+      "repeat 300\nplace 0 0 1  0 0 1 0 1 1\nclear 0 0 0 0\nend\n";
+  const Trace trace = mustParse(text);
+  EXPECT_EQ(printTrace(trace), text);
+  EXPECT_EQ(mustParse(printTrace(trace)), trace);
+}
+
+TEST(Trace, APolygonWithoutVerticesIsWrittenAsItIsRead) {
+  const std::string text = "lgs-trace 1\nadd a 0 0 1\n";
+  EXPECT_EQ(printTrace(mustParse(text)), text);
+}
+
+TEST(Trace, AnyRandomCallsCanBeReadBack) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const Trace trace = randomCase({.edits = 60, .isOfCalls = true, .brushes = true}, seed);
+    ASSERT_EQ(mustParse(printTrace(trace)), trace) << seed;
   }
-  EXPECT_EQ(told,
-            "fill of 'a' to 'b'\nfill of 'c'\nfill of 'd'\nsetBlock of 'a' to 'a'\n"  // c and d are no rectangle
-            "many of 'e' to 'f', as a trial\nmany of 'e'\nmany of 'f', refused\n");   // f overlaps b
-  EXPECT_EQ(player.standing()["a"].block, 2U);
 }
 
 const std::string kHeadLine = "lgs-trace 1\n";
@@ -143,7 +145,7 @@ TEST(Trace, BadWordsSayFileLineAndReason) {
       {"# nothing\n\n", "bad.trace:2: the trace ends before its first line"},
       {"add p 0 0 1 0 0 1 0 1 1\n", "bad.trace:1: not a trace: the first line must be 'lgs-trace 1', not 'add'"},
       {"lgs-trace\n", "bad.trace:1: the first line must be 'lgs-trace 1'"},
-      {"lgs-trace 4\n",
+      {"lgs-trace 5\n",
        "bad.trace:1: the first line must be 'lgs-trace 1', or 'lgs-trace 2' if brushes paint or carve"},
       {"lgs-trace 2 3\n", "bad.trace:1: the first line must be 'lgs-trace 1', or 'lgs-trace 2'"},
       {kHeadLine + "lgs-trace 1\n", "bad.trace:2: unknown word 'lgs-trace'"},
@@ -154,8 +156,15 @@ TEST(Trace, BadWordsSayFileLineAndReason) {
       {kHeadLine + "preserve 1 2 3\n", "bad.trace:2: preserve needs two blocks; found 3"},
       {kHeadLine + "preserve a 2\n", "bad.trace:2: the block 'a' is not an integer"},
       {kHeadLine + kSquareLine + "preserve 1 2\n", "bad.trace:3: preserve must stand before the first edit"},
-      {"lgs-trace 3\nremove p by magic\n", "bad.trace:2: by 'magic': there is no such door or detour"},
-      {"lgs-trace 3\ncommit by 4294967296\n", "bad.trace:2: the number of a call '4294967296' is out of range"},
+      {"lgs-trace 4\nend\n", "bad.trace:2: end without the begin of a group"},
+      {"lgs-trace 4\ngroup keep\n", "bad.trace:2: the trace ends within a group"},
+      {"lgs-trace 4\ngroup keep\nmark\nend\n", "bad.trace:3: mark can not stand in a group"},
+      {"lgs-trace 4\ngroup maybe\n", "bad.trace:2: the end of a group is one of drop, keep, all, not 'maybe'"},
+      {"lgs-trace 4\nremove 0:x#1\n", "bad.trace:2: the number after ':' 'x' is not an integer"},
+      {"lgs-trace 4\nback\nforward one\n", "bad.trace:3: the number 'one' is not an integer"},
+      {"lgs-trace 4\ncopy 1\n", "bad.trace:2: '1' is too much for copy"},
+      {"lgs-trace 4\nfill 0 0 1\n", "bad.trace:2: fill ends before the cell index"},
+      {"lgs-trace 4\nadd p 0 0 1  0 0 1 0 1 1  in ink\n", "bad.trace:2: the notation is one of lattice, list"},
       {kHeadLine + "remove p by fill\n", "bad.trace:2: remove needs one name; found 3"},
       {kHeadLine + "remove p q\n", "bad.trace:2: remove needs one name; found 2"},
       {kHeadLine + "remove p\n", "bad.trace:2: there is no polygon named 'p' to remove"},

@@ -13,8 +13,8 @@ using boost::multiprecision::cpp_int;
 
 constexpr std::size_t kMaxLength = 1'000;
 constexpr int kMaxExponent = 1'000;
-constexpr int kMaxCells = 32'767;  // keeps lattice units within 32 bits; whether they are in the cell is not asked here
-constexpr std::int64_t kMaxWorldCells = std::int64_t{2} * kMaxCell;
+constexpr std::int64_t kMaxLocal = INT32_MAX;  // whether they are in the cell is not asked here
+constexpr std::int64_t kMaxWorld = std::int64_t{2} * kMaxCell * kUnitsPerCell;
 
 bool allDigits(std::string_view s) { return !s.empty() && s.find_first_not_of("0123456789") == std::string_view::npos; }
 
@@ -67,7 +67,7 @@ tl::expected<Ratio, std::string> parseDecimal(std::string_view word) {
   return ratio;
 }
 
-tl::expected<std::int64_t, std::string> parse(std::string_view word, std::int64_t maxCells, const char* tooFar) {
+tl::expected<std::int64_t, std::string> parse(std::string_view word, std::int64_t most, const char* tooFar) {
   if (word.size() > kMaxLength) return bad(fmt::format("a number of more than {} characters", kMaxLength));
   const bool negative = word.starts_with('-');
   if (negative) word.remove_prefix(1);
@@ -75,9 +75,9 @@ tl::expected<std::int64_t, std::string> parse(std::string_view word, std::int64_
   const auto ratio = slash == std::string_view::npos ? parseDecimal(word) : parseFraction(word, slash);
   if (!ratio) return bad(ratio.error());
   const auto& [numerator, denominator] = *ratio;
-  if (numerator > denominator * maxCells) return bad(tooFar);
   // floor(v + 1/2) of the magnitude: nearest, halves away from zero.
   const cpp_int units = (numerator * (2 * kUnitsPerCell) + denominator) / (denominator * 2);
+  if (units > most + (negative ? 1 : 0)) return bad(tooFar);
   const auto magnitude = static_cast<std::int64_t>(units);
   return negative ? -magnitude : magnitude;
 }
@@ -85,13 +85,13 @@ tl::expected<std::int64_t, std::string> parse(std::string_view word, std::int64_
 }  // namespace
 
 tl::expected<std::int32_t, std::string> parseCoordinate(std::string_view word) {
-  return parse(word, kMaxCells, "far outside the cell, which is 0 to 1 on both axes").map([](std::int64_t units) {
+  return parse(word, kMaxLocal, "far outside the cell, which is 0 to 1 on both axes").map([](std::int64_t units) {
     return static_cast<std::int32_t>(units);
   });
 }
 
 tl::expected<std::int64_t, std::string> parseWorldCoordinate(std::string_view word) {
-  return parse(word, kMaxWorldCells, "far outside of all cells");
+  return parse(word, kMaxWorld, "far outside of all cells");
 }
 
 std::string printCoordinate(std::int64_t units) {

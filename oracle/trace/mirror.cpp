@@ -5,6 +5,7 @@
 #include "oracle/trace/dump.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 namespace lgs::oracle {
 namespace {
@@ -50,6 +51,11 @@ std::optional<std::string> checkOwner(const World& world, const Segment& s) {
   return fmt::format("{} lies on no edge of the polygon that owns it", show(s));
 }
 
+bool isUnloaded(const World& world, SegmentId id) {
+  const auto segment = world.segment(id);
+  return !segment && segment.error().code == ErrorCode::unloaded;
+}
+
 // `p` and `n` are the segments that its links name; null if they are not alive.
 std::optional<std::string> checkLinks(const Segment& s, const Segment* p, const Segment* n) {
   if (s.predecessor) {
@@ -83,10 +89,13 @@ Mirror::Complaint Mirror::about(const World& world, SegmentId id, std::string te
   return now ? about(*now, std::move(text)) : std::move(text);
 }
 
-std::optional<std::string> Mirror::update(const World& world, const Changes& changes) {
+std::optional<std::string> Mirror::update(const World& world, const Changes& changes, After after) {
+  after_ = after;
   listed_.clear();
   gone_.clear();
   for (const auto* ids : {&changes.removed, &changes.relinked, &changes.added}) {
+    if (after != After::commit && !std::ranges::is_sorted(*ids)) return "what going back did is not told by id";
+    if (after != After::commit && ids != &changes.relinked) listed_.clear();
     for (const SegmentId id : *ids)
       if (!listed_.insert(id.value).second)
         return about(world, id, fmt::format("the change list names id {} twice", id.value));
@@ -94,7 +103,9 @@ std::optional<std::string> Mirror::update(const World& world, const Changes& cha
   if (auto complaint = remove(world, changes.removed)) return complaint;
   if (auto complaint = relink(world, changes.relinked)) return complaint;
   if (auto complaint = add(world, changes.added)) return complaint;
-  return compareAll(world);
+  if (auto complaint = compareAll(world)) return complaint;
+  if (after != After::commit) segments_.resize(std::size_t{world.maxSegmentId()} + 1);  // going back lowers it
+  return std::nullopt;
 }
 
 Mirror::Complaint Mirror::remove(const World& world, const std::vector<SegmentId>& ids) {
@@ -130,7 +141,7 @@ Mirror::Complaint Mirror::add(const World& world, const std::vector<SegmentId>& 
   for (const SegmentId id : ids) {
     const auto now = world.segment(id);
     if (!now) return about(world, id, fmt::format("reported as added, but is not there: id {}", id.value));
-    if (const auto old = gone_.find(identityOf(*now)); old != gone_.end()) {
+    if (const auto old = gone_.find(identityOf(*now)); after_ == After::commit && old != gone_.end()) {
       return about(*now, fmt::format("reported as removed and added, but is the same segment: {}, was {}", show(*now),
                                      show(old->second)));
     }
@@ -158,6 +169,7 @@ Mirror::Complaint Mirror::compare(const World& world, SegmentId id) {
     // The ghosts are the same, but other segments lead there. A commit does not report that.
     segments_[id.value] = *now;
   }
+  if (after_ == After::goingBackToPending) return std::nullopt;
   auto complaint = checkOwner(world, *now);
   return complaint ? about(*now, std::move(*complaint)) : std::nullopt;
 }
@@ -181,7 +193,9 @@ Mirror::Complaint Mirror::compareAll(const World& world) {
   }
   // By now all segments here are those of the world, so their links can be followed here.
   for (const SegmentId id : alive) {
-    const Segment& s = segments_[id.value];
+    Segment s = segments_[id.value];
+    for (SegmentId* const link : {&s.predecessor, &s.successor})
+      if (*link && !find(*link) && isUnloaded(world, *link)) *link = {};
     if (auto complaint = checkLinks(s, find(s.predecessor), find(s.successor))) return about(s, std::move(*complaint));
   }
   return std::nullopt;

@@ -24,8 +24,11 @@ class Mirror {
   ///  - all other segments are exactly as before; the world lists the live ids in increasing order;
   ///  - each segment lies on an edge of its polygon, which is placed; it has the polygon's cell and block;
   ///  - predecessor and successor are live segments that meet this one, and the ghosts are their far ends.
+  /// After going back or forward an id may be both removed and added, and ids are those of then; while edits are pending
+  /// a segment may have lost its polygon. A link may lead to what is not in memory.
   /// After a complaint the mirror is of no further use.
-  std::optional<std::string> update(const World& world, const Changes& changes);
+  enum class After : std::uint8_t { commit, goingBack, goingBackToPending };
+  std::optional<std::string> update(const World& world, const Changes& changes, After after = After::commit);
 
   /// The segments that the complaint is about, for a picture.
   const Outline& blamed() const { return blamed_; }
@@ -52,6 +55,7 @@ class Mirror {
   std::size_t alive_ = 0;
   Outline blamed_;
   // Of the update.
+  After after_{};
   std::unordered_set<std::uint32_t> listed_;
   std::map<Identity, Segment> gone_;
 };

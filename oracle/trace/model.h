@@ -1,75 +1,122 @@
-// The naive world: it knows by name what stands in which cell, and says whether an edit is good. It knows the rules of
-// edits and the limits of <lgs/world.h>, and nothing of segments.
+// The model: what must come of a call, and what stands afterwards. It knows the rules of edits, the limits of
+// <lgs/world.h>, the marks of a world and which of its chunks are in memory, and nothing of segments. Where the headers
+// leave open whether a call is accepted, the engine decides (Verdict::isOpen).
 //
 // No trace can reach two of the limits: 2^28 polygons placed in one cell, and 2^23 contents. An engine that refuses an
 // edit for one of them is wrong.
 #pragma once
 
-#include "oracle/reference/validity.h"
+#include "oracle/calls/caller.h"
+#include "oracle/calls/timeline.h"
+#include "oracle/trace/standing.h"
 #include "oracle/trace/trace.h"
 
-#include <lgs/error.h>
-#include <lgs/ids.h>
 #include <map>
 #include <optional>
 #include <set>
-#include <span>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace lgs::oracle {
 
-/// What an edit, or a call, must be refused for; nothing if it must be accepted.
+PreserveRelation relationOf(const PreservePairs& pairs);
+
+/// What a call must be refused for; nothing if it must be accepted.
 struct Verdict {
   bool accepted = true;
-  std::optional<ErrorCode> code = {};  ///< none if the name is to blame
+  std::optional<ErrorCode> code = {};  ///< none if the name is to blame, or where several things are wrong
   Cell cell = Error::kNoCell;          ///< the one that the refusal must name
   int index = -1;                      ///< the entry to blame, of a call that takes many
+  bool isOfName = false;               ///< a name is to blame: there is nothing to call
+  bool isOpen = false;                 ///< it may as well be refused, for this reason
 };
 
 class Model {
  public:
-  struct Placed {
+  /// The same call with what goes as handles and names, as they are now.
+  Call resolved(const Call& call) const;
+
+  /// Of a call that is no group, and is not repeated. Where two things are wrong with an exchange, either may be told.
+  Verdict judge(const Call& call) const { return judgeResolved(resolved(call)); }
+  Verdict judgeResolved(const Call& call) const;
+
+  /// Makes a call that was accepted; not a brush. What it places gets the handles of the outcome. `world` is as after
+  /// the call: only of it is known which chunks it has forgotten, and as what others came back.
+  void apply(const Call& call, const Outcome* outcome = nullptr, const World* world = nullptr);
+
+  /// Makes any call but of a brush, if it must be accepted. Whether it must.
+  bool play(const Call& call);
+
+  /// What is wrong with the answer to a call that was judged, if anything is. `world` is as after the call, the model as
+  /// before.
+  std::string wrongAnswer(const Call& call, const Verdict& verdict, const Outcome& outcome, const World& world) const;
+
+  /// By whoever makes edits beside the calls: a brush.
+  void add(const std::string& name, ScenePolygon polygon, PolygonHandle handle = {});
+  void remove(const std::string& name) { now_.standing.remove(name); }
+  void recolour(const std::string& name, Block block) { now_.standing.recolour(name, block); }
+  std::string freshName() { return "#" + std::to_string(++names_); }  ///< that no text can say
+
+  /// A call was refused: it may have made a shape.
+  void tried() { timeline_.happened(Redo::maybe); }
+
+  const Standing& standing() const { return now_.standing; }  ///< what is in memory
+  bool isAlive(const std::string& name) const { return standing().isAlive(name); }
+  Scene scene(PreservePairs preserve) const;  ///< all there is, also in chunks that are not in memory
+  bool isLoaded(Cell cell) const { return now_.away.empty() || !now_.away.contains(chunkOf(cell)); }
+  bool isWhole() const { return now_.away.empty(); }
+  std::size_t chunks() const { return now_.chunks.size(); }  ///< of 32×32 cells, ever edited and not forgotten
+  bool hasMarks() const { return timeline_.hasMarks(); }
+  std::size_t marks() const { return timeline_.marks(); }
+  bool hasAhead() const { return timeline_.hasAhead(); }
+
+  /// Of a cell, or of a rectangle.
+  static Cell chunkOf(Cell cell) { return {cell.i >> 5, cell.j >> 5}; }
+
+  using Content = std::map<Cell, std::vector<Standing::Placed>>;  ///< of a chunk
+  struct Given {
     std::string name;
-    Block block = 0;
-    LocalPolygon vertices;
-    PolygonHandle handle{};  ///< that the engine gave it; null if nobody asked
+    PolygonHandle handle;
+  };
+  struct State {
+    Standing standing;
+    std::map<Cell, Content> away;  ///< chunks that are not in memory
+    std::set<Cell> chunks;         ///< all of them
+    std::vector<Given> given;      ///< all that was ever placed
   };
 
-  Verdict judge(const Edit& edit) const;
-
-  /// Why a good shape must be refused in this cell; nothing if it must be accepted.
-  std::optional<ErrorCode> refusalIn(Cell cell, std::span<const LocalPolygon> shape) const;
-
-  /// The edit must be one that is accepted. A commit does nothing, and neither does a brush: what it did is made as
-  /// removes and adds (brushing.h).
-  void apply(const Edit& edit, PolygonHandle handle = {});
-
-  const std::vector<Placed>& in(Cell cell) const;  ///< what stands in a cell, in order of adding
-  const std::map<Cell, std::vector<Placed>>& cells() const { return cells_; }  ///< those that are not empty
-  std::size_t polygonsIn(const CellRect& cells) const;
-  Scene scene(PreservePairs preserve) const;                                             ///< of all that stands
-  ScenePolygon operator[](const std::string& name) const;                                ///< of a name alive
-  PolygonHandle handleOf(const std::string& name) const { return placed(name).handle; }  ///< of a name alive
-  const std::string* nameOf(PolygonHandle handle) const;  ///< null, if it is no handle of what stands
-  Model part(const std::set<Cell>& cells) const;          ///< what stands in these, and nothing else
-  bool isAlive(const std::string& name) const { return cellOf_.contains(name); }
-  Cell cellOf(const std::string& name) const { return cellOf_.at(name); }  ///< of a name alive
-  std::size_t polygons() const { return cellOf_.size(); }
-  std::size_t chunks() const { return chunks_.size(); }  ///< of 32×32 cells, ever edited
+  /// Undoes a group of edits: these are from when it began.
+  const State& state() const { return now_; }
+  Redo redo() const { return timeline_.redo(); }
+  void restore(State before, Redo redo) {
+    now_ = std::move(before);
+    timeline_.isUndone(redo);
+  }
 
  private:
-  const Placed& placed(const std::string& name) const;
+  Verdict judgeParts(const Call& call) const;
+  Verdict addingTo(const Standing& standing, Cell cell, const Coming& coming) const;
+  Verdict goesWrong(const Named& named) const;
+  std::optional<Cell> firstAway(const CellRect& cells) const;
+  std::vector<Cell> chunksWithin(const CellRect& cells, bool areLoaded) const;
+  std::string wrongHandles(const Call& call, const Outcome& outcome) const;
+  std::string wrongChunks(const Call& call, const Outcome& outcome, const World& world) const;
+  void place(Cell cell, const Coming& coming, std::span<const PolygonHandle> handles);
+  void clear(const CellRect& cells);
+  void unload(const CellRect& cells);
+  void reload(Cell corner, const World* world);
+  void leave(const CellRect& cells, const World* world);
+  std::vector<Cell> comingBack(const CellRect& cells) const;
 
-  std::map<Cell, std::vector<Placed>> cells_;
-  std::unordered_map<std::string, Cell> cellOf_;
-  std::map<PolygonHandle, std::string> names_;  // of those that the engine gave a handle
-  std::set<Cell> chunks_;
+  State now_;
+  Timeline<State> timeline_;
+  std::map<Cell, std::vector<Content>> shelf_;  // what chunks were unloaded as
+  std::uint64_t names_ = 0;
 };
 
-/// Why shape() must refuse a set of polygons; nothing if it is good.
-std::optional<ErrorCode> faultOf(std::span<const LocalPolygon> shape);
+/// Why a shape that a call brings must be refused by itself; nothing if it is good. A single polygon may be given in
+/// reals, and one of them may be none.
+std::optional<ErrorCode> faultOf(const Call& call, const Shape& shape);
 
 /// The trace without the edits that must be refused: what `lgs replay` takes.
 Trace withoutRefused(const Trace& trace);

@@ -1,187 +1,243 @@
 #include "oracle/trace/player.h"
 
-#include "oracle/trace/detour.h"
+#include "oracle/trace/call_text.h"
+#include "oracle/trace/plain_edits.h"
 
 #include <fmt/format.h>
 #include <algorithm>
 
 namespace lgs::oracle {
-namespace {
 
-// Runs the jobs from the last to the first; with `apart` the even ones, then the odd ones.
-Executor executorOf(bool apart) {
-  return [apart](std::size_t count, const std::function<void(std::size_t)>& job) {
-    for (std::size_t k = count; k-- > 0;)
-      if (!apart || k % 2 == 0) job(k);
-    for (std::size_t k = 0; k < count; ++k)
-      if (apart && k % 2 != 0) job(k);
-  };
+using Kind = Call::Kind;
+
+Player::Player(PreservePairs preserve) : caller_(World(relationOf(preserve))), preserve_(std::move(preserve)) {}
+
+Judged Player::judge(const Call& call) const {
+  Judged judged{caller_.resolved(model_.resolved(call)), {}};
+  judged.verdict = model_.judgeResolved(judged.call);
+  return judged;
 }
 
-}  // namespace
+Player::Done Player::apply(const Call& call) {
+  if (call.kind == Kind::group) return makeGroup(call);
+  if (call.kind != Kind::repeat) return make(judge(call));
+  for (std::uint32_t k = 0; k < call.nth; ++k)
+    for (const Call& part : call.group)
+      if (auto done = apply(part); !done && done.error().isWrong) return done;
+  return {};
+}
 
-Player::Player(PreservePairs preserve, Loads loads)
-    : caller_(World(relationOf(preserve))), preserve_(std::move(preserve)), loads_(loads) {}
-
-tl::expected<void, TraceError> Player::apply(const Row& row) {
+Player::Done Player::make(const Judged& judged) {
   brushed_ = {};
-  auto done = row.isTrial ? Done() : detour(row);
-  if (done) done = make(row);
-  if (done) {
-    pending_ = true;
-  } else {
-    done.error().line = row.edits.front().line;
-  }
+  Done done;
+  if (judged.verdict.isOfName)
+    done = tl::unexpected(TraceError{0, badName(judged.call), {}});
+  else
+    done = judged.call.kind == Kind::brush ? brush(judged.call) : makeCall(judged);
+  if (!done) done.error().line = judged.call.line;
   return done;
 }
 
-// What nobody may notice: the world is saved and loaded, edited wrongly and brought back, or keeps a mark for a while. Or
-// chunks leave memory and come back.
-Player::Done Player::detour(const Row& row) {
-  constexpr std::size_t kSmall = 200;  // polygons: it costs in proportion to the world
-  const auto told = [](std::optional<std::string> complaint) -> Done {
-    return complaint ? Done(wrong(std::move(*complaint))) : Done();
-  };
-  const Detour what = row.way.detour;
-  const auto counted = [&](bool isMade) {
-    detours_[static_cast<std::size_t>(what)] += isMade ? 1 : 0;
-    return isMade;
-  };
-  const bool isSmall = standing().polygons() <= kSmall;
-  if (what == Detour::saved && counted(loads_ == Loads::sometimes && !pending_ && isSmall)) {
-    mark_.reset();  // it is not saved
-    if (auto done = told(saveAndLoad(world())); !done) return done;
-  }
-  if (mark_ && !pending_) {  // it has seen a commit
-    if (!world().forget(*mark_)) return wrong("a mark is forgotten too early");
-    mark_.reset();
-  }
-  if (what == Detour::marked && counted(!mark_)) mark_ = world().checkpoint();
-  const bool isSomewhere = !row.cells.empty() && inRange(row.cells[0]);
-  if (what == Detour::undone && counted(isSomewhere)) return told(editAndGoBack(world(), row.cells[0], row.way.number));
-  if (what == Detour::unloaded && counted(isSomewhere && pending_))  // a commit follows: chunks count as changed
-    return told(unloadAndReload(world(), row.cells[0], row.way.number));
-  const bool isEmpty = isSomewhere && row.verdict.accepted && standing().in(row.cells[0]).empty();
-  return what == Detour::worn && counted(isEmpty) ? wear(row.cells[0], 250 + bitsOf(row.way.number, 0, 4)) : Done();
+const Changes& Player::commit(std::uint32_t executor) {
+  Call call;
+  call.nth = executor;
+  static_cast<void>(makeCall({std::move(call), {}}));
+  return *caller_.changes;
 }
 
-Player::Done Player::make(const Row& row) {
-  const Edit& first = row.edits.front();
-  if (first.kind == Edit::Kind::brush) return brush(first);
-  if (row.cells.empty()) return tl::unexpected(TraceError{0, badName(first), {}});
-  if (row.way.detour != Detour::grouped) return makeCall(row);
-  ++detours_[static_cast<std::size_t>(Detour::grouped)];
-  Transaction group = world().edit();
-  auto done = makeCall(row);
-  group.keep();  // if the edit is refused, there is nothing to undo
-  return done;
-}
-
-Player::Done Player::makeCall(const Row& row) {
-  Call call = row.call;
-  const bool isRepainted =
-      row.way.detour == Detour::repainted && row.verdict.accepted && call.kind != Call::Kind::setBlock;
-  for (Coming& coming : call.comes) coming.block ^= isRepainted ? 1U : 0U;
-  const Outcome outcome = caller_.makeResolved(call);
-  if (std::string text = calls_.wrongAnswer(call, row.verdict, outcome, world()); !text.empty())
-    return wrong(fmt::format("{}: {}", text, inWords(row)));
-  if (auto done = checkShapes(call, outcome); !done) return done;
-  if (outcome.refusal) return refused(*outcome.refusal);
-  calls_.apply(row.call, outcome.handles, row.names);
-  for (const std::string& name : row.names) {
-    lost_.erase(name);
-    const PolygonHandle handle = handleOf(name);
-    const auto [cell, block, vertices] = standing()[name];
-    if (isRepainted) {
-      ++detours_[static_cast<std::size_t>(Detour::repainted)];
-      if (const auto done = world().setBlock(handle, block); !done) return wrong(message(done.error()));
-    }
-    const auto placed = world().polygon(handle);
-    if (!placed || placed->block != block || !std::ranges::equal(placed->vertices, vertices) ||
-        world().cellOf(handle) != cell)
-      return wrong(fmt::format("'{}' is accepted, but is not what its handle names: {}", name, inWords(row)));
+// What is undone has not been.
+Player::Done Player::makeGroup(const Call& call) {
+  const Model::State before = model_.state();
+  const Redo redo = model_.redo();
+  const Moment moment = now_;
+  Done done;
+  const bool isKept = caller_.makeGroup(call, [&](const Call& part) {
+    if (!done && done.error().isWrong) return false;
+    done = apply(part);
+    return done.has_value();
+  });
+  if (!done && done.error().isWrong) return done;
+  if (!isKept) {
+    model_.restore(before, redo);
+    now_ = moment;
+    hasLeft_ = true;
   }
   return {};
 }
 
-const Changes& Player::commit() {
-  pending_ = false;
-  switch (bitsOf(std::exchange(executor_, 0), 0, 2)) {
-    case 0:
-      return world().commit();
-    case 1:
-      return world().commit(Executor());
-    case 2:
-      return world().commit(executorOf(false));
-    default:
-      return world().commit(executorOf(true));
-  }
+// Those that go elsewhere in time or memory leave no trace.
+void Player::keepMoment(const Call& call) {
+  if (call.kind == Kind::mark) moments_.mark(now_);
+  if (call.kind == Kind::goBack && moments_.hasMarks())
+    now_ = moments_.back(call.nth, call.keeps != Call::Keeps::never);
+  if (call.kind == Kind::goForward && moments_.hasAhead()) now_ = moments_.forward(call.nth);
+  if (call.kind == Kind::forget && moments_.hasMarks()) moments_.forget(call.nth);
+  if (call.kind == Kind::load) moments_.clear();
+  hasLeft_ = hasLeft_ || call.kind == Kind::goBack || call.kind == Kind::load || call.kind == Kind::copy;
+  hasGoneBack_ = hasGoneBack_ || call.kind == Kind::goBack;
 }
 
-// A shape always gets the same id, and no two shapes get one id.
-Player::Done Player::checkShapes(const Call& call, const Outcome& outcome) {
-  if (!isByShape(call.kind)) return {};
+Player::Done Player::makeCall(const Judged& judged) {
+  const auto& [call, verdict] = judged;
+  auto told = std::make_shared<Told>();
+  Outcome& outcome = told->outcome;
+  outcome = caller_.makeResolved(call);
+  if (std::string text = model_.wrongAnswer(call, verdict, outcome, world()); !text.empty())
+    return wrong(fmt::format("{}: {}", text, printCall(call)));
+  if (auto done = checkShapes(call, outcome); !done) return done;
+  const bool isDone = !outcome.refusal;
+  const auto refusal = outcome.refusal;
+  if (!movesInTime(call.kind)) {
+    if (!isDone) model_.tried();
+    moments_.happened(Redo::maybe);
+    hasLeft_ = hasLeft_ || !isDone;
+  }
+  if (call.kind == Kind::reload && hasGoneBack_ && outcome.chunks.size() > 0) isOfOnePast_ = false;
+  if (isDone) {
+    model_.apply(call, &outcome, &world());
+    for (const Coming& coming : call.comes)
+      for (const std::string& name : coming.names) lost_.erase(name);
+    keepMoment(call);
+  }
+  const bool isCommit = call.kind == Kind::commit || call.kind == Kind::load;
+  if (isCommit || !movesInTime(call.kind)) {
+    if (isCommit) now_.pending = false;
+    if (!isCommit && isDone) now_.pending = true;
+    told->call = call.kind == Kind::load ? Call() : call;
+    if (call.kind == Kind::load) outcome.refusal.reset();
+    if (call.kind != Kind::leave || isDone) now_.past.push_back(std::move(told));
+  }
+  if (!isDone) return refused(*refusal);
   for (const Coming& coming : call.comes) {
-    if (faultOf(std::span(coming.shape))) return {};  // the call has gone no further
+    for (std::size_t k = 0; k < coming.names.size() && call.kind != Kind::setBlock; ++k) {
+      const PolygonHandle handle = handleOf(coming.names[k]);
+      const auto [cell, block, vertices] = standing()[coming.names[k]];
+      const auto placed = world().polygon(handle);
+      if (!placed || placed->block != block || !std::ranges::equal(placed->vertices, vertices) ||
+          world().cellOf(handle) != cell)
+        return wrong(
+            fmt::format("'{}' is accepted, but is not what its handle names: {}", coming.names[k], printCall(call)));
+    }
+  }
+  return {};
+}
+
+// A shape always gets the same id, and no two shapes get one.
+Player::Done Player::checkShapes(const Call& call, const Outcome& outcome) {
+  if (!isByShape(call.kind) && call.kind != Kind::shape) return {};
+  for (const Coming& coming : call.comes) {
+    if (coming.id != 0) continue;
+    if (faultOf(call, coming.shape)) return {};  // the call has gone no further
     const bool isLast = &coming == &call.comes.back();
     const auto id =
         isLast ? outcome.shape : world().shape(std::span<const std::vector<LocalPoint>>(coming.shape)).value();
-    const auto [made, isNew] = shapes_.emplace(coming.shape, id);
-    if (made->second != id || shapeIds_.insert(id).second != isNew)
+    const auto [made, isNew] = now_.shapes.emplace(coming.shape, id);
+    const auto isSame = [&](const auto& entry) { return entry.second == id; };
+    if (made->second != id || (isNew && std::ranges::count_if(now_.shapes, isSame) != 1))
       return wrong("shape() gives a shape another id, or two shapes one");
   }
   return {};
 }
 
-Player::Done Player::wear(Cell cell, unsigned times) {
-  Call square;
-  square.kind = Call::Kind::addShape;
-  square.comes = {{cell, {{kUnitSquare.begin(), kUnitSquare.end()}}, 0}};
-  const Outcome first = caller_.makeResolved(square);
-  if (first.refusal || !world().remove(first.handles[0])) return wrong("a square can not come and go");
-  for (; times > 1; --times) {
-    const auto again = world().add(cell, first.shape, times);
-    if (!again || !world().remove(*again)) return wrong("a square can not come and go");
+std::string Player::badName(const Call& call) const {
+  for (const Named& named : call.goes) {
+    if (named.how != Named::How::name) continue;
+    const auto lost = lost_.find(named.name);
+    const std::string why = lost == lost_.end() ? "" : "; a brush has changed it, and a changed polygon has no name";
+    const std::string where = why.empty() || lost->second == 0 ? "" : fmt::format(" (line {})", lost->second);
+    return fmt::format("there is no polygon named '{}' to remove{}{}", named.name, why, where);
   }
-  return checkShapes(square, first);
-}
-
-std::string Player::badName(const Edit& edit) const {
-  if (edit.kind == Edit::Kind::add)
-    return fmt::format("the name '{}' is in use; remove that polygon first, or choose another", edit.name);
-  const auto lost = lost_.find(edit.name);
-  const std::string why = lost == lost_.end() ? "" : "; a brush has changed it, and a changed polygon has no name";
-  const std::string where = why.empty() || lost->second == 0 ? "" : fmt::format(" (line {})", lost->second);
-  return fmt::format("there is no polygon named '{}' to remove{}{}", edit.name, why, where);
+  std::string name;
+  for (const Coming& coming : call.comes)
+    for (const std::string& each : coming.names)
+      if (name.empty() || isAlive(each)) name = each;
+  return fmt::format("the name '{}' is in use; remove that polygon first, or choose another", name);
 }
 
 // Names the polygon that is overlapped: a reader of the trace knows names, and not the engine's handles.
 tl::unexpected<TraceError> Player::refused(const Error& error) const {
   TraceError refusal{0, {}, error};
   const std::string* const other = standing().nameOf(error.other);
+  const bool isNamed = other != nullptr && !other->starts_with('#');
   Error ofOne = error;
   ofOne.polygon = -1;
-  refusal.text = error.code == ErrorCode::overlap && other != nullptr
+  refusal.text = error.code == ErrorCode::overlap && isNamed
                      ? fmt::format("cell ({}, {}): its interior overlaps '{}'", error.cell.i, error.cell.j, *other)
                      : message(ofOne);
   return tl::unexpected(std::move(refusal));
 }
 
-tl::expected<void, TraceError> play(const Trace& trace, Player& player, const CommitCallback& afterCommit) {
-  const auto commit = [&] {
-    const Changes& changes = player.commit();
-    return !afterCommit || afterCommit(player, changes);
-  };
-  Rows rows(trace);
-  while (const auto row = rows.next(player.calls())) {
-    if (row->isCommit()) {
-      player.useExecutor(row->way.number);
-      if (!commit()) return {};
-    } else if (auto done = player.apply(*row); !done && (!row->isTrial || done.error().isWrong)) {
-      return done;
+Player::Done Player::brush(const Call& call) {
+  auto told = std::make_shared<Told>(call, caller_.makeResolved(call));
+  now_.past.push_back(told);
+  model_.tried();
+  moments_.happened(Redo::maybe);
+  if (!told->outcome.refusal) {
+    now_.pending = true;
+    return readBack(call, told->outcome.brushed);
+  }
+  const Error& error = *told->outcome.refusal;
+  auto refusal = refused(error);
+  if (error.code == ErrorCode::outOfReach && error.polygon >= 0)
+    refusal.value().text = fmt::format("ring {}, vertex {}: {}", error.polygon, error.vertex, refusal.value().text);
+  return refusal;
+}
+
+// A polygon that has kept its handle, its block and its vertices has kept its name. What else there is gets a new one:
+// no trace can name it, since # begins a comment. The result must tell of just these.
+Player::Done Player::readBack(const Call& call, const BrushResult& result) {
+  std::set<PolygonHandle> old(result.went.begin(), result.went.end()), made(result.came.begin(), result.came.end());
+  for (const BrushChange& change : result.changed) {
+    old.insert(change.old);
+    made.insert(change.now.begin(), change.now.end());
+  }
+  const CellRect cells = cellsUnder(call.brush);
+  std::map<PolygonHandle, ScenePolygon> there;
+  world().forEachPolygon(cells, [&](Cell cell, const PlacedPolygon& p) {
+    there[p.handle] = {cell, p.block, {p.vertices.begin(), p.vertices.end()}};
+  });
+  std::vector<std::pair<std::string, Block>> recoloured;
+  for (const auto& [cell, placed] : standing().cells()) {
+    if (!contains(cells, cell)) continue;
+    for (const auto& [name, block, vertices, handle] : placed) {
+      const auto now = there.find(handle);
+      const bool isKept = now != there.end() && now->second == ScenePolygon{cell, block, vertices};
+      if (isKept == old.contains(handle))
+        return wrong(fmt::format("the brush does not tell what it did to '{}'", name));
+      if (std::ranges::find(result.bent, handle) != result.bent.end()) brushed_.bent.push_back(name);
+      if (isKept) {
+        there.erase(now);
+      } else {
+        brushed_.went[name] = {cell, block, vertices};
+      }
     }
   }
-  if (player.pending()) commit();
+  for (const auto& entry : brushed_.went) {
+    lost_[entry.first] = call.line;
+    brushed_.edits.push_back(Call::remove(entry.first));
+    model_.remove(entry.first);
+  }
+  for (auto& [handle, polygon] : there) {
+    if (made.erase(handle) == 0) return wrong("the brush does not tell of a polygon that it made");
+    const Call& part = brushed_.edits.emplace_back(Call::add(model_.freshName(), std::move(polygon)));
+    if (!model_.judge(part).accepted) return wrong("a brush makes what must be refused: " + printCall(part));
+    model_.add(part.name(), part.polygon(), handle);
+  }
+  return made.empty() ? Done() : wrong("the brush tells of a polygon that it did not make");
+}
+
+tl::expected<void, TraceError> play(const Trace& trace, Player& player, const CommitCallback& afterCommit) {
+  const auto commit = [&](std::uint32_t executor) {
+    const Changes& changes = player.commit(executor);
+    return !afterCommit || afterCommit(player, changes);
+  };
+  for (const Call& call : trace.calls) {
+    if (call.kind == Kind::commit || call.kind == Kind::load)
+      if (!commit(call.nth)) return {};
+    if (call.kind == Kind::commit) continue;
+    if (auto done = player.apply(call); !done && (!trace.mayRefuse || done.error().isWrong)) return done;
+  }
+  if (player.pending()) commit(0);
   return {};
 }
 

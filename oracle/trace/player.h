@@ -1,31 +1,24 @@
-// Plays a trace into a World, call by call. Beside the world it keeps what is placed.
+// Plays calls into a World. Beside the world it keeps the model (model.h), and holds each answer against it.
 //
-// Each answer is held against the model (call_model.h). An error says whether the engine is wrong, or the edit was
-// rightly refused. A name that is taken, or unknown, is refused without a call.
+// An error says whether the engine is wrong, or the call was rightly refused. A name that is taken, or unknown, is
+// refused without a call.
 #pragma once
 
-#include "oracle/trace/row.h"
+#include "oracle/trace/model.h"
 
 #include <lgs/world.h>
-#include <array>
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <tl/expected.hpp>
 
-namespace lgs {
-struct BrushResult;
-}
-
 namespace lgs::oracle {
-
-/// How often each detour was made (way.h).
-using Detours = std::array<std::uint64_t, kDetours>;
 
 /// What a brush did, as edits by hand.
 struct Brushed {
-  std::vector<Edit> edits;                   ///< removes of what it changed in any way, then adds of what is there now
+  std::vector<Call> edits;                   ///< removes of what it changed in any way, then adds of what is there now
   std::map<std::string, ScenePolygon> went;  ///< what these removed
   std::vector<std::string> bent;             ///< of those that are removed: what it is said to have bent against law 9
 };
@@ -35,67 +28,84 @@ inline tl::unexpected<TraceError> wrong(std::string text) {
   return tl::unexpected(TraceError{0, std::move(text), {}, true});
 }
 
-/// Whether a player may save its world and go on with what it loads. Ids and handles stay, and World::version() does
-/// not: for those who follow the changes of one world.
-enum class Loads : bool { never, sometimes };
+/// A call with what it names, and what must come of it.
+struct Judged {
+  Call call;
+  Verdict verdict;
+};
+
+/// A call that was made, and what it gave.
+struct Told {
+  Call call;
+  Outcome outcome;
+};
+using Past = std::vector<std::shared_ptr<const Told>>;
 
 class Player {
  public:
-  explicit Player(PreservePairs preserve, Loads loads = Loads::sometimes);
+  explicit Player(PreservePairs preserve);
 
-  /// Makes a row, or an edit by itself, that is no commit: there is commit() for that. If it is refused, everything
-  /// stays as it was.
-  tl::expected<void, TraceError> apply(const Row& row);
-  tl::expected<void, TraceError> apply(const Edit& edit) { return apply(rowOf(edit, calls_)); }
+  /// Makes any call. If it is refused, everything stays as it was.
+  tl::expected<void, TraceError> apply(const Call& call);
+  Judged judge(const Call& call) const;
+  tl::expected<void, TraceError> make(const Judged& judged);  ///< of no group, and not of what is repeated
 
-  /// Commits, with or without an executor: that of useExecutor(), if it was called since the last commit.
-  const Changes& commit();
-  void useExecutor(std::uint32_t number) { executor_ = number; }
+  /// Commits, by the executor of this number, or without.
+  const Changes& commit(std::uint32_t executor = 0);
 
   World& world() { return caller_.world; }
   const World& world() const { return caller_.world; }
-  const CallModel& calls() const { return calls_; }
-  const Model& standing() const { return calls_.standing(); }  ///< uncommitted edits included
-  Scene scene() const { return standing().scene(preserve_); }
-  bool pending() const { return pending_; }  ///< edits since the last commit
+  const Model& model() const { return model_; }
+  const Standing& standing() const { return model_.standing(); }  ///< uncommitted edits included
+  Scene scene() const { return model_.scene(preserve_); }
+  const PreservePairs& preserve() const { return preserve_; }
+  bool pending() const { return now_.pending; }  ///< edits since the last commit
   bool isAlive(const std::string& name) const { return standing().isAlive(name); }
   PolygonHandle handleOf(const std::string& name) const { return standing().handleOf(name); }  ///< of a name alive
-  const Detours& detours() const { return detours_; }
-  const Brushed& brushed() const { return brushed_; }    ///< by the last edit; empty if that was none of a brush
-  std::size_t shapes() const { return shapes_.size(); }  ///< the number of different ones that the world has made
+  const Brushed& brushed() const { return brushed_; }        ///< by the last call; empty if that was none of a brush
+  std::size_t shapes() const { return now_.shapes.size(); }  ///< the number of different ones that the world has made
+
+  /// The calls that led here, without those that were undone or lead back, copy or save. In a new world they give what
+  /// they gave (law 12), also without those that were refused (law 7).
+  const Past& past() const { return now_.past; }
+  bool hasLeft() const { return hasLeft_; }          ///< whether any were left out or refused, so far
+  bool isOfOnePast() const { return isOfOnePast_; }  ///< false after a chunk came back of a time that was undone
 
  private:
   using Done = tl::expected<void, TraceError>;
 
-  Done detour(const Row& row);
-  Done make(const Row& row);
-  Done makeCall(const Row& row);
-  Done brush(const Edit& edit);
-  Done readBack(const Edit& edit, const BrushResult& result);
+  Done makeGroup(const Call& call);
+  Done makeCall(const Judged& judged);
+  Done brush(const Call& call);
+  Done readBack(const Call& call, const BrushResult& result);
   Done checkShapes(const Call& call, const Outcome& outcome);
-  Done wear(Cell cell, unsigned times);
-  std::string badName(const Edit& edit) const;
+  void keepMoment(const Call& call);
+  std::string badName(const Call& call) const;
   tl::unexpected<TraceError> refused(const Error& error) const;
+
+  struct Moment {
+    Past past;
+    std::map<Shape, ShapeId> shapes;
+    bool pending = false;
+  };
 
   Caller caller_;
   PreservePairs preserve_;
-  CallModel calls_;
-  std::map<Shape, ShapeId> shapes_;
-  std::set<ShapeId> shapeIds_;
+  Model model_;
+  Moment now_;
+  Timeline<Moment> moments_;
   Brushed brushed_;
-  std::size_t brushNames_ = 0;               // that were given to what brushes made
   std::map<std::string, std::size_t> lost_;  // names that brushes have taken away, and the lines of these
-  bool pending_ = false;
-  std::uint32_t executor_ = 0;
-  std::optional<Mark> mark_;
-  Loads loads_;
-  Detours detours_{};
+  bool hasLeft_ = false;
+  bool hasGoneBack_ = false;
+  bool isOfOnePast_ = true;
 };
 
 /// Called after each commit; false stops the play.
 using CommitCallback = std::function<bool(Player&, const Changes&)>;
 
-/// Plays all of a trace, and commits what is pending at its end. Stops at the first edit that is refused.
+/// Plays all of a trace, and commits what is pending at its end. Stops at the first edit that is refused, if the trace
+/// may have none.
 tl::expected<void, TraceError> play(const Trace& trace, Player& player, const CommitCallback& afterCommit = {});
 
 }  // namespace lgs::oracle

@@ -13,10 +13,10 @@ Trace traceOf(const World& world) {
   std::ranges::sort(all, {}, [](const auto& p) { return std::tuple(p.first.j, p.first.i, p.second.handle); });
   Trace trace;
   for (const auto& [cell, polygon] : all) {
-    trace.edits.push_back(Edit::add("p" + std::to_string(trace.edits.size() + 1),
+    trace.calls.push_back(Call::add("p" + std::to_string(trace.calls.size() + 1),
                                     {cell, polygon.block, {polygon.vertices.begin(), polygon.vertices.end()}}));
   }
-  trace.edits.push_back(Edit::commit());
+  trace.calls.push_back(Call::commit());
   return trace;
 }
 

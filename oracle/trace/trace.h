@@ -13,12 +13,26 @@
 //   paint <block> <fill|replace> <x> <y> <x> <y> … [| <x> <y> …]    x y: in cells; | begins the next ring
 //   carve <x> <y> <x> <y> … [| <x> <y> …]
 //
-// A trace whose first line is `lgs-trace 3` may also say how an edit is made (way.h), at the end of a line:
+// A trace whose first line is `lgs-trace 4` may hold any call of the language (oracle/calls/call.h), a line each:
 //
-//   add … by <door>      remove <name> by <door>      commit by <number>
+//   add <name|-> <i> <j> <block> <polygon> [in <notation>]     remove <which>        setBlock <which> <block>
+//   place <i> <j> <block> <shape> [as <name> …]                clear <rectangle>     removeMany <which> …
+//   replace <i> <j> <block> <shape> [as <name> …]              fill <rectangle> <block> <shape>
+//   many <i> <j> <block> <shape> [; …]                         shape <shape>
+//   exchange <i> <j> <which> … [with <block> <polygon> [; …]]  commit [<executor>]
+//   group <keep|drop|all> … end                                repeat <times> … end
+//   mark    back <mark> [keep]    forward <mark>    forget <mark>    copy    load
+//   unload <rectangle>    reload <rectangle> [<order>]    reloadEmpty <rectangle>    leave <rectangle>
 //
-// After `by` there may be a door, a number that says more of the call, a detour, and `too`: the call of the edit before
-// makes this one too. Where a call can not make all that it is said to make, each of its edits is one by itself.
+// A rectangle is i j of its first and i j of its last cell. A shape is one or several polygons, | between them; or
+// `id <number>`, which need not be known. <which> polygon is one of a name, or `0:-1#2`, one of those that stand in a
+// cell, `0:-1#all`, `given#5`, one of all that were ever placed, `beside#5`, a handle near that, or `handle#7:1`. Marks
+// are counted from the oldest, those ahead from the last; all counts go on from the beginning. `in list`, `in floats 2`
+// and `in doubles 2` say how a single polygon is given, and how far its reals are off the lattice; `room 1` to `3` at
+// the end of a line that there is a span for handles, with one too few, just enough, or one too many places. `paint` and
+// `carve` may end in `united` (the rings are simple and united) and `around <block> …`, which stay. What must be refused
+// is a call like any other: it is an answer that is checked, and no fault of the trace. (Version 3 said by other words
+// how edits are made. They are read over, and its edits are plain ones.)
 //
 // Inside is where the rings run around an odd number of times: so they may run either way around and cross, and a ring
 // within a ring is a hole. A polygon that a brush changes in any way loses its name. What the brush puts there has
@@ -32,9 +46,7 @@
 // is played (player.h), and reported with the edit's line.
 #pragma once
 
-#include "oracle/reference/brush_edit.h"
-#include "oracle/reference/scene.h"
-#include "oracle/trace/way.h"
+#include "oracle/calls/call.h"
 
 #include <lgs/error.h>
 #include <algorithm>
@@ -46,34 +58,10 @@
 
 namespace lgs::oracle {
 
-struct Edit {
-  enum class Kind { add, remove, commit, brush };
-  Kind kind = Kind::commit;
-  std::string name;      ///< of add and remove
-  ScenePolygon polygon;  ///< of add
-  std::size_t line = 0;  ///< where it was read; 0 if it was not read from text
-  BrushEdit brush = {};  ///< of brush
-  Way way = plainWay(kind);
-
-  static Edit add(std::string name, ScenePolygon polygon) {
-    return {Kind::add, std::move(name), std::move(polygon), 0};
-  }
-  static Edit remove(std::string name) { return {Kind::remove, std::move(name), {}, 0}; }
-  static Edit commit() { return {}; }
-  static Edit byBrush(BrushEdit brush) { return {Kind::brush, {}, {}, 0, std::move(brush)}; }
-  static Way plainWay(Kind kind) {
-    constexpr std::array kPlain{Door::points, Door::remove, Door::commit, Door::brush};
-    return {kPlain[static_cast<std::size_t>(kind)]};
-  }
-  /// Where an edit was read is no part of what it is.
-  friend bool operator==(const Edit& a, const Edit& b) {
-    return a.kind == b.kind && a.name == b.name && a.polygon == b.polygon && a.brush == b.brush && a.way == b.way;
-  }
-};
-
 struct Trace {
   PreservePairs preserve;
-  std::vector<Edit> edits;
+  std::vector<Call> calls;
+  bool mayRefuse = false;  ///< what must be refused is no fault of the trace: format 4
   friend bool operator==(const Trace&, const Trace&) = default;
 };
 
@@ -98,19 +86,20 @@ ParsedTrace parseTrace(std::string_view text);
 /// The text that parseTrace() reads back as the same trace. Its version is the first one that has all that is in it.
 std::string printTrace(const Trace& trace);
 
-/// The line of one edit, without an end of line.
-std::string printEdit(const Edit& edit);
-
-/// Whether there is an edit by a brush.
+/// Whether there is a call by a brush.
 inline bool hasBrushes(const Trace& trace) {
-  return std::any_of(trace.edits.begin(), trace.edits.end(),
-                     [](const Edit& edit) { return edit.kind == Edit::Kind::brush; });
+  return std::ranges::any_of(trace.calls, [](const Call& call) { return call.kind == Call::Kind::brush; });
 }
 
-/// How many edits there are that are no commits.
+/// Whether there are adds, removes and commits alone.
+inline bool isPlain(const Trace& trace) {
+  return std::ranges::all_of(trace.calls, [](const Call& call) { return isPlain(call); });
+}
+
+/// How many calls there are that are no commits.
 inline std::size_t editCount(const Trace& trace) {
-  return static_cast<std::size_t>(std::count_if(trace.edits.begin(), trace.edits.end(),
-                                                [](const Edit& edit) { return edit.kind != Edit::Kind::commit; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(trace.calls, [](const Call& call) { return call.kind != Call::Kind::commit; }));
 }
 
 }  // namespace lgs::oracle

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "oracle/cgal/brushed.h"
-#include "oracle/trace/brushing.h"
+#include "oracle/trace/plain_edits.h"
 #include "proptests/support/arbitrary.h"
 
 #include <lgs/brush.h>

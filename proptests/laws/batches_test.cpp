@@ -11,7 +11,7 @@
 namespace lgs::test {
 namespace {
 
-using oracle::Edit;
+using oracle::Call;
 using oracle::Random;
 using oracle::Trace;
 
@@ -31,14 +31,14 @@ class Strip {
       const int percent = random_.chance(50) ? 100 : 3 + random_.below(60);
       for (const Cell& cell : cellsOf(cells_))
         if (random_.chance(percent)) change(cell);
-      trace_.edits.push_back(Edit::commit());
+      trace_.calls.push_back(Call::commit());
     }
     return trace_;
   }
 
  private:
   void change(Cell cell) {
-    for (const std::string& name : there_[cell]) trace_.edits.push_back(Edit::remove(name));
+    for (const std::string& name : there_[cell]) trace_.calls.push_back(Call::remove(name));
     there_[cell].clear();
     if (random_.chance(15)) return;
     const oracle::NamedShape& any = random_.pick(oracle::degenerateShapes());
@@ -46,7 +46,7 @@ class Strip {
         random_.chance(solidPercent_) ? oracle::degenerateShapes()[0].polygons : any.polygons;
     for (const LocalPolygon& polygon : shape) {
       const std::string name = fmt::format("p{}", ++named_);
-      trace_.edits.push_back(Edit::add(name, {cell, random_.below(3U), polygon}));
+      trace_.calls.push_back(Call::add(name, {cell, random_.below(3U), polygon}));
       there_[cell].push_back(name);
     }
   }

@@ -47,7 +47,10 @@ void agreesWithTheReferences(const Trace& trace, bool cgal, Tally& tally) {
 }
 
 Trace anyTrace(int, Random random) {
-  constexpr oracle::GeneratorOptions kSizes[] = {{2, 2, 40}, {3, 3, 60}, {4, 3, 80}, {1, 5, 40}};
+  constexpr oracle::GeneratorOptions kSizes[] = {{.width = 2, .height = 2, .edits = 40, .isOfCalls = true},
+                                                 {.width = 3, .height = 3, .edits = 60, .isOfCalls = true},
+                                                 {.width = 4, .height = 3, .edits = 80, .isOfCalls = true},
+                                                 {.width = 1, .height = 5, .edits = 40, .isOfCalls = true}};
   return oracle::randomCase(kSizes[random.below(4)], random.next());
 }
 
@@ -76,19 +79,20 @@ class Bulk : public testing::TestWithParam<std::int64_t> {
   static void expectVariety(const Tally& tally) {
     const oracle::CheckStats& stats = tally.stats;
     fmt::print(
-        "{} commits, {} compared with CGAL, {} with the naive reference; {} edits, {} refused; by door: {}\n"
-        "beside them: {}\n{} calls refused for a limit; all read {} times; {} cases, of these\n{}",
-        stats.commits, stats.cgal, stats.naive, stats.edits, stats.refused, doorsInWords(stats), detoursInWords(stats),
-        stats.full, stats.read, tally.cases.cases, table(tally.cases));
+        "{} commits, {} compared with CGAL, {} with the naive reference; {} edits, {} refused; by call: {}\n"
+        "{} calls refused for a limit; all read {} times; {} cases, of these\n{}",
+        stats.commits, stats.cgal, stats.naive, stats.edits, stats.refused, callsInWords(stats), stats.full, stats.read,
+        tally.cases.cases, table(tally.cases));
     for (std::size_t f = 0; f < tally.cases.with.size(); ++f) {
       EXPECT_GE(tally.cases.percent(Feature{f}), 1) << describe(Feature{f});
     }
     EXPECT_GT(stats.full, 0U);
-    for (std::size_t k = 1; k < oracle::kDetours; ++k)
-      EXPECT_GE(200 * stats.detours[k], stats.edits) << detoursInWords(stats);
-    for (std::size_t door = 0; door < oracle::kDoors; ++door) {
-      if (oracle::Door{static_cast<std::uint8_t>(door)} == oracle::Door::brush) continue;  // proptests/brush has those
-      EXPECT_GE(100 * stats.doors[door], stats.edits) << describe(oracle::Door{static_cast<std::uint8_t>(door)});
+    for (std::size_t k = 0; k < oracle::Call::kKinds; ++k) {
+      const auto kind = static_cast<oracle::Call::Kind>(k);
+      const bool isElsewhere = kind == oracle::Call::Kind::commit || kind == oracle::Call::Kind::brush;
+      if (!isElsewhere) {
+        EXPECT_GE(1'000 * stats.made[k], stats.edits) << callsInWords(stats);
+      }
     }
   }
 };

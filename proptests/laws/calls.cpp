@@ -1,6 +1,6 @@
 #include "calls.h"
 
-#include "oracle/check/call_check.h"
+#include "oracle/trace/call_text.h"
 #include "proptests/support/law.h"
 
 #include <fmt/format.h>
@@ -62,29 +62,16 @@ Caller grown(const Setting& setting, const Calls& calls) {
   return caller;
 }
 
-Story storyOf(const Calls& calls, const Setting& setting, bool triesRefused) {
-  Story story;
-  oracle::CallCheck world(setting.corner, setting.preserve);
-  world.triesRefused = triesRefused;
-  world.afterAccepted = [&](const Call& call, const oracle::Outcome& outcome) {
-    story.outcomes.push_back(outcome);
-    if (call.kind == Kind::commit || call.kind == Kind::load) story.snapshots.push_back(snapshotOf(world.world(), {}));
-  };
-  for (const Call& call : calls.list) failIf(world.make(call));
-  failIf(world.make(Call()));
-  return story;
-}
-
 void showValue(const Setting& setting, std::ostream& out) {
   out << fmt::format("cells from ({}, {})", setting.corner.i, setting.corner.j);
   for (const auto& [a, b] : setting.preserve.pairs()) out << fmt::format(", preserve {} {}", a, b);
 }
 
 void showValue(const Calls& calls, std::ostream& out) {
-  for (const Call& call : calls.list) out << inWords(call) << '\n';
+  for (const Call& call : calls.list) out << printCall(call) << '\n';
 }
 
-void showValue(const CallOfParts& call, std::ostream& out) { out << inWords(call.call); }
+void showValue(const CallOfParts& call, std::ostream& out) { out << printCall(call.call); }
 
 rc::Gen<Setting> Setting::arbitrary() {
   // About the origin, across borders of chunks, at the ends of the world.
@@ -106,14 +93,6 @@ rc::Gen<Calls> Calls::arbitrary() { return listsOf<Calls>(Habits(), Habits()); }
 rc::Gen<CallsAndMarks> CallsAndMarks::arbitrary() { return listsOf<CallsAndMarks>(Habits(), withMarks(Habits())); }
 rc::Gen<AnyCalls> AnyCalls::arbitrary() {
   return listsOf<AnyCalls>(withLoads(Habits()), withLoads(withMarks(Habits())));
-}
-
-rc::Gen<HostileCalls> HostileCalls::arbitrary() {
-  Habits habits = withLoads(withMarks(Habits()));
-  habits.hostilePercent = 10;
-  Habits plain;
-  plain.hostilePercent = 10;
-  return listsOf<HostileCalls>(plain, habits);
 }
 
 rc::Gen<CallOfParts> CallOfParts::arbitrary() {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "oracle/calls/draw.h"
-#include "oracle/trace/call_model.h"
+#include "oracle/trace/model.h"
 #include "proptests/support/arbitrary.h"
 #include "proptests/support/outline_by_laws.h"
 #include "proptests/support/worlds.h"
@@ -42,11 +42,6 @@ struct AnyCalls : Calls {
   static rc::Gen<AnyCalls> arbitrary();
 };
 
-/// Some of their numbers are the ends of what there is, or mean something inside. Marks and loads are among them.
-struct HostileCalls : Calls {
-  static rc::Gen<HostileCalls> arbitrary();
-};
-
 /// One that is made of parts: of many, or in the place of what stands there.
 struct CallOfParts {
   Call call;
@@ -61,16 +56,5 @@ void makeAll(Caller& caller, const Calls& calls);
 
 /// A world in the middle of its life.
 Caller grown(const Setting& setting, const Calls& calls);
-
-/// All that calls gave and showed, refusals apart.
-struct Story {
-  std::vector<oracle::Outcome> outcomes;
-  std::vector<Snapshot> snapshots;  ///< after each commit
-  friend bool operator==(const Story&, const Story&) = default;
-};
-
-/// Makes the calls in a new world. Fails the running case when one of them, or a commit, is not as the model and the
-/// laws say (oracle/check/call_check.h). What must be refused may be left out.
-Story storyOf(const Calls& calls, const Setting& setting, bool triesRefused = true);
 
 }  // namespace lgs::test

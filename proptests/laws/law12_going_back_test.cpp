@@ -1,4 +1,5 @@
 // Law 12, marks, groups and copies: to go back to a mark, or to copy a world, is never having left.
+#include "oracle/trace/call_text.h"
 #include "oracle/trace/dump.h"
 #include "proptests/support/law.h"
 #include "proptests/support/must.h"
@@ -38,7 +39,7 @@ LGS_LAW(GoingBack, ReportsExactlyWhatItDoesToTheSegments, 500, (const CallsAndMa
   for (const Call& call : calls.list) {
     const ChangeLists changes = caller.make(call).changes;  // of a commit, or of going back
     follower.follow(caller.world, changes);
-    EXPECT_TRUE(follower.agrees(caller.world)) << inWords(call);
+    EXPECT_TRUE(follower.agrees(caller.world)) << printCall(call);
     if (call.kind != Call::Kind::goBack) continue;
     for (const auto* ids : {&changes.removed, &changes.added, &changes.relinked})
       EXPECT_TRUE(std::is_sorted(ids->begin(), ids->end()));

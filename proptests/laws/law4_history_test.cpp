@@ -9,11 +9,11 @@
 namespace lgs::test {
 namespace {
 
-using oracle::Edit;
+using oracle::Call;
 using oracle::Trace;
 
-std::vector<Edit> shuffled(const std::map<std::string, Edit>& adds, Chance& chance) {
-  std::vector<Edit> out;
+std::vector<Call> shuffled(const std::map<std::string, Call>& adds, Chance& chance) {
+  std::vector<Call> out;
   out.reserve(adds.size());
   for (const auto& [name, add] : adds) out.push_back(add);
   chance.shuffle(out);
@@ -23,15 +23,15 @@ std::vector<Edit> shuffled(const std::map<std::string, Edit>& adds, Chance& chan
 /// The same polygons, added in another order; some come and go and come again.
 Trace reordered(const Trace& trace, Chance& chance) {
   Trace other{trace.preserve, {}};
-  for (const Edit& add : shuffled(survivors(trace), chance)) {
-    other.edits.push_back(add);
+  for (const Call& add : shuffled(survivors(trace), chance)) {
+    other.calls.push_back(add);
     if (chance.chance(20)) {
-      if (chance.chance(50)) other.edits.push_back(Edit::commit());
-      other.edits.push_back(Edit::remove(add.name));
-      if (chance.chance(50)) other.edits.push_back(Edit::commit());
-      other.edits.push_back(add);
+      if (chance.chance(50)) other.calls.push_back(Call::commit());
+      other.calls.push_back(Call::remove(add.name()));
+      if (chance.chance(50)) other.calls.push_back(Call::commit());
+      other.calls.push_back(add);
     }
-    if (chance.chance(30)) other.edits.push_back(Edit::commit());
+    if (chance.chance(30)) other.calls.push_back(Call::commit());
   }
   return other;
 }
@@ -44,9 +44,9 @@ LGS_LAW(History, OrderOfEditsDoesNotMatter, 2'000, (const GoodTrace& trace, Chan
 Trace regrouped(const Trace& trace, Chance& chance) {
   Trace other{trace.preserve, {}};
   const int percent = chance.chance(50) ? 0 : chance.below(100);
-  for (const Edit& edit : trace.edits) {
-    if (edit.kind != Edit::Kind::commit) other.edits.push_back(edit);
-    while (chance.chance(percent)) other.edits.push_back(Edit::commit());
+  for (const Call& edit : trace.calls) {
+    if (edit.kind != Call::Kind::commit) other.calls.push_back(edit);
+    while (chance.chance(percent)) other.calls.push_back(Call::commit());
   }
   return other;
 }
@@ -58,11 +58,11 @@ LGS_LAW(History, GroupingIntoCommitsDoesNotMatter, 2'000, (const GoodTrace& trac
 /// And then what stands there is removed in any order, and committed.
 Trace undone(const Trace& trace, Chance& chance) {
   Trace undo = trace;
-  for (const Edit& add : shuffled(survivors(trace), chance)) {
-    undo.edits.push_back(Edit::remove(add.name));
-    if (chance.chance(40)) undo.edits.push_back(Edit::commit());
+  for (const Call& add : shuffled(survivors(trace), chance)) {
+    undo.calls.push_back(Call::remove(add.name()));
+    if (chance.chance(40)) undo.calls.push_back(Call::commit());
   }
-  undo.edits.push_back(Edit::commit());
+  undo.calls.push_back(Call::commit());
   return undo;
 }
 
@@ -76,7 +76,7 @@ LGS_LAW(History, UndoingAllLeavesNothing, 2'000, (const GoodTrace& trace, Chance
 
 LGS_LAW(History, WhatWasUndoneCanBeDoneAgain, 2'000, (const GoodTrace& trace, Chance chance)) {
   Trace again = undone(trace, chance);
-  for (const auto& [name, add] : survivors(trace)) again.edits.push_back(add);
+  for (const auto& [name, add] : survivors(trace)) again.calls.push_back(add);
   expectSame(outlineAfter(trace), outlineAfter(again));
 }
 

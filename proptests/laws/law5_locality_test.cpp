@@ -13,7 +13,7 @@
 namespace lgs::test {
 namespace {
 
-using oracle::Edit;
+using oracle::Call;
 using Segments = std::map<SegmentId, SegmentFields>;
 
 class EditedCells {
@@ -59,15 +59,15 @@ LGS_LAW(Locality, ChangesLieAtTheEdits, 2'000, (const GoodTrace& trace)) {
   oracle::Player player(trace.preserve);
   Segments before;
   EditedCells edited;
-  for (const Edit& edit : trace.edits) {
-    if (edit.kind == Edit::Kind::commit) {
+  for (const Call& edit : trace.calls) {
+    if (edit.kind == Call::Kind::commit) {
       const Changes& changes = player.commit();
       const Segments after = segmentsOf(player.world());
       expectLocal(before, after, changes, std::exchange(edited, {}));
       before = after;
     } else {
-      const bool isAdd = edit.kind == Edit::Kind::add;
-      edited.add(isAdd ? edit.polygon.cell : player.world().cellOf(player.handleOf(edit.name)).value());
+      const bool isAdd = edit.kind == Call::Kind::add;
+      edited.add(isAdd ? edit.polygon().cell : player.world().cellOf(player.handleOf(edit.name())).value());
       failUnless(player.apply(edit).has_value(), "a good edit is refused");
     }
   }

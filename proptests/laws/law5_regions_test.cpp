@@ -1,6 +1,6 @@
 // Law 5 across worlds: who has the polygons of a rectangle and of the cells that touch it has all that the whole world
 // says of the rectangle. So a world can be cut among processes (docs/internals/beyond-one-process.md).
-#include "oracle/trace/call_model.h"
+#include "oracle/trace/model.h"
 #include "proptests/support/law.h"
 #include "proptests/support/traces.h"
 #include "proptests/support/worlds.h"
@@ -13,7 +13,7 @@
 namespace lgs::test {
 namespace {
 
-using oracle::Edit;
+using oracle::Call;
 using SegmentEnds =
     std::pair<Point, Point>;  // no two segments of a world have the same: what is solid on the left is one
 
@@ -30,13 +30,13 @@ class RegionView {
  public:
   RegionView(const PreserveRelation& preserve, const CellRect& rect) : world_(preserve), rect_(rect) {}
 
-  void play(const Edit& edit) {
-    if (edit.kind == Edit::Kind::add) {
-      const auto& [cell, block, vertices] = edit.polygon;
+  void play(const Call& edit) {
+    if (edit.kind == Call::Kind::add) {
+      const auto& [cell, block, vertices] = edit.polygon();
       const auto handle = world_.add(cell, vertices, block);
       failUnless(handle.has_value(), "a good edit is refused");
-      handles_[edit.name] = *handle;
-    } else if (const auto found = handles_.find(edit.name); found != handles_.end()) {
+      handles_[edit.name()] = *handle;
+    } else if (const auto found = handles_.find(edit.name()); found != handles_.end()) {
       failUnless(world_.remove(found->second).has_value(), "a good edit is refused");
       handles_.erase(found);
     }
@@ -100,13 +100,13 @@ LGS_LAW(Regions, HaveTheSegmentsOfTheWholeWorld, 1'000, (const GoodTrace& trace,
     region.commit();
     failUnless(whole == region, "a region with its halo shows something else than the whole world");
   };
-  for (const Edit& edit : trace.edits) {
-    if (edit.kind == Edit::Kind::commit) {
+  for (const Call& edit : trace.calls) {
+    if (edit.kind == Call::Kind::commit) {
       meet();
       continue;
     }
     whole.play(edit);
-    if (edit.kind == Edit::Kind::remove || contains(halo, edit.polygon.cell)) region.play(edit);
+    if (edit.kind == Call::Kind::remove || contains(halo, edit.polygon().cell)) region.play(edit);
   }
   meet();
 }

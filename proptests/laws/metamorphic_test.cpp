@@ -15,7 +15,7 @@
 namespace lgs::test {
 namespace {
 
-using oracle::Edit;
+using oracle::Call;
 using oracle::Outline;
 using oracle::OutlineSegment;
 using oracle::Random;
@@ -33,8 +33,12 @@ Outline mapPoints(Outline outline, const std::function<Point(Point)>& map) {
 
 template <class Map>
 Trace mapPolygons(Trace trace, Map&& map) {
-  for (Edit& edit : trace.edits)
-    if (edit.kind == Edit::Kind::add) map(edit.polygon);
+  for (Call& edit : trace.calls) {
+    if (edit.kind != Call::Kind::add) continue;
+    oracle::ScenePolygon polygon = edit.polygon();
+    map(polygon);
+    edit = Call::add(edit.name(), std::move(polygon));
+  }
   return trace;
 }
 
@@ -127,19 +131,19 @@ std::optional<std::pair<LocalPolygon, LocalPolygon>> split(const LocalPolygon& p
 Trace withPolygonsSplit(const Trace& trace, Random& random) {
   Trace parts{trace.preserve, {}};
   std::vector<std::string> halved;
-  for (const Edit& edit : trace.edits) {
-    const bool isHalved = std::erase(halved, edit.name) > 0;
-    if (isHalved && edit.kind == Edit::Kind::remove) parts.edits.push_back(Edit::remove(edit.name + "'"));
-    const Block block = edit.polygon.block;
-    const bool maySplit = edit.kind == Edit::Kind::add && !trace.preserve(block, block);
-    const auto halves = maySplit ? split(edit.polygon.vertices, random) : std::nullopt;
+  for (const Call& edit : trace.calls) {
+    const bool isHalved = std::erase(halved, edit.name()) > 0;
+    if (isHalved && edit.kind == Call::Kind::remove) parts.calls.push_back(Call::remove(edit.name() + "'"));
+    const Block block = edit.polygon().block;
+    const bool maySplit = edit.kind == Call::Kind::add && !trace.preserve(block, block);
+    const auto halves = maySplit ? split(edit.polygon().vertices, random) : std::nullopt;
     if (!halves) {
-      parts.edits.push_back(edit);
+      parts.calls.push_back(edit);
       continue;
     }
-    parts.edits.push_back(Edit::add(edit.name, {edit.polygon.cell, block, halves->first}));
-    parts.edits.push_back(Edit::add(edit.name + "'", {edit.polygon.cell, block, halves->second}));
-    halved.push_back(edit.name);
+    parts.calls.push_back(Call::add(edit.name(), {edit.polygon().cell, block, halves->first}));
+    parts.calls.push_back(Call::add(edit.name() + "'", {edit.polygon().cell, block, halves->second}));
+    halved.push_back(edit.name());
   }
   return parts;
 }
@@ -152,13 +156,13 @@ LGS_LAW(Metamorphic, SplitAlongAChord, 2'000, (const GoodTrace& trace, Chance ch
 Trace withEvenPolygons(const Trace& trace) {
   Trace even{trace.preserve, {}};
   std::set<std::string> dropped;
-  for (const Edit& edit : trace.edits) {
-    if (edit.kind == Edit::Kind::add) {
-      const bool isOdd = std::ranges::any_of(edit.polygon.vertices, [](LocalPoint v) { return (v.x | v.y) & 1; });
-      if (!isOdd) dropped.erase(edit.name);
-      if (isOdd) dropped.insert(edit.name);
+  for (const Call& edit : trace.calls) {
+    if (edit.kind == Call::Kind::add) {
+      const bool isOdd = std::ranges::any_of(edit.polygon().vertices, [](LocalPoint v) { return (v.x | v.y) & 1; });
+      if (!isOdd) dropped.erase(edit.name());
+      if (isOdd) dropped.insert(edit.name());
     }
-    if (edit.kind == Edit::Kind::commit || !dropped.contains(edit.name)) even.edits.push_back(edit);
+    if (edit.kind == Call::Kind::commit || !dropped.contains(edit.name())) even.calls.push_back(edit);
   }
   return even;
 }
@@ -193,15 +197,15 @@ std::optional<LocalPolygon> united(const LocalPolygon& a, const LocalPolygon& b)
 }
 
 /// Unites polygons of one cell and block, as long as there are two that share an edge. Says how many there were.
-int unitePolygons(std::vector<Edit>& adds, const oracle::PreservePairs& preserve) {
+int unitePolygons(std::vector<Call>& adds, const oracle::PreservePairs& preserve) {
   int count = 0;
   for (std::size_t k = 0; k < adds.size(); ++k) {
     for (std::size_t m = 0; m < adds.size(); ++m) {
-      const oracle::ScenePolygon &p = adds[k].polygon, &q = adds[m].polygon;
+      const oracle::ScenePolygon p = adds[k].polygon(), q = adds[m].polygon();
       if (m == k || p.cell != q.cell || p.block != q.block || preserve(p.block, p.block)) continue;
       const auto whole = united(p.vertices, q.vertices);
       if (!whole) continue;
-      adds[k].polygon.vertices = *whole;
+      adds[k].comes[0].shape[0] = *whole;
       adds.erase(adds.begin() + static_cast<std::ptrdiff_t>(m));
       if (m < k) --k;
       ++count;
@@ -212,8 +216,8 @@ int unitePolygons(std::vector<Edit>& adds, const oracle::PreservePairs& preserve
 }
 
 // The cells are united first, so that polygons of what were two cells become one.
-std::vector<Edit> survivorsInUnitedCells(const Trace& trace) {
-  std::vector<Edit> adds;
+std::vector<Call> survivorsInUnitedCells(const Trace& trace) {
+  std::vector<Call> adds;
   for (const auto& [name, edit] : survivors(withCellsUnited(withEvenPolygons(trace)))) adds.push_back(edit);
   return adds;
 }
@@ -221,7 +225,7 @@ std::vector<Edit> survivorsInUnitedCells(const Trace& trace) {
 LGS_LAW(Metamorphic, PolygonsOfTwoCellsUnited, 2'000, (const GoodTrace& trace)) {
   const Trace parts{trace.preserve, survivorsInUnitedCells(trace)};
   Trace whole = parts;
-  unitePolygons(whole.edits, trace.preserve);
+  unitePolygons(whole.calls, trace.preserve);
   expectSame(outlineAfter(parts), outlineAfter(whole));
 }
 
@@ -229,7 +233,7 @@ TEST(Metamorphic, PolygonsToUniteAreNotRare) {
   int cases = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const Trace trace = withoutRefused(oracle::randomCase({3, 3, 30}, seed));
-    std::vector<Edit> adds = survivorsInUnitedCells(trace);
+    std::vector<Call> adds = survivorsInUnitedCells(trace);
     if (unitePolygons(adds, trace.preserve) > 0) ++cases;
   }
   EXPECT_GE(cases, 20);

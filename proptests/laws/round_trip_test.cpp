@@ -16,7 +16,7 @@
 namespace lgs::test {
 namespace {
 
-using oracle::Edit;
+using oracle::Call;
 using oracle::Trace;
 
 // --- Text ------------------------------------------------------------------------------------------------------------
@@ -26,7 +26,7 @@ Trace traceOf(const World& world, const std::set<Cell>& cells, const oracle::Pre
   Trace trace{preserve, {}};
   for (const Cell& cell : cells)
     for (const auto& [handle, block, vertices] : polygonsIn(world, cell))
-      trace.edits.push_back(Edit::add("p" + std::to_string(handle.packed()), {cell, block, vertices}));
+      trace.calls.push_back(Call::add("p" + std::to_string(handle.packed()), {cell, block, vertices}));
   return trace;
 }
 
@@ -41,8 +41,8 @@ Standing standing(const World& world, const std::set<Cell>& cells) {
 
 LGS_LAW(RoundTrip, WorldToTraceToWorld, 2'000, (const GoodTrace& trace)) {
   std::set<Cell> cells;
-  for (const Edit& edit : trace.edits)
-    if (edit.kind == Edit::Kind::add) cells.insert(edit.polygon.cell);
+  for (const Call& edit : trace.calls)
+    if (edit.kind == Call::Kind::add) cells.insert(edit.polygon().cell);
   oracle::Player player(trace.preserve), again(trace.preserve);
   playAll(trace, player);
 

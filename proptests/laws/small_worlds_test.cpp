@@ -18,7 +18,7 @@
 namespace lgs::test {
 namespace {
 
-using oracle::Edit;
+using oracle::Call;
 using oracle::Trace;
 using Polygons = std::vector<LocalPolygon>;
 
@@ -66,21 +66,21 @@ std::vector<oracle::ScenePolygon> polygonsOf(const Shapes& shapes, std::size_t c
 /// The first of two worlds is built, and becomes the second.
 Trace fromOneToTheNext(const Shapes& first, const Shapes& second, const oracle::PreservePairs& preserve) {
   Trace trace{preserve, {}};
-  const auto edit = [&](Edit::Kind kind, const char* world, const Shapes& shapes, std::size_t cell) {
+  const auto edit = [&](Call::Kind kind, const char* world, const Shapes& shapes, std::size_t cell) {
     int count = 0;
     for (const oracle::ScenePolygon& p : polygonsOf(shapes, cell)) {
       const std::string name = fmt::format("{}{}.{}", world, cell, ++count);
-      trace.edits.push_back(kind == Edit::Kind::add ? Edit::add(name, p) : Edit::remove(name));
+      trace.calls.push_back(kind == Call::Kind::add ? Call::add(name, p) : Call::remove(name));
     }
   };
-  for (std::size_t c = 0; c < 4; ++c) edit(Edit::Kind::add, "a", first, c);
-  trace.edits.push_back(Edit::commit());
+  for (std::size_t c = 0; c < 4; ++c) edit(Call::Kind::add, "a", first, c);
+  trace.calls.push_back(Call::commit());
   for (std::size_t c = 0; c < 4; ++c) {
     if (first[c] == second[c]) continue;
-    edit(Edit::Kind::remove, "a", first, c);
-    edit(Edit::Kind::add, "b", second, c);
+    edit(Call::Kind::remove, "a", first, c);
+    edit(Call::Kind::add, "b", second, c);
   }
-  trace.edits.push_back(Edit::commit());
+  trace.calls.push_back(Call::commit());
   return trace;
 }
 

@@ -1,5 +1,7 @@
 #include "twins.h"
 
+#include "oracle/trace/call_text.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +11,7 @@ namespace lgs::test {
 
 void expectNoDifference(Caller& stayed, Caller& left, const Calls& calls) {
   for (const Call& call : calls.list)
-    ASSERT_TRUE(stayed.make(call) == left.make(call)) << "another answer: " << inWords(call);
+    ASSERT_TRUE(stayed.make(call) == left.make(call)) << "another answer: " << printCall(call);
   EXPECT_EQ(stayed.given, left.given);
   EXPECT_EQ(copyOf(stayed.world.commit()), copyOf(left.world.commit()));
   EXPECT_EQ(snapshotOf(stayed.world, {}), snapshotOf(left.world, {}));

@@ -1,6 +1,7 @@
 // World::version(): it names a state of the segments, in whichever world, and lists of changes lead from one to
 // another.
 #include "calls.h"
+#include "oracle/trace/call_text.h"
 #include "proptests/support/law.h"
 
 #include <gtest/gtest.h>
@@ -69,7 +70,7 @@ class Versions {
         EXPECT_FALSE(states_.contains(world.version())) << "a loaded world is another one";
         break;
       default:
-        EXPECT_EQ(world.version(), before) << inWords(call);
+        EXPECT_EQ(world.version(), before) << printCall(call);
     }
     note();
   }

@@ -21,7 +21,7 @@
 namespace lgs::test {
 namespace {
 
-using oracle::Edit;
+using oracle::Call;
 using oracle::Outline;
 using oracle::OutlineSegment;
 using oracle::Trace;
@@ -97,7 +97,7 @@ TEST(Planted, AWrongTurnWhereSolidsTouch) {
 }
 
 TEST(Planted, APreserveRelationThatIsNotAsked) {
-  expectSmall(huntedDown([](const Trace& trace) { return outlineAfter({{}, trace.edits}); }));
+  expectSmall(huntedDown([](const Trace& trace) { return outlineAfter({{}, trace.calls}); }));
 }
 
 TEST(Planted, AnAddThatIsForgottenWhereTheCellWasEmptied) {
@@ -105,11 +105,11 @@ TEST(Planted, AnAddThatIsForgottenWhereTheCellWasEmptied) {
     oracle::Player player(trace.preserve);
     std::map<std::string, Cell> cellOf;
     std::set<Cell> emptied;  // since the last commit
-    for (const Edit& edit : trace.edits) {
-      if (edit.kind == Edit::Kind::commit) emptied.clear();
-      if (edit.kind == Edit::Kind::remove) emptied.insert(cellOf[edit.name]);
-      if (edit.kind == Edit::Kind::add && emptied.contains(cellOf[edit.name] = edit.polygon.cell)) continue;
-      if (edit.kind != Edit::Kind::commit) static_cast<void>(player.apply(edit));
+    for (const Call& edit : trace.calls) {
+      if (edit.kind == Call::Kind::commit) emptied.clear();
+      if (edit.kind == Call::Kind::remove) emptied.insert(cellOf[edit.name()]);
+      if (edit.kind == Call::Kind::add && emptied.contains(cellOf[edit.name()] = edit.polygon().cell)) continue;
+      if (edit.kind != Call::Kind::commit) static_cast<void>(player.apply(edit));
     }
     player.commit();
     return oracle::outlineOf(player.world());
@@ -118,17 +118,17 @@ TEST(Planted, AnAddThatIsForgottenWhereTheCellWasEmptied) {
 
 TEST(Planted, AnExpectationThatFails) {
   const Failure failure = huntedDown([](const Trace& trace) {
-    for (const Edit& edit : trace.edits) EXPECT_NE(edit.polygon.vertices.size(), 5U);
+    for (const Call& edit : trace.calls) EXPECT_NE(edit.polygon().vertices.size(), 5U);
     return outlineAfter(trace);
   });
   expectSmall(failure);
-  EXPECT_NE(failure->find("edit.polygon.vertices.size()"), std::string::npos) << *failure;
+  EXPECT_NE(failure->find("edit.polygon().vertices.size()"), std::string::npos) << *failure;
 }
 
 bool hasCrowdedCell(const Trace& trace) {
   oracle::Model model;
-  for (const Edit& edit : trace.edits) model.apply(edit);
-  return std::ranges::any_of(model.cells(), [](const auto& entry) { return entry.second.size() >= 2; });
+  for (const Call& edit : trace.calls) model.apply(edit);
+  return std::ranges::any_of(model.standing().cells(), [](const auto& entry) { return entry.second.size() >= 2; });
 }
 
 TEST(Planted, ACrash) {

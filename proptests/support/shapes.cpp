@@ -14,7 +14,7 @@
 namespace lgs::test {
 namespace {
 
-using oracle::Edit;
+using oracle::Call;
 using oracle::LocalPolygon;
 using oracle::Random;
 using oracle::Trace;
@@ -23,7 +23,7 @@ using oracle::Trace;
 Trace added(const std::vector<LocalPolygon>& polygons) {
   Trace trace;
   for (const LocalPolygon& p : polygons)
-    trace.edits.push_back(Edit::add(fmt::format("p{}", trace.edits.size() + 1), {{}, 1, p}));
+    trace.calls.push_back(Call::add(fmt::format("p{}", trace.calls.size() + 1), {{}, 1, p}));
   return trace;
 }
 
@@ -32,7 +32,7 @@ std::vector<LocalPolygon> polygonsOf(const Trace& trace) {
   std::vector<LocalPolygon> polygons;
   const auto standing = survivors(trace);
   for (const auto& [name, add] : standing)
-    if (add.polygon.cell == standing.begin()->second.polygon.cell) polygons.push_back(add.polygon.vertices);
+    if (add.comes[0].cell == standing.begin()->second.comes[0].cell) polygons.push_back(add.comes[0].shape[0]);
   return polygons;
 }
 
@@ -85,7 +85,7 @@ void showValue(const AnyReal<float>& real, std::ostream& out) { out << fmt::form
 void showValue(const AnyReal<double>& real, std::ostream& out) { out << fmt::format("{:a} of a cell", real.value); }
 
 rc::Gen<AnyPolygon> AnyPolygon::arbitrary() {
-  const auto mayBe = [](const Trace& t) { return t.edits.size() == 1 && isGood(t); };
+  const auto mayBe = [](const Trace& t) { return t.calls.size() == 1 && isGood(t); };
   return rc::gen::map(traces(anyPolygon, mayBe), [](const Trace& trace) { return AnyPolygon{polygonsOf(trace)[0]}; });
 }
 

@@ -11,7 +11,7 @@
 namespace lgs::test {
 namespace {
 
-using oracle::Edit;
+using oracle::Call;
 using oracle::Random;
 using oracle::ShrinkWalk;
 using oracle::Trace;
@@ -48,8 +48,9 @@ class Simpler {
   MayBe mayBe_;
 };
 
-Trace randomTrace(int size, Random random) {
+Trace randomTrace(int size, Random random, bool isOfCalls) {
   oracle::GeneratorOptions options;
+  options.isOfCalls = isOfCalls;
   // A commit goes another way where a row has many dirty cells: so every third case is a wide and low one.
   const bool isWide = random.below(3) == 0;
   options.width = isWide ? 8 + random.below(12) : 1 + random.below(5);
@@ -59,10 +60,12 @@ Trace randomTrace(int size, Random random) {
   return oracle::randomCase(options, random.next());
 }
 
-Trace goodTrace(int size, Random random) { return withoutRefused(randomTrace(size, random)); }
+Trace anyTrace(int size, Random random) { return randomTrace(size, random, false); }
+Trace traceOfCalls(int size, Random random) { return randomTrace(size, random, true); }
+Trace goodTrace(int size, Random random) { return withoutRefused(anyTrace(size, random)); }
 
 Trace plainTrace(int size, Random random) {
-  Trace trace = randomTrace(size, random);
+  Trace trace = anyTrace(size, random);
   trace.preserve = {};
   return withoutRefused(trace);
 }
@@ -74,7 +77,7 @@ rc::Gen<Kind> ofKind(rc::Gen<Trace> traces) {
 
 }  // namespace
 
-bool isGood(const Trace& trace) { return withoutRefused(trace).edits.size() == trace.edits.size(); }
+bool isGood(const Trace& trace) { return withoutRefused(trace).calls.size() == trace.calls.size(); }
 
 rc::Gen<Trace> traces(const std::function<Trace(int, Random)>& make, const MayBe& mayBe) {
   return [=](rc::Random random, int size) {
@@ -82,20 +85,20 @@ rc::Gen<Trace> traces(const std::function<Trace(int, Random)>& make, const MayBe
   };
 }
 
-std::map<std::string, Edit> survivors(const Trace& trace) {
-  std::map<std::string, Edit> out;
-  for (const Edit& edit : trace.edits) {
-    if (edit.kind == Edit::Kind::add) out[edit.name] = edit;
-    if (edit.kind == Edit::Kind::remove) out.erase(edit.name);
+std::map<std::string, Call> survivors(const Trace& trace) {
+  std::map<std::string, Call> out;
+  for (const Call& edit : trace.calls) {
+    if (edit.kind == Call::Kind::add) out[edit.name()] = edit;
+    if (edit.kind == Call::Kind::remove) out.erase(edit.name());
   }
   return out;
 }
 
 CellRect boundsOf(const Trace& trace) {
   CellRect r{{kMaxCell, kMaxCell}, {-kMaxCell, -kMaxCell}};
-  for (const Edit& edit : trace.edits) {
-    if (edit.kind != Edit::Kind::add) continue;
-    const Cell c = edit.polygon.cell;
+  for (const Call& edit : trace.calls) {
+    if (edit.kind != Call::Kind::add) continue;
+    const Cell c = edit.polygon().cell;
     r = {{std::min(r.min.i, c.i), std::min(r.min.j, c.j)}, {std::max(r.max.i, c.i), std::max(r.max.j, c.j)}};
   }
   return r;
@@ -103,10 +106,11 @@ CellRect boundsOf(const Trace& trace) {
 
 Trace movedTo(Trace trace, Cell target) {
   const CellRect bounds = boundsOf(trace);
-  for (Edit& edit : trace.edits)
-    if (edit.kind == Edit::Kind::add)
-      edit.polygon.cell = {edit.polygon.cell.i - bounds.min.i + target.i,
-                           edit.polygon.cell.j - bounds.min.j + target.j};
+  for (Call& edit : trace.calls) {
+    if (edit.kind != Call::Kind::add) continue;
+    Cell& cell = edit.comes[0].cell;
+    cell = {cell.i - bounds.min.i + target.i, cell.j - bounds.min.j + target.j};
+  }
   return trace;
 }
 
@@ -114,7 +118,8 @@ void showValue(const Chance& chance, std::ostream& out) {
   chance.seed ? out << "chance " << *chance.seed : out << "as it comes";
 }
 
-rc::Gen<AnyTrace> AnyTrace::arbitrary() { return ofKind<AnyTrace>(traces(randomTrace, {})); }
+rc::Gen<AnyTrace> AnyTrace::arbitrary() { return ofKind<AnyTrace>(traces(anyTrace, {})); }
+rc::Gen<TraceOfCalls> TraceOfCalls::arbitrary() { return ofKind<TraceOfCalls>(traces(traceOfCalls, {})); }
 rc::Gen<GoodTrace> GoodTrace::arbitrary() { return ofKind<GoodTrace>(traces(goodTrace)); }
 rc::Gen<PlainTrace> PlainTrace::arbitrary() {
   return ofKind<PlainTrace>(traces(plainTrace, [](const oracle::Trace& t) { return t.preserve.empty() && isGood(t); }));

@@ -20,6 +20,11 @@ struct AnyTrace : oracle::Trace {
   static rc::Gen<AnyTrace> arbitrary();
 };
 
+/// All kinds of calls, those among them that must be refused.
+struct TraceOfCalls : oracle::Trace {
+  static rc::Gen<TraceOfCalls> arbitrary();
+};
+
 /// Every edit is good.
 struct GoodTrace : oracle::Trace {
   static rc::Gen<GoodTrace> arbitrary();
@@ -44,7 +49,7 @@ void showValue(const Chance& chance, std::ostream& out);
 bool isGood(const oracle::Trace& trace);
 
 /// The adds of all that a trace leaves standing, by name.
-std::map<std::string, oracle::Edit> survivors(const oracle::Trace& trace);
+std::map<std::string, oracle::Call> survivors(const oracle::Trace& trace);
 
 /// The cells that it adds to. Empty if there are none.
 CellRect boundsOf(const oracle::Trace& trace);

@@ -192,8 +192,8 @@ TEST(Box2dEdges, MergedInOneChunkTheyAreTheMergedLoops) {
   const oracle::Shared<std::size_t> compared;
   box2d_test::forAllEdits(80, [&](oracle::Trace trace, box2d_test::Chance) {
     if (!trace.preserve.empty()) return;      // there are no loops then
-    for (oracle::Edit& edit : trace.edits) {  // cases may lie anywhere; here all is to be in one chunk
-      Cell& cell = edit.polygon.cell;
+    for (oracle::Call& edit : trace.calls) {  // cases may lie anywhere; here all is to be in one chunk
+      Cell& cell = edit.polygon().cell;
       cell = {cell.i & 1023, cell.j & 1023};
     }
     Player player({}, oracle::Loads::never);

@@ -124,7 +124,7 @@ TEST_F(Box2dHit, EachSegmentIsHitAtItsMiddle) {
   forAllEdits(400, [](const Trace& trace, Chance random) {
     TerrainOptions options{.cellSize = random.chance(50) ? 1.0 : 3.0, .chunkCells = 1 + random.below(6)};
     options.merge = random.chance(80);
-    if (!trace.edits.empty()) options.origin = test::boundsOf(trace).min;  // near enough for floats
+    if (!trace.calls.empty()) options.origin = test::boundsOf(trace).min;  // near enough for floats
     oracle::Player player(trace.preserve, oracle::Loads::never);
     b2World still({0, 0});
     Terrain terrain(still, player.world(), options);

@@ -36,8 +36,8 @@ void forAllEdits(std::int64_t cases, Law law) {
 /// nothing is 100 km from its origin.
 inline Cell firstCell(const Trace& trace) {
   const Trace good = withoutRefused(trace);
-  const auto first = std::ranges::find(good.edits, oracle::Edit::Kind::add, &oracle::Edit::kind);
-  return first == good.edits.end() ? Cell{} : first->polygon.cell;
+  const auto first = std::ranges::find(good.calls, oracle::Call::Kind::add, &oracle::Call::kind);
+  return first == good.calls.end() ? Cell{} : first->polygon.cell;
 }
 
 /// Plays a trace, of which some edits may have to be refused. `commit` is called at each of its commits and at its end,

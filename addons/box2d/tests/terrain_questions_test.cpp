@@ -83,7 +83,7 @@ TEST_F(Box2dQuestions, AContactLeadsToWhatItTouches) {
   forAllEdits(60, [&](const Trace& trace, Chance random) {
     // No segment is short, so that none is welded.
     TerrainOptions options{.cellSize = 1'000, .chunkCells = 1 + random.below(6), .merge = random.chance(70)};
-    if (!trace.edits.empty()) options.origin = test::boundsOf(trace).min;
+    if (!trace.calls.empty()) options.origin = test::boundsOf(trace).min;
     oracle::Player player(trace.preserve, oracle::Loads::never);
     b2World still({0, -1'000});
     Terrain terrain(still, player.world(), options);

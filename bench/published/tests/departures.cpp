@@ -152,7 +152,7 @@ tl::expected<PublishedRun, oracle::TraceError> runPublished(const oracle::Trace&
   run.published = publishedOutline(trace);
   oracle::Trace scene{trace.preserve, {}};
   for (const ScenePolygon& polygon : run.scene.polygons)
-    scene.edits.push_back(oracle::Edit::add(std::to_string(scene.edits.size()), polygon));
+    scene.calls.push_back(oracle::Call::add(std::to_string(scene.calls.size()), polygon));
   run.afresh = publishedOutline(scene);
   return run;
 }

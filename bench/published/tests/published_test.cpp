@@ -1,6 +1,7 @@
 // The published algorithm under the harness: it departs from the laws in the ways that docs/internals/departures.md
 // shows, and in no way on scenes within its reach.
 #include "bench/published/published_lattice.h"
+#include "bench/published/tests/departures.h"
 #include "oracle/calls/random.h"
 #include "oracle/cgal/cgal_union.h"
 #include "oracle/check/isolated.h"
@@ -11,7 +12,6 @@
 #include "oracle/reference/naive.h"
 #include "oracle/trace/file.h"
 #include "oracle/trace/model.h"
-#include "bench/published/tests/departures.h"
 #include "proptests/support/law.h"
 #include "proptests/support/scale.h"
 #include "proptests/support/traces.h"
@@ -52,9 +52,9 @@ TEST(Published, DepartsAsEachKeptTraceSays) {
 TEST(Published, KeptTracesAreMinimal) {
   for (const Departure departure : kDepartures) {
     const Trace trace = keptTrace(departure);
-    for (std::size_t k = 0; k < trace.edits.size(); ++k) {
+    for (std::size_t k = 0; k < trace.calls.size(); ++k) {
       Trace less = trace;
-      less.edits.erase(less.edits.begin() + static_cast<std::ptrdiff_t>(k));
+      less.calls.erase(less.calls.begin() + static_cast<std::ptrdiff_t>(k));
       EXPECT_FALSE(departs(less, departure)) << nameOf(departure) << " without edit " << k + 1;
     }
   }
@@ -93,9 +93,9 @@ class Agreement {
  public:
   /// All edits of a trace. What differs after one of them, if anything does.
   std::optional<std::string> play(const Trace& trace) {
-    for (std::size_t k = 0; k < trace.edits.size(); ++k) {
-      if (trace.edits[k].kind == Edit::Kind::commit) continue;
-      if (const auto problem = edit(trace.edits[k])) return fmt::format("after edit {}:\n{}", k + 1, *problem);
+    for (std::size_t k = 0; k < trace.calls.size(); ++k) {
+      if (trace.calls[k].kind == Call::Kind::commit) continue;
+      if (const auto problem = edit(trace.calls[k])) return fmt::format("after edit {}:\n{}", k + 1, *problem);
     }
     return std::nullopt;
   }
@@ -105,20 +105,20 @@ class Agreement {
 
  private:
   /// Adds or removes a polygon, unless that would lead out of reach. What differs then, if anything does.
-  std::optional<std::string> edit(const Edit& edit) {
+  std::optional<std::string> edit(const Call& edit) {
     std::map<std::string, ScenePolygon> next = placed_;
-    if (edit.kind == Edit::Kind::add) {
-      next[edit.name] = edit.polygon;
-      next[edit.name].block = 1;
-    } else if (next.erase(edit.name) == 0) {
+    if (edit.kind == Call::Kind::add) {
+      next[edit.name()] = edit.polygon();
+      next[edit.name()].block = 1;
+    } else if (next.erase(edit.name()) == 0) {
       return std::nullopt;  // it was not let in
     }
     Scene scene;
     for (const auto& [name, polygon] : next) scene.polygons.push_back(polygon);
     if (!isWithinItsReach(scene)) return std::nullopt;
 
-    const ScenePolygon& polygon = (edit.kind == Edit::Kind::add ? next : placed_).at(edit.name);
-    const auto apply = edit.kind == Edit::Kind::add ? &Published::add : &Published::remove;
+    const ScenePolygon& polygon = (edit.kind == Call::Kind::add ? next : placed_).at(edit.name());
+    const auto apply = edit.kind == Call::Kind::add ? &Published::add : &Published::remove;
     (published_.*apply)(polygon.cell, floatVertices(polygon), polygon.block);
     published_.compute();
     placed_ = std::move(next);
@@ -175,7 +175,7 @@ TEST(Published, AgreesOnTheWorldsOfItsBenchmarks) {
       const std::string name = std::to_string(cell.i * kSide + cell.j);
       const bool there = placed.erase(name) > 0;
       if (!there) placed.insert(name);
-      result.edits.push_back(there ? Edit::remove(name) : Edit::add(name, {cell, 1, random.pick(shapes)}));
+      result.calls.push_back(there ? Call::remove(name) : Call::add(name, {cell, 1, random.pick(shapes)}));
     }
     return result;
   };
@@ -196,8 +196,8 @@ TEST(Published, ForgetsWhatIsRemoved) {
   const ScenePolygon block{{0, 0}, 1, {{0, 0}, {kUnitsPerCell, 0}, {kUnitsPerCell, kUnitsPerCell}, {0, kUnitsPerCell}}};
   ScenePolygon next = block;
   next.cell = {1, 0};
-  const Trace both{{}, {Edit::add("a", block), Edit::add("b", next), Edit::commit(), Edit::remove("b")}};
-  const Trace one{{}, {Edit::add("a", block)}};
+  const Trace both{{}, {Call::add("a", block), Call::add("b", next), Call::commit(), Call::remove("b")}};
+  const Trace one{{}, {Call::add("a", block)}};
   EXPECT_EQ(publishedOutline(both), publishedOutline(one));
 }
 

@@ -148,7 +148,7 @@ TEST(Checker, HoldsAnEngineToWhatItCan) {
   // What does not join is no trouble; what joins and does not say so is.
   merging.assume(canDo("ghosts several slants refuses"));
   CheckOptions options{.engine = &merging, .skipRefused = true};
-  EXPECT_TRUE(findMismatch({{}, {Edit::add("a", {{}, 1, {{0, 0}, {U / 2, 0}, {U, 0}, {U, U}}})}}, options));
+  EXPECT_TRUE(findMismatch({{}, {Call::add("a", {{}, 1, {{0, 0}, {U / 2, 0}, {U, 0}, {U, U}}})}}, options));
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include "oracle/check/survey.h"
 #include "oracle/reference/compare.h"
 #include "oracle/reference/naive.h"
-#include "oracle/trace/file.h"
 #include "oracle/tests/engines/workbench.h"
+#include "oracle/trace/file.h"
 #include "proptests/support/must.h"
 
 #include <algorithm>
@@ -163,11 +163,11 @@ TEST_F(Reports, PagesShowWhatIsCompared) {
     return oracle::ScenePolygon{cell, 1, {{0, 0}, {U, 0}, {U, U}, {0, U}}};
   };
   const oracle::Trace trace{{},
-                            {oracle::Edit::add("a", square({0, 0})), oracle::Edit::commit(),
-                             oracle::Edit::add("b", square({1, 0})), oracle::Edit::commit()}};
+                            {oracle::Call::add("a", square({0, 0})), oracle::Call::commit(),
+                             oracle::Call::add("b", square({1, 0})), oracle::Call::commit()}};
   oracle::Mismatch found;
   found.kind = oracle::Mismatch::Kind::naive;
-  found.edits = trace.edits.size();
+  found.edits = trace.calls.size();
   found.scene.polygons = {square({0, 0}), square({1, 0})};
   for (const bool ghosts : {true, false}) {
     found.can.ghosts = ghosts;
@@ -197,7 +197,7 @@ TEST_F(Reports, AreWrittenAsTheRunGoes) {
   Hanging engine;
   const oracle::CheckOptions options{.engine = &engine, .skipRefused = true};
   oracle::Survey survey(options, (folder_ / "report").string(), "lgs check", std::chrono::milliseconds(10));
-  const oracle::Trace trace{{}, {oracle::Edit::commit()}};
+  const oracle::Trace trace{{}, {oracle::Call::commit()}};
   const auto found = must(oracle::findMismatch(trace, options));
   for (const int count : {1, 2, 3, 4}) {
     survey.add(found, trace, {});

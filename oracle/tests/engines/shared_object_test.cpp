@@ -2,9 +2,9 @@
 #include "oracle/check/failure.h"
 #include "oracle/engine/table_engine.h"
 #include "oracle/generate/generator.h"
+#include "oracle/tests/engines/workbench.h"
 #include "oracle/trace/dump.h"
 #include "oracle/trace/player.h"
-#include "oracle/tests/engines/workbench.h"
 
 namespace lgs::oracle {
 namespace {
@@ -46,7 +46,7 @@ Mismatch::Kind kindOfFinding(const lgs_engine_segment& segment, bool refuses) {
   Fake::refuses = refuses;
   const auto engine = TableEngine::make(&Fake::kTable);
   EXPECT_TRUE(engine);
-  const Trace trace{{}, {Edit::add("a", {{}, 1, {{0, 0}, {65'536, 0}, {0, 65'536}}})}};
+  const Trace trace{{}, {Call::add("a", {{}, 1, {{0, 0}, {65'536, 0}, {0, 65'536}}})}};
   const auto found = findMismatch(trace, {.engine = engine->get()});
   EXPECT_TRUE(found);
   return found->kind;

@@ -14,12 +14,12 @@ constexpr std::int64_t kUnit = kUnitsPerCell;
 
 Scene endOf(const Trace& trace) {
   Model model;
-  for (const Edit& edit : trace.edits) {
+  for (const Call& edit : trace.calls) {
     if (model.judge(edit).accepted) model.apply(edit);
   }
   Scene scene{{}, trace.preserve};
   for (const auto& [cell, placed] : model.cells()) {
-    for (const Model::Placed& p : placed) scene.polygons.push_back({cell, p.block, p.vertices});
+    for (const Standing::Placed& p : placed) scene.polygons.push_back({cell, p.block, p.vertices});
   }
   return scene;
 }
@@ -28,7 +28,7 @@ Scene endOf(const Trace& trace) {
 PageEnd rightEnd(const Trace& trace) {
   const Scene scene = endOf(trace);
   const Outline outline = naiveOutline(scene);
-  return {trace.edits.size(), true, scene.polygons.size(), outline, outline, {}};
+  return {trace.calls.size(), true, scene.polygons.size(), outline, outline, {}};
 }
 
 OutlineSegment& segmentOf(Outline& outline, Point start, Point end) {

@@ -127,9 +127,9 @@ TEST(Page, KeepsTextsFromBecomingMarkup) {
   EXPECT_THAT(between(page, "<pre id=\"report\">", "</pre>"),
               HasSubstr("&amp;amp;&quot;'`${1}{{data}}\nits second line\n"));
   const Json data = dataOf(page);
-  EXPECT_EQ(data["polygons"][0]["name"], made.trace.edits[0].name);
+  EXPECT_EQ(data["polygons"][0]["name"], made.trace.calls[0].name);
   EXPECT_EQ(data["expectedName"], "<b>expected</b>");
-  EXPECT_EQ(data["title"], made.trace.edits[0].name + " <!-- \x01\xef\xbf\xbd ü");  // no UTF-8: a replacement
+  EXPECT_EQ(data["title"], made.trace.calls[0].name + " <!-- \x01\xef\xbf\xbd ü");  // no UTF-8: a replacement
 }
 
 TEST(Page, CommitsWhatIsPendingAtTheEnd) {
@@ -167,7 +167,7 @@ TEST(Page, ShowsAnExcerptOfALongTrace) {
   EXPECT_THAT(data["note"].get<std::string>(), HasSubstr("too long"));
   ASSERT_EQ(data["steps"].size(), 1'001u);
   EXPECT_EQ(data["steps"][0]["added"].size(), 27u * 27u);  // 25 and a rim of one
-  EXPECT_EQ(data["steps"].back()["number"], made.trace.edits.size());
+  EXPECT_EQ(data["steps"].back()["number"], made.trace.calls.size());
   EXPECT_THAT(texts(data["steps"], "edit"), Not(Contains(StartsWith("add far"))));
   EXPECT_EQ(data["steps"].back()["differences"].size(), 1u);
   EXPECT_EQ(data["steps"].back()["actual"].size() + 1, data["steps"].back()["expected"].size());

@@ -1,0 +1,140 @@
+// What can be said of a call without making it: whether two are the same, what is simpler, what its parts are.
+#include "oracle/calls/call.h"
+#include "oracle/calls/shapes.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace lgs::oracle {
+
+using Kind = Call::Kind;
+
+bool operator==(const Call& a, const Call& b) {
+  const auto fields = [](const Call& c) {
+    return std::tie(c.kind, c.comes, c.goes, c.cells, c.notation, c.offset, c.room, c.keeps, c.nth, c.brush);
+  };
+  return fields(a) == fields(b) && a.group == b.group;
+}
+
+bool isPlain(const Call& call) {
+  const bool isNamed = !call.name().empty();
+  if (call.kind == Kind::add) return isNamed && call.notation == Notation::lattice;
+  if (call.kind == Kind::remove) return isNamed && call.goes[0].how == Named::How::name;
+  return call.kind == Kind::commit && call.nth == 0;
+}
+
+Call tidied(Call call) {
+  using enum Call::Kind;
+  const auto isOneOf = [&](auto... kinds) { return ((call.kind == kinds) || ...); };
+  const bool comes = isByShape(call.kind) || isOneOf(shape, add, exchange);
+  if (!comes || call.comes.empty() || call.kind == exchange) call.notation = {};
+  if (!isReal(call.notation)) call.offset = 0;
+  if (!isOneOf(addShape, addMany, replace, exchange)) call.room = 0;
+  if (!isOneOf(fill, clear, exchange, leave, unload, reload, reloadEmpty)) call.cells = {};
+  if (call.kind == exchange) call.cells.max = call.cells.min;
+  if (!isOneOf(commit, goBack, goForward, forget, reload, repeat)) call.nth = 0;
+  if (!isOneOf(group, goBack)) call.keeps = {};
+  for (Coming& c : call.comes) {
+    if (isOneOf(shape, exchange, setBlock, fill)) c.cell = {};
+    if (call.kind == setBlock) c.shape = {};
+    if (call.kind == shape) c.block = 0;
+    if (c.id != 0) c.shape = {};
+  }
+  for (Named& named : call.goes) {
+    if (named.how == Named::How::handle || named.how == Named::How::all) named.nth = 0;
+    if (named.how != Named::How::standing && named.how != Named::How::all) named.cell = {};
+  }
+  return call;
+}
+
+Call movedBy(Call call, Cell by) {
+  const auto sum = [](std::int32_t a, std::int32_t b) {
+    return static_cast<std::int32_t>(std::clamp<std::int64_t>(std::int64_t{a} + b, INT32_MIN, INT32_MAX));
+  };
+  const auto move = [&](Cell& cell) { cell = {sum(cell.i, by.i), sum(cell.j, by.j)}; };
+  move(call.cells.min);
+  move(call.cells.max);
+  for (Coming& coming : call.comes) move(coming.cell);
+  for (Named& named : call.goes) move(named.cell);
+  for (Call& part : call.group) part = movedBy(std::move(part), by);
+  const Point further = toWorld(by, {});
+  for (auto& ring : call.brush.rings)
+    for (Point& p : ring) p = {p.x + further.x, p.y + further.y};
+  return call;
+}
+
+std::vector<Call> simpler(const Call& call) {
+  std::vector<Call> all = call.group;
+  const auto with = [&](auto&& change) { change(all.emplace_back(call)); };
+  const auto withoutEach = [&](auto Call::*list, std::size_t least) {
+    for (std::size_t k = 0; (call.*list).size() > least && k < (call.*list).size(); ++k)
+      with([&](Call& c) { (c.*list).erase((c.*list).begin() + static_cast<std::ptrdiff_t>(k)); });
+  };
+  const bool isOfMany = call.kind == Kind::addMany || call.kind == Kind::exchange || call.kind == Kind::removeMany;
+  withoutEach(&Call::group, 1);
+  if (call.kind == Kind::repeat && call.nth > 1) {
+    with([](Call& c) { c.nth /= 2; });
+    with([](Call& c) { --c.nth; });
+  }
+  withoutEach(&Call::comes, isOfMany ? 0 : 1);
+  withoutEach(&Call::goes, isOfMany ? 0 : 1);
+  for (std::size_t k = 0; k < call.comes.size(); ++k) {
+    const Coming& coming = call.comes[k];
+    if (coming.block != 0) with([&](Call& c) { c.comes[k].block = 0; });
+    if (call.kind == Kind::setBlock) continue;
+    for (const std::size_t plain : {0U, 6U}) {  // the full square, and the ramp
+      const Shape& shape = degenerateShapes()[plain].polygons;
+      if (coming.id == 0 && (coming.shape == shape || coming.shape == degenerateShapes()[0].polygons)) continue;
+      with([&](Call& c) { c.comes[k] = {coming.cell, shape, coming.block, 0, coming.names}; });
+    }
+    for (const LocalPolygon& p : coming.shape)
+      if (coming.shape.size() > 1) with([&](Call& c) { c.comes[k].shape = {p}; });
+  }
+  if (call.nth != 0 && call.kind != Kind::repeat) with([](Call& c) { c.nth = 0; });
+  for (std::size_t k = 0; k < call.goes.size(); ++k)
+    if (call.goes[k].nth != 0) with([&](Call& c) { c.goes[k].nth = 0; });
+  if (call.cells.min != call.cells.max) with([&](Call& c) { c.cells.max = c.cells.min; });
+  if (call.notation != Notation::lattice) with([&](Call& c) { c.notation = {}; });
+  if (call.room != 0) with([&](Call& c) { c.room = 0; });
+  for (Call& each : all) {
+    for (Coming& coming : each.comes) coming.names.resize(std::min(coming.names.size(), coming.shape.size()));
+    each = tidied(std::move(each));
+  }
+  return all;
+}
+
+Call inParts(const Call& call) {
+  Call group;
+  group.kind = Kind::group;
+  group.keeps = Call::Keeps::ifAll;
+  const auto part = [&](Kind kind) -> Call& {
+    group.group.emplace_back().kind = kind;
+    group.group.back().notation = call.notation;
+    group.group.back().offset = call.offset;
+    return group.group.back();
+  };
+  const auto place = [&](Cell cell, const Coming& coming, Kind kind) {
+    part(kind).comes = {coming};
+    group.group.back().comes[0].cell = cell;
+  };
+  const auto& [min, max] = call.cells;
+  if (call.kind == Kind::replace) part(Kind::clear).cells = {call.comes[0].cell, call.comes[0].cell};
+  for (const Named& named : call.goes) part(Kind::remove).goes = {named};
+  for (std::int32_t j = min.j; j <= max.j; ++j) {
+    for (std::int32_t i = min.i; i <= max.i; ++i) {
+      if (call.kind == Kind::fill) place({i, j}, call.comes[0], Kind::addShape);
+      if (call.kind == Kind::clear) part(Kind::removeMany).goes = {{.how = Named::How::all, .cell = {i, j}}};
+    }
+  }
+  for (const Coming& coming : call.comes) {
+    if (call.kind == Kind::exchange) {
+      part(Kind::add).comes = {{min, coming.shape, coming.block}};
+      group.group.back().notation = {};
+    } else if (call.kind != Kind::fill) {
+      place(coming.cell, coming, Kind::addShape);
+    }
+  }
+  return group;
+}
+
+}  // namespace lgs::oracle

@@ -1,0 +1,408 @@
+#include "oracle/trace/call_text.h"
+
+#include "oracle/trace/coordinate.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+
+namespace lgs::oracle {
+namespace {
+
+using Kind = Call::Kind;
+using Words = std::span<const std::string_view>;
+
+// In the order of the kinds; the last but one is of carve, too.
+constexpr std::array<const char*, Call::kKinds> kWords{
+    "shape", "add",     "place",  "many",   "remove",      "removeMany", "replace", "exchange", "setBlock",
+    "fill",  "clear",   "group",  "commit", "mark",        "back",       "forget",  "leave",    "copy",
+    "load",  "forward", "unload", "reload", "reloadEmpty", "paint",      "repeat"};
+constexpr std::array<const char*, 4> kNotations{"lattice", "list", "floats", "doubles"};
+constexpr std::array<const char*, 3> kKeeps{"drop", "keep", "all"};
+
+bool placesSomewhere(Kind kind) {
+  return kind == Kind::add || kind == Kind::addShape || kind == Kind::addMany || kind == Kind::replace;
+}
+bool takesRect(Kind kind) {
+  using enum Call::Kind;
+  return kind == fill || kind == clear || kind == leave || kind == unload || kind == reload || kind == reloadEmpty;
+}
+bool takesNumber(Kind kind) {
+  using enum Call::Kind;
+  return kind == commit || kind == goBack || kind == goForward || kind == forget || kind == reload || kind == repeat;
+}
+
+// --- Printing
+
+std::string print(Cell cell) { return fmt::format(" {} {}", cell.i, cell.j); }
+
+std::string print(const Named& named) {
+  switch (named.how) {
+    case Named::How::standing:
+      return fmt::format(" {}:{}#{}", named.cell.i, named.cell.j, named.nth);
+    case Named::How::all:
+      return fmt::format(" {}:{}#all", named.cell.i, named.cell.j);
+    case Named::How::given:
+      return fmt::format(" given#{}", named.nth);
+    case Named::How::beside:
+      return fmt::format(" beside#{}", named.nth);
+    case Named::How::handle:
+      return fmt::format(" handle#{}:{}", named.handle.cellRef, named.handle.serial);
+    case Named::How::name:
+      break;
+  }
+  return " " + named.name;
+}
+
+std::string print(const Shape& shape) {
+  std::string text;
+  for (std::size_t k = 0; k < shape.size(); ++k) {
+    text += k == 0 ? " " : "  | ";
+    if (shape[k].empty()) text += " none";
+    for (const LocalPoint& p : shape[k]) text += fmt::format(" {} {}", printCoordinate(p.x), printCoordinate(p.y));
+  }
+  return text;
+}
+
+std::string print(const Coming& coming, Kind kind) {
+  std::string text;
+  if (placesSomewhere(kind)) text += print(coming.cell);
+  if (kind != Kind::shape) text += fmt::format(" {}", coming.block);
+  const bool isBare = kind == Kind::add && coming.shape[0].empty();
+  if (!isBare) text += coming.id != 0 ? fmt::format("  id {}", coming.id) : print(coming.shape);
+  if (kind == Kind::add || coming.names.empty()) return text;
+  text += "  as";
+  for (const std::string& name : coming.names) text += " " + name;
+  return text;
+}
+
+std::string print(const BrushEdit& brush) {
+  std::string text = "carve ";
+  if (brush.deed != BrushEdit::Deed::carve)
+    text = fmt::format("paint {} {} ", brush.block, brush.deed == BrushEdit::Deed::fill ? "fill" : "replace");
+  for (std::size_t k = 0; k < brush.rings.size(); ++k) {
+    if (k != 0) text += "  |";
+    for (const Point p : brush.rings[k]) text += fmt::format(" {} {}", printCoordinate(p.x), printCoordinate(p.y));
+  }
+  if (!brush.isEvenOdd) text += " united";
+  if (!brush.staying.empty()) text += " around";
+  for (const Block block : brush.staying) text += fmt::format(" {}", block);
+  return text;
+}
+
+// --- Reading
+
+Fault readName(std::string_view word) {
+  constexpr std::array<std::string_view, 8> kOthers{"-", "|", ";", "as", "id", "in", "room", "with"};
+  const bool isOther = std::ranges::find(kOthers, word) != kOthers.end() || word.find('#') != std::string_view::npos;
+  return isOther ? fmt::format("{} is no name of a polygon", quote(word)) : Fault();
+}
+
+template <std::size_t N>
+Fault readOneOf(std::string_view word, std::string_view what, const std::array<const char*, N>& names,
+                std::size_t& which) {
+  const auto found = std::ranges::find(names, word);
+  which = static_cast<std::size_t>(found - names.begin());
+  if (found != names.end()) return {};
+  return fmt::format("the {} is one of {}, not {}", what, fmt::join(names, ", "), quote(word));
+}
+
+template <class Integer>
+Fault readAny(std::string_view word, std::string_view what, Integer& out) {
+  return readNumber(word, what, std::numeric_limits<Integer>::min(), std::numeric_limits<Integer>::max(), out);
+}
+
+Fault readNamed(std::string_view word, Named& out) {
+  const std::size_t sign = word.find('#');
+  if (sign == std::string_view::npos) {
+    out.how = Named::How::name;
+    out.name = word;
+    return readName(word);
+  }
+  const std::string_view of = word.substr(0, sign), which = word.substr(sign + 1);
+  const auto two = [](std::string_view pair, auto& a, auto& b) {
+    const std::size_t colon = std::min(pair.find(':'), pair.size());
+    Fault fault = readAny(pair.substr(0, colon), "number before ':'", a);
+    return fault.empty() ? readAny(pair.substr(std::min(colon + 1, pair.size())), "number after ':'", b) : fault;
+  };
+  if (of == "handle") {
+    out.how = Named::How::handle;
+    return two(which, out.handle.cellRef, out.handle.serial);
+  }
+  if (of == "given" || of == "beside") {
+    out.how = of == "given" ? Named::How::given : Named::How::beside;
+    return readAny(which, "number after '#'", out.nth);
+  }
+  if (Fault fault = two(of, out.cell.i, out.cell.j); !fault.empty()) return fault;
+  out.how = which == "all" ? Named::How::all : Named::How::standing;
+  return which == "all" ? Fault() : readAny(which, "number after '#'", out.nth);
+}
+
+/// Reads the words of a line one after the other. The first fault stays.
+class Reader {
+ public:
+  explicit Reader(Words words) : words_(words) {}
+
+  bool isAtEnd() const { return at_ == words_.size(); }
+  bool is(std::string_view word) const { return !isAtEnd() && words_[at_] == word; }
+  bool take(std::string_view word) {
+    const bool isIt = is(word);
+    at_ += isIt ? 1 : 0;
+    return isIt;
+  }
+  std::string_view word(std::string_view what) {
+    if (isAtEnd()) {
+      fail(fmt::format("{} ends before the {}", words_[0], what));
+      return "";
+    }
+    return words_[at_++];
+  }
+  template <class Integer>
+  void number(std::string_view what, Integer& out) {
+    const std::string_view next = word(what);
+    if (isGood()) fail(readAny(next, what, out));
+  }
+  void cell(Cell& out) {
+    number("cell index", out.i);
+    number("cell index", out.j);
+  }
+  void rect(CellRect& out) {
+    cell(out.min);
+    cell(out.max);
+  }
+  template <std::size_t N>
+  std::size_t oneOf(std::string_view what, const std::array<const char*, N>& names) {
+    std::size_t which = 0;
+    const std::string_view next = word(what);
+    if (isGood()) fail(readOneOf(next, what, names, which));
+    return isGood() ? which : 0;
+  }
+  void named(Named& out) {
+    const std::string_view next = word("polygon");
+    if (isGood()) fail(readNamed(next, out));
+  }
+  /// Polygons up to another word.
+  void shape(Shape& out) {
+    const auto isCoordinate = [&] {
+      return !isAtEnd() && (words_[at_][0] == '-' || words_[at_][0] == '+' || words_[at_][0] == '.' ||
+                            (words_[at_][0] >= '0' && words_[at_][0] <= '9'));
+    };
+    while (isGood() && (isCoordinate() || is("none"))) {
+      LocalPolygon& polygon = out.emplace_back();
+      const std::size_t begin = at_;
+      if (!take("none")) {
+        while (isCoordinate()) ++at_;
+        fail(readPoints(words_.subspan(begin, at_ - begin), "", polygon));
+      }
+      if (!take("|")) return;
+      if (!isCoordinate() && !is("none")) fail("a polygon is missing after |");
+    }
+  }
+  void coming(Coming& out, Kind kind) {
+    if (kind == Kind::add) {
+      const std::string_view name = word("name");
+      if (isGood() && name != "-") {
+        fail(readName(name));
+        out.names.emplace_back(name);
+      }
+    }
+    if (placesSomewhere(kind)) cell(out.cell);
+    if (kind != Kind::shape) number("block", out.block);
+    if (kind == Kind::setBlock) return;
+    if (kind != Kind::add && take("id"))
+      number("id", out.id);
+    else
+      shape(out.shape);
+    const bool isOne = kind == Kind::add || kind == Kind::exchange;
+    if (isGood() && isOne && out.shape.empty()) out.shape.emplace_back();
+    if (isGood() && isOne && out.shape.size() > 1) fail("only one polygon can come here");
+    if (kind == Kind::add || !take("as")) return;
+    while (isGood() && !isAtEnd() && !is(";") && !is("in") && !is("room")) {
+      const std::string_view name = word("name");
+      fail(readName(name));
+      out.names.emplace_back(name);
+    }
+    if (out.names.size() > out.shape.size()) fail("more names than polygons");
+  }
+  Words rest() {
+    const Words left = words_.subspan(at_);
+    at_ = words_.size();
+    return left;
+  }
+  void fail(Fault fault) {
+    if (fault_.empty()) fault_ = std::move(fault);
+  }
+  bool isGood() const { return fault_.empty(); }
+  Fault end() {
+    if (isGood() && !isAtEnd()) fail(fmt::format("{} is too much for {}", quote(words_[at_]), words_[0]));
+    return fault_;
+  }
+
+ private:
+  Words words_;
+  std::size_t at_ = 1;
+  Fault fault_;
+};
+
+}  // namespace
+
+std::string wordFor(Kind kind) { return kWords[static_cast<std::size_t>(kind)]; }
+
+std::string quote(std::string_view word) {
+  constexpr std::size_t kShown = 40;
+  return word.size() <= kShown ? fmt::format("'{}'", word) : fmt::format("'{}…'", word.substr(0, kShown));
+}
+
+Fault readInteger(std::string_view word, std::string_view what, std::int64_t min, std::int64_t max, std::int64_t& out) {
+  const std::string_view digits = word.starts_with('-') ? word.substr(1) : word;
+  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos) {
+    return fmt::format("the {} {} is not an integer", what, quote(word));
+  }
+  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), out);
+  if (status != std::errc() || end != word.data() + word.size() || out < min || out > max) {
+    return fmt::format("the {} {} is out of range, which is {} to {}", what, quote(word), min, max);
+  }
+  return {};
+}
+
+namespace {
+
+template <class Vertex, class Parse>
+Fault readPointsBy(Words words, std::string_view of, Parse parse, std::vector<Vertex>& out) {
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const auto units = parse(words[k]);
+    if (!units) {
+      return fmt::format("the {} of vertex {}{}, {}: {}", k % 2 == 0 ? 'x' : 'y', k / 2, of, quote(words[k]),
+                         units.error());
+    }
+    if (k % 2 == 0) {
+      out.push_back({*units, 0});
+    } else {
+      out.back().y = *units;
+    }
+  }
+  return {};
+}
+
+Fault readRing(Words words, std::size_t number, std::vector<Point>& out) {
+  if (words.empty()) return fmt::format("ring {} has no coordinates", number);
+  if (words.size() % 2 != 0)
+    return fmt::format("ring {} has {} coordinates: they come in pairs x y, so one is missing or one too many", number,
+                       words.size());
+  return readPoints(words, fmt::format(" of ring {}", number), out);
+}
+
+}  // namespace
+
+Fault readPoints(Words words, std::string_view of, std::vector<LocalPoint>& out) {
+  if (words.size() % 2 != 0)
+    return fmt::format("{} coordinates: they come in pairs x y, so one is missing or one too many", words.size());
+  return readPointsBy(words, of, parseCoordinate, out);
+}
+
+Fault readPoints(Words words, std::string_view of, std::vector<Point>& out) {
+  return readPointsBy(words, of, parseWorldCoordinate, out);
+}
+
+Fault readBrush(Words words, BrushEdit& brush) {
+  std::size_t first = 1;
+  if (words[0] == "paint") {
+    if (words.size() < 3) return "paint needs a block, and fill or replace, before its coordinates";
+    if (Fault fault = readAny(words[1], "block", brush.block); !fault.empty()) return fault;
+    if (words[2] != "fill" && words[2] != "replace")
+      return fmt::format("paint is in the mode fill or replace, not {}", quote(words[2]));
+    brush.deed = words[2] == "fill" ? BrushEdit::Deed::fill : BrushEdit::Deed::replace;
+    first = 3;
+  }
+  for (std::size_t k = first; k <= words.size();) {
+    const std::size_t end = static_cast<std::size_t>(
+        std::find(words.begin() + static_cast<std::ptrdiff_t>(k), words.end(), "|") - words.begin());
+    const Words ring = words.subspan(k, end - k);
+    const std::size_t number = brush.rings.size();
+    if (Fault fault = readRing(ring, number, brush.rings.emplace_back()); !fault.empty()) return fault;
+    k = end + 1;
+  }
+  return {};
+}
+
+std::string printCall(const Call& call) {
+  const Kind kind = call.kind;
+  if (kind == Kind::brush) return print(call.brush);
+  std::string text = wordFor(kind);
+  if (kind == Kind::add) text += " " + (call.name().empty() ? "-" : call.name());
+  if (kind == Kind::group) text += fmt::format(" {}", kKeeps[static_cast<std::size_t>(call.keeps)]);
+  if (kind == Kind::exchange) text += print(call.cells.min);
+  if (takesRect(kind)) text += print(call.cells.min) + print(call.cells.max);
+  for (const Named& named : call.goes) text += print(named);
+  if (kind == Kind::exchange && !call.comes.empty()) text += " with";
+  for (const Coming& coming : call.comes) text += (&coming == call.comes.data() ? "" : " ;") + print(coming, kind);
+  if (call.notation != Notation::lattice) {
+    text += fmt::format("  in {}", kNotations[static_cast<std::size_t>(call.notation)]);
+    if (call.offset != 0) text += fmt::format(" {}", call.offset);
+  }
+  if (call.room != 0) text += fmt::format("  room {}", call.room);
+  if (takesNumber(kind) && (call.nth != 0 || (kind != Kind::commit && kind != Kind::reload)))
+    text += fmt::format(" {}", call.nth);
+  if (kind == Kind::goBack && call.keeps != Call::Keeps::never) text += " keep";
+  for (const Call& part : call.group) text += "\n" + printCall(part);
+  return kind == Kind::group || kind == Kind::repeat ? text + "\nend" : text;
+}
+
+Fault readCall(Words words, Call& call) {
+  const std::string_view first = words[0];
+  if (first == "paint" || first == "carve") {
+    call.kind = Kind::brush;
+    const auto around = std::ranges::find(words, "around");
+    for (auto at = around; at != words.end() && ++at != words.end();)
+      if (Fault fault = readAny(*at, "block", call.brush.staying.emplace_back()); !fault.empty()) return fault;
+    Words region = words.first(static_cast<std::size_t>(around - words.begin()));
+    call.brush.isEvenOdd = region.back() != "united";
+    if (!call.brush.isEvenOdd) region = region.first(region.size() - 1);
+    return readBrush(region, call.brush);
+  }
+  const auto found = std::ranges::find(kWords, first);
+  if (found == kWords.end())
+    return fmt::format("unknown word {}; a line starts with one of {}, carve, end or #", quote(first),
+                       fmt::join(kWords, ", "));
+  call.kind = static_cast<Kind>(found - kWords.begin());
+  const Kind kind = call.kind;
+  Reader in(words);
+  if (kind == Kind::group) call.keeps = static_cast<Call::Keeps>(in.oneOf("end of a group", kKeeps));
+  if (kind == Kind::exchange) {
+    in.cell(call.cells.min);
+    call.cells.max = call.cells.min;
+  }
+  if (takesRect(kind)) in.rect(call.cells);
+  if (kind == Kind::remove || kind == Kind::setBlock) in.named(call.goes.emplace_back());
+  if (kind == Kind::removeMany || kind == Kind::exchange)
+    while (in.isGood() && !in.isAtEnd() && !in.is("with") && !in.is("room")) in.named(call.goes.emplace_back());
+  const bool isOfMany = (kind == Kind::addMany && !in.isAtEnd() && !in.is("in") && !in.is("room")) ||
+                        (kind == Kind::exchange && in.take("with"));
+  const bool isOfOne = kind == Kind::shape || kind == Kind::add || kind == Kind::addShape || kind == Kind::replace ||
+                       kind == Kind::fill || kind == Kind::setBlock;
+  if (isOfMany || isOfOne) {
+    do in.coming(call.comes.emplace_back(), kind);
+    while (in.isGood() && isOfMany && in.take(";"));
+  }
+  if (in.isGood() && !call.comes.empty() && kind != Kind::setBlock && in.take("in")) {
+    call.notation = static_cast<Notation>(in.oneOf("notation", kNotations));
+    if (!in.isAtEnd() && !in.is("room")) in.number("offset", call.offset);
+    if (in.isGood() && call.offset >= kOffsets) in.fail(fmt::format("offsets are 0 to {}", kOffsets - 1));
+  }
+  const bool hasRoom =
+      kind == Kind::addShape || kind == Kind::addMany || kind == Kind::replace || kind == Kind::exchange;
+  if (in.isGood() && hasRoom && in.take("room")) {
+    in.number("room", call.room);
+    if (in.isGood() && call.room > 3) in.fail("the room for handles is 0 to 3");
+  }
+  if (takesNumber(kind) && !in.isAtEnd()) in.number("number", call.nth);
+  if (in.isGood() && kind == Kind::repeat && call.nth > 1'000) in.fail("calls are repeated 1000 times at most");
+  if (in.isGood() && kind == Kind::goBack && in.take("keep")) call.keeps = Call::Keeps::always;
+  if (Fault fault = in.end(); !fault.empty()) return fault;
+  call = tidied(std::move(call));
+  return {};
+}
+
+}  // namespace lgs::oracle
