@@ -37,7 +37,7 @@ void forAllEdits(std::int64_t cases, Law law) {
 inline Cell firstCell(const Trace& trace) {
   const Trace good = withoutRefused(trace);
   const auto first = std::ranges::find(good.calls, oracle::Call::Kind::add, &oracle::Call::kind);
-  return first == good.calls.end() ? Cell{} : first->polygon.cell;
+  return first == good.calls.end() ? Cell{} : first->comes[0].cell;
 }
 
 /// Plays a trace, of which some edits may have to be refused. `commit` is called at each of its commits and at its end,
