@@ -23,6 +23,19 @@ constexpr bool kHasThreads = false;  // in WebAssembly there are none
 constexpr bool kHasThreads = true;
 #endif
 
+namespace {
+
+/// Phase 1 in a large world: while one chunk is renewed the memory for the next one is on its way. It is no part of
+/// update(), which would be slower for small ones.
+[[gnu::noinline]] void renewFetched(const Outline& outline, std::span<Chunk* const> changed, Exposure& phase1) {
+  for (std::size_t k = 0; k <= changed.size(); ++k) {
+    if (k < changed.size()) fetchAround(outline, *changed[k]);
+    if (k > 0) phase1.renewChunk(*changed[k - 1]);
+  }
+}
+
+}  // namespace
+
 void Outline::update(const Ground& ground, Journal* journal, const Executor& executor) {
   journal_ = journal;
   changes_.removed.clear();
@@ -35,15 +48,10 @@ void Outline::update(const Ground& ground, Journal* journal, const Executor& exe
     build(ground, *this, executor);
   } else {
     Exposure phase1(ground, *this, ids_);
-    const std::span<Chunk* const> changed = ground.changedChunks();
-    const bool isLarge = segments.maxId() >= kManySegments;
-    if (isLarge && !changed.empty()) [[unlikely]]
-      fetchAround(*this, *changed.front());
-    for (std::size_t k = 0; k < changed.size(); ++k) {
-      if (isLarge && k + 1 < changed.size()) [[unlikely]]
-        fetchAround(*this, *changed[k + 1]);
-      phase1.renewChunk(*changed[k]);
-    }
+    if (segments.maxId() >= kManySegments) [[unlikely]]
+      renewFetched(*this, ground.changedChunks(), phase1);
+    else
+      for (const Chunk* chunk : ground.changedChunks()) phase1.renewChunk(*chunk);
     if (journal_) [[unlikely]]
       noteAdded();
     Linking phase2(ground, *this, fan_);

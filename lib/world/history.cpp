@@ -195,17 +195,15 @@ void History::forgetUndone() {
 
 // --- Commits, and followers
 
-void History::commit() {
+/// Somebody may go back, or follows.
+void History::noteCommit() {
   Journal& journal = ground_.journal;
   if (committed_ != 0) cellChanges_.read(ground_, committed_, CellChanges::Way::commit);
-  if (!ground_.changedChunks().empty() && journal.isOn()) {
-    if (!journal.isNoted(Thing::commit, 0)) journal.add(Thing::commit, 0);
-    if (committed_ != 0) {
-      ground_.letGo(committed_);
-      committed_ = journal.begin();
-    }
-  }
-  ground_.commit();
+  if (ground_.changedChunks().empty()) return;
+  if (!journal.isNoted(Thing::commit, 0)) journal.add(Thing::commit, 0);
+  if (committed_ == 0) return;
+  ground_.letGo(committed_);
+  committed_ = journal.begin();
 }
 
 void History::follow(bool follow) {

@@ -58,7 +58,11 @@ class History {
   /// Where the outline notes what it changes; null if nobody may go back beyond a commit.
   Journal* journal() const { return hasMarks() ? &ground_.journal : nullptr; }
   /// The last part of a commit: from now on nothing has changed.
-  void commit();
+  void commit() {
+    if (ground_.journal.isOn()) [[unlikely]]
+      noteCommit();
+    ground_.commit();
+  }
 
   // --- Followers of the ground
 
@@ -90,6 +94,7 @@ class History {
   template <class Go>
   void go(const Marked& to, CellChanges::Way way, std::span<const Note> notes, Changes& changes, Go&& go);
   void exchange(Note& note);
+  void noteCommit();
   void forgetUndone();
 
   Ground& ground_;

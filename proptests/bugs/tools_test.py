@@ -14,7 +14,7 @@ import mutants
 import run
 import trying
 from bugs import Wrong
-from finders import shrunk
+from finders import Tests, shrunk
 from results import Results, changed_since, git
 from rules import changes_of
 from workshop import DoesNotBuild
@@ -157,6 +157,23 @@ class Shop:
 
     def program(self, _, name: str) -> Path:
         return self.folder / name
+
+
+class Programs(unittest.TestCase):
+    def search(self, script: str) -> dict:
+        with tempfile.TemporaryDirectory() as folder:
+            program = Path(folder) / "program"
+            program.write_text("#!/bin/sh\necho '[ RUN      ] A.B'\n" + script)
+            program.chmod(0o755)
+            shop = argparse.Namespace(folder=Path(folder))
+            return Tests("program", "A.*").search(shop, lambda _: program) | {"seconds": 0}
+
+    def test_how_tests_end(self):
+        found = {"verdict": "found", "by": "A.B", "seconds": 0}
+        self.assertEqual(self.search("exit 0"), {"verdict": "passes", "seconds": 0})
+        self.assertEqual(self.search("echo '[  FAILED  ] A.B (3 ms)'; exit 1"), found)
+        self.assertEqual(self.search("kill -SEGV $$"), found | {"how": "crashes"})
+        self.assertEqual(self.search("echo 'hung for 60 s'; echo '[  FAILED  ] A.B'; exit 1")["verdict"], "time-out")
 
 
 class Attempts(unittest.TestCase):

@@ -240,6 +240,7 @@ TEST_F(Box2dCaught, BeforeAStepItIsNotedWhoIsNewAndWhoIsElsewhere) {
   Terrain terrain(physics, field.world);
   const Body body = addBody({0.5F, 0.36F}, Form::box, 0);
   terrain.beforeStep();
+  step(1);
   moveTo(body, {0.5F, -0.5F});  // by the solver, say
   ASSERT_EQ(terrain.afterStep().size(), 1U);
   EXPECT_EQ(positionOf(body).y, 0.36F);

@@ -182,6 +182,7 @@ TEST_F(Falling, WhatSomethingHoldsIsNotTaken) {
 // For a game that calls no beforeStep().
 TEST_F(Falling, ANewBodyIsGuardedFromItsFirstStepOn) {
   const box2d::Falling arm = cutArm();
+  step(1);
   moveTo(arm.body, {2, -0.8F});
   EXPECT_EQ(terrain->afterStep().size(), 1U);
   EXPECT_EQ(positionOf(arm.body).y, 3);
@@ -224,7 +225,8 @@ class FallingMatter : public Falling {
   }
   void go(std::size_t to) {
     const bool isBack = to <= now;
-    ASSERT_TRUE(isBack ? field.world.rollBack(marks[to].first, Undone::keep) : field.world.rollForward(marks[to].first));
+    ASSERT_TRUE(isBack ? field.world.rollBack(marks[to].first, Undone::keep)
+                       : field.world.rollForward(marks[to].first));
     now = to;
     const Changes& changes = field.world.changesOfRollBack();
     ASSERT_TRUE(terrain->sync(changes));

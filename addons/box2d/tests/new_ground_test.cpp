@@ -1,8 +1,8 @@
 // The part of law 13 that knows no Box2D: which middles were free, how deep a line is in a form, the way out.
 #include "addons/box2d/src/new_ground.h"
+#include "addons/box2d/src/way_out.h"
 #include "distances.h"
 #include "field.h"
-#include "addons/box2d/src/way_out.h"
 #include "played.h"
 #include "proptests/support/must.h"
 

@@ -152,9 +152,8 @@ class FallingGround {
     if (!parts) return falling;  // it was in no world, and fits into none
     const double size = cellSize();
     falling.body = makeBody(physics_, at, fallingParts(*parts, size, slopOf(physics_)),
-                            fallingMass(ground, options_.density, size), [&](Block block) {
-                              return options_.material ? options_.material(block) : Material{};
-                            });
+                            fallingMass(ground, options_.density, size),
+                            [&](Block block) { return options_.material ? options_.material(block) : Material{}; });
     if (isNull(falling.body)) return falling;
     noteWhereItIs(terrain_, falling.body);
     bodies_.push_back(falling);
