@@ -69,7 +69,7 @@ TEST(Box2dEdges, UpdatesEqualTheRulesAndChangesAreExact) {
   const auto law = [&](const oracle::Trace& trace, box2d_test::Chance random) {
     const EdgeOptions options = randomOptions(random);
     SCOPED_TRACE(inWords(options));
-    Player player(trace.preserve, oracle::Loads::never);
+    Player player(trace.preserve);
     EdgeSet set(options);
     Copy copy;
     std::set<Chunk> before;    // the chunks that had an edge before the last update
@@ -108,7 +108,7 @@ TEST(Box2dEdges, UpdatesEqualTheRulesAndChangesAreExact) {
 LGS_LAW(Box2dEdges, FollowAWorldThatGoesBack, 100, (const box2d_test::Edits& trace, box2d_test::Chance random)) {
   const EdgeOptions options = randomOptions(random);
   SCOPED_TRACE(inWords(options));
-  Player player(trace.preserve, oracle::Loads::never);
+  Player player(trace.preserve);
   World& world = player.world();
   const ShapeId square = world.shape(kUnitSquare).value();
   EdgeSet set(options);
@@ -139,7 +139,7 @@ LGS_LAW(Box2dEdges, FollowAWorldWhoseChunksComeAndGo, 100,
         (const box2d_test::Edits& trace, box2d_test::Chance random)) {
   const EdgeOptions options = randomOptions(random);
   SCOPED_TRACE(inWords(options));
-  Player player(trace.preserve, oracle::Loads::never);
+  Player player(trace.preserve);
   World& world = player.world();
   EdgeSet set(options);
   Copy copy;
@@ -162,7 +162,7 @@ LGS_LAW(Box2dEdges, FollowAWorldWhoseChunksComeAndGo, 100,
 }
 
 LGS_LAW(Box2dEdges, WithoutMergingEverySegmentIsAnEdge, 60, (const box2d_test::Edits& trace)) {
-  Player player(trace.preserve, oracle::Loads::never);
+  Player player(trace.preserve);
   box2d_test::playAll(trace, player, [&] {
     player.commit();
     EdgeSet set({});
@@ -193,10 +193,11 @@ TEST(Box2dEdges, MergedInOneChunkTheyAreTheMergedLoops) {
   box2d_test::forAllEdits(80, [&](oracle::Trace trace, box2d_test::Chance) {
     if (!trace.preserve.empty()) return;      // there are no loops then
     for (oracle::Call& edit : trace.calls) {  // cases may lie anywhere; here all is to be in one chunk
-      Cell& cell = edit.polygon().cell;
+      if (edit.comes.empty()) continue;
+      Cell& cell = edit.comes[0].cell;
       cell = {cell.i & 1023, cell.j & 1023};
     }
-    Player player({}, oracle::Loads::never);
+    Player player({});
     box2d_test::playAll(trace, player, [&] {
       player.commit();
       EdgeSet set({.chunkCells = 4'096, .merge = true});

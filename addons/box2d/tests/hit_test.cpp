@@ -125,7 +125,7 @@ TEST_F(Box2dHit, EachSegmentIsHitAtItsMiddle) {
     TerrainOptions options{.cellSize = random.chance(50) ? 1.0 : 3.0, .chunkCells = 1 + random.below(6)};
     options.merge = random.chance(80);
     if (!trace.calls.empty()) options.origin = test::boundsOf(trace).min;  // near enough for floats
-    oracle::Player player(trace.preserve, oracle::Loads::never);
+    oracle::Player player(trace.preserve);
     b2World still({0, 0});
     Terrain terrain(still, player.world(), options);
     playAll(trace, player, [&] {

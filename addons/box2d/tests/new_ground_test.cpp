@@ -28,7 +28,7 @@ box2d::Form boxAt(double x, double y, double half) {
 
 // After commits, roll-backs and loads: the segments that came and went say what a copy of the old world says.
 LGS_LAW(Box2dNewGround, WasFreeIsWhatTheOldWorldSays, 150, (const Edits& trace, Chance random)) {
-  oracle::Player player(trace.preserve, oracle::Loads::never);
+  oracle::Player player(trace.preserve);
   EdgeSet set(box2d::EdgeOptions{.merge = random.chance(50)});
   set.load(player.world());
   World before = player.world();

@@ -37,20 +37,18 @@ void forAllEdits(std::int64_t cases, Law law) {
 inline Cell firstCell(const Trace& trace) {
   const Trace good = withoutRefused(trace);
   const auto first = std::ranges::find(good.calls, oracle::Call::Kind::add, &oracle::Call::kind);
-  return first == good.calls.end() ? Cell{} : first->polygon.cell;
+  return first == good.calls.end() ? Cell{} : first->comes[0].cell;
 }
 
 /// Plays a trace, of which some edits may have to be refused. `commit` is called at each of its commits and at its end,
 /// to commit the player's world and say with expectations what must hold then. The first that fails ends the case.
 inline void playAll(const Trace& trace, oracle::Player& player, const std::function<void()>& commit) {
-  oracle::Rows rows(trace);
-  while (const auto row = rows.next(player.calls())) {
-    if (row->isCommit()) {
-      player.useExecutor(row->way.number);
+  for (const oracle::Call& call : trace.calls) {
+    if (call.kind == oracle::Call::Kind::commit) {
       test::failIf(test::failedExpectation(commit));
       continue;
     }
-    const auto done = player.apply(*row);
+    const auto done = player.apply(call);
     test::failUnless(done || !done.error().isWrong, done ? "" : done.error().text.c_str());
   }
   test::failIf(test::failedExpectation(commit));

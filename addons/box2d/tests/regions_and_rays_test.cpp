@@ -77,7 +77,7 @@ TEST_F(Box2dGround, AWeldedEdgeIsHitWhereItsMaterialIs) {
     box2d::TerrainOptions options{.cellSize = 0.02, .merge = random.chance(50)};
     options.material = [](Block block) { return withFriction(static_cast<float>(block % 3)); };
     options.origin = firstCell(trace);
-    oracle::Player player(trace.preserve, oracle::Loads::never);
+    oracle::Player player(trace.preserve);
     Crowd crowd;
     Terrain terrain(crowd.physics, player.world(), options);
     playAll(trace, player, [&] {

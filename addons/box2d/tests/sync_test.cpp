@@ -104,7 +104,7 @@ class Careless {
 };
 
 LGS_LAW(Box2dSync, EachMisuseIsNoticedAndALoadRepairs, 300, (const Edits& trace, Chance random)) {
-  oracle::Player player(trace.preserve, oracle::Loads::never);
+  oracle::Player player(trace.preserve);
   World& world = player.world();
   Careless careless(world, randomOptions(random));
   playAll(trace, player, [&] {
@@ -128,7 +128,7 @@ LGS_LAW(Box2dSync, EachMisuseIsNoticedAndALoadRepairs, 300, (const Edits& trace,
 LGS_LAW(Box2dSync, ALoadTakesOverAnyOtherWorld, 200, (const Edits& trace, Chance random)) {
   const EdgeOptions options = randomOptions(random);
   std::vector<World> worlds(1);
-  oracle::Player player(trace.preserve, oracle::Loads::never);
+  oracle::Player player(trace.preserve);
   playAll(trace, player, [&] {
     player.commit();
     worlds.push_back(player.world());

@@ -20,7 +20,7 @@ class Box2d3Terrain : public Physics3 {};
 
 TEST_F(Box2d3Terrain, ShapesFollowRandomEdits) {
   forAllEdits(40, [&](const Trace& trace, Chance random) {
-    oracle::Player player(trace.preserve, oracle::Loads::never);
+    oracle::Player player(trace.preserve);
     TerrainOptions options;
     options.chunkCells = 1 + random.below(7);
     options.merge = random.chance(50);

@@ -18,7 +18,7 @@ TEST_F(Box2dPlaces, NearestIsTheLeastOfAllDistances) {
   forAllEdits(60, [&](const Trace& trace, Chance random) {
     TerrainOptions options{.cellSize = random.pick(std::vector<double>{0.3, 1, 7}), .merge = random.chance(50)};
     options.origin = firstCell(trace);
-    oracle::Player player(trace.preserve, oracle::Loads::never);
+    oracle::Player player(trace.preserve);
     Terrain terrain(physics, player.world(), options);
     const auto size = static_cast<float>(options.cellSize);
     playAll(trace, player, [&] {
@@ -74,7 +74,7 @@ TEST_F(Box2dPlaces, AfterTheOriginMovedAllIsAsInATerrainMadeThere) {
   forAllEdits(40, [&](const Trace& trace, Chance random) {
     TerrainOptions options{.cellSize = random.chance(50) ? 1 : 0.3, .chunkCells = 1 + random.below(5)};
     options.origin = firstCell(trace);
-    oracle::Player player(trace.preserve, oracle::Loads::never);
+    oracle::Player player(trace.preserve);
     Terrain terrain(physics, player.world(), options);
     playAll(trace, player, [&] {
       terrain.commit(player.world());

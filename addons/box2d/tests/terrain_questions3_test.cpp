@@ -93,7 +93,7 @@ TEST_F(Box2d3Questions, AContactLeadsToWhatItTouches) {
     // No segment is short, so that none is welded.
     TerrainOptions options{.cellSize = 1'000, .chunkCells = 1 + random.below(6), .merge = random.chance(70)};
     options.origin = firstCell(trace);
-    oracle::Player player(trace.preserve, oracle::Loads::never);
+    oracle::Player player(trace.preserve);
     Terrain terrain(physics, player.world(), options);
     std::vector<b2BodyId> bodies;
     for (int k = 0; k < 12; ++k) {

@@ -84,7 +84,7 @@ TEST_F(Box2dQuestions, AContactLeadsToWhatItTouches) {
     // No segment is short, so that none is welded.
     TerrainOptions options{.cellSize = 1'000, .chunkCells = 1 + random.below(6), .merge = random.chance(70)};
     if (!trace.calls.empty()) options.origin = test::boundsOf(trace).min;
-    oracle::Player player(trace.preserve, oracle::Loads::never);
+    oracle::Player player(trace.preserve);
     b2World still({0, -1'000});
     Terrain terrain(still, player.world(), options);
     for (int k = 0; k < 12; ++k) {

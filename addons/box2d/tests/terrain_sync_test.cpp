@@ -184,7 +184,7 @@ TEST_F(Box2dTerrainSync, AResyncFollowsAnyWorld) {
     TerrainOptions options{.origin = firstCell(trace), .chunkCells = 1 + random.below(8), .merge = random.chance(50)};
     options.material = [](Block block) { return withFriction(static_cast<float>(block)); };
     std::vector<World> worlds(1);
-    oracle::Player player(trace.preserve, oracle::Loads::never);
+    oracle::Player player(trace.preserve);
     playAll(trace, player, [&] {
       player.commit();
       worlds.push_back(player.world());

@@ -46,7 +46,7 @@ using Box2dTerrain = EitherBox2d;
 
 TEST_F(Box2dTerrain, FixturesFollowRandomEdits) {
   forAllEdits(40, [](const Trace& trace, Chance random) {
-    oracle::Player player(trace.preserve, oracle::Loads::never);
+    oracle::Player player(trace.preserve);
     TerrainOptions options{.cellSize = random.chance(50) ? 1 : 0.02, .chunkCells = 1 + random.below(8)};
     options.merge = random.chance(50);
     SCOPED_TRACE(fmt::format("cells of {} m, chunks of {} cells, merge {}", options.cellSize, options.chunkCells,
