@@ -1,6 +1,7 @@
 // Strokes of brushes as arguments of laws, on ground of 3×3 cells.
 #pragma once
 
+#include "oracle/calls/caller.h"
 #include "oracle/cgal/brushed.h"
 #include "oracle/trace/plain_edits.h"
 #include "proptests/support/arbitrary.h"

@@ -74,7 +74,7 @@ class FollowerOfHashes {
   explicit FollowerOfHashes(const Setting& setting) : caller_(setting.start()) { begin(); }
 
   void make(const Call& call) {
-    const bool told = call.kind == Call::Kind::commit || (call.kind == Call::Kind::goBack && caller_.marks() > 0);
+    const bool told = call.kind == Call::Kind::commit || (call.kind == Call::Kind::goBack && caller_.hasMarks());
     if (caller_.make(call).refusal) return;
     if (call.kind == Call::Kind::load) return begin();
     if (call.kind == Call::Kind::copy) hashes_ = GroundHashes(hashes_);

@@ -25,7 +25,7 @@ class IslandFollower {
   explicit IslandFollower(Caller& caller) : caller_(caller) { begin(); }
 
   void make(const Call& call) {
-    if (call.kind == Call::Kind::goBack && caller_.marks() == 0) return;  // nothing would happen
+    if (call.kind == Call::Kind::goBack && !caller_.hasMarks()) return;  // nothing would happen
     const oracle::Outcome outcome = caller_.make(call);
     if (outcome.refusal) return;
     if (call.kind == Call::Kind::load) return begin();

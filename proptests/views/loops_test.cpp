@@ -18,7 +18,7 @@ class LoopFollower {
   explicit LoopFollower(Caller& caller) : caller_(caller) { begin(); }
 
   void make(const Call& call) {
-    if (call.kind == Call::Kind::goBack && caller_.marks() == 0) return;  // nothing would happen
+    if (call.kind == Call::Kind::goBack && !caller_.hasMarks()) return;  // nothing would happen
     const oracle::Outcome outcome = caller_.make(call);
     if (outcome.refusal) return;
     if (call.kind == Call::Kind::load) return begin();

@@ -28,7 +28,7 @@ class FollowerOfPieces {
     caller_.make(call);
     if (call.kind == Call::Kind::load) return begin();
     if (call.kind == Call::Kind::copy) pieces_ = Pieces(pieces_);
-    if (call.kind == Call::Kind::commit || (call.kind == Call::Kind::goBack && caller_.marks() > 0)) follow();
+    if (call.kind == Call::Kind::commit || (call.kind == Call::Kind::goBack && caller_.hasMarks())) follow();
   }
 
  private:

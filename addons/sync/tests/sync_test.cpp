@@ -66,7 +66,7 @@ class Game {
 
   void make(const Call& call) {
     const bool tells = call.kind == Call::Kind::commit || call.kind == Call::Kind::goBack;
-    if (caller_.make(call).refusal || !tells || (call.kind == Call::Kind::goBack && caller_.marks() == 0)) return;
+    if (caller_.make(call).refusal || !tells || (call.kind == Call::Kind::goBack && !caller_.hasMarks())) return;
     tell(server_.update());
     const int what = chance_.below(100);
     if (what < 10 && followers_.size() < 3) followers_.push_back(std::make_unique<Follower>(chance_));

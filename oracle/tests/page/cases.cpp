@@ -14,14 +14,8 @@ constexpr std::int64_t kUnit = kUnitsPerCell;
 
 Scene endOf(const Trace& trace) {
   Model model;
-  for (const Call& edit : trace.calls) {
-    if (model.judge(edit).accepted) model.apply(edit);
-  }
-  Scene scene{{}, trace.preserve};
-  for (const auto& [cell, placed] : model.cells()) {
-    for (const Standing::Placed& p : placed) scene.polygons.push_back({cell, p.block, p.vertices});
-  }
-  return scene;
+  for (const Call& call : trace.calls) model.play(call);
+  return model.scene(trace.preserve);
 }
 
 // The end of a trace at which everything is right so far.

@@ -127,9 +127,9 @@ TEST(Page, KeepsTextsFromBecomingMarkup) {
   EXPECT_THAT(between(page, "<pre id=\"report\">", "</pre>"),
               HasSubstr("&amp;amp;&quot;'`${1}{{data}}\nits second line\n"));
   const Json data = dataOf(page);
-  EXPECT_EQ(data["polygons"][0]["name"], made.trace.calls[0].name);
+  EXPECT_EQ(data["polygons"][0]["name"], made.trace.calls[0].name());
   EXPECT_EQ(data["expectedName"], "<b>expected</b>");
-  EXPECT_EQ(data["title"], made.trace.calls[0].name + " <!-- \x01\xef\xbf\xbd ü");  // no UTF-8: a replacement
+  EXPECT_EQ(data["title"], made.trace.calls[0].name() + " <!-- \x01\xef\xbf\xbd ü");  // no UTF-8: a replacement
 }
 
 TEST(Page, CommitsWhatIsPendingAtTheEnd) {
