@@ -1,5 +1,6 @@
 // A table from 64-bit keys to 64-bit numbers, where 0 stands for none. As in HashIndex there is open addressing with
-// linear probing, at most half of the places are taken, hashes begin with a seed, and nobody goes through it.
+// linear probing, hashes begin with a seed, and nobody goes through it. At most three quarters of the places are taken,
+// since marks may be held for long.
 #pragma once
 
 #include "storage/hash_index.h"
@@ -20,7 +21,7 @@ class Newest {
   /// The number is not 0, nor is the key. Returns what it displaces.
   std::uint64_t set(std::uint64_t key, std::uint64_t number) {
     assert(key != 0 && number != 0);
-    if (2 * (count_ + 1) > entries_.size()) resize(entries_.empty() ? kLeast : 2 * entries_.size());
+    if (4 * (count_ + 1) > 3 * entries_.size()) resize(entries_.empty() ? kLeast : 2 * entries_.size());
     Entry& entry = entries_[placeOf(key)];
     count_ += entry.number == 0;
     entry.key = key;

@@ -11,9 +11,8 @@ TEST(Cost, OfAnEditAndItsCommitIsNoMoreInALargerWorld) {
     Ground ground(side);
     return costsOf(ground, [](const Changes&) {});
   };
-  const Costs small = costs(kSmall);
-  for (const auto& [what, cost] : small) EXPECT_TRUE(cost > 0 || what.starts_with("sync")) << what;
-  expectNoMore(small, costs(kLarge));
+  for (const auto& [what, cost] : costs(kSmall)) EXPECT_TRUE(cost > 0 || what.starts_with("sync")) << what;
+  expectNoMore(costs, kSmall, kLarge);
 }
 
 }  // namespace

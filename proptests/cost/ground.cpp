@@ -93,10 +93,16 @@ Costs costsOf(Ground& ground, const std::function<void(const Changes&)>& sync) {
   return costs;
 }
 
-void expectNoMore(const Costs& small, const Costs& large) {
+void expectNoMore(const std::function<Costs(std::int32_t side)>& costs, std::int32_t small, std::int32_t large) {
   constexpr std::uint64_t kFew = 24;
-  for (const auto& [what, cost] : small)
-    EXPECT_LE(large.at(what), cost + kFew) << what << ", in the large world and in the small one";
+  Costs least = costs(small), most = costs(large);
+  const auto isMore = [&](const auto& counted) { return most.at(counted.first) > counted.second + kFew; };
+  for (int k = 0; k < 3 && std::ranges::any_of(least, isMore); ++k) {
+    for (const auto& [what, cost] : costs(small)) least[what] = std::min(least[what], cost);
+    for (const auto& [what, cost] : costs(large)) most[what] = std::min(most[what], cost);
+  }
+  for (const auto& [what, cost] : least)
+    EXPECT_LE(most.at(what), cost + kFew) << what << ", in the large world and in the small one";
 }
 
 }  // namespace lgs::cost_test

@@ -16,7 +16,7 @@ TEST(Cost, OfHashesAfterACommitIsNoMoreInALargerWorld) {
     GroundHashes hashes(ground.world);
     return costsOf(ground, [&](const Changes&) { hashes.update(ground.world.cellChanges()); });
   };
-  expectNoMore(costs(kSmall), costs(kLarge));
+  expectNoMore(costs, kSmall, kLarge);
 }
 
 TEST(Cost, OfDifferencesIsThatOfTheChunksThatDiffer) {
@@ -28,7 +28,7 @@ TEST(Cost, OfDifferencesIsThatOfTheChunksThatDiffer) {
     const GroundHashes after(ground.world);
     return Costs{{"differences", visitsOf([&] { EXPECT_EQ(differences(before, after).size(), 1U); })}};
   };
-  expectNoMore(cost(kSmall), cost(kLarge));
+  expectNoMore(cost, kSmall, kLarge);
 }
 
 }  // namespace

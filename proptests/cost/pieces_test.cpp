@@ -21,7 +21,7 @@ TEST(Cost, OfPiecesAfterACommitIsNoMoreInALargerWorld) {
       EXPECT_LE(pieces.stats().workedOut - workedOut, changes.size()) << "one content for each cell, at most";
     });
   };
-  expectNoMore(costs(kSmall), costs(kLarge));
+  expectNoMore(costs, kSmall, kLarge);
 }
 
 /// Of the pieces of a comb.
