@@ -39,7 +39,7 @@ everything() {
     scripts/setup.sh "${packages[@]}" chromium-driver
     step web-setup "Set up the web's tools" scripts/web_setup.sh
   fi
-  build release lgs_tested_in_release lgs_cli
+  build release lgs_tested_in_release lgs_cli lgs-import
   if [[ ${LGS_WEB:-ON} != OFF ]]; then
     LGS_COMMAND=$PWD/build/release/cli/lgs web >"$logs/web.log" 2>&1 &
     beside=$!

@@ -13,7 +13,7 @@ rm -rf "$out"
 mkdir -p "$out"
 
 scripts/setup.sh
-build release lgs_cli
+build release lgs_cli lgs-import lgs-bench
 
 show import "1. A Tiled map becomes a world" \
   "$lgs" import "$map" --block class -o "$out/map.trace" --svg "$out/map.svg"

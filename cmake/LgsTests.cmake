@@ -16,16 +16,7 @@ add_custom_target(lgs_tested)
 add_custom_target(lgs_tested_in_release)
 add_custom_target(lgs_tested_quick)
 add_dependencies(lgs_tested_quick lgs_cli)
-add_dependencies(lgs_tested lgs_tested_in_release lgs_cli lgs-import)
-foreach(target IN ITEMS lgs-bench lgs-ride lgs_bench)
-  if(TARGET ${target})
-    add_dependencies(lgs_tested ${target})
-  endif()
-endforeach()
-if(TARGET lgs_loops)
-  add_dependencies(lgs_tested_in_release lgs_loops)
-endif()
-
+add_dependencies(lgs_tested lgs_tested_in_release)
 set(lgs_heavy lgs lgs_cgal lgs_check lgs_generate lgs_reference lgs_trace)  # libraries in which tests spend their time
 if(LGS_SANITIZE STREQUAL "thread")  # which has an `operator new` of its own, and lets nobody replace it
   set(lgs_without_memory EXCLUDE "allocations|cost_test|memory_runs_out|steady_state")

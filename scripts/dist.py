@@ -24,7 +24,7 @@ def files():
     for part in PARTS:
         path = ROOT / part
         for file in [path] if path.is_file() else path.rglob("*"):
-            if file.is_file() and not {"__pycache__", "tests", "fuzz", "ride"} & set(file.relative_to(ROOT).parts):
+            if file.is_file() and file.suffix != ".bugs" and not {"__pycache__", "tests", "fuzz", "ride"} & set(file.relative_to(ROOT).parts):
                 found[file.relative_to(ROOT).as_posix()] = file
     return found
 

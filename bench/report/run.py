@@ -62,7 +62,7 @@ def build():
     say("building")
     quiet = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
     run(["cmake", "--preset", "release"], **quiet)
-    run(["cmake", "--build", "--preset", "release", "--target", "lgs_cli", "lgs_bench"], **quiet)
+    run(["cmake", "--build", "--preset", "release", "--target", "lgs_cli", "lgs-bench", "lgs_bench"], **quiet)
     return ROOT / "build/release"
 
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -55,9 +56,19 @@ HeldCosts costsAfter(std::int32_t side, bool isCommittedBetween) {
   return costs;
 }
 
+/// In eight worlds, the least of each: hash tables have seeds of their own, so a search may take some steps more in one.
+HeldCosts leastAfter(std::int32_t side, bool isCommittedBetween) {
+  HeldCosts least = costsAfter(side, isCommittedBetween);
+  for (int k = 1; k < 8; ++k) {
+    const HeldCosts other = costsAfter(side, isCommittedBetween);
+    least = {std::min(least.trial, other.trial), std::min(least.edit, other.edit), std::min(least.group, other.group)};
+  }
+  return least;
+}
+
 TEST(GoingBackCost, DoesNotGrowWithWhatWasEditedBefore) {
   for (const bool isCommittedBetween : {false, true}) {
-    const HeldCosts few = costsAfter(10, isCommittedBetween), many = costsAfter(200, isCommittedBetween);
+    const HeldCosts few = leastAfter(10, isCommittedBetween), many = leastAfter(200, isCommittedBetween);
     const auto spare = [](std::uint64_t cost) { return cost + cost / 10; };
     EXPECT_LE(many.trial, spare(few.trial)) << "with a commit between: " << isCommittedBetween;
     EXPECT_LE(many.edit, spare(few.edit)) << "with a commit between: " << isCommittedBetween;

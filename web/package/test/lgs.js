@@ -6,4 +6,4 @@ const built = (preset) => fileURLToPath(new URL(`../../../build/${preset}/cli/lg
 
 /** Its path; undefined if there is none. */
 export const lgs = process.env.LGS_COMMAND ?? ['release', 'asan'].map(built).find(existsSync)
-export const skip = lgs ? false : 'the command lgs is not built (cmake --build --preset release --target lgs_cli)'
+export const skip = lgs ? false : 'the command lgs is not built (cmake --build --preset release --target lgs_cli lgs-import)'
