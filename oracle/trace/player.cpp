@@ -168,7 +168,7 @@ tl::unexpected<TraceError> Player::refused(const Error& error) const {
 }
 
 Player::Done Player::brush(const Call& call) {
-  auto told = std::make_shared<Told>(call, caller_.makeResolved(call));
+  auto told = std::make_shared<Told>(Told{call, caller_.makeResolved(call)});
   now_.past.push_back(told);
   model_.tried();
   moments_.happened(Redo::maybe);
