@@ -130,8 +130,9 @@ class Check {
     for (const Named& named : judged.call.goes)
       if (model().isAlive(named.name)) edited_.insert(model().standing().cellOf(named.name));
     if (call.kind == Call::Kind::fill || call.kind == Call::Kind::exchange)
-      for (std::int32_t j = call.cells.min.j; j <= call.cells.max.j; ++j)
-        for (std::int32_t i = call.cells.min.i; i <= call.cells.max.i; ++i) edited_.insert({i, j});
+      for (std::int64_t j = call.cells.min.j; j <= call.cells.max.j; ++j)  // which may be the last number of 32 bits
+        for (std::int64_t i = call.cells.min.i; i <= call.cells.max.i; ++i)
+          edited_.insert({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)});
     if (call.kind == Call::Kind::clear)
       for (const auto& entry : model().standing().cells())
         if (contains(call.cells, entry.first)) edited_.insert(entry.first);
