@@ -87,8 +87,9 @@ Player::Done Player::makeCall(const Judged& judged) {
   if (auto done = checkShapes(call, outcome); !done) return done;
   const bool isDone = !outcome.refusal;
   const auto refusal = outcome.refusal;
-  if (!movesInTime(call.kind)) {
-    if (!isDone) model_.tried();
+  const bool mayHaveFound = call.kind == Kind::commit && now_.pending;  // then nothing leads forward any more
+  if (!movesInTime(call.kind) || mayHaveFound) {
+    if (!isDone || mayHaveFound) model_.tried();
     moments_.happened(Redo::maybe);
     hasLeft_ = hasLeft_ || !isDone;
   }

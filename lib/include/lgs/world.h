@@ -272,9 +272,9 @@ class World {
   /// Goes forward to a mark that is ahead, as if the world had not gone back beyond it: the edits and commits up to it
   /// come back with their handles, shapes and segment ids. Marks that were made since it went back are void; those
   /// further ahead stay ahead. changesOfRollBack() then says what this did to the segments. Refused: unknownMark, if
-  /// the mark is not ahead, or if something was edited, or a shape made, since the world went back or forward (and that
-  /// was not undone). Commits that found nothing to do, and groups that were not kept, do no harm. Cost: as of
-  /// rollBack().
+  /// the mark is not ahead, or if something was edited or committed, or a shape made, since the world went back or
+  /// forward (and that was not undone). Commits that found nothing to do, and groups that were not kept, do no harm.
+  /// Cost: as of rollBack().
   [[nodiscard]] Expected<void> rollForward(Mark mark) noexcept;
 
   /// What the last rollBack() or rollForward() did to the segments, for those who followed all commits: the three lists
