@@ -5,7 +5,12 @@
 function(lgs_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  if(CMAKE_CURRENT_SOURCE_DIR MATCHES "^${LocalGridSeg_SOURCE_DIR}/(lib|addons/[^/]+)$|^${LocalGridSeg_SOURCE_DIR}/lib/")
+  file(RELATIVE_PATH room ${LocalGridSeg_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  set(is_library OFF)
+  if(room MATCHES "^(lib(/.*)?|addons/[^/]+)$")
+    set(is_library ON)
+  endif()
+  if(is_library)
     # Some machines work out a * b + c with a single rounding, and compilers use that where they may. Processors of 1980
     # round every result twice. Then answers in `double` would depend on the machine. Microsoft's compiler does neither
     # unless it is asked to; but it has to be told that the sources are in UTF-8. MSVC means clang-cl, too.
@@ -30,7 +35,7 @@ function(lgs_target target)
           -fsanitize=${LGS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
           -D_GLIBCXX_ASSERTIONS  # an index beyond a vector's end may be within its memory
           $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC takes the sanitizers' own code for uses
-        if(CMAKE_CURRENT_SOURCE_DIR MATCHES "^${LocalGridSeg_SOURCE_DIR}/(lib|addons/[^/]+)$|^${LocalGridSeg_SOURCE_DIR}/lib/")
+        if(is_library)
           lgs_check_integers(${target})
         else()
           # These checks of pointers take up to a fifth of the time to compile. Outside lib/ they find nothing more: a

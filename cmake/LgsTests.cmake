@@ -29,7 +29,14 @@ endif()
 # time (lgs_link_first).
 function(lgs_test_program program)
   cmake_parse_arguments(PARSE_ARGV 1 arg "ALONE;ONCE;QUICK" "EXCLUDE;FILTER;PREFIX;SHARDS" "SOURCES;LIBRARIES;FIRST")
-  file(GLOB sources RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS ${arg_SOURCES})
+  set(sources)
+  foreach(pattern IN LISTS arg_SOURCES)
+    file(GLOB found RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS ${pattern})
+    if(NOT found)
+      message(FATAL_ERROR "${program}: there is no file ${pattern} in ${CMAKE_CURRENT_SOURCE_DIR}")
+    endif()
+    list(APPEND sources ${found})
+  endforeach()
   if(arg_EXCLUDE)
     list(FILTER sources EXCLUDE REGEX ${arg_EXCLUDE})
   endif()
@@ -79,6 +86,12 @@ function(lgs_label_tests)
       set_property(TEST ${test} APPEND PROPERTY LABELS ${lgs_label})
     endif()
   endforeach()
+endfunction()
+
+# lgs_test_says(<test> <regex>): it passes if it prints this. CTest then asks for no status, so a sanitizer's report fails it.
+function(lgs_test_says test says)
+  set_tests_properties(${test} PROPERTIES PASS_REGULAR_EXPRESSION "${says}"
+    FAIL_REGULAR_EXPRESSION "Sanitizer|runtime error")
 endfunction()
 
 # lgs_consumer_test(<name> <folder> <fixture> <definition>...): a project that uses the package is built and run.
