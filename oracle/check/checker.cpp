@@ -129,7 +129,8 @@ class Check {
     for (const Coming& coming : judged.call.comes) edited_.insert(coming.cell);
     for (const Named& named : judged.call.goes)
       if (model().isAlive(named.name)) edited_.insert(model().standing().cellOf(named.name));
-    if (call.kind == Call::Kind::fill || call.kind == Call::Kind::exchange)
+    const bool isFilled = call.kind == Call::Kind::fill && !isTooLarge(call.cells);
+    if (isFilled || call.kind == Call::Kind::exchange)
       for (std::int64_t j = call.cells.min.j; j <= call.cells.max.j; ++j)  // which may be the last number of 32 bits
         for (std::int64_t i = call.cells.min.i; i <= call.cells.max.i; ++i)
           edited_.insert({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)});

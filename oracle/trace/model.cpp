@@ -30,13 +30,6 @@ std::optional<Verdict> outOfRange(const CellRect& cells) {
   return std::nullopt;
 }
 
-// Whether a rectangle in range reaches far more chunks of 32×32 cells than a world has room for. Random calls make none
-// that is near that.
-bool isTooLarge(const CellRect& r) {
-  const auto chunks = [](std::int32_t min, std::int32_t max) { return (std::int64_t{max} >> 5) - (min >> 5) + 1; };
-  return chunks(r.min.i, r.max.i) * chunks(r.min.j, r.max.j) > 2 * static_cast<std::int64_t>(kMaxChunks);
-}
-
 // By rows.
 bool comesBefore(Cell a, Cell b) { return std::pair(a.j, a.i) < std::pair(b.j, b.i); }
 
@@ -79,6 +72,11 @@ std::string wrongPart(const Call& call, const Error& error) {
 }
 
 }  // namespace
+
+bool isTooLarge(const CellRect& r) {
+  const auto chunks = [](std::int32_t min, std::int32_t max) { return (std::int64_t{max} >> 5) - (min >> 5) + 1; };
+  return chunks(r.min.i, r.max.i) * chunks(r.min.j, r.max.j) > 2 * static_cast<std::int64_t>(kMaxChunks);
+}
 
 PreserveRelation relationOf(const PreservePairs& pairs) {
   if (pairs.empty()) return {};

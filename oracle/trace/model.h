@@ -21,6 +21,10 @@ namespace lgs::oracle {
 
 PreserveRelation relationOf(const PreservePairs& pairs);
 
+/// Whether a rectangle that is not empty reaches far more chunks of 32×32 cells than a world has room for: a fill of it
+/// is refused, whatever the world. Random calls make none that is near that.
+bool isTooLarge(const CellRect& r);
+
 /// What a call must be refused for; nothing if it must be accepted.
 struct Verdict {
   bool accepted = true;
