@@ -36,8 +36,8 @@ namespace lgs {
 
 /// Limits. Beyond them an edit is refused with ErrorCode::capacity. Two more refuse in this way: 2^23 - 1 distinct
 /// contents of cells, and 2^28 - 1 polygons ever placed in one cell. The program ends, as when memory runs out, where a
-/// commit needs more than 8 GiB for the lists of segments that cells show, or more than 2^31 - 4,097 segments; and where
-/// an edit needs more than 8 GiB for the lists of polygons of cells that hold several.
+/// commit needs more than 8 GiB for the lists of segments that cells show, or more than 2^31 - 4,097 segments; and
+/// where an edit needs more than 8 GiB for the lists of polygons of cells that hold several.
 ///
 /// A program for JavaScript, whose numbers are whole up to 2^53, may define LGS_HANDLES_IN_53_BITS for all of its
 /// files. Then every PolygonHandle has cellRef < 2^30 and serial < 2^23: at most 2^20 - 1 chunks and, in one cell, 2^23
@@ -60,7 +60,7 @@ using Handles = HandlesIn53Bits;
 #else
 /// Says by its name how wide handles are.
 enum class HandlesIn60Bits : bool {};
-/// Which handles a file was compiled for. It is a parameter of World's constructor that nobody gives: where a program
+/// Which handles a file was compiled for. It is a parameter of World's constructor that is never given: where a program
 /// and its library disagree about LGS_HANDLES_IN_53_BITS, they do not link.
 using Handles = HandlesIn60Bits;
 #endif
@@ -277,7 +277,7 @@ class World {
   /// Cost: as of rollBack().
   [[nodiscard]] Expected<void> rollForward(Mark mark) noexcept;
 
-  /// What the last rollBack() or rollForward() did to the segments, for those who followed all commits: the three lists
+  /// What the last rollBack() or rollForward() did to the segments, after all commits before it: the three lists
   /// of a commit, by id. One thing is different: an id that named one segment and names another one now is removed, and
   /// then added.
   const Changes& changesOfRollBack() const noexcept;
@@ -287,8 +287,8 @@ class World {
   /// edits since the mark.
   Expected<std::vector<Cell>> editedSince(Mark mark) const noexcept;
 
-  /// Lets go of a mark. Other marks stay. Refused: unknownMark. Cost: in all, O(log n) for each cell and segment that is
-  /// kept to go back.
+  /// Lets go of a mark. Other marks stay. Refused: unknownMark. Cost: in all, O(log n) for each cell and segment that
+  /// is kept to go back.
   Expected<void> forget(Mark mark) noexcept;
 
   // --- Leaving places -----------------------------------------------------------------------------------------------
@@ -300,7 +300,7 @@ class World {
   ///
   /// All handles that were ever given out for cells of these chunks are *void*: drop them. They name nothing, until
   /// they are given out again, maybe for another place: what comes next is as if no edit had ever been there. Segments
-  /// and their ids, shapes, all other handles, and later outlines are not touched, so nothing is to be told to anybody.
+  /// and their ids, shapes, all other handles, and later outlines are not touched, so nothing has to follow.
   /// In a world that is saved, loaded or copied the same chunks are forgotten (law 12).
   ///
   /// Refused: cellOutOfRange, with a corner of the rectangle that is out of range; uncommitted, while edits are not
@@ -317,13 +317,13 @@ class World {
   // reports which segments went, came and were relinked, and marks go back across them.
   //
   // Law 14, unloaded is not gone: what is loaded shows the segments and ghosts that it has in the whole world. So no
-  // wall appears where the loaded world ends. For that the cells at the rim of an unloaded chunk stay known. They take
+  // wall appears where the loaded world ends. For that the outermost cells of an unloaded chunk stay known. They take
   // 12 bytes for each row of equal ones among these 124, and some 60 more.
   //
   // In an unloaded chunk every edit is refused (ErrorCode::unloaded); so are handles of its polygons, and they are
   // valid again when it is back from its bytes. Questions that would have to look there say so. Whatever lists or
   // counts polygons or segments leaves it out. A segment may have a predecessor or a successor in it: the ghost is as
-  // ever, and to ask for that segment is refused as unloaded. A place where no chunk ever was is empty. To have it
+  // ever, and reading that segment is refused as unloaded. A place where no chunk ever was is empty. To have it
   // be unknown, put something there, take it away and unload the chunk: then questions and edits there say unloaded,
   // and the ground beside it ends as at empty space; without taking it away, as at what was put there.
 
@@ -342,7 +342,7 @@ class World {
   [[nodiscard]] tl::expected<Cell, SnapshotError> reload(std::span<const std::byte> chunk) noexcept;
 
   /// The unloaded chunks that lie in a rectangle as a whole come back, and are empty: for a game that makes their
-  /// ground anew, with edits, before the next commit. Handles from before name nothing, and are never given out again.
+  /// ground again, with edits, before the next commit. Handles from before name nothing, and are never given out again.
   /// Returns how many chunks these are. Refused: cellOutOfRange, with a corner of the rectangle that is out of range.
   /// Cost: in proportion to the cells of these chunks.
   [[nodiscard]] Expected<std::uint64_t> reloadEmpty(const CellRect& cells) noexcept;
@@ -353,7 +353,7 @@ class World {
 
   // --- Following the ground -----------------------------------------------------------------------------------------
   //
-  // Whoever keeps something up to date that follows from the polygons, a *view* of the ground, reads all of them once
+  // A *view*, which keeps something up to date that follows from the polygons, reads all of them once
   // by forEachPolygon(), and from then on what each commit and roll-back changed. For views of the outline there are
   // commit() and changesOfRollBack().
 
@@ -366,9 +366,10 @@ class World {
   /// The cells that the last commit, rollBack() or rollForward() changed, each once, in the order of their first
   /// change; one edit of several cells changes them in any order. After a commit these are the cells edited since the
   /// commit or roll-back before. After a roll-back these are the cells that were edited, and committed, since the last
-  /// commit before the mark; `now` is as of that commit, and edits that were pending at the mark are told by the next
-  /// commit. So it is after going forward, with what comes back. A cell is named even if it holds again what it held.
-  /// Empty if nothing is followed, or nothing changed. Valid until the next edit, commit or roll-back. Cost: O(1).
+  /// commit before the mark; `now` is as of that commit, and edits that were pending at the mark are reported by the
+  /// next commit. So it is after going forward, with what comes back. A cell is named even if it holds again what it
+  /// held. Empty if nothing is followed, or nothing changed. Valid until the next edit, commit or roll-back. Cost:
+  /// O(1).
   std::span<const CellChange> cellChanges() const noexcept;
 
   // --- Saving -------------------------------------------------------------------------------------------------------
@@ -396,10 +397,10 @@ class World {
   /// Whether a cell holds no polygon. A cell out of range holds none.
   bool isEmpty(Cell cell) const noexcept;
 
-  /// Calls visit(cell, polygon) for every placed polygon, buried ones too: chunk by chunk, in the order in which edits
-  /// first reached the chunks (a new one takes the place of a forgotten one); each by rows, each cell by handle. The
-  /// second form visits the cells of a rectangle, and chunks in any order. `visit` must not change the world; if it is
-  /// empty, nobody is called. Cost: in proportion to the cells that have a chunk.
+  /// Calls visit(cell, polygon) for every placed polygon, those inside the ground too: chunk by chunk, in the order in
+  /// which edits first reached the chunks (a new one takes the place of a forgotten one); each by rows, each cell by
+  /// handle. The second form visits the cells of a rectangle, and chunks in any order. `visit` must not change the
+  /// world; if it is empty, nothing is called. Cost: in proportion to the cells that have a chunk.
   using PolygonVisitor = std::function<void(Cell, const PlacedPolygon&)>;
   /// See PolygonVisitor.
   void forEachPolygon(const PolygonVisitor& visit) const noexcept;
@@ -489,9 +490,9 @@ bool samePolygons(const World& a, const World& b) noexcept;
 ///   if (!world.remove(door) || !world.add(cell, wall, kStone)) return;  // all is as it was
 ///   group.keep();
 ///
-/// A commit keeps what was edited before it, and ends the group: what follows is not undone. A commit that finds nothing
-/// to do, since no cell was edited after the commit before it, ends no group. The world must not be moved, assigned to
-/// or destroyed before the group ends. A copy of it has the edits made so far, and no group.
+/// A commit keeps what was edited before it, and ends the group: what follows is not undone. A commit that finds
+/// nothing to do, since no cell was edited after the commit before it, ends no group. The world must not be moved,
+/// assigned to or destroyed before the group ends. A copy of it has the edits made so far, and no group.
 class Transaction {
  public:
   /// Begins the group: World::edit() does it. The world must outlive it.
