@@ -161,14 +161,15 @@ class World {
   // --- Edits --------------------------------------------------------------------------------------------------------
 
   /// Places every polygon of a shape in a cell, all with this block. Returns the handle of the shape's first polygon.
-  /// Refused: cellOutOfRange, unknownShape, overlap, capacity. Cost: O(1) in a cell that is empty.
+  /// Refused: cellOutOfRange, unloaded, unknownShape, overlap, capacity. Cost: O(1) in a cell that is empty.
   [[nodiscard]] Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block) noexcept;
 
   /// The same. `handles` receives the handles of all polygons in the shape's order, or as many as it has room for.
   [[nodiscard]] Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block,
                                             std::span<PolygonHandle> handles) noexcept;
 
-  /// The same for a polygon given by its vertices. If it was seen before this costs a hash, otherwise it is validated.
+  /// The same for a polygon given by its vertices, which is also refused as by shape(). If it was seen before this
+  /// costs a hash, otherwise it is validated.
   [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::span<const LocalPoint> polygon, Block block) noexcept;
   [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::initializer_list<LocalPoint> polygon, Block block) noexcept;
   [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::span<const FloatPoint> polygon, Block block) noexcept;
@@ -182,7 +183,8 @@ class World {
   [[nodiscard]] Expected<void> addMany(std::span<const Placement> placements,
                                        std::span<PolygonHandle> handles = {}) noexcept;
 
-  /// Removes one polygon. Refused: staleHandle; capacity, if what is left in the cell would be a content too many.
+  /// Removes one polygon. Refused: staleHandle; unloaded; capacity, if what is left in the cell would be a content too
+  /// many.
   [[nodiscard]] Expected<void> remove(PolygonHandle polygon) noexcept;
 
   /// Removes many polygons: all of them or none. Refused as by remove(), and Error::index says for which one; so for a
@@ -197,16 +199,16 @@ class World {
 
   /// Takes some polygons of a cell away and places others: all of it, or nothing. The others of the cell stay.
   /// `handles` receives the handles of `added`, or as many as it has room for. Only what stands in the cell at the end
-  /// must fit: nothing is worked out for the steps on the way. Refused: cellOutOfRange; staleHandle, for a handle that
-  /// is not of this cell or comes twice, and Error::index says which; as by shape(), and by add() for what stays. Cost:
-  /// as of one add().
+  /// must fit: nothing is worked out for the steps on the way. Refused: cellOutOfRange; unloaded; staleHandle, for a
+  /// handle that is not of this cell or comes twice, and Error::index says which; as by shape(), and by add() for what
+  /// stays. Cost: as of one add().
   [[nodiscard]] Expected<void> exchange(Cell cell, std::span<const PolygonHandle> removed,
                                         std::span<const NewPolygon> added,
                                         std::span<PolygonHandle> handles = {}) noexcept;
 
   /// Gives a polygon another block. It keeps its handle and its place. The next commit removes its segments and adds
-  /// them again, as another block is another owner; all others keep their ids. Refused: staleHandle; capacity, if a
-  /// preserve relation makes one content too many of the cell.
+  /// them again, as another block is another owner; all others keep their ids. Refused: staleHandle; unloaded;
+  /// capacity, if a preserve relation makes one content too many of the cell.
   [[nodiscard]] Expected<void> setBlock(PolygonHandle polygon, Block block) noexcept;
 
   /// Places a shape in every cell of a rectangle, or in none. Returns the number of cells. Refused as add() would be
@@ -218,8 +220,8 @@ class World {
                                              std::span<PolygonHandle> handles = {}) noexcept;
 
   /// Removes every polygon in every cell of a rectangle. Returns the number of polygons removed. Refused:
-  /// cellOutOfRange, with a corner of the rectangle that is out of range. (`clear({3, 4})` is of a cell: a template
-  /// comes after what is none.)
+  /// cellOutOfRange, with a corner of the rectangle that is out of range; unloaded, with the first such cell.
+  /// (`clear({3, 4})` is of a cell: a template comes after what is none.)
   template <std::same_as<CellRect> Rect = CellRect>
   Expected<std::uint64_t> clear(const Rect& cells) noexcept {
     return clearRect(cells);
@@ -409,18 +411,19 @@ class World {
   /// The least rectangle of cells with all placed polygons; nothing in an empty world. Cost: as of forEachPolygon().
   std::optional<CellRect> bounds() const noexcept;
 
-  /// The polygon of a handle, after all edits, committed or not. Refused: staleHandle.
+  /// The polygon of a handle, after all edits, committed or not. Refused: staleHandle; unloaded.
   Expected<PlacedPolygon> polygon(PolygonHandle handle) const noexcept;
-  /// The cell of a polygon. Refused: staleHandle.
+  /// The cell of a polygon. Refused: staleHandle; unloaded.
   Expected<Cell> cellOf(PolygonHandle handle) const noexcept;
 
-  /// A segment as of the last commit. Its `polygon` is stale if that was removed since. Refused: unknownSegment.
+  /// A segment as of the last commit. Its `polygon` is stale if that was removed since. Refused: unknownSegment;
+  /// unloaded.
   Expected<Segment> segment(SegmentId id) const noexcept;
 
   /// Many segments: out[k] is that of ids[k], for as many as `out` has room for. The others give them in cells from
-  /// an origin: differences are exact before they are rounded, and `double` is exact. Refused: unknownSegment, where
-  /// Error::index says for which one, and what comes before it is in `out`; outOfReach, if the origin is out of range;
-  /// capacity, if these are more than kMaxEntries.
+  /// an origin: differences are exact before they are rounded, and `double` is exact. Refused: unknownSegment or
+  /// unloaded, where Error::index says for which one, and what comes before it is in `out`; outOfReach, if the origin
+  /// is out of range; capacity, if these are more than kMaxEntries.
   Expected<void> segments(std::span<const SegmentId> ids, std::span<Segment> out) const noexcept;
   Expected<void> segments(std::span<const SegmentId> ids, Point origin, std::span<FloatSegment> out) const noexcept;
   Expected<void> segments(std::span<const SegmentId> ids, Point origin, std::span<DoubleSegment> out) const noexcept;
@@ -443,14 +446,15 @@ class World {
 
   /// The segment nearest to a point, as of the last commit, at most `radius` cells away, rounded to the lattice. Of
   /// several at the same distance the least by start, end and block. Refused: outOfReach, if the point is out of range
-  /// or the radius is not from 0 to kMaxRadius. Cost: in proportion to the cells with a chunk within twice the distance
-  /// found, or within the radius.
+  /// or the radius is not from 0 to kMaxRadius; unloaded, if it would have to look into an unloaded cell. Cost: in
+  /// proportion to the cells with a chunk within twice the distance found, or within the radius.
   Expected<Nearest> nearest(Point point, double radius) const noexcept;
 
   /// The first segment that a ray meets on its outward side, as of the last commit. A ray that starts in a solid leaves
   /// it without a hit. One that runs along a segment does not hit it. The ends of a segment count. Of several at the
   /// same place the least by start, end and block. Refused: outOfReach, if an end is out of range or the ray is longer
-  /// than kMaxRay cells on an axis. Cost: in proportion to the cells that the ray touches, up to the hit.
+  /// than kMaxRay cells on an axis; unloaded, with the first unloaded cell that it meets before a hit. Cost: in
+  /// proportion to the cells that the ray touches, up to the hit.
   Expected<RayHit> rayCast(Point from, Point to) const noexcept;
 
   /// The relation that the world was made with; empty if it preserves nothing.
