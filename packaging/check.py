@@ -13,7 +13,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 # Files that tell a game or a user which version to ask for.
-ASKING = ["docs/install.md", "docs/internals/packages.md", "debian/copyright", "examples/lgs_ctypes.py",
+ASKING = ["docs/install.md", "packaging/README.md", "debian/copyright", "examples/lgs_ctypes.py",
           "packaging/tests/consumer/CMakeLists.txt", "addons/c/tests/consumer/CMakeLists.txt", "addons/c/liblgs.map"]
 
 

@@ -11,7 +11,7 @@ they have neither passed nor failed, and are run again.
 
 Exit status of `run`: 0 all passed; 42 a finding; 75 something was lost, try again; 130 stopped by Ctrl-C. Of `merge`: 75
 units are missing, whatever the others say; else 42 findings, or a canary that was not found; else 0. 2 is bad usage.
-More: docs/farm.md
+More: scripts/farm/README.md
 """
 import argparse
 import concurrent.futures

@@ -66,7 +66,7 @@ void registerBuilds(const Scale& scale) {
   };
   constexpr std::int64_t kHuge = 100'000'000;
   if (kHuge <= 10 * scale.maxCells) addHuge("fill", "full", kHuge, Engine::By::fill);
-  // Ramps take a hundred bytes a cell: only for whoever asks for them (docs/internals/beyond-one-process.md).
+  // Ramps take a hundred bytes a cell: only for whoever asks for them (docs/timings.md, "How large one world may be").
   for (const std::int64_t cells : {30'000'000L, 100'000'000L})
     if (cells <= scale.maxCells) addHuge("shapes", "ramp", cells, Engine::By::shapes);
 }

@@ -1,5 +1,5 @@
 // Law 5 across worlds: who has the polygons of a rectangle and of the cells that touch it has all that the whole world
-// says of the rectangle. So a world can be cut among processes (docs/internals/beyond-one-process.md).
+// says of the rectangle. So a world can be cut among processes (docs/guide.md, "Large worlds").
 #include "oracle/trace/model.h"
 #include "proptests/support/law.h"
 #include "proptests/support/traces.h"

@@ -36,7 +36,7 @@ class Kind:
     program: str  # what must be built, in a preset's folder
 
 
-# In minutes of one core of the machine that docs/farm.md names: a block of cgal 4 s, of naive 3 s; all other laws 6
+# In minutes of one core of a machine of two cores (AMD EPYC): a block of cgal 4 s, of naive 3 s; all other laws 6
 # minutes at scale 0.5; a planted bug or a mutant some half a minute.
 KINDS = {
     "cgal": Kind("numbered blocks: the engine against CGAL and the naive reference", 200, "lgs_engine_tests"),

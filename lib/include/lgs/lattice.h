@@ -1,7 +1,7 @@
 // The lattice: every coordinate in LocalGridSeg is an integer.
 //
-// A cell is 65,536 lattice units wide and high. In its cell a vertex is a LocalPoint, 0 … 65,536 on both axes, the rim
-// included. In the world it is a Point. Its 64-bit coordinates are exact as `double` too. The engine makes all
+// A cell is 65,536 lattice units wide and high. In its cell a vertex is a LocalPoint, 0 … 65,536 on both axes, the
+// boundary included. In the world it is a Point. Its 64-bit coordinates are exact as `double` too. The engine makes all
 // decisions on these integers, and there is no epsilon anywhere.
 #pragma once
 
@@ -87,7 +87,7 @@ constexpr bool inRange(Point p) {
 }
 
 /// The cell in which a point lies. Cells are half-open here, [i, i+1) × [j, j+1): a point on a common side belongs to
-/// the cell on its right, or above it. So a point on the upper or right rim of the last cell is in none that is in
+/// the cell on its right, or above it. So a point on the upper or right side of the last cell is in none that is in
 /// range.
 constexpr Cell cellAt(Point p) {
   return {static_cast<std::int32_t>(p.x >> kCellBits), static_cast<std::int32_t>(p.y >> kCellBits)};

@@ -7,9 +7,17 @@
 //   (*links)[0].successor;            // 1
 //   lgs::loopsOf(*links);             // {{0, 1, 2, 3}}
 //
-// This is phase 2 of the engine without the engine: no grid, no cells, no world. Edges may come from anywhere: contours
-// of an image, the open sides of a mesh's triangles, walls of a level that is drawn by hand. What is solid lies on
-// their left, as everywhere in this library. docs/internals/radial-match.md says what it is good for.
+// This is phase 2 of the engine without the grid. The solid lies on the left of each edge. Where two solids touch in a
+// point, a loop turns through the free wedge, from one solid to the other. Uses:
+//
+// - Contours: marching squares, or the sides between solid and free pixels, give loose edges; the loops are outlines.
+// - Meshes: of all directed sides of counter-clockwise triangles leave out each whose reverse is there too.
+// - Faces of a planar graph: give each edge in both directions, without dangling edges; each loop has its face on the
+//   right.
+// - Ghost vertices for levels drawn as lines.
+//
+// Crossings are not found: that is an overlay, and lgs/brush.h makes one for regions.
+// proptests/laws/law2_any_edges_test.cpp compares the loops with those of CGAL's unions.
 #pragma once
 
 #include <lgs/error.h>

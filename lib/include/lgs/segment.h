@@ -45,10 +45,10 @@ using DoubleSegment = RealSegment<double>;  ///< in cells, as `double`
 
 /// What a commit did to the segments. No id is in two lists. A segment whose ends, owner and ghosts are as before is in
 /// none. Ids in `removed` name nothing from now on. The order of each list follows from the edits since the last
-/// commit, in their order: the same edits in another order may give the same segments other ids and places. Whoever
-/// needs an order of their own sorts.
+/// commit, in their order: the same edits in another order may give the same segments other ids and places. Sort
+/// them where another order matters.
 ///
-/// The lists lead from one World::version() to another. Whoever keeps a copy of the segments keeps the version, too.
+/// The lists lead from one World::version() to another. Keep the version with a copy of the segments.
 /// The lists fit the copy if `before` is that version; then `after` is the new one. So it shows when lists were left
 /// out, applied twice, or are those of another world. If all three lists are empty, both versions are the same.
 struct Changes {

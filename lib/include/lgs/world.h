@@ -36,8 +36,8 @@ namespace lgs {
 
 /// Limits. Beyond them an edit is refused with ErrorCode::capacity. Two more refuse in this way: 2^23 - 1 distinct
 /// contents of cells, and 2^28 - 1 polygons ever placed in one cell. The program ends, as when memory runs out, where a
-/// commit needs more than 8 GiB for the lists of segments that cells show, or more than 2^31 - 4,097 segments; and where
-/// an edit needs more than 8 GiB for the lists of polygons of cells that hold several.
+/// commit needs more than 8 GiB for the lists of segments that cells show, or more than 2^31 - 4,097 segments; and
+/// where an edit needs more than 8 GiB for the lists of polygons of cells that hold several.
 ///
 /// A program for JavaScript, whose numbers are whole up to 2^53, may define LGS_HANDLES_IN_53_BITS for all of its
 /// files. Then every PolygonHandle has cellRef < 2^30 and serial < 2^23: at most 2^20 - 1 chunks and, in one cell, 2^23
@@ -60,7 +60,7 @@ using Handles = HandlesIn53Bits;
 #else
 /// Says by its name how wide handles are.
 enum class HandlesIn60Bits : bool {};
-/// Which handles a file was compiled for. It is a parameter of World's constructor that nobody gives: where a program
+/// Which handles a file was compiled for. It is a parameter of World's constructor that is never given: where a program
 /// and its library disagree about LGS_HANDLES_IN_53_BITS, they do not link.
 using Handles = HandlesIn60Bits;
 #endif
@@ -161,14 +161,15 @@ class World {
   // --- Edits --------------------------------------------------------------------------------------------------------
 
   /// Places every polygon of a shape in a cell, all with this block. Returns the handle of the shape's first polygon.
-  /// Refused: cellOutOfRange, unknownShape, overlap, capacity. Cost: O(1) in a cell that is empty.
+  /// Refused: cellOutOfRange, unloaded, unknownShape, overlap, capacity. Cost: O(1) in a cell that is empty.
   [[nodiscard]] Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block) noexcept;
 
   /// The same. `handles` receives the handles of all polygons in the shape's order, or as many as it has room for.
   [[nodiscard]] Expected<PolygonHandle> add(Cell cell, ShapeId shape, Block block,
                                             std::span<PolygonHandle> handles) noexcept;
 
-  /// The same for a polygon given by its vertices. If it was seen before this costs a hash, otherwise it is validated.
+  /// The same for a polygon given by its vertices, which is also refused as by shape(). If it was seen before this
+  /// costs a hash, otherwise it is validated.
   [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::span<const LocalPoint> polygon, Block block) noexcept;
   [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::initializer_list<LocalPoint> polygon, Block block) noexcept;
   [[nodiscard]] Expected<PolygonHandle> add(Cell cell, std::span<const FloatPoint> polygon, Block block) noexcept;
@@ -182,7 +183,8 @@ class World {
   [[nodiscard]] Expected<void> addMany(std::span<const Placement> placements,
                                        std::span<PolygonHandle> handles = {}) noexcept;
 
-  /// Removes one polygon. Refused: staleHandle; capacity, if what is left in the cell would be a content too many.
+  /// Removes one polygon. Refused: staleHandle; unloaded; capacity, if what is left in the cell would be a content too
+  /// many.
   [[nodiscard]] Expected<void> remove(PolygonHandle polygon) noexcept;
 
   /// Removes many polygons: all of them or none. Refused as by remove(), and Error::index says for which one; so for a
@@ -197,16 +199,16 @@ class World {
 
   /// Takes some polygons of a cell away and places others: all of it, or nothing. The others of the cell stay.
   /// `handles` receives the handles of `added`, or as many as it has room for. Only what stands in the cell at the end
-  /// must fit: nothing is worked out for the steps on the way. Refused: cellOutOfRange; staleHandle, for a handle that
-  /// is not of this cell or comes twice, and Error::index says which; as by shape(), and by add() for what stays. Cost:
-  /// as of one add().
+  /// must fit: nothing is worked out for the steps on the way. Refused: cellOutOfRange; unloaded; staleHandle, for a
+  /// handle that is not of this cell or comes twice, and Error::index says which; as by shape(), and by add() for what
+  /// stays. Cost: as of one add().
   [[nodiscard]] Expected<void> exchange(Cell cell, std::span<const PolygonHandle> removed,
                                         std::span<const NewPolygon> added,
                                         std::span<PolygonHandle> handles = {}) noexcept;
 
   /// Gives a polygon another block. It keeps its handle and its place. The next commit removes its segments and adds
-  /// them again, as another block is another owner; all others keep their ids. Refused: staleHandle; capacity, if a
-  /// preserve relation makes one content too many of the cell.
+  /// them again, as another block is another owner; all others keep their ids. Refused: staleHandle; unloaded;
+  /// capacity, if a preserve relation makes one content too many of the cell.
   [[nodiscard]] Expected<void> setBlock(PolygonHandle polygon, Block block) noexcept;
 
   /// Places a shape in every cell of a rectangle, or in none. Returns the number of cells. Refused as add() would be
@@ -218,8 +220,8 @@ class World {
                                              std::span<PolygonHandle> handles = {}) noexcept;
 
   /// Removes every polygon in every cell of a rectangle. Returns the number of polygons removed. Refused:
-  /// cellOutOfRange, with a corner of the rectangle that is out of range. (`clear({3, 4})` is of a cell: a template
-  /// comes after what is none.)
+  /// cellOutOfRange, with a corner of the rectangle that is out of range; unloaded, with the first such cell.
+  /// (`clear({3, 4})` is of a cell: a template comes after what is none.)
   template <std::same_as<CellRect> Rect = CellRect>
   Expected<std::uint64_t> clear(const Rect& cells) noexcept {
     return clearRect(cells);
@@ -277,7 +279,7 @@ class World {
   /// Cost: as of rollBack().
   [[nodiscard]] Expected<void> rollForward(Mark mark) noexcept;
 
-  /// What the last rollBack() or rollForward() did to the segments, for those who followed all commits: the three lists
+  /// What the last rollBack() or rollForward() did to the segments, after all commits before it: the three lists
   /// of a commit, by id. One thing is different: an id that named one segment and names another one now is removed, and
   /// then added.
   const Changes& changesOfRollBack() const noexcept;
@@ -287,8 +289,8 @@ class World {
   /// edits since the mark.
   Expected<std::vector<Cell>> editedSince(Mark mark) const noexcept;
 
-  /// Lets go of a mark. Other marks stay. Refused: unknownMark. Cost: in all, O(log n) for each cell and segment that is
-  /// kept to go back.
+  /// Lets go of a mark. Other marks stay. Refused: unknownMark. Cost: in all, O(log n) for each cell and segment that
+  /// is kept to go back.
   Expected<void> forget(Mark mark) noexcept;
 
   // --- Leaving places -----------------------------------------------------------------------------------------------
@@ -300,7 +302,7 @@ class World {
   ///
   /// All handles that were ever given out for cells of these chunks are *void*: drop them. They name nothing, until
   /// they are given out again, maybe for another place: what comes next is as if no edit had ever been there. Segments
-  /// and their ids, shapes, all other handles, and later outlines are not touched, so nothing is to be told to anybody.
+  /// and their ids, shapes, all other handles, and later outlines are not touched, so nothing has to follow.
   /// In a world that is saved, loaded or copied the same chunks are forgotten (law 12).
   ///
   /// Refused: cellOutOfRange, with a corner of the rectangle that is out of range; uncommitted, while edits are not
@@ -317,13 +319,13 @@ class World {
   // reports which segments went, came and were relinked, and marks go back across them.
   //
   // Law 14, unloaded is not gone: what is loaded shows the segments and ghosts that it has in the whole world. So no
-  // wall appears where the loaded world ends. For that the cells at the rim of an unloaded chunk stay known. They take
+  // wall appears where the loaded world ends. For that the outermost cells of an unloaded chunk stay known. They take
   // 12 bytes for each row of equal ones among these 124, and some 60 more.
   //
   // In an unloaded chunk every edit is refused (ErrorCode::unloaded); so are handles of its polygons, and they are
   // valid again when it is back from its bytes. Questions that would have to look there say so. Whatever lists or
   // counts polygons or segments leaves it out. A segment may have a predecessor or a successor in it: the ghost is as
-  // ever, and to ask for that segment is refused as unloaded. A place where no chunk ever was is empty. To have it
+  // ever, and reading that segment is refused as unloaded. A place where no chunk ever was is empty. To have it
   // be unknown, put something there, take it away and unload the chunk: then questions and edits there say unloaded,
   // and the ground beside it ends as at empty space; without taking it away, as at what was put there.
 
@@ -342,7 +344,7 @@ class World {
   [[nodiscard]] tl::expected<Cell, SnapshotError> reload(std::span<const std::byte> chunk) noexcept;
 
   /// The unloaded chunks that lie in a rectangle as a whole come back, and are empty: for a game that makes their
-  /// ground anew, with edits, before the next commit. Handles from before name nothing, and are never given out again.
+  /// ground again, with edits, before the next commit. Handles from before name nothing, and are never given out again.
   /// Returns how many chunks these are. Refused: cellOutOfRange, with a corner of the rectangle that is out of range.
   /// Cost: in proportion to the cells of these chunks.
   [[nodiscard]] Expected<std::uint64_t> reloadEmpty(const CellRect& cells) noexcept;
@@ -353,7 +355,7 @@ class World {
 
   // --- Following the ground -----------------------------------------------------------------------------------------
   //
-  // Whoever keeps something up to date that follows from the polygons, a *view* of the ground, reads all of them once
+  // A *view*, which keeps something up to date that follows from the polygons, reads all of them once
   // by forEachPolygon(), and from then on what each commit and roll-back changed. For views of the outline there are
   // commit() and changesOfRollBack().
 
@@ -366,9 +368,10 @@ class World {
   /// The cells that the last commit, rollBack() or rollForward() changed, each once, in the order of their first
   /// change; one edit of several cells changes them in any order. After a commit these are the cells edited since the
   /// commit or roll-back before. After a roll-back these are the cells that were edited, and committed, since the last
-  /// commit before the mark; `now` is as of that commit, and edits that were pending at the mark are told by the next
-  /// commit. So it is after going forward, with what comes back. A cell is named even if it holds again what it held.
-  /// Empty if nothing is followed, or nothing changed. Valid until the next edit, commit or roll-back. Cost: O(1).
+  /// commit before the mark; `now` is as of that commit, and edits that were pending at the mark are reported by the
+  /// next commit. So it is after going forward, with what comes back. A cell is named even if it holds again what it
+  /// held. Empty if nothing is followed, or nothing changed. Valid until the next edit, commit or roll-back. Cost:
+  /// O(1).
   std::span<const CellChange> cellChanges() const noexcept;
 
   // --- Saving -------------------------------------------------------------------------------------------------------
@@ -396,10 +399,10 @@ class World {
   /// Whether a cell holds no polygon. A cell out of range holds none.
   bool isEmpty(Cell cell) const noexcept;
 
-  /// Calls visit(cell, polygon) for every placed polygon, buried ones too: chunk by chunk, in the order in which edits
-  /// first reached the chunks (a new one takes the place of a forgotten one); each by rows, each cell by handle. The
-  /// second form visits the cells of a rectangle, and chunks in any order. `visit` must not change the world; if it is
-  /// empty, nobody is called. Cost: in proportion to the cells that have a chunk.
+  /// Calls visit(cell, polygon) for every placed polygon, those inside the ground too: chunk by chunk, in the order in
+  /// which edits first reached the chunks (a new one takes the place of a forgotten one); each by rows, each cell by
+  /// handle. The second form visits the cells of a rectangle, and chunks in any order. `visit` must not change the
+  /// world; if it is empty, nothing is called. Cost: in proportion to the cells that have a chunk.
   using PolygonVisitor = std::function<void(Cell, const PlacedPolygon&)>;
   /// See PolygonVisitor.
   void forEachPolygon(const PolygonVisitor& visit) const noexcept;
@@ -408,18 +411,19 @@ class World {
   /// The least rectangle of cells with all placed polygons; nothing in an empty world. Cost: as of forEachPolygon().
   std::optional<CellRect> bounds() const noexcept;
 
-  /// The polygon of a handle, after all edits, committed or not. Refused: staleHandle.
+  /// The polygon of a handle, after all edits, committed or not. Refused: staleHandle; unloaded.
   Expected<PlacedPolygon> polygon(PolygonHandle handle) const noexcept;
-  /// The cell of a polygon. Refused: staleHandle.
+  /// The cell of a polygon. Refused: staleHandle; unloaded.
   Expected<Cell> cellOf(PolygonHandle handle) const noexcept;
 
-  /// A segment as of the last commit. Its `polygon` is stale if that was removed since. Refused: unknownSegment.
+  /// A segment as of the last commit. Its `polygon` is stale if that was removed since. Refused: unknownSegment;
+  /// unloaded.
   Expected<Segment> segment(SegmentId id) const noexcept;
 
   /// Many segments: out[k] is that of ids[k], for as many as `out` has room for. The others give them in cells from
-  /// an origin: differences are exact before they are rounded, and `double` is exact. Refused: unknownSegment, where
-  /// Error::index says for which one, and what comes before it is in `out`; outOfReach, if the origin is out of range;
-  /// capacity, if these are more than kMaxEntries.
+  /// an origin: differences are exact before they are rounded, and `double` is exact. Refused: unknownSegment or
+  /// unloaded, where Error::index says for which one, and what comes before it is in `out`; outOfReach, if the origin
+  /// is out of range; capacity, if these are more than kMaxEntries.
   Expected<void> segments(std::span<const SegmentId> ids, std::span<Segment> out) const noexcept;
   Expected<void> segments(std::span<const SegmentId> ids, Point origin, std::span<FloatSegment> out) const noexcept;
   Expected<void> segments(std::span<const SegmentId> ids, Point origin, std::span<DoubleSegment> out) const noexcept;
@@ -442,14 +446,15 @@ class World {
 
   /// The segment nearest to a point, as of the last commit, at most `radius` cells away, rounded to the lattice. Of
   /// several at the same distance the least by start, end and block. Refused: outOfReach, if the point is out of range
-  /// or the radius is not from 0 to kMaxRadius. Cost: in proportion to the cells with a chunk within twice the distance
-  /// found, or within the radius.
+  /// or the radius is not from 0 to kMaxRadius; unloaded, if it would have to look into an unloaded cell. Cost: in
+  /// proportion to the cells with a chunk within twice the distance found, or within the radius.
   Expected<Nearest> nearest(Point point, double radius) const noexcept;
 
   /// The first segment that a ray meets on its outward side, as of the last commit. A ray that starts in a solid leaves
   /// it without a hit. One that runs along a segment does not hit it. The ends of a segment count. Of several at the
   /// same place the least by start, end and block. Refused: outOfReach, if an end is out of range or the ray is longer
-  /// than kMaxRay cells on an axis. Cost: in proportion to the cells that the ray touches, up to the hit.
+  /// than kMaxRay cells on an axis; unloaded, with the first unloaded cell that it meets before a hit. Cost: in
+  /// proportion to the cells that the ray touches, up to the hit.
   Expected<RayHit> rayCast(Point from, Point to) const noexcept;
 
   /// The relation that the world was made with; empty if it preserves nothing.
@@ -489,9 +494,9 @@ bool samePolygons(const World& a, const World& b) noexcept;
 ///   if (!world.remove(door) || !world.add(cell, wall, kStone)) return;  // all is as it was
 ///   group.keep();
 ///
-/// A commit keeps what was edited before it, and ends the group: what follows is not undone. A commit that finds nothing
-/// to do, since no cell was edited after the commit before it, ends no group. The world must not be moved, assigned to
-/// or destroyed before the group ends. A copy of it has the edits made so far, and no group.
+/// A commit keeps what was edited before it, and ends the group: what follows is not undone. A commit that finds
+/// nothing to do, since no cell was edited after the commit before it, ends no group. The world must not be moved,
+/// assigned to or destroyed before the group ends. A copy of it has the edits made so far, and no group.
 class Transaction {
  public:
   /// Begins the group: World::edit() does it. The world must outlive it.

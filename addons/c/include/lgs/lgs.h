@@ -24,7 +24,7 @@
  *   not freed. A refused call leaves its outputs as they were, if the text does not say otherwise.
  * - Errors. If the last argument is a lgs_error*, it may be NULL. It is written only if the result is not LGS_OK.
  *   lgs_message() makes a sentence of it.
- * - Buffers. Where the text says "as a list", the function writes at most `capacity` elements and tells in *count how
+ * - Buffers. Where the text says "as a list", the function writes at most `capacity` elements and returns in *count how
  *   many there are. If these are more, the first ones are written, and the result is LGS_SHORT_BUFFER.
  * - Ownership. The library allocates what it makes and frees it: lgs_new(), lgs_copy() and lgs_load() with lgs_free();
  *   lgs_begin() with lgs_keep() or lgs_undo(); lgs_loops_new() with lgs_loops_free(). All else is yours. Nothing that

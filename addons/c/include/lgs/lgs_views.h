@@ -1,7 +1,7 @@
 /* Views of a world, in C99 and C++: loops and islands, bodies, convex pieces, hashes of the ground. What C++ calls
- * Islands, Body, Pieces and GroundHashes is lgs_islands, lgs_body, lgs_pieces and lgs_hashes here; the words are those of
- * docs/islands.md, docs/pieces.md and docs/sync.md. The rules of lgs/lgs.h hold: results, arguments, buffers, errors,
- * threads.
+ * Islands, Body, Pieces and GroundHashes is lgs_islands, lgs_body, lgs_pieces and lgs_hashes here; the words are those
+ * of docs/islands.md, docs/pieces.md and docs/sync.md. The rules of lgs/lgs.h hold: results, arguments, buffers,
+ * errors, threads.
  *
  *   lgs_islands* islands;
  *   lgs_changes changes;
@@ -16,8 +16,9 @@
  *   lgs_islands_free(islands);
  *
  * A view is yours: lgs_islands_new(), lgs_islands_copy() with lgs_islands_free(); lgs_take() with lgs_body_free();
- * lgs_pieces_new() with lgs_pieces_free(); lgs_hashes_new(), lgs_hashes_copy() with lgs_hashes_free(). It does not keep its world, which is handed in again. It must be the same one,
- * or a copy that has gone the same way: this is not checked. */
+ * lgs_pieces_new() with lgs_pieces_free(); lgs_hashes_new(), lgs_hashes_copy() with lgs_hashes_free(). It does not keep
+ * its world, which is handed in again. It must be the same one, or a copy that has gone the same way: this is not
+ * checked. */
 #ifndef LGS_LGS_VIEWS_H
 #define LGS_LGS_VIEWS_H
 
@@ -88,18 +89,18 @@ typedef int32_t (*lgs_anchor_fn)(void* user, lgs_block block, lgs_cell cell);
 typedef struct lgs_islands lgs_islands;
 
 /* Looks at all polygons of a world that has no edits that are not committed. If it has some, what the view says may be
- * wrong, and nothing worse. `is_anchor` may be NULL: then nothing is an anchor; else it is kept, with its `user`, for as
- * long as the view and its copies live. Cost: in proportion to the world. */
+ * wrong, and nothing worse. `is_anchor` may be NULL: then nothing is an anchor; else it is kept, with its `user`, for
+ * as long as the view and its copies live. Cost: in proportion to the world. */
 LGS_API lgs_status lgs_islands_new(const lgs_world* world, lgs_anchor_fn is_anchor, void* user,
                                    lgs_islands** islands) LGS_NOTHROW;
 LGS_API lgs_status lgs_islands_copy(const lgs_islands* islands, lgs_islands** copy) LGS_NOTHROW;
 LGS_API void lgs_islands_free(lgs_islands* islands) LGS_NOTHROW;
 
 /* Takes over what the last commit or roll-back changed. The world must follow its cells. Refused, and nothing changes:
- * LGS_BAD_ARGUMENT, if these changes do not lead from what the view shows to what the world shows: then make a new view;
- * and if the world does not follow its cells: then call lgs_follow_cells() and make a new view. If the world has edits
- * that are not committed, what the view says of islands may be wrong from then on, and nothing worse.
- * Cost: docs/islands.md. */
+ * LGS_BAD_ARGUMENT, if these changes do not lead from what the view shows to what the world shows: then make a new
+ * view; and if the world does not follow its cells: then call lgs_follow_cells() and make a new view. If the world has
+ * edits that are not committed, what the view says of islands may be wrong from then on, and nothing worse. Cost:
+ * docs/islands.md. */
 LGS_API lgs_status lgs_islands_update(lgs_islands* islands, const lgs_world* world,
                                       const lgs_changes* changes) LGS_NOTHROW;
 
@@ -150,8 +151,8 @@ typedef struct lgs_body_polygon {
   uint32_t reserved;               /* 0 */
 } lgs_body_polygon;
 
-/* Takes an island out of the ground: one edit. Refused: LGS_STALE_HANDLE, if the id names no island, or its polygons are
- * gone. Cost: in proportion to the island. */
+/* Takes an island out of the ground: one edit. Refused: LGS_STALE_HANDLE, if the id names no island, or its polygons
+ * are gone. Cost: in proportion to the island. */
 LGS_API lgs_status lgs_take(lgs_world* world, const lgs_islands* islands, lgs_island_id island, lgs_body** body,
                             lgs_error* error) LGS_NOTHROW;
 /* Sets a body into the ground, so that its origin is this cell: one edit, or nothing. Refused: as by lgs_add_points(),
@@ -175,7 +176,7 @@ typedef struct lgs_portal {
   lgs_cell cell;     /* that of the piece to which it leads */
   uint32_t index;    /* of that piece among the free ones of its cell */
   uint32_t reserved; /* 0 */
-  lgs_point right;   /* the end on the right of who goes through */
+  lgs_point right;   /* the end on the right when passing */
   lgs_point left;    /* the end on the left */
 } lgs_portal;
 
@@ -190,9 +191,9 @@ LGS_API lgs_status lgs_pieces_update(lgs_pieces* pieces, const lgs_world* world,
 
 /* How many pieces a cell has: LGS_SOLID or LGS_FREE. */
 LGS_API lgs_status lgs_pieces_count(const lgs_pieces* pieces, lgs_cell cell, int32_t part, size_t* count) LGS_NOTHROW;
-/* One of them: its vertices as a list, counter-clockwise from the least one, and of a solid piece the polygon that it is
- * of; of a free one null. Refused: LGS_BAD_ARGUMENT, if there is none of this index. Cost: of a solid one O(n log n) for
- * the n vertices of the cell, unless `polygon` is NULL. */
+/* One of them: its vertices as a list, counter-clockwise from the least one, and of a solid piece the polygon that it
+ * is of; of a free one null. Refused: LGS_BAD_ARGUMENT, if there is none of this index. Cost: of a solid one O(n log n)
+ * for the n vertices of the cell, unless `polygon` is NULL. */
 LGS_API lgs_status lgs_pieces_get(const lgs_pieces* pieces, const lgs_world* world, lgs_cell cell, int32_t part,
                                   size_t index, lgs_local_point* vertices, size_t capacity, size_t* count,
                                   lgs_polygon_id* polygon) LGS_NOTHROW;

@@ -1,4 +1,4 @@
-// Shows a world to whoever looks for a bug: as a trace for the `lgs` command, and as a picture.
+// Shows a world, to look for a bug: as a trace for the `lgs` command, and as a picture.
 #pragma once
 
 #include <lgs/world.h>

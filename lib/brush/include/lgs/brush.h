@@ -97,7 +97,7 @@ enum class PaintMode : std::uint8_t {
   replace,  ///< takes over what is there
 };
 
-/// Says of a block whether its polygons stay, whatever a brush does around them: bedrock that nobody digs away, ore
+/// Says of a block whether its polygons stay, whatever a brush does around them: bedrock that is never dug away, ore
 /// that is mined in another way. It must give the same answer every time, throw nothing and not call back into the
 /// world. Empty: none stay.
 using StayingBlocks = std::function<bool(Block)>;
@@ -125,7 +125,7 @@ struct BrushResult {
 /// would hold too much (see world.h), or the region is too much for it (see kMaxRegionEdgesPerCell); unloaded, if it
 /// has a part of an unloaded cell. A region without area changes nothing.
 ///
-/// `staying` is asked once for each block. What it names is painted around, as by PaintMode::fill: its edges are cut
+/// `staying` is called once for each block. What it names is painted around, as by PaintMode::fill: its edges are cut
 /// where the region's edge meets them, and the corner there is rounded (law 8), so now and then such a polygon gets
 /// another handle.
 [[nodiscard]] Expected<BrushResult> paint(World& world, const Region& region, Block block, PaintMode mode,

@@ -65,7 +65,7 @@ struct PieceId {
 /// whose ends are vertices of either. Pieces that have only a point in common have no way.
 struct Portal {
   PieceId to;   ///< the other piece
-  Point right;  ///< the end on the right of who goes through, in lattice units of the world
+  Point right;  ///< the end on the right when passing, in lattice units of the world
   Point left;   ///< the end on the left
   friend constexpr bool operator==(const Portal&, const Portal&) = default;
 };
@@ -122,8 +122,9 @@ class Pieces {
   std::vector<Portal> portals(PieceId piece) const noexcept;
   void portals(PieceId piece, std::vector<Portal>& out) const noexcept;  ///< the same, replacing the content of `out`
 
-  /// A free piece that has a point, its rim included; of several the first of the least cell (by column, then by row).
-  /// Cost: in proportion to the vertices of free pieces in the cell; on a common side in both, in a corner in all four.
+  /// A free piece that has a point, its outline included; of several the first of the least cell (by column, then by
+  /// row). Cost: in proportion to the vertices of free pieces in the cell; on a common side in both, in a corner in all
+  /// four.
   std::optional<PieceId> freePieceAt(Point point) const noexcept;
 
   /// The cells of a rectangle that are solid, or free, as a whole, merged to disjoint rectangles: by rows from below,

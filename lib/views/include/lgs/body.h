@@ -1,4 +1,4 @@
-// Bodies: polygons that have left the ground of a world, or never were in it, with what a physics engine asks of them.
+// Bodies: polygons that have left the ground of a world, or never were in it, with what a physics engine needs.
 #pragma once
 
 #include <lgs/world.h>

@@ -5,7 +5,7 @@
 //   lgs::GroundHashes hashes(world);       // reads all polygons once
 //   world.commit();
 //   hashes.update(world.cellChanges());    // after each commit(), rollBack() and rollForward()
-//   if (hashes.hash() != theirs) …         // then some square differs: ask for those of the next level
+//   if (hashes.hash() != theirs) …         // then some square differs: compare those of the next level
 //
 // What a hash is:
 //
@@ -17,7 +17,7 @@
 //
 // So it follows from the polygons and blocks alone: not from handles, nor from what was edited before, nor from the
 // machine or the version of this library. It never changes what samePolygons() says: equal ground has equal hashes.
-// Ground that differs by chance has equal hashes once in 2^64. Whoever wants to can make up such ground: these hashes
+// Ground that differs by chance has equal hashes once in 2^64. Such ground can be made up: these hashes
 // find faults, and keep no liar out.
 //
 // Ground is divided into squares. One of level 0 is a chunk of 32×32 cells; one of level k + 1 are 4×4 of level k. The
@@ -111,8 +111,8 @@ class GroundHashes {
 
 std::vector<CellRect> differences(const GroundHashes& a, const GroundHashes& b) noexcept;
 
-/// The hash of the polygons in a rectangle of cells, worked out anew, after all edits, committed or not: for parts of a
-/// chunk, of which no hash is kept. Cost: that of World::forEachPolygon(), and the vertices there.
+/// The hash of the polygons in a rectangle of cells, computed from nothing, after all edits, committed or not: for
+/// parts of a chunk, of which no hash is kept. Cost: that of World::forEachPolygon(), and the vertices there.
 std::uint64_t groundHash(const World& world, const CellRect& cells) noexcept;
 
 }  // namespace lgs

@@ -9,7 +9,7 @@
 //   for (const lgs::IslandId id : islands.loose()) fall(lgs::take(world, islands, id));
 //
 // Solids that share at least a point are one island (law 3): two blocks that touch with a corner hang together. So an
-// island has exactly one outer loop, and a cut shows as one loop that became two, before anybody has looked at a cell
+// island has exactly one outer loop, and a cut shows as one loop that became two, before any look at a cell
 // of the part. An island that lies in a hole of another one is an island by itself.
 //
 // The view follows loops (loops.h) and has one inside: loops(). What is said there of preserve relations, copies,
@@ -121,7 +121,8 @@ class Islands {
   std::vector<IslandId> all() const noexcept;
 
   /// The islands of now that the last update names and that nothing holds, by id: both sides of a cut are looked at,
-  /// and who lost an anchor. They may fall. After construction none. Cost: that of island() for each that is named.
+  /// and those that lost an anchor. They may fall. After construction none. Cost: that of island() for each that is
+  /// named.
   std::vector<IslandId> loose() const noexcept;
 
   /// The loops that are followed.
@@ -136,13 +137,13 @@ class Islands {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Takes an island out of the ground: its polygons are removed by one edit, which the next commit tells, and come as a
-/// body. What lies in its holes stays. Edits that were made since the view's last update count: then it is what hangs
+/// Takes an island out of the ground: its polygons are removed by one edit, which the next commit reports, and come as
+/// a body. What lies in its holes stays. Edits that were made since the view's last update count: then it is what hangs
 /// together with the first polygon of the outer loop. Refused: staleHandle, if that polygon is gone, or if the id names
 /// no island. Cost: in proportion to the polygons of the island and those in the eight cells around each.
 [[nodiscard]] Expected<Body> take(World& world, const Islands& islands, IslandId island) noexcept;
 
-/// The same for those who want solids apart that touch in points only: a body for each part of the island whose
+/// The same with solids apart that touch in points only: a body for each part of the island whose
 /// polygons share more than points. All of them leave the ground.
 [[nodiscard]] Expected<std::vector<Body>> takeApart(World& world, const Islands& islands, IslandId island) noexcept;
 

@@ -65,7 +65,7 @@ struct LoopPair {
 };
 
 /// What an update did to the loops. It compares the moment before with the moment after, whatever happened between. A
-/// segment counts as the same one if it has the same ends, whoever owns it.
+/// segment counts as the same one if it has the same ends, whichever polygon owns it.
 ///
 /// Which loop keeps its id: a loop of before hands it to the loop of now that has most of its segments, of equals to
 /// the one whose `west` is least, then the one whose area is least, then the one whose `first` is least. One that is
@@ -94,10 +94,10 @@ class Loops {
   Loops& operator=(Loops&&) noexcept;             ///< the same
 
   /// Takes over what the world's last commit or roll-back changed: World::commit() or World::changesOfRollBack(). If
-  /// these do not lead from the version() that the view shows, or are lists that somebody made up, it stays as it is,
+  /// these do not lead from the version() that the view shows, or are made-up lists, it stays as it is,
   /// and the result is false: then begin again with another view. Cost: O(k log n) expected, for k segments in the
-  /// three lists and loops of n segments. A search for the worst commit, among 160×12 cells, found some 900 basic blocks
-  /// for a segment; a test holds it below 2,000. Allocates nothing once world and view have reached their size.
+  /// three lists and loops of n segments. A search for the worst commit, among 160×12 cells, found some 900 basic
+  /// blocks for a segment; a test holds it below 2,000. Allocates nothing once world and view have reached their size.
   [[nodiscard]] bool update(const World& world, const Changes& changes) noexcept;
 
   /// Of the last update. Empty after construction.

@@ -86,7 +86,7 @@ struct Frame {
   double units(double metres) const { return metres / cellSize * kUnitsPerCell; }
   /// A length in metres.
   float metres(double units) const { return static_cast<float>(units * cellSize / kUnitsPerCell); }
-  /// A length in lattice units, rounded up. It is a tenth longer than asked for, so that what is at least as long on
+  /// A length in lattice units, rounded up. It is a tenth longer than given, so that what is at least as long on
   /// the lattice is still long enough after rounding to `float`. At most 2^62, also for what is no number. Asserts that
   /// the cell size is finite and at least 2e-6.
   std::int64_t unitsOf(double metres) const {

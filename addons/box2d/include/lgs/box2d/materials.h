@@ -14,10 +14,10 @@
 
 namespace lgs::box2d {
 
-/// What a sync does with bodies that new ground would hold (law 13). They are dynamic bodies whose middle was free.
+/// What a sync does with bodies that new ground would hold (law 13). They are dynamic bodies whose centre was free.
 enum class OnCaught : std::uint8_t {
-  push,   ///< pushes them out, the shortest way that crosses no edge of the old outline; holds who has no such way
-  hold,   ///< holds them: disables them until they are free where they are, or until they can be pushed
+  push,  ///< pushes them out, the shortest way that crosses no edge of the old outline; holds a body without such a way
+  hold,  ///< holds them: disables them until they are free where they are, or until they can be pushed
   leave,  ///< leaves them: they fall through the ground
 };
 
@@ -52,7 +52,7 @@ class Materials {
     return entry->second;
   }
 
-  /// Forgets what it was told: the materials may have changed.
+  /// Forgets what it was given: the materials may have changed.
   void askAgain() {
     numbers_.clear();
     materials_.clear();

@@ -137,7 +137,7 @@ LGS_API void lgs_undo(lgs_group* group) LGS_NOTHROW;
  * in their order: the same edits in another order may give the same segments other ids and places. A list that is empty
  * may be NULL.
  *
- * The lists lead from one lgs_segments_version() to another. Whoever keeps a copy of the segments keeps the version,
+ * The lists lead from one lgs_segments_version() to another. A copy of the segments is kept with the version,
  * too. The lists fit the copy if `before` is that version; then `after` is the new one. So it shows when lists were
  * left out, applied twice, or are those of another world. If all three lists are empty, both versions are the same. */
 typedef struct lgs_changes {
@@ -204,45 +204,45 @@ LGS_API lgs_status lgs_forget(lgs_world* world, lgs_mark mark, lgs_error* error)
 /* --- Leaving places ---------------------------------------------------------------------------------------------- */
 
 /* Lets go of a place that the game has left. Each chunk of 32x32 cells that lies in the rectangle as a whole and holds
- * no polygon gives its memory back, and so does each unloaded one that had no loaded chunk around it at the last commit;
- * other chunks stay as they are. `forgotten` receives how many chunks went. An empty
- * rectangle is no error. All polygon ids that were ever given out for cells of these chunks are void: they name nothing
- * until they are given out again, maybe for another place. Segments, shapes and all other ids are not touched. Refused:
- * LGS_CELL_OUT_OF_RANGE, with a corner of the rectangle that is out of range; LGS_UNCOMMITTED, while edits are not
- * committed or there are marks. Cost: in proportion to the cells of the chunks in the rectangle, and to the chunks in
- * the rectangle or in the world, whichever are fewer. */
+ * no polygon gives its memory back, and so does each unloaded one that had no loaded chunk around it at the last
+ * commit; other chunks stay as they are. `forgotten` receives how many chunks went. An empty rectangle is no error. All
+ * polygon ids that were ever given out for cells of these chunks are void: they name nothing until they are given out
+ * again, maybe for another place. Segments, shapes and all other ids are not touched. Refused: LGS_CELL_OUT_OF_RANGE,
+ * with a corner of the rectangle that is out of range; LGS_UNCOMMITTED, while edits are not committed or there are
+ * marks. Cost: in proportion to the cells of the chunks in the rectangle, and to the chunks in the rectangle or in the
+ * world, whichever are fewer. */
 LGS_API lgs_status lgs_forget_chunks(lgs_world* world, lgs_cell_rect cells, uint64_t* forgotten,
                                      lgs_error* error) LGS_NOTHROW;
 
 /* Takes the bytes of one chunk, whose lower-left cell is `corner`. It may read the world. */
 typedef void (*lgs_chunk_fn)(void* user, lgs_cell corner, const uint8_t* bytes, size_t count);
 
-/* Chunks of 32x32 cells leave memory: those that are loaded and lie in the rectangle as a whole, by rows. `take` gets the
- * bytes of each; it may be NULL. `unloaded` receives how many chunks these are. The next commit reports which segments
- * went. What is loaded shows the segments and ghosts that it has in the whole world: no wall appears where it ends. In
- * an unloaded chunk every edit is refused as LGS_UNLOADED, and so are ids of its polygons and segments; questions that
- * would have to look there say so; lists and counts leave it out. Marks go back across it. Refused:
+/* Chunks of 32x32 cells leave memory: those that are loaded and lie in the rectangle as a whole, by rows. `take` gets
+ * the bytes of each; it may be NULL. `unloaded` receives how many chunks these are. The next commit reports which
+ * segments went. What is loaded shows the segments and ghosts that it has in the whole world: no wall appears where it
+ * ends. In an unloaded chunk every edit is refused as LGS_UNLOADED, and so are ids of its polygons and segments;
+ * questions that would have to look there say so; lists and counts leave it out. Marks go back across it. Refused:
  * LGS_CELL_OUT_OF_RANGE, with a corner of the rectangle that is out of range. Cost: in proportion to the cells of these
  * chunks. */
 LGS_API lgs_status lgs_unload(lgs_world* world, lgs_cell_rect cells, lgs_chunk_fn take, void* user, uint64_t* unloaded,
                               lgs_error* error) LGS_NOTHROW;
 
-/* A chunk comes back as it was, to the last id. `bytes` are what lgs_unload() gave last for this chunk; where there is no
- * chunk they may be what any world gave that has the same preserve relation, and the ids are new. `corner` receives its
- * lower-left cell. Refused: LGS_SAVE_…, and the error has the offset of the byte. Cost: in proportion to the cells of
- * the chunk, and quadratic in the vertices of each content of a cell that is new. */
+/* A chunk comes back as it was, to the last id. `bytes` are what lgs_unload() gave last for this chunk; where there is
+ * no chunk they may be what any world gave that has the same preserve relation, and the ids are new. `corner` receives
+ * its lower-left cell. Refused: LGS_SAVE_…, and the error has the offset of the byte. Cost: in proportion to the cells
+ * of the chunk, and quadratic in the vertices of each content of a cell that is new. */
 LGS_API lgs_status lgs_reload(lgs_world* world, const uint8_t* bytes, size_t count, lgs_cell* corner,
                               lgs_error* error) LGS_NOTHROW;
 
 /* The unloaded chunks that lie in a rectangle as a whole come back, and are empty: for a game that makes their ground
- * anew before the next commit. Ids of polygons from before name nothing, and are never given out again. `reloaded`
+ * again before the next commit. Ids of polygons from before name nothing, and are never given out again. `reloaded`
  * receives how many chunks these are. Refused: LGS_CELL_OUT_OF_RANGE, with a corner of the rectangle that is out of
  * range. Cost: in proportion to the cells of these chunks. */
 LGS_API lgs_status lgs_reload_empty(lgs_world* world, lgs_cell_rect cells, uint64_t* reloaded,
                                     lgs_error* error) LGS_NOTHROW;
 
-/* Writes whether a rectangle has an unloaded cell (1 or 0), and the first such cell, by rows. Cost: in proportion to the
- * chunks in the rectangle or in the world, whichever are fewer. */
+/* Writes whether a rectangle has an unloaded cell (1 or 0), and the first such cell, by rows. Cost: in proportion to
+ * the chunks in the rectangle or in the world, whichever are fewer. */
 LGS_API lgs_status lgs_first_unloaded(const lgs_world* world, lgs_cell_rect cells, int32_t* found,
                                       lgs_cell* first) LGS_NOTHROW;
 

@@ -109,17 +109,17 @@ LGS_API lgs_status lgs_is_empty(const lgs_world* world, lgs_cell cell, int32_t* 
 /* Gets a polygon; `vertices` has polygon->vertices points, and stays until it returns. It may read the world. */
 typedef void (*lgs_polygon_fn)(void* user, const lgs_polygon* polygon, const lgs_local_point* vertices);
 
-/* Calls visit() for every polygon in a rectangle of cells, buried ones too: chunk by chunk, in any order; each by rows,
- * each cell by id. Cost: in proportion to the cells there that have a chunk. */
+/* Calls visit() for every polygon in a rectangle of cells, those inside the ground too: chunk by chunk, in any order;
+ * each by rows, each cell by id. Cost: in proportion to the cells there that have a chunk. */
 LGS_API lgs_status lgs_visit_polygons(const lgs_world* world, lgs_cell_rect cells, lgs_polygon_fn visit,
                                       void* user) LGS_NOTHROW;
 
 /* --- Which cells changed: for views of the ground, which need no segments ----------------------------------------- */
 
-/* Whether lgs_visit_cell_changes() has something to tell from now on (1) or not (0); a new world has not. A copy follows
- * as its original does, a loaded world follows nothing yet. Refused: LGS_UNCOMMITTED, while edits are not committed or
- * there are marks. While a world follows, edits cost what they cost while there is a mark; and a commit reads the
- * edited cells, in time and memory in proportion to their polygons and vertices, before and now. */
+/* Whether lgs_visit_cell_changes() has something to report from now on (1) or not (0); a new world has not. A copy
+ * follows as its original does, a loaded world follows nothing yet. Refused: LGS_UNCOMMITTED, while edits are not
+ * committed or there are marks. While a world follows, edits cost what they cost while there is a mark; and a commit
+ * reads the edited cells, in time and memory in proportion to their polygons and vertices, before and now. */
 LGS_API lgs_status lgs_follow_cells(lgs_world* world, int32_t follow, lgs_error* error) LGS_NOTHROW;
 
 /* A cell that a commit or a roll-back changed. The polygons are by id. Ids in `before` name nothing any more, if their
@@ -138,8 +138,8 @@ typedef void (*lgs_cell_change_fn)(void* user, const lgs_cell_change* change);
 
 /* Calls visit() for each cell that the last commit or roll-back changed, each once, in the order of their first change.
  * After a roll-back these are the cells edited, and committed, since the last commit before the mark; `now` is as of
- * that commit, and edits that were pending at the mark are told by the next commit. A cell is named even if it holds
- * again what it held. None, if nothing is followed or an edit was made since. */
+ * that commit, and edits that were pending at the mark are reported by the next commit. A cell is named even if it
+ * holds again what it held. None, if nothing is followed or an edit was made since. */
 LGS_API lgs_status lgs_visit_cell_changes(const lgs_world* world, lgs_cell_change_fn visit, void* user) LGS_NOTHROW;
 
 /* The least rectangle of cells with all polygons; an empty one, min (0, 0) and max (-1, -1), if there are none. Cost:

@@ -54,7 +54,7 @@ typedef int32_t lgs_status;
 
 enum {
   LGS_OK = 0,
-  /* An edit or a question is refused. A polygon is checked in this order; the first reason that applies is told. */
+  /* An edit or a question is refused. A polygon is checked in this order; the first reason that applies is reported. */
   LGS_CELL_OUT_OF_RANGE = 1, /* a cell index beyond LGS_MAX_CELL */
   LGS_EMPTY_SHAPE = 2,       /* a shape without polygons */
   LGS_TOO_FEW_VERTICES = 3,  /* fewer than 3 vertices */
@@ -147,7 +147,7 @@ typedef struct lgs_cell_rect {
   lgs_cell max; /* the upper right cell */
 } lgs_cell_rect;
 
-/* In its cell, in lattice units from the lower left corner, y up: 0 to LGS_UNITS_PER_CELL, the rim included. */
+/* In its cell, in lattice units from the lower left corner, y up: 0 to LGS_UNITS_PER_CELL, the boundary included. */
 typedef struct lgs_local_point {
   int32_t x; /* to the right */
   int32_t y; /* up */
@@ -182,7 +182,7 @@ typedef struct lgs_double_point {
 LGS_API lgs_point lgs_lattice_point(lgs_double_point position) LGS_NOTHROW;
 
 /* The cell in which a point lies. Cells are half-open here: a point on a common side belongs to the cell on its right,
- * or above it. So one on the upper or right rim of the last cell is in none that is in range. The point must be in
+ * or above it. So one on the upper or right side of the last cell is in none that is in range. The point must be in
  * range; another one gives any cell. */
 LGS_API lgs_cell lgs_cell_at(lgs_point point) LGS_NOTHROW;
 

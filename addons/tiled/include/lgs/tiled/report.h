@@ -1,4 +1,4 @@
-// What an import tells: what came in, what was taken by itself and why, and what was left out or changed.
+// What an import reports: what came in, what was taken without options and why, and what was left out or changed.
 #pragma once
 
 #include <lgs/ids.h>

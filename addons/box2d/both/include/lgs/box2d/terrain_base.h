@@ -52,14 +52,14 @@ struct GroundRayHit {
 
 /// A body that new ground would hold.
 struct Caught {
-  BodyHandle body{};    ///< who it is
-  float depth = 0;      ///< metres: how deep the ground reaches into it, at most to the middle
+  BodyHandle body{};    ///< the body
+  float depth = 0;      ///< metres: how deep the ground reaches into it, at most to the centre
   bool isFree = false;  ///< whether there is a way out
   b2Vec2 way{0, 0};     ///< that way: a straight move without a turn
 };
 
-/// What every terrain can do. Only a Terrain can be made. Every function is noexcept: when memory runs out, or a function
-/// of the game's throws, the program ends.
+/// What every terrain can do. Only a Terrain can be made. Every function is noexcept: when memory runs out, or a
+/// function of the game's throws, the program ends.
 class TerrainBase {
  public:
   TerrainBase(const TerrainBase&) = delete;
@@ -75,27 +75,29 @@ class TerrainBase {
   /// are not the next ones are refused: the terrain stays as it was, and the error says why. After `leftOut` call
   /// resync(). After `shownAlready` there is nothing to do. After `notTheLast` call resync() unless isCurrent(). Cost:
   /// the number of changes, times the segments of an edge; for each body near a change, the changes that are connected
-  /// with it; in Box2D 2.4 also, for each fixture that goes, the fixtures of its body, because Box2D looks for it there.
+  /// with it; in Box2D 2.4 also, for each fixture that goes, the fixtures of its body, because Box2D looks for it
+  /// there.
   tl::expected<void, SyncError> sync(const Changes& changes) noexcept;
 
   /// The same, with another answer to what happens to bodies in new ground.
   tl::expected<void, SyncError> sync(const Changes& changes, OnCaught onCaught) noexcept;
 
   /// The bodies that these changes would catch. Ask after a commit or roll-back and before its sync(): so the game can
-  /// roll back, or leave the rest to sync(). A body is caught if its middle was free and is in the solid, or if a new
-  /// edge reaches deeper than half way to its middle. Of a body of several shapes each has a middle: the one by which
-  /// Box2D judges on which side of an edge it is. A middle is free if latticePoint() of it is in no polygon and on no
-  /// edge of one: on an edge counts as in the solid, as there rounding decides on which side Box2D sees it. Sensors, bodies that are not dynamic or not enabled, and shapes
-  /// whose filter lets them through the block do not count. Nothing, if sync() would refuse the changes. Cost: the
-  /// number of changes, for each body near one of them; and up to some milliseconds for one that has no way out.
+  /// roll back, or leave the rest to sync(). A body is caught if its centre was free and is in the solid, or if a new
+  /// edge reaches deeper than half way to its centre. Of a body of several shapes each has a centre: the one by which
+  /// Box2D decides on which side of an edge it is. A centre is free if latticePoint() of it is in no polygon and on no
+  /// edge of one: on an edge counts as in the solid, as there rounding decides on which side Box2D sees it. Sensors,
+  /// bodies that are not dynamic or not enabled, and shapes whose filter lets them through the block do not count.
+  /// Nothing, if sync() would refuse the changes. Cost: the number of changes, for each body near one of them; and up
+  /// to some milliseconds for one that has no way out.
   std::vector<Caught> caughtBy(const Changes& changes) noexcept;
 
-  /// Those that the last sync or resync pushed or held. Who was pushed was moved along the way out and woken, and has
+  /// Those that the last sync or resync pushed or held. A pushed body was moved along the way out and woken, and has
   /// no velocity against it any more. None if they are left.
   const std::vector<Caught>& caught() const noexcept { return caught_; }
 
   /// The bodies that are held: disabled where they were caught, at rest. A later sync nearby enables them if they are
-  /// free there, or pushes them out if their middles are. A game that destroys or enables one itself may do so.
+  /// free there, or pushes them out if their centres are. A game that destroys or enables one itself may do so.
   std::vector<BodyHandle> held() const noexcept { return held_; }
 
   /// Call it before each step, when bodies are made and moved. It notes where those are that are new, or that the game
@@ -106,14 +108,14 @@ class TerrainBase {
   void beforeStep() noexcept;
 
   /// Call it after each step. Bodies press each other, and Box2D may press a light one through an edge. Each body whose
-  /// middle got into the ground in the step, or came through, is put back to where it was free before, at rest. Those
+  /// centre got into the ground in the step, or came through, is put back to where it was free before, at rest. Those
   /// are returned. Bodies that the game itself moves into the ground come back, too. Cost: World::at() for each shape
   /// of a body that is awake.
   const std::vector<BodyHandle>& afterStep() noexcept;
 
-  /// Notes where one body is, as beforeStep() does, for a game that does not call that: of a body that it has made, or put
-  /// elsewhere, through a portal or to where it starts anew. Else that seems to have come through the ground that is
-  /// between, and afterStep() puts it back. Not needed before resync().
+  /// Notes where one body is, as beforeStep() does, for a game that does not call that: of a body that it has made, or
+  /// put elsewhere, through a portal or to where it starts again. Else that seems to have come through the ground that
+  /// is between, and afterStep() puts it back. Not needed before resync().
   void moved(BodyArgument body) noexcept;
 
   /// Whether the ground, as of the last commit, reaches into no shape of a body by more than Box2D's slop.
@@ -125,13 +127,13 @@ class TerrainBase {
 
   /// Brings the terrain up to date with what its world held at its last commit, whatever was done to the world:
   /// changes were left out, or another world was assigned to it, loaded or copied. Bodies may have been moved
-  /// meanwhile: whoever is in the ground is pushed or held, however it came there; and whoever is held and free is
+  /// meanwhile: bodies in the ground are pushed or held, however they came there; and one that is held and free is
   /// held no more. Shapes that are right as they are stay, and bodies on them sleep on. Cost: O(segments), and for each
   /// body near a change the changes that are connected with it.
   void resync() noexcept;
 
   /// Asks TerrainOptions::material again for all blocks, as what blocks are like has changed; and syncs as resync()
-  /// does. The shapes of blocks that are another material now are made anew, so what rests there wakes up. Nobody is
+  /// does. The shapes of blocks that are another material now are made again, so what rests there wakes up. No body is
   /// pushed out of a block that was passable and is solid now. Cost: O(segments).
   void materialsChanged() noexcept;
 
@@ -173,7 +175,7 @@ class TerrainBase {
   ///
   ///   physics.ShiftOrigin(terrain.position(lgs::toWorld(cell, {})));
   ///
-  /// In Box2D 3 it moves each of them, by the place that the corner had before. Where that rounded a middle into the
+  /// In Box2D 3 it moves each of them, by the place that the corner had before. Where that rounded a centre into the
   /// ground, the body is moved on by some units. Cost: in proportion to the shapes and to the bodies.
   void moveOrigin(Cell origin) noexcept;
 
@@ -231,7 +233,7 @@ class TerrainBase {
   void destroy(EdgeId id);
   void remake(EdgeId id);
   void loadEdges();
-  /// Wakes who is near edges that change. Returns bodies that can be caught: those, and those at other boxes.
+  /// Wakes bodies near edges that change. Returns bodies that can be caught: those, and those at other boxes.
   std::vector<BodyHandle> wakeAround(const EdgeChanges& changes, std::vector<Box> boxes);
   LocalEdge localEdge(EdgeId id) const;
   Position positionOf(std::uint32_t chunk) const;

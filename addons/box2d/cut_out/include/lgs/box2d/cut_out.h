@@ -1,4 +1,4 @@
-// Nobody is moved and nothing is refused: bodies are cut out of new ground. Link LocalGridSeg::brush as well.
+// No body is moved and nothing is refused: bodies are cut out of new ground. Link LocalGridSeg::brush as well.
 //
 //   paint(world, region, 7, lgs::PaintMode::fill);
 //   cutOut(terrain, world, world.commit());
@@ -20,7 +20,7 @@
 
 namespace lgs::box2d {
 
-/// Shows the last changes of a world, as sync() does. But who is caught by them stays where it is: its outline is
+/// Shows the last changes of a world, as sync() does. But a body that they catch stays where it is: its outline is
 /// carved out of the ground, and that is committed and shown as well. If a brush is refused somewhere, because a cell
 /// is full to its limits, the terrain does with bodies what its options say. Errors as of sync().
 inline tl::expected<void, SyncError> cutOut(Terrain& terrain, World& world, const Changes& changes) noexcept {

@@ -43,7 +43,7 @@ class Terrain : public TerrainBase {
   using TerrainBase::hit;
   /// What a contact touches of the terrain; nothing if neither fixture is the terrain's, or if the contact does not
   /// touch: Box2D has contacts also of fixtures that are only near. If the edge stands for several segments, the hit is
-  /// the one nearest to the middle of the contact's points; without points, as with a sensor, to the middle of the
+  /// the one nearest to the centre of the contact's points; without points, as with a sensor, to the centre of the
   /// other fixture. Can be called in a b2ContactListener: in BeginContact, PreSolve and PostSolve every contact
   /// touches. In EndContact use hit(fixture), because a contact that ends does not touch any more.
   std::optional<Touch> hit(b2Contact& contact) const noexcept;

@@ -12,7 +12,7 @@
 //   terrain.commit(world);
 //
 // From Box2D 3.2 on the chain segments are loose (b2CreateChainSegmentShape), and a ghost that changes is written in
-// place. Before 3.2 each is an open chain of four points, which is made anew when a ghost changes.
+// place. Before 3.2 each is an open chain of four points, which is made again when a ghost changes.
 //
 // Dynamic bodies that rest on changed ground wake up, and so do those within 20 cm of where new ground appears. Nothing
 // else is touched.
@@ -28,8 +28,8 @@
 
 namespace lgs::box2d {
 
-/// With which precision a file was compiled. It is a parameter of Terrain's constructor that nobody gives: where a game
-/// and the terrain's library disagree about BOX2D_DOUBLE_PRECISION, they do not link.
+/// With which precision a file was compiled. It is a parameter of Terrain's constructor that is never given: where a
+/// game and the terrain's library disagree about BOX2D_DOUBLE_PRECISION, they do not link.
 enum class PositionsInFloat : bool {};
 enum class PositionsInDouble : bool {};
 using Precision = std::conditional_t<std::is_same_v<decltype(Position::x), float>, PositionsInFloat, PositionsInDouble>;
@@ -38,9 +38,9 @@ using Precision = std::conditional_t<std::is_same_v<decltype(Position::x), float
 /// most of what it can do.
 class Terrain : public TerrainBase {
  public:
-  /// Makes the terrain of what the world held at its last commit. `world` must outlive it and stay where it is; resync()
-  /// if it is assigned to. When the physics world is destroyed, nothing but the terrain's destructor may be called.
-  /// Cost: O(segments).
+  /// Makes the terrain of what the world held at its last commit. `world` must outlive it and stay where it is;
+  /// resync() if it is assigned to. When the physics world is destroyed, nothing but the terrain's destructor may be
+  /// called. Cost: O(segments).
   Terrain(b2WorldId physics, const World& world, TerrainOptions options = {}, Precision = {}) noexcept;
 
   using TerrainBase::fits;
@@ -48,7 +48,7 @@ class Terrain : public TerrainBase {
   /// were at another place.
   bool fits(b2BodyId body, Position at, b2Rot rotation) noexcept;
 
-  /// What recall() needs to bring the terrain back to now, and nobody else can read. For this terrain alone.
+  /// What recall() needs to bring the terrain back to now. For this terrain alone.
   class Memory;
   using MemoryPtr = std::shared_ptr<const Memory>;
 
@@ -70,7 +70,7 @@ class Terrain : public TerrainBase {
 
   using TerrainBase::hit;
   /// What a contact touches of the terrain; nothing if it is none of the terrain's, or has no points. If the edge
-  /// stands for several segments, the hit is the one nearest to the middle of the points. Box2D gives out the data of
+  /// stands for several segments, the hit is the one nearest to the centre of the points. Box2D gives out the data of
   /// contacts that touch, and of no others. But it looks ahead: what is less than four slops (2 cm) away touches for
   /// it, and a point's `separation` is greater than 0 then.
   std::optional<Touch> hit(const b2ContactData& contact) const noexcept;

@@ -49,7 +49,7 @@ struct RolledBack {
   std::vector<Falling> made;  ///< fall again
 };
 
-/// The ground of one world that falls. What it makes is the game's to move; whoever destroys a body calls forget().
+/// The ground of one world that falls. What it makes is the game's to move; code that destroys a body calls forget().
 class FallingGround {
  public:
   /// All of them must outlive it and stay where they are.

@@ -23,7 +23,7 @@ struct SegmentShape {
 using Position = decltype(b2BodyDef::position);
 
 /// What a block is like. The defaults are Box2D's. The flags are those of b2ShapeDef. Sensor events need
-/// theirs on both shapes, the others on one of the two. (In 2.4 listeners hear of every contact without a flag.)
+/// theirs on both shapes, the others on one of the two. (In 2.4 listeners get every contact without a flag.)
 struct Material {
   b2SurfaceMaterial surface = b2DefaultSurfaceMaterial();  ///< friction and the like
   b2Filter filter = b2DefaultFilter();                     ///< what it collides with
@@ -31,8 +31,8 @@ struct Material {
   bool enableContactEvents = false;                        ///< as in b2ShapeDef
   bool enableHitEvents = false;                            ///< as in b2ShapeDef
   bool enablePreSolveEvents = false;                       ///< as in b2ShapeDef
-  bool enableCustomFiltering = false;                      ///< before 3.2 Box2D asks the custom filter about all shapes
-  bool isPassable = false;  ///< bodies may be inside, as in a one-way platform: nobody is caught there
+  bool enableCustomFiltering = false;                      ///< before 3.2 Box2D calls the custom filter for all shapes
+  bool isPassable = false;  ///< bodies may be inside, as in a one-way platform: no body is caught there
   friend bool operator==(const Material& a, const Material& b);
 };
 
