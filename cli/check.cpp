@@ -136,12 +136,8 @@ Status checkWith(CheckArguments arguments, Engine& engine) {
 // The engine answers in a process of its own.
 Status checkApart(const CheckArguments& arguments) {
   const auto engine = startEngine(arguments.engine);
-  if (engine) return finishEngine(**engine, checkWith(arguments, **engine), stdout);
-  tell(engine.error(), stdout);
-  if (arguments.report.empty()) return Status::mismatch;
-  Survey survey = surveyFor(arguments);
-  survey.add(engine.error());
-  return finishSurvey(arguments, survey, {});
+  if (!engine) return Status::badInput;
+  return finishEngine(*engine, checkWith(arguments, *engine), stdout);
 }
 
 // A shared object is called in the process that compares, which is quickest. If it crashes or hangs there, or if that

@@ -70,15 +70,15 @@ void addEngineOptions(CLI::App& command, EngineArguments& arguments, CLI::Option
       ->option_text(" ");
 }
 
-tl::expected<std::unique_ptr<Engine>, Failure> startEngine(const EngineArguments& arguments) {
+std::unique_ptr<Engine> startEngine(const EngineArguments& arguments) {
   const auto program = arguments.loaded ? serving(arguments.loaded) : shell(arguments.command);
   auto engine = ProcessEngine::start({program, std::chrono::duration<double>(arguments.patience()), arguments.verbose});
   if (!engine) {
-    engine.error().text += " when it was greeted";
-    return tl::unexpected(std::move(engine.error()));
+    fmt::print(stderr, "lgs: there is no engine to check: {}", inWords(engine.error(), " when it was greeted"));
+    return nullptr;
   }
   if (arguments.assumed) (*engine)->assume(*arguments.assumed);
-  return engine;
+  return std::move(*engine);
 }
 
 void introduce(const Engine& engine, std::FILE* out) {

@@ -10,10 +10,14 @@
 #include "oracle/trace/player.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <span>
+#include <string>
 #include <tuple>
+#include <vector>
 
 namespace lgs::cli {
 
@@ -22,7 +26,8 @@ using namespace oracle;
 namespace {
 
 struct ReplayArguments {
-  std::string trace;
+  std::vector<std::string> worlds;  ///< files, and folders of traces
+  std::string trace;                ///< the one that is played
   bool check = false;
   CheckOptions checkOptions;
   EngineArguments engine;
@@ -80,7 +85,7 @@ Status check(const ReplayArguments& arguments, const Trace& trace, const CheckOp
   return status;
 }
 
-Status run(const ReplayArguments& arguments) {
+Status runOne(const ReplayArguments& arguments) {
   const auto& [dump, svg, html, save] = std::tie(arguments.dump, arguments.svg, arguments.html, arguments.save);
   if (const Status bad = tryOutputs({dump, svg, html, save}); bad != Status::fine) return bad;
   const auto trace = readWorld(arguments.trace);
@@ -93,8 +98,8 @@ Status run(const ReplayArguments& arguments) {
 
   if (!arguments.engine.isGiven()) return check(arguments, *trace, arguments.checkOptions, out);
   const auto started = startEngine(arguments.engine);
-  if (!started) return tell(started.error(), out);
-  Engine& engine = **started;
+  if (!started) return Status::badInput;
+  Engine& engine = *started;
   introduce(engine, out);
   const Trace plain = inPlainEdits(*trace);  // which every engine understands
   if (const std::string why = whyNot(plain, engine.can()); !why.empty())
@@ -103,6 +108,47 @@ Status run(const ReplayArguments& arguments) {
   options.engine = &engine;
   options.skipRefused = engine.can().refuses;
   return finishEngine(engine, check(arguments, plain, options, out), out);
+}
+
+// A folder stands for its traces, in the order of their names.
+tl::expected<std::vector<std::string>, std::string> filesOf(const std::vector<std::string>& worlds) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> files;
+  for (const std::string& world : worlds) {
+    std::error_code ignored;  // reading it will say what is wrong
+    if (!fs::is_directory(world, ignored)) {
+      files.push_back(world);
+      continue;
+    }
+    std::vector<std::string> traces;
+    for (const auto& entry : fs::directory_iterator(world, ignored))
+      if (entry.path().extension() == ".trace") traces.push_back(entry.path().string());
+    if (traces.empty()) return tl::unexpected(world + ": there is no .trace in this folder");
+    std::ranges::sort(traces);
+    files.insert(files.end(), traces.begin(), traces.end());
+  }
+  return files;
+}
+
+Status run(ReplayArguments arguments) {
+  const auto files = filesOf(arguments.worlds);
+  if (!files) return complain(files.error());
+  const bool isOne = files->size() == 1;
+  if (!isOne && !(arguments.dump + arguments.svg + arguments.html + arguments.save).empty())
+    return complain("lgs replay: --dump, --svg, --html and --save take one trace, not " +
+                    std::to_string(files->size()));
+  Status status = Status::fine;
+  std::size_t fine = 0;
+  for (const std::string& file : *files) {
+    arguments.trace = file;
+    if (!isOne) fmt::print("{}: ", file);
+    std::fflush(stdout);
+    const Status one = runOne(arguments);
+    fine += one == Status::fine ? 1 : 0;
+    status = worst(status, one);
+  }
+  if (!isOne) fmt::print("{} of {} traces are fine\n", fine, files->size());
+  return status;
 }
 
 constexpr const char* kReplayHelp =
@@ -128,8 +174,10 @@ void addReplay(CLI::App& app, Action& chosen) {
   const auto arguments = std::make_shared<ReplayArguments>();
   CLI::App& command = *app.add_subcommand("replay", "Play a trace, a list of edits; check, dump or draw the result");
   command
-      .add_option("TRACE", arguments->trace,
-                  "A file in the trace format, a map (.tmx, .tmj, .json,\n.world, .ldtk), or a saved world (.lgs)")
+      .add_option(
+          "TRACE...", arguments->worlds,
+          "Files in the trace format, maps (.tmx, .tmj, .json, .world,\n.ldtk), saved worlds (.lgs), or folders of "
+          "traces")
       ->required()
       ->option_text("(required)");
   CLI::Option* const check =

@@ -49,12 +49,25 @@ class Hurry {
   Engine& engine_;
 };
 
+// Where the files of a finding go: nothing that an earlier run found is replaced, but by the same.
+std::string freePlace(const ReportOptions& report, const std::string& text) {
+  constexpr int kMost = 1'000;
+  const std::string first = (std::filesystem::path(report.folder) / report.name).string();
+  std::string base = first;
+  for (int k = 2; k < kMost; ++k, base = fmt::format("{}.{}", first, k)) {
+    const auto there = readFile(base + ".trace");
+    if (!there || *there == text) break;
+  }
+  return base;
+}
+
 // Writes trace, picture and page, and says where they are and how to come by them again.
 void save(const Trace& trace, const Views& views, const ReportOptions& report, bool replays) {
   std::error_code ignored;  // writing will say what is wrong
   std::filesystem::create_directories(report.folder, ignored);
-  const std::string base = (std::filesystem::path(report.folder) / report.name).string();
-  const bool traceWritten = writeOrComplain(base + ".trace", printTrace(trace, report.reproduce));
+  const std::string text = printTrace(trace, report.reproduce);
+  const std::string base = freePlace(report, text);
+  const bool traceWritten = writeOrComplain(base + ".trace", text);
   const bool pageWritten = writeOrComplain(base + ".html", views.page);
   const bool written = writeOrComplain(base + ".svg", views.picture) && pageWritten && traceWritten;
   if (written) fmt::print("\ntrace      {0}.trace\npicture    {0}.svg\npage       {0}.html\n", base);

@@ -80,9 +80,10 @@ std::vector<Call> formsOf(const Call& call, std::size_t at) {
 
 const std::vector<ShrinkWalk::Pass>& ShrinkWalk::passes() {
   using W = ShrinkWalk;
-  static const std::vector<Pass> kPasses{&W::rename,          &W::dropCalls, &W::simplifyCalls,  &W::simplifyPolygons,
-                                         &W::simplifyBrushes, &W::dropPairs, &W::renumberBlocks, &W::oneBlock,
-                                         &W::moveColumns,     &W::moveRows,  &W::rename,         &W::refuseNothing};
+  // The place comes first: where each trial takes seconds, as for a hang, there is time for little else.
+  static const std::vector<Pass> kPasses{
+      &W::rename,          &W::moveColumns, &W::moveRows,       &W::dropCalls, &W::simplifyCalls, &W::simplifyPolygons,
+      &W::simplifyBrushes, &W::dropPairs,   &W::renumberBlocks, &W::oneBlock,  &W::rename,        &W::refuseNothing};
   return kPasses;
 }
 

@@ -67,12 +67,17 @@ TEST_F(BadEngines, DoesNotRead) {
   expectTold(naiveWith("for line in sys.stdin:", "for line in [\"lgs-engine 1\"]:"), "the engine ended with status 0");
 }
 
-TEST_F(BadEngines, DoesNotGreet) {
-  expectTold(naiveWith("\"lgs-engine 1 naive.py", "\"hello 1 naive.py"), "the first line must be 'lgs-engine 1 NAME");
-}
-
-TEST_F(BadEngines, ClaimsWhatNobodyKnows) {
-  expectTold(naiveWith("several preserve", "several magic"), "'magic' is no capability");
+// What does not begin is no engine: bad usage, and no mismatch.
+TEST_F(BadEngines, DoesNotBegin) {
+  const auto expectNone = [&](const std::string& engine, const std::string& why) {
+    const Outcome outcome = check(engine, "--edits 200", kPatience);
+    EXPECT_EQ(outcome.status, 2) << outcome.text;
+    EXPECT_TRUE(outcome.text.starts_with("lgs: there is no engine to check: the engine ")) << outcome.text;
+    EXPECT_NE(outcome.text.find(why), std::string::npos) << outcome.text;
+  };
+  expectNone("no-such-program", "ended with status 127");
+  expectNone(naiveWith("\"lgs-engine 1 naive.py", "\"hello 1 naive.py"), "the first line must be 'lgs-engine 1 NAME");
+  expectNone(naiveWith("several preserve", "several magic"), "'magic' is no capability");
 }
 
 TEST_F(BadEngines, DoesNotEnd) {
