@@ -104,7 +104,6 @@ def edits(results):
 def edit_sizes(results):
     kinds = {
         "remove": ("remove-add", "first"),
-        "replace": ("replace", "first"),
         "dig nearby": ("dig", "first"),
     }
     rows = []

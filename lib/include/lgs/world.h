@@ -144,8 +144,8 @@ class World {
 
   /// Validates and stores one polygon, or a set of polygons with disjoint interiors. Each must be simple, run
   /// counter-clockwise, have a positive area and be inside the closed cell. The same polygons, vertex by vertex, give
-  /// the same id. A shape is never forgotten. Cost: a hash; the first time O(n log n) for one polygon, O(n²) for
-  /// several or for one that is refused.
+  /// the same id. A shape is never forgotten. Refused: emptyShape, and what error.h lists from tooFewVertices to
+  /// overlap. Cost: a hash; the first time O(n log n) for one polygon, O(n²) for several or for one that is refused.
   [[nodiscard]] Expected<ShapeId> shape(std::span<const LocalPoint> polygon) noexcept;
   [[nodiscard]] Expected<ShapeId> shape(std::initializer_list<LocalPoint> polygon) noexcept;
   [[nodiscard]] Expected<ShapeId> shape(std::span<const FloatPoint> polygon) noexcept;

@@ -1,0 +1,15 @@
+# cmake -DPAGE=… -DOF=… -P lines.cmake
+# Each line of the first ```cpp block of PAGE stands in the page OF, whose programs are compiled; only blanks may differ.
+file(READ "${PAGE}" page)
+file(READ "${OF}" programs)
+string(REGEX MATCH "\n```cpp\n([^`]*)" found "${page}")
+string(REPLACE ";" "\\;" lines "${CMAKE_MATCH_1}")
+string(REGEX REPLACE "\n$" "" lines "${lines}")
+string(REPLACE "\n" ";" lines "${lines}")
+foreach(line IN LISTS lines)
+  string(STRIP "${line}" line)
+  string(FIND "${programs}" "${line}\n" at)
+  if(at EQUAL -1)
+    message(FATAL_ERROR "${OF} has no line\n${line}")
+  endif()
+endforeach()
