@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace lgs::tiled {
@@ -97,13 +98,12 @@ class Import {
   Placer placer_;
   ImportedMap map_;
   PixelGrid grid_;
-  DoublePoint min_, max_;                                                   // of the maps, in tiles
-  std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> reports_;  // of tiles, by tileset and number
-  std::uint64_t strayTiles_ = 0;                                            // of no tileset
+  DoublePoint min_, max_;                                                                 // of the maps, in tiles
+  std::map<std::tuple<std::string, std::uint32_t, std::string>, std::uint32_t> reports_;  // of tiles, by what they say
+  std::uint64_t strayTiles_ = 0;                                                          // of no tileset
 
   // Of the map that is read.
   MapSource* source_ = nullptr;
-  std::size_t firstTile_ = 0;                                     // in the report
   std::unordered_map<std::uint32_t, std::uint32_t> reportIndex_;  // by tile number
   std::vector<std::pair<Cell, Placer::EntryId>> carried_;
 };
@@ -119,7 +119,6 @@ void Import::checkOptions() {
 
 void Import::readMap(MapSource& source) {
   source_ = &source;
-  firstTile_ = map_.report.tiles.size();
   reportIndex_.clear();
   carried_.clear();
   readHead();
@@ -274,20 +273,19 @@ Import::Ready Import::readyTile(const CurrentLayer& layer, const Tileset& tilese
 std::uint32_t Import::reportOf(const Tileset& tileset, std::uint32_t number) {
   const auto [known, isNew] = reportIndex_.try_emplace(number, 0);
   if (!isNew) return known->second;
-  std::vector<TileReport>& tiles = map_.report.tiles;
-  const std::uint32_t id = number - tileset.firstGid;
-  const auto [at, isFirst] = reports_.try_emplace({tileset.name, id}, 0);
-  if (!isFirst && at->second < firstTile_) return known->second = at->second;
-  known->second = at->second = static_cast<std::uint32_t>(tiles.size());
-  TileReport& report = tiles.emplace_back();
+  TileReport report;
   report.tileset = tileset.name;
-  report.id = id;
-  if (const auto tile = tileset.tiles.find(id); tile != tileset.tiles.end()) {
+  report.id = number - tileset.firstGid;
+  if (const auto tile = tileset.tiles.find(report.id); tile != tileset.tiles.end()) {
     report.className = tile->second.className;
     report.isLeftOut = isLeftOut(tile->second, options_);
     report.hasShapes = !report.isLeftOut && !tile->second.objects.empty();
   }
-  return known->second;
+  std::vector<TileReport>& tiles = map_.report.tiles;
+  const auto next = static_cast<std::uint32_t>(tiles.size());
+  const auto [at, isFirst] = reports_.try_emplace({report.tileset, report.id, report.className}, next);
+  if (isFirst) tiles.push_back(std::move(report));
+  return known->second = at->second;
 }
 
 void Import::finish() {
