@@ -1,7 +1,8 @@
 #include "cli/command.h"
 #include "cli/import/error.h"
-#include "cli/import/options.h"
 #include "cli/import/imported.h"
+#include "cli/import/options.h"
+#include "cli/import/picture.h"
 #include "cli/import/survey.h"
 #include "lib/text/words.h"
 #include "oracle/draw/draw.h"
@@ -26,34 +27,20 @@ struct ImportArguments {
   std::string hintArguments;  ///< those of them that go into hints: " --layer Ground"
 };
 
-/// A world as it is drawn.
-struct Drawn {
-  oracle::Scene scene;
-  oracle::Outline outline;
-};
-
-tl::expected<Drawn, std::string> drawn(const tiled::ImportedMap& map) {
+/// The picture of a map; beside it the next best reading, if there is one.
+tl::expected<std::string, std::string> pictureOf(const ImportArguments& arguments, const tiled::ImportedMap& map) {
+  const std::string title = std::filesystem::path(arguments.map).filename().string();
+  if (!map.report.suggestions.empty()) {
+    const tiled::Suggestion& next = map.report.suggestions.front();
+    const auto other = tiled::importMap(arguments.map, tiled::chosen(arguments.options, next));
+    if (other) return drawReadings(title, map, *other, argumentsOf(next));
+  }
   const oracle::Trace trace = traceOf(map);
   oracle::Player player(trace.preserve);
   if (const auto done = play(trace, player); !done) return tl::unexpected(message(done.error(), map.report.file));
-  return Drawn{player.scene(), oracle::outlineOf(player.world())};
-}
-
-/// The picture of a map; beside it the next best reading, and where they differ.
-tl::expected<std::string, std::string> pictureOf(const ImportArguments& arguments, const tiled::ImportedMap& map) {
-  const auto taken = drawn(map);
-  if (!taken) return tl::unexpected(taken.error());
-  oracle::MismatchOptions options;
-  options.title = std::filesystem::path(arguments.map).filename().string();
-  const std::vector<tiled::Suggestion>& all = map.report.suggestions;
-  const auto other = all.empty() ? tl::unexpected(tiled::ImportError{})
-                                 : tiled::importMap(arguments.map, tiled::chosen(arguments.options, all.front()));
-  const auto next = other ? drawn(*other) : tl::unexpected(std::string());
-  if (!next) return drawWorld(taken->scene, taken->outline, options);
-  options.expectedName = "taken: " + std::to_string(map.placements.size()) + " polygons";
-  options.actualName = "or:";
-  for (const std::string& argument : all.front().arguments) options.actualName += " " + text::shellWord(argument);
-  return drawMismatch(taken->scene, taken->outline, next->outline, options);
+  oracle::DrawOptions options;
+  options.title = title;
+  return drawWorld(player.scene(), oracle::outlineOf(player.world()), options);
 }
 
 Status run(const ImportArguments& arguments) {

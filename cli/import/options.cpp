@@ -176,6 +176,13 @@ std::string importArguments(const CLI::App& command, std::span<const std::string
   return words;
 }
 
+std::string argumentsOf(const tiled::Suggestion& suggestion) {
+  std::string text;
+  for (const std::string& argument : suggestion.arguments)
+    text += (text.empty() ? "" : " ") + text::shellWord(argument);
+  return text;
+}
+
 std::string summaryOf(const std::string& report) {
   std::size_t end = report.find('\n') + 1;
   while (report.compare(end, 5, "  or:") == 0) end = report.find('\n', end) + 1;

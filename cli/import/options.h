@@ -22,6 +22,9 @@ std::string importArguments(const CLI::App& command, std::span<const std::string
 inline constexpr std::array<std::string_view, 8> kNotInHints{
     "--layer", "--solid", "--solid-if", "--objects", "--no-objects", "--not", "--visible", "--polyline-thickness"};
 
+/// The arguments of a suggestion, likewise: "--layer Ground --solid".
+std::string argumentsOf(const tiled::Suggestion& suggestion);
+
 /// The first lines of a report: what was taken, and the suggestions.
 std::string summaryOf(const std::string& report);
 

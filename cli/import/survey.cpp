@@ -1,6 +1,7 @@
 #include "cli/import/survey.h"
 
 #include "cli/import/error.h"
+#include "cli/import/options.h"
 #include "lib/text/words.h"
 
 #include <fmt/format.h>
@@ -31,13 +32,6 @@ struct MapRow {
   std::string map;
   std::string what;  ///< what was taken, or the command, or the reason
 };
-
-std::string argumentsOf(const tiled::Suggestion& suggestion) {
-  std::string text;
-  for (const std::string& argument : suggestion.arguments)
-    text += (text.empty() ? "" : " ") + text::shellWord(argument);
-  return text;
-}
 
 MapRow rowOf(const std::string& path, const tiled::Options& options) {
   const auto map = tiled::importMap(path, options);

@@ -166,6 +166,19 @@ TEST_F(Command, ImportMakesATrace) {
   expect("check --map m.tmx --edits 50", 0, "no mismatch");
 }
 
+TEST_F(Command, TheNextBestReadingStandsBesideTheWorld) {
+  const auto layer = [](const char* name, const char* tiles) {
+    return std::string("<layer width='2' height='1' name='") + name + "'><data encoding='csv'>" + tiles +
+           "</data></layer>";
+  };
+  put("m.tmx",
+      "<map orientation='orthogonal' width='2' height='1' tilewidth='16' tileheight='16'>"
+      "<tileset firstgid='1' name='t' tilewidth='16' tileheight='16'/>" +
+          layer("solid", "1,0") + layer("wall", "1,1") + "</map>");
+  expect("import m.tmx -o m.trace --svg m.svg --strict", 0, "or: lgs import m.tmx --layer wall --solid  (2 polygons");
+  EXPECT_THAT(get("m.svg"), HasSubstr("or: --layer wall --solid (2 polygons), on the right"));
+}
+
 TEST_F(Command, MapsOfEachFormatAreTakenByEachCommand) {
   const std::string map =
       R"({"type":"map", "tilewidth":16, "tileheight":16, "layers":[{"type":"objectgroup", "name":"wall", "objects":[)"

@@ -25,37 +25,33 @@ std::string thereIs(const std::string& name, const std::set<std::string>& names)
 }  // namespace
 
 std::string thereAre(const std::string& value, const std::set<std::string>& values) {
-  constexpr std::size_t kMost = 6;
   if (values.empty()) return {};
   std::vector<std::string> list;
   const std::string* const similar = similarOne(value, values);
-  if (similar) list.push_back(*similar);
-  for (const std::string& other : values) {
-    if (list.size() < kMost && &other != similar) list.push_back(other);
-  }
-  std::string text = values.size() == 1 ? "; there is" : "; there are";
-  for (const std::string& other : list) text += (&other == &list.front() ? " " : ", ") + inQuotes(other);
-  return values.size() > kMost ? text + " and " + std::to_string(values.size() - kMost) + " more" : text;
+  if (similar) list.push_back(inQuotes(*similar));
+  for (const std::string& other : values)
+    if (&other != similar) list.push_back(inQuotes(other));
+  return (values.size() == 1 ? "; there is " : "; there are ") + listed(list, 6);
 }
 
 AskedNames::AskedNames(const Options& options) : blockFrom_(options.blockFrom) {
   const auto addRule = [&](const std::string& rule) {
-    rules_.insert(rule);
-    if (const std::string name = propertyIn(rule); name != rule) values_[name];
+    const std::string name = propertyIn(rule);
+    properties_.asked.insert(name);
+    if (name != rule) values_[name].asked.insert(rule.substr(name.size() + 1));
+  };
+  const auto add = [](Names& names, const std::string& name) {
+    if (!name.empty()) names.asked.insert(name);  // "" stands for no class, and for any tileset
   };
   for (const std::string& rule : options.solidIf) addRule(rule);
   for (const std::string& name : options.leaveOut)
-    name.find('=') == std::string::npos ? void(leftOut_.insert(name)) : addRule(name);
-  for (const auto& [name, block] : options.blocks) {
-    if (!name.empty()) askedBlocks_.insert(name);  // "" stands for no class
-  }
-  for (const auto& [name, shapes] : options.tiles) {
-    if (!name.empty()) tables_.insert(name);  // "" stands for any tileset
-  }
+    name.find('=') == std::string::npos ? void(leftOut_.asked.insert(name)) : addRule(name);
+  for (const auto& [name, block] : options.blocks) add(blocks_, name);
+  for (const auto& [name, shapes] : options.tiles) add(tilesets_, name);
 }
 
 void AskedNames::see(const Tileset& tileset) {
-  if (!tables_.empty()) tilesets_.insert(tileset.name);
+  tilesets_.see(tileset.name);
   for (const auto& [id, tile] : tileset.tiles) {
     seeProperties(tile.properties);
     seeClass(tile.className);
@@ -64,13 +60,14 @@ void AskedNames::see(const Tileset& tileset) {
 }
 
 void AskedNames::see(const Layer& layer) {
-  if (blockFrom_ == BlockFrom::layer) blocks_.insert(layer.pathInMap);
-  if (!leftOut_.empty()) classes_.insert({layer.pathInMap, layer.node.attribute("name").value()});
+  if (blockFrom_ == BlockFrom::layer) blocks_.see(layer.pathInMap);
+  leftOut_.see(layer.pathInMap);
+  leftOut_.see(layer.node.attribute("name").value());
   if (layer.kind == LayerKind::tiles) seeProperties(propertiesOf(layer));
   if (layer.kind != LayerKind::objects) return;
   seeClass(classOf(layer.node));
   for (const auto node : layer.node.children("object")) {
-    if (!rules_.empty()) seeProperties(propertiesOf(node));
+    if (!properties_.asked.empty()) seeProperties(propertiesOf(node));
     seeClass(classOf(node));
     seeObjectName(node.attribute("name").value());
   }
@@ -79,73 +76,47 @@ void AskedNames::see(const Layer& layer) {
 void AskedNames::see(const CollisionObject& object) {
   seeClass(object.className);
   seeObjectName(object.name);
-  if (!rules_.empty()) seeProperties(object.properties);
+  seeProperties(object.properties);
 }
 
 void AskedNames::seeProperties(const Properties& properties) {
+  if (properties_.asked.empty()) return;
   for (const auto& [name, value] : properties) {
-    properties_.insert(name);
-    if (const auto asked = values_.find(name); asked != values_.end()) asked->second.insert(value);
+    properties_.see(name);
+    if (const auto asked = values_.find(name); asked != values_.end()) asked->second.see(value);
   }
 }
 
 void AskedNames::seeClass(const std::string& className) {
-  if (!leftOut_.empty()) classes_.insert(className);
-  if (blockFrom_ != BlockFrom::layer && !className.empty()) blocks_.insert(className);
+  leftOut_.see(className);
+  if (blockFrom_ != BlockFrom::layer && !className.empty()) blocks_.see(className);
 }
 
 void AskedNames::seeObjectName(const std::string& name) {
-  if (!leftOut_.empty()) classes_.insert(name);
-  if (blockFrom_ == BlockFrom::name && !name.empty()) blocks_.insert(name);
-}
-
-/// What is to be said of a rule that takes nothing; empty if a value is there, or the rule takes any.
-std::string AskedNames::noProperty(const std::string& rule) const {
-  const std::string name = propertyIn(rule);
-  if (!properties_.contains(name)) {
-    return "no tile, tile layer or object has a property '" + name + "'" + thereIs(name, properties_);
-  }
-  if (name == rule) return {};
-  const std::string value = rule.substr(name.size() + 1);
-  const Names& values = values_.at(name);
-  if (values.contains(value)) return {};
-  return "no tile, tile layer or object has '" + value + "' as its property '" + name + "'" + thereAre(value, values);
-}
-
-std::string AskedNames::notUsed(const std::string& name) const {
-  const char* const why = blockFrom_ == BlockFrom::layer  ? "no layer has this path"
-                          : blockFrom_ == BlockFrom::name ? "no tile, object or object layer has this class or name"
-                                                          : "no tile, object or object layer has this class";
-  return "the number of '" + name + "' is not used: " + why + thereIs(name, blocks_);
+  leftOut_.see(name);
+  if (blockFrom_ == BlockFrom::name && !name.empty()) blocks_.see(name);
 }
 
 std::vector<std::string> AskedNames::notes() const {
   std::vector<std::string> result;
-  for (const std::string& rule : rules_) {
-    const std::string text = noProperty(rule);
-    if (!text.empty() && std::find(result.begin(), result.end(), text) == result.end()) result.push_back(text);
-  }
-  for (const std::string& name : leftOut_) {
-    if (!classes_.contains(name)) {
-      result.push_back("no tile, object or layer has the class or name '" + name + "', which was to be left out" +
-                       thereIs(name, classes_));
+  const auto tell = [&](const Names& names, const std::string& before, const std::string& after, const auto& others) {
+    for (const std::string& name : names.asked) {
+      if (!names.seen.contains(name)) result.push_back(before + "'" + name + "'" + after + others(name, names.seen));
     }
+  };
+  tell(properties_, "no tile, tile layer or object has a property ", "", thereIs);
+  for (const auto& [name, values] : values_) {
+    if (properties_.seen.contains(name))
+      tell(values, "no tile, tile layer or object has ", " as its property '" + name + "'", thereAre);
   }
-  for (const std::string& name : tables_) {
-    if (!tilesets_.contains(name)) {
-      result.push_back("the map has no tileset '" + name + "', which the table of tiles names" +
-                       thereAre(name, tilesets_));
-    }
-  }
-  if (blockFrom_ == BlockFrom::one) {
-    if (!askedBlocks_.empty()) {
-      result.push_back("numbers of names are not used, as all polygons get block 1: choose whose names (--block)");
-    }
-    return result;
-  }
-  for (const std::string& name : askedBlocks_) {
-    if (!blocks_.contains(name)) result.push_back(notUsed(name));
-  }
+  tell(leftOut_, "no tile, object or layer has the class or name ", ", which was to be left out", thereIs);
+  tell(tilesets_, "the map has no tileset ", ", which the table of tiles names", thereAre);
+  if (blockFrom_ == BlockFrom::one && !blocks_.asked.empty())
+    result.push_back("numbers of names are not used, as all polygons get block 1: choose whose names (--block)");
+  const char* const noBlock = blockFrom_ == BlockFrom::layer  ? "no layer has this path"
+                              : blockFrom_ == BlockFrom::name ? "no tile, object or object layer has this class or name"
+                                                              : "no tile, object or object layer has this class";
+  if (blockFrom_ != BlockFrom::one) tell(blocks_, "the number of ", std::string(" is not used: ") + noBlock, thereIs);
   return result;
 }
 
@@ -162,6 +133,23 @@ bool areSimilar(std::string_view a, std::string_view b) {
   const bool isSwapped =
       restOfX.size() == 2 && restOfY.size() == 2 && restOfX[0] == restOfY[1] && restOfX[1] == restOfY[0];
   return isSwapped || std::max(restOfX.size(), restOfY.size()) == 1;
+}
+
+void BlockNumbers::report(ImportedMap& map) const {
+  map.blocks = numbers_;
+  const auto add = [](std::string& names, const std::string& name) {
+    names += (names.empty() ? "" : ", ") + (name.empty() ? "(no class)" : name);
+  };
+  if (std::string names; !asTheyCame_.empty()) {
+    for (const std::string& name : asTheyCame_) add(names, name);
+    map.report.notes.push_back("blocks are numbered in the order of their first use: " + names +
+                               ". An edit of the map may change the numbers. Choose them, or look them up by name");
+  }
+  std::map<Block, std::uint64_t> polygons;
+  for (const MapPolygon& placement : map.placements) ++polygons[placement.block];
+  std::map<Block, std::string> names;
+  for (const auto& [name, number] : numbers_) add(names[number], name);
+  for (const auto& [block, count] : polygons) map.report.blocks.push_back({names[block], block, count});
 }
 
 }  // namespace lgs::tiled

@@ -5,6 +5,8 @@
 #include "layers.h"
 #include "tileset.h"
 
+#include <lgs/tiled/import.h>
+
 #include <set>
 
 namespace lgs::tiled {
@@ -13,7 +15,7 @@ class AskedNames {
  public:
   explicit AskedNames(const Options& options);
 
-  /// Names that the map has, be they imported or not.
+  /// Names that the maps have, be they imported or not.
   void see(const Tileset& tileset);
   void see(const Layer& layer);
   void see(const CollisionObject& object);
@@ -22,21 +24,21 @@ class AskedNames {
   std::vector<std::string> notes() const;
 
  private:
+  struct Names {
+    std::set<std::string> asked = {}, seen = {};  // nothing is seen if nothing is asked for
+
+    void see(const std::string& name) {
+      if (!asked.empty()) seen.insert(name);
+    }
+  };
+
   void seeProperties(const Properties& properties);
   void seeClass(const std::string& className);
   void seeObjectName(const std::string& name);
-  std::string noProperty(const std::string& rule) const;
-  std::string notUsed(const std::string& name) const;
-
-  using Names = std::set<std::string>;
 
   BlockFrom blockFrom_;
-  Names rules_;                          // "NAME" or "NAME=VALUE", as asked
-  Names properties_;                     // all that were seen
-  std::map<std::string, Names> values_;  // that were seen, of the properties whose value is asked for
-  Names askedBlocks_, blocks_;
-  Names leftOut_, classes_;  // asked to be left out; all that were seen, if any are
-  Names tables_, tilesets_;  // the same of the tilesets that tables of tiles name
+  Names properties_, blocks_, leftOut_, tilesets_;
+  std::map<std::string, Names> values_;  // of the properties whose value is asked for
 };
 
 /// "; there are 'rock', 'ice' and 3 more": the one that is similar to the value comes first. Nothing if there are none.
@@ -44,5 +46,32 @@ std::string thereAre(const std::string& value, const std::set<std::string>& valu
 
 /// Whether two names differ by upper and lower case, or by one edit: a letter more, another, or two swapped.
 bool areSimilar(std::string_view a, std::string_view b);
+
+/// Those that Options::blocks has keep their numbers. Other names get the least unused numbers from 1 up, as they come.
+class BlockNumbers {
+ public:
+  explicit BlockNumbers(const Options& options) {
+    if (options.blockFrom != BlockFrom::one) numbers_ = options.blocks;
+    for (const auto& [name, block] : numbers_) taken_.insert(block);
+  }
+
+  Block of(const std::string& name) {
+    const auto known = numbers_.find(name);
+    if (known != numbers_.end()) return known->second;
+    while (taken_.contains(next_)) ++next_;
+    taken_.insert(next_);
+    asTheyCame_.push_back(name);
+    return numbers_[name] = next_;
+  }
+
+  /// Tells the map which names there are, and its report which blocks are used.
+  void report(ImportedMap& map) const;
+
+ private:
+  std::map<std::string, Block> numbers_;
+  std::set<Block> taken_;
+  std::vector<std::string> asTheyCame_;
+  Block next_ = 1;
+};
 
 }  // namespace lgs::tiled

@@ -63,7 +63,7 @@ bool Budget::boundingBox(const Polygon& ring) {
   return !isOutOfCells_;
 }
 
-bool Budget::stroke(const Polygon& ring, const World* ground) {
+bool Budget::stroke(const Polygon& ring) {
   if (!boundingBox(ring)) return false;
   std::vector<Cell> cells;  // one for each edge that runs through it
   for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -74,15 +74,9 @@ bool Budget::stroke(const Polygon& ring, const World* ground) {
     if (!isFine) return false;
   }
   std::sort(cells.begin(), cells.end());
-  std::vector<PlacedPolygon> there;
   for (auto from = cells.begin(); from != cells.end();) {
     const auto to = std::upper_bound(from, cells.end(), *from);
-    auto vertices = static_cast<std::size_t>(to - from);
-    if (ground) {
-      ground->polygons(*from, there);
-      for (const PlacedPolygon& polygon : there) vertices += polygon.vertices.size();
-    }
-    if (!strokeInCell(vertices)) return false;
+    if (!strokeInCell(static_cast<std::size_t>(to - from))) return false;
     from = to;
   }
   return true;

@@ -7,7 +7,6 @@
 #include "tileset.h"
 
 #include <lgs/tiled/import.h>
-#include <lgs/world.h>
 
 namespace lgs::tiled {
 
@@ -28,8 +27,8 @@ class Budget {
   /// Takes what it costs to copy a tile of a tileset, with its shapes.
   [[nodiscard]] bool tile(const Tileset& tileset, std::uint32_t id);
 
-  /// Takes what a brush costs that fills an outline, on the polygons of a world or, without one, on nothing.
-  [[nodiscard]] bool stroke(const Polygon& ring, const World* ground);
+  /// Takes what a brush costs that fills an outline, where there is nothing yet.
+  [[nodiscard]] bool stroke(const Polygon& ring);
 
   /// Takes what a brush costs in one cell in which so many vertices meet.
   [[nodiscard]] bool strokeInCell(std::size_t vertices);

@@ -1,7 +1,7 @@
 #include "census.h"
 
+#include "collision_object.h"
 #include "ldtk.h"
-#include "object_outline.h"
 
 #include <algorithm>
 #include <array>
@@ -55,7 +55,6 @@ class Census {
     boxed_.clear();
     for (const Layer& layer : listLayers(*map.file, options_, map.place, names)) {
       if (map.file->failed()) return;
-      if (layer.hidden) facts_.hidden.push_back(layer.path);
       if (layer.kind == LayerKind::tiles && layer.wanted) takeTiles(map, layer);
       if (layer.kind == LayerKind::objects && layer.isInReach) takeObjects(map, layer);
     }
@@ -250,7 +249,7 @@ class Census {
 
 }  // namespace
 
-Facts census(const std::vector<std::unique_ptr<MapSource>>& maps, const Options& options, std::size_t& tilesLeft) {
+Facts census(const Maps& maps, const Options& options, std::size_t& tilesLeft) {
   Census result(options, tilesLeft);
   for (const auto& map : maps) result.take(*map);
   return result.finish();

@@ -57,14 +57,12 @@ struct PassableFacts {
 struct Facts {
   std::vector<LayerFacts> layers;          ///< tile layers and object layers that are wanted, in the order of the maps
   std::map<std::string, RuleFacts> rules;  ///< by "NAME" or "NAME=VALUE", as Options::solidIf has them
-  std::vector<std::string> hidden;         ///< layers that Options::visibleOnly leaves out
-
   std::map<std::string, PassableFacts> passable;  ///< by what Options::leaveOut takes
   bool isLdtk = false;
 };
 
 /// Takes the census of all layers that the options want. Tiles that are read are taken from `tilesLeft`. A problem goes
 /// into the map's file.
-Facts census(const std::vector<std::unique_ptr<MapSource>>& maps, const Options& options, std::size_t& tilesLeft);
+Facts census(const Maps& maps, const Options& options, std::size_t& tilesLeft);
 
 }  // namespace lgs::tiled

@@ -1,19 +1,11 @@
 // What Options choose, and how a command says it; and which layers and values could be chosen.
 #include "evidence.h"
+#include "json.h"
 
-#include <fast_float/fast_float.h>
 #include <algorithm>
 #include <utility>
 
 namespace lgs::tiled {
-
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 8;
-  std::string result;
-  for (std::size_t k = 0; k < std::min(kMost, names.size()); ++k) result += (k == 0 ? "" : ", ") + names[k];
-  if (names.size() > kMost) result += " and " + std::to_string(names.size() - kMost) + " more";
-  return result;
-}
 
 std::vector<std::string> choosingArguments(const Options& options) {
   std::vector<std::string> result;
@@ -27,12 +19,7 @@ std::vector<std::string> choosingArguments(const Options& options) {
   if (options.objects && options.objects->empty()) result.emplace_back("--no-objects");
   add("--not", options.leaveOut);
   if (options.visibleOnly) result.emplace_back("--visible");
-  if (options.polylineThickness > 0) {
-    std::string number = std::to_string(options.polylineThickness);
-    number.erase(number.find_last_not_of('0') + 1);
-    if (number.ends_with('.')) number.pop_back();
-    add("--polyline-thickness", {number});
-  }
+  if (options.polylineThickness > 0) add("--polyline-thickness", {numberText(options.polylineThickness)});
   return result;
 }
 
@@ -42,28 +29,22 @@ Options chosen(Options options, const Suggestion& suggestion) {
   options.solidWithoutShapes = options.visibleOnly = false;
   options.tiles = {};
   options.polylineThickness = 0;
-  std::string option;
-  for (const std::string& word : suggestion.arguments) {  // an option, or the value of the one before it
-    const std::string before = std::exchange(option, {});
-    if (before == "--layer") {
-      options.layers.push_back(word);
-    } else if (before == "--solid-if") {
-      options.solidIf.push_back(word);
-    } else if (before == "--not") {
-      options.leaveOut.push_back(word);
-    } else if (before == "--objects") {
-      options.objects->push_back(word);
-    } else if (before == "--polyline-thickness") {
-      fast_float::from_chars(word.data(), word.data() + word.size(), options.polylineThickness);
-    } else if (word == "--solid") {
-      options.solidWithoutShapes = true;
-    } else if (word == "--visible") {
-      options.visibleOnly = true;
-    } else {
-      if ((word == "--objects" || word == "--no-objects") && !options.objects) options.objects.emplace();
-      if (word != "--no-objects") option = word;
-    }
+  std::vector<std::string> objects, thickness;
+  const std::map<std::string_view, std::vector<std::string>*> lists{{"--layer", &options.layers},
+                                                                    {"--solid-if", &options.solidIf},
+                                                                    {"--not", &options.leaveOut},
+                                                                    {"--objects", &objects},
+                                                                    {"--polyline-thickness", &thickness}};
+  const std::vector<std::string>& words = suggestion.arguments;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    options.solidWithoutShapes |= words[k] == "--solid";
+    options.visibleOnly |= words[k] == "--visible";
+    if (words[k] == "--objects" || words[k] == "--no-objects") options.objects.emplace();
+    const auto list = lists.find(words[k]);
+    if (list != lists.end() && k + 1 < words.size()) list->second->push_back(words[++k]);
   }
+  if (options.objects) *options.objects = std::move(objects);
+  if (!thickness.empty()) options.polylineThickness = parseReal(thickness.back()).value_or(0);
   return options;
 }
 
@@ -123,6 +104,106 @@ std::vector<std::string> floorsWithoutWalls(const Layers& layers) {
 
 bool leaveChoice(const Options& options) {
   return !options.solidWithoutShapes && options.solidIf.empty() && !options.objects && options.tiles.empty();
+}
+
+namespace {
+
+/// How many tiles of a layer a choice takes.
+std::uint64_t taken(const LayerFacts& layer, const Facts& facts, const Options& options) {
+  const std::vector<std::string>& layers = options.layers;
+  const auto has = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), layer.name) != names.end();
+  };
+  if ((!layers.empty() && !has(layers)) || has(options.leaveOut)) return 0;
+  if (options.solidWithoutShapes) return layer.tiles;
+  std::uint64_t tiles = layer.shaped;
+  for (const std::string& rule : options.solidIf) {
+    if (rule == kLayerProperty + ("=" + layer.name)) return layer.tiles;
+    const auto known = facts.rules.find(rule);
+    if (known == facts.rules.end()) continue;
+    const auto uses = known->second.layers.find(layer.name);
+    if (uses != known->second.layers.end()) tiles += uses->second;
+  }
+  return std::min(tiles, layer.tiles);
+}
+
+bool isTaken(const LayerFacts& objects, const Options& options, bool isLdtk) {
+  if (!options.objects) return options.layers.empty() && objects.saying.says != Says::nothing;
+  const auto isNamed = [&](const std::string& name) {
+    return std::find(options.objects->begin(), options.objects->end(), name) != options.objects->end();
+  };
+  const bool isByClass =
+      !isLdtk && objects.isMixed() &&
+      std::any_of(objects.classes.begin(), objects.classes.end(), [&](const auto& one) { return isNamed(one.first); });
+  return isByClass || isNamed(objects.name);
+}
+
+/// Whether a layer that says so must be in a choice, or is only weaker evidence beside it. Tiles that are called ground
+/// are what one sees of a collision layer; objects that are called so are drawn for the game, as those of that layer.
+bool isDue(const LayerFacts& layer, const Choice& choice, bool isLdtk) {
+  if (layer.isDrawn || layer.isPassable) return false;
+  if (layer.saying.says == Says::collision) return true;
+  if (layer.kind == LayerKind::objects) return !isLdtk && choice.evidence == Evidence::solid;
+  return choice.evidence == Evidence::solid && choice.options.layers.empty() && !layer.saying.isFloor();
+}
+
+Missed missedTiles(const LayerFacts& layer, std::uint64_t tiles, const Choice& choice) {
+  Options more = choice.options;
+  std::erase(more.leaveOut, layer.name);
+  if (more.layers.empty()) {
+    more.solidIf.push_back(kLayerProperty + ("=" + layer.name));
+  } else {
+    more.layers.push_back(layer.name);
+  }
+  return {"tile layer " + layer.name + ", of which " + std::to_string(tiles) + " of " + counted(layer.tiles, "tile") +
+              " are taken",
+          std::move(more), "the same with all of tile layer " + layer.name};
+}
+
+Missed missedObjects(const LayerFacts& layer, const Choice& choice) {
+  Options more = choice.options;
+  if (!more.objects) more.objects.emplace();
+  more.objects->push_back(layer.name);
+  return {"object layer " + layer.name + ", of which nothing is taken", std::move(more),
+          "the same with object layer " + layer.name};
+}
+
+/// Open polylines have no area. Those that are one-way can be made thick.
+Missed missedLines(const LayerFacts& layer, const Choice& choice, const Options& options) {
+  constexpr double kThickness = 4;  // pixels
+  Options thick = choosingArguments(choice.options) == choosingArguments(options) ? options : choice.options;
+  thick.polylineThickness = kThickness;
+  return {"object layer " + layer.name + ", of which " + counted(layer.lines, "open polyline") +
+              (layer.lines == 1 ? " is" : " are") + " left out",
+          std::move(thick), "the same with the polylines that are one-way"};
+}
+
+}  // namespace
+
+std::vector<Missed> missed(const Facts& facts, const Choice& choice, const Options& options) {
+  std::vector<Missed> result;
+  for (const LayerFacts& layer : facts.layers) {
+    const bool says = layer.saying.says != Says::nothing, isOfObjects = layer.kind == LayerKind::objects;
+    const bool areBoxes = isOfObjects && layer.objects > layer.figures && !areThings(layer) && !facts.isLdtk;
+    if (!says && !(areBoxes && layer.classes.empty())) continue;
+    if (says && isOfObjects && !isDrawnByHand(layer)) continue;
+    const bool due = says && isDue(layer, choice, facts.isLdtk);
+    const auto add = [&](Missed one, bool isPart = true) {
+      one.isDue = due && isPart;
+      if (result.size() < kMaxSuggestions) result.push_back(std::move(one));  // as many commands follow
+    };
+    if (!isOfObjects) {
+      const std::uint64_t tiles = taken(layer, facts, choice.options);
+      const bool isWhole = tiles == layer.tiles || isFull(layer) || layer.isDrawn || layer.isPassable;
+      if (!isWhole) add(missedTiles(layer, tiles, choice), 4 * tiles < 3 * layer.tiles);
+      continue;
+    }
+    if (facts.isLdtk && !due) continue;
+    if (!isTaken(layer, choice.options, facts.isLdtk) && layer.objects > 0) add(missedObjects(layer, choice));
+    if (says && options.polylineThickness == 0 && layer.lines > 0) add(missedLines(layer, choice, options));
+  }
+  std::stable_partition(result.begin(), result.end(), [](const Missed& one) { return one.isDue; });
+  return result;
 }
 
 }  // namespace lgs::tiled

@@ -1,8 +1,10 @@
 #include "collision_object.h"
 
-#include "properties.h"
+#include "words.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace lgs::tiled {
@@ -11,11 +13,6 @@ namespace {
 using Kind = CollisionObject::Kind;
 
 constexpr std::int64_t kMostId = 0xFFFF'FFFF;
-
-void leaveOut(CollisionObject& object, std::string reason) {
-  object.kind = Kind::unsupported;
-  object.unsupported = std::move(reason);
-}
 
 /// Reads the vertices of a polygon, or of a polyline. A polyline that ends where it began is a polygon.
 void readPoints(const XmlFile& file, pugi::xml_node node, bool closed, CollisionObject& object) {
@@ -94,28 +91,6 @@ CollisionObject readPlain(const XmlFile& file, pugi::xml_node node, DoublePoint 
   return object;
 }
 
-}  // namespace
-
-CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint offset, Templates& templates) {
-  const std::string named = node.attribute("template").value();
-  if (named.empty()) return readPlain(file, node, offset);
-  Template& origin = templates.of(file, named);
-  const auto model = origin.file.root().child("object");
-  if (origin.error || !model) {
-    CollisionObject object;
-    object.id = static_cast<std::uint32_t>(file.integer(node, "id", 0, 0, kMostId));
-    leaveOut(object, "its template " + (origin.error ? message(*origin.error) : named + " has no <object>"));
-    return object;
-  }
-  pugi::xml_document merged;
-  merge(node, model, merged);
-  CollisionObject object = readPlain(file, merged.first_child(), offset);
-  if (!node.attribute("gid")) object.gidFrom = &origin;
-  return object;
-}
-
-namespace {
-
 /// An open polyline is left out, with what would help; or it becomes a thin polygon.
 void settlePolyline(CollisionObject& object, double thickness) {
   const std::string noArea = "an open polyline has no area: ";
@@ -134,6 +109,29 @@ void settlePolyline(CollisionObject& object, double thickness) {
 }
 
 }  // namespace
+
+void leaveOut(CollisionObject& object, std::string reason) {
+  object.kind = Kind::unsupported;
+  object.unsupported = std::move(reason);
+}
+
+CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint offset, Templates& templates) {
+  const std::string named = node.attribute("template").value();
+  if (named.empty()) return readPlain(file, node, offset);
+  Template& origin = templates.of(file, named);
+  const auto model = origin.file.root().child("object");
+  if (origin.error || !model) {
+    CollisionObject object;
+    object.id = static_cast<std::uint32_t>(file.integer(node, "id", 0, 0, kMostId));
+    leaveOut(object, "its template " + (origin.error ? message(*origin.error) : named + " has no <object>"));
+    return object;
+  }
+  pugi::xml_document merged;
+  merge(node, model, merged);
+  CollisionObject object = readPlain(file, merged.first_child(), offset);
+  if (!node.attribute("gid")) object.gidFrom = &origin;
+  return object;
+}
 
 bool isLeftOut(const Options& options, const std::string& className, const std::string& name,
                const Properties& properties) {
@@ -155,6 +153,98 @@ CollisionObject asAsked(CollisionObject object, const Options& options) {
     settlePolyline(object, options.polylineThickness);
   }
   return object;
+}
+
+namespace {
+
+/// Cosine and sine of an angle in degrees. They are exact for quarter turns, so that turned rectangles stay on the
+/// grid.
+std::pair<double, double> turn(double degrees) {
+  const double rest = std::fmod(degrees, 360.0);
+  const double quarters = rest / 90.0;
+  if (quarters == std::floor(quarters)) {
+    constexpr double kCosines[] = {1, 0, -1, 0};
+    const auto quarter = static_cast<unsigned>(static_cast<int>(quarters) + 4) % 4;
+    return {kCosines[quarter], kCosines[(quarter + 3) % 4]};
+  }
+  const double angle = rest / 180.0 * std::numbers::pi;
+  return {std::cos(angle), std::sin(angle)};
+}
+
+/// A rounded box: quarter circles of kCurveVertices / 4 steps around the four corners of an inner box. If the inner box
+/// is a point, the result is an ellipse; if it is a line, a capsule.
+std::vector<DoublePoint> roundedBox(DoublePoint size, DoublePoint radius) {
+  constexpr int kSteps = kCurveVertices / 4;
+  const DoublePoint inner{size.x - 2 * radius.x, size.y - 2 * radius.y};
+  std::vector<DoublePoint> points;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const DoublePoint centre{radius.x + (quarter == 0 || quarter == 3 ? inner.x : 0),
+                             radius.y + (quarter < 2 ? inner.y : 0)};
+    for (int step = 0; step <= kSteps; ++step) {  // the ends of two quarters can coincide; tidyLoops() drops one
+      const auto [cosine, sine] = turn(90.0 * quarter + 90.0 * step / kSteps);
+      points.push_back({centre.x + radius.x * cosine, centre.y + radius.y * sine});
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<DoublePoint> outline(const CollisionObject& object) {
+  const DoublePoint size = object.size;
+  std::vector<DoublePoint> points;
+  switch (object.kind) {
+    case Kind::rectangle:
+      points = {{0, 0}, {size.x, 0}, size, {0, size.y}};
+      break;
+    case Kind::polygon:
+      points = object.points;
+      break;
+    case Kind::ellipse:
+      points = roundedBox(size, {size.x / 2, size.y / 2});
+      break;
+    case Kind::capsule: {
+      const double radius = std::fmin(size.x, size.y) / 2;
+      points = roundedBox(size, {radius, radius});
+      break;
+    }
+    case Kind::polyline:
+    case Kind::tile:
+    case Kind::unsupported:
+      break;
+  }
+  for (DoublePoint& p : points) {
+    const DoublePoint q = turned(p, object.rotation);
+    p = {object.at.x + q.x, object.at.y + q.y};
+  }
+  return points;
+}
+
+DoublePoint turned(DoublePoint p, double degrees) {
+  const auto [cosine, sine] = turn(degrees);
+  return {p.x * cosine - p.y * sine, p.x * sine + p.y * cosine};
+}
+
+std::uint32_t tileNumber(std::uint32_t gid) { return gid & 0x0FFF'FFFF; }  // one flag is only for hexagonal maps
+
+Flips flipsOf(std::uint32_t gid) {
+  return {(gid & 0x8000'0000) != 0, (gid & 0x4000'0000) != 0, (gid & 0x2000'0000) != 0};
+}
+
+void ImageFrame::scaleTo(DoublePoint size) {
+  const DoublePoint box = flips.diagonal ? DoublePoint{image.y, image.x} : image;
+  scale = {size.x / box.x, size.y / box.y};
+}
+
+DoublePoint ImageFrame::toCell(DoublePoint p) const {
+  DoublePoint box = image;
+  if (flips.diagonal) {
+    std::swap(p.x, p.y);
+    std::swap(box.x, box.y);
+  }
+  if (flips.horizontal) p.x = box.x - p.x;
+  if (flips.vertical) p.y = box.y - p.y;
+  return {p.x * scale.x + shift.x, (box.y - p.y) * scale.y - shift.y};
 }
 
 }  // namespace lgs::tiled

@@ -1,10 +1,37 @@
-// A shape as a file has it: of a tile, or of an object layer.
+// A shape as a file has it: of a tile, or of an object layer. Object templates are files (TX) that hold one object each,
+// which others fill up.
 #pragma once
 
-#include "properties.h"
-#include "templates.h"
+#include "words.h"
+
+#include <memory>
 
 namespace lgs::tiled {
+
+struct Template {
+  Template(const XmlFile& by, const std::string& named, const FileReader& reader)
+      : file(by, named, reader, "template", error) {}
+
+  std::optional<ImportError> error;  ///< why it or its tileset can not be read; this does not spoil the map
+  XmlFile file;
+};
+
+/// The templates of an import, each read once.
+class Templates {
+ public:
+  explicit Templates(const FileReader& reader) : reader_(reader) {}
+
+  /// The one that a file names.
+  Template& of(const XmlFile& file, const std::string& named) {
+    std::unique_ptr<Template>& known = templates_[file.pathTo(named)];
+    if (!known) known = std::make_unique<Template>(file, named, reader_);
+    return *known;
+  }
+
+ private:
+  const FileReader& reader_;
+  std::map<std::string, std::unique_ptr<Template>> templates_;  // by path
+};
 
 /// A shape in pixels, y down: from the upper left corner of a tile's image, or of the map.
 struct CollisionObject {
@@ -29,6 +56,9 @@ struct CollisionObject {
 /// Reads an <object>, with what its template says. The offset is that of its <objectgroup>.
 CollisionObject readObject(const XmlFile& file, pugi::xml_node node, DoublePoint offset, Templates& templates);
 
+/// Makes it Kind::unsupported, with the reason.
+void leaveOut(CollisionObject& object, std::string reason);
+
 /// Whether Options::leaveOut has what has this class or name and these properties.
 bool isLeftOut(const Options& options, const std::string& className, const std::string& name,
                const Properties& properties);
@@ -37,5 +67,38 @@ bool isLeftOut(const Options& options, const std::string& className, const std::
 /// left out. An open polyline is left out as well, or becomes a thin polygon. What is left out is of Kind::unsupported,
 /// with the reason.
 CollisionObject asAsked(CollisionObject object, const Options& options);
+
+/// The outline of an object, in pixels from where it is measured, y down. It may run either way round. It is empty for
+/// Kind::polyline, Kind::tile and Kind::unsupported.
+std::vector<DoublePoint> outline(const CollisionObject& object);
+
+/// A point turned around the origin by an angle in degrees, clockwise where y points down. Quarter turns are exact.
+DoublePoint turned(DoublePoint p, double degrees);
+
+/// How a tile is flipped. The diagonal flip comes first: x and y change places.
+struct Flips {
+  bool horizontal = false;
+  bool vertical = false;
+  bool diagonal = false;
+};
+
+/// A number in a layer, or of a tile object: the tile's without the flags, and what the flags say.
+std::uint32_t tileNumber(std::uint32_t gid);
+Flips flipsOf(std::uint32_t gid);
+
+/// How the image of a tile lies on its cell. Their lower left corners coincide, before the shift.
+struct ImageFrame {
+  DoublePoint image;  ///< size in pixels, before the flips
+  Flips flips;
+  DoublePoint scale{1, 1};
+  DoublePoint shift;  ///< pixels, y down: the tileset's offset, and what is no whole tile of the layer's offset
+
+  /// Takes a place in pixels from the image's upper left corner, y down, to pixels from the cell's lower left corner, y
+  /// up.
+  DoublePoint toCell(DoublePoint p) const;
+
+  /// Scales the image to a size, which is measured after the flips.
+  void scaleTo(DoublePoint size);
+};
 
 }  // namespace lgs::tiled

@@ -1,4 +1,4 @@
-#include "encoding.h"
+#include "layers.h"
 
 #define ZLIB_CONST  // zlib then takes its input as const
 #include <zlib.h>

@@ -17,9 +17,6 @@ inline std::string counted(std::uint64_t n, const std::string& what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
-/// "A, B, C and 4 more"
-std::string listed(const std::vector<std::string>& names);
-
 /// The groups of evidence, the strongest first. Those of one group are taken together, and those of two never are.
 enum class Evidence : std::uint8_t {
   solid,        ///< shapes of tiles; layers, classes and properties that say collision

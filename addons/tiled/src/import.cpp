@@ -1,17 +1,12 @@
-// One import from its beginning to its end: the map's head, the layers tile by tile, then the carried parts, then the
-// objects.
-#include "import_one.h"
-
-#include "block_numbers.h"
-#include "map_objects.h"
-#include "object_painter.h"
+// One pass over the maps of an import. Each map brings its layers tile by tile, then the parts that were carried out of
+// their cells, then its objects; what an earlier one has placed stays.
+#include "asked_names.h"
+#include "map_source.h"
+#include "parts.h"
 #include "placer.h"
-#include "snapping_notes.h"
-#include "tile_parts.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -33,280 +28,278 @@ std::string leftOutAsAsked(const Report& report) {
 
 class Import {
  public:
-  Import(MapSource& source, ImportJob& job, std::optional<ImportError>& error)
-      : options_(job.options),
-        source_(source),
-        names_(job.names),
-        asked_(job.asked),
+  Import(const XmlFile& file, const Maps& maps, const Options& options, Budget& budget, Limits& left,
+         std::optional<ImportError>& error)
+      : options_(options),
+        first_(file),
+        maps_(maps),
         error_(error),
-        file_(*source.file),
-        blocks_(options_),
-        tilesLeft_(job.tilesLeft),
-        placementsLeft_(job.placementsLeft),
-        budget_(job.budget),
-        placer_(budget_),
-        objects_(source_, options_, budget_),
-        painter_(budget_) {
-    map_.report.file = file_.name();
+        left_(left),
+        budget_(budget),
+        names_(options),
+        asked_(options),
+        blocks_(options),
+        placer_(budget) {
+    map_.report.file = file.name();
   }
 
   tl::expected<ImportedMap, ImportError> run() {
-    if (!failed()) readHead();
-    if (!failed()) readLayers();
-    for (const auto& [cell, entry] : carried_) {
-      if (!failed()) place(cell, entry);
+    checkOptions();
+    for (const auto& map : maps_) {
+      if (!failed()) readMap(*map);
     }
-    if (!failed()) placeObjects();
+    if (!failed()) names_.checkAll(first_);
+    if (!failed()) placer_.finish(map_);
+    if (!failed()) checkBudget(first_.root());
     if (failed()) return tl::unexpected(*error_);
-    finishReport();
+    finish();
     return std::move(map_);
   }
 
  private:
-  /// A part of a tile, ready to be placed in one layer.
-  struct Placeable {
-    Cell shift;
-    Placer::EntryId entry;
+  /// A tile, flipped in one way, ready to be placed in one layer.
+  struct Ready {
+    std::uint32_t report = 0;  // its index
+    std::vector<std::pair<Cell, Placer::EntryId>> parts = {};
   };
   struct CurrentLayer {
+    const Layer& layer;
     std::uint32_t index = 0;
     std::int64_t columns = 0, rows = 0;  // the whole tiles of its offset
     DoublePoint rest;                    // the rest of the offset, pixels
     Properties properties;
-    std::unordered_map<std::uint32_t, std::vector<Placeable>> ready;  // by tile number with flags
+    std::unordered_map<std::uint32_t, Ready> ready = {};  // by tile number with flags
   };
 
   bool failed() const { return error_.has_value(); }
+  const XmlFile& file() const { return *source_->file; }
+  void checkOptions();
+  void readMap(MapSource& source);
   void readHead();
-  void readLayers();
-  void readLayer(const Layer& layer, std::uint32_t index);
-  void readObjects(const Layer& layer, std::uint32_t index);
-  void placeObjects();
+  void readTileLayer(const Layer& layer, std::uint32_t index);
+  void readObjectLayer(const Layer& layer, std::uint32_t index);
   bool spend(std::size_t placements);
-  void place(Cell cell, Placer::EntryId entry);
   void checkBudget(pugi::xml_node node);
   void placeTile(CurrentLayer& layer, std::int64_t column, std::int64_t row, std::uint32_t gid);
-  std::vector<Placeable> placeables(const CurrentLayer& layer, std::uint32_t gid);
-  const TileParts& partsOf(const Tileset& tileset, std::uint32_t gid, const CurrentLayer& layer, TileReport& report);
-  Block blockOf(const std::string& className, std::uint32_t layer);
+  Ready readyTile(const CurrentLayer& layer, const Tileset& tileset, std::uint32_t gid);
+  Block blockOf(const std::string& className, const Layer& layer);
   std::uint32_t reportOf(const Tileset& tileset, std::uint32_t number);
-  void finishReport();
+  void finish();
 
   const Options& options_;
-  MapSource& source_;
-  LayerNames& names_;
-  AskedNames& asked_;
+  const XmlFile& first_;  // the map or the world
+  const Maps& maps_;
   std::optional<ImportError>& error_;
-  const XmlFile& file_;
-  BlockNumbers blocks_;
-  std::size_t& tilesLeft_;
-  std::size_t& placementsLeft_;
+  Limits& left_;
   Budget& budget_;
-  PixelGrid grid_;
-  std::map<std::tuple<std::uint32_t, double, double, bool>, TileParts> parts_;  // by gid, offset, full square or not
-  std::unordered_map<std::uint32_t, std::uint32_t> reportIndex_;                // by tile number
-  std::vector<std::pair<Cell, Placer::EntryId>> carried_;
-  std::uint64_t strayTiles_ = 0;  // of no tileset
+  LayerNames names_;
+  AskedNames asked_;
+  BlockNumbers blocks_;
   Placer placer_;
-  MapObjects objects_;
-  ObjectPainter painter_;
-  std::vector<Layer> layers_;
   ImportedMap map_;
+  PixelGrid grid_;
+  DoublePoint min_, max_;                                                                 // of the maps, in tiles
+  std::map<std::tuple<std::string, std::uint32_t, std::string>, std::uint32_t> reports_;  // of tiles, by what they say
+  std::uint64_t strayTiles_ = 0;                                                          // of no tileset
+
+  // Of the map that is read.
+  MapSource* source_ = nullptr;
+  std::unordered_map<std::uint32_t, std::uint32_t> reportIndex_;  // by tile number
+  std::vector<std::pair<Cell, Placer::EntryId>> carried_;
 };
 
-void Import::readHead() {
-  constexpr std::int64_t kMaxSide = 1 << 28, kMaxPixels = 1 << 16;
-  const auto root = file_.root();
+void Import::checkOptions() {
   if (!(options_.tolerance >= 0 && std::isfinite(options_.tolerance))) {
-    return file_.fail({}, "the tolerance should be 0 or more", "tolerance");
+    first_.fail({}, "the tolerance should be 0 or more", "tolerance");
   }
   if (!(options_.polylineThickness >= 0 && std::isfinite(options_.polylineThickness))) {
-    return file_.fail({}, "the thickness of polylines should be 0 or more", "polylineThickness");
+    first_.fail({}, "the thickness of polylines should be 0 or more", "polylineThickness");
   }
-  Report& report = map_.report;
-  report.width = static_cast<int>(file_.integer(root, "width", 0, 0, kMaxSide));
-  report.height = static_cast<int>(file_.integer(root, "height", 0, 0, kMaxSide));
-  report.tileWidth = static_cast<int>(file_.integer(root, "tilewidth", std::nullopt, 1, kMaxPixels));
-  report.tileHeight = static_cast<int>(file_.integer(root, "tileheight", std::nullopt, 1, kMaxPixels));
-  report.infinite = root.attribute("infinite").as_bool();
-  const double width = report.tileWidth, height = report.tileHeight;
-  grid_ = {{width, height}, {std::min(options_.tolerance, width / 4), std::min(options_.tolerance, height / 4)}};
-  report.tolerance = std::max(grid_.tolerance.x, grid_.tolerance.y);
 }
 
-void Import::readLayers() {
-  layers_ = listLayers(file_, options_, source_.place, names_);
-  for (const Layer& layer : layers_) {
-    const auto index = static_cast<std::uint32_t>(map_.report.layers.size());
+void Import::readMap(MapSource& source) {
+  source_ = &source;
+  reportIndex_.clear();
+  carried_.clear();
+  readHead();
+  if (failed()) return;
+  const std::vector<Layer> layers = listLayers(file(), options_, source.place, names_);
+  const auto first = static_cast<std::uint32_t>(map_.report.layers.size());
+  for (const Layer& layer : layers) {
     LayerReport& report = map_.report.layers.emplace_back();
     report = {layer.path, layer.wanted, 0, layer.remark, layer.kind};
     asked_.see(layer);
     for (const auto node : layer.node.children("object")) report.objects += !node.empty();
-    if (!layer.wanted || failed()) continue;
-    layer.kind == LayerKind::objects ? readObjects(layer, index) : readLayer(layer, index);
   }
+  const auto read = [&](LayerKind kind, auto&& readLayer) {
+    for (std::uint32_t k = 0; k < layers.size(); ++k) {
+      if (!failed() && layers[k].wanted && layers[k].kind == kind) readLayer(layers[k], first + k);
+    }
+  };
+  read(LayerKind::tiles, [&](const Layer& layer, std::uint32_t index) { readTileLayer(layer, index); });
+  for (const auto& [cell, entry] : carried_) placer_.place(cell, entry);
+  read(LayerKind::objects, [&](const Layer& layer, std::uint32_t index) { readObjectLayer(layer, index); });
 }
 
-void Import::readObjects(const Layer& layer, std::uint32_t index) {
-  for (const MapShape& shape : objects_.read(layer)) {
+void Import::readHead() {
+  constexpr std::int64_t kMaxSide = 1 << 28, kMaxPixels = 1 << 16;
+  const auto root = file().root();
+  const auto number = [&](const char* name, std::optional<std::int64_t> fallback, std::int64_t min, std::int64_t max) {
+    return static_cast<int>(file().integer(root, name, fallback, min, max));
+  };
+  const int width = number("width", 0, 0, kMaxSide), height = number("height", 0, 0, kMaxSide);
+  const int tileWidth = number("tilewidth", {}, 1, kMaxPixels), tileHeight = number("tileheight", {}, 1, kMaxPixels);
+  Report& report = map_.report;
+  const bool isFirst = source_ == maps_.front().get();
+  if (!isFirst && (tileWidth != report.tileWidth || tileHeight != report.tileHeight)) {
+    return first_.fail(source_->entry.node,
+                       source_->entry.name +
+                           " has tiles of another size than the maps before it. One tile becomes one "
+                           "cell of the world, so all must have the same");
+  }
+  report.tileWidth = tileWidth;
+  report.tileHeight = tileHeight;
+  report.infinite = report.infinite || root.attribute("infinite").as_bool();
+  const DoublePoint tile{static_cast<double>(tileWidth), static_cast<double>(tileHeight)};
+  grid_ = {tile, {std::min(options_.tolerance, tile.x / 4), std::min(options_.tolerance, tile.y / 4)}};
+  report.tolerance = std::max(grid_.tolerance.x, grid_.tolerance.y);
+  const DoublePoint at{source_->place.offset.x / tile.x, source_->place.offset.y / tile.y};
+  min_ = isFirst ? at : DoublePoint{std::min(min_.x, at.x), std::min(min_.y, at.y)};
+  max_ = {isFirst ? at.x + width : std::max(max_.x, at.x + width),
+          isFirst ? at.y + height : std::max(max_.y, at.y + height)};
+}
+
+void Import::readObjectLayer(const Layer& layer, std::uint32_t index) {
+  std::vector<Note>& notes = map_.report.layers[index].notes;
+  for (const MapShape& shape : objectsOf(*source_, layer, options_, budget_)) {
     asked_.see(shape.object);
-    const Placer::Entry entry{0, blockOf(shape.object.className, index), kNoTile, shape.object.id, index};
-    if (!painter_.paint(shape, grid_, entry, map_.report.layers[index])) break;
+    Placer::Entry entry{0, blockOf(shape.object.className, layer), kNoTile, shape.object.id, index};
+    constexpr double kMost = 1 << 28;  // cells from the map's corner; below kMaxCell
+    cutObject(shape.object, shape.outline, grid_, kMost, budget_, notes, [&](Cell cell, const Polygon& ring) {
+      if (failed() || !spend(1)) return;
+      entry.shape = placer_.shape(ring);
+      placer_.place(cell, placer_.entry(entry));
+    });
   }
   checkBudget(layer.node);
 }
 
-/// Placer and painter do no work that the budget has no steps for. Then the import fails here.
+/// Nothing is done that the budget has no steps for. Then the import fails here.
 void Import::checkBudget(pugi::xml_node node) {
   if (budget_.isOutOfCells()) {
-    file_.fail(node, "its shapes are larger than the limit for a map of this size", "maxObjectCells");
+    file().fail(node, "its shapes are larger than the limit for a map of this size", "maxObjectCells");
   } else if (budget_.isOutOfWork()) {
-    file_.fail(node, "its shapes meet so often that they take more work than the limit for a map of this size",
-               "maxWork");
+    file().fail(node, "its shapes meet so often that they take more work than the limit for a map of this size",
+                "maxWork");
   }
-}
-
-void Import::place(Cell cell, Placer::EntryId entry) {
-  placer_.place(cell, entry);
-  if (budget_.isOutOfWork()) checkBudget(file_.root());
-}
-
-void Import::placeObjects() {
-  Polygon lastRing;
-  Placer::Entry last;
-  Placer::EntryId id = 0;
-  painter_.visit([&](Cell cell, const Polygon& ring, Placer::Entry entry) {
-    if (failed() || !spend(1)) return;
-    entry.shape = last.shape;
-    if (ring != lastRing || entry != last) {  // the cells inside an object are all alike
-      entry.shape = placer_.shape(ring);
-      id = placer_.entry(entry);
-      lastRing = ring;
-      last = entry;
-    }
-    place(cell, id);
-  });
 }
 
 bool Import::spend(std::size_t placements) {
-  const bool enough = placements <= placementsLeft_;
-  if (!enough) file_.fail(file_.root(), "the map has more polygons than the limit", "maxPlacements");
-  placementsLeft_ -= enough ? placements : 0;
+  const bool enough = placements <= left_.placements;
+  if (!enough) file().fail(file().root(), "the map has more polygons than the limit", "maxPlacements");
+  left_.placements -= enough ? placements : 0;
   return enough;
 }
 
-Block Import::blockOf(const std::string& className, std::uint32_t layer) {
+Block Import::blockOf(const std::string& className, const Layer& layer) {
   if (options_.blockFrom == BlockFrom::one) return 1;
-  return blocks_.of(options_.blockFrom == BlockFrom::layer ? layers_[layer].pathInMap : className);
+  return blocks_.of(options_.blockFrom == BlockFrom::layer ? layer.pathInMap : className);
 }
 
-void Import::readLayer(const Layer& layer, std::uint32_t index) {
-  const auto whole = [](double offset, double tile) { return std::round(offset / tile); };
-  const double columns = whole(layer.offset.x, grid_.tile.x), rows = whole(layer.offset.y, grid_.tile.y);
+void Import::readTileLayer(const Layer& layer, std::uint32_t index) {
+  const double columns = std::round(layer.offset.x / grid_.tile.x), rows = std::round(layer.offset.y / grid_.tile.y);
   constexpr double kMost = 1 << 27;  // together with the largest place of a chunk it stays below kMaxCell
   if (!(std::fabs(columns) <= kMost && std::fabs(rows) <= kMost)) {
-    return file_.fail(layer.node, "its offset is too large");
+    return file().fail(layer.node, "its offset is too large");
   }
-  CurrentLayer current{index,
+  CurrentLayer current{layer,
+                       index,
                        static_cast<std::int64_t>(columns),
                        static_cast<std::int64_t>(rows),
                        {layer.offset.x - columns * grid_.tile.x, layer.offset.y - rows * grid_.tile.y},
-                       propertiesOf(layer),
-                       {}};
+                       propertiesOf(layer)};
   LayerReport& report = map_.report.layers[index];
   if (current.rest.x != 0 || current.rest.y != 0) {
     report.note = "shifted by " + pixels(current.rest.x) + ", " + pixels(current.rest.y) +
                   " against the grid: its polygons reach out of their cells";
   }
-  readTiles(file_, layer, tilesLeft_, [&](std::int64_t column, std::int64_t row, std::uint32_t gid) {
+  readTiles(file(), layer, left_.tiles, [&](std::int64_t column, std::int64_t row, std::uint32_t gid) {
     ++report.tiles;
     placeTile(current, column + current.columns, row + current.rows, gid);
   });
 }
 
 void Import::placeTile(CurrentLayer& layer, std::int64_t column, std::int64_t row, std::uint32_t gid) {
-  const std::uint32_t number = tileNumber(gid);
-  const Tileset* tileset = source_.tilesets.of(number);
-  if (!tileset) {
-    ++strayTiles_;
-    return;
-  }
-  const std::uint32_t reportIndex = reportOf(*tileset, number);
-  ++map_.report.tiles[reportIndex].uses;
   auto ready = layer.ready.find(gid);
   if (ready == layer.ready.end()) {
-    ready = layer.ready.emplace(gid, placeables(layer, gid)).first;
-    checkBudget(layers_[layer.index].node);
+    const Tileset* const tileset = source_->tilesets.of(tileNumber(gid));
+    strayTiles_ += tileset == nullptr;
+    if (!tileset) return;
+    ready = layer.ready.emplace(gid, readyTile(layer, *tileset, gid)).first;
+    checkBudget(layer.layer.node);
     if (failed()) return;
-    std::vector<std::uint32_t>& layers = map_.report.tiles[reportIndex].layers;
-    if (layers.empty() || layers.back() != layer.index) layers.push_back(layer.index);  // not for each way to flip it
   }
-  if (!spend(ready->second.size())) return;
-  for (const Placeable& part : ready->second) {
-    const Cell cell{static_cast<std::int32_t>(column + part.shift.i),
-                    static_cast<std::int32_t>(-1 - row + part.shift.j)};
-    if (part.shift == Cell{}) {
-      place(cell, part.entry);
-    } else {
-      carried_.push_back({cell, part.entry});
-    }
+  ++map_.report.tiles[ready->second.report].uses;
+  if (!spend(ready->second.parts.size())) return;
+  for (const auto& [shift, entry] : ready->second.parts) {
+    const Cell cell{static_cast<std::int32_t>(column + shift.i), static_cast<std::int32_t>(-1 - row + shift.j)};
+    shift == Cell{} ? placer_.place(cell, entry) : carried_.push_back({cell, entry});
   }
 }
 
-std::vector<Import::Placeable> Import::placeables(const CurrentLayer& layer, std::uint32_t gid) {
+Import::Ready Import::readyTile(const CurrentLayer& layer, const Tileset& tileset, std::uint32_t gid) {
   const std::uint32_t number = tileNumber(gid);
-  const std::uint32_t tile = reportIndex_[number];
-  std::vector<Placeable> result;
-  for (const TilePart& part : partsOf(*source_.tilesets.of(number), gid, layer, map_.report.tiles[tile]).parts) {
-    const Placer::Entry entry{placer_.shape(part.part.ring), blockOf(part.className, layer.index), tile, part.object,
-                              layer.index};
-    result.push_back({part.part.shift, placer_.entry(entry)});
+  Ready result{reportOf(tileset, number)};
+  TileReport& report = map_.report.tiles[result.report];
+  if (!budget_.tile(tileset, number - tileset.firstGid)) return result;
+  Tile tile = tileAt(tileset, number - tileset.firstGid);
+  const bool isSolid = isSolidAsAsked(tile, layer.properties, options_);
+  report.isSolid = report.isSolid || isSolid;
+  if (report.layers.empty() || report.layers.back() != layer.index) report.layers.push_back(layer.index);
+  if (isSolid) tile.objects.push_back(fullSquare(tile));
+  ImageFrame frame{tile.size, flipsOf(gid), {1, 1}, {tileset.offset.x + layer.rest.x, tileset.offset.y + layer.rest.y}};
+  if (tileset.fitToGrid) frame.scaleTo(grid_.tile);
+  const TileParts all = tileParts(tile, frame, grid_, options_, budget_);
+  if (report.notes.empty()) report.notes = all.notes;  // the same tile flipped another way has the same notes
+  for (const TilePart& part : all.parts) {
+    const Placer::Entry entry{placer_.shape(part.ring), blockOf(part.className, layer.layer), result.report,
+                              part.object, layer.index};
+    result.parts.push_back({part.shift, placer_.entry(entry)});
   }
   return result;
 }
 
-const TileParts& Import::partsOf(const Tileset& tileset, std::uint32_t gid, const CurrentLayer& layer,
-                                 TileReport& report) {
-  const std::uint32_t number = tileNumber(gid) - tileset.firstGid;
-  static const TileParts kNone;
-  if (!budget_.tile(tileset, number)) return kNone;
-  Tile tile = tileAt(tileset, number);
-  const bool solid = isSolidAsAsked(tile, layer.properties, options_);
-  report.isSolid = report.isSolid || solid;
-  const auto [at, isNew] = parts_.try_emplace({gid, layer.rest.x, layer.rest.y, solid});
-  if (!isNew) return at->second;
-  if (solid) tile.objects.push_back(fullSquare(tile));
-  ImageFrame frame{tile.size, flipsOf(gid), {1, 1}, {tileset.offset.x + layer.rest.x, tileset.offset.y + layer.rest.y}};
-  if (tileset.fitToGrid) frame.scaleTo(grid_.tile);
-  at->second = tileParts(tile, frame, grid_, options_, budget_);
-  if (report.notes.empty()) report.notes = at->second.notes;  // the same tile flipped another way has the same notes
-  return at->second;
-}
-
+/// The index of a tile in the report. Maps of a world may share it.
 std::uint32_t Import::reportOf(const Tileset& tileset, std::uint32_t number) {
-  std::vector<TileReport>& tiles = map_.report.tiles;
-  const auto [at, isNew] = reportIndex_.emplace(number, static_cast<std::uint32_t>(tiles.size()));
-  if (isNew) {
-    TileReport& report = tiles.emplace_back();
-    report.tileset = tileset.name;
-    report.id = number - tileset.firstGid;
-    const auto tile = tileset.tiles.find(report.id);
-    if (tile != tileset.tiles.end()) {
-      report.className = tile->second.className;
-      report.isLeftOut = tiled::isLeftOut(tile->second, options_);
-      report.hasShapes = !report.isLeftOut && !tile->second.objects.empty();
-    }
+  const auto [known, isNew] = reportIndex_.try_emplace(number, 0);
+  if (!isNew) return known->second;
+  TileReport report;
+  report.tileset = tileset.name;
+  report.id = number - tileset.firstGid;
+  if (const auto tile = tileset.tiles.find(report.id); tile != tileset.tiles.end()) {
+    report.className = tile->second.className;
+    report.isLeftOut = isLeftOut(tile->second, options_);
+    report.hasShapes = !report.isLeftOut && !tile->second.objects.empty();
   }
-  return at->second;
+  std::vector<TileReport>& tiles = map_.report.tiles;
+  const auto next = static_cast<std::uint32_t>(tiles.size());
+  const auto [at, isFirst] = reports_.try_emplace({report.tileset, report.id, report.className}, next);
+  if (isFirst) tiles.push_back(std::move(report));
+  return known->second = at->second;
 }
 
-void Import::finishReport() {
-  placer_.finish(map_);
-  for (const Tileset& tileset : source_.tilesets.all()) asked_.see(tileset);
-  for (const auto& [origin, tileset] : source_.tilesetsOfTemplates) asked_.see(tileset);
+void Import::finish() {
   Report& report = map_.report;
-  for (const Tileset& tileset : source_.tilesets.all()) {
-    if (!tileset.missing.empty()) report.partial += (report.partial.empty() ? "" : "; ") + tileset.missing;
+  const auto side = [](double tiles) { return static_cast<int>(std::min(std::ceil(tiles), double{1 << 30})); };
+  report.width = side(max_.x - min_.x);
+  report.height = side(max_.y - min_.y);
+  for (const auto& map : maps_) {
+    for (const Tileset& tileset : map->tilesets.all()) {
+      asked_.see(tileset);
+      if (report.partial.find(tileset.missing) == std::string::npos)
+        report.partial += (report.partial.empty() ? "" : "; ") + tileset.missing;
+    }
+    for (const auto& [origin, tileset] : map->tilesetsOfTemplates) asked_.see(tileset);
   }
   if (const std::string left = leftOutAsAsked(report); !left.empty()) report.notes.push_back(left);
   if (strayTiles_ > 0) report.notes.push_back(std::to_string(strayTiles_) + " tiles belong to no tileset of the map");
@@ -318,12 +311,14 @@ void Import::finishReport() {
   for (TileReport& tile : report.tiles) sort(tile.notes);
   for (LayerReport& layer : report.layers) sort(layer.notes);
   blocks_.report(map_);
+  for (std::string& note : asked_.notes()) report.notes.push_back(std::move(note));
 }
 
 }  // namespace
 
-tl::expected<ImportedMap, ImportError> importOne(MapSource& source, ImportJob& job, std::optional<ImportError>& error) {
-  return Import(source, job, error).run();
+tl::expected<ImportedMap, ImportError> importMaps(const XmlFile& file, const Maps& maps, const Options& options,
+                                                  Budget& budget, Limits& left, std::optional<ImportError>& error) {
+  return Import(file, maps, options, budget, left, error).run();
 }
 
 }  // namespace lgs::tiled

@@ -1,9 +1,11 @@
 // An import from its beginning to its end: the files are opened, the evidence in them is weighed, the strongest choice
 // that gives a world is taken, and what else could be taken is tried.
+#include "below.h"
 #include "evidence.h"
-#include "opened.h"
+#include "ldtk.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <utility>
 
@@ -32,17 +34,18 @@ void join(std::string& list, const std::string& text) { list += (list.empty() ? 
 
 class WholeImport {
  public:
-  WholeImport(Opened& opened, const Options& options) : opened_(opened), options_(options) {}
+  WholeImport(const std::string& path, const Options& options, const FileReader& reader, const FolderLister& lister)
+      : path_(path), options_(options), ofUser_(reader), lister_(lister), budget_(options) {}
 
   Imported run() {
+    open();
     if (leaveChoice(options_)) takeCensus();
-    if (opened_.error()) return tl::unexpected(*opened_.error());
+    if (error_) return tl::unexpected(*error_);
     Imported map = take();
     if (!map) return map;
     if (map->placements.empty()) {
       if (!leaveChoice(options_)) takeCensus();
       offerAll(*map);
-      opened_.forgive();
     } else if (taken_) {
       tellChoice(map->report);
       offerMissed(*map);
@@ -51,9 +54,14 @@ class WholeImport {
   }
 
  private:
+  void open();
+  tl::expected<std::string, std::string> read(const std::string& name);
+  std::unique_ptr<const XmlFile> openMapOf(const WorldMap& entry);
+  void openWorld();
+
   void takeCensus() {
     std::size_t tiles = options_.maxTiles;
-    if (!opened_.error()) facts_ = census(opened_.maps(), options_, tiles);
+    if (!error_) facts_ = census(maps_, options_, tiles);
     choices_ = choices(facts_, options_);
   }
 
@@ -61,21 +69,33 @@ class WholeImport {
   Imported take() {
     for (const Choice& choice : choices_) {
       if (!isTakenByItself(choice)) continue;
-      Imported map = import(choice.options);
+      Imported map = import(choice.options, budget_);
       if (!map) return map;
       if (!map->placements.empty()) {
         taken_ = choice;
         return map;
       }
     }
-    Imported map = import(options_);
+    Imported map = import(options_, budget_);
     if (map && leaveChoice(options_)) forget(*map);
     return map;
   }
 
-  Imported import(const Options& options) {
-    std::size_t tiles = options.maxTiles, placements = options.maxPlacements;
-    return opened_.import(options, opened_.budget(), tiles, placements);
+  Imported import(const Options& options, Budget& budget) {
+    Limits left(options);
+    return import(options, budget, left);
+  }
+
+  /// One pass with these options. What it takes of the budget and of what is left is gone for the next.
+  Imported import(const Options& options, Budget& budget, Limits& left) {
+    Options settled = options;
+    std::vector<std::string> notes = notes_;
+    const XmlFile& file = world_ ? *world_ : *maps_.front()->file;
+    if (file.root().attribute(kLdtkAttribute)) settleLdtk(file, settled, notes);
+    if (error_) return tl::unexpected(*error_);
+    Imported map = importMaps(file, maps_, settled, budget, left, error_);
+    if (map) map->report.notes.insert(map->report.notes.begin(), notes.begin(), notes.end());
+    return map;
   }
 
   void tellChoice(Report& report) const {
@@ -97,36 +117,29 @@ class WholeImport {
     std::vector<std::string> arguments = choosingArguments(options);
     if (isSpent_ || tried_ == kMaxSuggestions || !offered_.insert(arguments).second) return;
     ++tried_;
-    Budget budget = opened_.budget();
-    const Imported other = opened_.import(options, budget, tilesLeft_, placementsLeft_);
+    Budget budget = budget_;
+    const Imported other = import(options, budget, left_);
     isSpent_ = budget.isOutOfWork() || budget.isOutOfCells();
-    if (!isSpent_) opened_.budget() = budget;
-    opened_.forgive();
+    if (!isSpent_) budget_ = budget;
+    error_.reset();  // nothing but an offer that is not made
     if (other && !other->placements.empty() && !isSameGround(map, *other))
       map.report.suggestions.push_back({text, std::move(arguments), other->placements.size()});
   }
 
+  /// All that could be taken; first what is hidden, if it was to be left out.
   void offerAll(ImportedMap& map) {
-    if (!facts_.hidden.empty()) offerHidden(map);
-    for (const Choice& choice : choices_) offer(map, choice.options, choice.text);
-  }
-
-  /// What is hidden, if it was to be left out: all that would be taken without that.
-  void offerHidden(ImportedMap& map) {
-    Options options = options_;
-    options.visibleOnly = false;
-    std::size_t tiles = options.maxTiles;
-    std::vector<Choice> all = choices(census(opened_.maps(), options, tiles), options);
-    opened_.forgive();
-    if (!leaveChoice(options)) all.insert(all.begin(), Choice{Evidence::solid, options, ""});
-    const std::size_t layers = facts_.hidden.size(), before = map.report.suggestions.size();
-    const std::string text = counted(layers, "layer") + (layers == 1 ? " is" : " are") +
-                             " hidden, and --visible leaves " + (layers == 1 ? "it" : "them") +
-                             " out: " + listed(facts_.hidden);
-    for (const Choice& choice : all) {
-      if (!isTakenByItself(choice) || map.report.suggestions.size() > before) continue;
-      offer(map, choice.options, text, false);
+    if (options_.visibleOnly) {
+      Options options = options_;
+      options.visibleOnly = false;
+      std::size_t tiles = options.maxTiles;
+      std::vector<Choice> all = choices(census(maps_, options, tiles), options);
+      error_.reset();
+      if (!leaveChoice(options)) all = {{Evidence::solid, options, "what was asked for"}};
+      for (const Choice& choice : all)
+        if (isTakenByItself(choice) && map.report.suggestions.empty())
+          offer(map, choice.options, "hidden, and --visible leaves it out: " + choice.text, false);
     }
+    for (const Choice& choice : choices_) offer(map, choice.options, choice.text);
   }
 
   /// What else says that it is solid; and if none of that is an offer, the next best choice.
@@ -144,18 +157,103 @@ class WholeImport {
       if (report.suggestions.empty()) offer(map, choice.options, choice.text);
   }
 
-  Opened& opened_;
+  const std::string& path_;
   const Options& options_;
+  const FileReader& ofUser_;
+  const FolderLister& lister_;
+  const FileReader reader_ = [this](const std::string& name) { return read(name); };
+  Budget budget_;
+  std::optional<ImportError> error_;
+  std::vector<std::string> notes_;
+  std::optional<std::pair<pugi::xml_node, std::string>> missing_;  // the first map of a world that cannot be read
+  std::unique_ptr<const XmlFile> world_;                           // null for a map by itself
+  Maps maps_;
   Facts facts_;
   std::vector<Choice> choices_;
   std::optional<Choice> taken_;
-  std::size_t tilesLeft_ = options_.maxTiles, placementsLeft_ = options_.maxPlacements;  // for all that is tried
+  Limits left_ = Limits(options_);  // for all that is tried
   std::size_t tried_ = 0;
   bool isSpent_ = false;
   std::set<std::vector<std::string>> offered_;
 };
 
+/// Reads the map, and what it names. A problem is kept.
+void WholeImport::open() {
+  auto file = std::make_unique<const XmlFile>(path_, reader_, "map", error_, Quoting{true, options_.filesAnywhere});
+  if (error_) return;
+  if (std::string_view(file->root().name()) == "world") {
+    world_ = std::move(file);
+    openWorld();
+  } else {
+    maps_.push_back(std::make_unique<MapSource>(std::move(file), MapPlace{}, options_, reader_, error_));
+  }
+}
+
+tl::expected<std::string, std::string> WholeImport::read(const std::string& name) {
+  const std::string folder = options_.filesIn.empty() ? folderOf(path_) : options_.filesIn;
+  if (!options_.filesAnywhere && name != path_ && !liesBelow(folder, name)) {
+    return tl::unexpected("it is not in the folder " + (folder.empty() ? "." : folder) +
+                          ". If the map can be trusted: Options::filesIn = " + folderOfBoth(path_, name));
+  }
+  auto text = ofUser_(name);
+  if (text && !budget_.read(text->size())) {
+    return tl::unexpected<std::string>("the files of the map are larger together than the limit (Options::maxBytes)");
+  }
+  return text;
+}
+
+/// Opens a map of a world. Null if it cannot be read and may be missing, or if there is a problem.
+std::unique_ptr<const XmlFile> WholeImport::openMapOf(const WorldMap& entry) {
+  auto file = std::make_unique<const XmlFile>(*world_, entry.name, reader_, "map", error_);
+  if (error_ && !file->wasRead()) {  // the world is to blame for naming it
+    std::string what = "the map's file " + error_->file + " " + error_->what;
+    error_.reset();
+    if (!file->isMissing() || options_.allMaps) {
+      world_->fail(entry.node, std::move(what));
+    } else {
+      notes_.push_back("a map of the world is left out: " + what);
+      if (!missing_) missing_ = {entry.node, std::move(what)};
+    }
+    return nullptr;
+  }
+  if (!file->failed() && (std::string_view(file->root().name()) == "world" || file->root().attribute(kLdtkAttribute))) {
+    world_->fail(entry.node, entry.name + " is no map of Tiled's");
+  }
+  if (const std::string pattern = entry.node.attribute("regexp").value(); file->failed() && !pattern.empty()) {
+    error_->what += " (it fits the pattern " + inQuotes(pattern) + " of the world)";  // perhaps by mistake
+  }
+  if (file->failed()) return nullptr;
+  return file;
+}
+
+void WholeImport::openWorld() {
+  for (const WorldMap& entry : mapsOf(*world_, lister_, notes_)) {
+    if (error_) return;
+    auto file = openMapOf(entry);
+    if (!file) continue;
+    const MapPlace place{std::filesystem::path(entry.name).replace_extension().generic_string(), entry.at};
+    maps_.push_back(std::make_unique<MapSource>(std::move(file), place, options_, reader_, error_));
+    if (error_) return;
+    maps_.back()->entry = entry;
+  }
+  if (maps_.empty() && missing_) world_->fail(missing_->first, missing_->second);
+}
+
 }  // namespace
+
+MapSource::MapSource(std::unique_ptr<const XmlFile> map, MapPlace where, const Options& options,
+                     const FileReader& ofFiles, std::optional<ImportError>& error)
+    : file(std::move(map)), place(std::move(where)), reader(ofFiles), templates(ofFiles) {
+  const auto root = file->root();
+  const std::string_view orientation = root.attribute("orientation").value();
+  if (!orientation.empty() && orientation != "orthogonal") {
+    file->fail(root,
+               "has the orientation" + file->quoted(" ", orientation) + ": only orthogonal maps have square cells");
+    return;
+  }
+  if (root.attribute(kLdtkAttribute)) checkGrids(*file, root);
+  if (!file->failed()) tilesets.read(*file, reader, templates, options.tiles, error);
+}
 
 std::optional<Block> ImportedMap::block(const std::string& name) const {
   const auto found = blocks.find(name);
@@ -164,8 +262,7 @@ std::optional<Block> ImportedMap::block(const std::string& name) const {
 
 Imported importMap(const std::string& path, const Options& options, const FileReader& reader,
                    const FolderLister& lister) {
-  Opened opened(path, options, reader, lister);
-  return WholeImport(opened, options).run();
+  return WholeImport(path, options, reader, lister).run();
 }
 
 }  // namespace lgs::tiled

@@ -1,4 +1,6 @@
 // The report and the error as text.
+#include "words.h"
+
 #include "text/words.h"
 
 #include <lgs/tiled/import.h>
@@ -11,6 +13,8 @@
 namespace lgs::tiled {
 namespace {
 
+constexpr std::size_t kMostNamed = 12;
+
 /// Names come from files. What would end a line, or do something else to a terminal, becomes a blank.
 void makePlain(std::string& name) { name = text::withoutControls(name); }
 
@@ -19,7 +23,8 @@ void makePlain(std::vector<Note>& notes) {
 }
 
 Report withPlainNames(Report report) {
-  makePlain(report.file);
+  for (std::string* text : {&report.file, &report.choice, &report.partial, &report.also, &report.leftOut})
+    makePlain(*text);
   for (LayerReport& layer : report.layers) {
     makePlain(layer.path);
     makePlain(layer.note);
@@ -32,10 +37,6 @@ Report withPlainNames(Report report) {
     makePlain(tile.notes);
   }
   for (std::string& note : report.notes) makePlain(note);
-  makePlain(report.choice);
-  makePlain(report.partial);
-  makePlain(report.also);
-  makePlain(report.leftOut);
   for (Suggestion& suggestion : report.suggestions) makePlain(suggestion.text);
   return report;
 }
@@ -125,71 +126,54 @@ void appendHead(const Report& report, std::string& out) {
   for (const std::string& note : report.notes) out += "  note: " + note + "\n";
 }
 
-/// The wanted notes of an object layer. Objects of which the same is to be said share a line.
-template <class Wanted>
-std::string layerNotes(const LayerReport& layer, Wanted&& wanted) {
-  constexpr std::size_t kMostNamed = 12;
-  std::vector<std::pair<std::string, std::vector<std::uint32_t>>> lines;
+/// The wanted notes. Objects of which the same is to be said share a line. `layerOf` names the layer of a note, or is
+/// empty if that is clear.
+template <class Wanted, class LayerOf>
+std::string linesOf(const std::vector<Note>& notes, const Wanted& wanted, const LayerOf& layerOf) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> lines;
   std::map<std::string, std::size_t> places;
-  for (const Note& note : layer.notes) {
+  for (const Note& note : notes) {
     if (!wanted(note.kind)) continue;
-    const std::string text = note.text + where(note, "");
+    const std::string text = note.text + where(note, layerOf(note));
     const auto [at, isNew] = places.try_emplace(text, lines.size());
     if (isNew) lines.push_back({text, {}});
-    lines[at->second].second.push_back(note.object);
+    lines[at->second].second.push_back(std::to_string(note.object));
   }
   std::string out;
   for (const auto& [text, objects] : lines) {
-    out += objects.size() == 1 ? "    object " : "    objects ";
-    for (std::size_t k = 0; k < std::min(kMostNamed, objects.size()); ++k) {
-      out += (k == 0 ? "" : ", ") + std::to_string(objects[k]);
-    }
-    if (objects.size() > kMostNamed) out += " and " + std::to_string(objects.size() - kMostNamed) + " more";
-    out += (objects.size() == 1 ? ": " : ", each: ") + text + "\n";
+    const bool isOne = objects.size() == 1;
+    out += (isOne ? "    object " : "    objects ") + listed(objects, kMostNamed) + (isOne ? ": " : ", each: ") + text +
+           "\n";
   }
   return out;
 }
 
 template <class Wanted>
-void appendNotes(const Report& report, const char* title, Wanted&& wanted, std::string& out) {
-  bool titled = false;
-  for (const LayerReport& layer : report.layers) {
-    const std::string notes = layerNotes(layer, wanted);
-    if (notes.empty()) continue;
-    if (!titled) out += std::string("\n") + title + "\n";
-    titled = true;
-    out += "  layer " + layer.path + "\n" + notes;
-  }
+void appendNotes(const Report& report, const std::string& title, const Wanted& wanted, std::string& out) {
+  std::string all;
+  const auto add = [&](const std::string& heading, const std::string& lines) {
+    if (!lines.empty()) all += "  " + heading + "\n" + lines;
+  };
+  for (const LayerReport& layer : report.layers)
+    add("layer " + layer.path, linesOf(layer.notes, wanted, [](const Note&) { return ""; }));
   for (const TileReport& tile : report.tiles) {
-    bool named = false;
-    for (const Note& note : tile.notes) {
-      if (!wanted(note.kind)) continue;
-      if (!titled) out += std::string("\n") + title + "\n";
-      if (!named) out += "  " + heading(tile, report) + "\n";
-      titled = named = true;
-      const std::string layer = tile.layers.size() > 1 ? report.layers[note.layer].path : "";
-      out += "    object " + std::to_string(note.object) + ": " + note.text + where(note, layer) + "\n";
-    }
+    const auto layerOf = [&](const Note& note) { return tile.layers.size() > 1 ? report.layers[note.layer].path : ""; };
+    add(heading(tile, report), linesOf(tile.notes, wanted, layerOf));
   }
+  if (!all.empty()) out += "\n" + title + "\n" + all;
 }
 
-void appendShapeless(const Report& report, bool solid, const char* title, std::string& out) {
-  std::vector<const TileReport*> shapeless;
+void appendShapeless(const Report& report, bool solid, const std::string& title, std::string& out) {
+  std::vector<std::string> shapeless;
   std::uint64_t uses = 0;
   for (const TileReport& tile : report.tiles) {
     if (tile.hasShapes || tile.isLeftOut || tile.isSolid != solid) continue;
-    shapeless.push_back(&tile);
+    shapeless.push_back(tileName(tile));
     uses += tile.uses;
   }
   if (shapeless.empty()) return;
-  constexpr std::size_t kMostNamed = 12;
-  out += std::string("\n") + title + ": " + numbered(shapeless.size(), "tile", "tiles") + ", " +
-         numbered(uses, "use", "uses") + "\n ";
-  for (std::size_t i = 0; i < std::min(kMostNamed, shapeless.size()); ++i) {
-    out += (i == 0 ? " " : ", ") + tileName(*shapeless[i]);
-  }
-  if (shapeless.size() > kMostNamed) out += " and " + std::to_string(shapeless.size() - kMostNamed) + " more";
-  out += "\n";
+  out += "\n" + title + ": " + numbered(shapeless.size(), "tile", "tiles") + ", " + numbered(uses, "use", "uses") +
+         "\n  " + listed(shapeless, kMostNamed) + "\n";
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <pugixml.hpp>
 #include <string>
 #include <string_view>
 
@@ -70,5 +71,38 @@ class JsonReading {
   std::string file_;
   std::optional<ImportError>& error_;
 };
+
+/// The attribute with the path to what an element was made of. No key of Tiled's has a colon.
+inline constexpr const char* kPathAttribute = "json:path";
+
+/// A new element that was made of a value.
+pugi::xml_node addElement(pugi::xml_node parent, const char* name, const JsonPlace& from);
+
+void setAttribute(pugi::xml_node node, const char* name, const std::string& value);
+void setNumbers(pugi::xml_node node, std::initializer_list<std::pair<const char*, double>> numbers);
+
+/// A <property> in the element's <properties>. An array or object as value is left out, as it has no text in XML
+/// either.
+void addProperty(pugi::xml_node node, const std::string& name, const Json& value);
+
+/// Makes a Tiled map, tileset, template or world, or an LDtk project, of the text of a JSON file. `reader` reads the
+/// files of LDtk's levels. The first problem goes into `error`.
+void readJson(const std::string& file, std::string_view text, const FileReader& reader, pugi::xml_document& document,
+              std::optional<ImportError>& error);
+
+/// The same for a JSON value of Tiled's; `kind` is "map", "tileset", "template" or "world".
+void readTiledJson(const JsonReading& reading, const JsonPlace& root, const char* kind, pugi::xml_document& document);
+
+/// What a file is that is neither XML nor JSON, such as "a Godot scene"; "" if it is not known.
+std::string foreignText(std::string_view text);
+
+/// What a file is by the name of its XML root; "" if it is not known.
+std::string foreignXml(std::string_view rootName);
+
+/// What a JSON file is that is neither Tiled's nor an LDtk project; "" if it is not known.
+std::string foreignJson(const Json& root);
+
+/// The message about such a file.
+std::string isForeign(const std::string& what);
 
 }  // namespace lgs::tiled

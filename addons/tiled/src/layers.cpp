@@ -2,8 +2,7 @@
 
 #include "asked_names.h"
 #include "collision_object.h"
-#include "encoding.h"
-#include "properties.h"
+#include "words.h"
 
 #include <algorithm>
 #include <utility>
@@ -95,7 +94,6 @@ class Lister {
     layer.isInReach = layer.isInReach && !(self.hidden && options_.visibleOnly);
     if (layer.wanted && self.hidden && options_.visibleOnly) {
       layer.wanted = false;
-      layer.hidden = true;
       layer.remark = "hidden";
     } else if (self.hidden && kind != LayerKind::image) {
       remark(layer.wanted ? "hidden (--visible leaves it out)" : "hidden");

@@ -1,10 +1,16 @@
 // The layers of a map: which of them are wanted, how they are shifted, and which tiles they hold.
 #pragma once
 
-#include "properties.h"
+#include "words.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <set>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
 
 namespace lgs::tiled {
 
@@ -14,7 +20,6 @@ struct Layer {
   std::string pathInMap;  ///< without that name
   LayerKind kind{};
   bool wanted = false;
-  bool hidden = false;                 ///< it would be wanted if it, or a group that it is in, were not hidden
   bool isInReach = true;               ///< of an object layer: Options::layers do not rule it out
   DoublePoint offset;                  ///< pixels, y down; the sum of its own and those of its groups
   std::set<std::string> classes = {};  ///< of an object layer: only objects of these classes or names; empty: all
@@ -88,5 +93,13 @@ using TileSink = std::function<void(std::int64_t column, std::int64_t row, std::
 /// Reads the tiles of a layer. `budget` says how many tiles may still be read; it goes down by the layer's, empty ones
 /// too.
 void readTiles(const XmlFile& file, const Layer& layer, std::size_t& budget, const TileSink& sink);
+
+using Gids = std::vector<std::uint32_t>;
+
+tl::expected<Gids, std::string> decodeCsv(std::string_view text, std::size_t count);
+
+/// `compression` is "", "zlib", "gzip" or "zstd". Takes memory in proportion to `count` and to the text, whatever the
+/// text announces.
+tl::expected<Gids, std::string> decodeBase64(std::string_view text, std::string_view compression, std::size_t count);
 
 }  // namespace lgs::tiled

@@ -1,7 +1,6 @@
 #include "ldtk.h"
 
 #include "layers.h"
-#include "ldtk_drawn.h"
 
 #include <algorithm>
 #include <set>
@@ -96,8 +95,8 @@ void LdtkProject::readWorld(const JsonPlace& world, pugi::xml_node to) {
     readLevel(level, at, to);
   }
   if (depths.size() > 1) setAttribute(to, kLdtkDepthsAttribute, "1");
-  setAttribute(to, kLdtkWidthAttribute, numberText(std::max(0.0, max.x - min.x)));
-  setAttribute(to, kLdtkHeightAttribute, numberText(std::max(0.0, max.y - min.y)));
+  setNumbers(
+      to, {{kLdtkWidthAttribute, std::max(0.0, max.x - min.x)}, {kLdtkHeightAttribute, std::max(0.0, max.y - min.y)}});
 }
 
 /// A level may have a file of its own.
@@ -145,9 +144,9 @@ void LdtkProject::readIntGrid(const JsonPlace& layer, pugi::xml_node to) {
   IntGrid* const grid = intGridOf(layer);
   if (!grid) return;
   const pugi::xml_node node = addLayer(to, "layer", layer);
-  setAttribute(node, kLdtkGridAttribute, numberText(reading_.number(layer["__gridSize"])));
-  setAttribute(node, "width", numberText(reading_.number(layer["__cWid"])));
-  setAttribute(node, "height", numberText(reading_.number(layer["__cHei"])));
+  for (const auto& [name, key] :
+       {std::pair(kLdtkGridAttribute, "__gridSize"), std::pair("width", "__cWid"), std::pair("height", "__cHei")})
+    setNumbers(node, {{name, reading_.number(layer[key])}});
   const pugi::xml_node data = addElement(node, "data", csv);
   setAttribute(data, "encoding", "csv");
   std::string list;
@@ -218,10 +217,8 @@ void LdtkProject::readEntity(const JsonPlace& entity, pugi::xml_node to) const {
   const DoublePoint at = pair(entity["px"]), size{reading_.number(entity["width"]), reading_.number(entity["height"])};
   const DoublePoint pivot = entity["__pivot"].isMissing() ? DoublePoint{} : pair(entity["__pivot"]);
   setAttribute(to, "type", entity.text("__identifier"));
-  setAttribute(to, "x", numberText(at.x - pivot.x * size.x));
-  setAttribute(to, "y", numberText(at.y - pivot.y * size.y));
-  setAttribute(to, "width", numberText(size.x));
-  setAttribute(to, "height", numberText(size.y));
+  setNumbers(to, {{"x", at.x - pivot.x * size.x}, {"y", at.y - pivot.y * size.y}});
+  setNumbers(to, {{"width", size.x}, {"height", size.y}});
   const auto shape = isEllipse_.find(reading_.number(entity["defUid"], 0));
   if (shape != isEllipse_.end() && shape->second) to.append_child("ellipse");
   for (const JsonPlace& field : reading_.objects(entity["fieldInstances"])) {
@@ -231,19 +228,13 @@ void LdtkProject::readEntity(const JsonPlace& entity, pugi::xml_node to) const {
 
 void LdtkProject::writeIntGrids() {
   for (auto& [uid, grid] : intGrids_) {
-    pugi::xml_node set = map_.append_child("tileset");
-    const std::string side = numberText(grid.grid);
-    setAttribute(set, "name", grid.name);
-    setAttribute(set, "firstgid", std::to_string(grid.firstGid));
-    setAttribute(set, "tilewidth", side);
-    setAttribute(set, "tileheight", side);
+    pugi::xml_node set = addTileset(map_, grid.name, grid.firstGid, grid.grid);
     for (auto& [value, identifier] : grid.values) {
       pugi::xml_node tile = set.append_child("tile");
       setAttribute(tile, "id", std::to_string(value));
       setAttribute(tile, "class", nameOf(grid, value, identifier));
       pugi::xml_node square = tile.append_child("objectgroup").append_child("object");
-      setAttribute(square, "width", side);
-      setAttribute(square, "height", side);
+      setNumbers(square, {{"width", grid.grid}, {"height", grid.grid}});
     }
   }
 }
@@ -273,25 +264,32 @@ pugi::xml_node LdtkProject::placeGroup(pugi::xml_node parent, const JsonPlace& f
   const pugi::xml_node group = addElement(parent, "group", from);
   setAttribute(group, "name", from.text("identifier"));
   setAttribute(group, kPlaceAttribute, "1");
-  setAttribute(group, "offsetx", numberText(offset.x));
-  setAttribute(group, "offsety", numberText(offset.y));
+  setNumbers(group, {{"offsetx", offset.x}, {"offsety", offset.y}});
   return group;
 }
 
 pugi::xml_node LdtkProject::addLayer(pugi::xml_node parent, const char* kind, const JsonPlace& from) const {
   const pugi::xml_node node = addElement(parent, kind, from);
   setAttribute(node, "name", from.text("__identifier"));
-  setAttribute(node, "offsetx", numberText(reading_.number(from["__pxTotalOffsetX"], 0)));
-  setAttribute(node, "offsety", numberText(reading_.number(from["__pxTotalOffsetY"], 0)));
+  const auto number = [&](const JsonPlace& at) { return reading_.number(at, 0); };
+  setNumbers(node, {{"offsetx", number(from["__pxTotalOffsetX"])}, {"offsety", number(from["__pxTotalOffsetY"])}});
   if (!from["visible"].isMissing()) setAttribute(node, "visible", from.is("visible") ? "1" : "0");
   const auto definition = layerDefinitions_.find(reading_.number(from["layerDefUid"], 0));
   if (definition == layerDefinitions_.end()) return node;
-  setAttribute(node, "parallaxx", numberText(1 - reading_.number(definition->second["parallaxFactorX"], 0)));
-  setAttribute(node, "parallaxy", numberText(1 - reading_.number(definition->second["parallaxFactorY"], 0)));
+  setNumbers(node, {{"parallaxx", 1 - number(definition->second["parallaxFactorX"])},
+                    {"parallaxy", 1 - number(definition->second["parallaxFactorY"])}});
   return node;
 }
 
 }  // namespace
+
+pugi::xml_node addTileset(pugi::xml_node map, const std::string& name, std::uint64_t firstGid, double side) {
+  const pugi::xml_node set = map.append_child("tileset");
+  setAttribute(set, "name", name);
+  setAttribute(set, "firstgid", std::to_string(firstGid));
+  setNumbers(set, {{"tilewidth", side}, {"tileheight", side}});
+  return set;
+}
 
 bool isLdtkProject(const JsonPlace& root) {
   const bool hasLevels = !root["levels"].isMissing() || !root["worlds"].isMissing();
@@ -302,7 +300,7 @@ void readLdtk(const JsonReading& reading, const JsonPlace& root, const FileReade
               pugi::xml_document& document) {
   const pugi::xml_node map = addElement(document.root(), "map", root);
   setAttribute(map, kLdtkAttribute, root.text("jsonVersion"));
-  setAttribute(map, kLdtkGridAttribute, numberText(reading.number(root["defaultGridSize"], 16)));
+  setNumbers(map, {{kLdtkGridAttribute, reading.number(root["defaultGridSize"], 16)}});
   LdtkProject(reading, root, reader, map).read();
 }
 

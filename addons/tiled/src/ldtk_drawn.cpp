@@ -1,9 +1,9 @@
-#include "ldtk_drawn.h"
-
 #include "layers.h"
 #include "ldtk.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 #include <tuple>
 
 namespace lgs::tiled {
@@ -33,7 +33,7 @@ DrawnLayers::Set* DrawnLayers::setOf(const JsonPlace& layer) {
 void DrawnLayers::read(const JsonPlace& layer, pugi::xml_node to) {
   const double side = reading_.number(layer["__gridSize"], 0);
   setAttribute(to, kDrawnAttribute, "1");
-  setAttribute(to, kLdtkGridAttribute, numberText(side));
+  setNumbers(to, {{kLdtkGridAttribute, side}, {"width", 0}, {"height", 0}});  // each tile is a chunk: some share a cell
   Set* const set = setOf(layer);
   if (!set) return setAttribute(to, kLdtkNotSolidAttribute, "is one layer of tiles too many to be solid");
   const auto tileset = tilesets_.find(set->tileset);
@@ -43,8 +43,6 @@ void DrawnLayers::read(const JsonPlace& layer, pugi::xml_node to) {
                  "has tiles of " + numberText(tileSide) + " px on a grid of " + numberText(side) +
                      " px. Only tiles as large as the grid can be solid");
   }
-  setAttribute(to, "width", "0");  // each tile is a chunk, as several may lie in one cell
-  setAttribute(to, "height", "0");
   const pugi::xml_node data = addElement(to, "data", layer);
   setAttribute(data, "encoding", "csv");
   std::set<std::tuple<double, double, double>> known;
@@ -64,10 +62,7 @@ void DrawnLayers::read(const JsonPlace& layer, pugi::xml_node to) {
         const auto number = static_cast<std::uint64_t>(id);
         set->tiles.insert(number);
         const pugi::xml_node chunk = addElement(data, "chunk", tile);
-        setAttribute(chunk, "x", numberText(column));
-        setAttribute(chunk, "y", numberText(row));
-        setAttribute(chunk, "width", "1");
-        setAttribute(chunk, "height", "1");
+        setNumbers(chunk, {{"x", column}, {"y", row}, {"width", 1}, {"height", 1}});
         chunk.text() = std::to_string(set->firstGid + number).c_str();
       }
     }
@@ -77,15 +72,10 @@ void DrawnLayers::read(const JsonPlace& layer, pugi::xml_node to) {
 
 void DrawnLayers::writeTilesets(pugi::xml_node map, const std::map<std::string, std::uint64_t>& names) const {
   for (const auto& [key, set] : sets_) {
-    pugi::xml_node node = map.append_child("tileset");
-    const std::string side = numberText(set.grid);
     std::string name = set.layer;
     while (names.contains(name)) name.insert(0, set.layer + ".");
+    const pugi::xml_node node = addTileset(map, set.layer, set.firstGid, set.grid);
     setAttribute(node, kLdtkDrawnAttribute, name);
-    setAttribute(node, "name", set.layer);
-    setAttribute(node, "firstgid", std::to_string(set.firstGid));
-    setAttribute(node, "tilewidth", side);
-    setAttribute(node, "tileheight", side);
     writeTiles(node, set);
   }
 }
@@ -106,6 +96,117 @@ void DrawnLayers::writeTiles(pugi::xml_node to, const Set& set) const {
       const auto tile =
           tiles.find(number >= 0 && number < kLdtkSetSize ? static_cast<std::uint64_t>(number) : kLdtkSetSize);
       if (tile != tiles.end()) addProperty(tile->second, tag.text("enumValueId"), true);
+    }
+  }
+}
+
+namespace {
+
+constexpr std::int64_t kMaxCellPixels = 1 << 16;
+
+/// One cell is one tile, so the tile layers that are wanted must have one grid. Returns the side of its cells.
+double gridOf(const XmlFile& file, const std::vector<Layer>& layers) {
+  const auto isWanted = [](const Layer& layer) { return layer.wanted && layer.kind == LayerKind::tiles; };
+  const auto side = [](const Layer& layer) { return std::string(layer.node.attribute(kLdtkGridAttribute).value()); };
+  const auto first = std::find_if(layers.begin(), layers.end(), isWanted);
+  const auto other = std::find_if(first, layers.end(),
+                                  [&](const Layer& layer) { return isWanted(layer) && side(layer) != side(*first); });
+  if (other != layers.end()) {
+    file.fail(other->node,
+              "has a grid of " + side(*other) + " px, and " + first->path + " one of " + side(*first) +
+                  " px. One cell of the grid becomes one cell of the world, so choose layers that have one grid",
+              "layers");
+  }
+  const pugi::xml_node node = first == layers.end() ? file.root() : first->node;
+  return static_cast<double>(file.integer(node, kLdtkGridAttribute, std::nullopt, 1, kMaxCellPixels));
+}
+
+constexpr const char* kOtherWorld = "lgs:other-world";  // a group of a world that was not chosen
+
+void setAgain(pugi::xml_node node, const char* name, const std::string& value) {
+  node.remove_attribute(name);
+  setAttribute(node, name, value);
+}
+
+void refuseNotSolid(const XmlFile& file, const std::vector<Layer>& layers) {
+  for (const Layer& layer : layers) {
+    const auto why = layer.node.attribute(kLdtkNotSolidAttribute);
+    if (layer.wanted && why) file.fail(layer.node, std::string(why.value()) + ": choose other layers", "layers");
+  }
+}
+
+/// The worlds of all layers that are wanted; or, if tile layers were chosen and some are wanted, of these alone.
+std::set<std::string> wantedWorlds(const std::vector<Layer>& layers, const Options& options) {
+  std::set<std::string> all, ofTiles;
+  for (const Layer& layer : layers) {
+    if (!layer.wanted) continue;
+    const std::string world = layer.path.substr(0, layer.path.find('/'));
+    all.insert(world);
+    if (layer.kind == LayerKind::tiles) ofTiles.insert(world);
+  }
+  return options.layers.empty() || ofTiles.empty() ? all : ofTiles;
+}
+
+/// Several worlds of a project would lie over each other. The one that was chosen stays, and the others are no groups
+/// any more. Returns it.
+pugi::xml_node chooseWorld(const XmlFile& file, const Options& options) {
+  for (pugi::xml_node world = file.root().child(kOtherWorld); world; world = file.root().child(kOtherWorld)) {
+    world.set_name("group");
+  }
+  LayerNames names(options);
+  const std::set<std::string> worlds = wantedWorlds(listLayers(file, options, {}, names), options);
+  if (worlds.size() > 1) {
+    file.fail(file.root(),
+              "has several worlds, which lie over each other: choose one of " + listed({worlds.begin(), worlds.end()}),
+              "layers");
+  }
+  pugi::xml_node root = file.root(), chosen = root;
+  if (worlds.size() != 1) return chosen;
+  for (pugi::xml_node group = root.child("group"); group;) {
+    const pugi::xml_node next = group.next_sibling("group");
+    *worlds.begin() == group.attribute("name").value() ? void(chosen = group) : void(group.set_name(kOtherWorld));
+    group = next;
+  }
+  return chosen;
+}
+
+}  // namespace
+
+void checkGrids(const XmlFile& file, pugi::xml_node parent) {
+  for (const auto node : parent.children()) {
+    const std::string_view kind = node.name();
+    if (kind == "group") checkGrids(file, node);
+    if (kind == "layer" && !node.attribute(kDrawnAttribute)) {
+      static_cast<void>(file.integer(node, kLdtkGridAttribute, std::nullopt, 1, kMaxCellPixels));
+    }
+  }
+}
+
+void settleLdtk(const XmlFile& file, Options& options, std::vector<std::string>& notes) {
+  constexpr double kMaxSide = 1 << 28;  // tiles
+  pugi::xml_node root = file.root();
+  const pugi::xml_node world = root.attribute(kLdtkWorldsAttribute) ? chooseWorld(file, options) : root;
+  if (file.failed()) return;
+  LayerNames names(options);
+  const std::vector<Layer> layers = listLayers(file, options, {}, names);
+  refuseNotSolid(file, layers);
+  const double grid = gridOf(file, layers);
+  if (world.attribute(kLdtkDepthsAttribute)) {
+    notes.push_back("levels at different depths are imported over each other: choose some by --layer");
+  }
+  setAgain(root, "tilewidth", numberText(grid));
+  setAgain(root, "tileheight", numberText(grid));
+  for (const auto& [pixels, tiles] : {std::pair(kLdtkWidthAttribute, "width"), {kLdtkHeightAttribute, "height"}}) {
+    const double side = std::ceil(file.real(world, pixels) / grid);
+    if (!(side <= kMaxSide)) return file.fail(root, "its levels are too far apart");
+    setAgain(root, tiles, numberText(side));
+  }
+  if (options.blockFrom == BlockFrom::layer) return;
+  options.blockFrom = BlockFrom::tileClass;
+  for (const auto set : root.children("tileset")) {
+    if (set.attribute(kLdtkDrawnAttribute)) continue;
+    for (const auto tile : set.children("tile")) {
+      options.blocks.emplace(tile.attribute("class").value(), tile.attribute("id").as_uint());
     }
   }
 }

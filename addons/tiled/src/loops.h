@@ -37,4 +37,9 @@ std::vector<LocalPoint> localRing(const Polygon& ring);
 /// itself.
 std::vector<Polygon> tidyLoops(Polygon ring);
 
+/// Whether sides of an outline meet on the grid that did not meet as drawn: both sides of a thin wall came to lie on
+/// one line, or a narrow waist was closed. Neighbouring vertices may become one. Both rings have the same number of
+/// vertices, which belong together. Cost: O(n²).
+bool collapses(const Polygon& drawn, const Polygon& snapped);
+
 }  // namespace lgs::tiled

@@ -1,7 +1,5 @@
 #include "pixel_grid.h"
 
-#include "collapse.h"
-
 #include <lgs/brush.h>
 #include <lgs/tiled/import.h>
 
@@ -88,18 +86,20 @@ bool isTangled(const Polygon& outline) {
   return crossings(outline, outline, kTwice) > kTwice;
 }
 
-std::optional<std::vector<CellPart>> cutAlongGrid(const Polygon& outline) {
+std::optional<std::size_t> cutAlongGrid(const Polygon& outline, const PartSink& sink) {
   std::vector<Polygon> loops = tidyLoops(outline);
-  if (loops.empty()) return std::vector<CellPart>{};
+  if (loops.empty()) return 0;
   if (loops.size() == 1 && isPolygon(loops[0])) {  // as in most tiles; a world for each of them would take longer
     if (doubleArea(loops[0]) < 0) std::reverse(loops[0].begin(), loops[0].end());
-    return std::vector<CellPart>{{{}, std::move(loops[0])}};
+    sink({}, loops[0]);
+    return 1;
   }
   World world;
   if (!paint(world, {{outline}, FillRule::evenOdd}, 1, PaintMode::fill)) return std::nullopt;
-  std::vector<CellPart> parts;
+  std::size_t parts = 0;
   world.forEachPolygon([&](Cell cell, const PlacedPolygon& polygon) {
-    parts.push_back({cell, ringOf(polygon.vertices)});
+    ++parts;
+    sink(cell, ringOf(polygon.vertices));
   });
   return parts;
 }

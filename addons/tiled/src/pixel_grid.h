@@ -3,6 +3,7 @@
 
 #include "loops.h"
 
+#include <functional>
 #include <optional>
 
 namespace lgs::tiled {
@@ -34,15 +35,13 @@ void takeBackCollapse(Snapped& snapped);
 /// Whether an outline crosses itself so often (kMaxCrossings) that it is no drawing, and would take a brush minutes.
 bool isTangled(const Polygon& outline);
 
-/// What lies of a polygon in one cell.
-struct CellPart {
-  Cell shift;    ///< from the polygon's home cell to this one
-  Polygon ring;  ///< lattice units from the lower left corner of this cell
-};
+/// Receives what lies of a polygon in one cell: how far this is from the polygon's home cell, and a ring in lattice units
+/// from its lower left corner.
+using PartSink = std::function<void(Cell shift, const Polygon& ring)>;
 
 /// Cuts what an outline goes around along the grid: the polygons in each cell that it reaches. The outline may cross
 /// itself; inside is what it goes around an odd number of times. Where edges cross each other or the grid, the rounding
-/// is that of a brush. Nothing if a cell would hold more than it can.
-std::optional<std::vector<CellPart>> cutAlongGrid(const Polygon& outline);
+/// is that of a brush. Returns how many parts there are; nothing if a cell would hold more than it can.
+std::optional<std::size_t> cutAlongGrid(const Polygon& outline, const PartSink& sink);
 
 }  // namespace lgs::tiled

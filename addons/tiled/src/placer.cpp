@@ -42,15 +42,6 @@ Placer::ContentId Placer::content(Content content) {
   return at->second;
 }
 
-void Placer::place(Cell cell, EntryId entry) {
-  ContentId& at = cells_[cell];
-  const Step taken = step(at, entry);
-  at = taken.to;
-  if (taken.trimmed) count(entry, cell, NoteKind::trimmed, kTrimmed);
-  if (taken.tangled) count(entry, cell, NoteKind::leftOut, kTangled);
-  if (taken.tooMany) count(entry, cell, NoteKind::leftOut, kTooMany);
-}
-
 Placer::Step Placer::step(ContentId from, EntryId entry) {
   const std::uint64_t key = std::uint64_t{from} << 32 | entry;
   const auto known = steps_.find(key);
@@ -69,22 +60,17 @@ Placer::Step Placer::work(const Content& content, EntryId entry) {
   for (const EntryId other : content) {
     const Polygon& there = shapes_[entries_[other].shape];
     const Relation now = relation(ring, there);
-    if (now == Relation::inside) return {this->content(content), true};  // as under solid ground: nothing is left
+    if (now == Relation::inside) return {this->content(content), kTrimmed};  // as under solid ground: nothing is left
     if (now == Relation::apart) continue;
     isApart = false;
     crossed += crossings(ring, there, kMaxCrossings);
   }
-  if (crossed > kMaxCrossings) return {this->content(content), false, true};  // a brush could take minutes
+  if (crossed > kMaxCrossings) return {this->content(content), kTangled};  // a brush could take minutes
   if (!isApart) return paint(content, entry);
-  Step result;
+  if (!fits(content, ring)) return {this->content(content), kTooMany};
   Content grown = content;
-  if (fits(content, ring)) {
-    grown.push_back(entry);
-  } else {
-    result.tooMany = true;
-  }
-  result.to = this->content(std::move(grown));
-  return result;
+  grown.push_back(entry);
+  return {this->content(std::move(grown))};
 }
 
 /// Takes what it costs to compare a ring with all that is in a cell, and to keep what comes of it.
@@ -111,7 +97,7 @@ Placer::Step Placer::paint(const Content& content, EntryId entry) {
   }
   const auto last = static_cast<Block>(content.size());
   const auto painted = lgs::paint(cell_, {{shapes_[entries_[entry].shape]}}, last, PaintMode::fill);
-  Step result{this->content(content), true, false, !painted};
+  Step result{this->content(content), painted ? kTrimmed : kTooMany};
   if (!painted) return result;
   Content grown;
   bool isNew = false;
@@ -134,8 +120,9 @@ bool Placer::fits(const Content& content, const Polygon& ring) const {
   return content.size() < kMaxPolygonsPerCell && vertices <= kMaxVerticesPerCell;
 }
 
-void Placer::count(EntryId entry, Cell cell, NoteKind kind, std::string_view text) {
+void Placer::count(EntryId entry, Cell cell, std::string_view text) {
   const Entry& of = entries_[entry];
+  const NoteKind kind = text == kTrimmed ? NoteKind::trimmed : NoteKind::leftOut;
   Note& note = notes_[{of.tile, of.layer, of.object, text}];
   if (note.places == 0) note = {kind, of.object, 0, 0, cell, std::string(text), of.layer};
   ++note.places;
@@ -144,18 +131,29 @@ void Placer::count(EntryId entry, Cell cell, NoteKind kind, std::string_view tex
 void Placer::finish(ImportedMap& map) {
   Report& report = map.report;
   constexpr std::uint32_t kUnused = ~std::uint32_t{0};
-  std::vector<std::uint32_t> number(shapes_.size(), kUnused);
-  cells_.visit([&](Cell cell, ContentId content) {
-    ++report.cells;
+  std::vector<std::uint32_t> number;
+  std::stable_sort(placed_.begin(), placed_.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.first.j, a.first.i) < std::tie(b.first.j, b.first.i);
+  });
+  for (auto at = placed_.begin(); at != placed_.end() && !budget_.isOutOfWork();) {
+    const Cell cell = at->first;
+    ContentId content = 0;
+    for (; at != placed_.end() && at->first == cell; ++at) {
+      const Step taken = step(content, at->second);
+      content = taken.to;
+      if (!taken.note.empty()) count(at->second, cell, taken.note);
+    }
+    report.cells += content != 0;
     for (const EntryId id : contents_[content]) {
       const Entry& e = entries_[id];
+      number.resize(shapes_.size(), kUnused);
       if (number[e.shape] == kUnused) {
         number[e.shape] = asId(map.shapes.size());
         map.shapes.push_back(localRing(shapes_[e.shape]));
       }
       map.placements.push_back({cell, e.block, number[e.shape], e.tile, e.object, e.layer});
     }
-  });
+  }
   for (auto& [key, note] : notes_) {
     const auto [tile, layer, object, text] = key;
     (tile == kNoTile ? report.layers[layer].notes : report.tiles[tile].notes).push_back(std::move(note));

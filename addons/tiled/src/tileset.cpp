@@ -1,10 +1,9 @@
 #include "tileset.h"
 
-#include "tile_table.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace lgs::tiled {
@@ -103,13 +102,14 @@ CollisionObject fullSquare(const Tile& tile) {
   return square;
 }
 
-void Tilesets::read(const XmlFile& map, const FileReader& reader, Templates& templates,
+void Tilesets::read(const XmlFile& map, const FileReader& reader, Templates& templates, const TileTable& table,
                     std::optional<ImportError>& error) {
   std::map<std::uint32_t, std::string> names;  // by firstGid
   for (const auto node : map.root().children("tileset")) {
     tilesets_.push_back(readTileset(map, node, reader, templates, error));
     if (map.failed()) return;
-    const Tileset& last = tilesets_.back();
+    Tileset& last = tilesets_.back();
+    reshape(last, table);
     const auto [same, isNew] = names.try_emplace(last.firstGid, last.name);
     if (!isNew) return map.fail(node, "has the same firstgid as the tileset '" + same->second + "'");
   }
@@ -117,14 +117,8 @@ void Tilesets::read(const XmlFile& map, const FileReader& reader, Templates& tem
             [](const Tileset& a, const Tileset& b) { return a.firstGid < b.firstGid; });
 }
 
-void settle(Tileset& tileset, const Options& options) { reshape(tileset, options.tiles); }
-
 bool isLeftOut(const Tile& tile, const Options& options) {
   return isLeftOut(options, tile.className, "", tile.properties);
-}
-
-void Tilesets::settle(const Options& options) {
-  for (Tileset& tileset : tilesets_) tiled::settle(tileset, options);
 }
 
 const Tileset* Tilesets::of(std::uint32_t number) const {
@@ -133,6 +127,123 @@ const Tileset* Tilesets::of(std::uint32_t number) const {
   if (next == tilesets_.begin()) return nullptr;
   const Tileset& tileset = *(next - 1);
   return tileset.tileCount == 0 || number - tileset.firstGid < tileset.tileCount ? &tileset : nullptr;
+}
+
+namespace {
+
+constexpr std::int64_t kMaxTiles = 1 << 16;  // of a table
+
+/// The parts between separators.
+std::vector<std::string_view> split(std::string_view text, std::string_view separators) {
+  std::vector<std::string_view> parts{text.substr(0, text.find_first_of(separators))};
+  for (std::size_t at = parts[0].size(); at < text.size(); at += parts.back().size() + 1)
+    parts.push_back(text.substr(at + 1, text.find_first_of(separators, at + 1) - at - 1));
+  return parts;
+}
+
+/// "3", "60-63" or "0,39,60-63"; none if it is something else.
+std::vector<std::uint32_t> idsIn(std::string_view text) {
+  std::vector<std::uint32_t> ids;
+  for (const std::string_view part : split(text, ",")) {
+    const std::size_t dash = part.find('-');
+    const auto from = parseInteger(part.substr(0, dash));
+    const auto to = dash == std::string_view::npos ? from : parseInteger(part.substr(dash + 1));
+    if (!from || !to || *from < 0 || *to > kMaxGid || *to < *from || *to - *from >= kMaxTiles) return {};
+    for (std::int64_t id = *from; id <= *to; ++id) ids.push_back(static_cast<std::uint32_t>(id));
+  }
+  return ids;
+}
+
+/// A decimal, or a fraction of two.
+std::optional<double> numberIn(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  const auto over = parseReal(text.substr(0, slash));
+  const auto under = slash == std::string_view::npos ? std::optional(1.0) : parseReal(text.substr(slash + 1));
+  constexpr double kMost = 1e6;
+  if (!over || !under || *under <= 0 || std::abs(*over) > kMost || *under > kMost) return std::nullopt;
+  return *over / *under;
+}
+
+tl::expected<TileShape, std::string> shapeIn(std::string_view text) {
+  TileShape shape;
+  const std::string_view word = text.substr(0, text.find_first_of(" \t"));
+  if (word == "full" || word == "none") {
+    if (word != text) return tl::unexpected("has more than \"" + std::string(word) + "\"");
+    if (word == "full") shape.outline = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    return shape;
+  }
+  shape.oneWay = word == "oneway";
+  std::vector<double> numbers;
+  for (const std::string_view part : split(shape.oneWay ? text.substr(word.size()) : text, " \t,")) {
+    const auto number = part.empty() ? std::nullopt : numberIn(part);
+    if (number) numbers.push_back(*number);
+    if (!number && !part.empty())
+      return tl::unexpected<std::string>(
+          "should say full, none, oneway with x y of two points or more, or x y of three or more");
+  }
+  const std::size_t least = shape.oneWay ? 2 : 3;
+  if (numbers.size() % 2 != 0 || numbers.size() / 2 < least || numbers.size() / 2 > kMaxObjectVertices)
+    return tl::unexpected("should have x y of " + std::to_string(least) + " points or more");
+  for (std::size_t k = 0; k < numbers.size(); k += 2) shape.outline.push_back({numbers[k], numbers[k + 1]});
+  return shape;
+}
+
+/// The shape in pixels of the tile's image, y down.
+CollisionObject objectOf(const TileShape& shape, const Tile& tile, DoublePoint size) {
+  CollisionObject object;
+  object.kind = shape.oneWay ? CollisionObject::Kind::polyline : CollisionObject::Kind::polygon;
+  object.oneWay = shape.oneWay;
+  if (shape.oneWay && tile.className.empty()) object.className = "one-way";
+  for (const DoublePoint p : shape.outline) object.points.push_back({p.x * size.x, (1 - p.y) * size.y});
+  return object;
+}
+
+}  // namespace
+
+tl::expected<TileTable, std::string> parseTileTable(std::string_view text) {
+  TileTable table;
+  std::string tileset;  // "" for any
+  std::int64_t tiles = 0, number = 0;
+  bool hasHead = false;
+  constexpr const char* kNoHead = "should begin with \"lgs-tiles 1\"";
+  for (std::string_view line : split(text, "\n")) {
+    ++number;
+    const auto bad = [&](const std::string& what) { return tl::unexpected(std::to_string(number) + ": " + what); };
+    line = trimmed(line.substr(0, line.find('#')));
+    if (line.empty()) continue;
+    if (!hasHead && line != "lgs-tiles 1") return bad(kNoHead);
+    if (!std::exchange(hasHead, true)) continue;
+    const std::string_view first = line.substr(0, line.find_first_of(" \t")), rest = trimmed(line.substr(first.size()));
+    if (first == "tileset") {
+      tileset = rest;
+      continue;
+    }
+    const std::vector<std::uint32_t> ids = idsIn(first);
+    if (ids.empty())
+      return bad("should begin with the numbers of tiles, such as 3 or 0,5,60-63, or with \"tileset NAME\"");
+    const auto shape = shapeIn(rest);
+    if (!shape) return bad(shape.error());
+    for (const std::uint32_t id : ids)
+      if (!table[tileset].emplace(id, *shape).second) return bad("tile " + std::to_string(id) + " has a row already");
+    tiles += static_cast<std::int64_t>(ids.size());
+    if (tiles > kMaxTiles) return bad("has more than " + std::to_string(kMaxTiles) + " tiles");
+  }
+  if (!hasHead) return tl::unexpected(std::string("1: ") + kNoHead);
+  return table;
+}
+
+void reshape(Tileset& tileset, const TileTable& table) {
+  for (const std::string& name : {std::string(), tileset.name}) {
+    const auto rows = table.find(name);
+    if (rows == table.end()) continue;
+    for (const auto& [id, shape] : rows->second) {
+      Tile& tile = tileset.tiles[id];
+      const bool hasSize = tile.size.x > 0 && tile.size.y > 0;
+      tile.objects.clear();
+      tile.isSettled = true;
+      if (!shape.outline.empty()) tile.objects.push_back(objectOf(shape, tile, hasSize ? tile.size : tileset.tileSize));
+    }
+  }
 }
 
 }  // namespace lgs::tiled

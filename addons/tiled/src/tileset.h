@@ -2,7 +2,7 @@
 #pragma once
 
 #include "collision_object.h"
-#include "properties.h"
+#include "words.h"
 
 #include <unordered_map>
 
@@ -31,8 +31,8 @@ struct Tileset {
 /// A tile of a tileset, with the size of its image; one without shapes if the file has no <tile> for it.
 Tile tileAt(const Tileset& tileset, std::uint32_t id);
 
-/// Applies Options::tiles.
-void settle(Tileset& tileset, const Options& options);
+/// Gives each tile that a table names the shape that the table says, instead of its own ones.
+void reshape(Tileset& tileset, const TileTable& table);
 
 /// Whether Options::leaveOut has the class of a tile, or a property.
 bool isLeftOut(const Tile& tile, const Options& options);
@@ -46,10 +46,8 @@ CollisionObject fullSquare(const Tile& tile);
 /// The tilesets of a map.
 class Tilesets {
  public:
-  void read(const XmlFile& map, const FileReader& reader, Templates& templates, std::optional<ImportError>& error);
-
-  /// Applies Options::tiles.
-  void settle(const Options& options);
+  void read(const XmlFile& map, const FileReader& reader, Templates& templates, const TileTable& table,
+            std::optional<ImportError>& error);
 
   const std::vector<Tileset>& all() const { return tilesets_; }
 

@@ -1,7 +1,10 @@
 // What names say: whether something is solid. Names are those of layers, classes, objects and properties.
 #pragma once
 
+#include "xml.h"
+
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -54,5 +57,37 @@ bool isOnlySeen(std::string_view name);
 
 /// Whether a name has a word for another use.
 bool isForOtherUse(std::string_view name);
+
+using Properties = std::map<std::string, std::string>;
+
+/// The custom properties of a map, layer, tile or object.
+Properties propertiesOf(pugi::xml_node node);
+
+/// "A, B, C and 4 more"
+std::string listed(const std::vector<std::string>& names, std::size_t most = 8);
+
+/// Upper case letters of ASCII become lower case.
+std::string lower(std::string_view text);
+
+/// Whether a value says yes: it is neither "false" nor "0". An empty one says yes, as games ask whether there is one.
+bool saysYes(std::string_view value);
+
+/// The name in a rule, "NAME" or "NAME=VALUE".
+std::string propertyIn(const std::string& rule);
+
+/// The first of some rules, "NAME" or "NAME=VALUE", that the properties fit; null if they fit none.
+const std::string* firstFit(const std::vector<std::string>& rules, const Properties& properties);
+
+/// Whether a property says that something is not solid: "solid=false". Then this is a rule for it; otherwise "".
+std::string noIn(const std::string& property, const std::string& value);
+
+/// The strongest that is said by the name of an element and its class, and of an object layer by the properties that
+/// say yes; of equals the first. (A property of a tile layer is a rule for its tiles.) The reason in words goes into
+/// `why`.
+Saying sayingOf(pugi::xml_node node, std::string* why = nullptr);
+
+/// Whether an element says that it is one-way: its name, its class, or a property that says yes has "one-way",
+/// "platform" or "jump-through" in it, in any of the usual spellings.
+bool saysOneWay(pugi::xml_node node);
 
 }  // namespace lgs::tiled

@@ -1,4 +1,4 @@
-#include "world_maps.h"
+#include "map_source.h"
 
 #include "regexp.h"
 

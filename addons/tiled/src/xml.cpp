@@ -1,9 +1,8 @@
 #include "xml.h"
 
-#include "foreign.h"
-#include "json_elements.h"
-#include "properties.h"
+#include "json.h"
 #include "text/words.h"
+#include "words.h"
 
 #include <fast_float/fast_float.h>
 #include <algorithm>
@@ -18,33 +17,10 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
 /// What std::from_chars() takes: no blanks around it, and no plus.
 std::string_view bare(std::string_view number) {
   number = trimmed(number);
   return number.starts_with('+') ? number.substr(1) : number;
-}
-
-std::optional<std::int64_t> parseInteger(std::string_view text) {
-  text = bare(text);
-  std::int64_t value = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (status != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-/// By fast_float, since std::from_chars() of LLVM's library reads no reals. A number too small for a double is 0.
-std::optional<double> parseReal(std::string_view text) {
-  text = bare(text);
-  double value = 0;
-  const auto [end, status] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
-  if (status == std::errc::invalid_argument || end != text.data() + text.size()) return std::nullopt;
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 std::string describe(pugi::xml_node node, bool mayQuote) {
@@ -77,6 +53,29 @@ std::string whyNotToRead(std::string named, std::string_view kind) {
 }
 
 }  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+std::optional<std::int64_t> parseInteger(std::string_view text) {
+  text = bare(text);
+  std::int64_t value = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// By fast_float, since std::from_chars() of LLVM's library reads no reals. A number too small for a double is 0.
+std::optional<double> parseReal(std::string_view text) {
+  text = bare(text);
+  double value = 0;
+  const auto [end, status] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+  if (status == std::errc::invalid_argument || end != text.data() + text.size()) return std::nullopt;
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
 
 XmlFile::XmlFile(std::string name, const FileReader& reader, const char* rootName, std::optional<ImportError>& error,
                  Quoting quoting)

@@ -19,6 +19,13 @@ namespace lgs::tiled {
 /// A piece of a file as a message quotes it: short, and without control characters.
 std::string inQuotes(std::string_view piece);
 
+/// Without the blanks around it.
+std::string_view trimmed(std::string_view text);
+
+/// A number, which may have blanks around it and a plus; nothing for anything else. A real is finite.
+std::optional<std::int64_t> parseInteger(std::string_view text);
+std::optional<double> parseReal(std::string_view text);
+
 /// The path of a file that another one names by a path from its own folder, in either kind of slashes.
 std::string pathBeside(const std::string& file, std::string named);
 

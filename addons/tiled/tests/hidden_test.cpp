@@ -97,11 +97,12 @@ TEST(TiledHidden, ATemplateCanHide) {
 TEST(TiledHidden, IfAllIsHiddenTheReportSaysSo) {
   const auto map = mustImport(walls(box(0), "visible='0'") + csvLayer(1, 1, "0", "visible='0'"), visibleOnly());
   ASSERT_EQ(map.report.suggestions.size(), 1U);
-  EXPECT_EQ(map.report.suggestions[0].text, "2 layers are hidden, and --visible leaves them out: Walls, Ground");
+  EXPECT_EQ(map.report.suggestions[0].text,
+            "hidden, and --visible leaves it out: object layer Walls: its name says 'wall'");
   EXPECT_TRUE(map.report.suggestions[0].arguments.empty());
   EXPECT_EQ(map.report.suggestions[0].polygons, 1U);
   EXPECT_THAT(toText(map.report),
-              HasSubstr("\n  or:  (1 polygon: 2 layers are hidden, and --visible leaves them out: Walls, Ground)\n"));
+              HasSubstr("\n  or:  (1 polygon: hidden, and --visible leaves it out: object layer Walls: its name "));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Outlines as people draw them: they touch or cross themselves, go there and back, or repeat a vertex. And the shapes
 // that are left out, with the reason in words.
-#include "addons/tiled/src/object_outline.h"
+#include "addons/tiled/src/collision_object.h"
 #include "maps.h"
 
 #include <algorithm>

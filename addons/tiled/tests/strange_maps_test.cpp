@@ -185,6 +185,49 @@ TEST_F(TiledDisk, FilesMayLieInTheProjectOfTheMap) {
   EXPECT_EQ(projectFolder("/tmp/m.tmx"), "/tmp") << "never the root";
 }
 
+/// In a worktree or a submodule of Git `.git` is a file. What marks a project may be anything: nobody opens it.
+TEST_F(TiledDisk, AMarkOfAProjectIsNotOpened) {
+  fs::create_directories(folder_ / "a/b/c/d");
+  ASSERT_EQ(::mkfifo(path("a/.git").c_str(), 0600), 0);
+  EXPECT_EQ(projectFolder(path("a/b/c/d/m.tmx")), path("a"));
+  put("a/b/.git", "gitdir: elsewhere");
+  EXPECT_EQ(projectFolder(path("a/b/c/d/m.tmx")), path("a/b"));
+  EXPECT_EQ(projectFolder(path("no/such/folder/m.tmx")), path("no/such/folder")) << "not even there";
+}
+
+/// A project above the home folder does not count, nor do the neighbours of a link to a map's folder.
+TEST_F(TiledDisk, ALinkDoesNotMoveTheProject) {
+  fs::create_directories(folder_ / "home/mine");
+  fs::create_directories(folder_ / "else/game/maps");
+  put("else/game/.git", "");
+  put("package.json", "{}");
+  put("home/secret.tsx", kSet);
+  put("else/game/maps/a.tmx", mapXml("<tileset firstgid='1' source='../secret.tsx'/>" + csvLayer(1, 1, "1")));
+  fs::create_directory_symlink(folder_ / "else/game/maps", folder_ / "home/link");
+  const char* const home = std::getenv("HOME");
+  const std::string before = home ? home : "";
+  ::setenv("HOME", path("home").c_str(), 1);
+  EXPECT_EQ(projectFolder(path("home/mine/m.tmx")), path("home"));
+  EXPECT_EQ(projectFolder(path("home/link/a.tmx")), path("home/link"));
+  EXPECT_THAT(message(importMap(path("home/link/a.tmx")).error()), HasSubstr("it is not in the folder"));
+  EXPECT_EQ(projectFolder(path("else/game/maps/a.tmx")), path("else/game"));
+  ::setenv("HOME", before.c_str(), 1);
+}
+
+TEST_F(TiledDisk, TheFolderThatIsNamedMayBeALink) {
+  fs::create_directory_symlink(folder_ / "maps", folder_ / "link");
+  fs::create_symlink(folder_ / "secret.tsx", folder_ / "maps/out.tsx");
+  const auto said = [&](const char* source) {
+    put("maps/sub/a.tmx", mapXml("<tileset firstgid='1' source='" + std::string(source) + "'/>"));
+    const auto map = importMap(path("link/sub/a.tmx"), {.filesIn = path("link")});
+    return map ? map->report.partial : message(map.error());
+  };
+  EXPECT_EQ(said("../own.tsx"), "");
+  EXPECT_THAT(said("../../secret.tsx"), HasSubstr("it is not in the folder"));
+  EXPECT_THAT(said("../sub/../../maps/../secret.tsx"), HasSubstr("it is not in the folder")) << "by many steps";
+  EXPECT_THAT(said("../out.tsx"), HasSubstr("a symbolic link out of the folder"));
+}
+
 TEST_F(TiledDisk, ATilesetInASiblingFolderIsRead) {
   fs::create_directories(folder_ / "game/maps");
   fs::create_directories(folder_ / "game/tilesets");
@@ -207,6 +250,38 @@ TEST_F(TiledDisk, ATilesetInASiblingFolderIsRead) {
   EXPECT_THAT(message(import("../tilesets/fifo.tsx").error()), HasSubstr("it is no regular file"));
   put("game/tilesets/secret.tsx", "<SECRET>SECRET</SECRET>");
   EXPECT_THAT(message(import("../tilesets/secret.tsx").error()), Not(HasSubstr("SECRET")));
+}
+
+/// A template whose tile has a shape of that same template, and one that is its own.
+TEST(TiledStrangeMaps, TemplatesMayNameEachOther) {
+  const std::string shape = "<object id='1' template='a.tx'/>";
+  const Files files{
+      {"maps/test.tmx", mapXml("<objectgroup name='Walls'><object id='1' template='a.tx' x='0' y='32'/>"
+                               "<object id='2' template='b.tx' x='64' y='32'/></objectgroup>")},
+      {"maps/a.tx",
+       "<template><tileset firstgid='1' source='a.tsx'/><object gid='1' width='32' height='32'/></template>"},
+      {"maps/a.tsx", tilesOf32(tileXml(0, shape), "name='a'")},
+      {"maps/b.tx", "<template><object template='b.tx' width='32' height='32'/></template>"}};
+  const auto map = test::must(importMap("maps/test.tmx", {}, readerOf(files)));
+  EXPECT_EQ(cellsOf(map), (Cells{{2, -2}})) << "the first has no shape";
+}
+
+TEST(TiledStrangeMaps, HugeNumbersTakeNoMemory) {
+  std::vector<std::string> asked;
+  const std::string huge = "268435456";
+  const std::string sides = "width='" + huge + "' height='" + huge + "'";
+  for (const char* data : {"<data encoding='csv'>1</data>", "<data encoding='base64' compression='zlib'>eJw=</data>"}) {
+    EXPECT_THAT(said(mapXml("<layer name='solid' " + sides + ">" + data + "</layer>", sides), asked),
+                HasSubstr("more tiles than the limit"));
+  }
+  EXPECT_EQ(said(mapXml("<tileset firstgid='1' tilewidth='32' tileheight='32' tilecount='268435455' columns='" + huge +
+                        "'><image source='a.png' width='1048576' height='1048576'/></tileset>" + csvLayer(1, 1, "1")),
+                 asked),
+            "accepted");
+  EXPECT_NE(said(mapXml("<objectgroup name='wall'><object id='1' width='131072' height='131072'/>"
+                        "<object id='2' width='131072' height='131072'/></objectgroup>"),
+                 asked),
+            "accepted");
 }
 
 /// Its shapes and properties are not known; the tiles are.

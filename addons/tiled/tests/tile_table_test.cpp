@@ -1,4 +1,4 @@
-// Tables of what tiles are by their numbers, and the one of docs/maps.md.
+// Tables of what tiles are by their numbers, and the one of the examples.
 #include "maps.h"
 
 #include <fstream>
@@ -67,18 +67,12 @@ TEST(TiledTileTable, Refusals) {
   EXPECT_EQ(refusal(head + "0-40000 full\ntileset b\n0-40000 full"), "4: has more than 65536 tiles");
 }
 
-/// The table that the docs have for a game is one, and has slopes of each kind.
-TEST(TiledTileTable, TheOneOfTheDocs) {
-  std::ifstream file(std::string(LGS_SOURCE_DIR) + "/docs/maps.md");
-  std::stringstream text;
-  text << file.rdbuf();
-  const std::string mark = "<!-- table: supertux-advance.tiles -->\n";
-  const std::size_t from = text.str().find(mark), to = text.str().find("<!-- end -->", from);
-  ASSERT_NE(from, std::string::npos);
-  std::stringstream lines(text.str().substr(from + mark.size(), to - from - mark.size()));
-  std::string table;
-  for (std::string line; std::getline(lines, line);) table += line.substr(std::min<std::size_t>(4, line.size())) + "\n";
-  const auto parsed = parseTileTable(table);
+/// The table for a game is one, and has slopes of each kind.
+TEST(TiledTileTable, TheOneOfTheExamples) {
+  std::ifstream file(std::string(LGS_SOURCE_DIR) + "/examples/maps/supertux-advance.tiles");
+  std::stringstream table;
+  table << file.rdbuf();
+  const auto parsed = parseTileTable(table.str());
   ASSERT_TRUE(parsed) << parsed.error();
   const auto& solid = parsed->at("solid");
   EXPECT_EQ(solid.size(), 54U);

@@ -118,6 +118,20 @@ TEST(TiledWorlds, ATileNamesItsLayersInAllMaps) {
   EXPECT_EQ(mustImportWorld(files, {.visibleOnly = true}).report.tiles.size(), 1U);
 }
 
+/// Two tilesets of one map may have one name; they are told apart by the classes of their tiles.
+TEST(TiledWorlds, TilesetsOfOneNameAreToldApartInOneMap) {
+  const auto set = [](const char* first, const char* type) {
+    return "<tileset firstgid='" + std::string(first) + "' name='set' tilewidth='32' tileheight='32'>" +
+           tileXml(0, kFullTile, type) + "</tileset>";
+  };
+  const std::string both =
+      mapXml(set("1", "type='rock'") + set("9", "type='ice'") + csvLayer(2, 2, "1,9,0,0"), "width='2' height='2'");
+  const auto map = mustImportWorld(worldFiles(kBeside, both, both));
+  ASSERT_EQ(map.report.tiles.size(), 2U);
+  EXPECT_EQ(map.report.tiles.at(0).className, "rock");
+  EXPECT_EQ(map.report.tiles.at(1).className, "ice");
+}
+
 TEST(TiledWorlds, PathsOfLayersBeginWithTheMapOrNot) {
   const auto inGroup = [](const std::string& group) {
     const std::string layer = "<group name='" + group + "'>" + csvLayer(2, 2, "1,0,0,0") + "</group>";

@@ -32,7 +32,7 @@ struct Note {
   double pixels = 0;         ///< snapped, takenBack: the furthest move; carried, clipped: the furthest reach; nearMiss:
                              ///< the miss
   std::uint64_t places = 0;  ///< in how many cells; 0 for notes that hold wherever the tile is used
-  Cell cell;                 ///< the first of these cells
+  Cell cell;                 ///< the first of these cells, by rows from the lowest
   std::string text;          ///< the note in words, without the object's number
   std::uint32_t layer = 0;   ///< of the cells, if there are places: index in Report::layers
 };

@@ -1,0 +1,131 @@
+#include "parts.h"
+
+#include <lgs/brush.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lgs::tiled {
+namespace {
+
+using Kind = CollisionObject::Kind;
+
+/// Collects the notes on one object.
+class Noter {
+ public:
+  Noter(const CollisionObject& object, std::vector<Note>& notes) : object_(object), notes_(notes) {}
+
+  void note(NoteKind kind, double amount, std::string text) const {
+    notes_.push_back({kind, object_.id, amount, 0, {}, std::move(text)});
+  }
+
+  void leaveOut(std::string why) const { note(NoteKind::leftOut, 0, std::move(why)); }
+
+  void noteSnapping(const Snapped& snapped) const {
+    if (object_.kind == Kind::ellipse || object_.kind == Kind::capsule) {
+      note(NoteKind::approximated, 0,
+           std::string(object_.kind == Kind::ellipse ? "an ellipse" : "a capsule") + " became a polygon of " +
+               std::to_string(kCurveVertices) + " vertices");
+    }
+    if (object_.thickness > 0) {
+      note(NoteKind::approximated, 0, "a one-way polyline became a polygon, " + pixels(object_.thickness) + " thick");
+    }
+    if (object_.hidden) note(NoteKind::hidden, 0, "is hidden, and counts all the same; --visible leaves it out");
+    if (snapped.takenBack) {
+      note(NoteKind::takenBack, snapped.furthest,
+           "stays as drawn: snapping by up to " + pixels(snapped.furthest) +
+               " would press sides of it together. A smaller --tolerance may snap the rest");
+    } else if (snapped.moved > 0) {
+      note(NoteKind::snapped, snapped.furthest,
+           std::to_string(snapped.moved) + (snapped.moved == 1 ? " coordinate" : " coordinates") +
+               " put on the grid, by up to " + pixels(snapped.furthest));
+    }
+    if (snapped.nearMiss > 0) {
+      note(NoteKind::nearMiss, snapped.nearMiss,
+           "a vertex misses a corner by " + pixels(snapped.nearMiss) + ": a tolerance of " +
+               pixels(std::ceil(snapped.nearMiss * 10) / 10) + " would join it");
+    }
+  }
+
+ private:
+  const CollisionObject& object_;
+  std::vector<Note>& notes_;
+};
+
+/// How far a part reaches out of the home cell, in pixels.
+double reach(Cell shift, const Polygon& ring, const PixelGrid& grid) {
+  const Box box = boundingBox(ring);
+  const auto out = [](std::int32_t cells, std::int64_t min, std::int64_t max, double tile) {
+    const std::int64_t from = cells * std::int64_t{kUnitsPerCell};
+    const std::int64_t units = std::max({std::int64_t{0}, -(from + min), from + max - kUnitsPerCell});
+    return static_cast<double>(units) / kUnitsPerCell * tile;
+  };
+  return std::max(out(shift.i, box.min.x, box.max.x, grid.tile.x), out(shift.j, box.min.y, box.max.y, grid.tile.y));
+}
+
+}  // namespace
+
+void cutObject(const CollisionObject& object, const std::vector<DoublePoint>& outline, const PixelGrid& grid,
+               double most, Budget& budget, std::vector<Note>& notes, const PartSink& sink) {
+  const Noter noter(object, notes);
+  if (object.kind == Kind::unsupported) return noter.leaveOut(object.unsupported);
+  if (object.kind == Kind::tile) return noter.leaveOut("it is a tile object: draw a shape instead");
+  if (!budget.shape(outline.size())) return;
+  Snapped snapped = snap(outline, grid, most);
+  if (snapped.tooFar) {
+    return noter.leaveOut(most > kMaxReach
+                              ? "it is too far away"
+                              : "it reaches more than " + std::to_string(kMaxReach) + " cells out of its cell");
+  }
+  constexpr std::int64_t kExtent = kMaxRegionCells * kUnitsPerCell;
+  const Box box = boundingBox(snapped.ring);
+  if (box.max.x - box.min.x > kExtent || box.max.y - box.min.y > kExtent) {
+    return noter.leaveOut("it is more than " + std::to_string(kMaxRegionCells) + " cells wide or high");
+  }
+  takeBackCollapse(snapped);
+  noter.noteSnapping(snapped);
+  if (isTangled(snapped.ring)) return noter.leaveOut("its outline crosses itself more than 1024 times");
+  if (tidyLoops(snapped.ring).empty()) return noter.leaveOut("it has no area once it is on the grid");
+  if (!budget.stroke(snapped.ring)) return;
+  const auto parts = cutAlongGrid(snapped.ring, sink);
+  if (!parts) return noter.leaveOut("a cell holds as many polygons or vertices as it can");
+  if (*parts == 0) noter.leaveOut("it has no area: what its outline goes around twice is not solid");
+}
+
+TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& grid, const Options& options,
+                    Budget& budget) {
+  TileParts result;
+  if (isLeftOut(tile, options)) return result;
+  const bool carries = options.outside == Outside::carry;
+  for (const CollisionObject& drawn : tile.objects) {
+    const CollisionObject object = asAsked(drawn, options);
+    std::vector<DoublePoint> points = outline(object);
+    for (DoublePoint& p : points) p = frame.toCell(p);
+    double out = 0;
+    cutObject(object, points, grid, kMaxReach, budget, result.notes, [&](Cell shift, const Polygon& ring) {
+      out = std::max(out, reach(shift, ring, grid));
+      if (!carries && shift != Cell{}) return;
+      const std::string& className = object.className.empty() ? tile.className : object.className;
+      result.parts.push_back({shift, ring, object.id, className});
+    });
+    if (out == 0) continue;
+    Noter(object, result.notes)
+        .note(carries ? NoteKind::carried : NoteKind::clipped, out,
+              "reaches up to " + pixels(out) +
+                  " out of its cell: " + (carries ? "carried into the neighbouring cells" : "cut off"));
+  }
+  return result;
+}
+
+std::string pixels(double value) {
+  const auto hundredths = std::llround(std::fmin(value, 1e9) * 100);
+  std::string result = std::to_string(hundredths / 100);
+  if (const auto rest = hundredths % 100; rest != 0) {
+    result += rest < 10 ? ".0" : ".";
+    result += std::to_string(rest % 10 == 0 ? rest / 10 : rest);
+  }
+  return result + " px";
+}
+
+}  // namespace lgs::tiled

@@ -1,0 +1,44 @@
+// From collision objects to polygons in cells: an outline is put on the lattice, and cut along the grid.
+#pragma once
+
+#include "budget.h"
+#include "collision_object.h"
+#include "map_source.h"
+#include "pixel_grid.h"
+
+namespace lgs::tiled {
+
+/// Puts an object on the lattice and cuts it along the grid. Its outline is in pixels from the lower left corner of its
+/// home cell, y up; `most` is how many cells away a vertex may be. Each part goes to the sink. What happens becomes a
+/// note. What it costs is taken from the budget; if that is spent, nothing comes.
+void cutObject(const CollisionObject& object, const std::vector<DoublePoint>& outline, const PixelGrid& grid,
+               double most, Budget& budget, std::vector<Note>& notes, const PartSink& sink);
+
+/// A number of pixels as the notes write it, with at most two decimals: "1.25 px".
+std::string pixels(double value);
+
+struct TilePart {
+  Cell shift;  ///< from the tile's cell to the one of this part
+  Polygon ring;
+  std::uint32_t object = 0;  ///< id of the collision object
+  std::string className;     ///< of the object, or of the tile if the object has none
+};
+
+/// The polygons that a tile, flipped in one way, puts into its own cell and into the neighbouring cells.
+struct TileParts {
+  std::vector<TilePart> parts;
+  std::vector<Note> notes;
+};
+TileParts tileParts(const Tile& tile, const ImageFrame& frame, const PixelGrid& grid, const Options& options,
+                    Budget& budget);
+
+/// One shape of an object of an object layer. A tile object can have several.
+struct MapShape {
+  CollisionObject object;            ///< its id, its kind, and the class that decides on its block
+  std::vector<DoublePoint> outline;  ///< pixels from the map's upper left corner, y up; empty for Kind::unsupported
+};
+
+/// All shapes of an object layer, in the file's order; those for which the budget is enough.
+std::vector<MapShape> objectsOf(MapSource& source, const Layer& layer, const Options& options, Budget& budget);
+
+}  // namespace lgs::tiled
