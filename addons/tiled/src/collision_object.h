@@ -1,5 +1,5 @@
-// A shape as a file has it: of a tile, or of an object layer. Object templates are files (TX) that hold one object each,
-// which others fill up.
+// A shape as a file has it: of a tile, or of an object layer. Object templates are files (TX) that hold one object
+// each, which others fill up.
 #pragma once
 
 #include "words.h"

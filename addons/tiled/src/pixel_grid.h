@@ -35,8 +35,8 @@ void takeBackCollapse(Snapped& snapped);
 /// Whether an outline crosses itself so often (kMaxCrossings) that it is no drawing, and would take a brush minutes.
 bool isTangled(const Polygon& outline);
 
-/// Receives what lies of a polygon in one cell: how far this is from the polygon's home cell, and a ring in lattice units
-/// from its lower left corner.
+/// Receives what lies of a polygon in one cell: how far this is from the polygon's home cell, and a ring in lattice
+/// units from its lower left corner.
 using PartSink = std::function<void(Cell shift, const Polygon& ring)>;
 
 /// Cuts what an outline goes around along the grid: the polygons in each cell that it reaches. The outline may cross

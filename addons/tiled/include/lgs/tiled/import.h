@@ -9,13 +9,13 @@
 //   world.commit();
 //   puts(lgs::tiled::toText(map->report).c_str());
 //
-// WHAT IS READ. Tiled's orthogonal maps, tilesets and templates in XML and in JSON, and its worlds; LDtk projects from 0.8
-// on. The content of a file says what it is, not its name. Each tile brings the collision shapes that were drawn in
+// WHAT IS READ. Tiled's orthogonal maps, tilesets and templates in XML and in JSON, and its worlds; LDtk projects from
+// 0.8 on. The content of a file says what it is, not its name. Each tile brings the collision shapes that were drawn in
 // Tiled's "Tile Collision Editor"; ellipses and capsules become polygons of kCurveVertices vertices. Object layers hold
 // the same shapes, of any size, and tile objects, which bring the shapes of their tile. In an LDtk project each cell of
 // an IntGrid layer is a full square, unless its value is 0; the entities of one kind in a layer are an object layer,
-// "Level/Layer/Entity", whose class is the entity layer and whose properties are their tags, numbered from 1 in it. What
-// has no area or is not supported is left out, and the report names it. docs/maps.md has more.
+// "Level/Layer/Entity", whose class is the entity layer and whose properties are their tags, numbered from 1 in it.
+// What has no area or is not supported is left out, and the report names it. docs/maps.md has more.
 //
 // WHERE THINGS LAND. One tile of the map's grid is one cell. y points up: the tile in column c and row r of the map is
 // cell (c, -1 - r). So the top edge of row 0 is y = 0, and cells keep their numbers when the map grows. This holds for
@@ -23,16 +23,16 @@
 // as Tiled draws it. The offset of a layer includes those of its groups, and of its map in a world or of its level. The
 // whole tiles in it move the layer by as many cells. The rest makes the layer's polygons reach out of their cells.
 //
-// HAND-DRAWN SHAPES. Each coordinate that misses a grid line by at most `Options::tolerance` pixels moves onto the line,
-// then it is rounded once, to the nearest lattice unit. If that brought sides of a shape onto each other, none of its
-// vertices snaps, and the report says so. An outline may cross itself: inside is what Tiled fills. Shapes are cut along
-// the grid; what lies of a tile's shapes in other cells goes there, or is dropped, as `Options::outside` says. Where edges
-// cross the grid or each other the rounding is that of a brush (lgs/brush.h), at most one lattice unit.
+// HAND-DRAWN SHAPES. Each coordinate that misses a grid line by at most `Options::tolerance` pixels moves onto the
+// line, then it is rounded once, to the nearest lattice unit. If that brought sides of a shape onto each other, none of
+// its vertices snaps, and the report says so. An outline may cross itself: inside is what Tiled fills. Shapes are cut
+// along the grid; what lies of a tile's shapes in other cells goes there, or is dropped, as `Options::outside` says.
+// Where edges cross the grid or each other the rounding is that of a brush (lgs/brush.h), at most one lattice unit.
 //
 // OVERLAPS. What is placed first stays, and what comes later loses the part that is covered already: first the polygons
 // in their own cells, layer by layer from the bottom to the top, then the carried parts, then the objects of object
-// layers in the map's order. Where slanted outlines cross in a cell both get the same vertex, and the result misses what
-// was drawn by at most a lattice unit. What is narrower than some units is dropped.
+// layers in the map's order. Where slanted outlines cross in a cell both get the same vertex, and the result misses
+// what was drawn by at most a lattice unit. What is narrower than some units is dropped.
 //
 // WHAT COMES OUT. Every placement is simple, counter-clockwise, inside its cell, disjoint from the others of its cell,
 // and within World's limits for a cell. So World::add accepts all of them.
@@ -118,9 +118,9 @@ tl::expected<TileTable, std::string> parseTileTable(std::string_view text);
 /// Without solidWithoutShapes, solidIf, objects and tiles the map itself decides what is solid, by the strongest
 /// evidence that there is in it: 1. shapes of tiles, and layers, classes and properties that say collision, all
 /// together; 2. those that say ground or wall; 3. the only tile layer, if it is half empty. What is deadly or passable
-/// is left out. docs/maps.md, "What is taken by itself", has the words. Report::choice says what was taken. The next best
-/// choice is tried as well, so that takes twice as long. `layers` narrows where that is looked for. With any of the four
-/// nothing is chosen: they hold, and so do the shapes of tiles.
+/// is left out. docs/maps.md, "What is taken by itself", has the words. Report::choice says what was taken. The next
+/// best choice is tried as well, so that takes twice as long. `layers` narrows where that is looked for. With any of
+/// the four nothing is chosen: they hold, and so do the shapes of tiles.
 struct Options {
   double tolerance = 1.0;            ///< pixels, finite, 0 or more; at most a quarter of a tile is used
   Outside outside = Outside::carry;  ///< what happens to what reaches out of its cell
@@ -128,22 +128,23 @@ struct Options {
 
   /// Properties, "NAME" or "NAME=VALUE". A tile without any collision object is a full square if it or its layer has
   /// one of them. "NAME" alone takes any value but "false" and "0". A tile has its class as a property "class", and a
-  /// layer its path as "layer". Unless `objects` names some, objects that have such a property are taken from any object
-  /// layer. The report names those properties that nothing has, names and values alike.
+  /// layer its path as "layer". Unless `objects` names some, objects that have such a property are taken from any
+  /// object layer. The report names those properties that nothing has, names and values alike.
   std::vector<std::string> solidIf = {};
 
   TileTable tiles = {};  ///< shapes of tiles by their numbers; they replace those in the tileset
 
-  /// What is not solid: classes of tiles and values of IntGrid layers, classes and names of shapes and objects, names of
-  /// layers, and properties of all of these, as "NAME=VALUE".
+  /// What is not solid: classes of tiles and values of IntGrid layers, classes and names of shapes and objects, names
+  /// of layers, and properties of all of these, as "NAME=VALUE".
   std::vector<std::string> leaveOut = {};
 
   BlockFrom blockFrom = BlockFrom::one;  ///< where blocks come from
 
   /// The block for each class, object's name or layer; unused with BlockFrom::one. "" stands for no class. Other names
-  /// get the least unused numbers from 1 up, in the order in which the import meets them: first tile layers in the map's
-  /// order, and in a layer tiles by rows from the top, then objects. Such numbers may change with an edit of the map, and
-  /// the report warns of them. A game that knows a class gives it a number here, or asks for it: ImportedMap::block("ice").
+  /// get the least unused numbers from 1 up, in the order in which the import meets them: first tile layers in the
+  /// map's order, and in a layer tiles by rows from the top, then objects. Such numbers may change with an edit of the
+  /// map, and the report warns of them. A game that knows a class gives it a number here, or asks for it:
+  /// ImportedMap::block("ice").
   std::map<std::string, Block> blocks = {};
 
   /// Tile layers to import: names or paths ("Group/Layer") of layers or groups; in worlds and LDtk projects also of
@@ -234,11 +235,11 @@ inline constexpr std::string_view kNoSuchFile = "there is no such file";
 /// path of each tileset, template, map or level: its name in the map, appended to the map's folder. A reader of your
 /// own can serve files from memory; then an import touches no file.
 ///
-/// Maps come from strangers, and so do the names in them. Without Options::filesAnywhere and Options::filesIn a reader is
-/// asked only for the map's path and for paths that lie below the map's folder as they are written: without "..", with
-/// slashes only. A reader of a server's disk must not follow links out of the folder, nor open what is no regular file, as
-/// it may block; readerBelow() is such a reader. What a reader says of a file that it can not read becomes part of the
-/// error. What it throws comes out of importMap(), and nothing is leaked; so it is with a FolderLister.
+/// Maps come from strangers, and so do the names in them. Without Options::filesAnywhere and Options::filesIn a reader
+/// is asked only for the map's path and for paths that lie below the map's folder as they are written: without "..",
+/// with slashes only. A reader of a server's disk must not follow links out of the folder, nor open what is no regular
+/// file, as it may block; readerBelow() is such a reader. What a reader says of a file that it can not read becomes
+/// part of the error. What it throws comes out of importMap(), and nothing is leaked; so it is with a FolderLister.
 ///
 /// A reason that begins with kNoSuchFile says that the file is missing. A tileset that is missing loses its shapes and
 /// properties, and a world its map; the report says so. Any other reason is an error of the import.
