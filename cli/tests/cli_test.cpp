@@ -81,7 +81,7 @@ TEST_F(Command, BadFilesAreTwo) {
   put("worse", "lgs-trace 1\n\nadd a 0 0 1  0 0 1 0 1 1 0 one\n");
   put("bad.tmx", "<map");
   expect("replay missing", 2, "missing: cannot open the file");
-  expect("replay .", 2, ".: cannot read the file: Is a directory");
+  expect("replay .", 2, ".: there is no .trace in this folder");
   expect("replay bad", 2, "bad:2: ");
   expect("replay bad --check", 2, "bad:2: ");
   expect("replay worse", 2, "worse:3: the y of vertex 3, 'one': not a number");
