@@ -95,7 +95,8 @@ def select(arguments: argparse.Namespace) -> list[Bug | Mutant]:
         chosen = bugs.read_all()
     if arguments.canary is not None:
         bug = random.Random(arguments.canary).choice([b for b in chosen if b.list.startswith(("law1-", "law2-"))])
-        return [dataclasses.replace(bug, group=dataclasses.replace(bug.group, tests=("Bulk/",)))]
+        bulk = dataclasses.replace(bug.group, program="lgs_engine_tests", tests=("Bulk/",))
+        return [dataclasses.replace(bug, group=bulk)]
     if arguments.score:
         chosen = [bug for bug in chosen if bug.file.startswith(trying.SEEN)]
     if arguments.fuzz == "own":

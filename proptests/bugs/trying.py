@@ -8,7 +8,7 @@ from pathlib import Path
 
 import finders
 from bugs import Bug, Wrong
-from finders import Command, Fuzz, Package, Tests
+from finders import Command, Fuzz, Package, Replay, Tests
 from mutants import COMPONENTS, Mutant
 from results import Results
 from workshop import DoesNotBuild, Workshop
@@ -67,6 +67,8 @@ class Bench:
                     for f in COMPONENTS[bug.component][1]]
         if bug.group.program == "node":
             return [Package(test) for test in bug.group.tests]
+        if bug.group.program == "lgs":
+            return [Command(a.edits) if test == "check" else Replay(test) for test in bug.group.tests]
         own = [f"{prefix}*" for prefix in bug.group.tests]
         last = self.results.last(bug).get("by", "")
         filters = [*([last] if last.startswith(bug.group.tests) else []), *own, "*-" + ":".join(own)]
